@@ -1,0 +1,88 @@
+// The drive port: all that procedures, the window and the commands know of a board. Everything above sees decoded samples only.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "recording/sample.h"
+
+namespace breakaway {
+
+/// What the board is to do from its next control tick on.
+struct Command {
+  enum class Mode { off, voltage, current, velocity, position };
+  Mode mode = Mode::off;
+  double target = 0.0;  ///< V, A, rad/s or rad by mode; ignored when off (windings open)
+  double current_limit_A = 0.0;  ///< further limit for this command; 0: the controller's own
+  bool zeroCurrentSensor = false;  ///< with mode off: average the sensor while this is set and take the mean as its zero
+  bool operator==(const Command&) const = default;
+};
+
+/// Gains and observer of the board's controller; names as in the bench file, contracts section 1.
+struct ControllerSettings {
+  double velocity_kp_A_s_per_rad = 0.0;
+  double velocity_ki_A_per_rad = 0.0;
+  double velocity_kd_A_s2_per_rad = 0.0;
+  double position_kp_A_per_rad = 0.0;
+  double position_ki_A_per_rad_s = 0.0;
+  double position_kd_A_s_per_rad = 0.0;
+  double observer_cutoff_rad_per_s = 0.0;  ///< 0: no disturbance feedback, the estimate still runs at its last cutoff
+  double nominal_inertia_kg_m2 = 0.0;
+  double nominal_torque_constant_Nm_per_A = 0.0;
+  double current_limit_A = 0.0;
+  double velocity_limit_rad_per_s = 0.0;
+  bool operator==(const ControllerSettings&) const = default;
+};
+
+struct Identity {
+  std::string device;
+  std::string firmware;
+  bool simulated = false;
+  double loopRate_Hz = 0.0;
+  double countsPerRev = 0.0;
+  double supply_V = 0.0;
+  bool hasIndex = false;
+};
+
+/// A pure state machine: sample in, command out, status readable at any time. It runs in the board's control tick, in a
+/// simulation faster than real time, or on the host, always the same.
+class Procedure {
+ public:
+  enum class State { running, finished, failed, stopped };
+  struct Status {
+    State state = State::running;
+    double progress = 0.0;       ///< 0 … 1
+    double remaining_s = 0.0;    ///< estimate of the time still needed
+    std::string activity;        ///< what it does now, in words ("ramping counter-clockwise at 123°")
+    std::string failure;         ///< why it ended early, in words; empty otherwise
+  };
+
+  virtual ~Procedure() = default;
+  /// Called once per control tick. After the end it returns mode off.
+  virtual Command step(const Sample& sample) = 0;
+  virtual Status status() const = 0;
+  /// Ends the procedure; what it has measured stays.
+  virtual void stop(const std::string& reason) = 0;
+};
+
+class Drive {
+ public:
+  virtual ~Drive() = default;
+  virtual const Identity& identity() const = 0;
+  virtual ControllerSettings settings() const = 0;
+  /// Asks for settings; returns those that were accepted (clamped to the board's limits), or why not.
+  virtual Result<ControllerSettings> configure(const ControllerSettings& wanted) = 0;
+  /// Holds until the next command; ends a running procedure.
+  virtual void command(const Command& command) = 0;
+  /// Runs a procedure, on the board where it can. It stays readable from the thread that calls advance().
+  virtual void start(std::shared_ptr<Procedure> procedure) = 0;
+  /// Stops the motor at once, whatever runs: windings open, procedure stopped, latched until the next command or start.
+  virtual void stop(const std::string& reason) = 0;
+  /// Lets `duration_s` of board time pass (a simulated board computes it; a real one waits) and appends the samples of every
+  /// control tick. Returns the count of samples that were lost on the way.
+  virtual Result<size_t> advance(double duration_s, std::vector<Sample>& samples) = 0;
+};
+
+}  // namespace breakaway

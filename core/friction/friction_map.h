@@ -1,0 +1,53 @@
+// Friction around the rotor: what a sweep measured, per rotor-angle bin and direction; contracts section 5.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "base/estimate.h"
+
+namespace breakaway {
+
+/// cw is falling angle, ccw is growing angle.
+enum class Way { cw = 0, ccw = 1 };
+
+/// One bin and one way. Torques are whole motor torques (friction and position torque), positive in the way's direction.
+struct WayBin {
+  Estimate static_Nm;                ///< starts motion from standstill; mean over repeats
+  Estimate coulomb_Nm;               ///< keeps it moving, extrapolated to zero speed
+  Estimate viscous_Nm_s_per_rad;     ///< its slope with speed
+  double total_Nm = 0.0;             ///< coulomb + viscous × the map's total velocity
+  size_t samples = 0;                ///< breakaways that the static value rests on
+  bool outlier = false;              ///< marked, never hidden
+};
+
+struct MapBin {
+  double angle_rad = 0.0;  ///< bin centre, 0 at the index, in [0, 2π)
+  std::array<WayBin, 2> way;  ///< indexed by Way
+
+  double staticFriction_Nm() const { return 0.5 * (way[0].static_Nm.value + way[1].static_Nm.value); }
+  double positionTorque_Nm() const { return 0.5 * (way[0].static_Nm.value - way[1].static_Nm.value); }
+};
+
+/// How well consecutive turns of the breakaway sweep repeat, per way.
+struct Repeatability {
+  double correlation = 0.0;
+  double rmsDifference_Nm = 0.0;
+};
+
+struct FrictionMap {
+  std::string rig;
+  size_t turns = 0;
+  double totalVelocity_rad_per_s = 0.0;
+  std::vector<MapBin> bins;
+  /// Static friction per turn and way, bins.size() long each; for the picture of turn 1 against turn 2.
+  std::array<std::vector<std::vector<double>>, 2> turnStatic_Nm;
+  std::array<Repeatability, 2> repeatability;
+  Estimate coulombAverage_Nm;
+  Estimate viscousAverage_Nm_s_per_rad;
+  std::vector<std::pair<std::string, double>> settings;  ///< name with unit and value: how it was measured
+};
+
+}  // namespace breakaway

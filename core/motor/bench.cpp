@@ -1,0 +1,209 @@
+#include "motor/bench.h"
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "base/atomic_file.h"
+#include "base/json_object.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr const char* schema = "breakaway.bench/1";
+
+/// The names of the motor's quantities on one axis; contracts section 1.
+struct Names {
+  const char *torqueConstant, *backEmfConstant, *inertia, *viscous, *coulomb, *counts;
+};
+constexpr Names rotaryNames{"torque_constant_Nm_per_A", "back_emf_constant_V_s_per_rad", "inertia_kg_m2",
+                            "viscous_Nm_s_per_rad",     "coulomb_Nm",                    "counts_per_rev"};
+constexpr Names linearNames{"force_constant_N_per_A", "back_emf_constant_V_s_per_m", "mass_kg",
+                            "viscous_N_s_per_m",      "coulomb_N",                   "counts_per_m"};
+
+const Names& namesOf(Axis axis) {
+  return axis == Axis::rotary ? rotaryNames : linearNames;
+}
+
+struct InputName {
+  const char* name;
+  DriveInput input;
+  std::optional<Axis> axis;
+};
+constexpr std::array<InputName, 5> inputNames{{{"voltage_V", DriveInput::voltage, {}},
+                                               {"duty", DriveInput::duty, {}},
+                                               {"current_A", DriveInput::current, {}},
+                                               {"torque_Nm", DriveInput::torque, Axis::rotary},
+                                               {"force_N", DriveInput::torque, Axis::linear}}};
+
+struct GainNames {
+  ControlMode mode;
+  const char *name, *kp, *ki, *kd;
+};
+constexpr std::array<GainNames, 3> gainNames{{{ControlMode::openLoop, "open_loop", "", "", ""},
+                                              {ControlMode::velocity, "velocity", "kp_A_s_per_rad", "ki_A_per_rad", "kd_A_s2_per_rad"},
+                                              {ControlMode::position, "position", "kp_A_per_rad", "ki_A_per_rad_s", "kd_A_s_per_rad"}}};
+
+void readMotor(JsonObject motor, const Names& names, MotorBelief& belief) {
+  belief.torqueConstant = motor.optionalNumber(names.torqueConstant, Allowed::positive);
+  belief.backEmfConstant = motor.optionalNumber(names.backEmfConstant, Allowed::positive);
+  belief.resistance_ohm = motor.optionalNumber("resistance_ohm", Allowed::positive);
+  belief.inductance_H = motor.optionalNumber("inductance_H", Allowed::positive);
+  belief.inertia = motor.optionalNumber(names.inertia, Allowed::positive);
+  belief.viscous = motor.optionalNumber(names.viscous, Allowed::nonNegative);
+  belief.coulomb = motor.optionalNumber(names.coulomb, Allowed::nonNegative);
+}
+
+void readTrusted(JsonObject& root, const Names& names, std::set<std::string>& trusted) {
+  const std::vector<std::string> allowed{names.torqueConstant, names.backEmfConstant, "resistance_ohm", "inductance_H",
+                                         names.inertia,        names.viscous,         names.coulomb};
+  for (const std::string& name : root.texts("trusted")) {
+    if (std::find(allowed.begin(), allowed.end(), name) == allowed.end()) {
+      const auto suggestion = nearestName(name, allowed);
+      root.fault("trusted", "names \"" + name + "\", which is no motor field" +
+                                (suggestion ? ", did you mean " + *suggestion + "?" : std::string()));
+    }
+    trusted.insert(name);
+  }
+}
+
+void readController(JsonObject object, BenchController& controller) {
+  const std::string mode = object.text("mode", "open_loop");
+  const auto it = std::find_if(gainNames.begin(), gainNames.end(), [&](const GainNames& one) { return mode == one.name; });
+  if (it == gainNames.end()) {
+    object.fault("mode", "is \"" + mode + "\", expected open_loop, velocity or position");
+    return;
+  }
+  controller.mode = it->mode;
+  if (it->mode != ControlMode::openLoop) {
+    controller.kp = object.number(it->kp, 0.0);
+    controller.ki = object.number(it->ki, 0.0);
+    controller.kd = object.number(it->kd, 0.0);
+  } else {
+    object.numbers();  // gains of an open loop mean nothing; whatever they are called, they do no harm
+  }
+  controller.observerCutoff_rad_per_s = object.number("observer_cutoff_rad_per_s", 0.0, Allowed::nonNegative);
+  controller.nominalInertia = object.number("nominal_inertia_kg_m2", 0.0, Allowed::nonNegative);
+  controller.nominalTorqueConstant = object.number("nominal_torque_constant_Nm_per_A", 0.0, Allowed::nonNegative);
+  controller.currentLimit_A = object.number("current_limit_A", 0.0, Allowed::nonNegative);
+}
+
+Result<Bench> readBench(JsonObject root) {
+  Bench bench;
+  const std::string found = root.text("schema");
+  if (found != schema) root.fault("schema", "is \"" + found + "\", expected \"" + schema + "\"");
+  bench.name = root.text("name", "");
+  const std::string axis = root.text("axis", "rotary");
+  if (axis != "rotary" && axis != "linear") root.fault("axis", "is \"" + axis + "\", expected rotary or linear");
+  bench.axis = axis == "linear" ? Axis::linear : Axis::rotary;
+  const Names& names = namesOf(bench.axis);
+
+  JsonObject encoder = root.object("encoder", false);
+  bench.countsPerUnit = encoder.optionalNumber(names.counts, Allowed::positive);
+
+  JsonObject drive = root.object("drive");
+  const std::string input = drive.text("input");
+  const auto it = std::find_if(inputNames.begin(), inputNames.end(), [&](const InputName& one) {
+    return input == one.name && one.axis.value_or(bench.axis) == bench.axis;
+  });
+  if (it == inputNames.end()) {
+    drive.fault("input", "is \"" + input + "\", expected voltage_V, duty, current_A or " +
+                             (bench.axis == Axis::rotary ? "torque_Nm" : "force_N"));
+  } else {
+    bench.input = it->input;
+  }
+  bench.supply_V = drive.optionalNumber("supply_V", Allowed::positive);
+
+  readMotor(root.object("motor", false), names, bench.motor);
+  readTrusted(root, names, bench.trusted);
+  if (root.has("load")) {
+    JsonObject load = root.object("load");
+    if (load.has("pendulum")) {
+      JsonObject pendulum = load.object("pendulum");
+      if (bench.axis == Axis::linear) load.fault("pendulum", "hangs on a rotary axis only, but axis is linear");
+      bench.pendulum = Pendulum{pendulum.number("mass_kg", Allowed::nonNegative), pendulum.number("length_m", Allowed::positive),
+                                pendulum.number("arm_mass_kg", 0.0, Allowed::nonNegative), pendulum.number("down_angle_rad", 0.0)};
+    }
+  }
+  if (root.has("controller")) readController(root.object("controller"), bench.controller);
+  if (const auto done = root.finish(); !done) return done.error();
+  return bench;
+}
+
+}  // namespace
+
+double Bench::count() const {
+  if (!countsPerUnit) return 0.0;
+  return (axis == Axis::rotary ? 2.0 * std::numbers::pi : 1.0) / *countsPerUnit;
+}
+
+std::string Bench::positionChannel() const {
+  return axis == Axis::rotary ? "angle_rad" : "position_m";
+}
+
+std::string Bench::velocityChannel() const {
+  return axis == Axis::rotary ? "velocity_rad_per_s" : "velocity_m_per_s";
+}
+
+std::string Bench::inputChannel() const {
+  for (const InputName& one : inputNames) {
+    if (one.input == input && one.axis.value_or(axis) == axis) return one.name;
+  }
+  return {};
+}
+
+Result<Bench> readBench(const std::string& path) {
+  auto root = JsonObject::fromFile(path);
+  if (!root) return root.error();
+  return readBench(*root);
+}
+
+Result<Bench> readBenchText(const std::string& text, const std::string& place) {
+  auto root = JsonObject::fromText(text, place);
+  if (!root) return root.error();
+  return readBench(*root);
+}
+
+Result<void> writeBench(const Bench& bench, const std::string& path) {
+  using Json = nlohmann::ordered_json;
+  const Names& names = namesOf(bench.axis);
+  Json json{{"schema", schema}, {"name", bench.name}, {"axis", bench.axis == Axis::rotary ? "rotary" : "linear"}};
+  if (bench.countsPerUnit) json["encoder"][names.counts] = *bench.countsPerUnit;
+  json["drive"]["input"] = bench.inputChannel();
+  if (bench.supply_V) json["drive"]["supply_V"] = *bench.supply_V;
+  const auto put = [&json](const char* name, const std::optional<double>& value) {
+    if (value) json["motor"][name] = *value;
+  };
+  json["motor"] = Json::object();
+  put(names.torqueConstant, bench.motor.torqueConstant);
+  put(names.backEmfConstant, bench.motor.backEmfConstant);
+  put("resistance_ohm", bench.motor.resistance_ohm);
+  put("inductance_H", bench.motor.inductance_H);
+  put(names.inertia, bench.motor.inertia);
+  put(names.viscous, bench.motor.viscous);
+  put(names.coulomb, bench.motor.coulomb);
+  json["trusted"] = bench.trusted;
+  if (bench.pendulum) {
+    json["load"]["pendulum"] = Json{{"mass_kg", bench.pendulum->mass_kg},
+                                    {"length_m", bench.pendulum->length_m},
+                                    {"arm_mass_kg", bench.pendulum->armMass_kg},
+                                    {"down_angle_rad", bench.pendulum->downAngle_rad}};
+  }
+  const BenchController& controller = bench.controller;
+  for (const GainNames& one : gainNames) {
+    if (one.mode != controller.mode || controller.mode == ControlMode::openLoop) continue;
+    json["controller"] = Json{{"mode", one.name},
+                              {one.kp, controller.kp},
+                              {one.ki, controller.ki},
+                              {one.kd, controller.kd},
+                              {"observer_cutoff_rad_per_s", controller.observerCutoff_rad_per_s},
+                              {"nominal_inertia_kg_m2", controller.nominalInertia},
+                              {"nominal_torque_constant_Nm_per_A", controller.nominalTorqueConstant},
+                              {"current_limit_A", controller.currentLimit_A}};
+  }
+  return writeFile(path, json.dump(2) + "\n");
+}
+
+}  // namespace breakaway

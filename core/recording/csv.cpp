@@ -1,0 +1,170 @@
+#include "recording/csv.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "base/atomic_file.h"
+
+namespace breakaway {
+
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r')) text.remove_suffix(1);
+  return text;
+}
+
+/// Takes the next line off `rest`, without its line break.
+std::string_view takeLine(std::string_view& rest) {
+  const size_t end = rest.find('\n');
+  std::string_view line = rest.substr(0, end);
+  rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  return line;
+}
+
+struct Head {
+  std::vector<std::pair<std::string, std::string>> notes;
+  std::vector<std::string> columns;
+  std::string_view rows;
+};
+
+Result<Head> readHead(std::string_view text, const std::string& name) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  Head head;
+  while (!text.empty()) {
+    const std::string_view line = trimmed(takeLine(text));
+    if (line.empty()) continue;
+    if (line.front() == '#') {
+      const size_t colon = line.find(':');
+      const std::string_view key = trimmed(line.substr(1, colon == std::string_view::npos ? colon : colon - 1));
+      const std::string_view value = colon == std::string_view::npos ? "" : trimmed(line.substr(colon + 1));
+      head.notes.emplace_back(key, value);
+      continue;
+    }
+    std::string_view rest = line;
+    while (true) {
+      const size_t comma = rest.find(',');
+      head.columns.emplace_back(trimmed(rest.substr(0, comma)));
+      if (comma == std::string_view::npos) break;
+      rest.remove_prefix(comma + 1);
+    }
+    head.rows = text;
+    return head;
+  }
+  return Error{name, "is empty, expected a header line with time_s"};
+}
+
+Error cellError(const std::string& name, size_t row, const std::string& column, std::string_view text) {
+  return {name + ", row " + std::to_string(row) + ", column " + column,
+          "expected a number, found \"" + std::string(text.substr(0, 40)) + "\""};
+}
+
+/// One row into the columns' ends; says which column is at fault.
+Result<void> readRow(std::string_view line, size_t row, const std::string& name, std::vector<Channel>& channels) {
+  const char* at = line.data();
+  const char* end = line.data() + line.size();
+  for (size_t column = 0; column < channels.size(); ++column) {
+    if (at > end) {
+      return Error{name + ", row " + std::to_string(row),
+                   "has " + std::to_string(column) + " cells, expected " + std::to_string(channels.size())};
+    }
+    double value = std::numeric_limits<double>::quiet_NaN();
+    if (at < end && *at == ' ') {
+      while (at < end && *at == ' ') ++at;
+    }
+    if (at < end && *at != ',') {
+      const char* start = at;
+      if (*start == '+') ++start;
+      const auto [stop, code] = std::from_chars(start, end, value);
+      const char* after = stop;
+      while (after < end && *after == ' ') ++after;
+      if (code == std::errc::invalid_argument || (after < end && *after != ',')) {
+        const char* comma = std::find(at, end, ',');
+        return cellError(name, row, channels[column].name, trimmed({at, static_cast<size_t>(comma - at)}));
+      }
+      if (code == std::errc::result_out_of_range) value = 0.0;
+      at = after;
+    }
+    channels[column].values.push_back(value);
+    ++at;  // past the comma; beyond the end after the last cell
+  }
+  if (at <= end) return Error{name + ", row " + std::to_string(row), "has more cells than the header's " + std::to_string(channels.size())};
+  return {};
+}
+
+}  // namespace
+
+Result<Recording> readCsvText(std::string_view text, const std::string& name) {
+  auto head = readHead(text, name);
+  if (!head) return head.error();
+  std::vector<Channel> channels;
+  const auto rowCount = static_cast<size_t>(std::count(head->rows.begin(), head->rows.end(), '\n')) + 1;
+  for (const std::string& column : head->columns) {
+    channels.push_back({column, {}});
+    channels.back().values.reserve(rowCount);
+  }
+  size_t row = 0;
+  std::string_view rest = head->rows;
+  while (!rest.empty()) {
+    const std::string_view line = takeLine(rest);
+    ++row;
+    if (line.empty()) continue;
+    if (auto done = readRow(line, row, name, channels); !done) return done.error();
+  }
+  if (channels.front().values.empty()) return Error{name, "has a header and no rows"};
+  return Recording::seal(name, std::move(channels), std::move(head->notes));
+}
+
+Result<Recording> readCsv(const std::string& path) {
+  auto content = readFile(path);
+  if (!content) return content.error();
+  return readCsvText(*content, path);
+}
+
+Result<void> writeCsv(const Recording& recording, const std::string& path) {
+  std::string out;
+  for (const auto& [key, value] : recording.notes()) out += "# " + key + ": " + value + "\n";
+  const auto& channels = recording.channels();
+  out.reserve(out.size() + recording.rows() * channels.size() * 12);
+  for (size_t c = 0; c < channels.size(); ++c) out += (c == 0 ? "" : ",") + channels[c].name;
+  out += '\n';
+  char cell[32];
+  for (size_t row = 0; row < recording.rows(); ++row) {
+    for (size_t c = 0; c < channels.size(); ++c) {
+      if (c > 0) out += ',';
+      const double value = channels[c].values[row];
+      if (std::isnan(value)) continue;
+      out.append(cell, std::to_chars(cell, cell + sizeof cell, value).ptr);
+    }
+    out += '\n';
+  }
+  return writeFile(path, out);
+}
+
+Result<std::vector<std::string>> readTimeText(const std::string& path) {
+  auto content = readFile(path);
+  if (!content) return content.error();
+  auto head = readHead(*content, path);
+  if (!head) return head.error();
+  const auto it = std::find(head->columns.begin(), head->columns.end(), "time_s");
+  if (it == head->columns.end()) return Error{path, "has no column time_s"};
+  const auto skip = it - head->columns.begin();
+  std::vector<std::string> texts;
+  std::string_view rest = head->rows;
+  while (!rest.empty()) {
+    std::string_view line = takeLine(rest);
+    if (line.empty()) continue;
+    for (std::ptrdiff_t c = 0; c < skip; ++c) {
+      const size_t comma = line.find(',');
+      line.remove_prefix(comma == std::string_view::npos ? line.size() : comma + 1);
+    }
+    texts.emplace_back(trimmed(line.substr(0, line.find(','))));
+  }
+  return texts;
+}
+
+}  // namespace breakaway

@@ -1,0 +1,23 @@
+// Recordings as CSV, contracts section 2: `# key: value` lines, one header line, rows; an empty cell is a missing value.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "recording/recording.h"
+
+namespace breakaway {
+
+/// Reads the contract's form only; other forms come in through import. Errors name the file, the row (1 is the first row after
+/// the header) and the column. Time of reading is linear in the file's size.
+Result<Recording> readCsv(const std::string& path);
+Result<Recording> readCsvText(std::string_view text, const std::string& name);
+
+/// Writes all channels with the shortest text that reads back to the same double; to a temporary name, then renamed.
+Result<void> writeCsv(const Recording& recording, const std::string& path);
+
+/// The text of the `time_s` column as it stands in the file, one per row.
+Result<std::vector<std::string>> readTimeText(const std::string& path);
+
+}  // namespace breakaway

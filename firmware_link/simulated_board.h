@@ -1,0 +1,16 @@
+// The simulated board as a drive: control loop against a plant, with the whole sensor chain between them.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "base/result.h"
+#include "experiment/drive.h"
+
+namespace breakaway {
+
+/// Opens the board at `uri`: `simulated`, `simulated:PRESET` or `simulated:FILE.rig.json` (contracts section 3). `seed` drives
+/// noise and scatter. Presets are looked for beside the program and in the source tree's resources.
+Result<std::unique_ptr<Drive>> openDrive(const std::string& uri, unsigned seed);
+
+}  // namespace breakaway
