@@ -220,6 +220,26 @@ std::vector<std::vector<double>> JsonObject::rows(std::string_view name, size_t 
   return result;
 }
 
+std::vector<double> JsonObject::numbersIn(std::string_view name) {
+  const Json* value = node_->find(name);
+  if (value == nullptr) return {};
+  const bool good = value->is_array() &&
+                    std::all_of(value->begin(), value->end(), [](const Json& item) { return item.is_number(); });
+  if (!good) {
+    node_->fault(place(name), "expected an array of numbers, found " + kindOf(*value));
+    return {};
+  }
+  return value->get<std::vector<double>>();
+}
+
+std::vector<std::string> JsonObject::objectNames() const {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : node_->json.items()) {
+    if (value.is_object()) names.push_back(name);
+  }
+  return names;
+}
+
 std::vector<std::pair<std::string, double>> JsonObject::numbers() {
   std::vector<std::pair<std::string, double>> result;
   for (const auto& [name, value] : node_->json.items()) {

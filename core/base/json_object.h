@@ -37,6 +37,10 @@ class JsonObject {
   std::vector<std::string> texts(std::string_view name);
   /// Rows of numbers, e.g. [[1, 0.2, 0.4], …]; each row must have `width` numbers.
   std::vector<std::vector<double>> rows(std::string_view name, size_t width);
+  /// A flat array of numbers; empty when the field is missing.
+  std::vector<double> numbersIn(std::string_view name);
+  /// Names of all fields that hold objects.
+  std::vector<std::string> objectNames() const;
   /// All number fields of this object, whatever their names.
   std::vector<std::pair<std::string, double>> numbers();
 

@@ -5,6 +5,8 @@
 
 #include "base/result.h"
 #include "diagnose/model.h"
+#include "diagnose/stepper.h"
+#include "diagnose/track.h"
 #include "recording/recording.h"
 
 namespace breakaway {
@@ -24,5 +26,9 @@ struct SimulateOptions {
 /// Predicts every row from the recorded drive input alone. Restarts are at the first row with t ≥ t₀ + k·S − 1e-9 s; there the state
 /// is set from measurements in rows up to and including that row. Errors: the drive channel or the position is missing.
 Result<Trace> simulate(const Model& model, const Recording& recording, const SimulateOptions& options);
+
+/// The same on prepared input.
+Trace simulate(const Physics& physics, const std::vector<CompiledTerm>& terms, const Track& track, double restartEvery_s,
+               double horizon_s);
 
 }  // namespace breakaway

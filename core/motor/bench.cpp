@@ -14,18 +14,10 @@ namespace {
 
 constexpr const char* schema = "breakaway.bench/1";
 
-/// The names of the motor's quantities on one axis; contracts section 1.
-struct Names {
-  const char *torqueConstant, *backEmfConstant, *inertia, *viscous, *coulomb, *counts;
-};
-constexpr Names rotaryNames{"torque_constant_Nm_per_A", "back_emf_constant_V_s_per_rad", "inertia_kg_m2",
-                            "viscous_Nm_s_per_rad",     "coulomb_Nm",                    "counts_per_rev"};
-constexpr Names linearNames{"force_constant_N_per_A", "back_emf_constant_V_s_per_m", "mass_kg",
-                            "viscous_N_s_per_m",      "coulomb_N",                   "counts_per_m"};
-
-const Names& namesOf(Axis axis) {
-  return axis == Axis::rotary ? rotaryNames : linearNames;
-}
+constexpr MotorNames rotaryNames{"torque_constant_Nm_per_A", "back_emf_constant_V_s_per_rad", "resistance_ohm", "inductance_H",
+                                 "inertia_kg_m2",            "viscous_Nm_s_per_rad",          "coulomb_Nm",     "counts_per_rev"};
+constexpr MotorNames linearNames{"force_constant_N_per_A", "back_emf_constant_V_s_per_m", "resistance_ohm", "inductance_H",
+                                 "mass_kg",                "viscous_N_s_per_m",           "coulomb_N",      "counts_per_m"};
 
 struct InputName {
   const char* name;
@@ -46,18 +38,18 @@ constexpr std::array<GainNames, 3> gainNames{{{ControlMode::openLoop, "open_loop
                                               {ControlMode::velocity, "velocity", "kp_A_s_per_rad", "ki_A_per_rad", "kd_A_s2_per_rad"},
                                               {ControlMode::position, "position", "kp_A_per_rad", "ki_A_per_rad_s", "kd_A_s_per_rad"}}};
 
-void readMotor(JsonObject motor, const Names& names, MotorBelief& belief) {
+void readMotor(JsonObject motor, const MotorNames& names, MotorBelief& belief) {
   belief.torqueConstant = motor.optionalNumber(names.torqueConstant, Allowed::positive);
   belief.backEmfConstant = motor.optionalNumber(names.backEmfConstant, Allowed::positive);
-  belief.resistance_ohm = motor.optionalNumber("resistance_ohm", Allowed::positive);
-  belief.inductance_H = motor.optionalNumber("inductance_H", Allowed::positive);
+  belief.resistance_ohm = motor.optionalNumber(names.resistance, Allowed::positive);
+  belief.inductance_H = motor.optionalNumber(names.inductance, Allowed::positive);
   belief.inertia = motor.optionalNumber(names.inertia, Allowed::positive);
   belief.viscous = motor.optionalNumber(names.viscous, Allowed::nonNegative);
   belief.coulomb = motor.optionalNumber(names.coulomb, Allowed::nonNegative);
 }
 
-void readTrusted(JsonObject& root, const Names& names, std::set<std::string>& trusted) {
-  const std::vector<std::string> allowed{names.torqueConstant, names.backEmfConstant, "resistance_ohm", "inductance_H",
+void readTrusted(JsonObject& root, const MotorNames& names, std::set<std::string>& trusted) {
+  const std::vector<std::string> allowed{names.torqueConstant, names.backEmfConstant, names.resistance, names.inductance,
                                          names.inertia,        names.viscous,         names.coulomb};
   for (const std::string& name : root.texts("trusted")) {
     if (std::find(allowed.begin(), allowed.end(), name) == allowed.end()) {
@@ -98,21 +90,19 @@ Result<Bench> readBench(JsonObject root) {
   const std::string axis = root.text("axis", "rotary");
   if (axis != "rotary" && axis != "linear") root.fault("axis", "is \"" + axis + "\", expected rotary or linear");
   bench.axis = axis == "linear" ? Axis::linear : Axis::rotary;
-  const Names& names = namesOf(bench.axis);
+  const MotorNames& names = motorNames(bench.axis);
 
   JsonObject encoder = root.object("encoder", false);
   bench.countsPerUnit = encoder.optionalNumber(names.counts, Allowed::positive);
 
   JsonObject drive = root.object("drive");
   const std::string input = drive.text("input");
-  const auto it = std::find_if(inputNames.begin(), inputNames.end(), [&](const InputName& one) {
-    return input == one.name && one.axis.value_or(bench.axis) == bench.axis;
-  });
-  if (it == inputNames.end()) {
+  const auto known = driveInputNamed(input, bench.axis);
+  if (!known) {
     drive.fault("input", "is \"" + input + "\", expected voltage_V, duty, current_A or " +
                              (bench.axis == Axis::rotary ? "torque_Nm" : "force_N"));
   } else {
-    bench.input = it->input;
+    bench.input = *known;
   }
   bench.supply_V = drive.optionalNumber("supply_V", Allowed::positive);
 
@@ -133,6 +123,17 @@ Result<Bench> readBench(JsonObject root) {
 }
 
 }  // namespace
+
+const MotorNames& motorNames(Axis axis) {
+  return axis == Axis::rotary ? rotaryNames : linearNames;
+}
+
+std::optional<DriveInput> driveInputNamed(const std::string& name, Axis axis) {
+  for (const InputName& one : inputNames) {
+    if (name == one.name && one.axis.value_or(axis) == axis) return one.input;
+  }
+  return std::nullopt;
+}
 
 double Bench::count() const {
   if (!countsPerUnit) return 0.0;
@@ -168,7 +169,7 @@ Result<Bench> readBenchText(const std::string& text, const std::string& place) {
 
 Result<void> writeBench(const Bench& bench, const std::string& path) {
   using Json = nlohmann::ordered_json;
-  const Names& names = namesOf(bench.axis);
+  const MotorNames& names = motorNames(bench.axis);
   Json json{{"schema", schema}, {"name", bench.name}, {"axis", bench.axis == Axis::rotary ? "rotary" : "linear"}};
   if (bench.countsPerUnit) json["encoder"][names.counts] = *bench.countsPerUnit;
   json["drive"]["input"] = bench.inputChannel();
@@ -179,8 +180,8 @@ Result<void> writeBench(const Bench& bench, const std::string& path) {
   json["motor"] = Json::object();
   put(names.torqueConstant, bench.motor.torqueConstant);
   put(names.backEmfConstant, bench.motor.backEmfConstant);
-  put("resistance_ohm", bench.motor.resistance_ohm);
-  put("inductance_H", bench.motor.inductance_H);
+  put(names.resistance, bench.motor.resistance_ohm);
+  put(names.inductance, bench.motor.inductance_H);
   put(names.inertia, bench.motor.inertia);
   put(names.viscous, bench.motor.viscous);
   put(names.coulomb, bench.motor.coulomb);

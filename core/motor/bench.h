@@ -13,6 +13,12 @@ enum class Axis { rotary, linear };
 enum class DriveInput { voltage, duty, current, torque };  ///< `torque` is force on a linear axis
 enum class ControlMode { openLoop, velocity, position };
 
+/// The contract's names of the motor's quantities on one axis.
+struct MotorNames {
+  const char *torqueConstant, *backEmfConstant, *resistance, *inductance, *inertia, *viscous, *coulomb, *counts;
+};
+const MotorNames& motorNames(Axis axis);
+
 /// Start values in SI; on a linear axis read kg for kg m², N for Nm, m for rad. Missing: unknown, to be fitted.
 struct MotorBelief {
   std::optional<double> torqueConstant;  ///< Nm/A or N/A
@@ -58,6 +64,9 @@ struct Bench {
   std::string velocityChannel() const;
   std::string inputChannel() const;     ///< voltage_V, duty, current_A, torque_Nm or force_N
 };
+
+/// The drive input called `name` in the contract, or nothing when there is none of that name on this axis.
+std::optional<DriveInput> driveInputNamed(const std::string& name, Axis axis);
 
 Result<Bench> readBench(const std::string& path);
 Result<Bench> readBenchText(const std::string& text, const std::string& place);

@@ -1,0 +1,58 @@
+#include "base/statistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace breakaway {
+
+double mean(std::span<const double> values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
+}
+
+double rms(std::span<const double> values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value * value;
+  return values.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+double quantile(std::vector<double> values, double fraction) {
+  if (values.empty()) return 0.0;
+  const double at = fraction * static_cast<double>(values.size() - 1);
+  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(std::lround(std::clamp(at, 0.0, static_cast<double>(values.size() - 1))));
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth;
+}
+
+std::uint64_t Random::bits() {
+  state_ += 0x9E3779B97F4A7C15ULL;
+  std::uint64_t z = state_;
+  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ULL;
+  z = (z ^ (z >> 27)) * 0x94D049BB133111EBULL;
+  return z ^ (z >> 31);
+}
+
+double Random::uniform() {
+  return static_cast<double>(bits() >> 11) * 0x1.0p-53;
+}
+
+double Random::normal() {
+  if (hasSpare_) {
+    hasSpare_ = false;
+    return spare_;
+  }
+  // Box and Muller's transform.
+  const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));
+  const double angle = 2.0 * std::numbers::pi * uniform();
+  spare_ = radius * std::sin(angle);
+  hasSpare_ = true;
+  return radius * std::cos(angle);
+}
+
+size_t Random::below(size_t limit) {
+  return static_cast<size_t>(uniform() * static_cast<double>(limit));
+}
+
+}  // namespace breakaway

@@ -1,0 +1,49 @@
+// Small statistics on plain arrays.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace breakaway {
+
+/// Arithmetic mean; 0 for an empty span.
+double mean(std::span<const double> values);
+/// Root of the mean square; 0 for an empty span.
+double rms(std::span<const double> values);
+/// Quantile in [0, 1] by partial sorting of the given copy, without interpolation; 0 for no values.
+double quantile(std::vector<double> values, double fraction);
+
+/// Repeatable random numbers (SplitMix64; S. Vigna, public domain algorithm), the same on every machine.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : state_(seed) {}
+  std::uint64_t bits();
+  double uniform();             ///< in [0, 1)
+  double normal();              ///< mean 0, standard deviation 1
+  size_t below(size_t limit);   ///< 0 … limit − 1
+
+ private:
+  std::uint64_t state_;
+  double spare_ = 0.0;
+  bool hasSpare_ = false;
+};
+
+/// 95 % interval of `statistic` over resampled blocks (percentile bootstrap): calls it with block indices drawn with replacement.
+struct Interval {
+  double low = 0.0;
+  double high = 0.0;
+};
+template <typename Statistic>
+Interval bootstrap(size_t blocks, size_t draws, std::uint64_t seed, Statistic statistic) {
+  Random random(seed);
+  std::vector<double> values;
+  std::vector<size_t> chosen(blocks);
+  for (size_t draw = 0; draw < draws; ++draw) {
+    for (size_t& one : chosen) one = random.below(blocks);
+    values.push_back(statistic(std::span<const size_t>(chosen)));
+  }
+  return {quantile(values, 0.025), quantile(values, 0.975)};
+}
+
+}  // namespace breakaway

@@ -1,0 +1,48 @@
+#include <cmath>
+
+#include "diagnose/effects/all.h"
+#include "diagnose/effects/wave.h"
+#include "diagnose/effects/wording.h"
+
+namespace breakaway {
+
+namespace {
+
+/// Torque between magnets and teeth: pushes towards its valleys whichever way the rotor turns. Positive towards growing angle.
+class Cogging final : public Effect {
+ public:
+  std::string_view name() const override { return "cogging"; }
+  std::string_view formula() const override { return "load = −A · cos(N θ − φ)"; }
+  std::string_view source() const override {
+    return "Z. Q. Zhu, D. Howe, 'Influence of design parameters on cogging torque in permanent magnet machines', IEEE Trans. Energy "
+           "Conversion 15(4), 2000, equation 1";
+  }
+  std::vector<ParameterSpec> parameters(Axis axis) const override { return waveParameters(axis); }
+  Term term(std::span<const double> p, const Situation& at) const override { return {-waveValue(p, at), 0.0}; }
+  std::vector<Shape> shapes(const Excitation& seen) const override { return waveShapes(seen, 2, 96); }
+  size_t amplitudes() const override { return 2; }
+  void columns(const Shape& shape, const Situation& at, std::span<double> out) const override { waveColumns(shape, at, -1.0, out); }
+  std::vector<double> fromAmplitudes(const Shape& shape, std::span<const double> amplitude) const override {
+    return waveFromAmplitudes(shape, amplitude);
+  }
+  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
+    return std::string(seen.axis == Axis::rotary ? "The rotor" : "The slide") + " is pulled back and forth by ±" +
+           torqueText(std::abs(p[0]), seen.axis) + ", " + waveText(p[2], seen.axis) +
+           ", the same whichever way it moves (strongest forward pull first at " + wavePeakText(p, seen.axis) +
+           "): cogging between magnets and teeth.";
+  }
+  std::vector<std::string_view> lookAlikes() const override { return {"position_dependent_friction", "imbalance"}; }
+  std::string neededExcitation(const Excitation& seen) const override {
+    return std::string("Turn slowly over ") + (seen.axis == Axis::rotary ? "two whole turns" : "the whole travel") +
+           " both ways at two speeds, the slower at most " + speedText(0.3 * seen.highSpeed, seen.axis) + ".";
+  }
+};
+
+}  // namespace
+
+const Effect& cogging() {
+  static const Cogging effect;
+  return effect;
+}
+
+}  // namespace breakaway

@@ -1,0 +1,64 @@
+#include "diagnose/effects/wording.h"
+
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+namespace breakaway {
+
+namespace {
+
+std::string withPrefix(double value, const char* unit) {
+  const double size = std::abs(value);
+  const double scale = size >= 1.0 || size == 0.0 ? 1.0 : size >= 1e-3 ? 1e3 : 1e6;
+  const char* prefix = scale == 1.0 ? "" : scale == 1e3 ? "m" : "µ";
+  char text[64];
+  std::snprintf(text, sizeof text, "%.3g %s%s", value * scale, prefix, unit);
+  return text;
+}
+
+}  // namespace
+
+std::string torqueName(const std::string& stem, Axis axis) {
+  return stem + (axis == Axis::rotary ? "_Nm" : "_N");
+}
+std::string viscousName(const std::string& stem, Axis axis) {
+  return stem + (axis == Axis::rotary ? "_Nm_s_per_rad" : "_N_s_per_m");
+}
+std::string speedName(const std::string& stem, Axis axis) {
+  return stem + (axis == Axis::rotary ? "_rad_per_s" : "_m_per_s");
+}
+
+std::string torqueText(double value, Axis axis) {
+  return withPrefix(value, axis == Axis::rotary ? "Nm" : "N");
+}
+std::string viscousText(double value, Axis axis) {
+  return withPrefix(value, axis == Axis::rotary ? "Nm s/rad" : "N s/m");
+}
+std::string speedText(double value, Axis axis) {
+  return axis == Axis::rotary ? numberText(value) + " rad/s" : withPrefix(value, "m/s");
+}
+std::string angleText(double value_rad) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.0f°", value_rad * 180.0 / std::numbers::pi);
+  return text;
+}
+std::string lengthText(double value_m) {
+  return withPrefix(value_m, "m");
+}
+std::string percentText(double fraction) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.0f %%", fraction * 100.0);
+  return text;
+}
+std::string numberText(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+std::string wayText(double sign, Axis axis) {
+  if (axis == Axis::rotary) return sign > 0.0 ? "counter-clockwise" : "clockwise";
+  return sign > 0.0 ? "towards growing position" : "towards falling position";
+}
+
+}  // namespace breakaway

@@ -1,0 +1,27 @@
+// Names and words that effects share: units by axis, numbers with three digits, angles in degrees.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "diagnose/effect.h"
+
+namespace breakaway {
+
+/// `stem` with the unit of torque (or force), viscous friction or speed at its end.
+std::string torqueName(const std::string& stem, Axis axis);
+std::string viscousName(const std::string& stem, Axis axis);
+std::string speedName(const std::string& stem, Axis axis);
+
+/// Three significant digits with SI prefix and unit: "3.12 mNm", "20.4 N".
+std::string torqueText(double value, Axis axis);
+std::string viscousText(double value, Axis axis);
+std::string speedText(double value, Axis axis);
+std::string angleText(double value_rad);
+std::string lengthText(double value_m);
+std::string percentText(double fraction);
+std::string numberText(double value);
+/// "growing angle" or "growing position", and their opposites.
+std::string wayText(double sign, Axis axis);
+
+}  // namespace breakaway

@@ -1,0 +1,115 @@
+#include "diagnose/parameter_vector.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnose/catalogue.h"
+
+namespace breakaway {
+
+namespace {
+
+bool endsWith(const std::string& text, std::string_view end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+/// A typical size of a quantity, by the unit at the end of its name.
+double typicalSize(const std::string& name, double torqueSize, double speedSize) {
+  if (endsWith(name, "_Nm_s_per_rad") || endsWith(name, "_N_s_per_m")) return torqueSize / speedSize;
+  if (endsWith(name, "_Nm") || endsWith(name, "_N")) return torqueSize;
+  if (endsWith(name, "_rad_per_s") || endsWith(name, "_m_per_s")) return speedSize;
+  return 1.0;
+}
+
+}  // namespace
+
+ParameterVector::ParameterVector(const Model& model, const std::vector<std::string>& held, double torqueSize, double speedSize)
+    : model_(model) {
+  const MotorNames& names = motorNames(model.axis);
+  const auto isHeld = [&held](const std::string& name) { return std::find(held.begin(), held.end(), name) != held.end(); };
+  const auto kt = model.baseValue(names.torqueConstant), ke = model.baseValue(names.backEmfConstant);
+  if (kt && ke && !isHeld(names.torqueConstant) && !isHeld(names.backEmfConstant)) emfRatio_ = *ke / *kt;
+  for (size_t k = 0; k < model_.base.size(); ++k) {
+    const Parameter& one = model_.base[k];
+    if (isHeld(one.name) || (emfRatio_ > 0.0 && one.name == names.backEmfConstant)) continue;
+    Slot slot{one.name, 0, k};
+    if (one.name == names.viscous || one.name == names.coulomb) {
+      slot.scale = std::max(typicalSize(one.name, torqueSize, speedSize), 1e-300);
+      slot.lower = 0.0;
+    } else if (one.name == "down_angle_rad") {
+      slot.scale = 1.0;
+    } else {
+      slot.logarithmic = true;
+      slot.lower = std::log(one.value) - 7.0;
+      slot.upper = std::log(one.value) + 7.0;
+    }
+    slots_.push_back(slot);
+  }
+  for (size_t e = 0; e < model_.effects.size(); ++e) {
+    const Effect* effect = findEffect(model_.effects[e].effect);
+    const auto specs = effect->parameters(model_.axis);
+    for (size_t k = 0; k < specs.size(); ++k) {
+      if (specs[k].held) continue;
+      Slot slot{specs[k].name, e + 1, k};
+      const double value = model_.effects[e].parameters[k].value;
+      if (specs[k].lower > 0.0 && value > 0.0) {
+        slot.logarithmic = true;
+        slot.lower = std::max(std::log(specs[k].lower), std::log(value) - 4.0);
+        slot.upper = std::min(std::log(specs[k].upper), std::log(value) + 4.0);
+      } else {
+        slot.scale = std::max(typicalSize(specs[k].name, torqueSize, speedSize), 1e-300);
+        slot.lower = specs[k].lower / slot.scale;
+        slot.upper = specs[k].upper / slot.scale;
+      }
+      slots_.push_back(slot);
+    }
+  }
+}
+
+Parameter& ParameterVector::parameter(Model& model, const Slot& slot) {
+  return slot.effect == 0 ? model.base[slot.index] : model.effects[slot.effect - 1].parameters[slot.index];
+}
+
+Eigen::VectorXd ParameterVector::start() const {
+  Eigen::VectorXd x(size());
+  Model model = model_;
+  for (Eigen::Index k = 0; k < size(); ++k) {
+    const Slot& slot = slots_[static_cast<size_t>(k)];
+    const double value = parameter(model, slot).value;
+    x[k] = std::clamp(slot.logarithmic ? std::log(value) : value / slot.scale, slot.lower, slot.upper);
+  }
+  return x;
+}
+
+Model ParameterVector::at(const Eigen::VectorXd& x) const {
+  return withIntervals(x, Eigen::MatrixXd());
+}
+
+Model ParameterVector::withIntervals(const Eigen::VectorXd& x, const Eigen::MatrixXd& covariance) const {
+  Model model = model_;
+  const auto place = [](Parameter& one, double value, double low, double high) {
+    one.value = value;
+    one.low95 = low;
+    one.high95 = high;
+  };
+  for (Eigen::Index k = 0; k < size(); ++k) {
+    const Slot& slot = slots_[static_cast<size_t>(k)];
+    const double half = covariance.size() > 0 ? 1.959964 * std::sqrt(std::max(0.0, covariance(k, k))) : 0.0;
+    if (slot.logarithmic) {
+      place(parameter(model, slot), std::exp(x[k]), std::exp(x[k] - std::min(half, 7.0)), std::exp(x[k] + std::min(half, 7.0)));
+    } else {
+      place(parameter(model, slot), x[k] * slot.scale, (x[k] - half) * slot.scale, (x[k] + half) * slot.scale);
+    }
+  }
+  if (emfRatio_ > 0.0) {
+    const MotorNames& names = motorNames(model.axis);
+    const auto find = [&model](const char* name) {
+      return std::find_if(model.base.begin(), model.base.end(), [name](const Parameter& one) { return one.name == name; });
+    };
+    const auto kt = find(names.torqueConstant), ke = find(names.backEmfConstant);
+    place(*ke, kt->value * emfRatio_, kt->low95 * emfRatio_, kt->high95 * emfRatio_);
+  }
+  return model;
+}
+
+}  // namespace breakaway

@@ -1,0 +1,50 @@
+// A model's free parameters as a vector for the fit: scales, bounds and ties in one place.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "diagnose/model.h"
+#include "motor/bench.h"
+
+namespace breakaway {
+
+/// Positive base quantities enter as logarithms, all others divided by a typical size, so that every entry is of order one.
+class ParameterVector {
+ public:
+  /// All parameters of `model` except those that `held` names and those their effect holds. The back-EMF constant keeps its ratio to the
+  /// torque constant unless either is held. `torqueSize` and `speedSize` are typical for the recordings.
+  ParameterVector(const Model& model, const std::vector<std::string>& held, double torqueSize, double speedSize);
+
+  Eigen::Index size() const { return static_cast<Eigen::Index>(slots_.size()); }
+  Eigen::VectorXd start() const;
+  double lower(Eigen::Index k) const { return slots_[static_cast<size_t>(k)].lower; }
+  double upper(Eigen::Index k) const { return slots_[static_cast<size_t>(k)].upper; }
+  /// A positive base quantity: one that a gauge may leave free.
+  bool logarithmic(Eigen::Index k) const { return slots_[static_cast<size_t>(k)].logarithmic; }
+  const std::string& name(Eigen::Index k) const { return slots_[static_cast<size_t>(k)].name; }
+
+  /// The model at `x`.
+  Model at(const Eigen::VectorXd& x) const;
+  /// The model at `x` with 95 % intervals from the covariance of x.
+  Model withIntervals(const Eigen::VectorXd& x, const Eigen::MatrixXd& covariance) const;
+
+ private:
+  struct Slot {
+    std::string name;
+    size_t effect = 0;  ///< index of the effect plus one; 0: base
+    size_t index = 0;
+    bool logarithmic = false;
+    double scale = 1.0;
+    double lower = -1e300;
+    double upper = 1e300;
+  };
+  static Parameter& parameter(Model& model, const Slot& slot);
+
+  Model model_;
+  std::vector<Slot> slots_;
+  double emfRatio_ = 0.0;  ///< Ke/Kt when tied; 0: not tied
+};
+
+}  // namespace breakaway

@@ -1,0 +1,231 @@
+#include "diagnose/stepper.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace breakaway {
+
+namespace {
+
+constexpr double longestStep_s = 2e-3;
+constexpr int mostEventsPerStep = 8;
+
+double signOf(double value) {
+  return value > 0.0 ? 1.0 : value < 0.0 ? -1.0 : 0.0;
+}
+
+}  // namespace
+
+Stepper::Stepper(const Physics& physics, std::vector<CompiledTerm> terms)
+    : physics_(physics), terms_(std::move(terms)), stateDependent_(!terms_.empty() || physics.gravity != 0.0) {}
+
+Stepper::Forces Stepper::forcesAt(double position, double velocity, double direction, double drive, double time_s) const {
+  Forces forces{0.0, physics_.coulomb};
+  if (!stateDependent_) return forces;
+  if (physics_.gravity != 0.0) forces.load += physics_.gravity * std::sin(position - physics_.downAngle);
+  const Situation at{physics_.axis, time_s, position, velocity, 0.0, drive, direction};
+  for (const CompiledTerm& term : terms_) {
+    const Term part = term.effect->term(term.parameters, at);
+    forces.load += part.load_Nm;
+    forces.friction += part.friction_Nm;
+  }
+  forces.friction = std::max(forces.friction, 0.0);
+  return forces;
+}
+
+Stepper::Forces Stepper::forcesDuring(const MotionState& state, double direction, double drive, double damping, double dt,
+                                      double time_s) const {
+  if (!stateDependent_) return {0.0, physics_.coulomb};
+  const Forces start = forcesAt(state.position, state.velocity, direction, drive, time_s);
+  const double backEmf = damping - physics_.viscous;  // without inductance the back-EMF acts as damping
+  const double acceleration =
+      (drive - damping * state.velocity - start.load - direction * start.friction) / physics_.inertia;
+  double middle = state.velocity + 0.5 * dt * acceleration;
+  if (middle * direction < 0.0) middle = 0.0;
+  return forcesAt(state.position + 0.25 * dt * (state.velocity + middle), middle, direction, drive - backEmf * middle, time_s + 0.5 * dt);
+}
+
+Stepper::Decay Stepper::decayOver(double dt, double damping) const {
+  Decay decay;
+  decay.dt = dt;
+  decay.damping = damping;
+  const double z = damping * dt / physics_.inertia;
+  decay.velocity = std::exp(-z);
+  // φ₁(z) = (1 − e^{−z})/z and φ₂(z) = (1 − φ₁)/z, by series where the quotients cancel.
+  const double phi1 = std::abs(z) > 1e-5 ? -std::expm1(-z) / z : 1.0 - z / 2.0 + z * z / 6.0;
+  const double phi2 = std::abs(z) > 1e-3 ? (1.0 - phi1) / z : 0.5 - z / 6.0 + z * z / 24.0 - z * z * z / 120.0;
+  decay.gainVelocity = dt * phi1;
+  decay.gainPosition = dt * dt * phi2;
+  return decay;
+}
+
+void Stepper::advance(MotionState& state, double u, double dt, double time_s, bool connected) {
+  const int parts = stateDependent_ ? std::max(1, static_cast<int>(std::ceil(dt / longestStep_s - 1e-9))) : 1;
+  const double step = dt / parts;
+  const Physics& p = physics_;
+  for (int part = 0; part < parts; ++part) {
+    const double now = time_s + part * step;
+    if (!p.electrical) {
+      mechanical(state, connected ? p.torqueConstant * u : 0.0, p.viscous, step, now);
+    } else if (!connected) {
+      state.current = 0.0;
+      mechanical(state, 0.0, p.viscous, step, now);
+    } else if (p.inductance > 0.0) {
+      inductive(state, u, step, now);
+    } else {
+      mechanical(state, p.torqueConstant * u / p.resistance, p.viscous + p.torqueConstant * p.backEmf / p.resistance, step, now);
+      state.current = (u - p.backEmf * state.velocity) / p.resistance;
+    }
+  }
+}
+
+void Stepper::mechanical(MotionState& state, double drive, double damping, double dt, double time_s) {
+  if (decay_.dt != dt || decay_.damping != damping) decay_ = decayOver(dt, damping);
+  double remaining = dt;
+  for (int event = 0; event < mostEventsPerStep && remaining > 0.0; ++event) {
+    const double now = time_s + dt - remaining;
+    double direction = signOf(state.velocity);
+    if (direction == 0.0) {
+      const double push = drive - forcesAt(state.position, 0.0, 0.0, drive, now).load;
+      direction = signOf(push);
+      if (direction == 0.0 || std::abs(push) <= forcesAt(state.position, 0.0, direction, drive, now).friction) return;
+    }
+    const Forces forces = forcesDuring(state, direction, drive, damping, remaining, now);
+    const double a = (drive - forces.load - direction * forces.friction) / physics_.inertia;
+    const Decay decay = remaining == dt ? decay_ : decayOver(remaining, damping);
+    const double v = state.velocity * decay.velocity + a * decay.gainVelocity;
+    if (v * direction >= 0.0) {
+      if (v == 0.0 && state.velocity == 0.0) return;
+      state.position += state.velocity * decay.gainVelocity + a * decay.gainPosition;
+      state.velocity = v;
+      return;
+    }
+    if (state.velocity == 0.0) return;  // the push fades within the step: it does not start
+    // v(t) = 0: e^{z} = 1 − v₀ d/(J a) in closed form; without damping t = −v₀/a.
+    const double rate = damping / physics_.inertia;
+    double stop = rate > 1e-12 ? std::log1p(-state.velocity * rate / a) / rate : -state.velocity / a;
+    stop = std::clamp(stop, 0.0, remaining);
+    const Decay until = decayOver(stop, damping);
+    state.position += state.velocity * until.gainVelocity + a * until.gainPosition;
+    state.velocity = 0.0;
+    remaining -= stop;
+  }
+}
+
+Stepper::Coupled Stepper::coupledOver(double dt) const {
+  // exp(A t) of A = [[−R/L, −Ke/L], [Kt/J, −B/J]] by its mean m and half discriminant q: e^{mt}(c I + s (A − m I)).
+  const Physics& p = physics_;
+  const double a = -p.resistance / p.inductance, b = -p.backEmf / p.inductance;
+  const double c = p.torqueConstant / p.inertia, d = -p.viscous / p.inertia;
+  const double mean = 0.5 * (a + d), half = 0.5 * (a - d);
+  const double q = half * half + b * c;
+  const double root = std::sqrt(std::abs(q)), decay = std::exp(mean * dt), z = root * dt;
+  double even = decay, odd = decay * dt;
+  if (q > 0.0 && z > 1e-6) {
+    even = 0.5 * (std::exp((mean + root) * dt) + std::exp((mean - root) * dt));
+    odd = 0.5 * (std::exp((mean + root) * dt) - std::exp((mean - root) * dt)) / root;
+  } else if (q < 0.0 && z > 1e-6) {
+    even = decay * std::cos(z);
+    odd = decay * std::sin(z) / root;
+  }
+  Coupled out;
+  out.dt = dt;
+  out.ii = even + odd * half;
+  out.iv = odd * b;
+  out.vi = odd * c;
+  out.vv = even - odd * half;
+  // ∫ exp = A⁻¹(exp − I); only the velocity's row is needed.
+  const double determinant = a * d - b * c;
+  out.xi = (-c * (out.ii - 1.0) + a * out.vi) / determinant;
+  out.xv = (-c * out.iv + a * (out.vv - 1.0)) / determinant;
+  return out;
+}
+
+double Stepper::breakawayTime(const MotionState& state, double u, double dt, double time_s, double& direction) const {
+  const Physics& p = physics_;
+  const double drive = p.torqueConstant * state.current;
+  const double load = forcesAt(state.position, 0.0, 0.0, drive, time_s).load;
+  direction = signOf(drive - load);
+  if (direction != 0.0 && std::abs(drive - load) > forcesAt(state.position, 0.0, direction, drive, time_s).friction) return 0.0;
+  const double rate = p.resistance / p.inductance, final = u / p.resistance;
+  const double end = final + (state.current - final) * std::exp(-rate * dt);
+  direction = signOf(p.torqueConstant * end - load);
+  if (direction == 0.0) return dt;
+  const double friction = forcesAt(state.position, 0.0, direction, p.torqueConstant * end, time_s).friction;
+  if (direction * (p.torqueConstant * end - load) <= friction) return dt;
+  const double needed = (load + direction * friction) / p.torqueConstant;
+  const double ratio = (needed - final) / (state.current - final);
+  return std::clamp(-std::log(std::max(ratio, 1e-300)) / rate, 0.0, dt);
+}
+
+double Stepper::reversalTime(const MotionState& state, double iEnd, double vEnd, double dt, double vAfter) const {
+  // Illinois' false position on v(t), whose signs differ at 0 and dt.
+  double low = 0.0, high = dt, vLow = state.velocity, vHigh = vAfter;
+  const double i0 = state.current - iEnd, v0 = state.velocity - vEnd;
+  int kept = 0;
+  for (int k = 0; k < 60 && high - low > 1e-12 * dt; ++k) {
+    const double t = (low * vHigh - high * vLow) / (vHigh - vLow);
+    const Coupled at = coupledOver(t);
+    const double v = vEnd + at.vi * i0 + at.vv * v0;
+    if (v == 0.0) return t;
+    if ((v > 0.0) == (vHigh > 0.0)) {
+      high = t;
+      vHigh = v;
+      if (kept == -1) vLow *= 0.5;
+      kept = -1;
+    } else {
+      low = t;
+      vLow = v;
+      if (kept == 1) vHigh *= 0.5;
+      kept = 1;
+    }
+  }
+  return 0.5 * (low + high);
+}
+
+void Stepper::inductive(MotionState& state, double u, double dt, double time_s) {
+  const Physics& p = physics_;
+  if (coupled_.dt != dt) coupled_ = coupledOver(dt);
+  double remaining = dt;
+  for (int event = 0; event < mostEventsPerStep && remaining > 0.0; ++event) {
+    const double now = time_s + dt - remaining;
+    double direction = signOf(state.velocity);
+    if (direction == 0.0) {
+      const double wait = breakawayTime(state, u, remaining, now, direction);
+      const double final = u / p.resistance;
+      state.current = final + (state.current - final) * std::exp(-p.resistance / p.inductance * wait);
+      remaining -= wait;
+      if (remaining <= 1e-12 * dt) return;
+    }
+    const Forces forces =
+        forcesDuring(state, direction, p.torqueConstant * state.current, p.viscous, remaining, now);
+    // Steady state of (i, v) under u and the frozen forces.
+    const double resisting = forces.load + direction * forces.friction;
+    const double vEnd = (p.torqueConstant * u / p.resistance - resisting) /
+                        (p.viscous + p.torqueConstant * p.backEmf / p.resistance);
+    const double iEnd = (u - p.backEmf * vEnd) / p.resistance;
+    const auto moveOver = [&](const Coupled& over) {
+      const double i0 = state.current - iEnd, v0 = state.velocity - vEnd;
+      state.position += vEnd * over.dt + over.xi * i0 + over.xv * v0;
+      state.current = iEnd + over.ii * i0 + over.iv * v0;
+      state.velocity = vEnd + over.vi * i0 + over.vv * v0;
+    };
+    const Coupled over = remaining == dt ? coupled_ : coupledOver(remaining);
+    const double v = vEnd + over.vi * (state.current - iEnd) + over.vv * (state.velocity - vEnd);
+    if (v * direction >= 0.0) {
+      moveOver(over);
+      return;
+    }
+    if (state.velocity == 0.0) {  // the push fades within the step: only the current moves on
+      const double final = u / p.resistance;
+      state.current = final + (state.current - final) * std::exp(-p.resistance / p.inductance * remaining);
+      return;
+    }
+    const double stop = reversalTime(state, iEnd, vEnd, remaining, v);
+    moveOver(coupledOver(stop));
+    state.velocity = 0.0;
+    remaining -= stop;
+  }
+}
+
+}  // namespace breakaway

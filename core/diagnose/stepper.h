@@ -1,0 +1,87 @@
+// Exact stick-slip steps of a model with one degree of freedom.
+#pragma once
+
+#include <vector>
+
+#include "diagnose/effect.h"
+
+namespace breakaway {
+
+/// The base physics with numbers, on a linear axis in kg, N and m.
+///   J a = drive − B ω − F s − G sin(θ − θ_down) − terms;   drive = Kt i;   L di/dt = u − R i − Ke ω
+/// Without an electrical side the drive is Kt u, with Kt = 1 where u is already a torque.
+struct Physics {
+  Axis axis = Axis::rotary;
+  double inertia = 1.0;         ///< J with the pendulum's share, kg m²
+  double viscous = 0.0;         ///< B, Nm s/rad
+  double coulomb = 0.0;         ///< F, Nm
+  double gravity = 0.0;         ///< G, Nm
+  double downAngle = 0.0;       ///< θ_down, rad
+  bool electrical = false;      ///< u is a voltage; otherwise u is a current or a torque
+  double torqueConstant = 1.0;  ///< Kt, Nm/A
+  double backEmf = 0.0;         ///< Ke, V s/rad
+  double resistance = 1.0;      ///< R, Ω
+  double inductance = 0.0;      ///< L, H; 0: the current follows at once
+};
+
+struct CompiledTerm {
+  const Effect* effect = nullptr;
+  std::vector<double> parameters;
+};
+
+struct MotionState {
+  double position = 0.0;
+  double velocity = 0.0;
+  double current = 0.0;  ///< A; meaningful with an electrical side only
+};
+
+/// Advances a state under a constant drive input. Between events the motion is the exact solution of the linear equations, with
+/// position- and velocity-dependent terms taken at the middle of the step (second order); reversals and the end of standstill are
+/// located within the step, and friction at standstill is an inequality: what does not move stays exactly still.
+class Stepper {
+ public:
+  Stepper(const Physics& physics, std::vector<CompiledTerm> terms);
+
+  /// One row: `dt` s under input `u`, from `time_s` on; `connected` false means open windings. Divided into steps of at most
+  /// 2 ms where terms depend on the state.
+  const Physics& physics() const { return physics_; }
+
+  void advance(MotionState& state, double u, double dt, double time_s, bool connected = true);
+
+ private:
+  struct Forces {
+    double load = 0.0;
+    double friction = 0.0;
+  };
+  /// Exact transition of v' = −d v/J + a over dt.
+  struct Decay {
+    double dt = -1.0;
+    double damping = 0.0;
+    double velocity = 1.0;     ///< v after per v before
+    double gainVelocity = 0.0; ///< v after per a, s
+    double gainPosition = 0.0; ///< x after per a, s²
+  };
+  /// Exact transition of (i, v) with inductance over dt, and of the position on top.
+  struct Coupled {
+    double dt = -1.0;
+    double ii = 1, iv = 0, vi = 0, vv = 1;
+    double xi = 0, xv = 0;  ///< ∫ of the second row
+  };
+
+  Forces forcesAt(double position, double velocity, double direction, double drive, double time_s) const;
+  Forces forcesDuring(const MotionState& state, double direction, double drive, double damping, double dt, double time_s) const;
+  Decay decayOver(double dt, double damping) const;
+  Coupled coupledOver(double dt) const;
+  void mechanical(MotionState& state, double drive, double damping, double dt, double time_s);
+  void inductive(MotionState& state, double u, double dt, double time_s);
+  double breakawayTime(const MotionState& state, double u, double dt, double time_s, double& direction) const;
+  double reversalTime(const MotionState& state, double iEnd, double vEnd, double dt, double vAfter) const;
+
+  Physics physics_;
+  std::vector<CompiledTerm> terms_;
+  bool stateDependent_;
+  Decay decay_;
+  Coupled coupled_;
+};
+
+}  // namespace breakaway

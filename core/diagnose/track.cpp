@@ -1,0 +1,97 @@
+#include "diagnose/track.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/statistics.h"
+
+namespace breakaway {
+
+namespace {
+
+/// Noise of one reading from third differences, which the motion hardly reaches: their variance is 20 times a reading's.
+double readingNoise(const std::vector<double>& position, const std::vector<char>& seen) {
+  std::vector<double> squares;
+  for (size_t k = 0; k + 3 < position.size(); ++k) {
+    if (!(seen[k] && seen[k + 1] && seen[k + 2] && seen[k + 3])) continue;
+    const double d = position[k + 3] - 3.0 * position[k + 2] + 3.0 * position[k + 1] - position[k];
+    squares.push_back(d * d / 20.0);
+  }
+  if (squares.empty()) return 0.0;
+  return std::sqrt(quantile(squares, 0.5) / 0.4549);  // the median of a χ² with one degree of freedom is 0.4549
+}
+
+Result<std::vector<double>> inputOf(const Recording& recording, const Bench& names, const std::string& channel) {
+  const auto values = recording.channel(channel);
+  if (values.empty()) return Error{recording.name(), "has no column " + channel + ", which drives this bench"};
+  std::vector<double> input(values.begin(), values.end());
+  double last = std::nan("");
+  for (double& value : input) {
+    if (std::isfinite(value)) last = value;
+    else value = last;
+  }
+  if (!std::isfinite(last)) return Error{recording.name() + ", column " + channel, "has no value at all"};
+  const auto first = std::find_if(input.begin(), input.end(), [](double value) { return std::isfinite(value); });
+  std::fill(input.begin(), first, *first);
+  if (names.input != DriveInput::duty) return input;
+  const auto supply = recording.channel("supply_V");
+  double volts = names.supply_V.value_or(std::nan(""));
+  for (size_t k = 0; k < input.size(); ++k) {
+    if (!supply.empty() && std::isfinite(supply[k])) volts = supply[k];
+    input[k] *= volts;
+  }
+  if (!std::isfinite(volts)) {
+    return Error{recording.name(), "is driven by duty but has no column supply_V, and the bench has no drive.supply_V"};
+  }
+  for (size_t k = input.size(); k-- > 1;) {
+    if (!std::isfinite(input[k - 1])) input[k - 1] = input[k];
+  }
+  return input;
+}
+
+}  // namespace
+
+Result<Track> makeTrack(const Recording& recording, Axis axis, DriveInput driveInput, std::optional<double> supply_V, double count) {
+  Bench names;
+  names.axis = axis;
+  names.input = driveInput;
+  names.supply_V = supply_V;
+  Track track;
+  track.name = recording.name();
+  if (recording.rows() < 2) return Error{recording.name(), "has fewer than two rows"};
+  const auto position = recording.channel(names.positionChannel());
+  if (position.empty()) return Error{recording.name(), "has no column " + names.positionChannel()};
+  auto input = inputOf(recording, names, names.inputChannel());
+  if (!input) return input.error();
+  track.input = std::move(*input);
+
+  const size_t rows = recording.rows();
+  const auto time = recording.time();
+  track.origin_s = time[0];
+  track.time.resize(rows);
+  track.position.resize(rows);
+  track.seen.resize(rows);
+  track.connected.assign(rows, 1);
+  double last = std::nan("");
+  size_t missing = 0;
+  for (size_t k = 0; k < rows; ++k) {
+    track.time[k] = time[k] - time[0];
+    track.seen[k] = std::isfinite(position[k]) ? 1 : 0;
+    if (track.seen[k]) last = position[k];
+    else ++missing;
+    track.position[k] = last;
+  }
+  if (missing == rows) return Error{recording.name() + ", column " + names.positionChannel(), "has no value at all"};
+  for (size_t k = rows; k-- > 1;) {
+    if (!std::isfinite(track.position[k - 1])) track.position[k - 1] = track.position[k];
+  }
+  if (missing > 0) track.remarks.push_back(recording.name() + ": " + std::to_string(missing) + " rows have no position and are left out");
+  const auto enabled = recording.channel("enabled");
+  for (size_t k = 0; k < enabled.size(); ++k) track.connected[k] = enabled[k] == 0.0 ? 0 : 1;
+  const auto current = recording.channel("current_A");
+  if (names.electrical() && !current.empty()) track.current.assign(current.begin(), current.end());
+  track.noise = std::max(readingNoise(track.position, track.seen), count / std::sqrt(12.0));
+  return track;
+}
+
+}  // namespace breakaway

@@ -1,0 +1,181 @@
+#include "diagnose/windowed_fit.h"
+
+#include <ceres/ceres.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+
+#include "diagnose/physics.h"
+#include "diagnose/restart.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr double priorDeviation = 1.1;  ///< of the logarithm of a start value: a factor of three
+constexpr double nudge = 1e-5;          ///< finite difference of a parameter of order one
+
+/// Residual and Jacobian of one window at x.
+WindowDerivative derive(const ParameterVector& parameters, WindowResidual& window, const Eigen::VectorXd& x, bool jacobian) {
+  WindowDerivative out;
+  window.fit(parameters.at(x));
+  out.residual = window.residual();
+  out.positions = window.positions();
+  if (!jacobian) return out;
+  out.jacobian.resize(window.rows(), x.size());
+  for (Eigen::Index p = 0; p < x.size(); ++p) {
+    Eigen::VectorXd near = x;
+    const double step = x[p] + nudge > parameters.upper(p) ? -nudge : nudge;
+    near[p] += step;
+    out.jacobian.col(p) = window.column(parameters.at(near), step);
+  }
+  return out;
+}
+
+class WindowCost final : public ceres::CostFunction {
+ public:
+  WindowCost(const ParameterVector& parameters, WindowResidual& window) : parameters_(parameters), window_(window) {
+    set_num_residuals(static_cast<int>(window.rows()));
+    mutable_parameter_block_sizes()->push_back(static_cast<int>(parameters.size()));
+  }
+  bool Evaluate(double const* const* at, double* residuals, double** jacobians) const override {
+    const Eigen::Index size = parameters_.size();
+    const bool wanted = jacobians != nullptr && jacobians[0] != nullptr;
+    const WindowDerivative got = derive(parameters_, window_, Eigen::Map<const Eigen::VectorXd>(at[0], size), wanted);
+    if (!got.residual.allFinite() || (wanted && !got.jacobian.allFinite())) return false;
+    Eigen::Map<Eigen::VectorXd>(residuals, got.residual.size()) = got.residual;
+    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    if (wanted) Eigen::Map<RowMajor>(jacobians[0], got.residual.size(), size) = got.jacobian;
+    return true;
+  }
+
+ private:
+  const ParameterVector& parameters_;
+  WindowResidual& window_;
+};
+
+/// Holds start values of positive quantities that no data reach.
+class PriorCost final : public ceres::CostFunction {
+ public:
+  PriorCost(const ParameterVector& parameters, Eigen::VectorXd start, double weight)
+      : parameters_(parameters), start_(std::move(start)), weight_(weight / priorDeviation) {
+    set_num_residuals(static_cast<int>(start_.size()));
+    mutable_parameter_block_sizes()->push_back(static_cast<int>(start_.size()));
+  }
+  bool Evaluate(double const* const* at, double* residuals, double** jacobians) const override {
+    for (Eigen::Index k = 0; k < start_.size(); ++k) {
+      const double weight = parameters_.logarithmic(k) ? weight_ : 0.0;
+      residuals[k] = weight * (at[0][k] - start_[k]);
+      if (jacobians == nullptr || jacobians[0] == nullptr) continue;
+      for (Eigen::Index j = 0; j < start_.size(); ++j) jacobians[0][k * start_.size() + j] = j == k ? weight : 0.0;
+    }
+    return true;
+  }
+
+ private:
+  const ParameterVector& parameters_;
+  Eigen::VectorXd start_;
+  double weight_;
+};
+
+class StopRequested final : public ceres::IterationCallback {
+ public:
+  explicit StopRequested(std::stop_token stop) : stop_(std::move(stop)) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
+    return stop_.stop_requested() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
+  }
+
+ private:
+  std::stop_token stop_;
+};
+
+}  // namespace
+
+FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>& tracks, const std::vector<Window>& windows,
+                     const FitOptions& options) {
+  FitResult result;
+  const Eigen::VectorXd start = parameters.start();
+  Eigen::VectorXd x = start;
+  result.weights = weightsAt(parameters.at(start), tracks, windows);
+  std::vector<WindowResidual> residuals;
+  residuals.reserve(windows.size());
+  ceres::Problem problem;
+  double count = 0.0;
+  for (const Window& window : windows) {
+    residuals.emplace_back(tracks[window.track], window, result.weights);
+    count += static_cast<double>(residuals.back().rows());
+    problem.AddResidualBlock(new WindowCost(parameters, residuals.back()), nullptr, x.data());
+  }
+  const double priorWeight = 0.1 * std::sqrt(count / static_cast<double>(windows.size()));
+  problem.AddResidualBlock(new PriorCost(parameters, start, priorWeight), nullptr, x.data());
+  for (int k = 0; k < static_cast<int>(x.size()); ++k) {
+    problem.SetParameterLowerBound(x.data(), k, parameters.lower(k));
+    problem.SetParameterUpperBound(x.data(), k, parameters.upper(k));
+  }
+  ceres::Solver::Options solver;
+  solver.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
+  solver.max_num_iterations = options.iterations;
+  solver.function_tolerance = 1e-6;
+  solver.parameter_tolerance = 1e-7;
+  solver.logging_type = ceres::SILENT;
+  StopRequested stopRequested(options.stop);
+  solver.callbacks.push_back(&stopRequested);
+  ceres::Solver::Summary summary;
+  ceres::Solve(solver, &problem, &summary);
+
+  result.x = x;
+  result.usable = summary.IsSolutionUsable() && !options.stop.stop_requested();
+  result.termination = ceres::TerminationTypeToString(summary.termination_type);
+  const Eigen::Index size = x.size();
+  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(size, size), meat = normal;
+  double squares = 0.0, positions = 0.0;
+  for (WindowResidual& residual : residuals) {
+    result.windows.push_back(derive(parameters, residual, x, true));
+    const WindowDerivative& window = result.windows.back();
+    const Eigen::VectorXd score = window.jacobian.transpose() * window.residual;
+    normal += window.jacobian.transpose() * window.jacobian;
+    meat += score * score.transpose();
+    const double sum = window.residual.head(window.positions).squaredNorm() / std::pow(result.weights.position, 2);
+    result.windowSquares.push_back(sum / static_cast<double>(window.positions));
+    squares += sum;
+    positions += static_cast<double>(window.positions);
+  }
+  result.rmse = std::sqrt(squares / positions);
+  const double precision = std::pow(priorWeight / priorDeviation, 2);
+  for (Eigen::Index k = 0; k < size; ++k) {
+    if (!parameters.logarithmic(k)) continue;
+    // What the prior holds has the prior's own doubt.
+    normal(k, k) += precision;
+    meat(k, k) += precision * precision * priorDeviation * priorDeviation;
+  }
+  normal.diagonal().array() += 1e-12 * normal.diagonal().maxCoeff();
+  const Eigen::MatrixXd inverse = normal.ldlt().solve(Eigen::MatrixXd::Identity(size, size));
+  const auto n = static_cast<double>(windows.size());
+  result.covariance = inverse * meat * inverse * (n / std::max(1.0, n - static_cast<double>(size)));
+  result.model = parameters.withIntervals(x, result.covariance);
+  return result;
+}
+
+std::vector<double> scoreWindows(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows) {
+  const auto terms = termsOf(model);
+  Stepper stepper(physicsOf(model), *terms);
+  std::vector<double> squares;
+  for (const Window& window : windows) {
+    const Track& track = tracks[window.track];
+    MotionState state = restartState(stepper, track, window.first, model.restartHorizon_s);
+    double sum = 0.0, n = 0.0;
+    for (size_t k = window.first;; ++k) {
+      if (track.seen[k]) {
+        const double error = state.position - track.position[k];
+        sum += error * error;
+        n += 1.0;
+      }
+      if (k == window.last) break;
+      run(stepper, track, k, k + 1, state);
+    }
+    squares.push_back(sum / std::max(n, 1.0));
+  }
+  return squares;
+}
+
+}  // namespace breakaway

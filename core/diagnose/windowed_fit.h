@@ -1,0 +1,46 @@
+// Least squares over restarted windows: the model is simulated through each window from a free initial state.
+#pragma once
+
+#include <Eigen/Core>
+#include <stop_token>
+#include <vector>
+
+#include "diagnose/parameter_vector.h"
+#include "diagnose/window_residual.h"
+
+namespace breakaway {
+
+struct FitOptions {
+  int iterations = 25;
+  std::stop_token stop;
+};
+
+/// A window's residual and its derivative by the parameters, as the fit leaves them.
+struct WindowDerivative {
+  Eigen::VectorXd residual;
+  Eigen::MatrixXd jacobian;
+  Eigen::Index positions = 0;  ///< the first so many rows are positions
+};
+
+struct FitResult {
+  Model model;                 ///< with 95 % intervals
+  Eigen::VectorXd x;
+  Eigen::MatrixXd covariance;  ///< of x; robust against correlation within windows (sandwich by window)
+  Weights weights;
+  std::vector<WindowDerivative> windows;
+  std::vector<double> windowSquares;  ///< mean squared position residual per window, m² or rad²
+  double rmse = 0.0;
+  bool usable = false;
+  std::string termination;
+};
+
+/// Minimises the weighted residuals over the windows, with a weak prior on the start values of positive quantities (a factor of three, one
+/// standard deviation, with the weight of about one window in a hundred), which holds what no data reach: the gauge. Intervals come
+/// from the sandwich estimator clustered by window (H. White, Econometrica 50(1), 1982).
+FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>& tracks, const std::vector<Window>& windows,
+                     const FitOptions& options);
+
+/// Mean squared position residual per window when each window restarts as simulate() does it.
+std::vector<double> scoreWindows(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows);
+
+}  // namespace breakaway
