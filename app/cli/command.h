@@ -19,5 +19,7 @@ using Job = std::function<Result<void>()>;
 using AddCommand = void (*)(CLI::App& app, Job& chosen);
 
 void addFit(CLI::App& app, Job& chosen);
+void addSimulate(CLI::App& app, Job& chosen);
+void addDiagnose(CLI::App& app, Job& chosen);
 
 }  // namespace breakaway::cli

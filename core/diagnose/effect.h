@@ -69,6 +69,8 @@ class Effect {
   virtual size_t amplitudes() const = 0;
   /// The term's derivative by each amplitude: torque that opposes growing position, Nm per unit of amplitude.
   virtual void columns(const Shape& shape, const Situation& at, std::span<double> out) const = 0;
+  /// The shape behind given parameters.
+  virtual Shape shapeOf(std::span<const double>) const { return {}; }
   /// Parameters from a shape and its amplitudes.
   virtual std::vector<double> fromAmplitudes(const Shape& shape, std::span<const double> amplitude) const = 0;
 

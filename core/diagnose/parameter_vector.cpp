@@ -13,15 +13,14 @@ bool endsWith(const std::string& text, std::string_view end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-/// A typical size of a quantity, by the unit at the end of its name.
+}  // namespace
+
 double typicalSize(const std::string& name, double torqueSize, double speedSize) {
   if (endsWith(name, "_Nm_s_per_rad") || endsWith(name, "_N_s_per_m")) return torqueSize / speedSize;
   if (endsWith(name, "_Nm") || endsWith(name, "_N")) return torqueSize;
   if (endsWith(name, "_rad_per_s") || endsWith(name, "_m_per_s")) return speedSize;
   return 1.0;
 }
-
-}  // namespace
 
 ParameterVector::ParameterVector(const Model& model, const std::vector<std::string>& held, double torqueSize, double speedSize)
     : model_(model) {

@@ -47,4 +47,7 @@ class ParameterVector {
   double emfRatio_ = 0.0;  ///< Ke/Kt when tied; 0: not tied
 };
 
+/// A typical size of a quantity, by the unit at the end of its name.
+double typicalSize(const std::string& name, double torqueSize, double speedSize);
+
 }  // namespace breakaway

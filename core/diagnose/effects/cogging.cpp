@@ -22,6 +22,7 @@ class Cogging final : public Effect {
   std::vector<Shape> shapes(const Excitation& seen) const override { return waveShapes(seen, 2, 96); }
   size_t amplitudes() const override { return 2; }
   void columns(const Shape& shape, const Situation& at, std::span<double> out) const override { waveColumns(shape, at, -1.0, out); }
+  Shape shapeOf(std::span<const double> p) const override { return {p[2]}; }
   std::vector<double> fromAmplitudes(const Shape& shape, std::span<const double> amplitude) const override {
     return waveFromAmplitudes(shape, amplitude);
   }

@@ -25,6 +25,7 @@ class PositionDependentFriction final : public Effect {
   void columns(const Shape& shape, const Situation& at, std::span<double> out) const override {
     waveColumns(shape, at, at.direction, out);
   }
+  Shape shapeOf(std::span<const double> p) const override { return {p[2]}; }
   std::vector<double> fromAmplitudes(const Shape& shape, std::span<const double> amplitude) const override {
     return waveFromAmplitudes(shape, amplitude);
   }

@@ -39,6 +39,7 @@ class Stribeck final : public Effect {
   void columns(const Shape& shape, const Situation& at, std::span<double> out) const override {
     out[0] = at.direction * decay(at.velocity, shape[0], shape[1]);
   }
+  Shape shapeOf(std::span<const double> p) const override { return {p[1], p[2]}; }
   std::vector<double> fromAmplitudes(const Shape& shape, std::span<const double> amplitude) const override {
     return {amplitude[0], shape[0], shape[1]};
   }

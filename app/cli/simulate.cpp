@@ -1,0 +1,59 @@
+#include <CLI/CLI.hpp>
+#include <charconv>
+
+#include "base/atomic_file.h"
+#include "cli/command.h"
+#include "diagnose/simulation.h"
+#include "recording/csv.h"
+
+namespace breakaway::cli {
+
+namespace {
+
+struct SimulateLine {
+  std::string model, recording, out;
+  double restartEvery_s = 0.0;
+};
+
+void append(std::string& text, double value) {
+  char cell[32];
+  text += ',';
+  text.append(cell, std::to_chars(cell, cell + sizeof cell, value).ptr);
+}
+
+Result<void> runSimulate(const SimulateLine& line) {
+  const auto model = readModel(line.model);
+  if (!model) return model.error();
+  const auto recording = readCsv(line.recording);
+  if (!recording) return recording.error();
+  const auto times = readTimeText(line.recording);
+  if (!times) return times.error();
+  const auto trace = simulate(*model, *recording, {line.restartEvery_s});
+  if (!trace) return trace.error();
+  std::string out = model->axis == Axis::rotary ? "time_s,angle_rad,velocity_rad_per_s" : "time_s,position_m,velocity_m_per_s";
+  if (!trace->current_A.empty()) out += ",current_A";
+  out += '\n';
+  for (size_t k = 0; k < trace->position.size(); ++k) {
+    out += (*times)[k];
+    append(out, trace->position[k]);
+    append(out, trace->velocity[k]);
+    if (!trace->current_A.empty()) append(out, trace->current_A[k]);
+    out += '\n';
+  }
+  return writeFile(line.out, out);
+}
+
+}  // namespace
+
+void addSimulate(CLI::App& app, Job& chosen) {
+  auto line = std::make_shared<SimulateLine>();
+  auto* command = app.add_subcommand("simulate", "Predict a recording's motion from its drive input alone");
+  command->add_option("--model", line->model, "model file from fit or diagnose")->required();
+  command->add_option("--recording", line->recording, "recording whose drive input is used, NAME.csv")->required();
+  command->add_option("--out", line->out, "CSV to write, one row per row of the recording")->required();
+  command->add_option("--restart-every", line->restartEvery_s, "set the state again from measurements every so many seconds")
+      ->check(CLI::PositiveNumber);
+  command->callback([line, &chosen] { chosen = [line] { return runSimulate(*line); }; });
+}
+
+}  // namespace breakaway::cli

@@ -1,0 +1,205 @@
+#include "diagnose/diagnosis.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "base/statistics.h"
+#include "diagnose/catalogue.h"
+#include "diagnose/inverse_fit.h"
+#include "diagnose/noise_floor.h"
+#include "diagnose/preparation.h"
+#include "diagnose/search.h"
+#include "diagnose/where.h"
+
+namespace breakaway {
+
+namespace {
+
+/// Beyond this part of the excess error, and this many times the floor, what is left is material.
+constexpr double materialShare = 0.25;
+constexpr double materialFloors = 1.6;
+
+double meanSquare(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows) {
+  return mean(scoreWindows(model, tracks, windows));
+}
+
+FitScore scoreFit(const Bench& bench, const Model& base, const Model& best, const std::vector<Track>& tracks, const Split& split,
+                  const DiagnoseOptions& options) {
+  FitScore fit;
+  fit.channel = bench.positionChannel();
+  fit.window_s = options.window_s;
+  fit.separateRecording = split.separateRecording;
+  fit.trainBefore = std::sqrt(meanSquare(base, tracks, split.trainScore));
+  fit.trainAfter = std::sqrt(meanSquare(best, tracks, split.trainScore));
+  const auto before = scoreWindows(base, tracks, split.heldoutScore), after = scoreWindows(best, tracks, split.heldoutScore);
+  fit.heldoutBefore = std::sqrt(mean(before));
+  fit.heldoutAfter = std::sqrt(mean(after));
+  const Interval interval = bootstrap(before.size(), 2000, options.seed, [&](std::span<const size_t> blocks) {
+    double sumBefore = 0.0, sumAfter = 0.0;
+    for (const size_t block : blocks) {
+      sumBefore += before[block];
+      sumAfter += after[block];
+    }
+    return 1.0 - std::sqrt(sumAfter / std::max(sumBefore, 1e-300));
+  });
+  fit.improvementLow95 = interval.low;
+  fit.improvementHigh95 = interval.high;
+  fit.floor = noiseFloor(best, tracks, split.heldoutScore, options.seed);
+  return fit;
+}
+
+/// The findings, with shares of the excess that add up to what the extended model takes away.
+std::vector<Finding> findingsOf(const SearchResult& result, const SearchInput& input, double explained) {
+  double marginals = 0.0;
+  for (const Chosen& chosen : result.chosen) marginals += chosen.marginal;
+  std::vector<Finding> findings;
+  for (const Chosen& chosen : result.chosen) {
+    Finding finding;
+    finding.effect = chosen.effect->name();
+    finding.share = marginals > 0.0 ? std::clamp(explained * chosen.marginal / marginals, 0.0, 1.0) : 0.0;
+    finding.pValue = chosen.pValue;
+    for (const Effect* rival : chosen.rivals) finding.ambiguousWith.emplace_back(rival->name());
+    for (const EffectTerm& term : result.best.model.effects) {
+      if (term.effect != finding.effect) continue;
+      finding.parameters = term.parameters;
+      std::vector<double> values;
+      for (const Parameter& one : term.parameters) values.push_back(one.value);
+      finding.sentence = chosen.effect->sentence(values, input.seen);
+    }
+    findings.push_back(std::move(finding));
+  }
+  return findings;
+}
+
+bool hasRealRivals(const Finding& finding) {
+  const Effect* effect = findEffect(finding.effect);
+  return std::any_of(finding.ambiguousWith.begin(), finding.ambiguousWith.end(),
+                     [effect](const std::string& rival) { return rival != effect->twin(); });
+}
+
+/// Whether what the best model leaves has a place of its own that holds on held-out data, too.
+bool leavesAPlace(const Model& best, const std::vector<Track>& tracks, size_t recordings, std::vector<Place>& where, double& pValue,
+                  std::uint64_t seed) {
+  const std::vector<Track> seen(tracks.begin(), tracks.begin() + static_cast<std::ptrdiff_t>(recordings));
+  const auto left = places(residualMaps(best, seen, seed), best);
+  if (left.empty()) return false;
+  pValue = left.front().pValue;
+  if (left.front().share < 0.1 || left.front().pValue > 0.02) return false;
+  for (Place place : left) {
+    place.sentence = "Not explained by any known effect. " + place.sentence;
+    where.push_back(std::move(place));
+  }
+  return true;
+}
+
+double restartHorizonFor(const Model& start, const std::vector<Track>& tracks, const std::vector<Window>& windows) {
+  double best = 0.05, least = 1e300;
+  for (const double horizon : {0.004, 0.01, 0.02, 0.05, 0.1, 0.2}) {
+    Model trial = start;
+    trial.restartHorizon_s = horizon;
+    const double error = meanSquare(trial, tracks, windows);
+    if (error < 0.98 * least) {
+      least = error;
+      best = horizon;
+    }
+  }
+  return best;
+}
+
+void nextExperiment(Diagnosis& diagnosis, const Excitation& seen) {
+  for (const Finding& finding : diagnosis.findings) {
+    if (finding.ambiguousWith.empty()) continue;
+    diagnosis.nextSeparates = {finding.effect};
+    diagnosis.nextSeparates.insert(diagnosis.nextSeparates.end(), finding.ambiguousWith.begin(), finding.ambiguousWith.end());
+    const Effect* rival = findEffect(finding.ambiguousWith.front());
+    diagnosis.nextSentence = "To tell " + finding.effect + " from " + finding.ambiguousWith.front() + ": " + rival->neededExcitation(seen);
+    if (hasRealRivals(finding)) return;
+  }
+  if (!diagnosis.nextSentence.empty() || diagnosis.verdict == Verdict::nothingMissing) return;
+  if (diagnosis.findings.empty()) {
+    diagnosis.nextSentence = "Repeat the recording with other speeds and amplitudes: what moves with speed, place or load will show.";
+  } else {
+    diagnosis.nextSentence = "To confirm " + diagnosis.findings.front().effect + ": " +
+                             findEffect(diagnosis.findings.front().effect)->neededExcitation(seen);
+  }
+}
+
+}  // namespace
+
+Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& recordings, const std::vector<Recording>& heldout,
+                            double window_s, bool whole) {
+  Preparation out;
+  for (const auto* group : {&recordings, &heldout}) {
+    for (const Recording& recording : *group) {
+      auto track = makeTrack(recording, bench.axis, bench.input, bench.supply_V, bench.count());
+      if (!track) return track.error();
+      out.remarks.insert(out.remarks.end(), track->remarks.begin(), track->remarks.end());
+      out.tracks.push_back(std::move(*track));
+    }
+  }
+  out.recordings = recordings.size();
+  auto split = whole ? wholeTracks(out.tracks, window_s) : splitTracks(out.tracks, recordings.size(), window_s);
+  if (!split) return split.error();
+  out.split = std::move(*split);
+  const std::vector<Track> training(out.tracks.begin(), out.tracks.begin() + static_cast<std::ptrdiff_t>(recordings.size()));
+  auto start = startModel(bench, training);
+  if (!start) return start.error();
+  out.start = std::move(*start);
+  out.start.restartHorizon_s = restartHorizonFor(out.start, out.tracks, out.split.trainScore);
+  out.seen = excitationOf(training, out.start);
+  out.held.assign(bench.trusted.begin(), bench.trusted.end());
+  if (out.seen.highSpeed <= 0.0) return Error{recordings.front().name(), "never moves, so there is nothing to fit"};
+  return out;
+}
+
+Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& recordings, const std::vector<Recording>& heldout,
+                           const DiagnoseOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  const auto elapsed = [begin] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
+  const auto prepared = prepare(bench, recordings, heldout, options.window_s, false);
+  if (!prepared) return prepared.error();
+  const SearchInput input{prepared->tracks, prepared->split, prepared->held, prepared->seen, options.seed, options.stop, options.progress};
+  const auto found = searchEffects(input, prepared->start);
+  if (!found) return found.error();
+
+  Diagnosis diagnosis;
+  diagnosis.remarks = prepared->remarks;
+  diagnosis.named_s = elapsed();
+  if (options.progress) options.progress(0.92, "proving on held-out data");
+  diagnosis.base = found->base.model;
+  diagnosis.model = found->best.model;
+  diagnosis.heldoutRows = prepared->split.heldoutRows;
+  diagnosis.fit = scoreFit(bench, diagnosis.base, diagnosis.model, prepared->tracks, prepared->split, options);
+  const FitScore& fit = diagnosis.fit;
+  const double floor2 = fit.floor * fit.floor;
+  const double excess = std::max(fit.trainBefore * fit.trainBefore - floor2, 1e-300);
+  const double explained = std::clamp((fit.trainBefore * fit.trainBefore - fit.trainAfter * fit.trainAfter) / excess, 0.0, 1.0);
+  diagnosis.unexplainedShare = std::clamp((fit.trainAfter * fit.trainAfter - floor2) / excess, 0.0, 1.0);
+  if (fit.trainBefore < materialFloors * fit.floor) diagnosis.unexplainedShare = 0.0;
+  diagnosis.findings = findingsOf(*found, input, explained);
+
+  const std::vector<Track> training(prepared->tracks.begin(),
+                                    prepared->tracks.begin() + static_cast<std::ptrdiff_t>(prepared->recordings));
+  std::vector<Place> unexplained;
+  const bool material = diagnosis.unexplainedShare > materialShare && fit.trainAfter > materialFloors * fit.floor;
+  const bool outside = material && leavesAPlace(diagnosis.model, prepared->tracks, prepared->recordings, unexplained,
+                                                diagnosis.unexplainedPValue, options.seed);
+  if (!diagnosis.findings.empty() || outside) {
+    diagnosis.where = places(residualMaps(diagnosis.base, training, options.seed), diagnosis.base);
+  }
+  if (outside) {
+    diagnosis.where.insert(diagnosis.where.begin(), unexplained.begin(), unexplained.end());
+    diagnosis.verdict = Verdict::outsideCatalogue;
+  } else if (diagnosis.findings.empty()) {
+    diagnosis.verdict = Verdict::nothingMissing;
+  } else {
+    const bool rivals = std::any_of(diagnosis.findings.begin(), diagnosis.findings.end(), hasRealRivals);
+    diagnosis.verdict = rivals ? Verdict::ambiguous : Verdict::named;
+  }
+  nextExperiment(diagnosis, prepared->seen);
+  diagnosis.elapsed_s = elapsed();
+  return diagnosis;
+}
+
+}  // namespace breakaway

@@ -1,0 +1,221 @@
+#include "diagnose/search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/statistics.h"
+#include "diagnose/catalogue.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr double largestPValue = 0.01;
+constexpr double leastImprovement = 0.03;
+constexpr size_t mostEffects = 5;
+constexpr size_t finalists = 3;
+
+EffectTerm termOf(const Effect& effect, Axis axis, const std::vector<double>& values) {
+  EffectTerm term{std::string(effect.name()), {}};
+  const auto specs = effect.parameters(axis);
+  for (size_t k = 0; k < specs.size(); ++k) {
+    const double value = std::clamp(values[k], specs[k].lower, specs[k].upper);
+    term.parameters.push_back({specs[k].name, value, value, value});
+  }
+  return term;
+}
+
+Model with(const Model& model, const Candidate& candidate) {
+  Model out = model;
+  out.effects.push_back(termOf(*candidate.effect, model.axis, candidate.effect->fromAmplitudes(candidate.shape, candidate.amplitude)));
+  return out;
+}
+
+Model without(const Model& model, const Effect& effect) {
+  Model out = model;
+  std::erase_if(out.effects, [&effect](const EffectTerm& term) { return term.effect == effect.name(); });
+  return out;
+}
+
+/// Effects not in `model`, and of inseparable twins only the first.
+std::vector<const Effect*> openEffects(const Model& model) {
+  std::vector<const Effect*> open;
+  for (const Effect* effect : catalogue()) {
+    const auto present = [&model](std::string_view name) {
+      return std::any_of(model.effects.begin(), model.effects.end(), [name](const EffectTerm& term) { return term.effect == name; });
+    };
+    const bool twinListed = std::any_of(open.begin(), open.end(), [effect](const Effect* one) { return one->name() == effect->twin(); });
+    if (!present(effect->name()) && !present(effect->twin()) && !twinListed) open.push_back(effect);
+  }
+  return open;
+}
+
+struct Comparison {
+  double relative = 0.0;   ///< mean improvement over the mean of the worse
+  Interval interval;       ///< 95 %, of `relative`
+  double inErrors = 0.0;   ///< mean improvement in standard errors
+};
+
+/// How much smaller `after` is than `before`, window by window.
+Comparison compare(const std::vector<double>& before, const std::vector<double>& after, std::uint64_t seed) {
+  Comparison out;
+  std::vector<double> gain(before.size());
+  for (size_t k = 0; k < before.size(); ++k) gain[k] = before[k] - after[k];
+  const double scale = std::max(mean(before), 1e-300), middle = mean(gain);
+  double variance = 0.0;
+  for (const double one : gain) variance += (one - middle) * (one - middle);
+  const auto n = static_cast<double>(gain.size());
+  const double error = std::sqrt(variance / std::max(1.0, n - 1.0) / n);
+  out.relative = middle / scale;
+  out.inErrors = error > 0.0 ? middle / error : 0.0;
+  out.interval = bootstrap(gain.size(), 1000, seed, [&](std::span<const size_t> blocks) {
+    double sumGain = 0.0, sumBefore = 0.0;
+    for (const size_t block : blocks) {
+      sumGain += gain[block];
+      sumBefore += before[block];
+    }
+    return sumGain / std::max(sumBefore, 1e-300);
+  });
+  return out;
+}
+
+class Search {
+ public:
+  explicit Search(const SearchInput& input) : input_(input) {}
+
+  Result<SearchResult> run(const Model& start) {
+    SearchResult result;
+    say(0.05, "fitting the base model");
+    result.base = fitModel(input_, start);
+    // Once more from its own optimum: the base is fitted as hard as any extended model.
+    result.base = fitModel(input_, result.base.model);
+    result.best = result.base;
+    if (auto done = forward(result); !done) return done.error();
+    backward(result);
+    if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
+    weigh(result);
+    return result;
+  }
+
+ private:
+  void say(double progress, const std::string& activity) const {
+    if (input_.progress) input_.progress(progress, activity);
+  }
+  std::vector<double> validated(const FitResult& fit) const { return crossValidated(fit, input_.split.fold, folds); }
+  std::vector<Candidate> score(const FitResult& fit, const std::vector<const Effect*>& effects) const {
+    const ParameterVector parameters = vectorOf(fit.model);
+    return scoreTest(fit, parameters, input_.tracks, input_.split.train, effects, input_.seen, input_.seed);
+  }
+  ParameterVector vectorOf(const Model& model) const {
+    return {model, input_.held, std::max(input_.seen.peakTorque, 1e-12), std::max(input_.seen.highSpeed, 1e-9)};
+  }
+
+  Result<void> forward(SearchResult& result) {
+    for (size_t round = 0; round < mostEffects; ++round) {
+      say(0.1 + 0.1 * static_cast<double>(round), "looking for a missing effect");
+      if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
+      const auto candidates = score(result.best, openEffects(result.best.model));
+      const auto before = validated(result.best);
+      std::optional<FitResult> winner;
+      Chosen chosen;
+      double best = leastImprovement;
+      size_t tried = 0;
+      for (const Candidate& candidate : candidates) {
+        if (candidate.pValue > largestPValue || candidate.gain < 0.5 * leastImprovement || tried == finalists) continue;
+        ++tried;
+        FitResult fit = fitModel(input_, with(result.best.model, candidate), 15);
+        if (!fit.usable) continue;
+        const Comparison gain = compare(before, validated(fit), input_.seed);
+        if (gain.interval.low <= 0.0 || gain.relative <= best) continue;
+        best = gain.relative;
+        winner = std::move(fit);
+        chosen = {candidate.effect, candidate.pValue, 0.0, {}};
+      }
+      if (!winner) return {};
+      result.best = std::move(*winner);
+      result.chosen.push_back(chosen);
+    }
+    return {};
+  }
+
+  /// An effect that a later one has made superfluous goes.
+  void backward(SearchResult& result) {
+    bool changed = result.chosen.size() > 1;
+    while (changed && !input_.stop.stop_requested()) {
+      changed = false;
+      for (size_t k = 0; k < result.chosen.size() && result.chosen.size() > 1; ++k) {
+        FitResult fit = fitModel(input_, without(result.best.model, *result.chosen[k].effect), 15);
+        const Comparison loss = compare(validated(fit), validated(result.best), input_.seed);
+        if (loss.interval.low > 0.0 && loss.relative > leastImprovement) continue;
+        result.best = std::move(fit);
+        result.chosen.erase(result.chosen.begin() + static_cast<std::ptrdiff_t>(k));
+        changed = true;
+        break;
+      }
+    }
+  }
+
+  /// Importance and rivals of each chosen effect: the model without it, and others in its place.
+  void weigh(SearchResult& result) {
+    const auto best = validated(result.best);
+    for (size_t k = 0; k < result.chosen.size(); ++k) {
+      if (input_.stop.stop_requested()) return;
+      Chosen& chosen = result.chosen[k];
+      say(0.6 + 0.3 * static_cast<double>(k) / static_cast<double>(result.chosen.size()), "weighing rivals");
+      const bool alone = result.chosen.size() == 1;
+      const FitResult left = alone ? result.base : fitModel(input_, without(result.best.model, *chosen.effect), 15);
+      chosen.marginal = std::max(0.0, mean(left.windowSquares) - mean(result.best.windowSquares));
+      const auto candidates = score(left, openEffects(left.model));
+      double own = 0.0;
+      for (const Candidate& one : candidates) {
+        if (same(one.effect, chosen.effect)) own = one.gain;
+      }
+      for (const Candidate& one : candidates) {
+        if (same(one.effect, chosen.effect)) {
+          if (!alone) chosen.pValue = std::min(chosen.pValue, one.pValue);
+          continue;
+        }
+        if (one.gain < 0.5 * own) continue;
+        const FitResult fit = fitModel(input_, with(left.model, one), 15);
+        if (!fit.usable) continue;
+        const Comparison ahead = compare(validated(fit), best, input_.seed);
+        if (ahead.inErrors < 2.0) chosen.rivals.push_back(one.effect);
+      }
+      if (const Effect* twin = findEffect(chosen.effect->twin())) chosen.rivals.push_back(twin);
+    }
+    std::stable_sort(result.chosen.begin(), result.chosen.end(),
+                     [](const Chosen& a, const Chosen& b) { return a.marginal > b.marginal; });
+  }
+
+  static bool same(const Effect* a, const Effect* b) { return a == b || a->twin() == b->name(); }
+
+  const SearchInput& input_;
+};
+
+}  // namespace
+
+FitResult fitModel(const SearchInput& input, const Model& model, int iterations) {
+  const ParameterVector parameters(model, input.held, std::max(input.seen.peakTorque, 1e-12), std::max(input.seen.highSpeed, 1e-9));
+  return fitWindows(parameters, input.tracks, input.split.train, {.iterations = iterations, .stop = input.stop});
+}
+
+Result<SearchResult> searchEffects(const SearchInput& input, const Model& start) {
+  return Search(input).run(start);
+}
+
+Result<FitResult> fitNamed(const SearchInput& input, const Model& start, const std::vector<std::string>& names) {
+  FitResult fit = fitModel(input, start);
+  for (const std::string& name : names) {
+    const ParameterVector parameters(fit.model, input.held, std::max(input.seen.peakTorque, 1e-12),
+                                     std::max(input.seen.highSpeed, 1e-9));
+    const auto found = scoreTest(fit, parameters, input.tracks, input.split.train, {findEffect(name)}, input.seen, input.seed);
+    if (found.empty()) {
+      return Error{input.tracks.front().name, "can't show the effect " + name + ": " + findEffect(name)->neededExcitation(input.seen)};
+    }
+    fit = fitModel(input, with(fit.model, found.front()));
+  }
+  if (!fit.usable) return Error{input.tracks.front().name, "can't be fitted: the search for the best parameters came to no end"};
+  return fit;
+}
+
+}  // namespace breakaway

@@ -1,0 +1,108 @@
+#include "diagnose/split.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace breakaway {
+
+namespace {
+
+constexpr double gap_s = 1.0;
+constexpr size_t fewestWindows = 6;
+
+struct Stretch {
+  double from = 0.0;
+  double to = 0.0;
+};
+
+size_t rowAt(const Track& track, double t) {
+  return static_cast<size_t>(std::lower_bound(track.time.begin(), track.time.end(), t - 1e-9) - track.time.begin());
+}
+
+void append(std::vector<Window>& to, std::vector<Window> from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+/// Held-out stretches of one recording of `length` s: one for each 15 s, at most four, a quarter of the time together.
+std::vector<Stretch> heldoutStretches(double length) {
+  const double blocks = std::clamp(std::round(length / 15.0), 1.0, 4.0);
+  const double size = std::max(1.0, std::round(0.25 * length / blocks));
+  std::vector<Stretch> stretches;
+  for (double k = 0.0; k < blocks; k += 1.0) {
+    const double from = blocks == 1.0 ? std::floor(length - size) : std::round((k + 0.6) * length / blocks - 0.5 * size);
+    stretches.push_back({from, from + size});
+  }
+  return stretches;
+}
+
+double totalTime(const std::vector<Track>& tracks, size_t recordings) {
+  double total = 0.0;
+  for (size_t k = 0; k < recordings; ++k) total += tracks[k].time.back();
+  return total;
+}
+
+Error tooShort(const Track& track, double length, double needed) {
+  char fact[120];
+  std::snprintf(fact, sizeof fact, "is too short to fit: it holds %.3g s of usable data, expected at least %.3g s", length, needed);
+  return {track.name, fact};
+}
+
+void assignFolds(Split& split) {
+  const size_t n = split.train.size();
+  const size_t length = std::max<size_t>(1, n / (3 * folds));
+  for (size_t k = 0; k < n; ++k) split.fold.push_back(static_cast<int>(k / length) % folds);
+}
+
+}  // namespace
+
+Result<Split> splitTracks(const std::vector<Track>& tracks, size_t recordings, double window_s) {
+  Split split;
+  split.separateRecording = recordings < tracks.size();
+  const double total = totalTime(tracks, recordings);
+  const double fitWindow = total >= 15.0 ? std::max(1.0, window_s) : window_s;
+  const bool wholeOnes = !split.separateRecording && recordings >= 4 && total / static_cast<double>(recordings) < 8.0;
+  for (size_t k = 0; k < tracks.size(); ++k) {
+    const Track& track = tracks[k];
+    const bool heldout = k >= recordings || (wholeOnes && k % 4 == 2);
+    if (heldout) {
+      append(split.heldoutScore, windowsOf(tracks, k, 0, track.rows(), window_s));
+      continue;
+    }
+    const auto train = [&](size_t from, size_t to) {
+      append(split.train, windowsOf(tracks, k, from, to, fitWindow));
+      append(split.trainScore, windowsOf(tracks, k, from, to, window_s));
+    };
+    if (split.separateRecording || wholeOnes) {
+      train(0, track.rows());
+      continue;
+    }
+    double from = 0.0;
+    for (const Stretch& stretch : heldoutStretches(track.time.back())) {
+      train(from > 0.0 ? rowAt(track, from) : 0, rowAt(track, stretch.from - gap_s));
+      append(split.heldoutScore, windowsOf(tracks, k, rowAt(track, stretch.from), rowAt(track, stretch.to), window_s));
+      if (k == 0) split.heldoutRows.emplace_back(rowAt(track, stretch.from), rowAt(track, stretch.to));
+      from = stretch.to + gap_s;
+    }
+    if (from < track.time.back()) train(rowAt(track, from), track.rows());
+  }
+  const double needed = (static_cast<double>(fewestWindows) * fitWindow + gap_s) / 0.75;
+  if (split.train.size() < fewestWindows || split.heldoutScore.size() < 2) return tooShort(tracks.front(), total, needed);
+  assignFolds(split);
+  return split;
+}
+
+Result<Split> wholeTracks(const std::vector<Track>& tracks, double window_s) {
+  Split split;
+  const double total = totalTime(tracks, tracks.size());
+  const double fitWindow = total >= 15.0 ? std::max(1.0, window_s) : window_s;
+  for (size_t k = 0; k < tracks.size(); ++k) {
+    append(split.train, windowsOf(tracks, k, 0, tracks[k].rows(), fitWindow));
+    append(split.trainScore, windowsOf(tracks, k, 0, tracks[k].rows(), window_s));
+  }
+  if (split.train.size() < fewestWindows) return tooShort(tracks.front(), total, static_cast<double>(fewestWindows) * fitWindow);
+  assignFolds(split);
+  return split;
+}
+
+}  // namespace breakaway
