@@ -16,6 +16,9 @@ namespace {
 
 using Range = std::pair<double, double>;
 
+constexpr size_t highlightRows = 3;
+constexpr double highlightRow_px = 14.0;
+
 /// One axis: from data to px.
 struct Scale {
   Range range;
@@ -97,6 +100,7 @@ std::vector<Pixel> toPixels(const std::vector<double>& x, const std::vector<doub
   return points;
 }
 
+/// The highlighted bands, their labels in rows above the frame.
 void drawHighlights(SvgCanvas& canvas, const Figure& figure, const Scale& xScale, const Frame& frame) {
   std::vector<double> rowEnds;  // where the last label of each row ends
   for (const Highlight& one : figure.highlights) {
@@ -108,15 +112,21 @@ void drawHighlights(SvgCanvas& canvas, const Figure& figure, const Scale& xScale
     canvas.box({from, frame.top, to, frame.bottom}, Ink::highlight);
     if (one.label.empty()) continue;
     const double width = textWidth(one.label, 11);
-    const double x =
-        std::clamp(0.5 * (from + to) - 0.5 * width, frame.left + 3, std::max(frame.left + 3, frame.right - width - 3));
+    const double x = std::clamp(0.5 * (from + to - width), frame.left, std::max(frame.left, frame.right - width));
     size_t row = 0;
-    while (row < rowEnds.size() && rowEnds[row] > x) ++row;
+    while (row < rowEnds.size() && row + 1 < highlightRows && rowEnds[row] > x) ++row;
     if (row == rowEnds.size()) rowEnds.push_back(0.0);
-    rowEnds[row] = x + width + 6;
-    canvas.text(x, frame.top + 13 + 13 * static_cast<double>(row), one.label, SvgCanvas::Anchor::start, Ink::faintText,
-                11);
+    rowEnds[row] = x + width + 8;
+    canvas.text(x, frame.top - 5 - highlightRow_px * static_cast<double>(row), one.label, SvgCanvas::Anchor::start,
+                Ink::faintText, 11);
   }
+}
+
+/// Room above the frame for the highlights' labels.
+double highlightRoom(const Figure& figure) {
+  const auto labels = static_cast<size_t>(std::count_if(figure.highlights.begin(), figure.highlights.end(),
+                                                        [](const Highlight& one) { return !one.label.empty(); }));
+  return highlightRow_px * static_cast<double>(std::min(labels, highlightRows));
 }
 
 /// Grid, ticks, axis lines and axis labels.
@@ -182,7 +192,7 @@ std::string plot(const Figure& figure, int width_px, int height_px) {
   const double legendWidth = width_px - 40.0;
   const int rows = legendRows(figure.curves, legendWidth);
   const double titleHeight = figure.title.empty() ? 8.0 : 32.0;
-  Frame frame{0, titleHeight + legendRow_px * rows + 8, width_px - 22.0, height_px - 48.0};
+  Frame frame{0, titleHeight + legendRow_px * rows + 8 + highlightRoom(figure), width_px - 22.0, height_px - 48.0};
   Scale yScale{figure.yRange.value_or(dataRange(figure, false)), frame.bottom, frame.top, figure.logY};
   double widest = 0.0;
   for (const auto& text :

@@ -92,7 +92,7 @@ std::string decadeLabel(double value) {
 }
 
 std::string exponentText(int exponent) {
-  return exponent == 0 ? "" : " × 10" + superscript(exponent);
+  return exponent == 0 ? "" : " (× 10" + superscript(exponent) + ")";
 }
 
 }  // namespace breakaway

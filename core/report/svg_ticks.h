@@ -23,7 +23,7 @@ struct TickLabels {
 TickLabels tickLabels(const std::vector<double>& ticks);
 /// A power of ten as "10⁻³"; 0.1, 1, 10 and 100, and what is no power of ten, in plain digits.
 std::string decadeLabel(double value);
-/// " × 10⁻⁶", or nothing for 0.
+/// " (× 10⁻⁶)", or nothing for 0.
 std::string exponentText(int exponent);
 
 }  // namespace breakaway
