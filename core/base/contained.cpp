@@ -9,12 +9,11 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
+#include <fstream>
 
 namespace breakaway {
 
 namespace {
-
-[[maybe_unused]] constexpr rlim_t mostMemory = rlim_t{4} << 30;
 
 bool writeAll(int file, const char* data, size_t size) {
   while (size > 0) {
@@ -27,16 +26,24 @@ bool writeAll(int file, const char* data, size_t size) {
   return true;
 }
 
+/// Bytes of address space that this process has taken already.
+[[maybe_unused]] size_t addressSpace() {
+  size_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return pages * static_cast<size_t>(::sysconf(_SC_PAGESIZE));
+}
+
 /// The child's whole life: its length and then its bytes go down the pipe.
-[[noreturn]] void beTheChild(const std::function<std::string()>& work, int pipe, unsigned limit_s) {
+[[noreturn]] void beTheChild(const std::function<std::string()>& work, int pipe, const ContainedLimits& limits) {
   const int nowhere = ::open("/dev/null", O_WRONLY);
   ::dup2(nowhere, STDOUT_FILENO);
   ::dup2(nowhere, STDERR_FILENO);
-  const rlimit computing{limit_s, limit_s}, core{0, 0};
+  const rlimit computing{limits.computing_s, limits.computing_s}, core{0, 0};
   ::setrlimit(RLIMIT_CPU, &computing);
   ::setrlimit(RLIMIT_CORE, &core);
 #ifndef __SANITIZE_ADDRESS__  // whose shadow alone needs more
-  const rlimit memory{mostMemory, mostMemory};
+  const rlim_t most = addressSpace() + limits.memory_bytes;
+  const rlimit memory{most, most};
   ::setrlimit(RLIMIT_AS, &memory);
 #endif
   bool done = false;
@@ -64,7 +71,8 @@ std::string readAll(int file) {
 
 }  // namespace
 
-Result<std::string> runContained(const std::function<std::string()>& work, const std::string& place, unsigned limit_s) {
+Result<std::string> runContained(const std::function<std::string()>& work, const std::string& place,
+                                 const ContainedLimits& limits) {
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0)
     return Error{place, std::string("no pipe to read it through: ") + std::strerror(errno)};
@@ -74,7 +82,7 @@ Result<std::string> runContained(const std::function<std::string()>& work, const
     ::close(ends[1]);
     return Error{place, std::string("no process to read it in: ") + std::strerror(errno)};
   }
-  if (child == 0) beTheChild(work, ends[1], limit_s);
+  if (child == 0) beTheChild(work, ends[1], limits);
   ::close(ends[1]);
   std::string bytes = readAll(ends[0]);
   ::close(ends[0]);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <memory>
 
 #include "base/atomic_file.h"
@@ -165,7 +166,11 @@ uint64_t takeCount(const std::string& bytes, size_t& at) {
 
 Result<std::vector<Channel>> readMat(const std::string& path) {
   if (const auto whole = checkFile(path); !whole) return whole.error();
-  const auto bytes = runContained([&path] { return readVariables(path); }, path);
+  std::error_code code;
+  const auto fileSize = static_cast<size_t>(std::filesystem::file_size(path, code));
+  // Room for what the file can honestly unpack to, so that a damaged size fails at once.
+  const ContainedLimits limits{120, (size_t{512} << 20) + 64 * fileSize};
+  const auto bytes = runContained([&path] { return readVariables(path); }, path, limits);
   if (!bytes) return bytes.error();
   if (bytes->empty()) return Error{path, "is damaged or holds no numeric array"};
   std::vector<Channel> channels;
