@@ -8,7 +8,14 @@ int main(int argc, char** argv) {
   CLI::App app{"Breakaway: the bench instrument for a servo motor's friction", "breakaway"};
   app.require_subcommand(1);
   cli::Job job;
-  for (const cli::AddCommand add : {cli::addFit, cli::addSimulate, cli::addDiagnose}) add(app, job);
+  for (const cli::AddCommand add : {
+           cli::addFit,
+           cli::addSimulate,
+           cli::addDiagnose,
+           cli::addImport,
+       }) {
+    add(app, job);
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp& help) {

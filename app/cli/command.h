@@ -21,5 +21,6 @@ using AddCommand = void (*)(CLI::App& app, Job& chosen);
 void addFit(CLI::App& app, Job& chosen);
 void addSimulate(CLI::App& app, Job& chosen);
 void addDiagnose(CLI::App& app, Job& chosen);
+void addImport(CLI::App& app, Job& chosen);
 
 }  // namespace breakaway::cli
