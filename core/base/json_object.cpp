@@ -81,6 +81,8 @@ Result<JsonObject> JsonObject::fromText(const std::string& text, const std::stri
     node->json = Json::parse(text);
   } catch (const Json::parse_error& error) {
     return Error{place + ", line " + lineOf(text, error.byte > 0 ? error.byte - 1 : 0), "is not valid JSON"};
+  } catch (const Json::out_of_range&) {
+    return Error{place, "holds a number that is beyond all that can be computed with"};
   }
   if (!node->json.is_object()) return Error{place, "expected a JSON object"};
   return JsonObject(std::move(node));

@@ -75,6 +75,8 @@ Result<RawTable> readJsonLog(const std::string& text, const std::string& name) {
     return tableOf(Json::parse(text), name);
   } catch (const Json::parse_error& error) {
     return Error{name + ", line " + lineOf(text, error.byte > 0 ? error.byte - 1 : 0), "is not valid JSON"};
+  } catch (const Json::out_of_range&) {
+    return Error{name, "holds a number that is beyond all that can be computed with"};
   }
 }
 

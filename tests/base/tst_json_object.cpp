@@ -77,6 +77,8 @@ void TestJsonObject::text_mustBeAnObject_data() {
   QTest::newRow("array") << QByteArray("[1]") << "f.json: expected a JSON object";
   QTest::newRow("broken") << QByteArray("{\n\n\"a\": ]") << "f.json, line 3: is not valid JSON";
   QTest::newRow("bytes") << QByteArray("{\"\xff\xfe\": 1}") << "f.json, line 1: is not valid JSON";
+  QTest::newRow("beyond range") << QByteArray("{\"a\": 1e999}")
+                                << "f.json: holds a number that is beyond all that can be computed with";
   QTest::newRow("deep") << QByteArray(100000, '[') << "f.json, line 1: is not valid JSON";
 }
 

@@ -1,5 +1,6 @@
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 
 #include "fuzz/fuzzed.h"
 #include "recording/csv.h"
@@ -21,7 +22,7 @@ static const Fuzzed csv("csv", [](std::string_view bytes) {
     const auto values = again->channel(one.name);
     for (size_t k = 0; k < read->rows(); ++k) {
       require(std::isnan(one.values[k]) ? std::isnan(values[k])
-                                        : std::memcmp(&one.values[k], &values[k], sizeof(double)) == 0,
+                                        : std::bit_cast<uint64_t>(one.values[k]) == std::bit_cast<uint64_t>(values[k]),
               "values read back the same");
     }
   }

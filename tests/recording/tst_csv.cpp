@@ -1,4 +1,5 @@
 #include <QTest>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -25,7 +26,7 @@ class TestCsv : public QObject {
 };
 
 static bool same(double a, double b) {
-  return (std::isnan(a) && std::isnan(b)) || std::memcmp(&a, &b, sizeof a) == 0;
+  return (std::isnan(a) && std::isnan(b)) || std::bit_cast<uint64_t>(a) == std::bit_cast<uint64_t>(b);
 }
 
 void TestCsv::whatIsWritten_readsBackToTheSameDoubles() {
@@ -115,7 +116,7 @@ void TestCsv::timeText_isCopiedAsItStands() {
 void TestCsv::badText_getsOneLine_data() {
   QTest::addColumn<QByteArray>("text");
   QTest::addColumn<QString>("line");
-  const auto row = [](const char* name, QByteArray text, const char* line) {
+  const auto row = [](const char* name, const QByteArray& text, const char* line) {
     QTest::newRow(name) << text << QString::fromUtf8(line);
   };
   row("empty", "", "r.csv: is empty, expected a header line with time_s");

@@ -90,7 +90,7 @@ void TestImport::names_areUnderstood() {
 
 void TestImport::everyForm_givesTheSameRecording_data() {
   QTest::addColumn<QByteArray>("text");
-  const auto row = [](const char* name, QByteArray text) { QTest::newRow(name) << text; };
+  const auto row = [](const char* name, const QByteArray& text) { QTest::newRow(name) << text; };
   const QByteArray rad = "1.5707963267948966", turn = "3.141592653589793";
   row("the contract's own", "time_s,angle_rad,current_A\n0,0,0\n0.001," + rad + ",0.5\n0.002," + turn + ",-1.5\n");
   row("mark, CRLF, semicolons, decimal commas, German names",
@@ -132,7 +132,7 @@ void TestImport::everyForm_givesTheSameRecording() {
 void TestImport::badFiles_getOneLine_data() {
   QTest::addColumn<QByteArray>("text");
   QTest::addColumn<QString>("line");
-  const auto row = [](const char* name, QByteArray text, const char* line) {
+  const auto row = [](const char* name, const QByteArray& text, const char* line) {
     QTest::newRow(name) << text << QString::fromUtf8(line);
   };
   row("empty", "", "is empty, expected a table");
@@ -178,7 +178,7 @@ void TestImport::map_comesBeforeGuessing() {
 void TestImport::mapThatDoesNotFit_isTold_data() {
   QTest::addColumn<QByteArray>("map");
   QTest::addColumn<QString>("line");
-  const auto row = [](const char* name, QByteArray map, const char* line) {
+  const auto row = [](const char* name, const QByteArray& map, const char* line) {
     QTest::newRow(name) << map << QString(line);
   };
   row("no such column", R"({"columns": {"angel": {"to": "angle_rad"}}})",
