@@ -1,9 +1,210 @@
 #include "firmware_link/simulated_board.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "control/servo_controller.h"
+#include "control/tuning.h"
+#include "firmware_link/presets.h"
+#include "motor/plant.h"
+#include "motor/rig.h"
+#include "motor/sensors.h"
+
 namespace breakaway {
 
-Result<std::unique_ptr<Drive>> openDrive(const std::string& uri, unsigned) {
-  return Error{uri, "is no known board"};
+namespace {
+
+constexpr double coarsestSubstep_s = 50e-6;
+constexpr double velocityBandwidth_rad_per_s = 400.0;  // of the speed observer
+constexpr double currentBandwidth_rad_per_s = 300.0;
+
+double oneDigit(double value) {
+  const double decade = std::pow(10.0, std::floor(std::log10(value)));
+  return std::round(value / decade) * decade;
+}
+
+ServoController<double>::Board boardOf(const Rig& rig) {
+  const double tick_s = 1.0 / rig.loopRate_Hz;
+  return {tick_s,
+          2.0 * std::numbers::pi / rig.encoder.countsPerRev,
+          {rig.resistance_ohm, rig.inductance_H, rig.backEmfConstant_V_s_per_rad,
+           std::min(currentBandwidth_rad_per_s, 0.2 / tick_s)},
+          std::min(velocityBandwidth_rad_per_s, 0.4 / tick_s)};
+}
+
+ControllerSettings namePlateSettings(const Rig& rig, double limit_A) {
+  const double Kt = oneDigit(rig.torqueConstant_Nm_per_A), J = oneDigit(rig.inertia_kg_m2);
+  const auto gains = tuneMotion(J, Kt, 60.0, 40.0);
+  ControllerSettings settings;
+  settings.velocity_kp_A_s_per_rad = gains.velocity_kp_A_s_per_rad;
+  settings.velocity_ki_A_per_rad = gains.velocity_ki_A_per_rad;
+  settings.position_kp_A_per_rad = gains.position_kp_A_per_rad;
+  settings.position_kd_A_s_per_rad = gains.position_kd_A_s_per_rad;
+  settings.observer_cutoff_rad_per_s =
+      tuneObserver(1.0 / rig.loopRate_Hz, std::min(velocityBandwidth_rad_per_s, 0.4 * rig.loopRate_Hz));
+  settings.nominal_inertia_kg_m2 = J;
+  settings.nominal_torque_constant_Nm_per_A = Kt;
+  settings.current_limit_A = limit_A;
+  settings.velocity_limit_rad_per_s = 0.6 * rig.bridge.supply_V / rig.backEmfConstant_V_s_per_rad;
+  return settings;
+}
+
+/// The same for every board: what the port says, whatever runs beneath it.
+class SimulatedBoard final : public Drive {
+ public:
+  SimulatedBoard(const Rig& rig, unsigned seed)
+      : ticks_s_(1.0 / rig.loopRate_Hz),
+        substeps_(static_cast<int>(std::ceil(ticks_s_ / coarsestSubstep_s - 1e-9))),
+        plant_(rig, ticks_s_ / substeps_, 2u * seed + 1u),
+        encoder_(rig),
+        sensor_(rig, 2u * seed + 2u),
+        bridge_(rig),
+        controller_(boardOf(rig)),
+        supply_V_(rig.bridge.supply_V),
+        count_rad_(2.0 * std::numbers::pi / rig.encoder.countsPerRev) {
+    mostCurrent_A_ = std::min(0.9 * sensor_.range_A(), rig.bridge.supply_V / rig.resistance_ohm);
+    mostVelocity_rad_per_s_ = 1.5 * supply_V_ / rig.backEmfConstant_V_s_per_rad;
+    settings_ = namePlateSettings(rig, 0.6 * mostCurrent_A_);
+    identity_ = {"simulated board, rig " + rig.name, "simulated 0.1.0", true, rig.loopRate_Hz,
+                 rig.encoder.countsPerRev,           supply_V_,         true};
+    apply();
+  }
+
+  const Identity& identity() const override { return identity_; }
+  ControllerSettings settings() const override { return settings_; }
+  Result<ControllerSettings> configure(const ControllerSettings& wanted) override;
+  void command(const Command& command) override;
+  void start(std::shared_ptr<Procedure> procedure) override;
+  void stop(const std::string& reason) override;
+  Result<size_t> advance(double duration_s, std::vector<Sample>& samples) override;
+
+ private:
+  void apply();
+  void obey(const Command& command);
+  Sample tick();
+
+  double ticks_s_;
+  int substeps_;
+  Plant plant_;
+  EncoderModel encoder_;
+  CurrentSensorModel sensor_;
+  BridgeModel bridge_;
+  ServoController<double> controller_;
+  double supply_V_, count_rad_, mostCurrent_A_ = 0.0, mostVelocity_rad_per_s_ = 0.0;
+  ControllerSettings settings_;
+  Identity identity_;
+  std::shared_ptr<Procedure> procedure_;
+  uint64_t tickCount_ = 0;
+  double owed_s_ = 0.0;
+};
+
+void SimulatedBoard::apply() {
+  const ControllerSettings& s = settings_;
+  controller_.configure(
+      {{s.velocity_kp_A_s_per_rad, s.velocity_ki_A_per_rad, s.velocity_kd_A_s2_per_rad, s.position_kp_A_per_rad,
+        s.position_ki_A_per_rad_s, s.position_kd_A_s_per_rad, s.velocity_limit_rad_per_s},
+       s.observer_cutoff_rad_per_s,
+       s.nominal_inertia_kg_m2,
+       s.nominal_torque_constant_Nm_per_A,
+       s.current_limit_A});
+}
+
+Result<ControllerSettings> SimulatedBoard::configure(const ControllerSettings& wanted) {
+  const double all[] = {
+      wanted.velocity_kp_A_s_per_rad,   wanted.velocity_ki_A_per_rad,   wanted.velocity_kd_A_s2_per_rad,
+      wanted.position_kp_A_per_rad,     wanted.position_ki_A_per_rad_s, wanted.position_kd_A_s_per_rad,
+      wanted.observer_cutoff_rad_per_s, wanted.nominal_inertia_kg_m2,   wanted.nominal_torque_constant_Nm_per_A,
+      wanted.current_limit_A,           wanted.velocity_limit_rad_per_s};
+  for (const double value : all) {
+    if (!std::isfinite(value) || value < 0.0) return Error{"settings", "hold a value that is negative or not finite"};
+  }
+  settings_ = wanted;
+  settings_.observer_cutoff_rad_per_s = std::min(wanted.observer_cutoff_rad_per_s, 0.5 / ticks_s_);
+  settings_.current_limit_A = std::min(wanted.current_limit_A, mostCurrent_A_);
+  settings_.velocity_limit_rad_per_s = std::min(wanted.velocity_limit_rad_per_s, mostVelocity_rad_per_s_);
+  apply();
+  return settings_;
+}
+
+void SimulatedBoard::obey(const Command& command) {
+  static_assert(static_cast<int>(Command::Mode::position) == static_cast<int>(ServoMode::position));
+  controller_.command(
+      {static_cast<ServoMode>(command.mode), command.target, command.current_limit_A, command.zeroCurrentSensor});
+}
+
+void SimulatedBoard::command(const Command& command) {
+  if (procedure_ != nullptr && procedure_->state() == Procedure::State::running)
+    procedure_->stop("another command came");
+  procedure_.reset();
+  obey(command);
+}
+
+void SimulatedBoard::start(std::shared_ptr<Procedure> procedure) {
+  command({});
+  procedure_ = std::move(procedure);
+}
+
+void SimulatedBoard::stop(const std::string& reason) {
+  if (procedure_ != nullptr && procedure_->state() == Procedure::State::running) procedure_->stop(reason);
+  procedure_.reset();
+  obey({});
+}
+
+Sample SimulatedBoard::tick() {
+  const EncoderModel::Reading reading = encoder_.read(plant_.angle_rad());
+  Sample sample;
+  sample.time_s = static_cast<double>(tickCount_++) * ticks_s_;
+  sample.angle_rad = static_cast<double>(reading.count) * count_rad_;
+  sample.index = reading.index;
+  sample.supply_V = supply_V_;
+  const auto out = controller_.step(sample.angle_rad, sensor_.read(plant_.current_A(), sample.time_s), supply_V_);
+  const double duty = out.enabled ? bridge_.realisable(out.voltage_V / supply_V_) : 0.0;
+  sample.enabled = out.enabled;
+  sample.voltage_V = duty * supply_V_;
+  sample.current_A = out.current_A;
+  sample.velocity_rad_per_s = out.velocity_rad_per_s;
+  sample.current_reference_A = out.current_reference_A;
+  sample.velocity_reference_rad_per_s = out.velocity_reference_rad_per_s;
+  sample.angle_reference_rad = out.angle_reference_rad;
+  sample.disturbance_estimate_Nm = out.disturbance_estimate_Nm;
+  if (out.enabled) {
+    plant_.applyVoltage(bridge_.voltage(duty));
+  } else {
+    plant_.openWindings();
+  }
+  plant_.advance(substeps_);
+  return sample;
+}
+
+Result<size_t> SimulatedBoard::advance(double duration_s, std::vector<Sample>& samples) {
+  owed_s_ += duration_s;
+  const auto ticks = static_cast<size_t>(std::max(0.0, std::floor(owed_s_ / ticks_s_ + 1e-9)));
+  owed_s_ -= static_cast<double>(ticks) * ticks_s_;
+  samples.reserve(samples.size() + ticks);
+  for (size_t k = 0; k < ticks; ++k) {
+    samples.push_back(tick());
+    if (procedure_ == nullptr) continue;
+    obey(procedure_->step(samples.back()));
+    if (procedure_->state() != Procedure::State::running) {
+      procedure_.reset();
+      obey({});
+    }
+  }
+  return size_t{0};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Drive>> openDrive(const std::string& uri, unsigned seed) {
+  if (!isSimulated(uri)) {
+    return Error{"board " + uri, "is no known board, expected simulated, simulated:PRESET or simulated:FILE.rig.json"};
+  }
+  const auto file = rigFileOf(uri);
+  if (!file) return file.error();
+  const auto rig = readRig(*file);
+  if (!rig) return rig.error();
+  return std::unique_ptr<Drive>(std::make_unique<SimulatedBoard>(*rig, seed));
 }
 
 }  // namespace breakaway

@@ -27,16 +27,18 @@ std::string kindOf(const Json& value) {
   return std::string("a value of type ") + value.type_name();
 }
 
+/// Counts insertions, deletions, changes and swaps of neighbours (optimal string alignment).
 size_t editDistance(std::string_view a, std::string_view b) {
-  std::vector<size_t> row(b.size() + 1);
+  std::vector<size_t> before(b.size() + 1), above(b.size() + 1), row(b.size() + 1);
   for (size_t j = 0; j <= b.size(); ++j) row[j] = j;
   for (size_t i = 1; i <= a.size(); ++i) {
-    size_t diagonal = row[0];
+    before.swap(above);
+    above.swap(row);
     row[0] = i;
     for (size_t j = 1; j <= b.size(); ++j) {
-      const size_t above = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
-      diagonal = above;
+      row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+      if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
     }
   }
   return row[b.size()];
@@ -61,7 +63,8 @@ struct JsonObject::Node {
   }
 };
 
-JsonObject::JsonObject(std::shared_ptr<Node> node) : node_(std::move(node)) {}
+JsonObject::JsonObject(std::shared_ptr<Node> node) : node_(std::move(node)) {
+}
 
 Result<JsonObject> JsonObject::fromFile(const std::string& path) {
   auto content = readFile(path);
@@ -78,6 +81,8 @@ Result<JsonObject> JsonObject::fromText(const std::string& text, const std::stri
     node->json = Json::parse(text);
   } catch (const Json::parse_error& error) {
     return Error{place + ", line " + lineOf(text, error.byte > 0 ? error.byte - 1 : 0), "is not valid JSON"};
+  } catch (const Json::out_of_range&) {
+    return Error{place, "holds a number that is beyond all that can be computed with"};
   }
   if (!node->json.is_object()) return Error{place, "expected a JSON object"};
   return JsonObject(std::move(node));
@@ -194,8 +199,8 @@ std::vector<std::string> JsonObject::texts(std::string_view name) {
   std::vector<std::string> result;
   const Json* value = node_->find(name);
   if (value == nullptr) return result;
-  const bool good = value->is_array() &&
-                    std::all_of(value->begin(), value->end(), [](const Json& item) { return item.is_string(); });
+  const bool good =
+      value->is_array() && std::all_of(value->begin(), value->end(), [](const Json& item) { return item.is_string(); });
   if (!good) {
     node_->fault(place(name), "expected an array of texts, found " + kindOf(*value));
     return result;
@@ -223,8 +228,8 @@ std::vector<std::vector<double>> JsonObject::rows(std::string_view name, size_t 
 std::vector<double> JsonObject::numbersIn(std::string_view name) {
   const Json* value = node_->find(name);
   if (value == nullptr) return {};
-  const bool good = value->is_array() &&
-                    std::all_of(value->begin(), value->end(), [](const Json& item) { return item.is_number(); });
+  const bool good =
+      value->is_array() && std::all_of(value->begin(), value->end(), [](const Json& item) { return item.is_number(); });
   if (!good) {
     node_->fault(place(name), "expected an array of numbers, found " + kindOf(*value));
     return {};

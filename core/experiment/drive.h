@@ -63,6 +63,8 @@ class Procedure {
   /// Called once per control tick. After the end it returns mode off.
   virtual Command step(const Sample& sample) = 0;
   virtual Status status() const = 0;
+  /// The status' state alone; cheap enough for every tick.
+  virtual State state() const { return status().state; }
   /// Ends the procedure; what it has measured stays.
   virtual void stop(const std::string& reason) = 0;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "base/atomic_file.h"
@@ -32,6 +33,23 @@ struct Head {
   std::string_view rows;
 };
 
+Result<std::vector<std::string>> readColumns(std::string_view line, const std::string& name) {
+  if (line.find(',') == std::string_view::npos && line.find_first_of(";\t") != std::string_view::npos) {
+    return Error{name + ", header",
+                 "is separated by semicolons or tabs, expected commas; breakaway import converts such files"};
+  }
+  std::vector<std::string> columns;
+  while (true) {
+    const size_t comma = line.find(',');
+    columns.emplace_back(trimmed(line.substr(0, comma)));
+    if (columns.back().empty()) {
+      return Error{name + ", header", "column " + std::to_string(columns.size()) + " has no name"};
+    }
+    if (comma == std::string_view::npos) return columns;
+    line.remove_prefix(comma + 1);
+  }
+}
+
 Result<Head> readHead(std::string_view text, const std::string& name) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   Head head;
@@ -45,14 +63,12 @@ Result<Head> readHead(std::string_view text, const std::string& name) {
       head.notes.emplace_back(key, value);
       continue;
     }
-    std::string_view rest = line;
-    while (true) {
-      const size_t comma = rest.find(',');
-      head.columns.emplace_back(trimmed(rest.substr(0, comma)));
-      if (comma == std::string_view::npos) break;
-      rest.remove_prefix(comma + 1);
-    }
     head.rows = text;
+    if (auto columns = readColumns(line, name); columns) {
+      head.columns = std::move(*columns);
+    } else {
+      return columns.error();
+    }
     return head;
   }
   return Error{name, "is empty, expected a header line with time_s"};
@@ -60,7 +76,12 @@ Result<Head> readHead(std::string_view text, const std::string& name) {
 
 Error cellError(const std::string& name, size_t row, const std::string& column, std::string_view text) {
   return {name + ", row " + std::to_string(row) + ", column " + column,
-          "expected a number, found \"" + std::string(text.substr(0, 40)) + "\""};
+          "expected a finite number, found \"" + std::string(text.substr(0, 40)) + "\""};
+}
+
+/// What a number beyond a double's range stands for: 0 or the smallest doubles below it, infinity above.
+double outOfRange(std::string_view digits) {
+  return std::strtod(std::string(digits).c_str(), nullptr);
 }
 
 /// One row into the columns' ends; says which column is at fault.
@@ -70,7 +91,7 @@ Result<void> readRow(std::string_view line, size_t row, const std::string& name,
   for (size_t column = 0; column < channels.size(); ++column) {
     if (at > end) {
       return Error{name + ", row " + std::to_string(row),
-                   "has " + std::to_string(column) + " cells, expected " + std::to_string(channels.size())};
+                   "has too few cells: " + std::to_string(column) + ", expected " + std::to_string(channels.size())};
     }
     double value = std::numeric_limits<double>::quiet_NaN();
     if (at < end && *at == ' ') {
@@ -78,21 +99,23 @@ Result<void> readRow(std::string_view line, size_t row, const std::string& name,
     }
     if (at < end && *at != ',') {
       const char* start = at;
-      if (*start == '+') ++start;
+      if (*start == '+' && start + 1 < end && start[1] != '-') ++start;
       const auto [stop, code] = std::from_chars(start, end, value);
       const char* after = stop;
       while (after < end && *after == ' ') ++after;
-      if (code == std::errc::invalid_argument || (after < end && *after != ',')) {
+      if (code == std::errc::result_out_of_range) value = outOfRange({start, static_cast<size_t>(stop - start)});
+      if (code == std::errc::invalid_argument || (after < end && *after != ',') || std::isinf(value)) {
         const char* comma = std::find(at, end, ',');
         return cellError(name, row, channels[column].name, trimmed({at, static_cast<size_t>(comma - at)}));
       }
-      if (code == std::errc::result_out_of_range) value = 0.0;
       at = after;
     }
     channels[column].values.push_back(value);
     ++at;  // past the comma; beyond the end after the last cell
   }
-  if (at <= end) return Error{name + ", row " + std::to_string(row), "has more cells than the header's " + std::to_string(channels.size())};
+  if (at <= end)
+    return Error{name + ", row " + std::to_string(row),
+                 "has more cells than the header's " + std::to_string(channels.size())};
   return {};
 }
 
@@ -111,8 +134,8 @@ Result<Recording> readCsvText(std::string_view text, const std::string& name) {
   std::string_view rest = head->rows;
   while (!rest.empty()) {
     const std::string_view line = takeLine(rest);
-    ++row;
     if (line.empty()) continue;
+    ++row;
     if (auto done = readRow(line, row, name, channels); !done) return done.error();
   }
   if (channels.front().values.empty()) return Error{name, "has a header and no rows"};
@@ -127,7 +150,12 @@ Result<Recording> readCsv(const std::string& path) {
 
 Result<void> writeCsv(const Recording& recording, const std::string& path) {
   std::string out;
-  for (const auto& [key, value] : recording.notes()) out += "# " + key + ": " + value + "\n";
+  for (const auto& [key, value] : recording.notes()) {
+    std::string note = key + ": " + value;
+    std::replace_if(
+        note.begin(), note.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    out += "# " + note + "\n";
+  }
   const auto& channels = recording.channels();
   out.reserve(out.size() + recording.rows() * channels.size() * 12);
   for (size_t c = 0; c < channels.size(); ++c) out += (c == 0 ? "" : ",") + channels[c].name;

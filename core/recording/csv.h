@@ -1,4 +1,5 @@
-// Recordings as CSV, contracts section 2: `# key: value` lines, one header line, rows; an empty cell is a missing value.
+// Recordings as CSV, contracts section 2: `# key: value` lines, one header line, rows; an empty cell is a missing
+// value.
 #pragma once
 
 #include <string>
@@ -9,8 +10,9 @@
 
 namespace breakaway {
 
-/// Reads the contract's form only; other forms come in through import. Errors name the file, the row (1 is the first row after
-/// the header) and the column. Time of reading is linear in the file's size.
+/// Reads the contract's form only; other forms come in through import. Errors name the file, the row (1 is the first
+/// row after the header, blank lines not counted) and the column. `nan` is a missing value like an empty cell;
+/// infinities are refused.
 Result<Recording> readCsv(const std::string& path);
 Result<Recording> readCsvText(std::string_view text, const std::string& name);
 

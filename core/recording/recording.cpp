@@ -1,6 +1,7 @@
 #include "recording/recording.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <set>
 
@@ -25,28 +26,37 @@ double medianStep(const std::vector<double>& time) {
   return *middle;
 }
 
-std::string numberText(double value) {
-  std::string text = std::to_string(value);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (!text.empty() && text.back() == '.') text.pop_back();
-  return text;
+/// The shortest text that tells the number from its neighbours.
+std::string exactText(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+/// ", found: a, b, c", at most a few names.
+std::string foundInstead(const std::vector<Channel>& channels) {
+  std::string text;
+  for (size_t c = 0; c < channels.size() && c < 6; ++c) {
+    text += (c == 0 ? ", found: " : ", ") + channels[c].name.substr(0, 40);
+  }
+  return text + (channels.size() > 6 ? ", …" : "");
 }
 
 }  // namespace
 
-Recording::Recording(std::shared_ptr<const Sealed> sealed) : sealed_(std::move(sealed)) {}
+Recording::Recording(std::shared_ptr<const Sealed> sealed) : sealed_(std::move(sealed)) {
+}
 
 Result<Recording> Recording::seal(std::string name, std::vector<Channel> channels,
                                   std::vector<std::pair<std::string, std::string>> notes) {
   const auto isTime = [](const Channel& channel) { return channel.name == "time_s"; };
   const auto timeIt = std::find_if(channels.begin(), channels.end(), isTime);
-  if (timeIt == channels.end()) return Error{name, "has no column time_s"};
+  if (timeIt == channels.end()) return Error{name, "has no column time_s" + foundInstead(channels)};
   std::set<std::string> names;
   for (const Channel& channel : channels) {
     if (!names.insert(channel.name).second) return Error{name, "has the column " + channel.name + " twice"};
     if (channel.values.size() != timeIt->values.size()) {
-      return Error{name + ", column " + channel.name, "has " + std::to_string(channel.values.size()) + " values, expected " +
-                                                          std::to_string(timeIt->values.size())};
+      return Error{name + ", column " + channel.name, "has " + std::to_string(channel.values.size()) +
+                                                          " values, expected " + std::to_string(timeIt->values.size())};
     }
   }
   const auto& time = timeIt->values;
@@ -54,8 +64,8 @@ Result<Recording> Recording::seal(std::string name, std::vector<Channel> channel
     const std::string place = name + ", row " + std::to_string(k + 1) + ", column time_s";
     if (!std::isfinite(time[k])) return Error{place, "is missing or not finite, expected a time in s"};
     if (k > 0 && !(time[k] > time[k - 1])) {
-      return Error{place,
-                   numberText(time[k]) + " does not increase after " + numberText(time[k - 1]) + ", expected strictly increasing times"};
+      return Error{place, exactText(time[k]) + " does not increase after " + exactText(time[k - 1]) +
+                              ", expected strictly increasing times"};
     }
   }
   auto sealed = std::make_shared<Sealed>();

@@ -22,8 +22,8 @@ struct Channel {
 /// Columns over time, all of the same length. Copies share the data.
 class Recording {
  public:
-  /// Seals the channels. Required: `time_s`, finite and strictly increasing; equal lengths; no name twice. `name` is what
-  /// errors and reports call it, usually the file's path. `notes` are the `# key: value` lines.
+  /// Seals the channels. Required: `time_s`, finite and strictly increasing; equal lengths; no name twice. `name` is
+  /// what errors and reports call it, usually the file's path. `notes` are the `# key: value` lines.
   static Result<Recording> seal(std::string name, std::vector<Channel> channels,
                                 std::vector<std::pair<std::string, std::string>> notes = {});
 

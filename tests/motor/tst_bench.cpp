@@ -13,12 +13,14 @@ class TestBench : public QObject {
   void unitOfTheOtherAxis_getsASuggestion();
 };
 
-static const char* const head = R"({"schema": "breakaway.bench/1", "axis": "rotary", "drive": {"input": "current_A"}, "motor": )";
+static const char* const head =
+    R"({"schema": "breakaway.bench/1", "axis": "rotary", "drive": {"input": "current_A"}, "motor": )";
 
 void TestBench::fullBench_isReadBack() {
   const auto bench = readBenchText(std::string(head) + R"({"inertia_kg_m2": 9.1e-5}, "trusted": ["inertia_kg_m2"],
     "encoder": {"counts_per_rev": 4096}, "load": {"pendulum": {"mass_kg": 0.49, "length_m": 0.1}},
-    "controller": {"mode": "velocity", "kp_A_s_per_rad": 0.02, "current_limit_A": 4}})", "b");
+    "controller": {"mode": "velocity", "kp_A_s_per_rad": 0.02, "current_limit_A": 4}})",
+                                   "b");
   QVERIFY2(bench.ok(), bench.ok() ? "" : bench.error().message().c_str());
   QCOMPARE(*bench->motor.inertia, 9.1e-5);
   QCOMPARE(bench->pendulum->mass_kg, 0.49);
@@ -30,13 +32,15 @@ void TestBench::fullBench_isReadBack() {
 void TestBench::negativeInertia_isNamed() {
   const auto bench = readBenchText(std::string(head) + R"({"inertia_kg_m2": -1}})", "b.bench.json");
   QVERIFY(!bench.ok());
-  QCOMPARE(bench.error().message(), std::string("b.bench.json, field motor.inertia_kg_m2: expected a positive number, found the number -1"));
+  QCOMPARE(bench.error().message(),
+           std::string("b.bench.json, field motor.inertia_kg_m2: expected a positive number, found the number -1"));
 }
 
 void TestBench::unknownField_getsASuggestion() {
   const auto bench = readBenchText(std::string(head) + R"({"inertia_kgm2": 1}})", "b");
   QVERIFY(!bench.ok());
-  QCOMPARE(bench.error().message(), std::string("b, field motor.inertia_kgm2: is an unknown field, did you mean inertia_kg_m2?"));
+  QCOMPARE(bench.error().message(),
+           std::string("b, field motor.inertia_kgm2: is an unknown field, did you mean inertia_kg_m2?"));
 }
 
 void TestBench::unitOfTheOtherAxis_getsASuggestion() {

@@ -7,7 +7,8 @@
 
 namespace breakaway::test {
 
-/// The folder of real recordings: BREAKAWAY_RECORDINGS, or ../shared/data beside the checkout; empty when there is none.
+/// The folder of real recordings: BREAKAWAY_RECORDINGS, or ../shared/data beside the checkout; empty when there is
+/// none.
 inline std::string realRecordings() {
   std::string folder = qgetenv("BREAKAWAY_RECORDINGS").toStdString();
   if (folder.empty()) folder = qgetenv("BREAKAWAY_SOURCE_DIR").toStdString() + "/../shared/data";

@@ -1,0 +1,31 @@
+// Gains from the identified motor.
+#pragma once
+
+#include "control/motion_controller.h"
+
+namespace breakaway {
+
+/// Velocity PI with disturbance feedback: kp = J·w/Kt puts the closed loop's pole at −w; the observer takes the
+/// integral's part, so ki is small. Position: critically damped at w_p, kp = J·w_p²/Kt, kd = 2·J·w_p/Kt. SI; w in
+/// rad/s.
+template <typename Scalar>
+MotionGains<Scalar> tuneMotion(Scalar inertia_kg_m2, Scalar torqueConstant_Nm_per_A, Scalar velocityBandwidth_rad_per_s,
+                               Scalar positionBandwidth_rad_per_s) {
+  const Scalar perTorque = inertia_kg_m2 / torqueConstant_Nm_per_A;
+  MotionGains<Scalar> gains;
+  gains.velocity_kp_A_s_per_rad = perTorque * velocityBandwidth_rad_per_s;
+  gains.position_kp_A_per_rad = perTorque * positionBandwidth_rad_per_s * positionBandwidth_rad_per_s;
+  gains.position_kd_A_s_per_rad = Scalar(2) * perTorque * positionBandwidth_rad_per_s;
+  return gains;
+}
+
+/// The observer cutoff that keeps αgT ≤ 0.3 and the damping ζ = ½√(g_v/(αg)) ≥ 0.707 behind a speed filter of g_v, α
+/// = 1.
+template <typename Scalar>
+Scalar tuneObserver(Scalar tick_s, Scalar velocityFilter_rad_per_s) {
+  const Scalar sampled = Scalar(0.3) / tick_s, damped = Scalar(0.5) * velocityFilter_rad_per_s;
+  const Scalar most = sampled < damped ? sampled : damped;
+  return most < Scalar(200) ? most : Scalar(200);
+}
+
+}  // namespace breakaway

@@ -1,0 +1,260 @@
+#include "experiment/breakaway_sweep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace breakaway {
+
+namespace {
+
+constexpr double turnAngle = 2.0 * std::numbers::pi;
+constexpr double learningDoubling_s = 0.7;  // of the first, long ramp
+constexpr size_t leastRampRows = 20;
+constexpr double shortRamp = 0.15;  // of ramp_s: a breakaway this soon says little about its current
+
+double inTurn(double angle_rad) {
+  return angle_rad - turnAngle * std::floor(angle_rad / turnAngle);
+}
+
+}  // namespace
+
+BreakawaySweep::BreakawaySweep(BreakawaySweepOptions options) : options_(std::move(options)) {
+  if (options_.bins < 8 || options_.turns == 0) fail("at least 8 bins and one turn are needed");
+  if (!(options_.resistance_ohm > 0.0)) fail("the winding's resistance is not known");
+  if (!(options_.torqueConstant_Nm_per_A > 0.0)) fail("the torque constant is not known");
+  if (!(options_.countsPerRev > 0.0)) fail("the encoder's counts are not known");
+}
+
+size_t BreakawaySweep::bin() const {
+  const size_t k = step_ % options_.bins;
+  return way() == Way::ccw ? k : options_.bins - 1 - k;
+}
+
+double BreakawaySweep::binAngle_rad() const {
+  return (static_cast<double>(bin()) + 0.5) * turnAngle / static_cast<double>(options_.bins);
+}
+
+double BreakawaySweep::moving_A(Way way, double angle_rad) const {
+  const auto& table = options_.moving_A[static_cast<size_t>(way)];
+  if (table.empty()) return 0.0;
+  const double place = inTurn(angle_rad) / turnAngle * static_cast<double>(table.size());
+  return table[std::min(static_cast<size_t>(place), table.size() - 1)];
+}
+
+/// The current that holds the rotor in the middle of what friction allows, towards growing angle.
+double BreakawaySweep::hold_A() const {
+  return 0.5 * (moving_A(Way::ccw, binAngle_rad()) - moving_A(Way::cw, binAngle_rad()));
+}
+
+Command BreakawaySweep::current(double inWay_A) {
+  commanded_A_ = inWay_A;
+  const double amps = sign() * inWay_A;
+  const double volts = amps == 0.0 ? 0.0 : amps * options_.resistance_ohm + std::copysign(options_.deadZone_V, amps);
+  return {Command::Mode::voltage, volts, options_.current_limit_A, false};
+}
+
+void BreakawaySweep::enter(Stage stage, const Sample& sample) {
+  stage_ = stage;
+  stageStart_s_ = near_s_ = sample.time_s;
+  if (stage != Stage::move) return;
+  // The nearest turn in which the target lies ahead in the way, with a margin for a rotor that has just run past it.
+  const double wanted = binAngle_rad() + options_.indexAngle_rad;
+  const double away = wanted - sample.angle_rad;
+  target_rad_ = wanted - turnAngle * std::round(away / turnAngle);
+}
+
+Command BreakawaySweep::run(const Sample& sample) {
+  now_s_ = sample.time_s;
+  boardAngle_rad_ = sample.angle_rad;
+  if (!begun_) {
+    begun_ = true;
+    first_s_ = sample.time_s;
+    enter(Stage::zero, sample);
+  }
+  const double inStage_s = sample.time_s - stageStart_s_;
+  switch (stage_) {
+    case Stage::zero: {
+      if (inStage_s > 0.05 + options_.zeroing_s) {
+        zeroed_s_ = sample.time_s;
+        enter(Stage::move, sample);
+        return {};
+      }
+      Command command;
+      command.zeroCurrentSensor = inStage_s > 0.05;
+      return command;
+    }
+    case Stage::move: {
+      const double tolerance =
+          std::max(0.15 * turnAngle / static_cast<double>(options_.bins), 2.0 * turnAngle / options_.countsPerRev);
+      const bool near =
+          std::abs(sample.angle_rad - target_rad_) < tolerance && std::abs(sample.velocity_rad_per_s) < 0.3;
+      if (!near) near_s_ = sample.time_s;
+      if (sample.time_s - near_s_ > 0.03 || inStage_s > options_.move_s) {
+        enter(Stage::dwell, sample);
+        return current(sign() * hold_A());
+      }
+      return {Command::Mode::position, target_rad_, options_.current_limit_A, false};
+    }
+    case Stage::dwell:
+      if (inStage_s > options_.settle_s + options_.dwell_s &&
+          std::abs(sample.velocity_rad_per_s) < 0.5 * options_.motionVelocity_rad_per_s) {
+        enter(Stage::ramp, sample);
+        standing_rad_ = sample.angle_rad;
+        ramp_ = planRamp();
+        rows_.clear();
+      } else if (inStage_s > 1.0) {
+        ++missed_;  // it doesn't come to rest here
+        advanceStep(sample);
+      }
+      return current(sign() * hold_A());
+    case Stage::ramp:
+      return ramp(sample);
+  }
+  return {};
+}
+
+BreakawaySweep::Ramp BreakawaySweep::planRamp() const {
+  const auto w = static_cast<size_t>(way());
+  const double hold = sign() * hold_A();
+  const double limit = options_.current_limit_A > 0.0 ? options_.current_limit_A : 1e3;
+  const double moving = moving_A(way(), binAngle_rad()) - hold;
+  double expected = recent_A_[w].value_or(options_.expected_A[w]);
+  if (moving > 0.0) expected = recentOverMoving_[w].value_or(1.0) * moving;
+  if (expected <= 0.0) return {hold, 0.0, limit, true};
+  const double starts[] = {options_.rampStart, 0.5 * options_.rampStart, 0.0};
+  const double from = starts[std::min(attempt_, 2)];
+  return {hold + from * expected, (1.0 - options_.rampStart) * expected / options_.ramp_s, limit, false};
+}
+
+double BreakawaySweep::commandedAt(double inRamp_s) const {
+  if (!ramp_.learning) return ramp_.start_A + ramp_.rate_A_per_s * inRamp_s;
+  const double first = 1e-3;
+  return ramp_.start_A + first * (std::exp2(inRamp_s / learningDoubling_s) - 1.0);
+}
+
+bool BreakawaySweep::moves(const Sample& sample) const {
+  const double counts = sign() * (sample.angle_rad - standing_rad_) / turnAngle * options_.countsPerRev;
+  return counts > static_cast<double>(options_.motionCounts) - 0.5 &&
+         sign() * sample.velocity_rad_per_s > options_.motionVelocity_rad_per_s;
+}
+
+Command BreakawaySweep::ramp(const Sample& sample) {
+  rows_.push_back({sample.time_s - stageStart_s_, commanded_A_, sign() * sample.current_A, sample.angle_rad});
+  if (moves(sample)) {
+    const double part_s = sample.time_s - stageStart_s_;
+    const bool tooSoon = !ramp_.learning && part_s < shortRamp * options_.ramp_s;
+    if (tooSoon && attempt_ < 2) {
+      ++attempt_;  // the start was too high: come back and begin lower
+      enter(Stage::move, sample);
+    } else {
+      takeEvent(sample);
+      advanceStep(sample);
+    }
+    return {};
+  }
+  const double next = commandedAt(sample.time_s - stageStart_s_);
+  const double most = ramp_.top_A;
+  const bool saturated = std::abs(next) * options_.resistance_ohm + options_.deadZone_V > sample.supply_V;
+  if (next > most || saturated) {
+    ++missed_;
+    if (++missedInARow_ >= 3)
+      fail("the rotor does not break away " + wayText(sign() > 0.0) + " within the current limit");
+    advanceStep(sample);
+    return {};
+  }
+  return current(next);
+}
+
+void BreakawaySweep::takeEvent(const Sample&) {
+  // Back to the last standing sample: the last row that still shows the standing count or one behind it.
+  const double countAngle = turnAngle / options_.countsPerRev;
+  size_t standing = rows_.size() - 1;
+  while (standing > 0 && sign() * (rows_[standing].angle_rad - standing_rad_) > 0.5 * countAngle) --standing;
+  const double rate =
+      ramp_.learning ? std::log(2.0) / learningDoubling_s * std::max(0.0, rows_[standing].commanded_A - ramp_.start_A)
+                     : ramp_.rate_A_per_s;
+  const BreakawayLag motor{options_.inertia_kg_m2, options_.torqueConstant_Nm_per_A,
+                           options_.backEmfConstant_V_s_per_rad, options_.resistance_ohm};
+  const double lag_s = motionLag_s(motor, rate, 0.5 * countAngle);
+  BreakawayEvent event;
+  event.way = way();
+  event.turn = turn();
+  event.bin = bin();
+  event.angle_rad = inTurn(standing_rad_ - options_.indexAngle_rad);
+  event.commanded_A = std::max(ramp_.start_A, rows_[standing].commanded_A - rate * lag_s);
+  // Sums over the standing part; a learning ramp counts only where it is within a factor of two of its end.
+  size_t first = 0;
+  while (ramp_.learning && first + leastRampRows < standing && rows_[first].commanded_A < 0.5 * event.commanded_A)
+    ++first;
+  double xx = 0.0, xy = 0.0, x = 0.0, y = 0.0;
+  for (size_t k = first; k <= standing; ++k) {
+    x += rows_[k].commanded_A, y += rows_[k].measured_A;
+    xx += rows_[k].commanded_A * rows_[k].commanded_A, xy += rows_[k].commanded_A * rows_[k].measured_A;
+  }
+  const auto n = static_cast<double>(standing + 1 - first);
+  event.samples = standing + 1 - first;
+  event.commandedMean_A = x / n;
+  event.measuredMean_A = y / n;
+  event.commandedVariance_A2 = xx / n - x / n * x / n;
+  event.covariance_A2 = xy / n - x / n * y / n;
+  event.current_A = event.measuredMean_A + (event.commanded_A - event.commandedMean_A);
+  event.torque_Nm = options_.torqueConstant_Nm_per_A * event.current_A;
+  events_.push_back(event);
+  const auto w = static_cast<size_t>(way());
+  const double moving = moving_A(way(), binAngle_rad()) - sign() * hold_A();
+  recent_A_[w] = event.commanded_A - sign() * hold_A();
+  if (moving > 0.0) recentOverMoving_[w] = *recent_A_[w] / moving;
+  missedInARow_ = 0;
+  markOutlier();
+}
+
+/// Against the median of the five breakaways before it the same way: further off than half of it is no neighbour's
+/// value.
+void BreakawaySweep::markOutlier() {
+  BreakawayEvent& last = events_.back();
+  std::vector<double> before;
+  for (size_t k = events_.size() - 1; k-- > 0 && before.size() < 5;) {
+    if (events_[k].way == last.way && events_[k].turn == last.turn) before.push_back(events_[k].torque_Nm);
+  }
+  if (before.size() < 5) return;
+  std::nth_element(before.begin(), before.begin() + 2, before.end());
+  last.outlier = std::abs(last.torque_Nm - before[2]) > 0.5 * std::abs(before[2]);
+}
+
+void BreakawaySweep::advanceStep(const Sample& sample) {
+  ++step_;
+  attempt_ = 0;
+  if (step_ >= steps()) {
+    finish();
+    return;
+  }
+  enter(sample.time_s - zeroed_s_ > options_.zeroEvery_s ? Stage::zero : Stage::move, sample);
+}
+
+double BreakawaySweep::progress() const {
+  return static_cast<double>(step_) / static_cast<double>(steps());
+}
+
+double BreakawaySweep::remaining_s() const {
+  const double usual_s = options_.settle_s + options_.dwell_s + options_.ramp_s + 0.2;
+  const double each_s = step_ >= 8 ? (now_s_ - first_s_) / static_cast<double>(step_) : usual_s;
+  return each_s * static_cast<double>(steps() - std::min(step_, steps()));
+}
+
+std::string BreakawaySweep::activity() const {
+  const std::string where = wayText(sign() > 0.0) + " at " + degreesText(boardAngle_rad_ - options_.indexAngle_rad);
+  switch (stage_) {
+    case Stage::zero:
+      return "zeroing the current sensor";
+    case Stage::move:
+      return "moving " + where;
+    case Stage::dwell:
+      return "standing at " + degreesText(boardAngle_rad_ - options_.indexAngle_rad);
+    case Stage::ramp:
+      return "ramping " + where + ", turn " + std::to_string(turn() + 1);
+  }
+  return {};
+}
+
+}  // namespace breakaway

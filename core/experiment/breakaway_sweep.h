@@ -1,0 +1,109 @@
+// Breakaway torque around the rotor: at each angle a slow current ramp from standstill until the rotor moves, both
+// ways, some turns.
+#pragma once
+
+#include <array>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "experiment/breakaway_lag.h"
+#include "experiment/timed_procedure.h"
+#include "friction/measurements.h"
+#include "motor/winding_line.h"
+
+namespace breakaway {
+
+struct BreakawaySweepOptions {
+  size_t bins = 180;
+  size_t turns = 2;
+  double indexAngle_rad = 0.0;  ///< from homing
+  double torqueConstant_Nm_per_A = 0.0;
+  /// The winding's steady line, from the winding test or, with a zero dead zone, from the bench's resistance. The ramp
+  /// is made by voltage along it, because a current loop would bring the sensor's noise into the winding.
+  double resistance_ohm = 0.0;
+  double deadZone_V = 0.0;
+  double inertia_kg_m2 = 0.0;                ///< for the lag's correction; 0: none
+  double backEmfConstant_V_s_per_rad = 0.0;  ///< likewise
+  std::array<double, 2> expected_A{
+      0.0, 0.0};  ///< first look at the breakaway current by Way; 0: found by a first, long ramp
+  /// What keeps it moving at low speed, per angle and Way, positive in the way's direction, any number of equal bins
+  /// from the index; empty: unknown. Its half difference holds the rotor against position torque.
+  std::array<std::vector<double>, 2> moving_A;
+  double current_limit_A = 0.0;  ///< 0: the controller's own
+  double move_s = 1.5;           ///< at most, to the next angle
+  double settle_s = 0.04;
+  double dwell_s = 0.08;
+  double ramp_s = 0.45;  ///< of the ramp's last part, from rampStart of what is expected
+  double rampStart = 0.7;
+  double zeroEvery_s = 12.0;  ///< the current sensor is zeroed this often
+  double zeroing_s = 0.6;
+  double motionVelocity_rad_per_s = 0.15;
+  size_t motionCounts = 4;
+  double countsPerRev = 0.0;  ///< from the board's identity
+};
+
+/// Settle, dwell, ramp; motion counts when it is sustained in counts and in speed; it is dated back to the last
+/// standing sample, and the time the rotor needed for its first count is taken off. The angle where it stood is the
+/// event's angle.
+class BreakawaySweep : public TimedProcedure {
+ public:
+  explicit BreakawaySweep(BreakawaySweepOptions options);
+
+  /// All breakaways so far, in the order they were measured; outliers are marked against their neighbours.
+  const std::vector<BreakawayEvent>& events() const { return events_; }
+  const BreakawaySweepOptions& options() const { return options_; }
+  /// Angles at which the rotor didn't break away.
+  size_t missed() const { return missed_; }
+
+ protected:
+  Command run(const Sample& sample) override;
+  double progress() const override;
+  double remaining_s() const override;
+  std::string activity() const override;
+
+ private:
+  enum class Stage { zero, move, dwell, ramp };
+  struct Ramp {
+    double start_A = 0.0, rate_A_per_s = 0.0, top_A = 0.0;  ///< positive in the way's direction
+    bool learning = false;
+  };
+  struct Row {
+    double time_s, commanded_A, measured_A, angle_rad;
+  };
+
+  Way way() const { return (step_ / options_.bins) % 2 == 0 ? Way::ccw : Way::cw; }
+  double sign() const { return way() == Way::ccw ? 1.0 : -1.0; }
+  size_t bin() const;
+  size_t turn() const { return step_ / (2 * options_.bins); }
+  size_t steps() const { return 2 * options_.bins * options_.turns; }
+  double binAngle_rad() const;
+  double moving_A(Way way, double angle_rad) const;
+  double hold_A() const;
+  Command current(double inWay_A);
+  void enter(Stage stage, const Sample& sample);
+  Ramp planRamp() const;
+  Command ramp(const Sample& sample);
+  double commandedAt(double inRamp_s) const;
+  bool moves(const Sample& sample) const;
+  void takeEvent(const Sample& sample);
+  void advanceStep(const Sample& sample);
+  void markOutlier();
+
+  BreakawaySweepOptions options_;
+  Stage stage_ = Stage::zero;
+  size_t step_ = 0, missed_ = 0, missedInARow_ = 0;
+  int attempt_ = 0;
+  std::vector<BreakawayEvent> events_;
+  std::array<std::optional<double>, 2> recent_A_;          ///< last breakaway less the holding current, by Way
+  std::array<std::optional<double>, 2> recentOverMoving_;  ///< and over what keeps it moving there
+  Ramp ramp_;
+  std::vector<Row> rows_;
+  double stageStart_s_ = 0.0, now_s_ = 0.0, zeroed_s_ = 0.0, first_s_ = 0.0, target_rad_ = 0.0, standing_rad_ = 0.0,
+         near_s_ = 0.0;
+  double boardAngle_rad_ = 0.0;
+  double commanded_A_ = 0.0;
+  bool begun_ = false;
+};
+
+}  // namespace breakaway

@@ -1,0 +1,45 @@
+#include "experiment/current_zeroing.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace breakaway {
+
+Command CurrentZeroing::run(const Sample& sample) {
+  elapsed_s_ = elapsed_s(sample);
+  if (elapsed_s_ < options_.settle_s) return {};
+  if (!sample.enabled) {
+    sum_ += sample.current_A;
+    squares_ += sample.current_A * sample.current_A;
+    ++count_;
+  }
+  if (elapsed_s_ >= options_.settle_s + options_.duration_s) {
+    finish();
+    return {};
+  }
+  Command command;
+  command.zeroCurrentSensor = true;
+  return command;
+}
+
+Estimate CurrentZeroing::zero_A() const {
+  if (count_ == 0) return {};
+  const auto n = static_cast<double>(count_);
+  return {sum_ / n, noiseRms_A() / std::sqrt(n)};
+}
+
+double CurrentZeroing::noiseRms_A() const {
+  if (count_ < 2) return 0.0;
+  const auto n = static_cast<double>(count_);
+  return std::sqrt(std::max(0.0, (squares_ - sum_ * sum_ / n) / (n - 1.0)));
+}
+
+double CurrentZeroing::progress() const {
+  return std::min(1.0, elapsed_s_ / (options_.settle_s + options_.duration_s));
+}
+
+double CurrentZeroing::remaining_s() const {
+  return std::max(0.0, options_.settle_s + options_.duration_s - elapsed_s_);
+}
+
+}  // namespace breakaway

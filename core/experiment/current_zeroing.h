@@ -1,0 +1,35 @@
+// Zeroing the current sensor with the windings open.
+#pragma once
+
+#include "base/estimate.h"
+#include "experiment/timed_procedure.h"
+
+namespace breakaway {
+
+struct CurrentZeroingOptions {
+  double settle_s = 0.05;  ///< lets the winding's current die first
+  double duration_s = 1.0;
+};
+
+/// Takes the sensor's mean as its zero, which the board then subtracts, and measures the noise.
+class CurrentZeroing : public TimedProcedure {
+ public:
+  explicit CurrentZeroing(const CurrentZeroingOptions& options = {}) : options_(options) {}
+
+  /// The zero relative to the earlier one, in A, with its standard error.
+  Estimate zero_A() const;
+  double noiseRms_A() const;
+
+ protected:
+  Command run(const Sample& sample) override;
+  double progress() const override;
+  double remaining_s() const override;
+  std::string activity() const override { return "zeroing the current sensor"; }
+
+ private:
+  CurrentZeroingOptions options_;
+  double elapsed_s_ = 0.0, sum_ = 0.0, squares_ = 0.0;
+  size_t count_ = 0;
+};
+
+}  // namespace breakaway

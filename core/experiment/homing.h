@@ -1,0 +1,53 @@
+// Homing to the encoder's index: one direction, one edge.
+#pragma once
+
+#include <vector>
+
+#include "base/estimate.h"
+#include "experiment/timed_procedure.h"
+
+namespace breakaway {
+
+struct HomingOptions {
+  double searchSpeed_rad_per_s = 3.0;
+  double approachSpeed_rad_per_s = 0.8;  ///< towards growing angle, always
+  double backOff_rad = 0.25;
+  size_t approaches = 3;   ///< passes over the edge that are averaged
+  double mostTurns = 1.5;  ///< of the search
+  double timeout_s = 60.0;
+  double stall_s = 3.0;          ///< without any motion while it should move
+  double current_limit_A = 0.0;  ///< 0: the controller's own
+};
+
+/// Searches the index towards growing angle, backs off, and passes its edge slowly from the same side a few times.
+/// Fails in words when there is no index within mostTurns, when the rotor doesn't move, or at the time-out.
+class Homing : public TimedProcedure {
+ public:
+  explicit Homing(const HomingOptions& options = {}) : options_(options) {}
+
+  /// The index in the board's angle, rounded down by the encoder like every angle, so that the difference of both is
+  /// without bias; valid when finished.
+  Estimate indexAngle_rad() const;
+  size_t passes() const { return edges_.size(); }
+
+ protected:
+  Command run(const Sample& sample) override;
+  double progress() const override;
+  double remaining_s() const override;
+  std::string activity() const override;
+
+ private:
+  enum class Stage { search, backOff, approach };
+  Command move(double velocity_rad_per_s) const;
+  bool stalled(const Sample& sample);
+  void enter(Stage stage, const Sample& sample);
+
+  HomingOptions options_;
+  Stage stage_ = Stage::search;
+  std::vector<double> edges_;
+  double stageAngle_rad_ = 0.0, lastAngle_rad_ = 0.0, movedAngle_rad_ = 0.0, movedTime_s_ = 0.0, travelled_rad_ = 0.0;
+  double elapsed_s_ = 0.0;
+  bool begun_ = false;
+};
+
+}  // namespace breakaway

@@ -1,0 +1,47 @@
+// Voltage up and down both ways: what back-EMF constant, inertia and average friction are read from.
+#pragma once
+
+#include <vector>
+
+#include "experiment/timed_procedure.h"
+
+namespace breakaway {
+
+struct SpinTestOptions {
+  double highest_V = 0.0;  ///< 0: half the supply
+  double leg_s = 1.5;      ///< from zero to the highest voltage, or back
+  size_t cycles = 4;       ///< of up, down, up the other way, down
+  double block_s = 0.01;
+  double current_limit_A = 0.0;  ///< 0: the controller's own
+};
+
+/// Means over one block of ticks; the angle is at the block's end.
+struct SpinBlock {
+  double end_s = 0.0;
+  double duration_s = 0.0;
+  double angle_rad = 0.0;
+  double current_A = 0.0;
+  double voltage_V = 0.0;
+};
+
+class SpinTest : public TimedProcedure {
+ public:
+  explicit SpinTest(const SpinTestOptions& options = {}) : options_(options) {}
+  const std::vector<SpinBlock>& blocks() const { return blocks_; }
+
+ protected:
+  Command run(const Sample& sample) override;
+  double progress() const override;
+  double remaining_s() const override;
+  std::string activity() const override { return "spinning both ways by voltage"; }
+
+ private:
+  double whole_s() const { return 4.0 * options_.leg_s * static_cast<double>(options_.cycles); }
+  SpinTestOptions options_;
+  std::vector<SpinBlock> blocks_;
+  SpinBlock sum_;
+  size_t count_ = 0;
+  double elapsed_s_ = 0.0, commanded_V_ = 0.0;
+};
+
+}  // namespace breakaway

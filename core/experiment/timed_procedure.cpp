@@ -1,0 +1,52 @@
+#include "experiment/timed_procedure.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace breakaway {
+
+Command TimedProcedure::step(const Sample& sample) {
+  if (state_ != State::running) return {};
+  if (!begun_) {
+    begun_ = true;
+    start_s_ = sample.time_s;
+  } else {
+    tick_s_ = sample.time_s - last_s_;
+  }
+  last_s_ = sample.time_s;
+  const Command command = run(sample);
+  return state_ == State::running ? command : Command{};
+}
+
+Procedure::Status TimedProcedure::status() const {
+  const bool done = state_ == State::finished;
+  return {state_, done ? 1.0 : progress(), state_ == State::running ? remaining_s() : 0.0,
+          state_ == State::running ? activity() : std::string(), failure_};
+}
+
+void TimedProcedure::stop(const std::string& reason) {
+  if (state_ != State::running) return;
+  state_ = State::stopped;
+  failure_ = reason;
+}
+
+void TimedProcedure::finish() {
+  if (state_ == State::running) state_ = State::finished;
+}
+
+void TimedProcedure::fail(const std::string& reason) {
+  if (state_ != State::running) return;
+  state_ = State::failed;
+  failure_ = reason;
+}
+
+std::string degreesText(double angle_rad) {
+  const double degrees = angle_rad * 180.0 / std::numbers::pi;
+  return std::to_string(static_cast<int>(std::floor(degrees - 360.0 * std::floor(degrees / 360.0)))) + "°";
+}
+
+std::string wayText(bool ccw) {
+  return ccw ? "counter-clockwise" : "clockwise";
+}
+
+}  // namespace breakaway

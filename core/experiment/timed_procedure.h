@@ -1,0 +1,45 @@
+// What all procedures share: a clock that starts with the first sample, one end, and a reason for it.
+#pragma once
+
+#include <string>
+
+#include "experiment/drive.h"
+
+namespace breakaway {
+
+class TimedProcedure : public Procedure {
+ public:
+  Command step(const Sample& sample) final;
+  Status status() const final;
+  State state() const final { return state_; }
+  void stop(const std::string& reason) final;
+
+ protected:
+  /// One tick while running.
+  virtual Command run(const Sample& sample) = 0;
+  /// 0 … 1.
+  virtual double progress() const = 0;
+  virtual double remaining_s() const = 0;
+  virtual std::string activity() const = 0;
+
+  void finish();
+  void fail(const std::string& reason);
+  /// Time since the first sample, or since restartClock().
+  double elapsed_s(const Sample& sample) const { return sample.time_s - start_s_; }
+  void restartClock(const Sample& sample) { start_s_ = sample.time_s; }
+  /// Duration of a tick; 0 in the first one.
+  double tick_s() const { return tick_s_; }
+
+ private:
+  State state_ = State::running;
+  std::string failure_;
+  double start_s_ = 0.0, last_s_ = 0.0, tick_s_ = 0.0;
+  bool begun_ = false;
+};
+
+/// "123°" of an angle in rad, taken into one turn.
+std::string degreesText(double angle_rad);
+/// "counter-clockwise" for growing angle.
+std::string wayText(bool ccw);
+
+}  // namespace breakaway

@@ -1,0 +1,49 @@
+// A step of the velocity reference and what the loop makes of it.
+#pragma once
+
+#include <vector>
+
+#include "experiment/timed_procedure.h"
+
+namespace breakaway {
+
+struct VelocityStepOptions {
+  double from_rad_per_s = 0.0;
+  double to_rad_per_s = 20.0;
+  double before_s = 0.8;     ///< at the first speed
+  double after_s = 0.6;      ///< recorded after the step
+  double settleBand = 0.05;  ///< of the step, for the settling time
+  double current_limit_A = 0.0;
+};
+
+struct StepFigures {
+  double rise_s = 0.0;      ///< from 10 % to 90 %; NaN when not reached
+  double overshoot = 0.0;   ///< beyond the final speed, part of the step
+  double settling_s = 0.0;  ///< until it stays in the band; NaN when it doesn't
+  double peakCurrent_A = 0.0;
+};
+
+/// The recorded part; times from the step, the first samples lie before it.
+struct StepCurve {
+  std::vector<double> time_s, velocity_rad_per_s, reference_rad_per_s, current_A;
+};
+
+class VelocityStep : public TimedProcedure {
+ public:
+  explicit VelocityStep(const VelocityStepOptions& options = {}) : options_(options) {}
+  const StepCurve& curve() const { return curve_; }
+  StepFigures figures() const;
+
+ protected:
+  Command run(const Sample& sample) override;
+  double progress() const override;
+  double remaining_s() const override;
+  std::string activity() const override { return "measuring a velocity step"; }
+
+ private:
+  VelocityStepOptions options_;
+  StepCurve curve_;
+  double elapsed_s_ = 0.0;
+};
+
+}  // namespace breakaway

@@ -1,0 +1,55 @@
+// Constant speeds both ways: average Coulomb and viscous friction, and both around the rotor.
+#pragma once
+
+#include <vector>
+
+#include "experiment/timed_procedure.h"
+#include "friction/measurements.h"
+
+namespace breakaway {
+
+struct VelocitySweepOptions {
+  std::vector<double> speeds_rad_per_s;  ///< positive; each is run ccw and cw
+  double indexAngle_rad = 0.0;           ///< from homing
+  size_t bins = 360;
+  double settle_s = 0.6;
+  double run_s = 15.0;  ///< at least this long, then on to the end of the turn
+  size_t leastTurns = 2;
+  double zeroing_s = 0.5;        ///< the current sensor is zeroed before each run; 0: never
+  double current_limit_A = 0.0;  ///< 0: the controller's own
+};
+
+/// Runs each speed over whole turns and sums current and speed per bin of rotor angle. Fails in words when a speed
+/// isn't reached.
+class VelocitySweep : public TimedProcedure {
+ public:
+  explicit VelocitySweep(VelocitySweepOptions options);
+  /// The runs that are complete.
+  const std::vector<VelocityRun>& runs() const { return runs_; }
+
+ protected:
+  Command run(const Sample& sample) override;
+  double progress() const override;
+  double remaining_s() const override;
+  std::string activity() const override;
+
+ private:
+  enum class Stage { zero, settle, sum };
+  double target() const;
+  Command drive() const { return {Command::Mode::velocity, target(), options_.current_limit_A, false}; }
+  void enter(Stage stage, const Sample& sample);
+  void sum(const Sample& sample);
+  void endRun(const Sample& sample);
+
+  VelocitySweepOptions options_;
+  Stage stage_ = Stage::zero;
+  size_t next_ = 0;
+  std::vector<VelocityRun> runs_;
+  VelocityRun open_;
+  double stageStart_s_ = 0.0, now_s_ = 0.0, runStart_s_ = 0.0, startAngle_rad_ = 0.0;
+  double angles_rad_[2] = {0.0, 0.0}, current_A_ = 0.0;  ///< of the two samples before
+  int held_ = 0;
+  bool begun_ = false;
+};
+
+}  // namespace breakaway

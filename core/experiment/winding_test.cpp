@@ -1,0 +1,166 @@
+#include "experiment/winding_test.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace breakaway {
+
+Command WindingTest::run(const Sample& sample) {
+  now_s_ = elapsed_s(sample);
+  switch (stage_) {
+    case Stage::rest:
+      if (sample.time_s - stageStart_s_ < 0.4) return {};
+      if (ramp_ == options_.ramps) {
+        stage_ = Stage::square;
+      } else {
+        stage_ = Stage::ramp;
+        target_V_ = options_.start_V;
+      }
+      stageStart_s_ = blockStart_s_ = sample.time_s;
+      standing_rad_ = sample.angle_rad;
+      return {};
+    case Stage::ramp:
+      return ramp(sample);
+    case Stage::square:
+      return square(sample);
+  }
+  return {};
+}
+
+void WindingTest::takePoint(const Sample& sample) {
+  // A command acts until the next row, so the current measured now belongs to the voltage up to now.
+  blockVoltage_ += way() * target_V_;
+  blockCurrent_ += sample.current_A;
+  ++blockCount_;
+  if (sample.time_s - blockStart_s_ < options_.block_s) return;
+  const auto n = static_cast<double>(blockCount_);
+  blocks_.push_back({blockVoltage_ / n, blockCurrent_ / n});
+  blockTimes_s_.push_back(sample.time_s);
+  blockVoltage_ = blockCurrent_ = 0.0;
+  blockCount_ = 0;
+  blockStart_s_ = sample.time_s;
+}
+
+void WindingTest::endRamp(const Sample& sample) {
+  double highest = 0.0;
+  for (size_t k = 0; k < blocks_.size(); ++k) {
+    if (blockTimes_s_[k] > sample.time_s - options_.dates_s) continue;
+    points_.push_back(blocks_[k]);
+    highest = std::max(highest, way() * blocks_[k].current_A);
+  }
+  breakaway_A_[way() > 0.0 ? 1 : 0].push_back(highest);
+  moved_V_ = ramp_ == 0 ? target_V_ : std::min(moved_V_, target_V_);
+  blocks_.clear();
+  blockTimes_s_.clear();
+  blockVoltage_ = blockCurrent_ = 0.0;
+  blockCount_ = 0;
+  ++ramp_;
+  stage_ = Stage::rest;
+  stageStart_s_ = sample.time_s;
+}
+
+Command WindingTest::ramp(const Sample& sample) {
+  takePoint(sample);
+  if (std::abs(sample.angle_rad - standing_rad_) > options_.motion_rad) {
+    endRamp(sample);
+    return {};
+  }
+  if (target_V_ >= sample.supply_V) {
+    fail("the rotor does not move " + wayText(way() > 0.0) + " at full supply within the current limit");
+    return {};
+  }
+  target_V_ =
+      std::min(sample.supply_V, options_.start_V * std::exp2((sample.time_s - stageStart_s_) / options_.doubling_s));
+  return voltage(way() * target_V_);
+}
+
+Command WindingTest::square(const Sample& sample) {
+  if (squareTicks_ == 0) {
+    squareTick_s_ = tick_s();
+    const auto line = fitWindingLine(points_);
+    onset_V_ = line ? line->deadZone_V.value : 0.0;
+  }
+  const auto half = static_cast<size_t>(std::max(4.0, std::round(options_.squareHalfPeriod_s / squareTick_s_)));
+  if (sums_.empty()) {
+    sums_.assign(2 * half, 0.0);
+    counts_.assign(2 * half, 0);
+  }
+  // Tick 0 of a half period measures what the voltage before left; the first period is the beginning's transient.
+  const size_t phase = squareTicks_ % (2 * half);
+  if (squareTicks_ >= 2 * half) {
+    sums_[phase] += sample.current_A;
+    ++counts_[phase];
+  }
+  ++squareTicks_;
+  if (sample.time_s - stageStart_s_ >= options_.square_s) finish();
+  const double level = onset_V_ + 0.6 * std::max(0.0, moved_V_ - onset_V_);
+  return voltage(phase < half ? level : -level);
+}
+
+std::vector<double> WindingTest::squareResponse_A() const {
+  std::vector<double> response;
+  const size_t half = sums_.size() / 2;
+  for (size_t k = 0; k < half; ++k) {
+    if (counts_[k] == 0 || counts_[k + half] == 0) return {};
+    response.push_back(
+        0.5 * (sums_[k] / static_cast<double>(counts_[k]) - sums_[k + half] / static_cast<double>(counts_[k + half])));
+  }
+  return response;
+}
+
+double WindingTest::progress() const {
+  const double ramps = static_cast<double>(ramp_) / static_cast<double>(options_.ramps);
+  const double square =
+      stage_ == Stage::square ? static_cast<double>(squareTicks_) * squareTick_s_ / options_.square_s : 0.0;
+  return std::min(1.0, 0.8 * ramps + 0.2 * square);
+}
+
+double WindingTest::remaining_s() const {
+  const double done = std::max(progress(), 0.05);
+  return now_s_ * (1.0 - done) / done;
+}
+
+std::string WindingTest::activity() const {
+  if (stage_ == Stage::square) return "measuring the winding's time constant";
+  return "raising the voltage " + wayText(way() > 0.0) + " until the rotor moves";
+}
+
+Result<Estimate> fitTimeConstant(const std::vector<double>& response, double tick_s) {
+  if (response.size() < 4) return Error{"winding", "has fewer than 4 ticks in half a square wave"};
+  double scale = 0.0;
+  const auto squaresFor = [&](double tau) {
+    double xx = 0.0, xy = 0.0, yy = 0.0;
+    for (size_t k = 0; k < response.size(); ++k) {
+      const double x = 1.0 - 2.0 * std::exp(-static_cast<double>(k) * tick_s / tau);
+      xx += x * x, xy += x * response[k], yy += response[k] * response[k];
+    }
+    scale = xy / xx;
+    return yy - xy * xy / xx;
+  };
+  const double low = std::log(0.05 * tick_s), high = std::log(0.5 * tick_s * static_cast<double>(response.size()));
+  double best = low, bestSquares = squaresFor(std::exp(low));
+  double from = low, to = high;
+  for (int round = 0; round < 8; ++round) {
+    const double step = (to - from) / 20.0;
+    for (int k = 0; k <= 20; ++k) {
+      const double squares = squaresFor(std::exp(from + k * step));
+      if (squares < bestSquares) bestSquares = squares, best = from + k * step;
+    }
+    from = std::max(low, best - step);
+    to = std::min(high, best + step);
+  }
+  const double tau = std::exp(best);
+  bestSquares = squaresFor(tau);
+  const double amplitude = scale, variance = bestSquares / static_cast<double>(response.size() - 2);
+  if (!(std::abs(amplitude) > 3.0 * std::sqrt(variance)))
+    return Error{"winding", "shows no step response above the noise"};
+  double information = 0.0;
+  for (size_t k = 0; k < response.size(); ++k) {
+    const double t = static_cast<double>(k) * tick_s;
+    const double slope = -2.0 * amplitude * std::exp(-t / tau) * t / (tau * tau);
+    information += slope * slope;
+  }
+  return Estimate{tau, information > 0.0 ? std::sqrt(variance / information) : tau};
+}
+
+}  // namespace breakaway

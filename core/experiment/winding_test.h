@@ -1,0 +1,74 @@
+// Resistance, dead zone and inductance from voltage and current of the standing rotor.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "experiment/timed_procedure.h"
+#include "motor/winding_line.h"
+
+namespace breakaway {
+
+struct WindingTestOptions {
+  double start_V = 0.02;
+  double doubling_s = 1.0;   ///< the ramp's voltage doubles in this time
+  size_t ramps = 4;          ///< alternating ways
+  double block_s = 0.01;     ///< of the points that are averaged
+  double motion_rad = 0.01;  ///< travel that counts as motion
+  double dates_s = 0.03;     ///< standing points this close before motion are left out
+  double square_s = 3.0;     ///< duration of the square wave
+  double squareHalfPeriod_s = 0.02;
+  double current_limit_A = 0.0;  ///< 0: the controller's own
+};
+
+/// Raises the voltage slowly until the rotor moves, both ways, for the steady line; then a square wave below that level
+/// for the time constant. Fails in words when the rotor doesn't move up to the supply or the current limit's plateau.
+class WindingTest : public TimedProcedure {
+ public:
+  explicit WindingTest(const WindingTestOptions& options = {}) : options_(options) {}
+
+  const std::vector<WindingPoint>& points() const { return points_; }
+  /// Highest standing current of each ramp, positive in its way; the first look at the breakaway current.
+  const std::array<std::vector<double>, 2>& breakaway_A() const { return breakaway_A_; }
+  /// Mean current by ticks after the square wave's edge, made of both edges: (after a rise − after a fall)/2.
+  std::vector<double> squareResponse_A() const;
+  double squareTick_s() const { return squareTick_s_; }
+
+ protected:
+  Command run(const Sample& sample) override;
+  double progress() const override;
+  double remaining_s() const override;
+  std::string activity() const override;
+
+ private:
+  enum class Stage { rest, ramp, square };
+  Command ramp(const Sample& sample);
+  Command square(const Sample& sample);
+  void takePoint(const Sample& sample);
+  void endRamp(const Sample& sample);
+  double way() const { return ramp_ % 2 == 0 ? 1.0 : -1.0; }
+  Command voltage(double voltage_V) const {
+    return {Command::Mode::voltage, voltage_V, options_.current_limit_A, false};
+  }
+
+  WindingTestOptions options_;
+  Stage stage_ = Stage::rest;
+  size_t ramp_ = 0;
+  std::vector<WindingPoint> points_, blocks_;
+  std::vector<double> blockTimes_s_;
+  std::array<std::vector<double>, 2> breakaway_A_;
+  double stageStart_s_ = 0.0, standing_rad_ = 0.0, target_V_ = 0.0, now_s_ = 0.0;
+  double blockVoltage_ = 0.0, blockCurrent_ = 0.0, blockStart_s_ = 0.0;
+  size_t blockCount_ = 0;
+  double moved_V_ = 0.0, onset_V_ = 0.0;  ///< least voltage that moved it; voltage at which current first stood out
+  std::vector<double> sums_;
+  std::vector<size_t> counts_;
+  size_t squareTicks_ = 0;
+  double squareTick_s_ = 0.0;
+};
+
+/// The winding's time constant L/R from squareResponse_A(): the response after a step is I·(1 − 2·e^(−t/τ)); least
+/// squares in τ with I free. In s, with its standard error. Errors: fewer than 4 ticks, no response above the noise.
+Result<Estimate> fitTimeConstant(const std::vector<double>& response_A, double tick_s);
+
+}  // namespace breakaway

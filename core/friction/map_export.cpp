@@ -1,0 +1,77 @@
+#include "friction/map_export.h"
+
+#include <charconv>
+
+#include "base/atomic_file.h"
+#include "friction/map_json.h"
+#include "friction/map_mat.h"
+#include "friction/map_table.h"
+
+namespace breakaway {
+
+namespace {
+
+std::string shortest(double value) {
+  char text[32];
+  return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
+}
+
+std::string csvText(const FrictionMap& map) {
+  const auto columns = mapTable(map);
+  std::string out;
+  for (const MapColumn& column : columns) out += (out.empty() ? "" : ",") + column.name;
+  out += '\n';
+  for (size_t k = 0; k < map.bins.size(); ++k) {
+    for (size_t c = 0; c < columns.size(); ++c) out += (c == 0 ? "" : ",") + shortest(columns[c].values[k]);
+    out += '\n';
+  }
+  return out;
+}
+
+/// One line, no end of comment in it.
+std::string commentText(std::string text) {
+  for (char& c : text) {
+    if (c == '*' || c == '/' || static_cast<unsigned char>(c) < ' ') c = ' ';
+  }
+  return text;
+}
+
+std::string headerText(const FrictionMap& map) {
+  std::string out = "/* Friction map of " + commentText(map.rig) +
+                    ": motor torque by rotor angle, 0 at the encoder's index.\n" +
+                    "   Entry k holds the angles from k to k + 1 times 2 pi / BREAKAWAY_MAP_BINS. */\n" +
+                    "#ifndef BREAKAWAY_FRICTION_MAP_H\n#define BREAKAWAY_FRICTION_MAP_H\n\n" +
+                    "#define BREAKAWAY_MAP_BINS " + std::to_string(map.bins.size()) + "\n" +
+                    "#define BREAKAWAY_MAP_TOTAL_VELOCITY_RAD_PER_S " + shortest(map.totalVelocity_rad_per_s) + "\n\n";
+  for (const MapColumn& column : mapTable(map)) {
+    const bool wanted = column.name.find("_std_") == std::string::npos && column.name.rfind("samples", 0) != 0 &&
+                        column.name.rfind("outlier", 0) != 0 && column.name != "angle_rad";
+    if (!wanted) continue;
+    out += "static const float breakaway_map_" + column.name + "[BREAKAWAY_MAP_BINS] = {";
+    for (size_t k = 0; k < column.values.size(); ++k) {
+      std::string number = shortest(static_cast<double>(static_cast<float>(column.values[k])));
+      if (number.find_first_of(".e") == std::string::npos) number += ".0";
+      out += std::string(k == 0 ? "" : ",") + (k % 6 == 0 ? "\n  " : " ") + number + "f";
+    }
+    out += "\n};\n\n";
+  }
+  return out + "#endif\n";
+}
+
+}  // namespace
+
+Result<void> exportMap(const FrictionMap& map, const std::string& format, const std::string& path) {
+  if (format == "csv") return writeFile(path, csvText(map));
+  if (format == "json") return writeFile(path, mapJsonText(map));
+  if (format == "c-header") return writeFile(path, headerText(map));
+  if (format == "mat") return writeMapMat(map, path);
+  return Error{"format " + format, "is unknown, expected csv, json, c-header or mat"};
+}
+
+Result<FrictionMap> readMap(const std::string& path) {
+  const auto content = readFile(path);
+  if (!content) return content.error();
+  return readMapText(*content, path);
+}
+
+}  // namespace breakaway

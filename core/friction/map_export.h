@@ -1,0 +1,19 @@
+// Friction maps as files: map.json and map.csv of contracts section 5, a C header, a MATLAB file.
+#pragma once
+
+#include <string>
+
+#include "base/result.h"
+#include "friction/friction_map.h"
+
+namespace breakaway {
+
+/// Writes the map as `format`: csv, json, c-header or mat. Errors: an unknown format (the known ones are named), the
+/// file.
+Result<void> exportMap(const FrictionMap& map, const std::string& format, const std::string& path);
+
+/// Reads `breakaway.map/1`. Errors name the file and the field, or the bin.
+Result<FrictionMap> readMap(const std::string& path);
+Result<FrictionMap> readMapText(const std::string& text, const std::string& place);
+
+}  // namespace breakaway

@@ -1,0 +1,160 @@
+#include "friction/map_json.h"
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "friction/map_export.h"
+#include "friction/map_table.h"
+
+namespace breakaway {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr const char* schema = "breakaway.map/1";
+constexpr const char* wayNames[] = {"cw", "ccw"};
+
+Json estimateJson(const Estimate& estimate) {
+  return {{"value", estimate.value}, {"ci95", {estimate.low95(), estimate.high95()}}, {"std", estimate.standardError}};
+}
+
+/// Reads with the first fault kept; fields that it doesn't know are let be, because maps may carry more than this.
+class Reader {
+ public:
+  Reader(const Json& json, std::string place) : json_(json), place_(std::move(place)) {}
+
+  double number(const Json& object, const std::string& name, const std::string& where) {
+    const auto it = object.is_object() ? object.find(name) : object.end();
+    if (object.is_object() && it != object.end() && (it->is_number() || it->is_boolean())) return it->get<double>();
+    fault(where + name,
+          object.is_object() && it != object.end() ? "expected a number" : "is missing, expected a number");
+    return 0.0;
+  }
+  Estimate estimate(const std::string& name) {
+    const Json empty = Json::object();
+    const Json& object = json_.contains(name) ? json_[name] : empty;
+    Estimate result{number(object, "value", name + "."), 0.0};
+    if (object.is_object() && object.contains("std")) result.standardError = number(object, "std", name + ".");
+    return result;
+  }
+  void fault(const std::string& field, const std::string& fact) {
+    if (!first_) first_ = Error{place_ + ", field " + field, fact};
+  }
+  const std::optional<Error>& first() const { return first_; }
+
+ private:
+  const Json& json_;
+  std::string place_;
+  std::optional<Error> first_;
+};
+
+std::vector<MapColumn> readBins(const Json& bins, Reader& reader) {
+  std::vector<MapColumn> columns;
+  for (const MapColumn& column : mapTable({})) {
+    const bool optional = column.name.rfind("outlier", 0) == 0 && !bins[0].contains(column.name);
+    if (optional) continue;
+    MapColumn filled{column.name, {}};
+    for (size_t k = 0; k < bins.size(); ++k)
+      filled.values.push_back(reader.number(bins[k], column.name, "bins[" + std::to_string(k) + "]."));
+    columns.push_back(std::move(filled));
+  }
+  return columns;
+}
+
+void readTurns(const Json& json, FrictionMap& map, Reader& reader) {
+  for (size_t w = 0; w < 2; ++w) {
+    const std::string place = std::string("turn_static_Nm.") + wayNames[w];
+    if (!json.contains("turn_static_Nm") || !json["turn_static_Nm"].contains(wayNames[w])) continue;
+    for (const Json& turn : json["turn_static_Nm"][wayNames[w]]) {
+      std::vector<double> values;
+      bool good = turn.is_array() && turn.size() == map.bins.size();
+      for (const Json& value : turn) {
+        good = good && value.is_number();
+        if (good) values.push_back(value.get<double>());
+      }
+      if (!good) return reader.fault(place, "expected turns of " + std::to_string(map.bins.size()) + " numbers");
+      map.turnStatic_Nm[w].push_back(std::move(values));
+    }
+  }
+}
+
+Result<FrictionMap> readMapJson(const Json& json, const std::string& place) {
+  Reader reader(json, place);
+  if (!json.is_object()) return Error{place, "expected a JSON object"};
+  if (!json.contains("schema") || json["schema"] != schema)
+    return Error{place + ", field schema", std::string("expected \"") + schema + "\""};
+  if (!json.contains("bins") || !json["bins"].is_array() || json["bins"].empty()) {
+    return Error{place + ", field bins", "expected an array with at least one bin"};
+  }
+  FrictionMap map;
+  if (json.contains("rig") && json["rig"].is_string()) map.rig = json["rig"].get<std::string>();
+  const double turns = reader.number(json, "turns", "");
+  if (!(turns >= 0.0 && turns < 1e6)) reader.fault("turns", "expected a count of turns");
+  map.turns = reader.first() ? 0 : static_cast<size_t>(turns);
+  map.totalVelocity_rad_per_s = reader.number(json, "total_velocity_rad_per_s", "");
+  const Json settings = json.value("settings", Json::object());
+  for (const auto& [name, value] : settings.items()) {
+    if (value.is_number()) map.settings.emplace_back(name, value.get<double>());
+  }
+  for (size_t w = 0; w < 2; ++w) {
+    const std::string where = std::string("repeatability.") + wayNames[w] + ".";
+    const Json row = json.contains("repeatability") && json["repeatability"].contains(wayNames[w])
+                         ? json["repeatability"][wayNames[w]]
+                         : Json();
+    map.repeatability[w] = {reader.number(row, "correlation", where), reader.number(row, "rms_difference_Nm", where)};
+  }
+  map.coulombAverage_Nm = reader.estimate("coulomb_average_Nm");
+  map.viscousAverage_Nm_s_per_rad = reader.estimate("viscous_average_Nm_s_per_rad");
+  const auto columns = readBins(json["bins"], reader);
+  for (const MapColumn& column : columns) {
+    const bool count = column.name.rfind("samples", 0) == 0;
+    for (const double value : column.values) {
+      if (count && !(value >= 0.0 && value < 1e9)) reader.fault("bins." + column.name, "expected a count");
+    }
+  }
+  if (!reader.first()) {
+    fillFromTable(map, columns);
+    readTurns(json, map, reader);
+  }
+  if (reader.first()) return *reader.first();
+  return map;
+}
+
+}  // namespace
+
+std::string mapJsonText(const FrictionMap& map) {
+  Json json{{"schema", schema},
+            {"rig", map.rig},
+            {"turns", map.turns},
+            {"total_velocity_rad_per_s", map.totalVelocity_rad_per_s}};
+  json["settings"] = Json::object();
+  for (const auto& [name, value] : map.settings) json["settings"][name] = value;
+  for (size_t w = 0; w < 2; ++w) {
+    json["repeatability"][wayNames[w]] = Json{{"correlation", map.repeatability[w].correlation},
+                                              {"rms_difference_Nm", map.repeatability[w].rmsDifference_Nm}};
+  }
+  json["coulomb_average_Nm"] = estimateJson(map.coulombAverage_Nm);
+  json["viscous_average_Nm_s_per_rad"] = estimateJson(map.viscousAverage_Nm_s_per_rad);
+  for (size_t w = 0; w < 2; ++w) json["turn_static_Nm"][wayNames[w]] = map.turnStatic_Nm[w];
+  const auto columns = mapTable(map);
+  json["bins"] = Json::array();
+  for (size_t k = 0; k < map.bins.size(); ++k) {
+    Json row = Json::object();
+    for (const MapColumn& column : columns) row[column.name] = column.values[k];
+    json["bins"].push_back(std::move(row));
+  }
+  return json.dump(1) + "\n";
+}
+
+Result<FrictionMap> readMapText(const std::string& text, const std::string& place) {
+  if (text.empty()) return Error{place, "is empty, expected a JSON object"};
+  Json json;
+  try {
+    json = Json::parse(text);
+    return readMapJson(json, place);
+  } catch (const Json::exception&) {
+    return Error{place, json.is_null() ? "is not valid JSON" : "has a field of another type than expected"};
+  }
+}
+
+}  // namespace breakaway

@@ -1,0 +1,49 @@
+#include "friction/map_mat.h"
+
+#include <matio.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "friction/map_table.h"
+
+namespace breakaway {
+
+namespace {
+
+bool writeVector(mat_t* file, const std::string& name, std::vector<double> values) {
+  size_t shape[2] = {values.size(), 1};
+  const std::unique_ptr<matvar_t, void (*)(matvar_t*)> variable(
+      Mat_VarCreate(name.c_str(), MAT_C_DOUBLE, MAT_T_DOUBLE, 2, shape, values.data(), MAT_F_DONT_COPY_DATA),
+      Mat_VarFree);
+  return variable != nullptr && Mat_VarWrite(file, variable.get(), MAT_COMPRESSION_NONE) == 0;
+}
+
+}  // namespace
+
+Result<void> writeMapMat(const FrictionMap& map, const std::string& path) {
+  // matio prints its own reasons otherwise; the result says what failed.
+  Mat_LogInitFunc("breakaway", [](int, char*) {});
+  const std::string temporary = path + ".part";
+  mat_t* file = Mat_CreateVer(temporary.c_str(), "Breakaway friction map", MAT_FT_MAT5);
+  if (file == nullptr) return Error{path, "cannot be written"};
+  bool good = true;
+  for (MapColumn& column : mapTable(map)) good = good && writeVector(file, column.name, std::move(column.values));
+  good = good &&
+         writeVector(file, "coulomb_average_Nm", {map.coulombAverage_Nm.value, map.coulombAverage_Nm.standardError});
+  good = good && writeVector(file, "viscous_average_Nm_s_per_rad",
+                             {map.viscousAverage_Nm_s_per_rad.value, map.viscousAverage_Nm_s_per_rad.standardError});
+  good = good && writeVector(file, "total_velocity_rad_per_s", {map.totalVelocity_rad_per_s});
+  good = Mat_Close(file) == 0 && good;
+  std::error_code code;
+  if (good) std::filesystem::rename(temporary, path, code);
+  if (!good || code) {
+    std::remove(temporary.c_str());
+    return Error{path, "cannot be written whole"};
+  }
+  return {};
+}
+
+}  // namespace breakaway

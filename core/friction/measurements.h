@@ -1,0 +1,50 @@
+// What sweeps measure around the rotor, before it becomes a map.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "friction/friction_map.h"
+
+namespace breakaway {
+
+/// One breakaway: a current ramp from standstill until sustained motion, dated back to the last standing sample.
+struct BreakawayEvent {
+  double angle_rad = 0.0;  ///< where the rotor really stood, from the index, in [0, 2π)
+  Way way = Way::ccw;
+  size_t turn = 0;
+  size_t bin = 0;
+  double current_A =
+      0.0;  ///< at the breakaway, positive in the way's direction, the observer's and the motion's lag taken off
+  double torque_Nm = 0.0;  ///< torque constant · current
+  bool outlier = false;    ///< far from its neighbours; marked, never hidden
+
+  /// The ramp in sums over its standing samples, for a calibration over many ramps: what was commanded (as a current by
+  /// the winding's line) and what the sensor showed, both positive in the way's direction.
+  double commanded_A = 0.0;  ///< at the breakaway, lag taken off
+  double commandedMean_A = 0.0;
+  double measuredMean_A = 0.0;
+  double commandedVariance_A2 = 0.0;
+  double covariance_A2 = 0.0;
+  size_t samples = 0;
+};
+
+/// Sums over all samples that fell into one bin of rotor angle.
+struct AngleBinSums {
+  size_t samples = 0;
+  double current_A = 0.0, currentSquared_A2 = 0.0;
+  double velocity_rad_per_s = 0.0, velocitySquared = 0.0;
+};
+
+/// Whole turns at one commanded speed; signs as the board gives them.
+struct VelocityRun {
+  double target_rad_per_s = 0.0;
+  size_t turns = 0;
+  double duration_s = 0.0;
+  double tick_s = 0.0;  ///< speeds are central differences over ± one tick
+  std::vector<AngleBinSums> bins;
+
+  Way way() const { return target_rad_per_s < 0.0 ? Way::cw : Way::ccw; }
+};
+
+}  // namespace breakaway

@@ -1,0 +1,111 @@
+#include "identify/motor_identification.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+namespace breakaway {
+
+namespace {
+
+constexpr size_t leastRows = 20;
+
+struct LeastSquares {
+  Eigen::VectorXd x, error;
+};
+
+LeastSquares solve(const std::vector<Eigen::VectorXd>& rows, const std::vector<double>& right) {
+  const Eigen::Index n = static_cast<Eigen::Index>(rows.size()), m = rows.front().size();
+  Eigen::MatrixXd A(n, m);
+  Eigen::VectorXd y(n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    A.row(k) = rows[static_cast<size_t>(k)].transpose();
+    y[k] = right[static_cast<size_t>(k)];
+  }
+  LeastSquares result;
+  result.x = A.colPivHouseholderQr().solve(y);
+  const double variance = (y - A * result.x).squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, n - m));
+  result.error = (variance * (A.transpose() * A).inverse().diagonal()).cwiseSqrt();
+  return result;
+}
+
+/// Speed over each block, from its two ends; the first block has none.
+std::vector<double> speeds(const std::vector<SpinBlock>& blocks) {
+  std::vector<double> speed(blocks.size(), 0.0);
+  for (size_t k = 1; k < blocks.size(); ++k)
+    speed[k] = (blocks[k].angle_rad - blocks[k - 1].angle_rad) / blocks[k].duration_s;
+  return speed;
+}
+
+Result<LeastSquares> fitBackEmf(const std::vector<SpinBlock>& blocks, const std::vector<double>& speed, double least,
+                                double R) {
+  std::vector<Eigen::VectorXd> rows;
+  std::vector<double> right;
+  for (size_t k = 1; k < blocks.size(); ++k) {
+    if (std::abs(speed[k]) < least || speed[k] * blocks[k].voltage_V <= 0.0) continue;
+    rows.push_back(Eigen::Vector2d(speed[k], std::copysign(1.0, blocks[k].voltage_V)));
+    right.push_back(blocks[k].voltage_V - R * blocks[k].current_A);
+  }
+  if (rows.size() < leastRows)
+    return Error{"motor", "turns in " + std::to_string(rows.size()) + " blocks only, expected at least 20"};
+  return solve(rows, right);
+}
+
+Result<LeastSquares> fitMomentum(const std::vector<SpinBlock>& blocks, const std::vector<double>& speed, double least,
+                                 double Kt, double window_s) {
+  std::vector<Eigen::VectorXd> rows;
+  std::vector<double> right;
+  const auto width = static_cast<size_t>(std::max(3.0, std::round(window_s / blocks.front().duration_s)));
+  for (size_t k = 1; k + width + 1 < blocks.size(); k += width) {
+    bool oneWay = true;
+    for (size_t j = k; j <= k + width + 1; ++j)
+      oneWay = oneWay && speed[j] * speed[k] > 0.0 && std::abs(speed[j]) > least;
+    if (!oneWay) continue;
+    double impulse = 0.0, duration = 0.0;
+    for (size_t j = k + 1; j <= k + width; ++j) {
+      impulse += Kt * blocks[j].current_A * blocks[j].duration_s;
+      duration += blocks[j].duration_s;
+    }
+    // The speed at a block's end is the mean of the blocks on both sides.
+    const double before = 0.5 * (speed[k] + speed[k + 1]), after = 0.5 * (speed[k + width] + speed[k + width + 1]);
+    const double travel = blocks[k + width].angle_rad - blocks[k].angle_rad;
+    rows.push_back(Eigen::Vector3d(after - before, std::copysign(duration, travel), travel));
+    right.push_back(impulse);
+  }
+  if (rows.size() < leastRows)
+    return Error{"motor", "turns one way in " + std::to_string(rows.size()) + " windows only, expected at least 20"};
+  return solve(rows, right);
+}
+
+}  // namespace
+
+Result<IdentifiedMotor> identifyMotor(const std::vector<SpinBlock>& blocks, const WindingLine& winding,
+                                      const Estimate& timeConstant_s, const MotorIdentificationOptions& options) {
+  if (blocks.size() < 2 * leastRows)
+    return Error{"motor", "has " + std::to_string(blocks.size()) + " blocks only, expected at least 40"};
+  const std::vector<double> speed = speeds(blocks);
+  double highest = 0.0;
+  for (const double one : speed) highest = std::max(highest, std::abs(one));
+  const double R = winding.resistance_ohm.value, least = 0.1 * highest;
+  const auto emf = fitBackEmf(blocks, speed, least, R);
+  if (!emf) return emf.error();
+  IdentifiedMotor motor;
+  motor.backEmfConstant_V_s_per_rad = {emf->x[0], emf->error[0]};
+  motor.resistance_ohm = winding.resistance_ohm;
+  motor.deadZone_V = winding.deadZone_V;
+  motor.inductance_H.value = timeConstant_s.value * R;
+  motor.inductance_H.standardError =
+      std::hypot(timeConstant_s.standardError * R, timeConstant_s.value * winding.resistance_ohm.standardError);
+  motor.torqueConstantTrusted = options.trustedTorqueConstant_Nm_per_A.has_value();
+  motor.torqueConstant_Nm_per_A = motor.torqueConstantTrusted ? Estimate{*options.trustedTorqueConstant_Nm_per_A, 0.0}
+                                                              : motor.backEmfConstant_V_s_per_rad;
+  const auto momentum = fitMomentum(blocks, speed, least, motor.torqueConstant_Nm_per_A.value, options.window_s);
+  if (!momentum) return momentum.error();
+  motor.inertia_kg_m2 = {momentum->x[0], momentum->error[0]};
+  motor.coulomb_Nm = {momentum->x[1], momentum->error[1]};
+  motor.viscous_Nm_s_per_rad = {momentum->x[2], momentum->error[2]};
+  if (!(motor.inertia_kg_m2.value > 0.0)) return Error{"motor", "shows no inertia, expected a positive one"};
+  return motor;
+}
+
+}  // namespace breakaway

@@ -1,0 +1,46 @@
+// Coulomb and viscous friction, on average and around the rotor, from runs at constant speed.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "base/estimate.h"
+#include "base/result.h"
+#include "friction/measurements.h"
+
+namespace breakaway {
+
+struct VelocityFrictionOptions {
+  double torqueConstant_Nm_per_A = 0.0;
+  double inertia_kg_m2 = 0.0;
+  size_t bins = 180;         ///< of the result
+  size_t highestOrder = 60;  ///< harmonics of Coulomb friction that are looked at
+  size_t highestViscousOrder = 12;
+  double significance = 3.5;  ///< standard errors by which a harmonic must stand out to be kept
+};
+
+/// One way around the rotor: whole motor torque at zero speed and its slope, positive in the way's direction, per bin.
+struct MovingFriction {
+  std::vector<Estimate> coulomb_Nm;
+  std::vector<Estimate> viscous_Nm_s_per_rad;
+  Estimate coulombMean_Nm;
+  Estimate viscousMean_Nm_s_per_rad;
+  size_t leftOut = 0;  ///< slowest speeds left out because they lie off the line: still in the Stribeck range
+};
+
+/// Per run, current and speed are averaged over angle bins and taken to harmonics of the angle. The motor torque less
+/// what accelerates, Kt·i_k − J·(½ω²)'_k, is fitted over the speeds by C_k + B_k·|ω| for each order k, weighted by its
+/// own noise, so that fast runs count where the inertia doesn't drown them. Harmonics within the noise are left out.
+/// `way`: indexed by Way. Errors: a way with fewer than two speeds.
+Result<std::array<MovingFriction, 2>> fitMovingFriction(const std::vector<VelocityRun>& runs,
+                                                        const VelocityFrictionOptions& options);
+
+/// Mean current of a run over the angle, positive in its way.
+Estimate meanCurrent_A(const VelocityRun& run);
+
+/// Current that keeps it moving in the slowest run of a way, per bin of that run, positive in the way's direction,
+/// smoothed to the harmonics up to `highestOrder`; empty when there is no such run.
+std::vector<double> movingCurrent_A(const std::vector<VelocityRun>& runs, Way way,
+                                    const VelocityFrictionOptions& options);
+
+}  // namespace breakaway

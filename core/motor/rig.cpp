@@ -1,0 +1,156 @@
+#include "motor/rig.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+#include "base/json_object.h"
+#include "motor/rig_effects.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr const char* schema = "breakaway.rig/1";
+constexpr int highestOrder = 1000;
+
+double sumOf(const std::vector<Harmonic>& harmonics, double angle_rad) {
+  double sum = 0.0;
+  for (const Harmonic& one : harmonics) sum += one.amplitude * std::cos(one.order * angle_rad - one.phase_rad);
+  return sum;
+}
+
+std::vector<Harmonic> readHarmonics(JsonObject& object, std::string_view name) {
+  std::vector<Harmonic> harmonics;
+  for (const auto& row : object.rows(name, 3)) {
+    if (row[0] != std::floor(row[0]) || row[0] < 0.0 || row[0] > highestOrder) {
+      object.fault(name, "has the order " + std::to_string(row[0]) + ", expected a whole number from 0 to " +
+                             std::to_string(highestOrder));
+      return {};
+    }
+    harmonics.push_back({static_cast<int>(row[0]), row[1], row[2]});
+  }
+  return harmonics;
+}
+
+FrictionCurve readCurve(JsonObject& friction, const std::string& name) {
+  JsonObject object = friction.object(name);
+  FrictionCurve curve{object.number("mean", Allowed::nonNegative), readHarmonics(object, "harmonics")};
+  double lowest = 0.0;
+  for (int k = 0; k < 7200; ++k) lowest = std::min(lowest, curve.at(k * std::numbers::pi / 3600.0));
+  if (lowest < 0.0) friction.fault(name, "falls below zero around the rotor, expected friction everywhere");
+  return curve;
+}
+
+void readFriction(JsonObject friction, Rig& rig) {
+  const std::array<std::string, 2> ways{"_cw", "_ccw"};
+  for (size_t way = 0; way < 2; ++way) {
+    rig.staticFriction_Nm[way] = readCurve(friction, "static" + ways[way]);
+    rig.coulomb_Nm[way] = readCurve(friction, "coulomb" + ways[way]);
+    rig.viscous_Nm_s_per_rad[way] = readCurve(friction, "viscous" + ways[way]);
+  }
+  rig.stribeckVelocity_rad_per_s = friction.number("stribeck_velocity_rad_per_s", Allowed::positive);
+  rig.scatterRms = friction.number("scatter_rms", 0.0, Allowed::nonNegative);
+  if (rig.scatterRms > 0.3) friction.fault("scatter_rms", "is above 0.3, expected a small relative scatter");
+}
+
+void readCurrentSensor(JsonObject object, RigCurrentSensor& sensor) {
+  sensor.sensitivity_V_per_A = object.number("sensitivity_V_per_A", sensor.sensitivity_V_per_A, Allowed::positive);
+  sensor.gainError = object.number("gain_error", 0.0);
+  if (std::abs(sensor.gainError) > 0.5) object.fault("gain_error", "is beyond ±0.5, expected a small relative error");
+  sensor.offset_A = object.number("offset_A", 0.0);
+  sensor.drift_A_per_s = object.number("drift_A_per_s", 0.0);
+  sensor.noiseRms_A = object.number("noise_rms_A", 0.0, Allowed::nonNegative);
+  const double bits = object.number("adc_bits", sensor.adcBits, Allowed::positive);
+  if (bits != std::floor(bits) || bits < 4 || bits > 24)
+    object.fault("adc_bits", "expected a whole number from 4 to 24");
+  sensor.adcBits = static_cast<int>(bits);
+  sensor.adcRange_V = object.number("adc_range_V", sensor.adcRange_V, Allowed::positive);
+}
+
+void readBridge(JsonObject object, RigBridge& bridge) {
+  bridge.supply_V = object.number("supply_V", Allowed::positive);
+  bridge.deadZoneDuty = object.number("dead_zone_duty", 0.0, Allowed::nonNegative);
+  if (bridge.deadZoneDuty > 0.5) object.fault("dead_zone_duty", "is above 0.5, expected a small part of the duty");
+  bridge.pwmSteps = object.number("pwm_steps", 0.0, Allowed::nonNegative);
+}
+
+RigEffect readEffect(JsonObject& object) {
+  RigEffect effect{object.text("effect"), {}};
+  const auto& kinds = rigEffectKinds();
+  const auto kind =
+      std::find_if(kinds.begin(), kinds.end(), [&](const auto& one) { return one.effect == effect.effect; });
+  JsonObject parameters = object.object("parameters", false);
+  if (kind == kinds.end()) {
+    std::string all;
+    for (const auto& one : kinds) all += (all.empty() ? "" : ", ") + one.effect;
+    object.fault("effect", "is \"" + effect.effect + "\", expected one that a simulated rig can conceal: " + all);
+    return effect;
+  }
+  for (const auto& [name, otherwise] : kind->parameters) {
+    const bool positive = name == "time_constant_s" || name == "current_A";
+    effect.parameters.emplace_back(name,
+                                   parameters.number(name, otherwise, positive ? Allowed::positive : Allowed::any));
+  }
+  return effect;
+}
+
+Result<Rig> readRig(JsonObject root) {
+  Rig rig;
+  const std::string found = root.text("schema");
+  if (found != schema) root.fault("schema", "is \"" + found + "\", expected \"" + schema + "\"");
+  rig.name = root.text("name", "");
+  rig.loopRate_Hz = root.number("loop_rate_Hz", Allowed::positive);
+  if (rig.loopRate_Hz < 200.0 || rig.loopRate_Hz > 100000.0) root.fault("loop_rate_Hz", "expected 200 to 100000");
+  JsonObject motor = root.object("motor");
+  rig.torqueConstant_Nm_per_A = motor.number("torque_constant_Nm_per_A", Allowed::positive);
+  rig.backEmfConstant_V_s_per_rad = motor.number("back_emf_constant_V_s_per_rad", Allowed::positive);
+  rig.resistance_ohm = motor.number("resistance_ohm", Allowed::positive);
+  rig.inductance_H = motor.number("inductance_H", Allowed::positive);
+  rig.inertia_kg_m2 = motor.number("inertia_kg_m2", Allowed::positive);
+  readFriction(root.object("friction"), rig);
+  JsonObject position = root.object("position_torque", false);
+  rig.positionTorque_Nm = readHarmonics(position, "harmonics_Nm");
+  JsonObject encoder = root.object("encoder");
+  rig.encoder.countsPerRev = encoder.number("counts_per_rev", Allowed::positive);
+  if (rig.encoder.countsPerRev < 64.0) encoder.fault("counts_per_rev", "expected at least 64");
+  rig.encoder.indexAngle_rad = encoder.number("index_angle_rad", 0.0);
+  readCurrentSensor(root.object("current_sensor", false), rig.currentSensor);
+  readBridge(root.object("bridge"), rig.bridge);
+  for (JsonObject& effect : root.objects("effects")) rig.effects.push_back(readEffect(effect));
+  if (const auto done = root.finish(); !done) return done.error();
+  return rig;
+}
+
+}  // namespace
+
+double FrictionCurve::at(double angle_rad) const {
+  return mean * (1.0 + sumOf(harmonics, angle_rad));
+}
+
+double Rig::positionTorqueAt(double angle_rad) const {
+  return sumOf(positionTorque_Nm, angle_rad);
+}
+
+double RigEffect::parameter(const std::string& name) const {
+  for (const auto& [key, value] : parameters) {
+    if (key == name) return value;
+  }
+  assert(false);
+  return 0.0;
+}
+
+Result<Rig> readRig(const std::string& path) {
+  auto root = JsonObject::fromFile(path);
+  if (!root) return root.error();
+  return readRig(*root);
+}
+
+Result<Rig> readRigText(const std::string& text, const std::string& place) {
+  auto root = JsonObject::fromText(text, place);
+  if (!root) return root.error();
+  return readRig(*root);
+}
+
+}  // namespace breakaway

@@ -1,0 +1,82 @@
+// The rig file: all there is to a simulated rig; contracts section 6. Only the plant and the truth may look into it.
+#pragma once
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/result.h"
+
+namespace breakaway {
+
+/// One term amplitude · cos(order · θ − phase), θ from the index.
+struct Harmonic {
+  int order = 0;
+  double amplitude = 0.0;  ///< relative to the mean for a friction curve, Nm for the position torque
+  double phase_rad = 0.0;
+};
+
+/// mean · (1 + Σ harmonics) around the rotor, in Nm, or Nm s/rad for viscous friction.
+struct FrictionCurve {
+  double mean = 0.0;
+  std::vector<Harmonic> harmonics;
+  double at(double angle_rad) const;
+};
+
+struct RigEncoder {
+  double countsPerRev = 0.0;
+  double indexAngle_rad = 0.0;  ///< the index, counted from where the shaft stands at power-up
+};
+
+struct RigCurrentSensor {
+  double sensitivity_V_per_A = 0.185;
+  double gainError = 0.0;
+  double offset_A = 0.0;
+  double drift_A_per_s = 0.0;
+  double noiseRms_A = 0.0;
+  int adcBits = 12;
+  double adcRange_V = 5.0;
+};
+
+struct RigBridge {
+  double supply_V = 0.0;
+  double deadZoneDuty = 0.0;  ///< |duty| up to this gives no voltage; beyond it the voltage grows from zero
+  double pwmSteps = 0.0;      ///< duty resolution 1/pwmSteps; 0: continuous
+};
+
+/// Concealed physics: an effect's contract name and its parameters by name.
+struct RigEffect {
+  std::string effect;
+  std::vector<std::pair<std::string, double>> parameters;
+  double parameter(const std::string& name) const;  ///< precondition: the reader has filled it in
+};
+
+struct Rig {
+  std::string name;
+  double loopRate_Hz = 0.0;
+  double torqueConstant_Nm_per_A = 0.0;
+  double backEmfConstant_V_s_per_rad = 0.0;
+  double resistance_ohm = 0.0;
+  double inductance_H = 0.0;
+  double inertia_kg_m2 = 0.0;
+  std::array<FrictionCurve, 2> staticFriction_Nm;  ///< indexed by Way: cw, ccw
+  std::array<FrictionCurve, 2> coulomb_Nm;
+  std::array<FrictionCurve, 2> viscous_Nm_s_per_rad;
+  double stribeckVelocity_rad_per_s = 0.0;
+  double scatterRms = 0.0;                  ///< of one breakaway to the next, relative
+  std::vector<Harmonic> positionTorque_Nm;  ///< positive towards growing angle
+  RigEncoder encoder;
+  RigCurrentSensor currentSensor;
+  RigBridge bridge;
+  std::vector<RigEffect> effects;
+
+  double positionTorqueAt(double angle_rad) const;
+};
+
+/// Reads `breakaway.rig/1` strictly: a missing, wrong or unknown field is an error that names the file and the field,
+/// and so is a friction curve that falls below zero somewhere around the rotor.
+Result<Rig> readRig(const std::string& path);
+Result<Rig> readRigText(const std::string& text, const std::string& place);
+
+}  // namespace breakaway

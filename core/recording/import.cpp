@@ -1,0 +1,207 @@
+#include "recording/import.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <set>
+
+#include "base/atomic_file.h"
+#include "base/json_object.h"
+#include "recording/column_meaning.h"
+#include "recording/json_log.h"
+#include "recording/known_logs.h"
+#include "recording/mat.h"
+#include "recording/text_table.h"
+
+namespace breakaway {
+
+namespace {
+
+std::string shortText(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 9).ptr};
+}
+
+std::string exactText(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+/// Vectors as long as the longest become columns, single values notes.
+Result<RawTable> readMatTable(const std::string& path) {
+  auto channels = readMat(path);
+  if (!channels) return channels.error();
+  RawTable table;
+  size_t rows = 0;
+  for (const Channel& channel : *channels) rows = std::max(rows, channel.values.size());
+  if (rows < 2) return Error{path, "holds single numbers only, expected vectors over time"};
+  for (Channel& channel : *channels) {
+    if (channel.values.size() == rows) {
+      table.columns.push_back({std::move(channel), {}});
+    } else if (channel.values.size() == 1) {
+      table.notes.emplace_back(channel.name, exactText(channel.values.front()));
+    } else {
+      table.remarks.push_back(channel.name + " has " + std::to_string(channel.values.size()) + " values, not " +
+                              std::to_string(rows) + ", and was left out");
+    }
+  }
+  return table;
+}
+
+Result<RawTable> readAny(const std::string& path) {
+  const auto content = readFile(path);
+  if (!content) return content.error();
+  const bool mat = content->starts_with("MATLAB ") || content->starts_with("\x89HDF") || path.ends_with(".mat");
+  if (mat) return readMatTable(path);
+  const size_t start = content->find_first_not_of(" \t\r\n");
+  if (start != std::string::npos && ((*content)[start] == '{' || (*content)[start] == '['))
+    return readJsonLog(*content, path);
+  return readTextTable(*content, path);
+}
+
+/// A name that a header line can hold.
+std::string plainName(std::string name, size_t column) {
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return c == ',' || c == '"' || c == '#' || c < 0x20; }, '_');
+  const size_t start = name.find_first_not_of(' ');
+  if (start == std::string::npos) return "column_" + std::to_string(column + 1);
+  return name.substr(start, name.find_last_not_of(' ') - start + 1);
+}
+
+void convert(std::vector<double>& values, double scale, double offset) {
+  if (scale == 1.0 && offset == 0.0) return;
+  for (double& value : values) value = scale * value + offset;
+}
+
+/// Gives a time without a unit one, by its steps, and counts times of day from the first row.
+void settleTime(std::vector<double>& time, bool unitGiven, std::vector<std::string>& remarks) {
+  std::vector<double> steps;
+  for (size_t k = 1; k < time.size(); ++k) {
+    if (std::isfinite(time[k] - time[k - 1])) steps.push_back(time[k] - time[k - 1]);
+  }
+  if (steps.empty()) return;
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  if (!unitGiven && *middle >= 0.5) {
+    const bool micro = *middle >= 100.0;
+    remarks.push_back("the time has no unit; steps of " + shortText(*middle) + " were taken for " +
+                      (micro ? "µs" : "ms"));
+    convert(time, micro ? 1e-6 : 1e-3, 0.0);
+  }
+  constexpr double elevenDays_s = 1e6;
+  if (std::isfinite(time.front()) && std::abs(time.front()) > elevenDays_s) {
+    remarks.push_back("the time is counted from the first row, which was at " + shortText(time.front()) + " s");
+    const double start = time.front();
+    for (double& value : time) value -= start;
+  }
+}
+
+/// The rule for one column: the map's, or what its name means. Nothing: it keeps its name and values.
+std::optional<Meaning> ruleFor(const std::string& column, const ImportMap& map) {
+  if (const auto it = map.find(column); it != map.end())
+    return Meaning{it->second.to, it->second.scale, it->second.offset, true};
+  return meaningOf(column);
+}
+
+std::string inWords(const std::string& from, const Meaning& meaning) {
+  std::string text = from + " → " + meaning.to;
+  if (meaning.scale != 1.0) text += ", × " + shortText(meaning.scale);
+  if (meaning.offset != 0.0) text += (meaning.offset > 0.0 ? ", + " : ", − ") + shortText(std::abs(meaning.offset));
+  if (!meaning.unitGiven && meaning.to != "time_s") text += ", taken as SI: the name tells no unit";
+  return text;
+}
+
+Result<void> checkMap(const ImportMap& map, const RawTable& table, const std::string& path) {
+  std::vector<std::string> names;
+  for (const RawColumn& column : table.columns) names.push_back(column.channel.name);
+  for (const auto& [name, rule] : map) {
+    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+    const auto suggestion = nearestName(name, names);
+    return Error{path, "has no column \"" + name + "\", which the map names" +
+                           (suggestion ? ", did you mean " + *suggestion + "?" : "")};
+  }
+  return {};
+}
+
+Result<Imported> settle(RawTable table, const ImportMap& map, const std::string& path) {
+  std::vector<Channel> channels;
+  std::vector<std::string> remarks = table.remarks;
+  std::set<std::string> taken;
+  // Those the map names go first, then exact contract names, so that a guess never pushes them out.
+  std::stable_sort(table.columns.begin(), table.columns.end(), [&map](const RawColumn& a, const RawColumn& b) {
+    return map.contains(a.channel.name) && !map.contains(b.channel.name);
+  });
+  for (size_t c = 0; c < table.columns.size(); ++c) {
+    RawColumn& column = table.columns[c];
+    const std::string from = column.channel.name;
+    auto rule = ruleFor(from, map);
+    if (rule && taken.contains(rule->to)) {
+      if (map.contains(from))
+        return Error{path, "two columns become " + rule->to + "; name another one for \"" + from + "\""};
+      remarks.push_back(from + " would be a second " + rule->to + " and keeps its name");
+      rule.reset();
+    }
+    if (column.fault) {
+      if (rule) return *column.fault;
+      remarks.push_back(from + " holds text and was left out");
+      continue;
+    }
+    if (rule) {
+      convert(column.channel.values, rule->scale, rule->offset);
+      if (rule->to == "time_s") settleTime(column.channel.values, rule->unitGiven, remarks);
+      if (rule->to != from) remarks.push_back(inWords(from, *rule));
+      column.channel.name = rule->to;
+    } else {
+      column.channel.name = plainName(from, c);
+    }
+    if (!taken.insert(column.channel.name).second) {
+      remarks.push_back(from + " stands there twice; the second was left out");
+      continue;
+    }
+    channels.push_back(std::move(column.channel));
+  }
+  std::string names;
+  for (const Channel& channel : channels) names += (names.empty() ? "" : ", ") + channel.name;
+  if (!taken.contains("time_s"))
+    return Error{path, "no column could be taken for the time; there are: " + names + "; say which with --map"};
+  if (!taken.contains("angle_rad") && !taken.contains("position_m")) {
+    return Error{path,
+                 "no column could be taken for the angle or position; there are: " + names + "; say which with --map"};
+  }
+  std::stable_partition(channels.begin(), channels.end(), [](const Channel& one) { return one.name == "time_s"; });
+  table.notes.emplace_back("imported from", path.substr(path.find_last_of('/') + 1));
+  auto recording = Recording::seal(path, std::move(channels), std::move(table.notes));
+  if (!recording) return recording.error();
+  return Imported{std::move(*recording), std::move(remarks)};
+}
+
+}  // namespace
+
+Result<ImportMap> readImportMap(const std::string& path) {
+  auto root = JsonObject::fromFile(path);
+  if (!root) return root.error();
+  JsonObject columns = root->object("columns");
+  ImportMap map;
+  for (const std::string& name : columns.objectNames()) {
+    JsonObject rule = columns.object(name);
+    map[name] = {rule.text("to"), rule.number("scale", 1.0), rule.number("offset", 0.0)};
+    if (map[name].to.empty() || map[name].to.find_first_of(",\"#\n") != std::string::npos) {
+      rule.fault("to", "expected a column's name without commas, quotes and #");
+    }
+    if (map[name].scale == 0.0) rule.fault("scale", "is 0, which would leave nothing of the column");
+  }
+  if (const auto done = root->finish(); !done) return done.error();
+  return map;
+}
+
+Result<Imported> importRecording(const std::string& path, const ImportMap& map) {
+  auto table = readAny(path);
+  if (!table) return table.error();
+  if (map.empty()) {
+    if (const auto known = translateKnownLog(*table, path); !known) return known.error();
+  }
+  if (const auto fits = checkMap(map, *table, path); !fits) return fits.error();
+  return settle(std::move(*table), map, path);
+}
+
+}  // namespace breakaway

@@ -1,0 +1,141 @@
+#include "house/include_rules.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <regex>
+#include <set>
+
+#include "base/atomic_file.h"
+
+namespace breakaway::test {
+
+namespace {
+
+/// The rooms of core, each of which may include itself and those before it.
+const std::vector<std::string> rooms{"base",       "friction", "recording", "motor", "observer", "control",
+                                     "experiment", "identify", "diagnose",  "trial", "report"};
+/// What the link stands on.
+const std::set<std::string> belowLink{"base", "friction", "recording", "control", "observer", "motor", "experiment"};
+
+struct Include {
+  std::string what;
+  bool angled = false;
+};
+
+std::vector<Include> includesOf(const std::string& text) {
+  static const std::regex pattern(R"re((?:^|\n)[ \t]*#[ \t]*include[ \t]*([<"])([^">\n]+)[">])re");
+  std::vector<Include> includes;
+  for (auto it = std::sregex_iterator(text.begin(), text.end(), pattern); it != std::sregex_iterator(); ++it) {
+    includes.push_back({(*it)[2], (*it)[1] == "<"});
+  }
+  return includes;
+}
+
+std::string firstPart(const std::string& path) {
+  return path.substr(0, path.find('/'));
+}
+
+size_t rankOf(const std::string& room) {
+  return static_cast<size_t>(std::find(rooms.begin(), rooms.end(), room) - rooms.begin());
+}
+
+bool isQt(const std::string& what) {
+  return (what.size() > 1 && what[0] == 'Q' && what[1] >= 'A' && what[1] <= 'Z') || what.starts_with("Qt") ||
+         what.starts_with("qcustomplot");
+}
+
+bool isPlant(const std::string& path) {
+  return path.starts_with("core/motor/plant") || path.starts_with("core/motor/rig") ||
+         path.starts_with("core/motor/sensors") || path.starts_with("core/trial/");
+}
+
+/// The repository's file that an include in `from` names, or "".
+std::string resolve(const Sources& sources, const std::string& from, const std::string& what) {
+  for (const std::string& folder :
+       {std::string("core/"), std::string(), std::string("app/"), from.substr(0, from.rfind('/') + 1)}) {
+    if (sources.contains(folder + what)) return folder + what;
+  }
+  return {};
+}
+
+/// All files that `from` draws in, directly or not, and through which include of its own.
+std::map<std::string, std::string> closure(const Sources& sources, const std::string& from) {
+  std::map<std::string, std::string> reached;
+  std::vector<std::pair<std::string, std::string>> open;
+  for (const Include& one : includesOf(sources.at(from))) open.emplace_back(resolve(sources, from, one.what), one.what);
+  while (!open.empty()) {
+    const auto [file, through] = open.back();
+    open.pop_back();
+    if (file.empty() || !reached.emplace(file, through).second) continue;
+    for (const Include& one : includesOf(sources.at(file)))
+      open.emplace_back(resolve(sources, file, one.what), through);
+  }
+  return reached;
+}
+
+std::string whyNotInCore(const std::string& path, const Include& one) {
+  if (isQt(one.what)) return "core knows no Qt";
+  if (path.ends_with(".h") && one.what.starts_with("nlohmann/")) return "JSON stays inside readers and writers";
+  if (one.angled) return {};
+  const std::string room = firstPart(path.substr(5)), other = firstPart(one.what);
+  if (one.what.find('/') == std::string::npos) return "includes are written from the layer's folder";
+  if (rankOf(room) == rooms.size()) return room + " is no room of the plan";
+  if (rankOf(other) == rooms.size()) return "core stands on itself only";
+  return rankOf(other) > rankOf(room) ? room + " stands below " + other : std::string();
+}
+
+std::string whyNotInLink(const Include& one) {
+  if (isQt(one.what) && !one.what.starts_with("QSerialPort") && !one.what.starts_with("QTcp"))
+    return "the link knows Qt only in its transports";
+  const std::string other = firstPart(one.what);
+  const bool fine = one.angled || other == "firmware_link" || belowLink.contains(other);
+  return fine ? std::string() : "the link stands beside " + other;
+}
+
+std::string whyNotInApp(const std::string& path, const Include& one) {
+  const bool shown = path.starts_with("app/pages/") || path.starts_with("app/widgets/");
+  const bool cli = path.starts_with("app/cli/") || path == "app/cli_main.cpp";
+  if (cli && (isQt(one.what) || one.what.starts_with("widgets/") || one.what.starts_with("pages/")))
+    return "commands see no window";
+  if (path.starts_with("app/widgets/") && one.what.starts_with("pages/")) return "widgets stand below pages";
+  if (shown && one.what.starts_with("cli/")) return "pages know no commands";
+  if (shown && one.what == "firmware_link/simulated_board.h") return "pages reach a board through the session";
+  if (isPlant("core/" + one.what)) return "above the drive port nobody sees the plant";
+  if (path.ends_with(".h") && one.what.starts_with("nlohmann/")) return "JSON stays inside readers and writers";
+  return {};
+}
+
+}  // namespace
+
+Sources readSources(const std::string& root) {
+  Sources sources;
+  for (const char* layer : {"core", "firmware_link", "app"}) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root + "/" + layer)) {
+      const std::string path = entry.path().string();
+      if (!path.ends_with(".h") && !path.ends_with(".cpp")) continue;
+      if (const auto text = readFile(path)) sources[path.substr(root.size() + 1)] = *text;
+    }
+  }
+  return sources;
+}
+
+std::vector<std::string> breaches(const Sources& sources) {
+  std::vector<std::string> found;
+  for (const auto& [path, text] : sources) {
+    const std::string layer = firstPart(path);
+    for (const Include& one : includesOf(text)) {
+      const std::string why = layer == "core"  ? whyNotInCore(path, one)
+                              : layer == "app" ? whyNotInApp(path, one)
+                                               : whyNotInLink(one);
+      if (!why.empty()) found.push_back(path + " includes " + one.what + ": " + why);
+    }
+    if (!path.starts_with("core/diagnose/")) continue;
+    for (const auto& [file, through] : closure(sources, path)) {
+      if (isPlant(file)) found.push_back(path + " includes " + through + ": the search must not know " + file);
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+}  // namespace breakaway::test

@@ -1,0 +1,129 @@
+#include <QTest>
+#include <cmath>
+
+#include "house/program.h"
+#include "support/temporary.h"
+
+using namespace breakaway::test;
+
+/// Every bad input ends the real program with status 2, one line on standard error that says where and what, nothing on
+/// standard output and no file left behind.
+class TestBadInput : public QObject {
+  Q_OBJECT
+ private slots:
+  void badInput_getsOneLineAndStatus2_data();
+  void badInput_getsOneLineAndStatus2();
+  void goodInput_isAccepted();
+};
+
+using Files = QMap<QString, QByteArray>;
+
+static QByteArray bench(const char* motor = R"("mass_kg": 95)") {
+  return QByteArray(R"({"schema": "breakaway.bench/1", "axis": "linear", "drive": {"input": "force_N"}, "motor": {)") +
+         motor + "}}";
+}
+
+/// Rows of a mass that is pushed to and fro, `position` in place of row 100's position.
+static QByteArray recording(int rows = 5000, const QByteArray& position = {},
+                            const QByteArray& header = "time_s,position_m,force_N") {
+  QByteArray text = header + "\n";
+  for (int k = 0; k < rows; ++k) {
+    const double t = 1e-3 * k, x = 0.01 * std::sin(6.0 * t),
+                 force = -95.0 * 0.36 * std::sin(6.0 * t) + 20.0 * (std::cos(6.0 * t) > 0 ? 1 : -1);
+    text += QByteArray::number(t) + "," + (k == 99 && !position.isEmpty() ? position : QByteArray::number(x, 'g', 9)) +
+            "," + QByteArray::number(force, 'g', 9) + "\n";
+  }
+  return text;
+}
+
+static QByteArray noNumbers() {
+  QByteArray text = "time_s,position_m,force_N\n";
+  for (int k = 0; k < 5000; ++k) text += QByteArray::number(1e-3 * k) + ",nan,1\n";
+  return text;
+}
+
+static const char* const fit = "fit --bench b.json --recording r.csv --out m.json";
+static const char* const diagnose = "diagnose --bench b.json --recording r.csv --out d";
+
+void TestBadInput::badInput_getsOneLineAndStatus2_data() {
+  QTest::addColumn<QString>("words");
+  QTest::addColumn<Files>("files");
+  QTest::addColumn<QString>("line");
+  const auto row = [](const QString& name, const char* words, const Files& files, const char* line) {
+    QTest::newRow(qPrintable(name + ": " + QString(words).section(' ', 0, 0)))
+        << words << files << QString::fromUtf8(line);
+  };
+  for (const char* words : {fit, diagnose}) {
+    const auto ofRecording = [&](const char* name, const QByteArray& text, const char* line) {
+      row(name, words, {{"b.json", bench()}, {"r.csv", text}}, line);
+    };
+    ofRecording("missing column", recording(5000, {}, "time_s,position_m,effort"), "r.csv: has no column force_N");
+    ofRecording("time stands still", "time_s,position_m,force_N\n0,0,0\n0.1,0,0\n0.1,0,0\n",
+                "r.csv, row 3, column time_s: 0.1 does not increase");
+    ofRecording("text in a number", recording(5000, "abc"),
+                "r.csv, row 100, column position_m: expected a finite number, found \"abc\"");
+    ofRecording("empty file", "", "r.csv: is empty");
+    ofRecording("no numbers", noNumbers(), "r.csv");
+    ofRecording("too short", recording(5), "r.csv");
+    const auto ofBench = [&](const char* name, const QByteArray& text, const char* line) {
+      row(name, words, {{"b.json", text}, {"r.csv", recording()}}, line);
+    };
+    ofBench("wrong unit", bench(R"("viscous_Nm_s_per_rad": 1)"),
+            "b.json, field motor.viscous_Nm_s_per_rad: is an unknown field, did you mean viscous_N_s_per_m?");
+    ofBench("negative inertia", bench(R"("mass_kg": -1)"),
+            "b.json, field motor.mass_kg: expected a positive number, found the number -1");
+    ofBench("unknown field", bench(R"("couloomb_N": 1)"),
+            "b.json, field motor.couloomb_N: is an unknown field, did you mean coulomb_N?");
+    ofBench("no JSON", "{\n]", "b.json, line 2: is not valid JSON");
+    row("no such recording", words, {{"b.json", bench()}}, "r.csv: cannot be read");
+    row("no such bench", words, {{"r.csv", recording()}}, "b.json: cannot be read");
+  }
+  row("no such effect", "fit --bench b.json --recording r.csv --effects stribek --out m.json",
+      {{"b.json", bench()}, {"r.csv", recording()}}, "stribek");
+  row("no model", "simulate --model m.json --recording r.csv --out s.csv", {{"m.json", "{}"}, {"r.csv", recording()}},
+      "m.json");
+  row("MATLAB file cut short", "import r.mat --out r.csv",
+      {{"r.mat", QByteArray("MATLAB 5.0 MAT-file").leftJustified(124, ' ') +
+                     QByteArray("\x00\x01IM\x0f\x00\x00\x00\xff\xff\x00\x00", 12)}},
+      "r.mat: is cut short");
+  row("empty MATLAB file", "import r.mat --out r.csv", {{"r.mat", ""}}, "r.mat: is empty");
+  row("no table", "import r.txt --out r.csv", {{"r.txt", "hello"}}, "r.txt: holds no table");
+  row("map of another file", "import r.txt --out r.csv --map m.json",
+      {{"r.txt", "t,q\n0,0\n1,1\n"}, {"m.json", R"({"columns": {"p": {"to": "angle_rad"}}})"}},
+      "r.txt: has no column \"p\"");
+  row("no map", "export --map m.json --as csv --out m.csv", {{"m.json", R"({"schema": "breakaway.bench/1"})"}},
+      "m.json");
+  row("output nowhere", "import r.txt --out none/r.csv", {{"r.txt", "t,q\n0,0\n1,1\n"}},
+      "none/r.csv: cannot be written");
+  row("unknown command", "diagnoze", {}, "diagnoze");
+  row("no command", "", {}, "command");
+  row("missing word", "import r.txt", {}, "--out is required");
+}
+
+void TestBadInput::badInput_getsOneLineAndStatus2() {
+  QFETCH(QString, words);
+  QFETCH(Files, files);
+  QFETCH(QString, line);
+  const TemporaryFolder folder;
+  for (auto it = files.begin(); it != files.end(); ++it) folder.write(it.key().toStdString(), it.value().toStdString());
+  const Outcome outcome =
+      run(builtProgram("breakaway"), words.split(' ', Qt::SkipEmptyParts), QString::fromStdString(folder.path()));
+  QVERIFY2(outcome.status == 2, qPrintable(QString("status %1, said: %2").arg(outcome.status).arg(outcome.err)));
+  QVERIFY2(outcome.err.count('\n') == 1 && outcome.err.endsWith('\n'), qPrintable(outcome.err));
+  QVERIFY2(outcome.err.startsWith("breakaway: ") && outcome.err.contains(line), qPrintable(outcome.err));
+  QVERIFY2(outcome.out.isEmpty(), qPrintable(outcome.out));
+  QCOMPARE(folder.names(), files.keys());
+}
+
+void TestBadInput::goodInput_isAccepted() {
+  const TemporaryFolder folder;
+  folder.write("b.json", bench().toStdString());
+  folder.write("r.csv", recording().toStdString());
+  const Outcome outcome =
+      run(builtProgram("breakaway"), QString(fit).split(' '), QString::fromStdString(folder.path()));
+  QVERIFY2(outcome.status == 0 && outcome.err.isEmpty(), qPrintable(outcome.err));
+  QVERIFY(folder.names().contains("m.json"));
+}
+
+QTEST_APPLESS_MAIN(TestBadInput)
+#include "tst_bad_input.moc"

@@ -1,0 +1,80 @@
+#include <QTest>
+#include <filesystem>
+
+#include "house/include_rules.h"
+
+using namespace breakaway::test;
+
+class TestLayering : public QObject {
+  Q_OBJECT
+ private slots:
+  void sources_keepTheLayering();
+  void plantedBreach_isFound_data();
+  void plantedBreach_isFound();
+  void everyHeader_saysItsIdeaAndGuardsItself();
+};
+
+static std::string root() {
+  return qgetenv("BREAKAWAY_SOURCE_DIR").toStdString();
+}
+
+void TestLayering::sources_keepTheLayering() {
+  const Sources sources = readSources(root());
+  QVERIFY2(sources.size() > 40, "the sources were not found");
+  std::string all;
+  for (const auto& one : breaches(sources)) all += one + "\n";
+  QVERIFY2(all.empty(), all.c_str());
+}
+
+void TestLayering::plantedBreach_isFound_data() {
+  QTest::addColumn<QString>("path");
+  QTest::addColumn<QString>("include");
+  QTest::addColumn<QString>("why");
+  const auto row = [](const char* path, const char* include, const char* why) {
+    QTest::newRow(qPrintable(QString("%1 %2").arg(path, include))) << path << include << why;
+  };
+  row("core/base/planted.h", "\"motor/bench.h\"", "base stands below motor");
+  row("core/recording/planted.cpp", "\"diagnose/model.h\"", "recording stands below diagnose");
+  row("core/observer/planted.h", "\"control/pid.h\"", "observer stands below control");
+  row("core/diagnose/planted.cpp", "\"report/svg_plot.h\"", "diagnose stands below report");
+  row("core/motor/planted.cpp", "<QString>", "core knows no Qt");
+  row("core/motor/planted.cpp", "<QtCore/QString>", "core knows no Qt");
+  row("core/motor/planted.h", "<nlohmann/json.hpp>", "JSON stays inside");
+  row("core/motor/planted.h", "\"bench.h\"", "written from the layer's folder");
+  row("core/motor/planted.cpp", "\"cli/command.h\"", "core stands on itself only");
+  row("core/cellar/planted.cpp", "\"base/result.h\"", "no room of the plan");
+  row("core/diagnose/planted.cpp", "\"motor/plant.h\"", "the search must not know core/motor/plant.h");
+  row("core/diagnose/effects/planted.cpp", "\"motor/middle.h\"", "the search must not know core/motor/plant.h");
+  row("firmware_link/planted.cpp", "\"diagnose/model.h\"", "the link stands beside diagnose");
+  row("firmware_link/planted.cpp", "\"session.h\"", "the link stands beside");
+  row("app/cli/planted.cpp", "\"widgets/time_plot.h\"", "commands see no window");
+  row("app/cli/planted.cpp", "<QWidget>", "commands see no window");
+  row("app/widgets/planted.cpp", "\"pages/home_page.h\"", "widgets stand below pages");
+  row("app/pages/planted.cpp", "\"firmware_link/simulated_board.h\"", "through the session");
+  row("app/planted.cpp", "\"motor/plant.h\"", "nobody sees the plant");
+}
+
+void TestLayering::plantedBreach_isFound() {
+  QFETCH(QString, path);
+  QFETCH(QString, include);
+  QFETCH(QString, why);
+  Sources sources{
+      {"core/motor/plant.h", ""}, {"core/motor/middle.h", "#include \"motor/plant.h\"\n"}, {"core/base/result.h", ""}};
+  QVERIFY(breaches(sources).empty());
+  sources[path.toStdString()] = "#pragma once\n  # include " + include.toStdString() + "\n";
+  const auto found = breaches(sources);
+  QCOMPARE(found.size(), size_t(1));
+  QVERIFY2(found[0].find(why.toStdString()) != std::string::npos && found[0].starts_with(path.toStdString()),
+           found[0].c_str());
+}
+
+void TestLayering::everyHeader_saysItsIdeaAndGuardsItself() {
+  for (const auto& [path, text] : readSources(root())) {
+    if (!path.ends_with(".h")) continue;
+    QVERIFY2(text.find("#pragma once\n") != std::string::npos, path.c_str());
+    QVERIFY2(text.starts_with("// "), path.c_str());
+  }
+}
+
+QTEST_APPLESS_MAIN(TestLayering)
+#include "tst_layering.moc"
