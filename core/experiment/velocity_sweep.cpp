@@ -48,7 +48,8 @@ Command VelocitySweep::run(const Sample& sample) {
         enter(Stage::sum, sample);
         runStart_s_ = sample.time_s;
         startAngle_rad_ = sample.angle_rad;
-        open_ = {target(), 0, 0.0, tick_s(), std::vector<AngleBinSums>(options_.bins)};
+        open_ = {target(), 0, 0.0, tick_s(), std::vector<AngleBinSums>(options_.bins), {}};
+        open_.blocks.assign(std::max<size_t>(2, options_.blocks), open_.bins);
         held_ = 0;
       } else if (inStage_s > options_.settle_s + 5.0) {
         char text[96];
@@ -80,12 +81,10 @@ void VelocitySweep::sum(const Sample& sample) {
     const double place = (angles_rad_[0] - options_.indexAngle_rad) / turn;
     const auto bin =
         static_cast<size_t>((place - std::floor(place)) * static_cast<double>(options_.bins)) % options_.bins;
-    AngleBinSums& sums = open_.bins[bin];
-    ++sums.samples;
-    sums.current_A += current_A_;
-    sums.currentSquared_A2 += current_A_ * current_A_;
-    sums.velocity_rad_per_s += velocity;
-    sums.velocitySquared += velocity * velocity;
+    const double part = (sample.time_s - runStart_s_) / options_.run_s;
+    const auto block = static_cast<size_t>(std::clamp(part, 0.0, 1.0) * static_cast<double>(open_.blocks.size()));
+    open_.bins[bin].add(current_A_, velocity);
+    open_.blocks[std::min(block, open_.blocks.size() - 1)][bin].add(current_A_, velocity);
   } else {
     ++held_;
   }

@@ -15,6 +15,7 @@ struct VelocitySweepOptions {
   double settle_s = 0.6;
   double run_s = 15.0;  ///< at least this long, then on to the end of the turn
   size_t leastTurns = 2;
+  size_t blocks = 8;             ///< stretches of time whose scatter gives the standard errors
   double zeroing_s = 0.5;        ///< the current sensor is zeroed before each run; 0: never
   double current_limit_A = 0.0;  ///< 0: the controller's own
 };

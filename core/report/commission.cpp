@@ -35,6 +35,7 @@ class Job {
   Result<void> sweepBreakaway();
   void fillBench();
   VelocityFrictionOptions frictionOptions() const;
+  double zeroing_s() const;
 
   Drive& drive_;
   const CommissionOptions& options_;
@@ -132,16 +133,26 @@ Result<void> Job::tune() {
 }
 
 Result<void> Job::home() {
-  const auto homing = std::make_shared<Homing>();
+  HomingOptions options;
+  options.countsPerRev = drive_.identity().countsPerRev;
+  const auto homing = std::make_shared<Homing>(options);
   if (const auto ran = runStep("04-homing", homing, 0.01); !ran) return ran;
   done_.indexAngle_rad = homing->indexAngle_rad();
   return {};
+}
+
+/// Long enough to bring the zero's noise to 0.3 % of the friction's current, within reason.
+double Job::zeroing_s() const {
+  const double friction_A = done_.motor.coulomb_Nm.value / done_.motor.torqueConstant_Nm_per_A.value;
+  const double aim_A = 0.003 * std::max(1e-6, friction_A);
+  return std::clamp(done_.noiseRms_A * done_.noiseRms_A / (aim_A * aim_A) / done_.identity.loopRate_Hz, 0.4, 4.0);
 }
 
 VelocityFrictionOptions Job::frictionOptions() const {
   VelocityFrictionOptions options;
   options.torqueConstant_Nm_per_A = done_.motor.torqueConstant_Nm_per_A.value;
   options.inertia_kg_m2 = done_.motor.inertia_kg_m2.value;
+  options.zeroError_A = done_.noiseRms_A / std::sqrt(zeroing_s() * done_.identity.loopRate_Hz);
   options.bins = options_.bins;
   return options;
 }
@@ -149,13 +160,17 @@ VelocityFrictionOptions Job::frictionOptions() const {
 Result<void> Job::sweepVelocity() {
   const IdentifiedMotor& motor = done_.motor;
   const double friction_A = motor.coulomb_Nm.value / motor.torqueConstant_Nm_per_A.value;
-  const double usable_V =
-      drive_.identity().supply_V - motor.deadZone_V.value - motor.resistance_ohm.value * 1.5 * friction_A;
-  const double highest = std::max(1.0, 0.6 * usable_V / motor.backEmfConstant_V_s_per_rad.value);
+  // Top speed from V = V0 + R·i + Ke·ω with friction's current and a third more, and 0.6 of it to leave room for
+  // control.
+  const double perAmp_V = 1.33 * motor.resistance_ohm.value;
+  const double slope_A = std::max(0.0, motor.viscous_Nm_s_per_rad.value) / motor.torqueConstant_Nm_per_A.value;
+  const double usable_V = drive_.identity().supply_V - motor.deadZone_V.value - perAmp_V * friction_A;
+  const double highest = std::max(1.0, 0.6 * usable_V / (motor.backEmfConstant_V_s_per_rad.value + perAmp_V * slope_A));
   VelocitySweepOptions options;
   for (const double part : {0.06, 0.15, 0.4, 1.0}) options.speeds_rad_per_s.push_back(part * highest);
   options.indexAngle_rad = done_.indexAngle_rad.value;
   options.run_s = options_.speedRun_s;
+  options.zeroing_s = zeroing_s();
   const auto sweep = std::make_shared<VelocitySweep>(options);
   if (const auto ran = runStep("05-velocity-sweep", sweep, 0.2); !ran) return ran;
   done_.runs = sweep->runs();
@@ -186,6 +201,8 @@ Result<void> Job::sweepBreakaway() {
   for (const Way way : {Way::cw, Way::ccw})
     options.moving_A[static_cast<size_t>(way)] = movingCurrent_A(done_.runs, way, frictionOptions());
   options.countsPerRev = drive_.identity().countsPerRev;
+  options.zeroing_s = zeroing_s();
+  options.zeroEvery_s = 20.0 * std::max(0.5, options.zeroing_s);
   options.current_limit_A = done_.settings.current_limit_A;
   const auto sweep = std::make_shared<BreakawaySweep>(options);
   if (const auto ran = runStep("06-breakaway-sweep", sweep, 0.738); !ran) return ran;
