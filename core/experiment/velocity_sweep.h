@@ -39,6 +39,8 @@ class VelocitySweep : public TimedProcedure {
   double target() const;
   Command drive() const { return {Command::Mode::velocity, target(), options_.current_limit_A, false}; }
   void enter(Stage stage, const Sample& sample);
+  void settle(const Sample& sample);
+  void beginRun(const Sample& sample);
   void sum(const Sample& sample);
   void endRun(const Sample& sample);
 
@@ -48,8 +50,9 @@ class VelocitySweep : public TimedProcedure {
   std::vector<VelocityRun> runs_;
   VelocityRun open_;
   double stageStart_s_ = 0.0, now_s_ = 0.0, runStart_s_ = 0.0, startAngle_rad_ = 0.0;
-  double angles_rad_[2] = {0.0, 0.0}, current_A_ = 0.0;  ///< of the two samples before
-  int held_ = 0;
+  std::vector<double> angles_rad_, currents_A_;  ///< of the last 2·span_ + 1 samples, in a ring
+  size_t span_ = 1, taken_ = 0;
+  double nearest_rad_per_s_ = 0.0, nearer_s_ = 0.0;  ///< to the speed while settling, and when it last came nearer
   bool begun_ = false;
 };
 

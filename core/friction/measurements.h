@@ -49,7 +49,7 @@ struct VelocityRun {
   double target_rad_per_s = 0.0;
   size_t turns = 0;
   double duration_s = 0.0;
-  double tick_s = 0.0;  ///< speeds are central differences over ± one tick
+  double halfSpan_s = 0.0;  ///< speeds are central differences over ± this time
   std::vector<AngleBinSums> bins;
   std::vector<std::vector<AngleBinSums>> blocks;  ///< the same by stretches of time, for the scatter between them
 

@@ -14,7 +14,7 @@ namespace {
 using Complex = std::complex<double>;
 constexpr double turn = 2.0 * std::numbers::pi;
 constexpr double mostPhase =
-    2.0;  // of an order's phase per tick, beyond which the central difference shows too little of it
+    2.0;  // of an order's phase in half the span, beyond which the central difference shows too little of it
 
 /// One run's torque by harmonic order, in the way's direction: τ(θ) = Re Σ τ_k·e^{jkθ}.
 struct Spectrum {
@@ -76,8 +76,8 @@ size_t usableOrder(const VelocityRun& run, size_t highest) {
 
 /// Torque harmonics of one set of bins: Kt·i_k − J·(½ω²)'_k. A central difference over ± one tick shows sin(x)/x of a
 /// speed ripple of order k, x = kωT; orders with x ≥ 2 are not seen and are left zero.
-std::vector<Complex> torqueHarmonics(const std::vector<AngleBinSums>& bins, double tick_s, double sign, size_t highest,
-                                     const VelocityFrictionOptions& options) {
+std::vector<Complex> torqueHarmonics(const std::vector<AngleBinSums>& bins, double halfSpan_s, double sign,
+                                     size_t highest, const VelocityFrictionOptions& options) {
   const auto current = filled(bins, &AngleBinSums::current_A);
   const auto velocity = filled(bins, &AngleBinSums::velocity_rad_per_s);
   const double speed = std::abs(harmonic(velocity, 0).real());
@@ -85,7 +85,7 @@ std::vector<Complex> torqueHarmonics(const std::vector<AngleBinSums>& bins, doub
   for (size_t k = 0; k < velocity.size(); ++k) halfSquare[k] = 0.5 * velocity[k] * velocity[k];
   std::vector<Complex> torque;
   for (size_t k = 0; k <= highest; ++k) {
-    const double x = static_cast<double>(k) * speed * tick_s;
+    const double x = static_cast<double>(k) * speed * halfSpan_s;
     if (x >= mostPhase) {
       torque.push_back(0.0);
       continue;
@@ -122,15 +122,15 @@ Spectrum spectrumOf(const VelocityRun& run, const VelocityFrictionOptions& optio
   const size_t highest = usableOrder(run, options.highestOrder);
   Spectrum spectrum;
   spectrum.speed_rad_per_s = sign * harmonic(filled(run.bins, &AngleBinSums::velocity_rad_per_s), 0).real();
-  spectrum.torque_Nm = torqueHarmonics(run.bins, run.tick_s, sign, highest, options);
+  spectrum.torque_Nm = torqueHarmonics(run.bins, run.halfSpan_s, sign, highest, options);
   std::vector<std::vector<Complex>> blocks;
-  for (const auto& block : run.blocks) blocks.push_back(torqueHarmonics(block, run.tick_s, sign, highest, options));
+  for (const auto& block : run.blocks) blocks.push_back(torqueHarmonics(block, run.halfSpan_s, sign, highest, options));
   const auto between = scatterBetween(blocks, highest + 1);
   for (size_t k = 0; k <= highest; ++k) {
     // At least what white noise of the samples leaves; the scatter between blocks sees slow fluctuations, too.
     const double inertial = J * static_cast<double>(k) * spectrum.speed_rad_per_s;
     const double white = Kt * Kt * currentVariance + inertial * inertial * velocityVariance;
-    const bool seen = static_cast<double>(k) * spectrum.speed_rad_per_s * run.tick_s < mostPhase;
+    const bool seen = static_cast<double>(k) * spectrum.speed_rad_per_s * run.halfSpan_s < mostPhase;
     const double variance = k == 0 ? std::max(white, between[0]) + zero * zero : std::max(2.0 * white, between[k]);
     spectrum.variance_Nm2.push_back(seen ? variance + 1e-24 : std::numeric_limits<double>::infinity());
   }
