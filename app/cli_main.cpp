@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
            cli::addSimulate,
            cli::addDiagnose,
            cli::addImport,
+           cli::addCommission,
        }) {
     add(app, job);
   }

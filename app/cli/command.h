@@ -22,5 +22,6 @@ void addFit(CLI::App& app, Job& chosen);
 void addSimulate(CLI::App& app, Job& chosen);
 void addDiagnose(CLI::App& app, Job& chosen);
 void addImport(CLI::App& app, Job& chosen);
+void addCommission(CLI::App& app, Job& chosen);
 
 }  // namespace breakaway::cli

@@ -10,8 +10,10 @@ namespace breakaway {
 
 namespace {
 constexpr double turn = 2.0 * std::numbers::pi;
-constexpr double spanAngle_rad = 1.0 / 30.0;  // half the span of a speed; order 60 is then shown by sin(2)/2
-constexpr double stuck_s = 3.0;               // without coming nearer to the speed
+constexpr double spanAngle_rad = 1.0 / 30.0;      // half the span of a speed; order 60 is then shown by sin(2)/2
+constexpr double fastSpanAngle_rad = 1.0 / 12.0;  // where the inertia hides the finest harmonics anyway
+constexpr double held_s = 0.4;                    // near the speed for so long before it counts
+constexpr double stuck_s = 3.0;                   // without coming nearer to the speed
 }  // namespace
 
 VelocitySweep::VelocitySweep(VelocitySweepOptions options) : options_(std::move(options)) {
@@ -23,9 +25,16 @@ double VelocitySweep::target() const {
   return next_ % 2 == 0 ? speed : -speed;
 }
 
+double VelocitySweep::wobble() const {
+  if (stage_ != Stage::sum) return 0.0;
+  const double phase = (now_s_ - runStart_s_) / options_.run_s * static_cast<double>(options_.blocks);
+  const double part = phase - std::floor(phase);
+  return options_.wobble * (part < 0.25 ? 4.0 * part : part < 0.75 ? 2.0 - 4.0 * part : 4.0 * part - 4.0);
+}
+
 void VelocitySweep::enter(Stage stage, const Sample& sample) {
   stage_ = stage;
-  stageStart_s_ = nearer_s_ = sample.time_s;
+  stageStart_s_ = nearer_s_ = reached_s_ = sample.time_s;
   nearest_rad_per_s_ = std::numeric_limits<double>::infinity();
 }
 
@@ -62,8 +71,10 @@ void VelocitySweep::settle(const Sample& sample) {
     nearest_rad_per_s_ = off;
     nearer_s_ = sample.time_s;
   }
-  const bool near = off < 0.1 * std::abs(target()) + 0.3;
-  if (sample.time_s - stageStart_s_ > options_.settle_s && near) {
+  // A rotor that still comes up to speed would take its inertia's torque for friction.
+  const bool near = off < 0.015 * std::abs(target()) + 0.3;
+  if (!near) reached_s_ = sample.time_s;
+  if (sample.time_s - stageStart_s_ > options_.settle_s && sample.time_s - reached_s_ > held_s) {
     beginRun(sample);
   } else if (!near && sample.time_s - nearer_s_ > stuck_s) {
     char text[96];
@@ -78,7 +89,9 @@ void VelocitySweep::beginRun(const Sample& sample) {
   runStart_s_ = sample.time_s;
   startAngle_rad_ = sample.angle_rad;
   // As long a span as the finest harmonics allow: it divides the encoder's rounding.
-  span_ = static_cast<size_t>(std::max(1.0, std::floor(spanAngle_rad / (std::abs(target()) * tick_s()))));
+  const double slowest = *std::min_element(options_.speeds_rad_per_s.begin(), options_.speeds_rad_per_s.end());
+  const double span_rad = std::abs(target()) > 4.0 * slowest ? fastSpanAngle_rad : spanAngle_rad;
+  span_ = static_cast<size_t>(std::max(1.0, std::floor(span_rad / (std::abs(target()) * tick_s()))));
   taken_ = 0;
   angles_rad_.assign(2 * span_ + 1, 0.0);
   currents_A_.assign(2 * span_ + 1, 0.0);

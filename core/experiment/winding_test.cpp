@@ -118,6 +118,7 @@ double WindingTest::progress() const {
 }
 
 double WindingTest::remaining_s() const {
+  if (now_s_ < 1.0) return 6.0 * static_cast<double>(options_.ramps) + options_.square_s;
   const double done = std::max(progress(), 0.05);
   return now_s_ * (1.0 - done) / done;
 }

@@ -20,6 +20,14 @@ namespace {
 
 constexpr double slice_s = 0.25;
 
+double highestSpeed(const std::vector<SpinBlock>& blocks) {
+  double highest = 0.0;
+  for (size_t k = 1; k < blocks.size(); ++k) {
+    highest = std::max(highest, std::abs(blocks[k].angle_rad - blocks[k - 1].angle_rad) / blocks[k].duration_s);
+  }
+  return highest;
+}
+
 /// The job's state while it runs.
 class Job {
  public:
@@ -46,9 +54,11 @@ class Job {
 
 Result<void> Job::runStep(const std::string& step, const std::shared_ptr<Procedure>& procedure, double share) {
   const double rate = drive_.identity().loopRate_Hz;
-  const bool isLong = procedure->status().remaining_s > options_.shortStep_s;
-  const auto every =
-      isLong ? static_cast<size_t>(std::max(1.0, std::round(rate / options_.recordingRate_Hz))) : size_t{1};
+  const double expected_s = procedure->status().remaining_s;
+  const double byRows = expected_s * rate / static_cast<double>(std::max<size_t>(1, options_.mostRows));
+  const double byRate = rate / options_.recordingRate_Hz;
+  const bool isLong = expected_s > options_.shortStep_s;
+  const auto every = isLong ? static_cast<size_t>(std::max({1.0, std::round(byRate), std::round(byRows)})) : size_t{1};
   StepRecorder recorder(step, every);
   std::vector<Sample> samples;
   double told_s = 0.0;
@@ -92,13 +102,23 @@ Result<void> Job::identify() {
   for (size_t way = 0; way < 2; ++way) {
     for (const double one : winding->breakaway_A()[way]) expected_A_[way] = std::max(expected_A_[way], one);
   }
-  const auto spin = std::make_shared<SpinTest>();
+  SpinTestOptions spinOptions;
+  auto spin = std::make_shared<SpinTest>(spinOptions);
   if (const auto ran = runStep("03-spin", spin, 0.03); !ran) return ran;
   MotorIdentificationOptions options;
   if (options_.bench && options_.bench->trusted.contains("torque_constant_Nm_per_A")) {
     options.trustedTorqueConstant_Nm_per_A = options_.bench->motor.torqueConstant;
   }
-  const auto motor = identifyMotor(spin->blocks(), *line, *constant, options);
+  auto motor = identifyMotor(spin->blocks(), *line, *constant, options);
+  if (!motor ||
+      highestSpeed(spin->blocks()) * motor->backEmfConstant_V_s_per_rad.value < 0.3 * drive_.identity().supply_V) {
+    // A heavy rotor doesn't come up to speed in so short a leg.
+    spinOptions.leg_s *= 5.0;
+    spinOptions.cycles = 2;
+    spin = std::make_shared<SpinTest>(spinOptions);
+    if (const auto ran = runStep("03b-spin-slowly", spin, 0.0); !ran) return ran;
+    motor = identifyMotor(spin->blocks(), *line, *constant, options);
+  }
   if (!motor) return Error{"03-spin", motor.error().message()};
   done_.motor = *motor;
   const double Kt = motor->torqueConstant_Nm_per_A.value, Ke = motor->backEmfConstant_V_s_per_rad.value;
@@ -167,7 +187,7 @@ Result<void> Job::sweepVelocity() {
   const double usable_V = drive_.identity().supply_V - motor.deadZone_V.value - perAmp_V * friction_A;
   const double highest = std::max(1.0, 0.6 * usable_V / (motor.backEmfConstant_V_s_per_rad.value + perAmp_V * slope_A));
   VelocitySweepOptions options;
-  for (const double part : {0.06, 0.15, 0.4, 1.0}) options.speeds_rad_per_s.push_back(part * highest);
+  for (const double part : {0.1, 0.2, 0.35, 0.6, 1.0}) options.speeds_rad_per_s.push_back(part * highest);
   options.indexAngle_rad = done_.indexAngle_rad.value;
   options.run_s = options_.speedRun_s;
   options.zeroing_s = zeroing_s();

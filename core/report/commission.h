@@ -28,6 +28,7 @@ struct CommissionOptions {
   double speedRun_s = 15.0;          ///< of each constant speed
   double recordingRate_Hz = 1000.0;  ///< steps that are longer than shortStep_s are decimated to about this rate
   double shortStep_s = 20.0;
+  size_t mostRows = 150000;  ///< of one recording, by further decimation
   bool keepRecordings = true;
   std::function<void(double progress, const std::string& activity)>
       progress;  ///< called about every half second of rig time
