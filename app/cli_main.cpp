@@ -31,6 +31,7 @@ int main(int argc, char** argv) {
            cli::addDiagnose,
            cli::addImport,
            cli::addExport,
+           cli::addCommission,
        }) {
     add(app, job);
   }

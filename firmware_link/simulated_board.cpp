@@ -154,7 +154,7 @@ void SimulatedBoard::stop(const std::string& reason) {
 Sample SimulatedBoard::tick() {
   const EncoderModel::Reading reading = encoder_.read(plant_.angle_rad());
   Sample sample;
-  sample.time_s = static_cast<double>(tickCount_++) * ticks_s_;
+  sample.time_s = static_cast<double>(tickCount_++) / identity_.loopRate_Hz;
   sample.angle_rad = static_cast<double>(reading.count) * count_rad_;
   sample.index = reading.index;
   sample.supply_V = supply_V_;

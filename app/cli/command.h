@@ -23,5 +23,6 @@ void addSimulate(CLI::App& app, Job& chosen);
 void addDiagnose(CLI::App& app, Job& chosen);
 void addImport(CLI::App& app, Job& chosen);
 void addExport(CLI::App& app, Job& chosen);
+void addCommission(CLI::App& app, Job& chosen);
 
 }  // namespace breakaway::cli

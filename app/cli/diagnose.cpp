@@ -3,9 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
-#include "base/atomic_file.h"
 #include "cli/command.h"
 #include "cli/inputs.h"
+#include "report/diagnosis_report.h"
 
 namespace breakaway::cli {
 
@@ -34,10 +34,7 @@ Result<void> runDiagnose(const DiagnoseLine& line) {
   const auto diagnosis = diagnose(*bench, *recordings, *heldout, options);
   if (progressIsWatched()) std::fprintf(stderr, "\r\033[K");
   if (!diagnosis) return diagnosis.error();
-  if (auto done = makeFolder(line.out); !done) return done;
-  if (auto done = writeModel(diagnosis->base, line.out + "/base_model.json"); !done) return done;
-  if (auto done = writeModel(diagnosis->model, line.out + "/model.json"); !done) return done;
-  if (auto done = writeDiagnosis(*diagnosis, line.out + "/diagnosis.json"); !done) return done;
+  if (auto done = writeDiagnosisFolder(*diagnosis, *bench, *recordings, *heldout, line.out); !done) return done;
   std::fputs(inWords(*diagnosis).c_str(), stdout);
   return {};
 }

@@ -71,7 +71,8 @@ Estimate Homing::indexAngle_rad() const {
   double sum = 0.0, squares = 0.0;
   for (const double edge : edges_) sum += edge;
   for (const double edge : edges_) squares += (edge - sum / n) * (edge - sum / n);
-  return {sum / n, n > 1.0 ? std::sqrt(squares / (n - 1.0) / n) : 0.0};
+  const double rounding = options_.countsPerRev > 0.0 ? turn / options_.countsPerRev / std::sqrt(12.0) : 0.0;
+  return {sum / n, std::hypot(rounding, n > 1.0 ? std::sqrt(squares / (n - 1.0) / n) : 0.0)};
 }
 
 double Homing::progress() const {

@@ -16,6 +16,7 @@ struct HomingOptions {
   double mostTurns = 1.5;  ///< of the search
   double timeout_s = 60.0;
   double stall_s = 3.0;          ///< without any motion while it should move
+  double countsPerRev = 0.0;     ///< of the encoder, for the result's standard error; 0: unknown
   double current_limit_A = 0.0;  ///< 0: the controller's own
 };
 

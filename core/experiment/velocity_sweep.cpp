@@ -3,13 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <numbers>
 
 namespace breakaway {
 
 namespace {
 constexpr double turn = 2.0 * std::numbers::pi;
-}
+constexpr double spanAngle_rad = 1.0 / 30.0;      // half the span of a speed; order 60 is then shown by sin(2)/2
+constexpr double fastSpanAngle_rad = 1.0 / 12.0;  // where the inertia hides the finest harmonics anyway
+constexpr double held_s = 0.4;                    // near the speed for so long before it counts
+constexpr double stuck_s = 3.0;                   // without coming nearer to the speed
+}  // namespace
 
 VelocitySweep::VelocitySweep(VelocitySweepOptions options) : options_(std::move(options)) {
   if (options_.speeds_rad_per_s.empty() || options_.bins == 0) fail("no speed or no bin is asked for");
@@ -20,9 +25,17 @@ double VelocitySweep::target() const {
   return next_ % 2 == 0 ? speed : -speed;
 }
 
+double VelocitySweep::wobble() const {
+  if (stage_ != Stage::sum) return 0.0;
+  const double phase = (now_s_ - runStart_s_) / options_.run_s * static_cast<double>(options_.blocks);
+  const double part = phase - std::floor(phase);
+  return options_.wobble * (part < 0.25 ? 4.0 * part : part < 0.75 ? 2.0 - 4.0 * part : 4.0 * part - 4.0);
+}
+
 void VelocitySweep::enter(Stage stage, const Sample& sample) {
   stage_ = stage;
-  stageStart_s_ = sample.time_s;
+  stageStart_s_ = nearer_s_ = reached_s_ = sample.time_s;
+  nearest_rad_per_s_ = std::numeric_limits<double>::infinity();
 }
 
 Command VelocitySweep::run(const Sample& sample) {
@@ -42,27 +55,48 @@ Command VelocitySweep::run(const Sample& sample) {
       command.zeroCurrentSensor = inStage_s > 0.05;
       return command;
     }
-    case Stage::settle: {
-      const bool near = std::abs(sample.velocity_rad_per_s - target()) < 0.1 * std::abs(target()) + 0.3;
-      if (inStage_s > options_.settle_s && near) {
-        enter(Stage::sum, sample);
-        runStart_s_ = sample.time_s;
-        startAngle_rad_ = sample.angle_rad;
-        open_ = {target(), 0, 0.0, tick_s(), std::vector<AngleBinSums>(options_.bins)};
-        held_ = 0;
-      } else if (inStage_s > options_.settle_s + 5.0) {
-        char text[96];
-        std::snprintf(text, sizeof text, "the speed %.1f rad/s was not reached, only %.1f rad/s", target(),
-                      sample.velocity_rad_per_s);
-        fail(text);
-      }
+    case Stage::settle:
+      settle(sample);
       return drive();
-    }
     case Stage::sum:
       sum(sample);
       return drive();
   }
   return {};
+}
+
+void VelocitySweep::settle(const Sample& sample) {
+  const double off = std::abs(sample.velocity_rad_per_s - target());
+  if (off < nearest_rad_per_s_ - 0.02 * std::abs(target())) {
+    nearest_rad_per_s_ = off;
+    nearer_s_ = sample.time_s;
+  }
+  // A rotor that still comes up to speed would take its inertia's torque for friction.
+  const bool near = off < 0.015 * std::abs(target()) + 0.3;
+  if (!near) reached_s_ = sample.time_s;
+  if (sample.time_s - stageStart_s_ > options_.settle_s && sample.time_s - reached_s_ > held_s) {
+    beginRun(sample);
+  } else if (!near && sample.time_s - nearer_s_ > stuck_s) {
+    char text[96];
+    std::snprintf(text, sizeof text, "the speed %.1f rad/s was not reached, only %.1f rad/s", target(),
+                  sample.velocity_rad_per_s);
+    fail(text);
+  }
+}
+
+void VelocitySweep::beginRun(const Sample& sample) {
+  enter(Stage::sum, sample);
+  runStart_s_ = sample.time_s;
+  startAngle_rad_ = sample.angle_rad;
+  // As long a span as the finest harmonics allow: it divides the encoder's rounding.
+  const double slowest = *std::min_element(options_.speeds_rad_per_s.begin(), options_.speeds_rad_per_s.end());
+  const double span_rad = std::abs(target()) > 4.0 * slowest ? fastSpanAngle_rad : spanAngle_rad;
+  span_ = static_cast<size_t>(std::max(1.0, std::floor(span_rad / (std::abs(target()) * tick_s()))));
+  taken_ = 0;
+  angles_rad_.assign(2 * span_ + 1, 0.0);
+  currents_A_.assign(2 * span_ + 1, 0.0);
+  open_ = {target(), 0, 0.0, static_cast<double>(span_) * tick_s(), std::vector<AngleBinSums>(options_.bins), {}};
+  open_.blocks.assign(std::max<size_t>(2, options_.blocks), open_.bins);
 }
 
 void VelocitySweep::sum(const Sample& sample) {
@@ -75,23 +109,19 @@ void VelocitySweep::sum(const Sample& sample) {
     return;
   }
   open_.turns = static_cast<size_t>(std::floor(turns));
-  if (held_ >= 2) {
-    const double velocity = (sample.angle_rad - angles_rad_[1]) / (2.0 * tick_s());
-    const double place = (angles_rad_[0] - options_.indexAngle_rad) / turn;
-    const auto bin =
-        static_cast<size_t>((place - std::floor(place)) * static_cast<double>(options_.bins)) % options_.bins;
-    AngleBinSums& sums = open_.bins[bin];
-    ++sums.samples;
-    sums.current_A += current_A_;
-    sums.currentSquared_A2 += current_A_ * current_A_;
-    sums.velocity_rad_per_s += velocity;
-    sums.velocitySquared += velocity * velocity;
-  } else {
-    ++held_;
-  }
-  angles_rad_[1] = angles_rad_[0];
-  angles_rad_[0] = sample.angle_rad;
-  current_A_ = sample.current_A;
+  const size_t size = angles_rad_.size(), newest = taken_ % size;
+  angles_rad_[newest] = sample.angle_rad;
+  currents_A_[newest] = sample.current_A;
+  if (++taken_ < size) return;
+  const size_t oldest = (newest + 1) % size, middle = (newest + size - span_) % size;
+  const double velocity = (sample.angle_rad - angles_rad_[oldest]) / (2.0 * open_.halfSpan_s);
+  const double place = (angles_rad_[middle] - options_.indexAngle_rad) / turn;
+  const auto bin =
+      static_cast<size_t>((place - std::floor(place)) * static_cast<double>(options_.bins)) % options_.bins;
+  const double part = (sample.time_s - runStart_s_) / options_.run_s;
+  const auto block = static_cast<size_t>(std::clamp(part, 0.0, 1.0) * static_cast<double>(open_.blocks.size()));
+  open_.bins[bin].add(currents_A_[middle], velocity);
+  open_.blocks[std::min(block, open_.blocks.size() - 1)][bin].add(currents_A_[middle], velocity);
 }
 
 void VelocitySweep::endRun(const Sample& sample) {

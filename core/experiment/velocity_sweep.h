@@ -15,7 +15,10 @@ struct VelocitySweepOptions {
   double settle_s = 0.6;
   double run_s = 15.0;  ///< at least this long, then on to the end of the turn
   size_t leastTurns = 2;
-  double zeroing_s = 0.5;        ///< the current sensor is zeroed before each run; 0: never
+  double wobble = 0.015;   ///< slow triangle on the speed, one per block: without it a steady rotor would meet the
+                           ///< encoder's counts and the control tick in step, and their rounding would not average
+  size_t blocks = 8;       ///< stretches of time whose scatter gives the standard errors
+  double zeroing_s = 0.5;  ///< the current sensor is zeroed before each run; 0: never
   double current_limit_A = 0.0;  ///< 0: the controller's own
 };
 
@@ -36,8 +39,13 @@ class VelocitySweep : public TimedProcedure {
  private:
   enum class Stage { zero, settle, sum };
   double target() const;
-  Command drive() const { return {Command::Mode::velocity, target(), options_.current_limit_A, false}; }
+  Command drive() const {
+    return {Command::Mode::velocity, target() * (1.0 + wobble()), options_.current_limit_A, false};
+  }
+  double wobble() const;
   void enter(Stage stage, const Sample& sample);
+  void settle(const Sample& sample);
+  void beginRun(const Sample& sample);
   void sum(const Sample& sample);
   void endRun(const Sample& sample);
 
@@ -47,8 +55,10 @@ class VelocitySweep : public TimedProcedure {
   std::vector<VelocityRun> runs_;
   VelocityRun open_;
   double stageStart_s_ = 0.0, now_s_ = 0.0, runStart_s_ = 0.0, startAngle_rad_ = 0.0;
-  double angles_rad_[2] = {0.0, 0.0}, current_A_ = 0.0;  ///< of the two samples before
-  int held_ = 0;
+  std::vector<double> angles_rad_, currents_A_;  ///< of the last 2·span_ + 1 samples, in a ring
+  size_t span_ = 1, taken_ = 0;
+  double nearest_rad_per_s_ = 0.0, nearer_s_ = 0.0,
+         reached_s_ = 0.0;  ///< to the speed while settling, and when it last came nearer
   bool begun_ = false;
 };
 

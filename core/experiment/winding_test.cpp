@@ -85,11 +85,13 @@ Command WindingTest::square(const Sample& sample) {
     sums_.assign(2 * half, 0.0);
     counts_.assign(2 * half, 0);
   }
-  // Tick 0 of a half period measures what the voltage before left; the first period is the beginning's transient.
+  // A command acts from the next tick on, and that tick still measures what the voltage before left: so the sample of
+  // tick p + 1 is the response's tick 0 to the command of tick p. The first period is the beginning's transient.
   const size_t phase = squareTicks_ % (2 * half);
-  if (squareTicks_ >= 2 * half) {
-    sums_[phase] += sample.current_A;
-    ++counts_[phase];
+  if (squareTicks_ > 2 * half) {
+    const size_t since = (squareTicks_ - 1) % (2 * half);
+    sums_[since] += sample.current_A;
+    ++counts_[since];
   }
   ++squareTicks_;
   if (sample.time_s - stageStart_s_ >= options_.square_s) finish();
@@ -116,6 +118,7 @@ double WindingTest::progress() const {
 }
 
 double WindingTest::remaining_s() const {
+  if (now_s_ < 1.0) return 6.0 * static_cast<double>(options_.ramps) + options_.square_s;
   const double done = std::max(progress(), 0.05);
   return now_s_ * (1.0 - done) / done;
 }

@@ -34,6 +34,14 @@ struct AngleBinSums {
   size_t samples = 0;
   double current_A = 0.0, currentSquared_A2 = 0.0;
   double velocity_rad_per_s = 0.0, velocitySquared = 0.0;
+
+  void add(double amps, double rad_per_s) {
+    ++samples;
+    current_A += amps;
+    currentSquared_A2 += amps * amps;
+    velocity_rad_per_s += rad_per_s;
+    velocitySquared += rad_per_s * rad_per_s;
+  }
 };
 
 /// Whole turns at one commanded speed; signs as the board gives them.
@@ -41,8 +49,9 @@ struct VelocityRun {
   double target_rad_per_s = 0.0;
   size_t turns = 0;
   double duration_s = 0.0;
-  double tick_s = 0.0;  ///< speeds are central differences over ± one tick
+  double halfSpan_s = 0.0;  ///< speeds are central differences over ± this time
   std::vector<AngleBinSums> bins;
+  std::vector<std::vector<AngleBinSums>> blocks;  ///< the same by stretches of time, for the scatter between them
 
   Way way() const { return target_rad_per_s < 0.0 ? Way::cw : Way::ccw; }
 };

@@ -51,6 +51,26 @@ Result<LeastSquares> fitBackEmf(const std::vector<SpinBlock>& blocks, const std:
   return solve(rows, right);
 }
 
+/// Resistance from the spinning motor, where accelerating draws current: v = R·i + Ke·ω + V0·sgn v. The noise of the
+/// blocks' currents pulls it low by less than the 1 % that is added to its error.
+Estimate spinningResistance(const std::vector<SpinBlock>& blocks, const std::vector<double>& speed, double least) {
+  std::vector<Eigen::VectorXd> rows;
+  std::vector<double> right;
+  for (size_t k = 1; k < blocks.size(); ++k) {
+    if (std::abs(speed[k]) < least || speed[k] * blocks[k].voltage_V <= 0.0) continue;
+    rows.push_back(Eigen::Vector3d(blocks[k].current_A, speed[k], std::copysign(1.0, blocks[k].voltage_V)));
+    right.push_back(blocks[k].voltage_V);
+  }
+  if (rows.size() < leastRows) return {0.0, 0.0};
+  const LeastSquares fit = solve(rows, right);
+  return {fit.x[0], std::hypot(fit.error[0], 0.01 * fit.x[0])};
+}
+
+Estimate combined(const Estimate& a, const Estimate& b) {
+  const double u = 1.0 / (a.standardError * a.standardError), v = 1.0 / (b.standardError * b.standardError);
+  return {(u * a.value + v * b.value) / (u + v), 1.0 / std::sqrt(u + v)};
+}
+
 Result<LeastSquares> fitMomentum(const std::vector<SpinBlock>& blocks, const std::vector<double>& speed, double least,
                                  double Kt, double window_s) {
   std::vector<Eigen::VectorXd> rows;
@@ -86,16 +106,20 @@ Result<IdentifiedMotor> identifyMotor(const std::vector<SpinBlock>& blocks, cons
   const std::vector<double> speed = speeds(blocks);
   double highest = 0.0;
   for (const double one : speed) highest = std::max(highest, std::abs(one));
-  const double R = winding.resistance_ohm.value, least = 0.1 * highest;
+  const double least = 0.1 * highest;
+  const Estimate spinning = spinningResistance(blocks, speed, least);
+  const bool both = spinning.value > 0.0 && spinning.standardError > 0.0 && winding.resistance_ohm.standardError > 0.0;
+  const Estimate resistance = both ? combined(winding.resistance_ohm, spinning) : winding.resistance_ohm;
+  const double R = resistance.value;
   const auto emf = fitBackEmf(blocks, speed, least, R);
   if (!emf) return emf.error();
   IdentifiedMotor motor;
   motor.backEmfConstant_V_s_per_rad = {emf->x[0], emf->error[0]};
-  motor.resistance_ohm = winding.resistance_ohm;
+  motor.resistance_ohm = resistance;
   motor.deadZone_V = winding.deadZone_V;
   motor.inductance_H.value = timeConstant_s.value * R;
   motor.inductance_H.standardError =
-      std::hypot(timeConstant_s.standardError * R, timeConstant_s.value * winding.resistance_ohm.standardError);
+      std::hypot(timeConstant_s.standardError * R, timeConstant_s.value * resistance.standardError);
   motor.torqueConstantTrusted = options.trustedTorqueConstant_Nm_per_A.has_value();
   motor.torqueConstant_Nm_per_A = motor.torqueConstantTrusted ? Estimate{*options.trustedTorqueConstant_Nm_per_A, 0.0}
                                                               : motor.backEmfConstant_V_s_per_rad;

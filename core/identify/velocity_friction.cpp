@@ -13,6 +13,8 @@ namespace {
 
 using Complex = std::complex<double>;
 constexpr double turn = 2.0 * std::numbers::pi;
+constexpr double mostPhase =
+    2.0;  // of an order's phase in half the span, beyond which the central difference shows too little of it
 
 /// One run's torque by harmonic order, in the way's direction: τ(θ) = Re Σ τ_k·e^{jkθ}.
 struct Spectrum {
@@ -72,33 +74,65 @@ size_t usableOrder(const VelocityRun& run, size_t highest) {
   return std::min(highest, run.bins.size() / 6);
 }
 
+/// Torque harmonics of one set of bins: Kt·i_k − J·(½ω²)'_k. A central difference over ± one tick shows sin(x)/x of a
+/// speed ripple of order k, x = kωT; orders with x ≥ 2 are not seen and are left zero.
+std::vector<Complex> torqueHarmonics(const std::vector<AngleBinSums>& bins, double halfSpan_s, double sign,
+                                     size_t highest, const VelocityFrictionOptions& options) {
+  const auto current = filled(bins, &AngleBinSums::current_A);
+  const auto velocity = filled(bins, &AngleBinSums::velocity_rad_per_s);
+  const double speed = std::abs(harmonic(velocity, 0).real());
+  std::vector<double> halfSquare(velocity.size());
+  for (size_t k = 0; k < velocity.size(); ++k) halfSquare[k] = 0.5 * velocity[k] * velocity[k];
+  std::vector<Complex> torque;
+  for (size_t k = 0; k <= highest; ++k) {
+    const double x = static_cast<double>(k) * speed * halfSpan_s;
+    if (x >= mostPhase) {
+      torque.push_back(0.0);
+      continue;
+    }
+    const double shown = x < 1e-6 ? 1.0 : std::sin(x) / x;
+    const Complex acceleration = Complex(0.0, static_cast<double>(k)) * harmonic(halfSquare, k) / shown;
+    torque.push_back(sign *
+                     (options.torqueConstant_Nm_per_A * harmonic(current, k) - options.inertia_kg_m2 * acceleration));
+  }
+  return torque;
+}
+
+/// Variance of the real and the imaginary part of each harmonic, from the scatter between stretches of time.
+std::vector<double> scatterBetween(const std::vector<std::vector<Complex>>& blocks, size_t orders) {
+  std::vector<double> variance(orders, 0.0);
+  const auto n = static_cast<double>(blocks.size());
+  if (blocks.size() < 2) return variance;
+  for (size_t k = 0; k < orders; ++k) {
+    Complex mean = 0.0;
+    for (const auto& block : blocks) mean += block[k] / n;
+    for (const auto& block : blocks) variance[k] += std::norm(block[k] - mean) / (n * (n - 1.0)) * (k == 0 ? 1.0 : 0.5);
+  }
+  return variance;
+}
+
 Spectrum spectrumOf(const VelocityRun& run, const VelocityFrictionOptions& options) {
   const double sign = run.way() == Way::ccw ? 1.0 : -1.0;
-  const auto current = filled(run.bins, &AngleBinSums::current_A);
-  auto velocity = filled(run.bins, &AngleBinSums::velocity_rad_per_s);
+  const double Kt = options.torqueConstant_Nm_per_A, J = options.inertia_kg_m2, zero = Kt * options.zeroError_A;
   const auto samples = static_cast<double>(std::max<size_t>(1, samplesOf(run)));
   const double currentVariance =
       scatter(run.bins, &AngleBinSums::current_A, &AngleBinSums::currentSquared_A2) / samples;
   const double velocityVariance =
       scatter(run.bins, &AngleBinSums::velocity_rad_per_s, &AngleBinSums::velocitySquared) / samples;
+  const size_t highest = usableOrder(run, options.highestOrder);
   Spectrum spectrum;
-  spectrum.speed_rad_per_s = sign * harmonic(velocity, 0).real();
-  std::vector<double> halfSquare(velocity.size());
-  for (size_t k = 0; k < velocity.size(); ++k) halfSquare[k] = 0.5 * velocity[k] * velocity[k];
-  const double Kt = options.torqueConstant_Nm_per_A, J = options.inertia_kg_m2;
-  for (size_t k = 0; k <= usableOrder(run, options.highestOrder); ++k) {
-    const auto order = static_cast<double>(k);
-    // A central difference over ± one tick shows sin(kωT)/(kωT) of a speed ripple of order k.
-    const double x = order * spectrum.speed_rad_per_s * run.tick_s;
-    const bool seen = x < 2.0;
-    const double shown = x < 1e-6 ? 1.0 : std::sin(x) / x;
-    const Complex energy = seen ? harmonic(halfSquare, k) / shown : 0.0;
-    const Complex acceleration = Complex(0.0, order) * energy;
-    spectrum.torque_Nm.push_back(sign * (Kt * harmonic(current, k) - J * acceleration));
-    const double inertial = seen ? J * order * spectrum.speed_rad_per_s / shown : 0.0;
-    const double single = Kt * Kt * currentVariance + inertial * inertial * velocityVariance;
-    spectrum.variance_Nm2.push_back(seen ? (k == 0 ? single : 2.0 * single) + 1e-24
-                                         : std::numeric_limits<double>::infinity());
+  spectrum.speed_rad_per_s = sign * harmonic(filled(run.bins, &AngleBinSums::velocity_rad_per_s), 0).real();
+  spectrum.torque_Nm = torqueHarmonics(run.bins, run.halfSpan_s, sign, highest, options);
+  std::vector<std::vector<Complex>> blocks;
+  for (const auto& block : run.blocks) blocks.push_back(torqueHarmonics(block, run.halfSpan_s, sign, highest, options));
+  const auto between = scatterBetween(blocks, highest + 1);
+  for (size_t k = 0; k <= highest; ++k) {
+    // At least what white noise of the samples leaves; the scatter between blocks sees slow fluctuations, too.
+    const double inertial = J * static_cast<double>(k) * spectrum.speed_rad_per_s;
+    const double white = Kt * Kt * currentVariance + inertial * inertial * velocityVariance;
+    const bool seen = static_cast<double>(k) * spectrum.speed_rad_per_s * run.halfSpan_s < mostPhase;
+    const double variance = k == 0 ? std::max(white, between[0]) + zero * zero : std::max(2.0 * white, between[k]);
+    spectrum.variance_Nm2.push_back(seen ? variance + 1e-24 : std::numeric_limits<double>::infinity());
   }
   return spectrum;
 }

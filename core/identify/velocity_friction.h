@@ -13,6 +13,7 @@ namespace breakaway {
 struct VelocityFrictionOptions {
   double torqueConstant_Nm_per_A = 0.0;
   double inertia_kg_m2 = 0.0;
+  double zeroError_A = 0.0;  ///< standard error of the current sensor's zero, another one in each run
   size_t bins = 180;         ///< of the result
   size_t highestOrder = 60;  ///< harmonics of Coulomb friction that are looked at
   size_t highestViscousOrder = 12;

@@ -54,7 +54,7 @@ std::vector<Shape> waveShapes(const Excitation& seen, int lowest, int highest) {
 
 std::string waveText(double orderOrPeriod, Axis axis) {
   if (axis == Axis::linear) return "every " + lengthText(orderOrPeriod);
-  return orderOrPeriod == 1.0 ? "once per turn" : numberText(orderOrPeriod) + " times per turn";
+  return orderOrPeriod == 1.0 ? "once per turn" : digitsText(orderOrPeriod) + " times per turn";
 }
 
 std::string wavePeakText(std::span<const double> p, Axis axis) {

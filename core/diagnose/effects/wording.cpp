@@ -36,7 +36,7 @@ std::string viscousText(double value, Axis axis) {
   return withPrefix(value, axis == Axis::rotary ? "Nm s/rad" : "N s/m");
 }
 std::string speedText(double value, Axis axis) {
-  return axis == Axis::rotary ? numberText(value) + " rad/s" : withPrefix(value, "m/s");
+  return axis == Axis::rotary ? digitsText(value) + " rad/s" : withPrefix(value, "m/s");
 }
 std::string angleText(double value_rad) {
   char text[32];
@@ -51,7 +51,7 @@ std::string percentText(double fraction) {
   std::snprintf(text, sizeof text, "%.0f %%", fraction * 100.0);
   return text;
 }
-std::string numberText(double value) {
+std::string digitsText(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3g", value);
   return text;

@@ -20,7 +20,7 @@ std::string speedText(double value, Axis axis);
 std::string angleText(double value_rad);
 std::string lengthText(double value_m);
 std::string percentText(double fraction);
-std::string numberText(double value);
+std::string digitsText(double value);
 /// "growing angle" or "growing position", and their opposites.
 std::string wayText(double sign, Axis axis);
 

@@ -1,0 +1,97 @@
+#include "report/commission.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
+#include "cli/command.h"
+#include "cli/inputs.h"
+#include "firmware_link/presets.h"
+#include "firmware_link/simulated_board.h"
+#include "firmware_link/simulated_truth.h"
+#include "report/commission_report.h"
+
+namespace breakaway::cli {
+
+namespace {
+
+struct CommissionLine {
+  std::string bench, board = "simulated", out;
+  unsigned seed = 1;
+  size_t bins = 180, turns = 2;
+};
+
+/// The bench file that was named, or the one beside a simulated rig.
+Result<std::optional<Bench>> readBelief(const CommissionLine& line) {
+  std::string file = line.bench;
+  if (file.empty() && isSimulated(line.board)) {
+    const auto rig = rigFileOf(line.board);
+    if (!rig) return rig.error();
+    file = benchFileBeside(*rig);
+  }
+  if (file.empty()) return std::optional<Bench>();
+  const auto bench = readBench(file);
+  if (!bench) return bench.error();
+  if (bench->axis != Axis::rotary)
+    return Error{file + ", field axis", "is linear, expected rotary: a rotor is what is commissioned"};
+  return std::optional<Bench>(*bench);
+}
+
+Result<void> runCommission(const CommissionLine& line) {
+  auto bench = readBelief(line);
+  if (!bench) return bench.error();
+  auto drive = openDrive(line.board, line.seed);
+  if (!drive) return drive.error();
+  CommissionOptions options;
+  options.bench = *bench;
+  options.rig = options.bench && !options.bench->name.empty() ? options.bench->name : (*drive)->identity().device;
+  options.bins = line.bins;
+  options.turns = line.turns;
+  if (progressIsWatched()) {
+    options.progress = [](double part, const std::string& activity) {
+      std::fprintf(stderr, "\r\033[K%3.0f %%  %s", 100.0 * part, activity.c_str());
+    };
+  }
+  const auto done = commission(**drive, options);
+  if (progressIsWatched()) std::fprintf(stderr, "\r\033[K");
+  if (!done) return done.error();
+  std::optional<FrictionMap> truth;
+  if (isSimulated(line.board)) {
+    auto known = trueMap(line.board, options.bins, done->map.totalVelocity_rad_per_s);
+    if (!known) return known.error();
+    truth = std::move(*known);
+  }
+  if (const auto written = writeCommission(*done, truth, line.out); !written) return written;
+  std::printf("%s\n", inWords(*done).c_str());
+  for (const std::string& remark : done->remarks) std::printf("%s\n", remark.c_str());
+  std::printf("Report: %s/report.html\n", line.out.c_str());
+  return {};
+}
+
+}  // namespace
+
+void addCommission(CLI::App& app, Job& chosen) {
+  auto line = std::make_shared<CommissionLine>();
+  auto* command =
+      app.add_subcommand("commission", "Do the whole bench job: identify, home, sweep both ways, map the friction");
+  command->add_option(
+      "--bench", line->bench,
+      "bench file, NAME.bench.json; without it the one beside a simulated rig, or none: then everything is identified");
+  command->add_option("--board", line->board, "simulated, simulated:PRESET or simulated:FILE.rig.json")
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--out", line->out,
+          "folder for bench.json, recordings, map.json, map.csv, report.html, and truth.csv of a simulated board")
+      ->required();
+  command->add_option("--seed", line->seed, "seed of a simulated board's noise")->capture_default_str();
+  command->add_option("--bins", line->bins, "bins around the rotor")
+      ->capture_default_str()
+      ->check(CLI::Range(36, 1440));
+  command->add_option("--turns", line->turns, "turns of the breakaway sweep each way")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 20));
+  command->callback([line, &chosen] { chosen = [line] { return runCommission(*line); }; });
+}
+
+}  // namespace breakaway::cli

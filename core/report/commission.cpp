@@ -1,0 +1,307 @@
+#include "report/commission.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "control/tuning.h"
+#include "experiment/breakaway_sweep.h"
+#include "experiment/current_zeroing.h"
+#include "experiment/homing.h"
+#include "experiment/spin_test.h"
+#include "experiment/winding_test.h"
+#include "identify/map_estimation.h"
+#include "report/step_recorder.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr double slice_s = 0.25;
+
+double highestSpeed(const std::vector<SpinBlock>& blocks) {
+  double highest = 0.0;
+  for (size_t k = 1; k < blocks.size(); ++k) {
+    highest = std::max(highest, std::abs(blocks[k].angle_rad - blocks[k - 1].angle_rad) / blocks[k].duration_s);
+  }
+  return highest;
+}
+
+/// The job's state while it runs.
+class Job {
+ public:
+  Job(Drive& drive, const CommissionOptions& options) : drive_(drive), options_(options) {}
+  Result<Commission> run();
+
+ private:
+  Result<void> runStep(const std::string& step, const std::shared_ptr<Procedure>& procedure, double share);
+  Result<void> identify();
+  Result<void> tune();
+  Result<void> home();
+  Result<void> sweepVelocity();
+  Result<void> sweepBreakaway();
+  void fillBench();
+  VelocityFrictionOptions frictionOptions() const;
+  double zeroing_s() const;
+
+  Drive& drive_;
+  const CommissionOptions& options_;
+  Commission done_;
+  std::array<double, 2> expected_A_{0.0, 0.0};
+  double progress_ = 0.0;
+};
+
+Result<void> Job::runStep(const std::string& step, const std::shared_ptr<Procedure>& procedure, double share) {
+  const double rate = drive_.identity().loopRate_Hz;
+  const double expected_s = procedure->status().remaining_s;
+  const double byRows = expected_s * rate / static_cast<double>(std::max<size_t>(1, options_.mostRows));
+  const double byRate = rate / options_.recordingRate_Hz;
+  const bool isLong = expected_s > options_.shortStep_s;
+  const auto every = isLong ? static_cast<size_t>(std::max({1.0, std::round(byRate), std::round(byRows)})) : size_t{1};
+  StepRecorder recorder(step, every);
+  std::vector<Sample> samples;
+  double told_s = 0.0;
+  size_t lost = 0;
+  drive_.start(procedure);
+  while (procedure->state() == Procedure::State::running) {
+    samples.clear();
+    const auto advanced = drive_.advance(slice_s, samples);
+    if (!advanced) return advanced.error();
+    lost += *advanced;
+    done_.rigTime_s += slice_s;
+    if (options_.keepRecordings) recorder.append(samples);
+    if (options_.progress && (told_s += slice_s) >= 0.5) {
+      const auto status = procedure->status();
+      options_.progress(progress_ + share * status.progress, status.activity);
+      told_s = 0.0;
+    }
+  }
+  progress_ += share;
+  if (lost > 0) done_.remarks.push_back(step + ": " + std::to_string(lost) + " samples were lost on the way.");
+  const auto status = procedure->status();
+  if (status.state != Procedure::State::finished) return Error{step, status.failure};
+  if (!options_.keepRecordings) return {};
+  auto recording = recorder.seal({{"device", drive_.identity().device}, {"firmware", drive_.identity().firmware}});
+  if (!recording) return recording.error();
+  done_.recordings.emplace_back(step, std::move(*recording));
+  return {};
+}
+
+Result<void> Job::identify() {
+  const auto zeroing = std::make_shared<CurrentZeroing>();
+  if (const auto ran = runStep("01-zero", zeroing, 0.002); !ran) return ran;
+  done_.noiseRms_A = zeroing->noiseRms_A();
+  done_.sensorZero_A = zeroing->zero_A();
+  const auto winding = std::make_shared<WindingTest>();
+  if (const auto ran = runStep("02-winding", winding, 0.02); !ran) return ran;
+  const auto line = fitWindingLine(winding->points());
+  if (!line) return Error{"02-winding", line.error().message()};
+  const auto constant = fitTimeConstant(winding->squareResponse_A(), winding->squareTick_s());
+  if (!constant) return Error{"02-winding", constant.error().message()};
+  for (size_t way = 0; way < 2; ++way) {
+    for (const double one : winding->breakaway_A()[way]) expected_A_[way] = std::max(expected_A_[way], one);
+  }
+  SpinTestOptions spinOptions;
+  auto spin = std::make_shared<SpinTest>(spinOptions);
+  if (const auto ran = runStep("03-spin", spin, 0.03); !ran) return ran;
+  MotorIdentificationOptions options;
+  if (options_.bench && options_.bench->trusted.contains("torque_constant_Nm_per_A")) {
+    options.trustedTorqueConstant_Nm_per_A = options_.bench->motor.torqueConstant;
+  }
+  auto motor = identifyMotor(spin->blocks(), *line, *constant, options);
+  if (!motor ||
+      highestSpeed(spin->blocks()) * motor->backEmfConstant_V_s_per_rad.value < 0.3 * drive_.identity().supply_V) {
+    // A heavy rotor doesn't come up to speed in so short a leg.
+    spinOptions.leg_s *= 5.0;
+    spinOptions.cycles = 2;
+    spin = std::make_shared<SpinTest>(spinOptions);
+    if (const auto ran = runStep("03b-spin-slowly", spin, 0.0); !ran) return ran;
+    motor = identifyMotor(spin->blocks(), *line, *constant, options);
+  }
+  if (!motor) return Error{"03-spin", motor.error().message()};
+  done_.motor = *motor;
+  const double Kt = motor->torqueConstant_Nm_per_A.value, Ke = motor->backEmfConstant_V_s_per_rad.value;
+  if (std::abs(Kt - Ke) > 0.05 * Ke) {
+    done_.remarks.push_back(
+        "The trusted torque constant and the measured back-EMF constant differ by more than 5 %; in SI they are the "
+        "same "
+        "quantity. All torques rest on the trusted one.");
+  }
+  return {};
+}
+
+Result<void> Job::tune() {
+  const double J = done_.motor.inertia_kg_m2.value, Kt = done_.motor.torqueConstant_Nm_per_A.value;
+  const double tick_s = 1.0 / drive_.identity().loopRate_Hz;
+  const double filter = std::min(400.0, 0.4 / tick_s);  // of the board's speed
+  const auto gains = tuneMotion(J, Kt, 0.15 * filter, 0.1 * filter);
+  ControllerSettings settings = drive_.settings();
+  settings.velocity_kp_A_s_per_rad = gains.velocity_kp_A_s_per_rad;
+  settings.velocity_ki_A_per_rad = gains.velocity_ki_A_per_rad;
+  settings.velocity_kd_A_s2_per_rad = 0.0;
+  settings.position_kp_A_per_rad = gains.position_kp_A_per_rad;
+  settings.position_ki_A_per_rad_s = 0.0;
+  settings.position_kd_A_s_per_rad = gains.position_kd_A_s_per_rad;
+  settings.observer_cutoff_rad_per_s = tuneObserver(tick_s, filter);
+  settings.nominal_inertia_kg_m2 = J;
+  settings.nominal_torque_constant_Nm_per_A = Kt;
+  const auto accepted = drive_.configure(settings);
+  if (!accepted) return accepted.error();
+  done_.settings = *accepted;
+  return {};
+}
+
+Result<void> Job::home() {
+  HomingOptions options;
+  options.countsPerRev = drive_.identity().countsPerRev;
+  const auto homing = std::make_shared<Homing>(options);
+  if (const auto ran = runStep("04-homing", homing, 0.01); !ran) return ran;
+  done_.indexAngle_rad = homing->indexAngle_rad();
+  return {};
+}
+
+/// Long enough to bring the zero's noise to 0.3 % of the friction's current, within reason.
+double Job::zeroing_s() const {
+  const double friction_A = done_.motor.coulomb_Nm.value / done_.motor.torqueConstant_Nm_per_A.value;
+  const double aim_A = 0.003 * std::max(1e-6, friction_A);
+  return std::clamp(done_.noiseRms_A * done_.noiseRms_A / (aim_A * aim_A) / done_.identity.loopRate_Hz, 0.4, 4.0);
+}
+
+VelocityFrictionOptions Job::frictionOptions() const {
+  VelocityFrictionOptions options;
+  options.torqueConstant_Nm_per_A = done_.motor.torqueConstant_Nm_per_A.value;
+  options.inertia_kg_m2 = done_.motor.inertia_kg_m2.value;
+  options.zeroError_A = done_.noiseRms_A / std::sqrt(zeroing_s() * done_.identity.loopRate_Hz);
+  options.bins = options_.bins;
+  return options;
+}
+
+Result<void> Job::sweepVelocity() {
+  const IdentifiedMotor& motor = done_.motor;
+  const double friction_A = motor.coulomb_Nm.value / motor.torqueConstant_Nm_per_A.value;
+  // Top speed from V = V0 + R·i + Ke·ω with friction's current and a third more, and 0.6 of it to leave room for
+  // control.
+  const double perAmp_V = 1.33 * motor.resistance_ohm.value;
+  const double slope_A = std::max(0.0, motor.viscous_Nm_s_per_rad.value) / motor.torqueConstant_Nm_per_A.value;
+  const double usable_V = drive_.identity().supply_V - motor.deadZone_V.value - perAmp_V * friction_A;
+  const double highest = std::max(1.0, 0.6 * usable_V / (motor.backEmfConstant_V_s_per_rad.value + perAmp_V * slope_A));
+  VelocitySweepOptions options;
+  for (const double part : {0.1, 0.2, 0.35, 0.6, 1.0}) options.speeds_rad_per_s.push_back(part * highest);
+  options.indexAngle_rad = done_.indexAngle_rad.value;
+  options.run_s = options_.speedRun_s;
+  options.zeroing_s = zeroing_s();
+  const auto sweep = std::make_shared<VelocitySweep>(options);
+  if (const auto ran = runStep("05-velocity-sweep", sweep, 0.2); !ran) return ran;
+  done_.runs = sweep->runs();
+  auto moving = fitMovingFriction(done_.runs, frictionOptions());
+  if (!moving) return moving.error();
+  done_.moving = std::move(*moving);
+  const size_t leftOut = std::max(done_.moving[0].leftOut, done_.moving[1].leftOut);
+  if (leftOut > 0) {
+    done_.remarks.push_back("The slowest " + std::to_string(leftOut) +
+                            " speeds lie off the line and were left out of Coulomb and viscous friction: there "
+                            "friction still falls with speed.");
+  }
+  return {};
+}
+
+Result<void> Job::sweepBreakaway() {
+  const IdentifiedMotor& motor = done_.motor;
+  BreakawaySweepOptions options;
+  options.bins = options_.bins;
+  options.turns = options_.turns;
+  options.indexAngle_rad = done_.indexAngle_rad.value;
+  options.torqueConstant_Nm_per_A = motor.torqueConstant_Nm_per_A.value;
+  options.resistance_ohm = motor.resistance_ohm.value;
+  options.deadZone_V = motor.deadZone_V.value;
+  options.inertia_kg_m2 = motor.inertia_kg_m2.value;
+  options.backEmfConstant_V_s_per_rad = motor.backEmfConstant_V_s_per_rad.value;
+  options.expected_A = expected_A_;
+  for (const Way way : {Way::cw, Way::ccw})
+    options.moving_A[static_cast<size_t>(way)] = movingCurrent_A(done_.runs, way, frictionOptions());
+  options.countsPerRev = drive_.identity().countsPerRev;
+  options.zeroing_s = zeroing_s();
+  options.zeroEvery_s = 20.0 * std::max(0.5, options.zeroing_s);
+  options.current_limit_A = done_.settings.current_limit_A;
+  const auto sweep = std::make_shared<BreakawaySweep>(options);
+  if (const auto ran = runStep("06-breakaway-sweep", sweep, 0.738); !ran) return ran;
+  done_.events = sweep->events();
+  done_.missed = sweep->missed();
+  if (done_.missed > 0)
+    done_.remarks.push_back(std::to_string(done_.missed) +
+                            " breakaways could not be measured; their bins rest on their neighbours.");
+  MapOptions mapOptions;
+  mapOptions.rig = options_.rig;
+  mapOptions.bins = options_.bins;
+  mapOptions.turns = options_.turns;
+  mapOptions.torqueConstant_Nm_per_A = options.torqueConstant_Nm_per_A;
+  mapOptions.noiseRms_A = done_.noiseRms_A;
+  done_.events = calibrated(std::move(done_.events), mapOptions);
+  auto map = estimateMap(sweep->events(), &done_.moving, mapOptions);
+  if (!map) return map.error();
+  done_.map = std::move(*map);
+  done_.map.settings = {{"torque_constant_Nm_per_A", options.torqueConstant_Nm_per_A},
+                        {"resistance_ohm", options.resistance_ohm},
+                        {"dead_zone_V", options.deadZone_V},
+                        {"inertia_kg_m2", options.inertia_kg_m2},
+                        {"dwell_s", options.dwell_s},
+                        {"settle_s", options.settle_s},
+                        {"ramp_s", options.ramp_s},
+                        {"motion_velocity_rad_per_s", options.motionVelocity_rad_per_s},
+                        {"motion_counts", static_cast<double>(options.motionCounts)},
+                        {"index_angle_rad", options.indexAngle_rad},
+                        {"missed", static_cast<double>(done_.missed)}};
+  return {};
+}
+
+void Job::fillBench() {
+  const IdentifiedMotor& motor = done_.motor;
+  Bench& bench = done_.bench;
+  if (options_.bench) bench = *options_.bench;
+  if (bench.name.empty()) bench.name = options_.rig;
+  bench.axis = Axis::rotary;
+  bench.input = DriveInput::current;
+  bench.supply_V = drive_.identity().supply_V;
+  bench.countsPerUnit = drive_.identity().countsPerRev;
+  bench.motor.torqueConstant = motor.torqueConstant_Nm_per_A.value;
+  bench.motor.backEmfConstant = motor.backEmfConstant_V_s_per_rad.value;
+  bench.motor.resistance_ohm = motor.resistance_ohm.value;
+  if (motor.inductance_H.value > 0.0) bench.motor.inductance_H = motor.inductance_H.value;
+  bench.motor.inertia = motor.inertia_kg_m2.value;
+  bench.motor.viscous = std::max(0.0, done_.map.viscousAverage_Nm_s_per_rad.value);
+  bench.motor.coulomb = std::max(0.0, done_.map.coulombAverage_Nm.value);
+  bench.trusted.insert("torque_constant_Nm_per_A");
+  bench.controller = {ControlMode::velocity,
+                      done_.settings.velocity_kp_A_s_per_rad,
+                      done_.settings.velocity_ki_A_per_rad,
+                      done_.settings.velocity_kd_A_s2_per_rad,
+                      done_.settings.observer_cutoff_rad_per_s,
+                      done_.settings.nominal_inertia_kg_m2,
+                      done_.settings.nominal_torque_constant_Nm_per_A,
+                      done_.settings.current_limit_A};
+}
+
+Result<Commission> Job::run() {
+  done_.identity = drive_.identity();
+  if (!(done_.identity.countsPerRev > 0.0)) return Error{"board", "has no encoder, which everything here rests on"};
+  if (!done_.identity.hasIndex) return Error{"board", "has an encoder without index, which homing needs"};
+  if (const auto ok = identify(); !ok) return ok.error();
+  if (const auto ok = tune(); !ok) return ok.error();
+  if (const auto ok = home(); !ok) return ok.error();
+  if (const auto ok = sweepVelocity(); !ok) return ok.error();
+  if (const auto ok = sweepBreakaway(); !ok) return ok.error();
+  drive_.stop("the job is done");
+  fillBench();
+  return std::move(done_);
+}
+
+}  // namespace
+
+Result<Commission> commission(Drive& drive, const CommissionOptions& options) {
+  auto result = Job(drive, options).run();
+  if (!result) drive.stop(result.error().message());
+  return result;
+}
+
+}  // namespace breakaway

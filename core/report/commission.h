@@ -1,0 +1,59 @@
+// The whole bench job on a drive: identify, home, sweeps, map. Sees the drive port only.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/result.h"
+#include "experiment/drive.h"
+#include "experiment/velocity_sweep.h"
+#include "friction/friction_map.h"
+#include "friction/measurements.h"
+#include "identify/motor_identification.h"
+#include "identify/velocity_friction.h"
+#include "motor/bench.h"
+#include "recording/recording.h"
+
+namespace breakaway {
+
+struct CommissionOptions {
+  std::string rig;  ///< what the map calls it
+  std::optional<Bench>
+      bench;  ///< the technician's belief; its trusted torque constant is taken, nothing else is needed
+  size_t bins = 180;
+  size_t turns = 2;
+  double speedRun_s = 15.0;          ///< of each constant speed
+  double recordingRate_Hz = 1000.0;  ///< steps that are longer than shortStep_s are decimated to about this rate
+  double shortStep_s = 20.0;
+  size_t mostRows = 150000;  ///< of one recording, by further decimation
+  bool keepRecordings = true;
+  std::function<void(double progress, const std::string& activity)>
+      progress;  ///< called about every half second of rig time
+};
+
+struct Commission {
+  Identity identity;
+  IdentifiedMotor motor;
+  ControllerSettings settings;  ///< the tuning that was used
+  double noiseRms_A = 0.0;
+  Estimate sensorZero_A;
+  Estimate indexAngle_rad;
+  std::vector<VelocityRun> runs;
+  std::array<MovingFriction, 2> moving;
+  std::vector<BreakawayEvent> events;
+  size_t missed = 0;
+  FrictionMap map;
+  Bench bench;                                                ///< the identified motor, ready for diagnosing
+  std::vector<std::pair<std::string, Recording>> recordings;  ///< by step, in order
+  std::vector<std::string> remarks;
+  double rigTime_s = 0.0;
+};
+
+/// Runs everything in order: current sensor's zero, winding test, spin test, tuning from what was identified, homing,
+/// velocity sweep, breakaway sweep, map. An error names the step and why it failed in words.
+Result<Commission> commission(Drive& drive, const CommissionOptions& options);
+
+}  // namespace breakaway

@@ -1,0 +1,235 @@
+#include "report/commission_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "base/atomic_file.h"
+#include "friction/map_export.h"
+#include "recording/csv.h"
+#include "report/html_report.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr const char* wayNames[] = {"clockwise", "counter-clockwise"};
+constexpr int polar_px = 560;
+
+std::string withInterval(const Estimate& estimate, double scale, const std::string& unit) {
+  if (estimate.standardError <= 0.0) return numberText(estimate.value * scale) + " " + unit;
+  return numberText(estimate.value * scale) + " " + unit + " (" + numberText(estimate.low95() * scale) + " to " +
+         numberText(estimate.high95() * scale) + ")";
+}
+
+/// One curve per way around the turn, closed, in mNm.
+template <typename Get>
+std::vector<Curve> aroundTheTurn(const FrictionMap& map, Get get) {
+  std::vector<Curve> curves;
+  for (size_t w = 0; w < 2; ++w) {
+    Curve curve;
+    curve.label = wayNames[w];
+    curve.colour = static_cast<int>(w);
+    for (size_t k = 0; k <= map.bins.size(); ++k) {
+      const MapBin& bin = map.bins[k % map.bins.size()];
+      curve.x.push_back(bin.angle_rad + (k == map.bins.size() ? 2.0 * std::numbers::pi : 0.0));
+      curve.y.push_back(get(bin.way[w]));
+    }
+    curves.push_back(std::move(curve));
+  }
+  return curves;
+}
+
+Figure staticFigure(const FrictionMap& map) {
+  Figure figure{"Breakaway torque around the rotor", "", "torque / mNm"};
+  figure.polar = true;
+  figure.curves = aroundTheTurn(map, [](const WayBin& bin) { return 1e3 * bin.static_Nm.value; });
+  Curve outliers;
+  outliers.label = "outlier";
+  outliers.style = Curve::Style::points;
+  outliers.colour = 6;
+  outliers.width_px = 3.0;
+  for (const MapBin& bin : map.bins) {
+    for (const WayBin& way : bin.way) {
+      if (!way.outlier) continue;
+      outliers.x.push_back(bin.angle_rad);
+      outliers.y.push_back(1e3 * way.static_Nm.value);
+    }
+  }
+  if (!outliers.x.empty()) figure.curves.push_back(std::move(outliers));
+  return figure;
+}
+
+Figure turnsFigure(const FrictionMap& map, size_t way) {
+  Figure figure{std::string("Turn by turn, ") + wayNames[way], "angle / °", "breakaway torque / mNm"};
+  for (size_t turn = 0; turn < map.turnStatic_Nm[way].size(); ++turn) {
+    Curve curve;
+    curve.label = "turn " + std::to_string(turn + 1);
+    for (size_t k = 0; k < map.bins.size(); ++k) {
+      curve.x.push_back(map.bins[k].angle_rad * 180.0 / std::numbers::pi);
+      curve.y.push_back(1e3 * map.turnStatic_Nm[way][turn][k]);
+    }
+    figure.curves.push_back(std::move(curve));
+  }
+  return figure;
+}
+
+template <typename Get>
+Figure angleFigure(const FrictionMap& map, const std::string& title, const std::string& yLabel, double scale, Get get) {
+  Figure figure{title, "angle / °", yLabel};
+  for (size_t w = 0; w < 2; ++w) {
+    Curve curve;
+    curve.label = wayNames[w];
+    for (const MapBin& bin : map.bins) {
+      const Estimate estimate = get(bin.way[w]);
+      curve.x.push_back(bin.angle_rad * 180.0 / std::numbers::pi);
+      curve.y.push_back(scale * estimate.value);
+      curve.low.push_back(scale * estimate.low95());
+      curve.high.push_back(scale * estimate.high95());
+    }
+    figure.curves.push_back(std::move(curve));
+  }
+  return figure;
+}
+
+Figure speedFigure(const Commission& done) {
+  Figure figure{"Torque at constant speed", "speed / rad/s", "torque / mNm"};
+  const double Kt = done.motor.torqueConstant_Nm_per_A.value;
+  for (size_t w = 0; w < 2; ++w) {
+    Curve points, line;
+    points.label = wayNames[w];
+    points.style = Curve::Style::points;
+    points.width_px = 3.5;
+    points.colour = line.colour = static_cast<int>(w);
+    line.label = std::string("Coulomb and viscous, ") + wayNames[w];
+    double highest = 0.0;
+    for (const VelocityRun& run : done.runs) {
+      if (static_cast<size_t>(run.way()) != w) continue;
+      points.x.push_back(std::abs(run.target_rad_per_s));
+      points.y.push_back(1e3 * Kt * meanCurrent_A(run).value);
+      highest = std::max(highest, points.x.back());
+    }
+    for (const double speed : {0.0, highest}) {
+      line.x.push_back(speed);
+      line.y.push_back(1e3 *
+                       (done.moving[w].coulombMean_Nm.value + done.moving[w].viscousMean_Nm_s_per_rad.value * speed));
+    }
+    figure.curves.push_back(std::move(points));
+    figure.curves.push_back(std::move(line));
+  }
+  return figure;
+}
+
+double staticMean_Nm(const FrictionMap& map, size_t way) {
+  double sum = 0.0;
+  for (const MapBin& bin : map.bins) sum += bin.way[way].static_Nm.value;
+  return sum / static_cast<double>(map.bins.size());
+}
+
+void motorChapter(HtmlReport& report, const Commission& done) {
+  const IdentifiedMotor& motor = done.motor;
+  report.heading("The motor");
+  report.facts({{"torque constant",
+                 withInterval(motor.torqueConstant_Nm_per_A, 1.0, "Nm/A") +
+                     (motor.torqueConstantTrusted ? ", trusted from the bench" : ", tied to the back-EMF constant")},
+                {"back-EMF constant", withInterval(motor.backEmfConstant_V_s_per_rad, 1.0, "V s/rad")},
+                {"resistance", withInterval(motor.resistance_ohm, 1.0, "Ω")},
+                {"inductance", withInterval(motor.inductance_H, 1e3, "mH")},
+                {"bridge's dead zone", withInterval(motor.deadZone_V, 1.0, "V")},
+                {"inertia", withInterval(motor.inertia_kg_m2, 1e6, "kg mm²")},
+                {"current sensor's zero", withInterval(done.sensorZero_A, 1e3, "mA")},
+                {"current sensor's noise", numberText(1e3 * done.noiseRms_A) + " mA rms"}});
+  report.paragraph(
+      "In brackets: 95 % intervals. A gain error of the current sensor can't be told from the torque constant; all "
+      "torques carry it.");
+}
+
+void frictionChapter(HtmlReport& report, const Commission& done) {
+  const FrictionMap& map = done.map;
+  report.heading("Friction, motor and encoder");
+  std::vector<std::vector<std::string>> rows;
+  for (size_t w = 0; w < 2; ++w) {
+    rows.push_back(
+        {wayNames[w], numberText(1e3 * staticMean_Nm(map, w)), withInterval(done.moving[w].coulombMean_Nm, 1e3, "mNm"),
+         withInterval(done.moving[w].viscousMean_Nm_s_per_rad, 1e6, "µNm s/rad"),
+         numberText(map.repeatability[w].correlation), numberText(1e3 * map.repeatability[w].rmsDifference_Nm)});
+  }
+  report.table(
+      {"way", "breakaway, mean / mNm", "Coulomb", "viscous", "correlation of turns", "difference of turns / mNm rms"},
+      rows);
+  report.figure(staticFigure(map),
+                "Whole motor torque that starts motion from standstill: friction and position torque.", polar_px,
+                polar_px);
+  for (size_t w = 0; w < 2; ++w) report.figure(turnsFigure(map, w));
+  report.figure(angleFigure(map, "Coulomb torque around the rotor", "torque / mNm", 1e3,
+                            [](const WayBin& bin) { return bin.coulomb_Nm; }),
+                "Whole motor torque, extrapolated to zero speed from moving; the band is the 95 % interval.");
+  report.figure(angleFigure(map, "Viscous coefficient around the rotor", "coefficient / µNm s/rad", 1e6,
+                            [](const WayBin& bin) { return bin.viscous_Nm_s_per_rad; }),
+                "Its slope with speed. Harmonics that don't stand out of the noise are left out.");
+  Figure total{"Total torque around the rotor at " + numberText(map.totalVelocity_rad_per_s) + " rad/s", "",
+               "torque / mNm"};
+  total.polar = true;
+  total.curves = aroundTheTurn(map, [](const WayBin& bin) { return 1e3 * bin.total_Nm; });
+  report.figure(total, {}, polar_px, polar_px);
+  report.figure(speedFigure(done));
+}
+
+std::string reportHtml(const Commission& done, bool hasTruth) {
+  HtmlReport report("Friction of " + (done.map.rig.empty() ? done.identity.device : done.map.rig),
+                    done.identity.device);
+  report.verdict(inWords(done));
+  frictionChapter(report, done);
+  motorChapter(report, done);
+  report.heading("How it was measured");
+  std::vector<std::pair<std::string, std::string>> facts{
+      {"board", done.identity.device + ", " + done.identity.firmware},
+      {"control rate", numberText(done.identity.loopRate_Hz) + " Hz"},
+      {"encoder", numberText(done.identity.countsPerRev, 6) + " counts per turn"},
+      {"index at", withInterval(done.indexAngle_rad, 1.0, "rad from power-up")},
+      {"time on the bench", numberText(done.rigTime_s / 60.0, 3) + " min"},
+      {"turns", std::to_string(done.map.turns) + " each way"}};
+  for (const auto& [name, value] : done.map.settings) facts.emplace_back(name, numberText(value));
+  report.facts(facts);
+  if (!done.remarks.empty()) report.list(done.remarks);
+  if (done.identity.simulated) {
+    report.paragraph(std::string("The board is simulated.") +
+                     (hasTruth ? " Its true map lies beside the measured one in truth.csv." : ""));
+  }
+  return report.html();
+}
+
+}  // namespace
+
+Result<void> writeCommission(const Commission& done, const std::optional<FrictionMap>& truth,
+                             const std::string& folder) {
+  if (const auto made = makeFolder(folder + "/recordings"); !made) return made;
+  for (const auto& [step, recording] : done.recordings) {
+    if (const auto written = writeCsv(recording, folder + "/recordings/" + step + ".csv"); !written) return written;
+  }
+  if (const auto written = writeBench(done.bench, folder + "/bench.json"); !written) return written;
+  if (const auto written = exportMap(done.map, "json", folder + "/map.json"); !written) return written;
+  if (const auto written = exportMap(done.map, "csv", folder + "/map.csv"); !written) return written;
+  if (truth) {
+    if (const auto written = exportMap(*truth, "csv", folder + "/truth.csv"); !written) return written;
+  }
+  return writeFile(folder + "/report.html", reportHtml(done, truth.has_value()));
+}
+
+std::string inWords(const Commission& done) {
+  const FrictionMap& map = done.map;
+  char text[512];
+  std::snprintf(text, sizeof text,
+                "Breakaway torque on average %.3g mNm clockwise and %.3g mNm counter-clockwise; consecutive turns "
+                "correlate by %.3f and %.3f. "
+                "Coulomb friction %.3g mNm (%.3g to %.3g), viscous friction %.3g µNm s/rad (%.3g to %.3g).",
+                1e3 * staticMean_Nm(map, 0), 1e3 * staticMean_Nm(map, 1), map.repeatability[0].correlation,
+                map.repeatability[1].correlation, 1e3 * map.coulombAverage_Nm.value,
+                1e3 * map.coulombAverage_Nm.low95(), 1e3 * map.coulombAverage_Nm.high95(),
+                1e6 * map.viscousAverage_Nm_s_per_rad.value, 1e6 * map.viscousAverage_Nm_s_per_rad.low95(),
+                1e6 * map.viscousAverage_Nm_s_per_rad.high95());
+  return text;
+}
+
+}  // namespace breakaway

@@ -1,0 +1,20 @@
+// What a commissioning found, as files: bench, recordings, map, report.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "base/result.h"
+#include "report/commission.h"
+
+namespace breakaway {
+
+/// Writes bench.json, recordings/*.csv, map.json, map.csv and report.html into `folder`, and truth.csv when there is a
+/// truth.
+Result<void> writeCommission(const Commission& commission, const std::optional<FrictionMap>& truth,
+                             const std::string& folder);
+
+/// The averages in a few lines of plain text.
+std::string inWords(const Commission& commission);
+
+}  // namespace breakaway
