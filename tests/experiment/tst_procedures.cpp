@@ -1,0 +1,201 @@
+#include <QTest>
+#include <cmath>
+#include <numbers>
+
+#include "experiment/breakaway_sweep.h"
+#include "experiment/current_zeroing.h"
+#include "experiment/homing.h"
+#include "experiment/velocity_step.h"
+#include "experiment/velocity_sweep.h"
+#include "firmware_link/simulated_board.h"
+
+using namespace breakaway;
+
+class TestProcedures : public QObject {
+  Q_OBJECT
+ private slots:
+  void zeroing_findsTheSensorsOffset();
+  void homing_findsTheIndexToACount();
+  void homing_findsItAgainFromElsewhere();
+  void homingWithoutIndex_saysSo();
+  void homingOfAHeldRotor_saysSo();
+  void velocityStep_isFastAndReachesItsSpeed();
+  void velocitySweep_runsWholeTurnsBothWays();
+  void unreachableSpeed_isReported();
+  void breakawaySweep_logsTheAngleReallyReached();
+  void stoppedSweep_keepsWhatItMeasured();
+  void sweepWithoutResistance_failsAtOnce();
+};
+
+namespace {
+
+std::unique_ptr<Drive> servo() {
+  qputenv("BREAKAWAY_RESOURCES", qgetenv("BREAKAWAY_SOURCE_DIR") + "/resources");
+  auto drive = openDrive("simulated:servo", 3);
+  if (!drive) qFatal("%s", drive.error().message().c_str());
+  return std::move(*drive);
+}
+
+void run(Drive& drive, const std::shared_ptr<Procedure>& procedure, double most_s) {
+  std::vector<Sample> samples;
+  drive.start(procedure);
+  for (double time = 0.0; time < most_s && procedure->state() == Procedure::State::running; time += 0.05) {
+    samples.clear();
+    if (!drive.advance(0.05, samples)) qFatal("no samples");
+  }
+}
+
+double indexErrorInCounts(double found_rad) {
+  const double count = 2.0 * std::numbers::pi / 14400.0, turn = 2.0 * std::numbers::pi;
+  return std::remainder(found_rad - 1.234, turn) / count;
+}
+
+BreakawaySweepOptions quickSweep() {
+  BreakawaySweepOptions options;
+  options.bins = 12;
+  options.turns = 1;
+  options.indexAngle_rad = 1.234;
+  options.torqueConstant_Nm_per_A = options.backEmfConstant_V_s_per_rad = 0.07;
+  options.resistance_ohm = 1.2;
+  options.deadZone_V = 0.24;
+  options.inertia_kg_m2 = 6e-5;
+  options.countsPerRev = 14400;
+  return options;
+}
+
+}  // namespace
+
+void TestProcedures::zeroing_findsTheSensorsOffset() {
+  auto drive = servo();
+  const auto zeroing = std::make_shared<CurrentZeroing>();
+  run(*drive, zeroing, 5.0);
+  QCOMPARE(zeroing->state(), Procedure::State::finished);
+  QVERIFY(std::abs(zeroing->zero_A().value - 0.05) < 0.003);
+  QVERIFY(zeroing->noiseRms_A() > 0.015 && zeroing->noiseRms_A() < 0.02);
+}
+
+void TestProcedures::homing_findsTheIndexToACount() {
+  auto drive = servo();
+  const auto homing = std::make_shared<Homing>();
+  run(*drive, homing, 60.0);
+  QCOMPARE(homing->state(), Procedure::State::finished);
+  QCOMPARE(homing->passes(), size_t{3});
+  QVERIFY2(std::abs(indexErrorInCounts(homing->indexAngle_rad().value)) < 1.5,
+           qPrintable(QString::number(indexErrorInCounts(homing->indexAngle_rad().value))));
+}
+
+void TestProcedures::homing_findsItAgainFromElsewhere() {
+  auto drive = servo();
+  std::vector<Sample> samples;
+  drive->command({Command::Mode::position, 3.5, 0.0, false});
+  QVERIFY(drive->advance(3.0, samples).ok());
+  const auto homing = std::make_shared<Homing>();
+  run(*drive, homing, 60.0);
+  QCOMPARE(homing->state(), Procedure::State::finished);
+  QVERIFY(std::abs(indexErrorInCounts(homing->indexAngle_rad().value)) < 1.5);
+  QVERIFY(homing->indexAngle_rad().value > 3.5);
+}
+
+void TestProcedures::homingWithoutIndex_saysSo() {
+  Homing homing;
+  Sample sample;
+  for (int k = 0; k < 100000 && homing.state() == Procedure::State::running; ++k) {
+    sample.time_s = k * 1e-3;
+    sample.angle_rad = 3e-3 * k;
+    homing.step(sample);
+  }
+  QCOMPARE(homing.state(), Procedure::State::failed);
+  QVERIFY(homing.status().failure.find("no index within 1.5 turns") != std::string::npos);
+  QCOMPARE(homing.step(sample), Command{});
+}
+
+void TestProcedures::homingOfAHeldRotor_saysSo() {
+  Homing homing;
+  Sample sample;
+  for (int k = 0; k < 10000 && homing.state() == Procedure::State::running; ++k) {
+    sample.time_s = k * 1e-3;
+    homing.step(sample);
+  }
+  QCOMPARE(homing.state(), Procedure::State::failed);
+  QVERIFY(homing.status().failure.find("does not move") != std::string::npos);
+}
+
+void TestProcedures::velocityStep_isFastAndReachesItsSpeed() {
+  auto drive = servo();
+  run(*drive, std::make_shared<CurrentZeroing>(), 5.0);
+  const auto step = std::make_shared<VelocityStep>();
+  run(*drive, step, 5.0);
+  const StepFigures figures = step->figures();
+  QVERIFY2(figures.rise_s > 0.005 && figures.rise_s < 0.12, qPrintable(QString::number(figures.rise_s)));
+  QVERIFY(figures.overshoot < 0.3);
+  QVERIFY(figures.peakCurrent_A > 0.3 && figures.peakCurrent_A < 8.0);
+  QVERIFY(std::abs(step->curve().velocity_rad_per_s.back() - 20.0) < 1.0);
+}
+
+void TestProcedures::velocitySweep_runsWholeTurnsBothWays() {
+  auto drive = servo();
+  VelocitySweepOptions options;
+  options.speeds_rad_per_s = {20.0, 40.0};
+  options.run_s = 2.0;
+  const auto sweep = std::make_shared<VelocitySweep>(options);
+  run(*drive, sweep, 60.0);
+  QCOMPARE(sweep->state(), Procedure::State::finished);
+  QCOMPARE(sweep->runs().size(), size_t{4});
+  for (const VelocityRun& one : sweep->runs()) {
+    const double turns = std::abs(one.target_rad_per_s) * one.duration_s / (2.0 * std::numbers::pi);
+    QVERIFY(std::abs(turns - static_cast<double>(one.turns)) < 0.1);
+    for (const AngleBinSums& bin : one.bins) QVERIFY(bin.samples > 0);
+  }
+  QCOMPARE(sweep->runs()[1].way(), Way::cw);
+}
+
+void TestProcedures::unreachableSpeed_isReported() {
+  auto drive = servo();
+  VelocitySweepOptions options;
+  options.speeds_rad_per_s = {1000.0};
+  const auto sweep = std::make_shared<VelocitySweep>(options);
+  run(*drive, sweep, 60.0);
+  QCOMPARE(sweep->state(), Procedure::State::failed);
+  QVERIFY(sweep->status().failure.find("1000.0 rad/s was not reached") != std::string::npos);
+}
+
+void TestProcedures::breakawaySweep_logsTheAngleReallyReached() {
+  auto drive = servo();
+  const auto sweep = std::make_shared<BreakawaySweep>(quickSweep());
+  run(*drive, sweep, 120.0);
+  QCOMPARE(sweep->state(), Procedure::State::finished);
+  QCOMPARE(sweep->events().size() + sweep->missed(), size_t{24});
+  QVERIFY(sweep->missed() <= 1);
+  for (const BreakawayEvent& event : sweep->events()) {
+    const double wanted = (static_cast<double>(event.bin) + 0.5) * 2.0 * std::numbers::pi / 12.0;
+    QVERIFY(std::abs(std::remainder(event.angle_rad - wanted, 2.0 * std::numbers::pi)) < 0.15);
+    QVERIFY2(event.torque_Nm > 0.012 && event.torque_Nm < 0.032, qPrintable(QString::number(event.torque_Nm)));
+  }
+}
+
+void TestProcedures::stoppedSweep_keepsWhatItMeasured() {
+  auto drive = servo();
+  const auto sweep = std::make_shared<BreakawaySweep>(quickSweep());
+  run(*drive, sweep, 8.0);
+  drive->stop("pressed");
+  const size_t measured = sweep->events().size();
+  QVERIFY(measured >= 2);
+  QCOMPARE(sweep->state(), Procedure::State::stopped);
+  QCOMPARE(sweep->status().failure, std::string("pressed"));
+  std::vector<Sample> samples;
+  QVERIFY(drive->advance(1.0, samples).ok());
+  QVERIFY(!samples.back().enabled);
+  QCOMPARE(samples.back().voltage_V, 0.0);
+  QCOMPARE(sweep->events().size(), measured);
+}
+
+void TestProcedures::sweepWithoutResistance_failsAtOnce() {
+  BreakawaySweepOptions options = quickSweep();
+  options.resistance_ohm = 0.0;
+  const BreakawaySweep sweep(options);
+  QCOMPARE(sweep.state(), Procedure::State::failed);
+  QVERIFY(sweep.status().failure.find("resistance") != std::string::npos);
+}
+
+QTEST_APPLESS_MAIN(TestProcedures)
+#include "tst_procedures.moc"

@@ -1,0 +1,145 @@
+#include <QTest>
+
+#include "firmware_link/simulated_board.h"
+#include "firmware_link/simulated_truth.h"
+#include "recording/csv.h"
+#include "report/commission_report.h"
+#include "support/map_accuracy.h"
+#include "support/random_rig.h"
+#include "support/temporary.h"
+
+using namespace breakaway;
+
+class TestCommission : public QObject {
+  Q_OBJECT
+ private slots:
+  void initTestCase();
+  void presetServo_isMappedWithinFivePercent();
+  void presetServo_isIdentified();
+  void presetServo_staysWithinTwentyMinutes();
+  void files_areAllThereAndReadBack();
+  void randomRigs_areMappedWithinFivePercent_data();
+  void randomRigs_areMappedWithinFivePercent();
+  void gainErrorOfTheSensor_isCarriedByAllTorques();
+  void sameSeed_givesTheSameMap();
+
+ private:
+  std::optional<Commission> servo_;
+};
+
+namespace {
+
+constexpr const char* servoUri = "simulated:servo";
+
+Result<Commission> commissioned(const std::string& uri, unsigned seed, bool keep, size_t bins = 180) {
+  auto drive = openDrive(uri, seed);
+  if (!drive) return drive.error();
+  CommissionOptions options;
+  options.rig = "rig";
+  options.bins = bins;
+  options.keepRecordings = keep;
+  return commission(**drive, options);
+}
+
+QString percent(double value) {
+  return QString::number(100.0 * value, 'f', 2) + " %";
+}
+
+}  // namespace
+
+void TestCommission::initTestCase() {
+  qputenv("BREAKAWAY_RESOURCES", qgetenv("BREAKAWAY_SOURCE_DIR") + "/resources");
+  auto done = commissioned(servoUri, 1, true);
+  QVERIFY2(done.ok(), done.ok() ? "" : done.error().message().c_str());
+  servo_ = std::move(*done);
+}
+
+void TestCommission::presetServo_isMappedWithinFivePercent() {
+  const auto truth = trueMap(servoUri, servo_->map.bins.size(), servo_->map.totalVelocity_rad_per_s);
+  QVERIFY(truth.ok());
+  for (const Way way : {Way::cw, Way::ccw}) {
+    const auto still = test::deviation(servo_->map, *truth, way, test::staticOf);
+    QVERIFY2(still.rms < 0.03 && still.rms > 1e-4, qPrintable(percent(still.rms)));
+    QVERIFY(servo_->map.repeatability[static_cast<size_t>(way)].correlation > 0.9);
+    const auto coulomb = test::deviation(servo_->map, *truth, way, test::coulombOf);
+    QVERIFY2(coulomb.rms < 0.03, qPrintable(percent(coulomb.rms)));
+    const auto viscous = test::deviation(servo_->map, *truth, way, test::viscousOf);
+    QVERIFY2(viscous.rms < 0.08, qPrintable(percent(viscous.rms)));
+  }
+}
+
+void TestCommission::presetServo_isIdentified() {
+  const IdentifiedMotor& motor = servo_->motor;
+  QVERIFY(std::abs(motor.backEmfConstant_V_s_per_rad.value / 0.07 - 1.0) < 0.005);
+  QVERIFY(std::abs(motor.resistance_ohm.value / 1.2 - 1.0) < 0.01);
+  QVERIFY(std::abs(motor.inductance_H.value / 0.0011 - 1.0) < 0.03);
+  QVERIFY(std::abs(motor.inertia_kg_m2.value / 6e-5 - 1.0) < 0.02);
+  QVERIFY(std::abs(motor.deadZone_V.value - 0.24) < 0.005);
+  QVERIFY(!motor.torqueConstantTrusted);
+}
+
+void TestCommission::presetServo_staysWithinTwentyMinutes() {
+  QVERIFY2(servo_->rigTime_s > 60.0 && servo_->rigTime_s < 1200.0, qPrintable(QString::number(servo_->rigTime_s)));
+}
+
+void TestCommission::files_areAllThereAndReadBack() {
+  test::TemporaryFolder folder;
+  QVERIFY(writeCommission(*servo_, std::nullopt, folder.path("out")).ok());
+  const auto bench = readBench(folder.path("out/bench.json"));
+  QVERIFY2(bench.ok(), bench.ok() ? "" : bench.error().message().c_str());
+  QVERIFY(bench->trusted.contains("torque_constant_Nm_per_A"));
+  QCOMPARE(servo_->recordings.size(), size_t{6});
+  const auto recording = readCsv(folder.path("out/recordings/05-velocity-sweep.csv"));
+  QVERIFY(recording.ok());
+  QVERIFY(recording->has("current_A") && recording->rows() > 10000 && recording->rows() < 200000);
+  for (const char* file : {"out/map.json", "out/map.csv", "out/report.html"}) {
+    QVERIFY2(readFile(folder.path(file)).ok(), file);
+  }
+  QVERIFY(!readFile(folder.path("out/truth.csv")).ok());
+}
+
+void TestCommission::randomRigs_areMappedWithinFivePercent_data() {
+  QTest::addColumn<unsigned>("seed");
+  for (const unsigned seed : {9001u, 9002u, 9003u, 9004u}) QTest::newRow(std::to_string(seed).c_str()) << seed;
+}
+
+void TestCommission::randomRigs_areMappedWithinFivePercent() {
+  QFETCH(unsigned, seed);
+  test::TemporaryFolder folder;
+  const std::string uri = "simulated:" + folder.write("random.rig.json", test::RandomRig(seed).text());
+  const auto done = commissioned(uri, seed, false);
+  QVERIFY2(done.ok(), done.ok() ? "" : done.error().message().c_str());
+  const auto truth = trueMap(uri, done->map.bins.size(), done->map.totalVelocity_rad_per_s);
+  QVERIFY(truth.ok());
+  for (const Way way : {Way::cw, Way::ccw}) {
+    const auto still = test::deviation(done->map, *truth, way, test::staticOf);
+    QVERIFY2(still.rms < 0.05, qPrintable(percent(still.rms)));
+    QVERIFY(done->map.repeatability[static_cast<size_t>(way)].correlation > 0.9);
+  }
+}
+
+void TestCommission::gainErrorOfTheSensor_isCarriedByAllTorques() {
+  test::TemporaryFolder folder;
+  auto text = readFile(qgetenv("BREAKAWAY_SOURCE_DIR").toStdString() + "/resources/presets/servo.rig.json");
+  QVERIFY(text.ok());
+  const std::string field = "\"gain_error\": 0.0";
+  QVERIFY(text->find(field) != std::string::npos);
+  text->replace(text->find(field), field.size(), "\"gain_error\": 0.03");
+  const std::string uri = "simulated:" + folder.write("gain.rig.json", *text);
+  const auto done = commissioned(uri, 2, false, 72);
+  QVERIFY(done.ok());
+  const auto truth = trueMap(uri, 72, done->map.totalVelocity_rad_per_s);
+  const double mean = test::deviation(done->map, *truth, Way::ccw, test::staticOf).mean;
+  QVERIFY2(mean > 0.02 && mean < 0.04, qPrintable(percent(mean)));
+}
+
+void TestCommission::sameSeed_givesTheSameMap() {
+  const auto a = commissioned(servoUri, 5, false, 36), b = commissioned(servoUri, 5, false, 36),
+             c = commissioned(servoUri, 6, false, 36);
+  QVERIFY(a.ok() && b.ok() && c.ok());
+  QCOMPARE(a->map.bins[7].way[0].static_Nm, b->map.bins[7].way[0].static_Nm);
+  QVERIFY(!(a->map.bins[7].way[0].static_Nm == c->map.bins[7].way[0].static_Nm));
+}
+
+QTEST_APPLESS_MAIN(TestCommission)
+#include "tst_commission.moc"

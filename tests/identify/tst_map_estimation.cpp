@@ -1,0 +1,142 @@
+#include <QTest>
+#include <cmath>
+#include <numbers>
+
+#include "identify/map_estimation.h"
+#include "motor/noise.h"
+
+using namespace breakaway;
+
+class TestMapEstimation : public QObject {
+  Q_OBJECT
+ private slots:
+  void everyBin_isFilledAndNearTheTruth();
+  void missingBreakaways_areInterpolated();
+  void standardError_matchesTheScatter();
+  void outlier_isMarkedAndKept();
+  void weakCurrents_areCalibratedTogether();
+  void unrelatedTurns_dontCorrelate();
+  void noBreakaways_areReported();
+};
+
+namespace {
+
+constexpr double turn = 2.0 * std::numbers::pi, Kt = 0.07;
+
+double truth(double angle) {
+  return 0.021 * (1.0 + 0.2 * std::cos(angle));
+}
+
+MapOptions options() {
+  MapOptions result;
+  result.bins = 90;
+  result.torqueConstant_Nm_per_A = Kt;
+  return result;
+}
+
+/// Ramps of 1000 samples over the last 30 % of the breakaway's current.
+std::vector<BreakawayEvent> events(double scatter, double noise_A, double size, unsigned seed, size_t turns = 2) {
+  Noise noise(seed);
+  std::vector<BreakawayEvent> all;
+  for (size_t t = 0; t < turns; ++t) {
+    for (const Way way : {Way::ccw, Way::cw}) {
+      for (size_t bin = 0; bin < 90; ++bin) {
+        BreakawayEvent event;
+        event.way = way;
+        event.turn = t;
+        event.bin = bin;
+        event.angle_rad = (static_cast<double>(bin) + 0.2 + 0.6 * noise.uniform()) * turn / 90.0;
+        event.commanded_A = size * truth(event.angle_rad) / Kt * (1.0 + scatter * noise.normal());
+        event.commandedMean_A = 0.85 * event.commanded_A;
+        event.commandedVariance_A2 = std::pow(0.3 * event.commanded_A, 2) / 12.0;
+        event.samples = 1000;
+        event.measuredMean_A = event.commandedMean_A + noise_A / std::sqrt(1000.0) * noise.normal();
+        event.covariance_A2 =
+            event.commandedVariance_A2 + noise_A * std::sqrt(event.commandedVariance_A2 / 1000.0) * noise.normal();
+        event.current_A = event.measuredMean_A + event.commanded_A - event.commandedMean_A;
+        all.push_back(event);
+      }
+    }
+  }
+  return all;
+}
+
+double rmsError(const FrictionMap& map, double size) {
+  double squares = 0.0;
+  for (const MapBin& bin : map.bins) squares += std::pow(bin.way[1].static_Nm.value - size * truth(bin.angle_rad), 2);
+  return std::sqrt(squares / static_cast<double>(map.bins.size())) / (size * 0.021);
+}
+
+}  // namespace
+
+void TestMapEstimation::everyBin_isFilledAndNearTheTruth() {
+  const auto map = estimateMap(events(0.01, 0.0, 1.0, 1), nullptr, options());
+  QVERIFY(map.ok());
+  QCOMPARE(map->bins.size(), size_t{90});
+  const double error = rmsError(*map, 1.0);
+  QVERIFY2(error > 0.002 && error < 0.01, qPrintable(QString::number(error)));
+  QVERIFY(map->repeatability[1].correlation > 0.98);
+  for (const MapBin& bin : map->bins) QCOMPARE(bin.way[0].samples, size_t{2});
+}
+
+void TestMapEstimation::missingBreakaways_areInterpolated() {
+  auto all = events(0.0, 0.0, 1.0, 2);
+  std::erase_if(all, [](const BreakawayEvent& event) { return event.bin % 5 == 0; });
+  const auto map = estimateMap(all, nullptr, options());
+  QVERIFY(map.ok());
+  QCOMPARE(map->bins[10].way[1].samples, size_t{0});
+  QVERIFY(rmsError(*map, 1.0) < 0.002);
+}
+
+void TestMapEstimation::standardError_matchesTheScatter() {
+  const auto map = estimateMap(events(0.02, 0.0, 1.0, 3), nullptr, options());
+  QVERIFY(map.ok());
+  const double relative = map->bins[0].way[1].static_Nm.standardError / 0.021;
+  QVERIFY2(relative > 0.007 && relative < 0.018, qPrintable(QString::number(relative)));
+}
+
+void TestMapEstimation::outlier_isMarkedAndKept() {
+  auto all = events(0.005, 0.0, 1.0, 4);
+  for (BreakawayEvent& event : all) {
+    if (event.bin == 40 && event.turn == 0 && event.way == Way::ccw) {
+      event.commanded_A *= 1.6;
+      event.outlier = true;
+    }
+  }
+  const auto map = estimateMap(all, nullptr, options());
+  QVERIFY(map.ok());
+  QVERIFY(map->bins[40].way[1].outlier);
+  QVERIFY(!map->bins[70].way[1].outlier);
+  QVERIFY(map->bins[40].way[1].static_Nm.value > 1.2 * truth(map->bins[40].angle_rad));
+}
+
+void TestMapEstimation::weakCurrents_areCalibratedTogether() {
+  // Friction of 9 mA under 17 mA of noise.
+  MapOptions together = options(), alone = options();
+  together.noiseRms_A = 0.017;
+  const double size = 0.03;
+  const auto good = estimateMap(events(0.01, 0.017, size, 5), nullptr, together);
+  const auto bad = estimateMap(events(0.01, 0.017, size, 5), nullptr, alone);
+  QVERIFY(good.ok() && bad.ok());
+  QVERIFY2(rmsError(*good, size) < 0.02, qPrintable(QString::number(rmsError(*good, size))));
+  QVERIFY(rmsError(*bad, size) > 0.03);
+}
+
+void TestMapEstimation::unrelatedTurns_dontCorrelate() {
+  auto all = events(0.0, 0.0, 1.0, 6);
+  Noise noise(9);
+  for (BreakawayEvent& event : all) {
+    event.commanded_A = 0.3 * (1.0 + 0.1 * noise.normal());
+    event.measuredMean_A = event.commandedMean_A;
+  }
+  const auto map = estimateMap(all, nullptr, options());
+  QVERIFY(map.ok());
+  QVERIFY(std::abs(map->repeatability[0].correlation) < 0.4);
+}
+
+void TestMapEstimation::noBreakaways_areReported() {
+  QVERIFY(!estimateMap({}, nullptr, options()).ok());
+}
+
+QTEST_APPLESS_MAIN(TestMapEstimation)
+#include "tst_map_estimation.moc"

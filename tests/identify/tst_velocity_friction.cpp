@@ -1,0 +1,119 @@
+#include <QTest>
+#include <cmath>
+#include <numbers>
+
+#include "identify/velocity_friction.h"
+#include "motor/noise.h"
+
+using namespace breakaway;
+
+class TestVelocityFriction : public QObject {
+  Q_OBJECT
+ private slots:
+  void harmonicsOfBoth_areFoundThroughTheRipple();
+  void noiseAlone_leavesFlatFriction();
+  void stribeckSpeed_isLeftOut();
+  void oneSpeedOnly_isReportedAsUnobservable();
+};
+
+namespace {
+
+constexpr double turn = 2.0 * std::numbers::pi, Kt = 0.07, J = 6e-5;
+
+double coulomb(double angle) {
+  return 0.017 * (1.0 + 0.15 * std::cos(angle - 0.4));
+}
+double viscous(double angle) {
+  return 2e-5 * (1.0 + 0.2 * std::cos(2.0 * angle - 1.0));
+}
+
+/// A run as the sweep makes it: constant current, so that all variation of friction turns into ripple of the speed.
+VelocityRun runAt(double speed, double excess_Nm, double noise_A, bool varied, unsigned seed) {
+  VelocityRun run;
+  run.target_rad_per_s = speed;
+  run.turns = 100;
+  run.halfSpan_s = 2e-4;
+  run.bins.resize(360);
+  run.blocks.assign(8, run.bins);
+  Noise noise(seed);
+  const double sign = speed > 0.0 ? 1.0 : -1.0, size = std::abs(speed);
+  const double mean = 0.017 + 2e-5 * size + excess_Nm;
+  for (size_t k = 0; k < 360; ++k) {
+    const double angle = (static_cast<double>(k) + 0.5) * turn / 360.0;
+    // J·d(½ω²)/dθ = mean − τ(θ) in the way's direction, integrated by its harmonics.
+    double halfSquare = 0.5 * size * size;
+    if (varied)
+      halfSquare -= sign * (0.017 * 0.15 * std::sin(angle - 0.4) + 2e-5 * size * 0.1 * std::sin(2.0 * angle - 1.0)) / J;
+    const double velocity = sign * std::sqrt(2.0 * halfSquare);
+    for (size_t n = 0; n < 160; ++n) {
+      const double current = sign * mean / Kt + noise_A * noise.normal();
+      const double shown = velocity + 0.2 * noise.normal();
+      run.bins[k].add(current, shown);
+      run.blocks[n / 20][k].add(current, shown);
+    }
+  }
+  return run;
+}
+
+VelocityFrictionOptions options() {
+  VelocityFrictionOptions result;
+  result.torqueConstant_Nm_per_A = Kt;
+  result.inertia_kg_m2 = J;
+  return result;
+}
+
+std::vector<VelocityRun> runs(bool varied, double slowExcess_Nm) {
+  std::vector<VelocityRun> all;
+  unsigned seed = 1;
+  for (const double speed : {20.0, 40.0, 80.0, 140.0, 200.0}) {
+    for (const double sign : {1.0, -1.0})
+      all.push_back(runAt(sign * speed, speed < 30.0 ? slowExcess_Nm : 0.0, 0.017, varied, seed++));
+  }
+  return all;
+}
+
+}  // namespace
+
+void TestVelocityFriction::harmonicsOfBoth_areFoundThroughTheRipple() {
+  const auto friction = fitMovingFriction(runs(true, 0.0), options());
+  QVERIFY(friction.ok());
+  for (size_t way = 0; way < 2; ++way) {
+    double worstCoulomb = 0.0, worstViscous = 0.0;
+    for (size_t k = 0; k < 180; ++k) {
+      const double angle = (static_cast<double>(k) + 0.5) * turn / 180.0;
+      worstCoulomb = std::max(worstCoulomb, std::abs((*friction)[way].coulomb_Nm[k].value - coulomb(angle)) / 0.017);
+      worstViscous =
+          std::max(worstViscous, std::abs((*friction)[way].viscous_Nm_s_per_rad[k].value - viscous(angle)) / 2e-5);
+    }
+    QVERIFY2(worstCoulomb < 0.02, qPrintable(QString::number(worstCoulomb)));
+    QVERIFY2(worstViscous < 0.12, qPrintable(QString::number(worstViscous)));
+    QCOMPARE((*friction)[way].leftOut, size_t{0});
+  }
+}
+
+void TestVelocityFriction::noiseAlone_leavesFlatFriction() {
+  const auto friction = fitMovingFriction(runs(false, 0.0), options());
+  QVERIFY(friction.ok());
+  const auto& bins = (*friction)[1].coulomb_Nm;
+  double low = 1.0, high = 0.0;
+  for (const Estimate& bin : bins) low = std::min(low, bin.value), high = std::max(high, bin.value);
+  QVERIFY2(high - low < 2e-4, qPrintable(QString::number(high - low)));
+  QVERIFY(std::abs((*friction)[1].coulombMean_Nm.value - 0.017) < 1e-4);
+}
+
+void TestVelocityFriction::stribeckSpeed_isLeftOut() {
+  const auto friction = fitMovingFriction(runs(false, 0.002), options());
+  QVERIFY(friction.ok());
+  QCOMPARE((*friction)[0].leftOut, size_t{1});
+  QVERIFY(std::abs((*friction)[0].coulombMean_Nm.value - 0.017) < 1e-4);
+}
+
+void TestVelocityFriction::oneSpeedOnly_isReportedAsUnobservable() {
+  const auto friction =
+      fitMovingFriction({runAt(20.0, 0.0, 0.0, false, 1), runAt(-20.0, 0.0, 0.0, false, 2)}, options());
+  QVERIFY(!friction.ok());
+  QVERIFY(friction.error().message().find("expected at least two") != std::string::npos);
+}
+
+QTEST_APPLESS_MAIN(TestVelocityFriction)
+#include "tst_velocity_friction.moc"

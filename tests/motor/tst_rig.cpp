@@ -1,0 +1,100 @@
+#include <QTest>
+
+#include "motor/rig.h"
+#include "motor/rig_torques.h"
+#include "support/random_rig.h"
+
+using namespace breakaway;
+
+class TestRig : public QObject {
+  Q_OBJECT
+ private slots:
+  void randomRigs_areRead();
+  void curve_isMeanTimesHarmonics();
+  void unknownField_getsASuggestion();
+  void negativeInertia_isNamed();
+  void fractionalOrder_isRefused();
+  void frictionBelowZero_isRefused();
+  void unknownEffect_namesTheKnownOnes();
+  void unknownEffectParameter_isRefused();
+  void leftOutEffectParameter_takesItsDefault();
+};
+
+namespace {
+
+std::string rigText(const std::string& inertia = "6e-5", const std::string& staticHarmonics = "[]",
+                    const std::string& more = "") {
+  std::string curves;
+  for (const char* name : {"static_ccw", "coulomb_cw", "coulomb_ccw", "viscous_cw", "viscous_ccw"}) {
+    curves += std::string("\"") + name + "\": {\"mean\": 0.01, \"harmonics\": []}, ";
+  }
+  return R"({"schema": "breakaway.rig/1", "name": "r", "loop_rate_Hz": 5000, "motor": {"torque_constant_Nm_per_A": 0.07,
+    "back_emf_constant_V_s_per_rad": 0.07, "resistance_ohm": 1.2, "inductance_H": 0.0011, "inertia_kg_m2": )" +
+         inertia + R"(}, "friction": {"static_cw": {"mean": 0.02, "harmonics": )" + staticHarmonics + "}, " + curves +
+         R"("stribeck_velocity_rad_per_s": 1.5}, "encoder": {"counts_per_rev": 4096}, "bridge": {"supply_V": 24})" +
+         more + "}";
+}
+
+std::string faultOf(const std::string& text) {
+  const auto rig = readRigText(text, "r.rig.json");
+  return rig.ok() ? std::string() : rig.error().message();
+}
+
+}  // namespace
+
+void TestRig::randomRigs_areRead() {
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    const auto rig = readRigText(test::RandomRig(seed).text(), "random");
+    QVERIFY2(rig.ok(), rig.ok() ? "" : (std::to_string(seed) + ": " + rig.error().message()).c_str());
+  }
+}
+
+void TestRig::curve_isMeanTimesHarmonics() {
+  const auto rig = readRigText(
+      rigText("6e-5", "[[2, 0.25, 0.5]]", R"(, "position_torque": {"harmonics_Nm": [[12, 0.001, 1.0]]})"), "r");
+  QVERIFY(rig.ok());
+  const RigTorques torques = torquesAt(*rig, 0.7);
+  QCOMPARE(torques.static_Nm[0], 0.02 * (1.0 + 0.25 * std::cos(2.0 * 0.7 - 0.5)));
+  QCOMPARE(torques.static_Nm[1], 0.01);
+  QCOMPARE(torques.position_Nm, 0.001 * std::cos(12.0 * 0.7 - 1.0));
+}
+
+void TestRig::unknownField_getsASuggestion() {
+  QCOMPARE(faultOf(rigText("6e-5", "[]", R"(, "efects": [])")),
+           std::string("r.rig.json, field efects: is an unknown field, did you mean effects?"));
+}
+
+void TestRig::negativeInertia_isNamed() {
+  QCOMPARE(faultOf(rigText("-1")),
+           std::string("r.rig.json, field motor.inertia_kg_m2: expected a positive number, found the number -1"));
+}
+
+void TestRig::fractionalOrder_isRefused() {
+  QVERIFY(faultOf(rigText("6e-5", "[[1.5, 0.1, 0]]")).find("whole number") != std::string::npos);
+}
+
+void TestRig::frictionBelowZero_isRefused() {
+  QVERIFY(faultOf(rigText("6e-5", "[[1, 1.2, 0]]")).find("static_cw: falls below zero") != std::string::npos);
+}
+
+void TestRig::unknownEffect_namesTheKnownOnes() {
+  const std::string fault = faultOf(rigText("6e-5", "[]", R"(, "effects": [{"effect": "gremlins"}])"));
+  QVERIFY(fault.find("effects[0].effect: is \"gremlins\"") != std::string::npos);
+  QVERIFY(fault.find("friction_warmup") != std::string::npos);
+}
+
+void TestRig::unknownEffectParameter_isRefused() {
+  const std::string fault =
+      faultOf(rigText("6e-5", "[]", R"(, "effects": [{"effect": "cogging", "parameters": {"ordr": 6}}])"));
+  QVERIFY(fault.find("did you mean order?") != std::string::npos);
+}
+
+void TestRig::leftOutEffectParameter_takesItsDefault() {
+  const auto rig =
+      readRigText(rigText("6e-5", "[]", R"(, "effects": [{"effect": "constant_load", "parameters": {}}])"), "r");
+  QVERIFY(rig.ok());
+  QCOMPARE(torquesAt(*rig, 0.0).position_Nm, 0.002);
+}
+
+QTEST_APPLESS_MAIN(TestRig)
+#include "tst_rig.moc"
