@@ -43,15 +43,15 @@ void print(const Model& model) {
 
 Result<Model> fitted(const FitLine& line, const Preparation& prepared) {
   if (line.method == "inverse") {
-    Model model = prepared.start;
+    Model model = prepared.starts.front();
     for (const std::string& name : line.effects) model.effects.push_back({name, {}});
     auto fit = fitInverse(model, prepared.tracks);
     if (!fit) return fit.error();
     std::printf("least squares on the inverse model, %zu filtered rows, relative error %.2f %%\n", fit->rows, 100.0 * fit->relativeError);
     return fit->model;
   }
-  const SearchInput input{prepared.tracks, prepared.split, prepared.held, prepared.seen, 1, {}, {}};
-  auto fit = fitNamed(input, prepared.start, line.effects);
+  const SearchInput input{prepared.tracks, prepared.split, prepared.held, prepared.seen, 1, {}, {}, {}};
+  auto fit = fitNamed(input, prepared.starts, line.effects);
   if (!fit) return fit.error();
   std::printf("least squares over %zu restarted windows: %s\n", prepared.split.train.size(), fit->termination.c_str());
   return fit->model;

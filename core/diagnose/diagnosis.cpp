@@ -93,20 +93,6 @@ bool leavesAPlace(const Model& best, const std::vector<Track>& tracks, size_t re
   return true;
 }
 
-double restartHorizonFor(const Model& start, const std::vector<Track>& tracks, const std::vector<Window>& windows) {
-  double best = 0.05, least = 1e300;
-  for (const double horizon : {0.004, 0.01, 0.02, 0.05, 0.1, 0.2}) {
-    Model trial = start;
-    trial.restartHorizon_s = horizon;
-    const double error = meanSquare(trial, tracks, windows);
-    if (error < 0.98 * least) {
-      least = error;
-      best = horizon;
-    }
-  }
-  return best;
-}
-
 void nextExperiment(Diagnosis& diagnosis, const Excitation& seen) {
   for (const Finding& finding : diagnosis.findings) {
     if (finding.ambiguousWith.empty()) continue;
@@ -127,40 +113,14 @@ void nextExperiment(Diagnosis& diagnosis, const Excitation& seen) {
 
 }  // namespace
 
-Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& recordings, const std::vector<Recording>& heldout,
-                            double window_s, bool whole) {
-  Preparation out;
-  for (const auto* group : {&recordings, &heldout}) {
-    for (const Recording& recording : *group) {
-      auto track = makeTrack(recording, bench.axis, bench.input, bench.supply_V, bench.count());
-      if (!track) return track.error();
-      out.remarks.insert(out.remarks.end(), track->remarks.begin(), track->remarks.end());
-      out.tracks.push_back(std::move(*track));
-    }
-  }
-  out.recordings = recordings.size();
-  auto split = whole ? wholeTracks(out.tracks, window_s) : splitTracks(out.tracks, recordings.size(), window_s);
-  if (!split) return split.error();
-  out.split = std::move(*split);
-  const std::vector<Track> training(out.tracks.begin(), out.tracks.begin() + static_cast<std::ptrdiff_t>(recordings.size()));
-  auto start = startModel(bench, training);
-  if (!start) return start.error();
-  out.start = std::move(*start);
-  out.start.restartHorizon_s = restartHorizonFor(out.start, out.tracks, out.split.trainScore);
-  out.seen = excitationOf(training, out.start);
-  out.held.assign(bench.trusted.begin(), bench.trusted.end());
-  if (out.seen.highSpeed <= 0.0) return Error{recordings.front().name(), "never moves, so there is nothing to fit"};
-  return out;
-}
-
 Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& recordings, const std::vector<Recording>& heldout,
                            const DiagnoseOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   const auto elapsed = [begin] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
   const auto prepared = prepare(bench, recordings, heldout, options.window_s, false);
   if (!prepared) return prepared.error();
-  const SearchInput input{prepared->tracks, prepared->split, prepared->held, prepared->seen, options.seed, options.stop, options.progress};
-  const auto found = searchEffects(input, prepared->start);
+  const SearchInput input{prepared->tracks, prepared->split, prepared->held, prepared->seen, options.seed, options.stop, options.progress, {}};
+  const auto found = searchEffects(input, prepared->starts);
   if (!found) return found.error();
 
   Diagnosis diagnosis;

@@ -193,7 +193,7 @@ Result<InverseFit> fitInverse(const Model& model, const std::vector<Track>& trac
   return fit;
 }
 
-Result<Model> startModel(const Bench& bench, const std::vector<Track>& tracks) {
+Result<std::vector<Model>> startModels(const Bench& bench, const std::vector<Track>& tracks) {
   const MotorNames& names = motorNames(bench.axis);
   Model model;
   model.axis = bench.axis;
@@ -215,6 +215,7 @@ Result<Model> startModel(const Bench& bench, const std::vector<Track>& tracks) {
   if (bench.pendulum) add("down_angle_rad", bench.pendulum->downAngle_rad);
 
   // input = a·(J/k) + ω·(B/k) + s·(F/k) + gravity/k (+ Ke ω): ratios to the drive's gain k, Kt or Kt/R, come out linearly.
+  const Model believed = model;
   const Physics physics = physicsOf(model);
   std::vector<Column> columns{accelerationColumn, velocityColumn, directionColumn};
   Eigen::Index gravityAt = -1;
@@ -255,10 +256,17 @@ Result<Model> startModel(const Bench& bench, const std::vector<Track>& tracks) {
     if (!got) return got.error();
     return Error{tracks.front().name, "doesn't show the inertia, and the bench doesn't say it"};
   }
-  add(names.inertia, inertia);
-  add(names.viscous, viscous);
-  add(names.coulomb, coulomb);
-  return model;
+  const auto finish = [&names](Model start, double j, double b, double f) {
+    start.base.push_back({names.inertia, j, j, j});
+    start.base.push_back({names.viscous, b, b, b});
+    start.base.push_back({names.coulomb, f, f, f});
+    return start;
+  };
+  std::vector<Model> starts{finish(model, inertia, viscous, coulomb)};
+  if (belief.inertia) {
+    starts.push_back(finish(believed, *belief.inertia, belief.viscous.value_or(0.1 * viscous), belief.coulomb.value_or(coulomb)));
+  }
+  return starts;
 }
 
 Excitation excitationOf(const std::vector<Track>& tracks, const Model& model) {

@@ -23,9 +23,9 @@ struct InverseFit {
 /// linearly, columns that can't be told apart.
 Result<InverseFit> fitInverse(const Model& model, const std::vector<Track>& tracks);
 
-/// A base model with every parameter the bench needs: what it believes, and for what it doesn't say, or says wrongly by much,
-/// what the inverse model gives. Trusted values are kept.
-Result<Model> startModel(const Bench& bench, const std::vector<Track>& tracks);
+/// Base models to start from, with every parameter the bench needs: what the inverse model finds, and, where the bench says enough,
+/// what it believes. Trusted values are kept in both. Errors: neither the recordings nor the bench tell the inertia.
+Result<std::vector<Model>> startModels(const Bench& bench, const std::vector<Track>& tracks);
 
 /// Speeds, travel and torques that the recordings show.
 Excitation excitationOf(const std::vector<Track>& tracks, const Model& model);

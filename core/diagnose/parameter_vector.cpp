@@ -57,8 +57,10 @@ ParameterVector::ParameterVector(const Model& model, const std::vector<std::stri
         slot.upper = std::min(std::log(specs[k].upper), std::log(value) + 4.0);
       } else {
         slot.scale = std::max(typicalSize(specs[k].name, torqueSize, speedSize), 1e-300);
-        slot.lower = specs[k].lower / slot.scale;
-        slot.upper = specs[k].upper / slot.scale;
+        // No torque that an effect adds can exceed the drive's peak: the axis could not have moved against it.
+        const bool torque = endsWith(specs[k].name, "_Nm") || endsWith(specs[k].name, "_N");
+        slot.lower = torque ? std::max(-1.0, specs[k].lower / slot.scale) : specs[k].lower / slot.scale;
+        slot.upper = torque ? std::min(1.0, specs[k].upper / slot.scale) : specs[k].upper / slot.scale;
       }
       slots_.push_back(slot);
     }

@@ -17,7 +17,7 @@ struct Preparation {
   std::vector<Track> tracks;        ///< training recordings first, then held-out ones
   size_t recordings = 0;            ///< how many of them train
   Split split;
-  Model start;                      ///< base model with start values and the restart's horizon
+  std::vector<Model> starts;        ///< base models with start values and the restart's horizon, the inverse model's first
   Excitation seen;
   std::vector<std::string> held;    ///< trusted base parameters
   std::vector<std::string> remarks;

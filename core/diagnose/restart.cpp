@@ -1,5 +1,6 @@
 #include "diagnose/restart.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -53,45 +54,51 @@ MotionState restartState(Stepper& stepper, const Track& track, size_t row, doubl
 
   const size_t early = first + std::max<size_t>(2, (row - first) / 3);
   const Line line = lineThrough(track, first, early);
-  double x = line.position, v = line.slope;
   const double length = track.time[row] - track.time[first];
-  const double nudge = std::max(1e-6 * std::abs(v), 1e-3 * std::max(track.noise, 1e-12) / length);
-  const auto beginAt = [&](double position, double velocity) {
-    return MotionState{position, velocity, settledCurrent(stepper.physics(), track, first, velocity)};
+  const double small = std::max(track.noise, 1e-12);
+  Eigen::Vector3d unknown(line.position, line.slope, 0.0);  // position, velocity, load
+  const Eigen::Vector3d nudge(small, small / length, stepper.physics().inertia * small / (length * length));
+  const double ownLoad = stepper.physics().load;
+  const auto beginAt = [&](const Eigen::Vector3d& at) {
+    return MotionState{at[0], at[1], settledCurrent(stepper.physics(), track, first, at[1])};
   };
   for (int iteration = 0; iteration < 2; ++iteration) {
-    MotionState nominal = beginAt(x, v), faster = beginAt(x, v + nudge);
-    double n = 0, sj = 0, sjj = 0, sr = 0, sjr = 0;
+    std::array<Eigen::Vector3d, 4> at{unknown, unknown, unknown, unknown};
+    std::array<MotionState, 4> states;
+    for (int k = 0; k < 4; ++k) {
+      if (k > 0) at[static_cast<size_t>(k)][k - 1] += nudge[k - 1];
+      states[static_cast<size_t>(k)] = beginAt(at[static_cast<size_t>(k)]);
+    }
+    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d right = Eigen::Vector3d::Zero();
     for (size_t k = first; k <= row; ++k) {
       if (track.seen[k]) {
-        const double j = (faster.position - nominal.position) / nudge;
-        const double r = track.position[k] - nominal.position;
-        n += 1;
-        sj += j;
-        sjj += j * j;
-        sr += r;
-        sjr += j * r;
+        Eigen::Vector3d slope;  // of the position by each unknown, in units of its nudge
+        for (int j = 0; j < 3; ++j) slope[j] = states[static_cast<size_t>(j) + 1].position - states[0].position;
+        normal += slope * slope.transpose();
+        right += slope * (track.position[k] - states[0].position);
       }
       if (k == row) break;
-      run(stepper, track, k, k + 1, nominal);
-      run(stepper, track, k, k + 1, faster);
+      for (size_t j = 0; j < 4; ++j) {
+        stepper.setLoad(ownLoad + at[j][2]);
+        run(stepper, track, k, k + 1, states[j]);
+      }
     }
-    const double ridge = 1e-6 * n * length * length;
-    const double determinant = n * (sjj + ridge) - sj * sj;
-    if (n < 3 || determinant <= 0.0) break;
-    const double dv = (n * sjr - sj * sr) / determinant;
-    x += (sr - sj * dv) / n;
-    v += dv;
+    // Where friction swallows a nudge at once, the ridge keeps its step at zero.
+    normal.diagonal().array() += 1e-9 * normal.diagonal().maxCoeff() + 1e-300;
+    unknown += nudge.cwiseProduct(normal.ldlt().solve(right));
   }
-  MotionState state = beginAt(x, v);
+  MotionState state = beginAt(unknown);
+  stepper.setLoad(ownLoad + unknown[2]);
   run(stepper, track, first, row, state);
+  stepper.setLoad(ownLoad);
   return state;
 }
 
 double restartVelocityNoise(const Track& track, double horizon_s) {
   const double step = track.time.back() / static_cast<double>(track.rows() - 1);
   const double rows = std::max(4.0, horizon_s / step + 1.0);
-  return track.noise * std::sqrt(12.0 / rows) / (step * (rows - 1.0));
+  return track.noise * std::sqrt(192.0 / rows) / (step * (rows - 1.0));
 }
 
 std::vector<size_t> restartRows(const Track& track, double window_s) {

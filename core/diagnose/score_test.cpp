@@ -47,14 +47,16 @@ Model withEffect(const Model& model, const Effect& effect, const Shape& shape, c
 
 std::vector<Candidate> scoreTest(const FitResult& at, const ParameterVector& parameters, const std::vector<Track>& tracks,
                                  const std::vector<Window>& windows, const std::vector<const Effect*>& effects,
-                                 const Excitation& seen, std::uint64_t seed) {
+                                 const Excitation& seen, std::uint64_t seed, const std::vector<double>& windowWeights) {
   const Eigen::Index size = parameters.size();
   std::vector<WindowResidual> residuals;
   residuals.reserve(windows.size());
   Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(size, size);
   double squares = 0.0;
   for (size_t w = 0; w < windows.size(); ++w) {
-    residuals.emplace_back(tracks[windows[w].track], windows[w], at.weights);
+    const double factor = windowWeights.empty() ? 1.0 : windowWeights[w];
+    residuals.emplace_back(tracks[windows[w].track], windows[w],
+                           Weights{factor * at.weights.position, factor * at.weights.current});
     residuals.back().fit(at.model);
     normal += at.windows[w].jacobian.transpose() * at.windows[w].jacobian;
     squares += at.windows[w].residual.squaredNorm();

@@ -22,9 +22,10 @@ struct Candidate {
 /// (wild bootstrap, maximum over all candidates), so that correlation within a window does no harm. Sorted by gain.
 std::vector<Candidate> scoreTest(const FitResult& at, const ParameterVector& parameters, const std::vector<Track>& tracks,
                                  const std::vector<Window>& windows, const std::vector<const Effect*>& effects,
-                                 const Excitation& seen, std::uint64_t seed);
+                                 const Excitation& seen, std::uint64_t seed,
+                                 const std::vector<double>& windowWeights = {});
 
-/// Mean squared position residual per window, each predicted by a fit to the other folds: one Gauss–Newton step from the common fit.
+/// Mean squared position residual per window (times its squared weight), each predicted by a fit to the other folds: one Gauss–Newton step from the common fit.
 std::vector<double> crossValidated(const FitResult& fit, const std::vector<int>& fold, int folds);
 
 }  // namespace breakaway

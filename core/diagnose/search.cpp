@@ -79,21 +79,42 @@ Comparison compare(const std::vector<double>& before, const std::vector<double>&
   return out;
 }
 
+/// p-value of the windows' errors falling together: sign flips of the differences of their roots, one-sided.
+double signFlipPValue(const std::vector<double>& before, const std::vector<double>& after, std::uint64_t seed) {
+  std::vector<double> gain(before.size());
+  for (size_t k = 0; k < before.size(); ++k) gain[k] = std::sqrt(before[k]) - std::sqrt(after[k]);
+  const double seen = mean(gain);
+  Random random(seed);
+  size_t beaten = 0;
+  constexpr size_t flips = 1999;
+  for (size_t flip = 0; flip < flips; ++flip) {
+    double sum = 0.0;
+    for (const double one : gain) sum += random.bits() >> 63 ? one : -one;
+    if (sum / static_cast<double>(gain.size()) >= seen) ++beaten;
+  }
+  return static_cast<double>(1 + beaten) / static_cast<double>(1 + flips);
+}
+
 class Search {
  public:
-  explicit Search(const SearchInput& input) : input_(input) {}
+  explicit Search(SearchInput input) : input_(std::move(input)) {}
 
-  Result<SearchResult> run(const Model& start) {
+  Result<SearchResult> run(const std::vector<Model>& starts) {
     SearchResult result;
     say(0.05, "fitting the base model");
-    result.base = fitModel(input_, start);
-    // Once more from its own optimum: the base is fitted as hard as any extended model.
+    result.base = fitBase(input_, starts);
+    input_.windowWeights = robustWeights(result.base.windowSquares);
     result.base = fitModel(input_, result.base.model);
     result.best = result.base;
     if (auto done = forward(result); !done) return done.error();
     backward(result);
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
     weigh(result);
+    say(0.9, "refining");
+    const std::vector<double> weights =
+        robustWeights(residualSquares(result.base.model, input_.tracks, input_.split.polish));
+    result.base = polishModel(input_, result.base.model, weights);
+    result.best = result.chosen.empty() ? result.base : polishModel(input_, result.best.model, weights);
     return result;
   }
 
@@ -104,7 +125,8 @@ class Search {
   std::vector<double> validated(const FitResult& fit) const { return crossValidated(fit, input_.split.fold, folds); }
   std::vector<Candidate> score(const FitResult& fit, const std::vector<const Effect*>& effects) const {
     const ParameterVector parameters = vectorOf(fit.model);
-    return scoreTest(fit, parameters, input_.tracks, input_.split.train, effects, input_.seen, input_.seed);
+    return scoreTest(fit, parameters, input_.tracks, input_.split.train, effects, input_.seen, input_.seed,
+                     input_.windowWeights);
   }
   ParameterVector vectorOf(const Model& model) const {
     return {model, input_.held, std::max(input_.seen.peakTorque, 1e-12), std::max(input_.seen.highSpeed, 1e-9)};
@@ -121,15 +143,23 @@ class Search {
       double best = leastImprovement;
       size_t tried = 0;
       for (const Candidate& candidate : candidates) {
-        if (candidate.pValue > largestPValue || candidate.gain < 0.5 * leastImprovement || tried == finalists) continue;
+        // The score is blind where a few windows rule it; an effect without a shape to choose may also prove itself after the fit.
+        const bool oneShape = candidate.effect->shapes(input_.seen).size() == 1;
+        if ((candidate.pValue > largestPValue && !oneShape) || candidate.gain < leastImprovement || tried == finalists) continue;
         ++tried;
-        FitResult fit = fitModel(input_, with(result.best.model, candidate), 15);
+        FitResult fit = fitModel(input_, with(result.best.model, candidate), 10);
         if (!fit.usable) continue;
-        const Comparison gain = compare(before, validated(fit), input_.seed);
-        if (gain.interval.low <= 0.0 || gain.relative <= best) continue;
+        const auto after = validated(fit);
+        double pValue = candidate.pValue;
+        if (oneShape) {
+          const double trials = static_cast<double>(candidates.size());
+          pValue = std::min(pValue, std::min(1.0, trials * signFlipPValue(before, after, input_.seed)));
+        }
+        const Comparison gain = compare(before, after, input_.seed);
+        if (pValue > largestPValue || gain.interval.low <= 0.0 || gain.relative <= best) continue;
         best = gain.relative;
         winner = std::move(fit);
-        chosen = {candidate.effect, candidate.pValue, 0.0, {}};
+        chosen = {candidate.effect, pValue, 0.0, {}};
       }
       if (!winner) return {};
       result.best = std::move(*winner);
@@ -144,7 +174,7 @@ class Search {
     while (changed && !input_.stop.stop_requested()) {
       changed = false;
       for (size_t k = 0; k < result.chosen.size() && result.chosen.size() > 1; ++k) {
-        FitResult fit = fitModel(input_, without(result.best.model, *result.chosen[k].effect), 15);
+        FitResult fit = fitModel(input_, without(result.best.model, *result.chosen[k].effect), 10);
         const Comparison loss = compare(validated(fit), validated(result.best), input_.seed);
         if (loss.interval.low > 0.0 && loss.relative > leastImprovement) continue;
         result.best = std::move(fit);
@@ -163,7 +193,7 @@ class Search {
       Chosen& chosen = result.chosen[k];
       say(0.6 + 0.3 * static_cast<double>(k) / static_cast<double>(result.chosen.size()), "weighing rivals");
       const bool alone = result.chosen.size() == 1;
-      const FitResult left = alone ? result.base : fitModel(input_, without(result.best.model, *chosen.effect), 15);
+      const FitResult left = alone ? result.base : fitModel(input_, without(result.best.model, *chosen.effect), 10);
       chosen.marginal = std::max(0.0, mean(left.windowSquares) - mean(result.best.windowSquares));
       const auto candidates = score(left, openEffects(left.model));
       double own = 0.0;
@@ -176,7 +206,7 @@ class Search {
           continue;
         }
         if (one.gain < 0.5 * own) continue;
-        const FitResult fit = fitModel(input_, with(left.model, one), 15);
+        const FitResult fit = fitModel(input_, with(left.model, one), 10);
         if (!fit.usable) continue;
         const Comparison ahead = compare(validated(fit), best, input_.seed);
         if (ahead.inErrors < 2.0) chosen.rivals.push_back(one.effect);
@@ -189,22 +219,36 @@ class Search {
 
   static bool same(const Effect* a, const Effect* b) { return a == b || a->twin() == b->name(); }
 
-  const SearchInput& input_;
+  SearchInput input_;
 };
 
 }  // namespace
 
 FitResult fitModel(const SearchInput& input, const Model& model, int iterations) {
   const ParameterVector parameters(model, input.held, std::max(input.seen.peakTorque, 1e-12), std::max(input.seen.highSpeed, 1e-9));
-  return fitWindows(parameters, input.tracks, input.split.train, {.iterations = iterations, .stop = input.stop});
+  return fitWindows(parameters, input.tracks, input.split.train, {.iterations = iterations, .windowWeights = input.windowWeights, .stop = input.stop});
 }
 
-Result<SearchResult> searchEffects(const SearchInput& input, const Model& start) {
-  return Search(input).run(start);
+FitResult fitBase(const SearchInput& input, const std::vector<Model>& starts) {
+  FitResult best;
+  for (const Model& start : starts) {
+    FitResult fit = fitModel(input, start);
+    if (best.windows.empty() || (fit.usable && fit.rmse < best.rmse)) best = std::move(fit);
+  }
+  return best;
 }
 
-Result<FitResult> fitNamed(const SearchInput& input, const Model& start, const std::vector<std::string>& names) {
-  FitResult fit = fitModel(input, start);
+FitResult polishModel(const SearchInput& input, const Model& model, const std::vector<double>& windowWeights) {
+  const ParameterVector parameters(model, input.held, std::max(input.seen.peakTorque, 1e-12), std::max(input.seen.highSpeed, 1e-9));
+  return fitWindows(parameters, input.tracks, input.split.polish, {.iterations = 6, .windowWeights = windowWeights, .stop = input.stop});
+}
+
+Result<SearchResult> searchEffects(const SearchInput& input, const std::vector<Model>& starts) {
+  return Search(input).run(starts);
+}
+
+Result<FitResult> fitNamed(const SearchInput& input, const std::vector<Model>& starts, const std::vector<std::string>& names) {
+  FitResult fit = fitBase(input, starts);
   for (const std::string& name : names) {
     const ParameterVector parameters(fit.model, input.held, std::max(input.seen.peakTorque, 1e-12),
                                      std::max(input.seen.highSpeed, 1e-9));
@@ -214,6 +258,7 @@ Result<FitResult> fitNamed(const SearchInput& input, const Model& start, const s
     }
     fit = fitModel(input, with(fit.model, found.front()));
   }
+  fit = polishModel(input, fit.model);
   if (!fit.usable) return Error{input.tracks.front().name, "can't be fitted: the search for the best parameters came to no end"};
   return fit;
 }

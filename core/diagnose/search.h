@@ -22,6 +22,7 @@ struct SearchInput {
   std::uint64_t seed = 1;
   std::stop_token stop;
   std::function<void(double, const std::string&)> progress;
+  std::vector<double> windowWeights;  ///< of split.train; empty: all 1
 };
 
 struct Chosen {
@@ -38,14 +39,21 @@ struct SearchResult {
 };
 
 /// A fit of `model` to the training windows.
-FitResult fitModel(const SearchInput& input, const Model& model, int iterations = 25);
+FitResult fitModel(const SearchInput& input, const Model& model, int iterations = 20);
 
-/// An effect enters when the family-wise p-value of its score is at most 0.01, and the cross-validated error of the training windows falls by
+/// The base model: the best of the fits from each start.
+FitResult fitBase(const SearchInput& input, const std::vector<Model>& starts);
+
+/// The last refinement, on the overlapping windows.
+FitResult polishModel(const SearchInput& input, const Model& model, const std::vector<double>& windowWeights = {});
+
+/// An effect enters when the family-wise p-value of its score (or, where it has no shape to choose, of its windows' errors after the fit,
+/// times the number of candidates) is at most 0.01, and the cross-validated error of the training windows falls by
 /// at least 3 % with a 95 % interval above zero. It leaves again when the error without it is as good. A rival is an effect that, refitted in
 /// the chosen one's place, comes within two standard errors of it in cross-validation. Held-out data is never looked at.
-Result<SearchResult> searchEffects(const SearchInput& input, const Model& start);
+Result<SearchResult> searchEffects(const SearchInput& input, const std::vector<Model>& starts);
 
 /// The effects named, each at its best shape by the score test, fitted together with the base.
-Result<FitResult> fitNamed(const SearchInput& input, const Model& start, const std::vector<std::string>& names);
+Result<FitResult> fitNamed(const SearchInput& input, const std::vector<Model>& starts, const std::vector<std::string>& names);
 
 }  // namespace breakaway

@@ -24,14 +24,14 @@ void append(std::vector<Window>& to, std::vector<Window> from) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
-/// Held-out stretches of one recording of `length` s: one for each 15 s, at most four, a quarter of the time together.
+/// Held-out stretches of one recording of `length` s: the last fifth of each part of about 30 s.
 std::vector<Stretch> heldoutStretches(double length) {
-  const double blocks = std::clamp(std::round(length / 15.0), 1.0, 4.0);
-  const double size = std::max(1.0, std::round(0.25 * length / blocks));
+  const double parts = std::clamp(std::round(length / 30.0), 1.0, 8.0);
   std::vector<Stretch> stretches;
-  for (double k = 0.0; k < blocks; k += 1.0) {
-    const double from = blocks == 1.0 ? std::floor(length - size) : std::round((k + 0.6) * length / blocks - 0.5 * size);
-    stretches.push_back({from, from + size});
+  for (double k = 1.0; k <= parts; k += 1.0) {
+    const double to = k * length / parts;
+    const double from = std::floor(to - std::max(1.0, 0.2 * length / parts));
+    stretches.push_back({from, k < parts ? std::floor(to) : length + 1.0});
   }
   return stretches;
 }
@@ -46,6 +46,16 @@ Error tooShort(const Track& track, double length, double needed) {
   char fact[120];
   std::snprintf(fact, sizeof fact, "is too short to fit: it holds %.3g s of usable data, expected at least %.3g s", length, needed);
   return {track.name, fact};
+}
+
+/// Windows of `window_s` that begin every quarter of it within rows [from, to).
+void appendOverlapping(std::vector<Window>& windows, const Track& track, size_t index, size_t from, size_t to, double window_s) {
+  if (from >= to) return;
+  const double end = to < track.rows() ? track.time[to] : track.time.back();
+  for (double t = track.time[from]; t + window_s <= end + 1e-9; t += 0.25 * window_s) {
+    const size_t first = rowAt(track, t), last = std::min(rowAt(track, t + window_s), to) - 1;
+    if (last - first >= 8) windows.push_back({index, first, last});
+  }
 }
 
 void assignFolds(Split& split) {
@@ -71,6 +81,7 @@ Result<Split> splitTracks(const std::vector<Track>& tracks, size_t recordings, d
     }
     const auto train = [&](size_t from, size_t to) {
       append(split.train, windowsOf(tracks, k, from, to, fitWindow));
+      appendOverlapping(split.polish, track, k, from, to, fitWindow);
       append(split.trainScore, windowsOf(tracks, k, from, to, window_s));
     };
     if (split.separateRecording || wholeOnes) {
@@ -86,7 +97,7 @@ Result<Split> splitTracks(const std::vector<Track>& tracks, size_t recordings, d
     }
     if (from < track.time.back()) train(rowAt(track, from), track.rows());
   }
-  const double needed = (static_cast<double>(fewestWindows) * fitWindow + gap_s) / 0.75;
+  const double needed = (static_cast<double>(fewestWindows) * fitWindow + gap_s) / 0.8;
   if (split.train.size() < fewestWindows || split.heldoutScore.size() < 2) return tooShort(tracks.front(), total, needed);
   assignFolds(split);
   return split;
@@ -98,6 +109,7 @@ Result<Split> wholeTracks(const std::vector<Track>& tracks, double window_s) {
   const double fitWindow = total >= 15.0 ? std::max(1.0, window_s) : window_s;
   for (size_t k = 0; k < tracks.size(); ++k) {
     append(split.train, windowsOf(tracks, k, 0, tracks[k].rows(), fitWindow));
+    appendOverlapping(split.polish, tracks[k], k, 0, tracks[k].rows(), fitWindow);
     append(split.trainScore, windowsOf(tracks, k, 0, tracks[k].rows(), window_s));
   }
   if (split.train.size() < fewestWindows) return tooShort(tracks.front(), total, static_cast<double>(fewestWindows) * fitWindow);

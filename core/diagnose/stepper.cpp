@@ -20,7 +20,7 @@ Stepper::Stepper(const Physics& physics, std::vector<CompiledTerm> terms)
     : physics_(physics), terms_(std::move(terms)), stateDependent_(!terms_.empty() || physics.gravity != 0.0) {}
 
 Stepper::Forces Stepper::forcesAt(double position, double velocity, double direction, double drive, double time_s) const {
-  Forces forces{0.0, physics_.coulomb};
+  Forces forces{physics_.load, physics_.coulomb};
   if (!stateDependent_) return forces;
   if (physics_.gravity != 0.0) forces.load += physics_.gravity * std::sin(position - physics_.downAngle);
   const Situation at{physics_.axis, time_s, position, velocity, 0.0, drive, direction};
@@ -35,7 +35,7 @@ Stepper::Forces Stepper::forcesAt(double position, double velocity, double direc
 
 Stepper::Forces Stepper::forcesDuring(const MotionState& state, double direction, double drive, double damping, double dt,
                                       double time_s) const {
-  if (!stateDependent_) return {0.0, physics_.coulomb};
+  if (!stateDependent_) return {physics_.load, physics_.coulomb};
   const Forces start = forcesAt(state.position, state.velocity, direction, drive, time_s);
   const double backEmf = damping - physics_.viscous;  // without inductance the back-EMF acts as damping
   const double acceleration =

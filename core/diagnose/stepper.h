@@ -22,6 +22,7 @@ struct Physics {
   double backEmf = 0.0;         ///< Ke, V s/rad
   double resistance = 1.0;      ///< R, Ω
   double inductance = 0.0;      ///< L, H; 0: the current follows at once
+  double load = 0.0;            ///< a further constant load, Nm; the restart's observer uses it for what the model lacks
 };
 
 struct CompiledTerm {
@@ -45,6 +46,7 @@ class Stepper {
   /// One row: `dt` s under input `u`, from `time_s` on; `connected` false means open windings. Divided into steps of at most
   /// 2 ms where terms depend on the state.
   const Physics& physics() const { return physics_; }
+  void setLoad(double load_Nm) { physics_.load = load_Nm; }
 
   void advance(MotionState& state, double u, double dt, double time_s, bool connected = true);
 

@@ -67,15 +67,16 @@ void WindowResidual::fit(const Model& model) {
   Eigen::VectorXd moved(rows());
   Eigen::MatrixXd byState(rows(), 2);
   const double shift = std::max(track_.noise, 1e-9 * length_), kick = shift / length_;
-  constexpr int iterations = 3;
-  for (int iteration = 0; iteration < iterations; ++iteration) {
-    evaluate(stepper, state_, nominal_);
-    evaluate(stepper, {state_.position + shift, state_.velocity, 0.0}, moved);
-    byState.col(0) = (moved - nominal_) / shift;
-    evaluate(stepper, {state_.position, state_.velocity + kick, 0.0}, moved);
-    byState.col(1) = (moved - nominal_) / kick;
-    if (iteration + 1 == iterations) break;
-    const Eigen::Vector2d step = (byState.transpose() * byState).ldlt().solve(-byState.transpose() * nominal_);
+  evaluate(stepper, state_, nominal_);
+  evaluate(stepper, {state_.position + shift, state_.velocity, 0.0}, moved);
+  byState.col(0) = (moved - nominal_) / shift;
+  evaluate(stepper, {state_.position, state_.velocity + kick, 0.0}, moved);
+  byState.col(1) = (moved - nominal_) / kick;
+  // The observer is close and the motion nearly linear in its start: one step is enough, and a worse one is taken back.
+  const Eigen::Vector2d step = (byState.transpose() * byState).ldlt().solve(-byState.transpose() * nominal_);
+  evaluate(stepper, {state_.position + step[0], state_.velocity + step[1], 0.0}, moved);
+  if (moved.squaredNorm() < nominal_.squaredNorm()) {
+    nominal_ = moved;
     state_.position += step[0];
     state_.velocity += step[1];
   }

@@ -4,7 +4,9 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <map>
 
+#include "base/statistics.h"
 #include "diagnose/physics.h"
 #include "diagnose/restart.h"
 
@@ -101,8 +103,10 @@ FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>
   residuals.reserve(windows.size());
   ceres::Problem problem;
   double count = 0.0;
-  for (const Window& window : windows) {
-    residuals.emplace_back(tracks[window.track], window, result.weights);
+  for (size_t w = 0; w < windows.size(); ++w) {
+    const double factor = options.windowWeights.empty() ? 1.0 : options.windowWeights[w];
+    residuals.emplace_back(tracks[windows[w].track], windows[w],
+                           Weights{factor * result.weights.position, factor * result.weights.current});
     count += static_cast<double>(residuals.back().rows());
     problem.AddResidualBlock(new WindowCost(parameters, residuals.back()), nullptr, x.data());
   }
@@ -128,18 +132,26 @@ FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>
   result.termination = ceres::TerminationTypeToString(summary.termination_type);
   const Eigen::Index size = x.size();
   Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(size, size), meat = normal;
+  std::map<std::pair<size_t, long>, Eigen::VectorXd> clusters;  // windows of one second of one track, which overlap or adjoin
   double squares = 0.0, positions = 0.0;
-  for (WindowResidual& residual : residuals) {
+  for (size_t w = 0; w < residuals.size(); ++w) {
+    WindowResidual& residual = residuals[w];
     result.windows.push_back(derive(parameters, residual, x, true));
     const WindowDerivative& window = result.windows.back();
     const Eigen::VectorXd score = window.jacobian.transpose() * window.residual;
     normal += window.jacobian.transpose() * window.jacobian;
-    meat += score * score.transpose();
-    const double sum = window.residual.head(window.positions).squaredNorm() / std::pow(result.weights.position, 2);
+    const Track& track = tracks[windows[w].track];
+    const double length = track.time[windows[w].last] - track.time[windows[w].first];
+    auto& cluster = clusters.try_emplace({windows[w].track, std::lround(std::floor(track.time[windows[w].first] / length + 1e-6))},
+                                         Eigen::VectorXd::Zero(size)).first->second;
+    cluster += score;
+    const double factor = options.windowWeights.empty() ? 1.0 : options.windowWeights[w];
+    const double sum = window.residual.head(window.positions).squaredNorm() / std::pow(factor * result.weights.position, 2);
     result.windowSquares.push_back(sum / static_cast<double>(window.positions));
     squares += sum;
     positions += static_cast<double>(window.positions);
   }
+  for (const auto& [where, score] : clusters) meat += score * score.transpose();
   result.rmse = std::sqrt(squares / positions);
   const double precision = std::pow(priorWeight / priorDeviation, 2);
   for (Eigen::Index k = 0; k < size; ++k) {
@@ -150,10 +162,27 @@ FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>
   }
   normal.diagonal().array() += 1e-12 * normal.diagonal().maxCoeff();
   const Eigen::MatrixXd inverse = normal.ldlt().solve(Eigen::MatrixXd::Identity(size, size));
-  const auto n = static_cast<double>(windows.size());
+  const auto n = static_cast<double>(clusters.size());
   result.covariance = inverse * meat * inverse * (n / std::max(1.0, n - static_cast<double>(size)));
   result.model = parameters.withIntervals(x, result.covariance);
   return result;
+}
+
+std::vector<double> residualSquares(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows) {
+  std::vector<double> squares;
+  for (const Window& window : windows) {
+    WindowResidual residual(tracks[window.track], window, {1.0, 0.0});
+    residual.fit(model);
+    squares.push_back(residual.residual().head(residual.positions()).squaredNorm() / static_cast<double>(residual.positions()));
+  }
+  return squares;
+}
+
+std::vector<double> robustWeights(const std::vector<double>& windowSquares) {
+  const double usual = std::sqrt(quantile(windowSquares, 0.5));
+  std::vector<double> weights;
+  for (const double squares : windowSquares) weights.push_back(std::min(1.0, 2.5 * usual / std::max(std::sqrt(squares), 1e-300)));
+  return weights;
 }
 
 std::vector<double> scoreWindows(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows) {

@@ -12,6 +12,7 @@ namespace breakaway {
 
 struct FitOptions {
   int iterations = 25;
+  std::vector<double> windowWeights;  ///< one per window, at most 1; empty: all 1
   std::stop_token stop;
 };
 
@@ -36,9 +37,15 @@ struct FitResult {
 
 /// Minimises the weighted residuals over the windows, with a weak prior on the start values of positive quantities (a factor of three, one
 /// standard deviation, with the weight of about one window in a hundred), which holds what no data reach: the gauge. Intervals come
-/// from the sandwich estimator clustered by window (H. White, Econometrica 50(1), 1982).
+/// from the sandwich estimator clustered by stretches of a window's length (H. White, Econometrica 50(1), 1982).
 FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>& tracks, const std::vector<Window>& windows,
                      const FitOptions& options);
+
+/// Mean squared position residual per window with the best initial state, as the fit sees it.
+std::vector<double> residualSquares(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows);
+
+/// Weights that keep single windows from ruling a fit: 1, or less where a window's rms residual exceeds 2.5 times the median window's.
+std::vector<double> robustWeights(const std::vector<double>& windowSquares);
 
 /// Mean squared position residual per window when each window restarts as simulate() does it.
 std::vector<double> scoreWindows(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows);

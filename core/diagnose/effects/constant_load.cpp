@@ -17,7 +17,10 @@ class ConstantLoad final : public Effect {
   }
   std::vector<ParameterSpec> parameters(Axis axis) const override { return {{torqueName("load", axis), -1e9, 1e9}}; }
   Term term(std::span<const double> p, const Situation&) const override { return {p[0], 0.0}; }
-  std::vector<Shape> shapes(const Excitation&) const override { return {{}}; }
+  std::vector<Shape> shapes(const Excitation& seen) const override {
+    // One way only, it is one and the same as the base model's dry friction.
+    return seen.bothWays ? std::vector<Shape>{{}} : std::vector<Shape>{};
+  }
   size_t amplitudes() const override { return 1; }
   void columns(const Shape&, const Situation&, std::span<double> out) const override { out[0] = 1.0; }
   std::vector<double> fromAmplitudes(const Shape&, std::span<const double> amplitude) const override { return {amplitude[0]}; }

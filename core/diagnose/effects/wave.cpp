@@ -43,10 +43,11 @@ std::vector<Shape> waveShapes(const Excitation& seen, int lowest, int highest) {
   if (seen.axis == Axis::rotary) {
     for (int order = lowest; order <= highest; ++order) {
       const double wave = turn / order;
-      if (seen.travel > 0.8 * wave && wave > 8.0 * seen.count) shapes.push_back({static_cast<double>(order)});
+      const bool whole = seen.travel > 0.95 * turn || seen.travel > 2.0 * wave;
+      if (whole && wave > 8.0 * seen.count) shapes.push_back({static_cast<double>(order)});
     }
   } else {
-    for (double waves = 1.0; waves <= 40.0; waves *= 1.25) shapes.push_back({seen.travel / waves});
+    for (double waves = 2.0; waves <= 50.0; waves *= 1.2) shapes.push_back({seen.travel / waves});
   }
   return shapes;
 }

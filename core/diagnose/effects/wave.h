@@ -17,7 +17,8 @@ double waveValue(std::span<const double> p, const Situation& at);
 void waveColumns(const Shape& shape, const Situation& at, double factor, std::span<double> out);
 /// Parameters from the amplitudes of cosine and sine.
 std::vector<double> waveFromAmplitudes(const Shape& shape, std::span<const double> amplitude);
-/// Orders from `lowest` to `highest` (rotary) or periods (linear) that the travel and the encoder can show.
+/// Orders from `lowest` to `highest` (rotary) or periods (linear) that the travel (a whole turn, or two waves)
+/// and the encoder can show.
 std::vector<Shape> waveShapes(const Excitation& seen, int lowest, int highest);
 
 /// "12 times per turn", "every 5 mm".

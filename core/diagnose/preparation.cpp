@@ -1,0 +1,51 @@
+#include "diagnose/preparation.h"
+
+#include <algorithm>
+
+#include "diagnose/inverse_fit.h"
+#include "diagnose/restart.h"
+
+namespace breakaway {
+
+namespace {
+
+/// The shortest look back that knows the velocity to a thousandth of the higher speeds; a longer one lets the model's own faults in.
+double restartHorizonFor(const std::vector<Track>& tracks, double highSpeed) {
+  for (const double horizon : {0.02, 0.05, 0.1}) {
+    const bool enough = std::all_of(tracks.begin(), tracks.end(), [=](const Track& track) {
+      return restartVelocityNoise(track, horizon) <= 1e-3 * highSpeed;
+    });
+    if (enough) return horizon;
+  }
+  return 0.2;
+}
+
+}  // namespace
+
+Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& recordings, const std::vector<Recording>& heldout,
+                            double window_s, bool whole) {
+  Preparation out;
+  for (const auto* group : {&recordings, &heldout}) {
+    for (const Recording& recording : *group) {
+      auto track = makeTrack(recording, bench.axis, bench.input, bench.supply_V, bench.count());
+      if (!track) return track.error();
+      out.remarks.insert(out.remarks.end(), track->remarks.begin(), track->remarks.end());
+      out.tracks.push_back(std::move(*track));
+    }
+  }
+  out.recordings = recordings.size();
+  auto split = whole ? wholeTracks(out.tracks, window_s) : splitTracks(out.tracks, recordings.size(), window_s);
+  if (!split) return split.error();
+  out.split = std::move(*split);
+  const std::vector<Track> training(out.tracks.begin(), out.tracks.begin() + static_cast<std::ptrdiff_t>(recordings.size()));
+  auto starts = startModels(bench, training);
+  if (!starts) return starts.error();
+  out.starts = std::move(*starts);
+  out.seen = excitationOf(training, out.starts.front());
+  out.held.assign(bench.trusted.begin(), bench.trusted.end());
+  for (Model& start : out.starts) start.restartHorizon_s = restartHorizonFor(out.tracks, out.seen.highSpeed);
+  if (out.seen.highSpeed <= 0.0) return Error{recordings.front().name(), "never moves, so there is nothing to fit"};
+  return out;
+}
+
+}  // namespace breakaway
