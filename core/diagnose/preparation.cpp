@@ -20,6 +20,20 @@ double restartHorizonFor(const std::vector<Track>& tracks, double highSpeed) {
   return 0.2;
 }
 
+/// Scale that no data can give: what must be held at the bench's value, besides what is trusted.
+std::vector<std::string> gauge(const Bench& bench, const std::vector<Track>& tracks) {
+  const MotorNames& names = motorNames(bench.axis);
+  const auto trusts = [&bench](const char* name) { return bench.trusted.count(name) > 0; };
+  const bool scaled = bench.pendulum.has_value() || trusts(names.inertia);
+  if (bench.input == DriveInput::torque) return {};
+  if (bench.input == DriveInput::current) return scaled || trusts(names.torqueConstant) ? std::vector<std::string>{} : std::vector<std::string>{names.torqueConstant};
+  const bool currentSeen = std::all_of(tracks.begin(), tracks.end(), [](const Track& track) { return !track.current.empty(); });
+  if (currentSeen) return {};
+  // Voltage alone shows ratios: F R/Kt, J R/Kt, and Kt with B only together.
+  if (scaled) return {names.resistance};
+  return {names.resistance, names.torqueConstant, names.backEmfConstant};
+}
+
 }  // namespace
 
 Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& recordings, const std::vector<Recording>& heldout,
@@ -43,6 +57,15 @@ Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& re
   out.starts = std::move(*starts);
   out.seen = excitationOf(training, out.starts.front());
   out.held.assign(bench.trusted.begin(), bench.trusted.end());
+  std::string held;
+  for (const std::string& name : gauge(bench, training)) {
+    if (bench.trusted.count(name) > 0) continue;
+    out.held.push_back(name);
+    held += (held.empty() ? "" : ", ") + name;
+  }
+  if (!held.empty()) {
+    out.remarks.push_back("the scale of all torques rests on the bench's " + held + ", which these recordings can't check: trust only ratios");
+  }
   for (Model& start : out.starts) start.restartHorizon_s = restartHorizonFor(out.tracks, out.seen.highSpeed);
   if (out.seen.highSpeed <= 0.0) return Error{recordings.front().name(), "never moves, so there is nothing to fit"};
   return out;

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double largestPValue = 0.01;
 constexpr double leastImprovement = 0.03;
+constexpr double leastShare = 0.01;  ///< of the base model's squared error
 constexpr size_t mostEffects = 5;
 constexpr size_t finalists = 3;
 
@@ -156,7 +157,8 @@ class Search {
           pValue = std::min(pValue, std::min(1.0, trials * signFlipPValue(before, after, input_.seed)));
         }
         const Comparison gain = compare(before, after, input_.seed);
-        if (pValue > largestPValue || gain.interval.low <= 0.0 || gain.relative <= best) continue;
+        const bool material = mean(before) - mean(after) > leastShare * mean(validated(result.base));
+        if (pValue > largestPValue || gain.interval.low <= 0.0 || gain.relative <= best || !material) continue;
         best = gain.relative;
         winner = std::move(fit);
         chosen = {candidate.effect, pValue, 0.0, {}};
@@ -209,7 +211,9 @@ class Search {
         const FitResult fit = fitModel(input_, with(left.model, one), 10);
         if (!fit.usable) continue;
         const Comparison ahead = compare(validated(fit), best, input_.seed);
-        if (ahead.inErrors < 2.0) chosen.rivals.push_back(one.effect);
+        // Skewed errors hide a clear difference from the t-value: the sign-flip test sees it.
+        const bool clearlyWorse = ahead.relative > 0.25 && signFlipPValue(validated(fit), best, input_.seed) <= 0.02;
+        if (ahead.inErrors < 2.0 && !clearlyWorse) chosen.rivals.push_back(one.effect);
       }
       if (const Effect* twin = findEffect(chosen.effect->twin())) chosen.rivals.push_back(twin);
     }

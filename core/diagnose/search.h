@@ -49,7 +49,7 @@ FitResult polishModel(const SearchInput& input, const Model& model, const std::v
 
 /// An effect enters when the family-wise p-value of its score (or, where it has no shape to choose, of its windows' errors after the fit,
 /// times the number of candidates) is at most 0.01, and the cross-validated error of the training windows falls by
-/// at least 3 % with a 95 % interval above zero. It leaves again when the error without it is as good. A rival is an effect that, refitted in
+/// at least 3 % (and 1 % of the base model's) with a 95 % interval above zero. It leaves again when the error without it is as good. A rival is an effect that, refitted in
 /// the chosen one's place, comes within two standard errors of it in cross-validation. Held-out data is never looked at.
 Result<SearchResult> searchEffects(const SearchInput& input, const std::vector<Model>& starts);
 

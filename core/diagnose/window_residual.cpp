@@ -34,10 +34,7 @@ bool WindowResidual::useCurrent(size_t row) const {
 }
 
 void WindowResidual::simulate(Stepper& stepper, MotionState state, Eigen::VectorXd& out) const {
-  const Physics& physics = stepper.physics();
-  if (physics.electrical && track_.connected[window_.first]) {
-    state.current = (track_.input[window_.first] - physics.backEmf * state.velocity) / physics.resistance;
-  }
+  state.current = observed_.current;  // what the voltages before the window have left
   Eigen::Index position = 0, current = positions_;
   for (size_t k = window_.first;; ++k) {
     if (track_.seen[k]) out[position++] = weights_.position * (state.position - track_.position[k]);
