@@ -153,6 +153,7 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
     diagnosis.verdict = Verdict::outsideCatalogue;
   } else if (diagnosis.findings.empty()) {
     diagnosis.verdict = Verdict::nothingMissing;
+    diagnosis.unexplainedShare = 0.0;  // whatever is left has no place of its own
   } else {
     const bool rivals = std::any_of(diagnosis.findings.begin(), diagnosis.findings.end(), hasRealRivals);
     diagnosis.verdict = rivals ? Verdict::ambiguous : Verdict::named;

@@ -143,7 +143,8 @@ std::vector<double> crossValidated(const FitResult& fit, const std::vector<int>&
       rest -= fit.windows[w].jacobian.transpose() * fit.windows[w].jacobian;
       score += fit.windows[w].jacobian.transpose() * fit.windows[w].residual;
     }
-    rest.diagonal().array() += 1e-6 * normal.diagonal().array() + 1e-12 * normal.diagonal().maxCoeff();
+    rest.diagonal() += 1e-4 * normal.diagonal() + fit.priorPrecision;
+    rest.diagonal().array() += 1e-12 * normal.diagonal().maxCoeff();
     const Eigen::VectorXd shift = rest.ldlt().solve(score);
     for (size_t w = 0; w < fit.windows.size(); ++w) {
       if (fold[w] != one) continue;

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double largestPValue = 0.01;
 constexpr double leastImprovement = 0.03;
+constexpr double clearImprovement = 0.3;
 constexpr double leastShare = 0.01;  ///< of the base model's squared error
 constexpr size_t mostEffects = 5;
 constexpr size_t finalists = 3;
@@ -144,19 +145,20 @@ class Search {
       double best = leastImprovement;
       size_t tried = 0;
       for (const Candidate& candidate : candidates) {
-        // The score is blind where a few windows rule it; an effect without a shape to choose may also prove itself after the fit.
+        // The score is blind where a few windows rule it, or where the model without the effect is far off. Then an effect may prove itself
+        // after the fit: one without a shape to choose, or one that improves more than any choice of shape could by chance.
         const bool oneShape = candidate.effect->shapes(input_.seen).size() == 1;
-        if ((candidate.pValue > largestPValue && !oneShape) || candidate.gain < leastImprovement || tried == finalists) continue;
+        if (candidate.gain < leastImprovement || tried == finalists) continue;
         ++tried;
         FitResult fit = fitModel(input_, with(result.best.model, candidate), 10);
         if (!fit.usable) continue;
         const auto after = validated(fit);
         double pValue = candidate.pValue;
-        if (oneShape) {
+        const Comparison gain = compare(before, after, input_.seed);
+        if (oneShape || gain.relative > clearImprovement) {
           const double trials = static_cast<double>(candidates.size());
           pValue = std::min(pValue, std::min(1.0, trials * signFlipPValue(before, after, input_.seed)));
         }
-        const Comparison gain = compare(before, after, input_.seed);
         const bool material = mean(before) - mean(after) > leastShare * mean(validated(result.base));
         if (pValue > largestPValue || gain.interval.low <= 0.0 || gain.relative <= best || !material) continue;
         best = gain.relative;

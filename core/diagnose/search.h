@@ -47,8 +47,8 @@ FitResult fitBase(const SearchInput& input, const std::vector<Model>& starts);
 /// The last refinement, on the overlapping windows.
 FitResult polishModel(const SearchInput& input, const Model& model, const std::vector<double>& windowWeights = {});
 
-/// An effect enters when the family-wise p-value of its score (or, where it has no shape to choose, of its windows' errors after the fit,
-/// times the number of candidates) is at most 0.01, and the cross-validated error of the training windows falls by
+/// An effect enters when the family-wise p-value of its score (or, where it has no shape to choose or improves by more than 30 %, of its
+/// windows' errors after the fit, times the number of candidates) is at most 0.01, and the cross-validated error of the training windows falls by
 /// at least 3 % (and 1 % of the base model's) with a 95 % interval above zero. It leaves again when the error without it is as good. A rival is an effect that, refitted in
 /// the chosen one's place, comes within two standard errors of it in cross-validation. Held-out data is never looked at.
 Result<SearchResult> searchEffects(const SearchInput& input, const std::vector<Model>& starts);

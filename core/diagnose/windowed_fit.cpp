@@ -154,9 +154,11 @@ FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>
   for (const auto& [where, score] : clusters) meat += score * score.transpose();
   result.rmse = std::sqrt(squares / positions);
   const double precision = std::pow(priorWeight / priorDeviation, 2);
+  result.priorPrecision = Eigen::VectorXd::Zero(size);
   for (Eigen::Index k = 0; k < size; ++k) {
     if (!parameters.logarithmic(k)) continue;
     // What the prior holds has the prior's own doubt.
+    result.priorPrecision[k] = precision;
     normal(k, k) += precision;
     meat(k, k) += precision * precision * priorDeviation * priorDeviation;
   }

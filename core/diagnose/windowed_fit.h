@@ -28,6 +28,7 @@ struct FitResult {
   Eigen::VectorXd x;
   Eigen::MatrixXd covariance;  ///< of x; robust against correlation within windows (sandwich by window)
   Weights weights;
+  Eigen::VectorXd priorPrecision;  ///< of x; 0 where there is no prior
   std::vector<WindowDerivative> windows;
   std::vector<double> windowSquares;  ///< mean squared position residual per window, m² or rad²
   double rmse = 0.0;
