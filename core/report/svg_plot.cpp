@@ -16,6 +16,8 @@ namespace {
 
 using Range = std::pair<double, double>;
 
+// Beyond these, differences and ratios of doubles are no numbers to draw with.
+constexpr double smallest = 1e-290, largest = 1e300;
 constexpr size_t highlightRows = 3;
 constexpr double highlightRow_px = 14.0;
 
@@ -38,7 +40,7 @@ struct Scale {
 };
 
 void widen(Range& range, double value, bool log) {
-  if (!std::isfinite(value) || (log && !(value > 0.0))) return;
+  if (!(std::abs(value) < largest) || (log && !(value > smallest))) return;
   range.first = std::min(range.first, value);
   range.second = std::max(range.second, value);
 }
@@ -52,8 +54,8 @@ Range withMargin(Range range, double margin, bool log) {
   }
   const double width = range.second - range.first;
   const double size = std::max(std::abs(range.first), std::abs(range.second));
-  if (width <= 1e-12 * size || width == 0.0) {
-    const double room = size > 0.0 ? 0.5 * size : 1.0;
+  if (width <= 1e-12 * size || width < smallest) {
+    const double room = size > smallest ? 0.5 * size : 1.0;
     return {range.first - room, range.second + room};
   }
   return {range.first - margin * width, range.second + margin * width};
@@ -75,6 +77,12 @@ Range dataRange(const Figure& figure, bool ofX) {
     for (const double value : curve.high) widen(range, value, log);
   }
   return withMargin(range, ofX ? (points ? 0.02 : 0.0) : 0.06, log);
+}
+
+/// The range asked for, or that of the data; never empty.
+Range rangeOf(const Figure& figure, bool ofX) {
+  const auto& wanted = ofX ? figure.xRange : figure.yRange;
+  return wanted ? withMargin(*wanted, 0.0, ofX ? figure.logX : figure.logY) : dataRange(figure, ofX);
 }
 
 bool anyPoint(const Figure& figure) {
@@ -193,14 +201,14 @@ std::string plot(const Figure& figure, int width_px, int height_px) {
   const int rows = legendRows(figure.curves, legendWidth);
   const double titleHeight = figure.title.empty() ? 8.0 : 32.0;
   Frame frame{0, titleHeight + legendRow_px * rows + 8 + highlightRoom(figure), width_px - 22.0, height_px - 48.0};
-  Scale yScale{figure.yRange.value_or(dataRange(figure, false)), frame.bottom, frame.top, figure.logY};
+  Scale yScale{rangeOf(figure, false), frame.bottom, frame.top, figure.logY};
   double widest = 0.0;
   for (const auto& text :
        labelsOf(yScale, yScale.ticks(std::max(2, static_cast<int>((frame.bottom - frame.top) / 48)))).texts) {
     widest = std::max(widest, textWidth(text, 12));
   }
   frame.left = 34.0 + widest;
-  Scale xScale{figure.xRange.value_or(dataRange(figure, true)), frame.left, frame.right, figure.logX};
+  Scale xScale{rangeOf(figure, true), frame.left, frame.right, figure.logX};
   if (figure.equalScale && !figure.logX && !figure.logY) equalise(xScale, yScale);
   if (!figure.title.empty()) {
     canvas.text(0.5 * (frame.left + frame.right), 22, figure.title, SvgCanvas::Anchor::middle, Ink::text, 15, true);

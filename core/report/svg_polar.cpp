@@ -37,18 +37,18 @@ struct Dial {
 };
 
 std::pair<double, double> radiusRange(const Figure& figure) {
-  if (figure.yRange) return *figure.yRange;
+  if (figure.yRange && figure.yRange->second - figure.yRange->first > 1e-290) return *figure.yRange;
   double low = 0.0, high = -std::numeric_limits<double>::infinity();
   for (const Curve& curve : figure.curves) {
     for (const auto* values : {&curve.y, &curve.low, &curve.high}) {
       for (const double value : *values) {
-        if (!std::isfinite(value)) continue;
+        if (!(std::abs(value) < 1e300)) continue;
         low = std::min(low, value);
         high = std::max(high, value);
       }
     }
   }
-  if (!(high > low)) return {low, low + 1.0};
+  if (!(high - low > 1e-290)) return {low, low + 1.0};
   const auto ticks = niceTicks(low, high, 4);
   const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : high - low;
   return {low < 0.0 ? std::floor(low / step) * step : 0.0, high + 0.04 * (high - low)};

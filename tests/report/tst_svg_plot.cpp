@@ -96,7 +96,7 @@ void TestSvgPlot::tickLabels_tellTicksApart() {
 
 void TestSvgPlot::everyFigure_isWellFormed_data() {
   QTest::addColumn<int>("kind");
-  for (int kind = 0; kind < 9; ++kind) QTest::newRow(qPrintable(QString::number(kind))) << kind;
+  for (int kind = 0; kind < 12; ++kind) QTest::newRow(qPrintable(QString::number(kind))) << kind;
 }
 
 void TestSvgPlot::everyFigure_isWellFormed() {
@@ -111,6 +111,9 @@ void TestSvgPlot::everyFigure_isWellFormed() {
   if (kind == 6) figure.polar = true;
   if (kind == 7) curve.low = curve.high = curve.y, figure.highlights = {{0.1, 0.2, "a & b"}, {9.0, 8.0, "outside"}};
   if (kind == 8) curve.y[3] = 1e300, curve.style = Curve::Style::points, figure.equalScale = true;
+  if (kind == 9) figure.xRange = figure.yRange = {{1.0, 1.0}};
+  if (kind == 10) curve.y.assign(curve.y.size(), 5e-324), figure.polar = true;
+  if (kind == 11) curve.y[3] = 1.7e308, curve.y[4] = -1.7e308;
   const std::string svg = toSvg(figure);
   QXmlStreamReader xml(QString::fromStdString(svg));
   while (!xml.atEnd()) xml.readNext();
