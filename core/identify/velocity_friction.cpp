@@ -217,6 +217,7 @@ MovingFriction fitWay(std::vector<Spectrum> spectra, const VelocityFrictionOptio
   MovingFriction friction;
   friction.coulomb_Nm.resize(options.bins);
   friction.viscous_Nm_s_per_rad.resize(options.bins);
+  const std::vector<Spectrum> all = spectra;
   friction.leftOut = leaveOutStribeck(spectra);
   widen(spectra);
   const double mean_Nm = std::abs(fitLine(spectra, 0, true).coulomb);
@@ -226,7 +227,10 @@ MovingFriction fitWay(std::vector<Spectrum> spectra, const VelocityFrictionOptio
   for (size_t k = 0; k <= options.highestOrder; ++k) {
     Line line = fitLine(spectra, k, k <= options.highestViscousOrder);
     if (k > 0 && !standsOut(line.viscous, line.viscousVariance)) line = fitLine(spectra, k, false);
-    const bool blurred = line.coulombVariance > options.mostError * options.mostError * mean_Nm * mean_Nm;
+    const double mostVariance = options.mostError * options.mostError * mean_Nm * mean_Nm;
+    // What fast runs blur the slowest may still show: position torque is the same at any speed.
+    if (k > 0 && line.coulombVariance > mostVariance && friction.leftOut > 0) line = fitLine(all, k, false);
+    const bool blurred = line.coulombVariance > mostVariance;
     if (k > 0 && (blurred || !standsOut(line.coulomb, line.coulombVariance))) line.coulomb = 0.0;
     if (k == 0) {
       friction.coulombMean_Nm = {line.coulomb.real(), std::sqrt(line.coulombVariance)};
