@@ -72,9 +72,9 @@ int main(int argc, char** argv) {
   bench.supply_V = (*drive)->identity().supply_V;
   bench.countsPerUnit = (*drive)->identity().countsPerRev;
   bench.motor.torqueConstant = 0.07;
-  bench.motor.inertia = 5.5e-5;
-  bench.motor.viscous = 2e-5;
-  bench.motor.coulomb = 0.015;
+  bench.motor.inertia = 1.2e-3;
+  bench.motor.viscous = 1e-4;
+  bench.motor.coulomb = 0.035;
   bench.trusted = {"torque_constant_Nm_per_A"};
   bench.controller = {ControlMode::velocity,
                       (*drive)->settings().velocity_kp_A_s_per_rad,
