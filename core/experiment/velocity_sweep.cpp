@@ -10,7 +10,7 @@ namespace breakaway {
 
 namespace {
 constexpr double turn = 2.0 * std::numbers::pi;
-constexpr double spanAngle_rad = 1.0 / 30.0;      // half the span of a speed; order 60 is then shown by sin(2)/2
+constexpr double spanAngle_rad = 1.0 / 30.0;      // half the span of a speed; order 40 is then shown by sin(1.3)/1.3
 constexpr double fastSpanAngle_rad = 1.0 / 12.0;  // where the inertia hides the finest harmonics anyway
 constexpr double held_s = 0.4;                    // near the speed for so long before it counts
 constexpr double stuck_s = 3.0;                   // without coming nearer to the speed

@@ -128,9 +128,11 @@ Spectrum spectrumOf(const VelocityRun& run, const VelocityFrictionOptions& optio
   const auto between = scatterBetween(blocks, highest + 1);
   for (size_t k = 0; k <= highest; ++k) {
     // At least what white noise of the samples leaves; the scatter between blocks sees slow fluctuations, too.
-    const double inertial = J * static_cast<double>(k) * spectrum.speed_rad_per_s;
+    const double phase = static_cast<double>(k) * spectrum.speed_rad_per_s * run.halfSpan_s;
+    const double shown = phase < 1e-6 ? 1.0 : std::sin(phase) / phase;
+    const double inertial = J * static_cast<double>(k) * spectrum.speed_rad_per_s / shown;
     const double white = Kt * Kt * currentVariance + inertial * inertial * velocityVariance;
-    const bool seen = static_cast<double>(k) * spectrum.speed_rad_per_s * run.halfSpan_s < mostPhase;
+    const bool seen = phase < mostPhase;
     const double variance = k == 0 ? std::max(white, between[0]) + zero * zero : std::max(2.0 * white, between[k]);
     spectrum.variance_Nm2.push_back(seen ? variance + 1e-24 : std::numeric_limits<double>::infinity());
   }
@@ -215,15 +217,21 @@ MovingFriction fitWay(std::vector<Spectrum> spectra, const VelocityFrictionOptio
   MovingFriction friction;
   friction.coulomb_Nm.resize(options.bins);
   friction.viscous_Nm_s_per_rad.resize(options.bins);
+  const std::vector<Spectrum> all = spectra;
   friction.leftOut = leaveOutStribeck(spectra);
   widen(spectra);
+  const double mean_Nm = std::abs(fitLine(spectra, 0, true).coulomb);
   const auto standsOut = [&options](Complex value, double variance) {
     return std::norm(value) > options.significance * options.significance * variance;
   };
   for (size_t k = 0; k <= options.highestOrder; ++k) {
     Line line = fitLine(spectra, k, k <= options.highestViscousOrder);
     if (k > 0 && !standsOut(line.viscous, line.viscousVariance)) line = fitLine(spectra, k, false);
-    if (k > 0 && !standsOut(line.coulomb, line.coulombVariance)) line.coulomb = 0.0;
+    const double mostVariance = options.mostError * options.mostError * mean_Nm * mean_Nm;
+    // What fast runs blur the slowest may still show: position torque is the same at any speed.
+    if (k > 0 && line.coulombVariance > mostVariance && friction.leftOut > 0) line = fitLine(all, k, false);
+    const bool blurred = line.coulombVariance > mostVariance;
+    if (k > 0 && (blurred || !standsOut(line.coulomb, line.coulombVariance))) line.coulomb = 0.0;
     if (k == 0) {
       friction.coulombMean_Nm = {line.coulomb.real(), std::sqrt(line.coulombVariance)};
       friction.viscousMean_Nm_s_per_rad = {line.viscous.real(), std::sqrt(line.viscousVariance)};
@@ -271,7 +279,9 @@ std::vector<double> movingCurrent_A(const std::vector<VelocityRun>& runs, Way wa
   std::vector<Estimate> bins(slowest->bins.size());
   for (size_t k = 0; k < spectrum.torque_Nm.size(); ++k) {
     const double variance = spectrum.variance_Nm2[k];
-    if (k > 0 && !(std::norm(spectrum.torque_Nm[k]) > options.significance * options.significance * variance)) continue;
+    const bool blurred = variance > options.mostError * options.mostError * std::norm(spectrum.torque_Nm[0]);
+    if (k > 0 && (blurred || std::norm(spectrum.torque_Nm[k]) < options.significance * options.significance * variance))
+      continue;
     addHarmonic(bins, k, spectrum.torque_Nm[k], variance);
   }
   std::vector<double> current;

@@ -15,8 +15,9 @@ struct VelocityFrictionOptions {
   double inertia_kg_m2 = 0.0;
   double zeroError_A = 0.0;  ///< standard error of the current sensor's zero, another one in each run
   size_t bins = 180;         ///< of the result
-  size_t highestOrder = 60;  ///< harmonics of Coulomb friction that are looked at
+  size_t highestOrder = 40;  ///< harmonics of Coulomb friction that are looked at
   size_t highestViscousOrder = 12;
+  double mostError = 0.04;  ///< standard error of a harmonic, part of the mean torque, above which it is not looked at
   double significance = 3.5;  ///< standard errors by which a harmonic must stand out to be kept
 };
 

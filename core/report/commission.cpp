@@ -187,7 +187,7 @@ Result<void> Job::sweepVelocity() {
   const double usable_V = drive_.identity().supply_V - motor.deadZone_V.value - perAmp_V * friction_A;
   const double highest = std::max(1.0, 0.6 * usable_V / (motor.backEmfConstant_V_s_per_rad.value + perAmp_V * slope_A));
   VelocitySweepOptions options;
-  for (const double part : {0.1, 0.2, 0.35, 0.6, 1.0}) options.speeds_rad_per_s.push_back(part * highest);
+  for (const double part : {0.05, 0.1, 0.2, 0.35, 0.6, 1.0}) options.speeds_rad_per_s.push_back(part * highest);
   options.indexAngle_rad = done_.indexAngle_rad.value;
   options.run_s = options_.speedRun_s;
   options.zeroing_s = zeroing_s();

@@ -1,0 +1,168 @@
+#include <QDir>
+#include <QFile>
+#include <QRegularExpression>
+#include <QSet>
+#include <QTest>
+
+#include "firmware_link/presets.h"
+#include "firmware_link/simulated_board.h"
+#include "firmware_link/simulated_truth.h"
+#include "support/temporary.h"
+
+using namespace breakaway;
+
+class TestSimulatedBoard : public QObject {
+  Q_OBJECT
+ private slots:
+  void initTestCase();
+  void portsHeaders_reachNoPlant();
+  void bareSimulated_isThePresetServo();
+  void everyPreset_opensAndHasItsBench();
+  void unknownPreset_getsASuggestion();
+  void otherUris_areRefused();
+  void advance_givesEveryTickOnce();
+  void stop_opensTheWindingsAtOnceAndStaysStopped();
+  void standingRotor_showsNoMotion();
+  void configure_clampsAndRefuses();
+  void servosFriction_variesAsPromised();
+};
+
+namespace {
+
+std::string source() {
+  return qgetenv("BREAKAWAY_SOURCE_DIR").toStdString();
+}
+
+std::unique_ptr<Drive> opened(const std::string& uri) {
+  auto drive = openDrive(uri, 1);
+  if (!drive) qFatal("%s", drive.error().message().c_str());
+  return std::move(*drive);
+}
+
+/// All headers of the house that `header` includes, directly or not.
+void reach(const QString& header, QSet<QString>& reached) {
+  if (reached.contains(header)) return;
+  reached.insert(header);
+  for (const QString& root : {QString("/"), QString("/core/")}) {
+    QFile file(QString::fromStdString(source()) + root + header);
+    if (!file.open(QIODevice::ReadOnly)) continue;
+    static const QRegularExpression include("#include \"([^\"]+)\"");
+    for (auto it = include.globalMatch(QString::fromUtf8(file.readAll())); it.hasNext();)
+      reach(it.next().captured(1), reached);
+  }
+}
+
+}  // namespace
+
+void TestSimulatedBoard::initTestCase() {
+  qputenv("BREAKAWAY_RESOURCES", QByteArray::fromStdString(source() + "/resources"));
+}
+
+void TestSimulatedBoard::portsHeaders_reachNoPlant() {
+  QSet<QString> reached;
+  for (const char* header : {"experiment/drive.h", "firmware_link/simulated_board.h", "firmware_link/presets.h"})
+    reach(header, reached);
+  for (const QString& procedure :
+       QDir(QString::fromStdString(source() + "/core/experiment")).entryList({"*.h", "*.cpp"})) {
+    reach("experiment/" + procedure, reached);
+  }
+  QVERIFY(reached.contains("recording/sample.h") && reached.contains("base/result.h"));
+  for (const QString& header : reached) {
+    const bool plant = header.contains("plant") || header.contains("motor/rig") || header.contains("motor/sensors") ||
+                       header.contains("motor/noise") || header.contains("simulated_truth");
+    QVERIFY2(!plant, qPrintable(header));
+  }
+  QSet<QString> planted;
+  reach("motor/sensors.h", planted);
+  QVERIFY(planted.contains("motor/rig.h"));
+}
+
+void TestSimulatedBoard::bareSimulated_isThePresetServo() {
+  const auto drive = opened("simulated");
+  QVERIFY(drive->identity().simulated && drive->identity().hasIndex);
+  QCOMPARE(drive->identity().countsPerRev, 14400.0);
+  QCOMPARE(drive->identity().loopRate_Hz, 5000.0);
+  QVERIFY(!(drive->settings().nominal_torque_constant_Nm_per_A <= 0.0));
+}
+
+void TestSimulatedBoard::everyPreset_opensAndHasItsBench() {
+  const auto names = presetNames();
+  QVERIFY(names.size() >= 2);
+  for (const std::string& name : names) {
+    QVERIFY2(openDrive("simulated:" + name, 1).ok(), name.c_str());
+    QVERIFY2(!benchFileBeside(*rigFileOf("simulated:" + name)).empty(), name.c_str());
+  }
+}
+
+void TestSimulatedBoard::unknownPreset_getsASuggestion() {
+  const auto drive = openDrive("simulated:serwo", 1);
+  QVERIFY(!drive.ok());
+  QCOMPARE(drive.error().message(),
+           std::string("board simulated:serwo: there is no preset serwo, did you mean servo?"));
+}
+
+void TestSimulatedBoard::otherUris_areRefused() {
+  for (const char* uri : {"", "simulated:", "simulatedx", "serial:/dev/null", "simulated:no/such.rig.json"}) {
+    QVERIFY2(!openDrive(uri, 1).ok(), uri);
+  }
+}
+
+void TestSimulatedBoard::advance_givesEveryTickOnce() {
+  const auto drive = opened("simulated");
+  std::vector<Sample> samples;
+  for (int k = 0; k < 1000; ++k) QVERIFY(drive->advance(0.00031, samples).ok());
+  QCOMPARE(samples.size(), size_t{1550});
+  for (size_t k = 0; k < samples.size(); ++k)
+    QVERIFY(std::abs(samples[k].time_s - static_cast<double>(k) / 5000.0) < 1e-12);
+}
+
+void TestSimulatedBoard::stop_opensTheWindingsAtOnceAndStaysStopped() {
+  const auto drive = opened("simulated");
+  std::vector<Sample> samples;
+  drive->command({Command::Mode::velocity, 50.0, 0.0, false});
+  QVERIFY(drive->advance(1.0, samples).ok());
+  QVERIFY(samples.back().enabled && samples.back().velocity_rad_per_s > 40.0);
+  drive->stop("pressed");
+  samples.clear();
+  QVERIFY(drive->advance(2.0, samples).ok());
+  for (const Sample& sample : samples) QVERIFY(!sample.enabled && sample.voltage_V == 0.0);
+  QVERIFY(std::abs(samples.back().velocity_rad_per_s) < 0.01);
+}
+
+void TestSimulatedBoard::standingRotor_showsNoMotion() {
+  const auto drive = opened("simulated");
+  std::vector<Sample> samples;
+  QVERIFY(drive->advance(2.0, samples).ok());
+  drive->command({Command::Mode::voltage, 0.3, 0.0, false});
+  QVERIFY(drive->advance(2.0, samples).ok());
+  for (const Sample& sample : samples) QCOMPARE(sample.angle_rad, samples.front().angle_rad);
+}
+
+void TestSimulatedBoard::configure_clampsAndRefuses() {
+  const auto drive = opened("simulated");
+  ControllerSettings settings = drive->settings();
+  settings.current_limit_A = 1e6;
+  settings.observer_cutoff_rad_per_s = 1e6;
+  const auto accepted = drive->configure(settings);
+  QVERIFY(accepted.ok());
+  QVERIFY(accepted->current_limit_A < 20.0);
+  QCOMPARE(accepted->observer_cutoff_rad_per_s, 2500.0);
+  settings.velocity_kp_A_s_per_rad = -1.0;
+  QVERIFY(!drive->configure(settings).ok());
+  QCOMPARE(drive->settings(), *accepted);
+}
+
+void TestSimulatedBoard::servosFriction_variesAsPromised() {
+  const auto truth = trueMap("simulated", 360, 10.0);
+  QVERIFY(truth.ok());
+  for (size_t way = 0; way < 2; ++way) {
+    double sum = 0.0, squares = 0.0;
+    for (const MapBin& bin : truth->bins) sum += bin.way[way].static_Nm.value / 360.0;
+    for (const MapBin& bin : truth->bins) squares += std::pow(bin.way[way].static_Nm.value - sum, 2) / 360.0;
+    const double relative = std::sqrt(squares) / sum;
+    QVERIFY2(relative >= 0.10 && relative < 0.3, qPrintable(QString::number(relative)));
+  }
+}
+
+QTEST_APPLESS_MAIN(TestSimulatedBoard)
+#include "tst_simulated_board.moc"
