@@ -43,11 +43,16 @@ Result<void> runDiagnose(const DiagnoseLine& line) {
 
 void addDiagnose(CLI::App& app, Job& chosen) {
   auto line = std::make_shared<DiagnoseLine>();
-  auto* command = app.add_subcommand("diagnose", "Find where simulation and recordings part, which physics is missing, and prove it");
+  auto* command = app.add_subcommand(
+      "diagnose", "Find where simulation and recordings part, which physics is missing, and prove it");
   command->add_option("--bench", line->bench, "bench file, NAME.bench.json")->required();
   command->add_option("--recording", line->recordings, "one or more recordings to learn from, NAME.csv")->required();
-  command->add_option("--heldout", line->heldout, "recordings to prove on; without any, parts of the recordings are held out");
-  command->add_option("--out", line->out, "folder for diagnosis.json, model.json, base_model.json, report.html and figures")->required();
+  command->add_option("--heldout", line->heldout,
+                      "recordings to prove on; without any, parts of the recordings are held out");
+  command
+      ->add_option("--out", line->out,
+                   "folder for diagnosis.json, model.json, base_model.json, report.html and figures")
+      ->required();
   command->add_option("--seed", line->seed, "seed of everything random");
   command->callback([line, &chosen] { chosen = [line] { return runDiagnose(*line); }; });
 }

@@ -7,7 +7,7 @@
 #include "cli/command.h"
 #include "cli/inputs.h"
 #include "diagnose/catalogue.h"
-#include "diagnose/inverse_fit.h"
+#include "diagnose/fit/inverse_fit.h"
 #include "diagnose/preparation.h"
 #include "diagnose/search.h"
 
@@ -26,7 +26,8 @@ Result<void> checkEffects(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     if (findEffect(name) != nullptr) continue;
     const auto suggestion = nearestName(name, known);
-    return Error{"--effects", "\"" + name + "\" is not in the catalogue" + (suggestion ? ", did you mean " + *suggestion + "?" : std::string())};
+    return Error{"--effects", "\"" + name + "\" is not in the catalogue" +
+                                  (suggestion ? ", did you mean " + *suggestion + "?" : std::string())};
   }
   return {};
 }
@@ -47,7 +48,8 @@ Result<Model> fitted(const FitLine& line, const Preparation& prepared) {
     for (const std::string& name : line.effects) model.effects.push_back({name, {}});
     auto fit = fitInverse(model, prepared.tracks);
     if (!fit) return fit.error();
-    std::printf("least squares on the inverse model, %zu filtered rows, relative error %.2f %%\n", fit->rows, 100.0 * fit->relativeError);
+    std::printf("least squares on the inverse model, %zu filtered rows, relative error %.2f %%\n", fit->rows,
+                100.0 * fit->relativeError);
     return fit->model;
   }
   const SearchInput input{prepared.tracks, prepared.split, prepared.held, prepared.seen, 1, {}, {}, {}};
@@ -80,8 +82,12 @@ void addFit(CLI::App& app, Job& chosen) {
   auto* command = app.add_subcommand("fit", "Fit the base model, and exactly the effects named, to recordings");
   command->add_option("--bench", line->bench, "bench file, NAME.bench.json")->required();
   command->add_option("--recording", line->recordings, "one or more recordings, NAME.csv")->required();
-  command->add_option("--effects", line->effects, "effects to add, by their names in the catalogue, separated by commas")->delimiter(',');
-  command->add_option("--method", line->method, "simulation: restarted windows (default); inverse: least squares on the filtered inverse model")
+  command
+      ->add_option("--effects", line->effects, "effects to add, by their names in the catalogue, separated by commas")
+      ->delimiter(',');
+  command
+      ->add_option("--method", line->method,
+                   "simulation: restarted windows (default); inverse: least squares on the filtered inverse model")
       ->check(CLI::IsMember({"simulation", "inverse"}));
   command->add_option("--out", line->out, "model file to write")->required();
   command->callback([line, &chosen] { chosen = [line] { return runFit(*line); }; });

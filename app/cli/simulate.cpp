@@ -3,7 +3,7 @@
 
 #include "base/atomic_file.h"
 #include "cli/command.h"
-#include "diagnose/simulation.h"
+#include "diagnose/simulate/simulation.h"
 #include "recording/csv.h"
 
 namespace breakaway::cli {
@@ -30,7 +30,8 @@ Result<void> runSimulate(const SimulateLine& line) {
   if (!times) return times.error();
   const auto trace = simulate(*model, *recording, {line.restartEvery_s});
   if (!trace) return trace.error();
-  std::string out = model->axis == Axis::rotary ? "time_s,angle_rad,velocity_rad_per_s" : "time_s,position_m,velocity_m_per_s";
+  std::string out =
+      model->axis == Axis::rotary ? "time_s,angle_rad,velocity_rad_per_s" : "time_s,position_m,velocity_m_per_s";
   if (!trace->current_A.empty()) out += ",current_A";
   out += '\n';
   for (size_t k = 0; k < trace->position.size(); ++k) {
@@ -51,7 +52,9 @@ void addSimulate(CLI::App& app, Job& chosen) {
   command->add_option("--model", line->model, "model file from fit or diagnose")->required();
   command->add_option("--recording", line->recording, "recording whose drive input is used, NAME.csv")->required();
   command->add_option("--out", line->out, "CSV to write, one row per row of the recording")->required();
-  command->add_option("--restart-every", line->restartEvery_s, "set the state again from measurements every so many seconds")
+  command
+      ->add_option("--restart-every", line->restartEvery_s,
+                   "set the state again from measurements every so many seconds")
       ->check(CLI::PositiveNumber);
   command->callback([line, &chosen] { chosen = [line] { return runSimulate(*line); }; });
 }

@@ -8,7 +8,8 @@
 
 namespace breakaway {
 
-/// Writes `content` to `path` through a temporary name in the same folder. The error names the path and the system's reason.
+/// Writes `content` to `path` through a temporary name in the same folder. The error names the path and the system's
+/// reason.
 Result<void> writeFile(const std::string& path, std::string_view content);
 
 /// The whole content of the file at `path`.

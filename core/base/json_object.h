@@ -14,9 +14,9 @@ namespace breakaway {
 /// What a number may be; the words appear in the error ("must be positive").
 enum class Allowed { any, nonNegative, positive };
 
-/// Reads one JSON object field by field and remembers the first fault. Nested objects and arrays share that memory, so that a
-/// reader reads everything it knows and asks `finish()` once. Fields nobody asked for are faults, with the nearest known name
-/// as a suggestion. `comment` is allowed everywhere.
+/// Reads one JSON object field by field and remembers the first fault. Nested objects and arrays share that memory, so
+/// that a reader reads everything it knows and asks `finish()` once. Fields nobody asked for are faults, with the
+/// nearest known name as a suggestion. `comment` is allowed everywhere.
 class JsonObject {
  public:
   /// The object that is the whole file at `path`.

@@ -9,7 +9,8 @@
 
 namespace breakaway {
 
-/// What went wrong, as a fact, and where: `place` names the file, line, field or port ("emps.csv, row 12, column force_N").
+/// What went wrong, as a fact, and where: `place` names the file, line, field or port ("emps.csv, row 12, column
+/// force_N").
 struct Error {
   std::string place;
   std::string fact;

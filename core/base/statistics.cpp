@@ -21,7 +21,8 @@ double rms(std::span<const double> values) {
 double quantile(std::vector<double> values, double fraction) {
   if (values.empty()) return 0.0;
   const double at = fraction * static_cast<double>(values.size() - 1);
-  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(std::lround(std::clamp(at, 0.0, static_cast<double>(values.size() - 1))));
+  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(
+                                        std::lround(std::clamp(at, 0.0, static_cast<double>(values.size() - 1))));
   std::nth_element(values.begin(), nth, values.end());
   return *nth;
 }

@@ -19,9 +19,9 @@ class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
   std::uint64_t bits();
-  double uniform();             ///< in [0, 1)
-  double normal();              ///< mean 0, standard deviation 1
-  size_t below(size_t limit);   ///< 0 … limit − 1
+  double uniform();            ///< in [0, 1)
+  double normal();             ///< mean 0, standard deviation 1
+  size_t below(size_t limit);  ///< 0 … limit − 1
 
  private:
   std::uint64_t state_;
@@ -29,7 +29,8 @@ class Random {
   bool hasSpare_ = false;
 };
 
-/// 95 % interval of `statistic` over resampled blocks (percentile bootstrap): calls it with block indices drawn with replacement.
+/// 95 % interval of `statistic` over resampled blocks (percentile bootstrap): calls it with block indices drawn with
+/// replacement.
 struct Interval {
   double low = 0.0;
   double high = 0.0;

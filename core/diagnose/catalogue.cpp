@@ -8,9 +8,9 @@
 namespace breakaway {
 
 std::span<const Effect* const> catalogue() {
-  static const std::array<const Effect*, 8> effects{&constantLoad(),          &coulombAsymmetry(),          &viscousAsymmetry(),
-                                                    &stribeck(),              &loadDependentFriction(),     &imbalance(),
-                                                    &positionDependentFriction(), &cogging()};
+  static const std::array<const Effect*, 8> effects{
+      &constantLoad(),          &coulombAsymmetry(), &viscousAsymmetry(),          &stribeck(),
+      &loadDependentFriction(), &imbalance(),        &positionDependentFriction(), &cogging()};
   return effects;
 }
 

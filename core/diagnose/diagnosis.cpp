@@ -6,7 +6,7 @@
 
 #include "base/statistics.h"
 #include "diagnose/catalogue.h"
-#include "diagnose/inverse_fit.h"
+#include "diagnose/fit/inverse_fit.h"
 #include "diagnose/noise_floor.h"
 #include "diagnose/preparation.h"
 #include "diagnose/search.h"
@@ -24,15 +24,16 @@ double meanSquare(const Model& model, const std::vector<Track>& tracks, const st
   return mean(scoreWindows(model, tracks, windows));
 }
 
-FitScore scoreFit(const Bench& bench, const Model& base, const Model& best, const std::vector<Track>& tracks, const Split& split,
-                  const DiagnoseOptions& options) {
+FitScore scoreFit(const Bench& bench, const Model& base, const Model& best, const std::vector<Track>& tracks,
+                  const Split& split, const DiagnoseOptions& options) {
   FitScore fit;
   fit.channel = bench.positionChannel();
   fit.window_s = options.window_s;
   fit.separateRecording = split.separateRecording;
   fit.trainBefore = std::sqrt(meanSquare(base, tracks, split.trainScore));
   fit.trainAfter = std::sqrt(meanSquare(best, tracks, split.trainScore));
-  const auto before = scoreWindows(base, tracks, split.heldoutScore), after = scoreWindows(best, tracks, split.heldoutScore);
+  const auto before = scoreWindows(base, tracks, split.heldoutScore),
+             after = scoreWindows(best, tracks, split.heldoutScore);
   fit.heldoutBefore = std::sqrt(mean(before));
   fit.heldoutAfter = std::sqrt(mean(after));
   const Interval interval = bootstrap(before.size(), 2000, options.seed, [&](std::span<const size_t> blocks) {
@@ -79,8 +80,8 @@ bool hasRealRivals(const Finding& finding) {
 }
 
 /// Whether what the best model leaves has a place of its own that holds on held-out data, too.
-bool leavesAPlace(const Model& best, const std::vector<Track>& tracks, size_t recordings, std::vector<Place>& where, double& pValue,
-                  std::uint64_t seed) {
+bool leavesAPlace(const Model& best, const std::vector<Track>& tracks, size_t recordings, std::vector<Place>& where,
+                  double& pValue, std::uint64_t seed) {
   const std::vector<Track> seen(tracks.begin(), tracks.begin() + static_cast<std::ptrdiff_t>(recordings));
   const auto left = places(residualMaps(best, seen, seed), best);
   if (left.empty()) return false;
@@ -97,14 +98,17 @@ void nextExperiment(Diagnosis& diagnosis, const Excitation& seen) {
   for (const Finding& finding : diagnosis.findings) {
     if (finding.ambiguousWith.empty()) continue;
     diagnosis.nextSeparates = {finding.effect};
-    diagnosis.nextSeparates.insert(diagnosis.nextSeparates.end(), finding.ambiguousWith.begin(), finding.ambiguousWith.end());
+    diagnosis.nextSeparates.insert(diagnosis.nextSeparates.end(), finding.ambiguousWith.begin(),
+                                   finding.ambiguousWith.end());
     const Effect* rival = findEffect(finding.ambiguousWith.front());
-    diagnosis.nextSentence = "To tell " + finding.effect + " from " + finding.ambiguousWith.front() + ": " + rival->neededExcitation(seen);
+    diagnosis.nextSentence =
+        "To tell " + finding.effect + " from " + finding.ambiguousWith.front() + ": " + rival->neededExcitation(seen);
     if (hasRealRivals(finding)) return;
   }
   if (!diagnosis.nextSentence.empty() || diagnosis.verdict == Verdict::nothingMissing) return;
   if (diagnosis.findings.empty()) {
-    diagnosis.nextSentence = "Repeat the recording with other speeds and amplitudes: what moves with speed, place or load will show.";
+    diagnosis.nextSentence =
+        "Repeat the recording with other speeds and amplitudes: what moves with speed, place or load will show.";
   } else {
     diagnosis.nextSentence = "To confirm " + diagnosis.findings.front().effect + ": " +
                              findEffect(diagnosis.findings.front().effect)->neededExcitation(seen);
@@ -113,13 +117,16 @@ void nextExperiment(Diagnosis& diagnosis, const Excitation& seen) {
 
 }  // namespace
 
-Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& recordings, const std::vector<Recording>& heldout,
-                           const DiagnoseOptions& options) {
+Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& recordings,
+                           const std::vector<Recording>& heldout, const DiagnoseOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
-  const auto elapsed = [begin] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
+  const auto elapsed = [begin] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  };
   const auto prepared = prepare(bench, recordings, heldout, options.window_s, false);
   if (!prepared) return prepared.error();
-  const SearchInput input{prepared->tracks, prepared->split, prepared->held, prepared->seen, options.seed, options.stop, options.progress, {}};
+  const SearchInput input{prepared->tracks, prepared->split, prepared->held,   prepared->seen,
+                          options.seed,     options.stop,    options.progress, {}};
   const auto found = searchEffects(input, prepared->starts);
   if (!found) return found.error();
 
@@ -134,7 +141,8 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   const FitScore& fit = diagnosis.fit;
   const double floor2 = fit.floor * fit.floor;
   const double excess = std::max(fit.trainBefore * fit.trainBefore - floor2, 1e-300);
-  const double explained = std::clamp((fit.trainBefore * fit.trainBefore - fit.trainAfter * fit.trainAfter) / excess, 0.0, 1.0);
+  const double explained =
+      std::clamp((fit.trainBefore * fit.trainBefore - fit.trainAfter * fit.trainAfter) / excess, 0.0, 1.0);
   diagnosis.unexplainedShare = std::clamp((fit.trainAfter * fit.trainAfter - floor2) / excess, 0.0, 1.0);
   if (fit.trainBefore < materialFloors * fit.floor) diagnosis.unexplainedShare = 0.0;
   diagnosis.findings = findingsOf(*found, input, explained);

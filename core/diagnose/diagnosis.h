@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "diagnose/model.h"
+#include "diagnose/simulate/model.h"
 #include "motor/bench.h"
 #include "recording/recording.h"
 
@@ -17,7 +17,7 @@ enum class Verdict { nothingMissing, named, ambiguous, outsideCatalogue };
 
 struct Finding {
   std::string effect;
-  double share = 0.0;   ///< part of the base model's excess squared error over the floor that it takes away, 0 … 1
+  double share = 0.0;  ///< part of the base model's excess squared error over the floor that it takes away, 0 … 1
   double pValue = 1.0;
   std::vector<std::string> ambiguousWith;
   std::vector<Parameter> parameters;
@@ -72,11 +72,12 @@ struct DiagnoseOptions {
   std::function<void(double progress, const std::string& activity)> progress;
 };
 
-/// Where simulation and recordings part, which physics was left out, and the proof. Without `heldout`, blocks of the recordings
-/// themselves are held out, at least 1 s away from any training sample. A pure function of its arguments, apart from the two
-/// times. Errors: a channel that the bench needs is missing, a recording too short to fit, values that are all missing.
-Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& recordings, const std::vector<Recording>& heldout,
-                           const DiagnoseOptions& options);
+/// Where simulation and recordings part, which physics was left out, and the proof. Without `heldout`, blocks of the
+/// recordings themselves are held out, at least 1 s away from any training sample. A pure function of its arguments,
+/// apart from the two times. Errors: a channel that the bench needs is missing, a recording too short to fit, values
+/// that are all missing.
+Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& recordings,
+                           const std::vector<Recording>& heldout, const DiagnoseOptions& options);
 
 /// The verdict in words, some lines of plain text.
 std::string inWords(const Diagnosis& diagnosis);

@@ -23,10 +23,14 @@ std::string sizeText(double value, Axis axis) {
 
 std::string nameOf(Verdict verdict) {
   switch (verdict) {
-    case Verdict::nothingMissing: return "nothing_missing";
-    case Verdict::named: return "named";
-    case Verdict::ambiguous: return "ambiguous";
-    case Verdict::outsideCatalogue: return "outside_catalogue";
+    case Verdict::nothingMissing:
+      return "nothing_missing";
+    case Verdict::named:
+      return "named";
+    case Verdict::ambiguous:
+      return "ambiguous";
+    case Verdict::outsideCatalogue:
+      return "outside_catalogue";
   }
   return {};
 }
@@ -35,10 +39,18 @@ std::string inWords(const Diagnosis& d) {
   const Axis axis = d.model.axis;
   std::string out;
   switch (d.verdict) {
-    case Verdict::nothingMissing: out += "Nothing is missing: the base model explains the recording as far as its sensors can tell.\n"; break;
-    case Verdict::named: out += "Missing physics found and named:\n"; break;
-    case Verdict::ambiguous: out += "Physics is missing, but the data can't tell rivals apart:\n"; break;
-    case Verdict::outsideCatalogue: out += "Something is missing that has no name in the catalogue:\n"; break;
+    case Verdict::nothingMissing:
+      out += "Nothing is missing: the base model explains the recording as far as its sensors can tell.\n";
+      break;
+    case Verdict::named:
+      out += "Missing physics found and named:\n";
+      break;
+    case Verdict::ambiguous:
+      out += "Physics is missing, but the data can't tell rivals apart:\n";
+      break;
+    case Verdict::outsideCatalogue:
+      out += "Something is missing that has no name in the catalogue:\n";
+      break;
   }
   for (const Finding& finding : d.findings) {
     char line[96];
@@ -46,7 +58,8 @@ std::string inWords(const Diagnosis& d) {
     out += "- " + finding.effect + line + ": " + finding.sentence + "\n";
     for (const Parameter& one : finding.parameters) {
       char text[160];
-      std::snprintf(text, sizeof text, "    %s = %.4g  [%.4g, %.4g]\n", one.name.c_str(), one.value, one.low95, one.high95);
+      std::snprintf(text, sizeof text, "    %s = %.4g  [%.4g, %.4g]\n", one.name.c_str(), one.value, one.low95,
+                    one.high95);
       out += text;
     }
     std::string rivals;
@@ -55,15 +68,18 @@ std::string inWords(const Diagnosis& d) {
   }
   if (!d.where.empty()) out += "Where: " + d.where.front().sentence + "\n";
   char text[320];
-  std::snprintf(text, sizeof text, "Error over %.3g s windows: held-out %s before, %s after (%.0f %% less, 95 %% interval %.0f to %.0f %%); "
-                "training %s before, %s after; a perfect model would show %s.\n",
-                d.fit.window_s, sizeText(d.fit.heldoutBefore, axis).c_str(), sizeText(d.fit.heldoutAfter, axis).c_str(),
-                100.0 * (1.0 - d.fit.heldoutAfter / std::max(d.fit.heldoutBefore, 1e-300)), 100.0 * d.fit.improvementLow95,
-                100.0 * d.fit.improvementHigh95, sizeText(d.fit.trainBefore, axis).c_str(), sizeText(d.fit.trainAfter, axis).c_str(),
-                sizeText(d.fit.floor, axis).c_str());
+  std::snprintf(
+      text, sizeof text,
+      "Error over %.3g s windows: held-out %s before, %s after (%.0f %% less, 95 %% interval %.0f to %.0f %%); "
+      "training %s before, %s after; a perfect model would show %s.\n",
+      d.fit.window_s, sizeText(d.fit.heldoutBefore, axis).c_str(), sizeText(d.fit.heldoutAfter, axis).c_str(),
+      100.0 * (1.0 - d.fit.heldoutAfter / std::max(d.fit.heldoutBefore, 1e-300)), 100.0 * d.fit.improvementLow95,
+      100.0 * d.fit.improvementHigh95, sizeText(d.fit.trainBefore, axis).c_str(),
+      sizeText(d.fit.trainAfter, axis).c_str(), sizeText(d.fit.floor, axis).c_str());
   out += text;
-  out += d.fit.separateRecording ? "Held out: separate recordings.\n"
-                                 : "Held out: parts of the recordings themselves, at least 1 s away from any training sample.\n";
+  out += d.fit.separateRecording
+             ? "Held out: separate recordings.\n"
+             : "Held out: parts of the recordings themselves, at least 1 s away from any training sample.\n";
   if (!d.nextSentence.empty()) out += "Next: " + d.nextSentence + "\n";
   for (const std::string& remark : d.remarks) out += "Note: " + remark + ".\n";
   return out;
@@ -75,7 +91,8 @@ Result<void> writeDiagnosis(const Diagnosis& d, const std::string& path) {
   json["findings"] = Json::array();
   for (const Finding& finding : d.findings) {
     Json parameters = Json::object();
-    for (const Parameter& one : finding.parameters) parameters[one.name] = {{"value", one.value}, {"ci95", {one.low95, one.high95}}};
+    for (const Parameter& one : finding.parameters)
+      parameters[one.name] = {{"value", one.value}, {"ci95", {one.low95, one.high95}}};
     json["findings"].push_back({{"effect", finding.effect},
                                 {"share", finding.share},
                                 {"p_value", finding.pValue},

@@ -13,12 +13,12 @@ namespace breakaway {
 /// What a term may depend on, at one instant. On a linear axis read m for rad and N for Nm.
 struct Situation {
   Axis axis = Axis::rotary;
-  double time_s = 0.0;         ///< since the recording's first row
-  double position = 0.0;       ///< rad
-  double velocity = 0.0;       ///< rad/s
-  double acceleration = 0.0;   ///< rad/s²
-  double driveTorque = 0.0;    ///< the model's motor torque, never a measured one, Nm
-  double direction = 0.0;      ///< ±1: of motion, or of the motion that is about to start
+  double time_s = 0.0;        ///< since the recording's first row
+  double position = 0.0;      ///< rad
+  double velocity = 0.0;      ///< rad/s
+  double acceleration = 0.0;  ///< rad/s²
+  double driveTorque = 0.0;   ///< the model's motor torque, never a measured one, Nm
+  double direction = 0.0;     ///< ±1: of motion, or of the motion that is about to start
 };
 
 /// What an effect adds to the base physics.
@@ -38,12 +38,12 @@ struct ParameterSpec {
 /// What the search needs to know of the data to offer shapes: ranges seen in the recordings.
 struct Excitation {
   Axis axis = Axis::rotary;
-  double lowSpeed = 0.0;      ///< 10 % quantile of |velocity| while moving, rad/s
-  double highSpeed = 0.0;     ///< its 95 % quantile
-  double travel = 0.0;        ///< largest minus smallest position, rad
-  double count = 0.0;         ///< one encoder count, rad
-  double peakTorque = 0.0;    ///< of the drive, Nm
-  bool bothWays = false;      ///< at least 10 % of the motion goes each way
+  double lowSpeed = 0.0;    ///< 10 % quantile of |velocity| while moving, rad/s
+  double highSpeed = 0.0;   ///< its 95 % quantile
+  double travel = 0.0;      ///< largest minus smallest position, rad
+  double count = 0.0;       ///< one encoder count, rad
+  double peakTorque = 0.0;  ///< of the drive, Nm
+  bool bothWays = false;    ///< at least 10 % of the motion goes each way
 };
 
 /// Fixed nonlinear parameters of a candidate, such as an order or a Stribeck velocity.

@@ -3,12 +3,13 @@
 #include <cmath>
 
 #include "base/statistics.h"
-#include "diagnose/physics.h"
-#include "diagnose/restart.h"
+#include "diagnose/simulate/physics.h"
+#include "diagnose/simulate/restart.h"
 
 namespace breakaway {
 
-double noiseFloor(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows, std::uint64_t seed) {
+double noiseFloor(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows,
+                  std::uint64_t seed) {
   const auto terms = termsOf(model);
   Stepper stepper(physicsOf(model), *terms);
   Random random(seed);
@@ -17,7 +18,9 @@ double noiseFloor(const Model& model, const std::vector<Track>& tracks, const st
     const Track& recorded = tracks[window.track];
     // From one horizon before the window to its end, as if the model were the rig.
     size_t first = window.first;
-    while (first > 0 && (recorded.time[window.first] - recorded.time[first - 1] <= model.restartHorizon_s || window.first - first < 4)) --first;
+    while (first > 0 && (recorded.time[window.first] - recorded.time[first - 1] <= model.restartHorizon_s ||
+                         window.first - first < 4))
+      --first;
     Track replay;
     const auto part = [&](const auto& from) {
       return std::remove_cvref_t<decltype(from)>(from.begin() + static_cast<std::ptrdiff_t>(first),
@@ -33,7 +36,8 @@ double noiseFloor(const Model& model, const std::vector<Track>& tracks, const st
       replay.position.push_back(model.count > 0.0 ? model.count * std::floor(exact / model.count) + 0.5 * model.count
                                                   : exact + recorded.noise * random.normal());
       if (k + 1 < replay.time.size()) {
-        stepper.advance(state, replay.input[k], replay.time[k + 1] - replay.time[k], replay.time[k], replay.connected[k] != 0);
+        stepper.advance(state, replay.input[k], replay.time[k + 1] - replay.time[k], replay.time[k],
+                        replay.connected[k] != 0);
       }
     }
     replay.seen.assign(replay.time.size(), 1);

@@ -2,14 +2,15 @@
 
 #include <algorithm>
 
-#include "diagnose/inverse_fit.h"
-#include "diagnose/restart.h"
+#include "diagnose/fit/inverse_fit.h"
+#include "diagnose/simulate/restart.h"
 
 namespace breakaway {
 
 namespace {
 
-/// The shortest look back that knows the velocity to a thousandth of the higher speeds; a longer one lets the model's own faults in.
+/// The shortest look back that knows the velocity to a thousandth of the higher speeds; a longer one lets the model's
+/// own faults in.
 double restartHorizonFor(const std::vector<Track>& tracks, double highSpeed) {
   for (const double horizon : {0.02, 0.05, 0.1}) {
     const bool enough = std::all_of(tracks.begin(), tracks.end(), [=](const Track& track) {
@@ -26,8 +27,11 @@ std::vector<std::string> gauge(const Bench& bench, const std::vector<Track>& tra
   const auto trusts = [&bench](const char* name) { return bench.trusted.count(name) > 0; };
   const bool scaled = bench.pendulum.has_value() || trusts(names.inertia);
   if (bench.input == DriveInput::torque) return {};
-  if (bench.input == DriveInput::current) return scaled || trusts(names.torqueConstant) ? std::vector<std::string>{} : std::vector<std::string>{names.torqueConstant};
-  const bool currentSeen = std::all_of(tracks.begin(), tracks.end(), [](const Track& track) { return !track.current.empty(); });
+  if (bench.input == DriveInput::current)
+    return scaled || trusts(names.torqueConstant) ? std::vector<std::string>{}
+                                                  : std::vector<std::string>{names.torqueConstant};
+  const bool currentSeen =
+      std::all_of(tracks.begin(), tracks.end(), [](const Track& track) { return !track.current.empty(); });
   if (currentSeen) return {};
   // Voltage alone shows ratios: F R/Kt, J R/Kt, and Kt with B only together.
   if (scaled) return {names.inductance, names.resistance};
@@ -36,8 +40,8 @@ std::vector<std::string> gauge(const Bench& bench, const std::vector<Track>& tra
 
 }  // namespace
 
-Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& recordings, const std::vector<Recording>& heldout,
-                            double window_s, bool whole) {
+Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& recordings,
+                            const std::vector<Recording>& heldout, double window_s, bool whole) {
   Preparation out;
   for (const auto* group : {&recordings, &heldout}) {
     for (const Recording& recording : *group) {
@@ -51,7 +55,8 @@ Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& re
   auto split = whole ? wholeTracks(out.tracks, window_s) : splitTracks(out.tracks, recordings.size(), window_s);
   if (!split) return split.error();
   out.split = std::move(*split);
-  const std::vector<Track> training(out.tracks.begin(), out.tracks.begin() + static_cast<std::ptrdiff_t>(recordings.size()));
+  const std::vector<Track> training(out.tracks.begin(),
+                                    out.tracks.begin() + static_cast<std::ptrdiff_t>(recordings.size()));
   auto starts = startModels(bench, training);
   if (!starts) return starts.error();
   out.starts = std::move(*starts);
@@ -65,7 +70,8 @@ Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& re
     held += (held.empty() ? "" : ", ") + name;
   }
   if (!held.empty()) {
-    out.remarks.push_back("the scale of all torques rests on the bench's " + held + ", which these recordings can't check: trust only ratios");
+    out.remarks.push_back("the scale of all torques rests on the bench's " + held +
+                          ", which these recordings can't check: trust only ratios");
   }
   for (Model& start : out.starts) start.restartHorizon_s = restartHorizonFor(out.tracks, out.seen.highSpeed);
   if (out.seen.highSpeed <= 0.0) return Error{recordings.front().name(), "never moves, so there is nothing to fit"};

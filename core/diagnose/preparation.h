@@ -6,7 +6,7 @@
 
 #include "base/result.h"
 #include "diagnose/effect.h"
-#include "diagnose/model.h"
+#include "diagnose/simulate/model.h"
 #include "diagnose/split.h"
 #include "motor/bench.h"
 #include "recording/recording.h"
@@ -14,18 +14,18 @@
 namespace breakaway {
 
 struct Preparation {
-  std::vector<Track> tracks;        ///< training recordings first, then held-out ones
-  size_t recordings = 0;            ///< how many of them train
+  std::vector<Track> tracks;  ///< training recordings first, then held-out ones
+  size_t recordings = 0;      ///< how many of them train
   Split split;
-  std::vector<Model> starts;        ///< base models with start values and the restart's horizon, the inverse model's first
+  std::vector<Model> starts;  ///< base models with start values and the restart's horizon, the inverse model's first
   Excitation seen;
-  std::vector<std::string> held;    ///< trusted base parameters
+  std::vector<std::string> held;  ///< trusted base parameters
   std::vector<std::string> remarks;
 };
 
-/// Checks the channels, splits (or, with `whole`, takes everything for training), and finds start values. Errors name the recording and
-/// what it lacks: a channel, any value, length, motion.
-Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& recordings, const std::vector<Recording>& heldout,
-                            double window_s, bool whole);
+/// Checks the channels, splits (or, with `whole`, takes everything for training), and finds start values. Errors name
+/// the recording and what it lacks: a channel, any value, length, motion.
+Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& recordings,
+                            const std::vector<Recording>& heldout, double window_s, bool whole);
 
 }  // namespace breakaway

@@ -17,8 +17,8 @@ struct Scored {
   const Effect* effect = nullptr;
   Shape shape;
   Eigen::VectorXd amplitude;
-  Eigen::MatrixXd scores;      ///< one row per window
-  Eigen::MatrixXd precision;   ///< inverse of the scores' second moment
+  Eigen::MatrixXd scores;     ///< one row per window
+  Eigen::MatrixXd precision;  ///< inverse of the scores' second moment
   double gain = 0.0;
 };
 
@@ -45,9 +45,10 @@ Model withEffect(const Model& model, const Effect& effect, const Shape& shape, c
 
 }  // namespace
 
-std::vector<Candidate> scoreTest(const FitResult& at, const ParameterVector& parameters, const std::vector<Track>& tracks,
-                                 const std::vector<Window>& windows, const std::vector<const Effect*>& effects,
-                                 const Excitation& seen, std::uint64_t seed, const std::vector<double>& windowWeights) {
+std::vector<Candidate> scoreTest(const FitResult& at, const ParameterVector& parameters,
+                                 const std::vector<Track>& tracks, const std::vector<Window>& windows,
+                                 const std::vector<const Effect*>& effects, const Excitation& seen, std::uint64_t seed,
+                                 const std::vector<double>& windowWeights) {
   const Eigen::Index size = parameters.size();
   std::vector<WindowResidual> residuals;
   residuals.reserve(windows.size());
@@ -79,7 +80,8 @@ std::vector<Candidate> scoreTest(const FitResult& at, const ParameterVector& par
       Eigen::MatrixXd raw(static_cast<Eigen::Index>(windows.size()), size2);
       for (size_t w = 0; w < windows.size(); ++w) {
         Eigen::MatrixXd column(residuals[w].rows(), size2);
-        for (Eigen::Index a = 0; a < size2; ++a) column.col(a) = residuals[w].column(variants[static_cast<size_t>(a)], step);
+        for (Eigen::Index a = 0; a < size2; ++a)
+          column.col(a) = residuals[w].column(variants[static_cast<size_t>(a)], step);
         cross += at.windows[w].jacobian.transpose() * column;
         own += column.transpose() * column;
         raw.row(static_cast<Eigen::Index>(w)) = (column.transpose() * at.windows[w].residual).transpose();
@@ -91,7 +93,8 @@ std::vector<Candidate> scoreTest(const FitResult& at, const ParameterVector& par
       free.diagonal().array() += 1e-9 * free.trace();
       Scored scored{effect, shape, {}, raw, {}, 0.0};
       for (size_t w = 0; w < windows.size(); ++w) {
-        scored.scores.row(static_cast<Eigen::Index>(w)) -= (at.windows[w].residual.transpose() * at.windows[w].jacobian) * share;
+        scored.scores.row(static_cast<Eigen::Index>(w)) -=
+            (at.windows[w].residual.transpose() * at.windows[w].jacobian) * share;
       }
       const Eigen::VectorXd total = scored.scores.colwise().sum().transpose();
       scored.amplitude = -free.ldlt().solve(total);
@@ -120,11 +123,17 @@ std::vector<Candidate> scoreTest(const FitResult& at, const ParameterVector& par
     const Eigen::VectorXd total = scored.scores.colwise().sum().transpose();
     const double seenSurprise = surprise(total.dot(scored.precision * total), total.size());
     const auto beaten = std::count_if(worst.begin(), worst.end(), [=](double one) { return one >= seenSurprise; });
-    Candidate candidate{scored.effect, scored.shape, {scored.amplitude.begin(), scored.amplitude.end()}, scored.gain,
+    Candidate candidate{scored.effect,
+                        scored.shape,
+                        {scored.amplitude.begin(), scored.amplitude.end()},
+                        scored.gain,
                         static_cast<double>(1 + beaten) / static_cast<double>(1 + flips)};
-    const auto same = std::find_if(best.begin(), best.end(), [&](const Candidate& one) { return one.effect == scored.effect; });
-    if (same == best.end()) best.push_back(std::move(candidate));
-    else if (candidate.gain > same->gain) *same = std::move(candidate);
+    const auto same =
+        std::find_if(best.begin(), best.end(), [&](const Candidate& one) { return one.effect == scored.effect; });
+    if (same == best.end())
+      best.push_back(std::move(candidate));
+    else if (candidate.gain > same->gain)
+      *same = std::move(candidate);
   }
   std::stable_sort(best.begin(), best.end(), [](const Candidate& a, const Candidate& b) { return a.gain > b.gain; });
   return best;

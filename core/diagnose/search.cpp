@@ -29,7 +29,8 @@ EffectTerm termOf(const Effect& effect, Axis axis, const std::vector<double>& va
 
 Model with(const Model& model, const Candidate& candidate) {
   Model out = model;
-  out.effects.push_back(termOf(*candidate.effect, model.axis, candidate.effect->fromAmplitudes(candidate.shape, candidate.amplitude)));
+  out.effects.push_back(
+      termOf(*candidate.effect, model.axis, candidate.effect->fromAmplitudes(candidate.shape, candidate.amplitude)));
   return out;
 }
 
@@ -44,18 +45,20 @@ std::vector<const Effect*> openEffects(const Model& model) {
   std::vector<const Effect*> open;
   for (const Effect* effect : catalogue()) {
     const auto present = [&model](std::string_view name) {
-      return std::any_of(model.effects.begin(), model.effects.end(), [name](const EffectTerm& term) { return term.effect == name; });
+      return std::any_of(model.effects.begin(), model.effects.end(),
+                         [name](const EffectTerm& term) { return term.effect == name; });
     };
-    const bool twinListed = std::any_of(open.begin(), open.end(), [effect](const Effect* one) { return one->name() == effect->twin(); });
+    const bool twinListed =
+        std::any_of(open.begin(), open.end(), [effect](const Effect* one) { return one->name() == effect->twin(); });
     if (!present(effect->name()) && !present(effect->twin()) && !twinListed) open.push_back(effect);
   }
   return open;
 }
 
 struct Comparison {
-  double relative = 0.0;   ///< mean improvement over the mean of the worse
-  Interval interval;       ///< 95 %, of `relative`
-  double inErrors = 0.0;   ///< mean improvement in standard errors
+  double relative = 0.0;  ///< mean improvement over the mean of the worse
+  Interval interval;      ///< 95 %, of `relative`
+  double inErrors = 0.0;  ///< mean improvement in standard errors
 };
 
 /// How much smaller `after` is than `before`, window by window.
@@ -145,8 +148,9 @@ class Search {
       double best = leastImprovement;
       size_t tried = 0;
       for (const Candidate& candidate : candidates) {
-        // The score is blind where a few windows rule it, or where the model without the effect is far off. Then an effect may prove itself
-        // after the fit: one without a shape to choose, or one that improves more than any choice of shape could by chance.
+        // The score is blind where a few windows rule it, or where the model without the effect is far off. Then an
+        // effect may prove itself after the fit: one without a shape to choose, or one that improves more than any
+        // choice of shape could by chance.
         const bool oneShape = candidate.effect->shapes(input_.seen).size() == 1;
         if (candidate.gain < leastImprovement || tried == finalists) continue;
         ++tried;
@@ -231,8 +235,10 @@ class Search {
 }  // namespace
 
 FitResult fitModel(const SearchInput& input, const Model& model, int iterations) {
-  const ParameterVector parameters(model, input.held, std::max(input.seen.peakTorque, 1e-12), std::max(input.seen.highSpeed, 1e-9));
-  return fitWindows(parameters, input.tracks, input.split.train, {.iterations = iterations, .windowWeights = input.windowWeights, .stop = input.stop});
+  const ParameterVector parameters(model, input.held, std::max(input.seen.peakTorque, 1e-12),
+                                   std::max(input.seen.highSpeed, 1e-9));
+  return fitWindows(parameters, input.tracks, input.split.train,
+                    {.iterations = iterations, .windowWeights = input.windowWeights, .stop = input.stop});
 }
 
 FitResult fitBase(const SearchInput& input, const std::vector<Model>& starts) {
@@ -245,27 +251,33 @@ FitResult fitBase(const SearchInput& input, const std::vector<Model>& starts) {
 }
 
 FitResult polishModel(const SearchInput& input, const Model& model, const std::vector<double>& windowWeights) {
-  const ParameterVector parameters(model, input.held, std::max(input.seen.peakTorque, 1e-12), std::max(input.seen.highSpeed, 1e-9));
-  return fitWindows(parameters, input.tracks, input.split.polish, {.iterations = 6, .windowWeights = windowWeights, .stop = input.stop});
+  const ParameterVector parameters(model, input.held, std::max(input.seen.peakTorque, 1e-12),
+                                   std::max(input.seen.highSpeed, 1e-9));
+  return fitWindows(parameters, input.tracks, input.split.polish,
+                    {.iterations = 6, .windowWeights = windowWeights, .stop = input.stop});
 }
 
 Result<SearchResult> searchEffects(const SearchInput& input, const std::vector<Model>& starts) {
   return Search(input).run(starts);
 }
 
-Result<FitResult> fitNamed(const SearchInput& input, const std::vector<Model>& starts, const std::vector<std::string>& names) {
+Result<FitResult> fitNamed(const SearchInput& input, const std::vector<Model>& starts,
+                           const std::vector<std::string>& names) {
   FitResult fit = fitBase(input, starts);
   for (const std::string& name : names) {
     const ParameterVector parameters(fit.model, input.held, std::max(input.seen.peakTorque, 1e-12),
                                      std::max(input.seen.highSpeed, 1e-9));
-    const auto found = scoreTest(fit, parameters, input.tracks, input.split.train, {findEffect(name)}, input.seen, input.seed);
+    const auto found =
+        scoreTest(fit, parameters, input.tracks, input.split.train, {findEffect(name)}, input.seen, input.seed);
     if (found.empty()) {
-      return Error{input.tracks.front().name, "can't show the effect " + name + ": " + findEffect(name)->neededExcitation(input.seen)};
+      return Error{input.tracks.front().name,
+                   "can't show the effect " + name + ": " + findEffect(name)->neededExcitation(input.seen)};
     }
     fit = fitModel(input, with(fit.model, found.front()));
   }
   fit = polishModel(input, fit.model);
-  if (!fit.usable) return Error{input.tracks.front().name, "can't be fitted: the search for the best parameters came to no end"};
+  if (!fit.usable)
+    return Error{input.tracks.front().name, "can't be fitted: the search for the best parameters came to no end"};
   return fit;
 }
 

@@ -44,12 +44,14 @@ double totalTime(const std::vector<Track>& tracks, size_t recordings) {
 
 Error tooShort(const Track& track, double length, double needed) {
   char fact[120];
-  std::snprintf(fact, sizeof fact, "is too short to fit: it holds %.3g s of usable data, expected at least %.3g s", length, needed);
+  std::snprintf(fact, sizeof fact, "is too short to fit: it holds %.3g s of usable data, expected at least %.3g s",
+                length, needed);
   return {track.name, fact};
 }
 
 /// Windows of `window_s` that begin every quarter of it within rows [from, to).
-void appendOverlapping(std::vector<Window>& windows, const Track& track, size_t index, size_t from, size_t to, double window_s) {
+void appendOverlapping(std::vector<Window>& windows, const Track& track, size_t index, size_t from, size_t to,
+                       double window_s) {
   if (from >= to) return;
   const double end = to < track.rows() ? track.time[to] : track.time.back();
   for (double t = track.time[from]; t + window_s <= end + 1e-9; t += 0.25 * window_s) {
@@ -98,7 +100,8 @@ Result<Split> splitTracks(const std::vector<Track>& tracks, size_t recordings, d
     if (from < track.time.back()) train(rowAt(track, from), track.rows());
   }
   const double needed = (static_cast<double>(fewestWindows) * fitWindow + gap_s) / 0.8;
-  if (split.train.size() < fewestWindows || split.heldoutScore.size() < 2) return tooShort(tracks.front(), total, needed);
+  if (split.train.size() < fewestWindows || split.heldoutScore.size() < 2)
+    return tooShort(tracks.front(), total, needed);
   assignFolds(split);
   return split;
 }
@@ -112,7 +115,8 @@ Result<Split> wholeTracks(const std::vector<Track>& tracks, double window_s) {
     appendOverlapping(split.polish, tracks[k], k, 0, tracks[k].rows(), fitWindow);
     append(split.trainScore, windowsOf(tracks, k, 0, tracks[k].rows(), window_s));
   }
-  if (split.train.size() < fewestWindows) return tooShort(tracks.front(), total, static_cast<double>(fewestWindows) * fitWindow);
+  if (split.train.size() < fewestWindows)
+    return tooShort(tracks.front(), total, static_cast<double>(fewestWindows) * fitWindow);
   assignFolds(split);
   return split;
 }

@@ -8,8 +8,8 @@
 
 #include "base/statistics.h"
 #include "diagnose/effects/wording.h"
-#include "diagnose/inverse_rows.h"
-#include "diagnose/physics.h"
+#include "diagnose/fit/inverse_rows.h"
+#include "diagnose/simulate/physics.h"
 
 namespace breakaway {
 
@@ -23,7 +23,7 @@ constexpr double turn = 2.0 * std::numbers::pi;
 /// Unexplained torque at single instants, with what it may depend on.
 struct Instants {
   std::vector<double> torque;
-  std::vector<size_t> block;   ///< stretches of one second, across tracks
+  std::vector<size_t> block;  ///< stretches of one second, across tracks
   size_t blocks = 0;
   std::vector<std::vector<double>> along;  ///< one vector per axis, in the order of axesOf()
 };
@@ -130,7 +130,8 @@ ResidualMap mapOver(const Instants& all, size_t axis, const Model& model, std::u
     if (energy >= explained) ++beaten;
   }
   // Six axes are looked at: Bonferroni.
-  map.pValue = std::min(1.0, static_cast<double>(axes.size()) * static_cast<double>(1 + beaten) / static_cast<double>(1 + flips));
+  map.pValue = std::min(
+      1.0, static_cast<double>(axes.size()) * static_cast<double>(1 + beaten) / static_cast<double>(1 + flips));
   return map;
 }
 
@@ -160,15 +161,22 @@ Place placeOf(const ResidualMap& map, const Model& model) {
     count += map.count[b];
   }
   const double half = 0.5 * (map.centre[1] - map.centre[0]);
-  Place place{map.axis, map.centre[first] - half, map.centre[last] + half, map.unit, map.share * energy / std::max(all, 1e-300), map.pValue, {}};
+  Place place{map.axis,
+              map.centre[first] - half,
+              map.centre[last] + half,
+              map.unit,
+              map.share * energy / std::max(all, 1e-300),
+              map.pValue,
+              {}};
   char range[120];
   std::snprintf(range, sizeof range, "between %.3g and %.3g %s", place.from, place.to, map.unit.c_str());
-  const std::string what = map.axis == "reversal" ? "travel since the last reversal"
+  const std::string what = map.axis == "reversal"  ? "travel since the last reversal"
                            : map.axis == "current" ? (model.axis == Axis::rotary ? "motor torque" : "motor force")
                            : map.axis == "angle" && model.axis == Axis::linear ? "position"
-                                                                              : map.axis;
-  place.sentence = "At a " + what + " " + range + " the motor gives " + torqueText(std::abs(torque / std::max(count, 1.0)), model.axis) +
-                   (sign > 0.0 ? " more" : " less") + " than the simple model needs.";
+                                                                               : map.axis;
+  place.sentence = "At a " + what + " " + range + " the motor gives " +
+                   torqueText(std::abs(torque / std::max(count, 1.0)), model.axis) + (sign > 0.0 ? " more" : " less") +
+                   " than the simple model needs.";
   return place;
 }
 

@@ -1,12 +1,13 @@
-// Where simulation and recording part: the torque that the model can't explain, mapped over time, angle, velocity and more.
+// Where simulation and recording part: the torque that the model can't explain, mapped over time, angle, velocity and
+// more.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "diagnose/diagnosis.h"
-#include "diagnose/model.h"
-#include "diagnose/track.h"
+#include "diagnose/simulate/model.h"
+#include "diagnose/simulate/track.h"
 
 namespace breakaway {
 
@@ -14,11 +15,11 @@ namespace breakaway {
 struct ResidualMap {
   std::string axis;
   std::string unit;
-  std::vector<double> centre;       ///< bin centres in `unit`
-  std::vector<double> mean_Nm;      ///< torque (N on a linear axis) that the drive gave beyond what the model needs
-  std::vector<double> error_Nm;     ///< standard error of that mean, from stretches of one second
+  std::vector<double> centre;    ///< bin centres in `unit`
+  std::vector<double> mean_Nm;   ///< torque (N on a linear axis) that the drive gave beyond what the model needs
+  std::vector<double> error_Nm;  ///< standard error of that mean, from stretches of one second
   std::vector<double> count;
-  double share = 0.0;               ///< part of the unexplained squared torque that lies in these means
+  double share = 0.0;  ///< part of the unexplained squared torque that lies in these means
   double pValue = 1.0;
 };
 

@@ -14,10 +14,22 @@ namespace {
 
 constexpr const char* schema = "breakaway.bench/1";
 
-constexpr MotorNames rotaryNames{"torque_constant_Nm_per_A", "back_emf_constant_V_s_per_rad", "resistance_ohm", "inductance_H",
-                                 "inertia_kg_m2",            "viscous_Nm_s_per_rad",          "coulomb_Nm",     "counts_per_rev"};
-constexpr MotorNames linearNames{"force_constant_N_per_A", "back_emf_constant_V_s_per_m", "resistance_ohm", "inductance_H",
-                                 "mass_kg",                "viscous_N_s_per_m",           "coulomb_N",      "counts_per_m"};
+constexpr MotorNames rotaryNames{"torque_constant_Nm_per_A",
+                                 "back_emf_constant_V_s_per_rad",
+                                 "resistance_ohm",
+                                 "inductance_H",
+                                 "inertia_kg_m2",
+                                 "viscous_Nm_s_per_rad",
+                                 "coulomb_Nm",
+                                 "counts_per_rev"};
+constexpr MotorNames linearNames{"force_constant_N_per_A",
+                                 "back_emf_constant_V_s_per_m",
+                                 "resistance_ohm",
+                                 "inductance_H",
+                                 "mass_kg",
+                                 "viscous_N_s_per_m",
+                                 "coulomb_N",
+                                 "counts_per_m"};
 
 struct InputName {
   const char* name;
@@ -34,9 +46,10 @@ struct GainNames {
   ControlMode mode;
   const char *name, *kp, *ki, *kd;
 };
-constexpr std::array<GainNames, 3> gainNames{{{ControlMode::openLoop, "open_loop", "", "", ""},
-                                              {ControlMode::velocity, "velocity", "kp_A_s_per_rad", "ki_A_per_rad", "kd_A_s2_per_rad"},
-                                              {ControlMode::position, "position", "kp_A_per_rad", "ki_A_per_rad_s", "kd_A_s_per_rad"}}};
+constexpr std::array<GainNames, 3> gainNames{
+    {{ControlMode::openLoop, "open_loop", "", "", ""},
+     {ControlMode::velocity, "velocity", "kp_A_s_per_rad", "ki_A_per_rad", "kd_A_s2_per_rad"},
+     {ControlMode::position, "position", "kp_A_per_rad", "ki_A_per_rad_s", "kd_A_s_per_rad"}}};
 
 void readMotor(JsonObject motor, const MotorNames& names, MotorBelief& belief) {
   belief.torqueConstant = motor.optionalNumber(names.torqueConstant, Allowed::positive);
@@ -49,8 +62,9 @@ void readMotor(JsonObject motor, const MotorNames& names, MotorBelief& belief) {
 }
 
 void readTrusted(JsonObject& root, const MotorNames& names, std::set<std::string>& trusted) {
-  const std::vector<std::string> allowed{names.torqueConstant, names.backEmfConstant, names.resistance, names.inductance,
-                                         names.inertia,        names.viscous,         names.coulomb};
+  const std::vector<std::string> allowed{names.torqueConstant, names.backEmfConstant, names.resistance,
+                                         names.inductance,     names.inertia,         names.viscous,
+                                         names.coulomb};
   for (const std::string& name : root.texts("trusted")) {
     if (std::find(allowed.begin(), allowed.end(), name) == allowed.end()) {
       const auto suggestion = nearestName(name, allowed);
@@ -63,7 +77,8 @@ void readTrusted(JsonObject& root, const MotorNames& names, std::set<std::string
 
 void readController(JsonObject object, BenchController& controller) {
   const std::string mode = object.text("mode", "open_loop");
-  const auto it = std::find_if(gainNames.begin(), gainNames.end(), [&](const GainNames& one) { return mode == one.name; });
+  const auto it =
+      std::find_if(gainNames.begin(), gainNames.end(), [&](const GainNames& one) { return mode == one.name; });
   if (it == gainNames.end()) {
     object.fault("mode", "is \"" + mode + "\", expected open_loop, velocity or position");
     return;
@@ -113,8 +128,9 @@ Result<Bench> readBench(JsonObject root) {
     if (load.has("pendulum")) {
       JsonObject pendulum = load.object("pendulum");
       if (bench.axis == Axis::linear) load.fault("pendulum", "hangs on a rotary axis only, but axis is linear");
-      bench.pendulum = Pendulum{pendulum.number("mass_kg", Allowed::nonNegative), pendulum.number("length_m", Allowed::positive),
-                                pendulum.number("arm_mass_kg", 0.0, Allowed::nonNegative), pendulum.number("down_angle_rad", 0.0)};
+      bench.pendulum =
+          Pendulum{pendulum.number("mass_kg", Allowed::nonNegative), pendulum.number("length_m", Allowed::positive),
+                   pendulum.number("arm_mass_kg", 0.0, Allowed::nonNegative), pendulum.number("down_angle_rad", 0.0)};
     }
   }
   if (root.has("controller")) readController(root.object("controller"), bench.controller);

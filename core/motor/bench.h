@@ -21,13 +21,13 @@ const MotorNames& motorNames(Axis axis);
 
 /// Start values in SI; on a linear axis read kg for kg m², N for Nm, m for rad. Missing: unknown, to be fitted.
 struct MotorBelief {
-  std::optional<double> torqueConstant;  ///< Nm/A or N/A
-  std::optional<double> backEmfConstant; ///< V s/rad or V s/m
+  std::optional<double> torqueConstant;   ///< Nm/A or N/A
+  std::optional<double> backEmfConstant;  ///< V s/rad or V s/m
   std::optional<double> resistance_ohm;
   std::optional<double> inductance_H;
-  std::optional<double> inertia;         ///< kg m² or kg
-  std::optional<double> viscous;         ///< Nm s/rad or N s/m
-  std::optional<double> coulomb;         ///< Nm or N
+  std::optional<double> inertia;  ///< kg m² or kg
+  std::optional<double> viscous;  ///< Nm s/rad or N s/m
+  std::optional<double> coulomb;  ///< Nm or N
 };
 
 struct Pendulum {
@@ -53,7 +53,7 @@ struct Bench {
   std::optional<double> supply_V;
   std::optional<double> countsPerUnit;  ///< per rev or per m, as in the file
   MotorBelief motor;
-  std::set<std::string> trusted;        ///< contract names, e.g. "torque_constant_Nm_per_A"
+  std::set<std::string> trusted;  ///< contract names, e.g. "torque_constant_Nm_per_A"
   std::optional<Pendulum> pendulum;
   BenchController controller;
 
@@ -62,7 +62,7 @@ struct Bench {
   bool electrical() const { return input == DriveInput::voltage || input == DriveInput::duty; }
   std::string positionChannel() const;  ///< angle_rad or position_m
   std::string velocityChannel() const;
-  std::string inputChannel() const;     ///< voltage_V, duty, current_A, torque_Nm or force_N
+  std::string inputChannel() const;  ///< voltage_V, duty, current_A, torque_Nm or force_N
 };
 
 /// The drive input called `name` in the contract, or nothing when there is none of that name on this axis.

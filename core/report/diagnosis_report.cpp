@@ -5,8 +5,8 @@
 
 #include "base/atomic_file.h"
 #include "diagnose/catalogue.h"
-#include "diagnose/inverse_fit.h"
-#include "diagnose/simulation.h"
+#include "diagnose/fit/inverse_fit.h"
+#include "diagnose/simulate/simulation.h"
 #include "diagnose/where.h"
 #include "report/html_report.h"
 
@@ -42,7 +42,8 @@ std::vector<double> difference(const std::vector<double>& a, const std::vector<d
 }
 
 /// Measurement, simulation before and after, and the residuals, of one recording.
-void addTimeFigures(std::vector<NamedFigure>& figures, const Diagnosis& d, const Recording& recording, const std::string& which) {
+void addTimeFigures(std::vector<NamedFigure>& figures, const Diagnosis& d, const Recording& recording,
+                    const std::string& which) {
   const Axis axis = d.model.axis;
   const SimulateOptions options{d.fit.window_s};
   const auto before = simulate(d.base, recording, options), after = simulate(d.model, recording, options);
@@ -51,16 +52,24 @@ void addTimeFigures(std::vector<NamedFigure>& figures, const Diagnosis& d, const
   const std::vector<double> measured = positionsOf(recording, axis);
   Figure motion{.title = "Measured and simulated, " + which, .xLabel = "time / s", .yLabel = positionLabel(axis)};
   motion.curves.push_back({.label = "measured", .x = time, .y = measured, .colour = 6});
-  motion.curves.push_back({.label = "base model", .x = time, .y = withGaps(before->position, before->restarts), .colour = 1});
+  motion.curves.push_back(
+      {.label = "base model", .x = time, .y = withGaps(before->position, before->restarts), .colour = 1});
   if (!d.findings.empty()) {
-    motion.curves.push_back({.label = "with what was missing", .x = time, .y = withGaps(after->position, after->restarts), .colour = 0});
+    motion.curves.push_back(
+        {.label = "with what was missing", .x = time, .y = withGaps(after->position, after->restarts), .colour = 0});
   }
-  Figure residual{.title = "What the simulation misses, " + which, .xLabel = "time / s", .yLabel = "measured − simulated, " + positionLabel(axis)};
-  residual.curves.push_back(
-      {.label = "base model", .x = time, .y = withGaps(difference(measured, before->position), before->restarts), .colour = 1});
+  Figure residual{.title = "What the simulation misses, " + which,
+                  .xLabel = "time / s",
+                  .yLabel = "measured − simulated, " + positionLabel(axis)};
+  residual.curves.push_back({.label = "base model",
+                             .x = time,
+                             .y = withGaps(difference(measured, before->position), before->restarts),
+                             .colour = 1});
   if (!d.findings.empty()) {
-    residual.curves.push_back(
-        {.label = "with what was missing", .x = time, .y = withGaps(difference(measured, after->position), after->restarts), .colour = 0});
+    residual.curves.push_back({.label = "with what was missing",
+                               .x = time,
+                               .y = withGaps(difference(measured, after->position), after->restarts),
+                               .colour = 0});
   }
   if (which == "training recording") {
     for (const auto& [first, last] : d.heldoutRows) {
@@ -68,8 +77,11 @@ void addTimeFigures(std::vector<NamedFigure>& figures, const Diagnosis& d, const
     }
   }
   const std::string name = which == "training recording" ? "training" : "heldout";
-  figures.push_back({name + "_motion", "Simulation restarts from the measurement every " + numberText(d.fit.window_s, 2) + " s.", motion});
-  figures.push_back({name + "_residual", "The smaller, the better the model; restarts set it back to nearly zero.", residual});
+  figures.push_back({name + "_motion",
+                     "Simulation restarts from the measurement every " + numberText(d.fit.window_s, 2) + " s.",
+                     motion});
+  figures.push_back(
+      {name + "_residual", "The smaller, the better the model; restarts set it back to nearly zero.", residual});
 }
 
 Result<std::vector<Track>> tracksOf(const Model& model, const std::vector<Recording>& recordings) {
@@ -88,7 +100,8 @@ void addWhereFigures(std::vector<NamedFigure>& figures, const Diagnosis& d, cons
   if (!tracks) return;
   const auto before = residualMaps(d.base, *tracks, 1), after = residualMaps(d.model, *tracks, 1);
   for (const ResidualMap& map : before) {
-    const bool listed = std::any_of(d.where.begin(), d.where.end(), [&map](const Place& place) { return place.axis == map.axis; });
+    const bool listed =
+        std::any_of(d.where.begin(), d.where.end(), [&map](const Place& place) { return place.axis == map.axis; });
     if (!listed && map.axis != "velocity") continue;
     const auto band = [](const ResidualMap& one, const std::string& label, int colour) {
       Curve curve{.label = label, .x = one.centre, .y = one.mean_Nm, .colour = colour};
@@ -98,15 +111,18 @@ void addWhereFigures(std::vector<NamedFigure>& figures, const Diagnosis& d, cons
       }
       return curve;
     };
-    Figure figure{.title = "Unexplained " + torqueLabel(d.model.axis) + " over " + map.axis, .xLabel = map.axis + " / " + map.unit,
+    Figure figure{.title = "Unexplained " + torqueLabel(d.model.axis) + " over " + map.axis,
+                  .xLabel = map.axis + " / " + map.unit,
                   .yLabel = torqueLabel(d.model.axis)};
     figure.curves.push_back(band(map, "base model", 1));
-    const auto same = std::find_if(after.begin(), after.end(), [&map](const ResidualMap& one) { return one.axis == map.axis; });
+    const auto same =
+        std::find_if(after.begin(), after.end(), [&map](const ResidualMap& one) { return one.axis == map.axis; });
     if (!d.findings.empty() && same != after.end()) figure.curves.push_back(band(*same, "with what was missing", 0));
     for (const Place& place : d.where) {
       if (place.axis == map.axis) figure.highlights.push_back({place.from, place.to, "worst here"});
     }
-    figures.push_back({"where_" + map.axis, "What the motor gives beyond what the model needs, with 95 % bands.", figure});
+    figures.push_back(
+        {"where_" + map.axis, "What the motor gives beyond what the model needs, with 95 % bands.", figure});
   }
 }
 
@@ -115,9 +131,10 @@ double termTorque(const Effect& effect, const std::vector<double>& p, const Situ
   return term.load_Nm + at.direction * term.friction_Nm;
 }
 
-/// The finding's own torque over velocity, or around the turn where it depends on the angle; the band moves each parameter within its
-/// interval and takes the extremes.
-NamedFigure termFigure(const Diagnosis& d, const Finding& finding, double highSpeed, double lowest, double highest, double peak) {
+/// The finding's own torque over velocity, or around the turn where it depends on the angle; the band moves each
+/// parameter within its interval and takes the extremes.
+NamedFigure termFigure(const Diagnosis& d, const Finding& finding, double highSpeed, double lowest, double highest,
+                       double peak) {
   const Effect& effect = *findEffect(finding.effect);
   const Axis axis = d.model.axis;
   std::vector<std::vector<double>> sets(1);
@@ -135,14 +152,21 @@ NamedFigure termFigure(const Diagnosis& d, const Finding& finding, double highSp
   moved = base;
   moved.driveTorque = 0.9 * peak;
   const bool overTorque = termTorque(effect, sets.front(), base) != termTorque(effect, sets.front(), moved);
-  const double from = overPosition ? lowest : overTorque ? -peak : -highSpeed, to = overPosition ? highest : overTorque ? peak : highSpeed;
+  const double from = overPosition ? lowest
+                      : overTorque ? -peak
+                                   : -highSpeed,
+               to = overPosition ? highest
+                    : overTorque ? peak
+                                 : highSpeed;
   Curve curve{.label = finding.effect, .x = {}, .y = {}, .colour = 0};
   constexpr int points = 400;
   for (int k = 0; k <= points; ++k) {
     const double at = from + (to - from) * k / points;
     Situation situation = base;
-    if (overPosition) situation.position = at;
-    else if (overTorque) situation.driveTorque = at;
+    if (overPosition)
+      situation.position = at;
+    else if (overTorque)
+      situation.driveTorque = at;
     else {
       situation.velocity = at;
       situation.direction = at < 0.0 ? -1.0 : 1.0;
@@ -159,12 +183,16 @@ NamedFigure termFigure(const Diagnosis& d, const Finding& finding, double highSp
     curve.high.push_back(high);
   }
   Figure figure{.title = finding.effect + ": the term itself",
-                .xLabel = overPosition ? positionLabel(axis) : overTorque ? "drive " + torqueLabel(axis)
-                          : axis == Axis::rotary ? "velocity / rad/s" : "velocity / m/s",
+                .xLabel = overPosition           ? positionLabel(axis)
+                          : overTorque           ? "drive " + torqueLabel(axis)
+                          : axis == Axis::rotary ? "velocity / rad/s"
+                                                 : "velocity / m/s",
                 .yLabel = "opposing " + torqueLabel(axis)};
   figure.curves.push_back(std::move(curve));
-  return {"term_" + finding.effect, "What the effect adds against growing position, with its 95 % interval" +
-                                        std::string(overTorque ? " (while moving towards growing position)." : "."), figure};
+  return {"term_" + finding.effect,
+          "What the effect adds against growing position, with its 95 % interval" +
+              std::string(overTorque ? " (while moving towards growing position)." : "."),
+          figure};
 }
 
 std::vector<std::vector<std::string>> parameterRows(const Diagnosis& d) {
@@ -188,28 +216,31 @@ std::string listOf(const std::vector<std::string>& names) {
   return out;
 }
 
-HtmlReport buildReport(const Diagnosis& d, const Bench& bench, const std::vector<Recording>& recordings, const std::vector<Recording>& heldout,
-                       const std::vector<NamedFigure>& figures) {
+HtmlReport buildReport(const Diagnosis& d, const Bench& bench, const std::vector<Recording>& recordings,
+                       const std::vector<Recording>& heldout, const std::vector<NamedFigure>& figures) {
   HtmlReport report("Diagnosis: where simulation and recording part", bench.name);
   const std::string words = inWords(d);
   report.verdict(words.substr(0, words.find('\n')));
   for (const Finding& finding : d.findings) report.paragraph(finding.sentence);
   const auto percent = [](double part) { return numberText(100.0 * part, 3) + " %"; };
   const std::string unit = bench.axis == Axis::rotary ? " rad" : " m";
-  report.facts({{"Held-out error before", numberText(d.fit.heldoutBefore) + unit},
-                {"Held-out error after", numberText(d.fit.heldoutAfter) + unit},
-                {"Improvement, 95 % interval", percent(d.fit.improvementLow95) + " to " + percent(d.fit.improvementHigh95)},
-                {"Training error before, after", numberText(d.fit.trainBefore) + unit + ", " + numberText(d.fit.trainAfter) + unit},
-                {"A perfect model would show", numberText(d.fit.floor) + unit},
-                {"Windows", "restarted every " + numberText(d.fit.window_s) + " s; root mean square of " + d.fit.channel},
-                {"Held out", d.fit.separateRecording ? "separate recordings"
-                                                     : "parts of the recordings, at least 1 s away from any training sample"},
-                {"Left unexplained", percent(d.unexplainedShare) + " of the excess squared error"}});
+  report.facts(
+      {{"Held-out error before", numberText(d.fit.heldoutBefore) + unit},
+       {"Held-out error after", numberText(d.fit.heldoutAfter) + unit},
+       {"Improvement, 95 % interval", percent(d.fit.improvementLow95) + " to " + percent(d.fit.improvementHigh95)},
+       {"Training error before, after",
+        numberText(d.fit.trainBefore) + unit + ", " + numberText(d.fit.trainAfter) + unit},
+       {"A perfect model would show", numberText(d.fit.floor) + unit},
+       {"Windows", "restarted every " + numberText(d.fit.window_s) + " s; root mean square of " + d.fit.channel},
+       {"Held out", d.fit.separateRecording ? "separate recordings"
+                                            : "parts of the recordings, at least 1 s away from any training sample"},
+       {"Left unexplained", percent(d.unexplainedShare) + " of the excess squared error"}});
   if (!d.findings.empty()) {
     report.heading("What is missing");
     std::vector<std::vector<std::string>> rows;
     for (const Finding& finding : d.findings) {
-      rows.push_back({finding.effect, percent(finding.share), numberText(finding.pValue, 2), listOf(finding.ambiguousWith)});
+      rows.push_back(
+          {finding.effect, percent(finding.share), numberText(finding.pValue, 2), listOf(finding.ambiguousWith)});
     }
     report.table({"effect", "share of the excess error", "p-value", "can't be told from"}, rows);
     for (const Finding& finding : d.findings) {
@@ -221,7 +252,9 @@ HtmlReport buildReport(const Diagnosis& d, const Bench& bench, const std::vector
   if (!d.where.empty()) {
     report.heading("Where it shows");
     std::vector<std::string> items;
-    for (const Place& place : d.where) items.push_back(place.sentence + " (" + percent(place.share) + " of the unexplained square, p = " + numberText(place.pValue, 2) + ")");
+    for (const Place& place : d.where)
+      items.push_back(place.sentence + " (" + percent(place.share) +
+                      " of the unexplained square, p = " + numberText(place.pValue, 2) + ")");
     report.list(items);
   }
   report.heading("Pictures");
@@ -234,8 +267,10 @@ HtmlReport buildReport(const Diagnosis& d, const Bench& bench, const std::vector
   }
   report.heading("Input");
   std::vector<std::string> inputs;
-  for (const Recording& one : recordings) inputs.push_back("learned from " + one.name() + ", " + std::to_string(one.rows()) + " rows");
-  for (const Recording& one : heldout) inputs.push_back("proved on " + one.name() + ", " + std::to_string(one.rows()) + " rows");
+  for (const Recording& one : recordings)
+    inputs.push_back("learned from " + one.name() + ", " + std::to_string(one.rows()) + " rows");
+  for (const Recording& one : heldout)
+    inputs.push_back("proved on " + one.name() + ", " + std::to_string(one.rows()) + " rows");
   inputs.insert(inputs.end(), d.remarks.begin(), d.remarks.end());
   report.list(inputs);
   return report;
@@ -275,7 +310,8 @@ Result<void> writeDiagnosisFolder(const Diagnosis& d, const Bench& bench, const 
   for (const NamedFigure& one : figures) {
     if (auto done = writeSvg(one.figure, folder + "/figures/" + one.name + ".svg"); !done) return done;
   }
-  if (auto done = buildReport(d, bench, recordings, heldout, figures).write(folder + "/report.html"); !done) return done;
+  if (auto done = buildReport(d, bench, recordings, heldout, figures).write(folder + "/report.html"); !done)
+    return done;
   return writeDiagnosis(d, folder + "/diagnosis.json");
 }
 

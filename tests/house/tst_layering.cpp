@@ -34,7 +34,7 @@ void TestLayering::plantedBreach_isFound_data() {
     QTest::newRow(qPrintable(QString("%1 %2").arg(path, include))) << path << include << why;
   };
   row("core/base/planted.h", "\"motor/bench.h\"", "base stands below motor");
-  row("core/recording/planted.cpp", "\"diagnose/model.h\"", "recording stands below diagnose");
+  row("core/recording/planted.cpp", "\"diagnose/simulate/model.h\"", "recording stands below diagnose");
   row("core/observer/planted.h", "\"control/pid.h\"", "observer stands below control");
   row("core/diagnose/planted.cpp", "\"report/svg_plot.h\"", "diagnose stands below report");
   row("core/motor/planted.cpp", "<QString>", "core knows no Qt");
@@ -45,7 +45,7 @@ void TestLayering::plantedBreach_isFound_data() {
   row("core/cellar/planted.cpp", "\"base/result.h\"", "no room of the plan");
   row("core/diagnose/planted.cpp", "\"motor/plant.h\"", "the search must not know core/motor/plant.h");
   row("core/diagnose/effects/planted.cpp", "\"motor/middle.h\"", "the search must not know core/motor/plant.h");
-  row("firmware_link/planted.cpp", "\"diagnose/model.h\"", "the link stands beside diagnose");
+  row("firmware_link/planted.cpp", "\"diagnose/simulate/model.h\"", "the link stands beside diagnose");
   row("firmware_link/planted.cpp", "\"session.h\"", "the link stands beside");
   row("app/cli/planted.cpp", "\"widgets/time_plot.h\"", "commands see no window");
   row("app/cli/planted.cpp", "<QWidget>", "commands see no window");

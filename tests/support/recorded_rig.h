@@ -1,4 +1,5 @@
-// Recordings of rigs whose physics a test chooses, made with the simulated rig's plant: its own integrator, finer than the diagnosis'.
+// Recordings of rigs whose physics a test chooses, made with the simulated rig's plant: its own integrator, finer than
+// the diagnosis'.
 #pragma once
 
 #include <cmath>
@@ -15,18 +16,18 @@
 namespace breakaway::test {
 
 struct RigRecording {
-  std::string effects = "[]";     ///< JSON array of a rig file's concealed effects
+  std::string effects = "[]";         ///< JSON array of a rig file's concealed effects
   std::string positionTorque = "[]";  ///< harmonics_Nm
   double coulomb_Nm = 0.012;
   double static_Nm = 0.012;
   double stribeckVelocity_rad_per_s = 1.5;
-  double asymmetry = 0.0;         ///< relative difference of the Coulomb friction, ccw more than cw
+  double asymmetry = 0.0;  ///< relative difference of the Coulomb friction, ccw more than cw
   double viscousAsymmetry = 0.0;
-  std::string waves = "[]";       ///< relative harmonics of static and Coulomb friction, both ways
+  std::string waves = "[]";  ///< relative harmonics of static and Coulomb friction, both ways
   double countsPerRev = 14400;
   double seconds = 40.0;
   double amplitude_rad_per_s = 14.0;
-  bool currentDrive = false;      ///< the recording is driven by current_A (mean over each row), else by voltage_V
+  bool currentDrive = false;  ///< the recording is driven by current_A (mean over each row), else by voltage_V
   double currentNoise_A = 0.01;
   unsigned seed = 1;
 };
@@ -47,13 +48,16 @@ inline std::string rigText(const RigRecording& w) {
   std::snprintf(viscous[1], sizeof viscous[1], "%.9f", 2e-4 * bUp);
   return R"({"schema": "breakaway.rig/1", "name": "test", "loop_rate_Hz": 5000,
     "motor": {"torque_constant_Nm_per_A": 0.07, "back_emf_constant_V_s_per_rad": 0.07, "resistance_ohm": 1.2, "inductance_H": 0.0011, "inertia_kg_m2": 6e-5},
-    "friction": {"static_cw": )" + curve(w.static_Nm * down, w.waves) + ", \"static_ccw\": " + curve(w.static_Nm * up, w.waves) +
-         ", \"coulomb_cw\": " + curve(w.coulomb_Nm * down, w.waves) + ", \"coulomb_ccw\": " + curve(w.coulomb_Nm * up, w.waves) +
-         ", \"viscous_cw\": {\"mean\": " + viscous[0] + ", \"harmonics\": []}, \"viscous_ccw\": {\"mean\": " + viscous[1] +
+    "friction": {"static_cw": )" +
+         curve(w.static_Nm * down, w.waves) + ", \"static_ccw\": " + curve(w.static_Nm * up, w.waves) +
+         ", \"coulomb_cw\": " + curve(w.coulomb_Nm * down, w.waves) +
+         ", \"coulomb_ccw\": " + curve(w.coulomb_Nm * up, w.waves) + ", \"viscous_cw\": {\"mean\": " + viscous[0] +
+         ", \"harmonics\": []}, \"viscous_ccw\": {\"mean\": " + viscous[1] +
          ", \"harmonics\": []}, \"stribeck_velocity_rad_per_s\": " + std::to_string(w.stribeckVelocity_rad_per_s) +
          ", \"scatter_rms\": 0.01}, \"position_torque\": {\"harmonics_Nm\": " + w.positionTorque +
          R"(}, "encoder": {"counts_per_rev": 14400, "index_angle_rad": 0.3},
-    "bridge": {"supply_V": 24.0, "dead_zone_duty": 0.0, "pwm_steps": 4800}, "effects": )" + w.effects + "}";
+    "bridge": {"supply_V": 24.0, "dead_zone_duty": 0.0, "pwm_steps": 4800}, "effects": )" +
+         w.effects + "}";
 }
 
 /// A velocity loop at 1 kHz along a sum of slow sines, recorded row by row.
@@ -88,8 +92,11 @@ inline RecordedRig recordRig(const RigRecording& wanted) {
     }
     current.push_back(sum / 20.0 + wanted.currentNoise_A * noise.normal());
   }
-  RecordedRig out{{}, *Recording::seal("test.csv", {{"time_s", time}, {"angle_rad", angle}, {wanted.currentDrive ? "current_A" : "voltage_V",
-                                                                       wanted.currentDrive ? current : voltage}})};
+  RecordedRig out{{},
+                  *Recording::seal("test.csv", {{"time_s", time},
+                                                {"angle_rad", angle},
+                                                {wanted.currentDrive ? "current_A" : "voltage_V",
+                                                 wanted.currentDrive ? current : voltage}})};
   out.bench.name = "test";
   out.bench.input = wanted.currentDrive ? DriveInput::current : DriveInput::voltage;
   out.bench.countsPerUnit = wanted.countsPerRev;

@@ -8,20 +8,24 @@ namespace breakaway {
 
 namespace {
 
-/// Torque between magnets and teeth: pushes towards its valleys whichever way the rotor turns. Positive towards growing angle.
+/// Torque between magnets and teeth: pushes towards its valleys whichever way the rotor turns. Positive towards growing
+/// angle.
 class Cogging final : public Effect {
  public:
   std::string_view name() const override { return "cogging"; }
   std::string_view formula() const override { return "load = −A · cos(N θ − φ)"; }
   std::string_view source() const override {
-    return "Z. Q. Zhu, D. Howe, 'Influence of design parameters on cogging torque in permanent magnet machines', IEEE Trans. Energy "
+    return "Z. Q. Zhu, D. Howe, 'Influence of design parameters on cogging torque in permanent magnet machines', IEEE "
+           "Trans. Energy "
            "Conversion 15(4), 2000, equation 1";
   }
   std::vector<ParameterSpec> parameters(Axis axis) const override { return waveParameters(axis); }
   Term term(std::span<const double> p, const Situation& at) const override { return {-waveValue(p, at), 0.0}; }
   std::vector<Shape> shapes(const Excitation& seen) const override { return waveShapes(seen, 2, 96); }
   size_t amplitudes() const override { return 2; }
-  void columns(const Shape& shape, const Situation& at, std::span<double> out) const override { waveColumns(shape, at, -1.0, out); }
+  void columns(const Shape& shape, const Situation& at, std::span<double> out) const override {
+    waveColumns(shape, at, -1.0, out);
+  }
   Shape shapeOf(std::span<const double> p) const override { return {p[2]}; }
   std::vector<double> fromAmplitudes(const Shape& shape, std::span<const double> amplitude) const override {
     return waveFromAmplitudes(shape, amplitude);

@@ -14,7 +14,8 @@ class Imbalance final : public Effect {
   std::string_view name() const override { return "imbalance"; }
   std::string_view formula() const override { return "load = −A · cos(θ − φ)"; }
   std::string_view source() const override {
-    return "L. Meirovitch, 'Fundamentals of Vibrations', McGraw-Hill 2001, section 3.3: rotating unbalance under gravity";
+    return "L. Meirovitch, 'Fundamentals of Vibrations', McGraw-Hill 2001, section 3.3: rotating unbalance under "
+           "gravity";
   }
   std::vector<ParameterSpec> parameters(Axis axis) const override { return waveParameters(axis); }
   Term term(std::span<const double> p, const Situation& at) const override { return {-waveValue(p, at), 0.0}; }
@@ -22,15 +23,19 @@ class Imbalance final : public Effect {
     return seen.axis == Axis::rotary ? waveShapes(seen, 1, 1) : std::vector<Shape>{};
   }
   size_t amplitudes() const override { return 2; }
-  void columns(const Shape& shape, const Situation& at, std::span<double> out) const override { waveColumns(shape, at, -1.0, out); }
+  void columns(const Shape& shape, const Situation& at, std::span<double> out) const override {
+    waveColumns(shape, at, -1.0, out);
+  }
   Shape shapeOf(std::span<const double> p) const override { return {p[2]}; }
   std::vector<double> fromAmplitudes(const Shape& shape, std::span<const double> amplitude) const override {
     return waveFromAmplitudes(shape, amplitude);
   }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
     return "Once per turn a torque of ±" + torqueText(std::abs(p[0]), seen.axis) +
-           " helps and then hinders, the same whichever way it turns (strongest forward push at " + wavePeakText(p, seen.axis) +
-           "): a mass off the axis, or a magnet or core that is out of centre. Balance the load or turn the shaft upright to tell.";
+           " helps and then hinders, the same whichever way it turns (strongest forward push at " +
+           wavePeakText(p, seen.axis) +
+           "): a mass off the axis, or a magnet or core that is out of centre. Balance the load or turn the shaft "
+           "upright to tell.";
   }
   std::vector<std::string_view> lookAlikes() const override { return {"cogging", "position_dependent_friction"}; }
   std::string neededExcitation(const Excitation& seen) const override {

@@ -7,24 +7,29 @@ namespace breakaway {
 
 namespace {
 
-/// Friction in proportion to the torque that the gear, screw or bearing transmits; the model's torque, never the measured current,
-/// whose noise would correlate with the residual.
+/// Friction in proportion to the torque that the gear, screw or bearing transmits; the model's torque, never the
+/// measured current, whose noise would correlate with the residual.
 class LoadDependentFriction final : public Effect {
  public:
   std::string_view name() const override { return "load_dependent_friction"; }
   std::string_view formula() const override { return "friction = μ · |drive torque|"; }
   std::string_view source() const override {
-    return "P. Hamon, M. Gautier, P. Garrec, 'Dynamic identification of robots with a dry friction model depending on load and velocity', "
+    return "P. Hamon, M. Gautier, P. Garrec, 'Dynamic identification of robots with a dry friction model depending on "
+           "load and velocity', "
            "IROS 2010, doi:10.1109/IROS.2010.5649189";
   }
   std::vector<ParameterSpec> parameters(Axis) const override { return {{"coefficient", -0.9, 0.9}}; }
-  Term term(std::span<const double> p, const Situation& at) const override { return {0.0, p[0] * std::abs(at.driveTorque)}; }
+  Term term(std::span<const double> p, const Situation& at) const override {
+    return {0.0, p[0] * std::abs(at.driveTorque)};
+  }
   std::vector<Shape> shapes(const Excitation&) const override { return {{}}; }
   size_t amplitudes() const override { return 1; }
   void columns(const Shape&, const Situation& at, std::span<double> out) const override {
     out[0] = at.direction * std::abs(at.driveTorque);
   }
-  std::vector<double> fromAmplitudes(const Shape&, std::span<const double> amplitude) const override { return {amplitude[0]}; }
+  std::vector<double> fromAmplitudes(const Shape&, std::span<const double> amplitude) const override {
+    return {amplitude[0]};
+  }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
     return std::string("Friction ") + (p[0] > 0.0 ? "grows" : "falls") + " with the transmitted " +
            (seen.axis == Axis::rotary ? "torque" : "force") + ", by " + percentText(std::abs(p[0])) + " of it (" +
@@ -33,7 +38,8 @@ class LoadDependentFriction final : public Effect {
   }
   std::vector<std::string_view> lookAlikes() const override { return {"stribeck"}; }
   std::string neededExcitation(const Excitation& seen) const override {
-    return "Repeat the same motion with a known load that asks for at least " + torqueText(0.5 * seen.peakTorque, seen.axis) + ".";
+    return "Repeat the same motion with a known load that asks for at least " +
+           torqueText(0.5 * seen.peakTorque, seen.axis) + ".";
   }
 };
 

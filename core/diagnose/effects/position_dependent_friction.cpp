@@ -14,7 +14,8 @@ class PositionDependentFriction final : public Effect {
   std::string_view name() const override { return "position_dependent_friction"; }
   std::string_view formula() const override { return "friction = A · cos(k θ − φ)"; }
   std::string_view source() const override {
-    return "B. Armstrong, 'Friction: experimental determination, modeling and compensation', ICRA 1988, doi:10.1109/ROBOT.1988.12259";
+    return "B. Armstrong, 'Friction: experimental determination, modeling and compensation', ICRA 1988, "
+           "doi:10.1109/ROBOT.1988.12259";
   }
   std::vector<ParameterSpec> parameters(Axis axis) const override { return waveParameters(axis); }
   Term term(std::span<const double> p, const Situation& at) const override { return {0.0, waveValue(p, at)}; }
@@ -36,8 +37,8 @@ class PositionDependentFriction final : public Effect {
   }
   std::vector<std::string_view> lookAlikes() const override { return {"cogging", "imbalance"}; }
   std::string neededExcitation(const Excitation& seen) const override {
-    return std::string("Run slowly over ") + (seen.axis == Axis::rotary ? "two whole turns" : "the whole travel") + " at " +
-           speedText(0.3 * seen.highSpeed, seen.axis) + ", both ways.";
+    return std::string("Run slowly over ") + (seen.axis == Axis::rotary ? "two whole turns" : "the whole travel") +
+           " at " + speedText(0.3 * seen.highSpeed, seen.axis) + ", both ways.";
   }
 };
 

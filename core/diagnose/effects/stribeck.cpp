@@ -19,13 +19,18 @@ class Stribeck final : public Effect {
   std::string_view name() const override { return "stribeck"; }
   std::string_view formula() const override { return "friction = excess · exp(−(|ω|/ω_s)^p)"; }
   std::string_view source() const override {
-    return "L. C. Bo, D. Pavelescu, 'The friction-speed relation and its influence on the critical velocity of stick-slip motion', Wear 82(3), "
+    return "L. C. Bo, D. Pavelescu, 'The friction-speed relation and its influence on the critical velocity of "
+           "stick-slip motion', Wear 82(3), "
            "1982, equation 1";
   }
   std::vector<ParameterSpec> parameters(Axis axis) const override {
-    return {{torqueName("excess", axis), -1e9, 1e9}, {speedName("velocity", axis), 1e-9, 1e9}, {"exponent", 0.5, 3.0, true}};
+    return {{torqueName("excess", axis), -1e9, 1e9},
+            {speedName("velocity", axis), 1e-9, 1e9},
+            {"exponent", 0.5, 3.0, true}};
   }
-  Term term(std::span<const double> p, const Situation& at) const override { return {0.0, p[0] * decay(at.velocity, p[1], p[2])}; }
+  Term term(std::span<const double> p, const Situation& at) const override {
+    return {0.0, p[0] * decay(at.velocity, p[1], p[2])};
+  }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     std::vector<Shape> shapes;
     if (seen.highSpeed <= 0.0) return shapes;
@@ -44,15 +49,16 @@ class Stribeck final : public Effect {
     return {amplitude[0], shape[0], shape[1]};
   }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
-    return "Near standstill friction is " + torqueText(std::abs(p[0]), seen.axis) + (p[0] > 0.0 ? " higher" : " lower") +
-           " than in motion and settles over about " + speedText(p[1], seen.axis) +
+    return "Near standstill friction is " + torqueText(std::abs(p[0]), seen.axis) +
+           (p[0] > 0.0 ? " higher" : " lower") + " than in motion and settles over about " +
+           speedText(p[1], seen.axis) +
            (p[0] > 0.0 ? ": the Stribeck effect of a lubricated contact. Expect stick-slip below that speed."
                        : ": friction that rises from standstill, as in a full-film or creeping contact.");
   }
   std::vector<std::string_view> lookAlikes() const override { return {"load_dependent_friction", "viscous_asymmetry"}; }
   std::string neededExcitation(const Excitation& seen) const override {
-    return "Ramp slowly through zero speed, both ways, from " + speedText(seen.highSpeed / 3.0, seen.axis) + " down to " +
-           speedText(seen.highSpeed / 100.0, seen.axis) + ".";
+    return "Ramp slowly through zero speed, both ways, from " + speedText(seen.highSpeed / 3.0, seen.axis) +
+           " down to " + speedText(seen.highSpeed / 100.0, seen.axis) + ".";
   }
 };
 

@@ -13,22 +13,33 @@ class ViscousAsymmetry final : public Effect {
   std::string_view name() const override { return "viscous_asymmetry"; }
   std::string_view formula() const override { return "load = d/2 · |ω|, on top of B ω"; }
   std::string_view source() const override {
-    return "B. Armstrong-Hélouvry, P. Dupont, C. Canudas de Wit, Automatica 30(7), 1994, section 2: direction-dependent viscous friction";
+    return "B. Armstrong-Hélouvry, P. Dupont, C. Canudas de Wit, Automatica 30(7), 1994, section 2: "
+           "direction-dependent viscous friction";
   }
-  std::vector<ParameterSpec> parameters(Axis axis) const override { return {{viscousName("difference", axis), -1e9, 1e9}}; }
-  Term term(std::span<const double> p, const Situation& at) const override { return {0.5 * p[0] * std::abs(at.velocity), 0.0}; }
+  std::vector<ParameterSpec> parameters(Axis axis) const override {
+    return {{viscousName("difference", axis), -1e9, 1e9}};
+  }
+  Term term(std::span<const double> p, const Situation& at) const override {
+    return {0.5 * p[0] * std::abs(at.velocity), 0.0};
+  }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     return seen.bothWays && seen.highSpeed > 1.3 * seen.lowSpeed ? std::vector<Shape>{{}} : std::vector<Shape>{};
   }
   size_t amplitudes() const override { return 1; }
-  void columns(const Shape&, const Situation& at, std::span<double> out) const override { out[0] = 0.5 * std::abs(at.velocity); }
-  std::vector<double> fromAmplitudes(const Shape&, std::span<const double> amplitude) const override { return {amplitude[0]}; }
+  void columns(const Shape&, const Situation& at, std::span<double> out) const override {
+    out[0] = 0.5 * std::abs(at.velocity);
+  }
+  std::vector<double> fromAmplitudes(const Shape&, std::span<const double> amplitude) const override {
+    return {amplitude[0]};
+  }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
     return "Friction grows faster with speed " + wayText(p[0], seen.axis) + " than the other way, by " +
            viscousText(std::abs(p[0]), seen.axis) + ": at " + speedText(seen.highSpeed, seen.axis) + " that is " +
            torqueText(std::abs(p[0]) * seen.highSpeed, seen.axis) + ". Look at lip seals, lubricant flow or a fan.";
   }
-  std::vector<std::string_view> lookAlikes() const override { return {"constant_load", "coulomb_asymmetry", "stribeck"}; }
+  std::vector<std::string_view> lookAlikes() const override {
+    return {"constant_load", "coulomb_asymmetry", "stribeck"};
+  }
   std::string neededExcitation(const Excitation& seen) const override {
     return "Move both ways at several constant speeds from " + speedText(seen.lowSpeed, seen.axis) + " to " +
            speedText(3.0 * std::max(seen.lowSpeed, seen.highSpeed / 3.0), seen.axis) + ".";

@@ -1,4 +1,5 @@
-// The wave A·cos(kθ − φ) that position-dependent effects share: `order` per turn on a rotary axis, `period_m` on a linear one.
+// The wave A·cos(kθ − φ) that position-dependent effects share: `order` per turn on a rotary axis, `period_m` on a
+// linear one.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-#include "diagnose/windowed_fit.h"
+#include "diagnose/fit/windowed_fit.h"
 
 #include <ceres/ceres.h>
 
@@ -7,8 +7,8 @@
 #include <map>
 
 #include "base/statistics.h"
-#include "diagnose/physics.h"
-#include "diagnose/restart.h"
+#include "diagnose/simulate/physics.h"
+#include "diagnose/simulate/restart.h"
 
 namespace breakaway {
 
@@ -18,7 +18,8 @@ constexpr double priorDeviation = 1.1;  ///< of the logarithm of a start value: 
 constexpr double nudge = 1e-5;          ///< finite difference of a parameter of order one
 
 /// Residual and Jacobian of one window at x.
-WindowDerivative derive(const ParameterVector& parameters, WindowResidual& window, const Eigen::VectorXd& x, bool jacobian) {
+WindowDerivative derive(const ParameterVector& parameters, WindowResidual& window, const Eigen::VectorXd& x,
+                        bool jacobian) {
   WindowDerivative out;
   window.fit(parameters.at(x));
   out.residual = window.residual();
@@ -93,8 +94,8 @@ class StopRequested final : public ceres::IterationCallback {
 
 }  // namespace
 
-FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>& tracks, const std::vector<Window>& windows,
-                     const FitOptions& options) {
+FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>& tracks,
+                     const std::vector<Window>& windows, const FitOptions& options) {
   FitResult result;
   const Eigen::VectorXd start = parameters.start();
   Eigen::VectorXd x = start;
@@ -132,7 +133,8 @@ FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>
   result.termination = ceres::TerminationTypeToString(summary.termination_type);
   const Eigen::Index size = x.size();
   Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(size, size), meat = normal;
-  std::map<std::pair<size_t, long>, Eigen::VectorXd> clusters;  // windows of one second of one track, which overlap or adjoin
+  std::map<std::pair<size_t, long>, Eigen::VectorXd>
+      clusters;  // windows of one second of one track, which overlap or adjoin
   double squares = 0.0, positions = 0.0;
   for (size_t w = 0; w < residuals.size(); ++w) {
     WindowResidual& residual = residuals[w];
@@ -142,11 +144,15 @@ FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>
     normal += window.jacobian.transpose() * window.jacobian;
     const Track& track = tracks[windows[w].track];
     const double length = track.time[windows[w].last] - track.time[windows[w].first];
-    auto& cluster = clusters.try_emplace({windows[w].track, std::lround(std::floor(track.time[windows[w].first] / length + 1e-6))},
-                                         Eigen::VectorXd::Zero(size)).first->second;
+    auto& cluster =
+        clusters
+            .try_emplace({windows[w].track, std::lround(std::floor(track.time[windows[w].first] / length + 1e-6))},
+                         Eigen::VectorXd::Zero(size))
+            .first->second;
     cluster += score;
     const double factor = options.windowWeights.empty() ? 1.0 : options.windowWeights[w];
-    const double sum = window.residual.head(window.positions).squaredNorm() / std::pow(factor * result.weights.position, 2);
+    const double sum =
+        window.residual.head(window.positions).squaredNorm() / std::pow(factor * result.weights.position, 2);
     result.windowSquares.push_back(sum / static_cast<double>(window.positions));
     squares += sum;
     positions += static_cast<double>(window.positions);
@@ -170,12 +176,14 @@ FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>
   return result;
 }
 
-std::vector<double> residualSquares(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows) {
+std::vector<double> residualSquares(const Model& model, const std::vector<Track>& tracks,
+                                    const std::vector<Window>& windows) {
   std::vector<double> squares;
   for (const Window& window : windows) {
     WindowResidual residual(tracks[window.track], window, {1.0, 0.0});
     residual.fit(model);
-    squares.push_back(residual.residual().head(residual.positions()).squaredNorm() / static_cast<double>(residual.positions()));
+    squares.push_back(residual.residual().head(residual.positions()).squaredNorm() /
+                      static_cast<double>(residual.positions()));
   }
   return squares;
 }
@@ -183,11 +191,13 @@ std::vector<double> residualSquares(const Model& model, const std::vector<Track>
 std::vector<double> robustWeights(const std::vector<double>& windowSquares) {
   const double usual = std::sqrt(quantile(windowSquares, 0.5));
   std::vector<double> weights;
-  for (const double squares : windowSquares) weights.push_back(std::min(1.0, 2.5 * usual / std::max(std::sqrt(squares), 1e-300)));
+  for (const double squares : windowSquares)
+    weights.push_back(std::min(1.0, 2.5 * usual / std::max(std::sqrt(squares), 1e-300)));
   return weights;
 }
 
-std::vector<double> scoreWindows(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows) {
+std::vector<double> scoreWindows(const Model& model, const std::vector<Track>& tracks,
+                                 const std::vector<Window>& windows) {
   const auto terms = termsOf(model);
   Stepper stepper(physicsOf(model), *terms);
   std::vector<double> squares;

@@ -1,10 +1,10 @@
-#include "diagnose/window_residual.h"
+#include "diagnose/fit/window_residual.h"
 
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "diagnose/physics.h"
-#include "diagnose/restart.h"
+#include "diagnose/simulate/physics.h"
+#include "diagnose/simulate/restart.h"
 
 namespace breakaway {
 
@@ -56,7 +56,8 @@ void WindowResidual::fit(const Model& model) {
   Stepper stepper(physicsOf(model), *termsOf(model));
   observed_ = restartState(stepper, track_, window_.first, model.restartHorizon_s);
   state_ = observed_;
-  // The residuals of a window are correlated: they count as about three independent ones, and the state's doubt is weighed alike.
+  // The residuals of a window are correlated: they count as about three independent ones, and the state's doubt is
+  // weighed alike.
   const double firmness = std::sqrt(static_cast<double>(positions_) / 3.0);
   xFirm_ = firmness / std::max(track_.noise, 1e-12);
   vFirm_ = firmness / std::max(restartVelocityNoise(track_, model.restartHorizon_s), 1e-12);

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "diagnose/parameter_vector.h"
-#include "diagnose/stepper.h"
-#include "diagnose/track.h"
+#include "diagnose/fit/parameter_vector.h"
+#include "diagnose/simulate/stepper.h"
+#include "diagnose/simulate/track.h"
 
 namespace breakaway {
 
@@ -19,7 +19,8 @@ struct Window {
   bool operator==(const Window&) const = default;
 };
 
-/// The windows of a track that begin at restartRows() and lie wholly within rows [from, to); windows of fewer than 8 rows are left out.
+/// The windows of a track that begin at restartRows() and lie wholly within rows [from, to); windows of fewer than 8
+/// rows are left out.
 std::vector<Window> windowsOf(const std::vector<Track>& tracks, size_t track, size_t from, size_t to, double window_s);
 
 /// How the residuals of each channel are weighed: one over a typical residual.
@@ -28,9 +29,9 @@ struct Weights {
   double current = 0.0;
 };
 
-/// Residuals of positions (and of currents where the track has them). The window's initial position and velocity are free, held to what
-/// the restart's observer saw as firmly as its noise allows, and eliminated by variable projection (G. Golub, V. Pereyra, SIAM J. Numer.
-/// Anal. 10(2), 1973).
+/// Residuals of positions (and of currents where the track has them). The window's initial position and velocity are
+/// free, held to what the restart's observer saw as firmly as its noise allows, and eliminated by variable projection
+/// (G. Golub, V. Pereyra, SIAM J. Numer. Anal. 10(2), 1973).
 class WindowResidual {
  public:
   WindowResidual(const Track& track, const Window& window, Weights weights);
@@ -40,8 +41,8 @@ class WindowResidual {
   Eigen::Index positions() const { return positions_; }
   Eigen::Index currents() const { return currents_; }
 
-  /// The weighted residuals of `model`, with the best initial state. Then columns(): the change of the residuals per unit of a variant,
-  /// (variant − model)/step, with the initial state's share taken out.
+  /// The weighted residuals of `model`, with the best initial state. Then columns(): the change of the residuals per
+  /// unit of a variant, (variant − model)/step, with the initial state's share taken out.
   void fit(const Model& model);
   const Eigen::VectorXd& residual() const { return residual_; }
   Eigen::VectorXd column(const Model& variant, double step) const;

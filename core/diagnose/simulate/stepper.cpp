@@ -1,4 +1,4 @@
-#include "diagnose/stepper.h"
+#include "diagnose/simulate/stepper.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,9 +17,11 @@ double signOf(double value) {
 }  // namespace
 
 Stepper::Stepper(const Physics& physics, std::vector<CompiledTerm> terms)
-    : physics_(physics), terms_(std::move(terms)), stateDependent_(!terms_.empty() || physics.gravity != 0.0) {}
+    : physics_(physics), terms_(std::move(terms)), stateDependent_(!terms_.empty() || physics.gravity != 0.0) {
+}
 
-Stepper::Forces Stepper::forcesAt(double position, double velocity, double direction, double drive, double time_s) const {
+Stepper::Forces Stepper::forcesAt(double position, double velocity, double direction, double drive,
+                                  double time_s) const {
   Forces forces{physics_.load, physics_.coulomb};
   if (!stateDependent_) return forces;
   if (physics_.gravity != 0.0) forces.load += physics_.gravity * std::sin(position - physics_.downAngle);
@@ -33,8 +35,8 @@ Stepper::Forces Stepper::forcesAt(double position, double velocity, double direc
   return forces;
 }
 
-Stepper::Forces Stepper::forcesDuring(const MotionState& state, double direction, double drive, double damping, double dt,
-                                      double time_s) const {
+Stepper::Forces Stepper::forcesDuring(const MotionState& state, double direction, double drive, double damping,
+                                      double dt, double time_s) const {
   if (!stateDependent_) return {physics_.load, physics_.coulomb};
   const Forces start = forcesAt(state.position, state.velocity, direction, drive, time_s);
   const double backEmf = damping - physics_.viscous;  // without inductance the back-EMF acts as damping
@@ -42,7 +44,8 @@ Stepper::Forces Stepper::forcesDuring(const MotionState& state, double direction
       (drive - damping * state.velocity - start.load - direction * start.friction) / physics_.inertia;
   double middle = state.velocity + 0.5 * dt * acceleration;
   if (middle * direction < 0.0) middle = 0.0;
-  return forcesAt(state.position + 0.25 * dt * (state.velocity + middle), middle, direction, drive - backEmf * middle, time_s + 0.5 * dt);
+  return forcesAt(state.position + 0.25 * dt * (state.velocity + middle), middle, direction, drive - backEmf * middle,
+                  time_s + 0.5 * dt);
 }
 
 Stepper::Decay Stepper::decayOver(double dt, double damping) const {
@@ -73,7 +76,8 @@ void Stepper::advance(MotionState& state, double u, double dt, double time_s, bo
     } else if (p.inductance > 0.0) {
       inductive(state, u, step, now);
     } else {
-      mechanical(state, p.torqueConstant * u / p.resistance, p.viscous + p.torqueConstant * p.backEmf / p.resistance, step, now);
+      mechanical(state, p.torqueConstant * u / p.resistance, p.viscous + p.torqueConstant * p.backEmf / p.resistance,
+                 step, now);
       state.current = (u - p.backEmf * state.velocity) / p.resistance;
     }
   }
@@ -146,7 +150,8 @@ double Stepper::breakawayTime(const MotionState& state, double u, double dt, dou
   const double drive = p.torqueConstant * state.current;
   const double load = forcesAt(state.position, 0.0, 0.0, drive, time_s).load;
   direction = signOf(drive - load);
-  if (direction != 0.0 && std::abs(drive - load) > forcesAt(state.position, 0.0, direction, drive, time_s).friction) return 0.0;
+  if (direction != 0.0 && std::abs(drive - load) > forcesAt(state.position, 0.0, direction, drive, time_s).friction)
+    return 0.0;
   const double rate = p.resistance / p.inductance, final = u / p.resistance;
   const double end = final + (state.current - final) * std::exp(-rate * dt);
   direction = signOf(p.torqueConstant * end - load);
@@ -197,12 +202,11 @@ void Stepper::inductive(MotionState& state, double u, double dt, double time_s) 
       remaining -= wait;
       if (remaining <= 1e-12 * dt) return;
     }
-    const Forces forces =
-        forcesDuring(state, direction, p.torqueConstant * state.current, p.viscous, remaining, now);
+    const Forces forces = forcesDuring(state, direction, p.torqueConstant * state.current, p.viscous, remaining, now);
     // Steady state of (i, v) under u and the frozen forces.
     const double resisting = forces.load + direction * forces.friction;
-    const double vEnd = (p.torqueConstant * u / p.resistance - resisting) /
-                        (p.viscous + p.torqueConstant * p.backEmf / p.resistance);
+    const double vEnd =
+        (p.torqueConstant * u / p.resistance - resisting) / (p.viscous + p.torqueConstant * p.backEmf / p.resistance);
     const double iEnd = (u - p.backEmf * vEnd) / p.resistance;
     const auto moveOver = [&](const Coupled& over) {
       const double i0 = state.current - iEnd, v0 = state.velocity - vEnd;

@@ -1,4 +1,4 @@
-#include "diagnose/restart.h"
+#include "diagnose/simulate/restart.h"
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -22,7 +22,7 @@ struct Physics {
   double backEmf = 0.0;         ///< Ke, V s/rad
   double resistance = 1.0;      ///< R, Ω
   double inductance = 0.0;      ///< L, H; 0: the current follows at once
-  double load = 0.0;            ///< a further constant load, Nm; the restart's observer uses it for what the model lacks
+  double load = 0.0;  ///< a further constant load, Nm; the restart's observer uses it for what the model lacks
 };
 
 struct CompiledTerm {
@@ -36,15 +36,16 @@ struct MotionState {
   double current = 0.0;  ///< A; meaningful with an electrical side only
 };
 
-/// Advances a state under a constant drive input. Between events the motion is the exact solution of the linear equations, with
-/// position- and velocity-dependent terms taken at the middle of the step (second order); reversals and the end of standstill are
-/// located within the step, and friction at standstill is an inequality: what does not move stays exactly still.
+/// Advances a state under a constant drive input. Between events the motion is the exact solution of the linear
+/// equations, with position- and velocity-dependent terms taken at the middle of the step (second order); reversals and
+/// the end of standstill are located within the step, and friction at standstill is an inequality: what does not move
+/// stays exactly still.
 class Stepper {
  public:
   Stepper(const Physics& physics, std::vector<CompiledTerm> terms);
 
-  /// One row: `dt` s under input `u`, from `time_s` on; `connected` false means open windings. Divided into steps of at most
-  /// 2 ms where terms depend on the state.
+  /// One row: `dt` s under input `u`, from `time_s` on; `connected` false means open windings. Divided into steps of at
+  /// most 2 ms where terms depend on the state.
   const Physics& physics() const { return physics_; }
   void setLoad(double load_Nm) { physics_.load = load_Nm; }
 
@@ -59,9 +60,9 @@ class Stepper {
   struct Decay {
     double dt = -1.0;
     double damping = 0.0;
-    double velocity = 1.0;     ///< v after per v before
-    double gainVelocity = 0.0; ///< v after per a, s
-    double gainPosition = 0.0; ///< x after per a, s²
+    double velocity = 1.0;      ///< v after per v before
+    double gainVelocity = 0.0;  ///< v after per a, s
+    double gainPosition = 0.0;  ///< x after per a, s²
   };
   /// Exact transition of (i, v) with inductance over dt, and of the position on top.
   struct Coupled {
@@ -71,7 +72,8 @@ class Stepper {
   };
 
   Forces forcesAt(double position, double velocity, double direction, double drive, double time_s) const;
-  Forces forcesDuring(const MotionState& state, double direction, double drive, double damping, double dt, double time_s) const;
+  Forces forcesDuring(const MotionState& state, double direction, double drive, double damping, double dt,
+                      double time_s) const;
   Decay decayOver(double dt, double damping) const;
   Coupled coupledOver(double dt) const;
   void mechanical(MotionState& state, double drive, double damping, double dt, double time_s);

@@ -10,7 +10,8 @@
 
 namespace breakaway {
 
-/// A fitted quantity, its name ending in its unit, with its 95 % interval; a value that was held has low95 == high95 == value.
+/// A fitted quantity, its name ending in its unit, with its 95 % interval; a value that was held has low95 == high95 ==
+/// value.
 struct Parameter {
   std::string name;
   double value = 0.0;
@@ -31,9 +32,9 @@ struct Model {
   Axis axis = Axis::rotary;
   DriveInput input = DriveInput::torque;
   std::optional<double> supply_V;
-  double count = 0.0;               ///< one encoder count in rad or m; 0: not declared
-  std::optional<Pendulum> pendulum; ///< masses and lengths; its down angle is a base parameter
-  double restartHorizon_s = 0.05;   ///< how far a restart looks back, see restartState()
+  double count = 0.0;                ///< one encoder count in rad or m; 0: not declared
+  std::optional<Pendulum> pendulum;  ///< masses and lengths; its down angle is a base parameter
+  double restartHorizon_s = 0.05;    ///< how far a restart looks back, see restartState()
   std::vector<Parameter> base;
   std::vector<EffectTerm> effects;
 

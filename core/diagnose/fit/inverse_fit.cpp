@@ -1,4 +1,4 @@
-#include "diagnose/inverse_fit.h"
+#include "diagnose/fit/inverse_fit.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -8,8 +8,8 @@
 
 #include "base/statistics.h"
 #include "diagnose/catalogue.h"
-#include "diagnose/inverse_rows.h"
-#include "diagnose/physics.h"
+#include "diagnose/fit/inverse_rows.h"
+#include "diagnose/simulate/physics.h"
 
 namespace breakaway {
 
@@ -30,7 +30,8 @@ double signOf(double v) {
   return v > 0.0 ? 1.0 : v < 0.0 ? -1.0 : 0.0;
 }
 
-/// Least squares of `response` on `columns` over all tracks, both sides filtered alike; the covariance is clustered by second.
+/// Least squares of `response` on `columns` over all tracks, both sides filtered alike; the covariance is clustered by
+/// second.
 Result<Regression> regress(const std::vector<Track>& tracks, const std::vector<Column>& columns, const Column& response,
                            bool creeping) {
   const auto size = static_cast<Eigen::Index>(columns.size());
@@ -102,7 +103,8 @@ void place(Model& model, const std::string& name, double value, double error) {
 }
 
 /// The columns of one effect at a shape.
-void addEffect(std::vector<Column>& columns, const Effect& effect, const Shape& shape, const Column& torque, Axis axis) {
+void addEffect(std::vector<Column>& columns, const Effect& effect, const Shape& shape, const Column& torque,
+               Axis axis) {
   for (size_t a = 0; a < effect.amplitudes(); ++a) {
     columns.push_back([&effect, shape, a, torque, axis](const InverseRows& rows, size_t k) {
       std::array<double, 4> out{};
@@ -120,8 +122,8 @@ void addEffect(std::vector<Column>& columns, const Effect& effect, const Shape& 
 }
 
 /// The smallest and largest parameters that amplitudes within their intervals give, by moving each amplitude alone.
-std::vector<Parameter> effectParameters(const Effect& effect, Axis axis, const Shape& shape, const Eigen::VectorXd& amplitude,
-                                        const Eigen::MatrixXd& covariance) {
+std::vector<Parameter> effectParameters(const Effect& effect, Axis axis, const Shape& shape,
+                                        const Eigen::VectorXd& amplitude, const Eigen::MatrixXd& covariance) {
   const std::vector<double> best(amplitude.data(), amplitude.data() + amplitude.size());
   const std::vector<double> value = effect.fromAmplitudes(shape, best);
   std::vector<Parameter> parameters;
@@ -153,7 +155,9 @@ Result<InverseFit> fitInverse(const Model& model, const std::vector<Track>& trac
   const Column known = [gravity = gravityColumn(model), hanging](const InverseRows& rows, size_t k) {
     return gravity(rows, k) + hanging * rows.acceleration[k];
   };
-  const Column response = [torque, known](const InverseRows& rows, size_t k) { return torque(rows, k) - known(rows, k); };
+  const Column response = [torque, known](const InverseRows& rows, size_t k) {
+    return torque(rows, k) - known(rows, k);
+  };
   std::vector<Column> columns{accelerationColumn, velocityColumn, directionColumn};
   const Excitation seen = excitationOf(tracks, model);
   std::vector<Shape> chosen;
@@ -170,7 +174,8 @@ Result<InverseFit> fitInverse(const Model& model, const std::vector<Track>& trac
       best = got->relativeError;
       bestShape = shape;
     }
-    if (best == 1e300) return Error{tracks.front().name, "can't show the effect " + term.effect + " to the inverse model"};
+    if (best == 1e300)
+      return Error{tracks.front().name, "can't show the effect " + term.effect + " to the inverse model"};
     addEffect(columns, *effect, bestShape, torque, model.axis);
     chosen.push_back(bestShape);
   }
@@ -205,7 +210,8 @@ Result<std::vector<Model>> startModels(const Bench& bench, const std::vector<Tra
   const auto add = [&model](const char* name, double value) { model.base.push_back({name, value, value, value}); };
   const auto trusts = [&bench](const char* name) { return bench.trusted.count(name) > 0; };
   if (bench.input != DriveInput::torque) {
-    add(names.torqueConstant, belief.torqueConstant.value_or(belief.backEmfConstant.value_or(bench.electrical() ? 0.1 : 1.0)));
+    add(names.torqueConstant,
+        belief.torqueConstant.value_or(belief.backEmfConstant.value_or(bench.electrical() ? 0.1 : 1.0)));
   }
   if (bench.electrical()) {
     add(names.backEmfConstant, belief.backEmfConstant.value_or(model.base.front().value));
@@ -214,7 +220,8 @@ Result<std::vector<Model>> startModels(const Bench& bench, const std::vector<Tra
   }
   if (bench.pendulum) add("down_angle_rad", bench.pendulum->downAngle_rad);
 
-  // input = a·(J/k) + ω·(B/k) + s·(F/k) + gravity/k (+ Ke ω): ratios to the drive's gain k, Kt or Kt/R, come out linearly.
+  // input = a·(J/k) + ω·(B/k) + s·(F/k) + gravity/k (+ Ke ω): ratios to the drive's gain k, Kt or Kt/R, come out
+  // linearly.
   const Model believed = model;
   const Physics physics = physicsOf(model);
   std::vector<Column> columns{accelerationColumn, velocityColumn, directionColumn};
@@ -229,7 +236,8 @@ Result<std::vector<Model>> startModels(const Bench& bench, const std::vector<Tra
   columns.push_back([](const InverseRows&, size_t) { return 1.0; });  // a constant load must not bend the others
   const auto got = regress(tracks, columns, inputColumn, false);
   double gain = physics.electrical ? physics.torqueConstant / physics.resistance : physics.torqueConstant;
-  double inertia = belief.inertia.value_or(0.0), viscous = belief.viscous.value_or(0.0), coulomb = belief.coulomb.value_or(0.0);
+  double inertia = belief.inertia.value_or(0.0), viscous = belief.viscous.value_or(0.0),
+         coulomb = belief.coulomb.value_or(0.0);
   if (got) {
     if (gravityAt >= 0 && got->value[gravityAt] > 0.0 && !trusts(names.torqueConstant)) {
       const double found = 1.0 / got->value[gravityAt];
@@ -239,7 +247,8 @@ Result<std::vector<Model>> startModels(const Bench& bench, const std::vector<Tra
         if (electrical) one = {one.name, one.value * factor, one.value * factor, one.value * factor};
       }
       gain *= factor;
-    } else if (trusts(names.inertia) && got->value[0] > 0.0 && !trusts(names.torqueConstant) && bench.input != DriveInput::torque) {
+    } else if (trusts(names.inertia) && got->value[0] > 0.0 && !trusts(names.torqueConstant) &&
+               bench.input != DriveInput::torque) {
       const double factor = inertia / got->value[0] / gain;
       for (Parameter& one : model.base) {
         if (one.name == names.torqueConstant || one.name == names.backEmfConstant) one.value *= factor;
@@ -264,7 +273,8 @@ Result<std::vector<Model>> startModels(const Bench& bench, const std::vector<Tra
   };
   std::vector<Model> starts{finish(model, inertia, viscous, coulomb)};
   if (belief.inertia) {
-    starts.push_back(finish(believed, *belief.inertia, belief.viscous.value_or(0.1 * viscous), belief.coulomb.value_or(coulomb)));
+    starts.push_back(
+        finish(believed, *belief.inertia, belief.viscous.value_or(0.1 * viscous), belief.coulomb.value_or(coulomb)));
   }
   return starts;
 }
@@ -285,7 +295,9 @@ Excitation excitationOf(const std::vector<Track>& tracks, const Model& model) {
       if (!rows.moving[k]) continue;
       speeds.push_back(std::abs(rows.velocity[k]));
       forwards += rows.velocity[k] > 0.0 ? 1.0 : 0.0;
-      const double drive = physics.electrical ? (rows.input[k] - physics.backEmf * rows.velocity[k]) / physics.resistance : rows.input[k];
+      const double drive = physics.electrical
+                               ? (rows.input[k] - physics.backEmf * rows.velocity[k]) / physics.resistance
+                               : rows.input[k];
       torques.push_back(std::abs(physics.torqueConstant * drive));
     }
   }

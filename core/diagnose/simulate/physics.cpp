@@ -1,4 +1,4 @@
-#include "diagnose/physics.h"
+#include "diagnose/simulate/physics.h"
 
 #include "diagnose/catalogue.h"
 

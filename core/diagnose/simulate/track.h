@@ -26,8 +26,9 @@ struct Track {
   size_t rows() const { return time.size(); }
 };
 
-/// Reads what `input` and `axis` need from the recording. `count` is one encoder count in rad or m (0: unknown). Errors: a needed column
-/// is missing or has no value at all; fewer than two rows.
-Result<Track> makeTrack(const Recording& recording, Axis axis, DriveInput input, std::optional<double> supply_V, double count);
+/// Reads what `input` and `axis` need from the recording. `count` is one encoder count in rad or m (0: unknown).
+/// Errors: a needed column is missing or has no value at all; fewer than two rows.
+Result<Track> makeTrack(const Recording& recording, Axis axis, DriveInput input, std::optional<double> supply_V,
+                        double count);
 
 }  // namespace breakaway

@@ -5,16 +5,18 @@
 #include <string>
 #include <vector>
 
-#include "diagnose/model.h"
+#include "diagnose/simulate/model.h"
 #include "motor/bench.h"
 
 namespace breakaway {
 
-/// Positive base quantities enter as logarithms, all others divided by a typical size, so that every entry is of order one.
+/// Positive base quantities enter as logarithms, all others divided by a typical size, so that every entry is of order
+/// one.
 class ParameterVector {
  public:
-  /// All parameters of `model` except those that `held` names and those their effect holds. The back-EMF constant keeps its ratio to the
-  /// torque constant unless either is held. `torqueSize` and `speedSize` are typical for the recordings.
+  /// All parameters of `model` except those that `held` names and those their effect holds. The back-EMF constant keeps
+  /// its ratio to the torque constant unless either is held. `torqueSize` and `speedSize` are typical for the
+  /// recordings.
   ParameterVector(const Model& model, const std::vector<std::string>& held, double torqueSize, double speedSize);
 
   Eigen::Index size() const { return static_cast<Eigen::Index>(slots_.size()); }

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "base/result.h"
-#include "diagnose/model.h"
-#include "diagnose/stepper.h"
+#include "diagnose/simulate/model.h"
+#include "diagnose/simulate/stepper.h"
 
 namespace breakaway {
 

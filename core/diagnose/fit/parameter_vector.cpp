@@ -1,4 +1,4 @@
-#include "diagnose/parameter_vector.h"
+#include "diagnose/fit/parameter_vector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,10 +22,13 @@ double typicalSize(const std::string& name, double torqueSize, double speedSize)
   return 1.0;
 }
 
-ParameterVector::ParameterVector(const Model& model, const std::vector<std::string>& held, double torqueSize, double speedSize)
+ParameterVector::ParameterVector(const Model& model, const std::vector<std::string>& held, double torqueSize,
+                                 double speedSize)
     : model_(model) {
   const MotorNames& names = motorNames(model.axis);
-  const auto isHeld = [&held](const std::string& name) { return std::find(held.begin(), held.end(), name) != held.end(); };
+  const auto isHeld = [&held](const std::string& name) {
+    return std::find(held.begin(), held.end(), name) != held.end();
+  };
   const auto kt = model.baseValue(names.torqueConstant), ke = model.baseValue(names.backEmfConstant);
   if (kt && ke && !isHeld(names.torqueConstant) && !isHeld(names.backEmfConstant)) emfRatio_ = *ke / *kt;
   for (size_t k = 0; k < model_.base.size(); ++k) {
@@ -102,7 +105,8 @@ Model ParameterVector::withIntervals(const Eigen::VectorXd& x, const Eigen::Matr
     const Slot& slot = slots_[static_cast<size_t>(k)];
     const double half = covariance.size() > 0 ? 1.959964 * std::sqrt(std::max(0.0, covariance(k, k))) : 0.0;
     if (slot.logarithmic) {
-      place(parameter(model, slot), std::exp(x[k]), std::exp(x[k] - std::min(half, 7.0)), std::exp(x[k] + std::min(half, 7.0)));
+      place(parameter(model, slot), std::exp(x[k]), std::exp(x[k] - std::min(half, 7.0)),
+            std::exp(x[k] + std::min(half, 7.0)));
     } else {
       place(parameter(model, slot), x[k] * slot.scale, (x[k] - half) * slot.scale, (x[k] + half) * slot.scale);
     }
@@ -110,7 +114,8 @@ Model ParameterVector::withIntervals(const Eigen::VectorXd& x, const Eigen::Matr
   if (emfRatio_ > 0.0) {
     const MotorNames& names = motorNames(model.axis);
     const auto find = [&model](const char* name) {
-      return std::find_if(model.base.begin(), model.base.end(), [name](const Parameter& one) { return one.name == name; });
+      return std::find_if(model.base.begin(), model.base.end(),
+                          [name](const Parameter& one) { return one.name == name; });
     };
     const auto kt = find(names.torqueConstant), ke = find(names.backEmfConstant);
     place(*ke, kt->value * emfRatio_, kt->low95 * emfRatio_, kt->high95 * emfRatio_);

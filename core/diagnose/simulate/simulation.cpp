@@ -1,12 +1,12 @@
-#include "diagnose/simulation.h"
+#include "diagnose/simulate/simulation.h"
 
-#include "diagnose/physics.h"
-#include "diagnose/restart.h"
+#include "diagnose/simulate/physics.h"
+#include "diagnose/simulate/restart.h"
 
 namespace breakaway {
 
-Trace simulate(const Physics& physics, const std::vector<CompiledTerm>& terms, const Track& track, double restartEvery_s,
-               double horizon_s) {
+Trace simulate(const Physics& physics, const std::vector<CompiledTerm>& terms, const Track& track,
+               double restartEvery_s, double horizon_s) {
   Stepper stepper(physics, terms);
   Trace trace;
   trace.restarts = restartRows(track, restartEvery_s);

@@ -1,4 +1,4 @@
-#include "diagnose/inverse_rows.h"
+#include "diagnose/fit/inverse_rows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,15 +82,18 @@ InverseRows inverseRows(const Track& track, const InverseFilter& filter) {
   rows.acceleration.assign(count, 0.0);
   for (size_t k = 1; k + 1 < count; ++k) {
     rows.velocity[k] = (rows.position[k + 1] - rows.position[k - 1]) / (2.0 * rows.step_s);
-    rows.acceleration[k] = (rows.position[k + 1] - 2.0 * rows.position[k] + rows.position[k - 1]) / (rows.step_s * rows.step_s);
+    rows.acceleration[k] =
+        (rows.position[k + 1] - 2.0 * rows.position[k] + rows.position[k - 1]) / (rows.step_s * rows.step_s);
   }
   const double omega = 2.0 * std::numbers::pi * cutoff;
   rows.velocityNoise = track.noise * omega * std::sqrt(2.0 * cutoff * rows.step_s / 3.0);
-  const double speed = quantile([&] {
-    std::vector<double> speeds;
-    for (const double v : rows.velocity) speeds.push_back(std::abs(v));
-    return speeds;
-  }(), 0.95);
+  const double speed = quantile(
+      [&] {
+        std::vector<double> speeds;
+        for (const double v : rows.velocity) speeds.push_back(std::abs(v));
+        return speeds;
+      }(),
+      0.95);
   const double slow = std::max(4.0 * rows.velocityNoise, 0.01 * speed);
   const auto edge = static_cast<size_t>(std::ceil(0.5 / (cutoff * rows.step_s)));
   const std::vector<char> connected = rows.moving;
@@ -101,12 +104,14 @@ InverseRows inverseRows(const Track& track, const InverseFilter& filter) {
       good = connected[j] != 0 && std::abs(rows.velocity[j]) > slow && rows.velocity[j] * rows.velocity[k] > 0.0;
     }
     rows.moving[k] = good ? 1 : 0;
-    rows.usable[k] = connected[k] != 0 && std::abs(rows.velocity[k]) > 4.0 * rows.velocityNoise && k >= edge && k + edge < count;
+    rows.usable[k] =
+        connected[k] != 0 && std::abs(rows.velocity[k]) > 4.0 * rows.velocityNoise && k >= edge && k + edge < count;
   }
   return rows;
 }
 
-void filterAlike(Eigen::MatrixXd& columns, Eigen::VectorXd& response, const std::vector<char>& use, double step_s, double cutoff_Hz) {
+void filterAlike(Eigen::MatrixXd& columns, Eigen::VectorXd& response, const std::vector<char>& use, double step_s,
+                 double cutoff_Hz) {
   std::vector<double> buffer(static_cast<size_t>(response.size()));
   const auto smooth = [&](auto&& target) {
     for (Eigen::Index k = 0; k < target.size(); ++k) buffer[static_cast<size_t>(k)] = target[k];

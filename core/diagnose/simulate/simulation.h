@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "base/result.h"
-#include "diagnose/model.h"
-#include "diagnose/stepper.h"
-#include "diagnose/track.h"
+#include "diagnose/simulate/model.h"
+#include "diagnose/simulate/stepper.h"
+#include "diagnose/simulate/track.h"
 #include "recording/recording.h"
 
 namespace breakaway {
@@ -23,12 +23,13 @@ struct SimulateOptions {
   double restartEvery_s = 0.0;  ///< 0: only at the first row
 };
 
-/// Predicts every row from the recorded drive input alone. Restarts are at the first row with t ≥ t₀ + k·S − 1e-9 s; there the state
-/// is set from measurements in rows up to and including that row. Errors: the drive channel or the position is missing.
+/// Predicts every row from the recorded drive input alone. Restarts are at the first row with t ≥ t₀ + k·S − 1e-9 s;
+/// there the state is set from measurements in rows up to and including that row. Errors: the drive channel or the
+/// position is missing.
 Result<Trace> simulate(const Model& model, const Recording& recording, const SimulateOptions& options);
 
 /// The same on prepared input.
-Trace simulate(const Physics& physics, const std::vector<CompiledTerm>& terms, const Track& track, double restartEvery_s,
-               double horizon_s);
+Trace simulate(const Physics& physics, const std::vector<CompiledTerm>& terms, const Track& track,
+               double restartEvery_s, double horizon_s);
 
 }  // namespace breakaway

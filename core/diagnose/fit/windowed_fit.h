@@ -5,8 +5,8 @@
 #include <stop_token>
 #include <vector>
 
-#include "diagnose/parameter_vector.h"
-#include "diagnose/window_residual.h"
+#include "diagnose/fit/parameter_vector.h"
+#include "diagnose/fit/window_residual.h"
 
 namespace breakaway {
 
@@ -24,7 +24,7 @@ struct WindowDerivative {
 };
 
 struct FitResult {
-  Model model;                 ///< with 95 % intervals
+  Model model;  ///< with 95 % intervals
   Eigen::VectorXd x;
   Eigen::MatrixXd covariance;  ///< of x; robust against correlation within windows (sandwich by window)
   Weights weights;
@@ -36,19 +36,23 @@ struct FitResult {
   std::string termination;
 };
 
-/// Minimises the weighted residuals over the windows, with a weak prior on the start values of positive quantities (a factor of three, one
-/// standard deviation, with the weight of about one window in a hundred), which holds what no data reach: the gauge. Intervals come
-/// from the sandwich estimator clustered by stretches of a window's length (H. White, Econometrica 50(1), 1982).
-FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>& tracks, const std::vector<Window>& windows,
-                     const FitOptions& options);
+/// Minimises the weighted residuals over the windows, with a weak prior on the start values of positive quantities (a
+/// factor of three, one standard deviation, with the weight of about one window in a hundred), which holds what no data
+/// reach: the gauge. Intervals come from the sandwich estimator clustered by stretches of a window's length (H. White,
+/// Econometrica 50(1), 1982).
+FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>& tracks,
+                     const std::vector<Window>& windows, const FitOptions& options);
 
 /// Mean squared position residual per window with the best initial state, as the fit sees it.
-std::vector<double> residualSquares(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows);
+std::vector<double> residualSquares(const Model& model, const std::vector<Track>& tracks,
+                                    const std::vector<Window>& windows);
 
-/// Weights that keep single windows from ruling a fit: 1, or less where a window's rms residual exceeds 2.5 times the median window's.
+/// Weights that keep single windows from ruling a fit: 1, or less where a window's rms residual exceeds 2.5 times the
+/// median window's.
 std::vector<double> robustWeights(const std::vector<double>& windowSquares);
 
 /// Mean squared position residual per window when each window restarts as simulate() does it.
-std::vector<double> scoreWindows(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows);
+std::vector<double> scoreWindows(const Model& model, const std::vector<Track>& tracks,
+                                 const std::vector<Window>& windows);
 
 }  // namespace breakaway

@@ -1,4 +1,4 @@
-#include "diagnose/track.h"
+#include "diagnose/simulate/track.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,8 @@ namespace breakaway {
 
 namespace {
 
-/// Noise of one reading from third differences, which the motion hardly reaches: their variance is 20 times a reading's.
+/// Noise of one reading from third differences, which the motion hardly reaches: their variance is 20 times a
+/// reading's.
 double readingNoise(const std::vector<double>& position, const std::vector<char>& seen) {
   std::vector<double> squares;
   for (size_t k = 0; k + 3 < position.size(); ++k) {
@@ -27,8 +28,10 @@ Result<std::vector<double>> inputOf(const Recording& recording, const Bench& nam
   std::vector<double> input(values.begin(), values.end());
   double last = std::nan("");
   for (double& value : input) {
-    if (std::isfinite(value)) last = value;
-    else value = last;
+    if (std::isfinite(value))
+      last = value;
+    else
+      value = last;
   }
   if (!std::isfinite(last)) return Error{recording.name() + ", column " + channel, "has no value at all"};
   const auto first = std::find_if(input.begin(), input.end(), [](double value) { return std::isfinite(value); });
@@ -51,7 +54,8 @@ Result<std::vector<double>> inputOf(const Recording& recording, const Bench& nam
 
 }  // namespace
 
-Result<Track> makeTrack(const Recording& recording, Axis axis, DriveInput driveInput, std::optional<double> supply_V, double count) {
+Result<Track> makeTrack(const Recording& recording, Axis axis, DriveInput driveInput, std::optional<double> supply_V,
+                        double count) {
   Bench names;
   names.axis = axis;
   names.input = driveInput;
@@ -77,15 +81,19 @@ Result<Track> makeTrack(const Recording& recording, Axis axis, DriveInput driveI
   for (size_t k = 0; k < rows; ++k) {
     track.time[k] = time[k] - time[0];
     track.seen[k] = std::isfinite(position[k]) ? 1 : 0;
-    if (track.seen[k]) last = position[k];
-    else ++missing;
+    if (track.seen[k])
+      last = position[k];
+    else
+      ++missing;
     track.position[k] = last;
   }
   if (missing == rows) return Error{recording.name() + ", column " + names.positionChannel(), "has no value at all"};
   for (size_t k = rows; k-- > 1;) {
     if (!std::isfinite(track.position[k - 1])) track.position[k - 1] = track.position[k];
   }
-  if (missing > 0) track.remarks.push_back(recording.name() + ": " + std::to_string(missing) + " rows have no position and are left out");
+  if (missing > 0)
+    track.remarks.push_back(recording.name() + ": " + std::to_string(missing) +
+                            " rows have no position and are left out");
   const auto enabled = recording.channel("enabled");
   for (size_t k = 0; k < enabled.size(); ++k) track.connected[k] = enabled[k] == 0.0 ? 0 : 1;
   const auto current = recording.channel("current_A");

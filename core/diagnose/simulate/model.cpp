@@ -1,11 +1,11 @@
-#include "diagnose/model.h"
+#include "diagnose/simulate/model.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
 #include "base/json_object.h"
-#include "diagnose/physics.h"
+#include "diagnose/simulate/physics.h"
 
 namespace breakaway {
 
@@ -55,8 +55,9 @@ Result<Model> readModel(const std::string& path) {
   model.restartHorizon_s = root->number("restart_horizon_s", 0.05, Allowed::nonNegative);
   if (root->has("pendulum")) {
     JsonObject pendulum = root->object("pendulum");
-    model.pendulum = Pendulum{pendulum.number("mass_kg", Allowed::nonNegative), pendulum.number("length_m", Allowed::positive),
-                              pendulum.number("arm_mass_kg", 0.0, Allowed::nonNegative), 0.0};
+    model.pendulum =
+        Pendulum{pendulum.number("mass_kg", Allowed::nonNegative), pendulum.number("length_m", Allowed::positive),
+                 pendulum.number("arm_mass_kg", 0.0, Allowed::nonNegative), 0.0};
   }
   model.base = readParameters(root->object("base"));
   for (JsonObject& effect : root->objects("effects")) {
@@ -78,7 +79,8 @@ Result<void> writeModel(const Model& model, const std::string& path) {
   Bench names;
   names.axis = model.axis;
   names.input = model.input;
-  Json json{{"schema", schema}, {"axis", model.axis == Axis::rotary ? "rotary" : "linear"}, {"input", names.inputChannel()}};
+  Json json{
+      {"schema", schema}, {"axis", model.axis == Axis::rotary ? "rotary" : "linear"}, {"input", names.inputChannel()}};
   if (model.supply_V) json["supply_V"] = *model.supply_V;
   json["count"] = model.count;
   json["restart_horizon_s"] = model.restartHorizon_s;
