@@ -57,6 +57,7 @@ class VelocitySweep : public TimedProcedure {
   double stageStart_s_ = 0.0, now_s_ = 0.0, runStart_s_ = 0.0, startAngle_rad_ = 0.0;
   std::vector<double> angles_rad_, currents_A_;  ///< of the last 2·span_ + 1 samples, in a ring
   size_t span_ = 1, taken_ = 0;
+  double mean_rad_per_s_ = 0.0;  ///< smoothed speed while settling
   double nearest_rad_per_s_ = 0.0, nearer_s_ = 0.0,
          reached_s_ = 0.0;  ///< to the speed while settling, and when it last came nearer
   bool begun_ = false;
