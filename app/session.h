@@ -1,0 +1,91 @@
+// Everything the window shows, without a window: the connection, what runs, what was measured, and the comparison.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <memory>
+#include <optional>
+
+#include "drive_loop.h"
+#include "experiment/drive.h"
+#include "live_history.h"
+#include "recording/recording.h"
+#include "run.h"
+
+namespace breakaway {
+
+class Session : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Session(const DriveLoopOptions& options = {}, QObject* parent = nullptr);
+  ~Session() override;
+
+  // The connection. `connectTo` takes a board's URI (contracts section 3); `adopt` takes a drive that is open already.
+  void connectTo(const QString& uri, unsigned seed = 1);
+  void adopt(std::unique_ptr<Drive> drive, const QString& uri);
+  void disconnectBoard();
+  bool connected() const { return loop_ != nullptr; }
+  const QString& uri() const { return uri_; }
+  const Identity& identity() const { return identity_; }
+  const LinkStatus& link() const { return link_; }
+  const LiveHistory& history() const { return history_; }
+  /// What the motor is doing, in words for the bar.
+  QString stateWords() const;
+  bool powered() const;
+
+  /// Passes one line to whoever shows lines.
+  void say(const QString& line, bool trouble) { emit said(line, trouble); }
+
+  // Motion. Each start replaces what runs; stop() reaches the I/O thread without waiting for anything.
+  void stop();
+  void turnSlowly();
+  const RunSnapshot& run() const { return run_; }
+  /// Why no motion can be started now; empty when it can.
+  QString obstacle() const;
+
+  // The controller: settings are asked for, and what the board accepted comes back by settingsChanged().
+  void configure(const ControllerSettings& wanted);
+  const ControllerSettings& settings() const { return settings_; }
+
+  // A recording of everything at the full rate.
+  void startRecording();
+  void finishRecording();
+  bool recording() const { return recording_; }
+  const std::optional<Recording>& lastRecording() const { return lastRecording_; }
+
+ signals:
+  void connectionChanged();
+  void linkChanged();
+  void samplesArrived();
+  void runChanged();
+  void settingsChanged();
+  void recordingChanged();
+  /// One line for the person at the bench; `trouble` when something failed.
+  void said(const QString& line, bool trouble);
+
+ private:
+  void takeBatch(const SampleBatchPtr& batch);
+  void takeLink(const LinkStatus& status);
+  void takeRun(const RunSnapshot& snapshot);
+  void takeStop(DriveLoop::StopCause cause);
+  void takeRecording(const std::shared_ptr<const std::vector<Sample>>& samples);
+  void listenToLoop();
+
+  const DriveLoopOptions options_;
+  unsigned connection_ = 0;
+  QTimer heartbeat_;
+  QString uri_;
+  Identity identity_;
+  ControllerSettings settings_;
+  LinkStatus link_;
+  LiveHistory history_;
+  RunSnapshot run_;
+  QString lastStop_;
+  bool recording_ = false;
+  std::optional<Recording> lastRecording_;
+  std::unique_ptr<DriveLoop> loop_;
+};
+
+}  // namespace breakaway

@@ -1,0 +1,179 @@
+// Whatever the window does or fails to do, the motor stops.
+#include <QComboBox>
+#include <QLineEdit>
+#include <QListWidget>
+
+#include "app/small_drive.h"
+#include "app/window_support.h"
+#include "recording/csv.h"
+#include "widgets/live_plots.h"
+
+using namespace breakaway;
+using namespace breakaway::test;
+
+class TestStop : public QObject {
+  Q_OBJECT
+ private slots:
+  void button_stopsTheMotor();
+  void key_stopsTheMotor_data();
+  void key_stopsTheMotor();
+  void spaceInTypedText_isALetter();
+  void escapeInTypedText_stops();
+  void returnPressesAButton();
+  void blockedWindow_stopsTheMotor();
+  void answeringWindow_keepsItRunning();
+  void startPostedBeforeStop_isDropped();
+  void pulledCable_isSaid();
+  void lostSamples_areCounted();
+  void visibleStretch_isExportedWithEverySample();
+};
+
+namespace {
+
+struct Bench {
+  explicit Bench(double watchdog_s = 5.0) : session({1.0, 0.005, watchdog_s}), window(session, answers) {
+    window.show();
+    session.adopt(std::make_unique<SmallDrive>(witness), "small");
+  }
+  bool turning() {
+    session.turnSlowly();
+    return QTest::qWaitFor([this] { return witness->powered && std::abs(witness->velocity_rad_per_s) > 0.5; }, 5000);
+  }
+  bool stopped() {
+    return QTest::qWaitFor([this] { return !witness->powered && session.stateWords() == "stopped"; }, 5000);
+  }
+
+  std::shared_ptr<DriveWitness> witness = std::make_shared<DriveWitness>();
+  Answers answers;
+  Session session;
+  MainWindow window;
+};
+
+}  // namespace
+
+void TestStop::button_stopsTheMotor() {
+  Bench bench;
+  QVERIFY(bench.turning());
+  QCOMPARE(bench.witness->stops.load(), 0);
+  press(bench.window, "stopButton");
+  QVERIFY(bench.stopped());
+  QCOMPARE(bench.witness->stops.load(), 1);
+}
+
+void TestStop::key_stopsTheMotor_data() {
+  QTest::addColumn<int>("key");
+  QTest::addColumn<QString>("focus");
+  for (const char* focus : {"boardList", "spanBox", "turnButton", "livePlot", "steps", "pauseButton"}) {
+    QTest::addRow("Esc in %s", focus) << static_cast<int>(Qt::Key_Escape) << QString(focus);
+    QTest::addRow("Space in %s", focus) << static_cast<int>(Qt::Key_Space) << QString(focus);
+  }
+}
+
+void TestStop::key_stopsTheMotor() {
+  QFETCH(int, key);
+  QFETCH(QString, focus);
+  Bench bench;
+  QVERIFY(bench.turning());
+  auto* widget = named<QWidget>(bench.window, focus.toLatin1().constData());
+  widget->setFocus();
+  QTest::keyClick(widget, static_cast<Qt::Key>(key));
+  QVERIFY(bench.stopped());
+  QCOMPARE(bench.witness->stops.load(), 1);
+}
+
+void TestStop::spaceInTypedText_isALetter() {
+  Bench bench;
+  QVERIFY(bench.turning());
+  QLineEdit line(&bench.window);
+  line.show();
+  QTest::keyClick(&line, Qt::Key_Space);
+  QCOMPARE(line.text(), QString(" "));
+  QTest::qWait(50);
+  QCOMPARE(bench.witness->stops.load(), 0);
+}
+
+void TestStop::escapeInTypedText_stops() {
+  Bench bench;
+  QVERIFY(bench.turning());
+  QLineEdit line(&bench.window);
+  line.show();
+  QTest::keyClick(&line, Qt::Key_Escape);
+  QVERIFY(bench.stopped());
+}
+
+void TestStop::returnPressesAButton() {
+  Bench bench;
+  auto* turn = named<QWidget>(bench.window, "turnButton");
+  turn->setFocus();
+  QTest::keyClick(turn, Qt::Key_Return);
+  QTRY_VERIFY(bench.witness->powered.load());
+}
+
+void TestStop::blockedWindow_stopsTheMotor() {
+  Bench bench(0.25);
+  QVERIFY(bench.turning());
+  const auto start = std::chrono::steady_clock::now();
+  while (bench.witness->powered && std::chrono::steady_clock::now() - start < std::chrono::seconds(5)) {
+  }  // this thread is the window's: it answers nothing
+  const double took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  QVERIFY(!bench.witness->powered);
+  QVERIFY2(took_s > 0.15 && took_s < 1.0, qPrintable(QString::number(took_s)));
+  QTRY_COMPARE(bench.session.stateWords(), QString("stopped by watchdog"));
+  QVERIFY(named<QLabel>(bench.window, "messageLine")->text().contains("did not answer for 250 ms"));
+}
+
+void TestStop::answeringWindow_keepsItRunning() {
+  Bench bench(1.0);
+  QVERIFY(bench.turning());
+  QTest::qWait(1500);
+  QVERIFY(bench.witness->powered);
+  QCOMPARE(bench.witness->stops.load(), 0);
+}
+
+void TestStop::startPostedBeforeStop_isDropped() {
+  Bench bench;
+  bench.session.turnSlowly();
+  bench.session.stop();
+  QTRY_VERIFY(bench.witness->stops == 1);
+  QTest::qWait(100);
+  QVERIFY(!bench.witness->powered);
+}
+
+void TestStop::pulledCable_isSaid() {
+  Bench bench;
+  QVERIFY(bench.turning());
+  bench.witness->cableCut = true;
+  QTRY_VERIFY(!bench.session.connected());
+  QVERIFY(!bench.witness->powered);
+  QVERIFY(named<QLabel>(bench.window, "messageLine")->text().contains("the cable was pulled"));
+  QCOMPARE(named<QLabel>(bench.window, "deviceLabel")->text(), QString("none"));
+  QVERIFY(!named<QWidget>(bench.window, "turnButton")->isEnabled());
+  QCOMPARE(named<QWidget>(bench.window, "turnButton")->toolTip(), QString("No board is connected"));
+}
+
+void TestStop::lostSamples_areCounted() {
+  Bench bench;
+  bench.witness->lose = 3;
+  QTRY_COMPARE(named<QLabel>(bench.window, "lostLabel")->text(), QString("3"));
+}
+
+void TestStop::visibleStretch_isExportedWithEverySample() {
+  Bench bench;
+  QTemporaryDir folder;
+  const QString path = folder.filePath("visible.csv");
+  bench.answers.byTitle["Export the visible stretch"] = path;
+  QVERIFY(bench.turning());
+  QTest::qWait(300);
+  press(bench.window, "pauseButton");
+  auto* plots = named<LivePlots>(bench.window, "livePlots");
+  QVERIFY(plots->paused());
+  press(bench.window, "exportVisibleButton");
+  const auto recording = readCsv(path.toStdString());
+  QVERIFY2(recording.ok(), recording.ok() ? "" : recording.error().message().c_str());
+  const double length_s = recording->time().back() - recording->time().front();
+  QVERIFY(length_s > 0.3);
+  QCOMPARE(static_cast<double>(recording->rows()), std::round(length_s * 1000.0) + 1.0);
+}
+
+JOURNEY_MAIN(TestStop)
+#include "tst_stop.moc"
