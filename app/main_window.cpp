@@ -30,6 +30,7 @@ MainWindow::MainWindow(Session& session, FileChooser& files, QWidget* parent) : 
   new StopKeys([&session] { session.stop(); }, this);
   connect(&session, &Session::said, this, &MainWindow::showLine);
   showIcons();
+  steps_->setFocus();
   resize(1366, 768);
 }
 

@@ -1,4 +1,4 @@
-// Where presets, examples and the manual lie.
+// Files that come with the program: presets, examples.
 #pragma once
 
 #include <QString>
@@ -6,11 +6,8 @@
 
 namespace breakaway {
 
-/// The folder `name` of the resources: below BREAKAWAY_RESOURCES, beside the program, in the source tree, or installed;
-/// empty when it is nowhere.
-QString resourceFolder(const QString& name);
-
-/// Full paths of the files in that folder whose names end so, by name.
+/// Full paths of the files in the resources' folder `folder` whose names end so, by name; none when the folder is
+/// missing.
 QStringList resourceFiles(const QString& folder, const QString& ending);
 
 }  // namespace breakaway

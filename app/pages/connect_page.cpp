@@ -7,7 +7,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "resource_folder.h"
+#include "firmware_link/presets.h"
 #include "session.h"
 #include "widgets/controls.h"
 #include "widgets/facts_table.h"
@@ -17,7 +17,12 @@ namespace breakaway {
 
 namespace {
 constexpr int uriRole = Qt::UserRole;
+
+/// A rig file's name without its folders.
+QString shortAddress(const QString& uri) {
+  return uri.contains('/') ? "simulated:" + QFileInfo(uri).fileName() : uri;
 }
+}  // namespace
 
 ConnectPage::ConnectPage(Session& session, FileChooser& files, QWidget* parent)
     : Page("connectPage", tr("Connect"), "connect", parent), session_(session), files_(files) {
@@ -88,18 +93,17 @@ QWidget* ConnectPage::buildIdentity() {
 }
 
 void ConnectPage::listPresets() {
-  for (const QString& path : resourceFiles("presets", ".rig.json")) addRig(path);
-  boards_->setCurrentRow(0);
-  for (int row = 0; row < boards_->count(); ++row) {
-    if (boards_->item(row)->data(uriRole).toString().endsWith("/servo.rig.json")) boards_->setCurrentRow(row);
+  for (const std::string& name : presetNames()) {
+    const QString preset = QString::fromStdString(name);
+    addBoard(preset, "simulated:" + preset);
+    if (preset == "servo") boards_->setCurrentRow(boards_->count() - 1);
   }
 }
 
-void ConnectPage::addRig(const QString& path) {
-  const QString name = QFileInfo(path).fileName().chopped(QString(".rig.json").size());
+void ConnectPage::addBoard(const QString& name, const QString& uri) {
   auto* item = new QListWidgetItem(tr("Simulated board: %1").arg(name), boards_);
-  item->setData(uriRole, "simulated:" + path);
-  item->setToolTip(path);
+  item->setData(uriRole, uri);
+  item->setToolTip(uri);
 }
 
 void ConnectPage::connectChosen() {
@@ -108,7 +112,7 @@ void ConnectPage::connectChosen() {
 
 void ConnectPage::openRig() {
   files_.ask(this, {tr("Open a simulated rig"), tr("Rig file (*.rig.json)"), {}, false}, [this](const QString& path) {
-    addRig(path);
+    addBoard(QFileInfo(path).fileName(), "simulated:" + path);
     boards_->setCurrentRow(boards_->count() - 1);
     connectChosen();
   });
@@ -129,9 +133,7 @@ void ConnectPage::showConnection() {
     facts_->show(
         {{tr("Device"), QString::fromStdString(identity.device), {}},
          {tr("Firmware"), QString::fromStdString(identity.firmware), {}},
-         {tr("Address"),
-          session_.uri().startsWith("simulated:/") ? QFileInfo(session_.uri().mid(10)).fileName() : session_.uri(),
-          session_.uri()},
+         {tr("Address"), shortAddress(session_.uri()), session_.uri()},
          {tr("Control loop"), tr("%1 Hz").arg(number(identity.loopRate_Hz)), tr("One sample comes from each tick")},
          {tr("Encoder"), tr("%1 counts per turn").arg(number(identity.countsPerRev)), {}},
          {tr("Index"), identity.hasIndex ? tr("once per turn") : tr("none"), {}},

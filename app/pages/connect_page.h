@@ -1,8 +1,6 @@
 // Connect: which board, and what it says of itself.
 #pragma once
 
-#include <QStringList>
-
 #include "pages/page.h"
 #include "widgets/file_chooser.h"
 
@@ -25,7 +23,7 @@ class ConnectPage : public Page {
   QWidget* buildBoards();
   QWidget* buildIdentity();
   void listPresets();
-  void addRig(const QString& path);
+  void addBoard(const QString& name, const QString& uri);
   void connectChosen();
   void openRig();
   void showConnection();

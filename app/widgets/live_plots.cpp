@@ -108,6 +108,7 @@ void LivePlots::buildPlot() {
   plot_->plotLayout()->setColumnSpacing(6);
   for (int channel = 0; channel < channelCount; ++channel) addTrace(channel);
   linkTimeAxes();
+  plot_->plotLayout()->setRowStretchFactors({1.0, 1.45});  // the lower row also carries the labels of time
   plot_->installEventFilter(this);
 }
 
@@ -115,7 +116,7 @@ void LivePlots::addTrace(int channel) {
   Trace& trace = traces_[static_cast<size_t>(channel)];
   trace.rect = new QCPAxisRect(plot_);
   plot_->plotLayout()->addElement(channel / 2, channel % 2, trace.rect);
-  trace.rect->setMinimumMargins(QMargins(44, 4, 8, 4));
+  trace.rect->setMinimumMargins(QMargins(44, 3, 8, 3));
   QCPAxis* time = trace.rect->axis(QCPAxis::atBottom);
   if (channel < 2) {
     time->setTickLabels(false);
