@@ -10,6 +10,8 @@
 #include <QVBoxLayout>
 
 #include "pages/connect_page.h"
+#include "pages/home_page.h"
+#include "pages/tune_page.h"
 #include "session.h"
 #include "widgets/board_bar.h"
 #include "widgets/live_plots.h"
@@ -35,7 +37,7 @@ MainWindow::MainWindow(Session& session, FileChooser& files, QWidget* parent) : 
 }
 
 void MainWindow::buildPages(Session& session, FileChooser& files) {
-  pages_ = {new ConnectPage(session, files, this)};
+  pages_ = {new ConnectPage(session, files, this), new TunePage(session, this), new HomePage(session, this)};
   stack_ = new QStackedWidget(this);
   for (Page* page : pages_) stack_->addWidget(page);
 }

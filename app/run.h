@@ -5,14 +5,39 @@
 #include <functional>
 #include <memory>
 #include <variant>
+#include <vector>
 
+#include "base/estimate.h"
 #include "experiment/drive.h"
+#include "experiment/velocity_step.h"
+#include "friction/measurements.h"
 
 namespace breakaway {
 
-enum class RunKind { none, turning };
+enum class RunKind { none, turning, homing, step, breakaway, velocitySweep };
 
-using RunResult = std::variant<std::monostate>;
+struct HomingResult {
+  size_t passes = 0;   ///< over the index's edge so far
+  Estimate index_rad;  ///< in the board's angle; valid once finished
+};
+
+/// A measured step with the settings it was measured with.
+struct StepResult {
+  StepCurve curve;
+  StepFigures figures;
+  VelocityStepOptions options;
+  ControllerSettings settings;
+};
+
+struct BreakawayResult {
+  std::vector<BreakawayEvent> events;
+};
+
+struct VelocitySweepResult {
+  std::vector<VelocityRun> runs;
+};
+
+using RunResult = std::variant<std::monostate, HomingResult, StepResult, BreakawayResult, VelocitySweepResult>;
 
 struct RunSnapshot {
   RunKind kind = RunKind::none;

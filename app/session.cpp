@@ -28,6 +28,11 @@ void Session::connectTo(const QString& uri, unsigned seed) {
   adopt(std::move(*drive), uri);
 }
 
+void Session::open(const QString& uri) {
+  connectTo(uri);
+  if (connected() && identity_.simulated) turnSlowly();
+}
+
 void Session::adopt(std::unique_ptr<Drive> drive, const QString& uri) {
   disconnectBoard();
   uri_ = uri;
@@ -71,6 +76,7 @@ void Session::disconnectBoard() {
   lastStop_.clear();
   recording_ = false;
   history_.clear();
+  forgetMeasurements();
   emit connectionChanged();
   emit runChanged();
   emit recordingChanged();
@@ -100,10 +106,35 @@ void Session::stop() {
   if (loop_) loop_->stop();
 }
 
-void Session::turnSlowly() {
+void Session::start(RunKind kind, std::shared_ptr<Procedure> procedure, std::function<RunResult()> read) {
   if (!loop_) return;
   lastStop_.clear();
-  loop_->start({RunKind::turning, std::make_shared<SlowTurning>(SlowTurning::Options{}), {}});
+  loop_->start({kind, std::move(procedure), std::move(read)});
+}
+
+void Session::turnSlowly() {
+  start(RunKind::turning, std::make_shared<SlowTurning>(SlowTurning::Options{}), {});
+}
+
+void Session::home(const HomingOptions& options) {
+  const auto homing = std::make_shared<Homing>(options);
+  start(RunKind::homing, homing, [homing] {
+    const bool finished = homing->state() == Procedure::State::finished;
+    return HomingResult{homing->passes(), finished ? homing->indexAngle_rad() : Estimate{}};
+  });
+}
+
+void Session::measureStep(const VelocityStepOptions& options) {
+  const auto step = std::make_shared<VelocityStep>(options);
+  start(RunKind::step, step, [step, options, settings = settings_] {
+    const bool finished = step->state() == Procedure::State::finished;
+    return StepResult{step->curve(), finished ? step->figures() : StepFigures{}, options, settings};
+  });
+}
+
+void Session::forgetSteps() {
+  steps_.clear();
+  emit measured();
 }
 
 void Session::configure(const ControllerSettings& wanted) {
@@ -149,7 +180,26 @@ void Session::takeLink(const LinkStatus& status) {
 
 void Session::takeRun(const RunSnapshot& snapshot) {
   run_ = snapshot;
+  keepResult(snapshot);
   emit runChanged();
+}
+
+void Session::keepResult(const RunSnapshot& snapshot) {
+  if (snapshot.status.state == Procedure::State::failed)
+    emit said(QString::fromStdString(snapshot.status.failure), true);
+  if (snapshot.status.state != Procedure::State::finished) return;
+  if (const auto* homing = std::get_if<HomingResult>(&snapshot.result)) {
+    index_rad_ = homing->index_rad;
+  } else if (const auto* step = std::get_if<StepResult>(&snapshot.result)) {
+    steps_.push_back(*step);
+  }
+  emit measured();
+}
+
+void Session::forgetMeasurements() {
+  index_rad_.reset();
+  steps_.clear();
+  emit measured();
 }
 
 void Session::takeStop(DriveLoop::StopCause cause) {

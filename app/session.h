@@ -6,9 +6,12 @@
 #include <QTimer>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "drive_loop.h"
 #include "experiment/drive.h"
+#include "experiment/homing.h"
+#include "experiment/velocity_step.h"
 #include "live_history.h"
 #include "recording/recording.h"
 #include "run.h"
@@ -25,6 +28,8 @@ class Session : public QObject {
   // The connection. `connectTo` takes a board's URI (contracts section 3); `adopt` takes a drive that is open already.
   void connectTo(const QString& uri, unsigned seed = 1);
   void adopt(std::unique_ptr<Drive> drive, const QString& uri);
+  /// Connects as connectTo() does, and lets a simulated board turn slowly.
+  void open(const QString& uri);
   void disconnectBoard();
   bool connected() const { return loop_ != nullptr; }
   const QString& uri() const { return uri_; }
@@ -41,13 +46,23 @@ class Session : public QObject {
   // Motion. Each start replaces what runs; stop() reaches the I/O thread without waiting for anything.
   void stop();
   void turnSlowly();
+  void home(const HomingOptions& options = {});
+  void measureStep(const VelocityStepOptions& options);
   const RunSnapshot& run() const { return run_; }
+  bool runs(RunKind kind) const { return run_.kind == kind && run_.running(); }
   /// Why no motion can be started now; empty when it can.
   QString obstacle() const;
 
   // The controller: settings are asked for, and what the board accepted comes back by settingsChanged().
   void configure(const ControllerSettings& wanted);
   const ControllerSettings& settings() const { return settings_; }
+
+  // What was measured since the connection.
+  /// The index in the board's angle, from homing.
+  const std::optional<Estimate>& index_rad() const { return index_rad_; }
+  /// Every measured step, the newest last.
+  const std::vector<StepResult>& steps() const { return steps_; }
+  void forgetSteps();
 
   // A recording of everything at the full rate.
   void startRecording();
@@ -62,6 +77,7 @@ class Session : public QObject {
   void runChanged();
   void settingsChanged();
   void recordingChanged();
+  void measured();
   /// One line for the person at the bench; `trouble` when something failed.
   void said(const QString& line, bool trouble);
 
@@ -72,6 +88,9 @@ class Session : public QObject {
   void takeStop(DriveLoop::StopCause cause);
   void takeRecording(const std::shared_ptr<const std::vector<Sample>>& samples);
   void listenToLoop();
+  void start(RunKind kind, std::shared_ptr<Procedure> procedure, std::function<RunResult()> read);
+  void keepResult(const RunSnapshot& snapshot);
+  void forgetMeasurements();
 
   const DriveLoopOptions options_;
   unsigned connection_ = 0;
@@ -83,6 +102,8 @@ class Session : public QObject {
   LiveHistory history_;
   RunSnapshot run_;
   QString lastStop_;
+  std::optional<Estimate> index_rad_;
+  std::vector<StepResult> steps_;
   bool recording_ = false;
   std::optional<Recording> lastRecording_;
   std::unique_ptr<DriveLoop> loop_;

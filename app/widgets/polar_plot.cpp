@@ -131,7 +131,8 @@ QPointF PolarPlot::pixelOf(const PolarPoint& point) const {
 }
 
 QString PolarPlot::textOf(const PolarCurve& curve, const PolarPoint& point) const {
-  QString text = tr("%1 at %2°: %3").arg(curve.name).arg(degrees(point.angle_rad), 0, 'f', 1).arg(point.value, 0, 'g', 4);
+  QString text =
+      tr("%1 at %2°: %3").arg(curve.name).arg(degrees(point.angle_rad), 0, 'f', 1).arg(point.value, 0, 'g', 4);
   if (point.standardError > 0.0) text += tr(" ± %1").arg(1.96 * point.standardError, 0, 'g', 2);
   text += " " + unit_;
   if (point.standardError > 0.0) text += tr(" (95 %)");

@@ -22,9 +22,9 @@ struct PolarPoint {
 
 struct PolarCurve {
   QString name;
-  int colour = 0;       ///< of Look::curve
+  int colour = 0;  ///< of Look::curve
   bool dashed = false;
-  bool closed = false;  ///< all around: the last point joins the first
+  bool closed = false;             ///< all around: the last point joins the first
   std::vector<PolarPoint> points;  ///< by growing angle
 };
 

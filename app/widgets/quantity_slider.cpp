@@ -15,7 +15,8 @@ constexpr int travel = 1000;
 constexpr double decades = 3.0;  ///< of a logarithmic slider
 }  // namespace
 
-QuantitySlider::QuantitySlider(const QString& objectName, const QString& title, const QString& unit, const QString& help, QWidget* parent)
+QuantitySlider::QuantitySlider(const QString& objectName, const QString& title, const QString& unit,
+                               const QString& help, QWidget* parent)
     : QWidget(parent), help_(help) {
   setObjectName(objectName);
   auto* grid = new QGridLayout(this);
@@ -46,7 +47,9 @@ QuantitySlider::QuantitySlider(const QString& objectName, const QString& title, 
   connect(box_, &QDoubleSpinBox::valueChanged, this, &QuantitySlider::takeBox);
 }
 
-double QuantitySlider::value() const { return box_->value(); }
+double QuantitySlider::value() const {
+  return box_->value();
+}
 
 void QuantitySlider::setRange(const QuantityRange& range) {
   const QSignalBlocker quietBox(box_), quietSlider(slider_);

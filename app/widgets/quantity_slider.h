@@ -12,7 +12,8 @@ struct QuantityRange {
   double least = 0.0;
   double most = 1.0;
   int decimals = 3;
-  bool logarithmic = false;  ///< the slider's travel is logarithmic above least + most/1000; its left end is `least` itself
+  bool logarithmic =
+      false;  ///< the slider's travel is logarithmic above least + most/1000; its left end is `least` itself
 };
 
 class QuantitySlider : public QWidget {
@@ -20,7 +21,8 @@ class QuantitySlider : public QWidget {
 
  public:
   /// `objectName` names the whole; its parts are objectName + "Slider" and objectName + "Box".
-  QuantitySlider(const QString& objectName, const QString& title, const QString& unit, const QString& help, QWidget* parent);
+  QuantitySlider(const QString& objectName, const QString& title, const QString& unit, const QString& help,
+                 QWidget* parent);
 
   double value() const;
   /// Shows a value without telling anyone; the range grows to hold it.
