@@ -1,0 +1,76 @@
+#include "residual_axis.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+namespace breakaway {
+
+namespace {
+
+struct Named {
+  const char* axis;
+  const char* rotary;
+  const char* linear;
+};
+
+constexpr Named names[] = {
+    {"time", QT_TRANSLATE_NOOP("ResidualAxis", "time (s)"), QT_TRANSLATE_NOOP("ResidualAxis", "time (s)")},
+    {"angle", QT_TRANSLATE_NOOP("ResidualAxis", "angle (rad)"), QT_TRANSLATE_NOOP("ResidualAxis", "position (m)")},
+    {"velocity", QT_TRANSLATE_NOOP("ResidualAxis", "velocity (rad/s)"), QT_TRANSLATE_NOOP("ResidualAxis", "velocity (m/s)")},
+    {"acceleration", QT_TRANSLATE_NOOP("ResidualAxis", "acceleration (rad/s²)"),
+     QT_TRANSLATE_NOOP("ResidualAxis", "acceleration (m/s²)")},
+    {"current", QT_TRANSLATE_NOOP("ResidualAxis", "drive (as recorded)"), QT_TRANSLATE_NOOP("ResidualAxis", "drive (as recorded)")},
+    {"reversal", QT_TRANSLATE_NOOP("ResidualAxis", "travel since reversal (rad)"),
+     QT_TRANSLATE_NOOP("ResidualAxis", "travel since reversal (m)")},
+};
+
+std::vector<double> copy(std::span<const double> values) {
+  return {values.begin(), values.end()};
+}
+
+std::vector<double> slope(const std::vector<double>& values, std::span<const double> time_s) {
+  std::vector<double> slopes(values.size(), 0.0);
+  for (size_t row = 1; row + 1 < values.size(); ++row) {
+    slopes[row] = (values[row + 1] - values[row - 1]) / (time_s[row + 1] - time_s[row - 1]);
+  }
+  return slopes;
+}
+
+std::vector<double> travelSinceReversal(const Trace& trace) {
+  std::vector<double> travel(trace.position.size(), 0.0);
+  double way = 0.0;
+  for (size_t row = 1; row < travel.size(); ++row) {
+    const double now = trace.velocity[row] > 0.0 ? 1.0 : trace.velocity[row] < 0.0 ? -1.0 : way;
+    travel[row] = (now == way ? travel[row - 1] : 0.0) + std::abs(trace.position[row] - trace.position[row - 1]);
+    way = now;
+  }
+  return travel;
+}
+
+}  // namespace
+
+QStringList residualAxes() {
+  QStringList axes;
+  for (const Named& one : names) axes << one.axis;
+  return axes;
+}
+
+QString axisLabel(const QString& axis, bool linear) {
+  for (const Named& one : names) {
+    if (axis == one.axis) return QCoreApplication::translate("ResidualAxis", linear ? one.linear : one.rotary);
+  }
+  return axis;
+}
+
+std::vector<double> residualAxis(const QString& axis, const Bench& bench, const Recording& recording, const Trace& trace) {
+  if (axis == "time") return copy(recording.time());
+  if (axis == "angle") return copy(recording.channel(bench.positionChannel()));
+  if (axis == "velocity") return trace.velocity;
+  if (axis == "acceleration") return slope(trace.velocity, recording.time());
+  if (axis == "current") return copy(recording.channel(bench.inputChannel()));
+  if (axis == "reversal") return travelSinceReversal(trace);
+  return {};
+}
+
+}  // namespace breakaway
