@@ -34,7 +34,7 @@ double seconds(std::chrono::steady_clock::duration duration) {
 }  // namespace
 
 DriveLoop::DriveLoop(std::unique_ptr<Drive> drive, const DriveLoopOptions& options)
-    : drive_(std::move(drive)), options_(options), pending_(std::make_shared<SampleBatch>()) {
+    : drive_(std::move(drive)), options_(options), pace_(options.pace), pending_(std::make_shared<SampleBatch>()) {
   qRegisterMetaType<SampleBatchPtr>();
   qRegisterMetaType<LinkStatus>();
   qRegisterMetaType<RunSnapshot>();
@@ -182,7 +182,7 @@ void DriveLoop::sendRun() {
 void DriveLoop::waitForTurn() {
   if (!drive_->identity().simulated) return;  // a real board waits in advance()
   nextTurn_ +=
-      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.slice_s / options_.pace));
+      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.slice_s / pace_.load()));
   const auto time = Clock::now();
   if (nextTurn_ < time - 100ms) nextTurn_ = time;  // can't keep up: slower than asked, never in bursts
   std::this_thread::sleep_until(nextTurn_);

@@ -48,6 +48,7 @@ class DriveLoop : public QObject {
   void stop() noexcept { stops_.fetch_add(1); }
   /// The window is alive.
   void beat() noexcept { beat_.store(now()); }
+  void setPace(double pace) noexcept { pace_.store(pace); }
   /// Runs `job` on the drive in the I/O thread; a job that `moves` is dropped when a stop comes before its turn.
   void post(std::function<void(Drive&)> job, bool moves);
   /// Starts a procedure on the drive and reports its status and partial results until its end.
@@ -87,6 +88,7 @@ class DriveLoop : public QObject {
   const DriveLoopOptions options_;
   std::atomic<unsigned> stops_{0};
   std::atomic<Clock::rep> beat_{now()};
+  std::atomic<double> pace_;
   std::mutex jobsLock_;
   std::vector<Job> jobs_;
 

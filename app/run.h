@@ -2,8 +2,10 @@
 #pragma once
 
 #include <QMetaType>
+#include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -11,10 +13,22 @@
 #include "experiment/drive.h"
 #include "experiment/velocity_step.h"
 #include "friction/measurements.h"
+#include "identify/motor_identification.h"
 
 namespace breakaway {
 
-enum class RunKind { none, turning, homing, step, breakaway, velocitySweep };
+enum class RunKind { none, turning, identification, homing, step, breakaway, velocitySweep };
+
+/// The motor from the bench's own tests, and what the sweeps need beside it.
+struct Identification {
+  IdentifiedMotor motor;
+  double noiseRms_A = 0.0;               ///< of the current sensor, per sample
+  std::array<double, 2> expected_A{};    ///< first look at the breakaway current, by Way
+};
+
+struct IdentificationResult {
+  std::optional<Identification> found;
+};
 
 struct HomingResult {
   size_t passes = 0;   ///< over the index's edge so far
@@ -31,13 +45,17 @@ struct StepResult {
 
 struct BreakawayResult {
   std::vector<BreakawayEvent> events;
+  size_t bins = 0;
+  size_t turns = 0;
+  size_t missed = 0;
+  std::optional<Identification> identification;
 };
 
 struct VelocitySweepResult {
   std::vector<VelocityRun> runs;
 };
 
-using RunResult = std::variant<std::monostate, HomingResult, StepResult, BreakawayResult, VelocitySweepResult>;
+using RunResult = std::variant<std::monostate, IdentificationResult, HomingResult, StepResult, BreakawayResult, VelocitySweepResult>;
 
 struct RunSnapshot {
   RunKind kind = RunKind::none;

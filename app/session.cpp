@@ -1,7 +1,10 @@
 #include "session.h"
 
 #include <chrono>
+#include <cmath>
 
+#include "bench_job.h"
+#include "firmware_link/presets.h"
 #include "firmware_link/simulated_board.h"
 #include "slow_turning.h"
 
@@ -9,7 +12,26 @@ namespace breakaway {
 
 using namespace std::chrono_literals;
 
-Session::Session(const DriveLoopOptions& options, QObject* parent) : QObject(parent), options_(options) {
+namespace {
+
+std::optional<Bench> benchBeside(const QString& uri) {
+  if (!isSimulated(uri.toStdString())) return {};
+  const auto rig = rigFileOf(uri.toStdString());
+  if (!rig) return {};
+  const std::string path = benchFileBeside(*rig);
+  if (path.empty()) return {};
+  const auto bench = readBench(path);
+  return bench ? std::optional(*bench) : std::nullopt;
+}
+
+std::optional<double> trustedTorqueConstant(const std::optional<Bench>& bench) {
+  if (!bench || !bench->trusted.contains("torque_constant_Nm_per_A")) return {};
+  return bench->motor.torqueConstant;
+}
+
+}  // namespace
+
+Session::Session(const DriveLoopOptions& options, QObject* parent) : QObject(parent), options_(options), pace_(options.pace) {
   heartbeat_.setTimerType(Qt::PreciseTimer);
   connect(&heartbeat_, &QTimer::timeout, this, [this] {
     if (loop_) loop_->beat();
@@ -17,7 +39,9 @@ Session::Session(const DriveLoopOptions& options, QObject* parent) : QObject(par
   heartbeat_.start(40ms);
 }
 
-Session::~Session() = default;
+Session::~Session() {
+  pool_.waitForDone();
+}
 
 void Session::connectTo(const QString& uri, unsigned seed) {
   auto drive = openDrive(uri.toStdString(), seed);
@@ -26,6 +50,8 @@ void Session::connectTo(const QString& uri, unsigned seed) {
     return;
   }
   adopt(std::move(*drive), uri);
+  bench_ = benchBeside(uri);
+  survey_.rig = bench_ ? bench_->name : identity_.device;
 }
 
 void Session::open(const QString& uri) {
@@ -38,7 +64,10 @@ void Session::adopt(std::unique_ptr<Drive> drive, const QString& uri) {
   uri_ = uri;
   identity_ = drive->identity();
   settings_ = drive->settings();
+  bench_.reset();
+  survey_.rig = identity_.device;
   loop_ = std::make_unique<DriveLoop>(std::move(drive), options_);
+  loop_->setPace(pace_);
   listenToLoop();
   emit connectionChanged();
   emit settingsChanged();
@@ -106,30 +135,76 @@ void Session::stop() {
   if (loop_) loop_->stop();
 }
 
-void Session::start(RunKind kind, std::shared_ptr<Procedure> procedure, std::function<RunResult()> read) {
+void Session::start(Run run) {
   if (!loop_) return;
   lastStop_.clear();
-  loop_->start({kind, std::move(procedure), std::move(read)});
+  loop_->start(std::move(run));
 }
 
 void Session::turnSlowly() {
-  start(RunKind::turning, std::make_shared<SlowTurning>(SlowTurning::Options{}), {});
+  start({RunKind::turning, std::make_shared<SlowTurning>(SlowTurning::Options{}), {}});
 }
 
 void Session::home(const HomingOptions& options) {
   const auto homing = std::make_shared<Homing>(options);
-  start(RunKind::homing, homing, [homing] {
-    const bool finished = homing->state() == Procedure::State::finished;
-    return HomingResult{homing->passes(), finished ? homing->indexAngle_rad() : Estimate{}};
-  });
+  start({RunKind::homing, homing, [homing] {
+           const bool finished = homing->state() == Procedure::State::finished;
+           return HomingResult{homing->passes(), finished ? homing->indexAngle_rad() : Estimate{}};
+         }});
 }
 
 void Session::measureStep(const VelocityStepOptions& options) {
   const auto step = std::make_shared<VelocityStep>(options);
-  start(RunKind::step, step, [step, options, settings = settings_] {
-    const bool finished = step->state() == Procedure::State::finished;
-    return StepResult{step->curve(), finished ? step->figures() : StepFigures{}, options, settings};
-  });
+  start({RunKind::step, step, [step, options, settings = settings_] {
+           const bool finished = step->state() == Procedure::State::finished;
+           return StepResult{step->curve(), finished ? step->figures() : StepFigures{}, options, settings};
+         }});
+}
+
+void Session::identify() {
+  start(identificationRun(trustedTorqueConstant(bench_)));
+}
+
+void Session::sweepVelocity(double highest_rad_per_s, size_t speeds, double duration_s) {
+  VelocitySweepOptions options;
+  for (size_t k = 0; k < speeds; ++k) {
+    const double part = speeds < 2 ? 1.0 : static_cast<double>(k) / static_cast<double>(speeds - 1);
+    options.speeds_rad_per_s.push_back(highest_rad_per_s * std::pow(0.06, 1.0 - part));
+  }
+  options.indexAngle_rad = index_rad_ ? index_rad_->value : 0.0;
+  options.run_s = duration_s;
+  start(velocitySweepRun(options));
+}
+
+void Session::sweepBreakaway(size_t bins, size_t turns) {
+  BreakawayRequest request;
+  request.bins = bins;
+  request.turns = turns;
+  request.index_rad = index_rad_ ? index_rad_->value : 0.0;
+  request.trustedTorqueConstant_Nm_per_A = trustedTorqueConstant(bench_);
+  request.identification = survey_.identification;
+  request.runs = survey_.runs;
+  request.countsPerRev = identity_.countsPerRev;
+  request.current_limit_A = settings_.current_limit_A;
+  start(breakawayRun(request));
+}
+
+QString Session::sweepObstacle() const {
+  if (const QString busy = obstacle(); !busy.isEmpty()) return busy;
+  if (!index_rad_) return tr("Home first: angles around the rotor count from the index");
+  return {};
+}
+
+double Session::reachableSpeed_rad_per_s() const {
+  double backEmf_V_s_per_rad = settings_.nominal_torque_constant_Nm_per_A;  // the same quantity in SI
+  if (bench_ && bench_->motor.backEmfConstant) backEmf_V_s_per_rad = *bench_->motor.backEmfConstant;
+  if (survey_.identification) backEmf_V_s_per_rad = survey_.identification->motor.backEmfConstant_V_s_per_rad.value;
+  return backEmf_V_s_per_rad > 0.0 ? 0.55 * identity_.supply_V / backEmf_V_s_per_rad : 10.0;
+}
+
+void Session::setPace(double pace) {
+  pace_ = pace;
+  if (loop_) loop_->setPace(pace);
 }
 
 void Session::forgetSteps() {
@@ -180,6 +255,7 @@ void Session::takeLink(const LinkStatus& status) {
 
 void Session::takeRun(const RunSnapshot& snapshot) {
   run_ = snapshot;
+  keepSurvey(snapshot);
   keepResult(snapshot);
   emit runChanged();
 }
@@ -194,6 +270,37 @@ void Session::keepResult(const RunSnapshot& snapshot) {
     steps_.push_back(*step);
   }
   emit measured();
+}
+
+void Session::keepSurvey(const RunSnapshot& snapshot) {
+  const bool ended = snapshot.status.state != Procedure::State::running;
+  if (const auto* identified = std::get_if<IdentificationResult>(&snapshot.result)) {
+    if (identified->found) survey_.identification = identified->found;
+  } else if (const auto* sweep = std::get_if<VelocitySweepResult>(&snapshot.result)) {
+    survey_.runs = sweep->runs;
+  } else if (const auto* breakaways = std::get_if<BreakawayResult>(&snapshot.result)) {
+    survey_.identification = breakaways->identification;
+    survey_.events = breakaways->events;
+    survey_.bins = breakaways->bins;
+    survey_.turns = breakaways->turns;
+    survey_.missed = breakaways->missed;
+    survey_.sweepComplete = snapshot.status.state == Procedure::State::finished;
+  } else {
+    return;
+  }
+  emit surveyChanged();
+  if (ended) estimateSurvey();
+}
+
+void Session::estimateSurvey() {
+  pool_.start([this, number = ++surveyNumber_, survey = survey_]() mutable {
+    survey.estimate();
+    QMetaObject::invokeMethod(this, [this, number, survey = std::move(survey)] {
+      if (number != surveyNumber_) return;
+      survey_ = survey;
+      emit surveyChanged();
+    }, Qt::QueuedConnection);
+  });
 }
 
 void Session::forgetMeasurements() {

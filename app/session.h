@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QThreadPool>
 #include <QTimer>
 #include <memory>
 #include <optional>
@@ -12,7 +13,9 @@
 #include "experiment/drive.h"
 #include "experiment/homing.h"
 #include "experiment/velocity_step.h"
+#include "friction_survey.h"
 #include "live_history.h"
+#include "motor/bench.h"
 #include "recording/recording.h"
 #include "run.h"
 
@@ -48,6 +51,9 @@ class Session : public QObject {
   void turnSlowly();
   void home(const HomingOptions& options = {});
   void measureStep(const VelocityStepOptions& options);
+  void identify();
+  void sweepVelocity(double highest_rad_per_s, size_t speeds, double duration_s);
+  void sweepBreakaway(size_t bins, size_t turns);
   const RunSnapshot& run() const { return run_; }
   bool runs(RunKind kind) const { return run_.kind == kind && run_.running(); }
   /// Why no motion can be started now; empty when it can.
@@ -57,7 +63,18 @@ class Session : public QObject {
   void configure(const ControllerSettings& wanted);
   const ControllerSettings& settings() const { return settings_; }
 
+  /// Why no sweep around the rotor can be started now; empty when it can.
+  QString sweepObstacle() const;
+  /// How many board seconds pass in one second, for a simulated board.
+  void setPace(double pace);
+  double pace() const { return pace_; }
+
   // What was measured since the connection.
+  const FrictionSurvey& survey() const { return survey_; }
+  /// The bench file that lies beside a simulated board's rig file, if any.
+  const std::optional<Bench>& bench() const { return bench_; }
+  /// A speed that the supply can reach with room to spare, from what is known of the motor.
+  double reachableSpeed_rad_per_s() const;
   /// The index in the board's angle, from homing.
   const std::optional<Estimate>& index_rad() const { return index_rad_; }
   /// Every measured step, the newest last.
@@ -78,6 +95,7 @@ class Session : public QObject {
   void settingsChanged();
   void recordingChanged();
   void measured();
+  void surveyChanged();
   /// One line for the person at the bench; `trouble` when something failed.
   void said(const QString& line, bool trouble);
 
@@ -88,8 +106,10 @@ class Session : public QObject {
   void takeStop(DriveLoop::StopCause cause);
   void takeRecording(const std::shared_ptr<const std::vector<Sample>>& samples);
   void listenToLoop();
-  void start(RunKind kind, std::shared_ptr<Procedure> procedure, std::function<RunResult()> read);
+  void start(Run run);
   void keepResult(const RunSnapshot& snapshot);
+  void keepSurvey(const RunSnapshot& snapshot);
+  void estimateSurvey();
   void forgetMeasurements();
 
   const DriveLoopOptions options_;
@@ -104,6 +124,11 @@ class Session : public QObject {
   QString lastStop_;
   std::optional<Estimate> index_rad_;
   std::vector<StepResult> steps_;
+  FrictionSurvey survey_;
+  unsigned surveyNumber_ = 0;
+  std::optional<Bench> bench_;
+  double pace_ = 1.0;
+  QThreadPool pool_;
   bool recording_ = false;
   std::optional<Recording> lastRecording_;
   std::unique_ptr<DriveLoop> loop_;
