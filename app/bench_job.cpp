@@ -95,9 +95,17 @@ Run breakawayRun(const BreakawayRequest& request) {
           }};
 }
 
-Run velocitySweepRun(const VelocitySweepOptions& options) {
+Run velocitySweepRun(const VelocitySweepOptions& options, const std::optional<Identification>& identification,
+                     std::optional<double> trustedTorqueConstant_Nm_per_A) {
+  const auto job = std::make_shared<Gathered>();
+  job->identification = identification;
+  std::vector<ProcedureSequence::Stage> stages;
+  if (!identification) stages = identificationStages(job, trustedTorqueConstant_Nm_per_A);
+  const double expected_s = 2.0 * static_cast<double>(options.speeds_rad_per_s.size()) * (options.run_s + options.settle_s + options.zeroing_s);
   const auto sweep = std::make_shared<VelocitySweep>(options);
-  return {RunKind::velocitySweep, sweep, [sweep] { return VelocitySweepResult{sweep->runs()}; }};
+  stages.push_back({expected_s, [sweep] { return sweep; }, [] { return Result<void>{}; }});
+  const auto whole = std::make_shared<ProcedureSequence>(std::move(stages));
+  return {RunKind::velocitySweep, whole, [job, sweep] { return VelocitySweepResult{sweep->runs(), job->identification}; }};
 }
 
 }  // namespace breakaway

@@ -28,6 +28,8 @@ struct BreakawayRequest {
 Run identificationRun(std::optional<double> trustedTorqueConstant_Nm_per_A);
 /// The breakaway sweep, after the identification where there is none.
 Run breakawayRun(const BreakawayRequest& request);
-Run velocitySweepRun(const VelocitySweepOptions& options);
+/// The velocity sweep, after the identification where there is none.
+Run velocitySweepRun(const VelocitySweepOptions& options, const std::optional<Identification>& identification,
+                     std::optional<double> trustedTorqueConstant_Nm_per_A);
 
 }  // namespace breakaway

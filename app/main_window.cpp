@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "pages/connect_page.h"
+#include "pages/friction_page.h"
 #include "pages/home_page.h"
 #include "pages/tune_page.h"
 #include "session.h"
@@ -37,7 +38,8 @@ MainWindow::MainWindow(Session& session, FileChooser& files, QWidget* parent) : 
 }
 
 void MainWindow::buildPages(Session& session, FileChooser& files) {
-  pages_ = {new ConnectPage(session, files, this), new TunePage(session, this), new HomePage(session, this)};
+  pages_ = {new ConnectPage(session, files, this), new TunePage(session, this), new HomePage(session, this),
+            new FrictionPage(session, files, this)};
   stack_ = new QStackedWidget(this);
   for (Page* page : pages_) stack_->addWidget(page);
 }

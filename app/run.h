@@ -53,6 +53,7 @@ struct BreakawayResult {
 
 struct VelocitySweepResult {
   std::vector<VelocityRun> runs;
+  std::optional<Identification> identification;
 };
 
 using RunResult = std::variant<std::monostate, IdentificationResult, HomingResult, StepResult, BreakawayResult, VelocitySweepResult>;

@@ -2,6 +2,8 @@
 
 #include <QAbstractButton>
 #include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
 #include <QElapsedTimer>
 #include <QEventLoop>
 #include <QPixmap>
@@ -48,6 +50,7 @@ class Tour {
   void connectBoard();
   void tune();
   void home();
+  void sweep();
 
   QString folder_, theme_;
   NoAnswers files_;
@@ -92,6 +95,7 @@ Result<void> Tour::run() {
   connectBoard();
   tune();
   home();
+  sweep();
   if (!trouble_.isEmpty()) return Error{"screenshots", trouble_.toStdString()};
   return {};
 }
@@ -135,6 +139,27 @@ void Tour::home() {
   shoot("home-running");
   if (!wait([this] { return session_.index_rad().has_value(); })) trouble_ = "homing did not end";
   shoot("home-done");
+}
+
+void Tour::sweep() {
+  window_.showPage("frictionPage");
+  shoot("friction-ready");
+  session_.setPace(60.0);
+  press("velocitySweepButton");
+  if (!wait([this] { return session_.survey().moving.has_value(); })) trouble_ = "the velocity sweep did not end";
+  press("breakawaySweepButton");
+  const auto share = [this] { return static_cast<double>(session_.survey().events.size()) / 360.0; };
+  wait([&] { return share() > 0.6; });
+  session_.setPace(4.0);
+  shoot("friction-running");
+  session_.setPace(60.0);
+  if (!wait([this] { return session_.survey().map.has_value(); })) trouble_ = "the breakaway sweep did not end";
+  session_.setPace(4.0);
+  shoot("friction-done");
+  auto* view = window_.findChild<QComboBox*>("polarView");
+  view->setCurrentIndex(2);
+  window_.findChild<QCheckBox*>("radiusFromZero")->setChecked(false);
+  shoot("friction-coulomb");
 }
 
 }  // namespace

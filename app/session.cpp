@@ -173,7 +173,7 @@ void Session::sweepVelocity(double highest_rad_per_s, size_t speeds, double dura
   }
   options.indexAngle_rad = index_rad_ ? index_rad_->value : 0.0;
   options.run_s = duration_s;
-  start(velocitySweepRun(options));
+  start(velocitySweepRun(options, survey_.identification, trustedTorqueConstant(bench_)));
 }
 
 void Session::sweepBreakaway(size_t bins, size_t turns) {
@@ -277,6 +277,7 @@ void Session::keepSurvey(const RunSnapshot& snapshot) {
   if (const auto* identified = std::get_if<IdentificationResult>(&snapshot.result)) {
     if (identified->found) survey_.identification = identified->found;
   } else if (const auto* sweep = std::get_if<VelocitySweepResult>(&snapshot.result)) {
+    survey_.identification = sweep->identification;
     survey_.runs = sweep->runs;
   } else if (const auto* breakaways = std::get_if<BreakawayResult>(&snapshot.result)) {
     survey_.identification = breakaways->identification;

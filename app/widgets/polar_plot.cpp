@@ -72,14 +72,18 @@ void PolarPlot::setRadiusFromZero(bool fromZero) {
 void PolarPlot::draw(const Look& look) {
   dress(*plot_, look);
   dress(*axis_, look);
-  mark_ = nullptr;
-  while (axis_->removeGraph(0)) {
-  }
+  for (QCPPolarGraph* graph : graphs_) axis_->removeGraph(graph);
+  graphs_.clear();
   for (const PolarCurve& curve : curves_) drawCurve(curve, look);
-  mark_ = new QCPPolarGraph(axis_, axis_->radialAxis());
+  mark_ = addGraph();
   mark_->setLineStyle(QCPPolarGraph::lsNone);
   mark_->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(look.ink, 2), Qt::NoBrush, 11));
   scaleRadius();
+}
+
+QCPPolarGraph* PolarPlot::addGraph() {
+  graphs_.push_back(new QCPPolarGraph(axis_, axis_->radialAxis()));
+  return graphs_.back();
 }
 
 void PolarPlot::drawCurve(const PolarCurve& curve, const Look& look) {
@@ -96,12 +100,12 @@ void PolarPlot::drawCurve(const PolarCurve& curve, const Look& look) {
     angle_deg << angle_deg.front() + 360.0;
     value << value.front();
   }
-  auto* line = new QCPPolarGraph(axis_, axis_->radialAxis());
+  QCPPolarGraph* line = addGraph();
   line->setData(angle_deg, value, true);
   line->setPen(QPen(look.curve(curve.colour), curve.dashed ? 1.2 : 1.6, curve.dashed ? Qt::DashLine : Qt::SolidLine));
   if (!curve.closed) line->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, look.curve(curve.colour), 3));
   if (outlierAngle_deg.isEmpty()) return;
-  auto* crosses = new QCPPolarGraph(axis_, axis_->radialAxis());
+  QCPPolarGraph* crosses = addGraph();
   crosses->setData(outlierAngle_deg, outlierValue, true);
   crosses->setLineStyle(QCPPolarGraph::lsNone);
   crosses->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssCross, QPen(look.trouble, 1.6), Qt::NoBrush, 8));

@@ -57,6 +57,7 @@ class PolarPlot : public QWidget {
  private:
   void draw(const Look& look);
   void drawCurve(const PolarCurve& curve, const Look& look);
+  QCPPolarGraph* addGraph();
   void scaleRadius();
   void read(size_t curve, size_t point);
   void stepReading(int by);
@@ -66,6 +67,7 @@ class PolarPlot : public QWidget {
   QCustomPlot* plot_ = nullptr;
   QCPPolarAxisAngular* axis_ = nullptr;
   QCPPolarGraph* mark_ = nullptr;
+  std::vector<QCPPolarGraph*> graphs_;
   std::vector<PolarCurve> curves_;
   QString quantity_;
   QString unit_;
