@@ -49,6 +49,12 @@ void Comparison::takeRecording(const Recording& recording) {
   forgetDiagnosis();
 }
 
+void Comparison::takeBench(const Bench& bench) {
+  bench_ = bench;
+  benchPath_.clear();
+  forgetDiagnosis();
+}
+
 void Comparison::dropHeldout() {
   heldout_.reset();
   forgetDiagnosis();

@@ -31,6 +31,7 @@ class Comparison : public QObject {
   void openRecording(const QString& path);
   void openHeldout(const QString& path);
   void takeRecording(const Recording& recording);
+  void takeBench(const Bench& bench);
   void dropHeldout();
   /// A bench or a recording, by the name's ending.
   void open(const QString& path);

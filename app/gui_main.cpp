@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "comparison.h"
 #include "main_window.h"
 #include "screenshots.h"
 #include "session.h"
@@ -52,8 +53,9 @@ int main(int argc, char** argv) {
     return taken ? 0 : fail(taken.error());
   }
   Session session;
+  Comparison comparison;
   FileDialogs files;
-  MainWindow window(session, files);
+  MainWindow window(session, comparison, files);
   window.show();
   QTimer::singleShot(0, &session, [&] { session.open(parser.value(board)); });
   return QApplication::exec();

@@ -9,6 +9,8 @@
 #include <QTime>
 #include <QVBoxLayout>
 
+#include "comparison.h"
+#include "pages/compare_page.h"
 #include "pages/connect_page.h"
 #include "pages/friction_page.h"
 #include "pages/home_page.h"
@@ -21,25 +23,27 @@
 
 namespace breakaway {
 
-MainWindow::MainWindow(Session& session, FileChooser& files, QWidget* parent) : QMainWindow(parent) {
+MainWindow::MainWindow(Session& session, Comparison& comparison, FileChooser& files, QWidget* parent) : QMainWindow(parent) {
   setObjectName("mainWindow");
   setWindowTitle(tr("Breakaway"));
   setWindowIcon(QIcon(":/icons/breakaway.svg"));
   setDockOptions(QMainWindow::AnimatedDocks);
   setMenuWidget(new BoardBar(session, this));
-  buildPages(session, files);
+  buildPages(session, comparison, files);
   buildNavigation();
   buildLiveDock(session, files);
   new StopKeys([&session] { session.stop(); }, this);
   connect(&session, &Session::said, this, &MainWindow::showLine);
+  connect(&comparison, &Comparison::said, this, &MainWindow::showLine);
   showIcons();
   steps_->setFocus();
   resize(1366, 768);
 }
 
-void MainWindow::buildPages(Session& session, FileChooser& files) {
+void MainWindow::buildPages(Session& session, Comparison& comparison, FileChooser& files) {
   pages_ = {new ConnectPage(session, files, this), new TunePage(session, this), new HomePage(session, this),
-            new FrictionPage(session, files, this)};
+            new FrictionPage(session, files, this),
+            new ComparePage(session, comparison, files, this)};
   stack_ = new QStackedWidget(this);
   for (Page* page : pages_) stack_->addWidget(page);
 }

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace breakaway {
 
@@ -20,7 +21,7 @@ constexpr Named names[] = {
     {"velocity", QT_TRANSLATE_NOOP("ResidualAxis", "velocity (rad/s)"), QT_TRANSLATE_NOOP("ResidualAxis", "velocity (m/s)")},
     {"acceleration", QT_TRANSLATE_NOOP("ResidualAxis", "acceleration (rad/s²)"),
      QT_TRANSLATE_NOOP("ResidualAxis", "acceleration (m/s²)")},
-    {"current", QT_TRANSLATE_NOOP("ResidualAxis", "drive (as recorded)"), QT_TRANSLATE_NOOP("ResidualAxis", "drive (as recorded)")},
+    {"current", QT_TRANSLATE_NOOP("ResidualAxis", "motor torque (Nm)"), QT_TRANSLATE_NOOP("ResidualAxis", "motor force (N)")},
     {"reversal", QT_TRANSLATE_NOOP("ResidualAxis", "travel since reversal (rad)"),
      QT_TRANSLATE_NOOP("ResidualAxis", "travel since reversal (m)")},
 };
@@ -48,6 +49,24 @@ std::vector<double> travelSinceReversal(const Trace& trace) {
   return travel;
 }
 
+std::vector<double> positions(const Model& model, const Recording& recording) {
+  std::vector<double> position = copy(recording.channel(model.axis == Axis::rotary ? "angle_rad" : "position_m"));
+  const auto [low, high] = std::minmax_element(position.begin(), position.end());
+  constexpr double turn = 2.0 * std::numbers::pi;
+  if (model.axis == Axis::linear || position.empty() || *high - *low <= turn) return position;
+  for (double& angle : position) angle -= turn * std::floor(angle / turn);
+  return position;
+}
+
+std::vector<double> motorTorque(const Model& model, const Recording& recording, const Trace& trace) {
+  const bool rotary = model.axis == Axis::rotary;
+  if (model.input == DriveInput::torque) return copy(recording.channel(rotary ? "torque_Nm" : "force_N"));
+  std::vector<double> torque = model.input == DriveInput::current ? copy(recording.channel("current_A")) : trace.current_A;
+  const double constant = model.baseValue(rotary ? "torque_constant_Nm_per_A" : "force_constant_N_per_A").value_or(1.0);
+  for (double& value : torque) value *= constant;
+  return torque;
+}
+
 }  // namespace
 
 QStringList residualAxes() {
@@ -63,12 +82,12 @@ QString axisLabel(const QString& axis, bool linear) {
   return axis;
 }
 
-std::vector<double> residualAxis(const QString& axis, const Bench& bench, const Recording& recording, const Trace& trace) {
+std::vector<double> residualAxis(const QString& axis, const Model& model, const Recording& recording, const Trace& trace) {
   if (axis == "time") return copy(recording.time());
-  if (axis == "angle") return copy(recording.channel(bench.positionChannel()));
+  if (axis == "angle") return positions(model, recording);
   if (axis == "velocity") return trace.velocity;
   if (axis == "acceleration") return slope(trace.velocity, recording.time());
-  if (axis == "current") return copy(recording.channel(bench.inputChannel()));
+  if (axis == "current") return motorTorque(model, recording, trace);
   if (axis == "reversal") return travelSinceReversal(trace);
   return {};
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "diagnose/simulation.h"
-#include "motor/bench.h"
+#include "diagnose/model.h"
 #include "recording/recording.h"
 
 namespace breakaway {
@@ -17,8 +17,9 @@ QStringList residualAxes();
 /// "velocity (rad/s)"; on a linear axis with its own units.
 QString axisLabel(const QString& axis, bool linear);
 
-/// time_s and the drive input as recorded; position as measured; velocity, acceleration and travel since the last reversal from
+/// time_s as recorded; position as measured, taken into one turn where a rotor makes more than one; the motor's torque or force
+/// from the drive; velocity, acceleration and travel since the last reversal from
 /// the simulation, which has no noise. Empty for an axis that is not in residualAxes().
-std::vector<double> residualAxis(const QString& axis, const Bench& bench, const Recording& recording, const Trace& trace);
+std::vector<double> residualAxis(const QString& axis, const Model& model, const Recording& recording, const Trace& trace);
 
 }  // namespace breakaway

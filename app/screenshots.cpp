@@ -12,6 +12,7 @@
 #include <functional>
 
 #include "base/atomic_file.h"
+#include "comparison.h"
 #include "main_window.h"
 #include "resource_folder.h"
 #include "session.h"
@@ -34,7 +35,7 @@ class NoAnswers : public FileChooser {
 class Tour {
  public:
   Tour(const QString& folder, const QString& theme)
-      : folder_(folder), theme_(theme), session_(options()), window_(session_, files_) {
+      : folder_(folder), theme_(theme), session_(options()), window_(session_, comparison_, files_) {
     window_.resize(1366, 768);
     window_.show();
   }
@@ -51,10 +52,12 @@ class Tour {
   void tune();
   void home();
   void sweep();
+  void compare();
 
   QString folder_, theme_;
   NoAnswers files_;
   Session session_;
+  Comparison comparison_;
   MainWindow window_;
   QString trouble_;
 };
@@ -96,6 +99,7 @@ Result<void> Tour::run() {
   tune();
   home();
   sweep();
+  compare();
   if (!trouble_.isEmpty()) return Error{"screenshots", trouble_.toStdString()};
   return {};
 }
@@ -160,6 +164,26 @@ void Tour::sweep() {
   view->setCurrentIndex(2);
   window_.findChild<QCheckBox*>("radiusFromZero")->setChecked(false);
   shoot("friction-coulomb");
+}
+
+void Tour::compare() {
+  window_.showPage("comparePage");
+  shoot("compare-empty");
+  if (resourceFiles("examples", ".bench.json").isEmpty()) return;
+  press("openExampleButton");
+  if (!wait([this] { return comparison_.bench() && comparison_.recording(); })) trouble_ = "the example cannot be opened";
+  shoot("compare-opened");
+  press("diagnoseButton");
+  shoot("compare-running");
+  if (!wait([this] { return !comparison_.shownTrace().position.empty() && !comparison_.baseTrace().position.empty(); })) {
+    trouble_ = "the diagnosis did not end";
+    return;
+  }
+  shoot("compare-diagnosed");
+  if (comparison_.diagnosis()->where.empty()) return;
+  auto* axis = window_.findChild<QComboBox*>("residualAxis");
+  axis->setCurrentIndex(std::max(0, axis->findData(QString::fromStdString(comparison_.diagnosis()->where.front().axis))));
+  shoot("compare-where");
 }
 
 }  // namespace

@@ -146,7 +146,9 @@ void Session::turnSlowly() {
 }
 
 void Session::home(const HomingOptions& options) {
-  const auto homing = std::make_shared<Homing>(options);
+  HomingOptions known = options;
+  known.countsPerRev = identity_.countsPerRev;
+  const auto homing = std::make_shared<Homing>(known);
   start({RunKind::homing, homing, [homing] {
            const bool finished = homing->state() == Procedure::State::finished;
            return HomingResult{homing->passes(), finished ? homing->indexAngle_rad() : Estimate{}};

@@ -198,16 +198,14 @@ QWidget* FrictionPage::buildMap() {
   column->addLayout(strip);
   plot_ = new PolarPlot("polarPlot", side);
   column->addWidget(plot_, 1);
-  auto* foot = new QHBoxLayout;
   legend_ = new QLabel(side);
   legend_->setObjectName("polarLegend");
   reading_ = new QLabel(side);
   reading_->setObjectName("polarReading");
-  reading_->setAlignment(Qt::AlignRight);
-  foot->addWidget(legend_);
-  foot->addStretch(1);
-  foot->addWidget(reading_);
-  column->addLayout(foot);
+  for (QLabel* line : {legend_, reading_}) {
+    line->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    column->addWidget(line);
+  }
   connect(view_, &QComboBox::currentIndexChanged, this, &FrictionPage::showMap);
   connect(fromZero_, &QCheckBox::toggled, plot_, &PolarPlot::setRadiusFromZero);
   connect(plot_, &PolarPlot::reading, reading_, &QLabel::setText);
@@ -248,14 +246,18 @@ void FrictionPage::showAverages() {
       {tr("Coulomb average"), withInterval(survey.coulombAverage_Nm(), 1e3, tr("mNm")), tr("Mean of both ways at zero speed, 95 % interval")},
       {tr("Viscous average"), withInterval(survey.viscousAverage_Nm_s_per_rad(), 1e6, tr("µNm s/rad")), tr("Slope with speed, 95 % interval")}};
   if (survey.map) {
-    for (const Way way : {Way::ccw, Way::cw}) {
+    const auto mean = [&survey](Way way) {
       double sum_Nm = 0.0;
       for (const MapBin& bin : survey.map->bins) sum_Nm += bin.way[static_cast<size_t>(way)].static_Nm.value;
-      const QString name = way == Way::ccw ? tr("Static ccw, mean") : tr("Static cw, mean");
-      const Repeatability& repeat = survey.map->repeatability[static_cast<size_t>(way)];
-      QString value = tr("%1 mNm").arg(1e3 * sum_Nm / static_cast<double>(survey.map->bins.size()), 0, 'f', 2);
-      if (survey.map->turns > 1) value += tr(", turns correlate %1").arg(repeat.correlation, 0, 'f', 3);
-      facts.push_back({name, value, tr("Turns differ by %1 mNm rms").arg(1e3 * repeat.rmsDifference_Nm, 0, 'f', 3)});
+      return tr("%1 mNm").arg(1e3 * sum_Nm / static_cast<double>(survey.map->bins.size()), 0, 'f', 2);
+    };
+    facts.push_back({tr("Static, ccw mean"), mean(Way::ccw), {}});
+    facts.push_back({tr("Static, cw mean"), mean(Way::cw), {}});
+    const auto& repeat = survey.map->repeatability;
+    if (survey.map->turns > 1) {
+      facts.push_back({tr("Turns correlate"), tr("ccw %1, cw %2").arg(repeat[1].correlation, 0, 'f', 3).arg(repeat[0].correlation, 0, 'f', 3),
+                       tr("Turns differ by %1 (ccw) and %2 mNm rms (cw)")
+                           .arg(1e3 * repeat[1].rmsDifference_Nm, 0, 'f', 3).arg(1e3 * repeat[0].rmsDifference_Nm, 0, 'f', 3)});
     }
   }
   averages_->show(facts);

@@ -17,7 +17,14 @@ namespace breakaway {
 namespace {
 
 constexpr double near_px = 12.0;
-constexpr double radiusAxisAngle_deg = 75.0;
+constexpr double radiusAxisAngle_deg = -75.0;
+
+class DegreeTicker : public QCPAxisTickerFixed {
+ protected:
+  QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override {
+    return QCPAxisTickerFixed::getTickLabel(tick, locale, format, precision) + QChar(0xb0);
+  }
+};
 
 double degrees(double angle_rad) {
   return angle_rad * 180.0 / std::numbers::pi;
@@ -39,8 +46,10 @@ PolarPlot::PolarPlot(const char* objectName, QWidget* parent) : QWidget(parent),
   axis_->setRangeDrag(false);
   axis_->setRangeZoom(false);
   axis_->setRange(0.0, 360.0);
-  axis_->setMinimumMargins(QMargins(4, 4, 4, 4));
-  QSharedPointer<QCPAxisTickerFixed> ticker(new QCPAxisTickerFixed);
+  axis_->setMinimumMargins(QMargins(34, 22, 34, 22));
+  axis_->setAngle(0.0);  // zero to the right and growing counter-clockwise, as on the dial
+  axis_->setRangeReversed(true);
+  QSharedPointer<DegreeTicker> ticker(new DegreeTicker);
   ticker->setTickStep(30.0);
   axis_->setTicker(ticker);
   axis_->setNumberFormat("gb");

@@ -149,7 +149,7 @@ void ResidualPlots::drawMeasurement(const Recording& recording) {
 }
 
 void ResidualPlots::drawResiduals(const Recording& recording) {
-  const auto abscissa = residualAxis(axis_, *comparison_.bench(), recording, comparison_.shownTrace());
+  const auto abscissa = residualAxis(axis_, comparison_.diagnosis()->base, recording, comparison_.shownTrace());
   const auto measured = recording.channel(recording.has("position_m") ? "position_m" : "angle_rad");
   const bool line = axis_ == "time";
   const auto draw = [&](QCPGraph& graph, const std::vector<double>& position) {

@@ -31,7 +31,7 @@ class TestStop : public QObject {
 namespace {
 
 struct Bench {
-  explicit Bench(double watchdog_s = 5.0) : session({1.0, 0.005, watchdog_s}), window(session, answers) {
+  explicit Bench(double watchdog_s = 5.0) : session({1.0, 0.005, watchdog_s}), window(session, comparison, answers) {
     window.show();
     session.adopt(std::make_unique<SmallDrive>(witness), "small");
   }
@@ -46,6 +46,7 @@ struct Bench {
   std::shared_ptr<DriveWitness> witness = std::make_shared<DriveWitness>();
   Answers answers;
   Session session;
+  Comparison comparison;
   MainWindow window;
 };
 

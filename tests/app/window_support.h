@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "comparison.h"
 #include "main_window.h"
 #include "session.h"
 #include "widgets/file_chooser.h"
