@@ -1,5 +1,6 @@
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QTemporaryDir>
 #include <QTimer>
 #include <cstdio>
 #include <cstring>
@@ -33,8 +34,10 @@ int fail(const breakaway::Error& error) {
 
 int main(int argc, char** argv) {
   using namespace breakaway;
+  const QTemporaryDir runtime;
   if (wantsScreenshots(argc, argv)) {
     qputenv("QT_QPA_PLATFORM", "offscreen");
+    if (qEnvironmentVariableIsEmpty("XDG_RUNTIME_DIR")) qputenv("XDG_RUNTIME_DIR", runtime.path().toUtf8());
     qInstallMessageHandler(quietAboutSizeHints);
   }
   QApplication application(argc, argv);

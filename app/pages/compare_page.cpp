@@ -105,7 +105,7 @@ QWidget* ComparePage::buildPlots() {
   axis_ = new QComboBox(side);
   axis_->setObjectName("residualAxis");
   axis_->setAccessibleName(tr("Axis of the residual"));
-  for (const QString& axis : residualAxes()) axis_->addItem(tr("Residual over %1").arg(axisLabel(axis, false).section(" (", 0, 0)), axis);
+  for (const QString& axis : residualAxes()) axis_->addItem(tr("Residual over %1").arg(axis == "current" ? tr("motor torque or force") : axis == "reversal" ? tr("travel since reversal") : axis), axis);
   auto* legend = new QLabel(tr("Bands: where they part. Green line: held out. Drag and wheel zoom in time."), side);
   legend->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   strip->addWidget(axis_);

@@ -2,7 +2,6 @@
 
 #include <QCheckBox>
 #include <QLabel>
-#include <QPushButton>
 #include <QVBoxLayout>
 
 #include "comparison.h"
@@ -109,12 +108,15 @@ void FindingsList::addPlaces(QVBoxLayout& column) {
   column.addWidget(caption(column.parentWidget(), tr("Where")));
   for (const Place& place : places) {
     const QString axis = QString::fromStdString(place.axis);
-    addText(column, QString::fromStdString(place.sentence));
-    if (!residualAxes().contains(axis)) continue;
-    auto* show = pushButton(column.parentWidget(), "", tr("Show over %1").arg(axis), tr("Draw the residual over this axis"));
-    show->setObjectName("show_" + axis);
-    connect(show, &QPushButton::clicked, this, [this, axis] { emit axisChosen(axis); });
-    column.addWidget(show, 0, Qt::AlignLeft);
+    QString text = QString::fromStdString(place.sentence).toHtmlEscaped();
+    if (residualAxes().contains(axis)) text += QString(" <a href='%1'>%2</a>").arg(axis, tr("Show"));
+    auto* sentence = explanation(column.parentWidget(), text);
+    sentence->setObjectName("place_" + axis);
+    sentence->setTextFormat(Qt::RichText);
+    sentence->setTextInteractionFlags(Qt::TextBrowserInteraction);
+    sentence->setFocusPolicy(Qt::StrongFocus);
+    connect(sentence, &QLabel::linkActivated, this, &FindingsList::axisChosen);
+    column.addWidget(sentence);
   }
 }
 

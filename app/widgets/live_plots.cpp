@@ -100,7 +100,7 @@ void LivePlots::buildPlot() {
   plot_->setObjectName("livePlot");
   plot_->setAccessibleName(tr("Live plots of angle, velocity, current and estimated disturbance over time"));
   plot_->setFocusPolicy(Qt::StrongFocus);
-  plot_->setMinimumHeight(120);
+  plot_->setMinimumSize(200, 120);
   plot_->setNoAntialiasingOnDrag(true);
   plot_->setNotAntialiasedElements(QCP::aeAll);
   plot_->plotLayout()->clear();

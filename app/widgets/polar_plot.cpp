@@ -41,6 +41,7 @@ PolarPlot::PolarPlot(const char* objectName, QWidget* parent) : QWidget(parent),
   plot_->setAccessibleName(tr("Polar plot around the rotor; arrow keys read the points"));
   plot_->setFocusPolicy(Qt::StrongFocus);
   plot_->setMouseTracking(true);
+  plot_->setMinimumSize(200, 200);
   plot_->plotLayout()->clear();
   axis_ = new QCPPolarAxisAngular(plot_);
   axis_->setRangeDrag(false);

@@ -27,6 +27,7 @@ void ResidualPlots::buildPlot() {
   plot_ = new QCustomPlot(this);
   plot_->setObjectName("residualPlot");
   plot_->setAccessibleName(tr("Measurement over simulation, and the residual beneath"));
+  plot_->setMinimumSize(200, 150);
   plot_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
   plot_->setNotAntialiasedElements(QCP::aePlottables);
   plot_->plotLayout()->clear();
@@ -67,11 +68,11 @@ void ResidualPlots::buildPlot() {
 void ResidualPlots::applyLook() {
   const Look look = Look::of(palette());
   dress(*plot_, look);
-  measured_->setPen(QPen(look.ink, 1));
+  measured_->setPen(QPen(look.muted, 3));
   simulated_->setPen(QPen(look.curve(0), 1));
   residual_[0]->setPen(QPen(look.curve(1), 1));
   residual_[1]->setPen(QPen(look.curve(0), 1));
-  const std::array<QColor, 5> inks{look.ink, look.curve(0), look.curve(1), look.curve(0), look.muted};
+  const std::array<QColor, 5> inks{look.muted, look.curve(0), look.curve(1), look.curve(0), look.muted};
   for (size_t k = 0; k < names_.size(); ++k) {
     names_[k]->setTextColor(inks[k]);
     names_[k]->setFont(sized(font(), 0.9, k < 4));
@@ -145,7 +146,8 @@ void ResidualPlots::drawMeasurement(const Recording& recording) {
   measured_->data()->set(measuredPoints, true);
   simulated_->data()->set(simulatedPoints, true);
   above_->axis(QCPAxis::atLeft)->rescale();
-  above_->axis(QCPAxis::atLeft)->scaleRange(1.25);
+  const QCPRange range = above_->axis(QCPAxis::atLeft)->range();
+  above_->axis(QCPAxis::atLeft)->setRange(range.lower - 0.08 * range.size(), range.upper + 0.3 * range.size());
 }
 
 void ResidualPlots::drawResiduals(const Recording& recording) {
@@ -154,18 +156,19 @@ void ResidualPlots::drawResiduals(const Recording& recording) {
   const bool line = axis_ == "time";
   const auto draw = [&](QCPGraph& graph, const std::vector<double>& position) {
     QVector<QCPGraphData> points;
-    const size_t every = line ? 1 : std::max<size_t>(1, position.size() / 6000);
+    const size_t every = line ? 1 : std::max<size_t>(1, position.size() / 4000);
     for (size_t row = 0; row < std::min(position.size(), abscissa.size()); row += every) {
       points.append(QCPGraphData(abscissa[row], 1e3 * (position[row] - measured[row])));
     }
     graph.setLineStyle(line ? QCPGraph::lsLine : QCPGraph::lsNone);
-    graph.setScatterStyle(line ? QCPScatterStyle() : QCPScatterStyle(QCPScatterStyle::ssDot));
+    graph.setScatterStyle(line ? QCPScatterStyle() : QCPScatterStyle(QCPScatterStyle::ssDisc, graph.pen().color(), 2));
+    graph.setAdaptiveSampling(line);
     graph.data()->set(points, line);
   };
   draw(*residual_[0], comparison_.baseTrace().position);
   draw(*residual_[1], comparison_.shownTrace().position);
   below_->axis(QCPAxis::atLeft)->rescale();
-  below_->axis(QCPAxis::atLeft)->scaleRange(1.2);
+  below_->axis(QCPAxis::atLeft)->scaleRange(1.3);
 }
 
 void ResidualPlots::drawBands() {
@@ -185,7 +188,7 @@ void ResidualPlots::drawBands() {
     band->setClipAxisRect(rect);
     band->setPen(Qt::NoPen);
     band->setBrush(ink);
-    band->setLayer("background");
+    band->setLayer("grid");  // over the background, under the curves
     bands_.push_back(band);
   };
   for (const Place& place : diagnosis->where) {

@@ -27,6 +27,7 @@ StepPlot::StepPlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(thi
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(plot_);
   plot_->setAccessibleName(tr("Measured velocity step and its current over time"));
+  plot_->setMinimumSize(200, 150);
   plot_->plotLayout()->clear();
   plot_->plotLayout()->setRowSpacing(2);
   velocity_ = new QCPAxisRect(plot_);
