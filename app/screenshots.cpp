@@ -182,6 +182,7 @@ void Tour::compare() {
   shoot("compare-diagnosed");
   if (comparison_.diagnosis()->where.empty()) return;
   auto* axis = window_.findChild<QComboBox*>("residualAxis");
+  window_.findChild<QWidget*>("comparePage")->setFocus();
   axis->setCurrentIndex(std::max(0, axis->findData(QString::fromStdString(comparison_.diagnosis()->where.front().axis))));
   shoot("compare-where");
 }

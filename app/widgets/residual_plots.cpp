@@ -39,6 +39,8 @@ void ResidualPlots::buildPlot() {
   plot_->plotLayout()->setRowStretchFactors({1.0, 1.25});
   auto* left = new QCPMarginGroup(plot_);
   for (QCPAxisRect* rect : {above_, below_}) {
+    rect->setLayer("background");
+    for (QCPAxis* axis : rect->axes()) axis->grid()->setLayer("grid");
     rect->setMarginGroup(QCP::msLeft, left);
     rect->setMinimumMargins(QMargins(44, 4, 10, 3));
     rect->setRangeDrag(Qt::Horizontal);

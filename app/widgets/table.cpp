@@ -14,6 +14,7 @@ QTableWidget* readTable(QWidget* parent, const char* objectName, const QString& 
   table->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table->setSelectionBehavior(QAbstractItemView::SelectRows);
   table->setAlternatingRowColors(true);
+  table->setCornerButtonEnabled(false);
   table->setTabKeyNavigation(false);
   table->verticalHeader()->hide();
   table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().height() + 6);

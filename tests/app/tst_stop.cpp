@@ -30,8 +30,8 @@ class TestStop : public QObject {
 
 namespace {
 
-struct Bench {
-  explicit Bench(double watchdog_s = 5.0) : session({1.0, 0.005, watchdog_s}), window(session, comparison, answers) {
+struct Desk {
+  explicit Desk(double watchdog_s = 5.0) : session({1.0, 0.005, watchdog_s}), window(session, comparison, answers) {
     window.show();
     session.adopt(std::make_unique<SmallDrive>(witness), "small");
   }
@@ -53,12 +53,12 @@ struct Bench {
 }  // namespace
 
 void TestStop::button_stopsTheMotor() {
-  Bench bench;
-  QVERIFY(bench.turning());
-  QCOMPARE(bench.witness->stops.load(), 0);
-  press(bench.window, "stopButton");
-  QVERIFY(bench.stopped());
-  QCOMPARE(bench.witness->stops.load(), 1);
+  Desk desk;
+  QVERIFY(desk.turning());
+  QCOMPARE(desk.witness->stops.load(), 0);
+  press(desk.window, "stopButton");
+  QVERIFY(desk.stopped());
+  QCOMPARE(desk.witness->stops.load(), 1);
 }
 
 void TestStop::key_stopsTheMotor_data() {
@@ -73,102 +73,102 @@ void TestStop::key_stopsTheMotor_data() {
 void TestStop::key_stopsTheMotor() {
   QFETCH(int, key);
   QFETCH(QString, focus);
-  Bench bench;
-  QVERIFY(bench.turning());
-  auto* widget = named<QWidget>(bench.window, focus.toLatin1().constData());
+  Desk desk;
+  QVERIFY(desk.turning());
+  auto* widget = named<QWidget>(desk.window, focus.toLatin1().constData());
   widget->setFocus();
   QTest::keyClick(widget, static_cast<Qt::Key>(key));
-  QVERIFY(bench.stopped());
-  QCOMPARE(bench.witness->stops.load(), 1);
+  QVERIFY(desk.stopped());
+  QCOMPARE(desk.witness->stops.load(), 1);
 }
 
 void TestStop::spaceInTypedText_isALetter() {
-  Bench bench;
-  QVERIFY(bench.turning());
-  QLineEdit line(&bench.window);
+  Desk desk;
+  QVERIFY(desk.turning());
+  QLineEdit line(&desk.window);
   line.show();
   QTest::keyClick(&line, Qt::Key_Space);
   QCOMPARE(line.text(), QString(" "));
   QTest::qWait(50);
-  QCOMPARE(bench.witness->stops.load(), 0);
+  QCOMPARE(desk.witness->stops.load(), 0);
 }
 
 void TestStop::escapeInTypedText_stops() {
-  Bench bench;
-  QVERIFY(bench.turning());
-  QLineEdit line(&bench.window);
+  Desk desk;
+  QVERIFY(desk.turning());
+  QLineEdit line(&desk.window);
   line.show();
   QTest::keyClick(&line, Qt::Key_Escape);
-  QVERIFY(bench.stopped());
+  QVERIFY(desk.stopped());
 }
 
 void TestStop::returnPressesAButton() {
-  Bench bench;
-  auto* turn = named<QWidget>(bench.window, "turnButton");
+  Desk desk;
+  auto* turn = named<QWidget>(desk.window, "turnButton");
   turn->setFocus();
   QTest::keyClick(turn, Qt::Key_Return);
-  QTRY_VERIFY(bench.witness->powered.load());
+  QTRY_VERIFY(desk.witness->powered.load());
 }
 
 void TestStop::blockedWindow_stopsTheMotor() {
-  Bench bench(0.25);
-  QVERIFY(bench.turning());
+  Desk desk(0.25);
+  QVERIFY(desk.turning());
   const auto start = std::chrono::steady_clock::now();
-  while (bench.witness->powered && std::chrono::steady_clock::now() - start < std::chrono::seconds(5)) {
+  while (desk.witness->powered && std::chrono::steady_clock::now() - start < std::chrono::seconds(5)) {
   }  // this thread is the window's: it answers nothing
   const double took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  QVERIFY(!bench.witness->powered);
+  QVERIFY(!desk.witness->powered);
   QVERIFY2(took_s > 0.15 && took_s < 1.0, qPrintable(QString::number(took_s)));
-  QTRY_COMPARE(bench.session.stateWords(), QString("stopped by watchdog"));
-  QVERIFY(named<QLabel>(bench.window, "messageLine")->text().contains("did not answer for 250 ms"));
+  QTRY_COMPARE(desk.session.stateWords(), QString("stopped by watchdog"));
+  QVERIFY(named<QLabel>(desk.window, "messageLine")->text().contains("did not answer for 250 ms"));
 }
 
 void TestStop::answeringWindow_keepsItRunning() {
-  Bench bench(1.0);
-  QVERIFY(bench.turning());
+  Desk desk(1.0);
+  QVERIFY(desk.turning());
   QTest::qWait(1500);
-  QVERIFY(bench.witness->powered);
-  QCOMPARE(bench.witness->stops.load(), 0);
+  QVERIFY(desk.witness->powered);
+  QCOMPARE(desk.witness->stops.load(), 0);
 }
 
 void TestStop::startPostedBeforeStop_isDropped() {
-  Bench bench;
-  bench.session.turnSlowly();
-  bench.session.stop();
-  QTRY_VERIFY(bench.witness->stops == 1);
+  Desk desk;
+  desk.session.turnSlowly();
+  desk.session.stop();
+  QTRY_VERIFY(desk.witness->stops == 1);
   QTest::qWait(100);
-  QVERIFY(!bench.witness->powered);
+  QVERIFY(!desk.witness->powered);
 }
 
 void TestStop::pulledCable_isSaid() {
-  Bench bench;
-  QVERIFY(bench.turning());
-  bench.witness->cableCut = true;
-  QTRY_VERIFY(!bench.session.connected());
-  QVERIFY(!bench.witness->powered);
-  QVERIFY(named<QLabel>(bench.window, "messageLine")->text().contains("the cable was pulled"));
-  QCOMPARE(named<QLabel>(bench.window, "deviceLabel")->text(), QString("none"));
-  QVERIFY(!named<QWidget>(bench.window, "turnButton")->isEnabled());
-  QCOMPARE(named<QWidget>(bench.window, "turnButton")->toolTip(), QString("No board is connected"));
+  Desk desk;
+  QVERIFY(desk.turning());
+  desk.witness->cableCut = true;
+  QTRY_VERIFY(!desk.session.connected());
+  QVERIFY(!desk.witness->powered);
+  QVERIFY(named<QLabel>(desk.window, "messageLine")->text().contains("the cable was pulled"));
+  QCOMPARE(named<QLabel>(desk.window, "deviceLabel")->text(), QString("none"));
+  QVERIFY(!named<QWidget>(desk.window, "turnButton")->isEnabled());
+  QCOMPARE(named<QWidget>(desk.window, "turnButton")->toolTip(), QString("No board is connected"));
 }
 
 void TestStop::lostSamples_areCounted() {
-  Bench bench;
-  bench.witness->lose = 3;
-  QTRY_COMPARE(named<QLabel>(bench.window, "lostLabel")->text(), QString("3"));
+  Desk desk;
+  desk.witness->lose = 3;
+  QTRY_COMPARE(named<QLabel>(desk.window, "lostLabel")->text(), QString("3"));
 }
 
 void TestStop::visibleStretch_isExportedWithEverySample() {
-  Bench bench;
+  Desk desk;
   QTemporaryDir folder;
   const QString path = folder.filePath("visible.csv");
-  bench.answers.byTitle["Export the visible stretch"] = path;
-  QVERIFY(bench.turning());
+  desk.answers.byTitle["Export the visible stretch"] = path;
+  QVERIFY(desk.turning());
   QTest::qWait(300);
-  press(bench.window, "pauseButton");
-  auto* plots = named<LivePlots>(bench.window, "livePlots");
+  press(desk.window, "pauseButton");
+  auto* plots = named<LivePlots>(desk.window, "livePlots");
   QVERIFY(plots->paused());
-  press(bench.window, "exportVisibleButton");
+  press(desk.window, "exportVisibleButton");
   const auto recording = readCsv(path.toStdString());
   QVERIFY2(recording.ok(), recording.ok() ? "" : recording.error().message().c_str());
   const double length_s = recording->time().back() - recording->time().front();
