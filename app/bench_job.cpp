@@ -32,17 +32,20 @@ Result<void> identify(Gathered& job, std::optional<double> trusted_Nm_per_A) {
   if (!motor) return motor.error();
   Identification found{*motor, job.zeroing->noiseRms_A(), {}};
   for (size_t way = 0; way < 2; ++way) {
-    for (const double one_A : job.winding->breakaway_A()[way]) found.expected_A[way] = std::max(found.expected_A[way], one_A);
+    for (const double one_A : job.winding->breakaway_A()[way])
+      found.expected_A[way] = std::max(found.expected_A[way], one_A);
   }
   job.identification = found;
   return {};
 }
 
-std::vector<ProcedureSequence::Stage> identificationStages(const std::shared_ptr<Gathered>& job, std::optional<double> trusted_Nm_per_A) {
+std::vector<ProcedureSequence::Stage> identificationStages(const std::shared_ptr<Gathered>& job,
+                                                           std::optional<double> trusted_Nm_per_A) {
   const auto nothing = [] { return Result<void>{}; };
   return {{1.1, [job] { return job->zeroing = std::make_shared<CurrentZeroing>(); }, nothing},
           {30.0, [job] { return job->winding = std::make_shared<WindingTest>(); }, nothing},
-          {24.0, [job] { return job->spin = std::make_shared<SpinTest>(); }, [job, trusted_Nm_per_A] { return identify(*job, trusted_Nm_per_A); }}};
+          {24.0, [job] { return job->spin = std::make_shared<SpinTest>(); },
+           [job, trusted_Nm_per_A] { return identify(*job, trusted_Nm_per_A); }}};
 }
 
 BreakawaySweepOptions sweepOptions(const BreakawayRequest& request, const Identification& known) {
@@ -63,7 +66,8 @@ BreakawaySweepOptions sweepOptions(const BreakawayRequest& request, const Identi
   friction.torqueConstant_Nm_per_A = options.torqueConstant_Nm_per_A;
   friction.inertia_kg_m2 = options.inertia_kg_m2;
   friction.bins = request.bins;
-  for (const Way way : {Way::cw, Way::ccw}) options.moving_A[static_cast<size_t>(way)] = movingCurrent_A(request.runs, way, friction);
+  for (const Way way : {Way::cw, Way::ccw})
+    options.moving_A[static_cast<size_t>(way)] = movingCurrent_A(request.runs, way, friction);
   return options;
 }
 
@@ -82,7 +86,9 @@ Run breakawayRun(const BreakawayRequest& request) {
   if (!request.identification) stages = identificationStages(job, request.trustedTorqueConstant_Nm_per_A);
   const double expected_s = 1.1 * static_cast<double>(2 * request.bins * request.turns);
   stages.push_back({expected_s,
-                    [job, request] { return job->sweep = std::make_shared<BreakawaySweep>(sweepOptions(request, *job->identification)); },
+                    [job, request] {
+                      return job->sweep = std::make_shared<BreakawaySweep>(sweepOptions(request, *job->identification));
+                    },
                     [] { return Result<void>{}; }});
   const auto whole = std::make_shared<ProcedureSequence>(std::move(stages));
   return {RunKind::breakaway, whole, [job, request] {
@@ -101,11 +107,14 @@ Run velocitySweepRun(const VelocitySweepOptions& options, const std::optional<Id
   job->identification = identification;
   std::vector<ProcedureSequence::Stage> stages;
   if (!identification) stages = identificationStages(job, trustedTorqueConstant_Nm_per_A);
-  const double expected_s = 2.0 * static_cast<double>(options.speeds_rad_per_s.size()) * (options.run_s + options.settle_s + options.zeroing_s);
+  const double expected_s = 2.0 * static_cast<double>(options.speeds_rad_per_s.size()) *
+                            (options.run_s + options.settle_s + options.zeroing_s);
   const auto sweep = std::make_shared<VelocitySweep>(options);
   stages.push_back({expected_s, [sweep] { return sweep; }, [] { return Result<void>{}; }});
   const auto whole = std::make_shared<ProcedureSequence>(std::move(stages));
-  return {RunKind::velocitySweep, whole, [job, sweep] { return VelocitySweepResult{sweep->runs(), job->identification}; }};
+  return {RunKind::velocitySweep, whole, [job, sweep] {
+            return VelocitySweepResult{sweep->runs(), job->identification};
+          }};
 }
 
 }  // namespace breakaway

@@ -19,7 +19,7 @@ struct BreakawayRequest {
   double index_rad = 0.0;
   std::optional<double> trustedTorqueConstant_Nm_per_A;
   std::optional<Identification> identification;  ///< without one the motor is identified first
-  std::vector<VelocityRun> runs;                 ///< earlier runs at constant speed, if any: they tell what keeps it moving
+  std::vector<VelocityRun> runs;  ///< earlier runs at constant speed, if any: they tell what keeps it moving
   double countsPerRev = 0.0;
   double current_limit_A = 0.0;
 };

@@ -60,7 +60,7 @@ void Comparison::dropHeldout() {
   forgetDiagnosis();
 }
 
-void Comparison::read(const QString& path, std::optional<Recording> Comparison::* into) {
+void Comparison::read(const QString& path, std::optional<Recording> Comparison::*into) {
   inPool([this, path, into]() -> std::function<void()> {
     auto recording = readCsv(path.toStdString());
     return [this, recording, path, into] {
@@ -105,12 +105,15 @@ void Comparison::diagnose() {
   DiagnoseOptions options;
   options.stop = stop_.get_token();
   options.progress = [this, mine](double progress, const std::string& activity) {
-    QMetaObject::invokeMethod(this, [this, mine, progress, activity] {
-      if (mine != wanted_ || !diagnosing_) return;
-      progress_ = progress;
-      activity_ = QString::fromStdString(activity);
-      emit progressChanged();
-    }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        this,
+        [this, mine, progress, activity] {
+          if (mine != wanted_ || !diagnosing_) return;
+          progress_ = progress;
+          activity_ = QString::fromStdString(activity);
+          emit progressChanged();
+        },
+        Qt::QueuedConnection);
   };
   std::vector<Recording> heldout;
   if (heldout_) heldout.push_back(*heldout_);

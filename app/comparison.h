@@ -1,4 +1,5 @@
-// A recording against the physics its bench declares: loads, diagnoses in a pool thread, and simulates with findings left out.
+// A recording against the physics its bench declares: loads, diagnoses in a pool thread, and simulates with findings
+// left out.
 #pragma once
 
 #include <QObject>
@@ -53,7 +54,8 @@ class Comparison : public QObject {
   /// Why diagnose() can't run now; empty when it can.
   QString obstacle() const;
 
-  /// Simulation of the base model, and of the extended one with the findings that are included; empty before a diagnosis.
+  /// Simulation of the base model, and of the extended one with the findings that are included; empty before a
+  /// diagnosis.
   const Trace& baseTrace() const { return base_; }
   const Trace& shownTrace() const { return shown_; }
   /// RMS of the shown simulation's position error over the held-out rows, or over all rows when others are held out.
@@ -68,7 +70,7 @@ class Comparison : public QObject {
 
  private:
   void inPool(std::function<std::function<void()>()> work);
-  void read(const QString& path, std::optional<Recording> Comparison::* into);
+  void read(const QString& path, std::optional<Recording> Comparison::*into);
   void forgetDiagnosis();
   void takeDiagnosis(const Result<Diagnosis>& diagnosis);
   void simulateBase();
@@ -89,7 +91,8 @@ class Comparison : public QObject {
   QString activity_;
 };
 
-/// RMS of simulated minus measured position over [first, last + 1) stretches of rows; over all rows when there are none.
+/// RMS of simulated minus measured position over [first, last + 1) stretches of rows; over all rows when there are
+/// none.
 double positionRmse(const Trace& trace, const Recording& recording, const std::string& channel,
                     const std::vector<std::pair<size_t, size_t>>& stretches);
 

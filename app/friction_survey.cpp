@@ -62,8 +62,9 @@ std::string breakawayTable(const std::vector<BreakawayEvent>& events) {
   std::string text = "angle_rad,way,turn,bin,current_A,torque_Nm,outlier\n";
   for (const BreakawayEvent& event : events) {
     char line[160];
-    std::snprintf(line, sizeof line, "%.9g,%s,%zu,%zu,%.9g,%.9g,%d\n", event.angle_rad, event.way == Way::cw ? "cw" : "ccw", event.turn + 1,
-                  event.bin, event.current_A, event.torque_Nm, event.outlier ? 1 : 0);
+    std::snprintf(line, sizeof line, "%.9g,%s,%zu,%zu,%.9g,%.9g,%d\n", event.angle_rad,
+                  event.way == Way::cw ? "cw" : "ccw", event.turn + 1, event.bin, event.current_A, event.torque_Nm,
+                  event.outlier ? 1 : 0);
     text += line;
   }
   return text;

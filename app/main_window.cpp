@@ -14,6 +14,7 @@
 #include "pages/connect_page.h"
 #include "pages/friction_page.h"
 #include "pages/home_page.h"
+#include "pages/report_page.h"
 #include "pages/tune_page.h"
 #include "session.h"
 #include "widgets/board_bar.h"
@@ -23,7 +24,8 @@
 
 namespace breakaway {
 
-MainWindow::MainWindow(Session& session, Comparison& comparison, FileChooser& files, QWidget* parent) : QMainWindow(parent) {
+MainWindow::MainWindow(Session& session, Comparison& comparison, FileChooser& files, QWidget* parent)
+    : QMainWindow(parent) {
   setObjectName("mainWindow");
   setWindowTitle(tr("Breakaway"));
   setWindowIcon(QIcon(":/icons/breakaway.svg"));
@@ -41,9 +43,12 @@ MainWindow::MainWindow(Session& session, Comparison& comparison, FileChooser& fi
 }
 
 void MainWindow::buildPages(Session& session, Comparison& comparison, FileChooser& files) {
-  pages_ = {new ConnectPage(session, files, this), new TunePage(session, this), new HomePage(session, this),
+  pages_ = {new ConnectPage(session, files, this),
+            new TunePage(session, this),
+            new HomePage(session, this),
             new FrictionPage(session, files, this),
-            new ComparePage(session, comparison, files, this)};
+            new ComparePage(session, comparison, files, this),
+            new ReportPage(session, comparison, files, this)};
   stack_ = new QStackedWidget(this);
   for (Page* page : pages_) stack_->addWidget(page);
 }

@@ -27,10 +27,12 @@ std::vector<PolarCurve> turnCurves(const FrictionSurvey& survey) {
     for (size_t turn = 0; turn < survey.turns; ++turn) {
       PolarCurve curve{translated("%1, turn %2").arg(wayName(way)).arg(turn + 1), colourOf(way), turn > 0, false, {}};
       for (const BreakawayEvent& event : survey.events) {
-        if (event.way == way && event.turn == turn) curve.points.push_back({event.angle_rad, 1e3 * event.torque_Nm, 0.0, event.outlier});
+        if (event.way == way && event.turn == turn)
+          curve.points.push_back({event.angle_rad, 1e3 * event.torque_Nm, 0.0, event.outlier});
       }
       if (curve.points.empty()) continue;
-      std::sort(curve.points.begin(), curve.points.end(), [](const PolarPoint& a, const PolarPoint& b) { return a.angle_rad < b.angle_rad; });
+      std::sort(curve.points.begin(), curve.points.end(),
+                [](const PolarPoint& a, const PolarPoint& b) { return a.angle_rad < b.angle_rad; });
       curve.closed = curve.points.size() >= survey.bins;
       curves.push_back(std::move(curve));
     }
@@ -38,7 +40,8 @@ std::vector<PolarCurve> turnCurves(const FrictionSurvey& survey) {
   return curves;
 }
 
-std::vector<PolarCurve> wayCurves(const FrictionMap& map, double scale, const std::function<Estimate(const WayBin&)>& read) {
+std::vector<PolarCurve> wayCurves(const FrictionMap& map, double scale,
+                                  const std::function<Estimate(const WayBin&)>& read) {
   std::vector<PolarCurve> curves;
   for (const Way way : {Way::ccw, Way::cw}) {
     PolarCurve curve{wayName(way), colourOf(way), false, true, {}};
@@ -62,12 +65,18 @@ PolarCurve positionCurve(const FrictionMap& map) {
 
 QString nameOf(PolarView view) {
   switch (view) {
-    case PolarView::turns: return translated("Breakaway, turn by turn");
-    case PolarView::staticMean: return translated("Static friction, mean");
-    case PolarView::coulomb: return translated("Coulomb friction");
-    case PolarView::viscous: return translated("Viscous coefficient");
-    case PolarView::total: return translated("Total at the map's speed");
-    case PolarView::positionTorque: return translated("Position torque");
+    case PolarView::turns:
+      return translated("Breakaway, turn by turn");
+    case PolarView::staticMean:
+      return translated("Static friction, mean");
+    case PolarView::coulomb:
+      return translated("Coulomb friction");
+    case PolarView::viscous:
+      return translated("Viscous coefficient");
+    case PolarView::total:
+      return translated("Total at the map's speed");
+    case PolarView::positionTorque:
+      return translated("Position torque");
   }
   return {};
 }
@@ -87,18 +96,26 @@ PolarPicture pictureOf(PolarView view, const FrictionSurvey& survey) {
   const FrictionMap& map = *survey.map;
   switch (view) {
     case PolarView::staticMean:
-      return {wayCurves(map, 1e3, [](const WayBin& bin) { return bin.static_Nm; }), titled("static friction (%1)", torque), torque};
+      return {wayCurves(map, 1e3, [](const WayBin& bin) { return bin.static_Nm; }),
+              titled("static friction (%1)", torque), torque};
     case PolarView::coulomb:
-      return {wayCurves(map, 1e3, [](const WayBin& bin) { return bin.coulomb_Nm; }), titled("Coulomb friction (%1)", torque), torque};
+      return {wayCurves(map, 1e3, [](const WayBin& bin) { return bin.coulomb_Nm; }),
+              titled("Coulomb friction (%1)", torque), torque};
     case PolarView::viscous: {
       const QString unit = translated("µNm s/rad");
-      return {wayCurves(map, 1e6, [](const WayBin& bin) { return bin.viscous_Nm_s_per_rad; }), titled("viscous coefficient (%1)", unit), unit};
+      return {wayCurves(map, 1e6, [](const WayBin& bin) { return bin.viscous_Nm_s_per_rad; }),
+              titled("viscous coefficient (%1)", unit), unit};
     }
     case PolarView::total:
-      return {wayCurves(map, 1e3, [](const WayBin& bin) { return Estimate{bin.total_Nm, 0.0}; }),
+      return {wayCurves(map, 1e3,
+                        [](const WayBin& bin) {
+                          return Estimate{bin.total_Nm, 0.0};
+                        }),
               translated("total at %1 rad/s (%2)").arg(map.totalVelocity_rad_per_s, 0, 'f', 2).arg(torque), torque};
-    case PolarView::positionTorque: return {{positionCurve(map)}, titled("position torque (%1)", torque), torque};
-    case PolarView::turns: break;
+    case PolarView::positionTorque:
+      return {{positionCurve(map)}, titled("position torque (%1)", torque), torque};
+    case PolarView::turns:
+      break;
   }
   return {};
 }

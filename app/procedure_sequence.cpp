@@ -2,17 +2,23 @@
 
 namespace breakaway {
 
-ProcedureSequence::ProcedureSequence(std::vector<Stage> stages) : stages_(std::move(stages)) {}
+ProcedureSequence::ProcedureSequence(std::vector<Stage> stages) : stages_(std::move(stages)) {
+}
 
 Command ProcedureSequence::step(const Sample& sample) {
   if (state_ != State::running) return {};
   if (!current_) current_ = stages_[next_].begin();
   const Command command = current_->step(sample);
   switch (current_->state()) {
-    case State::running: return command;
-    case State::finished: endStage(); break;
+    case State::running:
+      return command;
+    case State::finished:
+      endStage();
+      break;
     case State::failed:
-    case State::stopped: fail(current_->status().failure); break;
+    case State::stopped:
+      fail(current_->status().failure);
+      break;
   }
   return {};
 }
@@ -41,7 +47,8 @@ Procedure::Status ProcedureSequence::status() const {
   }
   if (next_ < stages_.size()) {
     // A stage knows its own length best once it runs.
-    const double length_s = now.progress > 0.02 ? now.remaining_s / std::max(1e-9, 1.0 - now.progress) : stages_[next_].duration_s;
+    const double length_s =
+        now.progress > 0.02 ? now.remaining_s / std::max(1e-9, 1.0 - now.progress) : stages_[next_].duration_s;
     past_s += now.progress * length_s;
     whole.remaining_s = (1.0 - now.progress) * length_s + ahead_s;
   }

@@ -18,10 +18,12 @@ struct Named {
 constexpr Named names[] = {
     {"time", QT_TRANSLATE_NOOP("ResidualAxis", "time (s)"), QT_TRANSLATE_NOOP("ResidualAxis", "time (s)")},
     {"angle", QT_TRANSLATE_NOOP("ResidualAxis", "angle (rad)"), QT_TRANSLATE_NOOP("ResidualAxis", "position (m)")},
-    {"velocity", QT_TRANSLATE_NOOP("ResidualAxis", "velocity (rad/s)"), QT_TRANSLATE_NOOP("ResidualAxis", "velocity (m/s)")},
+    {"velocity", QT_TRANSLATE_NOOP("ResidualAxis", "velocity (rad/s)"),
+     QT_TRANSLATE_NOOP("ResidualAxis", "velocity (m/s)")},
     {"acceleration", QT_TRANSLATE_NOOP("ResidualAxis", "acceleration (rad/s²)"),
      QT_TRANSLATE_NOOP("ResidualAxis", "acceleration (m/s²)")},
-    {"current", QT_TRANSLATE_NOOP("ResidualAxis", "motor torque (Nm)"), QT_TRANSLATE_NOOP("ResidualAxis", "motor force (N)")},
+    {"current", QT_TRANSLATE_NOOP("ResidualAxis", "motor torque (Nm)"),
+     QT_TRANSLATE_NOOP("ResidualAxis", "motor force (N)")},
     {"reversal", QT_TRANSLATE_NOOP("ResidualAxis", "travel since reversal (rad)"),
      QT_TRANSLATE_NOOP("ResidualAxis", "travel since reversal (m)")},
 };
@@ -61,7 +63,8 @@ std::vector<double> positions(const Model& model, const Recording& recording) {
 std::vector<double> motorTorque(const Model& model, const Recording& recording, const Trace& trace) {
   const bool rotary = model.axis == Axis::rotary;
   if (model.input == DriveInput::torque) return copy(recording.channel(rotary ? "torque_Nm" : "force_N"));
-  std::vector<double> torque = model.input == DriveInput::current ? copy(recording.channel("current_A")) : trace.current_A;
+  std::vector<double> torque =
+      model.input == DriveInput::current ? copy(recording.channel("current_A")) : trace.current_A;
   const double constant = model.baseValue(rotary ? "torque_constant_Nm_per_A" : "force_constant_N_per_A").value_or(1.0);
   for (double& value : torque) value *= constant;
   return torque;
@@ -82,7 +85,8 @@ QString axisLabel(const QString& axis, bool linear) {
   return axis;
 }
 
-std::vector<double> residualAxis(const QString& axis, const Model& model, const Recording& recording, const Trace& trace) {
+std::vector<double> residualAxis(const QString& axis, const Model& model, const Recording& recording,
+                                 const Trace& trace) {
   if (axis == "time") return copy(recording.time());
   if (axis == "angle") return positions(model, recording);
   if (axis == "velocity") return trace.velocity;

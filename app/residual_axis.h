@@ -5,8 +5,8 @@
 #include <QStringList>
 #include <vector>
 
-#include "diagnose/simulation.h"
 #include "diagnose/model.h"
+#include "diagnose/simulation.h"
 #include "recording/recording.h"
 
 namespace breakaway {
@@ -17,9 +17,10 @@ QStringList residualAxes();
 /// "velocity (rad/s)"; on a linear axis with its own units.
 QString axisLabel(const QString& axis, bool linear);
 
-/// time_s as recorded; position as measured, taken into one turn where a rotor makes more than one; the motor's torque or force
-/// from the drive; velocity, acceleration and travel since the last reversal from
-/// the simulation, which has no noise. Empty for an axis that is not in residualAxes().
-std::vector<double> residualAxis(const QString& axis, const Model& model, const Recording& recording, const Trace& trace);
+/// time_s as recorded; position as measured, taken into one turn where a rotor makes more than one; the motor's torque
+/// or force from the drive; velocity, acceleration and travel since the last reversal from the simulation, which has no
+/// noise. Empty for an axis that is not in residualAxes().
+std::vector<double> residualAxis(const QString& axis, const Model& model, const Recording& recording,
+                                 const Trace& trace);
 
 }  // namespace breakaway

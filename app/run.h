@@ -22,8 +22,8 @@ enum class RunKind { none, turning, identification, homing, step, breakaway, vel
 /// The motor from the bench's own tests, and what the sweeps need beside it.
 struct Identification {
   IdentifiedMotor motor;
-  double noiseRms_A = 0.0;               ///< of the current sensor, per sample
-  std::array<double, 2> expected_A{};    ///< first look at the breakaway current, by Way
+  double noiseRms_A = 0.0;             ///< of the current sensor, per sample
+  std::array<double, 2> expected_A{};  ///< first look at the breakaway current, by Way
 };
 
 struct IdentificationResult {
@@ -56,7 +56,8 @@ struct VelocitySweepResult {
   std::optional<Identification> identification;
 };
 
-using RunResult = std::variant<std::monostate, IdentificationResult, HomingResult, StepResult, BreakawayResult, VelocitySweepResult>;
+using RunResult =
+    std::variant<std::monostate, IdentificationResult, HomingResult, StepResult, BreakawayResult, VelocitySweepResult>;
 
 struct RunSnapshot {
   RunKind kind = RunKind::none;

@@ -100,6 +100,8 @@ Result<void> Tour::run() {
   home();
   sweep();
   compare();
+  window_.showPage("reportPage");
+  shoot("report-ready");
   if (!trouble_.isEmpty()) return Error{"screenshots", trouble_.toStdString()};
   return {};
 }
@@ -171,11 +173,13 @@ void Tour::compare() {
   shoot("compare-empty");
   if (resourceFiles("examples", ".bench.json").isEmpty()) return;
   press("openExampleButton");
-  if (!wait([this] { return comparison_.bench() && comparison_.recording(); })) trouble_ = "the example cannot be opened";
+  if (!wait([this] { return comparison_.bench() && comparison_.recording(); }))
+    trouble_ = "the example cannot be opened";
   shoot("compare-opened");
   press("diagnoseButton");
   shoot("compare-running");
-  if (!wait([this] { return !comparison_.shownTrace().position.empty() && !comparison_.baseTrace().position.empty(); })) {
+  if (!wait(
+          [this] { return !comparison_.shownTrace().position.empty() && !comparison_.baseTrace().position.empty(); })) {
     trouble_ = "the diagnosis did not end";
     return;
   }
@@ -183,7 +187,8 @@ void Tour::compare() {
   if (comparison_.diagnosis()->where.empty()) return;
   auto* axis = window_.findChild<QComboBox*>("residualAxis");
   window_.findChild<QWidget*>("comparePage")->setFocus();
-  axis->setCurrentIndex(std::max(0, axis->findData(QString::fromStdString(comparison_.diagnosis()->where.front().axis))));
+  axis->setCurrentIndex(
+      std::max(0, axis->findData(QString::fromStdString(comparison_.diagnosis()->where.front().axis))));
   shoot("compare-where");
 }
 

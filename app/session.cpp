@@ -31,7 +31,8 @@ std::optional<double> trustedTorqueConstant(const std::optional<Bench>& bench) {
 
 }  // namespace
 
-Session::Session(const DriveLoopOptions& options, QObject* parent) : QObject(parent), options_(options), pace_(options.pace) {
+Session::Session(const DriveLoopOptions& options, QObject* parent)
+    : QObject(parent), options_(options), pace_(options.pace) {
   heartbeat_.setTimerType(Qt::PreciseTimer);
   connect(&heartbeat_, &QTimer::timeout, this, [this] {
     if (loop_) loop_->beat();
@@ -298,11 +299,14 @@ void Session::keepSurvey(const RunSnapshot& snapshot) {
 void Session::estimateSurvey() {
   pool_.start([this, number = ++surveyNumber_, survey = survey_]() mutable {
     survey.estimate();
-    QMetaObject::invokeMethod(this, [this, number, survey = std::move(survey)] {
-      if (number != surveyNumber_) return;
-      survey_ = survey;
-      emit surveyChanged();
-    }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        this,
+        [this, number, survey = std::move(survey)] {
+          if (number != surveyNumber_) return;
+          survey_ = survey;
+          emit surveyChanged();
+        },
+        Qt::QueuedConnection);
   });
 }
 

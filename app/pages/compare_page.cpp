@@ -65,9 +65,12 @@ QWidget* ComparePage::buildInputs() {
   auto* row = new QHBoxLayout(strip);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(6);
-  bench_ = pushButton(strip, "openBenchButton", tr("Bench…"), tr("What is believed of the rig: NAME.bench.json. Dropping the file here does the same."));
-  recording_ = pushButton(strip, "openRecordingButton", tr("Recording…"), tr("NAME.csv. Dropping the file here does the same."));
-  heldout_ = pushButton(strip, "openHeldoutButton", tr("Held-out…"), tr("A second recording for the proof; without it, parts of the first are held out"));
+  bench_ = pushButton(strip, "openBenchButton", tr("Bench…"),
+                      tr("What is believed of the rig: NAME.bench.json. Dropping the file here does the same."));
+  recording_ =
+      pushButton(strip, "openRecordingButton", tr("Recording…"), tr("NAME.csv. Dropping the file here does the same."));
+  heldout_ = pushButton(strip, "openHeldoutButton", tr("Held-out…"),
+                        tr("A second recording for the proof; without it, parts of the first are held out"));
   live_ = pushButton(strip, "takeLiveButton", tr("Last live"));
   example_ = pushButton(strip, "openExampleButton", tr("Example"));
   diagnose_ = pushButton(strip, "diagnoseButton", tr("Diagnose"));
@@ -81,13 +84,17 @@ QWidget* ComparePage::buildInputs() {
   activity_ = new QLabel(strip);
   activity_->setObjectName("diagnoseActivity");
   activity_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  for (QWidget* widget : std::initializer_list<QWidget*>{bench_, recording_, heldout_, live_, example_}) row->addWidget(widget);
+  for (QWidget* widget : std::initializer_list<QWidget*>{bench_, recording_, heldout_, live_, example_})
+    row->addWidget(widget);
   row->addSpacing(10);
   for (QWidget* widget : std::initializer_list<QWidget*>{diagnose_, cancel_, progress_}) row->addWidget(widget);
   row->addWidget(activity_, 1);
-  connect(bench_, &QPushButton::clicked, this, [this] { ask(tr("Open a bench"), tr("Bench (*.bench.json *.json)"), &Comparison::openBench); });
-  connect(recording_, &QPushButton::clicked, this, [this] { ask(tr("Open a recording"), tr("Recording (*.csv)"), &Comparison::openRecording); });
-  connect(heldout_, &QPushButton::clicked, this, [this] { ask(tr("Open a held-out recording"), tr("Recording (*.csv)"), &Comparison::openHeldout); });
+  connect(bench_, &QPushButton::clicked, this,
+          [this] { ask(tr("Open a bench"), tr("Bench (*.bench.json *.json)"), &Comparison::openBench); });
+  connect(recording_, &QPushButton::clicked, this,
+          [this] { ask(tr("Open a recording"), tr("Recording (*.csv)"), &Comparison::openRecording); });
+  connect(heldout_, &QPushButton::clicked, this,
+          [this] { ask(tr("Open a held-out recording"), tr("Recording (*.csv)"), &Comparison::openHeldout); });
   connect(live_, &QPushButton::clicked, this, &ComparePage::takeLive);
   connect(example_, &QPushButton::clicked, this, &ComparePage::openExample);
   connect(diagnose_, &QPushButton::clicked, &comparison_, &Comparison::diagnose);
@@ -105,7 +112,12 @@ QWidget* ComparePage::buildPlots() {
   axis_ = new QComboBox(side);
   axis_->setObjectName("residualAxis");
   axis_->setAccessibleName(tr("Axis of the residual"));
-  for (const QString& axis : residualAxes()) axis_->addItem(tr("Residual over %1").arg(axis == "current" ? tr("motor torque or force") : axis == "reversal" ? tr("travel since reversal") : axis), axis);
+  for (const QString& axis : residualAxes())
+    axis_->addItem(tr("Residual over %1")
+                       .arg(axis == "current"    ? tr("motor torque or force")
+                            : axis == "reversal" ? tr("travel since reversal")
+                                                 : axis),
+                   axis);
   auto* legend = new QLabel(tr("Bands: where they part. Green line: held out. Drag and wheel zoom in time."), side);
   legend->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   strip->addWidget(axis_);
@@ -127,7 +139,8 @@ QWidget* ComparePage::buildVerdict() {
   column->addWidget(proof_);
   column->addWidget(rule(side));
   column->addWidget(findings_, 1);
-  connect(findings_, &FindingsList::axisChosen, this, [this](const QString& axis) { axis_->setCurrentIndex(axis_->findData(axis)); });
+  connect(findings_, &FindingsList::axisChosen, this,
+          [this](const QString& axis) { axis_->setCurrentIndex(axis_->findData(axis)); });
   return side;
 }
 
@@ -160,8 +173,8 @@ void ComparePage::showInputs() {
   heldout_->setText(heldout ? tr("Held-out: %1").arg(fileName(heldout->name()).left(20)) : tr("Held-out…"));
   setAvailable(live_, session_.lastRecording().has_value(), tr("Take what was last recorded in the live plots"),
                tr("Nothing was recorded yet: Record, below the page, begins one"));
-  setAvailable(example_, !resourceFiles("examples", ".bench.json").isEmpty(), tr("A recording of a simulated rig with concealed physics"),
-               tr("The examples are not installed"));
+  setAvailable(example_, !resourceFiles("examples", ".bench.json").isEmpty(),
+               tr("A recording of a simulated rig with concealed physics"), tr("The examples are not installed"));
   showProgress();
 }
 
@@ -182,17 +195,25 @@ void ComparePage::showProof() {
   }
   const FitScore& fit = diagnosis->fit;
   const bool linear = diagnosis->base.axis == Axis::linear;
-  const auto change = [linear](double before, double after) { return tr("%1 → %2").arg(lengthText(before, linear), lengthText(after, linear)); };
+  const auto change = [linear](double before, double after) {
+    return tr("%1 → %2").arg(lengthText(before, linear), lengthText(after, linear));
+  };
   std::vector<Fact> facts{
       {tr("Held-out error"), change(fit.heldoutBefore, fit.heldoutAfter),
        tr("RMS of the position over %1 s windows, base model and extended model; %2")
-           .arg(fit.window_s).arg(fit.separateRecording ? tr("on a separate recording") : tr("on held-out parts of the recording"))},
-      {tr("Better by"), tr("%1 % (95 %: %2 to %3 %)").arg(100.0 * (1.0 - fit.heldoutAfter / std::max(fit.heldoutBefore, 1e-300)), 0, 'f', 0)
-                            .arg(100.0 * fit.improvementLow95, 0, 'f', 0).arg(100.0 * fit.improvementHigh95, 0, 'f', 0), {}},
+           .arg(fit.window_s)
+           .arg(fit.separateRecording ? tr("on a separate recording") : tr("on held-out parts of the recording"))},
+      {tr("Better by"),
+       tr("%1 % (95 %: %2 to %3 %)")
+           .arg(100.0 * (1.0 - fit.heldoutAfter / std::max(fit.heldoutBefore, 1e-300)), 0, 'f', 0)
+           .arg(100.0 * fit.improvementLow95, 0, 'f', 0)
+           .arg(100.0 * fit.improvementHigh95, 0, 'f', 0),
+       {}},
       {tr("Training error"), change(fit.trainBefore, fit.trainAfter), {}},
       {tr("A perfect model"), lengthText(fit.floor, linear), tr("What the sensors and the restarts alone leave")}};
   if (!comparison_.shownTrace().position.empty()) {
-    facts.push_back({tr("As ticked below"), lengthText(comparison_.shownRmse(), linear), tr("RMS of the simulation that is drawn, held-out rows")});
+    facts.push_back({tr("As ticked below"), lengthText(comparison_.shownRmse(), linear),
+                     tr("RMS of the simulation that is drawn, held-out rows")});
   }
   proof_->show(facts);
 }

@@ -1,5 +1,6 @@
 #include "pages/connect_page.h"
 
+#include <QComboBox>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -81,8 +82,15 @@ QWidget* ConnectPage::buildIdentity() {
   auto* buttons = new QHBoxLayout;
   turn_ = pushButton(side, "turnButton", tr("Turn slowly"));
   disconnect_ = pushButton(side, "disconnectButton", tr("Disconnect"));
+  pace_ = new QComboBox(side);
+  pace_->setObjectName("paceBox");
+  pace_->setAccessibleName(tr("Pace of simulated time"));
+  for (const double pace : {1.0, 2.0, 5.0, 10.0, 20.0}) pace_->addItem(tr("%1 × real time").arg(pace), pace);
+  connect(pace_, &QComboBox::activated, this, [this] { session_.setPace(pace_->currentData().toDouble()); });
   buttons->addWidget(turn_);
   buttons->addWidget(disconnect_);
+  buttons->addSpacing(12);
+  buttons->addWidget(pace_);
   buttons->addStretch(1);
   column->addSpacing(4);
   column->addLayout(buttons);
@@ -122,6 +130,9 @@ void ConnectPage::showConnection() {
   const bool connected = session_.connected();
   setAvailable(connect_, boards_->currentItem() != nullptr, tr("Connect to the chosen board"),
                tr("No board is chosen in the list"));
+  const bool simulated = session_.identity().simulated;
+  setAvailable(pace_, simulated, tr("How fast the simulated board's time passes; a long sweep need not be waited for"),
+               connected ? tr("A real board keeps its own time") : tr("No board is connected"));
   setAvailable(disconnect_, connected, tr("Stop the motor and let the board go"), tr("No board is connected"));
   const Identity& identity = session_.identity();
   const ControllerSettings& settings = session_.settings();

@@ -4,6 +4,7 @@
 #include "pages/page.h"
 #include "widgets/file_chooser.h"
 
+class QComboBox;
 class QLabel;
 class QListWidget;
 class QPushButton;
@@ -35,6 +36,7 @@ class ConnectPage : public Page {
   QPushButton* connect_ = nullptr;
   QPushButton* disconnect_ = nullptr;
   QPushButton* turn_ = nullptr;
+  QComboBox* pace_ = nullptr;
   FactsTable* facts_ = nullptr;
   FactsTable* controller_ = nullptr;
 };

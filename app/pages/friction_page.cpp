@@ -30,7 +30,7 @@ constexpr PolarView views[] = {PolarView::turns,   PolarView::staticMean, PolarV
                                PolarView::viscous, PolarView::total,      PolarView::positionTorque};
 
 struct ExportFormat {
-  const char* name;    ///< of exportMap(), or of the page
+  const char* name;  ///< of exportMap(), or of the page
   const char* title;
   const char* ending;
 };
@@ -47,7 +47,10 @@ constexpr ExportFormat formats[] = {
 
 QString withInterval(const std::optional<Estimate>& estimate, double scale, const QString& unit) {
   if (!estimate) return FrictionPage::tr("not measured");
-  return FrictionPage::tr("%1 ± %2 %3").arg(scale * estimate->value, 0, 'f', 2).arg(1.96 * scale * estimate->standardError, 0, 'f', 2).arg(unit);
+  return FrictionPage::tr("%1 ± %2 %3")
+      .arg(scale * estimate->value, 0, 'f', 2)
+      .arg(1.96 * scale * estimate->standardError, 0, 'f', 2)
+      .arg(unit);
 }
 
 QSpinBox* countBox(QWidget* parent, const char* objectName, const QString& name, int least, int most, int value) {
@@ -60,8 +63,8 @@ QSpinBox* countBox(QWidget* parent, const char* objectName, const QString& name,
   return box;
 }
 
-QDoubleSpinBox* numberBox(QWidget* parent, const char* objectName, const QString& name, double least, double most, double value,
-                          const QString& suffix) {
+QDoubleSpinBox* numberBox(QWidget* parent, const char* objectName, const QString& name, double least, double most,
+                          double value, const QString& suffix) {
   auto* box = new QDoubleSpinBox(parent);
   box->setObjectName(objectName);
   box->setAccessibleName(name);
@@ -220,9 +223,13 @@ void FrictionPage::showConnection() {
 void FrictionPage::showMotion() {
   run_->show(session_.run());
   const bool identified = session_.survey().identification.has_value();
-  const QString first = identified ? QString() : tr(" The motor is identified first: about a minute, standing and then turning both ways.");
-  setAvailable(velocity_, tr("Turns at constant speeds, both ways, over whole turns.") + first, session_.sweepObstacle());
-  setAvailable(breakaway_, tr("Steps around the rotor; at each angle the current rises slowly until the shaft moves.") + first,
+  const QString first =
+      identified ? QString()
+                 : tr(" The motor is identified first: about a minute, standing and then turning both ways.");
+  setAvailable(velocity_, tr("Turns at constant speeds, both ways, over whole turns.") + first,
+               session_.sweepObstacle());
+  setAvailable(breakaway_,
+               tr("Steps around the rotor; at each angle the current rises slowly until the shaft moves.") + first,
                session_.sweepObstacle());
 }
 
@@ -243,8 +250,10 @@ void FrictionPage::showSurvey() {
 void FrictionPage::showAverages() {
   const FrictionSurvey& survey = session_.survey();
   std::vector<Fact> facts{
-      {tr("Coulomb average"), withInterval(survey.coulombAverage_Nm(), 1e3, tr("mNm")), tr("Mean of both ways at zero speed, 95 % interval")},
-      {tr("Viscous average"), withInterval(survey.viscousAverage_Nm_s_per_rad(), 1e6, tr("µNm s/rad")), tr("Slope with speed, 95 % interval")}};
+      {tr("Coulomb average"), withInterval(survey.coulombAverage_Nm(), 1e3, tr("mNm")),
+       tr("Mean of both ways at zero speed, 95 % interval")},
+      {tr("Viscous average"), withInterval(survey.viscousAverage_Nm_s_per_rad(), 1e6, tr("µNm s/rad")),
+       tr("Slope with speed, 95 % interval")}};
   if (survey.map) {
     const auto mean = [&survey](Way way) {
       double sum_Nm = 0.0;
@@ -255,9 +264,11 @@ void FrictionPage::showAverages() {
     facts.push_back({tr("Static, cw mean"), mean(Way::cw), {}});
     const auto& repeat = survey.map->repeatability;
     if (survey.map->turns > 1) {
-      facts.push_back({tr("Turns correlate"), tr("ccw %1, cw %2").arg(repeat[1].correlation, 0, 'f', 3).arg(repeat[0].correlation, 0, 'f', 3),
+      facts.push_back({tr("Turns correlate"),
+                       tr("ccw %1, cw %2").arg(repeat[1].correlation, 0, 'f', 3).arg(repeat[0].correlation, 0, 'f', 3),
                        tr("Turns differ by %1 (ccw) and %2 mNm rms (cw)")
-                           .arg(1e3 * repeat[1].rmsDifference_Nm, 0, 'f', 3).arg(1e3 * repeat[0].rmsDifference_Nm, 0, 'f', 3)});
+                           .arg(1e3 * repeat[1].rmsDifference_Nm, 0, 'f', 3)
+                           .arg(1e3 * repeat[0].rmsDifference_Nm, 0, 'f', 3)});
     }
   }
   averages_->show(facts);
@@ -267,7 +278,8 @@ void FrictionPage::showMap() {
   const PolarPicture picture = pictureOf(views[view_->currentIndex()], session_.survey());
   plot_->show(picture.curves, picture.quantity, picture.unit);
   quantity_->setText(tr("Radius: %1").arg(picture.quantity));
-  reading_->setText(picture.curves.empty() ? QString() : tr("Point at the plot, or use its arrow keys, to read a value"));
+  reading_->setText(picture.curves.empty() ? QString()
+                                           : tr("Point at the plot, or use its arrow keys, to read a value"));
   showLegend();
 }
 
@@ -280,7 +292,8 @@ void FrictionPage::showLegend() {
                  .arg(look.curve(curve.colour).name(), curve.dashed ? "╌╌" : "──", curve.name.toHtmlEscaped());
     for (const PolarPoint& point : curve.points) outliers = outliers || point.outlier;
   }
-  if (outliers) parts << QString("<span style='color:%1; font-weight:bold'>✕</span> %2").arg(look.trouble.name(), tr("outlier"));
+  if (outliers)
+    parts << QString("<span style='color:%1; font-weight:bold'>✕</span> %2").arg(look.trouble.name(), tr("outlier"));
   legend_->setText(parts.isEmpty() ? tr("Nothing measured yet: home, then run a sweep") : parts.join(" &nbsp; "));
 }
 
@@ -297,7 +310,9 @@ void FrictionPage::showExport() {
 void FrictionPage::exportChosen() {
   const ExportFormat& format = formats[format_->currentIndex()];
   const QString name = format.name;
-  files_.ask(this, {tr("Export the friction map"), tr("%1 (*%2)").arg(tr(format.title), format.ending), QString("map") + format.ending, true},
+  files_.ask(this,
+             {tr("Export the friction map"), tr("%1 (*%2)").arg(tr(format.title), format.ending),
+              QString("map") + format.ending, true},
              [this, name](const QString& path) { writeExport(name, path); });
 }
 
@@ -305,13 +320,15 @@ bool FrictionPage::writeExport(const QString& format, const QString& path) {
   Result<void> written;
   const FrictionSurvey& survey = session_.survey();
   if (format == "png" || format == "svg") {
-    if (!(format == "png" ? plot_->savePng(path) : plot_->saveSvg(path))) written = Error{path.toStdString(), "cannot be written"};
+    if (!(format == "png" ? plot_->savePng(path) : plot_->saveSvg(path)))
+      written = Error{path.toStdString(), "cannot be written"};
   } else if (format == "breakaways") {
     written = writeFile(path.toStdString(), breakawayTable(survey.events));
   } else if (survey.map) {
     written = exportMap(*survey.map, format.toStdString(), path.toStdString());
   }
-  session_.say(written ? tr("Written: %1").arg(path) : QString::fromStdString(written.error().message()), !written.ok());
+  session_.say(written ? tr("Written: %1").arg(path) : QString::fromStdString(written.error().message()),
+               !written.ok());
   return written.ok();
 }
 

@@ -9,9 +9,12 @@ void FileDialogs::ask(QWidget* parent, const FileQuestion& question, Answer answ
   dialog->setObjectName("fileDialog");
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setOption(QFileDialog::DontUseNativeDialog);
-  dialog->setNameFilter(question.filter);
-  dialog->setAcceptMode(question.save ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
-  dialog->setFileMode(question.save ? QFileDialog::AnyFile : QFileDialog::ExistingFile);
+  if (!question.filter.isEmpty()) dialog->setNameFilter(question.filter);
+  dialog->setAcceptMode(question.save && !question.folder ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
+  dialog->setFileMode(question.folder ? QFileDialog::Directory
+                      : question.save ? QFileDialog::AnyFile
+                                      : QFileDialog::ExistingFile);
+  if (question.folder) dialog->setOption(QFileDialog::ShowDirsOnly);
   if (!question.suggestion.isEmpty()) dialog->selectFile(question.suggestion);
   QObject::connect(dialog, &QFileDialog::fileSelected, parent, answer);
   dialog->show();

@@ -14,6 +14,7 @@ struct FileQuestion {
   QString filter;      ///< as in QFileDialog: "Recording (*.csv)"
   QString suggestion;  ///< a file name to start from
   bool save = false;
+  bool folder = false;  ///< a folder instead of a file
 };
 
 class FileChooser {

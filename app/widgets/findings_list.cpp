@@ -15,10 +15,14 @@ namespace {
 
 QString verdictText(Verdict verdict) {
   switch (verdict) {
-    case Verdict::nothingMissing: return FindingsList::tr("Nothing is missing: the base model explains the recording");
-    case Verdict::named: return FindingsList::tr("Missing physics found and named");
-    case Verdict::ambiguous: return FindingsList::tr("Missing physics found; the data allow more than one name");
-    case Verdict::outsideCatalogue: return FindingsList::tr("Something is missing that the catalogue has no name for");
+    case Verdict::nothingMissing:
+      return FindingsList::tr("Nothing is missing: the base model explains the recording");
+    case Verdict::named:
+      return FindingsList::tr("Missing physics found and named");
+    case Verdict::ambiguous:
+      return FindingsList::tr("Missing physics found; the data allow more than one name");
+    case Verdict::outsideCatalogue:
+      return FindingsList::tr("Something is missing that the catalogue has no name for");
   }
   return {};
 }
@@ -68,7 +72,8 @@ void FindingsList::rebuild() {
     }
     for (const std::string& remark : diagnosis->remarks) addText(*column, QString::fromStdString(remark));
   } else {
-    addText(*column, tr("Diagnose says where the recording departs from what its bench file declares, which physics was left out, how big it "
+    addText(*column, tr("Diagnose says where the recording departs from what its bench file declares, which physics "
+                        "was left out, how big it "
                         "is, and how much better the simulation gets on data that was held out."));
   }
   column->addStretch(1);
@@ -94,7 +99,8 @@ void FindingsList::addFinding(QVBoxLayout& column, const Finding& finding, int r
   box->setChecked(comparison_.includes(finding.effect));
   box->setFont(sized(font(), 1.0, true));
   box->setToolTip(tr("Untick to see the fit without it (Return)"));
-  connect(box, &QCheckBox::toggled, &comparison_, [this, effect = finding.effect](bool on) { comparison_.include(effect, on); });
+  connect(box, &QCheckBox::toggled, &comparison_,
+          [this, effect = finding.effect](bool on) { comparison_.include(effect, on); });
   column.addWidget(box);
   QString text = QString::fromStdString(finding.sentence);
   if (!finding.ambiguousWith.empty()) text += tr(" Could also be: %1.").arg(names(finding.ambiguousWith));

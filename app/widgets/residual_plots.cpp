@@ -49,7 +49,8 @@ void ResidualPlots::buildPlot() {
   }
   measured_ = plot_->addGraph(above_->axis(QCPAxis::atBottom), above_->axis(QCPAxis::atLeft));
   simulated_ = plot_->addGraph(above_->axis(QCPAxis::atBottom), above_->axis(QCPAxis::atLeft));
-  for (QCPGraph*& graph : residual_) graph = plot_->addGraph(below_->axis(QCPAxis::atBottom), below_->axis(QCPAxis::atLeft));
+  for (QCPGraph*& graph : residual_)
+    graph = plot_->addGraph(below_->axis(QCPAxis::atBottom), below_->axis(QCPAxis::atLeft));
   const auto follow = [this](QCPAxis* from, QCPAxis* to) {
     connect(from, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this, [this, to](const QCPRange& range) {
       if (axis_ == "time") to->setRange(range);
@@ -64,7 +65,8 @@ void ResidualPlots::buildPlot() {
     return text;
   };
   names_ = {name(above_, Qt::AlignTop | Qt::AlignLeft), name(above_, Qt::AlignTop | Qt::AlignRight),
-            name(below_, Qt::AlignTop | Qt::AlignLeft), name(below_, Qt::AlignTop | Qt::AlignRight), name(above_, Qt::AlignCenter)};
+            name(below_, Qt::AlignTop | Qt::AlignLeft), name(below_, Qt::AlignTop | Qt::AlignRight),
+            name(above_, Qt::AlignCenter)};
 }
 
 void ResidualPlots::applyLook() {
@@ -201,7 +203,8 @@ void ResidualPlots::drawBands() {
   QColor heldout = look.curve(2);
   heldout.setAlpha(120);
   const auto time = comparison_.recording()->time();
-  for (const auto& [first, last] : diagnosis->heldoutRows) add(above_, time[first], time[std::min(last, time.size()) - 1], 0.955, heldout);
+  for (const auto& [first, last] : diagnosis->heldoutRows)
+    add(above_, time[first], time[std::min(last, time.size()) - 1], 0.955, heldout);
 }
 
 void ResidualPlots::changeEvent(QEvent* event) {

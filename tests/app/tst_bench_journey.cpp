@@ -71,7 +71,8 @@ struct Desk {
 }  // namespace
 
 void TestBenchJourney::initTestCase() {
-  if (qEnvironmentVariableIsEmpty("BREAKAWAY_RESOURCES")) qputenv("BREAKAWAY_RESOURCES", qgetenv("BREAKAWAY_SOURCE_DIR") + "/resources");
+  if (qEnvironmentVariableIsEmpty("BREAKAWAY_RESOURCES"))
+    qputenv("BREAKAWAY_RESOURCES", qgetenv("BREAKAWAY_SOURCE_DIR") + "/resources");
 }
 
 void TestBenchJourney::connectHomeSweepExport() {
@@ -98,12 +99,14 @@ void TestBenchJourney::connectHomeSweepExport() {
   desk.sweep(12, 2);
   auto* plot = named<PolarPlot>(desk.window, "polarPlot");
   size_t grew = 0, last = 0;
-  QVERIFY(QTest::qWaitFor([&] {
-    const size_t events = desk.session.survey().events.size();
-    if (events > last) ++grew;
-    last = events;
-    return desk.session.survey().map.has_value();
-  }, patience_ms));
+  QVERIFY(QTest::qWaitFor(
+      [&] {
+        const size_t events = desk.session.survey().events.size();
+        if (events > last) ++grew;
+        last = events;
+        return desk.session.survey().map.has_value();
+      },
+      patience_ms));
   QVERIFY2(grew >= 3, "the map did not grow while the sweep ran");
   QCOMPARE(plot->curves().size(), size_t{4});
   QVERIFY(plot->readingAt(plot->pixelOf(plot->curves()[0].points[3])).contains("mNm"));
@@ -119,6 +122,10 @@ void TestBenchJourney::connectHomeSweepExport() {
   QCOMPARE(map->bins.size(), size_t{12});
   QCOMPARE(QImage(folder.filePath("map.png")).width(), 1600);
   QVERIFY(QSvgRenderer(folder.filePath("map.svg")).isValid());
+  desk.answers.byTitle["Write the friction report"] = folder.filePath("friction.html");
+  desk.window.showPage("reportPage");
+  press(desk.window, "writeFrictionReportButton");
+  QVERIFY(QFile(folder.filePath("friction.html")).size() > 5000);
   const auto csv = readFile(folder.filePath("map.csv").toStdString());
   QVERIFY(csv && csv->starts_with("angle_rad,"));
 }
@@ -185,7 +192,8 @@ void TestBenchJourney::everyControl_hasAName() {
     if (!control || widget->objectName().startsWith("qt_") || widget->inherits("QTableCornerButton")) continue;
     const auto* button = qobject_cast<const QAbstractButton*>(widget);
     const bool spoken = !widget->accessibleName().isEmpty() || (button && !button->text().isEmpty());
-    if (widget->objectName().isEmpty() || !spoken) nameless << widget->metaObject()->className() + QString(" ") + widget->objectName();
+    if (widget->objectName().isEmpty() || !spoken)
+      nameless << widget->metaObject()->className() + QString(" ") + widget->objectName();
     if (widget->focusPolicy() == Qt::NoFocus) nameless << widget->objectName() + " cannot be reached by the keyboard";
   }
   QVERIFY2(nameless.isEmpty(), qPrintable(nameless.join(", ")));

@@ -42,8 +42,9 @@ struct Desk {
   }
   bool diagnosed() {
     press(window, "diagnoseButton");
-    return QTest::qWaitFor([this] { return !comparison.baseTrace().position.empty() && !comparison.shownTrace().position.empty(); },
-                           patience_ms);
+    return QTest::qWaitFor(
+        [this] { return !comparison.baseTrace().position.empty() && !comparison.shownTrace().position.empty(); },
+        patience_ms);
   }
   QString proof(const char* name) { return named<FactsTable>(window, "proof")->value(name); }
 
@@ -53,14 +54,16 @@ struct Desk {
   MainWindow window;
 };
 
-/// Before and after stand on the page, the simulation that is drawn has the error that is claimed, and every place can be shown.
+/// Before and after stand on the page, the simulation that is drawn has the error that is claimed, and every place can
+/// be shown.
 void checkDiagnosis(Desk& desk) {
   const Diagnosis& diagnosis = *desk.comparison.diagnosis();
   QVERIFY(!diagnosis.findings.empty());
   QVERIFY(diagnosis.fit.heldoutAfter < diagnosis.fit.heldoutBefore);
   QVERIFY2(desk.proof("Held-out error").contains("→"), qPrintable(desk.proof("Held-out error")));
   const double drawn = desk.comparison.shownRmse();
-  QVERIFY2(drawn > 0.7 * diagnosis.fit.heldoutAfter && drawn < 1.4 * diagnosis.fit.heldoutAfter, qPrintable(QString::number(drawn)));
+  QVERIFY2(drawn > 0.7 * diagnosis.fit.heldoutAfter && drawn < 1.4 * diagnosis.fit.heldoutAfter,
+           qPrintable(QString::number(drawn)));
   auto* plots = named<ResidualPlots>(desk.window, "residualPlots");
   auto* axis = named<QComboBox>(desk.window, "residualAxis");
   for (const Place& place : diagnosis.where) {
@@ -74,7 +77,8 @@ void checkDiagnosis(Desk& desk) {
 }  // namespace
 
 void TestCompareJourney::initTestCase() {
-  if (qEnvironmentVariableIsEmpty("BREAKAWAY_RESOURCES")) qputenv("BREAKAWAY_RESOURCES", qgetenv("BREAKAWAY_SOURCE_DIR") + "/resources");
+  if (qEnvironmentVariableIsEmpty("BREAKAWAY_RESOURCES"))
+    qputenv("BREAKAWAY_RESOURCES", qgetenv("BREAKAWAY_SOURCE_DIR") + "/resources");
 }
 
 void TestCompareJourney::example_isDiagnosed() {
@@ -83,6 +87,13 @@ void TestCompareJourney::example_isDiagnosed() {
   QVERIFY(desk.ready());
   QVERIFY(desk.diagnosed());
   checkDiagnosis(desk);
+  QTemporaryDir folder;
+  desk.answers.byTitle["Write the comparison's report into a folder"] = folder.path();
+  desk.window.showPage("reportPage");
+  press(desk.window, "writeComparisonReportButton");
+  QVERIFY(QFile(folder.filePath("report.html")).size() > 5000);
+  QVERIFY(QFile(folder.filePath("diagnosis.json")).size() > 500);
+  QVERIFY(named<QWidget>(desk.window, "openReportButton")->isEnabled());
 }
 
 void TestCompareJourney::emps_isDiagnosed() {
