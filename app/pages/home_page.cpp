@@ -56,9 +56,9 @@ QWidget* HomePage::buildControls() {
 
 QString HomePage::plan() const {
   const double backOff_deg = options_.backOff_rad * 180.0 / std::numbers::pi;
-  return tr("The shaft turns counter-clockwise at %1 rad/s until the index is seen, at most %2 turns. Then it backs "
+  return tr("The shaft turns counter-clockwise at %1 rad/s until the index is seen, at most %2 turns. Then it backs "
             "off by %3° and passes "
-            "the index's edge %4 times at %5 rad/s, always from the same side. It gives up after %6 s.")
+            "the index's edge %4 times at %5 rad/s, always from the same side. It gives up after %6 s.")
       .arg(options_.searchSpeed_rad_per_s)
       .arg(options_.mostTurns)
       .arg(backOff_deg, 0, 'f', 0)

