@@ -1,0 +1,213 @@
+#include "comparison.h"
+
+#include <QFileInfo>
+#include <algorithm>
+#include <cmath>
+
+#include "recording/csv.h"
+
+namespace breakaway {
+
+Comparison::Comparison(QObject* parent) : QObject(parent) {
+  pool_.setMaxThreadCount(2);
+}
+
+Comparison::~Comparison() {
+  stop_.request_stop();
+  pool_.waitForDone();
+}
+
+void Comparison::inPool(std::function<std::function<void()>()> work) {
+  pool_.start([this, work = std::move(work)] { QMetaObject::invokeMethod(this, work(), Qt::QueuedConnection); });
+}
+
+void Comparison::open(const QString& path) {
+  path.endsWith(".json") ? openBench(path) : openRecording(path);
+}
+
+void Comparison::openBench(const QString& path) {
+  const auto bench = readBench(path.toStdString());
+  if (!bench) {
+    emit said(QString::fromStdString(bench.error().message()), true);
+    return;
+  }
+  bench_ = *bench;
+  benchPath_ = path;
+  forgetDiagnosis();
+}
+
+void Comparison::openRecording(const QString& path) {
+  read(path, &Comparison::recording_);
+}
+
+void Comparison::openHeldout(const QString& path) {
+  read(path, &Comparison::heldout_);
+}
+
+void Comparison::takeRecording(const Recording& recording) {
+  recording_ = recording;
+  forgetDiagnosis();
+}
+
+void Comparison::takeBench(const Bench& bench) {
+  bench_ = bench;
+  benchPath_.clear();
+  forgetDiagnosis();
+}
+
+void Comparison::dropHeldout() {
+  heldout_.reset();
+  forgetDiagnosis();
+}
+
+void Comparison::read(const QString& path, std::optional<Recording> Comparison::*into) {
+  inPool([this, path, into]() -> std::function<void()> {
+    auto recording = readCsv(path.toStdString());
+    return [this, recording, path, into] {
+      if (!recording) {
+        emit said(QString::fromStdString(recording.error().message()), true);
+        return;
+      }
+      this->*into = *recording;
+      emit said(tr("%1: %2 rows").arg(QFileInfo(path).fileName()).arg(recording->rows()), false);
+      forgetDiagnosis();
+    };
+  });
+}
+
+void Comparison::forgetDiagnosis() {
+  cancel();
+  ++wanted_;
+  diagnosis_.reset();
+  leftOut_.clear();
+  base_ = shown_ = {};
+  emit inputsChanged();
+  emit diagnosisChanged();
+  emit tracesChanged();
+}
+
+QString Comparison::obstacle() const {
+  if (diagnosing_) return tr("A diagnosis is running");
+  if (!bench_ && !recording_) return tr("Open a bench and a recording first");
+  if (!bench_) return tr("Open the recording's bench first");
+  if (!recording_) return tr("Open a recording first");
+  return {};
+}
+
+void Comparison::diagnose() {
+  if (!obstacle().isEmpty()) return;
+  forgetDiagnosis();
+  stop_ = {};
+  diagnosing_ = true;
+  progress_ = 0.0;
+  activity_ = tr("starting");
+  const unsigned mine = wanted_;
+  DiagnoseOptions options;
+  options.stop = stop_.get_token();
+  options.progress = [this, mine](double progress, const std::string& activity) {
+    QMetaObject::invokeMethod(
+        this,
+        [this, mine, progress, activity] {
+          if (mine != wanted_ || !diagnosing_) return;
+          progress_ = progress;
+          activity_ = QString::fromStdString(activity);
+          emit progressChanged();
+        },
+        Qt::QueuedConnection);
+  };
+  std::vector<Recording> heldout;
+  if (heldout_) heldout.push_back(*heldout_);
+  inPool([this, mine, options, heldout, bench = *bench_, recording = *recording_]() -> std::function<void()> {
+    const auto diagnosis = breakaway::diagnose(bench, {recording}, heldout, options);
+    return [this, mine, diagnosis] {
+      if (mine == wanted_) takeDiagnosis(diagnosis);
+    };
+  });
+  emit progressChanged();
+}
+
+void Comparison::cancel() {
+  if (!diagnosing_) return;
+  stop_.request_stop();
+  ++wanted_;
+  diagnosing_ = false;
+  emit progressChanged();
+}
+
+void Comparison::takeDiagnosis(const Result<Diagnosis>& diagnosis) {
+  diagnosing_ = false;
+  emit progressChanged();
+  if (!diagnosis) {
+    emit said(QString::fromStdString(diagnosis.error().message()), true);
+    return;
+  }
+  diagnosis_ = *diagnosis;
+  emit diagnosisChanged();
+  simulateBase();
+  simulateShown();
+}
+
+void Comparison::include(const std::string& effect, bool included) {
+  if (includes(effect) == included) return;
+  if (included) {
+    leftOut_.erase(effect);
+  } else {
+    leftOut_.insert(effect);
+  }
+  simulateShown();
+}
+
+void Comparison::simulateBase() {
+  inPool([this, mine = wanted_, diagnosis = *diagnosis_, recording = *recording_]() -> std::function<void()> {
+    const auto trace = simulate(diagnosis.base, recording, {diagnosis.fit.window_s});
+    return [this, mine, trace] {
+      if (mine != wanted_ || !trace) return;
+      base_ = *trace;
+      emit tracesChanged();
+    };
+  });
+}
+
+void Comparison::simulateShown() {
+  if (!diagnosis_) return;
+  Model model = diagnosis_->model;
+  std::erase_if(model.effects, [this](const EffectTerm& term) { return !includes(term.effect); });
+  inPool([this, mine = wanted_, leftOut = leftOut_, window_s = diagnosis_->fit.window_s, model,
+          recording = *recording_]() -> std::function<void()> {
+    const auto trace = simulate(model, recording, {window_s});
+    return [this, mine, leftOut, trace] {
+      if (mine != wanted_ || leftOut != leftOut_) return;
+      if (!trace) {
+        emit said(QString::fromStdString(trace.error().message()), true);
+        return;
+      }
+      shown_ = *trace;
+      emit tracesChanged();
+    };
+  });
+}
+
+double Comparison::shownRmse() const {
+  if (!diagnosis_ || !recording_) return 0.0;
+  return positionRmse(shown_, *recording_, diagnosis_->fit.channel, diagnosis_->heldoutRows);
+}
+
+double positionRmse(const Trace& trace, const Recording& recording, const std::string& channel,
+                    const std::vector<std::pair<size_t, size_t>>& stretches) {
+  const auto measured = recording.channel(channel);
+  const size_t rows = std::min(measured.size(), trace.position.size());
+  const std::vector<std::pair<size_t, size_t>> all{{0, rows}};
+  double sum = 0.0;
+  size_t count = 0;
+  for (const auto& [first, last] : stretches.empty() ? all : stretches) {
+    for (size_t row = first; row < std::min(last, rows); ++row) {
+      const double error = trace.position[row] - measured[row];
+      if (!std::isfinite(error)) continue;
+      sum += error * error;
+      ++count;
+    }
+  }
+  return count == 0 ? 0.0 : std::sqrt(sum / static_cast<double>(count));
+}
+
+}  // namespace breakaway

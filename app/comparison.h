@@ -1,0 +1,99 @@
+// A recording against the physics its bench declares: loads, diagnoses in a pool thread, and simulates with findings
+// left out.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QThreadPool>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "diagnose/diagnosis.h"
+#include "diagnose/simulation.h"
+#include "motor/bench.h"
+#include "recording/recording.h"
+
+namespace breakaway {
+
+class Comparison : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Comparison(QObject* parent = nullptr);
+  ~Comparison() override;
+
+  void openBench(const QString& path);
+  /// Reads in a pool thread; without a held-out recording, blocks of the recording itself are held out.
+  void openRecording(const QString& path);
+  void openHeldout(const QString& path);
+  void takeRecording(const Recording& recording);
+  void takeBench(const Bench& bench);
+  void dropHeldout();
+  /// A bench or a recording, by the name's ending.
+  void open(const QString& path);
+
+  void diagnose();
+  void cancel();
+  /// Whether the effect takes part in the simulation that is shown.
+  void include(const std::string& effect, bool included);
+  bool includes(const std::string& effect) const { return !leftOut_.contains(effect); }
+
+  const std::optional<Bench>& bench() const { return bench_; }
+  const QString& benchPath() const { return benchPath_; }
+  const std::optional<Recording>& recording() const { return recording_; }
+  const std::optional<Recording>& heldout() const { return heldout_; }
+  const std::optional<Diagnosis>& diagnosis() const { return diagnosis_; }
+  bool diagnosing() const { return diagnosing_; }
+  double progress() const { return progress_; }
+  const QString& activity() const { return activity_; }
+  /// Why diagnose() can't run now; empty when it can.
+  QString obstacle() const;
+
+  /// Simulation of the base model, and of the extended one with the findings that are included; empty before a
+  /// diagnosis.
+  const Trace& baseTrace() const { return base_; }
+  const Trace& shownTrace() const { return shown_; }
+  /// RMS of the shown simulation's position error over the held-out rows, or over all rows when others are held out.
+  double shownRmse() const;
+
+ signals:
+  void inputsChanged();
+  void progressChanged();
+  void diagnosisChanged();
+  void tracesChanged();
+  void said(const QString& line, bool trouble);
+
+ private:
+  void inPool(std::function<std::function<void()>()> work);
+  void read(const QString& path, std::optional<Recording> Comparison::*into);
+  void forgetDiagnosis();
+  void takeDiagnosis(const Result<Diagnosis>& diagnosis);
+  void simulateBase();
+  void simulateShown();
+
+  QThreadPool pool_;
+  std::stop_source stop_;
+  std::optional<Bench> bench_;
+  QString benchPath_;
+  std::optional<Recording> recording_;
+  std::optional<Recording> heldout_;
+  std::optional<Diagnosis> diagnosis_;
+  std::set<std::string> leftOut_;
+  Trace base_, shown_;
+  unsigned wanted_ = 0;  ///< number of the newest simulation or diagnosis asked for; older answers are not shown
+  bool diagnosing_ = false;
+  double progress_ = 0.0;
+  QString activity_;
+};
+
+/// RMS of simulated minus measured position over [first, last + 1) stretches of rows; over all rows when there are
+/// none.
+double positionRmse(const Trace& trace, const Recording& recording, const std::string& channel,
+                    const std::vector<std::pair<size_t, size_t>>& stretches);
+
+}  // namespace breakaway

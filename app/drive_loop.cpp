@@ -1,0 +1,191 @@
+#include "drive_loop.h"
+
+#include <algorithm>
+
+namespace breakaway {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto batchEvery = 10ms;
+constexpr auto runEvery = 40ms;
+constexpr auto statusEvery = 500ms;
+constexpr size_t pendingLimit = 200'000;  ///< samples kept for a window that doesn't fetch them; then the oldest go
+
+const char* wordsOf(DriveLoop::StopCause cause) {
+  switch (cause) {
+    case DriveLoop::StopCause::pressed:
+      return "STOP was pressed";
+    case DriveLoop::StopCause::watchdog:
+      return "the window did not answer";
+    case DriveLoop::StopCause::closing:
+      return "the connection was closed";
+    case DriveLoop::StopCause::none:
+      break;
+  }
+  return "";
+}
+
+double seconds(std::chrono::steady_clock::duration duration) {
+  return std::chrono::duration<double>(duration).count();
+}
+
+}  // namespace
+
+DriveLoop::DriveLoop(std::unique_ptr<Drive> drive, const DriveLoopOptions& options)
+    : drive_(std::move(drive)), options_(options), pace_(options.pace), pending_(std::make_shared<SampleBatch>()) {
+  qRegisterMetaType<SampleBatchPtr>();
+  qRegisterMetaType<LinkStatus>();
+  qRegisterMetaType<RunSnapshot>();
+  qRegisterMetaType<DriveLoop::StopCause>();
+  qRegisterMetaType<std::shared_ptr<const std::vector<Sample>>>();
+  link_.rate_Hz = drive_->identity().loopRate_Hz;
+  nextTurn_ = lastBatch_ = lastStatus_ = lastRun_ = Clock::now();
+  thread_ = std::jthread([this](const std::stop_token& ending) { work(ending); });
+}
+
+DriveLoop::~DriveLoop() {
+  thread_.request_stop();
+  thread_.join();
+}
+
+void DriveLoop::post(std::function<void(Drive&)> job, bool moves) {
+  const std::lock_guard lock(jobsLock_);
+  jobs_.push_back({std::move(job), moves, stops_.load()});
+}
+
+void DriveLoop::start(Run run) {
+  post(
+      [this, run = std::move(run)](Drive& drive) {
+        if (run_.procedure && run_.procedure->status().state == Procedure::State::running) {
+          run_.procedure->stop("another procedure was started");
+          sendRun();
+        }
+        run_ = run;
+        drive.start(run_.procedure);
+        sendRun();
+      },
+      true);
+}
+
+void DriveLoop::startRecording() {
+  post([this](Drive&) { recorder_.start(); }, false);
+}
+
+void DriveLoop::finishRecording() {
+  post(
+      [this](Drive&) {
+        if (!recorder_.recording()) return;
+        emit recordingFinished(std::make_shared<const std::vector<Sample>>(recorder_.finish()));
+        link_.recorded_s = 0.0;
+      },
+      false);
+}
+
+void DriveLoop::work(const std::stop_token& ending) {
+  while (!ending.stop_requested()) {
+    obeyStops();
+    runJobs();
+    if (!advance()) return;
+    publish();
+    waitForTurn();
+  }
+  halt(StopCause::closing);
+}
+
+void DriveLoop::obeyStops() {
+  const unsigned wanted = stops_.load();
+  if (wanted != obeyedStops_) {
+    obeyedStops_ = wanted;
+    halt(StopCause::pressed);
+  } else if (link_.enabled && seconds(Clock::duration(now() - beat_.load())) > options_.watchdog_s) {
+    halt(StopCause::watchdog);
+  }
+}
+
+void DriveLoop::runJobs() {
+  std::vector<Job> jobs;
+  {
+    const std::lock_guard lock(jobsLock_);
+    jobs.swap(jobs_);
+  }
+  for (const Job& job : jobs) {
+    obeyStops();
+    const bool overtaken = job.moves && job.stopsBefore != obeyedStops_;
+    if (!overtaken) job.work(*drive_);
+  }
+}
+
+void DriveLoop::halt(StopCause cause) {
+  drive_->stop(wordsOf(cause));
+  link_.enabled = false;
+  if (run_.procedure) sendRun();
+  emit stopped(cause);
+}
+
+bool DriveLoop::advance() {
+  slice_.clear();
+  const auto lost = drive_->advance(options_.slice_s, slice_);
+  if (!lost) {
+    halt(StopCause::closing);
+    emit failed(QString::fromStdString(lost.error().message()));
+    return false;
+  }
+  recorder_.append(slice_);
+  pending_->samples.insert(pending_->samples.end(), slice_.begin(), slice_.end());
+  pending_->lost += *lost;
+  link_.lost += *lost;
+  sinceStatus_s_ += options_.slice_s;
+  if (!slice_.empty()) link_.enabled = slice_.back().enabled;
+  return true;
+}
+
+void DriveLoop::publish() {
+  const auto time = Clock::now();
+  if (time - lastBatch_ >= batchEvery) sendBatch(time);
+  if (time - lastStatus_ >= statusEvery) sendStatus(time);
+  if (!run_.procedure) return;
+  const bool ended = run_.procedure->status().state != Procedure::State::running;
+  if (ended || time - lastRun_ >= runEvery) sendRun();
+}
+
+void DriveLoop::sendBatch(Clock::time_point time) {
+  lastBatch_ = time;
+  auto& samples = pending_->samples;
+  if (!sent_.expired()) {  // the window still has the last one on its way: keep collecting, within limits
+    if (samples.size() > pendingLimit) samples.erase(samples.begin(), samples.end() - pendingLimit / 2);
+    return;
+  }
+  if (samples.empty()) return;
+  const SampleBatchPtr batch = std::exchange(pending_, std::make_shared<SampleBatch>());
+  sent_ = batch;
+  emit batchArrived(batch);
+}
+
+void DriveLoop::sendStatus(Clock::time_point time) {
+  link_.realTimeFactor = sinceStatus_s_ / seconds(time - lastStatus_);
+  link_.recorded_s = static_cast<double>(recorder_.size()) / std::max(1.0, link_.rate_Hz);
+  lastStatus_ = time;
+  sinceStatus_s_ = 0.0;
+  emit linkChanged(link_);
+}
+
+void DriveLoop::sendRun() {
+  lastRun_ = Clock::now();
+  RunSnapshot snapshot{run_.kind, run_.procedure->status(), run_.read ? run_.read() : RunResult{}};
+  const bool ended = snapshot.status.state != Procedure::State::running;
+  emit runChanged(snapshot);
+  if (ended) run_ = {};
+}
+
+void DriveLoop::waitForTurn() {
+  if (!drive_->identity().simulated) return;  // a real board waits in advance()
+  nextTurn_ +=
+      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.slice_s / pace_.load()));
+  const auto time = Clock::now();
+  if (nextTurn_ < time - 100ms) nextTurn_ = time;  // can't keep up: slower than asked, never in bursts
+  std::this_thread::sleep_until(nextTurn_);
+}
+
+}  // namespace breakaway

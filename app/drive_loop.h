@@ -1,0 +1,111 @@
+// The I/O thread: it alone touches the drive. Whatever the window does or fails to do, this thread keeps stopping
+// power.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "experiment/drive.h"
+#include "recorder.h"
+#include "run.h"
+#include "sample_batch.h"
+
+namespace breakaway {
+
+struct DriveLoopOptions {
+  double pace = 1.0;         ///< board seconds per wall second for a simulated board; a real one keeps its own time
+  double slice_s = 0.005;    ///< board time per turn of the loop; STOP waits for one turn at most
+  double watchdog_s = 0.25;  ///< wall time without beat() after which a powered motor is stopped
+};
+
+/// What the loop knows of the link, copied to whoever asks by signal.
+struct LinkStatus {
+  bool enabled = false;         ///< windings powered in the last sample
+  double rate_Hz = 0.0;         ///< samples per board second
+  double realTimeFactor = 0.0;  ///< board seconds per wall second, over the last half second
+  size_t lost = 0;              ///< samples lost since the connection
+  double recorded_s = 0.0;      ///< length of the running recording; 0: none runs
+};
+
+class DriveLoop : public QObject {
+  Q_OBJECT
+
+ public:
+  enum class StopCause { none, pressed, watchdog, closing };
+
+  DriveLoop(std::unique_ptr<Drive> drive, const DriveLoopOptions& options);
+  /// Stops the motor, then ends the thread.
+  ~DriveLoop() override;
+
+  /// Asks for a stop; takes no lock and returns at once. It wins over every motion that was posted before it.
+  void stop() noexcept { stops_.fetch_add(1); }
+  /// The window is alive.
+  void beat() noexcept { beat_.store(now()); }
+  void setPace(double pace) noexcept { pace_.store(pace); }
+  /// Runs `job` on the drive in the I/O thread; a job that `moves` is dropped when a stop comes before its turn.
+  void post(std::function<void(Drive&)> job, bool moves);
+  /// Starts a procedure on the drive and reports its status and partial results until its end.
+  void start(Run run);
+  void startRecording();
+  void finishRecording();
+
+ signals:
+  void batchArrived(const breakaway::SampleBatchPtr& batch);
+  void linkChanged(const breakaway::LinkStatus& status);
+  void runChanged(const breakaway::RunSnapshot& snapshot);
+  void stopped(breakaway::DriveLoop::StopCause cause);
+  void recordingFinished(const std::shared_ptr<const std::vector<breakaway::Sample>>& samples);
+  void failed(const QString& reason);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  struct Job {
+    std::function<void(Drive&)> work;
+    bool moves = false;
+    unsigned stopsBefore = 0;
+  };
+
+  static Clock::rep now() { return Clock::now().time_since_epoch().count(); }
+  void work(const std::stop_token& ending);
+  void obeyStops();
+  void runJobs();
+  void halt(StopCause cause);
+  bool advance();
+  void publish();
+  void sendBatch(Clock::time_point time);
+  void sendStatus(Clock::time_point time);
+  void sendRun();
+  void waitForTurn();
+
+  std::unique_ptr<Drive> drive_;
+  const DriveLoopOptions options_;
+  std::atomic<unsigned> stops_{0};
+  std::atomic<Clock::rep> beat_{now()};
+  std::atomic<double> pace_;
+  std::mutex jobsLock_;
+  std::vector<Job> jobs_;
+
+  // Touched by the I/O thread alone.
+  unsigned obeyedStops_ = 0;
+  Run run_;
+  Recorder recorder_;
+  std::vector<Sample> slice_;
+  std::shared_ptr<SampleBatch> pending_;
+  std::weak_ptr<const SampleBatch> sent_;
+  LinkStatus link_;
+  Clock::time_point lastBatch_, lastStatus_, lastRun_, nextTurn_;
+  double sinceStatus_s_ = 0.0;
+
+  std::jthread thread_;  // last: it starts when all else stands
+};
+
+}  // namespace breakaway
+
+Q_DECLARE_METATYPE(breakaway::LinkStatus)

@@ -1,0 +1,73 @@
+#include "friction_survey.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "identify/map_estimation.h"
+
+namespace breakaway {
+
+namespace {
+
+Estimate meanOfWays(const Estimate& one, const Estimate& other) {
+  return {0.5 * (one.value + other.value), 0.5 * std::hypot(one.standardError, other.standardError)};
+}
+
+}  // namespace
+
+std::optional<Estimate> FrictionSurvey::coulombAverage_Nm() const {
+  if (!moving) return {};
+  return meanOfWays((*moving)[0].coulombMean_Nm, (*moving)[1].coulombMean_Nm);
+}
+
+std::optional<Estimate> FrictionSurvey::viscousAverage_Nm_s_per_rad() const {
+  if (!moving) return {};
+  return meanOfWays((*moving)[0].viscousMean_Nm_s_per_rad, (*moving)[1].viscousMean_Nm_s_per_rad);
+}
+
+void FrictionSurvey::estimate() {
+  moving.reset();
+  map.reset();
+  if (!identification) return;
+  const double torqueConstant_Nm_per_A = identification->motor.torqueConstant_Nm_per_A.value;
+  if (!runs.empty()) {
+    VelocityFrictionOptions options;
+    options.torqueConstant_Nm_per_A = torqueConstant_Nm_per_A;
+    options.inertia_kg_m2 = identification->motor.inertia_kg_m2.value;
+    options.bins = bins;
+    if (auto fitted = fitMovingFriction(runs, options)) moving = std::move(*fitted);
+  }
+  if (!sweepComplete) {
+    mapObstacle = events.empty() ? "no breakaway sweep was run" : "the breakaway sweep did not run to its end";
+    return;
+  }
+  MapOptions options;
+  options.rig = rig;
+  options.bins = bins;
+  options.turns = turns;
+  options.torqueConstant_Nm_per_A = torqueConstant_Nm_per_A;
+  options.noiseRms_A = identification->noiseRms_A;
+  auto estimated = estimateMap(events, moving ? &*moving : nullptr, options);
+  mapObstacle = estimated ? "" : estimated.error().message();
+  if (!estimated) return;
+  map = std::move(*estimated);
+  map->settings = {{"torque_constant_Nm_per_A", torqueConstant_Nm_per_A},
+                   {"resistance_ohm", identification->motor.resistance_ohm.value},
+                   {"dead_zone_V", identification->motor.deadZone_V.value},
+                   {"inertia_kg_m2", identification->motor.inertia_kg_m2.value},
+                   {"missed", static_cast<double>(missed)}};
+}
+
+std::string breakawayTable(const std::vector<BreakawayEvent>& events) {
+  std::string text = "angle_rad,way,turn,bin,current_A,torque_Nm,outlier\n";
+  for (const BreakawayEvent& event : events) {
+    char line[160];
+    std::snprintf(line, sizeof line, "%.9g,%s,%zu,%zu,%.9g,%.9g,%d\n", event.angle_rad,
+                  event.way == Way::cw ? "cw" : "ccw", event.turn + 1, event.bin, event.current_A, event.torque_Nm,
+                  event.outlier ? 1 : 0);
+    text += line;
+  }
+  return text;
+}
+
+}  // namespace breakaway

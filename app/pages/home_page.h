@@ -1,0 +1,40 @@
+// Home: find the encoder's index, so that every angle counts from the same mark on the rotor.
+#pragma once
+
+#include <QTimer>
+
+#include "experiment/homing.h"
+#include "pages/page.h"
+
+class QPushButton;
+
+namespace breakaway {
+
+class FactsTable;
+class RotorDial;
+class RunPanel;
+class Session;
+
+class HomePage : public Page {
+  Q_OBJECT
+
+ public:
+  explicit HomePage(Session& session, QWidget* parent = nullptr);
+
+ private:
+  QWidget* buildControls();
+  QString plan() const;
+  void showResult();
+  void showMotion();
+  void showAngle();
+
+  Session& session_;
+  HomingOptions options_;
+  QPushButton* home_ = nullptr;
+  RunPanel* run_ = nullptr;
+  FactsTable* result_ = nullptr;
+  RotorDial* dial_ = nullptr;
+  QTimer timer_;
+};
+
+}  // namespace breakaway

@@ -1,0 +1,171 @@
+#include "pages/tune_page.h"
+
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "session.h"
+#include "widgets/controls.h"
+#include "widgets/quantity_slider.h"
+#include "widgets/step_plot.h"
+#include "widgets/table.h"
+
+namespace breakaway {
+
+namespace {
+
+/// A round number above what is set, so that a slider has room both ways.
+QuantityRange roomFor(double value, double otherwise) {
+  const double most = std::max(10.0 * value, otherwise);
+  const double magnitude = std::pow(10.0, std::floor(std::log10(most)));
+  const int decimals = std::clamp(4 - static_cast<int>(std::floor(std::log10(magnitude))), 0, 8);
+  return {0.0, std::ceil(most / magnitude) * magnitude, decimals, true};
+}
+
+QString milliseconds(double time_s) {
+  return std::isfinite(time_s) ? QString::number(1e3 * time_s, 'f', 1) : TunePage::tr("not reached");
+}
+
+}  // namespace
+
+TunePage::TunePage(Session& session, QWidget* parent)
+    : Page("tunePage", tr("Tune"), "tune", parent), session_(session) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(16, 12, 16, 8);
+  row->setSpacing(20);
+  row->addWidget(buildControls());
+  row->addWidget(buildResults(), 1);
+  connect(&session_, &Session::connectionChanged, this, &TunePage::scaleSliders);
+  connect(&session_, &Session::settingsChanged, this, &TunePage::showSettings);
+  connect(&session_, &Session::runChanged, this, &TunePage::showMotion);
+  connect(&session_, &Session::measured, this, &TunePage::showSteps);
+  scaleSliders();
+  showSteps();
+}
+
+QuantitySlider* TunePage::addSlider(const QString& objectName, const QString& title, const QString& unit,
+                                    const QString& help, double ControllerSettings::*field) {
+  auto* slider = new QuantitySlider(objectName, title, unit, help, this);
+  sliders_.push_back({slider, field});
+  connect(slider, &QuantitySlider::chosen, this, [this, field](double value) {
+    ControllerSettings wanted = session_.settings();
+    wanted.*field = value;
+    session_.configure(wanted);
+  });
+  return slider;
+}
+
+QWidget* TunePage::buildControls() {
+  auto* side = new QWidget(this);
+  side->setFixedWidth(320);
+  auto* column = new QVBoxLayout(side);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(7);
+  column->addWidget(heading(side, tr("Velocity loop")));
+  column->addWidget(addSlider("kp", tr("Proportional gain Kp"), tr("A s/rad"),
+                              tr("Current per velocity error; applied at once"),
+                              &ControllerSettings::velocity_kp_A_s_per_rad));
+  column->addWidget(addSlider("ki", tr("Integral gain Ki"), tr("A/rad"),
+                              tr("Current per accumulated velocity error; applied at once"),
+                              &ControllerSettings::velocity_ki_A_per_rad));
+  column->addWidget(addSlider("kd", tr("Derivative gain Kd"), tr("A s²/rad"),
+                              tr("Current per change of the velocity error; applied at once"),
+                              &ControllerSettings::velocity_kd_A_s2_per_rad));
+  column->addWidget(addSlider("cutoff", tr("Observer cutoff g"), tr("rad/s"),
+                              tr("Bandwidth of the disturbance observer's feedback; 0 switches the feedback off"),
+                              &ControllerSettings::observer_cutoff_rad_per_s));
+  column->addSpacing(4);
+  auto* form = new QFormLayout;
+  height_ = new QDoubleSpinBox(side);
+  height_->setObjectName("stepHeight");
+  height_->setAccessibleName(tr("Velocity step"));
+  height_->setRange(1.0, 300.0);
+  height_->setValue(20.0);
+  height_->setDecimals(1);
+  height_->setSuffix(tr(" rad/s"));
+  height_->setAlignment(Qt::AlignRight);
+  height_->setToolTip(tr("From standstill to this velocity"));
+  form->addRow(tr("Step from 0 to"), height_);
+  column->addLayout(form);
+  auto* buttons = new QHBoxLayout;
+  measure_ = pushButton(side, "measureStepButton", tr("Measure step"));
+  forget_ = pushButton(side, "forgetStepsButton", tr("Clear steps"));
+  buttons->addWidget(measure_, 1);
+  buttons->addWidget(forget_, 1);
+  column->addLayout(buttons);
+  column->addStretch(1);
+  connect(measure_, &QPushButton::clicked, this, &TunePage::measure);
+  connect(forget_, &QPushButton::clicked, &session_, &Session::forgetSteps);
+  return side;
+}
+
+QWidget* TunePage::buildResults() {
+  auto* side = new QWidget(this);
+  auto* column = new QVBoxLayout(side);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(6);
+  plot_ = new StepPlot(side);
+  table_ = readTable(side, "stepTable", tr("Measured steps"),
+                     {tr("Step"), tr("Kp (A s/rad)"), tr("Ki (A/rad)"), tr("Kd (A s²/rad)"), tr("g (rad/s)"),
+                      tr("Rise (ms)"), tr("Overshoot (%)"), tr("Settling (ms)"), tr("Peak (A)")});
+  table_->setFixedHeight(116);
+  column->addWidget(plot_, 1);
+  column->addWidget(table_);
+  return side;
+}
+
+void TunePage::scaleSliders() {
+  const ControllerSettings& settings = session_.settings();
+  const double kp = settings.velocity_kp_A_s_per_rad;
+  for (const Slider& slider : sliders_) {
+    const bool cutoff = slider.field == &ControllerSettings::observer_cutoff_rad_per_s;
+    const bool derivative = slider.field == &ControllerSettings::velocity_kd_A_s2_per_rad;
+    const double otherwise = cutoff ? 2000.0 : derivative ? 0.01 * kp : 10.0 * kp;
+    slider.widget->setRange(roomFor(settings.*slider.field, std::max(otherwise, 1e-6)));
+  }
+  showSettings();
+}
+
+void TunePage::showSettings() {
+  const bool connected = session_.connected();
+  for (const Slider& slider : sliders_) {
+    slider.widget->show(session_.settings().*slider.field);
+    slider.widget->setAvailable(connected, tr("No board is connected"));
+  }
+  showMotion();
+}
+
+void TunePage::showMotion() {
+  setAvailable(measure_, tr("Turns up to 2 s: standstill, then the step, measured and stopped again"),
+               session_.obstacle());
+}
+
+void TunePage::measure() {
+  VelocityStepOptions options;
+  options.to_rad_per_s = height_->value();
+  session_.measureStep(options);
+}
+
+void TunePage::showSteps() {
+  const auto& steps = session_.steps();
+  plot_->show(steps);
+  table_->setRowCount(static_cast<int>(steps.size()));
+  for (size_t k = 0; k < steps.size(); ++k) {
+    const StepResult& step = steps[steps.size() - 1 - k];  // the newest on top
+    const auto number = [](double value) { return QString::number(value, 'g', 4); };
+    fillRow(*table_, static_cast<int>(k),
+            {QString::number(steps.size() - k), number(step.settings.velocity_kp_A_s_per_rad),
+             number(step.settings.velocity_ki_A_per_rad), number(step.settings.velocity_kd_A_s2_per_rad),
+             number(step.settings.observer_cutoff_rad_per_s), milliseconds(step.figures.rise_s),
+             QString::number(100.0 * step.figures.overshoot, 'f', 1), milliseconds(step.figures.settling_s),
+             QString::number(step.figures.peakCurrent_A, 'f', 2)});
+  }
+  setAvailable(forget_, !steps.empty(), tr("Forget all measured steps"), tr("No step was measured"));
+}
+
+}  // namespace breakaway

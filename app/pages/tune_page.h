@@ -1,0 +1,47 @@
+// Tune: gains and observer cutoff, applied while they move, and the velocity step that they make.
+#pragma once
+
+#include "experiment/drive.h"
+#include "pages/page.h"
+
+class QPushButton;
+class QTableWidget;
+class QDoubleSpinBox;
+
+namespace breakaway {
+
+class QuantitySlider;
+class Session;
+class StepPlot;
+
+class TunePage : public Page {
+  Q_OBJECT
+
+ public:
+  explicit TunePage(Session& session, QWidget* parent = nullptr);
+
+ private:
+  QWidget* buildControls();
+  QWidget* buildResults();
+  QuantitySlider* addSlider(const QString& objectName, const QString& title, const QString& unit, const QString& help,
+                            double ControllerSettings::*field);
+  void scaleSliders();
+  void showSettings();
+  void showSteps();
+  void showMotion();
+  void measure();
+
+  Session& session_;
+  struct Slider {
+    QuantitySlider* widget;
+    double ControllerSettings::*field;
+  };
+  std::vector<Slider> sliders_;
+  QDoubleSpinBox* height_ = nullptr;
+  QPushButton* measure_ = nullptr;
+  QPushButton* forget_ = nullptr;
+  StepPlot* plot_ = nullptr;
+  QTableWidget* table_ = nullptr;
+};
+
+}  // namespace breakaway

@@ -1,0 +1,38 @@
+// Keeps every sample it is given until it is sealed into a recording; it never drops and never decimates.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/result.h"
+#include "recording/recording.h"
+#include "recording/sample.h"
+
+namespace breakaway {
+
+/// The samples as a recording in the contract's columns (section 2). Fails when there is none.
+Result<Recording> sealSamples(const std::string& name, std::span<const Sample> samples,
+                              std::vector<std::pair<std::string, std::string>> notes);
+
+class Recorder {
+ public:
+  /// Ten minutes at 5 kHz; then the recorder is full, refuses further samples and says so through full().
+  static constexpr size_t capacity = 3'000'000;
+
+  bool recording() const { return recording_; }
+  bool full() const { return samples_.size() >= capacity; }
+  size_t size() const { return samples_.size(); }
+  void start();
+  void append(std::span<const Sample> samples);
+  /// Ends recording and hands over what was kept.
+  std::vector<Sample> finish();
+
+ private:
+  bool recording_ = false;
+  std::vector<Sample> samples_;
+};
+
+}  // namespace breakaway

@@ -1,0 +1,99 @@
+#include "residual_axis.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace breakaway {
+
+namespace {
+
+struct Named {
+  const char* axis;
+  const char* rotary;
+  const char* linear;
+};
+
+constexpr Named names[] = {
+    {"time", QT_TRANSLATE_NOOP("ResidualAxis", "time (s)"), QT_TRANSLATE_NOOP("ResidualAxis", "time (s)")},
+    {"angle", QT_TRANSLATE_NOOP("ResidualAxis", "angle (rad)"), QT_TRANSLATE_NOOP("ResidualAxis", "position (m)")},
+    {"velocity", QT_TRANSLATE_NOOP("ResidualAxis", "velocity (rad/s)"),
+     QT_TRANSLATE_NOOP("ResidualAxis", "velocity (m/s)")},
+    {"acceleration", QT_TRANSLATE_NOOP("ResidualAxis", "acceleration (rad/s²)"),
+     QT_TRANSLATE_NOOP("ResidualAxis", "acceleration (m/s²)")},
+    {"current", QT_TRANSLATE_NOOP("ResidualAxis", "motor torque (Nm)"),
+     QT_TRANSLATE_NOOP("ResidualAxis", "motor force (N)")},
+    {"reversal", QT_TRANSLATE_NOOP("ResidualAxis", "travel since reversal (rad)"),
+     QT_TRANSLATE_NOOP("ResidualAxis", "travel since reversal (m)")},
+};
+
+std::vector<double> copy(std::span<const double> values) {
+  return {values.begin(), values.end()};
+}
+
+std::vector<double> slope(const std::vector<double>& values, std::span<const double> time_s) {
+  std::vector<double> slopes(values.size(), 0.0);
+  for (size_t row = 1; row + 1 < values.size(); ++row) {
+    slopes[row] = (values[row + 1] - values[row - 1]) / (time_s[row + 1] - time_s[row - 1]);
+  }
+  return slopes;
+}
+
+std::vector<double> travelSinceReversal(const Trace& trace) {
+  std::vector<double> travel(trace.position.size(), 0.0);
+  double way = 0.0;
+  for (size_t row = 1; row < travel.size(); ++row) {
+    const double now = trace.velocity[row] > 0.0 ? 1.0 : trace.velocity[row] < 0.0 ? -1.0 : way;
+    travel[row] = (now == way ? travel[row - 1] : 0.0) + std::abs(trace.position[row] - trace.position[row - 1]);
+    way = now;
+  }
+  return travel;
+}
+
+std::vector<double> positions(const Model& model, const Recording& recording) {
+  std::vector<double> position = copy(recording.channel(model.axis == Axis::rotary ? "angle_rad" : "position_m"));
+  const auto [low, high] = std::minmax_element(position.begin(), position.end());
+  constexpr double turn = 2.0 * std::numbers::pi;
+  if (model.axis == Axis::linear || position.empty() || *high - *low <= turn) return position;
+  for (double& angle : position) angle -= turn * std::floor(angle / turn);
+  return position;
+}
+
+std::vector<double> motorTorque(const Model& model, const Recording& recording, const Trace& trace) {
+  const bool rotary = model.axis == Axis::rotary;
+  if (model.input == DriveInput::torque) return copy(recording.channel(rotary ? "torque_Nm" : "force_N"));
+  std::vector<double> torque =
+      model.input == DriveInput::current ? copy(recording.channel("current_A")) : trace.current_A;
+  const double constant = model.baseValue(rotary ? "torque_constant_Nm_per_A" : "force_constant_N_per_A").value_or(1.0);
+  for (double& value : torque) value *= constant;
+  return torque;
+}
+
+}  // namespace
+
+QStringList residualAxes() {
+  QStringList axes;
+  for (const Named& one : names) axes << one.axis;
+  return axes;
+}
+
+QString axisLabel(const QString& axis, bool linear) {
+  for (const Named& one : names) {
+    if (axis == one.axis) return QCoreApplication::translate("ResidualAxis", linear ? one.linear : one.rotary);
+  }
+  return axis;
+}
+
+std::vector<double> residualAxis(const QString& axis, const Model& model, const Recording& recording,
+                                 const Trace& trace) {
+  if (axis == "time") return copy(recording.time());
+  if (axis == "angle") return positions(model, recording);
+  if (axis == "velocity") return trace.velocity;
+  if (axis == "acceleration") return slope(trace.velocity, recording.time());
+  if (axis == "current") return motorTorque(model, recording, trace);
+  if (axis == "reversal") return travelSinceReversal(trace);
+  return {};
+}
+
+}  // namespace breakaway

@@ -1,0 +1,26 @@
+// The axes over which a residual can be looked at, one value per row of the recording.
+#pragma once
+
+#include <QString>
+#include <QStringList>
+#include <vector>
+
+#include "diagnose/model.h"
+#include "diagnose/simulation.h"
+#include "recording/recording.h"
+
+namespace breakaway {
+
+/// Names as in Place::axis: time, angle, velocity, acceleration, current, reversal.
+QStringList residualAxes();
+
+/// "velocity (rad/s)"; on a linear axis with its own units.
+QString axisLabel(const QString& axis, bool linear);
+
+/// time_s as recorded; position as measured, taken into one turn where a rotor makes more than one; the motor's torque
+/// or force from the drive; velocity, acceleration and travel since the last reversal from the simulation, which has no
+/// noise. Empty for an axis that is not in residualAxes().
+std::vector<double> residualAxis(const QString& axis, const Model& model, const Recording& recording,
+                                 const Trace& trace);
+
+}  // namespace breakaway

@@ -1,0 +1,208 @@
+#include "screenshots.h"
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QElapsedTimer>
+#include <QEventLoop>
+#include <QPixmap>
+#include <QStyleFactory>
+#include <QThread>
+#include <functional>
+
+#include "base/atomic_file.h"
+#include "comparison.h"
+#include "main_window.h"
+#include "resource_folder.h"
+#include "session.h"
+#include "widgets/live_plots.h"
+#include "widgets/look.h"
+
+namespace breakaway {
+
+namespace {
+
+using Condition = std::function<bool()>;
+
+/// Nobody is there to answer.
+class NoAnswers : public FileChooser {
+ public:
+  void ask(QWidget*, const FileQuestion&, Answer) override {}
+};
+
+/// One tour through the window in one palette.
+class Tour {
+ public:
+  Tour(const QString& folder, const QString& theme)
+      : folder_(folder), theme_(theme), session_(options()), window_(session_, comparison_, files_) {
+    window_.resize(1366, 768);
+    window_.show();
+  }
+
+  Result<void> run();
+
+ private:
+  static DriveLoopOptions options() { return {4.0, 0.005, 600.0}; }
+  bool wait(const Condition& reached, int timeout_ms = 120'000);
+  void settle(int time_ms);
+  void press(const char* button);
+  void shoot(const QString& name);
+  void connectBoard();
+  void tune();
+  void home();
+  void sweep();
+  void compare();
+
+  QString folder_, theme_;
+  NoAnswers files_;
+  Session session_;
+  Comparison comparison_;
+  MainWindow window_;
+  QString trouble_;
+};
+
+bool Tour::wait(const Condition& reached, int timeout_ms) {
+  QElapsedTimer clock;
+  clock.start();
+  while (!reached()) {
+    if (clock.elapsed() > timeout_ms) return false;
+    QApplication::processEvents(QEventLoop::AllEvents, 10);
+    QThread::msleep(2);
+  }
+  return true;
+}
+
+void Tour::settle(int time_ms) {
+  wait([] { return false; }, time_ms);
+}
+
+void Tour::press(const char* button) {
+  auto* found = window_.findChild<QAbstractButton*>(button);
+  if (found == nullptr || !found->isEnabled()) {
+    trouble_ = QString("%1 cannot be pressed").arg(button);
+    return;
+  }
+  found->click();
+}
+
+void Tour::shoot(const QString& name) {
+  settle(120);
+  window_.findChild<LivePlots*>()->refresh();
+  settle(60);
+  const QString path = QString("%1/%2-%3.png").arg(folder_, name, theme_);
+  if (!window_.grab().save(path)) trouble_ = path + " cannot be written";
+}
+
+Result<void> Tour::run() {
+  connectBoard();
+  tune();
+  home();
+  sweep();
+  compare();
+  window_.showPage("reportPage");
+  shoot("report-ready");
+  if (!trouble_.isEmpty()) return Error{"screenshots", trouble_.toStdString()};
+  return {};
+}
+
+void Tour::connectBoard() {
+  window_.showPage("connectPage");
+  shoot("connect-empty");
+  session_.connectTo("simulated");
+  if (!session_.connected()) trouble_ = "the simulated board cannot be opened";
+  session_.turnSlowly();
+  settle(3200);
+  shoot("connect-connected");
+  window_.findChild<LivePlots*>()->setPaused(true);
+  window_.findChild<LivePlots*>()->showCursors(true);
+  shoot("connect-cursors");
+  window_.findChild<LivePlots*>()->showCursors(false);
+  window_.findChild<LivePlots*>()->setPaused(false);
+}
+
+void Tour::tune() {
+  window_.showPage("tunePage");
+  shoot("tune-empty");
+  const ControllerSettings tuned = session_.settings();
+  for (const double factor : {0.35, 0.6, 1.0}) {
+    ControllerSettings softer = tuned;
+    softer.velocity_kp_A_s_per_rad *= factor;
+    session_.configure(softer);
+    const size_t before = session_.steps().size();
+    settle(100);
+    press("measureStepButton");
+    if (!wait([&] { return session_.steps().size() > before; })) trouble_ = "the velocity step did not end";
+  }
+  shoot("tune-step");
+}
+
+void Tour::home() {
+  window_.showPage("homePage");
+  shoot("home-ready");
+  press("homeButton");
+  wait([this] { return session_.runs(RunKind::homing) && session_.run().status.progress > 0.3; }, 5000);
+  shoot("home-running");
+  if (!wait([this] { return session_.index_rad().has_value(); })) trouble_ = "homing did not end";
+  shoot("home-done");
+}
+
+void Tour::sweep() {
+  window_.showPage("frictionPage");
+  shoot("friction-ready");
+  session_.setPace(60.0);
+  press("velocitySweepButton");
+  if (!wait([this] { return session_.survey().moving.has_value(); })) trouble_ = "the velocity sweep did not end";
+  press("breakawaySweepButton");
+  const auto share = [this] { return static_cast<double>(session_.survey().events.size()) / 360.0; };
+  wait([&] { return share() > 0.6; });
+  session_.setPace(4.0);
+  shoot("friction-running");
+  session_.setPace(60.0);
+  if (!wait([this] { return session_.survey().map.has_value(); })) trouble_ = "the breakaway sweep did not end";
+  session_.setPace(4.0);
+  shoot("friction-done");
+  auto* view = window_.findChild<QComboBox*>("polarView");
+  view->setCurrentIndex(2);
+  window_.findChild<QCheckBox*>("radiusFromZero")->setChecked(false);
+  shoot("friction-coulomb");
+}
+
+void Tour::compare() {
+  window_.showPage("comparePage");
+  shoot("compare-empty");
+  if (resourceFiles("examples", ".bench.json").isEmpty()) return;
+  press("openExampleButton");
+  if (!wait([this] { return comparison_.bench() && comparison_.recording(); }))
+    trouble_ = "the example cannot be opened";
+  shoot("compare-opened");
+  press("diagnoseButton");
+  shoot("compare-running");
+  if (!wait(
+          [this] { return !comparison_.shownTrace().position.empty() && !comparison_.baseTrace().position.empty(); })) {
+    trouble_ = "the diagnosis did not end";
+    return;
+  }
+  shoot("compare-diagnosed");
+  if (comparison_.diagnosis()->where.empty()) return;
+  auto* axis = window_.findChild<QComboBox*>("residualAxis");
+  window_.findChild<QWidget*>("comparePage")->setFocus();
+  axis->setCurrentIndex(
+      std::max(0, axis->findData(QString::fromStdString(comparison_.diagnosis()->where.front().axis))));
+  shoot("compare-where");
+}
+
+}  // namespace
+
+Result<void> takeScreenshots(const QString& folder) {
+  if (const auto made = makeFolder(folder.toStdString()); !made) return made;
+  QApplication::setStyle(QStyleFactory::create("Fusion"));
+  for (const QString& theme : {QString("light"), QString("dark")}) {
+    QApplication::setPalette(theme == "dark" ? darkPalette() : lightPalette());
+    Tour tour(folder, theme);
+    if (const auto done = tour.run(); !done) return done;
+  }
+  return {};
+}
+
+}  // namespace breakaway

@@ -1,0 +1,137 @@
+// Everything the window shows, without a window: the connection, what runs, what was measured, and the comparison.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QThreadPool>
+#include <QTimer>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "drive_loop.h"
+#include "experiment/drive.h"
+#include "experiment/homing.h"
+#include "experiment/velocity_step.h"
+#include "friction_survey.h"
+#include "live_history.h"
+#include "motor/bench.h"
+#include "recording/recording.h"
+#include "run.h"
+
+namespace breakaway {
+
+class Session : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Session(const DriveLoopOptions& options = {}, QObject* parent = nullptr);
+  ~Session() override;
+
+  // The connection. `connectTo` takes a board's URI (contracts section 3); `adopt` takes a drive that is open already.
+  void connectTo(const QString& uri, unsigned seed = 1);
+  void adopt(std::unique_ptr<Drive> drive, const QString& uri);
+  /// Connects as connectTo() does, and lets a simulated board turn slowly.
+  void open(const QString& uri);
+  void disconnectBoard();
+  bool connected() const { return loop_ != nullptr; }
+  const QString& uri() const { return uri_; }
+  const Identity& identity() const { return identity_; }
+  const LinkStatus& link() const { return link_; }
+  const LiveHistory& history() const { return history_; }
+  /// What the motor is doing, in words for the bar.
+  QString stateWords() const;
+  bool powered() const;
+
+  /// Passes one line to whoever shows lines.
+  void say(const QString& line, bool trouble) { emit said(line, trouble); }
+
+  // Motion. Each start replaces what runs; stop() reaches the I/O thread without waiting for anything.
+  void stop();
+  void turnSlowly();
+  void home(const HomingOptions& options = {});
+  void measureStep(const VelocityStepOptions& options);
+  void identify();
+  void sweepVelocity(double highest_rad_per_s, size_t speeds, double duration_s);
+  void sweepBreakaway(size_t bins, size_t turns);
+  const RunSnapshot& run() const { return run_; }
+  bool runs(RunKind kind) const { return run_.kind == kind && run_.running(); }
+  /// Why no motion can be started now; empty when it can.
+  QString obstacle() const;
+
+  // The controller: settings are asked for, and what the board accepted comes back by settingsChanged().
+  void configure(const ControllerSettings& wanted);
+  const ControllerSettings& settings() const { return settings_; }
+
+  /// Why no sweep around the rotor can be started now; empty when it can.
+  QString sweepObstacle() const;
+  /// How many board seconds pass in one second, for a simulated board.
+  void setPace(double pace);
+  double pace() const { return pace_; }
+
+  // What was measured since the connection.
+  const FrictionSurvey& survey() const { return survey_; }
+  /// The bench file that lies beside a simulated board's rig file, if any.
+  const std::optional<Bench>& bench() const { return bench_; }
+  /// A speed that the supply can reach with room to spare, from what is known of the motor.
+  double reachableSpeed_rad_per_s() const;
+  /// The index in the board's angle, from homing.
+  const std::optional<Estimate>& index_rad() const { return index_rad_; }
+  /// Every measured step, the newest last.
+  const std::vector<StepResult>& steps() const { return steps_; }
+  void forgetSteps();
+
+  // A recording of everything at the full rate.
+  void startRecording();
+  void finishRecording();
+  bool recording() const { return recording_; }
+  const std::optional<Recording>& lastRecording() const { return lastRecording_; }
+
+ signals:
+  void connectionChanged();
+  void linkChanged();
+  void samplesArrived();
+  void runChanged();
+  void settingsChanged();
+  void recordingChanged();
+  void measured();
+  void surveyChanged();
+  /// One line for the person at the bench; `trouble` when something failed.
+  void said(const QString& line, bool trouble);
+
+ private:
+  void takeBatch(const SampleBatchPtr& batch);
+  void takeLink(const LinkStatus& status);
+  void takeRun(const RunSnapshot& snapshot);
+  void takeStop(DriveLoop::StopCause cause);
+  void takeRecording(const std::shared_ptr<const std::vector<Sample>>& samples);
+  void listenToLoop();
+  void start(Run run);
+  void keepResult(const RunSnapshot& snapshot);
+  void keepSurvey(const RunSnapshot& snapshot);
+  void estimateSurvey();
+  void forgetMeasurements();
+
+  const DriveLoopOptions options_;
+  unsigned connection_ = 0;
+  QTimer heartbeat_;
+  QString uri_;
+  Identity identity_;
+  ControllerSettings settings_;
+  LinkStatus link_;
+  LiveHistory history_;
+  RunSnapshot run_;
+  QString lastStop_;
+  std::optional<Estimate> index_rad_;
+  std::vector<StepResult> steps_;
+  FrictionSurvey survey_;
+  unsigned surveyNumber_ = 0;
+  std::optional<Bench> bench_;
+  double pace_ = 1.0;
+  QThreadPool pool_;
+  bool recording_ = false;
+  std::optional<Recording> lastRecording_;
+  std::unique_ptr<DriveLoop> loop_;
+};
+
+}  // namespace breakaway

@@ -1,0 +1,68 @@
+#include "widgets/controls.h"
+
+#include <QFrame>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
+
+#include "widgets/look.h"
+
+namespace breakaway {
+
+QToolButton* toolButton(QWidget* parent, const char* objectName, const QString& text, const QString& tip) {
+  auto* button = new QToolButton(parent);
+  button->setObjectName(objectName);
+  button->setText(text);
+  button->setAccessibleName(text);
+  button->setToolTip(tip);
+  button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  button->setFocusPolicy(Qt::StrongFocus);
+  return button;
+}
+
+QPushButton* pushButton(QWidget* parent, const char* objectName, const QString& text, const QString& tip) {
+  auto* button = new QPushButton(text, parent);
+  button->setObjectName(objectName);
+  button->setAccessibleName(text);
+  button->setToolTip(tip);
+  return button;
+}
+
+void setAvailable(QWidget* control, bool available, const QString& tip, const QString& reason) {
+  control->setEnabled(available);
+  control->setToolTip(available ? tip : reason);
+}
+
+void setAvailable(QWidget* control, const QString& tip, const QString& reason) {
+  setAvailable(control, reason.isEmpty(), tip, reason);
+}
+
+QLabel* heading(QWidget* parent, const QString& text) {
+  auto* label = new QLabel(text, parent);
+  label->setFont(sized(parent->font(), 1.35, true));
+  return label;
+}
+
+QLabel* explanation(QWidget* parent, const QString& text, const char* objectName) {
+  auto* label = new QLabel(text, parent);
+  label->setObjectName(objectName);
+  label->setWordWrap(true);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
+QLabel* caption(QWidget* parent, const QString& text) {
+  auto* label = new QLabel(text, parent);
+  label->setFont(sized(parent->font(), 1.0, true));
+  return label;
+}
+
+QFrame* rule(QWidget* parent) {
+  auto* line = new QFrame(parent);
+  line->setFrameShape(QFrame::HLine);
+  line->setFrameShadow(QFrame::Plain);
+  line->setForegroundRole(QPalette::Mid);
+  return line;
+}
+
+}  // namespace breakaway

@@ -1,0 +1,32 @@
+// Names and values in two aligned columns, the values selectable.
+#pragma once
+
+#include <QGridLayout>
+#include <QWidget>
+#include <vector>
+
+class QLabel;
+
+namespace breakaway {
+
+struct Fact {
+  QString name;
+  QString value;
+  QString help;
+};
+
+class FactsTable : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit FactsTable(const char* objectName, QWidget* parent = nullptr);
+  void show(const std::vector<Fact>& facts);
+  using QWidget::show;
+  QString value(const QString& name) const;
+
+ private:
+  QGridLayout* grid_;
+  std::vector<std::pair<QLabel*, QLabel*>> rows_;
+};
+
+}  // namespace breakaway

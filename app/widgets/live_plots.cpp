@@ -1,0 +1,384 @@
+#include "widgets/live_plots.h"
+
+#include <qcustomplot.h>
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QStyle>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "recording/csv.h"
+#include "session.h"
+#include "widgets/controls.h"
+#include "widgets/look.h"
+
+namespace breakaway {
+
+namespace {
+
+struct LiveChannel {
+  const char* title;  ///< with the unit that is shown
+  double scale;       ///< shown value = scale · SI value
+  double leastSpan;   ///< in the shown unit: noise is not blown up beyond it
+  int decimals;
+  double Sample::*value;
+};
+
+constexpr std::array<LiveChannel, 4> channels{{
+    {QT_TRANSLATE_NOOP("LivePlots", "angle (rad)"), 1.0, 0.2, 3, &Sample::angle_rad},
+    {QT_TRANSLATE_NOOP("LivePlots", "velocity (rad/s)"), 1.0, 1.0, 2, &Sample::velocity_rad_per_s},
+    {QT_TRANSLATE_NOOP("LivePlots", "current (A)"), 1.0, 0.2, 3, &Sample::current_A},
+    {QT_TRANSLATE_NOOP("LivePlots", "disturbance (mNm)"), 1e3, 10.0, 2, &Sample::disturbance_estimate_Nm},
+}};
+
+constexpr std::array<double, 5> spans_s{2.0, 5.0, 10.0, 20.0, 50.0};
+
+}  // namespace
+
+LivePlots::LivePlots(Session& session, FileChooser& files, QWidget* parent)
+    : QWidget(parent), session_(session), files_(files) {
+  setObjectName("livePlots");
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(8, 2, 8, 6);
+  layout->setSpacing(2);
+  buildStrip();
+  buildPlot();
+  layout->addWidget(plot_, 1);
+  applyLook();
+  connect(&session_, &Session::connectionChanged, this, &LivePlots::startOver);
+  connect(&session_, &Session::recordingChanged, this, &LivePlots::showRecording);
+  connect(&session_, &Session::linkChanged, this, &LivePlots::showRecording);
+  connect(&timer_, &QTimer::timeout, this, [this] {
+    if (isVisible()) refresh();
+  });
+  timer_.start(33);
+  startOver();
+}
+
+void LivePlots::buildStrip() {
+  auto* strip = new QHBoxLayout;
+  strip->setSpacing(4);
+  pause_ = toolButton(this, "pauseButton", tr("Pause"), tr("Hold the picture still; samples keep coming in (P)"));
+  pause_->setCheckable(true);
+  pause_->setShortcut(Qt::Key_P);
+  connect(pause_, &QToolButton::toggled, this, &LivePlots::setPaused);
+  cursorButton_ = toolButton(
+      this, "cursorsButton", tr("Cursors"),
+      tr("Two cursors A and B over all plots (C): drag them, or move A with the arrow keys and B with Shift"));
+  cursorButton_->setCheckable(true);
+  cursorButton_->setShortcut(Qt::Key_C);
+  connect(cursorButton_, &QToolButton::toggled, this, &LivePlots::showCursors);
+  span_ = new QComboBox(this);
+  span_->setObjectName("spanBox");
+  span_->setAccessibleName(tr("Visible time span"));
+  span_->setToolTip(tr("Visible time span; the wheel zooms over a paused picture"));
+  for (const double span : spans_s) span_->addItem(tr("%1 s").arg(span), span);
+  span_->setCurrentIndex(2);
+  connect(span_, &QComboBox::currentIndexChanged, this, &LivePlots::follow);
+  record_ = toolButton(this, "recordButton", tr("Record"), {});
+  record_->setShortcut(Qt::Key_R);
+  connect(record_, &QToolButton::clicked, &session_,
+          [this] { session_.recording() ? session_.finishRecording() : session_.startRecording(); });
+  export_ = toolButton(this, "exportVisibleButton", tr("Export visible…"),
+                       tr("Write the visible stretch as CSV, every sample of it"));
+  connect(export_, &QToolButton::clicked, this, &LivePlots::exportVisible);
+  difference_ = new QLabel(this);
+  difference_->setObjectName("cursorDifference");
+  difference_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  for (QWidget* widget : std::initializer_list<QWidget*>{pause_, cursorButton_, span_, record_, export_})
+    strip->addWidget(widget);
+  strip->addStretch(1);
+  strip->addWidget(difference_);
+  static_cast<QVBoxLayout*>(layout())->addLayout(strip);
+}
+
+void LivePlots::buildPlot() {
+  plot_ = new QCustomPlot(this);
+  plot_->setObjectName("livePlot");
+  plot_->setAccessibleName(tr("Live plots of angle, velocity, current and estimated disturbance over time"));
+  plot_->setFocusPolicy(Qt::StrongFocus);
+  plot_->setMinimumSize(200, 120);
+  plot_->setNoAntialiasingOnDrag(true);
+  plot_->setNotAntialiasedElements(QCP::aeAll);
+  plot_->plotLayout()->clear();
+  plot_->plotLayout()->setRowSpacing(2);
+  plot_->plotLayout()->setColumnSpacing(6);
+  for (int channel = 0; channel < channelCount; ++channel) addTrace(channel);
+  linkTimeAxes();
+  plot_->plotLayout()->setRowStretchFactors({1.0, 1.45});  // the lower row also carries the labels of time
+  plot_->installEventFilter(this);
+}
+
+void LivePlots::addTrace(int channel) {
+  Trace& trace = traces_[static_cast<size_t>(channel)];
+  trace.rect = new QCPAxisRect(plot_);
+  plot_->plotLayout()->addElement(channel / 2, channel % 2, trace.rect);
+  trace.rect->setMinimumMargins(QMargins(44, 3, 8, 3));
+  QCPAxis* time = trace.rect->axis(QCPAxis::atBottom);
+  if (channel < 2) {
+    time->setTickLabels(false);
+  } else {
+    time->setLabel(tr("time (s)"));
+  }
+  trace.rect->axis(QCPAxis::atLeft)->ticker()->setTickCount(3);
+  time->ticker()->setTickCount(8);
+  trace.graph = plot_->addGraph(time, trace.rect->axis(QCPAxis::atLeft));
+  trace.graph->setAdaptiveSampling(true);
+  const auto inset = [&](Qt::Alignment where) {
+    auto* text = new QCPTextElement(plot_);
+    trace.rect->insetLayout()->addElement(text, where);
+    text->setMargins(QMargins(2, 0, 2, 0));
+    return text;
+  };
+  trace.title = inset(Qt::AlignTop | Qt::AlignLeft);
+  trace.title->setText(tr(channels[static_cast<size_t>(channel)].title));
+  trace.readout = inset(Qt::AlignTop | Qt::AlignRight);
+  for (QCPItemStraightLine*& cursor : trace.cursors) {
+    cursor = new QCPItemStraightLine(plot_);
+    for (QCPItemPosition* position : cursor->positions()) {
+      position->setAxes(time, trace.rect->axis(QCPAxis::atLeft));
+      position->setAxisRect(trace.rect);
+      position->setTypeX(QCPItemPosition::ptPlotCoords);
+      position->setTypeY(QCPItemPosition::ptAxisRectRatio);
+    }
+    cursor->setClipAxisRect(trace.rect);
+    cursor->setVisible(false);
+  }
+}
+
+void LivePlots::linkTimeAxes() {
+  auto* left = new QCPMarginGroup(plot_);
+  auto* right = new QCPMarginGroup(plot_);
+  for (size_t channel = 0; channel < traces_.size(); ++channel) {
+    traces_[channel].rect->setMarginGroup(QCP::msLeft, channel % 2 == 0 ? left : right);
+    QCPAxis* time = traces_[channel].rect->axis(QCPAxis::atBottom);
+    traces_[channel].rect->setRangeDragAxes(time, nullptr);
+    traces_[channel].rect->setRangeZoomAxes(time, nullptr);
+    for (const Trace& other : traces_) {
+      QCPAxis* otherTime = other.rect->axis(QCPAxis::atBottom);
+      if (otherTime == time) continue;
+      connect(time, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), otherTime,
+              [otherTime](const QCPRange& range) { otherTime->setRange(range); });
+    }
+  }
+}
+
+void LivePlots::applyLook() {
+  const Look look = Look::of(palette());
+  dress(*plot_, look);
+  for (size_t channel = 0; channel < traces_.size(); ++channel) {
+    const Trace& trace = traces_[channel];
+    const QColor ink = look.curve(static_cast<int>(channel));
+    trace.graph->setPen(QPen(ink, 1));
+    trace.title->setTextColor(ink);
+    trace.title->setFont(sized(font(), 0.9, true));
+    trace.readout->setTextColor(look.ink);
+    trace.readout->setFont(sized(font(), 0.88));
+    trace.cursors[0]->setPen(QPen(look.ink, 1));
+    trace.cursors[1]->setPen(QPen(look.ink, 1, Qt::DashLine));
+  }
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+double LivePlots::from_s() const {
+  return traces_[0].rect->axis(QCPAxis::atBottom)->range().lower;
+}
+double LivePlots::to_s() const {
+  return traces_[0].rect->axis(QCPAxis::atBottom)->range().upper;
+}
+
+void LivePlots::setPaused(bool paused) {
+  paused_ = paused;
+  pause_->setChecked(paused);
+  plot_->setInteractions(paused ? QCP::iRangeDrag | QCP::iRangeZoom : QCP::Interactions());
+  if (!paused) follow();
+}
+
+void LivePlots::showCursors(bool shown) {
+  cursorButton_->setChecked(shown);
+  const double span = to_s() - from_s();
+  cursor_s_ = {from_s() + 0.4 * span, from_s() + 0.6 * span};
+  for (const Trace& trace : traces_) {
+    for (QCPItemStraightLine* cursor : trace.cursors) cursor->setVisible(shown);
+    trace.readout->setVisible(shown);
+  }
+  if (shown) plot_->setFocus();
+  placeCursors();
+  writeReadouts();
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void LivePlots::refresh() {
+  consume();
+  if (paused_) return;
+  follow();
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void LivePlots::consume() {
+  const LiveHistory& history = session_.history();
+  if (consumed_ < history.first()) consumed_ = history.first();
+  if (consumed_ == history.end()) return;
+  std::array<std::vector<TracePoint>, channelCount> points;
+  for (; consumed_ < history.end(); ++consumed_) {
+    const Sample& sample = history.at(consumed_);
+    for (size_t channel = 0; channel < traces_.size(); ++channel) {
+      traces_[channel].envelope.add(sample.time_s, channels[channel].scale * (sample.*channels[channel].value),
+                                    points[channel]);
+    }
+  }
+  const double oldest_s = history.at(history.first()).time_s;
+  for (size_t channel = 0; channel < traces_.size(); ++channel) {
+    QVector<QCPGraphData> fresh;
+    fresh.reserve(static_cast<qsizetype>(points[channel].size()));
+    for (const TracePoint& point : points[channel]) fresh.append(QCPGraphData(point.time_s, point.value));
+    traces_[channel].graph->data()->add(fresh, true);
+    traces_[channel].graph->data()->removeBefore(oldest_s);
+  }
+}
+
+void LivePlots::startOver() {
+  consumed_ = session_.history().first();
+  const double period_s = session_.connected() ? 1.0 / std::max(1.0, session_.identity().loopRate_Hz) : 0.001;
+  for (Trace& trace : traces_) {
+    trace.graph->data()->clear();
+    trace.envelope = Envelope(0.002, 3.5 * period_s);
+  }
+  setPaused(false);
+  setAvailable(record_, session_.connected(), tr("Record every sample at the full rate (R)"),
+               tr("No board is connected"));
+  setAvailable(export_, session_.connected(), tr("Write the visible stretch as CSV, every sample of it"),
+               tr("No board is connected"));
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void LivePlots::follow() {
+  const auto newest = session_.history().newest();
+  const double end_s = newest ? newest->time_s : 0.0;
+  const double span_s = span_->currentData().toDouble();
+  const double shift_s = end_s - to_s();
+  traces_[0].rect->axis(QCPAxis::atBottom)->setRange(end_s - span_s, end_s);
+  for (double& cursor : cursor_s_) cursor += shift_s;
+  for (Trace& trace : traces_) scaleValues(trace);
+  placeCursors();
+  writeReadouts();
+}
+
+void LivePlots::scaleValues(Trace& trace) const {
+  bool found = false;
+  QCPRange values = trace.graph->getValueRange(found, QCP::sdBoth, trace.rect->axis(QCPAxis::atBottom)->range());
+  if (!found) return;
+  const double least = channels[static_cast<size_t>(&trace - traces_.data())].leastSpan;
+  const double span = std::max(least, values.size()) * 1.15;
+  trace.rect->axis(QCPAxis::atLeft)->setRange(values.center() - 0.5 * span, values.center() + 0.62 * span);
+}
+
+void LivePlots::placeCursors() {
+  for (const Trace& trace : traces_) {
+    for (size_t which = 0; which < trace.cursors.size(); ++which) {
+      trace.cursors[which]->point1->setCoords(cursor_s_[which], 0.0);
+      trace.cursors[which]->point2->setCoords(cursor_s_[which], 1.0);
+    }
+  }
+}
+
+void LivePlots::writeReadouts() {
+  const bool shown = cursorButton_->isChecked();
+  const auto a = session_.history().nearest(cursor_s_[0]);
+  const auto b = session_.history().nearest(cursor_s_[1]);
+  difference_->setVisible(shown && a && b);
+  if (!shown || !a || !b) return;
+  const double delta_s = b->time_s - a->time_s;
+  difference_->setText(
+      tr("A %1 s   B %2 s   Δt %3 s").arg(a->time_s, 0, 'f', 4).arg(b->time_s, 0, 'f', 4).arg(delta_s, 0, 'f', 4));
+  for (size_t channel = 0; channel < traces_.size(); ++channel) {
+    const LiveChannel& shownAs = channels[channel];
+    const double atA = shownAs.scale * ((*a).*shownAs.value);
+    const double atB = shownAs.scale * ((*b).*shownAs.value);
+    const auto text = [&](double value) { return QString::number(value, 'f', shownAs.decimals); };
+    traces_[channel].readout->setText(tr("A %1   B %2   Δy %3").arg(text(atA), text(atB), text(atB - atA)));
+  }
+}
+
+bool LivePlots::cursorMouse(QEvent* event) {
+  if (!cursorButton_->isChecked()) return false;
+  const auto* mouse = static_cast<QMouseEvent*>(event);
+  const QPointF at = mouse->position();
+  QCPAxisRect* rect = plot_->axisRectAt(at);
+  if (event->type() == QEvent::MouseButtonRelease) {
+    const bool was = dragged_ >= 0;
+    dragged_ = -1;
+    return was;
+  }
+  if (rect == nullptr) return false;
+  QCPAxis* time = rect->axis(QCPAxis::atBottom);
+  if (event->type() == QEvent::MouseButtonPress) {
+    for (size_t which = 0; which < cursor_s_.size(); ++which) {
+      if (std::abs(time->coordToPixel(cursor_s_[which]) - at.x()) < 6.0) dragged_ = static_cast<int>(which);
+    }
+    return dragged_ >= 0;
+  }
+  if (dragged_ < 0) return false;
+  cursor_s_[static_cast<size_t>(dragged_)] = time->pixelToCoord(at.x());
+  placeCursors();
+  writeReadouts();
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+  return true;
+}
+
+bool LivePlots::cursorKey(int key, bool shift) {
+  if (!cursorButton_->isChecked() || (key != Qt::Key_Left && key != Qt::Key_Right)) return false;
+  cursor_s_[shift ? 1 : 0] += (key == Qt::Key_Left ? -0.005 : 0.005) * (to_s() - from_s());
+  placeCursors();
+  writeReadouts();
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+  return true;
+}
+
+bool LivePlots::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != plot_) return QWidget::eventFilter(watched, event);
+  switch (event->type()) {
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseMove:
+    case QEvent::MouseButtonRelease:
+      return cursorMouse(event);
+    case QEvent::KeyPress: {
+      const auto* key = static_cast<QKeyEvent*>(event);
+      return cursorKey(key->key(), key->modifiers().testFlag(Qt::ShiftModifier));
+    }
+    default:
+      return false;
+  }
+}
+
+void LivePlots::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (plot_ != nullptr && (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)) applyLook();
+}
+
+void LivePlots::exportVisible() {
+  const auto recording =
+      sealSamples("visible stretch", session_.history().between(from_s(), to_s()),
+                  {{"device", session_.identity().device}, {"firmware", session_.identity().firmware}});
+  if (!recording) {
+    session_.say(tr("Nothing to export: no sample is visible"), true);
+    return;
+  }
+  files_.ask(this, {tr("Export the visible stretch"), tr("Recording (*.csv)"), "visible.csv", true},
+             [this, recording](const QString& path) {
+               const auto written = writeCsv(*recording, path.toStdString());
+               session_.say(written ? tr("%1 samples written to %2").arg(recording->rows()).arg(path)
+                                    : QString::fromStdString(written.error().message()),
+                            !written);
+             });
+}
+
+void LivePlots::showRecording() {
+  record_->setText(session_.recording() ? tr("Finish recording (%1 s)").arg(session_.link().recorded_s, 0, 'f', 0)
+                                        : tr("Record"));
+}
+
+}  // namespace breakaway

@@ -1,0 +1,89 @@
+// The dock below every page: angle, velocity, current and disturbance over one shared axis of time.
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+#include <array>
+#include <vector>
+
+#include "envelope.h"
+#include "widgets/file_chooser.h"
+
+class QCPAxisRect;
+class QCPGraph;
+class QCPItemStraightLine;
+class QCPTextElement;
+class QCustomPlot;
+class QComboBox;
+class QLabel;
+class QToolButton;
+
+namespace breakaway {
+
+class Session;
+
+class LivePlots : public QWidget {
+  Q_OBJECT
+
+ public:
+  LivePlots(Session& session, FileChooser& files, QWidget* parent = nullptr);
+
+  bool paused() const { return paused_; }
+  double from_s() const;
+  double to_s() const;
+
+ public slots:
+  void setPaused(bool paused);
+  void showCursors(bool shown);
+  /// Takes the new samples over and draws; called by a timer, and by who wants a picture now.
+  void refresh();
+
+ protected:
+  void changeEvent(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  static constexpr int channelCount = 4;
+  struct Trace {
+    QCPAxisRect* rect = nullptr;
+    QCPGraph* graph = nullptr;
+    QCPTextElement* title = nullptr;
+    QCPTextElement* readout = nullptr;
+    std::array<QCPItemStraightLine*, 2> cursors{};
+    Envelope envelope{0.002, 0.01};
+  };
+
+  void buildStrip();
+  void buildPlot();
+  void addTrace(int channel);
+  void linkTimeAxes();
+  void applyLook();
+  void consume();
+  void startOver();
+  void follow();
+  void scaleValues(Trace& trace) const;
+  void placeCursors();
+  void writeReadouts();
+  bool cursorMouse(QEvent* event);
+  bool cursorKey(int key, bool shift);
+  void exportVisible();
+  void showRecording();
+
+  Session& session_;
+  FileChooser& files_;
+  QCustomPlot* plot_ = nullptr;
+  QToolButton* pause_ = nullptr;
+  QToolButton* cursorButton_ = nullptr;
+  QToolButton* record_ = nullptr;
+  QToolButton* export_ = nullptr;
+  QComboBox* span_ = nullptr;
+  QLabel* difference_ = nullptr;
+  std::array<Trace, channelCount> traces_;
+  std::array<double, 2> cursor_s_{};
+  int dragged_ = -1;
+  bool paused_ = false;
+  uint64_t consumed_ = 0;
+  QTimer timer_;
+};
+
+}  // namespace breakaway

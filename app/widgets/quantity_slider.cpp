@@ -1,0 +1,106 @@
+#include "widgets/quantity_slider.h"
+
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <algorithm>
+#include <cmath>
+
+namespace breakaway {
+
+namespace {
+constexpr int travel = 1000;
+constexpr double decades = 3.0;  ///< of a logarithmic slider
+}  // namespace
+
+QuantitySlider::QuantitySlider(const QString& objectName, const QString& title, const QString& unit,
+                               const QString& help, QWidget* parent)
+    : QWidget(parent), help_(help) {
+  setObjectName(objectName);
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setVerticalSpacing(1);
+  auto* label = new QLabel(title, this);
+  label->setToolTip(help);
+  slider_ = new QSlider(Qt::Horizontal, this);
+  slider_->setObjectName(objectName + "Slider");
+  slider_->setAccessibleName(title);
+  slider_->setRange(0, travel);
+  slider_->setPageStep(travel / 20);
+  box_ = new QDoubleSpinBox(this);
+  box_->setObjectName(objectName + "Box");
+  box_->setAccessibleName(title);
+  box_->setSuffix(" " + unit);
+  box_->setKeyboardTracking(false);
+  box_->setFixedWidth(150);
+  box_->setAlignment(Qt::AlignRight);
+  box_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+  label->setBuddy(box_);
+  grid->addWidget(label, 0, 0);
+  grid->addWidget(box_, 0, 1);
+  grid->addWidget(slider_, 1, 0, 1, 2);
+  setRange(range_);
+  setAvailable(true, {});
+  connect(slider_, &QSlider::valueChanged, this, &QuantitySlider::takeSlider);
+  connect(box_, &QDoubleSpinBox::valueChanged, this, &QuantitySlider::takeBox);
+}
+
+double QuantitySlider::value() const {
+  return box_->value();
+}
+
+void QuantitySlider::setRange(const QuantityRange& range) {
+  const QSignalBlocker quietBox(box_), quietSlider(slider_);
+  range_ = range;
+  box_->setDecimals(range.decimals);
+  box_->setRange(range.least, range.most);
+  slider_->setValue(positionOf(box_->value()));
+}
+
+void QuantitySlider::setAvailable(bool available, const QString& reason) {
+  for (QWidget* part : std::initializer_list<QWidget*>{slider_, box_}) {
+    part->setEnabled(available);
+    part->setToolTip(available ? help_ : reason);
+  }
+}
+
+void QuantitySlider::show(double value) {
+  if (value > range_.most) {
+    QuantityRange wider = range_;
+    wider.most = value;
+    setRange(wider);
+  }
+  const QSignalBlocker quietBox(box_), quietSlider(slider_);
+  box_->setValue(value);
+  if (!slider_->isSliderDown()) slider_->setValue(positionOf(value));
+}
+
+int QuantitySlider::positionOf(double value) const {
+  const double share = std::clamp((value - range_.least) / (range_.most - range_.least), 0.0, 1.0);
+  if (!range_.logarithmic) return static_cast<int>(std::lround(share * travel));
+  const double position = share <= 0.0 ? 0.0 : 1.0 + std::log10(share) / decades;
+  return static_cast<int>(std::lround(std::clamp(position, 0.0, 1.0) * travel));
+}
+
+double QuantitySlider::valueOf(int position) const {
+  const double share = static_cast<double>(position) / travel;
+  const double height = range_.most - range_.least;
+  if (!range_.logarithmic || position == 0) return range_.least + share * height;
+  return range_.least + height * std::pow(10.0, decades * (share - 1.0));
+}
+
+void QuantitySlider::takeSlider(int position) {
+  const QSignalBlocker quiet(box_);
+  box_->setValue(valueOf(position));
+  emit chosen(box_->value());
+}
+
+void QuantitySlider::takeBox(double value) {
+  const QSignalBlocker quiet(slider_);
+  slider_->setValue(positionOf(value));
+  emit chosen(value);
+}
+
+}  // namespace breakaway

@@ -1,0 +1,50 @@
+// One quantity by slider and by number, both showing the same value, with its unit.
+#pragma once
+
+#include <QWidget>
+
+class QDoubleSpinBox;
+class QSlider;
+
+namespace breakaway {
+
+struct QuantityRange {
+  double least = 0.0;
+  double most = 1.0;
+  int decimals = 3;
+  bool logarithmic =
+      false;  ///< the slider's travel is logarithmic above least + most/1000; its left end is `least` itself
+};
+
+class QuantitySlider : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `objectName` names the whole; its parts are objectName + "Slider" and objectName + "Box".
+  QuantitySlider(const QString& objectName, const QString& title, const QString& unit, const QString& help,
+                 QWidget* parent);
+
+  double value() const;
+  /// Shows a value without telling anyone; the range grows to hold it.
+  void show(double value);
+  using QWidget::show;
+  void setRange(const QuantityRange& range);
+  void setAvailable(bool available, const QString& reason);
+
+ signals:
+  /// A person chose another value.
+  void chosen(double value);
+
+ private:
+  int positionOf(double value) const;
+  double valueOf(int position) const;
+  void takeSlider(int position);
+  void takeBox(double value);
+
+  QString help_;
+  QuantityRange range_;
+  QSlider* slider_ = nullptr;
+  QDoubleSpinBox* box_ = nullptr;
+};
+
+}  // namespace breakaway

@@ -1,0 +1,215 @@
+#include "widgets/residual_plots.h"
+
+#include <qcustomplot.h>
+
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "comparison.h"
+#include "residual_axis.h"
+#include "widgets/look.h"
+
+namespace breakaway {
+
+ResidualPlots::ResidualPlots(Comparison& comparison, QWidget* parent) : QWidget(parent), comparison_(comparison) {
+  setObjectName("residualPlots");
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  buildPlot();
+  layout->addWidget(plot_);
+  connect(&comparison_, &Comparison::inputsChanged, this, &ResidualPlots::showAll);
+  connect(&comparison_, &Comparison::tracesChanged, this, &ResidualPlots::draw);
+  applyLook();
+}
+
+void ResidualPlots::buildPlot() {
+  plot_ = new QCustomPlot(this);
+  plot_->setObjectName("residualPlot");
+  plot_->setAccessibleName(tr("Measurement over simulation, and the residual beneath"));
+  plot_->setMinimumSize(200, 150);
+  plot_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
+  plot_->setNotAntialiasedElements(QCP::aePlottables);
+  plot_->plotLayout()->clear();
+  plot_->plotLayout()->setRowSpacing(2);
+  above_ = new QCPAxisRect(plot_);
+  below_ = new QCPAxisRect(plot_);
+  plot_->plotLayout()->addElement(0, 0, above_);
+  plot_->plotLayout()->addElement(1, 0, below_);
+  plot_->plotLayout()->setRowStretchFactors({1.0, 1.25});
+  auto* left = new QCPMarginGroup(plot_);
+  for (QCPAxisRect* rect : {above_, below_}) {
+    rect->setLayer("background");
+    for (QCPAxis* axis : rect->axes()) axis->grid()->setLayer("grid");
+    rect->setMarginGroup(QCP::msLeft, left);
+    rect->setMinimumMargins(QMargins(44, 4, 10, 3));
+    rect->setRangeDrag(Qt::Horizontal);
+    rect->setRangeZoom(Qt::Horizontal);
+    rect->axis(QCPAxis::atLeft)->ticker()->setTickCount(4);
+  }
+  measured_ = plot_->addGraph(above_->axis(QCPAxis::atBottom), above_->axis(QCPAxis::atLeft));
+  simulated_ = plot_->addGraph(above_->axis(QCPAxis::atBottom), above_->axis(QCPAxis::atLeft));
+  for (QCPGraph*& graph : residual_)
+    graph = plot_->addGraph(below_->axis(QCPAxis::atBottom), below_->axis(QCPAxis::atLeft));
+  const auto follow = [this](QCPAxis* from, QCPAxis* to) {
+    connect(from, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this, [this, to](const QCPRange& range) {
+      if (axis_ == "time") to->setRange(range);
+    });
+  };
+  follow(above_->axis(QCPAxis::atBottom), below_->axis(QCPAxis::atBottom));
+  follow(below_->axis(QCPAxis::atBottom), above_->axis(QCPAxis::atBottom));
+  const auto name = [this](QCPAxisRect* rect, Qt::Alignment where) {
+    auto* text = new QCPTextElement(plot_);
+    text->setMargins(QMargins(3, 0, 3, 0));
+    rect->insetLayout()->addElement(text, where);
+    return text;
+  };
+  names_ = {name(above_, Qt::AlignTop | Qt::AlignLeft), name(above_, Qt::AlignTop | Qt::AlignRight),
+            name(below_, Qt::AlignTop | Qt::AlignLeft), name(below_, Qt::AlignTop | Qt::AlignRight),
+            name(above_, Qt::AlignCenter)};
+}
+
+void ResidualPlots::applyLook() {
+  const Look look = Look::of(palette());
+  dress(*plot_, look);
+  measured_->setPen(QPen(look.muted, 3));
+  simulated_->setPen(QPen(look.curve(0), 1));
+  residual_[0]->setPen(QPen(look.curve(1), 1));
+  residual_[1]->setPen(QPen(look.curve(0), 1));
+  const std::array<QColor, 5> inks{look.muted, look.curve(0), look.curve(1), look.curve(0), look.muted};
+  for (size_t k = 0; k < names_.size(); ++k) {
+    names_[k]->setTextColor(inks[k]);
+    names_[k]->setFont(sized(font(), 0.9, k < 4));
+  }
+  draw();
+}
+
+void ResidualPlots::setAxis(const QString& axis) {
+  if (axis_ == axis) return;
+  axis_ = axis;
+  draw();
+  showAllOf(*below_);
+}
+
+void ResidualPlots::showAll() {
+  draw();
+  showAllOf(*above_);
+  showAllOf(*below_);
+}
+
+void ResidualPlots::showAllOf(QCPAxisRect& rect) {
+  const auto& recording = comparison_.recording();
+  if (!recording || recording->rows() < 2) return;
+  if (&rect == above_ || axis_ == "time") {
+    rect.axis(QCPAxis::atBottom)->setRange(recording->time().front(), recording->time().back());
+  } else {
+    rect.axis(QCPAxis::atBottom)->rescale();
+  }
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void ResidualPlots::draw() {
+  for (QCPItemRect* band : bands_) plot_->removeItem(band);
+  bands_.clear();
+  for (QCPGraph* graph : {measured_, simulated_, residual_[0], residual_[1]}) graph->data()->clear();
+  const auto& recording = comparison_.recording();
+  nameParts();
+  if (recording) {
+    drawMeasurement(*recording);
+    if (!comparison_.shownTrace().position.empty()) drawResiduals(*recording);
+    drawBands();
+  }
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void ResidualPlots::nameParts() {
+  const auto& bench = comparison_.bench();
+  const bool linear = bench && bench->axis == Axis::linear;
+  const bool diagnosed = !comparison_.shownTrace().position.empty();
+  above_->axis(QCPAxis::atLeft)->setLabel(linear ? tr("position (m)") : tr("angle (rad)"));
+  above_->axis(QCPAxis::atBottom)->setLabel(axis_ == "time" ? QString() : tr("time (s)"));
+  above_->axis(QCPAxis::atBottom)->setTickLabels(axis_ != "time");
+  below_->axis(QCPAxis::atLeft)->setLabel(linear ? tr("residual (mm)") : tr("residual (mrad)"));
+  below_->axis(QCPAxis::atBottom)->setLabel(axisLabel(axis_, linear));
+  names_[0]->setText(comparison_.recording() ? tr("measured") : QString());
+  names_[1]->setText(diagnosed ? tr("simulated with findings") : QString());
+  names_[2]->setText(diagnosed ? tr("base model") : QString());
+  names_[3]->setText(diagnosed ? tr("with findings") : QString());
+  names_[4]->setText(comparison_.recording() ? QString() : tr("Open or drop a recording and its bench file"));
+}
+
+void ResidualPlots::drawMeasurement(const Recording& recording) {
+  const auto measured = recording.channel(recording.has("position_m") ? "position_m" : "angle_rad");
+  const auto time = recording.time();
+  const auto& simulated = comparison_.shownTrace().position;
+  QVector<QCPGraphData> measuredPoints, simulatedPoints;
+  for (size_t row = 0; row < measured.size(); ++row) {
+    measuredPoints.append(QCPGraphData(time[row], measured[row]));
+    if (row < simulated.size()) simulatedPoints.append(QCPGraphData(time[row], simulated[row]));
+  }
+  measured_->data()->set(measuredPoints, true);
+  simulated_->data()->set(simulatedPoints, true);
+  above_->axis(QCPAxis::atLeft)->rescale();
+  const QCPRange range = above_->axis(QCPAxis::atLeft)->range();
+  above_->axis(QCPAxis::atLeft)->setRange(range.lower - 0.08 * range.size(), range.upper + 0.3 * range.size());
+}
+
+void ResidualPlots::drawResiduals(const Recording& recording) {
+  const auto abscissa = residualAxis(axis_, comparison_.diagnosis()->base, recording, comparison_.shownTrace());
+  const auto measured = recording.channel(recording.has("position_m") ? "position_m" : "angle_rad");
+  const bool line = axis_ == "time";
+  const auto draw = [&](QCPGraph& graph, const std::vector<double>& position) {
+    QVector<QCPGraphData> points;
+    const size_t every = line ? 1 : std::max<size_t>(1, position.size() / 4000);
+    for (size_t row = 0; row < std::min(position.size(), abscissa.size()); row += every) {
+      points.append(QCPGraphData(abscissa[row], 1e3 * (position[row] - measured[row])));
+    }
+    graph.setLineStyle(line ? QCPGraph::lsLine : QCPGraph::lsNone);
+    graph.setScatterStyle(line ? QCPScatterStyle() : QCPScatterStyle(QCPScatterStyle::ssDisc, graph.pen().color(), 2));
+    graph.setAdaptiveSampling(line);
+    graph.data()->set(points, line);
+  };
+  draw(*residual_[0], comparison_.baseTrace().position);
+  draw(*residual_[1], comparison_.shownTrace().position);
+  below_->axis(QCPAxis::atLeft)->rescale();
+  below_->axis(QCPAxis::atLeft)->scaleRange(1.3);
+}
+
+void ResidualPlots::drawBands() {
+  const auto& diagnosis = comparison_.diagnosis();
+  if (!diagnosis) return;
+  const Look look = Look::of(palette());
+  const auto add = [&](QCPAxisRect* rect, double from, double to, double top, const QColor& ink) {
+    auto* band = new QCPItemRect(plot_);
+    for (QCPItemPosition* position : band->positions()) {
+      position->setAxes(rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atLeft));
+      position->setAxisRect(rect);
+      position->setTypeX(QCPItemPosition::ptPlotCoords);
+      position->setTypeY(QCPItemPosition::ptAxisRectRatio);
+    }
+    band->topLeft->setCoords(from, top);
+    band->bottomRight->setCoords(to, 1.0);
+    band->setClipAxisRect(rect);
+    band->setPen(Qt::NoPen);
+    band->setBrush(ink);
+    band->setLayer("grid");  // over the background, under the curves
+    bands_.push_back(band);
+  };
+  for (const Place& place : diagnosis->where) {
+    if (QString::fromStdString(place.axis) != axis_) continue;
+    add(below_, place.from, place.to, 0.0, look.band);
+    if (axis_ == "time") add(above_, place.from, place.to, 0.0, look.band);
+  }
+  QColor heldout = look.curve(2);
+  heldout.setAlpha(120);
+  const auto time = comparison_.recording()->time();
+  for (const auto& [first, last] : diagnosis->heldoutRows)
+    add(above_, time[first], time[std::min(last, time.size()) - 1], 0.955, heldout);
+}
+
+void ResidualPlots::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (plot_ != nullptr && (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)) applyLook();
+}
+
+}  // namespace breakaway

@@ -1,0 +1,58 @@
+// Measurement over simulation, and beneath it the residual, over time or over the axis on which the two part.
+#pragma once
+
+#include <QString>
+#include <QWidget>
+#include <array>
+#include <vector>
+
+class QCPAxisRect;
+class QCPGraph;
+class QCPItemRect;
+class QCPTextElement;
+class QCustomPlot;
+
+namespace breakaway {
+
+class Comparison;
+class Recording;
+
+class ResidualPlots : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ResidualPlots(Comparison& comparison, QWidget* parent = nullptr);
+
+  /// The residual's horizontal axis, named as in Place::axis.
+  void setAxis(const QString& axis);
+  const QString& axis() const { return axis_; }
+  /// Highlighted stretches that are drawn now.
+  size_t bands() const { return bands_.size(); }
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void buildPlot();
+  void applyLook();
+  void draw();
+  void showAll();
+  void showAllOf(QCPAxisRect& rect);
+  void nameParts();
+  void drawMeasurement(const Recording& recording);
+  void drawResiduals(const Recording& recording);
+  void drawBands();
+
+  Comparison& comparison_;
+  QString axis_ = "time";
+  QCustomPlot* plot_ = nullptr;
+  QCPAxisRect* above_ = nullptr;
+  QCPAxisRect* below_ = nullptr;
+  QCPGraph* measured_ = nullptr;
+  QCPGraph* simulated_ = nullptr;
+  std::array<QCPGraph*, 2> residual_{};     ///< base, with findings
+  std::array<QCPTextElement*, 5> names_{};  ///< measured, simulated, base, with findings, hint
+  std::vector<QCPItemRect*> bands_;
+};
+
+}  // namespace breakaway

@@ -1,0 +1,81 @@
+#include "widgets/rotor_dial.h"
+
+#include <QPainter>
+#include <cmath>
+#include <numbers>
+
+#include "widgets/look.h"
+
+namespace breakaway {
+
+namespace {
+
+/// Zero to the right, growing counter-clockwise, as angles are drawn in textbooks and on the polar plot.
+QPointF onCircle(double angle_rad, double radius) {
+  return {radius * std::cos(angle_rad), -radius * std::sin(angle_rad)};
+}
+
+}  // namespace
+
+RotorDial::RotorDial(QWidget* parent) : QWidget(parent) {
+  setObjectName("rotorDial");
+  setAccessibleName(tr("Rotor angle"));
+  setMinimumSize(200, 200);
+}
+
+void RotorDial::show(std::optional<double> angle_rad, std::optional<double> index_rad) {
+  angle_rad_ = angle_rad;
+  index_rad_ = index_rad;
+  update();
+}
+
+void RotorDial::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.translate(rect().center());
+  const double radius = 0.5 * std::min(width(), height()) - 34.0;
+  paintScale(painter, radius);
+  if (angle_rad_) paintHand(painter, radius);
+}
+
+void RotorDial::paintScale(QPainter& painter, double radius) const {
+  const Look look = Look::of(palette());
+  painter.setPen(QPen(look.line, 1));
+  painter.setBrush(look.page);
+  painter.drawEllipse(QPointF(0, 0), radius, radius);
+  painter.setFont(sized(font(), 0.88));
+  for (int degrees = 0; degrees < 360; degrees += 10) {
+    const double angle_rad = degrees * std::numbers::pi / 180.0;
+    const bool named = degrees % 30 == 0;
+    painter.setPen(QPen(named ? look.muted : look.line, 1));
+    painter.drawLine(onCircle(angle_rad, radius), onCircle(angle_rad, radius - (named ? 10 : 5)));
+    if (!named) continue;
+    const QPointF at = onCircle(angle_rad, radius + 17);
+    painter.drawText(QRectF(at.x() - 24, at.y() - 10, 48, 20), Qt::AlignCenter, tr("%1°").arg(degrees));
+  }
+  if (!index_rad_) return;
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(look.curve(2));
+  painter.drawPolygon(
+      QPolygonF{onCircle(0.0, radius - 1), onCircle(0.045, radius - 20), onCircle(-0.045, radius - 20)});
+}
+
+void RotorDial::paintHand(QPainter& painter, double radius) const {
+  const Look look = Look::of(palette());
+  const double shown_rad = *angle_rad_ - index_rad_.value_or(0.0);
+  painter.setPen(QPen(look.curve(0), 2.5, Qt::SolidLine, Qt::RoundCap));
+  painter.drawLine(QPointF(0, 0), onCircle(shown_rad, radius - 24));
+  painter.setBrush(look.curve(0));
+  painter.drawEllipse(QPointF(0, 0), 4, 4);
+  const double turn_deg = 360.0;
+  const double degrees = std::fmod(std::fmod(shown_rad * 180.0 / std::numbers::pi, turn_deg) + turn_deg, turn_deg);
+  painter.setPen(look.ink);
+  painter.setFont(sized(font(), 1.25, true));
+  painter.drawText(QRectF(-80, 0.32 * radius, 160, 26), Qt::AlignCenter, tr("%1°").arg(degrees, 0, 'f', 2));
+  painter.setPen(look.muted);
+  painter.setFont(sized(font(), 0.88));
+  painter.drawText(QRectF(-80, 0.32 * radius + 24, 160, 20), Qt::AlignCenter,
+                   index_rad_ ? tr("from the index") : tr("from power-up"));
+}
+
+}  // namespace breakaway

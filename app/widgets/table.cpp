@@ -1,0 +1,34 @@
+#include "widgets/table.h"
+
+#include <QHeaderView>
+#include <QTableWidget>
+
+namespace breakaway {
+
+QTableWidget* readTable(QWidget* parent, const char* objectName, const QString& accessibleName,
+                        const QStringList& columns) {
+  auto* table = new QTableWidget(0, static_cast<int>(columns.size()), parent);
+  table->setObjectName(objectName);
+  table->setAccessibleName(accessibleName);
+  table->setHorizontalHeaderLabels(columns);
+  table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table->setAlternatingRowColors(true);
+  table->setCornerButtonEnabled(false);
+  table->setTabKeyNavigation(false);
+  table->verticalHeader()->hide();
+  table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().height() + 6);
+  table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  table->horizontalHeader()->setHighlightSections(false);
+  return table;
+}
+
+void fillRow(QTableWidget& table, int row, const QStringList& cells) {
+  for (int column = 0; column < cells.size(); ++column) {
+    auto* item = new QTableWidgetItem(cells[column]);
+    item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    table.setItem(row, column, item);
+  }
+}
+
+}  // namespace breakaway

@@ -1,0 +1,213 @@
+// The technician's way through the window on the simulated board: connect, tune, home, sweep, export.
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QImage>
+#include <QListWidget>
+#include <QSlider>
+#include <QSpinBox>
+#include <QSvgRenderer>
+#include <QTableWidget>
+
+#include "app/window_support.h"
+#include "base/atomic_file.h"
+#include "friction/map_export.h"
+#include "widgets/polar_plot.h"
+
+using namespace breakaway;
+using namespace breakaway::test;
+
+class TestBenchJourney : public QObject {
+  Q_OBJECT
+ private slots:
+  void initTestCase();
+  void connectHomeSweepExport();
+  void stopDuringSweep_keepsWhatWasMeasured_data();
+  void stopDuringSweep_keepsWhatWasMeasured();
+  void slider_changesTheBoardAndTheStep();
+  void everyControl_hasAName();
+  void disabledControls_sayWhy();
+};
+
+namespace {
+
+constexpr int patience_ms = 120'000;
+
+/// Fast, and without a watchdog that would watch the test machine instead of the window.
+struct Desk {
+  Desk() : session({60.0, 0.005, 600.0}), window(session, comparison, answers) {
+    window.show();
+    window.showPage("connectPage");
+  }
+  bool connected() {
+    press(window, "connectButton");
+    return session.connected();
+  }
+  bool homed() {
+    window.showPage("homePage");
+    press(window, "homeButton");
+    return QTest::qWaitFor([this] { return session.index_rad().has_value(); }, patience_ms);
+  }
+  void sweep(int bins, int turns) {
+    window.showPage("frictionPage");
+    named<QSpinBox>(window, "bins")->setValue(bins);
+    named<QSpinBox>(window, "turns")->setValue(turns);
+    press(window, "breakawaySweepButton");
+  }
+  bool exported(const char* format, const QString& path) {
+    answers.byTitle["Export the friction map"] = path;
+    auto* box = named<QComboBox>(window, "exportFormat");
+    box->setCurrentIndex(box->findData(format));
+    press(window, "exportMapButton");
+    return QFile(path).size() > 0;
+  }
+
+  Answers answers;
+  Session session;
+  Comparison comparison;
+  MainWindow window;
+};
+
+}  // namespace
+
+void TestBenchJourney::initTestCase() {
+  if (qEnvironmentVariableIsEmpty("BREAKAWAY_RESOURCES"))
+    qputenv("BREAKAWAY_RESOURCES", qgetenv("BREAKAWAY_SOURCE_DIR") + "/resources");
+}
+
+void TestBenchJourney::connectHomeSweepExport() {
+  Desk desk;
+  QCOMPARE(named<QListWidget>(desk.window, "boardList")->currentItem()->text(), QString("Simulated board: servo"));
+  QVERIFY(desk.connected());
+  QVERIFY(named<QWidget>(desk.window, "simulatedLabel")->isVisible());
+  QVERIFY(named<QLabel>(desk.window, "deviceLabel")->text().contains("servo"));
+  QVERIFY(desk.homed());
+  QVERIFY(named<QLabel>(desk.window, "homingRunActivity")->text().contains("Done"));
+
+  desk.window.showPage("frictionPage");
+  named<QDoubleSpinBox>(desk.window, "highestSpeed")->setValue(120.0);
+  named<QSpinBox>(desk.window, "speedCount")->setValue(3);
+  named<QDoubleSpinBox>(desk.window, "speedDuration")->setValue(4.0);
+  press(desk.window, "velocitySweepButton");
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.survey().moving.has_value(); }, patience_ms));
+  // The preset's friction: Coulomb 17 mNm both ways, viscous 20 µNm s/rad.
+  const double coulomb_Nm = desk.session.survey().coulombAverage_Nm()->value;
+  const double viscous = desk.session.survey().viscousAverage_Nm_s_per_rad()->value;
+  QVERIFY2(coulomb_Nm > 0.95 * 0.017 && coulomb_Nm < 1.05 * 0.017, qPrintable(QString::number(coulomb_Nm)));
+  QVERIFY2(viscous > 0.8 * 2e-5 && viscous < 1.2 * 2e-5, qPrintable(QString::number(viscous)));
+
+  desk.sweep(12, 2);
+  auto* plot = named<PolarPlot>(desk.window, "polarPlot");
+  size_t grew = 0, last = 0;
+  QVERIFY(QTest::qWaitFor(
+      [&] {
+        const size_t events = desk.session.survey().events.size();
+        if (events > last) ++grew;
+        last = events;
+        return desk.session.survey().map.has_value();
+      },
+      patience_ms));
+  QVERIFY2(grew >= 3, "the map did not grow while the sweep ran");
+  QCOMPARE(plot->curves().size(), size_t{4});
+  QVERIFY(plot->readingAt(plot->pixelOf(plot->curves()[0].points[3])).contains("mNm"));
+
+  QTemporaryDir folder;
+  QVERIFY(desk.exported("csv", folder.filePath("map.csv")));
+  QVERIFY(desk.exported("json", folder.filePath("map.json")));
+  QVERIFY(desk.exported("c-header", folder.filePath("map.h")));
+  QVERIFY(desk.exported("png", folder.filePath("map.png")));
+  QVERIFY(desk.exported("svg", folder.filePath("map.svg")));
+  const auto map = readMap(folder.filePath("map.json").toStdString());
+  QVERIFY2(map.ok(), map.ok() ? "" : map.error().message().c_str());
+  QCOMPARE(map->bins.size(), size_t{12});
+  QCOMPARE(QImage(folder.filePath("map.png")).width(), 1600);
+  QVERIFY(QSvgRenderer(folder.filePath("map.svg")).isValid());
+  desk.answers.byTitle["Write the friction report"] = folder.filePath("friction.html");
+  desk.window.showPage("reportPage");
+  press(desk.window, "writeFrictionReportButton");
+  QVERIFY(QFile(folder.filePath("friction.html")).size() > 5000);
+  const auto csv = readFile(folder.filePath("map.csv").toStdString());
+  QVERIFY(csv && csv->starts_with("angle_rad,"));
+}
+
+void TestBenchJourney::stopDuringSweep_keepsWhatWasMeasured_data() {
+  QTest::addColumn<int>("key");
+  QTest::newRow("button") << 0;
+  QTest::newRow("Esc") << static_cast<int>(Qt::Key_Escape);
+  QTest::newRow("Space") << static_cast<int>(Qt::Key_Space);
+}
+
+void TestBenchJourney::stopDuringSweep_keepsWhatWasMeasured() {
+  QFETCH(int, key);
+  Desk desk;
+  QVERIFY(desk.connected());
+  QVERIFY(desk.homed());
+  desk.sweep(12, 2);
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.survey().events.size() >= 5; }, patience_ms));
+  if (key == 0) {
+    press(desk.window, "stopButton");
+  } else {
+    QTest::keyClick(named<QWidget>(desk.window, "polarView"), static_cast<Qt::Key>(key));
+  }
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.run().status.state == Procedure::State::stopped; }, patience_ms));
+  QVERIFY(QTest::qWaitFor([&] { return !desk.session.powered(); }, patience_ms));
+  QVERIFY(desk.session.survey().events.size() >= 5);
+  QVERIFY(!desk.session.survey().map.has_value());
+  QVERIFY(!named<PolarPlot>(desk.window, "polarPlot")->curves().empty());
+  QVERIFY(named<QLabel>(desk.window, "frictionRunActivity")->text().contains("What was measured is kept"));
+  QTemporaryDir folder;
+  QVERIFY(desk.exported("breakaways", folder.filePath("breakaways.csv")));
+  auto* format = named<QComboBox>(desk.window, "exportFormat");
+  format->setCurrentIndex(format->findData("csv"));
+  QVERIFY(!named<QWidget>(desk.window, "exportMapButton")->isEnabled());
+  QVERIFY(named<QWidget>(desk.window, "exportMapButton")->toolTip().contains("no map yet"));
+  QVERIFY(named<QWidget>(desk.window, "breakawaySweepButton")->isEnabled());
+}
+
+void TestBenchJourney::slider_changesTheBoardAndTheStep() {
+  Desk desk;
+  QVERIFY(desk.connected());
+  desk.window.showPage("tunePage");
+  const auto measure = [&](size_t count) {
+    press(desk.window, "measureStepButton");
+    return QTest::qWaitFor([&] { return desk.session.steps().size() == count; }, patience_ms);
+  };
+  QVERIFY(measure(1));
+  const double kp = desk.session.settings().velocity_kp_A_s_per_rad;
+  auto* slider = named<QSlider>(desk.window, "kpSlider");
+  slider->setValue(slider->value() - 200);  // a fifth of the way: a quarter of the gain
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.settings().velocity_kp_A_s_per_rad < 0.5 * kp; }, patience_ms));
+  QVERIFY(measure(2));
+  const auto& steps = desk.session.steps();
+  QVERIFY2(steps[1].figures.rise_s > 1.5 * steps[0].figures.rise_s, "a quarter of the gain must rise more slowly");
+  QCOMPARE(named<QTableWidget>(desk.window, "stepTable")->rowCount(), 2);
+}
+
+void TestBenchJourney::everyControl_hasAName() {
+  Desk desk;
+  QStringList nameless;
+  for (const auto* widget : desk.window.findChildren<QWidget*>()) {
+    const bool control = qobject_cast<const QAbstractButton*>(widget) || qobject_cast<const QComboBox*>(widget) ||
+                         qobject_cast<const QAbstractSpinBox*>(widget) || qobject_cast<const QSlider*>(widget);
+    if (!control || widget->objectName().startsWith("qt_") || widget->inherits("QTableCornerButton")) continue;
+    const auto* button = qobject_cast<const QAbstractButton*>(widget);
+    const bool spoken = !widget->accessibleName().isEmpty() || (button && !button->text().isEmpty());
+    if (widget->objectName().isEmpty() || !spoken)
+      nameless << widget->metaObject()->className() + QString(" ") + widget->objectName();
+    if (widget->focusPolicy() == Qt::NoFocus) nameless << widget->objectName() + " cannot be reached by the keyboard";
+  }
+  QVERIFY2(nameless.isEmpty(), qPrintable(nameless.join(", ")));
+}
+
+void TestBenchJourney::disabledControls_sayWhy() {
+  Desk desk;
+  QStringList silent;
+  for (const auto* widget : desk.window.findChildren<QAbstractButton*>()) {
+    if (widget->inherits("QTableCornerButton") || widget->objectName().startsWith("qt_")) continue;
+    if (!widget->isEnabled() && widget->toolTip().isEmpty()) silent << widget->objectName();
+  }
+  QVERIFY2(silent.isEmpty(), qPrintable(silent.join(", ")));
+}
+
+JOURNEY_MAIN(TestBenchJourney)
+#include "tst_bench_journey.moc"

@@ -1,0 +1,145 @@
+// Compare through the window: open, diagnose, before and after, leave a finding out.
+#include <QCheckBox>
+#include <QComboBox>
+#include <cmath>
+
+#include "app/window_support.h"
+#include "support/real_recordings.h"
+#include "widgets/facts_table.h"
+#include "widgets/residual_plots.h"
+
+using namespace breakaway;
+using namespace breakaway::test;
+
+class TestCompareJourney : public QObject {
+  Q_OBJECT
+ private slots:
+  void initTestCase();
+  void example_isDiagnosed();
+  void emps_isDiagnosed();
+  void cancel_endsTheDiagnosis();
+  void badRecording_isSaidInOneLine();
+};
+
+namespace {
+
+constexpr int patience_ms = 240'000;
+
+struct Desk {
+  Desk() : session({1.0, 0.005, 600.0}), window(session, comparison, answers) {
+    window.show();
+    window.showPage("comparePage");
+  }
+  bool opened(const QString& bench, const QString& recording) {
+    answers.byTitle["Open a bench"] = bench;
+    answers.byTitle["Open a recording"] = recording;
+    press(window, "openBenchButton");
+    press(window, "openRecordingButton");
+    return ready();
+  }
+  bool ready() {
+    return QTest::qWaitFor([this] { return comparison.bench() && comparison.recording(); }, patience_ms);
+  }
+  bool diagnosed() {
+    press(window, "diagnoseButton");
+    return QTest::qWaitFor(
+        [this] { return !comparison.baseTrace().position.empty() && !comparison.shownTrace().position.empty(); },
+        patience_ms);
+  }
+  QString proof(const char* name) { return named<FactsTable>(window, "proof")->value(name); }
+
+  Answers answers;
+  Session session;
+  Comparison comparison;
+  MainWindow window;
+};
+
+/// Before and after stand on the page, the simulation that is drawn has the error that is claimed, and every place can
+/// be shown.
+void checkDiagnosis(Desk& desk) {
+  const Diagnosis& diagnosis = *desk.comparison.diagnosis();
+  QVERIFY(!diagnosis.findings.empty());
+  QVERIFY(diagnosis.fit.heldoutAfter < diagnosis.fit.heldoutBefore);
+  QVERIFY2(desk.proof("Held-out error").contains("→"), qPrintable(desk.proof("Held-out error")));
+  const double drawn = desk.comparison.shownRmse();
+  QVERIFY2(drawn > 0.7 * diagnosis.fit.heldoutAfter && drawn < 1.4 * diagnosis.fit.heldoutAfter,
+           qPrintable(QString::number(drawn)));
+  auto* plots = named<ResidualPlots>(desk.window, "residualPlots");
+  auto* axis = named<QComboBox>(desk.window, "residualAxis");
+  for (const Place& place : diagnosis.where) {
+    const int index = axis->findData(QString::fromStdString(place.axis));
+    if (index < 0) continue;
+    axis->setCurrentIndex(index);
+    QVERIFY(plots->bands() > 0);
+  }
+}
+
+}  // namespace
+
+void TestCompareJourney::initTestCase() {
+  if (qEnvironmentVariableIsEmpty("BREAKAWAY_RESOURCES"))
+    qputenv("BREAKAWAY_RESOURCES", qgetenv("BREAKAWAY_SOURCE_DIR") + "/resources");
+}
+
+void TestCompareJourney::example_isDiagnosed() {
+  Desk desk;
+  press(desk.window, "openExampleButton");
+  QVERIFY(desk.ready());
+  QVERIFY(desk.diagnosed());
+  checkDiagnosis(desk);
+  QTemporaryDir folder;
+  desk.answers.byTitle["Write the comparison's report into a folder"] = folder.path();
+  desk.window.showPage("reportPage");
+  press(desk.window, "writeComparisonReportButton");
+  QVERIFY(QFile(folder.filePath("report.html")).size() > 5000);
+  QVERIFY(QFile(folder.filePath("diagnosis.json")).size() > 500);
+  QVERIFY(named<QWidget>(desk.window, "openReportButton")->isEnabled());
+}
+
+void TestCompareJourney::emps_isDiagnosed() {
+  NEEDS_REAL_RECORDINGS();
+  const QString folder = QString::fromStdString(realRecordings()) + "/emps/";
+  Desk desk;
+  QVERIFY(desk.opened(folder + "emps.bench.json", folder + "DATA_EMPS.csv"));
+  QVERIFY(desk.diagnosed());
+  checkDiagnosis(desk);
+  const std::string first = desk.comparison.diagnosis()->findings.front().effect;
+  const double with = desk.comparison.shownRmse();
+  auto* box = named<QCheckBox>(desk.window, ("finding_" + first).c_str());
+  box->setFocus();
+  QTest::keyClick(box, Qt::Key_Return);
+  QVERIFY(!desk.comparison.includes(first));
+  QVERIFY(QTest::qWaitFor([&] { return desk.comparison.shownRmse() > 1.5 * with; }, patience_ms));
+  QTest::keyClick(box, Qt::Key_Return);
+  QVERIFY(QTest::qWaitFor([&] { return std::abs(desk.comparison.shownRmse() - with) < 1e-12; }, patience_ms));
+}
+
+void TestCompareJourney::cancel_endsTheDiagnosis() {
+  Desk desk;
+  press(desk.window, "openExampleButton");
+  QVERIFY(desk.ready());
+  press(desk.window, "diagnoseButton");
+  press(desk.window, "cancelButton");
+  QVERIFY(!desk.comparison.diagnosing());
+  QVERIFY(named<QWidget>(desk.window, "diagnoseButton")->isEnabled());
+  QTest::qWait(300);
+  QVERIFY(!desk.comparison.diagnosis().has_value());
+}
+
+void TestCompareJourney::badRecording_isSaidInOneLine() {
+  QTemporaryDir folder;
+  QFile file(folder.filePath("bad.csv"));
+  QVERIFY(file.open(QIODevice::WriteOnly));
+  file.write("time_s,angle_rad\n0,1\n0,2\n");
+  file.close();
+  Desk desk;
+  desk.answers.byTitle["Open a recording"] = file.fileName();
+  press(desk.window, "openRecordingButton");
+  auto* line = named<QLabel>(desk.window, "messageLine");
+  QVERIFY(QTest::qWaitFor([&] { return line->text().contains("row 2"); }, 5000));
+  QVERIFY(!line->text().contains('\n'));
+  QVERIFY(!desk.comparison.recording().has_value());
+}
+
+JOURNEY_MAIN(TestCompareJourney)
+#include "tst_compare_journey.moc"

@@ -1,0 +1,197 @@
+// Whatever the window does or fails to do, the motor stops.
+#include <QComboBox>
+#include <QLineEdit>
+#include <QListWidget>
+
+#include "app/small_drive.h"
+#include "app/window_support.h"
+#include "recording/csv.h"
+#include "widgets/live_plots.h"
+
+using namespace breakaway;
+using namespace breakaway::test;
+
+class TestStop : public QObject {
+  Q_OBJECT
+ private slots:
+  void button_stopsTheMotor();
+  void key_stopsTheMotor_data();
+  void key_stopsTheMotor();
+  void spaceInTypedText_isALetter();
+  void escapeInTypedText_stops();
+  void returnPressesAButton();
+  void blockedWindow_stopsTheMotor();
+  void answeringWindow_keepsItRunning();
+  void stop_reachesTheDriveWithin50ms();
+  void startPostedBeforeStop_isDropped();
+  void pulledCable_isSaid();
+  void lostSamples_areCounted();
+  void visibleStretch_isExportedWithEverySample();
+};
+
+namespace {
+
+struct Desk {
+  explicit Desk(double watchdog_s = 5.0) : session({1.0, 0.005, watchdog_s}), window(session, comparison, answers) {
+    window.show();
+    session.adopt(std::make_unique<SmallDrive>(witness), "small");
+  }
+  bool turning() {
+    session.turnSlowly();
+    return QTest::qWaitFor([this] { return witness->powered && std::abs(witness->velocity_rad_per_s) > 0.5; }, 5000);
+  }
+  bool stopped() {
+    return QTest::qWaitFor([this] { return !witness->powered && session.stateWords() == "stopped"; }, 5000);
+  }
+
+  std::shared_ptr<DriveWitness> witness = std::make_shared<DriveWitness>();
+  Answers answers;
+  Session session;
+  Comparison comparison;
+  MainWindow window;
+};
+
+}  // namespace
+
+void TestStop::button_stopsTheMotor() {
+  Desk desk;
+  QVERIFY(desk.turning());
+  QCOMPARE(desk.witness->stops.load(), 0);
+  press(desk.window, "stopButton");
+  QVERIFY(desk.stopped());
+  QCOMPARE(desk.witness->stops.load(), 1);
+}
+
+void TestStop::key_stopsTheMotor_data() {
+  QTest::addColumn<int>("key");
+  QTest::addColumn<QString>("focus");
+  for (const char* focus : {"boardList", "spanBox", "turnButton", "livePlot", "steps", "pauseButton"}) {
+    QTest::addRow("Esc in %s", focus) << static_cast<int>(Qt::Key_Escape) << QString(focus);
+    QTest::addRow("Space in %s", focus) << static_cast<int>(Qt::Key_Space) << QString(focus);
+  }
+}
+
+void TestStop::key_stopsTheMotor() {
+  QFETCH(int, key);
+  QFETCH(QString, focus);
+  Desk desk;
+  QVERIFY(desk.turning());
+  auto* widget = named<QWidget>(desk.window, focus.toLatin1().constData());
+  widget->setFocus();
+  QTest::keyClick(widget, static_cast<Qt::Key>(key));
+  QVERIFY(desk.stopped());
+  QCOMPARE(desk.witness->stops.load(), 1);
+}
+
+void TestStop::spaceInTypedText_isALetter() {
+  Desk desk;
+  QVERIFY(desk.turning());
+  QLineEdit line(&desk.window);
+  line.show();
+  QTest::keyClick(&line, Qt::Key_Space);
+  QCOMPARE(line.text(), QString(" "));
+  QTest::qWait(50);
+  QCOMPARE(desk.witness->stops.load(), 0);
+}
+
+void TestStop::escapeInTypedText_stops() {
+  Desk desk;
+  QVERIFY(desk.turning());
+  QLineEdit line(&desk.window);
+  line.show();
+  QTest::keyClick(&line, Qt::Key_Escape);
+  QVERIFY(desk.stopped());
+}
+
+void TestStop::returnPressesAButton() {
+  Desk desk;
+  auto* turn = named<QWidget>(desk.window, "turnButton");
+  turn->setFocus();
+  QTest::keyClick(turn, Qt::Key_Return);
+  QTRY_VERIFY(desk.witness->powered.load());
+}
+
+void TestStop::blockedWindow_stopsTheMotor() {
+  Desk desk(0.25);
+  QVERIFY(desk.turning());
+  const auto start = std::chrono::steady_clock::now();
+  while (desk.witness->powered && std::chrono::steady_clock::now() - start < std::chrono::seconds(5)) {
+  }  // this thread is the window's: it answers nothing
+  const double took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  QVERIFY(!desk.witness->powered);
+  QVERIFY2(took_s > 0.15 && took_s < 1.0, qPrintable(QString::number(took_s)));
+  QTRY_COMPARE(desk.session.stateWords(), QString("stopped by watchdog"));
+  QVERIFY(named<QLabel>(desk.window, "messageLine")->text().contains("did not answer for 250 ms"));
+}
+
+void TestStop::answeringWindow_keepsItRunning() {
+  Desk desk(1.0);
+  QVERIFY(desk.turning());
+  QTest::qWait(1500);
+  QVERIFY(desk.witness->powered);
+  QCOMPARE(desk.witness->stops.load(), 0);
+}
+
+void TestStop::stop_reachesTheDriveWithin50ms() {
+  double best_s = 1.0;
+  for (int k = 0; k < 5; ++k) {
+    Desk desk;
+    QVERIFY(desk.turning());
+    const auto start = std::chrono::steady_clock::now();
+    desk.session.stop();
+    while (desk.witness->stops == 0 && std::chrono::steady_clock::now() - start < std::chrono::seconds(5)) {
+    }
+    QCOMPARE(desk.witness->stops.load(), 1);
+    best_s = std::min(best_s, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+  qInfo("STOP reached the drive after %.1f ms at best", 1e3 * best_s);
+  QVERIFY2(best_s < 0.05, qPrintable(QString::number(best_s)));
+}
+
+void TestStop::startPostedBeforeStop_isDropped() {
+  Desk desk;
+  desk.session.turnSlowly();
+  desk.session.stop();
+  QTRY_VERIFY(desk.witness->stops == 1);
+  QTest::qWait(100);
+  QVERIFY(!desk.witness->powered);
+}
+
+void TestStop::pulledCable_isSaid() {
+  Desk desk;
+  QVERIFY(desk.turning());
+  desk.witness->cableCut = true;
+  QTRY_VERIFY(!desk.session.connected());
+  QVERIFY(!desk.witness->powered);
+  QVERIFY(named<QLabel>(desk.window, "messageLine")->text().contains("the cable was pulled"));
+  QCOMPARE(named<QLabel>(desk.window, "deviceLabel")->text(), QString("none"));
+  QVERIFY(!named<QWidget>(desk.window, "turnButton")->isEnabled());
+  QCOMPARE(named<QWidget>(desk.window, "turnButton")->toolTip(), QString("No board is connected"));
+}
+
+void TestStop::lostSamples_areCounted() {
+  Desk desk;
+  desk.witness->lose = 3;
+  QTRY_COMPARE(named<QLabel>(desk.window, "lostLabel")->text(), QString("3"));
+}
+
+void TestStop::visibleStretch_isExportedWithEverySample() {
+  Desk desk;
+  QTemporaryDir folder;
+  const QString path = folder.filePath("visible.csv");
+  desk.answers.byTitle["Export the visible stretch"] = path;
+  QVERIFY(desk.turning());
+  QTest::qWait(300);
+  press(desk.window, "pauseButton");
+  auto* plots = named<LivePlots>(desk.window, "livePlots");
+  QVERIFY(plots->paused());
+  press(desk.window, "exportVisibleButton");
+  const auto recording = readCsv(path.toStdString());
+  QVERIFY2(recording.ok(), recording.ok() ? "" : recording.error().message().c_str());
+  const double length_s = recording->time().back() - recording->time().front();
+  QVERIFY(length_s > 0.3);
+  QCOMPARE(static_cast<double>(recording->rows()), std::round(length_s * 1000.0) + 1.0);
+}
+
+JOURNEY_MAIN(TestStop)
+#include "tst_stop.moc"
