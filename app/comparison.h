@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "diagnose/diagnosis.h"
-#include "diagnose/simulation.h"
+#include "diagnose/simulate/simulation.h"
 #include "motor/bench.h"
 #include "recording/recording.h"
 

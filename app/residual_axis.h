@@ -5,8 +5,8 @@
 #include <QStringList>
 #include <vector>
 
-#include "diagnose/model.h"
-#include "diagnose/simulation.h"
+#include "diagnose/simulate/model.h"
+#include "diagnose/simulate/simulation.h"
 #include "recording/recording.h"
 
 namespace breakaway {

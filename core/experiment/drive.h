@@ -1,4 +1,5 @@
-// The drive port: all that procedures, the window and the commands know of a board. Everything above sees decoded samples only.
+// The drive port: all that procedures, the window and the commands know of a board. Everything above sees decoded
+// samples only.
 #pragma once
 
 #include <memory>
@@ -14,9 +15,10 @@ namespace breakaway {
 struct Command {
   enum class Mode { off, voltage, current, velocity, position };
   Mode mode = Mode::off;
-  double target = 0.0;  ///< V, A, rad/s or rad by mode; ignored when off (windings open)
+  double target = 0.0;           ///< V, A, rad/s or rad by mode; ignored when off (windings open)
   double current_limit_A = 0.0;  ///< further limit for this command; 0: the controller's own
-  bool zeroCurrentSensor = false;  ///< with mode off: average the sensor while this is set and take the mean as its zero
+  bool zeroCurrentSensor =
+      false;  ///< with mode off: average the sensor while this is set and take the mean as its zero
   bool operator==(const Command&) const = default;
 };
 
@@ -53,10 +55,10 @@ class Procedure {
   enum class State { running, finished, failed, stopped };
   struct Status {
     State state = State::running;
-    double progress = 0.0;       ///< 0 … 1
-    double remaining_s = 0.0;    ///< estimate of the time still needed
-    std::string activity;        ///< what it does now, in words ("ramping counter-clockwise at 123°")
-    std::string failure;         ///< why it ended early, in words; empty otherwise
+    double progress = 0.0;     ///< 0 … 1
+    double remaining_s = 0.0;  ///< estimate of the time still needed
+    std::string activity;      ///< what it does now, in words ("ramping counter-clockwise at 123°")
+    std::string failure;       ///< why it ended early, in words; empty otherwise
   };
 
   virtual ~Procedure() = default;
@@ -82,8 +84,8 @@ class Drive {
   virtual void start(std::shared_ptr<Procedure> procedure) = 0;
   /// Stops the motor at once, whatever runs: windings open, procedure stopped, latched until the next command or start.
   virtual void stop(const std::string& reason) = 0;
-  /// Lets `duration_s` of board time pass (a simulated board computes it; a real one waits) and appends the samples of every
-  /// control tick. Returns the count of samples that were lost on the way.
+  /// Lets `duration_s` of board time pass (a simulated board computes it; a real one waits) and appends the samples of
+  /// every control tick. Returns the count of samples that were lost on the way.
   virtual Result<size_t> advance(double duration_s, std::vector<Sample>& samples) = 0;
 };
 

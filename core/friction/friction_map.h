@@ -13,18 +13,19 @@ namespace breakaway {
 /// cw is falling angle, ccw is growing angle.
 enum class Way { cw = 0, ccw = 1 };
 
-/// One bin and one way. Torques are whole motor torques (friction and position torque), positive in the way's direction.
+/// One bin and one way. Torques are whole motor torques (friction and position torque), positive in the way's
+/// direction.
 struct WayBin {
-  Estimate static_Nm;                ///< starts motion from standstill; mean over repeats
-  Estimate coulomb_Nm;               ///< keeps it moving, extrapolated to zero speed
-  Estimate viscous_Nm_s_per_rad;     ///< its slope with speed
-  double total_Nm = 0.0;             ///< coulomb + viscous × the map's total velocity
-  size_t samples = 0;                ///< breakaways that the static value rests on
-  bool outlier = false;              ///< marked, never hidden
+  Estimate static_Nm;             ///< starts motion from standstill; mean over repeats
+  Estimate coulomb_Nm;            ///< keeps it moving, extrapolated to zero speed
+  Estimate viscous_Nm_s_per_rad;  ///< its slope with speed
+  double total_Nm = 0.0;          ///< coulomb + viscous × the map's total velocity
+  size_t samples = 0;             ///< breakaways that the static value rests on
+  bool outlier = false;           ///< marked, never hidden
 };
 
 struct MapBin {
-  double angle_rad = 0.0;  ///< bin centre, 0 at the index, in [0, 2π)
+  double angle_rad = 0.0;     ///< bin centre, 0 at the index, in [0, 2π)
   std::array<WayBin, 2> way;  ///< indexed by Way
 
   double staticFriction_Nm() const { return 0.5 * (way[0].static_Nm.value + way[1].static_Nm.value); }
