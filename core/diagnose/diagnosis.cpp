@@ -80,9 +80,8 @@ bool hasRealRivals(const Finding& finding) {
 }
 
 /// Whether what the best model leaves has a place of its own that holds on held-out data, too.
-bool leavesAPlace(const Model& best, const std::vector<Track>& tracks, size_t recordings, std::vector<Place>& where,
-                  double& pValue, std::uint64_t seed) {
-  const std::vector<Track> seen(tracks.begin(), tracks.begin() + static_cast<std::ptrdiff_t>(recordings));
+bool leavesAPlace(const Model& best, const std::vector<Track>& seen, std::vector<Place>& where, double& pValue,
+                  std::uint64_t seed) {
   const auto left = places(residualMaps(best, seen, seed), best);
   if (left.empty()) return false;
   pValue = left.front().pValue;
@@ -126,7 +125,9 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   const auto prepared = prepare(bench, recordings, heldout, options.window_s, false);
   if (!prepared) return prepared.error();
   const SearchInput input{prepared->tracks, prepared->split, prepared->held,   prepared->seen,
-                          options.seed,     options.stop,    options.progress, {}};
+                          options.seed,     options.stop,    options.progress,
+                          {},
+                          prepared->training};
   const auto found = searchEffects(input, prepared->starts);
   if (!found) return found.error();
 
@@ -147,11 +148,10 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   if (fit.trainBefore < materialFloors * fit.floor) diagnosis.unexplainedShare = 0.0;
   diagnosis.findings = findingsOf(*found, input, explained);
 
-  const std::vector<Track> training(prepared->tracks.begin(),
-                                    prepared->tracks.begin() + static_cast<std::ptrdiff_t>(prepared->recordings));
+  const std::vector<Track>& training = prepared->training;
   std::vector<Place> unexplained;
   const bool material = diagnosis.unexplainedShare > materialShare && fit.trainAfter > materialFloors * fit.floor;
-  const bool outside = material && leavesAPlace(diagnosis.model, prepared->tracks, prepared->recordings, unexplained,
+  const bool outside = material && leavesAPlace(diagnosis.model, training, unexplained,
                                                 diagnosis.unexplainedPValue, options.seed);
   if (!diagnosis.findings.empty() || outside) {
     diagnosis.where = places(residualMaps(diagnosis.base, training, options.seed), diagnosis.base);

@@ -5,6 +5,7 @@
 
 #include "base/statistics.h"
 #include "diagnose/catalogue.h"
+#include "diagnose/fit/inverse_proposals.h"
 
 namespace breakaway {
 
@@ -169,11 +170,47 @@ class Search {
         winner = std::move(fit);
         chosen = {candidate.effect, pValue, 0.0, {}};
       }
-      if (!winner) return {};
+      if (!winner && !trySet(result, before)) return {};
+      if (!winner) continue;
       result.best = std::move(*winner);
       result.chosen.push_back(chosen);
     }
     return {};
+  }
+
+  /// Effects that only help together: what the inverse model proposes enters as a whole if the windows clearly agree.
+  bool trySet(SearchResult& result, const std::vector<double>& before) {
+    if (triedSet_) return false;
+    triedSet_ = true;
+    const auto proposals = inverseProposals(result.best.model, input_.training, openEffects(result.best.model), input_.seen, 4);
+    Model model = result.best.model;
+    std::optional<FitResult> best;
+    size_t entered = 0;
+    double bestError = mean(before);
+    for (size_t k = 0; k < proposals.size(); ++k) {
+      model = with(best ? best->model : model, {proposals[k].effect, proposals[k].shape, proposals[k].amplitude, 0.0, 1.0});
+      FitResult fit = fitModel(input_, model, 15);
+      if (!fit.usable) break;
+      model = fit.model;
+      const double error = mean(validated(fit));
+      if (error > (1.0 - leastImprovement) * bestError) continue;
+      bestError = error;
+      best = std::move(fit);
+      entered = k + 1;
+    }
+    if (!best) return false;
+    const auto after = validated(*best);
+    const Comparison gain = compare(before, after, input_.seed);
+    const double pValue = std::min(1.0, static_cast<double>(openEffects(result.best.model).size()) * signFlipPValue(before, after, input_.seed));
+    if (gain.relative < clearImprovement || gain.interval.low <= 0.0 || pValue > largestPValue) return false;
+    result.best = std::move(*best);
+    for (size_t k = 0; k < entered; ++k) {
+      const auto present = [&](const EffectTerm& term) { return term.effect == proposals[k].effect->name(); };
+      if (std::any_of(result.best.model.effects.begin(), result.best.model.effects.end(), present)) {
+        result.chosen.push_back({proposals[k].effect, pValue, 0.0, {}});
+      }
+    }
+    return true;
   }
 
   /// An effect that a later one has made superfluous goes.
@@ -230,6 +267,7 @@ class Search {
   static bool same(const Effect* a, const Effect* b) { return a == b || a->twin() == b->name(); }
 
   SearchInput input_;
+  bool triedSet_ = false;
 };
 
 }  // namespace
@@ -238,7 +276,7 @@ FitResult fitModel(const SearchInput& input, const Model& model, int iterations)
   const ParameterVector parameters(model, input.held, std::max(input.seen.peakTorque, 1e-12),
                                    std::max(input.seen.highSpeed, 1e-9));
   return fitWindows(parameters, input.tracks, input.split.train,
-                    {.iterations = iterations, .windowWeights = input.windowWeights, .stop = input.stop});
+                    {.iterations = iterations, .tolerance = 1e-4, .windowWeights = input.windowWeights, .stop = input.stop});
 }
 
 FitResult fitBase(const SearchInput& input, const std::vector<Model>& starts) {

@@ -24,6 +24,7 @@ struct SearchInput {
   std::stop_token stop;
   std::function<void(double, const std::string&)> progress;
   std::vector<double> windowWeights;  ///< of split.train; empty: all 1
+  std::vector<Track> training;        ///< what inverse models may see: tracks whose held-out rows are masked
 };
 
 struct Chosen {
@@ -51,7 +52,8 @@ FitResult polishModel(const SearchInput& input, const Model& model, const std::v
 /// An effect enters when the family-wise p-value of its score (or, where it has no shape to choose or improves by more
 /// than 30 %, of its windows' errors after the fit, times the number of candidates) is at most 0.01, and the
 /// cross-validated error of the training windows falls by at least 3 % (and 1 % of the base model's) with a 95 %
-/// interval above zero. It leaves again when the error without it is as good. A rival is an effect that, refitted in
+/// interval above zero. Where no single effect does, sets that the inverse model proposes are tried as a
+/// whole, with the same gates. An effect leaves again when the error without it is as good. A rival is an effect that, refitted in
 /// the chosen one's place, comes within two standard errors of it in cross-validation. Held-out data is never looked
 /// at.
 Result<SearchResult> searchEffects(const SearchInput& input, const std::vector<Model>& starts);

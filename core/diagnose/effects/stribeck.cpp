@@ -10,7 +10,7 @@ namespace {
 
 double decay(double velocity, double stribeckVelocity, double exponent) {
   const double ratio = std::abs(velocity) / stribeckVelocity;
-  return std::exp(exponent == 2.0 ? -ratio * ratio : -std::pow(ratio, exponent));
+  return std::exp(exponent == 2.0 ? -ratio * ratio : exponent == 1.0 ? -ratio : -std::pow(ratio, exponent));
 }
 
 /// Friction that falls from F + excess at standstill to F, over the Stribeck velocity.

@@ -120,7 +120,7 @@ FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>
   ceres::Solver::Options solver;
   solver.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
   solver.max_num_iterations = options.iterations;
-  solver.function_tolerance = 1e-6;
+  solver.function_tolerance = options.tolerance;
   solver.parameter_tolerance = 1e-7;
   solver.logging_type = ceres::SILENT;
   StopRequested stopRequested(options.stop);

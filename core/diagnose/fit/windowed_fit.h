@@ -12,6 +12,7 @@ namespace breakaway {
 
 struct FitOptions {
   int iterations = 25;
+  double tolerance = 1e-6;            ///< relative fall of the cost at which it stops
   std::vector<double> windowWeights;  ///< one per window, at most 1; empty: all 1
   std::stop_token stop;
 };

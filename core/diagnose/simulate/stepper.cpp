@@ -38,11 +38,8 @@ Stepper::Forces Stepper::forcesAt(double position, double velocity, double direc
 Stepper::Forces Stepper::forcesDuring(const MotionState& state, double direction, double drive, double damping,
                                       double dt, double time_s) const {
   if (!stateDependent_) return {physics_.load, physics_.coulomb};
-  const Forces start = forcesAt(state.position, state.velocity, direction, drive, time_s);
   const double backEmf = damping - physics_.viscous;  // without inductance the back-EMF acts as damping
-  const double acceleration =
-      (drive - damping * state.velocity - start.load - direction * start.friction) / physics_.inertia;
-  double middle = state.velocity + 0.5 * dt * acceleration;
+  double middle = state.velocity + 0.5 * dt * state.acceleration;
   if (middle * direction < 0.0) middle = 0.0;
   return forcesAt(state.position + 0.25 * dt * (state.velocity + middle), middle, direction, drive - backEmf * middle,
                   time_s + 0.5 * dt);
@@ -101,6 +98,7 @@ void Stepper::mechanical(MotionState& state, double drive, double damping, doubl
     if (v * direction >= 0.0) {
       if (v == 0.0 && state.velocity == 0.0) return;
       state.position += state.velocity * decay.gainVelocity + a * decay.gainPosition;
+      state.acceleration = (v - state.velocity) / remaining;
       state.velocity = v;
       return;
     }
@@ -112,6 +110,7 @@ void Stepper::mechanical(MotionState& state, double drive, double damping, doubl
     const Decay until = decayOver(stop, damping);
     state.position += state.velocity * until.gainVelocity + a * until.gainPosition;
     state.velocity = 0.0;
+    state.acceleration = 0.0;
     remaining -= stop;
   }
 }
@@ -217,6 +216,7 @@ void Stepper::inductive(MotionState& state, double u, double dt, double time_s) 
     const Coupled over = remaining == dt ? coupled_ : coupledOver(remaining);
     const double v = vEnd + over.vi * (state.current - iEnd) + over.vv * (state.velocity - vEnd);
     if (v * direction >= 0.0) {
+      state.acceleration = (v - state.velocity) / remaining;
       moveOver(over);
       return;
     }
@@ -228,6 +228,7 @@ void Stepper::inductive(MotionState& state, double u, double dt, double time_s) 
     const double stop = reversalTime(state, iEnd, vEnd, remaining, v);
     moveOver(coupledOver(stop));
     state.velocity = 0.0;
+    state.acceleration = 0.0;
     remaining -= stop;
   }
 }

@@ -33,7 +33,8 @@ struct CompiledTerm {
 struct MotionState {
   double position = 0.0;
   double velocity = 0.0;
-  double current = 0.0;  ///< A; meaningful with an electrical side only
+  double current = 0.0;       ///< A; meaningful with an electrical side only
+  double acceleration = 0.0;  ///< of the step before: predicts the middle of the next
 };
 
 /// Advances a state under a constant drive input. Between events the motion is the exact solution of the linear
