@@ -89,12 +89,18 @@ QWidget* ComparePage::buildInputs() {
   row->addSpacing(10);
   for (QWidget* widget : std::initializer_list<QWidget*>{diagnose_, cancel_, progress_}) row->addWidget(widget);
   row->addWidget(activity_, 1);
-  connect(bench_, &QPushButton::clicked, this,
-          [this] { ask(tr("Open a bench"), tr("Bench (*.bench.json *.json)"), &Comparison::openBench); });
-  connect(recording_, &QPushButton::clicked, this,
-          [this] { ask(tr("Open a recording"), tr("Recording (*.csv)"), &Comparison::openRecording); });
-  connect(heldout_, &QPushButton::clicked, this,
-          [this] { ask(tr("Open a held-out recording"), tr("Recording (*.csv)"), &Comparison::openHeldout); });
+  connect(bench_, &QPushButton::clicked, this, [this] {
+    ask(tr("Open a bench"), tr("Bench (*.bench.json *.json)"),
+        [this](const QString& path) { comparison_.openBench(path); });
+  });
+  connect(recording_, &QPushButton::clicked, this, [this] {
+    ask(tr("Open a recording"), tr("Recording (*.csv)"),
+        [this](const QString& path) { comparison_.openRecording(path); });
+  });
+  connect(heldout_, &QPushButton::clicked, this, [this] {
+    ask(tr("Open a held-out recording"), tr("Recording (*.csv)"),
+        [this](const QString& path) { comparison_.openHeldout(path); });
+  });
   connect(live_, &QPushButton::clicked, this, &ComparePage::takeLive);
   connect(example_, &QPushButton::clicked, this, &ComparePage::openExample);
   connect(diagnose_, &QPushButton::clicked, &comparison_, &Comparison::diagnose);
@@ -144,8 +150,8 @@ QWidget* ComparePage::buildVerdict() {
   return side;
 }
 
-void ComparePage::ask(const QString& title, const QString& filter, void (Comparison::*open)(const QString&)) {
-  files_.ask(this, {title, filter, {}, false}, [this, open](const QString& path) { (comparison_.*open)(path); });
+void ComparePage::ask(const QString& title, const QString& filter, const FileChooser::Answer& open) {
+  files_.ask(this, {title, filter, {}, false}, open);
 }
 
 void ComparePage::openExample() {

@@ -31,7 +31,7 @@ class ComparePage : public Page {
   QWidget* buildInputs();
   QWidget* buildPlots();
   QWidget* buildVerdict();
-  void ask(const QString& title, const QString& filter, void (Comparison::*open)(const QString&));
+  void ask(const QString& title, const QString& filter, const FileChooser::Answer& open);
   void openExample();
   void takeLive();
   void showInputs();
