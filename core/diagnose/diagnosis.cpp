@@ -124,9 +124,8 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   };
   const auto prepared = prepare(bench, recordings, heldout, options.window_s, false);
   if (!prepared) return prepared.error();
-  const SearchInput input{prepared->tracks, prepared->split, prepared->held,   prepared->seen,
-                          options.seed,     options.stop,    options.progress,
-                          {},
+  const SearchInput input{prepared->tracks,  prepared->split, prepared->held,   prepared->seen,
+                          options.seed,      options.stop,    options.progress, {},
                           prepared->training};
   const auto found = searchEffects(input, prepared->starts);
   if (!found) return found.error();
@@ -151,8 +150,8 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   const std::vector<Track>& training = prepared->training;
   std::vector<Place> unexplained;
   const bool material = diagnosis.unexplainedShare > materialShare && fit.trainAfter > materialFloors * fit.floor;
-  const bool outside = material && leavesAPlace(diagnosis.model, training, unexplained,
-                                                diagnosis.unexplainedPValue, options.seed);
+  const bool outside =
+      material && leavesAPlace(diagnosis.model, training, unexplained, diagnosis.unexplainedPValue, options.seed);
   if (!diagnosis.findings.empty() || outside) {
     diagnosis.where = places(residualMaps(diagnosis.base, training, options.seed), diagnosis.base);
   }

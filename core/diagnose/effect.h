@@ -74,6 +74,9 @@ class Effect {
   /// Parameters from a shape and its amplitudes.
   virtual std::vector<double> fromAmplitudes(const Shape& shape, std::span<const double> amplitude) const = 0;
 
+  /// Other held parameters worth a fit of their own once the effect is in.
+  virtual std::vector<std::vector<double>> variants(std::span<const double>) const { return {}; }
+
   /// What is missing, where it shows and how big it is, in a technician's words.
   virtual std::string sentence(std::span<const double> p, const Excitation& seen) const = 0;
   /// Effects that look the same on poor data.

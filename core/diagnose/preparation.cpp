@@ -38,18 +38,22 @@ std::vector<std::string> gauge(const Bench& bench, const std::vector<Track>& tra
   return {names.inductance, names.resistance, names.torqueConstant, names.backEmfConstant};
 }
 
-/// Copies of the first `count` tracks whose rows outside all training windows count as disconnected, so that no inverse model sees them.
+/// Copies of the first `count` tracks whose rows outside all training windows count as disconnected, so that no inverse
+/// model sees them.
 std::vector<Track> maskedTracks(const std::vector<Track>& tracks, size_t count, const Split& split) {
   std::vector<Track> masked(tracks.begin(), tracks.begin() + static_cast<std::ptrdiff_t>(count));
   std::vector<std::vector<char>> inside(count);
   for (size_t k = 0; k < count; ++k) inside[k].assign(masked[k].rows(), 0);
   for (const auto* windows : {&split.train, &split.polish}) {
     for (const Window& window : *windows) {
-      if (window.track < count) std::fill_n(inside[window.track].begin() + static_cast<std::ptrdiff_t>(window.first), window.last - window.first + 1, 1);
+      if (window.track < count)
+        std::fill_n(inside[window.track].begin() + static_cast<std::ptrdiff_t>(window.first),
+                    window.last - window.first + 1, 1);
     }
   }
   for (size_t k = 0; k < count; ++k) {
-    for (size_t row = 0; row < masked[k].rows(); ++row) masked[k].connected[row] = masked[k].connected[row] != 0 && inside[k][row] != 0;
+    for (size_t row = 0; row < masked[k].rows(); ++row)
+      masked[k].connected[row] = masked[k].connected[row] != 0 && inside[k][row] != 0;
   }
   return masked;
 }

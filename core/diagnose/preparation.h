@@ -16,7 +16,8 @@ namespace breakaway {
 struct Preparation {
   std::vector<Track> tracks;  ///< training recordings first, then held-out ones
   size_t recordings = 0;      ///< how many of them train
-  std::vector<Track> training;    ///< the training tracks with rows outside the training windows masked, for inverse models
+  std::vector<Track>
+      training;  ///< the training tracks with rows outside the training windows masked, for inverse models
   Split split;
   std::vector<Model> starts;  ///< base models with start values and the restart's horizon, the inverse model's first
   Excitation seen;

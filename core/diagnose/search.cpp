@@ -109,10 +109,12 @@ class Search {
     SearchResult result;
     say(0.05, "fitting the base model");
     result.base = fitBase(input_, starts);
+    result.base = fitModel(input_, result.base.model, 10);
     input_.windowWeights = robustWeights(result.base.windowSquares);
-    result.base = fitModel(input_, result.base.model);
+    result.base = fitModel(input_, result.base.model, 10);
     result.best = result.base;
     if (auto done = forward(result); !done) return done.error();
+    refine(result);
     backward(result);
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
     weigh(result);
@@ -153,7 +155,8 @@ class Search {
         // effect may prove itself after the fit: one without a shape to choose, or one that improves more than any
         // choice of shape could by chance.
         const bool oneShape = candidate.effect->shapes(input_.seen).size() == 1;
-        if (candidate.gain < leastImprovement || tried == finalists) continue;
+        const double least = candidate.pValue > largestPValue ? 0.1 : leastImprovement;
+        if (candidate.gain < least || tried == finalists) continue;
         ++tried;
         FitResult fit = fitModel(input_, with(result.best.model, candidate), 10);
         if (!fit.usable) continue;
@@ -182,33 +185,49 @@ class Search {
   bool trySet(SearchResult& result, const std::vector<double>& before) {
     if (triedSet_) return false;
     triedSet_ = true;
-    const auto proposals = inverseProposals(result.best.model, input_.training, openEffects(result.best.model), input_.seen, 4);
+    const auto proposals =
+        inverseProposals(result.best.model, input_.training, openEffects(result.best.model), input_.seen, 4);
+    if (proposals.empty()) return false;
     Model model = result.best.model;
-    std::optional<FitResult> best;
-    size_t entered = 0;
-    double bestError = mean(before);
-    for (size_t k = 0; k < proposals.size(); ++k) {
-      model = with(best ? best->model : model, {proposals[k].effect, proposals[k].shape, proposals[k].amplitude, 0.0, 1.0});
-      FitResult fit = fitModel(input_, model, 15);
-      if (!fit.usable) break;
-      model = fit.model;
-      const double error = mean(validated(fit));
-      if (error > (1.0 - leastImprovement) * bestError) continue;
-      bestError = error;
-      best = std::move(fit);
-      entered = k + 1;
-    }
-    if (!best) return false;
+    for (const Proposal& one : proposals) model = with(model, {one.effect, one.shape, one.amplitude, 0.0, 1.0});
+    // Short windows first: in long ones a wrong start of a wave is a valley away from the right one.
+    const ParameterVector parameters = vectorOf(model);
+    const FitResult near = fitWindows(parameters, input_.tracks, input_.split.trainScore,
+                                      {.iterations = 12, .tolerance = 1e-4, .windowWeights = {}, .stop = input_.stop});
+    std::optional<FitResult> best = fitModel(input_, near.model, 15);
+    if (!best->usable) return false;
     const auto after = validated(*best);
     const Comparison gain = compare(before, after, input_.seed);
-    const double pValue = std::min(1.0, static_cast<double>(openEffects(result.best.model).size()) * signFlipPValue(before, after, input_.seed));
+    const double pValue = std::min(
+        1.0, static_cast<double>(openEffects(result.best.model).size()) * signFlipPValue(before, after, input_.seed));
     if (gain.relative < clearImprovement || gain.interval.low <= 0.0 || pValue > largestPValue) return false;
     result.best = std::move(*best);
-    for (size_t k = 0; k < entered; ++k) {
-      const auto present = [&](const EffectTerm& term) { return term.effect == proposals[k].effect->name(); };
-      if (std::any_of(result.best.model.effects.begin(), result.best.model.effects.end(), present)) {
-        result.chosen.push_back({proposals[k].effect, pValue, 0.0, {}});
+    for (const Proposal& one : proposals) result.chosen.push_back({one.effect, pValue, 0.0, {}});
+    return true;
+  }
+
+  /// Held parameters are compared once everything else fits.
+  void refine(SearchResult& result) {
+    for (const Chosen& chosen : result.chosen) {
+      for (size_t e = 0; e < result.best.model.effects.size(); ++e) {
+        if (result.best.model.effects[e].effect != chosen.effect->name()) continue;
+        std::vector<double> values;
+        for (const Parameter& one : result.best.model.effects[e].parameters) values.push_back(one.value);
+        for (const auto& variant : chosen.effect->variants(values)) {
+          Model model = result.best.model;
+          model.effects[e] = termOf(*chosen.effect, model.axis, variant);
+          FitResult fit = fitModel(input_, model, 12);
+          if (fit.usable && mean(validated(fit)) < mean(validated(result.best))) result.best = std::move(fit);
+        }
       }
+    }
+  }
+
+  /// Whether the effect's amplitude, its first parameter, can't be told from zero.
+  static bool vanishes(const Model& model, const Effect& effect) {
+    for (const EffectTerm& term : model.effects) {
+      if (term.effect == effect.name())
+        return term.parameters.front().low95 < 0.0 && term.parameters.front().high95 > 0.0;
     }
     return true;
   }
@@ -221,7 +240,8 @@ class Search {
       for (size_t k = 0; k < result.chosen.size() && result.chosen.size() > 1; ++k) {
         FitResult fit = fitModel(input_, without(result.best.model, *result.chosen[k].effect), 10);
         const Comparison loss = compare(validated(fit), validated(result.best), input_.seed);
-        if (loss.interval.low > 0.0 && loss.relative > leastImprovement) continue;
+        const bool needed = loss.interval.low > 0.0 && loss.relative > leastImprovement;
+        if (needed && !vanishes(result.best.model, *result.chosen[k].effect)) continue;
         result.best = std::move(fit);
         result.chosen.erase(result.chosen.begin() + static_cast<std::ptrdiff_t>(k));
         changed = true;
@@ -275,14 +295,15 @@ class Search {
 FitResult fitModel(const SearchInput& input, const Model& model, int iterations) {
   const ParameterVector parameters(model, input.held, std::max(input.seen.peakTorque, 1e-12),
                                    std::max(input.seen.highSpeed, 1e-9));
-  return fitWindows(parameters, input.tracks, input.split.train,
-                    {.iterations = iterations, .tolerance = 1e-4, .windowWeights = input.windowWeights, .stop = input.stop});
+  return fitWindows(
+      parameters, input.tracks, input.split.train,
+      {.iterations = iterations, .tolerance = 1e-5, .windowWeights = input.windowWeights, .stop = input.stop});
 }
 
 FitResult fitBase(const SearchInput& input, const std::vector<Model>& starts) {
   FitResult best;
   for (const Model& start : starts) {
-    FitResult fit = fitModel(input, start);
+    FitResult fit = fitModel(input, start, 8);
     if (best.windows.empty() || (fit.usable && fit.rmse < best.rmse)) best = std::move(fit);
   }
   return best;
@@ -301,7 +322,7 @@ Result<SearchResult> searchEffects(const SearchInput& input, const std::vector<M
 
 Result<FitResult> fitNamed(const SearchInput& input, const std::vector<Model>& starts,
                            const std::vector<std::string>& names) {
-  FitResult fit = fitBase(input, starts);
+  FitResult fit = fitModel(input, fitBase(input, starts).model);
   for (const std::string& name : names) {
     const ParameterVector parameters(fit.model, input.held, std::max(input.seen.peakTorque, 1e-12),
                                      std::max(input.seen.highSpeed, 1e-9));

@@ -48,6 +48,9 @@ class Stribeck final : public Effect {
   std::vector<double> fromAmplitudes(const Shape& shape, std::span<const double> amplitude) const override {
     return {amplitude[0], shape[0], shape[1]};
   }
+  std::vector<std::vector<double>> variants(std::span<const double> p) const override {
+    return {{p[0], p[1], p[2] == 2.0 ? 1.0 : 2.0}};
+  }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
     return "Near standstill friction is " + torqueText(std::abs(p[0]), seen.axis) +
            (p[0] > 0.0 ? " higher" : " lower") + " than in motion and settles over about " +

@@ -60,11 +60,15 @@ class FilteredColumns {
 
  private:
   Situation situation(const InverseRows& rows, size_t k) const {
-    const double drive =
-        physics_.electrical ? (rows.input[k] - physics_.backEmf * rows.velocity[k]) / physics_.resistance : rows.input[k];
-    return {model_.axis,         rows.time[k],
-            rows.position[k],    rows.velocity[k],
-            rows.acceleration[k], physics_.torqueConstant * drive,
+    const double drive = physics_.electrical
+                             ? (rows.input[k] - physics_.backEmf * rows.velocity[k]) / physics_.resistance
+                             : rows.input[k];
+    return {model_.axis,
+            rows.time[k],
+            rows.position[k],
+            rows.velocity[k],
+            rows.acceleration[k],
+            physics_.torqueConstant * drive,
             rows.velocity[k] >= 0.0 ? 1.0 : -1.0};
   }
 
@@ -105,9 +109,9 @@ std::vector<Proposal> inverseProposals(const Model& model, const std::vector<Tra
   std::vector<Offer> offers;
   for (const Effect* effect : effects) {
     for (const Shape& shape : effect->shapes(seen)) {
-      offers.push_back({effect, shape, filtered.columns(static_cast<Eigen::Index>(effect->amplitudes()), [&](const Situation& at, auto& out) {
-                          effect->columns(shape, at, out);
-                        })});
+      offers.push_back({effect, shape,
+                        filtered.columns(static_cast<Eigen::Index>(effect->amplitudes()),
+                                         [&](const Situation& at, auto& out) { effect->columns(shape, at, out); })});
     }
   }
   std::vector<const Offer*> taken;
@@ -118,7 +122,8 @@ std::vector<Proposal> inverseProposals(const Model& model, const std::vector<Tra
     const Offer* best = nullptr;
     double bestGain = leastGain * residual.squaredNorm();
     for (const Offer& offer : offers) {
-      const bool again = std::any_of(taken.begin(), taken.end(), [&](const Offer* one) { return one->effect == offer.effect; });
+      const bool again =
+          std::any_of(taken.begin(), taken.end(), [&](const Offer* one) { return one->effect == offer.effect; });
       if (again) continue;
       const Eigen::MatrixXd free = offer.columns - basis * (basis.transpose() * offer.columns);
       if (!(free.squaredNorm() > 1e-4 * offer.columns.squaredNorm())) continue;
