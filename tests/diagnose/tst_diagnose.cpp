@@ -1,0 +1,78 @@
+#include <QTest>
+
+#include "diagnose/diagnosed.h"
+#include "support/temporary.h"
+
+using namespace breakaway;
+using namespace breakaway::test;
+
+/// Recordings of the simulated rig's plant with one thing the base model lacks, and without.
+class TestDiagnose : public QObject {
+  Q_OBJECT
+ private slots:
+  void coulombAsymmetry_isOneAndTheSameAsConstantLoad();
+  void cleanRigWithNoise_lacksNothing();
+  void sameSeed_givesTheSameDiagnosis();
+  void missingChannel_isOneClearLine();
+};
+
+void TestDiagnose::coulombAsymmetry_isOneAndTheSameAsConstantLoad() {
+  const Diagnosis diagnosis = diagnosed({.asymmetry = 0.4, .seconds = 20.0});
+  QCOMPARE(nameOf(diagnosis.verdict), std::string("named"));
+  QCOMPARE(diagnosis.findings.size(), size_t(1));
+  const Finding& finding = diagnosis.findings.front();
+  QCOMPARE(finding.effect, std::string("constant_load"));
+  QCOMPARE(finding.ambiguousWith, std::vector<std::string>{"coulomb_asymmetry"});
+  const double load = parameter(finding, "load_Nm");  // half the difference of the two ways
+  QVERIFY2(within(load, gauge * 0.5 * 0.4 * 0.012, 0.05), qPrintable(QString::number(load)));
+  QVERIFY2(finding.share > 0.8 && finding.share <= 1.0, qPrintable(QString::number(finding.share)));
+  QVERIFY(isProved(diagnosis.fit));
+}
+
+void TestDiagnose::cleanRigWithNoise_lacksNothing() {
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    const Diagnosis diagnosis = diagnosed({.seconds = 20.0, .seed = seed});
+    QCOMPARE(nameOf(diagnosis.verdict), std::string("nothing_missing"));
+    QVERIFY(diagnosis.findings.empty());
+    QVERIFY(diagnosis.nextSentence.empty());
+    QCOMPARE(diagnosis.unexplainedShare, 0.0);
+    const FitScore& fit = diagnosis.fit;
+    QCOMPARE(fit.heldoutAfter, fit.heldoutBefore);
+    QCOMPARE(fit.improvementLow95, 0.0);
+    QCOMPARE(fit.improvementHigh95, 0.0);
+    // One count is 0.44 mrad.
+    QVERIFY2(fit.heldoutBefore > 1e-4 && fit.heldoutBefore < 3e-3, qPrintable(QString::number(fit.heldoutBefore)));
+  }
+}
+
+void TestDiagnose::sameSeed_givesTheSameDiagnosis() {
+  const auto rig = recordRig({.asymmetry = 0.4, .seconds = 12.0});
+  DiagnoseOptions options;
+  options.seed = 5;
+  const auto first = diagnose(rig.bench, {rig.recording}, {}, options),
+             second = diagnose(rig.bench, {rig.recording}, {}, options);
+  VERIFY_OK(first);
+  VERIFY_OK(second);
+  QCOMPARE(inWords(*first), inWords(*second));
+  QCOMPARE(first->model.base, second->model.base);
+  QCOMPARE(first->model.effects, second->model.effects);
+  QCOMPARE(first->fit.improvementLow95, second->fit.improvementLow95);
+  QCOMPARE(first->fit.improvementHigh95, second->fit.improvementHigh95);
+  QCOMPARE(first->fit.floor, second->fit.floor);
+  QCOMPARE(first->heldoutRows, second->heldoutRows);
+  QCOMPARE(first->where.size(), second->where.size());
+  for (size_t k = 0; k < first->where.size(); ++k) {
+    QCOMPARE(first->where[k].sentence, second->where[k].sentence);
+    QCOMPARE(first->where[k].pValue, second->where[k].pValue);
+  }
+}
+
+void TestDiagnose::missingChannel_isOneClearLine() {
+  auto rig = recordRig({.seconds = 2.0});
+  rig.bench.input = DriveInput::current;
+  const auto diagnosis = diagnose(rig.bench, {rig.recording}, {}, {});
+  VERIFY_ERROR(diagnosis, "test.csv: has no column current_A, which drives this bench");
+}
+
+QTEST_APPLESS_MAIN(TestDiagnose)
+#include "tst_diagnose.moc"
