@@ -13,7 +13,7 @@ double noiseFloor(const Model& model, const std::vector<Track>& tracks, const st
   const auto terms = termsOf(model);
   Stepper stepper(physicsOf(model), *terms);
   Random random(seed);
-  double squares = 0.0, count = 0.0;
+  std::vector<double> floors;
   for (const Window& window : windows) {
     const Track& recorded = tracks[window.track];
     // From one horizon before the window to its end, as if the model were the rig.
@@ -43,14 +43,19 @@ double noiseFloor(const Model& model, const std::vector<Track>& tracks, const st
     replay.seen.assign(replay.time.size(), 1);
     const size_t start = window.first - first;
     MotionState predicted = restartState(stepper, replay, start, model.restartHorizon_s);
+    double squares = 0.0, count = 0.0;
     for (size_t k = start; k < replay.rows(); ++k) {
       const double error = predicted.position - replay.position[k];
       squares += error * error;
       count += 1.0;
       if (k + 1 < replay.rows()) run(stepper, replay, k, k + 1, predicted);
     }
+    floors.push_back(squares / count);
   }
-  return count > 0.0 ? std::sqrt(squares / count) : 0.0;
+  // A window that begins at the edge of standstill may go either way: the worst tenth says nothing about the sensors.
+  const double worst = quantile(floors, 0.9);
+  std::erase_if(floors, [worst](double one) { return one > worst; });
+  return std::sqrt(mean(floors));
 }
 
 }  // namespace breakaway

@@ -139,27 +139,33 @@ std::vector<Candidate> scoreTest(const FitResult& at, const ParameterVector& par
   return best;
 }
 
-std::vector<double> crossValidated(const FitResult& fit, const std::vector<int>& fold, int foldCount) {
+std::vector<double> crossValidated(const FitResult& fit, const ParameterVector& parameters,
+                                   const std::vector<Track>& tracks, const std::vector<Window>& windows,
+                                   const std::vector<double>& windowWeights, const std::vector<int>& fold,
+                                   int foldCount) {
   const Eigen::Index size = fit.x.size();
-  std::vector<double> squares(fit.windows.size());
+  std::vector<double> squares(windows.size());
   Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(size, size);
   for (const WindowDerivative& window : fit.windows) normal += window.jacobian.transpose() * window.jacobian;
   for (int one = 0; one < foldCount; ++one) {
     Eigen::MatrixXd rest = normal;
     Eigen::VectorXd score = Eigen::VectorXd::Zero(size);
-    for (size_t w = 0; w < fit.windows.size(); ++w) {
+    for (size_t w = 0; w < windows.size(); ++w) {
       if (fold[w] != one) continue;
       rest -= fit.windows[w].jacobian.transpose() * fit.windows[w].jacobian;
       score += fit.windows[w].jacobian.transpose() * fit.windows[w].residual;
     }
     rest.diagonal() += 1e-4 * normal.diagonal() + fit.priorPrecision;
     rest.diagonal().array() += 1e-12 * normal.diagonal().maxCoeff();
-    const Eigen::VectorXd shift = rest.ldlt().solve(score);
-    for (size_t w = 0; w < fit.windows.size(); ++w) {
+    Eigen::VectorXd x = fit.x + rest.ldlt().solve(score);
+    for (Eigen::Index k = 0; k < size; ++k) x[k] = std::clamp(x[k], parameters.lower(k), parameters.upper(k));
+    const Model model = parameters.at(x);
+    for (size_t w = 0; w < windows.size(); ++w) {
       if (fold[w] != one) continue;
-      const Eigen::VectorXd r = fit.windows[w].residual + fit.windows[w].jacobian * shift;
-      squares[w] = r.head(fit.windows[w].positions).squaredNorm() /
-                   (static_cast<double>(fit.windows[w].positions) * fit.weights.position * fit.weights.position);
+      const double factor = windowWeights.empty() ? 1.0 : windowWeights[w];
+      WindowResidual window(tracks[windows[w].track], windows[w], Weights{factor, 0.0});
+      window.fit(model);
+      squares[w] = window.residual().head(window.positions()).squaredNorm() / static_cast<double>(window.positions());
     }
   }
   return squares;

@@ -27,8 +27,11 @@ std::vector<Candidate> scoreTest(const FitResult& at, const ParameterVector& par
                                  const std::vector<const Effect*>& effects, const Excitation& seen, std::uint64_t seed,
                                  const std::vector<double>& windowWeights = {});
 
-/// Mean squared position residual per window (times its squared weight), each predicted by a fit to the other folds:
-/// one Gauss–Newton step from the common fit.
-std::vector<double> crossValidated(const FitResult& fit, const std::vector<int>& fold, int folds);
+/// Mean squared position residual per window (times its squared weight), each simulated with the parameters that a fit
+/// to the other folds would have: one Gauss–Newton step from the common fit.
+std::vector<double> crossValidated(const FitResult& fit, const ParameterVector& parameters,
+                                   const std::vector<Track>& tracks, const std::vector<Window>& windows,
+                                   const std::vector<double>& windowWeights, const std::vector<int>& fold,
+                                   int foldCount);
 
 }  // namespace breakaway

@@ -130,7 +130,10 @@ class Search {
   void say(double progress, const std::string& activity) const {
     if (input_.progress) input_.progress(progress, activity);
   }
-  std::vector<double> validated(const FitResult& fit) const { return crossValidated(fit, input_.split.fold, folds); }
+  std::vector<double> validated(const FitResult& fit) const {
+    return crossValidated(fit, vectorOf(fit.model), input_.tracks, input_.split.train, input_.windowWeights,
+                          input_.split.fold, folds);
+  }
   std::vector<Candidate> score(const FitResult& fit, const std::vector<const Effect*>& effects) const {
     const ParameterVector parameters = vectorOf(fit.model);
     return scoreTest(fit, parameters, input_.tracks, input_.split.train, effects, input_.seen, input_.seed,

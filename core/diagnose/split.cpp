@@ -60,6 +60,14 @@ void appendOverlapping(std::vector<Window>& windows, const Track& track, size_t 
   }
 }
 
+/// Before a recording's first row nothing is known, its speed least of all: windows that begin there tell no model's
+/// worth.
+void dropFirst(Split& split) {
+  for (auto* windows : {&split.train, &split.polish, &split.trainScore, &split.heldoutScore}) {
+    std::erase_if(*windows, [](const Window& window) { return window.first == 0; });
+  }
+}
+
 void assignFolds(Split& split) {
   const size_t n = split.train.size();
   const size_t length = std::max<size_t>(1, n / (3 * folds));
@@ -99,6 +107,7 @@ Result<Split> splitTracks(const std::vector<Track>& tracks, size_t recordings, d
     }
     if (from < track.time.back()) train(rowAt(track, from), track.rows());
   }
+  dropFirst(split);
   const double needed = (static_cast<double>(fewestWindows) * fitWindow + gap_s) / 0.8;
   if (split.train.size() < fewestWindows || split.heldoutScore.size() < 2)
     return tooShort(tracks.front(), total, needed);
