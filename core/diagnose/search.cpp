@@ -28,6 +28,12 @@ EffectTerm termOf(const Effect& effect, Axis axis, const std::vector<double>& va
   return term;
 }
 
+std::vector<double> valuesOf(const EffectTerm& term) {
+  std::vector<double> values;
+  for (const Parameter& one : term.parameters) values.push_back(one.value);
+  return values;
+}
+
 Model with(const Model& model, const Candidate& candidate) {
   Model out = model;
   out.effects.push_back(
@@ -184,29 +190,48 @@ class Search {
     return {};
   }
 
-  /// Effects that only help together: what the inverse model proposes enters as a whole if the windows clearly agree.
+  /// Effects that only help together: what the inverse model proposes replaces what was found so far if the windows
+  /// clearly agree.
   bool trySet(SearchResult& result, const std::vector<double>& before) {
     if (triedSet_) return false;
     triedSet_ = true;
-    const auto proposals =
-        inverseProposals(result.best.model, input_.training, openEffects(result.best.model), input_.seen, 4);
+    const Model& base = result.base.model;
+    const auto proposals = inverseProposals(base, input_.training, openEffects(base), input_.seen, 4);
     if (proposals.empty()) return false;
-    Model model = result.best.model;
-    for (const Proposal& one : proposals) model = with(model, {one.effect, one.shape, one.amplitude, 0.0, 1.0});
-    // Short windows first: in long ones a wrong start of a wave is a valley away from the right one.
-    const ParameterVector parameters = vectorOf(model);
-    const FitResult near = fitWindows(parameters, input_.tracks, input_.split.trainScore,
-                                      {.iterations = 12, .tolerance = 1e-4, .windowWeights = {}, .stop = input_.stop});
-    std::optional<FitResult> best = fitModel(input_, near.model, 15);
-    if (!best->usable) return false;
-    const auto after = validated(*best);
+    Model first = base;
+    for (const Proposal& one : proposals) first = with(first, {one.effect, one.shape, one.amplitude, 0.0, 1.0});
+    std::vector<Model> starts{first};
+    for (size_t e = 0; e < first.effects.size(); ++e) {
+      for (const auto& variant : proposals[e].effect->variants(valuesOf(first.effects[e]))) {
+        starts.push_back(first);
+        starts.back().effects[e] = termOf(*proposals[e].effect, first.axis, variant);
+      }
+    }
+    FitResult best;
+    std::vector<double> after;
+    for (const Model& start : starts) {
+      FitResult fit = fitModel(input_, shortFit(start), 12);
+      auto errors = validated(fit);
+      if (!fit.usable || (!after.empty() && mean(errors) >= mean(after))) continue;
+      best = std::move(fit);
+      after = std::move(errors);
+    }
+    if (after.empty()) return false;
     const Comparison gain = compare(before, after, input_.seed);
-    const double pValue = std::min(
-        1.0, static_cast<double>(openEffects(result.best.model).size()) * signFlipPValue(before, after, input_.seed));
+    const double trials = static_cast<double>(openEffects(base).size());
+    const double pValue = std::min(1.0, trials * signFlipPValue(before, after, input_.seed));
     if (gain.relative < clearImprovement || gain.interval.low <= 0.0 || pValue > largestPValue) return false;
-    result.best = std::move(*best);
+    result.best = std::move(best);
+    result.chosen.clear();
     for (const Proposal& one : proposals) result.chosen.push_back({one.effect, pValue, 0.0, {}});
     return true;
+  }
+
+  /// In long windows a wrong start of a wave is a valley away from the right one: short windows first.
+  Model shortFit(const Model& start) const {
+    return fitWindows(vectorOf(start), input_.tracks, input_.split.trainScore,
+                      {.iterations = 12, .tolerance = 1e-4, .windowWeights = {}, .stop = input_.stop})
+        .model;
   }
 
   /// Held parameters are compared once everything else fits.
@@ -214,9 +239,7 @@ class Search {
     for (const Chosen& chosen : result.chosen) {
       for (size_t e = 0; e < result.best.model.effects.size(); ++e) {
         if (result.best.model.effects[e].effect != chosen.effect->name()) continue;
-        std::vector<double> values;
-        for (const Parameter& one : result.best.model.effects[e].parameters) values.push_back(one.value);
-        for (const auto& variant : chosen.effect->variants(values)) {
+        for (const auto& variant : chosen.effect->variants(valuesOf(result.best.model.effects[e]))) {
           Model model = result.best.model;
           model.effects[e] = termOf(*chosen.effect, model.axis, variant);
           FitResult fit = fitModel(input_, model, 12);

@@ -52,10 +52,10 @@ FitResult polishModel(const SearchInput& input, const Model& model, const std::v
 /// An effect enters when the family-wise p-value of its score (or, where it has no shape to choose or improves by more
 /// than 30 %, of its windows' errors after the fit, times the number of candidates) is at most 0.01, and the
 /// cross-validated error of the training windows falls by at least 3 % (and 1 % of the base model's) with a 95 %
-/// interval above zero. Where no single effect does, sets that the inverse model proposes are tried as a
-/// whole, with the same gates. An effect leaves again when the error without it is as good. A rival is an effect that,
-/// refitted in the chosen one's place, comes within two standard errors of it in cross-validation. Held-out data is
-/// never looked at.
+/// interval above zero. Where no single effect does any more, the set that the inverse model proposes is
+/// tried as a whole, with the same gates. An effect leaves again when the error without it is as good. A rival is an
+/// effect that, refitted in the chosen one's place, comes within two standard errors of it in cross-validation.
+/// Held-out data is never looked at.
 Result<SearchResult> searchEffects(const SearchInput& input, const std::vector<Model>& starts);
 
 /// The effects named, each at its best shape by the score test, fitted together with the base.

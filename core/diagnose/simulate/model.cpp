@@ -5,6 +5,7 @@
 
 #include "base/atomic_file.h"
 #include "base/json_object.h"
+#include "diagnose/catalogue.h"
 #include "diagnose/simulate/physics.h"
 
 namespace breakaway {
@@ -28,6 +29,19 @@ std::vector<Parameter> readParameters(JsonObject object) {
     parameters.push_back(parameter);
   }
   return parameters;
+}
+
+/// JSON keeps no order; everything else relies on the catalogue's.
+void inCatalogueOrder(EffectTerm& term, Axis axis) {
+  const Effect* effect = findEffect(term.effect);
+  if (effect == nullptr) return;
+  std::vector<Parameter> ordered;
+  for (const ParameterSpec& spec : effect->parameters(axis)) {
+    for (const Parameter& one : term.parameters) {
+      if (one.name == spec.name) ordered.push_back(one);
+    }
+  }
+  if (ordered.size() == term.parameters.size()) term.parameters = std::move(ordered);
 }
 
 }  // namespace
@@ -64,6 +78,7 @@ Result<Model> readModel(const std::string& path) {
     model.effects.push_back({effect.text("effect"), readParameters(effect.object("parameters"))});
   }
   if (const auto done = root->finish(); !done) return done.error();
+  for (EffectTerm& term : model.effects) inCatalogueOrder(term, model.axis);
   if (physicsOf(model).inertia <= 0.0) return Error{path, "has an inertia that is not positive"};
   if (const auto terms = termsOf(model); !terms) return Error{path + ", " + terms.error().place, terms.error().fact};
   return model;
