@@ -28,5 +28,5 @@ function(breakaway_test name)
   set_tests_properties(${base} PROPERTIES
     ENVIRONMENT "QT_QPA_PLATFORM=offscreen;BREAKAWAY_SOURCE_DIR=${CMAKE_SOURCE_DIR};BREAKAWAY_BIN_DIR=${CMAKE_BINARY_DIR}/bin;UBSAN_OPTIONS=print_stacktrace=1"
     SKIP_REGULAR_EXPRESSION "SKIP   : .*all real recordings"
-    TIMEOUT 600)
+    TIMEOUT 1200)
 endfunction()
