@@ -108,6 +108,7 @@ void TestCompareJourney::example_isDiagnosed() {
   if (sanitized) {
     const QString example = qEnvironmentVariable("BREAKAWAY_RESOURCES") + "/examples/example";
     QVERIFY(desk.opened(example + ".bench.json", shortened(example + ".csv", folder)));
+    QVERIFY(QTest::qWaitFor([&] { return desk.comparison.recording()->rows() < 10000; }, patience_ms));
   }
   QVERIFY(desk.diagnosed());
   checkDiagnosis(desk);
