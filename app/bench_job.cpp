@@ -109,7 +109,7 @@ Run velocitySweepRun(const VelocitySweepOptions& options, const std::optional<Id
   if (!identification) stages = identificationStages(job, trustedTorqueConstant_Nm_per_A);
   const double expected_s = 2.0 * static_cast<double>(options.speeds_rad_per_s.size()) *
                             (options.run_s + options.settle_s + options.zeroing_s);
-  const auto sweep = std::make_shared<VelocitySweep>(options);
+  auto sweep = std::make_shared<VelocitySweep>(options);
   stages.push_back({expected_s, [sweep] { return sweep; }, [] { return Result<void>{}; }});
   const auto whole = std::make_shared<ProcedureSequence>(std::move(stages));
   return {RunKind::velocitySweep, whole, [job, sweep] {

@@ -195,12 +195,12 @@ void Tour::compare() {
 }  // namespace
 
 Result<void> takeScreenshots(const QString& folder) {
-  if (const auto made = makeFolder(folder.toStdString()); !made) return made;
+  if (auto made = makeFolder(folder.toStdString()); !made) return made;
   QApplication::setStyle(QStyleFactory::create("Fusion"));
   for (const QString& theme : {QString("light"), QString("dark")}) {
     QApplication::setPalette(theme == "dark" ? darkPalette() : lightPalette());
     Tour tour(folder, theme);
-    if (const auto done = tour.run(); !done) return done;
+    if (auto done = tour.run(); !done) return done;
   }
   return {};
 }

@@ -193,7 +193,7 @@ void Session::sweepBreakaway(size_t bins, size_t turns) {
 }
 
 QString Session::sweepObstacle() const {
-  if (const QString busy = obstacle(); !busy.isEmpty()) return busy;
+  if (QString busy = obstacle(); !busy.isEmpty()) return busy;
   if (!index_rad_) return tr("Home first: angles around the rotor count from the index");
   return {};
 }

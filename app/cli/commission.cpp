@@ -61,7 +61,7 @@ Result<void> runCommission(const CommissionLine& line) {
     if (!known) return known.error();
     truth = std::move(*known);
   }
-  if (const auto written = writeCommission(*done, truth, line.out); !written) return written;
+  if (auto written = writeCommission(*done, truth, line.out); !written) return written;
   std::printf("%s\n", inWords(*done).c_str());
   for (const std::string& remark : done->remarks) std::printf("%s\n", remark.c_str());
   std::printf("Report: %s/report.html\n", line.out.c_str());

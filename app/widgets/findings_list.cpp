@@ -29,7 +29,7 @@ QString verdictText(Verdict verdict) {
 
 /// excess_Nm → "excess 3.1 mNm"-like: name, value, interval and the unit from the name's end as it stands.
 QString parameterText(const Parameter& parameter) {
-  const QString value = QString("%1 = %2").arg(QString::fromStdString(parameter.name)).arg(parameter.value, 0, 'g', 4);
+  QString value = QString("%1 = %2").arg(QString::fromStdString(parameter.name)).arg(parameter.value, 0, 'g', 4);
   if (parameter.low95 == parameter.high95) return value;
   return value + FindingsList::tr("  [%1, %2]").arg(parameter.low95, 0, 'g', 4).arg(parameter.high95, 0, 'g', 4);
 }

@@ -70,7 +70,7 @@ void dropFirst(Split& split) {
 
 void assignFolds(Split& split) {
   const size_t n = split.train.size();
-  const size_t length = std::max<size_t>(1, n / (3 * folds));
+  const size_t length = std::max<size_t>(1, n / (3 * static_cast<size_t>(folds)));
   for (size_t k = 0; k < n; ++k) split.fold.push_back(static_cast<int>(k / length) % folds);
 }
 

@@ -77,10 +77,10 @@ void VelocitySweep::settle(const Sample& sample) {
   // A rotor that still comes up to speed would take its inertia's torque for friction.
   const bool near = off < 0.015 * std::abs(target()) + 0.3;
   if (!near) reached_s_ = sample.time_s;
-  if (sample.time_s - stageStart_s_ > options_.settle_s && sample.time_s - reached_s_ > held_s) {
-    beginRun(sample);
-  } else if (!near && off < 0.15 * std::abs(target()) && sample.time_s - nearer_s_ > stuck_s) {
-    // It ripples around its speed and comes no nearer: as steady as it gets.
+  const bool settled = sample.time_s - stageStart_s_ > options_.settle_s && sample.time_s - reached_s_ > held_s;
+  // It ripples around its speed and comes no nearer: as steady as it gets.
+  const bool rippling = !near && off < 0.15 * std::abs(target()) && sample.time_s - nearer_s_ > stuck_s;
+  if (settled || rippling) {
     beginRun(sample);
   } else if (!near && sample.time_s - nearer_s_ > stuck_s) {
     char text[96];

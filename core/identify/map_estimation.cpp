@@ -89,6 +89,7 @@ double scatterOf(const std::vector<std::vector<double>>& turns) {
   double squares = 0.0;
   for (size_t k = 0; k < turns[0].size(); ++k) {
     std::vector<double> values;
+    values.reserve(turns.size());
     for (const auto& turn : turns) values.push_back(turn[k]);
     const double middle = mean(values);
     for (const double value : values) squares += (value - middle) * (value - middle);

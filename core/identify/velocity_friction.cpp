@@ -285,6 +285,7 @@ std::vector<double> movingCurrent_A(const std::vector<VelocityRun>& runs, Way wa
     addHarmonic(bins, k, spectrum.torque_Nm[k], variance);
   }
   std::vector<double> current;
+  current.reserve(bins.size());
   for (const Estimate& bin : bins) current.push_back(bin.value / options.torqueConstant_Nm_per_A);
   return current;
 }

@@ -191,6 +191,7 @@ std::vector<double> residualSquares(const Model& model, const std::vector<Track>
 std::vector<double> robustWeights(const std::vector<double>& windowSquares) {
   const double usual = std::sqrt(quantile(windowSquares, 0.5));
   std::vector<double> weights;
+  weights.reserve(windowSquares.size());
   for (const double squares : windowSquares)
     weights.push_back(std::min(1.0, 2.5 * usual / std::max(std::sqrt(squares), 1e-300)));
   return weights;
