@@ -90,11 +90,11 @@ Result<void> Job::runStep(const std::string& step, const std::shared_ptr<Procedu
 
 Result<void> Job::identify() {
   const auto zeroing = std::make_shared<CurrentZeroing>();
-  if (const auto ran = runStep("01-zero", zeroing, 0.002); !ran) return ran;
+  if (auto ran = runStep("01-zero", zeroing, 0.002); !ran) return ran;
   done_.noiseRms_A = zeroing->noiseRms_A();
   done_.sensorZero_A = zeroing->zero_A();
   const auto winding = std::make_shared<WindingTest>();
-  if (const auto ran = runStep("02-winding", winding, 0.02); !ran) return ran;
+  if (auto ran = runStep("02-winding", winding, 0.02); !ran) return ran;
   const auto line = fitWindingLine(winding->points());
   if (!line) return Error{"02-winding", line.error().message()};
   const auto constant = fitTimeConstant(winding->squareResponse_A(), winding->squareTick_s());
@@ -104,7 +104,7 @@ Result<void> Job::identify() {
   }
   SpinTestOptions spinOptions;
   auto spin = std::make_shared<SpinTest>(spinOptions);
-  if (const auto ran = runStep("03-spin", spin, 0.03); !ran) return ran;
+  if (auto ran = runStep("03-spin", spin, 0.03); !ran) return ran;
   MotorIdentificationOptions options;
   if (options_.bench && options_.bench->trusted.contains("torque_constant_Nm_per_A")) {
     options.trustedTorqueConstant_Nm_per_A = options_.bench->motor.torqueConstant;
@@ -116,7 +116,7 @@ Result<void> Job::identify() {
     spinOptions.leg_s *= 5.0;
     spinOptions.cycles = 2;
     spin = std::make_shared<SpinTest>(spinOptions);
-    if (const auto ran = runStep("03b-spin-slowly", spin, 0.0); !ran) return ran;
+    if (auto ran = runStep("03b-spin-slowly", spin, 0.0); !ran) return ran;
     motor = identifyMotor(spin->blocks(), *line, *constant, options);
   }
   if (!motor) return Error{"03-spin", motor.error().message()};
@@ -156,7 +156,7 @@ Result<void> Job::home() {
   HomingOptions options;
   options.countsPerRev = drive_.identity().countsPerRev;
   const auto homing = std::make_shared<Homing>(options);
-  if (const auto ran = runStep("04-homing", homing, 0.01); !ran) return ran;
+  if (auto ran = runStep("04-homing", homing, 0.01); !ran) return ran;
   done_.indexAngle_rad = homing->indexAngle_rad();
   return {};
 }
@@ -192,7 +192,7 @@ Result<void> Job::sweepVelocity() {
   options.run_s = options_.speedRun_s;
   options.zeroing_s = zeroing_s();
   const auto sweep = std::make_shared<VelocitySweep>(options);
-  if (const auto ran = runStep("05-velocity-sweep", sweep, 0.2); !ran) return ran;
+  if (auto ran = runStep("05-velocity-sweep", sweep, 0.2); !ran) return ran;
   done_.runs = sweep->runs();
   auto moving = fitMovingFriction(done_.runs, frictionOptions());
   if (!moving) return moving.error();
@@ -225,7 +225,7 @@ Result<void> Job::sweepBreakaway() {
   options.zeroEvery_s = 20.0 * std::max(0.5, options.zeroing_s);
   options.current_limit_A = done_.settings.current_limit_A;
   const auto sweep = std::make_shared<BreakawaySweep>(options);
-  if (const auto ran = runStep("06-breakaway-sweep", sweep, 0.738); !ran) return ran;
+  if (auto ran = runStep("06-breakaway-sweep", sweep, 0.738); !ran) return ran;
   done_.events = sweep->events();
   done_.missed = sweep->missed();
   if (done_.missed > 0)

@@ -204,15 +204,15 @@ std::string reportHtml(const Commission& done, bool hasTruth) {
 
 Result<void> writeCommission(const Commission& done, const std::optional<FrictionMap>& truth,
                              const std::string& folder) {
-  if (const auto made = makeFolder(folder + "/recordings"); !made) return made;
+  if (auto made = makeFolder(folder + "/recordings"); !made) return made;
   for (const auto& [step, recording] : done.recordings) {
-    if (const auto written = writeCsv(recording, folder + "/recordings/" + step + ".csv"); !written) return written;
+    if (auto written = writeCsv(recording, folder + "/recordings/" + step + ".csv"); !written) return written;
   }
-  if (const auto written = writeBench(done.bench, folder + "/bench.json"); !written) return written;
-  if (const auto written = exportMap(done.map, "json", folder + "/map.json"); !written) return written;
-  if (const auto written = exportMap(done.map, "csv", folder + "/map.csv"); !written) return written;
+  if (auto written = writeBench(done.bench, folder + "/bench.json"); !written) return written;
+  if (auto written = exportMap(done.map, "json", folder + "/map.json"); !written) return written;
+  if (auto written = exportMap(done.map, "csv", folder + "/map.csv"); !written) return written;
   if (truth) {
-    if (const auto written = exportMap(*truth, "csv", folder + "/truth.csv"); !written) return written;
+    if (auto written = exportMap(*truth, "csv", folder + "/truth.csv"); !written) return written;
   }
   return writeFile(folder + "/report.html", reportHtml(done, truth.has_value()));
 }

@@ -267,6 +267,7 @@ HtmlReport buildReport(const Diagnosis& d, const Bench& bench, const std::vector
   }
   report.heading("Input");
   std::vector<std::string> inputs;
+  inputs.reserve(recordings.size() + heldout.size() + d.remarks.size());
   for (const Recording& one : recordings)
     inputs.push_back("learned from " + one.name() + ", " + std::to_string(one.rows()) + " rows");
   for (const Recording& one : heldout)
