@@ -31,6 +31,7 @@ struct Response {
 Response responseAt(double frequency_Hz, double cutoff_Hz) {
   const double step = 1e-3;
   std::vector<double> values;
+  values.reserve(8000);
   for (int k = 0; k < 8000; ++k) values.push_back(std::sin(turn * frequency_Hz * step * k));
   lowPass(values, step, cutoff_Hz);
   double in = 0.0, quadrature = 0.0;
