@@ -6,6 +6,7 @@
 #include "bench_job.h"
 #include "firmware_link/presets.h"
 #include "firmware_link/simulated_board.h"
+#include "recording/sample_recording.h"
 #include "slow_turning.h"
 
 namespace breakaway {

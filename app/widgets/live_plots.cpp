@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "recording/csv.h"
+#include "recording/sample_recording.h"
 #include "session.h"
 #include "widgets/controls.h"
 #include "widgets/look.h"
