@@ -8,9 +8,33 @@
 namespace breakaway {
 
 std::span<const Effect* const> catalogue() {
-  static const std::array<const Effect*, 8> effects{
-      &constantLoad(),          &coulombAsymmetry(), &viscousAsymmetry(),          &stribeck(),
-      &loadDependentFriction(), &imbalance(),        &positionDependentFriction(), &cogging()};
+  static const std::array<const Effect*, 27> effects{&coulombAsymmetry(),
+                                                     &viscousAsymmetry(),
+                                                     &stribeck(),
+                                                     &presliding(),
+                                                     &quadraticDrag(),
+                                                     &positionDependentFriction(),
+                                                     &positionDependentViscous(),
+                                                     &loadDependentFriction(),
+                                                     &frictionWarmup(),
+                                                     &risingStiction(),
+                                                     &constantLoad(),
+                                                     &imbalance(),
+                                                     &cogging(),
+                                                     &torqueRipple(),
+                                                     &torqueSaturation(),
+                                                     &deadTime(),
+                                                     &currentSensorOffset(),
+                                                     &windingHeating(),
+                                                     &supplySag(),
+                                                     &encoderEccentricity(),
+                                                     &commandSaturation(),
+                                                     &backlash(),
+                                                     &compliance(),
+                                                     &endStop(),
+                                                     &transportDelay(),
+                                                     &channelSkew(),
+                                                     &externalDisturbance()};
   return effects;
 }
 

@@ -5,13 +5,32 @@
 
 namespace breakaway {
 
-const Effect& constantLoad();
 const Effect& coulombAsymmetry();
 const Effect& viscousAsymmetry();
 const Effect& stribeck();
-const Effect& loadDependentFriction();
+const Effect& presliding();
+const Effect& quadraticDrag();
 const Effect& positionDependentFriction();
-const Effect& cogging();
+const Effect& positionDependentViscous();
+const Effect& loadDependentFriction();
+const Effect& frictionWarmup();
+const Effect& risingStiction();
+const Effect& constantLoad();
 const Effect& imbalance();
+const Effect& cogging();
+const Effect& torqueRipple();
+const Effect& torqueSaturation();
+const Effect& deadTime();
+const Effect& currentSensorOffset();
+const Effect& windingHeating();
+const Effect& supplySag();
+const Effect& encoderEccentricity();
+const Effect& commandSaturation();
+const Effect& backlash();
+const Effect& compliance();
+const Effect& endStop();
+const Effect& transportDelay();
+const Effect& channelSkew();
+const Effect& externalDisturbance();
 
 }  // namespace breakaway
