@@ -87,6 +87,8 @@ class Effect {
   // What it does in a simulation; `p` is in the order of parameters(). Each does nothing unless overridden.
 
   virtual Term term(std::span<const double>, const Situation&) const { return {}; }
+  /// Whether term() loses voltage.
+  virtual bool losesVoltage() const { return false; }
   /// Numbers of hidden state (temperature, the load's deflection …), at most 4; all start at 0.
   virtual size_t memory() const { return 0; }
   /// Advances the hidden state over dt_s that ended in `at`, whose `memory` is the state before. Must be stable for any

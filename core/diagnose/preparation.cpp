@@ -3,7 +3,8 @@
 #include <algorithm>
 
 #include "diagnose/fit/inverse_fit.h"
-#include "diagnose/simulate/restart.h"
+#include "diagnose/fit/motion.h"
+#include "diagnose/simulate/simulator.h"
 
 namespace breakaway {
 
@@ -68,6 +69,7 @@ Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& re
       auto track = makeTrack(recording, bench.axis, bench.input, bench.supply_V, bench.count());
       if (!track) return track.error();
       out.remarks.insert(out.remarks.end(), track->remarks.begin(), track->remarks.end());
+      track->motion = motionOf(*track);
       out.tracks.push_back(std::move(*track));
     }
   }

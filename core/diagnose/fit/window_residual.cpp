@@ -1,25 +1,22 @@
 #include "diagnose/fit/window_residual.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 
-#include "diagnose/simulate/physics.h"
-#include "diagnose/simulate/restart.h"
+#include "diagnose/fit/motion.h"
 
 namespace breakaway {
 
-std::vector<Window> windowsOf(const std::vector<Track>& tracks, size_t track, size_t from, size_t to, double window_s) {
-  std::vector<Window> windows;
-  std::vector<size_t> starts = restartRows(tracks[track], window_s);
-  const auto& time = tracks[track].time;
-  // The last window counts only when it is nearly whole.
-  if (time.back() - time[starts.back()] >= window_s * 0.9) starts.push_back(time.size());
-  for (size_t k = 0; k + 1 < starts.size(); ++k) {
-    if (starts[k] < from || starts[k + 1] > to || starts[k + 1] - starts[k] < 8) continue;
-    windows.push_back({track, starts[k], starts[k + 1] - 1});
-  }
-  return windows;
+namespace {
+
+/// Slope of the current between two rows of a run, A/s.
+double currentSlope(const std::vector<MotionState>& states, const Track& track, size_t first, size_t k) {
+  if (k == 0) return 0.0;
+  return (states[k].current - states[k - 1].current) / (track.time[first + k] - track.time[first + k - 1]);
 }
+
+}  // namespace
 
 WindowResidual::WindowResidual(const Track& track, const Window& window, Weights weights)
     : track_(track), window_(window), weights_(weights), length_(track.time[window.last] - track.time[window.first]) {
@@ -33,74 +30,220 @@ bool WindowResidual::useCurrent(size_t row) const {
   return !track_.current.empty() && track_.connected[row] != 0 && std::isfinite(track_.current[row]);
 }
 
-void WindowResidual::simulate(Stepper& stepper, MotionState state, Eigen::VectorXd& out) const {
-  state.current = observed_.current;  // what the voltages before the window have left
+void WindowResidual::simulate(Simulator& simulator, MotionState state, Eigen::VectorXd& out,
+                              std::vector<MotionState>* keep) const {
   Eigen::Index position = 0, current = positions_;
+  double before = state.current;
   for (size_t k = window_.first;; ++k) {
-    if (track_.seen[k]) out[position++] = weights_.position * (state.position - track_.position[k]);
+    if (keep != nullptr) keep->push_back(state);
+    if (track_.seen[k]) out[position++] = weights_.position * (simulator.shown(state.position) - track_.position[k]);
     if (currents_ > 0 && k > window_.first && useCurrent(k)) {
-      out[current++] = weights_.current * (state.current - track_.current[k]);
+      const double slope = (state.current - before) / (track_.time[k] - track_.time[k - 1]);
+      out[current++] = weights_.current * (simulator.sensed(state.current, slope) - track_.current[k]);
     }
     if (k == window_.last) break;
-    run(stepper, track_, k, k + 1, state);
+    before = state.current;
+    simulator.run(state, k, k + 1);
   }
 }
 
-void WindowResidual::evaluate(Stepper& stepper, const MotionState& from, Eigen::VectorXd& out) const {
-  simulate(stepper, from, out);
+void WindowResidual::evaluate(Simulator& simulator, const MotionState& from, Eigen::VectorXd& out,
+                              std::vector<MotionState>* keep) const {
+  if (keep != nullptr) keep->clear();
+  simulate(simulator, from, out, keep);
   out[rows() - 2] = xFirm_ * (from.position - observed_.position);
   out[rows() - 1] = vFirm_ * (from.velocity - observed_.velocity);
 }
 
-void WindowResidual::fit(const Model& model) {
-  Stepper stepper(physicsOf(model), *termsOf(model));
-  observed_ = restartState(stepper, track_, window_.first, model.restartHorizon_s);
-  state_ = observed_;
-  // The residuals of a window are correlated: they count as about three independent ones, and the state's doubt is
-  // weighed alike.
-  const double firmness = std::sqrt(static_cast<double>(positions_) / 3.0);
-  xFirm_ = firmness / std::max(track_.noise, 1e-12);
-  vFirm_ = firmness / std::max(restartVelocityNoise(track_, model.restartHorizon_s), 1e-12);
+MotionState WindowResidual::startAt(double position, double velocity, const MotionState& hidden) const {
+  MotionState state = hidden;
+  state.position = position;
+  state.velocity = velocity;
+  state.current = observed_.current;  // what the voltages before the window have left
+  state.acceleration = 0.0;
+  return state;
+}
+
+void WindowResidual::fit(const Model& model, const MotionState& hidden) {
+  simulator_.emplace(model, track_, window_.first, window_.last);
+  if (!observedYet_) {
+    observed_ = simulator_->restart(window_.first, hidden);
+    observedYet_ = true;
+    // The residuals of a window are correlated: they count as about three independent ones, and the state's doubt is
+    // weighed alike.
+    const double firmness = std::sqrt(static_cast<double>(positions_) / 3.0);
+    xFirm_ = firmness / std::max(track_.noise, 1e-12);
+    vFirm_ = firmness / std::max(restartVelocityNoise(track_, model.restartHorizon_s), 1e-12);
+    state_ = observed_;
+  }
   nominal_.resize(rows());
-  Eigen::VectorXd moved(rows());
+  state_ = startAt(state_.position, state_.velocity, hidden);
+  evaluate(*simulator_, state_, nominal_, &states_);
+  linearise();
   Eigen::MatrixXd byState(rows(), 2);
-  const double shift = std::max(track_.noise, 1e-9 * length_), kick = shift / length_;
-  evaluate(stepper, state_, nominal_);
-  evaluate(stepper, {state_.position + shift, state_.velocity, 0.0}, moved);
-  byState.col(0) = (moved - nominal_) / shift;
-  evaluate(stepper, {state_.position, state_.velocity + kick, 0.0}, moved);
-  byState.col(1) = (moved - nominal_) / kick;
+  const auto statesColumns = [&] {
+    byState.col(0) = respond(1.0, 0.0, nullptr, nullptr);
+    byState.col(1) = respond(0.0, 1.0, nullptr, nullptr);
+  };
+  statesColumns();
   // The observer is close and the motion nearly linear in its start: one step is enough, and a worse one is taken back.
-  const Eigen::Vector2d step = (byState.transpose() * byState).ldlt().solve(-byState.transpose() * nominal_);
-  evaluate(stepper, {state_.position + step[0], state_.velocity + step[1], 0.0}, moved);
+  const Eigen::Vector2d scale = byState.colwise().norm().cwiseMax(1e-300).cwiseInverse();
+  const Eigen::MatrixXd scaled = byState * scale.asDiagonal();
+  const Eigen::Vector2d step =
+      scale.cwiseProduct((scaled.transpose() * scaled).ldlt().solve(-scaled.transpose() * nominal_));
+  Eigen::VectorXd moved(rows());
+  std::vector<MotionState> states;
+  const MotionState next = startAt(state_.position + step[0], state_.velocity + step[1], hidden);
+  evaluate(*simulator_, next, moved, &states);
   if (moved.squaredNorm() < nominal_.squaredNorm()) {
     nominal_ = moved;
-    state_.position += step[0];
-    state_.velocity += step[1];
+    state_ = next;
+    states_ = std::move(states);
+    linearise();
+    statesColumns();
   }
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(byState);
   basis_ = qr.householderQ() * Eigen::MatrixXd::Identity(rows(), 2);
-  residual_ = nominal_ - basis_ * (basis_.transpose() * nominal_);
+  residual_ = projected(nominal_);
 }
 
-Eigen::VectorXd WindowResidual::column(const Model& variant, double step) const {
-  Stepper stepper(physicsOf(variant), *termsOf(variant));
+WindowResidual::Passage WindowResidual::torquesAt(const Simulator& simulator, size_t row) const {
+  const size_t k = row - window_.first;
+  const MotionState &from = states_[k], &to = states_[k + 1];
+  const double dt = track_.time[row + 1] - track_.time[row], time = track_.time[row] + 0.5 * dt;
+  const double v = 0.5 * (from.velocity + to.velocity), x = 0.5 * (from.position + to.position);
+  const double a = (to.velocity - from.velocity) / dt;
+  const Stepper& stepper = simulator.stepper();
+  const Physics& p = stepper.physics();
+  Passage at;
+  const double u = simulator.input(row);
+  double drive = track_.connected[row] ? p.torqueConstant * u : 0.0;
+  if (p.electrical && track_.connected[row]) {
+    const double volts = stepper.losesVoltage() ? u - stepper.lostVoltage(from, u, v, time) : u;
+    at.current = (volts - p.backEmf * v - p.inductance * (to.current - from.current) / dt) / p.resistance;
+    drive = p.torqueConstant * at.current;
+  } else if (p.electrical) {
+    drive = 0.0;
+  }
+  const double way = v > 0.0 ? 1.0 : v < 0.0 ? -1.0 : to.way;
+  const Stepper::Forces forces = stepper.forcesAt(from, x, v, way, drive, time);
+  at.net = drive - p.viscous * v - forces.load - way * forces.friction - p.inertia * a;
+  return at;
+}
+
+void WindowResidual::linearise() {
+  const Stepper& stepper = simulator_->stepper();
+  const Physics& p = stepper.physics();
+  const bool varying = !stepper.terms().empty() || p.gravity != 0.0;
+  passages_.resize(states_.size() - 1);
+  for (size_t k = 0; k + 1 < states_.size(); ++k) {
+    const size_t row = window_.first + k;
+    const double dt = track_.time[row + 1] - track_.time[row];
+    Passage& at = passages_[k] = torquesAt(*simulator_, row);
+    double damping = p.viscous;
+    if (p.electrical && track_.connected[row]) damping += p.torqueConstant * p.backEmf / p.resistance;
+    const MotionState &from = states_[k], &to = states_[k + 1];
+    if (varying) {
+      const double v = 0.5 * (from.velocity + to.velocity), x = 0.5 * (from.position + to.position);
+      const double way = v > 0.0 ? 1.0 : v < 0.0 ? -1.0 : to.way, time = track_.time[row];
+      const double drive = p.torqueConstant * (p.electrical ? from.current : simulator_->input(row));
+      const auto resistance = [&](double dx, double dv) {
+        const Stepper::Forces forces = stepper.forcesAt(from, x + dx, v + dv, way, drive, time);
+        return forces.load + way * forces.friction;
+      };
+      const double now = resistance(0.0, 0.0);
+      const double dv = way * std::max(1e-4 * std::abs(v), 1e-9), dx = std::max(1e-3 * std::abs(x), 1e-6);
+      // A negative slope may run away; the linearised motion must not.
+      damping += std::max((resistance(0.0, dv) - now) / dv, -0.9 * damping);
+      at.stiffness = (resistance(std::min(dx, 1e-4), 0.0) - now) / std::min(dx, 1e-4);
+    }
+    if (from.velocity == 0.0 && to.velocity == 0.0) {
+      at.velocity = at.gain = 0.0;
+      continue;
+    }
+    const double z = damping * dt / p.inertia;
+    at.velocity = std::exp(-z);
+    at.gain = (z > 1e-6 ? -std::expm1(-z) / z : 1.0) * dt / p.inertia;
+    if (to.velocity == 0.0) at.velocity = at.gain = 0.0;  // came to rest
+    if (from.velocity * to.velocity < 0.0 && k > 0 && k + 2 < states_.size()) {
+      // Friction turns over: a change of velocity passes as the accelerations after and before.
+      const double before = from.velocity - states_[k - 1].velocity, after = states_[k + 2].velocity - to.velocity;
+      if (before != 0.0) at.velocity *= std::clamp(after / before, 0.0, 1.0);
+    }
+  }
+}
+
+Eigen::VectorXd WindowResidual::respond(double position, double velocity, const std::vector<double>* torque,
+                                        const std::vector<double>* current) const {
+  Eigen::VectorXd out(rows());
+  const Physics& p = simulator_->physics();
+  const double byVelocity = p.electrical ? -p.backEmf / p.resistance : 0.0;
+  double x = position, v = velocity;
+  Eigen::Index at = 0, currentAt = positions_;
+  for (size_t k = 0; k < states_.size(); ++k) {
+    const size_t row = window_.first + k;
+    if (track_.seen[row]) out[at++] = weights_.position * x;
+    if (currents_ > 0 && k > 0 && useCurrent(row)) {
+      const double direct = current != nullptr ? (*current)[k - 1] : 0.0;
+      out[currentAt++] = weights_.current * (direct + byVelocity * v);
+    }
+    if (k + 1 == states_.size()) break;
+    const Passage& pass = passages_[k];
+    const double push = (torque != nullptr ? (*torque)[k] : 0.0) - pass.stiffness * x;
+    const double next = pass.velocity * v + pass.gain * push;
+    x += 0.5 * (v + next) * (track_.time[row + 1] - track_.time[row]);
+    v = next;
+  }
+  out[rows() - 2] = xFirm_ * position;
+  out[rows() - 1] = vFirm_ * velocity;
+  return out;
+}
+
+Eigen::VectorXd WindowResidual::column(const Model& variant, const MotionState& hidden, double step) const {
+  Simulator simulator(variant, track_, window_.first, window_.last);
   Eigen::VectorXd moved(rows());
-  evaluate(stepper, state_, moved);
-  moved = (moved - nominal_) / step;
-  return moved - basis_ * (basis_.transpose() * moved);
+  evaluate(simulator, startAt(state_.position, state_.velocity, hidden), moved);
+  return projected((moved - nominal_) / step);
+}
+
+Eigen::VectorXd WindowResidual::linearColumn(const Model& variant, double step) const {
+  const Simulator simulator(variant, track_, window_.first, window_.last);
+  std::vector<double> torque(passages_.size()), current(passages_.size());
+  for (size_t k = 0; k < passages_.size(); ++k) {
+    const Passage at = torquesAt(simulator, window_.first + k);
+    torque[k] = (at.net - passages_[k].net) / step;
+    current[k] = (at.current - passages_[k].current) / step;
+  }
+  Eigen::VectorXd change = respond(0.0, 0.0, &torque, &current);
+  if (!simulator.stepper().terms().empty()) {  // what sensors show changes at once
+    Eigen::Index at = 0, currentAt = positions_;
+    for (size_t k = 0; k < states_.size(); ++k) {
+      const MotionState& state = states_[k];
+      if (track_.seen[window_.first + k]) {
+        const double more = simulator.shown(state.position) - simulator_->shown(state.position);
+        change[at++] += weights_.position * more / step;
+      }
+      if (currents_ > 0 && k > 0 && useCurrent(window_.first + k)) {
+        const double slope = currentSlope(states_, track_, window_.first, k);
+        const double more = simulator.sensed(state.current, slope) - simulator_->sensed(state.current, slope);
+        change[currentAt++] += weights_.current * more / step;
+      }
+    }
+  }
+  return projected(change);
 }
 
 Weights weightsAt(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows) {
+  const std::vector<MotionState> hidden = hiddenStates(model, tracks, windows);
   double position = 0.0, current = 0.0, positions = 0.0, currents = 0.0, noise = 1e-12;
-  for (const Window& window : windows) {
-    WindowResidual residual(tracks[window.track], window, {1.0, 1.0});
-    residual.fit(model);
+  for (size_t w = 0; w < windows.size(); ++w) {
+    WindowResidual residual(tracks[windows[w].track], windows[w], {1.0, 1.0});
+    residual.fit(model, hidden[w]);
     position += residual.residual().head(residual.positions()).squaredNorm();
     current += residual.residual().segment(residual.positions(), residual.currents()).squaredNorm();
     positions += static_cast<double>(residual.positions());
     currents += static_cast<double>(residual.currents());
-    noise = std::max(noise, tracks[window.track].noise);
+    noise = std::max(noise, tracks[windows[w].track].noise);
   }
   Weights weights;
   weights.position = 1.0 / std::max(std::sqrt(position / std::max(positions, 1.0)), noise);

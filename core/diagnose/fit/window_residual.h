@@ -1,27 +1,14 @@
-// One restarted window's residuals, their initial state eliminated: what the fit minimises and the score test looks at.
+// One restarted window's residuals, their initial state eliminated: what the fit minimises.
 #pragma once
 
 #include <Eigen/Core>
-#include <span>
+#include <optional>
 #include <vector>
 
-#include "diagnose/fit/parameter_vector.h"
-#include "diagnose/simulate/stepper.h"
-#include "diagnose/simulate/track.h"
+#include "diagnose/fit/window.h"
+#include "diagnose/simulate/simulator.h"
 
 namespace breakaway {
-
-/// Rows [first, last] of one track.
-struct Window {
-  size_t track = 0;
-  size_t first = 0;
-  size_t last = 0;
-  bool operator==(const Window&) const = default;
-};
-
-/// The windows of a track that begin at restartRows() and lie wholly within rows [from, to); windows of fewer than 8
-/// rows are left out.
-std::vector<Window> windowsOf(const std::vector<Track>& tracks, size_t track, size_t from, size_t to, double window_s);
 
 /// How the residuals of each channel are weighed: one over a typical residual.
 struct Weights {
@@ -41,24 +28,52 @@ class WindowResidual {
   Eigen::Index positions() const { return positions_; }
   Eigen::Index currents() const { return currents_; }
 
-  /// The weighted residuals of `model`, with the best initial state. Then columns(): the change of the residuals per
-  /// unit of a variant, (variant − model)/step, with the initial state's share taken out.
-  void fit(const Model& model);
+  /// The weighted residuals of `model`, with the best initial state. `hidden` is what measurements don't tell of the
+  /// state. The observer's view of the start is taken at the first call and kept.
+  void fit(const Model& model, const MotionState& hidden);
   const Eigen::VectorXd& residual() const { return residual_; }
-  Eigen::VectorXd column(const Model& variant, double step) const;
+  /// The change of the residuals per unit of a variant, (variant − model)/step, with the initial state's share taken
+  /// out: by simulating the variant, or by the linearised motion, which is several times faster and not quite as
+  /// exact where the motion stops or effects carry hidden states.
+  Eigen::VectorXd column(const Model& variant, const MotionState& hidden, double step) const;
+  Eigen::VectorXd linearColumn(const Model& variant, double step) const;
+  /// Whether linearColumn() leaves out hidden states.
+  bool remembers() const { return simulator_->stepper().remembers(); }
 
  private:
+  /// How a small change passes through one row, and what the model's torques are there.
+  struct Passage {
+    double velocity = 0.0;   ///< change of velocity after per change before
+    double gain = 0.0;       ///< … per unit of torque
+    double stiffness = 0.0;  ///< torque per change of position
+    double net = 0.0;        ///< drive less all resistance, Nm
+    double current = 0.0;    ///< A
+  };
   bool useCurrent(size_t row) const;
-  void simulate(Stepper& stepper, MotionState state, Eigen::VectorXd& out) const;
-  void evaluate(Stepper& stepper, const MotionState& from, Eigen::VectorXd& out) const;
+  void simulate(Simulator& simulator, MotionState state, Eigen::VectorXd& out, std::vector<MotionState>* keep) const;
+  void evaluate(Simulator& simulator, const MotionState& from, Eigen::VectorXd& out,
+                std::vector<MotionState>* keep = nullptr) const;
+  MotionState startAt(double position, double velocity, const MotionState& hidden) const;
+  Passage torquesAt(const Simulator& simulator, size_t row) const;
+  void linearise();
+  /// The response of all residuals to a change of the start and of the torque (and current) in each row.
+  Eigen::VectorXd respond(double position, double velocity, const std::vector<double>* torque,
+                          const std::vector<double>* current) const;
+  Eigen::VectorXd projected(const Eigen::VectorXd& change) const {
+    return change - basis_ * (basis_.transpose() * change);
+  }
 
   const Track& track_;
   Window window_;
   Weights weights_;
   double length_ = 0.0;
   Eigen::Index positions_ = 0, currents_ = 0;
+  bool observedYet_ = false;
   MotionState observed_, state_;
   double xFirm_ = 0.0, vFirm_ = 0.0;
+  std::optional<Simulator> simulator_;
+  std::vector<MotionState> states_;  ///< of the nominal run, one per row
+  std::vector<Passage> passages_;    ///< one per row but the last
   Eigen::VectorXd nominal_, residual_;
   Eigen::MatrixXd basis_;
 };

@@ -7,8 +7,9 @@
 #include <map>
 
 #include "base/statistics.h"
+#include "diagnose/fit/motion.h"
 #include "diagnose/simulate/physics.h"
-#include "diagnose/simulate/restart.h"
+#include "diagnose/simulate/simulator.h"
 
 namespace breakaway {
 
@@ -17,34 +18,63 @@ namespace {
 constexpr double priorDeviation = 1.1;  ///< of the logarithm of a start value: a factor of three
 constexpr double nudge = 1e-5;          ///< finite difference of a parameter of order one
 
+/// Hidden states at every window's start, for the last x and its nudged neighbours.
+class HiddenStates {
+ public:
+  HiddenStates(const ParameterVector& parameters, const std::vector<Track>& tracks, const std::vector<Window>& windows)
+      : parameters_(parameters), tracks_(tracks), windows_(windows) {}
+
+  /// Of `window` at x, `nudged` −1 for x itself or the number of the nudged parameter.
+  const MotionState& at(const Eigen::VectorXd& x, Eigen::Index nudged, size_t window) {
+    if (nudged < 0 && (x_.size() != x.size() || x_ != x)) {
+      x_ = x;
+      states_.assign(static_cast<size_t>(x.size()) + 1, {});
+    }
+    auto& states = states_[static_cast<size_t>(nudged + 1)];
+    if (states.empty()) states = hiddenStates(parameters_.at(x), tracks_, windows_);
+    return states[window];
+  }
+
+ private:
+  const ParameterVector& parameters_;
+  const std::vector<Track>& tracks_;
+  const std::vector<Window>& windows_;
+  Eigen::VectorXd x_;
+  std::vector<std::vector<MotionState>> states_;
+};
+
 /// Residual and Jacobian of one window at x.
-WindowDerivative derive(const ParameterVector& parameters, WindowResidual& window, const Eigen::VectorXd& x,
-                        bool jacobian) {
+WindowDerivative derive(const ParameterVector& parameters, WindowResidual& window, HiddenStates& hidden, size_t index,
+                        const Eigen::VectorXd& x, bool jacobian, bool exact) {
   WindowDerivative out;
-  window.fit(parameters.at(x));
+  window.fit(parameters.at(x), hidden.at(x, -1, index));
   out.residual = window.residual();
   out.positions = window.positions();
   if (!jacobian) return out;
   out.jacobian.resize(window.rows(), x.size());
+  const bool simulated = exact || window.remembers();
   for (Eigen::Index p = 0; p < x.size(); ++p) {
     Eigen::VectorXd near = x;
     const double step = x[p] + nudge > parameters.upper(p) ? -nudge : nudge;
     near[p] += step;
-    out.jacobian.col(p) = window.column(parameters.at(near), step);
+    out.jacobian.col(p) = simulated ? window.column(parameters.at(near), hidden.at(near, p, index), step)
+                                    : window.linearColumn(parameters.at(near), step);
   }
   return out;
 }
 
 class WindowCost final : public ceres::CostFunction {
  public:
-  WindowCost(const ParameterVector& parameters, WindowResidual& window) : parameters_(parameters), window_(window) {
+  WindowCost(const ParameterVector& parameters, WindowResidual& window, HiddenStates& hidden, size_t index, bool exact)
+      : parameters_(parameters), window_(window), hidden_(hidden), index_(index), exact_(exact) {
     set_num_residuals(static_cast<int>(window.rows()));
     mutable_parameter_block_sizes()->push_back(static_cast<int>(parameters.size()));
   }
   bool Evaluate(double const* const* at, double* residuals, double** jacobians) const override {
     const Eigen::Index size = parameters_.size();
     const bool wanted = jacobians != nullptr && jacobians[0] != nullptr;
-    const WindowDerivative got = derive(parameters_, window_, Eigen::Map<const Eigen::VectorXd>(at[0], size), wanted);
+    const WindowDerivative got =
+        derive(parameters_, window_, hidden_, index_, Eigen::Map<const Eigen::VectorXd>(at[0], size), wanted, exact_);
     if (!got.residual.allFinite() || (wanted && !got.jacobian.allFinite())) return false;
     Eigen::Map<Eigen::VectorXd>(residuals, got.residual.size()) = got.residual;
     using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -55,6 +85,9 @@ class WindowCost final : public ceres::CostFunction {
  private:
   const ParameterVector& parameters_;
   WindowResidual& window_;
+  HiddenStates& hidden_;
+  size_t index_;
+  bool exact_;
 };
 
 /// Holds start values of positive quantities that no data reach.
@@ -102,6 +135,7 @@ FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>
   result.weights = weightsAt(parameters.at(start), tracks, windows);
   std::vector<WindowResidual> residuals;
   residuals.reserve(windows.size());
+  HiddenStates hidden(parameters, tracks, windows);
   ceres::Problem problem;
   double count = 0.0;
   for (size_t w = 0; w < windows.size(); ++w) {
@@ -109,7 +143,7 @@ FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>
     residuals.emplace_back(tracks[windows[w].track], windows[w],
                            Weights{factor * result.weights.position, factor * result.weights.current});
     count += static_cast<double>(residuals.back().rows());
-    problem.AddResidualBlock(new WindowCost(parameters, residuals.back()), nullptr, x.data());
+    problem.AddResidualBlock(new WindowCost(parameters, residuals.back(), hidden, w, options.exact), nullptr, x.data());
   }
   const double priorWeight = 0.1 * std::sqrt(count / static_cast<double>(windows.size()));
   problem.AddResidualBlock(new PriorCost(parameters, start, priorWeight), nullptr, x.data());
@@ -138,7 +172,7 @@ FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>
   double squares = 0.0, positions = 0.0;
   for (size_t w = 0; w < residuals.size(); ++w) {
     WindowResidual& residual = residuals[w];
-    result.windows.push_back(derive(parameters, residual, x, true));
+    result.windows.push_back(derive(parameters, residual, hidden, w, x, true, options.exact));
     const WindowDerivative& window = result.windows.back();
     const Eigen::VectorXd score = window.jacobian.transpose() * window.residual;
     normal += window.jacobian.transpose() * window.jacobian;
@@ -178,10 +212,11 @@ FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>
 
 std::vector<double> residualSquares(const Model& model, const std::vector<Track>& tracks,
                                     const std::vector<Window>& windows) {
+  const std::vector<MotionState> hidden = hiddenStates(model, tracks, windows);
   std::vector<double> squares;
-  for (const Window& window : windows) {
-    WindowResidual residual(tracks[window.track], window, {1.0, 0.0});
-    residual.fit(model);
+  for (size_t w = 0; w < windows.size(); ++w) {
+    WindowResidual residual(tracks[windows[w].track], windows[w], {1.0, 0.0});
+    residual.fit(model, hidden[w]);
     squares.push_back(residual.residual().head(residual.positions()).squaredNorm() /
                       static_cast<double>(residual.positions()));
   }
@@ -199,21 +234,22 @@ std::vector<double> robustWeights(const std::vector<double>& windowSquares) {
 
 std::vector<double> scoreWindows(const Model& model, const std::vector<Track>& tracks,
                                  const std::vector<Window>& windows) {
-  const auto terms = termsOf(model);
-  Stepper stepper(physicsOf(model), *terms);
+  const std::vector<MotionState> hidden = hiddenStates(model, tracks, windows);
   std::vector<double> squares;
-  for (const Window& window : windows) {
+  for (size_t w = 0; w < windows.size(); ++w) {
+    const Window& window = windows[w];
     const Track& track = tracks[window.track];
-    MotionState state = restartState(stepper, track, window.first, model.restartHorizon_s);
+    Simulator simulator(model, track, window.first, window.last);
+    MotionState state = simulator.restart(window.first, hidden[w]);
     double sum = 0.0, n = 0.0;
     for (size_t k = window.first;; ++k) {
       if (track.seen[k]) {
-        const double error = state.position - track.position[k];
+        const double error = simulator.shown(state.position) - track.position[k];
         sum += error * error;
         n += 1.0;
       }
       if (k == window.last) break;
-      run(stepper, track, k, k + 1, state);
+      simulator.run(state, k, k + 1);
     }
     squares.push_back(sum / std::max(n, 1.0));
   }

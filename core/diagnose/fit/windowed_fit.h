@@ -13,6 +13,7 @@ namespace breakaway {
 struct FitOptions {
   int iterations = 25;
   double tolerance = 1e-6;            ///< relative fall of the cost at which it stops
+  bool exact = false;                 ///< Jacobians by simulation, not by the linearised motion
   std::vector<double> windowWeights;  ///< one per window, at most 1; empty: all 1
   std::stop_token stop;
 };

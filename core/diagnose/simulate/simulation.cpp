@@ -1,29 +1,29 @@
 #include "diagnose/simulate/simulation.h"
 
 #include "diagnose/simulate/physics.h"
-#include "diagnose/simulate/restart.h"
+#include "diagnose/simulate/simulator.h"
 
 namespace breakaway {
 
-Trace simulate(const Physics& physics, const std::vector<CompiledTerm>& terms, const Track& track,
-               double restartEvery_s, double horizon_s) {
-  Stepper stepper(physics, terms);
+Trace simulate(const Model& model, const Track& track, double restartEvery_s) {
+  Simulator simulator(model, track, 0, track.rows() - 1);
+  const bool electrical = simulator.physics().electrical;
   Trace trace;
   trace.restarts = restartRows(track, restartEvery_s);
   trace.position.resize(track.rows());
   trace.velocity.resize(track.rows());
-  if (physics.electrical) trace.current_A.resize(track.rows());
+  if (electrical) trace.current_A.resize(track.rows());
   MotionState state;
   size_t next = 0;
   for (size_t row = 0; row < track.rows(); ++row) {
     if (next < trace.restarts.size() && trace.restarts[next] == row) {
-      state = restartState(stepper, track, row, horizon_s);
+      state = simulator.restart(row, state);
       ++next;
     }
-    trace.position[row] = state.position;
+    trace.position[row] = simulator.shown(state.position);
     trace.velocity[row] = state.velocity;
-    if (physics.electrical) trace.current_A[row] = state.current;
-    if (row + 1 < track.rows()) run(stepper, track, row, row + 1, state);
+    if (electrical) trace.current_A[row] = state.current;
+    if (row + 1 < track.rows()) simulator.run(state, row, row + 1);
   }
   return trace;
 }
@@ -33,7 +33,7 @@ Result<Trace> simulate(const Model& model, const Recording& recording, const Sim
   if (!track) return track.error();
   const auto terms = termsOf(model);
   if (!terms) return terms.error();
-  return simulate(physicsOf(model), *terms, *track, options.restartEvery_s, model.restartHorizon_s);
+  return simulate(model, *track, options.restartEvery_s);
 }
 
 }  // namespace breakaway

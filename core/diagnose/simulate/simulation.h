@@ -5,7 +5,6 @@
 
 #include "base/result.h"
 #include "diagnose/simulate/model.h"
-#include "diagnose/simulate/stepper.h"
 #include "diagnose/simulate/track.h"
 #include "recording/recording.h"
 
@@ -28,8 +27,7 @@ struct SimulateOptions {
 /// position is missing.
 Result<Trace> simulate(const Model& model, const Recording& recording, const SimulateOptions& options);
 
-/// The same on prepared input.
-Trace simulate(const Physics& physics, const std::vector<CompiledTerm>& terms, const Track& track,
-               double restartEvery_s, double horizon_s);
+/// The same on prepared input. Hidden states carry over from each restart to the next.
+Trace simulate(const Model& model, const Track& track, double restartEvery_s);
 
 }  // namespace breakaway

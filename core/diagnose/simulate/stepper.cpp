@@ -7,26 +7,67 @@ namespace breakaway {
 
 namespace {
 
-constexpr double longestStep_s = 2e-3;
+constexpr double shortestStep_s = 2e-5;
+constexpr double leastInertia = 0.02;  ///< what a detached load leaves of the base inertia, at least
 constexpr int mostEventsPerStep = 8;
 
 double signOf(double value) {
   return value > 0.0 ? 1.0 : value < 0.0 ? -1.0 : 0.0;
 }
 
+/// Dahl's elastic friction as a part of the full one after a further motion (P. R. Dahl, 'Solid friction damping of
+/// mechanical vibrations', AIAA Journal 14(12), 1976).
+double slipAfter(double slip, double motion, double stiffness, double friction) {
+  if (motion == 0.0 || friction <= 0.0) return slip;
+  const double s = signOf(motion);
+  return s - (s - slip) * std::exp(-std::abs(motion) * stiffness / friction);
+}
+
 }  // namespace
 
 Stepper::Stepper(const Physics& physics, std::vector<CompiledTerm> terms)
     : physics_(physics), terms_(std::move(terms)), stateDependent_(!terms_.empty() || physics.gravity != 0.0) {
+  double detached = 0.0;
+  for (const CompiledTerm& term : terms_) {
+    memorySize_ += term.effect->memory();
+    losesVoltage_ = losesVoltage_ || (physics_.electrical && term.effect->losesVoltage());
+    stiffness_ += term.effect->frictionStiffness(term.parameters);
+    longestStep_ = std::min(longestStep_, term.effect->longestStep_s(term.parameters));
+    detached += term.effect->detachedInertia(term.parameters);
+  }
+  physics_.inertia = std::max(physics_.inertia - detached, leastInertia * physics_.inertia);
+  if (stiffness_ > 0.0) longestStep_ = std::min(longestStep_, 0.3 * std::sqrt(physics_.inertia / stiffness_));
+  longestStep_ = std::max(longestStep_, shortestStep_s);
 }
 
-Stepper::Forces Stepper::forcesAt(double position, double velocity, double direction, double drive,
-                                  double time_s) const {
+Situation Stepper::situationAt(const MotionState& state, double position, double velocity, double direction,
+                               double drive, double time_s) const {
+  Situation at;
+  at.axis = physics_.axis;
+  at.time_s = time_s;
+  at.position = position;
+  at.velocity = velocity;
+  at.acceleration = state.acceleration;
+  at.driveTorque = drive;
+  at.direction = direction;
+  at.current = physics_.torqueConstant > 0.0 ? drive / physics_.torqueConstant : 0.0;
+  at.supply_V = supply_;
+  at.rest_s = state.rest_s;
+  at.travel = std::abs(position - state.turned);
+  return at;
+}
+
+Stepper::Forces Stepper::forcesAt(const MotionState& state, double position, double velocity, double direction,
+                                  double drive, double time_s) const {
   Forces forces{physics_.load, physics_.coulomb};
   if (!stateDependent_) return forces;
   if (physics_.gravity != 0.0) forces.load += physics_.gravity * std::sin(position - physics_.downAngle);
-  const Situation at{physics_.axis, time_s, position, velocity, 0.0, drive, direction};
+  Situation at = situationAt(state, position, velocity, direction, drive, time_s);
+  size_t used = 0;
   for (const CompiledTerm& term : terms_) {
+    const size_t own = term.effect->memory();
+    at.memory = std::span(state.memory).subspan(used, own);
+    used += own;
     const Term part = term.effect->term(term.parameters, at);
     forces.load += part.load_Nm;
     forces.friction += part.friction_Nm;
@@ -35,14 +76,84 @@ Stepper::Forces Stepper::forcesAt(double position, double velocity, double direc
   return forces;
 }
 
+double Stepper::lostVoltage(const MotionState& state, double u, double velocity, double time_s) const {
+  const double available = u - physics_.backEmf * velocity;
+  const auto lossAt = [&](double current) {
+    Situation at =
+        situationAt(state, state.position, velocity, signOf(velocity), physics_.torqueConstant * current, time_s);
+    at.input = u;
+    double loss = 0.0;
+    size_t used = 0;
+    for (const CompiledTerm& term : terms_) {
+      const size_t own = term.effect->memory();
+      at.memory = std::span(state.memory).subspan(used, own);
+      used += own;
+      if (term.effect->losesVoltage()) loss += term.effect->term(term.parameters, at).voltage_V;
+    }
+    return loss;
+  };
+  // R i + loss(i) = u − Ke ω by false position between no current and the current without loss.
+  const double free = available / physics_.resistance;
+  double low = 0.0, high = free, gLow = lossAt(0.0) - available, gHigh = lossAt(free);
+  if (gLow * gHigh > 0.0) return std::abs(gHigh) < std::abs(gLow) ? gHigh : gLow + available;
+  double loss = gHigh;
+  for (int k = 0; k < 8 && gHigh != gLow; ++k) {
+    const double current = (low * gHigh - high * gLow) / (gHigh - gLow);
+    loss = lossAt(current);
+    const double g = physics_.resistance * current + loss - available;
+    if (std::abs(g) < 1e-4 * std::abs(available)) break;
+    if ((g > 0.0) == (gHigh > 0.0)) {
+      high = current;
+      gHigh = g;
+      gLow *= 0.5;
+    } else {
+      low = current;
+      gLow = g;
+      gHigh *= 0.5;
+    }
+  }
+  return loss;
+}
+
 Stepper::Forces Stepper::forcesDuring(const MotionState& state, double direction, double drive, double damping,
                                       double dt, double time_s) const {
   if (!stateDependent_) return {physics_.load, physics_.coulomb};
   const double backEmf = damping - physics_.viscous;  // without inductance the back-EMF acts as damping
   double middle = state.velocity + 0.5 * dt * state.acceleration;
   if (middle * direction < 0.0) middle = 0.0;
-  return forcesAt(state.position + 0.25 * dt * (state.velocity + middle), middle, direction, drive - backEmf * middle,
-                  time_s + 0.5 * dt);
+  Forces forces = forcesAt(state, state.position + 0.25 * dt * (state.velocity + middle), middle, direction,
+                           drive - backEmf * middle, time_s + 0.5 * dt);
+  if (stiffness_ > 0.0) {
+    forces.load += forces.friction * slipAfter(state.slip, 0.5 * dt * state.velocity, stiffness_, forces.friction);
+    forces.friction = 0.0;
+  }
+  return forces;
+}
+
+void Stepper::keepHistory(MotionState& state, const MotionState& before, double u, double dt, double time_s) const {
+  const double way = signOf(state.velocity);
+  if (way != 0.0 && way != state.way) {
+    state.way = way;
+    state.turned = before.position;
+  }
+  if (way == 0.0) state.rest_s = before.velocity != 0.0 ? 0.0 : state.rest_s + dt;
+  const double drive = physics_.torqueConstant * (physics_.electrical ? state.current : u);
+  if (stiffness_ > 0.0) {
+    const Forces forces = forcesAt(state, state.position, state.velocity, way, drive, time_s);
+    state.slip = slipAfter(state.slip, state.position - before.position, stiffness_, forces.friction);
+  }
+  if (memorySize_ == 0) return;
+  Situation at = situationAt(state, state.position, state.velocity, way, drive, time_s);
+  at.input = u;
+  size_t used = 0;
+  for (const CompiledTerm& term : terms_) {
+    const size_t own = term.effect->memory();
+    if (own == 0) continue;
+    const std::array<double, 8> old = state.memory;
+    at.memory = std::span(old).subspan(used, own);
+    term.effect->remember(term.parameters, at, dt, std::span(state.memory).subspan(used, own));
+    used += own;
+  }
 }
 
 Stepper::Decay Stepper::decayOver(double dt, double damping) const {
@@ -60,36 +171,48 @@ Stepper::Decay Stepper::decayOver(double dt, double damping) const {
 }
 
 void Stepper::advance(MotionState& state, double u, double dt, double time_s, bool connected) {
-  const int parts = stateDependent_ ? std::max(1, static_cast<int>(std::ceil(dt / longestStep_s - 1e-9))) : 1;
+  const int parts = stateDependent_ ? std::max(1, static_cast<int>(std::ceil(dt / longestStep_ - 1e-9))) : 1;
   const double step = dt / parts;
   const Physics& p = physics_;
   for (int part = 0; part < parts; ++part) {
     const double now = time_s + part * step;
+    const MotionState before = stateDependent_ ? state : MotionState{};
+    const double volts = losesVoltage_ && connected ? u - lostVoltage(state, u, state.velocity, now) : u;
     if (!p.electrical) {
       mechanical(state, connected ? p.torqueConstant * u : 0.0, p.viscous, step, now);
     } else if (!connected) {
       state.current = 0.0;
       mechanical(state, 0.0, p.viscous, step, now);
     } else if (p.inductance > 0.0) {
-      inductive(state, u, step, now);
+      inductive(state, volts, step, now);
     } else {
-      mechanical(state, p.torqueConstant * u / p.resistance, p.viscous + p.torqueConstant * p.backEmf / p.resistance,
-                 step, now);
-      state.current = (u - p.backEmf * state.velocity) / p.resistance;
+      mechanical(state, p.torqueConstant * volts / p.resistance,
+                 p.viscous + p.torqueConstant * p.backEmf / p.resistance, step, now);
+      state.current = (volts - p.backEmf * state.velocity) / p.resistance;
     }
+    if (stateDependent_) keepHistory(state, before, u, step, now + step);
   }
 }
 
 void Stepper::mechanical(MotionState& state, double drive, double damping, double dt, double time_s) {
   if (decay_.dt != dt || decay_.damping != damping) decay_ = decayOver(dt, damping);
+  if (stiffness_ > 0.0) {  // nothing ever stands quite still
+    const double a = (drive - forcesDuring(state, state.way, drive, damping, dt, time_s).load) / physics_.inertia;
+    const double v = state.velocity * decay_.velocity + a * decay_.gainVelocity;
+    state.position += state.velocity * decay_.gainVelocity + a * decay_.gainPosition;
+    state.acceleration = (v - state.velocity) / dt;
+    state.velocity = v;
+    return;
+  }
   double remaining = dt;
   for (int event = 0; event < mostEventsPerStep && remaining > 0.0; ++event) {
     const double now = time_s + dt - remaining;
     double direction = signOf(state.velocity);
     if (direction == 0.0) {
-      const double push = drive - forcesAt(state.position, 0.0, 0.0, drive, now).load;
+      const double push = drive - forcesAt(state, state.position, 0.0, 0.0, drive, now).load;
       direction = signOf(push);
-      if (direction == 0.0 || std::abs(push) <= forcesAt(state.position, 0.0, direction, drive, now).friction) return;
+      if (direction == 0.0 || std::abs(push) <= forcesAt(state, state.position, 0.0, direction, drive, now).friction)
+        return;
     }
     const Forces forces = forcesDuring(state, direction, drive, damping, remaining, now);
     const double a = (drive - forces.load - direction * forces.friction) / physics_.inertia;
@@ -147,15 +270,16 @@ Stepper::Coupled Stepper::coupledOver(double dt) const {
 double Stepper::breakawayTime(const MotionState& state, double u, double dt, double time_s, double& direction) const {
   const Physics& p = physics_;
   const double drive = p.torqueConstant * state.current;
-  const double load = forcesAt(state.position, 0.0, 0.0, drive, time_s).load;
+  const double load = forcesAt(state, state.position, 0.0, 0.0, drive, time_s).load;
   direction = signOf(drive - load);
-  if (direction != 0.0 && std::abs(drive - load) > forcesAt(state.position, 0.0, direction, drive, time_s).friction)
+  if (direction != 0.0 &&
+      std::abs(drive - load) > forcesAt(state, state.position, 0.0, direction, drive, time_s).friction)
     return 0.0;
   const double rate = p.resistance / p.inductance, final = u / p.resistance;
   const double end = final + (state.current - final) * std::exp(-rate * dt);
   direction = signOf(p.torqueConstant * end - load);
   if (direction == 0.0) return dt;
-  const double friction = forcesAt(state.position, 0.0, direction, p.torqueConstant * end, time_s).friction;
+  const double friction = forcesAt(state, state.position, 0.0, direction, p.torqueConstant * end, time_s).friction;
   if (direction * (p.torqueConstant * end - load) <= friction) return dt;
   const double needed = (load + direction * friction) / p.torqueConstant;
   const double ratio = (needed - final) / (state.current - final);
@@ -193,8 +317,8 @@ void Stepper::inductive(MotionState& state, double u, double dt, double time_s) 
   double remaining = dt;
   for (int event = 0; event < mostEventsPerStep && remaining > 0.0; ++event) {
     const double now = time_s + dt - remaining;
-    double direction = signOf(state.velocity);
-    if (direction == 0.0) {
+    double direction = stiffness_ > 0.0 ? state.way : signOf(state.velocity);
+    if (direction == 0.0 && stiffness_ == 0.0) {
       const double wait = breakawayTime(state, u, remaining, now, direction);
       const double final = u / p.resistance;
       state.current = final + (state.current - final) * std::exp(-p.resistance / p.inductance * wait);
@@ -215,7 +339,7 @@ void Stepper::inductive(MotionState& state, double u, double dt, double time_s) 
     };
     const Coupled over = remaining == dt ? coupled_ : coupledOver(remaining);
     const double v = vEnd + over.vi * (state.current - iEnd) + over.vv * (state.velocity - vEnd);
-    if (v * direction >= 0.0) {
+    if (v * direction >= 0.0 || stiffness_ > 0.0) {
       state.acceleration = (v - state.velocity) / remaining;
       moveOver(over);
       return;

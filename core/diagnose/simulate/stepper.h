@@ -1,6 +1,7 @@
 // Exact stick-slip steps of a model with one degree of freedom.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "diagnose/effect.h"
@@ -35,6 +36,12 @@ struct MotionState {
   double velocity = 0.0;
   double current = 0.0;       ///< A; meaningful with an electrical side only
   double acceleration = 0.0;  ///< of the step before: predicts the middle of the next
+  // History that some effects depend on; kept up only where the model has effects.
+  double rest_s = 0.0;             ///< how long the last standstill lasted, or lasts by now
+  double turned = 0.0;             ///< position of the last reversal
+  double way = 0.0;                ///< ±1: direction of the last motion
+  double slip = 0.0;               ///< elastic friction as a part of the full one, −1 … 1
+  std::array<double, 8> memory{};  ///< the effects' hidden states, one after the other
 };
 
 /// Advances a state under a constant drive input. Between events the motion is the exact solution of the linear
@@ -47,16 +54,29 @@ class Stepper {
 
   /// One row: `dt` s under input `u`, from `time_s` on; `connected` false means open windings. Divided into steps of at
   /// most 2 ms where terms depend on the state.
-  const Physics& physics() const { return physics_; }
-  void setLoad(double load_Nm) { physics_.load = load_Nm; }
-
   void advance(MotionState& state, double u, double dt, double time_s, bool connected = true);
 
- private:
+  const Physics& physics() const { return physics_; }
+  const std::vector<CompiledTerm>& terms() const { return terms_; }
+  void setLoad(double load_Nm) { physics_.load = load_Nm; }
+  void setSupply(double supply_V) { supply_ = supply_V; }
+
   struct Forces {
     double load = 0.0;
     double friction = 0.0;
   };
+  /// Load and friction at an instant, elastic friction counted as friction; `drive` in Nm.
+  Forces forcesAt(const MotionState& state, double position, double velocity, double direction, double drive,
+                  double time_s) const;
+  /// Advances hidden states and history over a step that went from `before` to `state` under `u` and ended at `time_s`.
+  void keepHistory(MotionState& state, const MotionState& before, double u, double dt, double time_s) const;
+  /// Voltage lost once the current has settled at a speed, V.
+  double lostVoltage(const MotionState& state, double u, double velocity, double time_s) const;
+  bool losesVoltage() const { return losesVoltage_; }
+  /// Whether effects carry hidden state, so that forcesAt() doesn't tell all of a parameter's influence.
+  bool remembers() const { return memorySize_ > 0 || stiffness_ > 0.0; }
+
+ private:
   /// Exact transition of v' = −d v/J + a over dt.
   struct Decay {
     double dt = -1.0;
@@ -72,7 +92,8 @@ class Stepper {
     double xi = 0, xv = 0;  ///< ∫ of the second row
   };
 
-  Forces forcesAt(double position, double velocity, double direction, double drive, double time_s) const;
+  Situation situationAt(const MotionState& state, double position, double velocity, double direction, double drive,
+                        double time_s) const;
   Forces forcesDuring(const MotionState& state, double direction, double drive, double damping, double dt,
                       double time_s) const;
   Decay decayOver(double dt, double damping) const;
@@ -85,6 +106,11 @@ class Stepper {
   Physics physics_;
   std::vector<CompiledTerm> terms_;
   bool stateDependent_;
+  bool losesVoltage_ = false;
+  size_t memorySize_ = 0;
+  double stiffness_ = 0.0;  ///< of elastic friction, Nm/rad; 0: rigid
+  double longestStep_ = 2e-3;
+  double supply_ = 0.0;
   Decay decay_;
   Coupled coupled_;
 };

@@ -54,6 +54,29 @@ Result<std::vector<double>> inputOf(const Recording& recording, const Bench& nam
 
 }  // namespace
 
+Track Track::rowsFrom(size_t first, size_t last) const {
+  Track out;
+  const auto part = [=](const auto& from) {
+    if (from.empty()) return from;
+    return std::remove_cvref_t<decltype(from)>(from.begin() + static_cast<std::ptrdiff_t>(first),
+                                               from.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+  };
+  out.name = name;
+  out.time = part(time);
+  out.position = part(position);
+  out.input = part(input);
+  out.seen = part(seen);
+  out.connected = part(connected);
+  out.current = part(current);
+  out.supply = part(supply);
+  out.temperature = part(temperature);
+  out.supply_V = supply_V;
+  out.drive = drive;
+  out.origin_s = origin_s;
+  out.noise = noise;
+  return out;
+}
+
 Result<Track> makeTrack(const Recording& recording, Axis axis, DriveInput driveInput, std::optional<double> supply_V,
                         double count) {
   Bench names;
@@ -96,6 +119,13 @@ Result<Track> makeTrack(const Recording& recording, Axis axis, DriveInput driveI
                             " rows have no position and are left out");
   const auto enabled = recording.channel("enabled");
   for (size_t k = 0; k < enabled.size(); ++k) track.connected[k] = enabled[k] == 0.0 ? 0 : 1;
+  track.drive = driveInput;
+  track.supply_V = supply_V.value_or(0.0);
+  const auto supply = recording.channel("supply_V");
+  if (std::all_of(supply.begin(), supply.end(), [](double one) { return std::isfinite(one); }))
+    track.supply.assign(supply.begin(), supply.end());
+  const auto temperature = recording.channel("temperature_degC");
+  track.temperature.assign(temperature.begin(), temperature.end());
   const auto current = recording.channel("current_A");
   if (names.electrical() && !current.empty()) track.current.assign(current.begin(), current.end());
   track.noise = std::max(readingNoise(track.position, track.seen), count / std::sqrt(12.0));

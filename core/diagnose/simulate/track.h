@@ -10,6 +10,16 @@
 
 namespace breakaway {
 
+/// The motion that a track shows, smoothed, for whoever looks at it as a whole. One entry per row.
+struct Motion {
+  std::vector<double> velocity, acceleration;
+  std::vector<char> resting;   ///< stands still
+  std::vector<double> rest_s;  ///< how long the last standstill lasted, or lasts by now
+  std::vector<double> turned;  ///< position of the last reversal
+  std::vector<double> way;     ///< ±1: direction of motion, or of the last one
+  double velocityNoise = 0.0;
+};
+
 /// All vectors have one entry per row. On a linear axis read m for rad and N for Nm.
 struct Track {
   std::string name;
@@ -19,11 +29,20 @@ struct Track {
   std::vector<char> seen;        ///< the row has a position
   std::vector<char> connected;   ///< windings not open
   std::vector<double> current;   ///< measured current in A where voltage or duty drives and it was recorded; else empty
-  double origin_s = 0.0;         ///< time_s of the first row
-  double noise = 0.0;            ///< standard deviation of one position reading: quantisation and what exceeds it
+  std::vector<double> supply;    ///< recorded supply in V; empty: not recorded
+  std::vector<double> temperature;  ///< recorded temperature in °C; empty: not recorded
+  double supply_V = 0.0;            ///< of the bench; 0: not known
+  DriveInput drive = DriveInput::torque;
+  double origin_s = 0.0;  ///< time_s of the first row
+  double noise = 0.0;     ///< standard deviation of one position reading: quantisation and what exceeds it
   std::vector<std::string> remarks;
 
+  Motion motion;  ///< filled in by prepare(); empty otherwise
+
   size_t rows() const { return time.size(); }
+  /// A copy of rows [first, last], without the smoothed motion; times keep their origin.
+  Track rowsFrom(size_t first, size_t last) const;
+  double supplyAt(size_t row) const { return supply.empty() ? supply_V : supply[row]; }
 };
 
 /// Reads what `input` and `axis` need from the recording. `count` is one encoder count in rad or m (0: unknown).

@@ -1,0 +1,20 @@
+#include "diagnose/fit/window.h"
+
+#include "diagnose/simulate/simulator.h"
+
+namespace breakaway {
+
+std::vector<Window> windowsOf(const std::vector<Track>& tracks, size_t track, size_t from, size_t to, double window_s) {
+  std::vector<Window> windows;
+  std::vector<size_t> starts = restartRows(tracks[track], window_s);
+  const auto& time = tracks[track].time;
+  // The last window counts only when it is nearly whole.
+  if (time.back() - time[starts.back()] >= window_s * 0.9) starts.push_back(time.size());
+  for (size_t k = 0; k + 1 < starts.size(); ++k) {
+    if (starts[k] < from || starts[k + 1] > to || starts[k + 1] - starts[k] < 8) continue;
+    windows.push_back({track, starts[k], starts[k + 1] - 1});
+  }
+  return windows;
+}
+
+}  // namespace breakaway

@@ -1,0 +1,334 @@
+#include "diagnose/search/linear_rig.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "diagnose/simulate/physics.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr size_t mostRows = 14000;
+constexpr size_t fewestSamples = 10;
+constexpr size_t turnMargin = 2;  ///< samples left out on each side of a reversal
+
+double elasticFriction(double slip, double motion, double stiffness, double friction) {
+  const double s = motion > 0.0 ? 1.0 : -1.0;
+  return motion == 0.0 ? slip : s - (s - slip) * std::exp(-std::abs(motion) * stiffness / std::max(friction, 1e-300));
+}
+
+}  // namespace
+
+LinearRig::LinearRig(const Model& base, const std::vector<Track>& tracks, const std::vector<Window>& windows)
+    : tracks_(tracks), physics_(physicsOf(base)), windows_(windows.size()) {
+  currentSeen_ = physics_.electrical && std::all_of(windows.begin(), windows.end(), [&](const Window& window) {
+                   return !tracks[window.track].current.empty();
+                 });
+  gain_ = physics_.electrical ? physics_.torqueConstant / physics_.resistance : physics_.torqueConstant;
+  record();
+  cut(windows);
+
+  const Eigen::Index baseColumns = 3 + (physics_.gravity > 0.0 ? 2 : 0) + (currentSeen_ ? 2 : 0);
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(rows_, baseColumns + 1);
+  for (size_t t = 0; t < tracks_.size(); ++t) {
+    const Track& track = tracks_[t];
+    const size_t n = track.rows();
+    std::vector<double> drive(n), way(n), sine(n), cosine(n), speed(n);
+    for (size_t k = 0; k < n; ++k) {
+      const Situation& at = recorded_[t].at[k];
+      drive[k] = currentSeen_ ? physics_.torqueConstant * track.current[k] : gain_ * track.input[k];
+      if (!track.connected[k] || !std::isfinite(drive[k])) drive[k] = 0.0;
+      way[k] = at.direction;
+      sine[k] = std::sin(at.position);
+      cosine[k] = std::cos(at.position);
+      speed[k] = at.velocity;
+    }
+    addMechanical(drive, t, 2, 1.0, all.col(baseColumns));
+    addMechanical(track.position, t, 0, 1.0, all.col(0));
+    addMechanical(track.position, t, 1, 1.0, all.col(1));
+    addMechanical(way, t, 2, 1.0, all.col(2));
+    if (physics_.gravity > 0.0) {
+      addMechanical(sine, t, 2, 1.0, all.col(3));
+      addMechanical(cosine, t, 2, 1.0, all.col(4));
+    }
+    if (!currentSeen_) continue;
+    addElectrical(track.current, t, 1.0, all.col(baseColumns));
+    addElectrical(lagged(t, track.input), t, 1.0, all.col(baseColumns - 2));
+    addElectrical(lagged(t, speed), t, 1.0, all.col(baseColumns - 1));
+  }
+  weights_ = Eigen::VectorXd::Ones(rows_);
+  weigh(all);
+  // Each set of rows in units of its typical residual: the sensor's noise and a part of what the base model leaves.
+  const Eigen::MatrixXd left = all.leftCols(baseColumns);
+  const Eigen::VectorXd residual = all.col(baseColumns) - left * left.colPivHouseholderQr().solve(all.col(baseColumns));
+  const auto scale = [&](const std::vector<Stretch>& set, double noise) {
+    double squares = 0.0, count = 0.0;
+    for (const Stretch& one : set) {
+      squares += residual.segment(one.at, one.rows).squaredNorm();
+      count += static_cast<double>(one.rows);
+    }
+    const double typical = std::sqrt(noise * noise + 0.09 * squares / std::max(count, 1.0));
+    for (const Stretch& one : set) weights_.segment(one.at, one.rows) /= std::max(typical, 1e-300);
+  };
+  double noise = 0.0;
+  for (const Window& window : windows) noise = std::max(noise, tracks_[window.track].noise);
+  scale(stretches_, physics_.inertia * noise);
+  scale(electrical_, 0.0);
+  for (Eigen::Index c = 0; c < all.cols(); ++c) all.col(c).array() *= weights_.array();
+  response_ = all.col(baseColumns);
+  base_ = all.leftCols(baseColumns);
+}
+
+void LinearRig::record() {
+  for (const Track& track : tracks_) {
+    Recorded recorded;
+    const size_t n = track.rows();
+    const Motion& motion = track.motion;
+    recorded.at.resize(n);
+    recorded.slope.assign(n, 0.0);
+    recorded.usable.assign(n, 0);
+    double current = 0.0;
+    for (size_t k = 0; k < n; ++k) {
+      Situation& at = recorded.at[k];
+      at.axis = physics_.axis;
+      at.time_s = track.time[k];
+      at.position = track.position[k];
+      at.velocity = motion.velocity[k];
+      at.acceleration = motion.acceleration[k];
+      at.direction = motion.way[k];
+      at.input = track.input[k];
+      at.supply_V = track.supplyAt(k);
+      at.rest_s = motion.rest_s[k];
+      at.travel = std::abs(track.position[k] - motion.turned[k]);
+      if (physics_.electrical) {
+        // The model's current along the recorded speed.
+        const double dt = k + 1 < n ? track.time[k + 1] - track.time[k] : 0.0;
+        const double settled =
+            track.connected[k] ? (track.input[k] - physics_.backEmf * at.velocity) / physics_.resistance : 0.0;
+        const double keep = physics_.inductance > 0.0 ? std::exp(-dt * physics_.resistance / physics_.inductance) : 0.0;
+        const double next = settled + (current - settled) * keep;
+        at.current = physics_.inductance > 0.0 ? 0.5 * (current + next) : settled;
+        recorded.slope[k] = dt > 0.0 ? (next - current) / dt : 0.0;
+        current = next;
+        at.driveTorque = physics_.torqueConstant * at.current;
+      } else {
+        at.driveTorque = track.connected[k] ? physics_.torqueConstant * track.input[k] : 0.0;
+        at.current = track.drive == DriveInput::current ? track.input[k] : 0.0;
+      }
+      recorded.usable[k] =
+          !motion.resting[k] && track.seen[k] && motion.way[k] != 0.0 && motion.velocity[k] * motion.way[k] > 0.0;
+    }
+    recorded_.push_back(std::move(recorded));
+  }
+}
+
+void LinearRig::cut(const std::vector<Window>& windows) {
+  size_t samples = 0;
+  for (size_t w = 0; w < windows.size(); ++w) {
+    const Window& window = windows[w];
+    const Recorded& recorded = recorded_[window.track];
+    size_t first = window.first;
+    for (size_t k = window.first; k <= window.last + 1; ++k) {
+      const bool goesOn = k <= window.last && recorded.usable[k] &&
+                          recorded.at[k].direction == recorded.at[std::max(first, k - (k > first ? 1 : 0))].direction;
+      if (goesOn) continue;
+      size_t from = first, to = k;  // [from, to)
+      if (from > window.first) from += turnMargin;
+      if (to <= window.last) to -= std::min(to, turnMargin);
+      if (to > from && to - from >= fewestSamples) {
+        stretches_.push_back({window.track, from, to - 1, w, 1, 0, 0});
+        samples += to - from;
+      }
+      first = k <= window.last && recorded.usable[k] && k > first ? k : k + 1;
+    }
+    if (currentSeen_) {
+      electrical_.push_back({window.track, window.first, window.last, w, 1, 0, 0});
+      samples += window.last - window.first + 1;
+    }
+  }
+  const size_t together = std::max<size_t>(1, (samples + mostRows - 1) / mostRows);
+  for (auto* set : {&stretches_, &electrical_}) {
+    for (Stretch& one : *set) {
+      const size_t length = one.last - one.first + 1;
+      one.samplesPerRow = std::clamp<size_t>(length / 12, 1, together);
+      one.at = rows_;
+      one.rows = static_cast<Eigen::Index>(length / one.samplesPerRow);
+      rows_ += one.rows;
+      window_.insert(window_.end(), static_cast<size_t>(one.rows), one.window);
+    }
+  }
+  for (const Stretch& one : stretches_) {
+    Eigen::MatrixXd line(one.rows, 2);
+    for (Eigen::Index r = 0; r < one.rows; ++r) {
+      const size_t k = one.first + static_cast<size_t>(r) * one.samplesPerRow;
+      line(r, 0) = 1.0;
+      line(r, 1) = tracks_[one.track].time[k] - tracks_[one.track].time[one.first];
+    }
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(line);
+    nuisance_.push_back(qr.householderQ() * Eigen::MatrixXd::Identity(one.rows, 2));
+  }
+}
+
+void LinearRig::addMechanical(const std::vector<double>& values, size_t track, int times, double factor,
+                              Eigen::Ref<Eigen::VectorXd> out) const {
+  if (values.empty()) return;
+  const std::vector<double>& time = tracks_[track].time;
+  for (const Stretch& one : stretches_) {
+    if (one.track != track) continue;
+    double once = 0.0, twice = 0.0;
+    const double origin = times == 2 ? 0.0 : values[one.first];
+    size_t k = one.first;
+    for (Eigen::Index r = 0; r < one.rows; ++r) {
+      double sum = 0.0;
+      for (size_t part = 0; part < one.samplesPerRow; ++part, ++k) {
+        const double value = values[k] - origin;
+        sum += times == 0 ? value : times == 1 ? once : twice;
+        if (k == one.last) continue;
+        const double dt = time[k + 1] - time[k];
+        if (times == 1) {
+          once += 0.5 * dt * (value + values[k + 1] - origin);
+        } else if (times == 2) {  // a value acts until the next row
+          twice += dt * (once + 0.5 * dt * value);
+          once += dt * value;
+        }
+      }
+      out[one.at + r] += factor * sum / std::sqrt(static_cast<double>(one.samplesPerRow));
+    }
+  }
+}
+
+void LinearRig::addElectrical(const std::vector<double>& values, size_t track, double factor,
+                              Eigen::Ref<Eigen::VectorXd> out) const {
+  if (values.empty()) return;
+  for (const Stretch& one : electrical_) {
+    if (one.track != track) continue;
+    size_t k = one.first;
+    for (Eigen::Index r = 0; r < one.rows; ++r) {
+      double sum = 0.0;
+      for (size_t part = 0; part < one.samplesPerRow; ++part, ++k) {
+        const bool known = tracks_[track].connected[k] != 0 && std::isfinite(tracks_[track].current[k]);
+        if (known) sum += values[k];
+      }
+      out[one.at + r] += factor * sum / std::sqrt(static_cast<double>(one.samplesPerRow));
+    }
+  }
+}
+
+std::vector<double> LinearRig::lagged(size_t track, const std::vector<double>& values) const {
+  if (values.empty() || physics_.inductance <= 0.0) return values;
+  const std::vector<double>& time = tracks_[track].time;
+  std::vector<double> out(values.size());
+  double state = 0.0;
+  for (size_t k = 0; k < values.size(); ++k) {
+    out[k] = state;
+    const double dt = k + 1 < values.size() ? time[k + 1] - time[k] : 0.0;
+    state = values[k] + (state - values[k]) * std::exp(-dt * physics_.resistance / physics_.inductance);
+  }
+  return out;
+}
+
+void LinearRig::weigh(Eigen::Ref<Eigen::MatrixXd> columns) const {
+  for (size_t s = 0; s < stretches_.size(); ++s) {
+    auto part = columns.middleRows(stretches_[s].at, stretches_[s].rows);
+    part -= (nuisance_[s] * (nuisance_[s].transpose() * part)).eval();
+  }
+  for (Eigen::Index c = 0; c < columns.cols(); ++c) columns.col(c).array() *= weights_.array();
+}
+
+LinearRig::Traces LinearRig::tracesOf(const Effect& effect, const std::vector<double>& p, size_t t) const {
+  const Track& track = tracks_[t];
+  const Recorded& recorded = recorded_[t];
+  const size_t n = track.rows();
+  Traces out;
+  const double detached = effect.detachedInertia(p), stiffness = effect.frictionStiffness(p);
+  const bool remembers = effect.memory() > 0 || stiffness > 0.0;
+  std::vector<double> torque(n, 0.0), voltage(effect.losesVoltage() ? n : 0, 0.0);
+  std::array<double, 8> memory{};
+  double slip = 0.0;
+  bool pushes = false;
+  // A fraction of a millisecond changes no torque: long recordings are looked at about once per millisecond.
+  const double step = track.time.back() / static_cast<double>(n - 1);
+  const size_t every = remembers ? 1 : std::max<size_t>(1, static_cast<size_t>(2e-3 / std::max(step, 1e-9)));
+  for (size_t k = 0; k < n; k += every) {
+    Situation at = recorded.at[k];
+    if (remembers) {
+      at.memory = std::span(memory).first(effect.memory());
+    } else if (!recorded.usable[k] && voltage.empty()) {
+      continue;
+    }
+    const Term term = effect.term(p, at);
+    torque[k] = term.load_Nm + at.direction * term.friction_Nm;
+    if (stiffness > 0.0) torque[k] += physics_.coulomb * (slip - at.direction);
+    pushes = pushes || torque[k] != 0.0;
+    if (!voltage.empty()) voltage[k] = term.voltage_V;
+    for (size_t next = k + 1; next < std::min(n, k + every); ++next) {
+      torque[next] = torque[k];
+      if (!voltage.empty()) voltage[next] = voltage[k];
+    }
+    if (!remembers || k + 1 == n) continue;
+    if (stiffness > 0.0)
+      slip = elasticFriction(slip, track.position[k + 1] - track.position[k], stiffness, physics_.coulomb);
+    const std::array<double, 8> before = memory;
+    Situation after = recorded.at[k + 1];
+    after.memory = std::span(before).first(effect.memory());
+    const double dt = track.time[k + 1] - track.time[k];
+    const auto parts = std::clamp(static_cast<int>(std::ceil(dt / effect.longestStep_s(p))), 1, 50);
+    std::array<double, 8> from = before;
+    for (int part = 0; part < parts; ++part) {
+      const double share = (part + 1.0) / parts;
+      after.velocity = (1.0 - share) * recorded.at[k].velocity + share * recorded.at[k + 1].velocity;
+      from = memory;
+      after.memory = std::span(from).first(effect.memory());
+      effect.remember(p, after, dt / parts, std::span(memory).first(effect.memory()));
+    }
+  }
+  if (detached != 0.0) {
+    for (size_t k = 0; k < n; ++k) torque[k] -= detached * recorded.at[k].acceleration;
+    pushes = true;
+  }
+  if (pushes) out.torque = std::move(torque);
+  out.voltage = std::move(voltage);
+  if (effect.shapesInput(track.drive)) {
+    out.input = track.input;
+    effect.shapeInput(p, track.time, out.input);
+    for (size_t k = 0; k < n; ++k) out.input[k] -= track.input[k];
+  }
+  const double probe = 0.3 + track.position.front();
+  if (effect.shown(p, probe) != probe || effect.shown(p, probe + 0.7) != probe + 0.7) {
+    out.shown.resize(n);
+    for (size_t k = 0; k < n; ++k) out.shown[k] = effect.shown(p, track.position[k]) - track.position[k];
+  }
+  if (currentSeen_ && effect.sensed(p, 1.0, 1000.0) != 1.0) {
+    out.sensed.resize(n);
+    for (size_t k = 0; k < n; ++k)
+      out.sensed[k] = effect.sensed(p, recorded.at[k].current, recorded.slope[k]) - recorded.at[k].current;
+  }
+  return out;
+}
+
+Eigen::MatrixXd LinearRig::columnsOf(const Effect& effect, const Shape& shape) const {
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(rows_, static_cast<Eigen::Index>(shape.size()));
+  for (size_t a = 0; a < shape.size(); ++a) {
+    auto column = columns.col(static_cast<Eigen::Index>(a));
+    for (size_t t = 0; t < tracks_.size(); ++t) {
+      const Traces traces = tracesOf(effect, shape[a], t);
+      addMechanical(traces.torque, t, 2, 1.0, column);
+      addMechanical(traces.shown, t, 0, -physics_.inertia, column);
+      if (!currentSeen_) {
+        addMechanical(traces.voltage, t, 2, gain_, column);
+        addMechanical(traces.input, t, 2, -gain_, column);
+        continue;
+      }
+      addMechanical(traces.sensed, t, 2, physics_.torqueConstant, column);
+      addElectrical(lagged(t, traces.voltage), t, -1.0 / physics_.resistance, column);
+      addElectrical(lagged(t, traces.input), t, 1.0 / physics_.resistance, column);
+      addElectrical(traces.sensed, t, 1.0, column);
+    }
+  }
+  weigh(columns);
+  return columns;
+}
+
+}  // namespace breakaway

@@ -1,0 +1,81 @@
+// A rig as a linear regression along its recorded motion: integrated twice, so that nothing is differentiated.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "diagnose/effect.h"
+#include "diagnose/fit/window.h"
+#include "diagnose/simulate/model.h"
+#include "diagnose/simulate/stepper.h"
+
+namespace breakaway {
+
+/// The torque balance J a = drive − B ω − F s − Σ a_j c_j, integrated twice along each stretch of motion one way:
+///   ∬drive = J x + B ∫x + F ∬s + Σ a_j ∬c_j + α + β t
+/// with α and β free in each stretch. What an encoder adds to x stays what it is: white, and as large as one reading's
+/// noise. Directions are the recorded ones, so that stick-slip can't run away, and where rows of current exist beside
+/// the voltage that drives, drive = Kt i and the voltage balance is a second set of rows,
+///   i = lag(u)/R − lag(ω) Ke/R − Σ a_j lag(c_j)/R,   lag the first-order lag L/R.
+/// The method of integrals instead of derivatives follows M. Shinbrot's method functions ('On the analysis of linear
+/// and nonlinear systems', Trans. ASME 79, 1957). Rows are means over some samples, weighted by their number, each set
+/// divided by its typical residual.
+class LinearRig {
+ public:
+  /// `base` gives gains, lag and the start values of J and F; tracks carry their smoothed motion.
+  LinearRig(const Model& base, const std::vector<Track>& tracks, const std::vector<Window>& windows);
+
+  const Eigen::VectorXd& response() const { return response_; }
+  /// Columns of the base model.
+  const Eigen::MatrixXd& base() const { return base_; }
+  /// Per amplitude the column of an effect at one shape; zero columns where the motion doesn't show it.
+  Eigen::MatrixXd columnsOf(const Effect& effect, const Shape& shape) const;
+  /// The window, by its number in the constructor's list, that a row belongs to.
+  const std::vector<size_t>& window() const { return window_; }
+  size_t windows() const { return windows_; }
+
+ private:
+  /// Rows [first, last] of a track, moving one way.
+  struct Stretch {
+    size_t track = 0, first = 0, last = 0, window = 0;
+    size_t samplesPerRow = 1;
+    Eigen::Index at = 0, rows = 0;  ///< in the regression
+  };
+  /// What an effect does along one track: a value per row of the track, empty where it does nothing.
+  struct Traces {
+    std::vector<double> torque, voltage, input, shown, sensed;
+  };
+  /// The recorded motion as terms see it.
+  struct Recorded {
+    std::vector<Situation> at;
+    std::vector<double> slope;  ///< of the current, A/s
+    std::vector<char> usable;   ///< moving clearly one way
+  };
+
+  void cut(const std::vector<Window>& windows);
+  void record();
+  Traces tracesOf(const Effect& effect, const std::vector<double>& parameters, size_t track) const;
+  std::vector<double> lagged(size_t track, const std::vector<double>& values) const;
+  /// Mechanical rows of twice (`times` = 2), once or not at all integrated values; adds to `out`.
+  void addMechanical(const std::vector<double>& values, size_t track, int times, double factor,
+                     Eigen::Ref<Eigen::VectorXd> out) const;
+  void addElectrical(const std::vector<double>& values, size_t track, double factor,
+                     Eigen::Ref<Eigen::VectorXd> out) const;
+  void weigh(Eigen::Ref<Eigen::MatrixXd> columns) const;
+
+  const std::vector<Track>& tracks_;
+  Physics physics_;
+  bool currentSeen_ = false;
+  double gain_ = 1.0;  ///< Nm per unit of input
+  std::vector<Recorded> recorded_;
+  std::vector<Stretch> stretches_, electrical_;
+  Eigen::Index rows_ = 0;
+  std::vector<size_t> window_;
+  size_t windows_ = 0;
+  std::vector<Eigen::MatrixXd> nuisance_;  ///< orthonormal α, β per stretch
+  Eigen::VectorXd weights_;
+  Eigen::VectorXd response_;
+  Eigen::MatrixXd base_;
+};
+
+}  // namespace breakaway

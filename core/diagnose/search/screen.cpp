@@ -1,0 +1,406 @@
+#include "diagnose/search/screen.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "base/statistics.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr size_t flips = 199;
+constexpr double beyondChance = 1.5;     ///< times the most that chance gave
+constexpr double leastPart = 0.02;       ///< of what is left
+constexpr double leastOfBase = 0.004;    ///< of what the base leaves
+constexpr double leastAgreement = 0.01;  ///< fall of the held-out error
+constexpr double fewWindows = 0.12;
+constexpr size_t mostEffects = 6;
+constexpr size_t beamWidth = 4;
+
+bool same(const Effect* a, const Effect* b) {
+  return a == b || (!a->twin().empty() && a->twin() == b->name());
+}
+
+/// Numbers of the parameters that differ from shape to shape: the nonlinear ones that a search may refine.
+std::vector<size_t> refinable(const Effect& effect, const Shape& shape, const Excitation& seen) {
+  std::vector<size_t> numbers;
+  const auto all = effect.shapes(seen);
+  const auto specs = effect.parameters(seen.axis);
+  for (size_t k = 0; k < specs.size(); ++k) {
+    bool differs = false, shared = true;
+    for (const Shape& one : all) differs = differs || one.front()[k] != all.front().front()[k];
+    for (const auto& one : shape) shared = shared && one[k] == shape.front()[k];
+    const bool whole =
+        specs[k].held && (specs[k].name == "order" || specs[k].name == "side" || specs[k].name == "exponent");
+    if (differs && shared && !whole) numbers.push_back(k);
+  }
+  return numbers;
+}
+
+}  // namespace
+
+Screen::Screen(const LinearRig& rig, const std::vector<const Effect*>& effects, const Excitation& seen,
+               const std::vector<int>& fold, int folds, std::uint64_t seed)
+    : rig_(rig), seen_(seen), fold_(fold), folds_(folds), seed_(seed) {
+  Eigen::Index width = 0;
+  for (const Effect* effect : effects) {
+    const bool twinListed =
+        std::any_of(effects_.begin(), effects_.end(), [effect](const Effect* one) { return same(one, effect); });
+    if (twinListed) continue;
+    effects_.push_back(effect);
+    for (Shape& shape : effect->shapes(seen)) {
+      const auto own = static_cast<Eigen::Index>(shape.size());
+      candidates_.push_back({effect, std::move(shape), width, own});
+      width += own;
+    }
+  }
+  columns_.resize(rig.response().size(), width);
+  for (const Candidate& one : candidates_)
+    columns_.middleCols(one.at, one.width) = rig.columnsOf(*one.effect, one.shape);
+  for (Eigen::Index c = 0; c < width; ++c) {
+    if (!columns_.col(c).allFinite()) columns_.col(c).setZero();
+  }
+  norms_ = columns_.colwise().squaredNorm();
+}
+
+Eigen::MatrixXd Screen::design(const std::vector<Pick>& chosen) const {
+  Eigen::Index width = rig_.base().cols();
+  for (const Pick& pick : chosen) width += static_cast<Eigen::Index>(pick.shape.size());
+  Eigen::MatrixXd out(rig_.base().rows(), width);
+  out.leftCols(rig_.base().cols()) = rig_.base();
+  Eigen::Index at = rig_.base().cols();
+  for (const Pick& pick : chosen) {
+    const auto own = static_cast<Eigen::Index>(pick.shape.size());
+    out.middleCols(at, own) = rig_.columnsOf(*pick.effect, pick.shape);
+    at += own;
+  }
+  return out;
+}
+
+Screen::Left Screen::leave(const std::vector<Pick>& chosen) const {
+  Left left;
+  Eigen::MatrixXd all = design(chosen);
+  const Eigen::VectorXd scale = all.colwise().norm().cwiseMax(1e-300).cwiseInverse();
+  all = all * scale.asDiagonal();
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(all);
+  left.basis = qr.householderQ() * Eigen::MatrixXd::Identity(all.rows(), qr.rank());
+  left.response = rig_.response() - left.basis * (left.basis.transpose() * rig_.response());
+  left.columns = columns_;
+  left.columns.noalias() -= left.basis * (left.basis.transpose() * columns_);
+  return left;
+}
+
+double Screen::gainOf(const Eigen::MatrixXd& columns, const Left& left, Eigen::VectorXd& amplitude) const {
+  const Eigen::MatrixXd free = columns - left.basis * (left.basis.transpose() * columns);
+  const Eigen::MatrixXd own = free.transpose() * free;
+  const double before = columns.squaredNorm();
+  if (!(own.trace() > 1e-5 * before) || !own.allFinite()) return 0.0;
+  Eigen::MatrixXd ridged = own;
+  ridged.diagonal().array() += 1e-9 * own.trace();
+  const Eigen::VectorXd score = free.transpose() * left.response;
+  amplitude = ridged.ldlt().solve(score);
+  return amplitude.dot(score);
+}
+
+bool Screen::open(const Effect* effect, const std::vector<Pick>& chosen) const {
+  return std::none_of(chosen.begin(), chosen.end(), [effect](const Pick& one) { return same(one.effect, effect); });
+}
+
+std::vector<Pick> Screen::bestOfEach(const Left& left, const std::vector<Pick>& chosen) const {
+  std::vector<Pick> best;
+  for (const Effect* effect : effects_) {
+    if (!open(effect, chosen)) continue;
+    Pick pick = bestOf(effect, left);
+    if (pick.gain > 0.0) best.push_back(std::move(pick));
+  }
+  std::stable_sort(best.begin(), best.end(), [](const Pick& a, const Pick& b) { return a.gain > b.gain; });
+  return best;
+}
+
+Pick Screen::bestOf(const Effect* effect, const Left& left) const {
+  Pick best;
+  best.effect = effect;
+  for (const Candidate& one : candidates_) {
+    if (one.effect != effect) continue;
+    const auto free = left.columns.middleCols(one.at, one.width);
+    Eigen::MatrixXd own = free.transpose() * free;
+    if (!(own.trace() > 1e-5 * norms_.segment(one.at, one.width).sum())) continue;
+    own.diagonal().array() += 1e-9 * own.trace();
+    const Eigen::VectorXd score = free.transpose() * left.response;
+    const Eigen::VectorXd amplitude = own.ldlt().solve(score);
+    const double gain = amplitude.dot(score);
+    if (gain <= best.gain) continue;
+    auto parameters = effect->scaled(one.shape, {amplitude.data(), static_cast<size_t>(amplitude.size())});
+    if (!effect->plausible(parameters, seen_)) continue;
+    best.gain = gain;
+    best.shape = one.shape;
+    best.parameters = std::move(parameters);
+  }
+  return best;
+}
+
+Pick Screen::refined(Pick pick, const Left& left) const {
+  const auto numbers = refinable(*pick.effect, pick.shape, seen_);
+  double factor = numbers.empty() ? 1.0 : 1.35;
+  for (; factor > 1.02; factor = std::sqrt(factor)) {
+    for (const size_t number : numbers) {
+      for (const double times : {factor, 1.0 / factor}) {
+        Shape shape = pick.shape;
+        for (auto& one : shape) one[number] *= times;
+        Eigen::VectorXd amplitude;
+        const double gain = gainOf(rig_.columnsOf(*pick.effect, shape), left, amplitude);
+        if (gain <= pick.gain) continue;
+        auto parameters = pick.effect->scaled(shape, {amplitude.data(), static_cast<size_t>(amplitude.size())});
+        if (!pick.effect->plausible(parameters, seen_)) continue;
+        pick.gain = gain;
+        pick.shape = std::move(shape);
+        pick.parameters = std::move(parameters);
+      }
+    }
+  }
+  return pick;
+}
+
+Pick Screen::best(const Effect& effect, const std::vector<Pick>& others) const {
+  const Left left = leave(others);
+  return refined(bestOf(&effect, left), left);
+}
+
+double Screen::pValueOf(const Pick& pick, const Left& before, double& chance) const {
+  // What is left after the pick, window by window and column by column.
+  Eigen::MatrixXd own = rig_.columnsOf(*pick.effect, pick.shape);
+  own -= before.basis * (before.basis.transpose() * own);
+  const Eigen::VectorXd after = before.response - own * own.colPivHouseholderQr().solve(before.response);
+  const auto windows = static_cast<Eigen::Index>(rig_.windows());
+  Eigen::MatrixXd scores = Eigen::MatrixXd::Zero(windows, columns_.cols());
+  for (Eigen::Index r = 0; r < after.size();) {
+    const size_t window = rig_.window()[static_cast<size_t>(r)];
+    Eigen::Index end = r;
+    while (end < after.size() && rig_.window()[static_cast<size_t>(end)] == window) ++end;
+    scores.row(static_cast<Eigen::Index>(window)) +=
+        after.segment(r, end - r).transpose() * before.columns.middleRows(r, end - r);
+    r = end;
+  }
+  struct Inverse {
+    double a, b, c;
+    Eigen::Index at;
+  };
+  std::vector<Inverse> inverses;
+  for (const Candidate& one : candidates_) {
+    const auto free = before.columns.middleCols(one.at, one.width);
+    const Eigen::MatrixXd gram = free.transpose() * free;
+    if (!(gram.trace() > 1e-5 * norms_.segment(one.at, one.width).sum())) continue;
+    if (one.width == 1) {
+      inverses.push_back({1.0 / gram(0, 0), 0.0, 0.0, one.at});
+    } else {
+      const double det = gram(0, 0) * gram(1, 1) - gram(0, 1) * gram(0, 1);
+      if (det <= 1e-9 * gram(0, 0) * gram(1, 1)) continue;
+      inverses.push_back({gram(1, 1) / det, -gram(0, 1) / det, gram(0, 0) / det, one.at});
+    }
+  }
+  Random random(seed_);
+  Eigen::MatrixXd signs(static_cast<Eigen::Index>(flips), windows);
+  for (Eigen::Index f = 0; f < signs.rows(); ++f) {
+    for (Eigen::Index w = 0; w < windows; ++w) signs(f, w) = random.bits() >> 63 ? 1.0 : -1.0;
+  }
+  const Eigen::MatrixXd flipped = signs * scores;
+  size_t beaten = 0;
+  chance = 0.0;
+  for (Eigen::Index f = 0; f < signs.rows(); ++f) {
+    double most = 0.0;
+    for (const Inverse& one : inverses) {
+      const double a = flipped(f, one.at);
+      double gain = one.a * a * a;
+      if (one.c > 0.0) {
+        const double b = flipped(f, one.at + 1);
+        gain += 2.0 * one.b * a * b + one.c * b * b;
+      }
+      most = std::max(most, gain);
+    }
+    chance = std::max(chance, most);
+    if (most >= pick.gain) ++beaten;
+  }
+  return static_cast<double>(1 + beaten) / static_cast<double>(1 + flips);
+}
+
+std::vector<double> Screen::validated(const std::vector<Pick>& chosen) const {
+  const Eigen::MatrixXd all = design(chosen);
+  const Eigen::VectorXd scale = all.colwise().norm().cwiseMax(1e-300).cwiseInverse();
+  std::vector<Eigen::MatrixXd> grams(static_cast<size_t>(folds_), Eigen::MatrixXd::Zero(all.cols(), all.cols()));
+  std::vector<Eigen::VectorXd> rights(static_cast<size_t>(folds_), Eigen::VectorXd::Zero(all.cols()));
+  const auto& window = rig_.window();
+  const auto eachRun = [&](auto act) {
+    for (Eigen::Index r = 0; r < all.rows();) {
+      Eigen::Index end = r;
+      while (end < all.rows() && window[static_cast<size_t>(end)] == window[static_cast<size_t>(r)]) ++end;
+      act(r, end - r, window[static_cast<size_t>(r)]);
+      r = end;
+    }
+  };
+  eachRun([&](Eigen::Index at, Eigen::Index rows, size_t w) {
+    const Eigen::MatrixXd part = all.middleRows(at, rows) * scale.asDiagonal();
+    grams[static_cast<size_t>(fold_[w])].noalias() += part.transpose() * part;
+    rights[static_cast<size_t>(fold_[w])].noalias() += part.transpose() * rig_.response().segment(at, rows);
+  });
+  std::vector<Eigen::VectorXd> solutions;
+  for (size_t f = 0; f < grams.size(); ++f) {
+    Eigen::MatrixXd rest = Eigen::MatrixXd::Zero(all.cols(), all.cols());
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(all.cols());
+    for (size_t other = 0; other < grams.size(); ++other) {
+      if (other == f) continue;
+      rest += grams[other];
+      right += rights[other];
+    }
+    rest.diagonal().array() += 1e-9;
+    solutions.push_back(scale.cwiseProduct(rest.ldlt().solve(right)));
+  }
+  std::vector<double> squares(rig_.windows(), 0.0);
+  eachRun([&](Eigen::Index at, Eigen::Index rows, size_t w) {
+    squares[w] +=
+        (rig_.response().segment(at, rows) - all.middleRows(at, rows) * solutions[static_cast<size_t>(fold_[w])])
+            .squaredNorm();
+  });
+  return squares;
+}
+
+void Screen::settle(std::vector<Pick>& chosen) const {
+  for (size_t k = 0; k < chosen.size(); ++k) {
+    std::vector<Pick> others = chosen;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
+    const Eigen::MatrixXd without = design(others);
+    Left left;
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(without);
+    left.basis = qr.householderQ() * Eigen::MatrixXd::Identity(without.rows(), qr.rank());
+    left.response = rig_.response() - left.basis * (left.basis.transpose() * rig_.response());
+    Eigen::VectorXd amplitude;
+    chosen[k].gain = gainOf(rig_.columnsOf(*chosen[k].effect, chosen[k].shape), left, amplitude);
+    if (amplitude.size() == 0) continue;
+    chosen[k].parameters =
+        chosen[k].effect->scaled(chosen[k].shape, {amplitude.data(), static_cast<size_t>(amplitude.size())});
+  }
+  std::stable_sort(chosen.begin(), chosen.end(), [](const Pick& a, const Pick& b) { return a.gain > b.gain; });
+}
+
+std::vector<Pick> Screen::grow(std::vector<Pick> chosen) const {
+  const double baseSquares = leave({}).response.squaredNorm();
+  while (chosen.size() < mostEffects) {
+    const Left left = leave(chosen);
+    std::vector<Pick> best = bestOfEach(left, chosen);
+    if (best.empty()) break;
+    for (size_t k = 0; k < std::min<size_t>(3, best.size()); ++k) best[k] = refined(best[k], left);
+    std::stable_sort(best.begin(), best.end(), [](const Pick& a, const Pick& b) { return a.gain > b.gain; });
+    Pick& first = best.front();
+    if (first.gain < leastPart * left.response.squaredNorm() || first.gain < leastOfBase * baseSquares) break;
+    double chance = 0.0;
+    first.pValue = pValueOf(first, left, chance);
+    if (first.pValue > 0.01 || first.gain < beyondChance * chance) break;
+    chosen.push_back(first);
+    settle(chosen);
+  }
+  return chosen;
+}
+
+std::vector<Pick> Screen::exchange(std::vector<Pick> chosen) const {
+  for (size_t k = 0; k < chosen.size(); ++k) {
+    std::vector<Pick> others = chosen;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
+    const Left left = leave(others);
+    std::vector<Pick> best = bestOfEach(left, others);
+    for (size_t j = 0; j < std::min<size_t>(3, best.size()); ++j) {
+      best[j] = refined(best[j], left);
+      if (best[j].gain <= 1.02 * chosen[k].gain) continue;
+      best[j].pValue = chosen[k].pValue;
+      chosen[k] = best[j];
+    }
+  }
+  settle(chosen);
+  return chosen;
+}
+
+std::vector<Pick> Screen::prune(std::vector<Pick> chosen) const {
+  for (bool changed = true; changed && !chosen.empty();) {
+    changed = false;
+    const auto with = validated(chosen);
+    for (size_t k = chosen.size(); k-- > 0 && !changed;) {
+      std::vector<Pick> others = chosen;
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
+      const auto without = validated(others);
+      const double sumWith = mean(with), sumWithout = mean(without);
+      if (sumWithout > (1.0 + leastAgreement) * sumWith) continue;
+      // An effect that lives in a few windows can't be confirmed by others.
+      std::vector<double> gains(with.size());
+      const Left left = leave(others);
+      const Eigen::MatrixXd own = rig_.columnsOf(*chosen[k].effect, chosen[k].shape);
+      double local = 0.0, all = 0.0;
+      for (Eigen::Index r = 0; r < own.rows(); ++r)
+        gains[rig_.window()[static_cast<size_t>(r)]] += own.row(r).squaredNorm();
+      for (const double gain : gains) all += gain;
+      std::sort(gains.begin(), gains.end(), std::greater<>());
+      const auto few = std::max<size_t>(2, static_cast<size_t>(fewWindows * static_cast<double>(gains.size())));
+      for (size_t g = 0; g < std::min(few, gains.size()); ++g) local += gains[g];
+      if (local > 0.9 * all) continue;
+      chosen = others;
+      settle(chosen);
+      changed = true;
+    }
+  }
+  return chosen;
+}
+
+void Screen::findRivals(std::vector<Pick>& chosen) const {
+  for (size_t k = 0; k < chosen.size(); ++k) {
+    std::vector<Pick> others = chosen;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
+    const Left left = leave(others);
+    const auto own = validated(chosen);
+    for (Pick& rival : bestOfEach(left, chosen)) {
+      if (rival.gain < 0.6 * chosen[k].gain) break;
+      rival = refined(std::move(rival), left);
+      std::vector<Pick> swapped = chosen;
+      swapped[k] = rival;
+      const auto other = validated(swapped);
+      double sum = 0.0, squares = 0.0;
+      for (size_t w = 0; w < own.size(); ++w) sum += other[w] - own[w];
+      const double middle = sum / static_cast<double>(own.size());
+      for (size_t w = 0; w < own.size(); ++w) squares += std::pow(other[w] - own[w] - middle, 2);
+      const double error = std::sqrt(squares) / static_cast<double>(own.size());
+      if (middle < 2.0 * error) chosen[k].rivals.push_back(rival.effect);
+    }
+  }
+}
+
+ScreenResult Screen::run() {
+  ScreenResult result;
+  const Left left = leave({});
+  result.baseSquares = left.response.squaredNorm();
+  result.leftSquares = result.baseSquares;
+  std::vector<Pick> starts = bestOfEach(left, {});
+  double least = mean(validated({}));
+  for (size_t k = 0; k < std::min(beamWidth, starts.size()); ++k) {
+    if (starts[k].gain < 0.4 * starts.front().gain) break;
+    std::vector<Pick> chosen;
+    if (k > 0) {
+      Pick first = refined(starts[k], left);
+      double chance = 0.0;
+      first.pValue = pValueOf(first, left, chance);
+      if (first.pValue > 0.01 || first.gain < beyondChance * chance) continue;
+      chosen.push_back(first);
+    }
+    chosen = prune(exchange(grow(std::move(chosen))));
+    if (chosen.empty()) continue;
+    // A further effect has to pay for itself.
+    const double error = mean(validated(chosen)) * (1.0 + 0.02 * static_cast<double>(chosen.size()));
+    if (error >= least && !result.chosen.empty()) continue;
+    least = std::min(least, error);
+    result.chosen = std::move(chosen);
+  }
+  if (!result.chosen.empty()) {
+    result.leftSquares = leave(result.chosen).response.squaredNorm();
+    findRivals(result.chosen);
+  }
+  return result;
+}
+
+}  // namespace breakaway

@@ -1,0 +1,164 @@
+#include "diagnose/simulate/simulator.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "diagnose/simulate/physics.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr double margin_s = 0.25;
+
+struct Line {
+  double position = 0.0;  ///< at the first row
+  double slope = 0.0;
+};
+
+Line lineThrough(const Track& track, size_t first, size_t last) {
+  double n = 0, st = 0, sx = 0, stt = 0, stx = 0;
+  for (size_t k = first; k <= last; ++k) {
+    if (!track.seen[k]) continue;
+    const double t = track.time[k] - track.time[first], x = track.position[k] - track.position[first];
+    n += 1;
+    st += t;
+    sx += x;
+    stt += t * t;
+    stx += t * x;
+  }
+  const double determinant = n * stt - st * st;
+  if (n < 2 || determinant <= 0.0) return {track.position[first], 0.0};
+  const double slope = (n * stx - st * sx) / determinant;
+  return {track.position[first] + (sx - slope * st) / n, slope};
+}
+
+}  // namespace
+
+Simulator::Simulator(const Model& model, const Track& track, size_t from, size_t to)
+    : Simulator(physicsOf(model), *termsOf(model), model.restartHorizon_s, track, from, to) {
+}
+
+Simulator::Simulator(const Physics& physics, std::vector<CompiledTerm> terms, double horizon_s, const Track& track,
+                     size_t from, size_t to)
+    : stepper_(physics, std::move(terms)), track_(track), horizon_(horizon_s) {
+  for (const CompiledTerm& term : stepper_.terms()) {
+    if (!term.effect->shapesInput(track.drive)) continue;
+    if (shaped_.empty()) {
+      const auto rowAt = [&track](double t) {
+        return static_cast<size_t>(std::lower_bound(track.time.begin(), track.time.end(), t) - track.time.begin());
+      };
+      shapedFrom_ = rowAt(track.time[from] - horizon_s - margin_s);
+      const size_t end = rowAt(track.time[to] + margin_s);
+      shaped_.assign(track.input.begin() + static_cast<std::ptrdiff_t>(shapedFrom_),
+                     track.input.begin() + static_cast<std::ptrdiff_t>(end));
+    }
+    term.effect->shapeInput(term.parameters, std::span(track.time).subspan(shapedFrom_, shaped_.size()), shaped_);
+  }
+}
+
+double Simulator::shown(double position) const {
+  for (const CompiledTerm& term : stepper_.terms()) position = term.effect->shown(term.parameters, position);
+  return position;
+}
+
+double Simulator::truePosition(double shownPosition) const {
+  double position = shownPosition;
+  for (int k = 0; k < 2 && !stepper_.terms().empty(); ++k) position += shownPosition - shown(position);
+  return position;
+}
+
+double Simulator::sensed(double current, double slope) const {
+  for (const CompiledTerm& term : stepper_.terms()) current = term.effect->sensed(term.parameters, current, slope);
+  return current;
+}
+
+double Simulator::settledCurrent(size_t row, double velocity) const {
+  if (!physics().electrical || !track_.connected[row]) return 0.0;
+  return (input(row) - physics().backEmf * velocity) / physics().resistance;
+}
+
+void Simulator::run(MotionState& state, size_t from, size_t to) {
+  for (size_t k = from; k < to; ++k) {
+    stepper_.setSupply(track_.supplyAt(k));
+    stepper_.advance(state, input(k), track_.time[k + 1] - track_.time[k], track_.time[k], track_.connected[k] != 0);
+  }
+}
+
+MotionState Simulator::restart(size_t row, const MotionState& carried) {
+  size_t first = row;
+  while (first > 0 && (track_.time[row] - track_.time[first - 1] <= horizon_ || row - first < 3)) --first;
+  const auto from = [&carried](double position, double velocity, double current) {
+    MotionState state = carried;
+    state.position = position;
+    state.velocity = velocity;
+    state.current = current;
+    state.acceleration = 0.0;
+    return state;
+  };
+  if (row - first < 3) return from(truePosition(track_.position[row]), 0.0, settledCurrent(row, 0.0));
+
+  const size_t early = first + std::max<size_t>(2, (row - first) / 3);
+  const Line line = lineThrough(track_, first, early);
+  const double length = track_.time[row] - track_.time[first];
+  const double small = std::max(track_.noise, 1e-12);
+  Eigen::Vector3d unknown(truePosition(line.position), line.slope, 0.0);  // position, velocity, load
+  const Eigen::Vector3d nudge(small, small / length, physics().inertia * small / (length * length));
+  const double ownLoad = physics().load;
+  const auto beginAt = [&](const Eigen::Vector3d& at) { return from(at[0], at[1], settledCurrent(first, at[1])); };
+  for (int iteration = 0; iteration < 2; ++iteration) {
+    std::array<Eigen::Vector3d, 4> at{unknown, unknown, unknown, unknown};
+    std::array<MotionState, 4> states;
+    for (int k = 0; k < 4; ++k) {
+      if (k > 0) at[static_cast<size_t>(k)][k - 1] += nudge[k - 1];
+      states[static_cast<size_t>(k)] = beginAt(at[static_cast<size_t>(k)]);
+    }
+    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d right = Eigen::Vector3d::Zero();
+    for (size_t k = first; k <= row; ++k) {
+      if (track_.seen[k]) {
+        Eigen::Vector3d slope;  // of the position by each unknown, in units of its nudge
+        for (int j = 0; j < 3; ++j) slope[j] = states[static_cast<size_t>(j) + 1].position - states[0].position;
+        normal += slope * slope.transpose();
+        right += slope * (track_.position[k] - shown(states[0].position));
+      }
+      if (k == row) break;
+      for (size_t j = 0; j < 4; ++j) {
+        stepper_.setLoad(ownLoad + at[j][2]);
+        run(states[j], k, k + 1);
+      }
+    }
+    // Where friction swallows a nudge at once, the ridge keeps its step at zero.
+    normal.diagonal().array() += 1e-9 * normal.diagonal().maxCoeff() + 1e-300;
+    unknown += nudge.cwiseProduct(normal.ldlt().solve(right));
+  }
+  MotionState state = beginAt(unknown);
+  stepper_.setLoad(ownLoad + unknown[2]);
+  run(state, first, row);
+  stepper_.setLoad(ownLoad);
+  state.memory = carried.memory;
+  if (state.velocity == 0.0 && carried.velocity == 0.0) state.rest_s = std::max(state.rest_s, carried.rest_s);
+  return state;
+}
+
+double restartVelocityNoise(const Track& track, double horizon_s) {
+  const double step = track.time.back() / static_cast<double>(track.rows() - 1);
+  const double rows = std::max(4.0, horizon_s / step + 1.0);
+  return track.noise * std::sqrt(192.0 / rows) / (step * (rows - 1.0));
+}
+
+std::vector<size_t> restartRows(const Track& track, double window_s) {
+  std::vector<size_t> rows{0};
+  if (window_s <= 0.0) return rows;
+  double k = 1.0;
+  for (size_t row = 1; row < track.rows(); ++row) {
+    if (track.time[row] < k * window_s - 1e-9) continue;
+    rows.push_back(row);
+    while (track.time[row] >= k * window_s - 1e-9) k += 1.0;
+  }
+  return rows;
+}
+
+}  // namespace breakaway

@@ -1,0 +1,58 @@
+// A model run along a track: the drive input as it acts, the motion, and what encoder and current sensor show of it.
+#pragma once
+
+#include <vector>
+
+#include "diagnose/simulate/model.h"
+#include "diagnose/simulate/stepper.h"
+#include "diagnose/simulate/track.h"
+
+namespace breakaway {
+
+/// Runs rows [from, to] of a track. Rows up to a quarter of a second on both sides are read for inputs that act late or
+/// were recorded late; measured positions are read by restart() alone.
+class Simulator {
+ public:
+  /// Precondition: termsOf(model) succeeds; `track` outlives the simulator.
+  Simulator(const Model& model, const Track& track, size_t from, size_t to);
+  Simulator(const Physics& physics, std::vector<CompiledTerm> terms, double horizon_s, const Track& track, size_t from,
+            size_t to);
+
+  const Physics& physics() const { return stepper_.physics(); }
+  const Stepper& stepper() const { return stepper_; }
+  const Track& track() const { return track_; }
+
+  /// The state at `row` from measurements in rows up to and including it: a moving-horizon observer. The model runs
+  /// along the last `horizon_s` of drive input; the position and velocity at its begin and a constant load, for what
+  /// the model lacks, that fit the measured positions best (least squares, two Gauss–Newton steps) give the state. The
+  /// load ends there. At the first row the axis is taken to rest. Hidden state is taken over from `carried`.
+  MotionState restart(size_t row, const MotionState& carried);
+  /// Runs the state from one row to another.
+  void run(MotionState& state, size_t from, size_t to);
+
+  /// The drive input that acts from `row` on.
+  double input(size_t row) const { return shaped_.empty() ? track_.input[row] : shaped_[row - shapedFrom_]; }
+  /// What the encoder shows at a state, and the true position behind what it shows.
+  double shown(double position) const;
+  double truePosition(double shown) const;
+  /// What the current sensor shows.
+  double sensed(double current, double slope) const;
+
+ private:
+  double settledCurrent(size_t row, double velocity) const;
+
+  Stepper stepper_;
+  const Track& track_;
+  double horizon_;
+  size_t shapedFrom_ = 0;
+  std::vector<double> shaped_;  ///< empty: as recorded
+};
+
+/// Standard deviation of the velocity that restart() finds, from the track's reading noise alone: the end of a parabola
+/// through n readings over `horizon_s` has a slope error of σ·√192/(√n·horizon).
+double restartVelocityNoise(const Track& track, double horizon_s);
+
+/// Rows at which windows of `window_s` begin: the first with t ≥ k·window_s − 1e-9 s.
+std::vector<size_t> restartRows(const Track& track, double window_s);
+
+}  // namespace breakaway
