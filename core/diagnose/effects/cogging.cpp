@@ -27,7 +27,7 @@ class Cogging final : public Effect {
     return waveScaled(shape, amplitude);
   }
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
-    return std::abs(p[0]) <= seen.peakTorque;
+    return wavePlausible(p, seen, seen.peakTorque);
   }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
     return std::string(seen.axis == Axis::rotary ? "The rotor" : "The slide") + " is pulled back and forth by ±" +
@@ -39,7 +39,7 @@ class Cogging final : public Effect {
   }
   std::vector<std::string_view> lookAlikes() const override { return {"position_dependent_friction", "imbalance"}; }
   std::string neededExcitation(const Excitation& seen) const override {
-    return std::string("Turn slowly over ") + (seen.axis == Axis::rotary ? "two whole turns" : "the whole travel") +
+    return std::string("Run slowly over ") + (seen.axis == Axis::rotary ? "two whole turns" : "the whole travel") +
            " both ways at two speeds, the slower at most " + speedText(0.3 * seen.highSpeed, seen.axis) + ".";
   }
   std::string_view drawnOver() const override { return "angle"; }

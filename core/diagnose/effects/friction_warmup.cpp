@@ -17,8 +17,7 @@ class FrictionWarmup final : public Effect {
   std::string_view formula() const override { return "friction = A · exp(−t/T)"; }
   std::string_view source() const override {
     return "A. C. Bittencourt, S. Gunnarsson, 'Static friction in a robot joint: modeling and identification of load "
-           "and "
-           "temperature effects', J. Dynamic Systems, Measurement, and Control 134(5), 2012";
+           "and temperature effects', J. Dynamic Systems, Measurement, and Control 134(5), 2012";
   }
   std::vector<ParameterSpec> parameters(Axis axis) const override {
     return {{torqueName("amplitude", axis), -1e9, 1e9}, {"time_constant_s", 1e-2, 1e6}};

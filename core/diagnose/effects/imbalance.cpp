@@ -25,7 +25,7 @@ class Imbalance final : public Effect {
     return waveScaled(shape, amplitude);
   }
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
-    return std::abs(p[0]) <= seen.peakTorque;
+    return wavePlausible(p, seen, seen.peakTorque);
   }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
     return "Once per turn a torque of ±" + torqueText(std::abs(p[0]), seen.axis) +

@@ -28,7 +28,7 @@ class LoadDependentFriction final : public Effect {
   bool plausible(std::span<const double> p, const Excitation&) const override { return p[0] > 0.0 && p[0] < 0.9; }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
     return std::string("Friction ") + (p[0] > 0.0 ? "grows" : "falls") + " with the transmitted " +
-           (seen.axis == Axis::rotary ? "torque" : "force") + ", by " + percentText(std::abs(p[0])) + " of it (" +
+           torqueWord(seen.axis) + ", by " + percentText(std::abs(p[0])) + " of it (" +
            torqueText(std::abs(p[0]) * seen.peakTorque, seen.axis) + " at the recording's peak): losses in the " +
            (seen.axis == Axis::rotary ? "gear or the loaded bearing; look at mesh, alignment and grease."
                                       : "screw or gear; look at nut, alignment and grease.");

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "diagnose/effects/all.h"
@@ -26,7 +27,8 @@ class PositionDependentFriction final : public Effect {
     return waveScaled(shape, amplitude);
   }
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
-    return std::abs(p[0]) <= seen.peakTorque;
+    // More than the whole dry friction would push somewhere; the base model may see too little of it.
+    return wavePlausible(p, seen, std::max(1.5 * seen.coulomb, 0.2 * seen.peakTorque));
   }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
     return "Friction is " + frictionText(std::abs(p[0]), seen) + " higher around " +

@@ -31,7 +31,7 @@ class PositionDependentViscous final : public Effect {
     return waveScaled(shape, amplitude);
   }
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
-    return std::abs(p[0]) * seen.highSpeed <= seen.peakTorque;
+    return wavePlausible(p, seen, seen.peakTorque / seen.highSpeed);
   }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
     return "Friction grows faster with speed around " + wavePeakText(p, seen.axis, seen.lowest) + ", " +

@@ -24,8 +24,8 @@ class Presliding final : public Effect {
   std::vector<Shape> shapes(const Excitation& seen) const override {
     std::vector<Shape> shapes;
     if (seen.reversals + seen.starts < 2 || seen.travel <= 0.0) return shapes;
-    const double friction = slidingFriction(seen);
-    for (double way = std::max(seen.count, 1e-4 * seen.travel); way <= 0.05 * seen.travel; way *= 1.7)
+    const double friction = slidingFriction(seen), widest = widestWay(seen);
+    for (double way = seen.count > 0.0 ? seen.count : 1e-4 * seen.travel; way <= widest; way *= 1.7)
       shapes.push_back({{friction / way}});
     return shapes;
   }
@@ -33,25 +33,28 @@ class Presliding final : public Effect {
   std::vector<double> scaled(const Shape& shape, std::span<const double>) const override { return shape.front(); }
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
     const double way = slidingFriction(seen) / p[0];
-    return way > 0.3 * seen.count && way < 0.2 * seen.travel;
+    return way > 0.3 * seen.count && way < 3.0 * widestWay(seen);
   }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
     return "After each reversal friction first gives like a spring of " + stiffnessText(p[0], seen.axis) +
            " and reaches its full size only after about " + travelText(3.0 * slidingFriction(seen) / p[0], seen.axis) +
            ": contacts that yield before they slide. Look at seals, brushes and preloaded bearings, and expect creep "
-           "and "
-           "hysteresis when positioning finely.";
+           "and hysteresis when positioning finely.";
   }
   std::vector<std::string_view> lookAlikes() const override { return {"stribeck", "backlash", "compliance"}; }
   std::string neededExcitation(const Excitation& seen) const override {
-    return "Reverse slowly at least ten times, with the torque rising and falling in ramps up to " +
-           torqueText(std::min(1.5 * slidingFriction(seen), seen.peakTorque), seen.axis) + " over ways from " +
-           travelText(10.0 * seen.count, seen.axis) + " to " +
-           travelText(std::max(100.0 * seen.count, 0.01 * seen.travel), seen.axis) + ".";
+    return "Reverse slowly at least ten times, with the " + torqueWord(seen.axis) +
+           " rising and falling in ramps up to " +
+           torqueText(std::min(1.5 * slidingFriction(seen), seen.peakTorque), seen.axis) + " over ways of up to " +
+           travelText(std::max(30.0 * seen.count, widestWay(seen)), seen.axis) + ".";
   }
   std::string_view drawnOver() const override { return "travel"; }
 
  private:
+  /// Over which friction may build up, rad; many turns of travel make no contact softer.
+  static double widestWay(const Excitation& seen) {
+    return std::min(0.05 * seen.travel, seen.axis == Axis::rotary ? 0.5 : 0.01);
+  }
   static double slidingFriction(const Excitation& seen) {
     return seen.coulomb > 0.0 ? seen.coulomb : 0.1 * seen.peakTorque;
   }

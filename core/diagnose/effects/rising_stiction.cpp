@@ -18,8 +18,7 @@ class RisingStiction final : public Effect {
   std::string_view formula() const override { return "friction = excess · (1 − exp(−t_rest/T)) · exp(−(ω/ω_s)²)"; }
   std::string_view source() const override {
     return "S. Kato, N. Sato, T. Matsubayashi, 'Some considerations on characteristics of static friction of machine "
-           "tool "
-           "slideway', J. Lubrication Technology 94(3), 1972";
+           "tool slideway', J. Lubrication Technology 94(3), 1972";
   }
   std::vector<ParameterSpec> parameters(Axis axis) const override {
     return {{torqueName("excess", axis), -1e9, 1e9},
@@ -44,12 +43,11 @@ class RisingStiction final : public Effect {
     return p[0] > 0.0 && p[0] <= seen.peakTorque;
   }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
-    return "The longer the axis has stood, the " + std::string(p[0] < 0.0 ? "less" : "more") +
-           " it takes to break away: up to " + frictionText(std::abs(p[0]), seen) + ", with a time constant of " +
-           timeText(p[1]) + ", gone above " + speedText(2.0 * p[2], seen.axis) +
+    return "The longer the axis has stood, the " + std::string(p[0] < 0.0 ? "less" : "more") + " " +
+           torqueWord(seen.axis) + " it takes to break away: by up to " + frictionText(std::abs(p[0]), seen) +
+           ", with a time constant of " + timeText(p[1]) + ", gone above " + speedText(2.0 * p[2], seen.axis) +
            ": a lubricant film that is squeezed out, or a seal that sticks. Look at the seals and the grease, and "
-           "expect a "
-           "jerk after a pause.";
+           "expect a jerk after a pause.";
   }
   std::vector<std::string_view> lookAlikes() const override {
     return {"stribeck", "presliding", "position_dependent_friction"};
@@ -58,7 +56,7 @@ class RisingStiction final : public Effect {
     const double rest_s = std::max(seen.longestRest_s, 1.0);
     return "Stop at one and the same " + std::string(seen.axis == Axis::rotary ? "angle" : "position") +
            " at least nine times, rest for " + timeText(0.05 * rest_s) + ", " + timeText(0.3 * rest_s) + " or " +
-           timeText(2.0 * rest_s) + " in turn, and ramp the torque slowly up to at most " +
+           timeText(2.0 * rest_s) + " in turn, and ramp the " + torqueWord(seen.axis) + " slowly up to at most " +
            torqueText(seen.peakTorque, seen.axis) + " until it moves.";
   }
 };

@@ -15,8 +15,7 @@ double waveNumber(double orderOrPeriod, Axis axis) {
   return axis == Axis::rotary ? orderOrPeriod : turn / orderOrPeriod;
 }
 
-/// A period is refined later: half waves over the travel are near enough to start from.
-constexpr double mostWaves = 50.0;
+constexpr double mostWaves = 50.0;   ///< over a linear axis' travel
 constexpr double leastCounts = 8.0;  ///< of a wave
 
 Shape waveBasis(double amplitude, double orderOrPeriod) {
@@ -48,6 +47,7 @@ std::vector<Shape> waveShapes(const Excitation& seen, int lowest, int highest, d
       if (whole && wave > leastCounts * seen.count) shapes.push_back(waveBasis(amplitude, order));
     }
   } else {
+    // Half a wave over the travel is near enough: the fit refines the period from there.
     for (double waves = lowest; waves <= mostWaves; waves += 0.5) {
       const double period = seen.travel / waves;
       if (period > leastCounts * seen.count) shapes.push_back(waveBasis(amplitude, period));
@@ -59,6 +59,11 @@ std::vector<Shape> waveShapes(const Excitation& seen, int lowest, int highest, d
 std::vector<double> waveScaled(const Shape& shape, std::span<const double> amplitude) {
   const std::vector<double>& cosine = shape.front();
   return {cosine[0] * std::hypot(amplitude[0], amplitude[1]), std::atan2(amplitude[1], amplitude[0]), cosine[2]};
+}
+
+bool wavePlausible(std::span<const double> p, const Excitation& seen, double largest) {
+  const bool seenWhole = seen.axis == Axis::rotary || p[2] < 1.5 * seen.travel;
+  return std::abs(p[0]) <= largest && seenWhole;
 }
 
 std::string waveText(double orderOrPeriod, Axis axis) {

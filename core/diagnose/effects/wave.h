@@ -21,6 +21,8 @@ double waveValue(std::span<const double> p, const Situation& at);
 std::vector<Shape> waveShapes(const Excitation& seen, int lowest, int highest, double amplitude);
 /// Parameters of a·cosine + b·sine: {A₀·hypot(a, b), atan2(b, a), k}.
 std::vector<double> waveScaled(const Shape& shape, std::span<const double> amplitude);
+/// At most `largest` in amplitude, and not longer than the data shows: a longer wave is a spring or an offset.
+bool wavePlausible(std::span<const double> p, const Excitation& seen, double largest);
 
 /// "12 times per turn", "every 5 mm".
 std::string waveText(double orderOrPeriod, Axis axis);
