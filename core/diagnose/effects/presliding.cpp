@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "diagnose/effects/all.h"
 #include "diagnose/effects/wording.h"
