@@ -16,31 +16,33 @@ class Cogging final : public Effect {
   std::string_view formula() const override { return "load = −A · cos(N θ − φ)"; }
   std::string_view source() const override {
     return "Z. Q. Zhu, D. Howe, 'Influence of design parameters on cogging torque in permanent magnet machines', IEEE "
-           "Trans. Energy "
-           "Conversion 15(4), 2000, equation 1";
+           "Trans. Energy Conversion 15(4), 2000";
   }
   std::vector<ParameterSpec> parameters(Axis axis) const override { return waveParameters(axis); }
   Term term(std::span<const double> p, const Situation& at) const override { return {-waveValue(p, at), 0.0}; }
-  std::vector<Shape> shapes(const Excitation& seen) const override { return waveShapes(seen, 2, 96); }
-  size_t amplitudes() const override { return 2; }
-  void columns(const Shape& shape, const Situation& at, std::span<double> out) const override {
-    waveColumns(shape, at, -1.0, out);
+  std::vector<Shape> shapes(const Excitation& seen) const override {
+    return waveShapes(seen, 2, 96, 0.1 * seen.peakTorque);
   }
-  Shape shapeOf(std::span<const double> p) const override { return {p[2]}; }
-  std::vector<double> fromAmplitudes(const Shape& shape, std::span<const double> amplitude) const override {
-    return waveFromAmplitudes(shape, amplitude);
+  std::vector<double> scaled(const Shape& shape, std::span<const double> amplitude) const override {
+    return waveScaled(shape, amplitude);
+  }
+  bool plausible(std::span<const double> p, const Excitation& seen) const override {
+    return wavePlausible(p, seen, seen.peakTorque);
   }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
     return std::string(seen.axis == Axis::rotary ? "The rotor" : "The slide") + " is pulled back and forth by ±" +
            torqueText(std::abs(p[0]), seen.axis) + ", " + waveText(p[2], seen.axis) +
-           ", the same whichever way it moves (strongest forward pull first at " + wavePeakText(p, seen.axis) +
-           "): cogging between magnets and teeth.";
+           ", the same whichever way it moves (strongest forward pull first at " +
+           wavePeakText(p, seen.axis, seen.lowest) + "): cogging between magnets and teeth. " +
+           (seen.axis == Axis::rotary ? "Compare with the motor: a multiple of its poles or of its slots."
+                                      : "Compare with the pitch of its magnets or of its slots.");
   }
   std::vector<std::string_view> lookAlikes() const override { return {"position_dependent_friction", "imbalance"}; }
   std::string neededExcitation(const Excitation& seen) const override {
-    return std::string("Turn slowly over ") + (seen.axis == Axis::rotary ? "two whole turns" : "the whole travel") +
+    return std::string("Run slowly over ") + (seen.axis == Axis::rotary ? "two whole turns" : "the whole travel") +
            " both ways at two speeds, the slower at most " + speedText(0.3 * seen.highSpeed, seen.axis) + ".";
   }
+  std::string_view drawnOver() const override { return "angle"; }
 };
 
 }  // namespace

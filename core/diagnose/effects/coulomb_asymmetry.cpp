@@ -14,34 +14,30 @@ class CoulombAsymmetry final : public Effect {
   std::string_view formula() const override { return "friction = s d/2, on top of F"; }
   std::string_view source() const override {
     return "B. Armstrong-Hélouvry, P. Dupont, C. Canudas de Wit, 'A survey of models, analysis tools and compensation "
-           "methods for the control "
-           "of machines with friction', Automatica 30(7), 1994, section 2";
+           "methods for the control of machines with friction', Automatica 30(7), 1994, section 2";
   }
   std::vector<ParameterSpec> parameters(Axis axis) const override {
     return {{torqueName("difference", axis), -1e9, 1e9}};
   }
   Term term(std::span<const double> p, const Situation& at) const override { return {0.0, 0.5 * at.direction * p[0]}; }
   std::vector<Shape> shapes(const Excitation& seen) const override {
-    return seen.bothWays ? std::vector<Shape>{{}} : std::vector<Shape>{};
+    return seen.bothWays ? std::vector<Shape>{{{0.1 * seen.peakTorque}}} : std::vector<Shape>{};
   }
-  size_t amplitudes() const override { return 1; }
-  void columns(const Shape&, const Situation& at, std::span<double> out) const override {
-    out[0] = 0.5 * at.direction * at.direction;
-  }
-  std::vector<double> fromAmplitudes(const Shape&, std::span<const double> amplitude) const override {
-    return {amplitude[0]};
+  bool plausible(std::span<const double> p, const Excitation& seen) const override {
+    return 0.5 * std::abs(p[0]) <= seen.peakTorque;
   }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
-    return "Dry friction is " + torqueText(std::abs(p[0]), seen.axis) + " larger " + wayText(p[0], seen.axis) +
+    return "Dry friction is " + frictionText(std::abs(p[0]), seen) + " larger " + wayText(p[0], seen.axis) +
            " than the other way: look at brushes, seals or a preloaded bearing. A constant load or a current offset "
-           "looks the same in a "
-           "recording.";
+           "looks the same in a recording.";
   }
   std::vector<std::string_view> lookAlikes() const override { return {"constant_load", "viscous_asymmetry"}; }
   std::string_view twin() const override { return "constant_load"; }
-  std::string neededExcitation(const Excitation&) const override {
-    return "Move both ways at the same speeds, and zero the current sensor with the drive off.";
+  std::string neededExcitation(const Excitation& seen) const override {
+    return "Move both ways at " + speedText(0.5 * seen.highSpeed, seen.axis) +
+           ", and zero the current sensor with the drive off.";
   }
+  std::string_view drawnOver() const override { return "velocity"; }
 };
 
 }  // namespace

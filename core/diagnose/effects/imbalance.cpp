@@ -14,21 +14,18 @@ class Imbalance final : public Effect {
   std::string_view name() const override { return "imbalance"; }
   std::string_view formula() const override { return "load = −A · cos(θ − φ)"; }
   std::string_view source() const override {
-    return "L. Meirovitch, 'Fundamentals of Vibrations', McGraw-Hill 2001, section 3.3: rotating unbalance under "
-           "gravity";
+    return "L. Meirovitch, 'Fundamentals of Vibrations', McGraw-Hill 2001: rotating unbalanced masses";
   }
   std::vector<ParameterSpec> parameters(Axis axis) const override { return waveParameters(axis); }
   Term term(std::span<const double> p, const Situation& at) const override { return {-waveValue(p, at), 0.0}; }
   std::vector<Shape> shapes(const Excitation& seen) const override {
-    return seen.axis == Axis::rotary ? waveShapes(seen, 1, 1) : std::vector<Shape>{};
+    return seen.axis == Axis::rotary ? waveShapes(seen, 1, 1, 0.1 * seen.peakTorque) : std::vector<Shape>{};
   }
-  size_t amplitudes() const override { return 2; }
-  void columns(const Shape& shape, const Situation& at, std::span<double> out) const override {
-    waveColumns(shape, at, -1.0, out);
+  std::vector<double> scaled(const Shape& shape, std::span<const double> amplitude) const override {
+    return waveScaled(shape, amplitude);
   }
-  Shape shapeOf(std::span<const double> p) const override { return {p[2]}; }
-  std::vector<double> fromAmplitudes(const Shape& shape, std::span<const double> amplitude) const override {
-    return waveFromAmplitudes(shape, amplitude);
+  bool plausible(std::span<const double> p, const Excitation& seen) const override {
+    return wavePlausible(p, seen, seen.peakTorque);
   }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
     return "Once per turn a torque of ±" + torqueText(std::abs(p[0]), seen.axis) +
@@ -41,6 +38,7 @@ class Imbalance final : public Effect {
   std::string neededExcitation(const Excitation& seen) const override {
     return "Turn slowly over two whole turns, both ways, at " + speedText(0.3 * seen.highSpeed, seen.axis) + ".";
   }
+  std::string_view drawnOver() const override { return "angle"; }
 };
 
 }  // namespace

@@ -15,32 +15,32 @@ class LoadDependentFriction final : public Effect {
   std::string_view formula() const override { return "friction = μ · |drive torque|"; }
   std::string_view source() const override {
     return "P. Hamon, M. Gautier, P. Garrec, 'Dynamic identification of robots with a dry friction model depending on "
-           "load and velocity', "
-           "IROS 2010, doi:10.1109/IROS.2010.5649189";
+           "load and velocity', IROS 2010, doi:10.1109/IROS.2010.5649189";
   }
   std::vector<ParameterSpec> parameters(Axis) const override { return {{"coefficient", -0.9, 0.9}}; }
   Term term(std::span<const double> p, const Situation& at) const override {
     return {0.0, p[0] * std::abs(at.driveTorque)};
   }
-  std::vector<Shape> shapes(const Excitation&) const override { return {{}}; }
-  size_t amplitudes() const override { return 1; }
-  void columns(const Shape&, const Situation& at, std::span<double> out) const override {
-    out[0] = at.direction * std::abs(at.driveTorque);
+  std::vector<Shape> shapes(const Excitation& seen) const override {
+    // Where the torque hardly exceeds dry friction, there is no load whose change could show.
+    return seen.peakTorque > 1.2 * seen.coulomb ? std::vector<Shape>{{{0.1}}} : std::vector<Shape>{};
   }
-  std::vector<double> fromAmplitudes(const Shape&, std::span<const double> amplitude) const override {
-    return {amplitude[0]};
-  }
+  bool plausible(std::span<const double> p, const Excitation&) const override { return p[0] > 0.0 && p[0] < 0.9; }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
     return std::string("Friction ") + (p[0] > 0.0 ? "grows" : "falls") + " with the transmitted " +
-           (seen.axis == Axis::rotary ? "torque" : "force") + ", by " + percentText(std::abs(p[0])) + " of it (" +
+           torqueWord(seen.axis) + ", by " + percentText(std::abs(p[0])) + " of it (" +
            torqueText(std::abs(p[0]) * seen.peakTorque, seen.axis) + " at the recording's peak): losses in the " +
-           (seen.axis == Axis::rotary ? "gear or the loaded bearing" : "screw or gear") + ".";
+           (seen.axis == Axis::rotary ? "gear or the loaded bearing; look at mesh, alignment and grease."
+                                      : "screw or gear; look at nut, alignment and grease.");
   }
-  std::vector<std::string_view> lookAlikes() const override { return {"stribeck"}; }
+  std::vector<std::string_view> lookAlikes() const override {
+    return {"torque_saturation", "position_dependent_friction"};
+  }
   std::string neededExcitation(const Excitation& seen) const override {
     return "Repeat the same motion with a known load that asks for at least " +
            torqueText(0.5 * seen.peakTorque, seen.axis) + ".";
   }
+  std::string_view drawnOver() const override { return "current"; }
 };
 
 }  // namespace

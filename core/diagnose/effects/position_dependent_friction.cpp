@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "diagnose/effects/all.h"
@@ -20,26 +21,27 @@ class PositionDependentFriction final : public Effect {
   std::vector<ParameterSpec> parameters(Axis axis) const override { return waveParameters(axis); }
   Term term(std::span<const double> p, const Situation& at) const override { return {0.0, waveValue(p, at)}; }
   std::vector<Shape> shapes(const Excitation& seen) const override {
-    return seen.bothWays ? waveShapes(seen, 1, 12) : std::vector<Shape>{};
+    return seen.bothWays ? waveShapes(seen, 1, 8, 0.1 * seen.peakTorque) : std::vector<Shape>{};
   }
-  size_t amplitudes() const override { return 2; }
-  void columns(const Shape& shape, const Situation& at, std::span<double> out) const override {
-    waveColumns(shape, at, at.direction, out);
+  std::vector<double> scaled(const Shape& shape, std::span<const double> amplitude) const override {
+    return waveScaled(shape, amplitude);
   }
-  Shape shapeOf(std::span<const double> p) const override { return {p[2]}; }
-  std::vector<double> fromAmplitudes(const Shape& shape, std::span<const double> amplitude) const override {
-    return waveFromAmplitudes(shape, amplitude);
+  bool plausible(std::span<const double> p, const Excitation& seen) const override {
+    // More than the whole dry friction would push somewhere; the base model may see too little of it.
+    return wavePlausible(p, seen, std::max(1.5 * seen.coulomb, 0.2 * seen.peakTorque));
   }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
-    return "Friction rises and falls by ±" + torqueText(std::abs(p[0]), seen.axis) + ", " + waveText(p[2], seen.axis) +
-           ", the same both ways, and is largest first at " + wavePeakText(p, seen.axis) +
-           ": look for a bent shaft, a tight seal, or a worn place in the bearing, brush track or screw.";
+    return "Friction is " + frictionText(std::abs(p[0]), seen) + " higher around " +
+           wavePeakText(p, seen.axis, seen.lowest) + " and as much lower half a wave on, " + waveText(p[2], seen.axis) +
+           " and both ways: look there for a worn or tight place in the bearing, seal, brush track or screw, or a bent "
+           "shaft.";
   }
   std::vector<std::string_view> lookAlikes() const override { return {"cogging", "imbalance"}; }
   std::string neededExcitation(const Excitation& seen) const override {
     return std::string("Run slowly over ") + (seen.axis == Axis::rotary ? "two whole turns" : "the whole travel") +
            " at " + speedText(0.3 * seen.highSpeed, seen.axis) + ", both ways.";
   }
+  std::string_view drawnOver() const override { return "angle"; }
 };
 
 }  // namespace

@@ -20,8 +20,7 @@ class Stribeck final : public Effect {
   std::string_view formula() const override { return "friction = excess · exp(−(|ω|/ω_s)^p)"; }
   std::string_view source() const override {
     return "L. C. Bo, D. Pavelescu, 'The friction-speed relation and its influence on the critical velocity of "
-           "stick-slip motion', Wear 82(3), "
-           "1982, equation 1";
+           "stick-slip motion', Wear 82(3), 1982";
   }
   std::vector<ParameterSpec> parameters(Axis axis) const override {
     return {{torqueName("excess", axis), -1e9, 1e9},
@@ -34,35 +33,31 @@ class Stribeck final : public Effect {
   std::vector<Shape> shapes(const Excitation& seen) const override {
     std::vector<Shape> shapes;
     if (seen.highSpeed <= 0.0) return shapes;
-    for (double speed = 0.02 * seen.highSpeed; speed < 0.5 * seen.highSpeed; speed *= 1.7) {
-      shapes.push_back({speed, 1.0});
-      shapes.push_back({speed, 2.0});
+    for (double speed = 0.01 * seen.highSpeed; speed < 0.5 * seen.highSpeed; speed *= 1.7) {
+      shapes.push_back({{0.1 * seen.peakTorque, speed, 1.0}});
+      shapes.push_back({{0.1 * seen.peakTorque, speed, 2.0}});
     }
     return shapes;
   }
-  size_t amplitudes() const override { return 1; }
-  void columns(const Shape& shape, const Situation& at, std::span<double> out) const override {
-    out[0] = at.direction * decay(at.velocity, shape[0], shape[1]);
-  }
-  Shape shapeOf(std::span<const double> p) const override { return {p[1], p[2]}; }
-  std::vector<double> fromAmplitudes(const Shape& shape, std::span<const double> amplitude) const override {
-    return {amplitude[0], shape[0], shape[1]};
+  bool plausible(std::span<const double> p, const Excitation& seen) const override {
+    return p[0] > 0.0 && p[0] <= seen.peakTorque;
   }
   std::vector<std::vector<double>> variants(std::span<const double> p) const override {
     return {{p[0], p[1], p[2] == 2.0 ? 1.0 : 2.0}};
   }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
-    return "Near standstill friction is " + torqueText(std::abs(p[0]), seen.axis) +
-           (p[0] > 0.0 ? " higher" : " lower") + " than in motion and settles over about " +
-           speedText(p[1], seen.axis) +
-           (p[0] > 0.0 ? ": the Stribeck effect of a lubricated contact. Expect stick-slip below that speed."
+    return "Near standstill friction is " + frictionText(std::abs(p[0]), seen) + (p[0] > 0.0 ? " higher" : " lower") +
+           " than in motion and settles over about " + speedText(p[1], seen.axis) +
+           (p[0] > 0.0 ? ": the Stribeck effect of a lubricated contact. Look at the grease and the preload, and "
+                         "expect stick-slip below that speed."
                        : ": friction that rises from standstill, as in a full-film or creeping contact.");
   }
-  std::vector<std::string_view> lookAlikes() const override { return {"load_dependent_friction", "viscous_asymmetry"}; }
+  std::vector<std::string_view> lookAlikes() const override { return {"presliding", "backlash", "rising_stiction"}; }
   std::string neededExcitation(const Excitation& seen) const override {
     return "Ramp slowly through zero speed, both ways, from " + speedText(seen.highSpeed / 3.0, seen.axis) +
            " down to " + speedText(seen.highSpeed / 100.0, seen.axis) + ".";
   }
+  std::string_view drawnOver() const override { return "velocity"; }
 };
 
 }  // namespace

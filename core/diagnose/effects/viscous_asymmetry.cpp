@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "diagnose/effects/all.h"
@@ -23,14 +24,12 @@ class ViscousAsymmetry final : public Effect {
     return {0.5 * p[0] * std::abs(at.velocity), 0.0};
   }
   std::vector<Shape> shapes(const Excitation& seen) const override {
-    return seen.bothWays && seen.highSpeed > 1.3 * seen.lowSpeed ? std::vector<Shape>{{}} : std::vector<Shape>{};
+    return seen.bothWays && seen.highSpeed > 1.3 * seen.lowSpeed
+               ? std::vector<Shape>{{{0.1 * seen.peakTorque / seen.highSpeed}}}
+               : std::vector<Shape>{};
   }
-  size_t amplitudes() const override { return 1; }
-  void columns(const Shape&, const Situation& at, std::span<double> out) const override {
-    out[0] = 0.5 * std::abs(at.velocity);
-  }
-  std::vector<double> fromAmplitudes(const Shape&, std::span<const double> amplitude) const override {
-    return {amplitude[0]};
+  bool plausible(std::span<const double> p, const Excitation& seen) const override {
+    return 0.5 * std::abs(p[0]) * seen.highSpeed <= seen.peakTorque;
   }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
     return "Friction grows faster with speed " + wayText(p[0], seen.axis) + " than the other way, by " +
@@ -41,9 +40,11 @@ class ViscousAsymmetry final : public Effect {
     return {"constant_load", "coulomb_asymmetry", "stribeck"};
   }
   std::string neededExcitation(const Excitation& seen) const override {
-    return "Move both ways at several constant speeds from " + speedText(seen.lowSpeed, seen.axis) + " to " +
-           speedText(3.0 * std::max(seen.lowSpeed, seen.highSpeed / 3.0), seen.axis) + ".";
+    return "Move both ways at several constant speeds from " +
+           speedText(std::min(seen.lowSpeed, seen.highSpeed / 3.0), seen.axis) + " to " +
+           speedText(seen.highSpeed, seen.axis) + ".";
   }
+  std::string_view drawnOver() const override { return "velocity"; }
 };
 
 }  // namespace

@@ -15,41 +15,55 @@ double waveNumber(double orderOrPeriod, Axis axis) {
   return axis == Axis::rotary ? orderOrPeriod : turn / orderOrPeriod;
 }
 
+constexpr double mostWaves = 50.0;   ///< over a linear axis' travel
+constexpr double leastCounts = 8.0;  ///< of a wave
+
+Shape waveBasis(double amplitude, double orderOrPeriod) {
+  return {{amplitude, 0.0, orderOrPeriod}, {amplitude, 0.5 * std::numbers::pi, orderOrPeriod}};
+}
+
 }  // namespace
 
+std::vector<ParameterSpec> waveParameters(const std::string& amplitude, Axis axis) {
+  const bool rotary = axis == Axis::rotary;
+  return {{amplitude, -1e9, 1e9}, {"phase_rad", -1e3, 1e3}, {rotary ? "order" : "period_m", 1e-9, 1e9, rotary}};
+}
+
 std::vector<ParameterSpec> waveParameters(Axis axis) {
-  return {{torqueName("amplitude", axis), -1e9, 1e9},
-          {"phase_rad", -1e3, 1e3},
-          {axis == Axis::rotary ? "order" : "period_m", 1e-9, 1e9, true}};
+  return waveParameters(torqueName("amplitude", axis), axis);
 }
 
 double waveValue(std::span<const double> p, const Situation& at) {
   return p[0] * std::cos(waveNumber(p[2], at.axis) * at.position - p[1]);
 }
 
-void waveColumns(const Shape& shape, const Situation& at, double factor, std::span<double> out) {
-  const double wave = waveNumber(shape[0], at.axis) * at.position;
-  out[0] = factor * std::cos(wave);
-  out[1] = factor * std::sin(wave);
-}
-
-std::vector<double> waveFromAmplitudes(const Shape& shape, std::span<const double> amplitude) {
-  return {std::hypot(amplitude[0], amplitude[1]), std::atan2(amplitude[1], amplitude[0]), shape[0]};
-}
-
-std::vector<Shape> waveShapes(const Excitation& seen, int lowest, int highest) {
+std::vector<Shape> waveShapes(const Excitation& seen, int lowest, int highest, double amplitude) {
   std::vector<Shape> shapes;
   if (seen.travel <= 0.0) return shapes;
   if (seen.axis == Axis::rotary) {
     for (int order = lowest; order <= highest; ++order) {
       const double wave = turn / order;
       const bool whole = seen.travel > 0.95 * turn || seen.travel > 2.0 * wave;
-      if (whole && wave > 8.0 * seen.count) shapes.push_back({static_cast<double>(order)});
+      if (whole && wave > leastCounts * seen.count) shapes.push_back(waveBasis(amplitude, order));
     }
   } else {
-    for (double waves = 2.0; waves <= 50.0; waves *= 1.2) shapes.push_back({seen.travel / waves});
+    // Half a wave over the travel is near enough: the fit refines the period from there.
+    for (double waves = lowest; waves <= mostWaves; waves += 0.5) {
+      const double period = seen.travel / waves;
+      if (period > leastCounts * seen.count) shapes.push_back(waveBasis(amplitude, period));
+    }
   }
   return shapes;
+}
+
+std::vector<double> waveScaled(const Shape& shape, std::span<const double> amplitude) {
+  const std::vector<double>& cosine = shape.front();
+  return {cosine[0] * std::hypot(amplitude[0], amplitude[1]), std::atan2(amplitude[1], amplitude[0]), cosine[2]};
+}
+
+bool wavePlausible(std::span<const double> p, const Excitation& seen, double largest) {
+  const bool seenWhole = seen.axis == Axis::rotary || p[2] < 1.5 * seen.travel;
+  return std::abs(p[0]) <= largest && seenWhole;
 }
 
 std::string waveText(double orderOrPeriod, Axis axis) {
@@ -57,10 +71,12 @@ std::string waveText(double orderOrPeriod, Axis axis) {
   return orderOrPeriod == 1.0 ? "once per turn" : digitsText(orderOrPeriod) + " times per turn";
 }
 
-std::string wavePeakText(std::span<const double> p, Axis axis) {
+std::string wavePeakText(std::span<const double> p, Axis axis, double lowest) {
   const double phase = p[0] < 0.0 ? p[1] + std::numbers::pi : p[1];
   const double first = phase - turn * std::floor(phase / turn);
-  return axis == Axis::rotary ? angleText(first / p[2]) : lengthText(first / turn * p[2]);
+  if (axis == Axis::rotary) return angleText(first / p[2]);
+  const double peak = first / turn * p[2];
+  return lengthText(peak + p[2] * std::ceil((lowest - peak) / p[2]));
 }
 
 }  // namespace breakaway

@@ -1,5 +1,5 @@
-// The wave A·cos(kθ − φ) that position-dependent effects share: `order` per turn on a rotary axis, `period_m` on a
-// linear one.
+// The wave A·cos(kθ − φ) that position-dependent effects share: `order` per turn on a rotary axis (held, whole),
+// `period_m` on a linear one (refined).
 #pragma once
 
 #include <span>
@@ -10,21 +10,23 @@
 
 namespace breakaway {
 
-/// amplitude (Nm or N), phase_rad, order or period_m (held).
+/// `amplitude` (a name with its unit; without one amplitude_Nm or amplitude_N), phase_rad, order or period_m.
+std::vector<ParameterSpec> waveParameters(const std::string& amplitude, Axis axis);
 std::vector<ParameterSpec> waveParameters(Axis axis);
 /// A·cos(kθ − φ); `p` as waveParameters() has it.
 double waveValue(std::span<const double> p, const Situation& at);
-/// cos kθ and sin kθ, times `factor`.
-void waveColumns(const Shape& shape, const Situation& at, double factor, std::span<double> out);
-/// Parameters from the amplitudes of cosine and sine.
-std::vector<double> waveFromAmplitudes(const Shape& shape, std::span<const double> amplitude);
-/// Orders from `lowest` to `highest` (rotary) or periods (linear) that the travel (a whole turn, or two waves)
-/// and the encoder can show.
-std::vector<Shape> waveShapes(const Excitation& seen, int lowest, int highest);
+/// Cosine {A₀, 0, k} and sine {A₀, π/2, k} at the size A₀ = `amplitude`, for what the travel and the encoder can show:
+/// orders from `lowest` to `highest` (rotary; a whole turn, or two waves of it), or `lowest` to 50 waves over the
+/// travel (linear, where a screw's lead repeats often).
+std::vector<Shape> waveShapes(const Excitation& seen, int lowest, int highest, double amplitude);
+/// Parameters of a·cosine + b·sine: {A₀·hypot(a, b), atan2(b, a), k}.
+std::vector<double> waveScaled(const Shape& shape, std::span<const double> amplitude);
+/// At most `largest` in amplitude, and not longer than the data shows: a longer wave is a spring or an offset.
+bool wavePlausible(std::span<const double> p, const Excitation& seen, double largest);
 
 /// "12 times per turn", "every 5 mm".
 std::string waveText(double orderOrPeriod, Axis axis);
-/// The angle or position at which the wave peaks first.
-std::string wavePeakText(std::span<const double> p, Axis axis);
+/// The angle within the turn, or the position above `lowest`, at which the wave peaks first.
+std::string wavePeakText(std::span<const double> p, Axis axis, double lowest = 0.0);
 
 }  // namespace breakaway

@@ -61,4 +61,26 @@ std::string wayText(double sign, Axis axis) {
   return sign > 0.0 ? "towards growing position" : "towards falling position";
 }
 
+std::string torqueWord(Axis axis) {
+  return axis == Axis::rotary ? "torque" : "force";
+}
+std::string stiffnessName(const std::string& stem, Axis axis) {
+  return stem + (axis == Axis::rotary ? "_Nm_per_rad" : "_N_per_m");
+}
+std::string stiffnessText(double value, Axis axis) {
+  if (value >= 1e4) return digitsText(1e-3 * value) + (axis == Axis::rotary ? " kNm/rad" : " kN/m");
+  return withPrefix(value, axis == Axis::rotary ? "Nm/rad" : "N/m");
+}
+std::string timeText(double value_s) {
+  return withPrefix(value_s, "s");
+}
+std::string travelText(double value, Axis axis) {
+  return axis == Axis::rotary ? digitsText(value * 180.0 / std::numbers::pi) + "°" : lengthText(value);
+}
+std::string frictionText(double value, const Excitation& seen) {
+  const double share = seen.coulomb > 0.0 ? value / seen.coulomb : 0.0;
+  const std::string size = torqueText(value, seen.axis);
+  return share > 0.005 && share < 5.0 ? size + " (" + percentText(share) + ")" : size;
+}
+
 }  // namespace breakaway

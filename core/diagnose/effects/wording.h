@@ -24,4 +24,15 @@ std::string digitsText(double value);
 /// "growing angle" or "growing position", and their opposites.
 std::string wayText(double sign, Axis axis);
 
+/// "torque" or "force".
+std::string torqueWord(Axis axis);
+/// Stiffness: "_Nm_per_rad" or "_N_per_m".
+std::string stiffnessName(const std::string& stem, Axis axis);
+std::string stiffnessText(double value, Axis axis);
+std::string timeText(double value_s);
+/// A short way: "0.057°", "12 µm".
+std::string travelText(double value, Axis axis);
+/// "1.2 mNm (38 %)": with the share of the base model's dry friction where that says something.
+std::string frictionText(double value, const Excitation& seen);
+
 }  // namespace breakaway

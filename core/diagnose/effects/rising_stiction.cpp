@@ -1,0 +1,71 @@
+#include <algorithm>
+#include <cmath>
+
+#include "diagnose/effects/all.h"
+#include "diagnose/effects/wording.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr int leastStarts = 3;
+constexpr double leastRest_rows = 10.0;
+
+/// Breakaway that grows the longer the axis has stood still; gone as soon as it slides.
+class RisingStiction final : public Effect {
+ public:
+  std::string_view name() const override { return "rising_stiction"; }
+  std::string_view formula() const override { return "friction = excess · (1 − exp(−t_rest/T)) · exp(−(ω/ω_s)²)"; }
+  std::string_view source() const override {
+    return "S. Kato, N. Sato, T. Matsubayashi, 'Some considerations on characteristics of static friction of machine "
+           "tool slideway', J. Lubrication Technology 94(3), 1972";
+  }
+  std::vector<ParameterSpec> parameters(Axis axis) const override {
+    return {{torqueName("excess", axis), -1e9, 1e9},
+            {"time_constant_s", 1e-4, 1e6},
+            {speedName("velocity", axis), 1e-9, 1e9}};
+  }
+  Term term(std::span<const double> p, const Situation& at) const override {
+    const double ratio = at.velocity / p[2];
+    return {0.0, p[0] * -std::expm1(-at.rest_s / p[1]) * std::exp(-ratio * ratio)};
+  }
+  std::vector<Shape> shapes(const Excitation& seen) const override {
+    std::vector<Shape> shapes;
+    if (seen.starts < leastStarts || seen.longestRest_s < leastRest_rows * seen.step_s || seen.highSpeed <= 0.0)
+      return shapes;
+    for (double rest = 0.1; rest <= 1.5; rest *= 1.7) {
+      for (double speed = 0.01; speed <= 0.05; speed *= 1.7)
+        shapes.push_back({{0.1 * seen.peakTorque, rest * seen.longestRest_s, speed * seen.highSpeed}});
+    }
+    return shapes;
+  }
+  bool plausible(std::span<const double> p, const Excitation& seen) const override {
+    return p[0] > 0.0 && p[0] <= seen.peakTorque;
+  }
+  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
+    return "The longer the axis has stood, the " + std::string(p[0] < 0.0 ? "less" : "more") + " " +
+           torqueWord(seen.axis) + " it takes to break away: by up to " + frictionText(std::abs(p[0]), seen) +
+           ", with a time constant of " + timeText(p[1]) + ", gone above " + speedText(2.0 * p[2], seen.axis) +
+           ": a lubricant film that is squeezed out, or a seal that sticks. Look at the seals and the grease, and "
+           "expect a jerk after a pause.";
+  }
+  std::vector<std::string_view> lookAlikes() const override {
+    return {"stribeck", "presliding", "position_dependent_friction"};
+  }
+  std::string neededExcitation(const Excitation& seen) const override {
+    const double rest_s = std::max(seen.longestRest_s, 1.0);
+    return "Stop at one and the same " + std::string(seen.axis == Axis::rotary ? "angle" : "position") +
+           " at least nine times, rest for " + timeText(0.05 * rest_s) + ", " + timeText(0.3 * rest_s) + " or " +
+           timeText(2.0 * rest_s) + " in turn, and ramp the " + torqueWord(seen.axis) + " slowly up to at most " +
+           torqueText(seen.peakTorque, seen.axis) + " until it moves.";
+  }
+};
+
+}  // namespace
+
+const Effect& risingStiction() {
+  static const RisingStiction effect;
+  return effect;
+}
+
+}  // namespace breakaway
