@@ -24,4 +24,14 @@ std::string digitsText(double value);
 /// "growing angle" or "growing position", and their opposites.
 std::string wayText(double sign, Axis axis);
 
+/// `stem` with the unit of inertia (or mass), position or stiffness at its end.
+std::string inertiaName(const std::string& stem, Axis axis);
+std::string positionName(const std::string& stem, Axis axis);
+std::string stiffnessName(const std::string& stem, Axis axis);
+/// Three significant digits with SI prefix and the unit given: "0.2 V", "12 ms".
+std::string quantityText(double value, const char* unit);
+/// A small angle ("0.35°") or length, and an inertia or mass.
+std::string positionText(double value, Axis axis);
+std::string inertiaText(double value, Axis axis);
+
 }  // namespace breakaway
