@@ -36,7 +36,7 @@ class EncoderEccentricity final : public Effect {
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
     const double peak = p[0] < 0.0 ? p[1] + std::numbers::pi : p[1];
     const double turn = 2.0 * std::numbers::pi;
-    return "Once per turn the encoder shows up to " + positionText(std::abs(p[0]), Axis::rotary) +
+    return "Once per turn the encoder shows up to " + travelText(std::abs(p[0]), Axis::rotary) +
            (seen.count > 0.0 ? " (" + digitsText(std::abs(p[0]) / seen.count) + " counts)" : "") + " too much around " +
            angleText(peak - turn * std::floor(peak / turn)) +
            " and as much too little opposite: its disc or its shaft is off centre. Look at the encoder's seat and the "

@@ -43,13 +43,13 @@ class WindingHeating final : public Effect {
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
     const double current = 0.5 * seen.peakCurrent;
     return "The winding warms up and its resistance with it: " + quantityText(current, "A") + " held for long adds " +
-           quantityText(p[0] * current * current, "Ω") + ", over about " + quantityText(p[1], "s") +
+           quantityText(p[0] * current * current, "Ω") + ", over about " + timeText(p[1]) +
            ". Compare the resistance cold and warm; a high rise means poor cooling or too much current.";
   }
   std::vector<std::string_view> lookAlikes() const override { return {"friction_warmup", "supply_sag"}; }
   std::string neededExcitation(const Excitation& seen) const override {
     return "From cold, hold " + quantityText(0.5 * seen.peakCurrent, "A") + " for " +
-           quantityText(std::max(30.0, 0.5 * seen.duration_s), "s") + ", then rest as long, and repeat.";
+           timeText(std::max(30.0, 0.5 * seen.duration_s)) + ", then rest as long, and repeat.";
   }
   std::string_view drawnOver() const override { return "time"; }
 };

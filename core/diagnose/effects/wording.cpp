@@ -61,23 +61,35 @@ std::string wayText(double sign, Axis axis) {
   return sign > 0.0 ? "towards growing position" : "towards falling position";
 }
 
+std::string stiffnessName(const std::string& stem, Axis axis) {
+  return stem + (axis == Axis::rotary ? "_Nm_per_rad" : "_N_per_m");
+}
+std::string stiffnessText(double value, Axis axis) {
+  return withPrefix(value, axis == Axis::rotary ? "Nm/rad" : "N/m");
+}
+std::string timeText(double value_s) {
+  return withPrefix(value_s, "s");
+}
+std::string travelText(double value, Axis axis) {
+  return axis == Axis::rotary ? digitsText(value * 180.0 / std::numbers::pi) + "°" : lengthText(value);
+}
+std::string frictionText(double value, const Excitation& seen) {
+  const double share = seen.coulomb > 0.0 ? value / seen.coulomb : 0.0;
+  const std::string size = torqueText(value, seen.axis);
+  return share > 0.005 && share < 5.0 ? size + " (" + percentText(share) + " of the dry friction)" : size;
+}
+
 std::string inertiaName(const std::string& stem, Axis axis) {
   return stem + (axis == Axis::rotary ? "_kg_m2" : "_kg");
 }
 std::string positionName(const std::string& stem, Axis axis) {
   return stem + (axis == Axis::rotary ? "_rad" : "_m");
 }
-std::string stiffnessName(const std::string& stem, Axis axis) {
-  return stem + (axis == Axis::rotary ? "_Nm_per_rad" : "_N_per_m");
+std::string inertiaText(double value, Axis axis) {
+  return digitsText(value) + (axis == Axis::rotary ? " kg m²" : " kg");
 }
 std::string quantityText(double value, const char* unit) {
   return withPrefix(value, unit);
-}
-std::string positionText(double value, Axis axis) {
-  return axis == Axis::rotary ? digitsText(value * 180.0 / std::numbers::pi) + "°" : lengthText(value);
-}
-std::string inertiaText(double value, Axis axis) {
-  return digitsText(value) + (axis == Axis::rotary ? " kg m²" : " kg");
 }
 
 }  // namespace breakaway

@@ -24,14 +24,20 @@ std::string digitsText(double value);
 /// "growing angle" or "growing position", and their opposites.
 std::string wayText(double sign, Axis axis);
 
-/// `stem` with the unit of inertia (or mass), position or stiffness at its end.
+/// Stiffness: "_Nm_per_rad" or "_N_per_m".
+std::string stiffnessName(const std::string& stem, Axis axis);
+std::string stiffnessText(double value, Axis axis);
+std::string timeText(double value_s);
+/// A short way: "0.057°", "12 µm".
+std::string travelText(double value, Axis axis);
+/// "1.2 mNm (38 % of the dry friction)"; without the share where the base model's friction says nothing.
+std::string frictionText(double value, const Excitation& seen);
+
+/// `stem` with the unit of inertia (or mass) or position at its end.
 std::string inertiaName(const std::string& stem, Axis axis);
 std::string positionName(const std::string& stem, Axis axis);
-std::string stiffnessName(const std::string& stem, Axis axis);
-/// Three significant digits with SI prefix and the unit given: "0.2 V", "12 ms".
-std::string quantityText(double value, const char* unit);
-/// A small angle ("0.35°") or length, and an inertia or mass.
-std::string positionText(double value, Axis axis);
 std::string inertiaText(double value, Axis axis);
+/// Three significant digits with SI prefix and the unit given: "0.2 V".
+std::string quantityText(double value, const char* unit);
 
 }  // namespace breakaway
