@@ -1,4 +1,4 @@
-#include <array>
+#include <cmath>
 
 #include "diagnose/effects/all.h"
 #include "diagnose/effects/wording.h"
@@ -17,15 +17,14 @@ class ConstantLoad final : public Effect {
            "the offset of the inverse model";
   }
   std::vector<ParameterSpec> parameters(Axis axis) const override { return {{torqueName("load", axis), -1e9, 1e9}}; }
-  Term term(std::span<const double> p, const Situation&) const override { return {p[0], 0.0}; }
+  Term term(std::span<const double> p, const Situation&) const override { return {.load_Nm = p[0]}; }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     // One way only, it is one and the same as the base model's dry friction.
-    return seen.bothWays ? std::vector<Shape>{{}} : std::vector<Shape>{};
+    if (!seen.bothWays || seen.peakTorque <= 0.0) return {};
+    return {Shape{{0.1 * seen.peakTorque}}};
   }
-  size_t amplitudes() const override { return 1; }
-  void columns(const Shape&, const Situation&, std::span<double> out) const override { out[0] = 1.0; }
-  std::vector<double> fromAmplitudes(const Shape&, std::span<const double> amplitude) const override {
-    return {amplitude[0]};
+  bool plausible(std::span<const double> p, const Excitation& seen) const override {
+    return std::abs(p[0]) < 1.5 * seen.peakTorque;
   }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
     return "A constant " + torqueText(std::abs(p[0]), seen.axis) +
@@ -41,6 +40,7 @@ class ConstantLoad final : public Effect {
   std::string neededExcitation(const Excitation&) const override {
     return "Move both ways at the same speeds, and zero the current sensor with the drive off.";
   }
+  std::string_view drawnOver() const override { return "velocity"; }
 };
 
 }  // namespace

@@ -83,4 +83,17 @@ std::string frictionText(double value, const Excitation& seen) {
   return share > 0.005 && share < 5.0 ? size + " (" + percentText(share) + ")" : size;
 }
 
+std::string inertiaName(const std::string& stem, Axis axis) {
+  return stem + (axis == Axis::rotary ? "_kg_m2" : "_kg");
+}
+std::string positionName(const std::string& stem, Axis axis) {
+  return stem + (axis == Axis::rotary ? "_rad" : "_m");
+}
+std::string inertiaText(double value, Axis axis) {
+  return digitsText(value) + (axis == Axis::rotary ? " kg m²" : " kg");
+}
+std::string quantityText(double value, const char* unit) {
+  return withPrefix(value, unit);
+}
+
 }  // namespace breakaway

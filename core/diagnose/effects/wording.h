@@ -35,4 +35,11 @@ std::string travelText(double value, Axis axis);
 /// "1.2 mNm (38 %)": with the share of the base model's dry friction where that says something.
 std::string frictionText(double value, const Excitation& seen);
 
+/// `stem` with the unit of inertia (or mass) or position at its end.
+std::string inertiaName(const std::string& stem, Axis axis);
+std::string positionName(const std::string& stem, Axis axis);
+std::string inertiaText(double value, Axis axis);
+/// Three significant digits with SI prefix and the unit given: "0.2 V".
+std::string quantityText(double value, const char* unit);
+
 }  // namespace breakaway

@@ -1,0 +1,68 @@
+#include <algorithm>
+#include <cmath>
+
+#include "diagnose/effects/all.h"
+#include "diagnose/effects/wording.h"
+
+namespace breakaway {
+
+namespace {
+
+/// The measured current is late against the position by T (early when negative). Where current drives, what acted is
+/// the recorded one, advanced by T.
+class ChannelSkew final : public Effect {
+ public:
+  std::string_view name() const override { return "channel_skew"; }
+  std::string_view formula() const override { return "shown current = i(t − T) ≈ i − T di/dt"; }
+  std::string_view source() const override {
+    return "C. H. Knapp, G. C. Carter, 'The generalized correlation method for estimation of time delay', IEEE Trans. "
+           "Acoustics, Speech, and Signal Processing 24(4), 1976: the delay between two channels";
+  }
+  std::vector<ParameterSpec> parameters(Axis) const override { return {{"skew_s", -1.0, 1.0}}; }
+  double sensed(std::span<const double> p, double current, double slope) const override {
+    return current - p[0] * slope;
+  }
+  bool shapesInput(DriveInput input) const override { return input == DriveInput::current; }
+  void shapeInput(std::span<const double> p, std::span<const double> time_s, std::span<double> input) const override {
+    if (input.size() < 2) return;
+    const std::vector<double> recorded(input.begin(), input.end());
+    size_t row = 0;  // the last row at or before t + T, but for the last of all
+    for (size_t k = 0; k < input.size(); ++k) {
+      const double t = time_s[k] + p[0];
+      while (row + 2 < recorded.size() && time_s[row + 1] <= t) ++row;
+      const double part = std::clamp((t - time_s[row]) / (time_s[row + 1] - time_s[row]), 0.0, 1.0);
+      input[k] = recorded[row] + part * (recorded[row + 1] - recorded[row]);
+    }
+  }
+  std::vector<Shape> shapes(const Excitation& seen) const override {
+    if (seen.step_s <= 0.0) return {};
+    if (seen.electrical && seen.currentSeen) return {Shape{{seen.step_s}}};
+    if (!seen.currentDrive) return {};
+    std::vector<Shape> shapes;
+    for (const double rows : {1.0, 3.0, 8.0, -1.0, -3.0, -8.0}) shapes.push_back({{rows * seen.step_s}});
+    return shapes;
+  }
+  bool plausible(std::span<const double> p, const Excitation& seen) const override {
+    return std::abs(p[0]) < std::min(0.1, 30.0 * seen.step_s);
+  }
+  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
+    return "The current is recorded " + timeText(std::abs(p[0])) + (p[0] > 0.0 ? " later" : " earlier") +
+           " than the position (" + digitsText(std::abs(p[0]) / seen.step_s) +
+           " rows). Look at the current's filter, and at when each channel is sampled.";
+  }
+  std::vector<std::string_view> lookAlikes() const override { return {"transport_delay"}; }
+  std::string neededExcitation(const Excitation& seen) const override {
+    return "Give short pulses of " + quantityText(0.7 * seen.peakCurrent, "A") + ", " + timeText(10.0 * seen.step_s) +
+           " long and well apart: each marks its time on both channels.";
+  }
+  std::string_view drawnOver() const override { return "frequency"; }
+};
+
+}  // namespace
+
+const Effect& channelSkew() {
+  static const ChannelSkew effect;
+  return effect;
+}
+
+}  // namespace breakaway

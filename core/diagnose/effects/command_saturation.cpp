@@ -1,0 +1,74 @@
+#include <algorithm>
+
+#include "diagnose/effects/all.h"
+#include "diagnose/effects/wording.h"
+
+namespace breakaway {
+
+namespace {
+
+/// A drive that clips what it is told, or follows it no faster than a given rate. Both parameters are in the unit of
+/// the drive input (V, A, Nm or N; per second); a rate beyond what a row can ask for limits nothing.
+class CommandSaturation final : public Effect {
+ public:
+  std::string_view name() const override { return "command_saturation"; }
+  std::string_view formula() const override { return "|u| ≤ limit,  |du/dt| ≤ slew"; }
+  std::string_view source() const override {
+    return "K. J. Åström, L. Rundqwist, 'Integrator windup and how to avoid it', American Control Conference 1989: the "
+           "actuator model; with a rate limit";
+  }
+  std::vector<ParameterSpec> parameters(Axis) const override {
+    return {{"limit", 1e-9, 1e9}, {"slew_per_s", 1e-9, 1e12}};
+  }
+  bool shapesInput(DriveInput) const override { return true; }
+  void shapeInput(std::span<const double> p, std::span<const double> time_s, std::span<double> input) const override {
+    for (size_t k = 0; k < input.size(); ++k) {
+      input[k] = std::clamp(input[k], -p[0], p[0]);
+      if (k == 0) continue;
+      const double furthest = p[1] * (time_s[k] - time_s[k - 1]);
+      input[k] = std::clamp(input[k], input[k - 1] - furthest, input[k - 1] + furthest);
+    }
+  }
+  std::vector<Shape> shapes(const Excitation& seen) const override {
+    std::vector<Shape> shapes;
+    if (seen.peakInput <= 0.0 || seen.step_s <= 0.0) return shapes;
+    const double noRate = 10.0 * seen.peakInput / seen.step_s;
+    for (const double share : {0.35, 0.42, 0.5, 0.6, 0.72, 0.85, 0.95})
+      shapes.push_back({{share * seen.peakInput, noRate}});
+    for (double rise_s = std::max(5e-3, 2.0 * seen.step_s); rise_s < 0.6; rise_s *= 1.7)
+      shapes.push_back({{2.0 * seen.peakInput, seen.peakInput / rise_s}});
+    return shapes;
+  }
+  /// Limits don't scale: they are where they are.
+  std::vector<double> scaled(const Shape& shape, std::span<const double>) const override { return shape.front(); }
+  bool plausible(std::span<const double> p, const Excitation& seen) const override {
+    return p[0] > 0.0 && p[1] > 0.0 && (p[0] < seen.peakInput || p[1] * seen.step_s < 2.0 * seen.peakInput);
+  }
+  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
+    const char* unit = seen.electrical ? "V" : seen.currentDrive ? "A" : seen.axis == Axis::rotary ? "Nm" : "N";
+    std::string text = "The drive gives less than it is told:";
+    if (p[0] < seen.peakInput)
+      text += " it clips at " + quantityText(p[0], unit) + ", " + percentText(p[0] / seen.peakInput) +
+              " of the largest command. Look at the amplifier's limits.";
+    if (p[1] * seen.step_s < 2.0 * seen.peakInput)
+      text += " it takes " + timeText(seen.peakInput / p[1]) +
+              " from nothing to the largest command. Look at its ramp "
+              "or filter setting.";
+    return text;
+  }
+  std::vector<std::string_view> lookAlikes() const override { return {"torque_saturation", "transport_delay"}; }
+  std::string neededExcitation(const Excitation& seen) const override {
+    return "Step the command to 25, 50, 75 and 100 % of " + digitsText(seen.peakInput) +
+           ", both ways, and record what the drive gives out.";
+  }
+  std::string_view drawnOver() const override { return "time"; }
+};
+
+}  // namespace
+
+const Effect& commandSaturation() {
+  static const CommandSaturation effect;
+  return effect;
+}
+
+}  // namespace breakaway

@@ -1,0 +1,77 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "diagnose/effects/all.h"
+#include "diagnose/effects/two_mass.h"
+#include "diagnose/effects/wording.h"
+
+namespace breakaway {
+
+namespace {
+
+/// A coupling, belt or shaft that gives: part of the inertia swings behind a spring.
+class Compliance final : public Effect {
+ public:
+  std::string_view name() const override { return "compliance"; }
+  std::string_view formula() const override {
+    return "load = J_load (ω_a² δ + 2 ζ ω_a δ'),  δ'' = ω' − load/J_load,  J_load taken from J";
+  }
+  std::string_view source() const override {
+    return "G. Ellis, R. D. Lorenz, 'Resonant load control methods for industrial servo drives', IEEE Industry "
+           "Applications Conference 2000: motor, spring and load with their antiresonance";
+  }
+  std::vector<ParameterSpec> parameters(Axis axis) const override {
+    return {{inertiaName("load", axis), 1e-15, 1e9},
+            {"antiresonance_rad_per_s", 0.1, highestFrequency},
+            {"damping_ratio", 1e-4, 2.0}};
+  }
+  Term term(std::span<const double> p, const Situation& at) const override { return twoMassTerm(loadOf(p), at); }
+  size_t memory() const override { return twoMassMemory; }
+  void remember(std::span<const double> p, const Situation& at, double dt_s, std::span<double> memory) const override {
+    twoMassRemember(loadOf(p), at, dt_s, memory);
+  }
+  double longestStep_s(std::span<const double> p) const override { return twoMassStep_s(loadOf(p)); }
+  double detachedInertia(std::span<const double> p) const override { return p[0]; }
+  std::vector<Shape> shapes(const Excitation& seen) const override {
+    std::vector<Shape> shapes;
+    if (seen.inertia <= 0.0 || seen.step_s <= 0.0) return shapes;
+    for (double frequency = 5.0; frequency < 0.3 / seen.step_s; frequency *= 1.4)
+      shapes.push_back({{0.3 * seen.inertia, frequency, 0.05}});
+    return shapes;
+  }
+  bool plausible(std::span<const double> p, const Excitation& seen) const override {
+    return plausibleLoad(p[0], seen) && p[1] * seen.step_s < 1.5 && p[1] * seen.duration_s > 6.0;
+  }
+  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
+    const double motor = std::max(seen.inertia - p[0], 0.05 * seen.inertia);
+    return "A load of " + inertiaText(p[0], seen.axis) + " (" + percentText(p[0] / seen.inertia) +
+           " of the inertia) hangs on a spring: the motor hardly moves at " + hertzText(p[1]) + " and rings at " +
+           hertzText(p[1] * std::sqrt(seen.inertia / motor)) +
+           ". Look at the coupling, the belt or a long shaft, and for a loose clamp.";
+  }
+  std::vector<std::string_view> lookAlikes() const override { return {"backlash", "transport_delay", "presliding"}; }
+  std::string neededExcitation(const Excitation& seen) const override {
+    const double highest = seen.step_s > 0.0 ? 1.0 / seen.step_s : 1e3;
+    return "Chirp the command with ±" + digitsText(0.3 * seen.peakInput) + " from " + hertzText(5.0) + " to " +
+           hertzText(highest) + " within 20 s.";
+  }
+  std::string_view drawnOver() const override { return "frequency"; }
+
+ private:
+  static TwoMass loadOf(std::span<const double> p) {
+    return {p[0], std::clamp(p[1], 1e-3, highestFrequency), p[2], 0.0};
+  }
+  static std::string hertzText(double frequency_rad_per_s) {
+    return digitsText(frequency_rad_per_s / (2.0 * std::numbers::pi)) + " Hz";
+  }
+};
+
+}  // namespace
+
+const Effect& compliance() {
+  static const Compliance effect;
+  return effect;
+}
+
+}  // namespace breakaway

@@ -1,0 +1,53 @@
+#include <cmath>
+
+#include "diagnose/effects/all.h"
+#include "diagnose/effects/wording.h"
+
+namespace breakaway {
+
+namespace {
+
+/// The sensor shows a current where none flows. Where current drives, the recorded current is what the sensor shows and
+/// the offset is one and the same as a constant load; that entry covers it.
+class CurrentSensorOffset final : public Effect {
+ public:
+  std::string_view name() const override { return "current_sensor_offset"; }
+  std::string_view formula() const override { return "shown current = i + c"; }
+  std::string_view source() const override {
+    return "D.-W. Chung, S.-K. Sul, 'Analysis and compensation of current measurement error in vector-controlled AC "
+           "motor drives', IEEE Trans. Industry Applications 34(2), 1998";
+  }
+  std::vector<ParameterSpec> parameters(Axis) const override { return {{"offset_A", -1e9, 1e9}}; }
+  double sensed(std::span<const double> p, double current, double) const override { return current + p[0]; }
+  bool shapesInput(DriveInput input) const override { return input == DriveInput::current; }
+  void shapeInput(std::span<const double> p, std::span<const double>, std::span<double> input) const override {
+    for (double& value : input) value -= p[0];
+  }
+  std::vector<Shape> shapes(const Excitation& seen) const override {
+    if (!seen.electrical || !seen.currentSeen || seen.peakCurrent <= 0.0) return {};
+    return {Shape{{0.02 * seen.peakCurrent}}};
+  }
+  bool plausible(std::span<const double> p, const Excitation& seen) const override {
+    return std::abs(p[0]) < 0.5 * seen.peakCurrent;
+  }
+  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
+    return "The current sensor shows " + quantityText(std::abs(p[0]), "A") +
+           (p[0] > 0.0 ? " too much" : " too little") + " at every current (" +
+           percentText(std::abs(p[0]) / seen.peakCurrent) +
+           " of the peak); the motion knows nothing of it. Zero the sensor with the drive off, and look at its "
+           "reference and temperature.";
+  }
+  std::vector<std::string_view> lookAlikes() const override { return {"constant_load", "coulomb_asymmetry"}; }
+  std::string neededExcitation(const Excitation&) const override {
+    return "Record one second with the drive off, then move both ways with voltage and current recorded.";
+  }
+};
+
+}  // namespace
+
+const Effect& currentSensorOffset() {
+  static const CurrentSensorOffset effect;
+  return effect;
+}
+
+}  // namespace breakaway

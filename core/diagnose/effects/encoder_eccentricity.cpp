@@ -1,0 +1,62 @@
+#include <cmath>
+#include <numbers>
+
+#include "diagnose/effects/all.h"
+#include "diagnose/effects/wording.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr double typical_rad = 2e-3;
+
+/// A code disc off its centre shows too much on one side of the turn and too little on the other.
+class EncoderEccentricity final : public Effect {
+ public:
+  std::string_view name() const override { return "encoder_eccentricity"; }
+  std::string_view formula() const override { return "shown angle = θ + A · cos(θ − φ)"; }
+  std::string_view source() const override {
+    return "T. Masuda, M. Kajitani, 'An automatic calibration system for angular encoders', Precision Engineering "
+           "11(2), 1989: the first harmonic of the graduation error";
+  }
+  std::vector<ParameterSpec> parameters(Axis) const override {
+    return {{"amplitude_rad", -1e9, 1e9}, {"phase_rad", -1e3, 1e3}};
+  }
+  double shown(std::span<const double> p, double position) const override {
+    return position + p[0] * std::cos(position - p[1]);
+  }
+  std::vector<Shape> shapes(const Excitation& seen) const override {
+    if (seen.axis != Axis::rotary || seen.travel < 1.9 * std::numbers::pi) return {};
+    return {Shape{{typical_rad, 0.0}, {typical_rad, 0.5 * std::numbers::pi}}};
+  }
+  std::vector<double> scaled(const Shape& shape, std::span<const double> amplitude) const override {
+    return {shape[0][0] * std::hypot(amplitude[0], amplitude[1]), std::atan2(amplitude[1], amplitude[0])};
+  }
+  bool plausible(std::span<const double> p, const Excitation&) const override { return std::abs(p[0]) < 0.1; }
+  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
+    const double peak = p[0] < 0.0 ? p[1] + std::numbers::pi : p[1];
+    const double turn = 2.0 * std::numbers::pi;
+    return "Once per turn the encoder shows up to " + travelText(std::abs(p[0]), Axis::rotary) +
+           (seen.count > 0.0 ? " (" + digitsText(std::abs(p[0]) / seen.count) + " counts)" : "") + " too much around " +
+           angleText(peak - turn * std::floor(peak / turn)) +
+           " and as much too little opposite: its disc or its shaft is off centre. Look at the encoder's seat and the "
+           "shaft's run-out.";
+  }
+  std::vector<std::string_view> lookAlikes() const override { return {"imbalance", "torque_ripple"}; }
+  std::string neededExcitation(const Excitation& seen) const override {
+    return "Turn several turns at constant " + speedText(0.3 * seen.highSpeed, seen.axis) + " and at " +
+           speedText(seen.highSpeed, seen.axis) +
+           ": the error stays the same, what it takes for acceleration grows "
+           "with the speed's square.";
+  }
+  std::string_view drawnOver() const override { return "angle"; }
+};
+
+}  // namespace
+
+const Effect& encoderEccentricity() {
+  static const EncoderEccentricity effect;
+  return effect;
+}
+
+}  // namespace breakaway

@@ -1,0 +1,67 @@
+#include <algorithm>
+
+#include "diagnose/effects/all.h"
+#include "diagnose/effects/wording.h"
+
+namespace breakaway {
+
+namespace {
+
+/// A springy stop at an end of the travel: pushes back in proportion to how far the axis went into it. `side` 1: at
+/// growing positions, −1: at falling ones.
+class EndStop final : public Effect {
+ public:
+  std::string_view name() const override { return "end_stop"; }
+  std::string_view formula() const override { return "load = σ k · max(0, σ (θ − θ₀)),  σ = ±1 the side"; }
+  std::string_view source() const override {
+    return "K. H. Hunt, F. R. E. Crossley, 'Coefficient of restitution interpreted as damping in vibroimpact', J. "
+           "Applied Mechanics 42(2), 1975: the contact spring, here linear and without loss";
+  }
+  std::vector<ParameterSpec> parameters(Axis axis) const override {
+    return {{stiffnessName("stiffness", axis), -1e12, 1e12},
+            {positionName("start", axis), -1e9, 1e9},
+            {"side", -1, 1, true}};
+  }
+  Term term(std::span<const double> p, const Situation& at) const override {
+    return {.load_Nm = p[2] * p[0] * std::max(0.0, p[2] * (at.position - p[1]))};
+  }
+  double longestStep_s(std::span<const double>) const override { return 5e-4; }
+  std::vector<Shape> shapes(const Excitation& seen) const override {
+    std::vector<Shape> shapes;
+    if (seen.peakTorque <= 0.0 || seen.travel <= 0.0) return shapes;
+    for (const double side : {1.0, -1.0}) {
+      const double end = side > 0.0 ? seen.highest : seen.lowest;
+      for (const double share : {0.1, 0.06, 0.035, 0.02, 0.012, 0.007, 0.004, 0.002}) {
+        const double depth = share * seen.travel;
+        if (depth > 2.0 * seen.count) shapes.push_back({{0.5 * seen.peakTorque / depth, end - side * depth, side}});
+      }
+    }
+    return shapes;
+  }
+  bool plausible(std::span<const double> p, const Excitation& seen) const override {
+    return p[0] > 0.0 && p[1] > seen.lowest && p[1] < seen.highest;
+  }
+  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
+    const double depth = p[2] > 0.0 ? seen.highest - p[1] : p[1] - seen.lowest;
+    return "From " + travelText(p[1], seen.axis) + " on, " + wayText(p[2], seen.axis) +
+           ", the axis runs into something springy: " + stiffnessText(p[0], seen.axis) + ", " +
+           torqueText(p[0] * depth, seen.axis) + " at the furthest point seen, " + travelText(depth, seen.axis) +
+           " further. Look at that end for a stop, a buffer, a taut cable or a chip in the guide.";
+  }
+  std::vector<std::string_view> lookAlikes() const override { return {"imbalance", "position_dependent_friction"}; }
+  std::string neededExcitation(const Excitation& seen) const override {
+    return "Move slowly, at most " + speedText(0.2 * seen.highSpeed, seen.axis) + ", to " +
+           travelText(seen.lowest, seen.axis) + " and " + travelText(seen.highest, seen.axis) +
+           " several times, and stay there for a second.";
+  }
+  std::string_view drawnOver() const override { return "angle"; }
+};
+
+}  // namespace
+
+const Effect& endStop() {
+  static const EndStop effect;
+  return effect;
+}
+
+}  // namespace breakaway

@@ -1,0 +1,54 @@
+#include "diagnose/effects/all.h"
+#include "diagnose/effects/wording.h"
+
+namespace breakaway {
+
+namespace {
+
+/// The supply falls by its resistance times the bridge's current, which is duty times motor current while motoring, and
+/// the windings get duty times less. `supply_V` serves only where the supply isn't known; it is then the largest input.
+class SupplySag final : public Effect {
+ public:
+  std::string_view name() const override { return "supply_sag"; }
+  std::string_view formula() const override { return "lost voltage = r · (u/supply)² · i while u i > 0"; }
+  std::string_view source() const override {
+    return "N. Mohan, T. M. Undeland, W. P. Robbins, 'Power Electronics', Wiley 2003, chapter 7: mean input current of "
+           "the full-bridge converter";
+  }
+  std::vector<ParameterSpec> parameters(Axis) const override {
+    return {{"resistance_ohm", -1e9, 1e9}, {"supply_V", 1e-3, 1e6, true}};
+  }
+  bool losesVoltage() const override { return true; }
+  Term term(std::span<const double> p, const Situation& at) const override {
+    if (at.input * at.current <= 0.0) return {};
+    const double duty = at.input / (at.supply_V > 0.0 ? at.supply_V : p[1]);
+    return {.voltage_V = p[0] * duty * duty * at.current};
+  }
+  std::vector<Shape> shapes(const Excitation& seen) const override {
+    if (!seen.electrical || seen.peakCurrent <= 0.0 || seen.peakInput <= 0.0) return {};
+    return {Shape{{0.05 * seen.peakInput / seen.peakCurrent, seen.peakInput}}};
+  }
+  bool plausible(std::span<const double> p, const Excitation& seen) const override {
+    return p[0] > 0.0 && p[0] * seen.peakCurrent < 0.5 * seen.peakInput;
+  }
+  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
+    return "The supply gives way under load as if it had " + quantityText(p[0], "Ω") +
+           " inside: at the peak current of " + quantityText(seen.peakCurrent, "A") + " and full voltage it lacks " +
+           quantityText(p[0] * seen.peakCurrent, "V") +
+           ". Look at the supply's current limit, its cable and the bridge's capacitors.";
+  }
+  std::vector<std::string_view> lookAlikes() const override { return {"dead_time", "winding_heating"}; }
+  std::string neededExcitation(const Excitation& seen) const override {
+    return "Step from " + quantityText(0.5 * seen.peakInput, "V") + " to " + quantityText(seen.peakInput, "V") +
+           " and back under load, with the supply's voltage recorded.";
+  }
+};
+
+}  // namespace
+
+const Effect& supplySag() {
+  static const SupplySag effect;
+  return effect;
+}
+
+}  // namespace breakaway

@@ -1,0 +1,59 @@
+#include <cmath>
+
+#include "diagnose/effects/all.h"
+#include "diagnose/effects/wave.h"
+#include "diagnose/effects/wording.h"
+
+namespace breakaway {
+
+namespace {
+
+/// Kt that rises and falls around the turn, and the back-EMF alike: Kt·(1 + A·cos(Nθ − φ)). On top of Kt it is a load;
+/// Ke = Kt in SI, and Kt is the model's torque per current.
+class TorqueRipple final : public Effect {
+ public:
+  std::string_view name() const override { return "torque_ripple"; }
+  std::string_view formula() const override {
+    return "load = −A · cos(N θ − φ) · Kt i;  lost voltage = A · cos(N θ − φ) · Ke ω";
+  }
+  std::string_view source() const override {
+    return "T. M. Jahns, W. L. Soong, 'Pulsating torque minimization techniques for permanent magnet AC motor drives—a "
+           "review', IEEE Trans. Industrial Electronics 43(2), 1996";
+  }
+  std::vector<ParameterSpec> parameters(Axis axis) const override { return waveParameters("amplitude", axis); }
+  bool losesVoltage() const override { return true; }
+  Term term(std::span<const double> p, const Situation& at) const override {
+    const double wave = waveValue(p, at);
+    const double torqueConstant = at.current != 0.0 ? at.driveTorque / at.current : 0.0;
+    return {.load_Nm = -wave * at.driveTorque, .voltage_V = wave * torqueConstant * at.velocity};
+  }
+  std::vector<Shape> shapes(const Excitation& seen) const override {
+    return seen.axis == Axis::rotary ? waveShapes(seen, 1, 48, 0.03) : std::vector<Shape>{};
+  }
+  std::vector<double> scaled(const Shape& shape, std::span<const double> amplitude) const override {
+    return waveScaled(shape, amplitude);
+  }
+  bool plausible(std::span<const double> p, const Excitation&) const override { return std::abs(p[0]) < 0.6; }
+  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
+    return "The motor's torque per ampere rises and falls by ±" + percentText(std::abs(p[0])) + ", " +
+           waveText(p[2], seen.axis) + " (largest first at " + wavePeakText(p, seen.axis) + "): ±" +
+           torqueText(std::abs(p[0]) * seen.peakTorque, seen.axis) +
+           " at the recording's peak, nothing without current. Look at commutation: the angle of the rotor sensor, a "
+           "worn brush or commutator, unequal phases.";
+  }
+  std::vector<std::string_view> lookAlikes() const override { return {"cogging", "position_dependent_friction"}; }
+  std::string neededExcitation(const Excitation& seen) const override {
+    return "Turn two whole turns both ways at " + speedText(0.3 * seen.highSpeed, seen.axis) + ", once free and once " +
+           "against a load of " + torqueText(0.5 * seen.peakTorque, seen.axis) + ": ripple grows with it.";
+  }
+  std::string_view drawnOver() const override { return "angle"; }
+};
+
+}  // namespace
+
+const Effect& torqueRipple() {
+  static const TorqueRipple effect;
+  return effect;
+}
+
+}  // namespace breakaway

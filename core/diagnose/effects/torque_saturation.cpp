@@ -1,0 +1,53 @@
+#include <algorithm>
+
+#include "diagnose/effects/all.h"
+#include "diagnose/effects/wording.h"
+
+namespace breakaway {
+
+namespace {
+
+/// Iron that saturates: at high current each further ampere gives less torque. Written as a loss, so that no torque
+/// turns round however large the current.
+class TorqueSaturation final : public Effect {
+ public:
+  std::string_view name() const override { return "torque_saturation"; }
+  std::string_view formula() const override { return "load = β · i² · Kt i"; }
+  std::string_view source() const override {
+    return "D. Hanselman, 'Brushless Permanent Magnet Motor Design', Magna Physics 2006: saturation of the torque by "
+           "the winding's own field; the first odd term after the linear one";
+  }
+  std::vector<ParameterSpec> parameters(Axis) const override { return {{"coefficient_per_A2", -1e9, 1e9}}; }
+  Term term(std::span<const double> p, const Situation& at) const override {
+    return {.load_Nm = std::min(p[0] * at.current * at.current, 1.0) * at.driveTorque};
+  }
+  std::vector<Shape> shapes(const Excitation& seen) const override {
+    if (seen.peakCurrent <= 0.0) return {};  // where torque drives, it is given
+    return {Shape{{0.1 / (seen.peakCurrent * seen.peakCurrent)}}};
+  }
+  bool plausible(std::span<const double> p, const Excitation& seen) const override {
+    return p[0] > 0.0 && p[0] * seen.peakCurrent * seen.peakCurrent < 0.7;
+  }
+  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
+    return std::string(seen.axis == Axis::rotary ? "Torque" : "Force") +
+           " falls behind the current when it is high: at " + quantityText(seen.peakCurrent, "A") + " by " +
+           percentText(p[0] * seen.peakCurrent * seen.peakCurrent) +
+           ". The motor's iron saturates there, or the amplifier's current scale bends: compare with the data sheet's "
+           "peak current.";
+  }
+  std::vector<std::string_view> lookAlikes() const override { return {"load_dependent_friction", "quadratic_drag"}; }
+  std::string neededExcitation(const Excitation& seen) const override {
+    return "Accelerate hard and short, both ways, at " + quantityText(0.3 * seen.peakCurrent, "A") + ", " +
+           quantityText(0.6 * seen.peakCurrent, "A") + " and " + quantityText(seen.peakCurrent, "A") + ".";
+  }
+  std::string_view drawnOver() const override { return "current"; }
+};
+
+}  // namespace
+
+const Effect& torqueSaturation() {
+  static const TorqueSaturation effect;
+  return effect;
+}
+
+}  // namespace breakaway

@@ -1,0 +1,65 @@
+#include <algorithm>
+#include <cmath>
+
+#include "diagnose/effects/all.h"
+#include "diagnose/effects/wording.h"
+
+namespace breakaway {
+
+namespace {
+
+/// Copper that warms up: its resistance follows the mean square of the current with the winding's thermal lag.
+/// Hidden state: Θ in A², dΘ/dt = (i² − Θ)/T.
+class WindingHeating final : public Effect {
+ public:
+  std::string_view name() const override { return "winding_heating"; }
+  std::string_view formula() const override { return "lost voltage = c · Θ · i,  T dΘ/dt = i² − Θ"; }
+  std::string_view source() const override {
+    return "A. Boglietti, A. Cavagnino, D. Staton, M. Shanel, M. Mueller, C. Mejuto, 'Evolution and modern approaches "
+           "for thermal analysis of electrical machines', IEEE Trans. Industrial Electronics 56(3), 2009: one lumped "
+           "thermal capacity";
+  }
+  std::vector<ParameterSpec> parameters(Axis) const override {
+    return {{"coefficient_ohm_per_A2", -1e9, 1e9}, {"time_constant_s", 1e-2, 1e6}};
+  }
+  bool losesVoltage() const override { return true; }
+  Term term(std::span<const double> p, const Situation& at) const override {
+    return {.voltage_V = at.memory.empty() ? 0.0 : p[0] * at.memory[0] * at.current};
+  }
+  size_t memory() const override { return 1; }
+  void remember(std::span<const double> p, const Situation& at, double dt_s, std::span<double> memory) const override {
+    memory[0] = at.memory[0] - (at.current * at.current - at.memory[0]) * std::expm1(-dt_s / p[1]);
+  }
+  std::vector<Shape> shapes(const Excitation& seen) const override {
+    std::vector<Shape> shapes;
+    if (!seen.electrical || seen.peakCurrent <= 0.0 || seen.duration_s < 4.0) return shapes;
+    const double typical = 0.1 * seen.peakInput / std::pow(seen.peakCurrent, 3);
+    for (double lag = std::max(2.0, 0.1 * seen.duration_s); lag < 2.0 * seen.duration_s; lag *= 1.7)
+      shapes.push_back({{typical, lag}});
+    return shapes;
+  }
+  bool plausible(std::span<const double> p, const Excitation& seen) const override {
+    return p[0] > 0.0 && p[0] * std::pow(seen.peakCurrent, 3) < 10.0 * seen.peakInput;
+  }
+  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
+    const double current = 0.5 * seen.peakCurrent;
+    return "The winding warms up and its resistance with it: " + quantityText(current, "A") + " held for long adds " +
+           quantityText(p[0] * current * current, "Ω") + ", over about " + timeText(p[1]) +
+           ". Compare the resistance cold and warm; a high rise means poor cooling or too much current.";
+  }
+  std::vector<std::string_view> lookAlikes() const override { return {"friction_warmup", "supply_sag"}; }
+  std::string neededExcitation(const Excitation& seen) const override {
+    return "From cold, hold " + quantityText(0.5 * seen.peakCurrent, "A") + " for " +
+           timeText(std::max(30.0, 0.5 * seen.duration_s)) + ", then rest as long, and repeat.";
+  }
+  std::string_view drawnOver() const override { return "time"; }
+};
+
+}  // namespace
+
+const Effect& windingHeating() {
+  static const WindingHeating effect;
+  return effect;
+}
+
+}  // namespace breakaway
