@@ -9,7 +9,7 @@
 #include "diagnose/catalogue.h"
 #include "diagnose/fit/inverse_fit.h"
 #include "diagnose/preparation.h"
-#include "diagnose/search.h"
+#include "diagnose/search/search.h"
 
 namespace breakaway::cli {
 
@@ -52,8 +52,7 @@ Result<Model> fitted(const FitLine& line, const Preparation& prepared) {
                 100.0 * fit->relativeError);
     return fit->model;
   }
-  const SearchInput input{prepared.tracks,  prepared.split, prepared.held, prepared.seen, 1, {}, {}, {},
-                          prepared.training};
+  const SearchInput input{prepared.tracks, prepared.split, prepared.held, prepared.seen, 1, {}, {}, {}, {}};
   auto fit = fitNamed(input, prepared.starts, line.effects);
   if (!fit) return fit.error();
   std::printf("least squares over %zu restarted windows: %s\n", prepared.split.train.size(), fit->termination.c_str());

@@ -9,7 +9,7 @@
 #include "diagnose/fit/inverse_fit.h"
 #include "diagnose/noise_floor.h"
 #include "diagnose/preparation.h"
-#include "diagnose/search.h"
+#include "diagnose/search/search.h"
 #include "diagnose/where.h"
 
 namespace breakaway {
@@ -124,15 +124,22 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   };
   const auto prepared = prepare(bench, recordings, heldout, options.window_s, false);
   if (!prepared) return prepared.error();
-  const SearchInput input{prepared->tracks,  prepared->split, prepared->held,   prepared->seen,
-                          options.seed,      options.stop,    options.progress, {},
-                          prepared->training};
+  double named_s = 0.0;
+  std::vector<std::string> firstNames;
+  const auto named = [&](const std::vector<Pick>& picks) {
+    named_s = elapsed();
+    for (const Pick& pick : picks) firstNames.emplace_back(pick.effect->name());
+  };
+  const SearchInput input{prepared->tracks, prepared->split, prepared->held,
+                          prepared->seen,   options.seed,    options.stop,
+                          options.progress, named,           {}};
   const auto found = searchEffects(input, prepared->starts);
   if (!found) return found.error();
 
   Diagnosis diagnosis;
   diagnosis.remarks = prepared->remarks;
-  diagnosis.named_s = elapsed();
+  diagnosis.named_s = named_s;
+  diagnosis.firstNames = firstNames;
   if (options.progress) options.progress(0.92, "proving on held-out data");
   diagnosis.base = found->base.model;
   diagnosis.model = found->best.model;

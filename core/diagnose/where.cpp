@@ -55,10 +55,20 @@ void addTrack(Instants& all, const Model& model, const Track& track, bool wrap) 
     }
     travel[k] = std::abs(rows.position[k] - since);
     drive[k] = p.torqueConstant * (p.electrical ? (rows.input[k] - p.backEmf * v) / p.resistance : rows.input[k]);
-    const Situation at{model.axis, rows.time[k], rows.position[k], v, rows.acceleration[k], drive[k], s};
+    Situation at;
+    at.axis = model.axis;
+    at.time_s = rows.time[k];
+    at.position = rows.position[k];
+    at.velocity = v;
+    at.acceleration = rows.acceleration[k];
+    at.driveTorque = drive[k];
+    at.direction = s;
+    at.current = drive[k] / p.torqueConstant;
+    at.travel = travel[k];
     double needed = p.inertia * rows.acceleration[k] + p.viscous * v + s * p.coulomb +
                     p.gravity * std::sin(rows.position[k] - p.downAngle);
     for (const CompiledTerm& term : *terms) {
+      if (term.effect->memory() > 0) continue;
       const Term part = term.effect->term(term.parameters, at);
       needed += part.load_Nm + s * part.friction_Nm;
     }

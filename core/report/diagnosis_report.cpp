@@ -145,7 +145,11 @@ NamedFigure termFigure(const Diagnosis& d, const Finding& finding, double highSp
       sets.back()[k] = end;
     }
   }
-  const Situation base{axis, 0.0, 0.0, 0.3 * highSpeed, 0.0, 0.5 * peak, 1.0};
+  Situation base;
+  base.axis = axis;
+  base.velocity = 0.3 * highSpeed;
+  base.driveTorque = 0.5 * peak;
+  base.direction = 1.0;
   Situation moved = base;
   moved.position = lowest + 0.137 * (highest - lowest);
   const bool overPosition = termTorque(effect, sets.front(), base) != termTorque(effect, sets.front(), moved);

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnose/simulate/restart.h"
+#include "diagnose/simulate/simulator.h"
 #include "diagnose/simulate/simulation.h"
 #include "support/temporary.h"
 

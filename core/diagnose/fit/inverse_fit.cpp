@@ -102,21 +102,30 @@ void place(Model& model, const std::string& name, double value, double error) {
   }
 }
 
+/// Whether an effect is a torque at every instant, so that the inverse model can hold it.
+bool instantTorque(const Effect& effect, const Shape& shape, DriveInput drive) {
+  const std::vector<double>& p = shape.front();
+  return effect.memory() == 0 && !effect.losesVoltage() && !effect.shapesInput(drive) &&
+         effect.frictionStiffness(p) == 0.0 && effect.detachedInertia(p) == 0.0 && effect.shown(p, 0.3) == 0.3;
+}
+
 /// The columns of one effect at a shape.
 void addEffect(std::vector<Column>& columns, const Effect& effect, const Shape& shape, const Column& torque,
-               Axis axis) {
-  for (size_t a = 0; a < effect.amplitudes(); ++a) {
-    columns.push_back([&effect, shape, a, torque, axis](const InverseRows& rows, size_t k) {
-      std::array<double, 4> out{};
-      const Situation at{axis,
-                         rows.time[k],
-                         rows.position[k],
-                         rows.velocity[k],
-                         rows.acceleration[k],
-                         torque(rows, k),
-                         signOf(rows.velocity[k])};
-      effect.columns(shape, at, out);
-      return out[a];
+               const Physics& physics) {
+  for (const std::vector<double>& set : shape) {
+    columns.push_back([&effect, set, torque, physics](const InverseRows& rows, size_t k) {
+      Situation at;
+      at.axis = physics.axis;
+      at.time_s = rows.time[k];
+      at.position = rows.position[k];
+      at.velocity = rows.velocity[k];
+      at.acceleration = rows.acceleration[k];
+      at.driveTorque = torque(rows, k);
+      at.direction = signOf(rows.velocity[k]);
+      at.current = at.driveTorque / physics.torqueConstant;
+      at.input = rows.input[k];
+      const Term term = effect.term(set, at);
+      return term.load_Nm + at.direction * term.friction_Nm;
     });
   }
 }
@@ -125,7 +134,7 @@ void addEffect(std::vector<Column>& columns, const Effect& effect, const Shape& 
 std::vector<Parameter> effectParameters(const Effect& effect, Axis axis, const Shape& shape,
                                         const Eigen::VectorXd& amplitude, const Eigen::MatrixXd& covariance) {
   const std::vector<double> best(amplitude.data(), amplitude.data() + amplitude.size());
-  const std::vector<double> value = effect.fromAmplitudes(shape, best);
+  const std::vector<double> value = effect.scaled(shape, best);
   std::vector<Parameter> parameters;
   const auto specs = effect.parameters(axis);
   for (size_t k = 0; k < specs.size(); ++k) {
@@ -134,7 +143,7 @@ std::vector<Parameter> effectParameters(const Effect& effect, Axis axis, const S
       const double step = 1e-6 * std::max(amplitude.norm(), 1e-12);
       std::vector<double> near = best;
       near[static_cast<size_t>(a)] += step;
-      slope[a] = (effect.fromAmplitudes(shape, near)[k] - value[k]) / step;
+      slope[a] = (effect.scaled(shape, near)[k] - value[k]) / step;
     }
     const double half = 1.959964 * std::sqrt(std::max(0.0, slope.dot(covariance * slope)));
     parameters.push_back({specs[k].name, value[k], value[k] - half, value[k] + half});
@@ -167,8 +176,9 @@ Result<InverseFit> fitInverse(const Model& model, const std::vector<Track>& trac
     double best = 1e300;
     Shape bestShape;
     for (const Shape& shape : effect->shapes(seen)) {
+      if (!instantTorque(*effect, shape, model.input)) continue;
       auto trial = columns;
-      addEffect(trial, *effect, shape, torque, model.axis);
+      addEffect(trial, *effect, shape, torque, physics);
       const auto got = regress(tracks, trial, response, true);
       if (!got || got->relativeError >= best) continue;
       best = got->relativeError;
@@ -176,7 +186,7 @@ Result<InverseFit> fitInverse(const Model& model, const std::vector<Track>& trac
     }
     if (best == 1e300)
       return Error{tracks.front().name, "can't show the effect " + term.effect + " to the inverse model"};
-    addEffect(columns, *effect, bestShape, torque, model.axis);
+    addEffect(columns, *effect, bestShape, torque, physics);
     chosen.push_back(bestShape);
   }
   const auto got = regress(tracks, columns, response, true);
@@ -188,7 +198,7 @@ Result<InverseFit> fitInverse(const Model& model, const std::vector<Track>& trac
   Eigen::Index at = 3;
   for (size_t e = 0; e < fit.model.effects.size(); ++e) {
     const Effect& effect = *findEffect(fit.model.effects[e].effect);
-    const auto size = static_cast<Eigen::Index>(effect.amplitudes());
+    const auto size = static_cast<Eigen::Index>(chosen[e].size());
     fit.model.effects[e].parameters = effectParameters(effect, model.axis, chosen[e], got->value.segment(at, size),
                                                        got->covariance.block(at, at, size, size));
     at += size;
@@ -284,30 +294,49 @@ Excitation excitationOf(const std::vector<Track>& tracks, const Model& model) {
   seen.axis = model.axis;
   seen.count = model.count;
   const Physics physics = physicsOf(model);
-  std::vector<double> speeds, torques;
+  seen.inertia = physics.inertia;
+  seen.coulomb = physics.coulomb;
+  seen.electrical = physics.electrical;
+  seen.currentDrive = model.input == DriveInput::current;
+  seen.currentSeen = physics.electrical && std::all_of(tracks.begin(), tracks.end(),
+                                                       [](const Track& track) { return !track.current.empty(); });
+  seen.supplySeen = model.supply_V.value_or(0.0) > 0.0 || !tracks.front().supply.empty();
+  seen.step_s = tracks.front().time.back() / static_cast<double>(tracks.front().rows() - 1);
+  std::vector<double> speeds, torques, currents, accelerations;
   double forwards = 0.0;
-  double lowest = 1e300, highest = -1e300;
+  seen.lowest = 1e300;
+  seen.highest = -1e300;
   for (const Track& track : tracks) {
-    const InverseRows rows = inverseRows(track);
-    for (size_t k = 0; k < rows.time.size(); ++k) {
-      lowest = std::min(lowest, rows.position[k]);
-      highest = std::max(highest, rows.position[k]);
-      if (!rows.moving[k]) continue;
-      speeds.push_back(std::abs(rows.velocity[k]));
-      forwards += rows.velocity[k] > 0.0 ? 1.0 : 0.0;
+    const Motion& motion = track.motion;
+    seen.duration_s = std::max(seen.duration_s, track.time.back());
+    for (size_t k = 0; k < track.rows(); ++k) {
+      if (!track.connected[k]) continue;
+      seen.lowest = std::min(seen.lowest, track.position[k]);
+      seen.highest = std::max(seen.highest, track.position[k]);
+      seen.peakInput = std::max(seen.peakInput, std::abs(track.input[k]));
+      seen.longestRest_s = std::max(seen.longestRest_s, motion.resting[k] ? motion.rest_s[k] : 0.0);
+      if (k > 0 && motion.resting[k - 1] && !motion.resting[k]) ++seen.starts;
+      if (k > 0 && motion.way[k] * motion.way[k - 1] < 0.0) ++seen.reversals;
+      if (motion.resting[k] || std::abs(motion.velocity[k]) < 4.0 * motion.velocityNoise) continue;
+      speeds.push_back(std::abs(motion.velocity[k]));
+      accelerations.push_back(std::abs(motion.acceleration[k]));
+      forwards += motion.velocity[k] > 0.0 ? 1.0 : 0.0;
       const double drive = physics.electrical
-                               ? (rows.input[k] - physics.backEmf * rows.velocity[k]) / physics.resistance
-                               : rows.input[k];
+                               ? (track.input[k] - physics.backEmf * motion.velocity[k]) / physics.resistance
+                               : track.input[k];
       torques.push_back(std::abs(physics.torqueConstant * drive));
+      currents.push_back(model.input == DriveInput::torque ? 0.0 : std::abs(drive));
     }
   }
-  seen.travel = std::max(0.0, highest - lowest);
+  seen.travel = std::max(0.0, seen.highest - seen.lowest);
   if (speeds.empty()) return seen;
   const double part = forwards / static_cast<double>(speeds.size());
   seen.bothWays = part > 0.1 && part < 0.9;
   seen.lowSpeed = quantile(speeds, 0.1);
   seen.highSpeed = quantile(speeds, 0.95);
   seen.peakTorque = quantile(torques, 0.99);
+  seen.peakCurrent = quantile(currents, 0.99);
+  seen.peakAcceleration = quantile(accelerations, 0.99);
   return seen;
 }
 

@@ -64,11 +64,14 @@ ParameterVector::ParameterVector(const Model& model, const std::vector<std::stri
           slot.upper = std::log(0.5 * speedSize);
         }
       } else {
-        slot.scale = std::max(typicalSize(specs[k].name, torqueSize, speedSize), 1e-300);
+        slot.scale = value != 0.0 ? std::abs(value) : typicalSize(specs[k].name, torqueSize, speedSize);
+        slot.scale = std::max(slot.scale, 1e-300);
         // No torque that an effect adds can exceed the drive's peak: the axis could not have moved against it.
         const bool torque = endsWith(specs[k].name, "_Nm") || endsWith(specs[k].name, "_N");
-        slot.lower = torque ? std::max(-1.0, specs[k].lower / slot.scale) : specs[k].lower / slot.scale;
-        slot.upper = torque ? std::min(1.0, specs[k].upper / slot.scale) : specs[k].upper / slot.scale;
+        const double lower = torque ? std::max(-1.2 * torqueSize, specs[k].lower) : specs[k].lower;
+        const double upper = torque ? std::min(1.2 * torqueSize, specs[k].upper) : specs[k].upper;
+        slot.lower = lower / slot.scale;
+        slot.upper = upper / slot.scale;
       }
       slots_.push_back(slot);
     }

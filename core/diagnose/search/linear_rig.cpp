@@ -278,6 +278,7 @@ LinearRig::Traces LinearRig::tracesOf(const Effect& effect, const std::vector<do
     std::array<double, 8> from = before;
     for (int part = 0; part < parts; ++part) {
       const double share = (part + 1.0) / parts;
+      after.time_s = track.time[k] + share * dt;
       after.velocity = (1.0 - share) * recorded.at[k].velocity + share * recorded.at[k + 1].velocity;
       from = memory;
       after.memory = std::span(from).first(effect.memory());

@@ -371,7 +371,7 @@ void Screen::findRivals(std::vector<Pick>& chosen) const {
   }
 }
 
-ScreenResult Screen::run() {
+ScreenResult Screen::run() const {
   ScreenResult result;
   const Left left = leave({});
   result.baseSquares = left.response.squaredNorm();

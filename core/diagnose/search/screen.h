@@ -38,7 +38,7 @@ class Screen {
   Screen(const LinearRig& rig, const std::vector<const Effect*>& effects, const Excitation& seen,
          const std::vector<int>& fold, int folds, std::uint64_t seed);
 
-  ScreenResult run();
+  ScreenResult run() const;
   /// The effect's best shape and amplitude on top of the base and `others`; no parameters where it can't help.
   Pick best(const Effect& effect, const std::vector<Pick>& others) const;
 

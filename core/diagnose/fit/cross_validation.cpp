@@ -1,0 +1,81 @@
+#include "diagnose/fit/cross_validation.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "diagnose/fit/motion.h"
+
+namespace breakaway {
+
+std::vector<double> crossValidated(const FitResult& fit, const ParameterVector& parameters,
+                                   const std::vector<Track>& tracks, const std::vector<Window>& windows,
+                                   const std::vector<double>& windowWeights, const std::vector<int>& fold,
+                                   int foldCount) {
+  const Eigen::Index size = fit.x.size();
+  std::vector<double> squares(windows.size());
+  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(size, size);
+  for (const WindowDerivative& window : fit.windows) normal += window.jacobian.transpose() * window.jacobian;
+  for (int one = 0; one < foldCount; ++one) {
+    Eigen::MatrixXd rest = normal;
+    Eigen::VectorXd score = Eigen::VectorXd::Zero(size);
+    for (size_t w = 0; w < windows.size(); ++w) {
+      if (fold[w] != one) continue;
+      rest -= fit.windows[w].jacobian.transpose() * fit.windows[w].jacobian;
+      score += fit.windows[w].jacobian.transpose() * fit.windows[w].residual;
+    }
+    rest.diagonal() += 1e-4 * normal.diagonal() + fit.priorPrecision;
+    rest.diagonal().array() += 1e-12 * normal.diagonal().maxCoeff();
+    Eigen::VectorXd x = fit.x + rest.ldlt().solve(score);
+    for (Eigen::Index k = 0; k < size; ++k) x[k] = std::clamp(x[k], parameters.lower(k), parameters.upper(k));
+    const Model model = parameters.at(x);
+    const std::vector<MotionState> hidden = hiddenStates(model, tracks, windows);
+    for (size_t w = 0; w < windows.size(); ++w) {
+      if (fold[w] != one) continue;
+      const double factor = windowWeights.empty() ? 1.0 : windowWeights[w];
+      WindowResidual window(tracks[windows[w].track], windows[w], Weights{factor, 0.0});
+      window.fit(model, hidden[w]);
+      squares[w] = window.residual().head(window.positions()).squaredNorm() / static_cast<double>(window.positions());
+    }
+  }
+  return squares;
+}
+
+Comparison compare(const std::vector<double>& before, const std::vector<double>& after, std::uint64_t seed) {
+  Comparison out;
+  std::vector<double> gain(before.size());
+  for (size_t k = 0; k < before.size(); ++k) gain[k] = before[k] - after[k];
+  const double scale = std::max(mean(before), 1e-300), middle = mean(gain);
+  double variance = 0.0;
+  for (const double one : gain) variance += (one - middle) * (one - middle);
+  const auto n = static_cast<double>(gain.size());
+  const double error = std::sqrt(variance / std::max(1.0, n - 1.0) / n);
+  out.relative = middle / scale;
+  out.inErrors = error > 0.0 ? middle / error : 0.0;
+  out.interval = bootstrap(gain.size(), 1000, seed, [&](std::span<const size_t> blocks) {
+    double sumGain = 0.0, sumBefore = 0.0;
+    for (const size_t block : blocks) {
+      sumGain += gain[block];
+      sumBefore += before[block];
+    }
+    return sumGain / std::max(sumBefore, 1e-300);
+  });
+  return out;
+}
+
+double signFlipPValue(const std::vector<double>& before, const std::vector<double>& after, std::uint64_t seed) {
+  std::vector<double> gain(before.size());
+  for (size_t k = 0; k < before.size(); ++k) gain[k] = std::sqrt(before[k]) - std::sqrt(after[k]);
+  const double seen = mean(gain);
+  Random random(seed);
+  size_t beaten = 0;
+  constexpr size_t flips = 1999;
+  for (size_t flip = 0; flip < flips; ++flip) {
+    double sum = 0.0;
+    for (const double one : gain) sum += random.bits() >> 63 ? one : -one;
+    if (sum / static_cast<double>(gain.size()) >= seen) ++beaten;
+  }
+  return static_cast<double>(1 + beaten) / static_cast<double>(1 + flips);
+}
+
+}  // namespace breakaway

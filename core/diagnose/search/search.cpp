@@ -1,0 +1,332 @@
+#include "diagnose/search/search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "diagnose/catalogue.h"
+#include "diagnose/fit/cross_validation.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr double largestPValue = 0.01;
+constexpr double leastImprovement = 0.03;
+constexpr double clearImprovement = 0.2;
+constexpr double leastShare = 0.01;  ///< of the base model's squared error
+constexpr size_t mostTrials = 5;
+constexpr size_t mostRivals = 4;
+
+EffectTerm termOf(const Effect& effect, Axis axis, const std::vector<double>& values) {
+  EffectTerm term{std::string(effect.name()), {}};
+  const auto specs = effect.parameters(axis);
+  for (size_t k = 0; k < specs.size(); ++k) {
+    const double value = std::clamp(values[k], specs[k].lower, specs[k].upper);
+    term.parameters.push_back({specs[k].name, value, value, value});
+  }
+  return term;
+}
+
+std::vector<double> valuesOf(const EffectTerm& term) {
+  std::vector<double> values;
+  for (const Parameter& one : term.parameters) values.push_back(one.value);
+  return values;
+}
+
+Model with(const Model& model, const Pick& pick) {
+  Model out = model;
+  out.effects.push_back(termOf(*pick.effect, model.axis, pick.parameters));
+  return out;
+}
+
+Model without(const Model& model, const Effect& effect) {
+  Model out = model;
+  std::erase_if(out.effects, [&effect](const EffectTerm& term) { return term.effect == effect.name(); });
+  return out;
+}
+
+bool same(const Effect* a, const Effect* b) {
+  return a == b || (!a->twin().empty() && a->twin() == b->name());
+}
+
+ParameterVector vectorOf(const SearchInput& input, const Model& model) {
+  return {model, input.held, std::max(input.seen.peakTorque, 1e-12), std::max(input.seen.highSpeed, 1e-9)};
+}
+
+class Search {
+ public:
+  explicit Search(SearchInput input) : input_(std::move(input)) {}
+
+  Result<SearchResult> run(const std::vector<Model>& starts) {
+    SearchResult result;
+    say(0.05, "fitting the base model");
+    result.base = fitBase(input_, starts);
+    input_.windowWeights = robustWeights(result.base.windowSquares);
+    result.base = fitModel(input_, result.base.model, 10);
+    result.best = result.base;
+    say(0.2, "looking for what is missing");
+    input_.seen.inertia = physicsInertia(result.base.model);
+    const LinearRig rig(result.base.model, input_.tracks, input_.split.train);
+    const Screen screen(rig, {catalogue().begin(), catalogue().end()}, input_.seen, input_.split.fold, folds,
+                        input_.seed);
+    const ScreenResult found = screen.run();
+    if (input_.named) input_.named(found.chosen);
+    if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
+    say(0.35, "simulating what was found");
+    adopt(result, found.chosen);
+    tryMore(result, screen, found.chosen);
+    refine(result);
+    backward(result);
+    if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
+    weigh(result, screen);
+    if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
+    say(0.85, "refining");
+    const std::vector<double> weights =
+        robustWeights(residualSquares(result.base.model, input_.tracks, input_.split.polish));
+    result.base = polishModel(input_, result.base.model, weights);
+    result.best = result.chosen.empty() ? result.base : polishModel(input_, result.best.model, weights);
+    return result;
+  }
+
+ private:
+  void say(double progress, const std::string& activity) const {
+    if (input_.progress) input_.progress(progress, activity);
+  }
+  double physicsInertia(const Model& model) const {
+    return model.baseValue(motorNames(model.axis).inertia).value_or(input_.seen.inertia);
+  }
+  std::vector<double> validated(const FitResult& fit) const {
+    return crossValidated(fit, vectorOf(input_, fit.model), input_.tracks, input_.split.train, input_.windowWeights,
+                          input_.split.fold, folds);
+  }
+  /// In long windows a wrong start of a wave is a valley away from the right one: short windows first.
+  Model shortFit(const Model& start) const {
+    return fitWindows(vectorOf(input_, start), input_.tracks, input_.split.trainScore,
+                      {.iterations = 6, .tolerance = 1e-3, .windowWeights = {}, .stop = input_.stop})
+        .model;
+  }
+  FitResult fitFresh(const Model& start) const { return fitModel(input_, shortFit(start), 8); }
+  double chance(const std::vector<double>& before, const std::vector<double>& after) const {
+    return std::min(1.0, static_cast<double>(catalogue().size()) * signFlipPValue(before, after, input_.seed));
+  }
+
+  /// The screen's set, as a whole.
+  void adopt(SearchResult& result, const std::vector<Pick>& picks) const {
+    if (picks.empty()) return;
+    Model model = result.base.model;
+    for (const Pick& pick : picks) model = with(model, pick);
+    FitResult fit = fitFresh(model);
+    if (!fit.usable) return;
+    const Comparison gain = compare(validated(result.base), validated(fit), input_.seed);
+    if (gain.relative < leastImprovement) return;
+    result.best = std::move(fit);
+    for (const Pick& pick : picks) result.chosen.push_back({pick.effect, pick.pValue, 0.0, {}});
+  }
+
+  /// What the screen could not see may still show in the simulation.
+  void tryMore(SearchResult& result, const Screen& screen, const std::vector<Pick>& picks) const {
+    const auto before = validated(result.best);
+    const double noise = trackNoise();
+    if (mean(before) < 4.0 * noise * noise) return;
+    std::vector<Pick> candidates;
+    for (const Effect* effect : catalogue()) {
+      if (contains(result, effect)) continue;
+      Pick pick = screen.best(*effect, result.chosen.empty() ? std::vector<Pick>{} : picks);
+      if (!pick.parameters.empty()) candidates.push_back(std::move(pick));
+    }
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Pick& a, const Pick& b) { return a.gain > b.gain; });
+    std::optional<FitResult> winner;
+    Chosen chosen;
+    double best = clearImprovement;
+    for (size_t k = 0; k < std::min(mostTrials, candidates.size()); ++k) {
+      FitResult fit = fitFresh(with(result.best.model, candidates[k]));
+      if (!fit.usable) continue;
+      const auto after = validated(fit);
+      const Comparison gain = compare(before, after, input_.seed);
+      const double pValue = chance(before, after);
+      if (gain.relative < best || gain.interval.low <= 0.0 || pValue > largestPValue) continue;
+      best = gain.relative;
+      winner = std::move(fit);
+      chosen = {candidates[k].effect, pValue, 0.0, {}};
+    }
+    if (!winner) return;
+    result.best = std::move(*winner);
+    result.chosen.push_back(chosen);
+  }
+
+  double trackNoise() const {
+    double noise = 0.0;
+    for (const Track& track : input_.tracks) noise = std::max(noise, track.noise);
+    return noise;
+  }
+
+  static bool contains(const SearchResult& result, const Effect* effect) {
+    return std::any_of(result.chosen.begin(), result.chosen.end(),
+                       [effect](const Chosen& one) { return same(one.effect, effect); });
+  }
+
+  /// Held parameters are compared once everything else fits.
+  void refine(SearchResult& result) const {
+    for (const Chosen& chosen : result.chosen) {
+      for (size_t e = 0; e < result.best.model.effects.size(); ++e) {
+        if (result.best.model.effects[e].effect != chosen.effect->name()) continue;
+        for (const auto& variant : chosen.effect->variants(valuesOf(result.best.model.effects[e]))) {
+          Model model = result.best.model;
+          model.effects[e] = termOf(*chosen.effect, model.axis, variant);
+          FitResult fit = fitModel(input_, model, 8);
+          if (fit.usable && mean(validated(fit)) < mean(validated(result.best))) result.best = std::move(fit);
+        }
+      }
+    }
+  }
+
+  /// Whether the effect's amplitude, its first parameter, can't be told from zero.
+  static bool vanishes(const Model& model, const Effect& effect) {
+    for (const EffectTerm& term : model.effects) {
+      if (term.effect == effect.name())
+        return term.parameters.front().low95 < 0.0 && term.parameters.front().high95 > 0.0;
+    }
+    return true;
+  }
+
+  /// An effect that the others make superfluous goes; of those that stay, what they are worth.
+  void backward(SearchResult& result) {
+    left_.clear();
+    for (bool changed = true; changed && !input_.stop.stop_requested();) {
+      changed = false;
+      left_.clear();
+      const double baseError = mean(validated(result.base));
+      const auto best = validated(result.best);
+      for (size_t k = 0; k < result.chosen.size(); ++k) {
+        FitResult fit = result.chosen.size() == 1
+                            ? result.base
+                            : fitModel(input_, without(result.best.model, *result.chosen[k].effect), 8);
+        const Comparison loss = compare(validated(fit), best, input_.seed);
+        const double back = mean(fit.windowSquares) - mean(result.best.windowSquares);
+        const bool local = loss.interval.low <= 0.0 && loss.relative > clearImprovement;
+        const bool needed = (loss.interval.low > 0.0 || local) && loss.relative > leastImprovement &&
+                            loss.relative * mean(validated(fit)) > leastShare * baseError;
+        if (needed && !vanishes(result.best.model, *result.chosen[k].effect)) {
+          result.chosen[k].marginal = std::max(0.0, back);
+          left_.push_back(std::move(fit));
+          continue;
+        }
+        result.best = std::move(fit);
+        result.chosen.erase(result.chosen.begin() + static_cast<std::ptrdiff_t>(k));
+        changed = true;
+        break;
+      }
+    }
+  }
+
+  /// The rivals of each chosen effect: others in its place.
+  void weigh(SearchResult& result, const Screen& screen) {
+    auto best = validated(result.best);
+    for (size_t k = 0; k < result.chosen.size(); ++k) {
+      if (input_.stop.stop_requested()) return;
+      say(0.5 + 0.3 * static_cast<double>(k) / static_cast<double>(result.chosen.size()), "weighing rivals");
+      std::vector<Pick> others, candidates;
+      for (size_t j = 0; j < result.chosen.size(); ++j) {
+        if (j != k) others.push_back(screen.best(*result.chosen[j].effect, others));
+      }
+      std::erase_if(others, [](const Pick& one) { return one.parameters.empty(); });
+      const double own = screen.best(*result.chosen[k].effect, others).gain;
+      for (const Effect* effect : catalogue()) {
+        if (contains(result, effect)) continue;
+        Pick pick = screen.best(*effect, others);
+        const auto alike = result.chosen[k].effect->lookAlikes();
+        const bool listed = std::find(alike.begin(), alike.end(), effect->name()) != alike.end();
+        if (pick.parameters.empty() || pick.gain < (listed ? 0.4 : 0.6) * own) continue;
+        candidates.push_back(std::move(pick));
+      }
+      std::stable_sort(candidates.begin(), candidates.end(),
+                       [](const Pick& a, const Pick& b) { return a.gain > b.gain; });
+      if (candidates.size() > mostRivals) candidates.resize(mostRivals);
+      for (const Pick& one : candidates) {
+        FitResult fit = fitFresh(with(left_[k].model, one));
+        if (!fit.usable) continue;
+        const auto errors = validated(fit);
+        const Comparison ahead = compare(errors, best, input_.seed);
+        if (ahead.inErrors < -2.0 && mean(errors) < 0.97 * mean(best)) {  // the rival is the better one
+          if (compare(best, errors, input_.seed).inErrors < 2.0)
+            result.chosen[k].rivals.push_back(result.chosen[k].effect);
+          result.chosen[k].effect = one.effect;
+          result.chosen[k].marginal = std::max(0.0, mean(left_[k].windowSquares) - mean(fit.windowSquares));
+          result.chosen[k].rivals.clear();
+          result.best = std::move(fit);
+          best = errors;
+          continue;
+        }
+        // Skewed errors hide a clear difference from the t-value: the sign-flip test sees it.
+        const bool clearlyWorse = ahead.relative > 0.25 && signFlipPValue(errors, best, input_.seed) <= 0.02;
+        if (ahead.inErrors < 2.0 && !clearlyWorse) result.chosen[k].rivals.push_back(one.effect);
+      }
+      if (const Effect* twin = findEffect(result.chosen[k].effect->twin())) result.chosen[k].rivals.push_back(twin);
+    }
+    std::stable_sort(result.chosen.begin(), result.chosen.end(),
+                     [](const Chosen& a, const Chosen& b) { return a.marginal > b.marginal; });
+  }
+
+  SearchInput input_;
+  std::vector<FitResult> left_;  ///< without each chosen effect
+};
+
+}  // namespace
+
+FitResult fitModel(const SearchInput& input, const Model& model, int iterations) {
+  return fitWindows(
+      vectorOf(input, model), input.tracks, input.split.train,
+      {.iterations = iterations, .tolerance = 1e-4, .windowWeights = input.windowWeights, .stop = input.stop});
+}
+
+FitResult fitBase(const SearchInput& input, const std::vector<Model>& starts) {
+  FitResult best;
+  for (const Model& start : starts) {
+    FitResult fit = fitModel(input, start, 8);
+    if (best.windows.empty() || (fit.usable && fit.rmse < best.rmse)) best = std::move(fit);
+  }
+  return best;
+}
+
+FitResult polishModel(const SearchInput& input, const Model& model, const std::vector<double>& windowWeights) {
+  return fitWindows(vectorOf(input, model), input.tracks, input.split.polish,
+                    {.iterations = 6, .exact = true, .windowWeights = windowWeights, .stop = input.stop});
+}
+
+Result<SearchResult> searchEffects(const SearchInput& input, const std::vector<Model>& starts) {
+  return Search(input).run(starts);
+}
+
+Result<FitResult> fitNamed(const SearchInput& input, const std::vector<Model>& starts,
+                           const std::vector<std::string>& names) {
+  FitResult fit = fitModel(input, fitBase(input, starts).model);
+  if (!names.empty()) {
+    std::vector<const Effect*> effects;
+    for (const std::string& name : names) effects.push_back(findEffect(name));
+    Model model = fit.model;
+    std::vector<Pick> picks;
+    const LinearRig rig(model, input.tracks, input.split.train);
+    for (const Effect* effect : effects) {
+      const Screen screen(rig, {effect}, input.seen, input.split.fold, folds, input.seed);
+      picks.push_back(screen.best(*effect, picks));
+      if (picks.back().parameters.empty()) {
+        return Error{input.tracks.front().name, "can't show the effect " + std::string(effect->name()) + ": " +
+                                                    effect->neededExcitation(input.seen)};
+      }
+      model = with(model, picks.back());
+    }
+    const ParameterVector parameters = vectorOf(input, model);
+    const Model near = fitWindows(parameters, input.tracks, input.split.trainScore,
+                                  {.iterations = 8, .tolerance = 1e-4, .windowWeights = {}, .stop = input.stop})
+                           .model;
+    fit = fitModel(input, near);
+  }
+  fit = polishModel(input, fit.model);
+  if (!fit.usable)
+    return Error{input.tracks.front().name, "can't be fitted: the search for the best parameters came to no end"};
+  return fit;
+}
+
+}  // namespace breakaway
