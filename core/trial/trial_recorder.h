@@ -1,0 +1,21 @@
+// Makes a rig follow its course and records what its sensors show.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "recording/recording.h"
+#include "trial/trial_course.h"
+#include "trial/trial_rig.h"
+
+namespace breakaway {
+
+/// Plays the course under the rig's loop at the row rate. The recording holds the contract's columns: the command
+/// exactly as applied (held until the next row), the encoder floored to its count, the current with noise, converter
+/// steps and offset.
+Recording recordTrial(const TrialRig& rig, const TrialCourse& course, const std::string& name, std::uint64_t seed);
+
+/// The controller as the bench file describes it, in amperes per rad.
+BenchController describedLoop(const TrialRig& rig);
+
+}  // namespace breakaway
