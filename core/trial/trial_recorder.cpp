@@ -14,11 +14,10 @@ double rounded(double value, double step) {
   return step * std::round(value / step);
 }
 
-/// What the encoder shows, floored to a count.
+/// What the encoder would show with endless resolution.
 double shown(const TrialSensors& sensors, double position) {
   const TrialWave& e = sensors.eccentricity;
-  const double seen = position + (e.amplitude != 0.0 ? e.amplitude * std::cos(e.order * position - e.phase_rad) : 0.0);
-  return std::floor(seen / sensors.count) * sensors.count;
+  return position + (e.amplitude != 0.0 ? e.amplitude * std::cos(e.order * position - e.phase_rad) : 0.0);
 }
 
 /// The torque that an open-loop operator would ask for from the nominal motor, Nm.
@@ -58,7 +57,8 @@ double plantStep_s(const TrialPhysics& p) {
 
 }  // namespace
 
-Recording recordTrial(const TrialRig& rig, const TrialCourse& course, const std::string& name, std::uint64_t seed) {
+Recording recordTrial(const TrialRig& rig, const TrialCourse& course, const std::string& name, std::uint64_t seed,
+                      TrialTrace* trace) {
   const TrialSensors& s = rig.sensors;
   const double step_s = plantStep_s(rig.physics);
   TrialPlant plant(rig.physics, step_s, seed);
@@ -73,7 +73,8 @@ Recording recordTrial(const TrialRig& rig, const TrialCourse& course, const std:
   std::vector<double> time(rows), position(rows), input(rows), sampled(rows + skewRows + 1, 0.0), current;
   for (size_t k = 0; k < rows; ++k) {
     time[k] = rounded(static_cast<double>(k) * s.row_s, 1e-6);
-    position[k] = shown(s, plant.position());
+    const double exact = shown(s, plant.position());
+    position[k] = std::floor(exact / s.count) * s.count;
     double torque = 0.0, speed = 0.0;
     if (rig.loop.mode == ControlMode::openLoop) {
       torque = feedforward(rig, course, k);
@@ -83,6 +84,11 @@ Recording recordTrial(const TrialRig& rig, const TrialCourse& course, const std:
       speed = controller.velocity();
     }
     input[k] = inputFor(rig, torque + course.shake[k], speed);
+    if (trace) {
+      trace->position.push_back(exact);
+      trace->current.push_back(plant.current());
+      trace->input.push_back(plantInput(rig, input[k]));
+    }
     if (skewRows == 0) sampled[k] = plant.current();
     plant.advance(plantInput(rig, input[k]), lateBy);
     if (skewRows > 0) sampled[k + skewRows] = plant.current();

@@ -9,7 +9,9 @@ namespace breakaway {
 namespace {
 
 DriveInput drawInput(const TrialNeeds& needs, Random& random) {
-  if (needs.duty) return DriveInput::duty;
+  if (needs.heldTorque) {
+    return needs.windings || random.uniform() < 0.65 ? DriveInput::current : DriveInput::torque;
+  }
   if (needs.electrical || needs.currentSeen) return random.uniform() < 0.7 ? DriveInput::voltage : DriveInput::duty;
   const double u = random.uniform() * (needs.windings ? 0.85 : 1.0);
   return u < 0.40   ? DriveInput::voltage

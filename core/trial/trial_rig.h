@@ -50,8 +50,8 @@ struct TrialRig {
 struct TrialNeeds {
   bool electrical = false;   ///< voltage or duty drives
   bool windings = false;     ///< a current flows that the bench knows: not torque
+  bool heldTorque = false;   ///< current or torque drives
   bool currentSeen = false;  ///< voltage or duty drives and the current is recorded
-  bool duty = false;
   bool rotary = false;
   bool closedLoop = false;
   bool positionLoop = false;
