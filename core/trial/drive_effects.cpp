@@ -54,10 +54,16 @@ Concealed commandSaturation(TrialRig& rig, const TrialCourse& course, double siz
     if (drives) heights = channel.values;
   }
   for (double& height : heights) height = std::abs(height);
-  const double limit = quantile(heights, 1.0 - size * drawn(random, 0.06, 0.15));
   const double inPlant = rig.input == DriveInput::current ? rig.physics.torqueConstant
                          : rig.input == DriveInput::duty  ? rig.supply_V
                                                           : 1.0;
+  const double peak = quantile(heights, 0.995);
+  if (random.uniform() < 0.3) {
+    const double slew = 2.0 * peak / (size * drawn(random, 0.01, 0.03));
+    rig.physics.inputSlewPerS = slew * inPlant;
+    return {"command_saturation", {{"slew_per_s", slew}}};
+  }
+  const double limit = peak * (1.0 - 0.5 * std::min(1.9, size * drawn(random, 0.6, 1.0)));
   rig.physics.inputLimit = limit * inPlant;
   return {"command_saturation", {{"limit", limit}}};
 }

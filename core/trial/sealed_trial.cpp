@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <optional>
 
 #include "base/atomic_file.h"
 #include "recording/csv.h"
@@ -28,6 +29,11 @@ const Names commonEffects{"constant_load",   "viscous_asymmetry", "stribeck",
                           "friction_warmup", "imbalance",         "cogging",
                           "torque_ripple",   "transport_delay",   "external_disturbance"};
 
+/// What slow motion hides.
+const Names hiddenEffects{"viscous_asymmetry", "quadratic_drag", "position_dependent_viscous",
+                          "torque_saturation", "torque_ripple",  "load_dependent_friction",
+                          "transport_delay",   "compliance"};
+
 /// Effects of different kinds that one rig and one course show together.
 const std::vector<Names> combinations{{"stribeck", "cogging"},
                                       {"stribeck", "constant_load"},
@@ -51,6 +57,9 @@ const std::vector<Names> combinations{{"stribeck", "cogging"},
                                       {"cogging", "constant_load", "quadratic_drag"},
                                       {"coulomb_asymmetry", "cogging", "external_disturbance"}};
 
+/// Below the first an effect would be too small to be called physics, above the second too large to be true.
+constexpr double smallestSize = 0.06, largestSize = 2.0;
+
 template <typename T>
 const T& oneOf(const std::vector<T>& all, Random& random) {
   return all[random.below(all.size())];
@@ -61,9 +70,8 @@ std::vector<const TrialEffect*> drawEffects(const std::string& family, Random& r
   if (family == "outside") return {&oneOf(outsideEffects(), random)};
   Names names{family};
   if (family == "combination") names = oneOf(combinations, random);
-  if (family == "masked" || family == "noisy" || family == "weak" || family == "low") {
-    names = {oneOf(commonEffects, random)};
-  }
+  if (family == "masked" || family == "noisy" || family == "weak") names = {oneOf(commonEffects, random)};
+  if (family == "low") names = {oneOf(hiddenEffects, random)};
   std::vector<const TrialEffect*> effects;
   for (const std::string& name : names) effects.push_back(&trialEffectNamed(name));
   return effects;
@@ -85,7 +93,7 @@ TrialNeeds needsOf(const std::string& family, const std::vector<const TrialEffec
   return needs;
 }
 
-/// What moves show all effects; for `low` mostly others.
+/// What moves show all effects.
 std::vector<TrialMove> movesFor(const std::vector<const TrialEffect*>& effects) {
   std::vector<TrialMove> moves;
   for (const TrialEffect* effect : effects) moves.insert(moves.end(), effect->moves.begin(), effect->moves.end());
@@ -118,18 +126,38 @@ bool showsInMotion(const TrialEffect& effect) {
 double sizeFor(const TrialEffect& effect, const TrialRig& rig, const TrialCourse& course, double cost,
                std::uint64_t seed) {
   if (!showsInMotion(effect)) return 1.0;
-  double size = 1.0;
-  for (int round = 0; round < 2; ++round) {
+  double size = 1.0, lastSize = 0.0, lastCost = 0.0, power = 1.0;  // cost grows as size to this power
+  for (int round = 0; round < 3; ++round) {
     TrialRig tried = rig;
     Random random(seed);
     effect.conceal(tried, course, size, random);
     TrialTrace trace;
     (void)recordTrial(tried, course, "trial", seed, &trace);
-    const double ratio = cost / std::max(0.05, costOfLeavingOut(tried, trace));
-    if (ratio > 0.75 && ratio < 1.33) break;
-    size = std::clamp(size * ratio, 0.02, 2.5);
+    const double found = std::max(0.05, costOfLeavingOut(tried, trace));
+    if (found > 0.75 * cost && found < 1.33 * cost) break;
+    if (round > 0 && size != lastSize) {
+      power = std::clamp(std::log(found / lastCost) / std::log(size / lastSize), 0.5, 3.0);
+    }
+    lastSize = size;
+    lastCost = found;
+    size = std::clamp(size * std::pow(cost / found, 1.0 / power), smallestSize, largestSize);
   }
   return size;
+}
+
+/// Another course of the same moves; before an end stop one that runs into it about as far as the first.
+std::optional<TrialCourse> secondCourse(const TrialRig& rig, const std::vector<TrialMove>& moves,
+                                        const TrialCourse& first, Random& random) {
+  const TrialPhysics& p = rig.physics;
+  const auto beyond = [&p](const TrialCourse& course) {
+    const auto [low, high] = std::minmax_element(course.position.begin(), course.position.end());
+    return std::max(*high - p.highStop, p.lowStop - *low);
+  };
+  for (int attempt = 0; attempt < 30; ++attempt) {
+    TrialCourse course = drawCourse(rig, moves, drawn(random, 20.0, 30.0), random);
+    if (!p.stops || (beyond(course) > 0.2 * beyond(first) && beyond(course) < 1.3 * beyond(first))) return course;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -163,7 +191,7 @@ SealedTrial makeTrial(const std::string& family, std::uint64_t seed) {
   TrialRig rig = drawTrialRig(needsOf(family, effects), random);
   double duration_s = drawn(random, 30.0, 36.0);
   for (const TrialEffect* effect : effects) duration_s = std::max(duration_s, effect->shortest_s);
-  const std::vector<TrialMove> moves = movesFor(effects);
+  std::vector<TrialMove> moves = movesFor(effects);
   const TrialCourse course = drawCourse(rig, moves, duration_s, random);
   const TrialRig plain = rig;
   addTrifles(rig, random);
@@ -176,7 +204,9 @@ SealedTrial makeTrial(const std::string& family, std::uint64_t seed) {
   if (family == "outside") trial.outside = effects.front()->name;
 
   trial.bench = believedBench(rig, random);
-  if (rig.input == DriveInput::current && random.uniform() < 0.6) trial.bench.controller = describedLoop(rig);
+  const bool described = random.uniform() < 0.6 || family == "masked";
+  if (described && rig.input != DriveInput::torque && rig.loop.mode != ControlMode::openLoop)
+    trial.bench.controller = describedLoop(rig);
   const bool hardlyShown = family == "low";
   const TrialCourse poor =
       hardlyShown
@@ -184,11 +214,10 @@ SealedTrial makeTrial(const std::string& family, std::uint64_t seed) {
           : course;
   trial.recordings.push_back(recordTrial(rig, poor, "recording.csv", random.bits()));
   if (random.uniform() < 0.5) {
-    std::vector<TrialMove> others = moves;
-    std::reverse(others.begin(), others.end());
+    std::reverse(moves.begin(), moves.end());
     rig.physics.disturbance = 0.0;  // what happened once doesn't come again
-    const TrialCourse second = drawCourse(rig, others, drawn(random, 20.0, 30.0), random);
-    trial.heldout.push_back(recordTrial(rig, second, "heldout.csv", random.bits()));
+    const auto second = secondCourse(rig, moves, course, random);
+    if (second) trial.heldout.push_back(recordTrial(rig, *second, "heldout.csv", random.bits()));
   }
   return trial;
 }
