@@ -18,12 +18,8 @@ struct DiagnoseLine {
 };
 
 Result<void> runDiagnose(const DiagnoseLine& line) {
-  const auto bench = readBench(line.bench);
-  if (!bench) return bench.error();
-  const auto recordings = readRecordings(line.recordings);
-  if (!recordings) return recordings.error();
-  const auto heldout = readRecordings(line.heldout);
-  if (!heldout) return heldout.error();
+  const auto in = readDiagnosisInputs(line.bench, line.recordings, line.heldout);
+  if (!in) return in.error();
   DiagnoseOptions options;
   options.seed = line.seed;
   if (progressIsWatched()) {
@@ -31,10 +27,11 @@ Result<void> runDiagnose(const DiagnoseLine& line) {
       std::fprintf(stderr, "\r\033[K%3.0f %%  %s", 100.0 * part, activity.c_str());
     };
   }
-  const auto diagnosis = diagnose(*bench, *recordings, *heldout, options);
+  const auto diagnosis = diagnose(in->bench, in->recordings, in->heldout, options);
   if (progressIsWatched()) std::fprintf(stderr, "\r\033[K");
   if (!diagnosis) return diagnosis.error();
-  if (auto done = writeDiagnosisFolder(*diagnosis, *bench, *recordings, *heldout, line.out); !done) return done;
+  if (auto done = writeDiagnosisFolder(*diagnosis, in->bench, in->recordings, in->heldout, line.out); !done)
+    return done;
   std::fputs(inWords(*diagnosis).c_str(), stdout);
   return {};
 }
