@@ -8,6 +8,7 @@
 
 #include "base/atomic_file.h"
 #include "base/line_log.h"
+#include "base/shard.h"
 #include "cli/command.h"
 #include "cli/inputs.h"
 #include "diagnose/diagnosis.h"
@@ -23,10 +24,6 @@ struct BatchLine {
   std::string shard = "1/1";
 };
 
-struct Shard {
-  size_t index = 1, count = 1;
-};
-
 struct Entry {
   Json id;
   std::string bench;
@@ -39,17 +36,6 @@ std::string textOf(const Json& json) {
 
 std::string lineOf(const std::string& path, size_t index) {
   return path + ", line " + std::to_string(index + 1);
-}
-
-/// I/N with 1 ≤ I ≤ N.
-Result<Shard> parseShard(const std::string& text) {
-  Shard shard;
-  int used = 0;
-  const bool read = std::sscanf(text.c_str(), "%6zu/%6zu%n", &shard.index, &shard.count, &used) == 2 &&
-                    static_cast<size_t>(used) == text.size();
-  if (!read || shard.index < 1 || shard.index > shard.count)
-    return Error{"--shard", "expected I/N with I from 1 to N, found \"" + text + "\""};
-  return shard;
 }
 
 /// The object in a line with its id, a text or a number.
@@ -136,10 +122,10 @@ Result<void> runBatch(const BatchLine& line) {
   if (!entries) return entries.error();
   const auto finished = finishedIds(line.out);
   if (!finished) return finished.error();
-  for (size_t k = shard->index - 1; k < entries->size(); k += shard->count) {
+  for (size_t k = 0; k < entries->size(); ++k) {
     const Entry& entry = (*entries)[k];
     const std::string id = textOf(entry.id);
-    if (finished->contains(id)) continue;
+    if (!shard->holds(k) || finished->contains(id)) continue;
     if (progressIsWatched()) std::fprintf(stderr, "\r\033[K%zu of %zu  %s", k + 1, entries->size(), id.c_str());
     const auto diagnosis = diagnoseEntry(entry);
     const std::string result = diagnosis ? "\"diagnosis\":" + diagnosisJson(*diagnosis, true)
