@@ -101,12 +101,15 @@ Columns joined(const TorqueColumns& c, const std::vector<size_t>& groups) {
 void dropIdle(const TorqueColumns& c, std::vector<size_t>& groups) {
   for (bool dropped = true; dropped && !groups.empty();) {
     dropped = false;
-    for (size_t k = 0; k < groups.size() && !dropped; ++k) {
-      auto fewer = groups;
-      fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(k));
+    for (const size_t idle : groups) {
+      std::vector<size_t> fewer;
+      for (const size_t group : groups) {
+        if (group != idle) fewer.push_back(group);
+      }
       if (criterion(c, joined(c, fewer)) > criterion(c, joined(c, groups))) continue;
-      groups = fewer;
+      groups = std::move(fewer);
       dropped = true;
+      break;
     }
   }
 }
