@@ -83,7 +83,9 @@ Result<Identifiability> identifiability(const SealedTrial& trial) {
                           .training = prepared->training};
   const auto& windows = prepared->split.heldoutScore;
   const auto errorsOf = [&](const Model& model) { return scoreWindows(model, prepared->tracks, windows); };
-  const Model base = fitBase(input, prepared->starts).model;
+  const auto fittedBase = fitNamed(input, prepared->starts, {});
+  if (!fittedBase) return fittedBase.error();
+  const Model& base = fittedBase->model;
   Identifiability out;
   out.base = std::sqrt(mean(errorsOf(base)));
   const auto weigh = [&out](double floor) {

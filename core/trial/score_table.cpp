@@ -29,6 +29,11 @@ std::string quantileText(const std::vector<double>& values, double fraction, dou
   return values.empty() ? "–" : print("%.2f", quantile(values, fraction) / unit);
 }
 
+/// "–" for a ratio of nothing.
+std::string ratioText(double above, double below) {
+  return below > 0.0 ? print("%.2f", above / below) : "–";
+}
+
 std::string falseAlarms(const Score& score) {
   if (score.falseAlarms.runs == 0) return "–";
   return percent(score.falseAlarms) +
@@ -51,11 +56,13 @@ std::vector<Line> linesFor(const Score& first) {
       {"first name right, one effect, identifiable", [](const Score& s) { return percent(s.firstName); }},
       {"top two, the same", [](const Score& s) { return percent(s.topTwo); }},
       {"first name right, any number of effects, identifiable", [](const Score& s) { return percent(s.firstNameAll); }},
-      {"F1 on identifiable combinations", [](const Score& s) { return print("%.2f", s.f1()); }},
-      {"wrong extras per run",
+      {"F1 on identifiable combinations",
        [](const Score& s) {
-         return print("%.2f", s.runs > 0 ? static_cast<double>(s.wrongExtras) / static_cast<double>(s.runs) : 0.0);
+         const bool any = s.truePositives + s.falsePositives + s.falseNegatives > 0;
+         return any ? print("%.2f", s.f1()) : "–";
        }},
+      {"wrong extras per run",
+       [](const Score& s) { return ratioText(static_cast<double>(s.wrongExtras), static_cast<double>(s.runs)); }},
       {"false alarms on clean plants", falseAlarms},
       {"outside the catalogue: flagged", [](const Score& s) { return percent(s.outsideFlagged); }},
       {"outside the catalogue: wrongly named", [](const Score& s) { return percent(s.outsideNamed); }},
@@ -100,10 +107,11 @@ std::string familyTable(const Score& score) {
       "extras/run "
       "| failed |\n|---|---|---|---|---|---|---|---|---|---|\n";
   for (const FamilyScore& one : score.families) {
-    const double extras = one.runs > 0 ? static_cast<double>(one.wrongExtras) / static_cast<double>(one.runs) : 0.0;
-    out += "| " + one.family +
-           print(" | %zu | %zu | %zu | %zu | %zu | %zu | %zu | %.2f | %zu |\n", one.runs, one.identifiable,
-                 one.firstRight, one.topTwo, one.ambiguous, one.nothingMissing, one.outside, extras, one.failed);
+    const std::string extras = ratioText(static_cast<double>(one.wrongExtras), static_cast<double>(one.runs));
+    out +=
+        "| " + one.family +
+        print(" | %zu | %zu | %zu | %zu | %zu | %zu | %zu | %s | %zu |\n", one.runs, one.identifiable, one.firstRight,
+              one.topTwo, one.ambiguous, one.nothingMissing, one.outside, extras.c_str(), one.failed);
   }
   return out;
 }
