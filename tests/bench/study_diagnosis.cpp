@@ -11,9 +11,9 @@
 #include "base/line_log.h"
 #include "base/shard.h"
 #include "bench/regression_baselines.h"
-#include "trial/identifiability.h"
-#include "trial/scored_seeds.h"
-#include "trial/scoring.h"
+#include "score/identifiability.h"
+#include "score/scored_seeds.h"
+#include "score/scoring.h"
 #include "trial/sealed_trial.h"
 
 using namespace breakaway;

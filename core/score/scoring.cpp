@@ -1,4 +1,4 @@
-#include "trial/scoring.h"
+#include "score/scoring.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "base/statistics.h"
-#include "trial/scoring.h"
+#include "score/scoring.h"
 
 namespace breakaway {
 

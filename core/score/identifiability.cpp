@@ -1,4 +1,4 @@
-#include "trial/identifiability.h"
+#include "score/identifiability.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "diagnose/noise_floor.h"
 #include "diagnose/preparation.h"
 #include "diagnose/search.h"
-#include "trial/scored_trial.h"
+#include "score/scored_trial.h"
 
 namespace breakaway {
 

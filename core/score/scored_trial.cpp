@@ -1,4 +1,4 @@
-#include "trial/scored_trial.h"
+#include "score/scored_trial.h"
 
 #include <algorithm>
 #include <cmath>

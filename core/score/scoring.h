@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "trial/scored_trial.h"
+#include "score/scored_trial.h"
 
 namespace breakaway {
 

@@ -3,8 +3,8 @@
 
 #include "base/statistics.h"
 #include "support/temporary.h"
-#include "trial/scored_seeds.h"
-#include "trial/scoring.h"
+#include "score/scored_seeds.h"
+#include "score/scoring.h"
 
 using namespace breakaway;
 

@@ -2,8 +2,8 @@
 #include <iterator>
 #include <span>
 
-#include "trial/scored_seeds.h"
-#include "trial/scoring.h"
+#include "score/scored_seeds.h"
+#include "score/scoring.h"
 #include "trial/sealed_trial.h"
 
 using namespace breakaway;

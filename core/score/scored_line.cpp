@@ -1,7 +1,7 @@
 // A scored trial as one line of JSON.
 #include <nlohmann/json.hpp>
 
-#include "trial/scored_trial.h"
+#include "score/scored_trial.h"
 
 namespace breakaway {
 
