@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
            cli::addSimulate,
            cli::addDiagnose,
            cli::addBatch,
+           cli::addTrial,
            cli::addImport,
            cli::addExport,
            cli::addCommission,

@@ -22,6 +22,7 @@ void addFit(CLI::App& app, Job& chosen);
 void addSimulate(CLI::App& app, Job& chosen);
 void addDiagnose(CLI::App& app, Job& chosen);
 void addBatch(CLI::App& app, Job& chosen);
+void addTrial(CLI::App& app, Job& chosen);
 void addImport(CLI::App& app, Job& chosen);
 void addExport(CLI::App& app, Job& chosen);
 void addCommission(CLI::App& app, Job& chosen);

@@ -13,9 +13,12 @@ namespace {
 
 /// The rooms of core, each of which may include itself and those before it.
 const std::vector<std::string> rooms{"base",       "friction", "recording", "motor", "observer", "control",
-                                     "experiment", "identify", "diagnose",  "trial", "report"};
+                                     "experiment", "identify", "diagnose",  "trial", "score",    "report"};
 /// What the link stands on.
 const std::set<std::string> belowLink{"base", "friction", "recording", "control", "observer", "motor", "experiment"};
+
+/// What trials stand on: they know neither the search nor the simulated bench.
+const std::set<std::string> belowTrial{"base", "friction", "recording", "trial"};
 
 struct Include {
   std::string what;
@@ -81,6 +84,8 @@ std::string whyNotInCore(const std::string& path, const Include& one) {
   if (one.what.find('/') == std::string::npos) return "includes are written from the layer's folder";
   if (rankOf(room) == rooms.size()) return room + " is no room of the plan";
   if (rankOf(other) == rooms.size()) return "core stands on itself only";
+  if (room == "trial" && !belowTrial.contains(other) && one.what != "motor/bench.h")
+    return "trials know only base, friction, recordings and the bench file";
   return rankOf(other) > rankOf(room) ? room + " stands below " + other : std::string();
 }
 
@@ -100,7 +105,8 @@ std::string whyNotInApp(const std::string& path, const Include& one) {
   if (path.starts_with("app/widgets/") && one.what.starts_with("pages/")) return "widgets stand below pages";
   if (shown && one.what.starts_with("cli/")) return "pages know no commands";
   if (shown && one.what == "firmware_link/simulated_board.h") return "pages reach a board through the session";
-  if (isPlant("core/" + one.what)) return "above the drive port nobody sees the plant";
+  const bool trial = cli && one.what == "trial/sealed_trial.h";
+  if (!trial && isPlant("core/" + one.what)) return "above the drive port nobody sees the plant";
   if (path.ends_with(".h") && one.what.starts_with("nlohmann/")) return "JSON stays inside readers and writers";
   return {};
 }

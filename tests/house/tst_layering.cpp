@@ -45,6 +45,10 @@ void TestLayering::plantedBreach_isFound_data() {
   row("core/cellar/planted.cpp", "\"base/result.h\"", "no room of the plan");
   row("core/diagnose/planted.cpp", "\"motor/plant.h\"", "the search must not know core/motor/plant.h");
   row("core/diagnose/effects/planted.cpp", "\"motor/middle.h\"", "the search must not know core/motor/plant.h");
+  row("core/diagnose/planted.cpp", "\"trial/sealed_trial.h\"", "diagnose stands below trial");
+  row("core/trial/planted.cpp", "\"diagnose/search.h\"", "trials know only");
+  row("core/trial/planted.cpp", "\"motor/plant.h\"", "trials know only");
+  row("core/motor/planted.cpp", "\"trial/trial_plant.h\"", "motor stands below trial");
   row("firmware_link/planted.cpp", "\"diagnose/simulate/model.h\"", "the link stands beside diagnose");
   row("firmware_link/planted.cpp", "\"session.h\"", "the link stands beside");
   row("app/cli/planted.cpp", "\"widgets/time_plot.h\"", "commands see no window");
@@ -52,6 +56,8 @@ void TestLayering::plantedBreach_isFound_data() {
   row("app/widgets/planted.cpp", "\"pages/home_page.h\"", "widgets stand below pages");
   row("app/pages/planted.cpp", "\"firmware_link/simulated_board.h\"", "through the session");
   row("app/planted.cpp", "\"motor/plant.h\"", "nobody sees the plant");
+  row("app/pages/planted.cpp", "\"trial/sealed_trial.h\"", "nobody sees the plant");
+  row("app/cli/planted.cpp", "\"trial/trial_plant.h\"", "nobody sees the plant");
 }
 
 void TestLayering::plantedBreach_isFound() {

@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "base/statistics.h"
-#include "support/temporary.h"
 #include "score/scored_seeds.h"
 #include "score/scoring.h"
+#include "support/temporary.h"
 
 using namespace breakaway;
 

@@ -1,0 +1,101 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "base/atomic_file.h"
+#include "cli/command.h"
+#include "cli/diagnose_files.h"
+#include "trial/sealed_trial.h"
+
+namespace breakaway::cli {
+
+namespace {
+
+struct TrialLine {
+  std::string out, family;
+  std::uint64_t seed = 0;
+};
+
+using Names = std::vector<std::string>;
+
+/// Sorted, the inseparable twins (contracts section 4) under one name.
+Names compared(Names names) {
+  std::replace(names.begin(), names.end(), std::string("coulomb_asymmetry"), std::string("constant_load"));
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// Outside the catalogue the only right answer is to give no name and to say so.
+bool isRight(const SealedTrial& trial, const Names& truth, const Names& answer, Verdict verdict) {
+  if (!trial.outside.empty()) return verdict == Verdict::outsideCatalogue && answer.empty();
+  if (truth.empty()) return verdict == Verdict::nothingMissing && answer.empty();
+  return compared(truth) == compared(answer);
+}
+
+/// Where writeTrial() put the trial, and where its diagnosis goes.
+DiagnosedFiles filesOf(const SealedTrial& trial, const std::string& folder) {
+  DiagnosedFiles files{folder + "/bench.json", folder + "/diagnosis", {}, {}, 1};
+  for (const Recording& one : trial.recordings) files.recordings.push_back(folder + "/" + one.name());
+  for (const Recording& one : trial.heldout) files.heldout.push_back(folder + "/" + one.name());
+  return files;
+}
+
+Result<void> unseal(const SealedTrial& trial, const Diagnosis& diagnosis, const std::string& folder) {
+  using Json = nlohmann::ordered_json;
+  Names answer, truth;
+  for (const Finding& finding : diagnosis.findings) answer.push_back(finding.effect);
+  Json concealed = Json::array();
+  for (const Concealed& one : trial.truth) {
+    truth.push_back(one.effect);
+    Json values = Json::object();
+    for (const auto& [name, value] : one.parameters) values[name] = value;
+    concealed.push_back({{"effect", one.effect}, {"parameters", values}});
+  }
+  const bool right = isRight(trial, truth, answer, diagnosis.verdict);
+  const Json json{
+      {"schema", "breakaway.trial/1"},
+      {"family", trial.family},
+      {"seed", trial.seed},
+      {"answer", answer},
+      {"truth", truth},
+      {"right", right},
+      {"verdict", nameOf(diagnosis.verdict)},
+      {"outside", trial.outside},
+      {"concealed", concealed},
+      {"diagnosis", std::filesystem::absolute(folder + "/diagnosis/diagnosis.json").lexically_normal().string()}};
+  if (auto done = writeFile(folder + "/trial.json", json.dump(2) + "\n"); !done) return done;
+  std::string words = truth.empty() ? "nothing" : truth.front();
+  for (size_t k = 1; k < truth.size(); ++k) words += ", " + truth[k];
+  std::printf("Concealed was: %s. The answer is %s.\n", words.c_str(), right ? "right" : "wrong");
+  return {};
+}
+
+Result<void> runTrial(const TrialLine& line) {
+  const SealedTrial trial = makeTrial(line.family.empty() ? familyOf(line.seed) : line.family, line.seed);
+  if (auto done = writeTrial(trial, line.out); !done) return done;
+  const auto diagnosis = diagnoseFiles(filesOf(trial, line.out));
+  if (!diagnosis) return diagnosis.error();
+  std::fputs(inWords(*diagnosis).c_str(), stdout);
+  return unseal(trial, *diagnosis, line.out);
+}
+
+}  // namespace
+
+void addTrial(CLI::App& app, Job& chosen) {
+  auto line = std::make_shared<TrialLine>();
+  auto* command = app.add_subcommand(
+      "trial", "Conceal physics in a simulated rig, record it, diagnose from the files alone, and only then unseal");
+  command->add_option("--seed", line->seed, "seed of the rig and of what it conceals")->required();
+  command->add_option("--out", line->out, "folder for bench.json, recordings, the diagnosis and trial.json")
+      ->required();
+  command
+      ->add_option("--family", line->family,
+                   "an effect's name, combination, masked, noisy, weak, low, outside or clean; drawn by default")
+      ->check(CLI::IsMember(trialFamilies()));
+  command->callback([line, &chosen] { chosen = [line] { return runTrial(*line); }; });
+}
+
+}  // namespace breakaway::cli

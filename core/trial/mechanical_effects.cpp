@@ -1,0 +1,82 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "trial/trial_effect_tables.h"
+
+namespace breakaway {
+
+namespace {
+
+using enum TrialMove;
+
+/// Puts a part of the inertia behind a shaft that resonates against its load at `rate_Hz` with the motor held.
+void splitInertia(TrialRig& rig, double share, double rate_Hz, double dampingRatio) {
+  TrialPhysics& p = rig.physics;
+  const double total = p.totalInertia(), w = 2.0 * std::numbers::pi * rate_Hz;
+  p.loadInertia = share * total;
+  p.inertia = total - p.loadInertia;
+  p.shaftStiffness = w * w * p.loadInertia;
+  p.shaftDamping = 2.0 * dampingRatio * w * p.loadInertia;
+}
+
+Concealed backlash(TrialRig& rig, const TrialCourse&, double size, Random& random) {
+  TrialPhysics& p = rig.physics;
+  splitInertia(rig, drawn(random, 0.3, 0.6), drawn(random, 60.0, 120.0), drawn(random, 0.1, 0.3));
+  const double full = rig.axis == Axis::rotary ? 0.06 : 1e-3;
+  p.gap = std::max(8.0 * rig.sensors.count, size * drawnLog(random, 0.4, 1.6) * full);
+  return {"backlash",
+          {{positionNamed("gap", rig), p.gap},
+           {stiffnessNamed("stiffness", rig), p.shaftStiffness},
+           {rig.axis == Axis::rotary ? "load_inertia_kg_m2" : "load_mass_kg", p.loadInertia}}};
+}
+
+/// Larger is softer.
+Concealed compliance(TrialRig& rig, const TrialCourse&, double size, Random& random) {
+  const double rate_Hz = drawnLog(random, 9.0, 30.0) / std::sqrt(size), damping = drawn(random, 0.015, 0.06);
+  splitInertia(rig, drawn(random, 0.3, 0.6), rate_Hz, damping);
+  return {"compliance",
+          {{"antiresonance_rad_per_s", 2.0 * std::numbers::pi * rate_Hz},
+           {"damping_ratio", damping},
+           {rig.axis == Axis::rotary ? "load_inertia_kg_m2" : "load_mass_kg", rig.physics.loadInertia}}};
+}
+
+Concealed endStop(TrialRig& rig, const TrialCourse& course, double size, Random& random) {
+  TrialPhysics& p = rig.physics;
+  const auto [low, high] = std::minmax_element(course.position.begin(), course.position.end());
+  const double reach = *high - *low, inside = drawn(random, 0.04, 0.12);
+  const bool above = random.uniform() < 0.5;
+  p.stops = true;
+  p.lowStop = above ? *low - 100.0 * reach : *low + inside * reach;
+  p.highStop = above ? *high - inside * reach : *high + 100.0 * reach;
+  p.stopStiffness = size * drawn(random, 0.4, 1.2) * rig.peakTorque / (inside * reach);
+  p.stopDamping = 2.0 * drawn(random, 0.05, 0.3) * std::sqrt(p.stopStiffness * p.inertia);
+  return {"end_stop",
+          {{positionNamed("position", rig), above ? p.highStop : p.lowStop},
+           {stiffnessNamed("stiffness", rig), p.stopStiffness}}};
+}
+
+Concealed disturbance(TrialRig& rig, const TrialCourse& course, double size, Random& random) {
+  TrialPhysics& p = rig.physics;
+  const double duration_s = static_cast<double>(course.velocity.size()) * course.row_s;
+  p.disturbance = drawnSign(random) * size * drawn(random, 0.06, 0.18) * rig.peakTorque;
+  p.disturbanceStart_s = drawn(random, 0.15, 0.75) * duration_s;
+  p.disturbanceLength_s = drawnLog(random, 0.8, 4.0);
+  return {"external_disturbance",
+          {{torqueNamed("load", rig), p.disturbance},
+           {"start_s", p.disturbanceStart_s},
+           {"duration_s", p.disturbanceLength_s}}};
+}
+
+}  // namespace
+
+std::vector<TrialEffect> mechanicalEffects() {
+  TrialNeeds any, position;
+  position.positionLoop = true;
+  return {{"backlash", any, {reversals, steps, multisine}, 30.0, backlash},
+          {"compliance", any, {chirp, steps, reversals}, 30.0, compliance},
+          {"end_stop", position, {multisine, steps}, 30.0, endStop},
+          {"external_disturbance", any, {multisine, turns, steps}, 30.0, disturbance}};
+}
+
+}  // namespace breakaway

@@ -1,0 +1,132 @@
+#include "trial/trial_rig.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace breakaway {
+
+namespace {
+
+DriveInput drawInput(const TrialNeeds& needs, Random& random) {
+  if (needs.heldTorque) {
+    return needs.windings || random.uniform() < 0.65 ? DriveInput::current : DriveInput::torque;
+  }
+  if (needs.electrical || needs.currentSeen) return random.uniform() < 0.7 ? DriveInput::voltage : DriveInput::duty;
+  const double u = random.uniform() * (needs.windings ? 0.85 : 1.0);
+  return u < 0.40   ? DriveInput::voltage
+         : u < 0.55 ? DriveInput::duty
+         : u < 0.85 ? DriveInput::current
+                    : DriveInput::torque;
+}
+
+void drawMotor(TrialRig& rig, Random& random) {
+  TrialPhysics& p = rig.physics;
+  const bool rotary = rig.axis == Axis::rotary;
+  rig.peakTorque = rotary ? drawnLog(random, 0.05, 1.6) : drawnLog(random, 6.0, 190.0);
+  rig.topSpeed = rotary ? drawnLog(random, 15.0, 70.0) : drawnLog(random, 0.2, 0.9);
+  rig.supply_V = std::array{12.0, 24.0, 36.0, 48.0}[random.below(4)];
+  p.supply_V = rig.supply_V;
+  p.torqueConstant = drawn(random, 0.35, 0.55) * rig.supply_V / rig.topSpeed;
+  p.resistance_ohm = drawn(random, 0.6, 1.0) * rig.supply_V / rig.peakCurrent_A();
+  p.inductance_H = p.resistance_ohm * drawnLog(random, 0.4e-3, 2e-3);
+  p.inertia = rig.peakTorque * drawnLog(random, 0.04, 0.12) / rig.topSpeed;
+  p.friction.coulomb = rig.peakTorque * drawnLog(random, 0.02, 0.2);
+  p.friction.viscous = rig.peakTorque * drawnLog(random, 0.01, 0.08) / rig.topSpeed;
+  p.processNoise = 2e-4 * rig.peakTorque;
+}
+
+void drawSensors(TrialRig& rig, const TrialNeeds& needs, Random& random) {
+  TrialSensors& s = rig.sensors;
+  constexpr std::array rates{500.0, 1000.0, 1000.0, 1000.0, 1000.0, 2000.0};
+  s.row_s = 1.0 / rates[random.below(rates.size())];
+  const bool coarse = needs.noisy && random.uniform() < 0.5;
+  if (rig.axis == Axis::rotary) {
+    constexpr std::array fine{2000.0, 4000.0, 4096.0, 8192.0, 10000.0, 14400.0, 20000.0};
+    constexpr std::array rough{1000.0, 1024.0};
+    s.countsPerUnit = coarse ? rough[random.below(rough.size())] : fine[random.below(fine.size())];
+    s.count = 2.0 * std::numbers::pi / s.countsPerUnit;
+  } else {
+    constexpr std::array fine{1e5, 2e5, 5e5, 1e6};
+    s.countsPerUnit = coarse ? 4e4 : fine[random.below(fine.size())];
+    s.count = 1.0 / s.countsPerUnit;
+  }
+  s.current = rig.input == DriveInput::current || needs.currentSeen || (rig.electrical() && random.uniform() < 0.5);
+  const double range = 1.5 * rig.peakCurrent_A();
+  s.currentNoise_A = range * (needs.noisy && !coarse ? drawnLog(random, 5e-3, 15e-3) : drawnLog(random, 1e-3, 4e-3));
+  s.currentStep_A = 2.0 * range / (random.uniform() < 0.5 ? 4096.0 : 16384.0);
+  // A drive that holds its own current holds what its sensor shows: an offset there is a constant load, hence material.
+  s.currentOffset_A = rig.electrical() ? range * 1e-3 * drawn(random, -1.0, 1.0) : 0.0;
+}
+
+void drawLoop(TrialRig& rig, const TrialNeeds& needs, Random& random) {
+  TrialLoop& loop = rig.loop;
+  const double u = random.uniform();
+  const bool closed = needs.closedLoop || needs.masked || needs.positionLoop || rig.axis == Axis::linear;
+  const double openShare = closed ? 0.0 : rig.electrical() ? 0.5 : 0.25;
+  if (needs.positionLoop || rig.axis == Axis::linear) {
+    loop.mode = ControlMode::position;
+  } else {
+    loop.mode = u < openShare                              ? ControlMode::openLoop
+                : u < openShare + 0.75 * (1.0 - openShare) ? ControlMode::velocity
+                                                           : ControlMode::position;
+  }
+  loop.bandwidth_rad_per_s = drawn(random, 20.0, 45.0) * (needs.masked ? 1.7 : 1.0);
+  if (needs.masked) loop.observerCutoff_rad_per_s = drawnLog(random, 100.0, 300.0);
+}
+
+}  // namespace
+
+double drawn(Random& random, double low, double high) {
+  return low + (high - low) * random.uniform();
+}
+
+double drawnLog(Random& random, double low, double high) {
+  return low * std::pow(high / low, random.uniform());
+}
+
+double drawnSign(Random& random) {
+  return random.uniform() < 0.5 ? -1.0 : 1.0;
+}
+
+TrialRig drawTrialRig(const TrialNeeds& needs, Random& random) {
+  TrialRig rig;
+  rig.axis = needs.rotary || random.uniform() < 0.8 ? Axis::rotary : Axis::linear;
+  rig.input = drawInput(needs, random);
+  rig.physics.electrical = rig.input == DriveInput::voltage || rig.input == DriveInput::duty;
+  drawMotor(rig, random);
+  drawSensors(rig, needs, random);
+  drawLoop(rig, needs, random);
+  return rig;
+}
+
+Bench believedBench(const TrialRig& rig, Random& random) {
+  const TrialPhysics& p = rig.physics;
+  Bench bench;
+  bench.name = "trial";
+  bench.axis = rig.axis;
+  bench.input = rig.input;
+  bench.countsPerUnit = rig.sensors.countsPerUnit;
+  if (rig.electrical()) bench.supply_V = rig.supply_V;
+  MotorBelief& motor = bench.motor;
+  const MotorNames& names = motorNames(rig.axis);
+  if (rig.input != DriveInput::torque) {
+    motor.torqueConstant = p.torqueConstant;
+    bench.trusted.insert(names.torqueConstant);
+  }
+  if (rig.electrical()) {
+    motor.backEmfConstant = p.torqueConstant;
+    bench.trusted.insert(names.backEmfConstant);
+    motor.resistance_ohm = p.resistance_ohm * drawn(random, 0.9, 1.1);
+    motor.inductance_H = p.inductance_H;
+  }
+  const double inertia = p.totalInertia() * drawn(random, 0.7, 1.3);
+  const double viscous = p.friction.viscous * drawnLog(random, 0.5, 2.0);
+  const double coulomb = p.friction.coulomb * drawnLog(random, 0.5, 2.0);
+  if (random.uniform() < 0.85) motor.inertia = inertia;
+  if (random.uniform() < 0.75) motor.viscous = viscous;
+  if (random.uniform() < 0.75) motor.coulomb = coulomb;
+  return bench;
+}
+
+}  // namespace breakaway
