@@ -29,6 +29,7 @@ int main(int argc, char** argv) {
            cli::addFit,
            cli::addSimulate,
            cli::addDiagnose,
+           cli::addBatch,
            cli::addTrial,
            cli::addImport,
            cli::addExport,

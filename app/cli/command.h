@@ -21,6 +21,7 @@ using AddCommand = void (*)(CLI::App& app, Job& chosen);
 void addFit(CLI::App& app, Job& chosen);
 void addSimulate(CLI::App& app, Job& chosen);
 void addDiagnose(CLI::App& app, Job& chosen);
+void addBatch(CLI::App& app, Job& chosen);
 void addTrial(CLI::App& app, Job& chosen);
 void addImport(CLI::App& app, Job& chosen);
 void addExport(CLI::App& app, Job& chosen);

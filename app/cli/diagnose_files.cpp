@@ -8,12 +8,8 @@
 namespace breakaway::cli {
 
 Result<Diagnosis> diagnoseFiles(const DiagnosedFiles& files) {
-  const auto bench = readBench(files.bench);
-  if (!bench) return bench.error();
-  const auto recordings = readRecordings(files.recordings);
-  if (!recordings) return recordings.error();
-  const auto heldout = readRecordings(files.heldout);
-  if (!heldout) return heldout.error();
+  const auto in = readDiagnosisInputs(files.bench, files.recordings, files.heldout);
+  if (!in) return in.error();
   DiagnoseOptions options;
   options.seed = files.seed;
   if (progressIsWatched()) {
@@ -21,10 +17,10 @@ Result<Diagnosis> diagnoseFiles(const DiagnosedFiles& files) {
       std::fprintf(stderr, "\r\033[K%3.0f %%  %s", 100.0 * part, activity.c_str());
     };
   }
-  auto diagnosis = diagnose(*bench, *recordings, *heldout, options);
+  auto diagnosis = diagnose(in->bench, in->recordings, in->heldout, options);
   if (progressIsWatched()) std::fprintf(stderr, "\r\033[K");
   if (!diagnosis) return diagnosis.error();
-  if (auto done = writeDiagnosisFolder(*diagnosis, *bench, *recordings, *heldout, files.out); !done) {
+  if (auto done = writeDiagnosisFolder(*diagnosis, in->bench, in->recordings, in->heldout, files.out); !done) {
     return done.error();
   }
   return diagnosis;

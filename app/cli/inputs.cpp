@@ -16,6 +16,17 @@ Result<std::vector<Recording>> readRecordings(const std::vector<std::string>& pa
   return recordings;
 }
 
+Result<DiagnosisInputs> readDiagnosisInputs(const std::string& bench, const std::vector<std::string>& recordings,
+                                            const std::vector<std::string>& heldout) {
+  auto rig = readBench(bench);
+  if (!rig) return rig.error();
+  auto learned = readRecordings(recordings);
+  if (!learned) return learned.error();
+  auto proving = readRecordings(heldout);
+  if (!proving) return proving.error();
+  return DiagnosisInputs{std::move(*rig), std::move(*learned), std::move(*proving)};
+}
+
 bool progressIsWatched() {
   return ::isatty(STDERR_FILENO) == 1;
 }

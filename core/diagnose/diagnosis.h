@@ -84,6 +84,8 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
 std::string inWords(const Diagnosis& diagnosis);
 /// The contract's name: nothing_missing, named, ambiguous, outside_catalogue.
 std::string nameOf(Verdict verdict);
+/// The text of diagnosis.json, indented or on one line, without a line end.
+std::string diagnosisJson(const Diagnosis& diagnosis, bool oneLine);
 Result<void> writeDiagnosis(const Diagnosis& diagnosis, const std::string& path);
 
 }  // namespace breakaway

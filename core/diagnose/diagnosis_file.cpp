@@ -85,7 +85,7 @@ std::string inWords(const Diagnosis& d) {
   return out;
 }
 
-Result<void> writeDiagnosis(const Diagnosis& d, const std::string& path) {
+std::string diagnosisJson(const Diagnosis& d, bool oneLine) {
   using Json = nlohmann::ordered_json;
   Json json{{"schema", "breakaway.diagnosis/1"}, {"verdict", nameOf(d.verdict)}};
   json["findings"] = Json::array();
@@ -125,7 +125,11 @@ Result<void> writeDiagnosis(const Diagnosis& d, const std::string& path) {
   json["remarks"] = d.remarks;
   json["named_s"] = d.named_s;
   json["elapsed_s"] = d.elapsed_s;
-  return writeFile(path, json.dump(2) + "\n");
+  return json.dump(oneLine ? -1 : 2, ' ', false, Json::error_handler_t::replace);
+}
+
+Result<void> writeDiagnosis(const Diagnosis& diagnosis, const std::string& path) {
+  return writeFile(path, diagnosisJson(diagnosis, false) + "\n");
 }
 
 }  // namespace breakaway

@@ -1,7 +1,7 @@
 #include <QTest>
-#include <cmath>
 
 #include "house/program.h"
+#include "house/pushed_mass.h"
 #include "support/temporary.h"
 
 using namespace breakaway::test;
@@ -17,24 +17,6 @@ class TestBadInput : public QObject {
 };
 
 using Files = QMap<QString, QByteArray>;
-
-static QByteArray bench(const char* motor = R"("mass_kg": 95)") {
-  return QByteArray(R"({"schema": "breakaway.bench/1", "axis": "linear", "drive": {"input": "force_N"}, "motor": {)") +
-         motor + "}}";
-}
-
-/// Rows of a mass that is pushed to and fro, `position` in place of row 100's position.
-static QByteArray recording(int rows = 5000, const QByteArray& position = {},
-                            const QByteArray& header = "time_s,position_m,force_N") {
-  QByteArray text = header + "\n";
-  for (int k = 0; k < rows; ++k) {
-    const double t = 1e-3 * k, x = 0.01 * std::sin(6.0 * t),
-                 force = -95.0 * 0.36 * std::sin(6.0 * t) + 20.0 * (std::cos(6.0 * t) > 0 ? 1 : -1);
-    text += QByteArray::number(t) + "," + (k == 99 && !position.isEmpty() ? position : QByteArray::number(x, 'g', 9)) +
-            "," + QByteArray::number(force, 'g', 9) + "\n";
-  }
-  return text;
-}
 
 static QByteArray noNumbers() {
   QByteArray text = "time_s,position_m,force_N\n";
@@ -55,33 +37,48 @@ void TestBadInput::badInput_getsOneLineAndStatus2_data() {
   };
   for (const char* words : {fit, diagnose}) {
     const auto ofRecording = [&](const char* name, const QByteArray& text, const char* line) {
-      row(name, words, {{"b.json", bench()}, {"r.csv", text}}, line);
+      row(name, words, {{"b.json", pushedMassBench()}, {"r.csv", text}}, line);
     };
-    ofRecording("missing column", recording(5000, {}, "time_s,position_m,effort"), "r.csv: has no column force_N");
+    ofRecording("missing column", pushedMassRecording(5000, {}, "time_s,position_m,effort"),
+                "r.csv: has no column force_N");
     ofRecording("time stands still", "time_s,position_m,force_N\n0,0,0\n0.1,0,0\n0.1,0,0\n",
                 "r.csv, row 3, column time_s: 0.1 does not increase");
-    ofRecording("text in a number", recording(5000, "abc"),
+    ofRecording("text in a number", pushedMassRecording(5000, "abc"),
                 "r.csv, row 100, column position_m: expected a finite number, found \"abc\"");
     ofRecording("empty file", "", "r.csv: is empty");
     ofRecording("no numbers", noNumbers(), "r.csv");
-    ofRecording("too short", recording(5), "r.csv");
+    ofRecording("too short", pushedMassRecording(5), "r.csv");
     const auto ofBench = [&](const char* name, const QByteArray& text, const char* line) {
-      row(name, words, {{"b.json", text}, {"r.csv", recording()}}, line);
+      row(name, words, {{"b.json", text}, {"r.csv", pushedMassRecording()}}, line);
     };
-    ofBench("wrong unit", bench(R"("viscous_Nm_s_per_rad": 1)"),
+    ofBench("wrong unit", pushedMassBench(R"("viscous_Nm_s_per_rad": 1)"),
             "b.json, field motor.viscous_Nm_s_per_rad: is an unknown field, did you mean viscous_N_s_per_m?");
-    ofBench("negative inertia", bench(R"("mass_kg": -1)"),
+    ofBench("negative inertia", pushedMassBench(R"("mass_kg": -1)"),
             "b.json, field motor.mass_kg: expected a positive number, found the number -1");
-    ofBench("unknown field", bench(R"("couloomb_N": 1)"),
+    ofBench("unknown field", pushedMassBench(R"("couloomb_N": 1)"),
             "b.json, field motor.couloomb_N: is an unknown field, did you mean coulomb_N?");
     ofBench("no JSON", "{\n]", "b.json, line 2: is not valid JSON");
-    row("no such recording", words, {{"b.json", bench()}}, "r.csv: cannot be read");
-    row("no such bench", words, {{"r.csv", recording()}}, "b.json: cannot be read");
+    row("no such recording", words, {{"b.json", pushedMassBench()}}, "r.csv: cannot be read");
+    row("no such bench", words, {{"r.csv", pushedMassRecording()}}, "b.json: cannot be read");
   }
   row("no such effect", "fit --bench b.json --recording r.csv --effects stribek --out m.json",
-      {{"b.json", bench()}, {"r.csv", recording()}}, "stribek");
-  row("no model", "simulate --model m.json --recording r.csv --out s.csv", {{"m.json", "{}"}, {"r.csv", recording()}},
-      "m.json");
+      {{"b.json", pushedMassBench()}, {"r.csv", pushedMassRecording()}}, "stribek");
+  const auto ofManifest = [&](const char* name, const QByteArray& text, const char* line) {
+    row(name, "batch l.jsonl --out results.jsonl", {{"l.jsonl", text}}, line);
+  };
+  const QByteArray entry = R"({"id": "a", "bench": "b.json", "recordings": ["r.csv"]})";
+  ofManifest("no JSON in the list", entry + "\n{]\n", "l.jsonl, line 2: is not valid JSON");
+  ofManifest("no id", R"({"bench": "b.json", "recordings": ["r.csv"]})", "l.jsonl, line 1: has no field id");
+  ofManifest("an id twice", entry + "\n\n" + entry, "l.jsonl, line 3: has the id \"a\" once more");
+  ofManifest("no bench in the list", R"({"id": 7, "recordings": ["r.csv"]})", "l.jsonl, line 1, field bench");
+  ofManifest("recordings no list", R"({"id": 7, "bench": "b.json", "recordings": "r.csv"})",
+             "l.jsonl, line 1, field recordings");
+  row("shard beyond", "batch l.jsonl --out results.jsonl --shard 3/2", {{"l.jsonl", entry}}, "--shard: expected I/N");
+  row("results that are none", "batch l.jsonl --out results.jsonl", {{"l.jsonl", entry}, {"results.jsonl", "mine\n"}},
+      "results.jsonl, line 1: is not valid JSON");
+  row("no list", "batch l.jsonl --out results.jsonl", {}, "l.jsonl: cannot be read");
+  row("no model", "simulate --model m.json --recording r.csv --out s.csv",
+      {{"m.json", "{}"}, {"r.csv", pushedMassRecording()}}, "m.json");
   row("MATLAB file cut short", "import r.mat --out r.csv",
       {{"r.mat", QByteArray("MATLAB 5.0 MAT-file").leftJustified(124, ' ') +
                      QByteArray("\x00\x01IM\x0f\x00\x00\x00\xff\xff\x00\x00", 12)}},
@@ -117,8 +114,8 @@ void TestBadInput::badInput_getsOneLineAndStatus2() {
 
 void TestBadInput::goodInput_isAccepted() {
   const TemporaryFolder folder;
-  folder.write("b.json", bench().toStdString());
-  folder.write("r.csv", recording().toStdString());
+  folder.write("b.json", pushedMassBench().toStdString());
+  folder.write("r.csv", pushedMassRecording().toStdString());
   const Outcome outcome =
       run(builtProgram("breakaway"), QString(fit).split(' '), QString::fromStdString(folder.path()));
   QVERIFY2(outcome.status == 0 && outcome.err.isEmpty(), qPrintable(outcome.err));

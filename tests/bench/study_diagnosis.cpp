@@ -1,0 +1,156 @@
+// The diagnosis on sealed trials, scored against the truth, beside two baselines. Resumable: one line per trial.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "base/atomic_file.h"
+#include "base/line_log.h"
+#include "base/shard.h"
+#include "bench/regression_baselines.h"
+#include "score/identifiability.h"
+#include "score/scored_seeds.h"
+#include "score/scoring.h"
+#include "trial/sealed_trial.h"
+
+using namespace breakaway;
+
+namespace {
+
+struct Options {
+  std::string results, shard = "1/1";
+  std::vector<std::string> families;
+  size_t count = 0;
+  bool tuning = false, printOnly = false;
+
+  SeedRange seeds() const { return tuning ? tuningSeeds : scoredSeeds; }
+};
+
+struct Job {
+  std::string family;
+  std::uint64_t seed = 0;
+  auto operator<=>(const Job&) const = default;
+};
+
+size_t runsOf(const std::string& family) {
+  if (family == "clean") return 300;
+  for (const char* many : {"combination", "masked", "noisy", "weak", "low", "outside"}) {
+    if (family == many) return 60;
+  }
+  return 20;
+}
+
+/// All trials, one of each family before the second of any, so that a part of them is a fair sample.
+std::vector<Job> jobsOf(const Options& options) {
+  std::vector<Job> jobs;
+  const auto runs = [&options](const std::string& family) {
+    return options.count > 0 ? options.count : runsOf(family);
+  };
+  size_t most = 0;
+  for (const std::string& family : options.families) most = std::max(most, runs(family));
+  for (size_t k = 0; k < most; ++k) {
+    for (const std::string& family : options.families) {
+      if (k < runs(family)) jobs.push_back({family, options.seeds().first + k});
+    }
+  }
+  return jobs;
+}
+
+ScoredTrial scoredTrial(const Job& job) {
+  const SealedTrial trial = makeTrial(job.family, job.seed);
+  ScoredTrial scored = judge(trial, diagnose(trial.bench, trial.recordings, trial.heldout, {}));
+  if (const auto prepared = prepare(trial.bench, trial.recordings, trial.heldout, 0.5, false)) {
+    const test::TorqueColumns columns = test::torqueColumns(*prepared);
+    scored.stepwise = test::stepwiseNames(columns);
+    scored.thresholded = test::thresholdedNames(columns);
+  }
+  const auto shown = identifiability(trial);
+  if (!shown) {
+    scored.unidentified = shown.error().message();
+    return scored;
+  }
+  scored.identifiable = shown->identifiable();
+  scored.size = shown->floor > 0.0 ? shown->base / shown->floor : 0.0;
+  scored.achievable = shown->truth;
+  return scored;
+}
+
+Result<std::vector<ScoredTrial>> readScored(const Options& options) {
+  const auto lines = readWholeLines(options.results);
+  if (!lines) return lines.error();
+  std::vector<ScoredTrial> trials;
+  for (size_t k = 0; k < lines->size(); ++k) {
+    auto trial = parseScoredLine((*lines)[k], options.results + ", line " + std::to_string(k + 1));
+    if (!trial) return trial.error();
+    const auto& wanted = options.families;
+    if (options.seeds().holds(trial->seed) && std::find(wanted.begin(), wanted.end(), trial->family) != wanted.end())
+      trials.push_back(std::move(*trial));
+  }
+  return trials;
+}
+
+Result<void> run(const Options& options) {
+  const auto shard = parseShard(options.shard);
+  if (!shard) return shard.error();
+  const auto done = readScored(options);
+  if (!done) return done.error();
+  std::set<Job> finished;
+  for (const ScoredTrial& trial : *done) finished.insert({trial.family, trial.seed});
+  const auto folder = std::filesystem::path(options.results).parent_path();
+  if (!folder.empty()) {
+    if (auto made = makeFolder(folder.string()); !made) return made;
+  }
+  const auto jobs = jobsOf(options);
+  for (size_t k = 0; k < jobs.size(); ++k) {
+    if (!shard->holds(k) || finished.contains(jobs[k])) continue;
+    const ScoredTrial trial = scoredTrial(jobs[k]);
+    if (auto written = appendLine(options.results, scoredLine(trial)); !written) return written;
+    std::fprintf(stderr, "%zu of %zu: %s %llu: %s%s%s, %.1f s\n", k + 1, jobs.size(), trial.family.c_str(),
+                 static_cast<unsigned long long>(trial.seed), trial.verdict.c_str(), trial.answer.empty() ? "" : " ",
+                 trial.answer.empty() ? trial.error.c_str() : trial.answer.front().effect.c_str(), trial.elapsed_s);
+  }
+  return {};
+}
+
+Result<void> print(const Options& options) {
+  const auto trials = readScored(options);
+  if (!trials) return trials.error();
+  const auto all = jobsOf(options);
+  std::printf("%zu of %zu trials, %s seeds\n\n", trials->size(), all.size(), options.tuning ? "tuning" : "scored");
+  size_t undecided = 0;
+  for (const ScoredTrial& trial : *trials) undecided += trial.unidentified.empty() ? 0 : 1;
+  if (undecided > 0)
+    std::printf("%zu trials count as not identifiable because the truth could not be fitted\n\n", undecided);
+  const std::vector<Score> scores{scoreOf(*trials, Method::diagnosis), scoreOf(*trials, Method::stepwise),
+                                  scoreOf(*trials, Method::thresholded)};
+  std::printf("%s\n%s", familyTable(scores.front()).c_str(), totalsTable(scores).c_str());
+  return {};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app{"The diagnosis on sealed trials, scored against the truth", "study_diagnosis"};
+  app.add_option("--results", options.results,
+                 "file that scored trials are appended to; build/bench/diagnosis-scored.jsonl, or -tuning.jsonl");
+  app.add_option("--families", options.families, "A,B,...: only these families of trials")
+      ->delimiter(',')
+      ->check(CLI::IsMember(trialFamilies()));
+  app.add_option("--count", options.count, "trials per family in place of 20, 60 or 300");
+  app.add_option("--shard", options.shard, "I/N: only every N-th trial, beginning with the I-th");
+  app.add_flag("--tuning", options.tuning, "on the tuning seeds");
+  app.add_flag("--print-only", options.printOnly, "prints the table of what is in the file");
+  CLI11_PARSE(app, argc, argv);
+  if (options.families.empty()) options.families = trialFamilies();
+  if (options.results.empty())
+    options.results = std::string("build/bench/diagnosis-") + (options.tuning ? "tuning" : "scored") + ".jsonl";
+  Result<void> done = options.printOnly ? Result<void>() : run(options);
+  if (done) done = print(options);
+  if (done) return 0;
+  std::fprintf(stderr, "study_diagnosis: %s\n", done.error().message().c_str());
+  return 2;
+}

@@ -1,0 +1,79 @@
+#include <QTest>
+#include <iterator>
+#include <span>
+
+#include "score/scored_seeds.h"
+#include "score/scoring.h"
+#include "trial/sealed_trial.h"
+
+using namespace breakaway;
+
+/// A few sealed trials on tuning seeds, with bounds that a broken search breaks. The full table is
+/// `./dev bench diagnosis`.
+class TestDiagnosisQuick : public QObject {
+  Q_OBJECT
+ private slots:
+  void easyEffects_areNamed();
+  void cleanPlants_raiseNoAlarm();
+  void physicsOutsideTheCatalogue_getsNoName();
+};
+
+struct Quick {
+  const char* family;
+  std::uint64_t seed;
+};
+
+constexpr Quick easy[]{
+    {"constant_load", 1}, {"viscous_asymmetry", 1}, {"stribeck", 1},        {"quadratic_drag", 1},
+    {"imbalance", 1},     {"cogging", 1},           {"friction_warmup", 1}, {"position_dependent_friction", 1}};
+constexpr size_t leastRight = 6;
+constexpr size_t mostWrongExtras = 4;
+constexpr Quick clean[]{{"clean", 1}, {"clean", 2}};
+constexpr Quick outside[]{{"outside", 1}, {"outside", 2}};
+constexpr size_t mostNamedOutside = 1;
+
+static ScoredTrial diagnosed(const Quick& quick) {
+  if (!tuningSeeds.holds(quick.seed)) qFatal("scored seeds are not for tests");
+  const SealedTrial trial = makeTrial(quick.family, quick.seed);
+  const ScoredTrial scored = judge(trial, diagnose(trial.bench, trial.recordings, trial.heldout, {}));
+  std::string names;
+  for (const ScoredName& one : scored.answer) names += " " + one.effect;
+  qInfo("%s, seed %llu, %.1f s: %s%s%s; error %.3g before, %.3g after, floor %.3g", quick.family,
+        static_cast<unsigned long long>(quick.seed), scored.elapsed_s, scored.verdict.c_str(), names.c_str(),
+        scored.error.c_str(), scored.before, scored.after, scored.floor);
+  return scored;
+}
+
+static Score scored(std::span<const Quick> quicks) {
+  std::vector<ScoredTrial> trials;
+  for (const Quick& quick : quicks) {
+    trials.push_back(diagnosed(quick));
+    trials.back().identifiable = true;  // that is how the seeds were chosen
+  }
+  return scoreOf(trials, Method::diagnosis);
+}
+
+void TestDiagnosisQuick::easyEffects_areNamed() {
+  const Score score = scored(easy);
+  QCOMPARE(score.firstName.runs, std::size(easy));
+  QVERIFY2(score.firstName.hits >= leastRight, qPrintable(QString::number(score.firstName.hits)));
+  QVERIFY2(score.wrongExtras <= mostWrongExtras, qPrintable(QString::number(score.wrongExtras)));
+  for (const FamilyScore& family : score.families) QCOMPARE(family.failed, size_t(0));
+}
+
+void TestDiagnosisQuick::cleanPlants_raiseNoAlarm() {
+  const Score score = scored(clean);
+  QCOMPARE(score.falseAlarms.runs, std::size(clean));
+  QCOMPARE(score.falseAlarms.hits, size_t(0));
+  QCOMPARE(score.families.front().failed, size_t(0));
+}
+
+void TestDiagnosisQuick::physicsOutsideTheCatalogue_getsNoName() {
+  const Score score = scored(outside);
+  QCOMPARE(score.outsideNamed.runs, std::size(outside));
+  QVERIFY2(score.outsideNamed.hits <= mostNamedOutside, qPrintable(QString::number(score.outsideNamed.hits)));
+  QCOMPARE(score.families.front().failed, size_t(0));
+}
+
+QTEST_APPLESS_MAIN(TestDiagnosisQuick)
+#include "tst_diagnosis_quick.moc"
