@@ -8,7 +8,7 @@
 #include "diagnose/fit/windowed_fit.h"
 #include "diagnose/noise_floor.h"
 #include "diagnose/preparation.h"
-#include "diagnose/search.h"
+#include "diagnose/search/search.h"
 #include "score/scored_trial.h"
 
 namespace breakaway {
@@ -79,8 +79,8 @@ Result<Identifiability> identifiability(const SealedTrial& trial) {
                           .seed = 1,
                           .stop = {},
                           .progress = {},
-                          .windowWeights = {},
-                          .training = prepared->training};
+                          .named = {},
+                          .windowWeights = {}};
   const auto& windows = prepared->split.heldoutScore;
   const auto errorsOf = [&](const Model& model) { return scoreWindows(model, prepared->tracks, windows); };
   const auto fittedBase = fitNamed(input, prepared->starts, {});
