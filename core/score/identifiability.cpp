@@ -50,10 +50,11 @@ std::vector<Names> rivalsOf(const Names& truth) {
   return rivals;
 }
 
-/// How much worse `rival` is, window by window, in standard errors of the mean.
+/// How much worse `rival` is, window by window, in standard errors of the mean. Compared are the windows' RMSE: single
+/// windows would rule the squares.
 double standardErrorsWorse(const std::vector<double>& rival, const std::vector<double>& truth) {
   std::vector<double> loss(truth.size());
-  for (size_t k = 0; k < loss.size(); ++k) loss[k] = rival[k] - truth[k];
+  for (size_t k = 0; k < loss.size(); ++k) loss[k] = std::sqrt(rival[k]) - std::sqrt(truth[k]);
   const auto n = static_cast<double>(loss.size());
   const double middle = mean(loss), squares = rms(loss) * rms(loss) - middle * middle;
   const double error = std::sqrt(std::max(squares, 0.0) / std::max(1.0, n - 1.0));

@@ -43,7 +43,7 @@ struct ScoredTrial {
   bool agrees = false;          ///< those names are the final ones
   // From the truth, see identifiability.h:
   bool identifiable = false;
-  double size = 0.0;         ///< error of the base model over the floor
+  double size = 0.0;         ///< error of the base model over the floor; 0: not known
   double achievable = 0.0;   ///< error of the true model, refitted; 0: not known
   std::string unidentified;  ///< why identifiability could not be decided
   // Names that the baselines gave, in order of importance:

@@ -90,7 +90,7 @@ void countConcealed(Score& score, const ScoredTrial& trial, const Marks& marks, 
   if (trial.family == "noisy") score.wrongNoisy.count(marks.wrong);
   if (trial.family == "low") score.wrongLow.count(marks.wrong);
   for (SizeBin& bin : score.recall) {
-    if (trial.size < bin.from || trial.size >= bin.to) continue;
+    if (trial.size <= 0.0 || trial.size < bin.from || trial.size >= bin.to) continue;  // 0: not known
     bin.found.hits += marks.right;
     bin.found.runs += truth.size();
   }
