@@ -49,7 +49,7 @@ Concealed endStop(TrialRig& rig, const TrialCourse& course, double size, Random&
   p.stops = true;
   p.lowStop = above ? *low - 100.0 * reach : *low + inside * reach;
   p.highStop = above ? *high - inside * reach : *high + 100.0 * reach;
-  p.stopStiffness = size * drawn(random, 0.4, 1.2) * rig.peakTorque / (inside * reach);
+  p.stopStiffness = std::max(0.4, size) * drawn(random, 0.4, 1.2) * rig.peakTorque / (inside * reach);
   p.stopDamping = 2.0 * drawn(random, 0.05, 0.3) * std::sqrt(p.stopStiffness * p.inertia);
   return {"end_stop",
           {{positionNamed("position", rig), above ? p.highStop : p.lowStop},
@@ -71,10 +71,10 @@ Concealed disturbance(TrialRig& rig, const TrialCourse& course, double size, Ran
 }  // namespace
 
 std::vector<TrialEffect> mechanicalEffects() {
-  TrialNeeds any, position;
-  position.positionLoop = true;
-  return {{"backlash", any, {reversals, steps, multisine}, 30.0, backlash},
-          {"compliance", any, {chirp, steps, reversals}, 30.0, compliance},
+  TrialNeeds any, shaft, position;
+  position.positionLoop = position.noPendulum = shaft.noPendulum = true;
+  return {{"backlash", shaft, {reversals, steps, multisine}, 30.0, backlash},
+          {"compliance", shaft, {chirp, steps, reversals}, 30.0, compliance},
           {"end_stop", position, {multisine, steps}, 30.0, endStop},
           {"external_disturbance", any, {multisine, turns, steps}, 30.0, disturbance}};
 }

@@ -75,6 +75,7 @@ double TrialPlant::torqueOfMotor(double torque) const {
 double TrialPlant::loadTorque(double position, double velocity) const {
   const TrialPhysics& p = physics_;
   double load = p.constantLoad - valueOf(p.imbalance, position) - valueOf(p.cogging, position) - noise_ - wander_;
+  if (p.gravityTorque > 0.0) load += p.gravityTorque * std::sin(position - p.downAngle_rad);
   if (p.stops) {
     const double beyond = position > p.highStop  ? position - p.highStop
                           : position < p.lowStop ? position - p.lowStop

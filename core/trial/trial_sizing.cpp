@@ -21,6 +21,8 @@ TrialPhysics basePhysics(const TrialRig& rig, const VectorXd& logs) {
   base.torqueConstant = p.torqueConstant;
   base.inductance_H = p.inductance_H;
   base.inertia = p.totalInertia() * std::exp(logs[0]);
+  base.gravityTorque = p.gravityTorque;
+  base.downAngle_rad = p.downAngle_rad;
   base.friction.viscous = p.friction.viscous * std::exp(logs[1]);
   base.friction.coulomb = p.friction.coulomb * std::exp(logs[2]);
   base.resistance_ohm = p.resistance_ohm * (p.electrical ? std::exp(logs[3]) : 1.0);
