@@ -156,7 +156,7 @@ std::optional<TrialCourse> secondCourse(const TrialRig& rig, const std::vector<T
   };
   for (int attempt = 0; attempt < 30; ++attempt) {
     TrialCourse course = drawCourse(rig, moves, drawn(random, 20.0, 30.0), random);
-    if (!p.stops || (beyond(course) > 0.2 * beyond(first) && beyond(course) < 1.3 * beyond(first))) return course;
+    if (!p.stops || (beyond(course) > 0.3 * beyond(first) && beyond(course) < 1.6 * beyond(first))) return course;
   }
   return std::nullopt;
 }

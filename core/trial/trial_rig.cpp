@@ -113,6 +113,7 @@ TrialRig drawTrialRig(const TrialNeeds& needs, Random& random) {
   if (rig.axis == Axis::rotary && !needs.noPendulum && random.uniform() < 0.1) hangPendulum(rig, random);
   drawSensors(rig, needs, random);
   drawLoop(rig, needs, random);
+  rig.shortTravel = needs.positionLoop || rig.axis == Axis::linear;
   return rig;
 }
 

@@ -42,8 +42,9 @@ struct TrialRig {
   TrialLoop loop;
   std::optional<Pendulum> pendulum;  ///< its inertia is part of the physics' whole
   double supply_V = 24.0;
-  double peakTorque = 1.0;  ///< Nm or N that the drive gives for short
-  double topSpeed = 1.0;    ///< rad/s or m/s that the course uses at most
+  double peakTorque = 1.0;   ///< Nm or N that the drive gives for short
+  double topSpeed = 1.0;     ///< rad/s or m/s that the course uses at most
+  bool shortTravel = false;  ///< the course keeps coming back to where it began
 
   bool electrical() const { return physics.electrical; }
   double peakCurrent_A() const { return peakTorque / physics.torqueConstant; }
