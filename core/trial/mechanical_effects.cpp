@@ -45,7 +45,7 @@ Concealed compliance(TrialRig& rig, const TrialCourse&, double size, Random& ran
 /// Larger stands further in the way.
 Concealed endStop(TrialRig& rig, const TrialCourse& course, double size, Random& random) {
   TrialPhysics& p = rig.physics;
-  const double beyond = size * drawn(random, 0.03, 0.08);  // part of the course that the stop cuts off
+  const double beyond = size * drawn(random, 0.012, 0.035);  // part of the course that the stop cuts off
   const double low = quantile(course.position, beyond), high = quantile(course.position, 1.0 - beyond);
   const double give = drawnLog(random, 0.1, 0.4) * (rig.axis == Axis::rotary ? 1.0 : 0.015);  // rad or m at peak torque
   const bool above = random.uniform() < 0.5;

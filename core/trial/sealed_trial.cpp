@@ -117,16 +117,16 @@ double drawCost(const std::string& family, Random& random) {
   return family == "weak" ? drawnLog(random, 1.8, 3.0) : drawnLog(random, 4.0, 12.0);
 }
 
-/// Whether it moves the motor otherwise than the drive input says; what merely shows in the current doesn't.
-bool showsInMotion(const TrialEffect& effect) {
-  return effect.name != "current_sensor_offset" && effect.name != "channel_skew";
+/// Not sized: what merely shows in the current, and a stop, which is in the way or isn't.
+bool isSized(const TrialEffect& effect) {
+  return effect.name != "current_sensor_offset" && effect.name != "channel_skew" && effect.name != "end_stop";
 }
 
 /// The size at which leaving the effect out costs `cost` floors, tried out on the rig and course; the same draws follow
 /// for every size.
 double sizeFor(const TrialEffect& effect, const TrialRig& rig, const TrialCourse& course, double cost, double smallest,
                std::uint64_t seed) {
-  if (!showsInMotion(effect)) return 1.0;
+  if (!isSized(effect)) return 1.0;
   double size = 1.0, lastSize = 0.0, lastCost = 0.0, power = 1.0;  // cost grows as size to this power
   for (int round = 0; round < 3; ++round) {
     TrialRig tried = rig;
