@@ -169,8 +169,12 @@ void TrialPlant::slide(double drive, double level, double holding) {
   const double after = velocity_ + step_s_ * acceleration_;
   double moved = 0.5 * step_s_ * (velocity_ + after);
   if (velocity_ * after < 0.0 || (after == 0.0 && velocity_ != 0.0)) {  // it comes to rest within the step
+    const double remaining_s = step_s_ + velocity_ / acceleration_;
     moved = -0.5 * velocity_ * velocity_ / acceleration_;
-    velocity_ = acceleration_ = 0.0;
+    const bool reverses = drive * direction < 0.0 && std::abs(drive) > holding;
+    acceleration_ = reverses ? (drive + direction * level) / physics_.inertia : 0.0;
+    velocity_ = acceleration_ * remaining_s;
+    moved += 0.5 * velocity_ * remaining_s;
   } else {
     velocity_ = after;
   }
