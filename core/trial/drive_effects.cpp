@@ -46,26 +46,20 @@ Concealed eccentricity(TrialRig& rig, const TrialCourse&, double size, Random& r
 
 /// Clips or slows down the drive below what the course asks of it.
 Concealed commandSaturation(TrialRig& rig, const TrialCourse& course, double size, Random& random) {
-  const Recording unlimited = recordTrial(rig, course, "unlimited", random.bits());
-  std::vector<double> heights;
-  for (const Channel& channel : unlimited.channels()) {
-    const bool drives =
-        rig.input == DriveInput::current ? channel.name == "current_A" : &channel == &unlimited.channels().back();
-    if (drives) heights = channel.values;
-  }
+  TrialTrace unlimited;
+  (void)recordTrial(rig, course, "unlimited", random.bits(), &unlimited);
+  std::vector<double> heights = unlimited.input;
   for (double& height : heights) height = std::abs(height);
-  const double inPlant = rig.input == DriveInput::current ? rig.physics.torqueConstant
-                         : rig.input == DriveInput::duty  ? rig.supply_V
-                                                          : 1.0;
-  const double peak = quantile(heights, 0.995);
+  const double peak = quantile(heights, 0.995);  // V or Nm
+  const double perInput = rig.input == DriveInput::current ? rig.physics.torqueConstant
+                          : rig.input == DriveInput::duty  ? rig.supply_V
+                                                           : 1.0;
   if (random.uniform() < 0.3) {
-    const double slew = 2.0 * peak / (size * drawn(random, 0.01, 0.03));
-    rig.physics.inputSlewPerS = slew * inPlant;
-    return {"command_saturation", {{"slew_per_s", slew}}};
+    rig.physics.inputSlewPerS = 2.0 * peak / (size * drawn(random, 0.01, 0.03));
+    return {"command_saturation", {{"slew_per_s", rig.physics.inputSlewPerS / perInput}}};
   }
-  const double limit = peak * (1.0 - 0.5 * std::min(1.9, size * drawn(random, 0.6, 1.0)));
-  rig.physics.inputLimit = limit * inPlant;
-  return {"command_saturation", {{"limit", limit}}};
+  rig.physics.inputLimit = peak * (1.0 - 0.5 * std::min(1.9, size * drawn(random, 0.6, 1.0)));
+  return {"command_saturation", {{"limit", rig.physics.inputLimit / perInput}}};
 }
 
 Concealed transportDelay(TrialRig& rig, const TrialCourse&, double size, Random& random) {
@@ -82,7 +76,7 @@ Concealed channelSkew(TrialRig& rig, const TrialCourse&, double size, Random& ra
 
 std::vector<TrialEffect> driveEffects() {
   TrialNeeds any, electrical, seen, rotary;
-  electrical.electrical = seen.currentSeen = rotary.rotary = true;
+  electrical.electrical = seen.currentSeen = rotary.rotary = rotary.noPendulum = true;
   return {{"dead_time", electrical, {ramps, reversals, multisine}, 30.0, deadTime},
           {"current_sensor_offset", seen, {multisine, turns, rests}, 30.0, currentOffset},
           {"winding_heating", electrical, {heavy, heavy, multisine, heavy, idle}, 60.0, windingHeating},

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/statistics.h"
 #include "trial/trial_effect_tables.h"
 
 namespace breakaway {
@@ -41,15 +42,17 @@ Concealed compliance(TrialRig& rig, const TrialCourse&, double size, Random& ran
            {rig.axis == Axis::rotary ? "load_inertia_kg_m2" : "load_mass_kg", rig.physics.loadInertia}}};
 }
 
+/// Larger stands further in the way.
 Concealed endStop(TrialRig& rig, const TrialCourse& course, double size, Random& random) {
   TrialPhysics& p = rig.physics;
-  const auto [low, high] = std::minmax_element(course.position.begin(), course.position.end());
-  const double reach = *high - *low, inside = drawn(random, 0.04, 0.12);
+  const double beyond = size * drawn(random, 0.012, 0.035);  // part of the course that the stop cuts off
+  const double low = quantile(course.position, beyond), high = quantile(course.position, 1.0 - beyond);
+  const double give = drawnLog(random, 0.1, 0.4) * (rig.axis == Axis::rotary ? 1.0 : 0.015);  // rad or m at peak torque
   const bool above = random.uniform() < 0.5;
   p.stops = true;
-  p.lowStop = above ? *low - 100.0 * reach : *low + inside * reach;
-  p.highStop = above ? *high - inside * reach : *high + 100.0 * reach;
-  p.stopStiffness = size * drawn(random, 0.4, 1.2) * rig.peakTorque / (inside * reach);
+  p.lowStop = above ? low - 1e3 * (high - low) : low;
+  p.highStop = above ? high : high + 1e3 * (high - low);
+  p.stopStiffness = rig.peakTorque / give;
   p.stopDamping = 2.0 * drawn(random, 0.05, 0.3) * std::sqrt(p.stopStiffness * p.inertia);
   return {"end_stop",
           {{positionNamed("position", rig), above ? p.highStop : p.lowStop},
@@ -71,10 +74,10 @@ Concealed disturbance(TrialRig& rig, const TrialCourse& course, double size, Ran
 }  // namespace
 
 std::vector<TrialEffect> mechanicalEffects() {
-  TrialNeeds any, position;
-  position.positionLoop = true;
-  return {{"backlash", any, {reversals, steps, multisine}, 30.0, backlash},
-          {"compliance", any, {chirp, steps, reversals}, 30.0, compliance},
+  TrialNeeds any, shaft, position;
+  position.positionLoop = position.noPendulum = shaft.noPendulum = true;
+  return {{"backlash", shaft, {reversals, steps, multisine}, 30.0, backlash},
+          {"compliance", shaft, {chirp, steps, reversals}, 30.0, compliance},
           {"end_stop", position, {multisine, steps}, 30.0, endStop},
           {"external_disturbance", any, {multisine, turns, steps}, 30.0, disturbance}};
 }

@@ -58,7 +58,7 @@ const std::vector<Names> combinations{{"stribeck", "cogging"},
                                       {"coulomb_asymmetry", "cogging", "external_disturbance"}};
 
 /// Below the first an effect would be too small to be called physics, above the second too large to be true.
-constexpr double smallestSize = 0.06, largestSize = 2.0;
+constexpr double smallestSize = 0.06, smallestWeakSize = 0.02, largestSize = 2.0;
 
 template <typename T>
 const T& oneOf(const std::vector<T>& all, Random& random) {
@@ -86,6 +86,7 @@ TrialNeeds needsOf(const std::string& family, const std::vector<const TrialEffec
     needs.heldTorque |= own.heldTorque;
     needs.currentSeen |= own.currentSeen;
     needs.rotary |= own.rotary;
+    needs.noPendulum |= own.noPendulum;
     needs.positionLoop |= own.positionLoop;
   }
   needs.masked = family == "masked";
@@ -116,16 +117,16 @@ double drawCost(const std::string& family, Random& random) {
   return family == "weak" ? drawnLog(random, 1.8, 3.0) : drawnLog(random, 4.0, 12.0);
 }
 
-/// Whether it moves the motor otherwise than the drive input says; what merely shows in the current doesn't.
-bool showsInMotion(const TrialEffect& effect) {
-  return effect.name != "current_sensor_offset" && effect.name != "channel_skew";
+/// Not sized: what merely shows in the current, and a stop, which is in the way or isn't.
+bool isSized(const TrialEffect& effect) {
+  return effect.name != "current_sensor_offset" && effect.name != "channel_skew" && effect.name != "end_stop";
 }
 
 /// The size at which leaving the effect out costs `cost` floors, tried out on the rig and course; the same draws follow
 /// for every size.
-double sizeFor(const TrialEffect& effect, const TrialRig& rig, const TrialCourse& course, double cost,
+double sizeFor(const TrialEffect& effect, const TrialRig& rig, const TrialCourse& course, double cost, double smallest,
                std::uint64_t seed) {
-  if (!showsInMotion(effect)) return 1.0;
+  if (!isSized(effect)) return 1.0;
   double size = 1.0, lastSize = 0.0, lastCost = 0.0, power = 1.0;  // cost grows as size to this power
   for (int round = 0; round < 3; ++round) {
     TrialRig tried = rig;
@@ -140,7 +141,7 @@ double sizeFor(const TrialEffect& effect, const TrialRig& rig, const TrialCourse
     }
     lastSize = size;
     lastCost = found;
-    size = std::clamp(size * std::pow(cost / found, 1.0 / power), smallestSize, largestSize);
+    size = std::clamp(size * std::pow(cost / found, 1.0 / power), smallest, largestSize);
   }
   return size;
 }
@@ -155,7 +156,7 @@ std::optional<TrialCourse> secondCourse(const TrialRig& rig, const std::vector<T
   };
   for (int attempt = 0; attempt < 30; ++attempt) {
     TrialCourse course = drawCourse(rig, moves, drawn(random, 20.0, 30.0), random);
-    if (!p.stops || (beyond(course) > 0.2 * beyond(first) && beyond(course) < 1.3 * beyond(first))) return course;
+    if (!p.stops || (beyond(course) > 0.3 * beyond(first) && beyond(course) < 1.6 * beyond(first))) return course;
   }
   return std::nullopt;
 }
@@ -195,9 +196,10 @@ SealedTrial makeTrial(const std::string& family, std::uint64_t seed) {
   const TrialCourse course = drawCourse(rig, moves, duration_s, random);
   const TrialRig plain = rig;
   addTrifles(rig, random);
+  const double smallest = family == "weak" ? smallestWeakSize : smallestSize;
   for (const TrialEffect* effect : effects) {
     const std::uint64_t own = random.bits();
-    const double size = sizeFor(*effect, plain, course, drawCost(family, random), own);
+    const double size = sizeFor(*effect, plain, course, drawCost(family, random), smallest, own);
     Random same(own);
     trial.truth.push_back(effect->conceal(rig, course, size, same));
   }
@@ -213,9 +215,13 @@ SealedTrial makeTrial(const std::string& family, std::uint64_t seed) {
           ? drawCourse(rig, {TrialMove::idle, moves.front(), TrialMove::idle, TrialMove::idle}, duration_s, random)
           : course;
   trial.recordings.push_back(recordTrial(rig, poor, "recording.csv", random.bits()));
+  rig.physics.disturbance = 0.0;  // what happened once doesn't come again
+  if (random.uniform() < 0.15) {
+    const auto repeat = secondCourse(rig, moves, course, random);
+    if (repeat) trial.recordings.push_back(recordTrial(rig, *repeat, "recording2.csv", random.bits()));
+  }
   if (random.uniform() < 0.5) {
     std::reverse(moves.begin(), moves.end());
-    rig.physics.disturbance = 0.0;  // what happened once doesn't come again
     const auto second = secondCourse(rig, moves, course, random);
     if (second) trial.heldout.push_back(recordTrial(rig, *second, "heldout.csv", random.bits()));
   }

@@ -36,11 +36,11 @@ Concealed torqueSaturation(TrialRig& rig, const TrialCourse&, double size, Rando
 }  // namespace
 
 std::vector<TrialEffect> torqueEffects() {
-  TrialNeeds any, rotary, rotaryWindings, windings;
-  rotary.rotary = rotaryWindings.rotary = true;
+  TrialNeeds any, rotary, free, rotaryWindings, windings;
+  rotary.rotary = free.rotary = free.noPendulum = rotaryWindings.rotary = true;
   rotaryWindings.windings = windings.windings = true;
   return {{"constant_load", any, {multisine, turns, steps}, 30.0, constantLoad},
-          {"imbalance", rotary, {turns, multisine, ramps}, 30.0, imbalance},
+          {"imbalance", free, {turns, multisine, ramps}, 30.0, imbalance},
           {"cogging", rotary, {turns, ramps, multisine}, 30.0, cogging},
           {"torque_ripple", rotaryWindings, {turns, heavy, multisine, chirp}, 35.0, torqueRipple},
           {"torque_saturation", windings, {heavy, multisine, reversals, turns}, 30.0, torqueSaturation}};

@@ -128,9 +128,12 @@ TrialCourse drawCourse(const TrialRig& rig, const std::vector<TrialMove>& moves,
     from = to;
   }
   const double reach = 0.55 * rig.peakTorque / rig.physics.totalInertia() * course.row_s;
+  const double leak_per_s = rig.shortTravel ? 0.8 : 0.0;
   double velocity = 0.0, position = 0.0;
   for (size_t k = 0; k < rows; ++k) {
-    velocity += std::clamp(rig.topSpeed * course.velocity[k] - velocity, -reach, reach);
+    const bool rests = course.velocity[k] == 0.0;
+    const double wanted = rests ? 0.0 : rig.topSpeed * course.velocity[k] - leak_per_s * position;
+    velocity += std::clamp(wanted - velocity, -reach, reach);
     position += velocity * course.row_s;
     course.velocity[k] = velocity;
     course.position[k] = position;

@@ -75,6 +75,7 @@ double TrialPlant::torqueOfMotor(double torque) const {
 double TrialPlant::loadTorque(double position, double velocity) const {
   const TrialPhysics& p = physics_;
   double load = p.constantLoad - valueOf(p.imbalance, position) - valueOf(p.cogging, position) - noise_ - wander_;
+  if (p.gravityTorque > 0.0) load += p.gravityTorque * std::sin(position - p.downAngle_rad);
   if (p.stops) {
     const double beyond = position > p.highStop  ? position - p.highStop
                           : position < p.lowStop ? position - p.lowStop
@@ -168,8 +169,12 @@ void TrialPlant::slide(double drive, double level, double holding) {
   const double after = velocity_ + step_s_ * acceleration_;
   double moved = 0.5 * step_s_ * (velocity_ + after);
   if (velocity_ * after < 0.0 || (after == 0.0 && velocity_ != 0.0)) {  // it comes to rest within the step
+    const double remaining_s = step_s_ + velocity_ / acceleration_;
     moved = -0.5 * velocity_ * velocity_ / acceleration_;
-    velocity_ = acceleration_ = 0.0;
+    const bool reverses = drive * direction < 0.0 && std::abs(drive) > holding;
+    acceleration_ = reverses ? (drive + direction * level) / physics_.inertia : 0.0;
+    velocity_ = acceleration_ * remaining_s;
+    moved += 0.5 * velocity_ * remaining_s;
   } else {
     velocity_ = after;
   }

@@ -65,6 +65,9 @@ struct TrialPhysics {
   double inertia = 1e-4;  ///< of the motor's side
   TrialFriction friction;
 
+  double gravityTorque = 0.0;  ///< of a pendulum held level: declared to the technician, no secret
+  double downAngle_rad = 0.0;
+
   double constantLoad = 0.0;
   TrialWave imbalance, cogging;
   TrialWave ripple;                ///< of the torque constant, relative

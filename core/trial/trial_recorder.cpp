@@ -117,6 +117,9 @@ Recording recordTrial(const TrialRig& rig, const TrialCourse& course, const std:
     case DriveInput::current:
       break;  // what its sensor shows stands there already
   }
+  if (rig.loop.mode != ControlMode::openLoop && random.uniform() < 0.3 && rig.axis == Axis::rotary) {
+    channels.push_back({"velocity_reference_rad_per_s", course.velocity});
+  }
   auto recording = Recording::seal(name, std::move(channels));
   assert(recording.ok());
   return *recording;

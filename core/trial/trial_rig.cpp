@@ -36,6 +36,20 @@ void drawMotor(TrialRig& rig, Random& random) {
   p.processNoise = 2e-4 * rig.peakTorque;
 }
 
+/// A point mass on an arm that holds 25 to 50 % of the whole inertia; contracts section 1.
+void hangPendulum(TrialRig& rig, Random& random) {
+  constexpr double gravity = 9.81;
+  TrialPhysics& p = rig.physics;
+  const double inertia = drawn(random, 0.25, 0.5) * p.inertia;
+  p.gravityTorque = drawn(random, 0.08, 0.2) * rig.peakTorque;
+  p.downAngle_rad = drawn(random, -1.5, 1.5);
+  Pendulum pendulum;
+  pendulum.length_m = gravity * inertia / p.gravityTorque;
+  pendulum.mass_kg = inertia / (pendulum.length_m * pendulum.length_m);
+  pendulum.downAngle_rad = p.downAngle_rad;
+  rig.pendulum = pendulum;
+}
+
 void drawSensors(TrialRig& rig, const TrialNeeds& needs, Random& random) {
   TrialSensors& s = rig.sensors;
   constexpr std::array rates{500.0, 1000.0, 1000.0, 1000.0, 1000.0, 2000.0};
@@ -62,7 +76,8 @@ void drawSensors(TrialRig& rig, const TrialNeeds& needs, Random& random) {
 void drawLoop(TrialRig& rig, const TrialNeeds& needs, Random& random) {
   TrialLoop& loop = rig.loop;
   const double u = random.uniform();
-  const bool closed = needs.closedLoop || needs.masked || needs.positionLoop || rig.axis == Axis::linear;
+  const bool closed =
+      needs.closedLoop || needs.masked || needs.positionLoop || rig.axis == Axis::linear || rig.pendulum.has_value();
   const double openShare = closed ? 0.0 : rig.electrical() ? 0.5 : 0.25;
   if (needs.positionLoop || rig.axis == Axis::linear) {
     loop.mode = ControlMode::position;
@@ -95,8 +110,10 @@ TrialRig drawTrialRig(const TrialNeeds& needs, Random& random) {
   rig.input = drawInput(needs, random);
   rig.physics.electrical = rig.input == DriveInput::voltage || rig.input == DriveInput::duty;
   drawMotor(rig, random);
+  if (rig.axis == Axis::rotary && !needs.noPendulum && random.uniform() < 0.1) hangPendulum(rig, random);
   drawSensors(rig, needs, random);
   drawLoop(rig, needs, random);
+  rig.shortTravel = needs.positionLoop || rig.axis == Axis::linear;
   return rig;
 }
 
@@ -120,7 +137,13 @@ Bench believedBench(const TrialRig& rig, Random& random) {
     motor.resistance_ohm = p.resistance_ohm * drawn(random, 0.9, 1.1);
     motor.inductance_H = p.inductance_H;
   }
-  const double inertia = p.totalInertia() * drawn(random, 0.7, 1.3);
+  double ownInertia = p.totalInertia();
+  if (rig.pendulum) {
+    bench.pendulum = rig.pendulum;
+    bench.pendulum->downAngle_rad += drawn(random, -0.2, 0.2);
+    ownInertia -= rig.pendulum->mass_kg * rig.pendulum->length_m * rig.pendulum->length_m;
+  }
+  const double inertia = ownInertia * drawn(random, 0.7, 1.3);
   const double viscous = p.friction.viscous * drawnLog(random, 0.5, 2.0);
   const double coulomb = p.friction.coulomb * drawnLog(random, 0.5, 2.0);
   if (random.uniform() < 0.85) motor.inertia = inertia;

@@ -1,6 +1,8 @@
 // The rig of a sealed trial: a drawn motor with its drive, sensors and loop.
 #pragma once
 
+#include <optional>
+
 #include "base/statistics.h"
 #include "motor/bench.h"
 #include "trial/trial_plant.h"
@@ -38,9 +40,11 @@ struct TrialRig {
   TrialPhysics physics;
   TrialSensors sensors;
   TrialLoop loop;
+  std::optional<Pendulum> pendulum;  ///< its inertia is part of the physics' whole
   double supply_V = 24.0;
-  double peakTorque = 1.0;  ///< Nm or N that the drive gives for short
-  double topSpeed = 1.0;    ///< rad/s or m/s that the course uses at most
+  double peakTorque = 1.0;   ///< Nm or N that the drive gives for short
+  double topSpeed = 1.0;     ///< rad/s or m/s that the course uses at most
+  bool shortTravel = false;  ///< the course keeps coming back to where it began
 
   bool electrical() const { return physics.electrical; }
   double peakCurrent_A() const { return peakTorque / physics.torqueConstant; }
@@ -53,6 +57,7 @@ struct TrialNeeds {
   bool heldTorque = false;   ///< current or torque drives
   bool currentSeen = false;  ///< voltage or duty drives and the current is recorded
   bool rotary = false;
+  bool noPendulum = false;  ///< one would hide it or hang behind a soft shaft
   bool closedLoop = false;
   bool positionLoop = false;
   bool masked = false;  ///< disturbance observer, stiff loop

@@ -21,6 +21,8 @@ TrialPhysics basePhysics(const TrialRig& rig, const VectorXd& logs) {
   base.torqueConstant = p.torqueConstant;
   base.inductance_H = p.inductance_H;
   base.inertia = p.totalInertia() * std::exp(logs[0]);
+  base.gravityTorque = p.gravityTorque;
+  base.downAngle_rad = p.downAngle_rad;
   base.friction.viscous = p.friction.viscous * std::exp(logs[1]);
   base.friction.coulomb = p.friction.coulomb * std::exp(logs[2]);
   base.resistance_ohm = p.resistance_ohm * (p.electrical ? std::exp(logs[3]) : 1.0);
@@ -29,7 +31,7 @@ TrialPhysics basePhysics(const TrialRig& rig, const VectorXd& logs) {
 
 /// Position errors at the points of all windows, in counts.
 VectorXd errors(const TrialRig& rig, const TrialTrace& trace, const VectorXd& logs) {
-  constexpr double step_s = 100e-6;
+  constexpr double step_s = 50e-6;
   const TrialPhysics base = basePhysics(rig, logs);
   const double row_s = rig.sensors.row_s;
   const auto length = static_cast<size_t>(window_s / row_s);
@@ -57,7 +59,7 @@ double costOfLeavingOut(const TrialRig& rig, const TrialTrace& trace) {
   const Eigen::Index unknowns = rig.electrical() ? 4 : 3;
   VectorXd logs = VectorXd::Zero(unknowns);
   VectorXd error = errors(rig, trace, logs);
-  for (int round = 0; round < 4; ++round) {
+  for (int round = 0; round < 3; ++round) {
     Eigen::MatrixXd slopes(error.size(), unknowns);  // of the errors over the logs
     for (Eigen::Index j = 0; j < unknowns; ++j) {
       VectorXd moved = logs;
@@ -77,7 +79,7 @@ double costOfLeavingOut(const TrialRig& rig, const TrialTrace& trace) {
       const bool done = tried.squaredNorm() > 0.98 * error.squaredNorm();
       logs = next;
       error = tried;
-      if (done) round = 4;
+      if (done) round = 3;
     }
     if (!better) break;
   }
