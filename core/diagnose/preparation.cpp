@@ -35,8 +35,8 @@ std::vector<std::string> gauge(const Bench& bench, const std::vector<Track>& tra
       std::all_of(tracks.begin(), tracks.end(), [](const Track& track) { return !track.current.empty(); });
   if (currentSeen) return {};
   // Voltage alone shows ratios: F R/Kt, J R/Kt, and Kt with B only together.
-  if (scaled) return {names.inductance, names.resistance};
-  return {names.inductance, names.resistance, names.torqueConstant, names.backEmfConstant};
+  if (scaled) return {names.resistance};
+  return {names.resistance, names.torqueConstant, names.backEmfConstant};
 }
 
 /// Copies of the first `count` tracks whose rows outside all training windows count as disconnected, so that no inverse
@@ -88,7 +88,6 @@ Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& re
   for (const std::string& name : gauge(bench, training)) {
     if (bench.trusted.count(name) > 0) continue;
     out.held.push_back(name);
-    if (name == motorNames(bench.axis).inductance) continue;  // it doesn't scale anything
     held += (held.empty() ? "" : ", ") + name;
   }
   if (!held.empty()) {

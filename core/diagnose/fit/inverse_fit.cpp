@@ -9,6 +9,7 @@
 #include "base/statistics.h"
 #include "diagnose/catalogue.h"
 #include "diagnose/fit/inverse_rows.h"
+#include "diagnose/fit/motion.h"
 #include "diagnose/simulate/physics.h"
 
 namespace breakaway {
@@ -307,7 +308,7 @@ Excitation excitationOf(const std::vector<Track>& tracks, const Model& model) {
   seen.lowest = 1e300;
   seen.highest = -1e300;
   for (const Track& track : tracks) {
-    const Motion& motion = track.motion;
+    const Motion motion = track.motion.velocity.empty() ? motionOf(track) : track.motion;
     seen.duration_s = std::max(seen.duration_s, track.time.back());
     for (size_t k = 0; k < track.rows(); ++k) {
       if (!track.connected[k]) continue;

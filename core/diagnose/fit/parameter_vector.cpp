@@ -42,8 +42,9 @@ ParameterVector::ParameterVector(const Model& model, const std::vector<std::stri
       slot.scale = 1.0;
     } else {
       slot.logarithmic = true;
-      slot.lower = std::log(one.value) - 7.0;
-      slot.upper = std::log(one.value) + 7.0;
+      const double reach = one.name == names.inductance ? 0.4 : 7.0;  // beyond, something else is late
+      slot.lower = std::log(one.value) - reach;
+      slot.upper = std::log(one.value) + reach;
     }
     slots_.push_back(slot);
   }
@@ -76,6 +77,11 @@ ParameterVector::ParameterVector(const Model& model, const std::vector<std::stri
       slots_.push_back(slot);
     }
   }
+}
+
+bool ParameterVector::leavesTerms(Eigen::Index k) const {
+  const Slot& slot = slots_[static_cast<size_t>(k)];
+  return slot.effect == 0 && slot.name != motorNames(model_.axis).coulomb && slot.name != "down_angle_rad";
 }
 
 Parameter& ParameterVector::parameter(Model& model, const Slot& slot) {

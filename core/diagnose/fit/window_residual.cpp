@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnose/fit/motion.h"
-
 namespace breakaway {
 
 namespace {
@@ -74,40 +72,29 @@ void WindowResidual::fit(const Model& model, const MotionState& hidden) {
     const double firmness = std::sqrt(static_cast<double>(positions_) / 3.0);
     xFirm_ = firmness / std::max(track_.noise, 1e-12);
     vFirm_ = firmness / std::max(restartVelocityNoise(track_, model.restartHorizon_s), 1e-12);
-    state_ = observed_;
+    next_ = observed_;
   }
   nominal_.resize(rows());
-  state_ = startAt(state_.position, state_.velocity, hidden);
+  state_ = startAt(next_.position, next_.velocity, hidden);
   evaluate(*simulator_, state_, nominal_, &states_);
   linearise();
   Eigen::MatrixXd byState(rows(), 2);
-  const auto statesColumns = [&] {
-    byState.col(0) = respond(1.0, 0.0, nullptr, nullptr);
-    byState.col(1) = respond(0.0, 1.0, nullptr, nullptr);
-  };
-  statesColumns();
-  // The observer is close and the motion nearly linear in its start: one step is enough, and a worse one is taken back.
-  const Eigen::Vector2d scale = byState.colwise().norm().cwiseMax(1e-300).cwiseInverse();
-  const Eigen::MatrixXd scaled = byState * scale.asDiagonal();
-  const Eigen::Vector2d step =
-      scale.cwiseProduct((scaled.transpose() * scaled).ldlt().solve(-scaled.transpose() * nominal_));
-  Eigen::VectorXd moved(rows());
-  std::vector<MotionState> states;
-  const MotionState next = startAt(state_.position + step[0], state_.velocity + step[1], hidden);
-  evaluate(*simulator_, next, moved, &states);
-  if (moved.squaredNorm() < nominal_.squaredNorm()) {
-    nominal_ = moved;
-    state_ = next;
-    states_ = std::move(states);
-    linearise();
-    statesColumns();
-  }
+  byState.col(0) = respond(1.0, 0.0, nullptr, nullptr);
+  byState.col(1) = respond(0.0, 1.0, nullptr, nullptr);
+  const Eigen::Vector2d scale = byState.colwise().norm().cwiseMax(1e-300).cwiseInverse().transpose();
+  byState = byState * scale.asDiagonal();
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(byState);
   basis_ = qr.householderQ() * Eigen::MatrixXd::Identity(rows(), 2);
   residual_ = projected(nominal_);
+  const Eigen::Vector2d step = scale.cwiseProduct(qr.solve(-nominal_));
+  // No further than the doubt about the start allows.
+  const double reach = 20.0 * track_.noise;
+  next_.position = state_.position + std::clamp(step[0], -reach, reach);
+  next_.velocity = state_.velocity + std::clamp(step[1], -reach / 0.02, reach / 0.02);
 }
 
-WindowResidual::Passage WindowResidual::torquesAt(const Simulator& simulator, size_t row) const {
+WindowResidual::Passage WindowResidual::torquesAt(const Simulator& simulator, size_t row,
+                                                  const double* resistance) const {
   const size_t k = row - window_.first;
   const MotionState &from = states_[k], &to = states_[k + 1];
   const double dt = track_.time[row + 1] - track_.time[row], time = track_.time[row] + 0.5 * dt;
@@ -126,8 +113,13 @@ WindowResidual::Passage WindowResidual::torquesAt(const Simulator& simulator, si
     drive = 0.0;
   }
   const double way = v > 0.0 ? 1.0 : v < 0.0 ? -1.0 : to.way;
-  const Stepper::Forces forces = stepper.forcesAt(from, x, v, way, drive, time);
-  at.net = drive - p.viscous * v - forces.load - way * forces.friction - p.inertia * a;
+  if (resistance != nullptr) {
+    at.resistance = *resistance;
+  } else {
+    const Stepper::Forces forces = stepper.forcesAt(from, x, v, way, drive, time);
+    at.resistance = forces.load + way * forces.friction;
+  }
+  at.net = drive - p.viscous * v - at.resistance - p.inertia * a;
   return at;
 }
 
@@ -139,7 +131,7 @@ void WindowResidual::linearise() {
   for (size_t k = 0; k + 1 < states_.size(); ++k) {
     const size_t row = window_.first + k;
     const double dt = track_.time[row + 1] - track_.time[row];
-    Passage& at = passages_[k] = torquesAt(*simulator_, row);
+    Passage& at = passages_[k] = torquesAt(*simulator_, row, nullptr);
     double damping = p.viscous;
     if (p.electrical && track_.connected[row]) damping += p.torqueConstant * p.backEmf / p.resistance;
     const MotionState &from = states_[k], &to = states_[k + 1];
@@ -206,16 +198,16 @@ Eigen::VectorXd WindowResidual::column(const Model& variant, const MotionState& 
   return projected((moved - nominal_) / step);
 }
 
-Eigen::VectorXd WindowResidual::linearColumn(const Model& variant, double step) const {
+Eigen::VectorXd WindowResidual::linearColumn(const Model& variant, double step, bool sameTerms) const {
   const Simulator simulator(variant, track_, window_.first, window_.last);
   std::vector<double> torque(passages_.size()), current(passages_.size());
   for (size_t k = 0; k < passages_.size(); ++k) {
-    const Passage at = torquesAt(simulator, window_.first + k);
+    const Passage at = torquesAt(simulator, window_.first + k, sameTerms ? &passages_[k].resistance : nullptr);
     torque[k] = (at.net - passages_[k].net) / step;
     current[k] = (at.current - passages_[k].current) / step;
   }
   Eigen::VectorXd change = respond(0.0, 0.0, &torque, &current);
-  if (!simulator.stepper().terms().empty()) {  // what sensors show changes at once
+  if (!sameTerms && !simulator.stepper().terms().empty()) {  // what sensors show changes at once
     Eigen::Index at = 0, currentAt = positions_;
     for (size_t k = 0; k < states_.size(); ++k) {
       const MotionState& state = states_[k];
@@ -233,12 +225,11 @@ Eigen::VectorXd WindowResidual::linearColumn(const Model& variant, double step) 
   return projected(change);
 }
 
-Weights weightsAt(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows) {
-  const std::vector<MotionState> hidden = hiddenStates(model, tracks, windows);
+Weights weightsOf(const std::vector<WindowResidual>& residuals, const std::vector<Track>& tracks,
+                  const std::vector<Window>& windows) {
   double position = 0.0, current = 0.0, positions = 0.0, currents = 0.0, noise = 1e-12;
   for (size_t w = 0; w < windows.size(); ++w) {
-    WindowResidual residual(tracks[windows[w].track], windows[w], {1.0, 1.0});
-    residual.fit(model, hidden[w]);
+    const WindowResidual& residual = residuals[w];
     position += residual.residual().head(residual.positions()).squaredNorm();
     current += residual.residual().segment(residual.positions(), residual.currents()).squaredNorm();
     positions += static_cast<double>(residual.positions());

@@ -28,33 +28,39 @@ class WindowResidual {
   Eigen::Index positions() const { return positions_; }
   Eigen::Index currents() const { return currents_; }
 
-  /// The weighted residuals of `model`, with the best initial state. `hidden` is what measurements don't tell of the
-  /// state. The observer's view of the start is taken at the first call and kept.
+  /// The weighted residuals of `model`, with the best initial state (one step from that of the call before). `hidden`
+  /// is what measurements don't tell of the state. The observer's view of the start is taken at the first call and
+  /// kept.
   void fit(const Model& model, const MotionState& hidden);
   const Eigen::VectorXd& residual() const { return residual_; }
+  /// Other weights, from the next fit() on.
+  void reweigh(Weights weights) { weights_ = weights; }
   /// The change of the residuals per unit of a variant, (variant − model)/step, with the initial state's share taken
   /// out: by simulating the variant, or by the linearised motion, which is several times faster and not quite as
   /// exact where the motion stops or effects carry hidden states.
   Eigen::VectorXd column(const Model& variant, const MotionState& hidden, double step) const;
-  Eigen::VectorXd linearColumn(const Model& variant, double step) const;
+  /// `sameTerms`: the variant differs in base parameters other than the Coulomb friction only.
+  Eigen::VectorXd linearColumn(const Model& variant, double step, bool sameTerms) const;
   /// Whether linearColumn() leaves out hidden states.
   bool remembers() const { return simulator_->stepper().remembers(); }
 
  private:
   /// How a small change passes through one row, and what the model's torques are there.
   struct Passage {
-    double velocity = 0.0;   ///< change of velocity after per change before
-    double gain = 0.0;       ///< … per unit of torque
-    double stiffness = 0.0;  ///< torque per change of position
-    double net = 0.0;        ///< drive less all resistance, Nm
-    double current = 0.0;    ///< A
+    double velocity = 0.0;    ///< change of velocity after per change before
+    double gain = 0.0;        ///< … per unit of torque
+    double stiffness = 0.0;   ///< torque per change of position
+    double net = 0.0;         ///< drive less all resistance, Nm
+    double resistance = 0.0;  ///< of load and dry friction, Nm
+    double current = 0.0;     ///< A
   };
   bool useCurrent(size_t row) const;
   void simulate(Simulator& simulator, MotionState state, Eigen::VectorXd& out, std::vector<MotionState>* keep) const;
   void evaluate(Simulator& simulator, const MotionState& from, Eigen::VectorXd& out,
                 std::vector<MotionState>* keep = nullptr) const;
   MotionState startAt(double position, double velocity, const MotionState& hidden) const;
-  Passage torquesAt(const Simulator& simulator, size_t row) const;
+  /// `resistance`, if given, is taken over instead of evaluating the terms.
+  Passage torquesAt(const Simulator& simulator, size_t row, const double* resistance) const;
   void linearise();
   /// The response of all residuals to a change of the start and of the torque (and current) in each row.
   Eigen::VectorXd respond(double position, double velocity, const std::vector<double>* torque,
@@ -69,7 +75,7 @@ class WindowResidual {
   double length_ = 0.0;
   Eigen::Index positions_ = 0, currents_ = 0;
   bool observedYet_ = false;
-  MotionState observed_, state_;
+  MotionState observed_, state_, next_;  ///< the observer's, of the nominal run, of the next one
   double xFirm_ = 0.0, vFirm_ = 0.0;
   std::optional<Simulator> simulator_;
   std::vector<MotionState> states_;  ///< of the nominal run, one per row
@@ -78,7 +84,8 @@ class WindowResidual {
   Eigen::MatrixXd basis_;
 };
 
-/// Weights at `model`: one over the root mean square of each channel's residual.
-Weights weightsAt(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows);
+/// Weights of windows fitted with weights 1: one over the root mean square of each channel's residual.
+Weights weightsOf(const std::vector<WindowResidual>& residuals, const std::vector<Track>& tracks,
+                  const std::vector<Window>& windows);
 
 }  // namespace breakaway

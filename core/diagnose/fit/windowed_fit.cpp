@@ -45,9 +45,9 @@ class HiddenStates {
 
 /// Residual and Jacobian of one window at x.
 WindowDerivative derive(const ParameterVector& parameters, WindowResidual& window, HiddenStates& hidden, size_t index,
-                        const Eigen::VectorXd& x, bool jacobian, bool exact) {
+                        const Eigen::VectorXd& x, bool jacobian, bool exact, bool fitted = false) {
   WindowDerivative out;
-  window.fit(parameters.at(x), hidden.at(x, -1, index));
+  if (!fitted) window.fit(parameters.at(x), hidden.at(x, -1, index));
   out.residual = window.residual();
   out.positions = window.positions();
   if (!jacobian) return out;
@@ -58,7 +58,7 @@ WindowDerivative derive(const ParameterVector& parameters, WindowResidual& windo
     const double step = x[p] + nudge > parameters.upper(p) ? -nudge : nudge;
     near[p] += step;
     out.jacobian.col(p) = simulated ? window.column(parameters.at(near), hidden.at(near, p, index), step)
-                                    : window.linearColumn(parameters.at(near), step);
+                                    : window.linearColumn(parameters.at(near), step, parameters.leavesTerms(p));
   }
   return out;
 }
@@ -88,6 +88,7 @@ class WindowCost final : public ceres::CostFunction {
   HiddenStates& hidden_;
   size_t index_;
   bool exact_;
+  mutable Eigen::VectorXd last_;
 };
 
 /// Holds start values of positive quantities that no data reach.
@@ -132,18 +133,21 @@ FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>
   FitResult result;
   const Eigen::VectorXd start = parameters.start();
   Eigen::VectorXd x = start;
-  result.weights = weightsAt(parameters.at(start), tracks, windows);
+  HiddenStates hidden(parameters, tracks, windows);
   std::vector<WindowResidual> residuals;
   residuals.reserve(windows.size());
-  HiddenStates hidden(parameters, tracks, windows);
+  for (size_t w = 0; w < windows.size(); ++w) {
+    residuals.emplace_back(tracks[windows[w].track], windows[w], Weights{1.0, 1.0});
+    residuals.back().fit(parameters.at(start), hidden.at(start, -1, w));
+  }
+  result.weights = weightsOf(residuals, tracks, windows);
   ceres::Problem problem;
   double count = 0.0;
   for (size_t w = 0; w < windows.size(); ++w) {
     const double factor = options.windowWeights.empty() ? 1.0 : options.windowWeights[w];
-    residuals.emplace_back(tracks[windows[w].track], windows[w],
-                           Weights{factor * result.weights.position, factor * result.weights.current});
-    count += static_cast<double>(residuals.back().rows());
-    problem.AddResidualBlock(new WindowCost(parameters, residuals.back(), hidden, w, options.exact), nullptr, x.data());
+    residuals[w].reweigh({factor * result.weights.position, factor * result.weights.current});
+    count += static_cast<double>(residuals[w].rows());
+    problem.AddResidualBlock(new WindowCost(parameters, residuals[w], hidden, w, options.exact), nullptr, x.data());
   }
   const double priorWeight = 0.1 * std::sqrt(count / static_cast<double>(windows.size()));
   problem.AddResidualBlock(new PriorCost(parameters, start, priorWeight), nullptr, x.data());

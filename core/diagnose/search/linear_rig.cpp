@@ -10,9 +10,10 @@ namespace breakaway {
 
 namespace {
 
-constexpr size_t mostRows = 14000;
+constexpr size_t mostRows = 6000;
 constexpr size_t fewestSamples = 10;
-constexpr size_t turnMargin = 2;  ///< samples left out on each side of a reversal
+constexpr double inductanceDoubt = 0.5;  ///< relative
+constexpr size_t turnMargin = 2;         ///< samples left out on each side of a reversal
 
 double elasticFriction(double slip, double motion, double stiffness, double friction) {
   const double s = motion > 0.0 ? 1.0 : -1.0;
@@ -38,14 +39,13 @@ LinearRig::LinearRig(const Model& base, const std::vector<Track>& tracks, const 
     std::vector<double> drive(n), way(n), sine(n), cosine(n), speed(n);
     for (size_t k = 0; k < n; ++k) {
       const Situation& at = recorded_[t].at[k];
-      drive[k] = currentSeen_ ? physics_.torqueConstant * track.current[k] : gain_ * track.input[k];
-      if (!track.connected[k] || !std::isfinite(drive[k])) drive[k] = 0.0;
+      drive[k] = track.connected[k] ? gain_ * track.input[k] : 0.0;
       way[k] = at.direction;
       sine[k] = std::sin(at.position);
       cosine[k] = std::cos(at.position);
       speed[k] = at.velocity;
     }
-    addMechanical(drive, t, 2, 1.0, all.col(baseColumns));
+    addMechanical(lagged(t, drive, true), t, 2, 1.0, all.col(baseColumns));
     addMechanical(track.position, t, 0, 1.0, all.col(0));
     addMechanical(track.position, t, 1, 1.0, all.col(1));
     addMechanical(way, t, 2, 1.0, all.col(2));
@@ -55,30 +55,51 @@ LinearRig::LinearRig(const Model& base, const std::vector<Track>& tracks, const 
     }
     if (!currentSeen_) continue;
     addElectrical(track.current, t, 1.0, all.col(baseColumns));
-    addElectrical(lagged(t, track.input), t, 1.0, all.col(baseColumns - 2));
-    addElectrical(lagged(t, speed), t, 1.0, all.col(baseColumns - 1));
+    addElectrical(lagged(t, track.input, false), t, 1.0, all.col(baseColumns - 2));
+    addElectrical(lagged(t, speed, false), t, 1.0, all.col(baseColumns - 1));
   }
   weights_ = Eigen::VectorXd::Ones(rows_);
   weigh(all);
-  // Each set of rows in units of its typical residual: the sensor's noise and a part of what the base model leaves.
-  const Eigen::MatrixXd left = all.leftCols(baseColumns);
-  const Eigen::VectorXd residual = all.col(baseColumns) - left * left.colPivHouseholderQr().solve(all.col(baseColumns));
-  const auto scale = [&](const std::vector<Stretch>& set, double noise) {
-    double squares = 0.0, count = 0.0;
-    for (const Stretch& one : set) {
-      squares += residual.segment(one.at, one.rows).squaredNorm();
-      count += static_cast<double>(one.rows);
-    }
-    const double typical = std::sqrt(noise * noise + 0.09 * squares / std::max(count, 1.0));
-    for (const Stretch& one : set) weights_.segment(one.at, one.rows) /= std::max(typical, 1e-300);
-  };
-  double noise = 0.0;
-  for (const Window& window : windows) noise = std::max(noise, tracks_[window.track].noise);
-  scale(stretches_, physics_.inertia * noise);
-  scale(electrical_, 0.0);
+  // Each set of rows in units of its sensor's noise.
+  for (const Stretch& one : stretches_)
+    weights_.segment(one.at, one.rows) /= std::max(physics_.inertia * tracks_[one.track].noise, 1e-300);
+  for (const Stretch& one : electrical_)
+    weights_.segment(one.at, one.rows) /= std::max(tracks_[one.track].currentNoise, 1e-300);
+  for (const auto* set : {&stretches_, &electrical_}) {
+    for (const Stretch& one : *set) samples_ += static_cast<double>(one.last - one.first + 1);
+  }
   for (Eigen::Index c = 0; c < all.cols(); ++c) all.col(c).array() *= weights_.array();
   response_ = all.col(baseColumns);
   base_ = all.leftCols(baseColumns);
+  if (physics_.electrical && physics_.inductance > 0.0) freeInductance();
+}
+
+void LinearRig::freeInductance() {
+  // What a slightly larger inductance would change.
+  constexpr double step = 0.02;
+  Eigen::VectorXd change = Eigen::VectorXd::Zero(rows_);
+  for (size_t t = 0; t < tracks_.size(); ++t) {
+    const Track& track = tracks_[t];
+    std::vector<double> drive(track.rows());
+    for (size_t k = 0; k < drive.size(); ++k)
+      drive[k] = track.connected[k] ? track.input[k] - physics_.backEmf * recorded_[t].at[k].velocity : 0.0;
+    for (const double sign : {1.0, -1.0}) {
+      Physics nudged = physics_;
+      nudged.inductance *= 1.0 + sign * step;
+      std::swap(physics_, nudged);
+      addMechanical(lagged(t, drive, true), t, 2, sign * gain_ / (2.0 * step), change);
+      if (currentSeen_) addElectrical(lagged(t, drive, false), t, -sign / (physics_.resistance * 2.0 * step), change);
+      std::swap(physics_, nudged);
+    }
+  }
+  weigh(change);
+  Eigen::MatrixXd more(rows_, base_.cols() + 1);
+  more << base_, change;
+  const Eigen::VectorXd scale = more.colwise().norm().cwiseMax(1e-300).cwiseInverse();
+  const Eigen::VectorXd solution =
+      scale.cwiseProduct((more * scale.asDiagonal()).colPivHouseholderQr().solve(response_));
+  // Beyond the doubt about an inductance something else is late.
+  if (std::abs(solution[base_.cols()]) < inductanceDoubt) base_ = more;
 }
 
 void LinearRig::record() {
@@ -216,15 +237,18 @@ void LinearRig::addElectrical(const std::vector<double>& values, size_t track, d
   }
 }
 
-std::vector<double> LinearRig::lagged(size_t track, const std::vector<double>& values) const {
+std::vector<double> LinearRig::lagged(size_t track, const std::vector<double>& values, bool mean) const {
   if (values.empty() || physics_.inductance <= 0.0) return values;
   const std::vector<double>& time = tracks_[track].time;
+  const double rate = physics_.resistance / physics_.inductance;
   std::vector<double> out(values.size());
-  double state = 0.0;
+  double state = values.front(), dt = -1.0, keep = 1.0;
   for (size_t k = 0; k < values.size(); ++k) {
-    out[k] = state;
-    const double dt = k + 1 < values.size() ? time[k + 1] - time[k] : 0.0;
-    state = values[k] + (state - values[k]) * std::exp(-dt * physics_.resistance / physics_.inductance);
+    const double length = k + 1 < values.size() ? time[k + 1] - time[k] : 0.0;
+    if (length != dt) keep = std::exp(-(dt = length) * rate);
+    const double away = state - values[k];
+    out[k] = mean && length > 0.0 ? values[k] + away * (1.0 - keep) / (length * rate) : state;
+    state = values[k] + away * keep;
   }
   return out;
 }
@@ -317,14 +341,11 @@ Eigen::MatrixXd LinearRig::columnsOf(const Effect& effect, const Shape& shape) c
       const Traces traces = tracesOf(effect, shape[a], t);
       addMechanical(traces.torque, t, 2, 1.0, column);
       addMechanical(traces.shown, t, 0, -physics_.inertia, column);
-      if (!currentSeen_) {
-        addMechanical(traces.voltage, t, 2, gain_, column);
-        addMechanical(traces.input, t, 2, -gain_, column);
-        continue;
-      }
-      addMechanical(traces.sensed, t, 2, physics_.torqueConstant, column);
-      addElectrical(lagged(t, traces.voltage), t, -1.0 / physics_.resistance, column);
-      addElectrical(lagged(t, traces.input), t, 1.0 / physics_.resistance, column);
+      addMechanical(lagged(t, traces.voltage, true), t, 2, gain_, column);
+      addMechanical(lagged(t, traces.input, true), t, 2, -gain_, column);
+      if (!currentSeen_) continue;
+      addElectrical(lagged(t, traces.voltage, false), t, -1.0 / physics_.resistance, column);
+      addElectrical(lagged(t, traces.input, false), t, 1.0 / physics_.resistance, column);
       addElectrical(traces.sensed, t, 1.0, column);
     }
   }

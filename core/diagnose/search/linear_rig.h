@@ -19,7 +19,7 @@ namespace breakaway {
 ///   i = lag(u)/R − lag(ω) Ke/R − Σ a_j lag(c_j)/R,   lag the first-order lag L/R.
 /// The method of integrals instead of derivatives follows M. Shinbrot's method functions ('On the analysis of linear
 /// and nonlinear systems', Trans. ASME 79, 1957). Rows are means over some samples, weighted by their number, each set
-/// divided by its typical residual.
+/// in units of one reading's noise.
 class LinearRig {
  public:
   /// `base` gives gains, lag and the start values of J and F; tracks carry their smoothed motion.
@@ -33,6 +33,8 @@ class LinearRig {
   /// The window, by its number in the constructor's list, that a row belongs to.
   const std::vector<size_t>& window() const { return window_; }
   size_t windows() const { return windows_; }
+  /// Readings behind the rows.
+  double samples() const { return samples_; }
 
  private:
   /// Rows [first, last] of a track, moving one way.
@@ -52,10 +54,12 @@ class LinearRig {
     std::vector<char> usable;   ///< moving clearly one way
   };
 
+  void freeInductance();
   void cut(const std::vector<Window>& windows);
   void record();
   Traces tracesOf(const Effect& effect, const std::vector<double>& parameters, size_t track) const;
-  std::vector<double> lagged(size_t track, const std::vector<double>& values) const;
+  /// The first-order lag L/R of values that each act for one row: at the row's instant, or its mean over the row.
+  std::vector<double> lagged(size_t track, const std::vector<double>& values, bool mean) const;
   /// Mechanical rows of twice (`times` = 2), once or not at all integrated values; adds to `out`.
   void addMechanical(const std::vector<double>& values, size_t track, int times, double factor,
                      Eigen::Ref<Eigen::VectorXd> out) const;
@@ -72,6 +76,7 @@ class LinearRig {
   Eigen::Index rows_ = 0;
   std::vector<size_t> window_;
   size_t windows_ = 0;
+  double samples_ = 0.0;
   std::vector<Eigen::MatrixXd> nuisance_;  ///< orthonormal α, β per stretch
   Eigen::VectorXd weights_;
   Eigen::VectorXd response_;

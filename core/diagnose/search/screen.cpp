@@ -203,7 +203,9 @@ double Screen::pValueOf(const Pick& pick, const Left& before, double& chance) co
   Random random(seed_);
   Eigen::MatrixXd signs(static_cast<Eigen::Index>(flips), windows);
   for (Eigen::Index f = 0; f < signs.rows(); ++f) {
-    for (Eigen::Index w = 0; w < windows; ++w) signs(f, w) = random.bits() >> 63 ? 1.0 : -1.0;
+    const Eigen::Index together = Eigen::Index{1} << (f % 4);  // slow noise hangs together over several windows
+    for (Eigen::Index w = 0; w < windows; ++w)
+      signs(f, w) = w % together != 0 ? signs(f, w - 1) : random.bits() >> 63 ? 1.0 : -1.0;
   }
   const Eigen::MatrixXd flipped = signs * scores;
   size_t beaten = 0;

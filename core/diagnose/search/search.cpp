@@ -15,8 +15,8 @@ constexpr double largestPValue = 0.01;
 constexpr double leastImprovement = 0.03;
 constexpr double clearImprovement = 0.2;
 constexpr double leastShare = 0.01;  ///< of the base model's squared error
-constexpr size_t mostTrials = 5;
-constexpr size_t mostRivals = 4;
+constexpr size_t mostTrials = 3;
+constexpr size_t mostRivals = 3;
 
 EffectTerm termOf(const Effect& effect, Axis axis, const std::vector<double>& values) {
   EffectTerm term{std::string(effect.name()), {}};
@@ -100,13 +100,7 @@ class Search {
     return crossValidated(fit, vectorOf(input_, fit.model), input_.tracks, input_.split.train, input_.windowWeights,
                           input_.split.fold, folds);
   }
-  /// In long windows a wrong start of a wave is a valley away from the right one: short windows first.
-  Model shortFit(const Model& start) const {
-    return fitWindows(vectorOf(input_, start), input_.tracks, input_.split.trainScore,
-                      {.iterations = 6, .tolerance = 1e-3, .windowWeights = {}, .stop = input_.stop})
-        .model;
-  }
-  FitResult fitFresh(const Model& start) const { return fitModel(input_, shortFit(start), 8); }
+  FitResult fitFresh(const Model& start) const { return fitModel(input_, start, 6); }
   double chance(const std::vector<double>& before, const std::vector<double>& after) const {
     return std::min(1.0, static_cast<double>(catalogue().size()) * signFlipPValue(before, after, input_.seed));
   }
@@ -127,8 +121,8 @@ class Search {
   /// What the screen could not see may still show in the simulation.
   void tryMore(SearchResult& result, const Screen& screen, const std::vector<Pick>& picks) const {
     const auto before = validated(result.best);
-    const double noise = trackNoise();
-    if (mean(before) < 4.0 * noise * noise) return;
+    const double noise = trackNoise(), base = mean(validated(result.base));
+    if (mean(before) < 4.0 * noise * noise || mean(before) < 0.5 * base) return;
     std::vector<Pick> candidates;
     for (const Effect* effect : catalogue()) {
       if (contains(result, effect)) continue;
@@ -278,7 +272,7 @@ class Search {
 FitResult fitModel(const SearchInput& input, const Model& model, int iterations) {
   return fitWindows(
       vectorOf(input, model), input.tracks, input.split.train,
-      {.iterations = iterations, .tolerance = 1e-4, .windowWeights = input.windowWeights, .stop = input.stop});
+      {.iterations = iterations, .tolerance = 1e-3, .windowWeights = input.windowWeights, .stop = input.stop});
 }
 
 FitResult fitBase(const SearchInput& input, const std::vector<Model>& starts) {

@@ -74,6 +74,7 @@ Track Track::rowsFrom(size_t first, size_t last) const {
   out.drive = drive;
   out.origin_s = origin_s;
   out.noise = noise;
+  out.currentNoise = currentNoise;
   return out;
 }
 
@@ -128,6 +129,11 @@ Result<Track> makeTrack(const Recording& recording, Axis axis, DriveInput driveI
   track.temperature.assign(temperature.begin(), temperature.end());
   const auto current = recording.channel("current_A");
   if (names.electrical() && !current.empty()) track.current.assign(current.begin(), current.end());
+  if (!track.current.empty()) {
+    std::vector<char> known(rows);
+    for (size_t k = 0; k < rows; ++k) known[k] = std::isfinite(track.current[k]) ? 1 : 0;
+    track.currentNoise = readingNoise(track.current, known);
+  }
   track.noise = std::max(readingNoise(track.position, track.seen), count / std::sqrt(12.0));
   return track;
 }

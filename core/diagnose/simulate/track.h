@@ -33,8 +33,9 @@ struct Track {
   std::vector<double> temperature;  ///< recorded temperature in °C; empty: not recorded
   double supply_V = 0.0;            ///< of the bench; 0: not known
   DriveInput drive = DriveInput::torque;
-  double origin_s = 0.0;  ///< time_s of the first row
-  double noise = 0.0;     ///< standard deviation of one position reading: quantisation and what exceeds it
+  double origin_s = 0.0;      ///< time_s of the first row
+  double noise = 0.0;         ///< standard deviation of one position reading: quantisation and what exceeds it
+  double currentNoise = 0.0;  ///< the same of a current reading, A; 0 where there is none
   std::vector<std::string> remarks;
 
   Motion motion;  ///< filled in by prepare(); empty otherwise
