@@ -35,6 +35,7 @@ std::vector<std::string> gauge(const Bench& bench, const std::vector<Track>& tra
       std::all_of(tracks.begin(), tracks.end(), [](const Track& track) { return !track.current.empty(); });
   if (currentSeen) return {};
   // Voltage alone shows ratios: F R/Kt, J R/Kt, and Kt with B only together.
+  if (scaled && trusts(names.torqueConstant)) return {};
   if (scaled) return {names.resistance};
   return {names.resistance, names.torqueConstant, names.backEmfConstant};
 }

@@ -22,7 +22,7 @@ class RisingStiction final : public Effect {
   }
   std::vector<ParameterSpec> parameters(Axis axis) const override {
     return {{torqueName("excess", axis), -1e9, 1e9},
-            {"time_constant_s", 1e-4, 1e6},
+            {"time_constant_s", 0.02, 1e6},
             {speedName("velocity", axis), 1e-9, 1e9}};
   }
   Term term(std::span<const double> p, const Situation& at) const override {

@@ -66,12 +66,15 @@ Motion motionOf(const Track& track) {
   motion.turned.resize(n);
   motion.way.resize(n);
   double rest = 0.0, turned = n > 0 ? track.position[0] : 0.0, way = 0.0;
-  bool rested = false;
+  bool rested = false, sinceRest = false;
   for (size_t k = 0; k < n; ++k) {
     const double v = motion.velocity[k], s = v > 0.0 ? 1.0 : -1.0;
     if (motion.resting[k]) {
+      sinceRest = false;
       rest = (rested ? rest : 0.0) + (k > 0 ? track.time[k] - track.time[k - 1] : 0.0);
     } else if (std::abs(v) > 4.0 * rows.velocityNoise && s != way) {
+      if (way != 0.0 && sinceRest) rest = 0.0;  // it turned without a rest
+      sinceRest = true;
       if (way == 0.0) std::fill_n(motion.way.begin(), k, s);
       way = s;
       turned = track.position[k];

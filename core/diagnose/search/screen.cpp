@@ -79,6 +79,14 @@ Eigen::MatrixXd Screen::design(const std::vector<Pick>& chosen) const {
   return out;
 }
 
+Eigen::VectorXd Screen::baseCoefficients(const std::vector<Pick>& chosen) const {
+  const Eigen::MatrixXd all = design(chosen);
+  const Eigen::VectorXd scale = all.colwise().norm().cwiseMax(1e-300).cwiseInverse().transpose();
+  const Eigen::VectorXd solution =
+      scale.cwiseProduct((all * scale.asDiagonal()).colPivHouseholderQr().solve(rig_.response()));
+  return solution.head(rig_.base().cols());
+}
+
 Screen::Left Screen::leave(const std::vector<Pick>& chosen) const {
   Left left;
   Eigen::MatrixXd all = design(chosen);

@@ -1,11 +1,13 @@
 #include "diagnose/search/search.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
 #include "diagnose/catalogue.h"
 #include "diagnose/fit/cross_validation.h"
+#include "diagnose/simulate/physics.h"
 
 namespace breakaway {
 
@@ -74,7 +76,7 @@ class Search {
     if (input_.named) input_.named(found.chosen);
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
     say(0.35, "simulating what was found");
-    adopt(result, found.chosen);
+    adopt(result, screen, found.chosen);
     tryMore(result, screen, found.chosen);
     refine(result);
     backward(result);
@@ -105,15 +107,47 @@ class Search {
     return std::min(1.0, static_cast<double>(catalogue().size()) * signFlipPValue(before, after, input_.seed));
   }
 
-  /// The screen's set, as a whole.
-  void adopt(SearchResult& result, const std::vector<Pick>& picks) const {
-    if (picks.empty()) return;
-    Model model = result.base.model;
+  /// The model with the screen's base parameters, where they make sense.
+  Model withBase(Model model, const Eigen::VectorXd& coefficients) const {
+    const Physics physics = physicsOf(model);
+    const MotorNames& names = motorNames(model.axis);
+    const double hanging = model.pendulum ? pendulumInertia(*model.pendulum) : 0.0;
+    const double emf = physics.electrical ? physics.torqueConstant * physics.backEmf / physics.resistance : 0.0;
+    // Where gravity is known, it tells the drive's scale.
+    const double scale = physics.gravity > 0.0 ? std::hypot(coefficients[3], coefficients[4]) / physics.gravity : 1.0;
+    const char* drive = physics.electrical ? names.resistance : names.torqueConstant;
+    const double driveValue = physics.electrical ? physics.resistance * scale : physics.torqueConstant / scale;
+    const std::array<std::pair<const char*, double>, 4> found{{{names.inertia, coefficients[0] / scale - hanging},
+                                                               {names.viscous, coefficients[1] / scale - emf / scale},
+                                                               {names.coulomb, coefficients[2] / scale},
+                                                               {drive, driveValue}}};
+    for (const auto& [name, value] : found) {
+      if (!(value > 0.0) || std::find(input_.held.begin(), input_.held.end(), name) != input_.held.end()) continue;
+      for (Parameter& one : model.base) {
+        if (one.name == name) one.value = value;
+      }
+    }
+    return model;
+  }
+  Model withPicks(const SearchResult& result, const Screen& screen, const std::vector<Pick>& picks) const {
+    Model model = withBase(result.base.model, screen.baseCoefficients(picks));
     for (const Pick& pick : picks) model = with(model, pick);
-    FitResult fit = fitFresh(model);
-    if (!fit.usable) return;
-    const Comparison gain = compare(validated(result.base), validated(fit), input_.seed);
-    if (gain.relative < leastImprovement) return;
+    return model;
+  }
+
+  /// The screen's set, as a whole.
+  void adopt(SearchResult& result, const Screen& screen, const std::vector<Pick>& picks) const {
+    if (picks.empty()) return;
+    const auto before = validated(result.base);
+    const Model start = withPicks(result, screen, picks);
+    FitResult fit = fitFresh(start);
+    if (!fit.usable || compare(before, validated(fit), input_.seed).relative < clearImprovement) {
+      // In long windows a wrong start of a wave is a valley away from the right one: short windows first.
+      fit = fitFresh(fitWindows(vectorOf(input_, start), input_.tracks, input_.split.trainScore,
+                                {.iterations = 8, .tolerance = 1e-3, .windowWeights = {}, .stop = input_.stop})
+                         .model);
+    }
+    if (!fit.usable || compare(before, validated(fit), input_.seed).relative < leastImprovement) return;
     result.best = std::move(fit);
     for (const Pick& pick : picks) result.chosen.push_back({pick.effect, pick.pValue, 0.0, {}});
   }
@@ -232,7 +266,7 @@ class Search {
         Pick pick = screen.best(*effect, others);
         const auto alike = result.chosen[k].effect->lookAlikes();
         const bool listed = std::find(alike.begin(), alike.end(), effect->name()) != alike.end();
-        if (pick.parameters.empty() || pick.gain < (listed ? 0.4 : 0.6) * own) continue;
+        if (pick.parameters.empty() || pick.gain < (listed ? 0.7 : 0.8) * own) continue;
         candidates.push_back(std::move(pick));
       }
       std::stable_sort(candidates.begin(), candidates.end(),
@@ -243,7 +277,7 @@ class Search {
         if (!fit.usable) continue;
         const auto errors = validated(fit);
         const Comparison ahead = compare(errors, best, input_.seed);
-        if (ahead.inErrors < -2.0 && mean(errors) < 0.97 * mean(best)) {  // the rival is the better one
+        if (ahead.inErrors < -2.0 && mean(errors) < 0.9 * mean(best)) {  // the rival is the better one
           if (compare(best, errors, input_.seed).inErrors < 2.0)
             result.chosen[k].rivals.push_back(result.chosen[k].effect);
           result.chosen[k].effect = one.effect;

@@ -88,8 +88,25 @@ void Simulator::run(MotionState& state, size_t from, size_t to) {
 }
 
 MotionState Simulator::restart(size_t row, const MotionState& carried) {
+  // Where the model can't follow the last stretch (it turned, or held on), a shorter one says more.
+  MotionState best;
+  double least = 1e300;
+  for (double horizon = horizon_; horizon > 0.1 * horizon_; horizon *= 0.5) {
+    double error = 0.0;
+    const MotionState state = restartOver(horizon, row, carried, error);
+    if (error < 0.7 * least) {
+      best = state;
+      least = error;
+    }
+    if (least <= 3.0 * track_.noise) break;
+  }
+  return best;
+}
+
+MotionState Simulator::restartOver(double horizon_s, size_t row, const MotionState& carried, double& error) {
+  error = 0.0;
   size_t first = row;
-  while (first > 0 && (track_.time[row] - track_.time[first - 1] <= horizon_ || row - first < 3)) --first;
+  while (first > 0 && (track_.time[row] - track_.time[first - 1] <= horizon_s || row - first < 3)) --first;
   const auto from = [&carried](double position, double velocity, double current) {
     MotionState state = carried;
     state.position = position;
@@ -136,9 +153,23 @@ MotionState Simulator::restart(size_t row, const MotionState& carried) {
   }
   MotionState state = beginAt(unknown);
   stepper_.setLoad(ownLoad + unknown[2]);
-  run(state, first, row);
+  double seen = 0.0;
+  for (size_t k = first; k <= row; ++k) {
+    if (track_.seen[k]) {
+      error += std::pow(shown(state.position) - track_.position[k], 2);
+      seen += 1.0;
+    }
+    if (k < row) run(state, k, k + 1);
+  }
+  error = std::sqrt(error / std::max(seen, 1.0));
   stepper_.setLoad(ownLoad);
   state.memory = carried.memory;
+  if (stepper_.elastic()) {
+    // What held the axis besides the model's drive sits in the bristles.
+    const double friction =
+        stepper_.forcesAt(state, state.position, state.velocity, state.way, 0.0, track_.time[row]).friction;
+    state.slip = std::clamp(carried.slip + unknown[2] / std::max(friction, 1e-300), -1.0, 1.0);
+  }
   if (state.velocity == 0.0 && carried.velocity == 0.0) state.rest_s = std::max(state.rest_s, carried.rest_s);
   return state;
 }

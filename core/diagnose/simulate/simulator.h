@@ -25,7 +25,8 @@ class Simulator {
   /// The state at `row` from measurements in rows up to and including it: a moving-horizon observer. The model runs
   /// along the last `horizon_s` of drive input; the position and velocity at its begin and a constant load, for what
   /// the model lacks, that fit the measured positions best (least squares, two Gauss–Newton steps) give the state. The
-  /// load ends there. At the first row the axis is taken to rest. Hidden state is taken over from `carried`.
+  /// load ends there. Where more than three times the reading noise is left, shorter horizons are tried. At the first
+  /// row the axis is taken to rest. Hidden state is taken over from `carried`.
   MotionState restart(size_t row, const MotionState& carried);
   /// Runs the state from one row to another.
   void run(MotionState& state, size_t from, size_t to);
@@ -39,6 +40,8 @@ class Simulator {
   double sensed(double current, double slope) const;
 
  private:
+  /// The observer over one horizon; `error` is what it leaves of the measured positions, rms.
+  MotionState restartOver(double horizon_s, size_t row, const MotionState& carried, double& error);
   double settledCurrent(size_t row, double velocity) const;
 
   Stepper stepper_;

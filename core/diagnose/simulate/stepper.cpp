@@ -8,6 +8,9 @@ namespace breakaway {
 namespace {
 
 constexpr double shortestStep_s = 2e-5;
+/// Of elastic friction while it deflects, in units of √(stiffness · inertia): well damped, as bristles are (C. Canudas
+/// de Wit et al., 'A new model for control of systems with friction', IEEE Trans. Automatic Control 40(3), 1995).
+constexpr double bristleDamping = 0.8;
 constexpr double leastInertia = 0.02;  ///< what a detached load leaves of the base inertia, at least
 constexpr int mostEventsPerStep = 8;
 
@@ -124,7 +127,9 @@ Stepper::Forces Stepper::forcesDuring(const MotionState& state, double direction
   Forces forces = forcesAt(state, state.position + 0.25 * dt * (state.velocity + middle), middle, direction,
                            drive - backEmf * middle, time_s + 0.5 * dt);
   if (stiffness_ > 0.0) {
-    forces.load += forces.friction * slipAfter(state.slip, 0.5 * dt * state.velocity, stiffness_, forces.friction);
+    const double slip = slipAfter(state.slip, 0.5 * dt * state.velocity, stiffness_, forces.friction);
+    const double bristles = bristleDamping * std::sqrt(stiffness_ * physics_.inertia);
+    forces.load += forces.friction * slip + bristles * middle * (1.0 - std::abs(slip));
     forces.friction = 0.0;
   }
   return forces;
@@ -133,6 +138,7 @@ Stepper::Forces Stepper::forcesDuring(const MotionState& state, double direction
 void Stepper::keepHistory(MotionState& state, const MotionState& before, double u, double dt, double time_s) const {
   const double way = signOf(state.velocity);
   if (way != 0.0 && way != state.way) {
+    if (before.velocity != 0.0) state.rest_s = 0.0;  // it turned without a rest
     state.way = way;
     state.turned = before.position;
   }

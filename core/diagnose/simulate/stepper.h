@@ -73,6 +73,7 @@ class Stepper {
   /// Voltage lost once the current has settled at a speed, V.
   double lostVoltage(const MotionState& state, double u, double velocity, double time_s) const;
   bool losesVoltage() const { return losesVoltage_; }
+  bool elastic() const { return stiffness_ > 0.0; }
   /// Whether effects carry hidden state, so that forcesAt() doesn't tell all of a parameter's influence.
   bool remembers() const { return memorySize_ > 0 || stiffness_ > 0.0; }
 
