@@ -28,7 +28,7 @@ static QString helpFolder() {
   return qEnvironmentVariable("BREAKAWAY_SOURCE_DIR") + "/resources/help";
 }
 
-static QString textOf(const QString& path) {
+static QString contentOf(const QString& path) {
   QFile file(path);
   return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
@@ -68,7 +68,7 @@ static QStringList missingFrom(const QString& entry, const Effect& effect) {
 }
 
 void TestManual::everyEffect_hasItsWholeEntry() {
-  const auto entries = sectionsOf(textOf(helpFolder() + "/effects.md"), 3);
+  const auto entries = sectionsOf(contentOf(helpFolder() + "/effects.md"), 3);
   for (const Effect* effect : catalogue()) {
     const QString name = textOf(effect->name());
     QVERIFY2(entries.contains(name), qPrintable("no heading " + name));
@@ -78,13 +78,13 @@ void TestManual::everyEffect_hasItsWholeEntry() {
 }
 
 void TestManual::everyEntry_isAnEffect() {
-  const QStringList names = sectionsOf(textOf(helpFolder() + "/effects.md"), 3).keys();
+  const QStringList names = sectionsOf(contentOf(helpFolder() + "/effects.md"), 3).keys();
   QCOMPARE(names.size(), static_cast<qsizetype>(catalogue().size()));
   for (const QString& name : names) QVERIFY2(findEffect(name.toStdString()) != nullptr, qPrintable(name));
 }
 
 void TestManual::poorEntry_isFound() {
-  const auto entries = sectionsOf(textOf(helpFolder() + "/effects.md"), 3);
+  const auto entries = sectionsOf(contentOf(helpFolder() + "/effects.md"), 3);
   const Effect& effect = *findEffect("stribeck");
   QString entry = entries["stribeck"];
   QVERIFY(missingFrom(entry, effect).isEmpty());
@@ -95,7 +95,7 @@ void TestManual::poorEntry_isFound() {
 void TestManual::everyCommand_isInTheManual() {
   const Outcome help = run(builtProgram("breakaway"), {"--help"});
   QCOMPARE(help.status, 0);
-  const QString manual = textOf(helpFolder() + "/commands.md");
+  const QString manual = contentOf(helpFolder() + "/commands.md");
   const QStringList lines = help.out.section("Subcommands:", 1).split('\n', Qt::SkipEmptyParts);
   QVERIFY(lines.size() >= 8);
   for (const QString& line : lines) {
@@ -125,7 +125,7 @@ static QStringList deadLinks(const QString& markdown, const QString& self) {
     if (target.contains("://")) continue;
     const QString file = target.section('#', 0, 0), anchor = target.section('#', 1);
     const QString path = file.isEmpty() ? self : QFileInfo(self).absolutePath() + "/" + file;
-    const bool leads = QFileInfo(path).isFile() && (anchor.isEmpty() || anchorsIn(textOf(path)).contains(anchor));
+    const bool leads = QFileInfo(path).isFile() && (anchor.isEmpty() || anchorsIn(contentOf(path)).contains(anchor));
     if (!leads) dead << target;
   }
   return dead;
@@ -136,7 +136,7 @@ void TestManual::everyLink_leadsSomewhere() {
   for (const QString& name : QDir(helpFolder()).entryList({"*.md"})) files << helpFolder() + "/" + name;
   QVERIFY(files.size() > 7);
   for (const QString& file : files) {
-    const QStringList dead = deadLinks(textOf(file), file);
+    const QStringList dead = deadLinks(contentOf(file), file);
     QVERIFY2(dead.isEmpty(), qPrintable(file + ": " + dead.join(", ")));
   }
 }
