@@ -157,8 +157,8 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   const std::vector<Track>& training = prepared->training;
   std::vector<Place> unexplained;
   const bool material = diagnosis.unexplainedShare > materialShare && fit.trainAfter > materialFloors * fit.floor;
-  const bool outside =
-      material && leavesAPlace(diagnosis.model, training, unexplained, diagnosis.unexplainedPValue, options.seed);
+  const bool outside = material;
+  if (outside) leavesAPlace(diagnosis.model, training, unexplained, diagnosis.unexplainedPValue, options.seed);
   if (!diagnosis.findings.empty() || outside) {
     diagnosis.where = places(residualMaps(diagnosis.base, training, options.seed), diagnosis.base);
   }

@@ -21,14 +21,16 @@ double noiseFloor(const Model& model, const std::vector<Track>& tracks, const st
     while (first > 0 && (recorded.time[window.first] - recorded.time[first - 1] <= model.restartHorizon_s ||
                          window.first - first < 4))
       --first;
-    Simulator rig(model, recorded, first, window.last);
     Track replay = recorded.rowsFrom(first, window.last);
-    MotionState state = rig.restart(first, hidden[w]);
+    Track driven = recorded.rowsFrom(first, window.last);  // what acted, if what was recorded is a noisy measurement
+    for (double& one : driven.input) one += recorded.inputNoise * random.normal();
+    Simulator rig(model, driven, 0, driven.rows() - 1);
+    MotionState state = Simulator(model, recorded, first, window.last).restart(first, hidden[w]);
     for (size_t k = 0; k < replay.rows(); ++k) {
       const double exact = rig.shown(state.position);
       replay.position[k] = model.count > 0.0 ? model.count * std::floor(exact / model.count) + 0.5 * model.count
                                              : exact + recorded.noise * random.normal();
-      if (k + 1 < replay.rows()) rig.run(state, first + k, first + k + 1);
+      if (k + 1 < replay.rows()) rig.run(state, k, k + 1);
     }
     replay.seen.assign(replay.rows(), 1);
     const size_t start = window.first - first;

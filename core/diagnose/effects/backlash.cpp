@@ -54,6 +54,10 @@ class Backlash final : public Effect {
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
     return plausibleLoad(p[0], seen) && p[1] < seen.travel;
   }
+  /// Harder contact than smoothed velocities show.
+  std::vector<std::vector<double>> variants(std::span<const double> p) const override {
+    return {{p[0], p[1], 4.0 * p[2], p[3]}, {p[0], 0.75 * p[1], 10.0 * p[2], p[3]}};
+  }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
     return "Behind the motor there is play of " + travelText(p[1], seen.axis) +
            (seen.count > 0.0 ? " (" + digitsText(p[1] / seen.count) + " counts)" : "") +

@@ -11,7 +11,7 @@ namespace breakaway {
 std::vector<double> crossValidated(const FitResult& fit, const ParameterVector& parameters,
                                    const std::vector<Track>& tracks, const std::vector<Window>& windows,
                                    const std::vector<double>& windowWeights, const std::vector<int>& fold,
-                                   int foldCount) {
+                                   int foldCount, Weights unit) {
   const Eigen::Index size = fit.x.size();
   std::vector<double> squares(windows.size());
   Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(size, size);
@@ -33,9 +33,14 @@ std::vector<double> crossValidated(const FitResult& fit, const ParameterVector& 
     for (size_t w = 0; w < windows.size(); ++w) {
       if (fold[w] != one) continue;
       const double factor = windowWeights.empty() ? 1.0 : windowWeights[w];
-      WindowResidual window(tracks[windows[w].track], windows[w], Weights{factor, 0.0});
+      WindowResidual window(tracks[windows[w].track], windows[w],
+                            Weights{factor * unit.position, factor * unit.current});
       window.fit(model, hidden[w]);
       squares[w] = window.residual().head(window.positions()).squaredNorm() / static_cast<double>(window.positions());
+      if (window.currents() > 0) {
+        squares[w] += window.residual().segment(window.positions(), window.currents()).squaredNorm() /
+                      static_cast<double>(window.currents());
+      }
     }
   }
   return squares;

@@ -8,12 +8,13 @@
 
 namespace breakaway {
 
-/// Mean squared position residual per window (times its squared weight), each simulated with the parameters that a fit
-/// to the other folds would have: one Gauss–Newton step from the common fit.
+/// Mean squared residual per window in units of `unit` (times the window's squared weight), positions' and currents'
+/// added up, each simulated with the parameters that a fit to the other folds would have: one Gauss–Newton step from
+/// the common fit.
 std::vector<double> crossValidated(const FitResult& fit, const ParameterVector& parameters,
                                    const std::vector<Track>& tracks, const std::vector<Window>& windows,
                                    const std::vector<double>& windowWeights, const std::vector<int>& fold,
-                                   int foldCount);
+                                   int foldCount, Weights unit);
 
 struct Comparison {
   double relative = 0.0;  ///< mean improvement over the mean of the worse

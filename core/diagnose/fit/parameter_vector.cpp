@@ -60,7 +60,7 @@ ParameterVector::ParameterVector(const Model& model, const std::vector<std::stri
         slot.lower = std::max(std::log(specs[k].lower), std::log(value) - 4.0);
         slot.upper = std::min(std::log(specs[k].upper), std::log(value) + 4.0);
         // A speed at which something changes lies well within the speeds that were run.
-        if (endsWith(specs[k].name, "_rad_per_s") || endsWith(specs[k].name, "_m_per_s")) {
+        if (specs[k].name == "velocity_rad_per_s" || specs[k].name == "velocity_m_per_s") {
           slot.lower = std::log(0.002 * speedSize);
           slot.upper = std::log(0.5 * speedSize);
         }

@@ -173,7 +173,7 @@ FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>
   Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(size, size), meat = normal;
   std::map<std::pair<size_t, long>, Eigen::VectorXd>
       clusters;  // windows of one second of one track, which overlap or adjoin
-  double squares = 0.0, positions = 0.0;
+  double squares = 0.0, positions = 0.0, currentSquares = 0.0, currents = 0.0;
   for (size_t w = 0; w < residuals.size(); ++w) {
     WindowResidual& residual = residuals[w];
     result.windows.push_back(derive(parameters, residual, hidden, w, x, true, options.exact));
@@ -194,9 +194,15 @@ FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>
     result.windowSquares.push_back(sum / static_cast<double>(window.positions));
     squares += sum;
     positions += static_cast<double>(window.positions);
+    if (residual.currents() > 0) {
+      currentSquares += window.residual.segment(window.positions, residual.currents()).squaredNorm() /
+                        std::pow(factor * result.weights.current, 2);
+      currents += static_cast<double>(residual.currents());
+    }
   }
   for (const auto& [where, score] : clusters) meat += score * score.transpose();
   result.rmse = std::sqrt(squares / positions);
+  result.currentSquares = currentSquares / std::max(currents, 1.0);
   const double precision = std::pow(priorWeight / priorDeviation, 2);
   result.priorPrecision = Eigen::VectorXd::Zero(size);
   for (Eigen::Index k = 0; k < size; ++k) {

@@ -33,6 +33,7 @@ struct FitResult {
   Eigen::VectorXd priorPrecision;  ///< of x; 0 where there is no prior
   std::vector<WindowDerivative> windows;
   std::vector<double> windowSquares;  ///< mean squared position residual per window, m² or rad²
+  double currentSquares = 0.0;        ///< mean squared current residual, A²; 0 where no current was recorded
   double rmse = 0.0;
   bool usable = false;
   std::string termination;

@@ -10,7 +10,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr size_t mostRows = 6000;
+constexpr size_t mostRows = 4000;
 constexpr size_t fewestSamples = 10;
 constexpr double inductanceDoubt = 0.5;  ///< relative
 constexpr size_t turnMargin = 2;         ///< samples left out on each side of a reversal

@@ -12,12 +12,12 @@ namespace {
 
 constexpr size_t flips = 199;
 constexpr double beyondChance = 1.5;     ///< times the most that chance gave
-constexpr double leastPart = 0.02;       ///< of what is left
-constexpr double leastOfBase = 0.004;    ///< of what the base leaves
+constexpr double leastPart = 0.08;       ///< of what is left
+constexpr double leastOfBase = 0.008;    ///< of what the base leaves
 constexpr double leastAgreement = 0.01;  ///< fall of the held-out error
 constexpr double fewWindows = 0.12;
 constexpr size_t mostEffects = 6;
-constexpr size_t beamWidth = 4;
+constexpr size_t beamWidth = 3;
 
 bool same(const Effect* a, const Effect* b) {
   return a == b || (!a->twin().empty() && a->twin() == b->name());
@@ -389,7 +389,7 @@ ScreenResult Screen::run() const {
   std::vector<Pick> starts = bestOfEach(left, {});
   double least = mean(validated({}));
   for (size_t k = 0; k < std::min(beamWidth, starts.size()); ++k) {
-    if (starts[k].gain < 0.4 * starts.front().gain) break;
+    if (starts[k].gain < 0.5 * starts.front().gain) break;
     std::vector<Pick> chosen;
     if (k > 0) {
       Pick first = refined(starts[k], left);

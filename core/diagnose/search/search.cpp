@@ -7,6 +7,7 @@
 
 #include "diagnose/catalogue.h"
 #include "diagnose/fit/cross_validation.h"
+#include "diagnose/noise_floor.h"
 #include "diagnose/simulate/physics.h"
 
 namespace breakaway {
@@ -17,6 +18,7 @@ constexpr double largestPValue = 0.01;
 constexpr double leastImprovement = 0.03;
 constexpr double clearImprovement = 0.2;
 constexpr double leastShare = 0.01;  ///< of the base model's squared error
+constexpr double leastFloors = 0.2;  ///< of the squared floor
 constexpr size_t mostTrials = 3;
 constexpr size_t mostRivals = 3;
 
@@ -66,6 +68,8 @@ class Search {
     result.base = fitBase(input_, starts);
     input_.windowWeights = robustWeights(result.base.windowSquares);
     result.base = fitModel(input_, result.base.model, 10);
+    unit_ = result.base.weights;
+    floor_ = noiseFloor(result.base.model, input_.tracks, input_.split.trainScore, input_.seed);
     result.best = result.base;
     say(0.2, "looking for what is missing");
     input_.seen.inertia = physicsInertia(result.base.model);
@@ -100,7 +104,7 @@ class Search {
   }
   std::vector<double> validated(const FitResult& fit) const {
     return crossValidated(fit, vectorOf(input_, fit.model), input_.tracks, input_.split.train, input_.windowWeights,
-                          input_.split.fold, folds);
+                          input_.split.fold, folds, unit_);
   }
   FitResult fitFresh(const Model& start) const { return fitModel(input_, start, 6); }
   double chance(const std::vector<double>& before, const std::vector<double>& after) const {
@@ -135,28 +139,52 @@ class Search {
     return model;
   }
 
-  /// The screen's set, as a whole.
-  void adopt(SearchResult& result, const Screen& screen, const std::vector<Pick>& picks) const {
-    if (picks.empty()) return;
-    const auto before = validated(result.base);
-    const Model start = withPicks(result, screen, picks);
-    FitResult fit = fitFresh(start);
-    if (!fit.usable || compare(before, validated(fit), input_.seed).relative < clearImprovement) {
-      // In long windows a wrong start of a wave is a valley away from the right one: short windows first.
-      fit = fitFresh(fitWindows(vectorOf(input_, start), input_.tracks, input_.split.trainScore,
+  /// Whether the effect takes away error: of windows that a fit did not see, or, for what happens in few windows only,
+  /// at least half of all.
+  bool helps(const FitResult& without, const FitResult& with) const {
+    if (!with.usable) return false;
+    const Comparison gain = compare(validated(without), validated(with), input_.seed);
+    const bool everywhere = gain.relative > leastImprovement && gain.interval.low > 0.0;
+    return everywhere || gain.relative > clearImprovement ||
+           mean(with.windowSquares) < 0.5 * mean(without.windowSquares);
+  }
+
+  /// Whether what the effect takes away would be missed beside what the sensors do.
+  bool material(const FitResult& base, const FitResult& without, const FitResult& with) const {
+    const double back = mean(without.windowSquares) - mean(with.windowSquares);
+    const bool position = back > leastFloors * floor_ * floor_ && back > leastShare * mean(base.windowSquares);
+    return position || with.currentSquares < (1.0 - clearImprovement) * without.currentSquares;
+  }
+
+  /// The screen's set as a whole, or else its most important members.
+  void adopt(SearchResult& result, const Screen& screen, std::vector<Pick> picks) const {
+    for (; !picks.empty(); picks.pop_back()) {
+      const Model start = withPicks(result, screen, picks);
+      FitResult fit = fitFresh(start);
+      if (mean(fit.windowSquares) > 0.6 * mean(result.base.windowSquares)) {
+        // In long windows a wrong start of a wave is a valley away from the right one: short windows first.
+        FitResult slow =
+            fitFresh(fitWindows(vectorOf(input_, start), input_.tracks, input_.split.trainScore,
                                 {.iterations = 8, .tolerance = 1e-3, .windowWeights = {}, .stop = input_.stop})
                          .model);
+        if (slow.usable && mean(slow.windowSquares) < mean(fit.windowSquares)) fit = std::move(slow);
+      }
+      for (const Model& other : variantsOf(start)) {
+        if (helps(result.base, fit)) break;
+        fit = fitFresh(other);
+      }
+      if (!helps(result.base, fit)) continue;
+      result.best = std::move(fit);
+      for (const Pick& pick : picks) result.chosen.push_back({pick.effect, pick.pValue, 0.0, {}});
+      return;
     }
-    if (!fit.usable || compare(before, validated(fit), input_.seed).relative < leastImprovement) return;
-    result.best = std::move(fit);
-    for (const Pick& pick : picks) result.chosen.push_back({pick.effect, pick.pValue, 0.0, {}});
   }
 
   /// What the screen could not see may still show in the simulation.
   void tryMore(SearchResult& result, const Screen& screen, const std::vector<Pick>& picks) const {
     const auto before = validated(result.best);
-    const double noise = trackNoise(), base = mean(validated(result.base));
-    if (mean(before) < 4.0 * noise * noise || mean(before) < 0.5 * base) return;
+    const double noise = trackNoise(), left = mean(result.best.windowSquares);
+    if (left < 4.0 * noise * noise || left < 0.5 * mean(result.base.windowSquares)) return;
     std::vector<Pick> candidates;
     for (const Effect* effect : catalogue()) {
       if (contains(result, effect)) continue;
@@ -195,18 +223,24 @@ class Search {
                        [effect](const Chosen& one) { return same(one.effect, effect); });
   }
 
+  /// The model with one effect at a time at another variant.
+  static std::vector<Model> variantsOf(const Model& model) {
+    std::vector<Model> variants;
+    for (size_t e = 0; e < model.effects.size(); ++e) {
+      const Effect& effect = *findEffect(model.effects[e].effect);
+      for (const auto& variant : effect.variants(valuesOf(model.effects[e]))) {
+        variants.push_back(model);
+        variants.back().effects[e] = termOf(effect, model.axis, variant);
+      }
+    }
+    return variants;
+  }
+
   /// Held parameters are compared once everything else fits.
   void refine(SearchResult& result) const {
-    for (const Chosen& chosen : result.chosen) {
-      for (size_t e = 0; e < result.best.model.effects.size(); ++e) {
-        if (result.best.model.effects[e].effect != chosen.effect->name()) continue;
-        for (const auto& variant : chosen.effect->variants(valuesOf(result.best.model.effects[e]))) {
-          Model model = result.best.model;
-          model.effects[e] = termOf(*chosen.effect, model.axis, variant);
-          FitResult fit = fitModel(input_, model, 8);
-          if (fit.usable && mean(validated(fit)) < mean(validated(result.best))) result.best = std::move(fit);
-        }
-      }
+    for (const Model& model : variantsOf(result.best.model)) {
+      FitResult fit = fitModel(input_, model, 8);
+      if (fit.usable && mean(fit.windowSquares) < mean(result.best.windowSquares)) result.best = std::move(fit);
     }
   }
 
@@ -225,17 +259,12 @@ class Search {
     for (bool changed = true; changed && !input_.stop.stop_requested();) {
       changed = false;
       left_.clear();
-      const double baseError = mean(validated(result.base));
-      const auto best = validated(result.best);
       for (size_t k = 0; k < result.chosen.size(); ++k) {
         FitResult fit = result.chosen.size() == 1
                             ? result.base
                             : fitModel(input_, without(result.best.model, *result.chosen[k].effect), 8);
-        const Comparison loss = compare(validated(fit), best, input_.seed);
         const double back = mean(fit.windowSquares) - mean(result.best.windowSquares);
-        const bool local = loss.interval.low <= 0.0 && loss.relative > clearImprovement;
-        const bool needed = (loss.interval.low > 0.0 || local) && loss.relative > leastImprovement &&
-                            loss.relative * mean(validated(fit)) > leastShare * baseError;
+        const bool needed = helps(fit, result.best) && material(result.base, fit, result.best);
         if (needed && !vanishes(result.best.model, *result.chosen[k].effect)) {
           result.chosen[k].marginal = std::max(0.0, back);
           left_.push_back(std::move(fit));
@@ -298,6 +327,8 @@ class Search {
   }
 
   SearchInput input_;
+  double floor_ = 0.0;           ///< rms error of a perfect model
+  Weights unit_;                 ///< of errors: what the base model leaves
   std::vector<FitResult> left_;  ///< without each chosen effect
 };
 

@@ -74,6 +74,7 @@ Track Track::rowsFrom(size_t first, size_t last) const {
   out.drive = drive;
   out.origin_s = origin_s;
   out.noise = noise;
+  out.inputNoise = inputNoise;
   out.currentNoise = currentNoise;
   return out;
 }
@@ -134,6 +135,7 @@ Result<Track> makeTrack(const Recording& recording, Axis axis, DriveInput driveI
     for (size_t k = 0; k < rows; ++k) known[k] = std::isfinite(track.current[k]) ? 1 : 0;
     track.currentNoise = readingNoise(track.current, known);
   }
+  if (driveInput == DriveInput::current) track.inputNoise = readingNoise(track.input, std::vector<char>(rows, 1));
   track.noise = std::max(readingNoise(track.position, track.seen), count / std::sqrt(12.0));
   return track;
 }
