@@ -18,6 +18,7 @@ namespace {
 
 /// Beyond this part of the excess error, and this many times the floor, what is left is material.
 constexpr double materialShare = 0.25;
+constexpr double materialShareBesideFindings = 0.5;
 constexpr double materialFloors = 1.6;
 
 double meanSquare(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows) {
@@ -156,7 +157,9 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
 
   const std::vector<Track>& training = prepared->training;
   std::vector<Place> unexplained;
-  const bool material = diagnosis.unexplainedShare > materialShare && fit.trainAfter > materialFloors * fit.floor;
+  const bool material =
+      diagnosis.unexplainedShare > (diagnosis.findings.empty() ? materialShare : materialShareBesideFindings) &&
+      fit.trainAfter > materialFloors * fit.floor;
   const bool outside = material;
   if (outside) leavesAPlace(diagnosis.model, training, unexplained, diagnosis.unexplainedPValue, options.seed);
   if (!diagnosis.findings.empty() || outside) {

@@ -13,7 +13,10 @@ namespace {
 constexpr size_t mostRows = 4000;
 constexpr size_t fewestSamples = 10;
 constexpr double inductanceDoubt = 0.5;  ///< relative
-constexpr size_t turnMargin = 2;         ///< samples left out on each side of a reversal
+constexpr double partOfResidual = 0.09;
+constexpr double startDoubt_s = 0.01;
+constexpr double startWeight = 3.0;  ///< a breakaway tells more than a row of motion
+constexpr size_t turnMargin = 2;     ///< samples left out on each side of a reversal
 
 double elasticFriction(double slip, double motion, double stiffness, double friction) {
   const double s = motion > 0.0 ? 1.0 : -1.0;
@@ -53,6 +56,20 @@ LinearRig::LinearRig(const Model& base, const std::vector<Track>& tracks, const 
       addMechanical(sine, t, 2, 1.0, all.col(3));
       addMechanical(cosine, t, 2, 1.0, all.col(4));
     }
+    std::vector<double> starting, direction, startSine, startCosine;
+    for (const Start& one : starts_) {
+      if (one.track != t) continue;
+      starting.push_back(one.drive);
+      direction.push_back(one.direction);
+      startSine.push_back(sine[one.row]);
+      startCosine.push_back(cosine[one.row]);
+    }
+    addStarts(starting, t, 1.0, all.col(baseColumns));
+    addStarts(direction, t, 1.0, all.col(2));
+    if (physics_.gravity > 0.0) {
+      addStarts(startSine, t, 1.0, all.col(3));
+      addStarts(startCosine, t, 1.0, all.col(4));
+    }
     if (!currentSeen_) continue;
     addElectrical(track.current, t, 1.0, all.col(baseColumns));
     addElectrical(lagged(t, track.input, false), t, 1.0, all.col(baseColumns - 2));
@@ -60,11 +77,30 @@ LinearRig::LinearRig(const Model& base, const std::vector<Track>& tracks, const 
   }
   weights_ = Eigen::VectorXd::Ones(rows_);
   weigh(all);
-  // Each set of rows in units of its sensor's noise.
-  for (const Stretch& one : stretches_)
-    weights_.segment(one.at, one.rows) /= std::max(physics_.inertia * tracks_[one.track].noise, 1e-300);
-  for (const Stretch& one : electrical_)
-    weights_.segment(one.at, one.rows) /= std::max(tracks_[one.track].currentNoise, 1e-300);
+  // Each set of rows in units of its typical residual: the sensor's noise and a part of what the base model leaves.
+  const Eigen::MatrixXd left = all.leftCols(baseColumns);
+  const Eigen::VectorXd residual = all.col(baseColumns) - left * left.colPivHouseholderQr().solve(all.col(baseColumns));
+  const auto scale = [&](const std::vector<Stretch>& set, double factor, auto noiseOf) {
+    double squares = 0.0, count = 0.0, noise = 0.0;
+    for (const Stretch& one : set) {
+      squares += residual.segment(one.at, one.rows).squaredNorm();
+      count += static_cast<double>(one.rows);
+      noise = std::max(noise, factor * noiseOf(tracks_[one.track]));
+    }
+    const double typical = std::sqrt(noise * noise + partOfResidual * squares / std::max(count, 1.0));
+    for (const Stretch& one : set) weights_.segment(one.at, one.rows) /= std::max(typical, 1e-300);
+  };
+  scale(stretches_, physics_.inertia, [](const Track& track) { return track.noise; });
+  scale(electrical_, 1.0, [](const Track& track) { return track.currentNoise; });
+  for (const Start& one : starts_) {
+    const std::vector<double>& time = tracks_[one.track].time;
+    size_t early = one.row, late = one.row;
+    while (early > 0 && time[one.row] - time[early] < startDoubt_s) --early;
+    while (late + 1 < time.size() && time[late] - time[one.row] < startDoubt_s) ++late;
+    const auto& at = recorded_[one.track].at;
+    const double change = std::abs(at[late].driveTorque - at[early].driveTorque);
+    weights_[one.at] = startWeight / std::max(0.5 * change + 0.03 * physics_.coulomb, 1e-300);
+  }
   for (const auto* set : {&stretches_, &electrical_}) {
     for (const Stretch& one : *set) samples_ += static_cast<double>(one.last - one.first + 1);
   }
@@ -169,6 +205,7 @@ void LinearRig::cut(const std::vector<Window>& windows) {
       samples += window.last - window.first + 1;
     }
   }
+  findStarts(windows);
   const size_t together = std::max<size_t>(1, (samples + mostRows - 1) / mostRows);
   for (auto* set : {&stretches_, &electrical_}) {
     for (Stretch& one : *set) {
@@ -180,6 +217,10 @@ void LinearRig::cut(const std::vector<Window>& windows) {
       window_.insert(window_.end(), static_cast<size_t>(one.rows), one.window);
     }
   }
+  for (Start& one : starts_) {
+    one.at = rows_++;
+    window_.push_back(one.window);
+  }
   for (const Stretch& one : stretches_) {
     Eigen::MatrixXd line(one.rows, 2);
     for (Eigen::Index r = 0; r < one.rows; ++r) {
@@ -189,6 +230,29 @@ void LinearRig::cut(const std::vector<Window>& windows) {
     }
     const Eigen::HouseholderQR<Eigen::MatrixXd> qr(line);
     nuisance_.push_back(qr.householderQ() * Eigen::MatrixXd::Identity(one.rows, 2));
+  }
+}
+
+void LinearRig::findStarts(const std::vector<Window>& windows) {
+  for (size_t w = 0; w < windows.size(); ++w) {
+    const Window& window = windows[w];
+    const Track& track = tracks_[window.track];
+    for (size_t k = window.first + 1; k < window.last; ++k) {
+      if (!track.motion.resting[k] || track.motion.resting[k + 1] || !track.connected[k]) continue;
+      // Which way it goes: the first motion that is clearly more than the rest's.
+      size_t later = k + 1;
+      while (later < window.last && std::abs(track.position[later] - track.position[k]) < 6.0 * track.noise) ++later;
+      const double way = track.position[later] > track.position[k] ? 1.0 : -1.0;
+      starts_.push_back({window.track, k, w, way, recorded_[window.track].at[k].driveTorque, 0});
+    }
+  }
+}
+
+void LinearRig::addStarts(const std::vector<double>& values, size_t track, double factor,
+                          Eigen::Ref<Eigen::VectorXd> out) const {
+  size_t number = 0;
+  for (const Start& one : starts_) {
+    if (one.track == track) out[one.at] += factor * values[number++];
   }
 }
 
@@ -313,6 +377,15 @@ LinearRig::Traces LinearRig::tracesOf(const Effect& effect, const std::vector<do
     for (size_t k = 0; k < n; ++k) torque[k] -= detached * recorded.at[k].acceleration;
     pushes = true;
   }
+  for (const Start& one : starts_) {
+    if (one.track != t) continue;
+    Situation at = recorded.at[one.row];
+    at.velocity = 0.0;
+    at.direction = one.direction;
+    at.memory = std::span(memory).first(0);
+    const Term term = remembers ? Term{} : effect.term(p, at);
+    out.starting.push_back(term.load_Nm + one.direction * term.friction_Nm);
+  }
   if (pushes) out.torque = std::move(torque);
   out.voltage = std::move(voltage);
   if (effect.shapesInput(track.drive)) {
@@ -340,6 +413,7 @@ Eigen::MatrixXd LinearRig::columnsOf(const Effect& effect, const Shape& shape) c
     for (size_t t = 0; t < tracks_.size(); ++t) {
       const Traces traces = tracesOf(effect, shape[a], t);
       addMechanical(traces.torque, t, 2, 1.0, column);
+      addStarts(traces.starting, t, 1.0, column);
       addMechanical(traces.shown, t, 0, -physics_.inertia, column);
       addMechanical(lagged(t, traces.voltage, true), t, 2, gain_, column);
       addMechanical(lagged(t, traces.input, true), t, 2, -gain_, column);

@@ -17,9 +17,11 @@ namespace breakaway {
 /// noise. Directions are the recorded ones, so that stick-slip can't run away, and where rows of current exist beside
 /// the voltage that drives, drive = Kt i and the voltage balance is a second set of rows,
 ///   i = lag(u)/R − lag(ω) Ke/R − Σ a_j lag(c_j)/R,   lag the first-order lag L/R.
+/// A third set of rows are the breakaways: at the end of each standstill the drive overcomes load and dry friction,
+///   drive = F s + Σ a_j c_j,  known as well as the drive changes within the time that motion takes to show.
 /// The method of integrals instead of derivatives follows M. Shinbrot's method functions ('On the analysis of linear
 /// and nonlinear systems', Trans. ASME 79, 1957). Rows are means over some samples, weighted by their number, each set
-/// in units of one reading's noise.
+/// in units of a typical residual.
 class LinearRig {
  public:
   /// `base` gives gains, lag and the start values of J and F; tracks carry their smoothed motion.
@@ -46,6 +48,7 @@ class LinearRig {
   /// What an effect does along one track: a value per row of the track, empty where it does nothing.
   struct Traces {
     std::vector<double> torque, voltage, input, shown, sensed;
+    std::vector<double> starting;  ///< torque at each of the track's starts
   };
   /// The recorded motion as terms see it.
   struct Recorded {
@@ -54,6 +57,15 @@ class LinearRig {
     std::vector<char> usable;   ///< moving clearly one way
   };
 
+  /// The end of a standstill: the last row at rest.
+  struct Start {
+    size_t track = 0, row = 0, window = 0;
+    double direction = 0.0, drive = 0.0;
+    Eigen::Index at = 0;
+  };
+  void findStarts(const std::vector<Window>& windows);
+  /// Adds to `out` the values that act at each breakaway.
+  void addStarts(const std::vector<double>& values, size_t track, double factor, Eigen::Ref<Eigen::VectorXd> out) const;
   void freeInductance();
   void cut(const std::vector<Window>& windows);
   void record();
@@ -73,6 +85,7 @@ class LinearRig {
   double gain_ = 1.0;  ///< Nm per unit of input
   std::vector<Recorded> recorded_;
   std::vector<Stretch> stretches_, electrical_;
+  std::vector<Start> starts_;
   Eigen::Index rows_ = 0;
   std::vector<size_t> window_;
   size_t windows_ = 0;
