@@ -14,10 +14,11 @@
 #include <numbers>
 #include <vector>
 
-#include "diagnose/catalogue.h"
 #include "diagnose/simulate/stepper.h"
+#include "support/known_servo.h"
 
 using namespace breakaway;
+using namespace breakaway::test;
 
 namespace {
 
@@ -28,27 +29,9 @@ constexpr double targetMillions = 10.0, targetRatio = 10.0;
 /// One position per row.
 using Motion = std::vector<double>;
 
-Physics torqueDriven() {
-  Physics p;
-  p.inertia = 6e-5;
-  p.viscous = 2e-4;
-  p.coulomb = 0.012;
-  return p;
-}
-
-Physics withInductance() {
-  Physics p = torqueDriven();
-  p.electrical = true;
-  p.torqueConstant = p.backEmf = 0.07;
-  p.resistance = 1.2;
-  p.inductance = 0.0011;
-  return p;
-}
-
 std::vector<CompiledTerm> threeTerms() {
-  return {{findEffect("cogging"), {0.002, 0.4, 12.0}},
-          {findEffect("stribeck"), {0.004, 1.5, 2.0}},
-          {findEffect("viscous_asymmetry"), {2e-5}}};
+  return {compiled("cogging", {0.002, 0.4, 12.0}), compiled("stribeck", {0.004, 1.5, 2.0}),
+          compiled("viscous_asymmetry", {2e-5})};
 }
 
 /// Held over each row: two sines of 1.6 and 0.5 times `unit`, the Coulomb friction, so that the axis swings, stops and
@@ -253,7 +236,7 @@ bool contest(const char* name, const Physics& physics, const std::vector<Compile
 }  // namespace
 
 int main() {
-  const Physics base = torqueDriven(), coil = withInductance();
+  const Physics base = torqueDriven(), coil = voltageDriven();
   const auto terms = threeTerms();
   std::printf("stepping, 50 us, one core, best of 5\n");
   bool met = speed("base model", base, {}, base.coulomb, true);

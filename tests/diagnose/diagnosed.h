@@ -8,6 +8,7 @@
 
 #include "diagnose/diagnosis.h"
 #include "support/recorded_rig.h"
+#include "support/within.h"
 
 namespace breakaway::test {
 
@@ -31,10 +32,6 @@ inline double parameter(const Finding& finding, const std::string& name) {
     if (one.name == name) return one.value;
   }
   return std::nan("");
-}
-
-inline bool within(double value, double expected, double relative) {
-  return std::abs(value / expected - 1.0) < relative;
 }
 
 /// Better on held-out data for sure, and no better than an encoder of 14400 counts (0.13 mrad rms) can show.

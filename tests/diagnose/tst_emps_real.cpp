@@ -8,6 +8,7 @@
 #include "recording/csv.h"
 #include "support/real_recordings.h"
 #include "support/temporary.h"
+#include "support/within.h"
 
 using namespace breakaway;
 
@@ -25,10 +26,6 @@ class TestEmpsReal : public QObject {
 };
 
 namespace {
-
-bool within(double value, double published) {
-  return std::abs(value / published - 1.0) < 0.01;
-}
 
 /// Root mean square position error over 1 s windows in m, rows of the first window left out.
 double windowError_m(const Model& model, const Recording& recording) {
@@ -54,10 +51,10 @@ void TestEmpsReal::inverseFit_reproducesThePublishedParameters() {
   VERIFY_OK(fit);
   const double M = *fit->model.baseValue("mass_kg"), Fv = *fit->model.baseValue("viscous_N_s_per_m"),
                Fc = *fit->model.baseValue("coulomb_N"), offset = fit->model.effects.front().parameters.front().value;
-  QVERIFY2(within(M, 95.109), qPrintable(QString::number(M)));
-  QVERIFY2(within(Fv, 203.50), qPrintable(QString::number(Fv)));
-  QVERIFY2(within(Fc, 20.394), qPrintable(QString::number(Fc)));
-  QVERIFY2(within(offset, -3.165), qPrintable(QString::number(offset)));
+  VERIFY_WITHIN(M, 95.109, 0.01);
+  VERIFY_WITHIN(Fv, 203.50, 0.01);
+  VERIFY_WITHIN(Fc, 20.394, 0.01);
+  VERIFY_WITHIN(offset, -3.165, 0.01);
 }
 
 void TestEmpsReal::diagnosis_namesViscousAsymmetryAndProvesIt() {

@@ -5,8 +5,10 @@
 #include "diagnose/fit/inverse_fit.h"
 #include "diagnose/fit/inverse_rows.h"
 #include "support/temporary.h"
+#include "support/within.h"
 
 using namespace breakaway;
+using breakaway::test::within;
 
 class TestInverse : public QObject {
   Q_OBJECT
@@ -72,10 +74,6 @@ Model slideModel() {
   model.axis = Axis::linear;
   for (const char* name : {"mass_kg", "viscous_N_s_per_m", "coulomb_N"}) model.base.push_back({name, 1.0, 1.0, 1.0});
   return model;
-}
-
-bool within(double value, double expected, double relative) {
-  return std::abs(value / expected - 1.0) < relative;
 }
 
 }  // namespace

@@ -2,12 +2,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnose/simulate/simulator.h"
 #include "diagnose/simulate/simulation.h"
+#include "diagnose/simulate/simulator.h"
+#include "support/known_servo.h"
 #include "support/temporary.h"
 
 using namespace breakaway;
-using breakaway::test::TemporaryFolder;
+using namespace breakaway::test;
 
 class TestSimulation : public QObject {
   Q_OBJECT
@@ -24,18 +25,7 @@ class TestSimulation : public QObject {
 namespace {
 
 Model voltageModel() {
-  const auto one = [](const char* name, double value) { return Parameter{name, value, 0.9 * value, 1.1 * value}; };
-  Model model;
-  model.input = DriveInput::voltage;
-  model.base = {one("torque_constant_Nm_per_A", 0.07),
-                one("back_emf_constant_V_s_per_rad", 0.07),
-                one("resistance_ohm", 1.2),
-                one("inductance_H", 0.0011),
-                one("inertia_kg_m2", 6e-5),
-                one("viscous_Nm_s_per_rad", 2e-4),
-                one("coulomb_Nm", 0.012)};
-  model.effects = {{"cogging", {one("amplitude_Nm", 0.001), one("phase_rad", 0.4), one("order", 12.0)}}};
-  return model;
+  return servoWith(DriveInput::voltage, "cogging", {0.001, 0.4, 12.0});
 }
 
 /// Rows of 1 ms, some left out, from 100 s on; positions are the model's own, or floored to its count.

@@ -1,10 +1,12 @@
 #include <QTest>
 #include <cmath>
 
-#include "diagnose/catalogue.h"
 #include "diagnose/simulate/stepper.h"
+#include "support/known_servo.h"
+#include "support/within.h"
 
 using namespace breakaway;
+using namespace breakaway::test;
 
 class TestStepper : public QObject {
   Q_OBJECT
@@ -22,23 +24,6 @@ class TestStepper : public QObject {
 };
 
 namespace {
-
-Physics torqueDriven() {
-  Physics p;
-  p.inertia = 6e-5;
-  p.viscous = 2e-4;
-  p.coulomb = 0.012;
-  return p;
-}
-
-Physics voltageDriven() {
-  Physics p = torqueDriven();
-  p.electrical = true;
-  p.torqueConstant = p.backEmf = 0.07;
-  p.resistance = 1.2;
-  p.inductance = 0.0011;
-  return p;
-}
 
 /// Classical Runge–Kutta of fourth order over one piece of motion in one direction; `h` s per step.
 struct RungeKutta {
@@ -91,12 +76,6 @@ MotionState fineMotion(const Physics& p, MotionState s, double u, double seconds
   }
   return s;
 }
-
-#define COMPARE_WITHIN(actual, expected, bound)                                                         \
-  QVERIFY2(std::abs((actual) - (expected)) <= (bound), qPrintable(QString("%1 against %2, apart by %3") \
-                                                                      .arg(actual, 0, 'g', 15)          \
-                                                                      .arg(expected, 0, 'g', 15)        \
-                                                                      .arg((actual) - (expected))))
 
 }  // namespace
 
@@ -234,8 +213,8 @@ void TestStepper::openWindings_coastWithoutCurrent() {
 }
 
 void TestStepper::effects_convergeWithSecondOrder() {
-  const std::vector<CompiledTerm> terms{{findEffect("cogging"), {0.002, 0.4, 12.0}},
-                                        {findEffect("stribeck"), {0.004, 1.5, 2.0}}};
+  const std::vector<CompiledTerm> terms{compiled("cogging", {0.002, 0.4, 12.0}),
+                                        compiled("stribeck", {0.004, 1.5, 2.0})};
   const auto end = [&terms](double step) {
     Stepper stepper(torqueDriven(), terms);
     MotionState state;

@@ -46,7 +46,7 @@ void TestLayering::plantedBreach_isFound_data() {
   row("core/diagnose/planted.cpp", "\"motor/plant.h\"", "the search must not know core/motor/plant.h");
   row("core/diagnose/effects/planted.cpp", "\"motor/middle.h\"", "the search must not know core/motor/plant.h");
   row("core/diagnose/planted.cpp", "\"trial/sealed_trial.h\"", "diagnose stands below trial");
-  row("core/trial/planted.cpp", "\"diagnose/search.h\"", "trials know only");
+  row("core/trial/planted.cpp", "\"diagnose/search/search.h\"", "trials know only");
   row("core/trial/planted.cpp", "\"motor/plant.h\"", "trials know only");
   row("core/motor/planted.cpp", "\"trial/trial_plant.h\"", "motor stands below trial");
   row("firmware_link/planted.cpp", "\"diagnose/simulate/model.h\"", "the link stands beside diagnose");

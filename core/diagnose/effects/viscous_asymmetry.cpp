@@ -14,8 +14,9 @@ class ViscousAsymmetry final : public Effect {
   std::string_view name() const override { return "viscous_asymmetry"; }
   std::string_view formula() const override { return "load = d/2 · |ω|, on top of B ω"; }
   std::string_view source() const override {
-    return "B. Armstrong-Hélouvry, P. Dupont, C. Canudas de Wit, Automatica 30(7), 1994, section 2: "
-           "direction-dependent viscous friction";
+    return "B. Armstrong-Hélouvry, P. Dupont, C. Canudas de Wit, 'A survey of models, analysis tools and compensation "
+           "methods for the control of machines with friction', Automatica 30(7), 1994, section 2: direction-dependent "
+           "viscous friction";
   }
   std::vector<ParameterSpec> parameters(Axis axis) const override {
     return {{viscousName("difference", axis), -1e9, 1e9}};

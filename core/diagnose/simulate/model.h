@@ -34,7 +34,7 @@ struct Model {
   std::optional<double> supply_V;
   double count = 0.0;                ///< one encoder count in rad or m; 0: not declared
   std::optional<Pendulum> pendulum;  ///< masses and lengths; its down angle is a base parameter
-  double restartHorizon_s = 0.05;    ///< how far a restart looks back, see restartState()
+  double restartHorizon_s = 0.05;    ///< how far a restart looks back, see Simulator::restart()
   std::vector<Parameter> base;
   std::vector<EffectTerm> effects;
 

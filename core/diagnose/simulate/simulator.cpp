@@ -35,6 +35,17 @@ Line lineThrough(const Track& track, size_t first, size_t last) {
   return {track.position[first] + (sx - slope * st) / n, slope};
 }
 
+/// Standard deviation of one reading, from third differences of rows [first, last] alone, whose variance is 20 times a
+/// reading's: what is measured later must not reach a restart.
+double readingNoise(const Track& track, size_t first, size_t last) {
+  double squares = 0.0;
+  for (size_t k = first; k + 3 <= last; ++k) {
+    const double d = track.position[k + 3] - 3.0 * (track.position[k + 2] - track.position[k + 1]) - track.position[k];
+    squares += d * d;
+  }
+  return std::sqrt(squares / (20.0 * std::max(1.0, static_cast<double>(last) - static_cast<double>(first) - 2.0)));
+}
+
 }  // namespace
 
 Simulator::Simulator(const Model& model, const Track& track, size_t from, size_t to)
@@ -120,7 +131,7 @@ MotionState Simulator::restartOver(double horizon_s, size_t row, const MotionSta
   const size_t early = first + std::max<size_t>(2, (row - first) / 3);
   const Line line = lineThrough(track_, first, early);
   const double length = track_.time[row] - track_.time[first];
-  const double small = std::max(track_.noise, 1e-12);
+  const double small = std::max(readingNoise(track_, first, row), 1e-9);
   Eigen::Vector3d unknown(truePosition(line.position), line.slope, 0.0);  // position, velocity, load
   const Eigen::Vector3d nudge(small, small / length, physics().inertia * small / (length * length));
   const double ownLoad = physics().load;

@@ -100,7 +100,8 @@ double Stepper::lostVoltage(const MotionState& state, double u, double velocity,
   double low = 0.0, high = free, gLow = lossAt(0.0) - available, gHigh = lossAt(free);
   if (gLow * gHigh > 0.0) return std::abs(gHigh) < std::abs(gLow) ? gHigh : gLow + available;
   double loss = gHigh;
-  for (int k = 0; k < 8 && gHigh != gLow; ++k) {
+  int kept = 0;  // an end that stays twice counts half: Illinois
+  for (int k = 0; k < 12 && gHigh != gLow; ++k) {
     const double current = (low * gHigh - high * gLow) / (gHigh - gLow);
     loss = lossAt(current);
     const double g = physics_.resistance * current + loss - available;
@@ -108,11 +109,13 @@ double Stepper::lostVoltage(const MotionState& state, double u, double velocity,
     if ((g > 0.0) == (gHigh > 0.0)) {
       high = current;
       gHigh = g;
-      gLow *= 0.5;
+      if (kept == -1) gLow *= 0.5;
+      kept = -1;
     } else {
       low = current;
       gLow = g;
-      gHigh *= 0.5;
+      if (kept == 1) gHigh *= 0.5;
+      kept = 1;
     }
   }
   return loss;
