@@ -7,8 +7,10 @@
 #include "base/statistics.h"
 #include "diagnose/catalogue.h"
 #include "diagnose/fit/inverse_fit.h"
+#include "diagnose/next_experiment.h"
 #include "diagnose/noise_floor.h"
 #include "diagnose/preparation.h"
+#include "diagnose/proof.h"
 #include "diagnose/search/search.h"
 #include "diagnose/where.h"
 
@@ -25,7 +27,7 @@ double meanSquare(const Model& model, const std::vector<Track>& tracks, const st
 }
 
 FitScore scoreFit(const Bench& bench, const Model& base, const Model& best, const std::vector<Track>& tracks,
-                  const Split& split, const DiagnoseOptions& options) {
+                  const Split& split, const DiagnoseOptions& options, Proof& proof) {
   FitScore fit;
   fit.channel = bench.positionChannel();
   fit.window_s = options.window_s;
@@ -47,6 +49,7 @@ FitScore scoreFit(const Bench& bench, const Model& base, const Model& best, cons
   fit.improvementLow95 = interval.low;
   fit.improvementHigh95 = interval.high;
   fit.floor = noiseFloor(best, tracks, split.heldoutScore, options.seed);
+  proof = proofOf(best, tracks, split.heldoutScore, before, after, fit);
   return fit;
 }
 
@@ -93,27 +96,6 @@ bool leavesAPlace(const Model& best, const std::vector<Track>& seen, std::vector
   return true;
 }
 
-void nextExperiment(Diagnosis& diagnosis, const Excitation& seen) {
-  for (const Finding& finding : diagnosis.findings) {
-    if (finding.ambiguousWith.empty()) continue;
-    diagnosis.nextSeparates = {finding.effect};
-    diagnosis.nextSeparates.insert(diagnosis.nextSeparates.end(), finding.ambiguousWith.begin(),
-                                   finding.ambiguousWith.end());
-    const Effect* rival = findEffect(finding.ambiguousWith.front());
-    diagnosis.nextSentence =
-        "To tell " + finding.effect + " from " + finding.ambiguousWith.front() + ": " + rival->neededExcitation(seen);
-    if (hasRealRivals(finding)) return;
-  }
-  if (!diagnosis.nextSentence.empty() || diagnosis.verdict == Verdict::nothingMissing) return;
-  if (diagnosis.findings.empty()) {
-    diagnosis.nextSentence =
-        "Repeat the recording with other speeds and amplitudes: what moves with speed, place or load will show.";
-  } else {
-    diagnosis.nextSentence = "To confirm " + diagnosis.findings.front().effect + ": " +
-                             findEffect(diagnosis.findings.front().effect)->neededExcitation(seen);
-  }
-}
-
 }  // namespace
 
 Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& recordings,
@@ -144,7 +126,8 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   diagnosis.base = found->base.model;
   diagnosis.model = found->best.model;
   diagnosis.heldoutRows = prepared->split.heldoutRows;
-  diagnosis.fit = scoreFit(bench, diagnosis.base, diagnosis.model, prepared->tracks, prepared->split, options);
+  diagnosis.fit =
+      scoreFit(bench, diagnosis.base, diagnosis.model, prepared->tracks, prepared->split, options, diagnosis.proof);
   const FitScore& fit = diagnosis.fit;
   const double floor2 = fit.floor * fit.floor;
   const double excess = std::max(fit.trainBefore * fit.trainBefore - floor2, 1e-300);
@@ -172,7 +155,9 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
     const bool rivals = std::any_of(diagnosis.findings.begin(), diagnosis.findings.end(), hasRealRivals);
     diagnosis.verdict = rivals ? Verdict::ambiguous : Verdict::named;
   }
-  nextExperiment(diagnosis, prepared->seen);
+  NextExperiment next = nextExperiment(diagnosis, bench, prepared->seen);
+  diagnosis.nextSentence = std::move(next.sentence);
+  diagnosis.nextSeparates = std::move(next.separates);
   diagnosis.elapsed_s = elapsed();
   return diagnosis;
 }

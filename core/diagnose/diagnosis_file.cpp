@@ -119,7 +119,14 @@ std::string diagnosisJson(const Diagnosis& d, bool oneLine) {
                    {"after", d.fit.heldoutAfter},
                    {"improvement_ci95", {d.fit.improvementLow95, d.fit.improvementHigh95}},
                    {"separate_recording", d.fit.separateRecording}}},
-                 {"floor", d.fit.floor}};
+                 {"floor", d.fit.floor},
+                 {"achieved", d.proof.achieved},
+                 {"whiteness", {{"lag1", d.proof.lag1}, {"p_value", d.proof.whitenessPValue}}},
+                 {"worst_block",
+                  {{"recording", d.proof.worst.recording},
+                   {"start_s", d.proof.worst.start_s},
+                   {"before", d.proof.worst.before},
+                   {"after", d.proof.worst.after}}}};
   json["unexplained"] = {{"share", d.unexplainedShare}, {"p_value", d.unexplainedPValue}};
   json["next_experiment"] = {{"sentence", d.nextSentence}, {"separates", d.nextSeparates}};
   json["remarks"] = d.remarks;
