@@ -105,7 +105,8 @@ std::string angleSentence(const ResidualMap& map, const Stretch& at, const Place
 std::string signedSentence(const ResidualMap& map, const Stretch& at, const Place& place, Axis axis) {
   const double middle = 0.5 * (place.from + place.to), s = middle > 0.0 ? 1.0 : -1.0;
   const double other = mirrored(map, place.from, place.to);
-  const bool odd = s * middle > 0.0 && other / at.mean < -ratioBothWays;
+  const bool odd =
+      place.from * place.to > 0.0 && (map.shows == Unknown::friction ? 1.0 : -1.0) * other / at.mean > ratioBothWays;
   const bool torqueAxis = map.axis == "current";
   if (map.shows == Unknown::voltage) {
     const std::string range = rangeText(place, [](double x) { return quantityText(x, "A"); });
@@ -131,6 +132,8 @@ std::string signedSentence(const ResidualMap& map, const Stretch& at, const Plac
 
 std::string sentenceOf(const ResidualMap& map, const Stretch& at, const Place& place, Axis axis) {
   if (map.axis == "angle") return angleSentence(map, at, place, axis);
+  if (map.axis == "velocity" || map.axis == "acceleration" || map.axis == "current")
+    return signedSentence(map, at, place, axis);
   if (map.axis == "frequency") {
     return "Changes between " + digitsText(place.from) + " and " + digitsText(place.to) +
            " Hz come out otherwise than in the model, by " + torqueText(at.mean, axis) +
