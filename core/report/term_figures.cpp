@@ -132,6 +132,7 @@ Figure overAngle(const Drawn& drawn) {
     };
   };
   Figure figure{
+      .title = {},
       .xLabel = rotary(drawn) ? "angle / °" : "position / mm",
       .yLabel = encoder ? (rotary(drawn) ? "shown − true / °" : "shown − true / mm") : torqueLabel(drawn, "opposing")};
   if (whole) figure.xRange = {0.0, 360.0};
