@@ -144,6 +144,8 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
       material && leavesAPlace(diagnosis.model, training, unexplained, diagnosis.unexplainedPValue, options.seed);
   if (!diagnosis.findings.empty() || outside) {
     diagnosis.where = places(residualMaps(diagnosis.base, training, options.seed), diagnosis.base);
+    if (!diagnosis.findings.empty())
+      preferAxis(diagnosis.where, findEffect(diagnosis.findings.front().effect)->drawnOver());
   }
   if (outside) {
     diagnosis.where.insert(diagnosis.where.begin(), unexplained.begin(), unexplained.end());

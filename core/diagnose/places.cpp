@@ -13,6 +13,7 @@ namespace {
 constexpr double significant = 0.05;
 constexpr double leastShare = 0.01;    ///< a smaller one is no place to look at
 constexpr double belongs = 0.5;        ///< a neighbour belongs to the place from this part of the worst cell on
+constexpr double nearly = 0.4;         ///< of the largest share
 constexpr double strongOrder = 1.5;    ///< times the next one: the turn has one order
 constexpr double ratioBothWays = 0.4;  ///< of the smaller to the larger
 
@@ -193,6 +194,12 @@ std::vector<Place> places(const std::vector<ResidualMap>& maps, const Model& mod
   for (const ResidualMap* map : strongest) found.push_back(placeOf(*map, model));
   std::stable_sort(found.begin(), found.end(), [](const Place& a, const Place& b) { return a.share > b.share; });
   return found;
+}
+
+void preferAxis(std::vector<Place>& places, std::string_view axis) {
+  if (axis == "travel") axis = "reversal";
+  const auto own = std::find_if(places.begin(), places.end(), [axis](const Place& one) { return one.axis == axis; });
+  if (own != places.end() && own->share > nearly * places.front().share) std::rotate(places.begin(), own, own + 1);
 }
 
 }  // namespace breakaway

@@ -97,12 +97,24 @@ Candidate mapOver(const Instants& all, Along axis, Unknown shows, const Everythi
   out.map.axis = axes[axis].name;
   out.map.unit = rig == Axis::rotary ? axes[axis].rotaryUnit : axes[axis].linearUnit;
   out.map.shows = shows;
-  std::vector<double> along = all.along[axis];
+  const std::vector<double>& along = all.along[axis];
   const bool round = axis == byAngle && context.turns;
   std::vector<double> known;
   std::copy_if(along.begin(), along.end(), std::back_inserter(known), [](double x) { return std::isfinite(x); });
   if (known.size() < 50) return out;
-  const double low = round ? 0.0 : quantile(known, 0.005), high = round ? turn : quantile(known, 0.995);
+  const bool fromZero = axis == byReversal;
+  const bool signedAxis = axis == byVelocity || axis == byAcceleration || axis == byTorque || axis == byCurrent;
+  const bool narrowNearZero = axis == byVelocity || fromZero;
+  double low = round || fromZero ? 0.0 : quantile(known, 0.005), high = round ? turn : quantile(known, 0.995);
+  if (signedAxis && low < 0.0 && high > 0.0) {  // no cell has both signs
+    high = std::max(-low, high);
+    low = -high;
+  }
+  const double reach = std::max(std::abs(low), std::abs(high));
+  const auto squeezed = [=](double x) { return narrowNearZero ? std::copysign(std::sqrt(reach * std::abs(x)), x) : x; };
+  const auto stretched = [=](double x) { return narrowNearZero ? std::copysign(x * x / reach, x) : x; };
+  low = squeezed(low);
+  high = squeezed(high);
   const size_t cells = round ? fine : coarse;
   const double width = (high - low) / static_cast<double>(cells);
   if (!(width > 0.0)) return out;
@@ -111,7 +123,8 @@ Candidate mapOver(const Instants& all, Along axis, Unknown shows, const Everythi
   std::vector<double> up(cells, 0.0), down(cells, 0.0), ups(cells, 0.0), downs(cells, 0.0);
   for (size_t k = 0; k < along.size(); ++k) {
     if (!std::isfinite(along[k])) continue;
-    const auto cell = static_cast<size_t>(std::clamp((along[k] - low) / width, 0.0, static_cast<double>(cells) - 0.5));
+    const auto cell =
+        static_cast<size_t>(std::clamp((squeezed(along[k]) - low) / width, 0.0, static_cast<double>(cells) - 0.5));
     const double value = valueOf(all, k, shows);
     sums.sums[cell][all.block[k]] += value;
     sums.count[cell] += 1.0;
@@ -119,12 +132,15 @@ Candidate mapOver(const Instants& all, Along axis, Unknown shows, const Everythi
     (all.way[k] > 0.0 ? ups : downs)[cell] += 1.0;
     out.total += value * value;
   }
-  const double fewest = std::max(3.0, 0.05 * static_cast<double>(known.size()) / static_cast<double>(cells));
+  const double fewest =
+      std::max(3.0, (narrowNearZero ? 0.01 : 0.05) * static_cast<double>(known.size()) / static_cast<double>(cells));
   for (size_t cell = 0; cell < cells; ++cell) {
     const double count = sums.count[cell];
     const auto part = [](double sum, double n) { return n > 2.0 ? sum / n : std::nan(""); };
-    out.map.centre.push_back(low + (static_cast<double>(cell) + 0.5) * width);
-    out.map.width.push_back(width);
+    const double from = stretched(low + static_cast<double>(cell) * width);
+    const double to = stretched(low + static_cast<double>(cell + 1) * width);
+    out.map.centre.push_back(0.5 * (from + to));
+    out.map.width.push_back(to - from);
     out.map.mean.push_back(count > fewest ? sums.sum(cell) / count : std::nan(""));
     out.map.error.push_back(count > fewest ? sums.error(cell) / count : std::nan(""));
     out.map.rising.push_back(part(up[cell], ups[cell]));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "diagnose/diagnosis.h"
@@ -41,5 +42,8 @@ std::vector<ResidualMap> residualMaps(const Model& model, const std::vector<Trac
 /// The stretches of the significant maps where it is worst, at most one per axis for the mechanics and one for the
 /// electrical side, the largest share first.
 std::vector<Place> places(const std::vector<ResidualMap>& maps, const Model& model);
+
+/// Puts the place on that axis (Effect::drawnOver()) first where it shows nearly as much as the first one.
+void preferAxis(std::vector<Place>& places, std::string_view axis);
 
 }  // namespace breakaway

@@ -121,7 +121,7 @@ void addWindow(std::vector<NamedFigure>& figures, const Diagnosis& d, const Repl
 }
 
 void addWholeResidual(std::vector<NamedFigure>& figures, const Diagnosis& d, const Replay& replay) {
-  Figure figure{.title = "What the simulation misses, whole recording " + replay.track.name,
+  Figure figure{.title = "What the simulation misses, whole recording",
                 .xLabel = "time / s",
                 .yLabel = std::string("measured − simulated / ") + shownIn(d.model.axis).unit};
   addModels(figure, d, replay, 0, replay.track.rows() - 1, true);
@@ -130,8 +130,9 @@ void addWholeResidual(std::vector<NamedFigure>& figures, const Diagnosis& d, con
     const double to = replay.track.time[std::min(last, replay.track.rows()) - 1];
     figure.highlights.push_back({replay.track.origin_s + from, replay.track.origin_s + to, "held out"});
   }
-  figures.push_back(
-      {"training_residual", "The smaller, the better the model; restarts set it back to nearly zero.", figure});
+  figures.push_back({"training_residual",
+                     replay.track.name + ". The smaller, the better the model; restarts set it back to nearly zero.",
+                     figure});
 }
 
 /// Scale and label of a map's axis and of its values, as people read them.
@@ -251,9 +252,10 @@ std::string gainSvg(const Diagnosis& d) {
               SvgCanvas::Anchor::middle, Ink::text, 15.0, true);
   for (size_t k = 0; k < bars.size(); ++k) {
     const double y = top + row * static_cast<double>(k), end = left + (right - left) * bars[k].value / most;
+    const double cap = std::min(8.0, 0.5 * (end - left));  // ends are round
     canvas.text(left - 10.0, y + 4.0, bars[k].label, SvgCanvas::Anchor::end, Ink::text, 13.0);
     canvas.curve("M" + px(left) + " " + px(y) + "H" + px(std::max(end, left + 1.0)),
-                 Curve{.label = {}, .x = {}, .y = {}, .width_px = 16.0}, bars[k].colour);
+                 Curve{.label = {}, .x = {}, .y = {}, .width_px = 2.0 * cap}, bars[k].colour);
     canvas.text(end + 14.0, y + 4.0, numberText(shown.scale * bars[k].value, 3) + " " + shown.unit,
                 SvgCanvas::Anchor::start, Ink::text, 13.0);
   }
