@@ -9,6 +9,7 @@
 #include "diagnose/block_maps.h"
 #include "diagnose/fit/inverse_rows.h"
 #include "diagnose/residual_spectrum.h"
+#include "diagnose/simulate/physics.h"
 #include "diagnose/unexplained.h"
 
 namespace breakaway {
@@ -227,6 +228,11 @@ std::vector<ResidualMap> residualMaps(const Model& model, const std::vector<Trac
   std::vector<BlockMap> sums;
   for (Candidate& one : candidates) std::move(one.sums.begin(), one.sums.end(), std::back_inserter(sums));
   const std::vector<Significance> found = significances(sums, all.blocks, seed);
+  // Lost voltage counts by the torque that it costs, beside the unexplained torque.
+  const Physics p = physicsOf(model);
+  const double torquePerVolt = p.electrical ? p.torqueConstant / p.resistance : 0.0;
+  const double mechanical = rms(all.mechanical.value), electrical = torquePerVolt * rms(all.electrical.value);
+  const double weight = electrical * electrical / std::max(mechanical * mechanical + electrical * electrical, 1e-300);
   std::vector<ResidualMap> maps;
   size_t at = 0;
   for (Candidate& one : candidates) {
@@ -236,6 +242,7 @@ std::vector<ResidualMap> residualMaps(const Model& model, const std::vector<Trac
       one.map.pValue = std::min(one.map.pValue, found[at].pValue);
     }
     one.map.share = one.total > 0.0 ? std::clamp(energy / one.total, 0.0, 1.0) : 0.0;
+    if (one.map.shows == Unknown::voltage) one.map.share *= weight;
     maps.push_back(std::move(one.map));
   }
   return maps;
