@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include "diagnose/effects/wording.h"
 #include "diagnose/where.h"
@@ -158,7 +159,20 @@ std::string sentenceOf(const ResidualMap& map, const Stretch& at, const Place& p
   return out + ".";
 }
 
-Place placeOf(const ResidualMap& map, const Model& model) {
+/// The turn cut open half a turn on, for a stretch that runs over 0°.
+ResidualMap cutElsewhere(ResidualMap map) {
+  const auto half = static_cast<std::ptrdiff_t>(map.centre.size() / 2);
+  for (auto* values : {&map.centre, &map.width, &map.mean, &map.error, &map.rising, &map.falling, &map.count})
+    std::rotate(values->begin(), values->begin() + half, values->end());
+  for (double& centre : map.centre) centre -= centre > std::numbers::pi ? 2.0 * std::numbers::pi : 0.0;
+  return map;
+}
+
+Place placeOf(const ResidualMap& whole, const Model& model) {
+  const Stretch uncut = worstStretch(whole);
+  const bool round = !whole.orders.empty();
+  const bool atTheCut = round && (uncut.first == 0 || uncut.last + 1 == whole.centre.size());
+  const ResidualMap map = atTheCut ? cutElsewhere(whole) : whole;
   const Stretch at = worstStretch(map);
   Place place{map.axis,
               map.centre[at.first] - 0.5 * map.width[at.first],

@@ -48,21 +48,26 @@ Figure overAngle(const Drawn& drawn) {
   const double probe = low + 0.137 * (high - low);
   const auto& first = drawn.sets.front();
   const bool encoder = drawn.effect.shown(first, probe) != probe;
+  // What is friction alone is drawn as friction, the same both ways.
+  Situation still = typical(drawn);
+  still.position = probe;
+  const Term term = drawn.effect.term(first, still);
+  const bool friction = !encoder && term.load_Nm == 0.0 && term.friction_Nm != 0.0;
   const auto valueAt = [&](double direction) -> Value {
-    return [&drawn, scale, encoder, direction](const std::vector<double>& set, double shown) {
+    return [&drawn, scale, encoder, friction, direction](const std::vector<double>& set, double shown) {
       const double position = shown / scale;
       if (encoder) return scale * (drawn.effect.shown(set, position) - position);
       Situation at = typical(drawn);
       at.position = position;
       at.direction = direction;
       at.velocity = direction * (at.velocity > 0.0 ? at.velocity : 1.0);
-      return opposing(drawn, set, at);
+      return (friction ? direction : 1.0) * opposing(drawn, set, at);
     };
   };
-  Figure figure{
-      .title = {},
-      .xLabel = rotary(drawn) ? "angle / °" : "position / mm",
-      .yLabel = encoder ? (rotary(drawn) ? "shown − true / °" : "shown − true / mm") : torqueLabel(drawn, "opposing")};
+  Figure figure{.title = {},
+                .xLabel = rotary(drawn) ? "angle / °" : "position / mm",
+                .yLabel = encoder ? (rotary(drawn) ? "shown − true / °" : "shown − true / mm")
+                                  : torqueLabel(drawn, friction ? "resisting" : "opposing")};
   if (whole) figure.xRange = {0.0, 360.0};
   addWays(figure, drawn, between(scale * low, scale * high), valueAt);
   return figure;

@@ -1,4 +1,5 @@
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 
 #include "base/statistics.h"
@@ -68,6 +69,7 @@ class TestWhere : public QObject {
  private slots:
   void shiftInOneCell_isSignificant_noiseIsNot();
   void higherFrictionOverAStretch_isSaidInDegreesBothWays();
+  void stretchOverZero_isOnePlace();
   void insignificantMap_isNoPlace();
   void whiteSeries_isWhite_andADriftIsNot();
   void rivals_getOneExperimentThatTellsThemApart();
@@ -99,6 +101,16 @@ void TestWhere::higherFrictionOverAStretch_isSaidInDegreesBothWays() {
   const auto lower = places({frictionOverAngle(-1.8)}, Model{});
   QCOMPARE(lower.front().sentence,
            std::string("The axis needs 1.8 mNm less than the model between 40° and 95°, both ways."));
+}
+
+void TestWhere::stretchOverZero_isOnePlace() {
+  ResidualMap map = frictionOverAngle(1.8);
+  for (auto* values : {&map.mean, &map.rising, &map.falling})
+    std::rotate(values->begin(), values->begin() + 13, values->end());
+  map.orders = {{1, 4e-4}, {2, 4e-4}, {3, 3e-4}};
+  const auto found = places({map}, Model{});
+  QCOMPARE(found.front().sentence,
+           std::string("The axis needs 1.8 mNm more than the model between -25° and 30°, both ways."));
 }
 
 void TestWhere::insignificantMap_isNoPlace() {
