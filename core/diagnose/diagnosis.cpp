@@ -7,8 +7,10 @@
 #include "base/statistics.h"
 #include "diagnose/catalogue.h"
 #include "diagnose/fit/inverse_fit.h"
+#include "diagnose/next_experiment.h"
 #include "diagnose/noise_floor.h"
 #include "diagnose/preparation.h"
+#include "diagnose/proof.h"
 #include "diagnose/search/search.h"
 #include "diagnose/where.h"
 
@@ -19,14 +21,21 @@ namespace {
 /// Beyond this part of the excess error, and this many times the floor, what is left is material.
 constexpr double materialShare = 0.25;
 constexpr double materialShareBesideFindings = 0.5;
-constexpr double materialFloors = 1.6;
+constexpr double materialFloors = 1.8;
+
+/// The mean without its largest tenth.
+double typicalSquare(std::vector<double> squares) {
+  std::sort(squares.begin(), squares.end());
+  squares.resize(std::max<size_t>(1, squares.size() - squares.size() / 10));
+  return mean(squares);
+}
 
 double meanSquare(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows) {
   return mean(scoreWindows(model, tracks, windows));
 }
 
 FitScore scoreFit(const Bench& bench, const Model& base, const Model& best, const std::vector<Track>& tracks,
-                  const Split& split, const DiagnoseOptions& options) {
+                  const Split& split, const DiagnoseOptions& options, Proof& proof) {
   FitScore fit;
   fit.channel = bench.positionChannel();
   fit.window_s = options.window_s;
@@ -48,6 +57,7 @@ FitScore scoreFit(const Bench& bench, const Model& base, const Model& best, cons
   fit.improvementLow95 = interval.low;
   fit.improvementHigh95 = interval.high;
   fit.floor = noiseFloor(best, tracks, split.heldoutScore, options.seed);
+  proof = proofOf(best, tracks, split.heldoutScore, before, after, fit);
   return fit;
 }
 
@@ -94,27 +104,6 @@ bool leavesAPlace(const Model& best, const std::vector<Track>& seen, std::vector
   return true;
 }
 
-void nextExperiment(Diagnosis& diagnosis, const Excitation& seen) {
-  for (const Finding& finding : diagnosis.findings) {
-    if (finding.ambiguousWith.empty()) continue;
-    diagnosis.nextSeparates = {finding.effect};
-    diagnosis.nextSeparates.insert(diagnosis.nextSeparates.end(), finding.ambiguousWith.begin(),
-                                   finding.ambiguousWith.end());
-    const Effect* rival = findEffect(finding.ambiguousWith.front());
-    diagnosis.nextSentence =
-        "To tell " + finding.effect + " from " + finding.ambiguousWith.front() + ": " + rival->neededExcitation(seen);
-    if (hasRealRivals(finding)) return;
-  }
-  if (!diagnosis.nextSentence.empty() || diagnosis.verdict == Verdict::nothingMissing) return;
-  if (diagnosis.findings.empty()) {
-    diagnosis.nextSentence =
-        "Repeat the recording with other speeds and amplitudes: what moves with speed, place or load will show.";
-  } else {
-    diagnosis.nextSentence = "To confirm " + diagnosis.findings.front().effect + ": " +
-                             findEffect(diagnosis.findings.front().effect)->neededExcitation(seen);
-  }
-}
-
 }  // namespace
 
 Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& recordings,
@@ -145,25 +134,30 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   diagnosis.base = found->base.model;
   diagnosis.model = found->best.model;
   diagnosis.heldoutRows = prepared->split.heldoutRows;
-  diagnosis.fit = scoreFit(bench, diagnosis.base, diagnosis.model, prepared->tracks, prepared->split, options);
+  diagnosis.fit =
+      scoreFit(bench, diagnosis.base, diagnosis.model, prepared->tracks, prepared->split, options, diagnosis.proof);
   const FitScore& fit = diagnosis.fit;
-  const double floor2 = fit.floor * fit.floor;
-  const double excess = std::max(fit.trainBefore * fit.trainBefore - floor2, 1e-300);
-  const double explained =
-      std::clamp((fit.trainBefore * fit.trainBefore - fit.trainAfter * fit.trainAfter) / excess, 0.0, 1.0);
-  diagnosis.unexplainedShare = std::clamp((fit.trainAfter * fit.trainAfter - floor2) / excess, 0.0, 1.0);
-  if (fit.trainBefore < materialFloors * fit.floor) diagnosis.unexplainedShare = 0.0;
+  // Decisions rest on training windows; the worst tenth, which a restart at the edge of standstill may rule, left out.
+  const auto& windows = prepared->split.trainScore;
+  const double floor = noiseFloor(diagnosis.model, prepared->tracks, windows, options.seed);
+  const double before = typicalSquare(scoreWindows(diagnosis.base, prepared->tracks, windows));
+  const double after = typicalSquare(scoreWindows(diagnosis.model, prepared->tracks, windows));
+  const double excess = std::max(before - floor * floor, 1e-300);
+  const double explained = std::clamp((before - after) / excess, 0.0, 1.0);
+  const bool beyondFloor = after > materialFloors * materialFloors * floor * floor;
+  diagnosis.unexplainedShare = std::clamp((after - floor * floor) / excess, 0.0, 1.0);
+  if (!beyondFloor) diagnosis.unexplainedShare = 0.0;
   diagnosis.findings = findingsOf(*found, input, explained);
 
   const std::vector<Track>& training = prepared->training;
   std::vector<Place> unexplained;
-  const bool material =
-      diagnosis.unexplainedShare > (diagnosis.findings.empty() ? materialShare : materialShareBesideFindings) &&
-      fit.trainAfter > materialFloors * fit.floor;
-  const bool outside = material;
+  const double materialPart = diagnosis.findings.empty() ? materialShare : materialShareBesideFindings;
+  const bool outside = beyondFloor && diagnosis.unexplainedShare > materialPart;
   if (outside) leavesAPlace(diagnosis.model, training, unexplained, diagnosis.unexplainedPValue, options.seed);
   if (!diagnosis.findings.empty() || outside) {
     diagnosis.where = places(residualMaps(diagnosis.base, training, options.seed), diagnosis.base);
+    if (!diagnosis.findings.empty())
+      preferAxis(diagnosis.where, findEffect(diagnosis.findings.front().effect)->drawnOver());
   }
   if (outside) {
     diagnosis.where.insert(diagnosis.where.begin(), unexplained.begin(), unexplained.end());
@@ -175,7 +169,9 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
     const bool rivals = std::any_of(diagnosis.findings.begin(), diagnosis.findings.end(), hasRealRivals);
     diagnosis.verdict = rivals ? Verdict::ambiguous : Verdict::named;
   }
-  nextExperiment(diagnosis, prepared->seen);
+  NextExperiment next = nextExperiment(diagnosis, bench, prepared->seen);
+  diagnosis.nextSentence = std::move(next.sentence);
+  diagnosis.nextSeparates = std::move(next.separates);
   diagnosis.elapsed_s = elapsed();
   return diagnosis;
 }

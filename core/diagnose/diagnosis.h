@@ -46,11 +46,28 @@ struct FitScore {
   double floor = 0.0;
 };
 
+/// A held-out window.
+struct Block {
+  std::string recording;
+  double start_s = 0.0;              ///< on the recording's clock
+  size_t track = 0;                  ///< among the training recordings, then the held-out ones
+  double before = 0.0, after = 0.0;  ///< RMSE
+};
+
+/// What else the held-out data says.
+struct Proof {
+  double achieved = 0.0;         ///< (before² − after²)/(before² − floor²)
+  double lag1 = 0.0;             ///< autocorrelation, from window to window, of what each window ends with
+  double whitenessPValue = 1.0;  ///< that a complete model shows as much of it
+  Block worst, typical;          ///< by the error after
+};
+
 struct Diagnosis {
   Verdict verdict = Verdict::nothingMissing;
   std::vector<Finding> findings;
   std::vector<Place> where;
   FitScore fit;
+  Proof proof;
   double unexplainedShare = 0.0;
   double unexplainedPValue = 1.0;
   std::string nextSentence;

@@ -12,11 +12,67 @@ namespace breakaway {
 
 namespace {
 
+constexpr double farFromFloor = 1.6;
+
 std::string sizeText(double value, Axis axis) {
   if (axis == Axis::linear) return lengthText(value);
   char text[48];
   std::snprintf(text, sizeof text, value < 1.0 ? "%.3g mrad" : "%.3g rad", value < 1.0 ? value * 1e3 : value);
   return text;
+}
+
+/// "a", "a or b", "a, b or c".
+std::string joined(const std::vector<std::string>& names, const std::string& word) {
+  std::string out;
+  for (size_t k = 0; k < names.size(); ++k)
+    out += (k == 0 ? "" : k + 1 == names.size() ? " " + word + " " : ", ") + names[k];
+  return out;
+}
+
+/// The verdict in one line.
+std::string headline(const Diagnosis& d) {
+  std::vector<std::string> names;
+  for (const Finding& finding : d.findings) {
+    std::vector<std::string> one{finding.effect};
+    if (d.verdict == Verdict::ambiguous)
+      one.insert(one.end(), finding.ambiguousWith.begin(), finding.ambiguousWith.end());
+    names.push_back(joined(one, "or"));
+  }
+  switch (d.verdict) {
+    case Verdict::nothingMissing:
+      if (d.fit.heldoutBefore > farFromFloor * d.fit.floor)
+        return "Nothing was found missing that has a place or a name, though the model errs by more than its sensors "
+               "explain.";
+      return "Nothing is missing: the base model explains the recording as far as its sensors can tell.";
+    case Verdict::named:
+      return "The model lacks " + joined(names, "and") + ".";
+    case Verdict::ambiguous:
+      return "The model lacks " + joined(names, "and") + "; these recordings can't tell rivals apart.";
+    case Verdict::outsideCatalogue:
+      return names.empty() ? "The model lacks something that has no name in the catalogue."
+                           : "The model lacks " + joined(names, "and") +
+                                 ", and something more that has no name in the catalogue.";
+  }
+  return {};
+}
+
+/// What held-out data says of it.
+std::string proofText(const Diagnosis& d) {
+  const Axis axis = d.model.axis;
+  const FitScore& fit = d.fit;
+  const std::string floor = "a perfect model would show " + sizeText(fit.floor, axis);
+  const std::string source = fit.separateRecording
+                                 ? "separate recordings"
+                                 : "parts of the recordings, at least 1 s away from any training sample";
+  if (d.findings.empty()) {
+    return "Proof: over " + digitsText(fit.window_s) + " s windows of held-out data (" + source +
+           ") the base model errs by " + sizeText(fit.heldoutBefore, axis) + "; " + floor + ".\n";
+  }
+  return "Proof: over " + digitsText(fit.window_s) + " s windows of held-out data (" + source +
+         ") the error falls from " + sizeText(fit.heldoutBefore, axis) + " to " + sizeText(fit.heldoutAfter, axis) +
+         ", by " + percentText(1.0 - fit.heldoutAfter / std::max(fit.heldoutBefore, 1e-300)) + " (95 % interval " +
+         percentText(fit.improvementLow95) + " to " + percentText(fit.improvementHigh95) + "); " + floor +
+         ". That is " + percentText(d.proof.achieved) + " of what is possible.\n";
 }
 
 }  // namespace
@@ -36,50 +92,21 @@ std::string nameOf(Verdict verdict) {
 }
 
 std::string inWords(const Diagnosis& d) {
-  const Axis axis = d.model.axis;
-  std::string out;
-  switch (d.verdict) {
-    case Verdict::nothingMissing:
-      out += "Nothing is missing: the base model explains the recording as far as its sensors can tell.\n";
-      break;
-    case Verdict::named:
-      out += "Missing physics found and named:\n";
-      break;
-    case Verdict::ambiguous:
-      out += "Physics is missing, but the data can't tell rivals apart:\n";
-      break;
-    case Verdict::outsideCatalogue:
-      out += "Something is missing that has no name in the catalogue:\n";
-      break;
-  }
+  std::string out = headline(d) + "\n";
   for (const Finding& finding : d.findings) {
-    char line[96];
-    std::snprintf(line, sizeof line, " (%.0f %% of the excess error, p = %.3g)", 100.0 * finding.share, finding.pValue);
-    out += "- " + finding.effect + line + ": " + finding.sentence + "\n";
+    out += "- " + finding.effect + ": " + finding.sentence + "\n";
     for (const Parameter& one : finding.parameters) {
       char text[160];
       std::snprintf(text, sizeof text, "    %s = %.4g  [%.4g, %.4g]\n", one.name.c_str(), one.value, one.low95,
                     one.high95);
       out += text;
     }
-    std::string rivals;
-    for (const std::string& rival : finding.ambiguousWith) rivals += (rivals.empty() ? "" : ", ") + rival;
-    if (!rivals.empty()) out += "    can't be told from: " + rivals + "\n";
+    out += "    takes away " + percentText(finding.share) + " of the excess error (p = " + digitsText(finding.pValue) +
+           ")\n";
+    if (!finding.ambiguousWith.empty()) out += "    can't be told from " + joined(finding.ambiguousWith, "or") + "\n";
   }
   if (!d.where.empty()) out += "Where: " + d.where.front().sentence + "\n";
-  char text[320];
-  std::snprintf(
-      text, sizeof text,
-      "Error over %.3g s windows: held-out %s before, %s after (%.0f %% less, 95 %% interval %.0f to %.0f %%); "
-      "training %s before, %s after; a perfect model would show %s.\n",
-      d.fit.window_s, sizeText(d.fit.heldoutBefore, axis).c_str(), sizeText(d.fit.heldoutAfter, axis).c_str(),
-      100.0 * (1.0 - d.fit.heldoutAfter / std::max(d.fit.heldoutBefore, 1e-300)), 100.0 * d.fit.improvementLow95,
-      100.0 * d.fit.improvementHigh95, sizeText(d.fit.trainBefore, axis).c_str(),
-      sizeText(d.fit.trainAfter, axis).c_str(), sizeText(d.fit.floor, axis).c_str());
-  out += text;
-  out += d.fit.separateRecording
-             ? "Held out: separate recordings.\n"
-             : "Held out: parts of the recordings themselves, at least 1 s away from any training sample.\n";
+  out += proofText(d);
   if (!d.nextSentence.empty()) out += "Next: " + d.nextSentence + "\n";
   for (const std::string& remark : d.remarks) out += "Note: " + remark + ".\n";
   return out;
@@ -119,7 +146,14 @@ std::string diagnosisJson(const Diagnosis& d, bool oneLine) {
                    {"after", d.fit.heldoutAfter},
                    {"improvement_ci95", {d.fit.improvementLow95, d.fit.improvementHigh95}},
                    {"separate_recording", d.fit.separateRecording}}},
-                 {"floor", d.fit.floor}};
+                 {"floor", d.fit.floor},
+                 {"achieved", d.proof.achieved},
+                 {"whiteness", {{"lag1", d.proof.lag1}, {"p_value", d.proof.whitenessPValue}}},
+                 {"worst_block",
+                  {{"recording", d.proof.worst.recording},
+                   {"start_s", d.proof.worst.start_s},
+                   {"before", d.proof.worst.before},
+                   {"after", d.proof.worst.after}}}};
   json["unexplained"] = {{"share", d.unexplainedShare}, {"p_value", d.unexplainedPValue}};
   json["next_experiment"] = {{"sentence", d.nextSentence}, {"separates", d.nextSeparates}};
   json["remarks"] = d.remarks;

@@ -3,220 +3,249 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "base/statistics.h"
-#include "diagnose/effects/wording.h"
+#include "diagnose/block_maps.h"
 #include "diagnose/fit/inverse_rows.h"
+#include "diagnose/residual_spectrum.h"
 #include "diagnose/simulate/physics.h"
+#include "diagnose/unexplained.h"
 
 namespace breakaway {
 
 namespace {
 
-constexpr size_t bins = 16;
-constexpr size_t flips = 499;
+constexpr size_t coarse = 24, fine = 72;  ///< cells of an axis, and of the turn
+constexpr int highestOrder = 100;
 constexpr double smoothing_Hz = 25.0;
 constexpr double turn = 2.0 * std::numbers::pi;
 
-/// Unexplained torque at single instants, with what it may depend on.
-struct Instants {
-  std::vector<double> torque;
-  std::vector<size_t> block;  ///< stretches of one second, across tracks
-  size_t blocks = 0;
-  std::vector<std::vector<double>> along;  ///< one vector per axis, in the order of axesOf()
-};
-
+enum Along { byTime, byAngle, byVelocity, byAcceleration, byTorque, byReversal, byTemperature, byCurrent, alongs };
 struct AxisName {
-  const char* name;
-  const char* rotaryUnit;
-  const char* linearUnit;
+  const char *name, *rotaryUnit, *linearUnit;
 };
-constexpr std::array<AxisName, 6> axes{{{"time", "s", "s"},
-                                        {"angle", "rad", "m"},
-                                        {"velocity", "rad/s", "m/s"},
-                                        {"acceleration", "rad/s²", "m/s²"},
-                                        {"current", "Nm", "N"},
-                                        {"reversal", "rad", "m"}}};
+constexpr std::array<AxisName, alongs> axes{{{"time", "s", "s"},
+                                             {"angle", "rad", "m"},
+                                             {"velocity", "rad/s", "m/s"},
+                                             {"acceleration", "rad/s²", "m/s²"},
+                                             {"current", "Nm", "N"},
+                                             {"reversal", "rad", "m"},
+                                             {"temperature", "°C", "°C"},
+                                             {"current", "A", "A"}}};
 
-void addTrack(Instants& all, const Model& model, const Track& track, bool wrap) {
-  const Physics p = physicsOf(model);
-  const auto terms = termsOf(model);
-  const InverseRows rows = inverseRows(track);
-  const size_t n = rows.time.size();
-  std::vector<double> torque(n), drive(n), travel(n);
-  double since = 0.0, way = 0.0;
-  for (size_t k = 0; k < n; ++k) {
-    const double v = rows.velocity[k], s = v > 0.0 ? 1.0 : -1.0;
-    if (std::abs(v) > 4.0 * rows.velocityNoise && s != way) {
-      way = s;
-      since = rows.position[k];
-    }
-    travel[k] = std::abs(rows.position[k] - since);
-    drive[k] = p.torqueConstant * (p.electrical ? (rows.input[k] - p.backEmf * v) / p.resistance : rows.input[k]);
-    Situation at;
-    at.axis = model.axis;
-    at.time_s = rows.time[k];
-    at.position = rows.position[k];
-    at.velocity = v;
-    at.acceleration = rows.acceleration[k];
-    at.driveTorque = drive[k];
-    at.direction = s;
-    at.current = drive[k] / p.torqueConstant;
-    at.travel = travel[k];
-    double needed = p.inertia * rows.acceleration[k] + p.viscous * v + s * p.coulomb +
-                    p.gravity * std::sin(rows.position[k] - p.downAngle);
-    for (const CompiledTerm& term : *terms) {
-      if (term.effect->memory() > 0) continue;
-      const Term part = term.effect->term(term.parameters, at);
-      needed += part.load_Nm + s * part.friction_Nm;
-    }
-    torque[k] = drive[k] - needed;
-  }
-  const double cutoff = std::min(smoothing_Hz, 0.05 / rows.step_s);
-  lowPass(torque, rows.step_s, cutoff);
-  const auto every = std::max<size_t>(1, static_cast<size_t>(1.0 / (4.0 * cutoff * rows.step_s)));
+/// Unexplained torque or voltage at single instants, with what it may depend on.
+struct Instants {
+  std::vector<double> value, way;
+  std::vector<size_t> block;  ///< stretches of one second, across tracks
+  std::array<std::vector<double>, alongs> along;
+};
+
+struct Everything {
+  Instants mechanical, electrical;
+  ResidualSpectrum spectrum;
+  size_t blocks = 0;
+  bool turns = false;  ///< a whole turn or more was seen: angles are taken within the turn
+  bool temperature = false;
+};
+
+void addTrack(Everything& all, const Model& model, const Track& track) {
+  Unexplained u = unexplainedAlong(model, track);
+  const size_t n = u.time.size();
+  if (n < 2) return;
   const size_t firstBlock = all.blocks;
+  all.spectrum.add(u, track.noise, firstBlock);
+  all.blocks += static_cast<size_t>(u.time.back()) + 1;
+  const double cutoff = std::min(smoothing_Hz, 0.05 / u.step_s);
+  for (auto* values : {&u.torque, &u.voltage, &u.acceleration}) {
+    if (!values->empty()) lowPass(*values, u.step_s, cutoff);
+  }
+  const auto every = std::max<size_t>(1, static_cast<size_t>(1.0 / (4.0 * cutoff * u.step_s)));
   for (size_t k = 0; k < n; k += every) {
-    if (!rows.moving[k]) continue;
-    const double angle = wrap ? rows.position[k] - turn * std::floor(rows.position[k] / turn) : rows.position[k];
-    const std::array<double, axes.size()> values{track.origin_s + rows.time[k], angle,    rows.velocity[k],
-                                                 rows.acceleration[k],          drive[k], travel[k]};
-    all.torque.push_back(torque[k]);
-    all.block.push_back(firstBlock + static_cast<size_t>(rows.time[k]));
-    all.blocks = std::max(all.blocks, all.block.back() + 1);
-    for (size_t a = 0; a < axes.size(); ++a) all.along[a].push_back(values[a]);
+    const double angle = all.turns ? u.position[k] - turn * std::floor(u.position[k] / turn) : u.position[k];
+    const std::array<double, alongs> values{track.origin_s + u.time[k],
+                                            angle,
+                                            u.velocity[k],
+                                            u.acceleration[k],
+                                            u.drive[k],
+                                            u.travel[k],
+                                            all.temperature ? track.temperature[u.row[k]] : 0.0,
+                                            u.current[k]};
+    const auto add = [&](Instants& instants, double value, double way) {
+      instants.value.push_back(value);
+      instants.way.push_back(way);
+      instants.block.push_back(firstBlock + static_cast<size_t>(u.time[k]));
+      for (size_t a = 0; a < alongs; ++a) instants.along[a].push_back(values[a]);
+    };
+    if (u.usable[k] != 0) add(all.mechanical, u.torque[k], u.velocity[k] > 0.0 ? 1.0 : -1.0);
+    if (!u.voltage.empty() && u.driven[k] != 0) add(all.electrical, u.voltage[k], u.velocity[k] > 0.0 ? 1.0 : -1.0);
   }
 }
 
-ResidualMap mapOver(const Instants& all, size_t axis, const Model& model, std::uint64_t seed) {
-  const std::vector<double>& along = all.along[axis];
+/// A map with the sums that its significance is found from.
+struct Candidate {
   ResidualMap map;
-  map.axis = axes[axis].name;
-  map.unit = model.axis == Axis::rotary ? axes[axis].rotaryUnit : axes[axis].linearUnit;
-  const double low = quantile(along, 0.005), high = quantile(along, 0.995);
-  const double width = (high - low) / static_cast<double>(bins);
-  if (!(width > 0.0)) return map;
-  std::vector<size_t> bin(along.size());
-  std::vector<std::vector<double>> sums(bins, std::vector<double>(all.blocks, 0.0));
-  map.count.assign(bins, 0.0);
-  double total = 0.0;
-  for (size_t k = 0; k < along.size(); ++k) {
-    bin[k] = static_cast<size_t>(std::clamp((along[k] - low) / width, 0.0, static_cast<double>(bins) - 0.5));
-    sums[bin[k]][all.block[k]] += all.torque[k];
-    map.count[bin[k]] += 1.0;
-    total += all.torque[k] * all.torque[k];
-  }
-  const double fewest = 0.002 * static_cast<double>(along.size());
-  double explained = 0.0;
-  std::vector<double> score(bins, 0.0), spread(bins, 0.0);
-  for (size_t b = 0; b < bins; ++b) {
-    map.centre.push_back(low + (static_cast<double>(b) + 0.5) * width);
-    for (const double sum : sums[b]) {
-      score[b] += sum;
-      spread[b] += sum * sum;
-    }
-    spread[b] = std::sqrt(spread[b]);
-    const bool enough = map.count[b] > fewest;
-    map.mean_Nm.push_back(enough ? score[b] / map.count[b] : std::nan(""));
-    map.error_Nm.push_back(enough ? spread[b] / map.count[b] : std::nan(""));
-    if (enough) explained += score[b] * score[b] / map.count[b];
-  }
-  map.share = total > 0.0 ? std::clamp(explained / total, 0.0, 1.0) : 0.0;
-  // The map's whole energy against that of maps whose seconds have random signs.
-  Random random(seed + axis);
-  size_t beaten = 0;
-  std::vector<double> sign(all.blocks);
-  for (size_t flip = 0; flip < flips; ++flip) {
-    for (double& one : sign) one = random.bits() >> 63 ? 1.0 : -1.0;
-    double energy = 0.0;
-    for (size_t b = 0; b < bins; ++b) {
-      if (!(map.count[b] > fewest)) continue;
-      double sum = 0.0;
-      for (size_t block = 0; block < all.blocks; ++block) sum += sign[block] * sums[b][block];
-      energy += sum * sum / map.count[b];
-    }
-    if (energy >= explained) ++beaten;
-  }
-  // Six axes are looked at: Bonferroni.
-  map.pValue = std::min(
-      1.0, static_cast<double>(axes.size()) * static_cast<double>(1 + beaten) / static_cast<double>(1 + flips));
-  return map;
+  std::vector<BlockMap> sums;  ///< any of them may show it
+  double total = 0.0;          ///< squares, in the sums' unit
+};
+
+double valueOf(const Instants& all, size_t k, Unknown shows) {
+  return shows == Unknown::friction ? all.way[k] * all.value[k] : all.value[k];
 }
 
-Place placeOf(const ResidualMap& map, const Model& model) {
-  size_t worst = 0;
-  double most = -1.0;
-  for (size_t b = 0; b < map.centre.size(); ++b) {
-    const double energy = std::isfinite(map.mean_Nm[b]) ? map.mean_Nm[b] * map.mean_Nm[b] * map.count[b] : -1.0;
-    if (energy > most) {
-      most = energy;
-      worst = b;
+Candidate mapOver(const Instants& all, Along axis, Unknown shows, const Everything& context, Axis rig) {
+  Candidate out;
+  out.map.axis = axes[axis].name;
+  out.map.unit = rig == Axis::rotary ? axes[axis].rotaryUnit : axes[axis].linearUnit;
+  out.map.shows = shows;
+  const std::vector<double>& along = all.along[axis];
+  const bool round = axis == byAngle && context.turns;
+  std::vector<double> known;
+  std::copy_if(along.begin(), along.end(), std::back_inserter(known), [](double x) { return std::isfinite(x); });
+  if (known.size() < 50) return out;
+  const bool fromZero = axis == byReversal;
+  const bool signedAxis = axis == byVelocity || axis == byAcceleration || axis == byTorque || axis == byCurrent;
+  const bool narrowNearZero = axis == byVelocity || fromZero;
+  double low = round || fromZero ? 0.0 : quantile(known, 0.005), high = round ? turn : quantile(known, 0.995);
+  if (signedAxis && low < 0.0 && high > 0.0) {  // no cell has both signs
+    high = std::max(-low, high);
+    low = -high;
+  }
+  const double reach = std::max(std::abs(low), std::abs(high));
+  const auto squeezed = [=](double x) { return narrowNearZero ? std::copysign(std::sqrt(reach * std::abs(x)), x) : x; };
+  const auto stretched = [=](double x) { return narrowNearZero ? std::copysign(x * x / reach, x) : x; };
+  low = squeezed(low);
+  high = squeezed(high);
+  const size_t cells = round ? fine : coarse;
+  const double width = (high - low) / static_cast<double>(cells);
+  if (!(width > 0.0)) return out;
+  BlockMap sums{std::vector<std::vector<double>>(cells, std::vector<double>(context.blocks, 0.0)),
+                std::vector<double>(cells, 0.0)};
+  std::vector<double> up(cells, 0.0), down(cells, 0.0), ups(cells, 0.0), downs(cells, 0.0);
+  for (size_t k = 0; k < along.size(); ++k) {
+    if (!std::isfinite(along[k])) continue;
+    const auto cell =
+        static_cast<size_t>(std::clamp((squeezed(along[k]) - low) / width, 0.0, static_cast<double>(cells) - 0.5));
+    const double value = valueOf(all, k, shows);
+    sums.sums[cell][all.block[k]] += value;
+    sums.count[cell] += 1.0;
+    (all.way[k] > 0.0 ? up : down)[cell] += value;
+    (all.way[k] > 0.0 ? ups : downs)[cell] += 1.0;
+    out.total += value * value;
+  }
+  const double fewest =
+      std::max(3.0, (narrowNearZero ? 0.01 : 0.05) * static_cast<double>(known.size()) / static_cast<double>(cells));
+  for (size_t cell = 0; cell < cells; ++cell) {
+    const double count = sums.count[cell];
+    const auto part = [](double sum, double n) { return n > 2.0 ? sum / n : std::nan(""); };
+    const double from = stretched(low + static_cast<double>(cell) * width);
+    const double to = stretched(low + static_cast<double>(cell + 1) * width);
+    out.map.centre.push_back(0.5 * (from + to));
+    out.map.width.push_back(to - from);
+    out.map.mean.push_back(count > fewest ? sums.sum(cell) / count : std::nan(""));
+    out.map.error.push_back(count > fewest ? sums.error(cell) / count : std::nan(""));
+    out.map.rising.push_back(part(up[cell], ups[cell]));
+    out.map.falling.push_back(part(down[cell], downs[cell]));
+    out.map.count.push_back(count);
+    if (!(count > fewest)) sums.count[cell] = 0.0;
+  }
+  out.sums.push_back(std::move(sums));
+  return out;
+}
+
+/// Waves per turn: cells are cosine and sine of each order.
+void addOrders(Candidate& candidate, const Instants& all, size_t blocks) {
+  const size_t n = all.value.size();
+  BlockMap sums{std::vector<std::vector<double>>(2 * highestOrder, std::vector<double>(blocks, 0.0)),
+                std::vector<double>(2 * highestOrder, 0.5 * static_cast<double>(n)), 2};
+  for (size_t k = 0; k < n; ++k) {
+    const double value = valueOf(all, k, candidate.map.shows);
+    const double c = std::cos(all.along[byAngle][k]), s = std::sin(all.along[byAngle][k]);
+    double re = 1.0, im = 0.0;
+    for (size_t order = 0; order < highestOrder; ++order) {
+      const double next = re * c - im * s;
+      im = re * s + im * c;
+      re = next;
+      sums.sums[2 * order][all.block[k]] += value * re;
+      sums.sums[2 * order + 1][all.block[k]] += value * im;
     }
   }
-  const double sign = map.mean_Nm[worst] > 0.0 ? 1.0 : -1.0;
-  const auto belongs = [&](size_t b) { return sign * map.mean_Nm[b] > 0.5 * std::abs(map.mean_Nm[worst]); };
-  size_t first = worst, last = worst;
-  while (first > 0 && belongs(first - 1)) --first;
-  while (last + 1 < map.centre.size() && belongs(last + 1)) ++last;
-  double energy = 0.0, all = 0.0, torque = 0.0, count = 0.0;
-  for (size_t b = 0; b < map.centre.size(); ++b) {
-    if (!std::isfinite(map.mean_Nm[b])) continue;
-    const double one = map.mean_Nm[b] * map.mean_Nm[b] * map.count[b];
-    all += one;
-    if (b < first || b > last) continue;
-    energy += one;
-    torque += map.mean_Nm[b] * map.count[b];
-    count += map.count[b];
+  for (size_t order = 0; order < highestOrder; ++order) {
+    const double amplitude = std::hypot(sums.sum(2 * order), sums.sum(2 * order + 1)) / (0.5 * static_cast<double>(n));
+    candidate.map.orders.push_back({static_cast<int>(order) + 1, amplitude});
   }
-  const double half = 0.5 * (map.centre[1] - map.centre[0]);
-  Place place{map.axis,
-              map.centre[first] - half,
-              map.centre[last] + half,
-              map.unit,
-              map.share * energy / std::max(all, 1e-300),
-              map.pValue,
-              {}};
-  char range[120];
-  std::snprintf(range, sizeof range, "between %.3g and %.3g %s", place.from, place.to, map.unit.c_str());
-  const std::string what = map.axis == "reversal"  ? "travel since the last reversal"
-                           : map.axis == "current" ? (model.axis == Axis::rotary ? "motor torque" : "motor force")
-                           : map.axis == "angle" && model.axis == Axis::linear ? "position"
-                                                                               : map.axis;
-  place.sentence = "At a " + what + " " + range + " the motor gives " +
-                   torqueText(std::abs(torque / std::max(count, 1.0)), model.axis) + (sign > 0.0 ? " more" : " less") +
-                   " than the simple model needs.";
-  return place;
+  std::partial_sort(candidate.map.orders.begin(), candidate.map.orders.begin() + 3, candidate.map.orders.end(),
+                    [](const Order& a, const Order& b) { return a.amplitude > b.amplitude; });
+  candidate.map.orders.resize(3);
+  candidate.sums.push_back(std::move(sums));
+}
+
+Candidate overFrequency(const ResidualSpectrum& spectrum, size_t blocks) {
+  Candidate out;
+  out.map.axis = "frequency";
+  out.map.unit = "Hz";
+  for (const auto& band : spectrum.bands()) {
+    out.map.centre.push_back(0.5 * (band.from_Hz + band.to_Hz));
+    out.map.width.push_back(band.to_Hz - band.from_Hz);
+    const bool heard = band.torque > 0.0;
+    out.map.mean.push_back(heard ? band.torque : std::nan(""));
+    out.map.error.push_back(heard ? band.error : std::nan(""));
+    out.map.count.push_back(band.count);
+  }
+  out.map.rising = out.map.falling = std::vector<double>(out.map.centre.size(), std::nan(""));
+  out.sums.push_back(spectrum.map(blocks));
+  out.total = spectrum.total();
+  return out;
 }
 
 }  // namespace
 
 std::vector<ResidualMap> residualMaps(const Model& model, const std::vector<Track>& tracks, std::uint64_t seed) {
-  Instants all;
-  all.along.resize(axes.size());
-  bool wrap = false;
+  Everything all;
+  all.temperature = true;
   for (const Track& track : tracks) {
     const auto [low, high] = std::minmax_element(track.position.begin(), track.position.end());
-    wrap = wrap || (model.axis == Axis::rotary && *high - *low > turn);
+    all.turns = all.turns || (model.axis == Axis::rotary && *high - *low > turn);
+    all.temperature = all.temperature && !track.temperature.empty();
   }
-  for (const Track& track : tracks) addTrack(all, model, track, wrap);
+  for (const Track& track : tracks) addTrack(all, model, track);
+  std::vector<Candidate> candidates;
+  const auto add = [&](Along axis, Unknown shows) {
+    const Instants& instants = shows == Unknown::voltage ? all.electrical : all.mechanical;
+    Candidate candidate = mapOver(instants, axis, shows, all, model.axis);
+    if (candidate.map.centre.empty()) return;
+    if (axis == byAngle && all.turns) addOrders(candidate, instants, all.blocks);
+    candidates.push_back(std::move(candidate));
+  };
+  for (const Along axis : {byTime, byAngle, byVelocity, byAcceleration, byTorque}) add(axis, Unknown::torque);
+  for (const Along axis : {byTime, byAngle, byTorque, byReversal}) add(axis, Unknown::friction);
+  if (all.temperature) add(byTemperature, Unknown::friction);
+  if (!all.electrical.value.empty()) add(byCurrent, Unknown::voltage);
+  if (!candidates.empty()) {
+    Candidate spectrum = overFrequency(all.spectrum, all.blocks);
+    if (!spectrum.map.centre.empty()) candidates.push_back(std::move(spectrum));
+  }
+  std::vector<BlockMap> sums;
+  for (Candidate& one : candidates) std::move(one.sums.begin(), one.sums.end(), std::back_inserter(sums));
+  const std::vector<Significance> found = significances(sums, all.blocks, seed);
+  // Lost voltage counts by the torque that it costs, beside the unexplained torque.
+  const Physics p = physicsOf(model);
+  const double torquePerVolt = p.electrical ? p.torqueConstant / p.resistance : 0.0;
+  const double mechanical = rms(all.mechanical.value), electrical = torquePerVolt * rms(all.electrical.value);
+  const double weight = electrical * electrical / std::max(mechanical * mechanical + electrical * electrical, 1e-300);
   std::vector<ResidualMap> maps;
-  if (all.torque.size() < 50) return maps;
-  for (size_t axis = 0; axis < axes.size(); ++axis) {
-    ResidualMap map = mapOver(all, axis, model, seed);
-    if (!map.centre.empty()) maps.push_back(std::move(map));
+  size_t at = 0;
+  for (Candidate& one : candidates) {
+    double energy = 0.0;
+    for (size_t part = 0; part < one.sums.size(); ++part, ++at) {
+      energy = std::max(energy, found[at].energy);
+      one.map.pValue = std::min(one.map.pValue, found[at].pValue);
+    }
+    one.map.share = one.total > 0.0 ? std::clamp(energy / one.total, 0.0, 1.0) : 0.0;
+    if (one.map.shows == Unknown::voltage) one.map.share *= weight;
+    maps.push_back(std::move(one.map));
   }
   return maps;
-}
-
-std::vector<Place> places(const std::vector<ResidualMap>& maps, const Model& model) {
-  std::vector<Place> found;
-  for (const ResidualMap& map : maps) {
-    if (map.pValue <= 0.05) found.push_back(placeOf(map, model));
-  }
-  std::stable_sort(found.begin(), found.end(), [](const Place& a, const Place& b) { return a.share > b.share; });
-  return found;
 }
 
 }  // namespace breakaway

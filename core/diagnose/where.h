@@ -1,8 +1,8 @@
-// Where simulation and recording part: the torque that the model can't explain, mapped over time, angle, velocity and
-// more.
+// Where simulation and recording part: what the model can't explain, mapped over time, angle, velocity and more.
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "diagnose/diagnosis.h"
@@ -11,22 +11,39 @@
 
 namespace breakaway {
 
-/// Mean unexplained torque over one axis; bins without data are NaN.
+/// What a map shows. `friction` is the same torque counted along the motion: what resists whichever way it goes.
+enum class Unknown { torque, friction, voltage };
+
+/// An order of the turn: so many waves per turn.
+struct Order {
+  int number = 0;
+  double amplitude = 0.0;
+};
+
+/// Mean of the unexplained over one axis; cells with little data are NaN.
 struct ResidualMap {
-  std::string axis;
-  std::string unit;
-  std::vector<double> centre;    ///< bin centres in `unit`
-  std::vector<double> mean_Nm;   ///< torque (N on a linear axis) that the drive gave beyond what the model needs
-  std::vector<double> error_Nm;  ///< standard error of that mean, from stretches of one second
+  std::string axis;  ///< contract's name
+  std::string unit;  ///< of the axis: "rad", "Hz" …; "current" is the motor torque in Nm, for voltage the current in A
+  Unknown shows = Unknown::torque;
+  std::vector<double> centre;           ///< of the cells, in `unit`
+  std::vector<double> width;            ///< of the cells
+  std::vector<double> mean;             ///< Nm (N on a linear axis) that the drive gives beyond what the model needs; V
+  std::vector<double> error;            ///< standard error of the mean, from stretches of one second
+  std::vector<double> rising, falling;  ///< the mean while moving towards growing and falling angle
   std::vector<double> count;
-  double share = 0.0;  ///< part of the unexplained squared torque that lies in these means
+  std::vector<Order> orders = {};  ///< over whole turns: the strongest, at most three
+  double share = 0.0;              ///< part of the unexplained square that lies in these means, chance taken off
   double pValue = 1.0;
 };
 
-/// Maps over every axis that the tracks show. Significance by sign flips of whole seconds, maximum over bins.
+/// Maps over every axis that the tracks show. Significance by sign flips of whole seconds, maximum over all maps.
 std::vector<ResidualMap> residualMaps(const Model& model, const std::vector<Track>& tracks, std::uint64_t seed);
 
-/// The stretches of the significant maps where it is worst, the largest share first.
+/// The stretches of the significant maps where it is worst, at most one per axis for the mechanics and one for the
+/// electrical side, the largest share first.
 std::vector<Place> places(const std::vector<ResidualMap>& maps, const Model& model);
+
+/// Puts the place on that axis (Effect::drawnOver()) first where it shows nearly as much as the first one.
+void preferAxis(std::vector<Place>& places, std::string_view axis);
 
 }  // namespace breakaway

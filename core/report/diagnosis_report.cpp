@@ -1,203 +1,16 @@
 #include "report/diagnosis_report.h"
 
 #include <algorithm>
-#include <cmath>
+#include <initializer_list>
 
 #include "base/atomic_file.h"
 #include "diagnose/catalogue.h"
-#include "diagnose/fit/inverse_fit.h"
-#include "diagnose/simulate/simulation.h"
-#include "diagnose/where.h"
+#include "report/diagnosis_figures.h"
 #include "report/html_report.h"
 
 namespace breakaway {
 
 namespace {
-
-std::string positionLabel(Axis axis) {
-  return axis == Axis::rotary ? "angle / rad" : "position / m";
-}
-
-std::string torqueLabel(Axis axis) {
-  return axis == Axis::rotary ? "torque / Nm" : "force / N";
-}
-
-std::vector<double> positionsOf(const Recording& recording, Axis axis) {
-  const auto values = recording.channel(axis == Axis::rotary ? "angle_rad" : "position_m");
-  return {values.begin(), values.end()};
-}
-
-/// A gap before every restart, so that a picture doesn't join what isn't joined.
-std::vector<double> withGaps(std::vector<double> values, const std::vector<size_t>& restarts) {
-  for (const size_t row : restarts) {
-    if (row > 0) values[row - 1] = std::nan("");
-  }
-  return values;
-}
-
-std::vector<double> difference(const std::vector<double>& a, const std::vector<double>& b) {
-  std::vector<double> out(a.size());
-  for (size_t k = 0; k < a.size(); ++k) out[k] = a[k] - b[k];
-  return out;
-}
-
-/// Measurement, simulation before and after, and the residuals, of one recording.
-void addTimeFigures(std::vector<NamedFigure>& figures, const Diagnosis& d, const Recording& recording,
-                    const std::string& which) {
-  const Axis axis = d.model.axis;
-  const SimulateOptions options{d.fit.window_s};
-  const auto before = simulate(d.base, recording, options), after = simulate(d.model, recording, options);
-  if (!before || !after) return;
-  const std::vector<double> time(recording.time().begin(), recording.time().end());
-  const std::vector<double> measured = positionsOf(recording, axis);
-  Figure motion{.title = "Measured and simulated, " + which, .xLabel = "time / s", .yLabel = positionLabel(axis)};
-  motion.curves.push_back({.label = "measured", .x = time, .y = measured, .colour = 6});
-  motion.curves.push_back(
-      {.label = "base model", .x = time, .y = withGaps(before->position, before->restarts), .colour = 1});
-  if (!d.findings.empty()) {
-    motion.curves.push_back(
-        {.label = "with what was missing", .x = time, .y = withGaps(after->position, after->restarts), .colour = 0});
-  }
-  Figure residual{.title = "What the simulation misses, " + which,
-                  .xLabel = "time / s",
-                  .yLabel = "measured − simulated, " + positionLabel(axis)};
-  residual.curves.push_back({.label = "base model",
-                             .x = time,
-                             .y = withGaps(difference(measured, before->position), before->restarts),
-                             .colour = 1});
-  if (!d.findings.empty()) {
-    residual.curves.push_back({.label = "with what was missing",
-                               .x = time,
-                               .y = withGaps(difference(measured, after->position), after->restarts),
-                               .colour = 0});
-  }
-  if (which == "training recording") {
-    for (const auto& [first, last] : d.heldoutRows) {
-      residual.highlights.push_back({time[first], time[std::min(last, time.size()) - 1], "held out"});
-    }
-  }
-  const std::string name = which == "training recording" ? "training" : "heldout";
-  figures.push_back({name + "_motion",
-                     "Simulation restarts from the measurement every " + numberText(d.fit.window_s, 2) + " s.",
-                     motion});
-  figures.push_back(
-      {name + "_residual", "The smaller, the better the model; restarts set it back to nearly zero.", residual});
-}
-
-Result<std::vector<Track>> tracksOf(const Model& model, const std::vector<Recording>& recordings) {
-  std::vector<Track> tracks;
-  for (const Recording& recording : recordings) {
-    auto track = makeTrack(recording, model.axis, model.input, model.supply_V, model.count);
-    if (!track) return track.error();
-    tracks.push_back(std::move(*track));
-  }
-  return tracks;
-}
-
-/// Unexplained torque before and after over one axis.
-void addWhereFigures(std::vector<NamedFigure>& figures, const Diagnosis& d, const std::vector<Recording>& recordings) {
-  const auto tracks = tracksOf(d.model, recordings);
-  if (!tracks) return;
-  const auto before = residualMaps(d.base, *tracks, 1), after = residualMaps(d.model, *tracks, 1);
-  for (const ResidualMap& map : before) {
-    const bool listed =
-        std::any_of(d.where.begin(), d.where.end(), [&map](const Place& place) { return place.axis == map.axis; });
-    if (!listed && map.axis != "velocity") continue;
-    const auto band = [](const ResidualMap& one, const std::string& label, int colour) {
-      Curve curve{.label = label, .x = one.centre, .y = one.mean_Nm, .colour = colour};
-      for (size_t k = 0; k < one.mean_Nm.size(); ++k) {
-        curve.low.push_back(one.mean_Nm[k] - 1.96 * one.error_Nm[k]);
-        curve.high.push_back(one.mean_Nm[k] + 1.96 * one.error_Nm[k]);
-      }
-      return curve;
-    };
-    Figure figure{.title = "Unexplained " + torqueLabel(d.model.axis) + " over " + map.axis,
-                  .xLabel = map.axis + " / " + map.unit,
-                  .yLabel = torqueLabel(d.model.axis)};
-    figure.curves.push_back(band(map, "base model", 1));
-    const auto same =
-        std::find_if(after.begin(), after.end(), [&map](const ResidualMap& one) { return one.axis == map.axis; });
-    if (!d.findings.empty() && same != after.end()) figure.curves.push_back(band(*same, "with what was missing", 0));
-    for (const Place& place : d.where) {
-      if (place.axis == map.axis) figure.highlights.push_back({place.from, place.to, "worst here"});
-    }
-    figures.push_back(
-        {"where_" + map.axis, "What the motor gives beyond what the model needs, with 95 % bands.", figure});
-  }
-}
-
-double termTorque(const Effect& effect, const std::vector<double>& p, const Situation& at) {
-  const Term term = effect.term(p, at);
-  return term.load_Nm + at.direction * term.friction_Nm;
-}
-
-/// The finding's own torque over velocity, or around the turn where it depends on the angle; the band moves each
-/// parameter within its interval and takes the extremes.
-NamedFigure termFigure(const Diagnosis& d, const Finding& finding, double highSpeed, double lowest, double highest,
-                       double peak) {
-  const Effect& effect = *findEffect(finding.effect);
-  const Axis axis = d.model.axis;
-  std::vector<std::vector<double>> sets(1);
-  for (const Parameter& one : finding.parameters) sets.front().push_back(one.value);
-  for (size_t k = 0; k < finding.parameters.size(); ++k) {
-    for (const double end : {finding.parameters[k].low95, finding.parameters[k].high95}) {
-      sets.push_back(sets.front());
-      sets.back()[k] = end;
-    }
-  }
-  Situation base;
-  base.axis = axis;
-  base.velocity = 0.3 * highSpeed;
-  base.driveTorque = 0.5 * peak;
-  base.direction = 1.0;
-  Situation moved = base;
-  moved.position = lowest + 0.137 * (highest - lowest);
-  const bool overPosition = termTorque(effect, sets.front(), base) != termTorque(effect, sets.front(), moved);
-  moved = base;
-  moved.driveTorque = 0.9 * peak;
-  const bool overTorque = termTorque(effect, sets.front(), base) != termTorque(effect, sets.front(), moved);
-  const double from = overPosition ? lowest
-                      : overTorque ? -peak
-                                   : -highSpeed,
-               to = overPosition ? highest
-                    : overTorque ? peak
-                                 : highSpeed;
-  Curve curve{.label = finding.effect, .x = {}, .y = {}, .colour = 0};
-  constexpr int points = 400;
-  for (int k = 0; k <= points; ++k) {
-    const double at = from + (to - from) * k / points;
-    Situation situation = base;
-    if (overPosition)
-      situation.position = at;
-    else if (overTorque)
-      situation.driveTorque = at;
-    else {
-      situation.velocity = at;
-      situation.direction = at < 0.0 ? -1.0 : 1.0;
-    }
-    double low = 1e300, high = -1e300;
-    for (const auto& set : sets) {
-      const double value = termTorque(effect, set, situation);
-      low = std::min(low, value);
-      high = std::max(high, value);
-    }
-    curve.x.push_back(at);
-    curve.y.push_back(termTorque(effect, sets.front(), situation));
-    curve.low.push_back(low);
-    curve.high.push_back(high);
-  }
-  Figure figure{.title = finding.effect + ": the term itself",
-                .xLabel = overPosition           ? positionLabel(axis)
-                          : overTorque           ? "drive " + torqueLabel(axis)
-                          : axis == Axis::rotary ? "velocity / rad/s"
-                                                 : "velocity / m/s",
-                .yLabel = "opposing " + torqueLabel(axis)};
-  figure.curves.push_back(std::move(curve));
-  return {"term_" + finding.effect,
-          "What the effect adds against growing position, with its 95 % interval" +
-              std::string(overTorque ? " (while moving towards growing position)." : "."),
-          figure};
-}
 
 std::vector<std::vector<std::string>> parameterRows(const Diagnosis& d) {
   std::vector<std::vector<std::string>> rows;
@@ -220,39 +33,69 @@ std::string listOf(const std::vector<std::string>& names) {
   return out;
 }
 
+std::string percent(double part) {
+  return numberText(100.0 * part, 3) + " %";
+}
+
+/// Figures whose name begins with one of the stems.
+void addFigures(HtmlReport& report, const std::vector<NamedFigure>& figures, std::initializer_list<const char*> stems) {
+  for (const NamedFigure& one : figures) {
+    const bool wanted =
+        std::any_of(stems.begin(), stems.end(), [&one](const char* stem) { return one.name.rfind(stem, 0) == 0; });
+    if (wanted) report.figure(one.figure, one.caption, 860, 320);
+  }
+}
+
+void addFindings(HtmlReport& report, const Diagnosis& d, const std::vector<NamedFigure>& figures) {
+  if (d.findings.empty()) return;
+  report.heading("What is missing");
+  for (const Finding& finding : d.findings) {
+    const Effect& effect = *findEffect(finding.effect);
+    report.heading(finding.effect, 3);
+    report.paragraph(finding.sentence);
+    addFigures(report, figures, {("term_" + finding.effect).c_str()});
+    std::vector<std::vector<std::string>> rows;
+    for (const Parameter& one : finding.parameters)
+      rows.push_back({one.name, numberText(one.value), numberText(one.low95), numberText(one.high95)});
+    report.table({"parameter", "value", "95 % from", "95 % to"}, rows);
+    report.facts({{"Share of the excess error", percent(finding.share)},
+                  {"By chance", "p = " + numberText(finding.pValue, 2)},
+                  {"Can't be told from",
+                   finding.ambiguousWith.empty() ? "nothing in the catalogue" : listOf(finding.ambiguousWith)}});
+    report.details("How " + finding.effect + " is modelled",
+                   {std::string(effect.formula()), "Source: " + std::string(effect.source()) + "."});
+  }
+}
+
+void addProof(HtmlReport& report, const Diagnosis& d, const std::vector<NamedFigure>& figures,
+              const std::string& unit) {
+  report.heading("How much better, on data it never saw");
+  report.svg(gainSvg(d), "Position error of a simulation that knows the drive alone.");
+  const FitScore& fit = d.fit;
+  std::vector<std::pair<std::string, std::string>> facts{
+      {"Held-out error", numberText(fit.heldoutBefore) + unit + " before, " + numberText(fit.heldoutAfter) + unit +
+                             " after; a perfect model would show " + numberText(fit.floor) + unit},
+      {"Held out", fit.separateRecording ? "separate recordings"
+                                         : "parts of the recordings, at least 1 s away from any training sample"}};
+  if (!d.findings.empty()) {
+    facts.insert(
+        facts.begin() + 1,
+        {{"Improvement, 95 % interval", percent(fit.improvementLow95) + " to " + percent(fit.improvementHigh95)},
+         {"Reached of what is possible", percent(d.proof.achieved) + " of the squared error over the floor"}});
+  }
+  facts.push_back({"Left in common", "from window to window the errors correlate by " + numberText(d.proof.lag1, 2) +
+                                         " (p = " + numberText(d.proof.whitenessPValue, 2) + ")"});
+  facts.push_back({"Left unexplained", percent(d.unexplainedShare) + " of the excess squared error"});
+  report.facts(facts);
+  addFigures(report, figures, {"typical_", "worst_", "training_"});
+}
+
 HtmlReport buildReport(const Diagnosis& d, const Bench& bench, const std::vector<Recording>& recordings,
                        const std::vector<Recording>& heldout, const std::vector<NamedFigure>& figures) {
   HtmlReport report("Diagnosis: where simulation and recording part", bench.name);
   const std::string words = inWords(d);
   report.verdict(words.substr(0, words.find('\n')));
-  for (const Finding& finding : d.findings) report.paragraph(finding.sentence);
-  const auto percent = [](double part) { return numberText(100.0 * part, 3) + " %"; };
-  const std::string unit = bench.axis == Axis::rotary ? " rad" : " m";
-  report.facts(
-      {{"Held-out error before", numberText(d.fit.heldoutBefore) + unit},
-       {"Held-out error after", numberText(d.fit.heldoutAfter) + unit},
-       {"Improvement, 95 % interval", percent(d.fit.improvementLow95) + " to " + percent(d.fit.improvementHigh95)},
-       {"Training error before, after",
-        numberText(d.fit.trainBefore) + unit + ", " + numberText(d.fit.trainAfter) + unit},
-       {"A perfect model would show", numberText(d.fit.floor) + unit},
-       {"Windows", "restarted every " + numberText(d.fit.window_s) + " s; root mean square of " + d.fit.channel},
-       {"Held out", d.fit.separateRecording ? "separate recordings"
-                                            : "parts of the recordings, at least 1 s away from any training sample"},
-       {"Left unexplained", percent(d.unexplainedShare) + " of the excess squared error"}});
-  if (!d.findings.empty()) {
-    report.heading("What is missing");
-    std::vector<std::vector<std::string>> rows;
-    for (const Finding& finding : d.findings) {
-      rows.push_back(
-          {finding.effect, percent(finding.share), numberText(finding.pValue, 2), listOf(finding.ambiguousWith)});
-    }
-    report.table({"effect", "share of the excess error", "p-value", "can't be told from"}, rows);
-    for (const Finding& finding : d.findings) {
-      const Effect& effect = *findEffect(finding.effect);
-      report.details("How " + finding.effect + " is modelled",
-                     {std::string(effect.formula()), "Source: " + std::string(effect.source()) + "."});
-    }
-  }
+  if (!d.nextSentence.empty()) report.facts({{"Run next", d.nextSentence}});
   if (!d.where.empty()) {
     report.heading("Where it shows");
     std::vector<std::string> items;
@@ -260,15 +103,19 @@ HtmlReport buildReport(const Diagnosis& d, const Bench& bench, const std::vector
       items.push_back(place.sentence + " (" + percent(place.share) +
                       " of the unexplained square, p = " + numberText(place.pValue, 2) + ")");
     report.list(items);
+    addFigures(report, figures, {("where_" + d.where.front().axis).c_str()});
   }
-  report.heading("Pictures");
-  for (const NamedFigure& one : figures) report.figure(one.figure, one.caption);
-  report.heading("Parameters");
+  addFindings(report, d, figures);
+  addProof(report, d, figures, bench.axis == Axis::rotary ? " rad" : " m");
+  if (d.where.size() > 1) {
+    report.heading("The same, seen over other axes");
+    for (const NamedFigure& one : figures) {
+      const bool first = one.name.rfind("where_" + d.where.front().axis, 0) == 0;
+      if (one.name.rfind("where_", 0) == 0 && !first) report.figure(one.figure, one.caption, 860, 300);
+    }
+  }
+  report.heading("All parameters");
   report.table({"part", "parameter", "base model alone", "value", "95 % from", "95 % to"}, parameterRows(d));
-  if (!d.nextSentence.empty()) {
-    report.heading("Next experiment");
-    report.paragraph(d.nextSentence);
-  }
   report.heading("Input");
   std::vector<std::string> inputs;
   inputs.reserve(recordings.size() + heldout.size() + d.remarks.size());
@@ -283,29 +130,6 @@ HtmlReport buildReport(const Diagnosis& d, const Bench& bench, const std::vector
 
 }  // namespace
 
-std::vector<NamedFigure> diagnosisFigures(const Diagnosis& d, const std::vector<Recording>& recordings,
-                                          const std::vector<Recording>& heldout) {
-  std::vector<NamedFigure> figures;
-  addTimeFigures(figures, d, recordings.front(), "training recording");
-  if (!heldout.empty()) addTimeFigures(figures, d, heldout.front(), "held-out recording");
-  addWhereFigures(figures, d, recordings);
-  const auto trace = simulate(d.model, recordings.front(), {d.fit.window_s});
-  const std::vector<double> positions = positionsOf(recordings.front(), d.model.axis);
-  double lowest = 1e300, highest = -1e300, speed = 0.0;
-  for (const double position : positions) {
-    if (!std::isfinite(position)) continue;
-    lowest = std::min(lowest, position);
-    highest = std::max(highest, position);
-  }
-  if (trace) {
-    for (const double v : trace->velocity) speed = std::max(speed, std::abs(v));
-  }
-  const auto tracks = tracksOf(d.model, recordings);
-  const double peak = tracks ? excitationOf(*tracks, d.model).peakTorque : 1.0;
-  for (const Finding& finding : d.findings) figures.push_back(termFigure(d, finding, speed, lowest, highest, peak));
-  return figures;
-}
-
 Result<void> writeDiagnosisFolder(const Diagnosis& d, const Bench& bench, const std::vector<Recording>& recordings,
                                   const std::vector<Recording>& heldout, const std::string& folder) {
   if (auto done = makeFolder(folder + "/figures"); !done) return done;
@@ -315,6 +139,7 @@ Result<void> writeDiagnosisFolder(const Diagnosis& d, const Bench& bench, const 
   for (const NamedFigure& one : figures) {
     if (auto done = writeSvg(one.figure, folder + "/figures/" + one.name + ".svg"); !done) return done;
   }
+  if (auto done = writeFile(folder + "/figures/gain.svg", gainSvg(d)); !done) return done;
   if (auto done = buildReport(d, bench, recordings, heldout, figures).write(folder + "/report.html"); !done)
     return done;
   return writeDiagnosis(d, folder + "/diagnosis.json");

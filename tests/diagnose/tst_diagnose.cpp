@@ -27,6 +27,12 @@ void TestDiagnose::coulombAsymmetry_isOneAndTheSameAsConstantLoad() {
   QVERIFY2(within(load, gauge * 0.5 * 0.4 * 0.012, 0.05), qPrintable(QString::number(load)));
   QVERIFY2(finding.share > 0.8 && finding.share <= 1.0, qPrintable(QString::number(finding.share)));
   QVERIFY(isProved(diagnosis.fit));
+  QVERIFY2(diagnosis.proof.achieved > 0.8 && diagnosis.proof.achieved <= 1.0,
+           qPrintable(QString::number(diagnosis.proof.achieved)));
+  QCOMPARE(diagnosis.proof.worst.recording, std::string("test.csv"));
+  QVERIFY(diagnosis.proof.worst.after >= diagnosis.proof.typical.after);
+  QVERIFY(!diagnosis.where.empty());
+  QVERIFY2(diagnosis.where.front().pValue <= 0.01, diagnosis.where.front().sentence.c_str());
 }
 
 void TestDiagnose::cleanRigWithNoise_lacksNothing() {
@@ -34,7 +40,7 @@ void TestDiagnose::cleanRigWithNoise_lacksNothing() {
     const Diagnosis diagnosis = diagnosed({.seconds = 20.0, .seed = seed});
     QCOMPARE(nameOf(diagnosis.verdict), std::string("nothing_missing"));
     QVERIFY(diagnosis.findings.empty());
-    QVERIFY(diagnosis.nextSentence.empty());
+    QVERIFY(diagnosis.nextSeparates.empty());
     QCOMPARE(diagnosis.unexplainedShare, 0.0);
     const FitScore& fit = diagnosis.fit;
     QCOMPARE(fit.heldoutAfter, fit.heldoutBefore);

@@ -117,14 +117,17 @@ class Search {
     const MotorNames& names = motorNames(model.axis);
     const double hanging = model.pendulum ? pendulumInertia(*model.pendulum) : 0.0;
     const double emf = physics.electrical ? physics.torqueConstant * physics.backEmf / physics.resistance : 0.0;
+    // The linear rig's back-EMF doesn't lag behind the inductance: J comes out smaller by that.
+    const double late = physics.electrical ? physics.inductance / physics.resistance * emf : 0.0;
     // Where gravity is known, it tells the drive's scale.
     const double scale = physics.gravity > 0.0 ? std::hypot(coefficients[3], coefficients[4]) / physics.gravity : 1.0;
     const char* drive = physics.electrical ? names.resistance : names.torqueConstant;
     const double driveValue = physics.electrical ? physics.resistance * scale : physics.torqueConstant / scale;
-    const std::array<std::pair<const char*, double>, 4> found{{{names.inertia, coefficients[0] / scale - hanging},
-                                                               {names.viscous, coefficients[1] / scale - emf / scale},
-                                                               {names.coulomb, coefficients[2] / scale},
-                                                               {drive, driveValue}}};
+    const std::array<std::pair<const char*, double>, 4> found{
+        {{names.inertia, coefficients[0] / scale - hanging + late},
+         {names.viscous, coefficients[1] / scale - emf / scale},
+         {names.coulomb, coefficients[2] / scale},
+         {drive, driveValue}}};
     for (const auto& [name, value] : found) {
       if (!(value > 0.0) || std::find(input_.held.begin(), input_.held.end(), name) != input_.held.end()) continue;
       for (Parameter& one : model.base) {

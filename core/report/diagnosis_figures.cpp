@@ -1,0 +1,267 @@
+#include "report/diagnosis_figures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "diagnose/fit/motion.h"
+#include "diagnose/simulate/simulation.h"
+#include "diagnose/where.h"
+#include "report/html_report.h"
+#include "report/svg_canvas.h"
+#include "report/term_figures.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr int beforeColour = 1, afterColour = 0, measuredColour = 6;
+constexpr const char* beforeLabel = "base model";
+constexpr const char* afterLabel = "with what was missing";
+
+/// What people read positions in: degrees or millimetres.
+struct Shown {
+  double scale;
+  const char* unit;
+};
+Shown shownIn(Axis axis) {
+  return axis == Axis::rotary ? Shown{180.0 / std::numbers::pi, "°"} : Shown{1e3, "mm"};
+}
+
+/// A track with what both models make of it.
+struct Replay {
+  Track track;
+  Trace before, after;
+};
+
+std::vector<Replay> replays(const Diagnosis& d, const std::vector<Recording>& recordings,
+                            const std::vector<Recording>& heldout) {
+  std::vector<Replay> out;
+  for (const auto* group : {&recordings, &heldout}) {
+    for (const Recording& recording : *group) {
+      auto track = makeTrack(recording, d.model.axis, d.model.input, d.model.supply_V, d.model.count);
+      if (!track) return {};
+      track->motion = motionOf(*track);
+      out.push_back({std::move(*track), {}, {}});
+    }
+  }
+  return out;
+}
+
+void simulateBoth(const Diagnosis& d, Replay& replay) {
+  if (!replay.before.position.empty()) return;
+  replay.before = simulate(d.base, replay.track, d.fit.window_s);
+  replay.after = simulate(d.model, replay.track, d.fit.window_s);
+}
+
+/// Rows [first, last] of a trace over time, with a gap before every restart, so that a picture doesn't join what isn't
+/// joined; less the measurement where `error`.
+Curve traceCurve(const Replay& replay, const Trace& trace, size_t first, size_t last, double scale, bool error) {
+  Curve curve;
+  for (size_t k = first; k <= last; ++k) {
+    curve.x.push_back(replay.track.origin_s + replay.track.time[k]);
+    curve.y.push_back(scale * (error ? replay.track.position[k] - trace.position[k] : trace.position[k]));
+  }
+  for (const size_t row : trace.restarts) {
+    if (row > first && row <= last) curve.y[row - 1 - first] = std::nan("");
+  }
+  return curve;
+}
+
+void addModels(Figure& figure, const Diagnosis& d, const Replay& replay, size_t first, size_t last, bool error) {
+  const double scale = shownIn(d.model.axis).scale;
+  Curve before = traceCurve(replay, replay.before, first, last, scale, error);
+  before.label = beforeLabel;
+  before.colour = beforeColour;
+  figure.curves.push_back(std::move(before));
+  if (d.findings.empty()) return;
+  Curve after = traceCurve(replay, replay.after, first, last, scale, error);
+  after.label = afterLabel;
+  after.colour = afterColour;
+  figure.curves.push_back(std::move(after));
+}
+
+/// One held-out window between its neighbours: the motion and, beneath, the error.
+void addWindow(std::vector<NamedFigure>& figures, const Diagnosis& d, const Replay& replay, const Block& block,
+               const std::string& which) {
+  const Track& track = replay.track;
+  const double begin = block.start_s - track.origin_s, length = d.fit.window_s;
+  const auto rowAt = [&track](double t) {
+    const auto at = std::lower_bound(track.time.begin(), track.time.end(), t - 1e-9);
+    return std::min(static_cast<size_t>(at - track.time.begin()), track.rows() - 1);
+  };
+  const size_t first = rowAt(begin - length), last = rowAt(begin + 2.0 * length);
+  const Shown shown = shownIn(d.model.axis);
+  const std::string position = d.model.axis == Axis::rotary ? "angle" : "position";
+  Figure motion{.title = "Measured and simulated, " + which + " held-out window",
+                .xLabel = "time / s",
+                .yLabel = position + " / " + shown.unit};
+  motion.highlights.push_back({block.start_s, block.start_s + length, which});
+  Curve measured{.label = "measured", .x = {}, .y = {}, .colour = measuredColour, .width_px = 2.6};
+  for (size_t k = first; k <= last; ++k) {
+    measured.x.push_back(track.origin_s + track.time[k]);
+    measured.y.push_back(track.seen[k] != 0 ? shown.scale * track.position[k] : std::nan(""));
+  }
+  Figure error{.title = "What the simulation misses there",
+               .xLabel = "time / s",
+               .yLabel = std::string("measured − simulated / ") + shown.unit,
+               .highlights = motion.highlights};
+  motion.curves.push_back(std::move(measured));
+  addModels(motion, d, replay, first, last, false);
+  addModels(error, d, replay, first, last, true);
+  const std::string place = block.recording + ", from " + numberText(block.start_s) + " s";
+  figures.push_back({which + "_motion",
+                     place + ". The simulation knows the drive alone and starts again from the measurement every " +
+                         numberText(length, 2) + " s.",
+                     motion});
+  figures.push_back({which + "_error",
+                     "In this window " + numberText(shown.scale * block.before, 3) + shown.unit + " rms before, " +
+                         numberText(shown.scale * block.after, 3) + shown.unit + " after.",
+                     error});
+}
+
+void addWholeResidual(std::vector<NamedFigure>& figures, const Diagnosis& d, const Replay& replay) {
+  Figure figure{.title = "What the simulation misses, whole recording",
+                .xLabel = "time / s",
+                .yLabel = std::string("measured − simulated / ") + shownIn(d.model.axis).unit};
+  addModels(figure, d, replay, 0, replay.track.rows() - 1, true);
+  for (const auto& [first, last] : d.heldoutRows) {
+    const double from = replay.track.time[first];
+    const double to = replay.track.time[std::min(last, replay.track.rows()) - 1];
+    figure.highlights.push_back({replay.track.origin_s + from, replay.track.origin_s + to, "held out"});
+  }
+  figures.push_back({"training_residual",
+                     replay.track.name + ". The smaller, the better the model; restarts set it back to nearly zero.",
+                     figure});
+}
+
+/// Scale and label of a map's axis and of its values, as people read them.
+struct MapText {
+  double scale = 1.0, valueScale = 1.0;
+  std::string label, value;
+};
+
+MapText textOf(const ResidualMap& map, Axis axis) {
+  MapText text;
+  std::string name = map.axis == "reversal"                        ? "travel since reversal"
+                     : map.axis == "current" && map.unit != "A"    ? "motor torque"
+                     : map.axis == "angle" && axis == Axis::linear ? "position"
+                                                                   : map.axis;
+  std::string unit = map.unit;
+  if (map.unit == "rad" || map.unit == "m") {
+    text.scale = shownIn(axis).scale;
+    unit = shownIn(axis).unit;
+  } else if (map.unit == "Nm") {
+    text.scale = 1e3;
+    unit = "mNm";
+  } else if (map.unit == "N") {
+    name = "motor force";
+  }
+  text.label = name + " / " + unit;
+  const std::string torque = axis == Axis::rotary ? "torque / mNm" : "force / N";
+  text.valueScale = axis == Axis::rotary ? 1e3 : 1.0;
+  text.value = "unexplained " + torque;
+  if (map.shows == Unknown::friction)
+    text.value = axis == Axis::rotary ? "unexplained friction / mNm" : "unexplained friction / N";
+  if (map.shows == Unknown::voltage) {
+    text.valueScale = 1.0;
+    text.value = "unexplained voltage / V";
+  }
+  return text;
+}
+
+Curve bandOf(const ResidualMap& map, const MapText& text, const std::string& label, int colour) {
+  Curve curve{.label = label, .x = {}, .y = {}, .colour = colour};
+  for (size_t k = 0; k < map.centre.size(); ++k) {
+    curve.x.push_back(text.scale * map.centre[k]);
+    curve.y.push_back(text.valueScale * map.mean[k]);
+    curve.low.push_back(text.valueScale * (map.mean[k] - 1.96 * map.error[k]));
+    curve.high.push_back(text.valueScale * (map.mean[k] + 1.96 * map.error[k]));
+  }
+  return curve;
+}
+
+/// The unexplained over each axis where it showed, before and after.
+void addWhereFigures(std::vector<NamedFigure>& figures, const Diagnosis& d, const std::vector<Track>& tracks) {
+  const auto before = residualMaps(d.base, tracks, 1), after = residualMaps(d.model, tracks, 1);
+  for (const ResidualMap& map : before) {
+    const auto place = std::find_if(d.where.begin(), d.where.end(),
+                                    [&map](const Place& one) { return one.axis == map.axis && one.unit == map.unit; });
+    // Of the maps over one axis the one that shows more.
+    const bool second = std::any_of(before.begin(), before.end(), [&map](const ResidualMap& one) {
+      return &one != &map && one.axis == map.axis && one.unit == map.unit && one.share > map.share;
+    });
+    if (place == d.where.end() || second) continue;
+    const MapText text = textOf(map, d.model.axis);
+    const bool volts = map.shows == Unknown::voltage;
+    Figure figure{.title = "Where: over " + text.label.substr(0, text.label.find(" /")),
+                  .xLabel = text.label,
+                  .yLabel = text.value};
+    figure.logX = map.axis == "frequency";
+    figure.curves.push_back(bandOf(map, text, beforeLabel, beforeColour));
+    const auto same = std::find_if(after.begin(), after.end(), [&map](const ResidualMap& one) {
+      return one.axis == map.axis && one.shows == map.shows && one.unit == map.unit;
+    });
+    if (!d.findings.empty() && same != after.end())
+      figure.curves.push_back(bandOf(*same, text, afterLabel, afterColour));
+    figure.highlights.push_back({text.scale * place->from, text.scale * place->to, "most here"});
+    figures.push_back({"where_" + map.axis + (volts ? "_voltage" : ""), place->sentence + " Bands: 95 %.", figure});
+  }
+}
+
+}  // namespace
+
+std::vector<NamedFigure> diagnosisFigures(const Diagnosis& d, const std::vector<Recording>& recordings,
+                                          const std::vector<Recording>& heldout) {
+  std::vector<NamedFigure> figures;
+  std::vector<Replay> all = replays(d, recordings, heldout);
+  if (all.empty()) return figures;
+  std::vector<Track> training;
+  for (size_t k = 0; k < recordings.size(); ++k) training.push_back(all[k].track);
+  addWhereFigures(figures, d, training);
+  for (NamedFigure& term : termFigures(d, training)) figures.push_back(std::move(term));
+  for (const auto& [block, which] : {std::pair{&d.proof.typical, "typical"}, std::pair{&d.proof.worst, "worst"}}) {
+    if (block->recording.empty() || block->track >= all.size()) continue;
+    simulateBoth(d, all[block->track]);
+    addWindow(figures, d, all[block->track], *block, which);
+  }
+  simulateBoth(d, all.front());
+  addWholeResidual(figures, d, all.front());
+  return figures;
+}
+
+std::string gainSvg(const Diagnosis& d) {
+  constexpr int width = 860;
+  constexpr double left = 250.0, right = 740.0, row = 30.0, top = 52.0;
+  const Shown shown = shownIn(d.model.axis);
+  struct Bar {
+    std::string label;
+    double value;
+    int colour;
+  };
+  std::vector<Bar> bars{{std::string("held out, ") + beforeLabel, d.fit.heldoutBefore, beforeColour}};
+  if (!d.findings.empty()) bars.push_back({std::string("held out, ") + afterLabel, d.fit.heldoutAfter, afterColour});
+  bars.push_back({std::string("training, ") + beforeLabel, d.fit.trainBefore, beforeColour});
+  if (!d.findings.empty()) bars.push_back({std::string("training, ") + afterLabel, d.fit.trainAfter, afterColour});
+  bars.push_back({"a perfect model", d.fit.floor, 2});
+  double most = 1e-300;
+  for (const Bar& bar : bars) most = std::max(most, bar.value);
+  const auto height = static_cast<int>(top + row * static_cast<double>(bars.size()) + 12.0);
+  SvgCanvas canvas(width, height, "Error before and after");
+  canvas.text(0.5 * width, 24.0, "Error over " + numberText(d.fit.window_s, 2) + " s windows, rms",
+              SvgCanvas::Anchor::middle, Ink::text, 15.0, true);
+  for (size_t k = 0; k < bars.size(); ++k) {
+    const double y = top + row * static_cast<double>(k), end = left + (right - left) * bars[k].value / most;
+    const double cap = std::min(8.0, 0.5 * (end - left));  // ends are round
+    canvas.text(left - 10.0, y + 4.0, bars[k].label, SvgCanvas::Anchor::end, Ink::text, 13.0);
+    canvas.curve("M" + px(left) + " " + px(y) + "H" + px(std::max(end, left + 1.0)),
+                 Curve{.label = {}, .x = {}, .y = {}, .width_px = 2.0 * cap}, bars[k].colour);
+    canvas.text(end + 14.0, y + 4.0, numberText(shown.scale * bars[k].value, 3) + " " + shown.unit,
+                SvgCanvas::Anchor::start, Ink::text, 13.0);
+  }
+  const double floorX = left + (right - left) * d.fit.floor / most;
+  canvas.line(floorX, top - 14.0, floorX, top + row * static_cast<double>(bars.size()) - 14.0, Ink::faintText);
+  return canvas.finish();
+}
+
+}  // namespace breakaway

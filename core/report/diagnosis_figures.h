@@ -1,0 +1,28 @@
+// The diagnosis in pictures: motion and residual before and after, the places, the gain.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "diagnose/diagnosis.h"
+#include "recording/recording.h"
+#include "report/svg_plot.h"
+
+namespace breakaway {
+
+/// One picture of the report, also written as figures/NAME.svg.
+struct NamedFigure {
+  std::string name;
+  std::string caption;
+  Figure figure;
+};
+
+/// Measured over simulated in the worst and in a typical held-out window, the residual of the whole first recording,
+/// the unexplained over the axes where it showed, before and after, and each finding's term with its interval.
+std::vector<NamedFigure> diagnosisFigures(const Diagnosis& diagnosis, const std::vector<Recording>& recordings,
+                                          const std::vector<Recording>& heldout);
+
+/// The error before, after, and what a perfect model would show, as bars: one SVG document.
+std::string gainSvg(const Diagnosis& diagnosis);
+
+}  // namespace breakaway

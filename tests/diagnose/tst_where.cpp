@@ -1,0 +1,176 @@
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+
+#include "base/statistics.h"
+#include "diagnose/block_maps.h"
+#include "diagnose/next_experiment.h"
+#include "diagnose/proof.h"
+#include "diagnose/where.h"
+
+using namespace breakaway;
+
+namespace {
+
+constexpr double degree = 3.14159265358979 / 180.0;
+
+/// Sums of unit noise over 8 cells and 40 blocks, with `shift` in one cell.
+BlockMap noisyMap(unsigned seed, double shift) {
+  Random random(seed);
+  BlockMap map{std::vector<std::vector<double>>(8, std::vector<double>(40)), std::vector<double>(8, 40.0)};
+  for (auto& cell : map.sums) {
+    for (double& sum : cell) sum = random.normal() + (&cell == &map.sums[3] ? shift : 0.0);
+  }
+  return map;
+}
+
+/// Friction that is `mNm` higher between 40° and 95° than elsewhere.
+ResidualMap frictionOverAngle(double mNm) {
+  ResidualMap map;
+  map.axis = "angle";
+  map.unit = "rad";
+  map.shows = Unknown::friction;
+  map.share = 0.6;
+  map.pValue = 0.002;
+  for (int cell = 0; cell < 72; ++cell) {
+    const double torque = cell >= 8 && cell < 19 ? 1e-3 * mNm : 0.0;
+    map.centre.push_back((5.0 * cell + 2.5) * degree);
+    map.width.push_back(5.0 * degree);
+    for (auto* values : {&map.mean, &map.rising, &map.falling}) values->push_back(torque);
+    map.error.push_back(1e-5);
+    map.count.push_back(100.0);
+  }
+  return map;
+}
+
+Excitation rotaryMotion() {
+  Excitation seen;
+  seen.electrical = seen.bothWays = true;
+  seen.step_s = 1e-3;
+  seen.duration_s = 30.0;
+  seen.lowSpeed = 1.0;
+  seen.highSpeed = 20.0;
+  seen.travel = seen.highest = 30.0;
+  seen.count = 1e-3;
+  seen.peakTorque = 0.1;
+  seen.peakCurrent = 1.0;
+  seen.peakInput = 12.0;
+  seen.starts = seen.reversals = 30;
+  seen.longestRest_s = 2.0;
+  seen.inertia = 1e-4;
+  seen.coulomb = 0.01;
+  return seen;
+}
+
+}  // namespace
+
+class TestWhere : public QObject {
+  Q_OBJECT
+ private slots:
+  void shiftInOneCell_isSignificant_noiseIsNot();
+  void higherFrictionOverAStretch_isSaidInDegreesBothWays();
+  void stretchOverZero_isOnePlace();
+  void insignificantMap_isNoPlace();
+  void whiteSeries_isWhite_andADriftIsNot();
+  void rivals_getOneExperimentThatTellsThemApart();
+  void nothingMissing_namesWhatThisRecordingCouldNotShow();
+  void outsideCatalogue_looksCloserAtThePlace();
+};
+
+void TestWhere::shiftInOneCell_isSignificant_noiseIsNot() {
+  int falseAlarms = 0;
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    const std::vector<BlockMap> maps{noisyMap(seed, 0.0), noisyMap(seed + 1000, 0.0)};
+    const auto found = significances(maps, 40, seed);
+    falseAlarms += found[0].pValue <= 0.05 || found[1].pValue <= 0.05 ? 1 : 0;
+  }
+  QVERIFY2(falseAlarms <= 6, qPrintable(QString::number(falseAlarms)));  // 5 % of 40, and three deviations
+  const auto found = significances({noisyMap(1, 0.0), noisyMap(2, 2.0)}, 40, 1);
+  QVERIFY(found[1].pValue <= 0.01);
+  QVERIFY(found[0].pValue > 0.05);
+  QVERIFY2(found[1].energy > 100.0 && found[1].energy < 250.0, qPrintable(QString::number(found[1].energy)));
+}
+
+void TestWhere::higherFrictionOverAStretch_isSaidInDegreesBothWays() {
+  const auto found = places({frictionOverAngle(1.8)}, Model{});
+  QCOMPARE(found.size(), size_t(1));
+  QCOMPARE(found.front().sentence,
+           std::string("The axis needs 1.8 mNm more than the model between 40° and 95°, both ways."));
+  QVERIFY(std::abs(found.front().from - 40.0 * degree) < 1e-9 && std::abs(found.front().to - 95.0 * degree) < 1e-9);
+  QVERIFY(std::abs(found.front().share - 0.6) < 1e-9);
+  const auto lower = places({frictionOverAngle(-1.8)}, Model{});
+  QCOMPARE(lower.front().sentence,
+           std::string("The axis needs 1.8 mNm less than the model between 40° and 95°, both ways."));
+}
+
+void TestWhere::stretchOverZero_isOnePlace() {
+  ResidualMap map = frictionOverAngle(1.8);
+  for (auto* values : {&map.mean, &map.rising, &map.falling})
+    std::rotate(values->begin(), values->begin() + 13, values->end());
+  map.orders = {{1, 4e-4}, {2, 4e-4}, {3, 3e-4}};
+  const auto found = places({map}, Model{});
+  QCOMPARE(found.front().sentence,
+           std::string("The axis needs 1.8 mNm more than the model between -25° and 30°, both ways."));
+}
+
+void TestWhere::insignificantMap_isNoPlace() {
+  ResidualMap map = frictionOverAngle(1.8);
+  map.pValue = 0.2;
+  QVERIFY(places({map}, Model{}).empty());
+}
+
+void TestWhere::whiteSeries_isWhite_andADriftIsNot() {
+  Random random(7);
+  std::vector<double> white, drifting;
+  double state = 0.0;
+  for (int k = 0; k < 200; ++k) {
+    white.push_back(random.normal());
+    drifting.push_back(state = 0.8 * state + random.normal());
+  }
+  QVERIFY2(whitenessOf(white).pValue > 0.01, qPrintable(QString::number(whitenessOf(white).pValue)));
+  QVERIFY(whitenessOf(drifting).pValue < 1e-6);
+  QVERIFY(std::abs(whitenessOf(white).lag1) < 0.25);
+  QVERIFY(whitenessOf(drifting).lag1 > 0.6 && whitenessOf(drifting).lag1 < 0.95);
+  QCOMPARE(whitenessOf({1.0, 2.0}).pValue, 1.0);
+}
+
+void TestWhere::rivals_getOneExperimentThatTellsThemApart() {
+  Diagnosis diagnosis;
+  diagnosis.verdict = Verdict::ambiguous;
+  diagnosis.findings = {{.effect = "stribeck", .ambiguousWith = {"presliding"}, .parameters = {}, .sentence = {}}};
+  Bench bench;
+  bench.controller.currentLimit_A = 4.0;
+  const NextExperiment next = nextExperiment(diagnosis, bench, rotaryMotion());
+  QCOMPARE(next.separates, (std::vector<std::string>{"stribeck", "presliding"}));
+  const QString sentence = QString::fromStdString(next.sentence);
+  QVERIFY2(sentence.startsWith("To tell stribeck from presliding: "), qPrintable(sentence));
+  QVERIFY2(sentence.contains("What follows the speed is stribeck; what shows right after each reversal is presliding."),
+           qPrintable(sentence));
+  QVERIFY2(sentence.endsWith("Stay within 4 A."), qPrintable(sentence));
+}
+
+void TestWhere::nothingMissing_namesWhatThisRecordingCouldNotShow() {
+  Excitation seen = rotaryMotion();
+  seen.currentSeen = true;
+  QVERIFY(unseenEffects(seen).empty());
+  QVERIFY(nextExperiment({}, {}, seen).sentence.empty());
+  seen.bothWays = false;
+  seen.reversals = seen.starts = 0;
+  const auto unseen = unseenEffects(seen);
+  QVERIFY(std::find(unseen.begin(), unseen.end(), "constant_load") != unseen.end());
+  const QString sentence = QString::fromStdString(nextExperiment({}, {}, seen).sentence);
+  QVERIFY2(sentence.contains("constant_load") && sentence.contains("Reverse at least twenty times"),
+           qPrintable(sentence));
+}
+
+void TestWhere::outsideCatalogue_looksCloserAtThePlace() {
+  Diagnosis diagnosis;
+  diagnosis.verdict = Verdict::outsideCatalogue;
+  diagnosis.where = {{.axis = "angle", .from = 40.0 * degree, .to = 95.0 * degree, .unit = "rad", .sentence = {}}};
+  const QString sentence = QString::fromStdString(nextExperiment(diagnosis, {}, rotaryMotion()).sentence);
+  QVERIFY2(sentence.startsWith("Move to and fro between 40° and 95°, slowly at 6 rad/s and again at 20 rad/s"),
+           qPrintable(sentence));
+}
+
+QTEST_APPLESS_MAIN(TestWhere)
+#include "tst_where.moc"
