@@ -136,7 +136,6 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   diagnosis.heldoutRows = prepared->split.heldoutRows;
   diagnosis.fit =
       scoreFit(bench, diagnosis.base, diagnosis.model, prepared->tracks, prepared->split, options, diagnosis.proof);
-  const FitScore& fit = diagnosis.fit;
   // Decisions rest on training windows; the worst tenth, which a restart at the edge of standstill may rule, left out.
   const auto& windows = prepared->split.trainScore;
   const double floor = noiseFloor(diagnosis.model, prepared->tracks, windows, options.seed);

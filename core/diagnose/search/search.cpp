@@ -159,22 +159,17 @@ class Search {
     return position || with.currentSquares < (1.0 - clearImprovement) * without.currentSquares;
   }
 
-  /// The screen's set as a whole, or else its most important members.
+  /// The screen's set as a whole, or else its most important members; where much is left, also with rivals in place.
   void adopt(SearchResult& result, const Screen& screen, std::vector<Pick> picks) const {
     for (; !picks.empty(); picks.pop_back()) {
-      const Model start = withPicks(result, screen, picks);
-      FitResult fit = fitFresh(start);
-      if (mean(fit.windowSquares) > 0.6 * mean(result.base.windowSquares)) {
-        // In long windows a wrong start of a wave is a valley away from the right one: short windows first.
-        FitResult slow =
-            fitFresh(fitWindows(vectorOf(input_, start), input_.tracks, input_.split.trainScore,
-                                {.iterations = 8, .tolerance = 1e-3, .windowWeights = {}, .stop = input_.stop})
-                         .model);
-        if (slow.usable && mean(slow.windowSquares) < mean(fit.windowSquares)) fit = std::move(slow);
-      }
-      for (const Model& other : variantsOf(start)) {
-        if (helps(result.base, fit)) break;
-        fit = fitFresh(other);
+      FitResult fit = fitSet(result, screen, picks);
+      if (mean(fit.windowSquares) > 4.0 * floor_ * floor_) {
+        for (std::vector<Pick>& other : exchanged(screen, picks)) {
+          FitResult rival = fitSet(result, screen, other);
+          if (!rival.usable || mean(rival.windowSquares) > 0.7 * mean(fit.windowSquares)) continue;
+          fit = std::move(rival);
+          picks = std::move(other);
+        }
       }
       if (!helps(result.base, fit)) continue;
       result.best = std::move(fit);
@@ -183,11 +178,43 @@ class Search {
     }
   }
 
+  /// The set with one member at a time exchanged for its first rival.
+  static std::vector<std::vector<Pick>> exchanged(const Screen& screen, const std::vector<Pick>& picks) {
+    std::vector<std::vector<Pick>> sets;
+    for (size_t k = 0; k < picks.size(); ++k) {
+      if (picks[k].rivals.empty()) continue;
+      std::vector<Pick> others = picks;
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
+      Pick rival = screen.best(*picks[k].rivals.front(), others);
+      if (rival.parameters.empty()) continue;
+      rival.pValue = picks[k].pValue;
+      sets.push_back(picks);
+      sets.back()[k] = std::move(rival);
+    }
+    return sets;
+  }
+
+  FitResult fitSet(const SearchResult& result, const Screen& screen, const std::vector<Pick>& picks) const {
+    const Model start = withPicks(result, screen, picks);
+    FitResult fit = fitFresh(start);
+    if (fit.usable && mean(fit.windowSquares) < 0.6 * mean(result.base.windowSquares)) return fit;
+    // In long windows a wrong start of a wave is a valley away from the right one: short windows first.
+    std::vector<Model> starts = variantsOf(start);
+    starts.push_back(fitWindows(vectorOf(input_, start), input_.tracks, input_.split.trainScore,
+                                {.iterations = 8, .tolerance = 1e-3, .windowWeights = {}, .stop = input_.stop})
+                         .model);
+    for (const Model& other : starts) {
+      FitResult slow = fitFresh(other);
+      if (slow.usable && mean(slow.windowSquares) < mean(fit.windowSquares)) fit = std::move(slow);
+    }
+    return fit;
+  }
+
   /// What the screen could not see may still show in the simulation.
   void tryMore(SearchResult& result, const Screen& screen, const std::vector<Pick>& picks) const {
     const auto before = validated(result.best);
     const double noise = trackNoise(), left = mean(result.best.windowSquares);
-    if (left < 4.0 * noise * noise || left < 0.5 * mean(result.base.windowSquares)) return;
+    if (left < 4.0 * noise * noise || left < 0.15 * mean(result.base.windowSquares)) return;
     std::vector<Pick> candidates;
     for (const Effect* effect : catalogue()) {
       if (contains(result, effect)) continue;
