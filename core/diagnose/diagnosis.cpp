@@ -22,6 +22,8 @@ namespace {
 constexpr double materialShare = 0.25;
 constexpr double materialShareBesideFindings = 0.5;
 constexpr double materialFloors = 1.8;
+/// Of the drive's peak: a place where less is unexplained is none.
+constexpr double immaterialPart = 0.01;
 
 /// The mean without its largest tenth.
 double typicalSquare(std::vector<double> squares) {
@@ -92,8 +94,12 @@ bool hasRealRivals(const Finding& finding) {
 
 /// Whether what the best model leaves has a place of its own that holds on held-out data, too.
 bool leavesAPlace(const Model& best, const std::vector<Track>& seen, std::vector<Place>& where, double& pValue,
-                  std::uint64_t seed) {
-  const auto left = places(residualMaps(best, seen, seed), best);
+                  const Excitation& motion, std::uint64_t seed) {
+  auto left = places(residualMaps(best, seen, seed), best);
+  // No rig is exact to so small a part of its drive.
+  std::erase_if(left, [&motion](const Place& place) {
+    return place.size < immaterialPart * (place.sizeUnit == "V" ? motion.peakInput : motion.peakTorque);
+  });
   if (left.empty()) return false;
   pValue = left.front().pValue;
   if (left.front().share < 0.1 || left.front().pValue > 0.02) return false;
@@ -152,7 +158,8 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   std::vector<Place> unexplained;
   const double materialPart = diagnosis.findings.empty() ? materialShare : materialShareBesideFindings;
   const bool outside = beyondFloor && diagnosis.unexplainedShare > materialPart;
-  if (outside) leavesAPlace(diagnosis.model, training, unexplained, diagnosis.unexplainedPValue, options.seed);
+  if (outside)
+    leavesAPlace(diagnosis.model, training, unexplained, diagnosis.unexplainedPValue, prepared->seen, options.seed);
   if (!diagnosis.findings.empty() || outside) {
     diagnosis.where = places(residualMaps(diagnosis.base, training, options.seed), diagnosis.base);
     if (!diagnosis.findings.empty())

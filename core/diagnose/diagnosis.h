@@ -33,6 +33,8 @@ struct Place {
   double share = 0.0;
   double pValue = 1.0;
   std::string sentence;
+  double size = 0.0;            ///< mean of the unexplained there, as an absolute value
+  std::string sizeUnit = "Nm";  ///< or N, or V
 };
 
 /// RMSE of the position over windows that restart every window_s, as simulate() does it.

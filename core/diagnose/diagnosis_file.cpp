@@ -135,6 +135,8 @@ std::string diagnosisJson(const Diagnosis& d, bool oneLine) {
                              {"unit", place.unit},
                              {"share", place.share},
                              {"p_value", place.pValue},
+                             {"size", place.size},
+                             {"size_unit", place.sizeUnit},
                              {"sentence", place.sentence}});
   }
   json["fit"] = {{"channel", d.fit.channel},

@@ -174,17 +174,20 @@ Place placeOf(const ResidualMap& whole, const Model& model) {
   const bool atTheCut = round && (uncut.first == 0 || uncut.last + 1 == whole.centre.size());
   const ResidualMap map = atTheCut ? cutElsewhere(whole) : whole;
   const Stretch at = worstStretch(map);
-  Place place{map.axis,
-              map.centre[at.first] - 0.5 * map.width[at.first],
-              map.centre[at.last] + 0.5 * map.width[at.last],
-              map.unit,
-              map.share * at.share,
-              map.pValue,
-              {}};
+  Place place;
+  place.axis = map.axis;
+  place.from = map.centre[at.first] - 0.5 * map.width[at.first];
+  place.to = map.centre[at.last] + 0.5 * map.width[at.last];
+  place.unit = map.unit;
+  place.share = map.share * at.share;
+  place.pValue = map.pValue;
   // A wave of the turn is as long as all of it, even where one of its hills is the highest.
   if (!map.orders.empty() && map.orders[0].amplitude > strongOrder * map.orders[1].amplitude) place.share = map.share;
   if (map.axis == "reversal") place.from = std::max(0.0, place.from);
   place.sentence = sentenceOf(map, at, place, model.axis);
+  place.size = std::abs(at.mean);
+  if (model.axis == Axis::linear) place.sizeUnit = "N";
+  if (map.shows == Unknown::voltage) place.sizeUnit = "V";
   return place;
 }
 

@@ -61,6 +61,7 @@ Unexplained unexplainedAlong(const Model& model, const Track& track) {
     while (row + 1 < track.rows() && track.time[row + 1] <= rows.time[k] + 1e-9) ++row;
     out.row[k] = row;
     const double t = rows.time[k], u = rows.input[k], v = rows.velocity[k];
+    const double uNow = 0.5 * (rows.input[k > 0 ? k - 1 : 0] + u);  // held from row to row: at the instant the mean
     const double s = v > 0.0 ? 1.0 : -1.0;
     const bool connected = track.connected[row] != 0;
     if (std::abs(v) > 4.0 * rows.velocityNoise && s != way) {
@@ -78,7 +79,8 @@ Unexplained unexplainedAlong(const Model& model, const Track& track) {
       const double lost = stepper.losesVoltage() ? stepper.lostVoltage(state, u, v, t) : 0.0;
       const Winding before = winding;
       winding.advance(p, u - lost - p.backEmf * v, rows.step_s);
-      current = p.inductance > 0.0 ? 0.5 * (before.current + winding.current) : winding.current;
+      // At the instant itself: what the inductance keeps, or the mean of what acts before and after.
+      current = p.inductance > 0.0 ? before.current : 0.5 * (before.current + winding.current);
       slope = winding.slope;
       out.driven[k] = 1;
       if (!out.voltage.empty() && std::isfinite(track.current[row])) {
@@ -88,10 +90,10 @@ Unexplained unexplainedAlong(const Model& model, const Track& track) {
     } else if (p.electrical) {
       winding = {};
     } else if (connected) {
-      current = model.input == DriveInput::current ? u : 0.0;
+      current = model.input == DriveInput::current ? uNow : 0.0;
       out.driven[k] = 1;
     }
-    const double drive = !connected ? 0.0 : p.electrical ? p.torqueConstant * current : p.torqueConstant * u;
+    const double drive = !connected ? 0.0 : p.electrical ? p.torqueConstant * current : p.torqueConstant * uNow;
     const Stepper::Forces forces = stepper.forcesAt(state, rows.position[k], v, s, drive, t);
     const double resistance = p.viscous * v + forces.load + s * forces.friction;
     out.drive[k] = drive;

@@ -98,6 +98,7 @@ void TestWhere::higherFrictionOverAStretch_isSaidInDegreesBothWays() {
            std::string("The axis needs 1.8 mNm more than the model between 40° and 95°, both ways."));
   QVERIFY(std::abs(found.front().from - 40.0 * degree) < 1e-9 && std::abs(found.front().to - 95.0 * degree) < 1e-9);
   QVERIFY(std::abs(found.front().share - 0.6) < 1e-9);
+  QVERIFY(std::abs(found.front().size - 1.8e-3) < 1e-9);
   const auto lower = places({frictionOverAngle(-1.8)}, Model{});
   QCOMPARE(lower.front().sentence,
            std::string("The axis needs 1.8 mNm less than the model between 40° and 95°, both ways."));
@@ -166,7 +167,8 @@ void TestWhere::nothingMissing_namesWhatThisRecordingCouldNotShow() {
 void TestWhere::outsideCatalogue_looksCloserAtThePlace() {
   Diagnosis diagnosis;
   diagnosis.verdict = Verdict::outsideCatalogue;
-  diagnosis.where = {{.axis = "angle", .from = 40.0 * degree, .to = 95.0 * degree, .unit = "rad", .sentence = {}}};
+  diagnosis.where = {
+      {.axis = "angle", .from = 40.0 * degree, .to = 95.0 * degree, .unit = "rad", .sentence = {}, .sizeUnit = {}}};
   const QString sentence = QString::fromStdString(nextExperiment(diagnosis, {}, rotaryMotion()).sentence);
   QVERIFY2(sentence.startsWith("Move to and fro between 40° and 95°, slowly at 6 rad/s and again at 20 rad/s"),
            qPrintable(sentence));
