@@ -8,7 +8,8 @@
 namespace breakaway {
 
 std::span<const Effect* const> catalogue() {
-  static const std::array<const Effect*, 27> effects{&coulombAsymmetry(),
+  static const std::array<const Effect*, 27> effects{&constantLoad(),
+                                                     &coulombAsymmetry(),
                                                      &viscousAsymmetry(),
                                                      &stribeck(),
                                                      &presliding(),
@@ -18,7 +19,7 @@ std::span<const Effect* const> catalogue() {
                                                      &loadDependentFriction(),
                                                      &frictionWarmup(),
                                                      &risingStiction(),
-                                                     &constantLoad(),
+
                                                      &imbalance(),
                                                      &cogging(),
                                                      &torqueRipple(),

@@ -22,6 +22,10 @@ namespace {
 constexpr double materialShare = 0.25;
 constexpr double materialShareBesideFindings = 0.5;
 constexpr double materialFloors = 1.8;
+/// Beyond this many times the floor it needs no place of its own.
+constexpr double glaringFloors = 4.5;
+constexpr double leastShare = 0.03;
+constexpr double glaringShare = 0.8;
 /// Of the drive's peak: a place where less is unexplained is none.
 constexpr double immaterialPart = 0.01;
 
@@ -140,26 +144,40 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   diagnosis.base = found->base.model;
   diagnosis.model = found->best.model;
   diagnosis.heldoutRows = prepared->split.heldoutRows;
-  diagnosis.fit =
-      scoreFit(bench, diagnosis.base, diagnosis.model, prepared->tracks, prepared->split, options, diagnosis.proof);
   // Decisions rest on training windows; the worst tenth, which a restart at the edge of standstill may rule, left out.
   const auto& windows = prepared->split.trainScore;
+  const auto errorsBefore = scoreWindows(diagnosis.base, prepared->tracks, windows);
+  auto errorsAfter = scoreWindows(diagnosis.model, prepared->tracks, windows);
   const double floor = noiseFloor(diagnosis.model, prepared->tracks, windows, options.seed);
-  const double before = typicalSquare(scoreWindows(diagnosis.base, prepared->tracks, windows));
-  const double after = typicalSquare(scoreWindows(diagnosis.model, prepared->tracks, windows));
+  const double before = typicalSquare(errorsBefore);
   const double excess = std::max(before - floor * floor, 1e-300);
-  const double explained = std::clamp((before - after) / excess, 0.0, 1.0);
+  double explained = (before - typicalSquare(errorsAfter)) / excess;
+  // What lives in a few windows only shows in the plain mean.
+  const double ofAll = 1.0 - mean(errorsAfter) / std::max(mean(errorsBefore), 1e-300);
+  if (ofAll > glaringShare) explained = std::max(explained, ofAll);
+  explained = std::clamp(explained, 0.0, 1.0);
+  const bool currentToo = found->best.currentSquares < 0.8 * found->base.currentSquares;
+  if (explained >= leastShare || currentToo) {
+    diagnosis.findings = findingsOf(*found, input, explained);
+  } else {
+    diagnosis.model = diagnosis.base;
+    errorsAfter = errorsBefore;
+  }
+  const double after = typicalSquare(errorsAfter);
   const bool beyondFloor = after > materialFloors * materialFloors * floor * floor;
-  diagnosis.unexplainedShare = std::clamp((after - floor * floor) / excess, 0.0, 1.0);
-  if (!beyondFloor) diagnosis.unexplainedShare = 0.0;
-  diagnosis.findings = findingsOf(*found, input, explained);
+  diagnosis.unexplainedShare = beyondFloor ? std::clamp((after - floor * floor) / excess, 0.0, 1.0) : 0.0;
+  diagnosis.fit =
+      scoreFit(bench, diagnosis.base, diagnosis.model, prepared->tracks, prepared->split, options, diagnosis.proof);
 
   const std::vector<Track>& training = prepared->training;
   std::vector<Place> unexplained;
   const double materialPart = diagnosis.findings.empty() ? materialShare : materialShareBesideFindings;
-  const bool outside = beyondFloor && diagnosis.unexplainedShare > materialPart;
-  if (outside)
-    leavesAPlace(diagnosis.model, training, unexplained, diagnosis.unexplainedPValue, prepared->seen, options.seed);
+  bool outside = beyondFloor && diagnosis.unexplainedShare > materialPart;
+  if (outside) {
+    const bool placed =
+        leavesAPlace(diagnosis.model, training, unexplained, diagnosis.unexplainedPValue, prepared->seen, options.seed);
+    outside = placed || after > glaringFloors * glaringFloors * floor * floor;
+  }
   if (!diagnosis.findings.empty() || outside) {
     diagnosis.where = places(residualMaps(diagnosis.base, training, options.seed), diagnosis.base);
     if (!diagnosis.findings.empty())

@@ -78,17 +78,18 @@ LinearRig::LinearRig(const Model& base, const std::vector<Track>& tracks, const 
   weights_ = Eigen::VectorXd::Ones(rows_);
   weigh(all);
   // Each set of rows in units of its typical residual: the sensor's noise and a part of what the base model leaves.
-  const Eigen::MatrixXd left = all.leftCols(baseColumns);
-  const Eigen::VectorXd residual = all.col(baseColumns) - left * left.colPivHouseholderQr().solve(all.col(baseColumns));
   const auto scale = [&](const std::vector<Stretch>& set, double factor, auto noiseOf) {
-    double squares = 0.0, count = 0.0, noise = 0.0;
-    for (const Stretch& one : set) {
-      squares += residual.segment(one.at, one.rows).squaredNorm();
-      count += static_cast<double>(one.rows);
-      noise = std::max(noise, factor * noiseOf(tracks_[one.track]));
-    }
-    const double typical = std::sqrt(noise * noise + partOfResidual * squares / std::max(count, 1.0));
-    for (const Stretch& one : set) weights_.segment(one.at, one.rows) /= std::max(typical, 1e-300);
+    if (set.empty()) return;
+    double noise = 0.0;
+    for (const Stretch& one : set) noise = std::max(noise, factor * noiseOf(tracks_[one.track]));
+    const Eigen::Index first = set.front().at, rows = set.back().at + set.back().rows - first;
+    const Eigen::MatrixXd columns = all.block(first, 0, rows, baseColumns);
+    const Eigen::VectorXd response = all.block(first, baseColumns, rows, 1);
+    const Eigen::VectorXd size = columns.colwise().norm().cwiseMax(1e-300).cwiseInverse().transpose();
+    const Eigen::MatrixXd scaled = columns * size.asDiagonal();
+    const double squares = (response - scaled * scaled.colPivHouseholderQr().solve(response)).squaredNorm();
+    const double typical = std::sqrt(noise * noise + partOfResidual * squares / static_cast<double>(rows));
+    weights_.segment(first, rows) /= std::max(typical, 1e-300);
   };
   scale(stretches_, physics_.inertia, [](const Track& track) { return track.noise; });
   scale(electrical_, 1.0, [](const Track& track) { return track.currentNoise; });

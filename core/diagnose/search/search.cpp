@@ -54,6 +54,12 @@ bool same(const Effect* a, const Effect* b) {
   return a == b || (!a->twin().empty() && a->twin() == b->name());
 }
 
+/// Whether effects of the model carry hidden states, so that a fit has to simulate each parameter's change.
+bool remembers(const Model& model) {
+  return std::any_of(model.effects.begin(), model.effects.end(),
+                     [](const EffectTerm& term) { return findEffect(term.effect)->memory() > 0; });
+}
+
 ParameterVector vectorOf(const SearchInput& input, const Model& model) {
   return {model, input.held, std::max(input.seen.peakTorque, 1e-12), std::max(input.seen.highSpeed, 1e-9)};
 }
@@ -81,9 +87,9 @@ class Search {
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
     say(0.35, "simulating what was found");
     adopt(result, screen, found.chosen);
-    tryMore(result, screen, found.chosen);
-    refine(result);
     backward(result);
+    if (tryMore(result, screen, found.chosen)) backward(result);
+    refine(result);
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
     weigh(result, screen);
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
@@ -211,14 +217,15 @@ class Search {
   }
 
   /// What the screen could not see may still show in the simulation.
-  void tryMore(SearchResult& result, const Screen& screen, const std::vector<Pick>& picks) const {
+  bool tryMore(SearchResult& result, const Screen& screen, std::vector<Pick> picks) const {
+    std::erase_if(picks, [&](const Pick& one) { return !contains(result, one.effect); });
     const auto before = validated(result.best);
     const double noise = trackNoise(), left = mean(result.best.windowSquares);
-    if (left < 4.0 * noise * noise || left < 0.15 * mean(result.base.windowSquares)) return;
+    if (left < 4.0 * noise * noise || left < 0.15 * mean(result.base.windowSquares)) return false;
     std::vector<Pick> candidates;
     for (const Effect* effect : catalogue()) {
       if (contains(result, effect)) continue;
-      Pick pick = screen.best(*effect, result.chosen.empty() ? std::vector<Pick>{} : picks);
+      Pick pick = screen.best(*effect, picks);
       if (!pick.parameters.empty()) candidates.push_back(std::move(pick));
     }
     std::stable_sort(candidates.begin(), candidates.end(),
@@ -237,9 +244,10 @@ class Search {
       winner = std::move(fit);
       chosen = {candidates[k].effect, pValue, 0.0, {}};
     }
-    if (!winner) return;
+    if (!winner) return false;
     result.best = std::move(*winner);
     result.chosen.push_back(chosen);
+    return true;
   }
 
   double trackNoise() const {
@@ -268,6 +276,7 @@ class Search {
 
   /// Held parameters are compared once everything else fits.
   void refine(SearchResult& result) const {
+    if (remembers(result.best.model)) return;
     for (const Model& model : variantsOf(result.best.model)) {
       FitResult fit = fitModel(input_, model, 8);
       if (fit.usable && mean(fit.windowSquares) < mean(result.best.windowSquares)) result.best = std::move(fit);
@@ -347,7 +356,8 @@ class Search {
           continue;
         }
         // Skewed errors hide a clear difference from the t-value: the sign-flip test sees it.
-        const bool clearlyWorse = ahead.relative > 0.25 && signFlipPValue(errors, best, input_.seed) <= 0.02;
+        const bool clearlyWorse = (ahead.relative > 0.25 && signFlipPValue(errors, best, input_.seed) <= 0.02) ||
+                                  (ahead.relative > 0.5 && quantile(errors, 0.5) > 1.5 * quantile(best, 0.5));
         if (ahead.inErrors < 2.0 && !clearlyWorse) result.chosen[k].rivals.push_back(one.effect);
       }
       if (const Effect* twin = findEffect(result.chosen[k].effect->twin())) result.chosen[k].rivals.push_back(twin);
@@ -365,6 +375,7 @@ class Search {
 }  // namespace
 
 FitResult fitModel(const SearchInput& input, const Model& model, int iterations) {
+  if (remembers(model)) iterations = std::min(iterations, 5);  // each takes several times as long
   return fitWindows(
       vectorOf(input, model), input.tracks, input.split.train,
       {.iterations = iterations, .tolerance = 1e-3, .windowWeights = input.windowWeights, .stop = input.stop});
@@ -380,6 +391,7 @@ FitResult fitBase(const SearchInput& input, const std::vector<Model>& starts) {
 }
 
 FitResult polishModel(const SearchInput& input, const Model& model, const std::vector<double>& windowWeights) {
+  if (remembers(model)) return fitModel(input, model, 4);
   return fitWindows(vectorOf(input, model), input.tracks, input.split.polish,
                     {.iterations = 6, .exact = true, .windowWeights = windowWeights, .stop = input.stop});
 }

@@ -102,6 +102,9 @@ MotionState Simulator::restart(size_t row, const MotionState& carried) {
   // Where the model can't follow the last stretch (it turned, or held on), a shorter one says more.
   MotionState best;
   double least = 1e300;
+  size_t first = row;
+  while (first > 0 && track_.time[row] - track_.time[first - 1] <= horizon_) --first;
+  const double enough = 3.0 * std::max(readingNoise(track_, first, row), track_.quantisation);
   for (double horizon = horizon_; horizon > 0.1 * horizon_; horizon *= 0.5) {
     double error = 0.0;
     const MotionState state = restartOver(horizon, row, carried, error);
@@ -109,7 +112,7 @@ MotionState Simulator::restart(size_t row, const MotionState& carried) {
       best = state;
       least = error;
     }
-    if (least <= 3.0 * track_.noise) break;
+    if (least <= enough) break;
   }
   return best;
 }

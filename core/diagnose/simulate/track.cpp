@@ -74,6 +74,7 @@ Track Track::rowsFrom(size_t first, size_t last) const {
   out.drive = drive;
   out.origin_s = origin_s;
   out.noise = noise;
+  out.quantisation = quantisation;
   out.inputNoise = inputNoise;
   out.currentNoise = currentNoise;
   return out;
@@ -136,7 +137,8 @@ Result<Track> makeTrack(const Recording& recording, Axis axis, DriveInput driveI
     track.currentNoise = readingNoise(track.current, known);
   }
   if (driveInput == DriveInput::current) track.inputNoise = readingNoise(track.input, std::vector<char>(rows, 1));
-  track.noise = std::max(readingNoise(track.position, track.seen), count / std::sqrt(12.0));
+  track.quantisation = count / std::sqrt(12.0);
+  track.noise = std::max(readingNoise(track.position, track.seen), track.quantisation);
   return track;
 }
 

@@ -35,6 +35,7 @@ struct Track {
   DriveInput drive = DriveInput::torque;
   double origin_s = 0.0;      ///< time_s of the first row
   double noise = 0.0;         ///< standard deviation of one position reading: quantisation and what exceeds it
+  double quantisation = 0.0;  ///< standard deviation of what the encoder's count hides
   double inputNoise = 0.0;    ///< the same of a measured drive current, A; 0 where the input is a command
   double currentNoise = 0.0;  ///< the same of a current reading, A; 0 where there is none
   std::vector<std::string> remarks;
