@@ -21,7 +21,7 @@ namespace {
 /// Beyond this part of the excess error, and this many times the floor, what is left is material.
 constexpr double materialShare = 0.25;
 constexpr double materialShareBesideFindings = 0.5;
-constexpr double materialFloors = 1.8;
+constexpr double materialFloors = 2.5;
 /// Beyond this many times the floor it needs no place of its own.
 constexpr double glaringFloors = 4.5;
 constexpr double leastShare = 0.03;

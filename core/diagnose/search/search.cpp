@@ -19,7 +19,7 @@ constexpr double leastImprovement = 0.03;
 constexpr double clearImprovement = 0.2;
 constexpr double leastShare = 0.01;  ///< of the base model's squared error
 constexpr double leastFloors = 0.2;  ///< of the squared floor
-constexpr size_t mostTrials = 3;
+constexpr size_t mostTrials = 6;
 constexpr size_t mostRivals = 3;
 
 EffectTerm termOf(const Effect& effect, Axis axis, const std::vector<double>& values) {
@@ -344,6 +344,7 @@ class Search {
         FitResult fit = fitFresh(with(left_[k].model, one));
         if (!fit.usable) continue;
         const auto errors = validated(fit);
+        if (!std::isfinite(mean(errors))) continue;
         const Comparison ahead = compare(errors, best, input_.seed);
         if (ahead.inErrors < -2.0 && mean(errors) < 0.9 * mean(best)) {  // the rival is the better one
           if (compare(best, errors, input_.seed).inErrors < 2.0)
