@@ -10,13 +10,12 @@ namespace breakaway {
 
 namespace {
 
-constexpr size_t mostRows = 4000;
+constexpr size_t mostRows = 5000;
 constexpr size_t fewestSamples = 10;
 constexpr double inductanceDoubt = 0.5;  ///< relative
 constexpr double partOfResidual = 0.09;
 constexpr double startDoubt_s = 0.01;
-constexpr double startWeight = 3.0;  ///< a breakaway tells more than a row of motion
-constexpr size_t turnMargin = 2;     ///< samples left out on each side of a reversal
+constexpr size_t turnMargin = 2;  ///< samples left out on each side of a reversal
 
 double elasticFriction(double slip, double motion, double stiffness, double friction) {
   const double s = motion > 0.0 ? 1.0 : -1.0;
@@ -100,7 +99,7 @@ LinearRig::LinearRig(const Model& base, const std::vector<Track>& tracks, const 
     while (late + 1 < time.size() && time[late] - time[one.row] < startDoubt_s) ++late;
     const auto& at = recorded_[one.track].at;
     const double change = std::abs(at[late].driveTorque - at[early].driveTorque);
-    weights_[one.at] = startWeight / std::max(0.5 * change + 0.03 * physics_.coulomb, 1e-300);
+    weights_[one.at] = 1.0 / std::max(0.5 * change + 0.03 * physics_.coulomb, 1e-300);
   }
   for (const auto* set : {&stretches_, &electrical_}) {
     for (const Stretch& one : *set) samples_ += static_cast<double>(one.last - one.first + 1);

@@ -11,9 +11,9 @@ namespace breakaway {
 namespace {
 
 constexpr size_t flips = 199;
-constexpr double beyondChance = 1.5;     ///< times the most that chance gave
-constexpr double leastPart = 0.08;       ///< of what is left
-constexpr double leastOfBase = 0.008;    ///< of what the base leaves
+constexpr double beyondChance = 1.2;     ///< times the most that chance gave
+constexpr double leastPart = 0.03;       ///< of what is left
+constexpr double leastOfBase = 0.003;    ///< of what the base leaves
 constexpr double leastAgreement = 0.01;  ///< fall of the held-out error
 constexpr double fewWindows = 0.12;
 constexpr size_t mostEffects = 6;
@@ -211,7 +211,7 @@ double Screen::pValueOf(const Pick& pick, const Left& before, double& chance) co
   Random random(seed_);
   Eigen::MatrixXd signs(static_cast<Eigen::Index>(flips), windows);
   for (Eigen::Index f = 0; f < signs.rows(); ++f) {
-    const Eigen::Index together = Eigen::Index{1} << (f % 4);  // slow noise hangs together over several windows
+    const Eigen::Index together = Eigen::Index{1} << (f % 2);  // slow noise hangs together over several windows
     for (Eigen::Index w = 0; w < windows; ++w)
       signs(f, w) = w % together != 0 ? signs(f, w - 1) : random.bits() >> 63 ? 1.0 : -1.0;
   }

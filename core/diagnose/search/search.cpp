@@ -19,7 +19,7 @@ constexpr double leastImprovement = 0.03;
 constexpr double clearImprovement = 0.2;
 constexpr double leastShare = 0.01;  ///< of the base model's squared error
 constexpr double leastFloors = 0.2;  ///< of the squared floor
-constexpr size_t mostTrials = 6;
+constexpr size_t mostTrials = 4;
 constexpr size_t mostRivals = 3;
 
 EffectTerm termOf(const Effect& effect, Axis axis, const std::vector<double>& values) {
@@ -113,6 +113,12 @@ class Search {
                           input_.split.fold, folds, unit_);
   }
   FitResult fitFresh(const Model& start) const { return fitModel(input_, start, 6); }
+  /// In long windows a wrong start of a wave is a valley away from the right one: short windows first.
+  Model shortFit(const Model& start) const {
+    return fitWindows(vectorOf(input_, start), input_.tracks, input_.split.trainScore,
+                      {.iterations = 8, .tolerance = 1e-3, .windowWeights = {}, .stop = input_.stop})
+        .model;
+  }
   double chance(const std::vector<double>& before, const std::vector<double>& after) const {
     return std::min(1.0, static_cast<double>(catalogue().size()) * signFlipPValue(before, after, input_.seed));
   }
@@ -204,11 +210,8 @@ class Search {
     const Model start = withPicks(result, screen, picks);
     FitResult fit = fitFresh(start);
     if (fit.usable && mean(fit.windowSquares) < 0.6 * mean(result.base.windowSquares)) return fit;
-    // In long windows a wrong start of a wave is a valley away from the right one: short windows first.
     std::vector<Model> starts = variantsOf(start);
-    starts.push_back(fitWindows(vectorOf(input_, start), input_.tracks, input_.split.trainScore,
-                                {.iterations = 8, .tolerance = 1e-3, .windowWeights = {}, .stop = input_.stop})
-                         .model);
+    starts.push_back(shortFit(start));
     for (const Model& other : starts) {
       FitResult slow = fitFresh(other);
       if (slow.usable && mean(slow.windowSquares) < mean(fit.windowSquares)) fit = std::move(slow);
@@ -220,8 +223,8 @@ class Search {
   bool tryMore(SearchResult& result, const Screen& screen, std::vector<Pick> picks) const {
     std::erase_if(picks, [&](const Pick& one) { return !contains(result, one.effect); });
     const auto before = validated(result.best);
-    const double noise = trackNoise(), left = mean(result.best.windowSquares);
-    if (left < 4.0 * noise * noise || left < 0.15 * mean(result.base.windowSquares)) return false;
+    const double left = mean(result.best.windowSquares);
+    if (left < 9.0 * floor_ * floor_ || left < 0.02 * mean(result.base.windowSquares)) return false;
     std::vector<Pick> candidates;
     for (const Effect* effect : catalogue()) {
       if (contains(result, effect)) continue;
@@ -234,7 +237,9 @@ class Search {
     Chosen chosen;
     double best = clearImprovement;
     for (size_t k = 0; k < std::min(mostTrials, candidates.size()); ++k) {
-      FitResult fit = fitFresh(with(result.best.model, candidates[k]));
+      const Model start = with(result.best.model, candidates[k]);
+      FitResult fit = fitFresh(start);
+      if (!fit.usable || mean(fit.windowSquares) > (1.0 - clearImprovement) * left) fit = fitFresh(shortFit(start));
       if (!fit.usable) continue;
       const auto after = validated(fit);
       const Comparison gain = compare(before, after, input_.seed);
@@ -248,12 +253,6 @@ class Search {
     result.best = std::move(*winner);
     result.chosen.push_back(chosen);
     return true;
-  }
-
-  double trackNoise() const {
-    double noise = 0.0;
-    for (const Track& track : input_.tracks) noise = std::max(noise, track.noise);
-    return noise;
   }
 
   static bool contains(const SearchResult& result, const Effect* effect) {
