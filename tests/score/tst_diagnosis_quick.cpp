@@ -44,6 +44,12 @@ static ScoredTrial diagnosed(const Quick& quick) {
   return scored;
 }
 
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool sanitized = true;  // many times as slow: one trial shows what there is to show
+#else
+constexpr bool sanitized = false;
+#endif
+
 static Score scored(std::span<const Quick> quicks) {
   std::vector<ScoredTrial> trials;
   for (const Quick& quick : quicks) {
@@ -54,6 +60,10 @@ static Score scored(std::span<const Quick> quicks) {
 }
 
 void TestDiagnosisQuick::easyEffects_areNamed() {
+  if (sanitized) {
+    QCOMPARE(scored(std::span(easy).first(1)).families.front().failed, size_t(0));
+    return;
+  }
   const Score score = scored(easy);
   QCOMPARE(score.firstName.runs, std::size(easy));
   QVERIFY2(score.firstName.hits >= leastRight, qPrintable(QString::number(score.firstName.hits)));
@@ -62,6 +72,7 @@ void TestDiagnosisQuick::easyEffects_areNamed() {
 }
 
 void TestDiagnosisQuick::cleanPlants_raiseNoAlarm() {
+  if (sanitized) QSKIP("takes too long under sanitizers");
   const Score score = scored(clean);
   QCOMPARE(score.falseAlarms.runs, std::size(clean));
   QCOMPARE(score.falseAlarms.hits, size_t(0));
@@ -69,6 +80,7 @@ void TestDiagnosisQuick::cleanPlants_raiseNoAlarm() {
 }
 
 void TestDiagnosisQuick::physicsOutsideTheCatalogue_getsNoName() {
+  if (sanitized) QSKIP("takes too long under sanitizers");
   const Score score = scored(outside);
   QCOMPARE(score.outsideNamed.runs, std::size(outside));
   QVERIFY2(score.outsideNamed.hits <= mostNamedOutside, qPrintable(QString::number(score.outsideNamed.hits)));
