@@ -36,8 +36,13 @@ void TestDiagnose::coulombAsymmetry_isOneAndTheSameAsConstantLoad() {
 }
 
 void TestDiagnose::cleanRigWithNoise_lacksNothing() {
-  int quiet = 0;
-  for (const unsigned seed : {1u, 2u, 3u}) {
+#ifdef __SANITIZE_ADDRESS__
+  const std::vector<unsigned> seeds{1};  // many times as slow
+#else
+  const std::vector<unsigned> seeds{1, 2, 3};
+#endif
+  size_t quiet = 0;
+  for (const unsigned seed : seeds) {
     const Diagnosis diagnosis = diagnosed({.seconds = 20.0, .seed = seed});
     QVERIFY(diagnosis.findings.empty());
     const FitScore& fit = diagnosis.fit;
@@ -52,7 +57,7 @@ void TestDiagnose::cleanRigWithNoise_lacksNothing() {
     QCOMPARE(diagnosis.unexplainedShare, 0.0);
   }
   // A breakaway scatters by 1 %; a recording in which it happens to matter may be called unexplained, but never named.
-  QVERIFY2(quiet >= 2, qPrintable(QString::number(quiet)));
+  QVERIFY2(3 * quiet >= 2 * seeds.size(), qPrintable(QString::number(quiet)));
 }
 
 void TestDiagnose::sameSeed_givesTheSameDiagnosis() {

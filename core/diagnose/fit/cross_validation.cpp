@@ -74,7 +74,7 @@ double signFlipPValue(const std::vector<double>& before, const std::vector<doubl
   const double seen = mean(gain);
   Random random(seed);
   size_t beaten = 0;
-  constexpr size_t flips = 1999;
+  constexpr size_t flips = 9999;
   for (size_t flip = 0; flip < flips; ++flip) {
     double sum = 0.0;
     for (const double one : gain) sum += random.bits() >> 63 ? one : -one;

@@ -17,6 +17,7 @@ namespace {
 constexpr double largestPValue = 0.01;
 constexpr double leastImprovement = 0.03;
 constexpr double clearImprovement = 0.2;
+constexpr double halfOfAll = 0.5;
 constexpr double leastShare = 0.01;  ///< of the base model's squared error
 constexpr double leastFloors = 0.2;  ///< of the squared floor
 constexpr size_t mostTrials = 4;
@@ -235,7 +236,7 @@ class Search {
                      [](const Pick& a, const Pick& b) { return a.gain > b.gain; });
     std::optional<FitResult> winner;
     Chosen chosen;
-    double best = clearImprovement;
+    double best = halfOfAll;
     for (size_t k = 0; k < std::min(mostTrials, candidates.size()); ++k) {
       const Model start = with(result.best.model, candidates[k]);
       FitResult fit = fitFresh(start);

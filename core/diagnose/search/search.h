@@ -51,8 +51,8 @@ FitResult polishModel(const SearchInput& input, const Model& model, const std::v
 /// The screen's effects are fitted together by simulation. An effect stays when without it the cross-validated error of
 /// the simulated training windows is at least 3 % higher with a 95 % interval above zero. Others are tried by
 /// simulation in its place: one that does better takes it, one that comes within two standard errors is a rival. What
-/// the screen could not see (standstill is no regression) may still enter by simulation, if it takes away at least a
-/// fifth of the error. Held-out data is never looked at.
+/// the screen could not see (standstill is no regression) may still enter by simulation, if it takes away at least
+/// half of the error. Held-out data is never looked at.
 Result<SearchResult> searchEffects(const SearchInput& input, const std::vector<Model>& starts);
 
 /// The effects named, each at its best shape by the screen, fitted together with the base.
