@@ -156,8 +156,8 @@ Candidate mapOver(const Instants& all, Along axis, Unknown shows, const Everythi
 /// Waves per turn: cells are cosine and sine of each order.
 void addOrders(Candidate& candidate, const Instants& all, size_t blocks) {
   const size_t n = all.value.size();
-  BlockMap sums{std::vector<std::vector<double>>(2 * highestOrder, std::vector<double>(blocks, 0.0)),
-                std::vector<double>(2 * highestOrder, 0.5 * static_cast<double>(n)), 2};
+  BlockMap sums{std::vector<std::vector<double>>(size_t{2} * highestOrder, std::vector<double>(blocks, 0.0)),
+                std::vector<double>(size_t{2} * highestOrder, 0.5 * static_cast<double>(n)), 2};
   for (size_t k = 0; k < n; ++k) {
     const double value = valueOf(all, k, candidate.map.shows);
     const double c = std::cos(all.along[byAngle][k]), s = std::sin(all.along[byAngle][k]);

@@ -406,6 +406,7 @@ Result<FitResult> fitNamed(const SearchInput& input, const std::vector<Model>& s
   FitResult fit = fitModel(input, fitBase(input, starts).model);
   if (!names.empty()) {
     std::vector<const Effect*> effects;
+    effects.reserve(names.size());
     for (const std::string& name : names) effects.push_back(findEffect(name));
     Model model = fit.model;
     std::vector<Pick> picks;
