@@ -88,6 +88,9 @@ class Search {
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
     say(0.35, "simulating what was found");
     adopt(result, screen, found.chosen);
+    for (const Pick& pick : result.chosen.empty() ? bestAlone(screen) : std::vector<Pick>{}) {
+      if (result.chosen.empty()) adopt(result, screen, {pick});
+    }
     backward(result);
     if (tryMore(result, screen, found.chosen)) backward(result);
     refine(result);
@@ -189,6 +192,21 @@ class Search {
       for (const Pick& pick : picks) result.chosen.push_back({pick.effect, pick.pValue, 0.0, {}});
       return;
     }
+  }
+
+  /// The effects that explain most alone.
+  static std::vector<Pick> bestAlone(const Screen& screen) {
+    std::vector<Pick> best;
+    for (const Effect* effect : catalogue()) {
+      Pick pick = screen.best(*effect, {});
+      pick.pValue = largestPValue;
+      if (!pick.parameters.empty()) best.push_back(std::move(pick));
+    }
+    std::stable_sort(best.begin(), best.end(), [](const Pick& a, const Pick& b) { return a.gain > b.gain; });
+    const double least = best.empty() ? 0.0 : halfOfAll * best.front().gain;
+    std::erase_if(best, [least](const Pick& one) { return one.gain < least; });
+    if (best.size() > mostTrials) best.resize(mostTrials);
+    return best;
   }
 
   /// The set with one member at a time exchanged for its first rival.
