@@ -158,7 +158,7 @@ void TestCatalogue::names_areThoseOfTheContract() {
 void TestCatalogue::entry_saysFormulaAndSource() {
   QFETCH(const Effect*, effect);
   verifyWords(std::string(effect->formula()), false);
-  QVERIFY(effect->formula().find("=") != std::string_view::npos ||
+  QVERIFY(effect->formula().find('=') != std::string_view::npos ||
           effect->formula().find("→") != std::string_view::npos ||
           effect->formula().find("≤") != std::string_view::npos);
   const std::string source(effect->source());

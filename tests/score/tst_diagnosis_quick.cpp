@@ -35,7 +35,7 @@ constexpr size_t mostNamedOutside = 1;
 static ScoredTrial diagnosed(const Quick& quick) {
   if (!tuningSeeds.holds(quick.seed)) qFatal("scored seeds are not for tests");
   const SealedTrial trial = makeTrial(quick.family, quick.seed);
-  const ScoredTrial scored = judge(trial, diagnose(trial.bench, trial.recordings, trial.heldout, {}));
+  ScoredTrial scored = judge(trial, diagnose(trial.bench, trial.recordings, trial.heldout, {}));
   std::string names;
   for (const ScoredName& one : scored.answer) names += " " + one.effect;
   qInfo("%s, seed %llu, %.1f s: %s%s%s; error %.3g before, %.3g after, floor %.3g", quick.family,
