@@ -110,7 +110,12 @@ struct Sliding {
 
   Term forces(double position, double velocity, double along) const {
     Term sum{0.0, physics.coulomb};
-    const Situation at{physics.axis, 0.0, position, velocity, 0.0, u, along};
+    Situation at;
+    at.axis = physics.axis;
+    at.position = position;
+    at.velocity = velocity;
+    at.driveTorque = u;
+    at.direction = along;
     for (const CompiledTerm& term : terms) {
       const Term part = term.effect->term(term.parameters, at);
       sum.load_Nm += part.load_Nm;
