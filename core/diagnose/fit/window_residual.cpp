@@ -128,6 +128,7 @@ void WindowResidual::linearise() {
   const Physics& p = stepper.physics();
   const bool varying = !stepper.terms().empty() || p.gravity != 0.0;
   passages_.resize(states_.size() - 1);
+  double decayed = -1.0, keeps = 1.0, gains = 1.0;  // of the row before: most are alike
   for (size_t k = 0; k + 1 < states_.size(); ++k) {
     const size_t row = window_.first + k;
     const double dt = track_.time[row + 1] - track_.time[row];
@@ -154,8 +155,13 @@ void WindowResidual::linearise() {
       continue;
     }
     const double z = damping * dt / p.inertia;
-    at.velocity = std::exp(-z);
-    at.gain = (z > 1e-6 ? -std::expm1(-z) / z : 1.0) * dt / p.inertia;
+    if (std::abs(z - decayed) > 1e-8 * decayed) {
+      decayed = z;
+      keeps = std::exp(-z);
+      gains = z > 1e-6 ? -std::expm1(-z) / z : 1.0;
+    }
+    at.velocity = keeps;
+    at.gain = gains * dt / p.inertia;
     if (to.velocity == 0.0) at.velocity = at.gain = 0.0;  // came to rest
     if (from.velocity * to.velocity < 0.0 && k > 0 && k + 2 < states_.size()) {
       // Friction turns over: a change of velocity passes as the accelerations after and before.

@@ -3,6 +3,7 @@
 #include <ceres/ceres.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -17,6 +18,14 @@ namespace {
 
 constexpr double priorDeviation = 1.1;  ///< of the logarithm of a start value: a factor of three
 constexpr double nudge = 1e-5;          ///< finite difference of a parameter of order one
+constexpr double boundFirmness = 1.0;   ///< pull back to a bound, per unit beyond it
+
+/// The nearest x within the bounds. Ceres' own bounds cost a line search with several Jacobians per step.
+Eigen::VectorXd clamped(const ParameterVector& parameters, const Eigen::VectorXd& x) {
+  Eigen::VectorXd out = x;
+  for (Eigen::Index k = 0; k < x.size(); ++k) out[k] = std::clamp(x[k], parameters.lower(k), parameters.upper(k));
+  return out;
+}
 
 /// Hidden states at every window's start, for the last x and its nudged neighbours.
 class HiddenStates {
@@ -73,9 +82,15 @@ class WindowCost final : public ceres::CostFunction {
   bool Evaluate(double const* const* at, double* residuals, double** jacobians) const override {
     const Eigen::Index size = parameters_.size();
     const bool wanted = jacobians != nullptr && jacobians[0] != nullptr;
-    const WindowDerivative got =
-        derive(parameters_, window_, hidden_, index_, Eigen::Map<const Eigen::VectorXd>(at[0], size), wanted, exact_);
+    const Eigen::Map<const Eigen::VectorXd> asked(at[0], size);
+    const Eigen::VectorXd x = clamped(parameters_, asked);
+    const bool known = last_.size() == size && last_ == x;
+    WindowDerivative got = derive(parameters_, window_, hidden_, index_, x, wanted, exact_, known);
+    last_ = x;
     if (!got.residual.allFinite() || (wanted && !got.jacobian.allFinite())) return false;
+    for (Eigen::Index k = 0; wanted && k < size; ++k) {
+      if (x[k] != asked[k]) got.jacobian.col(k).setZero();
+    }
     Eigen::Map<Eigen::VectorXd>(residuals, got.residual.size()) = got.residual;
     using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     if (wanted) Eigen::Map<RowMajor>(jacobians[0], got.residual.size(), size) = got.jacobian;
@@ -91,20 +106,26 @@ class WindowCost final : public ceres::CostFunction {
   mutable Eigen::VectorXd last_;
 };
 
-/// Holds start values of positive quantities that no data reach.
+/// Holds start values of positive quantities that no data reach, and draws back to the bounds.
 class PriorCost final : public ceres::CostFunction {
  public:
   PriorCost(const ParameterVector& parameters, Eigen::VectorXd start, double weight)
       : parameters_(parameters), start_(std::move(start)), weight_(weight / priorDeviation) {
-    set_num_residuals(static_cast<int>(start_.size()));
+    set_num_residuals(static_cast<int>(2 * start_.size()));
     mutable_parameter_block_sizes()->push_back(static_cast<int>(start_.size()));
   }
   bool Evaluate(double const* const* at, double* residuals, double** jacobians) const override {
-    for (Eigen::Index k = 0; k < start_.size(); ++k) {
+    const Eigen::Index size = start_.size();
+    const bool wanted = jacobians != nullptr && jacobians[0] != nullptr;
+    if (wanted) std::fill_n(jacobians[0], 2 * size * size, 0.0);
+    for (Eigen::Index k = 0; k < size; ++k) {
       const double weight = parameters_.logarithmic(k) ? weight_ : 0.0;
+      const double beyond = at[0][k] - std::clamp(at[0][k], parameters_.lower(k), parameters_.upper(k));
       residuals[k] = weight * (at[0][k] - start_[k]);
-      if (jacobians == nullptr || jacobians[0] == nullptr) continue;
-      for (Eigen::Index j = 0; j < start_.size(); ++j) jacobians[0][k * start_.size() + j] = j == k ? weight : 0.0;
+      residuals[size + k] = boundFirmness * beyond;
+      if (!wanted) continue;
+      jacobians[0][k * size + k] = weight;
+      jacobians[0][(size + k) * size + k] = beyond != 0.0 ? boundFirmness : 0.0;
     }
     return true;
   }
@@ -151,13 +172,10 @@ FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>
   }
   const double priorWeight = 0.1 * std::sqrt(count / static_cast<double>(windows.size()));
   problem.AddResidualBlock(new PriorCost(parameters, start, priorWeight), nullptr, x.data());
-  for (int k = 0; k < static_cast<int>(x.size()); ++k) {
-    problem.SetParameterLowerBound(x.data(), k, parameters.lower(k));
-    problem.SetParameterUpperBound(x.data(), k, parameters.upper(k));
-  }
   ceres::Solver::Options solver;
   solver.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
-  solver.max_num_iterations = options.iterations;
+  solver.initial_trust_region_radius = 30.0;  // steps that let windows run away are the rule far from the answer
+  solver.max_num_iterations = options.iterations + 4;
   solver.function_tolerance = options.tolerance;
   solver.parameter_tolerance = 1e-7;
   solver.logging_type = ceres::SILENT;
@@ -166,6 +184,7 @@ FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>
   ceres::Solver::Summary summary;
   ceres::Solve(solver, &problem, &summary);
 
+  x = clamped(parameters, x);
   result.x = x;
   result.usable = summary.IsSolutionUsable() && !options.stop.stop_requested();
   result.termination = ceres::TerminationTypeToString(summary.termination_type);

@@ -309,7 +309,7 @@ std::vector<double> LinearRig::lagged(size_t track, const std::vector<double>& v
   double state = values.front(), dt = -1.0, keep = 1.0;
   for (size_t k = 0; k < values.size(); ++k) {
     const double length = k + 1 < values.size() ? time[k + 1] - time[k] : 0.0;
-    if (length != dt) keep = std::exp(-(dt = length) * rate);
+    if (std::abs(length - dt) > 1e-8 * length) keep = std::exp(-(dt = length) * rate);
     const double away = state - values[k];
     out[k] = mean && length > 0.0 ? values[k] + away * (1.0 - keep) / (length * rate) : state;
     state = values[k] + away * keep;

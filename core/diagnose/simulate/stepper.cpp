@@ -14,6 +14,11 @@ constexpr double bristleDamping = 0.8;
 constexpr double leastInertia = 0.02;  ///< what a detached load leaves of the base inertia, at least
 constexpr int mostEventsPerStep = 8;
 
+/// Differences of recorded times are equal only up to their last digits.
+bool sameStep(double a, double b) {
+  return std::abs(a - b) <= 1e-8 * b;
+}
+
 double signOf(double value) {
   return value > 0.0 ? 1.0 : value < 0.0 ? -1.0 : 0.0;
 }
@@ -204,7 +209,7 @@ void Stepper::advance(MotionState& state, double u, double dt, double time_s, bo
 }
 
 void Stepper::mechanical(MotionState& state, double drive, double damping, double dt, double time_s) {
-  if (decay_.dt != dt || decay_.damping != damping) decay_ = decayOver(dt, damping);
+  if (!sameStep(decay_.dt, dt) || decay_.damping != damping) decay_ = decayOver(dt, damping);
   if (stiffness_ > 0.0) {  // nothing ever stands quite still
     const double a = (drive - forcesDuring(state, state.way, drive, damping, dt, time_s).load) / physics_.inertia;
     const double v = state.velocity * decay_.velocity + a * decay_.gainVelocity;
@@ -322,7 +327,7 @@ double Stepper::reversalTime(const MotionState& state, double iEnd, double vEnd,
 
 void Stepper::inductive(MotionState& state, double u, double dt, double time_s) {
   const Physics& p = physics_;
-  if (coupled_.dt != dt) coupled_ = coupledOver(dt);
+  if (!sameStep(coupled_.dt, dt)) coupled_ = coupledOver(dt);
   double remaining = dt;
   for (int event = 0; event < mostEventsPerStep && remaining > 0.0; ++event) {
     const double now = time_s + dt - remaining;
