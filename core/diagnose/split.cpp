@@ -49,12 +49,12 @@ Error tooShort(const Track& track, double length, double needed) {
   return {track.name, fact};
 }
 
-/// Windows of `window_s` that begin every quarter of it within rows [from, to).
+/// Windows of `window_s` that begin every half of it within rows [from, to).
 void appendOverlapping(std::vector<Window>& windows, const Track& track, size_t index, size_t from, size_t to,
                        double window_s) {
   if (from >= to) return;
   const double end = to < track.rows() ? track.time[to] : track.time.back();
-  for (double t = track.time[from]; t + window_s <= end + 1e-9; t += 0.25 * window_s) {
+  for (double t = track.time[from]; t + window_s <= end + 1e-9; t += 0.5 * window_s) {
     const size_t first = rowAt(track, t), last = std::min(rowAt(track, t + window_s), to) - 1;
     if (last - first >= 8) windows.push_back({index, first, last});
   }
