@@ -8,10 +8,57 @@
 
 namespace breakaway {
 
+namespace {
+
+constexpr double suspicious = 1.3;  ///< times the error of the common fit
+constexpr int mostHalvings = 3;
+
+/// What a cross-validation works on.
+struct Validation {
+  const FitResult& fit;
+  const ParameterVector& parameters;
+  const std::vector<Track>& tracks;
+  const std::vector<Window>& windows;
+  const std::vector<double>& windowWeights;
+  const std::vector<int>& fold;
+
+  /// Weighted squared residuals per channel of the windows that are in the fold (or else not in it).
+  template <typename Act>
+  void simulate(const Eigen::VectorXd& x, int one, bool inside, Weights unit, Act act) const {
+    const Model model = parameters.at(x);
+    const std::vector<MotionState> hidden = hiddenStates(model, tracks, windows);
+    for (size_t w = 0; w < windows.size(); ++w) {
+      if ((fold[w] == one) != inside) continue;
+      const double factor = windowWeights.empty() ? 1.0 : windowWeights[w];
+      WindowResidual window(tracks[windows[w].track], windows[w],
+                            Weights{factor * unit.position, factor * unit.current});
+      window.fit(model, hidden[w]);
+      act(w, window);
+    }
+  }
+  double costOfOthers(const Eigen::VectorXd& x, int one) const {
+    double cost = 0.0;
+    simulate(x, one, false, fit.weights,
+             [&cost](size_t, const WindowResidual& window) { cost += window.residual().squaredNorm(); });
+    return cost;
+  }
+};
+
+double perSample(const WindowResidual& window) {
+  const Eigen::VectorXd& r = window.residual();
+  double sum = r.head(window.positions()).squaredNorm() / static_cast<double>(window.positions());
+  if (window.currents() > 0)
+    sum += r.segment(window.positions(), window.currents()).squaredNorm() / static_cast<double>(window.currents());
+  return sum;
+}
+
+}  // namespace
+
 std::vector<double> crossValidated(const FitResult& fit, const ParameterVector& parameters,
                                    const std::vector<Track>& tracks, const std::vector<Window>& windows,
                                    const std::vector<double>& windowWeights, const std::vector<int>& fold,
                                    int foldCount, Weights unit) {
+  const Validation data{fit, parameters, tracks, windows, windowWeights, fold};
   const Eigen::Index size = fit.x.size();
   std::vector<double> squares(windows.size());
   Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(size, size);
@@ -19,28 +66,32 @@ std::vector<double> crossValidated(const FitResult& fit, const ParameterVector& 
   for (int one = 0; one < foldCount; ++one) {
     Eigen::MatrixXd rest = normal;
     Eigen::VectorXd score = Eigen::VectorXd::Zero(size);
+    double common = 0.0, others = 0.0;
     for (size_t w = 0; w < windows.size(); ++w) {
-      if (fold[w] != one) continue;
+      if (fold[w] != one) {
+        others += fit.windows[w].residual.squaredNorm();
+        continue;
+      }
       rest -= fit.windows[w].jacobian.transpose() * fit.windows[w].jacobian;
       score += fit.windows[w].jacobian.transpose() * fit.windows[w].residual;
+      const double factor = unit.position / fit.weights.position;
+      common += factor * factor * fit.windows[w].residual.head(fit.windows[w].positions).squaredNorm() /
+                static_cast<double>(fit.windows[w].positions);
     }
     rest.diagonal() += 1e-4 * normal.diagonal() + fit.priorPrecision;
     rest.diagonal().array() += 1e-12 * normal.diagonal().maxCoeff();
-    Eigen::VectorXd x = fit.x + rest.ldlt().solve(score);
-    for (Eigen::Index k = 0; k < size; ++k) x[k] = std::clamp(x[k], parameters.lower(k), parameters.upper(k));
-    const Model model = parameters.at(x);
-    const std::vector<MotionState> hidden = hiddenStates(model, tracks, windows);
-    for (size_t w = 0; w < windows.size(); ++w) {
-      if (fold[w] != one) continue;
-      const double factor = windowWeights.empty() ? 1.0 : windowWeights[w];
-      WindowResidual window(tracks[windows[w].track], windows[w],
-                            Weights{factor * unit.position, factor * unit.current});
-      window.fit(model, hidden[w]);
-      squares[w] = window.residual().head(window.positions()).squaredNorm() / static_cast<double>(window.positions());
-      if (window.currents() > 0) {
-        squares[w] += window.residual().segment(window.positions(), window.currents()).squaredNorm() /
-                      static_cast<double>(window.currents());
-      }
+    Eigen::VectorXd step = rest.ldlt().solve(score);
+    for (int halvings = 0;; ++halvings) {
+      Eigen::VectorXd x = fit.x + step;
+      for (Eigen::Index k = 0; k < size; ++k) x[k] = std::clamp(x[k], parameters.lower(k), parameters.upper(k));
+      double sum = 0.0;
+      data.simulate(x, one, true, unit, [&](size_t w, const WindowResidual& window) {
+        squares[w] = perSample(window);
+        sum += window.residual().head(window.positions()).squaredNorm() / static_cast<double>(window.positions());
+      });
+      // Where even the other folds err more, the step went too far: no fit to them would take it.
+      if (halvings == mostHalvings || !(sum > suspicious * common) || data.costOfOthers(x, one) <= others) break;
+      step *= halvings + 1 == mostHalvings ? 0.0 : 0.5;
     }
   }
   return squares;

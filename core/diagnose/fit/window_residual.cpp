@@ -8,6 +8,8 @@ namespace breakaway {
 
 namespace {
 
+constexpr double leastRise_per_s = 1.0;  ///< of the drive before a start, relative
+
 /// Slope of the current between two rows of a run, A/s.
 double currentSlope(const std::vector<MotionState>& states, const Track& track, size_t first, size_t k) {
   if (k == 0) return 0.0;
@@ -98,8 +100,9 @@ WindowResidual::Passage WindowResidual::torquesAt(const Simulator& simulator, si
   const size_t k = row - window_.first;
   const MotionState &from = states_[k], &to = states_[k + 1];
   const double dt = track_.time[row + 1] - track_.time[row], time = track_.time[row] + 0.5 * dt;
-  const double v = 0.5 * (from.velocity + to.velocity), x = 0.5 * (from.position + to.position);
-  const double a = (to.velocity - from.velocity) / dt;
+  const bool starts = startsAt(k);  // what decides is the balance at standstill
+  const double v = starts ? 0.0 : 0.5 * (from.velocity + to.velocity), x = 0.5 * (from.position + to.position);
+  const double a = starts ? 0.0 : (to.velocity - from.velocity) / dt;
   const Stepper& stepper = simulator.stepper();
   const Physics& p = stepper.physics();
   Passage at;
@@ -163,12 +166,33 @@ void WindowResidual::linearise() {
     at.velocity = keeps;
     at.gain = gains * dt / p.inertia;
     if (to.velocity == 0.0) at.velocity = at.gain = 0.0;  // came to rest
+    if (startsAt(k)) at.gain += startGain(k);
     if (from.velocity * to.velocity < 0.0 && k > 0 && k + 2 < states_.size()) {
       // Friction turns over: a change of velocity passes as the accelerations after and before.
       const double before = from.velocity - states_[k - 1].velocity, after = states_[k + 2].velocity - to.velocity;
       if (before != 0.0) at.velocity *= std::clamp(after / before, 0.0, 1.0);
     }
   }
+}
+
+bool WindowResidual::startsAt(size_t k) const {
+  return states_[k].velocity == 0.0 && states_[k + 1].velocity != 0.0;
+}
+
+double WindowResidual::startGain(size_t k) const {
+  if (k == 0 || k + 2 >= states_.size()) return 0.0;
+  const size_t row = window_.first + k;
+  const Physics& p = simulator_->physics();
+  const double way = states_[k + 1].way;
+  const double after =
+      way * (states_[k + 2].velocity - states_[k + 1].velocity) / (track_.time[row + 2] - track_.time[row + 1]);
+  const auto driveAt = [&](size_t j) {
+    return p.torqueConstant * (p.electrical ? states_[j].current : simulator_->input(window_.first + j));
+  };
+  const double slope = way * (driveAt(k + 1) - driveAt(k - 1)) / (track_.time[row + 1] - track_.time[row - 1]);
+  // A push that hardly rises may come at any time: no later than this.
+  const double leastSlope = leastRise_per_s * std::max(std::abs(driveAt(k)), 1e-300);
+  return std::max(after, 0.0) / std::max(slope, leastSlope);
 }
 
 Eigen::VectorXd WindowResidual::respond(double position, double velocity, const std::vector<double>* torque,

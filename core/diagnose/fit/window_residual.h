@@ -62,6 +62,11 @@ class WindowResidual {
   /// `resistance`, if given, is taken over instead of evaluating the terms.
   Passage torquesAt(const Simulator& simulator, size_t row, const double* resistance) const;
   void linearise();
+  /// Whether standstill ends within row k of the run.
+  bool startsAt(size_t k) const;
+  /// Change of velocity after a start per unit of torque: more friction makes it start later, at the acceleration that
+  /// follows.
+  double startGain(size_t k) const;
   /// The response of all residuals to a change of the start and of the torque (and current) in each row.
   Eigen::VectorXd respond(double position, double velocity, const std::vector<double>* torque,
                           const std::vector<double>* current) const;

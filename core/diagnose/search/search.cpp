@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "diagnose/catalogue.h"
+#include "diagnose/effects/all.h"
 #include "diagnose/fit/cross_validation.h"
 #include "diagnose/noise_floor.h"
 #include "diagnose/simulate/physics.h"
@@ -18,6 +19,7 @@ constexpr double largestPValue = 0.01;
 constexpr double leastImprovement = 0.03;
 constexpr double clearImprovement = 0.2;
 constexpr double halfOfAll = 0.5;
+constexpr double surelyMore = 0.15;  ///< of the error, by the interval's lower end
 constexpr double leastShare = 0.01;  ///< of the base model's squared error
 constexpr double leastFloors = 0.2;  ///< of the squared floor
 constexpr size_t mostTrials = 4;
@@ -250,11 +252,13 @@ class Search {
       Pick pick = screen.best(*effect, picks);
       if (!pick.parameters.empty()) candidates.push_back(std::move(pick));
     }
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Pick& a, const Pick& b) { return a.gain > b.gain; });
+    // What acts around standstill hardly shows in a regression.
+    std::stable_sort(candidates.begin(), candidates.end(), [](const Pick& a, const Pick& b) {
+      return (a.effect == &risingStiction() ? 1e300 : a.gain) > (b.effect == &risingStiction() ? 1e300 : b.gain);
+    });
     std::optional<FitResult> winner;
     Chosen chosen;
-    double best = halfOfAll;
+    double best = 2.0 * surelyMore;
     for (size_t k = 0; k < std::min(mostTrials, candidates.size()); ++k) {
       const Model start = with(result.best.model, candidates[k]);
       FitResult fit = fitFresh(start);
@@ -263,7 +267,7 @@ class Search {
       const auto after = validated(fit);
       const Comparison gain = compare(before, after, input_.seed);
       const double pValue = chance(before, after);
-      if (gain.relative < best || gain.interval.low <= 0.0 || pValue > largestPValue) continue;
+      if (gain.relative < best || gain.interval.low <= surelyMore || pValue > largestPValue) continue;
       best = gain.relative;
       winner = std::move(fit);
       chosen = {candidates[k].effect, pValue, 0.0, {}};
@@ -322,7 +326,8 @@ class Search {
                             : fitModel(input_, without(result.best.model, *result.chosen[k].effect), 8);
         const double back = mean(fit.windowSquares) - mean(result.best.windowSquares);
         const bool needed = helps(fit, result.best) && material(result.base, fit, result.best);
-        if (needed && !vanishes(result.best.model, *result.chosen[k].effect)) {
+        const bool clear = back > clearImprovement * mean(fit.windowSquares);
+        if (needed && (clear || !vanishes(result.best.model, *result.chosen[k].effect))) {
           result.chosen[k].marginal = std::max(0.0, back);
           left_.push_back(std::move(fit));
           continue;
