@@ -7,7 +7,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr double phasePerPart = 0.1;  // rad of ω_a per Runge–Kutta step
+constexpr double phasePerPart = 0.2;  // rad of ω_a per Runge–Kutta step
 
 struct Relative {
   double deflection = 0.0;  // δ, rad

@@ -17,11 +17,6 @@ constexpr double partOfResidual = 0.09;
 constexpr double startDoubt_s = 0.01;
 constexpr size_t turnMargin = 2;  ///< samples left out on each side of a reversal
 
-double elasticFriction(double slip, double motion, double stiffness, double friction) {
-  const double s = motion > 0.0 ? 1.0 : -1.0;
-  return motion == 0.0 ? slip : s - (s - slip) * std::exp(-std::abs(motion) * stiffness / std::max(friction, 1e-300));
-}
-
 }  // namespace
 
 LinearRig::LinearRig(const Model& base, const std::vector<Track>& tracks, const std::vector<Window>& windows)
@@ -30,7 +25,7 @@ LinearRig::LinearRig(const Model& base, const std::vector<Track>& tracks, const 
                    return !tracks[window.track].current.empty();
                  });
   gain_ = physics_.electrical ? physics_.torqueConstant / physics_.resistance : physics_.torqueConstant;
-  record();
+  for (const Track& track : tracks_) recorded_.emplace_back(track, physics_);
   cut(windows);
 
   const Eigen::Index baseColumns = 3 + (physics_.gravity > 0.0 ? 2 : 0) + (currentSeen_ ? 2 : 0);
@@ -40,7 +35,7 @@ LinearRig::LinearRig(const Model& base, const std::vector<Track>& tracks, const 
     const size_t n = track.rows();
     std::vector<double> drive(n), way(n), sine(n), cosine(n), speed(n);
     for (size_t k = 0; k < n; ++k) {
-      const Situation& at = recorded_[t].at[k];
+      const Situation& at = recorded_[t].at(k);
       drive[k] = track.connected[k] ? gain_ * track.input[k] : 0.0;
       way[k] = at.direction;
       sine[k] = std::sin(at.position);
@@ -97,8 +92,8 @@ LinearRig::LinearRig(const Model& base, const std::vector<Track>& tracks, const 
     size_t early = one.row, late = one.row;
     while (early > 0 && time[one.row] - time[early] < startDoubt_s) --early;
     while (late + 1 < time.size() && time[late] - time[one.row] < startDoubt_s) ++late;
-    const auto& at = recorded_[one.track].at;
-    const double change = std::abs(at[late].driveTorque - at[early].driveTorque);
+    const RecordedMotion& motion = recorded_[one.track];
+    const double change = std::abs(motion.at(late).driveTorque - motion.at(early).driveTorque);
     weights_[one.at] = 1.0 / std::max(0.5 * change + 0.03 * physics_.coulomb, 1e-300);
   }
   for (const auto* set : {&stretches_, &electrical_}) {
@@ -118,7 +113,7 @@ void LinearRig::freeInductance() {
     const Track& track = tracks_[t];
     std::vector<double> drive(track.rows());
     for (size_t k = 0; k < drive.size(); ++k)
-      drive[k] = track.connected[k] ? track.input[k] - physics_.backEmf * recorded_[t].at[k].velocity : 0.0;
+      drive[k] = track.connected[k] ? track.input[k] - physics_.backEmf * recorded_[t].at(k).velocity : 0.0;
     for (const double sign : {1.0, -1.0}) {
       Physics nudged = physics_;
       nudged.inductance *= 1.0 + sign * step;
@@ -138,58 +133,15 @@ void LinearRig::freeInductance() {
   if (std::abs(solution[base_.cols()]) < inductanceDoubt) base_ = more;
 }
 
-void LinearRig::record() {
-  for (const Track& track : tracks_) {
-    Recorded recorded;
-    const size_t n = track.rows();
-    const Motion& motion = track.motion;
-    recorded.at.resize(n);
-    recorded.slope.assign(n, 0.0);
-    recorded.usable.assign(n, 0);
-    double current = 0.0;
-    for (size_t k = 0; k < n; ++k) {
-      Situation& at = recorded.at[k];
-      at.axis = physics_.axis;
-      at.time_s = track.time[k];
-      at.position = track.position[k];
-      at.velocity = motion.velocity[k];
-      at.acceleration = motion.acceleration[k];
-      at.direction = motion.way[k];
-      at.input = track.input[k];
-      at.supply_V = track.supplyAt(k);
-      at.rest_s = motion.rest_s[k];
-      at.travel = std::abs(track.position[k] - motion.turned[k]);
-      if (physics_.electrical) {
-        // The model's current along the recorded speed.
-        const double dt = k + 1 < n ? track.time[k + 1] - track.time[k] : 0.0;
-        const double settled =
-            track.connected[k] ? (track.input[k] - physics_.backEmf * at.velocity) / physics_.resistance : 0.0;
-        const double keep = physics_.inductance > 0.0 ? std::exp(-dt * physics_.resistance / physics_.inductance) : 0.0;
-        const double next = settled + (current - settled) * keep;
-        at.current = physics_.inductance > 0.0 ? 0.5 * (current + next) : settled;
-        recorded.slope[k] = dt > 0.0 ? (next - current) / dt : 0.0;
-        current = next;
-        at.driveTorque = physics_.torqueConstant * at.current;
-      } else {
-        at.driveTorque = track.connected[k] ? physics_.torqueConstant * track.input[k] : 0.0;
-        at.current = track.drive == DriveInput::current ? track.input[k] : 0.0;
-      }
-      recorded.usable[k] =
-          !motion.resting[k] && track.seen[k] && motion.way[k] != 0.0 && motion.velocity[k] * motion.way[k] > 0.0;
-    }
-    recorded_.push_back(std::move(recorded));
-  }
-}
-
 void LinearRig::cut(const std::vector<Window>& windows) {
   size_t samples = 0;
   for (size_t w = 0; w < windows.size(); ++w) {
     const Window& window = windows[w];
-    const Recorded& recorded = recorded_[window.track];
+    const RecordedMotion& recorded = recorded_[window.track];
     size_t first = window.first;
     for (size_t k = window.first; k <= window.last + 1; ++k) {
-      const bool goesOn = k <= window.last && recorded.usable[k] &&
-                          recorded.at[k].direction == recorded.at[std::max(first, k - (k > first ? 1 : 0))].direction;
+      const bool goesOn = k <= window.last && recorded.usable(k) &&
+                          recorded.at(k).direction == recorded.at(std::max(first, k - (k > first ? 1 : 0))).direction;
       if (goesOn) continue;
       size_t from = first, to = k;  // [from, to)
       if (from > window.first) from += turnMargin;
@@ -198,7 +150,7 @@ void LinearRig::cut(const std::vector<Window>& windows) {
         stretches_.push_back({window.track, from, to - 1, w, 1, 0, 0});
         samples += to - from;
       }
-      first = k <= window.last && recorded.usable[k] && k > first ? k : k + 1;
+      first = k <= window.last && recorded.usable(k) && k > first ? k : k + 1;
     }
     if (currentSeen_) {
       electrical_.push_back({window.track, window.first, window.last, w, 1, 0, 0});
@@ -243,9 +195,17 @@ void LinearRig::findStarts(const std::vector<Window>& windows) {
       size_t later = k + 1;
       while (later < window.last && std::abs(track.position[later] - track.position[k]) < 6.0 * track.noise) ++later;
       const double way = track.position[later] > track.position[k] ? 1.0 : -1.0;
-      starts_.push_back({window.track, k, w, way, recorded_[window.track].at[k].driveTorque, 0});
+      starts_.push_back({window.track, k, w, way, recorded_[window.track].at(k).driveTorque, 0});
     }
   }
+}
+
+std::vector<RecordedStart> LinearRig::startsOf(size_t track) const {
+  std::vector<RecordedStart> starts;
+  for (const Start& one : starts_) {
+    if (one.track == track) starts.push_back({one.row, one.direction});
+  }
+  return starts;
 }
 
 void LinearRig::addStarts(const std::vector<double>& values, size_t track, double factor,
@@ -325,93 +285,12 @@ void LinearRig::weigh(Eigen::Ref<Eigen::MatrixXd> columns) const {
   for (Eigen::Index c = 0; c < columns.cols(); ++c) columns.col(c).array() *= weights_.array();
 }
 
-LinearRig::Traces LinearRig::tracesOf(const Effect& effect, const std::vector<double>& p, size_t t) const {
-  const Track& track = tracks_[t];
-  const Recorded& recorded = recorded_[t];
-  const size_t n = track.rows();
-  Traces out;
-  const double detached = effect.detachedInertia(p), stiffness = effect.frictionStiffness(p);
-  const bool remembers = effect.memory() > 0 || stiffness > 0.0;
-  std::vector<double> torque(n, 0.0), voltage(effect.losesVoltage() ? n : 0, 0.0);
-  std::array<double, 8> memory{};
-  double slip = 0.0;
-  bool pushes = false;
-  // A fraction of a millisecond changes no torque: long recordings are looked at about once per millisecond.
-  const double step = track.time.back() / static_cast<double>(n - 1);
-  const size_t every = remembers ? 1 : std::max<size_t>(1, static_cast<size_t>(2e-3 / std::max(step, 1e-9)));
-  for (size_t k = 0; k < n; k += every) {
-    Situation at = recorded.at[k];
-    if (remembers) {
-      at.memory = std::span(memory).first(effect.memory());
-    } else if (!recorded.usable[k] && voltage.empty()) {
-      continue;
-    }
-    const Term term = effect.term(p, at);
-    torque[k] = term.load_Nm + at.direction * term.friction_Nm;
-    if (stiffness > 0.0) torque[k] += physics_.coulomb * (slip - at.direction);
-    pushes = pushes || torque[k] != 0.0;
-    if (!voltage.empty()) voltage[k] = term.voltage_V;
-    for (size_t next = k + 1; next < std::min(n, k + every); ++next) {
-      torque[next] = torque[k];
-      if (!voltage.empty()) voltage[next] = voltage[k];
-    }
-    if (!remembers || k + 1 == n) continue;
-    if (stiffness > 0.0)
-      slip = elasticFriction(slip, track.position[k + 1] - track.position[k], stiffness, physics_.coulomb);
-    const std::array<double, 8> before = memory;
-    Situation after = recorded.at[k + 1];
-    after.memory = std::span(before).first(effect.memory());
-    const double dt = track.time[k + 1] - track.time[k];
-    const auto parts = std::clamp(static_cast<int>(std::ceil(dt / effect.longestStep_s(p))), 1, 50);
-    std::array<double, 8> from = before;
-    for (int part = 0; part < parts; ++part) {
-      const double share = (part + 1.0) / parts;
-      after.time_s = track.time[k] + share * dt;
-      after.velocity = (1.0 - share) * recorded.at[k].velocity + share * recorded.at[k + 1].velocity;
-      from = memory;
-      after.memory = std::span(from).first(effect.memory());
-      effect.remember(p, after, dt / parts, std::span(memory).first(effect.memory()));
-    }
-  }
-  if (detached != 0.0) {
-    for (size_t k = 0; k < n; ++k) torque[k] -= detached * recorded.at[k].acceleration;
-    pushes = true;
-  }
-  for (const Start& one : starts_) {
-    if (one.track != t) continue;
-    Situation at = recorded.at[one.row];
-    at.velocity = 0.0;
-    at.direction = one.direction;
-    at.memory = std::span(memory).first(0);
-    const Term term = remembers ? Term{} : effect.term(p, at);
-    out.starting.push_back(term.load_Nm + one.direction * term.friction_Nm);
-  }
-  if (pushes) out.torque = std::move(torque);
-  out.voltage = std::move(voltage);
-  if (effect.shapesInput(track.drive)) {
-    out.input = track.input;
-    effect.shapeInput(p, track.time, out.input);
-    for (size_t k = 0; k < n; ++k) out.input[k] -= track.input[k];
-  }
-  const double probe = 0.3 + track.position.front();
-  if (effect.shown(p, probe) != probe || effect.shown(p, probe + 0.7) != probe + 0.7) {
-    out.shown.resize(n);
-    for (size_t k = 0; k < n; ++k) out.shown[k] = effect.shown(p, track.position[k]) - track.position[k];
-  }
-  if (currentSeen_ && effect.sensed(p, 1.0, 1000.0) != 1.0) {
-    out.sensed.resize(n);
-    for (size_t k = 0; k < n; ++k)
-      out.sensed[k] = effect.sensed(p, recorded.at[k].current, recorded.slope[k]) - recorded.at[k].current;
-  }
-  return out;
-}
-
 Eigen::MatrixXd LinearRig::columnsOf(const Effect& effect, const Shape& shape) const {
   Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(rows_, static_cast<Eigen::Index>(shape.size()));
   for (size_t a = 0; a < shape.size(); ++a) {
     auto column = columns.col(static_cast<Eigen::Index>(a));
     for (size_t t = 0; t < tracks_.size(); ++t) {
-      const Traces traces = tracesOf(effect, shape[a], t);
+      const EffectTraces traces(effect, shape[a], tracks_[t], recorded_[t], physics_, startsOf(t));
       addMechanical(traces.torque, t, 2, 1.0, column);
       addStarts(traces.starting, t, 1.0, column);
       addMechanical(traces.shown, t, 0, -physics_.inertia, column);

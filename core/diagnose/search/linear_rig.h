@@ -6,6 +6,7 @@
 
 #include "diagnose/effect.h"
 #include "diagnose/fit/window.h"
+#include "diagnose/search/effect_traces.h"
 #include "diagnose/simulate/model.h"
 #include "diagnose/simulate/stepper.h"
 
@@ -45,18 +46,6 @@ class LinearRig {
     size_t samplesPerRow = 1;
     Eigen::Index at = 0, rows = 0;  ///< in the regression
   };
-  /// What an effect does along one track: a value per row of the track, empty where it does nothing.
-  struct Traces {
-    std::vector<double> torque, voltage, input, shown, sensed;
-    std::vector<double> starting;  ///< torque at each of the track's starts
-  };
-  /// The recorded motion as terms see it.
-  struct Recorded {
-    std::vector<Situation> at;
-    std::vector<double> slope;  ///< of the current, A/s
-    std::vector<char> usable;   ///< moving clearly one way
-  };
-
   /// The end of a standstill: the last row at rest.
   struct Start {
     size_t track = 0, row = 0, window = 0;
@@ -68,8 +57,7 @@ class LinearRig {
   void addStarts(const std::vector<double>& values, size_t track, double factor, Eigen::Ref<Eigen::VectorXd> out) const;
   void freeInductance();
   void cut(const std::vector<Window>& windows);
-  void record();
-  Traces tracesOf(const Effect& effect, const std::vector<double>& parameters, size_t track) const;
+  std::vector<RecordedStart> startsOf(size_t track) const;
   /// The first-order lag L/R of values that each act for one row: at the row's instant, or its mean over the row.
   std::vector<double> lagged(size_t track, const std::vector<double>& values, bool mean) const;
   /// Mechanical rows of twice (`times` = 2), once or not at all integrated values; adds to `out`.
@@ -83,7 +71,7 @@ class LinearRig {
   Physics physics_;
   bool currentSeen_ = false;
   double gain_ = 1.0;  ///< Nm per unit of input
-  std::vector<Recorded> recorded_;
+  std::vector<RecordedMotion> recorded_;
   std::vector<Stretch> stretches_, electrical_;
   std::vector<Start> starts_;
   Eigen::Index rows_ = 0;

@@ -13,7 +13,7 @@ namespace {
 constexpr size_t flips = 199;
 constexpr double beyondChance = 1.2;     ///< times the most that chance gave
 constexpr double leastPart = 0.03;       ///< of what is left
-constexpr double leastOfBase = 0.003;    ///< of what the base leaves
+constexpr double leastOfBase = 0.005;    ///< of what the base leaves
 constexpr double leastAgreement = 0.01;  ///< fall of the held-out error
 constexpr double fewWindows = 0.12;
 constexpr size_t mostEffects = 6;
@@ -56,13 +56,21 @@ Screen::Screen(const LinearRig& rig, const std::vector<const Effect*>& effects, 
       width += own;
     }
   }
-  columns_.resize(rig.response().size(), width);
-  for (const Candidate& one : candidates_)
-    columns_.middleCols(one.at, one.width) = rig.columnsOf(*one.effect, one.shape);
+  free_.resize(rig.response().size(), width);
+  for (const Candidate& one : candidates_) free_.middleCols(one.at, one.width) = rig.columnsOf(*one.effect, one.shape);
   for (Eigen::Index c = 0; c < width; ++c) {
-    if (!columns_.col(c).allFinite()) columns_.col(c).setZero();
+    if (!free_.col(c).allFinite()) free_.col(c).setZero();
   }
-  norms_ = columns_.colwise().squaredNorm();
+  norms_ = free_.colwise().squaredNorm();
+  base_.basis = orthonormal(rig.base());
+  base_.response = rig.response() - base_.basis * (base_.basis.transpose() * rig.response());
+  free_ -= base_.basis * (base_.basis.transpose() * free_).eval();
+  base_.shared.resize(0, width);
+  base_.scores = free_.transpose() * base_.response;
+  for (const Candidate& one : candidates_) {
+    const auto columns = free_.middleCols(one.at, one.width);
+    own_.emplace_back(columns.transpose() * columns);
+  }
 }
 
 Eigen::MatrixXd Screen::design(const std::vector<Pick>& chosen) const {
@@ -87,16 +95,44 @@ Eigen::VectorXd Screen::baseCoefficients(const std::vector<Pick>& chosen) const 
   return solution.head(rig_.base().cols());
 }
 
+Eigen::MatrixXd Screen::orthonormal(Eigen::MatrixXd columns) {
+  const Eigen::VectorXd scale = columns.colwise().norm().cwiseMax(1e-300).cwiseInverse();
+  columns = columns * scale.asDiagonal();
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
+  return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank());
+}
+
 Screen::Left Screen::leave(const std::vector<Pick>& chosen) const {
+  if (chosen.empty()) return base_;
+  Left left = leaveOnlyResponse(chosen);
+  left.shared = left.basis.rightCols(left.basis.cols() - base_.basis.cols()).transpose() * free_;
+  left.scores = free_.transpose() * left.response;
+  return left;
+}
+
+Eigen::MatrixXd Screen::gramOf(const Candidate& candidate, const Left& left) const {
+  const auto along = left.shared.middleCols(candidate.at, candidate.width);
+  return own_[static_cast<size_t>(&candidate - candidates_.data())] - along.transpose() * along;
+}
+
+Screen::Left Screen::leaveOnlyResponse(const std::vector<Pick>& chosen) const {
+  if (chosen.empty()) return {base_.basis, base_.response, {}, {}};
+  Eigen::MatrixXd own(rig_.response().size(), 0);
+  for (const Pick& pick : chosen) {
+    const Eigen::MatrixXd more = rig_.columnsOf(*pick.effect, pick.shape);
+    own.conservativeResize(Eigen::NoChange, own.cols() + more.cols());
+    own.rightCols(more.cols()) = more - base_.basis * (base_.basis.transpose() * more);
+    // What the base explains wholly is not there.
+    for (Eigen::Index c = 0; c < more.cols(); ++c) {
+      auto column = own.col(own.cols() - more.cols() + c);
+      if (column.squaredNorm() < 1e-10 * more.col(c).squaredNorm()) column.setZero();
+    }
+  }
   Left left;
-  Eigen::MatrixXd all = design(chosen);
-  const Eigen::VectorXd scale = all.colwise().norm().cwiseMax(1e-300).cwiseInverse();
-  all = all * scale.asDiagonal();
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(all);
-  left.basis = qr.householderQ() * Eigen::MatrixXd::Identity(all.rows(), qr.rank());
-  left.response = rig_.response() - left.basis * (left.basis.transpose() * rig_.response());
-  left.columns = columns_;
-  left.columns.noalias() -= left.basis * (left.basis.transpose() * columns_);
+  const Eigen::MatrixXd basis = orthonormal(std::move(own));
+  left.basis.resize(rig_.response().size(), base_.basis.cols() + basis.cols());
+  left.basis << base_.basis, basis;
+  left.response = base_.response - basis * (basis.transpose() * base_.response);
   return left;
 }
 
@@ -132,11 +168,10 @@ Pick Screen::bestOf(const Effect* effect, const Left& left) const {
   best.effect = effect;
   for (const Candidate& one : candidates_) {
     if (one.effect != effect) continue;
-    const auto free = left.columns.middleCols(one.at, one.width);
-    Eigen::MatrixXd own = free.transpose() * free;
+    Eigen::MatrixXd own = gramOf(one, left);
     if (!(own.trace() > 1e-5 * norms_.segment(one.at, one.width).sum())) continue;
     own.diagonal().array() += 1e-9 * own.trace();
-    const Eigen::VectorXd score = free.transpose() * left.response;
+    const Eigen::VectorXd score = left.scores.segment(one.at, one.width);
     const Eigen::VectorXd amplitude = own.ldlt().solve(score);
     const double gain = amplitude.dot(score);
     if (gain <= best.gain) continue;
@@ -182,23 +217,27 @@ double Screen::pValueOf(const Pick& pick, const Left& before, double& chance) co
   own -= before.basis * (before.basis.transpose() * own);
   const Eigen::VectorXd after = before.response - own * own.colPivHouseholderQr().solve(before.response);
   const auto windows = static_cast<Eigen::Index>(rig_.windows());
-  Eigen::MatrixXd scores = Eigen::MatrixXd::Zero(windows, columns_.cols());
+  const Eigen::Index chosenColumns = before.shared.rows();
+  Eigen::MatrixXd scores = Eigen::MatrixXd::Zero(windows, free_.cols());
+  Eigen::MatrixXd along = Eigen::MatrixXd::Zero(windows, chosenColumns);
   for (Eigen::Index r = 0; r < after.size();) {
     const size_t window = rig_.window()[static_cast<size_t>(r)];
     Eigen::Index end = r;
     while (end < after.size() && rig_.window()[static_cast<size_t>(end)] == window) ++end;
-    scores.row(static_cast<Eigen::Index>(window)) +=
-        after.segment(r, end - r).transpose() * before.columns.middleRows(r, end - r);
+    const auto row = static_cast<Eigen::Index>(window);
+    scores.row(row).noalias() += after.segment(r, end - r).transpose() * free_.middleRows(r, end - r);
+    along.row(row) +=
+        after.segment(r, end - r).transpose() * before.basis.middleRows(r, end - r).rightCols(chosenColumns);
     r = end;
   }
+  scores.noalias() -= along * before.shared;
   struct Inverse {
     double a, b, c;
     Eigen::Index at;
   };
   std::vector<Inverse> inverses;
   for (const Candidate& one : candidates_) {
-    const auto free = before.columns.middleCols(one.at, one.width);
-    const Eigen::MatrixXd gram = free.transpose() * free;
+    const Eigen::MatrixXd gram = gramOf(one, before);
     if (!(gram.trace() > 1e-5 * norms_.segment(one.at, one.width).sum())) continue;
     if (one.width == 1) {
       inverses.push_back({1.0 / gram(0, 0), 0.0, 0.0, one.at});
@@ -279,11 +318,7 @@ void Screen::settle(std::vector<Pick>& chosen) const {
   for (size_t k = 0; k < chosen.size(); ++k) {
     std::vector<Pick> others = chosen;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
-    const Eigen::MatrixXd without = design(others);
-    Left left;
-    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(without);
-    left.basis = qr.householderQ() * Eigen::MatrixXd::Identity(without.rows(), qr.rank());
-    left.response = rig_.response() - left.basis * (left.basis.transpose() * rig_.response());
+    const Left left = leaveOnlyResponse(others);
     Eigen::VectorXd amplitude;
     chosen[k].gain = gainOf(rig_.columnsOf(*chosen[k].effect, chosen[k].shape), left, amplitude);
     if (amplitude.size() == 0) continue;

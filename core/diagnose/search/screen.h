@@ -50,13 +50,18 @@ class Screen {
     Shape shape;
     Eigen::Index at, width;  ///< columns
   };
-  /// Base and chosen columns, orthonormal, and what they leave of all candidates.
+  /// Base and chosen columns, orthonormal, and what they leave of the response and of all candidates.
   struct Left {
     Eigen::MatrixXd basis;
     Eigen::VectorXd response;
-    Eigen::MatrixXd columns;
+    Eigen::MatrixXd shared;  ///< parts of the candidates' free columns along the chosen part of the basis
+    Eigen::VectorXd scores;  ///< products of the candidates' columns and the response
   };
   Left leave(const std::vector<Pick>& chosen) const;
+  Left leaveOnlyResponse(const std::vector<Pick>& chosen) const;  ///< without the candidates' part
+  /// Products of a candidate's columns among themselves, as far as base and chosen leave them.
+  Eigen::MatrixXd gramOf(const Candidate& candidate, const Left& left) const;
+  static Eigen::MatrixXd orthonormal(Eigen::MatrixXd columns);
   Pick bestOf(const Effect* effect, const Left& left) const;  ///< null: of all effects, refined
   std::vector<Pick> bestOfEach(const Left& left, const std::vector<Pick>& chosen) const;
   Pick refined(Pick pick, const Left& left) const;
@@ -79,8 +84,10 @@ class Screen {
   std::uint64_t seed_;
   std::vector<const Effect*> effects_;
   std::vector<Candidate> candidates_;
-  Eigen::MatrixXd columns_;
-  Eigen::VectorXd norms_;
+  Eigen::MatrixXd free_;              ///< the candidates' columns without what the base explains
+  std::vector<Eigen::MatrixXd> own_;  ///< products of each candidate's free columns among themselves
+  Eigen::VectorXd norms_;             ///< squared, of the whole columns
+  Left base_;                         ///< with nothing chosen
 };
 
 }  // namespace breakaway
