@@ -24,6 +24,9 @@ constexpr double materialShareBesideFindings = 0.5;
 constexpr double materialFloors = 2.5;
 /// Beyond this many times the floor it needs no place of its own.
 constexpr double glaringFloors = 4.5;
+/// Windows that are so many times the floor off, and how many of them (at least three) are no accident.
+constexpr double farOffFloors = 6.0;
+constexpr double farOffPart = 0.03;
 constexpr double leastShare = 0.03;
 constexpr double glaringShare = 0.8;
 /// Of the drive's peak: a place where less is unexplained is none.
@@ -34,6 +37,12 @@ double typicalSquare(std::vector<double> squares) {
   std::sort(squares.begin(), squares.end());
   squares.resize(std::max<size_t>(1, squares.size() - squares.size() / 10));
   return mean(squares);
+}
+
+bool farOff(const std::vector<double>& squares, double floor) {
+  const double limit = std::pow(farOffFloors * floor, 2);
+  const auto far = std::count_if(squares.begin(), squares.end(), [limit](double one) { return one > limit; });
+  return static_cast<double>(far) >= std::max(3.0, farOffPart * static_cast<double>(squares.size()));
 }
 
 double meanSquare(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows) {
@@ -84,6 +93,8 @@ std::vector<Finding> findingsOf(const SearchResult& result, const SearchInput& i
       std::vector<double> values;
       for (const Parameter& one : term.parameters) values.push_back(one.value);
       finding.sentence = chosen.effect->sentence(values, input.seen);
+      if (!term.recording.empty() && input.tracks.size() > 1)
+        finding.sentence = "In " + term.recording + ": " + finding.sentence;
     }
     findings.push_back(std::move(finding));
   }
@@ -177,6 +188,10 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
     const bool placed =
         leavesAPlace(diagnosis.model, training, unexplained, diagnosis.unexplainedPValue, prepared->seen, options.seed);
     outside = placed || after > glaringFloors * glaringFloors * floor * floor;
+  } else if (farOff(errorsAfter, floor) && mean(errorsAfter) > materialPart * mean(errorsBefore)) {
+    // Few windows, but too many and too far off for restarts at the edge of standstill.
+    outside = true;
+    diagnosis.unexplainedShare = std::clamp(mean(errorsAfter) / mean(errorsBefore), 0.0, 1.0);
   }
   if (!diagnosis.findings.empty() || outside) {
     diagnosis.where = places(residualMaps(diagnosis.base, training, options.seed), diagnosis.base);

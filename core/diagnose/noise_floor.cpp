@@ -1,12 +1,21 @@
 #include "diagnose/noise_floor.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/statistics.h"
 #include "diagnose/fit/motion.h"
+#include "diagnose/fit/windowed_fit.h"
 #include "diagnose/simulate/simulator.h"
 
 namespace breakaway {
+
+namespace {
+
+constexpr double quietPart = 0.25;   ///< of the windows: those with the smallest errors
+constexpr double clearlyLess = 0.7;  ///< of the squared error
+
+}  // namespace
 
 double noiseFloor(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows,
                   std::uint64_t seed) {
@@ -45,10 +54,18 @@ double noiseFloor(const Model& model, const std::vector<Track>& tracks, const st
     }
     floors.push_back(squares / count);
   }
+  // A controller that answers to an encoder's steps shakes the current for real, which its readings can't tell from the
+  // sensor's noise. What the model errs by where it errs least is more than that noise can do.
+  double scale = 1.0;
+  if (std::any_of(windows.begin(), windows.end(),
+                  [&tracks](const Window& window) { return tracks[window.track].inputNoise > 0.0; })) {
+    const double ratio = quantile(scoreWindows(model, tracks, windows), quietPart) / quantile(floors, quietPart);
+    if (ratio < clearlyLess) scale = ratio;
+  }
   // A window that begins at the edge of standstill may go either way: the worst tenth says nothing about the sensors.
   const double worst = quantile(floors, 0.9);
   std::erase_if(floors, [worst](double one) { return one > worst; });
-  return std::sqrt(mean(floors));
+  return std::sqrt(scale * mean(floors));
 }
 
 }  // namespace breakaway

@@ -53,6 +53,7 @@ class ExternalDisturbance final : public Effect {
     return "Repeat the same motion of " + timeText(seen.duration_s) +
            " untouched: what came from outside doesn't come again at the same time.";
   }
+  bool happensOnce() const override { return true; }
   std::string_view drawnOver() const override { return "time"; }
 };
 

@@ -21,7 +21,7 @@ class PositionDependentFriction final : public Effect {
   std::vector<ParameterSpec> parameters(Axis axis) const override { return waveParameters(axis); }
   Term term(std::span<const double> p, const Situation& at) const override { return {0.0, waveValue(p, at)}; }
   std::vector<Shape> shapes(const Excitation& seen) const override {
-    return seen.bothWays ? waveShapes(seen, 1, 8, 0.1 * seen.peakTorque) : std::vector<Shape>{};
+    return seen.bothWays ? waveShapes(seen, 1, 12, 0.1 * seen.peakTorque) : std::vector<Shape>{};
   }
   std::vector<double> scaled(const Shape& shape, std::span<const double> amplitude) const override {
     return waveScaled(shape, amplitude);

@@ -25,7 +25,7 @@ class PositionDependentViscous final : public Effect {
   }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     if (seen.highSpeed <= 1.3 * seen.lowSpeed) return {};
-    return waveShapes(seen, 1, 4, 0.1 * seen.peakTorque / seen.highSpeed);
+    return waveShapes(seen, 1, 12, 0.1 * seen.peakTorque / seen.highSpeed);
   }
   std::vector<double> scaled(const Shape& shape, std::span<const double> amplitude) const override {
     return waveScaled(shape, amplitude);

@@ -90,10 +90,10 @@ Motion motionOf(const Track& track) {
 std::vector<MotionState> hiddenStates(const Model& model, const std::vector<Track>& tracks,
                                       const std::vector<Window>& windows) {
   std::vector<MotionState> states(windows.size());
-  const Stepper stepper(physicsOf(model), *termsOf(model));
-  const Physics& p = stepper.physics();
   for (size_t t = 0; t < tracks.size(); ++t) {
     const Track& track = tracks[t];
+    const Stepper stepper(physicsOf(model), *termsOf(model, track.name));
+    const Physics& p = stepper.physics();
     const Motion& motion = track.motion;
     std::vector<std::pair<size_t, size_t>> wanted;  // row, window
     for (size_t w = 0; w < windows.size(); ++w) {

@@ -285,11 +285,22 @@ void LinearRig::weigh(Eigen::Ref<Eigen::MatrixXd> columns) const {
   for (Eigen::Index c = 0; c < columns.cols(); ++c) columns.col(c).array() *= weights_.array();
 }
 
-Eigen::MatrixXd LinearRig::columnsOf(const Effect& effect, const Shape& shape) const {
+std::vector<size_t> LinearRig::tracksSeen() const {
+  std::vector<size_t> tracks;
+  for (const auto* set : {&stretches_, &electrical_}) {
+    for (const Stretch& one : *set) tracks.push_back(one.track);
+  }
+  std::sort(tracks.begin(), tracks.end());
+  tracks.erase(std::unique(tracks.begin(), tracks.end()), tracks.end());
+  return tracks;
+}
+
+Eigen::MatrixXd LinearRig::columnsOf(const Effect& effect, const Shape& shape, size_t only) const {
   Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(rows_, static_cast<Eigen::Index>(shape.size()));
   for (size_t a = 0; a < shape.size(); ++a) {
     auto column = columns.col(static_cast<Eigen::Index>(a));
     for (size_t t = 0; t < tracks_.size(); ++t) {
+      if (only != everyTrack && only != t) continue;
       const EffectTraces traces(effect, shape[a], tracks_[t], recorded_[t], physics_, startsOf(t));
       addMechanical(traces.torque, t, 2, 1.0, column);
       addStarts(traces.starting, t, 1.0, column);

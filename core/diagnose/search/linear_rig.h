@@ -12,6 +12,8 @@
 
 namespace breakaway {
 
+inline constexpr size_t everyTrack = static_cast<size_t>(-1);
+
 /// The torque balance J a = drive − B ω − F s − Σ a_j c_j, integrated twice along each stretch of motion one way:
 ///   ∬drive = J x + B ∫x + F ∬s + Σ a_j ∬c_j + α + β t
 /// with α and β free in each stretch. What an encoder adds to x stays what it is: white, and as large as one reading's
@@ -31,8 +33,11 @@ class LinearRig {
   const Eigen::VectorXd& response() const { return response_; }
   /// Columns of the base model.
   const Eigen::MatrixXd& base() const { return base_; }
-  /// Per amplitude the column of an effect at one shape; zero columns where the motion doesn't show it.
-  Eigen::MatrixXd columnsOf(const Effect& effect, const Shape& shape) const;
+  /// Per amplitude the column of an effect at one shape; zero columns where the motion doesn't show it. `only` is the
+  /// one track that it happens in.
+  Eigen::MatrixXd columnsOf(const Effect& effect, const Shape& shape, size_t only = everyTrack) const;
+  /// The tracks that the windows lie in.
+  std::vector<size_t> tracksSeen() const;
   /// The window, by its number in the constructor's list, that a row belongs to.
   const std::vector<size_t>& window() const { return window_; }
   size_t windows() const { return windows_; }

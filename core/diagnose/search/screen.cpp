@@ -50,14 +50,18 @@ Screen::Screen(const LinearRig& rig, const std::vector<const Effect*>& effects, 
         std::any_of(effects_.begin(), effects_.end(), [effect](const Effect* one) { return same(one, effect); });
     if (twinListed) continue;
     effects_.push_back(effect);
-    for (Shape& shape : effect->shapes(seen)) {
+    const std::vector<size_t> tracks = effect->happensOnce() ? rig.tracksSeen() : std::vector<size_t>{everyTrack};
+    for (const Shape& shape : effect->shapes(seen)) {
       const auto own = static_cast<Eigen::Index>(shape.size());
-      candidates_.push_back({effect, std::move(shape), width, own});
-      width += own;
+      for (const size_t track : tracks) {
+        candidates_.push_back({effect, shape, track, width, own});
+        width += own;
+      }
     }
   }
   free_.resize(rig.response().size(), width);
-  for (const Candidate& one : candidates_) free_.middleCols(one.at, one.width) = rig.columnsOf(*one.effect, one.shape);
+  for (const Candidate& one : candidates_)
+    free_.middleCols(one.at, one.width) = rig.columnsOf(*one.effect, one.shape, one.track);
   for (Eigen::Index c = 0; c < width; ++c) {
     if (!free_.col(c).allFinite()) free_.col(c).setZero();
   }
@@ -81,7 +85,7 @@ Eigen::MatrixXd Screen::design(const std::vector<Pick>& chosen) const {
   Eigen::Index at = rig_.base().cols();
   for (const Pick& pick : chosen) {
     const auto own = static_cast<Eigen::Index>(pick.shape.size());
-    out.middleCols(at, own) = rig_.columnsOf(*pick.effect, pick.shape);
+    out.middleCols(at, own) = columnsOf(pick);
     at += own;
   }
   return out;
@@ -119,7 +123,7 @@ Screen::Left Screen::leaveOnlyResponse(const std::vector<Pick>& chosen) const {
   if (chosen.empty()) return {base_.basis, base_.response, {}, {}};
   Eigen::MatrixXd own(rig_.response().size(), 0);
   for (const Pick& pick : chosen) {
-    const Eigen::MatrixXd more = rig_.columnsOf(*pick.effect, pick.shape);
+    const Eigen::MatrixXd more = columnsOf(pick);
     own.conservativeResize(Eigen::NoChange, own.cols() + more.cols());
     own.rightCols(more.cols()) = more - base_.basis * (base_.basis.transpose() * more);
     // What the base explains wholly is not there.
@@ -179,6 +183,7 @@ Pick Screen::bestOf(const Effect* effect, const Left& left) const {
     if (!effect->plausible(parameters, seen_)) continue;
     best.gain = gain;
     best.shape = one.shape;
+    best.track = one.track;
     best.parameters = std::move(parameters);
   }
   return best;
@@ -193,7 +198,7 @@ Pick Screen::refined(Pick pick, const Left& left) const {
         Shape shape = pick.shape;
         for (auto& one : shape) one[number] *= times;
         Eigen::VectorXd amplitude;
-        const double gain = gainOf(rig_.columnsOf(*pick.effect, shape), left, amplitude);
+        const double gain = gainOf(rig_.columnsOf(*pick.effect, shape, pick.track), left, amplitude);
         if (gain <= pick.gain) continue;
         auto parameters = pick.effect->scaled(shape, {amplitude.data(), static_cast<size_t>(amplitude.size())});
         if (!pick.effect->plausible(parameters, seen_)) continue;
@@ -213,7 +218,7 @@ Pick Screen::best(const Effect& effect, const std::vector<Pick>& others) const {
 
 double Screen::pValueOf(const Pick& pick, const Left& before, double& chance) const {
   // What is left after the pick, window by window and column by column.
-  Eigen::MatrixXd own = rig_.columnsOf(*pick.effect, pick.shape);
+  Eigen::MatrixXd own = columnsOf(pick);
   own -= before.basis * (before.basis.transpose() * own);
   const Eigen::VectorXd after = before.response - own * own.colPivHouseholderQr().solve(before.response);
   const auto windows = static_cast<Eigen::Index>(rig_.windows());
@@ -320,7 +325,7 @@ void Screen::settle(std::vector<Pick>& chosen) const {
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
     const Left left = leaveOnlyResponse(others);
     Eigen::VectorXd amplitude;
-    chosen[k].gain = gainOf(rig_.columnsOf(*chosen[k].effect, chosen[k].shape), left, amplitude);
+    chosen[k].gain = gainOf(columnsOf(chosen[k]), left, amplitude);
     if (amplitude.size() == 0) continue;
     chosen[k].parameters =
         chosen[k].effect->scaled(chosen[k].shape, {amplitude.data(), static_cast<size_t>(amplitude.size())});
@@ -377,7 +382,7 @@ std::vector<Pick> Screen::prune(std::vector<Pick> chosen) const {
       // An effect that lives in a few windows can't be confirmed by others.
       std::vector<double> gains(with.size());
       const Left left = leave(others);
-      const Eigen::MatrixXd own = rig_.columnsOf(*chosen[k].effect, chosen[k].shape);
+      const Eigen::MatrixXd own = columnsOf(chosen[k]);
       double local = 0.0, all = 0.0;
       for (Eigen::Index r = 0; r < own.rows(); ++r)
         gains[rig_.window()[static_cast<size_t>(r)]] += own.row(r).squaredNorm();

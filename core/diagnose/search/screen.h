@@ -15,6 +15,7 @@ namespace breakaway {
 struct Pick {
   const Effect* effect = nullptr;
   Shape shape;
+  size_t track = everyTrack;          ///< the one track that it happens in
   std::vector<double> parameters;     ///< at its amplitude
   double gain = 0.0;                  ///< squared residual that it takes away, on top of the others
   double pValue = 1.0;                ///< family-wise
@@ -48,6 +49,7 @@ class Screen {
   struct Candidate {
     const Effect* effect;
     Shape shape;
+    size_t track;
     Eigen::Index at, width;  ///< columns
   };
   /// Base and chosen columns, orthonormal, and what they leave of the response and of all candidates.
@@ -72,6 +74,7 @@ class Screen {
   std::vector<Pick> prune(std::vector<Pick> chosen) const;
   /// Squared residual per window, each fold predicted from the others.
   std::vector<double> validated(const std::vector<Pick>& chosen) const;
+  Eigen::MatrixXd columnsOf(const Pick& pick) const { return rig_.columnsOf(*pick.effect, pick.shape, pick.track); }
   Eigen::MatrixXd design(const std::vector<Pick>& chosen) const;
   void settle(std::vector<Pick>& chosen) const;  ///< joint amplitudes and gains
   void findRivals(std::vector<Pick>& chosen) const;

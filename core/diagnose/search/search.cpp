@@ -18,10 +18,13 @@ namespace {
 constexpr double largestPValue = 0.01;
 constexpr double leastImprovement = 0.03;
 constexpr double clearImprovement = 0.2;
+constexpr double clearOfCurrent = 0.35;  ///< of its squared error
 constexpr double halfOfAll = 0.5;
-constexpr double surelyMore = 0.15;  ///< of the error, by the interval's lower end
+constexpr double surelyMore = 0.15;     ///< of the error, by the interval's lower end
+constexpr double importantPart = 0.08;  ///< of the screen's squared residual
+constexpr double materialFloors = 1.6;
 constexpr double leastShare = 0.01;  ///< of the base model's squared error
-constexpr double leastFloors = 0.2;  ///< of the squared floor
+constexpr double leastFloors = 0.8;  ///< of the squared floor
 constexpr size_t mostTrials = 4;
 constexpr size_t mostRivals = 3;
 
@@ -41,10 +44,18 @@ std::vector<double> valuesOf(const EffectTerm& term) {
   return values;
 }
 
-Model with(const Model& model, const Pick& pick) {
+Model with(const SearchInput& input, const Model& model, const Pick& pick) {
   Model out = model;
   out.effects.push_back(termOf(*pick.effect, model.axis, pick.parameters));
+  if (pick.track != everyTrack) out.effects.back().recording = fileNameOf(input.tracks[pick.track].name);
   return out;
+}
+
+/// Whether every effect is of a sign and size that it can have.
+bool plausible(const Model& model, const Excitation& seen) {
+  return std::all_of(model.effects.begin(), model.effects.end(), [&seen](const EffectTerm& term) {
+    return findEffect(term.effect)->plausible(valuesOf(term), seen);
+  });
 }
 
 Model without(const Model& model, const Effect& effect) {
@@ -86,7 +97,7 @@ class Search {
     const Screen screen(rig, {catalogue().begin(), catalogue().end()}, input_.seen, input_.split.fold, folds,
                         input_.seed);
     const ScreenResult found = screen.run();
-    if (input_.named) input_.named(found.chosen);
+    if (input_.named) input_.named(important(found, result.base));
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
     say(0.35, "simulating what was found");
     adopt(result, screen, found.chosen);
@@ -129,6 +140,14 @@ class Search {
     return std::min(1.0, static_cast<double>(catalogue().size()) * signFlipPValue(before, after, input_.seed));
   }
 
+  /// The screen's effects whose part of the residual a simulation is likely to confirm.
+  std::vector<Pick> important(const ScreenResult& found, const FitResult& base) const {
+    std::vector<Pick> picks = found.chosen;
+    const bool atFloor = mean(base.windowSquares) < materialFloors * materialFloors * floor_ * floor_;
+    std::erase_if(picks, [&](const Pick& one) { return atFloor || one.gain < importantPart * found.baseSquares; });
+    return picks;
+  }
+
   /// The model with the screen's base parameters, where they make sense.
   Model withBase(Model model, const Eigen::VectorXd& coefficients) const {
     const Physics physics = physicsOf(model);
@@ -156,14 +175,14 @@ class Search {
   }
   Model withPicks(const SearchResult& result, const Screen& screen, const std::vector<Pick>& picks) const {
     Model model = withBase(result.base.model, screen.baseCoefficients(picks));
-    for (const Pick& pick : picks) model = with(model, pick);
+    for (const Pick& pick : picks) model = with(input_, model, pick);
     return model;
   }
 
   /// Whether the effect takes away error: of windows that a fit did not see, or, for what happens in few windows only,
   /// at least half of all.
   bool helps(const FitResult& without, const FitResult& with) const {
-    if (!with.usable) return false;
+    if (!with.usable || !plausible(with.model, input_.seen)) return false;
     const Comparison gain = compare(validated(without), validated(with), input_.seed);
     const bool everywhere = gain.relative > leastImprovement && gain.interval.low > 0.0;
     return everywhere || gain.relative > clearImprovement ||
@@ -174,7 +193,11 @@ class Search {
   bool material(const FitResult& base, const FitResult& without, const FitResult& with) const {
     const double back = mean(without.windowSquares) - mean(with.windowSquares);
     const bool position = back > leastFloors * floor_ * floor_ && back > leastShare * mean(base.windowSquares);
-    return position || with.currentSquares < (1.0 - clearImprovement) * without.currentSquares;
+    double noise = 0.0;
+    for (const Track& track : input_.tracks) noise = std::max(noise, track.currentNoise);
+    const double currentBack = without.currentSquares - with.currentSquares;
+    return position ||
+           (currentBack > clearOfCurrent * without.currentSquares && currentBack > leastFloors * noise * noise);
   }
 
   /// The screen's set as a whole, or else its most important members; where much is left, also with rivals in place.
@@ -260,10 +283,10 @@ class Search {
     Chosen chosen;
     double best = 2.0 * surelyMore;
     for (size_t k = 0; k < std::min(mostTrials, candidates.size()); ++k) {
-      const Model start = with(result.best.model, candidates[k]);
+      const Model start = with(input_, result.best.model, candidates[k]);
       FitResult fit = fitFresh(start);
       if (!fit.usable || mean(fit.windowSquares) > (1.0 - clearImprovement) * left) fit = fitFresh(shortFit(start));
-      if (!fit.usable) continue;
+      if (!fit.usable || !plausible(fit.model, input_.seen)) continue;
       const auto after = validated(fit);
       const Comparison gain = compare(before, after, input_.seed);
       const double pValue = chance(before, after);
@@ -291,6 +314,7 @@ class Search {
       for (const auto& variant : effect.variants(valuesOf(model.effects[e]))) {
         variants.push_back(model);
         variants.back().effects[e] = termOf(effect, model.axis, variant);
+        variants.back().effects[e].recording = model.effects[e].recording;
       }
     }
     return variants;
@@ -364,8 +388,8 @@ class Search {
                        [](const Pick& a, const Pick& b) { return a.gain > b.gain; });
       if (candidates.size() > mostRivals) candidates.resize(mostRivals);
       for (const Pick& one : candidates) {
-        FitResult fit = fitFresh(with(left_[k].model, one));
-        if (!fit.usable) continue;
+        FitResult fit = fitFresh(with(input_, left_[k].model, one));
+        if (!fit.usable || !plausible(fit.model, input_.seen)) continue;
         const auto errors = validated(fit);
         if (!std::isfinite(mean(errors))) continue;
         const Comparison ahead = compare(errors, best, input_.seed);
@@ -382,7 +406,16 @@ class Search {
         // Skewed errors hide a clear difference from the t-value: the sign-flip test sees it.
         const bool clearlyWorse = (ahead.relative > 0.25 && signFlipPValue(errors, best, input_.seed) <= 0.02) ||
                                   (ahead.relative > 0.5 && quantile(errors, 0.5) > 1.5 * quantile(best, 0.5));
-        if (ahead.inErrors < 2.0 && !clearlyWorse) result.chosen[k].rivals.push_back(one.effect);
+        if (ahead.inErrors >= 2.0 || clearlyWorse) continue;
+        // A push at a time of its own explains whatever happened then: physics that does as well is the better name.
+        if (result.chosen[k].effect->happensOnce() && !one.effect->happensOnce()) {
+          result.chosen[k].rivals.push_back(result.chosen[k].effect);
+          result.chosen[k].effect = one.effect;
+          result.best = std::move(fit);
+          best = errors;
+        } else {
+          result.chosen[k].rivals.push_back(one.effect);
+        }
       }
       if (const Effect* twin = findEffect(result.chosen[k].effect->twin())) result.chosen[k].rivals.push_back(twin);
     }
@@ -441,7 +474,7 @@ Result<FitResult> fitNamed(const SearchInput& input, const std::vector<Model>& s
         return Error{input.tracks.front().name, "can't show the effect " + std::string(effect->name()) + ": " +
                                                     effect->neededExcitation(input.seen)};
       }
-      model = with(model, picks.back());
+      model = with(input, model, picks.back());
     }
     const ParameterVector parameters = vectorOf(input, model);
     const Model near = fitWindows(parameters, input.tracks, input.split.trainScore,

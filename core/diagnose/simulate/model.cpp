@@ -75,7 +75,9 @@ Result<Model> readModel(const std::string& path) {
   }
   model.base = readParameters(root->object("base"));
   for (JsonObject& effect : root->objects("effects")) {
-    model.effects.push_back({effect.text("effect"), readParameters(effect.object("parameters"))});
+    EffectTerm term{effect.text("effect"), readParameters(effect.object("parameters"))};
+    term.recording = effect.text("recording", "");
+    model.effects.push_back(std::move(term));
   }
   if (const auto done = root->finish(); !done) return done.error();
   for (EffectTerm& term : model.effects) inCatalogueOrder(term, model.axis);
@@ -108,6 +110,7 @@ Result<void> writeModel(const Model& model, const std::string& path) {
   json["effects"] = Json::array();
   for (const EffectTerm& term : model.effects) {
     json["effects"].push_back({{"effect", term.effect}, {"parameters", parametersJson(term.parameters)}});
+    if (!term.recording.empty()) json["effects"].back()["recording"] = term.recording;
   }
   return writeFile(path, json.dump(2) + "\n");
 }

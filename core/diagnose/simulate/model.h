@@ -24,6 +24,7 @@ struct Parameter {
 struct EffectTerm {
   std::string effect;
   std::vector<Parameter> parameters;
+  std::string recording = {};  ///< file name of the only one it happens in; empty: it is always there
   bool operator==(const EffectTerm&) const = default;
 };
 

@@ -35,7 +35,11 @@ Physics physicsOf(const Model& model) {
   return physics;
 }
 
-Result<std::vector<CompiledTerm>> termsOf(const Model& model) {
+std::string fileNameOf(const std::string& path) {
+  return path.substr(path.find_last_of('/') + 1);
+}
+
+Result<std::vector<CompiledTerm>> termsOf(const Model& model, const std::string& recording) {
   std::vector<CompiledTerm> terms;
   for (const EffectTerm& term : model.effects) {
     const Effect* effect = findEffect(term.effect);
@@ -49,7 +53,8 @@ Result<std::vector<CompiledTerm>> termsOf(const Model& model) {
       if (found == nullptr) return Error{"effect " + term.effect, "has no parameter " + spec.name};
       compiled.parameters.push_back(found->value);
     }
-    terms.push_back(std::move(compiled));
+    const bool elsewhere = !term.recording.empty() && !recording.empty() && term.recording != fileNameOf(recording);
+    if (!elsewhere) terms.push_back(std::move(compiled));
   }
   return terms;
 }

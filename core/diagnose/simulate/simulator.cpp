@@ -49,7 +49,7 @@ double readingNoise(const Track& track, size_t first, size_t last) {
 }  // namespace
 
 Simulator::Simulator(const Model& model, const Track& track, size_t from, size_t to)
-    : Simulator(physicsOf(model), *termsOf(model), model.restartHorizon_s, track, from, to) {
+    : Simulator(physicsOf(model), *termsOf(model, track.name), model.restartHorizon_s, track, from, to) {
 }
 
 Simulator::Simulator(const Physics& physics, std::vector<CompiledTerm> terms, double horizon_s, const Track& track,
