@@ -24,9 +24,9 @@ constexpr double materialShareBesideFindings = 0.5;
 constexpr double materialFloors = 2.5;
 /// Beyond this many times the floor it needs no place of its own.
 constexpr double glaringFloors = 4.5;
-/// Windows that are so many times the floor off, and how many of them (at least three) are no accident.
+/// Windows that are so many times the floor off, and how many of them (at least five) are no accident.
 constexpr double farOffFloors = 6.0;
-constexpr double farOffPart = 0.03;
+constexpr double farOffPart = 0.05;
 constexpr double leastShare = 0.03;
 constexpr double glaringShare = 0.8;
 /// Of the drive's peak: a place where less is unexplained is none.
@@ -42,7 +42,7 @@ double typicalSquare(std::vector<double> squares) {
 bool farOff(const std::vector<double>& squares, double floor) {
   const double limit = std::pow(farOffFloors * floor, 2);
   const auto far = std::count_if(squares.begin(), squares.end(), [limit](double one) { return one > limit; });
-  return static_cast<double>(far) >= std::max(3.0, farOffPart * static_cast<double>(squares.size()));
+  return static_cast<double>(far) >= std::max(5.0, farOffPart * static_cast<double>(squares.size()));
 }
 
 double meanSquare(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows) {
@@ -107,22 +107,51 @@ bool hasRealRivals(const Finding& finding) {
                      [effect](const std::string& rival) { return rival != effect->twin(); });
 }
 
-/// Whether what the best model leaves has a place of its own that holds on held-out data, too.
-bool leavesAPlace(const Model& best, const std::vector<Track>& seen, std::vector<Place>& where, double& pValue,
-                  const Excitation& motion, std::uint64_t seed) {
+/// What the best model leaves.
+struct Rest {
+  double share = 0.0;  ///< of the base model's excess
+  double pValue = 1.0;
+  bool material = false;
+  std::vector<Place> where;
+};
+
+/// Whether the rest has a place of its own that holds on held-out data, too.
+bool findPlaces(Rest& rest, const Model& best, const std::vector<Track>& seen, const Excitation& motion,
+                std::uint64_t seed) {
   auto left = places(residualMaps(best, seen, seed), best);
   // No rig is exact to so small a part of its drive.
   std::erase_if(left, [&motion](const Place& place) {
     return place.size < immaterialPart * (place.sizeUnit == "V" ? motion.peakInput : motion.peakTorque);
   });
   if (left.empty()) return false;
-  pValue = left.front().pValue;
+  rest.pValue = left.front().pValue;
   if (left.front().share < 0.1 || left.front().pValue > 0.02) return false;
   for (Place place : left) {
     place.sentence = "Not explained by any known effect. " + place.sentence;
-    where.push_back(std::move(place));
+    rest.where.push_back(std::move(place));
   }
   return true;
+}
+
+Rest restOf(const Diagnosis& diagnosis, const std::vector<double>& errorsBefore, const std::vector<double>& errorsAfter,
+            double floor, const std::vector<Track>& seen, const Excitation& motion, std::uint64_t seed) {
+  Rest rest;
+  rest.pValue = diagnosis.unexplainedPValue;
+  const double before = typicalSquare(errorsBefore), after = typicalSquare(errorsAfter), unit = floor * floor;
+  const double least = diagnosis.findings.empty() ? materialShare : materialShareBesideFindings;
+  if (after > materialFloors * materialFloors * unit)
+    rest.share = std::clamp((after - unit) / std::max(before - unit, 1e-300), 0.0, 1.0);
+  if (rest.share > least) {
+    const bool placed = findPlaces(rest, diagnosis.model, seen, motion, seed);
+    rest.material = placed || after > glaringFloors * glaringFloors * unit;
+  }
+  // Few windows, but too many and too far off for restarts at the edge of standstill.
+  const double ofAll = mean(errorsAfter) / std::max(mean(errorsBefore), 1e-300);
+  if (!rest.material && ofAll > least && farOff(errorsAfter, floor)) {
+    rest.material = true;
+    rest.share = std::min(ofAll, 1.0);
+  }
+  return rest;
 }
 
 }  // namespace
@@ -174,32 +203,21 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
     diagnosis.model = diagnosis.base;
     errorsAfter = errorsBefore;
   }
-  const double after = typicalSquare(errorsAfter);
-  const bool beyondFloor = after > materialFloors * materialFloors * floor * floor;
-  diagnosis.unexplainedShare = beyondFloor ? std::clamp((after - floor * floor) / excess, 0.0, 1.0) : 0.0;
   diagnosis.fit =
       scoreFit(bench, diagnosis.base, diagnosis.model, prepared->tracks, prepared->split, options, diagnosis.proof);
 
   const std::vector<Track>& training = prepared->training;
-  std::vector<Place> unexplained;
-  const double materialPart = diagnosis.findings.empty() ? materialShare : materialShareBesideFindings;
-  bool outside = beyondFloor && diagnosis.unexplainedShare > materialPart;
-  if (outside) {
-    const bool placed =
-        leavesAPlace(diagnosis.model, training, unexplained, diagnosis.unexplainedPValue, prepared->seen, options.seed);
-    outside = placed || after > glaringFloors * glaringFloors * floor * floor;
-  } else if (farOff(errorsAfter, floor) && mean(errorsAfter) > materialPart * mean(errorsBefore)) {
-    // Few windows, but too many and too far off for restarts at the edge of standstill.
-    outside = true;
-    diagnosis.unexplainedShare = std::clamp(mean(errorsAfter) / mean(errorsBefore), 0.0, 1.0);
-  }
+  const Rest rest = restOf(diagnosis, errorsBefore, errorsAfter, floor, training, prepared->seen, options.seed);
+  const bool outside = rest.material;
+  diagnosis.unexplainedShare = rest.share;
+  diagnosis.unexplainedPValue = rest.pValue;
   if (!diagnosis.findings.empty() || outside) {
     diagnosis.where = places(residualMaps(diagnosis.base, training, options.seed), diagnosis.base);
     if (!diagnosis.findings.empty())
       preferAxis(diagnosis.where, findEffect(diagnosis.findings.front().effect)->drawnOver());
   }
   if (outside) {
-    diagnosis.where.insert(diagnosis.where.begin(), unexplained.begin(), unexplained.end());
+    diagnosis.where.insert(diagnosis.where.begin(), rest.where.begin(), rest.where.end());
     diagnosis.verdict = Verdict::outsideCatalogue;
   } else if (diagnosis.findings.empty()) {
     diagnosis.verdict = Verdict::nothingMissing;
