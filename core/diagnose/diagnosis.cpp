@@ -28,6 +28,7 @@ constexpr double glaringFloors = 4.5;
 constexpr double farOffFloors = 6.0;
 constexpr double farOffPart = 0.05;
 constexpr double leastShare = 0.03;
+constexpr double mostIsExplained = 0.5;
 constexpr double glaringShare = 0.8;
 /// Of the drive's peak: a place where less is unexplained is none.
 constexpr double immaterialPart = 0.01;
@@ -203,14 +204,20 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
     diagnosis.model = diagnosis.base;
     errorsAfter = errorsBefore;
   }
-  diagnosis.fit =
-      scoreFit(bench, diagnosis.base, diagnosis.model, prepared->tracks, prepared->split, options, diagnosis.proof);
-
   const std::vector<Track>& training = prepared->training;
-  const Rest rest = restOf(diagnosis, errorsBefore, errorsAfter, floor, training, prepared->seen, options.seed);
+  Rest rest = restOf(diagnosis, errorsBefore, errorsAfter, floor, training, prepared->seen, options.seed);
+  if (rest.material && !diagnosis.findings.empty() && explained < mostIsExplained) {
+    // What explains the smaller part of something unknown has borrowed its name.
+    diagnosis.findings.clear();
+    diagnosis.model = diagnosis.base;
+    rest = restOf(diagnosis, errorsBefore, errorsBefore, floor, training, prepared->seen, options.seed);
+    rest.material = true;
+  }
   const bool outside = rest.material;
   diagnosis.unexplainedShare = rest.share;
   diagnosis.unexplainedPValue = rest.pValue;
+  diagnosis.fit =
+      scoreFit(bench, diagnosis.base, diagnosis.model, prepared->tracks, prepared->split, options, diagnosis.proof);
   if (!diagnosis.findings.empty() || outside) {
     diagnosis.where = places(residualMaps(diagnosis.base, training, options.seed), diagnosis.base);
     if (!diagnosis.findings.empty())

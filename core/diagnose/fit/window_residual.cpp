@@ -191,7 +191,7 @@ double WindowResidual::startGain(size_t k) const {
   };
   const double slope = way * (driveAt(k + 1) - driveAt(k - 1)) / (track_.time[row + 1] - track_.time[row - 1]);
   // A push that hardly rises may come at any time: no later than this.
-  const double leastSlope = leastRise_per_s * std::max(std::abs(driveAt(k)), 1e-300);
+  const double leastSlope = leastRise_per_s * std::max({std::abs(driveAt(k)), p.coulomb, 1e-12});
   return std::max(after, 0.0) / std::max(slope, leastSlope);
 }
 

@@ -1,6 +1,7 @@
 #include "diagnose/fit/windowed_fit.h"
 
 #include <ceres/ceres.h>
+#include <glog/logging.h>
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -182,6 +183,7 @@ FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>
   StopRequested stopRequested(options.stop);
   solver.callbacks.push_back(&stopRequested);
   ceres::Solver::Summary summary;
+  FLAGS_minloglevel = 3;  // a step that fails is tried again: nothing to print
   ceres::Solve(solver, &problem, &summary);
 
   x = clamped(parameters, x);
@@ -221,6 +223,7 @@ FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>
   }
   for (const auto& [where, score] : clusters) meat += score * score.transpose();
   result.rmse = std::sqrt(squares / positions);
+  result.usable = result.usable && std::isfinite(result.rmse);
   result.currentSquares = currentSquares / std::max(currents, 1.0);
   const double precision = std::pow(priorWeight / priorDeviation, 2);
   result.priorPrecision = Eigen::VectorXd::Zero(size);

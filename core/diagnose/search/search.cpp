@@ -51,11 +51,13 @@ Model with(const SearchInput& input, const Model& model, const Pick& pick) {
   return out;
 }
 
-/// Whether every effect is of a sign and size that it can have.
+/// Whether an effect, or every one of a model, is of a sign and size that it can have.
+bool plausibleTerm(const EffectTerm& term, const Excitation& seen) {
+  return findEffect(term.effect)->plausible(valuesOf(term), seen);
+}
 bool plausible(const Model& model, const Excitation& seen) {
-  return std::all_of(model.effects.begin(), model.effects.end(), [&seen](const EffectTerm& term) {
-    return findEffect(term.effect)->plausible(valuesOf(term), seen);
-  });
+  return std::all_of(model.effects.begin(), model.effects.end(),
+                     [&seen](const EffectTerm& term) { return plausibleTerm(term, seen); });
 }
 
 Model without(const Model& model, const Effect& effect) {
@@ -202,7 +204,7 @@ class Search {
 
   /// The screen's set as a whole, or else its most important members; where much is left, also with rivals in place.
   void adopt(SearchResult& result, const Screen& screen, std::vector<Pick> picks) const {
-    for (; !picks.empty(); picks.pop_back()) {
+    for (; !picks.empty(); dropLeast(picks)) {
       FitResult fit = fitSet(result, screen, picks);
       if (mean(fit.windowSquares) > 4.0 * floor_ * floor_) {
         for (std::vector<Pick>& other : exchanged(screen, picks)) {
@@ -212,11 +214,21 @@ class Search {
           picks = std::move(other);
         }
       }
-      if (!helps(result.base, fit)) continue;
+      if (!helps(result.base, fit)) {
+        for (size_t k = 0; k < picks.size(); ++k) {
+          if (!plausibleTerm(fit.model.effects[k], input_.seen)) picks[k].gain = 0.0;  // the first to go
+        }
+        continue;
+      }
       result.best = std::move(fit);
       for (const Pick& pick : picks) result.chosen.push_back({pick.effect, pick.pValue, 0.0, {}});
       return;
     }
+  }
+
+  static void dropLeast(std::vector<Pick>& picks) {
+    const auto nonsense = std::find_if(picks.begin(), picks.end(), [](const Pick& one) { return one.gain <= 0.0; });
+    picks.erase(nonsense != picks.end() ? nonsense : picks.end() - 1);
   }
 
   /// The effects that explain most alone.
@@ -290,7 +302,7 @@ class Search {
       const auto after = validated(fit);
       const Comparison gain = compare(before, after, input_.seed);
       const double pValue = chance(before, after);
-      if (gain.relative < best || gain.interval.low <= surelyMore || pValue > largestPValue) continue;
+      if (!(gain.relative >= best) || gain.interval.low <= surelyMore || pValue > largestPValue) continue;
       best = gain.relative;
       winner = std::move(fit);
       chosen = {candidates[k].effect, pValue, 0.0, {}};
