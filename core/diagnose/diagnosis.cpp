@@ -25,7 +25,7 @@ constexpr double materialFloors = 2.5;
 /// Beyond this many times the floor it needs no place of its own.
 constexpr double glaringFloors = 4.5;
 /// Windows that are so many times the floor off, and how many of them (at least five) are no accident.
-constexpr double farOffFloors = 6.0;
+constexpr double farOffFloors = 8.0;
 constexpr double farOffPart = 0.05;
 constexpr double leastShare = 0.03;
 constexpr double mostIsExplained = 0.5;
@@ -206,7 +206,8 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   }
   const std::vector<Track>& training = prepared->training;
   Rest rest = restOf(diagnosis, errorsBefore, errorsAfter, floor, training, prepared->seen, options.seed);
-  if (rest.material && !diagnosis.findings.empty() && explained < mostIsExplained) {
+  const double fitted = 1.0 - mean(found->best.windowSquares) / std::max(mean(found->base.windowSquares), 1e-300);
+  if (rest.material && !diagnosis.findings.empty() && std::max(explained, fitted) < mostIsExplained) {
     // What explains the smaller part of something unknown has borrowed its name.
     diagnosis.findings.clear();
     diagnosis.model = diagnosis.base;

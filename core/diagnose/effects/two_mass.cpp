@@ -66,7 +66,7 @@ void twoMassRemember(const TwoMass& load, const Situation& at, double dt_s, std:
 }
 
 double twoMassStep_s(const TwoMass& load) {
-  return std::min(2e-3, (load.halfGap > 0.0 ? 0.06 : 0.1) / load.frequency);  // impacts need finer steps
+  return std::min(2e-3, (load.halfGap > 0.0 ? 0.1 : 0.15) / load.frequency);  // impacts need finer steps
 }
 
 bool plausibleLoad(double inertia, const Excitation& seen) {

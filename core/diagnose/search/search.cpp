@@ -294,7 +294,8 @@ class Search {
     std::optional<FitResult> winner;
     Chosen chosen;
     double best = 2.0 * surelyMore;
-    for (size_t k = 0; k < std::min(mostTrials, candidates.size()); ++k) {
+    const size_t most = remembers(result.best.model) ? 1 : mostTrials;  // hidden states are slow to fit
+    for (size_t k = 0; k < std::min(most, candidates.size()); ++k) {
       const Model start = with(input_, result.best.model, candidates[k]);
       FitResult fit = fitFresh(start);
       if (!fit.usable || mean(fit.windowSquares) > (1.0 - clearImprovement) * left) fit = fitFresh(shortFit(start));

@@ -16,7 +16,7 @@ constexpr int mostEventsPerStep = 8;
 
 /// Differences of recorded times are equal only up to their last digits.
 bool sameStep(double a, double b) {
-  return std::abs(a - b) <= 1e-8 * b;
+  return std::abs(a - b) <= 5e-10 * b;
 }
 
 double signOf(double value) {
