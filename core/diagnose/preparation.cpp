@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "diagnose/channel_checks.h"
 #include "diagnose/fit/inverse_fit.h"
 #include "diagnose/fit/motion.h"
 #include "diagnose/simulate/simulator.h"
@@ -71,6 +72,7 @@ Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& re
       if (!track) return track.error();
       out.remarks.insert(out.remarks.end(), track->remarks.begin(), track->remarks.end());
       track->motion = motionOf(*track);
+      for (std::string& remark : channelRemarks(bench, recording, *track)) out.remarks.push_back(std::move(remark));
       out.tracks.push_back(std::move(*track));
     }
   }

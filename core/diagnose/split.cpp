@@ -4,12 +4,15 @@
 #include <cmath>
 #include <cstdio>
 
+#include "diagnose/channel_checks.h"
+
 namespace breakaway {
 
 namespace {
 
 constexpr double gap_s = 1.0;
 constexpr size_t fewestWindows = 6;
+constexpr double lookBack_s = 0.2;  ///< before a window, which a restart reads
 
 struct Stretch {
   double from = 0.0;
@@ -60,12 +63,23 @@ void appendOverlapping(std::vector<Window>& windows, const Track& track, size_t 
   }
 }
 
-/// Before a recording's first row nothing is known, its speed least of all: windows that begin there tell no model's
-/// worth.
-void dropFirst(Split& split) {
-  for (auto* windows : {&split.train, &split.polish, &split.trainScore, &split.heldoutScore}) {
-    std::erase_if(*windows, [](const Window& window) { return window.first == 0; });
-  }
+/// Before a recording's first row nothing is known, its speed least of all, and nobody knows what acted while rows are
+/// missing: windows that begin or run there tell no model's worth.
+void dropUnknown(Split& split, const std::vector<Track>& tracks) {
+  std::vector<double> usual;
+  for (const Track& track : tracks) usual.push_back(medianStep(track));
+  const auto unknown = [&](const Window& window) {
+    if (window.first == 0) return true;
+    const Track& track = tracks[window.track];
+    size_t row = window.first;
+    while (row > 0 && track.time[window.first] - track.time[row - 1] < lookBack_s) --row;
+    for (; row < window.last; ++row) {
+      if (isGap(track.time[row + 1] - track.time[row], usual[window.track])) return true;
+    }
+    return false;
+  };
+  for (auto* windows : {&split.train, &split.polish, &split.trainScore, &split.heldoutScore})
+    std::erase_if(*windows, unknown);
 }
 
 void assignFolds(Split& split) {
@@ -107,7 +121,7 @@ Result<Split> splitTracks(const std::vector<Track>& tracks, size_t recordings, d
     }
     if (from < track.time.back()) train(rowAt(track, from), track.rows());
   }
-  dropFirst(split);
+  dropUnknown(split, tracks);
   const double needed = (static_cast<double>(fewestWindows) * fitWindow + gap_s) / 0.8;
   if (split.train.size() < fewestWindows || split.heldoutScore.size() < 2)
     return tooShort(tracks.front(), total, needed);

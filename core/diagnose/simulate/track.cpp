@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "base/statistics.h"
 
@@ -9,17 +10,77 @@ namespace breakaway {
 
 namespace {
 
-/// Noise of one reading from third differences, which the motion hardly reaches: their variance is 20 times a
-/// reading's.
-double readingNoise(const std::vector<double>& position, const std::vector<char>& seen) {
+/// Squared differences of each value from the cubic through its four neighbours in time, in units of a reading's own
+/// variance: what the motion hardly reaches.
+std::vector<double> roughness(const std::vector<double>& time, const std::vector<double>& values,
+                              const std::vector<char>& known) {
   std::vector<double> squares;
-  for (size_t k = 0; k + 3 < position.size(); ++k) {
-    if (!(seen[k] && seen[k + 1] && seen[k + 2] && seen[k + 3])) continue;
-    const double d = position[k + 3] - 3.0 * position[k + 2] + 3.0 * position[k + 1] - position[k];
-    squares.push_back(d * d / 20.0);
+  for (size_t k = 2; k + 2 < values.size(); ++k) {
+    if (!(known[k - 2] && known[k - 1] && known[k] && known[k + 1] && known[k + 2])) continue;
+    double difference = values[k], variance = 1.0;
+    for (const size_t j : {k - 2, k - 1, k + 1, k + 2}) {
+      double weight = 1.0;  // Lagrange's
+      for (const size_t i : {k - 2, k - 1, k + 1, k + 2})
+        weight *= i == j ? 1.0 : (time[k] - time[i]) / (time[j] - time[i]);
+      difference -= weight * values[j];
+      variance += weight * weight;
+    }
+    squares.push_back(difference * difference / variance);
   }
+  return squares;
+}
+
+/// Noise of one reading.
+double readingNoise(const std::vector<double>& time, const std::vector<double>& values,
+                    const std::vector<char>& known) {
+  const std::vector<double> squares = roughness(time, values, known);
   if (squares.empty()) return 0.0;
   return std::sqrt(quantile(squares, 0.5) / 0.4549);  // the median of a χ² with one degree of freedom is 0.4549
+}
+
+/// The nearest times of a regular grid, gaps kept; empty where two rows share one.
+std::vector<double> regular(const std::vector<double>& time) {
+  std::vector<double> steps;
+  for (size_t k = 0; k + 1 < time.size(); ++k) steps.push_back(time[k + 1] - time[k]);
+  double step = quantile(steps, 0.5);
+  std::vector<double> out(time.size());
+  for (int round = 0; round < 3; ++round) {  // the median of jittered steps is only nearly the step
+    double at = 0.0, along = 0.0, squares = 0.0;
+    for (size_t k = 1; k < time.size(); ++k) {
+      at += std::max(1.0, std::round((time[k] - time[0] - at * step) / step));
+      along += at * (time[k] - time[0]);
+      squares += at * at;
+      out[k] = at;
+    }
+    step = along / squares;
+  }
+  double most = 0.0;
+  for (size_t k = 1; k < time.size(); ++k) {
+    out[k] *= step;
+    most = std::max(most, std::abs(out[k] - (time[k] - time[0])));
+  }
+  return most < step ? out : std::vector<double>{};
+}
+
+/// Times that jitter although the motion doesn't: rows were taken at regular times and dated badly.
+void straighten(Track& track) {
+  const std::vector<double> grid = regular(track.time);
+  if (grid.empty()) return;
+  double jitter = 0.0;
+  for (size_t k = 0; k < grid.size(); ++k) jitter = std::max(jitter, std::abs(grid[k] - track.time[k]));
+  if (jitter < 0.02 * (grid.back() / static_cast<double>(grid.size() - 1))) return;
+  const auto typical = [&](const std::vector<double>& time) {
+    const auto squares = roughness(time, track.position, track.seen);
+    return squares.empty() ? 0.0 : mean(squares);
+  };
+  if (typical(grid) > 0.5 * typical(track.time)) return;
+  char fact[200];
+  std::snprintf(fact, sizeof fact,
+                ": its times jitter by up to %.3g ms against regular ones, at which the motion is smoother: taken as "
+                "regular",
+                1e3 * jitter);
+  track.remarks.push_back(track.name + fact);
+  track.time = grid;
 }
 
 Result<std::vector<double>> inputOf(const Recording& recording, const Bench& names, const std::string& channel) {
@@ -120,6 +181,7 @@ Result<Track> makeTrack(const Recording& recording, Axis axis, DriveInput driveI
   if (missing > 0)
     track.remarks.push_back(recording.name() + ": " + std::to_string(missing) +
                             " rows have no position and are left out");
+  straighten(track);
   const auto enabled = recording.channel("enabled");
   for (size_t k = 0; k < enabled.size(); ++k) track.connected[k] = enabled[k] == 0.0 ? 0 : 1;
   track.drive = driveInput;
@@ -134,11 +196,12 @@ Result<Track> makeTrack(const Recording& recording, Axis axis, DriveInput driveI
   if (!track.current.empty()) {
     std::vector<char> known(rows);
     for (size_t k = 0; k < rows; ++k) known[k] = std::isfinite(track.current[k]) ? 1 : 0;
-    track.currentNoise = readingNoise(track.current, known);
+    track.currentNoise = readingNoise(track.time, track.current, known);
   }
-  if (driveInput == DriveInput::current) track.inputNoise = readingNoise(track.input, std::vector<char>(rows, 1));
+  if (driveInput == DriveInput::current)
+    track.inputNoise = readingNoise(track.time, track.input, std::vector<char>(rows, 1));
   track.quantisation = count / std::sqrt(12.0);
-  track.noise = std::max(readingNoise(track.position, track.seen), track.quantisation);
+  track.noise = std::max(readingNoise(track.time, track.position, track.seen), track.quantisation);
   return track;
 }
 

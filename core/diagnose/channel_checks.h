@@ -1,0 +1,22 @@
+// What a recording's channels say of themselves before any model looks at them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "diagnose/simulate/track.h"
+#include "motor/bench.h"
+#include "recording/recording.h"
+
+namespace breakaway {
+
+/// The usual time from row to row, s.
+double medianStep(const Track& track);
+/// Whether a step is so much longer than the usual one that what acted meanwhile is not known.
+bool isGap(double step_s, double usual_s);
+
+/// Sentences on rows that are missing, a drive that is clipped or never changes, a velocity that contradicts the angle,
+/// and a drive that contradicts the motion. `track` carries its smoothed motion.
+std::vector<std::string> channelRemarks(const Bench& bench, const Recording& recording, const Track& track);
+
+}  // namespace breakaway

@@ -1,0 +1,155 @@
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "base/statistics.h"
+#include "diagnose/channel_checks.h"
+#include "diagnose/fit/motion.h"
+#include "diagnose/preparation.h"
+#include "support/driven_recording.h"
+
+using namespace breakaway;
+
+namespace {
+
+Model torqueDriven() {
+  Model model;
+  model.input = DriveInput::torque;
+  model.count = 2e-5;
+  model.base = {{"inertia_kg_m2", 6e-5, 6e-5, 6e-5},
+                {"viscous_Nm_s_per_rad", 2e-5, 2e-5, 2e-5},
+                {"coulomb_Nm", 0.012, 0.012, 0.012}};
+  return model;
+}
+
+Bench benchOf(const Model& model) {
+  Bench bench;
+  bench.input = model.input;
+  return bench;
+}
+
+/// The driven recording after a change of its columns.
+Recording changed(const std::function<void(std::vector<Channel>&)>& change) {
+  const Recording driven = test::drivenRecording(torqueDriven(), {.seconds = 20.0});
+  std::vector<Channel> channels;
+  for (const char* name : {"time_s", "angle_rad", "torque_Nm"}) {
+    const auto values = driven.channel(name);
+    channels.push_back({name, {values.begin(), values.end()}});
+  }
+  change(channels);
+  return *Recording::seal("bench.csv", channels);
+}
+
+Preparation prepared(const Recording& recording) {
+  auto out = prepare(benchOf(torqueDriven()), {recording}, {}, 0.5, false);
+  if (!out) qFatal("%s", out.error().message().c_str());
+  return std::move(*out);
+}
+
+bool says(const Preparation& data, const char* words) {
+  return std::any_of(data.remarks.begin(), data.remarks.end(),
+                     [words](const std::string& remark) { return remark.find(words) != std::string::npos; });
+}
+
+void addVelocity(std::vector<Channel>& channels, double sign) {
+  const std::vector<double>&time = channels[0].values, &angle = channels[1].values;
+  std::vector<double> velocity(time.size(), 0.0);
+  for (size_t k = 5; k + 5 < time.size(); ++k)
+    velocity[k] = sign * (angle[k + 5] - angle[k - 5]) / (time[k + 5] - time[k - 5]);
+  channels.push_back({"velocity_rad_per_s", velocity});
+}
+
+}  // namespace
+
+class TestChannelChecks : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void soundRecording_getsNoRemark();
+  void missingRows_areSaidAndTheirWindowsLeftOut();
+  void timesThatJitter_areStraightened();
+  void motionSampledAtIrregularTimes_keepsThem();
+  void velocityOfTheWrongSign_isSaid();
+  void clippedDrive_isSaid();
+  void driveThatNeverChanges_isSaid();
+  void driveAgainstTheMotion_isSaid();
+};
+
+void TestChannelChecks::soundRecording_getsNoRemark() {
+  const Preparation data = prepared(changed([](std::vector<Channel>& channels) { addVelocity(channels, 1.0); }));
+  QVERIFY2(data.remarks.empty(), data.remarks.empty() ? "" : data.remarks.front().c_str());
+}
+
+void TestChannelChecks::missingRows_areSaidAndTheirWindowsLeftOut() {
+  const Preparation whole = prepared(changed([](std::vector<Channel>&) {}));
+  const Preparation data = prepared(changed([](std::vector<Channel>& channels) {
+    for (Channel& one : channels) one.values.erase(one.values.begin() + 5200, one.values.begin() + 5600);
+  }));
+  QVERIFY(says(data, "rows are missing in 1 place, for up to 0.401 s"));
+  QVERIFY(data.split.train.size() < whole.split.train.size());
+  const Track& track = data.tracks.front();
+  for (const auto* windows : {&data.split.train, &data.split.trainScore, &data.split.polish}) {
+    for (const Window& window : *windows)
+      QVERIFY(track.time[window.last] < 5.2 || track.time[window.first] > 5.599 + 0.19);
+  }
+}
+
+void TestChannelChecks::timesThatJitter_areStraightened() {
+  const Preparation data = prepared(changed([](std::vector<Channel>& channels) {
+    Random random(3);
+    for (double& time : channels[0].values) time += 3e-4 * (2.0 * random.uniform() - 1.0);
+  }));
+  QVERIFY(says(data, "its times jitter by up to"));
+  const std::vector<double>& time = data.tracks.front().time;
+  for (size_t k = 0; k + 1 < time.size(); ++k) QVERIFY(std::abs(time[k + 1] - time[k] - 1e-3) < 1e-7);
+}
+
+void TestChannelChecks::motionSampledAtIrregularTimes_keepsThem() {
+  const Recording recording = changed([](std::vector<Channel>& channels) {
+    // A smooth fast motion, read at times that really are irregular.
+    Random random(4);
+    for (size_t k = 0; k < channels[0].values.size(); ++k) {
+      double& time = channels[0].values[k];
+      time += 3e-4 * (2.0 * random.uniform() - 1.0);
+      channels[1].values[k] = 40.0 * std::sin(3.0 * time);
+    }
+  });
+  const auto track = makeTrack(recording, Axis::rotary, DriveInput::torque, {}, 0.0);
+  QVERIFY(track);
+  QVERIFY(track->remarks.empty());
+  QCOMPARE(track->time[7], recording.time()[7] - recording.time()[0]);
+  QVERIFY2(track->noise < 1e-5, qPrintable(QString::number(track->noise)));
+}
+
+void TestChannelChecks::velocityOfTheWrongSign_isSaid() {
+  QVERIFY(says(prepared(changed([](std::vector<Channel>& channels) { addVelocity(channels, -1.0); })),
+               "has the opposite sign of the angle's slope"));
+}
+
+void TestChannelChecks::clippedDrive_isSaid() {
+  QVERIFY(says(prepared(changed([](std::vector<Channel>& channels) {
+                 for (double& one : channels[2].values) one = std::clamp(one, -0.02, 0.02);
+               })),
+               "of the rows stand at exactly -0.02 or 0.02"));
+}
+
+void TestChannelChecks::driveThatNeverChanges_isSaid() {
+  const Recording recording = changed(
+      [](std::vector<Channel>& channels) { std::fill(channels[2].values.begin(), channels[2].values.end(), 0.02); });
+  Track track = *makeTrack(recording, Axis::rotary, DriveInput::torque, {}, 2e-5);
+  track.motion = motionOf(track);
+  const auto remarks = channelRemarks(benchOf(torqueDriven()), recording, track);
+  QCOMPARE(remarks.size(), size_t{1});
+  QVERIFY2(remarks.front().find("never changes (0.02 throughout)") != std::string::npos, remarks.front().c_str());
+}
+
+void TestChannelChecks::driveAgainstTheMotion_isSaid() {
+  QVERIFY(says(prepared(changed([](std::vector<Channel>& channels) {
+                 for (double& one : channels[2].values) one = -one;
+               })),
+               "moves against torque_Nm most of the time"));
+}
+
+QTEST_GUILESS_MAIN(TestChannelChecks)
+#include "tst_channel_checks.moc"
