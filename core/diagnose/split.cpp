@@ -73,7 +73,7 @@ void dropUnknown(Split& split, const std::vector<Track>& tracks) {
     const Track& track = tracks[window.track];
     size_t row = window.first;
     while (row > 0 && track.time[window.first] - track.time[row - 1] < lookBack_s) --row;
-    for (; row < window.last; ++row) {
+    for (row -= row > 0 ? 1 : 0; row < window.last; ++row) {
       if (isGap(track.time[row + 1] - track.time[row], usual[window.track])) return true;
     }
     return false;

@@ -47,7 +47,8 @@ std::vector<double> regular(const std::vector<double>& time) {
   for (int round = 0; round < 3; ++round) {  // the median of jittered steps is only nearly the step
     double at = 0.0, along = 0.0, squares = 0.0;
     for (size_t k = 1; k < time.size(); ++k) {
-      at += std::max(1.0, std::round((time[k] - time[0] - at * step) / step));
+      // Late by up to three quarters of a step is still the same row.
+      at += std::max(1.0, std::floor((time[k] - time[0] - at * step) / step + 0.25));
       along += at * (time[k] - time[0]);
       squares += at * at;
       out[k] = at;
