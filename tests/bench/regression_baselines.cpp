@@ -206,6 +206,7 @@ std::vector<std::string> stepwiseNames(const TorqueColumns& c) {
   }
   dropIdle(c, chosen);
   std::vector<std::string> names;
+  names.reserve(chosen.size());
   for (const size_t group : chosen) names.emplace_back(c.groups[group].effect->name());
   return names;
 }
