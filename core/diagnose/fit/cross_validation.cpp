@@ -10,6 +10,7 @@ namespace breakaway {
 
 namespace {
 
+constexpr double runaway = 10.0;    ///< units: mean squares of the base model
 constexpr double suspicious = 1.3;  ///< times the error of the common fit
 constexpr int mostHalvings = 3;
 
@@ -94,6 +95,8 @@ std::vector<double> crossValidated(const FitResult& fit, const ParameterVector& 
       step *= halvings + 1 == mostHalvings ? 0.0 : 0.5;
     }
   }
+  // How far a window runs away says no more than that it does.
+  for (double& one : squares) one = std::isfinite(one) ? std::min(one, runaway) : runaway;
   return squares;
 }
 

@@ -10,7 +10,8 @@ namespace breakaway {
 
 /// Mean squared residual per window in units of `unit` (times the window's squared weight), positions' and currents'
 /// added up, each simulated with the parameters that a fit to the other folds would have: one Gauss–Newton step from
-/// the common fit, halved while the other folds themselves err more.
+/// the common fit, halved while the other folds themselves err more. At most ten units: how far a window runs away
+/// says no more than that it does.
 std::vector<double> crossValidated(const FitResult& fit, const ParameterVector& parameters,
                                    const std::vector<Track>& tracks, const std::vector<Window>& windows,
                                    const std::vector<double>& windowWeights, const std::vector<int>& fold,
