@@ -207,12 +207,14 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   const std::vector<Track>& training = prepared->training;
   Rest rest = restOf(diagnosis, errorsBefore, errorsAfter, floor, training, prepared->seen, options.seed);
   const double fitted = 1.0 - mean(found->best.windowSquares) / std::max(mean(found->base.windowSquares), 1e-300);
-  if (rest.material && !diagnosis.findings.empty() && std::max(explained, fitted) < mostIsExplained) {
+  if (rest.share > materialShareBesideFindings && !diagnosis.findings.empty() &&
+      std::max(explained, fitted) < mostIsExplained) {
     // What explains the smaller part of something unknown has borrowed its name.
     diagnosis.findings.clear();
     diagnosis.model = diagnosis.base;
+    const bool material = rest.material;
     rest = restOf(diagnosis, errorsBefore, errorsBefore, floor, training, prepared->seen, options.seed);
-    rest.material = true;
+    rest.material = rest.material || material;
   }
   const bool outside = rest.material;
   diagnosis.unexplainedShare = rest.share;

@@ -24,6 +24,8 @@ constexpr double surelyMore = 0.15;     ///< of the error, by the interval's low
 constexpr double importantPart = 0.08;  ///< of the screen's squared residual
 constexpr double materialFloors = 1.6;
 constexpr double leastShare = 0.01;  ///< of the base model's squared error
+constexpr double spreadFloors = 0.3;
+constexpr double fewWindowsFloors = 4.0;
 constexpr double leastFloors = 0.8;  ///< of the squared floor
 constexpr size_t mostTrials = 4;
 constexpr size_t mostRivals = 3;
@@ -193,8 +195,15 @@ class Search {
 
   /// Whether what the effect takes away would be missed beside what the sensors do.
   bool material(const FitResult& base, const FitResult& without, const FitResult& with) const {
-    const double back = mean(without.windowSquares) - mean(with.windowSquares);
-    const bool position = back > leastFloors * floor_ * floor_ && back > leastShare * mean(base.windowSquares);
+    std::vector<double> gains(with.windowSquares.size());
+    for (size_t k = 0; k < gains.size(); ++k) gains[k] = without.windowSquares[k] - with.windowSquares[k];
+    const double back = mean(gains), unit = floor_ * floor_;
+    std::sort(gains.begin(), gains.end());
+    gains.resize(gains.size() - gains.size() / 10);
+    // What few windows rule has to be larger: single windows err by more than sensors explain.
+    const bool spread = mean(gains) > spreadFloors * unit || back > fewWindowsFloors * unit;
+    const bool seen = mean(base.windowSquares) > materialFloors * materialFloors * unit;
+    const bool position = seen && spread && back > leastFloors * unit && back > leastShare * mean(base.windowSquares);
     double noise = 0.0;
     for (const Track& track : input_.tracks) noise = std::max(noise, track.currentNoise);
     const double currentBack = without.currentSquares - with.currentSquares;
