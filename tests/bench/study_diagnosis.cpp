@@ -136,7 +136,7 @@ int main(int argc, char** argv) {
   Options options;
   CLI::App app{"The diagnosis on sealed trials, scored against the truth", "study_diagnosis"};
   app.add_option("--results", options.results,
-                 "file that scored trials are appended to; build/bench/diagnosis-scored.jsonl, or -tuning.jsonl");
+                 "file that scored trials are appended to; build/diagnosis-scored.jsonl, or -tuning.jsonl");
   app.add_option("--families", options.families, "A,B,...: only these families of trials")
       ->delimiter(',')
       ->check(CLI::IsMember(trialFamilies()));
@@ -147,7 +147,7 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   if (options.families.empty()) options.families = trialFamilies();
   if (options.results.empty())
-    options.results = std::string("build/bench/diagnosis-") + (options.tuning ? "tuning" : "scored") + ".jsonl";
+    options.results = std::string("build/diagnosis-") + (options.tuning ? "tuning" : "scored") + ".jsonl";
   Result<void> done = options.printOnly ? Result<void>() : run(options);
   if (done) done = print(options);
   if (done) return 0;
