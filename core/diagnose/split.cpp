@@ -12,6 +12,7 @@ namespace {
 
 constexpr double gap_s = 1.0;
 constexpr size_t fewestWindows = 6;
+constexpr size_t mostTrainRows = 90'000, fewestThinned = 60;
 constexpr double lookBack_s = 0.2;  ///< before a window, which a restart reads
 
 struct Stretch {
@@ -82,7 +83,22 @@ void dropUnknown(Split& split, const std::vector<Track>& tracks) {
     std::erase_if(*windows, unknown);
 }
 
+/// Evenly spread windows with at most `rows` rows in all, but not fewer than `fewest`: what is known well enough need
+/// not be fitted for ever.
+void thin(std::vector<Window>& windows, size_t rows, size_t fewest) {
+  size_t all = 0;
+  for (const Window& window : windows) all += window.last - window.first + 1;
+  if (all <= rows || windows.size() <= fewest) return;
+  const size_t keep = std::max(fewest, windows.size() * rows / all);
+  std::vector<Window> kept;
+  for (size_t k = 0; k < keep; ++k) kept.push_back(windows[k * windows.size() / keep]);
+  windows = std::move(kept);
+}
+
 void assignFolds(Split& split) {
+  thin(split.train, mostTrainRows, fewestThinned);
+  thin(split.polish, 2 * mostTrainRows, 2 * fewestThinned);
+
   const size_t n = split.train.size();
   const size_t length = std::max<size_t>(1, n / (3 * static_cast<size_t>(folds)));
   for (size_t k = 0; k < n; ++k) split.fold.push_back(static_cast<int>(k / length) % folds);

@@ -25,7 +25,7 @@ class LoadDependentFriction final : public Effect {
     // Where the torque hardly exceeds dry friction, there is no load whose change could show.
     return seen.peakTorque > 1.2 * seen.coulomb ? std::vector<Shape>{{{0.1}}} : std::vector<Shape>{};
   }
-  bool plausible(std::span<const double> p, const Excitation&) const override { return p[0] > 0.0 && p[0] < 1.5; }
+  bool plausible(std::span<const double> p, const Excitation&) const override { return p[0] > 0.0 && p[0] < 0.95; }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
     return std::string("Friction ") + (p[0] > 0.0 ? "grows" : "falls") + " with the transmitted " +
            torqueWord(seen.axis) + ", by " + percentText(std::abs(p[0])) + " of it (" +
