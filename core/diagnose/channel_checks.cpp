@@ -116,6 +116,7 @@ void sayDirection(std::vector<std::string>& out, const Bench& bench, const Track
 
 double medianStep(const Track& track) {
   std::vector<double> steps;
+  steps.reserve(track.rows());
   for (size_t k = 0; k + 1 < track.rows(); ++k) steps.push_back(track.time[k + 1] - track.time[k]);
   return quantile(steps, 0.5);
 }

@@ -68,6 +68,7 @@ void appendOverlapping(std::vector<Window>& windows, const Track& track, size_t 
 /// missing: windows that begin or run there tell no model's worth.
 void dropUnknown(Split& split, const std::vector<Track>& tracks) {
   std::vector<double> usual;
+  usual.reserve(tracks.size());
   for (const Track& track : tracks) usual.push_back(medianStep(track));
   const auto unknown = [&](const Window& window) {
     if (window.first == 0) return true;
@@ -91,6 +92,7 @@ void thin(std::vector<Window>& windows, size_t rows, size_t fewest) {
   if (all <= rows || windows.size() <= fewest) return;
   const size_t keep = std::max(fewest, windows.size() * rows / all);
   std::vector<Window> kept;
+  kept.reserve(keep);
   for (size_t k = 0; k < keep; ++k) kept.push_back(windows[k * windows.size() / keep]);
   windows = std::move(kept);
 }

@@ -41,6 +41,7 @@ double readingNoise(const std::vector<double>& time, const std::vector<double>& 
 /// The nearest times of a regular grid, gaps kept; empty where two rows share one.
 std::vector<double> regular(const std::vector<double>& time) {
   std::vector<double> steps;
+  steps.reserve(time.size());
   for (size_t k = 0; k + 1 < time.size(); ++k) steps.push_back(time[k + 1] - time[k]);
   const double usual = quantile(steps, 0.5);
   std::erase_if(steps, [usual](double one) { return one > 1.75 * usual; });
