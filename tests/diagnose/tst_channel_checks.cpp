@@ -75,6 +75,7 @@ class TestChannelChecks : public QObject {
  private slots:
   void soundRecording_getsNoRemark();
   void missingRows_areSaidAndTheirWindowsLeftOut();
+  void longRecording_isFittedOnWindowsOfAllItsParts();
   void timesThatJitter_areStraightened();
   void motionSampledAtIrregularTimes_keepsThem();
   void velocityOfTheWrongSign_isSaid();
@@ -100,6 +101,22 @@ void TestChannelChecks::missingRows_areSaidAndTheirWindowsLeftOut() {
     for (const Window& window : *windows)
       QVERIFY(track.time[window.last] < 5.2 || track.time[window.first] > 5.599 + 0.19);
   }
+}
+
+void TestChannelChecks::longRecording_isFittedOnWindowsOfAllItsParts() {
+  const Recording recording = test::drivenRecording(torqueDriven(), {.seconds = 240.0});
+  const Preparation data = prepared(recording);
+  size_t rows = 0;
+  double last = 0.0, widest = 0.0;
+  for (const Window& window : data.split.train) {
+    rows += window.last - window.first + 1;
+    widest = std::max(widest, data.tracks[0].time[window.first] - last);
+    last = data.tracks[0].time[window.last];
+  }
+  QVERIFY(rows > 80'000 && rows <= 91'000);
+  QCOMPARE(data.split.fold.size(), data.split.train.size());
+  QVERIFY2(widest < 12.0, qPrintable(QString::number(widest)));  // held-out parts of 6 s lie between
+  QVERIFY(last > 220.0);
 }
 
 void TestChannelChecks::timesThatJitter_areStraightened() {

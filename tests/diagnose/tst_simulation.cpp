@@ -18,6 +18,7 @@ class TestSimulation : public QObject {
   void quantisedOwnRecording_errsByAboutACount();
   void restartWithWrongFriction_beginsNearTheMeasurement();
   void modelFile_givesTheIdenticalTrace();
+  void pushInOneRecording_isNotInAnother();
   void unknownEffect_isOneClearLine();
   void missingDriveChannel_isOneClearLine();
 };
@@ -143,6 +144,34 @@ void TestSimulation::modelFile_givesTheIdenticalTrace() {
   QCOMPARE(after->velocity, before->velocity);
   QCOMPARE(after->current_A, before->current_A);
   QCOMPARE(before->current_A.size(), recording.rows());
+}
+
+void TestSimulation::pushInOneRecording_isNotInAnother() {
+  Model model = servoWith(DriveInput::voltage, "external_disturbance", {0.004, 1.0, 2.0});
+  model.effects.front().recording = "own.csv";
+  const TemporaryFolder folder;
+  VERIFY_OK(writeModel(model, folder.path("model.json")));
+  const auto back = readModel(folder.path("model.json"));
+  VERIFY_OK(back);
+  QCOMPARE(back->effects.front().recording, std::string("own.csv"));
+
+  const auto named = [](const char* name) {
+    const Recording own = ownRecording(voltageModel(), 0.0, 4.0);
+    std::vector<Channel> channels;
+    for (const char* channel : {"time_s", "angle_rad", "voltage_V"}) {
+      const auto values = own.channel(channel);
+      channels.push_back({channel, {values.begin(), values.end()}});
+    }
+    return *Recording::seal(name, channels);
+  };
+  Model without = *back;
+  without.effects.clear();
+  const auto pushed = simulate(*back, named("some/folder/own.csv"), {});
+  const auto other = simulate(*back, named("some/folder/other.csv"), {});
+  const auto none = simulate(without, named("some/folder/other.csv"), {});
+  VERIFY_OK(pushed);
+  QCOMPARE(other->position, none->position);
+  QVERIFY(std::abs(pushed->position.back() - none->position.back()) > 0.1);
 }
 
 void TestSimulation::unknownEffect_isOneClearLine() {
