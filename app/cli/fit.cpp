@@ -56,7 +56,7 @@ Result<Model> fitted(const FitLine& line, const Preparation& prepared) {
   auto fit = fitNamed(input, prepared.starts, line.effects);
   if (!fit) return fit.error();
   std::printf("least squares over %zu restarted windows: %s\n", prepared.split.train.size(), fit->termination.c_str());
-  return fit->model;
+  return withDoubts(fit->model, prepared);
 }
 
 Result<void> runFit(const FitLine& line) {

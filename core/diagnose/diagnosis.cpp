@@ -78,7 +78,8 @@ FitScore scoreFit(const Bench& bench, const Model& base, const Model& best, cons
 }
 
 /// The findings, with shares of the excess that add up to what the extended model takes away.
-std::vector<Finding> findingsOf(const SearchResult& result, const SearchInput& input, double explained) {
+std::vector<Finding> findingsOf(const SearchResult& result, const Model& model, const SearchInput& input,
+                                double explained) {
   double marginals = 0.0;
   for (const Chosen& chosen : result.chosen) marginals += chosen.marginal;
   std::vector<Finding> findings;
@@ -88,7 +89,7 @@ std::vector<Finding> findingsOf(const SearchResult& result, const SearchInput& i
     finding.share = marginals > 0.0 ? std::clamp(explained * chosen.marginal / marginals, 0.0, 1.0) : 0.0;
     finding.pValue = chosen.pValue;
     for (const Effect* rival : chosen.rivals) finding.ambiguousWith.emplace_back(rival->name());
-    for (const EffectTerm& term : result.best.model.effects) {
+    for (const EffectTerm& term : model.effects) {
       if (term.effect != finding.effect) continue;
       finding.parameters = term.parameters;
       std::vector<double> values;
@@ -182,8 +183,8 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   diagnosis.named_s = named_s;
   diagnosis.firstNames = firstNames;
   if (options.progress) options.progress(0.92, "proving on held-out data");
-  diagnosis.base = found->base.model;
-  diagnosis.model = found->best.model;
+  diagnosis.base = withDoubts(found->base.model, *prepared);
+  diagnosis.model = withDoubts(found->best.model, *prepared);
   diagnosis.heldoutRows = prepared->split.heldoutRows;
   // Decisions rest on training windows; the worst tenth, which a restart at the edge of standstill may rule, left out.
   const auto& windows = prepared->split.trainScore;
@@ -199,7 +200,7 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   explained = std::clamp(explained, 0.0, 1.0);
   const bool currentToo = found->best.currentSquares < 0.8 * found->base.currentSquares;
   if (explained >= leastShare || currentToo) {
-    diagnosis.findings = findingsOf(*found, input, explained);
+    diagnosis.findings = findingsOf(*found, diagnosis.model, input, explained);
   } else {
     diagnosis.model = diagnosis.base;
     errorsAfter = errorsBefore;

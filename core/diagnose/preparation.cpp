@@ -1,6 +1,7 @@
 #include "diagnose/preparation.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "diagnose/channel_checks.h"
 #include "diagnose/fit/inverse_fit.h"
@@ -61,7 +62,35 @@ std::vector<Track> maskedTracks(const std::vector<Track>& tracks, size_t count, 
   return masked;
 }
 
+constexpr double modelDoubt = 0.01;  ///< standard deviation, relative
+constexpr double scaleDoubt = 0.10;  ///< 95 %, relative
+
+bool holdsTorque(const std::string& name) {
+  return name.find("_Nm") != std::string::npos || name.find("_N") != std::string::npos ||
+         name.find("_kg") != std::string::npos;
+}
+
+void widen(Parameter& one, double doubt95) {
+  const double more = doubt95 * std::abs(one.value);
+  one.low95 = one.value - std::hypot(one.value - one.low95, more);
+  one.high95 = one.value + std::hypot(one.high95 - one.value, more);
+}
+
 }  // namespace
+
+Model withDoubts(Model model, const Preparation& prepared) {
+  const auto carry = [&prepared](Parameter& one, double doubt) {
+    if (one.low95 == one.high95 || one.name == "phase_rad") return;  // held, or without a scale
+    const bool scaled =
+        prepared.scaleDoubted && holdsTorque(one.name) && one.name.find("constant") == std::string::npos;
+    widen(one, std::hypot(1.96 * doubt, scaled ? scaleDoubt : 0.0));
+  };
+  for (Parameter& one : model.base) carry(one, 0.0);
+  for (EffectTerm& term : model.effects) {
+    for (Parameter& one : term.parameters) carry(one, modelDoubt);
+  }
+  return model;
+}
 
 Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& recordings,
                             const std::vector<Recording>& heldout, double window_s, bool whole) {
@@ -93,6 +122,7 @@ Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& re
     out.held.push_back(name);
     held += (held.empty() ? "" : ", ") + name;
   }
+  out.scaleDoubted = !held.empty();
   if (!held.empty()) {
     out.remarks.push_back("the scale of all torques rests on the bench's " + held +
                           ", which these recordings can't check: trust only ratios");

@@ -21,7 +21,8 @@ struct Preparation {
   Split split;
   std::vector<Model> starts;  ///< base models with start values and the restart's horizon, the inverse model's first
   Excitation seen;
-  std::vector<std::string> held;  ///< trusted base parameters
+  std::vector<std::string> held;  ///< trusted base parameters, and those that set the scale
+  bool scaleDoubted = false;      ///< the scale of all torques rests on a value that nobody trusts
   std::vector<std::string> remarks;
 };
 
@@ -29,5 +30,9 @@ struct Preparation {
 /// the recording and what it lacks: a channel, any value, length, motion.
 Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& recordings,
                             const std::vector<Recording>& heldout, double window_s, bool whole);
+
+/// The model with intervals that also carry what least squares can't know: that no rig keeps to its model more closely
+/// than 1 % (effects), and the doubt of 10 % about an untrusted value that sets the scale (torques and inertias).
+Model withDoubts(Model model, const Preparation& prepared);
 
 }  // namespace breakaway

@@ -19,7 +19,8 @@ namespace {
 
 constexpr double priorDeviation = 1.1;  ///< of the logarithm of a start value: a factor of three
 constexpr double nudge = 1e-5;          ///< finite difference of a parameter of order one
-constexpr double boundFirmness = 1.0;   ///< pull back to a bound, per unit beyond it
+constexpr double windowsTogether = 3.0;
+constexpr double boundFirmness = 1.0;  ///< pull back to a bound, per unit beyond it
 
 /// The nearest x within the bounds. Ceres' own bounds cost a line search with several Jacobians per step.
 Eigen::VectorXd clamped(const ParameterVector& parameters, const Eigen::VectorXd& x) {
@@ -202,7 +203,8 @@ FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>
     const Eigen::VectorXd score = window.jacobian.transpose() * window.residual;
     normal += window.jacobian.transpose() * window.jacobian;
     const Track& track = tracks[windows[w].track];
-    const double length = track.time[windows[w].last] - track.time[windows[w].first];
+    const double span = track.time[windows[w].last] - track.time[windows[w].first];
+    const double length = options.exact ? windowsTogether * span : span;  // overlapping ones hang together longer
     auto& cluster =
         clusters
             .try_emplace({windows[w].track, std::lround(std::floor(track.time[windows[w].first] / length + 1e-6))},
