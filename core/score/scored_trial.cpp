@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "diagnose/catalogue.h"
 
@@ -72,6 +73,11 @@ ScoredTrial judge(const SealedTrial& trial, const Result<Diagnosis>& diagnosis) 
   scored.floor = diagnosis->fit.floor;
   scored.named_s = diagnosis->named_s;
   scored.elapsed_s = diagnosis->elapsed_s;
+  std::set<std::string> first, final;
+  for (const std::string& name : diagnosis->firstNames) first.insert(countedAs(name));
+  for (const Finding& finding : diagnosis->findings) final.insert(countedAs(finding.effect));
+  scored.agreementKnown = true;
+  scored.agrees = first == final;
   for (const Finding& finding : diagnosis->findings) {
     scored.answer.push_back({finding.effect, finding.ambiguousWith});
     for (const Concealed& one : trial.truth) {
