@@ -20,8 +20,8 @@ constexpr double leastImprovement = 0.03;
 constexpr double clearImprovement = 0.2;
 constexpr double clearOfCurrent = 0.35;  ///< of its squared error
 constexpr double halfOfAll = 0.5;
-constexpr double surelyMore = 0.15;     ///< of the error, by the interval's lower end
-constexpr double importantPart = 0.08;  ///< of the screen's squared residual
+constexpr double surelyMore = 0.15;    ///< of the error, by the interval's lower end
+constexpr double importantPart = 0.2;  ///< of the screen's squared residual
 constexpr double materialFloors = 1.6;
 constexpr double leastShare = 0.01;  ///< of the base model's squared error
 constexpr double spreadFloors = 0.3;
@@ -148,7 +148,9 @@ class Search {
   std::vector<Pick> important(const ScreenResult& found, const FitResult& base) const {
     std::vector<Pick> picks = found.chosen;
     const bool atFloor = mean(base.windowSquares) < materialFloors * materialFloors * floor_ * floor_;
-    std::erase_if(picks, [&](const Pick& one) { return atFloor || one.gain < importantPart * found.baseSquares; });
+    // At the position's floor a current may still show something, if that is most of what there is.
+    const double least = (atFloor ? halfOfAll : importantPart) * found.baseSquares;
+    std::erase_if(picks, [least](const Pick& one) { return one.gain < least; });
     return picks;
   }
 
