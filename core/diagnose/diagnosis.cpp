@@ -18,18 +18,20 @@ namespace breakaway {
 
 namespace {
 
-/// Beyond this part of the excess error, and this many times the floor, what is left is material.
+/// Beyond this part of the excess error, and this many times what sensors and scattering friction may do, what is left
+/// is material.
 constexpr double materialShare = 0.25;
 constexpr double materialShareBesideFindings = 0.5;
 constexpr double materialFloors = 2.5;
-/// Beyond this many times the floor it needs no place of its own.
-constexpr double glaringFloors = 4.5;
-/// Windows that are so many times the floor off, and how many of them (at least five) are no accident.
+/// Friction near standstill, up to this part of the higher speeds, differs by so much from one time to the next.
+constexpr double frictionScatter = 0.01, scatterSpeed = 0.1;
+/// Windows that are so many times off, and how many of them (at least five) are no accident.
 constexpr double farOffFloors = 8.0;
 constexpr double farOffPart = 0.05;
 constexpr double leastShare = 0.03;
 constexpr double mostIsExplained = 0.5;
 constexpr double glaringShare = 0.8;
+constexpr double worseOnHeldout = 1.02;  ///< times the base model's error: what does worse is refused
 /// Of the drive's peak: a place where less is unexplained is none.
 constexpr double immaterialPart = 0.01;
 
@@ -40,8 +42,8 @@ double typicalSquare(std::vector<double> squares) {
   return mean(squares);
 }
 
-bool farOff(const std::vector<double>& squares, double floor) {
-  const double limit = std::pow(farOffFloors * floor, 2);
+bool farOff(const std::vector<double>& squares, double tolerated) {
+  const double limit = std::pow(farOffFloors * tolerated, 2);
   const auto far = std::count_if(squares.begin(), squares.end(), [limit](double one) { return one > limit; });
   return static_cast<double>(far) >= std::max(5.0, farOffPart * static_cast<double>(squares.size()));
 }
@@ -117,39 +119,35 @@ struct Rest {
   std::vector<Place> where;
 };
 
-/// Whether the rest has a place of its own that holds on held-out data, too.
-bool findPlaces(Rest& rest, const Model& best, const std::vector<Track>& seen, const Excitation& motion,
+/// The places of the rest that hold on held-out data, too.
+void findPlaces(Rest& rest, const Model& best, const std::vector<Track>& seen, const Excitation& motion,
                 std::uint64_t seed) {
   auto left = places(residualMaps(best, seen, seed), best);
   // No rig is exact to so small a part of its drive.
   std::erase_if(left, [&motion](const Place& place) {
     return place.size < immaterialPart * (place.sizeUnit == "V" ? motion.peakInput : motion.peakTorque);
   });
-  if (left.empty()) return false;
+  if (left.empty()) return;
   rest.pValue = left.front().pValue;
-  if (left.front().share < 0.1 || left.front().pValue > 0.02) return false;
+  if (left.front().share < 0.1 || left.front().pValue > 0.02) return;
   for (Place place : left) {
     place.sentence = "Not explained by any known effect. " + place.sentence;
     rest.where.push_back(std::move(place));
   }
-  return true;
 }
 
+/// `floor` is what a perfect model would show, `tolerated` the same where friction scatters.
 Rest restOf(const Diagnosis& diagnosis, const std::vector<double>& errorsBefore, const std::vector<double>& errorsAfter,
-            double floor, const std::vector<Track>& seen, const Excitation& motion, std::uint64_t seed) {
+            double floor, double tolerated) {
   Rest rest;
-  rest.pValue = diagnosis.unexplainedPValue;
   const double before = typicalSquare(errorsBefore), after = typicalSquare(errorsAfter), unit = floor * floor;
   const double least = diagnosis.findings.empty() ? materialShare : materialShareBesideFindings;
-  if (after > materialFloors * materialFloors * unit)
+  if (after > std::pow(materialFloors * tolerated, 2))
     rest.share = std::clamp((after - unit) / std::max(before - unit, 1e-300), 0.0, 1.0);
-  if (rest.share > least) {
-    const bool placed = findPlaces(rest, diagnosis.model, seen, motion, seed);
-    rest.material = placed || after > glaringFloors * glaringFloors * unit;
-  }
+  rest.material = rest.share > least;
   // Few windows, but too many and too far off for restarts at the edge of standstill.
   const double ofAll = mean(errorsAfter) / std::max(mean(errorsBefore), 1e-300);
-  if (!rest.material && ofAll > least && farOff(errorsAfter, floor)) {
+  if (!rest.material && ofAll > least && farOff(errorsAfter, tolerated)) {
     rest.material = true;
     rest.share = std::min(ofAll, 1.0);
   }
@@ -206,22 +204,31 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
     errorsAfter = errorsBefore;
   }
   const std::vector<Track>& training = prepared->training;
-  Rest rest = restOf(diagnosis, errorsBefore, errorsAfter, floor, training, prepared->seen, options.seed);
+  const double tolerated = noiseFloor(diagnosis.model, prepared->tracks, windows, options.seed,
+                                      {frictionScatter, scatterSpeed * prepared->seen.highSpeed});
+  Rest rest = restOf(diagnosis, errorsBefore, errorsAfter, floor, tolerated);
   const double fitted = 1.0 - mean(found->best.windowSquares) / std::max(mean(found->base.windowSquares), 1e-300);
   if (rest.share > materialShareBesideFindings && !diagnosis.findings.empty() &&
       std::max(explained, fitted) < mostIsExplained) {
     // What explains the smaller part of something unknown has borrowed its name.
     diagnosis.findings.clear();
     diagnosis.model = diagnosis.base;
-    const bool material = rest.material;
-    rest = restOf(diagnosis, errorsBefore, errorsBefore, floor, training, prepared->seen, options.seed);
-    rest.material = rest.material || material;
+    rest = restOf(diagnosis, errorsBefore, errorsBefore, floor, tolerated);
   }
+  diagnosis.fit =
+      scoreFit(bench, diagnosis.base, diagnosis.model, prepared->tracks, prepared->split, options, diagnosis.proof);
+  if (!diagnosis.findings.empty() && diagnosis.fit.heldoutAfter > worseOnHeldout * diagnosis.fit.heldoutBefore) {
+    // Held-out data chose nothing, but they may refuse: what makes them worse is not there.
+    diagnosis.findings.clear();
+    diagnosis.model = diagnosis.base;
+    rest = restOf(diagnosis, errorsBefore, errorsBefore, floor, tolerated);
+    diagnosis.fit =
+        scoreFit(bench, diagnosis.base, diagnosis.model, prepared->tracks, prepared->split, options, diagnosis.proof);
+  }
+  if (rest.material) findPlaces(rest, diagnosis.model, training, prepared->seen, options.seed);
   const bool outside = rest.material;
   diagnosis.unexplainedShare = rest.share;
   diagnosis.unexplainedPValue = rest.pValue;
-  diagnosis.fit =
-      scoreFit(bench, diagnosis.base, diagnosis.model, prepared->tracks, prepared->split, options, diagnosis.proof);
   if (!diagnosis.findings.empty() || outside) {
     diagnosis.where = places(residualMaps(diagnosis.base, training, options.seed), diagnosis.base);
     if (!diagnosis.findings.empty())

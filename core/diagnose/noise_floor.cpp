@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "base/statistics.h"
+#include "diagnose/effects/all.h"
 #include "diagnose/fit/motion.h"
 #include "diagnose/fit/windowed_fit.h"
+#include "diagnose/simulate/physics.h"
 #include "diagnose/simulate/simulator.h"
 
 namespace breakaway {
@@ -15,10 +17,22 @@ namespace {
 constexpr double quietPart = 0.25;   ///< of the windows: those with the smallest errors
 constexpr double clearlyLess = 0.7;  ///< of the squared error
 
+/// The model with friction near standstill as it happens to be once.
+Model scattered(Model model, const FrictionScatter& scatter, Random& random) {
+  if (scatter.relative <= 0.0) return model;
+  const double off = scatter.relative * physicsOf(model).coulomb * random.normal();
+  const std::vector<double> values{off, scatter.speed, 2.0};
+  EffectTerm term{std::string(stribeck().name()), {}};
+  const auto specs = stribeck().parameters(model.axis);
+  for (size_t k = 0; k < specs.size(); ++k) term.parameters.push_back({specs[k].name, values[k], values[k], values[k]});
+  model.effects.push_back(std::move(term));
+  return model;
+}
+
 }  // namespace
 
 double noiseFloor(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows,
-                  std::uint64_t seed) {
+                  std::uint64_t seed, const FrictionScatter& scatter) {
   const std::vector<MotionState> hidden = hiddenStates(model, tracks, windows);
   Random random(seed);
   std::vector<double> floors;
@@ -33,7 +47,7 @@ double noiseFloor(const Model& model, const std::vector<Track>& tracks, const st
     Track replay = recorded.rowsFrom(first, window.last);
     Track driven = recorded.rowsFrom(first, window.last);  // what acted, if what was recorded is a noisy measurement
     for (double& one : driven.input) one += recorded.inputNoise * random.normal();
-    Simulator rig(model, driven, 0, driven.rows() - 1);
+    Simulator rig(scattered(model, scatter, random), driven, 0, driven.rows() - 1);
     MotionState state = Simulator(model, recorded, first, window.last).restart(first, hidden[w]);
     for (size_t k = 0; k < replay.rows(); ++k) {
       const double exact = rig.shown(state.position);

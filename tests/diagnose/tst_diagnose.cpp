@@ -36,28 +36,19 @@ void TestDiagnose::coulombAsymmetry_isOneAndTheSameAsConstantLoad() {
 }
 
 void TestDiagnose::cleanRigWithNoise_lacksNothing() {
-#ifdef __SANITIZE_ADDRESS__
-  const std::vector<unsigned> seeds{1};  // many times as slow
-#else
-  const std::vector<unsigned> seeds{1, 2, 3};
-#endif
-  size_t quiet = 0;
-  for (const unsigned seed : seeds) {
+  for (const unsigned seed : {1u, 2u, 3u}) {
     const Diagnosis diagnosis = diagnosed({.seconds = 20.0, .seed = seed});
+    QCOMPARE(nameOf(diagnosis.verdict), std::string("nothing_missing"));
     QVERIFY(diagnosis.findings.empty());
+    QVERIFY(diagnosis.nextSeparates.empty());
+    QCOMPARE(diagnosis.unexplainedShare, 0.0);
     const FitScore& fit = diagnosis.fit;
     QCOMPARE(fit.heldoutAfter, fit.heldoutBefore);
     QCOMPARE(fit.improvementLow95, 0.0);
     QCOMPARE(fit.improvementHigh95, 0.0);
     // One count is 0.44 mrad.
     QVERIFY2(fit.heldoutBefore > 1e-4 && fit.heldoutBefore < 3e-3, qPrintable(QString::number(fit.heldoutBefore)));
-    if (diagnosis.verdict != Verdict::nothingMissing) continue;
-    ++quiet;
-    QVERIFY(diagnosis.nextSeparates.empty());
-    QCOMPARE(diagnosis.unexplainedShare, 0.0);
   }
-  // A breakaway scatters by 1 %; a recording in which it happens to matter may be called unexplained, but never named.
-  QVERIFY2(3 * quiet >= 2 * seeds.size(), qPrintable(QString::number(quiet)));
 }
 
 void TestDiagnose::sameSeed_givesTheSameDiagnosis() {

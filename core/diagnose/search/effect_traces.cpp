@@ -86,12 +86,13 @@ EffectTraces::EffectTraces(const Effect& effect, const std::vector<double>& p, c
   const double detached = effect.detachedInertia(p);
   for (size_t k = 0; detached != 0.0 && k < n; ++k) torque[k] -= detached * motion.at(k).acceleration;
   if (std::all_of(torque.begin(), torque.end(), [](double value) { return value == 0.0; })) torque.clear();
+  const double torquePerVolt = physics.electrical ? physics.torqueConstant / physics.resistance : 0.0;
   for (const RecordedStart& start : starts) {
     Situation at = motion.at(start.row);
     at.velocity = 0.0;
     at.direction = start.direction;
     const Term term = remembers ? Term{} : effect.term(p, at);
-    starting.push_back(term.load_Nm + start.direction * term.friction_Nm);
+    starting.push_back(term.load_Nm + start.direction * term.friction_Nm + torquePerVolt * term.voltage_V);
   }
   if (effect.shapesInput(track.drive)) {
     input = track.input;

@@ -99,6 +99,7 @@ LinearRig::LinearRig(const Model& base, const std::vector<Track>& tracks, const 
   for (const auto* set : {&stretches_, &electrical_}) {
     for (const Stretch& one : *set) samples_ += static_cast<double>(one.last - one.first + 1);
   }
+  samples_ += static_cast<double>(starts_.size());
   for (Eigen::Index c = 0; c < all.cols(); ++c) all.col(c).array() *= weights_.array();
   response_ = all.col(baseColumns);
   base_ = all.leftCols(baseColumns);
