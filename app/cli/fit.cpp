@@ -9,7 +9,7 @@
 #include "diagnose/catalogue.h"
 #include "diagnose/fit/inverse_fit.h"
 #include "diagnose/preparation.h"
-#include "diagnose/search/search.h"
+#include "diagnose/search/model_fit.h"
 
 namespace breakaway::cli {
 

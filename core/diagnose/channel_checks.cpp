@@ -34,7 +34,7 @@ std::string text(const char* format, Values... values) {
 }
 
 void sayGaps(std::vector<std::string>& out, const Track& track) {
-  const double usual = medianStep(track);
+  const double usual = track.usualStep_s;
   size_t gaps = 0;
   double longest = 0.0;
   for (size_t k = 0; k + 1 < track.rows(); ++k) {
@@ -113,13 +113,6 @@ void sayDirection(std::vector<std::string>& out, const Bench& bench, const Track
 }
 
 }  // namespace
-
-double medianStep(const Track& track) {
-  std::vector<double> steps;
-  steps.reserve(track.rows());
-  for (size_t k = 0; k + 1 < track.rows(); ++k) steps.push_back(track.time[k + 1] - track.time[k]);
-  return quantile(steps, 0.5);
-}
 
 bool isGap(double step_s, double usual_s) {
   return step_s > std::max(gapSteps * usual_s, shortestGap_s);

@@ -10,8 +10,6 @@
 
 namespace breakaway {
 
-/// The usual time from row to row, s.
-double medianStep(const Track& track);
 /// Whether a step is so much longer than the usual one that what acted meanwhile is not known.
 bool isGap(double step_s, double usual_s);
 

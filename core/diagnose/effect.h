@@ -89,6 +89,8 @@ class Effect {
   virtual Term term(std::span<const double>, const Situation&) const { return {}; }
   /// Whether it happens in one recording only, at a time of its own.
   virtual bool happensOnce() const { return false; }
+  /// Whether it grows while the axis stands still.
+  virtual bool growsAtRest() const { return false; }
   /// Whether term() loses voltage.
   virtual bool losesVoltage() const { return false; }
   /// Numbers of hidden state (temperature, the load's deflection …), at most 4; all start at 0.

@@ -67,16 +67,13 @@ void appendOverlapping(std::vector<Window>& windows, const Track& track, size_t 
 /// Before a recording's first row nothing is known, its speed least of all, and nobody knows what acted while rows are
 /// missing: windows that begin or run there tell no model's worth.
 void dropUnknown(Split& split, const std::vector<Track>& tracks) {
-  std::vector<double> usual;
-  usual.reserve(tracks.size());
-  for (const Track& track : tracks) usual.push_back(medianStep(track));
   const auto unknown = [&](const Window& window) {
     if (window.first == 0) return true;
     const Track& track = tracks[window.track];
     size_t row = window.first;
     while (row > 0 && track.time[window.first] - track.time[row - 1] < lookBack_s) --row;
     for (row -= row > 0 ? 1 : 0; row < window.last; ++row) {
-      if (isGap(track.time[row + 1] - track.time[row], usual[window.track])) return true;
+      if (isGap(track.time[row + 1] - track.time[row], track.usualStep_s)) return true;
     }
     return false;
   };
@@ -97,10 +94,12 @@ void thin(std::vector<Window>& windows, size_t rows, size_t fewest) {
   windows = std::move(kept);
 }
 
-void assignFolds(Split& split) {
+void thinTraining(Split& split) {
   thin(split.train, mostTrainRows, fewestThinned);
   thin(split.polish, 2 * mostTrainRows, 2 * fewestThinned);
+}
 
+void assignFolds(Split& split) {
   const size_t n = split.train.size();
   const size_t length = std::max<size_t>(1, n / (3 * static_cast<size_t>(folds)));
   for (size_t k = 0; k < n; ++k) split.fold.push_back(static_cast<int>(k / length) % folds);
@@ -143,6 +142,7 @@ Result<Split> splitTracks(const std::vector<Track>& tracks, size_t recordings, d
   const double needed = (static_cast<double>(fewestWindows) * fitWindow + gap_s) / 0.8;
   if (split.train.size() < fewestWindows || split.heldoutScore.size() < 2)
     return tooShort(tracks.front(), total, needed);
+  thinTraining(split);
   assignFolds(split);
   return split;
 }
@@ -156,8 +156,10 @@ Result<Split> wholeTracks(const std::vector<Track>& tracks, double window_s) {
     appendOverlapping(split.polish, tracks[k], k, 0, tracks[k].rows(), fitWindow);
     append(split.trainScore, windowsOf(tracks, k, 0, tracks[k].rows(), window_s));
   }
+  dropUnknown(split, tracks);
   if (split.train.size() < fewestWindows)
     return tooShort(tracks.front(), total, static_cast<double>(fewestWindows) * fitWindow);
+  thinTraining(split);
   assignFolds(split);
   return split;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <set>
 
 #include "base/atomic_file.h"
@@ -169,7 +170,7 @@ Result<Imported> settle(RawTable table, const ImportMap& map, const std::string&
                  "no column could be taken for the angle or position; there are: " + names + "; say which with --map"};
   }
   std::stable_partition(channels.begin(), channels.end(), [](const Channel& one) { return one.name == "time_s"; });
-  table.notes.emplace_back("imported from", path.substr(path.find_last_of('/') + 1));
+  table.notes.emplace_back("imported from", std::filesystem::path(path).filename().string());
   auto recording = Recording::seal(path, std::move(channels), std::move(table.notes));
   if (!recording) return recording.error();
   return Imported{std::move(*recording), std::move(remarks)};

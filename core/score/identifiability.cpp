@@ -8,7 +8,7 @@
 #include "diagnose/fit/windowed_fit.h"
 #include "diagnose/noise_floor.h"
 #include "diagnose/preparation.h"
-#include "diagnose/search/search.h"
+#include "diagnose/search/model_fit.h"
 #include "score/scored_trial.h"
 
 namespace breakaway {

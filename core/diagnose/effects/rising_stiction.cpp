@@ -25,6 +25,7 @@ class RisingStiction final : public Effect {
             {"time_constant_s", 0.02, 1e6},
             {speedName("velocity", axis), 1e-9, 1e9}};
   }
+  bool growsAtRest() const override { return true; }
   Term term(std::span<const double> p, const Situation& at) const override {
     const double ratio = at.velocity / p[2];
     return {0.0, p[0] * -std::expm1(-at.rest_s / p[1]) * std::exp(-ratio * ratio)};

@@ -149,6 +149,15 @@ class StopRequested final : public ceres::IterationCallback {
   std::stop_token stop_;
 };
 
+/// A step that fails is tried again: nothing to print. Set once, for fits may run side by side.
+void silenceSolver() {
+  static const bool silent = [] {
+    FLAGS_minloglevel = 3;
+    return true;
+  }();
+  static_cast<void>(silent);
+}
+
 }  // namespace
 
 FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>& tracks,
@@ -184,7 +193,7 @@ FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>
   StopRequested stopRequested(options.stop);
   solver.callbacks.push_back(&stopRequested);
   ceres::Solver::Summary summary;
-  FLAGS_minloglevel = 3;  // a step that fails is tried again: nothing to print
+  silenceSolver();
   ceres::Solve(solver, &problem, &summary);
 
   x = clamped(parameters, x);

@@ -1,5 +1,7 @@
 #include "diagnose/simulate/physics.h"
 
+#include <filesystem>
+
 #include "diagnose/catalogue.h"
 
 namespace breakaway {
@@ -36,7 +38,7 @@ Physics physicsOf(const Model& model) {
 }
 
 std::string fileNameOf(const std::string& path) {
-  return path.substr(path.find_last_of('/') + 1);
+  return std::filesystem::path(path).filename().string();
 }
 
 Result<std::vector<CompiledTerm>> termsOf(const Model& model, const std::string& recording) {

@@ -37,7 +37,7 @@ Line lineThrough(const Track& track, size_t first, size_t last) {
 
 /// Standard deviation of one reading, from third differences of rows [first, last] alone, whose variance is 20 times a
 /// reading's: what is measured later must not reach a restart.
-double readingNoise(const Track& track, size_t first, size_t last) {
+double restartNoise(const Track& track, size_t first, size_t last) {
   double squares = 0.0;
   for (size_t k = first; k + 3 <= last; ++k) {
     const double d = track.position[k + 3] - 3.0 * (track.position[k + 2] - track.position[k + 1]) - track.position[k];
@@ -104,7 +104,7 @@ MotionState Simulator::restart(size_t row, const MotionState& carried) {
   double least = 1e300;
   size_t first = row;
   while (first > 0 && track_.time[row] - track_.time[first - 1] <= horizon_) --first;
-  const double enough = 3.0 * std::max(readingNoise(track_, first, row), track_.quantisation);
+  const double enough = 3.0 * std::max(restartNoise(track_, first, row), track_.quantisation);
   for (double horizon = horizon_; horizon > 0.1 * horizon_; horizon *= 0.5) {
     double error = 0.0;
     const MotionState state = restartOver(horizon, row, carried, error);
@@ -134,7 +134,7 @@ MotionState Simulator::restartOver(double horizon_s, size_t row, const MotionSta
   const size_t early = first + std::max<size_t>(2, (row - first) / 3);
   const Line line = lineThrough(track_, first, early);
   const double length = track_.time[row] - track_.time[first];
-  const double small = std::max(readingNoise(track_, first, row), 1e-9);
+  const double small = std::max(restartNoise(track_, first, row), 1e-9);
   Eigen::Vector3d unknown(truePosition(line.position), line.slope, 0.0);  // position, velocity, load
   const Eigen::Vector3d nudge(small, small / length, physics().inertia * small / (length * length));
   const double ownLoad = physics().load;

@@ -138,6 +138,7 @@ Track Track::rowsFrom(size_t first, size_t last) const {
   out.supply_V = supply_V;
   out.drive = drive;
   out.origin_s = origin_s;
+  out.usualStep_s = usualStep_s;
   out.noise = noise;
   out.quantisation = quantisation;
   out.inputNoise = inputNoise;
@@ -163,6 +164,7 @@ Result<Track> makeTrack(const Recording& recording, Axis axis, DriveInput driveI
   const size_t rows = recording.rows();
   const auto time = recording.time();
   track.origin_s = time[0];
+  track.usualStep_s = recording.medianStep_s();
   track.time.resize(rows);
   track.position.resize(rows);
   track.seen.resize(rows);

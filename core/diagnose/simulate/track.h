@@ -34,6 +34,7 @@ struct Track {
   double supply_V = 0.0;            ///< of the bench; 0: not known
   DriveInput drive = DriveInput::torque;
   double origin_s = 0.0;      ///< time_s of the first row
+  double usualStep_s = 0.0;   ///< median time from row to row
   double noise = 0.0;         ///< standard deviation of one position reading: quantisation and what exceeds it
   double quantisation = 0.0;  ///< standard deviation of what the encoder's count hides
   double inputNoise = 0.0;    ///< the same of a measured drive current, A; 0 where the input is a command

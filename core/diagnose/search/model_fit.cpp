@@ -1,0 +1,155 @@
+#include "diagnose/search/model_fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "diagnose/catalogue.h"
+#include "diagnose/simulate/physics.h"
+
+namespace breakaway {
+
+namespace {
+
+EffectTerm termOf(const Effect& effect, Axis axis, const std::vector<double>& values) {
+  EffectTerm term{std::string(effect.name()), {}};
+  const auto specs = effect.parameters(axis);
+  for (size_t k = 0; k < specs.size(); ++k) {
+    const double value = std::clamp(values[k], specs[k].lower, specs[k].upper);
+    term.parameters.push_back({specs[k].name, value, value, value});
+  }
+  return term;
+}
+
+std::vector<double> valuesOf(const EffectTerm& term) {
+  std::vector<double> values;
+  for (const Parameter& one : term.parameters) values.push_back(one.value);
+  return values;
+}
+
+}  // namespace
+
+Model with(const SearchInput& input, const Model& model, const Pick& pick) {
+  Model out = model;
+  out.effects.push_back(termOf(*pick.effect, model.axis, pick.parameters));
+  if (pick.track != everyTrack) out.effects.back().recording = fileNameOf(input.tracks[pick.track].name);
+  return out;
+}
+
+bool plausible(const EffectTerm& term, const Excitation& seen) {
+  return findEffect(term.effect)->plausible(valuesOf(term), seen);
+}
+
+bool plausible(const Model& model, const Excitation& seen) {
+  return std::all_of(model.effects.begin(), model.effects.end(),
+                     [&seen](const EffectTerm& term) { return plausible(term, seen); });
+}
+
+Model without(const Model& model, const Effect& effect) {
+  Model out = model;
+  std::erase_if(out.effects, [&effect](const EffectTerm& term) { return term.effect == effect.name(); });
+  return out;
+}
+
+bool remembers(const Model& model) {
+  return std::any_of(model.effects.begin(), model.effects.end(),
+                     [](const EffectTerm& term) { return findEffect(term.effect)->memory() > 0; });
+}
+
+ParameterVector vectorOf(const SearchInput& input, const Model& model) {
+  return {model, input.held, std::max(input.seen.peakTorque, 1e-12), std::max(input.seen.highSpeed, 1e-9)};
+}
+
+Model withScreenedBase(const SearchInput& input, Model model, const Eigen::VectorXd& coefficients) {
+  const Physics physics = physicsOf(model);
+  const MotorNames& names = motorNames(model.axis);
+  const double hanging = model.pendulum ? pendulumInertia(*model.pendulum) : 0.0;
+  const double emf = physics.electrical ? physics.torqueConstant * physics.backEmf / physics.resistance : 0.0;
+  // The linear rig's back-EMF doesn't lag behind the inductance: J comes out smaller by that.
+  const double late = physics.electrical ? physics.inductance / physics.resistance * emf : 0.0;
+  // Where gravity is known, it tells the drive's scale.
+  const double scale = physics.gravity > 0.0 ? std::hypot(coefficients[3], coefficients[4]) / physics.gravity : 1.0;
+  const char* drive = physics.electrical ? names.resistance : names.torqueConstant;
+  const double driveValue = physics.electrical ? physics.resistance * scale : physics.torqueConstant / scale;
+  const std::array<std::pair<const char*, double>, 4> found{{{names.inertia, coefficients[0] / scale - hanging + late},
+                                                             {names.viscous, coefficients[1] / scale - emf / scale},
+                                                             {names.coulomb, coefficients[2] / scale},
+                                                             {drive, driveValue}}};
+  for (const auto& [name, value] : found) {
+    if (!(value > 0.0) || std::find(input.held.begin(), input.held.end(), name) != input.held.end()) continue;
+    for (Parameter& one : model.base) {
+      if (one.name == name) one.value = value;
+    }
+  }
+  return model;
+}
+
+std::vector<Model> variantsOf(const Model& model) {
+  std::vector<Model> variants;
+  for (size_t e = 0; e < model.effects.size(); ++e) {
+    const Effect& effect = *findEffect(model.effects[e].effect);
+    for (const auto& variant : effect.variants(valuesOf(model.effects[e]))) {
+      variants.push_back(model);
+      variants.back().effects[e] = termOf(effect, model.axis, variant);
+      variants.back().effects[e].recording = model.effects[e].recording;
+    }
+  }
+  return variants;
+}
+
+FitResult fitModel(const SearchInput& input, const Model& model, int iterations) {
+  if (remembers(model)) iterations = std::min(iterations, 5);  // each takes several times as long
+  return fitWindows(
+      vectorOf(input, model), input.tracks, input.split.train,
+      {.iterations = iterations, .tolerance = 1e-3, .windowWeights = input.windowWeights, .stop = input.stop});
+}
+
+Model fitShort(const SearchInput& input, const Model& model, double tolerance) {
+  return fitWindows(vectorOf(input, model), input.tracks, input.split.trainScore,
+                    {.iterations = 8, .tolerance = tolerance, .windowWeights = {}, .stop = input.stop})
+      .model;
+}
+
+FitResult fitBase(const SearchInput& input, const std::vector<Model>& starts) {
+  FitResult best;
+  for (const Model& start : starts) {
+    FitResult fit = fitModel(input, start, 8);
+    if (best.windows.empty() || (fit.usable && fit.rmse < best.rmse)) best = std::move(fit);
+  }
+  return best;
+}
+
+FitResult polishModel(const SearchInput& input, const Model& model, const std::vector<double>& windowWeights) {
+  if (remembers(model)) return fitModel(input, model, 4);
+  return fitWindows(vectorOf(input, model), input.tracks, input.split.polish,
+                    {.iterations = 6, .exact = true, .windowWeights = windowWeights, .stop = input.stop});
+}
+
+Result<FitResult> fitNamed(const SearchInput& input, const std::vector<Model>& starts,
+                           const std::vector<std::string>& names) {
+  FitResult fit = fitModel(input, fitBase(input, starts).model);
+  if (!names.empty()) {
+    std::vector<const Effect*> effects;
+    effects.reserve(names.size());
+    for (const std::string& name : names) effects.push_back(findEffect(name));
+    Model model = fit.model;
+    std::vector<Pick> picks;
+    const LinearRig rig(model, input.tracks, input.split.train);
+    for (const Effect* effect : effects) {
+      const Screen screen(rig, {effect}, input.seen, input.split.fold, folds, input.seed);
+      picks.push_back(screen.best(*effect, picks));
+      if (picks.back().parameters.empty()) {
+        return Error{input.tracks.front().name, "can't show the effect " + std::string(effect->name()) + ": " +
+                                                    effect->neededExcitation(input.seen)};
+      }
+      model = with(input, model, picks.back());
+    }
+    fit = fitModel(input, fitShort(input, model, 1e-4));
+  }
+  fit = polishModel(input, fit.model);
+  if (!fit.usable)
+    return Error{input.tracks.front().name, "can't be fitted: the search for the best parameters came to no end"};
+  return fit;
+}
+
+}  // namespace breakaway

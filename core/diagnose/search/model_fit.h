@@ -1,0 +1,63 @@
+// Models with and without effects, and their fits to the training windows.
+#pragma once
+
+#include <functional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "diagnose/fit/windowed_fit.h"
+#include "diagnose/search/screen.h"
+#include "diagnose/split.h"
+
+namespace breakaway {
+
+/// What a search runs on.
+struct SearchInput {
+  const std::vector<Track>& tracks;
+  const Split& split;
+  std::vector<std::string> held;  ///< base parameters that are trusted
+  Excitation seen;
+  std::uint64_t seed = 1;
+  std::stop_token stop;
+  std::function<void(double, const std::string&)> progress;
+  std::function<void(const std::vector<Pick>&)> named;  ///< called once the screen has its names
+  std::vector<double> windowWeights;                    ///< of split.train; empty: all 1
+};
+
+Model with(const SearchInput& input, const Model& model, const Pick& pick);
+Model without(const Model& model, const Effect& effect);
+
+/// The model with the screen's base parameters (LinearRig's order), where they make sense.
+Model withScreenedBase(const SearchInput& input, Model model, const Eigen::VectorXd& coefficients);
+
+/// The model with one effect at a time at another variant.
+std::vector<Model> variantsOf(const Model& model);
+
+/// Whether an effect, or every one of a model, is of a sign and size that it can have.
+bool plausible(const EffectTerm& term, const Excitation& seen);
+bool plausible(const Model& model, const Excitation& seen);
+
+/// Whether effects of the model carry hidden states, so that a fit has to simulate each parameter's change.
+bool remembers(const Model& model);
+
+ParameterVector vectorOf(const SearchInput& input, const Model& model);
+
+/// A fit of `model` to the training windows.
+FitResult fitModel(const SearchInput& input, const Model& model, int iterations = 20);
+
+/// In long windows a wrong start of a wave is a valley away from the right one: a fit to short windows.
+Model fitShort(const SearchInput& input, const Model& model, double tolerance = 1e-3);
+
+/// The base model: the best of the fits from each start.
+FitResult fitBase(const SearchInput& input, const std::vector<Model>& starts);
+
+/// The last refinement, on the overlapping windows.
+FitResult polishModel(const SearchInput& input, const Model& model, const std::vector<double>& windowWeights = {});
+
+/// The effects named, each at its best shape by the screen, fitted together with the base.
+Result<FitResult> fitNamed(const SearchInput& input, const std::vector<Model>& starts,
+                           const std::vector<std::string>& names);
+
+}  // namespace breakaway

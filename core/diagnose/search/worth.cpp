@@ -1,0 +1,68 @@
+#include "diagnose/search/worth.h"
+
+#include <algorithm>
+
+#include "base/statistics.h"
+#include "diagnose/catalogue.h"
+#include "diagnose/fit/cross_validation.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr double leastImprovement = 0.03;
+constexpr double clearOfCurrent = 0.35;  ///< of its squared error
+constexpr double baseFloors = 1.6;       ///< a base model that errs by less lacks nothing that its position shows
+constexpr double leastShare = 0.01;      ///< of the base model's squared error
+constexpr double spreadFloors = 0.3;
+constexpr double fewWindowsFloors = 4.0;
+constexpr double leastFloors = 0.8;  ///< of the squared floor
+
+}  // namespace
+
+Worth::Worth(const SearchInput& input, const FitResult& base, double floor)
+    : input_(input), unit_(base.weights), base_(mean(base.windowSquares)), floor_(floor) {
+}
+
+std::vector<double> Worth::validated(const FitResult& fit) const {
+  return crossValidated(fit, vectorOf(input_, fit.model), input_.tracks, input_.split.train, input_.windowWeights,
+                        input_.split.fold, folds, unit_);
+}
+
+double Worth::chance(const std::vector<double>& before, const std::vector<double>& after) const {
+  return std::min(1.0, static_cast<double>(catalogue().size()) * signFlipPValue(before, after, input_.seed));
+}
+
+bool Worth::helps(const FitResult& without, const FitResult& with) const {
+  if (!with.usable || !plausible(with.model, input_.seen)) return false;
+  const Comparison gain = compare(validated(without), validated(with), input_.seed);
+  const bool everywhere = gain.relative > leastImprovement && gain.interval.low > 0.0;
+  return everywhere || gain.relative > clearGain || mean(with.windowSquares) < 0.5 * mean(without.windowSquares);
+}
+
+bool Worth::material(const FitResult& without, const FitResult& with) const {
+  std::vector<double> gains(with.windowSquares.size());
+  for (size_t k = 0; k < gains.size(); ++k) gains[k] = without.windowSquares[k] - with.windowSquares[k];
+  const double back = mean(gains), unit = floor_ * floor_;
+  std::sort(gains.begin(), gains.end());
+  gains.resize(gains.size() - gains.size() / 10);
+  // What few windows rule has to be larger: single windows err by more than sensors explain.
+  const bool spread = mean(gains) > spreadFloors * unit || back > fewWindowsFloors * unit;
+  const bool seen = !baseAtFloor();
+  const bool position = seen && spread && back > leastFloors * unit && back > leastShare * base_;
+  double noise = 0.0;
+  for (const Track& track : input_.tracks) noise = std::max(noise, track.currentNoise);
+  const double currentBack = without.currentSquares - with.currentSquares;
+  return position ||
+         (currentBack > clearOfCurrent * without.currentSquares && currentBack > leastFloors * noise * noise);
+}
+
+bool Worth::baseAtFloor() const {
+  return base_ < baseFloors * baseFloors * floor_ * floor_;
+}
+
+double Worth::floors(const FitResult& fit) const {
+  return mean(fit.windowSquares) / (floor_ * floor_);
+}
+
+}  // namespace breakaway

@@ -1,0 +1,41 @@
+// What an effect is worth: the error that it takes away from windows that its fit did not see.
+#pragma once
+
+#include <vector>
+
+#include "diagnose/search/model_fit.h"
+
+namespace breakaway {
+
+/// Judges fits of a search against one base model.
+class Worth {
+ public:
+  /// `floor`: rms error of a perfect model, rad or m.
+  Worth(const SearchInput& input, const FitResult& base, double floor);
+
+  /// Weighted squared error of each training window under the fit that the other folds would give.
+  std::vector<double> validated(const FitResult& fit) const;
+  /// Probability, for the whole catalogue, that chance alone gives such a gain.
+  double chance(const std::vector<double>& before, const std::vector<double>& after) const;
+  /// Whether the effect takes away error: of windows that a fit did not see, or, for what happens in few windows only,
+  /// at least half of all.
+  bool helps(const FitResult& without, const FitResult& with) const;
+  /// Whether what the effect takes away would be missed beside what the sensors do.
+  bool material(const FitResult& without, const FitResult& with) const;
+  /// Whether the base model errs by hardly more than a perfect one.
+  bool baseAtFloor() const;
+  /// The mean square error of a fit in units of a perfect model's.
+  double floors(const FitResult& fit) const;
+
+ private:
+  const SearchInput& input_;
+  Weights unit_;       ///< of errors: what the base model leaves
+  double base_ = 0.0;  ///< its mean square error
+  double floor_ = 0.0;
+};
+
+/// Gains by which an effect is called clear, and sure.
+constexpr double clearGain = 0.2;
+constexpr double sureGain = 0.15;  ///< by the interval's lower end
+
+}  // namespace breakaway
