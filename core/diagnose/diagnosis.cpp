@@ -32,6 +32,7 @@ constexpr double leastShare = 0.03;
 constexpr double mostIsExplained = 0.5;
 constexpr double glaringShare = 0.8;
 constexpr double worseOnHeldout = 1.02;  ///< times the base model's error: what does worse is refused
+constexpr double leastFall = 0.98;       ///< of the error over the training windows: less is none
 /// Of the drive's peak: a place where less is unexplained is none.
 constexpr double immaterialPart = 0.01;
 
@@ -217,8 +218,11 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   }
   diagnosis.fit =
       scoreFit(bench, diagnosis.base, diagnosis.model, prepared->tracks, prepared->split, options, diagnosis.proof);
-  if (!diagnosis.findings.empty() && diagnosis.fit.heldoutAfter > worseOnHeldout * diagnosis.fit.heldoutBefore) {
-    // Held-out data chose nothing, but they may refuse: what makes them worse is not there.
+  // Held-out data chose nothing, but they may refuse: what makes them worse is not there, unless it is all that the
+  // training data show, as a push in one recording is.
+  const bool refused = diagnosis.fit.heldoutAfter > worseOnHeldout * diagnosis.fit.heldoutBefore && ofAll < glaringShare;
+  const bool idle = !currentToo && diagnosis.fit.trainAfter > leastFall * diagnosis.fit.trainBefore;
+  if (!diagnosis.findings.empty() && (refused || idle)) {
     diagnosis.findings.clear();
     diagnosis.model = diagnosis.base;
     rest = restOf(diagnosis, errorsBefore, errorsBefore, floor, tolerated);

@@ -39,7 +39,8 @@ struct ParameterSpec {
   std::string name;
   double lower;
   double upper;
-  bool held = false;  ///< chosen by the search and then kept, such as an order
+  bool held = false;           ///< chosen by the search and then kept, such as an order
+  bool freeInTheEnd = false;  ///< but fitted with the last refinement
 };
 
 /// What the search needs to know of the data to offer shapes: ranges seen in the recordings.
@@ -114,6 +115,8 @@ class Effect {
   virtual double shown(std::span<const double>, double position) const { return position; }
   /// What the current sensor shows, given the true current and its slope in A/s.
   virtual double sensed(std::span<const double>, double current, double /*slope*/) const { return current; }
+  /// How much later the current sensor shows what flows, s; sensed() has it to the first order.
+  virtual double sensorLag_s(std::span<const double>) const { return 0.0; }
 
   // What the search asks.
 

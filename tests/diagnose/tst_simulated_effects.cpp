@@ -52,7 +52,7 @@ double rmsDifference(std::span<const double> a, std::span<const double> b) {
 /// The servo with one effect that its drives reach: at its typical size, or where those lie outside the short motion.
 Model withOne(const Effect& effect) {
   const std::map<std::string_view, std::vector<double>> within{{"command_saturation", {0.25, 15.0}},
-                                                               {"end_stop", {0.05, 0.2, 1.0}},
+                                                               {"end_stop", {0.05, 0.2, 1.0, 1e-4}},
                                                                {"external_disturbance", {0.004, 0.4, 1.1}}};
   const auto it = within.find(effect.name());
   Model model = servoModel(DriveInput::voltage);

@@ -232,7 +232,7 @@ void TestStepperEffects::endStop_throwsBackWithoutLoss() {
   p.coulomb = p.viscous = 0.0;
   for (const double side : {1.0, -1.0}) {
     const double K = 2.0, start = 0.1 * side, speed = 5.0 * side;
-    Stepper stepper(p, {compiled("end_stop", {K, start, side})});
+    Stepper stepper(p, {compiled("end_stop", {K, start, side, 0.0})});
     MotionState state{0.0, speed, 0.0};
     double furthest = 0.0;
     runAlong(

@@ -22,6 +22,7 @@ class ChannelSkew final : public Effect {
   double sensed(std::span<const double> p, double current, double slope) const override {
     return current - p[0] * slope;
   }
+  double sensorLag_s(std::span<const double> p) const override { return p[0]; }
   bool shapesInput(DriveInput input) const override { return input == DriveInput::current; }
   void shapeInput(std::span<const double> p, std::span<const double> time_s, std::span<double> input) const override {
     if (input.size() < 2) return;
@@ -39,10 +40,12 @@ class ChannelSkew final : public Effect {
     if (seen.electrical && seen.currentSeen) return {Shape{{seen.step_s}}};
     if (!seen.currentDrive) return {};
     std::vector<Shape> shapes;
-    for (const double rows : {1.0, 3.0, 8.0, -1.0, -3.0, -8.0}) shapes.push_back({{rows * seen.step_s}});
+    for (const double rows : {1.0, 3.0, 8.0}) shapes.push_back({{rows * seen.step_s}});
     return shapes;
   }
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
+    // A current that drives and is recorded before it acts is a delay by another name.
+    if (seen.currentDrive && p[0] <= 0.0) return false;
     return std::abs(p[0]) < std::min(0.1, 30.0 * seen.step_s);
   }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {

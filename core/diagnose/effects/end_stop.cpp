@@ -12,18 +12,20 @@ namespace {
 class EndStop final : public Effect {
  public:
   std::string_view name() const override { return "end_stop"; }
-  std::string_view formula() const override { return "load = σ k · max(0, σ (θ − θ₀)),  σ = ±1 the side"; }
+  std::string_view formula() const override { return "load = σ · max(0, k σ (θ − θ₀) + c σ ω) beyond θ₀,  σ = ±1 the side"; }
   std::string_view source() const override {
     return "K. H. Hunt, F. R. E. Crossley, 'Coefficient of restitution interpreted as damping in vibroimpact', J. "
-           "Applied Mechanics 42(2), 1975: the contact spring, here linear and without loss";
+           "Applied Mechanics 42(2), 1975: contact with a spring and a loss, here both linear";
   }
   std::vector<ParameterSpec> parameters(Axis axis) const override {
     return {{stiffnessName("stiffness", axis), -1e12, 1e12},
             {positionName("start", axis), -1e9, 1e9},
-            {"side", -1, 1, true}};
+            {"side", -1, 1, true},
+            {viscousName("damping", axis), 0.0, 1e12}};
   }
   Term term(std::span<const double> p, const Situation& at) const override {
-    return {.load_Nm = p[2] * p[0] * std::max(0.0, p[2] * (at.position - p[1]))};
+    const double depth = p[2] * (at.position - p[1]);
+    return {.load_Nm = depth > 0.0 ? p[2] * std::max(0.0, p[0] * depth + p[3] * p[2] * at.velocity) : 0.0};
   }
   double longestStep_s(std::span<const double>) const override { return 5e-4; }
   std::vector<Shape> shapes(const Excitation& seen) const override {
@@ -33,7 +35,7 @@ class EndStop final : public Effect {
       const double end = side > 0.0 ? seen.highest : seen.lowest;
       for (const double share : {0.1, 0.06, 0.035, 0.02, 0.012, 0.007, 0.004, 0.002}) {
         const double depth = share * seen.travel;
-        if (depth > 2.0 * seen.count) shapes.push_back({{0.5 * seen.peakTorque / depth, end - side * depth, side}});
+        if (depth > 2.0 * seen.count) shapes.push_back({{0.5 * seen.peakTorque / depth, end - side * depth, side, 0.0}});
       }
     }
     return shapes;

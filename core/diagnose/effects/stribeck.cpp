@@ -25,7 +25,7 @@ class Stribeck final : public Effect {
   std::vector<ParameterSpec> parameters(Axis axis) const override {
     return {{torqueName("excess", axis), -1e9, 1e9},
             {speedName("velocity", axis), 1e-9, 1e9},
-            {"exponent", 0.5, 3.0, true}};
+            {"exponent", 0.5, 3.0, true, true}};
   }
   Term term(std::span<const double> p, const Situation& at) const override {
     return {0.0, p[0] * decay(at.velocity, p[1], p[2])};

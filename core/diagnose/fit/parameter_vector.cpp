@@ -23,7 +23,7 @@ double typicalSize(const std::string& name, double torqueSize, double speedSize)
 }
 
 ParameterVector::ParameterVector(const Model& model, const std::vector<std::string>& held, double torqueSize,
-                                 double speedSize)
+                                 double speedSize, bool last)
     : model_(model) {
   const MotorNames& names = motorNames(model.axis);
   const auto isHeld = [&held](const std::string& name) {
@@ -52,11 +52,12 @@ ParameterVector::ParameterVector(const Model& model, const std::vector<std::stri
     const Effect* effect = findEffect(model_.effects[e].effect);
     const auto specs = effect->parameters(model_.axis);
     for (size_t k = 0; k < specs.size(); ++k) {
-      if (specs[k].held) continue;
+      if (specs[k].held && !(last && specs[k].freeInTheEnd)) continue;
       Slot slot{specs[k].name, e + 1, k};
       const double value = model_.effects[e].parameters[k].value;
       if (specs[k].lower > 0.0 && value > 0.0) {
         slot.logarithmic = true;
+        slot.bounded = specs[k].freeInTheEnd;
         slot.lower = std::max(std::log(specs[k].lower), std::log(value) - 4.0);
         slot.upper = std::min(std::log(specs[k].upper), std::log(value) + 4.0);
         // A speed at which something changes lies well within the speeds that were run.
@@ -114,8 +115,9 @@ Model ParameterVector::withIntervals(const Eigen::VectorXd& x, const Eigen::Matr
     const Slot& slot = slots_[static_cast<size_t>(k)];
     const double half = covariance.size() > 0 ? 1.959964 * std::sqrt(std::max(0.0, covariance(k, k))) : 0.0;
     if (slot.logarithmic) {
-      place(parameter(model, slot), std::exp(x[k]), std::exp(x[k] - std::min(half, 7.0)),
-            std::exp(x[k] + std::min(half, 7.0)));
+      const double low = x[k] - std::min(half, 7.0), high = x[k] + std::min(half, 7.0);
+      place(parameter(model, slot), std::exp(x[k]), std::exp(slot.bounded ? std::max(low, slot.lower) : low),
+            std::exp(slot.bounded ? std::min(high, slot.upper) : high));
     } else {
       place(parameter(model, slot), x[k] * slot.scale, (x[k] - half) * slot.scale, (x[k] + half) * slot.scale);
     }

@@ -17,7 +17,8 @@ class ParameterVector {
   /// All parameters of `model` except those that `held` names and those their effect holds. The back-EMF constant keeps
   /// its ratio to the torque constant unless either is held. `torqueSize` and `speedSize` are typical for the
   /// recordings.
-  ParameterVector(const Model& model, const std::vector<std::string>& held, double torqueSize, double speedSize);
+  ParameterVector(const Model& model, const std::vector<std::string>& held, double torqueSize, double speedSize,
+                  bool last = false);
 
   Eigen::Index size() const { return static_cast<Eigen::Index>(slots_.size()); }
   Eigen::VectorXd start() const;
@@ -40,6 +41,7 @@ class ParameterVector {
     size_t effect = 0;  ///< index of the effect plus one; 0: base
     size_t index = 0;
     bool logarithmic = false;
+    bool bounded = false;  ///< the interval, too
     double scale = 1.0;
     double lower = -1e300;
     double upper = 1e300;

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace breakaway {
 
@@ -10,10 +11,24 @@ namespace {
 
 constexpr double leastRise_per_s = 1.0;  ///< of the drive before a start, relative
 
-/// Slope of the current between two rows of a run, A/s.
-double currentSlope(const std::vector<MotionState>& states, const Track& track, size_t first, size_t k) {
-  if (k == 0) return 0.0;
-  return (states[k].current - states[k - 1].current) / (track.time[first + k] - track.time[first + k - 1]);
+/// What the sensor shows of a run's currents at its row k, A; nothing while a late one still shows what was before.
+/// Between two rows the current goes towards what the voltage settles at.
+std::optional<double> sensedAt(const Simulator& simulator, const std::vector<double>& currents, const Track& track,
+                               size_t first, size_t k) {
+  const double lag = simulator.sensorLag_s();
+  const double* time = track.time.data() + first;
+  if (lag <= 0.0) {
+    const double slope = lag == 0.0 ? 0.0 : (currents[k] - currents[k - 1]) / (time[k] - time[k - 1]);
+    return simulator.sensed(currents[k], slope);
+  }
+  const double t = time[k] - lag;
+  if (t < time[0]) return std::nullopt;
+  while (time[k] > t) --k;
+  const double dt = time[k + 1] - time[k], rest = t - time[k];
+  const Physics& p = simulator.physics();
+  const double rate = p.inductance > 0.0 ? p.resistance / p.inductance : 0.0;
+  const double part = rate > 0.0 ? std::expm1(-rest * rate) / std::expm1(-dt * rate) : 0.0;
+  return simulator.sensed(currents[k] + part * (currents[k + 1] - currents[k]), 0.0);
 }
 
 }  // namespace
@@ -33,16 +48,17 @@ bool WindowResidual::useCurrent(size_t row) const {
 void WindowResidual::simulate(Simulator& simulator, MotionState state, Eigen::VectorXd& out,
                               std::vector<MotionState>* keep) const {
   Eigen::Index position = 0, current = positions_;
-  double before = state.current;
+  std::vector<double> currents;
+  if (currents_ > 0) currents.reserve(window_.last - window_.first + 1);
   for (size_t k = window_.first;; ++k) {
     if (keep != nullptr) keep->push_back(state);
     if (track_.seen[k]) out[position++] = weights_.position * (simulator.shown(state.position) - track_.position[k]);
+    if (currents_ > 0) currents.push_back(state.current);
     if (currents_ > 0 && k > window_.first && useCurrent(k)) {
-      const double slope = (state.current - before) / (track_.time[k] - track_.time[k - 1]);
-      out[current++] = weights_.current * (simulator.sensed(state.current, slope) - track_.current[k]);
+      const auto shown = sensedAt(simulator, currents, track_, window_.first, k - window_.first);
+      out[current++] = shown ? weights_.current * (*shown - track_.current[k]) : 0.0;
     }
     if (k == window_.last) break;
-    before = state.current;
     simulator.run(state, k, k + 1);
   }
 }
@@ -239,6 +255,8 @@ Eigen::VectorXd WindowResidual::linearColumn(const Model& variant, double step, 
   Eigen::VectorXd change = respond(0.0, 0.0, &torque, &current);
   if (!sameTerms && !simulator.stepper().terms().empty()) {  // what sensors show changes at once
     Eigen::Index at = 0, currentAt = positions_;
+    std::vector<double> currents;
+    for (const MotionState& state : states_) currents.push_back(state.current);
     for (size_t k = 0; k < states_.size(); ++k) {
       const MotionState& state = states_[k];
       if (track_.seen[window_.first + k]) {
@@ -246,9 +264,9 @@ Eigen::VectorXd WindowResidual::linearColumn(const Model& variant, double step, 
         change[at++] += weights_.position * more / step;
       }
       if (currents_ > 0 && k > 0 && useCurrent(window_.first + k)) {
-        const double slope = currentSlope(states_, track_, window_.first, k);
-        const double more = simulator.sensed(state.current, slope) - simulator_->sensed(state.current, slope);
-        change[currentAt++] += weights_.current * more / step;
+        const auto now = sensedAt(*simulator_, currents, track_, window_.first, k),
+                   moved = sensedAt(simulator, currents, track_, window_.first, k);
+        change[currentAt++] += now && moved ? weights_.current * (*moved - *now) / step : 0.0;
       }
     }
   }

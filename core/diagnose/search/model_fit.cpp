@@ -56,8 +56,8 @@ bool remembers(const Model& model) {
                      [](const EffectTerm& term) { return findEffect(term.effect)->memory() > 0; });
 }
 
-ParameterVector vectorOf(const SearchInput& input, const Model& model) {
-  return {model, input.held, std::max(input.seen.peakTorque, 1e-12), std::max(input.seen.highSpeed, 1e-9)};
+ParameterVector vectorOf(const SearchInput& input, const Model& model, bool last) {
+  return {model, input.held, std::max(input.seen.peakTorque, 1e-12), std::max(input.seen.highSpeed, 1e-9), last};
 }
 
 Model withScreenedBase(const SearchInput& input, Model model, const Eigen::VectorXd& coefficients) {
@@ -121,7 +121,7 @@ FitResult fitBase(const SearchInput& input, const std::vector<Model>& starts) {
 
 FitResult polishModel(const SearchInput& input, const Model& model, const std::vector<double>& windowWeights) {
   if (remembers(model)) return fitModel(input, model, 4);
-  return fitWindows(vectorOf(input, model), input.tracks, input.split.polish,
+  return fitWindows(vectorOf(input, model, true), input.tracks, input.split.polish,
                     {.iterations = 6, .exact = true, .windowWeights = windowWeights, .stop = input.stop});
 }
 

@@ -42,7 +42,8 @@ bool plausible(const Model& model, const Excitation& seen);
 /// Whether effects of the model carry hidden states, so that a fit has to simulate each parameter's change.
 bool remembers(const Model& model);
 
-ParameterVector vectorOf(const SearchInput& input, const Model& model);
+/// What a fit may change; `last`: also what is held before.
+ParameterVector vectorOf(const SearchInput& input, const Model& model, bool last = false);
 
 /// A fit of `model` to the training windows.
 FitResult fitModel(const SearchInput& input, const Model& model, int iterations = 20);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "diagnose/catalogue.h"
 #include "diagnose/fit/cross_validation.h"
@@ -36,6 +37,16 @@ bool vanishes(const Model& model, const Effect& effect) {
   return true;
 }
 
+/// An axis has one load side: of effects that each bring one along, the most important stays.
+std::vector<Pick> withOneLoad(std::vector<Pick> picks) {
+  bool loaded = false;
+  std::erase_if(picks, [&loaded](const Pick& one) {
+    if (one.effect->detachedInertia(one.parameters) == 0.0) return false;
+    return std::exchange(loaded, true);
+  });
+  return picks;
+}
+
 /// The largest gain first.
 void sortByGain(std::vector<Pick>& picks) {
   std::stable_sort(picks.begin(), picks.end(), [](const Pick& a, const Pick& b) { return a.gain > b.gain; });
@@ -63,7 +74,7 @@ class Search {
     if (input_.named) input_.named(important(found));
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
     say(0.35, "simulating what was found");
-    adopt(result, screen, found.chosen);
+    adopt(result, screen, withOneLoad(found.chosen));
     for (const Pick& pick : result.chosen.empty() ? bestAlone(screen) : std::vector<Pick>{}) {
       if (result.chosen.empty()) adopt(result, screen, {pick});
     }
@@ -173,7 +184,8 @@ class Search {
     const Model start = withPicks(result, screen, picks);
     FitResult fit = fitFresh(start);
     if (fit.usable && mean(fit.windowSquares) < 0.6 * mean(result.base.windowSquares)) return fit;
-    std::vector<Model> starts = variantsOf(start);
+    // Hidden states are slow to fit: several effects at once get one more start only.
+    std::vector<Model> starts = picks.size() > 1 && remembers(start) ? std::vector<Model>{} : variantsOf(start);
     starts.push_back(fitShort(input_, start));
     for (const Model& other : starts) {
       FitResult slow = fitFresh(other);

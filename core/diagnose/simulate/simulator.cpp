@@ -86,6 +86,12 @@ double Simulator::sensed(double current, double slope) const {
   return current;
 }
 
+double Simulator::sensorLag_s() const {
+  double lag = 0.0;
+  for (const CompiledTerm& term : stepper_.terms()) lag += term.effect->sensorLag_s(term.parameters);
+  return lag;
+}
+
 double Simulator::settledCurrent(size_t row, double velocity) const {
   if (!physics().electrical || !track_.connected[row]) return 0.0;
   return (input(row) - physics().backEmf * velocity) / physics().resistance;

@@ -38,6 +38,8 @@ class Simulator {
   double truePosition(double shown) const;
   /// What the current sensor shows.
   double sensed(double current, double slope) const;
+  /// How much later than it flows the sensor shows a current, s; with the run at hand better than by `slope` above.
+  double sensorLag_s() const;
 
  private:
   /// The observer over one horizon; `error` is what it leaves of the measured positions, rms.
