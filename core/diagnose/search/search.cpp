@@ -268,62 +268,90 @@ class Search {
     }
   }
 
+  /// Effects that the screen finds nearly as good as the chosen one, beside the other chosen ones.
+  std::vector<Pick> nearlyAsGood(const SearchResult& result, const Screen& screen, size_t k) const {
+    std::vector<Pick> others, candidates;
+    for (size_t j = 0; j < result.chosen.size(); ++j) {
+      if (j != k) others.push_back(screen.best(*result.chosen[j].effect, others));
+    }
+    std::erase_if(others, [](const Pick& one) { return one.parameters.empty(); });
+    const double own = screen.best(*result.chosen[k].effect, others).gain;
+    const auto alike = result.chosen[k].effect->lookAlikes();
+    for (const Effect* effect : catalogue()) {
+      if (contains(result.chosen, effect)) continue;
+      Pick pick = screen.best(*effect, others);
+      const bool listed = std::find(alike.begin(), alike.end(), effect->name()) != alike.end();
+      if (pick.parameters.empty() || pick.gain < (listed ? 0.7 : 0.8) * own) continue;
+      candidates.push_back(std::move(pick));
+    }
+    sortByGain(candidates);
+    if (candidates.size() > mostRivals) candidates.resize(mostRivals);
+    return candidates;
+  }
+
+  /// Tries a rival in the place of a chosen effect; `best` are the validated errors of the best model.
+  void tryInPlace(SearchResult& result, size_t k, const Pick& rival, std::vector<double>& best) const {
+    Chosen& chosen = result.chosen[k];
+    FitResult fit = fitFresh(with(input_, left_[k].model, rival));
+    if (!fit.usable || !plausible(fit.model, input_.seen)) return;
+    const auto errors = worth_->validated(fit);
+    if (!std::isfinite(mean(errors))) return;
+    const Comparison ahead = compare(errors, best, input_.seed);
+    // Skewed errors hide a clear difference from the t-value: the sign-flip test sees it.
+    const bool clearlyWorse = (ahead.relative > 0.25 && signFlipPValue(errors, best, input_.seed) <= 0.02) ||
+                              (ahead.relative > 0.5 && quantile(errors, 0.5) > 1.5 * quantile(best, 0.5));
+    const bool better = ahead.inErrors < -2.0 && mean(errors) < 0.9 * mean(best);
+    if (!better && (ahead.inErrors >= 2.0 || clearlyWorse)) return;
+    // A push at a time of its own explains whatever happened then: physics that does as well is the better name.
+    const bool physics = chosen.effect->happensOnce() && !rival.effect->happensOnce();
+    if (!better && !physics) {
+      chosen.rivals.push_back(rival.effect);
+      return;
+    }
+    if (better) {
+      chosen.marginal = std::max(0.0, mean(left_[k].windowSquares) - mean(fit.windowSquares));
+      chosen.rivals.clear();
+    } else {
+      chosen.rivals.push_back(chosen.effect);
+    }
+    chosen.effect = rival.effect;
+    result.best = std::move(fit);
+    best = errors;
+  }
+
+  /// Beside other findings a name may rest on how they were chosen: a look-alike that does as well alone is a rival.
+  void weighAlone(SearchResult& result, const Screen& screen) const {
+    Chosen& first = result.chosen.front();
+    const auto aloneWith = [&](const Effect& effect) {
+      const Pick pick = screen.best(effect, {});
+      return pick.parameters.empty() ? FitResult{} : fitSet(result, screen, {pick});
+    };
+    std::optional<FitResult> own;
+    for (const std::string_view name : first.effect->lookAlikes()) {
+      const Effect* alike = findEffect(name);
+      const bool known = std::find(first.rivals.begin(), first.rivals.end(), alike) != first.rivals.end();
+      if (known || contains(result.chosen, alike) || alike->memory() > 0) continue;
+      if (!own) own = aloneWith(*first.effect);
+      if (!own->usable || !worth_->helps(result.base, *own)) return;
+      const FitResult rival = aloneWith(*alike);
+      if (!rival.usable || !plausible(rival.model, input_.seen)) continue;
+      // Of as many parameters, so that the errors can be compared as they are.
+      if (mean(rival.windowSquares) <= mean(own->windowSquares)) first.rivals.push_back(alike);
+    }
+  }
+
   /// The rivals of each chosen effect: others in its place.
   void weigh(SearchResult& result, const Screen& screen) {
     auto best = worth_->validated(result.best);
     for (size_t k = 0; k < result.chosen.size(); ++k) {
       if (input_.stop.stop_requested()) return;
       say(0.5 + 0.3 * static_cast<double>(k) / static_cast<double>(result.chosen.size()), "weighing rivals");
-      std::vector<Pick> others, candidates;
-      for (size_t j = 0; j < result.chosen.size(); ++j) {
-        if (j != k) others.push_back(screen.best(*result.chosen[j].effect, others));
-      }
-      std::erase_if(others, [](const Pick& one) { return one.parameters.empty(); });
-      const double own = screen.best(*result.chosen[k].effect, others).gain;
-      for (const Effect* effect : catalogue()) {
-        if (contains(result.chosen, effect)) continue;
-        Pick pick = screen.best(*effect, others);
-        const auto alike = result.chosen[k].effect->lookAlikes();
-        const bool listed = std::find(alike.begin(), alike.end(), effect->name()) != alike.end();
-        if (pick.parameters.empty() || pick.gain < (listed ? 0.7 : 0.8) * own) continue;
-        candidates.push_back(std::move(pick));
-      }
-      sortByGain(candidates);
-      if (candidates.size() > mostRivals) candidates.resize(mostRivals);
-      for (const Pick& one : candidates) {
-        FitResult fit = fitFresh(with(input_, left_[k].model, one));
-        if (!fit.usable || !plausible(fit.model, input_.seen)) continue;
-        const auto errors = worth_->validated(fit);
-        if (!std::isfinite(mean(errors))) continue;
-        const Comparison ahead = compare(errors, best, input_.seed);
-        if (ahead.inErrors < -2.0 && mean(errors) < 0.9 * mean(best)) {  // the rival is the better one
-          if (compare(best, errors, input_.seed).inErrors < 2.0)
-            result.chosen[k].rivals.push_back(result.chosen[k].effect);
-          result.chosen[k].effect = one.effect;
-          result.chosen[k].marginal = std::max(0.0, mean(left_[k].windowSquares) - mean(fit.windowSquares));
-          result.chosen[k].rivals.clear();
-          result.best = std::move(fit);
-          best = errors;
-          continue;
-        }
-        // Skewed errors hide a clear difference from the t-value: the sign-flip test sees it.
-        const bool clearlyWorse = (ahead.relative > 0.25 && signFlipPValue(errors, best, input_.seed) <= 0.02) ||
-                                  (ahead.relative > 0.5 && quantile(errors, 0.5) > 1.5 * quantile(best, 0.5));
-        if (ahead.inErrors >= 2.0 || clearlyWorse) continue;
-        // A push at a time of its own explains whatever happened then: physics that does as well is the better name.
-        if (result.chosen[k].effect->happensOnce() && !one.effect->happensOnce()) {
-          result.chosen[k].rivals.push_back(result.chosen[k].effect);
-          result.chosen[k].effect = one.effect;
-          result.best = std::move(fit);
-          best = errors;
-        } else {
-          result.chosen[k].rivals.push_back(one.effect);
-        }
-      }
+      for (const Pick& rival : nearlyAsGood(result, screen, k)) tryInPlace(result, k, rival, best);
       if (const Effect* twin = findEffect(result.chosen[k].effect->twin())) result.chosen[k].rivals.push_back(twin);
     }
     std::stable_sort(result.chosen.begin(), result.chosen.end(),
                      [](const Chosen& a, const Chosen& b) { return a.marginal > b.marginal; });
+    if (result.chosen.size() > 1) weighAlone(result, screen);
   }
 
   SearchInput input_;
