@@ -111,6 +111,8 @@ class Effect {
   virtual bool shapesInput(DriveInput) const { return false; }
   virtual void shapeInput(std::span<const double>, std::span<const double> /*time_s*/,
                           std::span<double> /*input*/) const {}
+  /// How late the recorded input acts, s: for a winding, whose current follows within a row, better than shapeInput().
+  virtual double inputDelay_s(std::span<const double>) const { return 0.0; }
   /// What the encoder shows at a true position.
   virtual double shown(std::span<const double>, double position) const { return position; }
   /// What the current sensor shows, given the true current and its slope in A/s.

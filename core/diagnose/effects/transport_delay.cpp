@@ -18,6 +18,7 @@ class TransportDelay final : public Effect {
   }
   std::vector<ParameterSpec> parameters(Axis) const override { return {{"delay_s", 1e-6, 10.0}}; }
   bool shapesInput(DriveInput) const override { return true; }
+  double inputDelay_s(std::span<const double> p) const override { return p[0]; }
   void shapeInput(std::span<const double> p, std::span<const double> time_s, std::span<double> input) const override {
     const std::vector<double> held(input.begin(), input.end());
     const size_t rows = held.size();

@@ -55,6 +55,7 @@ Simulator::Simulator(const Model& model, const Track& track, size_t from, size_t
 Simulator::Simulator(const Physics& physics, std::vector<CompiledTerm> terms, double horizon_s, const Track& track,
                      size_t from, size_t to)
     : stepper_(physics, std::move(terms)), track_(track), horizon_(horizon_s) {
+  size_t shaping = 0;
   for (const CompiledTerm& term : stepper_.terms()) {
     if (!term.effect->shapesInput(track.drive)) continue;
     if (shaped_.empty()) {
@@ -67,7 +68,10 @@ Simulator::Simulator(const Physics& physics, std::vector<CompiledTerm> terms, do
                      track.input.begin() + static_cast<std::ptrdiff_t>(end));
     }
     term.effect->shapeInput(term.parameters, std::span(track.time).subspan(shapedFrom_, shaped_.size()), shaped_);
+    delay_s_ = term.effect->inputDelay_s(term.parameters);
+    ++shaping;
   }
+  if (shaping > 1 || !physics.electrical || physics.inductance <= 0.0) delay_s_ = 0.0;  // rows' means will do
 }
 
 double Simulator::shown(double position) const {
@@ -100,7 +104,26 @@ double Simulator::settledCurrent(size_t row, double velocity) const {
 void Simulator::run(MotionState& state, size_t from, size_t to) {
   for (size_t k = from; k < to; ++k) {
     stepper_.setSupply(track_.supplyAt(k));
+    if (delay_s_ > 0.0) {
+      runLate(state, k);
+      continue;
+    }
     stepper_.advance(state, input(k), track_.time[k + 1] - track_.time[k], track_.time[k], track_.connected[k] != 0);
+  }
+}
+
+/// One row in pieces, as the late input changes within it.
+void Simulator::runLate(MotionState& state, size_t row) {
+  const std::vector<double>& time = track_.time;
+  const double end = time[row + 1];
+  size_t acting = row;
+  while (acting > 0 && time[acting] + delay_s_ > time[row]) --acting;
+  for (double now = time[row]; now < end;) {
+    const bool changes = acting < row && time[acting + 1] + delay_s_ < end;
+    const double next = changes ? time[acting + 1] + delay_s_ : end;
+    if (next > now) stepper_.advance(state, track_.input[acting], next - now, now, track_.connected[row] != 0);
+    now = next;
+    acting += changes ? 1 : 0;
   }
 }
 

@@ -45,12 +45,14 @@ class Simulator {
   /// The observer over one horizon; `error` is what it leaves of the measured positions, rms.
   MotionState restartOver(double horizon_s, size_t row, const MotionState& carried, double& error);
   double settledCurrent(size_t row, double velocity) const;
+  void runLate(MotionState& state, size_t row);
 
   Stepper stepper_;
   const Track& track_;
   double horizon_;
   size_t shapedFrom_ = 0;
   std::vector<double> shaped_;  ///< empty: as recorded
+  double delay_s_ = 0.0;        ///< with which the recorded input reaches a winding
 };
 
 /// Standard deviation of the velocity that restart() finds, from the track's reading noise alone: the end of a parabola
