@@ -33,7 +33,9 @@ Result<Trace> simulate(const Model& model, const Recording& recording, const Sim
   if (!track) return track.error();
   const auto terms = termsOf(model);
   if (!terms) return terms.error();
-  return simulate(model, *track, options.restartEvery_s);
+  Trace trace = simulate(model, *track, options.restartEvery_s);
+  for (double& one : trace.position) one -= 0.5 * model.count;  // as the encoder shows it, on average
+  return trace;
 }
 
 }  // namespace breakaway

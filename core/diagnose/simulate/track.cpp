@@ -175,7 +175,7 @@ Result<Track> makeTrack(const Recording& recording, Axis axis, DriveInput driveI
     track.time[k] = time[k] - time[0];
     track.seen[k] = std::isfinite(position[k]) ? 1 : 0;
     if (track.seen[k])
-      last = position[k];
+      last = position[k] + 0.5 * count;
     else
       ++missing;
     track.position[k] = last;

@@ -24,7 +24,8 @@ struct Motion {
 struct Track {
   std::string name;
   std::vector<double> time;      ///< s since the first row
-  std::vector<double> position;  ///< rad as recorded; rows without one hold the last value and are not `seen`
+  std::vector<double> position;  ///< rad, the middle of the recorded count; rows without one hold the last value and
+                                 ///< are not `seen`
   std::vector<double> input;     ///< volts, amperes or torque that act from the row to the next
   std::vector<char> seen;        ///< the row has a position
   std::vector<char> connected;   ///< windings not open
