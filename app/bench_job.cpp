@@ -61,6 +61,7 @@ BreakawaySweepOptions sweepOptions(const BreakawayRequest& request, const Identi
   options.backEmfConstant_V_s_per_rad = motor.backEmfConstant_V_s_per_rad.value;
   options.expected_A = known.expected_A;
   options.countsPerRev = request.countsPerRev;
+  options.indexTolerance_rad = request.indexTolerance_rad;
   options.current_limit_A = request.current_limit_A;
   VelocityFrictionOptions friction;
   friction.torqueConstant_Nm_per_A = options.torqueConstant_Nm_per_A;

@@ -17,6 +17,7 @@ struct BreakawayRequest {
   size_t bins = 180;
   size_t turns = 2;
   double index_rad = 0.0;
+  double indexTolerance_rad = 0.0;  ///< 0: the index is not watched
   std::optional<double> trustedTorqueConstant_Nm_per_A;
   std::optional<Identification> identification;  ///< without one the motor is identified first
   std::vector<VelocityRun> runs;  ///< earlier runs at constant speed, if any: they tell what keeps it moving

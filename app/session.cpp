@@ -176,6 +176,7 @@ void Session::sweepVelocity(double highest_rad_per_s, size_t speeds, double dura
     options.speeds_rad_per_s.push_back(highest_rad_per_s * std::pow(0.06, 1.0 - part));
   }
   options.indexAngle_rad = index_rad_ ? index_rad_->value : 0.0;
+  options.indexTolerance_rad = index_rad_ ? indexTolerance_rad(identity_.countsPerRev) : 0.0;
   options.run_s = duration_s;
   start(velocitySweepRun(options, survey_.identification, trustedTorqueConstant(bench_)));
 }
@@ -185,6 +186,7 @@ void Session::sweepBreakaway(size_t bins, size_t turns) {
   request.bins = bins;
   request.turns = turns;
   request.index_rad = index_rad_ ? index_rad_->value : 0.0;
+  request.indexTolerance_rad = index_rad_ ? indexTolerance_rad(identity_.countsPerRev) : 0.0;
   request.trustedTorqueConstant_Nm_per_A = trustedTorqueConstant(bench_);
   request.identification = survey_.identification;
   request.runs = survey_.runs;

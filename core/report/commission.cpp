@@ -189,6 +189,7 @@ Result<void> Job::sweepVelocity() {
   VelocitySweepOptions options;
   for (const double part : {0.05, 0.1, 0.2, 0.35, 0.6, 1.0}) options.speeds_rad_per_s.push_back(part * highest);
   options.indexAngle_rad = done_.indexAngle_rad.value;
+  options.indexTolerance_rad = indexTolerance_rad(done_.identity.countsPerRev);
   options.run_s = options_.speedRun_s;
   options.zeroing_s = zeroing_s();
   const auto sweep = std::make_shared<VelocitySweep>(options);
@@ -222,6 +223,7 @@ Result<void> Job::sweepBreakaway() {
     options.moving_A[static_cast<size_t>(way)] = movingCurrent_A(done_.runs, way, frictionOptions());
   options.countsPerRev = drive_.identity().countsPerRev;
   options.zeroing_s = zeroing_s();
+  options.indexTolerance_rad = indexTolerance_rad(options.countsPerRev);
   options.zeroEvery_s = 20.0 * std::max(0.5, options.zeroing_s);
   options.current_limit_A = done_.settings.current_limit_A;
   const auto sweep = std::make_shared<BreakawaySweep>(options);
