@@ -62,7 +62,7 @@ class BoardWatch {
     const Scalar least = (before < Scalar(0) ? before : Scalar(0)) - room;
     const Scalar most = (before > Scalar(0) ? before : Scalar(0)) + room;
     if (change_rad_ >= least && change_rad_ <= most) return Trip::none;
-    jumped_rad_ = change_rad_;
+    jumped_rad_ = change_rad_ - before;
     change_rad_ = before;  // what it does after the jump is compared with what it did before
     return Trip::encoderJump;
   }

@@ -11,6 +11,8 @@ namespace {
 
 constexpr double turnAngle = 2.0 * std::numbers::pi;
 constexpr double learningDoubling_s = 0.7;  // of the first, long ramp
+constexpr double beyondIndex_rad = 0.1;
+constexpr double indexMove_s = 3.0;
 constexpr size_t leastRampRows = 20;
 constexpr double shortRamp = 0.15;  // of ramp_s: a breakaway this soon says little about its current
 
@@ -86,6 +88,7 @@ Command BreakawaySweep::current(double inWay_A) {
 void BreakawaySweep::enter(Stage stage, const Sample& sample) {
   stage_ = stage;
   stageStart_s_ = near_s_ = sample.time_s;
+  indexFrom_rad_ = sample.angle_rad;
   if (stage != Stage::move) return;
   // The nearest turn in which the target lies ahead in the way, with a margin for a rotor that has just run past it.
   const double wanted = binAngle_rad() + options_.indexAngle_rad;
@@ -106,6 +109,8 @@ Command BreakawaySweep::run(const Sample& sample) {
   switch (stage_) {
     case Stage::zero:
       return zero(sample);
+    case Stage::index:
+      return passIndex(sample);
     case Stage::move: {
       const double tolerance =
           std::max(0.15 * turnAngle / static_cast<double>(options_.bins), 2.0 * turnAngle / options_.countsPerRev);
@@ -136,12 +141,28 @@ Command BreakawaySweep::run(const Sample& sample) {
   return {};
 }
 
+void BreakawaySweep::approach(const Sample& sample) {
+  const size_t pass = step_ / options_.bins;
+  const bool passes = options_.indexTolerance_rad > 0.0 && indexPass_ != pass;
+  indexPass_ = pass;
+  enter(passes ? Stage::index : Stage::move, sample);
+}
+
+/// To the other side of the index than the pass begins at.
+Command BreakawaySweep::passIndex(const Sample& sample) {
+  const double beyond_rad = options_.indexAngle_rad - sign() * (options_.indexTolerance_rad + beyondIndex_rad);
+  target_rad_ = beyond_rad - turnAngle * std::round((beyond_rad - indexFrom_rad_) / turnAngle);
+  const bool there = std::abs(sample.angle_rad - target_rad_) < 0.5 * beyondIndex_rad;
+  if (there || sample.time_s - stageStart_s_ > indexMove_s) enter(Stage::move, sample);
+  return {Command::Mode::position, target_rad_, options_.current_limit_A, false};
+}
+
 Command BreakawaySweep::zero(const Sample& sample) {
   const double inStage_s = sample.time_s - stageStart_s_;
   if (inStage_s > 0.05 + options_.zeroing_s) {
     zeroed_s_ = sample.time_s;
     if (const std::string moved = open_A_.moved(options_.mostDrift_A, true); !moved.empty()) fail(moved);
-    enter(Stage::move, sample);
+    approach(sample);
     return {};
   }
   Command command;
@@ -263,7 +284,11 @@ void BreakawaySweep::advanceStep(const Sample& sample) {
   attempt_ = 0;
   skipDone();
   if (state() != State::running) return;
-  enter(sample.time_s - zeroed_s_ > options_.zeroEvery_s ? Stage::zero : Stage::move, sample);
+  if (sample.time_s - zeroed_s_ > options_.zeroEvery_s) {
+    enter(Stage::zero, sample);
+  } else {
+    approach(sample);
+  }
 }
 
 double BreakawaySweep::progress() const {
@@ -281,6 +306,8 @@ std::string BreakawaySweep::activity() const {
   switch (stage_) {
     case Stage::zero:
       return "zeroing the current sensor";
+    case Stage::index:
+      return "passing the index";
     case Stage::move:
       return "moving " + where;
     case Stage::dwell:

@@ -48,9 +48,9 @@ struct BreakawaySweepOptions {
   double mostDrift_A = 0.1;         ///< of the current sensor's zero, from one zeroing to the next
 };
 
-/// Settle, dwell, ramp; motion counts when it is sustained in counts and in speed; it is dated back to the last
-/// standing sample, and the time the rotor needed for its first count is taken off. The angle where it stood is the
-/// event's angle.
+/// Each pass around the rotor begins beyond the index, so that lost counts show. Then at each angle: settle, dwell,
+/// ramp; motion counts when it is sustained in counts and in speed; it is dated back to the last standing sample, and
+/// the time the rotor needed for its first count is taken off. The angle where it stood is the event's angle.
 class BreakawaySweep : public TimedProcedure {
  public:
   /// `earlier` are the breakaways of an interrupted sweep with the same bins; they are kept, and what is missing of the
@@ -71,7 +71,7 @@ class BreakawaySweep : public TimedProcedure {
   std::string activity() const override;
 
  private:
-  enum class Stage { zero, move, dwell, ramp };
+  enum class Stage { zero, index, move, dwell, ramp };
   struct Ramp {
     double start_A = 0.0, rate_A_per_s = 0.0, top_A = 0.0;  ///< positive in the way's direction
     bool learning = false;
@@ -94,6 +94,8 @@ class BreakawaySweep : public TimedProcedure {
   Command zero(const Sample& sample);
   Command current(double inWay_A);
   void enter(Stage stage, const Sample& sample);
+  void approach(const Sample& sample);
+  Command passIndex(const Sample& sample);
   Ramp planRamp() const;
   Command ramp(const Sample& sample);
   double commandedAt(double inRamp_s) const;
@@ -106,7 +108,8 @@ class BreakawaySweep : public TimedProcedure {
   Stage stage_ = Stage::zero;
   size_t step_ = 0, missed_ = 0, missedInARow_ = 0;
   int attempt_ = 0;
-  std::vector<bool> done_;  ///< by step, of an earlier part
+  std::optional<size_t> indexPass_;  ///< pass around the rotor, of one way, that has begun with the index
+  std::vector<bool> done_;           ///< by step, of an earlier part
   std::vector<BreakawayEvent> events_;
   IndexWatch index_;
   OpenCurrent open_A_;
@@ -115,7 +118,7 @@ class BreakawaySweep : public TimedProcedure {
   Ramp ramp_;
   std::vector<Row> rows_;
   double stageStart_s_ = 0.0, now_s_ = 0.0, zeroed_s_ = 0.0, first_s_ = 0.0, target_rad_ = 0.0, standing_rad_ = 0.0,
-         near_s_ = 0.0;
+         indexFrom_rad_ = 0.0, near_s_ = 0.0;
   double boardAngle_rad_ = 0.0;
   double commanded_A_ = 0.0;
   bool begun_ = false;

@@ -17,14 +17,14 @@ double indexTolerance_rad(double countsPerRev) {
 }
 
 std::string IndexWatch::step(const Sample& sample) {
-  if (!begun_) before_rad_ = seen_rad_ = sample.angle_rad;
+  if (!(tolerance_rad_ > 0.0)) return {};
+  if (!begun_) before_rad_ = sample.angle_rad;
   begun_ = true;
   const double middle_rad = 0.5 * (before_rad_ + sample.angle_rad);
   const double room_rad = 0.5 * std::abs(sample.angle_rad - before_rad_) + tolerance_rad_;
   before_rad_ = sample.angle_rad;
-  if (!(tolerance_rad_ > 0.0)) return {};
   if (sample.index) {
-    seen_rad_ = sample.angle_rad;
+    seen_ = true;
     const double off_rad = std::remainder(middle_rad - index_rad_, turn);
     if (std::abs(off_rad) <= room_rad) return {};
     char text[160];
@@ -33,8 +33,14 @@ std::string IndexWatch::step(const Sample& sample) {
                   off_rad * 360.0 / turn);
     return text;
   }
-  if (std::abs(sample.angle_rad - seen_rad_) < turn + room_rad) return {};
-  return "no index was seen in a whole turn; check the encoder's index wire, home again, then go on";
+  if (std::abs(std::remainder(sample.angle_rad - index_rad_, turn)) <= tolerance_rad_) return {};
+  const double side = std::floor((sample.angle_rad - index_rad_) / turn);
+  const bool missed = besideOnce_ && side != side_ && !seen_;
+  side_ = side;
+  besideOnce_ = true;
+  seen_ = false;
+  if (!missed) return {};
+  return "the index did not come where homing found it; check the encoder's index wire, home again, then go on";
 }
 
 }  // namespace breakaway

@@ -14,14 +14,15 @@ class IndexWatch {
   /// 0 watches nothing.
   IndexWatch(double indexAngle_rad, double tolerance_rad) : index_rad_(indexAngle_rad), tolerance_rad_(tolerance_rad) {}
 
-  /// Takes every sample; what is wrong in words, empty as long as nothing is: the index seen elsewhere, or a whole turn
-  /// without it.
+  /// Takes every sample; what is wrong in words, empty as long as nothing is: the index seen elsewhere, or its place
+  /// passed without it.
   std::string step(const Sample& sample);
 
  private:
   double index_rad_, tolerance_rad_;
-  double before_rad_ = 0.0, seen_rad_ = 0.0;
-  bool begun_ = false;
+  double before_rad_ = 0.0;
+  double side_ = 0.0;  ///< whole turns from the index when last well beside it
+  bool begun_ = false, besideOnce_ = false, seen_ = false;
 };
 
 /// Tolerance for an encoder of that many counts: its index' width and rounding, and half a degree.
