@@ -61,6 +61,7 @@ BreakawaySweepOptions sweepOptions(const BreakawayRequest& request, const Identi
   options.backEmfConstant_V_s_per_rad = motor.backEmfConstant_V_s_per_rad.value;
   options.expected_A = known.expected_A;
   options.countsPerRev = request.countsPerRev;
+  options.indexTolerance_rad = request.indexTolerance_rad;
   options.current_limit_A = request.current_limit_A;
   VelocityFrictionOptions friction;
   friction.torqueConstant_Nm_per_A = options.torqueConstant_Nm_per_A;
@@ -87,12 +88,13 @@ Run breakawayRun(const BreakawayRequest& request) {
   const double expected_s = 1.1 * static_cast<double>(2 * request.bins * request.turns);
   stages.push_back({expected_s,
                     [job, request] {
-                      return job->sweep = std::make_shared<BreakawaySweep>(sweepOptions(request, *job->identification));
+                      return job->sweep = std::make_shared<BreakawaySweep>(sweepOptions(request, *job->identification),
+                                                                           request.earlier);
                     },
                     [] { return Result<void>{}; }});
   const auto whole = std::make_shared<ProcedureSequence>(std::move(stages));
   return {RunKind::breakaway, whole, [job, request] {
-            BreakawayResult result{{}, request.bins, request.turns, 0, job->identification};
+            BreakawayResult result{request.earlier, request.bins, request.turns, 0, job->identification};
             if (job->sweep) {
               result.events = job->sweep->events();
               result.missed = job->sweep->missed();
@@ -101,15 +103,15 @@ Run breakawayRun(const BreakawayRequest& request) {
           }};
 }
 
-Run velocitySweepRun(const VelocitySweepOptions& options, const std::optional<Identification>& identification,
-                     std::optional<double> trustedTorqueConstant_Nm_per_A) {
+Run velocitySweepRun(const VelocityRequest& request) {
   const auto job = std::make_shared<Gathered>();
-  job->identification = identification;
+  job->identification = request.identification;
   std::vector<ProcedureSequence::Stage> stages;
-  if (!identification) stages = identificationStages(job, trustedTorqueConstant_Nm_per_A);
+  if (!request.identification) stages = identificationStages(job, request.trustedTorqueConstant_Nm_per_A);
+  const VelocitySweepOptions& options = request.options;
   const double expected_s = 2.0 * static_cast<double>(options.speeds_rad_per_s.size()) *
                             (options.run_s + options.settle_s + options.zeroing_s);
-  auto sweep = std::make_shared<VelocitySweep>(options);
+  auto sweep = std::make_shared<VelocitySweep>(options, request.earlier);
   stages.push_back({expected_s, [sweep] { return sweep; }, [] { return Result<void>{}; }});
   const auto whole = std::make_shared<ProcedureSequence>(std::move(stages));
   return {RunKind::velocitySweep, whole, [job, sweep] {

@@ -147,7 +147,7 @@ void DriveLoop::publish() {
   if (time - lastStatus_ >= statusEvery) sendStatus(time);
   if (!run_.procedure) return;
   const bool ended = run_.procedure->status().state != Procedure::State::running;
-  if (ended || time - lastRun_ >= runEvery) sendRun();
+  if (ended || time - lastRun_ >= runEvery) sendRun(ended);
 }
 
 void DriveLoop::sendBatch(Clock::time_point time) {
@@ -171,9 +171,9 @@ void DriveLoop::sendStatus(Clock::time_point time) {
   emit linkChanged(link_);
 }
 
-void DriveLoop::sendRun() {
+void DriveLoop::sendRun(bool endedByBoard) {
   lastRun_ = Clock::now();
-  RunSnapshot snapshot{run_.kind, run_.procedure->status(), run_.read ? run_.read() : RunResult{}};
+  RunSnapshot snapshot{run_.kind, run_.procedure->status(), run_.read ? run_.read() : RunResult{}, endedByBoard};
   const bool ended = snapshot.status.state != Procedure::State::running;
   emit runChanged(snapshot);
   if (ended) run_ = {};

@@ -81,7 +81,7 @@ class DriveLoop : public QObject {
   void publish();
   void sendBatch(Clock::time_point time);
   void sendStatus(Clock::time_point time);
-  void sendRun();
+  void sendRun(bool endedByBoard = false);
   void waitForTurn();
 
   std::unique_ptr<Drive> drive_;

@@ -63,6 +63,7 @@ struct RunSnapshot {
   RunKind kind = RunKind::none;
   Procedure::Status status;
   RunResult result;
+  bool endedByBoard = false;  ///< neither a person nor the window stopped it
 
   bool running() const { return kind != RunKind::none && status.state == Procedure::State::running; }
 };

@@ -176,8 +176,11 @@ void Session::sweepVelocity(double highest_rad_per_s, size_t speeds, double dura
     options.speeds_rad_per_s.push_back(highest_rad_per_s * std::pow(0.06, 1.0 - part));
   }
   options.indexAngle_rad = index_rad_ ? index_rad_->value : 0.0;
+  options.indexTolerance_rad = index_rad_ ? indexTolerance_rad(identity_.countsPerRev) : 0.0;
   options.run_s = duration_s;
-  start(velocitySweepRun(options, survey_.identification, trustedTorqueConstant(bench_)));
+  VelocityRequest request{options, {}, survey_.identification, trustedTorqueConstant(bench_)};
+  if (survey_.runs.size() < 2 * speeds && surveyedDevice_ == identity_.device) request.earlier = survey_.runs;
+  start(velocitySweepRun(request));
 }
 
 void Session::sweepBreakaway(size_t bins, size_t turns) {
@@ -185,9 +188,14 @@ void Session::sweepBreakaway(size_t bins, size_t turns) {
   request.bins = bins;
   request.turns = turns;
   request.index_rad = index_rad_ ? index_rad_->value : 0.0;
+  request.indexTolerance_rad = index_rad_ ? indexTolerance_rad(identity_.countsPerRev) : 0.0;
   request.trustedTorqueConstant_Nm_per_A = trustedTorqueConstant(bench_);
   request.identification = survey_.identification;
   request.runs = survey_.runs;
+  if (!survey_.sweepComplete && surveyedDevice_ == identity_.device && survey_.bins == bins && survey_.turns == turns)
+    request.earlier = survey_.events;
+  if (!request.earlier.empty())
+    emit said(tr("The sweep goes on after %1 breakaways").arg(survey_.events.size()), false);
   request.countsPerRev = identity_.countsPerRev;
   request.current_limit_A = settings_.current_limit_A;
   start(breakawayRun(request));
@@ -265,7 +273,9 @@ void Session::takeRun(const RunSnapshot& snapshot) {
 }
 
 void Session::keepResult(const RunSnapshot& snapshot) {
-  if (snapshot.status.state == Procedure::State::failed)
+  const bool tripped = snapshot.status.state == Procedure::State::stopped && snapshot.endedByBoard;
+  if (tripped) lastStop_ = tr("stopped by the board");
+  if (tripped || snapshot.status.state == Procedure::State::failed)
     emit said(QString::fromStdString(snapshot.status.failure), true);
   if (snapshot.status.state != Procedure::State::finished) return;
   if (const auto* homing = std::get_if<HomingResult>(&snapshot.result)) {
@@ -293,6 +303,7 @@ void Session::keepSurvey(const RunSnapshot& snapshot) {
   } else {
     return;
   }
+  surveyedDevice_ = identity_.device;
   emit surveyChanged();
   if (ended) estimateSurvey();
 }

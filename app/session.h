@@ -125,6 +125,7 @@ class Session : public QObject {
   std::optional<Estimate> index_rad_;
   std::vector<StepResult> steps_;
   FrictionSurvey survey_;
+  std::string surveyedDevice_;  ///< the board that the survey was measured on
   unsigned surveyNumber_ = 0;
   std::optional<Bench> bench_;
   double pace_ = 1.0;

@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
+#include "control/board_watch.h"
 #include "control/servo_controller.h"
 #include "control/tuning.h"
+#include "firmware_link/board_faults.h"
 #include "firmware_link/presets.h"
+#include "firmware_link/trip_words.h"
 #include "motor/plant.h"
 #include "motor/rig.h"
 #include "motor/sensors.h"
@@ -18,6 +22,7 @@ namespace {
 constexpr double coarsestSubstep_s = 50e-6;
 constexpr double velocityBandwidth_rad_per_s = 400.0;  // of the speed observer
 constexpr double currentBandwidth_rad_per_s = 300.0;
+constexpr double lease_s = 0.2;  // without a word from the host the board opens the windings
 
 double oneDigit(double value) {
   const double decade = std::pow(10.0, std::floor(std::log10(value)));
@@ -50,6 +55,17 @@ ControllerSettings namePlateSettings(const Rig& rig, double limit_A) {
   return settings;
 }
 
+/// `mostCurrent_A` is what the controller may be set to.
+BoardWatch<double>::Limits watchLimits(const Rig& rig, double mostCurrent_A, double range_A) {
+  BoardWatch<double>::Limits limits;
+  limits.tick_s = 1.0 / rig.loopRate_Hz;
+  limits.count_rad = 2.0 * std::numbers::pi / rig.encoder.countsPerRev;
+  limits.trip_A = std::min(1.25 * mostCurrent_A, 0.95 * range_A);
+  limits.supply_V = rig.bridge.supply_V;
+  limits.mostAcceleration_rad_per_s2 = 3.0 * mostCurrent_A * rig.torqueConstant_Nm_per_A / rig.inertia_kg_m2;
+  return limits;
+}
+
 /// The same for every board: what the port says, whatever runs beneath it.
 class SimulatedBoard final : public Drive {
  public:
@@ -61,9 +77,11 @@ class SimulatedBoard final : public Drive {
         sensor_(rig, 2u * seed + 2u),
         bridge_(rig),
         controller_(boardOf(rig)),
+        faults_(rig.faults),
         supply_V_(rig.bridge.supply_V),
-        count_rad_(2.0 * std::numbers::pi / rig.encoder.countsPerRev) {
-    mostCurrent_A_ = std::min(0.9 * sensor_.range_A(), rig.bridge.supply_V / rig.resistance_ohm);
+        count_rad_(2.0 * std::numbers::pi / rig.encoder.countsPerRev),
+        mostCurrent_A_(std::min(0.9 * sensor_.range_A(), rig.bridge.supply_V / rig.resistance_ohm)),
+        watch_(watchLimits(rig, mostCurrent_A_, sensor_.range_A())) {
     mostVelocity_rad_per_s_ = 1.5 * supply_V_ / rig.backEmfConstant_V_s_per_rad;
     settings_ = namePlateSettings(rig, 0.6 * mostCurrent_A_);
     identity_ = {"simulated board, rig " + rig.name, "simulated 0.1.0", true, rig.loopRate_Hz,
@@ -82,7 +100,11 @@ class SimulatedBoard final : public Drive {
  private:
   void apply();
   void obey(const Command& command);
-  Sample tick();
+  Sample tick(const BoardTrouble& trouble);
+  void watch(const Sample& sample);
+  bool heard(bool linkLost);
+  void runProcedure(const Sample& sample);
+  double silent_s() const { return static_cast<double>(silentTicks_) * ticks_s_; }
 
   double ticks_s_;
   int substeps_;
@@ -91,12 +113,15 @@ class SimulatedBoard final : public Drive {
   CurrentSensorModel sensor_;
   BridgeModel bridge_;
   ServoController<double> controller_;
-  double supply_V_, count_rad_, mostCurrent_A_ = 0.0, mostVelocity_rad_per_s_ = 0.0;
+  BoardFaults faults_;
+  double supply_V_, count_rad_, mostCurrent_A_, mostVelocity_rad_per_s_ = 0.0;
+  BoardWatch<double> watch_;
   ControllerSettings settings_;
   Identity identity_;
   std::shared_ptr<Procedure> procedure_;
   uint64_t tickCount_ = 0;
-  double owed_s_ = 0.0;
+  double owed_s_ = 0.0, commandLimit_A_ = 0.0;
+  size_t lostTicks_ = 0, silentTicks_ = 0;  ///< not carried by the link: since the host was told, and in a row
 };
 
 void SimulatedBoard::apply() {
@@ -129,6 +154,7 @@ Result<ControllerSettings> SimulatedBoard::configure(const ControllerSettings& w
 
 void SimulatedBoard::obey(const Command& command) {
   static_assert(static_cast<int>(Command::Mode::position) == static_cast<int>(ServoMode::position));
+  commandLimit_A_ = command.current_limit_A;
   controller_.command(
       {static_cast<ServoMode>(command.mode), command.target, command.current_limit_A, command.zeroCurrentSensor});
 }
@@ -137,6 +163,7 @@ void SimulatedBoard::command(const Command& command) {
   if (procedure_ != nullptr && procedure_->state() == Procedure::State::running)
     procedure_->stop("another command came");
   procedure_.reset();
+  watch_.restart();
   obey(command);
 }
 
@@ -151,17 +178,21 @@ void SimulatedBoard::stop(const std::string& reason) {
   obey({});
 }
 
-Sample SimulatedBoard::tick() {
+Sample SimulatedBoard::tick(const BoardTrouble& trouble) {
+  plant_.block(trouble.blocked);
+  plant_.scaleResistance(trouble.resistancePart);
   const EncoderModel::Reading reading = encoder_.read(plant_.angle_rad());
   Sample sample;
   sample.time_s = static_cast<double>(tickCount_++) / identity_.loopRate_Hz;
-  sample.angle_rad = static_cast<double>(reading.count) * count_rad_;
-  sample.index = reading.index;
-  sample.supply_V = supply_V_;
-  const auto out = controller_.step(sample.angle_rad, sensor_.read(plant_.current_A(), sample.time_s), supply_V_);
-  const double duty = out.enabled ? bridge_.realisable(out.voltage_V / supply_V_) : 0.0;
+  sample.angle_rad = static_cast<double>(reading.count + trouble.slippedCounts) * count_rad_;
+  sample.index = (reading.index && !trouble.hidesIndex) || trouble.showsIndex;
+  sample.supply_V = supply_V_ * trouble.supplyPart;
+  const double seen_A = plant_.current_A() + trouble.past_A;
+  const double bus_V = std::max(sample.supply_V, 1e-3);
+  const auto out = controller_.step(sample.angle_rad, sensor_.read(seen_A, sample.time_s), bus_V);
+  const double duty = out.enabled ? bridge_.realisable(out.voltage_V / bus_V) : 0.0;
   sample.enabled = out.enabled;
-  sample.voltage_V = duty * supply_V_;
+  sample.voltage_V = duty * sample.supply_V;
   sample.current_A = out.current_A;
   sample.velocity_rad_per_s = out.velocity_rad_per_s;
   sample.current_reference_A = out.current_reference_A;
@@ -169,12 +200,42 @@ Sample SimulatedBoard::tick() {
   sample.angle_reference_rad = out.angle_reference_rad;
   sample.disturbance_estimate_Nm = out.disturbance_estimate_Nm;
   if (out.enabled) {
-    plant_.applyVoltage(bridge_.voltage(duty));
+    plant_.applyVoltage(bridge_.voltage(duty) * trouble.supplyPart);
   } else {
     plant_.openWindings();
   }
   plant_.advance(substeps_);
   return sample;
+}
+
+void SimulatedBoard::watch(const Sample& sample) {
+  const double own_A = settings_.current_limit_A;
+  const double limit_A = commandLimit_A_ > 0.0 ? std::min(commandLimit_A_, own_A) : own_A;
+  const BoardWatch<double>::Seen seen{sample.angle_rad, sample.current_A, sample.current_reference_A,
+                                      limit_A,          sample.supply_V,  sample.enabled};
+  const Trip trip = watch_.step(seen);
+  const bool runs = procedure_ != nullptr || sample.enabled;
+  if (trip != Trip::none && runs) stop(tripWords(trip, watch_, seen));
+}
+
+/// While the link is down the board computes on by itself until its lease runs out.
+bool SimulatedBoard::heard(bool linkLost) {
+  if (!linkLost) {
+    silentTicks_ = 0;
+    return true;
+  }
+  ++lostTicks_;
+  ++silentTicks_;
+  if (silent_s() > lease_s) stop(linkLossWords(lease_s));
+  return false;
+}
+
+void SimulatedBoard::runProcedure(const Sample& sample) {
+  if (procedure_ == nullptr) return;
+  obey(procedure_->step(sample));
+  if (procedure_->state() == Procedure::State::running) return;
+  procedure_.reset();
+  obey({});
 }
 
 Result<size_t> SimulatedBoard::advance(double duration_s, std::vector<Sample>& samples) {
@@ -183,15 +244,15 @@ Result<size_t> SimulatedBoard::advance(double duration_s, std::vector<Sample>& s
   owed_s_ -= static_cast<double>(ticks) * ticks_s_;
   samples.reserve(samples.size() + ticks);
   for (size_t k = 0; k < ticks; ++k) {
-    samples.push_back(tick());
-    if (procedure_ == nullptr) continue;
-    obey(procedure_->step(samples.back()));
-    if (procedure_->state() != Procedure::State::running) {
-      procedure_.reset();
-      obey({});
-    }
+    const double time_s = static_cast<double>(tickCount_) * ticks_s_;
+    const BoardTrouble trouble = faults_.none() ? BoardTrouble{} : faults_.step(time_s, plant_.angle_rad());
+    const Sample sample = tick(trouble);
+    if (heard(trouble.linkLost)) samples.push_back(sample);
+    watch(sample);
+    runProcedure(sample);
   }
-  return size_t{0};
+  if (silent_s() > lease_s) return Error{"board", linkLossWords(silent_s())};
+  return std::exchange(lostTicks_, 0);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "report/commission.h"
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <memory>
 
@@ -19,6 +20,7 @@ struct CommissionLine {
   std::string bench, board = "simulated", out;
   unsigned seed = 1;
   size_t bins = 180, turns = 2;
+  bool resume = false;
 };
 
 /// The bench file that was named, or the one beside a simulated rig.
@@ -37,6 +39,36 @@ Result<std::optional<Bench>> readBelief(const CommissionLine& line) {
   return std::optional<Bench>(*bench);
 }
 
+volatile std::sig_atomic_t interruptAsked = 0;
+
+/// Ctrl-C ends the job in order while this lives: motor off, what is measured kept.
+class WatchedInterrupt {
+ public:
+  WatchedInterrupt() {
+    interruptAsked = 0;
+    before_ = std::signal(SIGINT, [](int) { interruptAsked = 1; });
+  }
+  ~WatchedInterrupt() { std::signal(SIGINT, before_); }
+  WatchedInterrupt(const WatchedInterrupt&) = delete;
+  WatchedInterrupt& operator=(const WatchedInterrupt&) = delete;
+
+ private:
+  void (*before_)(int);
+};
+
+Error withAdvice(const Error& error, const std::string& folder) {
+  return {error.place, error.fact + "; what was measured is kept in " + folder + ", go on with --resume"};
+}
+
+/// Takes what an interrupted job left, or clears it away.
+Result<void> beginFolder(const CommissionLine& line, CommissionOptions& options) {
+  if (!line.resume) return removeProgress(line.out);
+  auto earlier = readProgress(line.out);
+  if (!earlier) return earlier.error();
+  options.earlier = std::move(*earlier);
+  return {};
+}
+
 Result<void> runCommission(const CommissionLine& line) {
   auto bench = readBelief(line);
   if (!bench) return bench.error();
@@ -52,9 +84,20 @@ Result<void> runCommission(const CommissionLine& line) {
       std::fprintf(stderr, "\r\033[K%3.0f %%  %s", 100.0 * part, activity.c_str());
     };
   }
+  if (auto begun = beginFolder(line, options); !begun) return begun;
+  const WatchedInterrupt interrupt;
+  options.interrupted = [] { return interruptAsked != 0; };
+  bool kept = false;
+  options.keepProgress = [&](const CommissionProgress& progress) {
+    kept = true;
+    return writeProgress(progress, line.out);
+  };
+  options.keepRecording = [&](const std::string& step, const Recording& recording) {
+    return writeStep(step, recording, line.out);
+  };
   const auto done = commission(**drive, options);
   if (progressIsWatched()) std::fprintf(stderr, "\r\033[K");
-  if (!done) return done.error();
+  if (!done) return kept ? withAdvice(done.error(), line.out) : done.error();
   std::optional<FrictionMap> truth;
   if (isSimulated(line.board)) {
     auto known = trueMap(line.board, options.bins, done->map.totalVelocity_rad_per_s);
@@ -62,6 +105,7 @@ Result<void> runCommission(const CommissionLine& line) {
     truth = std::move(*known);
   }
   if (auto written = writeCommission(*done, truth, line.out); !written) return written;
+  if (auto removed = removeProgress(line.out); !removed) return removed;
   std::printf("%s\n", inWords(*done).c_str());
   for (const std::string& remark : done->remarks) std::printf("%s\n", remark.c_str());
   std::printf("Report: %s/report.html\n", line.out.c_str());
@@ -91,6 +135,10 @@ void addCommission(CLI::App& app, Job& chosen) {
   command->add_option("--turns", line->turns, "turns of the breakaway sweep each way")
       ->capture_default_str()
       ->check(CLI::Range(1, 20));
+  command->add_flag(
+      "--resume", line->resume,
+      "go on with the interrupted job in the folder: its motor, runs and breakaways are kept, the current "
+      "sensor is zeroed and the rotor homed anew");
   command->callback([line, &chosen] { chosen = [line] { return runCommission(*line); }; });
 }
 

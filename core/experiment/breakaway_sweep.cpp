@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 namespace breakaway {
@@ -10,8 +11,16 @@ namespace {
 
 constexpr double turnAngle = 2.0 * std::numbers::pi;
 constexpr double learningDoubling_s = 0.7;  // of the first, long ramp
+constexpr double beyondIndex_rad = 0.1;
+constexpr double indexMove_s = 3.0;
 constexpr size_t leastRampRows = 20;
 constexpr double shortRamp = 0.15;  // of ramp_s: a breakaway this soon says little about its current
+
+std::string noBreakaway(double most_A) {
+  char text[96];
+  std::snprintf(text, sizeof text, " at up to %.2f A, three times in a row; is the shaft held?", most_A);
+  return text;
+}
 
 double inTurn(double angle_rad) {
   return angle_rad - turnAngle * std::floor(angle_rad / turnAngle);
@@ -19,11 +28,33 @@ double inTurn(double angle_rad) {
 
 }  // namespace
 
-BreakawaySweep::BreakawaySweep(BreakawaySweepOptions options) : options_(std::move(options)) {
+BreakawaySweep::BreakawaySweep(BreakawaySweepOptions options, const std::vector<BreakawayEvent>& earlier)
+    : options_(std::move(options)), index_(options_.indexAngle_rad, options_.indexTolerance_rad) {
   if (options_.bins < 8 || options_.turns == 0) fail("at least 8 bins and one turn are needed");
   if (!(options_.resistance_ohm > 0.0)) fail("the winding's resistance is not known");
   if (!(options_.torqueConstant_Nm_per_A > 0.0)) fail("the torque constant is not known");
   if (!(options_.countsPerRev > 0.0)) fail("the encoder's counts are not known");
+  if (state() == State::running) keep(earlier);
+}
+
+size_t BreakawaySweep::stepOf(const BreakawayEvent& event) const {
+  const size_t inWay = event.way == Way::ccw ? event.bin : 2 * options_.bins - 1 - event.bin;
+  return event.turn * 2 * options_.bins + inWay;
+}
+
+void BreakawaySweep::keep(const std::vector<BreakawayEvent>& earlier) {
+  done_.assign(steps(), false);
+  for (const BreakawayEvent& event : earlier) {
+    if (event.bin >= options_.bins || event.turn >= options_.turns || done_[stepOf(event)]) continue;
+    done_[stepOf(event)] = true;
+    events_.push_back(event);
+  }
+  skipDone();
+}
+
+void BreakawaySweep::skipDone() {
+  while (step_ < steps() && done_[step_]) ++step_;
+  if (step_ >= steps()) finish();
 }
 
 size_t BreakawaySweep::bin() const {
@@ -57,6 +88,7 @@ Command BreakawaySweep::current(double inWay_A) {
 void BreakawaySweep::enter(Stage stage, const Sample& sample) {
   stage_ = stage;
   stageStart_s_ = near_s_ = sample.time_s;
+  indexFrom_rad_ = sample.angle_rad;
   if (stage != Stage::move) return;
   // The nearest turn in which the target lies ahead in the way, with a margin for a rotor that has just run past it.
   const double wanted = binAngle_rad() + options_.indexAngle_rad;
@@ -72,18 +104,13 @@ Command BreakawaySweep::run(const Sample& sample) {
     first_s_ = sample.time_s;
     enter(Stage::zero, sample);
   }
+  if (const std::string wrong = index_.step(sample); !wrong.empty()) fail(wrong);
   const double inStage_s = sample.time_s - stageStart_s_;
   switch (stage_) {
-    case Stage::zero: {
-      if (inStage_s > 0.05 + options_.zeroing_s) {
-        zeroed_s_ = sample.time_s;
-        enter(Stage::move, sample);
-        return {};
-      }
-      Command command;
-      command.zeroCurrentSensor = inStage_s > 0.05;
-      return command;
-    }
+    case Stage::zero:
+      return zero(sample);
+    case Stage::index:
+      return passIndex(sample);
     case Stage::move: {
       const double tolerance =
           std::max(0.15 * turnAngle / static_cast<double>(options_.bins), 2.0 * turnAngle / options_.countsPerRev);
@@ -114,6 +141,36 @@ Command BreakawaySweep::run(const Sample& sample) {
   return {};
 }
 
+void BreakawaySweep::approach(const Sample& sample) {
+  const size_t pass = step_ / options_.bins;
+  const bool passes = options_.indexTolerance_rad > 0.0 && indexPass_ != pass;
+  indexPass_ = pass;
+  enter(passes ? Stage::index : Stage::move, sample);
+}
+
+/// To the other side of the index than the pass begins at.
+Command BreakawaySweep::passIndex(const Sample& sample) {
+  const double beyond_rad = options_.indexAngle_rad - sign() * (options_.indexTolerance_rad + beyondIndex_rad);
+  target_rad_ = beyond_rad - turnAngle * std::round((beyond_rad - indexFrom_rad_) / turnAngle);
+  const bool there = std::abs(sample.angle_rad - target_rad_) < 0.5 * beyondIndex_rad;
+  if (there || sample.time_s - stageStart_s_ > indexMove_s) enter(Stage::move, sample);
+  return {Command::Mode::position, target_rad_, options_.current_limit_A, false};
+}
+
+Command BreakawaySweep::zero(const Sample& sample) {
+  const double inStage_s = sample.time_s - stageStart_s_;
+  if (inStage_s > 0.05 + options_.zeroing_s) {
+    zeroed_s_ = sample.time_s;
+    if (const std::string moved = open_A_.moved(options_.mostDrift_A, true); !moved.empty()) fail(moved);
+    approach(sample);
+    return {};
+  }
+  Command command;
+  command.zeroCurrentSensor = inStage_s > 0.05;
+  if (command.zeroCurrentSensor) open_A_.take(sample);
+  return command;
+}
+
 BreakawaySweep::Ramp BreakawaySweep::planRamp() const {
   const auto w = static_cast<size_t>(way());
   const double hold = sign() * hold_A();
@@ -124,7 +181,8 @@ BreakawaySweep::Ramp BreakawaySweep::planRamp() const {
   if (expected <= 0.0) return {hold, 0.0, limit, true};
   const double starts[] = {options_.rampStart, 0.5 * options_.rampStart, 0.0};
   const double from = starts[std::min(attempt_, 2)];
-  return {hold + from * expected, (1.0 - options_.rampStart) * expected / options_.ramp_s, limit, false};
+  return {hold + from * expected, (1.0 - options_.rampStart) * expected / options_.ramp_s,
+          std::min(limit, hold + options_.mostOverExpected * expected), false};
 }
 
 double BreakawaySweep::commandedAt(double inRamp_s) const {
@@ -158,8 +216,7 @@ Command BreakawaySweep::ramp(const Sample& sample) {
   const bool saturated = std::abs(next) * options_.resistance_ohm + options_.deadZone_V > sample.supply_V;
   if (next > most || saturated) {
     ++missed_;
-    if (++missedInARow_ >= 3)
-      fail("the rotor does not break away " + wayText(sign() > 0.0) + " within the current limit");
+    if (++missedInARow_ >= 3) fail("the rotor does not break away " + wayText(sign() > 0.0) + noBreakaway(most));
     advanceStep(sample);
     return {};
   }
@@ -225,11 +282,13 @@ void BreakawaySweep::markOutlier() {
 void BreakawaySweep::advanceStep(const Sample& sample) {
   ++step_;
   attempt_ = 0;
-  if (step_ >= steps()) {
-    finish();
-    return;
+  skipDone();
+  if (state() != State::running) return;
+  if (sample.time_s - zeroed_s_ > options_.zeroEvery_s) {
+    enter(Stage::zero, sample);
+  } else {
+    approach(sample);
   }
-  enter(sample.time_s - zeroed_s_ > options_.zeroEvery_s ? Stage::zero : Stage::move, sample);
 }
 
 double BreakawaySweep::progress() const {
@@ -247,6 +306,8 @@ std::string BreakawaySweep::activity() const {
   switch (stage_) {
     case Stage::zero:
       return "zeroing the current sensor";
+    case Stage::index:
+      return "passing the index";
     case Stage::move:
       return "moving " + where;
     case Stage::dwell:

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "experiment/breakaway_lag.h"
+#include "experiment/index_watch.h"
+#include "experiment/open_current.h"
 #include "experiment/timed_procedure.h"
 #include "friction/measurements.h"
 #include "motor/winding_line.h"
@@ -40,15 +42,21 @@ struct BreakawaySweepOptions {
   double zeroing_s = 0.6;
   double motionVelocity_rad_per_s = 0.15;
   size_t motionCounts = 4;
-  double countsPerRev = 0.0;  ///< from the board's identity
+  double countsPerRev = 0.0;        ///< from the board's identity
+  double mostOverExpected = 4.0;    ///< a ramp gives up at this many times the expected current
+  double indexTolerance_rad = 0.0;  ///< between the index and where homing found it; 0: not watched
+  double mostDrift_A = 0.1;         ///< of the current sensor's zero, from one zeroing to the next
 };
 
-/// Settle, dwell, ramp; motion counts when it is sustained in counts and in speed; it is dated back to the last
-/// standing sample, and the time the rotor needed for its first count is taken off. The angle where it stood is the
-/// event's angle.
+/// Each pass around the rotor begins beyond the index, so that lost counts show. Then at each angle: settle, dwell,
+/// ramp; motion counts when it is sustained in counts and in speed; it is dated back to the last standing sample, and
+/// the time the rotor needed for its first count is taken off. The angle where it stood is the event's angle.
 class BreakawaySweep : public TimedProcedure {
  public:
-  explicit BreakawaySweep(BreakawaySweepOptions options);
+  /// `earlier` are the breakaways of an interrupted sweep with the same bins; they are kept, and what is missing of the
+  /// turns is measured. Fails in words when the rotor doesn't break away three times in a row, when the index comes
+  /// elsewhere or not at all, and when the current sensor drifts.
+  explicit BreakawaySweep(BreakawaySweepOptions options, const std::vector<BreakawayEvent>& earlier = {});
 
   /// All breakaways so far, in the order they were measured; outliers are marked against their neighbours.
   const std::vector<BreakawayEvent>& events() const { return events_; }
@@ -63,7 +71,7 @@ class BreakawaySweep : public TimedProcedure {
   std::string activity() const override;
 
  private:
-  enum class Stage { zero, move, dwell, ramp };
+  enum class Stage { zero, index, move, dwell, ramp };
   struct Ramp {
     double start_A = 0.0, rate_A_per_s = 0.0, top_A = 0.0;  ///< positive in the way's direction
     bool learning = false;
@@ -80,8 +88,14 @@ class BreakawaySweep : public TimedProcedure {
   double binAngle_rad() const;
   double moving_A(Way way, double angle_rad) const;
   double hold_A() const;
+  size_t stepOf(const BreakawayEvent& event) const;
+  void keep(const std::vector<BreakawayEvent>& earlier);
+  void skipDone();
+  Command zero(const Sample& sample);
   Command current(double inWay_A);
   void enter(Stage stage, const Sample& sample);
+  void approach(const Sample& sample);
+  Command passIndex(const Sample& sample);
   Ramp planRamp() const;
   Command ramp(const Sample& sample);
   double commandedAt(double inRamp_s) const;
@@ -94,13 +108,17 @@ class BreakawaySweep : public TimedProcedure {
   Stage stage_ = Stage::zero;
   size_t step_ = 0, missed_ = 0, missedInARow_ = 0;
   int attempt_ = 0;
+  std::optional<size_t> indexPass_;  ///< pass around the rotor, of one way, that has begun with the index
+  std::vector<bool> done_;           ///< by step, of an earlier part
   std::vector<BreakawayEvent> events_;
+  IndexWatch index_;
+  OpenCurrent open_A_;
   std::array<std::optional<double>, 2> recent_A_;          ///< last breakaway less the holding current, by Way
   std::array<std::optional<double>, 2> recentOverMoving_;  ///< and over what keeps it moving there
   Ramp ramp_;
   std::vector<Row> rows_;
   double stageStart_s_ = 0.0, now_s_ = 0.0, zeroed_s_ = 0.0, first_s_ = 0.0, target_rad_ = 0.0, standing_rad_ = 0.0,
-         near_s_ = 0.0;
+         indexFrom_rad_ = 0.0, near_s_ = 0.0;
   double boardAngle_rad_ = 0.0;
   double commanded_A_ = 0.0;
   bool begun_ = false;

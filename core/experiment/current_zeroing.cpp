@@ -12,8 +12,14 @@ Command CurrentZeroing::run(const Sample& sample) {
     sum_ += sample.current_A;
     squares_ += sample.current_A * sample.current_A;
     ++count_;
+    half_A_.take(sample);
+  }
+  if (!second_ && elapsed_s_ >= options_.settle_s + 0.5 * options_.duration_s) {
+    second_ = true;
+    half_A_.moved(options_.mostDrift_A, false);
   }
   if (elapsed_s_ >= options_.settle_s + options_.duration_s) {
+    if (const std::string moved = half_A_.moved(options_.mostDrift_A, false); !moved.empty()) fail(moved);
     finish();
     return {};
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/estimate.h"
+#include "experiment/open_current.h"
 #include "experiment/timed_procedure.h"
 
 namespace breakaway {
@@ -9,9 +10,11 @@ namespace breakaway {
 struct CurrentZeroingOptions {
   double settle_s = 0.05;  ///< lets the winding's current die first
   double duration_s = 1.0;
+  double mostDrift_A = 0.05;  ///< from the first half of the time to the second
 };
 
-/// Takes the sensor's mean as its zero, which the board then subtracts, and measures the noise.
+/// Takes the sensor's mean as its zero, which the board then subtracts, and measures the noise. Fails in words when the
+/// sensor drifts meanwhile.
 class CurrentZeroing : public TimedProcedure {
  public:
   explicit CurrentZeroing(const CurrentZeroingOptions& options = {}) : options_(options) {}
@@ -30,6 +33,8 @@ class CurrentZeroing : public TimedProcedure {
   CurrentZeroingOptions options_;
   double elapsed_s_ = 0.0, sum_ = 0.0, squares_ = 0.0;
   size_t count_ = 0;
+  OpenCurrent half_A_;
+  bool second_ = false;
 };
 
 }  // namespace breakaway

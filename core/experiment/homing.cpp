@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "experiment/index_watch.h"
+
 namespace breakaway {
 
 namespace {
@@ -43,26 +45,63 @@ Command Homing::run(const Sample& sample) {
     fail("not done after " + std::to_string(static_cast<int>(options_.timeout_s)) + " s");
   switch (stage_) {
     case Stage::search:
-      travelled_rad_ = sample.angle_rad - stageAngle_rad_;
-      if (sample.index && sample.angle_rad > before - 1e-12) enter(Stage::backOff, sample);
-      if (travelled_rad_ > options_.mostTurns * turn)
-        fail("no index within " + std::to_string(options_.mostTurns).substr(0, 3) + " turns");
+      search(sample, before);
+      return move(options_.searchSpeed_rad_per_s);
+    case Stage::verify:
+      verify(sample);
       return move(options_.searchSpeed_rad_per_s);
     case Stage::backOff:
       if (sample.angle_rad < stageAngle_rad_ - options_.backOff_rad) enter(Stage::approach, sample);
       return move(-options_.searchSpeed_rad_per_s);
     case Stage::approach:
-      if (sample.angle_rad > stageAngle_rad_ + 4.0 * options_.backOff_rad)
-        fail("the index was seen once, but not again");
-      if (sample.index && sample.angle_rad >= before &&
-          sample.angle_rad > stageAngle_rad_ + 0.2 * options_.backOff_rad) {
-        edges_.push_back(0.5 * (before + sample.angle_rad));
-        if (edges_.size() >= options_.approaches) finish();
-        enter(Stage::backOff, sample);
-      }
+      approach(sample, before);
       return move(options_.approachSpeed_rad_per_s);
   }
   return {};
+}
+
+double Homing::tolerance_rad() const {
+  return std::max(options_.indexTolerance_rad, breakaway::indexTolerance_rad(options_.countsPerRev));
+}
+
+void Homing::search(const Sample& sample, double before_rad) {
+  travelled_rad_ = sample.angle_rad - stageAngle_rad_;
+  if (sample.index && sample.angle_rad > before_rad - 1e-12) {
+    enter(Stage::verify, sample);
+  } else if (travelled_rad_ > options_.mostTurns * turn) {
+    fail("no index within " + std::to_string(options_.mostTurns).substr(0, 3) +
+         " turns; check the encoder's index wire");
+  }
+}
+
+/// A sound index comes once in a turn; anywhere else it is a disturbed wire or a lost count.
+void Homing::verify(const Sample& sample) {
+  const double since_rad = sample.angle_rad - stageAngle_rad_;
+  if (since_rad > turn + tolerance_rad()) {
+    fail("the index was seen once, but not again after a whole turn; check the encoder's index wire");
+  } else if (sample.index && since_rad > 0.0) {
+    if (since_rad > turn - tolerance_rad()) {
+      enter(Stage::backOff, sample);
+    } else {
+      fail("the index was seen twice within a turn, " + degreesText(since_rad) +
+           " apart; check the encoder's index wire and shield");
+    }
+  }
+}
+
+void Homing::approach(const Sample& sample, double before_rad) {
+  const double since_rad = sample.angle_rad - stageAngle_rad_;
+  if (since_rad > 4.0 * options_.backOff_rad) fail("the index was seen once, but not again");
+  if (!sample.index || sample.angle_rad < before_rad || since_rad <= 0.2 * options_.backOff_rad) return;
+  const double edge_rad = 0.5 * (before_rad + sample.angle_rad);
+  if (!edges_.empty() && std::abs(edge_rad - edges_.front()) > tolerance_rad()) {
+    fail("the index was seen at two places, " + degreesText(std::abs(edge_rad - edges_.front())) +
+         " apart; check the encoder's index wire and shield");
+    return;
+  }
+  edges_.push_back(edge_rad);
+  if (edges_.size() >= options_.approaches) finish();
+  enter(Stage::backOff, sample);
 }
 
 Estimate Homing::indexAngle_rad() const {
@@ -84,7 +123,10 @@ double Homing::progress() const {
 
 double Homing::remaining_s() const {
   const double pass = options_.backOff_rad / options_.approachSpeed_rad_per_s + 0.5;
-  const double search = stage_ == Stage::search ? (turn - travelled_rad_) / options_.searchSpeed_rad_per_s : 0.0;
+  const double turns_rad = stage_ == Stage::search   ? 2.0 * turn - travelled_rad_
+                           : stage_ == Stage::verify ? turn - (lastAngle_rad_ - stageAngle_rad_)
+                                                     : 0.0;
+  const double search = turns_rad / options_.searchSpeed_rad_per_s;
   return std::max(0.0, search) +
          pass * static_cast<double>(options_.approaches - std::min(options_.approaches, edges_.size()));
 }
@@ -93,6 +135,8 @@ std::string Homing::activity() const {
   switch (stage_) {
     case Stage::search:
       return "searching the index counter-clockwise";
+    case Stage::verify:
+      return "turning once more to the index";
     case Stage::backOff:
       return "backing off";
     case Stage::approach:

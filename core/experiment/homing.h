@@ -12,16 +12,18 @@ struct HomingOptions {
   double searchSpeed_rad_per_s = 3.0;
   double approachSpeed_rad_per_s = 0.8;  ///< towards growing angle, always
   double backOff_rad = 0.25;
-  size_t approaches = 3;   ///< passes over the edge that are averaged
-  double mostTurns = 1.5;  ///< of the search
+  double indexTolerance_rad = 0.02;  ///< between two sights of one edge
+  size_t approaches = 3;             ///< passes over the edge that are averaged
+  double mostTurns = 1.5;            ///< of the search
   double timeout_s = 60.0;
   double stall_s = 3.0;          ///< without any motion while it should move
   double countsPerRev = 0.0;     ///< of the encoder, for the result's standard error; 0: unknown
   double current_limit_A = 0.0;  ///< 0: the controller's own
 };
 
-/// Searches the index towards growing angle, backs off, and passes its edge slowly from the same side a few times.
-/// Fails in words when there is no index within mostTurns, when the rotor doesn't move, or at the time-out.
+/// Searches the index towards growing angle, turns on to see it once more after exactly a turn, backs off, and passes
+/// its edge slowly from the same side a few times. Fails in words when there is no index within mostTurns, when it
+/// comes at two places, when the rotor doesn't move, or at the time-out.
 class Homing : public TimedProcedure {
  public:
   explicit Homing(const HomingOptions& options = {}) : options_(options) {}
@@ -38,9 +40,13 @@ class Homing : public TimedProcedure {
   std::string activity() const override;
 
  private:
-  enum class Stage { search, backOff, approach };
+  enum class Stage { search, verify, backOff, approach };
   Command move(double velocity_rad_per_s) const;
   bool stalled(const Sample& sample);
+  void search(const Sample& sample, double before_rad);
+  void verify(const Sample& sample);
+  void approach(const Sample& sample, double before_rad);
+  double tolerance_rad() const;
   void enter(Stage stage, const Sample& sample);
 
   HomingOptions options_;

@@ -2,34 +2,63 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace breakaway {
 
+namespace {
+constexpr double motion_rad = 0.01;  // less travel is no motion
+}
+
 Command SpinTest::run(const Sample& sample) {
-  elapsed_s_ = elapsed_s(sample);
-  if (tick_s() > 0.0) {
-    sum_.current_A += sample.current_A;
-    sum_.voltage_V += commanded_V_;
-    sum_.duration_s += tick_s();
-    ++count_;
-    if (sum_.duration_s >= options_.block_s - 0.5 * tick_s()) {
-      const auto n = static_cast<double>(count_);
-      blocks_.push_back({sample.time_s, sum_.duration_s, sample.angle_rad, sum_.current_A / n, sum_.voltage_V / n});
-      sum_ = {};
-      count_ = 0;
-    }
-  }
-  if (elapsed_s_ >= whole_s()) finish();
+  elapsed_s_ = elapsed_s(sample) - options_.rest_s;
+  if (elapsed_s_ < 0.0 || elapsed_s_ >= whole_s()) return rest(sample, elapsed_s_ > 0.0);
+  if (commanded_V_ == 0.0 && blocks_.empty() && count_ == 0) open_A_.moved(options_.mostDrift_A, false);
+  take(sample);
   const double highest = options_.highest_V > 0.0 ? options_.highest_V : 0.5 * sample.supply_V;
   const double legs = elapsed_s_ / options_.leg_s;
   const double phase = legs - 4.0 * std::floor(legs / 4.0);
   const double shape = phase < 1.0 ? phase : phase < 3.0 ? 2.0 - phase : phase - 4.0;
   commanded_V_ = highest * shape;
+  if (std::abs(shape) > 0.5) watchMotion(sample);
   return {Command::Mode::voltage, commanded_V_, options_.current_limit_A, false};
 }
 
+Command SpinTest::rest(const Sample& sample, bool last) {
+  open_A_.take(sample);
+  if (!last || elapsed_s_ < whole_s() + options_.rest_s) return {};
+  if (const std::string moved = open_A_.moved(options_.mostDrift_A, false); !moved.empty()) fail(moved);
+  finish();
+  return {};
+}
+
+void SpinTest::take(const Sample& sample) {
+  if (!(tick_s() > 0.0)) return;
+  sum_.current_A += sample.current_A;
+  sum_.voltage_V += commanded_V_;
+  sum_.duration_s += tick_s();
+  ++count_;
+  if (sum_.duration_s < options_.block_s - 0.5 * tick_s()) return;
+  const auto n = static_cast<double>(count_);
+  blocks_.push_back({sample.time_s, sum_.duration_s, sample.angle_rad, sum_.current_A / n, sum_.voltage_V / n});
+  sum_ = {};
+  count_ = 0;
+}
+
+void SpinTest::watchMotion(const Sample& sample) {
+  const bool moved = std::abs(sample.angle_rad - movedAngle_rad_) > motion_rad;
+  if (moved) movedAngle_rad_ = sample.angle_rad;
+  stalled_s_ = moved ? 0.0 : stalled_s_ + tick_s();
+  if (stalled_s_ <= options_.stall_s) return;
+  char text[128];
+  std::snprintf(text, sizeof text,
+                "the rotor does not move %s at %.1f V; is the shaft held, or the current limit too low?",
+                wayText(commanded_V_ > 0.0).c_str(), std::abs(commanded_V_));
+  fail(text);
+}
+
 double SpinTest::progress() const {
-  return std::min(1.0, elapsed_s_ / whole_s());
+  return std::clamp(elapsed_s_ / whole_s(), 0.0, 1.0);
 }
 
 double SpinTest::remaining_s() const {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "experiment/open_current.h"
 #include "experiment/timed_procedure.h"
 
 namespace breakaway {
@@ -13,6 +14,9 @@ struct SpinTestOptions {
   size_t cycles = 4;       ///< of up, down, up the other way, down
   double block_s = 0.01;
   double current_limit_A = 0.0;  ///< 0: the controller's own
+  double rest_s = 0.2;           ///< with open windings before and after, to see whether the current sensor drifts
+  double stall_s = 0.6;          ///< above half of the highest voltage without any motion
+  double mostDrift_A = 0.1;      ///< of the current sensor's zero, from the first rest to the last
 };
 
 /// Means over one block of ticks; the angle is at the block's end.
@@ -24,6 +28,7 @@ struct SpinBlock {
   double voltage_V = 0.0;
 };
 
+/// Fails in words when the rotor doesn't move, and when the current sensor drifts.
 class SpinTest : public TimedProcedure {
  public:
   explicit SpinTest(const SpinTestOptions& options = {}) : options_(options) {}
@@ -36,12 +41,17 @@ class SpinTest : public TimedProcedure {
   std::string activity() const override { return "spinning both ways by voltage"; }
 
  private:
+  Command rest(const Sample& sample, bool last);
+  void take(const Sample& sample);
+  void watchMotion(const Sample& sample);
   double whole_s() const { return 4.0 * options_.leg_s * static_cast<double>(options_.cycles); }
   SpinTestOptions options_;
   std::vector<SpinBlock> blocks_;
   SpinBlock sum_;
   size_t count_ = 0;
   double elapsed_s_ = 0.0, commanded_V_ = 0.0;
+  double movedAngle_rad_ = 0.0, stalled_s_ = 0.0;
+  OpenCurrent open_A_;
 };
 
 }  // namespace breakaway

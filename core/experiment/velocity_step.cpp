@@ -2,9 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 namespace breakaway {
+
+namespace {
+constexpr double motion_rad = 0.005;  // less travel is no motion
+constexpr double endStall = 0.1;      // of stall_s, at the end of the step
+}  // namespace
 
 Command VelocityStep::run(const Sample& sample) {
   elapsed_s_ = elapsed_s(sample);
@@ -15,9 +21,25 @@ Command VelocityStep::run(const Sample& sample) {
     curve_.reference_rad_per_s.push_back(after_s >= 0.0 ? options_.to_rad_per_s : options_.from_rad_per_s);
     curve_.current_A.push_back(sample.current_A);
   }
-  if (after_s >= options_.after_s) finish();
   const double target = after_s >= 0.0 ? options_.to_rad_per_s : options_.from_rad_per_s;
+  watchMotion(sample, target);
+  if (after_s >= options_.after_s) finish();
   return {Command::Mode::velocity, target, options_.current_limit_A, false};
+}
+
+/// A rotor that has gone some way at the speed asked for and stands since then is held; a slow one has its time.
+void VelocityStep::watchMotion(const Sample& sample, double target_rad_per_s) {
+  const bool moved = std::abs(sample.angle_rad - movedAngle_rad_) > motion_rad;
+  if (moved) movedAngle_rad_ = sample.angle_rad;
+  stalled_s_ = moved || std::abs(target_rad_per_s) * options_.stall_s < 10.0 * motion_rad ? 0.0 : stalled_s_ + tick_s();
+  const bool atEnd = elapsed_s_ >= options_.before_s + options_.after_s;
+  if (stalled_s_ <= (atEnd ? endStall * options_.stall_s : options_.stall_s)) return;
+  char text[128];
+  std::snprintf(
+      text, sizeof text,
+      "the rotor does not move though %.1f rad/s are asked for; is the shaft held, or the current limit too low?",
+      target_rad_per_s);
+  fail(text);
 }
 
 StepFigures VelocityStep::figures() const {

@@ -14,6 +14,7 @@ struct VelocityStepOptions {
   double after_s = 0.6;      ///< recorded after the step
   double settleBand = 0.05;  ///< of the step, for the settling time
   double current_limit_A = 0.0;
+  double stall_s = 0.4;  ///< without any motion while it should turn
 };
 
 struct StepFigures {
@@ -28,6 +29,7 @@ struct StepCurve {
   std::vector<double> time_s, velocity_rad_per_s, reference_rad_per_s, current_A;
 };
 
+/// Fails in words when the rotor doesn't move, or stands at the end though it should turn.
 class VelocityStep : public TimedProcedure {
  public:
   explicit VelocityStep(const VelocityStepOptions& options = {}) : options_(options) {}
@@ -42,8 +44,10 @@ class VelocityStep : public TimedProcedure {
 
  private:
   VelocityStepOptions options_;
+  void watchMotion(const Sample& sample, double target_rad_per_s);
+
   StepCurve curve_;
-  double elapsed_s_ = 0.0;
+  double elapsed_s_ = 0.0, movedAngle_rad_ = 0.0, stalled_s_ = 0.0;
 };
 
 }  // namespace breakaway

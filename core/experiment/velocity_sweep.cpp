@@ -15,15 +15,45 @@ constexpr double fastSpanAngle_rad = 1.0 / 12.0;  // where the inertia hides the
 constexpr double smoothing_s = 0.15;
 constexpr double held_s = 0.4;   // near the speed for so long before it counts
 constexpr double stuck_s = 3.0;  // without coming nearer to the speed
+constexpr double lost_s = 1.0;   // away from the speed by more than lostPart while measuring
+constexpr double lostPart = 0.3;
 }  // namespace
 
-VelocitySweep::VelocitySweep(VelocitySweepOptions options) : options_(std::move(options)) {
-  if (options_.speeds_rad_per_s.empty() || options_.bins == 0) fail("no speed or no bin is asked for");
+VelocitySweep::VelocitySweep(VelocitySweepOptions options, const std::vector<VelocityRun>& earlier)
+    : options_(std::move(options)), index_(options_.indexAngle_rad, options_.indexTolerance_rad) {
+  if (options_.speeds_rad_per_s.empty() || options_.bins == 0) {
+    fail("no speed or no bin is asked for");
+    return;
+  }
+  for (size_t k = 0; k < 2 * options_.speeds_rad_per_s.size(); ++k) {
+    const auto same = [&](const VelocityRun& run) {
+      return std::abs(run.target_rad_per_s - targetOf(k)) <= 1e-6 * std::abs(targetOf(k)) &&
+             run.bins.size() == options_.bins;
+    };
+    const auto found = std::find_if(earlier.begin(), earlier.end(), same);
+    if (found != earlier.end() && !isDone(targetOf(k))) runs_.push_back(*found);
+  }
+  skipDone();
+}
+
+bool VelocitySweep::isDone(double target_rad_per_s) const {
+  return std::any_of(runs_.begin(), runs_.end(), [&](const VelocityRun& run) {
+    return std::abs(run.target_rad_per_s - target_rad_per_s) <= 1e-6 * std::abs(target_rad_per_s);
+  });
+}
+
+void VelocitySweep::skipDone() {
+  while (next_ < 2 * options_.speeds_rad_per_s.size() && isDone(targetOf(next_))) ++next_;
+  if (next_ >= 2 * options_.speeds_rad_per_s.size()) finish();
+}
+
+double VelocitySweep::targetOf(size_t number) const {
+  const double speed = options_.speeds_rad_per_s[std::min(number / 2, options_.speeds_rad_per_s.size() - 1)];
+  return number % 2 == 0 ? speed : -speed;
 }
 
 double VelocitySweep::target() const {
-  const double speed = options_.speeds_rad_per_s[std::min(next_ / 2, options_.speeds_rad_per_s.size() - 1)];
-  return next_ % 2 == 0 ? speed : -speed;
+  return targetOf(next_);
 }
 
 double VelocitySweep::wobble() const {
@@ -45,30 +75,49 @@ Command VelocitySweep::run(const Sample& sample) {
     begun_ = true;
     enter(options_.zeroing_s > 0.0 ? Stage::zero : Stage::settle, sample);
   }
-  const double inStage_s = sample.time_s - stageStart_s_;
+  mean_rad_per_s_ += (sample.velocity_rad_per_s - mean_rad_per_s_) * std::min(1.0, tick_s() / smoothing_s);
+  if (const std::string wrong = index_.step(sample); !wrong.empty()) fail(wrong);
   switch (stage_) {
-    case Stage::zero: {
-      if (inStage_s > 0.05 + options_.zeroing_s) {
-        enter(Stage::settle, sample);
-        return {};
-      }
-      Command command;
-      command.zeroCurrentSensor = inStage_s > 0.05;
-      return command;
-    }
+    case Stage::zero:
+      return zero(sample);
     case Stage::settle:
       settle(sample);
       return drive();
     case Stage::sum:
+      hold(sample);
       sum(sample);
       return drive();
   }
   return {};
 }
 
+Command VelocitySweep::zero(const Sample& sample) {
+  const double inStage_s = sample.time_s - stageStart_s_;
+  if (inStage_s > 0.05 + options_.zeroing_s) {
+    if (const std::string moved = open_A_.moved(options_.mostDrift_A, true); !moved.empty()) fail(moved);
+    enter(Stage::settle, sample);
+    return {};
+  }
+  Command command;
+  command.zeroCurrentSensor = inStage_s > 0.05;
+  if (command.zeroCurrentSensor) open_A_.take(sample);
+  return command;
+}
+
+/// A rotor that is held or dragged down while it is measured would be summed for ever.
+void VelocitySweep::hold(const Sample& sample) {
+  if (std::abs(mean_rad_per_s_ - target()) < lostPart * std::abs(target())) held_s_ = sample.time_s;
+  if (sample.time_s - held_s_ < lost_s) return;
+  char text[160];
+  std::snprintf(
+      text, sizeof text,
+      "the speed %.1f rad/s was lost at %s, only %.1f rad/s are left; is the shaft held, or the limit too low?",
+      target(), degreesText(sample.angle_rad - options_.indexAngle_rad).c_str(), mean_rad_per_s_);
+  fail(text);
+}
+
 void VelocitySweep::settle(const Sample& sample) {
-  // Cogging's ripple is no part of how near it is.
-  mean_rad_per_s_ += (sample.velocity_rad_per_s - mean_rad_per_s_) * std::min(1.0, tick_s() / smoothing_s);
+  // Cogging's ripple is no part of how near it is: smoothed.
   const double off = std::abs(mean_rad_per_s_ - target());
   if (off < nearest_rad_per_s_ - 0.02 * std::abs(target())) {
     nearest_rad_per_s_ = off;
@@ -92,7 +141,7 @@ void VelocitySweep::settle(const Sample& sample) {
 
 void VelocitySweep::beginRun(const Sample& sample) {
   enter(Stage::sum, sample);
-  runStart_s_ = sample.time_s;
+  runStart_s_ = held_s_ = sample.time_s;
   startAngle_rad_ = sample.angle_rad;
   // As long a span as the finest harmonics allow: it divides the encoder's rounding.
   const double slowest = *std::min_element(options_.speeds_rad_per_s.begin(), options_.speeds_rad_per_s.end());
@@ -133,8 +182,7 @@ void VelocitySweep::sum(const Sample& sample) {
 void VelocitySweep::endRun(const Sample& sample) {
   open_.duration_s = sample.time_s - runStart_s_;
   runs_.push_back(open_);
-  ++next_;
-  if (next_ >= 2 * options_.speeds_rad_per_s.size()) finish();
+  skipDone();
   enter(options_.zeroing_s > 0.0 ? Stage::zero : Stage::settle, sample);
 }
 

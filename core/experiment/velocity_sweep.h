@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include "experiment/index_watch.h"
+#include "experiment/open_current.h"
 #include "experiment/timed_procedure.h"
 #include "friction/measurements.h"
 
@@ -19,14 +21,18 @@ struct VelocitySweepOptions {
                            ///< encoder's counts and the control tick in step, and their rounding would not average
   size_t blocks = 8;       ///< stretches of time whose scatter gives the standard errors
   double zeroing_s = 0.5;  ///< the current sensor is zeroed before each run; 0: never
-  double current_limit_A = 0.0;  ///< 0: the controller's own
+  double current_limit_A = 0.0;     ///< 0: the controller's own
+  double indexTolerance_rad = 0.0;  ///< between the index and where homing found it; 0: not watched
+  double mostDrift_A = 0.1;         ///< of the current sensor's zero, from one zeroing to the next
 };
 
 /// Runs each speed over whole turns and sums current and speed per bin of rotor angle. Fails in words when a speed
-/// isn't reached.
+/// isn't reached or not held, when the index comes elsewhere or not at all, and when the current sensor drifts.
 class VelocitySweep : public TimedProcedure {
  public:
-  explicit VelocitySweep(VelocitySweepOptions options);
+  /// `earlier` are complete runs of an interrupted sweep; those with the options' speeds and bins are kept and not run
+  /// again.
+  explicit VelocitySweep(VelocitySweepOptions options, const std::vector<VelocityRun>& earlier = {});
   /// The runs that are complete.
   const std::vector<VelocityRun>& runs() const { return runs_; }
 
@@ -43,6 +49,11 @@ class VelocitySweep : public TimedProcedure {
     return {Command::Mode::velocity, target() * (1.0 + wobble()), options_.current_limit_A, false};
   }
   double wobble() const;
+  double targetOf(size_t number) const;
+  bool isDone(double target_rad_per_s) const;
+  void skipDone();
+  Command zero(const Sample& sample);
+  void hold(const Sample& sample);
   void enter(Stage stage, const Sample& sample);
   void settle(const Sample& sample);
   void beginRun(const Sample& sample);
@@ -57,9 +68,12 @@ class VelocitySweep : public TimedProcedure {
   double stageStart_s_ = 0.0, now_s_ = 0.0, runStart_s_ = 0.0, startAngle_rad_ = 0.0;
   std::vector<double> angles_rad_, currents_A_;  ///< of the last 2·span_ + 1 samples, in a ring
   size_t span_ = 1, taken_ = 0;
-  double mean_rad_per_s_ = 0.0;  ///< smoothed speed while settling
+  double mean_rad_per_s_ = 0.0;  ///< smoothed speed
   double nearest_rad_per_s_ = 0.0, nearer_s_ = 0.0,
          reached_s_ = 0.0;  ///< to the speed while settling, and when it last came nearer
+  double held_s_ = 0.0;     ///< when the speed was last near enough while measuring
+  IndexWatch index_;
+  OpenCurrent open_A_;
   bool begun_ = false;
 };
 

@@ -5,25 +5,36 @@
 
 namespace breakaway {
 
+namespace {
+constexpr double rest_s = 0.4;
+}
+
 Command WindingTest::run(const Sample& sample) {
   now_s_ = elapsed_s(sample);
   switch (stage_) {
     case Stage::rest:
-      if (sample.time_s - stageStart_s_ < 0.4) return {};
-      if (ramp_ == options_.ramps) {
-        stage_ = Stage::square;
-      } else {
-        stage_ = Stage::ramp;
-        target_V_ = options_.start_V;
-      }
-      stageStart_s_ = blockStart_s_ = sample.time_s;
-      standing_rad_ = sample.angle_rad;
-      return {};
+      return rest(sample);
     case Stage::ramp:
       return ramp(sample);
     case Stage::square:
       return square(sample);
   }
+  return {};
+}
+
+Command WindingTest::rest(const Sample& sample) {
+  const double inStage_s = sample.time_s - stageStart_s_;
+  if (inStage_s > 0.05) open_A_.take(sample);
+  if (inStage_s < rest_s) return {};
+  if (const std::string moved = open_A_.moved(options_.mostDrift_A, false); !moved.empty()) fail(moved);
+  if (ramp_ == options_.ramps) {
+    stage_ = Stage::square;
+  } else {
+    stage_ = Stage::ramp;
+    target_V_ = options_.start_V;
+  }
+  stageStart_s_ = blockStart_s_ = sample.time_s;
+  standing_rad_ = sample.angle_rad;
   return {};
 }
 

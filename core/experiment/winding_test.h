@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "experiment/open_current.h"
 #include "experiment/timed_procedure.h"
 #include "motor/winding_line.h"
 
@@ -19,10 +20,12 @@ struct WindingTestOptions {
   double square_s = 3.0;     ///< duration of the square wave
   double squareHalfPeriod_s = 0.02;
   double current_limit_A = 0.0;  ///< 0: the controller's own
+  double mostDrift_A = 0.1;      ///< of the current sensor's zero, from one rest to the next
 };
 
 /// Raises the voltage slowly until the rotor moves, both ways, for the steady line; then a square wave below that level
-/// for the time constant. Fails in words when the rotor doesn't move up to the supply or the current limit's plateau.
+/// for the time constant. Fails in words when the rotor doesn't move up to the supply or the current limit's plateau,
+/// and when the current sensor drifts.
 class WindingTest : public TimedProcedure {
  public:
   explicit WindingTest(const WindingTestOptions& options = {}) : options_(options) {}
@@ -42,6 +45,7 @@ class WindingTest : public TimedProcedure {
 
  private:
   enum class Stage { rest, ramp, square };
+  Command rest(const Sample& sample);
   Command ramp(const Sample& sample);
   Command square(const Sample& sample);
   void takePoint(const Sample& sample);
@@ -60,6 +64,7 @@ class WindingTest : public TimedProcedure {
   double stageStart_s_ = 0.0, standing_rad_ = 0.0, target_V_ = 0.0, now_s_ = 0.0;
   double blockVoltage_ = 0.0, blockCurrent_ = 0.0, blockStart_s_ = 0.0;
   size_t blockCount_ = 0;
+  OpenCurrent open_A_;
   double moved_V_ = 0.0, onset_V_ = 0.0;  ///< least voltage that moved it; voltage at which current first stood out
   std::vector<double> sums_;
   std::vector<size_t> counts_;

@@ -80,7 +80,7 @@ Plant::Plant(const Rig& rig, double substep_s, uint64_t seed)
 
 void Plant::prepare() {
   for (int way = 0; way < 2; ++way) {
-    motor_[way].resistance_ohm = coldResistance_ohm_ * (1.0 + heatShare_ * heat_);
+    motor_[way].resistance_ohm = coldResistance_ohm_ * resistancePart_ * (1.0 + heatShare_ * heat_);
     closed_[way] = closedWindings(motor_[way], substep_s_);
     opened_[way] = breakaway::openWindings(motor_[way], substep_s_);
   }
@@ -149,7 +149,7 @@ double Plant::stand(double duration_s) {
   const double free = here.position_Nm + outerTorque();
   for (int way = 0; way < 2; ++way) {
     const double limit = threshold(way);
-    if (signOf(way) * (here.torqueConstant * end + free) <= limit) continue;
+    if (blocked_ || signOf(way) * (here.torqueConstant * end + free) <= limit) continue;
     double used = 0.0;
     const double level = (signOf(way) * limit - free) / here.torqueConstant;  // current at which it lets go
     if (signOf(way) * (level - start) > 0.0)
@@ -233,7 +233,14 @@ void Plant::heat() {
   prepare();
 }
 
+void Plant::scaleResistance(double part) {
+  if (part == resistancePart_) return;
+  resistancePart_ = part;
+  prepare();
+}
+
 void Plant::advance(int substeps) {
+  if (blocked_ && moving_) comeToRest();
   for (int k = 0; k < substeps; ++k) {
     double left = substep_s_;
     // Rest and breakaway can follow each other within a step; what eight events leave over is less than a step.

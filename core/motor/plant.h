@@ -25,6 +25,10 @@ class Plant {
     open_ = false;
   }
   void openWindings() { open_ = true; }
+  /// Holds the shaft fast, or lets it go.
+  void block(bool held) { blocked_ = held; }
+  /// Sets the winding's resistance to `part` of what the rig file gives.
+  void scaleResistance(double part);
   void advance(int substeps);
 
   double time_s() const { return time_s_; }
@@ -66,7 +70,8 @@ class Plant {
 
   Noise noise_;
   double time_s_ = 0.0, angle_rad_ = 0.0, velocity_ = 0.0, current_ = 0.0, voltage_V_ = 0.0, acceleration_ = 0.0;
-  bool open_ = true, moving_ = false;
+  bool open_ = true, moving_ = false, blocked_ = false;
+  double resistancePart_ = 1.0;
   int way_ = 1;                     ///< of the motion: 0 cw, 1 ccw
   double scatter_[2] = {1.0, 1.0};  ///< of this standstill, or of the breakaway that began this motion
   double restStart_s_ = -1e9, heatDone_s_ = 0.0;

@@ -119,6 +119,7 @@ Result<Rig> readRig(JsonObject root) {
   readCurrentSensor(root.object("current_sensor", false), rig.currentSensor);
   readBridge(root.object("bridge"), rig.bridge);
   for (JsonObject& effect : root.objects("effects")) rig.effects.push_back(readEffect(effect));
+  rig.faults = readFaults(root);
   if (const auto done = root.finish(); !done) return done.error();
   return rig;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "motor/rig_faults.h"
 
 namespace breakaway {
 
@@ -70,6 +71,7 @@ struct Rig {
   RigCurrentSensor currentSensor;
   RigBridge bridge;
   std::vector<RigEffect> effects;
+  std::vector<RigFault> faults;
 
   double positionTorqueAt(double angle_rad) const;
 };

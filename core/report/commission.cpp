@@ -19,6 +19,7 @@ namespace breakaway {
 namespace {
 
 constexpr double slice_s = 0.25;
+constexpr double tellEvery_s = 0.5, keepEvery_s = 30.0;
 
 double highestSpeed(const std::vector<SpinBlock>& blocks) {
   double highest = 0.0;
@@ -35,7 +36,16 @@ class Job {
   Result<Commission> run();
 
  private:
-  Result<void> runStep(const std::string& step, const std::shared_ptr<Procedure>& procedure, double share);
+  using Gather = std::function<void()>;
+  Result<void> runStep(const std::string& step, const std::shared_ptr<Procedure>& procedure, double share,
+                       const Gather& gather = {});
+  Result<void> runToEnd(Procedure& procedure, StepRecorder& recorder, double share, const Gather& gather);
+  Result<void> keepRecording(const StepRecorder& recorder, const std::string& step);
+  Result<void> keepProgress(const Gather& gather);
+  size_t decimation(double expected_s) const;
+  void tell(const Procedure& procedure, double share) const;
+  std::optional<double> trustedTorqueConstant() const;
+  Result<void> begin();
   Result<void> identify();
   Result<void> tune();
   Result<void> home();
@@ -50,42 +60,120 @@ class Job {
   Commission done_;
   std::array<double, 2> expected_A_{0.0, 0.0};
   double progress_ = 0.0;
+  size_t lost_ = 0;  ///< samples, in the step that runs
+  CommissionProgress kept_;
 };
 
-Result<void> Job::runStep(const std::string& step, const std::shared_ptr<Procedure>& procedure, double share) {
-  const double rate = drive_.identity().loopRate_Hz;
-  const double expected_s = procedure->status().remaining_s;
-  const double byRows = expected_s * rate / static_cast<double>(std::max<size_t>(1, options_.mostRows));
-  const double byRate = rate / options_.recordingRate_Hz;
-  const bool isLong = expected_s > options_.shortStep_s;
-  const auto every = isLong ? static_cast<size_t>(std::max({1.0, std::round(byRate), std::round(byRows)})) : size_t{1};
-  StepRecorder recorder(step, every);
-  std::vector<Sample> samples;
-  double told_s = 0.0;
-  size_t lost = 0;
-  drive_.start(procedure);
-  while (procedure->state() == Procedure::State::running) {
-    samples.clear();
-    const auto advanced = drive_.advance(slice_s, samples);
-    if (!advanced) return advanced.error();
-    lost += *advanced;
-    done_.rigTime_s += slice_s;
-    if (options_.keepRecordings) recorder.append(samples);
-    if (options_.progress && (told_s += slice_s) >= 0.5) {
-      const auto status = procedure->status();
-      options_.progress(progress_ + share * status.progress, status.activity);
-      told_s = 0.0;
-    }
+std::optional<double> Job::trustedTorqueConstant() const {
+  if (!options_.bench || !options_.bench->trusted.contains("torque_constant_Nm_per_A")) return {};
+  return options_.bench->motor.torqueConstant;
+}
+
+/// Fresh, or from what was kept, if that belongs to this job.
+Result<void> Job::begin() {
+  const CommissionProgress fresh{done_.identity.device,
+                                 options_.bins,
+                                 options_.turns,
+                                 options_.speedRun_s,
+                                 trustedTorqueConstant(),
+                                 1,
+                                 0.0,
+                                 {},
+                                 {},
+                                 {},
+                                 {},
+                                 {}};
+  kept_ = options_.earlier.value_or(fresh);
+  if (!options_.earlier) return {};
+  if (kept_.device != fresh.device)
+    return Error{"board", "is " + fresh.device + ", but the interrupted job was begun on " + kept_.device};
+  if (kept_.bins != fresh.bins || kept_.turns != fresh.turns) {
+    return Error{"bins and turns", "are " + std::to_string(fresh.bins) + " and " + std::to_string(fresh.turns) +
+                                       ", but the interrupted job was begun with " + std::to_string(kept_.bins) +
+                                       " and " + std::to_string(kept_.turns)};
   }
-  progress_ += share;
-  if (lost > 0) done_.remarks.push_back(step + ": " + std::to_string(lost) + " samples were lost on the way.");
-  const auto status = procedure->status();
-  if (status.state != Procedure::State::finished) return Error{step, status.failure};
-  if (!options_.keepRecordings) return {};
+  if (kept_.speedRun_s != fresh.speedRun_s ||
+      kept_.trustedTorqueConstant_Nm_per_A != fresh.trustedTorqueConstant_Nm_per_A)
+    return Error{"bench", "has another trusted torque constant than the interrupted job was begun with"};
+  ++kept_.part;
+  done_.rigTime_s = kept_.rigTime_s;
+  done_.remarks = kept_.remarks;
+  done_.remarks.push_back("The job was interrupted and went on: part " + std::to_string(kept_.part) + " began after " +
+                          std::to_string(kept_.runs.size()) + " runs and " + std::to_string(kept_.events.size()) +
+                          " breakaways.");
+  return {};
+}
+
+size_t Job::decimation(double expected_s) const {
+  if (expected_s <= options_.shortStep_s) return 1;
+  const double rate = drive_.identity().loopRate_Hz;
+  const double byRows = expected_s * rate / static_cast<double>(std::max<size_t>(1, options_.mostRows));
+  return static_cast<size_t>(std::max({1.0, std::round(rate / options_.recordingRate_Hz), std::round(byRows)}));
+}
+
+void Job::tell(const Procedure& procedure, double share) const {
+  if (!options_.progress) return;
+  const auto status = procedure.status();
+  options_.progress(progress_ + share * status.progress, status.activity);
+}
+
+Result<void> Job::keepProgress(const Gather& gather) {
+  if (gather) gather();
+  kept_.rigTime_s = done_.rigTime_s;
+  kept_.remarks = done_.remarks;
+  return options_.keepProgress ? options_.keepProgress(kept_) : Result<void>{};
+}
+
+Result<void> Job::keepRecording(const StepRecorder& recorder, const std::string& step) {
+  if (!options_.keepRecordings || recorder.empty()) return {};
   auto recording = recorder.seal({{"device", drive_.identity().device}, {"firmware", drive_.identity().firmware}});
   if (!recording) return recording.error();
-  done_.recordings.emplace_back(step, std::move(*recording));
+  const std::string name = kept_.part > 1 ? step + "-part" + std::to_string(kept_.part) : step;
+  if (options_.keepRecording) return options_.keepRecording(name, *recording);
+  done_.recordings.emplace_back(name, std::move(*recording));
   return {};
+}
+
+Result<void> Job::runToEnd(Procedure& procedure, StepRecorder& recorder, double share, const Gather& gather) {
+  std::vector<Sample> samples;
+  double told_s = 0.0, kept_s = 0.0;
+  while (procedure.state() == Procedure::State::running) {
+    if (options_.interrupted && options_.interrupted()) {
+      drive_.stop("interrupted from the keyboard; the motor is off");
+      break;
+    }
+    samples.clear();
+    const auto advanced = drive_.advance(slice_s, samples);
+    if (options_.keepRecordings) recorder.append(samples);
+    if (!advanced) {
+      procedure.stop(advanced.error().fact);
+      break;
+    }
+    lost_ += *advanced;
+    done_.rigTime_s += slice_s;
+    if ((told_s += slice_s) >= tellEvery_s) tell(procedure, share), told_s = 0.0;
+    if (gather && (kept_s += slice_s) >= keepEvery_s) {
+      kept_s = 0.0;
+      if (const auto kept = keepProgress(gather); !kept) return kept;
+    }
+  }
+  return {};
+}
+
+Result<void> Job::runStep(const std::string& step, const std::shared_ptr<Procedure>& procedure, double share,
+                          const Gather& gather) {
+  StepRecorder recorder(step, decimation(procedure->status().remaining_s));
+  lost_ = 0;
+  if (procedure->state() == Procedure::State::running) {
+    drive_.start(procedure);
+    if (const auto ran = runToEnd(*procedure, recorder, share, gather); !ran) return ran;
+  }
+  progress_ += share;
+  if (lost_ > 0) done_.remarks.push_back(step + ": " + std::to_string(lost_) + " samples were lost on the way.");
+  if (const auto kept = keepProgress(gather); !kept) return kept;
+  if (const auto kept = keepRecording(recorder, step); !kept) return kept;
+  const auto status = procedure->status();
+  return status.state == Procedure::State::finished ? Result<void>{} : Error{step, status.failure};
 }
 
 Result<void> Job::identify() {
@@ -93,6 +181,11 @@ Result<void> Job::identify() {
   if (auto ran = runStep("01-zero", zeroing, 0.002); !ran) return ran;
   done_.noiseRms_A = zeroing->noiseRms_A();
   done_.sensorZero_A = zeroing->zero_A();
+  if (kept_.motor) {
+    done_.motor = *kept_.motor;
+    expected_A_ = kept_.expected_A;
+    return {};
+  }
   const auto winding = std::make_shared<WindingTest>();
   if (auto ran = runStep("02-winding", winding, 0.02); !ran) return ran;
   const auto line = fitWindingLine(winding->points());
@@ -106,9 +199,7 @@ Result<void> Job::identify() {
   auto spin = std::make_shared<SpinTest>(spinOptions);
   if (auto ran = runStep("03-spin", spin, 0.03); !ran) return ran;
   MotorIdentificationOptions options;
-  if (options_.bench && options_.bench->trusted.contains("torque_constant_Nm_per_A")) {
-    options.trustedTorqueConstant_Nm_per_A = options_.bench->motor.torqueConstant;
-  }
+  options.trustedTorqueConstant_Nm_per_A = trustedTorqueConstant();
   auto motor = identifyMotor(spin->blocks(), *line, *constant, options);
   if (!motor ||
       highestSpeed(spin->blocks()) * motor->backEmfConstant_V_s_per_rad.value < 0.3 * drive_.identity().supply_V) {
@@ -128,7 +219,10 @@ Result<void> Job::identify() {
         "same "
         "quantity. All torques rest on the trusted one.");
   }
-  return {};
+  return keepProgress([this] {
+    kept_.motor = done_.motor;
+    kept_.expected_A = expected_A_;
+  });
 }
 
 Result<void> Job::tune() {
@@ -189,10 +283,12 @@ Result<void> Job::sweepVelocity() {
   VelocitySweepOptions options;
   for (const double part : {0.05, 0.1, 0.2, 0.35, 0.6, 1.0}) options.speeds_rad_per_s.push_back(part * highest);
   options.indexAngle_rad = done_.indexAngle_rad.value;
+  options.indexTolerance_rad = indexTolerance_rad(done_.identity.countsPerRev);
   options.run_s = options_.speedRun_s;
   options.zeroing_s = zeroing_s();
-  const auto sweep = std::make_shared<VelocitySweep>(options);
-  if (auto ran = runStep("05-velocity-sweep", sweep, 0.2); !ran) return ran;
+  const auto sweep = std::make_shared<VelocitySweep>(options, kept_.runs);
+  const auto gather = [this, sweep] { kept_.runs = sweep->runs(); };
+  if (auto ran = runStep("05-velocity-sweep", sweep, 0.2, gather); !ran) return ran;
   done_.runs = sweep->runs();
   auto moving = fitMovingFriction(done_.runs, frictionOptions());
   if (!moving) return moving.error();
@@ -222,10 +318,12 @@ Result<void> Job::sweepBreakaway() {
     options.moving_A[static_cast<size_t>(way)] = movingCurrent_A(done_.runs, way, frictionOptions());
   options.countsPerRev = drive_.identity().countsPerRev;
   options.zeroing_s = zeroing_s();
+  options.indexTolerance_rad = indexTolerance_rad(options.countsPerRev);
   options.zeroEvery_s = 20.0 * std::max(0.5, options.zeroing_s);
   options.current_limit_A = done_.settings.current_limit_A;
-  const auto sweep = std::make_shared<BreakawaySweep>(options);
-  if (auto ran = runStep("06-breakaway-sweep", sweep, 0.738); !ran) return ran;
+  const auto sweep = std::make_shared<BreakawaySweep>(options, kept_.events);
+  const auto gather = [this, sweep] { kept_.events = sweep->events(); };
+  if (auto ran = runStep("06-breakaway-sweep", sweep, 0.738, gather); !ran) return ran;
   done_.events = sweep->events();
   done_.missed = sweep->missed();
   if (done_.missed > 0)
@@ -286,6 +384,7 @@ Result<Commission> Job::run() {
   done_.identity = drive_.identity();
   if (!(done_.identity.countsPerRev > 0.0)) return Error{"board", "has no encoder, which everything here rests on"};
   if (!done_.identity.hasIndex) return Error{"board", "has an encoder without index, which homing needs"};
+  if (const auto ok = begin(); !ok) return ok.error();
   if (const auto ok = identify(); !ok) return ok.error();
   if (const auto ok = tune(); !ok) return ok.error();
   if (const auto ok = home(); !ok) return ok.error();

@@ -16,6 +16,7 @@
 #include "identify/velocity_friction.h"
 #include "motor/bench.h"
 #include "recording/recording.h"
+#include "report/commission_progress.h"
 
 namespace breakaway {
 
@@ -32,6 +33,15 @@ struct CommissionOptions {
   bool keepRecordings = true;
   std::function<void(double progress, const std::string& activity)>
       progress;  ///< called about every half second of rig time
+
+  /// What an interrupted job had: its motor is taken, its runs and breakaways are not measured again. The current
+  /// sensor is zeroed and the rotor homed anew, because the board may have been without power.
+  std::optional<CommissionProgress> earlier;
+  /// Called when a step has ended, however it ended, and about every half minute of rig time within a sweep.
+  std::function<Result<void>(const CommissionProgress&)> keepProgress;
+  /// Takes each step's recording, that of an interrupted step too; without it they are gathered in the result.
+  std::function<Result<void>(const std::string& step, const Recording&)> keepRecording;
+  std::function<bool()> interrupted;  ///< asked often; true stops the motor and ends the job
 };
 
 struct Commission {
@@ -53,7 +63,9 @@ struct Commission {
 };
 
 /// Runs everything in order: current sensor's zero, winding test, spin test, tuning from what was identified, homing,
-/// velocity sweep, breakaway sweep, map. An error names the step and why it failed in words.
+/// velocity sweep, breakaway sweep, map. An error names the step and why it failed in words; the motor is off then, and
+/// what was measured went to options.keepProgress. Goes on from options.earlier, unless that was begun on another board
+/// or with other bins, turns or trusted torque constant.
 Result<Commission> commission(Drive& drive, const CommissionOptions& options);
 
 }  // namespace breakaway

@@ -202,11 +202,16 @@ std::string reportHtml(const Commission& done, bool hasTruth) {
 
 }  // namespace
 
+Result<void> writeStep(const std::string& step, const Recording& recording, const std::string& folder) {
+  if (auto made = makeFolder(folder + "/recordings"); !made) return made;
+  return writeCsv(recording, folder + "/recordings/" + step + ".csv");
+}
+
 Result<void> writeCommission(const Commission& done, const std::optional<FrictionMap>& truth,
                              const std::string& folder) {
   if (auto made = makeFolder(folder + "/recordings"); !made) return made;
   for (const auto& [step, recording] : done.recordings) {
-    if (auto written = writeCsv(recording, folder + "/recordings/" + step + ".csv"); !written) return written;
+    if (auto written = writeStep(step, recording, folder); !written) return written;
   }
   if (auto written = writeBench(done.bench, folder + "/bench.json"); !written) return written;
   if (auto written = exportMap(done.map, "json", folder + "/map.json"); !written) return written;

@@ -14,6 +14,9 @@ namespace breakaway {
 Result<void> writeCommission(const Commission& commission, const std::optional<FrictionMap>& truth,
                              const std::string& folder);
 
+/// Writes one step's recording to recordings/STEP.csv in `folder`.
+Result<void> writeStep(const std::string& step, const Recording& recording, const std::string& folder);
+
 /// The averages in a few lines of plain text.
 std::string inWords(const Commission& commission);
 

@@ -18,6 +18,7 @@ class StepRecorder {
   StepRecorder(std::string step, size_t every) : step_(std::move(step)), every_(every) {}
 
   void append(const std::vector<Sample>& samples);
+  bool empty() const { return kept_.empty(); }
   /// The columns of contracts section 2. `index` is set in the kept row after which it was seen.
   Result<Recording> seal(const std::vector<std::pair<std::string, std::string>>& notes) const;
 

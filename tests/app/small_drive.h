@@ -18,6 +18,7 @@ struct DriveWitness {
   std::atomic<double> velocity_rad_per_s{0.0};
   std::atomic<size_t> lose{0};  ///< samples to lose from the next slice
   std::atomic<bool> cableCut{false};
+  std::atomic<bool> trips{false};  ///< the board ends what runs by itself
 };
 
 class SmallDrive : public Drive {
@@ -49,6 +50,7 @@ class SmallDrive : public Drive {
   }
   Result<size_t> advance(double duration_s, std::vector<Sample>& samples) override {
     if (witness_->cableCut) return Error{"small drive", "the cable was pulled"};
+    if (witness_->trips.exchange(false)) stop("over-current: 9.9 A measured");
     const auto ticks = static_cast<size_t>(std::lround(duration_s * identity_.loopRate_Hz));
     const size_t lost = std::min(ticks, witness_->lose.exchange(0));
     for (size_t k = 0; k < ticks; ++k) {

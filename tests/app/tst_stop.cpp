@@ -2,6 +2,7 @@
 #include <QComboBox>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QSignalSpy>
 
 #include "app/small_drive.h"
 #include "app/window_support.h"
@@ -25,6 +26,7 @@ class TestStop : public QObject {
   void stop_reachesTheDriveWithin50ms();
   void startPostedBeforeStop_isDropped();
   void pulledCable_isSaid();
+  void boardsOwnStop_isSaidInItsWords();
   void lostSamples_areCounted();
   void visibleStretch_isExportedWithEverySample();
 };
@@ -155,6 +157,24 @@ void TestStop::startPostedBeforeStop_isDropped() {
   QTRY_VERIFY(desk.witness->stops == 1);
   QTest::qWait(100);
   QVERIFY(!desk.witness->powered);
+}
+
+void TestStop::boardsOwnStop_isSaidInItsWords() {
+  Desk desk;
+  QVERIFY(desk.turning());
+  QSignalSpy said(&desk.session, &Session::said);
+  desk.witness->trips = true;
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.run().status.state == Procedure::State::stopped; }, 5000));
+  QVERIFY(desk.session.run().endedByBoard);
+  QCOMPARE(said.count(), 1);
+  QCOMPARE(said.front().at(0).toString(), QString("over-current: 9.9 A measured"));
+  QVERIFY(said.front().at(1).toBool());
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.stateWords() == "stopped by the board"; }, 5000));
+  said.clear();
+  QVERIFY(desk.turning());
+  press(desk.window, "stopButton");
+  QVERIFY(desk.stopped());
+  QVERIFY(!desk.session.run().endedByBoard);
 }
 
 void TestStop::pulledCable_isSaid() {

@@ -18,6 +18,9 @@ class TestRig : public QObject {
   void unknownEffect_namesTheKnownOnes();
   void unknownEffectParameter_isRefused();
   void leftOutEffectParameter_takesItsDefault();
+  void faults_areRead();
+  void unknownFault_namesTheKnownOnes();
+  void supplyAboveWhole_isRefused();
 };
 
 namespace {
@@ -94,6 +97,29 @@ void TestRig::leftOutEffectParameter_takesItsDefault() {
       readRigText(rigText("6e-5", "[]", R"(, "effects": [{"effect": "constant_load", "parameters": {}}])"), "r");
   QVERIFY(rig.ok());
   QCOMPARE(torquesAt(*rig, 0.0).position_Nm, 0.002);
+}
+
+void TestRig::faults_areRead() {
+  const auto rig =
+      readRigText(rigText("6e-5", "[]", R"(, "faults": [{"fault": "encoder_jump", "start_s": 5, "counts": -7},
+    {"fault": "blocked", "start_s": 2, "duration_s": 0.5}])"),
+                  "r");
+  QVERIFY(rig.ok());
+  QCOMPARE(rig->faults.size(), size_t{2});
+  QVERIFY(rig->faults[0].kind == FaultKind::encoderJump && rig->faults[0].counts == -7.0);
+  QVERIFY(rig->faults[0].acts(1e9) && !rig->faults[0].acts(4.9));
+  QVERIFY(rig->faults[1].acts(2.4) && !rig->faults[1].acts(2.6) && std::isnan(rig->faults[1].angle_rad));
+}
+
+void TestRig::unknownFault_namesTheKnownOnes() {
+  const std::string fault = faultOf(rigText("6e-5", "[]", R"(, "faults": [{"fault": "fire"}])"));
+  QVERIFY(fault.find("faults[0].fault: is \"fire\"") != std::string::npos);
+  QVERIFY(fault.find("link_loss") != std::string::npos);
+}
+
+void TestRig::supplyAboveWhole_isRefused() {
+  const std::string fault = faultOf(rigText("6e-5", "[]", R"(, "faults": [{"fault": "supply_drop", "part": 1.5}])"));
+  QVERIFY2(fault.find("faults[0].part: is above 1") != std::string::npos, fault.c_str());
 }
 
 QTEST_APPLESS_MAIN(TestRig)

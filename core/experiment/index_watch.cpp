@@ -1,0 +1,46 @@
+#include "experiment/index_watch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+namespace breakaway {
+
+namespace {
+constexpr double turn = 2.0 * std::numbers::pi;
+}
+
+double indexTolerance_rad(double countsPerRev) {
+  const double half_degree_rad = turn / 720.0;
+  return half_degree_rad + (countsPerRev > 0.0 ? 8.0 * turn / countsPerRev : 0.0);
+}
+
+std::string IndexWatch::step(const Sample& sample) {
+  if (!(tolerance_rad_ > 0.0)) return {};
+  if (!begun_) before_rad_ = sample.angle_rad;
+  begun_ = true;
+  const double middle_rad = 0.5 * (before_rad_ + sample.angle_rad);
+  const double room_rad = 0.5 * std::abs(sample.angle_rad - before_rad_) + tolerance_rad_;
+  before_rad_ = sample.angle_rad;
+  if (sample.index) {
+    seen_ = true;
+    const double off_rad = std::remainder(middle_rad - index_rad_, turn);
+    if (std::abs(off_rad) <= room_rad) return {};
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "the index came %.1f° from where homing found it: the encoder lost counts; home again, then go on",
+                  off_rad * 360.0 / turn);
+    return text;
+  }
+  if (std::abs(std::remainder(sample.angle_rad - index_rad_, turn)) <= tolerance_rad_) return {};
+  const double side = std::floor((sample.angle_rad - index_rad_) / turn);
+  const bool missed = besideOnce_ && side != side_ && !seen_;
+  side_ = side;
+  besideOnce_ = true;
+  seen_ = false;
+  if (!missed) return {};
+  return "the index did not come where homing found it; check the encoder's index wire, home again, then go on";
+}
+
+}  // namespace breakaway

@@ -1,0 +1,31 @@
+// Whether the encoder's index still comes where homing found it.
+#pragma once
+
+#include <string>
+
+#include "experiment/drive.h"
+
+namespace breakaway {
+
+/// The encoder's only means to show that no count was lost.
+class IndexWatch {
+ public:
+  /// `indexAngle_rad` in the board's angle, any turn; `tolerance_rad` for the index' width and the encoder's rounding;
+  /// 0 watches nothing.
+  IndexWatch(double indexAngle_rad, double tolerance_rad) : index_rad_(indexAngle_rad), tolerance_rad_(tolerance_rad) {}
+
+  /// Takes every sample; what is wrong in words, empty as long as nothing is: the index seen elsewhere, or its place
+  /// passed without it.
+  std::string step(const Sample& sample);
+
+ private:
+  double index_rad_, tolerance_rad_;
+  double before_rad_ = 0.0;
+  double side_ = 0.0;  ///< whole turns from the index when last well beside it
+  bool begun_ = false, besideOnce_ = false, seen_ = false;
+};
+
+/// Tolerance for an encoder of that many counts: its index' width and rounding, and half a degree.
+double indexTolerance_rad(double countsPerRev);
+
+}  // namespace breakaway

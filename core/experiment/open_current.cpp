@@ -1,0 +1,38 @@
+#include "experiment/open_current.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace breakaway {
+
+void OpenCurrent::begin() {
+  sum_A_ = 0.0;
+  samples_ = 0;
+}
+
+void OpenCurrent::take(const Sample& sample) {
+  if (sample.enabled) return;
+  if (samples_ == 0) start_s_ = sample.time_s;
+  sum_A_ += sample.current_A;
+  ++samples_;
+}
+
+std::string OpenCurrent::moved(double most_A, bool rezeroed) {
+  if (samples_ == 0) return {};
+  const double mean_A = sum_A_ / static_cast<double>(samples_);
+  const double move_A = rezeroed ? mean_A : mean_A - before_A_, passed_s = start_s_ - before_s_;
+  const bool far = known_ && std::abs(move_A) > most_A;
+  known_ = true;
+  before_A_ = mean_A;
+  before_s_ = start_s_;
+  begin();
+  if (!far) return {};
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "the current sensor's zero moved by %.3f A within %.1f s, more than %.2f A; let the bench come to a "
+                "steady temperature, or check the sensor, then go on",
+                move_A, passed_s, most_A);
+  return text;
+}
+
+}  // namespace breakaway

@@ -1,0 +1,250 @@
+#include "report/commission_progress.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "base/atomic_file.h"
+#include "base/json_object.h"
+
+namespace breakaway {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+constexpr const char* schema = "breakaway.progress/1";
+constexpr size_t sumWidth = 5, eventWidth = 13;
+constexpr double mostCount = 1e9;
+
+struct MotorField {
+  const char* name;
+  Estimate IdentifiedMotor::*estimate;
+};
+constexpr MotorField motorFields[] = {
+    {"torque_constant_Nm_per_A", &IdentifiedMotor::torqueConstant_Nm_per_A},
+    {"back_emf_constant_V_s_per_rad", &IdentifiedMotor::backEmfConstant_V_s_per_rad},
+    {"resistance_ohm", &IdentifiedMotor::resistance_ohm},
+    {"inductance_H", &IdentifiedMotor::inductance_H},
+    {"dead_zone_V", &IdentifiedMotor::deadZone_V},
+    {"inertia_kg_m2", &IdentifiedMotor::inertia_kg_m2},
+    {"coulomb_Nm", &IdentifiedMotor::coulomb_Nm},
+    {"viscous_Nm_s_per_rad", &IdentifiedMotor::viscous_Nm_s_per_rad},
+};
+
+std::string stateFile(const std::string& folder) {
+  return folder + "/progress/state.json";
+}
+
+std::string eventsFile(const std::string& folder) {
+  return folder + "/progress/breakaways.json";
+}
+
+std::string runFile(const std::string& folder, size_t number) {
+  char name[48];
+  std::snprintf(name, sizeof name, "/progress/run-%02zu.json", number + 1);
+  return folder + name;
+}
+
+Json rowOf(const AngleBinSums& sums) {
+  return {sums.samples, sums.current_A, sums.currentSquared_A2, sums.velocity_rad_per_s, sums.velocitySquared};
+}
+
+Json rowsOf(const std::vector<AngleBinSums>& bins) {
+  Json rows = Json::array();
+  for (const AngleBinSums& sums : bins) rows.push_back(rowOf(sums));
+  return rows;
+}
+
+std::string runText(const VelocityRun& run) {
+  Json blocks = Json::array();
+  for (const auto& block : run.blocks) blocks.push_back({{"bins", rowsOf(block)}});
+  const Json json{{"schema", schema},
+                  {"target_rad_per_s", run.target_rad_per_s},
+                  {"turns", run.turns},
+                  {"duration_s", run.duration_s},
+                  {"half_span_s", run.halfSpan_s},
+                  {"bins", rowsOf(run.bins)},
+                  {"blocks", blocks}};
+  return json.dump() + "\n";
+}
+
+std::string eventsText(const std::vector<BreakawayEvent>& events) {
+  Json rows = Json::array();
+  for (const BreakawayEvent& e : events) {
+    rows.push_back({e.way == Way::ccw ? 1 : 0, e.turn, e.bin, e.angle_rad, e.current_A, e.commanded_A,
+                    e.commandedMean_A, e.measuredMean_A, e.commandedVariance_A2, e.covariance_A2, e.samples,
+                    e.torque_Nm, e.outlier ? 1 : 0});
+  }
+  return Json{{"schema", schema}, {"events", rows}}.dump() + "\n";
+}
+
+std::string stateText(const CommissionProgress& progress) {
+  Json json{{"schema", schema},
+            {"device", progress.device},
+            {"bins", progress.bins},
+            {"turns", progress.turns},
+            {"speed_run_s", progress.speedRun_s},
+            {"part", progress.part},
+            {"rig_time_s", progress.rigTime_s},
+            {"remarks", progress.remarks},
+            {"runs", progress.runs.size()}};
+  if (progress.trustedTorqueConstant_Nm_per_A)
+    json["trusted_torque_constant_Nm_per_A"] = *progress.trustedTorqueConstant_Nm_per_A;
+  if (progress.motor) {
+    Json motor{{"torque_constant_trusted", progress.motor->torqueConstantTrusted}};
+    for (const MotorField& field : motorFields) {
+      const Estimate& estimate = *progress.motor.*field.estimate;
+      motor[field.name] = {{"value", estimate.value}, {"std", estimate.standardError}};
+    }
+    motor["expected_cw_A"] = progress.expected_A[0];
+    motor["expected_ccw_A"] = progress.expected_A[1];
+    json["motor"] = motor;
+  }
+  return json.dump(2) + "\n";
+}
+
+void checkSchema(JsonObject& root) {
+  const std::string found = root.text("schema");
+  if (found != schema) root.fault("schema", "is \"" + found + "\", expected \"" + schema + "\"");
+}
+
+size_t countOf(JsonObject& object, std::string_view name) {
+  const double count = object.number(name, Allowed::nonNegative);
+  if (count <= mostCount) return static_cast<size_t>(count);
+  object.fault(name, "is too large for a count");
+  return 0;
+}
+
+bool isCount(double value) {
+  return value >= 0.0 && value <= mostCount;
+}
+
+std::vector<AngleBinSums> sumsIn(JsonObject& object) {
+  std::vector<AngleBinSums> sums;
+  for (const auto& row : object.rows("bins", sumWidth)) {
+    if (!isCount(row[0])) object.fault("bins", "holds a wrong number of samples");
+    sums.push_back({isCount(row[0]) ? static_cast<size_t>(row[0]) : 0, row[1], row[2], row[3], row[4]});
+  }
+  return sums;
+}
+
+Result<VelocityRun> readRun(const std::string& path) {
+  auto root = JsonObject::fromFile(path);
+  if (!root) return root.error();
+  checkSchema(*root);
+  VelocityRun run{root->number("target_rad_per_s"),
+                  countOf(*root, "turns"),
+                  root->number("duration_s", Allowed::positive),
+                  root->number("half_span_s", Allowed::positive),
+                  sumsIn(*root),
+                  {}};
+  for (JsonObject& block : root->objects("blocks")) {
+    run.blocks.push_back(sumsIn(block));
+    if (run.blocks.back().size() != run.bins.size()) block.fault("bins", "has another length than the whole run's");
+  }
+  if (const auto done = root->finish(); !done) return done.error();
+  return run;
+}
+
+BreakawayEvent eventOf(const std::vector<double>& row) {
+  BreakawayEvent event;
+  event.way = row[0] > 0.0 ? Way::ccw : Way::cw;
+  event.turn = static_cast<size_t>(row[1]);
+  event.bin = static_cast<size_t>(row[2]);
+  event.angle_rad = row[3];
+  event.current_A = row[4];
+  event.commanded_A = row[5];
+  event.commandedMean_A = row[6];
+  event.measuredMean_A = row[7];
+  event.commandedVariance_A2 = row[8];
+  event.covariance_A2 = row[9];
+  event.samples = static_cast<size_t>(row[10]);
+  event.torque_Nm = row[11];
+  event.outlier = row[12] > 0.0;
+  return event;
+}
+
+Result<std::vector<BreakawayEvent>> readEvents(const std::string& path) {
+  std::error_code code;
+  if (!fs::exists(path, code)) return std::vector<BreakawayEvent>{};
+  auto root = JsonObject::fromFile(path);
+  if (!root) return root.error();
+  checkSchema(*root);
+  std::vector<BreakawayEvent> events;
+  for (const auto& row : root->rows("events", eventWidth)) {
+    if (isCount(row[1]) && isCount(row[2]) && isCount(row[10])) {
+      events.push_back(eventOf(row));
+    } else {
+      root->fault("events", "holds a wrong turn, bin or number of samples");
+    }
+  }
+  if (const auto done = root->finish(); !done) return done.error();
+  return events;
+}
+
+void readMotor(JsonObject object, CommissionProgress& progress) {
+  IdentifiedMotor motor;
+  motor.torqueConstantTrusted = object.flag("torque_constant_trusted", false);
+  for (const MotorField& field : motorFields) {
+    JsonObject estimate = object.object(field.name);
+    motor.*field.estimate = {estimate.number("value"), estimate.number("std", Allowed::nonNegative)};
+  }
+  progress.expected_A = {object.number("expected_cw_A"), object.number("expected_ccw_A")};
+  progress.motor = motor;
+}
+
+}  // namespace
+
+Result<void> writeProgress(const CommissionProgress& progress, const std::string& folder) {
+  if (auto made = makeFolder(folder + "/progress"); !made) return made;
+  std::error_code code;
+  for (size_t k = 0; k < progress.runs.size(); ++k) {
+    if (fs::exists(runFile(folder, k), code)) continue;
+    if (auto written = writeFile(runFile(folder, k), runText(progress.runs[k])); !written) return written;
+  }
+  if (!progress.events.empty()) {
+    if (auto written = writeFile(eventsFile(folder), eventsText(progress.events)); !written) return written;
+  }
+  return writeFile(stateFile(folder), stateText(progress));
+}
+
+Result<CommissionProgress> readProgress(const std::string& folder) {
+  std::error_code code;
+  if (!fs::exists(stateFile(folder), code))
+    return Error{folder, "holds no interrupted commissioning to go on from, expected progress/state.json"};
+  auto root = JsonObject::fromFile(stateFile(folder));
+  if (!root) return root.error();
+  checkSchema(*root);
+  CommissionProgress progress;
+  progress.device = root->text("device");
+  progress.bins = countOf(*root, "bins");
+  progress.turns = countOf(*root, "turns");
+  progress.speedRun_s = root->number("speed_run_s", Allowed::positive);
+  progress.trustedTorqueConstant_Nm_per_A = root->optionalNumber("trusted_torque_constant_Nm_per_A", Allowed::positive);
+  progress.part = countOf(*root, "part");
+  progress.rigTime_s = root->number("rig_time_s", Allowed::nonNegative);
+  progress.remarks = root->texts("remarks");
+  const size_t runs = countOf(*root, "runs");
+  if (root->has("motor")) readMotor(root->object("motor"), progress);
+  if (const auto done = root->finish(); !done) return done.error();
+  for (size_t k = 0; k < runs; ++k) {
+    auto run = readRun(runFile(folder, k));
+    if (!run) return run.error();
+    progress.runs.push_back(std::move(*run));
+  }
+  auto events = readEvents(eventsFile(folder));
+  if (!events) return events.error();
+  progress.events = std::move(*events);
+  return progress;
+}
+
+Result<void> removeProgress(const std::string& folder) {
+  std::error_code code;
+  fs::remove_all(folder + "/progress", code);
+  if (code) return Error{folder + "/progress", "cannot be removed: " + code.message()};
+  return {};
+}
+
+}  // namespace breakaway

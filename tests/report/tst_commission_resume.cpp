@@ -1,0 +1,223 @@
+// A commissioning that is interrupted keeps what it has, and goes on from there.
+#include <QTest>
+
+#include "firmware_link/simulated_board.h"
+#include "firmware_link/simulated_truth.h"
+#include "house/program.h"
+#include "report/commission_report.h"
+#include "support/map_accuracy.h"
+#include "support/temporary.h"
+
+using namespace breakaway;
+
+class TestCommissionResume : public QObject {
+  Q_OBJECT
+ private slots:
+  void initTestCase();
+  void progress_readsBackAsItWas();
+  void damagedProgress_isNamed();
+  void lostLink_keepsWhatItHasAndGoesOn_data();
+  void lostLink_keepsWhatItHasAndGoesOn();
+  void interruption_keepsTheStepsRecording();
+  void anotherRig_isRefused();
+  void otherBins_areRefused();
+  void resumingNothing_isWrongInput();
+  void theCommand_goesOnWhereItWasCut();
+};
+
+namespace {
+
+constexpr size_t bins = 36;
+
+std::string rigFile(const test::TemporaryFolder& folder, const std::string& name, const std::string& faults) {
+  auto text = readFile(qgetenv("BREAKAWAY_SOURCE_DIR").toStdString() + "/resources/presets/servo.rig.json");
+  if (!text) qFatal("%s", text.error().message().c_str());
+  if (!faults.empty()) text->replace(text->rfind('}'), 1, ", \"faults\": [ " + faults + " ] }");
+  return folder.write(name + ".rig.json", *text);
+}
+
+std::string linkLossAt(double start_s) {
+  return R"({ "fault": "link_loss", "start_s": )" + std::to_string(start_s) + " }";
+}
+
+CommissionOptions quick(const test::TemporaryFolder& folder) {
+  CommissionOptions options;
+  options.rig = "rig";
+  options.bins = bins;
+  options.speedRun_s = 4.0;
+  options.keepProgress = [&folder](const CommissionProgress& progress) {
+    return writeProgress(progress, folder.path("out"));
+  };
+  options.keepRecording = [&folder](const std::string& step, const Recording& recording) {
+    return writeStep(step, recording, folder.path("out"));
+  };
+  return options;
+}
+
+Result<Commission> commissioned(const std::string& rig, const CommissionOptions& options) {
+  auto drive = openDrive("simulated:" + rig, 4);
+  if (!drive) return drive.error();
+  return commission(**drive, options);
+}
+
+}  // namespace
+
+void TestCommissionResume::initTestCase() {
+  qputenv("BREAKAWAY_RESOURCES", qgetenv("BREAKAWAY_SOURCE_DIR") + "/resources");
+}
+
+void TestCommissionResume::progress_readsBackAsItWas() {
+  test::TemporaryFolder folder;
+  CommissionProgress progress{"a board",         bins, 2, 4.0, 0.07, 3, 123.25, {"a remark"}, IdentifiedMotor{},
+                              {0.25, 1.0 / 3.0}, {},   {}};
+  progress.motor->resistance_ohm = {1.0 / 7.0, 1e-3};
+  progress.motor->torqueConstantTrusted = true;
+  VelocityRun run{-10.0 / 3.0, 2, 4.5, 0.01, {{3, 0.1, 0.2, -3.0, 9.1}, {0, 0.0, 0.0, 0.0, 0.0}}, {}};
+  run.blocks = {run.bins, run.bins};
+  progress.runs = {run, run};
+  BreakawayEvent event;
+  event.way = Way::cw;
+  event.turn = 1, event.bin = 17, event.samples = 2000, event.outlier = true;
+  event.angle_rad = 0.1, event.current_A = 0.2, event.torque_Nm = 0.3, event.commanded_A = 0.4;
+  event.commandedMean_A = 0.5, event.measuredMean_A = 0.6, event.commandedVariance_A2 = 0.7, event.covariance_A2 = 0.8;
+  progress.events = {event};
+  VERIFY_OK(writeProgress(progress, folder.path("out")));
+  const auto back = readProgress(folder.path("out"));
+  VERIFY_OK(back);
+  QCOMPARE(back->device, progress.device);
+  QCOMPARE(back->part, size_t{3});
+  QCOMPARE(back->remarks, progress.remarks);
+  QCOMPARE(back->trustedTorqueConstant_Nm_per_A, progress.trustedTorqueConstant_Nm_per_A);
+  QCOMPARE(back->motor->resistance_ohm, progress.motor->resistance_ohm);
+  QVERIFY(back->motor->torqueConstantTrusted);
+  QCOMPARE(back->expected_A, progress.expected_A);
+  QCOMPARE(back->runs.size(), size_t{2});
+  QCOMPARE(back->runs[1].target_rad_per_s, run.target_rad_per_s);
+  QCOMPARE(back->runs[1].blocks[1][0].velocitySquared, 9.1);
+  const BreakawayEvent& read = back->events.front();
+  QVERIFY(read.way == Way::cw && read.turn == 1 && read.bin == 17 && read.samples == 2000 && read.outlier);
+  QVERIFY(read.angle_rad == 0.1 && read.current_A == 0.2 && read.torque_Nm == 0.3 && read.commanded_A == 0.4);
+  QVERIFY(read.commandedMean_A == 0.5 && read.measuredMean_A == 0.6);
+  QVERIFY(read.commandedVariance_A2 == 0.7 && read.covariance_A2 == 0.8);
+}
+
+void TestCommissionResume::damagedProgress_isNamed() {
+  test::TemporaryFolder folder;
+  const CommissionProgress progress{"a board", bins, 2, 4.0, {}, 1, 0.0, {}, {}, {}, {}, {BreakawayEvent{}}};
+  VERIFY_OK(writeProgress(progress, folder.path("out")));
+  VERIFY_OK(writeFile(folder.path("out/progress/breakaways.json"),
+                      R"({"schema": "breakaway.progress/1", "events": [[1, -2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0]]})"));
+  const auto back = readProgress(folder.path("out"));
+  QVERIFY(!back.ok());
+  QVERIFY(back.error().message().find("breakaways.json") != std::string::npos);
+  QVERIFY(back.error().message().find("wrong turn") != std::string::npos);
+}
+
+void TestCommissionResume::lostLink_keepsWhatItHasAndGoesOn_data() {
+  QTest::addColumn<double>("lost_s");
+  QTest::addColumn<bool>("hasMotor");
+  QTest::addColumn<bool>("hasRuns");
+  QTest::addColumn<bool>("hasEvents");
+  QTest::newRow("in the winding test") << 5.0 << false << false << false;
+  QTest::newRow("in the velocity sweep") << 100.0 << true << true << false;
+  QTest::newRow("in the breakaway sweep") << 190.0 << true << true << true;
+}
+
+void TestCommissionResume::lostLink_keepsWhatItHasAndGoesOn() {
+  QFETCH(double, lost_s);
+  QFETCH(bool, hasMotor);
+  QFETCH(bool, hasRuns);
+  QFETCH(bool, hasEvents);
+  test::TemporaryFolder folder;
+  const auto broken = commissioned(rigFile(folder, "broken", linkLossAt(lost_s)), quick(folder));
+  QVERIFY(!broken.ok());
+  QVERIFY2(broken.error().message().find("the link to the board is lost") != std::string::npos,
+           broken.error().message().c_str());
+  auto kept = readProgress(folder.path("out"));
+  VERIFY_OK(kept);
+  QCOMPARE(kept->motor.has_value(), hasMotor);
+  QCOMPARE(!kept->runs.empty(), hasRuns);
+  QCOMPARE(!kept->events.empty(), hasEvents);
+  const size_t runs = kept->runs.size(), events = kept->events.size();
+  QVERIFY2(!hasRuns || hasEvents || runs < 12, "lost in the middle of the sweep");
+
+  const std::string sound = rigFile(folder, "sound", "");
+  CommissionOptions options = quick(folder);
+  options.earlier = *kept;
+  const auto done = commissioned(sound, options);
+  VERIFY_OK(done);
+  QCOMPARE(done->runs.size(), size_t{12});
+  QCOMPARE(done->events.size() + done->missed, 4 * bins);
+  if (hasRuns) QCOMPARE(done->runs.front().bins.front().current_A, kept->runs.front().bins.front().current_A);
+  if (hasEvents) QCOMPARE(done->events.front().angle_rad, kept->events.front().angle_rad);
+  QVERIFY(runs < 13 && events < 4 * bins);
+  const auto whole = commissioned(sound, quick(folder));
+  VERIFY_OK(whole);
+  const double part_s = done->rigTime_s - kept->rigTime_s;
+  QVERIFY2(!hasMotor || part_s < whole->rigTime_s - 20.0, qPrintable(QString::number(part_s)));
+  const auto truth = trueMap("simulated:" + sound, bins, done->map.totalVelocity_rad_per_s);
+  VERIFY_OK(truth);
+  for (const Way way : {Way::cw, Way::ccw}) {
+    const double rms = test::deviation(done->map, *truth, way, test::staticOf).rms;
+    QVERIFY2(rms < 0.05 && rms > 1e-4, qPrintable(QString::number(rms)));
+  }
+}
+
+void TestCommissionResume::interruption_keepsTheStepsRecording() {
+  test::TemporaryFolder folder;
+  CommissionOptions options = quick(folder);
+  int asked = 0;
+  options.interrupted = [&asked] { return ++asked > 400; };
+  const auto done = commissioned(rigFile(folder, "sound", ""), options);
+  QVERIFY(!done.ok());
+  QCOMPARE(done.error().message(), std::string("05-velocity-sweep: interrupted from the keyboard; the motor is off"));
+  VERIFY_OK(readFile(folder.path("out/recordings/05-velocity-sweep.csv")));
+  VERIFY_OK(readFile(folder.path("out/progress/run-01.json")));
+}
+
+void TestCommissionResume::anotherRig_isRefused() {
+  test::TemporaryFolder folder;
+  CommissionOptions options = quick(folder);
+  options.earlier = CommissionProgress{"another board", bins, 2, 4.0, {}, 1, 0.0, {}, {}, {}, {}, {}};
+  const auto done = commissioned(rigFile(folder, "sound", ""), options);
+  VERIFY_ERROR(done, "board: is simulated board, rig servo, but the interrupted job was begun on another board");
+}
+
+void TestCommissionResume::otherBins_areRefused() {
+  test::TemporaryFolder folder;
+  CommissionOptions options = quick(folder);
+  options.earlier = CommissionProgress{"simulated board, rig servo", 72, 2, 4.0, {}, 1, 0.0, {}, {}, {}, {}, {}};
+  const auto done = commissioned(rigFile(folder, "sound", ""), options);
+  VERIFY_ERROR(done, "bins and turns: are 36 and 2, but the interrupted job was begun with 72 and 2");
+}
+
+void TestCommissionResume::resumingNothing_isWrongInput() {
+  test::TemporaryFolder folder;
+  const auto outcome = test::run(test::builtProgram("breakaway"),
+                                 {"commission", "--resume", "--out", QString::fromStdString(folder.path("out"))});
+  QCOMPARE(outcome.status, 2);
+  QVERIFY(outcome.err.contains("holds no interrupted commissioning"));
+  QVERIFY(folder.names().isEmpty());
+}
+
+void TestCommissionResume::theCommand_goesOnWhereItWasCut() {
+  test::TemporaryFolder folder;
+  const QString out = QString::fromStdString(folder.path("out"));
+  const QString broken = QString::fromStdString(rigFile(folder, "broken", linkLossAt(250.0)));
+  const QString sound = QString::fromStdString(rigFile(folder, "sound", ""));
+  const auto cut = test::run(test::builtProgram("breakaway"),
+                             {"commission", "--board", "simulated:" + broken, "--bins", "36", "--out", out});
+  QCOMPARE(cut.status, 2);
+  QVERIFY2(cut.err.contains("the link to the board is lost") && cut.err.contains("--resume"), qPrintable(cut.err));
+  QVERIFY(!QFile::exists(out + "/map.json"));
+  const auto done = test::run(test::builtProgram("breakaway"), {"commission", "--resume", "--board",
+                                                                "simulated:" + sound, "--bins", "36", "--out", out});
+  QVERIFY2(done.status == 0, qPrintable(done.err));
+  QVERIFY(done.out.contains("went on: part 2"));
+  QVERIFY(QFile::exists(out + "/map.json") && QFile::exists(out + "/recordings/02-winding.csv"));
+  QVERIFY(QFile::exists(out + "/recordings/05-velocity-sweep-part2.csv"));
+  QVERIFY(!QFile::exists(out + "/progress"));
+}
+
+QTEST_APPLESS_MAIN(TestCommissionResume)
+#include "tst_commission_resume.moc"
