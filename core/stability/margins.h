@@ -21,8 +21,8 @@ LoopResponse loopResponse(const ServoLoop& loop, const std::vector<double>& freq
 /// `stable` is set.
 struct LoopMargins {
   bool stable = false;
-  double gainMargin = 0.0;                ///< Kt/J may be this many times as large; infinite when there is no bound
-  double gainReduction = 0.0;             ///< Kt/J must stay above this part of what it is; 0 when there is no bound
+  double gainMargin = 0.0;                ///< L may be this many times as large (openLoop()); infinite without a bound
+  double gainReduction = 0.0;             ///< L must stay above this part of what it is; 0 without a bound
   double phaseMargin_rad = 0.0;           ///< the smallest at any crossing of |L| = 1; infinite without a crossing
   double gainCrossover_rad_per_s = 0.0;   ///< where that is; 0 without
   double phaseCrossover_rad_per_s = 0.0;  ///< where the gain margin is; 0 without

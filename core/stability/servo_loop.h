@@ -55,9 +55,9 @@ enum class LoopOutput { velocity, velocityEstimate, disturbanceEstimate, current
 /// from ServoController. Precondition: check(loop).
 DiscreteSystem closedLoop(const ServoLoop& loop);
 
-/// L(z), one input and one output: the loop cut where the encoder's movement enters the controller. A factor on L is a
-/// factor on Kt/J and nothing else, because the current is measured apart; so gain margins are margins of Kt/J. The
-/// closed loop has 1 + L(z) = 0. Precondition: check(loop).
+/// L(z), one input and one output: the loop cut where the encoder's movement enters the controller; the closed loop has
+/// 1 + L(z) = 0. A factor on L is a factor on the angle that a current makes, Kt/J but for the back-EMF, and not on the
+/// measured current: so a gain margin says how far α may be off. Precondition: check(loop).
 DiscreteSystem openLoop(const ServoLoop& loop);
 
 }  // namespace breakaway

@@ -15,7 +15,9 @@ namespace breakaway::test {
 /// Winding, shaft, and ServoController, with neither encoder steps nor limits that are ever reached.
 class SimulatedLoop {
  public:
-  explicit SimulatedLoop(const ServoLoop& loop) : loop_(loop), controller_(loop.board) {
+  /// The encoder shows `encoderGain` times the angle.
+  explicit SimulatedLoop(const ServoLoop& loop, double encoderGain = 1.0)
+      : loop_(loop), controller_(loop.board), encoderGain_(encoderGain) {
     loop_.settings.current_limit_A = 1e12;
     controller_.configure(loop_.settings);
     controller_.command({loop.mode, 0.0, 0.0, false});
@@ -27,7 +29,7 @@ class SimulatedLoop {
 
   /// One tick; the errors are added to what the sensors show.
   ServoOutput<double> step(double angleError_rad = 0.0, double currentError_A = 0.0, double load_Nm = 0.0) {
-    const auto out = controller_.step(state_[2] + angleError_rad, state_[0] + currentError_A, 1e12);
+    const auto out = controller_.step(encoderGain_ * state_[2] + angleError_rad, state_[0] + currentError_A, 1e12);
     waiting_.push_back(out.voltage_V);
     const double voltage = waiting_.front();
     waiting_.pop_front();
@@ -59,13 +61,15 @@ class SimulatedLoop {
 
   ServoLoop loop_;
   ServoController<double> controller_;
+  double encoderGain_;
   std::deque<double> waiting_;
   Three state_{};
 };
 
-/// Whether a push grows instead of dying out, over `ticks` ticks; rounding, which never dies out, is no growth.
-inline bool grows(const ServoLoop& loop, int ticks = 24000) {
-  SimulatedLoop simulated(loop);
+/// Whether a push grows instead of dying out; rounding, which never dies out, is no growth.
+inline bool grows(const ServoLoop& loop, double encoderGain = 1.0) {
+  const int ticks = 24000;
+  SimulatedLoop simulated(loop, encoderGain);
   simulated.push(1e-3);
   double before = 0.0, after = 0.0;
   for (int k = 0; k < ticks; ++k) {
