@@ -22,6 +22,8 @@ struct MotionGains {
 template <typename Scalar>
 class MotionController {
  public:
+  static constexpr Scalar slopeShare = Scalar(0.125);  ///< of a tick's new slope in the smoothed one
+
   void configure(const MotionGains<Scalar>& gains, Scalar tick_s) {
     gains_ = gains;
     tick_s_ = tick_s;
@@ -35,7 +37,7 @@ class MotionController {
   /// i = kp·e + ki·∫e + kd·dė, e the speed's error; kd acts on the measured speed alone, smoothed over 8 ticks.
   Scalar velocityStep(Scalar reference_rad_per_s, Scalar velocity_rad_per_s, Scalar compensation_A, Scalar limit_A) {
     const Scalar error = reference_rad_per_s - velocity_rad_per_s;
-    slope_ += Scalar(0.125) * ((velocity_rad_per_s - velocity_) / tick_s_ - slope_);
+    slope_ += slopeShare * ((velocity_rad_per_s - velocity_) / tick_s_ - slope_);
     velocity_ = velocity_rad_per_s;
     const Scalar direct = gains_.velocity_kp_A_s_per_rad * error - gains_.velocity_kd_A_s2_per_rad * slope_;
     return integrated(direct + compensation_A, gains_.velocity_ki_A_per_rad * error, limit_A);

@@ -19,6 +19,19 @@ MotionGains<Scalar> tuneMotion(Scalar inertia_kg_m2, Scalar torqueConstant_Nm_pe
   return gains;
 }
 
+/// Bandwidths that the boards run their speed observer and their current loop with: 400 and 300 rad/s, less where the
+/// tick is too slow for them.
+template <typename Scalar>
+constexpr Scalar boardVelocityBandwidth_rad_per_s(Scalar tick_s) {
+  const Scalar sampled = Scalar(0.4) / tick_s;
+  return sampled < Scalar(400) ? sampled : Scalar(400);
+}
+template <typename Scalar>
+constexpr Scalar boardCurrentBandwidth_rad_per_s(Scalar tick_s) {
+  const Scalar sampled = Scalar(0.2) / tick_s;
+  return sampled < Scalar(300) ? sampled : Scalar(300);
+}
+
 /// The observer cutoff that keeps αgT ≤ 0.3 and the damping ζ = ½√(g_v/(αg)) ≥ 0.707 behind a speed filter of g_v, α
 /// = 1.
 template <typename Scalar>

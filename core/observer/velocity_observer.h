@@ -3,6 +3,18 @@
 
 namespace breakaway {
 
+/// The gains that place all three poles of the error at p = 1/(1 + wT) exactly: 1 − wT for small wT, yet stable for
+/// any.
+template <typename Scalar>
+struct VelocityObserverGains {
+  Scalar angle = 0, velocity_per_s = 0, acceleration_per_s2 = 0;
+
+  static constexpr VelocityObserverGains placed(Scalar bandwidth_rad_per_s, Scalar tick_s) {
+    const Scalar p = Scalar(1) / (Scalar(1) + bandwidth_rad_per_s * tick_s), q = Scalar(1) - p;
+    return {Scalar(1) - p * p * p, Scalar(1.5) * q * q * (Scalar(1) + p) / tick_s, q * q * q / (tick_s * tick_s)};
+  }
+};
+
 /// Follows angle, speed and acceleration with all three poles of the error at the bandwidth w, driven by the known
 /// torque's change: θ̂' = ω̂ + 3w·e, ω̂' = â + 3w²·e, â' = w³·e, and â takes the change of Ktn·i/Jn at once. A constant
 /// acceleration leaves no error. Of the encoder's rounding it passes about q·w·√(w·T), q the rounding's rms, where the
@@ -11,14 +23,9 @@ template <typename Scalar>
 class VelocityObserver {
  public:
   void configure(Scalar bandwidth_rad_per_s, Scalar torquePerInertia_rad_per_A_s2, Scalar tick_s) {
-    bandwidth_ = bandwidth_rad_per_s;
     torquePerInertia_ = torquePerInertia_rad_per_A_s2;
     tick_s_ = tick_s;
-    // Exact placement for sampling: the error's poles at p = 1/(1 + wT), 1 − wT for small wT, yet stable for any.
-    const Scalar p = Scalar(1) / (Scalar(1) + bandwidth_rad_per_s * tick_s), q = Scalar(1) - p;
-    gainAngle_ = Scalar(1) - p * p * p;
-    gainVelocity_ = Scalar(1.5) * q * q * (Scalar(1) + p) / tick_s;
-    gainAcceleration_ = q * q * q / (tick_s * tick_s);
+    gains_ = VelocityObserverGains<Scalar>::placed(bandwidth_rad_per_s, tick_s);
   }
 
   void reset(Scalar angle_rad) {
@@ -33,9 +40,9 @@ class VelocityObserver {
     angle_ += tick_s_ * (velocity_ + Scalar(0.5) * tick_s_ * acceleration_);
     velocity_ += tick_s_ * acceleration_;
     const Scalar error = angle_rad - angle_;
-    angle_ += gainAngle_ * error;
-    velocity_ += gainVelocity_ * error;
-    acceleration_ += gainAcceleration_ * error;
+    angle_ += gains_.angle * error;
+    velocity_ += gains_.velocity_per_s * error;
+    acceleration_ += gains_.acceleration_per_s2 * error;
     return velocity_;
   }
 
@@ -44,8 +51,8 @@ class VelocityObserver {
   void shift(Scalar by_rad) { angle_ += by_rad; }
 
  private:
-  Scalar bandwidth_ = 0, torquePerInertia_ = 0, tick_s_ = 1;
-  Scalar gainAngle_ = 0, gainVelocity_ = 0, gainAcceleration_ = 0;
+  Scalar torquePerInertia_ = 0, tick_s_ = 1;
+  VelocityObserverGains<Scalar> gains_;
   Scalar angle_ = 0, velocity_ = 0, acceleration_ = 0, current_ = 0;
 };
 

@@ -1,0 +1,97 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
+#include "cli/command.h"
+#include "report/tuning_report.h"
+#include "stability/bench_loop.h"
+
+namespace breakaway::cli {
+
+namespace {
+
+constexpr double perHalfInterval = 1.0 / 1.959964;  // a standard error per half of a 95 % interval
+
+struct TuneLine {
+  std::string bench, stiffness = "medium", out;
+  BoardTiming timing;
+  double inertiaError_percent = 5.0, torqueConstantError_percent = 2.7, currentNoise_A = 0.018, currentLimit_A = 0.0;
+};
+
+Estimate within(double value, double percent) {
+  return {value, 0.01 * percent * perHalfInterval * value};
+}
+
+Result<void> runTune(const TuneLine& line) {
+  const auto stiffness = stiffnessNamed(line.stiffness);
+  if (!stiffness) return Error{"--stiffness", "is " + line.stiffness + ", expected soft, medium or stiff"};
+  const auto bench = readBench(line.bench);
+  if (!bench) return bench.error();
+  auto loop = loopOfBench(*bench, line.timing);
+  if (!loop) return Error{line.bench + ", " + loop.error().place, loop.error().fact};
+  if (line.currentLimit_A > 0.0) loop->settings.current_limit_A = line.currentLimit_A;
+  AutoTuningOptions options;
+  options.stiffness = *stiffness;
+  options.noise = {roundingRms_rad(bench->count()), line.currentNoise_A};
+  const auto study =
+      studyTuning(*loop, within(loop->motor.inertia_kg_m2, line.inertiaError_percent),
+                  within(loop->motor.torqueConstant_Nm_per_A, line.torqueConstantError_percent), options);
+  if (!study) return Error{line.bench + ", " + study.error().place, study.error().fact};
+  if (auto written = writeTuning(*study, *bench, line.out); !written) return written;
+  std::printf("%s\n", inWords(*study).c_str());
+  if (!bench->countsPerUnit)
+    std::printf("The bench file has no encoder.counts_per_rev, so the noise is the current sensor's alone.\n");
+  return {};
+}
+
+}  // namespace
+
+void addTune(CLI::App& app, Job& chosen) {
+  auto line = std::make_shared<TuneLine>();
+  auto* command =
+      app.add_subcommand("tune", "Tune velocity and position loop, with margins that hold for the motor's doubt");
+  command->add_option("--bench", line->bench, "bench file with the identified motor, NAME.bench.json")->required();
+  command->add_option("--stiffness", line->stiffness, "soft, medium or stiff")->capture_default_str();
+  command->add_option("--tick-s", line->timing.tick_s, "the board's control tick in s")
+      ->capture_default_str()
+      ->check(CLI::Range(1e-6, 0.1));
+  command
+      ->add_option("--delay-ticks", line->timing.delay_ticks,
+                   "whole ticks from a sample until its command acts; 0 for the simulated board")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 20));
+  command->add_option("--inertia-error", line->inertiaError_percent, "half of the inertia's 95 % interval in percent")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 99.0));
+  command
+      ->add_option("--torque-constant-error", line->torqueConstantError_percent,
+                   "half of the torque constant's 95 % interval in percent")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 99.0));
+  command->add_option("--current-noise-A", line->currentNoise_A, "rms noise of the current's measurement in A")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
+  command
+      ->add_option("--current-limit-A", line->currentLimit_A,
+                   "current limit in A; 0: the bench file's. The current's noise stays within 1, 2 or 5 % of it")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
+  command
+      ->add_option("--velocity-bandwidth", line->timing.velocityBandwidth_rad_per_s,
+                   "of the board's speed observer in rad/s; 0: as the boards have it")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
+  command
+      ->add_option("--current-bandwidth", line->timing.currentBandwidth_rad_per_s,
+                   "of the board's current loop in rad/s; 0: as the boards have it")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
+  command
+      ->add_option("--out", line->out,
+                   "folder for tuning.json, bench.json with the controller, root_locus.csv, response.csv, noise.csv, "
+                   "figures")
+      ->required();
+  command->callback([line, &chosen] { chosen = [line] { return runTune(*line); }; });
+}
+
+}  // namespace breakaway::cli

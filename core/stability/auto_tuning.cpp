@@ -1,0 +1,205 @@
+#include "stability/auto_tuning.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "control/tuning.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+constexpr std::array<std::string_view, 3> names{"soft", "medium", "stiff"};
+constexpr double highestCutoffPerTick = 0.5;  // g·T that a board accepts
+
+/// One motor and one way to tune it.
+class Tuner {
+ public:
+  Tuner(const ServoLoop& loop, const Estimate& inertia, const Estimate& torqueConstant,
+        const AutoTuningOptions& options)
+      : loop_(loop), options_(options), wanted_(wantedMargins(options.stiffness)) {
+    loop_.settings.inertia_kg_m2 = loop_.motor.inertia_kg_m2 = inertia.value;
+    loop_.settings.torqueConstant_Nm_per_A = loop_.motor.torqueConstant_Nm_per_A = torqueConstant.value;
+    for (const double J : {inertia.low95(), inertia.high95()}) {
+      for (const double Kt : {torqueConstant.low95(), torqueConstant.high95()}) corners_.emplace_back(J, Kt);
+    }
+  }
+
+  Result<Tuning> tune();
+
+ private:
+  ServoLoop tuned(double bandwidth, double positionBandwidth, ServoMode mode) const;
+  ServoLoop at(ServoLoop loop, std::pair<double, double> corner) const;
+  std::string loss(const ServoLoop& loop) const;
+  std::string lossOfMargins(const LoopMargins& found) const;
+  TuningCorner look(std::pair<double, double> corner, double bandwidth, double positionBandwidth) const;
+
+  ServoLoop loop_;
+  AutoTuningOptions options_;
+  WantedMargins wanted_;
+  std::vector<std::pair<double, double>> corners_;
+};
+
+ServoLoop Tuner::tuned(double bandwidth, double positionBandwidth, ServoMode mode) const {
+  ServoLoop loop = loop_;
+  loop.mode = mode;
+  loop.settings.gains =
+      tuneMotion(loop.settings.inertia_kg_m2, loop.settings.torqueConstant_Nm_per_A, bandwidth, positionBandwidth);
+  loop.settings.observer_cutoff_rad_per_s = options_.cutoffPerBandwidth * bandwidth;
+  return loop;
+}
+
+ServoLoop Tuner::at(ServoLoop loop, std::pair<double, double> corner) const {
+  loop.motor.inertia_kg_m2 = corner.first;
+  loop.motor.torqueConstant_Nm_per_A = corner.second;
+  return loop;
+}
+
+std::string Tuner::lossOfMargins(const LoopMargins& found) const {
+  if (!found.stable) return "stability";
+  if (found.peakSensitivity > wanted_.peakSensitivity) return "peak of the sensitivity";
+  if (found.gainMargin < wanted_.gainMargin) return "gain margin";
+  if (found.phaseMargin_rad < wanted_.phaseMargin_rad) return "phase margin";
+  return {};
+}
+
+/// What these gains don't keep at some corner, in words; empty when they keep all.
+std::string Tuner::loss(const ServoLoop& loop) const {
+  if (loop.settings.observer_cutoff_rad_per_s > highestCutoffPerTick / loop.board.tick_s)
+    return "highest cutoff that a board accepts";
+  for (const auto& corner : corners_) {
+    if (auto lost = lossOfMargins(margins(at(loop, corner))); !lost.empty()) return lost;
+  }
+  if (!(loop.settings.current_limit_A > 0.0)) return {};
+  const auto noise = loopNoise(loop, options_.noise);
+  const double most_A = wanted_.noiseShare * loop.settings.current_limit_A;
+  return noise && noise->currentReference_A <= most_A ? std::string() : "noise of the current";
+}
+
+/// How far the bandwidth goes without a loss, and what is lost beyond it.
+struct Reach {
+  double bandwidth = 0.0;  ///< 0: there is a loss everywhere
+  std::string heldBy;
+};
+
+/// The upper end of the first stretch without a loss that is met from below.
+Reach farthest(double lowest, double highest, const std::function<std::string(double)>& loss) {
+  Reach reach;
+  double lost = highest;
+  for (double one = lowest; one < highest * 1.4; one *= 1.4) {
+    const double tried = std::min(one, highest);
+    const std::string why = loss(tried);
+    if (why.empty()) {
+      reach = {tried, {}};
+      continue;
+    }
+    reach.heldBy = why;
+    if (reach.bandwidth > 0.0) {
+      lost = tried;
+      break;
+    }
+  }
+  if (!(reach.bandwidth > 0.0) || reach.heldBy.empty()) return reach;
+  while (lost > 1.002 * reach.bandwidth) {
+    const double middle = std::sqrt(lost * reach.bandwidth);
+    const std::string why = loss(middle);
+    if (why.empty()) {
+      reach.bandwidth = middle;
+    } else {
+      lost = middle;
+      reach.heldBy = why;
+    }
+  }
+  return reach;
+}
+
+TuningCorner Tuner::look(std::pair<double, double> corner, double bandwidth, double positionBandwidth) const {
+  return {corner.first, corner.second, margins(at(tuned(bandwidth, positionBandwidth, ServoMode::velocity), corner)),
+          margins(at(tuned(bandwidth, positionBandwidth, ServoMode::position), corner))};
+}
+
+LoopMargins worse(const LoopMargins& a, const LoopMargins& b) {
+  LoopMargins worst = a.peakSensitivity > b.peakSensitivity ? a : b;
+  worst.stable = a.stable && b.stable;
+  worst.gainReduction = std::max(a.gainReduction, b.gainReduction);
+  worst.delayMargin_s = std::min(a.delayMargin_s, b.delayMargin_s);
+  worst.peakComplementary = std::max(a.peakComplementary, b.peakComplementary);
+  worst.damping = std::min(a.damping, b.damping);
+  const LoopMargins &gain = a.gainMargin < b.gainMargin ? a : b, &phase = a.phaseMargin_rad < b.phaseMargin_rad ? a : b;
+  worst.gainMargin = gain.gainMargin;
+  worst.phaseCrossover_rad_per_s = gain.phaseCrossover_rad_per_s;
+  worst.phaseMargin_rad = phase.phaseMargin_rad;
+  worst.gainCrossover_rad_per_s = phase.gainCrossover_rad_per_s;
+  return worst;
+}
+
+Result<Tuning> Tuner::tune() {
+  if (auto fine = check(loop_); !fine) return fine.error();
+  const double T = loop_.board.tick_s;
+  const auto velocity =
+      farthest(1e-4 / T, 1.0 / T, [this](double w) { return loss(tuned(w, 0.0, ServoMode::velocity)); });
+  if (!(velocity.bandwidth > 0.0))
+    return Error{"tuning", "finds no gains that hold at every corner: the " + velocity.heldBy + " is lost"};
+  const double w = velocity.bandwidth;
+  const auto position = farthest(1e-3 * w, w, [this, w](double wp) { return loss(tuned(w, wp, ServoMode::position)); });
+  if (!(position.bandwidth > 0.0))
+    return Error{"tuning", "finds no position gains that hold at every corner: the " + position.heldBy + " is lost"};
+  Tuning tuning;
+  tuning.stiffness = options_.stiffness;
+  tuning.wanted = wanted_;
+  const ServoLoop nominal = tuned(w, position.bandwidth, ServoMode::velocity);
+  tuning.settings = nominal.settings;
+  tuning.velocityBandwidth_rad_per_s = w;
+  tuning.positionBandwidth_rad_per_s = position.bandwidth;
+  tuning.heldBy = velocity.heldBy;
+  tuning.nominal = look({loop_.motor.inertia_kg_m2, loop_.motor.torqueConstant_Nm_per_A}, w, position.bandwidth);
+  for (const auto& corner : corners_) tuning.corners.push_back(look(corner, w, position.bandwidth));
+  tuning.worstVelocity = tuning.corners.front().velocity;
+  tuning.worstPosition = tuning.corners.front().position;
+  for (const TuningCorner& one : tuning.corners) {
+    tuning.worstVelocity = worse(tuning.worstVelocity, one.velocity);
+    tuning.worstPosition = worse(tuning.worstPosition, one.position);
+  }
+  auto noise = loopNoise(nominal, options_.noise);
+  if (!noise) return noise.error();
+  tuning.noise = *noise;
+  return tuning;
+}
+
+}  // namespace
+
+std::string_view nameOf(Stiffness stiffness) {
+  return names[static_cast<size_t>(stiffness)];
+}
+
+std::optional<Stiffness> stiffnessNamed(std::string_view name) {
+  const auto* found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) return {};
+  return static_cast<Stiffness>(found - names.begin());
+}
+
+WantedMargins wantedMargins(Stiffness stiffness) {
+  switch (stiffness) {
+    case Stiffness::soft:
+      return {4.0, 60.0 * degree, 1.4, 0.01};
+    case Stiffness::medium:
+      return {3.0, 45.0 * degree, 1.6, 0.02};
+    case Stiffness::stiff:
+      break;
+  }
+  return {2.0, 30.0 * degree, 2.0, 0.05};
+}
+
+Result<Tuning> autoTune(const ServoLoop& loop, const Estimate& inertia_kg_m2, const Estimate& torqueConstant_Nm_per_A,
+                        const AutoTuningOptions& options) {
+  if (!(inertia_kg_m2.low95() > 0.0)) return Error{"inertia_kg_m2", "has an interval that reaches zero"};
+  if (!(torqueConstant_Nm_per_A.low95() > 0.0))
+    return Error{"torque_constant_Nm_per_A", "has an interval that reaches zero"};
+  return Tuner(loop, inertia_kg_m2, torqueConstant_Nm_per_A, options).tune();
+}
+
+}  // namespace breakaway

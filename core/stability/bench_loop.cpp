@@ -1,0 +1,37 @@
+#include "stability/bench_loop.h"
+
+#include "control/tuning.h"
+
+namespace breakaway {
+
+Result<ServoLoop> loopOfBench(const Bench& bench, const BoardTiming& timing) {
+  const MotorBelief& motor = bench.motor;
+  if (bench.axis != Axis::rotary) return Error{"field axis", "is linear, expected rotary: a rotor's loop is tuned"};
+  const auto torqueConstant = motor.torqueConstant ? motor.torqueConstant : motor.backEmfConstant;
+  if (!torqueConstant) return Error{"field motor.torque_constant_Nm_per_A", "is missing, expected the identified one"};
+  if (!motor.inertia) return Error{"field motor.inertia_kg_m2", "is missing, expected the identified one"};
+  ServoLoop loop;
+  loop.delay_ticks = timing.delay_ticks;
+  loop.motor = {*motor.inertia,
+                *torqueConstant,
+                motor.viscous.value_or(0.0),
+                motor.resistance_ohm.value_or(0.0),
+                motor.inductance_H.value_or(0.0),
+                motor.backEmfConstant.value_or(*torqueConstant)};
+  const bool wound = motor.resistance_ohm && motor.inductance_H;
+  loop.current = wound ? CurrentPath::winding : CurrentPath::ideal;
+  const auto either = [](double given, double otherwise) { return given > 0.0 ? given : otherwise; };
+  loop.board = {timing.tick_s,
+                bench.count(),
+                {loop.motor.resistance_ohm, loop.motor.inductance_H, loop.motor.backEmfConstant_V_s_per_rad,
+                 either(timing.currentBandwidth_rad_per_s, boardCurrentBandwidth_rad_per_s(timing.tick_s))},
+                either(timing.velocityBandwidth_rad_per_s, boardVelocityBandwidth_rad_per_s(timing.tick_s))};
+  const BenchController& controller = bench.controller;
+  loop.settings.inertia_kg_m2 = *motor.inertia;
+  loop.settings.torqueConstant_Nm_per_A = *torqueConstant;
+  loop.settings.current_limit_A = controller.currentLimit_A;
+  if (auto fine = check(loop); !fine) return fine.error();
+  return loop;
+}
+
+}  // namespace breakaway

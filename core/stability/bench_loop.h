@@ -1,0 +1,23 @@
+// The loop that a board closes around the motor of a bench file.
+#pragma once
+
+#include "motor/bench.h"
+#include "stability/servo_loop.h"
+
+namespace breakaway {
+
+/// What a bench file doesn't say of the board.
+struct BoardTiming {
+  double tick_s = 2e-4;
+  int delay_ticks = 1;                       ///< the command of a sample acts from the next tick on
+  double velocityBandwidth_rad_per_s = 0.0;  ///< of the speed observer; 0: as the boards have it at this tick
+  double currentBandwidth_rad_per_s = 0.0;   ///< of the current loop; 0: as the boards have it at this tick
+};
+
+/// Motor, encoder and winding as believed, the controller tuned on the same values, its current limit that of the bench
+/// file (0: none given). Without resistance or inductance the current is taken as ideal: held at its reference. A
+/// missing torque constant is the back-EMF constant, which is the same quantity in SI. Errors: a linear axis, no
+/// torque constant, no inertia.
+Result<ServoLoop> loopOfBench(const Bench& bench, const BoardTiming& timing);
+
+}  // namespace breakaway

@@ -1,0 +1,55 @@
+#include "stability/loop_noise.h"
+
+#include <cmath>
+#include <limits>
+
+#include "stability/root_locus.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr auto speed = static_cast<Eigen::Index>(LoopOutput::velocity);
+constexpr auto speedEstimate = static_cast<Eigen::Index>(LoopOutput::velocityEstimate);
+constexpr auto estimate = static_cast<Eigen::Index>(LoopOutput::disturbanceEstimate);
+constexpr auto currentReference = static_cast<Eigen::Index>(LoopOutput::currentReference);
+
+Eigen::VectorXd variances(const SensorNoise& noise) {
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(4);
+  all[static_cast<Eigen::Index>(LoopInput::angleNoise)] = noise.angle_rms_rad * noise.angle_rms_rad;
+  all[static_cast<Eigen::Index>(LoopInput::currentNoise)] = noise.current_rms_A * noise.current_rms_A;
+  return all;
+}
+
+LoopNoise unknown() {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  return {nan, nan, nan, nan, nan, nan};
+}
+
+}  // namespace
+
+double roundingRms_rad(double count_rad) {
+  return count_rad / std::sqrt(12.0);
+}
+
+Result<LoopNoise> loopNoise(const ServoLoop& loop, const SensorNoise& noise) {
+  const DiscreteSystem closed = closedLoop(loop);
+  const auto both = stationaryRms(closed, variances(noise));
+  if (!both) return both.error();
+  const auto encoder = stationaryRms(closed, variances({noise.angle_rms_rad, 0.0}));
+  if (!encoder) return encoder.error();
+  return LoopNoise{(*both)[estimate], (*encoder)[estimate],  (*both)[currentReference], (*encoder)[currentReference],
+                   (*both)[speed],    (*both)[speedEstimate]};
+}
+
+std::vector<LoopNoise> noiseOverCutoff(const ServoLoop& loop, const SensorNoise& noise,
+                                       const std::vector<double>& cutoffs_rad_per_s) {
+  std::vector<LoopNoise> all;
+  for (const double cutoff : cutoffs_rad_per_s) {
+    const auto one = loopNoise(withCutoff(loop, cutoff), noise);
+    all.push_back(one ? *one : unknown());
+  }
+  return all;
+}
+
+}  // namespace breakaway

@@ -1,0 +1,39 @@
+// The noise that a cutoff costs.
+#pragma once
+
+#include <vector>
+
+#include "stability/servo_loop.h"
+
+namespace breakaway {
+
+/// White errors of the measurements, one value per tick.
+struct SensorNoise {
+  double angle_rms_rad = 0.0;
+  double current_rms_A = 0.0;
+};
+
+/// The rms of an encoder's rounding, count/√12: its error is uniform over a count. It is white only while the rotor
+/// passes a count or more per tick; slower, it is a saw tooth of less power at high frequencies, and at standstill it
+/// is constant, so that the figures made with it are upper bounds there.
+double roundingRms_rad(double count_rad);
+
+/// What reaches the loop's signals, rms. Both sources add in squares.
+struct LoopNoise {
+  double estimate_Nm = 0.0;           ///< τ̂
+  double estimateByEncoder_Nm = 0.0;  ///< the encoder's part alone
+  double currentReference_A = 0.0;
+  double currentReferenceByEncoder_A = 0.0;
+  double velocity_rad_per_s = 0.0;          ///< of the rotor itself, which the noise shakes
+  double velocityEstimate_rad_per_s = 0.0;  ///< of the controller's speed
+};
+
+/// Stationary rms values of the closed loop by the discrete Lyapunov equation (stationaryRms()); quantities of
+/// ServoController::step() at the tick. Errors: the loop is not stable. Precondition: check(loop).
+Result<LoopNoise> loopNoise(const ServoLoop& loop, const SensorNoise& noise);
+
+/// loopNoise() at each cutoff in rad/s; NaN in every field where the loop is not stable.
+std::vector<LoopNoise> noiseOverCutoff(const ServoLoop& loop, const SensorNoise& noise,
+                                       const std::vector<double>& cutoffs_rad_per_s);
+
+}  // namespace breakaway

@@ -1,0 +1,26 @@
+// A tuning with all that shows what it is: root locus, response, bounds and noise.
+#pragma once
+
+#include "stability/auto_tuning.h"
+#include "stability/root_locus.h"
+
+namespace breakaway {
+
+struct TuningStudy {
+  Estimate inertia_kg_m2, torqueConstant_Nm_per_A;
+  SensorNoise sensors;
+  Tuning tuning;
+  ServoLoop loop;  ///< the tuned velocity loop around the nominal motor
+  CutoffBounds bounds;
+  RootLocus locus;                        ///< over the cutoff, the gains as tuned
+  LoopResponse velocity, position;        ///< nominal
+  std::vector<double> cutoffs_rad_per_s;  ///< of `noise`
+  std::vector<LoopNoise> noise;           ///< over the cutoff, the gains as tuned; NaN where unstable
+};
+
+/// autoTune(), and around its result 300 cutoffs from a tenth of it up to where the loop becomes unstable (at most
+/// 2/T), 400 frequencies up to π/T, 60 cutoffs of noise. Errors: those of autoTune().
+Result<TuningStudy> studyTuning(const ServoLoop& loop, const Estimate& inertia_kg_m2,
+                                const Estimate& torqueConstant_Nm_per_A, const AutoTuningOptions& options);
+
+}  // namespace breakaway
