@@ -34,6 +34,7 @@ int main(int argc, char** argv) {
            cli::addImport,
            cli::addExport,
            cli::addCommission,
+           cli::addFigures,
        }) {
     add(app, job);
   }

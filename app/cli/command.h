@@ -26,5 +26,6 @@ void addTrial(CLI::App& app, Job& chosen);
 void addImport(CLI::App& app, Job& chosen);
 void addExport(CLI::App& app, Job& chosen);
 void addCommission(CLI::App& app, Job& chosen);
+void addFigures(CLI::App& app, Job& chosen);
 
 }  // namespace breakaway::cli
