@@ -1,11 +1,13 @@
 #include "figures/all_figures.h"
 
+#include <numbers>
 #include <utility>
 
 #include "figures/commissioned_bench.h"
 #include "figures/compensation_figures.h"
 #include "figures/friction_figures.h"
 #include "figures/motion_figures.h"
+#include "figures/observer_figures.h"
 
 namespace breakaway {
 
@@ -16,6 +18,17 @@ using Figures = std::vector<BenchFigure>;
 Result<Figures> alone(Result<BenchFigure> figure) {
   if (!figure) return figure.error();
   return Figures{std::move(*figure)};
+}
+
+/// The identified rotor, its sensors as they were measured, for judging observers.
+ObserverFigureOptions observersOf(const CommissionedBench& bench) {
+  ObserverFigureOptions options;
+  options.rotor.inertia_kg_m2 = bench.inertia_kg_m2();
+  options.rotor.torqueConstant_Nm_per_A = bench.torqueConstant_Nm_per_A();
+  options.rotor.count_rad = 2.0 * std::numbers::pi / bench.measured.identity.countsPerRev;
+  options.rotor.tick_s = 1.0 / bench.measured.identity.loopRate_Hz;
+  options.rotor.currentNoise_A = bench.measured.noiseRms_A;
+  return options;
 }
 
 /// All that one commissioned board shows, in the reader's order.
@@ -30,6 +43,8 @@ Result<Figures> ofBench(CommissionedBench& bench, const AllFiguresOptions& optio
       [&] { return Result<Figures>(viscousFigures(bench.measured)); },
       [&] { return alone(totalViscousFigure(bench.measured)); },
       [&] { return alone(overallFrictionFigure(bench.measured)); },
+      [&] { return alone(velocityEstimatorFigure(observersOf(bench))); },
+      [&] { return alone(disturbanceCutoffFigure(observersOf(bench))); },
   };
   Figures all;
   for (size_t k = 0; k < chapters.size(); ++k) {
