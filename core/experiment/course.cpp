@@ -30,7 +30,7 @@ Command Course::run(const Sample& sample) {
   const double time_s = sample.time_s - start_.time_s;
   samples_.push_back(sample);
   samples_.back().time_s = time_s;
-  if (time_s >= options_.duration_s) finish();
+  if (time_s >= options_.duration_s - 0.5 * tick_s()) finish();  // else rounding would decide about the last tick
   return options_.command(time_s, start_);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 
 #include "base/statistics.h"
@@ -19,6 +20,25 @@ constexpr std::array<Compensated, 3> parts{{{CompensatedFriction::none, "none", 
                                             {CompensatedFriction::coulombAndViscous, "average", "average, F + Bω"},
                                             {CompensatedFriction::map, "map", "measured map"}}};
 
+/// Speed as the central difference of the angle, which has no lag and little of the encoder's rounding; times from the
+/// first of them.
+struct Speed {
+  std::vector<double> time_s, velocity_rad_per_s;
+};
+
+Speed centralDifference(const std::vector<Sample>& samples, double halfSpan_s) {
+  Speed speed;
+  if (samples.size() < 2) return speed;
+  const double tick_s = samples[1].time_s - samples[0].time_s;
+  const auto reach = static_cast<size_t>(std::max(1.0, std::round(halfSpan_s / tick_s)));
+  for (size_t k = reach; k + reach < samples.size(); ++k) {
+    const Sample &before = samples[k - reach], &after = samples[k + reach];
+    speed.time_s.push_back(samples[k].time_s - samples[reach].time_s);
+    speed.velocity_rad_per_s.push_back((after.angle_rad - before.angle_rad) / (after.time_s - before.time_s));
+  }
+  return speed;
+}
+
 CourseOptions slowCourse(const SlowMotionOptions& options) {
   CourseOptions course;
   course.activity = "slow motion";
@@ -26,7 +46,7 @@ CourseOptions slowCourse(const SlowMotionOptions& options) {
   course.zeroing_s = 1.0;
   course.before = command;
   course.before_s = 1.0;
-  course.duration_s = options.turns * 2.0 * std::numbers::pi / options.speed_rad_per_s;
+  course.duration_s = options.turns * 2.0 * std::numbers::pi / options.speed_rad_per_s + 2.0 * options.halfSpan_s;
   course.command = [command](double, const Sample&) { return command; };
   return course;
 }
@@ -38,16 +58,11 @@ Result<std::array<double, parts.size()>> runAll(CommissionedBench& bench, const 
   for (size_t k = 0; k < parts.size(); ++k) {
     const auto ran = runCourse(bench, slowCourse(options), parts[k].part);
     if (!ran) return ran.error();
-    std::vector<double> velocity, error;
-    for (const Sample& sample : ran->samples) {
-      velocity.push_back(sample.velocity_rad_per_s);
-      error.push_back(sample.velocity_rad_per_s - options.speed_rad_per_s);
-    }
+    auto [time_s, velocity] = centralDifference(ran->samples, options.halfSpan_s);
+    std::vector<double> error = velocity;
+    for (double& value : error) value -= options.speed_rad_per_s;
     errors[k] = rms(error);
-    if (figure.columns.empty()) {
-      figure.columns.push_back({"time_s", {}});
-      for (const Sample& sample : ran->samples) figure.columns[0].values.push_back(sample.time_s);
-    }
+    if (figure.columns.empty()) figure.columns.push_back({"time_s", std::move(time_s)});
     if (velocity.size() != figure.columns[0].values.size()) return Error{figure.name, "runs differ in length"};
     figure.columns.push_back({parts[k].column + ending + "_rad_per_s", std::move(velocity)});
     figure.keyNumbers.emplace_back("velocity_error_" + (parts[k].column + ending) + "_rad_per_s", errors[k]);

@@ -10,6 +10,7 @@ namespace breakaway {
 struct SlowMotionOptions {
   double speed_rad_per_s = 5.0;
   double turns = 2.0;
+  double halfSpan_s = 0.01;  ///< speeds are central differences of the angle over ± this time
 };
 
 /// The velocity at a slow constant speed under the velocity controller with disturbance feedback: without compensation,

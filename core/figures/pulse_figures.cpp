@@ -44,8 +44,8 @@ Pulses pulsesFor(const CommissionedBench& bench, const PulseFigureOptions& optio
   const double friction_A = bench.measured.map.coulombAverage_Nm.value / bench.torqueConstant_Nm_per_A();
   Pulses pulses;
   pulses.current_A = std::min(options.pulseTorque * friction_A, 0.5 * bench.measured.settings.current_limit_A);
-  pulses.width_s =
-      options.step_rad_per_s * bench.inertia_kg_m2() / (bench.torqueConstant_Nm_per_A() * pulses.current_A);
+  const double acceleration = bench.torqueConstant_Nm_per_A() * pulses.current_A / bench.inertia_kg_m2();
+  pulses.width_s = std::min(options.step_rad_per_s / acceleration, options.mostPulse_s);
   pulses.pairs = pairs;
   return pulses;
 }

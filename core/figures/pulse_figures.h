@@ -11,6 +11,7 @@ namespace breakaway {
 
 struct PulseFigureOptions {
   double step_rad_per_s = 30.0;                  ///< what one pulse would do to a rotor without friction
+  double mostPulse_s = 0.08;                     ///< a heavy rotor gets pulses of this length and makes less of them
   double pulseTorque = 2.5;                      ///< a pulse's torque, part of the mean Coulomb friction
   size_t pairs = 3;                              ///< of one pulse each way, in a series
   std::vector<double> speeds = {0.1, 0.3, 0.7};  ///< before the pulses, part of the highest speed of the velocity sweep
