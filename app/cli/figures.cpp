@@ -2,11 +2,13 @@
 #include <cstdio>
 #include <memory>
 
+#include "base/atomic_file.h"
 #include "cli/command.h"
 #include "cli/inputs.h"
 #include "figures/all_figures.h"
 #include "figures/figure_files.h"
 #include "firmware_link/simulated_board.h"
+#include "report/png.h"
 
 namespace breakaway::cli {
 
@@ -19,10 +21,12 @@ struct FiguresLine {
 };
 
 Result<void> runFigures(FiguresLine& line) {
+  if (auto able = pngCanBeWritten(); !able) return able;
   auto bench = openDrive(line.board, line.seed);
   if (!bench) return bench.error();
   auto uneven = openDrive(line.uneven, line.seed);
   if (!uneven) return uneven.error();
+  if (auto made = makeFolder(line.out); !made) return made;
   if (progressIsWatched()) {
     line.options.progress = [](double part, const std::string& activity) {
       std::fprintf(stderr, "\r\033[K%3.0f %%  %s", 100.0 * part, activity.c_str());

@@ -12,4 +12,7 @@ namespace breakaway {
 /// library would bring X11 into a program that needs no display. Errors: that program is missing, or says why not.
 Result<void> convertToPng(const std::string& svgPath, const std::string& pngPath, double scale = 1.5);
 
+/// Whether rsvg-convert can be run; the error says what is missing. To be asked before long work.
+Result<void> pngCanBeWritten();
+
 }  // namespace breakaway
