@@ -35,6 +35,7 @@ int main(int argc, char** argv) {
            cli::addExport,
            cli::addCommission,
            cli::addTune,
+           cli::addFigures,
        }) {
     add(app, job);
   }

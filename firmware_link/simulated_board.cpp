@@ -92,6 +92,7 @@ class SimulatedBoard final : public Drive {
   const Identity& identity() const override { return identity_; }
   ControllerSettings settings() const override { return settings_; }
   Result<ControllerSettings> configure(const ControllerSettings& wanted) override;
+  Result<void> compensate(const FrictionCompensation& friction) override;
   void command(const Command& command) override;
   void start(std::shared_ptr<Procedure> procedure) override;
   void stop(const std::string& reason) override;
@@ -150,6 +151,32 @@ Result<ControllerSettings> SimulatedBoard::configure(const ControllerSettings& w
   settings_.velocity_limit_rad_per_s = std::min(wanted.velocity_limit_rad_per_s, mostVelocity_rad_per_s_);
   apply();
   return settings_;
+}
+
+Result<void> SimulatedBoard::compensate(const FrictionCompensation& friction) {
+  using Table = FrictionTable<double>;
+  Table table;
+  const size_t bins = friction.coulomb_Nm[0].size();
+  if (bins > Table::mostBins)
+    return Error{"friction compensation",
+                 "has " + std::to_string(bins) + " bins, the board holds at most " + std::to_string(Table::mostBins)};
+  bool finite = std::isfinite(friction.indexAngle_rad + friction.blend_rad_per_s + friction.cutoff_rad_per_s) &&
+                friction.blend_rad_per_s >= 0.0 && friction.cutoff_rad_per_s >= 0.0;
+  for (size_t way = 0; way < 2; ++way) {
+    if (friction.coulomb_Nm[way].size() != bins || friction.viscous_Nm_s_per_rad[way].size() != bins)
+      return Error{"friction compensation", "has not as many bins each way"};
+    for (size_t k = 0; k < bins; ++k) {
+      table.coulomb_Nm[way][k] = friction.coulomb_Nm[way][k];
+      table.viscous_Nm_s_per_rad[way][k] = friction.viscous_Nm_s_per_rad[way][k];
+      finite = finite && std::isfinite(table.coulomb_Nm[way][k]) && std::isfinite(table.viscous_Nm_s_per_rad[way][k]);
+    }
+  }
+  if (!finite) return Error{"friction compensation", "holds a value that is negative or not finite"};
+  table.bins = static_cast<int>(bins);
+  table.index_rad = friction.indexAngle_rad;
+  table.blend_rad_per_s = friction.blend_rad_per_s;
+  controller_.compensate(table, friction.cutoff_rad_per_s);
+  return {};
 }
 
 void SimulatedBoard::obey(const Command& command) {

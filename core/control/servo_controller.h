@@ -3,8 +3,10 @@
 #pragma once
 
 #include "control/current_controller.h"
+#include "control/friction_compensator.h"
 #include "control/motion_controller.h"
 #include "observer/disturbance_observer.h"
+#include "observer/reaction_torque_observer.h"
 #include "observer/velocity_observer.h"
 
 namespace breakaway {
@@ -62,9 +64,20 @@ class ServoController {
     motion_.configure(settings.gains, board_.tick_s);
     if (settings.observer_cutoff_rad_per_s > Scalar(0)) cutoff_ = settings.observer_cutoff_rad_per_s;
     observer_.configure({cutoff_, settings.inertia_kg_m2, settings.torqueConstant_Nm_per_A}, board_.tick_s);
+    reaction_.configure({{cutoff_, settings.inertia_kg_m2, settings.torqueConstant_Nm_per_A}, Scalar(0), Scalar(0)},
+                        board_.tick_s);
     const bool known = settings.inertia_kg_m2 > Scalar(0);
     speed_.configure(board_.velocityBandwidth_rad_per_s,
                      known ? settings.torqueConstant_Nm_per_A / settings.inertia_kg_m2 : Scalar(0), board_.tick_s);
+  }
+
+  /// From now on current, velocity and position mode add the friction's torque; a table without bins ends it. The
+  /// disturbance feedback then takes what the table leaves over. `cutoff_rad_per_s`: of compensator B, 0: unfiltered.
+  void compensate(const FrictionTable<Scalar>& friction, Scalar cutoff_rad_per_s) {
+    friction_ = friction;
+    compensator_.configure(cutoff_rad_per_s, board_.tick_s);
+    compensator_.reset();
+    compensation_Nm_ = 0;
   }
 
   void command(const ServoCommand<Scalar>& command) {
@@ -84,8 +97,10 @@ class ServoController {
     out.velocity_rad_per_s =
         speed_.step(angle_rad + Scalar(0.5) * board_.count_rad, wasEnabled_ ? out.current_A : Scalar(0));
     out.disturbance_estimate_Nm = observer_.step(wasEnabled_ ? out.current_A : Scalar(0), out.velocity_rad_per_s);
+    reaction_.step(wasEnabled_ ? out.current_A : Scalar(0), out.velocity_rad_per_s, compensation_Nm_);
     out.angle_reference_rad = angle_rad;
     wasEnabled_ = out.enabled;
+    compensation_Nm_ = 0;
     if (command_.mode == ServoMode::off) {
       zero(sensor_A);
       return out;
@@ -108,10 +123,12 @@ class ServoController {
   }
 
   Scalar reference(Scalar angle_rad, Scalar limit, ServoOutput<Scalar>& out) {
-    if (command_.mode == ServoMode::current) return within(command_.target, limit);
+    const Scalar friction_A = frictionCurrent(angle_rad, out.velocity_rad_per_s);
+    if (command_.mode == ServoMode::current) return within(command_.target + friction_A, limit);
     const bool feedback =
         settings_.observer_cutoff_rad_per_s > Scalar(0) && settings_.torqueConstant_Nm_per_A > Scalar(0);
-    const Scalar compensation = feedback ? out.disturbance_estimate_Nm / settings_.torqueConstant_Nm_per_A : Scalar(0);
+    const Scalar left_Nm = friction_.bins > 0 ? reaction_.estimate_Nm() : out.disturbance_estimate_Nm;
+    const Scalar compensation = friction_A + (feedback ? left_Nm / settings_.torqueConstant_Nm_per_A : Scalar(0));
     if (command_.mode == ServoMode::velocity) {
       out.velocity_reference_rad_per_s = command_.target;
       return motion_.velocityStep(command_.target, out.velocity_rad_per_s, compensation, limit);
@@ -119,6 +136,17 @@ class ServoController {
     out.angle_reference_rad = command_.target;
     return motion_.positionStep(command_.target - angle_rad - Scalar(0.5) * board_.count_rad, out.velocity_rad_per_s,
                                 compensation, limit);
+  }
+
+  /// Current for the friction of the way that the rotor is going, or is about to go when the velocity's target says so.
+  Scalar frictionCurrent(Scalar angle_rad, Scalar velocity_rad_per_s) {
+    if (friction_.bins <= 0 || !(settings_.torqueConstant_Nm_per_A > Scalar(0))) return Scalar(0);
+    const Scalar blend = friction_.blend_rad_per_s;
+    const bool against = command_.target > Scalar(0) ? velocity_rad_per_s < -blend : velocity_rad_per_s > blend;
+    const bool byTarget = command_.mode == ServoMode::velocity && command_.target != Scalar(0) && !against;
+    compensation_Nm_ = compensator_.step(friction_.torque_Nm(angle_rad + Scalar(0.5) * board_.count_rad,
+                                                             byTarget ? command_.target : velocity_rad_per_s));
+    return compensation_Nm_ / settings_.torqueConstant_Nm_per_A;
   }
 
   void zero(Scalar sensor_A) {
@@ -138,9 +166,12 @@ class ServoController {
   ServoCommand<Scalar> command_;
   VelocityObserver<Scalar> speed_;
   DisturbanceObserver<Scalar> observer_;
+  ReactionTorqueObserver<Scalar> reaction_;
+  FrictionTable<Scalar> friction_;
+  FilteredCompensator<Scalar> compensator_;
   MotionController<Scalar> motion_;
   CurrentController<Scalar> current_;
-  Scalar cutoff_ = 200, zero_A_ = 0, zeroSum_A_ = 0;
+  Scalar cutoff_ = 200, zero_A_ = 0, zeroSum_A_ = 0, compensation_Nm_ = 0;
   long zeroTicks_ = 0;
   bool wasEnabled_ = false;
 };

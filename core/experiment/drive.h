@@ -2,6 +2,7 @@
 // samples only.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -36,6 +37,17 @@ struct ControllerSettings {
   double current_limit_A = 0.0;
   double velocity_limit_rad_per_s = 0.0;
   bool operator==(const ControllerSettings&) const = default;
+};
+
+/// Friction that the board's controller takes off the shaft by feed-forward, from the map or on average.
+struct FrictionCompensation {
+  /// Whole motor torque per way (cw, ccw) in angle bins from the index, positive in the way's direction; all four
+  /// equally long. One bin is an average, none ends the compensation.
+  std::array<std::vector<double>, 2> coulomb_Nm;
+  std::array<std::vector<double>, 2> viscous_Nm_s_per_rad;
+  double indexAngle_rad = 0.0;    ///< as the encoder counts it, from homing
+  double blend_rad_per_s = 0.5;   ///< up to this speed the Coulomb torque grows in proportion
+  double cutoff_rad_per_s = 0.0;  ///< of a low pass on the whole (compensator B); 0: none
 };
 
 struct Identity {
@@ -78,6 +90,11 @@ class Drive {
   virtual ControllerSettings settings() const = 0;
   /// Asks for settings; returns those that were accepted (clamped to the board's limits), or why not.
   virtual Result<ControllerSettings> configure(const ControllerSettings& wanted) = 0;
+  /// From now on current, velocity and position commands add this friction's torque, until another one comes. Errors:
+  /// values that aren't finite, lengths that differ, more bins than the board can hold, a board that can't do it.
+  virtual Result<void> compensate(const FrictionCompensation&) {
+    return Error{"board", "takes no friction compensation"};
+  }
   /// Holds until the next command; ends a running procedure.
   virtual void command(const Command& command) = 0;
   /// Runs a procedure, on the board where it can. It stays readable from the thread that calls advance().

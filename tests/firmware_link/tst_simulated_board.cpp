@@ -3,6 +3,7 @@
 #include <QRegularExpression>
 #include <QSet>
 #include <QTest>
+#include <cmath>
 
 #include "firmware_link/presets.h"
 #include "firmware_link/simulated_board.h"
@@ -25,6 +26,8 @@ class TestSimulatedBoard : public QObject {
   void standingRotor_showsNoMotion();
   void configure_clampsAndRefuses();
   void servosFriction_variesAsPromised();
+  void compensation_isCheckedBeforeItIsTaken();
+  void compensatedRotor_keepsItsSpeedWithoutCurrentOfItsOwn();
 };
 
 namespace {
@@ -37,6 +40,12 @@ std::unique_ptr<Drive> opened(const std::string& uri) {
   auto drive = openDrive(uri, 1);
   if (!drive) qFatal("%s", drive.error().message().c_str());
   return std::move(*drive);
+}
+
+/// For what a test's helper needs to go well.
+template <typename T>
+void orDie(const Result<T>& result) {
+  if (!result) qFatal("%s", result.error().message().c_str());
 }
 
 /// All headers of the house that `header` includes, directly or not.
@@ -162,6 +171,46 @@ void TestSimulatedBoard::servosFriction_variesAsPromised() {
     const double relative = std::sqrt(squares) / sum;
     QVERIFY2(relative >= 0.10 && relative < 0.3, qPrintable(QString::number(relative)));
   }
+}
+
+void TestSimulatedBoard::compensation_isCheckedBeforeItIsTaken() {
+  const auto drive = opened("simulated");
+  FrictionCompensation friction;
+  for (auto* way : {&friction.coulomb_Nm, &friction.viscous_Nm_s_per_rad}) way->fill(std::vector<double>(180, 1e-5));
+  VERIFY_OK(drive->compensate(friction));
+  VERIFY_OK(drive->compensate({}));
+  FrictionCompensation uneven = friction, large = friction, broken = friction;
+  uneven.viscous_Nm_s_per_rad[1].pop_back();
+  VERIFY_ERROR(drive->compensate(uneven), "friction compensation: has not as many bins each way");
+  for (auto* way : {&large.coulomb_Nm, &large.viscous_Nm_s_per_rad}) way->fill(std::vector<double>(257, 1e-5));
+  VERIFY_ERROR(drive->compensate(large), "friction compensation: has 257 bins, the board holds at most 256");
+  broken.coulomb_Nm[0][3] = std::nan("");
+  VERIFY_ERROR(drive->compensate(broken), "friction compensation: holds a value that is negative or not finite");
+  broken = friction;
+  broken.cutoff_rad_per_s = -1.0;
+  VERIFY_ERROR(drive->compensate(broken), "friction compensation: holds a value that is negative or not finite");
+}
+
+/// Speed lost in 0.1 s of current mode without a current of its own, from 60 rad/s.
+static double lostSpeed(const FrictionCompensation& friction) {
+  const auto drive = opened("simulated");
+  orDie(drive->compensate(friction));
+  std::vector<Sample> samples;
+  drive->command({Command::Mode::velocity, 60.0, 0.0, false});
+  orDie(drive->advance(1.0, samples));
+  const double before = samples.back().velocity_rad_per_s;
+  drive->command({Command::Mode::current, 0.0, 0.0, false});
+  orDie(drive->advance(0.1, samples));
+  return before - samples.back().velocity_rad_per_s;
+}
+
+void TestSimulatedBoard::compensatedRotor_keepsItsSpeedWithoutCurrentOfItsOwn() {
+  FrictionCompensation friction;
+  friction.coulomb_Nm.fill({0.0168});
+  friction.viscous_Nm_s_per_rad.fill({2.05e-5});
+  const double lost = lostSpeed({}), kept = lostSpeed(friction);
+  QVERIFY2(lost > 15.0 && lost < 60.0, qPrintable(QString::number(lost)));
+  QVERIFY2(std::abs(kept) < 0.3 * lost, qPrintable(QString::number(kept)));
 }
 
 QTEST_APPLESS_MAIN(TestSimulatedBoard)

@@ -13,7 +13,7 @@ namespace {
 
 /// The rooms of core, each of which may include itself and those before it.
 const std::vector<std::string> rooms{"base",       "friction", "recording", "motor", "observer", "control", "stability",
-                                     "experiment", "identify", "diagnose",  "trial", "score",    "report"};
+                                     "experiment", "identify", "diagnose",  "trial", "score",    "report",  "figures"};
 /// What the link stands on.
 const std::set<std::string> belowLink{"base", "friction", "recording", "control", "observer", "motor", "experiment"};
 

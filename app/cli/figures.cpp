@@ -1,0 +1,65 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
+#include "base/atomic_file.h"
+#include "cli/command.h"
+#include "cli/inputs.h"
+#include "figures/all_figures.h"
+#include "figures/figure_files.h"
+#include "firmware_link/simulated_board.h"
+#include "report/png.h"
+
+namespace breakaway::cli {
+
+namespace {
+
+struct FiguresLine {
+  std::string board = "simulated", uneven = "simulated:uneven", out;
+  unsigned seed = 1;
+  AllFiguresOptions options;
+};
+
+Result<void> runFigures(FiguresLine& line) {
+  if (auto able = pngCanBeWritten(); !able) return able;
+  auto bench = openDrive(line.board, line.seed);
+  if (!bench) return bench.error();
+  auto uneven = openDrive(line.uneven, line.seed);
+  if (!uneven) return uneven.error();
+  if (auto made = makeFolder(line.out); !made) return made;
+  if (progressIsWatched()) {
+    line.options.progress = [](double part, const std::string& activity) {
+      std::fprintf(stderr, "\r\033[K%3.0f %%  %s", 100.0 * part, activity.c_str());
+    };
+  }
+  const auto figures = measureFigures(std::move(*bench), std::move(*uneven), line.options);
+  if (progressIsWatched()) std::fprintf(stderr, "\r\033[K");
+  if (!figures) return figures.error();
+  if (auto written = writeFigures(*figures, line.out); !written) return written;
+  std::printf("%zu figures: %s/index.html\n", figures->size(), line.out.c_str());
+  return {};
+}
+
+}  // namespace
+
+void addFigures(CLI::App& app, Job& chosen) {
+  auto line = std::make_shared<FiguresLine>();
+  auto* command =
+      app.add_subcommand("figures", "Measure every figure of the bench on simulated boards, as pictures and numbers");
+  command->add_option("--out", line->out, "folder for NAME.svg, NAME.png, NAME.csv, figures.json and index.html")
+      ->required();
+  command->add_option("--board", line->board, "simulated, simulated:PRESET or simulated:FILE.rig.json")
+      ->capture_default_str();
+  command->add_option("--uneven", line->uneven, "the board for slow motion over uneven friction")
+      ->capture_default_str();
+  command->add_option("--seed", line->seed, "seed of the boards' noise")->capture_default_str();
+  command->add_option("--bins", line->options.bins, "bins around the rotor")
+      ->capture_default_str()
+      ->check(CLI::Range(36, 1440));
+  command->add_option("--turns", line->options.turns, "turns of the breakaway sweep each way")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 20));
+  command->callback([line, &chosen] { chosen = [line] { return runFigures(*line); }; });
+}
+
+}  // namespace breakaway::cli

@@ -1,0 +1,44 @@
+#include "experiment/compensation.h"
+
+#include <algorithm>
+
+namespace breakaway {
+
+namespace {
+
+/// Means over `bins` equal groups of neighbours; `bins` divides their count.
+template <typename Get>
+std::vector<double> grouped(const FrictionMap& map, size_t bins, Get get) {
+  std::vector<double> means(bins, 0.0);
+  const size_t all = map.bins.size();
+  for (size_t group = 0; group < bins; ++group) {
+    const size_t from = group * all / bins, to = (group + 1) * all / bins;
+    for (size_t k = from; k < to; ++k) means[group] += get(map.bins[k]) / static_cast<double>(to - from);
+  }
+  return means;
+}
+
+}  // namespace
+
+FrictionCompensation compensationOf(const FrictionMap& map, CompensatedFriction part, double indexAngle_rad,
+                                    size_t mostBins) {
+  FrictionCompensation friction;
+  friction.indexAngle_rad = indexAngle_rad;
+  if (part == CompensatedFriction::none || map.bins.empty()) return friction;
+  size_t bins = part == CompensatedFriction::map ? map.bins.size() : 1;
+  if (bins > mostBins) {
+    // Groups of equal width, so that the table's bins lie where the board looks for them.
+    bins = mostBins;
+    while (map.bins.size() % bins != 0) --bins;
+  }
+  for (size_t way = 0; way < 2; ++way) {
+    friction.coulomb_Nm[way] = grouped(map, bins, [way](const MapBin& bin) { return bin.way[way].coulomb_Nm.value; });
+    friction.viscous_Nm_s_per_rad[way] =
+        part == CompensatedFriction::coulomb
+            ? std::vector<double>(bins, 0.0)
+            : grouped(map, bins, [way](const MapBin& bin) { return bin.way[way].viscous_Nm_s_per_rad.value; });
+  }
+  return friction;
+}
+
+}  // namespace breakaway

@@ -1,0 +1,99 @@
+#include "figures/compensation_figures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "base/statistics.h"
+
+namespace breakaway {
+
+namespace {
+
+struct Compensated {
+  CompensatedFriction part;
+  const char* column;
+  const char* label;
+};
+constexpr std::array<Compensated, 3> parts{{{CompensatedFriction::none, "none", "none"},
+                                            {CompensatedFriction::coulombAndViscous, "average", "average, F + Bω"},
+                                            {CompensatedFriction::map, "map", "measured map"}}};
+
+/// Speed as the central difference of the angle, which has no lag and little of the encoder's rounding; times from the
+/// first of them.
+struct Speed {
+  std::vector<double> time_s, velocity_rad_per_s;
+};
+
+Speed centralDifference(const std::vector<Sample>& samples, double halfSpan_s) {
+  Speed speed;
+  if (samples.size() < 2) return speed;
+  const double tick_s = samples[1].time_s - samples[0].time_s;
+  const auto reach = static_cast<size_t>(std::max(1.0, std::round(halfSpan_s / tick_s)));
+  for (size_t k = reach; k + reach < samples.size(); ++k) {
+    const Sample &before = samples[k - reach], &after = samples[k + reach];
+    speed.time_s.push_back(samples[k].time_s - samples[reach].time_s);
+    speed.velocity_rad_per_s.push_back((after.angle_rad - before.angle_rad) / (after.time_s - before.time_s));
+  }
+  return speed;
+}
+
+CourseOptions slowCourse(const SlowMotionOptions& options) {
+  CourseOptions course;
+  course.activity = "slow motion";
+  const Command command{Command::Mode::velocity, options.speed_rad_per_s, 0.0, false};
+  course.zeroing_s = 1.0;
+  course.before = command;
+  course.before_s = 1.0;
+  course.duration_s = options.turns * 2.0 * std::numbers::pi / options.speed_rad_per_s + 2.0 * options.halfSpan_s;
+  course.command = [command](double, const Sample&) { return command; };
+  return course;
+}
+
+/// Rms velocity errors under the present settings, and the runs as columns named with `ending`.
+Result<std::array<double, parts.size()>> runAll(CommissionedBench& bench, const SlowMotionOptions& options,
+                                                const std::string& ending, BenchFigure& figure) {
+  std::array<double, parts.size()> errors{};
+  for (size_t k = 0; k < parts.size(); ++k) {
+    const auto ran = runCourse(bench, slowCourse(options), parts[k].part);
+    if (!ran) return ran.error();
+    auto [time_s, velocity] = centralDifference(ran->samples, options.halfSpan_s);
+    std::vector<double> error = velocity;
+    for (double& value : error) value -= options.speed_rad_per_s;
+    errors[k] = rms(error);
+    if (figure.columns.empty()) figure.columns.push_back({"time_s", std::move(time_s)});
+    if (velocity.size() != figure.columns[0].values.size()) return Error{figure.name, "runs differ in length"};
+    figure.columns.push_back({parts[k].column + ending + "_rad_per_s", std::move(velocity)});
+    figure.keyNumbers.emplace_back("velocity_error_" + (parts[k].column + ending) + "_rad_per_s", errors[k]);
+  }
+  return errors;
+}
+
+}  // namespace
+
+Result<BenchFigure> slowMotionFigure(CommissionedBench& bench, const SlowMotionOptions& options) {
+  BenchFigure figure{
+      "slow-motion",
+      "The velocity controller with disturbance feedback at a slow speed, on a rotor with strongly uneven "
+      "friction: compensated not at all, on average, and by the map that was measured before. The "
+      "columns named alone are proportional control without feedback, under which the rotor may stand.",
+      {"Slow motion over uneven friction", "time / s", "speed / rad/s"},
+      {}};
+  const ControllerSettings tuned = bench.drive->settings();
+  ControllerSettings alone = tuned;
+  alone.observer_cutoff_rad_per_s = 0.0;
+  if (const auto taken = bench.drive->configure(alone); !taken) return taken.error();
+  const auto errors = runAll(bench, options, "_alone", figure);
+  if (const auto taken = bench.drive->configure(tuned); !taken) return taken.error();
+  if (!errors) return errors.error();
+  const auto observed = runAll(bench, options, "", figure);
+  if (!observed) return observed.error();
+  for (const Compensated& one : parts)
+    figure.figure.curves.push_back(drawn(figure, one.label, "time_s", std::string(one.column) + "_rad_per_s"));
+  figure.keyNumbers.emplace_back("average_over_map_alone", (*errors)[1] / (*errors)[2]);
+  figure.keyNumbers.emplace_back("average_over_map", (*observed)[1] / (*observed)[2]);
+  return figure;
+}
+
+}  // namespace breakaway

@@ -1,0 +1,182 @@
+#include <QTest>
+#include <cmath>
+#include <memory>
+
+#include "control/friction_compensator.h"
+#include "control/servo_controller.h"
+#include "control/tuning.h"
+#include "motor/noise.h"
+
+using namespace breakaway;
+
+class TestFrictionCompensator : public QObject {
+  Q_OBJECT
+ private slots:
+  void methodsAAndB_giveTheSameTorque();
+  void methodsThatDisagree_wouldBeFound();
+  void filterOfB_hasTheExactPole();
+  void table_isLinearBetweenItsBins();
+  void table_takesPositionTorqueOutOfBothWays();
+  void oneBin_isTheSameAllAround();
+  void slowSpeeds_blendTheWays();
+  void noBins_giveNothing();
+  void servo_addsTheTablesCurrent();
+  void servoWithoutTable_addsNothing();
+  void reactionObserver_leavesTheLoadThatIsNotFriction();
+  void reactionObserver_takesTheInertiaMismatchOut();
+};
+
+namespace {
+
+constexpr double tick_s = 2e-4;
+const DisturbanceObserver<double>::Settings nominal{200.0, 6e-5, 0.07};
+
+/// Largest difference of methods A and B over a rotor's random motion, part of the largest torque, when the cutoff of B
+/// is off by `part`.
+double worstDifference(double part) {
+  DifferenceCompensator<double> a;
+  FilteredCompensator<double> b;
+  a.configure(nominal, tick_s);
+  b.configure((1.0 + part) * nominal.cutoff_rad_per_s, tick_s);
+  a.reset(0.0);
+  Noise noise(5);
+  double velocity = 0.0, worst = 0.0, largest = 0.0;
+  for (int k = 0; k < 20000; ++k) {
+    const double current = 2.0 * noise.normal();
+    velocity += 0.5 * noise.normal() - 1e-3 * velocity;
+    const double friction = dryAndViscous(0.017, 2e-5, velocity);
+    const double fromA = a.step(current, velocity, friction), fromB = b.step(friction);
+    worst = std::max(worst, std::abs(fromA - fromB));
+    largest = std::max(largest, std::abs(fromB));
+  }
+  return worst / largest;
+}
+
+std::unique_ptr<FrictionTable<double>> waves() {
+  auto table = std::make_unique<FrictionTable<double>>();
+  table->bins = 90;
+  table->index_rad = 0.7;
+  for (int k = 0; k < 90; ++k) {
+    const double angle = (k + 0.5) * 2.0 * M_PI / 90.0;
+    table->coulomb_Nm[0][k] = 0.017 + 0.003 * std::cos(angle) + 0.001 * std::cos(3.0 * angle);
+    table->coulomb_Nm[1][k] = 0.016 + 0.003 * std::cos(angle) - 0.001 * std::cos(3.0 * angle);
+    table->viscous_Nm_s_per_rad[0][k] = table->viscous_Nm_s_per_rad[1][k] = 2e-5;
+  }
+  return table;
+}
+
+}  // namespace
+
+void TestFrictionCompensator::methodsAAndB_giveTheSameTorque() {
+  const double difference = worstDifference(0.0);
+  QVERIFY2(difference < 1e-12, qPrintable(QString::number(difference)));
+}
+
+void TestFrictionCompensator::methodsThatDisagree_wouldBeFound() {
+  QVERIFY(worstDifference(0.01) > 1e-3);
+}
+
+void TestFrictionCompensator::filterOfB_hasTheExactPole() {
+  FilteredCompensator<double> b;
+  b.configure(200.0, tick_s);
+  double torque = 0.0;
+  for (int k = 0; k < 30; ++k) torque = b.step(0.017);
+  QVERIFY(std::abs(torque / (0.017 * (1.0 - std::exp(-200.0 * 30 * tick_s))) - 1.0) < 1e-10);
+  b.configure(0.0, tick_s);
+  QCOMPARE(b.step(0.01), 0.01);
+}
+
+void TestFrictionCompensator::table_isLinearBetweenItsBins() {
+  const auto table = waves();
+  double worst = 0.0;
+  for (double angle = -30.0; angle < 30.0; angle += 0.0137) {
+    const double true_Nm = 0.016 + 0.003 * std::cos(angle - 0.7) - 0.001 * std::cos(3.0 * (angle - 0.7)) + 2e-5 * 10.0;
+    worst = std::max(worst, std::abs(table->torque_Nm(angle, 10.0) - true_Nm));
+  }
+  QVERIFY2(worst < 1e-5 && worst > 1e-7, qPrintable(QString::number(worst)));
+}
+
+void TestFrictionCompensator::table_takesPositionTorqueOutOfBothWays() {
+  const auto table = waves();
+  const double angle = 0.7 + 1.3, still = table->torque_Nm(angle, 0.0);
+  QVERIFY(std::abs(still - 0.5 * (0.016 - 0.017 - 0.002 * std::cos(3.9))) < 1e-5);
+  QVERIFY(std::abs(0.5 * (table->torque_Nm(angle, 5.0) + table->torque_Nm(angle, -5.0)) - still) < 1e-12);
+}
+
+void TestFrictionCompensator::oneBin_isTheSameAllAround() {
+  auto table = std::make_unique<FrictionTable<float>>();
+  table->bins = 1;
+  table->coulomb_Nm[0][0] = 0.017f;
+  table->coulomb_Nm[1][0] = 0.016f;
+  for (const float angle : {-100.0f, -0.1f, 0.0f, 3.0f, 1000.0f}) {
+    QCOMPARE(table->torque_Nm(angle, 2.0f), 0.016f);
+    QCOMPARE(table->torque_Nm(angle, -2.0f), -0.017f);
+  }
+}
+
+void TestFrictionCompensator::slowSpeeds_blendTheWays() {
+  auto table = std::make_unique<FrictionTable<double>>();
+  table->bins = 1;
+  table->blend_rad_per_s = 0.5;
+  table->coulomb_Nm[0][0] = table->coulomb_Nm[1][0] = 0.017;
+  QCOMPARE(table->torque_Nm(0.0, 0.25), 0.0085);
+  QCOMPARE(table->torque_Nm(0.0, -0.25), -0.0085);
+  QCOMPARE(table->torque_Nm(0.0, 0.5), 0.017);
+  QCOMPARE(table->torque_Nm(0.0, 0.0), 0.0);
+}
+
+void TestFrictionCompensator::noBins_giveNothing() {
+  const auto table = std::make_unique<FrictionTable<double>>();
+  QCOMPARE(table->torque_Nm(1.0, 5.0), 0.0);
+}
+
+static double currentWith(const FrictionTable<double>& table) {
+  ServoController<double> controller({tick_s, 2.0 * M_PI / 14400.0, {1.2, 0.0011, 0.07, 300.0}, 400.0});
+  controller.configure({tuneMotion(6e-5, 0.07, 60.0, 40.0), 0.0, 6e-5, 0.07, 5.0});
+  controller.compensate(table, 0.0);
+  controller.command({ServoMode::velocity, 3.0, 0.0, false});
+  double reference = 0.0;
+  for (int k = 0; k < 2000; ++k) reference = controller.step(3.0 * k * tick_s, 0.0, 24.0).current_reference_A;
+  return reference;
+}
+
+void TestFrictionCompensator::servo_addsTheTablesCurrent() {
+  auto table = std::make_unique<FrictionTable<double>>();
+  table->bins = 1;
+  table->coulomb_Nm[0][0] = table->coulomb_Nm[1][0] = 0.014;
+  table->viscous_Nm_s_per_rad[0][0] = table->viscous_Nm_s_per_rad[1][0] = 7e-4;
+  const double added = currentWith(*table) - currentWith({});
+  QVERIFY2(std::abs(added - (0.014 + 7e-4 * 3.0) / 0.07) < 1e-9, qPrintable(QString::number(added)));
+}
+
+void TestFrictionCompensator::servoWithoutTable_addsNothing() {
+  QVERIFY(std::abs(currentWith({})) < 0.01);
+}
+
+/// RTOB's steady estimate for a rotor that is driven at a constant acceleration against friction and a load.
+static double steadyReaction(double load_Nm, double friction_Nm, double inertia_kg_m2, double mismatch_kg_m2) {
+  ReactionTorqueObserver<double> observer;
+  observer.configure({nominal, mismatch_kg_m2, 0.0}, tick_s);
+  observer.reset(0.0);
+  const double acceleration = 300.0;
+  const double current = (inertia_kg_m2 * acceleration + friction_Nm + load_Nm) / nominal.torqueConstant_Nm_per_A;
+  double estimate = 0.0;
+  for (int k = 1; k < 1000; ++k) estimate = observer.step(current, acceleration * k * tick_s, friction_Nm);
+  return estimate;
+}
+
+void TestFrictionCompensator::reactionObserver_leavesTheLoadThatIsNotFriction() {
+  // A ramp of speed is held over ticks: the estimate carries J·a·gT/2 of that.
+  const double held = 6e-5 * 300.0 * 200.0 * tick_s * 0.5;
+  QVERIFY(std::abs(steadyReaction(0.005, 0.017, 6e-5, 0.0) - 0.005) < 1.1 * held);
+  QVERIFY(std::abs(steadyReaction(0.0, 0.017, 6e-5, 0.0)) < 1.1 * held);
+}
+
+void TestFrictionCompensator::reactionObserver_takesTheInertiaMismatchOut() {
+  const double right = steadyReaction(0.0, 0.0, 8e-5, 2e-5), wrong = steadyReaction(0.0, 0.0, 8e-5, 0.0);
+  QVERIFY(std::abs(wrong - 2e-5 * 300.0) < 0.001);
+  QVERIFY(std::abs(right) < 0.1 * wrong);
+}
+
+QTEST_APPLESS_MAIN(TestFrictionCompensator)
+#include "tst_friction_compensator.moc"
