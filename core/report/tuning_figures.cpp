@@ -138,7 +138,7 @@ Figure sensitivityFigure(const TuningStudy& study) {
   Figure figure{"Sensitivity of the velocity loop", "frequency / rad/s", "magnitude"};
   figure.logX = true;
   figure.curves = {magnitude("|S|", study.velocity, study.velocity.sensitivity),
-                   magnitude("|T|", study.velocity, study.velocity.complementary)};
+                   magnitude("|L/(1 + L)|", study.velocity, study.velocity.complementary)};
   const double most = study.tuning.wanted.peakSensitivity;
   Curve bound{"most that |S| may be",
               {study.velocity.frequency_rad_per_s.front(), study.velocity.frequency_rad_per_s.back()},
