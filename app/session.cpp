@@ -244,6 +244,33 @@ void Session::configure(const ControllerSettings& wanted) {
       false);
 }
 
+void Session::tune(Stiffness stiffness) {
+  if (!tuningObstacle().isEmpty()) return;
+  tuning_ = true;
+  emit settingsChanged();
+  pool_.start([this, stiffness, connection = connection_, identity = identity_, settings = settings_, known = motor()] {
+    const auto tuned = tunedSettings(identity, settings, known, stiffness);
+    QMetaObject::invokeMethod(
+        this, [this, connection, tuned] { takeTuning(connection, tuned); }, Qt::QueuedConnection);
+  });
+}
+
+void Session::takeTuning(unsigned connection, const Result<ControllerSettings>& tuned) {
+  tuning_ = false;
+  if (!tuned) emit said(QString::fromStdString(tuned.error().message()), true);
+  if (tuned && loop_ && connection == connection_) configure(*tuned);
+  emit settingsChanged();
+}
+
+QString Session::tuningObstacle() const {
+  if (!connected()) return tr("No board is connected");
+  return tuning_ ? tr("Tuning") : QString();
+}
+
+QString Session::marginLine() const {
+  return connected() ? marginWords(boardLoop(identity_, settings_, motor())) : QString();
+}
+
 void Session::startRecording() {
   if (!loop_ || recording_) return;
   recording_ = true;

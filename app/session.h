@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "board_tuning.h"
 #include "drive_loop.h"
 #include "experiment/drive.h"
 #include "experiment/homing.h"
@@ -62,6 +63,14 @@ class Session : public QObject {
   // The controller: settings are asked for, and what the board accepted comes back by settingsChanged().
   void configure(const ControllerSettings& wanted);
   const ControllerSettings& settings() const { return settings_; }
+  /// Tunes to a stiffness from what is known of the motor, in the pool, and asks for the result by configure().
+  void tune(Stiffness stiffness);
+  /// Why tune() can't begin now; empty when it can.
+  QString tuningObstacle() const;
+  /// What is known of the motor so far, for tuning.
+  KnownMotor motor() const { return knownMotor(settings_, bench_, survey_.identification); }
+  /// Margins and αgT of what is set, in one line; empty without a board.
+  QString marginLine() const;
 
   /// Why no sweep around the rotor can be started now; empty when it can.
   QString sweepObstacle() const;
@@ -102,6 +111,7 @@ class Session : public QObject {
  private:
   void takeBatch(const SampleBatchPtr& batch);
   void takeLink(const LinkStatus& status);
+  void takeTuning(unsigned connection, const Result<ControllerSettings>& tuned);
   void takeRun(const RunSnapshot& snapshot);
   void takeStop(DriveLoop::StopCause cause);
   void takeRecording(const std::shared_ptr<const std::vector<Sample>>& samples);
@@ -114,6 +124,7 @@ class Session : public QObject {
 
   const DriveLoopOptions options_;
   unsigned connection_ = 0;
+  bool tuning_ = false;
   QTimer heartbeat_;
   QString uri_;
   Identity identity_;

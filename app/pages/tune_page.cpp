@@ -8,6 +8,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 #include <cmath>
+#include <iterator>
 
 #include "session.h"
 #include "widgets/controls.h"
@@ -42,6 +43,7 @@ TunePage::TunePage(Session& session, QWidget* parent)
   row->addWidget(buildResults(), 1);
   connect(&session_, &Session::connectionChanged, this, &TunePage::scaleSliders);
   connect(&session_, &Session::settingsChanged, this, &TunePage::showSettings);
+  connect(&session_, &Session::surveyChanged, this, &TunePage::showMargins);
   connect(&session_, &Session::runChanged, this, &TunePage::showMotion);
   connect(&session_, &Session::measured, this, &TunePage::showSteps);
   scaleSliders();
@@ -60,6 +62,25 @@ QuantitySlider* TunePage::addSlider(const QString& objectName, const QString& ti
   return slider;
 }
 
+QWidget* TunePage::buildTuning() {
+  auto* group = new QWidget(this);
+  auto* column = new QVBoxLayout(group);
+  column->setContentsMargins(0, 0, 0, 0);
+  auto* row = new QHBoxLayout;
+  const std::pair<const char*, QString> names[] = {
+      {"tuneSoftButton", tr("Soft")}, {"tuneMediumButton", tr("Medium")}, {"tuneStiffButton", tr("Stiff")}};
+  for (size_t k = 0; k < std::size(names); ++k) {
+    auto* button = pushButton(group, names[k].first, names[k].second);
+    connect(button, &QPushButton::clicked, this, [this, k] { session_.tune(static_cast<Stiffness>(k)); });
+    row->addWidget(button, 1);
+    stiffness_.push_back(button);
+  }
+  margins_ = explanation(group, {}, "marginLine");
+  column->addLayout(row);
+  column->addWidget(margins_);
+  return group;
+}
+
 QWidget* TunePage::buildControls() {
   auto* side = new QWidget(this);
   side->setFixedWidth(320);
@@ -67,6 +88,7 @@ QWidget* TunePage::buildControls() {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(7);
   column->addWidget(heading(side, tr("Velocity loop")));
+  column->addWidget(buildTuning());
   column->addWidget(addSlider("kp", tr("Proportional gain Kp"), tr("A s/rad"),
                               tr("Current per velocity error; applied at once"),
                               &ControllerSettings::velocity_kp_A_s_per_rad));
@@ -137,7 +159,14 @@ void TunePage::showSettings() {
     slider.widget->show(session_.settings().*slider.field);
     slider.widget->setAvailable(connected, tr("No board is connected"));
   }
+  showMargins();
   showMotion();
+}
+
+void TunePage::showMargins() {
+  const QString tip = tr("Gains whose margins hold for what is known of the motor (%1)").arg(session_.motor().source);
+  for (QPushButton* button : stiffness_) setAvailable(button, tip, session_.tuningObstacle());
+  margins_->setText(session_.marginLine());
 }
 
 void TunePage::showMotion() {

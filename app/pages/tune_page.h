@@ -4,6 +4,7 @@
 #include "experiment/drive.h"
 #include "pages/page.h"
 
+class QLabel;
 class QPushButton;
 class QTableWidget;
 class QDoubleSpinBox;
@@ -22,11 +23,13 @@ class TunePage : public Page {
 
  private:
   QWidget* buildControls();
+  QWidget* buildTuning();
   QWidget* buildResults();
   QuantitySlider* addSlider(const QString& objectName, const QString& title, const QString& unit, const QString& help,
                             double ControllerSettings::*field);
   void scaleSliders();
   void showSettings();
+  void showMargins();
   void showSteps();
   void showMotion();
   void measure();
@@ -37,6 +40,8 @@ class TunePage : public Page {
     double ControllerSettings::*field;
   };
   std::vector<Slider> sliders_;
+  std::vector<QPushButton*> stiffness_;
+  QLabel* margins_ = nullptr;
   QDoubleSpinBox* height_ = nullptr;
   QPushButton* measure_ = nullptr;
   QPushButton* forget_ = nullptr;

@@ -67,7 +67,6 @@ Curve phase(const std::string& label, const LoopResponse& response) {
     const double angle = std::arg(response.loop[k]);
     if (k > 0) turns += std::round((last - angle) / (2.0 * std::numbers::pi));
     if (k == 0 && angle > 0.0) turns = -1.0;  // integrators begin at −90° or below
-    if (k > 0 && turns == 0.0 && angle - last > std::numbers::pi) turns = -1.0;
     last = angle;
     curve.y.push_back(degrees * (angle + 2.0 * std::numbers::pi * turns));
   }
@@ -139,7 +138,7 @@ Figure sensitivityFigure(const TuningStudy& study) {
   Figure figure{"Sensitivity of the velocity loop", "frequency / rad/s", "magnitude"};
   figure.logX = true;
   figure.curves = {magnitude("|S|", study.velocity, study.velocity.sensitivity),
-                   magnitude("|T|", study.velocity, study.velocity.complementary)};
+                   magnitude("|L/(1 + L)|", study.velocity, study.velocity.complementary)};
   const double most = study.tuning.wanted.peakSensitivity;
   Curve bound{"most that |S| may be",
               {study.velocity.frequency_rad_per_s.front(), study.velocity.frequency_rad_per_s.back()},

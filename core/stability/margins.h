@@ -8,7 +8,8 @@
 
 namespace breakaway {
 
-/// The loop cut at the encoder (openLoop()) over frequency: L, S = 1/(1 + L) and T = L/(1 + L).
+/// The loop cut at the encoder (openLoop()) over frequency: L, the sensitivity S = 1/(1 + L) and the complementary L/(1
+/// + L).
 struct LoopResponse {
   std::vector<double> frequency_rad_per_s;
   std::vector<std::complex<double>> loop, sensitivity, complementary;
@@ -29,7 +30,7 @@ struct LoopMargins {
   double delayMargin_s = 0.0;             ///< the smallest phase margin per frequency; infinite without a crossing
   double peakSensitivity = 0.0;           ///< max |S|; 1/max|S| is how near L comes to −1
   double peakSensitivity_rad_per_s = 0.0;
-  double peakComplementary = 0.0;  ///< max |T|
+  double peakComplementary = 0.0;  ///< max |L/(1 + L)|
   double damping = 0.0;            ///< of the closed loop's poles, see damping()
 };
 

@@ -25,6 +25,7 @@ class TestBenchJourney : public QObject {
   void stopDuringSweep_keepsWhatWasMeasured_data();
   void stopDuringSweep_keepsWhatWasMeasured();
   void slider_changesTheBoardAndTheStep();
+  void stiffnessButton_tunesTheBoardAndSaysItsMargins();
   void everyControl_hasAName();
   void disabledControls_sayWhy();
 };
@@ -181,6 +182,27 @@ void TestBenchJourney::slider_changesTheBoardAndTheStep() {
   const auto& steps = desk.session.steps();
   QVERIFY2(steps[1].figures.rise_s > 1.5 * steps[0].figures.rise_s, "a quarter of the gain must rise more slowly");
   QCOMPARE(named<QTableWidget>(desk.window, "stepTable")->rowCount(), 2);
+}
+
+void TestBenchJourney::stiffnessButton_tunesTheBoardAndSaysItsMargins() {
+  Desk desk;
+  desk.window.showPage("tunePage");
+  auto* button = named<QWidget>(desk.window, "tuneStiffButton");
+  QVERIFY(!button->isEnabled() && button->toolTip() == "No board is connected");
+  desk.window.showPage("connectPage");
+  QVERIFY(desk.connected());
+  desk.window.showPage("tunePage");
+  const auto* line = named<QLabel>(desk.window, "marginLine");
+  double last_rad_per_s = 0.0;
+  for (const char* name : {"tuneSoftButton", "tuneMediumButton", "tuneStiffButton"}) {
+    const ControllerSettings before = desk.session.settings();
+    press(desk.window, name);
+    QVERIFY(QTest::qWaitFor([&] { return desk.session.settings() != before; }, patience_ms));
+    QVERIFY(desk.session.settings().observer_cutoff_rad_per_s > last_rad_per_s);
+    last_rad_per_s = desk.session.settings().observer_cutoff_rad_per_s;
+    QVERIFY(QTest::qWaitFor([&] { return line->text().startsWith("Phase margin") && button->isEnabled(); }, 5000));
+    QCOMPARE(line->text(), desk.session.marginLine());
+  }
 }
 
 void TestBenchJourney::everyControl_hasAName() {

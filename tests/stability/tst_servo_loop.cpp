@@ -2,6 +2,7 @@
 #include <QTest>
 #include <algorithm>
 #include <cmath>
+#include <deque>
 
 #include "stability/root_locus.h"
 #include "stability/simulated_loop.h"
@@ -21,6 +22,9 @@ class TestServoLoop : public QObject {
   void everySignal_isThatOfTheControllersCode();
   void cutoffOfInstability_isThatOfTheSimulatedLoop_data();
   void cutoffOfInstability_isThatOfTheSimulatedLoop();
+  void alphaGT_ofInstabilityIsThatOfTheSimulatedIdealLoop_data();
+  void alphaGT_ofInstabilityIsThatOfTheSimulatedIdealLoop();
+  void ruleOfThumb_isWhereDampingIsLostWithOneTickOfDelay();
   void branches_goOnWithoutJumps();
   void incompleteLoop_isRefusedByItsField();
 };
@@ -173,6 +177,78 @@ void TestServoLoop::cutoffOfInstability_isThatOfTheSimulatedLoop() {
   qInfo("predicted %.4g rad/s, simulated %.4g rad/s, alpha g T %.3f", *predicted, simulated,
         withCutoff(loop, *predicted).alphaGT());
   QVERIFY(std::abs(*predicted / simulated - 1.0) < 0.02);
+}
+
+namespace {
+
+/// The loop of the rule: held current, backward difference, the observer's own code, a slow speed loop.
+ServoLoop ruleLoop(double alphaGT, double gT, int delay_ticks) {
+  ServoLoop loop = idealLoop(1e-3 * gT, delay_ticks);
+  loop.settings.observer_cutoff_rad_per_s = gT / loop.board.tick_s;
+  loop.motor.inertia_kg_m2 *= gT / alphaGT;
+  return loop;
+}
+
+bool idealGrows(const ServoLoop& loop) {
+  const double T = loop.board.tick_s, perAmp = loop.motor.torqueConstant_Nm_per_A / loop.motor.inertia_kg_m2;
+  DisturbanceObserver<double> observer;
+  observer.configure(
+      {loop.settings.observer_cutoff_rad_per_s, loop.settings.inertia_kg_m2, loop.settings.torqueConstant_Nm_per_A}, T);
+  std::deque<double> waiting(static_cast<size_t>(loop.delay_ticks), 0.0);
+  double speed = 1e-3, angle = 0.0, lastAngle = 0.0, current = 0.0, before = 0.0, after = 0.0;
+  const int ticks = 30000;
+  for (int k = 0; k < ticks; ++k) {
+    const double shown = (angle - lastAngle) / T;
+    lastAngle = angle;
+    const double estimate = observer.step(current, shown);
+    waiting.push_back(-loop.settings.gains.velocity_kp_A_s_per_rad * shown +
+                      estimate / loop.settings.torqueConstant_Nm_per_A);
+    current = waiting.front();
+    waiting.pop_front();
+    angle += T * (speed + 0.5 * T * perAmp * current);
+    speed += T * perAmp * current;
+    if (std::abs(speed) > 1e9) return true;
+    if (k >= ticks / 3) (k < 2 * ticks / 3 ? before : after) += current * current;
+  }
+  return after > before && after > 1e-20;
+}
+
+}  // namespace
+
+void TestServoLoop::alphaGT_ofInstabilityIsThatOfTheSimulatedIdealLoop_data() {
+  QTest::addColumn<double>("gT");
+  QTest::addColumn<int>("delay");
+  for (const double gT : {0.02, 0.1, 0.3}) {
+    for (const int delay : {0, 1, 2})
+      QTest::newRow(qPrintable(QString("gT %1, delay %2").arg(gT).arg(delay))) << gT << delay;
+  }
+}
+
+void TestServoLoop::alphaGT_ofInstabilityIsThatOfTheSimulatedIdealLoop() {
+  QFETCH(double, gT);
+  QFETCH(int, delay);
+  const auto onset = [](const auto& unstable) {
+    double low = 0.05, high = 8.0;
+    while (high > 1.001 * low) {
+      const double middle = std::sqrt(low * high);
+      (unstable(middle) ? high : low) = middle;
+    }
+    return low;
+  };
+  const double predicted = onset([&](double k) { return spectralRadius(closedLoop(ruleLoop(k, gT, delay))) >= 1.0; });
+  const double simulated = onset([&](double k) { return idealGrows(ruleLoop(k, gT, delay)); });
+  qInfo("alpha g T predicted %.3f, simulated %.3f", predicted, simulated);
+  QVERIFY(std::abs(predicted / simulated - 1.0) < 0.02);
+  QVERIFY(predicted > 0.4 && predicted < 4.0);
+}
+
+void TestServoLoop::ruleOfThumb_isWhereDampingIsLostWithOneTickOfDelay() {
+  const auto dampingAt = [](double alphaGT, int delay) {
+    return damping(poles(closedLoop(ruleLoop(alphaGT, 0.02, delay))));
+  };
+  QVERIFY(dampingAt(0.24, 1) > 0.707 && dampingAt(0.30, 1) < 0.707);
+  QVERIFY(dampingAt(0.30, 0) > 0.707 && dampingAt(0.55, 0) < 0.707);
+  QCOMPARE(cutoffBounds(ruleLoop(0.1, 0.02, 1)).ruleOfThumb_rad_per_s, 0.3 / (5.0 * 1e-3));
 }
 
 void TestServoLoop::branches_goOnWithoutJumps() {

@@ -1,0 +1,113 @@
+#include "board_tuning.h"
+
+#include <QCoreApplication>
+#include <cmath>
+#include <numbers>
+
+#include "control/tuning.h"
+
+namespace breakaway {
+
+namespace {
+
+QString words(const char* text) {
+  return QCoreApplication::translate("BoardTuning", text);
+}
+
+/// A value known to ±`part` of itself.
+Estimate within(double value, double part) {
+  return {value, part * value / 1.959964};
+}
+
+}  // namespace
+
+KnownMotor knownMotor(const ControllerSettings& settings, const std::optional<Bench>& bench,
+                      const std::optional<Identification>& identification) {
+  if (identification) {
+    const IdentifiedMotor& motor = identification->motor;
+    return {{motor.inertia_kg_m2.value, motor.torqueConstant_Nm_per_A.value,
+             std::max(0.0, motor.viscous_Nm_s_per_rad.value), motor.resistance_ohm.value,
+             std::max(0.0, motor.inductance_H.value), motor.backEmfConstant_V_s_per_rad.value},
+            motor.inertia_kg_m2,
+            motor.torqueConstant_Nm_per_A,
+            identification->noiseRms_A,
+            words("identified")};
+  }
+  KnownMotor known;
+  if (bench && bench->axis == Axis::rotary && bench->motor.inertia && bench->motor.torqueConstant) {
+    const MotorBelief& motor = bench->motor;
+    known.values = {*motor.inertia,
+                    *motor.torqueConstant,
+                    motor.viscous.value_or(0.0),
+                    motor.resistance_ohm.value_or(0.0),
+                    motor.inductance_H.value_or(0.0),
+                    motor.backEmfConstant.value_or(*motor.torqueConstant)};
+    known.inertia_kg_m2 = within(*motor.inertia, 0.05);
+    known.torqueConstant_Nm_per_A = within(*motor.torqueConstant, 0.027);
+    known.source = words("bench file");
+    return known;
+  }
+  const double J = settings.nominal_inertia_kg_m2, Kt = settings.nominal_torque_constant_Nm_per_A;
+  known.values = {J, Kt, 0.0, 0.0, 0.0, Kt};
+  known.inertia_kg_m2 = within(J, 0.3);
+  known.torqueConstant_Nm_per_A = within(Kt, 0.3);
+  known.source = words("name plate");
+  return known;
+}
+
+ServoLoop boardLoop(const Identity& identity, const ControllerSettings& settings, const KnownMotor& motor) {
+  const double tick_s = identity.loopRate_Hz > 0.0 ? 1.0 / identity.loopRate_Hz : 0.0;
+  ServoLoop loop;
+  loop.motor = motor.values;
+  const bool wound = motor.values.resistance_ohm > 0.0 && motor.values.inductance_H > 0.0;
+  loop.current = wound ? CurrentPath::winding : CurrentPath::ideal;
+  loop.delay_ticks = identity.simulated ? 0 : 1;
+  loop.board = {tick_s,
+                identity.countsPerRev > 0.0 ? 2.0 * std::numbers::pi / identity.countsPerRev : 0.0,
+                {motor.values.resistance_ohm, motor.values.inductance_H, motor.values.backEmfConstant_V_s_per_rad,
+                 boardCurrentBandwidth_rad_per_s(tick_s)},
+                boardVelocityBandwidth_rad_per_s(tick_s)};
+  loop.settings = {{settings.velocity_kp_A_s_per_rad, settings.velocity_ki_A_per_rad, settings.velocity_kd_A_s2_per_rad,
+                    settings.position_kp_A_per_rad, settings.position_ki_A_per_rad_s, settings.position_kd_A_s_per_rad,
+                    settings.velocity_limit_rad_per_s},
+                   settings.observer_cutoff_rad_per_s,
+                   settings.nominal_inertia_kg_m2,
+                   settings.nominal_torque_constant_Nm_per_A,
+                   settings.current_limit_A};
+  return loop;
+}
+
+QString marginWords(const ServoLoop& loop) {
+  if (const auto fine = check(loop); !fine)
+    return words("Margins unknown: %1").arg(QString::fromStdString(fine.error().message()));
+  const LoopMargins found = margins(loop);
+  const QString rule = words("αgT %1 (rule: up to 0.3)").arg(loop.alphaGT(), 0, 'g', 2);
+  if (!found.stable) return words("Unstable with these gains; %1").arg(rule);
+  const auto number = [](double value, const QString& unit, int decimals) {
+    return std::isfinite(value) ? QString::number(value, 'f', decimals) + unit : words("unbounded");
+  };
+  return words("Phase margin %1, gain margin %2, %3")
+      .arg(number(found.phaseMargin_rad * 180.0 / std::numbers::pi, "°", 0), number(found.gainMargin, "", 1), rule);
+}
+
+Result<ControllerSettings> tunedSettings(const Identity& identity, const ControllerSettings& settings,
+                                         const KnownMotor& motor, Stiffness stiffness) {
+  ControllerSettings tuned = settings;
+  tuned.nominal_inertia_kg_m2 = motor.inertia_kg_m2.value;
+  tuned.nominal_torque_constant_Nm_per_A = motor.torqueConstant_Nm_per_A.value;
+  const ServoLoop loop = boardLoop(identity, tuned, motor);
+  AutoTuningOptions options;
+  options.stiffness = stiffness;
+  options.noise = {roundingRms_rad(loop.board.count_rad), motor.currentNoise_A};
+  const auto tuning = autoTune(loop, motor.inertia_kg_m2, motor.torqueConstant_Nm_per_A, options);
+  if (!tuning) return tuning.error();
+  const auto& gains = tuning->settings.gains;
+  tuned.velocity_kp_A_s_per_rad = gains.velocity_kp_A_s_per_rad;
+  tuned.velocity_ki_A_per_rad = tuned.velocity_kd_A_s2_per_rad = tuned.position_ki_A_per_rad_s = 0.0;
+  tuned.position_kp_A_per_rad = gains.position_kp_A_per_rad;
+  tuned.position_kd_A_s_per_rad = gains.position_kd_A_s_per_rad;
+  tuned.observer_cutoff_rad_per_s = tuning->settings.observer_cutoff_rad_per_s;
+  return tuned;
+}
+
+}  // namespace breakaway
