@@ -149,7 +149,7 @@ void TestProcedures::homing_countsEdgesTowardsGrowingAngleOnly() {
     QVERIFY(command.mode != Command::Mode::position);
     sample.time_s = k * 1e-3;
     sample.angle_rad += 1e-3 * command.target;
-    const double seen_rad = command.target > 0.0 ? edge_rad : edge_rad + width_rad;
+    const double seen_rad = command.target > 0.0 ? edge_rad : edge_rad - width_rad;
     sample.index = std::floor((sample.angle_rad - seen_rad) / turn) != std::floor((before_rad - seen_rad) / turn);
     if (sample.index && command.target < 0.0) ++backwards;
   }
