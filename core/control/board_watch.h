@@ -53,17 +53,22 @@ class BoardWatch {
   /// Whatever stops a shaft can do so within a tick, but nothing can make it that much faster.
   Trip angle(const Seen& seen) {
     const Scalar before = change_rad_;
-    change_rad_ = begun_ ? seen.angle_rad - angle_rad_ : Scalar(0);
+    const Scalar change = ticks_ > 0 ? seen.angle_rad - angle_rad_ : Scalar(0);
+    if (ticks_ == 0) anchor_rad_ = seen.angle_rad;
     angle_rad_ = seen.angle_rad;
-    if (!begun_) anchor_rad_ = seen.angle_rad;
-    begun_ = true;
     const Scalar room =
         Scalar(4.5) * limits_.count_rad + limits_.mostAcceleration_rad_per_s2 * limits_.tick_s * limits_.tick_s;
     const Scalar least = (before < Scalar(0) ? before : Scalar(0)) - room;
     const Scalar most = (before > Scalar(0) ? before : Scalar(0)) + room;
-    if (change_rad_ >= least && change_rad_ <= most) return Trip::none;
-    jumped_rad_ = change_rad_ - before;
-    change_rad_ = before;  // what it does after the jump is compared with what it did before
+    // The first change says how fast the shaft was when the board woke up; one that lasts after a jump is motion.
+    const bool known = ticks_ > 1 && !jumped_;
+    if (ticks_ < 2) ++ticks_;
+    jumped_ = known && !(change >= least && change <= most);
+    if (!jumped_) {
+      change_rad_ = change;
+      return Trip::none;
+    }
+    jumped_rad_ = change - before;  // what comes next is compared with what was before the jump
     return Trip::encoderJump;
   }
 
@@ -78,7 +83,8 @@ class BoardWatch {
 
   Limits limits_;
   Scalar angle_rad_ = 0, change_rad_ = 0, jumped_rad_ = 0, anchor_rad_ = 0, low_s_ = 0, atLimit_s_ = 0;
-  bool begun_ = false;
+  int ticks_ = 0;  ///< seen, up to two
+  bool jumped_ = false;
 };
 
 }  // namespace breakaway

@@ -24,6 +24,7 @@ class TestBenchJourney : public QObject {
   void connectHomeSweepExport();
   void stopDuringSweep_keepsWhatWasMeasured_data();
   void stopDuringSweep_keepsWhatWasMeasured();
+  void stoppedSweep_goesOnWhereItEnded();
   void slider_changesTheBoardAndTheStep();
   void stiffnessButton_tunesTheBoardAndSaysItsMargins();
   void everyControl_hasAName();
@@ -163,6 +164,23 @@ void TestBenchJourney::stopDuringSweep_keepsWhatWasMeasured() {
   QVERIFY(!named<QWidget>(desk.window, "exportMapButton")->isEnabled());
   QVERIFY(named<QWidget>(desk.window, "exportMapButton")->toolTip().contains("no map yet"));
   QVERIFY(named<QWidget>(desk.window, "breakawaySweepButton")->isEnabled());
+}
+
+void TestBenchJourney::stoppedSweep_goesOnWhereItEnded() {
+  Desk desk;
+  QVERIFY(desk.connected());
+  QVERIFY(desk.homed());
+  desk.sweep(12, 2);
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.survey().events.size() >= 7; }, patience_ms));
+  press(desk.window, "stopButton");
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.run().status.state == Procedure::State::stopped; }, patience_ms));
+  const std::vector<BreakawayEvent> before = desk.session.survey().events;
+  QVERIFY(before.size() < 40);
+  desk.sweep(12, 2);
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.survey().map.has_value(); }, patience_ms));
+  const auto& events = desk.session.survey().events;
+  QVERIFY(events.size() + desk.session.survey().missed == 48);
+  for (size_t k = 0; k < before.size(); ++k) QCOMPARE(events[k].torque_Nm, before[k].torque_Nm);
 }
 
 void TestBenchJourney::slider_changesTheBoardAndTheStep() {

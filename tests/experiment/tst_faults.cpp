@@ -264,6 +264,7 @@ class TestFaults : public QObject {
   Q_OBJECT
  private slots:
   void initTestCase();
+  void allStates_areMet();
   void everyProcedure_endsInWordsAndGoesOn_data();
   void everyProcedure_endsInWordsAndGoesOn();
   void resumedSweeps_measureOnlyWhatIsMissing();
@@ -273,6 +274,16 @@ class TestFaults : public QObject {
 
 void TestFaults::initTestCase() {
   qputenv("BREAKAWAY_RESOURCES", qgetenv("BREAKAWAY_SOURCE_DIR") + "/resources");
+}
+
+void TestFaults::allStates_areMet() {
+  const std::map<std::string, size_t> states{{"zeroing", 1},        {"winding", 3},       {"spin", 1},
+                                             {"homing", 4},         {"velocity step", 1}, {"velocity sweep", 5},
+                                             {"breakaway sweep", 7}};
+  for (const auto& [name, least] : states) {
+    const size_t met = entriesOf(name).size() - 1;  // less the middle
+    QVERIFY2(met >= least, qPrintable(QString::fromStdString(name) + ": " + QString::number(met)));
+  }
 }
 
 void TestFaults::everyProcedure_endsInWordsAndGoesOn_data() {

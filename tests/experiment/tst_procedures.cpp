@@ -19,6 +19,8 @@ class TestProcedures : public QObject {
   void homing_findsItAgainFromElsewhere();
   void homingWithoutIndex_saysSo();
   void homingOfAHeldRotor_saysSo();
+  void homingThatCreeps_timesOut();
+  void homing_countsEdgesTowardsGrowingAngleOnly();
   void velocityStep_isFastAndReachesItsSpeed();
   void velocitySweep_runsWholeTurnsBothWays();
   void unreachableSpeed_isReported();
@@ -118,6 +120,42 @@ void TestProcedures::homingOfAHeldRotor_saysSo() {
   }
   QCOMPARE(homing.state(), Procedure::State::failed);
   QVERIFY(homing.status().failure.find("does not move") != std::string::npos);
+}
+
+void TestProcedures::homingThatCreeps_timesOut() {
+  HomingOptions options;
+  options.timeout_s = 20.0;
+  Homing homing(options);
+  Sample sample;
+  for (int k = 0; k < 100000 && homing.state() == Procedure::State::running; ++k) {
+    sample.time_s = k * 1e-3;
+    sample.angle_rad = 0.1 * sample.time_s;
+    homing.step(sample);
+  }
+  QCOMPARE(homing.state(), Procedure::State::failed);
+  QVERIFY(homing.status().failure.find("not done after 20 s") != std::string::npos);
+  QVERIFY(sample.time_s > 19.9 && sample.time_s < 20.1);
+}
+
+/// Obeys at once, and shows an index that is `width_rad` wide: its edges differ by the way of passing.
+void TestProcedures::homing_countsEdgesTowardsGrowingAngleOnly() {
+  const double edge_rad = 2.0, width_rad = 0.01, turn = 2.0 * std::numbers::pi;
+  Homing homing;
+  Sample sample;
+  size_t backwards = 0;
+  for (int k = 0; k < 100000 && homing.state() == Procedure::State::running; ++k) {
+    const double before_rad = sample.angle_rad;
+    const Command command = homing.step(sample);
+    QVERIFY(command.mode != Command::Mode::position);
+    sample.time_s = k * 1e-3;
+    sample.angle_rad += 1e-3 * command.target;
+    const double seen_rad = command.target > 0.0 ? edge_rad : edge_rad - width_rad;
+    sample.index = std::floor((sample.angle_rad - seen_rad) / turn) != std::floor((before_rad - seen_rad) / turn);
+    if (sample.index && command.target < 0.0) ++backwards;
+  }
+  QCOMPARE(homing.state(), Procedure::State::finished);
+  QVERIFY(backwards >= 3);
+  QVERIFY(std::abs(std::remainder(homing.indexAngle_rad().value - edge_rad, turn)) < 1e-3);
 }
 
 void TestProcedures::velocityStep_isFastAndReachesItsSpeed() {

@@ -1,4 +1,7 @@
 // A commissioning that is interrupted keeps what it has, and goes on from there.
+#include <signal.h>
+
+#include <QFile>
 #include <QTest>
 
 #include "firmware_link/simulated_board.h"
@@ -6,6 +9,7 @@
 #include "house/program.h"
 #include "report/commission_report.h"
 #include "support/map_accuracy.h"
+#include "support/random_rig.h"
 #include "support/temporary.h"
 
 using namespace breakaway;
@@ -14,6 +18,8 @@ class TestCommissionResume : public QObject {
   Q_OBJECT
  private slots:
   void initTestCase();
+  void soundRigs_areNeverInterrupted_data();
+  void soundRigs_areNeverInterrupted();
   void progress_readsBackAsItWas();
   void damagedProgress_isNamed();
   void lostLink_keepsWhatItHasAndGoesOn_data();
@@ -23,6 +29,7 @@ class TestCommissionResume : public QObject {
   void otherBins_areRefused();
   void resumingNothing_isWrongInput();
   void theCommand_goesOnWhereItWasCut();
+  void controlC_endsTheCommandInOrder();
 };
 
 namespace {
@@ -64,6 +71,20 @@ Result<Commission> commissioned(const std::string& rig, const CommissionOptions&
 
 void TestCommissionResume::initTestCase() {
   qputenv("BREAKAWAY_RESOURCES", qgetenv("BREAKAWAY_SOURCE_DIR") + "/resources");
+}
+
+void TestCommissionResume::soundRigs_areNeverInterrupted_data() {
+  QTest::addColumn<unsigned>("seed");
+  for (unsigned seed = 7001; seed <= 7006; ++seed) QTest::newRow(std::to_string(seed).c_str()) << seed;
+}
+
+void TestCommissionResume::soundRigs_areNeverInterrupted() {
+  QFETCH(unsigned, seed);
+  test::TemporaryFolder folder;
+  const auto done = commissioned(folder.write("random.rig.json", test::RandomRig(seed).text()), quick(folder));
+  VERIFY_OK(done);
+  QCOMPARE(done->events.size() + done->missed, 4 * bins);
+  QVERIFY2(done->missed <= bins / 4, qPrintable(QString::number(done->missed)));
 }
 
 void TestCommissionResume::progress_readsBackAsItWas() {
@@ -217,6 +238,24 @@ void TestCommissionResume::theCommand_goesOnWhereItWasCut() {
   QVERIFY(QFile::exists(out + "/map.json") && QFile::exists(out + "/recordings/02-winding.csv"));
   QVERIFY(QFile::exists(out + "/recordings/05-velocity-sweep-part2.csv"));
   QVERIFY(!QFile::exists(out + "/progress"));
+}
+
+void TestCommissionResume::controlC_endsTheCommandInOrder() {
+  test::TemporaryFolder folder;
+  const QString out = QString::fromStdString(folder.path("out"));
+  QProcess process;
+  process.start(test::builtProgram("breakaway"), {"commission", "--turns", "20", "--out", out});
+  QVERIFY(process.waitForStarted());
+  for (int k = 0; k < 1000 && !QFile::exists(out + "/progress/breakaways.json"); ++k) QTest::qSleep(20);
+  QVERIFY(QFile::exists(out + "/progress/breakaways.json"));
+  QCOMPARE(::kill(static_cast<pid_t>(process.processId()), SIGINT), 0);
+  QVERIFY(process.waitForFinished(30000));
+  QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+  QCOMPARE(process.exitCode(), 2);
+  QVERIFY(process.readAllStandardError().contains("06-breakaway-sweep: interrupted from the keyboard"));
+  const auto kept = readProgress(folder.path("out"));
+  VERIFY_OK(kept);
+  QVERIFY(!kept->events.empty() && kept->runs.size() == 12);
 }
 
 QTEST_APPLESS_MAIN(TestCommissionResume)
