@@ -16,15 +16,14 @@ namespace {
 
 struct FiguresLine {
   std::string board = "simulated", uneven = "simulated:uneven", out;
-  unsigned seed = 1;
   AllFiguresOptions options;
 };
 
 Result<void> runFigures(FiguresLine& line) {
   if (auto able = pngCanBeWritten(); !able) return able;
-  auto bench = openDrive(line.board, line.seed);
+  auto bench = openDrive(line.board, line.options.seed);
   if (!bench) return bench.error();
-  auto uneven = openDrive(line.uneven, line.seed);
+  auto uneven = openDrive(line.uneven, line.options.seed);
   if (!uneven) return uneven.error();
   if (auto made = makeFolder(line.out); !made) return made;
   if (progressIsWatched()) {
@@ -52,7 +51,7 @@ void addFigures(CLI::App& app, Job& chosen) {
       ->capture_default_str();
   command->add_option("--uneven", line->uneven, "the board for slow motion over uneven friction")
       ->capture_default_str();
-  command->add_option("--seed", line->seed, "seed of the boards' noise")->capture_default_str();
+  command->add_option("--seed", line->options.seed, "seed of the boards' noise")->capture_default_str();
   command->add_option("--bins", line->options.bins, "bins around the rotor")
       ->capture_default_str()
       ->check(CLI::Range(36, 1440));

@@ -21,13 +21,14 @@ Result<Figures> alone(Result<BenchFigure> figure) {
 }
 
 /// The identified rotor, its sensors as they were measured, for judging observers.
-ObserverFigureOptions observersOf(const CommissionedBench& bench) {
+ObserverFigureOptions observersOf(const CommissionedBench& bench, unsigned seed) {
   ObserverFigureOptions options;
   options.rotor.inertia_kg_m2 = bench.inertia_kg_m2();
   options.rotor.torqueConstant_Nm_per_A = bench.torqueConstant_Nm_per_A();
   options.rotor.count_rad = 2.0 * std::numbers::pi / bench.measured.identity.countsPerRev;
   options.rotor.tick_s = 1.0 / bench.measured.identity.loopRate_Hz;
   options.rotor.currentNoise_A = bench.measured.noiseRms_A;
+  options.rotor.seed = seed;
   return options;
 }
 
@@ -43,8 +44,8 @@ Result<Figures> ofBench(CommissionedBench& bench, const AllFiguresOptions& optio
       [&] { return Result<Figures>(viscousFigures(bench.measured)); },
       [&] { return alone(totalViscousFigure(bench.measured)); },
       [&] { return alone(overallFrictionFigure(bench.measured)); },
-      [&] { return alone(velocityEstimatorFigure(observersOf(bench))); },
-      [&] { return alone(disturbanceCutoffFigure(observersOf(bench))); },
+      [&] { return alone(velocityEstimatorFigure(observersOf(bench, options.seed))); },
+      [&] { return alone(disturbanceCutoffFigure(observersOf(bench, options.seed))); },
   };
   Figures all;
   for (size_t k = 0; k < chapters.size(); ++k) {

@@ -83,7 +83,7 @@ Result<void> writeFigures(const std::vector<BenchFigure>& figures, const std::st
   for (size_t k = 0; k < figures.size(); ++k) {
     const std::string path = folder + "/" + figures[k].name;
     const bool polar = figures[k].figure.polar;
-    const auto drawn = writeSvg(figures[k].figure, path + ".svg", polar ? polar_px : 860, polar ? polar_px : 380);
+    auto drawn = writeSvg(figures[k].figure, path + ".svg", polar ? polar_px : 860, polar ? polar_px : 380);
     if (!drawn) return drawn;
     if (auto converted = convertToPng(path + ".svg", path + ".png"); !converted) return converted;
     if (auto written = writeFile(path + ".csv", tables[k]); !written) return written;

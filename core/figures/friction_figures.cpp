@@ -66,6 +66,7 @@ std::vector<double> rawViscous(const Commission& measured, Way way, size_t bins)
 double relativeScatter(const std::vector<double>& values) {
   const double middle = mean(values);
   std::vector<double> off;
+  off.reserve(values.size());
   for (const double value : values) off.push_back(value - middle);
   return rms(off) / std::abs(middle);
 }

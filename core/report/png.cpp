@@ -11,8 +11,6 @@
 #include <cstring>
 #include <vector>
 
-extern char** environ;
-
 namespace breakaway {
 
 namespace {

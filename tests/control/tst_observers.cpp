@@ -23,6 +23,8 @@ class TestObservers : public QObject {
   void sampledObserver_isTheContinuousOne_data();
   void sampledObserver_isTheContinuousOne();
   void sampledObserver_nearsTheContinuousOneWithTheTick();
+  void sampledObserver_answersSpeedAsTheContinuousOne();
+  void loadStep_isFollowedWithTheCutoff();
   void edgeTimes_giveTheExactSpeed();
   void reversalAtAnEdge_givesNoSpeed();
   void standstill_bringsTheEdgeTimedSpeedDown();
@@ -136,6 +138,40 @@ void TestObservers::sampledObserver_nearsTheContinuousOneWithTheTick() {
   const double coarse = std::abs(sampledResponse(200.0, 4e-4, 200.0) - continuous);
   const double fine = std::abs(sampledResponse(200.0, 2e-4, 200.0) - continuous);
   QVERIFY2(coarse / fine > 1.9 && coarse / fine < 2.1, qPrintable(QString::number(coarse / fine)));
+}
+
+void TestObservers::sampledObserver_answersSpeedAsTheContinuousOne() {
+  // From speed to estimate: −gJ·s/(s+g).
+  const double T = 2e-4, g = 200.0, J = 6e-5;
+  for (const double w : {20.0, 100.0, 200.0, 600.0}) {
+    DisturbanceObserver<double> cosine, sine;
+    cosine.configure({g, J, 1.0}, T);
+    sine.configure({g, J, 1.0}, T);
+    std::complex<double> response = 0.0;
+    for (int k = 0; k <= 1000; ++k) {
+      const std::complex<double> input = std::polar(1.0, w * k * T);
+      response = std::complex<double>(cosine.step(0.0, input.real()), sine.step(0.0, input.imag())) / input;
+    }
+    const std::complex<double> s(0.0, w), continuous = -g * J * s / (s + g);
+    const double off = std::abs(response / continuous - 1.0);
+    QVERIFY2(off < 0.6 * g * T && off > 1e-9, qPrintable(QString::number(off)));
+  }
+}
+
+void TestObservers::loadStep_isFollowedWithTheCutoff() {
+  // A motor at 0.3 A on which a load of 5 mNm comes at t = 0, its speed exact at each tick.
+  const double T = 2e-4, g = 200.0, J = 6e-5, Kt = 0.07, load = 0.005;
+  DisturbanceObserver<double> observer;
+  observer.configure({g, J, Kt}, T);
+  observer.reset(0.0);
+  double worst = 0.0;
+  for (int k = 1; k < 200; ++k) {
+    const double expected = load * (1.0 - std::exp(-g * k * T));
+    worst = std::max(worst, std::abs(observer.step(0.3, (Kt * 0.3 - load) / J * k * T) - expected));
+  }
+  // Within the half tick by which a speed that is held for a tick is behind.
+  const double held = 0.6 * g * T * (Kt * 0.3 - load);
+  QVERIFY2(worst < held && worst > 0.01 * held, qPrintable(QString::number(worst / held)));
 }
 
 /// Runs the M/T estimate over the motion `angleAt(t)` up to `end_s`, the edges found by bisection.

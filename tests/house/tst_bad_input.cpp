@@ -92,6 +92,9 @@ void TestBadInput::badInput_getsOneLineAndStatus2_data() {
       "m.json");
   row("output nowhere", "import r.txt --out none/r.csv", {{"r.txt", "t,q\n0,0\n1,1\n"}},
       "none/r.csv: cannot be written");
+  row("no such board", "figures --board simulated:serwo --out d", {}, "there is no preset serwo, did you mean servo?");
+  row("no such uneven board", "figures --uneven a.rig.json --out d", {}, "board a.rig.json: is no known board");
+  row("figures nowhere", "figures --out r.txt/d", {{"r.txt", "here"}}, "r.txt/d: cannot be");
   row("unknown command", "diagnoze", {}, "diagnoze");
   row("no command", "", {}, "command");
   row("missing word", "import r.txt", {}, "--out is required");
