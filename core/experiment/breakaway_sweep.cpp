@@ -77,6 +77,7 @@ Command BreakawaySweep::run(const Sample& sample) {
     case Stage::zero: {
       if (inStage_s > 0.05 + options_.zeroing_s) {
         zeroed_s_ = sample.time_s;
+        ++zeroings_;
         enter(Stage::move, sample);
         return {};
       }

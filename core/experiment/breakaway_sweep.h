@@ -55,6 +55,8 @@ class BreakawaySweep : public TimedProcedure {
   const BreakawaySweepOptions& options() const { return options_; }
   /// Angles at which the rotor didn't break away.
   size_t missed() const { return missed_; }
+  /// How often the current sensor has been zeroed.
+  size_t zeroings() const { return zeroings_; }
 
  protected:
   Command run(const Sample& sample) override;
@@ -92,7 +94,7 @@ class BreakawaySweep : public TimedProcedure {
 
   BreakawaySweepOptions options_;
   Stage stage_ = Stage::zero;
-  size_t step_ = 0, missed_ = 0, missedInARow_ = 0;
+  size_t step_ = 0, missed_ = 0, missedInARow_ = 0, zeroings_ = 0;
   int attempt_ = 0;
   std::vector<BreakawayEvent> events_;
   std::array<std::optional<double>, 2> recent_A_;          ///< last breakaway less the holding current, by Way

@@ -228,6 +228,8 @@ Result<void> Job::sweepBreakaway() {
   if (auto ran = runStep("06-breakaway-sweep", sweep, 0.738); !ran) return ran;
   done_.events = sweep->events();
   done_.missed = sweep->missed();
+  done_.zeroing_s = options.zeroing_s;
+  done_.zeroings = sweep->zeroings();
   if (done_.missed > 0)
     done_.remarks.push_back(std::to_string(done_.missed) +
                             " breakaways could not be measured; their bins rest on their neighbours.");
