@@ -29,4 +29,11 @@ double motionLag_s(const BreakawayLag& motor, double rate_A_per_s, double travel
   return 0.5 * (low + high);
 }
 
+double meanMotionLag_s(const BreakawayLag& motor, double rate_A_per_s, double count_rad) {
+  constexpr int places = 8;
+  double sum_s = 0.0;
+  for (int k = 0; k < places; ++k) sum_s += motionLag_s(motor, rate_A_per_s, (k + 0.5) / places * count_rad);
+  return sum_s / places;
+}
+
 }  // namespace breakaway

@@ -16,4 +16,7 @@ struct BreakawayLag {
 /// inertia is unknown.
 double motionLag_s(const BreakawayLag& motor, double rate_A_per_s, double travel_rad);
 
+/// The mean of motionLag_s for a rotor that stands anywhere within a count of `count_rad`, each place as likely.
+double meanMotionLag_s(const BreakawayLag& motor, double rate_A_per_s, double count_rad);
+
 }  // namespace breakaway

@@ -19,7 +19,8 @@ double inTurn(double angle_rad) {
 
 }  // namespace
 
-BreakawaySweep::BreakawaySweep(BreakawaySweepOptions options) : options_(std::move(options)) {
+BreakawaySweep::BreakawaySweep(BreakawaySweepOptions options)
+    : options_(std::move(options)), zeroing_(options_.zeroing_s) {
   if (options_.bins < 8 || options_.turns == 0) fail("at least 8 bins and one turn are needed");
   if (!(options_.resistance_ohm > 0.0)) fail("the winding's resistance is not known");
   if (!(options_.torqueConstant_Nm_per_A > 0.0)) fail("the torque constant is not known");
@@ -75,14 +76,15 @@ Command BreakawaySweep::run(const Sample& sample) {
   const double inStage_s = sample.time_s - stageStart_s_;
   switch (stage_) {
     case Stage::zero: {
-      if (inStage_s > 0.05 + options_.zeroing_s) {
-        zeroed_s_ = sample.time_s;
-        ++zeroings_;
+      bool done = false;
+      const Command command = zeroing_.step(sample, stageStart_s_, done);
+      if (!done) return command;
+      zeroed_s_ = sample.time_s;
+      if (step_ >= steps()) {
+        finish();
+      } else {
         enter(Stage::move, sample);
-        return {};
       }
-      Command command;
-      command.zeroCurrentSensor = inStage_s > 0.05;
       return command;
     }
     case Stage::move: {
@@ -177,13 +179,19 @@ void BreakawaySweep::takeEvent(const Sample&) {
                      : ramp_.rate_A_per_s;
   const BreakawayLag motor{options_.inertia_kg_m2, options_.torqueConstant_Nm_per_A,
                            options_.backEmfConstant_V_s_per_rad, options_.resistance_ohm};
-  const double lag_s = motionLag_s(motor, rate, 0.5 * countAngle);
+  const double lag_s = meanMotionLag_s(motor, rate, countAngle);
+  // The winding's current gives way to the back-EMF as soon as it moves.
+  const size_t moved = standing;
+  while (standing > leastRampRows && rows_[standing - 1].time_s > rows_[moved].time_s - lag_s) --standing;
   BreakawayEvent event;
   event.way = way();
   event.turn = turn();
   event.bin = bin();
+  event.time_s = stageStart_s_ + rows_[moved].time_s - lag_s;
+  event.zero_A = zeroing_.zero_A();
   event.angle_rad = inTurn(standing_rad_ - options_.indexAngle_rad);
-  event.commanded_A = std::max(ramp_.start_A, rows_[standing].commanded_A - rate * lag_s);
+  event.commanded_A = std::max(ramp_.start_A, rows_[moved].commanded_A - rate * lag_s);
+  event.lag_A = rate * lag_s;
   // Sums over the standing part; a learning ramp counts only where it is within a factor of two of its end.
   size_t first = 0;
   while (ramp_.learning && first + leastRampRows < standing && rows_[first].commanded_A < 0.5 * event.commanded_A)
@@ -226,11 +234,7 @@ void BreakawaySweep::markOutlier() {
 void BreakawaySweep::advanceStep(const Sample& sample) {
   ++step_;
   attempt_ = 0;
-  if (step_ >= steps()) {
-    finish();
-    return;
-  }
-  enter(sample.time_s - zeroed_s_ > options_.zeroEvery_s ? Stage::zero : Stage::move, sample);
+  enter(step_ >= steps() || sample.time_s - zeroed_s_ > options_.zeroEvery_s ? Stage::zero : Stage::move, sample);
 }
 
 double BreakawaySweep::progress() const {

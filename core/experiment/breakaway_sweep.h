@@ -9,6 +9,7 @@
 
 #include "experiment/breakaway_lag.h"
 #include "experiment/timed_procedure.h"
+#include "experiment/zeroing.h"
 #include "friction/measurements.h"
 #include "motor/winding_line.h"
 
@@ -55,8 +56,8 @@ class BreakawaySweep : public TimedProcedure {
   const BreakawaySweepOptions& options() const { return options_; }
   /// Angles at which the rotor didn't break away.
   size_t missed() const { return missed_; }
-  /// How often the current sensor has been zeroed.
-  size_t zeroings() const { return zeroings_; }
+  /// The sensor's zeros on the way: before the first breakaway, every zeroEvery_s, and after the last.
+  const std::vector<ZeroReading>& zeros() const { return zeroing_.readings(); }
 
  protected:
   Command run(const Sample& sample) override;
@@ -93,8 +94,9 @@ class BreakawaySweep : public TimedProcedure {
   void markOutlier();
 
   BreakawaySweepOptions options_;
+  Zeroing zeroing_;
   Stage stage_ = Stage::zero;
-  size_t step_ = 0, missed_ = 0, missedInARow_ = 0, zeroings_ = 0;
+  size_t step_ = 0, missed_ = 0, missedInARow_ = 0;
   int attempt_ = 0;
   std::vector<BreakawayEvent> events_;
   std::array<std::optional<double>, 2> recent_A_;          ///< last breakaway less the holding current, by Way

@@ -17,7 +17,8 @@ constexpr double held_s = 0.4;   // near the speed for so long before it counts
 constexpr double stuck_s = 3.0;  // without coming nearer to the speed
 }  // namespace
 
-VelocitySweep::VelocitySweep(VelocitySweepOptions options) : options_(std::move(options)) {
+VelocitySweep::VelocitySweep(VelocitySweepOptions options)
+    : options_(std::move(options)), zeroing_(options_.zeroing_s) {
   if (options_.speeds_rad_per_s.empty() || options_.bins == 0) fail("no speed or no bin is asked for");
 }
 
@@ -45,15 +46,15 @@ Command VelocitySweep::run(const Sample& sample) {
     begun_ = true;
     enter(options_.zeroing_s > 0.0 ? Stage::zero : Stage::settle, sample);
   }
-  const double inStage_s = sample.time_s - stageStart_s_;
   switch (stage_) {
     case Stage::zero: {
-      if (inStage_s > 0.05 + options_.zeroing_s) {
+      bool done = false;
+      const Command command = zeroing_.step(sample, stageStart_s_, done);
+      if (done && next_ >= 2 * options_.speeds_rad_per_s.size()) {
+        finish();
+      } else if (done) {
         enter(Stage::settle, sample);
-        return {};
       }
-      Command command;
-      command.zeroCurrentSensor = inStage_s > 0.05;
       return command;
     }
     case Stage::settle:
@@ -101,8 +102,14 @@ void VelocitySweep::beginRun(const Sample& sample) {
   taken_ = 0;
   angles_rad_.assign(2 * span_ + 1, 0.0);
   currents_A_.assign(2 * span_ + 1, 0.0);
-  open_ = {target(), 0, 0.0, static_cast<double>(span_) * tick_s(), std::vector<AngleBinSums>(options_.bins), {}};
-  open_.blocks.assign(std::max<size_t>(2, options_.blocks), open_.bins);
+  open_ = {};
+  open_.target_rad_per_s = target();
+  open_.zero_A = zeroing_.zero_A();
+  open_.halfSpan_s = static_cast<double>(span_) * tick_s();
+  open_.bins.resize(options_.bins);
+  // Blocks are of whole turns, so that what differs between them is no part of the rotor's own variation.
+  const double expected = std::abs(target()) * options_.run_s / turn / static_cast<double>(options_.blocks);
+  turnsPerBlock_ = static_cast<size_t>(std::max(1.0, std::floor(expected)));
 }
 
 void VelocitySweep::sum(const Sample& sample) {
@@ -124,21 +131,31 @@ void VelocitySweep::sum(const Sample& sample) {
   const double place = (angles_rad_[middle] - options_.indexAngle_rad) / turn;
   const auto bin =
       static_cast<size_t>((place - std::floor(place)) * static_cast<double>(options_.bins)) % options_.bins;
-  const double part = (sample.time_s - runStart_s_) / options_.run_s;
-  const auto block = static_cast<size_t>(std::clamp(part, 0.0, 1.0) * static_cast<double>(open_.blocks.size()));
+  const size_t block = open_.turns / turnsPerBlock_;
+  if (block >= open_.blocks.size()) open_.blocks.emplace_back(options_.bins);
   open_.bins[bin].add(currents_A_[middle], velocity);
-  open_.blocks[std::min(block, open_.blocks.size() - 1)][bin].add(currents_A_[middle], velocity);
+  open_.blocks.back()[bin].add(currents_A_[middle], velocity);
+}
+
+void VelocitySweep::mergeLastBlock() {
+  const auto rest = std::move(open_.blocks.back());
+  open_.blocks.pop_back();
+  for (size_t k = 0; k < rest.size(); ++k) open_.blocks.back()[k].add(rest[k]);
 }
 
 void VelocitySweep::endRun(const Sample& sample) {
   open_.duration_s = sample.time_s - runStart_s_;
+  open_.middle_s = 0.5 * (sample.time_s + runStart_s_);
+  // What is left over after the last whole block goes into it.
+  if (open_.blocks.size() > 2 && open_.turns % turnsPerBlock_ != 0) mergeLastBlock();
   runs_.push_back(open_);
   ++next_;
-  if (next_ >= 2 * options_.speeds_rad_per_s.size()) finish();
+  if (next_ >= 2 * options_.speeds_rad_per_s.size() && options_.zeroing_s <= 0.0) finish();
   enter(options_.zeroing_s > 0.0 ? Stage::zero : Stage::settle, sample);
 }
 
 double VelocitySweep::progress() const {
+  if (next_ >= 2 * options_.speeds_rad_per_s.size()) return 1.0;
   const double part = stage_ == Stage::sum ? std::min(1.0, (now_s_ - runStart_s_) / options_.run_s) : 0.0;
   return (static_cast<double>(next_) + part) / (2.0 * static_cast<double>(options_.speeds_rad_per_s.size()));
 }

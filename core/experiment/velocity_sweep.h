@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "experiment/timed_procedure.h"
+#include "experiment/zeroing.h"
 #include "friction/measurements.h"
 
 namespace breakaway {
@@ -17,8 +18,8 @@ struct VelocitySweepOptions {
   size_t leastTurns = 2;
   double wobble = 0.015;   ///< slow triangle on the speed, one per block: without it a steady rotor would meet the
                            ///< encoder's counts and the control tick in step, and their rounding would not average
-  size_t blocks = 8;       ///< stretches of time whose scatter gives the standard errors
-  double zeroing_s = 0.5;  ///< the current sensor is zeroed before each run; 0: never
+  size_t blocks = 8;       ///< stretches of whole turns, at most, whose scatter gives the standard errors
+  double zeroing_s = 0.5;  ///< the current sensor is zeroed before each run and after the last; 0: never
   double current_limit_A = 0.0;  ///< 0: the controller's own
 };
 
@@ -29,6 +30,8 @@ class VelocitySweep : public TimedProcedure {
   explicit VelocitySweep(VelocitySweepOptions options);
   /// The runs that are complete.
   const std::vector<VelocityRun>& runs() const { return runs_; }
+  /// The sensor's zeros on the way.
+  const std::vector<ZeroReading>& zeros() const { return zeroing_.readings(); }
 
  protected:
   Command run(const Sample& sample) override;
@@ -47,11 +50,13 @@ class VelocitySweep : public TimedProcedure {
   void settle(const Sample& sample);
   void beginRun(const Sample& sample);
   void sum(const Sample& sample);
+  void mergeLastBlock();
   void endRun(const Sample& sample);
 
   VelocitySweepOptions options_;
+  Zeroing zeroing_;
   Stage stage_ = Stage::zero;
-  size_t next_ = 0;
+  size_t next_ = 0, turnsPerBlock_ = 1;
   std::vector<VelocityRun> runs_;
   VelocityRun open_;
   double stageStart_s_ = 0.0, now_s_ = 0.0, runStart_s_ = 0.0, startAngle_rad_ = 0.0;
