@@ -169,6 +169,19 @@ Command BreakawaySweep::ramp(const Sample& sample) {
   return current(next);
 }
 
+/// When the counts after the last standing row followed, halfway between the rows that show them.
+std::vector<double> BreakawaySweep::edgesAfter(size_t standing) const {
+  const double countAngle = turnAngle / options_.countsPerRev;
+  std::vector<double> edges_s;
+  for (size_t k = standing + 1; k < rows_.size() && edges_s.size() < options_.motionCounts; ++k) {
+    const double counts = sign() * (rows_[k].angle_rad - standing_rad_) / countAngle;
+    const double halfway_s = 0.5 * (rows_[k].time_s + rows_[k - 1].time_s);
+    while (static_cast<double>(edges_s.size()) + 0.5 < counts && edges_s.size() < options_.motionCounts)
+      edges_s.push_back(halfway_s);
+  }
+  return edges_s;
+}
+
 void BreakawaySweep::takeEvent(const Sample&) {
   // Back to the last standing sample: the last row that still shows the standing count or one behind it.
   const double countAngle = turnAngle / options_.countsPerRev;
@@ -179,7 +192,7 @@ void BreakawaySweep::takeEvent(const Sample&) {
                      : ramp_.rate_A_per_s;
   const BreakawayLag motor{options_.inertia_kg_m2, options_.torqueConstant_Nm_per_A,
                            options_.backEmfConstant_V_s_per_rad, options_.resistance_ohm};
-  const double lag_s = meanMotionLag_s(motor, rate, countAngle);
+  const double lag_s = likelyMotionLag_s(motor, rate, countAngle, edgesAfter(standing), tick_s());
   // The winding's current gives way to the back-EMF as soon as it moves.
   const size_t moved = standing;
   while (standing > leastRampRows && rows_[standing - 1].time_s > rows_[moved].time_s - lag_s) --standing;

@@ -89,6 +89,7 @@ class BreakawaySweep : public TimedProcedure {
   Command ramp(const Sample& sample);
   double commandedAt(double inRamp_s) const;
   bool moves(const Sample& sample) const;
+  std::vector<double> edgesAfter(size_t standing) const;
   void takeEvent(const Sample& sample);
   void advanceStep(const Sample& sample);
   void markOutlier();
