@@ -105,6 +105,10 @@ void VelocitySweep::beginRun(const Sample& sample) {
   open_ = {};
   open_.target_rad_per_s = target();
   open_.zero_A = zeroing_.zero_A();
+  open_.start_rad = sample.angle_rad - options_.indexAngle_rad;
+  turnSpeeds_rad_per_s_.clear();
+  turnAngle_rad_ = sample.angle_rad;
+  turnStart_s_ = sample.time_s;
   open_.halfSpan_s = static_cast<double>(span_) * tick_s();
   open_.bins.resize(options_.bins);
   // Blocks are of whole turns, so that what differs between them is no part of the rotor's own variation.
@@ -116,12 +120,16 @@ void VelocitySweep::sum(const Sample& sample) {
   const double turns = std::abs(sample.angle_rad - startAngle_rad_) / turn;
   const bool enough =
       sample.time_s - runStart_s_ >= options_.run_s && turns >= static_cast<double>(options_.leastTurns);
-  if (enough && std::floor(turns) > static_cast<double>(open_.turns)) {
+  if (std::floor(turns) > static_cast<double>(open_.turns)) {
     open_.turns = static_cast<size_t>(std::floor(turns));
-    endRun(sample);
-    return;
+    turnSpeeds_rad_per_s_.push_back((sample.angle_rad - turnAngle_rad_) / (sample.time_s - turnStart_s_));
+    turnAngle_rad_ = sample.angle_rad;
+    turnStart_s_ = sample.time_s;
+    if (enough) {
+      endRun(sample);
+      return;
+    }
   }
-  open_.turns = static_cast<size_t>(std::floor(turns));
   const size_t size = angles_rad_.size(), newest = taken_ % size;
   angles_rad_[newest] = sample.angle_rad;
   currents_A_[newest] = sample.current_A;
@@ -132,15 +140,36 @@ void VelocitySweep::sum(const Sample& sample) {
   const auto bin =
       static_cast<size_t>((place - std::floor(place)) * static_cast<double>(options_.bins)) % options_.bins;
   const size_t block = open_.turns / turnsPerBlock_;
-  if (block >= open_.blocks.size()) open_.blocks.emplace_back(options_.bins);
+  if (block >= open_.blocks.size()) {
+    open_.blocks.emplace_back();
+    open_.blocks.back().bins.resize(options_.bins);
+  }
   open_.bins[bin].add(currents_A_[middle], velocity);
-  open_.blocks.back()[bin].add(currents_A_[middle], velocity);
+  open_.blocks.back().bins[bin].add(currents_A_[middle], velocity);
 }
 
 void VelocitySweep::mergeLastBlock() {
   const auto rest = std::move(open_.blocks.back());
   open_.blocks.pop_back();
-  for (size_t k = 0; k < rest.size(); ++k) open_.blocks.back()[k].add(rest[k]);
+  for (size_t k = 0; k < rest.bins.size(); ++k) open_.blocks.back().bins[k].add(rest.bins[k]);
+}
+
+/// Between two turns the speed is the mean of theirs; before the first and after the last it goes on as it did.
+void VelocitySweep::dateBlocks() {
+  const auto& speeds = turnSpeeds_rad_per_s_;
+  const auto between = [&speeds](size_t turn) {
+    if (speeds.size() < 2) return speeds[0];
+    if (turn == 0) return 1.5 * speeds[0] - 0.5 * speeds[1];
+    if (turn >= speeds.size()) return 1.5 * speeds.back() - 0.5 * speeds[speeds.size() - 2];
+    return 0.5 * (speeds[turn - 1] + speeds[turn]);
+  };
+  for (size_t k = 0; k < open_.blocks.size(); ++k) {
+    RunBlock& block = open_.blocks[k];
+    const size_t first = k * turnsPerBlock_, end = k + 1 < open_.blocks.size() ? first + turnsPerBlock_ : open_.turns;
+    block.turns = end - first;
+    block.startSpeed_rad_per_s = between(first);
+    block.endSpeed_rad_per_s = between(end);
+  }
 }
 
 void VelocitySweep::endRun(const Sample& sample) {
@@ -148,6 +177,7 @@ void VelocitySweep::endRun(const Sample& sample) {
   open_.middle_s = 0.5 * (sample.time_s + runStart_s_);
   // What is left over after the last whole block goes into it.
   if (open_.blocks.size() > 2 && open_.turns % turnsPerBlock_ != 0) mergeLastBlock();
+  dateBlocks();
   runs_.push_back(open_);
   ++next_;
   if (next_ >= 2 * options_.speeds_rad_per_s.size() && options_.zeroing_s <= 0.0) finish();

@@ -51,6 +51,7 @@ class VelocitySweep : public TimedProcedure {
   void beginRun(const Sample& sample);
   void sum(const Sample& sample);
   void mergeLastBlock();
+  void dateBlocks();
   void endRun(const Sample& sample);
 
   VelocitySweepOptions options_;
@@ -61,6 +62,8 @@ class VelocitySweep : public TimedProcedure {
   VelocityRun open_;
   double stageStart_s_ = 0.0, now_s_ = 0.0, runStart_s_ = 0.0, startAngle_rad_ = 0.0;
   std::vector<double> angles_rad_, currents_A_;  ///< of the last 2·span_ + 1 samples, in a ring
+  std::vector<double> turnSpeeds_rad_per_s_;     ///< mean of each turn of the open run
+  double turnAngle_rad_ = 0.0, turnStart_s_ = 0.0;
   size_t span_ = 1, taken_ = 0;
   double mean_rad_per_s_ = 0.0;  ///< smoothed speed while settling
   double nearest_rad_per_s_ = 0.0, nearer_s_ = 0.0,

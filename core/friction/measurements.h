@@ -61,6 +61,14 @@ struct AngleBinSums {
   }
 };
 
+/// Some whole turns of a run. The speed at either end is smoothed over the turns next to it: what changes from turn to
+/// turn is no part of the rotor's own ripple.
+struct RunBlock {
+  size_t turns = 0;
+  double startSpeed_rad_per_s = 0.0, endSpeed_rad_per_s = 0.0;
+  std::vector<AngleBinSums> bins;
+};
+
 /// Whole turns at one commanded speed; signs as the board gives them.
 struct VelocityRun {
   double target_rad_per_s = 0.0;
@@ -69,9 +77,9 @@ struct VelocityRun {
   double middle_s = 0.0;    ///< time of the run's middle
   double zero_A = 0.0;      ///< of the sensor, that the currents are counted from
   double halfSpan_s = 0.0;  ///< speeds are central differences over ± this time
+  double start_rad = 0.0;   ///< angle from the index at which the first turn began, and all others
   std::vector<AngleBinSums> bins;
-  std::vector<std::vector<AngleBinSums>>
-      blocks;  ///< the same by stretches of whole turns, for the scatter between them
+  std::vector<RunBlock> blocks;  ///< the same by stretches of whole turns, for the scatter between them
 
   Way way() const { return target_rad_per_s < 0.0 ? Way::cw : Way::ccw; }
 };

@@ -48,12 +48,29 @@ double shownPart(double phase) {
   return phase < 1e-6 ? 1.0 : std::sin(phase) / phase;
 }
 
-/// Kt·i_k − J·(½ω²)'_k from bin means of current and speed; orders that aren't seen are left zero.
+/// What the speed gained over a stretch of whole turns.
+struct Stretch {
+  double turns = 0.0, startSpeed_rad_per_s = 0.0, endSpeed_rad_per_s = 0.0;
+};
+
+Stretch wholeOf(const VelocityRun& run) {
+  if (run.blocks.empty()) return {};
+  return {static_cast<double>(run.turns), run.blocks.front().startSpeed_rad_per_s,
+          run.blocks.back().endSpeed_rad_per_s};
+}
+
+/// Kt·i_k − J·(½ω²)'_k from bin means of current and speed; orders that aren't seen are left zero. Over N turns from
+/// θ_s on the derivative's harmonic is jk·(½ω²)_k + [½ω²]·e^{−jkθ_s}/(πN), half of the last term for order 0.
 std::vector<Complex> torqueHarmonics(const std::vector<double>& current, const std::vector<double>& velocity,
-                                     const VelocityRun& run, size_t highest, const VelocityFrictionOptions& options) {
+                                     const Stretch& stretch, const VelocityRun& run, size_t highest,
+                                     const VelocityFrictionOptions& options) {
   const double sign = run.way() == Way::ccw ? 1.0 : -1.0, speed = std::abs(harmonicOf(velocity, 0).real());
   std::vector<double> halfSquare(velocity.size());
   for (size_t k = 0; k < velocity.size(); ++k) halfSquare[k] = 0.5 * velocity[k] * velocity[k];
+  const double gained = 0.5 * sign *
+                        (stretch.endSpeed_rad_per_s * stretch.endSpeed_rad_per_s -
+                         stretch.startSpeed_rad_per_s * stretch.startSpeed_rad_per_s);
+  const double perTurn = stretch.turns > 0.0 ? gained / (std::numbers::pi * stretch.turns) : 0.0;
   std::vector<Complex> torque;
   for (size_t k = 0; k <= highest; ++k) {
     const double phase = static_cast<double>(k) * speed * run.halfSpan_s;
@@ -61,7 +78,9 @@ std::vector<Complex> torqueHarmonics(const std::vector<double>& current, const s
       torque.push_back(0.0);
       continue;
     }
-    const Complex acceleration = Complex(0.0, static_cast<double>(k)) * harmonicOf(halfSquare, k) / shownPart(phase);
+    const Complex ends = (k == 0 ? 0.5 : 1.0) * perTurn * std::polar(1.0, -static_cast<double>(k) * run.start_rad);
+    const Complex acceleration =
+        Complex(0.0, static_cast<double>(k)) * harmonicOf(halfSquare, k) / shownPart(phase) + ends;
     torque.push_back(sign *
                      (options.torqueConstant_Nm_per_A * harmonicOf(current, k) - options.inertia_kg_m2 * acceleration));
   }
@@ -124,12 +143,13 @@ RunSpectrum spectrumOf(const VelocityRun& run, const VelocityFrictionOptions& op
   const auto velocity = filled(run.bins, &AngleBinSums::velocity_rad_per_s);
   RunSpectrum spectrum;
   spectrum.speed_rad_per_s = std::abs(harmonicOf(velocity, 0).real());
-  spectrum.torque_Nm = torqueHarmonics(current, velocity, run, highest, options);
+  spectrum.torque_Nm = torqueHarmonics(current, velocity, wholeOf(run), run, highest, options);
   std::vector<std::vector<Complex>> blocks;
-  for (const auto& block : run.blocks) {
-    blocks.push_back(torqueHarmonics(filledFrom(current, block, &AngleBinSums::current_A),
-                                     filledFrom(velocity, block, &AngleBinSums::velocity_rad_per_s), run, highest,
-                                     options));
+  for (const RunBlock& block : run.blocks) {
+    const Stretch stretch{static_cast<double>(block.turns), block.startSpeed_rad_per_s, block.endSpeed_rad_per_s};
+    blocks.push_back(torqueHarmonics(filledFrom(current, block.bins, &AngleBinSums::current_A),
+                                     filledFrom(velocity, block.bins, &AngleBinSums::velocity_rad_per_s), stretch, run,
+                                     highest, options));
   }
   const auto between = scatterBetween(blocks, highest + 1);
   const double noise_Nm = options.torqueConstant_Nm_per_A * options.noiseRms_A;

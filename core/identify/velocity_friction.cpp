@@ -225,9 +225,10 @@ MovingFriction fitWay(WayRuns runs, const VelocityFrictionOptions& options) {
 Estimate meanCurrent_A(const VelocityRun& run) {
   const double sign = run.way() == Way::ccw ? 1.0 : -1.0;
   double squares = 0.0, mean = 0.0;
-  for (const auto& block : run.blocks) mean += meanAround(block, &AngleBinSums::current_A);
+  for (const RunBlock& block : run.blocks) mean += meanAround(block.bins, &AngleBinSums::current_A);
   const auto n = static_cast<double>(run.blocks.size());
-  for (const auto& block : run.blocks) squares += std::pow(meanAround(block, &AngleBinSums::current_A) - mean / n, 2);
+  for (const RunBlock& block : run.blocks)
+    squares += std::pow(meanAround(block.bins, &AngleBinSums::current_A) - mean / n, 2);
   return {sign * meanAround(run.bins, &AngleBinSums::current_A),
           run.blocks.size() > 1 ? std::sqrt(squares / (n * (n - 1.0))) : 0.0};
 }

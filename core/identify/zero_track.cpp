@@ -91,7 +91,7 @@ void countFrom(const ZeroTrack& track, std::vector<VelocityRun>& runs) {
     const double zero_A = track.at(run.middle_s).value, by_A = run.zero_A - zero_A;
     for (AngleBinSums& bin : run.bins) shift(bin, by_A);
     for (auto& block : run.blocks) {
-      for (AngleBinSums& bin : block) shift(bin, by_A);
+      for (AngleBinSums& bin : block.bins) shift(bin, by_A);
     }
     run.zero_A = zero_A;
   }
