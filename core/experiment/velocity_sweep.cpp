@@ -27,9 +27,9 @@ double VelocitySweep::target() const {
   return next_ % 2 == 0 ? speed : -speed;
 }
 
-double VelocitySweep::wobble() const {
+double VelocitySweep::wobbleAt(double time_s) const {
   if (stage_ != Stage::sum) return 0.0;
-  const double phase = (now_s_ - runStart_s_) / options_.run_s * static_cast<double>(options_.blocks);
+  const double phase = (time_s - runStart_s_) / options_.run_s;
   const double part = phase - std::floor(phase);
   return options_.wobble * (part < 0.25 ? 4.0 * part : part < 0.75 ? 2.0 - 4.0 * part : 4.0 * part - 4.0);
 }
@@ -107,6 +107,7 @@ void VelocitySweep::beginRun(const Sample& sample) {
   open_.zero_A = zeroing_.zero_A();
   open_.start_rad = sample.angle_rad - options_.indexAngle_rad;
   turnSpeeds_rad_per_s_.clear();
+  turnEnds_s_ = {sample.time_s};
   turnAngle_rad_ = sample.angle_rad;
   turnStart_s_ = sample.time_s;
   open_.halfSpan_s = static_cast<double>(span_) * tick_s();
@@ -123,6 +124,7 @@ void VelocitySweep::sum(const Sample& sample) {
   if (std::floor(turns) > static_cast<double>(open_.turns)) {
     open_.turns = static_cast<size_t>(std::floor(turns));
     turnSpeeds_rad_per_s_.push_back((sample.angle_rad - turnAngle_rad_) / (sample.time_s - turnStart_s_));
+    turnEnds_s_.push_back(sample.time_s);
     turnAngle_rad_ = sample.angle_rad;
     turnStart_s_ = sample.time_s;
     if (enough) {
@@ -135,7 +137,9 @@ void VelocitySweep::sum(const Sample& sample) {
   currents_A_[newest] = sample.current_A;
   if (++taken_ < size) return;
   const size_t oldest = (newest + 1) % size, middle = (newest + size - span_) % size;
-  const double velocity = (sample.angle_rad - angles_rad_[oldest]) / (2.0 * open_.halfSpan_s);
+  // Freed of the wobble, which each bin meets at other moments.
+  const double velocity = (sample.angle_rad - angles_rad_[oldest]) / (2.0 * open_.halfSpan_s) -
+                          target() * wobbleAt(sample.time_s - open_.halfSpan_s);
   const double place = (angles_rad_[middle] - options_.indexAngle_rad) / turn;
   const auto bin =
       static_cast<size_t>((place - std::floor(place)) * static_cast<double>(options_.bins)) % options_.bins;
@@ -169,6 +173,8 @@ void VelocitySweep::dateBlocks() {
     block.turns = end - first;
     block.startSpeed_rad_per_s = between(first);
     block.endSpeed_rad_per_s = between(end);
+    block.startWobble_rad_per_s = target() * wobbleAt(turnEnds_s_[first]);
+    block.endWobble_rad_per_s = target() * wobbleAt(turnEnds_s_[end]);
   }
 }
 

@@ -16,7 +16,7 @@ struct VelocitySweepOptions {
   double settle_s = 0.6;
   double run_s = 15.0;  ///< at least this long, then on to the end of the turn
   size_t leastTurns = 2;
-  double wobble = 0.015;   ///< slow triangle on the speed, one per block: without it a steady rotor would meet the
+  double wobble = 0.015;   ///< slow triangle on the speed, one per run: without it a steady rotor would meet the
                            ///< encoder's counts and the control tick in step, and their rounding would not average
   size_t blocks = 8;       ///< stretches of whole turns, at most, whose scatter gives the standard errors
   double zeroing_s = 0.5;  ///< the current sensor is zeroed before each run and after the last; 0: never
@@ -45,7 +45,8 @@ class VelocitySweep : public TimedProcedure {
   Command drive() const {
     return {Command::Mode::velocity, target() * (1.0 + wobble()), options_.current_limit_A, false};
   }
-  double wobble() const;
+  double wobble() const { return wobbleAt(now_s_); }
+  double wobbleAt(double time_s) const;
   void enter(Stage stage, const Sample& sample);
   void settle(const Sample& sample);
   void beginRun(const Sample& sample);
@@ -62,7 +63,8 @@ class VelocitySweep : public TimedProcedure {
   VelocityRun open_;
   double stageStart_s_ = 0.0, now_s_ = 0.0, runStart_s_ = 0.0, startAngle_rad_ = 0.0;
   std::vector<double> angles_rad_, currents_A_;  ///< of the last 2·span_ + 1 samples, in a ring
-  std::vector<double> turnSpeeds_rad_per_s_;     ///< mean of each turn of the open run
+  std::vector<double> turnEnds_s_;
+  std::vector<double> turnSpeeds_rad_per_s_;  ///< mean of each turn of the open run
   double turnAngle_rad_ = 0.0, turnStart_s_ = 0.0;
   size_t span_ = 1, taken_ = 0;
   double mean_rad_per_s_ = 0.0;  ///< smoothed speed while settling

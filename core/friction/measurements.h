@@ -66,6 +66,7 @@ struct AngleBinSums {
 struct RunBlock {
   size_t turns = 0;
   double startSpeed_rad_per_s = 0.0, endSpeed_rad_per_s = 0.0;
+  double startWobble_rad_per_s = 0.0, endWobble_rad_per_s = 0.0;  ///< of the commanded speed, off the bins' speeds
   std::vector<AngleBinSums> bins;
 };
 

@@ -50,14 +50,15 @@ double shownPart(double phase) {
 
 /// What the speed gained over a stretch of whole turns.
 struct Stretch {
-  double turns = 0.0, startSpeed_rad_per_s = 0.0, endSpeed_rad_per_s = 0.0;
+  Stretch(double count, const RunBlock& first, const RunBlock& last) : turns(count) {
+    const double from = first.startSpeed_rad_per_s, to = last.endSpeed_rad_per_s;
+    gained = 0.5 * (to * to - from * from);
+    beyondWobble = 0.5 * (from + to) * (to - last.endWobble_rad_per_s - from + first.startWobble_rad_per_s);
+  }
+  double turns;
+  double gained;        ///< ½ω² at the end less that at the start
+  double beyondWobble;  ///< the same without the wobble, which the bins' speeds are freed of
 };
-
-Stretch wholeOf(const VelocityRun& run) {
-  if (run.blocks.empty()) return {};
-  return {static_cast<double>(run.turns), run.blocks.front().startSpeed_rad_per_s,
-          run.blocks.back().endSpeed_rad_per_s};
-}
 
 /// Kt·i_k − J·(½ω²)'_k from bin means of current and speed; orders that aren't seen are left zero. Over N turns from
 /// θ_s on the derivative's harmonic is jk·(½ω²)_k + [½ω²]·e^{−jkθ_s}/(πN), half of the last term for order 0.
@@ -67,10 +68,7 @@ std::vector<Complex> torqueHarmonics(const std::vector<double>& current, const s
   const double sign = run.way() == Way::ccw ? 1.0 : -1.0, speed = std::abs(harmonicOf(velocity, 0).real());
   std::vector<double> halfSquare(velocity.size());
   for (size_t k = 0; k < velocity.size(); ++k) halfSquare[k] = 0.5 * velocity[k] * velocity[k];
-  const double gained = 0.5 * sign *
-                        (stretch.endSpeed_rad_per_s * stretch.endSpeed_rad_per_s -
-                         stretch.startSpeed_rad_per_s * stretch.startSpeed_rad_per_s);
-  const double perTurn = stretch.turns > 0.0 ? gained / (std::numbers::pi * stretch.turns) : 0.0;
+  const double perTurn = stretch.turns > 0.0 ? sign / (std::numbers::pi * stretch.turns) : 0.0;
   std::vector<Complex> torque;
   for (size_t k = 0; k <= highest; ++k) {
     const double phase = static_cast<double>(k) * speed * run.halfSpan_s;
@@ -78,7 +76,9 @@ std::vector<Complex> torqueHarmonics(const std::vector<double>& current, const s
       torque.push_back(0.0);
       continue;
     }
-    const Complex ends = (k == 0 ? 0.5 : 1.0) * perTurn * std::polar(1.0, -static_cast<double>(k) * run.start_rad);
+    const Complex ends =
+        k == 0 ? Complex(0.5 * perTurn * stretch.gained)
+               : perTurn * stretch.beyondWobble * std::polar(1.0, -static_cast<double>(k) * run.start_rad);
     const Complex acceleration =
         Complex(0.0, static_cast<double>(k)) * harmonicOf(halfSquare, k) / shownPart(phase) + ends;
     torque.push_back(sign *
@@ -141,12 +141,15 @@ RunSpectrum spectrumOf(const VelocityRun& run, const VelocityFrictionOptions& op
   const size_t highest = std::min(options.highestOrder, run.bins.size() / 6);
   const auto current = filled(run.bins, &AngleBinSums::current_A);
   const auto velocity = filled(run.bins, &AngleBinSums::velocity_rad_per_s);
+  const RunBlock none;
+  const Stretch whole(static_cast<double>(run.turns), run.blocks.empty() ? none : run.blocks.front(),
+                      run.blocks.empty() ? none : run.blocks.back());
   RunSpectrum spectrum;
   spectrum.speed_rad_per_s = std::abs(harmonicOf(velocity, 0).real());
-  spectrum.torque_Nm = torqueHarmonics(current, velocity, wholeOf(run), run, highest, options);
+  spectrum.torque_Nm = torqueHarmonics(current, velocity, whole, run, highest, options);
   std::vector<std::vector<Complex>> blocks;
   for (const RunBlock& block : run.blocks) {
-    const Stretch stretch{static_cast<double>(block.turns), block.startSpeed_rad_per_s, block.endSpeed_rad_per_s};
+    const Stretch stretch(static_cast<double>(block.turns), block, block);
     blocks.push_back(torqueHarmonics(filledFrom(current, block.bins, &AngleBinSums::current_A),
                                      filledFrom(velocity, block.bins, &AngleBinSums::velocity_rad_per_s), stretch, run,
                                      highest, options));

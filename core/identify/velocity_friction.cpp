@@ -194,7 +194,7 @@ MovingFriction fitWay(WayRuns runs, const VelocityFrictionOptions& options) {
   friction.coulombMean_Nm = {mean.coulomb.real(), std::hypot(std::sqrt(mean.coulombVariance), zero_Nm)};
   friction.viscousMean_Nm_s_per_rad = {mean.viscous.real(), std::sqrt(mean.viscousVariance)};
   Curve coulomb(friction.coulomb_Nm, options.significance),
-      viscous(friction.viscous_Nm_s_per_rad, options.significance);
+      viscous(friction.viscous_Nm_s_per_rad, options.viscousSignificance);
   coulomb.keep(0, mean.coulomb, std::pow(friction.coulombMean_Nm.standardError, 2));
   viscous.keep(0, mean.viscous, mean.viscousVariance);
   const double mostVariance = options.mostError * options.mostError * std::norm(mean.coulomb);

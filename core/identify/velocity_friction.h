@@ -19,7 +19,8 @@ struct VelocityFrictionOptions {
   size_t highestOrder = 40;  ///< harmonics of Coulomb friction that are looked at
   size_t highestViscousOrder = 12;
   double mostError = 0.04;  ///< standard error of a harmonic, part of the mean torque, above which it is not looked at
-  double significance = 3.0;  ///< standard errors by which a harmonic must stand out to be kept
+  double significance = 3.0;         ///< standard errors by which a harmonic must stand out to be kept
+  double viscousSignificance = 3.5;  ///< likewise of viscous friction, where a false one weighs more
   /// The breakaway map where it is known: whole torque that starts motion per equal bin from the index, by Way. It
   /// tells how far friction can fall with speed, so that slow runs can be freed of it; empty: runs that show it are
   /// left out.
