@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <span>
 
 #include "control/tuning.h"
 #include "experiment/breakaway_sweep.h"
@@ -12,6 +13,7 @@
 #include "experiment/spin_test.h"
 #include "experiment/winding_test.h"
 #include "identify/map_estimation.h"
+#include "identify/zero_track.h"
 #include "report/step_recorder.h"
 
 namespace breakaway {
@@ -27,6 +29,14 @@ double highestSpeed(const std::vector<SpinBlock>& blocks) {
     highest = std::max(highest, std::abs(blocks[k].angle_rad - blocks[k - 1].angle_rad) / blocks[k].duration_s);
   }
   return highest;
+}
+
+/// What a sweep has, from number `earlier` on counted from its own zeros; what an earlier part measured is so already.
+template <typename Measured>
+std::vector<Measured> countedFrom(std::vector<Measured> all, size_t earlier, const std::vector<ZeroReading>& zeros,
+                                  double noiseRms_A) {
+  countFrom(ZeroTrack(zeros, noiseRms_A), std::span(all).subspan(std::min(earlier, all.size())));
+  return all;
 }
 
 /// The job's state while it runs.
@@ -51,14 +61,19 @@ class Job {
   Result<void> home();
   Result<void> sweepVelocity();
   Result<void> sweepBreakaway();
+  Result<void> refitMoving(const std::vector<BreakawayEvent>& events, const MapOptions& options);
   void fillBench();
   VelocityFrictionOptions frictionOptions() const;
   double zeroing_s() const;
+  double zeroErrorAt(const std::vector<ZeroReading>& zeros, double time_s) const {
+    return ZeroTrack(zeros, done_.noiseRms_A).at(time_s).standardError;
+  }
 
   Drive& drive_;
   const CommissionOptions& options_;
   Commission done_;
   std::array<double, 2> expected_A_{0.0, 0.0};
+  double zeroError_A_ = 0.0;  ///< over the velocity sweep
   double progress_ = 0.0;
   size_t lost_ = 0;  ///< samples, in the step that runs
   CommissionProgress kept_;
@@ -266,7 +281,8 @@ VelocityFrictionOptions Job::frictionOptions() const {
   VelocityFrictionOptions options;
   options.torqueConstant_Nm_per_A = done_.motor.torqueConstant_Nm_per_A.value;
   options.inertia_kg_m2 = done_.motor.inertia_kg_m2.value;
-  options.zeroError_A = done_.noiseRms_A / std::sqrt(zeroing_s() * done_.identity.loopRate_Hz);
+  options.noiseRms_A = done_.noiseRms_A;
+  options.zeroError_A = zeroError_A_;
   options.bins = options_.bins;
   return options;
 }
@@ -281,24 +297,29 @@ Result<void> Job::sweepVelocity() {
   const double usable_V = drive_.identity().supply_V - motor.deadZone_V.value - perAmp_V * friction_A;
   const double highest = std::max(1.0, 0.6 * usable_V / (motor.backEmfConstant_V_s_per_rad.value + perAmp_V * slope_A));
   VelocitySweepOptions options;
-  for (const double part : {0.05, 0.1, 0.2, 0.35, 0.6, 1.0}) options.speeds_rad_per_s.push_back(part * highest);
+  // In an order in which speed and time have nothing to do with each other: a zero that drifts is no viscous friction.
+  for (const double part : {0.2, 0.6, 0.1, 1.0, 0.05, 0.35}) options.speeds_rad_per_s.push_back(part * highest);
   options.indexAngle_rad = done_.indexAngle_rad.value;
   options.indexTolerance_rad = indexTolerance_rad(done_.identity.countsPerRev);
   options.run_s = options_.speedRun_s;
   options.zeroing_s = zeroing_s();
   const auto sweep = std::make_shared<VelocitySweep>(options, kept_.runs);
-  const auto gather = [this, sweep] { kept_.runs = sweep->runs(); };
+  const size_t earlier = sweep->runs().size();
+  const auto gather = [this, sweep, earlier, zeroed = options.zeroing_s > 0.0] {
+    kept_.runs = countedFrom(sweep->runs(), earlier, sweep->zeros(), done_.noiseRms_A);
+    // What is written once waits for the zero after it.
+    const bool waits = kept_.runs.size() > earlier &&
+                       (sweep->zeros().empty() || kept_.runs.back().middle_s > sweep->zeros().back().time_s);
+    if (waits && zeroed) kept_.runs.pop_back();
+  };
   if (auto ran = runStep("05-velocity-sweep", sweep, 0.2, gather); !ran) return ran;
-  done_.runs = sweep->runs();
+  done_.runs = countedFrom(sweep->runs(), earlier, sweep->zeros(), done_.noiseRms_A);
+  if (!done_.runs.empty())
+    zeroError_A_ = zeroErrorAt(sweep->zeros(),
+                               done_.runs[std::min((earlier + done_.runs.size()) / 2, done_.runs.size() - 1)].middle_s);
   auto moving = fitMovingFriction(done_.runs, frictionOptions());
   if (!moving) return moving.error();
   done_.moving = std::move(*moving);
-  const size_t leftOut = std::max(done_.moving[0].leftOut, done_.moving[1].leftOut);
-  if (leftOut > 0) {
-    done_.remarks.push_back("The slowest " + std::to_string(leftOut) +
-                            " speeds lie off the line and were left out of Coulomb and viscous friction: there "
-                            "friction still falls with speed.");
-  }
   return {};
 }
 
@@ -322,10 +343,15 @@ Result<void> Job::sweepBreakaway() {
   options.zeroEvery_s = 20.0 * std::max(0.5, options.zeroing_s);
   options.current_limit_A = done_.settings.current_limit_A;
   const auto sweep = std::make_shared<BreakawaySweep>(options, kept_.events);
-  const auto gather = [this, sweep] { kept_.events = sweep->events(); };
+  const size_t earlier = sweep->events().size();
+  const auto gather = [this, sweep, earlier] {
+    kept_.events = countedFrom(sweep->events(), earlier, sweep->zeros(), done_.noiseRms_A);
+  };
   if (auto ran = runStep("06-breakaway-sweep", sweep, 0.738, gather); !ran) return ran;
-  done_.events = sweep->events();
+  std::vector<BreakawayEvent> events = countedFrom(sweep->events(), earlier, sweep->zeros(), done_.noiseRms_A);
   done_.missed = sweep->missed();
+  done_.zeroing_s = options.zeroing_s;
+  done_.zeroings = sweep->zeros().size();
   if (done_.missed > 0)
     done_.remarks.push_back(std::to_string(done_.missed) +
                             " breakaways could not be measured; their bins rest on their neighbours.");
@@ -335,8 +361,12 @@ Result<void> Job::sweepBreakaway() {
   mapOptions.turns = options_.turns;
   mapOptions.torqueConstant_Nm_per_A = options.torqueConstant_Nm_per_A;
   mapOptions.noiseRms_A = done_.noiseRms_A;
-  done_.events = calibrated(std::move(done_.events), mapOptions);
-  auto map = estimateMap(sweep->events(), &done_.moving, mapOptions);
+  if (!events.empty())
+    mapOptions.zeroError_A =
+        zeroErrorAt(sweep->zeros(), events[std::min((earlier + events.size()) / 2, events.size() - 1)].time_s);
+  done_.events = calibrated(events, mapOptions);
+  if (auto refitted = refitMoving(events, mapOptions); !refitted) return refitted;
+  auto map = estimateMap(events, &done_.moving, mapOptions);
   if (!map) return map.error();
   done_.map = std::move(*map);
   done_.map.settings = {{"torque_constant_Nm_per_A", options.torqueConstant_Nm_per_A},
@@ -350,6 +380,27 @@ Result<void> Job::sweepBreakaway() {
                         {"motion_counts", static_cast<double>(options.motionCounts)},
                         {"index_angle_rad", options.indexAngle_rad},
                         {"missed", static_cast<double>(done_.missed)}};
+  return {};
+}
+
+/// Once the breakaway torques are known, slow runs can be freed of what friction falls by with speed.
+Result<void> Job::refitMoving(const std::vector<BreakawayEvent>& events, const MapOptions& options) {
+  const auto still = estimateMap(events, nullptr, options);
+  if (!still) return still.error();
+  VelocityFrictionOptions friction = frictionOptions();
+  for (const MapBin& bin : still->bins) {
+    for (size_t w = 0; w < 2; ++w) friction.static_Nm[w].push_back(bin.way[w].static_Nm.value);
+  }
+  auto moving = fitMovingFriction(done_.runs, friction);
+  if (!moving) return moving.error();
+  done_.moving = std::move(*moving);
+  const size_t slow = std::max(done_.moving[0].leftOut, done_.moving[1].leftOut);
+  if (slow > 0) {
+    done_.remarks.push_back(
+        "At the slowest " + std::to_string(slow) +
+        " speeds friction still falls with speed; what it has to fall from the breakaway torque was "
+        "taken off before Coulomb and viscous friction were fitted.");
+  }
   return {};
 }
 
