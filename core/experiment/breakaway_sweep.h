@@ -100,6 +100,8 @@ class BreakawaySweep : public TimedProcedure {
   Command ramp(const Sample& sample);
   double commandedAt(double inRamp_s) const;
   bool moves(const Sample& sample) const;
+  double rateAt(double commanded_A) const;
+  size_t lastStanding(const BreakawayLag& motor) const;
   void takeEvent(const Sample& sample);
   void advanceStep(const Sample& sample);
   void markOutlier();
