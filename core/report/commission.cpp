@@ -154,7 +154,7 @@ Result<void> Job::runToEnd(Procedure& procedure, StepRecorder& recorder, double 
     if ((told_s += slice_s) >= tellEvery_s) tell(procedure, share), told_s = 0.0;
     if (gather && (kept_s += slice_s) >= keepEvery_s) {
       kept_s = 0.0;
-      if (const auto kept = keepProgress(gather); !kept) return kept;
+      if (auto kept = keepProgress(gather); !kept) return kept;
     }
   }
   return {};
@@ -166,12 +166,12 @@ Result<void> Job::runStep(const std::string& step, const std::shared_ptr<Procedu
   lost_ = 0;
   if (procedure->state() == Procedure::State::running) {
     drive_.start(procedure);
-    if (const auto ran = runToEnd(*procedure, recorder, share, gather); !ran) return ran;
+    if (auto ran = runToEnd(*procedure, recorder, share, gather); !ran) return ran;
   }
   progress_ += share;
   if (lost_ > 0) done_.remarks.push_back(step + ": " + std::to_string(lost_) + " samples were lost on the way.");
-  if (const auto kept = keepProgress(gather); !kept) return kept;
-  if (const auto kept = keepRecording(recorder, step); !kept) return kept;
+  if (auto kept = keepProgress(gather); !kept) return kept;
+  if (auto kept = keepRecording(recorder, step); !kept) return kept;
   const auto status = procedure->status();
   return status.state == Procedure::State::finished ? Result<void>{} : Error{step, status.failure};
 }
