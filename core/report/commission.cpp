@@ -83,7 +83,9 @@ Result<void> Job::begin() {
   }
   if (kept_.speedRun_s != fresh.speedRun_s ||
       kept_.trustedTorqueConstant_Nm_per_A != fresh.trustedTorqueConstant_Nm_per_A)
-    return Error{"bench", "has another trusted torque constant than the interrupted job was begun with"};
+    return Error{
+        "bench",
+        "trusts another torque constant than the interrupted job was begun with, expected the same bench file"};
   ++kept_.part;
   done_.rigTime_s = kept_.rigTime_s;
   done_.remarks = kept_.remarks;
