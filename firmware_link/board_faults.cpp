@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 namespace breakaway {
 
@@ -18,8 +17,8 @@ bool passes(double before_rad, double now_rad, double place_rad) {
 
 }  // namespace
 
-BoardFaults::BoardFaults(std::vector<RigFault> faults) {
-  for (RigFault& fault : faults) plays_.push_back({std::move(fault), false, false});
+BoardFaults::BoardFaults(const std::vector<RigFault>& faults) {
+  for (const RigFault& fault : faults) plays_.push_back({fault, false, false});
 }
 
 BoardTrouble BoardFaults::step(double time_s, double angle_rad) {

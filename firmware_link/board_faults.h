@@ -23,7 +23,7 @@ struct BoardTrouble {
 class BoardFaults {
  public:
   BoardFaults() = default;
-  explicit BoardFaults(std::vector<RigFault> faults);
+  explicit BoardFaults(const std::vector<RigFault>& faults);
 
   /// Called once per control tick; `angle_rad` is the shaft's from the index.
   BoardTrouble step(double time_s, double angle_rad);

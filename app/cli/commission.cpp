@@ -20,7 +20,7 @@ struct CommissionLine {
   std::string bench, board = "simulated", out;
   unsigned seed = 1;
   size_t bins = 180, turns = 2;
-  bool resume = false;
+  bool resume = false, namesBins = false, namesTurns = false;
 };
 
 /// The bench file that was named, or the one beside a simulated rig.
@@ -65,6 +65,8 @@ Result<void> beginFolder(const CommissionLine& line, CommissionOptions& options)
   if (!line.resume) return removeProgress(line.out);
   auto earlier = readProgress(line.out);
   if (!earlier) return earlier.error();
+  if (!line.namesBins) options.bins = earlier->bins;
+  if (!line.namesTurns) options.turns = earlier->turns;
   options.earlier = std::move(*earlier);
   return {};
 }
@@ -129,17 +131,20 @@ void addCommission(CLI::App& app, Job& chosen) {
           "folder for bench.json, recordings, map.json, map.csv, report.html, and truth.csv of a simulated board")
       ->required();
   command->add_option("--seed", line->seed, "seed of a simulated board's noise")->capture_default_str();
-  command->add_option("--bins", line->bins, "bins around the rotor")
-      ->capture_default_str()
-      ->check(CLI::Range(36, 1440));
-  command->add_option("--turns", line->turns, "turns of the breakaway sweep each way")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 20));
+  auto* bins = command->add_option("--bins", line->bins, "bins around the rotor; with --resume the interrupted job's");
+  bins->capture_default_str()->check(CLI::Range(36, 1440));
+  auto* turns = command->add_option("--turns", line->turns,
+                                    "turns of the breakaway sweep each way; with --resume the interrupted job's");
+  turns->capture_default_str()->check(CLI::Range(1, 20));
   command->add_flag(
       "--resume", line->resume,
       "go on with the interrupted job in the folder: its motor, runs and breakaways are kept, the current "
       "sensor is zeroed and the rotor homed anew");
-  command->callback([line, &chosen] { chosen = [line] { return runCommission(*line); }; });
+  command->callback([line, bins, turns, &chosen] {
+    line->namesBins = bins->count() > 0;
+    line->namesTurns = turns->count() > 0;
+    chosen = [line] { return runCommission(*line); };
+  });
 }
 
 }  // namespace breakaway::cli

@@ -13,6 +13,7 @@ constexpr double turnAngle = 2.0 * std::numbers::pi;
 constexpr double learningDoubling_s = 0.7;  // of the first, long ramp
 constexpr double beyondIndex_rad = 0.1;
 constexpr double indexMove_s = 3.0;
+constexpr double leastStand_s = 0.03;  // on one count, of a rotor that stands
 constexpr size_t leastRampRows = 20;
 constexpr double shortRamp = 0.15;  // of ramp_s: a breakaway this soon says little about its current
 
@@ -220,6 +221,9 @@ Command BreakawaySweep::ramp(const Sample& sample) {
   const bool saturated = std::abs(next) * options_.resistance_ohm + options_.deadZone_V > sample.supply_V;
   if (next > most || saturated) {
     ++missed_;
+    // What was expected may have been wrong.
+    recent_A_[static_cast<size_t>(way())].reset();
+    recentOverMoving_[static_cast<size_t>(way())].reset();
     if (++missedInARow_ >= 3) fail("the rotor does not break away " + wayText(sign() > 0.0) + noBreakaway(most));
     advanceStep(sample);
     return {};
@@ -232,7 +236,7 @@ std::vector<double> BreakawaySweep::edgesAfter(size_t standing) const {
   const double countAngle = turnAngle / options_.countsPerRev;
   std::vector<double> edges_s;
   for (size_t k = standing + 1; k < rows_.size() && edges_s.size() < options_.motionCounts; ++k) {
-    const double counts = sign() * (rows_[k].angle_rad - standing_rad_) / countAngle;
+    const double counts = sign() * (rows_[k].angle_rad - rows_[standing].angle_rad) / countAngle;
     const double halfway_s = 0.5 * (rows_[k].time_s + rows_[k - 1].time_s);
     while (static_cast<double>(edges_s.size()) + 0.5 < counts && edges_s.size() < options_.motionCounts)
       edges_s.push_back(halfway_s);
@@ -240,16 +244,31 @@ std::vector<double> BreakawaySweep::edgesAfter(size_t standing) const {
   return edges_s;
 }
 
-void BreakawaySweep::takeEvent(const Sample&) {
-  // Back to the last standing sample: the last row that still shows the standing count or one behind it.
+double BreakawaySweep::rateAt(double commanded_A) const {
+  if (!ramp_.learning) return ramp_.rate_A_per_s;
+  return std::log(2.0) / learningDoubling_s * std::max(0.0, commanded_A - ramp_.start_A);
+}
+
+/// The last row before the motion: back to the first count on which it stayed longer than a rotor does that has let go.
+/// A count gained earlier is elastic travel, or the encoder's slip, and no motion.
+size_t BreakawaySweep::lastStanding(const BreakawayLag& motor) const {
   const double countAngle = turnAngle / options_.countsPerRev;
-  size_t standing = rows_.size() - 1;
-  while (standing > 0 && sign() * (rows_[standing].angle_rad - standing_rad_) > 0.5 * countAngle) --standing;
-  const double rate =
-      ramp_.learning ? std::log(2.0) / learningDoubling_s * std::max(0.0, rows_[standing].commanded_A - ramp_.start_A)
-                     : ramp_.rate_A_per_s;
+  const double most_s = std::max(leastStand_s, 2.0 * motionLag_s(motor, rateAt(rows_.back().commanded_A), countAngle));
+  size_t last = rows_.size() - 1;
+  for (size_t k = rows_.size() - 1; k > 0; --k) {
+    const bool same = std::abs(rows_[k].angle_rad - rows_[k - 1].angle_rad) < 0.5 * countAngle;
+    if (!same) last = k - 1;
+    if (rows_[last].time_s - rows_[k - 1].time_s > most_s) return last;
+  }
+  return last;
+}
+
+void BreakawaySweep::takeEvent(const Sample&) {
+  const double countAngle = turnAngle / options_.countsPerRev;
   const BreakawayLag motor{options_.inertia_kg_m2, options_.torqueConstant_Nm_per_A,
                            options_.backEmfConstant_V_s_per_rad, options_.resistance_ohm};
+  size_t standing = lastStanding(motor);
+  const double rate = rateAt(rows_[standing].commanded_A);
   const double lag_s = likelyMotionLag_s(motor, rate, countAngle, edgesAfter(standing), tick_s());
   // The winding's current gives way to the back-EMF as soon as it moves.
   const size_t moved = standing;

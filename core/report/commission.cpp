@@ -14,14 +14,11 @@
 #include "experiment/winding_test.h"
 #include "identify/map_estimation.h"
 #include "identify/zero_track.h"
-#include "report/step_recorder.h"
+#include "report/commission_steps.h"
 
 namespace breakaway {
 
 namespace {
-
-constexpr double slice_s = 0.25;
-constexpr double tellEvery_s = 0.5, keepEvery_s = 30.0;
 
 double highestSpeed(const std::vector<SpinBlock>& blocks) {
   double highest = 0.0;
@@ -42,18 +39,11 @@ std::vector<Measured> countedFrom(std::vector<Measured> all, size_t earlier, con
 /// The job's state while it runs.
 class Job {
  public:
-  Job(Drive& drive, const CommissionOptions& options) : drive_(drive), options_(options) {}
+  Job(Drive& drive, const CommissionOptions& options)
+      : drive_(drive), options_(options), steps_(drive, options, done_, kept_) {}
   Result<Commission> run();
 
  private:
-  using Gather = std::function<void()>;
-  Result<void> runStep(const std::string& step, const std::shared_ptr<Procedure>& procedure, double share,
-                       const Gather& gather = {});
-  Result<void> runToEnd(Procedure& procedure, StepRecorder& recorder, double share, const Gather& gather);
-  Result<void> keepRecording(const StepRecorder& recorder, const std::string& step);
-  Result<void> keepProgress(const Gather& gather);
-  size_t decimation(double expected_s) const;
-  void tell(const Procedure& procedure, double share) const;
   std::optional<double> trustedTorqueConstant() const;
   Result<void> begin();
   Result<void> identify();
@@ -74,9 +64,8 @@ class Job {
   Commission done_;
   std::array<double, 2> expected_A_{0.0, 0.0};
   double zeroError_A_ = 0.0;  ///< over the velocity sweep
-  double progress_ = 0.0;
-  size_t lost_ = 0;  ///< samples, in the step that runs
   CommissionProgress kept_;
+  CommissionSteps steps_;
 };
 
 std::optional<double> Job::trustedTorqueConstant() const {
@@ -109,7 +98,9 @@ Result<void> Job::begin() {
   }
   if (kept_.speedRun_s != fresh.speedRun_s ||
       kept_.trustedTorqueConstant_Nm_per_A != fresh.trustedTorqueConstant_Nm_per_A)
-    return Error{"bench", "has another trusted torque constant than the interrupted job was begun with"};
+    return Error{
+        "bench",
+        "trusts another torque constant than the interrupted job was begun with, expected the same bench file"};
   ++kept_.part;
   done_.rigTime_s = kept_.rigTime_s;
   done_.remarks = kept_.remarks;
@@ -119,81 +110,9 @@ Result<void> Job::begin() {
   return {};
 }
 
-size_t Job::decimation(double expected_s) const {
-  if (expected_s <= options_.shortStep_s) return 1;
-  const double rate = drive_.identity().loopRate_Hz;
-  const double byRows = expected_s * rate / static_cast<double>(std::max<size_t>(1, options_.mostRows));
-  return static_cast<size_t>(std::max({1.0, std::round(rate / options_.recordingRate_Hz), std::round(byRows)}));
-}
-
-void Job::tell(const Procedure& procedure, double share) const {
-  if (!options_.progress) return;
-  const auto status = procedure.status();
-  options_.progress(progress_ + share * status.progress, status.activity);
-}
-
-Result<void> Job::keepProgress(const Gather& gather) {
-  if (gather) gather();
-  kept_.rigTime_s = done_.rigTime_s;
-  kept_.remarks = done_.remarks;
-  return options_.keepProgress ? options_.keepProgress(kept_) : Result<void>{};
-}
-
-Result<void> Job::keepRecording(const StepRecorder& recorder, const std::string& step) {
-  if (!options_.keepRecordings || recorder.empty()) return {};
-  auto recording = recorder.seal({{"device", drive_.identity().device}, {"firmware", drive_.identity().firmware}});
-  if (!recording) return recording.error();
-  const std::string name = kept_.part > 1 ? step + "-part" + std::to_string(kept_.part) : step;
-  if (options_.keepRecording) return options_.keepRecording(name, *recording);
-  done_.recordings.emplace_back(name, std::move(*recording));
-  return {};
-}
-
-Result<void> Job::runToEnd(Procedure& procedure, StepRecorder& recorder, double share, const Gather& gather) {
-  std::vector<Sample> samples;
-  double told_s = 0.0, kept_s = 0.0;
-  while (procedure.state() == Procedure::State::running) {
-    if (options_.interrupted && options_.interrupted()) {
-      drive_.stop("interrupted from the keyboard; the motor is off");
-      break;
-    }
-    samples.clear();
-    const auto advanced = drive_.advance(slice_s, samples);
-    if (options_.keepRecordings) recorder.append(samples);
-    if (!advanced) {
-      procedure.stop(advanced.error().fact);
-      break;
-    }
-    lost_ += *advanced;
-    done_.rigTime_s += slice_s;
-    if ((told_s += slice_s) >= tellEvery_s) tell(procedure, share), told_s = 0.0;
-    if (gather && (kept_s += slice_s) >= keepEvery_s) {
-      kept_s = 0.0;
-      if (const auto kept = keepProgress(gather); !kept) return kept;
-    }
-  }
-  return {};
-}
-
-Result<void> Job::runStep(const std::string& step, const std::shared_ptr<Procedure>& procedure, double share,
-                          const Gather& gather) {
-  StepRecorder recorder(step, decimation(procedure->status().remaining_s));
-  lost_ = 0;
-  if (procedure->state() == Procedure::State::running) {
-    drive_.start(procedure);
-    if (const auto ran = runToEnd(*procedure, recorder, share, gather); !ran) return ran;
-  }
-  progress_ += share;
-  if (lost_ > 0) done_.remarks.push_back(step + ": " + std::to_string(lost_) + " samples were lost on the way.");
-  if (const auto kept = keepProgress(gather); !kept) return kept;
-  if (const auto kept = keepRecording(recorder, step); !kept) return kept;
-  const auto status = procedure->status();
-  return status.state == Procedure::State::finished ? Result<void>{} : Error{step, status.failure};
-}
-
 Result<void> Job::identify() {
   const auto zeroing = std::make_shared<CurrentZeroing>();
-  if (auto ran = runStep("01-zero", zeroing, 0.002); !ran) return ran;
+  if (auto ran = steps_.run("01-zero", zeroing, 0.002); !ran) return ran;
   done_.noiseRms_A = zeroing->noiseRms_A();
   done_.sensorZero_A = zeroing->zero_A();
   if (kept_.motor) {
@@ -202,7 +121,7 @@ Result<void> Job::identify() {
     return {};
   }
   const auto winding = std::make_shared<WindingTest>();
-  if (auto ran = runStep("02-winding", winding, 0.02); !ran) return ran;
+  if (auto ran = steps_.run("02-winding", winding, 0.02); !ran) return ran;
   const auto line = fitWindingLine(winding->points());
   if (!line) return Error{"02-winding", line.error().message()};
   const auto constant = fitTimeConstant(winding->squareResponse_A(), winding->squareTick_s());
@@ -212,7 +131,7 @@ Result<void> Job::identify() {
   }
   SpinTestOptions spinOptions;
   auto spin = std::make_shared<SpinTest>(spinOptions);
-  if (auto ran = runStep("03-spin", spin, 0.03); !ran) return ran;
+  if (auto ran = steps_.run("03-spin", spin, 0.03); !ran) return ran;
   MotorIdentificationOptions options;
   options.trustedTorqueConstant_Nm_per_A = trustedTorqueConstant();
   auto motor = identifyMotor(spin->blocks(), *line, *constant, options);
@@ -222,7 +141,7 @@ Result<void> Job::identify() {
     spinOptions.leg_s *= 5.0;
     spinOptions.cycles = 2;
     spin = std::make_shared<SpinTest>(spinOptions);
-    if (auto ran = runStep("03b-spin-slowly", spin, 0.0); !ran) return ran;
+    if (auto ran = steps_.run("03b-spin-slowly", spin, 0.0); !ran) return ran;
     motor = identifyMotor(spin->blocks(), *line, *constant, options);
   }
   if (!motor) return Error{"03-spin", motor.error().message()};
@@ -234,7 +153,7 @@ Result<void> Job::identify() {
         "same "
         "quantity. All torques rest on the trusted one.");
   }
-  return keepProgress([this] {
+  return steps_.keep([this] {
     kept_.motor = done_.motor;
     kept_.expected_A = expected_A_;
   });
@@ -265,7 +184,7 @@ Result<void> Job::home() {
   HomingOptions options;
   options.countsPerRev = drive_.identity().countsPerRev;
   const auto homing = std::make_shared<Homing>(options);
-  if (auto ran = runStep("04-homing", homing, 0.01); !ran) return ran;
+  if (auto ran = steps_.run("04-homing", homing, 0.01); !ran) return ran;
   done_.indexAngle_rad = homing->indexAngle_rad();
   return {};
 }
@@ -312,7 +231,7 @@ Result<void> Job::sweepVelocity() {
                        (sweep->zeros().empty() || kept_.runs.back().middle_s > sweep->zeros().back().time_s);
     if (waits && zeroed) kept_.runs.pop_back();
   };
-  if (auto ran = runStep("05-velocity-sweep", sweep, 0.2, gather); !ran) return ran;
+  if (auto ran = steps_.run("05-velocity-sweep", sweep, 0.2, gather); !ran) return ran;
   done_.runs = countedFrom(sweep->runs(), earlier, sweep->zeros(), done_.noiseRms_A);
   if (!done_.runs.empty())
     zeroError_A_ = zeroErrorAt(sweep->zeros(),
@@ -347,7 +266,7 @@ Result<void> Job::sweepBreakaway() {
   const auto gather = [this, sweep, earlier] {
     kept_.events = countedFrom(sweep->events(), earlier, sweep->zeros(), done_.noiseRms_A);
   };
-  if (auto ran = runStep("06-breakaway-sweep", sweep, 0.738, gather); !ran) return ran;
+  if (auto ran = steps_.run("06-breakaway-sweep", sweep, 0.738, gather); !ran) return ran;
   std::vector<BreakawayEvent> events = countedFrom(sweep->events(), earlier, sweep->zeros(), done_.noiseRms_A);
   done_.missed = sweep->missed();
   done_.zeroing_s = options.zeroing_s;

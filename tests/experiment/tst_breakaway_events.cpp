@@ -106,9 +106,8 @@ void TestBreakawayEvents::presliding_isNoMotion() {
   const BreakawaySweep sweep = swept(rotor);
   QCOMPARE(sweep.events().size(), 2 * bins);
   for (const BreakawayEvent& event : sweep.events()) {
-    // Sustained motion at 0.2 A is dated back to the last sample on the standing count: the elastic travel's, 20 %
-    // earlier at most, but is not taken at the elastic travel itself while it lasts.
-    QVERIFY2(event.current_A > 0.155 && event.current_A < 0.202, qPrintable(QString::number(event.current_A)));
+    // The elastic travel comes at 0.16 A, the motion at 0.2 A.
+    QVERIFY2(event.current_A > 0.1995 && event.current_A < 0.2015, qPrintable(QString::number(event.current_A)));
   }
 }
 

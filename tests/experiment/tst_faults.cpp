@@ -270,6 +270,8 @@ class TestFaults : public QObject {
   void resumedSweeps_measureOnlyWhatIsMissing();
   void shortSilence_isAGapAndNoEnd();
   void shortSag_isNoDrop();
+  void smallFault_changesNoResult_data();
+  void smallFault_changesNoResult();
 };
 
 void TestFaults::initTestCase() {
@@ -391,6 +393,45 @@ void TestFaults::shortSag_isNoDrop() {
   bench.drive().start(subject.procedure);
   bench.run(*subject.procedure, most_s);
   QCOMPARE(subject.procedure->state(), Procedure::State::finished);
+}
+
+void TestFaults::smallFault_changesNoResult_data() {
+  QTest::addColumn<std::string>("fault");
+  QTest::addColumn<double>("most");  // rms difference of breakaways from the sound rig's, part of their mean
+  // The same rig breaks away again with 1 % of scatter, and the sensor's noise comes on top.
+  QTest::newRow("none") << std::string() << 1e-12;
+  QTest::newRow("a count") << std::string(R"("encoder_jump", "counts": 1)") << 0.03;
+  QTest::newRow("slow drift") << std::string(
+                                     R"("temperature_drift", "offset_A_per_s": 0.002, "resistance_per_s": 0.0005)")
+                              << 0.04;
+}
+
+void TestFaults::smallFault_changesNoResult() {
+  QFETCH(std::string, fault);
+  QFETCH(double, most);
+  const auto torques = [](const std::string& json) {
+    Bench bench(json, 1.0, 1e6);
+    const Subject subject = breakawaySweep(index_rad, {});
+    bench.drive().start(subject.procedure);
+    bench.run(*subject.procedure, most_s);
+    std::map<std::array<size_t, 3>, double> found;
+    for (const BreakawayEvent& event : std::static_pointer_cast<BreakawaySweep>(subject.procedure)->events())
+      found[{static_cast<size_t>(event.way), event.turn, event.bin}] = event.torque_Nm;
+    return found;
+  };
+  const auto sound = torques(""), faulty = torques(fault);
+  QVERIFY2(sound.size() >= 30 && faulty.size() >= 30,
+           qPrintable(QString("%1 and %2").arg(sound.size()).arg(faulty.size())));
+  double squares = 0.0, sum = 0.0, common = 0.0;
+  for (const auto& [place, torque] : faulty) {
+    if (!sound.contains(place)) continue;
+    squares += std::pow(torque - sound.at(place), 2);
+    sum += sound.at(place);
+    ++common;
+  }
+  const double rms = std::sqrt(squares / common) / (sum / common);
+  QVERIFY2(rms <= most, qPrintable(QString::number(rms)));
+  if (!fault.empty()) QVERIFY2(rms > 1e-9, "the fault did nothing at all");
 }
 
 QTEST_APPLESS_MAIN(TestFaults)

@@ -24,6 +24,7 @@ class TestProcedures : public QObject {
   void velocityStep_isFastAndReachesItsSpeed();
   void velocitySweep_runsWholeTurnsBothWays();
   void unreachableSpeed_isReported();
+  void speedLostWhileMeasuring_isReportedWithItsPlace();
   void breakawaySweep_logsTheAngleReallyReached();
   void stoppedSweep_keepsWhatItMeasured();
   void sweepWithoutResistance_failsAtOnce();
@@ -195,6 +196,27 @@ void TestProcedures::unreachableSpeed_isReported() {
   run(*drive, sweep, 60.0);
   QCOMPARE(sweep->state(), Procedure::State::failed);
   QVERIFY(sweep->status().failure.find("1000.0 rad/s was not reached") != std::string::npos);
+}
+
+/// On a board that doesn't watch for itself.
+void TestProcedures::speedLostWhileMeasuring_isReportedWithItsPlace() {
+  VelocitySweepOptions options;
+  options.speeds_rad_per_s = {10.0};
+  options.zeroing_s = 0.0;
+  VelocitySweep sweep(options);
+  Sample sample;
+  Command command;
+  for (int k = 0; k < 60000 && sweep.state() == Procedure::State::running; ++k) {
+    sample.time_s = k * 1e-3;
+    sample.velocity_rad_per_s = sample.time_s < 5.0 ? command.target : 0.0;
+    sample.angle_rad += 1e-3 * sample.velocity_rad_per_s;
+    command = sweep.step(sample);
+  }
+  QCOMPARE(sweep.state(), Procedure::State::failed);
+  QVERIFY2(sample.time_s > 5.9 && sample.time_s < 6.3, qPrintable(QString::number(sample.time_s)));
+  const auto at = static_cast<int>(std::fmod(sample.angle_rad, 2.0 * std::numbers::pi) * 180.0 / std::numbers::pi);
+  const std::string words = "the speed 10.0 rad/s was lost at " + std::to_string(at) + "°";
+  QVERIFY2(sweep.status().failure.starts_with(words), sweep.status().failure.c_str());
 }
 
 void TestProcedures::breakawaySweep_logsTheAngleReallyReached() {

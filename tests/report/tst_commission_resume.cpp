@@ -241,8 +241,8 @@ void TestCommissionResume::theCommand_goesOnWhereItWasCut() {
   QCOMPARE(cut.status, 2);
   QVERIFY2(cut.err.contains("the link to the board is lost") && cut.err.contains("--resume"), qPrintable(cut.err));
   QVERIFY(!QFile::exists(out + "/map.json"));
-  const auto done = test::run(test::builtProgram("breakaway"), {"commission", "--resume", "--board",
-                                                                "simulated:" + sound, "--bins", "36", "--out", out});
+  const auto done = test::run(test::builtProgram("breakaway"),
+                              {"commission", "--resume", "--board", "simulated:" + sound, "--out", out});
   QVERIFY2(done.status == 0, qPrintable(done.err));
   QVERIFY(done.out.contains("went on: part 2"));
   QVERIFY(QFile::exists(out + "/map.json") && QFile::exists(out + "/recordings/02-winding.csv"));
