@@ -26,6 +26,8 @@ class TestMargins : public QObject {
   void openLoop_hasNothingToLose();
   void noise_isThatOfManyTicks_data();
   void noise_isThatOfManyTicks();
+  void roundedAngle_makesAboutTheNoiseOfWhiteRounding_data();
+  void roundedAngle_makesAboutTheNoiseOfWhiteRounding();
   void higherCutoff_costsMoreNoise();
   void unstableLoop_hasNoNoiseFigure();
 };
@@ -221,6 +223,37 @@ void TestMargins::noise_isThatOfManyTicks() {
   QVERIFY(near(current, expected->currentReference_A));
   QVERIFY(near(shown, expected->velocityEstimate_rad_per_s));
   QVERIFY(near(speed, expected->velocity_rad_per_s));
+}
+
+void TestMargins::roundedAngle_makesAboutTheNoiseOfWhiteRounding_data() {
+  QTest::addColumn<double>("speed_rad_per_s");
+  QTest::addColumn<double>("most");
+  for (const double speed : {0.3, 3.0, 7.3, 20.0}) QTest::newRow(qPrintable(QString::number(speed))) << speed << 1.2;
+  QTest::newRow("a saw tooth") << 0.01 << 3.5;
+  QTest::newRow("a count per tick") << 2.18 << 3.5;
+}
+
+void TestMargins::roundedAngle_makesAboutTheNoiseOfWhiteRounding() {
+  QFETCH(double, speed_rad_per_s);
+  QFETCH(double, most);
+  const double count = 2.0 * std::numbers::pi / 14400.0;
+  const ServoLoop loop = servoLoop(1.0, 2e-4, 1);
+  const auto expected = loopNoise(loop, {roundingRms_rad(count), 0.0});
+  QVERIFY(expected.ok());
+  SimulatedLoop simulated(loop);
+  simulated.ask(speed_rad_per_s);
+  double sum = 0.0, squares = 0.0;
+  const int settle = 20000, ticks = 200000;
+  for (int k = 0; k < settle + ticks; ++k) {
+    const double angle = simulated.angle_rad();
+    const double estimate =
+        simulated.step(std::floor(angle / count) * count + 0.5 * count - angle).disturbance_estimate_Nm;
+    if (k < settle) continue;
+    sum += estimate;
+    squares += estimate * estimate;
+  }
+  const double rms = std::sqrt(squares / ticks - std::pow(sum / ticks, 2)), ratio = rms / expected->estimate_Nm;
+  QVERIFY2(ratio > 0.5 && ratio < most, qPrintable(QString::number(ratio)));
 }
 
 void TestMargins::higherCutoff_costsMoreNoise() {
