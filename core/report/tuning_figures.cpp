@@ -148,6 +148,20 @@ Figure sensitivityFigure(const TuningStudy& study) {
   return figure;
 }
 
+Figure loadFigure(const TuningStudy& study) {
+  Figure figure{"What a load does", "frequency / rad/s", "speed per load / rad/s per mNm; estimate per load"};
+  figure.logX = figure.logY = true;
+  const auto scaled = [&study](const std::string& label, const std::vector<Complex>& values, double scale) {
+    Curve curve = magnitude(label, study.velocity, values);
+    for (double& one : curve.y) one *= scale;
+    return curve;
+  };
+  figure.curves = {scaled("speed, velocity loop", study.velocityClosed.yielding, 1e-3),
+                   scaled("speed, position loop", study.positionClosed.yielding, 1e-3),
+                   scaled("observer's estimate", study.velocityClosed.observing, 1.0)};
+  return figure;
+}
+
 Figure noiseFigure(const TuningStudy& study) {
   Figure figure{"What a cutoff costs", "observer cutoff g / rad/s", "noise of the torque estimate, rms / mNm"};
   figure.logX = figure.logY = true;

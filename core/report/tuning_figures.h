@@ -14,6 +14,8 @@ Figure slowPolesFigure(const ServoLoop& loop, const RootLocus& locus);
 Figure gainFigure(const TuningStudy& study);
 Figure phaseFigure(const TuningStudy& study);
 Figure sensitivityFigure(const TuningStudy& study);
+/// What the shaft does under a load torque, and what the observer sees of it.
+Figure loadFigure(const TuningStudy& study);
 Figure noiseFigure(const TuningStudy& study);
 
 }  // namespace breakaway

@@ -26,6 +26,7 @@ struct LoopNoise {
   double currentReferenceByEncoder_A = 0.0;
   double velocity_rad_per_s = 0.0;          ///< of the rotor itself, which the noise shakes
   double velocityEstimate_rad_per_s = 0.0;  ///< of the controller's speed
+  double voltage_V = 0.0;                   ///< at the bridge; 0 without winding
 };
 
 /// Stationary rms values of the closed loop by the discrete Lyapunov equation (stationaryRms()); quantities of
