@@ -149,16 +149,15 @@ Figure sensitivityFigure(const TuningStudy& study) {
 }
 
 Figure loadFigure(const TuningStudy& study) {
-  Figure figure{"What a load does", "frequency / rad/s", "speed per load / rad/s per mNm; estimate per load"};
+  Figure figure{"How the shaft yields to a load", "frequency / rad/s", "speed per load / rad/s per mNm"};
   figure.logX = figure.logY = true;
-  const auto scaled = [&study](const std::string& label, const std::vector<Complex>& values, double scale) {
-    Curve curve = magnitude(label, study.velocity, values);
-    for (double& one : curve.y) one *= scale;
+  const auto perMillinewtonmetre = [&study](const std::string& label, const ClosedResponse& closed) {
+    Curve curve = magnitude(label, study.velocity, closed.yielding);
+    for (double& one : curve.y) one *= 1e-3;
     return curve;
   };
-  figure.curves = {scaled("speed, velocity loop", study.velocityClosed.yielding, 1e-3),
-                   scaled("speed, position loop", study.positionClosed.yielding, 1e-3),
-                   scaled("observer's estimate", study.velocityClosed.observing, 1.0)};
+  figure.curves = {perMillinewtonmetre("velocity loop", study.velocityClosed),
+                   perMillinewtonmetre("position loop", study.positionClosed)};
   return figure;
 }
 

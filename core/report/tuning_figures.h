@@ -14,7 +14,7 @@ Figure slowPolesFigure(const ServoLoop& loop, const RootLocus& locus);
 Figure gainFigure(const TuningStudy& study);
 Figure phaseFigure(const TuningStudy& study);
 Figure sensitivityFigure(const TuningStudy& study);
-/// What the shaft does under a load torque, and what the observer sees of it.
+/// The shaft's speed per load torque, of both loops.
 Figure loadFigure(const TuningStudy& study);
 Figure noiseFigure(const TuningStudy& study);
 
