@@ -20,8 +20,6 @@ namespace breakaway {
 namespace {
 
 constexpr double coarsestSubstep_s = 50e-6;
-constexpr double velocityBandwidth_rad_per_s = 400.0;  // of the speed observer
-constexpr double currentBandwidth_rad_per_s = 300.0;
 constexpr double lease_s = 0.2;  // without a word from the host the board opens the windings
 
 double oneDigit(double value) {
@@ -31,11 +29,11 @@ double oneDigit(double value) {
 
 ServoController<double>::Board boardOf(const Rig& rig) {
   const double tick_s = 1.0 / rig.loopRate_Hz;
-  return {tick_s,
-          2.0 * std::numbers::pi / rig.encoder.countsPerRev,
-          {rig.resistance_ohm, rig.inductance_H, rig.backEmfConstant_V_s_per_rad,
-           std::min(currentBandwidth_rad_per_s, 0.2 / tick_s)},
-          std::min(velocityBandwidth_rad_per_s, 0.4 / tick_s)};
+  return {
+      tick_s,
+      2.0 * std::numbers::pi / rig.encoder.countsPerRev,
+      {rig.resistance_ohm, rig.inductance_H, rig.backEmfConstant_V_s_per_rad, boardCurrentBandwidth_rad_per_s(tick_s)},
+      boardVelocityBandwidth_rad_per_s(tick_s)};
 }
 
 ControllerSettings namePlateSettings(const Rig& rig, double limit_A) {
@@ -46,8 +44,8 @@ ControllerSettings namePlateSettings(const Rig& rig, double limit_A) {
   settings.velocity_ki_A_per_rad = gains.velocity_ki_A_per_rad;
   settings.position_kp_A_per_rad = gains.position_kp_A_per_rad;
   settings.position_kd_A_s_per_rad = gains.position_kd_A_s_per_rad;
-  settings.observer_cutoff_rad_per_s =
-      tuneObserver(1.0 / rig.loopRate_Hz, std::min(velocityBandwidth_rad_per_s, 0.4 * rig.loopRate_Hz));
+  const double tick_s = 1.0 / rig.loopRate_Hz;
+  settings.observer_cutoff_rad_per_s = tuneObserver(tick_s, boardVelocityBandwidth_rad_per_s(tick_s));
   settings.nominal_inertia_kg_m2 = J;
   settings.nominal_torque_constant_Nm_per_A = Kt;
   settings.current_limit_A = limit_A;

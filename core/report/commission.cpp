@@ -162,7 +162,7 @@ Result<void> Job::identify() {
 Result<void> Job::tune() {
   const double J = done_.motor.inertia_kg_m2.value, Kt = done_.motor.torqueConstant_Nm_per_A.value;
   const double tick_s = 1.0 / drive_.identity().loopRate_Hz;
-  const double filter = std::min(400.0, 0.4 / tick_s);  // of the board's speed
+  const double filter = boardVelocityBandwidth_rad_per_s(tick_s);
   const auto gains = tuneMotion(J, Kt, 0.15 * filter, 0.1 * filter);
   ControllerSettings settings = drive_.settings();
   settings.velocity_kp_A_s_per_rad = gains.velocity_kp_A_s_per_rad;

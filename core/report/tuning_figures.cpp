@@ -148,6 +148,19 @@ Figure sensitivityFigure(const TuningStudy& study) {
   return figure;
 }
 
+Figure loadFigure(const TuningStudy& study) {
+  Figure figure{"How the shaft yields to a load", "frequency / rad/s", "speed per load / rad/s per mNm"};
+  figure.logX = figure.logY = true;
+  const auto perMillinewtonmetre = [&study](const std::string& label, const ClosedResponse& closed) {
+    Curve curve = magnitude(label, study.velocity, closed.yielding);
+    for (double& one : curve.y) one *= 1e-3;
+    return curve;
+  };
+  figure.curves = {perMillinewtonmetre("velocity loop", study.velocityClosed),
+                   perMillinewtonmetre("position loop", study.positionClosed)};
+  return figure;
+}
+
 Figure noiseFigure(const TuningStudy& study) {
   Figure figure{"What a cutoff costs", "observer cutoff g / rad/s", "noise of the torque estimate, rms / mNm"};
   figure.logX = figure.logY = true;

@@ -14,6 +14,8 @@ Figure slowPolesFigure(const ServoLoop& loop, const RootLocus& locus);
 Figure gainFigure(const TuningStudy& study);
 Figure phaseFigure(const TuningStudy& study);
 Figure sensitivityFigure(const TuningStudy& study);
+/// The shaft's speed per load torque, of both loops.
+Figure loadFigure(const TuningStudy& study);
 Figure noiseFigure(const TuningStudy& study);
 
 }  // namespace breakaway

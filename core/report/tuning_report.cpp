@@ -51,7 +51,8 @@ Json noiseJson(const TuningStudy& study) {
           {"disturbance_estimate_rms_Nm", noise.estimate_Nm},
           {"disturbance_estimate_by_encoder_rms_Nm", noise.estimateByEncoder_Nm},
           {"current_reference_rms_A", noise.currentReference_A},
-          {"velocity_rms_rad_per_s", noise.velocity_rad_per_s}};
+          {"velocity_rms_rad_per_s", noise.velocity_rad_per_s},
+          {"voltage_rms_V", noise.voltage_V}};
 }
 
 Json cutoffJson(const TuningStudy& study) {
@@ -147,15 +148,20 @@ std::string locusTable(const RootLocus& locus) {
 std::string responseTable(const TuningStudy& study) {
   std::string table = "frequency_rad_per_s";
   for (const char* loop : {"velocity", "position"}) {
-    for (const char* what : {"loop_gain", "loop_phase_rad", "sensitivity", "complementary"})
+    for (const char* what : {"loop_gain", "loop_phase_rad", "sensitivity", "complementary", "following",
+                             "yielding_rad_per_s_per_Nm", "observing"})
       table += "," + std::string(loop) + "_" + what;
   }
   table += "\n";
   for (size_t k = 0; k < study.velocity.frequency_rad_per_s.size(); ++k) {
     std::vector<double> values{study.velocity.frequency_rad_per_s[k]};
-    for (const LoopResponse* one : {&study.velocity, &study.position})
-      values.insert(values.end(), {std::abs(one->loop[k]), std::arg(one->loop[k]), std::abs(one->sensitivity[k]),
-                                   std::abs(one->complementary[k])});
+    const std::pair<const LoopResponse*, const ClosedResponse*> loops[] = {{&study.velocity, &study.velocityClosed},
+                                                                           {&study.position, &study.positionClosed}};
+    for (const auto& [cut, closed] : loops) {
+      values.insert(values.end(), {std::abs(cut->loop[k]), std::arg(cut->loop[k]), std::abs(cut->sensitivity[k]),
+                                   std::abs(cut->complementary[k]), std::abs(closed->following[k]),
+                                   std::abs(closed->yielding[k]), std::abs(closed->observing[k])});
+    }
     table += row(values);
   }
   return table;
@@ -164,11 +170,11 @@ std::string responseTable(const TuningStudy& study) {
 std::string noiseTable(const TuningStudy& study) {
   std::string table =
       "cutoff_rad_per_s,disturbance_estimate_rms_Nm,disturbance_estimate_by_encoder_rms_Nm,current_reference_rms_A,"
-      "velocity_rms_rad_per_s\n";
+      "velocity_rms_rad_per_s,voltage_rms_V\n";
   for (size_t k = 0; k < study.noise.size(); ++k) {
     const LoopNoise& one = study.noise[k];
     table += row({study.cutoffs_rad_per_s[k], one.estimate_Nm, one.estimateByEncoder_Nm, one.currentReference_A,
-                  one.velocity_rad_per_s});
+                  one.velocity_rad_per_s, one.voltage_V});
   }
   return table;
 }
@@ -225,6 +231,7 @@ Result<void> writeTuning(const TuningStudy& study, const Bench& bench, const std
   const std::pair<const char*, Figure> wide[] = {{"loop_gain", gainFigure(study)},
                                                  {"loop_phase", phaseFigure(study)},
                                                  {"sensitivity", sensitivityFigure(study)},
+                                                 {"load", loadFigure(study)},
                                                  {"noise", noiseFigure(study)}};
   for (const auto& [name, figure] : wide) {
     if (auto done = writeSvg(figure, folder + "/figures/" + name + ".svg"); !done) return done;

@@ -12,6 +12,7 @@ namespace {
 constexpr auto speed = static_cast<Eigen::Index>(LoopOutput::velocity);
 constexpr auto speedEstimate = static_cast<Eigen::Index>(LoopOutput::velocityEstimate);
 constexpr auto estimate = static_cast<Eigen::Index>(LoopOutput::disturbanceEstimate);
+constexpr auto voltage = static_cast<Eigen::Index>(LoopOutput::voltage);
 constexpr auto currentReference = static_cast<Eigen::Index>(LoopOutput::currentReference);
 
 Eigen::VectorXd variances(const SensorNoise& noise) {
@@ -23,7 +24,7 @@ Eigen::VectorXd variances(const SensorNoise& noise) {
 
 LoopNoise unknown() {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  return {nan, nan, nan, nan, nan, nan};
+  return {nan, nan, nan, nan, nan, nan, nan};
 }
 
 }  // namespace
@@ -38,8 +39,8 @@ Result<LoopNoise> loopNoise(const ServoLoop& loop, const SensorNoise& noise) {
   if (!both) return both.error();
   const auto encoder = stationaryRms(closed, variances({noise.angle_rms_rad, 0.0}));
   if (!encoder) return encoder.error();
-  return LoopNoise{(*both)[estimate], (*encoder)[estimate],  (*both)[currentReference], (*encoder)[currentReference],
-                   (*both)[speed],    (*both)[speedEstimate]};
+  return LoopNoise{(*both)[estimate], (*encoder)[estimate],   (*both)[currentReference], (*encoder)[currentReference],
+                   (*both)[speed],    (*both)[speedEstimate], (*both)[voltage]};
 }
 
 std::vector<LoopNoise> noiseOverCutoff(const ServoLoop& loop, const SensorNoise& noise,

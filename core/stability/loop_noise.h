@@ -13,9 +13,9 @@ struct SensorNoise {
   double current_rms_A = 0.0;
 };
 
-/// The rms of an encoder's rounding, count/√12: its error is uniform over a count. It is white only while the rotor
-/// passes a count or more per tick; slower, it is a saw tooth of less power at high frequencies, and at standstill it
-/// is constant, so that the figures made with it are upper bounds there.
+/// The rms of an encoder's rounding, count/√12: its error is uniform over a count. It is near white while the rotor
+/// passes a tenth of a count or more per tick. Slower, it is a saw tooth whose lines fall into the loop's band, and
+/// likewise where nearly a whole number of counts falls to a tick: then up to about three times as much comes through.
 double roundingRms_rad(double count_rad);
 
 /// What reaches the loop's signals, rms. Both sources add in squares.
@@ -26,6 +26,7 @@ struct LoopNoise {
   double currentReferenceByEncoder_A = 0.0;
   double velocity_rad_per_s = 0.0;          ///< of the rotor itself, which the noise shakes
   double velocityEstimate_rad_per_s = 0.0;  ///< of the controller's speed
+  double voltage_V = 0.0;                   ///< at the bridge; 0 without winding
 };
 
 /// Stationary rms values of the closed loop by the discrete Lyapunov equation (stationaryRms()); quantities of

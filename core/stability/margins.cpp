@@ -98,6 +98,16 @@ LoopResponse loopResponse(const ServoLoop& loop, const std::vector<double>& freq
   return found;
 }
 
+ClosedResponse closedResponse(const ServoLoop& loop, const std::vector<double>& frequencies_rad_per_s) {
+  const DiscreteSystem closed = closedLoop(loop);
+  const auto over = [&](LoopInput from, LoopOutput to) {
+    return response(closed, static_cast<Eigen::Index>(from), static_cast<Eigen::Index>(to), frequencies_rad_per_s);
+  };
+  const LoopOutput followed = loop.mode == ServoMode::position ? LoopOutput::angle : LoopOutput::velocity;
+  return {over(LoopInput::reference, followed), over(LoopInput::load, LoopOutput::velocity),
+          over(LoopInput::load, LoopOutput::disturbanceEstimate)};
+}
+
 LoopMargins margins(const ServoLoop& loop) {
   LoopMargins found;
   const auto closedPoles = poles(closedLoop(loop));

@@ -18,6 +18,16 @@ struct LoopResponse {
 /// At each frequency in rad/s, above 0 and up to π/T. Precondition: check(loop).
 LoopResponse loopResponse(const ServoLoop& loop, const std::vector<double>& frequencies_rad_per_s);
 
+/// How the closed loop answers its reference and a load over frequency, at the sample.
+struct ClosedResponse {
+  std::vector<std::complex<double>> following;  ///< speed per reference (angle per reference in position mode), 1
+  std::vector<std::complex<double>> yielding;   ///< speed per load torque, rad/(Nm s)
+  std::vector<std::complex<double>> observing;  ///< τ̂ per load torque, 1: what the observer sees of it
+};
+
+/// At each frequency in rad/s, above 0 and up to π/T. Precondition: check(loop).
+ClosedResponse closedResponse(const ServoLoop& loop, const std::vector<double>& frequencies_rad_per_s);
+
 /// Margins of the loop cut at the encoder. They mean something only for a loop that is stable; of one that isn't, only
 /// `stable` is set.
 struct LoopMargins {

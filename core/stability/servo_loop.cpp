@@ -96,7 +96,7 @@ Signal Tick::sensedSpeed(const Signal& current) {
   const Signal expected = T_ * (state(estimatedSpeed) + 0.5 * T_ * acceleration);
   const Signal off = state(angleError) + measured_ - expected;  // of the angle itself
   const Signal error = off + input(angleNoise);
-  const Signal speed = state(estimatedSpeed) + T_ * acceleration + gains.velocity_per_s * error;
+  Signal speed = state(estimatedSpeed) + T_ * acceleration + gains.velocity_per_s * error;
   next(angleError, off - gains.angle * error);
   next(estimatedSpeed, speed);
   next(estimatedAcceleration, acceleration + gains.acceleration_per_s2 * error);

@@ -29,6 +29,8 @@ Result<TuningStudy> studyTuning(const ServoLoop& loop, const Estimate& inertia_k
   ServoLoop positioned = study.loop;
   positioned.mode = ServoMode::position;
   study.position = loopResponse(positioned, frequencies);
+  study.velocityClosed = closedResponse(study.loop, frequencies);
+  study.positionClosed = closedResponse(positioned, frequencies);
   study.cutoffs_rad_per_s = decades(0.1 * cutoff, highest, 60);
   study.noise = noiseOverCutoff(study.loop, options.noise, study.cutoffs_rad_per_s);
   return study;

@@ -12,8 +12,9 @@ struct TuningStudy {
   Tuning tuning;
   ServoLoop loop;  ///< the tuned velocity loop around the nominal motor
   CutoffBounds bounds;
-  RootLocus locus;                        ///< over the cutoff, the gains as tuned
-  LoopResponse velocity, position;        ///< nominal
+  RootLocus locus;                  ///< over the cutoff, the gains as tuned
+  LoopResponse velocity, position;  ///< nominal
+  ClosedResponse velocityClosed, positionClosed;
   std::vector<double> cutoffs_rad_per_s;  ///< of `noise`
   std::vector<LoopNoise> noise;           ///< over the cutoff, the gains as tuned; NaN where unstable
 };

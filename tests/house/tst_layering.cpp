@@ -36,6 +36,7 @@ void TestLayering::plantedBreach_isFound_data() {
   row("core/base/planted.h", "\"motor/bench.h\"", "base stands below motor");
   row("core/recording/planted.cpp", "\"diagnose/simulate/model.h\"", "recording stands below diagnose");
   row("core/observer/planted.h", "\"control/pid.h\"", "observer stands below control");
+  row("core/stability/planted.cpp", "\"experiment/drive.h\"", "stability stands below experiment");
   row("core/diagnose/planted.cpp", "\"report/svg_plot.h\"", "diagnose stands below report");
   row("core/motor/planted.cpp", "<QString>", "core knows no Qt");
   row("core/motor/planted.cpp", "<QtCore/QString>", "core knows no Qt");

@@ -78,7 +78,7 @@ void TestTune::tuning_leavesItsFiles() {
   QCOMPARE(bench->controller.observerCutoff_rad_per_s, cutoffIn(folder, "t"));
   QCOMPARE(bench->controller.currentLimit_A, 4.0);
   QCOMPARE(*bench->motor.inertia, 6e-5);
-  for (const char* name : {"root_locus", "root_locus_s", "loop_gain", "loop_phase", "sensitivity", "noise"})
+  for (const char* name : {"root_locus", "root_locus_s", "loop_gain", "loop_phase", "sensitivity", "load", "noise"})
     QVERIFY2(contentOf(folder, QString("t/figures/%1.svg").arg(name)).startsWith("<svg"), name);
   QCOMPARE(contentOf(folder, "t/root_locus.csv").count('\n'), qsizetype{301});
   QCOMPARE(contentOf(folder, "t/response.csv").count('\n'), qsizetype{401});

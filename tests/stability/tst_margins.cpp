@@ -16,6 +16,7 @@ class TestMargins : public QObject {
  private slots:
   void sensitivity_isWhatASineSweepMeasures_data();
   void sensitivity_isWhatASineSweepMeasures();
+  void slowLoad_isSeenWholeAndHeldAgainst();
   void margins_agreeWithADenseSweep_data();
   void margins_agreeWithADenseSweep();
   void gainMargin_isWhereTheSimulatedLoopBeginsToGrow_data();
@@ -26,6 +27,8 @@ class TestMargins : public QObject {
   void openLoop_hasNothingToLose();
   void noise_isThatOfManyTicks_data();
   void noise_isThatOfManyTicks();
+  void roundedAngle_makesAboutTheNoiseOfWhiteRounding_data();
+  void roundedAngle_makesAboutTheNoiseOfWhiteRounding();
   void higherCutoff_costsMoreNoise();
   void unstableLoop_hasNoNoiseFigure();
 };
@@ -91,6 +94,20 @@ void TestMargins::sensitivity_isWhatASineSweepMeasures() {
         std::abs(measured - expected) < 0.01 * std::abs(expected),
         qPrintable(QString("%1 ticks: %2 expected %3").arg(ticks).arg(std::abs(measured)).arg(std::abs(expected))));
   }
+}
+
+void TestMargins::slowLoad_isSeenWholeAndHeldAgainst() {
+  ServoLoop loop = servoLoop(1.0, 2e-4, 1);
+  loop.motor.viscous_Nm_s_per_rad = 0.0;
+  const auto closed = closedResponse(loop, {0.1, 200.0, 5000.0});
+  QVERIFY(std::abs(closed.following[0] - 1.0) < 0.01);
+  QVERIFY(std::abs(closed.observing[0] - 1.0) < 0.01);
+  QVERIFY(std::abs(closed.observing[1]) > 0.3 && std::abs(closed.observing[1]) < 1.5);
+  QVERIFY(std::abs(closed.observing[2]) < 0.05);
+  // Slow loads meet s/(J·w)·(1/g + L/R + T), as what the current lags behind the estimate; fast ones the bare inertia.
+  const double slow = 0.1 / (6e-5 * 60.0) * (1.0 / 200.0 + 0.0011 / 1.2 + 2e-4);
+  QVERIFY2(std::abs(std::abs(closed.yielding[0]) / slow - 1.0) < 0.02, qPrintable(QString::number(slow)));
+  QVERIFY(std::abs(std::abs(closed.yielding[2]) * 6e-5 * 5000.0 - 1.0) < 0.1);
 }
 
 void TestMargins::margins_agreeWithADenseSweep_data() {
@@ -203,7 +220,7 @@ void TestMargins::noise_isThatOfManyTicks() {
   const unsigned seed = 7;
   qInfo("seed %u", seed);
   Noise noise(seed);
-  double estimate = 0.0, current = 0.0, shown = 0.0, speed = 0.0;
+  double estimate = 0.0, current = 0.0, shown = 0.0, speed = 0.0, voltage = 0.0;
   const int settle = 5000, count = 600000;
   for (int k = 0; k < settle + count; ++k) {
     const double before = simulated.velocity_rad_per_s();
@@ -213,6 +230,7 @@ void TestMargins::noise_isThatOfManyTicks() {
     current += out.current_reference_A * out.current_reference_A;
     shown += out.velocity_rad_per_s * out.velocity_rad_per_s;
     speed += before * before;
+    voltage += out.voltage_V * out.voltage_V;
   }
   const auto near = [count](double squares, double value) {
     return std::abs(std::sqrt(squares / count) / value - 1.0) < 0.03;
@@ -221,6 +239,38 @@ void TestMargins::noise_isThatOfManyTicks() {
   QVERIFY(near(current, expected->currentReference_A));
   QVERIFY(near(shown, expected->velocityEstimate_rad_per_s));
   QVERIFY(near(speed, expected->velocity_rad_per_s));
+  QVERIFY(near(voltage, expected->voltage_V));
+}
+
+void TestMargins::roundedAngle_makesAboutTheNoiseOfWhiteRounding_data() {
+  QTest::addColumn<double>("speed_rad_per_s");
+  QTest::addColumn<double>("most");
+  for (const double speed : {0.3, 3.0, 7.3, 20.0}) QTest::newRow(qPrintable(QString::number(speed))) << speed << 1.2;
+  QTest::newRow("a saw tooth") << 0.01 << 3.5;
+  QTest::newRow("a count per tick") << 2.18 << 3.5;
+}
+
+void TestMargins::roundedAngle_makesAboutTheNoiseOfWhiteRounding() {
+  QFETCH(double, speed_rad_per_s);
+  QFETCH(double, most);
+  const double count = 2.0 * std::numbers::pi / 14400.0;
+  const ServoLoop loop = servoLoop(1.0, 2e-4, 1);
+  const auto expected = loopNoise(loop, {roundingRms_rad(count), 0.0});
+  QVERIFY(expected.ok());
+  SimulatedLoop simulated(loop);
+  simulated.ask(speed_rad_per_s);
+  double sum = 0.0, squares = 0.0;
+  const int settle = 20000, ticks = 200000;
+  for (int k = 0; k < settle + ticks; ++k) {
+    const double angle = simulated.angle_rad();
+    const double estimate =
+        simulated.step(std::floor(angle / count) * count + 0.5 * count - angle).disturbance_estimate_Nm;
+    if (k < settle) continue;
+    sum += estimate;
+    squares += estimate * estimate;
+  }
+  const double rms = std::sqrt(squares / ticks - std::pow(sum / ticks, 2)), ratio = rms / expected->estimate_Nm;
+  QVERIFY2(ratio > 0.5 && ratio < most, qPrintable(QString::number(ratio)));
 }
 
 void TestMargins::higherCutoff_costsMoreNoise() {
