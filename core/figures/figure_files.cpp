@@ -12,7 +12,16 @@ namespace breakaway {
 
 namespace {
 
-constexpr int polar_px = 560;
+constexpr int square_px = 560;
+
+struct Size {
+  int width_px, height_px;
+};
+
+/// Square where both axes are alike.
+Size sizeOf(const Figure& figure) {
+  return figure.polar || figure.equalScale ? Size{square_px, square_px} : Size{860, 380};
+}
 
 std::string shortest(double value) {
   char text[32];
@@ -45,7 +54,8 @@ std::string indexHtml(const std::vector<BenchFigure>& figures) {
   HtmlReport report("Figures of the bench", "measured through the drive port on simulated boards");
   for (const BenchFigure& one : figures) {
     report.heading(one.figure.title);
-    report.figure(one.figure, one.says, one.figure.polar ? polar_px : 860, one.figure.polar ? polar_px : 380);
+    const Size size = sizeOf(one.figure);
+    report.figure(one.figure, one.says, size.width_px, size.height_px);
     std::vector<std::pair<std::string, std::string>> facts;
     for (const auto& [name, value] : one.keyNumbers) facts.emplace_back(name, numberText(value));
     report.facts(facts);
@@ -82,8 +92,8 @@ Result<void> writeFigures(const std::vector<BenchFigure>& figures, const std::st
   if (auto made = makeFolder(folder); !made) return made;
   for (size_t k = 0; k < figures.size(); ++k) {
     const std::string path = folder + "/" + figures[k].name;
-    const bool polar = figures[k].figure.polar;
-    auto drawn = writeSvg(figures[k].figure, path + ".svg", polar ? polar_px : 860, polar ? polar_px : 380);
+    const Size size = sizeOf(figures[k].figure);
+    auto drawn = writeSvg(figures[k].figure, path + ".svg", size.width_px, size.height_px);
     if (!drawn) return drawn;
     if (auto converted = convertToPng(path + ".svg", path + ".png"); !converted) return converted;
     if (auto written = writeFile(path + ".csv", tables[k]); !written) return written;

@@ -30,7 +30,8 @@ struct Pulses {
   double at_A(double time_s) const {
     const auto slot = static_cast<size_t>(std::max(0.0, time_s / width_s));
     if (slot % 2 == 0 || time_s >= duration_s() || (pairs == 0 && slot > 1)) return 0.0;
-    return (slot / 2) % 2 == 0 ? current_A : -current_A;
+    const size_t pulse = (slot / 2) % 4;  // there, back, the other way there, back: the speed goes to both sides
+    return pulse == 0 || pulse == 3 ? current_A : -current_A;
   }
 };
 
@@ -130,8 +131,7 @@ std::string pulseWords(const Pulses& pulses) {
 
 Result<BenchFigure> onePulseFigure(CommissionedBench& bench, const PulseFigureOptions& options) {
   const Pulses pulses = pulsesFor(bench, options, 0);
-  const double part = options.speeds.empty() ? 0.1 : *std::min_element(options.speeds.begin(), options.speeds.end());
-  auto run = pulseRun(bench, pulses, part * highestSpeed(bench.measured));
+  auto run = pulseRun(bench, pulses, options.onePulseSpeed * highestSpeed(bench.measured));
   if (!run) return run.error();
   run->figure.name = "one-pulse";
   run->figure.figure.title = "Response to one torque pulse";

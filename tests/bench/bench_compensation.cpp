@@ -61,7 +61,8 @@ int main(int argc, char** argv) {
   const auto folder = std::filesystem::temp_directory_path() / ("breakaway-compensation-" + std::to_string(first));
   if (!makeFolder(folder.string())) return 1;
   std::printf(
-      "times by which compensation brings the velocity error down: two-way pulses at three speeds, none over F + B*w "
+      "times by which compensation brings the velocity error down: two-way pulses from standstill and at three speeds, "
+      "none over F + B*w "
       "and "
       "over the map; slow motion, average over map, with disturbance feedback and alone\n");
   int failures = 0;
