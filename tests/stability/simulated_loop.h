@@ -33,7 +33,7 @@ class SimulatedLoop {
     waiting_.push_back(out.voltage_V);
     const double voltage = waiting_.front();
     waiting_.pop_front();
-    for (int k = 0; k < 10; ++k) advance(0.1 * loop_.board.tick_s, voltage, load_Nm);
+    for (int k = 0; k < 4; ++k) advance(0.25 * loop_.board.tick_s, voltage, load_Nm);
     return out;
   }
 

@@ -1,7 +1,9 @@
 // Tuning from an uncertain motor: what it promises holds at every corner, and in the controller's own code.
 #include <QTest>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <tuple>
 
 #include "stability/auto_tuning.h"
 #include "stability/simulated_loop.h"
@@ -28,12 +30,19 @@ namespace {
 
 constexpr double inertia_kg_m2 = 6e-5, torqueConstant_Nm_per_A = 0.07;
 
-Result<Tuning> tuned(Stiffness stiffness, double tick_s, double inertiaError = 0.03, double countsPerRev = 14400.0) {
+/// Each computed once, since several tests look at the same one.
+const Result<Tuning>& tuned(Stiffness stiffness, double tick_s, double inertiaError = 0.03,
+                            double countsPerRev = 14400.0) {
+  static std::map<std::tuple<Stiffness, double, double, double>, Result<Tuning>> known;
+  const auto key = std::tuple(stiffness, tick_s, inertiaError, countsPerRev);
+  if (const auto found = known.find(key); found != known.end()) return found->second;
   AutoTuningOptions options;
   options.stiffness = stiffness;
   options.noise = {roundingRms_rad(2.0 * std::numbers::pi / countsPerRev), 0.018};
-  return autoTune(servoLoop(1.0, tick_s, 1), {inertia_kg_m2, inertiaError * inertia_kg_m2},
-                  {torqueConstant_Nm_per_A, 0.0135 * torqueConstant_Nm_per_A}, options);
+  return known
+      .emplace(key, autoTune(servoLoop(1.0, tick_s, 1), {inertia_kg_m2, inertiaError * inertia_kg_m2},
+                             {torqueConstant_Nm_per_A, 0.0135 * torqueConstant_Nm_per_A}, options))
+      .first->second;
 }
 
 ServoLoop withMotor(const Tuning& tuning, double tick_s, double J, double Kt, ServoMode mode) {
@@ -82,7 +91,7 @@ void TestAutoTuning::margins_holdAtEveryCorner_data() {
 void TestAutoTuning::margins_holdAtEveryCorner() {
   QFETCH(int, stiffness);
   QFETCH(double, tick_s);
-  const auto tuning = tuned(static_cast<Stiffness>(stiffness), tick_s);
+  const auto& tuning = tuned(static_cast<Stiffness>(stiffness), tick_s);
   QVERIFY2(tuning.ok(), tuning.ok() ? "" : tuning.error().message().c_str());
   QCOMPARE(tuning->corners.size(), size_t{4});
   double worst = 0.0;
@@ -110,7 +119,7 @@ void TestAutoTuning::worstCorner_holdsInSimulation_data() {
 void TestAutoTuning::worstCorner_holdsInSimulation() {
   QFETCH(int, stiffness);
   QFETCH(double, tick_s);
-  const auto tuning = tuned(static_cast<Stiffness>(stiffness), tick_s);
+  const auto& tuning = tuned(static_cast<Stiffness>(stiffness), tick_s);
   QVERIFY(tuning.ok());
   for (const TuningCorner& corner : tuning->corners) {
     for (const ServoMode mode : {ServoMode::velocity, ServoMode::position}) {
@@ -125,7 +134,7 @@ void TestAutoTuning::worstCorner_holdsInSimulation() {
 }
 
 void TestAutoTuning::insideOfTheCorners_nothingIsWorse() {
-  const auto tuning = tuned(Stiffness::medium, 2e-4, 0.05);
+  const auto& tuning = tuned(Stiffness::medium, 2e-4, 0.05);
   QVERIFY(tuning.ok());
   const unsigned seed = 5;
   qInfo("seed %u", seed);
@@ -144,8 +153,8 @@ void TestAutoTuning::insideOfTheCorners_nothingIsWorse() {
 }
 
 void TestAutoTuning::stiffer_isFasterAndBarer() {
-  const auto soft = tuned(Stiffness::soft, 2e-4), medium = tuned(Stiffness::medium, 2e-4),
-             stiff = tuned(Stiffness::stiff, 2e-4);
+  const auto &soft = tuned(Stiffness::soft, 2e-4), &medium = tuned(Stiffness::medium, 2e-4),
+             &stiff = tuned(Stiffness::stiff, 2e-4);
   QVERIFY(soft && medium && stiff);
   QVERIFY(medium->velocityBandwidth_rad_per_s > 1.2 * soft->velocityBandwidth_rad_per_s);
   QVERIFY(stiff->velocityBandwidth_rad_per_s > 1.2 * medium->velocityBandwidth_rad_per_s);
@@ -157,7 +166,7 @@ void TestAutoTuning::stiffer_isFasterAndBarer() {
 void TestAutoTuning::moreDoubt_makesTheLoopSlower() {
   double last = HUGE_VAL;
   for (const double error : {0.0, 0.02, 0.05, 0.1, 0.2}) {
-    const auto tuning = tuned(Stiffness::medium, 2e-4, error);
+    const auto& tuning = tuned(Stiffness::medium, 2e-4, error);
     QVERIFY(tuning.ok());
     QVERIFY(tuning->velocityBandwidth_rad_per_s < last);
     last = tuning->velocityBandwidth_rad_per_s;
@@ -166,7 +175,7 @@ void TestAutoTuning::moreDoubt_makesTheLoopSlower() {
 }
 
 void TestAutoTuning::coarseEncoder_isHeldByItsNoise() {
-  const auto fine = tuned(Stiffness::medium, 2e-4), coarse = tuned(Stiffness::medium, 2e-4, 0.03, 100.0);
+  const auto &fine = tuned(Stiffness::medium, 2e-4), &coarse = tuned(Stiffness::medium, 2e-4, 0.03, 100.0);
   QVERIFY(fine && coarse);
   QCOMPARE(fine->heldBy, std::string("peak of the sensitivity"));
   QCOMPARE(coarse->heldBy, std::string("noise of the current"));
@@ -176,7 +185,7 @@ void TestAutoTuning::coarseEncoder_isHeldByItsNoise() {
 }
 
 void TestAutoTuning::intervalToZero_isRefused() {
-  const auto refused = tuned(Stiffness::medium, 2e-4, 0.6);
+  const auto& refused = tuned(Stiffness::medium, 2e-4, 0.6);
   QVERIFY(!refused.ok());
   QCOMPARE(refused.error().place, std::string("inertia_kg_m2"));
 }
