@@ -8,6 +8,7 @@
 #include "figures/friction_figures.h"
 #include "figures/motion_figures.h"
 #include "figures/observer_figures.h"
+#include "figures/stability_figures.h"
 
 namespace breakaway {
 
@@ -36,6 +37,7 @@ ObserverFigureOptions observersOf(const CommissionedBench& bench, unsigned seed)
 Result<Figures> ofBench(CommissionedBench& bench, const AllFiguresOptions& options) {
   const std::vector<std::function<Result<Figures>()>> chapters{
       [&] { return alone(constantVelocityFigure(bench.measured)); },
+      [&] { return alone(rootLocusOfBench(bench)); },
       [&] { return alone(onePulseFigure(bench, options.pulses)); },
       [&] { return twoWayPulseFigures(bench, options.pulses); },
       [&] { return alone(positionStepFigure(bench)); },

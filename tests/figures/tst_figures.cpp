@@ -91,7 +91,7 @@ void TestFigures::everyFigure_isThereOnce() {
   }
   QCOMPARE(names.removeDuplicates(), 0);
   for (const char* name :
-       {"constant-velocity", "one-pulse", "two-way-pulses-1", "two-way-pulses-2", "two-way-pulses-3",
+       {"constant-velocity", "root-locus", "one-pulse", "two-way-pulses-1", "two-way-pulses-2", "two-way-pulses-3",
         "two-way-pulses-4", "two-way-pulses-error", "position-step", "velocity-ramp", "static-friction-cw",
         "static-friction-ccw", "viscous-cw", "viscous-ccw", "total-viscous", "overall-friction", "slow-motion"}) {
     QVERIFY2(names.contains(name), name);

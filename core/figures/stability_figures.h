@@ -1,0 +1,15 @@
+// Where the commissioned loop's poles go when the observer's cutoff grows.
+#pragma once
+
+#include "base/result.h"
+#include "figures/bench_figure.h"
+#include "figures/commissioned_bench.h"
+
+namespace breakaway {
+
+/// The root locus over the cutoff of the velocity loop around the motor that was measured, with the gains that
+/// commissioning tuned, in the z plane. Key numbers: the tuned cutoff, from where the loop is less damped than 0.707
+/// and unstable (where it is met), and the rule of thumb α·g·T = 0.3. Errors: those of loopOfBench().
+Result<BenchFigure> rootLocusOfBench(const CommissionedBench& bench);
+
+}  // namespace breakaway
