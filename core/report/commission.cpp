@@ -175,6 +175,8 @@ VelocityFrictionOptions Job::frictionOptions() const {
   VelocityFrictionOptions options;
   options.torqueConstant_Nm_per_A = done_.motor.torqueConstant_Nm_per_A.value;
   options.inertia_kg_m2 = done_.motor.inertia_kg_m2.value;
+  const Estimate& Kt = done_.motor.torqueConstant_Nm_per_A;
+  options.scaleError = Kt.value > 0.0 ? Kt.standardError / Kt.value : 0.0;
   options.noiseRms_A = done_.noiseRms_A;
   options.zeroError_A = zeroError_A_;
   options.bins = options_.bins;
