@@ -1,5 +1,6 @@
 #include "experiment/breakaway_lag.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace breakaway {
@@ -27,6 +28,33 @@ double motionLag_s(const BreakawayLag& motor, double rate_A_per_s, double travel
     (travel(middle) < travel_rad ? low : high) = middle;
   }
   return 0.5 * (low + high);
+}
+
+double likelyMotionLag_s(const BreakawayLag& motor, double rate_A_per_s, double count_rad,
+                         const std::vector<double>& edges_s, double tick_s) {
+  constexpr int places = 20;
+  constexpr double modelDoubt = 0.03;  // of a time: inertia, torque constant, friction's gradient
+  std::vector<double> lags_s, squares;
+  for (int place = 0; place < places; ++place) {
+    const double toEdge = (place + 0.5) / places;
+    const double first_s = motionLag_s(motor, rate_A_per_s, toEdge * count_rad);
+    double sum = 0.0;
+    for (size_t k = 1; k < edges_s.size(); ++k) {
+      const double lag_s = motionLag_s(motor, rate_A_per_s, (toEdge + static_cast<double>(k)) * count_rad);
+      const double off_s = (edges_s[k] - edges_s[0]) - (lag_s - first_s), doubt_s = modelDoubt * lag_s;
+      sum += off_s * off_s / (tick_s * tick_s / 6.0 + doubt_s * doubt_s + 1e-18);
+    }
+    lags_s.push_back(first_s);
+    squares.push_back(sum);
+  }
+  const double least = *std::min_element(squares.begin(), squares.end());
+  double weights = 0.0, sum_s = 0.0;
+  for (size_t k = 0; k < lags_s.size(); ++k) {
+    const double weight = std::exp(-0.5 * (squares[k] - least));
+    weights += weight;
+    sum_s += weight * lags_s[k];
+  }
+  return sum_s / weights;
 }
 
 }  // namespace breakaway

@@ -1,6 +1,8 @@
 // How long a rotor has been moving before its encoder shows it.
 #pragma once
 
+#include <vector>
+
 namespace breakaway {
 
 struct BreakawayLag {
@@ -15,5 +17,12 @@ struct BreakawayLag {
 /// without back-EMF a·t³/6. Friction that falls with speed is left out: it is still flat at such speeds. 0 when the
 /// inertia is unknown.
 double motionLag_s(const BreakawayLag& motor, double rate_A_per_s, double travel_rad);
+
+/// The mean of motionLag_s up to the first count of `count_rad` over all places within a count at which the rotor may
+/// have stood, weighted by how well each explains when the further counts followed: `edges_s` holds the times of the
+/// first, second … count, read every `tick_s`. Where the rotor stands is no matter of chance: a position loop leaves it
+/// just behind the edge at which its error vanished. The place is drawn from a uniform prior; one edge leaves that.
+double likelyMotionLag_s(const BreakawayLag& motor, double rate_A_per_s, double count_rad,
+                         const std::vector<double>& edges_s, double tick_s);
 
 }  // namespace breakaway

@@ -30,7 +30,9 @@ double inTurn(double angle_rad) {
 }  // namespace
 
 BreakawaySweep::BreakawaySweep(BreakawaySweepOptions options, const std::vector<BreakawayEvent>& earlier)
-    : options_(std::move(options)), index_(options_.indexAngle_rad, options_.indexTolerance_rad) {
+    : options_(std::move(options)),
+      zeroing_(options_.zeroing_s),
+      index_(options_.indexAngle_rad, options_.indexTolerance_rad) {
   if (options_.bins < 8 || options_.turns == 0) fail("at least 8 bins and one turn are needed");
   if (!(options_.resistance_ohm > 0.0)) fail("the winding's resistance is not known");
   if (!(options_.torqueConstant_Nm_per_A > 0.0)) fail("the torque constant is not known");
@@ -51,11 +53,11 @@ void BreakawaySweep::keep(const std::vector<BreakawayEvent>& earlier) {
     events_.push_back(event);
   }
   skipDone();
+  if (step_ >= steps()) finish();
 }
 
 void BreakawaySweep::skipDone() {
   while (step_ < steps() && done_[step_]) ++step_;
-  if (step_ >= steps()) finish();
 }
 
 size_t BreakawaySweep::bin() const {
@@ -159,16 +161,17 @@ Command BreakawaySweep::passIndex(const Sample& sample) {
 }
 
 Command BreakawaySweep::zero(const Sample& sample) {
-  const double inStage_s = sample.time_s - stageStart_s_;
-  if (inStage_s > 0.05 + options_.zeroing_s) {
-    zeroed_s_ = sample.time_s;
-    if (const std::string moved = open_A_.moved(options_.mostDrift_A, true); !moved.empty()) fail(moved);
-    approach(sample);
-    return {};
-  }
-  Command command;
-  command.zeroCurrentSensor = inStage_s > 0.05;
+  bool done = false;
+  const Command command = zeroing_.step(sample, stageStart_s_, done);
   if (command.zeroCurrentSensor) open_A_.take(sample);
+  if (!done) return command;
+  zeroed_s_ = sample.time_s;
+  if (const std::string moved = open_A_.moved(options_.mostDrift_A, true); !moved.empty()) fail(moved);
+  if (step_ >= steps()) {
+    finish();
+  } else {
+    approach(sample);
+  }
   return command;
 }
 
@@ -246,19 +249,38 @@ size_t BreakawaySweep::lastStanding(const BreakawayLag& motor) const {
   return last;
 }
 
+/// When the counts after the last standing row followed, halfway between the rows that show them.
+std::vector<double> BreakawaySweep::edgesAfter(size_t standing) const {
+  const double countAngle = turnAngle / options_.countsPerRev;
+  std::vector<double> edges_s;
+  for (size_t k = standing + 1; k < rows_.size() && edges_s.size() < options_.motionCounts; ++k) {
+    const double counts = sign() * (rows_[k].angle_rad - standing_rad_) / countAngle;
+    const double halfway_s = 0.5 * (rows_[k].time_s + rows_[k - 1].time_s);
+    while (static_cast<double>(edges_s.size()) + 0.5 < counts && edges_s.size() < options_.motionCounts)
+      edges_s.push_back(halfway_s);
+  }
+  return edges_s;
+}
+
 void BreakawaySweep::takeEvent(const Sample&) {
   const double countAngle = turnAngle / options_.countsPerRev;
   const BreakawayLag motor{options_.inertia_kg_m2, options_.torqueConstant_Nm_per_A,
                            options_.backEmfConstant_V_s_per_rad, options_.resistance_ohm};
-  const size_t standing = lastStanding(motor);
+  size_t standing = lastStanding(motor);
   const double rate = rateAt(rows_[standing].commanded_A);
-  const double lag_s = motionLag_s(motor, rate, 0.5 * countAngle);
+  const double lag_s = likelyMotionLag_s(motor, rate, countAngle, edgesAfter(standing), tick_s());
+  // The winding's current gives way to the back-EMF as soon as it moves.
+  const size_t moved = standing;
+  while (standing > leastRampRows && rows_[standing - 1].time_s > rows_[moved].time_s - lag_s) --standing;
   BreakawayEvent event;
   event.way = way();
   event.turn = turn();
   event.bin = bin();
+  event.time_s = stageStart_s_ + rows_[moved].time_s - lag_s;
+  event.zero_A = zeroing_.zero_A();
   event.angle_rad = inTurn(standing_rad_ - options_.indexAngle_rad);
-  event.commanded_A = std::max(ramp_.start_A, rows_[standing].commanded_A - rate * lag_s);
+  event.commanded_A = std::max(ramp_.start_A, rows_[moved].commanded_A - rate * lag_s);
+  event.lag_A = rate * lag_s;
   // Sums over the standing part; a learning ramp counts only where it is within a factor of two of its end.
   size_t first = 0;
   while (ramp_.learning && first + leastRampRows < standing && rows_[first].commanded_A < 0.5 * event.commanded_A)
@@ -302,8 +324,7 @@ void BreakawaySweep::advanceStep(const Sample& sample) {
   ++step_;
   attempt_ = 0;
   skipDone();
-  if (state() != State::running) return;
-  if (sample.time_s - zeroed_s_ > options_.zeroEvery_s) {
+  if (step_ >= steps() || sample.time_s - zeroed_s_ > options_.zeroEvery_s) {
     enter(Stage::zero, sample);
   } else {
     approach(sample);

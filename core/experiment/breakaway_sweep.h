@@ -11,6 +11,7 @@
 #include "experiment/index_watch.h"
 #include "experiment/open_current.h"
 #include "experiment/timed_procedure.h"
+#include "experiment/zeroing.h"
 #include "friction/measurements.h"
 #include "motor/winding_line.h"
 
@@ -63,6 +64,8 @@ class BreakawaySweep : public TimedProcedure {
   const BreakawaySweepOptions& options() const { return options_; }
   /// Angles at which the rotor didn't break away.
   size_t missed() const { return missed_; }
+  /// The sensor's zeros on the way: before the first breakaway, every zeroEvery_s, and after the last.
+  const std::vector<ZeroReading>& zeros() const { return zeroing_.readings(); }
 
  protected:
   Command run(const Sample& sample) override;
@@ -102,11 +105,13 @@ class BreakawaySweep : public TimedProcedure {
   bool moves(const Sample& sample) const;
   double rateAt(double commanded_A) const;
   size_t lastStanding(const BreakawayLag& motor) const;
+  std::vector<double> edgesAfter(size_t standing) const;
   void takeEvent(const Sample& sample);
   void advanceStep(const Sample& sample);
   void markOutlier();
 
   BreakawaySweepOptions options_;
+  Zeroing zeroing_;
   Stage stage_ = Stage::zero;
   size_t step_ = 0, missed_ = 0, missedInARow_ = 0;
   int attempt_ = 0;

@@ -20,7 +20,9 @@ constexpr double lostPart = 0.3;
 }  // namespace
 
 VelocitySweep::VelocitySweep(VelocitySweepOptions options, const std::vector<VelocityRun>& earlier)
-    : options_(std::move(options)), index_(options_.indexAngle_rad, options_.indexTolerance_rad) {
+    : options_(std::move(options)),
+      zeroing_(options_.zeroing_s),
+      index_(options_.indexAngle_rad, options_.indexTolerance_rad) {
   if (options_.speeds_rad_per_s.empty() || options_.bins == 0) {
     fail("no speed or no bin is asked for");
     return;
@@ -34,6 +36,7 @@ VelocitySweep::VelocitySweep(VelocitySweepOptions options, const std::vector<Vel
     if (found != earlier.end() && !isDone(targetOf(k))) runs_.push_back(*found);
   }
   skipDone();
+  if (next_ >= 2 * options_.speeds_rad_per_s.size()) finish();
 }
 
 bool VelocitySweep::isDone(double target_rad_per_s) const {
@@ -44,7 +47,6 @@ bool VelocitySweep::isDone(double target_rad_per_s) const {
 
 void VelocitySweep::skipDone() {
   while (next_ < 2 * options_.speeds_rad_per_s.size() && isDone(targetOf(next_))) ++next_;
-  if (next_ >= 2 * options_.speeds_rad_per_s.size()) finish();
 }
 
 double VelocitySweep::targetOf(size_t number) const {
@@ -56,9 +58,9 @@ double VelocitySweep::target() const {
   return targetOf(next_);
 }
 
-double VelocitySweep::wobble() const {
+double VelocitySweep::wobbleAt(double time_s) const {
   if (stage_ != Stage::sum) return 0.0;
-  const double phase = (now_s_ - runStart_s_) / options_.run_s * static_cast<double>(options_.blocks);
+  const double phase = (time_s - runStart_s_) / options_.run_s;
   const double part = phase - std::floor(phase);
   return options_.wobble * (part < 0.25 ? 4.0 * part : part < 0.75 ? 2.0 - 4.0 * part : 4.0 * part - 4.0);
 }
@@ -92,15 +94,16 @@ Command VelocitySweep::run(const Sample& sample) {
 }
 
 Command VelocitySweep::zero(const Sample& sample) {
-  const double inStage_s = sample.time_s - stageStart_s_;
-  if (inStage_s > 0.05 + options_.zeroing_s) {
-    if (const std::string moved = open_A_.moved(options_.mostDrift_A, true); !moved.empty()) fail(moved);
-    enter(Stage::settle, sample);
-    return {};
-  }
-  Command command;
-  command.zeroCurrentSensor = inStage_s > 0.05;
+  bool done = false;
+  const Command command = zeroing_.step(sample, stageStart_s_, done);
   if (command.zeroCurrentSensor) open_A_.take(sample);
+  if (!done) return command;
+  if (const std::string moved = open_A_.moved(options_.mostDrift_A, true); !moved.empty()) fail(moved);
+  if (next_ >= 2 * options_.speeds_rad_per_s.size()) {
+    finish();
+  } else {
+    enter(Stage::settle, sample);
+  }
   return command;
 }
 
@@ -150,43 +153,96 @@ void VelocitySweep::beginRun(const Sample& sample) {
   taken_ = 0;
   angles_rad_.assign(2 * span_ + 1, 0.0);
   currents_A_.assign(2 * span_ + 1, 0.0);
-  open_ = {target(), 0, 0.0, static_cast<double>(span_) * tick_s(), std::vector<AngleBinSums>(options_.bins), {}};
-  open_.blocks.assign(std::max<size_t>(2, options_.blocks), open_.bins);
+  open_ = {};
+  open_.target_rad_per_s = target();
+  open_.zero_A = zeroing_.zero_A();
+  open_.start_rad = sample.angle_rad - options_.indexAngle_rad;
+  turnSpeeds_rad_per_s_.clear();
+  turnEnds_s_ = {sample.time_s};
+  turnAngle_rad_ = sample.angle_rad;
+  turnStart_s_ = sample.time_s;
+  open_.halfSpan_s = static_cast<double>(span_) * tick_s();
+  open_.bins.resize(options_.bins);
+  // Blocks are of whole turns, so that what differs between them is no part of the rotor's own variation.
+  const double expected = std::abs(target()) * options_.run_s / turn / static_cast<double>(options_.blocks);
+  turnsPerBlock_ = static_cast<size_t>(std::max(1.0, std::floor(expected)));
 }
 
 void VelocitySweep::sum(const Sample& sample) {
   const double turns = std::abs(sample.angle_rad - startAngle_rad_) / turn;
   const bool enough =
       sample.time_s - runStart_s_ >= options_.run_s && turns >= static_cast<double>(options_.leastTurns);
-  if (enough && std::floor(turns) > static_cast<double>(open_.turns)) {
+  if (std::floor(turns) > static_cast<double>(open_.turns)) {
     open_.turns = static_cast<size_t>(std::floor(turns));
-    endRun(sample);
-    return;
+    turnSpeeds_rad_per_s_.push_back((sample.angle_rad - turnAngle_rad_) / (sample.time_s - turnStart_s_));
+    turnEnds_s_.push_back(sample.time_s);
+    turnAngle_rad_ = sample.angle_rad;
+    turnStart_s_ = sample.time_s;
+    if (enough) {
+      endRun(sample);
+      return;
+    }
   }
-  open_.turns = static_cast<size_t>(std::floor(turns));
   const size_t size = angles_rad_.size(), newest = taken_ % size;
   angles_rad_[newest] = sample.angle_rad;
   currents_A_[newest] = sample.current_A;
   if (++taken_ < size) return;
   const size_t oldest = (newest + 1) % size, middle = (newest + size - span_) % size;
-  const double velocity = (sample.angle_rad - angles_rad_[oldest]) / (2.0 * open_.halfSpan_s);
+  // Freed of the wobble, which each bin meets at other moments.
+  const double velocity = (sample.angle_rad - angles_rad_[oldest]) / (2.0 * open_.halfSpan_s) -
+                          target() * wobbleAt(sample.time_s - open_.halfSpan_s);
   const double place = (angles_rad_[middle] - options_.indexAngle_rad) / turn;
   const auto bin =
       static_cast<size_t>((place - std::floor(place)) * static_cast<double>(options_.bins)) % options_.bins;
-  const double part = (sample.time_s - runStart_s_) / options_.run_s;
-  const auto block = static_cast<size_t>(std::clamp(part, 0.0, 1.0) * static_cast<double>(open_.blocks.size()));
+  const size_t block = open_.turns / turnsPerBlock_;
+  if (block >= open_.blocks.size()) {
+    open_.blocks.emplace_back();
+    open_.blocks.back().bins.resize(options_.bins);
+  }
   open_.bins[bin].add(currents_A_[middle], velocity);
-  open_.blocks[std::min(block, open_.blocks.size() - 1)][bin].add(currents_A_[middle], velocity);
+  open_.blocks.back().bins[bin].add(currents_A_[middle], velocity);
+}
+
+void VelocitySweep::mergeLastBlock() {
+  const auto rest = std::move(open_.blocks.back());
+  open_.blocks.pop_back();
+  for (size_t k = 0; k < rest.bins.size(); ++k) open_.blocks.back().bins[k].add(rest.bins[k]);
+}
+
+/// Between two turns the speed is the mean of theirs; before the first and after the last it goes on as it did.
+void VelocitySweep::dateBlocks() {
+  const auto& speeds = turnSpeeds_rad_per_s_;
+  const auto between = [&speeds](size_t turn) {
+    if (speeds.size() < 2) return speeds[0];
+    if (turn == 0) return 1.5 * speeds[0] - 0.5 * speeds[1];
+    if (turn >= speeds.size()) return 1.5 * speeds.back() - 0.5 * speeds[speeds.size() - 2];
+    return 0.5 * (speeds[turn - 1] + speeds[turn]);
+  };
+  for (size_t k = 0; k < open_.blocks.size(); ++k) {
+    RunBlock& block = open_.blocks[k];
+    const size_t first = k * turnsPerBlock_, end = k + 1 < open_.blocks.size() ? first + turnsPerBlock_ : open_.turns;
+    block.turns = end - first;
+    block.startSpeed_rad_per_s = between(first);
+    block.endSpeed_rad_per_s = between(end);
+    block.startWobble_rad_per_s = target() * wobbleAt(turnEnds_s_[first]);
+    block.endWobble_rad_per_s = target() * wobbleAt(turnEnds_s_[end]);
+  }
 }
 
 void VelocitySweep::endRun(const Sample& sample) {
   open_.duration_s = sample.time_s - runStart_s_;
+  open_.middle_s = 0.5 * (sample.time_s + runStart_s_);
+  // What is left over after the last whole block goes into it.
+  if (open_.blocks.size() > 2 && open_.turns % turnsPerBlock_ != 0) mergeLastBlock();
+  dateBlocks();
   runs_.push_back(open_);
   skipDone();
+  if (next_ >= 2 * options_.speeds_rad_per_s.size() && options_.zeroing_s <= 0.0) finish();
   enter(options_.zeroing_s > 0.0 ? Stage::zero : Stage::settle, sample);
 }
 
 double VelocitySweep::progress() const {
+  if (next_ >= 2 * options_.speeds_rad_per_s.size()) return 1.0;
   const double part = stage_ == Stage::sum ? std::min(1.0, (now_s_ - runStart_s_) / options_.run_s) : 0.0;
   return (static_cast<double>(next_) + part) / (2.0 * static_cast<double>(options_.speeds_rad_per_s.size()));
 }

@@ -6,6 +6,7 @@
 #include "experiment/index_watch.h"
 #include "experiment/open_current.h"
 #include "experiment/timed_procedure.h"
+#include "experiment/zeroing.h"
 #include "friction/measurements.h"
 
 namespace breakaway {
@@ -17,10 +18,10 @@ struct VelocitySweepOptions {
   double settle_s = 0.6;
   double run_s = 15.0;  ///< at least this long, then on to the end of the turn
   size_t leastTurns = 2;
-  double wobble = 0.015;   ///< slow triangle on the speed, one per block: without it a steady rotor would meet the
+  double wobble = 0.015;   ///< slow triangle on the speed, one per run: without it a steady rotor would meet the
                            ///< encoder's counts and the control tick in step, and their rounding would not average
-  size_t blocks = 8;       ///< stretches of time whose scatter gives the standard errors
-  double zeroing_s = 0.5;  ///< the current sensor is zeroed before each run; 0: never
+  size_t blocks = 8;       ///< stretches of whole turns, at most, whose scatter gives the standard errors
+  double zeroing_s = 0.5;  ///< the current sensor is zeroed before each run and after the last; 0: never
   double current_limit_A = 0.0;     ///< 0: the controller's own
   double indexTolerance_rad = 0.0;  ///< between the index and where homing found it; 0: not watched
   double mostDrift_A = 0.1;         ///< of the current sensor's zero, from one zeroing to the next
@@ -35,6 +36,8 @@ class VelocitySweep : public TimedProcedure {
   explicit VelocitySweep(VelocitySweepOptions options, const std::vector<VelocityRun>& earlier = {});
   /// The runs that are complete.
   const std::vector<VelocityRun>& runs() const { return runs_; }
+  /// The sensor's zeros on the way.
+  const std::vector<ZeroReading>& zeros() const { return zeroing_.readings(); }
 
  protected:
   Command run(const Sample& sample) override;
@@ -48,25 +51,32 @@ class VelocitySweep : public TimedProcedure {
   Command drive() const {
     return {Command::Mode::velocity, target() * (1.0 + wobble()), options_.current_limit_A, false};
   }
-  double wobble() const;
   double targetOf(size_t number) const;
   bool isDone(double target_rad_per_s) const;
   void skipDone();
   Command zero(const Sample& sample);
   void hold(const Sample& sample);
+  double wobble() const { return wobbleAt(now_s_); }
+  double wobbleAt(double time_s) const;
   void enter(Stage stage, const Sample& sample);
   void settle(const Sample& sample);
   void beginRun(const Sample& sample);
   void sum(const Sample& sample);
+  void mergeLastBlock();
+  void dateBlocks();
   void endRun(const Sample& sample);
 
   VelocitySweepOptions options_;
+  Zeroing zeroing_;
   Stage stage_ = Stage::zero;
-  size_t next_ = 0;
+  size_t next_ = 0, turnsPerBlock_ = 1;
   std::vector<VelocityRun> runs_;
   VelocityRun open_;
   double stageStart_s_ = 0.0, now_s_ = 0.0, runStart_s_ = 0.0, startAngle_rad_ = 0.0;
   std::vector<double> angles_rad_, currents_A_;  ///< of the last 2·span_ + 1 samples, in a ring
+  std::vector<double> turnEnds_s_;
+  std::vector<double> turnSpeeds_rad_per_s_;  ///< mean of each turn of the open run
+  double turnAngle_rad_ = 0.0, turnStart_s_ = 0.0;
   size_t span_ = 1, taken_ = 0;
   double mean_rad_per_s_ = 0.0;  ///< smoothed speed
   double nearest_rad_per_s_ = 0.0, nearer_s_ = 0.0,

@@ -33,7 +33,7 @@ Command WindingTest::rest(const Sample& sample) {
     stage_ = Stage::ramp;
     target_V_ = options_.start_V;
   }
-  stageStart_s_ = blockStart_s_ = sample.time_s;
+  stageStart_s_ = blockStart_s_ = still_s_ = sample.time_s;
   standing_rad_ = sample.angle_rad;
   return {};
 }
@@ -55,7 +55,8 @@ void WindingTest::takePoint(const Sample& sample) {
 void WindingTest::endRamp(const Sample& sample) {
   double highest = 0.0;
   for (size_t k = 0; k < blocks_.size(); ++k) {
-    if (blockTimes_s_[k] > sample.time_s - options_.dates_s) continue;
+    // From letting go to the first count takes no longer than from there to where it counts as motion.
+    if (blockTimes_s_[k] > still_s_ - std::max(options_.dates_s, sample.time_s - still_s_)) continue;
     points_.push_back(blocks_[k]);
     highest = std::max(highest, way() * blocks_[k].current_A);
   }
@@ -72,6 +73,7 @@ void WindingTest::endRamp(const Sample& sample) {
 
 Command WindingTest::ramp(const Sample& sample) {
   takePoint(sample);
+  if (sample.angle_rad == standing_rad_) still_s_ = sample.time_s;
   if (std::abs(sample.angle_rad - standing_rad_) > options_.motion_rad) {
     endRamp(sample);
     return {};

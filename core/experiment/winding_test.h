@@ -16,7 +16,7 @@ struct WindingTestOptions {
   size_t ramps = 4;          ///< alternating ways
   double block_s = 0.01;     ///< of the points that are averaged
   double motion_rad = 0.01;  ///< travel that counts as motion
-  double dates_s = 0.03;     ///< standing points this close before motion are left out
+  double dates_s = 0.03;     ///< standing points this close before the first count, at least, are left out
   double square_s = 3.0;     ///< duration of the square wave
   double squareHalfPeriod_s = 0.02;
   double current_limit_A = 0.0;  ///< 0: the controller's own
@@ -65,6 +65,7 @@ class WindingTest : public TimedProcedure {
   double blockVoltage_ = 0.0, blockCurrent_ = 0.0, blockStart_s_ = 0.0;
   size_t blockCount_ = 0;
   OpenCurrent open_A_;
+  double still_s_ = 0.0;                  ///< when it last stood where the ramp found it
   double moved_V_ = 0.0, onset_V_ = 0.0;  ///< least voltage that moved it; voltage at which current first stood out
   std::vector<double> sums_;
   std::vector<size_t> counts_;

@@ -8,12 +8,21 @@
 
 namespace breakaway {
 
+/// One zeroing of the current sensor: the zero counted from the one before a sweep's first, in A.
+struct ZeroReading {
+  double time_s = 0.0;
+  double zero_A = 0.0;
+  size_t samples = 0;
+};
+
 /// One breakaway: a current ramp from standstill until sustained motion, dated back to the last standing sample.
 struct BreakawayEvent {
   double angle_rad = 0.0;  ///< where the rotor really stood, from the index, in [0, 2π)
   Way way = Way::ccw;
   size_t turn = 0;
   size_t bin = 0;
+  double time_s = 0.0;
+  double zero_A = 0.0;  ///< of the sensor, that the currents are counted from
   double current_A =
       0.0;  ///< at the breakaway, positive in the way's direction, the observer's and the motion's lag taken off
   double torque_Nm = 0.0;  ///< torque constant · current
@@ -22,6 +31,7 @@ struct BreakawayEvent {
   /// The ramp in sums over its standing samples, for a calibration over many ramps: what was commanded (as a current by
   /// the winding's line) and what the sensor showed, both positive in the way's direction.
   double commanded_A = 0.0;  ///< at the breakaway, lag taken off
+  double lag_A = 0.0;        ///< by which the ramp grew until the encoder showed motion
   double commandedMean_A = 0.0;
   double measuredMean_A = 0.0;
   double commandedVariance_A2 = 0.0;
@@ -42,6 +52,22 @@ struct AngleBinSums {
     velocity_rad_per_s += rad_per_s;
     velocitySquared += rad_per_s * rad_per_s;
   }
+  void add(const AngleBinSums& other) {
+    samples += other.samples;
+    current_A += other.current_A;
+    currentSquared_A2 += other.currentSquared_A2;
+    velocity_rad_per_s += other.velocity_rad_per_s;
+    velocitySquared += other.velocitySquared;
+  }
+};
+
+/// Some whole turns of a run. The speed at either end is smoothed over the turns next to it: what changes from turn to
+/// turn is no part of the rotor's own ripple.
+struct RunBlock {
+  size_t turns = 0;
+  double startSpeed_rad_per_s = 0.0, endSpeed_rad_per_s = 0.0;
+  double startWobble_rad_per_s = 0.0, endWobble_rad_per_s = 0.0;  ///< of the commanded speed, off the bins' speeds
+  std::vector<AngleBinSums> bins;
 };
 
 /// Whole turns at one commanded speed; signs as the board gives them.
@@ -49,9 +75,12 @@ struct VelocityRun {
   double target_rad_per_s = 0.0;
   size_t turns = 0;
   double duration_s = 0.0;
+  double middle_s = 0.0;    ///< time of the run's middle
+  double zero_A = 0.0;      ///< of the sensor, that the currents are counted from
   double halfSpan_s = 0.0;  ///< speeds are central differences over ± this time
+  double start_rad = 0.0;   ///< angle from the index at which the first turn began, and all others
   std::vector<AngleBinSums> bins;
-  std::vector<std::vector<AngleBinSums>> blocks;  ///< the same by stretches of time, for the scatter between them
+  std::vector<RunBlock> blocks;  ///< the same by stretches of whole turns, for the scatter between them
 
   Way way() const { return target_rad_per_s < 0.0 ? Way::cw : Way::ccw; }
 };

@@ -1,5 +1,6 @@
 #include "identify/map_estimation.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -11,6 +12,9 @@ namespace {
 constexpr double turnAngle = 2.0 * std::numbers::pi;
 constexpr size_t leastEvents = 8;
 constexpr double outlierScatters = 5.0;
+constexpr double lagDoubt = 0.1;     // of the current's growth while the rotor moves unseen
+constexpr size_t highestTrend = 30;  // order of the curve that the breakaways are interpolated around
+constexpr size_t leastPooled = 12;   // bins on either side whose scatter is averaged
 
 double mean(const std::vector<double>& values) {
   double sum = 0.0;
@@ -37,6 +41,24 @@ double pooledSlope(const std::vector<BreakawayEvent>& events, double noiseRms_A)
   // Drawn towards one as far as the noise leaves it open, with a prior of 10 %.
   const double trust = 0.01 / (0.01 + variance);
   return 1.0 + trust * (xy / xx - 1.0);
+}
+
+/// What all breakaways of a way share and turns that repeat don't show: the sensor's zero, what the pooled slope leaves
+/// open, and the doubt about the time the rotor takes to show that it moves.
+double commonError(const std::vector<BreakawayEvent>& events, Way way, const MapOptions& options) {
+  double xx = 0.0, beyond_A = 0.0, lag_A = 0.0, count = 0.0;
+  for (const BreakawayEvent& event : events) {
+    xx += event.commandedVariance_A2 * static_cast<double>(event.samples);
+    if (event.way != way) continue;
+    beyond_A += event.commanded_A - event.commandedMean_A;
+    lag_A += event.lag_A;
+    count += 1.0;
+  }
+  if (count == 0.0) return 0.0;
+  const double slope = xx > 0.0 ? options.noiseRms_A / std::sqrt(xx) * beyond_A / count : 0.0;
+  const double lag = lagDoubt * lag_A / count;
+  return options.torqueConstant_Nm_per_A *
+         std::sqrt(options.zeroError_A * options.zeroError_A + slope * slope + lag * lag);
 }
 
 /// How many neighbours bring the offset's noise down to the aim.
@@ -68,33 +90,75 @@ std::vector<double> interpolated(const std::vector<std::pair<double, double>>& p
   return values;
 }
 
+/// The curve that the breakaways of all turns follow, by harmonics. Straight lines between breakaways would cut off
+/// what fine cogging does between them, so they are drawn between what is left over this curve.
+class Trend {
+ public:
+  explicit Trend(const std::vector<BreakawayEvent>& events, Way way) {
+    std::vector<const BreakawayEvent*> same;
+    for (const BreakawayEvent& event : events) {
+      if (event.way == way) same.push_back(&event);
+    }
+    const auto orders = static_cast<Eigen::Index>(std::min<size_t>(highestTrend, same.size() / 8));
+    const Eigen::Index n = 2 * orders + 1;
+    Eigen::MatrixXd normal = Eigen::MatrixXd::Identity(n, n) * 1e-9;
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
+    for (const BreakawayEvent* event : same) {
+      const Eigen::VectorXd row = rowAt(event->angle_rad, n);
+      normal.selfadjointView<Eigen::Lower>().rankUpdate(row);
+      right += event->torque_Nm * row;
+    }
+    x_ = normal.selfadjointView<Eigen::Lower>().ldlt().solve(right);
+  }
+  double at(double angle_rad) const { return rowAt(angle_rad, x_.size()).dot(x_); }
+
+ private:
+  static Eigen::VectorXd rowAt(double angle_rad, Eigen::Index n) {
+    Eigen::VectorXd row(n);
+    row[0] = 1.0;
+    for (Eigen::Index k = 1; 2 * k < n; ++k) {
+      row[2 * k - 1] = std::cos(static_cast<double>(k) * angle_rad);
+      row[2 * k] = std::sin(static_cast<double>(k) * angle_rad);
+    }
+    return row;
+  }
+  Eigen::VectorXd x_;
+};
+
 std::vector<std::vector<double>> turnsOf(const std::vector<BreakawayEvent>& events, Way way,
                                          const MapOptions& options) {
+  const Trend trend(events, way);
   std::vector<std::vector<double>> turns;
   for (size_t turn = 0; turn < options.turns; ++turn) {
     std::vector<std::pair<double, double>> points;
     for (const BreakawayEvent& event : events) {
-      if (event.way == way && event.turn == turn) points.emplace_back(event.angle_rad, event.torque_Nm);
+      if (event.way == way && event.turn == turn)
+        points.emplace_back(event.angle_rad, event.torque_Nm - trend.at(event.angle_rad));
     }
     if (points.size() < leastEvents) continue;
     std::sort(points.begin(), points.end());
     turns.push_back(interpolated(points, options.bins));
+    for (size_t k = 0; k < options.bins; ++k)
+      turns.back()[k] += trend.at((static_cast<double>(k) + 0.5) * turnAngle / static_cast<double>(options.bins));
   }
   return turns;
 }
 
-/// Pooled scatter of a single turn's value around the mean over turns.
-double scatterOf(const std::vector<std::vector<double>>& turns) {
+/// Scatter of a single turn's value around the mean over turns at bin `middle`, pooled over the bins up to `reach`
+/// away: friction that is stronger scatters more.
+double scatterOf(const std::vector<std::vector<double>>& turns, size_t middle, size_t reach) {
   if (turns.size() < 2) return 0.0;
   double squares = 0.0;
-  for (size_t k = 0; k < turns[0].size(); ++k) {
+  const size_t n = turns[0].size(), count = std::min(n, 2 * reach + 1);
+  for (size_t step = 0; step < count; ++step) {
+    const size_t k = (middle + n - reach % n + step) % n;
     std::vector<double> values;
     values.reserve(turns.size());
     for (const auto& turn : turns) values.push_back(turn[k]);
-    const double middle = mean(values);
-    for (const double value : values) squares += (value - middle) * (value - middle);
+    const double centre = mean(values);
+    for (const double value : values) squares += (value - centre) * (value - centre);
   }
-  return std::sqrt(squares / static_cast<double>(turns[0].size() * (turns.size() - 1)));
+  return std::sqrt(squares / static_cast<double>(count * (turns.size() - 1)));
 }
 
 Repeatability repeatabilityOf(const std::vector<std::vector<double>>& turns) {
@@ -116,15 +180,16 @@ Repeatability repeatabilityOf(const std::vector<std::vector<double>>& turns) {
   return result;
 }
 
-void fillStatic(FrictionMap& map, Way way, const std::vector<BreakawayEvent>& events) {
+void fillStatic(FrictionMap& map, Way way, const std::vector<BreakawayEvent>& events, double commonError_Nm) {
   const auto w = static_cast<size_t>(way);
   const auto& turns = map.turnStatic_Nm[w];
-  const double scatter = scatterOf(turns), error = scatter / std::sqrt(static_cast<double>(turns.size()));
+  const size_t reach = std::max(leastPooled, map.bins.size() / 12);
   for (size_t k = 0; k < map.bins.size(); ++k) {
     std::vector<double> values;
     for (const auto& turn : turns) values.push_back(turn[k]);
     WayBin& bin = map.bins[k].way[w];
-    bin.static_Nm = {mean(values), error};
+    const double scatter = scatterOf(turns, k, reach);
+    bin.static_Nm = {mean(values), std::hypot(scatter / std::sqrt(static_cast<double>(turns.size())), commonError_Nm)};
     for (const double value : values)
       bin.outlier = bin.outlier || std::abs(value - bin.static_Nm.value) > outlierScatters * scatter;
   }
@@ -202,7 +267,7 @@ Result<FrictionMap> estimateMap(const std::vector<BreakawayEvent>& measured,
                    "has fewer than 8 breakaways in each turn"};
     }
     map.repeatability[w] = repeatabilityOf(map.turnStatic_Nm[w]);
-    fillStatic(map, way, events);
+    fillStatic(map, way, events, commonError(measured, way, options));
   }
   if (moving != nullptr) fillMoving(map, *moving);
   return map;

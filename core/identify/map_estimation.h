@@ -18,6 +18,7 @@ struct MapOptions {
   size_t turns = 2;
   double torqueConstant_Nm_per_A = 0.0;
   double noiseRms_A = 0.0;                       ///< of the current sensor, per sample
+  double zeroError_A = 0.0;                      ///< standard error of its zero, common to all breakaways
   double totalVelocity_rad_per_s = 10.47197551;  ///< 100 rpm
   double calibration = 0.005;                    ///< noise aimed at for each breakaway, part of the mean current
 };
@@ -28,10 +29,11 @@ struct MapOptions {
 /// together.
 std::vector<BreakawayEvent> calibrated(std::vector<BreakawayEvent> events, const MapOptions& options);
 
-/// All bins of both ways, filled. Static: per turn interpolated between breakaways at the angles really reached, mean
-/// over turns; the standard error from the scatter between turns, pooled over the bins. With moving friction (indexed
-/// by Way, options.bins long) also Coulomb, viscous and total; else these stay zero. Errors: a way with fewer than 8
-/// breakaways.
+/// All bins of both ways, filled. Static: per turn interpolated between breakaways at the angles really reached, around
+/// the harmonics that all of them follow; mean over turns; the standard error from the scatter between turns, pooled
+/// over the bins around, and from what all turns share: the zero, the calibration, the lag. It holds no error of the
+/// torque constant or the sensor's gain, which scale the whole map. With moving friction (indexed by Way, options.bins
+/// long) also Coulomb, viscous and total; else these stay zero. Errors: a way with fewer than 8 breakaways.
 Result<FrictionMap> estimateMap(const std::vector<BreakawayEvent>& events, const std::array<MovingFriction, 2>* moving,
                                 const MapOptions& options);
 

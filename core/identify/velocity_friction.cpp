@@ -3,9 +3,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <complex>
-#include <limits>
 #include <numbers>
+
+#include "identify/run_spectrum.h"
 
 namespace breakaway {
 
@@ -13,233 +13,218 @@ namespace {
 
 using Complex = std::complex<double>;
 constexpr double turn = 2.0 * std::numbers::pi;
-constexpr double mostPhase =
-    2.0;  // of an order's phase in half the span, beyond which the central difference shows too little of it
-
-/// One run's torque by harmonic order, in the way's direction: τ(θ) = Re Σ τ_k·e^{jkθ}.
-struct Spectrum {
-  double speed_rad_per_s = 0.0;
-  std::vector<Complex> torque_Nm;
-  std::vector<double> variance_Nm2;  ///< of real and imaginary part each; of the mean for order 0
-};
-
-/// Bin means; an empty bin takes the mean of its filled neighbours.
-std::vector<double> filled(const std::vector<AngleBinSums>& bins, double AngleBinSums::*sum) {
-  const size_t n = bins.size();
-  std::vector<double> means(n, 0.0);
-  for (size_t k = 0; k < n; ++k) {
-    size_t reach = 0, count = bins[k].samples;
-    double total = bins[k].*sum;
-    while (count == 0 && ++reach < n) {
-      for (const size_t j : {(k + reach) % n, (k + n - reach % n) % n}) {
-        count += bins[j].samples;
-        total += bins[j].*sum;
-      }
-    }
-    means[k] = count > 0 ? total / static_cast<double>(count) : 0.0;
-  }
-  return means;
-}
-
-Complex harmonic(const std::vector<double>& values, size_t order) {
-  const auto n = static_cast<double>(values.size());
-  Complex sum = 0.0;
-  for (size_t k = 0; k < values.size(); ++k) {
-    sum += values[k] * std::polar(1.0, -static_cast<double>(order) * turn * (static_cast<double>(k) + 0.5) / n);
-  }
-  // A bin's mean is the harmonic times sin(kπ/n)/(kπ/n).
-  const double x = static_cast<double>(order) * std::numbers::pi / n;
-  return sum * ((order == 0 ? 1.0 : 2.0) / n) * (order == 0 ? 1.0 : x / std::sin(x));
-}
-
-/// Variance of single samples around their bin's mean.
-double scatter(const std::vector<AngleBinSums>& bins, double AngleBinSums::*sum, double AngleBinSums::*squares) {
-  double total = 0.0, count = 0.0;
-  for (const AngleBinSums& bin : bins) {
-    if (bin.samples < 2) continue;
-    const auto n = static_cast<double>(bin.samples);
-    total += bin.*squares - bin.*sum * (bin.*sum) / n;
-    count += n - 1.0;
-  }
-  return count > 0.0 ? std::max(0.0, total / count) : 0.0;
-}
-
-size_t samplesOf(const VelocityRun& run) {
-  size_t count = 0;
-  for (const AngleBinSums& bin : run.bins) count += bin.samples;
-  return count;
-}
-
-size_t usableOrder(const VelocityRun& run, size_t highest) {
-  return std::min(highest, run.bins.size() / 6);
-}
-
-/// Torque harmonics of one set of bins: Kt·i_k − J·(½ω²)'_k. A central difference over ± one tick shows sin(x)/x of a
-/// speed ripple of order k, x = kωT; orders with x ≥ 2 are not seen and are left zero.
-std::vector<Complex> torqueHarmonics(const std::vector<AngleBinSums>& bins, double halfSpan_s, double sign,
-                                     size_t highest, const VelocityFrictionOptions& options) {
-  const auto current = filled(bins, &AngleBinSums::current_A);
-  const auto velocity = filled(bins, &AngleBinSums::velocity_rad_per_s);
-  const double speed = std::abs(harmonic(velocity, 0).real());
-  std::vector<double> halfSquare(velocity.size());
-  for (size_t k = 0; k < velocity.size(); ++k) halfSquare[k] = 0.5 * velocity[k] * velocity[k];
-  std::vector<Complex> torque;
-  for (size_t k = 0; k <= highest; ++k) {
-    const double x = static_cast<double>(k) * speed * halfSpan_s;
-    if (x >= mostPhase) {
-      torque.push_back(0.0);
-      continue;
-    }
-    const double shown = x < 1e-6 ? 1.0 : std::sin(x) / x;
-    const Complex acceleration = Complex(0.0, static_cast<double>(k)) * harmonic(halfSquare, k) / shown;
-    torque.push_back(sign *
-                     (options.torqueConstant_Nm_per_A * harmonic(current, k) - options.inertia_kg_m2 * acceleration));
-  }
-  return torque;
-}
-
-/// Variance of the real and the imaginary part of each harmonic, from the scatter between stretches of time.
-std::vector<double> scatterBetween(const std::vector<std::vector<Complex>>& blocks, size_t orders) {
-  std::vector<double> variance(orders, 0.0);
-  const auto n = static_cast<double>(blocks.size());
-  if (blocks.size() < 2) return variance;
-  for (size_t k = 0; k < orders; ++k) {
-    Complex mean = 0.0;
-    for (const auto& block : blocks) mean += block[k] / n;
-    for (const auto& block : blocks) variance[k] += std::norm(block[k] - mean) / (n * (n - 1.0)) * (k == 0 ? 1.0 : 0.5);
-  }
-  return variance;
-}
-
-Spectrum spectrumOf(const VelocityRun& run, const VelocityFrictionOptions& options) {
-  const double sign = run.way() == Way::ccw ? 1.0 : -1.0;
-  const double Kt = options.torqueConstant_Nm_per_A, J = options.inertia_kg_m2, zero = Kt * options.zeroError_A;
-  const auto samples = static_cast<double>(std::max<size_t>(1, samplesOf(run)));
-  const double currentVariance =
-      scatter(run.bins, &AngleBinSums::current_A, &AngleBinSums::currentSquared_A2) / samples;
-  const double velocityVariance =
-      scatter(run.bins, &AngleBinSums::velocity_rad_per_s, &AngleBinSums::velocitySquared) / samples;
-  const size_t highest = usableOrder(run, options.highestOrder);
-  Spectrum spectrum;
-  spectrum.speed_rad_per_s = sign * harmonic(filled(run.bins, &AngleBinSums::velocity_rad_per_s), 0).real();
-  spectrum.torque_Nm = torqueHarmonics(run.bins, run.halfSpan_s, sign, highest, options);
-  std::vector<std::vector<Complex>> blocks;
-  for (const auto& block : run.blocks) blocks.push_back(torqueHarmonics(block, run.halfSpan_s, sign, highest, options));
-  const auto between = scatterBetween(blocks, highest + 1);
-  for (size_t k = 0; k <= highest; ++k) {
-    // At least what white noise of the samples leaves; the scatter between blocks sees slow fluctuations, too.
-    const double phase = static_cast<double>(k) * spectrum.speed_rad_per_s * run.halfSpan_s;
-    const double shown = phase < 1e-6 ? 1.0 : std::sin(phase) / phase;
-    const double inertial = J * static_cast<double>(k) * spectrum.speed_rad_per_s / shown;
-    const double white = Kt * Kt * currentVariance + inertial * inertial * velocityVariance;
-    const bool seen = phase < mostPhase;
-    const double variance = k == 0 ? std::max(white, between[0]) + zero * zero : std::max(2.0 * white, between[k]);
-    spectrum.variance_Nm2.push_back(seen ? variance + 1e-24 : std::numeric_limits<double>::infinity());
-  }
-  return spectrum;
-}
+constexpr double fallDoubt = 0.3;       // of friction's fall with speed: its shape is not known
+constexpr double leastFall = 0.02;      // part of the fall above which a run counts as slow
+constexpr double surelyFalling = 12.0;  // gain in χ² by which the fall must show
+constexpr double leftOutErrors = 3.0;   // standard errors off the line through the faster runs
+constexpr size_t alwaysDoubted = 4;     // orders up to this may hide in the noise
 
 struct Line {
   Complex coulomb = 0.0, viscous = 0.0;
   double coulombVariance = 0.0, viscousVariance = 0.0, covariance = 0.0;
-  double excess = 0.0;  ///< of the slowest speed over the line through the others, in standard errors
+  double squares = 0.0;  ///< of the residuals, each over its variance
 };
 
-Line fitLine(const std::vector<Spectrum>& spectra, size_t order, bool withSlope) {
+/// What a way's runs are fitted with.
+struct WayRuns {
+  std::vector<RunSpectrum> spectra;  ///< by growing speed
+  std::vector<double> fall;          ///< per run, exp(−(ω/ω_s)²); zero where friction doesn't fall any more
+  std::vector<Complex> static_Nm;    ///< harmonics of the breakaway map; empty: not known
+  std::vector<double> widened_Nm2;   ///< per run, on top of order 0's variance
+};
+
+/// C + B·|ω| for one order. Where friction still falls, S·g is taken off and the row is (1 − g, ω); the fall's doubt
+/// then counts as noise, measured by the Coulomb value `guess`.
+Line fitLine(const WayRuns& runs, size_t order, bool withSlope, Complex guess) {
   Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
   Eigen::Matrix<Complex, 2, 1> right = Eigen::Matrix<Complex, 2, 1>::Zero();
-  for (const Spectrum& one : spectra) {
-    if (order >= one.torque_Nm.size() || std::isinf(one.variance_Nm2[order])) continue;
-    const double weight = 1.0 / one.variance_Nm2[order];
-    const Eigen::Vector2d row(1.0, withSlope ? one.speed_rad_per_s : 0.0);
+  const Complex still = order < runs.static_Nm.size() ? runs.static_Nm[order] : Complex(0.0);
+  const auto eachRun = [&](auto use) {
+    for (size_t j = 0; j < runs.spectra.size(); ++j) {
+      const RunSpectrum& one = runs.spectra[j];
+      if (order >= one.torque_Nm.size() || std::isinf(one.variance_Nm2[order])) continue;
+      const double g = runs.fall[j], doubt = fallDoubt * g * std::abs(still - guess);
+      const double variance = one.variance_Nm2[order] + (order == 0 ? runs.widened_Nm2[j] : 0.0) + doubt * doubt;
+      use(Eigen::Vector2d(1.0 - g, withSlope ? one.speed_rad_per_s : 0.0), one.torque_Nm[order] - g * still,
+          1.0 / variance);
+    }
+  };
+  eachRun([&](const Eigen::Vector2d& row, Complex torque, double weight) {
     normal += weight * row * row.transpose();
-    right += (weight * one.torque_Nm[order]) * row.cast<Complex>();
-  }
+    right += (weight * torque) * row.cast<Complex>();
+  });
   Line line;
   if (normal(0, 0) == 0.0) return line;
   const bool slope = withSlope && normal.determinant() > 1e-12 * normal(0, 0) * normal(1, 1);
-  if (!slope) {
-    line.coulomb = right[0] / normal(0, 0);
-    line.coulombVariance = 1.0 / normal(0, 0);
-    return line;
-  }
-  const Eigen::Matrix2d covariance = normal.inverse();
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
+  covariance(0, 0) = 1.0 / normal(0, 0);
+  if (slope) covariance = normal.inverse();
   line.coulomb = covariance(0, 0) * right[0] + covariance(0, 1) * right[1];
   line.viscous = covariance(1, 0) * right[0] + covariance(1, 1) * right[1];
   line.coulombVariance = covariance(0, 0);
   line.viscousVariance = covariance(1, 1);
   line.covariance = covariance(0, 1);
+  eachRun([&](const Eigen::Vector2d& row, Complex torque, double weight) {
+    line.squares += weight * std::norm(torque - line.coulomb * row[0] - line.viscous * row[1]);
+  });
   return line;
 }
 
-/// The mean's own scatter is larger than the noise of its samples: what is left of the sensor's zero differs from run
-/// to run. The residual over the speeds says by how much.
-void widen(std::vector<Spectrum>& spectra) {
-  const Line line = fitLine(spectra, 0, true);
-  double squares = 0.0;
-  for (const Spectrum& one : spectra)
-    squares += std::norm(one.torque_Nm[0] - line.coulomb - line.viscous * one.speed_rad_per_s);
-  const double extra = spectra.size() > 2 ? squares / static_cast<double>(spectra.size() - 2) : 0.0;
-  for (Spectrum& one : spectra) one.variance_Nm2[0] += extra;
+/// With the fall's doubt measured by the fit's own Coulomb value.
+Line fitOrder(const WayRuns& runs, size_t order, bool withSlope) {
+  const Line first = fitLine(runs, order, withSlope, 0.0);
+  return fitLine(runs, order, withSlope, first.coulomb);
 }
 
-/// Leaves out the slowest speeds while they lie off the line through the faster ones by more than 1.5 % and four
-/// standard errors.
-size_t leaveOutStribeck(std::vector<Spectrum>& spectra) {
+void setFall(WayRuns& runs, double speed_rad_per_s) {
+  for (size_t j = 0; j < runs.spectra.size(); ++j) {
+    const double x = runs.spectra[j].speed_rad_per_s / speed_rad_per_s;
+    runs.fall[j] = speed_rad_per_s > 0.0 ? std::exp(-x * x) : 0.0;
+  }
+}
+
+/// The speed over which friction falls, the same both ways, by the means of all runs; 0 when they show no fall.
+double findFall(std::array<WayRuns, 2> ways) {
+  const auto squaresAt = [&ways](double speed) {
+    double squares = 0.0;
+    for (WayRuns& runs : ways) {
+      setFall(runs, speed);
+      squares += fitLine(runs, 0, true, runs.static_Nm.empty() ? 0.0 : runs.static_Nm[0]).squares;
+    }
+    return squares;
+  };
+  const double slowest = ways[0].spectra.front().speed_rad_per_s, fastest = ways[0].spectra.back().speed_rad_per_s;
+  const double without = squaresAt(0.0);
+  double best = 0.0, bestSquares = without - surelyFalling;
+  for (double speed = 0.35 * slowest; speed < 0.4 * fastest; speed *= 1.02) {
+    const double squares = squaresAt(speed);
+    if (squares < bestSquares) bestSquares = squares, best = speed;
+  }
+  return best;
+}
+
+/// Runs differ by more than their own scatter says; the residuals over the speeds say by how much.
+void widen(WayRuns& runs) {
+  const auto spare = static_cast<double>(runs.spectra.size()) - 2.0;
+  if (spare <= 0.0) return;
+  double low = 0.0, high = 0.0;
+  const auto squaresWith = [&runs](double extra) {
+    runs.widened_Nm2.assign(runs.spectra.size(), extra);
+    return fitOrder(runs, 0, true).squares;
+  };
+  if (squaresWith(0.0) <= spare) return;
+  high = std::norm(0.1 * runs.spectra.back().torque_Nm[0]);
+  for (int k = 0; k < 50; ++k) {
+    const double middle = 0.5 * (low + high);
+    (squaresWith(middle) > spare ? low : high) = middle;
+  }
+  squaresWith(high);
+}
+
+/// Leaves out the slowest speeds while they lie off the line through the faster ones.
+size_t leaveOutStribeck(WayRuns& runs) {
   size_t leftOut = 0;
-  while (spectra.size() > 3) {
-    const std::vector<Spectrum> faster(spectra.begin() + 1, spectra.end());
-    const Line line = fitLine(faster, 0, true);
-    const Spectrum& slow = spectra.front();
+  while (runs.spectra.size() > 3) {
+    WayRuns faster = runs;
+    faster.spectra.erase(faster.spectra.begin());
+    faster.fall.erase(faster.fall.begin());
+    faster.widened_Nm2.erase(faster.widened_Nm2.begin());
+    WayRuns widened = faster;
+    widen(widened);
+    const Line line = fitOrder(widened, 0, true);
+    const RunSpectrum& slow = runs.spectra.front();
     const double w = slow.speed_rad_per_s;
     const double off = std::abs(slow.torque_Nm[0] - line.coulomb - line.viscous * w);
     const double error = std::sqrt(slow.variance_Nm2[0] + line.coulombVariance + w * w * line.viscousVariance +
                                    2.0 * w * line.covariance);
-    if (off < 0.015 * std::abs(line.coulomb) || off < 4.0 * error) break;
-    spectra.erase(spectra.begin());
+    if (off < leftOutErrors * error || off < 0.003 * std::abs(line.coulomb)) break;
+    runs = faster;
     ++leftOut;
   }
   return leftOut;
 }
 
-void addHarmonic(std::vector<Estimate>& bins, size_t order, Complex value, double variance) {
+void addHarmonic(std::vector<Estimate>& bins, size_t order, Complex value) {
   const auto n = static_cast<double>(bins.size());
   for (size_t k = 0; k < bins.size(); ++k) {
     const double angle = turn * (static_cast<double>(k) + 0.5) / n * static_cast<double>(order);
     bins[k].value += (value * std::polar(1.0, angle)).real();
-    bins[k].standardError = std::hypot(bins[k].standardError, std::sqrt(variance));
   }
 }
 
-MovingFriction fitWay(std::vector<Spectrum> spectra, const VelocityFrictionOptions& options) {
-  std::sort(spectra.begin(), spectra.end(),
-            [](const auto& a, const auto& b) { return a.speed_rad_per_s < b.speed_rad_per_s; });
+/// A curve put together from its harmonics, with the doubt that is the same in all bins.
+class Curve {
+ public:
+  Curve(std::vector<Estimate>& bins, double significance) : bins_(bins), significance_(significance) {}
+
+  bool standsOut(Complex value, double variance) const { return partOf(value, variance) > 0.0; }
+  /// What a harmonic of that variance is worth: nothing within the noise, all of it far above.
+  double partOf(Complex value, double variance) const {
+    const double ratio = significance_ * significance_ * variance / std::max(1e-300, std::norm(value));
+    return std::max(0.0, 1.0 - ratio * ratio);
+  }
+  void keep(size_t order, Complex value, double variance) {
+    const double part = order == 0 ? 1.0 : partOf(value, variance);
+    addHarmonic(bins_, order, part * value);
+    variance_ += variance + 0.5 * std::norm((1.0 - part) * value);
+    highest_ = std::max(highest_, order);
+  }
+  /// Left out as no more than noise; it may be there all the same.
+  void leaveOut(size_t order, Complex value) { left_.emplace_back(order, 0.5 * std::norm(value)); }
+  void finish() {
+    for (const auto& [order, square] : left_) {
+      if (order <= std::max(highest_, alwaysDoubted)) variance_ += square;
+    }
+    for (Estimate& bin : bins_) bin.standardError = std::sqrt(variance_);
+  }
+
+ private:
+  std::vector<Estimate>& bins_;
+  double significance_, variance_ = 0.0;
+  size_t highest_ = 0;
+  std::vector<std::pair<size_t, double>> left_;
+};
+
+MovingFriction fitWay(WayRuns runs, const VelocityFrictionOptions& options) {
   MovingFriction friction;
   friction.coulomb_Nm.resize(options.bins);
   friction.viscous_Nm_s_per_rad.resize(options.bins);
-  const std::vector<Spectrum> all = spectra;
-  friction.leftOut = leaveOutStribeck(spectra);
-  widen(spectra);
-  const double mean_Nm = std::abs(fitLine(spectra, 0, true).coulomb);
-  const auto standsOut = [&options](Complex value, double variance) {
-    return std::norm(value) > options.significance * options.significance * variance;
-  };
-  for (size_t k = 0; k <= options.highestOrder; ++k) {
-    Line line = fitLine(spectra, k, k <= options.highestViscousOrder);
-    if (k > 0 && !standsOut(line.viscous, line.viscousVariance)) line = fitLine(spectra, k, false);
-    const double mostVariance = options.mostError * options.mostError * mean_Nm * mean_Nm;
-    // What fast runs blur the slowest may still show: position torque is the same at any speed.
-    if (k > 0 && line.coulombVariance > mostVariance && friction.leftOut > 0) line = fitLine(all, k, false);
-    const bool blurred = line.coulombVariance > mostVariance;
-    if (k > 0 && (blurred || !standsOut(line.coulomb, line.coulombVariance))) line.coulomb = 0.0;
-    if (k == 0) {
-      friction.coulombMean_Nm = {line.coulomb.real(), std::sqrt(line.coulombVariance)};
-      friction.viscousMean_Nm_s_per_rad = {line.viscous.real(), std::sqrt(line.viscousVariance)};
+  const WayRuns all = runs;
+  const auto slow = std::count_if(runs.fall.begin(), runs.fall.end(), [](double g) { return g > leastFall; });
+  friction.leftOut = runs.static_Nm.empty() ? leaveOutStribeck(runs) : static_cast<size_t>(slow);
+  widen(runs);
+  const Line mean = fitOrder(runs, 0, true);
+  const double zero_Nm = options.torqueConstant_Nm_per_A * options.zeroError_A;
+  friction.coulombMean_Nm = {mean.coulomb.real(), std::hypot(std::sqrt(mean.coulombVariance), zero_Nm,
+                                                             options.scaleError * mean.coulomb.real())};
+  friction.viscousMean_Nm_s_per_rad = {
+      mean.viscous.real(), std::hypot(std::sqrt(mean.viscousVariance), options.scaleError * mean.viscous.real())};
+  Curve coulomb(friction.coulomb_Nm, options.significance),
+      viscous(friction.viscous_Nm_s_per_rad, options.significance);
+  coulomb.keep(0, mean.coulomb, std::pow(friction.coulombMean_Nm.standardError, 2));
+  viscous.keep(0, mean.viscous, std::pow(friction.viscousMean_Nm_s_per_rad.standardError, 2));
+  const double mostViscousVariance = std::pow(options.mostViscousError * mean.viscous.real(), 2);
+  const double mostVariance = options.mostError * options.mostError * std::norm(mean.coulomb);
+  for (size_t k = 1; k <= options.highestOrder; ++k) {
+    Line line = fitOrder(runs, k, k <= options.highestViscousOrder);
+    const bool sloped = line.viscousVariance > 0.0 && line.viscousVariance < mostViscousVariance;
+    if (sloped && viscous.standsOut(line.viscous, line.viscousVariance)) {
+      viscous.keep(k, line.viscous, line.viscousVariance);
+    } else {
+      if (sloped) viscous.leaveOut(k, line.viscous);
+      line = fitOrder(runs, k, false);
     }
-    if (k == 0 || line.coulomb != 0.0) addHarmonic(friction.coulomb_Nm, k, line.coulomb, line.coulombVariance);
-    if (k == 0 || line.viscous != 0.0)
-      addHarmonic(friction.viscous_Nm_s_per_rad, k, line.viscous, line.viscousVariance);
+    // What fast runs blur the slowest may still show: position torque is the same at any speed.
+    if (line.coulombVariance > mostVariance && friction.leftOut > 0) line = fitOrder(all, k, false);
+    if (line.coulombVariance > mostVariance || line.coulombVariance == 0.0) continue;
+    if (coulomb.standsOut(line.coulomb, line.coulombVariance)) {
+      coulomb.keep(k, line.coulomb, line.coulombVariance);
+    } else {
+      coulomb.leaveOut(k, line.coulomb);
+    }
   }
+  coulomb.finish();
+  viscous.finish();
   return friction;
 }
 
@@ -247,24 +232,38 @@ MovingFriction fitWay(std::vector<Spectrum> spectra, const VelocityFrictionOptio
 
 Estimate meanCurrent_A(const VelocityRun& run) {
   const double sign = run.way() == Way::ccw ? 1.0 : -1.0;
-  const double variance = scatter(run.bins, &AngleBinSums::current_A, &AngleBinSums::currentSquared_A2);
-  return {sign * harmonic(filled(run.bins, &AngleBinSums::current_A), 0).real(),
-          std::sqrt(variance / static_cast<double>(std::max<size_t>(1, samplesOf(run))))};
+  double squares = 0.0, mean = 0.0;
+  for (const RunBlock& block : run.blocks) mean += meanAround(block.bins, &AngleBinSums::current_A);
+  const auto n = static_cast<double>(run.blocks.size());
+  for (const RunBlock& block : run.blocks)
+    squares += std::pow(meanAround(block.bins, &AngleBinSums::current_A) - mean / n, 2);
+  return {sign * meanAround(run.bins, &AngleBinSums::current_A),
+          run.blocks.size() > 1 ? std::sqrt(squares / (n * (n - 1.0))) : 0.0};
 }
 
 Result<std::array<MovingFriction, 2>> fitMovingFriction(const std::vector<VelocityRun>& runs,
                                                         const VelocityFrictionOptions& options) {
-  std::array<std::vector<Spectrum>, 2> spectra;
-  for (const VelocityRun& run : runs) spectra[static_cast<size_t>(run.way())].push_back(spectrumOf(run, options));
-  std::array<MovingFriction, 2> result;
-  for (size_t way = 0; way < 2; ++way) {
-    if (spectra[way].size() < 2) {
-      return Error{std::string("velocity sweep, ") + (way == 0 ? "cw" : "ccw"),
-                   "has " + std::to_string(spectra[way].size()) + " speeds, expected at least two"};
+  std::array<WayRuns, 2> ways;
+  for (const VelocityRun& run : runs) ways[static_cast<size_t>(run.way())].spectra.push_back(spectrumOf(run, options));
+  for (size_t w = 0; w < 2; ++w) {
+    WayRuns& way = ways[w];
+    if (way.spectra.size() < 2) {
+      return Error{std::string("velocity sweep, ") + (w == 0 ? "cw" : "ccw"),
+                   "has " + std::to_string(way.spectra.size()) + " speeds, expected at least two"};
     }
-    result[way] = fitWay(std::move(spectra[way]), options);
+    std::sort(way.spectra.begin(), way.spectra.end(),
+              [](const auto& a, const auto& b) { return a.speed_rad_per_s < b.speed_rad_per_s; });
+    way.fall.assign(way.spectra.size(), 0.0);
+    way.widened_Nm2 = way.fall;
+    const auto& still = options.static_Nm[w];
+    for (size_t k = 0; !still.empty() && k <= std::min(options.highestOrder, still.size() / 3); ++k)
+      way.static_Nm.push_back(harmonicOf(still, k));
   }
-  return result;
+  if (!ways[0].static_Nm.empty() && !ways[1].static_Nm.empty()) {
+    const double speed = findFall(ways);
+    for (WayRuns& way : ways) setFall(way, speed);
+  }
+  return std::array<MovingFriction, 2>{fitWay(std::move(ways[0]), options), fitWay(std::move(ways[1]), options)};
 }
 
 std::vector<double> movingCurrent_A(const std::vector<VelocityRun>& runs, Way way,
@@ -275,14 +274,14 @@ std::vector<double> movingCurrent_A(const std::vector<VelocityRun>& runs, Way wa
     if (slowest == nullptr || std::abs(run.target_rad_per_s) < std::abs(slowest->target_rad_per_s)) slowest = &run;
   }
   if (slowest == nullptr) return {};
-  const Spectrum spectrum = spectrumOf(*slowest, options);
+  const RunSpectrum spectrum = spectrumOf(*slowest, options);
   std::vector<Estimate> bins(slowest->bins.size());
   for (size_t k = 0; k < spectrum.torque_Nm.size(); ++k) {
     const double variance = spectrum.variance_Nm2[k];
     const bool blurred = variance > options.mostError * options.mostError * std::norm(spectrum.torque_Nm[0]);
     if (k > 0 && (blurred || std::norm(spectrum.torque_Nm[k]) < options.significance * options.significance * variance))
       continue;
-    addHarmonic(bins, k, spectrum.torque_Nm[k], variance);
+    addHarmonic(bins, k, spectrum.torque_Nm[k]);
   }
   std::vector<double> current;
   current.reserve(bins.size());

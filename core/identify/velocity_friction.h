@@ -12,13 +12,21 @@ namespace breakaway {
 
 struct VelocityFrictionOptions {
   double torqueConstant_Nm_per_A = 0.0;
+  double scaleError = 0.0;  ///< relative standard error of the torque constant, common to all torques
   double inertia_kg_m2 = 0.0;
-  double zeroError_A = 0.0;  ///< standard error of the current sensor's zero, another one in each run
+  double noiseRms_A = 0.0;   ///< of one sample of the current
+  double zeroError_A = 0.0;  ///< standard error of the current sensor's zero over the sweep, common to its runs
   size_t bins = 180;         ///< of the result
   size_t highestOrder = 40;  ///< harmonics of Coulomb friction that are looked at
   size_t highestViscousOrder = 12;
-  double mostError = 0.04;  ///< standard error of a harmonic, part of the mean torque, above which it is not looked at
-  double significance = 3.5;  ///< standard errors by which a harmonic must stand out to be kept
+  double mostError = 0.02;  ///< standard error of a harmonic, part of the mean torque, above which it is not looked at
+  double mostViscousError = 0.1;  ///< likewise of viscous friction, part of its mean
+  double significance = 2.5;  ///< standard errors s by which a harmonic must stand out; of one that does by z, the part
+                              ///< 1 − (s/z)⁴ is taken
+  /// The breakaway map where it is known: whole torque that starts motion per equal bin from the index, by Way. It
+  /// tells how far friction can fall with speed, so that slow runs can be freed of it; empty: runs that show it are
+  /// left out.
+  std::array<std::vector<double>, 2> static_Nm;
 };
 
 /// One way around the rotor: whole motor torque at zero speed and its slope, positive in the way's direction, per bin.
@@ -27,13 +35,15 @@ struct MovingFriction {
   std::vector<Estimate> viscous_Nm_s_per_rad;
   Estimate coulombMean_Nm;
   Estimate viscousMean_Nm_s_per_rad;
-  size_t leftOut = 0;  ///< slowest speeds left out because they lie off the line: still in the Stribeck range
+  size_t leftOut = 0;  ///< slowest speeds at which friction still falls with speed: left out, or freed of it
 };
 
 /// Per run, current and speed are averaged over angle bins and taken to harmonics of the angle. The motor torque less
 /// what accelerates, Kt·i_k − J·(½ω²)'_k, is fitted over the speeds by C_k + B_k·|ω| for each order k, weighted by its
-/// own noise, so that fast runs count where the inertia doesn't drown them. Harmonics within the noise are left out.
-/// `way`: indexed by Way. Errors: a way with fewer than two speeds.
+/// own noise, so that fast runs count where the inertia doesn't drown them. With the breakaway map S, slow runs are
+/// fitted as C_k + (S_k − C_k)·exp(−(ω/ω_s)²) + B_k·|ω| with one ω_s for both ways (Armstrong-Hélouvry, "Control of
+/// Machines with Friction", 1991), a third of that fall being its doubt. Harmonics within the noise are left out; the
+/// standard errors hold what that may cost. `way`: indexed by Way. Errors: a way with fewer than two speeds.
 Result<std::array<MovingFriction, 2>> fitMovingFriction(const std::vector<VelocityRun>& runs,
                                                         const VelocityFrictionOptions& options);
 

@@ -13,6 +13,7 @@ namespace {
 constexpr double turn = 2.0 * std::numbers::pi;
 constexpr int cellsPerOrder = 256;  // linear interpolation errs by 8e-5 of a harmonic's amplitude
 constexpr double heatStep_s = 0.01;
+constexpr double sameStand_rad = 1e-4;
 
 double signOf(int way) {
   return way == 0 ? -1.0 : 1.0;
@@ -134,7 +135,10 @@ void Plant::comeToRest() {
   velocity_ = 0.0;
   acceleration_ = 0.0;
   moving_ = false;
+  // Asperities that have hardly moved hold as before: a slip that short is the same standstill.
+  if (std::abs(angle_rad_ - restAngle_rad_) < sameStand_rad) return;
   restStart_s_ = time_s_;
+  restAngle_rad_ = angle_rad_;
   for (double& factor : scatter_) factor = std::max(0.0, 1.0 + scatterRms_ * noise_.normal());
 }
 

@@ -74,6 +74,7 @@ class Plant {
   double resistancePart_ = 1.0;
   int way_ = 1;                     ///< of the motion: 0 cw, 1 ccw
   double scatter_[2] = {1.0, 1.0};  ///< of this standstill, or of the breakaway that began this motion
+  double restAngle_rad_ = 1e300;    ///< where the scatter of this standstill was drawn
   double restStart_s_ = -1e9, heatDone_s_ = 0.0;
 };
 

@@ -12,6 +12,7 @@
 #include "experiment/spin_test.h"
 #include "experiment/winding_test.h"
 #include "identify/map_estimation.h"
+#include "identify/zero_track.h"
 #include "report/commission_steps.h"
 
 namespace breakaway {
@@ -41,6 +42,7 @@ class Job {
   Result<void> home();
   Result<void> sweepVelocity();
   Result<void> sweepBreakaway();
+  Result<void> refitMoving(const std::vector<BreakawayEvent>& events, const MapOptions& options);
   void fillBench();
   VelocityFrictionOptions frictionOptions() const;
   double zeroing_s() const;
@@ -51,6 +53,7 @@ class Job {
   std::array<double, 2> expected_A_{0.0, 0.0};
   CommissionProgress kept_;
   CommissionSteps steps_;
+  double zeroError_A_ = 0.0;  ///< over the velocity sweep
 };
 
 std::optional<double> Job::trustedTorqueConstant() const {
@@ -185,7 +188,10 @@ VelocityFrictionOptions Job::frictionOptions() const {
   VelocityFrictionOptions options;
   options.torqueConstant_Nm_per_A = done_.motor.torqueConstant_Nm_per_A.value;
   options.inertia_kg_m2 = done_.motor.inertia_kg_m2.value;
-  options.zeroError_A = done_.noiseRms_A / std::sqrt(zeroing_s() * done_.identity.loopRate_Hz);
+  const Estimate& Kt = done_.motor.torqueConstant_Nm_per_A;
+  options.scaleError = Kt.value > 0.0 ? Kt.standardError / Kt.value : 0.0;
+  options.noiseRms_A = done_.noiseRms_A;
+  options.zeroError_A = zeroError_A_;
   options.bins = options_.bins;
   return options;
 }
@@ -200,24 +206,28 @@ Result<void> Job::sweepVelocity() {
   const double usable_V = drive_.identity().supply_V - motor.deadZone_V.value - perAmp_V * friction_A;
   const double highest = std::max(1.0, 0.6 * usable_V / (motor.backEmfConstant_V_s_per_rad.value + perAmp_V * slope_A));
   VelocitySweepOptions options;
-  for (const double part : {0.05, 0.1, 0.2, 0.35, 0.6, 1.0}) options.speeds_rad_per_s.push_back(part * highest);
+  // In an order in which speed and time have nothing to do with each other: a zero that drifts is no viscous friction.
+  for (const double part : {0.2, 0.6, 0.1, 1.0, 0.05, 0.35}) options.speeds_rad_per_s.push_back(part * highest);
   options.indexAngle_rad = done_.indexAngle_rad.value;
   options.indexTolerance_rad = indexTolerance_rad(done_.identity.countsPerRev);
   options.run_s = options_.speedRun_s;
   options.zeroing_s = zeroing_s();
   const auto sweep = std::make_shared<VelocitySweep>(options, kept_.runs);
-  const auto gather = [this, sweep] { kept_.runs = sweep->runs(); };
+  // A zero is known from the zeroings of its own part alone.
+  const size_t before = sweep->runs().size();
+  const auto gather = [this, sweep, before] {
+    kept_.runs = sweep->runs();
+    std::vector<VelocityRun> fresh(kept_.runs.begin() + static_cast<std::ptrdiff_t>(before), kept_.runs.end());
+    countFrom(ZeroTrack(sweep->zeros(), done_.noiseRms_A), fresh);
+    std::move(fresh.begin(), fresh.end(), kept_.runs.begin() + static_cast<std::ptrdiff_t>(before));
+  };
   if (auto ran = steps_.run("05-velocity-sweep", sweep, 0.2, gather); !ran) return ran;
-  done_.runs = sweep->runs();
+  done_.runs = kept_.runs;
+  const ZeroTrack zeros(sweep->zeros(), done_.noiseRms_A);
+  if (!done_.runs.empty()) zeroError_A_ = zeros.at(done_.runs[done_.runs.size() / 2].middle_s).standardError;
   auto moving = fitMovingFriction(done_.runs, frictionOptions());
   if (!moving) return moving.error();
   done_.moving = std::move(*moving);
-  const size_t leftOut = std::max(done_.moving[0].leftOut, done_.moving[1].leftOut);
-  if (leftOut > 0) {
-    done_.remarks.push_back("The slowest " + std::to_string(leftOut) +
-                            " speeds lie off the line and were left out of Coulomb and viscous friction: there "
-                            "friction still falls with speed.");
-  }
   return {};
 }
 
@@ -241,10 +251,19 @@ Result<void> Job::sweepBreakaway() {
   options.zeroEvery_s = 20.0 * std::max(0.5, options.zeroing_s);
   options.current_limit_A = done_.settings.current_limit_A;
   const auto sweep = std::make_shared<BreakawaySweep>(options, kept_.events);
-  const auto gather = [this, sweep] { kept_.events = sweep->events(); };
+  const size_t before = sweep->events().size();
+  const auto gather = [this, sweep, before] {
+    kept_.events = sweep->events();
+    std::vector<BreakawayEvent> fresh(kept_.events.begin() + static_cast<std::ptrdiff_t>(before), kept_.events.end());
+    countFrom(ZeroTrack(sweep->zeros(), done_.noiseRms_A), fresh);
+    std::move(fresh.begin(), fresh.end(), kept_.events.begin() + static_cast<std::ptrdiff_t>(before));
+  };
   if (auto ran = steps_.run("06-breakaway-sweep", sweep, 0.738, gather); !ran) return ran;
-  done_.events = sweep->events();
+  const std::vector<BreakawayEvent>& events = kept_.events;
+  const ZeroTrack zeros(sweep->zeros(), done_.noiseRms_A);
   done_.missed = sweep->missed();
+  done_.zeroing_s = options.zeroing_s;
+  done_.zeroings = sweep->zeros().size();
   if (done_.missed > 0)
     done_.remarks.push_back(std::to_string(done_.missed) +
                             " breakaways could not be measured; their bins rest on their neighbours.");
@@ -254,8 +273,10 @@ Result<void> Job::sweepBreakaway() {
   mapOptions.turns = options_.turns;
   mapOptions.torqueConstant_Nm_per_A = options.torqueConstant_Nm_per_A;
   mapOptions.noiseRms_A = done_.noiseRms_A;
-  done_.events = calibrated(std::move(done_.events), mapOptions);
-  auto map = estimateMap(sweep->events(), &done_.moving, mapOptions);
+  if (!events.empty()) mapOptions.zeroError_A = zeros.at(events[events.size() / 2].time_s).standardError;
+  done_.events = calibrated(events, mapOptions);
+  if (auto refitted = refitMoving(events, mapOptions); !refitted) return refitted;
+  auto map = estimateMap(events, &done_.moving, mapOptions);
   if (!map) return map.error();
   done_.map = std::move(*map);
   done_.map.settings = {{"torque_constant_Nm_per_A", options.torqueConstant_Nm_per_A},
@@ -269,6 +290,27 @@ Result<void> Job::sweepBreakaway() {
                         {"motion_counts", static_cast<double>(options.motionCounts)},
                         {"index_angle_rad", options.indexAngle_rad},
                         {"missed", static_cast<double>(done_.missed)}};
+  return {};
+}
+
+/// Once the breakaway torques are known, slow runs can be freed of what friction falls by with speed.
+Result<void> Job::refitMoving(const std::vector<BreakawayEvent>& events, const MapOptions& options) {
+  const auto still = estimateMap(events, nullptr, options);
+  if (!still) return still.error();
+  VelocityFrictionOptions friction = frictionOptions();
+  for (const MapBin& bin : still->bins) {
+    for (size_t w = 0; w < 2; ++w) friction.static_Nm[w].push_back(bin.way[w].static_Nm.value);
+  }
+  auto moving = fitMovingFriction(done_.runs, friction);
+  if (!moving) return moving.error();
+  done_.moving = std::move(*moving);
+  const size_t slow = std::max(done_.moving[0].leftOut, done_.moving[1].leftOut);
+  if (slow > 0) {
+    done_.remarks.push_back(
+        "At the slowest " + std::to_string(slow) +
+        " speeds friction still falls with speed; what it has to fall from the breakaway torque was "
+        "taken off before Coulomb and viscous friction were fitted.");
+  }
   return {};
 }
 

@@ -55,6 +55,8 @@ struct Commission {
   std::array<MovingFriction, 2> moving;
   std::vector<BreakawayEvent> events;
   size_t missed = 0;
+  double zeroing_s = 0.0;  ///< of the current sensor, before each speed and now and then in the breakaway sweep
+  size_t zeroings = 0;     ///< in the breakaway sweep
   FrictionMap map;
   Bench bench;                                                ///< the identified motor, ready for diagnosing
   std::vector<std::pair<std::string, Recording>> recordings;  ///< by step, in order

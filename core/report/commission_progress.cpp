@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 constexpr const char* schema = "breakaway.progress/1";
-constexpr size_t sumWidth = 5, eventWidth = 13;
+constexpr size_t sumWidth = 5, eventWidth = 16;
 constexpr double mostCount = 1e9;
 
 struct MotorField {
@@ -59,12 +59,22 @@ Json rowsOf(const std::vector<AngleBinSums>& bins) {
 
 std::string runText(const VelocityRun& run) {
   Json blocks = Json::array();
-  for (const auto& block : run.blocks) blocks.push_back({{"bins", rowsOf(block)}});
+  for (const RunBlock& block : run.blocks) {
+    blocks.push_back({{"turns", block.turns},
+                      {"start_speed_rad_per_s", block.startSpeed_rad_per_s},
+                      {"end_speed_rad_per_s", block.endSpeed_rad_per_s},
+                      {"start_wobble_rad_per_s", block.startWobble_rad_per_s},
+                      {"end_wobble_rad_per_s", block.endWobble_rad_per_s},
+                      {"bins", rowsOf(block.bins)}});
+  }
   const Json json{{"schema", schema},
                   {"target_rad_per_s", run.target_rad_per_s},
                   {"turns", run.turns},
                   {"duration_s", run.duration_s},
+                  {"middle_s", run.middle_s},
+                  {"zero_A", run.zero_A},
                   {"half_span_s", run.halfSpan_s},
+                  {"start_rad", run.start_rad},
                   {"bins", rowsOf(run.bins)},
                   {"blocks", blocks}};
   return json.dump() + "\n";
@@ -75,7 +85,7 @@ std::string eventsText(const std::vector<BreakawayEvent>& events) {
   for (const BreakawayEvent& e : events) {
     rows.push_back({e.way == Way::ccw ? 1 : 0, e.turn, e.bin, e.angle_rad, e.current_A, e.commanded_A,
                     e.commandedMean_A, e.measuredMean_A, e.commandedVariance_A2, e.covariance_A2, e.samples,
-                    e.torque_Nm, e.outlier ? 1 : 0});
+                    e.torque_Nm, e.outlier ? 1 : 0, e.time_s, e.zero_A, e.lag_A});
   }
   return Json{{"schema", schema}, {"events", rows}}.dump() + "\n";
 }
@@ -134,15 +144,16 @@ Result<VelocityRun> readRun(const std::string& path) {
   auto root = JsonObject::fromFile(path);
   if (!root) return root.error();
   checkSchema(*root);
-  VelocityRun run{root->number("target_rad_per_s"),
-                  countOf(*root, "turns"),
-                  root->number("duration_s", Allowed::positive),
-                  root->number("half_span_s", Allowed::positive),
-                  sumsIn(*root),
-                  {}};
+  VelocityRun run{
+      root->number("target_rad_per_s"), countOf(*root, "turns"), root->number("duration_s", Allowed::positive),
+      root->number("middle_s"),         root->number("zero_A"),  root->number("half_span_s", Allowed::positive),
+      root->number("start_rad"),        sumsIn(*root),           {}};
   for (JsonObject& block : root->objects("blocks")) {
-    run.blocks.push_back(sumsIn(block));
-    if (run.blocks.back().size() != run.bins.size()) block.fault("bins", "has another length than the whole run's");
+    run.blocks.push_back({countOf(block, "turns"), block.number("start_speed_rad_per_s"),
+                          block.number("end_speed_rad_per_s"), block.number("start_wobble_rad_per_s"),
+                          block.number("end_wobble_rad_per_s"), sumsIn(block)});
+    if (run.blocks.back().bins.size() != run.bins.size())
+      block.fault("bins", "has another length than the whole run's");
   }
   if (const auto done = root->finish(); !done) return done.error();
   return run;
@@ -163,6 +174,9 @@ BreakawayEvent eventOf(const std::vector<double>& row) {
   event.samples = static_cast<size_t>(row[10]);
   event.torque_Nm = row[11];
   event.outlier = row[12] > 0.0;
+  event.time_s = row[13];
+  event.zero_A = row[14];
+  event.lag_A = row[15];
   return event;
 }
 

@@ -1,92 +1,197 @@
-// Map accuracy against the truth: the preset and rigs at random. Usage: bench_maps [COUNT [FIRST_SEED]]
+// Friction maps against the truth: every rotary preset and rigs at random. Resumable: one line per rig in --results.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
 
 #include "base/atomic_file.h"
+#include "base/line_log.h"
+#include "bench/map_score.h"
+#include "firmware_link/presets.h"
 #include "firmware_link/simulated_board.h"
 #include "firmware_link/simulated_truth.h"
-#include "report/commission.h"
-#include "support/map_accuracy.h"
 #include "support/random_rig.h"
 
 using namespace breakaway;
+using namespace breakaway::test;
 
 namespace {
 
-struct Worst {
-  double rms = 0.0, correlation = 1.0, coulomb = 0.0, viscous = 0.0;
-  size_t failures = 0, rigs = 0, within = 0;
+struct Job {
+  std::string name, uri;
+  unsigned seed = 1;
 };
 
-void run(const std::string& name, const std::string& uri, unsigned seed, Worst& worst) {
-  auto drive = openDrive(uri, seed);
-  if (!drive) {
-    std::printf("%-22s %s\n", name.c_str(), drive.error().message().c_str());
-    ++worst.failures;
-    return;
+double seconds(const std::chrono::steady_clock::time_point& begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// The gain is trusted: the rigs' gain error is zero, and torques rest on the measured back-EMF constant.
+MapScore scored(const Job& job) {
+  MapScore score;
+  score.rig = job.name;
+  const auto file = rigFileOf(job.uri);
+  const auto rig = file ? readRig(*file) : Result<Rig>(file.error());
+  auto drive = openDrive(job.uri, job.seed);
+  if (!rig || !drive) {
+    score.failure = !rig ? rig.error().message() : drive.error().message();
+    return score;
   }
   CommissionOptions options;
-  options.rig = name;
+  options.rig = job.name;
   options.keepRecordings = false;
   const auto begin = std::chrono::steady_clock::now();
-  const auto result = commission(**drive, options);
-  const double elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  ++worst.rigs;
-  if (!result) {
-    std::printf("%-22s %s\n", name.c_str(), result.error().message().c_str());
-    ++worst.failures;
+  const auto done = commission(**drive, options);
+  score.cpu_s = seconds(begin);
+  if (!done) {
+    score.failure = done.error().message();
+    return score;
+  }
+  const auto truth = trueMap(job.uri, options.bins, done->map.totalVelocity_rad_per_s);
+  if (truth) compare(*done, *truth, *rig, score);
+  return score;
+}
+
+void printCurve(const CurveScore& one, double target) {
+  std::printf(" %6.2f/%-5.2f%c %4.0f", 100.0 * one.rms, 100.0 * one.bound, one.within(target) ? ' ' : '!',
+              100.0 * one.covered);
+}
+
+void print(const MapScore& score) {
+  if (!score.failure.empty()) {
+    std::printf("%-16s %s\n", score.rig.c_str(), score.failure.c_str());
     return;
   }
-  const auto truth = trueMap(uri, options.bins, result->map.totalVelocity_rad_per_s);
-  if (!truth) std::exit(1);
-  std::printf("%-22s", name.c_str());
-  bool within = true;
-  for (const Way way : {Way::cw, Way::ccw}) {
-    const auto still = test::deviation(result->map, *truth, way, test::staticOf);
-    const auto coulomb = test::deviation(result->map, *truth, way, test::coulombOf);
-    const auto viscous = test::deviation(result->map, *truth, way, test::viscousOf);
-    const double correlation = result->map.repeatability[static_cast<size_t>(way)].correlation;
-    std::printf(" %5.2f %6.2f %7.4f %5.2f %6.2f |", 100.0 * still.rms, 100.0 * still.mean, correlation,
-                100.0 * coulomb.rms, 100.0 * viscous.rms);
-    worst.rms = std::max(worst.rms, still.rms);
-    worst.correlation = std::min(worst.correlation, correlation);
-    worst.coulomb = std::max(worst.coulomb, coulomb.rms);
-    worst.viscous = std::max(worst.viscous, viscous.rms);
-    within = within && still.rms <= 0.05 && correlation > 0.9;
+  for (size_t w = 0; w < 2; ++w) {
+    const WayScore& way = score.way[w];
+    std::printf("%-16s %-3s", w == 0 ? score.rig.c_str() : "", w == 0 ? "cw" : "ccw");
+    printCurve(way.still, staticTarget);
+    printCurve(way.coulomb, coulombTarget);
+    printCurve(way.viscous, viscousTarget);
+    std::printf(" %7.4f %5.3f", way.correlation, way.noiseOverSpread);
+    if (w == 0) {
+      std::printf(" %5.2f %4.0f %5.2f %4.0f %5.0f %5.1f %3.0f", 100.0 * score.friction.rms,
+                  100.0 * score.friction.covered, 100.0 * score.position.rms, 100.0 * score.position.covered,
+                  score.rig_s, score.cpu_s, score.missed);
+    }
+    std::printf("\n");
   }
-  worst.within += within ? 1 : 0;
-  std::printf(" %4.0f %5.2f %4zu\n", result->rigTime_s, elapsed_s, result->missed);
   std::fflush(stdout);
+}
+
+/// Over both ways of all rigs.
+void printSummary(const std::vector<MapScore>& scores) {
+  struct Row {
+    const char* name;
+    CurveScore WayScore::*curve;
+    double target;
+  };
+  const Row rows[] = {{"breakaway", &WayScore::still, staticTarget},
+                      {"Coulomb", &WayScore::coulomb, coulombTarget},
+                      {"viscous", &WayScore::viscous, viscousTarget}};
+  for (const Row& row : rows) {
+    double covered = 0.0, worst = 0.0, squares = 0.0;
+    size_t within = 0, inTarget = 0, maps = 0;
+    for (const MapScore& score : scores) {
+      for (const WayScore& way : score.way) {
+        if (!score.failure.empty()) continue;
+        const CurveScore& one = way.*row.curve;
+        ++maps;
+        within += one.within(row.target) ? 1 : 0;
+        inTarget += one.rms <= row.target ? 1 : 0;
+        covered += one.covered;
+        worst = std::max(worst, one.rms);
+        squares += one.rms * one.rms;
+      }
+    }
+    const auto n = static_cast<double>(std::max<size_t>(1, maps));
+    std::printf(
+        "%s: %zu of %zu maps within %.0f %% or 1.5 x the bound (%zu within %.0f %%), worst %.2f %%, rms %.2f "
+        "%%; 95 %% intervals hold %.1f %% of the bins\n",
+        row.name, within, maps, 100.0 * row.target, inTarget, 100.0 * row.target, 100.0 * worst,
+        100.0 * std::sqrt(squares / n), 100.0 * covered / n);
+  }
+  size_t repeatable = 0, correlated = 0, failed = 0;
+  double friction = 0.0, position = 0.0, rig_s = 0.0, cpu_s = 0.0;
+  for (const MapScore& score : scores) {
+    failed += score.failure.empty() ? 0 : 1;
+    friction = std::max(friction, score.friction.rms);
+    position = std::max(position, score.position.rms);
+    rig_s = std::max(rig_s, score.rig_s);
+    cpu_s = std::max(cpu_s, score.cpu_s);
+    for (const WayScore& way : score.way) {
+      if (!score.failure.empty() || way.noiseOverSpread >= repeatableNoise) continue;
+      ++repeatable;
+      correlated += way.correlation >= leastCorrelation ? 1 : 0;
+    }
+  }
+  std::printf(
+      "turns correlate by 0.95 or more in %zu of %zu ways whose noise is below 0.23 of the spread; worst static "
+      "friction "
+      "%.2f %%, position torque %.2f %%; longest %.0f s on the rig, %.1f s computed; %zu failed\n",
+      correlated, repeatable, 100.0 * friction, 100.0 * position, rig_s, cpu_s, failed);
+}
+
+bool isRotary(const std::string& preset) {
+  const auto bench = readBench(resourcesFolder() + "/presets/" + preset + ".bench.json");
+  return bench && bench->axis == Axis::rotary;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int count = argc > 1 ? std::atoi(argv[1]) : 16;
-  const unsigned first = argc > 2 ? static_cast<unsigned>(std::atoi(argv[2])) : 1000;
+  CLI::App app("Friction maps of every rotary preset and of rigs at random, against the truth");
+  unsigned count = 24, first = 1000;
+  std::string results, only;
+  app.add_option("count", count, "rigs at random")->capture_default_str();
+  app.add_option("first", first, "seed of the first one")->capture_default_str();
+  app.add_option("--results", results, "file of finished lines; rigs in it are not done again");
+  app.add_option("--only", only, "the rig of this name alone");
+  CLI11_PARSE(app, argc, argv);
   const auto folder = std::filesystem::temp_directory_path() / ("breakaway-maps-" + std::to_string(first));
   if (!makeFolder(folder.string())) return 1;
-  std::printf(
-      "friction maps of simulated rigs against the truth, in %% of the mean: static rms, static mean, correlation of "
-      "turns, coulomb rms, viscous rms\n");
-  std::printf("%-22s %-35s| %-36s| rig s cpu s missed\n", "", " clockwise", " counter-clockwise");
-  Worst preset, random;
-  run("servo", "simulated", 1, preset);
-  for (int k = 0; k < count; ++k) {
-    const unsigned seed = first + static_cast<unsigned>(k);
+  std::vector<Job> jobs;
+  for (const std::string& preset : presetNames()) {
+    if (isRotary(preset)) jobs.push_back({preset, "simulated:" + preset, 1});
+  }
+  for (unsigned seed = first; seed < first + count; ++seed) {
     const std::string file = (folder / ("random-" + std::to_string(seed) + ".rig.json")).string();
-    if (!writeFile(file, test::RandomRig(seed).text())) return 1;
-    run("random seed " + std::to_string(seed), "simulated:" + file, seed, random);
+    if (!writeFile(file, RandomRig(seed).text())) return 1;
+    jobs.push_back({"random " + std::to_string(seed), "simulated:" + file, seed});
+  }
+  std::map<std::string, MapScore> finished;
+  if (!results.empty()) {
+    const auto lines = readWholeLines(results);
+    if (!lines) {
+      std::fprintf(stderr, "%s\n", lines.error().message().c_str());
+      return 2;
+    }
+    for (const std::string& line : *lines) {
+      if (auto score = MapScore::fromLine(line)) finished[score->rig] = *score;
+    }
+  }
+  std::printf(
+      "friction maps against the truth, in %% of the mean: rms error / Cramer-Rao bound of the rig's sensors (! beyond "
+      "3, 3 and 8 %% and 1.5 bounds), bins within the 95 %% interval in %%\n%-20s %-19s%-19s%-19s%-8s noise  static "
+      "friction, position torque; rig s, cpu s, missed\n",
+      "", " breakaway", " Coulomb", " viscous", "  turns");
+  std::vector<MapScore> scores;
+  for (const Job& job : jobs) {
+    if (!only.empty() && job.name != only) continue;
+    if (!finished.contains(job.name)) {
+      finished[job.name] = scored(job);
+      if (!results.empty() && !appendLine(results, finished[job.name].line())) return 1;
+    }
+    scores.push_back(finished[job.name]);
+    print(scores.back());
   }
   std::error_code code;
   std::filesystem::remove_all(folder, code);
-  std::printf(
-      "%zu of %zu random rigs within 5 %% and above 0.9; worst: static %.2f %%, correlation %.4f, coulomb %.2f %%, "
-      "viscous %.1f %%; %zu failed\n",
-      random.within, random.rigs, 100.0 * random.rms, random.correlation, 100.0 * random.coulomb,
-      100.0 * random.viscous, random.failures);
-  return preset.failures + random.failures == 0 ? 0 : 1;
+  printSummary(scores);
+  return std::any_of(scores.begin(), scores.end(), [](const MapScore& one) { return !one.failure.empty(); }) ? 1 : 0;
 }

@@ -34,7 +34,7 @@ VelocityRun runAt(double speed, double excess_Nm, double noise_A, bool varied, u
   run.turns = 100;
   run.halfSpan_s = 2e-4;
   run.bins.resize(360);
-  run.blocks.assign(8, run.bins);
+  run.blocks.assign(8, {12, speed, speed, 0.0, 0.0, run.bins});
   Noise noise(seed);
   const double sign = speed > 0.0 ? 1.0 : -1.0, size = std::abs(speed);
   const double mean = 0.017 + 2e-5 * size + excess_Nm;
@@ -49,7 +49,7 @@ VelocityRun runAt(double speed, double excess_Nm, double noise_A, bool varied, u
       const double current = sign * mean / Kt + noise_A * noise.normal();
       const double shown = velocity + 0.2 * noise.normal();
       run.bins[k].add(current, shown);
-      run.blocks[n / 20][k].add(current, shown);
+      run.blocks[n / 20].bins[k].add(current, shown);
     }
   }
   return run;

@@ -93,14 +93,15 @@ void TestCommissionResume::progress_readsBackAsItWas() {
                               {0.25, 1.0 / 3.0}, {},   {}};
   progress.motor->resistance_ohm = {1.0 / 7.0, 1e-3};
   progress.motor->torqueConstantTrusted = true;
-  VelocityRun run{-10.0 / 3.0, 2, 4.5, 0.01, {{3, 0.1, 0.2, -3.0, 9.1}, {0, 0.0, 0.0, 0.0, 0.0}}, {}};
-  run.blocks = {run.bins, run.bins};
+  VelocityRun run{-10.0 / 3.0, 2, 4.5, 7.5, 0.05, 0.01, 0.3, {{3, 0.1, 0.2, -3.0, 9.1}, {0, 0.0, 0.0, 0.0, 0.0}}, {}};
+  run.blocks.assign(2, RunBlock{1, 0.1, 0.2, 0.3, 0.4, run.bins});
   progress.runs = {run, run};
   BreakawayEvent event;
   event.way = Way::cw;
   event.turn = 1, event.bin = 17, event.samples = 2000, event.outlier = true;
   event.angle_rad = 0.1, event.current_A = 0.2, event.torque_Nm = 0.3, event.commanded_A = 0.4;
   event.commandedMean_A = 0.5, event.measuredMean_A = 0.6, event.commandedVariance_A2 = 0.7, event.covariance_A2 = 0.8;
+  event.time_s = 12.5, event.zero_A = 0.01, event.lag_A = 0.02;
   progress.events = {event};
   VERIFY_OK(writeProgress(progress, folder.path("out")));
   const auto back = readProgress(folder.path("out"));
@@ -114,8 +115,11 @@ void TestCommissionResume::progress_readsBackAsItWas() {
   QCOMPARE(back->expected_A, progress.expected_A);
   QCOMPARE(back->runs.size(), size_t{2});
   QCOMPARE(back->runs[1].target_rad_per_s, run.target_rad_per_s);
-  QCOMPARE(back->runs[1].blocks[1][0].velocitySquared, 9.1);
+  QCOMPARE(back->runs[1].blocks[1].bins[0].velocitySquared, 9.1);
+  QVERIFY(back->runs[1].zero_A == 0.05 && back->runs[1].start_rad == 0.3 && back->runs[1].middle_s == 7.5);
+  QVERIFY(back->runs[1].blocks[1].turns == 1 && back->runs[1].blocks[1].endWobble_rad_per_s == 0.4);
   const BreakawayEvent& read = back->events.front();
+  QVERIFY(read.time_s == 12.5 && read.zero_A == 0.01 && read.lag_A == 0.02);
   QVERIFY(read.way == Way::cw && read.turn == 1 && read.bin == 17 && read.samples == 2000 && read.outlier);
   QVERIFY(read.angle_rad == 0.1 && read.current_A == 0.2 && read.torque_Nm == 0.3 && read.commanded_A == 0.4);
   QVERIFY(read.commandedMean_A == 0.5 && read.measuredMean_A == 0.6);
@@ -126,8 +130,9 @@ void TestCommissionResume::damagedProgress_isNamed() {
   test::TemporaryFolder folder;
   const CommissionProgress progress{"a board", bins, 2, 4.0, {}, 1, 0.0, {}, {}, {}, {}, {BreakawayEvent{}}};
   VERIFY_OK(writeProgress(progress, folder.path("out")));
-  VERIFY_OK(writeFile(folder.path("out/progress/breakaways.json"),
-                      R"({"schema": "breakaway.progress/1", "events": [[1, -2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0]]})"));
+  VERIFY_OK(writeFile(
+      folder.path("out/progress/breakaways.json"),
+      R"({"schema": "breakaway.progress/1", "events": [[1, -2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0]]})"));
   const auto back = readProgress(folder.path("out"));
   QVERIFY(!back.ok());
   QVERIFY(back.error().message().find("breakaways.json") != std::string::npos);

@@ -1,0 +1,47 @@
+// Zeroing the current sensor in the middle of a sweep, and remembering what each zeroing found.
+#pragma once
+
+#include <vector>
+
+#include "experiment/drive.h"
+#include "friction/measurements.h"
+
+namespace breakaway {
+
+/// Opens the windings, waits until their current has died, and has the board take a new zero; what the samples show
+/// meanwhile is how far the zero has moved since the one before.
+class Zeroing {
+ public:
+  explicit Zeroing(double duration_s) : duration_s_(duration_s) {}
+
+  /// One tick of a zeroing that began at `start_s`. `done` tells whether this was the last one.
+  Command step(const Sample& sample, double start_s, bool& done) {
+    constexpr double dying_s = 0.05;
+    done = sample.time_s - start_s > dying_s + duration_s_;
+    if (asked_) sum_A_ += sample.current_A, ++count_;
+    if (done) take(sample);
+    asked_ = !done && sample.time_s - start_s > dying_s;
+    Command command;
+    command.zeroCurrentSensor = asked_;
+    return command;
+  }
+
+  const std::vector<ZeroReading>& readings() const { return readings_; }
+  /// What the board subtracts now, counted from what it subtracted before the first zeroing.
+  double zero_A() const { return readings_.empty() ? 0.0 : readings_.back().zero_A; }
+
+ private:
+  void take(const Sample& sample) {
+    if (count_ > 0)
+      readings_.push_back({sample.time_s - 0.5 * duration_s_, zero_A() + sum_A_ / static_cast<double>(count_), count_});
+    sum_A_ = 0.0;
+    count_ = 0;
+  }
+
+  double duration_s_, sum_A_ = 0.0;
+  size_t count_ = 0;
+  bool asked_ = false;
+  std::vector<ZeroReading> readings_;
+};
+
+}  // namespace breakaway

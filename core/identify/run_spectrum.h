@@ -1,0 +1,29 @@
+// The torque of a run at constant speed, by harmonic order of the rotor's angle.
+#pragma once
+
+#include <complex>
+#include <vector>
+
+#include "friction/measurements.h"
+#include "identify/velocity_friction.h"
+
+namespace breakaway {
+
+/// τ(θ) = Re Σ τ_k·e^{jkθ}, in the way's direction.
+struct RunSpectrum {
+  double speed_rad_per_s = 0.0;
+  std::vector<std::complex<double>> torque_Nm;
+  std::vector<double> variance_Nm2;  ///< of real and imaginary part each; of the mean for order 0; infinite: not seen
+};
+
+/// Kt·i_k − J·(½ω²)'_k from the bin means of current and speed. The variances are the scatter between the run's blocks
+/// of whole turns, averaged over neighbouring orders, and at least what the sensor's noise leaves.
+RunSpectrum spectrumOf(const VelocityRun& run, const VelocityFrictionOptions& options);
+
+/// Mean over the turn of the bin means of `sum`; an empty bin takes the mean of its filled neighbours.
+double meanAround(const std::vector<AngleBinSums>& bins, double AngleBinSums::*sum);
+
+/// Harmonic of values at the centres of equal bins around the turn, each a mean over its bin.
+std::complex<double> harmonicOf(const std::vector<double>& binMeans, size_t order);
+
+}  // namespace breakaway
