@@ -29,6 +29,9 @@ constexpr MotorField motorFields[] = {
     {"inductance_H", &IdentifiedMotor::inductance_H},
     {"dead_zone_V", &IdentifiedMotor::deadZone_V},
     {"inertia_kg_m2", &IdentifiedMotor::inertia_kg_m2},
+    {"ramp_inertia_kg_m2", &IdentifiedMotor::rampInertia_kg_m2},
+    {"reversal_inertia_kg_m2", &IdentifiedMotor::reversalInertia_kg_m2},
+    {"current_gain", &IdentifiedMotor::currentGain},
     {"coulomb_Nm", &IdentifiedMotor::coulomb_Nm},
     {"viscous_Nm_s_per_rad", &IdentifiedMotor::viscous_Nm_s_per_rad},
 };
@@ -108,6 +111,8 @@ std::string stateText(const CommissionProgress& progress) {
       const Estimate& estimate = *progress.motor.*field.estimate;
       motor[field.name] = {{"value", estimate.value}, {"std", estimate.standardError}};
     }
+    motor["gauge"] = progress.motor->gauge;
+    motor["shown_resistance_ohm"] = progress.shownResistance_ohm;
     motor["expected_cw_A"] = progress.expected_A[0];
     motor["expected_ccw_A"] = progress.expected_A[1];
     json["motor"] = motor;
@@ -205,6 +210,8 @@ void readMotor(JsonObject object, CommissionProgress& progress) {
     JsonObject estimate = object.object(field.name);
     motor.*field.estimate = {estimate.number("value"), estimate.number("std", Allowed::nonNegative)};
   }
+  motor.gauge = object.text("gauge", "");
+  progress.shownResistance_ohm = object.number("shown_resistance_ohm", Allowed::nonNegative);
   progress.expected_A = {object.number("expected_cw_A"), object.number("expected_ccw_A")};
   progress.motor = motor;
 }

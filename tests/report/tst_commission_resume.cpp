@@ -89,8 +89,8 @@ void TestCommissionResume::soundRigs_areNeverInterrupted() {
 
 void TestCommissionResume::progress_readsBackAsItWas() {
   test::TemporaryFolder folder;
-  CommissionProgress progress{"a board",         bins, 2, 4.0, 0.07, 3, 123.25, {"a remark"}, IdentifiedMotor{},
-                              {0.25, 1.0 / 3.0}, {},   {}};
+  CommissionProgress progress{"a board",         bins, 2,  4.0, 0.07, 3, 123.25, {"a remark"}, IdentifiedMotor{},
+                              {0.25, 1.0 / 3.0}, 1.25, {}, {}};
   progress.motor->resistance_ohm = {1.0 / 7.0, 1e-3};
   progress.motor->torqueConstantTrusted = true;
   VelocityRun run{-10.0 / 3.0, 2, 4.5, 7.5, 0.05, 0.01, 0.3, {{3, 0.1, 0.2, -3.0, 9.1}, {0, 0.0, 0.0, 0.0, 0.0}}, {}};
@@ -128,7 +128,7 @@ void TestCommissionResume::progress_readsBackAsItWas() {
 
 void TestCommissionResume::damagedProgress_isNamed() {
   test::TemporaryFolder folder;
-  const CommissionProgress progress{"a board", bins, 2, 4.0, {}, 1, 0.0, {}, {}, {}, {}, {BreakawayEvent{}}};
+  const CommissionProgress progress{"a board", bins, 2, 4.0, {}, 1, 0.0, {}, {}, {}, 0.0, {}, {BreakawayEvent{}}};
   VERIFY_OK(writeProgress(progress, folder.path("out")));
   VERIFY_OK(writeFile(
       folder.path("out/progress/breakaways.json"),
@@ -204,7 +204,7 @@ void TestCommissionResume::interruption_keepsTheStepsRecording() {
 void TestCommissionResume::anotherRig_isRefused() {
   test::TemporaryFolder folder;
   CommissionOptions options = quick(folder);
-  options.earlier = CommissionProgress{"another board", bins, 2, 4.0, {}, 1, 0.0, {}, {}, {}, {}, {}};
+  options.earlier = CommissionProgress{"another board", bins, 2, 4.0, {}, 1, 0.0, {}, {}, {}, 0.0, {}, {}};
   const auto done = commissioned(rigFile(folder, "sound", ""), options);
   VERIFY_ERROR(done, "board: is simulated board, rig servo, but the interrupted job was begun on another board");
 }
@@ -212,7 +212,7 @@ void TestCommissionResume::anotherRig_isRefused() {
 void TestCommissionResume::otherBins_areRefused() {
   test::TemporaryFolder folder;
   CommissionOptions options = quick(folder);
-  options.earlier = CommissionProgress{"simulated board, rig servo", 72, 2, 4.0, {}, 1, 0.0, {}, {}, {}, {}, {}};
+  options.earlier = CommissionProgress{"simulated board, rig servo", 72, 2, 4.0, {}, 1, 0.0, {}, {}, {}, 0.0, {}, {}};
   const auto done = commissioned(rigFile(folder, "sound", ""), options);
   VERIFY_ERROR(done, "bins and turns: are 36 and 2, but the interrupted job was begun with 72 and 2");
 }
