@@ -166,9 +166,8 @@ Command BreakawaySweep::zero(const Sample& sample) {
   if (command.zeroCurrentSensor) open_A_.take(sample);
   if (!done) return command;
   zeroed_s_ = sample.time_s;
-  if (const std::string moved = open_A_.moved(options_.mostDrift_A, true); !moved.empty()) {
-    fail(moved);
-  } else if (step_ >= steps()) {
+  if (const std::string moved = open_A_.moved(options_.mostDrift_A, true); !moved.empty()) fail(moved);
+  if (step_ >= steps()) {
     finish();
   } else {
     approach(sample);
@@ -231,19 +230,6 @@ Command BreakawaySweep::ramp(const Sample& sample) {
   return current(next);
 }
 
-/// When the counts after the last standing row followed, halfway between the rows that show them.
-std::vector<double> BreakawaySweep::edgesAfter(size_t standing) const {
-  const double countAngle = turnAngle / options_.countsPerRev;
-  std::vector<double> edges_s;
-  for (size_t k = standing + 1; k < rows_.size() && edges_s.size() < options_.motionCounts; ++k) {
-    const double counts = sign() * (rows_[k].angle_rad - rows_[standing].angle_rad) / countAngle;
-    const double halfway_s = 0.5 * (rows_[k].time_s + rows_[k - 1].time_s);
-    while (static_cast<double>(edges_s.size()) + 0.5 < counts && edges_s.size() < options_.motionCounts)
-      edges_s.push_back(halfway_s);
-  }
-  return edges_s;
-}
-
 double BreakawaySweep::rateAt(double commanded_A) const {
   if (!ramp_.learning) return ramp_.rate_A_per_s;
   return std::log(2.0) / learningDoubling_s * std::max(0.0, commanded_A - ramp_.start_A);
@@ -261,6 +247,19 @@ size_t BreakawaySweep::lastStanding(const BreakawayLag& motor) const {
     if (rows_[last].time_s - rows_[k - 1].time_s > most_s) return last;
   }
   return last;
+}
+
+/// When the counts after the last standing row followed, halfway between the rows that show them.
+std::vector<double> BreakawaySweep::edgesAfter(size_t standing) const {
+  const double countAngle = turnAngle / options_.countsPerRev;
+  std::vector<double> edges_s;
+  for (size_t k = standing + 1; k < rows_.size() && edges_s.size() < options_.motionCounts; ++k) {
+    const double counts = sign() * (rows_[k].angle_rad - standing_rad_) / countAngle;
+    const double halfway_s = 0.5 * (rows_[k].time_s + rows_[k - 1].time_s);
+    while (static_cast<double>(edges_s.size()) + 0.5 < counts && edges_s.size() < options_.motionCounts)
+      edges_s.push_back(halfway_s);
+  }
+  return edges_s;
 }
 
 void BreakawaySweep::takeEvent(const Sample&) {

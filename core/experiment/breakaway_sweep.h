@@ -103,9 +103,9 @@ class BreakawaySweep : public TimedProcedure {
   Command ramp(const Sample& sample);
   double commandedAt(double inRamp_s) const;
   bool moves(const Sample& sample) const;
-  std::vector<double> edgesAfter(size_t standing) const;
   double rateAt(double commanded_A) const;
   size_t lastStanding(const BreakawayLag& motor) const;
+  std::vector<double> edgesAfter(size_t standing) const;
   void takeEvent(const Sample& sample);
   void advanceStep(const Sample& sample);
   void markOutlier();

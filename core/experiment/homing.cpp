@@ -91,7 +91,8 @@ void Homing::verify(const Sample& sample) {
 
 void Homing::approach(const Sample& sample, double before_rad) {
   const double since_rad = sample.angle_rad - stageAngle_rad_;
-  if (since_rad > 4.0 * options_.backOff_rad) fail("the index was seen once, but not again; check the encoder's index wire");
+  if (since_rad > 4.0 * options_.backOff_rad)
+    fail("the index was seen once, but not again; check the encoder's index wire");
   if (!sample.index || sample.angle_rad < before_rad || since_rad <= 0.2 * options_.backOff_rad) return;
   const double edge_rad = 0.5 * (before_rad + sample.angle_rad);
   if (!edges_.empty() && std::abs(edge_rad - edges_.front()) > tolerance_rad()) {

@@ -10,11 +10,28 @@ namespace {
 constexpr double motion_rad = 0.01;  // less travel is no motion
 }
 
+std::optional<SpinBlock> BlockMeans::add(const Sample& sample, double tick_s) {
+  // The voltage of a row acts until the next one: what was measured now, the row before has brought about.
+  const double acted_V = acting_V_;
+  acting_V_ = sample.voltage_V;
+  if (!(tick_s > 0.0)) return {};
+  sum_.current_A += sample.current_A;
+  sum_.voltage_V += acted_V;
+  sum_.duration_s += tick_s;
+  ++count_;
+  if (sum_.duration_s < block_s_ - 0.5 * tick_s) return {};
+  const auto n = static_cast<double>(count_);
+  const SpinBlock block{sample.time_s, sum_.duration_s, sample.angle_rad, sum_.current_A / n, sum_.voltage_V / n};
+  sum_ = {};
+  count_ = 0;
+  return block;
+}
+
 Command SpinTest::run(const Sample& sample) {
   elapsed_s_ = elapsed_s(sample) - options_.rest_s;
   if (elapsed_s_ < 0.0 || elapsed_s_ >= whole_s()) return rest(sample, elapsed_s_ > 0.0);
-  if (commanded_V_ == 0.0 && blocks_.empty() && count_ == 0) open_A_.moved(options_.mostDrift_A, false);
-  take(sample);
+  if (commanded_V_ == 0.0 && blocks_.empty()) open_A_.moved(options_.mostDrift_A, false);
+  if (const auto block = means_.add(sample, tick_s())) blocks_.push_back(*block);
   const double highest = options_.highest_V > 0.0 ? options_.highest_V : 0.5 * sample.supply_V;
   const double legs = elapsed_s_ / options_.leg_s;
   const double phase = legs - 4.0 * std::floor(legs / 4.0);
@@ -30,19 +47,6 @@ Command SpinTest::rest(const Sample& sample, bool last) {
   if (const std::string moved = open_A_.moved(options_.mostDrift_A, false); !moved.empty()) fail(moved);
   finish();
   return {};
-}
-
-void SpinTest::take(const Sample& sample) {
-  if (!(tick_s() > 0.0)) return;
-  sum_.current_A += sample.current_A;
-  sum_.voltage_V += commanded_V_;
-  sum_.duration_s += tick_s();
-  ++count_;
-  if (sum_.duration_s < options_.block_s - 0.5 * tick_s()) return;
-  const auto n = static_cast<double>(count_);
-  blocks_.push_back({sample.time_s, sum_.duration_s, sample.angle_rad, sum_.current_A / n, sum_.voltage_V / n});
-  sum_ = {};
-  count_ = 0;
 }
 
 void SpinTest::watchMotion(const Sample& sample) {

@@ -1,6 +1,7 @@
 // Voltage up and down both ways: what back-EMF constant, inertia and average friction are read from.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "experiment/open_current.h"
@@ -28,10 +29,23 @@ struct SpinBlock {
   double voltage_V = 0.0;
 };
 
+/// Gathers the samples of one block after the other.
+class BlockMeans {
+ public:
+  explicit BlockMeans(double block_s) : block_s_(block_s) {}
+  /// The block that this sample completes, if any; `tick_s` is the time since the sample before, 0 at the first.
+  std::optional<SpinBlock> add(const Sample& sample, double tick_s);
+
+ private:
+  double block_s_, acting_V_ = 0.0;
+  SpinBlock sum_;
+  size_t count_ = 0;
+};
+
 /// Fails in words when the rotor doesn't move, and when the current sensor drifts.
 class SpinTest : public TimedProcedure {
  public:
-  explicit SpinTest(const SpinTestOptions& options = {}) : options_(options) {}
+  explicit SpinTest(const SpinTestOptions& options = {}) : options_(options), means_(options.block_s) {}
   const std::vector<SpinBlock>& blocks() const { return blocks_; }
 
  protected:
@@ -42,13 +56,11 @@ class SpinTest : public TimedProcedure {
 
  private:
   Command rest(const Sample& sample, bool last);
-  void take(const Sample& sample);
   void watchMotion(const Sample& sample);
   double whole_s() const { return 4.0 * options_.leg_s * static_cast<double>(options_.cycles); }
   SpinTestOptions options_;
   std::vector<SpinBlock> blocks_;
-  SpinBlock sum_;
-  size_t count_ = 0;
+  BlockMeans means_;
   double elapsed_s_ = 0.0, commanded_V_ = 0.0;
   double movedAngle_rad_ = 0.0, stalled_s_ = 0.0;
   OpenCurrent open_A_;

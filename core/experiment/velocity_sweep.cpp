@@ -98,9 +98,8 @@ Command VelocitySweep::zero(const Sample& sample) {
   const Command command = zeroing_.step(sample, stageStart_s_, done);
   if (command.zeroCurrentSensor) open_A_.take(sample);
   if (!done) return command;
-  if (const std::string moved = open_A_.moved(options_.mostDrift_A, true); !moved.empty()) {
-    fail(moved);
-  } else if (next_ >= 2 * options_.speeds_rad_per_s.size()) {
+  if (const std::string moved = open_A_.moved(options_.mostDrift_A, true); !moved.empty()) fail(moved);
+  if (next_ >= 2 * options_.speeds_rad_per_s.size()) {
     finish();
   } else {
     enter(Stage::settle, sample);

@@ -51,13 +51,13 @@ class VelocitySweep : public TimedProcedure {
   Command drive() const {
     return {Command::Mode::velocity, target() * (1.0 + wobble()), options_.current_limit_A, false};
   }
-  double wobble() const { return wobbleAt(now_s_); }
-  double wobbleAt(double time_s) const;
   double targetOf(size_t number) const;
   bool isDone(double target_rad_per_s) const;
   void skipDone();
   Command zero(const Sample& sample);
   void hold(const Sample& sample);
+  double wobble() const { return wobbleAt(now_s_); }
+  double wobbleAt(double time_s) const;
   void enter(Stage stage, const Sample& sample);
   void settle(const Sample& sample);
   void beginRun(const Sample& sample);

@@ -9,6 +9,8 @@ namespace breakaway {
 namespace {
 
 constexpr size_t leastRows = 20;
+constexpr double windowDoubt = 1.5e-3;  // relative, of inertia: speeds at the windows' ends are means over two blocks
+constexpr double modelDoubt = 7e-4;     // relative: blocks, ticks and the winding's lag
 
 struct LeastSquares {
   Eigen::VectorXd x, error;
@@ -109,12 +111,16 @@ Result<IdentifiedMotor> identifyMotor(const std::vector<SpinBlock>& blocks, cons
   const double least = 0.1 * highest;
   const Estimate spinning = spinningResistance(blocks, speed, least);
   const bool both = spinning.value > 0.0 && spinning.standardError > 0.0 && winding.resistance_ohm.standardError > 0.0;
-  const Estimate resistance = both ? combined(winding.resistance_ohm, spinning) : winding.resistance_ohm;
+  Estimate resistance = both ? combined(winding.resistance_ohm, spinning) : winding.resistance_ohm;
+  resistance.standardError = std::hypot(resistance.standardError, 2.0 * modelDoubt * resistance.value);
   const double R = resistance.value;
   const auto emf = fitBackEmf(blocks, speed, least, R);
   if (!emf) return emf.error();
   IdentifiedMotor motor;
-  motor.backEmfConstant_V_s_per_rad = {emf->x[0], emf->error[0]};
+  // What the resistance leaves open goes into the back-EMF constant, and so does what no model of the rig is free of.
+  const auto other = fitBackEmf(blocks, speed, least, R + resistance.standardError);
+  const double byResistance = other ? other->x[0] - emf->x[0] : 0.0;
+  motor.backEmfConstant_V_s_per_rad = {emf->x[0], std::hypot(emf->error[0], byResistance, modelDoubt * emf->x[0])};
   motor.resistance_ohm = resistance;
   motor.deadZone_V = winding.deadZone_V;
   motor.inductance_H.value = timeConstant_s.value * R;
@@ -125,11 +131,57 @@ Result<IdentifiedMotor> identifyMotor(const std::vector<SpinBlock>& blocks, cons
                                                               : motor.backEmfConstant_V_s_per_rad;
   const auto momentum = fitMomentum(blocks, speed, least, motor.torqueConstant_Nm_per_A.value, options.window_s);
   if (!momentum) return momentum.error();
-  motor.inertia_kg_m2 = {momentum->x[0], momentum->error[0]};
+  motor.inertia_kg_m2 = {momentum->x[0], std::hypot(momentum->error[0], windowDoubt * momentum->x[0])};
+  motor.rampInertia_kg_m2 = motor.inertia_kg_m2;
   motor.coulomb_Nm = {momentum->x[1], momentum->error[1]};
   motor.viscous_Nm_s_per_rad = {momentum->x[2], momentum->error[2]};
   if (!(motor.inertia_kg_m2.value > 0.0)) return Error{"motor", "shows no inertia, expected a positive one"};
   return motor;
+}
+
+double joinInertia(IdentifiedMotor& motor, const Estimate& reversal) {
+  const Estimate& ramp = motor.rampInertia_kg_m2;
+  motor.reversalInertia_kg_m2 = reversal;
+  if (!(reversal.standardError > 0.0) || !(ramp.standardError > 0.0)) return 0.0;
+  const double apart = std::abs(ramp.value - reversal.value) / std::hypot(ramp.standardError, reversal.standardError);
+  motor.inertia_kg_m2 = combined(ramp, reversal);
+  motor.inertia_kg_m2.standardError *= std::max(1.0, apart);
+  return apart;
+}
+
+void setCurrentScale(IdentifiedMotor& motor, const CurrentScaleOptions& options) {
+  const auto relative = [](const Estimate& one) { return one.value != 0.0 ? one.standardError / one.value : 0.0; };
+  const double Kt = relative(motor.torqueConstant_Nm_per_A);
+  Estimate gain{1.0, options.gainInterval / 1.959964};
+  char text[240];
+  if (options.trustedInertia_kg_m2) {
+    gain.value = motor.inertia_kg_m2.value / *options.trustedInertia_kg_m2;
+    gain.standardError = gain.value * std::hypot(relative(motor.inertia_kg_m2), Kt);
+    std::snprintf(text, sizeof text,
+                  "The scale of all torques rests on the trusted inertia: by it the current sensor shows %.4g (%.4g to "
+                  "%.4g) of the true current.",
+                  gain.value, gain.low95(), gain.high95());
+  } else {
+    std::snprintf(text, sizeof text,
+                  "The scale of all torques rests on the current sensor's gain, taken as right within ±%.3g %%: "
+                  "resistance, inductance, inertia and friction share that doubt, their ratios are free of it.",
+                  100.0 * options.gainInterval);
+  }
+  motor.gauge = text;
+  motor.currentGain = gain;
+  const double doubt = relative(gain);
+  const auto scale = [doubt](Estimate& one, double by, double further) {
+    one.value *= by;
+    one.standardError = std::hypot(std::abs(by) * one.standardError, one.value * doubt, one.value * further);
+  };
+  scale(motor.resistance_ohm, gain.value, 0.0);
+  scale(motor.inductance_H, gain.value, 0.0);
+  const bool known = options.trustedInertia_kg_m2.has_value();
+  for (Estimate* one : {&motor.rampInertia_kg_m2, &motor.reversalInertia_kg_m2, &motor.inertia_kg_m2, &motor.coulomb_Nm,
+                        &motor.viscous_Nm_s_per_rad}) {
+    scale(*one, 1.0 / gain.value, known ? 0.0 : Kt);
+  }
+  if (known) motor.inertia_kg_m2 = {*options.trustedInertia_kg_m2, 0.0};
 }
 
 }  // namespace breakaway

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "base/estimate.h"
@@ -18,15 +19,38 @@ struct IdentifiedMotor {
   Estimate resistance_ohm;
   Estimate inductance_H;
   Estimate deadZone_V;
-  Estimate inertia_kg_m2;
-  Estimate coulomb_Nm;  ///< mean of both ways
+  Estimate inertia_kg_m2;          ///< of both methods together
+  Estimate rampInertia_kg_m2;      ///< by speeding up and slowing down under voltage
+  Estimate reversalInertia_kg_m2;  ///< by turning round under constant current; error 0: not done
+  Estimate coulomb_Nm;             ///< mean of both ways
   Estimate viscous_Nm_s_per_rad;
+  /// Shown over true current. All that is counted in amperes hangs on it: R and L grow with it, J, F and B shrink.
+  Estimate currentGain{1.0, 0.0};
+  std::string gauge;  ///< what the scale of all torques rests on, in words
+
+  /// Of the current as the sensor shows it.
+  double torquePerShownAmpere_Nm() const { return torqueConstant_Nm_per_A.value / currentGain.value; }
 };
 
 struct MotorIdentificationOptions {
   std::optional<double> trustedTorqueConstant_Nm_per_A;
   double window_s = 0.1;  ///< of the momentum balance
 };
+
+struct CurrentScaleOptions {
+  double gainInterval =
+      0.027;  ///< half width of the 95 % interval of the sensor's gain, relative; ACS712: 180–190 mV/A
+  std::optional<double> trustedInertia_kg_m2;  ///< known, with all that turns: then the gain is measured
+};
+
+/// The reversal's inertia taken in: both methods weighted by their errors, which grow by as much as they disagree.
+/// Returns by how many standard errors they part.
+double joinInertia(IdentifiedMotor& motor, const Estimate& reversal);
+
+/// Puts the scale of the current on the motor, whose values must be as the sensor shows its current: the gain from a
+/// trusted inertia, or one with the interval given. Values and intervals then are those of true amperes, and `gauge`
+/// says on what they rest.
+void setCurrentScale(IdentifiedMotor& motor, const CurrentScaleOptions& options);
 
 /// Back-EMF constant and dead zone by least squares of v − R·i = Ke·ω + V0·sgn ω over the blocks that turn; inertia and
 /// friction by the balance of momentum over windows, Kt·∫i dt = J·Δω + C·s·Δt + B·Δθ, which needs no second derivative.

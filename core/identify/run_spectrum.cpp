@@ -12,7 +12,9 @@ namespace {
 using Complex = std::complex<double>;
 constexpr double turn = 2.0 * std::numbers::pi;
 /// Of an order's phase in half the span, beyond which the central difference shows too little of it.
-constexpr double mostPhase = 2.0;
+constexpr double mostPhase = 1.2;
+/// A harmonic's scatter grows with its order; the mean over neighbours and few blocks makes it seem smaller than it is.
+constexpr double pooledDoubt = 1.3;
 constexpr size_t pooledReach = 2;  // orders on either side whose scatter is averaged
 
 /// Bin means; an empty bin takes the mean of its filled neighbours.
@@ -109,7 +111,7 @@ double pooled(const std::vector<double>& variance, size_t order) {
                last = std::min(order + pooledReach, variance.size() - 1);
   double sum = 0.0;
   for (size_t k = first; k <= last; ++k) sum += variance[k];
-  return sum / static_cast<double>(last + 1 - first);
+  return pooledDoubt * sum / static_cast<double>(last + 1 - first);
 }
 
 size_t samplesOf(const VelocityRun& run) {

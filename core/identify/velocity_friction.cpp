@@ -157,12 +157,16 @@ class Curve {
  public:
   Curve(std::vector<Estimate>& bins, double significance) : bins_(bins), significance_(significance) {}
 
-  bool standsOut(Complex value, double variance) const {
-    return std::norm(value) > significance_ * significance_ * variance;
+  bool standsOut(Complex value, double variance) const { return partOf(value, variance) > 0.0; }
+  /// What a harmonic of that variance is worth: nothing within the noise, all of it far above.
+  double partOf(Complex value, double variance) const {
+    const double ratio = significance_ * significance_ * variance / std::max(1e-300, std::norm(value));
+    return std::max(0.0, 1.0 - ratio * ratio);
   }
   void keep(size_t order, Complex value, double variance) {
-    addHarmonic(bins_, order, value);
-    variance_ += variance;
+    const double part = order == 0 ? 1.0 : partOf(value, variance);
+    addHarmonic(bins_, order, part * value);
+    variance_ += variance + 0.5 * std::norm((1.0 - part) * value);
     highest_ = std::max(highest_, order);
   }
   /// Left out as no more than noise; it may be there all the same.
@@ -191,20 +195,24 @@ MovingFriction fitWay(WayRuns runs, const VelocityFrictionOptions& options) {
   widen(runs);
   const Line mean = fitOrder(runs, 0, true);
   const double zero_Nm = options.torqueConstant_Nm_per_A * options.zeroError_A;
-  friction.coulombMean_Nm = {mean.coulomb.real(), std::hypot(std::sqrt(mean.coulombVariance), zero_Nm)};
-  friction.viscousMean_Nm_s_per_rad = {mean.viscous.real(), std::sqrt(mean.viscousVariance)};
+  friction.coulombMean_Nm = {mean.coulomb.real(), std::hypot(std::sqrt(mean.coulombVariance), zero_Nm,
+                                                             options.scaleError * mean.coulomb.real())};
+  friction.viscousMean_Nm_s_per_rad = {
+      mean.viscous.real(), std::hypot(std::sqrt(mean.viscousVariance), options.scaleError * mean.viscous.real())};
   Curve coulomb(friction.coulomb_Nm, options.significance),
-      viscous(friction.viscous_Nm_s_per_rad, options.viscousSignificance);
+      viscous(friction.viscous_Nm_s_per_rad, options.significance);
   coulomb.keep(0, mean.coulomb, std::pow(friction.coulombMean_Nm.standardError, 2));
-  viscous.keep(0, mean.viscous, mean.viscousVariance);
+  viscous.keep(0, mean.viscous, std::pow(friction.viscousMean_Nm_s_per_rad.standardError, 2));
+  const double mostViscousVariance = std::pow(options.mostViscousError * mean.viscous.real(), 2);
   const double mostVariance = options.mostError * options.mostError * std::norm(mean.coulomb);
   for (size_t k = 1; k <= options.highestOrder; ++k) {
     Line line = fitOrder(runs, k, k <= options.highestViscousOrder);
-    if (k <= options.highestViscousOrder && !viscous.standsOut(line.viscous, line.viscousVariance)) {
-      viscous.leaveOut(k, line.viscous);
-      line = fitOrder(runs, k, false);
-    } else if (k <= options.highestViscousOrder) {
+    const bool sloped = line.viscousVariance > 0.0 && line.viscousVariance < mostViscousVariance;
+    if (sloped && viscous.standsOut(line.viscous, line.viscousVariance)) {
       viscous.keep(k, line.viscous, line.viscousVariance);
+    } else {
+      if (sloped) viscous.leaveOut(k, line.viscous);
+      line = fitOrder(runs, k, false);
     }
     // What fast runs blur the slowest may still show: position torque is the same at any speed.
     if (line.coulombVariance > mostVariance && friction.leftOut > 0) line = fitOrder(all, k, false);

@@ -12,15 +12,17 @@ namespace breakaway {
 
 struct VelocityFrictionOptions {
   double torqueConstant_Nm_per_A = 0.0;
+  double scaleError = 0.0;  ///< relative standard error of the torque constant, common to all torques
   double inertia_kg_m2 = 0.0;
   double noiseRms_A = 0.0;   ///< of one sample of the current
   double zeroError_A = 0.0;  ///< standard error of the current sensor's zero over the sweep, common to its runs
   size_t bins = 180;         ///< of the result
   size_t highestOrder = 40;  ///< harmonics of Coulomb friction that are looked at
   size_t highestViscousOrder = 12;
-  double mostError = 0.04;  ///< standard error of a harmonic, part of the mean torque, above which it is not looked at
-  double significance = 3.0;         ///< standard errors by which a harmonic must stand out to be kept
-  double viscousSignificance = 3.5;  ///< likewise of viscous friction, where a false one weighs more
+  double mostError = 0.02;  ///< standard error of a harmonic, part of the mean torque, above which it is not looked at
+  double mostViscousError = 0.1;  ///< likewise of viscous friction, part of its mean
+  double significance = 2.5;  ///< standard errors s by which a harmonic must stand out; of one that does by z, the part
+                              ///< 1 − (s/z)⁴ is taken
   /// The breakaway map where it is known: whole torque that starts motion per equal bin from the index, by Way. It
   /// tells how far friction can fall with speed, so that slow runs can be freed of it; empty: runs that show it are
   /// left out.

@@ -120,6 +120,9 @@ Result<Bench> readBench(JsonObject root) {
     bench.input = *known;
   }
   bench.supply_V = drive.optionalNumber("supply_V", Allowed::positive);
+  bench.currentGainInterval = drive.optionalNumber("current_gain_interval", Allowed::positive);
+  if (bench.currentGainInterval.value_or(0.0) > 0.5)
+    drive.fault("current_gain_interval", "is above 0.5, expected a small relative half width");
 
   readMotor(root.object("motor", false), names, bench.motor);
   readTrusted(root, names, bench.trusted);
@@ -190,6 +193,7 @@ Result<void> writeBench(const Bench& bench, const std::string& path) {
   if (bench.countsPerUnit) json["encoder"][names.counts] = *bench.countsPerUnit;
   json["drive"]["input"] = bench.inputChannel();
   if (bench.supply_V) json["drive"]["supply_V"] = *bench.supply_V;
+  if (bench.currentGainInterval) json["drive"]["current_gain_interval"] = *bench.currentGainInterval;
   const auto put = [&json](const char* name, const std::optional<double>& value) {
     if (value) json["motor"][name] = *value;
   };

@@ -51,7 +51,8 @@ struct Bench {
   Axis axis = Axis::rotary;
   DriveInput input = DriveInput::torque;
   std::optional<double> supply_V;
-  std::optional<double> countsPerUnit;  ///< per rev or per m, as in the file
+  std::optional<double> currentGainInterval;  ///< relative half width of the current sensor's 95 % interval
+  std::optional<double> countsPerUnit;        ///< per rev or per m, as in the file
   MotorBelief motor;
   std::set<std::string> trusted;  ///< contract names, e.g. "torque_constant_Nm_per_A"
   std::optional<Pendulum> pendulum;

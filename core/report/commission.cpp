@@ -4,15 +4,16 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <span>
 
 #include "control/tuning.h"
 #include "experiment/breakaway_sweep.h"
 #include "experiment/current_zeroing.h"
 #include "experiment/homing.h"
+#include "experiment/reversal_test.h"
 #include "experiment/spin_test.h"
 #include "experiment/winding_test.h"
 #include "identify/map_estimation.h"
+#include "identify/reversal_inertia.h"
 #include "identify/zero_track.h"
 #include "report/commission_steps.h"
 
@@ -28,14 +29,6 @@ double highestSpeed(const std::vector<SpinBlock>& blocks) {
   return highest;
 }
 
-/// What a sweep has, from number `earlier` on counted from its own zeros; what an earlier part measured is so already.
-template <typename Measured>
-std::vector<Measured> countedFrom(std::vector<Measured> all, size_t earlier, const std::vector<ZeroReading>& zeros,
-                                  double noiseRms_A) {
-  countFrom(ZeroTrack(zeros, noiseRms_A), std::span(all).subspan(std::min(earlier, all.size())));
-  return all;
-}
-
 /// The job's state while it runs.
 class Job {
  public:
@@ -48,6 +41,8 @@ class Job {
   Result<void> begin();
   Result<void> identify();
   Result<void> tune();
+  Result<void> reverse();
+  Result<void> setScale();
   Result<void> home();
   Result<void> sweepVelocity();
   Result<void> sweepBreakaway();
@@ -55,17 +50,15 @@ class Job {
   void fillBench();
   VelocityFrictionOptions frictionOptions() const;
   double zeroing_s() const;
-  double zeroErrorAt(const std::vector<ZeroReading>& zeros, double time_s) const {
-    return ZeroTrack(zeros, done_.noiseRms_A).at(time_s).standardError;
-  }
 
   Drive& drive_;
   const CommissionOptions& options_;
   Commission done_;
   std::array<double, 2> expected_A_{0.0, 0.0};
-  double zeroError_A_ = 0.0;  ///< over the velocity sweep
   CommissionProgress kept_;
   CommissionSteps steps_;
+  double shownResistance_ohm_ = 0.0;  ///< with the current as the sensor shows it
+  double zeroError_A_ = 0.0;          ///< over the velocity sweep
 };
 
 std::optional<double> Job::trustedTorqueConstant() const {
@@ -75,18 +68,12 @@ std::optional<double> Job::trustedTorqueConstant() const {
 
 /// Fresh, or from what was kept, if that belongs to this job.
 Result<void> Job::begin() {
-  const CommissionProgress fresh{done_.identity.device,
-                                 options_.bins,
-                                 options_.turns,
-                                 options_.speedRun_s,
-                                 trustedTorqueConstant(),
-                                 1,
-                                 0.0,
-                                 {},
-                                 {},
-                                 {},
-                                 {},
-                                 {}};
+  CommissionProgress fresh;
+  fresh.device = done_.identity.device;
+  fresh.bins = options_.bins;
+  fresh.turns = options_.turns;
+  fresh.speedRun_s = options_.speedRun_s;
+  fresh.trustedTorqueConstant_Nm_per_A = trustedTorqueConstant();
   kept_ = options_.earlier.value_or(fresh);
   if (!options_.earlier) return {};
   if (kept_.device != fresh.device)
@@ -118,6 +105,7 @@ Result<void> Job::identify() {
   if (kept_.motor) {
     done_.motor = *kept_.motor;
     expected_A_ = kept_.expected_A;
+    shownResistance_ohm_ = kept_.shownResistance_ohm;
     return {};
   }
   const auto winding = std::make_shared<WindingTest>();
@@ -153,10 +141,7 @@ Result<void> Job::identify() {
         "same "
         "quantity. All torques rest on the trusted one.");
   }
-  return steps_.keep([this] {
-    kept_.motor = done_.motor;
-    kept_.expected_A = expected_A_;
-  });
+  return {};
 }
 
 Result<void> Job::tune() {
@@ -180,6 +165,54 @@ Result<void> Job::tune() {
   return {};
 }
 
+/// The second way to the inertia. Where it can't be gone, the first stands alone, and a remark says so.
+Result<void> Job::reverse() {
+  if (kept_.motor) return {};
+  const IdentifiedMotor& motor = done_.motor;
+  const double Kt = motor.torqueConstant_Nm_per_A.value, J = motor.inertia_kg_m2.value;
+  const double friction_A = std::max(0.01, motor.coulomb_Nm.value / Kt);
+  const double most_A = 0.8 * done_.settings.current_limit_A, current_A = std::min(3.0 * friction_A, most_A);
+  const double slope = Kt * current_A / J, free = drive_.identity().supply_V / motor.backEmfConstant_V_s_per_rad.value;
+  ReversalTestOptions options;
+  options.current_A = current_A;
+  options.highest_rad_per_s = std::min(0.35 * free, 0.2 * slope);
+  options.block_s = std::max(2.0 / drive_.identity().loopRate_Hz, options.highest_rad_per_s / slope / 40.0);
+  const auto test = std::make_shared<ReversalTest>(options);
+  const auto ran = steps_.run("03c-reversal", test, 0.005);
+  if (test->state() == Procedure::State::stopped) return ran;
+  const auto inertia = ran ? reversalInertia(test->blocks(), {Kt, current_A}) : Result<Estimate>(ran.error());
+  if (!inertia) {
+    done_.remarks.push_back(inertia.error().message() + "; the inertia rests on the spin test alone.");
+    return {};
+  }
+  const double apart = joinInertia(done_.motor, *inertia);
+  if (apart > 3.0) {
+    done_.remarks.push_back(
+        "The inertia by speeding up and slowing down and the one by turning round differ by more than three standard "
+        "errors; the interval given covers both.");
+  }
+  return {};
+}
+
+/// From here on torques are of true amperes, while the windings' voltage still follows the current as it is shown.
+Result<void> Job::setScale() {
+  if (kept_.motor) return {};
+  CurrentScaleOptions options;
+  if (options_.bench) {
+    const Bench& bench = *options_.bench;
+    if (bench.currentGainInterval) options.gainInterval = *bench.currentGainInterval;
+    if (bench.trusted.contains("inertia_kg_m2")) options.trustedInertia_kg_m2 = bench.motor.inertia;
+  }
+  shownResistance_ohm_ = done_.motor.resistance_ohm.value;
+  setCurrentScale(done_.motor, options);
+  done_.remarks.push_back(done_.motor.gauge);
+  return steps_.keep([this] {
+    kept_.motor = done_.motor;
+    kept_.expected_A = expected_A_;
+    kept_.shownResistance_ohm = shownResistance_ohm_;
+  });
+}
+
 Result<void> Job::home() {
   HomingOptions options;
   options.countsPerRev = drive_.identity().countsPerRev;
@@ -191,15 +224,17 @@ Result<void> Job::home() {
 
 /// Long enough to bring the zero's noise to 0.3 % of the friction's current, within reason.
 double Job::zeroing_s() const {
-  const double friction_A = done_.motor.coulomb_Nm.value / done_.motor.torqueConstant_Nm_per_A.value;
+  const double friction_A = done_.motor.coulomb_Nm.value / done_.motor.torquePerShownAmpere_Nm();
   const double aim_A = 0.003 * std::max(1e-6, friction_A);
   return std::clamp(done_.noiseRms_A * done_.noiseRms_A / (aim_A * aim_A) / done_.identity.loopRate_Hz, 0.4, 4.0);
 }
 
 VelocityFrictionOptions Job::frictionOptions() const {
   VelocityFrictionOptions options;
-  options.torqueConstant_Nm_per_A = done_.motor.torqueConstant_Nm_per_A.value;
+  options.torqueConstant_Nm_per_A = done_.motor.torquePerShownAmpere_Nm();
   options.inertia_kg_m2 = done_.motor.inertia_kg_m2.value;
+  const Estimate& Kt = done_.motor.torqueConstant_Nm_per_A;
+  options.scaleError = Kt.value > 0.0 ? Kt.standardError / Kt.value : 0.0;
   options.noiseRms_A = done_.noiseRms_A;
   options.zeroError_A = zeroError_A_;
   options.bins = options_.bins;
@@ -208,11 +243,11 @@ VelocityFrictionOptions Job::frictionOptions() const {
 
 Result<void> Job::sweepVelocity() {
   const IdentifiedMotor& motor = done_.motor;
-  const double friction_A = motor.coulomb_Nm.value / motor.torqueConstant_Nm_per_A.value;
+  const double friction_A = motor.coulomb_Nm.value / motor.torquePerShownAmpere_Nm();
   // Top speed from V = V0 + R·i + Ke·ω with friction's current and a third more, and 0.6 of it to leave room for
   // control.
-  const double perAmp_V = 1.33 * motor.resistance_ohm.value;
-  const double slope_A = std::max(0.0, motor.viscous_Nm_s_per_rad.value) / motor.torqueConstant_Nm_per_A.value;
+  const double perAmp_V = 1.33 * shownResistance_ohm_;
+  const double slope_A = std::max(0.0, motor.viscous_Nm_s_per_rad.value) / motor.torquePerShownAmpere_Nm();
   const double usable_V = drive_.identity().supply_V - motor.deadZone_V.value - perAmp_V * friction_A;
   const double highest = std::max(1.0, 0.6 * usable_V / (motor.backEmfConstant_V_s_per_rad.value + perAmp_V * slope_A));
   VelocitySweepOptions options;
@@ -223,19 +258,18 @@ Result<void> Job::sweepVelocity() {
   options.run_s = options_.speedRun_s;
   options.zeroing_s = zeroing_s();
   const auto sweep = std::make_shared<VelocitySweep>(options, kept_.runs);
-  const size_t earlier = sweep->runs().size();
-  const auto gather = [this, sweep, earlier, zeroed = options.zeroing_s > 0.0] {
-    kept_.runs = countedFrom(sweep->runs(), earlier, sweep->zeros(), done_.noiseRms_A);
-    // What is written once waits for the zero after it.
-    const bool waits = kept_.runs.size() > earlier &&
-                       (sweep->zeros().empty() || kept_.runs.back().middle_s > sweep->zeros().back().time_s);
-    if (waits && zeroed) kept_.runs.pop_back();
+  // A zero is known from the zeroings of its own part alone.
+  const size_t before = sweep->runs().size();
+  const auto gather = [this, sweep, before] {
+    kept_.runs = sweep->runs();
+    std::vector<VelocityRun> fresh(kept_.runs.begin() + static_cast<std::ptrdiff_t>(before), kept_.runs.end());
+    countFrom(ZeroTrack(sweep->zeros(), done_.noiseRms_A), fresh);
+    std::move(fresh.begin(), fresh.end(), kept_.runs.begin() + static_cast<std::ptrdiff_t>(before));
   };
   if (auto ran = steps_.run("05-velocity-sweep", sweep, 0.2, gather); !ran) return ran;
-  done_.runs = countedFrom(sweep->runs(), earlier, sweep->zeros(), done_.noiseRms_A);
-  if (!done_.runs.empty())
-    zeroError_A_ = zeroErrorAt(sweep->zeros(),
-                               done_.runs[std::min((earlier + done_.runs.size()) / 2, done_.runs.size() - 1)].middle_s);
+  done_.runs = kept_.runs;
+  const ZeroTrack zeros(sweep->zeros(), done_.noiseRms_A);
+  if (!done_.runs.empty()) zeroError_A_ = zeros.at(done_.runs[done_.runs.size() / 2].middle_s).standardError;
   auto moving = fitMovingFriction(done_.runs, frictionOptions());
   if (!moving) return moving.error();
   done_.moving = std::move(*moving);
@@ -248,8 +282,8 @@ Result<void> Job::sweepBreakaway() {
   options.bins = options_.bins;
   options.turns = options_.turns;
   options.indexAngle_rad = done_.indexAngle_rad.value;
-  options.torqueConstant_Nm_per_A = motor.torqueConstant_Nm_per_A.value;
-  options.resistance_ohm = motor.resistance_ohm.value;
+  options.torqueConstant_Nm_per_A = motor.torquePerShownAmpere_Nm();
+  options.resistance_ohm = shownResistance_ohm_;
   options.deadZone_V = motor.deadZone_V.value;
   options.inertia_kg_m2 = motor.inertia_kg_m2.value;
   options.backEmfConstant_V_s_per_rad = motor.backEmfConstant_V_s_per_rad.value;
@@ -262,12 +296,16 @@ Result<void> Job::sweepBreakaway() {
   options.zeroEvery_s = 20.0 * std::max(0.5, options.zeroing_s);
   options.current_limit_A = done_.settings.current_limit_A;
   const auto sweep = std::make_shared<BreakawaySweep>(options, kept_.events);
-  const size_t earlier = sweep->events().size();
-  const auto gather = [this, sweep, earlier] {
-    kept_.events = countedFrom(sweep->events(), earlier, sweep->zeros(), done_.noiseRms_A);
+  const size_t before = sweep->events().size();
+  const auto gather = [this, sweep, before] {
+    kept_.events = sweep->events();
+    std::vector<BreakawayEvent> fresh(kept_.events.begin() + static_cast<std::ptrdiff_t>(before), kept_.events.end());
+    countFrom(ZeroTrack(sweep->zeros(), done_.noiseRms_A), fresh);
+    std::move(fresh.begin(), fresh.end(), kept_.events.begin() + static_cast<std::ptrdiff_t>(before));
   };
   if (auto ran = steps_.run("06-breakaway-sweep", sweep, 0.738, gather); !ran) return ran;
-  std::vector<BreakawayEvent> events = countedFrom(sweep->events(), earlier, sweep->zeros(), done_.noiseRms_A);
+  const std::vector<BreakawayEvent>& events = kept_.events;
+  const ZeroTrack zeros(sweep->zeros(), done_.noiseRms_A);
   done_.missed = sweep->missed();
   done_.zeroing_s = options.zeroing_s;
   done_.zeroings = sweep->zeros().size();
@@ -280,14 +318,17 @@ Result<void> Job::sweepBreakaway() {
   mapOptions.turns = options_.turns;
   mapOptions.torqueConstant_Nm_per_A = options.torqueConstant_Nm_per_A;
   mapOptions.noiseRms_A = done_.noiseRms_A;
-  if (!events.empty())
-    mapOptions.zeroError_A =
-        zeroErrorAt(sweep->zeros(), events[std::min((earlier + events.size()) / 2, events.size() - 1)].time_s);
+  if (!events.empty()) mapOptions.zeroError_A = zeros.at(events[events.size() / 2].time_s).standardError;
   done_.events = calibrated(events, mapOptions);
   if (auto refitted = refitMoving(events, mapOptions); !refitted) return refitted;
   auto map = estimateMap(events, &done_.moving, mapOptions);
   if (!map) return map.error();
   done_.map = std::move(*map);
+  const double doubt = done_.motor.currentGain.standardError / done_.motor.currentGain.value;
+  done_.motor.coulomb_Nm = done_.map.coulombAverage_Nm;
+  done_.motor.viscous_Nm_s_per_rad = done_.map.viscousAverage_Nm_s_per_rad;
+  for (Estimate* one : {&done_.motor.coulomb_Nm, &done_.motor.viscous_Nm_s_per_rad})
+    one->standardError = std::hypot(one->standardError, doubt * one->value);
   done_.map.settings = {{"torque_constant_Nm_per_A", options.torqueConstant_Nm_per_A},
                         {"resistance_ohm", options.resistance_ohm},
                         {"dead_zone_V", options.deadZone_V},
@@ -332,10 +373,11 @@ void Job::fillBench() {
   bench.input = DriveInput::current;
   bench.supply_V = drive_.identity().supply_V;
   bench.countsPerUnit = drive_.identity().countsPerRev;
-  bench.motor.torqueConstant = motor.torqueConstant_Nm_per_A.value;
+  // Recordings show the current as the sensor does; with it go torque constant and winding.
+  bench.motor.torqueConstant = motor.torquePerShownAmpere_Nm();
   bench.motor.backEmfConstant = motor.backEmfConstant_V_s_per_rad.value;
-  bench.motor.resistance_ohm = motor.resistance_ohm.value;
-  if (motor.inductance_H.value > 0.0) bench.motor.inductance_H = motor.inductance_H.value;
+  bench.motor.resistance_ohm = shownResistance_ohm_;
+  if (motor.inductance_H.value > 0.0) bench.motor.inductance_H = motor.inductance_H.value / motor.currentGain.value;
   bench.motor.inertia = motor.inertia_kg_m2.value;
   bench.motor.viscous = std::max(0.0, done_.map.viscousAverage_Nm_s_per_rad.value);
   bench.motor.coulomb = std::max(0.0, done_.map.coulombAverage_Nm.value);
@@ -357,6 +399,8 @@ Result<Commission> Job::run() {
   if (const auto ok = begin(); !ok) return ok.error();
   if (const auto ok = identify(); !ok) return ok.error();
   if (const auto ok = tune(); !ok) return ok.error();
+  if (const auto ok = reverse(); !ok) return ok.error();
+  if (const auto ok = setScale(); !ok) return ok.error();
   if (const auto ok = home(); !ok) return ok.error();
   if (const auto ok = sweepVelocity(); !ok) return ok.error();
   if (const auto ok = sweepBreakaway(); !ok) return ok.error();

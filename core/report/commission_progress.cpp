@@ -29,6 +29,9 @@ constexpr MotorField motorFields[] = {
     {"inductance_H", &IdentifiedMotor::inductance_H},
     {"dead_zone_V", &IdentifiedMotor::deadZone_V},
     {"inertia_kg_m2", &IdentifiedMotor::inertia_kg_m2},
+    {"ramp_inertia_kg_m2", &IdentifiedMotor::rampInertia_kg_m2},
+    {"reversal_inertia_kg_m2", &IdentifiedMotor::reversalInertia_kg_m2},
+    {"current_gain", &IdentifiedMotor::currentGain},
     {"coulomb_Nm", &IdentifiedMotor::coulomb_Nm},
     {"viscous_Nm_s_per_rad", &IdentifiedMotor::viscous_Nm_s_per_rad},
 };
@@ -59,7 +62,7 @@ Json rowsOf(const std::vector<AngleBinSums>& bins) {
 
 std::string runText(const VelocityRun& run) {
   Json blocks = Json::array();
-  for (const auto& block : run.blocks) {
+  for (const RunBlock& block : run.blocks) {
     blocks.push_back({{"turns", block.turns},
                       {"start_speed_rad_per_s", block.startSpeed_rad_per_s},
                       {"end_speed_rad_per_s", block.endSpeed_rad_per_s},
@@ -108,6 +111,8 @@ std::string stateText(const CommissionProgress& progress) {
       const Estimate& estimate = *progress.motor.*field.estimate;
       motor[field.name] = {{"value", estimate.value}, {"std", estimate.standardError}};
     }
+    motor["gauge"] = progress.motor->gauge;
+    motor["shown_resistance_ohm"] = progress.shownResistance_ohm;
     motor["expected_cw_A"] = progress.expected_A[0];
     motor["expected_ccw_A"] = progress.expected_A[1];
     json["motor"] = motor;
@@ -144,25 +149,16 @@ Result<VelocityRun> readRun(const std::string& path) {
   auto root = JsonObject::fromFile(path);
   if (!root) return root.error();
   checkSchema(*root);
-  VelocityRun run;
-  run.target_rad_per_s = root->number("target_rad_per_s");
-  run.turns = countOf(*root, "turns");
-  run.duration_s = root->number("duration_s", Allowed::positive);
-  run.middle_s = root->number("middle_s");
-  run.zero_A = root->number("zero_A");
-  run.halfSpan_s = root->number("half_span_s", Allowed::positive);
-  run.start_rad = root->number("start_rad");
-  run.bins = sumsIn(*root);
+  VelocityRun run{
+      root->number("target_rad_per_s"), countOf(*root, "turns"), root->number("duration_s", Allowed::positive),
+      root->number("middle_s"),         root->number("zero_A"),  root->number("half_span_s", Allowed::positive),
+      root->number("start_rad"),        sumsIn(*root),           {}};
   for (JsonObject& block : root->objects("blocks")) {
-    RunBlock part;
-    part.turns = countOf(block, "turns");
-    part.startSpeed_rad_per_s = block.number("start_speed_rad_per_s");
-    part.endSpeed_rad_per_s = block.number("end_speed_rad_per_s");
-    part.startWobble_rad_per_s = block.number("start_wobble_rad_per_s");
-    part.endWobble_rad_per_s = block.number("end_wobble_rad_per_s");
-    part.bins = sumsIn(block);
-    if (part.bins.size() != run.bins.size()) block.fault("bins", "has another length than the whole run's");
-    run.blocks.push_back(std::move(part));
+    run.blocks.push_back({countOf(block, "turns"), block.number("start_speed_rad_per_s"),
+                          block.number("end_speed_rad_per_s"), block.number("start_wobble_rad_per_s"),
+                          block.number("end_wobble_rad_per_s"), sumsIn(block)});
+    if (run.blocks.back().bins.size() != run.bins.size())
+      block.fault("bins", "has another length than the whole run's");
   }
   if (const auto done = root->finish(); !done) return done.error();
   return run;
@@ -214,6 +210,8 @@ void readMotor(JsonObject object, CommissionProgress& progress) {
     JsonObject estimate = object.object(field.name);
     motor.*field.estimate = {estimate.number("value"), estimate.number("std", Allowed::nonNegative)};
   }
+  motor.gauge = object.text("gauge", "");
+  progress.shownResistance_ohm = object.number("shown_resistance_ohm", Allowed::nonNegative);
   progress.expected_A = {object.number("expected_cw_A"), object.number("expected_ccw_A")};
   progress.motor = motor;
 }

@@ -24,6 +24,7 @@ struct CommissionProgress {
 
   std::optional<IdentifiedMotor> motor;  ///< once it is identified
   std::array<double, 2> expected_A{};    ///< first look at the breakaway current by Way, with the motor
+  double shownResistance_ohm = 0.0;      ///< with the current as the sensor shows it, with the motor
   std::vector<VelocityRun> runs;         ///< complete ones, in the order they were run
   std::vector<BreakawayEvent> events;
 };

@@ -88,7 +88,7 @@ void TestCommission::files_areAllThereAndReadBack() {
   const auto bench = readBench(folder.path("out/bench.json"));
   QVERIFY2(bench.ok(), bench.ok() ? "" : bench.error().message().c_str());
   QVERIFY(bench->trusted.contains("torque_constant_Nm_per_A"));
-  QCOMPARE(servo_->recordings.size(), size_t{6});
+  QCOMPARE(servo_->recordings.size(), size_t{7});
   const auto recording = readCsv(folder.path("out/recordings/05-velocity-sweep.csv"));
   QVERIFY(recording.ok());
   QVERIFY(recording->has("current_A") && recording->rows() > 10000 && recording->rows() < 200000);

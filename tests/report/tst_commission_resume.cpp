@@ -89,22 +89,19 @@ void TestCommissionResume::soundRigs_areNeverInterrupted() {
 
 void TestCommissionResume::progress_readsBackAsItWas() {
   test::TemporaryFolder folder;
-  CommissionProgress progress{"a board",         bins, 2, 4.0, 0.07, 3, 123.25, {"a remark"}, IdentifiedMotor{},
-                              {0.25, 1.0 / 3.0}, {},   {}};
+  CommissionProgress progress{"a board",         bins, 2,  4.0, 0.07, 3, 123.25, {"a remark"}, IdentifiedMotor{},
+                              {0.25, 1.0 / 3.0}, 1.25, {}, {}};
   progress.motor->resistance_ohm = {1.0 / 7.0, 1e-3};
   progress.motor->torqueConstantTrusted = true;
-  VelocityRun run;
-  run.target_rad_per_s = -10.0 / 3.0, run.turns = 2, run.duration_s = 4.5, run.middle_s = 77.5, run.zero_A = 0.051;
-  run.halfSpan_s = 0.01, run.start_rad = 1.25;
-  run.bins = {{3, 0.1, 0.2, -3.0, 9.1}, {0, 0.0, 0.0, 0.0, 0.0}};
-  run.blocks = {{1, 2.0, 2.5, 0.1, 0.2, run.bins}, {1, 2.5, 3.0, 0.2, 0.3, run.bins}};
+  VelocityRun run{-10.0 / 3.0, 2, 4.5, 7.5, 0.05, 0.01, 0.3, {{3, 0.1, 0.2, -3.0, 9.1}, {0, 0.0, 0.0, 0.0, 0.0}}, {}};
+  run.blocks.assign(2, RunBlock{1, 0.1, 0.2, 0.3, 0.4, run.bins});
   progress.runs = {run, run};
   BreakawayEvent event;
   event.way = Way::cw;
   event.turn = 1, event.bin = 17, event.samples = 2000, event.outlier = true;
   event.angle_rad = 0.1, event.current_A = 0.2, event.torque_Nm = 0.3, event.commanded_A = 0.4;
   event.commandedMean_A = 0.5, event.measuredMean_A = 0.6, event.commandedVariance_A2 = 0.7, event.covariance_A2 = 0.8;
-  event.time_s = 12.5, event.zero_A = 0.052, event.lag_A = 0.003;
+  event.time_s = 12.5, event.zero_A = 0.01, event.lag_A = 0.02;
   progress.events = {event};
   VERIFY_OK(writeProgress(progress, folder.path("out")));
   const auto back = readProgress(folder.path("out"));
@@ -118,22 +115,20 @@ void TestCommissionResume::progress_readsBackAsItWas() {
   QCOMPARE(back->expected_A, progress.expected_A);
   QCOMPARE(back->runs.size(), size_t{2});
   QCOMPARE(back->runs[1].target_rad_per_s, run.target_rad_per_s);
-  QVERIFY(back->runs[1].middle_s == 77.5 && back->runs[1].zero_A == 0.051 && back->runs[1].start_rad == 1.25);
-  const RunBlock& block = back->runs[1].blocks[1];
-  QVERIFY(block.turns == 1 && block.startSpeed_rad_per_s == 2.5 && block.endSpeed_rad_per_s == 3.0);
-  QVERIFY(block.startWobble_rad_per_s == 0.2 && block.endWobble_rad_per_s == 0.3);
-  QCOMPARE(block.bins[0].velocitySquared, 9.1);
+  QCOMPARE(back->runs[1].blocks[1].bins[0].velocitySquared, 9.1);
+  QVERIFY(back->runs[1].zero_A == 0.05 && back->runs[1].start_rad == 0.3 && back->runs[1].middle_s == 7.5);
+  QVERIFY(back->runs[1].blocks[1].turns == 1 && back->runs[1].blocks[1].endWobble_rad_per_s == 0.4);
   const BreakawayEvent& read = back->events.front();
+  QVERIFY(read.time_s == 12.5 && read.zero_A == 0.01 && read.lag_A == 0.02);
   QVERIFY(read.way == Way::cw && read.turn == 1 && read.bin == 17 && read.samples == 2000 && read.outlier);
   QVERIFY(read.angle_rad == 0.1 && read.current_A == 0.2 && read.torque_Nm == 0.3 && read.commanded_A == 0.4);
   QVERIFY(read.commandedMean_A == 0.5 && read.measuredMean_A == 0.6);
   QVERIFY(read.commandedVariance_A2 == 0.7 && read.covariance_A2 == 0.8);
-  QVERIFY(read.time_s == 12.5 && read.zero_A == 0.052 && read.lag_A == 0.003);
 }
 
 void TestCommissionResume::damagedProgress_isNamed() {
   test::TemporaryFolder folder;
-  const CommissionProgress progress{"a board", bins, 2, 4.0, {}, 1, 0.0, {}, {}, {}, {}, {BreakawayEvent{}}};
+  const CommissionProgress progress{"a board", bins, 2, 4.0, {}, 1, 0.0, {}, {}, {}, 0.0, {}, {BreakawayEvent{}}};
   VERIFY_OK(writeProgress(progress, folder.path("out")));
   VERIFY_OK(writeFile(
       folder.path("out/progress/breakaways.json"),
@@ -209,7 +204,7 @@ void TestCommissionResume::interruption_keepsTheStepsRecording() {
 void TestCommissionResume::anotherRig_isRefused() {
   test::TemporaryFolder folder;
   CommissionOptions options = quick(folder);
-  options.earlier = CommissionProgress{"another board", bins, 2, 4.0, {}, 1, 0.0, {}, {}, {}, {}, {}};
+  options.earlier = CommissionProgress{"another board", bins, 2, 4.0, {}, 1, 0.0, {}, {}, {}, 0.0, {}, {}};
   const auto done = commissioned(rigFile(folder, "sound", ""), options);
   VERIFY_ERROR(done, "board: is simulated board, rig servo, but the interrupted job was begun on another board");
 }
@@ -217,7 +212,7 @@ void TestCommissionResume::anotherRig_isRefused() {
 void TestCommissionResume::otherBins_areRefused() {
   test::TemporaryFolder folder;
   CommissionOptions options = quick(folder);
-  options.earlier = CommissionProgress{"simulated board, rig servo", 72, 2, 4.0, {}, 1, 0.0, {}, {}, {}, {}, {}};
+  options.earlier = CommissionProgress{"simulated board, rig servo", 72, 2, 4.0, {}, 1, 0.0, {}, {}, {}, 0.0, {}, {}};
   const auto done = commissioned(rigFile(folder, "sound", ""), options);
   VERIFY_ERROR(done, "bins and turns: are 36 and 2, but the interrupted job was begun with 72 and 2");
 }

@@ -1,0 +1,39 @@
+#include "experiment/reversal_test.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace breakaway {
+
+ReversalTest::ReversalTest(const ReversalTestOptions& options) : options_(options), means_(options.block_s) {
+  if (!(options.current_A > 0.0)) fail("no current is given to turn the rotor round with");
+  if (!(options.highest_rad_per_s > 0.0)) fail("no speed is given at which to turn round");
+}
+
+Command ReversalTest::run(const Sample& sample) {
+  now_s_ = elapsed_s(sample);
+  if (const auto block = means_.add(sample, tick_s())) blocks_.push_back(*block);
+  if (way_ * sample.velocity_rad_per_s >= options_.highest_rad_per_s) {
+    way_ = -way_;
+    turned_s_ = now_s_;
+    if (++done_ > options_.reversals) finish();
+  } else if (now_s_ - turned_s_ > options_.most_s) {
+    char text[128];
+    std::snprintf(text, sizeof text, "%.3g A bring the rotor to %.3g rad/s only, not to %.3g", options_.current_A,
+                  std::abs(sample.velocity_rad_per_s), options_.highest_rad_per_s);
+    fail(text);
+  }
+  return {Command::Mode::current, way_ * options_.current_A, 0.0, false};
+}
+
+double ReversalTest::progress() const {
+  return std::min(1.0, static_cast<double>(done_) / static_cast<double>(options_.reversals + 1));
+}
+
+double ReversalTest::remaining_s() const {
+  const double each_s = done_ > 0 ? now_s_ / static_cast<double>(done_) : 0.5;
+  return each_s * static_cast<double>(options_.reversals + 1 - std::min(done_, options_.reversals + 1));
+}
+
+}  // namespace breakaway

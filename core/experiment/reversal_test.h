@@ -1,0 +1,39 @@
+// Constant current to and fro: the rotor is braked, turned round and sped up again by the same current.
+#pragma once
+
+#include <vector>
+
+#include "experiment/spin_test.h"
+#include "experiment/timed_procedure.h"
+
+namespace breakaway {
+
+struct ReversalTestOptions {
+  double current_A = 0.0;          ///< of either sign in turn
+  double highest_rad_per_s = 0.0;  ///< where the current is turned round
+  size_t reversals = 16;
+  double block_s = 0.005;
+  double most_s = 4.0;  ///< from one reversal to the next
+};
+
+/// Turns the current round whenever the speed is reached. Fails in words when it isn't reached in time.
+class ReversalTest : public TimedProcedure {
+ public:
+  explicit ReversalTest(const ReversalTestOptions& options);
+  const std::vector<SpinBlock>& blocks() const { return blocks_; }
+
+ protected:
+  Command run(const Sample& sample) override;
+  double progress() const override;
+  double remaining_s() const override;
+  std::string activity() const override { return "turning the rotor round by constant current"; }
+
+ private:
+  ReversalTestOptions options_;
+  std::vector<SpinBlock> blocks_;
+  BlockMeans means_;
+  size_t done_ = 0;
+  double turned_s_ = 0.0, way_ = 1.0, now_s_ = 0.0;
+};
+
+}  // namespace breakaway
