@@ -14,7 +14,9 @@ ReversalTest::ReversalTest(const ReversalTestOptions& options) : options_(option
 Command ReversalTest::run(const Sample& sample) {
   now_s_ = elapsed_s(sample);
   if (const auto block = means_.add(sample, tick_s())) blocks_.push_back(*block);
-  if (way_ * sample.velocity_rad_per_s >= options_.highest_rad_per_s) {
+  // At other speeds each time, so that the rotor turns round at other angles: position torque then averages out.
+  const double golden = 0.618034 * static_cast<double>(done_), part = 0.7 + 0.3 * (golden - std::floor(golden));
+  if (way_ * sample.velocity_rad_per_s >= part * options_.highest_rad_per_s) {
     way_ = -way_;
     turned_s_ = now_s_;
     if (++done_ > options_.reversals) finish();

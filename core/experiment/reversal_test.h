@@ -10,8 +10,8 @@ namespace breakaway {
 
 struct ReversalTestOptions {
   double current_A = 0.0;          ///< of either sign in turn
-  double highest_rad_per_s = 0.0;  ///< where the current is turned round
-  size_t reversals = 16;
+  double highest_rad_per_s = 0.0;  ///< the current is turned round at 70 to 100 % of it
+  size_t reversals = 20;
   double block_s = 0.005;
   double most_s = 4.0;  ///< from one reversal to the next
 };

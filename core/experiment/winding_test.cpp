@@ -55,8 +55,8 @@ void WindingTest::takePoint(const Sample& sample) {
 void WindingTest::endRamp(const Sample& sample) {
   double highest = 0.0;
   for (size_t k = 0; k < blocks_.size(); ++k) {
-    // From letting go to the first count takes no longer than from there to where it counts as motion.
-    if (blockTimes_s_[k] > still_s_ - std::max(options_.dates_s, sample.time_s - still_s_)) continue;
+    // From letting go to the first count takes less than half of the time from there to where it counts as motion.
+    if (blockTimes_s_[k] > still_s_ - std::max(options_.dates_s, 0.4 * (sample.time_s - still_s_))) continue;
     points_.push_back(blocks_[k]);
     highest = std::max(highest, way() * blocks_[k].current_A);
   }

@@ -129,7 +129,8 @@ Result<IdentifiedMotor> identifyMotor(const std::vector<SpinBlock>& blocks, cons
   motor.torqueConstantTrusted = options.trustedTorqueConstant_Nm_per_A.has_value();
   motor.torqueConstant_Nm_per_A = motor.torqueConstantTrusted ? Estimate{*options.trustedTorqueConstant_Nm_per_A, 0.0}
                                                               : motor.backEmfConstant_V_s_per_rad;
-  const auto momentum = fitMomentum(blocks, speed, least, motor.torqueConstant_Nm_per_A.value, options.window_s);
+  const auto momentum =
+      fitMomentum(blocks, speed, 0.25 * highest, motor.torqueConstant_Nm_per_A.value, options.window_s);
   if (!momentum) return momentum.error();
   motor.inertia_kg_m2 = {momentum->x[0], std::hypot(momentum->error[0], windowDoubt * momentum->x[0])};
   motor.rampInertia_kg_m2 = motor.inertia_kg_m2;

@@ -10,7 +10,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr double slowest = 0.25, fastest = 0.85;  // part of the highest speed that slopes are taken over
+constexpr double slowest = 0.2, fastest = 0.65;  // part of the highest speed that slopes are taken over
 constexpr size_t leastBlocks = 4, leastReversals = 3;
 
 struct Point {

@@ -16,7 +16,7 @@ struct ReversalOptions {
 
 /// Before the reversal friction helps to brake, J·|a₁| = Kt·i₁ + F(ω); after it, at the same speeds the other way, it
 /// hinders, J·|a₂| = Kt·i₂ − F(ω). The sum is free of friction whatever its law: J = Kt·(i₁ + i₂)/(|a₁| + |a₂|), from
-/// the slopes of the speed between a quarter and 85 % of the highest. kg m², the mean over the reversals of either way,
+/// the slopes of the speed between 20 and 65 % of the highest. kg m², the mean over the reversals of either way,
 /// which position torque pulls apart; the standard error from their scatter. Errors: fewer than three reversals either
 /// way; a current that stays more than a fifth below the one asked for.
 Result<Estimate> reversalInertia(const std::vector<SpinBlock>& blocks, const ReversalOptions& options);

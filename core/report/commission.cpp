@@ -21,6 +21,8 @@ namespace breakaway {
 
 namespace {
 
+constexpr double turnsToSpeed = 2.0;  // of a reversal, so that position torque averages out
+
 double highestSpeed(const std::vector<SpinBlock>& blocks) {
   double highest = 0.0;
   for (size_t k = 1; k < blocks.size(); ++k) {
@@ -175,7 +177,8 @@ Result<void> Job::reverse() {
   const double slope = Kt * current_A / J, free = drive_.identity().supply_V / motor.backEmfConstant_V_s_per_rad.value;
   ReversalTestOptions options;
   options.current_A = current_A;
-  options.highest_rad_per_s = std::min(0.35 * free, 0.2 * slope);
+  options.highest_rad_per_s =
+      std::min(0.5 * free, std::max(0.2 * slope, std::sqrt(turnsToSpeed * 4.0 * std::numbers::pi * slope)));
   options.block_s = std::max(2.0 / drive_.identity().loopRate_Hz, options.highest_rad_per_s / slope / 40.0);
   const auto test = std::make_shared<ReversalTest>(options);
   const auto ran = steps_.run("03c-reversal", test, 0.005);

@@ -138,11 +138,13 @@ void motorChapter(HtmlReport& report, const Commission& done) {
                 {"inductance", withInterval(motor.inductance_H, 1e3, "mH")},
                 {"bridge's dead zone", withInterval(motor.deadZone_V, 1.0, "V")},
                 {"inertia", withInterval(motor.inertia_kg_m2, 1e6, "kg mm²")},
+                {"by speeding up and slowing down", withInterval(motor.rampInertia_kg_m2, 1e6, "kg mm²")},
+                {"by turning round", motor.reversalInertia_kg_m2.value > 0.0
+                                         ? withInterval(motor.reversalInertia_kg_m2, 1e6, "kg mm²")
+                                         : std::string("not measured")},
                 {"current sensor's zero", withInterval(done.sensorZero_A, 1e3, "mA")},
                 {"current sensor's noise", numberText(1e3 * done.noiseRms_A) + " mA rms"}});
-  report.paragraph(
-      "In brackets: 95 % intervals. A gain error of the current sensor can't be told from the torque constant; all "
-      "torques carry it.");
+  report.paragraph("In brackets: 95 % intervals. " + motor.gauge);
 }
 
 void frictionChapter(HtmlReport& report, const Commission& done) {

@@ -8,6 +8,8 @@ using namespace breakaway;
 class TestBreakawayLag : public QObject {
   Q_OBJECT
  private slots:
+  void countsThatFollow_tellWhereTheRotorStood();
+  void oneCountAlone_leavesEveryPlaceOpen();
   void withoutBackEmf_itIsACubeRoot();
   void withBackEmf_itAgreesWithIntegration();
   void unknownInertia_givesNone();
@@ -32,6 +34,25 @@ void TestBreakawayLag::withBackEmf_itAgreesWithIntegration() {
 
 void TestBreakawayLag::unknownInertia_givesNone() {
   QCOMPARE(motionLag_s({}, 0.2, 1e-4), 0.0);
+}
+
+void TestBreakawayLag::countsThatFollow_tellWhereTheRotorStood() {
+  const BreakawayLag motor{6e-5, 0.07, 0.07, 1.2};
+  const double rate = 0.2, count = 4.4e-4;
+  for (const double toEdge : {0.1, 0.5, 0.9}) {
+    std::vector<double> edges_s;
+    for (int k = 0; k < 4; ++k) edges_s.push_back(7.0 + motionLag_s(motor, rate, (toEdge + k) * count));
+    const double lag_s = likelyMotionLag_s(motor, rate, count, edges_s, 1e-4);
+    const double truth_s = motionLag_s(motor, rate, toEdge * count);
+    QVERIFY2(std::abs(lag_s / truth_s - 1.0) < 0.12, qPrintable(QString::number(lag_s / truth_s)));
+  }
+}
+
+void TestBreakawayLag::oneCountAlone_leavesEveryPlaceOpen() {
+  const BreakawayLag motor{6e-5, 0.07, 0.0, 0.0};
+  // Without back-EMF the time grows with the cube root of the travel, whose mean over a count is three quarters.
+  const double lag_s = likelyMotionLag_s(motor, 0.2, 4.4e-4, {0.1}, 1e-4), whole_s = motionLag_s(motor, 0.2, 4.4e-4);
+  QVERIFY2(std::abs(lag_s / whole_s - 0.75) < 0.005, qPrintable(QString::number(lag_s / whole_s)));
 }
 
 QTEST_APPLESS_MAIN(TestBreakawayLag)

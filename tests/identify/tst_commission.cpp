@@ -1,5 +1,6 @@
 #include <QTest>
 
+#include "firmware_link/presets.h"
 #include "firmware_link/simulated_board.h"
 #include "firmware_link/simulated_truth.h"
 #include "recording/csv.h"
@@ -22,6 +23,8 @@ class TestCommission : public QObject {
   void randomRigs_areMappedWithinFivePercent();
   void gainErrorOfTheSensor_isCarriedByAllTorques();
   void sameSeed_givesTheSameMap();
+  void everyRotaryPreset_commissions_data();
+  void everyRotaryPreset_commissions();
 
  private:
   std::optional<Commission> servo_;
@@ -139,6 +142,31 @@ void TestCommission::sameSeed_givesTheSameMap() {
   QVERIFY(a.ok() && b.ok() && c.ok());
   QCOMPARE(a->map.bins[7].way[0].static_Nm, b->map.bins[7].way[0].static_Nm);
   QVERIFY(!(a->map.bins[7].way[0].static_Nm == c->map.bins[7].way[0].static_Nm));
+}
+
+void TestCommission::everyRotaryPreset_commissions_data() {
+  QTest::addColumn<QString>("preset");
+  QTest::addColumn<unsigned>("seed");
+  for (const std::string& name : presetNames()) {
+    const auto bench = readBench(benchFileBeside(*rigFileOf("simulated:" + name)));
+    if (!bench.ok() || bench->axis != Axis::rotary) continue;
+    for (const unsigned seed : {1u, 2u, 3u})
+      QTest::addRow("%s, seed %u", name.c_str(), seed) << QString::fromStdString(name) << seed;
+  }
+}
+
+void TestCommission::everyRotaryPreset_commissions() {
+  QFETCH(QString, preset);
+  QFETCH(unsigned, seed);
+  const std::string uri = "simulated:" + preset.toStdString();
+  const auto done = commissioned(uri, seed, false, 36);
+  QVERIFY2(done.ok(), done.ok() ? "" : done.error().message().c_str());
+  const auto truth = trueMap(uri, 36, done->map.totalVelocity_rad_per_s);
+  QVERIFY(truth.ok());
+  for (const Way way : {Way::cw, Way::ccw}) {
+    const auto still = test::deviation(done->map, *truth, way, test::staticOf);
+    QVERIFY2(still.rms < 0.04 && still.rms > 1e-4, qPrintable(percent(still.rms)));
+  }
 }
 
 QTEST_APPLESS_MAIN(TestCommission)

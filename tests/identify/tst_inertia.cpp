@@ -1,0 +1,112 @@
+#include <QTest>
+#include <cmath>
+
+#include "identify/motor_identification.h"
+#include "identify/reversal_inertia.h"
+#include "motor/noise.h"
+
+using namespace breakaway;
+
+class TestInertia : public QObject {
+  Q_OBJECT
+ private slots:
+  void reversals_giveTheInertiaWhateverTheFriction();
+  void rotorThatNeverMoved_isReported();
+  void currentThatStaysLow_isCalledSaturated();
+  void methodsThatDisagree_widenTheInterval();
+  void methodsThatAgree_narrowIt();
+  void untrustedGain_goesIntoEveryIntervalAndIsNamed();
+  void trustedInertia_measuresTheGain();
+};
+
+namespace {
+
+constexpr double Kt = 0.07, J = 6e-5;
+
+/// A rotor with Coulomb and viscous friction to and fro under ±`amps`, turned round at 60 rad/s; blocks of 2 ms.
+std::vector<SpinBlock> toAndFro(double amps, double coulomb_Nm, double viscous, unsigned seed) {
+  Noise noise(seed);
+  std::vector<SpinBlock> blocks;
+  double speed = 0.0, angle = 0.0, way = 1.0;
+  for (int k = 1; k < 4000; ++k) {
+    for (int step = 0; step < 20; ++step) {
+      const double friction = (speed > 0.0 ? coulomb_Nm : -coulomb_Nm) + viscous * speed;
+      speed += 1e-4 * (Kt * way * amps - friction) / J;
+      angle += 1e-4 * speed;
+    }
+    blocks.push_back({2e-3 * k, 2e-3, angle + 1e-4 * noise.uniform(), way * amps + 0.005 * noise.normal(), 0.0});
+    if (way * speed > 60.0) way = -way;
+  }
+  return blocks;
+}
+
+IdentifiedMotor motor() {
+  IdentifiedMotor result;
+  result.torqueConstant_Nm_per_A = {Kt, 1e-5};
+  result.resistance_ohm = {1.2, 0.001};
+  result.inductance_H = {1.1e-3, 1e-6};
+  result.inertia_kg_m2 = result.rampInertia_kg_m2 = {J, 0.002 * J};
+  result.coulomb_Nm = {0.017, 1e-5};
+  return result;
+}
+
+}  // namespace
+
+void TestInertia::reversals_giveTheInertiaWhateverTheFriction() {
+  for (const double coulomb : {0.0, 0.005, 0.02}) {
+    const auto inertia = reversalInertia(toAndFro(0.7, coulomb, 2e-5, 1), {Kt, 0.7});
+    QVERIFY2(inertia.ok(), inertia.ok() ? "" : inertia.error().message().c_str());
+    QVERIFY2(std::abs(inertia->value / J - 1.0) < 0.01, qPrintable(QString::number(inertia->value / J)));
+    QVERIFY(inertia->standardError > 1e-5 * J && inertia->standardError < 0.01 * J);
+  }
+}
+
+void TestInertia::rotorThatNeverMoved_isReported() {
+  const auto inertia = reversalInertia(std::vector<SpinBlock>(500, {1.0, 0.002, 0.3, 0.1, 0.0}), {Kt, 0.1});
+  QVERIFY(!inertia.ok());
+  QVERIFY(inertia.error().message().find("saw the rotor turn round 0 times") != std::string::npos);
+}
+
+void TestInertia::currentThatStaysLow_isCalledSaturated() {
+  const auto inertia = reversalInertia(toAndFro(0.7, 0.005, 2e-5, 2), {Kt, 1.2});
+  QVERIFY(!inertia.ok());
+  QVERIFY(inertia.error().message().find("saturated") != std::string::npos);
+}
+
+void TestInertia::methodsThatDisagree_widenTheInterval() {
+  IdentifiedMotor one = motor();
+  const double apart = joinInertia(one, {1.05 * J, 0.002 * J});
+  QVERIFY(apart > 10.0);
+  QVERIFY(one.inertia_kg_m2.low95() < J && one.inertia_kg_m2.high95() > 1.05 * J);
+}
+
+void TestInertia::methodsThatAgree_narrowIt() {
+  IdentifiedMotor one = motor();
+  QVERIFY(joinInertia(one, {1.001 * J, 0.002 * J}) < 1.0);
+  QVERIFY(one.inertia_kg_m2.standardError < 0.0015 * J);
+}
+
+void TestInertia::untrustedGain_goesIntoEveryIntervalAndIsNamed() {
+  IdentifiedMotor one = motor();
+  setCurrentScale(one, {});
+  QCOMPARE(one.inertia_kg_m2.value, J);
+  QVERIFY(one.inertia_kg_m2.high95() > 1.0265 * J && one.inertia_kg_m2.high95() < 1.03 * J);
+  QVERIFY(one.resistance_ohm.high95() > 1.0265 * 1.2 && one.coulomb_Nm.high95() > 1.0265 * 0.017);
+  QCOMPARE(one.torqueConstant_Nm_per_A.standardError, 1e-5);
+  QVERIFY(one.gauge.find("±2.7 %") != std::string::npos);
+}
+
+void TestInertia::trustedInertia_measuresTheGain() {
+  IdentifiedMotor one = motor();
+  // A sensor that shows 3 % too much makes the rotor seem 3 % heavier and its winding 3 % lighter.
+  setCurrentScale(one, {0.027, J / 1.03});
+  QVERIFY(std::abs(one.currentGain.value - 1.03) < 1e-12);
+  QVERIFY(one.currentGain.standardError > 0.002 && one.currentGain.standardError < 0.0025);
+  QVERIFY(std::abs(one.resistance_ohm.value - 1.2 * 1.03) < 1e-12);
+  QVERIFY(std::abs(one.coulomb_Nm.value - 0.017 / 1.03) < 1e-12);
+  QVERIFY(std::abs(one.torquePerShownAmpere_Nm() - Kt / 1.03) < 1e-12);
+  QVERIFY(one.gauge.find("trusted inertia") != std::string::npos);
+}
+
+QTEST_APPLESS_MAIN(TestInertia)
+#include "tst_inertia.moc"
