@@ -135,6 +135,7 @@ void TestPlant::scatter_hasTheRmsAskedFor() {
       plant.advance(160);
     }
     levels.push_back(volts);
+    plant.advance(1000);  // clearly away: a slip of less than 0.1 mrad is the same standstill
     plant.openWindings();
     plant.advance(4000);
     QVERIFY(plant.standing());
