@@ -220,7 +220,8 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
       scoreFit(bench, diagnosis.base, diagnosis.model, prepared->tracks, prepared->split, options, diagnosis.proof);
   // Held-out data chose nothing, but they may refuse: what makes them worse is not there, unless it is all that the
   // training data show, as a push in one recording is.
-  const bool refused = diagnosis.fit.heldoutAfter > worseOnHeldout * diagnosis.fit.heldoutBefore && ofAll < glaringShare;
+  const bool refused =
+      diagnosis.fit.heldoutAfter > worseOnHeldout * diagnosis.fit.heldoutBefore && ofAll < glaringShare;
   const bool idle = !currentToo && diagnosis.fit.trainAfter > leastFall * diagnosis.fit.trainBefore;
   if (!diagnosis.findings.empty() && (refused || idle)) {
     diagnosis.findings.clear();

@@ -12,7 +12,9 @@ namespace {
 class EndStop final : public Effect {
  public:
   std::string_view name() const override { return "end_stop"; }
-  std::string_view formula() const override { return "load = σ · max(0, k σ (θ − θ₀) + c σ ω) beyond θ₀,  σ = ±1 the side"; }
+  std::string_view formula() const override {
+    return "load = σ · max(0, k σ (θ − θ₀) + c σ ω) beyond θ₀,  σ = ±1 the side";
+  }
   std::string_view source() const override {
     return "K. H. Hunt, F. R. E. Crossley, 'Coefficient of restitution interpreted as damping in vibroimpact', J. "
            "Applied Mechanics 42(2), 1975: contact with a spring and a loss, here both linear";
@@ -35,7 +37,8 @@ class EndStop final : public Effect {
       const double end = side > 0.0 ? seen.highest : seen.lowest;
       for (const double share : {0.1, 0.06, 0.035, 0.02, 0.012, 0.007, 0.004, 0.002}) {
         const double depth = share * seen.travel;
-        if (depth > 2.0 * seen.count) shapes.push_back({{0.5 * seen.peakTorque / depth, end - side * depth, side, 0.0}});
+        if (depth > 2.0 * seen.count)
+          shapes.push_back({{0.5 * seen.peakTorque / depth, end - side * depth, side, 0.0}});
       }
     }
     return shapes;
