@@ -32,7 +32,8 @@ std::string tripWords(Trip trip, const BoardWatch<double>& watch, const BoardWat
                   limits.supply_V);
     case Trip::encoderJump:
       return text(
-          "the encoder jumped by about %.0f counts within a control tick, which no motion does; check encoder cable and "
+          "the encoder jumped by about %.0f counts within a control tick, which no motion does; check encoder cable "
+          "and "
           "shield, then home again",
           watch.jumped_rad() / limits.count_rad);
     case Trip::blocked:

@@ -39,7 +39,7 @@ struct ParameterSpec {
   std::string name;
   double lower;
   double upper;
-  bool held = false;           ///< chosen by the search and then kept, such as an order
+  bool held = false;          ///< chosen by the search and then kept, such as an order
   bool freeInTheEnd = false;  ///< but fitted with the last refinement
 };
 

@@ -81,7 +81,7 @@ void widen(Parameter& one, double doubt95) {
 Model withDoubts(Model model, const Preparation& prepared) {
   const auto carry = [&prepared](Parameter& one, double doubt) {
     if (one.low95 == one.high95) return;  // held
-    if (one.name == "phase_rad") {  // an error across the wave turns it
+    if (one.name == "phase_rad") {        // an error across the wave turns it
       one.low95 = one.value - std::hypot(one.value - one.low95, 1.96 * doubt);
       one.high95 = one.value + std::hypot(one.high95 - one.value, 1.96 * doubt);
       return;
