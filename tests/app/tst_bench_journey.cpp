@@ -144,7 +144,7 @@ void TestBenchJourney::stopDuringSweep_keepsWhatWasMeasured() {
   Desk desk;
   QVERIFY(desk.connected());
   QVERIFY(desk.homed());
-  desk.sweep(12, 2);
+  desk.sweep(48, 2);
   QVERIFY(QTest::qWaitFor([&] { return desk.session.survey().events.size() >= 5; }, patience_ms));
   if (key == 0) {
     press(desk.window, "stopButton");
@@ -170,16 +170,16 @@ void TestBenchJourney::stoppedSweep_goesOnWhereItEnded() {
   Desk desk;
   QVERIFY(desk.connected());
   QVERIFY(desk.homed());
-  desk.sweep(12, 2);
+  desk.sweep(48, 2);
   QVERIFY(QTest::qWaitFor([&] { return desk.session.survey().events.size() >= 7; }, patience_ms));
   press(desk.window, "stopButton");
   QVERIFY(QTest::qWaitFor([&] { return desk.session.run().status.state == Procedure::State::stopped; }, patience_ms));
   const std::vector<BreakawayEvent> before = desk.session.survey().events;
-  QVERIFY(before.size() < 40);
-  desk.sweep(12, 2);
+  QVERIFY(before.size() < 180);
+  desk.sweep(48, 2);
   QVERIFY(QTest::qWaitFor([&] { return desk.session.survey().map.has_value(); }, patience_ms));
   const auto& events = desk.session.survey().events;
-  QVERIFY(events.size() + desk.session.survey().missed == 48);
+  QVERIFY(events.size() + desk.session.survey().missed == 192);
   for (size_t k = 0; k < before.size(); ++k) QCOMPARE(events[k].torque_Nm, before[k].torque_Nm);
 }
 
