@@ -212,11 +212,11 @@ void VelocitySweep::mergeLastBlock() {
 /// Between two turns the speed is the mean of theirs; before the first and after the last it goes on as it did.
 void VelocitySweep::dateBlocks() {
   const auto& speeds = turnSpeeds_rad_per_s_;
-  const auto between = [&speeds](size_t turn) {
+  const auto between = [&speeds](size_t after) {
     if (speeds.size() < 2) return speeds[0];
-    if (turn == 0) return 1.5 * speeds[0] - 0.5 * speeds[1];
-    if (turn >= speeds.size()) return 1.5 * speeds.back() - 0.5 * speeds[speeds.size() - 2];
-    return 0.5 * (speeds[turn - 1] + speeds[turn]);
+    if (after == 0) return 1.5 * speeds[0] - 0.5 * speeds[1];
+    if (after >= speeds.size()) return 1.5 * speeds.back() - 0.5 * speeds[speeds.size() - 2];
+    return 0.5 * (speeds[after - 1] + speeds[after]);
   };
   for (size_t k = 0; k < open_.blocks.size(); ++k) {
     RunBlock& block = open_.blocks[k];

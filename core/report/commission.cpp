@@ -181,7 +181,7 @@ Result<void> Job::reverse() {
       std::min(0.5 * free, std::max(0.2 * slope, std::sqrt(turnsToSpeed * 4.0 * std::numbers::pi * slope)));
   options.block_s = std::max(2.0 / drive_.identity().loopRate_Hz, options.highest_rad_per_s / slope / 40.0);
   const auto test = std::make_shared<ReversalTest>(options);
-  const auto ran = steps_.run("03c-reversal", test, 0.005);
+  auto ran = steps_.run("03c-reversal", test, 0.005);
   if (test->state() == Procedure::State::stopped) return ran;
   const auto inertia = ran ? reversalInertia(test->blocks(), {Kt, current_A}) : Result<Estimate>(ran.error());
   if (!inertia) {

@@ -40,8 +40,9 @@ void TestBreakawayLag::countsThatFollow_tellWhereTheRotorStood() {
   const BreakawayLag motor{6e-5, 0.07, 0.07, 1.2};
   const double rate = 0.2, count = 4.4e-4;
   for (const double toEdge : {0.1, 0.5, 0.9}) {
-    std::vector<double> edges_s;
-    for (int k = 0; k < 4; ++k) edges_s.push_back(7.0 + motionLag_s(motor, rate, (toEdge + k) * count));
+    std::vector<double> edges_s(4);
+    for (size_t k = 0; k < 4; ++k)
+      edges_s[k] = 7.0 + motionLag_s(motor, rate, (toEdge + static_cast<double>(k)) * count);
     const double lag_s = likelyMotionLag_s(motor, rate, count, edges_s, 1e-4);
     const double truth_s = motionLag_s(motor, rate, toEdge * count);
     QVERIFY2(std::abs(lag_s / truth_s - 1.0) < 0.12, qPrintable(QString::number(lag_s / truth_s)));

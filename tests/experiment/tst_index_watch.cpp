@@ -33,7 +33,7 @@ std::string watched(double speed, double turns, double slip_rad, bool hasIndex, 
     sample.angle_rad = angle + (2 * k > ticks ? slip_rad : 0.0);
     sample.index = hasIndex && std::floor((angle - index_rad) / turn) != std::floor((before - index_rad) / turn);
     before = angle;
-    if (const std::string words = watch.step(sample); !words.empty()) return words;
+    if (std::string words = watch.step(sample); !words.empty()) return words;
   }
   return {};
 }

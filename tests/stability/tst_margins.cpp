@@ -232,7 +232,7 @@ void TestMargins::noise_isThatOfManyTicks() {
     speed += before * before;
     voltage += out.voltage_V * out.voltage_V;
   }
-  const auto near = [count](double squares, double value) {
+  const auto near = [](double squares, double value) {
     return std::abs(std::sqrt(squares / count) / value - 1.0) < 0.03;
   };
   QVERIFY(near(estimate, expected->estimate_Nm));
