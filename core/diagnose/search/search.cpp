@@ -326,17 +326,20 @@ class Search {
       const Pick pick = screen.best(effect, {});
       return pick.parameters.empty() ? FitResult{} : fitSet(result, screen, {pick});
     };
-    std::optional<FitResult> own;
+    std::optional<double> own;  // squared error; the fits themselves are large
     for (const std::string_view name : first.effect->lookAlikes()) {
       const Effect* alike = findEffect(name);
       const bool known = std::find(first.rivals.begin(), first.rivals.end(), alike) != first.rivals.end();
       if (known || contains(result.chosen, alike) || alike->memory() > 0) continue;
-      if (!own) own = aloneWith(*first.effect);
-      if (!own->usable || !worth_->helps(result.base, *own)) return;
+      if (!own) {
+        const FitResult fit = aloneWith(*first.effect);
+        if (!fit.usable || !worth_->helps(result.base, fit)) return;
+        own = mean(fit.windowSquares);
+      }
       const FitResult rival = aloneWith(*alike);
       if (!rival.usable || !plausible(rival.model, input_.seen)) continue;
       // Of as many parameters, so that the errors can be compared as they are.
-      if (mean(rival.windowSquares) <= mean(own->windowSquares)) first.rivals.push_back(alike);
+      if (mean(rival.windowSquares) <= *own) first.rivals.push_back(alike);
     }
   }
 
@@ -351,6 +354,7 @@ class Search {
     }
     std::stable_sort(result.chosen.begin(), result.chosen.end(),
                      [](const Chosen& a, const Chosen& b) { return a.marginal > b.marginal; });
+    left_.clear();  // they are large, and no longer needed
     if (result.chosen.size() > 1) weighAlone(result, screen);
   }
 
