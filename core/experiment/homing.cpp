@@ -65,6 +65,11 @@ double Homing::tolerance_rad() const {
 }
 
 void Homing::search(const Sample& sample, double before_rad) {
+  // Coasting from what ran before it, a rotor passes degrees within a tick.
+  if (std::abs(sample.velocity_rad_per_s) > 3.0 * options_.searchSpeed_rad_per_s) {
+    stageAngle_rad_ = sample.angle_rad;
+    return;
+  }
   travelled_rad_ = sample.angle_rad - stageAngle_rad_;
   if (sample.index && sample.angle_rad > before_rad - 1e-12) {
     enter(Stage::verify, sample);
