@@ -163,10 +163,9 @@ Command BreakawaySweep::passIndex(const Sample& sample) {
 Command BreakawaySweep::zero(const Sample& sample) {
   bool done = false;
   const Command command = zeroing_.step(sample, stageStart_s_, done);
-  if (command.zeroCurrentSensor) open_A_.take(sample);
   if (!done) return command;
   zeroed_s_ = sample.time_s;
-  if (const std::string moved = open_A_.moved(options_.mostDrift_A, true); !moved.empty()) fail(moved);
+  if (const std::string moved = zeroing_.moved(options_.mostDrift_A); !moved.empty()) fail(moved);
   if (step_ >= steps()) {
     finish();
   } else {

@@ -9,7 +9,6 @@
 
 #include "experiment/breakaway_lag.h"
 #include "experiment/index_watch.h"
-#include "experiment/open_current.h"
 #include "experiment/timed_procedure.h"
 #include "experiment/zeroing.h"
 #include "friction/measurements.h"
@@ -119,7 +118,6 @@ class BreakawaySweep : public TimedProcedure {
   std::vector<bool> done_;           ///< by step, of an earlier part
   std::vector<BreakawayEvent> events_;
   IndexWatch index_;
-  OpenCurrent open_A_;
   std::array<std::optional<double>, 2> recent_A_;          ///< last breakaway less the holding current, by Way
   std::array<std::optional<double>, 2> recentOverMoving_;  ///< and over what keeps it moving there
   Ramp ramp_;

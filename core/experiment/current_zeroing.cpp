@@ -16,10 +16,10 @@ Command CurrentZeroing::run(const Sample& sample) {
   }
   if (!second_ && elapsed_s_ >= options_.settle_s + 0.5 * options_.duration_s) {
     second_ = true;
-    half_A_.moved(options_.mostDrift_A, false);
+    half_A_.moved(options_.mostDrift_A);
   }
   if (elapsed_s_ >= options_.settle_s + options_.duration_s) {
-    if (const std::string moved = half_A_.moved(options_.mostDrift_A, false); !moved.empty()) fail(moved);
+    if (const std::string moved = half_A_.moved(options_.mostDrift_A); !moved.empty()) fail(moved);
     finish();
     return {};
   }

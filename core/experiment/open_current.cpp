@@ -17,16 +17,19 @@ void OpenCurrent::take(const Sample& sample) {
   ++samples_;
 }
 
-std::string OpenCurrent::moved(double most_A, bool rezeroed) {
+std::string OpenCurrent::moved(double most_A) {
   if (samples_ == 0) return {};
   const double mean_A = sum_A_ / static_cast<double>(samples_);
-  const double move_A = rezeroed ? mean_A : mean_A - before_A_, passed_s = start_s_ - before_s_;
-  const bool far = known_ && std::abs(move_A) > most_A;
+  const double move_A = known_ ? mean_A - before_A_ : 0.0, passed_s = start_s_ - before_s_;
   known_ = true;
   before_A_ = mean_A;
   before_s_ = start_s_;
   begin();
-  if (!far) return {};
+  return zeroMoved(move_A, passed_s, most_A);
+}
+
+std::string zeroMoved(double move_A, double passed_s, double most_A) {
+  if (std::abs(move_A) <= most_A) return {};
   char text[200];
   std::snprintf(text, sizeof text,
                 "the current sensor's zero moved by %.3f A within %.1f s, more than %.2f A; let the bench come to a "

@@ -7,6 +7,9 @@
 
 namespace breakaway {
 
+/// In words that the sensor's zero moved by `move_A` within `passed_s`, if that is more than `most_A`; empty otherwise.
+std::string zeroMoved(double move_A, double passed_s, double most_A);
+
 /// The mean of one stretch with open windings, and the way it moved against the one before.
 class OpenCurrent {
  public:
@@ -14,9 +17,8 @@ class OpenCurrent {
   void begin();
   /// One sample of it; powered ones are left out.
   void take(const Sample& sample);
-  /// Ends the stretch. In words how far the zero moved when that is more than `most_A`; empty otherwise. `rezeroed`:
-  /// the board took the stretch before as its zero, so that this one's mean is the move itself.
-  std::string moved(double most_A, bool rezeroed);
+  /// Ends the stretch; zeroMoved() since the one before, between which the board took no new zero.
+  std::string moved(double most_A);
 
  private:
   double sum_A_ = 0.0, before_A_ = 0.0, start_s_ = 0.0, before_s_ = 0.0;

@@ -30,7 +30,7 @@ std::optional<SpinBlock> BlockMeans::add(const Sample& sample, double tick_s) {
 Command SpinTest::run(const Sample& sample) {
   elapsed_s_ = elapsed_s(sample) - options_.rest_s;
   if (elapsed_s_ < 0.0 || elapsed_s_ >= whole_s()) return rest(sample, elapsed_s_ > 0.0);
-  if (commanded_V_ == 0.0 && blocks_.empty()) open_A_.moved(options_.mostDrift_A, false);
+  if (commanded_V_ == 0.0 && blocks_.empty()) open_A_.moved(options_.mostDrift_A);
   if (const auto block = means_.add(sample, tick_s())) blocks_.push_back(*block);
   const double highest = options_.highest_V > 0.0 ? options_.highest_V : 0.5 * sample.supply_V;
   const double legs = elapsed_s_ / options_.leg_s;
@@ -44,7 +44,7 @@ Command SpinTest::run(const Sample& sample) {
 Command SpinTest::rest(const Sample& sample, bool last) {
   open_A_.take(sample);
   if (!last || elapsed_s_ < whole_s() + options_.rest_s) return {};
-  if (const std::string moved = open_A_.moved(options_.mostDrift_A, false); !moved.empty()) fail(moved);
+  if (const std::string moved = open_A_.moved(options_.mostDrift_A); !moved.empty()) fail(moved);
   finish();
   return {};
 }

@@ -96,9 +96,8 @@ Command VelocitySweep::run(const Sample& sample) {
 Command VelocitySweep::zero(const Sample& sample) {
   bool done = false;
   const Command command = zeroing_.step(sample, stageStart_s_, done);
-  if (command.zeroCurrentSensor) open_A_.take(sample);
   if (!done) return command;
-  if (const std::string moved = open_A_.moved(options_.mostDrift_A, true); !moved.empty()) fail(moved);
+  if (const std::string moved = zeroing_.moved(options_.mostDrift_A); !moved.empty()) fail(moved);
   if (next_ >= 2 * options_.speeds_rad_per_s.size()) {
     finish();
   } else {

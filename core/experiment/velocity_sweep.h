@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "experiment/index_watch.h"
-#include "experiment/open_current.h"
 #include "experiment/timed_procedure.h"
 #include "experiment/zeroing.h"
 #include "friction/measurements.h"
@@ -83,7 +82,6 @@ class VelocitySweep : public TimedProcedure {
          reached_s_ = 0.0;  ///< to the speed while settling, and when it last came nearer
   double held_s_ = 0.0;     ///< when the speed was last near enough while measuring
   IndexWatch index_;
-  OpenCurrent open_A_;
   bool begun_ = false;
 };
 

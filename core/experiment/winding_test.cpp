@@ -26,7 +26,7 @@ Command WindingTest::rest(const Sample& sample) {
   const double inStage_s = sample.time_s - stageStart_s_;
   if (inStage_s > 0.05) open_A_.take(sample);
   if (inStage_s < rest_s) return {};
-  if (const std::string moved = open_A_.moved(options_.mostDrift_A, false); !moved.empty()) fail(moved);
+  if (const std::string moved = open_A_.moved(options_.mostDrift_A); !moved.empty()) fail(moved);
   if (ramp_ == options_.ramps) {
     stage_ = Stage::square;
   } else {

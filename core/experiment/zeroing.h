@@ -1,9 +1,11 @@
 // Zeroing the current sensor in the middle of a sweep, and remembering what each zeroing found.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "experiment/drive.h"
+#include "experiment/open_current.h"
 #include "friction/measurements.h"
 
 namespace breakaway {
@@ -24,6 +26,13 @@ class Zeroing {
     Command command;
     command.zeroCurrentSensor = asked_;
     return command;
+  }
+
+  /// zeroMoved() from the last zeroing but one to the last.
+  std::string moved(double most_A) const {
+    if (readings_.size() < 2) return {};
+    const ZeroReading &before = readings_[readings_.size() - 2], &last = readings_.back();
+    return zeroMoved(last.zero_A - before.zero_A, last.time_s - before.time_s, most_A);
   }
 
   const std::vector<ZeroReading>& readings() const { return readings_; }

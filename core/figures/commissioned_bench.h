@@ -31,6 +31,13 @@ struct RanCourse {
   double velocityBefore_rad_per_s = 0.0;
 };
 
+/// A part of the friction that a figure compares, with its column's and its curve's name.
+struct Compensated {
+  CompensatedFriction part;
+  const char* column;
+  const char* label;
+};
+
 /// Runs a course with this part of the measured friction compensated; afterwards nothing is. Errors: the drive's, the
 /// course's.
 Result<RanCourse> runCourse(CommissionedBench& bench, const CourseOptions& course, CompensatedFriction part);

@@ -11,11 +11,6 @@ namespace breakaway {
 
 namespace {
 
-struct Compensated {
-  CompensatedFriction part;
-  const char* column;
-  const char* label;
-};
 constexpr std::array<Compensated, 3> parts{{{CompensatedFriction::none, "none", "none"},
                                             {CompensatedFriction::coulombAndViscous, "average", "average, F + Bω"},
                                             {CompensatedFriction::map, "map", "measured map"}}};

@@ -11,11 +11,6 @@ namespace breakaway {
 
 namespace {
 
-struct Compensated {
-  CompensatedFriction part;
-  const char* column;
-  const char* label;
-};
 constexpr std::array<Compensated, 4> parts{{{CompensatedFriction::none, "none", "none"},
                                             {CompensatedFriction::coulomb, "f", "F"},
                                             {CompensatedFriction::coulombAndViscous, "f_and_b", "F + Bω"},
