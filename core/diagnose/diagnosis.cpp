@@ -167,9 +167,9 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   if (!prepared) return prepared.error();
   double named_s = 0.0;
   std::vector<std::string> firstNames;
-  const auto named = [&](const std::vector<Pick>& picks) {
+  const auto named = [&](const std::vector<const Effect*>& effects) {
     named_s = elapsed();
-    for (const Pick& pick : picks) firstNames.emplace_back(pick.effect->name());
+    for (const Effect* effect : effects) firstNames.emplace_back(effect->name());
   };
   const SearchInput input{prepared->tracks, prepared->split, prepared->held,
                           prepared->seen,   options.seed,    options.stop,

@@ -22,6 +22,7 @@ struct Situation {
   double current = 0.0;            ///< the model's motor current, A; 0 where torque drives
   double input = 0.0;              ///< the drive input: V, A or Nm
   double supply_V = 0.0;           ///< of the bridge; 0: not known
+  double resistance_ohm = 0.0;     ///< of the winding without the effect; 0: not known
   double rest_s = 0.0;             ///< how long the standstill lasted that ended last, or lasts by now
   double travel = 0.0;             ///< since the last reversal, rad
   std::span<const double> memory;  ///< the effect's own hidden state, as remember() left it
@@ -106,6 +107,8 @@ class Effect {
   virtual double detachedInertia(std::span<const double>) const { return 0.0; }
   /// Stiffness with which friction builds up over a reversal, Nm/rad; 0: friction is rigid.
   virtual double frictionStiffness(std::span<const double>) const { return 0.0; }
+  /// Damping while it builds up, as a part of what would be critical for the whole inertia on that stiffness.
+  virtual double frictionDampingRatio(std::span<const double>) const { return 0.0; }
   /// The drive input as it acts, in place of `input` (row k acts from time[k] until time[k + 1]); the first rows may
   /// lack their past.
   virtual bool shapesInput(DriveInput) const { return false; }

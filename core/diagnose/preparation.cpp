@@ -65,9 +65,10 @@ std::vector<Track> maskedTracks(const std::vector<Track>& tracks, size_t count, 
 constexpr double modelDoubt = 0.01;  ///< standard deviation, relative
 constexpr double scaleDoubt = 0.10;  ///< 95 %, relative
 
-bool holdsTorque(const std::string& name) {
+/// Whether it is of a size that only ratios to a held value give: torques, inertias, resistances.
+bool holdsScale(const std::string& name) {
   return name.find("_Nm") != std::string::npos || name.find("_N") != std::string::npos ||
-         name.find("_kg") != std::string::npos;
+         name.find("_kg") != std::string::npos || name.find("_ohm") != std::string::npos;
 }
 
 void widen(Parameter& one, double doubt95) {
@@ -87,7 +88,7 @@ Model withDoubts(Model model, const Preparation& prepared) {
       return;
     }
     const bool scaled =
-        prepared.scaleDoubted && holdsTorque(one.name) && one.name.find("constant") == std::string::npos;
+        prepared.scaleDoubted && holdsScale(one.name) && one.name.find("constant") == std::string::npos;
     widen(one, std::hypot(1.96 * doubt, scaled ? scaleDoubt : 0.0));
   };
   for (Parameter& one : model.base) carry(one, 0.0);

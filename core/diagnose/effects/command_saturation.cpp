@@ -22,11 +22,15 @@ class CommandSaturation final : public Effect {
   }
   bool shapesInput(DriveInput) const override { return true; }
   void shapeInput(std::span<const double> p, std::span<const double> time_s, std::span<double> input) const override {
+    double reached = input.empty() ? 0.0 : std::clamp(input.front(), -p[0], p[0]);
     for (size_t k = 0; k < input.size(); ++k) {
       input[k] = std::clamp(input[k], -p[0], p[0]);
-      if (k == 0) continue;
-      const double furthest = p[1] * (time_s[k] - time_s[k - 1]);
-      input[k] = std::clamp(input[k], input[k - 1] - furthest, input[k - 1] + furthest);
+      if (k + 1 == input.size()) break;
+      // It climbs within the row: the row gets the mean.
+      const double way = input[k] - reached, furthest = p[1] * (time_s[k + 1] - time_s[k]);
+      const double done = std::clamp(way, -furthest, furthest);
+      input[k] = reached + done - 0.5 * done * std::abs(done) / furthest;
+      reached += done;
     }
   }
   std::vector<Shape> shapes(const Excitation& seen) const override {

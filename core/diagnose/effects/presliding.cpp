@@ -10,22 +10,30 @@ namespace {
 /// Friction that gives like a spring before it slides. The simulation itself builds it up over a reversal, from the
 /// whole friction torque and the stiffness.
 class Presliding final : public Effect {
+  static constexpr double wellDamped = 0.35;  // as bristles are
+
  public:
   std::string_view name() const override { return "presliding"; }
-  std::string_view formula() const override { return "friction = F ζ, dζ/dθ = (K/F) · (1 − s ζ)"; }
+  std::string_view formula() const override {
+    return "friction = F ζ + 2 D √(K J) (ω − |ω| ζ),  dζ/dθ = (K/F) · (1 − s ζ)";
+  }
   std::string_view source() const override {
-    return "P. R. Dahl, 'Solid friction damping of mechanical vibrations', AIAA Journal 14(12), 1976";
+    return "P. R. Dahl, 'Solid friction damping of mechanical vibrations', AIAA Journal 14(12), 1976; damping as in C. "
+           "Canudas de Wit, H. Olsson, K. J. Åström, P. Lischinsky, 'A new model for control of systems with "
+           "friction', "
+           "IEEE Trans. Automatic Control 40(3), 1995";
   }
   std::vector<ParameterSpec> parameters(Axis axis) const override {
-    return {{stiffnessName("stiffness", axis), 1e-9, 1e12}};
+    return {{stiffnessName("stiffness", axis), 1e-9, 1e12}, {"damping_ratio", 0.02, 3.0, true, true}};
   }
   double frictionStiffness(std::span<const double> p) const override { return p[0]; }
+  double frictionDampingRatio(std::span<const double> p) const override { return p[1]; }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     std::vector<Shape> shapes;
     if (seen.reversals + seen.starts < 2 || seen.travel <= 0.0) return shapes;
     const double friction = slidingFriction(seen), widest = widestWay(seen);
     for (double way = seen.count > 0.0 ? seen.count : 1e-4 * seen.travel; way <= widest; way *= 1.7)
-      shapes.push_back({{friction / way}});
+      shapes.push_back({{friction / way, wellDamped}});
     return shapes;
   }
   /// The stiffness has no absence at zero: it comes from the grid, whatever the amplitude.

@@ -8,12 +8,12 @@ namespace breakaway {
 
 namespace {
 
-/// Copper that warms up: its resistance follows the mean square of the current with the winding's thermal lag.
-/// Hidden state: Θ in A², dΘ/dt = (i² − Θ)/T.
+/// Copper that warms up: its resistance follows its own loss with the winding's thermal lag. Hidden state: Θ in A², the
+/// loss in units of the cold resistance.
 class WindingHeating final : public Effect {
  public:
   std::string_view name() const override { return "winding_heating"; }
-  std::string_view formula() const override { return "lost voltage = c · Θ · i,  T dΘ/dt = i² − Θ"; }
+  std::string_view formula() const override { return "lost voltage = c · Θ · i,  T dΘ/dt = i² (1 + c Θ/R) − Θ"; }
   std::string_view source() const override {
     return "A. Boglietti, A. Cavagnino, D. Staton, M. Shanel, M. Mueller, C. Mejuto, 'Evolution and modern approaches "
            "for thermal analysis of electrical machines', IEEE Trans. Industrial Electronics 56(3), 2009: one lumped "
@@ -28,7 +28,9 @@ class WindingHeating final : public Effect {
   }
   size_t memory() const override { return 1; }
   void remember(std::span<const double> p, const Situation& at, double dt_s, std::span<double> memory) const override {
-    memory[0] = at.memory[0] - (at.current * at.current - at.memory[0]) * std::expm1(-dt_s / p[1]);
+    const double warmth = at.resistance_ohm > 0.0 ? p[0] * at.memory[0] / at.resistance_ohm : 0.0;
+    const double loss = at.current * at.current * std::max(0.0, 1.0 + warmth);
+    memory[0] = at.memory[0] - (loss - at.memory[0]) * std::expm1(-dt_s / p[1]);
   }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     std::vector<Shape> shapes;

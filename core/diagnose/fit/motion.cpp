@@ -92,7 +92,7 @@ std::vector<MotionState> hiddenStates(const Model& model, const std::vector<Trac
   std::vector<MotionState> states(windows.size());
   for (size_t t = 0; t < tracks.size(); ++t) {
     const Track& track = tracks[t];
-    const Stepper stepper(physicsOf(model), *termsOf(model, track.name));
+    Stepper stepper(physicsOf(model), *termsOf(model, track.name));
     const Physics& p = stepper.physics();
     const Motion& motion = track.motion;
     std::vector<std::pair<size_t, size_t>> wanted;  // row, window
@@ -122,10 +122,16 @@ std::vector<MotionState> hiddenStates(const Model& model, const std::vector<Trac
         state.position = track.position[row + 1];
         state.velocity = motion.resting[row + 1] ? 0.0 : motion.velocity[row + 1];
         state.acceleration = motion.acceleration[row + 1];
-        if (p.electrical)
-          state.current = track.connected[row] ? (track.input[row] - p.backEmf * state.velocity) / p.resistance : 0.0;
-        stepper.keepHistory(state, before, track.input[row], track.time[row + 1] - track.time[row],
-                            track.time[row + 1]);
+        const double u = track.input[row], dt = track.time[row + 1] - track.time[row];
+        if (p.electrical) {
+          stepper.setSupply(track.supplyAt(row));
+          const double lost =
+              stepper.losesVoltage() ? stepper.lostVoltage(before, u, state.velocity, track.time[row]) : 0.0;
+          const double settled = track.connected[row] ? (u - lost - p.backEmf * state.velocity) / p.resistance : 0.0;
+          const double keep = p.inductance > 0.0 ? std::exp(-dt * p.resistance / p.inductance) : 0.0;
+          state.current = settled + (before.current - settled) * keep;
+        }
+        stepper.keepHistory(state, before, u, dt, track.time[row + 1]);
       }
       continue;
     }

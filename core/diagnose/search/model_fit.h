@@ -22,8 +22,8 @@ struct SearchInput {
   std::uint64_t seed = 1;
   std::stop_token stop;
   std::function<void(double, const std::string&)> progress;
-  std::function<void(const std::vector<Pick>&)> named;  ///< called once the screen has its names
-  std::vector<double> windowWeights;                    ///< of split.train; empty: all 1
+  std::function<void(const std::vector<const Effect*>&)> named;  ///< called once, when the names are known
+  std::vector<double> windowWeights;                             ///< of split.train; empty: all 1
 };
 
 Model with(const SearchInput& input, const Model& model, const Pick& pick);

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double largestPValue = 0.01;
 constexpr double halfOfAll = 0.5;
+constexpr double mostOfAll = 0.6;
 constexpr double importantPart = 0.2;  ///< of the screen's squared residual
 constexpr size_t mostTrials = 4;
 constexpr size_t mostRivals = 3;
@@ -71,7 +72,8 @@ class Search {
     const Screen screen(rig, {catalogue().begin(), catalogue().end()}, input_.seen, input_.split.fold, folds,
                         input_.seed);
     const ScreenResult found = screen.run();
-    if (input_.named) input_.named(important(found));
+    const bool surely = sure(found);
+    if (surely) announce(important(found));
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
     say(0.35, "simulating what was found");
     adopt(result, screen, withOneLoad(found.chosen));
@@ -80,6 +82,7 @@ class Search {
     }
     backward(result);
     if (tryMore(result, screen, found.chosen)) backward(result);
+    if (!surely) announce(result.chosen);
     refine(result);
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
     weigh(result, screen);
@@ -106,12 +109,34 @@ class Search {
     const bool atFloor = worth_->baseAtFloor();
     // At the position's floor a current may still show something, if that is most of what there is.
     const double least = (atFloor ? halfOfAll : importantPart) * found.baseSquares;
-    const bool currentSeen = std::any_of(input_.tracks.begin(), input_.tracks.end(), [](const Track& one) {
-      return one.drive == DriveInput::voltage && !one.current.empty();
-    });
-    if (atFloor && !currentSeen) return {};
+    if (atFloor && !input_.seen.currentSeen) return {};
     std::erase_if(picks, [least](const Pick& one) { return one.gain < least; });
     return picks;
+  }
+
+  /// Whether a simulation will hardly overrule the screen's names: one that explains most, or nothing at the floor.
+  bool sure(const ScreenResult& found) const {
+    const std::vector<Pick> picks = important(found);
+    if (picks.empty()) {
+      return worth_->baseAtFloor() && std::all_of(found.chosen.begin(), found.chosen.end(), [&found](const Pick& one) {
+               return one.gain < importantPart * found.baseSquares;
+             });
+    }
+    if (picks.size() > 1 || picks.front().gain < mostOfAll * found.baseSquares || !picks.front().rivals.empty())
+      return false;
+    // What acts at standstill, and loads that have a motion of their own, are for the simulation to tell.
+    const Effect& one = *picks.front().effect;
+    const auto alike = one.lookAlikes();
+    return one.detachedInertia(picks.front().parameters) == 0.0 &&
+           std::none_of(alike.begin(), alike.end(),
+                        [](std::string_view name) { return findEffect(name)->growsAtRest(); });
+  }
+  template <typename Named>
+  void announce(const std::vector<Named>& those) const {
+    if (!input_.named) return;
+    std::vector<const Effect*> effects;
+    for (const Named& one : those) effects.push_back(one.effect);
+    input_.named(effects);
   }
 
   Model withPicks(const SearchResult& result, const Screen& screen, const std::vector<Pick>& picks) const {

@@ -8,9 +8,6 @@ namespace breakaway {
 namespace {
 
 constexpr double shortestStep_s = 2e-5;
-/// Of elastic friction while it deflects, in units of √(stiffness · inertia): well damped, as bristles are (C. Canudas
-/// de Wit et al., 'A new model for control of systems with friction', IEEE Trans. Automatic Control 40(3), 1995).
-constexpr double bristleDamping = 0.8;
 constexpr double leastInertia = 0.02;  ///< what a detached load leaves of the base inertia, at least
 constexpr int mostEventsPerStep = 8;
 
@@ -40,6 +37,7 @@ Stepper::Stepper(const Physics& physics, std::vector<CompiledTerm> terms)
     memorySize_ += term.effect->memory();
     losesVoltage_ = losesVoltage_ || (physics_.electrical && term.effect->losesVoltage());
     stiffness_ += term.effect->frictionStiffness(term.parameters);
+    dampingRatio_ += term.effect->frictionDampingRatio(term.parameters);
     longestStep_ = std::min(longestStep_, term.effect->longestStep_s(term.parameters));
     detached += term.effect->detachedInertia(term.parameters);
   }
@@ -60,6 +58,7 @@ Situation Stepper::situationAt(const MotionState& state, double position, double
   at.direction = direction;
   at.current = physics_.torqueConstant > 0.0 ? drive / physics_.torqueConstant : 0.0;
   at.supply_V = supply_;
+  at.resistance_ohm = physics_.electrical ? physics_.resistance : 0.0;
   at.rest_s = state.rest_s;
   at.travel = std::abs(position - state.turned);
   return at;
@@ -136,8 +135,10 @@ Stepper::Forces Stepper::forcesDuring(const MotionState& state, double direction
                            drive - backEmf * middle, time_s + 0.5 * dt);
   if (stiffness_ > 0.0) {
     const double slip = slipAfter(state.slip, 0.5 * dt * state.velocity, stiffness_, forces.friction);
-    const double bristles = bristleDamping * std::sqrt(stiffness_ * physics_.inertia);
-    forces.load += forces.friction * slip + bristles * middle * (1.0 - std::abs(slip));
+    // LuGre's σ₁ dz/dt (C. Canudas de Wit et al., 'A new model for control of systems with friction', IEEE Trans.
+    // Automatic Control 40(3), 1995).
+    const double bristles = 2.0 * dampingRatio_ * std::sqrt(stiffness_ * physics_.inertia);
+    forces.load += forces.friction * slip + bristles * (middle - std::abs(middle) * slip);
     forces.friction = 0.0;
   }
   return forces;

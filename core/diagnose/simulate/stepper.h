@@ -109,7 +109,8 @@ class Stepper {
   bool stateDependent_;
   bool losesVoltage_ = false;
   size_t memorySize_ = 0;
-  double stiffness_ = 0.0;  ///< of elastic friction, Nm/rad; 0: rigid
+  double stiffness_ = 0.0;     ///< of elastic friction, Nm/rad; 0: rigid
+  double dampingRatio_ = 0.0;  ///< of it while it deflects
   double longestStep_ = 2e-3;
   double supply_ = 0.0;
   Decay decay_;
