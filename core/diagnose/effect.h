@@ -101,6 +101,14 @@ class Effect {
   /// dt_s up to longestStep_s().
   virtual void remember(std::span<const double>, const Situation&, double /*dt_s*/,
                         std::span<double> /*memory*/) const {}
+  /// Period in s with which a load swings against the motor, whose place and speed relative to it are the first two
+  /// numbers of hidden state: a restart finds them from the measured motion. 0: there is none.
+  virtual double loadPeriod_s(std::span<const double>) const { return 0.0; }
+  /// The play between that load and the motor, rad.
+  virtual double loadPlay(std::span<const double>) const { return 0.0; }
+  /// Sets the hidden state for a load at this place and speed relative to a motor that moves at `velocity`.
+  virtual void placeLoad(double /*place*/, double /*speed*/, double /*velocity*/, double /*time_s*/,
+                         std::span<double> /*memory*/) const {}
   /// The longest step at which term() and remember() stay accurate.
   virtual double longestStep_s(std::span<const double>) const { return 2e-3; }
   /// Inertia that the motor's side loses because a term carries it, kg m².

@@ -40,9 +40,10 @@ double noiseFloor(const Model& model, const std::vector<Track>& tracks, const st
     const Window& window = windows[w];
     const Track& recorded = tracks[window.track];
     // From one horizon before the window to its end, as if the model were the rig.
+    const double horizon_s = Simulator(model, recorded, window.first, window.last).horizon_s();
     size_t first = window.first;
-    while (first > 0 && (recorded.time[window.first] - recorded.time[first - 1] <= model.restartHorizon_s ||
-                         window.first - first < 4))
+    while (first > 0 &&
+           (recorded.time[window.first] - recorded.time[first - 1] <= horizon_s || window.first - first < 4))
       --first;
     Track replay = recorded.rowsFrom(first, window.last);
     Track driven = recorded.rowsFrom(first, window.last);  // what acted, if what was recorded is a noisy measurement

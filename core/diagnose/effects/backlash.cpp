@@ -31,6 +31,11 @@ class Backlash final : public Effect {
   void remember(std::span<const double> p, const Situation& at, double dt_s, std::span<double> memory) const override {
     twoMassRemember(loadOf(p), at, dt_s, memory);
   }
+  double loadPeriod_s(std::span<const double> p) const override { return twoMassPeriod_s(loadOf(p)); }
+  double loadPlay(std::span<const double> p) const override { return p[1]; }
+  void placeLoad(double place, double speed, double velocity, double time_s, std::span<double> memory) const override {
+    placeTwoMass(place, speed, velocity, time_s, memory);
+  }
   double longestStep_s(std::span<const double> p) const override { return twoMassStep_s(loadOf(p)); }
   double detachedInertia(std::span<const double> p) const override { return p[0]; }
   std::vector<Shape> shapes(const Excitation& seen) const override {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace breakaway {
 
@@ -63,6 +64,17 @@ void twoMassRemember(const TwoMass& load, const Situation& at, double dt_s, std:
   memory[1] = now.velocity;
   memory[2] = at.velocity;
   memory[3] = at.time_s;
+}
+
+void placeTwoMass(double deflection, double speed, double velocity, double time_s, std::span<double> memory) {
+  memory[0] = deflection;
+  memory[1] = speed;
+  memory[2] = velocity;
+  memory[3] = std::max(time_s, 1e-9);  // 0 would mean that nothing is remembered
+}
+
+double twoMassPeriod_s(const TwoMass& load) {
+  return 2.0 * std::numbers::pi / load.frequency;
 }
 
 double twoMassStep_s(const TwoMass& load) {

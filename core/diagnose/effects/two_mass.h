@@ -29,8 +29,11 @@ inline constexpr double highestFrequency = 5e3;
 Term twoMassTerm(const TwoMass& load, const Situation& at);
 /// Advances the hidden state by dt_s with the motor's velocity changing evenly. Stable for any dt_s.
 void twoMassRemember(const TwoMass& load, const Situation& at, double dt_s, std::span<double> memory);
+void placeTwoMass(double deflection, double speed, double velocity, double time_s, std::span<double> memory);
 /// A step that two inertias of any share up to 90 % take without a visible error.
 double twoMassStep_s(const TwoMass& load);
+/// 2π/ω_a, s.
+double twoMassPeriod_s(const TwoMass& load);
 /// A load inertia that is a part of the whole one.
 bool plausibleLoad(double inertia, const Excitation& seen);
 

@@ -101,10 +101,11 @@ Eigen::VectorXd ParameterVector::start() const {
 }
 
 Model ParameterVector::at(const Eigen::VectorXd& x) const {
-  return withIntervals(x, Eigen::MatrixXd());
+  return withIntervals(x, Eigen::MatrixXd(), 0.0);
 }
 
-Model ParameterVector::withIntervals(const Eigen::VectorXd& x, const Eigen::MatrixXd& covariance) const {
+Model ParameterVector::withIntervals(const Eigen::VectorXd& x, const Eigen::MatrixXd& covariance,
+                                     double errors) const {
   Model model = model_;
   const auto place = [](Parameter& one, double value, double low, double high) {
     one.value = value;
@@ -113,7 +114,7 @@ Model ParameterVector::withIntervals(const Eigen::VectorXd& x, const Eigen::Matr
   };
   for (Eigen::Index k = 0; k < size(); ++k) {
     const Slot& slot = slots_[static_cast<size_t>(k)];
-    const double half = covariance.size() > 0 ? 1.959964 * std::sqrt(std::max(0.0, covariance(k, k))) : 0.0;
+    const double half = covariance.size() > 0 ? errors * std::sqrt(std::max(0.0, covariance(k, k))) : 0.0;
     if (slot.logarithmic) {
       const double low = x[k] - std::min(half, 7.0), high = x[k] + std::min(half, 7.0);
       place(parameter(model, slot), std::exp(x[k]), std::exp(slot.bounded ? std::max(low, slot.lower) : low),

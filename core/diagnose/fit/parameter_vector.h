@@ -32,8 +32,8 @@ class ParameterVector {
 
   /// The model at `x`.
   Model at(const Eigen::VectorXd& x) const;
-  /// The model at `x` with 95 % intervals from the covariance of x.
-  Model withIntervals(const Eigen::VectorXd& x, const Eigen::MatrixXd& covariance) const;
+  /// The model at `x` with intervals of `errors` standard errors each way from the covariance of x.
+  Model withIntervals(const Eigen::VectorXd& x, const Eigen::MatrixXd& covariance, double errors) const;
 
  private:
   struct Slot {

@@ -3,12 +3,14 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 namespace breakaway {
 
 namespace {
 
+constexpr double loadFirmness = 0.05;    ///< of a load's place against the motor's own: it is seen through the motor
 constexpr double leastRise_per_s = 1.0;  ///< of the drive before a start, relative
 
 /// What the sensor shows of a run's currents at its row k, A; nothing while a late one still shows what was before.
@@ -67,17 +69,48 @@ void WindowResidual::evaluate(Simulator& simulator, const MotionState& from, Eig
                               std::vector<MotionState>* keep) const {
   if (keep != nullptr) keep->clear();
   simulate(simulator, from, out, keep);
-  out[rows() - 2] = xFirm_ * (from.position - observed_.position);
-  out[rows() - 1] = vFirm_ * (from.velocity - observed_.velocity);
+  out.tail(firm_.size()) = firm_.cwiseProduct(startOf(from) - seen_);
 }
 
-MotionState WindowResidual::startAt(double position, double velocity, const MotionState& hidden) const {
+Eigen::VectorXd WindowResidual::startOf(const MotionState& state) const {
+  Eigen::VectorXd start(2 + loadRows_);
+  start.head(2) << state.position, state.velocity;
+  for (Eigen::Index k = 0; k < loadRows_; ++k) {
+    const auto& load = simulator_->loads()[static_cast<size_t>(k / 2)];
+    start[2 + k] = state.memory[load.memory + static_cast<size_t>(k % 2)];
+  }
+  return start;
+}
+
+MotionState WindowResidual::startAt(const Eigen::VectorXd& start, const MotionState& hidden) const {
   MotionState state = hidden;
-  state.position = position;
-  state.velocity = velocity;
+  state.position = start[0];
+  state.velocity = start[1];
   state.current = observed_.current;  // what the voltages before the window have left
   state.acceleration = 0.0;
+  for (Eigen::Index k = 0; k < loadRows_; k += 2) {
+    const auto& load = simulator_->loads()[static_cast<size_t>(k / 2)];
+    Simulator::place(load, start[2 + k], start[3 + k], track_.time[window_.first], state);
+  }
   return state;
+}
+
+Eigen::MatrixXd WindowResidual::startColumns(const MotionState& hidden) {
+  Eigen::MatrixXd columns(rows(), start_.size());
+  if (loadRows_ == 0) {
+    columns.col(0) = respond(1.0, 0.0, nullptr, nullptr);
+    columns.col(1) = respond(0.0, 1.0, nullptr, nullptr);
+    return columns;
+  }
+  Eigen::VectorXd moved(rows());
+  for (Eigen::Index k = 0; k < start_.size(); ++k) {
+    Eigen::VectorXd near = start_;
+    const double step = 0.1 / firm_[k];
+    near[k] += step;
+    evaluate(*simulator_, startAt(near, hidden), moved);
+    columns.col(k) = (moved - nominal_) / step;
+  }
+  return columns;
 }
 
 void WindowResidual::fit(const Model& model, const MotionState& hidden) {
@@ -85,30 +118,38 @@ void WindowResidual::fit(const Model& model, const MotionState& hidden) {
   if (!observedYet_) {
     observed_ = simulator_->restart(window_.first, hidden);
     observedYet_ = true;
+    loadRows_ = static_cast<Eigen::Index>(2 * simulator_->loads().size());
     // The residuals of a window are correlated: they count as about three independent ones, and the state's doubt is
     // weighed alike.
     const double firmness = std::sqrt(static_cast<double>(positions_) / 3.0);
-    xFirm_ = firmness / std::max(track_.noise, 1e-12);
-    vFirm_ = firmness / std::max(restartVelocityNoise(track_, model.restartHorizon_s), 1e-12);
-    next_ = observed_;
+    firm_.resize(2 + loadRows_);
+    firm_.head(2) << firmness / std::max(track_.noise, 1e-12),
+        firmness / std::max(restartVelocityNoise(track_, simulator_->horizon_s()), 1e-12);
+    for (Eigen::Index k = 0; k < loadRows_; k += 2) {
+      const auto& load = simulator_->loads()[static_cast<size_t>(k / 2)];
+      firm_[2 + k] = loadFirmness * firm_[0];
+      firm_[3 + k] = firm_[2 + k] * load.period_s / (2.0 * std::numbers::pi);
+    }
+    next_ = seen_ = startOf(observed_);
   }
   nominal_.resize(rows());
-  state_ = startAt(next_.position, next_.velocity, hidden);
-  evaluate(*simulator_, state_, nominal_, &states_);
+  start_ = next_;
+  evaluate(*simulator_, startAt(start_, hidden), nominal_, &states_);
   linearise();
-  Eigen::MatrixXd byState(rows(), 2);
-  byState.col(0) = respond(1.0, 0.0, nullptr, nullptr);
-  byState.col(1) = respond(0.0, 1.0, nullptr, nullptr);
-  const Eigen::Vector2d scale = byState.colwise().norm().cwiseMax(1e-300).cwiseInverse().transpose();
+  Eigen::MatrixXd byState = startColumns(hidden);
+  const Eigen::VectorXd scale = byState.colwise().norm().cwiseMax(1e-300).cwiseInverse().transpose();
   byState = byState * scale.asDiagonal();
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(byState);
-  basis_ = qr.householderQ() * Eigen::MatrixXd::Identity(rows(), 2);
+  basis_ = qr.householderQ() * Eigen::MatrixXd::Identity(rows(), byState.cols());
   residual_ = projected(nominal_);
-  const Eigen::Vector2d step = scale.cwiseProduct(qr.solve(-nominal_));
+  const Eigen::VectorXd step = scale.cwiseProduct(qr.solve(-nominal_));
   // No further than the doubt about the start allows.
   const double reach = 20.0 * track_.noise;
-  next_.position = state_.position + std::clamp(step[0], -reach, reach);
-  next_.velocity = state_.velocity + std::clamp(step[1], -reach / 0.02, reach / 0.02);
+  next_ = start_;
+  for (Eigen::Index k = 0; k < step.size(); ++k) {
+    const double most = k % 2 == 0 ? reach : reach / 0.02;
+    next_[k] += std::clamp(step[k], -most, most);
+  }
 }
 
 WindowResidual::Passage WindowResidual::torquesAt(const Simulator& simulator, size_t row,
@@ -232,15 +273,16 @@ Eigen::VectorXd WindowResidual::respond(double position, double velocity, const 
     x += 0.5 * (v + next) * (track_.time[row + 1] - track_.time[row]);
     v = next;
   }
-  out[rows() - 2] = xFirm_ * position;
-  out[rows() - 1] = vFirm_ * velocity;
+  out.tail(firm_.size()).setZero();
+  out[rows() - firm_.size()] = firm_[0] * position;
+  out[rows() - firm_.size() + 1] = firm_[1] * velocity;
   return out;
 }
 
 Eigen::VectorXd WindowResidual::column(const Model& variant, const MotionState& hidden, double step) const {
   Simulator simulator(variant, track_, window_.first, window_.last);
   Eigen::VectorXd moved(rows());
-  evaluate(simulator, startAt(state_.position, state_.velocity, hidden), moved);
+  evaluate(simulator, startAt(start_, hidden), moved);
   return projected((moved - nominal_) / step);
 }
 

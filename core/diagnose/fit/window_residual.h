@@ -16,15 +16,17 @@ struct Weights {
   double current = 0.0;
 };
 
-/// Residuals of positions (and of currents where the track has them). The window's initial position and velocity are
-/// free, held to what the restart's observer saw as firmly as its noise allows, and eliminated by variable projection
+/// Residuals of positions (and of currents where the track has them). The window's initial position and velocity (and
+/// those of a load that swings) are free, held to what the restart's observer saw as firmly as its noise allows, and
+/// eliminated by variable projection
 /// (G. Golub, V. Pereyra, SIAM J. Numer. Anal. 10(2), 1973).
 class WindowResidual {
  public:
   WindowResidual(const Track& track, const Window& window, Weights weights);
 
-  /// Positions first, then currents, then two rows for the state.
-  Eigen::Index rows() const { return positions_ + currents_ + 2; }
+  /// Positions first, then currents, then rows for the state: two, and two for each load that swings (known once fit()
+  /// ran).
+  Eigen::Index rows() const { return positions_ + currents_ + 2 + loadRows_; }
   Eigen::Index positions() const { return positions_; }
   Eigen::Index currents() const { return currents_; }
 
@@ -58,7 +60,11 @@ class WindowResidual {
   void simulate(Simulator& simulator, MotionState state, Eigen::VectorXd& out, std::vector<MotionState>* keep) const;
   void evaluate(Simulator& simulator, const MotionState& from, Eigen::VectorXd& out,
                 std::vector<MotionState>* keep = nullptr) const;
-  MotionState startAt(double position, double velocity, const MotionState& hidden) const;
+  /// Position and velocity, and of each load that swings place and speed relative to the motor.
+  Eigen::VectorXd startOf(const MotionState& state) const;
+  MotionState startAt(const Eigen::VectorXd& start, const MotionState& hidden) const;
+  /// The residuals' change with each number of the start.
+  Eigen::MatrixXd startColumns(const MotionState& hidden);
   /// `resistance`, if given, is taken over instead of evaluating the terms.
   Passage torquesAt(const Simulator& simulator, size_t row, const double* resistance) const;
   void linearise();
@@ -78,10 +84,11 @@ class WindowResidual {
   Window window_;
   Weights weights_;
   double length_ = 0.0;
-  Eigen::Index positions_ = 0, currents_ = 0;
+  Eigen::Index positions_ = 0, currents_ = 0, loadRows_ = 0;
   bool observedYet_ = false;
-  MotionState observed_, state_, next_;  ///< the observer's, of the nominal run, of the next one
-  double xFirm_ = 0.0, vFirm_ = 0.0;
+  MotionState observed_;                 ///< what the observer saw
+  Eigen::VectorXd seen_, start_, next_;  ///< the start that it saw, of the nominal run, of the next one
+  Eigen::VectorXd firm_;                 ///< with which the start is held to what was seen
   std::optional<Simulator> simulator_;
   std::vector<MotionState> states_;  ///< of the nominal run, one per row
   std::vector<Passage> passages_;    ///< one per row but the last

@@ -12,6 +12,12 @@ namespace breakaway {
 namespace {
 
 constexpr double margin_s = 0.25;
+constexpr double periodsSeen = 1.5, longestHorizon_s = 0.2;  ///< of a load that swings
+
+constexpr int mostUnknowns = 7;  // of a restart: three, and two for each load that swings
+constexpr size_t mostLoads = (mostUnknowns - 3) / 2;
+using Unknowns = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, mostUnknowns, 1>;
+using Normal = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, mostUnknowns, mostUnknowns>;
 
 struct Line {
   double position = 0.0;  ///< at the first row
@@ -55,6 +61,16 @@ Simulator::Simulator(const Model& model, const Track& track, size_t from, size_t
 Simulator::Simulator(const Physics& physics, std::vector<CompiledTerm> terms, double horizon_s, const Track& track,
                      size_t from, size_t to)
     : stepper_(physics, std::move(terms)), track_(track), horizon_(horizon_s) {
+  size_t memory = 0;
+  for (const CompiledTerm& term : stepper_.terms()) {
+    const size_t own = term.effect->memory();
+    const double period = term.effect->loadPeriod_s(term.parameters);
+    if (period > 0.0 && loads_.size() < mostLoads)
+      loads_.push_back({term.effect, memory, own, period, term.effect->loadPlay(term.parameters)});
+    memory += own;
+  }
+  for (const SwingingLoad& load : loads_)
+    horizon_ = std::max(horizon_, std::min(periodsSeen * load.period_s, longestHorizon_s));
   size_t shaping = 0;
   for (const CompiledTerm& term : stepper_.terms()) {
     if (!term.effect->shapesInput(track.drive)) continue;
@@ -131,25 +147,38 @@ MotionState Simulator::restart(size_t row, const MotionState& carried) {
   // Where the model can't follow the last stretch (it turned, or held on), a shorter one says more.
   MotionState best;
   double least = 1e300;
-  size_t first = row;
-  while (first > 0 && track_.time[row] - track_.time[first - 1] <= horizon_) --first;
-  const double enough = 3.0 * std::max(restartNoise(track_, first, row), track_.quantisation);
-  for (double horizon = horizon_; horizon > 0.1 * horizon_; horizon *= 0.5) {
-    double error = 0.0;
-    const MotionState state = restartOver(horizon, row, carried, error);
-    if (error < 0.7 * least) {
-      best = state;
-      least = error;
+  const double enough = 3.0 * std::max(restartNoise(track_, horizonBegin(horizon_, row), row), track_.quantisation);
+  const bool play = std::any_of(loads_.begin(), loads_.end(), [](const SwingingLoad& one) { return one.play > 0.0; });
+  const double shortest = loads_.empty() ? 0.1 : 0.4;
+  for (double horizon = horizon_; horizon > shortest * horizon_; horizon *= 0.5) {
+    for (const double side : {0.0, 1.0, -1.0}) {
+      if (side != 0.0 && (!play || least <= enough)) continue;
+      double error = 0.0;
+      const MotionState state = restartOver(horizon, row, carried, side, error);
+      if (error < 0.7 * least) {
+        best = state;
+        least = error;
+      }
     }
     if (least <= enough) break;
   }
   return best;
 }
 
-MotionState Simulator::restartOver(double horizon_s, size_t row, const MotionState& carried, double& error) {
-  error = 0.0;
+size_t Simulator::horizonBegin(double horizon_s, size_t row) const {
   size_t first = row;
-  while (first > 0 && (track_.time[row] - track_.time[first - 1] <= horizon_s || row - first < 3)) --first;
+  while (first > 0 && track_.time[row] - track_.time[first - 1] <= horizon_s) --first;
+  return first;
+}
+
+void Simulator::place(const SwingingLoad& load, double place, double speed, double time_s, MotionState& state) {
+  load.effect->placeLoad(place, speed, state.velocity, time_s, std::span(state.memory).subspan(load.memory, load.size));
+}
+
+MotionState Simulator::restartOver(double horizon_s, size_t row, const MotionState& carried, double side,
+                                   double& error) {
+  error = 0.0;
+  const size_t first = std::min(horizonBegin(horizon_s, row), row > 3 ? row - 3 : 0);
   const auto from = [&carried](double position, double velocity, double current) {
     MotionState state = carried;
     state.position = position;
@@ -164,34 +193,51 @@ MotionState Simulator::restartOver(double horizon_s, size_t row, const MotionSta
   const Line line = lineThrough(track_, first, early);
   const double length = track_.time[row] - track_.time[first];
   const double small = std::max(restartNoise(track_, first, row), 1e-9);
-  Eigen::Vector3d unknown(truePosition(line.position), line.slope, 0.0);  // position, velocity, load
-  const Eigen::Vector3d nudge(small, small / length, physics().inertia * small / (length * length));
+  // Position, velocity, load; of each load that swings place and speed.
+  const auto n = static_cast<Eigen::Index>(3 + 2 * loads_.size());
+  Unknowns unknown = Unknowns::Zero(n), nudge(n);
+  unknown.head(3) << truePosition(line.position), line.slope, 0.0;
+  nudge.head(3) << small, small / length, physics().inertia * small / (length * length);
+  for (size_t k = 0; k < loads_.size(); ++k) {
+    const auto at = static_cast<Eigen::Index>(3 + 2 * k);
+    unknown[at] = 0.5 * side * loads_[k].play;
+    nudge[at] = small;
+    nudge[at + 1] = small / std::min(length, loads_[k].period_s);
+  }
   const double ownLoad = physics().load;
-  const auto beginAt = [&](const Eigen::Vector3d& at) { return from(at[0], at[1], settledCurrent(first, at[1])); };
-  for (int iteration = 0; iteration < 2; ++iteration) {
-    std::array<Eigen::Vector3d, 4> at{unknown, unknown, unknown, unknown};
-    std::array<MotionState, 4> states;
-    for (int k = 0; k < 4; ++k) {
-      if (k > 0) at[static_cast<size_t>(k)][k - 1] += nudge[k - 1];
-      states[static_cast<size_t>(k)] = beginAt(at[static_cast<size_t>(k)]);
+  const auto beginAt = [&](const Unknowns& at) {
+    MotionState state = from(at[0], at[1], settledCurrent(first, at[1]));
+    for (size_t k = 0; k < loads_.size(); ++k) {
+      const auto of = static_cast<Eigen::Index>(3 + 2 * k);
+      place(loads_[k], at[of], at[of + 1], track_.time[first], state);
     }
-    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d right = Eigen::Vector3d::Zero();
+    return state;
+  };
+  for (int iteration = 0; iteration < (loads_.empty() ? 2 : 3); ++iteration) {
+    std::vector<Unknowns> at(static_cast<size_t>(n) + 1, unknown);
+    std::vector<MotionState> states;
+    states.reserve(at.size());
+    for (Eigen::Index k = 0; k <= n; ++k) {
+      if (k > 0) at[static_cast<size_t>(k)][k - 1] += nudge[k - 1];
+      states.push_back(beginAt(at[static_cast<size_t>(k)]));
+    }
+    Normal normal = Normal::Zero(n, n);
+    Unknowns right = Unknowns::Zero(n), slope(n);
     for (size_t k = first; k <= row; ++k) {
-      if (track_.seen[k]) {
-        Eigen::Vector3d slope;  // of the position by each unknown, in units of its nudge
-        for (int j = 0; j < 3; ++j) slope[j] = states[static_cast<size_t>(j) + 1].position - states[0].position;
+      if (track_.seen[k]) {  // slopes of the position by each unknown, in units of its nudge
+        for (Eigen::Index j = 0; j < n; ++j)
+          slope[j] = states[static_cast<size_t>(j) + 1].position - states[0].position;
         normal += slope * slope.transpose();
         right += slope * (track_.position[k] - shown(states[0].position));
       }
       if (k == row) break;
-      for (size_t j = 0; j < 4; ++j) {
+      for (size_t j = 0; j < states.size(); ++j) {
         stepper_.setLoad(ownLoad + at[j][2]);
         run(states[j], k, k + 1);
       }
     }
     // Where friction swallows a nudge at once, the ridge keeps its step at zero.
-    normal.diagonal().array() += 1e-9 * normal.diagonal().maxCoeff() + 1e-300;
+    normal.diagonal().array() += (loads_.empty() ? 1e-9 : 1e-6) * normal.diagonal().maxCoeff() + 1e-300;
     unknown += nudge.cwiseProduct(normal.ldlt().solve(right));
   }
   MotionState state = beginAt(unknown);
@@ -206,7 +252,11 @@ MotionState Simulator::restartOver(double horizon_s, size_t row, const MotionSta
   }
   error = std::sqrt(error / std::max(seen, 1.0));
   stepper_.setLoad(ownLoad);
+  const MotionState now = state;
   state.memory = carried.memory;
+  for (const SwingingLoad& load : loads_) {
+    place(load, now.memory[load.memory], now.memory[load.memory + 1], track_.time[row], state);
+  }
   if (stepper_.elastic()) {
     // What held the axis besides the model's drive sits in the bristles.
     const double friction =

@@ -26,8 +26,22 @@ class Simulator {
   /// along the last `horizon_s` of drive input; the position and velocity at its begin and a constant load, for what
   /// the model lacks, that fit the measured positions best (least squares, two Gauss–Newton steps) give the state. The
   /// load ends there. Where more than three times the reading noise is left, shorter horizons are tried. At the first
-  /// row the axis is taken to rest. Hidden state is taken over from `carried`.
+  /// row the axis is taken to rest. Hidden state is taken over from `carried`; a load that swings is found like
+  /// position and velocity, over at least one and a half of its periods.
   MotionState restart(size_t row, const MotionState& carried);
+  /// A load that swings against the motor (Effect::loadPeriod_s).
+  struct SwingingLoad {
+    const Effect* effect = nullptr;
+    size_t memory = 0;  ///< where its numbers begin in a state's hidden ones
+    size_t size = 0;    ///< how many they are
+    double period_s = 0.0;
+    double play = 0.0;
+  };
+  const std::vector<SwingingLoad>& loads() const { return loads_; }
+  /// How far back a restart looks, s.
+  double horizon_s() const { return horizon_; }
+  /// Places a load relative to the motor's present motion.
+  static void place(const SwingingLoad& load, double place, double speed, double time_s, MotionState& state);
   /// Runs the state from one row to another.
   void run(MotionState& state, size_t from, size_t to);
 
@@ -42,12 +56,15 @@ class Simulator {
   double sensorLag_s() const;
 
  private:
-  /// The observer over one horizon; `error` is what it leaves of the measured positions, rms.
-  MotionState restartOver(double horizon_s, size_t row, const MotionState& carried, double& error);
+  /// The observer over one horizon; `error` is what it leaves of the measured positions, rms. `side` of their play
+  /// loads are looked for on, −1 … 1.
+  MotionState restartOver(double horizon_s, size_t row, const MotionState& carried, double side, double& error);
+  size_t horizonBegin(double horizon_s, size_t row) const;
   double settledCurrent(size_t row, double velocity) const;
   void runLate(MotionState& state, size_t row);
 
   Stepper stepper_;
+  std::vector<SwingingLoad> loads_;
   const Track& track_;
   double horizon_;
   size_t shapedFrom_ = 0;
