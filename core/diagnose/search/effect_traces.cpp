@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "diagnose/simulate/followed_load.h"
+
 namespace breakaway {
 
 namespace {
@@ -78,13 +80,13 @@ EffectTraces::EffectTraces(const Effect& effect, const std::vector<double>& p, c
   const bool remembers = effect.memory() > 0 || effect.frictionStiffness(p) > 0.0;
   torque.assign(n, 0.0);
   voltage.assign(effect.losesVoltage() ? n : 0, 0.0);
-  if (remembers) {
+  if (effect.loadPeriod_s(p) > 0.0) {
+    follow(effect, p, track);
+  } else if (remembers) {
     remember(effect, p, track, motion, physics.coulomb);
   } else {
     forget(effect, p, motion);
   }
-  const double detached = effect.detachedInertia(p);
-  for (size_t k = 0; detached != 0.0 && k < n; ++k) torque[k] -= detached * motion.at(k).acceleration;
   if (std::all_of(torque.begin(), torque.end(), [](double value) { return value == 0.0; })) torque.clear();
   const double torquePerVolt = physics.electrical ? physics.torqueConstant / physics.resistance : 0.0;
   for (const RecordedStart& start : starts) {
@@ -118,6 +120,21 @@ void EffectTraces::forget(const Effect& effect, const std::vector<double>& p, co
     const auto first = static_cast<std::ptrdiff_t>(block.first);
     std::fill_n(torque.begin() + first, block.rows, term.load_Nm + block.at.direction * term.friction_Nm);
     if (!voltage.empty()) std::fill_n(voltage.begin() + first, block.rows, term.voltage_V);
+  }
+}
+
+void EffectTraces::follow(const Effect& effect, const std::vector<double>& p, const Track& track) {
+  if (track.rows() < 4) return;
+  const double inertia = effect.detachedInertia(p);
+  FollowedLoad load(effect, p, track, 0);
+  double before = load.motorSpeed(), now = before;
+  for (size_t k = 0; k + 2 < track.rows(); ++k) {
+    const double pull = load.torque();
+    load.advance();
+    const double after = load.motorSpeed();
+    torque[k] = pull - inertia * 0.5 * (after - before) / (track.time[k + 1] - track.time[k]);
+    before = now;
+    now = after;
   }
 }
 

@@ -57,6 +57,9 @@ class EffectTraces {
   void forget(const Effect& effect, const std::vector<double>& p, const RecordedMotion& motion);
   void remember(const Effect& effect, const std::vector<double>& p, const Track& track, const RecordedMotion& motion,
                 double coulomb);
+  /// For a load that swings. Where it hangs on a spring faster than smoothed motion shows, the encoder's own readings
+  /// drive it: integrated twice, their noise stays as small as it is.
+  void follow(const Effect& effect, const std::vector<double>& p, const Track& track);
 };
 
 }  // namespace breakaway

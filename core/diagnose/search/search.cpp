@@ -19,6 +19,8 @@ constexpr double halfOfAll = 0.5;
 constexpr double mostOfAll = 0.6;
 constexpr double importantPart = 0.2;  ///< of the screen's squared residual
 constexpr size_t mostTrials = 4;
+constexpr size_t mostShapeWindows = 4;
+constexpr double clearlyLess = 0.7, hardlyLess = 0.9, nearlyAlike = 3.0;  ///< of a squared error
 constexpr size_t mostRivals = 3;
 
 bool same(const Effect* a, const Effect* b) {
@@ -46,6 +48,17 @@ std::vector<Pick> withOneLoad(std::vector<Pick> picks) {
     return std::exchange(loaded, true);
   });
   return picks;
+}
+
+/// Whether the effect brings a load along that has a motion of its own.
+bool swings(const Pick& pick) {
+  return pick.effect->loadPeriod_s(pick.parameters) > 0.0;
+}
+
+bool isSwinging(const EffectTerm& term) {
+  std::vector<double> values;
+  for (const Parameter& one : term.parameters) values.push_back(one.value);
+  return findEffect(term.effect)->loadPeriod_s(values) > 0.0;
 }
 
 /// The largest gain first.
@@ -76,7 +89,8 @@ class Search {
     if (surely) announce(important(found));
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
     say(0.35, "simulating what was found");
-    adopt(result, screen, withOneLoad(found.chosen));
+    adoptLoad(result, screen, found);
+    if (result.chosen.empty()) adopt(result, screen, withOneLoad(found.chosen));
     for (const Pick& pick : result.chosen.empty() ? bestAlone(screen) : std::vector<Pick>{}) {
       if (result.chosen.empty()) adopt(result, screen, {pick});
     }
@@ -127,9 +141,9 @@ class Search {
     // What acts at standstill, and loads that have a motion of their own, are for the simulation to tell.
     const Effect& one = *picks.front().effect;
     const auto alike = one.lookAlikes();
-    return one.detachedInertia(picks.front().parameters) == 0.0 &&
-           std::none_of(alike.begin(), alike.end(),
-                        [](std::string_view name) { return findEffect(name)->growsAtRest(); });
+    return !swings(picks.front()) && std::none_of(alike.begin(), alike.end(), [](std::string_view name) {
+      return findEffect(name)->growsAtRest();
+    });
   }
   template <typename Named>
   void announce(const std::vector<Named>& those) const {
@@ -205,6 +219,92 @@ class Search {
     return sets;
   }
 
+  struct Shaped {
+    Pick pick;
+    double left = 1.0;  ///< of the squared error of the windows looked at
+  };
+  /// A load that swings hardly shows in a regression: the shape that does best in simulated windows beside `model`, of
+  /// those on offer and then a step at a time from it.
+  Shaped simulatedShape(const Model& model, Pick pick) const {
+    Shaped best{std::move(pick)};
+    if (!swings(best.pick)) return best;
+    const std::vector<Window>& all = input_.split.train;
+    std::vector<Window> windows;
+    for (size_t k = 0; k < all.size(); k += std::max<size_t>(1, all.size() / mostShapeWindows))
+      windows.push_back(all[k]);
+    const auto base = residualSquares(model, input_.tracks, windows);
+    const auto tryOne = [&](std::vector<double> parameters) {
+      Pick other = best.pick;
+      other.parameters = std::move(parameters);
+      if (input_.stop.stop_requested() || !other.effect->plausible(other.parameters, input_.seen)) return false;
+      auto squares = residualSquares(with(input_, model, other), input_.tracks, windows);
+      // How far a window runs away says no more than that it does.
+      for (size_t w = 0; w < squares.size(); ++w) squares[w] = squares[w] < 4.0 * base[w] ? squares[w] : 4.0 * base[w];
+      const double left = mean(squares) / std::max(mean(base), 1e-300);
+      if (!(left < best.left)) return false;
+      best = {std::move(other), left};
+      return true;
+    };
+    tryOne(best.pick.parameters);
+    for (const Shape& shape : best.pick.effect->shapes(input_.seen)) tryOne(shape.front());
+    if (best.left > hardlyLess) return best;
+    const auto specs = best.pick.effect->parameters(input_.seen.axis);
+    for (size_t p = 0; p < specs.size(); ++p) {
+      for (const double by : {1.5, 1.0 / 1.5}) {
+        for (bool better = !specs[p].held; better;) {
+          auto parameters = best.pick.parameters;
+          parameters[p] *= by;
+          better = tryOne(std::move(parameters));
+        }
+      }
+    }
+    return best;
+  }
+
+  /// Where the screen leaves much open: a load whose motion explains more.
+  void adoptLoad(SearchResult& result, const Screen& screen, const ScreenResult& found) {
+    double explained = 0.0;
+    bool named = false;
+    for (const Pick& one : found.chosen) {
+      explained += one.gain;
+      named = named || swings(one);
+    }
+    if (worth_->baseAtFloor() || (!named && explained > mostOfAll * found.baseSquares)) return;
+    for (const Effect* effect : catalogue()) {
+      Pick pick = screen.best(*effect, {});
+      const auto shapes = effect->shapes(input_.seen);
+      if (shapes.empty()) continue;
+      if (pick.parameters.empty()) {
+        pick.effect = effect;
+        pick.parameters = shapes.front().front();
+      }
+      if (!swings(pick)) continue;
+      const Shaped shaped = simulatedShape(result.base.model, pick);
+      if (shaped.left > clearlyLess) continue;
+      const Model start = with(input_, result.base.model, shaped.pick);
+      FitResult fit = fitModel(input_, start, 10);
+      if (!fit.usable || mean(fit.windowSquares) > 0.1 * mean(result.base.windowSquares)) {
+        FitResult slow = fitModel(input_, fitShort(input_, start), 10);
+        if (slow.usable && mean(slow.windowSquares) < mean(fit.windowSquares)) fit = std::move(slow);
+      }
+      if (!fit.usable || !worth_->helps(result.base, fit)) continue;
+      const double own = mean(fit.windowSquares), best = mean(result.best.windowSquares);
+      if (own < nearlyAlike * best) likelyLoads_.push_back(effect);
+      if (own >= best) continue;
+      result.best = std::move(fit);
+      result.chosen = {{effect, largestPValue, 0.0, {}}};
+    }
+  }
+
+  /// A load that explained the motion about as well as the one that was chosen in the end.
+  void listOtherLoads(Chosen& chosen) const {
+    if (std::find(likelyLoads_.begin(), likelyLoads_.end(), chosen.effect) == likelyLoads_.end()) return;
+    for (const Effect* other : likelyLoads_) {
+      const bool listed = std::find(chosen.rivals.begin(), chosen.rivals.end(), other) != chosen.rivals.end();
+      if (other != chosen.effect && !listed) chosen.rivals.push_back(other);
+    }
+  }
+
   FitResult fitSet(const SearchResult& result, const Screen& screen, const std::vector<Pick>& picks) const {
     const Model start = withPicks(result, screen, picks);
     FitResult fit = fitFresh(start);
@@ -226,21 +326,22 @@ class Search {
     const double left = mean(result.best.windowSquares);
     if (worth_->floors(result.best) < 9.0 || left < 0.02 * mean(result.base.windowSquares)) return false;
     std::vector<Pick> candidates;
+    const bool loaded = std::any_of(result.best.model.effects.begin(), result.best.model.effects.end(), isSwinging);
     for (const Effect* effect : catalogue()) {
       if (contains(result.chosen, effect)) continue;
       Pick pick = screen.best(*effect, picks);
-      if (!pick.parameters.empty()) candidates.push_back(std::move(pick));
+      if (!pick.parameters.empty() && !(loaded && swings(pick))) candidates.push_back(std::move(pick));
     }
     sortByGain(candidates);
     // What acts around standstill hardly shows in a regression.
     std::stable_partition(candidates.begin(), candidates.end(),
-                          [](const Pick& one) { return one.effect->growsAtRest(); });
+                          [](const Pick& one) { return one.effect->growsAtRest() || swings(one); });
     std::optional<FitResult> winner;
     Chosen chosen;
     double best = 2.0 * sureGain;
     const size_t most = remembers(result.best.model) ? 1 : mostTrials;  // hidden states are slow to fit
     for (size_t k = 0; k < std::min(most, candidates.size()); ++k) {
-      const Model start = with(input_, result.best.model, candidates[k]);
+      const Model start = with(input_, result.best.model, simulatedShape(result.best.model, candidates[k]).pick);
       FitResult fit = fitFresh(start);
       if (!fit.usable || mean(fit.windowSquares) > (1.0 - clearGain) * left) fit = fitFresh(fitShort(input_, start));
       if (!fit.usable || !plausible(fit.model, input_.seen)) continue;
@@ -381,11 +482,13 @@ class Search {
                      [](const Chosen& a, const Chosen& b) { return a.marginal > b.marginal; });
     left_.clear();  // they are large, and no longer needed
     if (result.chosen.size() > 1) weighAlone(result, screen);
+    for (Chosen& one : result.chosen) listOtherLoads(one);
   }
 
   SearchInput input_;
-  std::optional<Worth> worth_;   ///< once the base model is fitted
-  std::vector<FitResult> left_;  ///< without each chosen effect
+  std::optional<Worth> worth_;              ///< once the base model is fitted
+  std::vector<FitResult> left_;             ///< without each chosen effect
+  std::vector<const Effect*> likelyLoads_;  ///< that swing, as adoptLoad() found
 };
 
 }  // namespace

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
+#include "diagnose/simulate/followed_load.h"
 #include "diagnose/simulate/physics.h"
 
 namespace breakaway {
@@ -12,7 +14,10 @@ namespace breakaway {
 namespace {
 
 constexpr double margin_s = 0.25;
-constexpr double periodsSeen = 1.5, longestHorizon_s = 0.2;  ///< of a load that swings
+// Of a load that swings: periods that a restart looks back, and the doubt about its place when it has followed the
+// encoder, in readings' noise. Behind a gap it takes its time, and readings that jump make it rattle.
+constexpr double periodsSeen = 1.5, periodsSeenInPlay = 4.5, longestHorizon_s = 0.2;
+constexpr double followedFor_s = 0.3, loadDoubt = 10.0, doubtInPlay = 30.0, noIdea = 1e3;
 
 constexpr int mostUnknowns = 7;  // of a restart: three, and two for each load that swings
 constexpr size_t mostLoads = (mostUnknowns - 3) / 2;
@@ -66,11 +71,12 @@ Simulator::Simulator(const Physics& physics, std::vector<CompiledTerm> terms, do
     const size_t own = term.effect->memory();
     const double period = term.effect->loadPeriod_s(term.parameters);
     if (period > 0.0 && loads_.size() < mostLoads)
-      loads_.push_back({term.effect, memory, own, period, term.effect->loadPlay(term.parameters)});
+      loads_.push_back({term.effect, term.parameters, memory, own, period, term.effect->loadPlay(term.parameters)});
     memory += own;
   }
   for (const SwingingLoad& load : loads_)
-    horizon_ = std::max(horizon_, std::min(periodsSeen * load.period_s, longestHorizon_s));
+    horizon_ = std::max(
+        horizon_, std::min((load.play > 0.0 ? periodsSeenInPlay : periodsSeen) * load.period_s, longestHorizon_s));
   size_t shaping = 0;
   for (const CompiledTerm& term : stepper_.terms()) {
     if (!term.effect->shapesInput(track.drive)) continue;
@@ -151,16 +157,16 @@ MotionState Simulator::restart(size_t row, const MotionState& carried) {
   const bool play = std::any_of(loads_.begin(), loads_.end(), [](const SwingingLoad& one) { return one.play > 0.0; });
   const double shortest = loads_.empty() ? 0.1 : 0.4;
   for (double horizon = horizon_; horizon > shortest * horizon_; horizon *= 0.5) {
-    for (const double side : {0.0, 1.0, -1.0}) {
-      if (side != 0.0 && (!play || least <= enough)) continue;
+    for (const Side side : {Side::followed, Side::middle, Side::low, Side::high}) {
+      if (side != Side::followed && !play) continue;
       double error = 0.0;
       const MotionState state = restartOver(horizon, row, carried, side, error);
-      if (error < 0.7 * least) {
+      if (error < (side == Side::followed ? 0.7 : 1.0) * least) {
         best = state;
         least = error;
       }
     }
-    if (least <= enough) break;
+    if (least <= enough || play) break;
   }
   return best;
 }
@@ -171,12 +177,19 @@ size_t Simulator::horizonBegin(double horizon_s, size_t row) const {
   return first;
 }
 
+Eigen::Vector2d Simulator::followed(const SwingingLoad& load, size_t row) const {
+  const size_t from = horizonBegin(followedFor_s, row);
+  if (row < from + 4 || row + 2 >= track_.rows()) return Eigen::Vector2d::Zero();
+  FollowedLoad one(*load.effect, load.parameters, track_, from);
+  while (one.row() + 1 < row) one.advance();
+  return {one.place(), one.speed()};
+}
+
 void Simulator::place(const SwingingLoad& load, double place, double speed, double time_s, MotionState& state) {
   load.effect->placeLoad(place, speed, state.velocity, time_s, std::span(state.memory).subspan(load.memory, load.size));
 }
 
-MotionState Simulator::restartOver(double horizon_s, size_t row, const MotionState& carried, double side,
-                                   double& error) {
+MotionState Simulator::restartOver(double horizon_s, size_t row, const MotionState& carried, Side side, double& error) {
   error = 0.0;
   const size_t first = std::min(horizonBegin(horizon_s, row), row > 3 ? row - 3 : 0);
   const auto from = [&carried](double position, double velocity, double current) {
@@ -195,15 +208,20 @@ MotionState Simulator::restartOver(double horizon_s, size_t row, const MotionSta
   const double small = std::max(restartNoise(track_, first, row), 1e-9);
   // Position, velocity, load; of each load that swings place and speed.
   const auto n = static_cast<Eigen::Index>(3 + 2 * loads_.size());
-  Unknowns unknown = Unknowns::Zero(n), nudge(n);
+  Unknowns unknown = Unknowns::Zero(n), nudge(n), doubt = Unknowns::Constant(n, 1e9);  // doubt in nudges
   unknown.head(3) << truePosition(line.position), line.slope, 0.0;
   nudge.head(3) << small, small / length, physics().inertia * small / (length * length);
   for (size_t k = 0; k < loads_.size(); ++k) {
     const auto at = static_cast<Eigen::Index>(3 + 2 * k);
-    unknown[at] = 0.5 * side * loads_[k].play;
+    const bool follows = side == Side::followed;
+    if (follows) unknown.segment<2>(at) = followed(loads_[k], first);
+    if (side == Side::low || side == Side::high) unknown[at] = (side == Side::low ? -0.5 : 0.5) * loads_[k].play;
     nudge[at] = small;
     nudge[at + 1] = small / std::min(length, loads_[k].period_s);
+    doubt[at] = !follows ? noIdea : loads_[k].play > 0.0 ? doubtInPlay : loadDoubt;
+    doubt[at + 1] = doubt[at] * std::max(1.0, 2.0 * std::numbers::pi * length / loads_[k].period_s);
   }
+  const Unknowns expected = unknown;
   const double ownLoad = physics().load;
   const auto beginAt = [&](const Unknowns& at) {
     MotionState state = from(at[0], at[1], settledCurrent(first, at[1]));
@@ -213,7 +231,7 @@ MotionState Simulator::restartOver(double horizon_s, size_t row, const MotionSta
     }
     return state;
   };
-  for (int iteration = 0; iteration < (loads_.empty() ? 2 : 3); ++iteration) {
+  for (int iteration = 0; iteration < (side == Side::followed && !loads_.empty() ? 3 : 2); ++iteration) {
     std::vector<Unknowns> at(static_cast<size_t>(n) + 1, unknown);
     std::vector<MotionState> states;
     states.reserve(at.size());
@@ -237,7 +255,12 @@ MotionState Simulator::restartOver(double horizon_s, size_t row, const MotionSta
       }
     }
     // Where friction swallows a nudge at once, the ridge keeps its step at zero.
-    normal.diagonal().array() += (loads_.empty() ? 1e-9 : 1e-6) * normal.diagonal().maxCoeff() + 1e-300;
+    normal.diagonal().array() += 1e-9 * normal.diagonal().maxCoeff() + 1e-300;
+    for (Eigen::Index k = 3; k < n; ++k) {  // a load keeps near to where it was expected
+      const double hold = small * small / (doubt[k] * doubt[k]);
+      normal(k, k) += hold;
+      right[k] += hold * (expected[k] - unknown[k]) / nudge[k];
+    }
     unknown += nudge.cwiseProduct(normal.ldlt().solve(right));
   }
   MotionState state = beginAt(unknown);

@@ -1,6 +1,7 @@
 // A model run along a track: the drive input as it acts, the motion, and what encoder and current sensor show of it.
 #pragma once
 
+#include <Eigen/Core>
 #include <vector>
 
 #include "diagnose/simulate/model.h"
@@ -32,6 +33,7 @@ class Simulator {
   /// A load that swings against the motor (Effect::loadPeriod_s).
   struct SwingingLoad {
     const Effect* effect = nullptr;
+    std::vector<double> parameters;
     size_t memory = 0;  ///< where its numbers begin in a state's hidden ones
     size_t size = 0;    ///< how many they are
     double period_s = 0.0;
@@ -56,9 +58,12 @@ class Simulator {
   double sensorLag_s() const;
 
  private:
-  /// The observer over one horizon; `error` is what it leaves of the measured positions, rms. `side` of their play
-  /// loads are looked for on, −1 … 1.
-  MotionState restartOver(double horizon_s, size_t row, const MotionState& carried, double side, double& error);
+  /// Where in its play a load is looked for; `followed`: where it is if it follows the encoder's readings.
+  enum class Side { followed, middle, low, high };
+  /// The observer over one horizon; `error` is what it leaves of the measured positions, rms.
+  MotionState restartOver(double horizon_s, size_t row, const MotionState& carried, Side side, double& error);
+  /// Place and speed of a load that has followed the encoder's readings up to `row`.
+  Eigen::Vector2d followed(const SwingingLoad& load, size_t row) const;
   size_t horizonBegin(double horizon_s, size_t row) const;
   double settledCurrent(size_t row, double velocity) const;
   void runLate(MotionState& state, size_t row);
