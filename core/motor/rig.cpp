@@ -74,6 +74,13 @@ void readBridge(JsonObject object, RigBridge& bridge) {
   bridge.deadZoneDuty = object.number("dead_zone_duty", 0.0, Allowed::nonNegative);
   if (bridge.deadZoneDuty > 0.5) object.fault("dead_zone_duty", "is above 0.5, expected a small part of the duty");
   bridge.pwmSteps = object.number("pwm_steps", 0.0, Allowed::nonNegative);
+  const auto rows = object.rows("duty_curve", 2);
+  if (rows.empty()) return;
+  bridge.dutyCurve.points.push_back({bridge.deadZoneDuty, {}});
+  for (const auto& row : rows) bridge.dutyCurve.points.push_back({row[0], {row[1], 0.0}});
+  if (!bridge.dutyCurve.rises())
+    object.fault("duty_curve",
+                 "doesn't rise from the dead zone's end on, expected [input duty, output duty] in rising order");
 }
 
 RigEffect readEffect(JsonObject& object) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "motor/duty_curve.h"
 #include "motor/rig_faults.h"
 
 namespace breakaway {
@@ -44,6 +45,7 @@ struct RigBridge {
   double supply_V = 0.0;
   double deadZoneDuty = 0.0;  ///< |duty| up to this gives no voltage; beyond it the voltage grows from zero
   double pwmSteps = 0.0;      ///< duty resolution 1/pwmSteps; 0: continuous
+  DutyCurve dutyCurve;        ///< beyond the dead zone; unknown: the voltage grows as the duty does
 };
 
 /// Concealed physics: an effect's contract name and its parameters by name.

@@ -52,6 +52,7 @@ double BridgeModel::realisable(double duty) {
 }
 
 double BridgeModel::voltage(double duty) const {
+  if (bridge_.dutyCurve.known()) return bridge_.dutyCurve.output(duty) * bridge_.supply_V;
   const double beyond = std::max(0.0, std::abs(duty) - bridge_.deadZoneDuty);
   return std::copysign(beyond, duty) * bridge_.supply_V;
 }
