@@ -17,7 +17,7 @@ struct WindingTestOptions {
   double block_s = 0.01;     ///< of the points that are averaged
   double motion_rad = 0.01;  ///< travel that counts as motion
   double dates_s = 0.03;     ///< standing points this close before the first count, at least, are left out
-  double square_s = 3.0;     ///< duration of the square wave
+  double square_s = 8.0;     ///< duration of the square wave
   double squareHalfPeriod_s = 0.02;
   double current_limit_A = 0.0;  ///< 0: the controller's own
   double mostDrift_A = 0.1;      ///< of the current sensor's zero, from one rest to the next

@@ -13,12 +13,14 @@ std::optional<double> CommissionJob::trustedTorqueConstant() const {
 
 /// Fresh, or from what was kept, if that belongs to this job.
 Result<void> CommissionJob::begin() {
+  static_cast<void>(drive_.linearise({}));  // an earlier job's curve; a board that takes none has none
   CommissionProgress fresh;
   fresh.device = done_.identity.device;
   fresh.bins = options_.bins;
   fresh.turns = options_.turns;
   fresh.speedRun_s = options_.speedRun_s;
   fresh.trustedTorqueConstant_Nm_per_A = trustedTorqueConstant();
+  fresh.addedInertia_kg_m2 = options_.addedInertia_kg_m2.value;
   kept_ = options_.earlier.value_or(fresh);
   if (!options_.earlier) return {};
   if (kept_.device != fresh.device)
@@ -33,6 +35,8 @@ Result<void> CommissionJob::begin() {
     return Error{
         "bench",
         "trusts another torque constant than the interrupted job was begun with, expected the same bench file"};
+  if (kept_.addedInertia_kg_m2 != fresh.addedInertia_kg_m2)
+    return Error{"added inertia", "is another one than the interrupted job was begun with, expected the same disc"};
   ++kept_.part;
   done_.rigTime_s = kept_.rigTime_s;
   done_.remarks = kept_.remarks;
@@ -50,6 +54,7 @@ void CommissionJob::fillBench() {
   bench.axis = Axis::rotary;
   bench.input = DriveInput::current;
   bench.supply_V = drive_.identity().supply_V;
+  bench.dutyCurve = motor.dutyCurve;
   bench.countsPerUnit = drive_.identity().countsPerRev;
   // Recordings show the current as the sensor does; with it go torque constant and winding.
   bench.motor.torqueConstant = motor.torquePerShownAmpere_Nm();
@@ -57,8 +62,8 @@ void CommissionJob::fillBench() {
   bench.motor.resistance_ohm = shownResistance_ohm_;
   if (motor.inductance_H.value > 0.0) bench.motor.inductance_H = motor.inductance_H.value / motor.currentGain.value;
   bench.motor.inertia = motor.inertia_kg_m2.value;
-  bench.motor.viscous = std::max(0.0, done_.map.viscousAverage_Nm_s_per_rad.value);
-  bench.motor.coulomb = std::max(0.0, done_.map.coulombAverage_Nm.value);
+  bench.motor.viscous = std::max(0.0, motor.viscous_Nm_s_per_rad.value);
+  bench.motor.coulomb = std::max(0.0, motor.coulomb_Nm.value);
   bench.trusted.insert("torque_constant_Nm_per_A");
   bench.controller = {ControlMode::velocity,
                       done_.settings.velocity_kp_A_s_per_rad,
@@ -72,13 +77,22 @@ void CommissionJob::fillBench() {
 
 Result<Commission> CommissionJob::run() {
   done_.identity = drive_.identity();
+  done_.addedInertia_kg_m2 = options_.addedInertia_kg_m2;
   if (!(done_.identity.countsPerRev > 0.0)) return Error{"board", "has no encoder, which everything here rests on"};
   if (!done_.identity.hasIndex) return Error{"board", "has an encoder without index, which homing needs"};
+  if (options_.against && options_.against->addedInertia_kg_m2.value == options_.addedInertia_kg_m2.value)
+    return Error{"added inertia", "is the same as in the motor's file that it is held against, expected another one"};
   if (const auto ok = begin(); !ok) return ok.error();
   if (const auto ok = identify(); !ok) return ok.error();
   if (const auto ok = tune(); !ok) return ok.error();
   if (const auto ok = reverse(); !ok) return ok.error();
+  fitWindings();
   if (const auto ok = setScale(); !ok) return ok.error();
+  if (options_.motorOnly) {
+    drive_.stop("the motor is identified");
+    fillBench();
+    return std::move(done_);
+  }
   if (const auto ok = home(); !ok) return ok.error();
   if (const auto ok = sweepVelocity(); !ok) return ok.error();
   if (const auto ok = sweepBreakaway(); !ok) return ok.error();

@@ -44,9 +44,12 @@ Result<void> CommissionJob::sweepVelocity() {
   const double friction_A = motor.coulomb_Nm.value / motor.torquePerShownAmpere_Nm();
   // Top speed from V = V0 + R·i + Ke·ω with friction's current and a third more, and 0.6 of it to leave room for
   // control.
+  const double supply_V = drive_.identity().supply_V;
+  const double lost_V =
+      motor.dutyCurve.known() ? supply_V * (1.0 - motor.dutyCurve.output(1.0)) : motor.deadZone_V.value;
   const double perAmp_V = 1.33 * shownResistance_ohm_;
   const double slope_A = std::max(0.0, motor.viscous_Nm_s_per_rad.value) / motor.torquePerShownAmpere_Nm();
-  const double usable_V = drive_.identity().supply_V - motor.deadZone_V.value - perAmp_V * friction_A;
+  const double usable_V = supply_V - lost_V - perAmp_V * friction_A;
   const double highest = std::max(1.0, 0.6 * usable_V / (motor.backEmfConstant_V_s_per_rad.value + perAmp_V * slope_A));
   VelocitySweepOptions options;
   // In an order in which speed and time have nothing to do with each other: a zero that drifts is no viscous friction.
@@ -81,8 +84,9 @@ Result<void> CommissionJob::sweepBreakaway() {
   options.turns = options_.turns;
   options.indexAngle_rad = done_.indexAngle_rad.value;
   options.torqueConstant_Nm_per_A = motor.torquePerShownAmpere_Nm();
-  options.resistance_ohm = shownResistance_ohm_;
-  options.deadZone_V = motor.deadZone_V.value;
+  const WindingLine line = rampLine();
+  options.resistance_ohm = line.resistance_ohm.value;
+  options.deadZone_V = line.deadZone_V.value;
   options.inertia_kg_m2 = motor.inertia_kg_m2.value;
   options.backEmfConstant_V_s_per_rad = motor.backEmfConstant_V_s_per_rad.value;
   options.expected_A = expected_A_;

@@ -6,7 +6,9 @@
 
 #include "experiment/spin_test.h"
 #include "friction/measurements.h"
+#include "identify/bridge_fit.h"
 #include "identify/map_estimation.h"
+#include "motor/winding_line.h"
 #include "report/commission.h"
 #include "report/commission_steps.h"
 
@@ -25,6 +27,9 @@ class CommissionJob {
   Result<void> identify();
   Result<void> tune();
   Result<void> reverse();
+  void fitWindings();
+  void lineariseBoard();
+  WindingLine rampLine() const;
   Result<void> setScale();
   Result<void> home();
   Result<void> sweepVelocity();
@@ -40,6 +45,9 @@ class CommissionJob {
   std::array<double, 2> expected_A_{0.0, 0.0};
   CommissionProgress kept_;
   CommissionSteps steps_;
+  BridgeTests bridgeTests_;
+  Estimate timeConstant_s_;
+  bool linearised_ = false;           ///< the board takes its voltages through the inverse of the bridge's curve
   double shownResistance_ohm_ = 0.0;  ///< with the current as the sensor shows it
   double zeroError_A_ = 0.0;          ///< over the velocity sweep
 };

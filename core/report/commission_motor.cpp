@@ -49,6 +49,10 @@ Result<void> CommissionJob::identify() {
     for (const double one : winding->breakaway_A()[way]) expected_A_[way] = std::max(expected_A_[way], one);
   }
   SpinTestOptions spinOptions;
+  // Where friction takes much of the supply, half of it would hardly turn the rotor.
+  const double moving_V = line->voltageFor(std::max(expected_A_[0], expected_A_[1])),
+               supply_V = drive_.identity().supply_V;
+  spinOptions.highest_V = std::clamp(2.5 * moving_V, 0.5 * supply_V, 0.9 * supply_V);
   auto spin = std::make_shared<SpinTest>(spinOptions);
   if (auto ran = steps_.run("03-spin", spin, 0.03); !ran) return ran;
   MotorIdentificationOptions options;
@@ -65,6 +69,11 @@ Result<void> CommissionJob::identify() {
   }
   if (!motor) return Error{"03-spin", motor.error().message()};
   done_.motor = *motor;
+  bridgeTests_.standing = winding->points();
+  bridgeTests_.moving = {spin->blocks()};
+  timeConstant_s_ = *constant;
+  bridgeTests_.timeConstant_s = constant->value;
+  bridgeTests_.supply_V = drive_.identity().supply_V;
   const double Kt = motor->torqueConstant_Nm_per_A.value, Ke = motor->backEmfConstant_V_s_per_rad.value;
   if (std::abs(Kt - Ke) > 0.05 * Ke) {
     done_.remarks.push_back(
@@ -117,6 +126,7 @@ Result<void> CommissionJob::reverse() {
     done_.remarks.push_back(inertia.error().message() + "; the inertia rests on the spin test alone.");
     return {};
   }
+  bridgeTests_.moving.push_back(test->blocks());
   const double apart = joinInertia(done_.motor, *inertia);
   if (apart > 3.0) {
     done_.remarks.push_back(
@@ -124,6 +134,52 @@ Result<void> CommissionJob::reverse() {
         "errors; the interval given covers both.");
   }
   return {};
+}
+
+/// Winding and bridge once more from all tests together, and the bridge's curve, where it has one, to the board.
+void CommissionJob::fitWindings() {
+  if (kept_.motor) {
+    lineariseBoard();
+    return;
+  }
+  const auto bridge = fitBridge(bridgeTests_);
+  if (!bridge) {
+    done_.remarks.push_back(bridge.error().message() +
+                            "; resistance and back-EMF constant rest on a straight line beyond the dead zone.");
+  } else {
+    takeBridge(done_.motor, *bridge, timeConstant_s_);
+  }
+  lineariseBoard();
+}
+
+void CommissionJob::lineariseBoard() {
+  const DutyCurve& curve = done_.motor.dutyCurve;
+  if (!curve.known()) return;
+  const auto taken = drive_.linearise(curve);
+  linearised_ = taken.ok();
+  done_.remarks.push_back(
+      linearised_ ? "The bridge bends its duty: from the reversal test on the board takes its voltages through the "
+                    "measured curve's inverse."
+                  : "The bridge bends its duty, and the board can't straighten it (" + taken.error().fact +
+                        "): breakaway ramps follow its tangent at the breakaway current.");
+}
+
+/// The line from command to current that breakaway ramps follow: what the board doesn't straighten, as a tangent.
+WindingLine CommissionJob::rampLine() const {
+  WindingLine line;
+  line.resistance_ohm.value = shownResistance_ohm_;
+  if (linearised_) return line;
+  line.deadZone_V = done_.motor.deadZone_V;
+  const DutyCurve& curve = done_.motor.dutyCurve;
+  if (!curve.known()) return line;
+  const double supply_V = drive_.identity().supply_V;
+  const double near_A = std::max({expected_A_[0], expected_A_[1], 1e-3});
+  const auto volts = [&](double current_A) {
+    return supply_V * curve.input(shownResistance_ohm_ * current_A / supply_V);
+  };
+  line.resistance_ohm.value = (volts(1.2 * near_A) - volts(0.8 * near_A)) / (0.4 * near_A);
+  line.deadZone_V.value = volts(near_A) - line.resistance_ohm.value * near_A;
+  return line;
 }
 
 /// From here on torques are of true amperes, while the windings' voltage still follows the current as it is shown.
@@ -134,6 +190,11 @@ Result<void> CommissionJob::setScale() {
     const Bench& bench = *options_.bench;
     if (bench.currentGainInterval) options.gainInterval = *bench.currentGainInterval;
     if (bench.trusted.contains("inertia_kg_m2")) options.trustedInertia_kg_m2 = bench.motor.inertia;
+  }
+  if (options_.against) {
+    const Estimate &here = options_.addedInertia_kg_m2, &other = options_.against->addedInertia_kg_m2;
+    options.added = AddedInertia{options_.against->motor.shownInertia_kg_m2,
+                                 {here.value - other.value, std::hypot(here.standardError, other.standardError)}};
   }
   shownResistance_ohm_ = done_.motor.resistance_ohm.value;
   setCurrentScale(done_.motor, options);
