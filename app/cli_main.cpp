@@ -52,9 +52,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "breakaway: %s; see breakaway --help\n", error.what());
     return 2;
   }
-  if (const auto done = job(); !done) {
-    std::fprintf(stderr, "breakaway: %s\n", done.error().message().c_str());
-    return 2;
-  }
-  return 0;
+  const cli::Outcome outcome = job();
+  if (!outcome.line.empty()) std::fprintf(stderr, "breakaway: %s\n", outcome.line.c_str());
+  return outcome.status;
 }

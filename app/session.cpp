@@ -51,8 +51,13 @@ void Session::connectTo(const QString& uri, unsigned seed) {
     emit said(QString::fromStdString(drive.error().message()), true);
     return;
   }
+  const std::optional<Bench> bench = benchBeside(uri);
+  if (bench && bench->dutyCurve.known()) {
+    if (const auto taken = (*drive)->linearise(bench->dutyCurve); !taken)
+      emit said(QString::fromStdString(taken.error().message()), true);
+  }
   adopt(std::move(*drive), uri);
-  bench_ = benchBeside(uri);
+  bench_ = bench;
   survey_.rig = bench_ ? bench_->name : identity_.device;
 }
 

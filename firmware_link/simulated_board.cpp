@@ -91,6 +91,7 @@ class SimulatedBoard final : public Drive {
   ControllerSettings settings() const override { return settings_; }
   Result<ControllerSettings> configure(const ControllerSettings& wanted) override;
   Result<void> compensate(const FrictionCompensation& friction) override;
+  Result<void> linearise(const DutyCurve& curve) override;
   void command(const Command& command) override;
   void start(std::shared_ptr<Procedure> procedure) override;
   void stop(const std::string& reason) override;
@@ -174,6 +175,20 @@ Result<void> SimulatedBoard::compensate(const FrictionCompensation& friction) {
   table.index_rad = friction.indexAngle_rad;
   table.blend_rad_per_s = friction.blend_rad_per_s;
   controller_.compensate(table, friction.cutoff_rad_per_s);
+  return {};
+}
+
+Result<void> SimulatedBoard::linearise(const DutyCurve& curve) {
+  DutyTable<double> table;
+  if (curve.points.size() > DutyTable<double>::mostPoints)
+    return Error{"bridge's curve", "has " + std::to_string(curve.points.size()) + " points, the board holds at most " +
+                                       std::to_string(DutyTable<double>::mostPoints)};
+  if (!curve.rises()) return Error{"bridge's curve", "doesn't rise, expected a strictly rising one"};
+  for (const DutyPoint& point : curve.points) {
+    table.input[table.points] = point.input;
+    table.output[table.points++] = point.output.value;
+  }
+  controller_.linearise(table);
   return {};
 }
 

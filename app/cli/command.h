@@ -2,6 +2,8 @@
 #pragma once
 
 #include <functional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
@@ -12,8 +14,18 @@ class App;
 
 namespace breakaway::cli {
 
+/// How a command ended: its exit status, and one line where it isn't 0.
+struct Outcome {
+  int status =
+      0;  ///< 0: done; 1: the bench failed on the way; 2: the input is wrong; 130: interrupted from the keyboard
+  std::string line;  ///< empty where the status is 0
+
+  Outcome(const Result<void>& done) : status(done ? 0 : 2), line(done ? std::string() : done.error().message()) {}
+  Outcome(int wrongStatus, std::string why) : status(wrongStatus), line(std::move(why)) {}
+};
+
 /// What a command does once the line is parsed.
-using Job = std::function<Result<void>()>;
+using Job = std::function<Outcome()>;
 
 /// Adds one subcommand to `app`; `chosen` is set to the job when that subcommand was named.
 using AddCommand = void (*)(CLI::App& app, Job& chosen);

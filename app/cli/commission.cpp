@@ -17,7 +17,9 @@ namespace breakaway::cli {
 namespace {
 
 struct CommissionLine {
-  std::string bench, board = "simulated", out;
+  std::string bench, board = "simulated", out, against;
+  double addedInertia_kg_m2 = 0.0, addedTolerance = 0.005;
+  bool motorOnly = false;
   unsigned seed = 1;
   size_t bins = 180, turns = 2;
   bool resume = false, namesBins = false, namesTurns = false;
@@ -71,16 +73,40 @@ Result<void> beginFolder(const CommissionLine& line, CommissionOptions& options)
   return {};
 }
 
-Result<void> runCommission(const CommissionLine& line) {
+/// The disc that is mounted, and the motor that it is held against.
+Result<void> takeAddedInertia(const CommissionLine& line, CommissionOptions& options) {
+  options.addedInertia_kg_m2 = {line.addedInertia_kg_m2, line.addedTolerance * line.addedInertia_kg_m2 / 1.959964};
+  options.motorOnly = line.motorOnly;
+  if (line.against.empty()) return {};
+  auto against = readMotor(line.against);
+  if (!against) return against.error();
+  if (against->addedInertia_kg_m2.value == line.addedInertia_kg_m2)
+    return Error{line.against, "was measured with the same added inertia, expected one with another"};
+  options.against = std::move(*against);
+  return {};
+}
+
+/// What is left once the motor is known and nothing else was asked for.
+Result<void> endWithMotor(const Commission& done, const std::string& folder) {
+  if (auto written = writeIdentification(done, folder); !written) return written;
+  if (auto removed = removeProgress(folder); !removed) return removed;
+  std::printf("%s\n", motorInWords(done).c_str());
+  for (const std::string& remark : done.remarks) std::printf("%s\n", remark.c_str());
+  std::printf("Motor: %s/motor.json\n", folder.c_str());
+  return {};
+}
+
+Outcome runCommission(const CommissionLine& line) {
   auto bench = readBelief(line);
-  if (!bench) return bench.error();
+  if (!bench) return Result<void>(bench.error());
   auto drive = openDrive(line.board, line.seed);
-  if (!drive) return drive.error();
+  if (!drive) return Result<void>(drive.error());
   CommissionOptions options;
   options.bench = *bench;
   options.rig = options.bench && !options.bench->name.empty() ? options.bench->name : (*drive)->identity().device;
   options.bins = line.bins;
   options.turns = line.turns;
+  if (auto taken = takeAddedInertia(line, options); !taken) return taken;
   if (progressIsWatched()) {
     options.progress = [](double part, const std::string& activity) {
       std::fprintf(stderr, "\r\033[K%3.0f %%  %s", 100.0 * part, activity.c_str());
@@ -99,11 +125,13 @@ Result<void> runCommission(const CommissionLine& line) {
   };
   const auto done = commission(**drive, options);
   if (progressIsWatched()) std::fprintf(stderr, "\r\033[K");
-  if (!done) return kept ? withAdvice(done.error(), line.out) : done.error();
+  if (!done && !kept) return Result<void>(done.error());
+  if (!done) return {interruptAsked != 0 ? 130 : 1, withAdvice(done.error(), line.out).message()};
+  if (line.motorOnly) return endWithMotor(*done, line.out);
   std::optional<FrictionMap> truth;
   if (isSimulated(line.board)) {
     auto known = trueMap(line.board, options.bins, done->map.totalVelocity_rad_per_s);
-    if (!known) return known.error();
+    if (!known) return Result<void>(known.error());
     truth = std::move(*known);
   }
   if (auto written = writeCommission(*done, truth, line.out); !written) return written;
@@ -111,7 +139,7 @@ Result<void> runCommission(const CommissionLine& line) {
   std::printf("%s\n", inWords(*done).c_str());
   for (const std::string& remark : done->remarks) std::printf("%s\n", remark.c_str());
   std::printf("Report: %s/report.html\n", line.out.c_str());
-  return {};
+  return Result<void>();
 }
 
 }  // namespace
@@ -136,6 +164,18 @@ void addCommission(CLI::App& app, Job& chosen) {
   auto* turns = command->add_option("--turns", line->turns,
                                     "turns of the breakaway sweep each way; with --resume the interrupted job's");
   turns->capture_default_str()->check(CLI::Range(1, 20));
+  command
+      ->add_option("--added-inertia", line->addedInertia_kg_m2,
+                   "kg m², of a disc that is mounted on the shaft for this run")
+      ->check(CLI::Range(0.0, 1e3));
+  command->add_option("--added-tolerance", line->addedTolerance, "relative half width of its 95 % interval")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 0.5));
+  command->add_option("--against", line->against,
+                      "motor.json of a run with another added inertia: both together give the torque constant and all "
+                      "torques without trusting the current sensor's gain");
+  command->add_flag("--motor-only", line->motorOnly,
+                    "end once the motor is identified: bench.json and motor.json only");
   command->add_flag(
       "--resume", line->resume,
       "go on with the interrupted job in the folder: its motor, runs and breakaways are kept, the current "

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "control/current_controller.h"
+#include "control/duty_table.h"
 #include "control/friction_compensator.h"
 #include "control/motion_controller.h"
 #include "observer/disturbance_observer.h"
@@ -80,6 +81,9 @@ class ServoController {
     compensation_Nm_ = 0;
   }
 
+  /// From now on every mode's voltage is asked for through the inverse of the bridge's curve.
+  void linearise(const DutyTable<Scalar>& bridge) { bridge_ = bridge; }
+
   void command(const ServoCommand<Scalar>& command) {
     if (command.mode != command_.mode) {
       motion_.reset(speed_.velocity_rad_per_s());
@@ -107,12 +111,14 @@ class ServoController {
     }
     const Scalar limit = currentLimit();
     if (command_.mode == ServoMode::voltage) {
-      out.voltage_V =
-          within(current_.clampForCurrent(command_.target, out.current_A, out.velocity_rad_per_s, limit), supply_V);
+      const Scalar wanted_V = current_.clampForCurrent(command_.target, out.current_A, out.velocity_rad_per_s, limit);
+      out.voltage_V = asked(wanted_V, supply_V);
       return out;
     }
     out.current_reference_A = reference(angle_rad, limit, out);
-    out.voltage_V = current_.step(out.current_reference_A, out.current_A, out.velocity_rad_per_s, supply_V);
+    const Scalar most_V = supply_V - lost_V(supply_V);
+    out.voltage_V =
+        asked(current_.step(out.current_reference_A, out.current_A, out.velocity_rad_per_s, most_V), supply_V);
     return out;
   }
 
@@ -120,6 +126,18 @@ class ServoController {
   Scalar currentLimit() const {
     const Scalar own = settings_.current_limit_A, wanted = command_.current_limit_A;
     return wanted > Scalar(0) && wanted < own ? wanted : own;
+  }
+
+  /// What the bridge is asked for so that the windings get `wanted_V`, as far as the supply allows.
+  Scalar asked(Scalar wanted_V, Scalar supply_V) const {
+    if (bridge_.points <= 0 || !(supply_V > Scalar(0))) return within(wanted_V, supply_V);
+    return within(bridge_.inputFor(wanted_V / supply_V) * supply_V, supply_V);
+  }
+
+  /// Of the full supply.
+  Scalar lost_V(Scalar supply_V) const {
+    if (bridge_.points <= 0) return Scalar(0);
+    return (bridge_.input[bridge_.points - 1] - bridge_.output[bridge_.points - 1]) * supply_V;
   }
 
   Scalar reference(Scalar angle_rad, Scalar limit, ServoOutput<Scalar>& out) {
@@ -169,6 +187,7 @@ class ServoController {
   ReactionTorqueObserver<Scalar> reaction_;
   FrictionTable<Scalar> friction_;
   FilteredCompensator<Scalar> compensator_;
+  DutyTable<Scalar> bridge_;
   MotionController<Scalar> motion_;
   CurrentController<Scalar> current_;
   Scalar cutoff_ = 200, zero_A_ = 0, zeroSum_A_ = 0, compensation_Nm_ = 0;

@@ -10,11 +10,8 @@ namespace breakaway {
 namespace {
 
 constexpr double turnAngle = 2.0 * std::numbers::pi;
-constexpr double learningDoubling_s = 0.7;  // of the first, long ramp
 constexpr double beyondIndex_rad = 0.1;
 constexpr double indexMove_s = 3.0;
-constexpr double leastStand_s = 0.03;  // on one count, of a rotor that stands
-constexpr size_t leastRampRows = 20;
 constexpr double shortRamp = 0.15;  // of ramp_s: a breakaway this soon says little about its current
 
 std::string noBreakaway(double most_A) {
@@ -130,9 +127,8 @@ Command BreakawaySweep::run(const Sample& sample) {
       if (inStage_s > options_.settle_s + options_.dwell_s &&
           std::abs(sample.velocity_rad_per_s) < 0.5 * options_.motionVelocity_rad_per_s) {
         enter(Stage::ramp, sample);
-        standing_rad_ = sample.angle_rad;
-        ramp_ = planRamp();
-        rows_.clear();
+        ramp_ = BreakawayRamp(planRamp(), sign(), sample.angle_rad, turnAngle / options_.countsPerRev,
+                              options_.motionCounts);
       } else if (inStage_s > 1.0) {
         ++missed_;  // it doesn't come to rest here
         advanceStep(sample);
@@ -174,7 +170,7 @@ Command BreakawaySweep::zero(const Sample& sample) {
   return command;
 }
 
-BreakawaySweep::Ramp BreakawaySweep::planRamp() const {
+RampPlan BreakawaySweep::planRamp() const {
   const auto w = static_cast<size_t>(way());
   const double hold = sign() * hold_A();
   const double limit = options_.current_limit_A > 0.0 ? options_.current_limit_A : 1e3;
@@ -188,34 +184,28 @@ BreakawaySweep::Ramp BreakawaySweep::planRamp() const {
           std::min(limit, hold + options_.mostOverExpected * expected), false};
 }
 
-double BreakawaySweep::commandedAt(double inRamp_s) const {
-  if (!ramp_.learning) return ramp_.start_A + ramp_.rate_A_per_s * inRamp_s;
-  const double first = 1e-3;
-  return ramp_.start_A + first * (std::exp2(inRamp_s / learningDoubling_s) - 1.0);
-}
-
 bool BreakawaySweep::moves(const Sample& sample) const {
-  const double counts = sign() * (sample.angle_rad - standing_rad_) / turnAngle * options_.countsPerRev;
+  const double counts = sign() * (sample.angle_rad - ramp_.standing_rad()) / turnAngle * options_.countsPerRev;
   return counts > static_cast<double>(options_.motionCounts) - 0.5 &&
          sign() * sample.velocity_rad_per_s > options_.motionVelocity_rad_per_s;
 }
 
 Command BreakawaySweep::ramp(const Sample& sample) {
-  rows_.push_back({sample.time_s - stageStart_s_, commanded_A_, sign() * sample.current_A, sample.angle_rad});
+  ramp_.add({sample.time_s - stageStart_s_, commanded_A_, sign() * sample.current_A, sample.angle_rad});
   if (moves(sample)) {
     const double part_s = sample.time_s - stageStart_s_;
-    const bool tooSoon = !ramp_.learning && part_s < shortRamp * options_.ramp_s;
+    const bool tooSoon = !ramp_.plan().learning && part_s < shortRamp * options_.ramp_s;
     if (tooSoon && attempt_ < 2) {
       ++attempt_;  // the start was too high: come back and begin lower
       enter(Stage::move, sample);
     } else {
-      takeEvent(sample);
+      takeEvent();
       advanceStep(sample);
     }
     return {};
   }
-  const double next = commandedAt(sample.time_s - stageStart_s_);
-  const double most = ramp_.top_A;
+  const double next = ramp_.commandedAt(sample.time_s - stageStart_s_);
+  const double most = ramp_.plan().top_A;
   const bool saturated = std::abs(next) * options_.resistance_ohm + options_.deadZone_V > sample.supply_V;
   if (next > most || saturated) {
     ++missed_;
@@ -229,73 +219,16 @@ Command BreakawaySweep::ramp(const Sample& sample) {
   return current(next);
 }
 
-double BreakawaySweep::rateAt(double commanded_A) const {
-  if (!ramp_.learning) return ramp_.rate_A_per_s;
-  return std::log(2.0) / learningDoubling_s * std::max(0.0, commanded_A - ramp_.start_A);
-}
-
-/// The last row before the motion: back to the first count on which it stayed longer than a rotor does that has let go.
-/// A count gained earlier is elastic travel, or the encoder's slip, and no motion.
-size_t BreakawaySweep::lastStanding(const BreakawayLag& motor) const {
-  const double countAngle = turnAngle / options_.countsPerRev;
-  const double most_s = std::max(leastStand_s, 2.0 * motionLag_s(motor, rateAt(rows_.back().commanded_A), countAngle));
-  size_t last = rows_.size() - 1;
-  for (size_t k = rows_.size() - 1; k > 0; --k) {
-    const bool same = std::abs(rows_[k].angle_rad - rows_[k - 1].angle_rad) < 0.5 * countAngle;
-    if (!same) last = k - 1;
-    if (rows_[last].time_s - rows_[k - 1].time_s > most_s) return last;
-  }
-  return last;
-}
-
-/// When the counts after the last standing row followed, halfway between the rows that show them.
-std::vector<double> BreakawaySweep::edgesAfter(size_t standing) const {
-  const double countAngle = turnAngle / options_.countsPerRev;
-  std::vector<double> edges_s;
-  for (size_t k = standing + 1; k < rows_.size() && edges_s.size() < options_.motionCounts; ++k) {
-    const double counts = sign() * (rows_[k].angle_rad - standing_rad_) / countAngle;
-    const double halfway_s = 0.5 * (rows_[k].time_s + rows_[k - 1].time_s);
-    while (static_cast<double>(edges_s.size()) + 0.5 < counts && edges_s.size() < options_.motionCounts)
-      edges_s.push_back(halfway_s);
-  }
-  return edges_s;
-}
-
-void BreakawaySweep::takeEvent(const Sample&) {
-  const double countAngle = turnAngle / options_.countsPerRev;
+void BreakawaySweep::takeEvent() {
   const BreakawayLag motor{options_.inertia_kg_m2, options_.torqueConstant_Nm_per_A,
                            options_.backEmfConstant_V_s_per_rad, options_.resistance_ohm};
-  size_t standing = lastStanding(motor);
-  const double rate = rateAt(rows_[standing].commanded_A);
-  const double lag_s = likelyMotionLag_s(motor, rate, countAngle, edgesAfter(standing), tick_s());
-  // The winding's current gives way to the back-EMF as soon as it moves.
-  const size_t moved = standing;
-  while (standing > leastRampRows && rows_[standing - 1].time_s > rows_[moved].time_s - lag_s) --standing;
-  BreakawayEvent event;
+  BreakawayEvent event = ramp_.event(motor, tick_s());
   event.way = way();
   event.turn = turn();
   event.bin = bin();
-  event.time_s = stageStart_s_ + rows_[moved].time_s - lag_s;
+  event.time_s += stageStart_s_;
   event.zero_A = zeroing_.zero_A();
-  event.angle_rad = inTurn(standing_rad_ - options_.indexAngle_rad);
-  event.commanded_A = std::max(ramp_.start_A, rows_[moved].commanded_A - rate * lag_s);
-  event.lag_A = rate * lag_s;
-  // Sums over the standing part; a learning ramp counts only where it is within a factor of two of its end.
-  size_t first = 0;
-  while (ramp_.learning && first + leastRampRows < standing && rows_[first].commanded_A < 0.5 * event.commanded_A)
-    ++first;
-  double xx = 0.0, xy = 0.0, x = 0.0, y = 0.0;
-  for (size_t k = first; k <= standing; ++k) {
-    x += rows_[k].commanded_A, y += rows_[k].measured_A;
-    xx += rows_[k].commanded_A * rows_[k].commanded_A, xy += rows_[k].commanded_A * rows_[k].measured_A;
-  }
-  const auto n = static_cast<double>(standing + 1 - first);
-  event.samples = standing + 1 - first;
-  event.commandedMean_A = x / n;
-  event.measuredMean_A = y / n;
-  event.commandedVariance_A2 = xx / n - x / n * x / n;
-  event.covariance_A2 = xy / n - x / n * y / n;
-  event.current_A = event.measuredMean_A + (event.commanded_A - event.commandedMean_A);
+  event.angle_rad = inTurn(ramp_.standing_rad() - options_.indexAngle_rad);
   event.torque_Nm = options_.torqueConstant_Nm_per_A * event.current_A;
   events_.push_back(event);
   const auto w = static_cast<size_t>(way());

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "experiment/breakaway_lag.h"
+#include "experiment/breakaway_ramp.h"
 #include "experiment/index_watch.h"
 #include "experiment/timed_procedure.h"
 #include "experiment/zeroing.h"
@@ -74,14 +74,6 @@ class BreakawaySweep : public TimedProcedure {
 
  private:
   enum class Stage { zero, index, move, dwell, ramp };
-  struct Ramp {
-    double start_A = 0.0, rate_A_per_s = 0.0, top_A = 0.0;  ///< positive in the way's direction
-    bool learning = false;
-  };
-  struct Row {
-    double time_s, commanded_A, measured_A, angle_rad;
-  };
-
   Way way() const { return (step_ / options_.bins) % 2 == 0 ? Way::ccw : Way::cw; }
   double sign() const { return way() == Way::ccw ? 1.0 : -1.0; }
   size_t bin() const;
@@ -98,14 +90,10 @@ class BreakawaySweep : public TimedProcedure {
   void enter(Stage stage, const Sample& sample);
   void approach(const Sample& sample);
   Command passIndex(const Sample& sample);
-  Ramp planRamp() const;
+  RampPlan planRamp() const;
   Command ramp(const Sample& sample);
-  double commandedAt(double inRamp_s) const;
   bool moves(const Sample& sample) const;
-  double rateAt(double commanded_A) const;
-  size_t lastStanding(const BreakawayLag& motor) const;
-  std::vector<double> edgesAfter(size_t standing) const;
-  void takeEvent(const Sample& sample);
+  void takeEvent();
   void advanceStep(const Sample& sample);
   void markOutlier();
 
@@ -120,10 +108,9 @@ class BreakawaySweep : public TimedProcedure {
   IndexWatch index_;
   std::array<std::optional<double>, 2> recent_A_;          ///< last breakaway less the holding current, by Way
   std::array<std::optional<double>, 2> recentOverMoving_;  ///< and over what keeps it moving there
-  Ramp ramp_;
-  std::vector<Row> rows_;
-  double stageStart_s_ = 0.0, now_s_ = 0.0, zeroed_s_ = 0.0, first_s_ = 0.0, target_rad_ = 0.0, standing_rad_ = 0.0,
-         indexFrom_rad_ = 0.0, near_s_ = 0.0;
+  BreakawayRamp ramp_;
+  double stageStart_s_ = 0.0, now_s_ = 0.0, zeroed_s_ = 0.0, first_s_ = 0.0, target_rad_ = 0.0, indexFrom_rad_ = 0.0,
+         near_s_ = 0.0;
   double boardAngle_rad_ = 0.0;
   double commanded_A_ = 0.0;
   bool begun_ = false;

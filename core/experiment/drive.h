@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "motor/duty_curve.h"
 #include "recording/sample.h"
 
 namespace breakaway {
@@ -95,6 +96,10 @@ class Drive {
   virtual Result<void> compensate(const FrictionCompensation&) {
     return Error{"board", "takes no friction compensation"};
   }
+  /// From now on every voltage is asked for through the inverse of the bridge's curve, until another one comes; an
+  /// unknown curve ends it. Samples still show what the bridge is asked for. Errors: a curve that doesn't rise, more
+  /// points than the board can hold, a board that can't do it.
+  virtual Result<void> linearise(const DutyCurve&) { return Error{"board", "takes no curve of its bridge"}; }
   /// Holds until the next command; ends a running procedure.
   virtual void command(const Command& command) = 0;
   /// Runs a procedure, on the board where it can. It stays readable from the thread that calls advance().

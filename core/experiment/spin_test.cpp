@@ -8,7 +8,8 @@ namespace breakaway {
 
 namespace {
 constexpr double motion_rad = 0.01;  // less travel is no motion
-}
+constexpr double stallShape = 0.6;   // of the highest voltage, from where on it must move
+}  // namespace
 
 std::optional<SpinBlock> BlockMeans::add(const Sample& sample, double tick_s) {
   // The voltage of a row acts until the next one: what was measured now, the row before has brought about.
@@ -37,7 +38,7 @@ Command SpinTest::run(const Sample& sample) {
   const double phase = legs - 4.0 * std::floor(legs / 4.0);
   const double shape = phase < 1.0 ? phase : phase < 3.0 ? 2.0 - phase : phase - 4.0;
   commanded_V_ = highest * shape;
-  if (std::abs(shape) > 0.5) watchMotion(sample);
+  if (std::abs(shape) > stallShape) watchMotion(sample);
   return {Command::Mode::voltage, commanded_V_, options_.current_limit_A, false};
 }
 

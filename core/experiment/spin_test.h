@@ -16,7 +16,7 @@ struct SpinTestOptions {
   double block_s = 0.01;
   double current_limit_A = 0.0;  ///< 0: the controller's own
   double rest_s = 0.2;           ///< with open windings before and after, to see whether the current sensor drifts
-  double stall_s = 0.6;          ///< above half of the highest voltage without any motion
+  double stall_s = 0.6;          ///< above 0.6 of the highest voltage without any motion
   double mostDrift_A = 0.1;      ///< of the current sensor's zero, from the first rest to the last
 };
 

@@ -144,16 +144,20 @@ std::string WindingTest::activity() const {
 Result<Estimate> fitTimeConstant(const std::vector<double>& response, double tick_s) {
   if (response.size() < 4) return Error{"winding", "has fewer than 4 ticks in half a square wave"};
   double scale = 0.0;
+  const double half_s = tick_s * static_cast<double>(response.size());
+  const auto shape = [half_s](double t, double tau) {
+    return 1.0 - 2.0 * std::exp(-t / tau) / (1.0 + std::exp(-half_s / tau));
+  };
   const auto squaresFor = [&](double tau) {
     double xx = 0.0, xy = 0.0, yy = 0.0;
     for (size_t k = 0; k < response.size(); ++k) {
-      const double x = 1.0 - 2.0 * std::exp(-static_cast<double>(k) * tick_s / tau);
+      const double x = shape(static_cast<double>(k) * tick_s, tau);
       xx += x * x, xy += x * response[k], yy += response[k] * response[k];
     }
     scale = xy / xx;
     return yy - xy * xy / xx;
   };
-  const double low = std::log(0.05 * tick_s), high = std::log(0.5 * tick_s * static_cast<double>(response.size()));
+  const double low = std::log(0.05 * tick_s), high = std::log(2.0 * half_s);
   double best = low, bestSquares = squaresFor(std::exp(low));
   double from = low, to = high;
   for (int round = 0; round < 8; ++round) {
@@ -173,7 +177,7 @@ Result<Estimate> fitTimeConstant(const std::vector<double>& response, double tic
   double information = 0.0;
   for (size_t k = 0; k < response.size(); ++k) {
     const double t = static_cast<double>(k) * tick_s;
-    const double slope = -2.0 * amplitude * std::exp(-t / tau) * t / (tau * tau);
+    const double slope = amplitude * (shape(t, 1.001 * tau) - shape(t, 0.999 * tau)) / (0.002 * tau);
     information += slope * slope;
   }
   return Estimate{tau, information > 0.0 ? std::sqrt(variance / information) : tau};

@@ -17,8 +17,8 @@ struct WindingTestOptions {
   double block_s = 0.01;     ///< of the points that are averaged
   double motion_rad = 0.01;  ///< travel that counts as motion
   double dates_s = 0.03;     ///< standing points this close before the first count, at least, are left out
-  double square_s = 3.0;     ///< duration of the square wave
-  double squareHalfPeriod_s = 0.02;
+  double square_s = 8.0;     ///< duration of the square wave
+  double squareHalfPeriod_s = 0.008;
   double current_limit_A = 0.0;  ///< 0: the controller's own
   double mostDrift_A = 0.1;      ///< of the current sensor's zero, from one rest to the next
 };
@@ -73,8 +73,9 @@ class WindingTest : public TimedProcedure {
   double squareTick_s_ = 0.0;
 };
 
-/// The winding's time constant L/R from squareResponse_A(): the response after a step is I·(1 − 2·e^(−t/τ)); least
-/// squares in τ with I free. In s, with its standard error. Errors: fewer than 4 ticks, no response above the noise.
+/// The winding's time constant L/R from squareResponse_A(): the response after a step of a square wave of half
+/// period T is I·(1 − 2·e^(−t/τ)/(1 + e^(−T/τ))); least squares in τ with I free. In s, with its standard error.
+/// Errors: fewer than 4 ticks, no response above the noise.
 Result<Estimate> fitTimeConstant(const std::vector<double>& response_A, double tick_s);
 
 }  // namespace breakaway

@@ -150,23 +150,79 @@ double joinInertia(IdentifiedMotor& motor, const Estimate& reversal) {
   return apart;
 }
 
+void takeBridge(IdentifiedMotor& motor, const BridgeFit& bridge, const Estimate& timeConstant_s) {
+  const double tau = timeConstant_s.value;
+  motor.resistance_ohm = bridge.resistance_ohm;
+  motor.inductance_H = {tau * bridge.resistance_ohm.value,
+                        std::hypot(timeConstant_s.standardError * bridge.resistance_ohm.value,
+                                   tau * bridge.resistance_ohm.standardError)};
+  motor.dutyCurve = bridge.curve;
+  if (bridge.curve.known()) motor.deadZone_V = bridge.deadZone_V;
+  const double by = bridge.backEmfConstant_V_s_per_rad.value / motor.backEmfConstant_V_s_per_rad.value;
+  motor.backEmfConstant_V_s_per_rad = bridge.backEmfConstant_V_s_per_rad;
+  if (motor.torqueConstantTrusted) return;
+  motor.torqueConstant_Nm_per_A = motor.backEmfConstant_V_s_per_rad;
+  for (Estimate* one : {&motor.rampInertia_kg_m2, &motor.reversalInertia_kg_m2, &motor.inertia_kg_m2, &motor.coulomb_Nm,
+                        &motor.viscous_Nm_s_per_rad}) {
+    one->value *= by;
+    one->standardError *= by;
+  }
+}
+
+namespace {
+
+double relative(const Estimate& one) {
+  return one.value != 0.0 ? one.standardError / one.value : 0.0;
+}
+
+/// Of the gain that the added inertia shows; nothing where it doesn't stand out.
+std::optional<Estimate> gainByAdded(const Estimate& shown, const AddedInertia& added) {
+  const double seen = shown.value - added.shownOther_kg_m2.value;
+  const double doubt = std::hypot(shown.standardError, added.shownOther_kg_m2.standardError);
+  const double gain = seen / added.added_kg_m2.value;
+  if (!(gain > 0.0) || std::abs(seen) < 5.0 * doubt) return {};
+  return Estimate{gain, gain * std::hypot(doubt / seen, relative(added.added_kg_m2))};
+}
+
+/// J = D·J₂/(J₂ − J₁) of what was shown without and with D more.
+Estimate inertiaByAdded(const Estimate& shown, const AddedInertia& added) {
+  const double J2 = shown.value, J1 = added.shownOther_kg_m2.value, D = added.added_kg_m2.value, apart = J2 - J1;
+  const double by2 = -D * J1 / (apart * apart) * shown.standardError;
+  const double by1 = D * J2 / (apart * apart) * added.shownOther_kg_m2.standardError;
+  return {D * J2 / apart, std::hypot(by2, by1, J2 / apart * added.added_kg_m2.standardError)};
+}
+
+}  // namespace
+
 void setCurrentScale(IdentifiedMotor& motor, const CurrentScaleOptions& options) {
-  const auto relative = [](const Estimate& one) { return one.value != 0.0 ? one.standardError / one.value : 0.0; };
+  motor.shownInertia_kg_m2 = motor.inertia_kg_m2;
   const double Kt = relative(motor.torqueConstant_Nm_per_A);
   Estimate gain{1.0, options.gainInterval / 1.959964};
-  char text[240];
+  std::optional<Estimate> inertia;
+  char text[300];
+  const auto byAdded = options.added ? gainByAdded(motor.inertia_kg_m2, *options.added) : std::nullopt;
   if (options.trustedInertia_kg_m2) {
     gain.value = motor.inertia_kg_m2.value / *options.trustedInertia_kg_m2;
     gain.standardError = gain.value * std::hypot(relative(motor.inertia_kg_m2), Kt);
+    inertia = Estimate{*options.trustedInertia_kg_m2, 0.0};
     std::snprintf(text, sizeof text,
                   "The scale of all torques rests on the trusted inertia: by it the current sensor shows %.4g (%.4g to "
                   "%.4g) of the true current.",
                   gain.value, gain.low95(), gain.high95());
-  } else {
+  } else if (byAdded) {
+    gain = {byAdded->value, byAdded->value * std::hypot(relative(*byAdded), Kt)};
+    inertia = inertiaByAdded(motor.inertia_kg_m2, *options.added);
     std::snprintf(text, sizeof text,
-                  "The scale of all torques rests on the current sensor's gain, taken as right within ±%.3g %%: "
-                  "resistance, inductance, inertia and friction share that doubt, their ratios are free of it.",
-                  100.0 * options.gainInterval);
+                  "The scale of all torques rests on the disc of known inertia: by it the current sensor shows %.4g "
+                  "(%.4g to %.4g) of the true current.",
+                  gain.value, gain.low95(), gain.high95());
+  } else {
+    std::snprintf(
+        text, sizeof text,
+        "%sThe scale of all torques rests on the current sensor's gain, taken as right within ±%.3g %%: "
+        "resistance, inductance, inertia and friction share that doubt, their ratios are free of it.",
+        options.added ? "The added inertia doesn't stand out of the inertia's doubt and measures nothing. " : "",
+        100.0 * options.gainInterval);
   }
   motor.gauge = text;
   motor.currentGain = gain;
@@ -177,12 +233,11 @@ void setCurrentScale(IdentifiedMotor& motor, const CurrentScaleOptions& options)
   };
   scale(motor.resistance_ohm, gain.value, 0.0);
   scale(motor.inductance_H, gain.value, 0.0);
-  const bool known = options.trustedInertia_kg_m2.has_value();
   for (Estimate* one : {&motor.rampInertia_kg_m2, &motor.reversalInertia_kg_m2, &motor.inertia_kg_m2, &motor.coulomb_Nm,
                         &motor.viscous_Nm_s_per_rad}) {
-    scale(*one, 1.0 / gain.value, known ? 0.0 : Kt);
+    scale(*one, 1.0 / gain.value, inertia ? 0.0 : Kt);
   }
-  if (known) motor.inertia_kg_m2 = {*options.trustedInertia_kg_m2, 0.0};
+  if (inertia) motor.inertia_kg_m2 = *inertia;
 }
 
 }  // namespace breakaway

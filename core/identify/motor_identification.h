@@ -8,6 +8,7 @@
 #include "base/estimate.h"
 #include "base/result.h"
 #include "experiment/spin_test.h"
+#include "identify/bridge_fit.h"
 #include "motor/winding_line.h"
 
 namespace breakaway {
@@ -22,11 +23,13 @@ struct IdentifiedMotor {
   Estimate inertia_kg_m2;          ///< of both methods together
   Estimate rampInertia_kg_m2;      ///< by speeding up and slowing down under voltage
   Estimate reversalInertia_kg_m2;  ///< by turning round under constant current; error 0: not done
+  Estimate shownInertia_kg_m2;     ///< of both methods together, with the current as the sensor shows it
   Estimate coulomb_Nm;             ///< mean of both ways
   Estimate viscous_Nm_s_per_rad;
   /// Shown over true current. All that is counted in amperes hangs on it: R and L grow with it, J, F and B shrink.
   Estimate currentGain{1.0, 0.0};
-  std::string gauge;  ///< what the scale of all torques rests on, in words
+  DutyCurve dutyCurve;  ///< of the bridge, where it bends; else unknown, and the dead zone says it all
+  std::string gauge;    ///< what the scale of all torques rests on, in words
 
   /// Of the current as the sensor shows it.
   double torquePerShownAmpere_Nm() const { return torqueConstant_Nm_per_A.value / currentGain.value; }
@@ -37,19 +40,31 @@ struct MotorIdentificationOptions {
   double window_s = 0.1;  ///< of the momentum balance
 };
 
+/// The same motor identified twice, the second time with a disc of known inertia more (or less) on its shaft.
+struct AddedInertia {
+  Estimate shownOther_kg_m2;  ///< the other time's, with the current as the sensor shows it
+  Estimate added_kg_m2;       ///< what this time has more than the other
+};
+
 struct CurrentScaleOptions {
   double gainInterval =
       0.027;  ///< half width of the 95 % interval of the sensor's gain, relative; ACS712: 180–190 mV/A
   std::optional<double> trustedInertia_kg_m2;  ///< known, with all that turns: then the gain is measured
+  std::optional<AddedInertia> added;           ///< then it is measured by what that changed
 };
 
 /// The reversal's inertia taken in: both methods weighted by their errors, which grow by as much as they disagree.
 /// Returns by how many standard errors they part.
 double joinInertia(IdentifiedMotor& motor, const Estimate& reversal);
 
+/// Takes resistance, back-EMF constant, dead zone and curve from the fit of all tests; what hangs on them follows: the
+/// inductance by `timeConstant_s`, and torques where the torque constant is tied to the back-EMF constant.
+void takeBridge(IdentifiedMotor& motor, const BridgeFit& bridge, const Estimate& timeConstant_s);
+
 /// Puts the scale of the current on the motor, whose values must be as the sensor shows its current: the gain from a
-/// trusted inertia, or one with the interval given. Values and intervals then are those of true amperes, and `gauge`
-/// says on what they rest.
+/// trusted or an added inertia, or one with the interval given. An added inertia that doesn't stand out by five
+/// standard errors measures nothing, and `gauge` says so. Values and intervals then are those of true amperes, and
+/// `gauge` says on what they rest.
 void setCurrentScale(IdentifiedMotor& motor, const CurrentScaleOptions& options);
 
 /// Back-EMF constant and dead zone by least squares of v − R·i = Ke·ω + V0·sgn ω over the blocks that turn; inertia and

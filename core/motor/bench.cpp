@@ -123,6 +123,11 @@ Result<Bench> readBench(JsonObject root) {
   bench.currentGainInterval = drive.optionalNumber("current_gain_interval", Allowed::positive);
   if (bench.currentGainInterval.value_or(0.0) > 0.5)
     drive.fault("current_gain_interval", "is above 0.5, expected a small relative half width");
+  for (const auto& row : drive.rows("duty_curve", 3)) bench.dutyCurve.points.push_back({row[0], {row[1], row[2]}});
+  if (!bench.dutyCurve.rises())
+    drive.fault(
+        "duty_curve",
+        "doesn't rise, expected [input duty, output duty, standard error] from an output of 0 on, in rising order");
 
   readMotor(root.object("motor", false), names, bench.motor);
   readTrusted(root, names, bench.trusted);
@@ -194,6 +199,8 @@ Result<void> writeBench(const Bench& bench, const std::string& path) {
   json["drive"]["input"] = bench.inputChannel();
   if (bench.supply_V) json["drive"]["supply_V"] = *bench.supply_V;
   if (bench.currentGainInterval) json["drive"]["current_gain_interval"] = *bench.currentGainInterval;
+  for (const DutyPoint& point : bench.dutyCurve.points)
+    json["drive"]["duty_curve"].push_back({point.input, point.output.value, point.output.standardError});
   const auto put = [&json](const char* name, const std::optional<double>& value) {
     if (value) json["motor"][name] = *value;
   };

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/result.h"
+#include "motor/duty_curve.h"
 
 namespace breakaway {
 
@@ -52,6 +53,7 @@ struct Bench {
   DriveInput input = DriveInput::torque;
   std::optional<double> supply_V;
   std::optional<double> currentGainInterval;  ///< relative half width of the current sensor's 95 % interval
+  DutyCurve dutyCurve;                        ///< of the bridge, as commissioning found it; unknown: straight
   std::optional<double> countsPerUnit;        ///< per rev or per m, as in the file
   MotorBelief motor;
   std::set<std::string> trusted;  ///< contract names, e.g. "torque_constant_Nm_per_A"

@@ -56,6 +56,7 @@ Plant::Plant(const Rig& rig, double substep_s, uint64_t seed)
       pulseEnd_s_ = pulseStart_s_ + effect.parameter("duration_s");
     }
   }
+  sagResistance_ohm_ += rig.bridge.supplyResistance_ohm;
   cells_.resize(static_cast<size_t>(cells) + 1);
   double viscousSum[2] = {0.0, 0.0};
   for (int k = 0; k <= cells; ++k) {

@@ -62,11 +62,32 @@ void readCurrentSensor(JsonObject object, RigCurrentSensor& sensor) {
   sensor.offset_A = object.number("offset_A", 0.0);
   sensor.drift_A_per_s = object.number("drift_A_per_s", 0.0);
   sensor.noiseRms_A = object.number("noise_rms_A", 0.0, Allowed::nonNegative);
+  sensor.supplyDeviation_V = object.number("supply_deviation_V", 0.0);
+  sensor.offset_V_per_degC = object.number("offset_V_per_degC", 0.0);
+  sensor.gain_per_degC = object.number("gain_per_degC", 0.0);
+  sensor.temperatureRise_degC = object.number("temperature_rise_degC", 0.0);
+  sensor.temperatureTime_s = object.number("temperature_time_s", sensor.temperatureTime_s, Allowed::positive);
   const double bits = object.number("adc_bits", sensor.adcBits, Allowed::positive);
   if (bits != std::floor(bits) || bits < 4 || bits > 24)
     object.fault("adc_bits", "expected a whole number from 4 to 24");
   sensor.adcBits = static_cast<int>(bits);
   sensor.adcRange_V = object.number("adc_range_V", sensor.adcRange_V, Allowed::positive);
+  if (std::abs(sensor.supplyDeviation_V) > 0.2 * sensor.adcRange_V)
+    object.fault("supply_deviation_V", "is beyond a fifth of adc_range_V, expected a small deviation");
+  if (std::abs(sensor.gain_per_degC * sensor.temperatureRise_degC) > 0.5)
+    object.fault("gain_per_degC", "changes the gain by more than half, expected a small drift");
+}
+
+void readEncoderTolerances(JsonObject& object, RigEncoder& encoder) {
+  encoder.indexAngle_rad = object.number("index_angle_rad", 0.0);
+  encoder.eccentricity_rad = object.number("eccentricity_rad", 0.0, Allowed::nonNegative);
+  encoder.eccentricityPhase_rad = object.number("eccentricity_phase_rad", 0.0);
+  encoder.quadratureError_counts = object.number("quadrature_error_counts", 0.0, Allowed::nonNegative);
+  encoder.indexWidth_counts = object.number("index_width_counts", 0.0, Allowed::nonNegative);
+  if (encoder.eccentricity_rad > 0.1) object.fault("eccentricity_rad", "is above 0.1, expected a small angle");
+  if (encoder.quadratureError_counts > 0.5)
+    object.fault("quadrature_error_counts", "is above 0.5, expected less than half a count");
+  if (encoder.indexWidth_counts > 4.0) object.fault("index_width_counts", "is above 4, expected at most one line");
 }
 
 void readBridge(JsonObject object, RigBridge& bridge) {
@@ -74,6 +95,14 @@ void readBridge(JsonObject object, RigBridge& bridge) {
   bridge.deadZoneDuty = object.number("dead_zone_duty", 0.0, Allowed::nonNegative);
   if (bridge.deadZoneDuty > 0.5) object.fault("dead_zone_duty", "is above 0.5, expected a small part of the duty");
   bridge.pwmSteps = object.number("pwm_steps", 0.0, Allowed::nonNegative);
+  bridge.supplyResistance_ohm = object.number("supply_resistance_ohm", 0.0, Allowed::nonNegative);
+  const auto rows = object.rows("duty_curve", 2);
+  if (rows.empty()) return;
+  bridge.dutyCurve.points.push_back({bridge.deadZoneDuty, {}});
+  for (const auto& row : rows) bridge.dutyCurve.points.push_back({row[0], {row[1], 0.0}});
+  if (!bridge.dutyCurve.rises())
+    object.fault("duty_curve",
+                 "doesn't rise from the dead zone's end on, expected [input duty, output duty] in rising order");
 }
 
 RigEffect readEffect(JsonObject& object) {
@@ -108,14 +137,15 @@ Result<Rig> readRig(JsonObject root) {
   rig.backEmfConstant_V_s_per_rad = motor.number("back_emf_constant_V_s_per_rad", Allowed::positive);
   rig.resistance_ohm = motor.number("resistance_ohm", Allowed::positive);
   rig.inductance_H = motor.number("inductance_H", Allowed::positive);
-  rig.inertia_kg_m2 = motor.number("inertia_kg_m2", Allowed::positive);
+  rig.inertia_kg_m2 =
+      motor.number("inertia_kg_m2", Allowed::positive) + motor.number("added_inertia_kg_m2", 0.0, Allowed::nonNegative);
   readFriction(root.object("friction"), rig);
   JsonObject position = root.object("position_torque", false);
   rig.positionTorque_Nm = readHarmonics(position, "harmonics_Nm");
   JsonObject encoder = root.object("encoder");
   rig.encoder.countsPerRev = encoder.number("counts_per_rev", Allowed::positive);
   if (rig.encoder.countsPerRev < 64.0) encoder.fault("counts_per_rev", "expected at least 64");
-  rig.encoder.indexAngle_rad = encoder.number("index_angle_rad", 0.0);
+  readEncoderTolerances(encoder, rig.encoder);
   readCurrentSensor(root.object("current_sensor", false), rig.currentSensor);
   readBridge(root.object("bridge"), rig.bridge);
   for (JsonObject& effect : root.objects("effects")) rig.effects.push_back(readEffect(effect));

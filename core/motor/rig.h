@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "motor/duty_curve.h"
 #include "motor/rig_faults.h"
 
 namespace breakaway {
@@ -28,6 +29,9 @@ struct FrictionCurve {
 struct RigEncoder {
   double countsPerRev = 0.0;
   double indexAngle_rad = 0.0;  ///< the index, counted from where the shaft stands at power-up
+  double eccentricity_rad = 0.0, eccentricityPhase_rad = 0.0;  ///< of the disc: adds amplitude · cos(θ − phase)
+  double quadratureError_counts = 0.0;  ///< by which the edges within a line are off, amplitude over the line's period
+  double indexWidth_counts = 0.0;  ///< half a line, gated with B: 2; seen at its near edge, whichever way one comes
 };
 
 struct RigCurrentSensor {
@@ -36,14 +40,20 @@ struct RigCurrentSensor {
   double offset_A = 0.0;
   double drift_A_per_s = 0.0;
   double noiseRms_A = 0.0;
+  double supplyDeviation_V = 0.0;  ///< of the sensor's own supply from the converter's reference; ratiometric: half of
+                                   ///< it is offset, and the sensitivity grows as the supply does
+  double offset_V_per_degC = 0.0, gain_per_degC = 0.0;           ///< with the sensor's temperature
+  double temperatureRise_degC = 0.0, temperatureTime_s = 600.0;  ///< of the sensor after power-up, first-order
   int adcBits = 12;
   double adcRange_V = 5.0;
 };
 
 struct RigBridge {
   double supply_V = 0.0;
-  double deadZoneDuty = 0.0;  ///< |duty| up to this gives no voltage; beyond it the voltage grows from zero
-  double pwmSteps = 0.0;      ///< duty resolution 1/pwmSteps; 0: continuous
+  double deadZoneDuty = 0.0;          ///< |duty| up to this gives no voltage; beyond it the voltage grows from zero
+  double pwmSteps = 0.0;              ///< duty resolution 1/pwmSteps; 0: continuous
+  double supplyResistance_ohm = 0.0;  ///< the supply falls by it times the bridge's current; the board doesn't see it
+  DutyCurve dutyCurve;                ///< beyond the dead zone; unknown: the voltage grows as the duty does
 };
 
 /// Concealed physics: an effect's contract name and its parameters by name.
@@ -60,7 +70,7 @@ struct Rig {
   double backEmfConstant_V_s_per_rad = 0.0;
   double resistance_ohm = 0.0;
   double inductance_H = 0.0;
-  double inertia_kg_m2 = 0.0;
+  double inertia_kg_m2 = 0.0;                      ///< with the disc that the file may add to it
   std::array<FrictionCurve, 2> staticFriction_Nm;  ///< indexed by Way: cw, ccw
   std::array<FrictionCurve, 2> coulomb_Nm;
   std::array<FrictionCurve, 2> viscous_Nm_s_per_rad;

@@ -11,7 +11,7 @@
 namespace breakaway {
 
 /// An incremental encoder with index: counts from zero at power-up, rounded down; the index is seen when the shaft
-/// passes it.
+/// enters it, from growing angle at its near edge and from falling angle at the far one.
 class EncoderModel {
  public:
   explicit EncoderModel(const Rig& rig);
@@ -24,9 +24,15 @@ class EncoderModel {
   Reading read(double angle_rad);
 
  private:
+  double shown(double angle_rad) const;
+
   double countsPerRad_, startCounts_ = 0.0;
-  double eccentricity_rad_ = 0.0, eccentricityPhase_rad_ = 0.0;
-  int64_t turns_ = 0;
+  struct Swing {
+    double amplitude_rad = 0.0, phase_rad = 0.0;
+  };
+  Swing disc_, effect_;  ///< of the encoder's own and of a concealed eccentricity
+  double quadrature_rad_ = 0.0, linesPerTurn_ = 0.0, indexWidth_rad_ = 0.0;
+  int64_t entered_ = 0, left_ = 0;  ///< turns by the index' near edge and by its far one
   bool first_ = true;
 };
 
@@ -42,7 +48,7 @@ class CurrentSensorModel {
 
  private:
   RigCurrentSensor sensor_;
-  double step_V_;
+  double step_V_, supplied_;  ///< converter's step; the sensor's supply over the converter's reference
   Noise noise_;
 };
 

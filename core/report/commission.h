@@ -17,6 +17,7 @@
 #include "motor/bench.h"
 #include "recording/recording.h"
 #include "report/commission_progress.h"
+#include "report/motor_file.h"
 
 namespace breakaway {
 
@@ -24,6 +25,9 @@ struct CommissionOptions {
   std::string rig;  ///< what the map calls it
   std::optional<Bench>
       bench;  ///< the technician's belief; its trusted torque constant is taken, nothing else is needed
+  Estimate addedInertia_kg_m2;         ///< of a disc of known inertia that is mounted, with its tolerance; 0: none
+  std::optional<MotorRecord> against;  ///< the motor identified before with another added inertia, for the scale
+  bool motorOnly = false;              ///< ends once the motor is identified
   size_t bins = 180;
   size_t turns = 2;
   double speedRun_s = 15.0;          ///< of each constant speed
@@ -47,6 +51,7 @@ struct CommissionOptions {
 struct Commission {
   Identity identity;
   IdentifiedMotor motor;
+  Estimate addedInertia_kg_m2;  ///< part of the motor's inertia
   ControllerSettings settings;  ///< the tuning that was used
   double noiseRms_A = 0.0;
   Estimate sensorZero_A;

@@ -7,6 +7,7 @@
 
 #include "base/atomic_file.h"
 #include "base/json_object.h"
+#include "report/motor_file.h"
 
 namespace breakaway {
 
@@ -17,24 +18,6 @@ using Json = nlohmann::ordered_json;
 constexpr const char* schema = "breakaway.progress/1";
 constexpr size_t sumWidth = 5, eventWidth = 16;
 constexpr double mostCount = 1e9;
-
-struct MotorField {
-  const char* name;
-  Estimate IdentifiedMotor::*estimate;
-};
-constexpr MotorField motorFields[] = {
-    {"torque_constant_Nm_per_A", &IdentifiedMotor::torqueConstant_Nm_per_A},
-    {"back_emf_constant_V_s_per_rad", &IdentifiedMotor::backEmfConstant_V_s_per_rad},
-    {"resistance_ohm", &IdentifiedMotor::resistance_ohm},
-    {"inductance_H", &IdentifiedMotor::inductance_H},
-    {"dead_zone_V", &IdentifiedMotor::deadZone_V},
-    {"inertia_kg_m2", &IdentifiedMotor::inertia_kg_m2},
-    {"ramp_inertia_kg_m2", &IdentifiedMotor::rampInertia_kg_m2},
-    {"reversal_inertia_kg_m2", &IdentifiedMotor::reversalInertia_kg_m2},
-    {"current_gain", &IdentifiedMotor::currentGain},
-    {"coulomb_Nm", &IdentifiedMotor::coulomb_Nm},
-    {"viscous_Nm_s_per_rad", &IdentifiedMotor::viscous_Nm_s_per_rad},
-};
 
 std::string stateFile(const std::string& folder) {
   return folder + "/progress/state.json";
@@ -99,6 +82,7 @@ std::string stateText(const CommissionProgress& progress) {
             {"bins", progress.bins},
             {"turns", progress.turns},
             {"speed_run_s", progress.speedRun_s},
+            {"added_inertia_kg_m2", progress.addedInertia_kg_m2},
             {"part", progress.part},
             {"rig_time_s", progress.rigTime_s},
             {"remarks", progress.remarks},
@@ -106,12 +90,7 @@ std::string stateText(const CommissionProgress& progress) {
   if (progress.trustedTorqueConstant_Nm_per_A)
     json["trusted_torque_constant_Nm_per_A"] = *progress.trustedTorqueConstant_Nm_per_A;
   if (progress.motor) {
-    Json motor{{"torque_constant_trusted", progress.motor->torqueConstantTrusted}};
-    for (const MotorField& field : motorFields) {
-      const Estimate& estimate = *progress.motor.*field.estimate;
-      motor[field.name] = {{"value", estimate.value}, {"std", estimate.standardError}};
-    }
-    motor["gauge"] = progress.motor->gauge;
+    Json motor = Json::parse(motorText(*progress.motor));
     motor["shown_resistance_ohm"] = progress.shownResistance_ohm;
     motor["expected_cw_A"] = progress.expected_A[0];
     motor["expected_ccw_A"] = progress.expected_A[1];
@@ -203,14 +182,8 @@ Result<std::vector<BreakawayEvent>> readEvents(const std::string& path) {
   return events;
 }
 
-void readMotor(JsonObject object, CommissionProgress& progress) {
-  IdentifiedMotor motor;
-  motor.torqueConstantTrusted = object.flag("torque_constant_trusted", false);
-  for (const MotorField& field : motorFields) {
-    JsonObject estimate = object.object(field.name);
-    motor.*field.estimate = {estimate.number("value"), estimate.number("std", Allowed::nonNegative)};
-  }
-  motor.gauge = object.text("gauge", "");
+void takeMotor(JsonObject object, CommissionProgress& progress) {
+  const IdentifiedMotor motor = motorIn(object);
   progress.shownResistance_ohm = object.number("shown_resistance_ohm", Allowed::nonNegative);
   progress.expected_A = {object.number("expected_cw_A"), object.number("expected_ccw_A")};
   progress.motor = motor;
@@ -244,11 +217,12 @@ Result<CommissionProgress> readProgress(const std::string& folder) {
   progress.turns = countOf(*root, "turns");
   progress.speedRun_s = root->number("speed_run_s", Allowed::positive);
   progress.trustedTorqueConstant_Nm_per_A = root->optionalNumber("trusted_torque_constant_Nm_per_A", Allowed::positive);
+  progress.addedInertia_kg_m2 = root->number("added_inertia_kg_m2", 0.0, Allowed::nonNegative);
   progress.part = countOf(*root, "part");
   progress.rigTime_s = root->number("rig_time_s", Allowed::nonNegative);
   progress.remarks = root->texts("remarks");
   const size_t runs = countOf(*root, "runs");
-  if (root->has("motor")) readMotor(root->object("motor"), progress);
+  if (root->has("motor")) takeMotor(root->object("motor"), progress);
   if (const auto done = root->finish(); !done) return done.error();
   for (size_t k = 0; k < runs; ++k) {
     auto run = readRun(runFile(folder, k));

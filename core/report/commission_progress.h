@@ -27,6 +27,7 @@ struct CommissionProgress {
   double shownResistance_ohm = 0.0;      ///< with the current as the sensor shows it, with the motor
   std::vector<VelocityRun> runs;         ///< complete ones, in the order they were run
   std::vector<BreakawayEvent> events;
+  double addedInertia_kg_m2{};  ///< of the disc that is mounted
 };
 
 /// Writes progress/state.json, progress/run-NN.json and progress/breakaways.json into `folder`. Runs never change, so

@@ -121,6 +121,20 @@ Figure speedFigure(const Commission& done) {
   return figure;
 }
 
+Figure dutyFigure(const DutyCurve& curve) {
+  Figure figure{"What the bridge gives of its duty", "input duty / %", "output duty / %"};
+  Curve measured;
+  measured.label = "measured";
+  for (const DutyPoint& point : curve.points) {
+    measured.x.push_back(100.0 * point.input);
+    measured.y.push_back(100.0 * point.output.value);
+    measured.low.push_back(100.0 * point.output.low95());
+    measured.high.push_back(100.0 * point.output.high95());
+  }
+  figure.curves.push_back(std::move(measured));
+  return figure;
+}
+
 double staticMean_Nm(const FrictionMap& map, size_t way) {
   double sum = 0.0;
   for (const MapBin& bin : map.bins) sum += bin.way[way].static_Nm.value;
@@ -145,6 +159,11 @@ void motorChapter(HtmlReport& report, const Commission& done) {
                 {"current sensor's zero", withInterval(done.sensorZero_A, 1e3, "mA")},
                 {"current sensor's noise", numberText(1e3 * done.noiseRms_A) + " mA rms"}});
   report.paragraph("In brackets: 95 % intervals. " + motor.gauge);
+  if (!motor.dutyCurve.known()) return;
+  report.figure(
+      dutyFigure(motor.dutyCurve),
+      "Both as part of the supply; the band is the 95 % interval. Further out the bridge is taken to give a volt "
+      "more for each volt more: a common factor can't be seen, and would be part of R, L and Ke.");
 }
 
 void frictionChapter(HtmlReport& report, const Commission& done) {
@@ -209,13 +228,28 @@ Result<void> writeStep(const std::string& step, const Recording& recording, cons
   return writeCsv(recording, folder + "/recordings/" + step + ".csv");
 }
 
+Result<void> writeIdentification(const Commission& done, const std::string& folder) {
+  if (auto made = makeFolder(folder); !made) return made;
+  if (auto written = writeBench(done.bench, folder + "/bench.json"); !written) return written;
+  return writeMotor({done.identity.device, done.motor, done.addedInertia_kg_m2}, folder + "/motor.json");
+}
+
+std::string motorInWords(const Commission& done) {
+  const IdentifiedMotor& motor = done.motor;
+  return "Torque constant " + withInterval(motor.torqueConstant_Nm_per_A, 1.0, "Nm/A") + ", resistance " +
+         withInterval(motor.resistance_ohm, 1.0, "Ω") + ", inductance " + withInterval(motor.inductance_H, 1e3, "mH") +
+         ", inertia " + withInterval(motor.inertia_kg_m2, 1e6, "kg mm²") + ", Coulomb friction " +
+         withInterval(motor.coulomb_Nm, 1e3, "mNm") + ", viscous friction " +
+         withInterval(motor.viscous_Nm_s_per_rad, 1e6, "µNm s/rad") + ".";
+}
+
 Result<void> writeCommission(const Commission& done, const std::optional<FrictionMap>& truth,
                              const std::string& folder) {
   if (auto made = makeFolder(folder + "/recordings"); !made) return made;
   for (const auto& [step, recording] : done.recordings) {
     if (auto written = writeStep(step, recording, folder); !written) return written;
   }
-  if (auto written = writeBench(done.bench, folder + "/bench.json"); !written) return written;
+  if (auto written = writeIdentification(done, folder); !written) return written;
   if (auto written = exportMap(done.map, "json", folder + "/map.json"); !written) return written;
   if (auto written = exportMap(done.map, "csv", folder + "/map.csv"); !written) return written;
   if (truth) {

@@ -9,13 +9,19 @@
 
 namespace breakaway {
 
-/// Writes bench.json, recordings/*.csv, map.json, map.csv and report.html into `folder`, and truth.csv when there is a
-/// truth.
+/// Writes bench.json, motor.json, recordings/*.csv, map.json, map.csv and report.html into `folder`, and truth.csv when
+/// there is a truth.
 Result<void> writeCommission(const Commission& commission, const std::optional<FrictionMap>& truth,
                              const std::string& folder);
 
 /// Writes one step's recording to recordings/STEP.csv in `folder`.
 Result<void> writeStep(const std::string& step, const Recording& recording, const std::string& folder);
+
+/// What a commissioning that ends with the motor leaves: bench.json and motor.json.
+Result<void> writeIdentification(const Commission& commission, const std::string& folder);
+
+/// The motor in a few lines of plain text, each value with its interval.
+std::string motorInWords(const Commission& commission);
 
 /// The averages in a few lines of plain text.
 std::string inWords(const Commission& commission);

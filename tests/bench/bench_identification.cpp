@@ -1,4 +1,4 @@
-// The identified motor against the truth on rigs at random, whose current sensor errs. Usage: bench_identification
+// The identified motor against the truth on rigs at random whose current sensor errs. Usage: bench_identification
 // [COUNT [FIRST_SEED]]
 #include <array>
 #include <cmath>
@@ -23,16 +23,20 @@ constexpr size_t quantities = 9;
 constexpr const char* names[quantities] = {"R", "L", "Kt", "J", "J by ramps", "J by reversal", "F", "B", "g"};
 constexpr double targets[quantities] = {0.02, 0.02, 0.02, 0.02, 0.02, 0.02, 0.03, 0.03, 0.005};
 
-/// What the bench believes of the sensor, and how far the sensor is off.
+/// What the bench believes of the sensor, and what else it has.
 struct Case {
   const char* name;
-  double gainInterval;
+  double gainInterval;  ///< and the rigs' gains err by as much
   bool knownInertia;
-  double gainDeviation;  ///< standard deviation of the rigs' gain errors
+  bool disc;    ///< half as heavy again as the rotor, known to 0.5 %: the motor is identified with it before
+  bool honest;  ///< rigs whose bridges bend their duty, with the sensors' tolerances
 };
-constexpr Case cases[] = {{"gain trusted to 0.5 %", 0.005, false, 0.005 / 1.959964},
-                          {"inertia known, gain not", 0.027, true, 0.027 / 1.959964},
-                          {"nothing trusted", 0.027, false, 0.027 / 1.959964}};
+constexpr Case cases[] = {{"gain trusted to 0.5 %", 0.005, false, false, false},
+                          {"the same on honest rigs", 0.005, false, false, true},
+                          {"known added inertia, gain not, honest rigs", 0.027, false, true, true},
+                          {"inertia known, gain not, honest rigs", 0.027, true, false, true},
+                          {"nothing trusted, honest rigs", 0.027, false, false, true}};
+constexpr double discTolerance = 0.005;
 
 struct Tally {
   double worst = 0.0, squares = 0.0;
@@ -51,6 +55,11 @@ void take(Tally& tally, const Estimate& estimate, double truth, double target) {
   ++tally.runs;
 }
 
+/// Part of the current sensor's gain that comes from its own supply.
+double bySupply(const Rig& rig) {
+  return 1.0 + rig.currentSensor.supplyDeviation_V / rig.currentSensor.adcRange_V;
+}
+
 void compare(const Commission& done, const Rig& rig, std::array<Tally, quantities>& tallies) {
   const IdentifiedMotor& motor = done.motor;
   double F = 0.0, B = 0.0;
@@ -64,16 +73,33 @@ void compare(const Commission& done, const Rig& rig, std::array<Tally, quantitie
       {motor.reversalInertia_kg_m2, rig.inertia_kg_m2},
       {motor.coulomb_Nm, F},
       {motor.viscous_Nm_s_per_rad, B},
-      {motor.currentGain, 1.0 + rig.currentSensor.gainError},
+      {motor.currentGain, (1.0 + rig.currentSensor.gainError) * bySupply(rig)},
   }};
   for (size_t k = 0; k < quantities; ++k) {
     if (pairs[k].first.value != 0.0) take(tallies[k], pairs[k].first, pairs[k].second, targets[k]);
   }
 }
 
-std::string withGain(std::string text, double gainError) {
-  const std::string field = "\"sensitivity_V_per_A\"";
-  return text.replace(text.find(field), field.size(), "\"gain_error\": " + std::to_string(gainError) + ", " + field);
+std::string with(std::string text, const std::string& field, const std::string& added, double value) {
+  return text.replace(text.find(field), field.size(), added + ": " + std::to_string(value) + ", " + field);
+}
+
+/// The motor with a disc on its shaft that is as heavy as its tolerance allows by chance.
+Result<MotorRecord> withDisc(const std::string& text, const std::string& file, double inertia_kg_m2, double error,
+                             CommissionOptions options, unsigned seed) {
+  char added[64];
+  std::snprintf(added, sizeof added, "\"added_inertia_kg_m2\": %.12g, ", inertia_kg_m2 * (1.0 + error));
+  std::string mounted = text;
+  const std::string field = "\"inertia_kg_m2\"";
+  mounted.replace(mounted.find(field), field.size(), added + field);
+  if (auto written = writeFile(file, mounted); !written) return written.error();
+  auto drive = openDrive("simulated:" + file, seed + 50000);
+  if (!drive) return drive.error();
+  options.motorOnly = true;
+  options.addedInertia_kg_m2 = {inertia_kg_m2, discTolerance / 1.959964 * inertia_kg_m2};
+  const auto done = commission(**drive, options);
+  if (!done) return done.error();
+  return MotorRecord{done->identity.device, done->motor, done->addedInertia_kg_m2};
 }
 
 }  // namespace
@@ -89,11 +115,15 @@ int main(int argc, char** argv) {
     std::array<Tally, quantities> tallies;
     for (unsigned seed = first; seed < first + count; ++seed) {
       Random random(seed);
-      const std::string text = withGain(test::RandomRig(seed).text(), one.gainDeviation * random.normal());
-      if (!writeFile(file, text)) return 1;
-      const auto rig = readRig(file);
-      auto drive = openDrive("simulated:" + file, seed);
-      if (!rig || !drive) return 1;
+      const double deviation = one.gainInterval / 1.959964 * random.normal();
+      // What is trusted is the gain of the whole chain, the sensor's own supply included.
+      const std::string plain = test::RandomRig(seed).text(one.honest);
+      const auto drawn = readRigText(plain, "random");
+      if (!drawn) return 1;
+      const double gainError = (1.0 + deviation) / bySupply(*drawn) - 1.0;
+      const std::string text = with(plain, "\"sensitivity_V_per_A\"", "\"gain_error\"", gainError);
+      const auto rig = readRigText(text, "random");
+      if (!rig) return 1;
       CommissionOptions options;
       options.keepRecordings = false;
       options.bins = 36;
@@ -103,6 +133,19 @@ int main(int argc, char** argv) {
         options.bench->trusted.insert("inertia_kg_m2");
         options.bench->motor.inertia = rig->inertia_kg_m2;
       }
+      if (one.disc) {
+        auto other =
+            withDisc(text, file, 1.5 * rig->inertia_kg_m2, discTolerance / 1.959964 * random.normal(), options, seed);
+        if (!other) {
+          std::printf("seed %u: %s\n", seed, other.error().message().c_str());
+          ++failed;
+          continue;
+        }
+        options.against = std::move(*other);
+      }
+      if (!writeFile(file, text)) return 1;
+      auto drive = openDrive("simulated:" + file, seed);
+      if (!drive) return 1;
       const auto done = commission(**drive, options);
       if (!done) {
         std::printf("seed %u: %s\n", seed, done.error().message().c_str());

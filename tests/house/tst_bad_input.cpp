@@ -94,6 +94,9 @@ void TestBadInput::badInput_getsOneLineAndStatus2_data() {
       "none/r.csv: cannot be written");
   row("no such board", "figures --board simulated:serwo --out d", {}, "there is no preset serwo, did you mean servo?");
   row("no such uneven board", "figures --uneven a.rig.json --out d", {}, "board a.rig.json: is no known board");
+  row("no motor", "commission --out d --against m.json", {{"m.json", "{}"}}, "m.json, field schema: is missing");
+  row("no motor there", "commission --out d --against m.json", {}, "m.json: cannot be read");
+  row("a tolerance beyond", "commission --out d --added-inertia 1e-4 --added-tolerance 3", {}, "--added-tolerance");
   row("figures nowhere", "figures --out r.txt/d", {{"r.txt", "here"}}, "r.txt/d: cannot be");
   row("unknown command", "diagnoze", {}, "diagnoze");
   row("no command", "", {}, "command");

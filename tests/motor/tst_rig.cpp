@@ -21,6 +21,9 @@ class TestRig : public QObject {
   void faults_areRead();
   void unknownFault_namesTheKnownOnes();
   void supplyAboveWhole_isRefused();
+  void fallingDutyCurve_isRefused();
+  void tolerancesBeyondReason_areRefused();
+  void honestRandomRigs_areRead();
 };
 
 namespace {
@@ -120,6 +123,38 @@ void TestRig::unknownFault_namesTheKnownOnes() {
 void TestRig::supplyAboveWhole_isRefused() {
   const std::string fault = faultOf(rigText("6e-5", "[]", R"(, "faults": [{"fault": "supply_drop", "part": 1.5}])"));
   QVERIFY2(fault.find("faults[0].part: is above 1") != std::string::npos, fault.c_str());
+}
+
+void TestRig::fallingDutyCurve_isRefused() {
+  std::string text = rigText();
+  const std::string supply = "\"supply_V\": 24";
+  const auto with = [&](const std::string& curve) {
+    std::string bent = text;
+    return faultOf(bent.replace(bent.find(supply), supply.size(), supply + ", \"duty_curve\": " + curve));
+  };
+  QCOMPARE(with("[[0.1, 0.05], [0.2, 0.15]]"), std::string());
+  QVERIFY(with("[[0.1, 0.05], [0.2, 0.04]]").find("bridge.duty_curve") != std::string::npos);
+  QVERIFY(with("[[0.2, 0.05], [0.1, 0.15]]").find("bridge.duty_curve") != std::string::npos);
+}
+
+void TestRig::tolerancesBeyondReason_areRefused() {
+  const std::string counts = "\"counts_per_rev\": 4096";
+  const auto with = [&](const std::string& field) {
+    std::string text = rigText();
+    return faultOf(text.replace(text.find(counts), counts.size(), counts + ", " + field));
+  };
+  QCOMPARE(with("\"eccentricity_rad\": 0.001"), std::string());
+  QVERIFY(with("\"eccentricity_rad\": 0.2").find("encoder.eccentricity_rad") != std::string::npos);
+  QVERIFY(with("\"quadrature_error_counts\": 0.6").find("encoder.quadrature_error_counts") != std::string::npos);
+  QVERIFY(with("\"index_width_counts\": 9").find("encoder.index_width_counts") != std::string::npos);
+}
+
+void TestRig::honestRandomRigs_areRead() {
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    const auto rig = readRigText(test::RandomRig(seed).text(true), "random");
+    QVERIFY2(rig.ok(), rig.ok() ? "" : (std::to_string(seed) + ": " + rig.error().message()).c_str());
+    QVERIFY(rig->bridge.dutyCurve.known());
+  }
 }
 
 QTEST_APPLESS_MAIN(TestRig)

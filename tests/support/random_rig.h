@@ -14,7 +14,10 @@ class RandomRig {
   explicit RandomRig(unsigned seed) : noise_(seed) {}
 
   /// A whole rig file: motor of 5 mNm to 1 Nm friction, loop rate, encoder, supply and sensor chosen to go with it.
-  std::string text() {
+  /// With `honest` the bridge loses up to 2.8 % of the supply over its first per cents of duty, as discontinuous
+  /// current does, the supply has an impedance, the current sensor warms up and sits on a supply of its own, and the
+  /// encoder has the tolerances of a good one.
+  std::string text(bool honest = false) {
     const double Kt = logUniform(0.02, 0.4), supply = pick({12.0, 24.0, 36.0, 48.0});
     // Friction current from 60 mA to 1.2 A: what a sensor of 5 A with 17 mA noise is bought for.
     const double coulomb = Kt * logUniform(0.06, 1.2), excess = uniform(1.15, 1.6);
@@ -40,13 +43,22 @@ class RandomRig {
            phase() + "]]},\n";
     out += " \"encoder\": {\"counts_per_rev\": " +
            number(pick({2000.0, 4000.0, 4096.0, 8192.0, 10000.0, 14400.0, 20000.0})) +
-           ", \"index_angle_rad\": " + number(uniform(-6.0, 6.0)) + "},\n";
+           ", \"index_angle_rad\": " + number(uniform(-6.0, 6.0));
+    if (honest) out += ", \"eccentricity_rad\": 3e-4, \"quadrature_error_counts\": 0.1, \"index_width_counts\": 2";
+    out += "},\n";
     out += " \"current_sensor\": {\"sensitivity_V_per_A\": 0.185, \"offset_A\": " + number(uniform(-0.06, 0.06)) +
            ", \"drift_A_per_s\": " + number(uniform(-2e-5, 2e-5)) +
-           ", \"noise_rms_A\": 0.017, \"adc_bits\": 12, \"adc_range_V\": 5.0},\n";
-    out += " \"bridge\": {\"supply_V\": " + number(supply) + ", \"dead_zone_duty\": " + number(uniform(0.0, 0.02)) +
-           ", \"pwm_steps\": " + number(pick({1000.0, 2400.0, 4800.0})) + "}\n}\n";
-    return out;
+           ", \"noise_rms_A\": 0.017, \"adc_bits\": 12, \"adc_range_V\": 5.0";
+    if (honest) {
+      out +=
+          ", \"supply_deviation_V\": 0.01, \"offset_V_per_degC\": -0.00026, \"temperature_rise_degC\": 12, "
+          "\"temperature_time_s\": 400";
+    }
+    out += "},\n";
+    const double steps = pick({1000.0, 2400.0, 4800.0}), deadZone = uniform(0.0, 0.02);
+    out += " \"bridge\": {\"supply_V\": " + number(supply) + ", \"dead_zone_duty\": " + number(deadZone) +
+           ", \"pwm_steps\": " + number(steps);
+    return out + (honest ? ", " + dutyCurve(deadZone) + ", \"supply_resistance_ohm\": 0.02" : "") + "}\n}\n";
   }
 
  private:
@@ -61,6 +73,17 @@ class RandomRig {
     char text[32];
     std::snprintf(text, sizeof text, "%.9g", value);
     return text;
+  }
+  /// x − a·(1 − e^(−x/b)) beyond the dead zone, sampled.
+  std::string dutyCurve(double deadZone) {
+    const double scale = uniform(0.01, 0.04), lost = scale * uniform(0.2, 0.7);
+    std::string out = "\"duty_curve\": [";
+    for (int k = 1; k <= 24; ++k) {
+      const double x = 0.25 * std::pow(k / 24.0, 2.0);
+      out +=
+          (k == 1 ? "[" : ", [") + number(deadZone + x) + ", " + number(x - lost * (1.0 - std::exp(-x / scale))) + "]";
+    }
+    return out + "]";
   }
   /// Two to four harmonics up to order 9 whose rms together is up to `most` of the mean, and at least half of it.
   std::string curve(double mean, double most) {

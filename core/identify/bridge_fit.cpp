@@ -1,0 +1,270 @@
+#include "identify/bridge_fit.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace breakaway {
+
+namespace {
+
+constexpr size_t leastRows = 200;
+constexpr double lastKnot_duty = 0.22;
+constexpr double knots_duty[] = {0.004, 0.009, 0.018, 0.035, 0.07, 0.14, lastKnot_duty};  // beyond the dead zone
+constexpr double reach_duty = 0.08;       // of voltages beyond the last knot
+constexpr double steepest_duty = 0.05;    // change of the voltage over two blocks, above which means say little
+constexpr double mostError = 0.02;        // relative standard error of the resistance
+constexpr double leastBend = 0.1;         // of the slope, for a curve
+constexpr double leastLost_duty = 0.002;  // by it, likewise; a timer's steps round the dead zone's end by less
+constexpr double significance = 5.0;      // standard errors of that bend
+constexpr double flat = 0.1;              // of the far slope: no current yet
+constexpr double keep = 3.0;              // standard errors below which a knot goes
+constexpr double bentDoubt = 9e-4;        // relative, of a bent bridge: what bends on beyond the last knot
+constexpr double modelDoubt = 2e-4;       // relative: blocks, ticks and the winding's lag
+
+/// One block: current with its lag, voltage, speed.
+struct Row {
+  double current_A = 0.0, voltage_V = 0.0, speed_rad_per_s = 0.0, weight = 1.0;
+  Eigen::Index test = 0;
+};
+
+std::vector<Row> rowsOf(const BridgeTests& tests) {
+  std::vector<Row> rows;
+  for (const WindingPoint& point : tests.standing)
+    rows.push_back({point.current_A, point.voltage_V, 0.0, tests.standingBlock_s, 0});
+  for (size_t t = 0; t < tests.moving.size(); ++t) {
+    const auto& blocks = tests.moving[t];
+    for (size_t k = 1; k + 1 < blocks.size(); ++k) {
+      const SpinBlock &before = blocks[k - 1], &here = blocks[k], &after = blocks[k + 1];
+      const double across_s = here.duration_s + 0.5 * (before.duration_s + after.duration_s);
+      if (std::abs(after.voltage_V - before.voltage_V) > steepest_duty * tests.supply_V) continue;
+      const double lag_A = tests.timeConstant_s * (after.current_A - before.current_A) / across_s;
+      rows.push_back({here.current_A + lag_A, here.voltage_V, (here.angle_rad - before.angle_rad) / here.duration_s,
+                      here.duration_s, static_cast<Eigen::Index>(t) + 1});
+    }
+  }
+  return rows;
+}
+
+/// Slopes (the first, and by how much each knot changes it), Ke/R, and the tests' zeros.
+struct Fit {
+  Eigen::VectorXd x;
+  Eigen::MatrixXd covariance;
+  double squares = 0.0;
+};
+
+class BridgeLine {
+ public:
+  BridgeLine(std::vector<Row> rows, Eigen::Index tests) : rows_(std::move(rows)), tests_(tests) {}
+
+  /// `knots_V`: where the slope changes, the dead zone's end first.
+  Fit fit(const std::vector<double>& knots_V) const {
+    const auto slopes = static_cast<Eigen::Index>(knots_V.size()), n = slopes + 1 + tests_;
+    Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(n, n);
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
+    double squares = 0.0;
+    for (const Row& row : rows_) {
+      const Eigen::VectorXd a = regressor(row, knots_V);
+      normal.selfadjointView<Eigen::Lower>().rankUpdate(a, row.weight);
+      right += row.weight * row.current_A * a;
+      squares += row.weight * row.current_A * row.current_A;
+    }
+    normal = normal.selfadjointView<Eigen::Lower>();
+    const auto solver = normal.completeOrthogonalDecomposition();
+    Fit fit;
+    fit.x = solver.solve(right);
+    fit.squares = squares - fit.x.dot(right);
+    fit.covariance = std::max(0.0, fit.squares) / static_cast<double>(rows_.size() - static_cast<size_t>(n)) *
+                     solver.pseudoInverse();
+    return fit;
+  }
+
+  /// Moves the first `together` knots to where the squares are least, the first of them within low_V to high_V.
+  void search(std::vector<double>& knots_V, size_t together, double low_V, double high_V) const {
+    const std::vector<double> from = knots_V;
+    double low = low_V, high = high_V, best = low_V;
+    const auto squaresAt = [&](double first_V) {
+      for (size_t k = 0; k < together; ++k) knots_V[k] = from[k] + first_V - from[0];
+      return fit(knots_V).squares;
+    };
+    for (int round = 0; round < 5; ++round) {
+      constexpr int cells = 16;
+      double least = -1.0;
+      for (int k = 0; k <= cells; ++k) {
+        const double candidate = low + (high - low) * k / cells, squares = squaresAt(candidate);
+        if (least < 0.0 || squares < least) least = squares, best = candidate;
+      }
+      const double width = (high - low) / cells;
+      low = std::max(low_V, best - width);
+      high = std::min(high_V, best + width);
+    }
+    squaresAt(best);
+  }
+
+  /// The first knot's standard error, from how fast the squares grow around it.
+  double errorOfFirst(const std::vector<double>& knots_V, double step_V) const {
+    const auto squaresAt = [&](double by_V) {
+      std::vector<double> moved = knots_V;
+      moved.front() += by_V;
+      return fit(moved).squares;
+    };
+    const double here = squaresAt(0.0),
+                 bend = (squaresAt(step_V) + squaresAt(-step_V) - 2.0 * here) / (step_V * step_V);
+    const double variance = std::max(0.0, here) / static_cast<double>(rows_.size());
+    return bend > 0.0 ? std::sqrt(2.0 * variance / bend) : step_V;
+  }
+
+ private:
+  Eigen::VectorXd regressor(const Row& row, const std::vector<double>& knots_V) const {
+    const auto slopes = static_cast<Eigen::Index>(knots_V.size());
+    Eigen::VectorXd a = Eigen::VectorXd::Zero(slopes + 1 + tests_);
+    const double size_V = std::abs(row.voltage_V);
+    for (Eigen::Index k = 0; k < slopes; ++k)
+      a[k] = std::copysign(std::max(0.0, size_V - knots_V[static_cast<size_t>(k)]), row.voltage_V);
+    a[slopes] = -row.speed_rad_per_s;
+    a[slopes + 1 + row.test] = 1.0;
+    return a;
+  }
+
+  std::vector<Row> rows_;
+  Eigen::Index tests_;
+};
+
+/// Takes away, one by one, the knots that change the slope by less than their doubt.
+Fit pruned(const BridgeLine& line, std::vector<double>& knots_V) {
+  while (true) {
+    Fit fit = line.fit(knots_V);
+    size_t weakest = 0;
+    double least = keep;
+    for (size_t k = 1; k < knots_V.size(); ++k) {
+      const auto at = static_cast<Eigen::Index>(k);
+      const double standing = std::abs(fit.x[at]) / std::sqrt(std::max(1e-300, fit.covariance(at, at)));
+      if (standing < least) least = standing, weakest = k;
+    }
+    if (weakest == 0) return fit;
+    knots_V.erase(knots_V.begin() + static_cast<std::ptrdiff_t>(weakest));
+  }
+}
+
+double farSlope(const Fit& fit, size_t slopes) {
+  return fit.x.head(static_cast<Eigen::Index>(slopes)).sum();
+}
+
+/// The first stretch between two knots on which the current hardly grows; none: the knots' number.
+size_t flatStretch(const Fit& fit, const std::vector<double>& knots_V) {
+  const double far = farSlope(fit, knots_V.size());
+  double slope = 0.0;
+  for (size_t k = 0; k + 1 < knots_V.size(); ++k) {
+    slope += fit.x[static_cast<Eigen::Index>(k)];
+    if (slope < flat * far) return k;
+  }
+  return knots_V.size();
+}
+
+/// The knots from the dead zone's end on, where the current begins.
+Fit fitted(const BridgeLine& line, std::vector<double>& knots_V, double most_V) {
+  line.search(knots_V, knots_V.size(), 0.0, most_V);
+  Fit fit = pruned(line, knots_V);
+  for (size_t k = flatStretch(fit, knots_V); k < knots_V.size(); k = flatStretch(fit, knots_V)) {
+    // Nothing flows up to the second knot, or the noise makes a later stretch flat: one knot less.
+    knots_V.erase(knots_V.begin() + static_cast<std::ptrdiff_t>(k == 0 ? 0 : k + 1));
+    fit = pruned(line, knots_V);
+  }
+  const double room_V = knots_V.size() > 1 ? 0.9 * (knots_V[1] - knots_V[0]) : 0.5 * most_V;
+  line.search(knots_V, 1, std::max(0.0, knots_V[0] - 0.5 * most_V), knots_V[0] + room_V);
+  return pruned(line, knots_V);
+}
+
+/// A quantity of the fit with the error that follows from its gradient.
+Estimate estimateOf(double value, const Eigen::VectorXd& gradient, const Fit& fit) {
+  return {value, std::sqrt(std::max(0.0, gradient.dot(fit.covariance * gradient)))};
+}
+
+DutyCurve curveOf(const Fit& fit, const std::vector<double>& knots_V, double supply_V) {
+  DutyCurve curve;
+  const double far = farSlope(fit, knots_V.size());
+  for (const double at_V : knots_V) {
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(fit.x.size());
+    double sum = 0.0;
+    for (size_t k = 0; k < knots_V.size() && knots_V[k] < at_V; ++k) {
+      sum += fit.x[static_cast<Eigen::Index>(k)] * (at_V - knots_V[k]);
+      gradient[static_cast<Eigen::Index>(k)] = (at_V - knots_V[k]) / far / supply_V;
+    }
+    const double output = sum / far / supply_V;
+    for (size_t k = 0; k < knots_V.size(); ++k) gradient[static_cast<Eigen::Index>(k)] -= output / far;
+    curve.points.push_back({at_V / supply_V, estimateOf(output, gradient, fit)});
+  }
+  curve.points.front().output = {};
+  return curve;
+}
+
+/// Most of what the curve gives more or less than the duty beyond its dead zone, part of the supply.
+double mostLost(const DutyCurve& curve) {
+  double most = 0.0;
+  for (const DutyPoint& point : curve.points)
+    most = std::max(most, std::abs(point.input - curve.points.front().input - point.output.value));
+  return most;
+}
+
+/// Whether the slope between some knots stands out of the far slope.
+bool bends(const Fit& fit, const std::vector<double>& knots_V) {
+  const auto slopes = static_cast<Eigen::Index>(knots_V.size());
+  const double far = farSlope(fit, knots_V.size());
+  for (Eigen::Index k = 0; k + 1 < slopes; ++k) {
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(fit.x.size());
+    gradient.segment(k + 1, slopes - k - 1).setOnes();
+    const Estimate bend = estimateOf(fit.x.segment(k + 1, slopes - k - 1).sum(), gradient, fit);
+    if (std::abs(bend.value) > std::max(leastBend * far, significance * bend.standardError)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Result<BridgeFit> fitBridge(const BridgeTests& tests) {
+  const char* place = "bridge's curve";
+  const std::vector<Row> rows = rowsOf(tests);
+  if (rows.size() < leastRows)
+    return Error{place, "has " + std::to_string(rows.size()) + " blocks only, expected at least 200"};
+  double highest_V = 0.0, standing_V = 0.0;
+  for (const Row& row : rows) highest_V = std::max(highest_V, std::abs(row.voltage_V));
+  for (const WindingPoint& point : tests.standing) standing_V = std::max(standing_V, std::abs(point.voltage_V));
+  const BridgeLine line(rows, static_cast<Eigen::Index>(tests.moving.size()) + 1);
+  std::vector<double> knots_V{0.0};
+  for (const double duty : knots_duty) knots_V.push_back(duty * tests.supply_V);
+  const Fit fit = fitted(line, knots_V, 0.98 * standing_V);
+  const double reach_V = knots_V.front() + (lastKnot_duty + reach_duty) * tests.supply_V;
+  if (highest_V < reach_V) {
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "can't be told: the tests reach %.3g V only, expected %.3g V, from where on it is taken as straight",
+                  highest_V, reach_V);
+    return Error{place, text};
+  }
+  const auto slopes = static_cast<Eigen::Index>(knots_V.size());
+  const double far = farSlope(fit, knots_V.size());
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(fit.x.size());
+  gradient.head(slopes).setOnes();
+  const Estimate conductance = estimateOf(far, gradient, fit);
+  if (!(far > 0.0) || conductance.standardError > mostError * far)
+    return Error{place, "can't be told from the winding's resistance: the currents hardly differ at the same voltage"};
+  BridgeFit found;
+  DutyCurve curve = curveOf(fit, knots_V, tests.supply_V);
+  const bool bent = bends(fit, knots_V) && mostLost(curve) >= leastLost_duty;
+  const double doubt = bent ? bentDoubt : modelDoubt;
+  found.resistance_ohm = {1.0 / far, std::hypot(conductance.standardError / far, doubt) / far};
+  const double Ke = fit.x[slopes] / far;
+  gradient *= -Ke / far;
+  gradient[slopes] = 1.0 / far;
+  found.backEmfConstant_V_s_per_rad = estimateOf(Ke, gradient, fit);
+  found.backEmfConstant_V_s_per_rad.standardError =
+      std::hypot(found.backEmfConstant_V_s_per_rad.standardError, doubt * Ke);
+  found.deadZone_V = {knots_V.front(), line.errorOfFirst(knots_V, 5e-4 * tests.supply_V)};
+  if (!bent) return found;
+  found.curve = std::move(curve);
+  if (!found.curve.rises()) return Error{place, "doesn't rise with the duty everywhere, as the tests show it"};
+  return found;
+}
+
+}  // namespace breakaway

@@ -1,0 +1,40 @@
+// The bridge's duty curve together with resistance and back-EMF constant, from all that the windings saw.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/estimate.h"
+#include "base/result.h"
+#include "experiment/spin_test.h"
+#include "motor/duty_curve.h"
+#include "motor/winding_line.h"
+
+namespace breakaway {
+
+/// Voltages and currents as the board shows them.
+struct BridgeTests {
+  std::vector<WindingPoint> standing;          ///< of the winding test
+  double standingBlock_s = 0.01;               ///< over which each point is a mean
+  std::vector<std::vector<SpinBlock>> moving;  ///< of the spin test, of the reversal test
+  double timeConstant_s = 0.0;                 ///< L/R
+  double supply_V = 0.0;
+};
+
+struct BridgeFit {
+  Estimate resistance_ohm;
+  Estimate backEmfConstant_V_s_per_rad;
+  Estimate deadZone_V;
+  /// Known where the bridge bends its duty: by a tenth of the slope somewhere, and beyond doubt.
+  DutyCurve curve;
+};
+
+/// Weighted least squares of i + (L/R)·di/dt = f(u)/R − (Ke/R)·ω + i₀ over all blocks, i₀ of each test its own, f odd
+/// and straight between knots that lie closer towards the dead zone's end, which is searched. Friction, inertia and
+/// load do not enter. The scale of f can't be seen: beyond the last knot f is taken to grow as the duty does, and a
+/// bridge that gives a common part less shows it in R, L and Ke. Errors: too few blocks; voltages that don't reach far
+/// enough beyond the last knot; resistance and back-EMF constant that the blocks don't tell apart; a curve that doesn't
+/// rise.
+Result<BridgeFit> fitBridge(const BridgeTests& tests);
+
+}  // namespace breakaway

@@ -1,0 +1,109 @@
+#include "identify/bridge_fit.h"
+
+#include <QTest>
+#include <cmath>
+
+#include "motor/noise.h"
+
+using namespace breakaway;
+
+class TestBridgeFit : public QObject {
+  Q_OBJECT
+ private slots:
+  void bentBridge_isFoundWithResistanceAndBackEmf();
+  void curvesIntervals_holdTheTruth();
+  void straightBridge_hasNoCurve();
+  void lowVoltages_areRefusedInWords();
+  void alwaysTheSameCurrent_isRefusedInWords();
+};
+
+namespace {
+
+constexpr double R = 1.2, Ke = 0.07, supply_V = 24.0, deadZone = 0.012, tick_s = 0.01;
+
+double bent(double duty) {
+  const double x = std::max(0.0, std::abs(duty) - deadZone);
+  return std::copysign(x - 0.012 * (1.0 - std::exp(-x / 0.02)), duty);
+}
+
+double straight(double duty) {
+  return std::copysign(std::max(0.0, std::abs(duty) - deadZone), duty);
+}
+
+/// A standing rotor's ramps, and a turning one to and fro whose current is `swing_A` this way and that.
+BridgeTests tests(double (*bridge)(double), double highest_duty, double swing_A, unsigned seed) {
+  Noise noise(seed);
+  BridgeTests tests;
+  tests.supply_V = supply_V;
+  for (int k = 1; k <= 400; ++k) {
+    const double duty = (k % 2 == 0 ? 1.0 : -1.0) * 0.03 * k / 400.0;
+    tests.standing.push_back({duty * supply_V, bridge(duty) * supply_V / R + 0.002 + 0.003 * noise.normal()});
+  }
+  std::vector<SpinBlock> blocks;
+  double angle = 0.0, current = 0.0;
+  for (int k = 0; k < 3000; ++k) {
+    const double phase = k / 150.0 - std::floor(k / 150.0), duty = highest_duty * (1.0 - 4.0 * std::abs(phase - 0.5));
+    // What friction and inertia make of it is no matter: any current may flow at any voltage.
+    current = 0.15 * (duty > 0.0 ? 1.0 : -1.0) + swing_A * std::sin(k / 37.0);
+    const double speed = (bridge(duty) * supply_V - R * current) / Ke;
+    angle += speed * tick_s;
+    blocks.push_back({tick_s * (k + 1), tick_s, angle, current - 0.001 + 0.003 * noise.normal(), duty * supply_V});
+  }
+  tests.moving = {blocks};
+  return tests;
+}
+
+}  // namespace
+
+void TestBridgeFit::bentBridge_isFoundWithResistanceAndBackEmf() {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    const auto fit = fitBridge(tests(bent, 0.5, 1.0, seed));
+    QVERIFY2(fit.ok(), fit.ok() ? "" : fit.error().message().c_str());
+    QVERIFY2(std::abs(fit->resistance_ohm.value / R - 1.0) < 0.005,
+             qPrintable(QString::number(fit->resistance_ohm.value)));
+    QVERIFY(std::abs(fit->backEmfConstant_V_s_per_rad.value / Ke - 1.0) < 0.003);
+    QVERIFY(std::abs(fit->deadZone_V.value / supply_V - deadZone) < 0.001);
+    QVERIFY(fit->curve.known() && fit->curve.rises());
+    for (const double duty : {0.016, 0.02, 0.03, 0.05, 0.1, 0.3})
+      QVERIFY2(std::abs(fit->curve.output(duty) - bent(duty)) < 6e-4, qPrintable(QString::number(duty)));
+  }
+}
+
+void TestBridgeFit::curvesIntervals_holdTheTruth() {
+  int held = 0, points = 0;
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    const auto fit = fitBridge(tests(bent, 0.5, 1.0, seed));
+    QVERIFY(fit.ok());
+    held += fit->resistance_ohm.low95() <= R && R <= fit->resistance_ohm.high95() ? 1 : 0;
+    held += fit->backEmfConstant_V_s_per_rad.low95() <= Ke && Ke <= fit->backEmfConstant_V_s_per_rad.high95() ? 1 : 0;
+    points += 2;
+  }
+  QVERIFY2(held >= points - 4, qPrintable(QString::number(held)));
+}
+
+void TestBridgeFit::straightBridge_hasNoCurve() {
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    const auto fit = fitBridge(tests(straight, 0.5, 1.0, seed));
+    QVERIFY2(fit.ok(), fit.ok() ? "" : fit.error().message().c_str());
+    QVERIFY(!fit->curve.known());
+    QVERIFY(std::abs(fit->resistance_ohm.value / R - 1.0) < 0.005);
+  }
+}
+
+void TestBridgeFit::lowVoltages_areRefusedInWords() {
+  const auto fit = fitBridge(tests(bent, 0.1, 1.0, 1));
+  QVERIFY(!fit.ok());
+  QVERIFY2(fit.error().message().find("V only") != std::string::npos, fit.error().message().c_str());
+}
+
+void TestBridgeFit::alwaysTheSameCurrent_isRefusedInWords() {
+  BridgeTests same = tests(bent, 0.5, 0.0, 1);
+  same.standing.clear();
+  for (SpinBlock& block : same.moving[0]) block.current_A = 0.15;
+  const auto fit = fitBridge(same);
+  QVERIFY(!fit.ok());
+  QVERIFY2(fit.error().message().find("resistance") != std::string::npos, fit.error().message().c_str());
+}
+
+QTEST_APPLESS_MAIN(TestBridgeFit)
+#include "tst_bridge_fit.moc"
