@@ -26,7 +26,7 @@ struct CommissionOptions {
       bench;  ///< the technician's belief; its trusted torque constant is taken, nothing else is needed
   size_t bins = 180;
   size_t turns = 2;
-  double speedRun_s = 15.0;          ///< of each constant speed
+  double speedRun_s = 25.0;          ///< of each constant speed
   double recordingRate_Hz = 1000.0;  ///< steps that are longer than shortStep_s are decimated to about this rate
   double shortStep_s = 20.0;
   size_t mostRows = 150000;  ///< of one recording, by further decimation
