@@ -10,12 +10,16 @@
 #include "experiment/current_zeroing.h"
 #include "experiment/homing.h"
 #include "experiment/reversal_test.h"
+#include "experiment/slow_turns.h"
 #include "experiment/spin_test.h"
 #include "experiment/winding_test.h"
 #include "identify/map_estimation.h"
 #include "identify/reversal_inertia.h"
+#include "identify/stribeck_velocity.h"
 #include "identify/zero_track.h"
 #include "report/commission_steps.h"
+#include "report/compensated_run.h"
+#include "report/final_tuning.h"
 
 namespace breakaway {
 
@@ -48,8 +52,10 @@ class Job {
   Result<void> home();
   Result<void> sweepVelocity();
   Result<void> sweepBreakaway();
+  Result<void> turnSlowly();
   Result<void> refitMoving(const std::vector<BreakawayEvent>& events, const MapOptions& options);
   void fillBench();
+  void tuneForUse();
   VelocityFrictionOptions frictionOptions() const;
   double zeroing_s() const;
 
@@ -306,7 +312,7 @@ Result<void> Job::sweepBreakaway() {
     countFrom(ZeroTrack(sweep->zeros(), done_.noiseRms_A), fresh);
     std::move(fresh.begin(), fresh.end(), kept_.events.begin() + static_cast<std::ptrdiff_t>(before));
   };
-  if (auto ran = steps_.run("06-breakaway-sweep", sweep, 0.738, gather); !ran) return ran;
+  if (auto ran = steps_.run("06-breakaway-sweep", sweep, 0.658, gather); !ran) return ran;
   const std::vector<BreakawayEvent>& events = kept_.events;
   const ZeroTrack zeros(sweep->zeros(), done_.noiseRms_A);
   done_.missed = sweep->missed();
@@ -367,6 +373,25 @@ Result<void> Job::refitMoving(const std::vector<BreakawayEvent>& events, const M
   return {};
 }
 
+/// What friction does between standing and moving. Where that can't be seen, a compensation goes without it.
+Result<void> Job::turnSlowly() {
+  SlowTurnsOptions options;
+  options.speeds_rad_per_s = {4.0, 2.0, 1.0, 0.5};
+  options.zeroing_s = zeroing_s();
+  const auto slow = std::make_shared<SlowTurns>(options);
+  auto ran = steps_.run("07-slow-turns", slow, 0.04);
+  if (slow->state() == Procedure::State::stopped) return ran;
+  if (ran)
+    done_.map.stribeckVelocity_rad_per_s =
+        stribeckVelocity(slow->turns(), done_.map, done_.motor.torquePerShownAmpere_Nm());
+  if (!(done_.map.stribeckVelocity_rad_per_s.value > 0.0))
+    done_.remarks.push_back(
+        "Slow turns don't show over which speed friction falls from static to Coulomb; compensation goes without "
+        "static "
+        "friction.");
+  return {};
+}
+
 void Job::fillBench() {
   const IdentifiedMotor& motor = done_.motor;
   Bench& bench = done_.bench;
@@ -385,14 +410,20 @@ void Job::fillBench() {
   bench.motor.viscous = std::max(0.0, done_.map.viscousAverage_Nm_s_per_rad.value);
   bench.motor.coulomb = std::max(0.0, done_.map.coulombAverage_Nm.value);
   bench.trusted.insert("torque_constant_Nm_per_A");
-  bench.controller = {ControlMode::velocity,
-                      done_.settings.velocity_kp_A_s_per_rad,
-                      done_.settings.velocity_ki_A_per_rad,
-                      done_.settings.velocity_kd_A_s2_per_rad,
-                      done_.settings.observer_cutoff_rad_per_s,
-                      done_.settings.nominal_inertia_kg_m2,
-                      done_.settings.nominal_torque_constant_Nm_per_A,
-                      done_.settings.current_limit_A};
+  bench.controller = controllerOf(done_.settings);
+}
+
+/// The measurements ran with careful gains; the board is left with those that the motor, as it is known now, allows.
+void Job::tuneForUse() {
+  const auto medium = mediumSettings(done_, done_.settings);
+  const auto accepted = medium ? drive_.configure(*medium) : medium;
+  if (!accepted) {
+    done_.remarks.push_back("The controller is left as it was for the measurements: " + accepted.error().message() +
+                            ".");
+    return;
+  }
+  done_.settings = *accepted;
+  done_.bench.controller = controllerOf(done_.settings);
 }
 
 Result<Commission> Job::run() {
@@ -407,8 +438,11 @@ Result<Commission> Job::run() {
   if (const auto ok = home(); !ok) return ok.error();
   if (const auto ok = sweepVelocity(); !ok) return ok.error();
   if (const auto ok = sweepBreakaway(); !ok) return ok.error();
-  drive_.stop("the job is done");
+  if (const auto ok = turnSlowly(); !ok) return ok.error();
   fillBench();
+  tuneForUse();
+  if (const auto ok = runCompensated(drive_, steps_, done_); !ok) return ok.error();
+  drive_.stop("the job is done");
   return std::move(done_);
 }
 

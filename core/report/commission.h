@@ -44,10 +44,16 @@ struct CommissionOptions {
   std::function<bool()> interrupted;  ///< asked often; true stops the motor and ends the job
 };
 
+/// Velocity errors, rms, of the same course without and with the map's friction compensated.
+struct CompensatedRun {
+  double amplitude_rad_per_s = 0.0, period_s = 0.0;  ///< of the reference, a sine of speed
+  double without_rad_per_s = 0.0, with_rad_per_s = 0.0;
+};
+
 struct Commission {
   Identity identity;
   IdentifiedMotor motor;
-  ControllerSettings settings;  ///< the tuning that was used
+  ControllerSettings settings;  ///< the tuning that the board is left with
   double noiseRms_A = 0.0;
   Estimate sensorZero_A;
   Estimate indexAngle_rad;
@@ -58,6 +64,7 @@ struct Commission {
   double zeroing_s = 0.0;  ///< of the current sensor, before each speed and now and then in the breakaway sweep
   size_t zeroings = 0;     ///< in the breakaway sweep
   FrictionMap map;
+  std::optional<CompensatedRun> compensatedRun;               ///< none when the board or the rotor wouldn't
   Bench bench;                                                ///< the identified motor, ready for diagnosing
   std::vector<std::pair<std::string, Recording>> recordings;  ///< by step, in order
   std::vector<std::string> remarks;
@@ -65,9 +72,10 @@ struct Commission {
 };
 
 /// Runs everything in order: current sensor's zero, winding test, spin test, tuning from what was identified, homing,
-/// velocity sweep, breakaway sweep, map. An error names the step and why it failed in words; the motor is off then, and
-/// what was measured went to options.keepProgress. Goes on from options.earlier, unless that was begun on another board
-/// or with other bins, turns or trusted torque constant.
+/// velocity sweep, breakaway sweep, map, slow turns, tuning of medium stiffness, a run with and without the map. An
+/// error names the step and why it failed in words; the motor is off then, and what was measured went to
+/// options.keepProgress. Goes on from options.earlier, unless that was begun on another board or with other bins, turns
+/// or trusted torque constant.
 Result<Commission> commission(Drive& drive, const CommissionOptions& options);
 
 }  // namespace breakaway
