@@ -57,7 +57,7 @@ struct FrictionTable {
   };
 
   /// How much of the step from Coulomb to static friction is there: exp(−x²), x the speed over the Stribeck speed, as
-  /// (1 − x²/4)⁴, which no board needs a library for; it ends at x = 2 and errs by 0.07 at most. None while the rotor
+  /// (1 − x²/4)⁴, which no board needs a library for; it ends at x = 2 and errs by 0.08 at most. None while the rotor
   /// still turns the other way.
   Scalar risingPart(Scalar velocity_rad_per_s, Scalar intent) const {
     if (!(stribeck_rad_per_s > Scalar(0)) || intent == Scalar(0)) return Scalar(0);
