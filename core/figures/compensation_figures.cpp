@@ -48,6 +48,22 @@ Result<std::array<double, parts.size()>> runAll(CommissionedBench& bench, const 
   return errors;
 }
 
+/// Means over stretches of x as long as `stretch`, so that a line shows the rotor and not the encoder's steps.
+Curve averaged(const Curve& curve, double stretch) {
+  Curve means = curve;
+  means.x.clear();
+  means.y.clear();
+  for (size_t first = 0; first < curve.x.size();) {
+    double x = 0.0, y = 0.0, count = 0.0;
+    const double end = curve.x[first] + stretch;
+    for (; first < curve.x.size() && (count == 0.0 || curve.x[first] < end); ++first)
+      x += curve.x[first], y += curve.y[first], count += 1.0;
+    means.x.push_back(x / count);
+    means.y.push_back(y / count);
+  }
+  return means;
+}
+
 }  // namespace
 
 Result<BenchFigure> slowMotionFigure(CommissionedBench& bench, const SlowMotionOptions& options) {
@@ -67,8 +83,10 @@ Result<BenchFigure> slowMotionFigure(CommissionedBench& bench, const SlowMotionO
   if (!errors) return errors.error();
   const auto observed = runAll(bench, options, "", figure);
   if (!observed) return observed.error();
-  for (const Compensated& one : parts)
-    figure.figure.curves.push_back(drawn(figure, one.label, "time_s", std::string(one.column) + "_rad_per_s"));
+  for (const Compensated& one : parts) {
+    figure.figure.curves.push_back(
+        averaged(drawn(figure, one.label, "time_s", std::string(one.column) + "_rad_per_s"), options.halfSpan_s));
+  }
   figure.keyNumbers.emplace_back("average_over_map_alone", (*errors)[1] / (*errors)[2]);
   figure.keyNumbers.emplace_back("average_over_map", (*observed)[1] / (*observed)[2]);
   return figure;

@@ -125,9 +125,11 @@ MovingFriction fitWay(WayRuns runs, const VelocityFrictionOptions& options) {
 /// What stands out of harmonics that all have this variance.
 std::vector<WeighedHarmonic> weighAll(const std::vector<Complex>& harmonics, double variance, Complex mean) {
   std::vector<HarmonicEvidence> evidence;
+  evidence.reserve(harmonics.size());
   for (const Complex& one : harmonics) evidence.push_back({one, variance});
   const HarmonicPrior prior = learnt(evidence, startPrior(coulombShare, coulombPart, mean), coulombOrders);
   std::vector<WeighedHarmonic> known;
+  known.reserve(evidence.size());
   for (const HarmonicEvidence& one : evidence) known.push_back(weighed(one, prior));
   return known;
 }

@@ -52,8 +52,8 @@ Result<void> runCompensated(Drive& drive, CommissionSteps& steps, Commission& do
       return {};
     }
     const auto course = std::make_shared<Course>(courseOf(options));
-    const auto ran = steps.run(compensated ? "09-compensated" : "08-uncompensated", course, share);
-    if (const auto ended = drive.compensate({}); !ended) return ended;
+    auto ran = steps.run(compensated ? "09-compensated" : "08-uncompensated", course, share);
+    if (auto ended = drive.compensate({}); !ended) return ended;
     if (course->state() == Procedure::State::stopped) return ran;
     if (!ran) {
       done.remarks.push_back("The map wasn't tried out: " + ran.error().message() + ".");
