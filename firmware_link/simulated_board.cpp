@@ -160,20 +160,26 @@ Result<void> SimulatedBoard::compensate(const FrictionCompensation& friction) {
     return Error{"friction compensation",
                  "has " + std::to_string(bins) + " bins, the board holds at most " + std::to_string(Table::mostBins)};
   bool finite = std::isfinite(friction.indexAngle_rad + friction.blend_rad_per_s + friction.cutoff_rad_per_s) &&
-                friction.blend_rad_per_s >= 0.0 && friction.cutoff_rad_per_s >= 0.0;
+                friction.blend_rad_per_s >= 0.0 && friction.cutoff_rad_per_s >= 0.0 &&
+                std::isfinite(friction.stribeck_rad_per_s) && friction.stribeck_rad_per_s >= 0.0;
+  const bool hasStatic = !friction.static_Nm[0].empty() || !friction.static_Nm[1].empty();
   for (size_t way = 0; way < 2; ++way) {
-    if (friction.coulomb_Nm[way].size() != bins || friction.viscous_Nm_s_per_rad[way].size() != bins)
+    if (friction.coulomb_Nm[way].size() != bins || friction.viscous_Nm_s_per_rad[way].size() != bins ||
+        (hasStatic && friction.static_Nm[way].size() != bins))
       return Error{"friction compensation", "has not as many bins each way"};
     for (size_t k = 0; k < bins; ++k) {
       table.coulomb_Nm[way][k] = friction.coulomb_Nm[way][k];
       table.viscous_Nm_s_per_rad[way][k] = friction.viscous_Nm_s_per_rad[way][k];
-      finite = finite && std::isfinite(table.coulomb_Nm[way][k]) && std::isfinite(table.viscous_Nm_s_per_rad[way][k]);
+      table.static_Nm[way][k] = hasStatic ? friction.static_Nm[way][k] : friction.coulomb_Nm[way][k];
+      finite = finite && std::isfinite(table.coulomb_Nm[way][k]) && std::isfinite(table.viscous_Nm_s_per_rad[way][k]) &&
+               std::isfinite(table.static_Nm[way][k]);
     }
   }
   if (!finite) return Error{"friction compensation", "holds a value that is negative or not finite"};
   table.bins = static_cast<int>(bins);
   table.index_rad = friction.indexAngle_rad;
   table.blend_rad_per_s = friction.blend_rad_per_s;
+  table.stribeck_rad_per_s = hasStatic ? friction.stribeck_rad_per_s : 0.0;
   controller_.compensate(table, friction.cutoff_rad_per_s);
   return {};
 }

@@ -123,6 +123,8 @@ class ServoController {
   }
 
  private:
+  static constexpr Scalar intentShare = Scalar(0.1);  ///< of the friction that a commanded torque must reach
+
   Scalar currentLimit() const {
     const Scalar own = settings_.current_limit_A, wanted = command_.current_limit_A;
     return wanted > Scalar(0) && wanted < own ? wanted : own;
@@ -156,15 +158,30 @@ class ServoController {
                                 compensation, limit);
   }
 
-  /// Current for the friction of the way that the rotor is going, or is about to go when the velocity's target says so.
+  /// Current for the friction of the way that the rotor is going, or is to go by the command. In velocity mode the
+  /// reference says so, and stands for the speed until the rotor turns the other way; in current mode the commanded
+  /// torque does, in proportion up to a share of the friction, so that a small one doesn't throw the rotor about.
   Scalar frictionCurrent(Scalar angle_rad, Scalar velocity_rad_per_s) {
     if (friction_.bins <= 0 || !(settings_.torqueConstant_Nm_per_A > Scalar(0))) return Scalar(0);
-    const Scalar blend = friction_.blend_rad_per_s;
-    const bool against = command_.target > Scalar(0) ? velocity_rad_per_s < -blend : velocity_rad_per_s > blend;
-    const bool byTarget = command_.mode == ServoMode::velocity && command_.target != Scalar(0) && !against;
-    compensation_Nm_ = compensator_.step(friction_.torque_Nm(angle_rad + Scalar(0.5) * board_.count_rad,
-                                                             byTarget ? command_.target : velocity_rad_per_s));
+    const Scalar blend = friction_.blend_rad_per_s, target = command_.target;
+    const Scalar middle_rad = angle_rad + Scalar(0.5) * board_.count_rad;
+    Scalar torque_Nm = 0;
+    const bool against = target > Scalar(0) ? velocity_rad_per_s < -blend : velocity_rad_per_s > blend;
+    if (command_.mode == ServoMode::velocity && target != Scalar(0) && !against) {
+      torque_Nm = friction_.movingTorque_Nm(middle_rad, target, velocity_rad_per_s);
+    } else {
+      torque_Nm = friction_.torque_Nm(middle_rad, velocity_rad_per_s, intentOf(middle_rad));
+    }
+    compensation_Nm_ = compensator_.step(torque_Nm);
     return compensation_Nm_ / settings_.torqueConstant_Nm_per_A;
+  }
+
+  /// Within ±1: which way a commanded current is to start the rotor.
+  Scalar intentOf(Scalar angle_rad) const {
+    if (command_.mode != ServoMode::current) return Scalar(0);
+    const Scalar wanted_Nm = settings_.torqueConstant_Nm_per_A * command_.target;
+    const Scalar whole_Nm = intentShare * friction_.friction_Nm(angle_rad);
+    return whole_Nm > Scalar(0) ? within(wanted_Nm / whole_Nm, Scalar(1)) : Scalar(0);
   }
 
   void zero(Scalar sensor_A) {

@@ -31,7 +31,10 @@ FrictionCompensation compensationOf(const FrictionMap& map, CompensatedFriction 
     bins = mostBins;
     while (map.bins.size() % bins != 0) --bins;
   }
+  friction.stribeck_rad_per_s = map.stribeckVelocity_rad_per_s.value;
   for (size_t way = 0; way < 2; ++way) {
+    if (friction.stribeck_rad_per_s > 0.0)
+      friction.static_Nm[way] = grouped(map, bins, [way](const MapBin& bin) { return bin.way[way].static_Nm.value; });
     friction.coulomb_Nm[way] = grouped(map, bins, [way](const MapBin& bin) { return bin.way[way].coulomb_Nm.value; });
     friction.viscous_Nm_s_per_rad[way] =
         part == CompensatedFriction::coulomb

@@ -46,9 +46,13 @@ struct FrictionCompensation {
   /// equally long. One bin is an average, none ends the compensation.
   std::array<std::vector<double>, 2> coulomb_Nm;
   std::array<std::vector<double>, 2> viscous_Nm_s_per_rad;
-  double indexAngle_rad = 0.0;    ///< as the encoder counts it, from homing
-  double blend_rad_per_s = 0.5;   ///< up to this speed the Coulomb torque grows in proportion
-  double cutoff_rad_per_s = 0.0;  ///< of a low pass on the whole (compensator B); 0: none
+  /// Likewise what starts motion from standstill, as long as the others, or empty: not known. A board that can't hold
+  /// it compensates without.
+  std::array<std::vector<double>, 2> static_Nm;
+  double stribeck_rad_per_s = 0.0;  ///< speed over which friction falls from static to Coulomb; > 0 with static_Nm
+  double indexAngle_rad = 0.0;      ///< as the encoder counts it, from homing
+  double blend_rad_per_s = 0.5;     ///< up to this speed the Coulomb torque grows in proportion
+  double cutoff_rad_per_s = 0.0;    ///< of a low pass on the whole (compensator B); 0: none
 };
 
 struct Identity {

@@ -16,7 +16,7 @@ namespace breakaway {
 struct AllFiguresOptions {
   size_t bins = 180;         ///< around the rotor
   size_t turns = 2;          ///< of the breakaway sweep each way
-  double speedRun_s = 15.0;  ///< of each constant speed
+  double speedRun_s = 25.0;  ///< of each constant speed
   unsigned seed = 1;         ///< of the rotor that observers are judged by; the drives have their own
   PulseFigureOptions pulses;
   std::function<void(double progress, const std::string& activity)> progress;

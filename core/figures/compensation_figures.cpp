@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/statistics.h"
+#include "experiment/central_difference.h"
 
 namespace breakaway {
 
@@ -14,25 +15,6 @@ namespace {
 constexpr std::array<Compensated, 3> parts{{{CompensatedFriction::none, "none", "none"},
                                             {CompensatedFriction::coulombAndViscous, "average", "average, F + Bω"},
                                             {CompensatedFriction::map, "map", "measured map"}}};
-
-/// Speed as the central difference of the angle, which has no lag and little of the encoder's rounding; times from the
-/// first of them.
-struct Speed {
-  std::vector<double> time_s, velocity_rad_per_s;
-};
-
-Speed centralDifference(const std::vector<Sample>& samples, double halfSpan_s) {
-  Speed speed;
-  if (samples.size() < 2) return speed;
-  const double tick_s = samples[1].time_s - samples[0].time_s;
-  const auto reach = static_cast<size_t>(std::max(1.0, std::round(halfSpan_s / tick_s)));
-  for (size_t k = reach; k + reach < samples.size(); ++k) {
-    const Sample &before = samples[k - reach], &after = samples[k + reach];
-    speed.time_s.push_back(samples[k].time_s - samples[reach].time_s);
-    speed.velocity_rad_per_s.push_back((after.angle_rad - before.angle_rad) / (after.time_s - before.time_s));
-  }
-  return speed;
-}
 
 CourseOptions slowCourse(const SlowMotionOptions& options) {
   CourseOptions course;
@@ -57,12 +39,29 @@ Result<std::array<double, parts.size()>> runAll(CommissionedBench& bench, const 
     std::vector<double> error = velocity;
     for (double& value : error) value -= options.speed_rad_per_s;
     errors[k] = rms(error);
+    for (double& time : time_s) time -= options.halfSpan_s;
     if (figure.columns.empty()) figure.columns.push_back({"time_s", std::move(time_s)});
     if (velocity.size() != figure.columns[0].values.size()) return Error{figure.name, "runs differ in length"};
     figure.columns.push_back({parts[k].column + ending + "_rad_per_s", std::move(velocity)});
     figure.keyNumbers.emplace_back("velocity_error_" + (parts[k].column + ending) + "_rad_per_s", errors[k]);
   }
   return errors;
+}
+
+/// Means over stretches of x as long as `stretch`, so that a line shows the rotor and not the encoder's steps.
+Curve averaged(const Curve& curve, double stretch) {
+  Curve means = curve;
+  means.x.clear();
+  means.y.clear();
+  for (size_t first = 0; first < curve.x.size();) {
+    double x = 0.0, y = 0.0, count = 0.0;
+    const double end = curve.x[first] + stretch;
+    for (; first < curve.x.size() && (count == 0.0 || curve.x[first] < end); ++first)
+      x += curve.x[first], y += curve.y[first], count += 1.0;
+    means.x.push_back(x / count);
+    means.y.push_back(y / count);
+  }
+  return means;
 }
 
 }  // namespace
@@ -84,8 +83,10 @@ Result<BenchFigure> slowMotionFigure(CommissionedBench& bench, const SlowMotionO
   if (!errors) return errors.error();
   const auto observed = runAll(bench, options, "", figure);
   if (!observed) return observed.error();
-  for (const Compensated& one : parts)
-    figure.figure.curves.push_back(drawn(figure, one.label, "time_s", std::string(one.column) + "_rad_per_s"));
+  for (const Compensated& one : parts) {
+    figure.figure.curves.push_back(
+        averaged(drawn(figure, one.label, "time_s", std::string(one.column) + "_rad_per_s"), options.halfSpan_s));
+  }
   figure.keyNumbers.emplace_back("average_over_map_alone", (*errors)[1] / (*errors)[2]);
   figure.keyNumbers.emplace_back("average_over_map", (*observed)[1] / (*observed)[2]);
   return figure;

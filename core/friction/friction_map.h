@@ -48,6 +48,7 @@ struct FrictionMap {
   std::array<Repeatability, 2> repeatability;
   Estimate coulombAverage_Nm;
   Estimate viscousAverage_Nm_s_per_rad;
+  Estimate stribeckVelocity_rad_per_s;  ///< over which friction falls from static to Coulomb; 0: not known
   std::vector<std::pair<std::string, double>> settings;  ///< name with unit and value: how it was measured
 };
 

@@ -105,6 +105,8 @@ Result<FrictionMap> readMapJson(const Json& json, const std::string& place) {
   }
   map.coulombAverage_Nm = reader.estimate("coulomb_average_Nm");
   map.viscousAverage_Nm_s_per_rad = reader.estimate("viscous_average_Nm_s_per_rad");
+  if (json.contains("stribeck_velocity_rad_per_s"))
+    map.stribeckVelocity_rad_per_s = reader.estimate("stribeck_velocity_rad_per_s");
   const auto columns = readBins(json["bins"], reader);
   for (const MapColumn& column : columns) {
     const bool count = column.name.rfind("samples", 0) == 0;
@@ -135,6 +137,8 @@ std::string mapJsonText(const FrictionMap& map) {
   }
   json["coulomb_average_Nm"] = estimateJson(map.coulombAverage_Nm);
   json["viscous_average_Nm_s_per_rad"] = estimateJson(map.viscousAverage_Nm_s_per_rad);
+  if (map.stribeckVelocity_rad_per_s.value > 0.0)
+    json["stribeck_velocity_rad_per_s"] = estimateJson(map.stribeckVelocity_rad_per_s);
   for (size_t w = 0; w < 2; ++w) json["turn_static_Nm"][wayNames[w]] = map.turnStatic_Nm[w];
   const auto columns = mapTable(map);
   json["bins"] = Json::array();

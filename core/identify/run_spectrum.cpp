@@ -13,9 +13,8 @@ using Complex = std::complex<double>;
 constexpr double turn = 2.0 * std::numbers::pi;
 /// Of an order's phase in half the span, beyond which the central difference shows too little of it.
 constexpr double mostPhase = 1.2;
-/// A harmonic's scatter grows with its order; the mean over neighbours and few blocks makes it seem smaller than it is.
-constexpr double pooledDoubt = 1.3;
-constexpr size_t pooledReach = 2;  // orders on either side whose scatter is averaged
+constexpr double lawDoubt = 1.5;   // up to as much scatter over its law is chance
+constexpr size_t pooledReach = 2;  // orders on either side whose scatter is compared with the law
 
 /// Bin means; an empty bin takes the mean of its filled neighbours.
 std::vector<double> filled(const std::vector<AngleBinSums>& bins, double AngleBinSums::*sum) {
@@ -35,14 +34,23 @@ std::vector<double> filled(const std::vector<AngleBinSums>& bins, double AngleBi
   return means;
 }
 
-/// Bin means of a block; an empty bin takes the whole run's, which says nothing about the block.
-std::vector<double> filledFrom(const std::vector<double>& whole, const std::vector<AngleBinSums>& bins,
-                               double AngleBinSums::*sum) {
-  std::vector<double> means(whole);
+/// Speed per bin of the whole run; the angle that a sample stands for is its share.
+using Speeds = std::vector<double>;
+
+/// What a sum is per bin, around the mean over the turn. Each sample counts by the angle that it covers, not each bin
+/// by its mean: what changes slowly over the turns then falls out, though fast runs meet each bin in few of them.
+std::vector<double> covered(const std::vector<AngleBinSums>& bins, double AngleBinSums::*sum, const Speeds& speeds) {
+  double all = 0.0, mean = 0.0;
   for (size_t k = 0; k < bins.size(); ++k) {
-    if (bins[k].samples > 0) means[k] = bins[k].*sum / static_cast<double>(bins[k].samples);
+    all += static_cast<double>(bins[k].samples) * speeds[k];
+    mean += bins[k].*sum * speeds[k];
   }
-  return means;
+  if (all != 0.0) mean /= all;
+  std::vector<double> values(bins.size(), mean);
+  const double scale = all != 0.0 ? static_cast<double>(bins.size()) / all : 0.0;
+  for (size_t k = 0; k < bins.size(); ++k)
+    values[k] += (bins[k].*sum - static_cast<double>(bins[k].samples) * mean) * speeds[k] * scale;
+  return values;
 }
 
 /// What a central difference over ± one span shows of a ripple of order k: sin(x)/x, x = kωT.
@@ -105,13 +113,38 @@ std::vector<double> scatterBetween(const std::vector<std::vector<Complex>>& bloc
   return variance;
 }
 
-double pooled(const std::vector<double>& variance, size_t order) {
-  if (order == 0) return variance[0];
-  const size_t first = order > pooledReach ? order - pooledReach : 1,
-               last = std::min(order + pooledReach, variance.size() - 1);
-  double sum = 0.0;
-  for (size_t k = first; k <= last; ++k) sum += variance[k];
-  return pooledDoubt * sum / static_cast<double>(last + 1 - first);
+/// How the scatter grows with the order, from all orders at once: the current's noise is the same in all of them, the
+/// encoder's rounding, differentiated twice, grows with the fourth power.
+struct NoiseLaw {
+  double current_Nm2 = 0.0, inertia_Nm2 = 0.0;
+  double at(size_t order) const { return current_Nm2 + inertia_Nm2 * std::pow(static_cast<double>(order), 4); }
+};
+
+/// By least squares on the scatter over itself, to the highest order that is seen; at least `white`.
+NoiseLaw noiseLaw(const std::vector<double>& scatter, size_t highest, double white) {
+  NoiseLaw law{white, 0.0};
+  for (int round = 0; round < 20; ++round) {
+    double aa = 0.0, ab = 0.0, bb = 0.0, ay = 0.0, by = 0.0;
+    for (size_t k = 1; k <= highest && k < scatter.size(); ++k) {
+      const double now = std::max(1e-300, round == 0 ? std::max(white, scatter[k]) : law.at(k));
+      const double a = 1.0 / now, b = std::pow(static_cast<double>(k), 4) / now, y = scatter[k] / now;
+      aa += a * a, ab += a * b, bb += b * b, ay += a * y, by += b * y;
+    }
+    const double determinant = aa * bb - ab * ab;
+    law = determinant > 1e-9 * aa * bb ? NoiseLaw{(ay * bb - by * ab) / determinant, (by * aa - ay * ab) / determinant}
+                                       : NoiseLaw{aa > 0.0 ? ay / aa : white, 0.0};
+    if (law.inertia_Nm2 < 0.0) law = {aa > 0.0 ? ay / aa : white, 0.0};
+    if (law.current_Nm2 < white) law = {white, bb > 0.0 ? std::max(0.0, (by - white * ab) / bb) : 0.0};
+  }
+  return law;
+}
+
+/// What neighbouring orders scatter together, over what the law says of them.
+double beyondLaw(const std::vector<double>& scatter, const NoiseLaw& law, size_t order, size_t highest) {
+  const size_t first = order > pooledReach ? order - pooledReach : 1, last = std::min(order + pooledReach, highest);
+  double sum = 0.0, count = 0.0;
+  for (size_t k = first; k <= last && k < scatter.size(); ++k) sum += scatter[k] / law.at(k), count += 1.0;
+  return count > 0.0 ? sum / count : 1.0;
 }
 
 size_t samplesOf(const VelocityRun& run) {
@@ -141,8 +174,9 @@ double meanAround(const std::vector<AngleBinSums>& bins, double AngleBinSums::*s
 
 RunSpectrum spectrumOf(const VelocityRun& run, const VelocityFrictionOptions& options) {
   const size_t highest = std::min(options.highestOrder, run.bins.size() / 6);
-  const auto current = filled(run.bins, &AngleBinSums::current_A);
-  const auto velocity = filled(run.bins, &AngleBinSums::velocity_rad_per_s);
+  const Speeds speeds = filled(run.bins, &AngleBinSums::velocity_rad_per_s);
+  const auto current = covered(run.bins, &AngleBinSums::current_A, speeds);
+  const auto velocity = covered(run.bins, &AngleBinSums::velocity_rad_per_s, speeds);
   const RunBlock none;
   const Stretch whole(static_cast<double>(run.turns), run.blocks.empty() ? none : run.blocks.front(),
                       run.blocks.empty() ? none : run.blocks.back());
@@ -152,17 +186,21 @@ RunSpectrum spectrumOf(const VelocityRun& run, const VelocityFrictionOptions& op
   std::vector<std::vector<Complex>> blocks;
   for (const RunBlock& block : run.blocks) {
     const Stretch stretch(static_cast<double>(block.turns), block, block);
-    blocks.push_back(torqueHarmonics(filledFrom(current, block.bins, &AngleBinSums::current_A),
-                                     filledFrom(velocity, block.bins, &AngleBinSums::velocity_rad_per_s), stretch, run,
+    blocks.push_back(torqueHarmonics(covered(block.bins, &AngleBinSums::current_A, speeds),
+                                     covered(block.bins, &AngleBinSums::velocity_rad_per_s, speeds), stretch, run,
                                      highest, options));
   }
   const auto between = scatterBetween(blocks, highest + 1);
   const double noise_Nm = options.torqueConstant_Nm_per_A * options.noiseRms_A;
   const double white = noise_Nm * noise_Nm / static_cast<double>(std::max<size_t>(1, samplesOf(run)));
-  for (size_t k = 0; k <= highest; ++k) {
-    const bool seen = static_cast<double>(k) * spectrum.speed_rad_per_s * run.halfSpan_s < mostPhase;
-    const double variance = std::max(k == 0 ? white : 2.0 * white, pooled(between, k)) + 1e-24;
-    spectrum.variance_Nm2.push_back(seen ? variance : std::numeric_limits<double>::infinity());
+  size_t seen = 0;
+  while (seen < highest && static_cast<double>(seen + 1) * spectrum.speed_rad_per_s * run.halfSpan_s < mostPhase)
+    ++seen;
+  const NoiseLaw law = noiseLaw(between, seen, 2.0 * white);
+  spectrum.variance_Nm2.push_back(std::max(white, between[0]) + 1e-24);
+  for (size_t k = 1; k <= highest; ++k) {
+    const double beyond = beyondLaw(between, law, k, seen), variance = law.at(k) * (beyond > lawDoubt ? beyond : 1.0);
+    spectrum.variance_Nm2.push_back(k <= seen ? variance + 1e-24 : std::numeric_limits<double>::infinity());
   }
   return spectrum;
 }

@@ -1,10 +1,11 @@
 #include "identify/velocity_friction.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "identify/friction_line.h"
+#include "identify/harmonic_evidence.h"
 #include "identify/run_spectrum.h"
 
 namespace breakaway {
@@ -13,136 +14,12 @@ namespace {
 
 using Complex = std::complex<double>;
 constexpr double turn = 2.0 * std::numbers::pi;
-constexpr double fallDoubt = 0.3;       // of friction's fall with speed: its shape is not known
-constexpr double leastFall = 0.02;      // part of the fall above which a run counts as slow
-constexpr double surelyFalling = 12.0;  // gain in χ² by which the fall must show
-constexpr double leftOutErrors = 3.0;   // standard errors off the line through the faster runs
-constexpr size_t alwaysDoubted = 4;     // orders up to this may hide in the noise
-
-struct Line {
-  Complex coulomb = 0.0, viscous = 0.0;
-  double coulombVariance = 0.0, viscousVariance = 0.0, covariance = 0.0;
-  double squares = 0.0;  ///< of the residuals, each over its variance
-};
-
-/// What a way's runs are fitted with.
-struct WayRuns {
-  std::vector<RunSpectrum> spectra;  ///< by growing speed
-  std::vector<double> fall;          ///< per run, exp(−(ω/ω_s)²); zero where friction doesn't fall any more
-  std::vector<Complex> static_Nm;    ///< harmonics of the breakaway map; empty: not known
-  std::vector<double> widened_Nm2;   ///< per run, on top of order 0's variance
-};
-
-/// C + B·|ω| for one order. Where friction still falls, S·g is taken off and the row is (1 − g, ω); the fall's doubt
-/// then counts as noise, measured by the Coulomb value `guess`.
-Line fitLine(const WayRuns& runs, size_t order, bool withSlope, Complex guess) {
-  Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
-  Eigen::Matrix<Complex, 2, 1> right = Eigen::Matrix<Complex, 2, 1>::Zero();
-  const Complex still = order < runs.static_Nm.size() ? runs.static_Nm[order] : Complex(0.0);
-  const auto eachRun = [&](auto use) {
-    for (size_t j = 0; j < runs.spectra.size(); ++j) {
-      const RunSpectrum& one = runs.spectra[j];
-      if (order >= one.torque_Nm.size() || std::isinf(one.variance_Nm2[order])) continue;
-      const double g = runs.fall[j], doubt = fallDoubt * g * std::abs(still - guess);
-      const double variance = one.variance_Nm2[order] + (order == 0 ? runs.widened_Nm2[j] : 0.0) + doubt * doubt;
-      use(Eigen::Vector2d(1.0 - g, withSlope ? one.speed_rad_per_s : 0.0), one.torque_Nm[order] - g * still,
-          1.0 / variance);
-    }
-  };
-  eachRun([&](const Eigen::Vector2d& row, Complex torque, double weight) {
-    normal += weight * row * row.transpose();
-    right += (weight * torque) * row.cast<Complex>();
-  });
-  Line line;
-  if (normal(0, 0) == 0.0) return line;
-  const bool slope = withSlope && normal.determinant() > 1e-12 * normal(0, 0) * normal(1, 1);
-  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
-  covariance(0, 0) = 1.0 / normal(0, 0);
-  if (slope) covariance = normal.inverse();
-  line.coulomb = covariance(0, 0) * right[0] + covariance(0, 1) * right[1];
-  line.viscous = covariance(1, 0) * right[0] + covariance(1, 1) * right[1];
-  line.coulombVariance = covariance(0, 0);
-  line.viscousVariance = covariance(1, 1);
-  line.covariance = covariance(0, 1);
-  eachRun([&](const Eigen::Vector2d& row, Complex torque, double weight) {
-    line.squares += weight * std::norm(torque - line.coulomb * row[0] - line.viscous * row[1]);
-  });
-  return line;
-}
-
-/// With the fall's doubt measured by the fit's own Coulomb value.
-Line fitOrder(const WayRuns& runs, size_t order, bool withSlope) {
-  const Line first = fitLine(runs, order, withSlope, 0.0);
-  return fitLine(runs, order, withSlope, first.coulomb);
-}
-
-void setFall(WayRuns& runs, double speed_rad_per_s) {
-  for (size_t j = 0; j < runs.spectra.size(); ++j) {
-    const double x = runs.spectra[j].speed_rad_per_s / speed_rad_per_s;
-    runs.fall[j] = speed_rad_per_s > 0.0 ? std::exp(-x * x) : 0.0;
-  }
-}
-
-/// The speed over which friction falls, the same both ways, by the means of all runs; 0 when they show no fall.
-double findFall(std::array<WayRuns, 2> ways) {
-  const auto squaresAt = [&ways](double speed) {
-    double squares = 0.0;
-    for (WayRuns& runs : ways) {
-      setFall(runs, speed);
-      squares += fitLine(runs, 0, true, runs.static_Nm.empty() ? 0.0 : runs.static_Nm[0]).squares;
-    }
-    return squares;
-  };
-  const double slowest = ways[0].spectra.front().speed_rad_per_s, fastest = ways[0].spectra.back().speed_rad_per_s;
-  const double without = squaresAt(0.0);
-  double best = 0.0, bestSquares = without - surelyFalling;
-  for (double speed = 0.35 * slowest; speed < 0.4 * fastest; speed *= 1.02) {
-    const double squares = squaresAt(speed);
-    if (squares < bestSquares) bestSquares = squares, best = speed;
-  }
-  return best;
-}
-
-/// Runs differ by more than their own scatter says; the residuals over the speeds say by how much.
-void widen(WayRuns& runs) {
-  const auto spare = static_cast<double>(runs.spectra.size()) - 2.0;
-  if (spare <= 0.0) return;
-  double low = 0.0, high = 0.0;
-  const auto squaresWith = [&runs](double extra) {
-    runs.widened_Nm2.assign(runs.spectra.size(), extra);
-    return fitOrder(runs, 0, true).squares;
-  };
-  if (squaresWith(0.0) <= spare) return;
-  high = std::norm(0.1 * runs.spectra.back().torque_Nm[0]);
-  for (int k = 0; k < 50; ++k) {
-    const double middle = 0.5 * (low + high);
-    (squaresWith(middle) > spare ? low : high) = middle;
-  }
-  squaresWith(high);
-}
-
-/// Leaves out the slowest speeds while they lie off the line through the faster ones.
-size_t leaveOutStribeck(WayRuns& runs) {
-  size_t leftOut = 0;
-  while (runs.spectra.size() > 3) {
-    WayRuns faster = runs;
-    faster.spectra.erase(faster.spectra.begin());
-    faster.fall.erase(faster.fall.begin());
-    faster.widened_Nm2.erase(faster.widened_Nm2.begin());
-    WayRuns widened = faster;
-    widen(widened);
-    const Line line = fitOrder(widened, 0, true);
-    const RunSpectrum& slow = runs.spectra.front();
-    const double w = slow.speed_rad_per_s;
-    const double off = std::abs(slow.torque_Nm[0] - line.coulomb - line.viscous * w);
-    const double error = std::sqrt(slow.variance_Nm2[0] + line.coulombVariance + w * w * line.viscousVariance +
-                                   2.0 * w * line.covariance);
-    if (off < leftOutErrors * error || off < 0.003 * std::abs(line.coulomb)) break;
-    runs = faster;
-    ++leftOut;
-  }
-  return leftOut;
-}
+constexpr double leastFall = 0.02;  // part of the fall above which a run counts as slow
+// How friction varies before the map itself has said it: share of the orders that are there, their rms amplitude as
+// part of the mean, and how many orders that guess counts for.
+constexpr double coarseOrder = 6.0;
+constexpr double viscousShare = 0.25, viscousPart = 0.08, viscousOrders = 3.0;
+constexpr double coulombShare = 0.1, coulombPart = 0.06, coulombOrders = 3.0;
 
 void addHarmonic(std::vector<Estimate>& bins, size_t order, Complex value) {
   const auto n = static_cast<double>(bins.size());
@@ -155,35 +32,57 @@ void addHarmonic(std::vector<Estimate>& bins, size_t order, Complex value) {
 /// A curve put together from its harmonics, with the doubt that is the same in all bins.
 class Curve {
  public:
-  Curve(std::vector<Estimate>& bins, double significance) : bins_(bins), significance_(significance) {}
+  explicit Curve(std::vector<Estimate>& bins) : bins_(bins) {}
 
-  bool standsOut(Complex value, double variance) const { return partOf(value, variance) > 0.0; }
-  /// What a harmonic of that variance is worth: nothing within the noise, all of it far above.
-  double partOf(Complex value, double variance) const {
-    const double ratio = significance_ * significance_ * variance / std::max(1e-300, std::norm(value));
-    return std::max(0.0, 1.0 - ratio * ratio);
+  void add(size_t order, Complex value, double variance) {
+    addHarmonic(bins_, order, value);
+    variance_ += variance;
   }
-  void keep(size_t order, Complex value, double variance) {
-    const double part = order == 0 ? 1.0 : partOf(value, variance);
-    addHarmonic(bins_, order, part * value);
-    variance_ += variance + 0.5 * std::norm((1.0 - part) * value);
-    highest_ = std::max(highest_, order);
-  }
-  /// Left out as no more than noise; it may be there all the same.
-  void leaveOut(size_t order, Complex value) { left_.emplace_back(order, 0.5 * std::norm(value)); }
   void finish() {
-    for (const auto& [order, square] : left_) {
-      if (order <= std::max(highest_, alwaysDoubted)) variance_ += square;
-    }
     for (Estimate& bin : bins_) bin.standardError = std::sqrt(variance_);
   }
 
  private:
   std::vector<Estimate>& bins_;
-  double significance_, variance_ = 0.0;
-  size_t highest_ = 0;
-  std::vector<std::pair<size_t, double>> left_;
+  double variance_ = 0.0;
 };
+
+HarmonicPrior startPrior(double share, double part, Complex mean) {
+  return {share, 0.5 * part * part * std::norm(mean)};
+}
+
+/// The viscous harmonics from 1 on, by what the runs say of them and what their like are.
+std::vector<WeighedHarmonic> weighViscous(const std::vector<FrictionLine>& lines, Complex mean,
+                                          const VelocityFrictionOptions& options) {
+  std::vector<HarmonicEvidence> evidence;
+  for (size_t k = 1; k <= options.highestViscousOrder && k < lines.size(); ++k)
+    evidence.push_back({lines[k].viscous, lines[k].viscousVariance, 0.0, 0.0, chanceOf(k, coarseOrder)});
+  const HarmonicPrior prior = learnt(evidence, startPrior(viscousShare, viscousPart, mean), viscousOrders);
+  std::vector<WeighedHarmonic> harmonics(1);
+  for (const HarmonicEvidence& one : evidence) harmonics.push_back(weighed(one, prior));
+  harmonics.resize(lines.size());
+  return harmonics;
+}
+
+/// The Coulomb harmonics from 1 on, given the viscous ones.
+std::vector<WeighedHarmonic> weighCoulomb(const std::vector<FrictionLine>& lines,
+                                          const std::vector<WeighedHarmonic>& viscous, const WayRuns& runs,
+                                          Complex mean) {
+  std::vector<HarmonicEvidence> evidence;
+  for (size_t k = 1; k < lines.size(); ++k) {
+    HarmonicEvidence one = lines[k].coulombGiven(viscous[k]);
+    one.chance = chanceOf(k, coarseOrder);
+    if (k < runs.position_Nm.size()) {
+      one.expected = runs.position_Nm[k];
+      one.expectedVariance = runs.positionVariance_Nm2[k];
+    }
+    evidence.push_back(one);
+  }
+  const HarmonicPrior prior = learnt(evidence, startPrior(coulombShare, coulombPart, mean), coulombOrders);
+  std::vector<WeighedHarmonic> harmonics(1);
+  for (const HarmonicEvidence& one : evidence) harmonics.push_back(weighed(one, prior));
+  return harmonics;
+}
 
 MovingFriction fitWay(WayRuns runs, const VelocityFrictionOptions& options) {
   MovingFriction friction;
@@ -193,39 +92,75 @@ MovingFriction fitWay(WayRuns runs, const VelocityFrictionOptions& options) {
   const auto slow = std::count_if(runs.fall.begin(), runs.fall.end(), [](double g) { return g > leastFall; });
   friction.leftOut = runs.static_Nm.empty() ? leaveOutStribeck(runs) : static_cast<size_t>(slow);
   widen(runs);
-  const Line mean = fitOrder(runs, 0, true);
+  const FrictionLine mean = fitOrder(runs, 0, true);
   const double zero_Nm = options.torqueConstant_Nm_per_A * options.zeroError_A;
   friction.coulombMean_Nm = {mean.coulomb.real(), std::hypot(std::sqrt(mean.coulombVariance), zero_Nm,
                                                              options.scaleError * mean.coulomb.real())};
   friction.viscousMean_Nm_s_per_rad = {
       mean.viscous.real(), std::hypot(std::sqrt(mean.viscousVariance), options.scaleError * mean.viscous.real())};
-  Curve coulomb(friction.coulomb_Nm, options.significance),
-      viscous(friction.viscous_Nm_s_per_rad, options.significance);
-  coulomb.keep(0, mean.coulomb, std::pow(friction.coulombMean_Nm.standardError, 2));
-  viscous.keep(0, mean.viscous, std::pow(friction.viscousMean_Nm_s_per_rad.standardError, 2));
-  const double mostViscousVariance = std::pow(options.mostViscousError * mean.viscous.real(), 2);
+  std::vector<FrictionLine> lines{mean};
   const double mostVariance = options.mostError * options.mostError * std::norm(mean.coulomb);
-  for (size_t k = 1; k <= options.highestOrder; ++k) {
-    Line line = fitOrder(runs, k, k <= options.highestViscousOrder);
-    const bool sloped = line.viscousVariance > 0.0 && line.viscousVariance < mostViscousVariance;
-    if (sloped && viscous.standsOut(line.viscous, line.viscousVariance)) {
-      viscous.keep(k, line.viscous, line.viscousVariance);
-    } else {
-      if (sloped) viscous.leaveOut(k, line.viscous);
-      line = fitOrder(runs, k, false);
-    }
+  size_t highest = 0;  // finer ones than any run's bins show are no part of the map
+  for (const RunSpectrum& one : all.spectra) highest = std::max(highest, one.torque_Nm.size() - 1);
+  for (size_t k = 1; k <= highest; ++k) {
+    lines.push_back(fitOrder(runs, k, k <= options.highestViscousOrder));
     // What fast runs blur the slowest may still show: position torque is the same at any speed.
-    if (line.coulombVariance > mostVariance && friction.leftOut > 0) line = fitOrder(all, k, false);
-    if (line.coulombVariance > mostVariance || line.coulombVariance == 0.0) continue;
-    if (coulomb.standsOut(line.coulomb, line.coulombVariance)) {
-      coulomb.keep(k, line.coulomb, line.coulombVariance);
-    } else {
-      coulomb.leaveOut(k, line.coulomb);
+    if (runs.spectra.size() < all.spectra.size() && lines[k].coulombVariance > mostVariance)
+      lines[k] = fitOrder(all, k, false);
+  }
+  const auto viscous = weighViscous(lines, mean.viscous, options);
+  const auto coulomb = weighCoulomb(lines, viscous, runs, mean.coulomb);
+  Curve coulombCurve(friction.coulomb_Nm), viscousCurve(friction.viscous_Nm_s_per_rad);
+  coulombCurve.add(0, mean.coulomb, std::pow(friction.coulombMean_Nm.standardError, 2));
+  viscousCurve.add(0, mean.viscous, std::pow(friction.viscousMean_Nm_s_per_rad.standardError, 2));
+  for (size_t k = 1; k < lines.size(); ++k) {
+    coulombCurve.add(k, coulomb[k].value, coulomb[k].variance);
+    viscousCurve.add(k, viscous[k].value, viscous[k].variance);
+  }
+  coulombCurve.finish();
+  viscousCurve.finish();
+  return friction;
+}
+
+/// What stands out of harmonics that all have this variance.
+std::vector<WeighedHarmonic> weighAll(const std::vector<Complex>& harmonics, double variance, Complex mean) {
+  std::vector<HarmonicEvidence> evidence;
+  evidence.reserve(harmonics.size());
+  for (const Complex& one : harmonics) evidence.push_back({one, variance});
+  const HarmonicPrior prior = learnt(evidence, startPrior(coulombShare, coulombPart, mean), coulombOrders);
+  std::vector<WeighedHarmonic> known;
+  known.reserve(evidence.size());
+  for (const HarmonicEvidence& one : evidence) known.push_back(weighed(one, prior));
+  return known;
+}
+
+/// Breakaway torque that is equal and opposite both ways is position torque, and holds the moving rotor alike. Friction
+/// at an order, which has one sign both ways, is the doubt about it. The noise is told by the map's finest orders.
+void expectPosition(std::array<WayRuns, 2>& ways, const std::array<std::vector<double>, 2>& static_Nm, size_t highest) {
+  const size_t bins = static_Nm[0].size();
+  if (bins == 0 || static_Nm[1].size() != bins) return;
+  double noise = 0.0, count = 0.0;
+  for (size_t k = bins / 4; k <= bins / 3; ++k) {
+    for (const auto& way : static_Nm) noise += 0.5 * std::norm(harmonicOf(way, k)), count += 1.0;
+  }
+  noise *= 0.5 / std::max(1.0, count);  // of half a sum or difference of both ways
+  std::vector<Complex> position, friction;
+  for (size_t k = 1; k <= std::min(highest, bins / 6); ++k) {
+    const Complex cw = harmonicOf(static_Nm[0], k), ccw = harmonicOf(static_Nm[1], k);
+    position.push_back(0.5 * (ccw - cw));
+    friction.push_back(0.5 * (ccw + cw));
+  }
+  const Complex mean = 0.5 * (harmonicOf(static_Nm[0], 0) + harmonicOf(static_Nm[1], 0));
+  const auto positions = weighAll(position, noise, mean), frictions = weighAll(friction, noise, mean);
+  for (size_t w = 0; w < 2; ++w) {
+    ways[w].position_Nm.assign(1, 0.0);
+    ways[w].positionVariance_Nm2.assign(1, 0.0);
+    for (size_t k = 0; k < positions.size(); ++k) {
+      ways[w].position_Nm.push_back((w == 0 ? -1.0 : 1.0) * positions[k].value);
+      ways[w].positionVariance_Nm2.push_back(positions[k].variance + frictions[k].variance +
+                                             std::norm(frictions[k].value));
     }
   }
-  coulomb.finish();
-  viscous.finish();
-  return friction;
 }
 
 }  // namespace
@@ -260,6 +195,7 @@ Result<std::array<MovingFriction, 2>> fitMovingFriction(const std::vector<Veloci
       way.static_Nm.push_back(harmonicOf(still, k));
   }
   if (!ways[0].static_Nm.empty() && !ways[1].static_Nm.empty()) {
+    expectPosition(ways, options.static_Nm, options.highestOrder);
     const double speed = findFall(ways);
     for (WayRuns& way : ways) setFall(way, speed);
   }

@@ -19,10 +19,10 @@ struct VelocityFrictionOptions {
   size_t bins = 180;         ///< of the result
   size_t highestOrder = 40;  ///< harmonics of Coulomb friction that are looked at
   size_t highestViscousOrder = 12;
-  double mostError = 0.02;  ///< standard error of a harmonic, part of the mean torque, above which it is not looked at
-  double mostViscousError = 0.1;  ///< likewise of viscous friction, part of its mean
-  double significance = 2.5;  ///< standard errors s by which a harmonic must stand out; of one that does by z, the part
-                              ///< 1 − (s/z)⁴ is taken
+  /// Standard error of a harmonic, part of the mean torque, above which it says nothing of its own: of the current that
+  /// keeps the rotor moving, and of the slowest runs that were left out of the line.
+  double mostError = 0.02;
+  double significance = 2.5;  ///< standard errors by which a harmonic of that current must stand out
   /// The breakaway map where it is known: whole torque that starts motion per equal bin from the index, by Way. It
   /// tells how far friction can fall with speed, so that slow runs can be freed of it; empty: runs that show it are
   /// left out.
@@ -42,8 +42,10 @@ struct MovingFriction {
 /// what accelerates, Kt·i_k − J·(½ω²)'_k, is fitted over the speeds by C_k + B_k·|ω| for each order k, weighted by its
 /// own noise, so that fast runs count where the inertia doesn't drown them. With the breakaway map S, slow runs are
 /// fitted as C_k + (S_k − C_k)·exp(−(ω/ω_s)²) + B_k·|ω| with one ω_s for both ways (Armstrong-Hélouvry, "Control of
-/// Machines with Friction", 1991), a third of that fall being its doubt. Harmonics within the noise are left out; the
-/// standard errors hold what that may cost. `way`: indexed by Way. Errors: a way with fewer than two speeds.
+/// Machines with Friction", 1991), a third of that fall being its doubt; and what of S is equal and opposite both ways
+/// is expected of C, because cogging holds a moving rotor as it holds a standing one. Which harmonics are there is
+/// weighed by how the curve's others are (harmonic_evidence.h); the standard errors hold that doubt. `way`: indexed by
+/// Way. Errors: a way with fewer than two speeds.
 Result<std::array<MovingFriction, 2>> fitMovingFriction(const std::vector<VelocityRun>& runs,
                                                         const VelocityFrictionOptions& options);
 

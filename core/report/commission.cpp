@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "report/commission_job.h"
+#include "report/compensated_run.h"
+#include "report/final_tuning.h"
 
 namespace breakaway {
 
@@ -65,14 +67,20 @@ void CommissionJob::fillBench() {
   bench.motor.viscous = std::max(0.0, motor.viscous_Nm_s_per_rad.value);
   bench.motor.coulomb = std::max(0.0, motor.coulomb_Nm.value);
   bench.trusted.insert("torque_constant_Nm_per_A");
-  bench.controller = {ControlMode::velocity,
-                      done_.settings.velocity_kp_A_s_per_rad,
-                      done_.settings.velocity_ki_A_per_rad,
-                      done_.settings.velocity_kd_A_s2_per_rad,
-                      done_.settings.observer_cutoff_rad_per_s,
-                      done_.settings.nominal_inertia_kg_m2,
-                      done_.settings.nominal_torque_constant_Nm_per_A,
-                      done_.settings.current_limit_A};
+  bench.controller = controllerOf(done_.settings);
+}
+
+/// The measurements ran with careful gains; the board is left with those that the motor, as it is known now, allows.
+void CommissionJob::tuneForUse() {
+  const auto medium = mediumSettings(done_, done_.settings);
+  const auto accepted = medium ? drive_.configure(*medium) : medium;
+  if (!accepted) {
+    done_.remarks.push_back("The controller is left as it was for the measurements: " + accepted.error().message() +
+                            ".");
+    return;
+  }
+  done_.settings = *accepted;
+  done_.bench.controller = controllerOf(done_.settings);
 }
 
 Result<Commission> CommissionJob::run() {
@@ -96,8 +104,11 @@ Result<Commission> CommissionJob::run() {
   if (const auto ok = home(); !ok) return ok.error();
   if (const auto ok = sweepVelocity(); !ok) return ok.error();
   if (const auto ok = sweepBreakaway(); !ok) return ok.error();
-  drive_.stop("the job is done");
+  if (const auto ok = turnSlowly(); !ok) return ok.error();
   fillBench();
+  tuneForUse();
+  if (const auto ok = runCompensated(drive_, steps_, done_); !ok) return ok.error();
+  drive_.stop("the job is done");
   return std::move(done_);
 }
 

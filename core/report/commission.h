@@ -30,7 +30,7 @@ struct CommissionOptions {
   bool motorOnly = false;              ///< ends once the motor is identified
   size_t bins = 180;
   size_t turns = 2;
-  double speedRun_s = 15.0;          ///< of each constant speed
+  double speedRun_s = 25.0;          ///< of each constant speed
   double recordingRate_Hz = 1000.0;  ///< steps that are longer than shortStep_s are decimated to about this rate
   double shortStep_s = 20.0;
   size_t mostRows = 150000;  ///< of one recording, by further decimation
@@ -48,11 +48,17 @@ struct CommissionOptions {
   std::function<bool()> interrupted;  ///< asked often; true stops the motor and ends the job
 };
 
+/// Velocity errors, rms, of the same course without and with the map's friction compensated.
+struct CompensatedRun {
+  double amplitude_rad_per_s = 0.0, period_s = 0.0;  ///< of the reference, a sine of speed
+  double without_rad_per_s = 0.0, with_rad_per_s = 0.0;
+};
+
 struct Commission {
   Identity identity;
   IdentifiedMotor motor;
   Estimate addedInertia_kg_m2;  ///< part of the motor's inertia
-  ControllerSettings settings;  ///< the tuning that was used
+  ControllerSettings settings;  ///< the tuning that the board is left with
   double noiseRms_A = 0.0;
   Estimate sensorZero_A;
   Estimate indexAngle_rad;
@@ -63,6 +69,7 @@ struct Commission {
   double zeroing_s = 0.0;  ///< of the current sensor, before each speed and now and then in the breakaway sweep
   size_t zeroings = 0;     ///< in the breakaway sweep
   FrictionMap map;
+  std::optional<CompensatedRun> compensatedRun;               ///< none when the board or the rotor wouldn't
   Bench bench;                                                ///< the identified motor, ready for diagnosing
   std::vector<std::pair<std::string, Recording>> recordings;  ///< by step, in order
   std::vector<std::string> remarks;
@@ -70,9 +77,10 @@ struct Commission {
 };
 
 /// Runs everything in order: current sensor's zero, winding test, spin test, tuning from what was identified, homing,
-/// velocity sweep, breakaway sweep, map. An error names the step and why it failed in words; the motor is off then, and
-/// what was measured went to options.keepProgress. Goes on from options.earlier, unless that was begun on another board
-/// or with other bins, turns or trusted torque constant.
+/// velocity sweep, breakaway sweep, map, slow turns, tuning of medium stiffness, a run with and without the map. An
+/// error names the step and why it failed in words; the motor is off then, and what was measured went to
+/// options.keepProgress. Goes on from options.earlier, unless that was begun on another board or with other bins, turns
+/// or trusted torque constant.
 Result<Commission> commission(Drive& drive, const CommissionOptions& options);
 
 }  // namespace breakaway

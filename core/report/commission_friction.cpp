@@ -5,7 +5,9 @@
 
 #include "experiment/breakaway_sweep.h"
 #include "experiment/homing.h"
+#include "experiment/slow_turns.h"
 #include "identify/map_estimation.h"
+#include "identify/stribeck_velocity.h"
 #include "identify/zero_track.h"
 #include "report/commission_job.h"
 
@@ -105,7 +107,7 @@ Result<void> CommissionJob::sweepBreakaway() {
     countFrom(ZeroTrack(sweep->zeros(), done_.noiseRms_A), fresh);
     std::move(fresh.begin(), fresh.end(), kept_.events.begin() + static_cast<std::ptrdiff_t>(before));
   };
-  if (auto ran = steps_.run("06-breakaway-sweep", sweep, 0.738, gather); !ran) return ran;
+  if (auto ran = steps_.run("06-breakaway-sweep", sweep, 0.658, gather); !ran) return ran;
   const std::vector<BreakawayEvent>& events = kept_.events;
   const ZeroTrack zeros(sweep->zeros(), done_.noiseRms_A);
   done_.missed = sweep->missed();
@@ -142,6 +144,24 @@ Result<void> CommissionJob::sweepBreakaway() {
                         {"motion_counts", static_cast<double>(options.motionCounts)},
                         {"index_angle_rad", options.indexAngle_rad},
                         {"missed", static_cast<double>(done_.missed)}};
+  return {};
+}
+
+/// What friction does between standing and moving. Where that can't be seen, a compensation goes without it.
+Result<void> CommissionJob::turnSlowly() {
+  SlowTurnsOptions options;
+  options.speeds_rad_per_s = {4.0, 2.0, 1.0, 0.5};
+  options.zeroing_s = zeroing_s();
+  const auto slow = std::make_shared<SlowTurns>(options);
+  auto ran = steps_.run("07-slow-turns", slow, 0.04);
+  if (slow->state() == Procedure::State::stopped) return ran;
+  if (ran)
+    done_.map.stribeckVelocity_rad_per_s =
+        stribeckVelocity(slow->turns(), done_.map, done_.motor.torquePerShownAmpere_Nm());
+  if (!(done_.map.stribeckVelocity_rad_per_s.value > 0.0))
+    done_.remarks.push_back(
+        "Slow turns don't show over which speed friction falls from static to Coulomb; compensation goes without "
+        "static friction.");
   return {};
 }
 

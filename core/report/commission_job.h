@@ -34,8 +34,10 @@ class CommissionJob {
   Result<void> home();
   Result<void> sweepVelocity();
   Result<void> sweepBreakaway();
+  Result<void> turnSlowly();
   Result<void> refitMoving(const std::vector<BreakawayEvent>& events, const MapOptions& options);
   void fillBench();
+  void tuneForUse();
   VelocityFrictionOptions frictionOptions() const;
   double zeroing_s() const;
 

@@ -197,11 +197,35 @@ void frictionChapter(HtmlReport& report, const Commission& done) {
   report.figure(speedFigure(done));
 }
 
+void useChapter(HtmlReport& report, const Commission& done) {
+  report.heading("With the map on the board");
+  const Estimate& fall = done.map.stribeckVelocity_rad_per_s;
+  std::vector<std::pair<std::string, std::string>> facts;
+  if (done.compensatedRun) {
+    const CompensatedRun& run = *done.compensatedRun;
+    report.paragraph("The velocity controller took the rotor to and fro, a sine of " +
+                     numberText(run.amplitude_rad_per_s) + " rad/s and " + numberText(run.period_s) +
+                     " s, without compensation and with the measured friction added by the board.");
+    facts = {{"velocity error without", numberText(run.without_rad_per_s) + " rad/s rms"},
+             {"velocity error with the map", numberText(run.with_rad_per_s) + " rad/s rms"},
+             {"smaller by", numberText(run.without_rad_per_s / run.with_rad_per_s) + " times"}};
+  }
+  facts.emplace_back("friction falls to Coulomb over",
+                     fall.value > 0.0 ? withInterval(fall, 1.0, "rad/s") : std::string("not seen"));
+  const ControllerSettings& left = done.settings;
+  facts.emplace_back("velocity controller", numberText(left.velocity_kp_A_s_per_rad) + " A s/rad");
+  facts.emplace_back("position controller", numberText(left.position_kp_A_per_rad) + " A/rad and " +
+                                                numberText(left.position_kd_A_s_per_rad) + " A s/rad");
+  facts.emplace_back("observer's cutoff", numberText(left.observer_cutoff_rad_per_s) + " rad/s");
+  report.facts(facts);
+}
+
 std::string reportHtml(const Commission& done, bool hasTruth) {
   HtmlReport report("Friction of " + (done.map.rig.empty() ? done.identity.device : done.map.rig),
                     done.identity.device);
   report.verdict(inWords(done));
   frictionChapter(report, done);
+  useChapter(report, done);
   motorChapter(report, done);
   report.heading("How it was measured");
   std::vector<std::pair<std::string, std::string>> facts{

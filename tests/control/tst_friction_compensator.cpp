@@ -20,6 +20,10 @@ class TestFrictionCompensator : public QObject {
   void oneBin_isTheSameAllAround();
   void slowSpeeds_blendTheWays();
   void noBins_giveNothing();
+  void fromRest_staticFrictionIsGivenTheWayThatIsMeant();
+  void staticFriction_fallsToCoulombOverTheStribeckSpeed();
+  void withoutIntent_aSlowRotorGetsNoStaticFriction();
+  void smallCommandedCurrents_giveTheirShareAlone();
   void servo_addsTheTablesCurrent();
   void servoWithoutTable_addsNothing();
   void reactionObserver_leavesTheLoadThatIsNotFriction();
@@ -128,6 +132,63 @@ void TestFrictionCompensator::slowSpeeds_blendTheWays() {
 void TestFrictionCompensator::noBins_giveNothing() {
   const auto table = std::make_unique<FrictionTable<double>>();
   QCOMPARE(table->torque_Nm(1.0, 5.0), 0.0);
+}
+
+static std::unique_ptr<FrictionTable<double>> sticking() {
+  auto table = std::make_unique<FrictionTable<double>>();
+  table->bins = 1;
+  table->blend_rad_per_s = 0.5;
+  table->stribeck_rad_per_s = 1.5;
+  table->coulomb_Nm[0][0] = table->coulomb_Nm[1][0] = 0.017;
+  table->static_Nm[0][0] = 0.023;
+  table->static_Nm[1][0] = 0.021;
+  return table;
+}
+
+void TestFrictionCompensator::fromRest_staticFrictionIsGivenTheWayThatIsMeant() {
+  const auto table = sticking();
+  QVERIFY(std::abs(table->torque_Nm(0.0, 0.0, 1.0) - 0.021) < 1e-12);
+  QVERIFY(std::abs(table->torque_Nm(0.0, 0.0, -1.0) + 0.023) < 1e-12);
+  QVERIFY(std::abs(table->movingTorque_Nm(0.0, 5.0, 0.0) - 0.021) < 1e-12);
+  QVERIFY(std::abs(table->movingTorque_Nm(0.0, -5.0, 0.0) + 0.023) < 1e-12);
+  QVERIFY(std::abs(table->movingTorque_Nm(0.0, 5.0, 5.0) - 0.017) < 1e-12);
+}
+
+void TestFrictionCompensator::staticFriction_fallsToCoulombOverTheStribeckSpeed() {
+  const auto table = sticking();
+  double worst = 0.0;
+  for (double speed = 0.5; speed < 10.0; speed += 0.01) {
+    const double x = speed / 1.5, true_Nm = 0.017 + 0.004 * std::exp(-x * x);
+    worst = std::max(worst, std::abs(table->torque_Nm(0.0, speed, 1.0) - true_Nm) / 0.004);
+  }
+  QVERIFY2(worst < 0.08 && worst > 0.01, qPrintable(QString::number(worst)));
+}
+
+void TestFrictionCompensator::withoutIntent_aSlowRotorGetsNoStaticFriction() {
+  const auto table = sticking();
+  QCOMPARE(table->torque_Nm(0.0, 0.0), 0.0);
+  for (const double speed : {-1.0, -0.2, 0.3, 0.6, 2.0})
+    QVERIFY(std::abs(table->torque_Nm(0.0, speed)) <= 0.017 + 1e-12);
+  // Nor one that still turns the other way.
+  QVERIFY(std::abs(table->torque_Nm(0.0, -0.8, 1.0) + 0.017) < 1e-12);
+}
+
+void TestFrictionCompensator::smallCommandedCurrents_giveTheirShareAlone() {
+  ServoController<double> controller({tick_s, 2.0 * M_PI / 14400.0, {1.2, 0.0011, 0.07, 300.0}, 400.0});
+  controller.configure({tuneMotion(6e-5, 0.07, 60.0, 40.0), 0.0, 6e-5, 0.07, 5.0});
+  controller.compensate(*sticking(), 0.0);
+  const auto givenTo = [&controller](double current) {
+    controller.command({ServoMode::current, current, 0.0, false});
+    double given = 0.0;  // once the speed has settled on the middle of the count
+    for (int k = 0; k < 2000; ++k) given = controller.step(0.0, 0.0, 24.0).current_reference_A - current;
+    return given;
+  };
+  const double full_A = 0.1 * 0.017 / 0.07;
+  QVERIFY(std::abs(givenTo(0.0)) < 1e-9);
+  QVERIFY(std::abs(givenTo(full_A) - 0.021 / 0.07) < 1e-9);
+  QVERIFY(std::abs(givenTo(3.0 * full_A) - 0.021 / 0.07) < 1e-9);
+  const double half_A = givenTo(0.5 * full_A);
+  QVERIFY2(half_A > 0.0 && half_A < 0.6 * 0.021 / 0.07, qPrintable(QString::number(half_A)));
 }
 
 static double currentWith(const FrictionTable<double>& table) {

@@ -5,6 +5,7 @@
 #include "experiment/breakaway_sweep.h"
 #include "experiment/current_zeroing.h"
 #include "experiment/homing.h"
+#include "experiment/slow_turns.h"
 #include "experiment/velocity_step.h"
 #include "experiment/velocity_sweep.h"
 #include "firmware_link/simulated_board.h"
@@ -14,6 +15,8 @@ using namespace breakaway;
 class TestProcedures : public QObject {
   Q_OBJECT
  private slots:
+  void slowTurns_giveFrictionBetweenStandingAndMoving();
+  void slowTurnsThatTakeTooLong_areLeftOut();
   void zeroing_findsTheSensorsOffset();
   void homing_findsTheIndexToACount();
   void homing_findsItAgainFromElsewhere();
@@ -255,6 +258,35 @@ void TestProcedures::sweepWithoutResistance_failsAtOnce() {
   const BreakawaySweep sweep(options);
   QCOMPARE(sweep.state(), Procedure::State::failed);
   QVERIFY(sweep.status().failure.find("resistance") != std::string::npos);
+}
+
+void TestProcedures::slowTurns_giveFrictionBetweenStandingAndMoving() {
+  auto drive = servo();
+  SlowTurnsOptions options;
+  options.speeds_rad_per_s = {4.0, 1.0};
+  const auto slow = std::make_shared<SlowTurns>(options);
+  run(*drive, slow, 60.0);
+  QCOMPARE(slow->state(), Procedure::State::finished);
+  QCOMPARE(slow->turns().size(), size_t{4});
+  const auto torque = [&slow](size_t k) { return 0.07 * std::abs(slow->turns()[k].current_A); };
+  QVERIFY(std::abs(slow->turns()[0].velocity_rad_per_s - 4.0) < 0.1);
+  QVERIFY(std::abs(slow->turns()[3].velocity_rad_per_s + 1.0) < 0.1);
+  // The rig's means: Coulomb 16.75 mNm, static 21.55 mNm, falling over 1.5 rad/s.
+  for (const size_t k : {size_t{0}, size_t{1}})
+    QVERIFY2(std::abs(torque(k) / 0.01684 - 1.0) < 0.03, qPrintable(QString::number(torque(k))));
+  for (const size_t k : {size_t{2}, size_t{3}})
+    QVERIFY2(std::abs(torque(k) / 0.01984 - 1.0) < 0.04, qPrintable(QString::number(torque(k))));
+}
+
+void TestProcedures::slowTurnsThatTakeTooLong_areLeftOut() {
+  auto drive = servo();
+  SlowTurnsOptions options;
+  options.speeds_rad_per_s = {20.0};
+  options.patience = 0.5;
+  const auto slow = std::make_shared<SlowTurns>(options);
+  run(*drive, slow, 60.0);
+  QCOMPARE(slow->state(), Procedure::State::finished);
+  QVERIFY(slow->turns().empty());
 }
 
 QTEST_APPLESS_MAIN(TestProcedures)

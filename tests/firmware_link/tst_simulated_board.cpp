@@ -28,6 +28,8 @@ class TestSimulatedBoard : public QObject {
   void servosFriction_variesAsPromised();
   void compensation_isCheckedBeforeItIsTaken();
   void compensatedRotor_keepsItsSpeedWithoutCurrentOfItsOwn();
+  void compensatedRotor_standsStillWithoutACommand();
+  void staticFriction_letsASmallCurrentStartTheRotor();
 };
 
 namespace {
@@ -186,6 +188,12 @@ void TestSimulatedBoard::compensation_isCheckedBeforeItIsTaken() {
   VERIFY_ERROR(drive->compensate(large), "friction compensation: has 257 bins, the board holds at most 256");
   broken.coulomb_Nm[0][3] = std::nan("");
   VERIFY_ERROR(drive->compensate(broken), "friction compensation: holds a value that is negative or not finite");
+  FrictionCompensation halfStatic = friction;
+  halfStatic.static_Nm[0].assign(180, 1e-5);
+  VERIFY_ERROR(drive->compensate(halfStatic), "friction compensation: has not as many bins each way");
+  broken = friction;
+  broken.stribeck_rad_per_s = -1.0;
+  VERIFY_ERROR(drive->compensate(broken), "friction compensation: holds a value that is negative or not finite");
   broken = friction;
   broken.cutoff_rad_per_s = -1.0;
   VERIFY_ERROR(drive->compensate(broken), "friction compensation: holds a value that is negative or not finite");
@@ -211,6 +219,52 @@ void TestSimulatedBoard::compensatedRotor_keepsItsSpeedWithoutCurrentOfItsOwn() 
   const double lost = lostSpeed({}), kept = lostSpeed(friction);
   QVERIFY2(lost > 15.0 && lost < 60.0, qPrintable(QString::number(lost)));
   QVERIFY2(std::abs(kept) < 0.3 * lost, qPrintable(QString::number(kept)));
+}
+
+/// The servo's own friction, as if measured without error.
+static FrictionCompensation trueFriction(bool withStatic) {
+  const auto truth = trueMap("simulated", 180, 10.0);
+  FrictionCompensation friction;
+  for (size_t way = 0; way < 2; ++way) {
+    for (const MapBin& bin : truth->bins) {
+      friction.coulomb_Nm[way].push_back(bin.way[way].coulomb_Nm.value);
+      friction.viscous_Nm_s_per_rad[way].push_back(bin.way[way].viscous_Nm_s_per_rad.value);
+      if (withStatic) friction.static_Nm[way].push_back(bin.way[way].static_Nm.value);
+    }
+  }
+  friction.indexAngle_rad = 1.234;  // the preset's, the encoder counts from power-up
+  if (withStatic) friction.stribeck_rad_per_s = 1.5;
+  return friction;
+}
+
+/// Angle by which the rotor goes within a second of one command after it has turned and come to rest.
+static double wayGone(const FrictionCompensation& friction, const Command& command) {
+  const auto drive = opened("simulated");
+  orDie(drive->compensate(friction));
+  std::vector<Sample> samples;
+  drive->command({Command::Mode::velocity, 5.0, 0.0, false});
+  orDie(drive->advance(0.7, samples));
+  drive->command({Command::Mode::off, 0.0, 0.0, true});
+  orDie(drive->advance(0.5, samples));
+  const double before = samples.back().angle_rad;
+  drive->command(command);
+  orDie(drive->advance(1.0, samples));
+  return samples.back().angle_rad - before;
+}
+
+void TestSimulatedBoard::compensatedRotor_standsStillWithoutACommand() {
+  const auto friction = trueFriction(true);
+  for (const auto mode : {Command::Mode::current, Command::Mode::velocity}) {
+    const double gone = wayGone(friction, {mode, 0.0, 0.0, false});
+    QVERIFY2(std::abs(gone) < 0.001, qPrintable(QString::number(gone)));  // two counts
+  }
+}
+
+void TestSimulatedBoard::staticFriction_letsASmallCurrentStartTheRotor() {
+  const Command small{Command::Mode::current, 0.04, 0.0, false};  // a sixth of what friction takes
+  const double without = wayGone(trueFriction(false), small), with = wayGone(trueFriction(true), small);
+  QCOMPARE(without, 0.0);
+  QVERIFY2(with > 1.0, qPrintable(QString::number(with)));
 }
 
 QTEST_APPLESS_MAIN(TestSimulatedBoard)

@@ -17,6 +17,9 @@ class TestCommission : public QObject {
   void initTestCase();
   void presetServo_isMappedWithinFivePercent();
   void presetServo_isIdentified();
+  void presetServo_showsOverWhichSpeedFrictionFalls();
+  void presetServo_gainsFromItsMap();
+  void presetServo_isLeftWithTheControllerOfItsBenchFile();
   void presetServo_staysWithinTwentyMinutes();
   void files_areAllThereAndReadBack();
   void randomRigs_areMappedWithinFivePercent_data();
@@ -81,6 +84,30 @@ void TestCommission::presetServo_isIdentified() {
   QVERIFY(!motor.torqueConstantTrusted);
 }
 
+void TestCommission::presetServo_showsOverWhichSpeedFrictionFalls() {
+  const Estimate& found = servo_->map.stribeckVelocity_rad_per_s;
+  QVERIFY2(std::abs(found.value - 1.5) < 3.0 * found.standardError, qPrintable(QString::number(found.value)));
+  QVERIFY2(found.standardError < 0.15, qPrintable(QString::number(found.standardError)));
+}
+
+void TestCommission::presetServo_gainsFromItsMap() {
+  QVERIFY(servo_->compensatedRun.has_value());
+  const CompensatedRun& run = *servo_->compensatedRun;
+  const QString said = QString("%1 without, %2 with").arg(run.without_rad_per_s).arg(run.with_rad_per_s);
+  QVERIFY2(run.without_rad_per_s < 0.5 && run.with_rad_per_s > 0.02, qPrintable(said));
+  QVERIFY2(run.without_rad_per_s > 1.2 * run.with_rad_per_s, qPrintable(said));
+}
+
+void TestCommission::presetServo_isLeftWithTheControllerOfItsBenchFile() {
+  const BenchController& controller = servo_->bench.controller;
+  QCOMPARE(controller.kp, servo_->settings.velocity_kp_A_s_per_rad);
+  QCOMPARE(controller.observerCutoff_rad_per_s, servo_->settings.observer_cutoff_rad_per_s);
+  // Medium stiffness keeps g/w at 10/3, which the careful gains of the measurements don't.
+  const double bandwidth = controller.kp * controller.nominalTorqueConstant / controller.nominalInertia;
+  QVERIFY2(std::abs(controller.observerCutoff_rad_per_s / bandwidth / (10.0 / 3.0) - 1.0) < 0.01,
+           qPrintable(QString::number(bandwidth)));
+}
+
 void TestCommission::presetServo_staysWithinTwentyMinutes() {
   QVERIFY2(servo_->rigTime_s > 60.0 && servo_->rigTime_s < 1200.0, qPrintable(QString::number(servo_->rigTime_s)));
 }
@@ -91,7 +118,7 @@ void TestCommission::files_areAllThereAndReadBack() {
   const auto bench = readBench(folder.path("out/bench.json"));
   QVERIFY2(bench.ok(), bench.ok() ? "" : bench.error().message().c_str());
   QVERIFY(bench->trusted.contains("torque_constant_Nm_per_A"));
-  QCOMPARE(servo_->recordings.size(), size_t{7});
+  QCOMPARE(servo_->recordings.size(), size_t{10});
   const auto recording = readCsv(folder.path("out/recordings/05-velocity-sweep.csv"));
   QVERIFY(recording.ok());
   QVERIFY(recording->has("current_A") && recording->rows() > 10000 && recording->rows() < 200000);

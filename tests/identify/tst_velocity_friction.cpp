@@ -14,6 +14,7 @@ class TestVelocityFriction : public QObject {
   void noiseAlone_leavesFlatFriction();
   void stribeckSpeed_isLeftOut();
   void oneSpeedOnly_isReportedAsUnobservable();
+  void coggingThatTheRotorHides_isTakenFromTheBreakaways();
 };
 
 namespace {
@@ -113,6 +114,34 @@ void TestVelocityFriction::oneSpeedOnly_isReportedAsUnobservable() {
       fitMovingFriction({runAt(20.0, 0.0, 0.0, false, 1), runAt(-20.0, 0.0, 0.0, false, 2)}, options());
   QVERIFY(!friction.ok());
   QVERIFY(friction.error().message().find("expected at least two") != std::string::npos);
+}
+
+/// Fast runs' speeds are differences over spans too long for order 30, so that only breakaways can have shown it.
+void TestVelocityFriction::coggingThatTheRotorHides_isTakenFromTheBreakaways() {
+  VelocityFrictionOptions still = options();
+  std::vector<VelocityRun> fast;
+  for (const VelocityRun& run : runs(false, 0.0)) {
+    if (std::abs(run.target_rad_per_s) < 100.0) continue;
+    fast.push_back(run);
+    fast.back().halfSpan_s = 5e-4;
+  }
+  const auto cogging = [](size_t bin) {
+    return 0.003 * std::cos(30.0 * (static_cast<double>(bin) + 0.5) * turn / 180.0);
+  };
+  for (size_t k = 0; k < 180; ++k) {
+    still.static_Nm[0].push_back(0.022 + cogging(k));
+    still.static_Nm[1].push_back(0.021 - cogging(k));
+  }
+  const auto friction = fitMovingFriction(fast, still);
+  QVERIFY(friction.ok());
+  for (size_t way = 0; way < 2; ++way) {
+    double worst = 0.0;
+    for (size_t k = 0; k < 180; ++k) {
+      const double truth = 0.017 + (way == 0 ? cogging(k) : -cogging(k));
+      worst = std::max(worst, std::abs((*friction)[way].coulomb_Nm[k].value - truth));
+    }
+    QVERIFY2(worst < 4e-4, qPrintable(QString::number(worst)));
+  }
 }
 
 QTEST_APPLESS_MAIN(TestVelocityFriction)

@@ -1,0 +1,74 @@
+#include "experiment/slow_turns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace breakaway {
+
+namespace {
+constexpr double turn = 2.0 * std::numbers::pi;
+}
+
+SlowTurns::SlowTurns(SlowTurnsOptions options) : options_(std::move(options)), zeroing_(options_.zeroing_s) {
+  const auto good = [](double speed) { return speed > 0.0; };
+  if (options_.speeds_rad_per_s.empty() ||
+      !std::all_of(options_.speeds_rad_per_s.begin(), options_.speeds_rad_per_s.end(), good))
+    fail("no slow speed is asked for");
+}
+
+double SlowTurns::target() const {
+  const double speed = options_.speeds_rad_per_s[std::min(number_ / 2, options_.speeds_rad_per_s.size() - 1)];
+  return number_ % 2 == 0 ? speed : -speed;
+}
+
+double SlowTurns::expected_s() const {
+  return turn / std::abs(target());
+}
+
+void SlowTurns::next(const Sample& sample) {
+  start_s_ = sample.time_s;
+  begun_ = false;
+  current_A_rad_ = velocity_rad2_per_s_ = 0.0;
+}
+
+Command SlowTurns::run(const Sample& sample) {
+  if (!zeroed_) {
+    if (number_ == 0 && start_s_ == 0.0) start_s_ = sample.time_s;
+    const Command command = zeroing_.step(sample, start_s_, zeroed_);
+    if (zeroed_) next(sample);
+    return command;
+  }
+  const double running_s = sample.time_s - start_s_ - options_.settle_s;
+  if (running_s >= 0.0 && !begun_) {
+    begun_ = true;
+    startAngle_rad_ = lastAngle_rad_ = sample.angle_rad;
+  }
+  if (begun_) {
+    const double step_rad = sample.angle_rad - std::exchange(lastAngle_rad_, sample.angle_rad);
+    current_A_rad_ += sample.current_A * step_rad;
+    velocity_rad2_per_s_ += sample.velocity_rad_per_s * step_rad;
+    const double gone_rad = sample.angle_rad - startAngle_rad_;
+    const bool whole = std::abs(gone_rad) >= turn;
+    if (whole) turns_.push_back({velocity_rad2_per_s_ / gone_rad, current_A_rad_ / gone_rad});
+    if (whole || running_s > options_.patience * expected_s()) {
+      next(sample);
+      if (++number_ >= 2 * options_.speeds_rad_per_s.size()) finish();
+    }
+  }
+  return {Command::Mode::velocity, target(), options_.current_limit_A, false};
+}
+
+double SlowTurns::progress() const {
+  return std::min(1.0, static_cast<double>(number_) / (2.0 * static_cast<double>(options_.speeds_rad_per_s.size())));
+}
+
+double SlowTurns::remaining_s() const {
+  double left_s = 0.0;
+  for (size_t k = number_; k < 2 * options_.speeds_rad_per_s.size(); ++k)
+    left_s += options_.settle_s + turn / options_.speeds_rad_per_s[k / 2];
+  return left_s;
+}
+
+}  // namespace breakaway
