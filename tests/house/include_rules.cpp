@@ -89,9 +89,11 @@ std::string whyNotInCore(const std::string& path, const Include& one) {
   return rankOf(other) > rankOf(room) ? room + " stands below " + other : std::string();
 }
 
-std::string whyNotInLink(const Include& one) {
-  if (isQt(one.what) && !one.what.starts_with("QSerialPort") && !one.what.starts_with("QTcp"))
+std::string whyNotInLink(const std::string& path, const Include& one) {
+  const bool transport = path.starts_with("firmware_link/transport/");
+  if (isQt(one.what) && !(transport && one.what.starts_with("QSerialPort")))
     return "the link knows Qt only in its transports";
+  if (!transport && one.what.starts_with("firmware_link/transport/")) return "transports stand above the link";
   const std::string other = firstPart(one.what);
   const bool fine = one.angled || other == "firmware_link" || belowLink.contains(other);
   return fine ? std::string() : "the link stands beside " + other;
@@ -132,7 +134,7 @@ std::vector<std::string> breaches(const Sources& sources) {
     for (const Include& one : includesOf(text)) {
       const std::string why = layer == "core"  ? whyNotInCore(path, one)
                               : layer == "app" ? whyNotInApp(path, one)
-                                               : whyNotInLink(one);
+                                               : whyNotInLink(path, one);
       if (!why.empty()) found.push_back(path + " includes " + one.what + ": " + why);
     }
     if (!path.starts_with("core/diagnose/")) continue;
