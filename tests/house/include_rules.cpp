@@ -106,7 +106,8 @@ std::string whyNotInApp(const std::string& path, const Include& one) {
     return "commands see no window";
   if (path.starts_with("app/widgets/") && one.what.starts_with("pages/")) return "widgets stand below pages";
   if (shown && one.what.starts_with("cli/")) return "pages know no commands";
-  if (shown && one.what == "firmware_link/simulated_board.h") return "pages reach a board through the session";
+  if (shown && (one.what == "firmware_link/simulated_board.h" || one.what == "firmware_link/transport/open_board.h"))
+    return "pages reach a board through the session";
   const bool trial = cli && one.what == "trial/sealed_trial.h";
   if (!trial && isPlant("core/" + one.what)) return "above the drive port nobody sees the plant";
   if (path.ends_with(".h") && one.what.starts_with("nlohmann/")) return "JSON stays inside readers and writers";

@@ -59,6 +59,7 @@ void TestLayering::plantedBreach_isFound_data() {
   row("app/cli/planted.cpp", "<QWidget>", "commands see no window");
   row("app/widgets/planted.cpp", "\"pages/home_page.h\"", "widgets stand below pages");
   row("app/pages/planted.cpp", "\"firmware_link/simulated_board.h\"", "through the session");
+  row("app/pages/planted.cpp", "\"firmware_link/transport/open_board.h\"", "through the session");
   row("app/planted.cpp", "\"motor/plant.h\"", "nobody sees the plant");
   row("app/pages/planted.cpp", "\"trial/sealed_trial.h\"", "nobody sees the plant");
   row("app/cli/planted.cpp", "\"trial/trial_plant.h\"", "nobody sees the plant");
