@@ -52,6 +52,10 @@ void TestLayering::plantedBreach_isFound_data() {
   row("core/motor/planted.cpp", "\"trial/trial_plant.h\"", "motor stands below trial");
   row("firmware_link/planted.cpp", "\"diagnose/simulate/model.h\"", "the link stands beside diagnose");
   row("firmware_link/planted.cpp", "\"session.h\"", "the link stands beside");
+  row("firmware_link/wire/planted.h", "<string>", "a board has no <string>");
+  row("firmware_link/wire/planted.h", "\"control/tuning.h\"", "the wire stands on itself only");
+  row("firmware_link/board/planted.h", "<vector>", "a board has no <vector>");
+  row("firmware_link/board/planted.h", "\"experiment/drive.h\"", "wire, control and observers only");
   row("app/cli/planted.cpp", "\"widgets/time_plot.h\"", "commands see no window");
   row("app/cli/planted.cpp", "<QWidget>", "commands see no window");
   row("app/widgets/planted.cpp", "\"pages/home_page.h\"", "widgets stand below pages");
