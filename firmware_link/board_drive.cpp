@@ -1,7 +1,7 @@
 #include "firmware_link/board_drive.h"
 
 #include <algorithm>
-#include <bit>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -52,6 +52,7 @@ class BoardDrive final : public Drive {
   ControllerSettings settings() const override { return settings_; }
   Result<ControllerSettings> configure(const ControllerSettings& wanted) override;
   Result<void> compensate(const FrictionCompensation& friction) override;
+  Result<FrictionCompensation> compensation() override;
   void command(const Command& command) override;
   void start(std::shared_ptr<Procedure> procedure) override;
   void stop(const std::string& reason) override;
@@ -135,6 +136,7 @@ Result<void> BoardDrive::greet() {
                static_cast<double>(hello.countsPerRev),
                static_cast<double>(hello.supply_V),
                dictionary_.can(wire::Hello::hasIndex)};
+  identity_.can.compensates = dictionary_.can(wire::Hello::friction);
   std::vector<std::string> names;
   for (const auto& [name, member] : settingsByName) names.emplace_back(name);
   const auto values = dictionary_.values(link_, names);
@@ -175,6 +177,11 @@ Result<ControllerSettings> BoardDrive::configure(const ControllerSettings& wante
 Result<void> BoardDrive::compensate(const FrictionCompensation& friction) {
   if (!dictionary_.can(wire::Hello::friction)) return Error{options_.place, "takes no friction compensation"};
   return uploadFriction(link_, friction, dictionary_.hello().frictionBins);
+}
+
+Result<FrictionCompensation> BoardDrive::compensation() {
+  if (!dictionary_.can(wire::Hello::friction)) return Error{options_.place, "takes no friction compensation"};
+  return downloadFriction(link_);
 }
 
 /// Holds until the next wish. What the board has already is not sent again.
@@ -424,6 +431,27 @@ Result<size_t> BoardDrive::advance(double duration_s, std::vector<Sample>& sampl
 }
 
 }  // namespace
+
+Result<bool> speaksWire(ByteStream& stream) {
+  constexpr int tries = 3;
+  constexpr double perTry_s = 0.15;
+  std::array<std::uint8_t, wire::mostFrame + 1> question{};  // a zero first, for whatever came before
+  const std::size_t size =
+      wire::FrameEncoder::encode({static_cast<std::uint8_t>(wire::Type::hello), 0, {}}, std::span(question).subspan(1));
+  wire::FrameDecoder decoder;
+  for (int tried = 0; tried < tries; ++tried) {
+    if (auto sent = stream.write(std::span(question).first(size + 1)); !sent) return sent.error();
+    const auto asked = Clock::now();
+    do {
+      std::vector<std::uint8_t> came;
+      if (auto read = stream.read(came, perTry_s); !read) return read.error();
+      for (const std::uint8_t byte : came) {
+        if (decoder.take(byte)) return true;
+      }
+    } while (since_s(asked) < perTry_s);
+  }
+  return false;
+}
 
 Result<std::unique_ptr<Drive>> openBoardDrive(std::unique_ptr<ByteStream> stream, const BoardDriveOptions& options) {
   return BoardDrive::open(std::move(stream), options);

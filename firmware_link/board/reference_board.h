@@ -162,6 +162,9 @@ class ReferenceBoard {
       case Type::fault:
         out(fault_);
         return Code::ok;
+      case Type::frictionUsed:
+        out(used_);
+        return Code::ok;
       case Type::dictionary:
         return asked<wire::DictionaryAsked>(frame, [&](const auto& page) { return dictionary(page.first, out); });
       case Type::readParameters:
@@ -361,6 +364,7 @@ class ReferenceBoard {
     written_.index_rad = static_cast<Scalar>(use.index_rad);
     written_.blend_rad_per_s = static_cast<Scalar>(use.blend_rad_per_s);
     control_.compensate(written_, static_cast<Scalar>(use.cutoff_rad_per_s));
+    used_ = use;
     out(use);
     return wire::Code::ok;
   }
@@ -387,6 +391,7 @@ class ReferenceBoard {
   SampleBatch<Scalar> batch_;
   Burst<Scalar, burstBytes> burst_;
   FrictionTable<Scalar> written_;
+  wire::FrictionUse used_;
   wire::Fault fault_;
   std::uint8_t body_[wire::mostBody] = {};
   std::uint32_t tick_ = 0, untilTick_ = 0, time_us_ = 0, restTime_ns_ = 0, period_ns_ = 0;
