@@ -135,9 +135,8 @@ void addCommission(CLI::App& app, Job& chosen) {
       "--bench", line->bench,
       "bench file, NAME.bench.json; without it the one beside a simulated rig, or none: then everything is identified");
   command
-      ->add_option(
-          "--board", line->board,
-          "simulated, simulated:PRESET, simulated:FILE.rig.json, serial:PORT, serial:PORT@BAUD or tcp:HOST:PORT")
+      ->add_option("--board", line->board,
+                   "simulated, simulated:PRESET, simulated:FILE.rig.json, serial:PORT[@BAUD] or tcp:HOST:PORT")
       ->capture_default_str();
   command
       ->add_option(

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <utility>
 
+#include "firmware_link/board_drive.h"
 #include "firmware_link/presets.h"
 #include "firmware_link/simulated_board.h"
 #include "firmware_link/transport/byte_address.h"
@@ -59,6 +60,11 @@ Result<std::unique_ptr<Drive>> openOnWire(const std::string& uri, bool vescOnly,
   if (!address) return Error{"board " + request.uri, address.error().fact};
   auto stream = openByteStream(uri);
   if (!stream) return stream.error();
+  if (!vescOnly) {
+    const auto ours = speaksWire(**stream);
+    if (!ours) return ours.error();
+    if (*ours) return openBoardDrive(std::move(*stream), {.place = address->words()});
+  }
   VescOptions vesc;
   vesc.polePairs = request.polePairs;
   vesc.countsPerRev = request.countsPerRev;

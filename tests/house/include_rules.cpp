@@ -17,6 +17,9 @@ const std::vector<std::string> rooms{"base",       "friction", "recording", "mot
 /// What the link stands on.
 const std::set<std::string> belowLink{"base", "friction", "recording", "control", "observer", "motor", "experiment"};
 
+/// The compiler's own headers that a board without an operating system has too.
+const std::set<std::string> freestanding{"array", "bit", "cstddef", "cstdint", "limits", "span", "type_traits"};
+
 /// What trials stand on: they know neither the search nor the simulated bench.
 const std::set<std::string> belowTrial{"base", "friction", "recording", "trial"};
 
@@ -89,7 +92,20 @@ std::string whyNotInCore(const std::string& path, const Include& one) {
   return rankOf(other) > rankOf(room) ? room + " stands below " + other : std::string();
 }
 
+/// What a board's own processor compiles too, its ports apart.
+std::string whyNotOnBoard(const std::string& path, const Include& one) {
+  if (one.angled) return freestanding.contains(one.what) ? "" : "a board has no <" + one.what + ">";
+  if (one.what.starts_with("firmware_link/wire/")) return {};
+  if (path.starts_with("firmware_link/wire/")) return "the wire stands on itself only";
+  const std::string other = firstPart(one.what);
+  const bool fine = other == "control" || other == "observer" || one.what.starts_with("firmware_link/board/");
+  return fine ? std::string() : "a board stands on wire, control and observers only";
+}
+
 std::string whyNotInLink(const std::string& path, const Include& one) {
+  const bool portable =
+      path.starts_with("firmware_link/board/") && path.rfind('/') == std::string("firmware_link/board").size();
+  if (portable || path.starts_with("firmware_link/wire/")) return whyNotOnBoard(path, one);
   const bool transport = path.starts_with("firmware_link/transport/");
   if (isQt(one.what) && !(transport && one.what.starts_with("QSerialPort")))
     return "the link knows Qt only in its transports";

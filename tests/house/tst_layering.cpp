@@ -55,6 +55,10 @@ void TestLayering::plantedBreach_isFound_data() {
   row("firmware_link/transport/planted.cpp", "<QTcpSocket>", "Qt only in its transports");
   row("firmware_link/planted.cpp", "\"firmware_link/transport/serial_line.h\"", "transports stand above the link");
   row("firmware_link/planted.cpp", "\"session.h\"", "the link stands beside");
+  row("firmware_link/wire/planted.h", "<string>", "a board has no <string>");
+  row("firmware_link/wire/planted.h", "\"control/tuning.h\"", "the wire stands on itself only");
+  row("firmware_link/board/planted.h", "<vector>", "a board has no <vector>");
+  row("firmware_link/board/planted.h", "\"experiment/drive.h\"", "wire, control and observers only");
   row("app/cli/planted.cpp", "\"widgets/time_plot.h\"", "commands see no window");
   row("app/cli/planted.cpp", "<QWidget>", "commands see no window");
   row("app/widgets/planted.cpp", "\"pages/home_page.h\"", "widgets stand below pages");
