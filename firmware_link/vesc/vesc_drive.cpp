@@ -297,6 +297,7 @@ std::string firmwareName(const VescVersion& version) {
 
 Result<std::unique_ptr<Drive>> openVesc(std::unique_ptr<ByteStream>& stream, const VescOptions& options) {
   VescLine line(std::move(stream));
+  line.fill();
   std::optional<VescVersion> version;
   for (int attempt = 0; attempt < 2 && !version && !line.broken(); ++attempt) {
     const auto answer = answerTo(line, vescRequest(VescMessage::firmwareVersion), options.answerWait_s);

@@ -9,6 +9,12 @@ void VescLine::say(const VescPayload& payload) {
   if (auto written = stream_->write(vescFrame(payload)); !written) broken_ = written.error();
 }
 
+void VescLine::fill() {
+  if (broken_) return;
+  const std::vector<std::uint8_t> zeros(mostVescPayload + 6);
+  if (auto written = stream_->write(zeros); !written) broken_ = written.error();
+}
+
 std::optional<VescPayload> VescLine::hear(Clock::time_point end) {
   for (;;) {
     if (auto payload = decoder_.next()) return payload;

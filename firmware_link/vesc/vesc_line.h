@@ -20,6 +20,9 @@ class VescLine {
   explicit VescLine(std::unique_ptr<ByteStream> stream) : stream_(std::move(stream)) {}
 
   void say(const VescPayload& payload);
+  /// Ends whatever the other side takes for half a frame, after bytes that were meant for another kind of board: zeros,
+  /// which begin nothing and complete no checksum.
+  void fill();
   /// The next answer, waiting at most until `end`.
   std::optional<VescPayload> hear(Clock::time_point end);
   /// An answer behind something that only looked like the start of one; for when it is overdue.
