@@ -98,6 +98,7 @@ namespace {
 
 Result<void> knownNames(const std::vector<std::string>& only) {
   std::vector<std::string> names;
+  names.reserve(parameters.size() + 1);
   for (const auto& one : parameters) names.emplace_back(one.name);
   names.emplace_back(frictionTableName);
   for (const std::string& name : only) {

@@ -18,7 +18,7 @@ using Clock = VescLine::Clock;
 constexpr double aliveEvery_s = 0.1;
 constexpr double silence_s = 0.5;      // without an answer the link counts as lost
 constexpr double stopRepeats_s = 0.2;  // nothing is acknowledged, so a stop is said again with each question
-constexpr double tripShare = 1.25;     // of the current limit
+constexpr double tripShare = 1.25;     // of a limit
 constexpr double mostDuty = 0.95;
 
 Clock::duration seconds(double duration_s) {
@@ -63,6 +63,7 @@ class VescDrive final : public Drive {
   void take(const VescValues& values, std::vector<Sample>& samples);
   Sample sampleOf(const VescValues& values, Clock::time_point heard);
   void watch(const Sample& sample, const VescValues& values);
+  void heldUp(Clock::time_point now);
   void runProcedure(const Sample& sample);
   double limit_A() const;
   double electrical_rpm(double velocity_rad_per_s) const {
@@ -193,8 +194,15 @@ void VescDrive::watch(const Sample& sample, const VescValues& values) {
   const bool runs = procedure_ != nullptr || command_.mode != Command::Mode::off;
   if (!runs) return;
   if (values.fault != 0) return stop(vescFaultWords(values.fault));
-  if (std::abs(sample.current_A) <= tripShare * limit_A()) return;
   char text[160];
+  const double speedLimit = settings_.velocity_limit_rad_per_s;
+  if (speedLimit > 0.0 && std::abs(sample.velocity_rad_per_s) > tripShare * speedLimit) {
+    std::snprintf(text, sizeof text,
+                  "over-speed: %.1f rad/s with a limit of %.1f rad/s; ask for less, or raise the limit",
+                  std::abs(sample.velocity_rad_per_s), speedLimit);
+    return stop(text);
+  }
+  if (std::abs(sample.current_A) <= tripShare * limit_A()) return;
   std::snprintf(
       text, sizeof text,
       "over-current: %.1f A measured with a limit of %.1f A; raise the limit, or set the same one in the VESC",
@@ -225,10 +233,22 @@ void VescDrive::take(const VescValues& values, std::vector<Sample>& samples) {
   runProcedure(sample);
 }
 
+/// Nobody has let time pass, and so nobody has kept the motor alive: whether it still runs is the VESC's affair.
+void VescDrive::heldUp(Clock::time_point now) {
+  const double late_s = secondsBetween(nextQuestion_, now);
+  if (late_s <= silence_s) return;
+  heard_ = nextQuestion_ = now;
+  asked_ = false;
+  if (procedure_ == nullptr && command_.mode == Command::Mode::off) return;
+  char text[120];
+  std::snprintf(text, sizeof text, "this program was held up for %.1f s, so the motor was stopped", late_s);
+  stop(text);
+}
+
 Result<size_t> VescDrive::advance(double duration_s, std::vector<Sample>& samples) {
   auto now = Clock::now();
   const auto end = now + seconds(duration_s);
-  if (secondsBetween(nextQuestion_, now) > silence_s) heard_ = nextQuestion_ = now;  // nobody has let time pass
+  heldUp(now);
   do {
     if (now >= nextQuestion_) {
       while (asked_) {

@@ -77,6 +77,8 @@ class TestVescDrive : public QObject {
   void position_isReached();
   void fault_endsWhatRuns_inWords();
   void whenWeDie_itsTimeOutStopsTheMotor();
+  void heldUp_theMotorIsStopped_andSaysSo();
+  void overSpeed_endsWhatRuns();
   void keptAlive_itTurnsOn();
   void otherBytes_areSkipped();
   void silence_endsInOneLine_andLostSamplesAreCounted();
@@ -280,6 +282,35 @@ void TestVescDrive::whenWeDie_itsTimeOutStopsTheMotor() {
   QVERIFY(fake.powered());
   QVERIFY(!releasesWithin(fake, 200ms));  // nobody calls advance(), as if we were dead
   QVERIFY(releasesWithin(fake, 2000ms));
+}
+
+void TestVescDrive::heldUp_theMotorIsStopped_andSaysSo() {
+  const VescFake fake(servo());
+  auto board = openBoard({address(fake)});
+  VERIFY_OK(board);
+  const auto step = std::make_shared<VelocityStep>();
+  (*board)->start(step);
+  drive(**board, 0.2);
+  std::this_thread::sleep_for(700ms);
+  const Driven driven = drive(**board, 0.1);
+  QVERIFY2(driven.error.empty(), driven.error.c_str());
+  QVERIFY2(step->status().failure.starts_with("this program was held up for 0."), step->status().failure.c_str());
+  QVERIFY(releasesWithin(fake, 500ms));
+}
+
+void TestVescDrive::overSpeed_endsWhatRuns() {
+  const VescFake fake(servo());
+  auto board = openBoard({address(fake)});
+  VERIFY_OK(board);
+  ControllerSettings limited = (*board)->settings();
+  limited.velocity_limit_rad_per_s = 20.0;
+  VERIFY_OK((*board)->configure(limited));
+  (*board)->command({Command::Mode::velocity, 100.0, 0.0, false});  // held at the limit
+  drive(**board, 0.5);
+  QVERIFY(fake.powered());
+  (*board)->command({Command::Mode::current, 1.5, 0.0, false});
+  QVERIFY2(drive(**board, 0.5).error.empty(), "an over-speed is no lost link");
+  QVERIFY(!fake.powered());
 }
 
 void TestVescDrive::keptAlive_itTurnsOn() {
