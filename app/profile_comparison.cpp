@@ -107,7 +107,7 @@ void ProfileComparison::takeRestored(const Result<std::vector<RestoredRow>>& res
       if (row.values.name == one.name) row.accepted = QString::fromStdString(one.accepted);
     }
   }
-  session_.say(otherwise == 0 ? tr("The board accepted %n parameter(s)", {}, static_cast<int>(restored->size()))
+  session_.say(otherwise == 0 ? tr("The board accepted all that was asked for")
                               : tr("The board took %1 of %2 parameters otherwise than asked for: see the table")
                                     .arg(otherwise)
                                     .arg(restored->size()),

@@ -1,6 +1,7 @@
 #include "pages/connect_page.h"
 
 #include <QComboBox>
+#include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -13,6 +14,7 @@
 #include "widgets/board_list.h"
 #include "widgets/controls.h"
 #include "widgets/facts_table.h"
+#include "widgets/look.h"
 #include "widgets/profile_panel.h"
 
 namespace breakaway {
@@ -169,6 +171,10 @@ void ConnectPage::showConnection() {
 
 void ConnectPage::showState() {
   const BoardConnection& connection = session_.connection();
+  const Look look = Look::of(palette());
+  QPalette words = palette();
+  words.setColor(QPalette::WindowText, connection.trouble().isEmpty() ? look.ink : look.trouble);
+  state_->setPalette(words);
   switch (connection.state()) {
     case ConnectionState::none:
       state_->clear();
@@ -177,7 +183,7 @@ void ConnectPage::showState() {
       state_->setText(tr("Connecting to %1 …").arg(shortAddress(connection.uri())));
       break;
     case ConnectionState::connected:
-      state_->setText(tr("Connected. The motor stays off until you start something."));
+      state_->setText(tr("Connected."));
       break;
     case ConnectionState::failed:
       state_->setText(tr("Not connected: %1").arg(connection.trouble()));
@@ -187,6 +193,11 @@ void ConnectPage::showState() {
                           .arg(connection.trouble()));
       break;
   }
+}
+
+void ConnectPage::changeEvent(QEvent* event) {
+  Page::changeEvent(event);
+  if (facts_ != nullptr && event->type() == QEvent::PaletteChange) showState();
 }
 
 void ConnectPage::showIdentity() {

@@ -21,6 +21,9 @@ class ConnectPage : public Page {
  public:
   ConnectPage(Session& session, FileChooser& files, QWidget* parent = nullptr);
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
   QWidget* buildBoards();
   QWidget* buildIdentity();

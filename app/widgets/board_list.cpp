@@ -51,6 +51,8 @@ void BoardList::addTitle(const QString& text) {
   auto* item = new QListWidgetItem(text, this);
   item->setFlags(Qt::NoItemFlags);
   item->setFont(sized(font(), 0.9, true));
+  item->setTextAlignment(Qt::AlignLeft | Qt::AlignBottom);
+  item->setSizeHint({0, fontMetrics().height() + 9});
 }
 
 /// One behind the last item of that kind; behind the title of the ports where there is none.

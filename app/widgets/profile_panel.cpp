@@ -1,5 +1,6 @@
 #include "widgets/profile_panel.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -8,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "widgets/controls.h"
+#include "widgets/look.h"
 #include "widgets/table.h"
 
 namespace breakaway {
@@ -29,7 +31,8 @@ ProfilePanel::ProfilePanel(Session& session, FileChooser& files, QWidget* parent
   column->addWidget(source_);
   table_ = readTable(this, "profileTable", tr("Parameters that differ"),
                      {tr("Parameter"), tr("Board"), tr("Profile"), tr("Accepted")});
-  column->addWidget(table_, 1);
+  column->addWidget(table_, 100);
+  column->addStretch(1);
   connect(save_, &QPushButton::clicked, this, [this] {
     files_.ask(this, {tr("Save the profile"), tr("Profile (*.profile.json)"), "board.profile.json", true},
                [this](const QString& path) { profile_.save(path); });
@@ -46,7 +49,20 @@ ProfilePanel::ProfilePanel(Session& session, FileChooser& files, QWidget* parent
   });
   connect(table_, &QTableWidget::itemChanged, this, &ProfilePanel::showAvailable);
   connect(&session_, &Session::connectionChanged, this, &ProfilePanel::showAvailable);
+  frameTicks();
   fill();
+}
+
+/// The style draws the frame of a tick box a little darker than this colour, which in a dark theme nobody could see.
+void ProfilePanel::frameTicks() {
+  QPalette visible = palette();
+  visible.setColor(QPalette::Window, Look::of(visible).muted);
+  table_->setPalette(visible);
+}
+
+void ProfilePanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (table_ != nullptr && event->type() == QEvent::PaletteChange) frameTicks();
 }
 
 void ProfilePanel::fill() {

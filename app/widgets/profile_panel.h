@@ -18,7 +18,11 @@ class ProfilePanel : public QWidget {
  public:
   ProfilePanel(Session& session, FileChooser& files, QWidget* parent = nullptr);
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
+  void frameTicks();
   void fill();
   void showAvailable();
   QStringList ticked() const;

@@ -38,13 +38,20 @@ std::vector<std::uint8_t> vescFrame(std::span<const std::uint8_t> payload) {
   return frame;
 }
 
+void VescDecoder::pass(size_t count) {
+  at_ += count;
+  if (at_ < waiting_.size() && at_ < 4096) return;
+  waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(at_));
+  at_ = 0;
+}
+
 void VescDecoder::drop(size_t count) {
-  waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(count));
+  pass(count);
   dropped_ += count;
 }
 
 std::optional<std::vector<std::uint8_t>> VescDecoder::rescue() {
-  while (!waiting_.empty()) {
+  while (waiting() > 0) {
     drop(1);
     if (auto found = next()) return found;
   }
@@ -53,26 +60,27 @@ std::optional<std::vector<std::uint8_t>> VescDecoder::rescue() {
 
 std::optional<std::vector<std::uint8_t>> VescDecoder::next() {
   for (;;) {
-    const auto start = std::find_if(waiting_.begin(), waiting_.end(),
-                                    [](std::uint8_t byte) { return byte == shortStart || byte == longStart; });
-    drop(static_cast<size_t>(start - waiting_.begin()));
-    const size_t head = !waiting_.empty() && waiting_[0] == longStart ? 3 : 2;
-    if (waiting_.size() < head) return {};
-    const size_t length = head == 2 ? waiting_[1] : static_cast<size_t>(waiting_[1]) << 8 | waiting_[2];
+    const auto here = waiting_.begin() + static_cast<std::ptrdiff_t>(at_);
+    const auto start =
+        std::find_if(here, waiting_.end(), [](std::uint8_t byte) { return byte == shortStart || byte == longStart; });
+    drop(static_cast<size_t>(start - here));
+    const std::span<const std::uint8_t> rest = std::span(waiting_).subspan(at_);
+    const size_t head = !rest.empty() && rest[0] == longStart ? 3 : 2;
+    if (rest.size() < head) return {};
+    const size_t length = head == 2 ? rest[1] : static_cast<size_t>(rest[1]) << 8 | rest[2];
     // The long form is for what the short one can't hold; anything else is no frame.
     if (length == 0 || length > mostVescPayload || (head == 3 && length < 255)) {
       drop(1);
       continue;
     }
-    if (waiting_.size() < head + length + 3) return {};
-    const std::span<const std::uint8_t> payload(waiting_.data() + head, length);
-    const std::uint8_t* tail = payload.data() + length;
+    if (rest.size() < head + length + 3) return {};
+    const auto payload = rest.subspan(head, length), tail = rest.subspan(head + length, 3);
     if (tail[2] != end || crc16Xmodem(payload) != (tail[0] << 8 | tail[1])) {
       drop(1);
       continue;
     }
     std::vector<std::uint8_t> found(payload.begin(), payload.end());
-    waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(head + length + 3));
+    pass(head + length + 3);
     return found;
   }
 }

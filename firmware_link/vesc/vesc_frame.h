@@ -28,11 +28,13 @@ class VescDecoder {
   /// Afterwards nothing waits, unless a frame was found.
   std::optional<std::vector<std::uint8_t>> rescue();
   size_t dropped() const { return dropped_; }  ///< bytes that belonged to no frame
-  size_t waiting() const { return waiting_.size(); }
+  size_t waiting() const { return waiting_.size() - at_; }
 
  private:
   void drop(size_t count);
+  void pass(size_t count);
   std::vector<std::uint8_t> waiting_;
+  size_t at_ = 0;  ///< what lies before is done with, and is let go now and then
   size_t dropped_ = 0;
 };
 

@@ -3,8 +3,10 @@
 #include <cmath>
 
 #include "experiment/abilities.h"
+#include "experiment/profile.h"
 #include "experiment/velocity_step.h"
 #include "firmware_link/transport/open_board.h"
+#include "house/program.h"
 #include "motor/rig.h"
 #include "support/temporary.h"
 #include "support/vesc_fake.h"
@@ -82,6 +84,7 @@ class TestVescDrive : public QObject {
   void keptAlive_itTurnsOn();
   void otherBytes_areSkipped();
   void silence_endsInOneLine_andLostSamplesAreCounted();
+  void commission_isRefusedInOneLine_andProfilesAreSaved();
   void hangUp_isNamed_andConnectingAgainDoesNotMoveTheMotor();
 };
 
@@ -359,6 +362,25 @@ void TestVescDrive::silence_endsInOneLine_andLostSamplesAreCounted() {
   driven = drive(**board, 1.0);
   QVERIFY2(QString::fromStdString(driven.error).contains("no answer for 0.5 s"), driven.error.c_str());
   QVERIFY(step->state() == Procedure::State::stopped);
+}
+
+void TestVescDrive::commission_isRefusedInOneLine_andProfilesAreSaved() {
+  const VescFake fake(servo());
+  const TemporaryFolder folder;
+  const QString program = builtProgram("breakaway"), board = QString::fromStdString(address(fake));
+  const QString here = QString::fromStdString(folder.path());
+  const Outcome refused = run(program, {"commission", "--board", board, "--out", "d"}, here);
+  QCOMPARE(refused.status, 2);
+  QVERIFY2(refused.err.count('\n') == 1 &&
+               refused.err.contains("is VESC 60_MK5 01020304, which can't be commissioned: the board reports no index"),
+           qPrintable(refused.err));
+  QVERIFY(folder.names().isEmpty());
+  const Outcome saved = run(program, {"profile", "save", "--board", board, "--profile", "v.profile.json"}, here);
+  QVERIFY2(saved.status == 0, qPrintable(saved.err));
+  const auto profile = readProfile(folder.path("v.profile.json"));
+  VERIFY_OK(profile);
+  QCOMPARE(profile->device, std::string("VESC 60_MK5 01020304"));
+  QVERIFY(!profile->friction);
 }
 
 void TestVescDrive::hangUp_isNamed_andConnectingAgainDoesNotMoveTheMotor() {

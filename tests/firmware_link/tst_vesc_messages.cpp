@@ -37,6 +37,7 @@ class TestVescMessages : public QObject {
   void frames_areFound_howeverTheyArrive();
   void damagedFrame_isDropped_andTheNextOneFound();
   void anyBytes_surviveWithoutGrowing();
+  void longBursts_areDecodedOnce();
   void abandonedFrame_letsTheNextOneThrough();
   void version_isRead();
   void values_areReadByTheirMask();
@@ -114,6 +115,17 @@ void TestVescMessages::anyBytes_surviveWithoutGrowing() {
   }
   QVERIFY2(found < 200,
            qPrintable(QString("%1 frames in noise").arg(found)));  // one in 2¹⁶ × 2⁸ by chance, short ones more often
+}
+
+void TestVescMessages::longBursts_areDecodedOnce() {
+  const Bytes good = vescFrame(hex("06000005dc"));
+  Bytes wire;
+  for (int k = 0; k < 20000; ++k) wire.insert(wire.end(), good.begin(), good.end());
+  QCOMPARE(decoded(wire, wire.size()).size(), size_t(20000));
+  Bytes starts(300'000, 3);  // each of them could begin a frame
+  starts.insert(starts.end(), good.begin(), good.end());
+  starts.insert(starts.end(), 600, 0);
+  QCOMPARE(decoded(starts, starts.size()), std::vector<Bytes>{hex("06000005dc")});
 }
 
 void TestVescMessages::abandonedFrame_letsTheNextOneThrough() {
