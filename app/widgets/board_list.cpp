@@ -76,6 +76,7 @@ void BoardList::addRig(const QString& name, const QString& uri) {
 
 void BoardList::showPorts(const std::vector<SerialPort>& ports) {
   std::vector<QString> addresses;
+  addresses.reserve(ports.size());
   for (const SerialPort& one : ports) {
     addresses.push_back(QString("serial:%1@%2").arg(QString::fromStdString(one.lasting)).arg(ByteAddress::usualBaud));
   }

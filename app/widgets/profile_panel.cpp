@@ -53,10 +53,12 @@ ProfilePanel::ProfilePanel(Session& session, FileChooser& files, QWidget* parent
   fill();
 }
 
-/// The style draws the frame of a tick box a little darker than this colour, which in a dark theme nobody could see.
+/// The style draws the frame of a tick box a little darker than this colour, which in a dark theme
+/// nobody could see.
 void ProfilePanel::frameTicks() {
   QPalette visible = palette();
-  visible.setColor(QPalette::Window, Look::of(visible).muted);
+  const Look look = Look::of(visible);
+  if (look.dark) visible.setColor(QPalette::Window, look.muted);
   table_->setPalette(visible);
 }
 
