@@ -35,6 +35,8 @@ int main(int argc, char** argv) {
            cli::addExport,
            cli::addCommission,
            cli::addTune,
+           cli::addPorts,
+           cli::addProfile,
            cli::addFigures,
        }) {
     add(app, job);

@@ -6,8 +6,11 @@
 #include <QComboBox>
 #include <QElapsedTimer>
 #include <QEventLoop>
+#include <QFile>
 #include <QPixmap>
 #include <QStyleFactory>
+#include <QTableWidget>
+#include <QTemporaryDir>
 #include <QThread>
 #include <functional>
 
@@ -25,10 +28,13 @@ namespace {
 
 using Condition = std::function<bool()>;
 
-/// Nobody is there to answer.
-class NoAnswers : public FileChooser {
+/// Nobody is there to answer but with the one path that was prepared, if any.
+class PreparedAnswer : public FileChooser {
  public:
-  void ask(QWidget*, const FileQuestion&, Answer) override {}
+  QString path;
+  void ask(QWidget*, const FileQuestion&, Answer answer) override {
+    if (!path.isEmpty()) answer(path);
+  }
 };
 
 /// One tour through the window in one palette.
@@ -49,13 +55,14 @@ class Tour {
   void press(const char* button);
   void shoot(const QString& name);
   void connectBoard();
+  void compareProfile();
   void tune();
   void home();
   void sweep();
   void compare();
 
   QString folder_, theme_;
-  NoAnswers files_;
+  PreparedAnswer files_;
   Session session_;
   Comparison comparison_;
   MainWindow window_;
@@ -109,6 +116,10 @@ Result<void> Tour::run() {
 void Tour::connectBoard() {
   window_.showPage("connectPage");
   shoot("connect-empty");
+  session_.connectTo("serial:ttyACM7@921600");
+  if (!wait([this] { return session_.connection().state() == ConnectionState::failed; }))
+    trouble_ = "a port that isn't there does not fail";
+  shoot("connect-failed");
   session_.connectTo("simulated");
   if (!session_.connected()) trouble_ = "the simulated board cannot be opened";
   session_.turnSlowly();
@@ -119,6 +130,32 @@ void Tour::connectBoard() {
   shoot("connect-cursors");
   window_.findChild<LivePlots*>()->showCursors(false);
   window_.findChild<LivePlots*>()->setPaused(false);
+  compareProfile();
+}
+
+void Tour::compareProfile() {
+  const QTemporaryDir folder;
+  const ControllerSettings before = session_.settings();
+  files_.path = folder.filePath("bench 3.profile.json");
+  press("saveProfileButton");
+  wait([this] { return QFile::exists(files_.path); }, 5000);
+  ControllerSettings other = before;
+  other.velocity_kp_A_s_per_rad *= 0.6;
+  other.observer_cutoff_rad_per_s *= 0.5;
+  other.current_limit_A *= 0.8;
+  session_.configure(other);
+  wait([&] { return session_.settings() == other; }, 5000);
+  press("openProfileButton");
+  const auto* table = window_.findChild<QTableWidget*>("profileTable");
+  wait([&] { return table->rowCount() == 3; }, 5000);
+  table->item(0, 0)->setCheckState(Qt::Unchecked);
+  table->item(1, 0)->setCheckState(Qt::Unchecked);
+  press("restoreProfileButton");
+  wait([&] { return !table->item(2, 3)->text().isEmpty(); }, 5000);
+  shoot("connect-profile");
+  files_.path.clear();
+  session_.configure(before);
+  wait([&] { return session_.settings() == before; }, 5000);
 }
 
 void Tour::tune() {

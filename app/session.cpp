@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "bench_job.h"
+#include "experiment/abilities.h"
 #include "firmware_link/presets.h"
-#include "firmware_link/simulated_board.h"
 #include "recording/sample_recording.h"
 #include "slow_turning.h"
 
@@ -25,6 +25,12 @@ std::optional<Bench> benchBeside(const QString& uri) {
   return bench ? std::optional(*bench) : std::nullopt;
 }
 
+/// A clause as a tooltip shows it.
+QString sentence(const std::string& clause) {
+  QString text = QString::fromStdString(clause);
+  return text.left(1).toUpper() + text.mid(1);
+}
+
 std::optional<double> trustedTorqueConstant(const std::optional<Bench>& bench) {
   if (!bench || !bench->trusted.contains("torque_constant_Nm_per_A")) return {};
   return bench->motor.torqueConstant;
@@ -33,7 +39,11 @@ std::optional<double> trustedTorqueConstant(const std::optional<Bench>& bench) {
 }  // namespace
 
 Session::Session(const DriveLoopOptions& options, QObject* parent)
-    : QObject(parent), options_(options), pace_(options.pace) {
+    : QObject(parent),
+      options_(options),
+      board_([this](std::unique_ptr<Drive> drive) { begin(std::move(drive), board_.uri()); }),
+      pace_(options.pace) {
+  connect(&board_, &BoardConnection::changed, this, &Session::connectionChanged);
   heartbeat_.setTimerType(Qt::PreciseTimer);
   connect(&heartbeat_, &QTimer::timeout, this, [this] {
     if (loop_) loop_->beat();
@@ -46,19 +56,9 @@ Session::~Session() {
 }
 
 void Session::connectTo(const QString& uri, unsigned seed) {
-  auto drive = openDrive(uri.toStdString(), seed);
-  if (!drive) {
-    emit said(QString::fromStdString(drive.error().message()), true);
-    return;
-  }
-  const std::optional<Bench> bench = benchBeside(uri);
-  if (bench && bench->dutyCurve.known()) {
-    if (const auto taken = (*drive)->linearise(bench->dutyCurve); !taken)
-      emit said(QString::fromStdString(taken.error().message()), true);
-  }
-  adopt(std::move(*drive), uri);
-  bench_ = bench;
-  survey_.rig = bench_ ? bench_->name : identity_.device;
+  letGo();
+  board_.open({uri.toStdString(), seed});
+  if (board_.state() == ConnectionState::failed) emit said(board_.trouble(), true);
 }
 
 void Session::open(const QString& uri) {
@@ -67,12 +67,21 @@ void Session::open(const QString& uri) {
 }
 
 void Session::adopt(std::unique_ptr<Drive> drive, const QString& uri) {
-  disconnectBoard();
+  letGo();
+  board_.keep();
+  begin(std::move(drive), uri);
+}
+
+void Session::begin(std::unique_ptr<Drive> drive, const QString& uri) {
   uri_ = uri;
   identity_ = drive->identity();
   settings_ = drive->settings();
-  bench_.reset();
-  survey_.rig = identity_.device;
+  bench_ = benchBeside(uri);
+  survey_.rig = bench_ ? bench_->name : identity_.device;
+  if (bench_ && bench_->dutyCurve.known()) {
+    if (const auto taken = drive->linearise(bench_->dutyCurve); !taken)
+      emit said(QString::fromStdString(taken.error().message()), true);
+  }
   loop_ = std::make_unique<DriveLoop>(std::move(drive), options_);
   loop_->setPace(pace_);
   listenToLoop();
@@ -97,13 +106,21 @@ void Session::listenToLoop() {
   listen(&DriveLoop::stopped, [this](DriveLoop::StopCause cause) { takeStop(cause); });
   listen(&DriveLoop::recordingFinished, [this](const auto& samples) { takeRecording(samples); });
   listen(&DriveLoop::linkChanged, [this](const LinkStatus& status) { takeLink(status); });
-  listen(&DriveLoop::failed, [this](const QString& reason) {
-    disconnectBoard();
-    emit said(reason, true);
-  });
+  listen(&DriveLoop::failed, [this](const QString& reason) { loseBoard(reason); });
+}
+
+void Session::loseBoard(const QString& why) {
+  letGo();
+  board_.lost(why);
+  emit said(why, true);
 }
 
 void Session::disconnectBoard() {
+  letGo();
+  board_.close();
+}
+
+void Session::letGo() {
   if (!loop_) return;
   loop_.reset();
   identity_ = {};
@@ -124,6 +141,8 @@ bool Session::powered() const {
 }
 
 QString Session::stateWords() const {
+  if (board_.state() == ConnectionState::connecting) return tr("connecting");
+  if (board_.state() == ConnectionState::reconnecting) return tr("link lost, connecting again");
   if (!connected()) return tr("not connected");
   if (run_.running()) return QString::fromStdString(run_.status.activity);
   if (powered()) return tr("powered");
@@ -206,7 +225,15 @@ void Session::sweepBreakaway(size_t bins, size_t turns) {
   start(breakawayRun(request));
 }
 
+QString Session::homingObstacle() const {
+  const std::string never = connected() ? obstacleTo(Task::homing, identity_) : std::string();
+  return never.empty() ? obstacle() : sentence(never);
+}
+
 QString Session::sweepObstacle() const {
+  if (connected()) {
+    if (const std::string never = obstacleTo(Task::sweep, identity_); !never.empty()) return sentence(never);
+  }
   if (QString busy = obstacle(); !busy.isEmpty()) return busy;
   if (!index_rad_) return tr("Home first: angles around the rotor count from the index");
   return {};
@@ -249,6 +276,16 @@ void Session::configure(const ControllerSettings& wanted) {
       false);
 }
 
+void Session::onBoard(std::function<void(Drive&)> job) {
+  if (loop_) loop_->post(std::move(job), false);
+}
+
+void Session::takeSettings(const ControllerSettings& settings) {
+  if (!loop_) return;
+  settings_ = settings;
+  emit settingsChanged();
+}
+
 void Session::tune(Stiffness stiffness) {
   if (!tuningObstacle().isEmpty()) return;
   tuning_ = true;
@@ -267,8 +304,12 @@ void Session::takeTuning(unsigned connection, const Result<ControllerSettings>& 
   emit settingsChanged();
 }
 
+QString Session::gainsObstacle() const {
+  return connected() ? sentence(obstacleTo(Task::tuning, identity_)) : tr("No board is connected");
+}
+
 QString Session::tuningObstacle() const {
-  if (!connected()) return tr("No board is connected");
+  if (QString never = gainsObstacle(); !never.isEmpty()) return never;
   return tuning_ ? tr("Tuning") : QString();
 }
 

@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "board_connection.h"
 #include "board_tuning.h"
 #include "drive_loop.h"
 #include "experiment/drive.h"
@@ -29,13 +30,15 @@ class Session : public QObject {
   explicit Session(const DriveLoopOptions& options = {}, QObject* parent = nullptr);
   ~Session() override;
 
-  // The connection. `connectTo` takes a board's URI (contracts section 3); `adopt` takes a drive that is open already.
+  // The connection. `connectTo` takes a board's URI as openBoard() does: a simulated board is connected on return, one
+  // on a port later or never, see connection(). `adopt` takes a drive that is open already.
   void connectTo(const QString& uri, unsigned seed = 1);
   void adopt(std::unique_ptr<Drive> drive, const QString& uri);
   /// Connects as connectTo() does, and lets a simulated board turn slowly.
   void open(const QString& uri);
   void disconnectBoard();
   bool connected() const { return loop_ != nullptr; }
+  const BoardConnection& connection() const { return board_; }
   const QString& uri() const { return uri_; }
   const Identity& identity() const { return identity_; }
   const LinkStatus& link() const { return link_; }
@@ -59,14 +62,22 @@ class Session : public QObject {
   bool runs(RunKind kind) const { return run_.kind == kind && run_.running(); }
   /// Why no motion can be started now; empty when it can.
   QString obstacle() const;
+  /// The same for homing, which needs an index.
+  QString homingObstacle() const;
 
   // The controller: settings are asked for, and what the board accepted comes back by settingsChanged().
   void configure(const ControllerSettings& wanted);
+  /// Does `job`, which moves nothing, on the board in the I/O thread. Nothing without a board.
+  void onBoard(std::function<void(Drive&)> job);
+  /// What somebody else has set the board to.
+  void takeSettings(const ControllerSettings& settings);
   const ControllerSettings& settings() const { return settings_; }
   /// Tunes to a stiffness from what is known of the motor, in the pool, and asks for the result by configure().
   void tune(Stiffness stiffness);
   /// Why tune() can't begin now; empty when it can.
   QString tuningObstacle() const;
+  /// Why no gain can be set; empty when it can.
+  QString gainsObstacle() const;
   /// What is known of the motor so far, for tuning.
   KnownMotor motor() const { return knownMotor(settings_, bench_, survey_.identification); }
   /// Margins and αgT of what is set, in one line; empty without a board.
@@ -115,6 +126,9 @@ class Session : public QObject {
   void takeRun(const RunSnapshot& snapshot);
   void takeStop(DriveLoop::StopCause cause);
   void takeRecording(const std::shared_ptr<const std::vector<Sample>>& samples);
+  void begin(std::unique_ptr<Drive> drive, const QString& uri);
+  void letGo();
+  void loseBoard(const QString& why);
   void listenToLoop();
   void start(Run run);
   void keepResult(const RunSnapshot& snapshot);
@@ -123,6 +137,7 @@ class Session : public QObject {
   void forgetMeasurements();
 
   const DriveLoopOptions options_;
+  BoardConnection board_;
   unsigned connection_ = 0;
   bool tuning_ = false;
   QTimer heartbeat_;

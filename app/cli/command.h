@@ -39,6 +39,8 @@ void addImport(CLI::App& app, Job& chosen);
 void addExport(CLI::App& app, Job& chosen);
 void addCommission(CLI::App& app, Job& chosen);
 void addTune(CLI::App& app, Job& chosen);
+void addProfile(CLI::App& app, Job& chosen);
+void addPorts(CLI::App& app, Job& chosen);
 void addFigures(CLI::App& app, Job& chosen);
 
 }  // namespace breakaway::cli

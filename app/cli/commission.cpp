@@ -7,9 +7,10 @@
 
 #include "cli/command.h"
 #include "cli/inputs.h"
+#include "experiment/abilities.h"
 #include "firmware_link/presets.h"
-#include "firmware_link/simulated_board.h"
 #include "firmware_link/simulated_truth.h"
+#include "firmware_link/transport/open_board.h"
 #include "report/commission_report.h"
 
 namespace breakaway::cli {
@@ -39,6 +40,14 @@ Result<std::optional<Bench>> readBelief(const CommissionLine& line) {
   if (bench->axis != Axis::rotary)
     return Error{file + ", field axis", "is linear, expected rotary: a rotor is what is commissioned"};
   return std::optional<Bench>(*bench);
+}
+
+BoardRequest requestFor(const CommissionLine& line, const std::optional<Bench>& bench) {
+  BoardRequest request{line.board, line.seed};
+  if (!bench) return request;
+  request.polePairs = bench->polePairs;
+  request.countsPerRev = bench->countsPerUnit;
+  return request;
 }
 
 volatile std::sig_atomic_t interruptAsked = 0;
@@ -99,8 +108,11 @@ Result<void> endWithMotor(const Commission& done, const std::string& folder) {
 Outcome runCommission(const CommissionLine& line) {
   auto bench = readBelief(line);
   if (!bench) return Result<void>(bench.error());
-  auto drive = openDrive(line.board, line.seed);
+  auto drive = openBoard(requestFor(line, *bench));
   if (!drive) return Result<void>(drive.error());
+  if (const std::string why = obstacleTo(Task::commissioning, (*drive)->identity()); !why.empty())
+    return Result<void>(
+        Error{"board " + line.board, "is " + (*drive)->identity().device + ", which can't be commissioned: " + why});
   CommissionOptions options;
   options.bench = *bench;
   options.rig = options.bench && !options.bench->name.empty() ? options.bench->name : (*drive)->identity().device;
@@ -151,7 +163,9 @@ void addCommission(CLI::App& app, Job& chosen) {
   command->add_option(
       "--bench", line->bench,
       "bench file, NAME.bench.json; without it the one beside a simulated rig, or none: then everything is identified");
-  command->add_option("--board", line->board, "simulated, simulated:PRESET or simulated:FILE.rig.json")
+  command
+      ->add_option("--board", line->board,
+                   "simulated, simulated:PRESET, simulated:FILE.rig.json, serial:PORT[@BAUD] or tcp:HOST:PORT")
       ->capture_default_str();
   command
       ->add_option(

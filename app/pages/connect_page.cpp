@@ -1,27 +1,42 @@
 #include "pages/connect_page.h"
 
 #include <QComboBox>
+#include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QListWidget>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "firmware_link/presets.h"
+#include "experiment/abilities.h"
 #include "session.h"
+#include "widgets/board_list.h"
 #include "widgets/controls.h"
 #include "widgets/facts_table.h"
 #include "widgets/look.h"
+#include "widgets/profile_panel.h"
 
 namespace breakaway {
 
 namespace {
-constexpr int uriRole = Qt::UserRole;
-
 /// A rig file's name without its folders.
 QString shortAddress(const QString& uri) {
-  return uri.contains('/') ? "simulated:" + QFileInfo(uri).fileName() : uri;
+  return uri.contains('/') ? uri.section(':', 0, 0) + ":" + QFileInfo(uri).fileName() : uri;
+}
+
+/// What this board can't do, each with its reason; empty when it can do all.
+QString cannotWords(const Identity& board) {
+  const std::pair<Task, QString> tasks[] = {{Task::homing, ConnectPage::tr("Homing")},
+                                            {Task::identification, ConnectPage::tr("Identification and sweeps")},
+                                            {Task::tuning, ConnectPage::tr("Tuning")},
+                                            {Task::compensation, ConnectPage::tr("Friction compensation")}};
+  QStringList lines;
+  for (const auto& [task, name] : tasks) {
+    const std::string why = obstacleTo(task, board);
+    if (!why.empty()) lines << "• " + name + ": " + QString::fromStdString(why);
+  }
+  return lines.isEmpty() ? QString() : ConnectPage::tr("Not possible with this board:") + "\n" + lines.join('\n');
 }
 }  // namespace
 
@@ -35,7 +50,6 @@ ConnectPage::ConnectPage(Session& session, FileChooser& files, QWidget* parent)
   connect(&session_, &Session::connectionChanged, this, &ConnectPage::showConnection);
   connect(&session_, &Session::settingsChanged, this, &ConnectPage::showConnection);
   connect(&session_, &Session::runChanged, this, &ConnectPage::showMotion);
-  listPresets();
   showConnection();
 }
 
@@ -46,10 +60,21 @@ QWidget* ConnectPage::buildBoards() {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(8);
   column->addWidget(heading(side, tr("Boards")));
-  boards_ = new QListWidget(side);
-  boards_->setObjectName("boardList");
-  boards_->setAccessibleName(tr("Boards to connect to"));
+  boards_ = new BoardList(side);
   column->addWidget(boards_, 1);
+  address_ = new QLineEdit(boards_->address(), side);
+  address_->setObjectName("addressEdit");
+  address_->setAccessibleName(tr("Address of the board"));
+  address_->setPlaceholderText("serial:ttyACM0@115200");
+  address_->setToolTip(
+      tr("serial:PORT@BAUD or tcp:HOST:PORT. Behind a VESC's address, what it doesn't know of its motor: "
+         "?pole_pairs=7&counts_per_rev=16384"));
+  auto* named = new QHBoxLayout;
+  auto* title = new QLabel(tr("Address"), side);
+  title->setBuddy(address_);
+  named->addWidget(title);
+  named->addWidget(address_, 1);
+  column->addLayout(named);
   auto* buttons = new QHBoxLayout;
   connect_ = pushButton(side, "connectButton", tr("Connect"));
   auto* open =
@@ -58,10 +83,16 @@ QWidget* ConnectPage::buildBoards() {
   buttons->addWidget(open);
   buttons->addStretch(1);
   column->addLayout(buttons);
+  state_ = explanation(side, {}, "connectionState");
+  column->addWidget(state_);
   connect(connect_, &QPushButton::clicked, this, &ConnectPage::connectChosen);
   connect(open, &QPushButton::clicked, this, &ConnectPage::openRig);
   connect(boards_, &QListWidget::itemActivated, this, &ConnectPage::connectChosen);
-  connect(boards_, &QListWidget::currentRowChanged, this, &ConnectPage::showConnection);
+  connect(boards_, &QListWidget::currentRowChanged, this, [this] {
+    if (const QString chosen = boards_->address(); !chosen.isEmpty()) address_->setText(chosen);
+  });
+  connect(address_, &QLineEdit::returnPressed, this, &ConnectPage::connectChosen);
+  connect(address_, &QLineEdit::textChanged, this, &ConnectPage::showConnection);
   return side;
 }
 
@@ -79,10 +110,23 @@ QWidget* ConnectPage::buildIdentity() {
   tables->addWidget(controller_, 0, Qt::AlignTop);
   tables->addStretch(1);
   column->addLayout(tables);
-  auto* buttons = new QHBoxLayout;
-  turn_ = pushButton(side, "turnButton", tr("Turn slowly"));
-  disconnect_ = pushButton(side, "disconnectButton", tr("Disconnect"));
-  pace_ = new QComboBox(side);
+  cannot_ = explanation(side, {}, "cannotLine");
+  column->addWidget(cannot_);
+  column->addSpacing(4);
+  column->addWidget(buildMotion());
+  column->addWidget(rule(side));
+  column->addWidget(new ProfilePanel(session_, files_, side), 1);
+  column->addStretch(0);
+  return side;
+}
+
+QWidget* ConnectPage::buildMotion() {
+  auto* row = new QWidget(this);
+  auto* buttons = new QHBoxLayout(row);
+  buttons->setContentsMargins(0, 0, 0, 0);
+  turn_ = pushButton(row, "turnButton", tr("Turn slowly"));
+  disconnect_ = pushButton(row, "disconnectButton", tr("Disconnect"));
+  pace_ = new QComboBox(row);
   pace_->setObjectName("paceBox");
   pace_->setAccessibleName(tr("Pace of simulated time"));
   for (const double pace : {1.0, 2.0, 5.0, 10.0, 20.0}) pace_->addItem(tr("%1 × real time").arg(pace), pace);
@@ -92,63 +136,90 @@ QWidget* ConnectPage::buildIdentity() {
   buttons->addSpacing(12);
   buttons->addWidget(pace_);
   buttons->addStretch(1);
-  column->addSpacing(4);
-  column->addLayout(buttons);
-  column->addStretch(1);
   connect(turn_, &QPushButton::clicked, &session_, &Session::turnSlowly);
   connect(disconnect_, &QPushButton::clicked, &session_, &Session::disconnectBoard);
-  return side;
-}
-
-void ConnectPage::listPresets() {
-  for (const std::string& name : presetNames()) {
-    const QString preset = QString::fromStdString(name);
-    addBoard(preset, "simulated:" + preset);
-    if (preset == "servo") boards_->setCurrentRow(boards_->count() - 1);
-  }
-}
-
-void ConnectPage::addBoard(const QString& name, const QString& uri) {
-  auto* item = new QListWidgetItem(tr("Simulated board: %1").arg(name), boards_);
-  item->setData(uriRole, uri);
-  item->setToolTip(uri);
+  return row;
 }
 
 void ConnectPage::connectChosen() {
-  if (const auto* item = boards_->currentItem()) session_.connectTo(item->data(uriRole).toString());
+  if (const QString address = address_->text().trimmed(); !address.isEmpty()) session_.connectTo(address);
 }
 
 void ConnectPage::openRig() {
   files_.ask(this, {tr("Open a simulated rig"), tr("Rig file (*.rig.json)"), {}, false}, [this](const QString& path) {
-    addBoard(QFileInfo(path).fileName(), "simulated:" + path);
-    boards_->setCurrentRow(boards_->count() - 1);
+    boards_->addRig(QFileInfo(path).fileName(), "simulated:" + path);
     connectChosen();
   });
 }
 
 void ConnectPage::showConnection() {
-  const bool connected = session_.connected();
-  setAvailable(connect_, boards_->currentItem() != nullptr, tr("Connect to the chosen board"),
-               tr("No board is chosen in the list"));
-  const bool simulated = session_.identity().simulated;
+  const bool connected = session_.connected(), simulated = session_.identity().simulated;
+  const ConnectionState state = session_.connection().state();
+  const bool trying = state == ConnectionState::connecting || state == ConnectionState::reconnecting;
+  setAvailable(connect_, !address_->text().trimmed().isEmpty(), tr("Connect to this address; the motor stays off"),
+               tr("No board is chosen in the list, and no address is given"));
   setAvailable(pace_, simulated, tr("How fast the simulated board's time passes; a long sweep need not be waited for"),
                connected ? tr("A real board keeps its own time") : tr("No board is connected"));
-  setAvailable(disconnect_, connected, tr("Stop the motor and let the board go"), tr("No board is connected"));
+  disconnect_->setText(trying ? tr("Give up") : tr("Disconnect"));
+  setAvailable(disconnect_, connected || trying,
+               trying ? tr("Don't try to connect any more") : tr("Stop the motor and let the board go"),
+               tr("No board is connected"));
+  showState();
+  showIdentity();
+  showMotion();
+}
+
+void ConnectPage::showState() {
+  const BoardConnection& connection = session_.connection();
+  const Look look = Look::of(palette());
+  QPalette words = palette();
+  words.setColor(QPalette::WindowText, connection.trouble().isEmpty() ? look.ink : look.trouble);
+  state_->setPalette(words);
+  switch (connection.state()) {
+    case ConnectionState::none:
+      state_->clear();
+      break;
+    case ConnectionState::connecting:
+      state_->setText(tr("Connecting to %1 …").arg(shortAddress(connection.uri())));
+      break;
+    case ConnectionState::connected:
+      state_->setText(tr("Connected."));
+      break;
+    case ConnectionState::failed:
+      state_->setText(tr("Not connected: %1").arg(connection.trouble()));
+      break;
+    case ConnectionState::reconnecting:
+      state_->setText(tr("Link lost: %1. Trying again every second; the motor stays off when the board comes back.")
+                          .arg(connection.trouble()));
+      break;
+  }
+}
+
+void ConnectPage::changeEvent(QEvent* event) {
+  Page::changeEvent(event);
+  if (facts_ != nullptr && event->type() == QEvent::PaletteChange) showState();
+}
+
+void ConnectPage::showIdentity() {
   const Identity& identity = session_.identity();
   const ControllerSettings& settings = session_.settings();
-  if (!connected) {
+  cannot_->setText(session_.connected() ? cannotWords(identity) : QString());
+  cannot_->setVisible(!cannot_->text().isEmpty());
+  if (!session_.connected()) {
     facts_->show({{tr("Device"), tr("none"), {}}});
     controller_->show({});
   } else {
     const auto number = [](double value) { return QString::number(value, 'g', 5); };
-    facts_->show(
-        {{tr("Device"), QString::fromStdString(identity.device), {}},
-         {tr("Firmware"), QString::fromStdString(identity.firmware), {}},
-         {tr("Address"), shortAddress(session_.uri()), session_.uri()},
-         {tr("Control loop"), tr("%1 Hz").arg(number(identity.loopRate_Hz)), tr("One sample comes from each tick")},
-         {tr("Encoder"), tr("%1 counts per turn").arg(number(identity.countsPerRev)), {}},
-         {tr("Index"), identity.hasIndex ? tr("once per turn") : tr("none"), {}},
-         {tr("Supply"), tr("%1 V").arg(number(identity.supply_V)), {}}});
+    facts_->show({{tr("Device"), QString::fromStdString(identity.device), {}},
+                  {tr("Firmware"), QString::fromStdString(identity.firmware), {}},
+                  {tr("Address"), shortAddress(session_.uri()), session_.uri()},
+                  {identity.can.everyTick ? tr("Control loop") : tr("Asked for values"),
+                   tr("%1 Hz").arg(number(identity.loopRate_Hz)),
+                   identity.can.everyTick ? tr("One sample comes from each tick")
+                                          : tr("As often as the board answers with half of its time to spare")},
+                  {tr("Encoder"), tr("%1 counts per turn").arg(number(identity.countsPerRev)), {}},
+                  {tr("Index"), identity.hasIndex ? tr("once per turn") : tr("none"), {}},
+                  {tr("Supply"), tr("%1 V").arg(number(identity.supply_V)), {}}});
     controller_->show(
         {{tr("Velocity Kp"), tr("%1 A s/rad").arg(number(settings.velocity_kp_A_s_per_rad)), {}},
          {tr("Velocity Ki"), tr("%1 A/rad").arg(number(settings.velocity_ki_A_per_rad)), {}},
@@ -158,7 +229,6 @@ void ConnectPage::showConnection() {
          {tr("Nominal torque constant"), tr("%1 Nm/A").arg(number(settings.nominal_torque_constant_Nm_per_A)), {}},
          {tr("Current limit"), tr("%1 A").arg(number(settings.current_limit_A)), {}}});
   }
-  showMotion();
 }
 
 void ConnectPage::showMotion() {

@@ -1,4 +1,4 @@
-// Connect: which board, and what it says of itself.
+// Connect: which board, how the connection stands, what the board says of itself, and its profile.
 #pragma once
 
 #include "pages/page.h"
@@ -6,11 +6,12 @@
 
 class QComboBox;
 class QLabel;
-class QListWidget;
+class QLineEdit;
 class QPushButton;
 
 namespace breakaway {
 
+class BoardList;
 class FactsTable;
 class Session;
 
@@ -20,19 +21,26 @@ class ConnectPage : public Page {
  public:
   ConnectPage(Session& session, FileChooser& files, QWidget* parent = nullptr);
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
   QWidget* buildBoards();
   QWidget* buildIdentity();
-  void listPresets();
-  void addBoard(const QString& name, const QString& uri);
+  QWidget* buildMotion();
   void connectChosen();
   void openRig();
   void showConnection();
+  void showState();
+  void showIdentity();
   void showMotion();
 
   Session& session_;
   FileChooser& files_;
-  QListWidget* boards_ = nullptr;
+  BoardList* boards_ = nullptr;
+  QLineEdit* address_ = nullptr;
+  QLabel* state_ = nullptr;
+  QLabel* cannot_ = nullptr;
   QPushButton* connect_ = nullptr;
   QPushButton* disconnect_ = nullptr;
   QPushButton* turn_ = nullptr;

@@ -84,8 +84,7 @@ void HomePage::showResult() {
 
 void HomePage::showMotion() {
   run_->show(session_.run());
-  const bool blind = session_.connected() && !session_.identity().hasIndex;
-  setAvailable(home_, tr("Find the index"), blind ? tr("This encoder has no index") : session_.obstacle());
+  setAvailable(home_, tr("Find the index"), session_.homingObstacle());
 }
 
 void HomePage::showAngle() {

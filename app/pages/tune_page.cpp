@@ -154,10 +154,9 @@ void TunePage::scaleSliders() {
 }
 
 void TunePage::showSettings() {
-  const bool connected = session_.connected();
   for (const Slider& slider : sliders_) {
     slider.widget->show(session_.settings().*slider.field);
-    slider.widget->setAvailable(connected, tr("No board is connected"));
+    slider.widget->setAvailable(session_.gainsObstacle().isEmpty(), session_.gainsObstacle());
   }
   showMargins();
   showMotion();

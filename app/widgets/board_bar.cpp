@@ -79,7 +79,8 @@ void BoardBar::showLink() {
     lost_->setText(tr("–"));
     return;
   }
-  QString rate = tr("%1 kHz").arg(session_.identity().loopRate_Hz / 1e3, 0, 'f', 1);
+  const double rate_Hz = session_.identity().loopRate_Hz;
+  QString rate = rate_Hz < 1e3 ? tr("%1 Hz").arg(rate_Hz, 0, 'f', 0) : tr("%1 kHz").arg(rate_Hz / 1e3, 0, 'f', 1);
   if (session_.identity().simulated && link.realTimeFactor > 0.0)
     rate += tr(", %1 × real time").arg(link.realTimeFactor, 0, 'f', 1);
   link_->setText(rate);

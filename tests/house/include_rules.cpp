@@ -17,6 +17,9 @@ const std::vector<std::string> rooms{"base",       "friction", "recording", "mot
 /// What the link stands on.
 const std::set<std::string> belowLink{"base", "friction", "recording", "control", "observer", "motor", "experiment"};
 
+/// The compiler's own headers that a board without an operating system has too.
+const std::set<std::string> freestanding{"array", "bit", "cstddef", "cstdint", "limits", "span", "type_traits"};
+
 /// What trials stand on: they know neither the search nor the simulated bench.
 const std::set<std::string> belowTrial{"base", "friction", "recording", "trial"};
 
@@ -89,9 +92,24 @@ std::string whyNotInCore(const std::string& path, const Include& one) {
   return rankOf(other) > rankOf(room) ? room + " stands below " + other : std::string();
 }
 
-std::string whyNotInLink(const Include& one) {
-  if (isQt(one.what) && !one.what.starts_with("QSerialPort") && !one.what.starts_with("QTcp"))
+/// What a board's own processor compiles too, its ports apart.
+std::string whyNotOnBoard(const std::string& path, const Include& one) {
+  if (one.angled) return freestanding.contains(one.what) ? "" : "a board has no <" + one.what + ">";
+  if (one.what.starts_with("firmware_link/wire/")) return {};
+  if (path.starts_with("firmware_link/wire/")) return "the wire stands on itself only";
+  const std::string other = firstPart(one.what);
+  const bool fine = other == "control" || other == "observer" || one.what.starts_with("firmware_link/board/");
+  return fine ? std::string() : "a board stands on wire, control and observers only";
+}
+
+std::string whyNotInLink(const std::string& path, const Include& one) {
+  const bool portable =
+      path.starts_with("firmware_link/board/") && path.rfind('/') == std::string("firmware_link/board").size();
+  if (portable || path.starts_with("firmware_link/wire/")) return whyNotOnBoard(path, one);
+  const bool transport = path.starts_with("firmware_link/transport/");
+  if (isQt(one.what) && !(transport && one.what.starts_with("QSerialPort")))
     return "the link knows Qt only in its transports";
+  if (!transport && one.what.starts_with("firmware_link/transport/")) return "transports stand above the link";
   const std::string other = firstPart(one.what);
   const bool fine = one.angled || other == "firmware_link" || belowLink.contains(other);
   return fine ? std::string() : "the link stands beside " + other;
@@ -104,7 +122,8 @@ std::string whyNotInApp(const std::string& path, const Include& one) {
     return "commands see no window";
   if (path.starts_with("app/widgets/") && one.what.starts_with("pages/")) return "widgets stand below pages";
   if (shown && one.what.starts_with("cli/")) return "pages know no commands";
-  if (shown && one.what == "firmware_link/simulated_board.h") return "pages reach a board through the session";
+  if (shown && (one.what == "firmware_link/simulated_board.h" || one.what == "firmware_link/transport/open_board.h"))
+    return "pages reach a board through the session";
   const bool trial = cli && one.what == "trial/sealed_trial.h";
   if (!trial && isPlant("core/" + one.what)) return "above the drive port nobody sees the plant";
   if (path.ends_with(".h") && one.what.starts_with("nlohmann/")) return "JSON stays inside readers and writers";
@@ -132,7 +151,7 @@ std::vector<std::string> breaches(const Sources& sources) {
     for (const Include& one : includesOf(text)) {
       const std::string why = layer == "core"  ? whyNotInCore(path, one)
                               : layer == "app" ? whyNotInApp(path, one)
-                                               : whyNotInLink(one);
+                                               : whyNotInLink(path, one);
       if (!why.empty()) found.push_back(path + " includes " + one.what + ": " + why);
     }
     if (!path.starts_with("core/diagnose/")) continue;

@@ -98,6 +98,21 @@ void TestBadInput::badInput_getsOneLineAndStatus2_data() {
   row("no motor there", "commission --out d --against m.json", {}, "m.json: cannot be read");
   row("a tolerance beyond", "commission --out d --added-inertia 1e-4 --added-tolerance 3", {}, "--added-tolerance");
   row("figures nowhere", "figures --out r.txt/d", {{"r.txt", "here"}}, "r.txt/d: cannot be");
+  const auto ofBoard = [&](const char* name, const char* uri, const char* line) {
+    for (const char* words : {"commission --out d --board ", "profile save --profile p.json --board "})
+      row(name, qPrintable(words + QString(uri)), {}, line);
+  };
+  ofBoard("no such port", "serial:ttyNoSuchPort7", "serial port /dev/ttyNoSuchPort7: there is no such port");
+  ofBoard("no serial port", "serial:/dev/null", "serial port /dev/null: is no serial port");
+  ofBoard("baud in words", "serial:ttyUSB0@fast", "has the baud rate \"fast\", expected a whole number");
+  ofBoard("no TCP port", "tcp:localhost:http", "has the port \"http\", expected tcp:HOST:PORT with 1 to 65535");
+  ofBoard("nobody listens", "tcp:127.0.0.1:1", "127.0.0.1:1: refuses the connection");
+  ofBoard("no such kind", "usb:1", "is no known board, expected simulated, serial:PORT[@BAUD] or tcp:HOST:PORT");
+  ofBoard("unknown option", "serial:ttyUSB0?poles=7", "knows no option \"poles\"");
+  row("no profile", "profile restore --board simulated --profile p.json", {}, "p.json: cannot be read");
+  row("profile of another kind", "profile compare --board simulated --profile p.json",
+      {{"p.json", R"({"schema": "breakaway.map/1"})"}}, "p.json, field schema: is \"breakaway.map/1\"");
+  row("unknown action", "profile burn --board simulated --profile p.json", {}, "burn");
   row("unknown command", "diagnoze", {}, "diagnoze");
   row("no command", "", {}, "command");
   row("missing word", "import r.txt", {}, "--out is required");

@@ -50,7 +50,8 @@ void TestHeadless::everyCommand_hasCompleteHelp() {
     const QString command = line.trimmed().section(' ', 0, 0);
     const Outcome one = run(program, {command, "--help"});
     QVERIFY2(one.status == 0 && one.err.isEmpty(), qPrintable(command));
-    QVERIFY2(one.out.contains("--out"), qPrintable(one.out));
+    const bool writes = command != "ports" && command != "profile";
+    QVERIFY2(one.out.contains(writes ? "--out" : command), qPrintable(one.out));
     QVERIFY2(line.trimmed().section(' ', 1).trimmed().size() > 10, qPrintable(command + " has no description"));
   }
 }

@@ -1,0 +1,80 @@
+#include "board_connection.h"
+
+#include <utility>
+
+#include "firmware_link/presets.h"
+
+namespace breakaway {
+
+using namespace std::chrono_literals;
+
+BoardConnection::BoardConnection(Taker taker, QObject* parent) : QObject(parent), taker_(std::move(taker)) {
+  retry_.setSingleShot(true);
+  retry_.setInterval(1s);
+  connect(&retry_, &QTimer::timeout, this, &BoardConnection::attempt);
+}
+
+BoardConnection::~BoardConnection() {
+  pool_.waitForDone();
+}
+
+void BoardConnection::enter(ConnectionState state, const QString& trouble) {
+  state_ = state;
+  trouble_ = trouble;
+  emit changed();
+}
+
+void BoardConnection::open(const BoardRequest& request) {
+  close();
+  request_ = request;
+  if (isSimulated(request.uri)) {
+    auto opened = openBoard(request);
+    return take(number_, opened);
+  }
+  enter(ConnectionState::connecting, {});
+  attempt();
+}
+
+void BoardConnection::attempt() {
+  pool_.start([this, number = number_, request = request_] {
+    const auto opened = std::make_shared<Result<std::unique_ptr<Drive>>>(openBoard(request));
+    QMetaObject::invokeMethod(
+        this, [this, number, opened] { take(number, *opened); }, Qt::QueuedConnection);
+  });
+}
+
+void BoardConnection::take(unsigned number, Result<std::unique_ptr<Drive>>& opened) {
+  if (number != number_) return;  // nobody waits for it any more
+  if (opened) {
+    state_ = ConnectionState::connected;
+    trouble_.clear();
+    taker_(std::move(*opened));
+    emit changed();
+  } else if (state_ == ConnectionState::reconnecting) {
+    enter(state_, QString::fromStdString(opened.error().message()));
+    retry_.start();
+  } else {
+    enter(ConnectionState::failed, QString::fromStdString(opened.error().message()));
+  }
+}
+
+void BoardConnection::lost(const QString& why) {
+  if (request_.uri.empty() || isSimulated(request_.uri)) return enter(ConnectionState::failed, why);
+  ++number_;
+  enter(ConnectionState::reconnecting, why);
+  retry_.start();
+}
+
+void BoardConnection::close() {
+  ++number_;
+  retry_.stop();
+  request_ = {};
+  enter(ConnectionState::none, {});
+}
+
+void BoardConnection::keep() {
+  close();
+  enter(ConnectionState::connected, {});
+}
+
+}  // namespace breakaway

@@ -1,0 +1,104 @@
+#include "widgets/board_list.h"
+
+#include <algorithm>
+
+#include "firmware_link/presets.h"
+#include "firmware_link/transport/byte_address.h"
+#include "widgets/look.h"
+
+namespace breakaway {
+
+using namespace std::chrono_literals;
+
+namespace {
+constexpr int uriRole = Qt::UserRole, kindRole = Qt::UserRole + 1;
+constexpr const char *rigKind = "rig", *portKind = "port";
+}  // namespace
+
+BoardList::BoardList(QWidget* parent) : QListWidget(parent) {
+  setObjectName("boardList");
+  setAccessibleName(tr("Boards to connect to"));
+  setWordWrap(true);
+  addTitle(tr("Simulated"));
+  for (const std::string& name : presetNames()) {
+    const QString preset = QString::fromStdString(name);
+    const QString uri = "simulated:" + preset;
+    auto* item = add(count(), tr("Simulated board: %1").arg(preset), uri, uri);
+    item->setData(kindRole, rigKind);
+    if (preset == "servo") setCurrentItem(item);
+  }
+  addTitle(tr("On a serial port"));
+  addTitle(tr("On the network"));
+  add(count(), tr("TCP address…"), "tcp:127.0.0.1:2000",
+      tr("A board behind a network adapter, or breakaway-board on this machine: write its address below"));
+  connect(&watch_, &QTimer::timeout, this, [this] {
+    if (isVisible()) showPorts(serialPorts());
+  });
+  watch_.start(1s);
+  shown_ = {"nothing yet"};
+  showPorts(serialPorts());
+}
+
+QListWidgetItem* BoardList::add(int row, const QString& text, const QString& uri, const QString& tip) {
+  auto* item = new QListWidgetItem(text);
+  item->setData(uriRole, uri);
+  item->setToolTip(tip);
+  insertItem(row, item);
+  return item;
+}
+
+void BoardList::addTitle(const QString& text) {
+  auto* item = new QListWidgetItem(text, this);
+  item->setFlags(Qt::NoItemFlags);
+  item->setFont(sized(font(), 0.9, true));
+  item->setTextAlignment(Qt::AlignLeft | Qt::AlignBottom);
+  item->setSizeHint({0, fontMetrics().height() + 9});
+}
+
+/// One behind the last item of that kind; behind the title of the ports where there is none.
+int BoardList::rowOf(const char* kind) const {
+  int behind = 0;
+  for (int row = 0; row < count(); ++row) {
+    if (item(row)->data(kindRole) == kind) behind = row + 1;
+  }
+  return behind;
+}
+
+QString BoardList::address() const {
+  return currentItem() != nullptr ? currentItem()->data(uriRole).toString() : QString();
+}
+
+void BoardList::addRig(const QString& name, const QString& uri) {
+  auto* item = add(rowOf(rigKind), tr("Simulated board: %1").arg(name), uri, uri);
+  item->setData(kindRole, rigKind);
+  setCurrentItem(item);
+}
+
+void BoardList::showPorts(const std::vector<SerialPort>& ports) {
+  std::vector<QString> addresses;
+  addresses.reserve(ports.size());
+  for (const SerialPort& one : ports) {
+    addresses.push_back(QString("serial:%1@%2").arg(QString::fromStdString(one.lasting)).arg(ByteAddress::usualBaud));
+  }
+  if (addresses == shown_) return;
+  const QString chosen = address();
+  shown_ = addresses;
+  for (int row = count() - 1; row >= 0; --row) {
+    if (item(row)->data(kindRole) == portKind) delete takeItem(row);
+  }
+  int at = rowOf(rigKind) + 1;
+  for (size_t k = 0; k < ports.size(); ++k) {
+    const SerialPort& port = ports[k];
+    auto* item = add(at++, QString::fromStdString(port.words()), addresses[k],
+                     QString::fromStdString(port.maker.empty() ? port.device : port.maker + ", " + port.device));
+    item->setData(kindRole, portKind);
+    if (addresses[k] == chosen) setCurrentItem(item);
+  }
+  if (!ports.empty()) return;
+  auto* none = add(at, tr("nothing is plugged in"), {},
+                   tr("Plug the board in; its port appears here by itself. A cable that only charges carries no data"));
+  none->setData(kindRole, portKind);
+  none->setFlags(Qt::NoItemFlags);
+}
+
+}  // namespace breakaway

@@ -1,0 +1,40 @@
+// A profile beside the board: what differs, which of it to give back, and what the board accepted.
+#pragma once
+
+#include <QWidget>
+
+#include "profile_comparison.h"
+#include "widgets/file_chooser.h"
+
+class QLabel;
+class QPushButton;
+class QTableWidget;
+
+namespace breakaway {
+
+class ProfilePanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  ProfilePanel(Session& session, FileChooser& files, QWidget* parent = nullptr);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void frameTicks();
+  void fill();
+  void showAvailable();
+  QStringList ticked() const;
+
+  Session& session_;
+  FileChooser& files_;
+  ProfileComparison profile_;
+  QPushButton* save_ = nullptr;
+  QPushButton* open_ = nullptr;
+  QPushButton* restore_ = nullptr;
+  QLabel* source_ = nullptr;
+  QTableWidget* table_ = nullptr;
+};
+
+}  // namespace breakaway
