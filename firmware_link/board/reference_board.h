@@ -136,7 +136,7 @@ class ReferenceBoard {
   }
 
   void obey(const wire::Frame& frame) {
-    if ((frame.type & wire::answerBit) != 0) return;  // an echo, or another board
+    if (frame.type >= wire::beyondRequests) return;  // an echo, or another board
     wire::Writer out(body_);
     out(wire::Code::ok);
     if (changes(static_cast<wire::Type>(frame.type)) && outOfDate(frame)) return;
