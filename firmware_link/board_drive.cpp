@@ -83,6 +83,7 @@ class BoardDrive final : public Drive {
   void commandAnswered(const wire::Frame& frame);
   void alive(const wire::Alive& alive);
   void take(std::span<const std::uint8_t> body);
+  void followZeroing();
   void runProcedure(const Sample& sample);
   void endProcedure(const std::string& reason);
   void faultCame(const wire::Fault& fault);
@@ -107,6 +108,9 @@ class BoardDrive final : public Drive {
   Clock::time_point commandSent_, beatSent_;
 
   std::vector<Sample> came_;  ///< since advance() was called last
+  double zero_A_ = 0.0, zeroSum_A_ = 0.0;
+  std::size_t zeroCount_ = 0;
+  bool zeroes_ = false;
   std::size_t lost_ = 0;
   double owed_s_ = 0.0;
   std::optional<std::uint32_t> stands_;  ///< the tick at which the board last said that it stands
@@ -142,9 +146,10 @@ Result<void> BoardDrive::greet() {
   const auto values = dictionary_.values(link_, names);
   if (!values) return values.error();
   settings_ = settingsOf(*values);
-  const auto limits = dictionary_.values(link_, {"current_trip_A", "blocked_for_s", "lease_s"});
+  const auto limits = dictionary_.values(link_, {"current_trip_A", "blocked_for_s", "lease_s", "current_zero_A"});
   if (!limits) return limits.error();
   limits_ = {(*limits)[0], (*limits)[1], (*limits)[2], identity_.supply_V, decoder_.count_rad()};
+  zero_A_ = (*limits)[3];
   link_.listen([this](const wire::Frame& frame) { heard(frame); });
   const auto stopped = link_.ask<wire::Alive>(wire::Type::stop);
   if (!stopped) return stopped.error();
@@ -340,7 +345,29 @@ void BoardDrive::heard(const wire::Frame& frame) {
 void BoardDrive::take(std::span<const std::uint8_t> body) {
   const std::size_t before = came_.size();
   lost_ += decoder_.take(body, came_);
-  for (std::size_t k = before; k < came_.size(); ++k) runProcedure(came_[k]);
+  for (std::size_t k = before; k < came_.size(); ++k) {
+    Sample& sample = came_[k];
+    if (decoder_.unzeroed()) sample.current_A -= zero_A_;
+    followZeroing();
+    if (zeroes_ && !sample.enabled) {
+      zeroSum_A_ += sample.current_A;
+      ++zeroCount_;
+    }
+    runProcedure(sample);
+    followZeroing();
+  }
+}
+
+/// The board averages a few ticks earlier or later than it was told here; what a procedure has seen of the zeroing is
+/// what counts for it, so the zero of the samples is taken on this side too. The board's own serves its current loop.
+void BoardDrive::followZeroing() {
+  const bool wanted = wanted_.zeroCurrentSensor && wanted_.mode == Command::Mode::off;
+  if (zeroes_ && !wanted && zeroCount_ > 0) zero_A_ += zeroSum_A_ / static_cast<double>(zeroCount_);
+  if (zeroes_ != wanted) {
+    zeroSum_A_ = 0.0;
+    zeroCount_ = 0;
+  }
+  zeroes_ = wanted;
 }
 
 void BoardDrive::runProcedure(const Sample& sample) {

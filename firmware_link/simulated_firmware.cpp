@@ -34,8 +34,9 @@ void SimulatedFirmware::tick() {
   readings.index = seen.index;
   readings.current_A = static_cast<float>(seen.current_A);
   readings.supply_V = static_cast<float>(seen.supply_V);
-  const board::Drive<float> drive = board_->tick(readings);
-  rig_.drive(drive.enabled, static_cast<double>(drive.duty));
+  current_A_ = seen.current_A;
+  drive_ = board_->tick(readings);
+  rig_.drive(drive_.enabled, static_cast<double>(drive_.duty));
 }
 
 void SimulatedFirmware::tickWithoutSending() {

@@ -32,6 +32,10 @@ class SimulatedFirmware {
 
   double tick_s() const { return 1.0 / rate_Hz_; }
   const Board& board() const { return *board_; }
+  /// What the last tick made of the bridge, and the current that its sensor saw.
+  bool enabled() const { return drive_.enabled; }
+  double duty() const { return static_cast<double>(drive_.duty); }
+  double current_A() const { return current_A_; }
   /// One tick, what it has to send stays in the board's outbox; where that is full, samples are dropped and counted.
   void tickWithoutSending();
 
@@ -42,6 +46,8 @@ class SimulatedFirmware {
   std::string device_;
   SimulatedRig rig_;
   std::unique_ptr<Board> board_;
+  board::Drive<float> drive_;
+  double current_A_ = 0.0;
   bool linkLost_ = false;
 };
 

@@ -136,7 +136,7 @@ class ReferenceBoard {
   }
 
   void obey(const wire::Frame& frame) {
-    if ((frame.type & wire::answerBit) != 0) return;  // an echo, or another board
+    if (frame.type >= wire::beyondRequests) return;  // an echo, or another board
     wire::Writer out(body_);
     out(wire::Code::ok);
     if (changes(static_cast<wire::Type>(frame.type)) && outOfDate(frame)) return;
@@ -266,7 +266,8 @@ class ReferenceBoard {
     return wire::Code::ok;
   }
 
-  wire::Code read(wire::ParameterList& list, wire::Writer& out) const {
+  wire::Code read(wire::ParameterList& list, wire::Writer& out) {
+    parameters_.show(Parameter::currentZero, control_.zero_A());
     for (std::size_t k = 0; k < list.count; ++k) {
       if (list.value[k].id >= parameterCount) return wire::Code::noSuch;
       list.value[k].word = parameters_.whole(static_cast<Parameter>(list.value[k].id));

@@ -9,7 +9,7 @@
 
 namespace breakaway::wire {
 
-/// The host asks with a type below 0x80. The board answers with the type + 0x80 and the same sequence; the answer's
+/// The host asks with a type below 0x40. The board answers with the type + 0x80 and the same sequence; the answer's
 /// body is a Code and then, if that is ok, what the struct says. From 0xC0 on the board speaks unasked. A type that one
 /// doesn't know is skipped; to a request the board answers Code::unknown.
 enum class Type : std::uint8_t {
@@ -33,6 +33,7 @@ enum class Type : std::uint8_t {
   telemetry = 0xC0,        ///< BatchHeader, then the samples
   faultHappened = 0xC1     ///< Fault
 };
+inline constexpr std::uint8_t beyondRequests = 0x40;
 inline constexpr std::uint8_t answerBit = 0x80;
 inline constexpr std::uint8_t unasked = 0xC0;
 

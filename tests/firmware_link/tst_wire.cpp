@@ -1,3 +1,5 @@
+#include <QFile>
+#include <QRegularExpression>
 #include <QTest>
 #include <cmath>
 #include <random>
@@ -13,6 +15,7 @@ class TestWire : public QObject {
   void checksum_isThePublishedOne();
   void frame_hasTheseBytes_data();
   void frame_hasTheseBytes();
+  void commandsBytes_areTheManuals();
   void everyLengthAndContent_comesBackWithinOneFrame();
   void tooLongBody_isNotWritten();
   void anyBytes_giveFramesOrCountedErrors();
@@ -74,17 +77,25 @@ void TestWire::checksum_isThePublishedOne() {
   QCOMPARE(crc32c(rising), 0x46DD794Eu);
 }
 
+/// The manual's own test vectors: somebody writes firmware by them.
 void TestWire::frame_hasTheseBytes_data() {
   QTest::addColumn<int>("type");
   QTest::addColumn<int>("sequence");
   QTest::addColumn<QByteArray>("body");
   QTest::addColumn<QByteArray>("wire");
-  const auto row = [](const char* name, int type, int sequence, const char* body, const char* wire) {
-    QTest::newRow(name) << type << sequence << QByteArray::fromHex(body) << QByteArray::fromHex(wire);
-  };
-  row("hello", 0x01, 1, "", "040101010576ebc12300");
-  row("stop", 0x07, 0x1234, "", "0901073412d141731e00");
-  row("heartbeat until tick 1000", 0x06, 7, "e8030000", "0401060703e8030105878ef20400");
+  QFile page(qEnvironmentVariable("BREAKAWAY_SOURCE_DIR") + "/resources/help/wire.md");
+  QVERIFY(page.open(QIODevice::ReadOnly));
+  static const QRegularExpression vector(
+      R"(^\| ([^|]+) \| `([0-9a-f]{2})` \| (\d+) \| `([0-9a-f ]*)` \| `([0-9a-f ]+)` \|$)",
+      QRegularExpression::MultilineOption);
+  int rows = 0;
+  for (auto it = vector.globalMatch(QString::fromUtf8(page.readAll())); it.hasNext(); ++rows) {
+    const auto found = it.next();
+    QTest::newRow(qPrintable(found.captured(1)))
+        << found.captured(2).toInt(nullptr, 16) << found.captured(3).toInt()
+        << QByteArray::fromHex(found.captured(4).toLatin1()) << QByteArray::fromHex(found.captured(5).toLatin1());
+  }
+  QVERIFY2(rows >= 7, "the manual's table of frames was not found");
 }
 
 void TestWire::frame_hasTheseBytes() {
@@ -95,6 +106,20 @@ void TestWire::frame_hasTheseBytes() {
   const Bytes made =
       encoded(static_cast<std::uint8_t>(type), static_cast<std::uint16_t>(sequence), Bytes(body.begin(), body.end()));
   QCOMPARE(QByteArray(reinterpret_cast<const char*>(made.data()), static_cast<int>(made.size())).toHex(), wire.toHex());
+}
+
+void TestWire::commandsBytes_areTheManuals() {
+  MotorCommand command;
+  command.mode = MotorCommand::Mode::position;
+  command.latch = 5;
+  command.targetCounts = 14400;
+  command.current_limit_A = 1.5f;
+  Bytes room(mostBody);
+  Writer out(room);
+  out(command);
+  const Bytes body(out.written().begin(), out.written().end());
+  QCOMPARE(QByteArray(reinterpret_cast<const char*>(body.data()), static_cast<int>(body.size())),
+           QByteArray::fromHex("0400050000000000403800000000c03f"));
 }
 
 void TestWire::everyLengthAndContent_comesBackWithinOneFrame() {

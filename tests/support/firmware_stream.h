@@ -75,8 +75,9 @@ struct Spoiling {
 /// Spoils both ways; counts what it did.
 class SpoiledStream final : public ByteStream {
  public:
-  SpoiledStream(std::unique_ptr<ByteStream> inner, const Spoiling& spoiling, unsigned seed)
-      : inner_(std::move(inner)), spoiling_(spoiling), random_(seed) {}
+  /// What is spoiled may be changed while it runs.
+  SpoiledStream(std::unique_ptr<ByteStream> inner, std::shared_ptr<const Spoiling> spoiling, unsigned seed)
+      : inner_(std::move(inner)), spoiling_(std::move(spoiling)), random_(seed) {}
 
   Result<void> write(std::span<const std::uint8_t> bytes) override {
     const std::vector<std::uint8_t> wrong = spoiled({bytes.begin(), bytes.end()});
@@ -100,22 +101,23 @@ class SpoiledStream final : public ByteStream {
       if (byte == 0) pieces.emplace_back();
     }
     for (std::size_t k = 0; k + 2 < pieces.size(); ++k) {
-      if (happens(spoiling_.reordered)) std::swap(pieces[k], pieces[k + 1]);
+      if (happens(spoiling_->reordered)) std::swap(pieces[k], pieces[k + 1]);
     }
     std::vector<std::uint8_t> out;
+    if (pieces.back().empty()) pieces.pop_back();
     for (auto& piece : pieces) {
-      if (happens(spoiling_.truncated)) piece.resize(piece.size() / 2);
-      const int times = happens(spoiling_.doubled) ? 2 : 1;
+      if (happens(spoiling_->truncated)) piece.resize(piece.size() / 2);
+      const int times = happens(spoiling_->doubled) ? 2 : 1;
       for (int k = 0; k < times; ++k) {
-        if (happens(spoiling_.garbage))
+        if (happens(spoiling_->garbage))
           for (int n = 0; n < 40; ++n) out.push_back(static_cast<std::uint8_t>(random_()));
-        if (spoiling_.bootText && happens(0.02)) {
+        if (spoiling_->bootText && happens(0.02)) {
           const char* text = "boot v2.1 ok\r\n";
           out.insert(out.end(), text, text + std::strlen(text));
         }
         for (const std::uint8_t byte : piece) {
-          if (happens(spoiling_.dropped)) continue;
-          out.push_back(happens(spoiling_.flipped) ? static_cast<std::uint8_t>(byte ^ (1u << random_() % 8)) : byte);
+          if (happens(spoiling_->dropped)) continue;
+          out.push_back(happens(spoiling_->flipped) ? static_cast<std::uint8_t>(byte ^ (1u << random_() % 8)) : byte);
         }
       }
     }
@@ -123,7 +125,7 @@ class SpoiledStream final : public ByteStream {
   }
 
   std::unique_ptr<ByteStream> inner_;
-  Spoiling spoiling_;
+  std::shared_ptr<const Spoiling> spoiling_;
   std::mt19937 random_;
 };
 
