@@ -9,10 +9,16 @@ if(BREAKAWAY_SANITIZE)
   target_link_options(breakaway_options INTERFACE -fsanitize=address,undefined)
 endif()
 
-# breakaway_library(NAME DIRECTORY): a static library of all sources below DIRECTORY; its headers must stand alone.
+# breakaway_library(NAME DIRECTORY [WITHOUT FOLDER…]): a static library of all sources below DIRECTORY, but for those in
+# FOLDERs (regular expressions); its headers must stand alone.
 function(breakaway_library name directory)
+  cmake_parse_arguments(PARSE_ARGV 2 library "" "" "WITHOUT")
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${directory}/*.cpp)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${directory}/*.h)
+  foreach(folder ${library_WITHOUT})
+    list(FILTER sources EXCLUDE REGEX ${folder})
+    list(FILTER headers EXCLUDE REGEX ${folder})
+  endforeach()
   add_library(${name} STATIC ${sources})
   target_sources(${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${directory} FILES ${headers})
   target_link_libraries(${name} PRIVATE breakaway_options)
