@@ -34,6 +34,12 @@ class BoardWatch {
   /// Forgets how long something has lasted; for a new command after a trip.
   void restart() { low_s_ = atLimit_s_ = 0; }
 
+  /// The angle's zero was moved; see ServoController::shift().
+  void shift(Scalar by_rad) {
+    angle_rad_ += by_rad;
+    anchor_rad_ += by_rad;
+  }
+
   Trip step(const Seen& seen) {
     const Trip jump = angle(seen);
     if (magnitude(seen.current_A) > limits_.trip_A) return seen.enabled ? Trip::overCurrent : Trip::openSensor;

@@ -15,6 +15,7 @@ struct MotionGains {
   Scalar position_ki_A_per_rad_s = 0;
   Scalar position_kd_A_s_per_rad = 0;
   Scalar velocity_limit_rad_per_s = 0;  ///< of a position move; 0: none
+  bool operator==(const MotionGains&) const = default;
 };
 
 /// PID whose output is held within ±limit_A; the integral holds while the output is at its limit and would go further.

@@ -20,6 +20,7 @@ struct ServoSettings {
   Scalar inertia_kg_m2 = 0;              ///< nominal
   Scalar torqueConstant_Nm_per_A = 0;    ///< nominal
   Scalar current_limit_A = 0;
+  bool operator==(const ServoSettings&) const = default;
 };
 
 template <typename Scalar>
@@ -87,6 +88,12 @@ class ServoController {
     }
     if (zeroTicks_ > 0 && !command.zeroCurrentSensor) finishZeroing();
     command_ = command;
+  }
+
+  /// Moves the angle's zero by whole turns, so that a single-precision board can keep it small.
+  void shift(Scalar by_rad) {
+    speed_.shift(by_rad);
+    if (command_.mode == ServoMode::position) command_.target += by_rad;
   }
 
   /// `angle_rad` is the encoder's count as an angle, `sensor_A` the sensor as it reads, `supply_V` the bridge's supply.

@@ -140,7 +140,8 @@ struct MotorCommand {
   enum class Mode : std::uint8_t { off = 0, voltage = 1, current = 2, velocity = 3, position = 4 };
   enum Flag : std::uint8_t {
     zeroCurrentSensor = 1,  ///< with mode off: average the sensor while this is set, take the mean as its zero
-    watched = 2             ///< part of a procedure: faults latch with open windings too
+    watched = 2,            ///< part of a procedure: faults latch with open windings too
+    fresh = 4               ///< begins something new: the last fault is done with, and travel is counted from here
   };
   Mode mode = Mode::off;
   std::uint8_t flags = 0;
@@ -183,7 +184,7 @@ struct Alive {
   std::uint16_t boot = 0;
   std::uint16_t latch = 0;
   MotorCommand::Mode mode = MotorCommand::Mode::off;
-  FaultCode fault = FaultCode::none;  ///< the last one that no command has followed
+  FaultCode fault = FaultCode::none;  ///< the last one that no fresh command has followed
   std::uint32_t tick = 0;             ///< the next one to be run
   std::uint32_t time_us = 0;
   std::uint32_t untilTick = 0;  ///< accepted
@@ -239,7 +240,7 @@ struct FrictionUse {
 
 /// Records on the board at full rate, to be read afterwards.
 struct Capture {
-  enum class Trigger : std::uint8_t { now = 0, nextCommand = 1, nextFault = 2 };
+  enum class Trigger : std::uint8_t { now = 0, nextCommand = 1 };
   Trigger trigger = Trigger::now;
   std::uint8_t every = 1;
   std::uint16_t schema = 0;

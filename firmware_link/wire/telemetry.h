@@ -32,7 +32,7 @@ enum class Channel : std::uint8_t {
   angle,              ///< encoder counts since the board woke up, wrapping
   flags,              ///< SampleFlag
   current,            ///< A, the sensor's zero taken off
-  voltage,            ///< V, the duty that the timer makes × supply
+  duty,               ///< of the bridge as the timer makes it; × supply it is the mean voltage
   supply,             ///< V
   velocity,           ///< rad/s, the board's estimate
   currentReference,   ///< A, after the limit
@@ -59,7 +59,7 @@ inline constexpr ChannelForm channelForms[channelCount] = {
     {"angle_counts", Format::int32},
     {"flags", Format::uint8},
     {"current_A", Format::int16},
-    {"voltage_V", Format::int16},
+    {"duty", Format::int16},
     {"supply_V", Format::int16},
     {"velocity_rad_per_s", Format::float32},
     {"current_reference_A", Format::int16},
