@@ -36,7 +36,6 @@ struct EmulatedRig {
   std::int32_t adcSteps;
   // Bridge.
   float supply_V, deadZoneDuty;
-  std::int32_t pwmSteps;  ///< 0: any duty
 };
 
 }  // namespace breakaway

@@ -64,22 +64,8 @@ class EmulatedCurrentSensor {
 /// The bridge: what mean voltage a commanded duty gives.
 class EmulatedBridge {
  public:
-  explicit EmulatedBridge(const EmulatedRig& rig) : rig_(rig) {
-    if (rig.pwmSteps > 0) perStep_ = 1.0f / static_cast<float>(rig.pwmSteps);
-  }
+  explicit EmulatedBridge(const EmulatedRig& rig) : rig_(rig) {}
 
-  /// The duty that the timer can make; what a step leaves over goes into the next one, so that the mean is exact.
-  float realisable(float duty) {
-    float wanted = duty + left_;
-    wanted = wanted > 1.0f ? 1.0f : wanted < -1.0f ? -1.0f : wanted;
-    const float steps = wanted * static_cast<float>(rig_.pwmSteps);
-    const float made =
-        rig_.pwmSteps > 0
-            ? static_cast<float>(static_cast<std::int32_t>(steps < 0.0f ? steps - 0.5f : steps + 0.5f)) * perStep_
-            : wanted;
-    left_ = wanted - made;
-    return made;
-  }
   float voltage_V(float duty) const {
     if (duty > rig_.deadZoneDuty) return (duty - rig_.deadZoneDuty) * rig_.supply_V;
     if (duty < -rig_.deadZoneDuty) return (duty + rig_.deadZoneDuty) * rig_.supply_V;
@@ -88,7 +74,6 @@ class EmulatedBridge {
 
  private:
   const EmulatedRig& rig_;
-  float perStep_ = 0, left_ = 0;
 };
 
 }  // namespace breakaway

@@ -1,18 +1,18 @@
-// From reset to main() on a Cortex-M3: vectors, memory, constructors. A fault stops the chip, so that an emulator ends.
+// From reset to runImage() on a Cortex-M3: vectors, memory, constructors. A fault stops the chip, so that an emulator ends.
 #include <cstdint>
 
 extern "C" {
 extern std::uint32_t _stackTop, _dataStart, _dataEnd, _dataLoad, _bssStart, _bssEnd;
 extern void (*_constructorsStart[])();
 extern void (*_constructorsEnd[])();
-int main();
+void runImage();  // an image's own
 
 [[noreturn]] void resetHandler() {
   const std::uint32_t* from = &_dataLoad;
   for (std::uint32_t* to = &_dataStart; to < &_dataEnd; ++to, ++from) *to = *from;
   for (std::uint32_t* to = &_bssStart; to < &_bssEnd; ++to) *to = 0;
   for (auto construct = _constructorsStart; construct < _constructorsEnd; ++construct) (*construct)();
-  main();
+  runImage();
   for (;;) asm volatile("wfi");
 }
 

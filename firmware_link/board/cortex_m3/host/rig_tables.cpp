@@ -4,8 +4,11 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <initializer_list>
 #include <numbers>
+#include <utility>
 
+#include "firmware_link/simulated_rig.h"
 #include "motor/plant_propagator.h"
 #include "motor/rig_torques.h"
 
@@ -68,6 +71,59 @@ std::string motionText(const EmulatedMotion& motion) {
 std::string cellText(const EmulatedCell& cell) {
   return "{" + numbers(cell.static_Nm, 2) + ", " + numbers(cell.coulomb_Nm, 2) + ", " +
          numbers(cell.viscous_Nm_s_per_rad, 2) + ", " + number(cell.position_Nm) + "}";
+}
+
+using Field = std::pair<const char*, std::string>;
+
+std::string fields(std::initializer_list<Field> all) {
+  std::string text = "{";
+  for (const auto& [name, value] : all) text += (text.size() > 1 ? ", ." : ".") + std::string(name) + " = " + value;
+  return text + "}";
+}
+
+/// The same numbers as the board has that runs on the host.
+std::string hardwareText(const Rig& rig, const std::string& name) {
+  const board::BoardHardware<float> h = hardwareOf<float>(rig);
+  const auto& current = h.servo.current;
+  const auto& gains = h.start.gains;
+  const std::string loop = fields({{"resistance_ohm", number(current.resistance_ohm)},
+                                   {"inductance_H", number(current.inductance_H)},
+                                   {"backEmfConstant_V_s_per_rad", number(current.backEmfConstant_V_s_per_rad)},
+                                   {"bandwidth_rad_per_s", number(current.bandwidth_rad_per_s)}});
+  const std::string servo = fields({{"tick_s", number(h.servo.tick_s)},
+                                    {"count_rad", number(h.servo.count_rad)},
+                                    {"current", loop},
+                                    {"velocityBandwidth_rad_per_s", number(h.servo.velocityBandwidth_rad_per_s)}});
+  const std::string watch = fields({{"tick_s", number(h.watch.tick_s)},
+                                    {"count_rad", number(h.watch.count_rad)},
+                                    {"trip_A", number(h.watch.trip_A)},
+                                    {"supply_V", number(h.watch.supply_V)},
+                                    {"mostAcceleration_rad_per_s2", number(h.watch.mostAcceleration_rad_per_s2)}});
+  const std::string motion = fields({{"velocity_kp_A_s_per_rad", number(gains.velocity_kp_A_s_per_rad)},
+                                     {"velocity_ki_A_per_rad", number(gains.velocity_ki_A_per_rad)},
+                                     {"velocity_kd_A_s2_per_rad", number(gains.velocity_kd_A_s2_per_rad)},
+                                     {"position_kp_A_per_rad", number(gains.position_kp_A_per_rad)},
+                                     {"position_ki_A_per_rad_s", number(gains.position_ki_A_per_rad_s)},
+                                     {"position_kd_A_s_per_rad", number(gains.position_kd_A_s_per_rad)},
+                                     {"velocity_limit_rad_per_s", number(gains.velocity_limit_rad_per_s)}});
+  const std::string start = fields({{"gains", motion},
+                                    {"observer_cutoff_rad_per_s", number(h.start.observer_cutoff_rad_per_s)},
+                                    {"inertia_kg_m2", number(h.start.inertia_kg_m2)},
+                                    {"torqueConstant_Nm_per_A", number(h.start.torqueConstant_Nm_per_A)},
+                                    {"current_limit_A", number(h.start.current_limit_A)}});
+  return fields({{"simulated", "true"},
+                 {"device", "\"emulated Cortex-M3, rig " + name + "\""},
+                 {"firmware", "\"reference 0.1.0\""},
+                 {"loopRate_Hz", number(h.loopRate_Hz)},
+                 {"countsPerRev", std::to_string(h.countsPerRev)},
+                 {"supply_V", number(h.supply_V)},
+                 {"sensorRange_A", number(h.sensorRange_A)},
+                 {"pwmSteps", std::to_string(h.pwmSteps)},
+                 {"servo", servo},
+                 {"watch", watch},
+                 {"start", start},
+                 {"mostCurrent_A", number(h.mostCurrent_A)},
+                 {"mostVelocity_rad_per_s", number(h.mostVelocity_rad_per_s)}});
 }
 
 /// The rig's name as it may stand in a comment and in a string.
@@ -134,7 +190,6 @@ Result<RigTables> rigTables(const Rig& rig) {
   out.adcSteps = 1 << sensor.adcBits;
   out.supply_V = static_cast<float>(rig.bridge.supply_V);
   out.deadZoneDuty = static_cast<float>(rig.bridge.deadZoneDuty);
-  out.pwmSteps = static_cast<std::int32_t>(rig.bridge.pwmSteps);
   return tables;
 }
 
@@ -146,9 +201,9 @@ std::string rigHeader(const RigTables& tables, const Rig& rig) {
   const std::string name = plainName(rig.name);
   std::string text = "// Written from the rig " + name +
                      " when the image was built.\n#pragma once\n\n"
+                     "#include \"firmware_link/board/board_hardware.h\"\n"
                      "#include \"firmware_link/board/cortex_m3/emulated_rig.h\"\n\nnamespace breakaway {\n\n"
-                     "inline constexpr char emulatedRigName[] = \"" +
-                     name + "\";\n\ninline constexpr EmulatedCell emulatedCells[] = {\n";
+                     "inline constexpr EmulatedCell emulatedCells[] = {\n";
   for (const EmulatedCell& cell : tables.cells) text += "    " + cellText(cell) + ",\n";
   text += "};\n\ninline constexpr EmulatedRig emulatedRig{\n";
   text += field("tick_s", number(r.tick_s)) + field("substep_s", number(r.substep_s));
@@ -168,8 +223,9 @@ std::string rigHeader(const RigTables& tables, const Rig& rig) {
   text += field("offset_A", number(r.offset_A)) + field("drift_A_per_s", number(r.drift_A_per_s));
   text += field("noiseRms_A", number(r.noiseRms_A)) + field("adcRange_V", number(r.adcRange_V));
   text += field("adcSteps", std::to_string(r.adcSteps)) + field("supply_V", number(r.supply_V));
-  text += field("deadZoneDuty", number(r.deadZoneDuty)) + field("pwmSteps", std::to_string(r.pwmSteps));
-  return text + "};\n\n}  // namespace breakaway\n";
+  text += field("deadZoneDuty", number(r.deadZoneDuty));
+  text += "};\n\ninline constexpr board::BoardHardware<float> emulatedHardware" + hardwareText(rig, name) + ";\n\n";
+  return text + "}  // namespace breakaway\n";
 }
 
 }  // namespace breakaway

@@ -26,7 +26,8 @@ struct RigTables {
 /// function of the angle alone, a fault, an encoder without whole counts: the emulated plant has none of these.
 Result<RigTables> rigTables(const Rig& rig);
 
-/// The text of a header that defines `breakaway::emulatedRig` and the nominal values of a board made for this rig.
+/// The text of a header that defines `breakaway::emulatedRig`, and `emulatedHardware`: the board that is made for it,
+/// as hardwareOf() gives it.
 std::string rigHeader(const RigTables& tables, const Rig& rig);
 
 }  // namespace breakaway

@@ -1,0 +1,117 @@
+#include "firmware_link/simulated_rig.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "control/tuning.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr double coarsestSubstep_s = 50e-6;
+
+double oneDigit(double value) {
+  const double decade = std::pow(10.0, std::floor(std::log10(value)));
+  return std::round(value / decade) * decade;
+}
+
+double sensorRange_A(const Rig& rig) {
+  return CurrentSensorModel(rig, 0).range_A();
+}
+
+template <typename Scalar>
+ServoSettings<Scalar> namePlateSettings(const Rig& rig, double limit_A) {
+  const double Kt = oneDigit(rig.torqueConstant_Nm_per_A), J = oneDigit(rig.inertia_kg_m2);
+  const double tick_s = 1.0 / rig.loopRate_Hz;
+  const MotionGains<double> gains = tuneMotion(J, Kt, 60.0, 40.0);
+  ServoSettings<Scalar> settings;
+  settings.gains.velocity_kp_A_s_per_rad = static_cast<Scalar>(gains.velocity_kp_A_s_per_rad);
+  settings.gains.velocity_ki_A_per_rad = static_cast<Scalar>(gains.velocity_ki_A_per_rad);
+  settings.gains.position_kp_A_per_rad = static_cast<Scalar>(gains.position_kp_A_per_rad);
+  settings.gains.position_kd_A_s_per_rad = static_cast<Scalar>(gains.position_kd_A_s_per_rad);
+  settings.gains.velocity_limit_rad_per_s =
+      static_cast<Scalar>(0.6 * rig.bridge.supply_V / rig.backEmfConstant_V_s_per_rad);
+  settings.observer_cutoff_rad_per_s =
+      static_cast<Scalar>(tuneObserver(tick_s, boardVelocityBandwidth_rad_per_s(tick_s)));
+  settings.inertia_kg_m2 = static_cast<Scalar>(J);
+  settings.torqueConstant_Nm_per_A = static_cast<Scalar>(Kt);
+  settings.current_limit_A = static_cast<Scalar>(limit_A);
+  return settings;
+}
+
+}  // namespace
+
+SimulatedRig::SimulatedRig(const Rig& rig, unsigned seed)
+    : ticks_s_(1.0 / rig.loopRate_Hz),
+      rate_Hz_(rig.loopRate_Hz),
+      substeps_(static_cast<int>(std::ceil(ticks_s_ / coarsestSubstep_s - 1e-9))),
+      plant_(rig, ticks_s_ / substeps_, 2u * seed + 1u),
+      encoder_(rig),
+      sensor_(rig, 2u * seed + 2u),
+      bridge_(rig),
+      faults_(rig.faults),
+      supply_V_(rig.bridge.supply_V) {
+}
+
+SimulatedRig::Reading SimulatedRig::read() {
+  const double exact_s = static_cast<double>(tickCount_) * ticks_s_;
+  const BoardTrouble trouble = faults_.none() ? BoardTrouble{} : faults_.step(exact_s, plant_.angle_rad());
+  plant_.block(trouble.blocked);
+  plant_.scaleResistance(trouble.resistancePart);
+  supplyPart_ = trouble.supplyPart;
+  const EncoderModel::Reading encoder = encoder_.read(plant_.angle_rad());
+  Reading reading;
+  reading.count = encoder.count + trouble.slippedCounts;
+  reading.index = (encoder.index && !trouble.hidesIndex) || trouble.showsIndex;
+  reading.supply_V = supply_V_ * trouble.supplyPart;
+  reading.current_A = sensor_.read(plant_.current_A() + trouble.past_A, static_cast<double>(tickCount_) / rate_Hz_);
+  reading.linkLost = trouble.linkLost;
+  ++tickCount_;
+  return reading;
+}
+
+void SimulatedRig::drive(bool enabled, double duty) {
+  if (enabled) {
+    plant_.applyVoltage(bridge_.voltage(duty) * supplyPart_);
+  } else {
+    plant_.openWindings();
+  }
+  plant_.advance(substeps_);
+}
+
+template <typename Scalar>
+board::BoardHardware<Scalar> hardwareOf(const Rig& rig) {
+  const double tick_s = 1.0 / rig.loopRate_Hz, range_A = sensorRange_A(rig);
+  const double count_rad = 2.0 * std::numbers::pi / rig.encoder.countsPerRev;
+  const double most_A = std::min(0.9 * range_A, rig.bridge.supply_V / rig.resistance_ohm);
+  board::BoardHardware<Scalar> hardware;
+  hardware.simulated = true;
+  hardware.loopRate_Hz = static_cast<Scalar>(rig.loopRate_Hz);
+  hardware.countsPerRev = static_cast<std::uint32_t>(std::lround(rig.encoder.countsPerRev));
+  hardware.supply_V = static_cast<Scalar>(rig.bridge.supply_V);
+  hardware.sensorRange_A = static_cast<Scalar>(range_A);
+  hardware.pwmSteps = static_cast<std::uint32_t>(std::lround(std::max(0.0, rig.bridge.pwmSteps)));
+  hardware.servo = {static_cast<Scalar>(tick_s),
+                    static_cast<Scalar>(count_rad),
+                    {static_cast<Scalar>(rig.resistance_ohm), static_cast<Scalar>(rig.inductance_H),
+                     static_cast<Scalar>(rig.backEmfConstant_V_s_per_rad),
+                     static_cast<Scalar>(boardCurrentBandwidth_rad_per_s(tick_s))},
+                    static_cast<Scalar>(boardVelocityBandwidth_rad_per_s(tick_s))};
+  hardware.watch.tick_s = static_cast<Scalar>(tick_s);
+  hardware.watch.count_rad = static_cast<Scalar>(count_rad);
+  hardware.watch.trip_A = static_cast<Scalar>(std::min(1.25 * most_A, 0.95 * range_A));
+  hardware.watch.supply_V = static_cast<Scalar>(rig.bridge.supply_V);
+  hardware.watch.mostAcceleration_rad_per_s2 =
+      static_cast<Scalar>(3.0 * most_A * rig.torqueConstant_Nm_per_A / rig.inertia_kg_m2);
+  hardware.start = namePlateSettings<Scalar>(rig, 0.6 * most_A);
+  hardware.mostCurrent_A = static_cast<Scalar>(most_A);
+  hardware.mostVelocity_rad_per_s = static_cast<Scalar>(1.5 * rig.bridge.supply_V / rig.backEmfConstant_V_s_per_rad);
+  return hardware;
+}
+
+template board::BoardHardware<float> hardwareOf<float>(const Rig& rig);
+template board::BoardHardware<double> hardwareOf<double>(const Rig& rig);
+
+}  // namespace breakaway
