@@ -9,15 +9,15 @@ if(BREAKAWAY_SANITIZE)
   target_link_options(breakaway_options INTERFACE -fsanitize=address,undefined)
 endif()
 
-# breakaway_library(NAME DIRECTORY [WITHOUT FOLDER…]): a static library of all sources below DIRECTORY, but for those in
-# FOLDERs (regular expressions); its headers must stand alone.
+# breakaway_library(NAME DIRECTORY [EXCEPT FOLDER…]): a static library of all sources below DIRECTORY, without those of
+# FOLDERs in it; its headers must stand alone.
 function(breakaway_library name directory)
-  cmake_parse_arguments(PARSE_ARGV 2 library "" "" "WITHOUT")
+  cmake_parse_arguments(PARSE_ARGV 2 library "" "" "EXCEPT")
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${directory}/*.cpp)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${directory}/*.h)
-  foreach(folder ${library_WITHOUT})
-    list(FILTER sources EXCLUDE REGEX ${folder})
-    list(FILTER headers EXCLUDE REGEX ${folder})
+  foreach(folder ${library_EXCEPT})
+    list(FILTER sources EXCLUDE REGEX "^${directory}/${folder}/")
+    list(FILTER headers EXCLUDE REGEX "^${directory}/${folder}/")
   endforeach()
   add_library(${name} STATIC ${sources})
   target_sources(${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${directory} FILES ${headers})

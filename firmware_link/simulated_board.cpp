@@ -2,90 +2,39 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "control/board_watch.h"
 #include "control/servo_controller.h"
-#include "control/tuning.h"
-#include "firmware_link/board_faults.h"
 #include "firmware_link/presets.h"
+#include "firmware_link/simulated_rig.h"
 #include "firmware_link/trip_words.h"
-#include "motor/plant.h"
 #include "motor/rig.h"
-#include "motor/sensors.h"
 
 namespace breakaway {
 
 namespace {
 
-constexpr double coarsestSubstep_s = 50e-6;
 constexpr double lease_s = 0.2;  // without a word from the host the board opens the windings
 
-double oneDigit(double value) {
-  const double decade = std::pow(10.0, std::floor(std::log10(value)));
-  return std::round(value / decade) * decade;
-}
-
-ServoController<double>::Board boardOf(const Rig& rig) {
-  const double tick_s = 1.0 / rig.loopRate_Hz;
-  return {
-      tick_s,
-      2.0 * std::numbers::pi / rig.encoder.countsPerRev,
-      {rig.resistance_ohm, rig.inductance_H, rig.backEmfConstant_V_s_per_rad, boardCurrentBandwidth_rad_per_s(tick_s)},
-      boardVelocityBandwidth_rad_per_s(tick_s)};
-}
-
-ControllerSettings namePlateSettings(const Rig& rig, double limit_A) {
-  const double Kt = oneDigit(rig.torqueConstant_Nm_per_A), J = oneDigit(rig.inertia_kg_m2);
-  const auto gains = tuneMotion(J, Kt, 60.0, 40.0);
+ControllerSettings settingsOf(const ServoSettings<double>& servo) {
   ControllerSettings settings;
-  settings.velocity_kp_A_s_per_rad = gains.velocity_kp_A_s_per_rad;
-  settings.velocity_ki_A_per_rad = gains.velocity_ki_A_per_rad;
-  settings.position_kp_A_per_rad = gains.position_kp_A_per_rad;
-  settings.position_kd_A_s_per_rad = gains.position_kd_A_s_per_rad;
-  const double tick_s = 1.0 / rig.loopRate_Hz;
-  settings.observer_cutoff_rad_per_s = tuneObserver(tick_s, boardVelocityBandwidth_rad_per_s(tick_s));
-  settings.nominal_inertia_kg_m2 = J;
-  settings.nominal_torque_constant_Nm_per_A = Kt;
-  settings.current_limit_A = limit_A;
-  settings.velocity_limit_rad_per_s = 0.6 * rig.bridge.supply_V / rig.backEmfConstant_V_s_per_rad;
+  settings.velocity_kp_A_s_per_rad = servo.gains.velocity_kp_A_s_per_rad;
+  settings.velocity_ki_A_per_rad = servo.gains.velocity_ki_A_per_rad;
+  settings.position_kp_A_per_rad = servo.gains.position_kp_A_per_rad;
+  settings.position_kd_A_s_per_rad = servo.gains.position_kd_A_s_per_rad;
+  settings.observer_cutoff_rad_per_s = servo.observer_cutoff_rad_per_s;
+  settings.nominal_inertia_kg_m2 = servo.inertia_kg_m2;
+  settings.nominal_torque_constant_Nm_per_A = servo.torqueConstant_Nm_per_A;
+  settings.current_limit_A = servo.current_limit_A;
+  settings.velocity_limit_rad_per_s = servo.gains.velocity_limit_rad_per_s;
   return settings;
-}
-
-/// `mostCurrent_A` is what the controller may be set to.
-BoardWatch<double>::Limits watchLimits(const Rig& rig, double mostCurrent_A, double range_A) {
-  BoardWatch<double>::Limits limits;
-  limits.tick_s = 1.0 / rig.loopRate_Hz;
-  limits.count_rad = 2.0 * std::numbers::pi / rig.encoder.countsPerRev;
-  limits.trip_A = std::min(1.25 * mostCurrent_A, 0.95 * range_A);
-  limits.supply_V = rig.bridge.supply_V;
-  limits.mostAcceleration_rad_per_s2 = 3.0 * mostCurrent_A * rig.torqueConstant_Nm_per_A / rig.inertia_kg_m2;
-  return limits;
 }
 
 /// The same for every board: what the port says, whatever runs beneath it.
 class SimulatedBoard final : public Drive {
  public:
-  SimulatedBoard(const Rig& rig, unsigned seed)
-      : ticks_s_(1.0 / rig.loopRate_Hz),
-        substeps_(static_cast<int>(std::ceil(ticks_s_ / coarsestSubstep_s - 1e-9))),
-        plant_(rig, ticks_s_ / substeps_, 2u * seed + 1u),
-        encoder_(rig),
-        sensor_(rig, 2u * seed + 2u),
-        bridge_(rig),
-        controller_(boardOf(rig)),
-        faults_(rig.faults),
-        supply_V_(rig.bridge.supply_V),
-        count_rad_(2.0 * std::numbers::pi / rig.encoder.countsPerRev),
-        mostCurrent_A_(std::min(0.9 * sensor_.range_A(), rig.bridge.supply_V / rig.resistance_ohm)),
-        watch_(watchLimits(rig, mostCurrent_A_, sensor_.range_A())) {
-    mostVelocity_rad_per_s_ = 1.5 * supply_V_ / rig.backEmfConstant_V_s_per_rad;
-    settings_ = namePlateSettings(rig, 0.6 * mostCurrent_A_);
-    identity_ = {"simulated board, rig " + rig.name, "simulated 0.1.0", true, rig.loopRate_Hz,
-                 rig.encoder.countsPerRev,           supply_V_,         true};
-    apply();
-  }
+  SimulatedBoard(const Rig& rig, unsigned seed) : SimulatedBoard(rig, seed, hardwareOf<double>(rig)) {}
 
   const Identity& identity() const override { return identity_; }
   ControllerSettings settings() const override { return settings_; }
@@ -97,23 +46,31 @@ class SimulatedBoard final : public Drive {
   Result<size_t> advance(double duration_s, std::vector<Sample>& samples) override;
 
  private:
+  SimulatedBoard(const Rig& rig, unsigned seed, const board::BoardHardware<double>& hardware)
+      : ticks_s_(1.0 / rig.loopRate_Hz),
+        rig_(rig, seed),
+        controller_(hardware.servo),
+        count_rad_(hardware.servo.count_rad),
+        mostCurrent_A_(hardware.mostCurrent_A),
+        mostVelocity_rad_per_s_(hardware.mostVelocity_rad_per_s),
+        watch_(hardware.watch),
+        settings_(settingsOf(hardware.start)),
+        identity_{"simulated board, rig " + rig.name, "simulated 0.1.0",   true, rig.loopRate_Hz,
+                  rig.encoder.countsPerRev,           rig.bridge.supply_V, true} {
+    apply();
+  }
   void apply();
   void obey(const Command& command);
-  Sample tick(const BoardTrouble& trouble);
+  Sample tick(const SimulatedRig::Reading& reading);
   void watch(const Sample& sample);
   bool heard(bool linkLost);
   void runProcedure(const Sample& sample);
   double silent_s() const { return static_cast<double>(silentTicks_) * ticks_s_; }
 
   double ticks_s_;
-  int substeps_;
-  Plant plant_;
-  EncoderModel encoder_;
-  CurrentSensorModel sensor_;
-  BridgeModel bridge_;
+  SimulatedRig rig_;
   ServoController<double> controller_;
-  BoardFaults faults_;
-  double supply_V_, count_rad_, mostCurrent_A_, mostVelocity_rad_per_s_ = 0.0;
+  double count_rad_, mostCurrent_A_, mostVelocity_rad_per_s_;
   BoardWatch<double> watch_;
   ControllerSettings settings_;
   Identity identity_;
@@ -203,19 +160,15 @@ void SimulatedBoard::stop(const std::string& reason) {
   obey({});
 }
 
-Sample SimulatedBoard::tick(const BoardTrouble& trouble) {
-  plant_.block(trouble.blocked);
-  plant_.scaleResistance(trouble.resistancePart);
-  const EncoderModel::Reading reading = encoder_.read(plant_.angle_rad());
+Sample SimulatedBoard::tick(const SimulatedRig::Reading& reading) {
   Sample sample;
   sample.time_s = static_cast<double>(tickCount_++) / identity_.loopRate_Hz;
-  sample.angle_rad = static_cast<double>(reading.count + trouble.slippedCounts) * count_rad_;
-  sample.index = (reading.index && !trouble.hidesIndex) || trouble.showsIndex;
-  sample.supply_V = supply_V_ * trouble.supplyPart;
-  const double seen_A = plant_.current_A() + trouble.past_A;
+  sample.angle_rad = static_cast<double>(reading.count) * count_rad_;
+  sample.index = reading.index;
+  sample.supply_V = reading.supply_V;
   const double bus_V = std::max(sample.supply_V, 1e-3);
-  const auto out = controller_.step(sample.angle_rad, sensor_.read(seen_A, sample.time_s), bus_V);
-  const double duty = out.enabled ? bridge_.realisable(out.voltage_V / bus_V) : 0.0;
+  const auto out = controller_.step(sample.angle_rad, reading.current_A, bus_V);
+  const double duty = out.enabled ? rig_.realisable(out.voltage_V / bus_V) : 0.0;
   sample.enabled = out.enabled;
   sample.voltage_V = duty * sample.supply_V;
   sample.current_A = out.current_A;
@@ -224,12 +177,7 @@ Sample SimulatedBoard::tick(const BoardTrouble& trouble) {
   sample.velocity_reference_rad_per_s = out.velocity_reference_rad_per_s;
   sample.angle_reference_rad = out.angle_reference_rad;
   sample.disturbance_estimate_Nm = out.disturbance_estimate_Nm;
-  if (out.enabled) {
-    plant_.applyVoltage(bridge_.voltage(duty) * trouble.supplyPart);
-  } else {
-    plant_.openWindings();
-  }
-  plant_.advance(substeps_);
+  rig_.drive(out.enabled, duty);
   return sample;
 }
 
@@ -269,10 +217,9 @@ Result<size_t> SimulatedBoard::advance(double duration_s, std::vector<Sample>& s
   owed_s_ -= static_cast<double>(ticks) * ticks_s_;
   samples.reserve(samples.size() + ticks);
   for (size_t k = 0; k < ticks; ++k) {
-    const double time_s = static_cast<double>(tickCount_) * ticks_s_;
-    const BoardTrouble trouble = faults_.none() ? BoardTrouble{} : faults_.step(time_s, plant_.angle_rad());
-    const Sample sample = tick(trouble);
-    if (heard(trouble.linkLost)) samples.push_back(sample);
+    const SimulatedRig::Reading reading = rig_.read();
+    const Sample sample = tick(reading);
+    if (heard(reading.linkLost)) samples.push_back(sample);
     watch(sample);
     runProcedure(sample);
   }

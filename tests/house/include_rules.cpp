@@ -106,8 +106,10 @@ std::string whyNotInLink(const std::string& path, const Include& one) {
   const bool portable =
       path.starts_with("firmware_link/board/") && path.rfind('/') == std::string("firmware_link/board").size();
   if (portable || path.starts_with("firmware_link/wire/")) return whyNotOnBoard(path, one);
-  if (isQt(one.what) && !one.what.starts_with("QSerialPort") && !one.what.starts_with("QTcp"))
+  const bool transport = path.starts_with("firmware_link/transport/");
+  if (isQt(one.what) && !(transport && one.what.starts_with("QSerialPort")))
     return "the link knows Qt only in its transports";
+  if (!transport && one.what.starts_with("firmware_link/transport/")) return "transports stand above the link";
   const std::string other = firstPart(one.what);
   const bool fine = one.angled || other == "firmware_link" || belowLink.contains(other);
   return fine ? std::string() : "the link stands beside " + other;

@@ -51,6 +51,9 @@ void TestLayering::plantedBreach_isFound_data() {
   row("core/trial/planted.cpp", "\"motor/plant.h\"", "trials know only");
   row("core/motor/planted.cpp", "\"trial/trial_plant.h\"", "motor stands below trial");
   row("firmware_link/planted.cpp", "\"diagnose/simulate/model.h\"", "the link stands beside diagnose");
+  row("firmware_link/planted.cpp", "<QSerialPortInfo>", "Qt only in its transports");
+  row("firmware_link/transport/planted.cpp", "<QTcpSocket>", "Qt only in its transports");
+  row("firmware_link/planted.cpp", "\"firmware_link/transport/serial_line.h\"", "transports stand above the link");
   row("firmware_link/planted.cpp", "\"session.h\"", "the link stands beside");
   row("firmware_link/wire/planted.h", "<string>", "a board has no <string>");
   row("firmware_link/wire/planted.h", "\"control/tuning.h\"", "the wire stands on itself only");

@@ -31,11 +31,16 @@ class TemporaryFolder {
 
 }  // namespace breakaway::test
 
-/// Fails the test with the error's own line when `result` is not ok.
-#define VERIFY_OK(result) QVERIFY2((result).ok(), (result).ok() ? "" : (result).error().message().c_str())
+/// Fails the test with the error's own line when `result` is not ok. Evaluates it once.
+#define VERIFY_OK(result)                                                                               \
+  do {                                                                                                  \
+    const auto& verifiedResult = (result);                                                              \
+    QVERIFY2(verifiedResult.ok(), verifiedResult.ok() ? "" : verifiedResult.error().message().c_str()); \
+  } while (false)
 /// The error's line is exactly `line`.
-#define VERIFY_ERROR(result, line)                           \
-  do {                                                       \
-    QVERIFY2(!(result).ok(), "expected an error");           \
-    QCOMPARE((result).error().message(), std::string(line)); \
+#define VERIFY_ERROR(result, line)                                 \
+  do {                                                             \
+    const auto& verifiedResult = (result);                         \
+    QVERIFY2(!verifiedResult.ok(), "expected an error");           \
+    QCOMPARE(verifiedResult.error().message(), std::string(line)); \
   } while (false)

@@ -19,6 +19,8 @@ constexpr board::Pace pace = board::Pace::real;
 #else
 constexpr board::Pace pace = board::Pace::granted;
 #endif
+constexpr int mostIdle =
+    200;  // rounds before the chip sleeps: the host answers soon, and waking takes the emulator time
 constexpr std::uint32_t clockRate_Hz = 25'000'000;  // of the machine mps2-an385
 
 /// What has left the board and not yet the chip.
@@ -77,6 +79,7 @@ std::uint16_t bootNumber(const CmsdkUart& uart, const SysTick& timer) {
 }
 
 [[noreturn]] void serve() {
+  asm volatile("cpsid i");
   const CmsdkUart uart;
   const SysTick timer;
   say(uart, "Breakaway's reference board, emulated\r\n");
@@ -87,7 +90,9 @@ std::uint16_t bootNumber(const CmsdkUart& uart, const SysTick& timer) {
   static EmulatedBench bench(emulatedRig, 1);
   Sender sender;
   TickClock clock;
+  int idle = 0;  // times in a row that there was nothing to do
   for (;;) {
+    if (idle > mostIdle) uart.waitForByte();
     while (uart.hasByte()) {
       const std::uint8_t byte = uart.byte();
       board.receive(std::span(&byte, 1));
@@ -95,6 +100,8 @@ std::uint16_t bootNumber(const CmsdkUart& uart, const SysTick& timer) {
     sender.send(uart, board);
     const bool ticks = pace == board::Pace::real ? clock.due(timer) : sender.idle() && board.mayTick();
     if (ticks) bench.advance(board.tick(bench.readings()));
+    const bool waits = pace == board::Pace::granted && !ticks && sender.idle();
+    idle = waits ? idle + 1 : 0;
   }
 }
 

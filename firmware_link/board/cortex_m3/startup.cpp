@@ -1,4 +1,5 @@
-// From reset to runImage() on a Cortex-M3: vectors, memory, constructors. A fault stops the chip, so that an emulator ends.
+// From reset to runImage() on a Cortex-M3: vectors, memory, constructors. A fault stops the chip, so that an emulator
+// ends.
 #include <cstdint>
 
 extern "C" {

@@ -1,0 +1,139 @@
+#include "firmware_link/board_link.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace breakaway {
+
+namespace {
+
+const char* nameOf(wire::Type type) {
+  switch (type) {
+    case wire::Type::hello:
+      return "hello";
+    case wire::Type::dictionary:
+      return "dictionary";
+    case wire::Type::readParameters:
+      return "read parameters";
+    case wire::Type::writeParameters:
+      return "write parameters";
+    case wire::Type::command:
+      return "command";
+    case wire::Type::heartbeat:
+      return "heartbeat";
+    case wire::Type::stop:
+      return "stop";
+    case wire::Type::writeFriction:
+    case wire::Type::readFriction:
+    case wire::Type::useFriction:
+      return "friction table";
+    case wire::Type::startCapture:
+    case wire::Type::readCapture:
+      return "burst";
+    default:
+      return "request";
+  }
+}
+
+const char* wordsOf(std::uint8_t code) {
+  switch (static_cast<wire::Code>(code)) {
+    case wire::Code::unknown:
+      return "does not know the request";
+    case wire::Code::malformed:
+      return "could not read the request";
+    case wire::Code::notAValue:
+      return "refused a value";
+    case wire::Code::latched:
+      return "has stopped the motor meanwhile and waits for a new start";
+    case wire::Code::notPossible:
+      return "cannot do that";
+    case wire::Code::noSuch:
+      return "has no such thing";
+    case wire::Code::ok:
+      break;
+  }
+  return "refused the request";
+}
+
+}  // namespace
+
+Error BoardLink::refusal(wire::Type type, std::uint8_t code) const {
+  return {place_, std::string(wordsOf(code)) + " (" + nameOf(type) + ")"};
+}
+
+std::uint16_t BoardLink::prepare(wire::Type type, std::span<const std::uint8_t> body) {
+  std::array<std::uint8_t, wire::mostFrame> frame;
+  const std::size_t size = wire::FrameEncoder::encode({static_cast<std::uint8_t>(type), ++sequence_, body}, frame);
+  going_.insert(going_.end(), frame.begin(), frame.begin() + static_cast<std::ptrdiff_t>(size));
+  return sequence_;
+}
+
+Result<void> BoardLink::flush() {
+  if (going_.empty()) return {};
+  auto written = stream_->write(going_);
+  going_.clear();
+  return written;
+}
+
+Result<std::uint16_t> BoardLink::post(wire::Type type, std::span<const std::uint8_t> body) {
+  const std::uint16_t sequence = prepare(type, body);
+  if (auto sent = flush(); !sent) return sent.error();
+  return sequence;
+}
+
+Result<void> BoardLink::clear() {
+  const std::uint8_t end[] = {0};
+  return stream_->write(end);
+}
+
+Result<std::size_t> BoardLink::take(double wait_s) {
+  came_.clear();
+  if (auto read = stream_->read(came_, wait_s); !read) return read.error();
+  std::size_t frames = 0;
+  for (const std::uint8_t byte : came_) {
+    if (!decoder_.take(byte)) continue;
+    ++frames;
+    heard_ = Clock::now();
+    const wire::Frame frame = decoder_.frame();
+    if (awaited_ != nullptr && frame.type == awaited_->type && frame.sequence == awaited_->sequence) {
+      awaited_->body = Bytes(frame.body.begin(), frame.body.end());
+    } else if (listener_) {
+      listener_(frame);
+    }
+  }
+  return frames;
+}
+
+Result<BoardLink::Bytes> BoardLink::ask(wire::Type type, std::span<const std::uint8_t> body, const Patience& patience) {
+  Awaited awaited{static_cast<std::uint8_t>(static_cast<std::uint8_t>(type) | wire::answerBit), 0, {}};
+  awaited_ = &awaited;
+  const auto ended = [this](Result<Bytes> result) {
+    awaited_ = nullptr;
+    return result;
+  };
+  for (int tried = 0; tried < patience.tries; ++tried) {
+    if (tried > 0) --sequence_;
+    awaited.sequence = prepare(type, body);
+    if (auto sent = flush(); !sent) return ended(sent.error());
+    const auto until =
+        Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(patience.perTry_s));
+    while (!awaited.body) {
+      const double left_s = std::chrono::duration<double>(until - Clock::now()).count();
+      if (left_s <= 0.0) break;
+      if (auto took = take(left_s); !took) return ended(took.error());
+    }
+    if (!awaited.body) continue;
+    if (awaited.body->empty()) return ended(Error{place_, "gave an empty answer"});
+    const std::uint8_t code = awaited.body->front();
+    if (code != static_cast<std::uint8_t>(wire::Code::ok)) return ended(refusal(type, code));
+    awaited.body->erase(awaited.body->begin());
+    return ended(std::move(*awaited.body));
+  }
+  char text[160];
+  std::snprintf(text, sizeof text, "does not answer (%s, asked %d times in %.1f s)", nameOf(type), patience.tries,
+                patience.tries * patience.perTry_s);
+  return ended(Error{place_, text});
+}
+
+}  // namespace breakaway

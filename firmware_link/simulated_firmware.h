@@ -1,0 +1,48 @@
+// The portable board with a simulated rig beneath it: bytes in, bytes out, in the pace that is wanted.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "firmware_link/board/reference_board.h"
+#include "firmware_link/simulated_rig.h"
+#include "motor/rig.h"
+
+namespace breakaway {
+
+/// The firmware in single precision, as the board's processor runs it.
+class SimulatedFirmware {
+ public:
+  static constexpr std::size_t outboxBytes = 16384, burstBytes = 1u << 20;
+  using Board = board::ReferenceBoard<float, outboxBytes, burstBytes>;
+
+  SimulatedFirmware(const Rig& rig, unsigned seed, board::Pace pace, std::uint16_t boot);
+
+  void receive(std::span<const std::uint8_t> bytes) {
+    if (!linkLost_) board_->receive(bytes);
+  }
+  /// Runs at most `ticks`, fewer where the pace is granted; what the board wants to send is appended to `out` tick by
+  /// tick. Returns how many ticks it ran.
+  std::size_t run(std::size_t ticks, std::vector<std::uint8_t>& out);
+  /// Appends what the board wants to send.
+  void transmit(std::vector<std::uint8_t>& out);
+
+  double tick_s() const { return 1.0 / rate_Hz_; }
+  const Board& board() const { return *board_; }
+  /// Bytes that wait because nobody takes them, in a board whose host doesn't read: a full outbox drops samples.
+  void tickWithoutSending();
+
+ private:
+  void tick();
+
+  double rate_Hz_;
+  std::string device_;
+  SimulatedRig rig_;
+  std::unique_ptr<Board> board_;
+  bool linkLost_ = false;
+};
+
+}  // namespace breakaway

@@ -1,0 +1,24 @@
+// The serial ports of this machine, by the names of what is plugged in.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace breakaway {
+
+struct SerialPort {
+  std::string device;   ///< "/dev/ttyACM0"
+  std::string lasting;  ///< a name that stays when it is plugged in again, below /dev/serial/by-id; else the device
+  std::string product;  ///< what the device says it is; empty when it says nothing
+  std::string maker;
+  std::string serialNumber;
+  bool usb = false;
+
+  /// Product and device, for a list: "ChibiOS/RT Virtual COM Port (ttyACM0)".
+  std::string words() const;
+};
+
+/// Those with a product name first, then by device.
+std::vector<SerialPort> serialPorts();
+
+}  // namespace breakaway
