@@ -19,9 +19,9 @@ class CmsdkUart {
 
   /// Sleeps until a byte is there. The interrupt wakes the processor and is never taken: the caller has masked it.
   void waitForByte() const {
-    while (!hasByte()) asm volatile("wfi" ::: "memory");
     at(interruptClear) = 2u;
     pendingClear() = receiveInterrupt;
+    while (!hasByte()) asm volatile("wfi" ::: "memory");
   }
 
  private:
