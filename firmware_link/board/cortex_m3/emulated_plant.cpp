@@ -16,6 +16,11 @@ float signOf(int way) {
   return way == 0 ? -1.0f : 1.0f;
 }
 
+/// A substep's way; fits 31 bits up to 3900 rad/s, and converting to 64 bits would go through double precision.
+std::int64_t way_q36(float way_rad) {
+  return static_cast<std::int32_t>(way_rad * perRad_q36);
+}
+
 /// 1 − e^−x for 0 ≤ x ≤ 0.1 within 1e-7.
 float fallen(float x) {
   return x * (1.0f - x * (0.5f - x * (1.0f / 6.0f - x * (1.0f / 24.0f))));
@@ -114,7 +119,7 @@ float EmulatedPlant::slide(float duration_s) {
   const float sign = signOf(way_), half = 0.5f * duration_s;
   float middle = velocity_ + half * acceleration_;  // mid-step speed, for what changes slowly
   if (middle * sign < 0.0f) middle = 0.0f;
-  const Local here = localAt(angle_q36_ + static_cast<std::int64_t>(half * velocity_ * perRad_q36), way_);
+  const Local here = localAt(angle_q36_ + way_q36(half * velocity_), way_);
   const float excess =
       (here.static_Nm * scatter_[way_] - here.coulomb_Nm) * gaussianFall(middle * sign * inverseStribeck_);
   float torque = here.position_Nm - sign * (here.coulomb_Nm + excess);
@@ -135,7 +140,7 @@ float EmulatedPlant::slide(float duration_s) {
   }
   current_ =
       i0 + motion.change[0][0] * i0 + motion.change[0][1] * w0 + motion.gamma[0][0] * drive + motion.gamma[0][1] * push;
-  angle_q36_ += static_cast<std::int64_t>(0.5f * (w0 + (rests ? 0.0f : w1)) * used * perRad_q36);
+  angle_q36_ += way_q36(0.5f * (w0 + (rests ? 0.0f : w1)) * used);
   if (!rests) {
     acceleration_ = (w1 - w0) / used;
     velocity_ = w1;
