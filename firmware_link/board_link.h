@@ -40,6 +40,9 @@ class BoardLink {
   /// The same with messages.
   template <typename Answer, typename Question>
   Result<Answer> ask(wire::Type type, const Question& question, const Patience& patience = {0.1, 5});
+  /// A question without a body.
+  template <typename Answer>
+  Result<Answer> ask(wire::Type type, const Patience& patience = {0.1, 5});
 
   /// Sends without waiting; the answer goes to the listener. Returns the sequence.
   Result<std::uint16_t> post(wire::Type type, std::span<const std::uint8_t> body);
@@ -62,6 +65,8 @@ class BoardLink {
     std::uint16_t sequence;
     std::optional<Bytes> body;
   };
+  template <typename Answer>
+  Result<Answer> answerIn(const Result<Bytes>& body) const;
   Error refusal(wire::Type type, std::uint8_t code) const;
 
   std::unique_ptr<ByteStream> stream_;
@@ -83,13 +88,22 @@ BoardLink::Bytes bodyOf(const Message& message) {
   return room;
 }
 
-template <typename Answer, typename Question>
-Result<Answer> BoardLink::ask(wire::Type type, const Question& question, const Patience& patience) {
-  const auto body = ask(type, bodyOf(question), patience);
+template <typename Answer>
+Result<Answer> BoardLink::answerIn(const Result<Bytes>& body) const {
   if (!body) return body.error();
   Answer answer;
   if (!wire::readMessage(*body, answer)) return Error{place_, "gave an answer that is too short for what was asked"};
   return answer;
+}
+
+template <typename Answer, typename Question>
+Result<Answer> BoardLink::ask(wire::Type type, const Question& question, const Patience& patience) {
+  return answerIn<Answer>(ask(type, std::span<const std::uint8_t>(bodyOf(question)), patience));
+}
+
+template <typename Answer>
+Result<Answer> BoardLink::ask(wire::Type type, const Patience& patience) {
+  return answerIn<Answer>(ask(type, std::span<const std::uint8_t>{}, patience));
 }
 
 }  // namespace breakaway

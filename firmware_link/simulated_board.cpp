@@ -188,7 +188,10 @@ void SimulatedBoard::watch(const Sample& sample) {
                                       limit_A,          sample.supply_V,  sample.enabled};
   const Trip trip = watch_.step(seen);
   const bool runs = procedure_ != nullptr || sample.enabled;
-  if (trip != Trip::none && runs) stop(tripWords(trip, watch_, seen));
+  if (trip == Trip::none || !runs) return;
+  const auto& limits = watch_.limits();
+  stop(tripWords(trip, {seen.current_A, limits.trip_A, limit_A, seen.supply_V, limits.supply_V,
+                        watch_.jumped_rad() / limits.count_rad, limits.blockedFor_s}));
 }
 
 /// While the link is down the board computes on by itself until its lease runs out.

@@ -16,31 +16,30 @@ std::string text(const char* format, Numbers... numbers) {
 
 }  // namespace
 
-std::string tripWords(Trip trip, const BoardWatch<double>& watch, const BoardWatch<double>::Seen& seen) {
-  const auto& limits = watch.limits();
+std::string tripWords(Trip trip, const TripFigures& figures) {
   switch (trip) {
     case Trip::overCurrent:
       return text("over-current: %.1f A measured, the board trips at %.1f A; check motor leads and bridge for a short",
-                  std::abs(seen.current_A), limits.trip_A);
+                  std::abs(figures.current_A), figures.trip_A);
     case Trip::openSensor:
       return text(
           "the current sensor shows %.1f A while the windings are open; check the bridge for a short, the sensor and "
           "its wires",
-          seen.current_A);
+          figures.current_A);
     case Trip::supplyLow:
-      return text("the supply dropped to %.1f V of %.1f V; check the power supply and its current limit", seen.supply_V,
-                  limits.supply_V);
+      return text("the supply dropped to %.1f V of %.1f V; check the power supply and its current limit",
+                  figures.supply_V, figures.nominalSupply_V);
     case Trip::encoderJump:
       return text(
           "the encoder jumped by about %.0f counts within a control tick, which no motion does; check encoder cable "
           "and "
           "shield, then home again",
-          watch.jumped_rad() / limits.count_rad);
+          figures.jumpedCounts);
     case Trip::blocked:
       return text(
           "the rotor is blocked: no motion for %.1f s at the current limit of %.2f A; free the shaft, or raise the "
           "limit",
-          limits.blockedFor_s, seen.limit_A);
+          figures.blockedFor_s, figures.limit_A);
     case Trip::none:
       break;
   }

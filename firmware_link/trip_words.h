@@ -7,8 +7,15 @@
 
 namespace breakaway {
 
-/// What happened and what to do about it, with the figures of that tick.
-std::string tripWords(Trip trip, const BoardWatch<double>& watch, const BoardWatch<double>::Seen& seen);
+/// The figures of the tick in which it happened, and of the limits that were passed.
+struct TripFigures {
+  double current_A = 0.0, trip_A = 0.0, limit_A = 0.0;
+  double supply_V = 0.0, nominalSupply_V = 0.0;
+  double jumpedCounts = 0.0, blockedFor_s = 0.0;
+};
+
+/// What happened and what to do about it.
+std::string tripWords(Trip trip, const TripFigures& figures);
 
 /// The same for a link that is gone; `silent_s` is how long nothing has come.
 std::string linkLossWords(double silent_s);

@@ -50,12 +50,8 @@ class ControlTick {
       travelStart_ = count_;
     }
     watched_ = (wanted.flags & Flag::watched) != 0;
-    commandLimit_A_ = static_cast<Scalar>(wanted.current_limit_A);
-    ServoCommand<Scalar> servo{static_cast<ServoMode>(wanted.mode), static_cast<Scalar>(wanted.target), commandLimit_A_,
-                               (wanted.flags & Flag::zeroCurrentSensor) != 0};
-    if (servo.mode == ServoMode::position) servo.target += angleOf(wanted.targetCounts);
-    mode_ = servo.mode;
-    servo_.command(servo);
+    wanted_ = wanted;
+    obey();
   }
   void off() {
     command({});
@@ -91,14 +87,23 @@ class ControlTick {
     return outcome;
   }
 
-  ServoMode mode() const { return mode_; }
-  bool acts() const { return watched_ || mode_ != ServoMode::off; }
+  wire::MotorCommand::Mode mode() const { return wanted_.mode; }
+  bool acts() const { return watched_ || wanted_.mode != wire::MotorCommand::Mode::off; }
   Scalar limit_A() const {
-    return commandLimit_A_ > Scalar(0) && commandLimit_A_ < ownLimit_A_ ? commandLimit_A_ : ownLimit_A_;
+    const Scalar wanted = commandLimit_A();
+    return wanted > Scalar(0) && wanted < ownLimit_A_ ? wanted : ownLimit_A_;
   }
   Scalar jumped_rad() const { return watch_.jumped_rad(); }
 
  private:
+  void obey() {
+    ServoCommand<Scalar> servo{static_cast<ServoMode>(wanted_.mode), static_cast<Scalar>(wanted_.target),
+                               commandLimit_A(), (wanted_.flags & wire::MotorCommand::zeroCurrentSensor) != 0};
+    if (servo.mode == ServoMode::position) servo.target += angleOf(wanted_.targetCounts);
+    servo_.command(servo);
+  }
+  Scalar commandLimit_A() const { return static_cast<Scalar>(wanted_.current_limit_A); }
+
   static std::int32_t difference(std::int32_t a, std::int32_t b) {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
   }
@@ -116,6 +121,7 @@ class ControlTick {
     const Scalar by = -static_cast<Scalar>(turns) * static_cast<Scalar>(turn) * hardware_.servo.count_rad;
     servo_.shift(by);
     watch_.shift(by);
+    if (wanted_.mode == wire::MotorCommand::Mode::position) obey();  // the target's rounding would add up
   }
 
   wire::FaultCode judged(const Readings<Scalar>& readings, const ServoOutput<Scalar>& out, Scalar angle,
@@ -153,8 +159,8 @@ class ControlTick {
   BoardHardware<Scalar> hardware_;
   ServoController<Scalar> servo_;
   BoardWatch<Scalar> watch_;
-  ServoMode mode_ = ServoMode::off;
-  Scalar ownLimit_A_ = 0, commandLimit_A_ = 0, left_ = 0;
+  wire::MotorCommand wanted_;
+  Scalar ownLimit_A_ = 0, left_ = 0;
   std::int32_t count_ = 0, origin_ = 0, travelStart_ = 0;
   bool known_ = false, watched_ = false;
 };

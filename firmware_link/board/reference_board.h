@@ -154,7 +154,9 @@ class ReferenceBoard {
         out(hello());
         return Code::ok;
       case Type::stop:
-        halt();
+        // One that comes twice is one; whoever sent it knows the latch that it led to.
+        if (frame.sequence != stop_ || control_.acts()) halt();
+        stop_ = frame.sequence;
         out(alive());
         return Code::ok;
       case Type::fault:
@@ -242,7 +244,7 @@ class ReferenceBoard {
     wire::Alive alive;
     alive.boot = hardware_.boot;
     alive.latch = latch_;
-    alive.mode = static_cast<wire::MotorCommand::Mode>(control_.mode());
+    alive.mode = control_.mode();
     alive.fault = fault_.code;
     alive.tick = tick_;
     alive.time_us = time_us_;
@@ -389,7 +391,7 @@ class ReferenceBoard {
   std::uint8_t body_[wire::mostBody] = {};
   std::uint32_t tick_ = 0, untilTick_ = 0, time_us_ = 0, restTime_ns_ = 0, period_ns_ = 0;
   std::uint32_t silentTicks_ = 0, leaseTicks_ = 0, dropped_ = 0, hash_ = 0;
-  std::uint16_t latch_ = 0, unasked_ = 0, newest_ = 0;
+  std::uint16_t latch_ = 0, unasked_ = 0, newest_ = 0, stop_ = 0;
 };
 
 }  // namespace breakaway::board

@@ -1,0 +1,432 @@
+#include "firmware_link/board_drive.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "firmware_link/board_dictionary.h"
+#include "firmware_link/board_link.h"
+#include "firmware_link/fault_words.h"
+#include "firmware_link/friction_upload.h"
+#include "firmware_link/sample_decoder.h"
+
+namespace breakaway {
+
+namespace {
+
+using Seconds = std::chrono::duration<double>;
+using Clock = BoardLink::Clock;
+
+constexpr double beatEvery_s = 0.05;    // of the lease's 0.25 s
+constexpr double longSlice_s = 0.05;    // granted while nothing has to react
+constexpr double resendAfter_s = 0.02;  // on a local link an answer takes far less
+constexpr double patience_s = 3.0;      // for a granted slice, however slow its emulator
+
+/// In the order in which the board's parameters are asked for and written.
+constexpr std::pair<const char*, double ControllerSettings::*> settingsByName[] = {
+    {"velocity_kp_A_s_per_rad", &ControllerSettings::velocity_kp_A_s_per_rad},
+    {"velocity_ki_A_per_rad", &ControllerSettings::velocity_ki_A_per_rad},
+    {"velocity_kd_A_s2_per_rad", &ControllerSettings::velocity_kd_A_s2_per_rad},
+    {"position_kp_A_per_rad", &ControllerSettings::position_kp_A_per_rad},
+    {"position_ki_A_per_rad_s", &ControllerSettings::position_ki_A_per_rad_s},
+    {"position_kd_A_s_per_rad", &ControllerSettings::position_kd_A_s_per_rad},
+    {"observer_cutoff_rad_per_s", &ControllerSettings::observer_cutoff_rad_per_s},
+    {"nominal_inertia_kg_m2", &ControllerSettings::nominal_inertia_kg_m2},
+    {"nominal_torque_constant_Nm_per_A", &ControllerSettings::nominal_torque_constant_Nm_per_A},
+    {"current_limit_A", &ControllerSettings::current_limit_A},
+    {"velocity_limit_rad_per_s", &ControllerSettings::velocity_limit_rad_per_s}};
+
+ControllerSettings settingsOf(const std::vector<double>& values) {
+  ControllerSettings settings;
+  for (std::size_t k = 0; k < values.size(); ++k) settings.*settingsByName[k].second = values[k];
+  return settings;
+}
+
+class BoardDrive final : public Drive {
+ public:
+  static Result<std::unique_ptr<Drive>> open(std::unique_ptr<ByteStream> stream, const BoardDriveOptions& options);
+
+  const Identity& identity() const override { return identity_; }
+  ControllerSettings settings() const override { return settings_; }
+  Result<ControllerSettings> configure(const ControllerSettings& wanted) override;
+  Result<void> compensate(const FrictionCompensation& friction) override;
+  void command(const Command& command) override;
+  void start(std::shared_ptr<Procedure> procedure) override;
+  void stop(const std::string& reason) override;
+  Result<size_t> advance(double duration_s, std::vector<Sample>& samples) override;
+
+ private:
+  BoardDrive(BoardLink link, BoardDictionary dictionary, const BoardDriveOptions& options)
+      : options_(options),
+        link_(std::move(link)),
+        dictionary_(std::move(dictionary)),
+        decoder_(dictionary_.telemetry()),
+        granted_(dictionary_.can(wire::Hello::grantedPace)),
+        rate_Hz_(static_cast<double>(dictionary_.hello().loopRate_Hz)),
+        boot_(dictionary_.hello().boot),
+        latch_(dictionary_.hello().latch) {}
+
+  Result<void> greet();
+  Result<void> grant(std::size_t ticks);
+  Result<void> runTo(std::uint64_t until);
+  Result<void> wait(double duration_s);
+  void beat(std::uint64_t until);
+  void prepareCommand();
+  void wish(const Command& command);
+  void sendAnew();
+  void begin(const Command& command, std::shared_ptr<Procedure> procedure);
+  Result<void> hear(double wait_s);
+  void heard(const wire::Frame& frame);
+  void commandAnswered(const wire::Frame& frame);
+  void alive(const wire::Alive& alive);
+  void take(std::span<const std::uint8_t> body);
+  void runProcedure(const Sample& sample);
+  void endProcedure(const std::string& reason);
+  void faultCame(const wire::Fault& fault);
+  Result<void> askForFault();
+  Error broken(const Error& error);
+
+  BoardDriveOptions options_;
+  BoardLink link_;
+  BoardDictionary dictionary_;
+  SampleDecoder decoder_;
+  Identity identity_;
+  ControllerSettings settings_;
+  FaultLimits limits_;
+  bool granted_;
+  double rate_Hz_;
+  std::uint16_t boot_, latch_;
+
+  std::shared_ptr<Procedure> procedure_;
+  Command wanted_;
+  bool fresh_ = false, acknowledged_ = true;
+  std::uint16_t commandSequence_ = 0;
+  Clock::time_point commandSent_, beatSent_;
+
+  std::vector<Sample> came_;  ///< since advance() was called last
+  std::size_t lost_ = 0;
+  double owed_s_ = 0.0;
+  std::optional<std::uint32_t> stands_;  ///< the tick at which the board last said that it stands
+  bool faultUnknown_ = false;
+  std::optional<Error> broken_;
+};
+
+double since_s(Clock::time_point then) {
+  return Seconds(Clock::now() - then).count();
+}
+
+Result<std::unique_ptr<Drive>> BoardDrive::open(std::unique_ptr<ByteStream> stream, const BoardDriveOptions& options) {
+  BoardLink link(std::move(stream), options.place);
+  auto dictionary = BoardDictionary::read(link);
+  if (!dictionary) return dictionary.error();
+  auto drive = std::unique_ptr<BoardDrive>(new BoardDrive(std::move(link), std::move(*dictionary), options));
+  if (auto greeted = drive->greet(); !greeted) return greeted.error();
+  return std::unique_ptr<Drive>(std::move(drive));
+}
+
+Result<void> BoardDrive::greet() {
+  const wire::Hello& hello = dictionary_.hello();
+  identity_ = {dictionary_.device(),
+               dictionary_.firmware(),
+               dictionary_.can(wire::Hello::simulated),
+               rate_Hz_,
+               static_cast<double>(hello.countsPerRev),
+               static_cast<double>(hello.supply_V),
+               dictionary_.can(wire::Hello::hasIndex)};
+  std::vector<std::string> names;
+  for (const auto& [name, member] : settingsByName) names.emplace_back(name);
+  const auto values = dictionary_.values(link_, names);
+  if (!values) return values.error();
+  settings_ = settingsOf(*values);
+  const auto limits = dictionary_.values(link_, {"current_trip_A", "blocked_for_s", "lease_s"});
+  if (!limits) return limits.error();
+  limits_ = {(*limits)[0], (*limits)[1], (*limits)[2], identity_.supply_V, decoder_.count_rad()};
+  link_.listen([this](const wire::Frame& frame) { heard(frame); });
+  const auto stopped = link_.ask<wire::Alive>(wire::Type::stop);
+  if (!stopped) return stopped.error();
+  alive(*stopped);
+  decoder_.begin(stopped->tick);
+  const auto written = dictionary_.write(
+      link_, {{"telemetry_channels", static_cast<double>(wire::usualChannels)}, {"telemetry_every", 1.0}});
+  return written ? Result<void>{} : written.error();
+}
+
+Error BoardDrive::broken(const Error& error) {
+  endProcedure(error.fact);
+  broken_ = error;
+  return error;
+}
+
+Result<ControllerSettings> BoardDrive::configure(const ControllerSettings& wanted) {
+  std::vector<std::pair<std::string, double>> values;
+  for (const auto& [name, member] : settingsByName) {
+    const double value = wanted.*member;
+    if (!std::isfinite(value) || value < 0.0) return Error{"settings", "hold a value that is negative or not finite"};
+    values.emplace_back(name, value);
+  }
+  const auto accepted = dictionary_.write(link_, values);
+  if (!accepted) return accepted.error();
+  settings_ = settingsOf(*accepted);
+  return settings_;
+}
+
+Result<void> BoardDrive::compensate(const FrictionCompensation& friction) {
+  if (!dictionary_.can(wire::Hello::friction)) return Error{options_.place, "takes no friction compensation"};
+  return uploadFriction(link_, friction, dictionary_.hello().frictionBins);
+}
+
+/// Holds until the next wish. What the board has already is not sent again.
+void BoardDrive::wish(const Command& command) {
+  if (command == wanted_) return;
+  wanted_ = command;
+  sendAnew();
+}
+
+void BoardDrive::sendAnew() {
+  acknowledged_ = false;
+  commandSent_ = {};
+}
+
+void BoardDrive::begin(const Command& command, std::shared_ptr<Procedure> procedure) {
+  endProcedure("another command came");
+  procedure_ = std::move(procedure);
+  wanted_ = command;
+  fresh_ = true;
+  sendAnew();
+  if (granted_ || broken_) return;  // it goes out with the next grant
+  prepareCommand();
+  if (auto sent = link_.flush(); !sent) broken(sent.error());
+}
+
+void BoardDrive::command(const Command& command) {
+  begin(command, nullptr);
+}
+
+void BoardDrive::start(std::shared_ptr<Procedure> procedure) {
+  begin({}, std::move(procedure));
+}
+
+void BoardDrive::endProcedure(const std::string& reason) {
+  if (procedure_ != nullptr && procedure_->state() == Procedure::State::running) procedure_->stop(reason);
+  procedure_.reset();
+}
+
+void BoardDrive::stop(const std::string& reason) {
+  endProcedure(reason);
+  wanted_ = {};
+  acknowledged_ = true;
+  fresh_ = false;
+  if (broken_) return;
+  const auto stopped = link_.ask<wire::Alive>(wire::Type::stop);
+  if (!stopped) {
+    broken(stopped.error());
+    return;
+  }
+  alive(*stopped);
+}
+
+void BoardDrive::prepareCommand() {
+  if (acknowledged_ || since_s(commandSent_) < resendAfter_s) return;
+  using Flag = wire::MotorCommand::Flag;
+  wire::MotorCommand frame;
+  frame.mode = static_cast<wire::MotorCommand::Mode>(wanted_.mode);
+  frame.flags = static_cast<std::uint8_t>((wanted_.zeroCurrentSensor ? Flag::zeroCurrentSensor : 0) |
+                                          (procedure_ != nullptr ? Flag::watched : 0) | (fresh_ ? Flag::fresh : 0));
+  frame.latch = latch_;
+  frame.current_limit_A = static_cast<float>(wanted_.current_limit_A);
+  if (wanted_.mode == Command::Mode::position) {
+    // A float can't tell counts apart after a few hundred turns.
+    const double counts = std::floor(wanted_.target / decoder_.count_rad());
+    frame.targetCounts = static_cast<std::int32_t>(static_cast<std::uint32_t>(static_cast<std::int64_t>(counts)));
+    frame.target = static_cast<float>(wanted_.target - counts * decoder_.count_rad());
+  } else {
+    frame.target = static_cast<float>(wanted_.target);
+  }
+  commandSequence_ = link_.prepare(wire::Type::command, bodyOf(frame));
+  commandSent_ = Clock::now();
+}
+
+void BoardDrive::commandAnswered(const wire::Frame& frame) {
+  if (frame.sequence != commandSequence_ || frame.body.empty()) return;
+  const auto code = static_cast<wire::Code>(frame.body[0]);
+  if (code == wire::Code::ok) {
+    acknowledged_ = true;
+    fresh_ = false;
+    return;
+  }
+  acknowledged_ = true;  // asking for it again would not help
+  if (code == wire::Code::latched) {
+    faultUnknown_ = true;
+  } else {
+    endProcedure("the board refused a command");
+    wish({});
+  }
+}
+
+/// An answer to a heartbeat or a stop.
+void BoardDrive::alive(const wire::Alive& alive) {
+  if (alive.boot != boot_) {
+    broken({options_.place,
+            "was powered up anew in the middle: its motor is off and it has forgotten what it was told; check its "
+            "supply, then connect and home again"});
+    return;
+  }
+  stands_ = alive.tick;
+  if (alive.latch == latch_) return;
+  if (alive.fault != wire::FaultCode::none || procedure_ != nullptr || wanted_.mode != Command::Mode::off) {
+    faultUnknown_ = true;
+  } else {
+    latch_ = alive.latch;
+  }
+}
+
+void BoardDrive::faultCame(const wire::Fault& fault) {
+  if (fault.latch == latch_ && !faultUnknown_) return;
+  const bool known = fault.latch == latch_;
+  latch_ = fault.latch;
+  faultUnknown_ = false;
+  if (known) return;
+  endProcedure(faultWords(fault, limits_));
+  wanted_ = {};
+  acknowledged_ = true;
+}
+
+Result<void> BoardDrive::askForFault() {
+  const auto body = link_.ask(wire::Type::fault, std::span<const std::uint8_t>{});
+  if (!body) return broken(body.error());
+  wire::Fault fault;
+  if (!wire::readMessage(*body, fault)) return {};
+  faultUnknown_ = true;
+  faultCame(fault);
+  // Stopped by a STOP of somebody else: the latch is told with the next answer.
+  const auto told = link_.ask<wire::Alive>(wire::Type::heartbeat, wire::Heartbeat{});
+  if (!told) return broken(told.error());
+  if (told->latch != latch_) {
+    latch_ = told->latch;
+    endProcedure("somebody else stopped the motor");
+    wanted_ = {};
+    acknowledged_ = true;
+  }
+  faultUnknown_ = false;
+  return {};
+}
+
+void BoardDrive::heard(const wire::Frame& frame) {
+  const auto answers = [&frame](wire::Type type) {
+    return frame.type == (static_cast<std::uint8_t>(type) | wire::answerBit);
+  };
+  if (frame.type == static_cast<std::uint8_t>(wire::Type::telemetry)) {
+    take(frame.body);
+  } else if (frame.type == static_cast<std::uint8_t>(wire::Type::faultHappened)) {
+    wire::Fault fault;
+    if (wire::readMessage(frame.body, fault)) faultCame(fault);
+  } else if (answers(wire::Type::command)) {
+    commandAnswered(frame);
+  } else if (answers(wire::Type::heartbeat) && !frame.body.empty() && frame.body[0] == 0) {
+    wire::Alive told;
+    if (wire::readMessage(frame.body.subspan(1), told)) alive(told);
+  }
+}
+
+void BoardDrive::take(std::span<const std::uint8_t> body) {
+  const std::size_t before = came_.size();
+  lost_ += decoder_.take(body, came_);
+  for (std::size_t k = before; k < came_.size(); ++k) runProcedure(came_[k]);
+}
+
+void BoardDrive::runProcedure(const Sample& sample) {
+  if (procedure_ == nullptr) return;
+  const Command next = procedure_->step(sample);
+  if (procedure_->state() == Procedure::State::running) {
+    wish(next);
+    return;
+  }
+  procedure_.reset();
+  wanted_ = {};
+  sendAnew();
+}
+
+Result<void> BoardDrive::hear(double wait_s) {
+  if (auto took = link_.take(wait_s); !took) return broken(took.error());
+  if (broken_) return *broken_;
+  return faultUnknown_ ? askForFault() : Result<void>{};
+}
+
+void BoardDrive::beat(std::uint64_t until) {
+  link_.prepare(wire::Type::heartbeat, bodyOf(wire::Heartbeat{static_cast<std::uint32_t>(until)}));
+  beatSent_ = Clock::now();
+}
+
+Result<void> BoardDrive::grant(std::size_t ticks) {
+  const std::uint64_t end = decoder_.next() + ticks;
+  while (decoder_.next() < end) {
+    const double slice_s = procedure_ != nullptr ? options_.slice_s : longSlice_s;
+    const auto slice = static_cast<std::uint64_t>(std::max(1.0, std::floor(slice_s * rate_Hz_ + 1e-9)));
+    if (auto ran = runTo(std::min(end, decoder_.next() + slice)); !ran) return ran;
+  }
+  return {};
+}
+
+/// Lets the board run up to `until` and takes its samples.
+Result<void> BoardDrive::runTo(std::uint64_t until) {
+  const auto begun = Clock::now();
+  stands_.reset();
+  prepareCommand();
+  beat(until);
+  if (auto sent = link_.flush(); !sent) return broken(sent.error());
+  while (decoder_.next() < until) {
+    if (auto taken = hear(resendAfter_s); !taken) return taken;
+    if (stands_ && static_cast<std::int32_t>(*stands_ - static_cast<std::uint32_t>(until)) >= 0) {
+      // It has run so far, and what it sent of that has come or is gone.
+      lost_ += decoder_.passTo(static_cast<std::uint32_t>(until));
+      break;
+    }
+    if (since_s(beatSent_) < resendAfter_s) continue;
+    if (link_.silent_s() > patience_s || since_s(begun) > 10.0 * patience_s)
+      return broken({options_.place, linkLossWords(link_.silent_s())});
+    prepareCommand();
+    beat(until);
+    if (auto sent = link_.flush(); !sent) return broken(sent.error());
+  }
+  return {};
+}
+
+Result<void> BoardDrive::wait(double duration_s) {
+  const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(Seconds(duration_s));
+  for (;;) {
+    prepareCommand();
+    if (since_s(beatSent_) >= beatEvery_s) beat(0);
+    if (auto sent = link_.flush(); !sent) return broken(sent.error());
+    const double left_s = Seconds(end - Clock::now()).count();
+    if (auto taken = hear(std::clamp(left_s, 0.0, 0.01)); !taken) return taken;
+    if (link_.silent_s() > options_.silence_s) return broken({options_.place, linkLossWords(link_.silent_s())});
+    if (Clock::now() >= end) return {};
+  }
+}
+
+Result<size_t> BoardDrive::advance(double duration_s, std::vector<Sample>& samples) {
+  if (broken_) return *broken_;
+  Result<void> ran;
+  if (granted_) {
+    owed_s_ += duration_s;
+    const auto ticks = static_cast<size_t>(std::max(0.0, std::floor(owed_s_ * rate_Hz_ + 1e-9)));
+    owed_s_ -= static_cast<double>(ticks) / rate_Hz_;
+    ran = grant(ticks);
+  } else {
+    ran = wait(duration_s);
+  }
+  samples.insert(samples.end(), came_.begin(), came_.end());
+  came_.clear();
+  if (!ran) return ran.error();
+  return std::exchange(lost_, 0);
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Drive>> openBoardDrive(std::unique_ptr<ByteStream> stream, const BoardDriveOptions& options) {
+  return BoardDrive::open(std::move(stream), options);
+}
+
+}  // namespace breakaway

@@ -1,0 +1,28 @@
+// A board that speaks the wire, as a drive.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "base/result.h"
+#include "experiment/drive.h"
+#include "firmware_link/byte_stream.h"
+
+namespace breakaway {
+
+struct BoardDriveOptions {
+  /// What errors call it ("board tcp:127.0.0.1:7000").
+  std::string place = "board";
+  /// Board time that is granted at once while a procedure runs from here: how late it may react.
+  double slice_s = 0.001;
+  /// Where the pace is real: without a byte for that long the link counts as gone.
+  double silence_s = 0.5;
+};
+
+/// Says hello, reads the dictionary, stops the motor and turns telemetry on. Where the board's pace is real, advance()
+/// waits and sends the heartbeat: whoever no longer calls it lets the lease run out. Where it is granted, the board's
+/// clock runs in advance() alone. Procedures run on this side, a slice of samples late. Errors: one line of what did
+/// not answer as it should, and what to look for.
+Result<std::unique_ptr<Drive>> openBoardDrive(std::unique_ptr<ByteStream> stream, const BoardDriveOptions& options);
+
+}  // namespace breakaway

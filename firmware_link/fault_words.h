@@ -1,0 +1,19 @@
+// Why a board on the wire stopped the motor, for a person.
+#pragma once
+
+#include <string>
+
+#include "firmware_link/trip_words.h"
+#include "firmware_link/wire/messages.h"
+
+namespace breakaway {
+
+/// What the board's dictionary says of its limits.
+struct FaultLimits {
+  double trip_A = 0.0, blockedFor_s = 0.0, lease_s = 0.0, supply_V = 0.0, count_rad = 0.0;
+};
+
+/// What happened and what to do about it.
+std::string faultWords(const wire::Fault& fault, const FaultLimits& limits);
+
+}  // namespace breakaway

@@ -1,0 +1,84 @@
+#include "firmware_link/friction_upload.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace breakaway {
+
+namespace {
+
+using Curve = std::vector<float>;
+
+Result<std::array<Curve, 4>> curvesOf(const FrictionCompensation& friction, std::size_t mostBins) {
+  const std::string place = "friction compensation";
+  const std::size_t bins = friction.coulomb_Nm[0].size();
+  if (bins > mostBins) {
+    return Error{place, "has " + std::to_string(bins) + " bins, the board holds at most " + std::to_string(mostBins)};
+  }
+  std::array<Curve, 4> curves;
+  bool finite = std::isfinite(friction.indexAngle_rad + friction.blend_rad_per_s + friction.cutoff_rad_per_s) &&
+                friction.blend_rad_per_s >= 0.0 && friction.cutoff_rad_per_s >= 0.0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto& values = k < 2 ? friction.coulomb_Nm[k] : friction.viscous_Nm_s_per_rad[k - 2];
+    if (values.size() != bins) return Error{place, "has not as many bins each way"};
+    for (const double value : values) {
+      curves[k].push_back(static_cast<float>(value));
+      finite = finite && std::isfinite(curves[k].back());
+    }
+  }
+  if (!finite) return Error{place, "holds a value that is negative or not finite"};
+  return curves;
+}
+
+wire::FrictionChunk chunkOf(const Curve& curve, std::size_t which, std::size_t first) {
+  wire::FrictionChunk chunk;
+  chunk.curve = static_cast<wire::FrictionCurve>(which);
+  chunk.first = static_cast<std::uint16_t>(first);
+  chunk.count = static_cast<std::uint8_t>(std::min(wire::FrictionChunk::mostValues, curve.size() - first));
+  std::copy_n(curve.begin() + static_cast<std::ptrdiff_t>(first), chunk.count, chunk.value);
+  return chunk;
+}
+
+Result<void> upload(BoardLink& link, const Curve& curve, std::size_t which) {
+  for (std::size_t first = 0; first < curve.size(); first += wire::FrictionChunk::mostValues) {
+    const wire::FrictionChunk chunk = chunkOf(curve, which, first);
+    if (auto written = link.ask<wire::FrictionChunk>(wire::Type::writeFriction, chunk); !written)
+      return written.error();
+    const auto back = link.ask<wire::FrictionChunk>(wire::Type::readFriction, chunk);
+    if (!back) return back.error();
+    if (!std::equal(chunk.value, chunk.value + chunk.count, back->value))
+      return Error{link.place(), "holds another friction table than was written"};
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> uploadFriction(BoardLink& link, const FrictionCompensation& friction, std::size_t mostBins) {
+  const auto curves = curvesOf(friction, mostBins);
+  if (!curves) return curves.error();
+  wire::Crc32c sum;
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (auto written = upload(link, (*curves)[k], k); !written) return written;
+    for (const float value : (*curves)[k]) {
+      std::array<std::uint8_t, 4> bytes;
+      wire::Writer out{bytes};
+      out(value);
+      sum.add(bytes);
+    }
+  }
+  constexpr double turn = 2.0 * std::numbers::pi;
+  wire::FrictionUse use;
+  use.bins = static_cast<std::uint16_t>((*curves)[0].size());
+  use.checksum = sum.value();
+  use.index_rad = static_cast<float>(friction.indexAngle_rad - turn * std::floor(friction.indexAngle_rad / turn));
+  use.blend_rad_per_s = static_cast<float>(friction.blend_rad_per_s);
+  use.cutoff_rad_per_s = static_cast<float>(friction.cutoff_rad_per_s);
+  const auto used = link.ask<wire::FrictionUse>(wire::Type::useFriction, use);
+  return used ? Result<void>{} : used.error();
+}
+
+}  // namespace breakaway

@@ -1,0 +1,16 @@
+// A friction compensation onto a board, in parts, checked there as a whole.
+#pragma once
+
+#include <cstddef>
+
+#include "base/result.h"
+#include "experiment/drive.h"
+#include "firmware_link/board_link.h"
+
+namespace breakaway {
+
+/// Writes the table, reads it back, and has the board use it. Errors: what Drive::compensate() says, values that came
+/// back as others, the link's.
+Result<void> uploadFriction(BoardLink& link, const FrictionCompensation& friction, std::size_t mostBins);
+
+}  // namespace breakaway
