@@ -32,7 +32,7 @@ class SimulatedFirmware {
 
   double tick_s() const { return 1.0 / rate_Hz_; }
   const Board& board() const { return *board_; }
-  /// Bytes that wait because nobody takes them, in a board whose host doesn't read: a full outbox drops samples.
+  /// One tick, what it has to send stays in the board's outbox; where that is full, samples are dropped and counted.
   void tickWithoutSending();
 
  private:

@@ -8,8 +8,8 @@
 #include "cli/command.h"
 #include "cli/inputs.h"
 #include "firmware_link/presets.h"
-#include "firmware_link/simulated_board.h"
 #include "firmware_link/simulated_truth.h"
+#include "firmware_link/transport/open_board.h"
 #include "report/commission_report.h"
 
 namespace breakaway::cli {
@@ -74,7 +74,7 @@ Result<void> beginFolder(const CommissionLine& line, CommissionOptions& options)
 Result<void> runCommission(const CommissionLine& line) {
   auto bench = readBelief(line);
   if (!bench) return bench.error();
-  auto drive = openDrive(line.board, line.seed);
+  auto drive = openBoard({.uri = line.board, .seed = line.seed});
   if (!drive) return drive.error();
   CommissionOptions options;
   options.bench = *bench;
@@ -123,7 +123,9 @@ void addCommission(CLI::App& app, Job& chosen) {
   command->add_option(
       "--bench", line->bench,
       "bench file, NAME.bench.json; without it the one beside a simulated rig, or none: then everything is identified");
-  command->add_option("--board", line->board, "simulated, simulated:PRESET or simulated:FILE.rig.json")
+  command
+      ->add_option("--board", line->board,
+                   "simulated, simulated:PRESET, simulated:FILE.rig.json, serial:PORT[@BAUD] or tcp:HOST:PORT")
       ->capture_default_str();
   command
       ->add_option(
