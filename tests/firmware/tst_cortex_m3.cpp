@@ -272,7 +272,7 @@ Result<FrictionMap> commissioned(const std::string& board, int seed, const std::
       QString::fromStdString(qgetenv("BREAKAWAY_BIN_DIR").toStdString() + "/breakaway"),
       {"commission", "--board", QString::fromStdString(board), "--bench",
        QString::fromStdString(source + "/resources/presets/servo.bench.json"), "--bins", QString::number(bins),
-       "--turns", "2", "--run-s", "6", "--seed", QString::number(seed), "--out", QString::fromStdString(folder)});
+       "--turns", "2", "--run-s", "4", "--seed", QString::number(seed), "--out", QString::fromStdString(folder)});
   if (!process.waitForFinished(patience_ms)) {
     process.kill();
     process.waitForFinished(5000);
