@@ -1,7 +1,7 @@
 #include "firmware_link/board_drive.h"
 
 #include <algorithm>
-#include <bit>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -52,6 +52,7 @@ class BoardDrive final : public Drive {
   ControllerSettings settings() const override { return settings_; }
   Result<ControllerSettings> configure(const ControllerSettings& wanted) override;
   Result<void> compensate(const FrictionCompensation& friction) override;
+  Result<FrictionCompensation> compensation() override;
   void command(const Command& command) override;
   void start(std::shared_ptr<Procedure> procedure) override;
   void stop(const std::string& reason) override;
@@ -82,6 +83,7 @@ class BoardDrive final : public Drive {
   void commandAnswered(const wire::Frame& frame);
   void alive(const wire::Alive& alive);
   void take(std::span<const std::uint8_t> body);
+  void followZeroing();
   void runProcedure(const Sample& sample);
   void endProcedure(const std::string& reason);
   void faultCame(const wire::Fault& fault);
@@ -106,6 +108,9 @@ class BoardDrive final : public Drive {
   Clock::time_point commandSent_, beatSent_;
 
   std::vector<Sample> came_;  ///< since advance() was called last
+  double zero_A_ = 0.0, zeroSum_A_ = 0.0;
+  std::size_t zeroCount_ = 0;
+  bool zeroes_ = false;
   std::size_t lost_ = 0;
   double owed_s_ = 0.0;
   std::optional<std::uint32_t> stands_;  ///< the tick at which the board last said that it stands
@@ -135,14 +140,16 @@ Result<void> BoardDrive::greet() {
                static_cast<double>(hello.countsPerRev),
                static_cast<double>(hello.supply_V),
                dictionary_.can(wire::Hello::hasIndex)};
+  identity_.can.compensates = dictionary_.can(wire::Hello::friction);
   std::vector<std::string> names;
   for (const auto& [name, member] : settingsByName) names.emplace_back(name);
   const auto values = dictionary_.values(link_, names);
   if (!values) return values.error();
   settings_ = settingsOf(*values);
-  const auto limits = dictionary_.values(link_, {"current_trip_A", "blocked_for_s", "lease_s"});
+  const auto limits = dictionary_.values(link_, {"current_trip_A", "blocked_for_s", "lease_s", "current_zero_A"});
   if (!limits) return limits.error();
   limits_ = {(*limits)[0], (*limits)[1], (*limits)[2], identity_.supply_V, decoder_.count_rad()};
+  zero_A_ = (*limits)[3];
   link_.listen([this](const wire::Frame& frame) { heard(frame); });
   const auto stopped = link_.ask<wire::Alive>(wire::Type::stop);
   if (!stopped) return stopped.error();
@@ -175,6 +182,11 @@ Result<ControllerSettings> BoardDrive::configure(const ControllerSettings& wante
 Result<void> BoardDrive::compensate(const FrictionCompensation& friction) {
   if (!dictionary_.can(wire::Hello::friction)) return Error{options_.place, "takes no friction compensation"};
   return uploadFriction(link_, friction, dictionary_.hello().frictionBins);
+}
+
+Result<FrictionCompensation> BoardDrive::compensation() {
+  if (!dictionary_.can(wire::Hello::friction)) return Error{options_.place, "takes no friction compensation"};
+  return downloadFriction(link_);
 }
 
 /// Holds until the next wish. What the board has already is not sent again.
@@ -333,7 +345,29 @@ void BoardDrive::heard(const wire::Frame& frame) {
 void BoardDrive::take(std::span<const std::uint8_t> body) {
   const std::size_t before = came_.size();
   lost_ += decoder_.take(body, came_);
-  for (std::size_t k = before; k < came_.size(); ++k) runProcedure(came_[k]);
+  for (std::size_t k = before; k < came_.size(); ++k) {
+    Sample& sample = came_[k];
+    if (decoder_.unzeroed()) sample.current_A -= zero_A_;
+    followZeroing();
+    if (zeroes_ && !sample.enabled) {
+      zeroSum_A_ += sample.current_A;
+      ++zeroCount_;
+    }
+    runProcedure(sample);
+    followZeroing();
+  }
+}
+
+/// The board averages a few ticks earlier or later than it was told here; what a procedure has seen of the zeroing is
+/// what counts for it, so the zero of the samples is taken on this side too. The board's own serves its current loop.
+void BoardDrive::followZeroing() {
+  const bool wanted = wanted_.zeroCurrentSensor && wanted_.mode == Command::Mode::off;
+  if (zeroes_ && !wanted && zeroCount_ > 0) zero_A_ += zeroSum_A_ / static_cast<double>(zeroCount_);
+  if (zeroes_ != wanted) {
+    zeroSum_A_ = 0.0;
+    zeroCount_ = 0;
+  }
+  zeroes_ = wanted;
 }
 
 void BoardDrive::runProcedure(const Sample& sample) {
@@ -424,6 +458,27 @@ Result<size_t> BoardDrive::advance(double duration_s, std::vector<Sample>& sampl
 }
 
 }  // namespace
+
+Result<bool> speaksWire(ByteStream& stream) {
+  constexpr int tries = 3;
+  constexpr double perTry_s = 0.15;
+  std::array<std::uint8_t, wire::mostFrame + 1> question{};  // a zero first, for whatever came before
+  const std::size_t size =
+      wire::FrameEncoder::encode({static_cast<std::uint8_t>(wire::Type::hello), 0, {}}, std::span(question).subspan(1));
+  wire::FrameDecoder decoder;
+  for (int tried = 0; tried < tries; ++tried) {
+    if (auto sent = stream.write(std::span(question).first(size + 1)); !sent) return sent.error();
+    const auto asked = Clock::now();
+    do {
+      std::vector<std::uint8_t> came;
+      if (auto read = stream.read(came, perTry_s); !read) return read.error();
+      for (const std::uint8_t byte : came) {
+        if (decoder.take(byte)) return true;
+      }
+    } while (since_s(asked) < perTry_s);
+  }
+  return false;
+}
 
 Result<std::unique_ptr<Drive>> openBoardDrive(std::unique_ptr<ByteStream> stream, const BoardDriveOptions& options) {
   return BoardDrive::open(std::move(stream), options);

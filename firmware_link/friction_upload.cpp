@@ -42,6 +42,13 @@ wire::FrictionChunk chunkOf(const Curve& curve, std::size_t which, std::size_t f
   return chunk;
 }
 
+void addTo(wire::Crc32c& sum, float value) {
+  std::array<std::uint8_t, 4> bytes;
+  wire::Writer out{bytes};
+  out(value);
+  sum.add(bytes);
+}
+
 Result<void> upload(BoardLink& link, const Curve& curve, std::size_t which) {
   for (std::size_t first = 0; first < curve.size(); first += wire::FrictionChunk::mostValues) {
     const wire::FrictionChunk chunk = chunkOf(curve, which, first);
@@ -63,12 +70,7 @@ Result<void> uploadFriction(BoardLink& link, const FrictionCompensation& frictio
   wire::Crc32c sum;
   for (std::size_t k = 0; k < 4; ++k) {
     if (auto written = upload(link, (*curves)[k], k); !written) return written;
-    for (const float value : (*curves)[k]) {
-      std::array<std::uint8_t, 4> bytes;
-      wire::Writer out{bytes};
-      out(value);
-      sum.add(bytes);
-    }
+    for (const float value : (*curves)[k]) addTo(sum, value);
   }
   constexpr double turn = 2.0 * std::numbers::pi;
   wire::FrictionUse use;
@@ -79,6 +81,36 @@ Result<void> uploadFriction(BoardLink& link, const FrictionCompensation& frictio
   use.cutoff_rad_per_s = static_cast<float>(friction.cutoff_rad_per_s);
   const auto used = link.ask<wire::FrictionUse>(wire::Type::useFriction, use);
   return used ? Result<void>{} : used.error();
+}
+
+Result<FrictionCompensation> downloadFriction(BoardLink& link) {
+  const auto use = link.ask<wire::FrictionUse>(wire::Type::frictionUsed);
+  if (!use) return use.error();
+  FrictionCompensation friction;
+  friction.indexAngle_rad = static_cast<double>(use->index_rad);
+  friction.blend_rad_per_s = static_cast<double>(use->blend_rad_per_s);
+  friction.cutoff_rad_per_s = static_cast<double>(use->cutoff_rad_per_s);
+  if (use->bins == 0) return friction;
+  wire::Crc32c sum;
+  for (std::size_t k = 0; k < 4; ++k) {
+    auto& values = k < 2 ? friction.coulomb_Nm[k] : friction.viscous_Nm_s_per_rad[k - 2];
+    while (values.size() < use->bins) {
+      wire::FrictionChunk wanted;
+      wanted.curve = static_cast<wire::FrictionCurve>(k);
+      wanted.first = static_cast<std::uint16_t>(values.size());
+      wanted.count = static_cast<std::uint8_t>(std::min(wire::FrictionChunk::mostValues, use->bins - values.size()));
+      const auto chunk = link.ask<wire::FrictionChunk>(wire::Type::readFriction, wanted);
+      if (!chunk) return chunk.error();
+      if (chunk->count != wanted.count) return Error{link.place(), "answered with another part of the friction table"};
+      for (std::size_t n = 0; n < chunk->count; ++n) {
+        addTo(sum, chunk->value[n]);
+        values.push_back(static_cast<double>(chunk->value[n]));
+      }
+    }
+  }
+  if (sum.value() != use->checksum)
+    return Error{link.place(), "is being given another friction table; the one in use can't be read meanwhile"};
+  return friction;
 }
 
 }  // namespace breakaway

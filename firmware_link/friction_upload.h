@@ -13,4 +13,8 @@ namespace breakaway {
 /// back as others, the link's.
 Result<void> uploadFriction(BoardLink& link, const FrictionCompensation& friction, std::size_t mostBins);
 
+/// What the board compensates now, the index within a turn; empty when nothing. Errors: a table that is being written,
+/// the link's.
+Result<FrictionCompensation> downloadFriction(BoardLink& link);
+
 }  // namespace breakaway

@@ -24,6 +24,7 @@ std::size_t SampleDecoder::take(std::span<const std::uint8_t> body, std::vector<
   if (!in.ok() || header.every == 0 || in.rest().size() < size * header.samples) return 0;
   if (!begun_) begin(header.tick);
   every_ = header.every;
+  unzeroed_ = wire::carries(header.schema, wire::Channel::sensorCurrent);
   const auto ahead = static_cast<std::int32_t>(header.tick - static_cast<std::uint32_t>(next_));
   std::size_t lost = 0;
   if (ahead > 0) {
@@ -56,7 +57,7 @@ Sample SampleDecoder::sampleOf(const wire::Measured<double>& measured, std::uint
   sample.time_s = static_cast<double>(tick) / board_.loopRate_Hz;
   sample.angle_rad = static_cast<double>(count_) * count_rad();
   sample.velocity_rad_per_s = measured[Channel::velocity];
-  sample.current_A = measured[Channel::current];
+  sample.current_A = measured[unzeroed_ ? Channel::sensorCurrent : Channel::current];
   sample.supply_V = measured[Channel::supply] > 0.0 ? measured[Channel::supply] : board_.supply_V;
   sample.voltage_V = measured[Channel::duty] * sample.supply_V;
   sample.current_reference_A = measured[Channel::currentReference];

@@ -33,6 +33,8 @@ class SampleDecoder {
   /// Begins with a board that stands at `tick`.
   void begin(std::uint32_t tick);
   double count_rad() const;
+  /// Is the samples' current as the sensor reads it, its zero still in it?
+  bool unzeroed() const { return unzeroed_; }
   /// Did the newest sample say that something has stopped the motor?
   bool latched() const { return latched_; }
 
@@ -43,7 +45,7 @@ class SampleDecoder {
   wire::Measured<double> newest_;
   std::uint64_t next_ = 0, every_ = 1;
   std::int64_t count_ = 0;
-  bool begun_ = false, counted_ = false, latched_ = false;
+  bool begun_ = false, counted_ = false, latched_ = false, unzeroed_ = false;
 };
 
 }  // namespace breakaway

@@ -40,6 +40,7 @@ class SimulatedBoard final : public Drive {
   ControllerSettings settings() const override { return settings_; }
   Result<ControllerSettings> configure(const ControllerSettings& wanted) override;
   Result<void> compensate(const FrictionCompensation& friction) override;
+  Result<FrictionCompensation> compensation() override { return friction_; }
   void command(const Command& command) override;
   void start(std::shared_ptr<Procedure> procedure) override;
   void stop(const std::string& reason) override;
@@ -73,6 +74,7 @@ class SimulatedBoard final : public Drive {
   double count_rad_, mostCurrent_A_, mostVelocity_rad_per_s_;
   BoardWatch<double> watch_;
   ControllerSettings settings_;
+  FrictionCompensation friction_;
   Identity identity_;
   std::shared_ptr<Procedure> procedure_;
   uint64_t tickCount_ = 0;
@@ -131,6 +133,7 @@ Result<void> SimulatedBoard::compensate(const FrictionCompensation& friction) {
   table.index_rad = friction.indexAngle_rad;
   table.blend_rad_per_s = friction.blend_rad_per_s;
   controller_.compensate(table, friction.cutoff_rad_per_s);
+  friction_ = friction;
   return {};
 }
 

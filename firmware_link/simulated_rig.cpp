@@ -92,6 +92,7 @@ board::BoardHardware<Scalar> hardwareOf(const Rig& rig) {
   hardware.countsPerRev = static_cast<std::uint32_t>(std::lround(rig.encoder.countsPerRev));
   hardware.supply_V = static_cast<Scalar>(rig.bridge.supply_V);
   hardware.sensorRange_A = static_cast<Scalar>(range_A);
+  hardware.sensorStep_A = static_cast<Scalar>(2.0 * range_A / std::exp2(rig.currentSensor.adcBits));
   hardware.pwmSteps = static_cast<std::uint32_t>(std::lround(std::max(0.0, rig.bridge.pwmSteps)));
   hardware.servo = {static_cast<Scalar>(tick_s),
                     static_cast<Scalar>(count_rad),

@@ -48,6 +48,18 @@ struct FrictionCompensation {
   double indexAngle_rad = 0.0;    ///< as the encoder counts it, from homing
   double blend_rad_per_s = 0.5;   ///< up to this speed the Coulomb torque grows in proportion
   double cutoff_rad_per_s = 0.0;  ///< of a low pass on the whole (compensator B); 0: none
+  bool operator==(const FrictionCompensation&) const = default;
+};
+
+/// What a board can do beyond turning its motor. What it can't is said where one would look for it: abilities.h.
+struct Abilities {
+  bool everyTick =
+      true;  ///< a sample comes from each control tick; else the board is asked, loopRate_Hz times a second
+  bool zeroesSensor = true;  ///< takes its current sensor's zero when told to
+  bool takesGains = true;    ///< the gains and the observer of ControllerSettings
+  bool compensates = true;   ///< takes a friction table
+  bool positions = true;     ///< takes position commands
+  bool operator==(const Abilities&) const = default;
 };
 
 struct Identity {
@@ -58,6 +70,7 @@ struct Identity {
   double countsPerRev = 0.0;
   double supply_V = 0.0;
   bool hasIndex = false;
+  Abilities can{};
 };
 
 /// A pure state machine: sample in, command out, status readable at any time. It runs in the board's control tick, in a
@@ -95,6 +108,8 @@ class Drive {
   virtual Result<void> compensate(const FrictionCompensation&) {
     return Error{"board", "takes no friction compensation"};
   }
+  /// What compensate() has left on the board, as the board holds it; empty when nothing is compensated.
+  virtual Result<FrictionCompensation> compensation() { return Error{"board", "takes no friction compensation"}; }
   /// Holds until the next command; ends a running procedure.
   virtual void command(const Command& command) = 0;
   /// Runs a procedure, on the board where it can. It stays readable from the thread that calls advance().

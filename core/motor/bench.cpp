@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -124,7 +125,11 @@ Result<Bench> readBench(JsonObject root) {
   if (bench.currentGainInterval.value_or(0.0) > 0.5)
     drive.fault("current_gain_interval", "is above 0.5, expected a small relative half width");
 
-  readMotor(root.object("motor", false), names, bench.motor);
+  JsonObject motor = root.object("motor", false);
+  readMotor(motor, names, bench.motor);
+  bench.polePairs = motor.optionalNumber("pole_pairs", Allowed::positive);
+  if (bench.polePairs && *bench.polePairs != std::floor(*bench.polePairs))
+    motor.fault("pole_pairs", "is no whole number");
   readTrusted(root, names, bench.trusted);
   if (root.has("load")) {
     JsonObject load = root.object("load");
@@ -205,6 +210,7 @@ Result<void> writeBench(const Bench& bench, const std::string& path) {
   put(names.inertia, bench.motor.inertia);
   put(names.viscous, bench.motor.viscous);
   put(names.coulomb, bench.motor.coulomb);
+  put("pole_pairs", bench.polePairs);
   json["trusted"] = bench.trusted;
   if (bench.pendulum) {
     json["load"]["pendulum"] = Json{{"mass_kg", bench.pendulum->mass_kg},

@@ -53,6 +53,7 @@ struct Bench {
   std::optional<double> supply_V;
   std::optional<double> currentGainInterval;  ///< relative half width of the current sensor's 95 % interval
   std::optional<double> countsPerUnit;        ///< per rev or per m, as in the file
+  std::optional<double> polePairs;            ///< of a rotary motor; for boards that speak of electrical turns
   MotorBelief motor;
   std::set<std::string> trusted;  ///< contract names, e.g. "torque_constant_Nm_per_A"
   std::optional<Pendulum> pendulum;

@@ -26,6 +26,7 @@ struct BoardHardware {
   std::uint32_t countsPerRev = 0;
   Scalar supply_V = 0;         ///< nominal
   Scalar sensorRange_A = 0;    ///< largest current that the sensor shows
+  Scalar sensorStep_A = 0;     ///< of its converter; 0: finer than the telemetry
   std::uint32_t pwmSteps = 0;  ///< of the timer, from duty 0 to 1; 0: as fine as may be
   typename ServoController<Scalar>::Board servo;
   typename BoardWatch<Scalar>::Limits watch;

@@ -66,6 +66,7 @@ class ControlTick {
     keepAngleSmall();
     const Scalar angle = angleOf(count_), bus = readings.supply_V > Scalar(1e-3) ? readings.supply_V : Scalar(1e-3);
     const ServoOutput<Scalar> out = servo_.step(angle, readings.current_A, bus);
+    zero_A_ = readings.current_A - out.current_A;
     TickOutcome<Scalar> outcome;
     outcome.fault = judged(readings, out, angle, limits);
     const bool enabled = out.enabled && outcome.fault == wire::FaultCode::none;
@@ -93,6 +94,8 @@ class ControlTick {
     const Scalar wanted = commandLimit_A();
     return wanted > Scalar(0) && wanted < ownLimit_A_ ? wanted : ownLimit_A_;
   }
+  /// What is taken off the sensor's reading.
+  Scalar zero_A() const { return zero_A_; }
   Scalar jumped_rad() const { return watch_.jumped_rad(); }
 
  private:
@@ -160,7 +163,7 @@ class ControlTick {
   ServoController<Scalar> servo_;
   BoardWatch<Scalar> watch_;
   wire::MotorCommand wanted_;
-  Scalar ownLimit_A_ = 0, left_ = 0;
+  Scalar ownLimit_A_ = 0, left_ = 0, zero_A_ = 0;
   std::int32_t count_ = 0, origin_ = 0, travelStart_ = 0;
   bool known_ = false, watched_ = false;
 };

@@ -35,6 +35,7 @@ enum class Parameter : std::uint16_t {
   resistance,
   inductance,
   backEmfConstant,
+  currentZero,
   count
 };
 inline constexpr std::size_t parameterCount = static_cast<std::size_t>(Parameter::count);
@@ -67,6 +68,7 @@ inline constexpr ParameterForm parameterForms[parameterCount] = {
     {"winding_resistance_ohm", wire::Format::float32, false},
     {"winding_inductance_H", wire::Format::float32, false},
     {"winding_back_emf_V_s_per_rad", wire::Format::float32, false},
+    {"current_zero_A", wire::Format::float32, false},
 };
 
 inline constexpr float longestLease_s = 0.25f;
@@ -109,6 +111,8 @@ class Parameters {
     span(wire::Channel::current, Scalar(1.25) * hardware.sensorRange_A);
     span(wire::Channel::currentReference, Scalar(1.25) * hardware.sensorRange_A);
     span(wire::Channel::sensorCurrent, Scalar(1.25) * hardware.sensorRange_A);
+    if (hardware.sensorStep_A > Scalar(0) && hardware.sensorStep_A * Scalar(32000) > hardware.sensorRange_A)
+      perUnit_[static_cast<std::size_t>(wire::Channel::sensorCurrent)] = Scalar(1) / hardware.sensorStep_A;
     span(wire::Channel::temperature, Scalar(327));
     perUnit_[static_cast<std::size_t>(wire::Channel::supply)] = Scalar(16384) / hardware.supply_V;
     const bool fine = hardware.pwmSteps == 0 || hardware.pwmSteps > 32767;
@@ -137,6 +141,10 @@ class Parameters {
       return wire::Code::notAValue;
     value.word = std::bit_cast<std::uint32_t>(wanted < least_[k] ? least_[k] : wanted > most_[k] ? most_[k] : wanted);
     return wire::Code::ok;
+  }
+  /// Of a parameter that only the board itself changes.
+  void show(Parameter which, Scalar value) {
+    word_[static_cast<std::size_t>(which)] = std::bit_cast<std::uint32_t>(static_cast<float>(value));
   }
   /// Takes what judge() left.
   void set(const wire::ParameterValue& judged) { word_[judged.id] = judged.word; }

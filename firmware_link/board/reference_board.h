@@ -162,6 +162,9 @@ class ReferenceBoard {
       case Type::fault:
         out(fault_);
         return Code::ok;
+      case Type::frictionUsed:
+        out(used_);
+        return Code::ok;
       case Type::dictionary:
         return asked<wire::DictionaryAsked>(frame, [&](const auto& page) { return dictionary(page.first, out); });
       case Type::readParameters:
@@ -263,7 +266,8 @@ class ReferenceBoard {
     return wire::Code::ok;
   }
 
-  wire::Code read(wire::ParameterList& list, wire::Writer& out) const {
+  wire::Code read(wire::ParameterList& list, wire::Writer& out) {
+    parameters_.show(Parameter::currentZero, control_.zero_A());
     for (std::size_t k = 0; k < list.count; ++k) {
       if (list.value[k].id >= parameterCount) return wire::Code::noSuch;
       list.value[k].word = parameters_.whole(static_cast<Parameter>(list.value[k].id));
@@ -361,6 +365,7 @@ class ReferenceBoard {
     written_.index_rad = static_cast<Scalar>(use.index_rad);
     written_.blend_rad_per_s = static_cast<Scalar>(use.blend_rad_per_s);
     control_.compensate(written_, static_cast<Scalar>(use.cutoff_rad_per_s));
+    used_ = use;
     out(use);
     return wire::Code::ok;
   }
@@ -387,6 +392,7 @@ class ReferenceBoard {
   SampleBatch<Scalar> batch_;
   Burst<Scalar, burstBytes> burst_;
   FrictionTable<Scalar> written_;
+  wire::FrictionUse used_;
   wire::Fault fault_;
   std::uint8_t body_[wire::mostBody] = {};
   std::uint32_t tick_ = 0, untilTick_ = 0, time_us_ = 0, restTime_ns_ = 0, period_ns_ = 0;

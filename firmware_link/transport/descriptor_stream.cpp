@@ -17,8 +17,8 @@ namespace breakaway {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr double patience_s = 1.0;         // of a write that nobody takes
-constexpr size_t mostAtOnce = 256 * 1024;  // so that a stream that never pauses gives its reader a turn
+constexpr double patience_s = 1.0;                 // of a write that nobody takes
+constexpr size_t mostAtOnce = size_t{256} * 1024;  // so that a stream that never pauses gives its reader a turn
 
 /// Waits until `events` or the end of the wait; false when the time is over.
 bool waitFor(int descriptor, short events, double wait_s) {

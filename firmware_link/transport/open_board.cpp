@@ -1,25 +1,91 @@
 #include "firmware_link/transport/open_board.h"
 
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
 #include "firmware_link/board_drive.h"
 #include "firmware_link/presets.h"
 #include "firmware_link/simulated_board.h"
 #include "firmware_link/transport/byte_address.h"
 #include "firmware_link/transport/open_byte_stream.h"
+#include "firmware_link/vesc/vesc_drive.h"
 
 namespace breakaway {
 
+namespace {
+
+constexpr const char* vescScheme = "vesc:";
+
+/// Takes `name=value&…` into the request.
+Result<void> takeOptions(const std::string& options, BoardRequest& request) {
+  const std::pair<const char*, std::optional<double> BoardRequest::*> known[] = {
+      {"pole_pairs", &BoardRequest::polePairs},
+      {"counts_per_rev", &BoardRequest::countsPerRev},
+      {"current_limit_A", &BoardRequest::currentLimit_A}};
+  for (size_t at = 0; at <= options.size();) {
+    const size_t end = std::min(options.find('&', at), options.size());
+    const std::string one = options.substr(at, end - at), name = one.substr(0, one.find('='));
+    const std::string text = one.size() > name.size() ? one.substr(name.size() + 1) : std::string();
+    at = end + 1;
+    bool found = false;
+    for (const auto& [field, member] : known) {
+      if (name != field) continue;
+      found = true;
+      double value = 0.0;
+      const auto [rest, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+      if (code != std::errc() || rest != text.data() + text.size() || !(value > 0.0 && value < 1e9))
+        return Error{"board " + request.uri, "has " + name + "=\"" + text + "\", expected a positive number"};
+      request.*member = value;
+    }
+    if (!found) {
+      return Error{"board " + request.uri,
+                   "knows no option \"" + name + "\", expected pole_pairs, counts_per_rev or current_limit_A"};
+    }
+  }
+  return {};
+}
+
+Error nobody(const ByteAddress& address, bool vescOnly) {
+  std::string fact =
+      vescOnly ? "nothing answers as a VESC" : "nothing answers as a board: neither Breakaway's firmware nor a VESC";
+  fact += "; check that it has power";
+  if (address.kind == ByteAddress::Kind::serial)
+    fact += ", that this is its port, and the baud rate (" + std::to_string(address.baud) + ")";
+  return {address.words(), fact};
+}
+
+Result<std::unique_ptr<Drive>> openOnWire(const std::string& uri, bool vescOnly, const BoardRequest& request) {
+  const auto address = byteAddressOf(uri);
+  if (!address) return Error{"board " + request.uri, address.error().fact};
+  auto stream = openByteStream(uri);
+  if (!stream) return stream.error();
+  if (!vescOnly) {
+    const auto ours = speaksWire(**stream);
+    if (!ours) return ours.error();
+    if (*ours) return openBoardDrive(std::move(*stream), {.place = address->words()});
+  }
+  VescOptions vesc;
+  vesc.polePairs = request.polePairs;
+  vesc.countsPerRev = request.countsPerRev;
+  if (request.currentLimit_A) vesc.currentLimit_A = *request.currentLimit_A;
+  auto drive = openVesc(*stream, vesc);
+  if (!drive || *drive != nullptr) return drive;
+  return nobody(*address, vescOnly);
+}
+
+}  // namespace
+
 Result<std::unique_ptr<Drive>> openBoard(const BoardRequest& request) {
   if (isSimulated(request.uri)) return openDrive(request.uri, request.seed);
-  if (!carriesBytes(request.uri)) {
-    return Error{
-        "board " + request.uri,
-        "is no known board, expected simulated[:PRESET or FILE.rig.json], serial:PORT[@BAUD] or tcp:HOST:PORT"};
+  BoardRequest whole = request;
+  const bool vescOnly = whole.uri.starts_with(vescScheme);
+  std::string uri = vescOnly ? whole.uri.substr(std::string(vescScheme).size()) : whole.uri;
+  if (const size_t mark = uri.find('?'); mark != std::string::npos) {
+    if (auto taken = takeOptions(uri.substr(mark + 1), whole); !taken) return taken.error();
+    uri.resize(mark);
   }
-  const auto address = byteAddressOf(request.uri);
-  if (!address) return address.error();
-  auto stream = openByteStream(request.uri);
-  if (!stream) return stream.error();
-  return openBoardDrive(std::move(*stream), {.place = address->words()});
+  return openOnWire(uri, vescOnly, whole);
 }
 
 }  // namespace breakaway

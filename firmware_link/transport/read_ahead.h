@@ -15,7 +15,7 @@ namespace breakaway {
 /// megabytes.
 class ReadAhead final : public ByteStream {
  public:
-  static constexpr size_t usualRoom = 16 * 1024 * 1024;
+  static constexpr size_t usualRoom = size_t{16} * 1024 * 1024;
 
   /// `source` bears a read and a write from two threads. Once `room` bytes wait, no more are fetched until some are
   /// taken.

@@ -29,6 +29,7 @@ enum class Type : std::uint8_t {
   startProcedure = 0x0E,   ///< Procedure → ProcedureStatus
   stopProcedure = 0x0F,    ///< nothing → ProcedureStatus
   procedureStatus = 0x10,  ///< nothing → ProcedureStatus
+  frictionUsed = 0x11,     ///< nothing → FrictionUse, of the table that is used
   telemetry = 0xC0,        ///< BatchHeader, then the samples
   faultHappened = 0xC1     ///< Fault
 };

@@ -44,8 +44,10 @@ enum class Channel : std::uint8_t {
 };
 inline constexpr std::size_t channelCount = 12;
 inline constexpr std::uint16_t allChannels = (1u << channelCount) - 1;
-/// What a Drive's samples are made of.
-inline constexpr std::uint16_t usualChannels = (1u << 10) - 1;
+/// What a Drive's samples are made of. The current comes as the sensor reads it, so that whoever zeroes from the other
+/// end of a line knows to the sample what it was zeroed with.
+inline constexpr std::uint16_t usualChannels = allChannels & ~(1u << static_cast<unsigned>(Channel::current)) &
+                                               ~(1u << static_cast<unsigned>(Channel::temperature));
 
 struct SampleFlag {
   static constexpr std::uint8_t enabled = 1, index = 2, latched = 4;

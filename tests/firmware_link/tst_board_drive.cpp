@@ -159,6 +159,13 @@ void TestBoardDrive::compensation_isWrittenReadBackAndUsed() {
   QVERIFY(without > 15.0 && without < 60.0);
   QVERIFY(std::abs(with) < 0.3 * without);
   const auto board = opened();
+  friction.indexAngle_rad = 100.0;
+  VERIFY_OK(board.drive->compensate(friction));
+  const auto back = board.drive->compensation();
+  VERIFY_OK(back);
+  QCOMPARE(back->coulomb_Nm[1].size(), std::size_t(180));
+  QVERIFY(std::abs(back->coulomb_Nm[1][179] - 0.0168) < 1e-8);
+  QVERIFY(std::abs(back->indexAngle_rad - (100.0 - 15.0 * 2.0 * M_PI)) < 1e-5);
   FrictionCompensation large = friction, uneven = friction;
   uneven.viscous_Nm_s_per_rad[1].pop_back();
   VERIFY_ERROR(board.drive->compensate(uneven), "friction compensation: has not as many bins each way");

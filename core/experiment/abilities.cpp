@@ -1,0 +1,51 @@
+#include "experiment/abilities.h"
+
+#include <cstdio>
+
+namespace breakaway {
+
+namespace {
+
+std::string joined(const std::string& first, const std::string& second) {
+  return first.empty() || second.empty() ? first + second : first + "; " + second;
+}
+
+std::string toHoming(const Identity& board) {
+  return board.hasIndex ? "" : "the board reports no index: homing needs one";
+}
+
+std::string toIdentification(const Identity& board) {
+  std::string why;
+  if (!board.can.everyTick) {
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "the board is asked %.0f times a second: the winding test needs a sample of every control tick",
+                  board.loopRate_Hz);
+    why = text;
+  }
+  if (!board.can.zeroesSensor)
+    why = joined(why, "the board zeroes its current sensor by itself: identification and sweeps need it zeroed anew");
+  return why;
+}
+
+}  // namespace
+
+std::string obstacleTo(Task task, const Identity& board) {
+  switch (task) {
+    case Task::homing:
+      return toHoming(board);
+    case Task::identification:
+      return toIdentification(board);
+    case Task::sweep:
+      return joined(toHoming(board), toIdentification(board));
+    case Task::tuning:
+      return board.can.takesGains ? "" : "the board keeps its own gains: set them with its maker's tool";
+    case Task::compensation:
+      return board.can.compensates ? "" : "the board takes no friction table";
+    case Task::commissioning:
+      return joined(obstacleTo(Task::sweep, board), obstacleTo(Task::tuning, board));
+  }
+  return {};
+}
+
+}  // namespace breakaway

@@ -1,0 +1,15 @@
+// What a board can't do, in words, for whoever is about to ask it.
+#pragma once
+
+#include <string>
+
+#include "experiment/drive.h"
+
+namespace breakaway {
+
+enum class Task { homing, identification, sweep, tuning, compensation, commissioning };
+
+/// Why this board can't do it, in one line; empty when it can.
+std::string obstacleTo(Task task, const Identity& board);
+
+}  // namespace breakaway

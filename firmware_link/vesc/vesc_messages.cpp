@@ -1,0 +1,198 @@
+#include "firmware_link/vesc/vesc_messages.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+namespace breakaway {
+
+namespace {
+
+void put(VescPayload& payload, std::uint32_t value) {
+  for (int shift = 24; shift >= 0; shift -= 8) payload.push_back(static_cast<std::uint8_t>(value >> shift & 0xff));
+}
+
+VescPayload scaled(VescMessage message, double value, double scale) {
+  VescPayload payload = vescRequest(message);
+  const double most = std::numeric_limits<std::int32_t>::max();
+  const double held = std::isfinite(value) ? std::clamp(std::round(value * scale), -most, most) : 0.0;
+  put(payload, static_cast<std::uint32_t>(static_cast<std::int32_t>(held)));
+  return payload;
+}
+
+/// Takes numbers off the front of a payload; after its end `good` is false and all is zero.
+class Taker {
+ public:
+  explicit Taker(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+  bool good() const { return good_; }
+  bool enough(size_t count) const { return bytes_.size() >= count; }
+  std::uint32_t unsignedOf(size_t count) {
+    std::uint32_t value = 0;
+    if (!enough(count)) {
+      good_ = false;
+      return 0;
+    }
+    for (size_t k = 0; k < count; ++k) value = value << 8 | bytes_[k];
+    bytes_ = bytes_.subspan(count);
+    return value;
+  }
+  double int16(double scale) { return static_cast<std::int16_t>(unsignedOf(2)) / scale; }
+  std::int32_t int32() { return static_cast<std::int32_t>(unsignedOf(4)); }
+  double int32(double scale) { return int32() / scale; }
+  std::span<const std::uint8_t> rest() const { return bytes_; }
+
+ private:
+  std::span<const std::uint8_t> bytes_;
+  bool good_ = true;
+};
+
+/// Bytes of each field, in the order of the mask's bits.
+constexpr std::array<std::uint8_t, 22> fieldBytes{2, 2, 4, 4, 4, 4, 2, 4, 2, 4, 4, 4, 4, 4, 4, 1, 4, 1, 6, 4, 4, 1};
+
+void takeField(std::uint32_t field, Taker& taker, VescValues& values) {
+  switch (field) {
+    case vescField::bridgeTemperature:
+      values.bridge_degC = taker.int16(10.0);
+      break;
+    case vescField::motorTemperature:
+      values.motor_degC = taker.int16(10.0);
+      break;
+    case vescField::motorCurrent:
+      values.motorCurrent_A = taker.int32(100.0);
+      break;
+    case vescField::iq:
+      values.iq_A = taker.int32(100.0);
+      break;
+    case vescField::duty:
+      values.duty = taker.int16(1000.0);
+      break;
+    case vescField::speed:
+      values.electricalSpeed_rpm = taker.int32(1.0);
+      break;
+    case vescField::supply:
+      values.supply_V = taker.int16(10.0);
+      break;
+    case vescField::tachometer:
+      values.tachometer = taker.int32();
+      break;
+    case vescField::fault:
+      values.fault = static_cast<int>(taker.unsignedOf(1));
+      break;
+    case vescField::position:
+      values.position_deg = taker.int32(1e6);
+      break;
+    default:
+      break;
+  }
+}
+
+}  // namespace
+
+VescPayload vescRequest(VescMessage message) {
+  return {static_cast<std::uint8_t>(message)};
+}
+
+VescPayload vescSetDuty(double duty) {
+  return scaled(VescMessage::setDuty, duty, 1e5);
+}
+
+VescPayload vescSetCurrent(double current_A) {
+  return scaled(VescMessage::setCurrent, current_A, 1e3);
+}
+
+VescPayload vescSetSpeed(double electricalSpeed_rpm) {
+  return scaled(VescMessage::setSpeed, electricalSpeed_rpm, 1.0);
+}
+
+VescPayload vescSetPosition(double angle_deg) {
+  return scaled(VescMessage::setPosition, angle_deg, 1e6);
+}
+
+VescPayload vescSelectValues(std::uint32_t fields) {
+  VescPayload payload = vescRequest(VescMessage::selectedValues);
+  put(payload, fields);
+  return payload;
+}
+
+std::optional<VescVersion> readVescVersion(std::span<const std::uint8_t> payload) {
+  Taker taker(payload);
+  const bool right = taker.unsignedOf(1) == static_cast<std::uint32_t>(VescMessage::firmwareVersion);
+  VescVersion version;
+  version.major = static_cast<int>(taker.unsignedOf(1));
+  version.minor = static_cast<int>(taker.unsignedOf(1));
+  if (!taker.good() || !right) return {};
+  std::span<const std::uint8_t> rest = taker.rest();
+  const auto nameEnd = std::find(rest.begin(), rest.end(), 0);
+  for (auto it = rest.begin(); it != nameEnd; ++it) {
+    if (*it >= 0x20 && *it < 0x7f) version.hardware.push_back(static_cast<char>(*it));
+  }
+  rest = rest.subspan(static_cast<size_t>(nameEnd - rest.begin()));
+  if (rest.size() > version.identity.size())
+    std::copy_n(rest.begin() + 1, version.identity.size(), version.identity.begin());
+  return version;
+}
+
+std::optional<VescValues> readVescValues(std::span<const std::uint8_t> payload) {
+  Taker taker(payload);
+  const auto message = static_cast<VescMessage>(taker.unsignedOf(1));
+  const bool selected = message == VescMessage::selectedValues;
+  if (!taker.good() || (!selected && message != VescMessage::values)) return {};
+  const std::uint32_t coming = selected ? taker.unsignedOf(4) : (1u << fieldBytes.size()) - 1;
+  if (coming >> fieldBytes.size() != 0) return {};  // fields of a length that isn't known here
+  VescValues values;
+  for (size_t bit = 0; bit < fieldBytes.size(); ++bit) {
+    const std::uint32_t field = 1u << bit;
+    if ((coming & field) == 0) continue;
+    if (!taker.enough(fieldBytes[bit])) {
+      if (selected) return {};
+      break;
+    }
+    Taker one(taker.rest().first(fieldBytes[bit]));
+    takeField(field, one, values);
+    taker = Taker(taker.rest().subspan(fieldBytes[bit]));
+    values.fields |= field;
+  }
+  return taker.good() ? std::optional(values) : std::nullopt;
+}
+
+std::string vescFaultWords(int fault) {
+  static constexpr std::array<const char*, 29> words{
+      "",
+      "the supply voltage is too high; a braking motor may feed it, check the supply",
+      "the supply voltage is too low; check the supply and its current limit",
+      "the gate driver objects; check the bridge for a short",
+      "over-current; check motor leads and bridge for a short, and the motor's current limit",
+      "the bridge is too hot; let it cool",
+      "the motor is too hot; let it cool",
+      "the gate driver's supply is too high",
+      "the gate driver's supply is too low",
+      "the processor's supply is too low",
+      "its watchdog has restarted it",
+      "the encoder's SPI bus is disturbed; check encoder cable and shield",
+      "the encoder's sine and cosine are too weak",
+      "the encoder's sine and cosine are too strong",
+      "its flash memory is damaged",
+      "the first current sensor's offset is too large",
+      "the second current sensor's offset is too large",
+      "the third current sensor's offset is too large",
+      "the phase currents don't add up to zero; check the current sensors",
+      "the brake resistor is too hot or fails",
+      "the resolver has lost track",
+      "the resolver's signal is weak",
+      "the resolver has lost its signal",
+      "its flash memory holds a damaged application's settings",
+      "its flash memory holds a damaged motor's settings",
+      "the encoder's magnet is missing",
+      "the encoder's magnet is too strong",
+      "the phase filter fails",
+      "the encoder fails"};
+  if (fault == 0) return {};
+  if (fault > 0 && fault < static_cast<int>(words.size())) return words[static_cast<size_t>(fault)];
+  char text[64];
+  std::snprintf(text, sizeof text, "fault %d, which is not known here; its maker's tool names it", fault);
+  return text;
+}
+
+}  // namespace breakaway
