@@ -192,6 +192,13 @@ class TickCost {
 
 }  // namespace breakaway
 
+/// Semihosting's SYS_EXIT; Arm, "Semihosting for AArch32 and AArch64", 2020.
+static void leaveEmulator() {
+  register int call asm("r0") = 0x18;
+  register int reason asm("r1") = 0x20026;
+  asm volatile("bkpt 0xab" : : "r"(call), "r"(reason) : "memory");
+}
+
 extern "C" void runImage() {
   using Mode = breakaway::wire::MotorCommand::Mode;
   static breakaway::TickCost cost;
@@ -202,4 +209,5 @@ extern "C" void runImage() {
   cost.measure("velocity", Mode::velocity, 20.0f);
   cost.measure("position", Mode::position, 3.0f);
   cost.measureAsked();
+  leaveEmulator();
 }
