@@ -57,7 +57,11 @@ BoardLink linkTo(const Emulator& emulator) {
   if (!emulator.runs()) qFatal("no emulator: %s", qPrintable(emulator.said()));
   auto stream = openByteStream(emulator.uri());
   if (!stream) qFatal("%s", stream.error().message().c_str());
-  return {std::move(*stream), "board"};
+  BoardLink link(std::move(*stream), "board");
+  // A busy machine may take its time to start the emulator.
+  const auto hello = link.ask<wire::Hello>(wire::Type::hello, BoardLink::Patience{0.5, 60});
+  if (!hello) qFatal("%s", hello.error().message().c_str());
+  return link;
 }
 
 Result<wire::Alive> beat(BoardLink& link, std::uint32_t untilTick) {
@@ -299,6 +303,7 @@ double together(const std::array<double, 4>& errors) {
 void TestCortexM3::commissioning_isAsGoodAsInProcess() {
   const TemporaryFolder folder;
   const Emulator emulator(granted());
+  linkTo(emulator);  // it has started
   QElapsedTimer watch;
   watch.start();
   const auto map = commissioned(emulator.uri(), 1, folder.path("cortex_m3"), 900000);
