@@ -24,12 +24,18 @@ function(breakaway_library name directory)
   target_link_libraries(${name} PRIVATE breakaway_options)
 endfunction()
 
-# breakaway_test(NAME LIBRARIES…): tests/…/NAME.cpp, relative to the caller, one QTest class with its own main.
-function(breakaway_test name)
+# breakaway_test_program(NAME LIBRARIES…): tests/…/NAME.cpp, relative to the caller, one QTest class with its own main.
+function(breakaway_test_program name)
   get_filename_component(base ${name} NAME)
   add_executable(${base} ${name}.cpp)
   set_target_properties(${base} PROPERTIES AUTOMOC ON RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   target_link_libraries(${base} PRIVATE breakaway_options breakaway_test_support Qt6::Test ${ARGN})
+endfunction()
+
+# breakaway_test(NAME LIBRARIES…): the same, run with all tests.
+function(breakaway_test name)
+  get_filename_component(base ${name} NAME)
+  breakaway_test_program(${name} ${ARGN})
   add_test(NAME ${base} COMMAND ${base})
   set_tests_properties(${base} PROPERTIES
     ENVIRONMENT "QT_QPA_PLATFORM=offscreen;BREAKAWAY_SOURCE_DIR=${CMAKE_SOURCE_DIR};BREAKAWAY_BIN_DIR=${CMAKE_BINARY_DIR}/bin;UBSAN_OPTIONS=print_stacktrace=1"

@@ -24,8 +24,8 @@ class BoardLink {
   /// Gets every frame that answers no ask().
   using Listener = std::function<void(const wire::Frame&)>;
   struct Patience {
-    double perTry_s = 0.1;
-    int tries = 5;
+    double perTry_s = 0.2;
+    int tries = 10;  ///< a board that is an emulator on a busy machine takes its time
   };
 
   /// `place` is what errors call the board ("board tcp:127.0.0.1:7000").
@@ -36,13 +36,13 @@ class BoardLink {
 
   /// Sends the question, again and again with the same sequence until an answer comes. Returns the answer's body behind
   /// the code. Errors: no answer, refused, the stream's.
-  Result<Bytes> ask(wire::Type type, std::span<const std::uint8_t> body, const Patience& patience = {0.1, 5});
+  Result<Bytes> ask(wire::Type type, std::span<const std::uint8_t> body, const Patience& patience = {0.2, 10});
   /// The same with messages.
   template <typename Answer, typename Question>
-  Result<Answer> ask(wire::Type type, const Question& question, const Patience& patience = {0.1, 5});
+  Result<Answer> ask(wire::Type type, const Question& question, const Patience& patience = {0.2, 10});
   /// A question without a body.
   template <typename Answer>
-  Result<Answer> ask(wire::Type type, const Patience& patience = {0.1, 5});
+  Result<Answer> ask(wire::Type type, const Patience& patience = {0.2, 10});
 
   /// Sends without waiting; the answer goes to the listener. Returns the sequence.
   Result<std::uint16_t> post(wire::Type type, std::span<const std::uint8_t> body);

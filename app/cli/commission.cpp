@@ -23,7 +23,8 @@ struct CommissionLine {
   bool motorOnly = false;
   unsigned seed = 1;
   size_t bins = 180, turns = 2;
-  bool resume = false, namesBins = false, namesTurns = false;
+  double run_s = CommissionOptions{}.speedRun_s;
+  bool resume = false, namesBins = false, namesTurns = false, namesRun = false;
 };
 
 /// The bench file that was named, or the one beside a simulated rig.
@@ -78,6 +79,7 @@ Result<void> beginFolder(const CommissionLine& line, CommissionOptions& options)
   if (!earlier) return earlier.error();
   if (!line.namesBins) options.bins = earlier->bins;
   if (!line.namesTurns) options.turns = earlier->turns;
+  if (!line.namesRun) options.speedRun_s = earlier->speedRun_s;
   options.earlier = std::move(*earlier);
   return {};
 }
@@ -119,6 +121,7 @@ Outcome runCommission(const CommissionLine& line) {
   options.bins = line.bins;
   options.turns = line.turns;
   if (auto taken = takeAddedInertia(line, options); !taken) return taken;
+  options.speedRun_s = line.run_s;
   if (progressIsWatched()) {
     options.progress = [](double part, const std::string& activity) {
       std::fprintf(stderr, "\r\033[K%3.0f %%  %s", 100.0 * part, activity.c_str());
@@ -190,13 +193,17 @@ void addCommission(CLI::App& app, Job& chosen) {
                       "torques without trusting the current sensor's gain");
   command->add_flag("--motor-only", line->motorOnly,
                     "end once the motor is identified: bench.json and motor.json only");
+  auto* run = command->add_option("--run-s", line->run_s,
+                                  "seconds at each speed of the velocity sweep; with --resume the interrupted job's");
+  run->capture_default_str()->check(CLI::Range(2.0, 120.0));
   command->add_flag(
       "--resume", line->resume,
       "go on with the interrupted job in the folder: its motor, runs and breakaways are kept, the current "
       "sensor is zeroed and the rotor homed anew");
-  command->callback([line, bins, turns, &chosen] {
+  command->callback([line, bins, turns, run, &chosen] {
     line->namesBins = bins->count() > 0;
     line->namesTurns = turns->count() > 0;
+    line->namesRun = run->count() > 0;
     chosen = [line] { return runCommission(*line); };
   });
 }

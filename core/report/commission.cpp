@@ -32,8 +32,9 @@ Result<void> CommissionJob::begin() {
                                        ", but the interrupted job was begun with " + std::to_string(kept_.bins) +
                                        " and " + std::to_string(kept_.turns)};
   }
-  if (kept_.speedRun_s != fresh.speedRun_s ||
-      kept_.trustedTorqueConstant_Nm_per_A != fresh.trustedTorqueConstant_Nm_per_A)
+  if (kept_.speedRun_s != fresh.speedRun_s)
+    return Error{"seconds at each speed", "are others than the interrupted job was begun with, expected the same"};
+  if (kept_.trustedTorqueConstant_Nm_per_A != fresh.trustedTorqueConstant_Nm_per_A)
     return Error{
         "bench",
         "trusts another torque constant than the interrupted job was begun with, expected the same bench file"};

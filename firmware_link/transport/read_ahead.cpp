@@ -7,6 +7,8 @@ namespace breakaway {
 
 namespace {
 constexpr double turn_s = 0.02;  // so long at most a closing stream waits for its thread
+// A port that hands over byte by byte would wake its reader for each; so much later they come in dozens.
+constexpr std::chrono::microseconds gathered{200};
 }
 
 ReadAhead::ReadAhead(std::unique_ptr<ByteStream> source, size_t room)
@@ -29,6 +31,8 @@ void ReadAhead::fetch(const std::stop_token& ending) {
     if (!fresh.empty() || gone_) came_.notify_one();
     if (gone_) return;
     taken_.wait(lock, ending, [this] { return waiting_.size() < room_; });
+    lock.unlock();
+    if (!fresh.empty()) std::this_thread::sleep_for(gathered);
   }
 }
 
