@@ -14,7 +14,7 @@ struct BoardDriveOptions {
   /// What errors call it ("board tcp:127.0.0.1:7000").
   std::string place = "board";
   /// Board time that is granted at once while a procedure runs from here: how late it may react.
-  double slice_s = 0.005;
+  double slice_s = 0.001;
   /// Where the pace is real: without a byte for that long the link counts as gone.
   double silence_s = 0.5;
 };

@@ -38,8 +38,8 @@ void TestDiagnose::coulombAsymmetry_isOneAndTheSameAsConstantLoad() {
 void TestDiagnose::cleanRigWithNoise_lacksNothing() {
   for (const unsigned seed : {1u, 2u, 3u}) {
     const Diagnosis diagnosis = diagnosed({.seconds = 20.0, .seed = seed});
+    QVERIFY2(diagnosis.findings.empty(), diagnosis.findings.empty() ? "" : diagnosis.findings.front().sentence.c_str());
     QCOMPARE(nameOf(diagnosis.verdict), std::string("nothing_missing"));
-    QVERIFY(diagnosis.findings.empty());
     QVERIFY(diagnosis.nextSeparates.empty());
     QCOMPARE(diagnosis.unexplainedShare, 0.0);
     const FitScore& fit = diagnosis.fit;

@@ -8,10 +8,7 @@
 #include "firmware_link/board_dictionary.h"
 #include "firmware_link/board_drive.h"
 #include "firmware_link/board_link.h"
-#include "firmware_link/simulated_truth.h"
 #include "firmware_link/transport/open_byte_stream.h"
-#include "friction/map_export.h"
-#include "support/map_accuracy.h"
 #include "support/temporary.h"
 
 using namespace breakaway;
@@ -30,7 +27,6 @@ class TestCortexM3 : public QObject {
   void travelLimit_stopsAndLatches();
   void leaseThatRunsOut_stopsWithinATick();
   void reconnecting_neverArms();
-  void commissioning_isAsGoodAsInProcess();
 };
 
 namespace {
@@ -262,76 +258,6 @@ void TestCortexM3::reconnecting_neverArms() {
   QCOMPARE(told->mode, wire::MotorCommand::Mode::off);
   QCOMPARE(told->fault, wire::FaultCode::leaseExpired);
   QVERIFY(!command(link, wire::MotorCommand::Mode::voltage, 1.5f, latch));
-}
-
-namespace {
-
-constexpr size_t bins = 36;
-
-Result<FrictionMap> commissioned(const std::string& board, int seed, const std::string& folder, int patience_ms) {
-  QProcess process;
-  process.setStandardOutputFile(QProcess::nullDevice());
-  const std::string source = qgetenv("BREAKAWAY_SOURCE_DIR").toStdString();
-  process.start(
-      QString::fromStdString(qgetenv("BREAKAWAY_BIN_DIR").toStdString() + "/breakaway"),
-      {"commission", "--board", QString::fromStdString(board), "--bench",
-       QString::fromStdString(source + "/resources/presets/servo.bench.json"), "--bins", QString::number(bins),
-       "--turns", "2", "--run-s", "4", "--seed", QString::number(seed), "--out", QString::fromStdString(folder)});
-  if (!process.waitForFinished(patience_ms)) {
-    process.kill();
-    process.waitForFinished(5000);
-    return Error{board, "was not commissioned in time"};
-  }
-  if (process.exitCode() != 0) return Error{board, process.readAllStandardError().trimmed().toStdString()};
-  return readMap(folder + "/map.json");
-}
-
-/// RMS error over the bins, relative, of each curve of the map.
-std::array<double, 4> errorsOf(const FrictionMap& map, const FrictionMap& truth) {
-  return {deviation(map, truth, Way::cw, staticOf).rms, deviation(map, truth, Way::ccw, staticOf).rms,
-          deviation(map, truth, Way::cw, coulombOf).rms, deviation(map, truth, Way::ccw, coulombOf).rms};
-}
-
-double together(const std::array<double, 4>& errors) {
-  double squares = 0.0;
-  for (const double error : errors) squares += error * error;
-  return std::sqrt(squares / 4.0);
-}
-
-}  // namespace
-
-void TestCortexM3::commissioning_isAsGoodAsInProcess() {
-  const TemporaryFolder folder;
-  const Emulator emulator(granted());
-  linkTo(emulator);  // it has started
-  QElapsedTimer watch;
-  watch.start();
-  const auto map = commissioned(emulator.uri(), 1, folder.path("cortex_m3"), 900000);
-  VERIFY_OK(map);
-  const double took_s = static_cast<double>(watch.elapsed()) * 1e-3;
-  QCOMPARE(map->bins.size(), bins);
-  const auto truth = trueMap("simulated:servo", bins, map->totalVelocity_rad_per_s);
-  VERIFY_OK(truth);
-  const std::array<double, 4> emulated = errorsOf(*map, *truth);
-  // One run's error is itself a matter of chance: the in-process board's is taken over several seeds.
-  std::array<double, 4> squares{};
-  constexpr int seeds = 8;
-  for (int seed = 1; seed <= seeds; ++seed) {
-    const auto other = commissioned("simulated:servo", seed, folder.path("in_process" + std::to_string(seed)), 120000);
-    VERIFY_OK(other);
-    const std::array<double, 4> errors = errorsOf(*other, *truth);
-    for (size_t k = 0; k < 4; ++k) squares[k] += errors[k] * errors[k] / seeds;
-  }
-  std::array<double, 4> inProcess{};
-  for (size_t k = 0; k < 4; ++k) inProcess[k] = std::sqrt(squares[k]);
-  std::printf("commissioning over the pty took %.0f s; errors of the maps, emulated against in-process:\n", took_s);
-  const char* const names[] = {"static cw", "static ccw", "Coulomb cw", "Coulomb ccw"};
-  for (size_t k = 0; k < 4; ++k)
-    std::printf("  %-12s %.3f %% against %.3f %%\n", names[k], 100.0 * emulated[k], 100.0 * inProcess[k]);
-  const double ratio = together(emulated) / together(inProcess);
-  std::printf("  together     %.2f times\n", ratio);
-  QVERIFY2(ratio < 1.2, qPrintable(QString::number(ratio)));
-  QVERIFY2(ratio > 0.4, qPrintable(QString::number(ratio)));
 }
 
 QTEST_GUILESS_MAIN(TestCortexM3)

@@ -102,7 +102,10 @@ void TestInertia::untrustedGain_goesIntoEveryIntervalAndIsNamed() {
 void TestInertia::trustedInertia_measuresTheGain() {
   IdentifiedMotor one = motor();
   // A sensor that shows 3 % too much makes the rotor seem 3 % heavier and its winding 3 % lighter.
-  setCurrentScale(one, {0.027, J / 1.03});
+  CurrentScaleOptions trusted;
+  trusted.gainInterval = 0.027;
+  trusted.trustedInertia_kg_m2 = J / 1.03;
+  setCurrentScale(one, trusted);
   QVERIFY(std::abs(one.currentGain.value - 1.03) < 1e-12);
   QVERIFY(one.currentGain.standardError > 0.002 && one.currentGain.standardError < 0.0025);
   QVERIFY(std::abs(one.resistance_ohm.value - 1.2 * 1.03) < 1e-12);

@@ -104,8 +104,7 @@ Model ParameterVector::at(const Eigen::VectorXd& x) const {
   return withIntervals(x, Eigen::MatrixXd(), 0.0);
 }
 
-Model ParameterVector::withIntervals(const Eigen::VectorXd& x, const Eigen::MatrixXd& covariance,
-                                     double errors) const {
+Model ParameterVector::withIntervals(const Eigen::VectorXd& x, const Eigen::MatrixXd& covariance, double errors) const {
   Model model = model_;
   const auto place = [](Parameter& one, double value, double low, double high) {
     one.value = value;

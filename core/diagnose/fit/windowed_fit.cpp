@@ -250,7 +250,7 @@ FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>
   const Eigen::MatrixXd inverse = normal.ldlt().solve(Eigen::MatrixXd::Identity(size, size));
   const auto n = static_cast<double>(clusters.size());
   result.covariance = inverse * meat * inverse * (n / std::max(1.0, n - static_cast<double>(size)));
-  result.model = parameters.withIntervals(x, result.covariance, student95(n - static_cast<double>(size)));
+  result.model = parameters.withIntervals(x, result.covariance, student95(n - 1.0));
   return result;
 }
 

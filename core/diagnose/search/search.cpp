@@ -55,10 +55,12 @@ bool swings(const Pick& pick) {
   return pick.effect->loadPeriod_s(pick.parameters) > 0.0;
 }
 
-bool isSwinging(const EffectTerm& term) {
-  std::vector<double> values;
-  for (const Parameter& one : term.parameters) values.push_back(one.value);
-  return findEffect(term.effect)->loadPeriod_s(values) > 0.0;
+bool isSwinging(const Model& model) {
+  return std::any_of(model.effects.begin(), model.effects.end(), [](const EffectTerm& term) {
+    std::vector<double> values;
+    for (const Parameter& one : term.parameters) values.push_back(one.value);
+    return findEffect(term.effect)->loadPeriod_s(values) > 0.0;
+  });
 }
 
 /// The largest gain first.
@@ -116,6 +118,20 @@ class Search {
   double physicsInertia(const Model& model) const {
     return model.baseValue(motorNames(model.axis).inertia).value_or(input_.seen.inertia);
   }
+  /// Whether the second model takes away error. A load that swings is free at each window's start, which noise can use,
+  /// too: it has to do better from restarts as well, where it isn't.
+  bool helps(const FitResult& without, const FitResult& with) const {
+    if (!worth_->helps(without, with)) return false;
+    return !isSwinging(with.model) || isSwinging(without.model) ||
+           typicalScore(with.model) < clearlyLess * typicalScore(without.model);
+  }
+  /// Mean square error of the training windows as restarts give them, the worst tenth left out.
+  double typicalScore(const Model& model) const {
+    auto squares = scoreWindows(model, input_.tracks, input_.split.trainScore);
+    std::sort(squares.begin(), squares.end());
+    squares.resize(std::max<size_t>(1, squares.size() - squares.size() / 10));
+    return mean(squares);
+  }
   FitResult fitFresh(const Model& start) const { return fitModel(input_, start, 6); }
   /// The screen's effects whose part of the residual a simulation is likely to confirm.
   std::vector<Pick> important(const ScreenResult& found) const {
@@ -171,7 +187,7 @@ class Search {
           picks = std::move(other);
         }
       }
-      if (!worth_->helps(result.base, fit)) {
+      if (!helps(result.base, fit)) {
         for (size_t k = 0; k < picks.size(); ++k) {
           if (!plausible(fit.model.effects[k], input_.seen)) picks[k].gain = 0.0;  // the first to go
         }
@@ -287,7 +303,7 @@ class Search {
         FitResult slow = fitModel(input_, fitShort(input_, start), 10);
         if (slow.usable && mean(slow.windowSquares) < mean(fit.windowSquares)) fit = std::move(slow);
       }
-      if (!fit.usable || !worth_->helps(result.base, fit)) continue;
+      if (!fit.usable || !helps(result.base, fit)) continue;
       const double own = mean(fit.windowSquares), best = mean(result.best.windowSquares);
       if (own < nearlyAlike * best) likelyLoads_.push_back(effect);
       if (own >= best) continue;
@@ -326,7 +342,7 @@ class Search {
     const double left = mean(result.best.windowSquares);
     if (worth_->floors(result.best) < 9.0 || left < 0.02 * mean(result.base.windowSquares)) return false;
     std::vector<Pick> candidates;
-    const bool loaded = std::any_of(result.best.model.effects.begin(), result.best.model.effects.end(), isSwinging);
+    const bool loaded = isSwinging(result.best.model);
     for (const Effect* effect : catalogue()) {
       if (contains(result.chosen, effect)) continue;
       Pick pick = screen.best(*effect, picks);
@@ -348,6 +364,7 @@ class Search {
       const auto after = worth_->validated(fit);
       const Comparison gain = compare(before, after, input_.seed);
       const double pValue = worth_->chance(before, after);
+      if (isSwinging(fit.model) && !helps(result.best, fit)) continue;
       if (!(gain.relative >= best) || gain.interval.low <= sureGain || pValue > largestPValue) continue;
       best = gain.relative;
       winner = std::move(fit);
@@ -379,7 +396,7 @@ class Search {
                             ? result.base
                             : fitModel(input_, without(result.best.model, *result.chosen[k].effect), 8);
         const double back = mean(fit.windowSquares) - mean(result.best.windowSquares);
-        const bool needed = worth_->helps(fit, result.best) && worth_->material(fit, result.best);
+        const bool needed = helps(fit, result.best) && worth_->material(fit, result.best);
         const bool clear = back > clearGain * mean(fit.windowSquares);
         if (needed && (clear || !vanishes(result.best.model, *result.chosen[k].effect))) {
           result.chosen[k].marginal = std::max(0.0, back);
@@ -426,7 +443,9 @@ class Search {
     // Skewed errors hide a clear difference from the t-value: the sign-flip test sees it.
     const bool clearlyWorse = (ahead.relative > 0.25 && signFlipPValue(errors, best, input_.seed) <= 0.02) ||
                               (ahead.relative > 0.5 && quantile(errors, 0.5) > 1.5 * quantile(best, 0.5));
-    const bool better = ahead.inErrors < -2.0 && mean(errors) < 0.9 * mean(best);
+    const bool freer = isSwinging(fit.model) && !isSwinging(result.best.model);
+    const bool better = ahead.inErrors < -2.0 && mean(errors) < 0.9 * mean(best) &&
+                        (!freer || typicalScore(fit.model) < typicalScore(result.best.model));
     if (!better && (ahead.inErrors >= 2.0 || clearlyWorse)) return;
     // A push at a time of its own explains whatever happened then: physics that does as well is the better name.
     const bool physics = chosen.effect->happensOnce() && !rival.effect->happensOnce();
