@@ -87,8 +87,7 @@ Model withDoubts(Model model, const Preparation& prepared) {
       one.high95 = one.value + std::hypot(one.high95 - one.value, 1.96 * doubt);
       return;
     }
-    const bool scaled =
-        prepared.scaleDoubted && holdsScale(one.name) && one.name.find("constant") == std::string::npos;
+    const bool scaled = prepared.scaleDoubted && holdsScale(one.name) && one.name.find("constant") == std::string::npos;
     widen(one, std::hypot(1.96 * doubt, scaled ? scaleDoubt : 0.0));
   };
   for (Parameter& one : model.base) carry(one, 0.0);

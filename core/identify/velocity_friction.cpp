@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "identify/encoder_swing.h"
 #include "identify/friction_line.h"
 #include "identify/harmonic_evidence.h"
 #include "identify/run_spectrum.h"
@@ -199,6 +200,7 @@ Result<std::array<MovingFriction, 2>> fitMovingFriction(const std::vector<Veloci
     const double speed = findFall(ways);
     for (WayRuns& way : ways) setFall(way, speed);
   }
+  takeOffEncoderSwing(ways);
   return std::array<MovingFriction, 2>{fitWay(std::move(ways[0]), options), fitWay(std::move(ways[1]), options)};
 }
 

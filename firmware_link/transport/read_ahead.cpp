@@ -9,7 +9,7 @@ namespace {
 constexpr double turn_s = 0.02;  // so long at most a closing stream waits for its thread
 // A port that hands over byte by byte would wake its reader for each; so much later they come in dozens.
 constexpr std::chrono::microseconds gathered{200};
-}
+}  // namespace
 
 ReadAhead::ReadAhead(std::unique_ptr<ByteStream> source, size_t room)
     : source_(std::move(source)), room_(room), thread_([this](const std::stop_token& ending) { fetch(ending); }) {

@@ -223,7 +223,7 @@ void TestHonestRig::sensorsWithTolerances_areMappedAllTheSame() {
   const std::string uri = "simulated:" + folder.write("random.rig.json", test::RandomRig(seed).text(true));
   CommissionOptions options = quick();
   options.bins = 180;
-  options.speedRun_s = 15.0;
+  options.speedRun_s = CommissionOptions{}.speedRun_s;
   const auto done = commissioned(uri, options, seed);
   VERIFY_OK(done);
   verifyMap(*done, uri);
