@@ -165,6 +165,7 @@ class Search {
   void announce(const std::vector<Named>& those) const {
     if (!input_.named) return;
     std::vector<const Effect*> effects;
+    effects.reserve(those.size());
     for (const Named& one : those) effects.push_back(one.effect);
     input_.named(effects);
   }
@@ -246,6 +247,7 @@ class Search {
     if (!swings(best.pick)) return best;
     const std::vector<Window>& all = input_.split.train;
     std::vector<Window> windows;
+    windows.reserve(2 * mostShapeWindows);
     for (size_t k = 0; k < all.size(); k += std::max<size_t>(1, all.size() / mostShapeWindows))
       windows.push_back(all[k]);
     const auto base = residualSquares(model, input_.tracks, windows);
