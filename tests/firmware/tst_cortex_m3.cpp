@@ -153,7 +153,7 @@ void TestCortexM3::garbage_isCountedAndSurvived() {
 void TestCortexM3::unknownType_isRefusedAndTheNextIsAnswered() {
   const Emulator emulator(granted());
   BoardLink link = linkTo(emulator);
-  const auto refused = link.ask(static_cast<wire::Type>(0x55), std::span<const std::uint8_t>{}, {0.5, 10});
+  const auto refused = link.ask(static_cast<wire::Type>(0x3e), std::span<const std::uint8_t>{}, {0.5, 10});
   QVERIFY(!refused);
   QVERIFY2(refused.error().fact.find("does not know") != std::string::npos, refused.error().message().c_str());
   VERIFY_OK(beat(link, 0));
