@@ -39,6 +39,7 @@ class EmulatedCurrentSensor {
  public:
   EmulatedCurrentSensor(const EmulatedRig& rig, std::uint32_t seed)
       : rig_(rig),
+        middle_(rig.adcSteps / 2),
         perStep_A_(rig.adcRange_V / static_cast<float>(rig.adcSteps) / rig.sensitivity_V_per_A),
         stepsPer_A_(1.0f / perStep_A_),
         noise_(seed) {}
@@ -47,16 +48,17 @@ class EmulatedCurrentSensor {
   std::int32_t code(float current_A, float time_s) {
     const float shown_A =
         current_A * rig_.gain + rig_.offset_A + rig_.drift_A_per_s * time_s + rig_.noiseRms_A * noise_.normal();
-    const float place = shown_A * stepsPer_A_ + static_cast<float>(rig_.adcSteps / 2) + 0.5f;
+    const float place = shown_A * stepsPer_A_ + static_cast<float>(middle_) + 0.5f;
     if (!(place > 0.0f)) return 0;
     const auto code = static_cast<std::int32_t>(place);
     return code < rig_.adcSteps ? code : rig_.adcSteps - 1;
   }
   /// What the board makes of the converter's code with the nominal sensitivity.
-  float current_A(std::int32_t code) const { return static_cast<float>(code - rig_.adcSteps / 2) * perStep_A_; }
+  float current_A(std::int32_t code) const { return static_cast<float>(code - middle_) * perStep_A_; }
 
  private:
   const EmulatedRig& rig_;
+  std::int32_t middle_;  ///< code at no current
   float perStep_A_, stepsPer_A_;
   EmulatedNoise noise_;
 };
