@@ -171,17 +171,17 @@ void TestCommissionWire::frozenHost_findsTheMotorStoppedInWords() {
 }
 
 void TestCommissionWire::wrongBoard_isOneLine_data() {
-  QTest::addColumn<QString>("uri");
+  QTest::addColumn<QString>("board");
   QTest::newRow("nothing listens") << "tcp:127.0.0.1:1";
   QTest::newRow("no such port") << "serial:/dev/no-such-port";
   QTest::newRow("no such scheme") << "usb:3";
 }
 
 void TestCommissionWire::wrongBoard_isOneLine() {
-  QFETCH(QString, uri);
+  QFETCH(QString, board);
   const TemporaryFolder folder;
   const Outcome outcome = run(builtProgram("breakaway"),
-                              {"commission", "--board", uri, "--out", QString::fromStdString(folder.path("out"))});
+                              {"commission", "--board", board, "--out", QString::fromStdString(folder.path("out"))});
   QCOMPARE(outcome.status, 2);
   QCOMPARE(outcome.err.count('\n'), 1);
   QVERIFY2(outcome.err.startsWith("breakaway: "), qPrintable(outcome.err));

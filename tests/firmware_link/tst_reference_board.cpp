@@ -259,7 +259,7 @@ void TestReferenceBoard::limits_holdWhateverIsAsked() {
 }
 
 void TestReferenceBoard::overSpeedTravelAndSupply_tripInTheTickInWhichTheyShow() {
-  const auto tripped = [](board::Parameter limit, float value, Rig rig = presetRig("servo")) {
+  const auto tripped = [](board::Parameter limit, float value, const Rig& rig = presetRig("servo")) {
     Bench bench(board::Pace::real, rig);
     wire::ParameterList list;
     list.count = 1;

@@ -57,7 +57,7 @@ class Listener {
     address.sin_family = AF_INET;
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     socklen_t size = sizeof address;
-    ::bind(socket_, reinterpret_cast<sockaddr*>(&address), size);
+    if (::bind(socket_, reinterpret_cast<sockaddr*>(&address), size) != 0) qFatal("no port to listen on");
     ::listen(socket_, 1);
     ::getsockname(socket_, reinterpret_cast<sockaddr*>(&address), &size);
     port_ = ntohs(address.sin_port);
