@@ -36,13 +36,6 @@ constexpr double leastFall = 0.98;       ///< of the error over the training win
 /// Of the drive's peak: a place where less is unexplained is none.
 constexpr double immaterialPart = 0.01;
 
-/// The mean without its largest tenth.
-double typicalSquare(std::vector<double> squares) {
-  std::sort(squares.begin(), squares.end());
-  squares.resize(std::max<size_t>(1, squares.size() - squares.size() / 10));
-  return mean(squares);
-}
-
 bool farOff(const std::vector<double>& squares, double tolerated) {
   const double limit = std::pow(farOffFloors * tolerated, 2);
   const auto far = std::count_if(squares.begin(), squares.end(), [limit](double one) { return one > limit; });

@@ -300,4 +300,10 @@ std::vector<double> scoreWindows(const Model& model, const std::vector<Track>& t
   return squares;
 }
 
+double typicalSquare(std::vector<double> squares) {
+  std::sort(squares.begin(), squares.end());
+  squares.resize(std::max<size_t>(1, squares.size() - squares.size() / 10));
+  return mean(squares);
+}
+
 }  // namespace breakaway

@@ -58,4 +58,7 @@ std::vector<double> robustWeights(const std::vector<double>& windowSquares);
 std::vector<double> scoreWindows(const Model& model, const std::vector<Track>& tracks,
                                  const std::vector<Window>& windows);
 
+/// The mean without its largest tenth, which a restart at the edge of standstill may rule.
+double typicalSquare(std::vector<double> squares);
+
 }  // namespace breakaway

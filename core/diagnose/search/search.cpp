@@ -8,6 +8,7 @@
 #include "diagnose/catalogue.h"
 #include "diagnose/fit/cross_validation.h"
 #include "diagnose/noise_floor.h"
+#include "diagnose/search/swinging_load.h"
 #include "diagnose/search/worth.h"
 
 namespace breakaway {
@@ -19,8 +20,7 @@ constexpr double halfOfAll = 0.5;
 constexpr double mostOfAll = 0.6;
 constexpr double importantPart = 0.2;  ///< of the screen's squared residual
 constexpr size_t mostTrials = 4;
-constexpr size_t mostShapeWindows = 4;
-constexpr double clearlyLess = 0.7, hardlyLess = 0.9, nearlyAlike = 3.0;  ///< of a squared error
+constexpr double clearlyLess = 0.7, nearlyAlike = 3.0;  ///< of a squared error
 constexpr size_t mostRivals = 3;
 
 bool same(const Effect* a, const Effect* b) {
@@ -48,19 +48,6 @@ std::vector<Pick> withOneLoad(std::vector<Pick> picks) {
     return std::exchange(loaded, true);
   });
   return picks;
-}
-
-/// Whether the effect brings a load along that has a motion of its own.
-bool swings(const Pick& pick) {
-  return pick.effect->loadPeriod_s(pick.parameters) > 0.0;
-}
-
-bool isSwinging(const Model& model) {
-  return std::any_of(model.effects.begin(), model.effects.end(), [](const EffectTerm& term) {
-    std::vector<double> values;
-    for (const Parameter& one : term.parameters) values.push_back(one.value);
-    return findEffect(term.effect)->loadPeriod_s(values) > 0.0;
-  });
 }
 
 /// The largest gain first.
@@ -122,15 +109,12 @@ class Search {
   /// too: it has to do better from restarts as well, where it isn't.
   bool helps(const FitResult& without, const FitResult& with) const {
     if (!worth_->helps(without, with)) return false;
-    return !isSwinging(with.model) || isSwinging(without.model) ||
+    return !swings(with.model) || swings(without.model) ||
            typicalScore(with.model) < clearlyLess * typicalScore(without.model);
   }
   /// Mean square error of the training windows as restarts give them, the worst tenth left out.
   double typicalScore(const Model& model) const {
-    auto squares = scoreWindows(model, input_.tracks, input_.split.trainScore);
-    std::sort(squares.begin(), squares.end());
-    squares.resize(std::max<size_t>(1, squares.size() - squares.size() / 10));
-    return mean(squares);
+    return typicalSquare(scoreWindows(model, input_.tracks, input_.split.trainScore));
   }
   FitResult fitFresh(const Model& start) const { return fitModel(input_, start, 6); }
   /// The screen's effects whose part of the residual a simulation is likely to confirm.
@@ -236,49 +220,6 @@ class Search {
     return sets;
   }
 
-  struct Shaped {
-    Pick pick;
-    double left = 1.0;  ///< of the squared error of the windows looked at
-  };
-  /// A load that swings hardly shows in a regression: the shape that does best in simulated windows beside `model`, of
-  /// those on offer and then a step at a time from it.
-  Shaped simulatedShape(const Model& model, Pick pick) const {
-    Shaped best{std::move(pick)};
-    if (!swings(best.pick)) return best;
-    const std::vector<Window>& all = input_.split.train;
-    std::vector<Window> windows;
-    windows.reserve(2 * mostShapeWindows);
-    for (size_t k = 0; k < all.size(); k += std::max<size_t>(1, all.size() / mostShapeWindows))
-      windows.push_back(all[k]);
-    const auto base = residualSquares(model, input_.tracks, windows);
-    const auto tryOne = [&](std::vector<double> parameters) {
-      Pick other = best.pick;
-      other.parameters = std::move(parameters);
-      if (input_.stop.stop_requested() || !other.effect->plausible(other.parameters, input_.seen)) return false;
-      auto squares = residualSquares(with(input_, model, other), input_.tracks, windows);
-      // How far a window runs away says no more than that it does.
-      for (size_t w = 0; w < squares.size(); ++w) squares[w] = squares[w] < 4.0 * base[w] ? squares[w] : 4.0 * base[w];
-      const double left = mean(squares) / std::max(mean(base), 1e-300);
-      if (!(left < best.left)) return false;
-      best = {std::move(other), left};
-      return true;
-    };
-    tryOne(best.pick.parameters);
-    for (const Shape& shape : best.pick.effect->shapes(input_.seen)) tryOne(shape.front());
-    if (best.left > hardlyLess) return best;
-    const auto specs = best.pick.effect->parameters(input_.seen.axis);
-    for (size_t p = 0; p < specs.size(); ++p) {
-      for (const double by : {1.5, 1.0 / 1.5}) {
-        for (bool better = !specs[p].held; better;) {
-          auto parameters = best.pick.parameters;
-          parameters[p] *= by;
-          better = tryOne(std::move(parameters));
-        }
-      }
-    }
-    return best;
-  }
-
   /// Where the screen leaves much open: a load whose motion explains more.
   void adoptLoad(SearchResult& result, const Screen& screen, const ScreenResult& found) {
     double explained = 0.0;
@@ -297,7 +238,7 @@ class Search {
         pick.parameters = shapes.front().front();
       }
       if (!swings(pick)) continue;
-      const Shaped shaped = simulatedShape(result.base.model, pick);
+      const Shaped shaped = simulatedShape(input_, result.base.model, pick);
       if (shaped.left > clearlyLess) continue;
       const Model start = with(input_, result.base.model, shaped.pick);
       FitResult fit = fitModel(input_, start, 10);
@@ -344,7 +285,7 @@ class Search {
     const double left = mean(result.best.windowSquares);
     if (worth_->floors(result.best) < 9.0 || left < 0.02 * mean(result.base.windowSquares)) return false;
     std::vector<Pick> candidates;
-    const bool loaded = isSwinging(result.best.model);
+    const bool loaded = swings(result.best.model);
     for (const Effect* effect : catalogue()) {
       if (contains(result.chosen, effect)) continue;
       Pick pick = screen.best(*effect, picks);
@@ -359,14 +300,15 @@ class Search {
     double best = 2.0 * sureGain;
     const size_t most = remembers(result.best.model) ? 1 : mostTrials;  // hidden states are slow to fit
     for (size_t k = 0; k < std::min(most, candidates.size()); ++k) {
-      const Model start = with(input_, result.best.model, simulatedShape(result.best.model, candidates[k]).pick);
+      const Model start =
+          with(input_, result.best.model, simulatedShape(input_, result.best.model, candidates[k]).pick);
       FitResult fit = fitFresh(start);
       if (!fit.usable || mean(fit.windowSquares) > (1.0 - clearGain) * left) fit = fitFresh(fitShort(input_, start));
       if (!fit.usable || !plausible(fit.model, input_.seen)) continue;
       const auto after = worth_->validated(fit);
       const Comparison gain = compare(before, after, input_.seed);
       const double pValue = worth_->chance(before, after);
-      if (isSwinging(fit.model) && !helps(result.best, fit)) continue;
+      if (swings(fit.model) && !helps(result.best, fit)) continue;
       if (!(gain.relative >= best) || gain.interval.low <= sureGain || pValue > largestPValue) continue;
       best = gain.relative;
       winner = std::move(fit);
@@ -445,7 +387,7 @@ class Search {
     // Skewed errors hide a clear difference from the t-value: the sign-flip test sees it.
     const bool clearlyWorse = (ahead.relative > 0.25 && signFlipPValue(errors, best, input_.seed) <= 0.02) ||
                               (ahead.relative > 0.5 && quantile(errors, 0.5) > 1.5 * quantile(best, 0.5));
-    const bool freer = isSwinging(fit.model) && !isSwinging(result.best.model);
+    const bool freer = swings(fit.model) && !swings(result.best.model);
     const bool better = ahead.inErrors < -2.0 && mean(errors) < 0.9 * mean(best) &&
                         (!freer || typicalScore(fit.model) < typicalScore(result.best.model));
     if (!better && (ahead.inErrors >= 2.0 || clearlyWorse)) return;
