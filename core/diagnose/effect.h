@@ -42,6 +42,8 @@ struct ParameterSpec {
   double upper;
   bool held = false;          ///< chosen by the search and then kept, such as an order
   bool freeInTheEnd = false;  ///< but fitted with the last refinement
+  double doubt =
+      0.01;  ///< relative standard deviation that least squares can't know: no rig keeps to a model more closely
 };
 
 /// What the search needs to know of the data to offer shapes: ranges seen in the recordings.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnose/catalogue.h"
 #include "diagnose/channel_checks.h"
 #include "diagnose/fit/inverse_fit.h"
 #include "diagnose/fit/motion.h"
@@ -62,7 +63,7 @@ std::vector<Track> maskedTracks(const std::vector<Track>& tracks, size_t count, 
   return masked;
 }
 
-constexpr double modelDoubt = 0.01;  ///< standard deviation, relative
+constexpr double largeDoubt = 0.1;   ///< beyond it, an interval is a factor up and down
 constexpr double scaleDoubt = 0.10;  ///< 95 %, relative
 
 /// Whether it is of a size that only ratios to a held value give: torques, inertias, resistances.
@@ -77,6 +78,13 @@ void widen(Parameter& one, double doubt95) {
   one.high95 = one.value + std::hypot(one.high95 - one.value, more);
 }
 
+/// Of a positive value: `doubt95` is of its logarithm.
+void widenByFactor(Parameter& one, double doubt95) {
+  const double least = 1e-3 * one.value;  // an interval that reaches zero ends there
+  one.low95 = one.value * std::exp(-std::hypot(std::log(one.value / std::max(one.low95, least)), doubt95));
+  one.high95 = one.value * std::exp(std::hypot(std::log(one.high95 / one.value), doubt95));
+}
+
 }  // namespace
 
 Model withDoubts(Model model, const Preparation& prepared) {
@@ -88,11 +96,17 @@ Model withDoubts(Model model, const Preparation& prepared) {
       return;
     }
     const bool scaled = prepared.scaleDoubted && holdsScale(one.name) && one.name.find("constant") == std::string::npos;
-    widen(one, std::hypot(1.96 * doubt, scaled ? scaleDoubt : 0.0));
+    const double doubt95 = std::hypot(1.96 * doubt, scaled ? scaleDoubt : 0.0);
+    if (doubt > largeDoubt && one.value > 0.0) {
+      widenByFactor(one, doubt95);
+    } else {
+      widen(one, doubt95);
+    }
   };
   for (Parameter& one : model.base) carry(one, 0.0);
   for (EffectTerm& term : model.effects) {
-    for (Parameter& one : term.parameters) carry(one, modelDoubt);
+    const auto specs = findEffect(term.effect)->parameters(model.axis);
+    for (size_t k = 0; k < specs.size(); ++k) carry(term.parameters[k], specs[k].doubt);
   }
   return model;
 }

@@ -31,8 +31,8 @@ struct Preparation {
 Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& recordings,
                             const std::vector<Recording>& heldout, double window_s, bool whole);
 
-/// The model with intervals that also carry what least squares can't know: that no rig keeps to its model more closely
-/// than 1 % (effects), and the doubt of 10 % about an untrusted value that sets the scale (torques and inertias).
+/// The model with intervals that also carry what least squares can't know: each effect's own doubt
+/// (ParameterSpec::doubt), and the doubt of 10 % about an untrusted value that sets the scale (torques and inertias).
 Model withDoubts(Model model, const Preparation& prepared);
 
 }  // namespace breakaway

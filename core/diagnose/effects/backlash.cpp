@@ -21,9 +21,10 @@ class Backlash final : public Effect {
            "the dead-zone model with damped contact that never pulls";
   }
   std::vector<ParameterSpec> parameters(Axis axis) const override {
-    return {{inertiaName("load", axis), 1e-15, 1e9},
-            {positionName("gap", axis), 1e-9, 1e3},
-            {stiffnessName("stiffness", axis), 1e-9, 1e12},
+    // Contact lasts less than a few rows: how hard it is shows least, and what bounces off takes part in the rest.
+    return {{inertiaName("load", axis), 1e-15, 1e9, false, false, 0.3},
+            {positionName("gap", axis), 1e-9, 1e3, false, false, 0.25},
+            {stiffnessName("stiffness", axis), 1e-9, 1e12, false, false, 1.0},
             {"damping_ratio", 0.0, 2.0, true}};
   }
   Term term(std::span<const double> p, const Situation& at) const override { return twoMassTerm(loadOf(p), at); }
@@ -44,9 +45,9 @@ class Backlash final : public Effect {
     const double load = 0.4 * seen.inertia;  // its share is the amplitude
     const double smallest = std::max(2.0 * seen.count, 1e-4 * seen.travel);
     const double largest = std::min(0.1 * seen.travel, seen.axis == Axis::rotary ? 0.3 : 0.01);
-    const double stiffest = std::min(400.0, 0.3 / seen.step_s);  // rad/s of contact that the rows still show
+    const double stiffest = std::min(800.0, 0.6 / seen.step_s);  // rad/s of contact that the rows still show
     for (double gap = smallest; gap <= largest; gap *= 2.0) {
-      for (const double frequency : {0.4 * stiffest, stiffest})
+      for (const double frequency : {0.2 * stiffest, 0.5 * stiffest, stiffest})
         shapes.push_back({{load, gap, load * frequency * frequency, 0.3}});
     }
     return shapes;

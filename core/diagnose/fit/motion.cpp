@@ -109,7 +109,7 @@ std::vector<MotionState> hiddenStates(const Model& model, const std::vector<Trac
       state.way = motion.way[row];
       state.velocity = motion.resting[row] ? 0.0 : motion.velocity[row];
     };
-    if (stepper.remembers()) {
+    if (stepper.remembersLong()) {
       for (size_t row = 0; row < track.rows() && done < wanted.size(); ++row) {
         for (; done < wanted.size() && wanted[done].first == row; ++done) {
           take(row);

@@ -45,6 +45,8 @@ class WindowResidual {
   Eigen::VectorXd linearColumn(const Model& variant, double step, bool sameTerms) const;
   /// Whether linearColumn() leaves out hidden states.
   bool remembers() const { return simulator_->stepper().remembers(); }
+  /// Whether impacts may make the residual rough.
+  bool swings() const { return simulator_->stepper().swings(); }
 
  private:
   /// How a small change passes through one row, and what the model's torques are there.

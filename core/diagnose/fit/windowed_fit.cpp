@@ -20,6 +20,7 @@ namespace {
 
 constexpr double priorDeviation = 1.1;  ///< of the logarithm of a start value: a factor of three
 constexpr double nudge = 1e-5;          ///< finite difference of a parameter of order one
+constexpr double swingingNudge = 5e-3;  ///< the same where impacts make residuals rough
 constexpr double windowsTogether = 3.0;
 constexpr double boundFirmness = 1.0;  ///< pull back to a bound, per unit beyond it
 
@@ -65,9 +66,10 @@ WindowDerivative derive(const ParameterVector& parameters, WindowResidual& windo
   if (!jacobian) return out;
   out.jacobian.resize(window.rows(), x.size());
   const bool simulated = exact || window.remembers();
+  const double far = window.swings() ? swingingNudge : nudge;
   for (Eigen::Index p = 0; p < x.size(); ++p) {
     Eigen::VectorXd near = x;
-    const double step = x[p] + nudge > parameters.upper(p) ? -nudge : nudge;
+    const double step = x[p] + far > parameters.upper(p) ? -far : far;
     near[p] += step;
     out.jacobian.col(p) = simulated ? window.column(parameters.at(near), hidden.at(near, p, index), step)
                                     : window.linearColumn(parameters.at(near), step, parameters.leavesTerms(p));

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <string_view>
 
 #include "diagnose/catalogue.h"
 #include "diagnose/simulate/physics.h"
@@ -21,6 +23,22 @@ EffectTerm termOf(const Effect& effect, Axis axis, const std::vector<double>& va
   return term;
 }
 
+/// No rig is exact to so small a part of its drive: what is smaller is no finding.
+constexpr double leastTorque = 5e-4;
+
+bool endsWith(const std::string& text, std::string_view end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+/// What an amplitude makes in Nm or N at the most; nothing where it is no torque.
+std::optional<double> torqueOf(const std::string& name, double value, const Excitation& seen) {
+  const double size = std::abs(value), speed = seen.highSpeed;
+  if (endsWith(name, "_Nm") || endsWith(name, "_N")) return size;
+  if (endsWith(name, "_Nm_s_per_rad") || endsWith(name, "_N_s_per_m")) return size * speed;
+  if (endsWith(name, "_Nm_s2_per_rad2") || endsWith(name, "_N_s2_per_m2")) return size * speed * speed;
+  return std::nullopt;
+}
+
 std::vector<double> valuesOf(const EffectTerm& term) {
   std::vector<double> values;
   for (const Parameter& one : term.parameters) values.push_back(one.value);
@@ -36,8 +54,14 @@ Model with(const SearchInput& input, const Model& model, const Pick& pick) {
   return out;
 }
 
+bool plausible(const Effect& effect, const std::vector<double>& parameters, const Excitation& seen) {
+  if (!effect.plausible(parameters, seen)) return false;
+  const auto torque = torqueOf(effect.parameters(seen.axis).front().name, parameters.front(), seen);
+  return !torque || *torque >= leastTorque * seen.peakTorque;
+}
+
 bool plausible(const EffectTerm& term, const Excitation& seen) {
-  return findEffect(term.effect)->plausible(valuesOf(term), seen);
+  return plausible(*findEffect(term.effect), valuesOf(term), seen);
 }
 
 bool plausible(const Model& model, const Excitation& seen) {

@@ -35,7 +35,9 @@ Model withScreenedBase(const SearchInput& input, Model model, const Eigen::Vecto
 /// The model with one effect at a time at another variant.
 std::vector<Model> variantsOf(const Model& model);
 
-/// Whether an effect, or every one of a model, is of a sign and size that it can have.
+/// Whether an effect, or every one of a model, is of a sign and size that it can have, and large enough to be told from
+/// what every rig does besides.
+bool plausible(const Effect& effect, const std::vector<double>& parameters, const Excitation& seen);
 bool plausible(const EffectTerm& term, const Excitation& seen);
 bool plausible(const Model& model, const Excitation& seen);
 

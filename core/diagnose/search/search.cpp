@@ -20,7 +20,7 @@ constexpr double halfOfAll = 0.5;
 constexpr double mostOfAll = 0.6;
 constexpr double importantPart = 0.2;  ///< of the screen's squared residual
 constexpr size_t mostTrials = 4;
-constexpr double clearlyLess = 0.7, nearlyAlike = 3.0;  ///< of a squared error
+constexpr double clearlyLess = 0.65, nearlyAlike = 3.0;  ///< of a squared error
 constexpr size_t mostRivals = 3;
 
 bool same(const Effect* a, const Effect* b) {
@@ -106,15 +106,15 @@ class Search {
     return model.baseValue(motorNames(model.axis).inertia).value_or(input_.seen.inertia);
   }
   /// Whether the second model takes away error. A load that swings is free at each window's start, which noise can use,
-  /// too: it has to do better from restarts as well, where it isn't.
+  /// too: it has to do clearly better from restarts as well, where it isn't.
   bool helps(const FitResult& without, const FitResult& with) const {
     if (!worth_->helps(without, with)) return false;
-    return !swings(with.model) || swings(without.model) ||
-           typicalScore(with.model) < clearlyLess * typicalScore(without.model);
+    return !swings(with.model) || swings(without.model) || restartedPart(with.model, without.model) < clearlyLess;
   }
-  /// Mean square error of the training windows as restarts give them, the worst tenth left out.
-  double typicalScore(const Model& model) const {
-    return typicalSquare(scoreWindows(model, input_.tracks, input_.split.trainScore));
+  /// What a model typically leaves of another's squared error when the training windows restart.
+  double restartedPart(const Model& model, const Model& ofModel) const {
+    return typicalPart(scoreWindows(model, input_.tracks, input_.split.trainScore),
+                       scoreWindows(ofModel, input_.tracks, input_.split.trainScore));
   }
   FitResult fitFresh(const Model& start) const { return fitModel(input_, start, 6); }
   /// The screen's effects whose part of the residual a simulation is likely to confirm.
@@ -124,7 +124,9 @@ class Search {
     // At the position's floor a current may still show something, if that is most of what there is.
     const double least = (atFloor ? halfOfAll : importantPart) * found.baseSquares;
     if (atFloor && !input_.seen.currentSeen) return {};
-    std::erase_if(picks, [least](const Pick& one) { return one.gain < least; });
+    std::erase_if(picks, [&](const Pick& one) {
+      return one.gain < least || !plausible(*one.effect, one.parameters, input_.seen);
+    });
     return picks;
   }
 
@@ -229,35 +231,30 @@ class Search {
       named = named || swings(one);
     }
     if (worth_->baseAtFloor() || (!named && explained > mostOfAll * found.baseSquares)) return;
-    for (const Effect* effect : catalogue()) {
-      Pick pick = screen.best(*effect, {});
-      const auto shapes = effect->shapes(input_.seen);
-      if (shapes.empty()) continue;
-      if (pick.parameters.empty()) {
-        pick.effect = effect;
-        pick.parameters = shapes.front().front();
-      }
-      if (!swings(pick)) continue;
-      const Shaped shaped = simulatedShape(input_, result.base.model, pick);
-      if (shaped.left > clearlyLess) continue;
-      const Model start = with(input_, result.base.model, shaped.pick);
-      FitResult fit = fitModel(input_, start, 10);
-      if (!fit.usable || mean(fit.windowSquares) > 0.1 * mean(result.base.windowSquares)) {
-        FitResult slow = fitModel(input_, fitShort(input_, start), 10);
-        if (slow.usable && mean(slow.windowSquares) < mean(fit.windowSquares)) fit = std::move(slow);
-      }
+    loadsTried_ = true;
+    std::vector<std::pair<const Effect*, double>> left;  // squared errors
+    const SwingingLoads loads(input_, result.base.model);
+    for (const Pick& pick : SwingingLoads::offered(input_, screen)) {
+      const Effect* effect = pick.effect;
+      FitResult fit = loads.fitted(pick);
       if (!fit.usable || !helps(result.base, fit)) continue;
-      const double own = mean(fit.windowSquares), best = mean(result.best.windowSquares);
-      if (own < nearlyAlike * best) likelyLoads_.push_back(effect);
-      if (own >= best) continue;
+      const double own = mean(fit.windowSquares);
+      left.emplace_back(effect, own);
+      if (own >= mean(result.best.windowSquares)) continue;
       result.best = std::move(fit);
       result.chosen = {{effect, largestPValue, 0.0, {}}};
     }
+    for (const auto& [effect, own] : left) {
+      if (own < nearlyAlike * mean(result.best.windowSquares)) likelyLoads_.push_back(effect);
+    }
   }
 
+  bool isLikelyLoad(const Effect* effect) const {
+    return std::find(likelyLoads_.begin(), likelyLoads_.end(), effect) != likelyLoads_.end();
+  }
   /// A load that explained the motion about as well as the one that was chosen in the end.
   void listOtherLoads(Chosen& chosen) const {
-    if (std::find(likelyLoads_.begin(), likelyLoads_.end(), chosen.effect) == likelyLoads_.end()) return;
+    if (!isLikelyLoad(chosen.effect)) return;
     for (const Effect* other : likelyLoads_) {
       const bool listed = std::find(chosen.rivals.begin(), chosen.rivals.end(), other) != chosen.rivals.end();
       if (other != chosen.effect && !listed) chosen.rivals.push_back(other);
@@ -278,6 +275,14 @@ class Search {
     return fit;
   }
 
+  FitResult fitBeside(const Model& model, const Pick& pick, double left) const {
+    if (swings(pick)) return SwingingLoads(input_, model).fitted(pick);
+    const Model start = with(input_, model, pick);
+    FitResult fit = fitFresh(start);
+    if (!fit.usable || mean(fit.windowSquares) > (1.0 - clearGain) * left) fit = fitFresh(fitShort(input_, start));
+    return fit;
+  }
+
   /// What the screen could not see may still show in the simulation.
   bool tryMore(SearchResult& result, const Screen& screen, std::vector<Pick> picks) const {
     std::erase_if(picks, [&](const Pick& one) { return !contains(result.chosen, one.effect); });
@@ -289,7 +294,10 @@ class Search {
     for (const Effect* effect : catalogue()) {
       if (contains(result.chosen, effect)) continue;
       Pick pick = screen.best(*effect, picks);
-      if (!pick.parameters.empty() && !(loaded && swings(pick))) candidates.push_back(std::move(pick));
+      if (pick.parameters.empty()) continue;
+      // What a load that did nothing alone takes from what others leave is hardly its own.
+      if (swings(pick) && (loaded || (loadsTried_ && !isLikelyLoad(effect)))) continue;
+      candidates.push_back(std::move(pick));
     }
     sortByGain(candidates);
     // What acts around standstill hardly shows in a regression.
@@ -300,10 +308,7 @@ class Search {
     double best = 2.0 * sureGain;
     const size_t most = remembers(result.best.model) ? 1 : mostTrials;  // hidden states are slow to fit
     for (size_t k = 0; k < std::min(most, candidates.size()); ++k) {
-      const Model start =
-          with(input_, result.best.model, simulatedShape(input_, result.best.model, candidates[k]).pick);
-      FitResult fit = fitFresh(start);
-      if (!fit.usable || mean(fit.windowSquares) > (1.0 - clearGain) * left) fit = fitFresh(fitShort(input_, start));
+      FitResult fit = fitBeside(result.best.model, candidates[k], left);
       if (!fit.usable || !plausible(fit.model, input_.seen)) continue;
       const auto after = worth_->validated(fit);
       const Comparison gain = compare(before, after, input_.seed);
@@ -379,6 +384,8 @@ class Search {
   /// Tries a rival in the place of a chosen effect; `best` are the validated errors of the best model.
   void tryInPlace(SearchResult& result, size_t k, const Pick& rival, std::vector<double>& best) const {
     Chosen& chosen = result.chosen[k];
+    // Which of two loads it is, short windows tell better than long ones.
+    if (swings(rival) && swings(result.best.model) && !swings(left_[k].model)) return;
     FitResult fit = fitFresh(with(input_, left_[k].model, rival));
     if (!fit.usable || !plausible(fit.model, input_.seen)) return;
     const auto errors = worth_->validated(fit);
@@ -389,7 +396,7 @@ class Search {
                               (ahead.relative > 0.5 && quantile(errors, 0.5) > 1.5 * quantile(best, 0.5));
     const bool freer = swings(fit.model) && !swings(result.best.model);
     const bool better = ahead.inErrors < -2.0 && mean(errors) < 0.9 * mean(best) &&
-                        (!freer || typicalScore(fit.model) < typicalScore(result.best.model));
+                        (!freer || restartedPart(fit.model, result.best.model) < clearlyLess);
     if (!better && (ahead.inErrors >= 2.0 || clearlyWorse)) return;
     // A push at a time of its own explains whatever happened then: physics that does as well is the better name.
     const bool physics = chosen.effect->happensOnce() && !rival.effect->happensOnce();
@@ -452,6 +459,7 @@ class Search {
   std::optional<Worth> worth_;              ///< once the base model is fitted
   std::vector<FitResult> left_;             ///< without each chosen effect
   std::vector<const Effect*> likelyLoads_;  ///< that swing, as adoptLoad() found
+  bool loadsTried_ = false;
 };
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "diagnose/search/swinging_load.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 #include "base/statistics.h"
@@ -10,8 +12,18 @@ namespace breakaway {
 
 namespace {
 
-constexpr size_t mostShapeWindows = 4;
-constexpr double hardlyLess = 0.9;  // of a squared error
+struct Viewed {
+  double window_s;
+  size_t windows;
+  size_t shapesWalked;
+};
+constexpr std::array<Viewed, 2> views{{{0.1, 24, 2}, {0.5, 12, 1}}};
+constexpr size_t fewestRows = 8;
+constexpr double insignificant = 0.1;  ///< of the mean squared error: what is smaller is no better
+constexpr double ranAway = 4.0;        ///< of a squared error: beyond it, how far says no more
+constexpr double hardlyLess = 0.9;     ///< of a squared error
+constexpr double stillFalling = 0.9;   ///< of a squared error, from one fit to its continuation
+constexpr int mostContinuations = 2;
 
 }  // namespace
 
@@ -27,38 +39,128 @@ bool swings(const Model& model) {
   });
 }
 
-Shaped simulatedShape(const SearchInput& input, const Model& model, Pick pick) {
-  Shaped best{std::move(pick)};
-  if (!swings(best.pick)) return best;
-  const std::vector<Window>& all = input.split.train;
-  std::vector<Window> windows;
-  windows.reserve(2 * mostShapeWindows);
-  for (size_t k = 0; k < all.size(); k += std::max<size_t>(1, all.size() / mostShapeWindows)) windows.push_back(all[k]);
-  const auto base = residualSquares(model, input.tracks, windows);
-  const auto tryOne = [&](std::vector<double> parameters) {
-    Pick other = best.pick;
+double typicalPart(const std::vector<double>& squares, const std::vector<double>& ofSquares) {
+  double sum = 0.0;
+  for (size_t w = 0; w < squares.size(); ++w)
+    sum += std::log(std::max(squares[w], 1e-300) / std::max(ofSquares[w], 1e-300));
+  return std::exp(sum / static_cast<double>(std::max<size_t>(squares.size(), 1)));
+}
+
+SwingingLoads::SwingingLoads(const SearchInput& input, const Model& model) : input_(input), model_(model) {
+}
+
+std::vector<Pick> SwingingLoads::offered(const SearchInput& input, const Screen& screen) {
+  std::vector<Pick> picks;
+  for (const Effect* effect : catalogue()) {
+    const auto shapes = effect->shapes(input.seen);
+    if (shapes.empty() || effect->loadPeriod_s(shapes.front().front()) <= 0.0) continue;
+    Pick pick = screen.best(*effect, {});
+    if (pick.parameters.empty()) {
+      pick.effect = effect;
+      pick.parameters = shapes.front().front();
+    }
+    picks.push_back(std::move(pick));
+  }
+  return picks;
+}
+
+SwingingLoads::View SwingingLoads::viewOf(double window_s, size_t most) const {
+  View view;
+  const std::vector<Window>& all = input_.split.train;
+  const size_t count = std::min(most, all.size());
+  for (size_t k = 0; k < count; ++k) {
+    Window window = all[k * all.size() / count];
+    const std::vector<double>& time = input_.tracks[window.track].time;
+    const size_t whole = window.last;
+    window.last = window.first;
+    while (window.last < whole &&
+           (time[window.last] < time[window.first] + window_s || window.last < window.first + fewestRows))
+      ++window.last;
+    view.windows.push_back(window);
+  }
+  view.own = residualSquares(model_, input_.tracks, view.windows);
+  view.unit = std::max(insignificant * mean(view.own), 1e-300);
+  return view;
+}
+
+double SwingingLoads::leftBy(const Pick& pick, const View& view) const {
+  std::vector<double> squares = residualSquares(with(input_, model_, pick), input_.tracks, view.windows),
+                      own = view.own;
+  for (size_t w = 0; w < squares.size(); ++w) {
+    own[w] += view.unit;
+    const double now = std::isfinite(squares[w]) ? squares[w] + view.unit : ranAway * own[w];
+    squares[w] = std::min(now, ranAway * own[w]);
+  }
+  return typicalPart(squares, own);
+}
+
+std::vector<SwingingLoads::Shaped> SwingingLoads::bestOfGrid(const Pick& pick, const View& view, size_t most) const {
+  std::vector<std::vector<double>> candidates{pick.parameters};
+  for (const Shape& shape : pick.effect->shapes(input_.seen)) {
+    for (const double load : {0.6, 1.4}) candidates.push_back(pick.effect->scaled(shape, std::vector<double>{load}));
+  }
+  std::vector<Shaped> grid;
+  for (std::vector<double>& parameters : candidates) {
+    if (input_.stop.stop_requested()) break;
+    Pick other = pick;
     other.parameters = std::move(parameters);
-    if (input.stop.stop_requested() || !other.effect->plausible(other.parameters, input.seen)) return false;
-    auto squares = residualSquares(with(input, model, other), input.tracks, windows);
-    // How far a window runs away says no more than that it does.
-    for (size_t w = 0; w < squares.size(); ++w) squares[w] = squares[w] < 4.0 * base[w] ? squares[w] : 4.0 * base[w];
-    const double left = mean(squares) / std::max(mean(base), 1e-300);
+    if (!plausible(*other.effect, other.parameters, input_.seen)) continue;
+    const double left = leftBy(other, view);
+    grid.push_back({std::move(other.parameters), left});
+  }
+  std::stable_sort(grid.begin(), grid.end(), [](const Shaped& a, const Shaped& b) { return a.left < b.left; });
+  if (grid.size() > most) grid.resize(most);
+  return grid;
+}
+
+/// Multiplies or divides one parameter at a time for as long as that does better.
+void SwingingLoads::walk(Shaped& best, const Pick& pick, const View& view) const {
+  const auto specs = pick.effect->parameters(input_.seen.axis);
+  Pick other = pick;
+  const auto step = [&](size_t p, double by) {
+    other.parameters = best.parameters;
+    other.parameters[p] *= by;
+    if (input_.stop.stop_requested() || !plausible(*other.effect, other.parameters, input_.seen)) return false;
+    const double left = leftBy(other, view);
     if (!(left < best.left)) return false;
-    best = {std::move(other), left};
+    best = {other.parameters, left};
     return true;
   };
-  tryOne(best.pick.parameters);
-  for (const Shape& shape : best.pick.effect->shapes(input.seen)) tryOne(shape.front());
-  if (best.left > hardlyLess) return best;
-  const auto specs = best.pick.effect->parameters(input.seen.axis);
-  for (size_t p = 0; p < specs.size(); ++p) {
-    for (const double by : {1.5, 1.0 / 1.5}) {
-      for (bool better = !specs[p].held; better;) {
-        auto parameters = best.pick.parameters;
-        parameters[p] *= by;
-        better = tryOne(std::move(parameters));
+  for (const double factor : {1.5, 1.2}) {
+    for (size_t p = 0; p < specs.size(); ++p) {
+      if (specs[p].held) continue;
+      for (const double by : {factor, 1.0 / factor}) {
+        while (step(p, by)) {
+        }
       }
     }
+  }
+}
+
+FitResult SwingingLoads::fitted(const Pick& pick) const {
+  FitResult best;
+  double least = mean(residualSquares(model_, input_.tracks, input_.split.train));
+  const auto fitFrom = [&](const Model& start) {
+    FitResult fit = fitModel(input_, start, 10);
+    const double before = least;
+    if (!fit.usable || !(mean(fit.windowSquares) < before)) return false;
+    least = mean(fit.windowSquares);
+    best = std::move(fit);
+    return least < stillFalling * before;
+  };
+  for (const Viewed& viewed : views) {
+    const View view = viewOf(viewed.window_s, viewed.windows);
+    for (Shaped& shaped : bestOfGrid(pick, view, viewed.shapesWalked)) {
+      walk(shaped, pick, view);
+      if (shaped.left > hardlyLess || input_.stop.stop_requested()) continue;
+      Pick walked = pick;
+      walked.parameters = std::move(shaped.parameters);
+      fitFrom(with(input_, model_, walked));
+    }
+    if (pick.effect->loadPlay(pick.parameters) <= 0.0) break;  // only what flies takes long
+  }
+  for (int k = 0; k < mostContinuations && best.usable; ++k) {
+    if (!fitFrom(best.model)) break;
   }
   return best;
 }

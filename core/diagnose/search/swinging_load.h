@@ -1,6 +1,8 @@
 // Loads behind a spring or a gap, which a regression hardly shows: their shapes by simulation.
 #pragma once
 
+#include <vector>
+
 #include "diagnose/search/model_fit.h"
 
 namespace breakaway {
@@ -9,14 +11,41 @@ namespace breakaway {
 bool swings(const Pick& pick);
 bool swings(const Model& model);
 
-/// A shape, and how much it leaves of the squared error of the windows looked at.
-struct Shaped {
-  Pick pick;
-  double left = 1.0;
+/// Looks for loads beside one model. Impacts make the error of whole windows a wilderness; in windows so short that
+/// they hold few impacts, and in longer ones for wide gaps, the best of a grid of shapes leads to the right valley.
+class SwingingLoads {
+ public:
+  /// Preconditions: `input` outlives it; `model` has no load that swings.
+  SwingingLoads(const SearchInput& input, const Model& model);
+
+  /// The catalogue's loads, each as the screen sees it best, or else at its first shape.
+  static std::vector<Pick> offered(const SearchInput& input, const Screen& screen);
+  /// The best fit of the model with the load to all training windows, from the shapes that do best: of the pick's own
+  /// and those on offer, and then a step at a time from there. Not usable where no shape does anything.
+  FitResult fitted(const Pick& pick) const;
+
+ private:
+  /// Windows of one length, evenly apart.
+  struct View {
+    std::vector<Window> windows;
+    std::vector<double> own;  ///< the model's mean squared errors there
+    double unit = 0.0;        ///< squared errors much below it don't count
+  };
+  struct Shaped {
+    std::vector<double> parameters;
+    double left = 1.0;
+  };
+  View viewOf(double window_s, size_t most) const;
+  /// Geometric mean over the view's windows of what the load leaves of the model's squared error.
+  double leftBy(const Pick& pick, const View& view) const;
+  std::vector<Shaped> bestOfGrid(const Pick& pick, const View& view, size_t most) const;
+  void walk(Shaped& best, const Pick& pick, const View& view) const;
+
+  const SearchInput& input_;
+  const Model model_;
 };
 
-/// The shape that does best in a few simulated windows beside `model`: of the pick's own and those on offer, and then a
-/// step at a time from it. A pick that doesn't swing stays as it is.
-Shaped simulatedShape(const SearchInput& input, const Model& model, Pick pick);
+/// Geometric mean of what the first leaves of the second, window by window.
+double typicalPart(const std::vector<double>& squares, const std::vector<double>& ofSquares);
 
 }  // namespace breakaway

@@ -35,6 +35,9 @@ Stepper::Stepper(const Physics& physics, std::vector<CompiledTerm> terms)
   double detached = 0.0;
   for (const CompiledTerm& term : terms_) {
     memorySize_ += term.effect->memory();
+    const bool swings = term.effect->loadPeriod_s(term.parameters) > 0.0;
+    swings_ = swings_ || swings;
+    remembersLong_ = remembersLong_ || (!swings && term.effect->memory() > 0);
     losesVoltage_ = losesVoltage_ || (physics_.electrical && term.effect->losesVoltage());
     stiffness_ += term.effect->frictionStiffness(term.parameters);
     dampingRatio_ += term.effect->frictionDampingRatio(term.parameters);

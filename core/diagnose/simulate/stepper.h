@@ -76,6 +76,10 @@ class Stepper {
   bool elastic() const { return stiffness_ > 0.0; }
   /// Whether effects carry hidden state, so that forcesAt() doesn't tell all of a parameter's influence.
   bool remembers() const { return memorySize_ > 0 || stiffness_ > 0.0; }
+  /// Whether any of that outlives a restart: a load that swings is found anew at each.
+  bool remembersLong() const { return remembersLong_ || stiffness_ > 0.0; }
+  /// Whether a load swings against the motor.
+  bool swings() const { return swings_; }
 
  private:
   /// Exact transition of v' = −d v/J + a over dt.
@@ -108,6 +112,8 @@ class Stepper {
   std::vector<CompiledTerm> terms_;
   bool stateDependent_;
   bool losesVoltage_ = false;
+  bool remembersLong_ = false;
+  bool swings_ = false;
   size_t memorySize_ = 0;
   double stiffness_ = 0.0;     ///< of elastic friction, Nm/rad; 0: rigid
   double dampingRatio_ = 0.0;  ///< of it while it deflects
