@@ -23,8 +23,6 @@ namespace {
 constexpr double materialShare = 0.25;
 constexpr double materialShareBesideFindings = 0.5;
 constexpr double materialFloors = 2.5;
-/// Friction near standstill, up to this part of the higher speeds, differs by so much from one time to the next.
-constexpr double frictionScatter = 0.01, scatterSpeed = 0.1;
 /// Windows that are so many times off, and how many of them (at least five) are no accident.
 constexpr double farOffFloors = 8.0;
 constexpr double farOffPart = 0.05;
@@ -198,8 +196,8 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
     errorsAfter = errorsBefore;
   }
   const std::vector<Track>& training = prepared->training;
-  const double tolerated = noiseFloor(diagnosis.model, prepared->tracks, windows, options.seed,
-                                      {frictionScatter, scatterSpeed * prepared->seen.highSpeed});
+  const double tolerated =
+      noiseFloor(diagnosis.model, prepared->tracks, windows, options.seed, usualScatter(prepared->seen.highSpeed));
   Rest rest = restOf(diagnosis, errorsBefore, errorsAfter, floor, tolerated);
   const double fitted = 1.0 - mean(found->best.windowSquares) / std::max(mean(found->base.windowSquares), 1e-300);
   if (rest.share > materialShareBesideFindings && !diagnosis.findings.empty() &&

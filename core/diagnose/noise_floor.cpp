@@ -31,6 +31,10 @@ Model scattered(Model model, const FrictionScatter& scatter, Random& random) {
 
 }  // namespace
 
+FrictionScatter usualScatter(double highSpeed) {
+  return {.relative = 0.01, .speed = 0.1 * highSpeed};
+}
+
 double noiseFloor(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows,
                   std::uint64_t seed, const FrictionScatter& scatter) {
   const std::vector<MotionState> hidden = hiddenStates(model, tracks, windows);

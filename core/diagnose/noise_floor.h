@@ -14,6 +14,9 @@ struct FrictionScatter {
   double speed = 1.0;     ///< up to which it does, rad/s or m/s
 };
 
+/// As any rig's does: by 1 % up to a tenth of its higher speeds.
+FrictionScatter usualScatter(double highSpeed);
+
 /// RMSE over `windows` of a model against itself: each window's motion is simulated, read through the sensor (quantised
 /// where the encoder is declared, with the reading noise otherwise), and then predicted from a restart on those
 /// readings. With `scatter`, the friction of what is simulated is a little off in each window. rad or m.

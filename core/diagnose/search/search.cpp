@@ -22,6 +22,7 @@ constexpr double importantPart = 0.2;  ///< of the screen's squared residual
 constexpr size_t mostTrials = 4;
 constexpr double clearlyLess = 0.65, nearlyAlike = 3.0;  ///< of a squared error
 constexpr size_t mostRivals = 3;
+constexpr double loadFloors = 2.0;  ///< rms error of restarts, in tolerated ones, from which a load is looked for
 
 bool same(const Effect* a, const Effect* b) {
   return a == b || (!a->twin().empty() && a->twin() == b->name());
@@ -65,6 +66,7 @@ class Search {
     result.base = fitBase(input_, starts);
     input_.windowWeights = robustWeights(result.base.windowSquares);
     result.base = fitModel(input_, result.base.model, 10);
+    loadsMayShow_ = restartsErr(result.base.model);
     worth_.emplace(input_, result.base,
                    noiseFloor(result.base.model, input_.tracks, input_.split.trainScore, input_.seed));
     result.best = result.base;
@@ -105,11 +107,19 @@ class Search {
   double physicsInertia(const Model& model) const {
     return model.baseValue(motorNames(model.axis).inertia).value_or(input_.seen.inertia);
   }
+  /// Whether restarts err by more than sensors and friction that scatters may do: a load that swings or flies leaves
+  /// much.
+  bool restartsErr(const Model& base) const {
+    const auto& windows = input_.split.trainScore;
+    const double tolerated = noiseFloor(base, input_.tracks, windows, input_.seed, usualScatter(input_.seen.highSpeed));
+    return mean(scoreWindows(base, input_.tracks, windows)) > std::pow(loadFloors * tolerated, 2);
+  }
   /// Whether the second model takes away error. A load that swings is free at each window's start, which noise can use,
   /// too: it has to do clearly better from restarts as well, where it isn't.
   bool helps(const FitResult& without, const FitResult& with) const {
     if (!worth_->helps(without, with)) return false;
-    return !swings(with.model) || swings(without.model) || restartedPart(with.model, without.model) < clearlyLess;
+    return !swings(with.model) || swings(without.model) ||
+           (loadsMayShow_ && restartedPart(with.model, without.model) < clearlyLess);
   }
   /// What a model typically leaves of another's squared error when the training windows restart.
   double restartedPart(const Model& model, const Model& ofModel) const {
@@ -232,6 +242,7 @@ class Search {
     }
     if (worth_->baseAtFloor() || (!named && explained > mostOfAll * found.baseSquares)) return;
     loadsTried_ = true;
+    if (!loadsMayShow_) return;
     std::vector<std::pair<const Effect*, double>> left;  // squared errors
     const SwingingLoads loads(input_, result.base.model);
     for (const Pick& pick : SwingingLoads::offered(input_, screen)) {
@@ -346,7 +357,8 @@ class Search {
                             : fitModel(input_, without(result.best.model, *result.chosen[k].effect), 8);
         const double back = mean(fit.windowSquares) - mean(result.best.windowSquares);
         const bool needed = helps(fit, result.best) && worth_->material(fit, result.best);
-        const bool clear = back > clearGain * mean(fit.windowSquares);
+        // What happens once may stand for whatever one window's start did: its size has to be told from zero.
+        const bool clear = back > clearGain * mean(fit.windowSquares) && !result.chosen[k].effect->happensOnce();
         if (needed && (clear || !vanishes(result.best.model, *result.chosen[k].effect))) {
           result.chosen[k].marginal = std::max(0.0, back);
           left_.push_back(std::move(fit));
@@ -385,7 +397,8 @@ class Search {
   void tryInPlace(SearchResult& result, size_t k, const Pick& rival, std::vector<double>& best) const {
     Chosen& chosen = result.chosen[k];
     // Which of two loads it is, short windows tell better than long ones.
-    if (swings(rival) && swings(result.best.model) && !swings(left_[k].model)) return;
+    const bool exchange = swings(result.best.model) && !swings(left_[k].model);
+    if (swings(rival) && (exchange || !loadsMayShow_)) return;
     FitResult fit = fitFresh(with(input_, left_[k].model, rival));
     if (!fit.usable || !plausible(fit.model, input_.seen)) return;
     const auto errors = worth_->validated(fit);
@@ -459,6 +472,7 @@ class Search {
   std::optional<Worth> worth_;              ///< once the base model is fitted
   std::vector<FitResult> left_;             ///< without each chosen effect
   std::vector<const Effect*> likelyLoads_;  ///< that swing, as adoptLoad() found
+  bool loadsMayShow_ = false;               ///< by the base model's restarts
   bool loadsTried_ = false;
 };
 
