@@ -8,6 +8,7 @@
 #include "emulated_rig_data.h"
 #include "firmware_link/board/cortex_m3/cmsdk_uart.h"
 #include "firmware_link/board/cortex_m3/emulated_bench.h"
+#include "firmware_link/board/cortex_m3/semihosting.h"
 #include "firmware_link/board/cortex_m3/sys_tick.h"
 #include "firmware_link/board/reference_board.h"
 
@@ -235,13 +236,6 @@ class TickCost {
 
 }  // namespace breakaway
 
-/// Semihosting's SYS_EXIT; Arm, "Semihosting for AArch32 and AArch64", 2020.
-static void leaveEmulator() {
-  register int call asm("r0") = 0x18;
-  register int reason asm("r1") = 0x20026;
-  asm volatile("bkpt 0xab" : : "r"(call), "r"(reason) : "memory");
-}
-
 extern "C" void runImage() {
   using Mode = breakaway::wire::MotorCommand::Mode;
   static breakaway::TickCost cost;
@@ -254,5 +248,5 @@ extern "C" void runImage() {
   cost.measure("position", Mode::position, 3.0f);
   cost.measureAsked();
   cost.tellRefused();
-  leaveEmulator();
+  breakaway::leaveEmulator();
 }
