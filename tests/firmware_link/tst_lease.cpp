@@ -152,6 +152,7 @@ class Host {
   }
 
   std::optional<wire::Fault> faultOf() {
+    if (!link_.clear()) return {};
     const auto body = link_.ask(wire::Type::fault, std::span<const std::uint8_t>{}, {0.01, 1});
     wire::Fault fault;
     if (!body || !wire::readMessage(*body, fault)) return {};
@@ -296,8 +297,9 @@ void TestLease::hostThatIsLost_stopsTheBoardInEveryState() {
   std::map<std::string, int> lasted;  // the longest that each state has lasted, ticks
   std::string state;
   int since = 0, losses = 0;
-  for (int tick = 0; tick < 600000 && host.runs(); ++tick) {
+  for (int tick = 0; tick < 600000; ++tick) {
     host.tick();
+    if (!host.runs()) break;
     const std::string now = host.state();
     since = now == state ? since + 1 : 0;
     state = now;
@@ -317,7 +319,7 @@ void TestLease::hostThatIsLost_stopsTheBoardInEveryState() {
   }
   QVERIFY2(host.failure().empty(), host.failure().c_str());
   QVERIFY(!host.runs());
-  for (const auto& [name, ticks] : lasted) qInfo("%s: %d ticks", name.c_str(), ticks);
+  qInfo("%zu states, lost %d times", lasted.size(), losses);
   QVERIFY2(static_cast<int>(lasted.size()) >= states, qPrintable(QString::number(lasted.size())));
   QVERIFY2(losses >= 3 * states, qPrintable(QString::number(losses)));
 }
