@@ -36,6 +36,7 @@ int main(int argc, char** argv) {
            cli::addCommission,
            cli::addTune,
            cli::addPorts,
+           cli::addBurst,
            cli::addProfile,
            cli::addFigures,
        }) {

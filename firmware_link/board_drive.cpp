@@ -8,6 +8,7 @@
 
 #include "firmware_link/board_dictionary.h"
 #include "firmware_link/board_link.h"
+#include "firmware_link/bridge_upload.h"
 #include "firmware_link/fault_words.h"
 #include "firmware_link/friction_upload.h"
 #include "firmware_link/sample_decoder.h"
@@ -53,6 +54,7 @@ class BoardDrive final : public Drive {
   Result<ControllerSettings> configure(const ControllerSettings& wanted) override;
   Result<void> compensate(const FrictionCompensation& friction) override;
   Result<FrictionCompensation> compensation() override;
+  Result<void> linearise(const DutyCurve& curve) override;
   void command(const Command& command) override;
   void start(std::shared_ptr<Procedure> procedure) override;
   void stop(const std::string& reason) override;
@@ -181,12 +183,18 @@ Result<ControllerSettings> BoardDrive::configure(const ControllerSettings& wante
 
 Result<void> BoardDrive::compensate(const FrictionCompensation& friction) {
   if (!dictionary_.can(wire::Hello::friction)) return Error{options_.place, "takes no friction compensation"};
-  return uploadFriction(link_, friction, dictionary_.hello().frictionBins);
+  return uploadFriction(link_, friction,
+                        {dictionary_.hello().frictionBins, dictionary_.can(wire::Hello::staticFriction)});
 }
 
 Result<FrictionCompensation> BoardDrive::compensation() {
   if (!dictionary_.can(wire::Hello::friction)) return Error{options_.place, "takes no friction compensation"};
-  return downloadFriction(link_);
+  return downloadFriction(link_, dictionary_.can(wire::Hello::staticFriction));
+}
+
+Result<void> BoardDrive::linearise(const DutyCurve& curve) {
+  if (!dictionary_.can(wire::Hello::bridgeCurve)) return Error{options_.place, "takes no curve of its bridge"};
+  return uploadBridge(link_, curve);
 }
 
 /// Holds until the next wish. What the board has already is not sent again.
@@ -266,6 +274,10 @@ void BoardDrive::commandAnswered(const wire::Frame& frame) {
   if (code == wire::Code::ok) {
     acknowledged_ = true;
     fresh_ = false;
+    return;
+  }
+  if (code == wire::Code::outdated) {  // a later heartbeat was faster; it is still what is wished for
+    sendAnew();
     return;
   }
   acknowledged_ = true;  // asking for it again would not help
@@ -459,14 +471,14 @@ Result<size_t> BoardDrive::advance(double duration_s, std::vector<Sample>& sampl
 
 }  // namespace
 
-Result<bool> speaksWire(ByteStream& stream) {
-  constexpr int tries = 3;
+Result<bool> speaksWire(ByteStream& stream, double patience_s) {
   constexpr double perTry_s = 0.15;
   std::array<std::uint8_t, wire::mostFrame + 1> question{};  // a zero first, for whatever came before
   const std::size_t size =
       wire::FrameEncoder::encode({static_cast<std::uint8_t>(wire::Type::hello), 0, {}}, std::span(question).subspan(1));
   wire::FrameDecoder decoder;
-  for (int tried = 0; tried < tries; ++tried) {
+  const auto begun = Clock::now();
+  while (since_s(begun) < patience_s) {
     if (auto sent = stream.write(std::span(question).first(size + 1)); !sent) return sent.error();
     const auto asked = Clock::now();
     do {

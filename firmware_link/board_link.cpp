@@ -27,7 +27,13 @@ const char* nameOf(wire::Type type) {
     case wire::Type::writeFriction:
     case wire::Type::readFriction:
     case wire::Type::useFriction:
+    case wire::Type::useStatic:
+    case wire::Type::frictionUsed:
+    case wire::Type::staticUsed:
       return "friction table";
+    case wire::Type::writeBridge:
+    case wire::Type::readBridge:
+      return "bridge's curve";
     case wire::Type::startCapture:
     case wire::Type::readCapture:
       return "burst";
@@ -50,6 +56,8 @@ const char* wordsOf(std::uint8_t code) {
       return "cannot do that";
     case wire::Code::noSuch:
       return "has no such thing";
+    case wire::Code::outdated:
+      return "has had a newer request before this one and refused it";
     case wire::Code::ok:
       break;
   }

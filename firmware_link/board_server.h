@@ -26,13 +26,15 @@ class BoardServer {
   void listen(double wait_s);
   void runGranted();
   void runReal();
+  void gather();
   bool send(double wait_s);
 
   SimulatedFirmware& firmware_;
   FarEnd& line_;
   board::Pace pace_;
   std::vector<std::uint8_t> came_, going_;
-  Clock::time_point due_ = Clock::now();
+  std::size_t sent_ = 0;  ///< of `going_`
+  Clock::time_point due_ = Clock::now(), taken_ = due_;
   double late_s_ = 0.0;
 };
 

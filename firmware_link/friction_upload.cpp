@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 namespace breakaway {
 
@@ -12,21 +13,26 @@ namespace {
 
 using Curve = std::vector<float>;
 
-Result<std::array<Curve, 4>> curvesOf(const FrictionCompensation& friction, std::size_t mostBins) {
+/// In the wire's order; without static friction the last two are missing.
+Result<std::vector<Curve>> curvesOf(const FrictionCompensation& friction, std::size_t mostBins, bool withStatic) {
   const std::string place = "friction compensation";
   const std::size_t bins = friction.coulomb_Nm[0].size();
   if (bins > mostBins) {
     return Error{place, "has " + std::to_string(bins) + " bins, the board holds at most " + std::to_string(mostBins)};
   }
-  std::array<Curve, 4> curves;
   bool finite = std::isfinite(friction.indexAngle_rad + friction.blend_rad_per_s + friction.cutoff_rad_per_s) &&
-                friction.blend_rad_per_s >= 0.0 && friction.cutoff_rad_per_s >= 0.0;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const auto& values = k < 2 ? friction.coulomb_Nm[k] : friction.viscous_Nm_s_per_rad[k - 2];
-    if (values.size() != bins) return Error{place, "has not as many bins each way"};
-    for (const double value : values) {
-      curves[k].push_back(static_cast<float>(value));
-      finite = finite && std::isfinite(curves[k].back());
+                friction.blend_rad_per_s >= 0.0 && friction.cutoff_rad_per_s >= 0.0 &&
+                std::isfinite(friction.stribeck_rad_per_s) && friction.stribeck_rad_per_s >= 0.0;
+  std::vector<const std::vector<double>*> sources{&friction.coulomb_Nm[0], &friction.coulomb_Nm[1],
+                                                  &friction.viscous_Nm_s_per_rad[0], &friction.viscous_Nm_s_per_rad[1]};
+  if (withStatic) sources.insert(sources.end(), {&friction.static_Nm[0], &friction.static_Nm[1]});
+  std::vector<Curve> curves;
+  for (const auto* values : sources) {
+    if (values->size() != bins) return Error{place, "has not as many bins each way"};
+    Curve& curve = curves.emplace_back();
+    for (const double value : *values) {
+      curve.push_back(static_cast<float>(value));
+      finite = finite && std::isfinite(curve.back());
     }
   }
   if (!finite) return Error{place, "holds a value that is negative or not finite"};
@@ -64,11 +70,12 @@ Result<void> upload(BoardLink& link, const Curve& curve, std::size_t which) {
 
 }  // namespace
 
-Result<void> uploadFriction(BoardLink& link, const FrictionCompensation& friction, std::size_t mostBins) {
-  const auto curves = curvesOf(friction, mostBins);
+Result<void> uploadFriction(BoardLink& link, const FrictionCompensation& friction, const FrictionRoom& room) {
+  const bool withStatic = room.holdsStatic && !(friction.static_Nm[0].empty() && friction.static_Nm[1].empty());
+  const auto curves = curvesOf(friction, room.mostBins, withStatic);
   if (!curves) return curves.error();
   wire::Crc32c sum;
-  for (std::size_t k = 0; k < 4; ++k) {
+  for (std::size_t k = 0; k < curves->size(); ++k) {
     if (auto written = upload(link, (*curves)[k], k); !written) return written;
     for (const float value : (*curves)[k]) addTo(sum, value);
   }
@@ -79,34 +86,58 @@ Result<void> uploadFriction(BoardLink& link, const FrictionCompensation& frictio
   use.index_rad = static_cast<float>(friction.indexAngle_rad - turn * std::floor(friction.indexAngle_rad / turn));
   use.blend_rad_per_s = static_cast<float>(friction.blend_rad_per_s);
   use.cutoff_rad_per_s = static_cast<float>(friction.cutoff_rad_per_s);
-  const auto used = link.ask<wire::FrictionUse>(wire::Type::useFriction, use);
+  if (!withStatic) {
+    const auto used = link.ask<wire::FrictionUse>(wire::Type::useFriction, use);
+    return used ? Result<void>{} : used.error();
+  }
+  const wire::StaticFrictionUse whole{use, static_cast<float>(friction.stribeck_rad_per_s)};
+  const auto used = link.ask<wire::StaticFrictionUse>(wire::Type::useStatic, whole);
   return used ? Result<void>{} : used.error();
 }
 
-Result<FrictionCompensation> downloadFriction(BoardLink& link) {
-  const auto use = link.ask<wire::FrictionUse>(wire::Type::frictionUsed);
+namespace {
+
+/// Appends the board's curve to `values` and to the sum.
+Result<void> download(BoardLink& link, std::size_t which, std::size_t bins, std::vector<double>& values,
+                      wire::Crc32c& sum) {
+  while (values.size() < bins) {
+    wire::FrictionChunk wanted;
+    wanted.curve = static_cast<wire::FrictionCurve>(which);
+    wanted.first = static_cast<std::uint16_t>(values.size());
+    wanted.count = static_cast<std::uint8_t>(std::min(wire::FrictionChunk::mostValues, bins - values.size()));
+    const auto chunk = link.ask<wire::FrictionChunk>(wire::Type::readFriction, wanted);
+    if (!chunk) return chunk.error();
+    if (chunk->count != wanted.count) return Error{link.place(), "answered with another part of the friction table"};
+    for (std::size_t n = 0; n < chunk->count; ++n) {
+      addTo(sum, chunk->value[n]);
+      values.push_back(static_cast<double>(chunk->value[n]));
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<FrictionCompensation> downloadFriction(BoardLink& link, bool holdsStatic) {
+  auto use = link.ask<wire::FrictionUse>(wire::Type::frictionUsed);
   if (!use) return use.error();
   FrictionCompensation friction;
+  if (holdsStatic) {
+    const auto whole = link.ask<wire::StaticFrictionUse>(wire::Type::staticUsed);
+    if (!whole) return whole.error();
+    friction.stribeck_rad_per_s = static_cast<double>(whole->stribeck_rad_per_s);
+    if (whole->stribeck_rad_per_s > 0.0f) use = whole->table;
+  }
   friction.indexAngle_rad = static_cast<double>(use->index_rad);
   friction.blend_rad_per_s = static_cast<double>(use->blend_rad_per_s);
   friction.cutoff_rad_per_s = static_cast<double>(use->cutoff_rad_per_s);
   if (use->bins == 0) return friction;
+  std::vector<std::vector<double>*> places{&friction.coulomb_Nm[0], &friction.coulomb_Nm[1],
+                                           &friction.viscous_Nm_s_per_rad[0], &friction.viscous_Nm_s_per_rad[1]};
+  if (friction.stribeck_rad_per_s > 0.0) places.insert(places.end(), {&friction.static_Nm[0], &friction.static_Nm[1]});
   wire::Crc32c sum;
-  for (std::size_t k = 0; k < 4; ++k) {
-    auto& values = k < 2 ? friction.coulomb_Nm[k] : friction.viscous_Nm_s_per_rad[k - 2];
-    while (values.size() < use->bins) {
-      wire::FrictionChunk wanted;
-      wanted.curve = static_cast<wire::FrictionCurve>(k);
-      wanted.first = static_cast<std::uint16_t>(values.size());
-      wanted.count = static_cast<std::uint8_t>(std::min(wire::FrictionChunk::mostValues, use->bins - values.size()));
-      const auto chunk = link.ask<wire::FrictionChunk>(wire::Type::readFriction, wanted);
-      if (!chunk) return chunk.error();
-      if (chunk->count != wanted.count) return Error{link.place(), "answered with another part of the friction table"};
-      for (std::size_t n = 0; n < chunk->count; ++n) {
-        addTo(sum, chunk->value[n]);
-        values.push_back(static_cast<double>(chunk->value[n]));
-      }
-    }
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    if (auto read = download(link, k, use->bins, *places[k], sum); !read) return read.error();
   }
   if (sum.value() != use->checksum)
     return Error{link.place(), "is being given another friction table; the one in use can't be read meanwhile"};

@@ -192,14 +192,14 @@ Sample SimulatedBoard::tick(const SimulatedRig::Reading& reading) {
   sample.supply_V = reading.supply_V;
   const double bus_V = std::max(sample.supply_V, 1e-3);
   const auto out = controller_.step(sample.angle_rad, reading.current_A, bus_V);
-  const double duty = out.enabled ? rig_.realisable(out.voltage_V / bus_V) : 0.0;
+  const double duty = out.enabled ? rig_.realisable(out.duty) : 0.0;
   sample.enabled = out.enabled;
   sample.voltage_V = duty * sample.supply_V;
   sample.current_A = out.current_A;
   sample.velocity_rad_per_s = out.velocity_rad_per_s;
   sample.current_reference_A = out.current_reference_A;
   sample.velocity_reference_rad_per_s = out.velocity_reference_rad_per_s;
-  sample.angle_reference_rad = out.angle_reference_rad;
+  sample.angle_reference_rad = sample.angle_rad + out.angleAhead_rad;
   sample.disturbance_estimate_Nm = out.disturbance_estimate_Nm;
   rig_.drive(out.enabled, duty);
   return sample;

@@ -41,6 +41,7 @@ void addCommission(CLI::App& app, Job& chosen);
 void addTune(CLI::App& app, Job& chosen);
 void addProfile(CLI::App& app, Job& chosen);
 void addPorts(CLI::App& app, Job& chosen);
+void addBurst(CLI::App& app, Job& chosen);
 void addFigures(CLI::App& app, Job& chosen);
 
 }  // namespace breakaway::cli

@@ -1,6 +1,8 @@
 // What a board looks for in every control tick, and for which it opens the windings by itself. Freestanding.
 #pragma once
 
+#include "control/magnitude.h"
+
 namespace breakaway {
 
 enum class Trip { none, overCurrent, openSensor, supplyLow, encoderJump, blocked };
@@ -29,10 +31,16 @@ class BoardWatch {
     bool enabled = false;
   };
 
-  explicit BoardWatch(const Limits& limits) : limits_(limits) {}
+  explicit BoardWatch(const Limits& limits)
+      : limits_(limits),
+        least_V_(limits.leastSupply * limits.supply_V),
+        room_rad_(Scalar(4.5) * limits.count_rad + limits.mostAcceleration_rad_per_s2 * limits.tick_s * limits.tick_s),
+        still_rad_(limits.blockedTravel_rad + limits.count_rad),
+        lowFor_(ticksIn(limits.supplyLowFor_s)),
+        blockedFor_(ticksIn(limits.blockedFor_s)) {}
 
   /// Forgets how long something has lasted; for a new command after a trip.
-  void restart() { low_s_ = atLimit_s_ = 0; }
+  void restart() { low_ = atLimit_ = 0; }
 
   /// The angle's zero was moved; see ServoController::shift().
   void shift(Scalar by_rad) {
@@ -42,9 +50,9 @@ class BoardWatch {
 
   Trip step(const Seen& seen) {
     const Trip jump = angle(seen);
-    if (magnitude(seen.current_A) > limits_.trip_A) return seen.enabled ? Trip::overCurrent : Trip::openSensor;
-    low_s_ = seen.supply_V < limits_.leastSupply * limits_.supply_V ? low_s_ + limits_.tick_s : Scalar(0);
-    if (low_s_ > limits_.supplyLowFor_s) return Trip::supplyLow;
+    if (exceeds(seen.current_A, limits_.trip_A)) return seen.enabled ? Trip::overCurrent : Trip::openSensor;
+    low_ = seen.supply_V < least_V_ ? low_ + 1 : 0;
+    if (low_ > lowFor_) return Trip::supplyLow;
     if (jump != Trip::none) return jump;
     return blocked(seen);
   }
@@ -54,7 +62,10 @@ class BoardWatch {
   const Limits& limits() const { return limits_; }
 
  private:
-  static Scalar magnitude(Scalar value) { return value < Scalar(0) ? -value : value; }
+  /// Whole ticks, what is lacking to one by rounding apart.
+  long ticksIn(Scalar duration_s) const {
+    return limits_.tick_s > Scalar(0) ? static_cast<long>(duration_s / limits_.tick_s * Scalar(1.000001)) : 0;
+  }
 
   /// Whatever stops a shaft can do so within a tick, but nothing can make it that much faster.
   Trip angle(const Seen& seen) {
@@ -62,14 +73,12 @@ class BoardWatch {
     const Scalar change = ticks_ > 0 ? seen.angle_rad - angle_rad_ : Scalar(0);
     if (ticks_ == 0) anchor_rad_ = seen.angle_rad;
     angle_rad_ = seen.angle_rad;
-    const Scalar room =
-        Scalar(4.5) * limits_.count_rad + limits_.mostAcceleration_rad_per_s2 * limits_.tick_s * limits_.tick_s;
-    const Scalar least = (before < Scalar(0) ? before : Scalar(0)) - room;
-    const Scalar most = (before > Scalar(0) ? before : Scalar(0)) + room;
     // The first change says how fast the shaft was when the board woke up; one that lasts after a jump is motion.
     const bool known = ticks_ > 1 && !jumped_;
     if (ticks_ < 2) ++ticks_;
-    jumped_ = known && !(change >= least && change <= most);
+    jumped_ =
+        known && exceeds(change, room_rad_) &&
+        (isNegative(change) != isNegative(before) || (exceeds(change, before) && exceeds(change - before, room_rad_)));
     if (!jumped_) {
       change_rad_ = change;
       return Trip::none;
@@ -79,16 +88,19 @@ class BoardWatch {
   }
 
   Trip blocked(const Seen& seen) {
-    const Scalar current = magnitude(seen.wanted_A) > magnitude(seen.current_A) ? seen.wanted_A : seen.current_A;
-    const bool atLimit = seen.enabled && seen.limit_A > Scalar(0) && magnitude(current) > Scalar(0.9) * seen.limit_A;
-    const bool moved = magnitude(seen.angle_rad - anchor_rad_) > limits_.blockedTravel_rad + limits_.count_rad;
+    const Scalar almost_A = Scalar(0.9) * seen.limit_A;
+    const bool atLimit = seen.enabled && seen.limit_A > Scalar(0) &&
+                         (exceeds(seen.wanted_A, almost_A) || exceeds(seen.current_A, almost_A));
+    const bool moved = exceeds(seen.angle_rad - anchor_rad_, still_rad_);
     if (moved) anchor_rad_ = seen.angle_rad;
-    atLimit_s_ = atLimit && !moved ? atLimit_s_ + limits_.tick_s : Scalar(0);
-    return atLimit_s_ > limits_.blockedFor_s ? Trip::blocked : Trip::none;
+    atLimit_ = atLimit && !moved ? atLimit_ + 1 : 0;
+    return atLimit_ > blockedFor_ ? Trip::blocked : Trip::none;
   }
 
   Limits limits_;
-  Scalar angle_rad_ = 0, change_rad_ = 0, jumped_rad_ = 0, anchor_rad_ = 0, low_s_ = 0, atLimit_s_ = 0;
+  Scalar least_V_, room_rad_, still_rad_;  ///< supply that counts as dropped; change and travel that are none
+  long lowFor_, blockedFor_, low_ = 0, atLimit_ = 0;  ///< ticks
+  Scalar angle_rad_ = 0, change_rad_ = 0, jumped_rad_ = 0, anchor_rad_ = 0;
   int ticks_ = 0;  ///< seen, up to two
   bool jumped_ = false;
 };

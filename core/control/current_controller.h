@@ -1,13 +1,9 @@
 // Current PI controller, tuned from the winding. Freestanding; the board runs it too.
 #pragma once
 
-namespace breakaway {
+#include "control/magnitude.h"
 
-/// Holds a value within ±limit.
-template <typename Scalar>
-constexpr Scalar within(Scalar value, Scalar limit) {
-  return value > limit ? limit : value < -limit ? -limit : value;
-}
+namespace breakaway {
 
 /// v = R·i_ref + Ke·ω + Kp·e + Ki·∫e with Kp = L·w, Ki = R·w: the zero cancels the winding's pole and what is left is
 /// first-order with bandwidth w. The reference is also fed forward, so that w can stay low, because the sensor's noise
@@ -24,7 +20,8 @@ class CurrentController {
 
   void configure(const Settings& settings, Scalar tick_s) {
     settings_ = settings;
-    tick_s_ = tick_s;
+    gain_V_per_A_ = settings.inductance_H * settings.bandwidth_rad_per_s;
+    growth_V_per_A_ = settings.resistance_ohm * settings.bandwidth_rad_per_s * tick_s;
   }
   void reset() { integral_V_ = 0; }
 
@@ -32,26 +29,22 @@ class CurrentController {
     const Scalar error = reference_A - current_A;
     const Scalar forward =
         settings_.resistance_ohm * reference_A + settings_.backEmfConstant_V_s_per_rad * velocity_rad_per_s;
-    const Scalar wanted = forward + settings_.inductance_H * settings_.bandwidth_rad_per_s * error + integral_V_;
-    const Scalar voltage = within(wanted, limit_V);
-    if (voltage == wanted || (wanted - voltage) * error < Scalar(0)) {
-      integral_V_ += settings_.resistance_ohm * settings_.bandwidth_rad_per_s * tick_s_ * error;
-    }
-    return voltage;
+    const Scalar wanted = forward + gain_V_per_A_ * error + integral_V_;
+    const bool limited = exceeds(wanted, limit_V);
+    if (!limited || isNegative(wanted) != isNegative(error)) integral_V_ += growth_V_per_A_ * error;
+    return limited ? within(wanted, limit_V) : wanted;
   }
 
   /// The nearest voltage to `wanted_V` that keeps the current within ±limit_A.
   Scalar clampForCurrent(Scalar wanted_V, Scalar current_A, Scalar velocity_rad_per_s, Scalar limit_A) const {
-    const Scalar middle = settings_.backEmfConstant_V_s_per_rad * velocity_rad_per_s;
-    const Scalar gain = settings_.inductance_H * settings_.bandwidth_rad_per_s;
-    const Scalar high = middle + settings_.resistance_ohm * limit_A + gain * (limit_A - current_A);
-    const Scalar low = middle - settings_.resistance_ohm * limit_A - gain * (limit_A + current_A);
-    return wanted_V > high ? high : wanted_V < low ? low : wanted_V;
+    const Scalar middle = settings_.backEmfConstant_V_s_per_rad * velocity_rad_per_s - gain_V_per_A_ * current_A;
+    const Scalar off = wanted_V - middle, most = (settings_.resistance_ohm + gain_V_per_A_) * limit_A;
+    return exceeds(off, most) ? middle + within(off, most) : wanted_V;
   }
 
  private:
   Settings settings_;
-  Scalar tick_s_ = 0, integral_V_ = 0;
+  Scalar gain_V_per_A_ = 0, growth_V_per_A_ = 0, integral_V_ = 0;
 };
 
 }  // namespace breakaway

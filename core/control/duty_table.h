@@ -1,6 +1,8 @@
 // The inverse of the bridge's duty curve, as a feed-forward behind every mode. Freestanding; the board runs it too.
 #pragma once
 
+#include "control/magnitude.h"
+
 namespace breakaway {
 
 /// Output duty over input duty, straight between its points, of slope one beyond the last, odd. The first point is the
@@ -12,20 +14,38 @@ struct DutyTable {
   int points = 0;  ///< 0: the bridge gives what it is asked for
   Scalar input[mostPoints] = {};
   Scalar output[mostPoints] = {};
+};
+
+/// What to ask of a bridge with such a curve. What a tick would have to divide is divided when the curve comes.
+template <typename Scalar>
+class DutyInverse {
+ public:
+  void take(const DutyTable<Scalar>& table) {
+    table_ = table;
+    for (int k = 1; k < table.points; ++k)
+      slope_[k] = (table.input[k] - table.input[k - 1]) / (table.output[k] - table.output[k - 1]);
+    lost_ = known() ? table.input[table.points - 1] - table.output[table.points - 1] : Scalar(0);
+  }
+
+  bool known() const { return table_.points > 0; }
+  /// What the bridge keeps of a full duty.
+  Scalar lost() const { return lost_; }
 
   /// The duty to ask for so that the windings get `wanted`; 0 for 0.
   Scalar inputFor(Scalar wanted) const {
-    if (points <= 0 || wanted == Scalar(0)) return wanted;
-    const bool falls = wanted < Scalar(0);
-    const Scalar size = falls ? -wanted : wanted;
-    Scalar asked = input[points - 1] + size - output[points - 1];
-    for (int k = 1; k < points; ++k) {
-      if (size > output[k]) continue;
-      asked = input[k - 1] + (size - output[k - 1]) * (input[k] - input[k - 1]) / (output[k] - output[k - 1]);
-      break;
-    }
-    return falls ? -asked : asked;
+    if (!known() || wanted == Scalar(0)) return wanted;
+    const Scalar size = magnitude(wanted);
+    int k = 1;
+    while (k < table_.points && exceeds(size, table_.output[k])) ++k;
+    const Scalar asked =
+        k < table_.points ? table_.input[k - 1] + (size - table_.output[k - 1]) * slope_[k] : size + lost_;
+    return isNegative(wanted) ? -asked : asked;
   }
+
+ private:
+  DutyTable<Scalar> table_;
+  Scalar slope_[DutyTable<Scalar>::mostPoints] = {};  ///< of the piece that ends at a point
+  Scalar lost_ = 0;
 };
 
 }  // namespace breakaway

@@ -1,7 +1,7 @@
 // Velocity and position control with disturbance feedback. Freestanding; the board runs it too.
 #pragma once
 
-#include "control/current_controller.h"
+#include "control/magnitude.h"
 
 namespace breakaway {
 
@@ -27,7 +27,11 @@ class MotionController {
 
   void configure(const MotionGains<Scalar>& gains, Scalar tick_s) {
     gains_ = gains;
-    tick_s_ = tick_s;
+    velocityGrowth_A_s_per_rad_ = gains.velocity_ki_A_per_rad * tick_s;
+    positionGrowth_A_per_rad_ = gains.position_ki_A_per_rad_s * tick_s;
+    slopeGain_A_s_per_rad_ = gains.velocity_kd_A_s2_per_rad / tick_s;
+    mostApproach_A_ = gains.position_kd_A_s_per_rad * gains.velocity_limit_rad_per_s;
+    if (slopeGain_A_s_per_rad_ == Scalar(0)) slope_ = 0;
   }
 
   void reset(Scalar velocity_rad_per_s) {
@@ -38,39 +42,42 @@ class MotionController {
   /// i = kp·e + ki·∫e + kd·dė, e the speed's error; kd acts on the measured speed alone, smoothed over 8 ticks.
   Scalar velocityStep(Scalar reference_rad_per_s, Scalar velocity_rad_per_s, Scalar compensation_A, Scalar limit_A) {
     const Scalar error = reference_rad_per_s - velocity_rad_per_s;
-    slope_ += slopeShare * ((velocity_rad_per_s - velocity_) / tick_s_ - slope_);
+    Scalar direct = gains_.velocity_kp_A_s_per_rad * error + compensation_A;
+    if (slopeGain_A_s_per_rad_ != Scalar(0)) {
+      slope_ += slopeShare * (velocity_rad_per_s - velocity_ - slope_);
+      direct -= slopeGain_A_s_per_rad_ * slope_;
+    }
     velocity_ = velocity_rad_per_s;
-    const Scalar direct = gains_.velocity_kp_A_s_per_rad * error - gains_.velocity_kd_A_s2_per_rad * slope_;
-    return integrated(direct + compensation_A, gains_.velocity_ki_A_per_rad * error, limit_A);
+    return integrated(direct, velocityGrowth_A_s_per_rad_ * error, limit_A);
   }
 
   /// i = kp·e + ki·∫e − kd·ω, e the angle's error; written as a speed kp/kd·e so that a long move keeps its speed
   /// limit.
   Scalar positionStep(Scalar error_rad, Scalar velocity_rad_per_s, Scalar compensation_A, Scalar limit_A) {
     velocity_ = velocity_rad_per_s;
-    Scalar approach = gains_.position_kp_A_per_rad * error_rad;
-    bool limited = false;
-    if (gains_.velocity_limit_rad_per_s > Scalar(0)) {
-      const Scalar most = gains_.position_kd_A_s_per_rad * gains_.velocity_limit_rad_per_s;
-      limited = approach > most || approach < -most;
-      approach = within(approach, most);
+    Scalar approach = gains_.position_kp_A_per_rad * error_rad, growth = positionGrowth_A_per_rad_ * error_rad;
+    if (gains_.velocity_limit_rad_per_s > Scalar(0) && exceeds(approach, mostApproach_A_)) {
+      approach = within(approach, mostApproach_A_);
+      growth = 0;
     }
-    const Scalar growth = limited ? Scalar(0) : gains_.position_ki_A_per_rad_s * error_rad;
     return integrated(approach - gains_.position_kd_A_s_per_rad * velocity_rad_per_s + compensation_A, growth, limit_A);
   }
 
  private:
-  Scalar integrated(Scalar direct_A, Scalar growth_A_per_s, Scalar limit_A) {
+  /// `growth_A` is the integral's in a tick.
+  Scalar integrated(Scalar direct_A, Scalar growth_A, Scalar limit_A) {
     const Scalar wanted = direct_A + integral_A_;
-    const Scalar held = within(wanted, limit_A);
-    if (wanted == held || (wanted - held) * growth_A_per_s < Scalar(0)) {
-      integral_A_ = within(integral_A_ + growth_A_per_s * tick_s_, limit_A);
-    }
-    return held;
+    const bool limited = exceeds(wanted, limit_A);
+    if (growth_A != Scalar(0) && (!limited || isNegative(wanted) != isNegative(growth_A)))
+      integral_A_ = within(integral_A_ + growth_A, limit_A);
+    return limited ? within(wanted, limit_A) : wanted;
   }
 
   MotionGains<Scalar> gains_;
-  Scalar tick_s_ = 1, integral_A_ = 0, slope_ = 0, velocity_ = 0;
+  // What a tick would multiply is multiplied when the gains come; slopes are those of a tick.
+  Scalar velocityGrowth_A_s_per_rad_ = 0, positionGrowth_A_per_rad_ = 0, slopeGain_A_s_per_rad_ = 0,
+         mostApproach_A_ = 0;
+  Scalar integral_A_ = 0, slope_ = 0, velocity_ = 0;
 };
 
 }  // namespace breakaway

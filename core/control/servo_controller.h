@@ -5,9 +5,10 @@
 #include "control/current_controller.h"
 #include "control/duty_table.h"
 #include "control/friction_compensator.h"
+#include "control/friction_table.h"
 #include "control/motion_controller.h"
+#include "control/turn.h"
 #include "observer/disturbance_observer.h"
-#include "observer/reaction_torque_observer.h"
 #include "observer/velocity_observer.h"
 
 namespace breakaway {
@@ -36,12 +37,13 @@ struct ServoCommand {
 template <typename Scalar>
 struct ServoOutput {
   bool enabled = false;
-  Scalar voltage_V = 0;
+  Scalar duty = 0;       ///< to ask the bridge for, within ±1
+  Scalar voltage_V = 0;  ///< the same, times the supply
   Scalar current_A = 0;  ///< with the sensor's zero taken off
   Scalar velocity_rad_per_s = 0;
   Scalar current_reference_A = 0;
   Scalar velocity_reference_rad_per_s = 0;
-  Scalar angle_reference_rad = 0;
+  Scalar angleAhead_rad = 0;  ///< the angle's reference less the angle; 0 where no angle is asked for
   Scalar disturbance_estimate_Nm = 0;
 };
 
@@ -56,7 +58,7 @@ class ServoController {
     Scalar velocityBandwidth_rad_per_s = 0;
   };
 
-  explicit ServoController(const Board& board) : board_(board) {
+  explicit ServoController(const Board& board) : board_(board), halfCount_rad_(Scalar(0.5) * board.count_rad) {
     current_.configure(board.current, board.tick_s);
     configure({});
   }
@@ -64,26 +66,37 @@ class ServoController {
   void configure(const ServoSettings<Scalar>& settings) {
     settings_ = settings;
     motion_.configure(settings.gains, board_.tick_s);
+    const Scalar Kt = settings.torqueConstant_Nm_per_A;
+    perTorque_A_per_Nm_ = Kt > Scalar(0) ? Scalar(1) / Kt : Scalar(0);
+    feedback_ = settings.observer_cutoff_rad_per_s > Scalar(0) && Kt > Scalar(0);
     if (settings.observer_cutoff_rad_per_s > Scalar(0)) cutoff_ = settings.observer_cutoff_rad_per_s;
-    observer_.configure({cutoff_, settings.inertia_kg_m2, settings.torqueConstant_Nm_per_A}, board_.tick_s);
-    reaction_.configure({{cutoff_, settings.inertia_kg_m2, settings.torqueConstant_Nm_per_A}, Scalar(0), Scalar(0)},
-                        board_.tick_s);
+    observer_.configure({cutoff_, settings.inertia_kg_m2, Kt}, board_.tick_s);
+    passed_.configure(cutoff_, board_.tick_s);
     const bool known = settings.inertia_kg_m2 > Scalar(0);
-    speed_.configure(board_.velocityBandwidth_rad_per_s,
-                     known ? settings.torqueConstant_Nm_per_A / settings.inertia_kg_m2 : Scalar(0), board_.tick_s);
+    speed_.configure(board_.velocityBandwidth_rad_per_s, known ? Kt / settings.inertia_kg_m2 : Scalar(0),
+                     board_.tick_s);
+    setLimit();
   }
 
   /// From now on current, velocity and position mode add the friction's torque; a table without bins ends it. The
   /// disturbance feedback then takes what the table leaves over. `cutoff_rad_per_s`: of compensator B, 0: unfiltered.
   void compensate(const FrictionTable<Scalar>& friction, Scalar cutoff_rad_per_s) {
-    friction_ = friction;
+    compensateSoon(friction, cutoff_rad_per_s);
+    friction_.prepare(FrictionTable<Scalar>::mostBins);
+  }
+
+  /// The same on a board that has ticks to keep: the table is taken bin by bin, one in a tick, and nothing is
+  /// compensated meanwhile. It stays as it is until then.
+  void compensateSoon(const FrictionTable<Scalar>& friction, Scalar cutoff_rad_per_s) {
+    friction_.begin(friction);
     compensator_.configure(cutoff_rad_per_s, board_.tick_s);
     compensator_.reset();
-    compensation_Nm_ = 0;
+    passed_.reset();
+    compensation_Nm_ = passed_Nm_ = 0;
   }
 
   /// From now on every mode's voltage is asked for through the inverse of the bridge's curve.
-  void linearise(const DutyTable<Scalar>& bridge) { bridge_ = bridge; }
+  void linearise(const DutyTable<Scalar>& bridge) { bridge_.take(bridge); }
 
   void command(const ServoCommand<Scalar>& command) {
     if (command.mode != command_.mode) {
@@ -92,6 +105,7 @@ class ServoController {
     }
     if (zeroTicks_ > 0 && !command.zeroCurrentSensor) finishZeroing();
     command_ = command;
+    setLimit();
   }
 
   /// Moves the angle's zero by whole turns, so that a single-precision board can keep it small.
@@ -102,93 +116,98 @@ class ServoController {
 
   /// `angle_rad` is the encoder's count as an angle, `sensor_A` the sensor as it reads, `supply_V` the bridge's supply.
   ServoOutput<Scalar> step(Scalar angle_rad, Scalar sensor_A, Scalar supply_V) {
+    const Scalar middle_rad = angle_rad + halfCount_rad_;
+    return stepAt(middle_rad, turnOf(middle_rad), sensor_A, supply_V);
+  }
+
+  /// The same at the middle of the encoder's count, as an angle and as a part of a turn.
+  ServoOutput<Scalar> stepAt(Scalar middle_rad, Turn middle, Scalar sensor_A, Scalar supply_V) {
     ServoOutput<Scalar> out;
     out.enabled = command_.mode != ServoMode::off;
     out.current_A = sensor_A - zero_A_;
-    out.velocity_rad_per_s =
-        speed_.step(angle_rad + Scalar(0.5) * board_.count_rad, wasEnabled_ ? out.current_A : Scalar(0));
-    out.disturbance_estimate_Nm = observer_.step(wasEnabled_ ? out.current_A : Scalar(0), out.velocity_rad_per_s);
-    reaction_.step(wasEnabled_ ? out.current_A : Scalar(0), out.velocity_rad_per_s, compensation_Nm_);
-    out.angle_reference_rad = angle_rad;
-    wasEnabled_ = out.enabled;
+    const Scalar flowed_A = wasEnabled_ ? out.current_A : Scalar(0);
+    out.velocity_rad_per_s = speed_.step(middle_rad, flowed_A);
+    out.disturbance_estimate_Nm = observer_.step(flowed_A, out.velocity_rad_per_s);
+    if (friction_.prepares()) friction_.prepare(1);
+    if (friction_.known()) passed_Nm_ = passed_.step(compensation_Nm_);
     compensation_Nm_ = 0;
+    wasEnabled_ = out.enabled;
     if (command_.mode == ServoMode::off) {
       zero(sensor_A);
       return out;
     }
-    const Scalar limit = currentLimit();
+    const Scalar perSupply = supply_V > Scalar(0) ? Scalar(1) / supply_V : Scalar(0);
     if (command_.mode == ServoMode::voltage) {
-      const Scalar wanted_V = current_.clampForCurrent(command_.target, out.current_A, out.velocity_rad_per_s, limit);
-      out.voltage_V = asked(wanted_V, supply_V);
-      return out;
+      ask(current_.clampForCurrent(command_.target, out.current_A, out.velocity_rad_per_s, limit_A_), perSupply, out);
+    } else {
+      out.current_reference_A = reference(middle_rad, middle, out);
+      const Scalar most_V = bridge_.known() ? supply_V - bridge_.lost() * supply_V : supply_V;
+      ask(current_.step(out.current_reference_A, out.current_A, out.velocity_rad_per_s, most_V), perSupply, out);
     }
-    out.current_reference_A = reference(angle_rad, limit, out);
-    const Scalar most_V = supply_V - lost_V(supply_V);
-    out.voltage_V =
-        asked(current_.step(out.current_reference_A, out.current_A, out.velocity_rad_per_s, most_V), supply_V);
+    out.voltage_V = out.duty * supply_V;
     return out;
   }
+
+  /// What is taken off the sensor's reading.
+  Scalar zero_A() const { return zero_A_; }
+  /// That holds now: the settings' own, or the command's where that is less.
+  Scalar limit_A() const { return limit_A_; }
 
  private:
   static constexpr Scalar intentShare = Scalar(0.1);  ///< of the friction that a commanded torque must reach
 
-  Scalar currentLimit() const {
+  void setLimit() {
     const Scalar own = settings_.current_limit_A, wanted = command_.current_limit_A;
-    return wanted > Scalar(0) && wanted < own ? wanted : own;
+    limit_A_ = wanted > Scalar(0) && wanted < own ? wanted : own;
   }
 
-  /// What the bridge is asked for so that the windings get `wanted_V`, as far as the supply allows.
-  Scalar asked(Scalar wanted_V, Scalar supply_V) const {
-    if (bridge_.points <= 0 || !(supply_V > Scalar(0))) return within(wanted_V, supply_V);
-    return within(bridge_.inputFor(wanted_V / supply_V) * supply_V, supply_V);
+  /// Asks the bridge so that the windings get `wanted_V`, as far as the supply allows.
+  void ask(Scalar wanted_V, Scalar perSupply, ServoOutput<Scalar>& out) const {
+    out.duty = within(bridge_.inputFor(wanted_V * perSupply), Scalar(1));
   }
 
-  /// Of the full supply.
-  Scalar lost_V(Scalar supply_V) const {
-    if (bridge_.points <= 0) return Scalar(0);
-    return (bridge_.input[bridge_.points - 1] - bridge_.output[bridge_.points - 1]) * supply_V;
-  }
-
-  Scalar reference(Scalar angle_rad, Scalar limit, ServoOutput<Scalar>& out) {
-    const Scalar friction_A = frictionCurrent(angle_rad, out.velocity_rad_per_s);
-    if (command_.mode == ServoMode::current) return within(command_.target + friction_A, limit);
-    const bool feedback =
-        settings_.observer_cutoff_rad_per_s > Scalar(0) && settings_.torqueConstant_Nm_per_A > Scalar(0);
-    const Scalar left_Nm = friction_.bins > 0 ? reaction_.estimate_Nm() : out.disturbance_estimate_Nm;
-    const Scalar compensation = friction_A + (feedback ? left_Nm / settings_.torqueConstant_Nm_per_A : Scalar(0));
+  Scalar reference(Scalar middle_rad, Turn middle, ServoOutput<Scalar>& out) {
+    const Scalar friction_A = friction_.known() ? frictionCurrent(middle, out.velocity_rad_per_s) : Scalar(0);
+    if (command_.mode == ServoMode::current) return within(command_.target + friction_A, limit_A_);
+    Scalar compensation = friction_A;
+    // What the disturbance observer sees of friction that is compensated already is the same torque through the same
+    // filter: without it the reaction torque is left.
+    if (feedback_) compensation += (out.disturbance_estimate_Nm - passed_Nm_) * perTorque_A_per_Nm_;
     if (command_.mode == ServoMode::velocity) {
       out.velocity_reference_rad_per_s = command_.target;
-      return motion_.velocityStep(command_.target, out.velocity_rad_per_s, compensation, limit);
+      return motion_.velocityStep(command_.target, out.velocity_rad_per_s, compensation, limit_A_);
     }
-    out.angle_reference_rad = command_.target;
-    return motion_.positionStep(command_.target - angle_rad - Scalar(0.5) * board_.count_rad, out.velocity_rad_per_s,
-                                compensation, limit);
+    const Scalar error = command_.target - middle_rad;
+    out.angleAhead_rad = error + halfCount_rad_;
+    return motion_.positionStep(error, out.velocity_rad_per_s, compensation, limit_A_);
   }
 
   /// Current for the friction of the way that the rotor is going, or is to go by the command. In velocity mode the
   /// reference says so, and stands for the speed until the rotor turns the other way; in current mode the commanded
   /// torque does, in proportion up to a share of the friction, so that a small one doesn't throw the rotor about.
-  Scalar frictionCurrent(Scalar angle_rad, Scalar velocity_rad_per_s) {
-    if (friction_.bins <= 0 || !(settings_.torqueConstant_Nm_per_A > Scalar(0))) return Scalar(0);
-    const Scalar blend = friction_.blend_rad_per_s, target = command_.target;
-    const Scalar middle_rad = angle_rad + Scalar(0.5) * board_.count_rad;
+  Scalar frictionCurrent(Turn middle, Scalar velocity_rad_per_s) {
+    if (perTorque_A_per_Nm_ == Scalar(0)) return Scalar(0);
+    const auto place = friction_.placeOf(middle);
+    const Scalar target = command_.target;
     Scalar torque_Nm = 0;
-    const bool against = target > Scalar(0) ? velocity_rad_per_s < -blend : velocity_rad_per_s > blend;
+    const bool against = isNegative(target) != isNegative(velocity_rad_per_s) &&
+                         exceeds(velocity_rad_per_s, friction_.blend_rad_per_s());
     if (command_.mode == ServoMode::velocity && target != Scalar(0) && !against) {
-      torque_Nm = friction_.movingTorque_Nm(middle_rad, target, velocity_rad_per_s);
+      torque_Nm = friction_.movingTorque_Nm(place, target, velocity_rad_per_s);
     } else {
-      torque_Nm = friction_.torque_Nm(middle_rad, velocity_rad_per_s, intentOf(middle_rad));
+      torque_Nm = friction_.torque_Nm(place, velocity_rad_per_s, intentAt(place));
     }
     compensation_Nm_ = compensator_.step(torque_Nm);
-    return compensation_Nm_ / settings_.torqueConstant_Nm_per_A;
+    return compensation_Nm_ * perTorque_A_per_Nm_;
   }
 
   /// Within ±1: which way a commanded current is to start the rotor.
-  Scalar intentOf(Scalar angle_rad) const {
+  Scalar intentAt(const typename FrictionFeedForward<Scalar>::Place& place) const {
     if (command_.mode != ServoMode::current) return Scalar(0);
     const Scalar wanted_Nm = settings_.torqueConstant_Nm_per_A * command_.target;
-    const Scalar whole_Nm = intentShare * friction_.friction_Nm(angle_rad);
-    return whole_Nm > Scalar(0) ? within(wanted_Nm / whole_Nm, Scalar(1)) : Scalar(0);
+    const Scalar whole_Nm = intentShare * friction_.friction_Nm(place);
+    if (!(whole_Nm > Scalar(0))) return Scalar(0);
+    return exceeds(wanted_Nm, whole_Nm) ? (isNegative(wanted_Nm) ? Scalar(-1) : Scalar(1)) : wanted_Nm / whole_Nm;
   }
 
   void zero(Scalar sensor_A) {
@@ -208,15 +227,16 @@ class ServoController {
   ServoCommand<Scalar> command_;
   VelocityObserver<Scalar> speed_;
   DisturbanceObserver<Scalar> observer_;
-  ReactionTorqueObserver<Scalar> reaction_;
-  FrictionTable<Scalar> friction_;
-  FilteredCompensator<Scalar> compensator_;
-  DutyTable<Scalar> bridge_;
+  FrictionFeedForward<Scalar> friction_;
+  FilteredCompensator<Scalar> compensator_, passed_;
+  DutyInverse<Scalar> bridge_;
   MotionController<Scalar> motion_;
   CurrentController<Scalar> current_;
-  Scalar cutoff_ = 200, zero_A_ = 0, zeroSum_A_ = 0, compensation_Nm_ = 0;
+  Scalar halfCount_rad_ = 0, perTorque_A_per_Nm_ = 0, limit_A_ = 0;
+  Scalar cutoff_ = 200, zero_A_ = 0, zeroSum_A_ = 0;
+  Scalar compensation_Nm_ = 0, passed_Nm_ = 0;  ///< friction's torque, and what of it has passed the observer's filter
   long zeroTicks_ = 0;
-  bool wasEnabled_ = false;
+  bool wasEnabled_ = false, feedback_ = false;
 };
 
 }  // namespace breakaway

@@ -37,35 +37,33 @@ class DisturbanceObserver {
 
   /// Keeps the present estimate, so that a change of cutoff while running gives no jump of its own.
   void configure(const Settings& settings, Scalar tick_s) {
-    const Scalar kept = estimate_Nm_;
-    settings_ = settings;
-    pole_ = exponential<Scalar>(-settings.cutoff_rad_per_s * tick_s);
-    state_ = kept + momentumGain() * velocity_;
+    torqueConstant_ = settings.torqueConstant_Nm_per_A;
+    momentum_ = settings.cutoff_rad_per_s * settings.inertia_kg_m2;
+    share_ = Scalar(1) - exponential<Scalar>(-settings.cutoff_rad_per_s * tick_s);
+    state_ = estimate_Nm_ + momentum_ * velocity_;
   }
 
   /// Starts again from zero load at the present speed.
   void reset(Scalar velocity_rad_per_s) {
     velocity_ = velocity_rad_per_s;
     estimate_Nm_ = 0;
-    state_ = momentumGain() * velocity_rad_per_s;
+    state_ = momentum_ * velocity_rad_per_s;
   }
 
   /// Once per tick; returns τ̂ in Nm.
   Scalar step(Scalar current_A, Scalar velocity_rad_per_s) {
-    const Scalar input = settings_.torqueConstant_Nm_per_A * current_A + momentumGain() * velocity_rad_per_s;
-    state_ += (Scalar(1) - pole_) * (input - state_);
+    const Scalar momentum = momentum_ * velocity_rad_per_s;
+    state_ += share_ * (torqueConstant_ * current_A + momentum - state_);
     velocity_ = velocity_rad_per_s;
-    estimate_Nm_ = state_ - momentumGain() * velocity_rad_per_s;
+    estimate_Nm_ = state_ - momentum;
     return estimate_Nm_;
   }
 
   Scalar estimate_Nm() const { return estimate_Nm_; }
 
  private:
-  Scalar momentumGain() const { return settings_.cutoff_rad_per_s * settings_.inertia_kg_m2; }
-
-  Settings settings_;
-  Scalar pole_ = 1, state_ = 0, velocity_ = 0, estimate_Nm_ = 0;
+  Scalar torqueConstant_ = 0, momentum_ = 0, share_ = 0;  ///< momentum: g·Jn; share: 1 − e^(−gT)
+  Scalar state_ = 0, velocity_ = 0, estimate_Nm_ = 0;
 };
 
 }  // namespace breakaway

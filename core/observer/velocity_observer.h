@@ -23,37 +23,45 @@ template <typename Scalar>
 class VelocityObserver {
  public:
   void configure(Scalar bandwidth_rad_per_s, Scalar torquePerInertia_rad_per_A_s2, Scalar tick_s) {
-    torquePerInertia_ = torquePerInertia_rad_per_A_s2;
-    tick_s_ = tick_s;
-    gains_ = VelocityObserverGains<Scalar>::placed(bandwidth_rad_per_s, tick_s);
+    // States are per tick: in a tick they are added and not multiplied.
+    const Scalar before = perTick_ > Scalar(0) ? tick_s * perTick_ : Scalar(1);
+    velocity_ *= before;
+    halfAcceleration_ *= before * before;
+    perTick_ = Scalar(1) / tick_s;
+    const auto gains = VelocityObserverGains<Scalar>::placed(bandwidth_rad_per_s, tick_s);
+    halfPush_ = Scalar(0.5) * torquePerInertia_rad_per_A_s2 * tick_s * tick_s;
+    leftOfError_ = Scalar(1) - gains.angle;
+    velocityGain_ = gains.velocity_per_s * tick_s;
+    halfAccelerationGain_ = Scalar(0.5) * gains.acceleration_per_s2 * tick_s * tick_s;
   }
 
   void reset(Scalar angle_rad) {
     angle_ = angle_rad;
-    velocity_ = acceleration_ = current_ = 0;
+    error_ = velocity_ = halfAcceleration_ = current_ = 0;
   }
 
   /// `angle_rad` is the middle of the encoder's count; `current_A` what flowed over the last tick, 0 when unknown.
   Scalar step(Scalar angle_rad, Scalar current_A) {
-    acceleration_ += torquePerInertia_ * (current_A - current_);
+    halfAcceleration_ += halfPush_ * (current_A - current_);
     current_ = current_A;
-    angle_ += tick_s_ * (velocity_ + Scalar(0.5) * tick_s_ * acceleration_);
-    velocity_ += tick_s_ * acceleration_;
-    const Scalar error = angle_rad - angle_;
-    angle_ += gains_.angle * error;
-    velocity_ += gains_.velocity_per_s * error;
-    acceleration_ += gains_.acceleration_per_s2 * error;
-    return velocity_;
+    const Scalar moved = velocity_ + halfAcceleration_, seen = angle_rad - angle_;
+    angle_ = angle_rad;
+    const Scalar error = leftOfError_ * error_ + (seen - moved);
+    error_ = error;
+    velocity_ = moved + halfAcceleration_ + velocityGain_ * error;
+    halfAcceleration_ += halfAccelerationGain_ * error;
+    return velocity_rad_per_s();
   }
 
-  Scalar velocity_rad_per_s() const { return velocity_; }
+  Scalar velocity_rad_per_s() const { return velocity_ * perTick_; }
   /// Shifts the angle's zero, so that a single-precision board can keep it small.
   void shift(Scalar by_rad) { angle_ += by_rad; }
 
  private:
-  Scalar torquePerInertia_ = 0, tick_s_ = 1;
-  VelocityObserverGains<Scalar> gains_;
-  Scalar angle_ = 0, velocity_ = 0, acceleration_ = 0, current_ = 0;
+  Scalar halfPush_ = 0, leftOfError_ = 0, velocityGain_ = 0, halfAccelerationGain_ = 0, perTick_ = 0;
+  // The angle is the last measured one, the error what the estimate was behind it before it was corrected; rad, rad per
+  // tick, rad per tick².
+  Scalar angle_ = 0, error_ = 0, velocity_ = 0, halfAcceleration_ = 0, current_ = 0;
 };
 
 }  // namespace breakaway

@@ -10,7 +10,7 @@
 
 namespace breakaway::board {
 
-template <typename Scalar, std::size_t bytes>
+template <std::size_t bytes>
 class Burst {
  public:
   /// Returns what was accepted: at most as many samples as there is room for.
@@ -20,24 +20,31 @@ class Burst {
     const std::size_t size = wire::sampleSize(wanted.schema), most = size > 0 ? bytes / size : 0;
     if (wanted.samples > most) wanted.samples = static_cast<std::uint16_t>(most);
     plan_ = wanted;
+    size_ = size;
     taken_ = 0;
+    wait_ = 0;
     runs_ = wanted.trigger == wire::Capture::Trigger::now;
     return wanted;
   }
   void commandCame() { runs_ = runs_ || plan_.trigger == wire::Capture::Trigger::nextCommand; }
 
-  /// Once per tick.
-  void add(const wire::Measured<Scalar>& sample, std::uint32_t tick, std::uint32_t time_us,
-           const Scalar (&perUnit)[wire::channelCount]) {
+  /// The channels that it wants of this tick's sample; none: it takes none.
+  std::uint16_t wants() const { return runs_ && taken_ < plan_.samples && wait_ == 0 ? plan_.schema : 0; }
+
+  /// Once per tick; `sample` holds what wants() said.
+  void add(const wire::WireSample& sample, std::uint32_t tick, std::uint32_t time_us) {
     if (!runs_ || taken_ >= plan_.samples) return;
+    if (wait_ > 0) {
+      --wait_;
+      return;
+    }
     if (taken_ == 0) {
       firstTick_ = tick;
       firstTime_us_ = time_us;
     }
-    if ((tick - firstTick_) % plan_.every != 0) return;
-    wire::Writer out{std::span(kept_).subspan(taken_ * wire::sampleSize(plan_.schema))};
-    wire::writeSample(sample, plan_.schema, perUnit, out);
+    wire::writeSample(sample, plan_.schema, kept_.data() + taken_ * size_);
     ++taken_;
+    wait_ = plan_.every - 1u;
   }
 
   /// Appends the page that begins with sample `first`; `period_ns` is a tick's.
@@ -62,7 +69,9 @@ class Burst {
 
  private:
   wire::Capture plan_;
+  std::size_t size_ = 0;  ///< of a sample
   std::uint16_t taken_ = 0;
+  std::uint32_t wait_ = 0;  ///< ticks until the next sample
   std::uint32_t firstTick_ = 0, firstTime_us_ = 0;
   bool runs_ = false;
   std::array<std::uint8_t, bytes> kept_{};

@@ -5,17 +5,20 @@
 #include <cstdint>
 
 #include "control/board_watch.h"
+#include "control/magnitude.h"
 #include "control/servo_controller.h"
+#include "control/turn.h"
 #include "firmware_link/board/board_hardware.h"
 #include "firmware_link/wire/messages.h"
 
 namespace breakaway::board {
 
-/// Limits that the host may draw tighter; 0: none, speed apart.
+/// Limits that the host may draw tighter; temperature 0: none.
 template <typename Scalar>
 struct TickLimits {
+  static constexpr std::uint32_t noTravelLimit = 0xffffffffu;
   Scalar velocity_rad_per_s = 0;
-  Scalar travel_rad = 0;
+  std::uint32_t travel_counts = noTravelLimit;
   Scalar temperature_degC = 0;
 };
 
@@ -30,17 +33,23 @@ template <typename Scalar>
 class ControlTick {
  public:
   explicit ControlTick(const BoardHardware<Scalar>& hardware)
-      : hardware_(hardware), servo_(hardware.servo), watch_(hardware.watch) {
+      : hardware_(hardware),
+        servo_(hardware.servo),
+        watch_(hardware.watch),
+        halfCount_rad_(Scalar(0.5) * hardware.servo.count_rad),
+        perHalfCount_(hardware.countsPerRev > 0 ? (0x80000000u + hardware.countsPerRev / 2) / hardware.countsPerRev
+                                                : 0),
+        steps_(static_cast<Scalar>(hardware.pwmSteps)),
+        perStep_(hardware.pwmSteps > 0 ? Scalar(1) / static_cast<Scalar>(hardware.pwmSteps) : Scalar(0)) {
     configure(hardware.start);
   }
 
-  void configure(const ServoSettings<Scalar>& settings) {
-    servo_.configure(settings);
-    ownLimit_A_ = settings.current_limit_A;
-  }
+  void configure(const ServoSettings<Scalar>& settings) { servo_.configure(settings); }
+  /// Takes effect after as many ticks as the table has bins; it stays as it is until the next one.
   void compensate(const FrictionTable<Scalar>& friction, Scalar cutoff_rad_per_s) {
-    servo_.compensate(friction, cutoff_rad_per_s);
+    servo_.compensateSoon(friction, cutoff_rad_per_s);
   }
+  void linearise(const DutyTable<Scalar>& bridge) { servo_.linearise(bridge); }
 
   void command(const wire::MotorCommand& wanted) {
     using Flag = wire::MotorCommand::Flag;
@@ -61,16 +70,17 @@ class ControlTick {
   TickOutcome<Scalar> step(const Readings<Scalar>& readings, const TickLimits<Scalar>& limits) {
     using wire::Channel;
     count_ = readings.count;
-    if (!known_) origin_ = travelStart_ = count_;
-    known_ = true;
+    if (!known_) begin();
     keepAngleSmall();
-    const Scalar angle = angleOf(count_), bus = readings.supply_V > Scalar(1e-3) ? readings.supply_V : Scalar(1e-3);
-    const ServoOutput<Scalar> out = servo_.step(angle, readings.current_A, bus);
-    zero_A_ = readings.current_A - out.current_A;
+    const std::int32_t halfCounts = 2 * difference(count_, origin_) + 1;
+    const Scalar middle = static_cast<Scalar>(halfCounts) * halfCount_rad_;
+    const Turn turn = (static_cast<Turn>(halfCounts) + firstHalfCounts_) * perHalfCount_;
+    const Scalar bus = readings.supply_V > Scalar(1e-3) ? readings.supply_V : Scalar(1e-3);
+    const ServoOutput<Scalar> out = servo_.stepAt(middle, turn, readings.current_A, bus);
     TickOutcome<Scalar> outcome;
-    outcome.fault = judged(readings, out, angle, limits);
+    outcome.fault = judged(readings, out, middle, limits);
     const bool enabled = out.enabled && outcome.fault == wire::FaultCode::none;
-    outcome.drive = {enabled, enabled ? realisable(out.voltage_V / bus) : Scalar(0)};
+    outcome.drive = {enabled, enabled ? realisable(out.duty) : Scalar(0)};
     wire::Measured<Scalar>& m = outcome.measured;
     m.angle_counts = count_;
     m.flags = static_cast<std::uint8_t>((enabled ? wire::SampleFlag::enabled : 0) |
@@ -81,7 +91,7 @@ class ControlTick {
     m[Channel::velocity] = out.velocity_rad_per_s;
     m[Channel::currentReference] = out.current_reference_A;
     m[Channel::velocityReference] = out.velocity_reference_rad_per_s;
-    m[Channel::angleAhead] = out.angle_reference_rad - angle;
+    m[Channel::angleAhead] = out.angleAhead_rad;
     m[Channel::disturbance] = out.disturbance_estimate_Nm;
     m[Channel::sensorCurrent] = readings.current_A;
     m[Channel::temperature] = hardware_.hasTemperature ? readings.temperature_degC : Scalar(__builtin_nanf(""));
@@ -90,22 +100,28 @@ class ControlTick {
 
   wire::MotorCommand::Mode mode() const { return wanted_.mode; }
   bool acts() const { return watched_ || wanted_.mode != wire::MotorCommand::Mode::off; }
-  Scalar limit_A() const {
-    const Scalar wanted = commandLimit_A();
-    return wanted > Scalar(0) && wanted < ownLimit_A_ ? wanted : ownLimit_A_;
-  }
+  Scalar limit_A() const { return servo_.limit_A(); }
   /// What is taken off the sensor's reading.
-  Scalar zero_A() const { return zero_A_; }
+  Scalar zero_A() const { return servo_.zero_A(); }
   Scalar jumped_rad() const { return watch_.jumped_rad(); }
 
  private:
   void obey() {
     ServoCommand<Scalar> servo{static_cast<ServoMode>(wanted_.mode), static_cast<Scalar>(wanted_.target),
-                               commandLimit_A(), (wanted_.flags & wire::MotorCommand::zeroCurrentSensor) != 0};
+                               static_cast<Scalar>(wanted_.current_limit_A),
+                               (wanted_.flags & wire::MotorCommand::zeroCurrentSensor) != 0};
     if (servo.mode == ServoMode::position) servo.target += angleOf(wanted_.targetCounts);
     servo_.command(servo);
   }
-  Scalar commandLimit_A() const { return static_cast<Scalar>(wanted_.current_limit_A); }
+
+  /// The first count is the angle's zero, so that nothing jumps; the friction table knows it by its place in the turn.
+  void begin() {
+    known_ = true;
+    origin_ = travelStart_ = count_;
+    const auto turn = static_cast<std::int32_t>(hardware_.countsPerRev);
+    const std::int32_t part = turn > 0 ? count_ % turn : 0;
+    firstHalfCounts_ = 2u * static_cast<Turn>(part < 0 ? part + turn : part);
+  }
 
   static std::int32_t difference(std::int32_t a, std::int32_t b) {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
@@ -127,43 +143,40 @@ class ControlTick {
     if (wanted_.mode == wire::MotorCommand::Mode::position) obey();  // the target's rounding would add up
   }
 
-  wire::FaultCode judged(const Readings<Scalar>& readings, const ServoOutput<Scalar>& out, Scalar angle,
+  wire::FaultCode judged(const Readings<Scalar>& readings, const ServoOutput<Scalar>& out, Scalar angle_rad,
                          const TickLimits<Scalar>& limits) {
     using wire::FaultCode;
     static_assert(static_cast<int>(FaultCode::blocked) == static_cast<int>(Trip::blocked) &&
                   static_cast<int>(FaultCode::overCurrent) == static_cast<int>(Trip::overCurrent));
     const Trip trip =
-        watch_.step({angle, out.current_A, out.current_reference_A, limit_A(), readings.supply_V, out.enabled});
+        watch_.step({angle_rad, out.current_A, out.current_reference_A, limit_A(), readings.supply_V, out.enabled});
     if (!out.enabled && !watched_) return FaultCode::none;
     if (trip != Trip::none) return static_cast<FaultCode>(trip);
-    const Scalar speed = magnitude(out.velocity_rad_per_s);
-    if (!(speed <= limits.velocity_rad_per_s)) return FaultCode::overSpeed;
-    const Scalar travel = magnitude(static_cast<Scalar>(difference(count_, travelStart_)) * hardware_.servo.count_rad);
-    if (limits.travel_rad > Scalar(0) && travel > limits.travel_rad) return FaultCode::travel;
+    if (exceeds(out.velocity_rad_per_s, limits.velocity_rad_per_s)) return FaultCode::overSpeed;
+    const std::int32_t moved = difference(count_, travelStart_);
+    const std::uint32_t travel = moved < 0 ? 0u - static_cast<std::uint32_t>(moved) : static_cast<std::uint32_t>(moved);
+    if (travel > limits.travel_counts) return FaultCode::travel;
     const bool hot = hardware_.hasTemperature && limits.temperature_degC > Scalar(0) &&
                      !(readings.temperature_degC <= limits.temperature_degC);
     return hot ? FaultCode::overTemperature : FaultCode::none;
   }
 
-  static Scalar magnitude(Scalar value) { return value < Scalar(0) ? -value : value; }
-
   /// The duty that the timer can make; what a step leaves over goes into the next one, so that the mean is exact.
   Scalar realisable(Scalar duty) {
-    const Scalar wanted = within(duty + left_, Scalar(1));
-    if (hardware_.pwmSteps == 0) return wanted;
-    const auto steps = static_cast<Scalar>(hardware_.pwmSteps);
-    const Scalar scaled = wanted * steps;
-    const auto whole = static_cast<std::int32_t>(scaled < Scalar(0) ? scaled - Scalar(0.5) : scaled + Scalar(0.5));
-    const Scalar made = static_cast<Scalar>(whole) / steps;
-    left_ = within(wanted - made, Scalar(0.5));
-    return made;
+    if (hardware_.pwmSteps == 0) return duty;
+    const Scalar wanted = within(duty * steps_ + left_, steps_);
+    const auto made = static_cast<Scalar>(nearest(wanted));
+    left_ = wanted - made;
+    return made * perStep_;
   }
 
   BoardHardware<Scalar> hardware_;
   ServoController<Scalar> servo_;
   BoardWatch<Scalar> watch_;
   wire::MotorCommand wanted_;
-  Scalar ownLimit_A_ = 0, left_ = 0, zero_A_ = 0;
+  Scalar halfCount_rad_;
+  Turn perHalfCount_, firstHalfCounts_ = 0;
+  Scalar steps_, perStep_, left_ = 0;  ///< of the timer, and what the last one left over
   std::int32_t count_ = 0, origin_ = 0, travelStart_ = 0;
   bool known_ = false, watched_ = false;
 };

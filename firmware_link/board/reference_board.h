@@ -9,6 +9,7 @@
 
 #include "firmware_link/board/board_hardware.h"
 #include "firmware_link/board/burst.h"
+#include "firmware_link/board/compensation_store.h"
 #include "firmware_link/board/control_tick.h"
 #include "firmware_link/board/outbox.h"
 #include "firmware_link/board/parameters.h"
@@ -30,8 +31,9 @@ class ReferenceBoard {
  public:
   explicit ReferenceBoard(const BoardHardware<Scalar>& hardware)
       : hardware_(hardware), parameters_(hardware), control_(hardware), latch_(hardware.boot) {
-    leaseTicks_ = ticksOf(parameters_.scalar(Parameter::lease));
     period_ns_ = static_cast<std::uint32_t>(Scalar(1e9) / hardware.loopRate_Hz + Scalar(0.5));
+    oldestTicks_ = ticksOf(Scalar(0.01));
+    obeyParameters();
     hash_ = parameters_.hash();
   }
 
@@ -46,10 +48,7 @@ class ReferenceBoard {
   Drive<Scalar> tick(const Readings<Scalar>& readings) {
     if (hardware_.pace == Pace::real && control_.acts() && ++silentTicks_ > leaseTicks_)
       trip(wire::FaultCode::leaseExpired, {});
-    const TickLimits<Scalar> limits{parameters_.scalar(Parameter::velocityTrip),
-                                    parameters_.scalar(Parameter::travelLimit),
-                                    parameters_.scalar(Parameter::temperatureLimit)};
-    TickOutcome<Scalar> outcome = control_.step(readings, limits);
+    TickOutcome<Scalar> outcome = control_.step(readings, limits_);
     if (outcome.fault != wire::FaultCode::none) trip(outcome.fault, outcome.measured);
     if (fault_.code != wire::FaultCode::none) outcome.measured.flags |= wire::SampleFlag::latched;
     keep(outcome.measured);
@@ -85,20 +84,32 @@ class ReferenceBoard {
   }
 
   void keep(const wire::Measured<Scalar>& measured) {
-    burst_.add(measured, tick_, time_us_, parameters_.perUnit());
-    const std::uint32_t every = parameters_.whole(Parameter::telemetryEvery);
-    if (every == 0) return;
-    if (tick_ % every == 0) batch_.add(measured, tick_, time_us_, parameters_.perUnit());
-    const std::uint32_t oldest = ticksOf(Scalar(0.01));
-    if (batch_.full() || (batch_.samples() > 0 && tick_ - batch_.firstTick() >= oldest)) flush();
+    const bool sampled = every_ > 0 && untilSample_ == 0;
+    const std::uint16_t burst = burst_.wants(), channels = sampled ? batch_.schema() : std::uint16_t(0);
+    wire::WireSample sample;
+    wire::convertSample(measured, static_cast<std::uint16_t>(burst | channels), parameters_.perUnit(), sample);
+    burst_.add(sample, tick_, time_us_);
+    if (every_ == 0) return;
+    untilSample_ = sampled ? every_ - 1 : untilSample_ - 1;
+    if (!sampled) return;
+    if (batch_.samples() == 0) {
+      batch_.add(sample, {tick_, time_us_, dropped_, samplesToCome(), unasked_++});
+    } else {
+      batch_.add(sample, {});
+    }
+    if (batch_.full()) flush();
+  }
+
+  /// With this one, before a batch would be too old or the granted time is over.
+  std::uint32_t samplesToCome() const {
+    std::uint32_t ticks = oldestTicks_;
+    if (hardware_.pace == Pace::granted && untilTick_ - tick_ - 1 < ticks) ticks = untilTick_ - tick_ - 1;
+    return ticks / every_ + 1;
   }
 
   void flush() {
     const std::uint8_t samples = batch_.samples();
-    if (samples == 0) return;
-    const Body body = batch_.finish(dropped_);
-    if (!outbox_.put(static_cast<std::uint8_t>(wire::Type::telemetry), unasked_++, body, spareForAnswers))
-      dropped_ += samples;
+    if (samples > 0 && !outbox_.put(batch_.finish(), spareForAnswers)) dropped_ += samples;
   }
 
   void halt() {
@@ -125,7 +136,8 @@ class ReferenceBoard {
   static bool changes(wire::Type type) {
     using wire::Type;
     return type == Type::writeParameters || type == Type::command || type == Type::heartbeat ||
-           type == Type::writeFriction || type == Type::useFriction || type == Type::startCapture;
+           type == Type::writeFriction || type == Type::useFriction || type == Type::startCapture ||
+           type == Type::writeBridge || type == Type::useStatic;
   }
 
   /// What changes something obeys the order in which it was asked, whatever order it comes in.
@@ -139,8 +151,8 @@ class ReferenceBoard {
     if (frame.type >= wire::beyondRequests) return;  // an echo, or another board
     wire::Writer out(body_);
     out(wire::Code::ok);
-    if (changes(static_cast<wire::Type>(frame.type)) && outOfDate(frame)) return;
-    const wire::Code code = answer(frame, out);
+    const bool late = changes(static_cast<wire::Type>(frame.type)) && outOfDate(frame);
+    const wire::Code code = late ? wire::Code::outdated : answer(frame, out);
     body_[0] = static_cast<std::uint8_t>(code);
     const Body body = code == wire::Code::ok ? Body(out.written()) : Body(body_).first(1);
     outbox_.put(frame.type | wire::answerBit, frame.sequence, body);
@@ -163,14 +175,21 @@ class ReferenceBoard {
         out(fault_);
         return Code::ok;
       case Type::frictionUsed:
-        out(used_);
+        out(compensation_.used());
+        return Code::ok;
+      case Type::staticUsed:
+        out(compensation_.staticUsed());
+        return Code::ok;
+      case Type::readBridge:
+        out(compensation_.bridgeUsed());
         return Code::ok;
       case Type::dictionary:
         return asked<wire::DictionaryAsked>(frame, [&](const auto& page) { return dictionary(page.first, out); });
       case Type::readParameters:
         return asked<wire::ParameterList>(frame, [&](auto& list) { return read(list, out); });
       case Type::readFriction:
-        return asked<wire::FrictionChunk>(frame, [&](auto& chunk) { return readFriction(chunk, out); });
+        return asked<wire::FrictionChunk>(frame,
+                                          [&](auto& chunk) { return told(compensation_.read(chunk), chunk, out); });
       case Type::readCapture:
         return asked<wire::CaptureAsked>(frame, [&](const auto& page) {
           return burst_.write(page.first, period_ns_, out) ? Code::ok : Code::noSuch;
@@ -194,9 +213,20 @@ class ReferenceBoard {
       case Type::heartbeat:
         return asked<wire::Heartbeat>(frame, [&](const auto& beat) { return heard(beat, out); });
       case Type::writeFriction:
-        return asked<wire::FrictionChunk>(frame, [&](const auto& chunk) { return writeFriction(chunk, out); });
+        return asked<wire::FrictionChunk>(
+            frame, [&](const auto& chunk) { return told(compensation_.write(chunk), chunk, out); });
       case Type::useFriction:
-        return asked<wire::FrictionUse>(frame, [&](const auto& use) { return useFriction(use, out); });
+        return asked<wire::FrictionUse>(frame,
+                                        [&](const auto& use) { return compensate(use, use.cutoff_rad_per_s, out); });
+      case Type::useStatic:
+        return asked<wire::StaticFrictionUse>(
+            frame, [&](const auto& use) { return compensate(use, use.table.cutoff_rad_per_s, out); });
+      case Type::writeBridge:
+        return asked<wire::BridgeCurve>(frame, [&](const auto& curve) {
+          const wire::Code code = compensation_.use(curve);
+          if (code == Code::ok) control_.linearise(compensation_.bridge());
+          return told(code, curve, out);
+        });
       case Type::startCapture:
         return asked<wire::Capture>(frame, [&](const auto& wanted) {
           out(burst_.start(wanted));
@@ -225,6 +255,8 @@ class ReferenceBoard {
     can(hardware_.hasTemperature, Ability::temperature);
     can(true, Ability::capture);
     can(true, Ability::friction);
+    can(true, Ability::staticFriction);
+    can(true, Ability::bridgeCurve);
     hello.boot = hardware_.boot;
     hello.latch = latch_;
     hello.loopRate_Hz = static_cast<float>(hardware_.loopRate_Hz);
@@ -283,23 +315,28 @@ class ReferenceBoard {
       if (code != wire::Code::ok) return code;
     }
     const ServoSettings<Scalar> before = parameters_.servo();
-    const std::uint32_t every = parameters_.whole(Parameter::telemetryEvery);
-    const std::uint32_t schema = parameters_.whole(Parameter::telemetryChannels);
     for (std::size_t k = 0; k < list.count; ++k) parameters_.set(list.value[k]);
     if (!(parameters_.servo() == before)) control_.configure(parameters_.servo());
-    leaseTicks_ = ticksOf(parameters_.scalar(Parameter::lease));
-    if (parameters_.whole(Parameter::telemetryEvery) != every ||
-        parameters_.whole(Parameter::telemetryChannels) != schema)
-      beginBatch();
+    obeyParameters();
     out(list);
     return wire::Code::ok;
   }
 
-  void beginBatch() {
+  /// What a tick needs of the parameters.
+  void obeyParameters() {
+    leaseTicks_ = ticksOf(parameters_.scalar(Parameter::lease));
+    const Scalar travel = parameters_.scalar(Parameter::travelLimit) / hardware_.servo.count_rad;
+    limits_.velocity_rad_per_s = parameters_.scalar(Parameter::velocityTrip);
+    const bool free = !(travel > Scalar(0) && travel < Scalar(2e9));
+    limits_.travel_counts = free ? TickLimits<Scalar>::noTravelLimit : static_cast<std::uint32_t>(travel);
+    limits_.temperature_degC = parameters_.scalar(Parameter::temperatureLimit);
+    const std::uint32_t every = parameters_.whole(Parameter::telemetryEvery);
+    const auto schema = static_cast<std::uint16_t>(parameters_.whole(Parameter::telemetryChannels));
+    if (every == every_ && schema == batch_.schema()) return;
     flush();
-    const auto every = static_cast<std::uint8_t>(parameters_.whole(Parameter::telemetryEvery));
-    batch_.begin(static_cast<std::uint16_t>(parameters_.whole(Parameter::telemetryChannels)), every,
-                 period_ns_ * every);
+    every_ = every;
+    untilSample_ = every > 0 ? (every - tick_ % every) % every : 0;
+    batch_.begin(schema, static_cast<std::uint8_t>(every), period_ns_ * every);
   }
 
   static bool finite(float value) { return value - value == 0.0f; }
@@ -329,59 +366,18 @@ class ReferenceBoard {
     return wire::Code::ok;
   }
 
-  Scalar* curve(wire::FrictionCurve which) {
-    const auto k = static_cast<std::uint8_t>(which);
-    if (k > 3) return nullptr;
-    return k < 2 ? written_.coulomb_Nm[k] : written_.viscous_Nm_s_per_rad[k - 2];
+  template <typename Use>
+  wire::Code compensate(const Use& use, float cutoff_rad_per_s, wire::Writer& out) {
+    const wire::Code code = compensation_.use(use);
+    if (code == wire::Code::ok) control_.compensate(compensation_.friction(), static_cast<Scalar>(cutoff_rad_per_s));
+    return told(code, use, out);
   }
 
-  wire::Code writeFriction(const wire::FrictionChunk& chunk, wire::Writer& out) {
-    Scalar* values = curve(chunk.curve);
-    if (values == nullptr || std::size_t(chunk.first) + chunk.count > FrictionTable<Scalar>::mostBins)
-      return wire::Code::noSuch;
-    for (std::size_t k = 0; k < chunk.count; ++k) {
-      if (!finite(chunk.value[k])) return wire::Code::notAValue;
-    }
-    for (std::size_t k = 0; k < chunk.count; ++k) values[chunk.first + k] = static_cast<Scalar>(chunk.value[k]);
-    out(chunk);
-    return wire::Code::ok;
-  }
-
-  wire::Code readFriction(wire::FrictionChunk& chunk, wire::Writer& out) {
-    const Scalar* values = curve(chunk.curve);
-    if (values == nullptr || std::size_t(chunk.first) + chunk.count > FrictionTable<Scalar>::mostBins)
-      return wire::Code::noSuch;
-    for (std::size_t k = 0; k < chunk.count; ++k) chunk.value[k] = static_cast<float>(values[chunk.first + k]);
-    out(chunk);
-    return wire::Code::ok;
-  }
-
-  wire::Code useFriction(const wire::FrictionUse& use, wire::Writer& out) {
-    if (use.bins > FrictionTable<Scalar>::mostBins) return wire::Code::noSuch;
-    const bool fine = finite(use.index_rad) && finite(use.blend_rad_per_s) && finite(use.cutoff_rad_per_s) &&
-                      use.blend_rad_per_s >= 0.0f && use.cutoff_rad_per_s >= 0.0f;
-    if (!fine || tableSum(use.bins) != use.checksum) return wire::Code::notAValue;
-    written_.bins = use.bins;
-    written_.index_rad = static_cast<Scalar>(use.index_rad);
-    written_.blend_rad_per_s = static_cast<Scalar>(use.blend_rad_per_s);
-    control_.compensate(written_, static_cast<Scalar>(use.cutoff_rad_per_s));
-    used_ = use;
-    out(use);
-    return wire::Code::ok;
-  }
-
-  std::uint32_t tableSum(std::size_t bins) {
-    wire::Crc32c crc;
-    for (std::uint8_t k = 0; k < 4; ++k) {
-      const Scalar* values = curve(static_cast<wire::FrictionCurve>(k));
-      for (std::size_t bin = 0; bin < bins; ++bin) {
-        std::uint8_t bytes[4];
-        wire::Writer out(bytes);
-        out(static_cast<float>(values[bin]));
-        crc.add(out.written());
-      }
-    }
-    return crc.value();
+  /// Answers with the message where the code is ok.
+  template <typename Message>
+  static wire::Code told(wire::Code code, const Message& message, wire::Writer& out) {
+    if (code == wire::Code::ok) out(message);
+    return code;
   }
 
   BoardHardware<Scalar> hardware_;
@@ -389,13 +385,14 @@ class ReferenceBoard {
   ControlTick<Scalar> control_;
   wire::FrameDecoder decoder_;
   Outbox<outboxBytes> outbox_;
-  SampleBatch<Scalar> batch_;
-  Burst<Scalar, burstBytes> burst_;
-  FrictionTable<Scalar> written_;
-  wire::FrictionUse used_;
+  TickLimits<Scalar> limits_;
+  SampleBatch batch_;
+  Burst<burstBytes> burst_;
+  CompensationStore<Scalar> compensation_;
   wire::Fault fault_;
   std::uint8_t body_[wire::mostBody] = {};
   std::uint32_t tick_ = 0, untilTick_ = 0, time_us_ = 0, restTime_ns_ = 0, period_ns_ = 0;
+  std::uint32_t every_ = 0, untilSample_ = 0, oldestTicks_ = 0;  ///< ticks: telemetry's, to its next one, in a batch
   std::uint32_t silentTicks_ = 0, leaseTicks_ = 0, dropped_ = 0, hash_ = 0;
   std::uint16_t latch_ = 0, unasked_ = 0, newest_ = 0, stop_ = 0;
 };

@@ -16,6 +16,8 @@ namespace breakaway {
 namespace {
 
 constexpr const char* vescScheme = "vesc:";
+constexpr double quick_s = 0.45;  // a board that runs answers far sooner
+constexpr double waking_s = 2.5;  // one that starts anew when its port is opened, or an emulator that looks for a host
 
 /// Takes `name=value&…` into the request.
 Result<void> takeOptions(const std::string& options, BoardRequest& request) {
@@ -58,19 +60,25 @@ Error nobody(const ByteAddress& address, bool vescOnly) {
 Result<std::unique_ptr<Drive>> openOnWire(const std::string& uri, bool vescOnly, const BoardRequest& request) {
   const auto address = byteAddressOf(uri);
   if (!address) return Error{"board " + request.uri, address.error().fact};
-  auto stream = openByteStream(uri);
-  if (!stream) return stream.error();
+  auto opened = openByteStream(uri);
+  if (!opened) return opened.error();
+  std::unique_ptr<ByteStream> stream = std::move(*opened);
   if (!vescOnly) {
-    const auto ours = speaksWire(**stream);
+    const auto ours = speaksWire(*stream, quick_s);
     if (!ours) return ours.error();
-    if (*ours) return openBoardDrive(std::move(*stream), {.place = address->words()});
+    if (*ours) return openBoardDrive(std::move(stream), {.place = address->words()});
   }
   VescOptions vesc;
   vesc.polePairs = request.polePairs;
   vesc.countsPerRev = request.countsPerRev;
   if (request.currentLimit_A) vesc.currentLimit_A = *request.currentLimit_A;
-  auto drive = openVesc(*stream, vesc);
+  auto drive = openVesc(stream, vesc);
   if (!drive || *drive != nullptr) return drive;
+  if (!vescOnly) {
+    const auto awake = speaksWire(*stream, waking_s);
+    if (!awake) return awake.error();
+    if (*awake) return openBoardDrive(std::move(stream), {.place = address->words()});
+  }
   return nobody(*address, vescOnly);
 }
 

@@ -21,7 +21,7 @@ struct BoardRequest {
 
 /// `simulated…` as openDrive() takes it; else `[vesc:]serial:PORT[@BAUD]` or `[vesc:]tcp:HOST:PORT`, with options
 /// behind it: `?pole_pairs=N&counts_per_rev=N&current_limit_A=A`. What answers is found by asking; `vesc:` asks for
-/// nothing else. Takes up to about two seconds. The motor is released, whatever it did before. Errors are one line.
+/// nothing else. Takes up to about four seconds. The motor is released, whatever it did before. Errors are one line.
 Result<std::unique_ptr<Drive>> openBoard(const BoardRequest& request);
 
 }  // namespace breakaway

@@ -24,56 +24,73 @@ struct Frame {
   std::span<const std::uint8_t> body;
 };
 
-/// Writes the frame into `out` and returns how many bytes it took; 0 when the body is longer than mostBody or `out` is
-/// too short (mostFrame is always enough). Stuffing: Cheshire, Baker, "Consistent overhead byte stuffing", IEEE/ACM
-/// Trans. Networking 7(2), 1999.
+/// Makes a frame, as a whole or piece by piece. Stuffing: Cheshire, Baker, "Consistent overhead byte stuffing",
+/// IEEE/ACM Trans. Networking 7(2), 1999.
 class FrameEncoder {
  public:
+  /// Writes the frame into `out` and returns how many bytes it took; 0 when the body is longer than mostBody or `out`
+  /// is too short (mostFrame is always enough).
   static std::size_t encode(const Frame& frame, std::span<std::uint8_t> out) {
     if (frame.body.size() > mostBody) return 0;
-    FrameEncoder encoder(out);
-    const std::uint8_t header[headerSize] = {version, frame.type, static_cast<std::uint8_t>(frame.sequence),
-                                             static_cast<std::uint8_t>(frame.sequence >> 8)};
-    for (const std::uint8_t byte : header) encoder.summed(byte);
-    for (const std::uint8_t byte : frame.body) encoder.summed(byte);
-    const std::uint32_t sum = encoder.crc_.value();
-    for (int k = 0; k < 4; ++k) encoder.stuffed(static_cast<std::uint8_t>(sum >> (8 * k)));
-    return encoder.ended();
+    std::array<std::uint8_t, mostFrame> room;
+    FrameEncoder encoder(out.size() < mostFrame ? room.data() : out.data(), frame.type, frame.sequence);
+    encoder.add(frame.body);
+    const std::size_t size = encoder.end();
+    if (out.size() >= mostFrame) return size;
+    if (size > out.size()) return 0;
+    for (std::size_t k = 0; k < size; ++k) out[k] = room[k];
+    return size;
+  }
+
+  FrameEncoder() = default;
+  /// Begins a frame in `room`, which holds mostFrame bytes and outlives it.
+  FrameEncoder(std::uint8_t* room, std::uint8_t type, std::uint16_t sequence) : room_(room) {
+    const std::uint8_t header[headerSize] = {version, type, static_cast<std::uint8_t>(sequence),
+                                             static_cast<std::uint8_t>(sequence >> 8)};
+    add(header);
+  }
+  /// Further bytes of the body, mostBody altogether.
+  void add(std::span<const std::uint8_t> bytes) {
+    crc_.add(bytes);
+    stuff(bytes);
+  }
+  /// Ends the frame and returns how many bytes it took.
+  std::size_t end() {
+    const std::uint32_t sum = crc_.value();
+    std::uint8_t bytes[checksumSize];
+    for (std::size_t k = 0; k < checksumSize; ++k) bytes[k] = static_cast<std::uint8_t>(sum >> (8 * k));
+    stuff(bytes);
+    room_[used_ - run_] = run_;
+    room_[used_] = 0;
+    return used_ + 1;
   }
 
  private:
-  explicit FrameEncoder(std::span<std::uint8_t> out) : out_(out) {}
-
-  void summed(std::uint8_t byte) {
-    crc_.add(byte);
-    stuffed(byte);
-  }
-  void put(std::size_t at, std::uint8_t byte) {
-    if (at < out_.size()) out_[at] = byte;
-  }
-  void close() {
-    put(code_, run_);
-    code_ = used_++;
-    run_ = 1;
-  }
-  void stuffed(std::uint8_t byte) {
-    if (run_ == 0xFF) close();
-    if (byte == 0) {
-      close();
-      return;
+  void stuff(std::span<const std::uint8_t> bytes) {
+    std::uint8_t* to = room_ + used_;
+    std::uint8_t run = run_;
+    for (const std::uint8_t byte : bytes) {
+      if (run == 0xFF) {
+        *(to - run) = run;
+        ++to;
+        run = 1;
+      }
+      if (byte == 0) {
+        *(to - run) = run;
+        run = 0;
+      } else {
+        *to = byte;
+      }
+      ++to;
+      ++run;
     }
-    put(used_++, byte);
-    ++run_;
-  }
-  std::size_t ended() {
-    put(code_, run_);
-    put(used_++, 0);
-    return used_ <= out_.size() ? used_ : 0;
+    used_ = static_cast<std::size_t>(to - room_);
+    run_ = run;
   }
 
-  std::span<std::uint8_t> out_;
-  std::size_t used_ = 1, code_ = 0;
-  std::uint8_t run_ = 1;
+  std::uint8_t* room_ = nullptr;
+  std::size_t used_ = 1;
+  std::uint8_t run_ = 1;  ///< bytes since the last code, which stands so far back, with it
   Crc32c crc_;
 };
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "firmware_link/wire/bytes.h"
+#include "firmware_link/wire/compensation_messages.h"
 #include "firmware_link/wire/telemetry.h"
 
 namespace breakaway::wire {
@@ -30,6 +31,10 @@ enum class Type : std::uint8_t {
   stopProcedure = 0x0F,    ///< nothing → ProcedureStatus
   procedureStatus = 0x10,  ///< nothing → ProcedureStatus
   frictionUsed = 0x11,     ///< nothing → FrictionUse, of the table that is used
+  writeBridge = 0x12,      ///< BridgeCurve → the same; takes effect at once
+  readBridge = 0x13,       ///< nothing → BridgeCurve
+  useStatic = 0x14,        ///< StaticFrictionUse → the same; as useFriction, with static friction
+  staticUsed = 0x15,       ///< nothing → StaticFrictionUse, of the table that is used
   telemetry = 0xC0,        ///< BatchHeader, then the samples
   faultHappened = 0xC1     ///< Fault
 };
@@ -44,7 +49,8 @@ enum class Code : std::uint8_t {
   notAValue = 3,  ///< not finite, or nothing of its kind
   latched = 4,    ///< something stopped the motor since; the command's latch is not the board's
   notPossible = 5,
-  noSuch = 6  ///< parameter, curve, place
+  noSuch = 6,   ///< parameter, curve, place
+  outdated = 7  ///< a newer request that changes something came before it
 };
 
 /// Who the board is, and of which powering up.
@@ -57,7 +63,9 @@ struct Hello {
     capture = 8,
     friction = 16,
     procedures = 32,
-    temperature = 64
+    temperature = 64,
+    staticFriction = 128,
+    bridgeCurve = 256
   };
   std::uint16_t abilities = 0;
   std::uint16_t boot = 0;   ///< another number after each powering up
@@ -209,34 +217,6 @@ struct Fault {
   static void pass(Self& s, Io& io) {
     io(s.code), io(s.latch), io(s.tick), io(s.current_A), io(s.limit_A), io(s.supply_V), io(s.jump_rad);
     io(s.velocity_rad_per_s), io(s.temperature_degC);
-  }
-};
-
-enum class FrictionCurve : std::uint8_t { coulombCw = 0, coulombCcw = 1, viscousCw = 2, viscousCcw = 3 };
-
-/// Part of one curve of the friction table that is being written.
-struct FrictionChunk {
-  static constexpr std::size_t mostValues = 96;
-  FrictionCurve curve = FrictionCurve::coulombCw;
-  std::uint16_t first = 0;
-  std::uint8_t count = 0;
-  float value[mostValues] = {};
-  template <typename Self, typename Io>
-  static void pass(Self& s, Io& io) {
-    io(s.curve), io(s.first), io.list(s.count, s.value);
-  }
-};
-
-/// Makes the written table the one that is used, if its values' checksum is this one. No bins: no compensation.
-struct FrictionUse {
-  std::uint16_t bins = 0;
-  std::uint32_t checksum = 0;  ///< CRC-32C over the four curves' floats, one after the other, `bins` of each
-  float index_rad = 0;         ///< of the encoder's index, within a turn, as the encoder counts it
-  float blend_rad_per_s = 0;
-  float cutoff_rad_per_s = 0;
-  template <typename Self, typename Io>
-  static void pass(Self& s, Io& io) {
-    io(s.bins), io(s.checksum), io(s.index_rad), io(s.blend_rad_per_s), io(s.cutoff_rad_per_s);
   }
 };
 

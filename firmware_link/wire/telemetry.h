@@ -1,10 +1,12 @@
 // Samples on the wire: channels, how a sample is laid out, batches. Freestanding.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
+#include "control/magnitude.h"
 #include "firmware_link/wire/bytes.h"
 #include "firmware_link/wire/frame.h"
 
@@ -123,33 +125,61 @@ inline constexpr std::int16_t missing16 = -32768;
 template <typename Scalar>
 std::int16_t scaled16(Scalar value, Scalar perUnit) {
   const Scalar steps = value * perUnit;
-  if (!(steps > Scalar(-32767))) return steps <= Scalar(-32767) ? std::int16_t(-32767) : missing16;
-  if (steps > Scalar(32767)) return 32767;
-  return static_cast<std::int16_t>(steps < Scalar(0) ? steps - Scalar(0.5) : steps + Scalar(0.5));
+  if (!exceeds(steps, Scalar(32767))) return static_cast<std::int16_t>(nearest(steps));
+  return steps != steps ? missing16 : isNegative(steps) ? std::int16_t(-32767) : std::int16_t(32767);
 }
 
-/// `perUnit` is 1/scale of each channel of format int16.
+/// A sample's channels as they stand on the wire, each in the low bytes of its word.
+struct WireSample {
+  std::uint32_t word[channelCount] = {};
+};
+
+/// The channels of `schema`; `perUnit` is 1/scale of each channel of format int16.
 template <typename Scalar>
-void writeSample(const Measured<Scalar>& sample, std::uint16_t schema, const Scalar (&perUnit)[channelCount],
-                 Writer& out) {
+void convertSample(const Measured<Scalar>& sample, std::uint16_t schema, const Scalar (&perUnit)[channelCount],
+                   WireSample& out) {
   for (std::size_t k = 0; k < channelCount; ++k) {
     if ((schema >> k & 1u) == 0) continue;
     switch (channelForms[k].format) {
       case Format::uint8:
-        out(sample.flags);
+        out.word[k] = sample.flags;
         break;
       case Format::int32:
       case Format::uint32:
-        out(sample.angle_counts);
+        out.word[k] = static_cast<std::uint32_t>(sample.angle_counts);
         break;
       case Format::int16:
-        out(scaled16(sample.value[k], perUnit[k]));
+        out.word[k] = static_cast<std::uint16_t>(scaled16(sample.value[k], perUnit[k]));
         break;
       case Format::float32:
-        out(static_cast<float>(sample.value[k]));
+        out.word[k] = std::bit_cast<std::uint32_t>(static_cast<float>(sample.value[k]));
         break;
     }
   }
+}
+
+/// The sample's sampleSize(schema) bytes.
+inline void writeSample(const WireSample& sample, std::uint16_t schema, std::uint8_t* to) {
+  for (std::size_t k = 0; k < channelCount; ++k) {
+    if ((schema >> k & 1u) == 0) continue;
+    const std::uint32_t word = sample.word[k];
+    const std::size_t size = sizeOf(channelForms[k].format);
+    *to++ = static_cast<std::uint8_t>(word);
+    if (size > 1) *to++ = static_cast<std::uint8_t>(word >> 8);
+    if (size < 4) continue;
+    *to++ = static_cast<std::uint8_t>(word >> 16);
+    *to++ = static_cast<std::uint8_t>(word >> 24);
+  }
+}
+
+template <typename Scalar>
+void writeSample(const Measured<Scalar>& sample, std::uint16_t schema, const Scalar (&perUnit)[channelCount],
+                 Writer& out) {
+  WireSample converted;
+  convertSample(sample, schema, perUnit, converted);
+  std::uint8_t bytes[4 * channelCount];
+  writeSample(converted, schema, bytes);
+  for (std::size_t k = 0; k < sampleSize(schema); ++k) out(bytes[k]);
 }
 
 /// The other way; `scale` of each channel of format int16. A channel that isn't carried keeps its value.

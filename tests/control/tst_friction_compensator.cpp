@@ -3,9 +3,11 @@
 #include <memory>
 
 #include "control/friction_compensator.h"
+#include "control/friction_table.h"
 #include "control/servo_controller.h"
 #include "control/tuning.h"
 #include "motor/noise.h"
+#include "observer/reaction_torque_observer.h"
 
 using namespace breakaway;
 
@@ -56,6 +58,22 @@ double worstDifference(double part) {
   return worst / largest;
 }
 
+/// What the board gives by a table, at an angle instead of a place.
+template <typename Scalar>
+class Given {
+ public:
+  explicit Given(const FrictionTable<Scalar>& table) { given_->take(table); }
+  Scalar torque_Nm(Scalar angle, Scalar velocity, Scalar intent = 0) const {
+    return given_->torque_Nm(given_->placeOf(turnOf(angle)), velocity, intent);
+  }
+  Scalar movingTorque_Nm(Scalar angle, Scalar target, Scalar velocity) const {
+    return given_->movingTorque_Nm(given_->placeOf(turnOf(angle)), target, velocity);
+  }
+
+ private:
+  std::unique_ptr<FrictionFeedForward<Scalar>> given_ = std::make_unique<FrictionFeedForward<Scalar>>();
+};
+
 std::unique_ptr<FrictionTable<double>> waves() {
   auto table = std::make_unique<FrictionTable<double>>();
   table->bins = 90;
@@ -91,20 +109,20 @@ void TestFrictionCompensator::filterOfB_hasTheExactPole() {
 }
 
 void TestFrictionCompensator::table_isLinearBetweenItsBins() {
-  const auto table = waves();
+  const Given given(*waves());
   double worst = 0.0;
   for (double angle = -30.0; angle < 30.0; angle += 0.0137) {
     const double true_Nm = 0.016 + 0.003 * std::cos(angle - 0.7) - 0.001 * std::cos(3.0 * (angle - 0.7)) + 2e-5 * 10.0;
-    worst = std::max(worst, std::abs(table->torque_Nm(angle, 10.0) - true_Nm));
+    worst = std::max(worst, std::abs(given.torque_Nm(angle, 10.0) - true_Nm));
   }
   QVERIFY2(worst < 1e-5 && worst > 1e-7, qPrintable(QString::number(worst)));
 }
 
 void TestFrictionCompensator::table_takesPositionTorqueOutOfBothWays() {
-  const auto table = waves();
-  const double angle = 0.7 + 1.3, still = table->torque_Nm(angle, 0.0);
+  const Given given(*waves());
+  const double angle = 0.7 + 1.3, still = given.torque_Nm(angle, 0.0);
   QVERIFY(std::abs(still - 0.5 * (0.016 - 0.017 - 0.002 * std::cos(3.9))) < 1e-5);
-  QVERIFY(std::abs(0.5 * (table->torque_Nm(angle, 5.0) + table->torque_Nm(angle, -5.0)) - still) < 1e-12);
+  QVERIFY(std::abs(0.5 * (given.torque_Nm(angle, 5.0) + given.torque_Nm(angle, -5.0)) - still) < 1e-12);
 }
 
 void TestFrictionCompensator::oneBin_isTheSameAllAround() {
@@ -112,9 +130,10 @@ void TestFrictionCompensator::oneBin_isTheSameAllAround() {
   table->bins = 1;
   table->coulomb_Nm[0][0] = 0.017f;
   table->coulomb_Nm[1][0] = 0.016f;
+  const Given given(*table);
   for (const float angle : {-100.0f, -0.1f, 0.0f, 3.0f, 1000.0f}) {
-    QCOMPARE(table->torque_Nm(angle, 2.0f), 0.016f);
-    QCOMPARE(table->torque_Nm(angle, -2.0f), -0.017f);
+    QCOMPARE(given.torque_Nm(angle, 2.0f), 0.016f);
+    QCOMPARE(given.torque_Nm(angle, -2.0f), -0.017f);
   }
 }
 
@@ -123,15 +142,16 @@ void TestFrictionCompensator::slowSpeeds_blendTheWays() {
   table->bins = 1;
   table->blend_rad_per_s = 0.5;
   table->coulomb_Nm[0][0] = table->coulomb_Nm[1][0] = 0.017;
-  QCOMPARE(table->torque_Nm(0.0, 0.25), 0.0085);
-  QCOMPARE(table->torque_Nm(0.0, -0.25), -0.0085);
-  QCOMPARE(table->torque_Nm(0.0, 0.5), 0.017);
-  QCOMPARE(table->torque_Nm(0.0, 0.0), 0.0);
+  const Given given(*table);
+  QCOMPARE(given.torque_Nm(0.0, 0.25), 0.0085);
+  QCOMPARE(given.torque_Nm(0.0, -0.25), -0.0085);
+  QCOMPARE(given.torque_Nm(0.0, 0.5), 0.017);
+  QCOMPARE(given.torque_Nm(0.0, 0.0), 0.0);
 }
 
 void TestFrictionCompensator::noBins_giveNothing() {
-  const auto table = std::make_unique<FrictionTable<double>>();
-  QCOMPARE(table->torque_Nm(1.0, 5.0), 0.0);
+  const Given given(FrictionTable<double>{});
+  QCOMPARE(given.torque_Nm(1.0, 5.0), 0.0);
 }
 
 static std::unique_ptr<FrictionTable<double>> sticking() {
@@ -146,31 +166,31 @@ static std::unique_ptr<FrictionTable<double>> sticking() {
 }
 
 void TestFrictionCompensator::fromRest_staticFrictionIsGivenTheWayThatIsMeant() {
-  const auto table = sticking();
-  QVERIFY(std::abs(table->torque_Nm(0.0, 0.0, 1.0) - 0.021) < 1e-12);
-  QVERIFY(std::abs(table->torque_Nm(0.0, 0.0, -1.0) + 0.023) < 1e-12);
-  QVERIFY(std::abs(table->movingTorque_Nm(0.0, 5.0, 0.0) - 0.021) < 1e-12);
-  QVERIFY(std::abs(table->movingTorque_Nm(0.0, -5.0, 0.0) + 0.023) < 1e-12);
-  QVERIFY(std::abs(table->movingTorque_Nm(0.0, 5.0, 5.0) - 0.017) < 1e-12);
+  const Given given(*sticking());
+  QVERIFY(std::abs(given.torque_Nm(0.0, 0.0, 1.0) - 0.021) < 1e-12);
+  QVERIFY(std::abs(given.torque_Nm(0.0, 0.0, -1.0) + 0.023) < 1e-12);
+  QVERIFY(std::abs(given.movingTorque_Nm(0.0, 5.0, 0.0) - 0.021) < 1e-12);
+  QVERIFY(std::abs(given.movingTorque_Nm(0.0, -5.0, 0.0) + 0.023) < 1e-12);
+  QVERIFY(std::abs(given.movingTorque_Nm(0.0, 5.0, 5.0) - 0.017) < 1e-12);
 }
 
 void TestFrictionCompensator::staticFriction_fallsToCoulombOverTheStribeckSpeed() {
-  const auto table = sticking();
+  const Given given(*sticking());
   double worst = 0.0;
   for (double speed = 0.5; speed < 10.0; speed += 0.01) {
     const double x = speed / 1.5, true_Nm = 0.017 + 0.004 * std::exp(-x * x);
-    worst = std::max(worst, std::abs(table->torque_Nm(0.0, speed, 1.0) - true_Nm) / 0.004);
+    worst = std::max(worst, std::abs(given.torque_Nm(0.0, speed, 1.0) - true_Nm) / 0.004);
   }
   QVERIFY2(worst < 0.08 && worst > 0.01, qPrintable(QString::number(worst)));
 }
 
 void TestFrictionCompensator::withoutIntent_aSlowRotorGetsNoStaticFriction() {
-  const auto table = sticking();
-  QCOMPARE(table->torque_Nm(0.0, 0.0), 0.0);
+  const Given given(*sticking());
+  QCOMPARE(given.torque_Nm(0.0, 0.0), 0.0);
   for (const double speed : {-1.0, -0.2, 0.3, 0.6, 2.0})
-    QVERIFY(std::abs(table->torque_Nm(0.0, speed)) <= 0.017 + 1e-12);
+    QVERIFY(std::abs(given.torque_Nm(0.0, speed)) <= 0.017 + 1e-12);
   // Nor one that still turns the other way.
-  QVERIFY(std::abs(table->torque_Nm(0.0, -0.8, 1.0) + 0.017) < 1e-12);
+  QVERIFY(std::abs(given.torque_Nm(0.0, -0.8, 1.0) + 0.017) < 1e-12);
 }
 
 void TestFrictionCompensator::smallCommandedCurrents_giveTheirShareAlone() {

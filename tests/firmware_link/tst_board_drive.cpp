@@ -21,6 +21,7 @@ class TestBoardDrive : public QObject {
   void stop_opensTheWindingsAndStays();
   void homing_findsTheIndexAsInProcess();
   void compensation_isWrittenReadBackAndUsed();
+  void bridgesCurve_isTakenAndUsed();
   void trip_stopsTheProcedureInWords();
   void positionAfterManyTurns_isHeldToTheCount();
   void silentBoard_isOneLine();
@@ -166,11 +167,51 @@ void TestBoardDrive::compensation_isWrittenReadBackAndUsed() {
   QCOMPARE(back->coulomb_Nm[1].size(), std::size_t(180));
   QVERIFY(std::abs(back->coulomb_Nm[1][179] - 0.0168) < 1e-8);
   QVERIFY(std::abs(back->indexAngle_rad - (100.0 - 15.0 * 2.0 * M_PI)) < 1e-5);
+  QVERIFY(back->static_Nm[0].empty() && back->stribeck_rad_per_s == 0.0);
+  FrictionCompensation sticking = friction;
+  sticking.static_Nm.fill(std::vector<double>(180, 0.022));
+  sticking.static_Nm[1][7] = 0.023;
+  sticking.stribeck_rad_per_s = 1.5;
+  VERIFY_OK(board.drive->compensate(sticking));
+  const auto whole = board.drive->compensation();
+  VERIFY_OK(whole);
+  QVERIFY(whole->static_Nm[0].size() == 180 && std::abs(whole->static_Nm[1][7] - 0.023) < 1e-8);
+  QCOMPARE(whole->stribeck_rad_per_s, 1.5);
+  VERIFY_OK(board.drive->compensate(friction));
+  QVERIFY(board.drive->compensation()->static_Nm[0].empty());
+  sticking.static_Nm[0].pop_back();
+  VERIFY_ERROR(board.drive->compensate(sticking), "friction compensation: has not as many bins each way");
   FrictionCompensation large = friction, uneven = friction;
   uneven.viscous_Nm_s_per_rad[1].pop_back();
   VERIFY_ERROR(board.drive->compensate(uneven), "friction compensation: has not as many bins each way");
   for (auto* way : {&large.coulomb_Nm, &large.viscous_Nm_s_per_rad}) way->fill(std::vector<double>(257, 1e-5));
   VERIFY_ERROR(board.drive->compensate(large), "friction compensation: has 257 bins, the board holds at most 256");
+}
+
+void TestBoardDrive::bridgesCurve_isTakenAndUsed() {
+  const auto board = opened();
+  const auto asked_V = [&board] {
+    board.drive->command({Command::Mode::voltage, 2.4, 0.0, false});
+    return advanced(*board.drive, 0.05).back().voltage_V;
+  };
+  DutyCurve curve;
+  for (const auto& [input, output] : {std::pair{0.02, 0.0}, {0.3, 0.2}, {0.7, 0.6}}) {
+    DutyPoint& point = curve.points.emplace_back();
+    point.input = input;
+    point.output.value = output;
+  }
+  const double step_V = 24.0 * 1.01 / 4800.0;
+  QVERIFY(std::abs(asked_V() - 2.4) < step_V);
+  VERIFY_OK(board.drive->linearise(curve));
+  QVERIFY(std::abs(asked_V() - 24.0 * 0.16) < step_V);
+  DutyCurve falls = curve, many = curve;
+  falls.points[2].output.value = 0.1;
+  VERIFY_ERROR(board.drive->linearise(falls), "bridge's curve: doesn't rise, expected a strictly rising one");
+  many.points.resize(17, curve.points.back());
+  VERIFY_ERROR(board.drive->linearise(many), "bridge's curve: has 17 points, the board holds at most 16");
+  QVERIFY(std::abs(asked_V() - 24.0 * 0.16) < step_V);
+  VERIFY_OK(board.drive->linearise({}));
+  QVERIFY(std::abs(asked_V() - 2.4) < step_V);
 }
 
 void TestBoardDrive::trip_stopsTheProcedureInWords() {

@@ -26,8 +26,10 @@ class TestReferenceBoard : public QObject {
   void limits_holdWhateverIsAsked();
   void overSpeedTravelAndSupply_tripInTheTickInWhichTheyShow();
   void parameters_areTakenTogetherOrNotAtAll();
-  void commandsOutOfOrder_areSkipped();
+  void commandsOutOfOrder_areRefused();
   void unknownRequest_isAnsweredAndNothingElseHappens();
+  void bridgesCurve_isCheckedUsedAndGivenBack();
+  void staticFriction_pushesFromRestOnceItsChecksumFits();
   void fullOutbox_dropsSamplesAndCountsThem();
   void burst_keepsEveryTickFromTheCommandOn();
   void anyFrames_leaveTheBoardInItsLimits();
@@ -304,7 +306,7 @@ void TestReferenceBoard::parameters_areTakenTogetherOrNotAtAll() {
   QCOMPARE(bench.code, Code::noSuch);
 }
 
-void TestReferenceBoard::commandsOutOfOrder_areSkipped() {
+void TestReferenceBoard::commandsOutOfOrder_areRefused() {
   Bench bench(board::Pace::real);
   QVERIFY(bench.command(MotorCommand::Mode::voltage, 1.0f, MotorCommand::fresh));
   QVERIFY(bench.command(MotorCommand::Mode::voltage, 2.0f));
@@ -313,7 +315,8 @@ void TestReferenceBoard::commandsOutOfOrder_areSkipped() {
   old.target = 9.0f;
   old.latch = bench.latch;
   bench.sendRaw(static_cast<std::uint8_t>(Type::command), static_cast<std::uint16_t>(bench.sequence - 1), old);
-  QVERIFY(!bench.answered);
+  QVERIFY(bench.answered);
+  QCOMPARE(bench.code, Code::outdated);
   bench.run(5);
   QVERIFY(std::abs(bench.firmware().duty() - 2.0 / 24.0) < 0.01);
 }
@@ -328,6 +331,78 @@ void TestReferenceBoard::unknownRequest_isAnsweredAndNothingElseHappens() {
   bench.sendRaw(static_cast<std::uint8_t>(Type::command), 52, std::uint8_t(1));
   QCOMPARE(bench.code, Code::malformed);
   QVERIFY(!bench.run(10));
+}
+
+void TestReferenceBoard::bridgesCurve_isCheckedUsedAndGivenBack() {
+  Bench bench(board::Pace::real);
+  wire::BridgeCurve curve;
+  curve.count = 3;
+  curve.point[0] = {0.02f, 0.0f};
+  curve.point[1] = {0.3f, 0.2f};
+  curve.point[2] = {0.7f, 0.6f};
+  QVERIFY(bench.ask<wire::BridgeCurve>(Type::writeBridge, curve));
+  const auto back = bench.ask<wire::BridgeCurve>(Type::readBridge);
+  QVERIFY(back && back->count == 3 && back->point[1].input == 0.3f && back->point[2].output == 0.6f);
+  const auto dutyFor = [&bench](float voltage) {
+    bench.beat();
+    bench.command(MotorCommand::Mode::voltage, voltage, MotorCommand::fresh);
+    bench.run(1);
+    return bench.firmware().duty();
+  };
+  const double step = 1.01 / 4800.0;  // the timer's
+  QVERIFY(std::abs(dutyFor(2.4f) - (0.02 + 0.1 / 0.2 * 0.28)) < step);
+  for (const float wrong : {0.19f, std::nanf("")}) {
+    curve.point[2].output = wrong;
+    QVERIFY(!bench.ask<wire::BridgeCurve>(Type::writeBridge, curve));
+    QCOMPARE(bench.code, Code::notAValue);
+  }
+  QVERIFY(std::abs(dutyFor(2.4f) - 0.16) < step);
+  QVERIFY(bench.ask<wire::BridgeCurve>(Type::writeBridge, wire::BridgeCurve{}));
+  QVERIFY(std::abs(dutyFor(2.4f) - 0.1) < step);
+}
+
+void TestReferenceBoard::staticFriction_pushesFromRestOnceItsChecksumFits() {
+  Bench bench(board::Pace::real);
+  wire::Crc32c sum;
+  wire::FrictionChunk chunk;
+  chunk.count = 1;
+  for (const auto& [curve, value] :
+       {std::pair{0, 0.014f}, {1, 0.014f}, {2, 0.0f}, {3, 0.0f}, {4, 0.03f}, {5, 0.028f}}) {
+    chunk.curve = static_cast<wire::FrictionCurve>(curve);
+    chunk.value[0] = value;
+    QVERIFY(bench.ask<wire::FrictionChunk>(Type::writeFriction, chunk));
+    std::array<std::uint8_t, 4> bytes;
+    wire::Writer out(bytes);
+    out(value);
+    sum.add(bytes);
+  }
+  wire::StaticFrictionUse use;
+  use.table.bins = 1;
+  use.table.blend_rad_per_s = 0.5f;
+  use.stribeck_rad_per_s = 1.5f;
+  use.table.checksum = sum.value() + 1;
+  QVERIFY(!bench.ask<wire::StaticFrictionUse>(Type::useStatic, use));
+  QCOMPARE(bench.code, Code::notAValue);
+  const auto turnsBy = [&bench](float current) {
+    bench.beat();
+    bench.command(MotorCommand::Mode::current, current, MotorCommand::fresh);
+    bench.run(600);
+    const auto last = std::abs(bench.firmware().current_A());
+    bench.command(MotorCommand::Mode::off, 0.0f);
+    return last;
+  };
+  const double without = turnsBy(0.05f);
+  use.table.checksum = sum.value();
+  QVERIFY(bench.ask<wire::StaticFrictionUse>(Type::useStatic, use));
+  const auto used = bench.ask<wire::StaticFrictionUse>(Type::staticUsed);
+  QVERIFY(used && used->stribeck_rad_per_s == 1.5f && used->table.bins == 1 && used->table.checksum == sum.value());
+  const auto moving = bench.ask<wire::FrictionUse>(Type::frictionUsed);
+  QVERIFY(moving && moving->checksum != used->table.checksum);
+  const double with = turnsBy(0.05f);
+  QVERIFY2(with - without > 0.1, qPrintable(QString("%1 A, %2 A without").arg(with).arg(without)));
+  chunk.curve = static_cast<wire::FrictionCurve>(6);
+  QVERIFY(!bench.ask<wire::FrictionChunk>(Type::writeFriction, chunk));
+  QCOMPARE(bench.code, Code::noSuch);
 }
 
 void TestReferenceBoard::fullOutbox_dropsSamplesAndCountsThem() {

@@ -227,10 +227,10 @@ void TestWire::everySingleWrongBit_isFound() {
 }
 
 template <typename Message>
-static void comesBack(std::mt19937& random) {
+static void comesBack(std::mt19937& random, unsigned values = 40) {
   // Whatever the bytes are, what was read from them writes the same ones again.
   Bytes bytes(mostBody), again(mostBody);
-  for (auto& byte : bytes) byte = static_cast<std::uint8_t>(random() % 40);
+  for (auto& byte : bytes) byte = static_cast<std::uint8_t>(random() % values);
   Message message{};
   QVERIFY(readMessage(bytes, message));
   Writer out(again);
@@ -257,6 +257,8 @@ void TestWire::everyMessage_comesBackAndFits() {
     comesBack<Fault>(random);
     comesBack<FrictionChunk>(random);
     comesBack<FrictionUse>(random);
+    comesBack<StaticFrictionUse>(random);
+    comesBack<BridgeCurve>(random, BridgeCurve::mostPoints + 1);
     comesBack<Capture>(random);
     comesBack<CaptureAsked>(random);
     comesBack<CapturePage>(random);

@@ -33,6 +33,8 @@ static const Fuzzed messages("wire_messages", [](std::string_view bytes) {
   readAndWrite<wire::Fault>(body);
   readAndWrite<wire::FrictionChunk>(body);
   readAndWrite<wire::FrictionUse>(body);
+  readAndWrite<wire::StaticFrictionUse>(body);
+  readAndWrite<wire::BridgeCurve>(body);
   readAndWrite<wire::CapturePage>(body);
   readAndWrite<wire::ProcedureStatus>(body);
   SampleDecoder::Board board;

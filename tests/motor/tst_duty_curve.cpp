@@ -77,8 +77,10 @@ void TestDutyCurve::board_invertsAsTheHostDoes() {
     table.input[table.points] = point.input;
     table.output[table.points++] = point.output.value;
   }
-  for (int k = -100; k <= 100; ++k) QVERIFY(std::abs(table.inputFor(0.009 * k) - curve.input(0.009 * k)) < 1e-12);
-  QCOMPARE(DutyTable<double>{}.inputFor(0.4), 0.4);
+  DutyInverse<double> inverse;
+  QCOMPARE(inverse.inputFor(0.4), 0.4);
+  inverse.take(table);
+  for (int k = -100; k <= 100; ++k) QVERIFY(std::abs(inverse.inputFor(0.009 * k) - curve.input(0.009 * k)) < 1e-12);
 }
 
 void TestDutyCurve::benchFile_keepsTheCurve() {

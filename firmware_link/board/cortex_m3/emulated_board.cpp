@@ -7,6 +7,7 @@
 #include "emulated_rig_data.h"
 #include "firmware_link/board/cortex_m3/cmsdk_uart.h"
 #include "firmware_link/board/cortex_m3/emulated_bench.h"
+#include "firmware_link/board/cortex_m3/semihosting.h"
 #include "firmware_link/board/cortex_m3/sys_tick.h"
 #include "firmware_link/board/reference_board.h"
 
@@ -23,6 +24,20 @@ constexpr int mostIdle =
     200;  // rounds before the chip sleeps: the host answers soon, and waking takes the emulator time
 constexpr std::uint32_t clockRate_Hz = 25'000'000;  // of the machine mps2-an385
 
+#ifdef BREAKAWAY_SENDS_BY_CONSOLE
+/// What the board has to send at once; its outbox holds whole frames.
+class Sender {
+ public:
+  static bool idle() { return true; }
+  template <typename Board>
+  void send(const CmsdkUart& /*uart*/, Board& board) {
+    while (const std::size_t size = board.transmit(waiting_)) sendByConsole(std::span(waiting_).first(size));
+  }
+
+ private:
+  std::array<std::uint8_t, 4096> waiting_{};
+};
+#else
 /// What has left the board and not yet the chip.
 class Sender {
  public:
@@ -43,6 +58,7 @@ class Sender {
   std::array<std::uint8_t, 512> waiting_{};
   std::size_t filled_ = 0, sent_ = 0;
 };
+#endif
 
 /// Whole ticks of the wall's time. What an emulator was kept from for longer than a tenth of a second is left out.
 class TickClock {
@@ -88,7 +104,7 @@ std::uint16_t bootNumber(const CmsdkUart& uart, const SysTick& timer) {
   hardware.boot = bootNumber(uart, timer);
   static board::ReferenceBoard<float> board(hardware);
   static EmulatedBench bench(emulatedRig, 1);
-  Sender sender;
+  static Sender sender;
   TickClock clock;
   int idle = 0;  // times in a row that there was nothing to do
   for (;;) {

@@ -1,5 +1,6 @@
 // Counts what the firmware's work costs on the chip: run in an emulator that gives each instruction the same time.
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -7,6 +8,7 @@
 #include "emulated_rig_data.h"
 #include "firmware_link/board/cortex_m3/cmsdk_uart.h"
 #include "firmware_link/board/cortex_m3/emulated_bench.h"
+#include "firmware_link/board/cortex_m3/semihosting.h"
 #include "firmware_link/board/cortex_m3/sys_tick.h"
 #include "firmware_link/board/reference_board.h"
 
@@ -33,7 +35,8 @@ class TickCost {
     upload();
   }
 
-  /// Everything on, `mode` with friction from a map of 180 bins, telemetry of all channels and a capture in every tick.
+  /// Everything on: `mode` with friction from a map of 180 bins, static friction in it, through the inverse of a
+  /// bridge's curve, with all gains, telemetry of all channels, and a capture in every tick.
   void measure(const char* name, wire::MotorCommand::Mode mode, float target) {
     heartbeat();
     wire::MotorCommand command;
@@ -42,10 +45,6 @@ class TickCost {
     command.target = target;
     command.flags = wire::MotorCommand::fresh;
     ask(wire::Type::command, command);
-    wire::Capture capture;
-    capture.schema = wire::allChannels;
-    capture.samples = 0xffff;
-    ask(wire::Type::startCapture, capture);
     run(500, nullptr);
     Cost tick, send;
     run(2500, &tick, &send);
@@ -56,11 +55,15 @@ class TickCost {
   void measureAsked() {
     Cost beat;
     for (int k = 0; k < 50; ++k) {
-      const std::uint32_t from = timer_.now();
-      heartbeat();
-      beat.add(SysTick::between(from, timer_.now()));
+      ask(wire::Type::heartbeat, wire::Heartbeat{}, &beat);
     }
     report("heartbeat", beat);
+    report("table", takingFriction_);
+  }
+  void tellRefused() {
+    Cost refused;
+    refused.add(refused_);
+    report("refused", refused);
   }
   void measureTimer() {
     Cost empty;
@@ -73,36 +76,47 @@ class TickCost {
 
  private:
   template <typename Message>
-  void ask(wire::Type type, const Message& message) {
+  void ask(wire::Type type, const Message& message, Cost* cost = nullptr) {
     std::array<std::uint8_t, wire::mostBody> body;
     wire::Writer out(body);
     out(message);
     std::array<std::uint8_t, wire::mostFrame> frame;
     const std::size_t length =
         wire::FrameEncoder::encode({static_cast<std::uint8_t>(type), ++sequence_, out.written()}, frame);
+    const std::uint32_t from = timer_.now();
     board_.receive(std::span(frame).first(length));
+    if (cost != nullptr) cost->add(SysTick::between(from, timer_.now()));
+    drain();
   }
 
   void tellAll() {
     wire::ParameterList list;
-    list.count = 2;
-    list.value[0] = {static_cast<std::uint16_t>(board::Parameter::telemetryEvery), 1};
-    list.value[1] = {static_cast<std::uint16_t>(board::Parameter::telemetryChannels), wire::allChannels};
+    const auto set = [&list](board::Parameter which, std::uint32_t word) {
+      list.value[list.count++] = {static_cast<std::uint16_t>(which), word};
+    };
+    const board::BoardHardware<float> made = hardware();
+    const float kp = made.start.gains.velocity_kp_A_s_per_rad;
+    set(board::Parameter::velocityKi, std::bit_cast<std::uint32_t>(2.0f * kp));
+    set(board::Parameter::velocityKd, std::bit_cast<std::uint32_t>(1e-4f * kp));
+    set(board::Parameter::positionKi, std::bit_cast<std::uint32_t>(2.0f * made.start.gains.position_kp_A_per_rad));
+    set(board::Parameter::travelLimit, std::bit_cast<std::uint32_t>(1e4f));
+    set(board::Parameter::telemetryEvery, 1);
+    set(board::Parameter::telemetryChannels, wire::allChannels);
     ask(wire::Type::writeParameters, list);
   }
 
   void upload() {
     constexpr std::uint16_t bins = 180;
+    constexpr std::array<float, wire::frictionCurves> means{0.017f, 0.017f, 2e-5f, 2e-5f, 0.022f, 0.021f};
     wire::Crc32c sum;
-    for (std::uint8_t curve = 0; curve < 4; ++curve) {
-      const float value = curve < 2 ? 0.017f : 2e-5f;
+    for (std::uint8_t curve = 0; curve < wire::frictionCurves; ++curve) {
       for (std::uint16_t first = 0; first < bins; first = static_cast<std::uint16_t>(first + 90)) {
         wire::FrictionChunk chunk;
         chunk.curve = static_cast<wire::FrictionCurve>(curve);
         chunk.first = first;
         chunk.count = 90;
         for (int k = 0; k < 90; ++k) {
-          chunk.value[k] = value * (1.0f + 0.001f * static_cast<float>(first + k));
+          chunk.value[k] = means[curve] * (1.0f + 0.001f * static_cast<float>(first + k));
           std::array<std::uint8_t, 4> bytes;
           wire::Writer out(bytes);
           out(chunk.value[k]);
@@ -111,34 +125,61 @@ class TickCost {
         ask(wire::Type::writeFriction, chunk);
       }
     }
-    wire::FrictionUse use;
-    use.bins = bins;
-    use.checksum = sum.value();
-    use.blend_rad_per_s = 0.5f;
-    use.cutoff_rad_per_s = 500.0f;
-    ask(wire::Type::useFriction, use);
+    wire::StaticFrictionUse use;
+    use.table.bins = bins;
+    use.table.checksum = sum.value();
+    use.table.blend_rad_per_s = 0.5f;
+    use.table.cutoff_rad_per_s = 500.0f;
+    use.stribeck_rad_per_s = 1.5f;
+    ask(wire::Type::useStatic, use, &takingFriction_);
+    wire::BridgeCurve bridge;
+    for (int k = 0; k < 6; ++k) {
+      const float input = 0.01f + 0.03f * static_cast<float>(k * k);
+      bridge.point[bridge.count++] = {input, 0.98f * (input - 0.01f)};
+    }
+    ask(wire::Type::writeBridge, bridge);
   }
 
   void heartbeat() {
     wire::Heartbeat beat;
     ask(wire::Type::heartbeat, beat);
-    drain();
   }
 
   std::uint16_t latch() { return hardware().boot; }
 
+  /// Takes what the board sends, and counts what it refused: a figure without the table would be another one.
   void drain() {
-    while (board_.transmit(sent_) > 0) {
+    while (const std::size_t size = board_.transmit(sent_)) {
+      for (const std::uint8_t byte : std::span(sent_).first(size)) {
+        if (!decoder_.take(byte)) continue;
+        const wire::Frame frame = decoder_.frame();
+        const bool answer = (frame.type & wire::unasked) == wire::answerBit;
+        if (answer && !frame.body.empty() && frame.body[0] != 0) ++refused_;
+      }
     }
+  }
+  /// What a port's sending takes off the board.
+  void empty() {
+    std::array<std::uint8_t, 512> part;
+    while (board_.transmit(part) > 0) {
+    }
+  }
+
+  void capture() {
+    wire::Capture wanted;
+    wanted.schema = wire::allChannels;
+    wanted.samples = 0xffff;
+    ask(wire::Type::startCapture, wanted);
   }
 
   void run(int ticks, Cost* tick, Cost* send = nullptr) {
     for (int k = 0; k < ticks; ++k) {
+      if (k % 200 == 0) capture();  // there is room for 248 samples
       const board::Readings<float> readings = bench_.readings();
       const std::uint32_t from = timer_.now();
       const board::Drive<float> drive = board_.tick(readings);
       const std::uint32_t middle = timer_.now();
-      drain();
+      empty();
       const std::uint32_t to = timer_.now();
       if (tick != nullptr) tick->add(SysTick::between(from, middle));
       if (send != nullptr) send->add(SysTick::between(middle, to));
@@ -185,19 +226,15 @@ class TickCost {
   EmulatedBench bench_{emulatedRig, 1};
   std::array<std::uint8_t, 1024> sent_{};
   std::uint16_t sequence_ = 0;
+  Cost takingFriction_;
+  wire::FrameDecoder decoder_;
+  std::uint32_t refused_ = 0;
   bool moved_ = false;
 };
 
 }  // namespace
 
 }  // namespace breakaway
-
-/// Semihosting's SYS_EXIT; Arm, "Semihosting for AArch32 and AArch64", 2020.
-static void leaveEmulator() {
-  register int call asm("r0") = 0x18;
-  register int reason asm("r1") = 0x20026;
-  asm volatile("bkpt 0xab" : : "r"(call), "r"(reason) : "memory");
-}
 
 extern "C" void runImage() {
   using Mode = breakaway::wire::MotorCommand::Mode;
@@ -207,7 +244,9 @@ extern "C" void runImage() {
   cost.measure("voltage", Mode::voltage, 1.0f);
   cost.measure("current", Mode::current, 0.3f);
   cost.measure("velocity", Mode::velocity, 20.0f);
+  cost.measure("slow", Mode::velocity, 2.0f);
   cost.measure("position", Mode::position, 3.0f);
   cost.measureAsked();
-  leaveEmulator();
+  cost.tellRefused();
+  breakaway::leaveEmulator();
 }

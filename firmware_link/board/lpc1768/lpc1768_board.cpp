@@ -23,7 +23,8 @@ constexpr auto clocksPerTick = static_cast<std::uint32_t>(tick_s * clock_Hz + 0.
   board::BoardHardware<float> hardware = wiredHardware();
   at(clock::kept0) = at(clock::kept0) + 1;
   hardware.boot = static_cast<std::uint16_t>(at(clock::kept0));
-  static board::ReferenceBoard<float, 2048, 4096> board(hardware);
+  // Its constructor sets all of it: this memory isn't cleared at power-up.
+  [[gnu::section(".ahb")]] static board::ReferenceBoard<float, 2048, 4096> board(hardware);
   const SysTick timer;
   std::uint32_t seen = timer.now(), behind = 0;
   for (;;) {

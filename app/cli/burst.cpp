@@ -1,0 +1,76 @@
+#include "firmware_link/burst_capture.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "cli/command.h"
+#include "firmware_link/transport/byte_address.h"
+#include "firmware_link/transport/open_byte_stream.h"
+#include "recording/csv.h"
+#include "recording/sample_recording.h"
+
+namespace breakaway::cli {
+
+namespace {
+
+using Mode = wire::MotorCommand::Mode;
+const std::map<std::string, Mode> modes{
+    {"voltage", Mode::voltage}, {"current", Mode::current}, {"velocity", Mode::velocity}, {"position", Mode::position}};
+
+struct BurstLine {
+  std::string board, out, mode;
+  BurstRequest request;
+};
+
+Result<void> runBurst(const BurstLine& line) {
+  if (!carriesBytes(line.board))
+    return Error{"board " + line.board, "takes no burst, expected serial:PORT[@BAUD] or tcp:HOST:PORT"};
+  BurstRequest request = line.request;
+  if (!line.mode.empty()) request.mode = modes.at(line.mode);
+  auto stream = openByteStream(line.board);
+  if (!stream) return stream.error();
+  BoardLink link(std::move(*stream), "board " + line.board);
+  const auto board = BoardDictionary::read(link);
+  if (!board) return board.error();
+  const auto burst = captureBurst(link, *board, request);
+  if (!burst) return burst.error();
+  const auto recording =
+      sealSamples(line.out, burst->samples, {{"device", board->device()}, {"firmware", board->firmware()}});
+  if (!recording) return recording.error();
+  if (auto written = writeCsv(*recording, line.out); !written) return written;
+  std::printf("%s: %zu samples, one every %d ticks\n", line.out.c_str(), burst->samples.size(), request.every);
+  if (burst->samples.size() < request.samples)
+    std::printf("the board has room for %zu samples, %d were asked for\n", burst->samples.size(), request.samples);
+  if (!burst->fault.empty()) std::printf("%s\n", burst->fault.c_str());
+  return {};
+}
+
+}  // namespace
+
+void addBurst(CLI::App& app, Job& chosen) {
+  auto line = std::make_shared<BurstLine>();
+  auto* command = app.add_subcommand("burst", "Record every tick on the board itself, and read it afterwards");
+  command->add_option("--board", line->board, "serial:PORT[@BAUD] or tcp:HOST:PORT")->required();
+  command->add_option("--out", line->out, "the recording, NAME.csv")->required();
+  command->add_option("--samples", line->request.samples, "that many; a board has room for some hundreds")
+      ->check(CLI::Range(1, 65535))
+      ->capture_default_str();
+  command->add_option("--every", line->request.every, "control ticks from one sample to the next")
+      ->check(CLI::Range(1, 255))
+      ->capture_default_str();
+  auto* mode = command
+                   ->add_option("--command", line->mode,
+                                "voltage, current, velocity or position: the burst begins with this command, and the "
+                                "motor is stopped at its end. Without it the burst begins at once, the motor off")
+                   ->check(CLI::IsMember({"voltage", "current", "velocity", "position"}));
+  auto* target = command->add_option("--target", line->request.target, "of the command, in V, A, rad/s or rad")
+                     ->check(CLI::Range(-1e6, 1e6))
+                     ->needs(mode);
+  mode->needs(target);
+  command->callback([line, &chosen] { chosen = [line] { return runBurst(*line); }; });
+}
+
+}  // namespace breakaway::cli
