@@ -12,8 +12,9 @@ template <typename Scalar>
 struct FrictionTable {
   static constexpr int mostBins = 256;
 
-  int bins = 0;          ///< 0: no friction is known
-  Scalar index_rad = 0;  ///< angle of the index as the encoder counts it
+  int bins = 0;                                 ///< 0: no friction is known
+  Scalar index_rad = 0;                         ///< angle of the index as the encoder counts it
+  Scalar perRad = Scalar(0.15915494309189535);  ///< one over what the bins cover from there: a turn, or a travel
   Scalar blend_rad_per_s =
       0;  ///< up to this speed the Coulomb torque grows in proportion, so that noise can't shake it
   Scalar stribeck_rad_per_s = 0;  ///< speed over which friction falls from static to Coulomb; 0: static isn't known
@@ -84,7 +85,7 @@ struct FrictionTable {
 
   Place placeOf(Scalar angle_rad) const {
     if (bins == 1) return {0, 0, Scalar(0)};
-    const Scalar turns = (angle_rad - index_rad) * Scalar(0.15915494309189535);
+    const Scalar turns = (angle_rad - index_rad) * perRad;
     auto whole = static_cast<long>(turns);
     if (turns < Scalar(whole)) --whole;
     const Scalar place = (turns - Scalar(whole)) * Scalar(bins) + Scalar(bins) - Scalar(0.5);
