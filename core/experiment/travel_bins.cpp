@@ -40,12 +40,10 @@ void addStroke(const StrokeTrace& trace, const TravelBins& bins, double halfSpan
     tick = in;
     if (out < in + 2) continue;
     TravelBinSums& sum = sums[way > 0.0 ? 1 : 0][bin];
-    const auto count = static_cast<double>(out - in);
     for (size_t k = in; k < out; ++k) sum.current_A += trace.current_A[k];
     sum.samples += out - in;
     sum.velocity_m_per_s += (trace.position_m[out] - trace.position_m[in]) / trace.tick_s;
-    sum.acceleration_m_per_s2 +=
-        count * (speedAt(trace, out, half) - speedAt(trace, in, half)) / (count * trace.tick_s);
+    sum.acceleration_m_per_s2 += (speedAt(trace, out, half) - speedAt(trace, in, half)) / trace.tick_s;
   }
 }
 
