@@ -153,7 +153,7 @@ void TestTravel::troubles_endStoppedAndInWords() {
   const auto done = commission(*board.drive, quick());
   if (!done) {
     const std::string words = done.error().message();
-    QVERIFY2(words.size() > 20 && words.find("0") == 0, words.c_str());
+    QVERIFY2(words.size() > 20 && words.front() == '0', words.c_str());
   } else {
     QVERIFY2(mayFinish || !done->remarks.empty(), "it went through without a word");
     QVERIFY(mayFinish);
