@@ -27,6 +27,8 @@ Result<void> serve(const BoardLine& line) {
   if (!file) return file.error();
   const auto rig = readRig(*file);
   if (!rig) return rig.error();
+  if (rig->axis != Axis::rotary)
+    return Error{*file + ", field axis", "is linear, expected rotary: this board turns a rotor"};
   auto end = line.port < 0 ? FarEnd::pseudoTerminal() : FarEnd::loopback(static_cast<std::uint16_t>(line.port));
   if (!end) return end.error();
   const board::Pace pace = line.pace == "granted" ? board::Pace::granted : board::Pace::real;

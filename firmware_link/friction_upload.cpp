@@ -17,6 +17,7 @@ using Curve = std::vector<float>;
 Result<std::vector<Curve>> curvesOf(const FrictionCompensation& friction, std::size_t mostBins, bool withStatic) {
   const std::string place = "friction compensation";
   const std::size_t bins = friction.coulomb_Nm[0].size();
+  if (friction.span_rad != 0.0) return Error{place, "is of a linear axis, the board knows rotors only"};
   if (bins > mostBins) {
     return Error{place, "has " + std::to_string(bins) + " bins, the board holds at most " + std::to_string(mostBins)};
   }

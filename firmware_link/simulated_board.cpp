@@ -57,8 +57,16 @@ class SimulatedBoard final : public Drive {
         mostVelocity_rad_per_s_(hardware.mostVelocity_rad_per_s),
         watch_(hardware.watch),
         settings_(settingsOf(hardware.start)),
-        identity_{"simulated board, rig " + rig.name, "simulated 0.1.0",   true, rig.loopRate_Hz,
-                  rig.encoder.countsPerRev,           rig.bridge.supply_V, true} {
+        identity_{"simulated board, rig " + rig.name,
+                  "simulated 0.1.0",
+                  true,
+                  rig.loopRate_Hz,
+                  1.0,
+                  rig.bridge.supply_V,
+                  rig.encoder.hasIndex} {
+    identity_.axis = rig.axis;
+    identity_.countsPerRev =
+        rig.axis == Axis::rotary ? rig.encoder.countsPerRev : rig.encoder.countsPerRev / rig.travel.length_m;
     apply();
   }
   void apply();
@@ -118,7 +126,8 @@ Result<void> SimulatedBoard::compensate(const FrictionCompensation& friction) {
   if (bins > Table::mostBins)
     return Error{"friction compensation",
                  "has " + std::to_string(bins) + " bins, the board holds at most " + std::to_string(Table::mostBins)};
-  bool finite = std::isfinite(friction.indexAngle_rad + friction.blend_rad_per_s + friction.cutoff_rad_per_s) &&
+  bool finite = std::isfinite(friction.span_rad) && friction.span_rad >= 0.0 &&
+                std::isfinite(friction.indexAngle_rad + friction.blend_rad_per_s + friction.cutoff_rad_per_s) &&
                 friction.blend_rad_per_s >= 0.0 && friction.cutoff_rad_per_s >= 0.0 &&
                 std::isfinite(friction.stribeck_rad_per_s) && friction.stribeck_rad_per_s >= 0.0;
   const bool hasStatic = !friction.static_Nm[0].empty() || !friction.static_Nm[1].empty();
@@ -137,6 +146,7 @@ Result<void> SimulatedBoard::compensate(const FrictionCompensation& friction) {
   if (!finite) return Error{"friction compensation", "holds a value that is negative or not finite"};
   table.bins = static_cast<int>(bins);
   table.index_rad = friction.indexAngle_rad;
+  if (friction.span_rad > 0.0) table.perRad = 1.0 / friction.span_rad;
   table.blend_rad_per_s = friction.blend_rad_per_s;
   table.stribeck_rad_per_s = hasStatic ? friction.stribeck_rad_per_s : 0.0;
   controller_.compensate(table, friction.cutoff_rad_per_s);

@@ -10,7 +10,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr double coarsestSubstep_s = 50e-6;
+constexpr double least_m = 2e-4;  // travel of a linear axis that is motion
 
 double oneDigit(double value) {
   const double decade = std::pow(10.0, std::floor(std::log10(value)));
@@ -23,7 +23,9 @@ double sensorRange_A(const Rig& rig) {
 
 template <typename Scalar>
 ServoSettings<Scalar> namePlateSettings(const Rig& rig, double limit_A) {
-  const double Kt = oneDigit(rig.torqueConstant_Nm_per_A), J = oneDigit(rig.inertia_kg_m2);
+  const double unit = rig.unitPerRad();
+  const double Kt = oneDigit(rig.torqueConstant_Nm_per_A / unit);
+  const double J = oneDigit((rig.inertia_kg_m2 + rig.coupling.loadInertia_kg_m2) / (unit * unit));
   const double tick_s = 1.0 / rig.loopRate_Hz;
   const MotionGains<double> gains = tuneMotion(J, Kt, 60.0, 40.0);
   ServoSettings<Scalar> settings;
@@ -32,7 +34,7 @@ ServoSettings<Scalar> namePlateSettings(const Rig& rig, double limit_A) {
   settings.gains.position_kp_A_per_rad = static_cast<Scalar>(gains.position_kp_A_per_rad);
   settings.gains.position_kd_A_s_per_rad = static_cast<Scalar>(gains.position_kd_A_s_per_rad);
   settings.gains.velocity_limit_rad_per_s =
-      static_cast<Scalar>(0.6 * rig.bridge.supply_V / rig.backEmfConstant_V_s_per_rad);
+      static_cast<Scalar>(0.6 * rig.bridge.supply_V / rig.backEmfConstant_V_s_per_rad * unit);
   settings.observer_cutoff_rad_per_s =
       static_cast<Scalar>(tuneObserver(tick_s, boardVelocityBandwidth_rad_per_s(tick_s)));
   settings.inertia_kg_m2 = static_cast<Scalar>(J);
@@ -46,7 +48,7 @@ ServoSettings<Scalar> namePlateSettings(const Rig& rig, double limit_A) {
 SimulatedRig::SimulatedRig(const Rig& rig, unsigned seed)
     : ticks_s_(1.0 / rig.loopRate_Hz),
       rate_Hz_(rig.loopRate_Hz),
-      substeps_(static_cast<int>(std::ceil(ticks_s_ / coarsestSubstep_s - 1e-9))),
+      substeps_(static_cast<int>(std::ceil(ticks_s_ / coarsestStep_s(rig) - 1e-9))),
       plant_(rig, ticks_s_ / substeps_, 2u * seed + 1u),
       encoder_(rig),
       sensor_(rig, 2u * seed + 2u),
@@ -57,11 +59,11 @@ SimulatedRig::SimulatedRig(const Rig& rig, unsigned seed)
 
 SimulatedRig::Reading SimulatedRig::read() {
   const double exact_s = static_cast<double>(tickCount_) * ticks_s_;
-  const BoardTrouble trouble = faults_.none() ? BoardTrouble{} : faults_.step(exact_s, plant_.angle_rad());
+  const BoardTrouble trouble = faults_.none() ? BoardTrouble{} : faults_.step(exact_s, plant_.encoderAngle_rad());
   plant_.block(trouble.blocked);
   plant_.scaleResistance(trouble.resistancePart);
   supplyPart_ = trouble.supplyPart;
-  const EncoderModel::Reading encoder = encoder_.read(plant_.angle_rad());
+  const EncoderModel::Reading encoder = encoder_.read(plant_.encoderAngle_rad());
   Reading reading;
   reading.count = encoder.count + trouble.slippedCounts;
   reading.index = (encoder.index && !trouble.hidesIndex) || trouble.showsIndex;
@@ -84,31 +86,34 @@ void SimulatedRig::drive(bool enabled, double duty) {
 template <typename Scalar>
 board::BoardHardware<Scalar> hardwareOf(const Rig& rig) {
   const double tick_s = 1.0 / rig.loopRate_Hz, range_A = sensorRange_A(rig);
-  const double count_rad = 2.0 * std::numbers::pi / rig.encoder.countsPerRev;
+  const double unit = rig.unitPerRad(), count = unit * 2.0 * std::numbers::pi / rig.encoder.countsPerRev;
   const double most_A = std::min(0.9 * range_A, rig.bridge.supply_V / rig.resistance_ohm);
   board::BoardHardware<Scalar> hardware;
   hardware.simulated = true;
   hardware.loopRate_Hz = static_cast<Scalar>(rig.loopRate_Hz);
-  hardware.countsPerRev = static_cast<std::uint32_t>(std::lround(rig.encoder.countsPerRev));
+  hardware.countsPerRev =
+      static_cast<std::uint32_t>(std::lround(rig.axis == Axis::rotary ? rig.encoder.countsPerRev : 1.0 / count));
   hardware.supply_V = static_cast<Scalar>(rig.bridge.supply_V);
   hardware.sensorRange_A = static_cast<Scalar>(range_A);
   hardware.sensorStep_A = static_cast<Scalar>(2.0 * range_A / std::exp2(rig.currentSensor.adcBits));
   hardware.pwmSteps = static_cast<std::uint32_t>(std::lround(std::max(0.0, rig.bridge.pwmSteps)));
   hardware.servo = {static_cast<Scalar>(tick_s),
-                    static_cast<Scalar>(count_rad),
+                    static_cast<Scalar>(count),
                     {static_cast<Scalar>(rig.resistance_ohm), static_cast<Scalar>(rig.inductance_H),
-                     static_cast<Scalar>(rig.backEmfConstant_V_s_per_rad),
+                     static_cast<Scalar>(rig.backEmfConstant_V_s_per_rad / unit),
                      static_cast<Scalar>(boardCurrentBandwidth_rad_per_s(tick_s))},
                     static_cast<Scalar>(boardVelocityBandwidth_rad_per_s(tick_s))};
   hardware.watch.tick_s = static_cast<Scalar>(tick_s);
-  hardware.watch.count_rad = static_cast<Scalar>(count_rad);
+  hardware.watch.count_rad = static_cast<Scalar>(count);
+  if (rig.axis == Axis::linear) hardware.watch.blockedTravel_rad = static_cast<Scalar>(least_m);
   hardware.watch.trip_A = static_cast<Scalar>(std::min(1.25 * most_A, 0.95 * range_A));
   hardware.watch.supply_V = static_cast<Scalar>(rig.bridge.supply_V);
   hardware.watch.mostAcceleration_rad_per_s2 =
-      static_cast<Scalar>(3.0 * most_A * rig.torqueConstant_Nm_per_A / rig.inertia_kg_m2);
+      static_cast<Scalar>(3.0 * most_A * rig.torqueConstant_Nm_per_A / rig.inertia_kg_m2 * unit);
   hardware.start = namePlateSettings<Scalar>(rig, 0.6 * most_A);
   hardware.mostCurrent_A = static_cast<Scalar>(most_A);
-  hardware.mostVelocity_rad_per_s = static_cast<Scalar>(1.5 * rig.bridge.supply_V / rig.backEmfConstant_V_s_per_rad);
+  hardware.mostVelocity_rad_per_s =
+      static_cast<Scalar>(1.5 * rig.bridge.supply_V / rig.backEmfConstant_V_s_per_rad * unit);
   return hardware;
 }
 

@@ -12,4 +12,7 @@ namespace breakaway {
 /// torques, so position torque is in them. `uri` as for openDrive(). Standard errors are zero.
 Result<FrictionMap> trueMap(const std::string& uri, size_t bins, double totalVelocity_rad_per_s);
 
+/// The same at the bins of a measured map, and at its velocity.
+Result<FrictionMap> trueMap(const std::string& uri, const FrictionMap& measured);
+
 }  // namespace breakaway

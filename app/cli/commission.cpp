@@ -38,8 +38,6 @@ Result<std::optional<Bench>> readBelief(const CommissionLine& line) {
   if (file.empty()) return std::optional<Bench>();
   const auto bench = readBench(file);
   if (!bench) return bench.error();
-  if (bench->axis != Axis::rotary)
-    return Error{file + ", field axis", "is linear, expected rotary: a rotor is what is commissioned"};
   return std::optional<Bench>(*bench);
 }
 
@@ -85,7 +83,7 @@ Result<void> beginFolder(const CommissionLine& line, CommissionOptions& options)
 }
 
 /// The disc that is mounted, and the motor that it is held against.
-Result<void> takeAddedInertia(const CommissionLine& line, CommissionOptions& options) {
+Result<void> takeAddedInertia(const CommissionLine& line, Axis axis, CommissionOptions& options) {
   options.addedInertia_kg_m2 = {line.addedInertia_kg_m2, line.addedTolerance * line.addedInertia_kg_m2 / 1.959964};
   options.motorOnly = line.motorOnly;
   if (line.against.empty()) return {};
@@ -93,6 +91,8 @@ Result<void> takeAddedInertia(const CommissionLine& line, CommissionOptions& opt
   if (!against) return against.error();
   if (against->addedInertia_kg_m2.value == line.addedInertia_kg_m2)
     return Error{line.against, "was measured with the same added inertia, expected one with another"};
+  if (against->axis != axis)
+    return Error{line.against, "is of a motor on another kind of axis than the board's, expected the same"};
   options.against = std::move(*against);
   return {};
 }
@@ -115,12 +115,16 @@ Outcome runCommission(const CommissionLine& line) {
   if (const std::string why = obstacleTo(Task::commissioning, (*drive)->identity()); !why.empty())
     return Result<void>(
         Error{"board " + line.board, "is " + (*drive)->identity().device + ", which can't be commissioned: " + why});
+  if (*bench && (**bench).axis != (*drive)->identity().axis)
+    return Result<void>(Error{line.bench.empty() ? "bench" : line.bench,
+                              (**bench).axis == Axis::linear ? "is of a linear axis, but the board turns a rotor"
+                                                             : "is of a rotor, but the board moves a linear axis"});
   CommissionOptions options;
   options.bench = *bench;
   options.rig = options.bench && !options.bench->name.empty() ? options.bench->name : (*drive)->identity().device;
   options.bins = line.bins;
   options.turns = line.turns;
-  if (auto taken = takeAddedInertia(line, options); !taken) return taken;
+  if (auto taken = takeAddedInertia(line, (*drive)->identity().axis, options); !taken) return taken;
   options.speedRun_s = line.run_s;
   if (progressIsWatched()) {
     options.progress = [](double part, const std::string& activity) {
@@ -145,7 +149,7 @@ Outcome runCommission(const CommissionLine& line) {
   if (line.motorOnly) return endWithMotor(*done, line.out);
   std::optional<FrictionMap> truth;
   if (isSimulated(line.board)) {
-    auto known = trueMap(line.board, options.bins, done->map.totalVelocity_rad_per_s);
+    auto known = trueMap(line.board, done->map);
     if (!known) return Result<void>(known.error());
     truth = std::move(*known);
   }
@@ -176,14 +180,17 @@ void addCommission(CLI::App& app, Job& chosen) {
           "folder for bench.json, recordings, map.json, map.csv, report.html, and truth.csv of a simulated board")
       ->required();
   command->add_option("--seed", line->seed, "seed of a simulated board's noise")->capture_default_str();
-  auto* bins = command->add_option("--bins", line->bins, "bins around the rotor; with --resume the interrupted job's");
+  auto* bins =
+      command->add_option("--bins", line->bins,
+                          "bins around the rotor, or over a linear axis' travel; with --resume the interrupted job's");
   bins->capture_default_str()->check(CLI::Range(36, 1440));
-  auto* turns = command->add_option("--turns", line->turns,
-                                    "turns of the breakaway sweep each way; with --resume the interrupted job's");
+  auto* turns = command->add_option(
+      "--turns", line->turns,
+      "turns of the breakaway sweep each way, or passes over the travel; with --resume the interrupted job's");
   turns->capture_default_str()->check(CLI::Range(1, 20));
   command
       ->add_option("--added-inertia", line->addedInertia_kg_m2,
-                   "kg m², of a disc that is mounted on the shaft for this run")
+                   "kg m², of a disc that is mounted on the shaft for this run; kg, of a mass on a linear axis")
       ->check(CLI::Range(0.0, 1e3));
   command->add_option("--added-tolerance", line->addedTolerance, "relative half width of its 95 % interval")
       ->capture_default_str()

@@ -25,6 +25,10 @@ Result<void> runFigures(FiguresLine& line) {
   if (!bench) return bench.error();
   auto uneven = openDrive(line.uneven, line.options.seed);
   if (!uneven) return uneven.error();
+  for (const auto& [name, board] : {std::pair(line.board, bench->get()), std::pair(line.uneven, uneven->get())}) {
+    if (board->identity().axis != Axis::rotary)
+      return Error{"board " + name, "moves a linear axis, expected a rotor: the figures are a rotor's"};
+  }
   if (auto made = makeFolder(line.out); !made) return made;
   if (progressIsWatched()) {
     line.options.progress = [](double part, const std::string& activity) {

@@ -68,6 +68,8 @@ Result<void> runProfile(const ProfileLine& line) {
   }
   auto board = openBoard(line.board);
   if (!board) return board.error();
+  if ((*board)->identity().axis != Axis::rotary)
+    return Error{"board " + line.board, "moves a linear axis, expected a rotor: profiles are of a rotor's board"};
   if (line.action == "save") return save(**board, line);
   return line.action == "compare" ? compare(**board, *profile) : restore(**board, *profile, line);
 }

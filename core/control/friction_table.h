@@ -14,8 +14,9 @@ template <typename Scalar>
 struct FrictionTable {
   static constexpr int mostBins = 256;
 
-  int bins = 0;          ///< 0: no friction is known
-  Scalar index_rad = 0;  ///< angle of the index as the encoder counts it
+  int bins = 0;                         ///< 0: no friction is known
+  Scalar index_rad = 0;                 ///< angle of the index as the encoder counts it
+  Scalar perRad = turnsPerRad<Scalar>;  ///< one over what the bins cover from there: a turn, or a travel
   Scalar blend_rad_per_s =
       0;  ///< up to this speed the Coulomb torque grows in proportion, so that noise can't shake it
   Scalar stribeck_rad_per_s = 0;  ///< speed over which friction falls from static to Coulomb; 0: static isn't known
@@ -54,7 +55,8 @@ class FrictionFeedForward {
     if (prepared_ < bins) return;
     for (auto& curve : nodes_) slope(curve, bins - 1, 0);
     bins_ = static_cast<std::uint32_t>(bins);
-    start_ = turnOf(coming_->index_rad) + 0x80000000u / bins_;
+    perRad_ = coming_->perRad;
+    start_ = turnOf(coming_->index_rad, perRad_) + 0x80000000u / bins_;
     coming_ = nullptr;
   }
 
@@ -66,6 +68,8 @@ class FrictionFeedForward {
     std::uint32_t bin;
     Scalar part;  ///< of the way to the next bin, 0 to 2^24
   };
+  /// An angle as a part of what the bins cover.
+  Turn turnAt(Scalar angle_rad) const { return turnOf(angle_rad, perRad_); }
   Place placeOf(Turn turn) const {
     const std::uint64_t place = std::uint64_t(turn - start_) * bins_;
     return {static_cast<std::uint32_t>(place >> 32),
@@ -158,6 +162,7 @@ class FrictionFeedForward {
   int prepared_ = 0;  ///< bins of it
   std::uint32_t bins_ = 0;
   Turn start_ = 0;  ///< the first bin's middle
+  Scalar perRad_ = turnsPerRad<Scalar>;
   Scalar blend_rad_per_s_ = 0, perBlend_ = 0, fallen_rad_per_s_ = 0, perFall_ = 0;
   Node nodes_[curves][FrictionTable<Scalar>::mostBins] = {};
 };

@@ -117,10 +117,11 @@ class ServoController {
   /// `angle_rad` is the encoder's count as an angle, `sensor_A` the sensor as it reads, `supply_V` the bridge's supply.
   ServoOutput<Scalar> step(Scalar angle_rad, Scalar sensor_A, Scalar supply_V) {
     const Scalar middle_rad = angle_rad + halfCount_rad_;
-    return stepAt(middle_rad, turnOf(middle_rad), sensor_A, supply_V);
+    return stepAt(middle_rad, friction_.turnAt(middle_rad), sensor_A, supply_V);
   }
 
-  /// The same at the middle of the encoder's count, as an angle and as a part of a turn.
+  /// The same at the middle of the encoder's count, as an angle and as a part of a turn, or of what a friction table
+  /// covers.
   ServoOutput<Scalar> stepAt(Scalar middle_rad, Turn middle, Scalar sensor_A, Scalar supply_V) {
     ServoOutput<Scalar> out;
     out.enabled = command_.mode != ServoMode::off;

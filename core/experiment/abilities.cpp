@@ -31,6 +31,9 @@ std::string toIdentification(const Identity& board) {
 }  // namespace
 
 std::string obstacleTo(Task task, const Identity& board) {
+  const bool linear = board.axis == Axis::linear;
+  if (linear && task != Task::commissioning)
+    return "the board moves a linear axis: breakaway commission does its whole job";
   switch (task) {
     case Task::homing:
       return toHoming(board);
@@ -43,7 +46,8 @@ std::string obstacleTo(Task task, const Identity& board) {
     case Task::compensation:
       return board.can.compensates ? "" : "the board takes no friction table";
     case Task::commissioning:
-      return joined(obstacleTo(Task::sweep, board), obstacleTo(Task::tuning, board));
+      return joined(linear ? toIdentification(board) : obstacleTo(Task::sweep, board),
+                    board.can.takesGains ? "" : "the board keeps its own gains: set them with its maker's tool");
   }
   return {};
 }

@@ -6,6 +6,8 @@ namespace breakaway {
 
 namespace {
 
+constexpr double linearBlend_m_per_s = 0.002;
+
 /// Means over `bins` equal groups of neighbours; `bins` divides their count.
 template <typename Get>
 std::vector<double> grouped(const FrictionMap& map, size_t bins, Get get) {
@@ -24,7 +26,13 @@ FrictionCompensation compensationOf(const FrictionMap& map, CompensatedFriction 
                                     size_t mostBins) {
   FrictionCompensation friction;
   friction.indexAngle_rad = indexAngle_rad;
+  if (map.axis == Axis::linear) friction.blend_rad_per_s = linearBlend_m_per_s;
   if (part == CompensatedFriction::none || map.bins.empty()) return friction;
+  if (map.axis == Axis::linear && map.bins.size() > 1) {
+    const double width_m = map.bins[1].angle_rad - map.bins[0].angle_rad;
+    friction.span_rad = width_m * static_cast<double>(map.bins.size());
+    friction.indexAngle_rad += map.bins[0].angle_rad - 0.5 * width_m;
+  }
   size_t bins = part == CompensatedFriction::map ? map.bins.size() : 1;
   if (bins > mostBins) {
     // Groups of equal width, so that the table's bins lie where the board looks for them.

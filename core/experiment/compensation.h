@@ -15,7 +15,7 @@ enum class CompensatedFriction {
 };
 
 /// The map's friction as the board takes it; the index as the encoder counts it, from homing. A map with more than
-/// `mostBins` bins is averaged over neighbours.
+/// `mostBins` bins is averaged over neighbours. A linear axis' table begins where its map does.
 FrictionCompensation compensationOf(const FrictionMap& map, CompensatedFriction part, double indexAngle_rad,
                                     size_t mostBins = 256);
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/axis.h"
 #include "base/result.h"
 #include "motor/duty_curve.h"
 #include "recording/sample.h"
@@ -51,6 +52,7 @@ struct FrictionCompensation {
   std::array<std::vector<double>, 2> static_Nm;
   double stribeck_rad_per_s = 0.0;  ///< speed over which friction falls from static to Coulomb; > 0 with static_Nm
   double indexAngle_rad = 0.0;      ///< as the encoder counts it, from homing
+  double span_rad = 0.0;            ///< that the bins cover; 0: a turn
   double blend_rad_per_s = 0.5;     ///< up to this speed the Coulomb torque grows in proportion
   double cutoff_rad_per_s = 0.0;    ///< of a low pass on the whole (compensator B); 0: none
   bool operator==(const FrictionCompensation&) const = default;
@@ -67,15 +69,18 @@ struct Abilities {
   bool operator==(const Abilities&) const = default;
 };
 
+/// On a linear axis whatever is counted in rad here, in samples, commands and settings is in m, Nm are N, and kg m² are
+/// kg: the same laws hold.
 struct Identity {
   std::string device;
   std::string firmware;
   bool simulated = false;
   double loopRate_Hz = 0.0;
-  double countsPerRev = 0.0;
+  double countsPerRev = 0.0;  ///< per m on a linear axis
   double supply_V = 0.0;
   bool hasIndex = false;
   Abilities can{};
+  Axis axis = Axis::rotary;
 };
 
 /// A pure state machine: sample in, command out, status readable at any time. It runs in the board's control tick, in a

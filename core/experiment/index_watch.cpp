@@ -16,6 +16,17 @@ double indexTolerance_rad(double countsPerRev) {
   return half_degree_rad + (countsPerRev > 0.0 ? 8.0 * turn / countsPerRev : 0.0);
 }
 
+double IndexWatch::fromIndex(double angle_rad) const {
+  const double off_rad = angle_rad - index_rad_;
+  return axis_ == Axis::linear ? off_rad : std::remainder(off_rad, turn);
+}
+
+/// Whole turns from the index; on a linear axis whether it lies below.
+double IndexWatch::sideOf(double angle_rad) const {
+  const double off_rad = angle_rad - index_rad_;
+  return axis_ == Axis::linear ? (off_rad < 0.0 ? -1.0 : 0.0) : std::floor(off_rad / turn);
+}
+
 std::string IndexWatch::step(const Sample& sample) {
   if (!(tolerance_rad_ > 0.0)) return {};
   if (!begun_) before_rad_ = sample.angle_rad;
@@ -25,16 +36,17 @@ std::string IndexWatch::step(const Sample& sample) {
   before_rad_ = sample.angle_rad;
   if (sample.index) {
     seen_ = true;
-    const double off_rad = std::remainder(middle_rad - index_rad_, turn);
+    const double off_rad = fromIndex(middle_rad);
     if (std::abs(off_rad) <= room_rad) return {};
     char text[160];
     std::snprintf(text, sizeof text,
-                  "the index came %.1f° from where homing found it: the encoder lost counts; home again, then go on",
-                  off_rad * 360.0 / turn);
+                  "the index came %.*f%s from where homing found it: the encoder lost counts; home again, then go on",
+                  axis_ == Axis::linear ? 2 : 1, off_rad * (axis_ == Axis::linear ? 1e3 : 360.0 / turn),
+                  axis_ == Axis::linear ? " mm" : "°");
     return text;
   }
-  if (std::abs(std::remainder(sample.angle_rad - index_rad_, turn)) <= tolerance_rad_) return {};
-  const double side = std::floor((sample.angle_rad - index_rad_) / turn);
+  if (std::abs(fromIndex(sample.angle_rad)) <= tolerance_rad_) return {};
+  const double side = sideOf(sample.angle_rad);
   const bool missed = besideOnce_ && side != side_ && !seen_;
   side_ = side;
   besideOnce_ = true;

@@ -15,8 +15,10 @@ std::optional<SpinBlock> BlockMeans::add(const Sample& sample, double tick_s) {
   // The voltage of a row acts until the next one: what was measured now, the row before has brought about.
   const double acted_V = acting_V_;
   acting_V_ = sample.voltage_V;
+  const double mean_A = centred_ ? 0.5 * (before_A_ + sample.current_A) : sample.current_A;
+  before_A_ = sample.current_A;
   if (!(tick_s > 0.0)) return {};
-  sum_.current_A += sample.current_A;
+  sum_.current_A += mean_A;
   sum_.voltage_V += acted_V;
   sum_.duration_s += tick_s;
   ++count_;

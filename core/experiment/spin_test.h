@@ -32,12 +32,15 @@ struct SpinBlock {
 /// Gathers the samples of one block after the other.
 class BlockMeans {
  public:
-  explicit BlockMeans(double block_s) : block_s_(block_s) {}
+  /// `centred`: the current is the mean between samples, for tests whose currents change within a few ticks; else it is
+  /// the samples' own, half a tick late.
+  explicit BlockMeans(double block_s, bool centred = false) : block_s_(block_s), centred_(centred) {}
   /// The block that this sample completes, if any; `tick_s` is the time since the sample before, 0 at the first.
   std::optional<SpinBlock> add(const Sample& sample, double tick_s);
 
  private:
-  double block_s_, acting_V_ = 0.0;
+  double block_s_, acting_V_ = 0.0, before_A_ = 0.0;
+  bool centred_;
   SpinBlock sum_;
   size_t count_ = 0;
 };

@@ -45,7 +45,12 @@ std::string degreesText(double angle_rad) {
   return std::to_string(static_cast<int>(std::floor(degrees - 360.0 * std::floor(degrees / 360.0)))) + "°";
 }
 
-std::string wayText(bool ccw) {
+std::string bodyText(Axis axis) {
+  return axis == Axis::linear ? "the axis" : "the rotor";
+}
+
+std::string wayText(bool ccw, Axis axis) {
+  if (axis == Axis::linear) return ccw ? "forwards" : "backwards";
   return ccw ? "counter-clockwise" : "clockwise";
 }
 

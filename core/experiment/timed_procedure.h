@@ -39,7 +39,9 @@ class TimedProcedure : public Procedure {
 
 /// "123°" of an angle in rad, taken into one turn.
 std::string degreesText(double angle_rad);
-/// "counter-clockwise" for growing angle.
-std::string wayText(bool ccw);
+/// "counter-clockwise" for growing angle, "forwards" for growing position.
+std::string wayText(bool ccw, Axis axis = Axis::rotary);
+/// "the rotor", or "the axis" where it is a linear one.
+std::string bodyText(Axis axis);
 
 }  // namespace breakaway

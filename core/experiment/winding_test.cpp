@@ -79,7 +79,8 @@ Command WindingTest::ramp(const Sample& sample) {
     return {};
   }
   if (target_V_ >= sample.supply_V) {
-    fail("the rotor does not move " + wayText(way() > 0.0) + " at full supply within the current limit");
+    fail(bodyText(options_.axis) + " does not move " + wayText(way() > 0.0, options_.axis) +
+         " at full supply within the current limit");
     return {};
   }
   target_V_ =
@@ -138,7 +139,7 @@ double WindingTest::remaining_s() const {
 
 std::string WindingTest::activity() const {
   if (stage_ == Stage::square) return "measuring the winding's time constant";
-  return "raising the voltage " + wayText(way() > 0.0) + " until the rotor moves";
+  return "raising the voltage " + wayText(way() > 0.0, options_.axis) + " until " + bodyText(options_.axis) + " moves";
 }
 
 Result<Estimate> fitTimeConstant(const std::vector<double>& response, double tick_s) {

@@ -21,6 +21,7 @@ struct WindingTestOptions {
   double squareHalfPeriod_s = 0.008;
   double current_limit_A = 0.0;  ///< 0: the controller's own
   double mostDrift_A = 0.1;      ///< of the current sensor's zero, from one rest to the next
+  Axis axis = Axis::rotary;
 };
 
 /// Raises the voltage slowly until the rotor moves, both ways, for the steady line; then a square wave below that level

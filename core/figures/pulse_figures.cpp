@@ -16,6 +16,8 @@ constexpr std::array<Compensated, 4> parts{{{CompensatedFriction::none, "none", 
                                             {CompensatedFriction::coulombAndViscous, "f_and_b", "F + Bω"},
                                             {CompensatedFriction::map, "map", "map"}}};
 
+constexpr double turn = 6.283185307179586;
+
 struct Pulses {
   double current_A = 0.0, width_s = 0.0;
   size_t pairs = 0;  ///< 0: one pulse one way
@@ -46,11 +48,11 @@ Pulses pulsesFor(const CommissionedBench& bench, const PulseFigureOptions& optio
   return pulses;
 }
 
-CourseOptions courseOf(const Pulses& pulses, double speed_rad_per_s) {
+CourseOptions courseOf(const Pulses& pulses, const Command& before) {
   CourseOptions course;
   course.activity = "torque pulses";
-  course.before = {Command::Mode::velocity, speed_rad_per_s, 0.0, false};
-  course.before_s = 1.5;
+  course.before = before;
+  course.before_s = before.mode == Command::Mode::position ? 2.0 : 1.5;
   course.duration_s = pulses.duration_s();
   course.command = [pulses](double time_s, const Sample&) {
     return Command{Command::Mode::current, pulses.at_A(time_s), 0.0, false};
@@ -75,20 +77,54 @@ struct PulseRun {
   std::array<double, parts.size()> error_rad_per_s{};
 };
 
-Result<PulseRun> pulseRun(CommissionedBench& bench, const Pulses& pulses, double speed_rad_per_s) {
+/// What comes before the series: a speed, or one of the places around the rotor, `starts` of them.
+struct Beginning {
+  double speed_rad_per_s = 0.0;
+  size_t starts = 0;  ///< 0: wherever it is
+
+  size_t series() const { return std::max<size_t>(1, starts); }
+  /// `angle_rad` is where the rotor was last seen, `index_rad` the index.
+  Command command(size_t number, double angle_rad, double index_rad) const {
+    if (starts == 0) return {Command::Mode::velocity, speed_rad_per_s, 0.0, false};
+    const double place_rad = index_rad + turn * static_cast<double>(number) / static_cast<double>(starts);
+    return {Command::Mode::position, angle_rad + std::remainder(place_rad - angle_rad, turn), 0.0, false};
+  }
+};
+
+/// Where the rotor is now.
+Result<double> angleOf(CommissionedBench& bench) {
+  CourseOptions course;
+  course.activity = "looking where it stands";
+  course.before = {Command::Mode::velocity, 0.0, 0.0, false};
+  course.before_s = 0.5;
+  course.duration_s = 0.1;
+  course.command = [](double, const Sample&) { return Command{Command::Mode::velocity, 0.0, 0.0, false}; };
+  const auto ran = runCourse(bench, course, CompensatedFriction::none);
+  if (!ran) return ran.error();
+  return ran->samples.back().angle_rad;
+}
+
+Result<PulseRun> pulseRun(CommissionedBench& bench, const Pulses& pulses, const Beginning& beginning) {
   PulseRun run;
   BenchFigure& figure = run.figure;
   const double perInertia = bench.torqueConstant_Nm_per_A() / bench.inertia_kg_m2();
   for (size_t k = 0; k < parts.size(); ++k) {
-    const auto ran = runCourse(bench, courseOf(pulses, speed_rad_per_s), parts[k].part);
-    if (!ran) return ran.error();
-    const auto ideal = withoutFriction(*ran, pulses, perInertia);
-    std::vector<double> time_s, pulse_A, velocity, error;
-    for (size_t n = 0; n < ran->samples.size(); ++n) {
-      time_s.push_back(ran->samples[n].time_s);
-      pulse_A.push_back(pulses.at_A(time_s.back()));
-      velocity.push_back(ran->samples[n].velocity_rad_per_s);
-      error.push_back(velocity.back() - ideal[n]);
+    std::vector<double> time_s, pulse_A, velocity, ideal, error;
+    for (size_t start = 0; start < beginning.series(); ++start) {
+      const auto here_rad = beginning.starts > 0 ? angleOf(bench) : Result<double>(0.0);
+      if (!here_rad) return here_rad.error();
+      const Command before = beginning.command(start, *here_rad, bench.measured.indexAngle_rad.value);
+      const auto ran = runCourse(bench, courseOf(pulses, before), parts[k].part);
+      if (!ran) return ran.error();
+      const auto free = withoutFriction(*ran, pulses, perInertia);
+      for (size_t n = 0; n < ran->samples.size(); ++n) error.push_back(ran->samples[n].velocity_rad_per_s - free[n]);
+      if (start > 0) continue;
+      ideal = free;
+      for (const Sample& sample : ran->samples) {
+        time_s.push_back(sample.time_s);
+        pulse_A.push_back(pulses.at_A(sample.time_s));
+        velocity.push_back(sample.velocity_rad_per_s);
+      }
     }
     run.error_rad_per_s[k] = rms(error);
     if (k == 0) {
@@ -111,7 +147,7 @@ Result<PulseRun> pulseRun(CommissionedBench& bench, const Pulses& pulses, double
         drawn(figure, parts[k].label, "time_s", std::string(parts[k].column) + "_rad_per_s", 1.0, 1e3));
     figure.figure.curves.back().colour = static_cast<int>(k);
   }
-  figure.keyNumbers.emplace_back("speed_rad_per_s", speed_rad_per_s);
+  figure.keyNumbers.emplace_back("speed_rad_per_s", beginning.speed_rad_per_s);
   figure.keyNumbers.emplace_back("pulse_A", pulses.current_A);
   figure.keyNumbers.emplace_back("pulse_s", pulses.width_s);
   return run;
@@ -126,7 +162,7 @@ std::string pulseWords(const Pulses& pulses) {
 
 Result<BenchFigure> onePulseFigure(CommissionedBench& bench, const PulseFigureOptions& options) {
   const Pulses pulses = pulsesFor(bench, options, 0);
-  auto run = pulseRun(bench, pulses, options.onePulseSpeed * highestSpeed(bench.measured));
+  auto run = pulseRun(bench, pulses, {options.onePulseSpeed * highestSpeed(bench.measured)});
   if (!run) return run.error();
   run->figure.name = "one-pulse";
   run->figure.figure.title = "Response to one torque pulse";
@@ -142,7 +178,7 @@ Result<std::vector<BenchFigure>> twoWayPulseFigures(CommissionedBench& bench, co
   double leastGain = 0.0;
   for (const double part : options.speeds) {
     const double speed = part * highestSpeed(bench.measured);
-    auto run = pulseRun(bench, pulses, speed);
+    auto run = pulseRun(bench, pulses, {speed, speed == 0.0 ? options.starts : 0});
     if (!run) return run.error();
     run->figure.name = "two-way-pulses-" + std::to_string(figures.size() + 1);
     run->figure.figure.title = "Two-way pulses from " + numberText(speed, 3) + " rad/s";
@@ -161,7 +197,10 @@ Result<std::vector<BenchFigure>> twoWayPulseFigures(CommissionedBench& bench, co
   for (const Compensated& one : parts)
     summary.figure.curves.push_back(
         drawn(summary, one.label, "speed_rad_per_s", std::string(one.column) + "_rad_per_s"));
-  summary.says = "The rms distance of the speed from that of a rotor without friction, over the whole series.";
+  summary.says =
+      "The rms distance of the speed from that of a rotor without friction, over the whole series; from standstill "
+      "over " +
+      std::to_string(options.starts) + " series that begin around the rotor.";
   summary.keyNumbers.emplace_back("least_none_over_f_and_b", leastGain);
   figures.push_back(std::move(summary));
   return figures;

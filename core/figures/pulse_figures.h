@@ -17,6 +17,7 @@ struct PulseFigureOptions {
   double onePulseSpeed = 0.1;    ///< before the one pulse, part of the highest speed of the velocity sweep
   /// Before the two-way pulses, part of the highest speed of the velocity sweep.
   std::vector<double> speeds = {0.0, 0.1, 0.3, 0.7};
+  size_t starts = 8;  ///< around the rotor, from each of which a series from standstill is run
 };
 
 /// The response to one pulse: without compensation, with F, with F + B·ω, with the map,
@@ -24,7 +25,9 @@ struct PulseFigureOptions {
 Result<BenchFigure> onePulseFigure(CommissionedBench& bench, const PulseFigureOptions& options = {});
 
 /// Series of pulses there and back, the other way there and back, and so on, one figure per speed, and last their
-/// velocity error, the rms distance from the rotor without friction, over the speeds.
+/// velocity error, the rms distance from the rotor without friction, over the speeds. From standstill the rotor stays
+/// within a turn and meets the friction of where it stands: there the error is that of series from all starts, and the
+/// figure shows the first.
 Result<std::vector<BenchFigure>> twoWayPulseFigures(CommissionedBench& bench, const PulseFigureOptions& options = {});
 
 }  // namespace breakaway

@@ -1,4 +1,5 @@
-// Friction around the rotor: what a sweep measured, per rotor-angle bin and direction; contracts section 5.
+// Friction around the rotor, or over a linear axis' travel: what a sweep measured, per bin and direction; contracts
+// section 5.
 #pragma once
 
 #include <array>
@@ -6,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/axis.h"
 #include "base/estimate.h"
 
 namespace breakaway {
@@ -25,7 +27,7 @@ struct WayBin {
 };
 
 struct MapBin {
-  double angle_rad = 0.0;     ///< bin centre, 0 at the index, in [0, 2π)
+  double angle_rad = 0.0;     ///< bin centre, 0 at the index, in [0, 2π); in m, within the travel, on a linear axis
   std::array<WayBin, 2> way;  ///< indexed by Way
 
   double staticFriction_Nm() const { return 0.5 * (way[0].static_Nm.value + way[1].static_Nm.value); }
@@ -38,8 +40,11 @@ struct Repeatability {
   double rmsDifference_Nm = 0.0;
 };
 
+/// On a linear axis read m for rad and N for Nm: bins lie side by side over the travel that was measured, and files
+/// name the columns so.
 struct FrictionMap {
   std::string rig;
+  Axis axis = Axis::rotary;
   size_t turns = 0;
   double totalVelocity_rad_per_s = 0.0;
   std::vector<MapBin> bins;

@@ -36,16 +36,25 @@ std::string commentText(std::string text) {
   return text;
 }
 
+std::string whatEntriesHold(const FrictionMap& map) {
+  if (map.axis == Axis::rotary)
+    return "motor torque by rotor angle, 0 at the encoder's index.\n"
+           "   Entry k holds the angles from k to k + 1 times 2 pi / BREAKAWAY_MAP_BINS.";
+  const double width_m = map.bins.size() > 1 ? map.bins[1].angle_rad - map.bins[0].angle_rad : 0.0;
+  return "motor force by position, 0 at the encoder's index, or at the lower end without one.\n"
+         "   Entry k holds the positions around " +
+         shortest(map.bins.empty() ? 0.0 : map.bins[0].angle_rad) + " + k * " + shortest(width_m) + " m.";
+}
+
 std::string headerText(const FrictionMap& map) {
-  std::string out = "/* Friction map of " + commentText(map.rig) +
-                    ": motor torque by rotor angle, 0 at the encoder's index.\n" +
-                    "   Entry k holds the angles from k to k + 1 times 2 pi / BREAKAWAY_MAP_BINS. */\n" +
+  std::string out = "/* Friction map of " + commentText(map.rig) + ": " + whatEntriesHold(map) + " */\n" +
                     "#ifndef BREAKAWAY_FRICTION_MAP_H\n#define BREAKAWAY_FRICTION_MAP_H\n\n" +
                     "#define BREAKAWAY_MAP_BINS " + std::to_string(map.bins.size()) + "\n" +
-                    "#define BREAKAWAY_MAP_TOTAL_VELOCITY_RAD_PER_S " + shortest(map.totalVelocity_rad_per_s) + "\n\n";
+                    "#define BREAKAWAY_MAP_TOTAL_VELOCITY_" + std::string(map.axis == Axis::rotary ? "RAD" : "M") +
+                    "_PER_S " + shortest(map.totalVelocity_rad_per_s) + "\n\n";
   for (const MapColumn& column : mapTable(map)) {
     const bool wanted = column.name.find("_std_") == std::string::npos && column.name.rfind("samples", 0) != 0 &&
-                        column.name.rfind("outlier", 0) != 0 && column.name != "angle_rad";
+                        column.name.rfind("outlier", 0) != 0 && column.name != nameOn(map.axis, "angle_rad");
     if (!wanted) continue;
     out += "static const float breakaway_map_" + column.name + "[BREAKAWAY_MAP_BINS] = {";
     for (size_t k = 0; k < column.values.size(); ++k) {

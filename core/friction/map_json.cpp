@@ -48,9 +48,11 @@ class Reader {
   std::optional<Error> first_;
 };
 
-std::vector<MapColumn> readBins(const Json& bins, Reader& reader) {
+std::vector<MapColumn> readBins(const Json& bins, Axis axis, Reader& reader) {
+  FrictionMap like;
+  like.axis = axis;
   std::vector<MapColumn> columns;
-  for (const MapColumn& column : mapTable({})) {
+  for (const MapColumn& column : mapTable(like)) {
     const bool optional = column.name.rfind("outlier", 0) == 0 && !bins[0].contains(column.name);
     if (optional) continue;
     MapColumn filled{column.name, {}};
@@ -63,9 +65,9 @@ std::vector<MapColumn> readBins(const Json& bins, Reader& reader) {
 
 void readTurns(const Json& json, FrictionMap& map, Reader& reader) {
   for (size_t w = 0; w < 2; ++w) {
-    const std::string place = std::string("turn_static_Nm.") + wayNames[w];
-    if (!json.contains("turn_static_Nm") || !json["turn_static_Nm"].contains(wayNames[w])) continue;
-    for (const Json& turn : json["turn_static_Nm"][wayNames[w]]) {
+    const std::string field = nameOn(map.axis, "turn_static_Nm"), place = field + "." + wayNames[w];
+    if (!json.contains(field) || !json[field].contains(wayNames[w])) continue;
+    for (const Json& turn : json[field][wayNames[w]]) {
       std::vector<double> values;
       bool good = turn.is_array() && turn.size() == map.bins.size();
       for (const Json& value : turn) {
@@ -87,27 +89,33 @@ Result<FrictionMap> readMapJson(const Json& json, const std::string& place) {
     return Error{place + ", field bins", "expected an array with at least one bin"};
   }
   FrictionMap map;
+  if (json.contains("axis")) {
+    if (json["axis"] != "rotary" && json["axis"] != "linear") reader.fault("axis", "expected rotary or linear");
+    if (json["axis"] == "linear") map.axis = Axis::linear;
+  }
+  const auto name = [&map](const char* rotors) { return nameOn(map.axis, rotors); };
   if (json.contains("rig") && json["rig"].is_string()) map.rig = json["rig"].get<std::string>();
   const double turns = reader.number(json, "turns", "");
   if (!(turns >= 0.0 && turns < 1e6)) reader.fault("turns", "expected a count of turns");
   map.turns = reader.first() ? 0 : static_cast<size_t>(turns);
-  map.totalVelocity_rad_per_s = reader.number(json, "total_velocity_rad_per_s", "");
+  map.totalVelocity_rad_per_s = reader.number(json, name("total_velocity_rad_per_s"), "");
   const Json settings = json.value("settings", Json::object());
-  for (const auto& [name, value] : settings.items()) {
-    if (value.is_number()) map.settings.emplace_back(name, value.get<double>());
+  for (const auto& [key, value] : settings.items()) {
+    if (value.is_number()) map.settings.emplace_back(key, value.get<double>());
   }
   for (size_t w = 0; w < 2; ++w) {
     const std::string where = std::string("repeatability.") + wayNames[w] + ".";
     const Json row = json.contains("repeatability") && json["repeatability"].contains(wayNames[w])
                          ? json["repeatability"][wayNames[w]]
                          : Json();
-    map.repeatability[w] = {reader.number(row, "correlation", where), reader.number(row, "rms_difference_Nm", where)};
+    map.repeatability[w] = {reader.number(row, "correlation", where),
+                            reader.number(row, name("rms_difference_Nm"), where)};
   }
-  map.coulombAverage_Nm = reader.estimate("coulomb_average_Nm");
-  map.viscousAverage_Nm_s_per_rad = reader.estimate("viscous_average_Nm_s_per_rad");
-  if (json.contains("stribeck_velocity_rad_per_s"))
-    map.stribeckVelocity_rad_per_s = reader.estimate("stribeck_velocity_rad_per_s");
-  const auto columns = readBins(json["bins"], reader);
+  map.coulombAverage_Nm = reader.estimate(name("coulomb_average_Nm"));
+  map.viscousAverage_Nm_s_per_rad = reader.estimate(name("viscous_average_Nm_s_per_rad"));
+  if (json.contains(name("stribeck_velocity_rad_per_s")))
+    map.stribeckVelocity_rad_per_s = reader.estimate(name("stribeck_velocity_rad_per_s"));
+  const auto columns = readBins(json["bins"], map.axis, reader);
   for (const MapColumn& column : columns) {
     const bool count = column.name.rfind("samples", 0) == 0;
     for (const double value : column.values) {
@@ -125,21 +133,23 @@ Result<FrictionMap> readMapJson(const Json& json, const std::string& place) {
 }  // namespace
 
 std::string mapJsonText(const FrictionMap& map) {
+  const auto name = [&map](const char* rotors) { return nameOn(map.axis, rotors); };
   Json json{{"schema", schema},
             {"rig", map.rig},
             {"turns", map.turns},
-            {"total_velocity_rad_per_s", map.totalVelocity_rad_per_s}};
+            {name("total_velocity_rad_per_s"), map.totalVelocity_rad_per_s}};
+  if (map.axis == Axis::linear) json["axis"] = "linear";
   json["settings"] = Json::object();
-  for (const auto& [name, value] : map.settings) json["settings"][name] = value;
+  for (const auto& [key, value] : map.settings) json["settings"][key] = value;
   for (size_t w = 0; w < 2; ++w) {
     json["repeatability"][wayNames[w]] = Json{{"correlation", map.repeatability[w].correlation},
-                                              {"rms_difference_Nm", map.repeatability[w].rmsDifference_Nm}};
+                                              {name("rms_difference_Nm"), map.repeatability[w].rmsDifference_Nm}};
   }
-  json["coulomb_average_Nm"] = estimateJson(map.coulombAverage_Nm);
-  json["viscous_average_Nm_s_per_rad"] = estimateJson(map.viscousAverage_Nm_s_per_rad);
+  json[name("coulomb_average_Nm")] = estimateJson(map.coulombAverage_Nm);
+  json[name("viscous_average_Nm_s_per_rad")] = estimateJson(map.viscousAverage_Nm_s_per_rad);
   if (map.stribeckVelocity_rad_per_s.value > 0.0)
-    json["stribeck_velocity_rad_per_s"] = estimateJson(map.stribeckVelocity_rad_per_s);
-  for (size_t w = 0; w < 2; ++w) json["turn_static_Nm"][wayNames[w]] = map.turnStatic_Nm[w];
+    json[name("stribeck_velocity_rad_per_s")] = estimateJson(map.stribeckVelocity_rad_per_s);
+  for (size_t w = 0; w < 2; ++w) json[name("turn_static_Nm")][wayNames[w]] = map.turnStatic_Nm[w];
   const auto columns = mapTable(map);
   json["bins"] = Json::array();
   for (size_t k = 0; k < map.bins.size(); ++k) {

@@ -31,11 +31,11 @@ Result<void> writeMapMat(const FrictionMap& map, const std::string& path) {
   if (file == nullptr) return Error{path, "cannot be written"};
   bool good = true;
   for (MapColumn& column : mapTable(map)) good = good && writeVector(file, column.name, std::move(column.values));
-  good = good &&
-         writeVector(file, "coulomb_average_Nm", {map.coulombAverage_Nm.value, map.coulombAverage_Nm.standardError});
-  good = good && writeVector(file, "viscous_average_Nm_s_per_rad",
+  good = good && writeVector(file, nameOn(map.axis, "coulomb_average_Nm"),
+                             {map.coulombAverage_Nm.value, map.coulombAverage_Nm.standardError});
+  good = good && writeVector(file, nameOn(map.axis, "viscous_average_Nm_s_per_rad"),
                              {map.viscousAverage_Nm_s_per_rad.value, map.viscousAverage_Nm_s_per_rad.standardError});
-  good = good && writeVector(file, "total_velocity_rad_per_s", {map.totalVelocity_rad_per_s});
+  good = good && writeVector(file, nameOn(map.axis, "total_velocity_rad_per_s"), {map.totalVelocity_rad_per_s});
   good = Mat_Close(file) == 0 && good;
   std::error_code code;
   if (good) std::filesystem::rename(temporary, path, code);

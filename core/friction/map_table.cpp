@@ -59,7 +59,7 @@ std::vector<Field> fields() {
 std::vector<MapColumn> mapTable(const FrictionMap& map) {
   std::vector<MapColumn> columns;
   for (const Field& field : fields()) {
-    MapColumn column{field.name, {}};
+    MapColumn column{nameOn(map.axis, field.name), {}};
     for (const MapBin& bin : map.bins) column.values.push_back(field.get(bin));
     columns.push_back(std::move(column));
   }
@@ -70,10 +70,10 @@ std::string fillFromTable(FrictionMap& map, const std::vector<MapColumn>& column
   map.bins.assign(columns.empty() ? 0 : columns.front().values.size(), {});
   for (const Field& field : fields()) {
     if (!field.set) continue;
-    const auto it =
-        std::find_if(columns.begin(), columns.end(), [&](const MapColumn& one) { return one.name == field.name; });
+    const auto it = std::find_if(columns.begin(), columns.end(),
+                                 [&](const MapColumn& one) { return one.name == nameOn(map.axis, field.name); });
     if (it == columns.end()) {
-      if (field.required) return field.name;
+      if (field.required) return nameOn(map.axis, field.name);
       continue;
     }
     for (size_t k = 0; k < map.bins.size(); ++k) field.set(map.bins[k], it->values[k]);

@@ -16,8 +16,8 @@ struct MapColumn {
 /// All columns in the file's order.
 std::vector<MapColumn> mapTable(const FrictionMap& map);
 
-/// Fills map.bins from columns of equal length by name; returns the name of the first column that is missing, or
-/// nothing.
+/// Fills map.bins, of map.axis, from columns of equal length by name; returns the name of the first column that is
+/// missing, or nothing.
 std::string fillFromTable(FrictionMap& map, const std::vector<MapColumn>& columns);
 
 }  // namespace breakaway

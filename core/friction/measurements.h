@@ -85,4 +85,21 @@ struct VelocityRun {
   Way way() const { return target_rad_per_s < 0.0 ? Way::cw : Way::ccw; }
 };
 
+/// Sums over all samples of one way of a linear axis that fell into one bin of its travel; signs as the board gives
+/// them.
+struct TravelBinSums {
+  size_t samples = 0;
+  double current_A = 0.0, velocity_m_per_s = 0.0;
+  double acceleration_m_per_s2 = 0.0;  ///< by the speeds at either end of the bin
+};
+
+/// Strokes to and fro over a linear axis' travel at one speed.
+struct TravelRun {
+  double target_m_per_s = 0.0;
+  double duration_s = 0.0, middle_s = 0.0;
+  double zero_A = 0.0;      ///< of the sensor, that the currents are counted from
+  double halfSpan_s = 0.0;  ///< speeds at the bins' ends are central differences over ± this time
+  std::array<std::vector<TravelBinSums>, 2> bins;  ///< by Way
+};
+
 }  // namespace breakaway

@@ -105,4 +105,14 @@ void countFrom(const ZeroTrack& track, std::span<BreakawayEvent> events) {
   }
 }
 
+void countFrom(const ZeroTrack& track, std::span<TravelRun> runs) {
+  for (TravelRun& run : runs) {
+    const double zero_A = track.at(run.middle_s).value, by_A = run.zero_A - zero_A;
+    for (auto& way : run.bins) {
+      for (TravelBinSums& bin : way) bin.current_A += static_cast<double>(bin.samples) * by_A;
+    }
+    run.zero_A = zero_A;
+  }
+}
+
 }  // namespace breakaway

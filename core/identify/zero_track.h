@@ -33,5 +33,6 @@ class ZeroTrack {
 /// The runs and breakaways with their currents counted from the track instead of from the board's last zeroing.
 void countFrom(const ZeroTrack& track, std::span<VelocityRun> runs);
 void countFrom(const ZeroTrack& track, std::span<BreakawayEvent> events);
+void countFrom(const ZeroTrack& track, std::span<TravelRun> runs);
 
 }  // namespace breakaway

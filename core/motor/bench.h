@@ -5,12 +5,12 @@
 #include <set>
 #include <string>
 
+#include "base/axis.h"
 #include "base/result.h"
 #include "motor/duty_curve.h"
 
 namespace breakaway {
 
-enum class Axis { rotary, linear };
 enum class DriveInput { voltage, duty, current, torque };  ///< `torque` is force on a linear axis
 enum class ControlMode { openLoop, velocity, position };
 

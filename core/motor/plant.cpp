@@ -27,8 +27,15 @@ Plant::Plant(const Rig& rig, double substep_s, uint64_t seed)
       scatterRms_(rig.scatterRms),
       supply_V_(rig.bridge.supply_V),
       coldResistance_ohm_(rig.resistance_ohm),
+      coupling_(rig.coupling),
+      load_rad_(rig.startAngle_rad()),
       noise_(seed),
-      angle_rad_(-rig.encoder.indexAngle_rad) {
+      angle_rad_(rig.startAngle_rad()) {
+  if (rig.axis == Axis::linear) {
+    travel_rad_ = turn;
+    stopStiffness_ = rig.travel.stopStiffness_Nm_per_rad;
+    stopDamping_ = rig.travel.stopDamping_Nm_s_per_rad;
+  }
   const int cells = std::max(4096, cellsPerOrder * highestOrder(rig));
   cellsPerTurn_ = cells;
   double rippleOrder = 0.0, rippleAmplitude = 0.0, ripplePhase = 0.0;
@@ -108,6 +115,33 @@ double Plant::outerTorque() const {
   return time_s_ >= pulseStart_s_ && time_s_ < pulseEnd_s_ ? pulse_Nm_ : 0.0;
 }
 
+/// A stop pushes back, and never pulls.
+double Plant::stopTorque(double angle_rad, double velocity) const {
+  if (travel_rad_ <= 0.0 || (angle_rad >= 0.0 && angle_rad <= travel_rad_)) return 0.0;
+  const double beyond = angle_rad < 0.0 ? angle_rad : angle_rad - travel_rad_;
+  const double torque = -stopStiffness_ * beyond - stopDamping_ * velocity;
+  return torque * beyond < 0.0 ? torque : 0.0;
+}
+
+/// What acts on the motor's shaft from outside over a step, at the step's middle, where coupling and stops are then
+/// solved to second order.
+double Plant::outsideTorque(double duration_s) {
+  const double half = 0.5 * duration_s;
+  if (!coupling_.present()) return outerTorque() + stopTorque(angle_rad_ + half * velocity_, velocity_);
+  const double load_rad = load_rad_ + half * loadVelocity_;
+  coupled_Nm_ = coupling_.torque_Nm(angle_rad_ + half * velocity_ - load_rad, velocity_ - loadVelocity_);
+  loadStop_Nm_ = stopTorque(load_rad, loadVelocity_);
+  return outerTorque() - coupled_Nm_;
+}
+
+/// The load takes the very impulse that the motor gives.
+void Plant::moveLoad(double duration_s) {
+  if (!coupling_.present()) return;
+  const double before = loadVelocity_;
+  loadVelocity_ += (coupled_Nm_ + loadStop_Nm_) * duration_s / coupling_.loadInertia_kg_m2;
+  load_rad_ += 0.5 * (before + loadVelocity_) * duration_s;
+}
+
 double Plant::windingVoltage() const {
   double voltage = voltage_V_;
   if (sagResistance_ohm_ != 0.0) {
@@ -151,7 +185,7 @@ double Plant::stand(double duration_s) {
   const double start = open_ ? 0.0 : current_;
   const double end = open_ ? 0.0 : target + (start - target) * std::exp(-rate * duration_s);
   const Local here = localAt(angle_rad_, 1);
-  const double free = here.position_Nm + outerTorque();
+  const double free = here.position_Nm + outsideTorque(duration_s);
   for (int way = 0; way < 2; ++way) {
     const double limit = threshold(way);
     if (blocked_ || signOf(way) * (here.torqueConstant * end + free) <= limit) continue;
@@ -161,6 +195,7 @@ double Plant::stand(double duration_s) {
       used = std::clamp(-std::log((level - target) / (start - target)) / rate, 0.0, duration_s);
     current_ = open_ ? 0.0 : target + (start - target) * std::exp(-rate * used);
     time_s_ += used;
+    moveLoad(used);
     moving_ = true;
     way_ = way;
     if (restShare_ != 0.0)
@@ -169,6 +204,7 @@ double Plant::stand(double duration_s) {
   }
   current_ = end;
   time_s_ += duration_s;
+  moveLoad(duration_s);
   return duration_s;
 }
 
@@ -186,7 +222,7 @@ double Plant::slide(double duration_s) {
   const double excess =
       std::abs(x) < 6.0 ? (here.static_Nm * scatter_[way_] - here.coulomb_Nm) * std::exp(-x * x) : 0.0;
   const LinearMotor& m = motor_[way_];
-  double torque = here.position_Nm + outerTorque() - sign * warmth() * (here.coulomb_Nm + excess);
+  double torque = here.position_Nm + outsideTorque(duration_s) - sign * warmth() * (here.coulomb_Nm + excess);
   torque -= (here.viscous - m.viscous) * middle + dragCoefficient_ * middle * std::abs(middle);
   if (!open_) torque += (here.torqueConstant - m.torqueConstant) * current_;
   const double drive = open_ ? 0.0 : windingVoltage() / m.inductance_H, push = torque / m.inertia;
@@ -217,6 +253,7 @@ double Plant::slide(double duration_s) {
   current_ = p.phi[0][0] * i0 + p.phi[0][1] * w0 + p.gamma[0][0] * drive + p.gamma[0][1] * push;
   angle_rad_ += 0.5 * (w0 + (rests ? 0.0 : w1)) * used;
   time_s_ += used;
+  moveLoad(used);
   acceleration_ = (w1 - w0) / used;
   velocity_ = w1;
   if (!rests) return used;
@@ -252,6 +289,13 @@ void Plant::advance(int substeps) {
     for (int events = 0; events < 8 && left > 0.0; ++events) left -= moving_ ? slide(left) : stand(left);
     if (heatShare_ != 0.0) heat();
   }
+}
+
+double coarsestStep_s(const Rig& rig) {
+  constexpr double coarsest_s = 50e-6;
+  constexpr double phase_rad = 0.045;  // of the swing in a step: the frequency is off by its square over 24
+  const double resonance = rig.coupling.resonance_rad_per_s(rig.inertia_kg_m2);
+  return resonance > 0.0 ? std::min(coarsest_s, phase_rad / resonance) : coarsest_s;
 }
 
 }  // namespace breakaway

@@ -17,7 +17,8 @@ namespace breakaway {
 /// Machines with Friction", 1991, the Gaussian form), S with the scatter of the breakaway that began the motion.
 class Plant {
  public:
-  /// `substep_s` is the step; 50 µs or finer. The shaft starts at rest at −index_angle from the index.
+  /// `substep_s` is the step; 50 µs or finer, and coarsestStep_s() or finer where there is a coupling. The shaft starts
+  /// at rest at Rig::startAngle_rad().
   Plant(const Rig& rig, double substep_s, uint64_t seed);
 
   void applyVoltage(double voltage_V) {
@@ -32,7 +33,12 @@ class Plant {
   void advance(int substeps);
 
   double time_s() const { return time_s_; }
-  double angle_rad() const { return angle_rad_; }  ///< from the index
+  double angle_rad() const {
+    return angle_rad_;
+  }  ///< of the motor, from the index; on a linear axis from the lower stop
+  /// Likewise where the encoder sits: behind the coupling, or on the motor's shaft.
+  double encoderAngle_rad() const { return coupling_.present() ? load_rad_ : angle_rad_; }
+  double loadVelocity_rad_per_s() const { return coupling_.present() ? loadVelocity_ : velocity_; }
   double velocity_rad_per_s() const { return velocity_; }
   double current_A() const { return open_ ? 0.0 : current_; }
   bool standing() const { return !moving_; }
@@ -49,6 +55,9 @@ class Plant {
   double windingVoltage() const;
   double warmth() const;
   double outerTorque() const;
+  double stopTorque(double angle_rad, double velocity) const;
+  double outsideTorque(double duration_s);
+  void moveLoad(double duration_s);
   double threshold(int way) const;
   double stand(double duration_s);
   double slide(double duration_s);
@@ -66,6 +75,10 @@ class Plant {
   double dragCoefficient_ = 0.0, warmShare_ = 0.0, warmTime_s_ = 1.0, restShare_ = 0.0, restTime_s_ = 1.0;
   double deadTime_V_ = 0.0, sagResistance_ohm_ = 0.0;
   double heatShare_ = 0.0, heatCurrent_A_ = 1.0, heatTime_s_ = 1.0, heat_ = 0.0, coldResistance_ohm_ = 0.0;
+  RigCoupling coupling_;
+  double load_rad_ = 0.0, loadVelocity_ = 0.0;   ///< behind the coupling
+  double coupled_Nm_ = 0.0, loadStop_Nm_ = 0.0;  ///< of the step that runs: through the coupling, on the load
+  double travel_rad_ = 0.0, stopStiffness_ = 0.0, stopDamping_ = 0.0;  ///< between the stops of a linear axis
   double pulse_Nm_ = 0.0, pulseStart_s_ = 0.0, pulseEnd_s_ = 0.0;
 
   Noise noise_;
@@ -77,5 +90,8 @@ class Plant {
   double restAngle_rad_ = 1e300;    ///< where the scatter of this standstill was drawn
   double restStart_s_ = -1e9, heatDone_s_ = 0.0;
 };
+
+/// The coarsest step with which a plant follows the coupling's swing to 1e-4 of its frequency; 50 µs without one.
+double coarsestStep_s(const Rig& rig);
 
 }  // namespace breakaway

@@ -15,6 +15,29 @@ namespace {
 constexpr const char* schema = "breakaway.rig/1";
 constexpr int highestOrder = 1000;
 
+/// The rig file's names on one axis.
+struct RigNames {
+  const char *torqueConstant, *backEmfConstant, *inertia, *addedInertia, *stribeck, *position, *harmonics;
+};
+constexpr RigNames rotaryNames{"torque_constant_Nm_per_A",
+                               "back_emf_constant_V_s_per_rad",
+                               "inertia_kg_m2",
+                               "added_inertia_kg_m2",
+                               "stribeck_velocity_rad_per_s",
+                               "position_torque",
+                               "harmonics_Nm"};
+constexpr RigNames linearNames{"force_constant_N_per_A",
+                               "back_emf_constant_V_s_per_m",
+                               "mass_kg",
+                               "added_mass_kg",
+                               "stribeck_velocity_m_per_s",
+                               "position_force",
+                               "harmonics_N"};
+
+const RigNames& namesOf(const Rig& rig) {
+  return rig.axis == Axis::rotary ? rotaryNames : linearNames;
+}
+
 double sumOf(const std::vector<Harmonic>& harmonics, double angle_rad) {
   double sum = 0.0;
   for (const Harmonic& one : harmonics) sum += one.amplitude * std::cos(one.order * angle_rad - one.phase_rad);
@@ -34,9 +57,10 @@ std::vector<Harmonic> readHarmonics(JsonObject& object, std::string_view name) {
   return harmonics;
 }
 
-FrictionCurve readCurve(JsonObject& friction, const std::string& name) {
+/// `unit`: what the file's unit of it is on the rig's shaft.
+FrictionCurve readCurve(JsonObject& friction, const std::string& name, double unit) {
   JsonObject object = friction.object(name);
-  FrictionCurve curve{object.number("mean", Allowed::nonNegative), readHarmonics(object, "harmonics")};
+  FrictionCurve curve{unit * object.number("mean", Allowed::nonNegative), readHarmonics(object, "harmonics")};
   double lowest = 0.0;
   for (int k = 0; k < 7200; ++k) lowest = std::min(lowest, curve.at(k * std::numbers::pi / 3600.0));
   if (lowest < 0.0) friction.fault(name, "falls below zero around the rotor, expected friction everywhere");
@@ -45,12 +69,13 @@ FrictionCurve readCurve(JsonObject& friction, const std::string& name) {
 
 void readFriction(JsonObject friction, Rig& rig) {
   const std::array<std::string, 2> ways{"_cw", "_ccw"};
+  const double unit = rig.unitPerRad();
   for (size_t way = 0; way < 2; ++way) {
-    rig.staticFriction_Nm[way] = readCurve(friction, "static" + ways[way]);
-    rig.coulomb_Nm[way] = readCurve(friction, "coulomb" + ways[way]);
-    rig.viscous_Nm_s_per_rad[way] = readCurve(friction, "viscous" + ways[way]);
+    rig.staticFriction_Nm[way] = readCurve(friction, "static" + ways[way], unit);
+    rig.coulomb_Nm[way] = readCurve(friction, "coulomb" + ways[way], unit);
+    rig.viscous_Nm_s_per_rad[way] = readCurve(friction, "viscous" + ways[way], unit * unit);
   }
-  rig.stribeckVelocity_rad_per_s = friction.number("stribeck_velocity_rad_per_s", Allowed::positive);
+  rig.stribeckVelocity_rad_per_s = friction.number(namesOf(rig).stribeck, Allowed::positive) / unit;
   rig.scatterRms = friction.number("scatter_rms", 0.0, Allowed::nonNegative);
   if (rig.scatterRms > 0.3) friction.fault("scatter_rms", "is above 0.3, expected a small relative scatter");
 }
@@ -78,16 +103,58 @@ void readCurrentSensor(JsonObject object, RigCurrentSensor& sensor) {
     object.fault("gain_per_degC", "changes the gain by more than half, expected a small drift");
 }
 
-void readEncoderTolerances(JsonObject& object, RigEncoder& encoder) {
-  encoder.indexAngle_rad = object.number("index_angle_rad", 0.0);
-  encoder.eccentricity_rad = object.number("eccentricity_rad", 0.0, Allowed::nonNegative);
-  encoder.eccentricityPhase_rad = object.number("eccentricity_phase_rad", 0.0);
+void readEdges(JsonObject& object, RigEncoder& encoder) {
   encoder.quadratureError_counts = object.number("quadrature_error_counts", 0.0, Allowed::nonNegative);
   encoder.indexWidth_counts = object.number("index_width_counts", 0.0, Allowed::nonNegative);
-  if (encoder.eccentricity_rad > 0.1) object.fault("eccentricity_rad", "is above 0.1, expected a small angle");
   if (encoder.quadratureError_counts > 0.5)
     object.fault("quadrature_error_counts", "is above 0.5, expected less than half a count");
   if (encoder.indexWidth_counts > 4.0) object.fault("index_width_counts", "is above 4, expected at most one line");
+}
+
+void readDisc(JsonObject& object, RigEncoder& encoder) {
+  encoder.countsPerRev = object.number("counts_per_rev", Allowed::positive);
+  if (encoder.countsPerRev < 64.0) object.fault("counts_per_rev", "expected at least 64");
+  encoder.indexAngle_rad = object.number("index_angle_rad", 0.0);
+  encoder.eccentricity_rad = object.number("eccentricity_rad", 0.0, Allowed::nonNegative);
+  encoder.eccentricityPhase_rad = object.number("eccentricity_phase_rad", 0.0);
+  if (encoder.eccentricity_rad > 0.1) object.fault("eccentricity_rad", "is above 0.1, expected a small angle");
+}
+
+/// A scale along the travel, with or without an index.
+void readScale(JsonObject& object, Rig& rig) {
+  const double counts_per_m = object.number("counts_per_m", Allowed::positive);
+  rig.encoder.countsPerRev = counts_per_m * rig.travel.length_m;
+  if (rig.encoder.countsPerRev < 64.0) object.fault("counts_per_m", "expected at least 64 over the travel");
+  const auto index_m = object.optionalNumber("index_m", Allowed::nonNegative);
+  rig.encoder.hasIndex = index_m.has_value();
+  if (index_m && *index_m > rig.travel.length_m)
+    object.fault("index_m", "lies beyond the travel, expected a place between the stops");
+  rig.encoder.indexPlace_rad = index_m.value_or(0.0) / rig.unitPerRad();
+}
+
+/// The stops swing with the moving mass slower than the plant's steps can tell.
+constexpr double fastestStop_rad_per_s = 4000.0;
+
+/// What the stops are made of once the moving mass is known, on the shaft.
+void readStops(JsonObject& travel, Rig& rig) {
+  const double unit = rig.unitPerRad(), mass_kg = rig.inertia_kg_m2 / (unit * unit);
+  const double usual_N_per_m = mass_kg * 1e6;
+  const double stiffness = travel.number("stop_stiffness_N_per_m", usual_N_per_m, Allowed::positive);
+  const double natural = std::sqrt(stiffness / mass_kg);
+  const double damping = travel.number("stop_damping_N_s_per_m", 0.6 * mass_kg * natural, Allowed::nonNegative);
+  if (natural > fastestStop_rad_per_s)
+    travel.fault("stop_stiffness_N_per_m", "is too stiff for so small a mass, expected less");
+  if (damping > 2.0 * mass_kg * natural)
+    travel.fault("stop_damping_N_s_per_m", "is beyond critical damping, expected less");
+  rig.travel.stopStiffness_Nm_per_rad = stiffness * unit * unit;
+  rig.travel.stopDamping_Nm_s_per_rad = damping * unit * unit;
+}
+
+void readTravel(JsonObject& travel, Rig& rig) {
+  rig.travel.length_m = travel.number("length_m", Allowed::positive);
+  if (rig.travel.length_m < 0.01 || rig.travel.length_m > 100.0) travel.fault("length_m", "expected 0.01 to 100");
+  rig.travel.start_m = travel.number("start_m", 0.5 * rig.travel.length_m, Allowed::nonNegative);
+  if (rig.travel.start_m > rig.travel.length_m) travel.fault("start_m", "lies beyond length_m");
 }
 
 void readBridge(JsonObject object, RigBridge& bridge) {
@@ -105,7 +172,16 @@ void readBridge(JsonObject object, RigBridge& bridge) {
                  "doesn't rise from the dead zone's end on, expected [input duty, output duty] in rising order");
 }
 
-RigEffect readEffect(JsonObject& object) {
+/// Whether the effect's physics has units of a rotor, which a linear axis hasn't.
+bool needsRotor(const std::string& effect) {
+  for (const char* one :
+       {"friction_warmup", "rising_stiction", "dead_time", "winding_heating", "supply_sag", "current_sensor_offset"}) {
+    if (effect == one) return false;
+  }
+  return true;
+}
+
+RigEffect readEffect(JsonObject& object, Axis axis) {
   RigEffect effect{object.text("effect"), {}};
   const auto& kinds = rigEffectKinds();
   const auto kind =
@@ -117,6 +193,8 @@ RigEffect readEffect(JsonObject& object) {
     object.fault("effect", "is \"" + effect.effect + "\", expected one that a simulated rig can conceal: " + all);
     return effect;
   }
+  if (axis == Axis::linear && needsRotor(effect.effect))
+    object.fault("effect", "is \"" + effect.effect + "\", which a rotor conceals, but axis is linear");
   for (const auto& [name, otherwise] : kind->parameters) {
     const bool positive = name == "time_constant_s" || name == "current_A";
     effect.parameters.emplace_back(name,
@@ -132,24 +210,40 @@ Result<Rig> readRig(JsonObject root) {
   rig.name = root.text("name", "");
   rig.loopRate_Hz = root.number("loop_rate_Hz", Allowed::positive);
   if (rig.loopRate_Hz < 200.0 || rig.loopRate_Hz > 100000.0) root.fault("loop_rate_Hz", "expected 200 to 100000");
+  const std::string axis = root.text("axis", "rotary");
+  if (axis != "rotary" && axis != "linear") root.fault("axis", "is \"" + axis + "\", expected rotary or linear");
+  rig.axis = axis == "linear" ? Axis::linear : Axis::rotary;
+  const bool turns = rig.axis == Axis::rotary;
+  if (turns && root.has("travel")) root.fault("travel", "belongs to a linear axis, but axis is rotary");
+  JsonObject travel = root.object("travel", !turns);
+  if (!turns) readTravel(travel, rig);
+  const RigNames& names = namesOf(rig);
+  const double unit = rig.unitPerRad();
   JsonObject motor = root.object("motor");
-  rig.torqueConstant_Nm_per_A = motor.number("torque_constant_Nm_per_A", Allowed::positive);
-  rig.backEmfConstant_V_s_per_rad = motor.number("back_emf_constant_V_s_per_rad", Allowed::positive);
+  rig.torqueConstant_Nm_per_A = unit * motor.number(names.torqueConstant, Allowed::positive);
+  rig.backEmfConstant_V_s_per_rad = unit * motor.number(names.backEmfConstant, Allowed::positive);
   rig.resistance_ohm = motor.number("resistance_ohm", Allowed::positive);
   rig.inductance_H = motor.number("inductance_H", Allowed::positive);
   rig.inertia_kg_m2 =
-      motor.number("inertia_kg_m2", Allowed::positive) + motor.number("added_inertia_kg_m2", 0.0, Allowed::nonNegative);
+      unit * unit *
+      (motor.number(names.inertia, Allowed::positive) + motor.number(names.addedInertia, 0.0, Allowed::nonNegative));
+  if (!turns) readStops(travel, rig);
   readFriction(root.object("friction"), rig);
-  JsonObject position = root.object("position_torque", false);
-  rig.positionTorque_Nm = readHarmonics(position, "harmonics_Nm");
+  JsonObject position = root.object(names.position, false);
+  rig.positionTorque_Nm = readHarmonics(position, names.harmonics);
+  for (Harmonic& one : rig.positionTorque_Nm) one.amplitude *= unit;
   JsonObject encoder = root.object("encoder");
-  rig.encoder.countsPerRev = encoder.number("counts_per_rev", Allowed::positive);
-  if (rig.encoder.countsPerRev < 64.0) encoder.fault("counts_per_rev", "expected at least 64");
-  readEncoderTolerances(encoder, rig.encoder);
+  if (turns) {
+    readDisc(encoder, rig.encoder);
+  } else {
+    readScale(encoder, rig);
+  }
+  readEdges(encoder, rig.encoder);
+  rig.coupling = readCoupling(root, rig.axis, unit, rig.inertia_kg_m2);
   readCurrentSensor(root.object("current_sensor", false), rig.currentSensor);
   readBridge(root.object("bridge"), rig.bridge);
-  for (JsonObject& effect : root.objects("effects")) rig.effects.push_back(readEffect(effect));
-  rig.faults = readFaults(root);
+  for (JsonObject& effect : root.objects("effects")) rig.effects.push_back(readEffect(effect, rig.axis));
+  rig.faults = readFaults(root, rig.axis, unit);
   if (const auto done = root.finish(); !done) return done.error();
   return rig;
 }
@@ -158,6 +252,14 @@ Result<Rig> readRig(JsonObject root) {
 
 double FrictionCurve::at(double angle_rad) const {
   return mean * (1.0 + sumOf(harmonics, angle_rad));
+}
+
+double Rig::unitPerRad() const {
+  return axis == Axis::rotary ? 1.0 : travel.length_m / (2.0 * std::numbers::pi);
+}
+
+double Rig::startAngle_rad() const {
+  return axis == Axis::rotary ? -encoder.indexAngle_rad : travel.start_m / unitPerRad();
 }
 
 double Rig::positionTorqueAt(double angle_rad) const {

@@ -6,8 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "base/axis.h"
 #include "base/result.h"
 #include "motor/duty_curve.h"
+#include "motor/rig_coupling.h"
 #include "motor/rig_faults.h"
 
 namespace breakaway {
@@ -29,6 +31,8 @@ struct FrictionCurve {
 struct RigEncoder {
   double countsPerRev = 0.0;
   double indexAngle_rad = 0.0;  ///< the index, counted from where the shaft stands at power-up
+  double indexPlace_rad = 0.0;  ///< the same from where angles of the rig are counted: 0 but on a linear axis
+  bool hasIndex = true;
   double eccentricity_rad = 0.0, eccentricityPhase_rad = 0.0;  ///< of the disc: adds amplitude · cos(θ − phase)
   double quadratureError_counts = 0.0;  ///< by which the edges within a line are off, amplitude over the line's period
   double indexWidth_counts = 0.0;  ///< half a line, gated with B: 2; seen at its near edge, whichever way one comes
@@ -63,8 +67,17 @@ struct RigEffect {
   double parameter(const std::string& name) const;  ///< precondition: the reader has filled it in
 };
 
+/// The travel of a linear axis between its stops. The shaft that stands for it turns once over the whole travel, from 0
+/// at the lower stop, so that the rig's curves are over the travel what they are around a rotor.
+struct RigTravel {
+  double length_m = 0.0, start_m = 0.0;  ///< between the stops; from the lower one to where it stands at power-up
+  double stopStiffness_Nm_per_rad = 0.0, stopDamping_Nm_s_per_rad = 0.0;  ///< of the stops, on that shaft
+};
+
 struct Rig {
   std::string name;
+  Axis axis = Axis::rotary;
+  RigTravel travel;  ///< of a linear axis
   double loopRate_Hz = 0.0;
   double torqueConstant_Nm_per_A = 0.0;
   double backEmfConstant_V_s_per_rad = 0.0;
@@ -80,8 +93,14 @@ struct Rig {
   RigEncoder encoder;
   RigCurrentSensor currentSensor;
   RigBridge bridge;
+  RigCoupling coupling;
   std::vector<RigEffect> effects;
   std::vector<RigFault> faults;
+
+  /// What one rad of the rig's shaft is on its axis: 1 rad, or so many m.
+  double unitPerRad() const;
+  /// Where the shaft stands at power-up, as the rig's angles are counted.
+  double startAngle_rad() const;
 
   double positionTorqueAt(double angle_rad) const;
 };

@@ -16,19 +16,20 @@ constexpr std::pair<const char*, FaultKind> kinds[] = {
     {"supply_drop", FaultKind::supplyDrop}, {"temperature_drift", FaultKind::temperatureDrift},
 };
 
-void readParameters(JsonObject& object, RigFault& fault) {
+void readParameters(JsonObject& object, Axis axis, double unitPerRad, RigFault& fault) {
+  const char* place = axis == Axis::rotary ? "angle_rad" : "position_m";
   switch (fault.kind) {
     case FaultKind::overCurrent:
       fault.current_A = object.number("current_A", 50.0);
       break;
     case FaultKind::blocked:
-      fault.angle_rad = object.number("angle_rad", fault.angle_rad);
+      fault.angle_rad = object.number(place, fault.angle_rad) / unitPerRad;
       break;
     case FaultKind::encoderJump:
       fault.counts = object.number("counts", 1000.0);
       break;
     case FaultKind::falseIndex:
-      fault.angle_rad = object.number("angle_rad", 1.0);
+      fault.angle_rad = object.number(place, unitPerRad) / unitPerRad;
       break;
     case FaultKind::supplyDrop:
       fault.part = object.number("part", 0.5, Allowed::nonNegative);
@@ -44,7 +45,7 @@ void readParameters(JsonObject& object, RigFault& fault) {
   }
 }
 
-RigFault readFault(JsonObject& object) {
+RigFault readFault(JsonObject& object, Axis axis, double unitPerRad) {
   RigFault fault;
   const std::string name = object.text("fault");
   const auto* kind =
@@ -58,15 +59,15 @@ RigFault readFault(JsonObject& object) {
   fault.kind = kind->second;
   fault.start_s = object.number("start_s", 0.0, Allowed::nonNegative);
   fault.duration_s = object.number("duration_s", fault.duration_s, Allowed::positive);
-  readParameters(object, fault);
+  readParameters(object, axis, unitPerRad, fault);
   return fault;
 }
 
 }  // namespace
 
-std::vector<RigFault> readFaults(JsonObject& root) {
+std::vector<RigFault> readFaults(JsonObject& root, Axis axis, double unitPerRad) {
   std::vector<RigFault> faults;
-  for (JsonObject& object : root.objects("faults")) faults.push_back(readFault(object));
+  for (JsonObject& object : root.objects("faults")) faults.push_back(readFault(object, axis, unitPerRad));
   return faults;
 }
 

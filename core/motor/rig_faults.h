@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "base/axis.h"
+
 namespace breakaway {
 
 class JsonObject;
@@ -46,7 +48,8 @@ struct RigFault {
   bool acts(double time_s) const { return time_s >= start_s && time_s < start_s + duration_s; }
 };
 
-/// The field `faults` of a rig file; none when it is missing. What is wrong becomes a fault of `root`.
-std::vector<RigFault> readFaults(JsonObject& root);
+/// The field `faults` of a rig file; none when it is missing. On a linear axis places are `position_m`, from the lower
+/// stop, one rad of the shaft being `unitPerRad`. What is wrong becomes a fault of `root`.
+std::vector<RigFault> readFaults(JsonObject& root, Axis axis, double unitPerRad);
 
 }  // namespace breakaway

@@ -10,6 +10,8 @@ constexpr double turn = 2.0 * std::numbers::pi;
 
 EncoderModel::EncoderModel(const Rig& rig)
     : countsPerRad_(rig.encoder.countsPerRev / turn),
+      index_rad_(rig.encoder.indexPlace_rad),
+      hasIndex_(rig.encoder.hasIndex),
       disc_{rig.encoder.eccentricity_rad, rig.encoder.eccentricityPhase_rad},
       quadrature_rad_(rig.encoder.quadratureError_counts / countsPerRad_),
       linesPerTurn_(0.25 * rig.encoder.countsPerRev),
@@ -29,15 +31,15 @@ double EncoderModel::shown(double angle_rad) const {
 
 EncoderModel::Reading EncoderModel::read(double angle_rad) {
   const double shown_rad = shown(angle_rad);
-  const auto entered = static_cast<int64_t>(std::floor(angle_rad / turn));
-  const auto left = static_cast<int64_t>(std::floor((angle_rad - indexWidth_rad_) / turn));
+  const auto entered = static_cast<int64_t>(std::floor((angle_rad - index_rad_) / turn));
+  const auto left = static_cast<int64_t>(std::floor((angle_rad - index_rad_ - indexWidth_rad_) / turn));
   if (first_) {
     startCounts_ = shown_rad * countsPerRad_;
     entered_ = entered;
     left_ = left;
     first_ = false;
   }
-  const bool index = entered > entered_ || left < left_;
+  const bool index = hasIndex_ && (entered > entered_ || left < left_);
   entered_ = entered;
   left_ = left;
   return {static_cast<int64_t>(std::floor(shown_rad * countsPerRad_ - startCounts_)), index};

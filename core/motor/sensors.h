@@ -26,7 +26,8 @@ class EncoderModel {
  private:
   double shown(double angle_rad) const;
 
-  double countsPerRad_, startCounts_ = 0.0;
+  double countsPerRad_, startCounts_ = 0.0, index_rad_ = 0.0;
+  bool hasIndex_ = true;
   struct Swing {
     double amplitude_rad = 0.0, phase_rad = 0.0;
   };

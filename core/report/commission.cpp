@@ -2,51 +2,22 @@
 
 #include <algorithm>
 
+#include "report/commission_begin.h"
 #include "report/commission_job.h"
+#include "report/commission_linear.h"
 #include "report/compensated_run.h"
 #include "report/final_tuning.h"
 
 namespace breakaway {
 
 std::optional<double> CommissionJob::trustedTorqueConstant() const {
-  if (!options_.bench || !options_.bench->trusted.contains("torque_constant_Nm_per_A")) return {};
-  return options_.bench->motor.torqueConstant;
+  return trustedConstant(options_);
 }
 
 /// Fresh, or from what was kept, if that belongs to this job.
 Result<void> CommissionJob::begin() {
   static_cast<void>(drive_.linearise({}));  // an earlier job's curve; a board that takes none has none
-  CommissionProgress fresh;
-  fresh.device = done_.identity.device;
-  fresh.bins = options_.bins;
-  fresh.turns = options_.turns;
-  fresh.speedRun_s = options_.speedRun_s;
-  fresh.trustedTorqueConstant_Nm_per_A = trustedTorqueConstant();
-  fresh.addedInertia_kg_m2 = options_.addedInertia_kg_m2.value;
-  kept_ = options_.earlier.value_or(fresh);
-  if (!options_.earlier) return {};
-  if (kept_.device != fresh.device)
-    return Error{"board", "is " + fresh.device + ", but the interrupted job was begun on " + kept_.device};
-  if (kept_.bins != fresh.bins || kept_.turns != fresh.turns) {
-    return Error{"bins and turns", "are " + std::to_string(fresh.bins) + " and " + std::to_string(fresh.turns) +
-                                       ", but the interrupted job was begun with " + std::to_string(kept_.bins) +
-                                       " and " + std::to_string(kept_.turns)};
-  }
-  if (kept_.speedRun_s != fresh.speedRun_s)
-    return Error{"seconds at each speed", "are others than the interrupted job was begun with, expected the same"};
-  if (kept_.trustedTorqueConstant_Nm_per_A != fresh.trustedTorqueConstant_Nm_per_A)
-    return Error{
-        "bench",
-        "trusts another torque constant than the interrupted job was begun with, expected the same bench file"};
-  if (kept_.addedInertia_kg_m2 != fresh.addedInertia_kg_m2)
-    return Error{"added inertia", "is another one than the interrupted job was begun with, expected the same disc"};
-  ++kept_.part;
-  done_.rigTime_s = kept_.rigTime_s;
-  done_.remarks = kept_.remarks;
-  done_.remarks.push_back("The job was interrupted and went on: part " + std::to_string(kept_.part) + " began after " +
-                          std::to_string(kept_.runs.size()) + " runs and " + std::to_string(kept_.events.size()) +
-                          " breakaways.");
-  return {};
+  return beginProgress(options_, done_, kept_);
 }
 
 void CommissionJob::fillBench() {
@@ -114,7 +85,8 @@ Result<Commission> CommissionJob::run() {
 }
 
 Result<Commission> commission(Drive& drive, const CommissionOptions& options) {
-  auto result = CommissionJob(drive, options).run();
+  const bool linear = drive.identity().axis == Axis::linear;
+  auto result = linear ? commissionLinear(drive, options) : CommissionJob(drive, options).run();
   if (!result) drive.stop(result.error().message());
   return result;
 }

@@ -50,7 +50,8 @@ struct CommissionOptions {
 
 /// Velocity errors, rms, of the same course without and with the map's friction compensated.
 struct CompensatedRun {
-  double amplitude_rad_per_s = 0.0, period_s = 0.0;  ///< of the reference, a sine of speed
+  double amplitude_rad_per_s = 0.0,
+         period_s = 0.0;  ///< m/s on a linear axis, as all speeds here; of the reference, a sine of speed
   double without_rad_per_s = 0.0, with_rad_per_s = 0.0;
 };
 
@@ -64,6 +65,8 @@ struct Commission {
   Estimate indexAngle_rad;
   std::vector<VelocityRun> runs;
   std::array<MovingFriction, 2> moving;
+  std::vector<TravelRun> strokes;  ///< of a linear axis, instead of runs
+  std::optional<Travel> travel;    ///< of a linear axis, as the encoder counts it
   std::vector<BreakawayEvent> events;
   size_t missed = 0;
   double zeroing_s = 0.0;  ///< of the current sensor, before each speed and now and then in the breakaway sweep
@@ -77,7 +80,8 @@ struct Commission {
 };
 
 /// Runs everything in order: current sensor's zero, winding test, spin test, tuning from what was identified, homing,
-/// velocity sweep, breakaway sweep, map, slow turns, tuning of medium stiffness, a run with and without the map. An
+/// velocity sweep, breakaway sweep, map, slow turns, tuning of medium stiffness, a run with and without the map; a
+/// linear axis in strokes between its ends instead of turns. An
 /// error names the step and why it failed in words; the motor is off then, and what was measured went to
 /// options.keepProgress. Goes on from options.earlier, unless that was begun on another board or with other bins, turns
 /// or trusted torque constant.

@@ -8,6 +8,7 @@
 #include "base/atomic_file.h"
 #include "base/json_object.h"
 #include "report/motor_file.h"
+#include "report/strokes_file.h"
 
 namespace breakaway {
 
@@ -86,7 +87,12 @@ std::string stateText(const CommissionProgress& progress) {
             {"part", progress.part},
             {"rig_time_s", progress.rigTime_s},
             {"remarks", progress.remarks},
-            {"runs", progress.runs.size()}};
+            {"runs", progress.runs.size()},
+            {"strokes", progress.strokes.size()}};
+  if (progress.travel)
+    json["travel"] = {{"low_m", progress.travel->low_m},
+                      {"high_m", progress.travel->high_m},
+                      {"margin_m", progress.travel->margin_m}};
   if (progress.trustedTorqueConstant_Nm_per_A)
     json["trusted_torque_constant_Nm_per_A"] = *progress.trustedTorqueConstant_Nm_per_A;
   if (progress.motor) {
@@ -198,6 +204,11 @@ Result<void> writeProgress(const CommissionProgress& progress, const std::string
     if (fs::exists(runFile(folder, k), code)) continue;
     if (auto written = writeFile(runFile(folder, k), runText(progress.runs[k])); !written) return written;
   }
+  for (size_t k = 0; k < progress.strokes.size(); ++k) {
+    const std::string file = strokesFile(folder, k);
+    if (fs::exists(file, code)) continue;
+    if (auto written = writeStrokes(progress.strokes[k], file); !written) return written;
+  }
   if (!progress.events.empty()) {
     if (auto written = writeFile(eventsFile(folder), eventsText(progress.events)); !written) return written;
   }
@@ -222,12 +233,22 @@ Result<CommissionProgress> readProgress(const std::string& folder) {
   progress.rigTime_s = root->number("rig_time_s", Allowed::nonNegative);
   progress.remarks = root->texts("remarks");
   const size_t runs = countOf(*root, "runs");
+  const double strokes = root->number("strokes", 0.0, Allowed::nonNegative);
+  if (root->has("travel")) {
+    JsonObject travel = root->object("travel");
+    progress.travel = Travel{travel.number("low_m"), travel.number("high_m"), travel.number("margin_m")};
+  }
   if (root->has("motor")) takeMotor(root->object("motor"), progress);
   if (const auto done = root->finish(); !done) return done.error();
   for (size_t k = 0; k < runs; ++k) {
     auto run = readRun(runFile(folder, k));
     if (!run) return run.error();
     progress.runs.push_back(std::move(*run));
+  }
+  for (size_t k = 0; static_cast<double>(k) < strokes; ++k) {
+    auto run = readStrokes(strokesFile(folder, k));
+    if (!run) return run.error();
+    progress.strokes.push_back(std::move(*run));
   }
   auto events = readEvents(eventsFile(folder));
   if (!events) return events.error();

@@ -8,6 +8,7 @@
 
 #include "base/estimate.h"
 #include "base/result.h"
+#include "experiment/travel.h"
 #include "friction/measurements.h"
 #include "identify/motor_identification.h"
 
@@ -26,12 +27,14 @@ struct CommissionProgress {
   std::array<double, 2> expected_A{};    ///< first look at the breakaway current by Way, with the motor
   double shownResistance_ohm = 0.0;      ///< with the current as the sensor shows it, with the motor
   std::vector<VelocityRun> runs;         ///< complete ones, in the order they were run
-  std::vector<BreakawayEvent> events;
-  double addedInertia_kg_m2{};  ///< of the disc that is mounted
+  std::vector<BreakawayEvent> events;    ///< on a linear axis with places from the index on
+  std::vector<TravelRun> strokes;        ///< of a linear axis, complete ones
+  std::optional<Travel> travel;          ///< likewise, from the index on
+  double addedInertia_kg_m2{};           ///< of the disc that is mounted
 };
 
-/// Writes progress/state.json, progress/run-NN.json and progress/breakaways.json into `folder`. Runs never change, so
-/// those that are there are not written again.
+/// Writes progress/state.json, progress/run-NN.json, progress/strokes-NN.json and progress/breakaways.json into
+/// `folder`. Runs never change, so those that are there are not written again.
 Result<void> writeProgress(const CommissionProgress& progress, const std::string& folder);
 
 /// What writeProgress() wrote. Errors: there is none, or a field is missing or wrong, by file and name.

@@ -9,6 +9,8 @@
 #include "friction/map_export.h"
 #include "recording/csv.h"
 #include "report/html_report.h"
+#include "report/linear_report.h"
+#include "report/motor_chapter.h"
 
 namespace breakaway {
 
@@ -16,12 +18,6 @@ namespace {
 
 constexpr const char* wayNames[] = {"clockwise", "counter-clockwise"};
 constexpr int polar_px = 560;
-
-std::string withInterval(const Estimate& estimate, double scale, const std::string& unit) {
-  if (estimate.standardError <= 0.0) return numberText(estimate.value * scale) + " " + unit;
-  return numberText(estimate.value * scale) + " " + unit + " (" + numberText(estimate.low95() * scale) + " to " +
-         numberText(estimate.high95() * scale) + ")";
-}
 
 /// One curve per way around the turn, closed, in mNm.
 template <typename Get>
@@ -121,49 +117,10 @@ Figure speedFigure(const Commission& done) {
   return figure;
 }
 
-Figure dutyFigure(const DutyCurve& curve) {
-  Figure figure{"What the bridge gives of its duty", "input duty / %", "output duty / %"};
-  Curve measured;
-  measured.label = "measured";
-  for (const DutyPoint& point : curve.points) {
-    measured.x.push_back(100.0 * point.input);
-    measured.y.push_back(100.0 * point.output.value);
-    measured.low.push_back(100.0 * point.output.low95());
-    measured.high.push_back(100.0 * point.output.high95());
-  }
-  figure.curves.push_back(std::move(measured));
-  return figure;
-}
-
 double staticMean_Nm(const FrictionMap& map, size_t way) {
   double sum = 0.0;
   for (const MapBin& bin : map.bins) sum += bin.way[way].static_Nm.value;
   return sum / static_cast<double>(map.bins.size());
-}
-
-void motorChapter(HtmlReport& report, const Commission& done) {
-  const IdentifiedMotor& motor = done.motor;
-  report.heading("The motor");
-  report.facts({{"torque constant",
-                 withInterval(motor.torqueConstant_Nm_per_A, 1.0, "Nm/A") +
-                     (motor.torqueConstantTrusted ? ", trusted from the bench" : ", tied to the back-EMF constant")},
-                {"back-EMF constant", withInterval(motor.backEmfConstant_V_s_per_rad, 1.0, "V s/rad")},
-                {"resistance", withInterval(motor.resistance_ohm, 1.0, "Ω")},
-                {"inductance", withInterval(motor.inductance_H, 1e3, "mH")},
-                {"bridge's dead zone", withInterval(motor.deadZone_V, 1.0, "V")},
-                {"inertia", withInterval(motor.inertia_kg_m2, 1e6, "kg mm²")},
-                {"by speeding up and slowing down", withInterval(motor.rampInertia_kg_m2, 1e6, "kg mm²")},
-                {"by turning round", motor.reversalInertia_kg_m2.value > 0.0
-                                         ? withInterval(motor.reversalInertia_kg_m2, 1e6, "kg mm²")
-                                         : std::string("not measured")},
-                {"current sensor's zero", withInterval(done.sensorZero_A, 1e3, "mA")},
-                {"current sensor's noise", numberText(1e3 * done.noiseRms_A) + " mA rms"}});
-  report.paragraph("In brackets: 95 % intervals. " + motor.gauge);
-  if (!motor.dutyCurve.known()) return;
-  report.figure(
-      dutyFigure(motor.dutyCurve),
-      "Both as part of the supply; the band is the 95 % interval. Further out the bridge is taken to give a volt "
-      "more for each volt more: a common factor can't be seen, and would be part of R, L and Ke.");
 }
 
 void frictionChapter(HtmlReport& report, const Commission& done) {
@@ -197,29 +154,6 @@ void frictionChapter(HtmlReport& report, const Commission& done) {
   report.figure(speedFigure(done));
 }
 
-void useChapter(HtmlReport& report, const Commission& done) {
-  report.heading("With the map on the board");
-  const Estimate& fall = done.map.stribeckVelocity_rad_per_s;
-  std::vector<std::pair<std::string, std::string>> facts;
-  if (done.compensatedRun) {
-    const CompensatedRun& run = *done.compensatedRun;
-    report.paragraph("The velocity controller took the rotor to and fro, a sine of " +
-                     numberText(run.amplitude_rad_per_s) + " rad/s and " + numberText(run.period_s) +
-                     " s, without compensation and with the measured friction added by the board.");
-    facts = {{"velocity error without", numberText(run.without_rad_per_s) + " rad/s rms"},
-             {"velocity error with the map", numberText(run.with_rad_per_s) + " rad/s rms"},
-             {"smaller by", numberText(run.without_rad_per_s / run.with_rad_per_s) + " times"}};
-  }
-  facts.emplace_back("friction falls to Coulomb over",
-                     fall.value > 0.0 ? withInterval(fall, 1.0, "rad/s") : std::string("not seen"));
-  const ControllerSettings& left = done.settings;
-  facts.emplace_back("velocity controller", numberText(left.velocity_kp_A_s_per_rad) + " A s/rad");
-  facts.emplace_back("position controller", numberText(left.position_kp_A_per_rad) + " A/rad and " +
-                                                numberText(left.position_kd_A_s_per_rad) + " A s/rad");
-  facts.emplace_back("observer's cutoff", numberText(left.observer_cutoff_rad_per_s) + " rad/s");
-  report.facts(facts);
-}
-
 std::string reportHtml(const Commission& done, bool hasTruth) {
   HtmlReport report("Friction of " + (done.map.rig.empty() ? done.identity.device : done.map.rig),
                     done.identity.device);
@@ -237,11 +171,7 @@ std::string reportHtml(const Commission& done, bool hasTruth) {
       {"turns", std::to_string(done.map.turns) + " each way"}};
   for (const auto& [name, value] : done.map.settings) facts.emplace_back(name, numberText(value));
   report.facts(facts);
-  if (!done.remarks.empty()) report.list(done.remarks);
-  if (done.identity.simulated) {
-    report.paragraph(std::string("The board is simulated.") +
-                     (hasTruth ? " Its true map lies beside the measured one in truth.csv." : ""));
-  }
+  closingChapter(report, done, hasTruth);
   return report.html();
 }
 
@@ -255,16 +185,8 @@ Result<void> writeStep(const std::string& step, const Recording& recording, cons
 Result<void> writeIdentification(const Commission& done, const std::string& folder) {
   if (auto made = makeFolder(folder); !made) return made;
   if (auto written = writeBench(done.bench, folder + "/bench.json"); !written) return written;
-  return writeMotor({done.identity.device, done.motor, done.addedInertia_kg_m2}, folder + "/motor.json");
-}
-
-std::string motorInWords(const Commission& done) {
-  const IdentifiedMotor& motor = done.motor;
-  return "Torque constant " + withInterval(motor.torqueConstant_Nm_per_A, 1.0, "Nm/A") + ", resistance " +
-         withInterval(motor.resistance_ohm, 1.0, "Ω") + ", inductance " + withInterval(motor.inductance_H, 1e3, "mH") +
-         ", inertia " + withInterval(motor.inertia_kg_m2, 1e6, "kg mm²") + ", Coulomb friction " +
-         withInterval(motor.coulomb_Nm, 1e3, "mNm") + ", viscous friction " +
-         withInterval(motor.viscous_Nm_s_per_rad, 1e6, "µNm s/rad") + ".";
+  return writeMotor({done.identity.device, done.motor, done.addedInertia_kg_m2, done.identity.axis},
+                    folder + "/motor.json");
 }
 
 Result<void> writeCommission(const Commission& done, const std::optional<FrictionMap>& truth,
@@ -279,10 +201,13 @@ Result<void> writeCommission(const Commission& done, const std::optional<Frictio
   if (truth) {
     if (auto written = exportMap(*truth, "csv", folder + "/truth.csv"); !written) return written;
   }
-  return writeFile(folder + "/report.html", reportHtml(done, truth.has_value()));
+  const bool linear = done.map.axis == Axis::linear;
+  return writeFile(folder + "/report.html",
+                   linear ? linearReportHtml(done, truth.has_value()) : reportHtml(done, truth.has_value()));
 }
 
 std::string inWords(const Commission& done) {
+  if (done.map.axis == Axis::linear) return linearInWords(done);
   const FrictionMap& map = done.map;
   char text[512];
   std::snprintf(text, sizeof text,

@@ -69,7 +69,7 @@ Result<void> CommissionSteps::runToEnd(Procedure& procedure, StepRecorder& recor
 
 Result<void> CommissionSteps::run(const std::string& step, const std::shared_ptr<Procedure>& procedure, double share,
                                   const Gather& gather) {
-  StepRecorder recorder(step, decimation(procedure->status().remaining_s));
+  StepRecorder recorder(step, decimation(procedure->status().remaining_s), drive_.identity().axis);
   lost_ = 0;
   if (procedure->state() == Procedure::State::running) {
     drive_.start(procedure);

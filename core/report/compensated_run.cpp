@@ -13,7 +13,8 @@ namespace breakaway {
 
 namespace {
 
-constexpr double share = 0.01;  // of the whole job, each run
+constexpr double approach_s = 8.0;  // to the place where the course begins
+constexpr double share = 0.01;      // of the whole job, each run
 
 double reference(double time_s, const CompensatedRunOptions& options) {
   return options.amplitude_rad_per_s * std::sin(2.0 * std::numbers::pi * time_s / options.period_s);
@@ -24,6 +25,10 @@ CourseOptions courseOf(const CompensatedRunOptions& options) {
   course.activity = "going to and fro slowly";
   course.before = {Command::Mode::velocity, 0.0, 0.0, false};
   course.before_s = 0.5;
+  if (options.start_rad) {
+    course.before = {Command::Mode::position, *options.start_rad, 0.0, false};
+    course.before_s = approach_s;
+  }
   course.duration_s = options.periods * options.period_s;
   course.command = [options](double time_s, const Sample&) {
     return Command{Command::Mode::velocity, reference(time_s, options), 0.0, false};

@@ -1,6 +1,8 @@
 // The same slow to and fro with and without the measured friction compensated: what the map is good for on this bench.
 #pragma once
 
+#include <optional>
+
 #include "base/result.h"
 #include "report/commission.h"
 #include "report/commission_steps.h"
@@ -11,7 +13,8 @@ struct CompensatedRunOptions {
   double amplitude_rad_per_s = 5.0;  ///< of a sine of speed, so slow that the loop follows it
   double period_s = 4.0;
   double periods = 1.5;
-  double halfSpan_s = 0.005;  ///< speeds are central differences of the angle over ± this time
+  std::optional<double> start_rad;  ///< where the course begins; anywhere where it is missing
+  double halfSpan_s = 0.005;        ///< speeds are central differences of the angle over ± this time
 };
 
 /// Runs the course by the velocity controller without compensation, uploads the map with Drive::compensate(), runs it

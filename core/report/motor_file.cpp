@@ -39,9 +39,9 @@ Estimate pairIn(JsonObject object) {
   return {object.number("value"), object.number("std", Allowed::nonNegative)};
 }
 
-Json motorJson(const IdentifiedMotor& motor) {
+Json motorJson(const IdentifiedMotor& motor, Axis axis) {
   Json json{{"torque_constant_trusted", motor.torqueConstantTrusted}};
-  for (const MotorField& field : motorFields) json[field.name] = pair(motor.*field.estimate);
+  for (const MotorField& field : motorFields) json[nameOn(axis, field.name)] = pair(motor.*field.estimate);
   json["duty_curve"] = Json::array();
   for (const DutyPoint& point : motor.dutyCurve.points)
     json["duty_curve"].push_back({point.input, point.output.value, point.output.standardError});
@@ -52,13 +52,13 @@ Json motorJson(const IdentifiedMotor& motor) {
 }  // namespace
 
 std::string motorText(const IdentifiedMotor& motor) {
-  return motorJson(motor).dump();
+  return motorJson(motor, Axis::rotary).dump();
 }
 
-IdentifiedMotor motorIn(JsonObject& object) {
+IdentifiedMotor motorIn(JsonObject& object, Axis axis) {
   IdentifiedMotor motor;
   motor.torqueConstantTrusted = object.flag("torque_constant_trusted", false);
-  for (const MotorField& field : motorFields) motor.*field.estimate = pairIn(object.object(field.name));
+  for (const MotorField& field : motorFields) motor.*field.estimate = pairIn(object.object(nameOn(axis, field.name)));
   for (const auto& row : object.rows("duty_curve", 3)) motor.dutyCurve.points.push_back({row[0], {row[1], row[2]}});
   if (!motor.dutyCurve.rises()) object.fault("duty_curve", "doesn't rise, expected a rising one");
   motor.gauge = object.text("gauge", "");
@@ -66,10 +66,10 @@ IdentifiedMotor motorIn(JsonObject& object) {
 }
 
 Result<void> writeMotor(const MotorRecord& record, const std::string& path) {
-  const Json json{{"schema", schema},
-                  {"device", record.device},
-                  {"added_inertia_kg_m2", pair(record.addedInertia_kg_m2)},
-                  {"motor", motorJson(record.motor)}};
+  Json json{{"schema", schema}, {"device", record.device}};
+  if (record.axis == Axis::linear) json["axis"] = "linear";
+  json[nameOn(record.axis, "added_inertia_kg_m2")] = pair(record.addedInertia_kg_m2);
+  json["motor"] = motorJson(record.motor, record.axis);
   return writeFile(path, json.dump(2) + "\n");
 }
 
@@ -80,9 +80,12 @@ Result<MotorRecord> readMotor(const std::string& path) {
   if (found != schema) root->fault("schema", "is \"" + found + "\", expected \"" + schema + "\"");
   MotorRecord record;
   record.device = root->text("device");
-  record.addedInertia_kg_m2 = pairIn(root->object("added_inertia_kg_m2"));
+  const std::string axis = root->text("axis", "rotary");
+  if (axis != "rotary" && axis != "linear") root->fault("axis", "is \"" + axis + "\", expected rotary or linear");
+  record.axis = axis == "linear" ? Axis::linear : Axis::rotary;
+  record.addedInertia_kg_m2 = pairIn(root->object(nameOn(record.axis, "added_inertia_kg_m2")));
   JsonObject motor = root->object("motor");
-  record.motor = motorIn(motor);
+  record.motor = motorIn(motor, record.axis);
   if (const auto done = root->finish(); !done) return done.error();
   return record;
 }

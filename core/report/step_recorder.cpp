@@ -19,7 +19,7 @@ Result<Recording> StepRecorder::seal(const std::vector<std::pair<std::string, st
   all.emplace_back("step", step_);
   all.emplace_back("decimation", every_ == 1 ? "every control tick"
                                              : "every " + std::to_string(every_) + "th control tick, not averaged");
-  return sealSamples(step_, kept_, std::move(all));
+  return sealSamples(step_, kept_, std::move(all), axis_);
 }
 
 }  // namespace breakaway

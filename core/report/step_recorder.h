@@ -15,7 +15,8 @@ namespace breakaway {
 /// Appends samples as columns of a recording, every n-th one; says so in the recording's notes.
 class StepRecorder {
  public:
-  StepRecorder(std::string step, size_t every) : step_(std::move(step)), every_(every) {}
+  StepRecorder(std::string step, size_t every, Axis axis = Axis::rotary)
+      : step_(std::move(step)), every_(every), axis_(axis) {}
 
   void append(const std::vector<Sample>& samples);
   bool empty() const { return kept_.empty(); }
@@ -25,6 +26,7 @@ class StepRecorder {
  private:
   std::string step_;
   size_t every_, seen_ = 0;
+  Axis axis_;
   bool index_ = false;
   std::vector<Sample> kept_;
 };

@@ -43,6 +43,8 @@ Result<void> carried(const Rig& rig) {
     if (std::find(ofTheAngle.begin(), ofTheAngle.end(), effect.effect) == ofTheAngle.end())
       return Error{"field effects", "names " + effect.effect + ", which the emulated plant doesn't have"};
   }
+  if (rig.axis != Axis::rotary) return Error{"field axis", "is linear, the emulated plant is a rotor"};
+  if (rig.coupling.present()) return Error{"field coupling", "is there, the emulated plant has a stiff shaft"};
   if (!rig.faults.empty()) return Error{"field faults", "isn't empty, the emulated plant has none"};
   if (rig.encoder.countsPerRev != std::floor(rig.encoder.countsPerRev))
     return Error{"field encoder.counts_per_rev", "is no whole number, expected one"};

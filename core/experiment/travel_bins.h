@@ -1,0 +1,37 @@
+// One stroke of a linear axis, taken apart into the bins of its travel.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "friction/measurements.h"
+
+namespace breakaway {
+
+/// Equal bins side by side.
+struct TravelBins {
+  double from_m = 0.0, to_m = 0.0;
+  size_t count = 0;
+
+  double width_m() const { return (to_m - from_m) / static_cast<double>(count); }
+  double centre_m(size_t bin) const { return from_m + (static_cast<double>(bin) + 0.5) * width_m(); }
+};
+
+/// Every tick of a stroke one way.
+struct StrokeTrace {
+  std::vector<double> position_m, current_A;
+  double tick_s = 0.0;
+
+  void clear() {
+    position_m.clear();
+    current_A.clear();
+  }
+};
+
+/// Adds to each bin that the stroke crossed from end to end its samples: current, speed, and by how much the speed
+/// grew, from the speeds at the bin's ends as central differences over ± `halfSpan_s`. Bins in which it stood or turned
+/// are left out.
+void addStroke(const StrokeTrace& trace, const TravelBins& bins, double halfSpan_s,
+               std::array<std::vector<TravelBinSums>, 2>& sums);
+
+}  // namespace breakaway

@@ -1,0 +1,128 @@
+#include "experiment/travel_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace breakaway {
+
+namespace {
+constexpr double leastMotion_m = 3e-4;
+constexpr double acceleration_m_per_s2 = 0.5;
+constexpr double pause_s = 0.03;  // with open windings between tries, so that no board takes them for a blocked axis
+}  // namespace
+
+TravelSearch::TravelSearch(const TravelSearchOptions& options)
+    : options_(options),
+      glide_(options.speed_m_per_s, acceleration_m_per_s2),
+      motion_m_(std::max(leastMotion_m, 8.0 * options.count_m)),
+      limit_A_(options.firstLimit_A) {
+  if (!(options_.firstLimit_A > 0.0) || !(options_.mostLimit_A >= options_.firstLimit_A))
+    fail("no current limit to begin with is known");
+}
+
+void TravelSearch::enter(Stage stage, const Sample& sample) {
+  stage_ = stage;
+  stageStart_m_ = anchor_m_ = sample.angle_rad;
+  anchor_s_ = sample.time_s;
+  left_ = false;
+}
+
+void TravelSearch::pause(const Sample& sample) {
+  anchor_s_ = pauseEnd_s_ = sample.time_s + pause_s;
+}
+
+bool TravelSearch::stalled(const Sample& sample) {
+  if (std::abs(sample.angle_rad - anchor_m_) > motion_m_) {
+    anchor_m_ = sample.angle_rad;
+    anchor_s_ = sample.time_s;
+    left_ = true;
+  }
+  return sample.time_s - anchor_s_ > options_.stall_s;
+}
+
+Command TravelSearch::run(const Sample& sample) {
+  now_m_ = sample.angle_rad;
+  if (!begun_) {
+    begun_ = true;
+    enter(Stage::feel, sample);
+  }
+  if (elapsed_s(sample) > options_.timeout_s)
+    fail("no end was felt within " + std::to_string(std::lround(options_.timeout_s)) + " s");
+  if (sample.time_s < pauseEnd_s_) return {};
+  if (stage_ == Stage::feel) return feel(sample);
+  return stage_ == Stage::middle ? toMiddle(sample) : towardsEnd(sample);
+}
+
+Command TravelSearch::feel(const Sample& sample) {
+  if (std::abs(sample.angle_rad - stageStart_m_) > motion_m_) {
+    way_ = sample.angle_rad > stageStart_m_ ? 1.0 : -1.0;
+    moving_A_ = limit_A_;
+    limit_A_ = std::min(options_.mostLimit_A, options_.overMoving * limit_A_);
+    enter(Stage::onwards, sample);
+    return move(way_);
+  }
+  if (sample.time_s - anchor_s_ > options_.try_s) {
+    pause(sample);
+    way_ = -way_;
+    if (way_ > 0.0 && limit_A_ >= options_.mostLimit_A)
+      fail("the axis moves neither way within the current limit; is it clamped?");
+    if (way_ > 0.0) limit_A_ = std::min(options_.mostLimit_A, options_.growth * limit_A_);
+    return {};
+  }
+  return move(way_);
+}
+
+Command TravelSearch::towardsEnd(const Sample& sample) {
+  if (!stalled(sample)) return move(way_);
+  if (!left_) {
+    // Friction may be higher here than where it began to move.
+    if (limit_A_ >= options_.mostLimit_A) fail("the axis doesn't leave its end again; is it clamped?");
+    limit_A_ = std::min(options_.mostLimit_A, options_.growth * limit_A_);
+    pause(sample);
+    return {};
+  }
+  if (stage_ == Stage::onwards) {
+    firstEnd_m_ = sample.angle_rad;
+    way_ = -way_;
+    enter(Stage::back, sample);
+    pause(sample);
+    return {};
+  }
+  const double low_m = std::min(firstEnd_m_, sample.angle_rad), high_m = std::max(firstEnd_m_, sample.angle_rad);
+  travel_ = {low_m, high_m, std::max(options_.margin * (high_m - low_m), 4.0 * motion_m_)};
+  if (high_m - low_m < std::max(options_.leastTravel_m, 16.0 * motion_m_))
+    fail("the axis moves by " + millimetresText(high_m - low_m) + " only; is something in its way?");
+  enter(Stage::middle, sample);
+  return {};
+}
+
+Command TravelSearch::toMiddle(const Sample& sample) {
+  if (stalled(sample)) {
+    if (std::abs(sample.angle_rad - travel_.middle_m()) < travel_.margin_m) {
+      finish();
+    } else {
+      fail("the axis stopped at " + millimetresText(sample.angle_rad - travel_.low_m) +
+           " from its lower end on the way to the middle; is something in its way?");
+    }
+  }
+  return {Command::Mode::velocity, glide_.next(sample.angle_rad, travel_.middle_m(), tick_s()), options_.mostLimit_A,
+          false};
+}
+
+double TravelSearch::progress() const {
+  constexpr double done[] = {0.0, 0.1, 0.4, 0.8};
+  return done[static_cast<size_t>(stage_)];
+}
+
+double TravelSearch::remaining_s() const {
+  constexpr double usual_m = 0.5;
+  return (1.0 - progress()) * 2.5 * usual_m / options_.speed_m_per_s;
+}
+
+std::string TravelSearch::activity() const {
+  if (stage_ == Stage::feel) return "feeling which way the axis can move";
+  if (stage_ == Stage::middle) return "going to the middle";
+  return "going " + wayText(way_ > 0.0, Axis::linear) + " to the end";
+}
+
+}  // namespace breakaway

@@ -1,0 +1,145 @@
+#include "experiment/travel_sweep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace breakaway {
+
+namespace {
+constexpr double leastHalfSpan_s = 0.001, mostHalfSpan_s = 0.005;
+}
+
+TravelSweep::TravelSweep(TravelSweepOptions options, const std::vector<TravelRun>& earlier)
+    : options_(std::move(options)),
+      zeroing_(options_.zeroing_s),
+      watch_(options_.travel, options_.index_m, options_.indexTolerance_m),
+      runs_(earlier) {
+  const auto good = [](double speed) { return speed > 0.0; };
+  if (options_.speeds_m_per_s.size() < 2 ||
+      !std::all_of(options_.speeds_m_per_s.begin(), options_.speeds_m_per_s.end(), good))
+    fail("at least two speeds are needed");
+  if (!(options_.acceleration_m_per_s2 > 0.0) || options_.bins.count < 8)
+    fail("an acceleration and at least 8 bins are needed");
+  number_ = runs_.size();
+  if (number_ >= options_.speeds_m_per_s.size()) finish();
+}
+
+/// Wide enough against the encoder's rounding, short against the time in a bin.
+double TravelSweep::halfSpan_s() const {
+  return std::clamp(0.25 * options_.bins.width_m() / speed(), leastHalfSpan_s, mostHalfSpan_s);
+}
+
+void TravelSweep::enter(Stage stage, const Sample& sample) {
+  stage_ = stage;
+  stageStart_s_ = moved_s_ = sample.time_s;
+  moved_m_ = sample.angle_rad;
+  trace_.clear();
+  trace_.tick_s = tick_s();
+}
+
+Command TravelSweep::run(const Sample& sample) {
+  now_s_ = sample.time_s;
+  if (!begun_) {
+    begun_ = true;
+    enter(Stage::zero, sample);
+  }
+  if (const std::string wrong = watch_.step(sample); !wrong.empty()) fail(wrong);
+  return stage_ == Stage::zero ? zero(sample) : stroke(sample);
+}
+
+Command TravelSweep::zero(const Sample& sample) {
+  bool done = false;
+  const Command command = zeroing_.step(sample, stageStart_s_, done);
+  if (!done) return command;
+  if (const std::string moved = zeroing_.moved(options_.mostDrift_A); !moved.empty()) fail(moved);
+  if (number_ >= options_.speeds_m_per_s.size()) {
+    finish();
+    return command;
+  }
+  now_ = {};
+  now_.target_m_per_s = speed();
+  now_.zero_A = zeroing_.zero_A();
+  now_.halfSpan_s = halfSpan_s();
+  for (auto& way : now_.bins) way.resize(options_.bins.count);
+  glide_ = Glide(speed(), options_.acceleration_m_per_s2);
+  enter(Stage::approach, sample);
+  return command;
+}
+
+/// Within the margin, so that the outermost bins are crossed as well.
+double TravelSweep::farEnd_m() const {
+  const double half_m = 0.5 * options_.travel.margin_m;
+  return stage_ == Stage::forth ? options_.travel.last_m() + half_m : options_.travel.first_m() - half_m;
+}
+
+bool TravelSweep::stalled(const Sample& sample) {
+  if (std::abs(sample.angle_rad - moved_m_) > 0.02 * options_.bins.width_m()) {
+    moved_m_ = sample.angle_rad;
+    moved_s_ = sample.time_s;
+  }
+  return sample.time_s - moved_s_ > options_.stall_s;
+}
+
+Command TravelSweep::stroke(const Sample& sample) {
+  const double target_m = farEnd_m();
+  if (stage_ != Stage::approach) {
+    trace_.position_m.push_back(sample.angle_rad);
+    trace_.current_A.push_back(sample.current_A);
+  }
+  if (stalled(sample)) {
+    char text[120];
+    std::snprintf(text, sizeof text, "the axis does not move at %.3g m/s; is it held, or the current limit too low?",
+                  speed());
+    fail(text);
+  }
+  if (std::abs(sample.angle_rad - target_m) < 0.05 * options_.bins.width_m()) endStroke(sample);
+  if (stage_ == Stage::zero) return {};
+  return {Command::Mode::velocity, glide_.next(sample.angle_rad, farEnd_m(), tick_s()), 0.0, false};
+}
+
+void TravelSweep::endStroke(const Sample& sample) {
+  if (stage_ == Stage::approach) {
+    runStart_s_ = sample.time_s;
+    enter(Stage::forth, sample);
+    return;
+  }
+  addStroke(trace_, options_.bins, now_.halfSpan_s, now_.bins);
+  if (stage_ == Stage::forth) {
+    enter(Stage::back, sample);
+    return;
+  }
+  const double ran_s = sample.time_s - runStart_s_, pair_s = sample.time_s - stageStart_s_;
+  if (ran_s + pair_s < options_.run_s) {
+    enter(Stage::forth, sample);
+    return;
+  }
+  now_.duration_s = ran_s;
+  now_.middle_s = runStart_s_ + 0.5 * ran_s;
+  runs_.push_back(std::move(now_));
+  ++number_;
+  glide_.rest();
+  enter(Stage::zero, sample);
+}
+
+double TravelSweep::progress() const {
+  return std::min(1.0, static_cast<double>(number_) / static_cast<double>(options_.speeds_m_per_s.size()));
+}
+
+double TravelSweep::remaining_s() const {
+  double left_s = 0.0;
+  for (size_t k = number_; k < options_.speeds_m_per_s.size(); ++k)
+    left_s +=
+        options_.zeroing_s + std::max(options_.run_s, 2.0 * options_.travel.usable_m() / options_.speeds_m_per_s[k]);
+  return left_s;
+}
+
+std::string TravelSweep::activity() const {
+  if (stage_ == Stage::zero) return "zeroing the current sensor";
+  char text[80];
+  std::snprintf(text, sizeof text, "going to and fro at %.3g m/s", speed());
+  return text;
+}
+
+}  // namespace breakaway

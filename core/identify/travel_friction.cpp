@@ -1,0 +1,346 @@
+#include "identify/travel_friction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "identify/smooth_pair.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr double clearAcceleration = 10.0;  // standard errors of an acceleration that tells of the mass
+constexpr double fallDoubt = 0.05;          // of the breakaway force, where friction falls with speed
+constexpr double modelDoubt = 7e-4;         // relative, of a mass: ticks, and speeds as central differences
+
+/// One bin at one speed, one way; positive in the way's direction.
+struct Point {
+  double force_N, velocity, acceleration;
+  double currentVariance_N2, accelerationVariance;
+  double static_N;
+};
+
+using Bin = std::vector<Point>;  // over the speeds
+
+std::vector<Bin> pointsOf(const std::vector<TravelRun>& runs, size_t way, const TravelFrictionOptions& options) {
+  std::vector<Bin> bins(options.bins.count);
+  const double sign = way == 0 ? -1.0 : 1.0, Kf = options.forceConstant_N_per_A;
+  for (const TravelRun& run : runs) {
+    const double speedError = options.count_m / std::sqrt(6.0) / (2.0 * run.halfSpan_s);
+    for (size_t k = 0; k < run.bins[way].size() && k < bins.size(); ++k) {
+      const TravelBinSums& sum = run.bins[way][k];
+      if (sum.samples < 2) continue;
+      const auto n = static_cast<double>(sum.samples);
+      const double v = sign * sum.velocity_m_per_s / n;
+      if (!(v > 0.0)) continue;
+      const double passes = std::max(1.0, n * options.tick_s * v / options.bins.width_m());
+      const double still = options.static_N[way].empty() ? 0.0 : options.static_N[way][k];
+      bins[k].push_back({sign * Kf * sum.current_A / n, v, sign * sum.acceleration_m_per_s2 / n,
+                         Kf * Kf * options.noiseRms_A * options.noiseRms_A / n,
+                         passes * std::pow(std::sqrt(2.0) * speedError / (options.tick_s * n), 2), still});
+    }
+  }
+  return bins;
+}
+
+double fallen(double velocity, double stribeck) {
+  return stribeck > 0.0 ? std::exp(-std::pow(velocity / stribeck, 2)) : 0.0;
+}
+
+/// Of a force less what accelerates; how far friction has fallen is known to `doubt` of the breakaway force.
+double variance(const Point& point, double mass_kg, double stribeck, double doubt = 0.0) {
+  const double fall_N = doubt * point.static_N * fallen(point.velocity, stribeck);
+  return point.currentVariance_N2 + mass_kg * mass_kg * point.accelerationVariance + fall_N * fall_N;
+}
+
+/// Normal equations of C and B in one bin.
+struct Line {
+  Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d right = Eigen::Vector2d::Zero();
+  double squares = 0.0;
+  Eigen::Vector2d solution() const { return normal.ldlt().solve(right); }
+  double chi2() const { return squares - right.dot(solution()); }
+};
+
+Eigen::Vector2d rowOf(const Point& point, double stribeck) {
+  return {1.0 - fallen(point.velocity, stribeck), point.velocity};
+}
+
+Line lineOf(const Bin& bin, double mass_kg, double stribeck, double doubt = 0.0) {
+  Line line;
+  for (const Point& point : bin) {
+    const Eigen::Vector2d row = rowOf(point, stribeck);
+    const double y = point.force_N - mass_kg * point.acceleration - point.static_N * fallen(point.velocity, stribeck);
+    const double weight = 1.0 / variance(point, mass_kg, stribeck, doubt);
+    line.normal += weight * row * row.transpose();
+    line.right += weight * y * row;
+    line.squares += weight * y * y;
+  }
+  return line;
+}
+
+struct Misfit {
+  double chi2 = 0.0, freedom = 0.0;
+};
+
+Misfit misfit(const std::array<std::vector<Bin>, 2>& ways, double mass_kg, double stribeck) {
+  Misfit sum;
+  for (const auto& bins : ways) {
+    for (const Bin& bin : bins) {
+      if (bin.size() < 3) continue;
+      sum.chi2 += lineOf(bin, mass_kg, stribeck).chi2();
+      sum.freedom += static_cast<double>(bin.size() - 2);
+    }
+  }
+  return sum;
+}
+
+/// What C and B of each bin leave of force follows what they leave of acceleration.
+Estimate massOf(const std::array<std::vector<Bin>, 2>& ways, double mass_kg, double stribeck, double scale) {
+  double aa = 0.0, af = 0.0;
+  for (const auto& bins : ways) {
+    for (const Bin& bin : bins) {
+      Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
+      Eigen::Matrix2d right = Eigen::Matrix2d::Zero();  // of acceleration, of force
+      const auto clear = [](const Point& p) {
+        return p.acceleration * p.acceleration > clearAcceleration * clearAcceleration * p.accelerationVariance;
+      };
+      const bool tells = bin.size() >= 3 && std::any_of(bin.begin(), bin.end(), clear);
+      if (!tells) continue;
+      const auto force = [&](const Point& p) { return p.force_N - p.static_N * fallen(p.velocity, stribeck); };
+      for (const Point& point : bin) {
+        const Eigen::Vector2d row = rowOf(point, stribeck);
+        const double weight = 1.0 / variance(point, mass_kg, stribeck, fallDoubt);
+        normal += weight * row * row.transpose();
+        right.col(0) += weight * point.acceleration * row;
+        right.col(1) += weight * force(point) * row;
+      }
+      const Eigen::Matrix2d fit = normal.ldlt().solve(right);
+      for (const Point& point : bin) {
+        const Eigen::Vector2d row = rowOf(point, stribeck);
+        const double weight = 1.0 / variance(point, mass_kg, stribeck, fallDoubt);
+        const double a = point.acceleration - fit.col(0).dot(row), f = force(point) - fit.col(1).dot(row);
+        aa += weight * a * a;
+        af += weight * a * f;
+      }
+    }
+  }
+  if (!(aa > 0.0)) return {mass_kg, 0.0};
+  return {af / aa, std::hypot(std::sqrt(scale / aa), modelDoubt * af / aa)};
+}
+
+struct Shape {
+  double stribeck = 0.0, low = 0.0, high = 0.0;
+};
+
+/// The Stribeck speed under which the bins' lines fit best, with the range in which they fit about as well.
+Shape stribeckOf(const std::array<std::vector<Bin>, 2>& ways, double mass_kg) {
+  double slowest = std::numeric_limits<double>::infinity(), none = 0.0;
+  for (const auto& bins : ways) {
+    for (const Bin& bin : bins) {
+      for (const Point& point : bin) slowest = std::min(slowest, point.velocity);
+    }
+  }
+  if (!std::isfinite(slowest)) return {};
+  constexpr int tries = 60;
+  constexpr double below = 0.35, step = 1.06;
+  std::vector<double> speeds, squares;
+  double freedom = 1.0;
+  for (int k = 0; k < tries; ++k) {
+    speeds.push_back(slowest * below * std::pow(step, k));
+    const Misfit fit = misfit(ways, mass_kg, speeds.back());
+    squares.push_back(fit.chi2);
+    freedom = std::max(1.0, fit.freedom);
+  }
+  none = misfit(ways, mass_kg, 0.0).chi2;
+  const auto best = static_cast<size_t>(std::min_element(squares.begin(), squares.end()) - squares.begin());
+  const double scale = std::max(1.0, squares[best] / freedom);
+  constexpr double clear = 25.0, alike = 3.84;  // by how much it must fit better; of the 95 % interval
+  if (none - squares[best] < clear * scale || best == 0 || best + 1 == squares.size()) return {};
+  Shape shape{speeds[best], speeds[best], speeds[best]};
+  for (size_t k = 0; k < speeds.size(); ++k) {
+    if (squares[k] - squares[best] > alike * scale) continue;
+    shape.low = std::min(shape.low, speeds[k] / std::sqrt(step));
+    shape.high = std::max(shape.high, speeds[k] * std::sqrt(step));
+  }
+  return shape;
+}
+
+MovingFriction smoothed(const std::vector<Bin>& bins, double mass_kg, double stribeck, double scale,
+                        const TravelFrictionOptions& options) {
+  std::vector<double> place;
+  std::vector<Eigen::Vector2d> pairs;
+  std::vector<Eigen::Matrix2d> covariances;
+  Line sum;
+  Eigen::Matrix2d byZero = Eigen::Matrix2d::Zero();
+  for (size_t k = 0; k < bins.size(); ++k) {
+    place.push_back(static_cast<double>(k) / static_cast<double>(bins.size() - 1));
+    const Line line = lineOf(bins[k], mass_kg, stribeck, fallDoubt);
+    const Eigen::Matrix2d inverse = line.normal.inverse();
+    const bool good = bins[k].size() >= 2 && inverse.allFinite() && inverse(0, 0) > 0.0 && inverse(1, 1) > 0.0;
+    pairs.push_back(good ? line.solution() : Eigen::Vector2d::Zero());
+    covariances.push_back(good ? Eigen::Matrix2d(scale * inverse)
+                               : Eigen::Matrix2d(1e12 * Eigen::Matrix2d::Identity()));
+    if (!good) continue;
+    sum.normal += line.normal;
+    for (const Point& point : bins[k]) {
+      const Eigen::Vector2d row = rowOf(point, stribeck) / variance(point, mass_kg, stribeck, fallDoubt);
+      byZero += row * row.transpose() * static_cast<double>(bins.size());
+    }
+  }
+  const SmoothPair curves = smoothPair(place, pairs, covariances);
+  // An error of one speed's zero is the same in all of its bins.
+  const double zero_N = options.forceConstant_N_per_A * options.zeroError_A;
+  const Eigen::Matrix2d inverse = sum.normal.inverse();
+  Eigen::Matrix2d common = zero_N * zero_N * inverse * byZero * inverse;
+  common(0, 0) += zero_N * zero_N;  // and one of all speeds is Coulomb friction
+  MovingFriction friction;
+  const auto widen = [&](Estimate one, Eigen::Index c) {
+    one.standardError = std::hypot(one.standardError, std::sqrt(std::max(0.0, common(c, c))));
+    return one;
+  };
+  for (const Estimate& one : curves.first) friction.coulomb_Nm.push_back(widen(one, 0));
+  for (const Estimate& one : curves.second) friction.viscous_Nm_s_per_rad.push_back(widen(one, 1));
+  friction.coulombMean_Nm = widen(curves.firstMean, 0);
+  friction.viscousMean_Nm_s_per_rad = widen(curves.secondMean, 1);
+  return friction;
+}
+
+}  // namespace
+
+Result<TravelFriction> fitTravelFriction(const std::vector<TravelRun>& runs, const TravelFrictionOptions& options) {
+  const std::array<std::vector<Bin>, 2> ways{pointsOf(runs, 0, options), pointsOf(runs, 1, options)};
+  for (const auto& bins : ways) {
+    size_t most = 0;
+    for (const Bin& bin : bins) most = std::max(most, bin.size());
+    if (most < 3) return Error{"strokes", "crossed no bin at three speeds, expected at least that"};
+  }
+  TravelFriction friction;
+  double mass_kg = options.mass_kg;
+  Shape shape;
+  for (int round = 0; round < 2; ++round) {
+    if (!options.static_N[0].empty()) shape = stribeckOf(ways, mass_kg);
+    const Misfit fit = misfit(ways, mass_kg, shape.stribeck);
+    const Estimate mass = massOf(ways, mass_kg, shape.stribeck, std::max(1.0, fit.chi2 / std::max(1.0, fit.freedom)));
+    // One that is hardly known better than before is left as it was.
+    if (!(mass.standardError > 0.0) || mass.standardError > 0.02 * mass_kg || !(mass.value > 0.0)) break;
+    friction.mass_kg = mass;
+    mass_kg = mass.value;
+  }
+  if (shape.stribeck > 0.0) friction.stribeck_m_per_s = {shape.stribeck, (shape.high - shape.low) / (2.0 * 1.959964)};
+  const Misfit fit = misfit(ways, mass_kg, shape.stribeck);
+  const double scale = std::max(1.0, fit.chi2 / std::max(1.0, fit.freedom));
+  for (size_t way = 0; way < 2; ++way)
+    friction.moving[way] = smoothed(ways[way], mass_kg, shape.stribeck, scale, options);
+  return friction;
+}
+
+Result<std::array<std::vector<double>, 2>> movingCurrent_A(const std::vector<TravelRun>& runs) {
+  if (runs.empty()) return Error{"strokes", "were none, expected at least one"};
+  const auto slowest = std::min_element(runs.begin(), runs.end(), [](const TravelRun& a, const TravelRun& b) {
+    return a.target_m_per_s < b.target_m_per_s;
+  });
+  std::array<std::vector<double>, 2> currents;
+  for (size_t way = 0; way < 2; ++way) {
+    const auto& bins = slowest->bins[way];
+    const double sign = way == 0 ? -1.0 : 1.0;
+    const auto crossed = [](const TravelBinSums& sum) { return sum.samples > 0; };
+    const auto first = std::find_if(bins.begin(), bins.end(), crossed);
+    if (first == bins.end()) return Error{"strokes", "crossed no bin at the slowest speed"};
+    double last = sign * first->current_A / static_cast<double>(first->samples);
+    for (const TravelBinSums& sum : bins) {
+      if (sum.samples > 0) last = sign * sum.current_A / static_cast<double>(sum.samples);
+      currents[way].push_back(last);
+    }
+  }
+  return currents;
+}
+
+namespace {
+
+/// Some blocks one after the other, in which the axis went one way.
+struct Window {
+  double impulse = 0.0, change = 0.0, duration = 0.0, travel = 0.0;
+};
+
+constexpr size_t massPlaces = 10, leastWindows = 20;
+using WindowGroups = std::array<std::vector<Window>, 2 * massPlaces>;  // by place and way
+
+/// A window is a fortieth of a stroke, or four blocks; speeds at its ends are over a quarter of it.
+size_t windowBlocks(const std::vector<SpinBlock>& blocks) {
+  size_t turns = 1;
+  double before = 0.0;
+  for (size_t k = 1; k < blocks.size(); ++k) {
+    const double step = blocks[k].angle_rad - blocks[k - 1].angle_rad;
+    if (step * before < 0.0) ++turns;
+    if (step != 0.0) before = step;
+  }
+  return std::clamp<size_t>(blocks.size() / turns / 40, 4, 400);
+}
+
+WindowGroups windowsOf(const std::vector<SpinBlock>& blocks, double forceConstant) {
+  const size_t width = windowBlocks(blocks), half = std::max<size_t>(1, width / 8);
+  double low = blocks.front().angle_rad, high = low, fastest = 0.0;
+  const auto speed = [&](size_t k) {
+    return (blocks[k + half].angle_rad - blocks[k - half].angle_rad) /
+           (blocks[k + half].end_s - blocks[k - half].end_s);
+  };
+  for (size_t k = half; k + half < blocks.size(); ++k) {
+    low = std::min(low, blocks[k].angle_rad), high = std::max(high, blocks[k].angle_rad);
+    fastest = std::max(fastest, std::abs(speed(k)));
+  }
+  WindowGroups groups;
+  for (size_t k = half; k + width + half < blocks.size(); k += width) {
+    bool oneWay = true;
+    for (size_t j = k; j <= k + width; ++j)
+      oneWay = oneWay && speed(j) * speed(k) > 0.0 && std::abs(speed(j)) > 0.1 * fastest;
+    if (!oneWay) continue;
+    Window window{0.0, speed(k + width) - speed(k), 0.0, blocks[k + width].angle_rad - blocks[k].angle_rad};
+    for (size_t j = k + 1; j <= k + width; ++j) {
+      window.impulse += forceConstant * blocks[j].current_A * blocks[j].duration_s;
+      window.duration += blocks[j].duration_s;
+    }
+    const double part = (blocks[k + width / 2].angle_rad - low) / (high - low);
+    const auto place = std::min(massPlaces - 1, static_cast<size_t>(part * static_cast<double>(massPlaces)));
+    groups[2 * place + (speed(k) > 0.0 ? 1 : 0)].push_back(window);
+  }
+  return groups;
+}
+
+}  // namespace
+
+Result<Estimate> massByStrokes(const std::vector<SpinBlock>& blocks, double forceConstant_N_per_A) {
+  if (blocks.size() < 2 * leastWindows) return Error{"strokes", "left too few blocks to tell the mass"};
+  const WindowGroups groups = windowsOf(blocks, forceConstant_N_per_A);
+  size_t windows = 0;
+  for (const auto& group : groups) windows += group.size();
+  if (windows < leastWindows) return Error{"strokes", "went one way in too few windows to tell the mass"};
+  // Friction over a window is C·Δt + B·Δx, with C of each place and way its own and one B.
+  Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d right = Eigen::Vector2d::Zero();
+  double squares = 0.0, freedom = -2.0;
+  for (const auto& group : groups) {
+    double tt = 0.0;
+    Eigen::Vector3d tx = Eigen::Vector3d::Zero();
+    for (const Window& w : group) {
+      tt += w.duration * w.duration;
+      tx += w.duration * Eigen::Vector3d(w.change, w.travel, w.impulse);
+    }
+    if (group.size() < 2) continue;
+    freedom += static_cast<double>(group.size()) - 1.0;
+    for (const Window& w : group) {
+      const Eigen::Vector3d left = Eigen::Vector3d(w.change, w.travel, w.impulse) - w.duration / tt * tx;
+      normal += left.head<2>() * left.head<2>().transpose();
+      right += left[2] * left.head<2>();
+      squares += left[2] * left[2];
+    }
+  }
+  const Eigen::Vector2d x = normal.ldlt().solve(right);
+  const double scale = std::max(0.0, squares - right.dot(x)) / std::max(1.0, freedom);
+  const double error = std::sqrt(scale * normal.inverse()(0, 0));
+  if (!(x[0] > 0.0) || !std::isfinite(error)) return Error{"strokes", "show no mass, expected a positive one"};
+  return Estimate{x[0], std::hypot(error, 1.5e-3 * x[0])};
+}
+
+}  // namespace breakaway

@@ -1,0 +1,216 @@
+// The whole job on a linear axis: sound, interrupted, and with every trouble that a rig can play, at every step.
+#include <QTest>
+#include <cmath>
+
+#include "experiment/travel_search.h"
+#include "firmware_link/simulated_board.h"
+#include "firmware_link/simulated_truth.h"
+#include "report/commission.h"
+#include "support/linear_rig.h"
+#include "support/temporary.h"
+
+using namespace breakaway;
+
+class TestTravel : public QObject {
+  Q_OBJECT
+ private slots:
+  void bothEnds_areFeltWhereverTheAxisStands_data();
+  void bothEnds_areFeltWhereverTheAxisStands();
+  void aClampedAxis_isToldInWords();
+  void troubles_endStoppedAndInWords_data();
+  void troubles_endStoppedAndInWords();
+  void anInterruptedJob_goesOnWhereItWas();
+  void anIndexlessAxis_countsFromItsLowerEnd();
+};
+
+namespace {
+
+constexpr size_t bins = 24;
+
+test::LinearAxis shortAxis() {
+  test::LinearAxis axis;
+  axis.length_m = 0.12;
+  return axis;
+}
+
+CommissionOptions quick() {
+  CommissionOptions options;
+  options.rig = "axis";
+  options.bins = bins;
+  options.speedRun_s = 3.0;
+  options.keepRecordings = false;
+  return options;
+}
+
+/// A board on a rig file of its own.
+struct Board {
+  explicit Board(const test::LinearAxis& axis, unsigned seed = 5) {
+    uri = "simulated:" + folder.write("axis.rig.json", test::linearRigText(axis, 7));
+    auto opened = openDrive(uri, seed);
+    if (!opened) qFatal("%s", opened.error().message().c_str());
+    drive = std::move(*opened);
+  }
+  /// Whether the windings are open a while later.
+  bool rests() const {
+    std::vector<Sample> samples;
+    for (int k = 0; k < 8; ++k) static_cast<void>(drive->advance(0.25, samples));
+    return samples.empty() || !samples.back().enabled;
+  }
+
+  test::TemporaryFolder folder;
+  std::string uri;
+  std::unique_ptr<Drive> drive;
+};
+
+double worstError(const FrictionMap& map, const FrictionMap& truth, Estimate WayBin::*curve) {
+  double worst = 0.0;
+  for (size_t w = 0; w < 2; ++w) {
+    double squares = 0.0, level = 0.0;
+    for (size_t k = 0; k < map.bins.size(); ++k) {
+      const double right = (truth.bins[k].way[w].*curve).value;
+      squares += std::pow((map.bins[k].way[w].*curve).value - right, 2);
+      level += right;
+    }
+    const auto n = static_cast<double>(map.bins.size());
+    worst = std::max(worst, std::sqrt(squares / n) / (level / n));
+  }
+  return worst;
+}
+
+}  // namespace
+
+void TestTravel::bothEnds_areFeltWhereverTheAxisStands_data() {
+  QTest::addColumn<double>("start");
+  for (const double start : {0.0, 0.02, 0.5, 1.0}) QTest::newRow(std::to_string(start).c_str()) << start;
+}
+
+void TestTravel::bothEnds_areFeltWhereverTheAxisStands() {
+  QFETCH(double, start);
+  test::LinearAxis axis = shortAxis();
+  axis.start = start;
+  const Board board(axis);
+  TravelSearchOptions options;
+  options.mostLimit_A = board.drive->settings().current_limit_A;
+  options.firstLimit_A = 0.02 * options.mostLimit_A;
+  options.count_m = 1e-6;
+  const auto search = std::make_shared<TravelSearch>(options);
+  board.drive->start(search);
+  std::vector<Sample> samples;
+  double strongest_A = 0.0;
+  while (search->state() == Procedure::State::running) {
+    samples.clear();
+    QVERIFY(board.drive->advance(0.25, samples).ok());
+    for (const Sample& sample : samples) strongest_A = std::max(strongest_A, std::abs(sample.current_reference_A));
+  }
+  QVERIFY2(search->state() == Procedure::State::finished, search->status().failure.c_str());
+  // Counted from where it stood at power-up.
+  QVERIFY(std::abs(search->travel().low_m + start * 0.12) < 1e-4);
+  QVERIFY(std::abs(search->travel().high_m - (1.0 - start) * 0.12) < 1e-4);
+  // Gently: friction takes 0.44 A here.
+  QVERIFY2(strongest_A < 1.6, qPrintable(QString::number(strongest_A)));
+}
+
+void TestTravel::aClampedAxis_isToldInWords() {
+  test::LinearAxis axis = shortAxis();
+  axis.more = R"(, "faults": [{"fault": "blocked"}])";
+  const Board board(axis);
+  const auto done = commission(*board.drive, quick());
+  QVERIFY(!done);
+  QVERIFY2(done.error().message().find("02-ends: the axis moves neither way") != std::string::npos,
+           done.error().message().c_str());
+}
+
+void TestTravel::troubles_endStoppedAndInWords_data() {
+  QTest::addColumn<QString>("fault");
+  QTest::addColumn<double>("start_s");
+  QTest::addColumn<bool>("mayFinish");
+  const std::pair<const char*, bool> faults[] = {
+      {R"("link_loss", "duration_s": 1)", false},
+      {R"("over_current", "current_A": 50, "duration_s": 0.5)", false},
+      {R"("blocked")", false},
+      {R"("blocked", "position_m": 0.07)", false},
+      {R"("encoder_jump", "counts": 1, "duration_s": 0.1)", true},
+      {R"("encoder_jump", "counts": -1000, "duration_s": 0.1)", false},
+      {R"("index_lost")", false},
+      {R"("false_index", "position_m": 0.03)", false},
+      {R"("supply_drop", "part": 0.5, "duration_s": 0.5)", false},
+      {R"("temperature_drift", "offset_A_per_s": 0.1, "duration_s": 60)", true},
+  };
+  // In the search for the ends, the winding test, the strokes, and both sweeps.
+  for (const double start_s : {4.0, 25.0, 47.0, 100.0, 150.0}) {
+    for (const auto& [fault, mayFinish] : faults)
+      QTest::addRow("%s at %.0f s", fault, start_s) << QString(fault) << start_s << mayFinish;
+  }
+}
+
+void TestTravel::troubles_endStoppedAndInWords() {
+  QFETCH(QString, fault);
+  QFETCH(double, start_s);
+  QFETCH(bool, mayFinish);
+  test::LinearAxis axis = shortAxis();
+  axis.more = ", \"faults\": [{\"fault\": " + fault.toStdString() + ", \"start_s\": " + std::to_string(start_s) + "}]";
+  const Board board(axis);
+  const auto done = commission(*board.drive, quick());
+  if (!done) {
+    const std::string words = done.error().message();
+    QVERIFY2(words.size() > 20 && words.front() == '0', words.c_str());
+  } else {
+    QVERIFY2(mayFinish || !done->remarks.empty(), "it went through without a word");
+    QVERIFY(mayFinish);
+  }
+  QVERIFY(board.rests());
+}
+
+void TestTravel::anInterruptedJob_goesOnWhereItWas() {
+  const Board board(shortAxis());
+  CommissionOptions options = quick();
+  std::optional<CommissionProgress> kept;
+  options.keepProgress = [&](const CommissionProgress& progress) {
+    kept = progress;
+    return Result<void>();
+  };
+  options.interrupted = [&] { return kept && kept->events.size() >= 10; };
+  const auto first = commission(*board.drive, options);
+  QVERIFY(!first);
+  QVERIFY(kept && kept->motor && kept->strokes.size() >= 3 && kept->events.size() >= 10);
+  QVERIFY(board.rests());
+  const size_t before = kept->events.size();
+  // The board was without power meanwhile: it counts from elsewhere.
+  test::LinearAxis moved = shortAxis();
+  moved.start = 0.7;
+  const Board again(moved, 6);
+  CommissionOptions rest = quick();
+  rest.earlier = kept;
+  rest.earlier->device = again.drive->identity().device;
+  const auto done = commission(*again.drive, rest);
+  QVERIFY2(done.ok(), done ? "" : done.error().message().c_str());
+  QVERIFY(done->events.size() > before);
+  const auto truth = trueMap(again.uri, done->map);
+  QVERIFY(truth.ok());
+  QVERIFY(worstError(done->map, *truth, &WayBin::static_Nm) < 0.03);
+  QVERIFY(worstError(done->map, *truth, &WayBin::coulomb_Nm) < 0.03);
+}
+
+void TestTravel::anIndexlessAxis_countsFromItsLowerEnd() {
+  test::LinearAxis axis = shortAxis();
+  axis.hasIndex = false;
+  const Board board(axis);
+  const auto done = commission(*board.drive, quick());
+  QVERIFY2(done.ok(), done ? "" : done.error().message().c_str());
+  QCOMPARE(done->map.bins.size(), bins);
+  QVERIFY(done->map.axis == Axis::linear);
+  QVERIFY(done->map.bins.front().angle_rad > 0.0 && done->map.bins.back().angle_rad < 0.12);
+  const auto truth = trueMap(board.uri, done->map);
+  QVERIFY(truth.ok());
+  QVERIFY(worstError(done->map, *truth, &WayBin::static_Nm) < 0.03);
+  QVERIFY(worstError(done->map, *truth, &WayBin::coulomb_Nm) < 0.03);
+  QVERIFY(worstError(done->map, *truth, &WayBin::viscous_Nm_s_per_rad) < 0.08);
+  QVERIFY(std::abs(done->motor.inertia_kg_m2.value / 1.8 - 1.0) < 0.02);
+  QVERIFY(std::abs(done->motor.resistance_ohm.value / 2.2 - 1.0) < 0.02);
+  QVERIFY(std::abs(done->motor.torqueConstant_Nm_per_A.value / 14.0 - 1.0) < 0.02);
+  QVERIFY(done->compensatedRun && done->compensatedRun->with_rad_per_s < done->compensatedRun->without_rad_per_s);
+  QVERIFY(!done->missed);
+}
+
+QTEST_APPLESS_MAIN(TestTravel)
+#include "tst_travel.moc"

@@ -1,0 +1,148 @@
+// Friction over a travel from strokes that are known in all but their noise.
+#include <QTest>
+#include <cmath>
+#include <numbers>
+
+#include "identify/smooth_pair.h"
+#include "identify/travel_friction.h"
+#include "motor/noise.h"
+
+using namespace breakaway;
+
+class TestTravelFriction : public QObject {
+  Q_OBJECT
+ private slots:
+  void smoothCurves_areFoundAndHeldByTheirIntervals();
+  void levelCurves_areLeftLevel();
+  void massAndFriction_areToldApart();
+  void twoSpeeds_areRefused();
+};
+
+namespace {
+
+constexpr size_t places = 90;
+
+double at(size_t k) {
+  return static_cast<double>(k) / (places - 1);
+}
+
+double coulombAt(double x) {
+  return 5.0 + 0.5 * std::cos(5.0 * x) + 0.2 * std::sin(40.0 * x);
+}
+
+double viscousAt(double x) {
+  return 8.0 + 0.8 * std::sin(4.0 * x);
+}
+
+/// What strokes at these speeds over bins of 2 mm leave, of an axis of 1.8 kg that speeds up over its first third.
+std::vector<TravelRun> strokesOf(const std::vector<double>& speeds, double noise_A, unsigned seed) {
+  constexpr double Kf = 14.0, mass = 1.8, tick_s = 2e-4, width_m = 0.002;
+  Noise noise(seed);
+  std::vector<TravelRun> runs;
+  for (const double speed : speeds) {
+    TravelRun run;
+    run.target_m_per_s = speed;
+    run.halfSpan_s = 0.002;
+    for (size_t w = 0; w < 2; ++w) {
+      const double sign = w == 0 ? -1.0 : 1.0;
+      for (size_t k = 0; k < places; ++k) {
+        const bool speedsUp = k<places / 3, slowsDown = k> 2 * places / 3;
+        const double a = speed * speed * (speedsUp ? 6.0 : slowsDown ? -6.0 : 0.0);
+        const auto samples = static_cast<size_t>(20.0 * width_m / speed / tick_s);
+        const auto n = static_cast<double>(samples);
+        const double force = coulombAt(at(k)) + viscousAt(at(k)) * speed + mass * a;
+        run.bins[w].push_back({samples, sign * n * (force / Kf + noise_A * noise.normal() / std::sqrt(n)),
+                               sign * n * speed, sign * n * a});
+      }
+    }
+    runs.push_back(run);
+  }
+  return runs;
+}
+
+TravelFrictionOptions optionsFor(double noise_A) {
+  TravelFrictionOptions options;
+  options.forceConstant_N_per_A = 14.0;
+  options.mass_kg = 1.7;  // 6 % off
+  options.noiseRms_A = noise_A;
+  options.tick_s = 2e-4;
+  options.count_m = 1e-6;
+  options.bins = {0.0, 0.002 * places, places};
+  return options;
+}
+
+}  // namespace
+
+void TestTravelFriction::smoothCurves_areFoundAndHeldByTheirIntervals() {
+  Noise noise(11);
+  std::vector<double> place;
+  std::vector<Eigen::Vector2d> pairs;
+  std::vector<Eigen::Matrix2d> covariances;
+  constexpr double error = 0.1;
+  for (size_t k = 0; k < places; ++k) {
+    place.push_back(at(k));
+    pairs.emplace_back(coulombAt(at(k)) + error * noise.normal(), viscousAt(at(k)) + error * noise.normal());
+    covariances.emplace_back(error * error * Eigen::Matrix2d::Identity());
+  }
+  const SmoothPair curves = smoothPair(place, pairs, covariances);
+  double squares[2] = {0.0, 0.0}, held[2] = {0.0, 0.0};
+  for (size_t k = 0; k < places; ++k) {
+    const double off[2] = {curves.first[k].value - coulombAt(at(k)), curves.second[k].value - viscousAt(at(k))};
+    const double doubt[2] = {curves.first[k].standardError, curves.second[k].standardError};
+    for (size_t c = 0; c < 2; ++c) {
+      squares[c] += off[c] * off[c] / places;
+      held[c] += std::abs(off[c]) < 1.96 * doubt[c] ? 1.0 / places : 0.0;
+    }
+  }
+  // The smoother curve gains more.
+  QVERIFY2(std::sqrt(squares[0]) < 0.7 * error && std::sqrt(squares[1]) < 0.4 * error,
+           qPrintable(QString("%1 %2").arg(std::sqrt(squares[0])).arg(std::sqrt(squares[1]))));
+  QVERIFY2(held[0] > 0.85 && held[1] > 0.85, qPrintable(QString("%1 %2").arg(held[0]).arg(held[1])));
+}
+
+void TestTravelFriction::levelCurves_areLeftLevel() {
+  Noise noise(12);
+  std::vector<double> place;
+  std::vector<Eigen::Vector2d> pairs;
+  std::vector<Eigen::Matrix2d> covariances;
+  for (size_t k = 0; k < places; ++k) {
+    place.push_back(at(k));
+    pairs.emplace_back(5.0 + 0.1 * noise.normal(), 8.0 + 0.5 * noise.normal());
+    covariances.emplace_back(Eigen::Vector2d(0.01, 0.25).asDiagonal());
+  }
+  // One place was never crossed.
+  pairs[40].setZero();
+  covariances[40] = 1e12 * Eigen::Matrix2d::Identity();
+  const SmoothPair curves = smoothPair(place, pairs, covariances);
+  for (size_t k = 0; k < places; ++k) {
+    QVERIFY(std::abs(curves.first[k].value - 5.0) < 0.06);
+    QVERIFY(std::abs(curves.second[k].value - 8.0) < 0.3);
+  }
+  QVERIFY(curves.firstMean.standardError < 0.02 && curves.firstMean.standardError > 0.005);
+}
+
+void TestTravelFriction::massAndFriction_areToldApart() {
+  const auto friction = fitTravelFriction(strokesOf({0.02, 0.1, 0.3, 0.8}, 0.017, 3), optionsFor(0.017));
+  QVERIFY2(friction.ok(), friction ? "" : friction.error().message().c_str());
+  QVERIFY2(std::abs(friction->mass_kg.value - 1.8) < 3.0 * friction->mass_kg.standardError + 1e-12,
+           qPrintable(QString::number(friction->mass_kg.value)));
+  QVERIFY(friction->mass_kg.standardError < 0.01 * 1.8);
+  for (size_t w = 0; w < 2; ++w) {
+    double squares[2] = {0.0, 0.0};
+    for (size_t k = 0; k < places; ++k) {
+      squares[0] += std::pow(friction->moving[w].coulomb_Nm[k].value / coulombAt(at(k)) - 1.0, 2) / places;
+      squares[1] += std::pow(friction->moving[w].viscous_Nm_s_per_rad[k].value / viscousAt(at(k)) - 1.0, 2) / places;
+    }
+    QVERIFY(std::sqrt(squares[0]) < 0.004 && std::sqrt(squares[1]) < 0.01);
+    QVERIFY(std::abs(friction->moving[w].coulombMean_Nm.value - 5.0) < 0.3);
+  }
+}
+
+void TestTravelFriction::twoSpeeds_areRefused() {
+  const auto friction = fitTravelFriction(strokesOf({0.1, 0.3}, 0.017, 3), optionsFor(0.017));
+  QVERIFY(!friction);
+  QVERIFY(friction.error().message().find("three speeds") != std::string::npos);
+}
+
+QTEST_APPLESS_MAIN(TestTravelFriction)
+#include "tst_travel_friction.moc"
