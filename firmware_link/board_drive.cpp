@@ -471,14 +471,14 @@ Result<size_t> BoardDrive::advance(double duration_s, std::vector<Sample>& sampl
 
 }  // namespace
 
-Result<bool> speaksWire(ByteStream& stream, double patience_s) {
+Result<bool> speaksWire(ByteStream& stream, double most_s) {
   constexpr double perTry_s = 0.15;
   std::array<std::uint8_t, wire::mostFrame + 1> question{};  // a zero first, for whatever came before
   const std::size_t size =
       wire::FrameEncoder::encode({static_cast<std::uint8_t>(wire::Type::hello), 0, {}}, std::span(question).subspan(1));
   wire::FrameDecoder decoder;
   const auto begun = Clock::now();
-  while (since_s(begun) < patience_s) {
+  while (since_s(begun) < most_s) {
     if (auto sent = stream.write(std::span(question).first(size + 1)); !sent) return sent.error();
     const auto asked = Clock::now();
     do {

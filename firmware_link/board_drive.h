@@ -19,8 +19,8 @@ struct BoardDriveOptions {
   double silence_s = 0.5;
 };
 
-/// Asks whether a board that speaks the wire is there, every 0.15 s for at most `patience_s`. Errors: the stream's.
-Result<bool> speaksWire(ByteStream& stream, double patience_s);
+/// Asks whether a board that speaks the wire is there, every 0.15 s for at most `most_s`. Errors: the stream's.
+Result<bool> speaksWire(ByteStream& stream, double most_s);
 
 /// Says hello, reads the dictionary, stops the motor and turns telemetry on. Where the board's pace is real, advance()
 /// waits and sends the heartbeat: whoever no longer calls it lets the lease run out. Where it is granted, the board's

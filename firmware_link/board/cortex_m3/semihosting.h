@@ -1,5 +1,5 @@
-// What a debugger or an emulator does for a program on the chip. Freestanding. Source: Arm, "Semihosting for AArch32 and
-// AArch64", 2020, chapter 5.
+// What a debugger or an emulator does for a program on the chip. Freestanding. Source: Arm, "Semihosting for AArch32
+// and AArch64", 2020, chapter 5.
 #pragma once
 
 #include <cstddef>
@@ -20,8 +20,8 @@ inline void leaveEmulator() {
   semihosting(exit, applicationExit);
 }
 
-/// Through the emulator's console, in one piece each, what ends with a zero and has none before: an emulated serial port
-/// sends byte by byte, each of which takes an emulator a system call.
+/// Through the emulator's console, in one piece each, what ends with a zero and has none before: an emulated serial
+/// port sends byte by byte, each of which takes an emulator a system call.
 inline void sendByConsole(std::span<const std::uint8_t> bytes) {
   constexpr std::uintptr_t writeByte = 0x03, writeText = 0x04;
   while (!bytes.empty()) {
