@@ -69,7 +69,7 @@ Result<void> runProfile(const ProfileLine& line) {
   auto board = openBoard(line.board);
   if (!board) return board.error();
   if ((*board)->identity().axis != Axis::rotary)
-    return Error{"board " + line.board, "moves a linear axis, expected a rotor: profiles are of a rotor's board"};
+    return Error{"board " + line.board.uri, "moves a linear axis, expected a rotor: profiles are of a rotor's board"};
   if (line.action == "save") return save(**board, line);
   return line.action == "compare" ? compare(**board, *profile) : restore(**board, *profile, line);
 }

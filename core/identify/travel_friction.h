@@ -1,4 +1,4 @@
-// From strokes over a linear axis' travel to friction per place and way, and to the moving mass.
+// From strokes at several speeds over a linear axis' travel to friction per place and way, and to the moving mass.
 #pragma once
 
 #include <array>
@@ -6,7 +6,6 @@
 
 #include "base/estimate.h"
 #include "base/result.h"
-#include "experiment/spin_test.h"
 #include "experiment/travel_bins.h"
 #include "friction/measurements.h"
 #include "identify/velocity_friction.h"
@@ -39,9 +38,5 @@ Result<TravelFriction> fitTravelFriction(const std::vector<TravelRun>& runs, con
 /// Current that keeps it moving in the slowest run, per bin, by Way, positive in the way's direction; bins that the run
 /// left out take their neighbour's. Error: there is no run, or it left out a whole way.
 Result<std::array<std::vector<double>, 2>> movingCurrent_A(const std::vector<TravelRun>& runs);
-
-/// The moving mass from strokes by voltage: within each tenth of the travel and each way the friction is projected
-/// out, and what is left of ∫Kf·i dt follows the speed's change. Errors: fewer than 20 windows.
-Result<Estimate> massByStrokes(const std::vector<SpinBlock>& blocks, double forceConstant_N_per_A);
 
 }  // namespace breakaway

@@ -50,6 +50,7 @@ Result<FrictionMap> estimateTravelMap(const std::vector<BreakawayEvent>& measure
                      "has fewer than 8 breakaways in each pass"};
       std::sort(over.begin(), over.end());
       std::vector<double> values;
+      values.reserve(trend.size());
       for (const auto& [centre, force] : trend) values.push_back(force + between(over, centre));
       map.turnStatic_Nm[w].push_back(std::move(values));
     }

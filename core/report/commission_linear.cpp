@@ -132,11 +132,8 @@ void LinearJob::joinMass(const Estimate& bySweep) {
   motor.inertia_kg_m2 = {value, std::hypot(std::max(1.0, apart) / std::sqrt(u + v), doubt * value)};
 }
 
-Result<void> LinearJob::sweepBreakaway() {
+TravelBreakawayOptions LinearJob::breakawayOptions(const std::array<std::vector<double>, 2>& moving_A) const {
   const IdentifiedMotor& motor = done_.motor;
-  const auto moving_A = movingCurrent_A(done_.strokes);
-  if (!moving_A) return moving_A.error();
-  const double index_m = done_.indexAngle_rad.value;
   TravelBreakawayOptions options;
   options.travel = travel_;
   options.bins = bins_;
@@ -146,7 +143,7 @@ Result<void> LinearJob::sweepBreakaway() {
   options.deadZone_V = linearised_ ? 0.0 : motor.deadZone_V.value;
   options.mass_kg = motor.inertia_kg_m2.value;
   options.backEmfConstant_V_s_per_m = motor.backEmfConstant_V_s_per_rad.value;
-  options.moving_A = *moving_A;
+  options.moving_A = moving_A;
   options.current_limit_A = done_.settings.current_limit_A;
   options.speed_m_per_s = 0.3 * speed_m_per_s_;
   options.acceleration_m_per_s2 = acceleration_m_per_s2_;
@@ -154,8 +151,16 @@ Result<void> LinearJob::sweepBreakaway() {
   options.motionVelocity_m_per_s = std::max(3e-4, 300.0 * count_m());
   options.zeroing_s = zeroing_s();
   options.zeroEvery_s = 20.0 * std::max(0.5, options.zeroing_s);
-  options.index_m = index_m;
+  options.index_m = done_.indexAngle_rad.value;
   options.indexTolerance_m = indexTolerance();
+  return options;
+}
+
+Result<void> LinearJob::sweepBreakaway() {
+  const auto moving_A = movingCurrent_A(done_.strokes);
+  if (!moving_A) return moving_A.error();
+  const TravelBreakawayOptions options = breakawayOptions(*moving_A);
+  const double index_m = options.index_m;
   std::vector<BreakawayEvent> earlier = kept_.events;
   for (BreakawayEvent& event : earlier) event.angle_rad += index_m;
   const auto sweep = std::make_shared<TravelBreakaway>(options, earlier);
@@ -174,17 +179,24 @@ Result<void> LinearJob::sweepBreakaway() {
   if (done_.missed > 0)
     done_.remarks.push_back(std::to_string(done_.missed) +
                             " breakaways could not be measured; their bins rest on their neighbours.");
+  const ZeroTrack zeros(sweep->zeros(), done_.noiseRms_A);
+  const auto& kept = kept_.events;
+  return drawMap(options, kept.empty() ? 0.0 : zeros.at(kept[kept.size() / 2].time_s).standardError);
+}
+
+/// Map and averages from all breakaways; `measured` is how they were.
+Result<void> LinearJob::drawMap(const TravelBreakawayOptions& measured, double zeroError_A) {
+  const double index_m = measured.index_m;
   MapOptions mapOptions;
   mapOptions.rig = options_.rig;
   mapOptions.bins = options_.bins;
   mapOptions.turns = options_.turns;
-  mapOptions.torqueConstant_Nm_per_A = options.forceConstant_N_per_A;
+  mapOptions.torqueConstant_Nm_per_A = measured.forceConstant_N_per_A;
   mapOptions.noiseRms_A = done_.noiseRms_A;
   mapOptions.totalVelocity_rad_per_s = totalVelocity_m_per_s;
   std::vector<BreakawayEvent> events = kept_.events;
   for (BreakawayEvent& event : events) event.angle_rad += index_m;
-  const ZeroTrack zeros(sweep->zeros(), done_.noiseRms_A);
-  if (!events.empty()) mapOptions.zeroError_A = zeros.at(events[events.size() / 2].time_s).standardError;
+  mapOptions.zeroError_A = zeroError_A;
   done_.events = calibrated(events, mapOptions);
   // Once the breakaway forces are known, slow strokes can be freed of what friction falls by with speed.
   const auto still = estimateTravelMap(events, done_.moving, bins_, index_m, mapOptions);
@@ -204,25 +216,29 @@ Result<void> LinearJob::sweepBreakaway() {
     done_.remarks.emplace_back(
         "Slow strokes don't show over which speed friction falls from static to Coulomb; compensation goes without "
         "static friction.");
-  const double doubt = motor.currentGain.standardError / motor.currentGain.value;
+  const double doubt = done_.motor.currentGain.standardError / done_.motor.currentGain.value;
   done_.motor.coulomb_Nm = done_.map.coulombAverage_Nm;
   done_.motor.viscous_Nm_s_per_rad = done_.map.viscousAverage_Nm_s_per_rad;
   for (Estimate* one : {&done_.motor.coulomb_Nm, &done_.motor.viscous_Nm_s_per_rad})
     one->standardError = std::hypot(one->standardError, doubt * one->value);
-  done_.map.settings = {{"force_constant_N_per_A", options.forceConstant_N_per_A},
-                        {"resistance_ohm", options.resistance_ohm},
-                        {"dead_zone_V", options.deadZone_V},
-                        {"mass_kg", options.mass_kg},
-                        {"dwell_s", options.dwell_s},
-                        {"settle_s", options.settle_s},
-                        {"ramp_s", options.ramp_s},
-                        {"motion_velocity_m_per_s", options.motionVelocity_m_per_s},
-                        {"motion_counts", static_cast<double>(options.motionCounts)},
+  noteSettings(measured);
+  return {};
+}
+
+void LinearJob::noteSettings(const TravelBreakawayOptions& measured) {
+  done_.map.settings = {{"force_constant_N_per_A", measured.forceConstant_N_per_A},
+                        {"resistance_ohm", measured.resistance_ohm},
+                        {"dead_zone_V", measured.deadZone_V},
+                        {"mass_kg", measured.mass_kg},
+                        {"dwell_s", measured.dwell_s},
+                        {"settle_s", measured.settle_s},
+                        {"ramp_s", measured.ramp_s},
+                        {"motion_velocity_m_per_s", measured.motionVelocity_m_per_s},
+                        {"motion_counts", static_cast<double>(measured.motionCounts)},
                         {"travel_m", travel_.high_m - travel_.low_m},
                         {"margin_m", travel_.margin_m},
                         {"highest_speed_m_per_s", speed_m_per_s_},
                         {"missed", static_cast<double>(done_.missed)}};
-  return {};
 }
 
 Result<void> LinearJob::compensate() {

@@ -28,9 +28,9 @@ struct CommissionProgress {
   double shownResistance_ohm = 0.0;      ///< with the current as the sensor shows it, with the motor
   std::vector<VelocityRun> runs;         ///< complete ones, in the order they were run
   std::vector<BreakawayEvent> events;    ///< on a linear axis with places from the index on
-  std::vector<TravelRun> strokes;        ///< of a linear axis, complete ones
-  std::optional<Travel> travel;          ///< likewise, from the index on
   double addedInertia_kg_m2{};           ///< of the disc that is mounted
+  std::vector<TravelRun> strokes{};      ///< of a linear axis, complete ones
+  std::optional<Travel> travel{};        ///< likewise, from the index on
 };
 
 /// Writes progress/state.json, progress/run-NN.json, progress/strokes-NN.json and progress/breakaways.json into

@@ -5,6 +5,7 @@
 
 #include "experiment/travel.h"
 #include "experiment/travel_bins.h"
+#include "experiment/travel_breakaway.h"
 #include "identify/travel_friction.h"
 #include "report/commission.h"
 #include "report/commission_steps.h"
@@ -28,7 +29,10 @@ class LinearJob {
   Result<void> home();
   Result<void> layBins();
   Result<void> sweepVelocity();
+  TravelBreakawayOptions breakawayOptions(const std::array<std::vector<double>, 2>& moving_A) const;
   Result<void> sweepBreakaway();
+  Result<void> drawMap(const TravelBreakawayOptions& measured, double zeroError_A);
+  void noteSettings(const TravelBreakawayOptions& measured);
   Result<void> takeFriction(const TravelFriction& friction);
   Result<void> compensate();
   void joinMass(const Estimate& bySweep);

@@ -9,6 +9,7 @@
 #include "experiment/travel_strokes.h"
 #include "experiment/winding_test.h"
 #include "identify/bridge_fit.h"
+#include "identify/travel_mass.h"
 #include "report/commission_begin.h"
 #include "report/linear_job.h"
 

@@ -5,10 +5,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <regex>
 
 #include "base/atomic_file.h"
 #include "figures/compensation_figures.h"
 #include "figures/pulse_figures.h"
+#include "firmware_link/presets.h"
 #include "firmware_link/simulated_board.h"
 #include "support/random_rig.h"
 
@@ -60,6 +62,20 @@ std::string concealed(unsigned seed) {
          "\"amplitude\": 0.4, \"phase_rad\": 1.0 } } ] }\n";
 }
 
+/// The preset `servo` with the same friction at every angle; without `step` static friction is hardly above Coulomb's.
+std::string evenServo(bool step) {
+  auto text = readFile(resourcesFolder() + "/presets/servo.rig.json");
+  if (!text) return {};
+  static const std::regex swings(R"re(("harmonics(_Nm)?": )\[\[[^}]*\]\])re");
+  std::string even = std::regex_replace(*text, swings, "$1[]");
+  if (step) return even;
+  for (const auto& [from, to] : {std::pair("0.022", "0.0171"), std::pair("0.021,", "0.0166,")}) {
+    const size_t at = even.find(from);
+    if (at != std::string::npos) even.replace(at, std::string(from).size(), to);
+  }
+  return even;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -82,6 +98,11 @@ int main(int argc, char** argv) {
   for (const unsigned seed : {1u, 2u, 3u, 4u}) tried("servo seed " + std::to_string(seed), "simulated:servo", seed);
   for (const unsigned seed : {1u, 2u}) tried("uneven seed " + std::to_string(seed), "simulated:uneven", seed);
   tried("published-0134", "simulated:published-0134", 1);
+  for (const bool step : {true, false}) {
+    const std::string file = (folder / (step ? "even.rig.json" : "even-stepless.rig.json")).string();
+    if (!writeFile(file, evenServo(step))) return 1;
+    tried(step ? "servo, even" : "servo, even, no step", "simulated:" + file, 1);
+  }
   for (int k = 0; k < count; ++k) {
     const unsigned seed = first + static_cast<unsigned>(k);
     const std::string file = (folder / ("random-" + std::to_string(seed) + ".rig.json")).string();

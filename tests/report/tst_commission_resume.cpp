@@ -96,6 +96,10 @@ void TestCommissionResume::progress_readsBackAsItWas() {
   VelocityRun run{-10.0 / 3.0, 2, 4.5, 7.5, 0.05, 0.01, 0.3, {{3, 0.1, 0.2, -3.0, 9.1}, {0, 0.0, 0.0, 0.0, 0.0}}, {}};
   run.blocks.assign(2, RunBlock{1, 0.1, 0.2, 0.3, 0.4, run.bins});
   progress.runs = {run, run};
+  TravelRun strokes{0.1, 25.0, 40.0, -0.02, 0.003, {}};
+  for (auto& way : strokes.bins) way = {{1200, -3.5, 1.0 / 7.0, 2.0}, {0, 0.0, 0.0, 0.0}};
+  progress.strokes = {strokes};
+  progress.travel = Travel{-0.1, 0.3, 1.0 / 90.0};
   BreakawayEvent event;
   event.way = Way::cw;
   event.turn = 1, event.bin = 17, event.samples = 2000, event.outlier = true;
@@ -124,6 +128,12 @@ void TestCommissionResume::progress_readsBackAsItWas() {
   QVERIFY(read.angle_rad == 0.1 && read.current_A == 0.2 && read.torque_Nm == 0.3 && read.commanded_A == 0.4);
   QVERIFY(read.commandedMean_A == 0.5 && read.measuredMean_A == 0.6);
   QVERIFY(read.commandedVariance_A2 == 0.7 && read.covariance_A2 == 0.8);
+  QCOMPARE(back->strokes.size(), size_t{1});
+  QCOMPARE(back->strokes[0].target_m_per_s, strokes.target_m_per_s);
+  QCOMPARE(back->strokes[0].zero_A, strokes.zero_A);
+  QCOMPARE(back->strokes[0].bins[1].size(), size_t{2});
+  QCOMPARE(back->strokes[0].bins[1][0].velocity_m_per_s, 1.0 / 7.0);
+  QVERIFY(back->travel && back->travel->margin_m == 1.0 / 90.0);
 }
 
 void TestCommissionResume::damagedProgress_isNamed() {
