@@ -15,7 +15,7 @@ QString words(const char* text) {
 }
 
 /// A value known to ±`part` of itself.
-Estimate within(double value, double part) {
+Estimate trustedWithin(double value, double part) {
   return {value, part * value / 1.959964};
 }
 
@@ -42,15 +42,15 @@ KnownMotor knownMotor(const ControllerSettings& settings, const std::optional<Be
                     motor.resistance_ohm.value_or(0.0),
                     motor.inductance_H.value_or(0.0),
                     motor.backEmfConstant.value_or(*motor.torqueConstant)};
-    known.inertia_kg_m2 = within(*motor.inertia, 0.05);
-    known.torqueConstant_Nm_per_A = within(*motor.torqueConstant, 0.027);
+    known.inertia_kg_m2 = trustedWithin(*motor.inertia, 0.05);
+    known.torqueConstant_Nm_per_A = trustedWithin(*motor.torqueConstant, 0.027);
     known.source = words("bench file");
     return known;
   }
   const double J = settings.nominal_inertia_kg_m2, Kt = settings.nominal_torque_constant_Nm_per_A;
   known.values = {J, Kt, 0.0, 0.0, 0.0, Kt};
-  known.inertia_kg_m2 = within(J, 0.3);
-  known.torqueConstant_Nm_per_A = within(Kt, 0.3);
+  known.inertia_kg_m2 = trustedWithin(J, 0.3);
+  known.torqueConstant_Nm_per_A = trustedWithin(Kt, 0.3);
   known.source = words("name plate");
   return known;
 }
