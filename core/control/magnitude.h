@@ -38,22 +38,4 @@ constexpr double within(double value, double limit) {
   return value > limit ? limit : value < -limit ? -limit : value;
 }
 
-/// The nearest whole number, halves away from zero; held within ±2^23.
-constexpr std::int32_t nearest(float value) {
-  const auto bits = std::bit_cast<std::uint32_t>(value);
-  const int exponent = static_cast<int>(bits >> 23 & 0xffu);
-  std::uint32_t size = 0;
-  if (exponent >= 127 + 23) {
-    size = 1u << 23;
-  } else if (exponent >= 126) {
-    const int shift = 150 - exponent;
-    size = ((bits & 0x7fffffu) + 0x800000u + (1u << (shift - 1))) >> shift;
-  }
-  return (bits >> 31) != 0 ? -static_cast<std::int32_t>(size) : static_cast<std::int32_t>(size);
-}
-constexpr std::int32_t nearest(double value) {
-  const double held = within(value, 8388608.0);
-  return held == held ? static_cast<std::int32_t>(held < 0.0 ? held - 0.5 : held + 0.5) : 0;
-}
-
 }  // namespace breakaway

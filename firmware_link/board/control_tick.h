@@ -10,6 +10,7 @@
 #include "control/turn.h"
 #include "firmware_link/board/board_hardware.h"
 #include "firmware_link/wire/messages.h"
+#include "firmware_link/wire/nearest.h"
 
 namespace breakaway::board {
 
@@ -165,7 +166,7 @@ class ControlTick {
   Scalar realisable(Scalar duty) {
     if (hardware_.pwmSteps == 0) return duty;
     const Scalar wanted = within(duty * steps_ + left_, steps_);
-    const auto made = static_cast<Scalar>(nearest(wanted));
+    const auto made = static_cast<Scalar>(wire::nearest(wanted));
     left_ = wanted - made;
     return made * perStep_;
   }

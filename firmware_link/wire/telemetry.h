@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <span>
 
-#include "control/magnitude.h"
 #include "firmware_link/wire/bytes.h"
 #include "firmware_link/wire/frame.h"
+#include "firmware_link/wire/nearest.h"
 
 namespace breakaway::wire {
 
@@ -125,8 +125,9 @@ inline constexpr std::int16_t missing16 = -32768;
 template <typename Scalar>
 std::int16_t scaled16(Scalar value, Scalar perUnit) {
   const Scalar steps = value * perUnit;
-  if (!exceeds(steps, Scalar(32767))) return static_cast<std::int16_t>(nearest(steps));
-  return steps != steps ? missing16 : isNegative(steps) ? std::int16_t(-32767) : std::int16_t(32767);
+  const std::int32_t whole = nearest(steps);
+  if (whole >= -32767 && whole <= 32767) return static_cast<std::int16_t>(whole);
+  return steps != steps ? missing16 : whole < 0 ? std::int16_t(-32767) : std::int16_t(32767);
 }
 
 /// A sample's channels as they stand on the wire, each in the low bytes of its word.
