@@ -93,10 +93,15 @@ void TestCommissionWire::initTestCase() {
   qputenv("BREAKAWAY_RESOURCES", qgetenv("BREAKAWAY_SOURCE_DIR") + "/resources");
 }
 
-/// Twelve seeds: fewer leave the ratio of two errors to chance.
+#ifdef __SANITIZE_ADDRESS__
+constexpr unsigned seeds = 2;  // many times as slow: the same code runs
+#else
+constexpr unsigned seeds = 12;  // fewer leave the ratio of two errors to chance
+#endif
+
 void TestCommissionWire::rig_isCommissionedOverTheWireAndInProcess_data() {
   QTest::addColumn<unsigned>("seed");
-  for (unsigned seed = 1; seed <= 12; ++seed) QTest::addRow("seed %u", seed) << seed;
+  for (unsigned seed = 1; seed <= seeds; ++seed) QTest::addRow("seed %u", seed) << seed;
 }
 
 void TestCommissionWire::rig_isCommissionedOverTheWireAndInProcess() {
@@ -111,7 +116,8 @@ void TestCommissionWire::rig_isCommissionedOverTheWireAndInProcess() {
 }
 
 void TestCommissionWire::mapsOverTheWire_areAsGoodAsInProcess() {
-  QCOMPARE(commissioned_, 12);
+  QCOMPARE(commissioned_, static_cast<int>(seeds));
+  if (seeds < 12) QSKIP("a ratio of few seeds is chance");
   for (std::size_t k = 0; k < 3; ++k) {
     const double ratio = std::sqrt(wired_[k] / direct_[k]);
     qInfo("%s: %.2f %% over the wire, %.2f %% in process, %.2f times", std::array{"static", "Coulomb", "viscous"}[k],
