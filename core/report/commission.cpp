@@ -1,12 +1,11 @@
 #include "report/commission.h"
 
-#include <algorithm>
-
 #include "report/commission_begin.h"
 #include "report/commission_job.h"
 #include "report/commission_linear.h"
 #include "report/compensated_run.h"
 #include "report/final_tuning.h"
+#include "report/measured_bench.h"
 
 namespace breakaway {
 
@@ -21,25 +20,8 @@ Result<void> CommissionJob::begin() {
 }
 
 void CommissionJob::fillBench() {
-  const IdentifiedMotor& motor = done_.motor;
-  Bench& bench = done_.bench;
-  if (options_.bench) bench = *options_.bench;
-  if (bench.name.empty()) bench.name = options_.rig;
-  bench.axis = Axis::rotary;
-  bench.input = DriveInput::current;
-  bench.supply_V = drive_.identity().supply_V;
-  bench.dutyCurve = motor.dutyCurve;
-  bench.countsPerUnit = drive_.identity().countsPerRev;
-  // Recordings show the current as the sensor does; with it go torque constant and winding.
-  bench.motor.torqueConstant = motor.torquePerShownAmpere_Nm();
-  bench.motor.backEmfConstant = motor.backEmfConstant_V_s_per_rad.value;
-  bench.motor.resistance_ohm = shownResistance_ohm_;
-  if (motor.inductance_H.value > 0.0) bench.motor.inductance_H = motor.inductance_H.value / motor.currentGain.value;
-  bench.motor.inertia = motor.inertia_kg_m2.value;
-  bench.motor.viscous = std::max(0.0, motor.viscous_Nm_s_per_rad.value);
-  bench.motor.coulomb = std::max(0.0, motor.coulomb_Nm.value);
-  bench.trusted.insert("torque_constant_Nm_per_A");
-  bench.controller = controllerOf(done_.settings);
+  done_.bench = measuredBench(done_, options_, shownResistance_ohm_);
+  done_.bench.controller = controllerOf(done_.settings);
 }
 
 /// The measurements ran with careful gains; the board is left with those that the motor, as it is known now, allows.

@@ -13,6 +13,7 @@
 #include "report/commission_begin.h"
 #include "report/compensated_run.h"
 #include "report/linear_job.h"
+#include "report/measured_bench.h"
 
 namespace breakaway {
 
@@ -250,23 +251,7 @@ Result<void> LinearJob::compensate() {
 }
 
 void LinearJob::fillBench() {
-  const IdentifiedMotor& motor = done_.motor;
-  Bench& bench = done_.bench;
-  if (options_.bench) bench = *options_.bench;
-  if (bench.name.empty()) bench.name = options_.rig;
-  bench.axis = Axis::linear;
-  bench.input = DriveInput::current;
-  bench.supply_V = drive_.identity().supply_V;
-  bench.dutyCurve = motor.dutyCurve;
-  bench.countsPerUnit = drive_.identity().countsPerRev;
-  bench.motor.torqueConstant = motor.torquePerShownAmpere_Nm();
-  bench.motor.backEmfConstant = motor.backEmfConstant_V_s_per_rad.value;
-  bench.motor.resistance_ohm = shownResistance_ohm_;
-  if (motor.inductance_H.value > 0.0) bench.motor.inductance_H = motor.inductance_H.value / motor.currentGain.value;
-  bench.motor.inertia = motor.inertia_kg_m2.value;
-  bench.motor.viscous = std::max(0.0, motor.viscous_Nm_s_per_rad.value);
-  bench.motor.coulomb = std::max(0.0, motor.coulomb_Nm.value);
-  bench.trusted.insert(motorNames(Axis::linear).torqueConstant);
+  done_.bench = measuredBench(done_, options_, shownResistance_ohm_);
 }
 
 Result<Commission> LinearJob::run() {
