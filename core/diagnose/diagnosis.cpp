@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 #include "base/statistics.h"
 #include "diagnose/catalogue.h"
@@ -21,7 +22,7 @@ namespace {
 /// Beyond this part of the excess error, and this many times what sensors and scattering friction may do, what is left
 /// is material.
 constexpr double materialShare = 0.25;
-constexpr double materialShareBesideFindings = 0.5;
+constexpr double materialShareBesideFindings = 0.4;
 constexpr double materialFloors = 2.5;
 /// Windows that are so many times off, and how many of them (at least five) are no accident.
 constexpr double farOffFloors = 8.0;
@@ -30,7 +31,8 @@ constexpr double leastShare = 0.03;
 constexpr double mostIsExplained = 0.5;
 constexpr double glaringShare = 0.8;
 constexpr double worseOnHeldout = 1.02;  ///< times the base model's error: what does worse is refused
-constexpr double leastFall = 0.98;       ///< of the error over the training windows: less is none
+constexpr double muchWorseOnHeldout = 1.25;
+constexpr double leastFall = 0.98;  ///< of the error over the training windows: less is none
 /// Of the drive's peak: a place where less is unexplained is none.
 constexpr double immaterialPart = 0.01;
 
@@ -128,9 +130,14 @@ void findPlaces(Rest& rest, const Model& best, const std::vector<Track>& seen, c
   }
 }
 
-/// `floor` is what a perfect model would show, `tolerated` the same where friction scatters.
-Rest restOf(const Diagnosis& diagnosis, const std::vector<double>& errorsBefore, const std::vector<double>& errorsAfter,
-            double floor, double tolerated) {
+/// What the model leaves of windows that restart.
+Rest restOf(const Diagnosis& diagnosis, const Preparation& prepared, std::uint64_t seed,
+            const std::vector<double>& errorsBefore, const std::vector<double>& errorsAfter) {
+  const auto& windows = prepared.split.trainScore;
+  // What a perfect model would show, and the same where friction scatters.
+  const double floor = noiseFloor(diagnosis.model, prepared.tracks, windows, seed);
+  const double tolerated =
+      noiseFloor(diagnosis.model, prepared.tracks, windows, seed, usualScatter(prepared.seen.highSpeed));
   Rest rest;
   const double before = typicalSquare(errorsBefore), after = typicalSquare(errorsAfter), unit = floor * floor;
   const double least = diagnosis.findings.empty() ? materialShare : materialShareBesideFindings;
@@ -156,7 +163,7 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   };
   const auto prepared = prepare(bench, recordings, heldout, options.window_s, false);
   if (!prepared) return prepared.error();
-  double named_s = 0.0;
+  std::optional<double> named_s;
   std::vector<std::string> firstNames;
   const auto named = [&](const std::vector<const Effect*>& effects) {
     named_s = elapsed();
@@ -170,8 +177,6 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
 
   Diagnosis diagnosis;
   diagnosis.remarks = prepared->remarks;
-  diagnosis.named_s = named_s;
-  diagnosis.firstNames = firstNames;
   if (options.progress) options.progress(0.92, "proving on held-out data");
   diagnosis.base = withDoubts(found->base.model, *prepared);
   diagnosis.model = withDoubts(found->best.model, *prepared);
@@ -196,31 +201,39 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
     errorsAfter = errorsBefore;
   }
   const std::vector<Track>& training = prepared->training;
-  const double tolerated =
-      noiseFloor(diagnosis.model, prepared->tracks, windows, options.seed, usualScatter(prepared->seen.highSpeed));
-  Rest rest = restOf(diagnosis, errorsBefore, errorsAfter, floor, tolerated);
+  const auto restAfter = [&](const std::vector<double>& errors) {
+    return restOf(diagnosis, *prepared, options.seed, errorsBefore, errors);
+  };
+  Rest rest = restAfter(errorsAfter);
   const double fitted = 1.0 - mean(found->best.windowSquares) / std::max(mean(found->base.windowSquares), 1e-300);
   if (rest.share > materialShareBesideFindings && !diagnosis.findings.empty() &&
       std::max(explained, fitted) < mostIsExplained) {
     // What explains the smaller part of something unknown has borrowed its name.
     diagnosis.findings.clear();
     diagnosis.model = diagnosis.base;
-    rest = restOf(diagnosis, errorsBefore, errorsBefore, floor, tolerated);
+    rest = restAfter(errorsBefore);
   }
   diagnosis.fit =
       scoreFit(bench, diagnosis.base, diagnosis.model, prepared->tracks, prepared->split, options, diagnosis.proof);
   // Held-out data chose nothing, but they may refuse: what makes them worse is not there, unless it is all that the
-  // training data show, as a push in one recording is.
-  const bool refused =
-      diagnosis.fit.heldoutAfter > worseOnHeldout * diagnosis.fit.heldoutBefore && ofAll < glaringShare;
-  const bool idle = !currentToo && diagnosis.fit.trainAfter > leastFall * diagnosis.fit.trainBefore;
+  // training data show, as a push in one recording is, and then they may only be somewhat worse.
+  const double held = diagnosis.fit.heldoutAfter / diagnosis.fit.heldoutBefore;
+  const bool refused = held > (ofAll < glaringShare ? worseOnHeldout : muchWorseOnHeldout);
+  // A load that swings may run away in single windows after a restart and still be right in most.
+  const bool idle = !currentToo && diagnosis.fit.trainAfter > leastFall * diagnosis.fit.trainBefore &&
+                    typicalSquare(errorsAfter) > std::pow(leastFall, 2) * before;
   if (!diagnosis.findings.empty() && (refused || idle)) {
     diagnosis.findings.clear();
     diagnosis.model = diagnosis.base;
-    rest = restOf(diagnosis, errorsBefore, errorsBefore, floor, tolerated);
+    rest = restAfter(errorsBefore);
     diagnosis.fit =
         scoreFit(bench, diagnosis.base, diagnosis.model, prepared->tracks, prepared->split, options, diagnosis.proof);
   }
+  if (!named_s) {
+    for (const Finding& finding : diagnosis.findings) firstNames.push_back(finding.effect);
+  }
+  diagnosis.firstNames = std::move(firstNames);
+  diagnosis.named_s = named_s ? *named_s : elapsed();
   if (rest.material) findPlaces(rest, diagnosis.model, training, prepared->seen, options.seed);
   const bool outside = rest.material;
   diagnosis.unexplainedShare = rest.share;

@@ -75,7 +75,7 @@ struct Diagnosis {
   std::string nextSentence;
   std::vector<std::string> nextSeparates;
   double named_s = 0.0;
-  std::vector<std::string> firstNames;  ///< what the screen named, before simulation decided
+  std::vector<std::string> firstNames;  ///< what the screen named, if it was sure; else the findings
   double elapsed_s = 0.0;
 
   Model base;

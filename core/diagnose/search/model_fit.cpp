@@ -145,8 +145,9 @@ FitResult fitBase(const SearchInput& input, const std::vector<Model>& starts) {
 
 FitResult polishModel(const SearchInput& input, const Model& model, const std::vector<double>& windowWeights) {
   if (remembers(model)) return fitModel(input, model, 4);
-  return fitWindows(vectorOf(input, model, true), input.tracks, input.split.polish,
-                    {.iterations = 6, .exact = true, .windowWeights = windowWeights, .stop = input.stop});
+  return fitWindows(
+      vectorOf(input, model, true), input.tracks, input.split.polish,
+      {.iterations = 6, .tolerance = 3e-5, .exact = true, .windowWeights = windowWeights, .stop = input.stop});
 }
 
 Result<FitResult> fitNamed(const SearchInput& input, const std::vector<Model>& starts,

@@ -18,9 +18,10 @@ namespace {
 constexpr double largestPValue = 0.01;
 constexpr double halfOfAll = 0.5;
 constexpr double mostOfAll = 0.6;
-constexpr double importantPart = 0.2;  ///< of the screen's squared residual
+constexpr double importantPart = 0.2, noticeable = 0.02, negligible = 0.002;  ///< of the screen's squared residual
 constexpr size_t mostTrials = 4;
-constexpr double clearlyLess = 0.65, nearlyAlike = 3.0;  ///< of a squared error
+constexpr double settledFloors = 9.0;  ///< squared error, in squared floors, below which no more is looked for
+constexpr double clearlyLess = 0.65, nearlyAlike = 3.0, nearlyNothing = 0.2;  ///< of a squared error
 constexpr size_t mostRivals = 3;
 constexpr double loadFloors = 2.0;  ///< rms error of restarts, in tolerated ones, from which a load is looked for
 
@@ -51,6 +52,14 @@ std::vector<Pick> withOneLoad(std::vector<Pick> picks) {
   return picks;
 }
 
+/// The screen's set without loads and without what hardly takes anything away: simulation may still ask for it.
+std::vector<Pick> noteworthy(const ScreenResult& found) {
+  std::vector<Pick> picks = found.chosen;
+  const double least = negligible * found.baseSquares;
+  std::erase_if(picks, [least](const Pick& one) { return swings(one) || one.gain < least; });
+  return picks;
+}
+
 /// The largest gain first.
 void sortByGain(std::vector<Pick>& picks) {
   std::stable_sort(picks.begin(), picks.end(), [](const Pick& a, const Pick& b) { return a.gain > b.gain; });
@@ -76,18 +85,15 @@ class Search {
     const Screen screen(rig, {catalogue().begin(), catalogue().end()}, input_.seen, input_.split.fold, folds,
                         input_.seed);
     const ScreenResult found = screen.run();
-    const bool surely = sure(found);
-    if (surely) announce(important(found));
+    if (sure(found)) announce(important(found));
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
     say(0.35, "simulating what was found");
-    adoptLoad(result, screen, found);
-    if (result.chosen.empty()) adopt(result, screen, withOneLoad(found.chosen));
+    adoptFound(result, screen, found);
     for (const Pick& pick : result.chosen.empty() ? bestAlone(screen) : std::vector<Pick>{}) {
       if (result.chosen.empty()) adopt(result, screen, {pick});
     }
     backward(result);
     if (tryMore(result, screen, found.chosen)) backward(result);
-    if (!surely) announce(result.chosen);
     refine(result);
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
     weigh(result, screen);
@@ -157,12 +163,11 @@ class Search {
       return findEffect(name)->growsAtRest();
     });
   }
-  template <typename Named>
-  void announce(const std::vector<Named>& those) const {
+  void announce(const std::vector<Pick>& those) const {
     if (!input_.named) return;
     std::vector<const Effect*> effects;
     effects.reserve(those.size());
-    for (const Named& one : those) effects.push_back(one.effect);
+    for (const Pick& one : those) effects.push_back(one.effect);
     input_.named(effects);
   }
 
@@ -172,12 +177,15 @@ class Search {
     return model;
   }
 
-  /// The screen's set as a whole, or else its most important members; where much is left, also with rivals in place.
+  /// The screen's set as a whole, or else its most important members; where much is left, also with rivals in place, or
+  /// the most important one alone.
   void adopt(SearchResult& result, const Screen& screen, std::vector<Pick> picks) const {
     for (; !picks.empty(); dropLeast(picks)) {
       FitResult fit = fitSet(result, screen, picks);
       if (worth_->floors(fit) > 4.0) {
-        for (std::vector<Pick>& other : exchanged(screen, picks)) {
+        std::vector<std::vector<Pick>> others = exchanged(screen, picks);
+        if (picks.size() > 1) others.push_back({picks.front()});  // what goes with it may have led the fit astray
+        for (std::vector<Pick>& other : others) {
           FitResult rival = fitSet(result, screen, other);
           if (!rival.usable || mean(rival.windowSquares) > 0.7 * mean(fit.windowSquares)) continue;
           fit = std::move(rival);
@@ -232,15 +240,25 @@ class Search {
     return sets;
   }
 
-  /// Where the screen leaves much open: a load whose motion explains more.
-  void adoptLoad(SearchResult& result, const Screen& screen, const ScreenResult& found) {
+  /// The screen's set, or a load whose motion explains more than a set that leaves much open.
+  void adoptFound(SearchResult& result, const Screen& screen, const ScreenResult& found) {
     double explained = 0.0;
     bool named = false;
     for (const Pick& one : found.chosen) {
       explained += one.gain;
-      named = named || swings(one);
+      named = named || (swings(one) && one.gain > noticeable * found.baseSquares);
     }
-    if (worth_->baseAtFloor() || (!named && explained > mostOfAll * found.baseSquares)) return;
+    const bool openToLoads = !worth_->baseAtFloor() && (named || explained <= mostOfAll * found.baseSquares);
+    SearchResult set = result;
+    if (!named) adopt(set, screen, noteworthy(found));
+    if (openToLoads && mean(set.best.windowSquares) > nearlyNothing * mean(result.base.windowSquares))
+      adoptLoad(result, screen);
+    if (!result.chosen.empty()) return;
+    if (named) adopt(set, screen, withOneLoad(found.chosen));
+    result = std::move(set);
+  }
+
+  void adoptLoad(SearchResult& result, const Screen& screen) {
     loadsTried_ = true;
     if (!loadsMayShow_) return;
     std::vector<std::pair<const Effect*, double>> left;  // squared errors
@@ -297,9 +315,19 @@ class Search {
   /// What the screen could not see may still show in the simulation.
   bool tryMore(SearchResult& result, const Screen& screen, std::vector<Pick> picks) const {
     std::erase_if(picks, [&](const Pick& one) { return !contains(result.chosen, one.effect); });
+    const auto settled = [&] {
+      const double left = mean(result.best.windowSquares);
+      return worth_->floors(result.best) < settledFloors || left < 0.02 * mean(result.base.windowSquares);
+    };
+    if (settled()) return false;
+    if (!remembers(result.best.model)) {  // far from the answer, a fit may have come to no end yet
+      FitResult further = fitModel(input_, result.best.model, 8);
+      if (further.usable && mean(further.windowSquares) < mean(result.best.windowSquares))
+        result.best = std::move(further);
+      if (settled()) return false;
+    }
     const auto before = worth_->validated(result.best);
     const double left = mean(result.best.windowSquares);
-    if (worth_->floors(result.best) < 9.0 || left < 0.02 * mean(result.base.windowSquares)) return false;
     std::vector<Pick> candidates;
     const bool loaded = swings(result.best.model);
     for (const Effect* effect : catalogue()) {
@@ -311,15 +339,21 @@ class Search {
       candidates.push_back(std::move(pick));
     }
     sortByGain(candidates);
-    // What acts around standstill hardly shows in a regression.
-    std::stable_partition(candidates.begin(), candidates.end(),
-                          [](const Pick& one) { return one.effect->growsAtRest() || swings(one); });
+    // What acts around standstill hardly shows in a regression. Loads take long: they come last, and one is enough.
+    const auto loads =
+        std::stable_partition(candidates.begin(), candidates.end(), [](const Pick& one) { return !swings(one); });
+    std::stable_partition(candidates.begin(), loads, [](const Pick& one) { return one.effect->growsAtRest(); });
+    const size_t most = remembers(result.best.model) ? 1 : mostTrials;  // hidden states are slow to fit
+    if (loads != candidates.end()) candidates.erase(loads + 1, candidates.end());
+    const auto skipped =
+        loads - candidates.begin() > static_cast<std::ptrdiff_t>(most) ? candidates.begin() + most : loads;
+    candidates.erase(skipped, loads);
     std::optional<FitResult> winner;
     Chosen chosen;
     double best = 2.0 * sureGain;
-    const size_t most = remembers(result.best.model) ? 1 : mostTrials;  // hidden states are slow to fit
-    for (size_t k = 0; k < std::min(most, candidates.size()); ++k) {
-      FitResult fit = fitBeside(result.best.model, candidates[k], left);
+    for (const Pick& candidate : candidates) {
+      if (swings(candidate) && winner && worth_->floors(*winner) < settledFloors) break;
+      FitResult fit = fitBeside(result.best.model, candidate, left);
       if (!fit.usable || !plausible(fit.model, input_.seen)) continue;
       const auto after = worth_->validated(fit);
       const Comparison gain = compare(before, after, input_.seed);
@@ -328,7 +362,7 @@ class Search {
       if (!(gain.relative >= best) || gain.interval.low <= sureGain || pValue > largestPValue) continue;
       best = gain.relative;
       winner = std::move(fit);
-      chosen = {candidates[k].effect, pValue, 0.0, {}};
+      chosen = {candidate.effect, pValue, 0.0, {}};
     }
     if (!winner) return false;
     result.best = std::move(*winner);
@@ -345,13 +379,13 @@ class Search {
     }
   }
 
-  /// An effect that the others make superfluous goes; of those that stay, what they are worth.
+  /// An effect that the others make superfluous goes, the least important ones first; of those that stay, what they are
+  /// worth.
   void backward(SearchResult& result) {
-    left_.clear();
     for (bool changed = true; changed && !input_.stop.stop_requested();) {
       changed = false;
-      left_.clear();
-      for (size_t k = 0; k < result.chosen.size(); ++k) {
+      left_.assign(result.chosen.size(), {});
+      for (size_t k = result.chosen.size(); k-- > 0 && !changed;) {
         FitResult fit = result.chosen.size() == 1
                             ? result.base
                             : fitModel(input_, without(result.best.model, *result.chosen[k].effect), 8);
@@ -361,13 +395,12 @@ class Search {
         const bool clear = back > clearGain * mean(fit.windowSquares) && !result.chosen[k].effect->happensOnce();
         if (needed && (clear || !vanishes(result.best.model, *result.chosen[k].effect))) {
           result.chosen[k].marginal = std::max(0.0, back);
-          left_.push_back(std::move(fit));
+          left_[k] = std::move(fit);
           continue;
         }
         result.best = std::move(fit);
         result.chosen.erase(result.chosen.begin() + static_cast<std::ptrdiff_t>(k));
         changed = true;
-        break;
       }
     }
   }
@@ -431,21 +464,23 @@ class Search {
   /// Beside other findings a name may rest on how they were chosen: a look-alike that does as well alone is a rival.
   void weighAlone(SearchResult& result, const Screen& screen) const {
     Chosen& first = result.chosen.front();
-    const auto aloneWith = [&](const Effect& effect) {
-      const Pick pick = screen.best(effect, {});
+    const auto aloneWith = [&](const Pick& pick) {
       return pick.parameters.empty() ? FitResult{} : fitSet(result, screen, {pick});
     };
+    const Pick ownPick = screen.best(*first.effect, {});
     std::optional<double> own;  // squared error; the fits themselves are large
     for (const std::string_view name : first.effect->lookAlikes()) {
       const Effect* alike = findEffect(name);
       const bool known = std::find(first.rivals.begin(), first.rivals.end(), alike) != first.rivals.end();
       if (known || contains(result.chosen, alike) || alike->memory() > 0) continue;
+      const Pick pick = screen.best(*alike, {});
+      if (pick.gain < halfOfAll * ownPick.gain) continue;
       if (!own) {
-        const FitResult fit = aloneWith(*first.effect);
+        const FitResult fit = aloneWith(ownPick);
         if (!fit.usable || !worth_->helps(result.base, fit)) return;
         own = mean(fit.windowSquares);
       }
-      const FitResult rival = aloneWith(*alike);
+      const FitResult rival = aloneWith(pick);
       if (!rival.usable || !plausible(rival.model, input_.seen)) continue;
       // Of as many parameters, so that the errors can be compared as they are.
       if (mean(rival.windowSquares) <= *own) first.rivals.push_back(alike);

@@ -17,6 +17,7 @@ constexpr double leastShare = 0.01;      ///< of the base model's squared error
 constexpr double spreadFloors = 0.3;
 constexpr double fewWindowsFloors = 4.0;
 constexpr double leastFloors = 0.8;  ///< of the squared floor
+constexpr size_t mostKept = 8;       ///< validated errors
 
 }  // namespace
 
@@ -25,8 +26,14 @@ Worth::Worth(const SearchInput& input, const FitResult& base, double floor)
 }
 
 std::vector<double> Worth::validated(const FitResult& fit) const {
-  return crossValidated(fit, vectorOf(input_, fit.model), input_.tracks, input_.split.train, input_.windowWeights,
-                        input_.split.fold, folds, unit_);
+  for (const Validated& one : known_) {
+    if (one.effects == fit.model.effects && one.base == fit.model.base) return one.errors;
+  }
+  known_.push_front({fit.model.base, fit.model.effects,
+                     crossValidated(fit, vectorOf(input_, fit.model), input_.tracks, input_.split.train,
+                                    input_.windowWeights, input_.split.fold, folds, unit_)});
+  if (known_.size() > mostKept) known_.pop_back();
+  return known_.front().errors;
 }
 
 double Worth::chance(const std::vector<double>& before, const std::vector<double>& after) const {

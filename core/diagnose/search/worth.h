@@ -1,6 +1,7 @@
 // What an effect is worth: the error that it takes away from windows that its fit did not see.
 #pragma once
 
+#include <deque>
 #include <vector>
 
 #include "diagnose/search/model_fit.h"
@@ -13,7 +14,8 @@ class Worth {
   /// `floor`: rms error of a perfect model, rad or m.
   Worth(const SearchInput& input, const FitResult& base, double floor);
 
-  /// Weighted squared error of each training window under the fit that the other folds would give.
+  /// Weighted squared error of each training window under the fit that the other folds would give. The last few are
+  /// kept: fits are compared with one another again and again.
   std::vector<double> validated(const FitResult& fit) const;
   /// Probability, for the whole catalogue, that chance alone gives such a gain.
   double chance(const std::vector<double>& before, const std::vector<double>& after) const;
@@ -28,10 +30,17 @@ class Worth {
   double floors(const FitResult& fit) const;
 
  private:
+  struct Validated {
+    std::vector<Parameter> base;
+    std::vector<EffectTerm> effects;
+    std::vector<double> errors;
+  };
+
   const SearchInput& input_;
   Weights unit_;       ///< of errors: what the base model leaves
   double base_ = 0.0;  ///< its mean square error
   double floor_ = 0.0;
+  mutable std::deque<Validated> known_;  ///< the latest first
 };
 
 /// Gains by which an effect is called clear, and sure.
