@@ -36,10 +36,16 @@ constexpr double leastFall = 0.98;  ///< of the error over the training windows:
 /// Of the drive's peak: a place where less is unexplained is none.
 constexpr double immaterialPart = 0.01;
 
-bool farOff(const std::vector<double>& squares, double tolerated) {
+/// How many windows err so much that neither sensors nor scattering friction can be the cause.
+size_t farOffWindows(const std::vector<double>& squares, double tolerated) {
   const double limit = std::pow(farOffFloors * tolerated, 2);
-  const auto far = std::count_if(squares.begin(), squares.end(), [limit](double one) { return one > limit; });
-  return static_cast<double>(far) >= std::max(5.0, farOffPart * static_cast<double>(squares.size()));
+  return static_cast<size_t>(
+      std::count_if(squares.begin(), squares.end(), [limit](double one) { return one > limit; }));
+}
+
+bool farOff(const std::vector<double>& squares, double tolerated) {
+  return static_cast<double>(farOffWindows(squares, tolerated)) >=
+         std::max(5.0, farOffPart * static_cast<double>(squares.size()));
 }
 
 double meanSquare(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows) {
@@ -153,6 +159,19 @@ Rest restOf(const Diagnosis& diagnosis, const Preparation& prepared, std::uint64
   return rest;
 }
 
+/// Where the training data lack nothing, what the held-out data nevertheless show.
+void remarkOnHeldout(Diagnosis& diagnosis, const Preparation& prepared, std::uint64_t seed) {
+  const auto& windows = prepared.split.heldoutScore;
+  const double tolerated =
+      noiseFloor(diagnosis.model, prepared.tracks, windows, seed, usualScatter(prepared.seen.highSpeed));
+  const size_t far = farOffWindows(scoreWindows(diagnosis.model, prepared.tracks, windows), tolerated);
+  if (far == 0) return;
+  diagnosis.remarks.push_back(std::to_string(far) + " of " + std::to_string(windows.size()) +
+                              " held-out windows err more than " + std::to_string(std::lround(farOffFloors)) +
+                              " times as much as sensors and friction explain. They show something that the data to "
+                              "learn from don't: learn from a recording that moves like these");
+}
+
 }  // namespace
 
 Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& recordings,
@@ -248,6 +267,7 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
     diagnosis.verdict = Verdict::outsideCatalogue;
   } else if (diagnosis.findings.empty()) {
     diagnosis.verdict = Verdict::nothingMissing;
+    remarkOnHeldout(diagnosis, *prepared, options.seed);
     diagnosis.unexplainedShare = 0.0;  // whatever is left has no place of its own
   } else {
     const bool rivals = std::any_of(diagnosis.findings.begin(), diagnosis.findings.end(), hasRealRivals);

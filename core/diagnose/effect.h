@@ -25,6 +25,7 @@ struct Situation {
   double resistance_ohm = 0.0;     ///< of the winding without the effect; 0: not known
   double rest_s = 0.0;             ///< how long the standstill lasted that ended last, or lasts by now
   double travel = 0.0;             ///< since the last reversal, rad
+  double span = 0.0;               ///< how far it moves while this stands for all of a step, rad
   std::span<const double> memory;  ///< the effect's own hidden state, as remember() left it
 };
 

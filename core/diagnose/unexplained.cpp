@@ -60,6 +60,7 @@ Unexplained unexplainedAlong(const Model& model, const Track& track) {
   for (size_t k = 0; k < n; ++k) {
     while (row + 1 < track.rows() && track.time[row + 1] <= rows.time[k] + 1e-9) ++row;
     out.row[k] = row;
+    simulator.stepperAt(row);
     const double t = rows.time[k], u = rows.input[k], v = rows.velocity[k];
     const double uNow = 0.5 * (rows.input[k > 0 ? k - 1 : 0] + u);  // held from row to row: at the instant the mean
     const double s = v > 0.0 ? 1.0 : -1.0;

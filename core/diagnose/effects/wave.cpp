@@ -34,7 +34,9 @@ std::vector<ParameterSpec> waveParameters(Axis axis) {
 }
 
 double waveValue(std::span<const double> p, const Situation& at) {
-  return p[0] * std::cos(waveNumber(p[2], at.axis) * at.position - p[1]);
+  const double k = waveNumber(p[2], at.axis), half = 0.5 * k * at.span;
+  const double mean = std::abs(half) > 1e-2 ? std::sin(half) / half : 1.0;
+  return p[0] * mean * std::cos(k * at.position - p[1]);
 }
 
 std::vector<Shape> waveShapes(const Excitation& seen, int lowest, int highest, double amplitude) {

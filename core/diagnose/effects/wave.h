@@ -13,7 +13,7 @@ namespace breakaway {
 /// `amplitude` (a name with its unit; without one amplitude_Nm or amplitude_N), phase_rad, order or period_m.
 std::vector<ParameterSpec> waveParameters(const std::string& amplitude, Axis axis);
 std::vector<ParameterSpec> waveParameters(Axis axis);
-/// A·cos(kθ − φ); `p` as waveParameters() has it.
+/// The mean of A·cos(kθ − φ) over the situation's span; `p` as waveParameters() has it.
 double waveValue(std::span<const double> p, const Situation& at);
 /// Cosine {A₀, 0, k} and sine {A₀, π/2, k} at the size A₀ = `amplitude`, for what the travel and the encoder can show:
 /// orders from `lowest` to `highest` (rotary; a whole turn, or two waves of it), or `lowest` to 50 waves over the

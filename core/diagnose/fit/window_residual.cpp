@@ -152,15 +152,14 @@ void WindowResidual::fit(const Model& model, const MotionState& hidden) {
   }
 }
 
-WindowResidual::Passage WindowResidual::torquesAt(const Simulator& simulator, size_t row,
-                                                  const double* resistance) const {
+WindowResidual::Passage WindowResidual::torquesAt(Simulator& simulator, size_t row, const double* resistance) const {
   const size_t k = row - window_.first;
   const MotionState &from = states_[k], &to = states_[k + 1];
   const double dt = track_.time[row + 1] - track_.time[row], time = track_.time[row] + 0.5 * dt;
   const bool starts = startsAt(k);  // what decides is the balance at standstill
   const double v = starts ? 0.0 : 0.5 * (from.velocity + to.velocity), x = 0.5 * (from.position + to.position);
   const double a = starts ? 0.0 : (to.velocity - from.velocity) / dt;
-  const Stepper& stepper = simulator.stepper();
+  const Stepper& stepper = simulator.stepperAt(row);
   const Physics& p = stepper.physics();
   Passage at;
   const double u = simulator.input(row);
@@ -176,7 +175,7 @@ WindowResidual::Passage WindowResidual::torquesAt(const Simulator& simulator, si
   if (resistance != nullptr) {
     at.resistance = *resistance;
   } else {
-    const Stepper::Forces forces = stepper.forcesAt(from, x, v, way, drive, time);
+    const Stepper::Forces forces = stepper.forcesAt(from, x, v, way, drive, time, to.position - from.position);
     at.resistance = forces.load + way * forces.friction;
   }
   at.net = drive - p.viscous * v - at.resistance - p.inertia * a;
@@ -200,8 +199,9 @@ void WindowResidual::linearise() {
       const double v = 0.5 * (from.velocity + to.velocity), x = 0.5 * (from.position + to.position);
       const double way = v > 0.0 ? 1.0 : v < 0.0 ? -1.0 : to.way, time = track_.time[row];
       const double drive = p.torqueConstant * (p.electrical ? from.current : simulator_->input(row));
+      const double span = to.position - from.position;
       const auto resistance = [&](double dx, double dv) {
-        const Stepper::Forces forces = stepper.forcesAt(from, x + dx, v + dv, way, drive, time);
+        const Stepper::Forces forces = stepper.forcesAt(from, x + dx, v + dv, way, drive, time, span);
         return forces.load + way * forces.friction;
       };
       const double now = resistance(0.0, 0.0);
@@ -287,7 +287,7 @@ Eigen::VectorXd WindowResidual::column(const Model& variant, const MotionState& 
 }
 
 Eigen::VectorXd WindowResidual::linearColumn(const Model& variant, double step, bool sameTerms) const {
-  const Simulator simulator(variant, track_, window_.first, window_.last);
+  Simulator simulator(variant, track_, window_.first, window_.last);
   std::vector<double> torque(passages_.size()), current(passages_.size());
   for (size_t k = 0; k < passages_.size(); ++k) {
     const Passage at = torquesAt(simulator, window_.first + k, sameTerms ? &passages_[k].resistance : nullptr);

@@ -68,7 +68,7 @@ class WindowResidual {
   /// The residuals' change with each number of the start.
   Eigen::MatrixXd startColumns(const MotionState& hidden);
   /// `resistance`, if given, is taken over instead of evaluating the terms.
-  Passage torquesAt(const Simulator& simulator, size_t row, const double* resistance) const;
+  Passage torquesAt(Simulator& simulator, size_t row, const double* resistance) const;
   void linearise();
   /// Whether standstill ends within row k of the run.
   bool startsAt(size_t k) const;

@@ -69,6 +69,10 @@ void RecordedMotion::divide(double step_s) {
     const bool steady = usable_[k] && usable_[last] && at_[k].direction == at_[last].direction;
     const size_t rows = steady ? last - k + 1 : 1;
     blocks_.push_back({at_[k + rows / 2], k, rows, usable_[k] != 0});
+    const size_t end = std::min(k + rows, n - 1);
+    Situation& middle = blocks_.back().at;
+    middle.position = 0.5 * (at_[k + rows / 2].position + at_[std::min(k + (rows + 1) / 2, n - 1)].position);
+    middle.span = at_[end].position - at_[k].position;
     k += rows;
   }
 }
@@ -79,7 +83,7 @@ EffectTraces::EffectTraces(const Effect& effect, const std::vector<double>& p, c
   const size_t n = track.rows();
   const bool remembers = effect.memory() > 0 || effect.frictionStiffness(p) > 0.0;
   torque.assign(n, 0.0);
-  voltage.assign(effect.losesVoltage() ? n : 0, 0.0);
+  voltage.assign(effect.losesVoltage() && physics.electrical ? n : 0, 0.0);
   if (effect.loadPeriod_s(p) > 0.0) {
     follow(effect, p, track);
   } else if (remembers) {

@@ -441,7 +441,9 @@ class Search {
     const bool clearlyWorse = (ahead.relative > 0.25 && signFlipPValue(errors, best, input_.seed) <= 0.02) ||
                               (ahead.relative > 0.5 && quantile(errors, 0.5) > 1.5 * quantile(best, 0.5));
     const bool freer = swings(fit.model) && !swings(result.best.model);
+    // Folds may mislead where the form isn't quite right: what fits all windows far worse is no better name.
     const bool better = ahead.inErrors < -2.0 && mean(errors) < 0.9 * mean(best) &&
+                        mean(fit.windowSquares) < 1.5 * mean(result.best.windowSquares) &&
                         (!freer || restartedPart(fit.model, result.best.model) < clearlyLess);
     if (!better && (ahead.inErrors >= 2.0 || clearlyWorse)) return;
     // A push at a time of its own explains whatever happened then: physics that does as well is the better name.

@@ -21,6 +21,11 @@ class Simulator {
 
   const Physics& physics() const { return stepper_.physics(); }
   const Stepper& stepper() const { return stepper_; }
+  /// The same with the supply of a row, which is all that its forces know of where they are.
+  const Stepper& stepperAt(size_t row) {
+    stepper_.setSupply(track_.supplyAt(row));
+    return stepper_;
+  }
   const Track& track() const { return track_; }
 
   /// The state at `row` from measurements in rows up to and including it: a moving-horizon observer. The model runs

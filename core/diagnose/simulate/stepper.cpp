@@ -68,11 +68,12 @@ Situation Stepper::situationAt(const MotionState& state, double position, double
 }
 
 Stepper::Forces Stepper::forcesAt(const MotionState& state, double position, double velocity, double direction,
-                                  double drive, double time_s) const {
+                                  double drive, double time_s, double span) const {
   Forces forces{physics_.load, physics_.coulomb};
   if (!stateDependent_) return forces;
   if (physics_.gravity != 0.0) forces.load += physics_.gravity * std::sin(position - physics_.downAngle);
   Situation at = situationAt(state, position, velocity, direction, drive, time_s);
+  at.span = span;
   size_t used = 0;
   for (const CompiledTerm& term : terms_) {
     const size_t own = term.effect->memory();
@@ -135,7 +136,7 @@ Stepper::Forces Stepper::forcesDuring(const MotionState& state, double direction
   double middle = state.velocity + 0.5 * dt * state.acceleration;
   if (middle * direction < 0.0) middle = 0.0;
   Forces forces = forcesAt(state, state.position + 0.25 * dt * (state.velocity + middle), middle, direction,
-                           drive - backEmf * middle, time_s + 0.5 * dt);
+                           drive - backEmf * middle, time_s + 0.5 * dt, middle * dt);
   if (stiffness_ > 0.0) {
     const double slip = slipAfter(state.slip, 0.5 * dt * state.velocity, stiffness_, forces.friction);
     // LuGre's σ₁ dz/dt (C. Canudas de Wit et al., 'A new model for control of systems with friction', IEEE Trans.

@@ -65,9 +65,10 @@ class Stepper {
     double load = 0.0;
     double friction = 0.0;
   };
-  /// Load and friction at an instant, elastic friction counted as friction; `drive` in Nm.
+  /// Load and friction at an instant, elastic friction counted as friction; `drive` in Nm. With a span their means over
+  /// so much motion around the position.
   Forces forcesAt(const MotionState& state, double position, double velocity, double direction, double drive,
-                  double time_s) const;
+                  double time_s, double span = 0.0) const;
   /// Advances hidden states and history over a step that went from `before` to `state` under `u` and ended at `time_s`.
   void keepHistory(MotionState& state, const MotionState& before, double u, double dt, double time_s) const;
   /// Voltage lost once the current has settled at a speed, V.
