@@ -26,6 +26,8 @@ class TestStepperEffects : public QObject {
   void compliance_hasItsAntiresonanceAndResonance();
   void backlash_movesAloneWithinTheGap();
   void endStop_throwsBackWithoutLoss();
+  void waves_areAveragedOverTheWayOfAStep();
+  void fastCogging_pushesNoWayEvenAtOneWavePerRow();
 };
 
 namespace {
@@ -60,6 +62,37 @@ void runAlong(Stepper& stepper, MotionState& state, double seconds, Drive drive,
 }
 
 }  // namespace
+
+void TestStepperEffects::waves_areAveragedOverTheWayOfAStep() {
+  const MotionState state;
+  for (const char* name : {"cogging", "imbalance", "position_dependent_friction"}) {
+    const Stepper stepper(torqueDriven(), {compiled(name, {0.002, 0.7, 11.0})});
+    const auto resistance = [&](double position, double span) {
+      const auto forces = stepper.forcesAt(state, position, 20.0, 1.0, 0.01, 0.0, span);
+      return forces.load + forces.friction;
+    };
+    for (const double span : {0.02, 0.3, 0.9}) {
+      constexpr int parts = 2000;
+      double mean = 0.0;
+      for (int k = 0; k < parts; ++k) mean += resistance(1.0 + span * ((k + 0.5) / parts - 0.5), 0.0) / parts;
+      COMPARE_WITHIN(resistance(1.0, span) - torqueDriven().coulomb, mean - torqueDriven().coulomb, 1e-4);
+    }
+  }
+}
+
+void TestStepperEffects::fastCogging_pushesNoWayEvenAtOneWavePerRow() {
+  Physics p = torqueDriven();
+  p.viscous = p.coulomb = 0.0;
+  constexpr double order = 24.0, speed = 2.0 * std::numbers::pi / (order * row_s);
+  Stepper stepper(p, {compiled("cogging", {0.002, 0.4, order})});
+  MotionState state;
+  state.velocity = speed;
+  state.way = 1.0;
+  runAlong(
+      stepper, state, 0.5, [](double) { return 0.0; }, [](double, const MotionState&) {});
+  // Looked at once per row it would be one and the same torque, and change the speed by 17 rad/s.
+  QVERIFY(std::abs(state.velocity - speed) < 0.2);
+}
 
 void TestStepperEffects::deadTime_losesItsVoltageWithTheCurrentsSign() {
   const Physics p = heldRotor();
