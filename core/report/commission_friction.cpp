@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 
 #include "experiment/breakaway_sweep.h"
 #include "experiment/homing.h"
@@ -12,6 +13,12 @@
 #include "report/commission_job.h"
 
 namespace breakaway {
+
+namespace {
+
+constexpr double longestTurn_runs = 5.0;  ///< of the velocity sweep, that a slow turn may take
+
+}  // namespace
 
 Result<void> CommissionJob::home() {
   HomingOptions options;
@@ -150,7 +157,9 @@ Result<void> CommissionJob::sweepBreakaway() {
 /// What friction does between standing and moving. Where that can't be seen, a compensation goes without it.
 Result<void> CommissionJob::turnSlowly() {
   SlowTurnsOptions options;
-  options.speeds_rad_per_s = {4.0, 2.0, 1.0, 0.5};
+  // In a short job the slowest turn is a little faster.
+  const double slowest = std::max(0.5, 2.0 * std::numbers::pi / (longestTurn_runs * options_.speedRun_s));
+  options.speeds_rad_per_s = {4.0, 2.0, 1.0, std::min(slowest, 0.8)};
   options.zeroing_s = zeroing_s();
   const auto slow = std::make_shared<SlowTurns>(options);
   auto ran = steps_.run("07-slow-turns", slow, 0.04);

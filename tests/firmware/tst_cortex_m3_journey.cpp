@@ -105,8 +105,7 @@ void TestCortexM3Journey::commissioning_isAsGoodAsInProcess() {
     std::printf("  %-12s %.3f %% against %.3f %%\n", names[k], 100.0 * emulated[k], 100.0 * inProcess[k]);
   const double ratio = together(emulated) / together(inProcess);
   std::printf("  together     %.2f times\n", ratio);
-  // Five minutes; how long a sweep takes is a matter of chance by some seconds.
-  QVERIFY2(rig_s > 60.0 && rig_s <= 310.0, qPrintable(QString::number(rig_s)));
+  QVERIFY2(rig_s > 60.0 && rig_s <= 300.0, qPrintable(QString::number(rig_s)));
   QVERIFY2(ratio < 1.2, qPrintable(QString::number(ratio)));
   QVERIFY2(ratio > 0.4, qPrintable(QString::number(ratio)));
 }
