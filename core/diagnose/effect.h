@@ -54,6 +54,7 @@ struct Excitation {
   bool currentDrive = false;      ///< current drives
   bool currentSeen = false;       ///< voltage or duty drives, and the current was recorded, too
   bool supplySeen = false;        ///< the bridge's supply is known
+  double supply_V = 0.0;          ///< of the bench, or the recorded one at the first row; 0: not known
   bool bothWays = false;          ///< at least 10 % of the motion goes each way
   double step_s = 0.0;            ///< median time from row to row
   double duration_s = 0.0;        ///< of the longest recording

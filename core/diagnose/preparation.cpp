@@ -13,6 +13,8 @@ namespace breakaway {
 
 namespace {
 
+constexpr double bridged_s = 0.02;  ///< from reading to reading, over which a line is near enough
+
 /// The shortest look back that knows the velocity to a thousandth of the higher speeds; a longer one lets the model's
 /// own faults in.
 double restartHorizonFor(const std::vector<Track>& tracks, double highSpeed) {
@@ -119,6 +121,8 @@ Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& re
       auto track = makeTrack(recording, bench.axis, bench.input, bench.supply_V, bench.count());
       if (!track) return track.error();
       out.remarks.insert(out.remarks.end(), track->remarks.begin(), track->remarks.end());
+      if (auto unwrapped = checkUnwrapped(bench, *track); !unwrapped) return unwrapped.error();
+      bridgePositions(*track, bridged_s);
       track->motion = motionOf(*track);
       for (std::string& remark : channelRemarks(bench, recording, *track)) out.remarks.push_back(std::move(remark));
       out.tracks.push_back(std::move(*track));

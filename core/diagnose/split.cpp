@@ -14,6 +14,7 @@ constexpr double gap_s = 1.0;
 constexpr size_t fewestWindows = 6;
 constexpr size_t mostTrainRows = 90'000, fewestThinned = 60;
 constexpr double lookBack_s = 0.2;  ///< before a window, which a restart reads
+constexpr double longestUnread_s = 0.1;
 
 struct Stretch {
   double from = 0.0;
@@ -46,8 +47,15 @@ double totalTime(const std::vector<Track>& tracks, size_t recordings) {
   return total;
 }
 
-Error tooShort(const Track& track, double length, double needed) {
-  char fact[120];
+Error tooShort(const Track& track, double length, double needed, size_t windows, double window_s) {
+  char fact[160];
+  if (length >= needed) {
+    std::snprintf(fact, sizeof fact,
+                  "holds %zu windows of %.3g s in which no row is missing, expected at least %zu; the usual step from "
+                  "row to row is %.3g s",
+                  windows, window_s, fewestWindows, track.usualStep_s);
+    return {track.name, fact};
+  }
   std::snprintf(fact, sizeof fact, "is too short to fit: it holds %.3g s of usable data, expected at least %.3g s",
                 length, needed);
   return {track.name, fact};
@@ -59,21 +67,28 @@ void appendOverlapping(std::vector<Window>& windows, const Track& track, size_t 
   if (from >= to) return;
   const double end = to < track.rows() ? track.time[to] : track.time.back();
   for (double t = track.time[from]; t + window_s <= end + 1e-9; t += 0.5 * window_s) {
-    const size_t first = rowAt(track, t), last = std::min(rowAt(track, t + window_s), to) - 1;
-    if (last - first >= 8) windows.push_back({index, first, last});
+    const size_t first = rowAt(track, t), past = std::min(rowAt(track, t + window_s), to);
+    if (past > first + 8) windows.push_back({index, first, past - 1});  // within a gap there is none
   }
 }
 
 /// Before a recording's first row nothing is known, its speed least of all, and nobody knows what acted while rows are
-/// missing: windows that begin or run there tell no model's worth.
+/// missing, nor what the axis did while no position was read: windows that begin or run there tell no model's worth.
 void dropUnknown(Split& split, const std::vector<Track>& tracks) {
+  std::vector<double> limits;
+  for (const Track& track : tracks) limits.push_back(longestWay(track));
   const auto unknown = [&](const Window& window) {
     if (window.first == 0) return true;
+    const double limit = limits[window.track];
     const Track& track = tracks[window.track];
     size_t row = window.first;
     while (row > 0 && track.time[window.first] - track.time[row - 1] < lookBack_s) --row;
+    double read_s = track.time[row];
     for (row -= row > 0 ? 1 : 0; row < window.last; ++row) {
       if (isGap(track.time[row + 1] - track.time[row], track.usualStep_s)) return true;
+      if (std::abs(track.position[row + 1] - track.position[row]) > limit) return true;
+      if (track.placed(row)) read_s = track.time[row];
+      if (track.time[row + 1] - read_s > longestUnread_s) return true;
     }
     return false;
   };
@@ -141,7 +156,7 @@ Result<Split> splitTracks(const std::vector<Track>& tracks, size_t recordings, d
   dropUnknown(split, tracks);
   const double needed = (static_cast<double>(fewestWindows) * fitWindow + gap_s) / 0.8;
   if (split.train.size() < fewestWindows || split.heldoutScore.size() < 2)
-    return tooShort(tracks.front(), total, needed);
+    return tooShort(tracks.front(), total, needed, split.train.size(), fitWindow);
   thinTraining(split);
   assignFolds(split);
   return split;
@@ -158,7 +173,8 @@ Result<Split> wholeTracks(const std::vector<Track>& tracks, double window_s) {
   }
   dropUnknown(split, tracks);
   if (split.train.size() < fewestWindows)
-    return tooShort(tracks.front(), total, static_cast<double>(fewestWindows) * fitWindow);
+    return tooShort(tracks.front(), total, static_cast<double>(fewestWindows) * fitWindow, split.train.size(),
+                    fitWindow);
   thinTraining(split);
   assignFolds(split);
   return split;

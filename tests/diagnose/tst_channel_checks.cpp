@@ -82,11 +82,26 @@ class TestChannelChecks : public QObject {
   void clippedDrive_isSaid();
   void driveThatNeverChanges_isSaid();
   void driveAgainstTheMotion_isSaid();
+  void angleThatWrapsOrLeaps_isSaid();
 };
 
 void TestChannelChecks::soundRecording_getsNoRemark() {
   const auto remarks = remarksOf(changed([](std::vector<Channel>& channels) { addVelocity(channels, 1.0); }));
   QVERIFY2(remarks.empty(), remarks.empty() ? "" : remarks.front().c_str());
+}
+
+void TestChannelChecks::angleThatWrapsOrLeaps_isSaid() {
+  constexpr double turn = 6.283185307179586;
+  const Recording wrapped = changed([](std::vector<Channel>& channels) {
+    for (double& angle : channels[1].values) angle -= turn * std::floor(angle / turn);
+  });
+  const auto refused = prepare(benchOf(torqueDriven()), {wrapped}, {}, 0.5, false);
+  QVERIFY(!refused);
+  QVERIFY(refused.error().message().find("column angle_rad: wraps") != std::string::npos);
+  const auto leaping = remarksOf(changed([](std::vector<Channel>& channels) {
+    for (size_t k = 9000; k < channels[1].values.size(); ++k) channels[1].values[k] += 40.0;
+  }));
+  QVERIFY(says(leaping, "within a row in 1 place: bad readings or lost counts"));
 }
 
 void TestChannelChecks::missingRows_areSaidAndTheirWindowsLeftOut() {

@@ -26,7 +26,8 @@ class SupplySag final : public Effect {
   }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     if (!seen.electrical || seen.peakCurrent <= 0.0 || seen.peakInput <= 0.0) return {};
-    return {Shape{{0.05 * seen.peakInput / seen.peakCurrent, seen.peakInput}}};
+    const double supply_V = seen.supply_V > 0.0 ? seen.supply_V : seen.peakInput;
+    return {Shape{{0.05 * seen.peakInput / seen.peakCurrent, supply_V}}};
   }
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
     return p[0] > 0.0 && p[0] * seen.peakCurrent < 0.5 * seen.peakInput;

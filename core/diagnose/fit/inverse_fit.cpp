@@ -301,6 +301,7 @@ Excitation excitationOf(const std::vector<Track>& tracks, const Model& model) {
   seen.currentDrive = model.input == DriveInput::current;
   seen.currentSeen = physics.electrical && std::all_of(tracks.begin(), tracks.end(),
                                                        [](const Track& track) { return !track.current.empty(); });
+  seen.supply_V = tracks.front().supplyAt(0);
   seen.supplySeen = model.supply_V.value_or(0.0) > 0.0 || !tracks.front().supply.empty();
   seen.step_s = tracks.front().time.back() / static_cast<double>(tracks.front().rows() - 1);
   std::vector<double> speeds, torques, currents, accelerations;

@@ -56,7 +56,7 @@ RecordedMotion::RecordedMotion(const Track& track, const Physics& physics) {
       at.current = track.drive == DriveInput::current ? track.input[k] : 0.0;
     }
     usable_[k] =
-        !motion.resting[k] && track.seen[k] && motion.way[k] != 0.0 && motion.velocity[k] * motion.way[k] > 0.0;
+        !motion.resting[k] && track.placed(k) && motion.way[k] != 0.0 && motion.velocity[k] * motion.way[k] > 0.0;
   }
   divide(track.time.back() / std::max(1.0, static_cast<double>(n) - 1.0));
 }

@@ -131,6 +131,7 @@ Track Track::rowsFrom(size_t first, size_t last) const {
   out.position = part(position);
   out.input = part(input);
   out.seen = part(seen);
+  out.bridged = part(bridged);
   out.connected = part(connected);
   out.current = part(current);
   out.supply = part(supply);
@@ -209,6 +210,26 @@ Result<Track> makeTrack(const Recording& recording, Axis axis, DriveInput driveI
   track.quantisation = count / std::sqrt(12.0);
   track.noise = std::max(readingNoise(track.time, track.position, track.seen), track.quantisation);
   return track;
+}
+
+void bridgePositions(Track& track, double near_s) {
+  const size_t n = track.rows();
+  track.bridged.assign(n, 0);
+  for (size_t k = 0; k < n;) {
+    if (track.seen[k]) {
+      ++k;
+      continue;
+    }
+    const size_t first = k;
+    while (k < n && !track.seen[k]) ++k;
+    if (first == 0 || k == n) continue;
+    const double from_s = track.time[first - 1], span_s = track.time[k] - from_s;
+    const double from = track.position[first - 1], way = track.position[k] - from;
+    for (size_t row = first; row < k; ++row) {
+      track.position[row] = from + way * (track.time[row] - from_s) / span_s;
+      track.bridged[row] = span_s <= near_s ? 1 : 0;
+    }
+  }
 }
 
 }  // namespace breakaway

@@ -28,6 +28,7 @@ struct Track {
                                  ///< are not `seen`
   std::vector<double> input;     ///< volts, amperes or torque that act from the row to the next
   std::vector<char> seen;        ///< the row has a position
+  std::vector<char> bridged;     ///< its position lies on the line between two readings that are near; empty: none
   std::vector<char> connected;   ///< windings not open
   std::vector<double> current;   ///< measured current in A where voltage or duty drives and it was recorded; else empty
   std::vector<double> supply;    ///< recorded supply in V; empty: not recorded
@@ -47,6 +48,8 @@ struct Track {
   size_t rows() const { return time.size(); }
   /// A copy of rows [first, last], without the smoothed motion; times keep their origin.
   Track rowsFrom(size_t first, size_t last) const;
+  /// Whether the row's position can be taken for the axis' own, read or bridged.
+  bool placed(size_t row) const { return seen[row] != 0 || (!bridged.empty() && bridged[row] != 0); }
   double supplyAt(size_t row) const { return supply.empty() ? supply_V : supply[row]; }
 };
 
@@ -54,5 +57,9 @@ struct Track {
 /// Errors: a needed column is missing or has no value at all; fewer than two rows.
 Result<Track> makeTrack(const Recording& recording, Axis axis, DriveInput input, std::optional<double> supply_V,
                         double count);
+
+/// Puts positions that were not read on the line between their neighbours; those nearer to one another than `near_s`
+/// become `bridged`. Looks ahead, so not for who predicts.
+void bridgePositions(Track& track, double near_s);
 
 }  // namespace breakaway

@@ -1,0 +1,88 @@
+#include <QTest>
+#include <cmath>
+
+#include "diagnose/simulate/track.h"
+#include "diagnose/split.h"
+#include "support/temporary.h"
+
+using namespace breakaway;
+using namespace breakaway::test;
+
+/// What windows a recording with holes gives.
+class TestSplit : public QObject {
+  Q_OBJECT
+ private slots:
+  void rowsThatAreMissing_areInNoWindow();
+  void positionsThatWereNotRead_areBridgedOrInNoWindow();
+  void tooCoarseRows_areOneClearLine();
+};
+
+namespace {
+
+constexpr double row_s = 1e-3;
+
+/// A swinging axis over 30 s; `keep` says which times have a row and `read` which of these have a position.
+template <typename Keep, typename Read>
+Track swinging(Keep keep, Read read, double step_s = row_s, size_t rows = 30000) {
+  std::vector<double> time, angle, torque;
+  for (size_t k = 0; k < rows; ++k) {
+    const double t = static_cast<double>(k) * step_s;
+    if (!keep(t)) continue;
+    time.push_back(t);
+    angle.push_back(read(t) ? std::sin(2.0 * t) : std::nan(""));
+    torque.push_back(0.01 * std::cos(2.0 * t));
+  }
+  const auto recording = Recording::seal("holes.csv", {{"time_s", time}, {"angle_rad", angle}, {"torque_Nm", torque}});
+  return *makeTrack(*recording, Axis::rotary, DriveInput::torque, {}, 0.0);
+}
+
+const auto always = [](double) { return true; };
+
+}  // namespace
+
+void TestSplit::rowsThatAreMissing_areInNoWindow() {
+  // Longer than a window, and shorter.
+  const auto keep = [](double t) { return !(t > 8.0 && t < 9.7) && !(t > 14.2 && t < 14.4); };
+  const std::vector<Track> tracks{swinging(keep, always)};
+  const auto split = splitTracks(tracks, 1, 0.5);
+  VERIFY_OK(split);
+  for (const auto* windows : {&split->train, &split->polish, &split->trainScore, &split->heldoutScore}) {
+    QVERIFY(windows->size() > 2);
+    for (const Window& window : *windows) {
+      QVERIFY(window.first < window.last && window.last < tracks.front().rows());
+      for (size_t row = window.first; row < window.last; ++row)
+        QVERIFY(tracks.front().time[row + 1] - tracks.front().time[row] < 0.01);
+    }
+  }
+}
+
+void TestSplit::positionsThatWereNotRead_areBridgedOrInNoWindow() {
+  const auto read = [](double t) { return !(t > 8.0 && t < 9.7) && std::lround(t / row_s) % 5 != 3; };
+  std::vector<Track> tracks{swinging(always, read)};
+  bridgePositions(tracks.front(), 0.02);
+  const Track& track = tracks.front();
+  for (size_t row = 5; row + 5 < track.rows(); ++row) {
+    const bool inHole = track.time[row] > 7.99 && track.time[row] < 9.71;
+    if (inHole) continue;
+    QVERIFY(track.placed(row));
+    QVERIFY(std::abs(track.position[row] - std::sin(2.0 * track.time[row])) < 1e-5);
+  }
+  const auto split = splitTracks(tracks, 1, 0.5);
+  VERIFY_OK(split);
+  QVERIFY(split->train.size() > 12);
+  for (const auto* windows : {&split->train, &split->polish, &split->trainScore}) {
+    for (const Window& window : *windows) QVERIFY(track.time[window.last] < 8.11 || track.time[window.first] > 9.69);
+  }
+}
+
+void TestSplit::tooCoarseRows_areOneClearLine() {
+  const std::vector<Track> tracks{swinging(always, always, 1000.0, 400)};
+  const auto split = splitTracks(tracks, 1, 0.5);
+  QVERIFY(!split);
+  QCOMPARE(split.error().message(),
+           std::string("holes.csv: holds 0 windows of 1 s in which no row is missing, expected at least 6; the usual "
+                       "step from row to row is 1e+03 s"));
+}
+
+QTEST_APPLESS_MAIN(TestSplit)
+#include "tst_split.moc"
