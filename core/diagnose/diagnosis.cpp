@@ -31,7 +31,7 @@ constexpr double leastShare = 0.03;
 constexpr double mostIsExplained = 0.5;
 constexpr double glaringShare = 0.8;
 constexpr double worseOnHeldout = 1.02;  ///< times the base model's error: what does worse is refused
-constexpr double muchWorseOnHeldout = 1.25;
+constexpr double muchWorseOnHeldout = 1.25, clearFallOnHeldout = 0.9;
 constexpr double leastFall = 0.98;  ///< of the error over the training windows: less is none
 /// Of the drive's peak: a place where less is unexplained is none.
 constexpr double immaterialPart = 0.01;
@@ -238,9 +238,10 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   // training data show, as a push in one recording is, and then they may only be somewhat worse.
   const double held = diagnosis.fit.heldoutAfter / diagnosis.fit.heldoutBefore;
   const bool refused = held > (ofAll < glaringShare ? worseOnHeldout : muchWorseOnHeldout);
-  // A load that swings may run away in single windows after a restart and still be right in most.
-  const bool idle = !currentToo && diagnosis.fit.trainAfter > leastFall * diagnosis.fit.trainBefore &&
-                    typicalSquare(errorsAfter) > std::pow(leastFall, 2) * before;
+  // A load that swings may run away in single windows after a restart and still be right in most; then the held-out
+  // data have to show it.
+  const bool usually = typicalSquare(errorsAfter) <= std::pow(leastFall, 2) * before && held < clearFallOnHeldout;
+  const bool idle = !currentToo && diagnosis.fit.trainAfter > leastFall * diagnosis.fit.trainBefore && !usually;
   if (!diagnosis.findings.empty() && (refused || idle)) {
     diagnosis.findings.clear();
     diagnosis.model = diagnosis.base;
