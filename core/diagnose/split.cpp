@@ -76,6 +76,7 @@ void appendOverlapping(std::vector<Window>& windows, const Track& track, size_t 
 /// missing, nor what the axis did while no position was read: windows that begin or run there tell no model's worth.
 void dropUnknown(Split& split, const std::vector<Track>& tracks) {
   std::vector<double> limits;
+  limits.reserve(tracks.size());
   for (const Track& track : tracks) limits.push_back(longestWay(track));
   const auto unknown = [&](const Window& window) {
     if (window.first == 0) return true;
