@@ -89,10 +89,13 @@ class Search {
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
     say(0.35, "simulating what was found");
     adoptFound(result, screen, found);
-    for (const Pick& pick : result.chosen.empty() ? bestAlone(screen) : std::vector<Pick>{}) {
-      if (result.chosen.empty()) adopt(result, screen, {pick});
-    }
+    const bool asSet = !result.chosen.empty();
+    if (!asSet) adoptAlone(result, screen);
     backward(result);
+    if (asSet && result.chosen.empty()) {  // one of its members may still be right alone, from a start of its own
+      adoptAlone(result, screen);
+      backward(result);
+    }
     if (tryMore(result, screen, found.chosen)) backward(result);
     refine(result);
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
@@ -207,6 +210,12 @@ class Search {
   static void dropLeast(std::vector<Pick>& picks) {
     const auto nonsense = std::find_if(picks.begin(), picks.end(), [](const Pick& one) { return one.gain <= 0.0; });
     picks.erase(nonsense != picks.end() ? nonsense : picks.end() - 1);
+  }
+
+  void adoptAlone(SearchResult& result, const Screen& screen) const {
+    for (const Pick& pick : bestAlone(screen)) {
+      if (result.chosen.empty()) adopt(result, screen, {pick});
+    }
   }
 
   /// The effects that explain most alone.
