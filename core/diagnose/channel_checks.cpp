@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <numbers>
 
 #include "base/statistics.h"
@@ -15,7 +14,7 @@ namespace {
 constexpr double gapSteps = 5.0;  ///< usual steps
 constexpr double shortestGap_s = 0.01;
 constexpr double usualWays = 0.95;  ///< quantile of the ways from row to row
-constexpr double jumpWays = 20.0;   ///< times that, which no axis moves in a row
+constexpr double leapWays = 20.0;   ///< times that, which no axis moves in a row
 constexpr size_t fewestWays = 100;
 constexpr size_t fewestWraps = 2;
 constexpr double clippedPart = 0.05;    ///< of the rows, at exactly the largest or smallest value
@@ -32,11 +31,8 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b) {
   return aa > 0.0 && bb > 0.0 ? ab / std::sqrt(aa * bb) : 0.0;
 }
 
-/// From a row's position to the next; 0 where one of them was not read or rows are missing between.
 double wayAfter(const Track& track, size_t row) {
-  const bool known =
-      track.seen[row] && track.seen[row + 1] && !isGap(track.time[row + 1] - track.time[row], track.usualStep_s);
-  return known ? std::abs(track.position[row + 1] - track.position[row]) : 0.0;
+  return std::abs(track.position[row + 1] - track.position[row]);
 }
 
 template <typename... Values>
@@ -64,35 +60,15 @@ void sayGaps(std::vector<std::string>& out, const Track& track) {
   }
 }
 
-/// Positions that leap further in one row than the axis can move.
-struct Leaps {
-  size_t count = 0;
-  double largest = 0.0;  ///< rad or m
-  bool wholeTurns = false;
-};
-
-Leaps leapsOf(const Track& track, Axis axis) {
-  Leaps leaps;
-  leaps.wholeTurns = axis == Axis::rotary;
-  const double limit = longestWay(track);
-  for (size_t k = 0; k + 1 < track.rows(); ++k) {
-    const double way = wayAfter(track, k);
-    if (way <= limit) continue;
-    ++leaps.count;
-    leaps.largest = std::max(leaps.largest, way);
-    leaps.wholeTurns = leaps.wholeTurns && std::abs(way - 2.0 * std::numbers::pi) < 0.5;
-  }
-  return leaps;
-}
-
 void sayLeaps(std::vector<std::string>& out, const Bench& bench, const Track& track) {
-  const Leaps leaps = leapsOf(track, bench.axis);
-  if (leaps.count == 0) return;
+  if (track.leaps.empty()) return;
+  double largest = 0.0;
+  for (const size_t row : track.leaps) largest = std::max(largest, wayAfter(track, row));
   out.push_back(track.name + ", column " + bench.positionChannel() +
                 text(": leaps by up to %.4g %s within a row in %zu place%s: bad readings or lost counts; windows that "
                      "hold such a place are left out",
-                     leaps.largest, bench.axis == Axis::rotary ? "rad" : "m", leaps.count,
-                     leaps.count == 1 ? "" : "s"));
+                     largest, bench.axis == Axis::rotary ? "rad" : "m", track.leaps.size(),
+                     track.leaps.size() == 1 ? "" : "s"));
 }
 
 void sayDrive(std::vector<std::string>& out, const Bench& bench, const Recording& recording, const Track& track) {
@@ -162,22 +138,33 @@ bool isGap(double step_s, double usual_s) {
   return step_s > std::max(gapSteps * usual_s, shortestGap_s);
 }
 
+std::vector<size_t> leapsOf(const Track& track) {
+  std::vector<double> ways;  // while it moves
+  const auto near = [&track](size_t row) {
+    return track.seen[row] && track.seen[row + 1] && !isGap(track.time[row + 1] - track.time[row], track.usualStep_s);
+  };
+  for (size_t row = 0; row + 1 < track.rows(); ++row) {
+    if (near(row) && wayAfter(track, row) > track.noise) ways.push_back(wayAfter(track, row));
+  }
+  if (ways.size() < fewestWays) return {};
+  const double limit = leapWays * std::max(quantile(ways, usualWays), track.noise);
+  std::vector<size_t> leaps;
+  for (size_t row = 0; row + 1 < track.rows(); ++row) {
+    if (near(row) && wayAfter(track, row) > limit) leaps.push_back(row);
+  }
+  return leaps;
+}
+
 Result<void> checkUnwrapped(const Bench& bench, const Track& track) {
-  const Leaps leaps = leapsOf(track, bench.axis);
-  if (leaps.count < fewestWraps || !leaps.wholeTurns) return {};
+  const bool turns = bench.axis == Axis::rotary && track.leaps.size() >= fewestWraps &&
+                     std::all_of(track.leaps.begin(), track.leaps.end(), [&track](size_t row) {
+                       return std::abs(wayAfter(track, row) - 2.0 * std::numbers::pi) < 0.5;
+                     });
+  if (!turns) return {};
   return Error{track.name + ", column " + bench.positionChannel(),
                text("wraps: it leaps by about a whole turn within a row in %zu places, expected an angle that goes on "
                     "counting",
-                    leaps.count)};
-}
-
-double longestWay(const Track& track) {
-  std::vector<double> ways;  // while it moves
-  for (size_t k = 0; k + 1 < track.rows(); ++k) {
-    if (const double way = wayAfter(track, k); way > track.noise) ways.push_back(way);
-  }
-  if (ways.size() < fewestWays) return std::numeric_limits<double>::infinity();
-  return jumpWays * std::max(quantile(ways, usualWays), track.noise);
+                    track.leaps.size())};
 }
 
 std::vector<std::string> channelRemarks(const Bench& bench, const Recording& recording, const Track& track) {

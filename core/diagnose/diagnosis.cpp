@@ -136,23 +136,31 @@ void findPlaces(Rest& rest, const Model& best, const std::vector<Track>& seen, c
   }
 }
 
+/// What windows may show if the model is right, rms.
+struct Floors {
+  double perfect = 0.0;
+  double tolerated = 0.0;  ///< the same where friction scatters
+};
+
+Floors floorsOf(const Model& model, const Preparation& prepared, const std::vector<Window>& windows,
+                std::uint64_t seed) {
+  return {noiseFloor(model, prepared.tracks, windows, seed),
+          noiseFloor(model, prepared.tracks, windows, seed, usualScatter(prepared.seen.highSpeed))};
+}
+
 /// What the model leaves of windows that restart.
-Rest restOf(const Diagnosis& diagnosis, const Preparation& prepared, std::uint64_t seed,
-            const std::vector<double>& errorsBefore, const std::vector<double>& errorsAfter) {
-  const auto& windows = prepared.split.trainScore;
-  // What a perfect model would show, and the same where friction scatters.
-  const double floor = noiseFloor(diagnosis.model, prepared.tracks, windows, seed);
-  const double tolerated =
-      noiseFloor(diagnosis.model, prepared.tracks, windows, seed, usualScatter(prepared.seen.highSpeed));
+Rest restOf(const Diagnosis& diagnosis, const std::vector<double>& errorsBefore, const std::vector<double>& errorsAfter,
+            const Floors& floors) {
   Rest rest;
-  const double before = typicalSquare(errorsBefore), after = typicalSquare(errorsAfter), unit = floor * floor;
+  const double before = typicalSquare(errorsBefore), after = typicalSquare(errorsAfter);
+  const double unit = floors.perfect * floors.perfect;
   const double least = diagnosis.findings.empty() ? materialShare : materialShareBesideFindings;
-  if (after > std::pow(materialFloors * tolerated, 2))
+  if (after > std::pow(materialFloors * floors.tolerated, 2))
     rest.share = std::clamp((after - unit) / std::max(before - unit, 1e-300), 0.0, 1.0);
   rest.material = rest.share > least;
   // Few windows, but too many and too far off for restarts at the edge of standstill.
   const double ofAll = mean(errorsAfter) / std::max(mean(errorsBefore), 1e-300);
-  if (!rest.material && ofAll > least && farOff(errorsAfter, tolerated)) {
+  if (!rest.material && ofAll > least && farOff(errorsAfter, floors.tolerated)) {
     rest.material = true;
     rest.share = std::min(ofAll, 1.0);
   }
@@ -162,9 +170,8 @@ Rest restOf(const Diagnosis& diagnosis, const Preparation& prepared, std::uint64
 /// Where the training data lack nothing, what the held-out data nevertheless show.
 void remarkOnHeldout(Diagnosis& diagnosis, const Preparation& prepared, std::uint64_t seed) {
   const auto& windows = prepared.split.heldoutScore;
-  const double tolerated =
-      noiseFloor(diagnosis.model, prepared.tracks, windows, seed, usualScatter(prepared.seen.highSpeed));
-  const size_t far = farOffWindows(scoreWindows(diagnosis.model, prepared.tracks, windows), tolerated);
+  const Floors floors = floorsOf(diagnosis.model, prepared, windows, seed);
+  const size_t far = farOffWindows(scoreWindows(diagnosis.model, prepared.tracks, windows), floors.tolerated);
   if (far == 0) return;
   diagnosis.remarks.push_back(std::to_string(far) + " of " + std::to_string(windows.size()) +
                               " held-out windows err more than " + std::to_string(std::lround(farOffFloors)) +
@@ -204,9 +211,9 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   const auto& windows = prepared->split.trainScore;
   const auto errorsBefore = scoreWindows(diagnosis.base, prepared->tracks, windows);
   auto errorsAfter = scoreWindows(diagnosis.model, prepared->tracks, windows);
-  const double floor = noiseFloor(diagnosis.model, prepared->tracks, windows, options.seed);
+  Floors floors = floorsOf(diagnosis.model, *prepared, windows, options.seed);
   const double before = typicalSquare(errorsBefore);
-  const double excess = std::max(before - floor * floor, 1e-300);
+  const double excess = std::max(before - floors.perfect * floors.perfect, 1e-300);
   double explained = (before - typicalSquare(errorsAfter)) / excess;
   // What lives in a few windows only shows in the plain mean.
   const double ofAll = 1.0 - mean(errorsAfter) / std::max(mean(errorsBefore), 1e-300);
@@ -218,19 +225,18 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   } else {
     diagnosis.model = diagnosis.base;
     errorsAfter = errorsBefore;
+    floors = floorsOf(diagnosis.base, *prepared, windows, options.seed);
   }
-  const std::vector<Track>& training = prepared->training;
-  const auto restAfter = [&](const std::vector<double>& errors) {
-    return restOf(diagnosis, *prepared, options.seed, errorsBefore, errors);
+  Rest rest = restOf(diagnosis, errorsBefore, errorsAfter, floors);
+  const auto giveUp = [&] {
+    diagnosis.findings.clear();
+    diagnosis.model = diagnosis.base;
+    rest = restOf(diagnosis, errorsBefore, errorsBefore, floorsOf(diagnosis.base, *prepared, windows, options.seed));
   };
-  Rest rest = restAfter(errorsAfter);
   const double fitted = 1.0 - mean(found->best.windowSquares) / std::max(mean(found->base.windowSquares), 1e-300);
   if (rest.share > materialShareBesideFindings && !diagnosis.findings.empty() &&
       std::max(explained, fitted) < mostIsExplained) {
-    // What explains the smaller part of something unknown has borrowed its name.
-    diagnosis.findings.clear();
-    diagnosis.model = diagnosis.base;
-    rest = restAfter(errorsBefore);
+    giveUp();  // what explains the smaller part of something unknown has borrowed its name
   }
   diagnosis.fit =
       scoreFit(bench, diagnosis.base, diagnosis.model, prepared->tracks, prepared->split, options, diagnosis.proof);
@@ -243,9 +249,7 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   const bool usually = typicalSquare(errorsAfter) <= std::pow(leastFall, 2) * before && held < clearFallOnHeldout;
   const bool idle = !currentToo && diagnosis.fit.trainAfter > leastFall * diagnosis.fit.trainBefore && !usually;
   if (!diagnosis.findings.empty() && (refused || idle)) {
-    diagnosis.findings.clear();
-    diagnosis.model = diagnosis.base;
-    rest = restAfter(errorsBefore);
+    giveUp();
     diagnosis.fit =
         scoreFit(bench, diagnosis.base, diagnosis.model, prepared->tracks, prepared->split, options, diagnosis.proof);
   }
@@ -254,6 +258,7 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   }
   diagnosis.firstNames = std::move(firstNames);
   diagnosis.named_s = named_s ? *named_s : elapsed();
+  const std::vector<Track>& training = prepared->training;
   if (rest.material) findPlaces(rest, diagnosis.model, training, prepared->seen, options.seed);
   const bool outside = rest.material;
   diagnosis.unexplainedShare = rest.share;

@@ -121,6 +121,7 @@ Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& re
       auto track = makeTrack(recording, bench.axis, bench.input, bench.supply_V, bench.count());
       if (!track) return track.error();
       out.remarks.insert(out.remarks.end(), track->remarks.begin(), track->remarks.end());
+      track->leaps = leapsOf(*track);
       if (auto unwrapped = checkUnwrapped(bench, *track); !unwrapped) return unwrapped.error();
       bridgePositions(*track, bridged_s);
       track->motion = motionOf(*track);

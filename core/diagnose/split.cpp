@@ -75,19 +75,15 @@ void appendOverlapping(std::vector<Window>& windows, const Track& track, size_t 
 /// Before a recording's first row nothing is known, its speed least of all, and nobody knows what acted while rows are
 /// missing, nor what the axis did while no position was read: windows that begin or run there tell no model's worth.
 void dropUnknown(Split& split, const std::vector<Track>& tracks) {
-  std::vector<double> limits;
-  limits.reserve(tracks.size());
-  for (const Track& track : tracks) limits.push_back(longestWay(track));
   const auto unknown = [&](const Window& window) {
     if (window.first == 0) return true;
-    const double limit = limits[window.track];
     const Track& track = tracks[window.track];
     size_t row = window.first;
     while (row > 0 && track.time[window.first] - track.time[row - 1] < lookBack_s) --row;
     double read_s = track.time[row];
     for (row -= row > 0 ? 1 : 0; row < window.last; ++row) {
       if (isGap(track.time[row + 1] - track.time[row], track.usualStep_s)) return true;
-      if (std::abs(track.position[row + 1] - track.position[row]) > limit) return true;
+      if (std::binary_search(track.leaps.begin(), track.leaps.end(), row)) return true;
       if (track.placed(row)) read_s = track.time[row];
       if (track.time[row + 1] - read_s > longestUnread_s) return true;
     }

@@ -49,6 +49,7 @@ Preparation prepared(const Recording& recording) {
 
 std::vector<std::string> remarksOf(const Recording& recording) {
   Track track = *makeTrack(recording, Axis::rotary, DriveInput::torque, {}, 0.0015);
+  track.leaps = leapsOf(track);
   track.motion = motionOf(track);
   std::vector<std::string> remarks = channelRemarks(benchOf(torqueDriven()), recording, track);
   remarks.insert(remarks.end(), track.remarks.begin(), track.remarks.end());

@@ -43,7 +43,9 @@ struct Track {
   double currentNoise = 0.0;  ///< the same of a current reading, A; 0 where there is none
   std::vector<std::string> remarks;
 
-  Motion motion;  ///< filled in by prepare(); empty otherwise
+  // Filled in by prepare(); empty otherwise.
+  std::vector<size_t> leaps;  ///< rows after which the position leaps
+  Motion motion;
 
   size_t rows() const { return time.size(); }
   /// A copy of rows [first, last], without the smoothed motion; times keep their origin.
