@@ -24,6 +24,10 @@ struct SearchInput {
   std::function<void(double, const std::string&)> progress;
   std::function<void(const std::vector<const Effect*>&)> named;  ///< called once if the screen is sure of the names
   std::vector<double> windowWeights;                             ///< of split.train; empty: all 1
+
+  void say(double part, const std::string& activity) const {
+    if (progress) progress(part, activity);
+  }
 };
 
 Model with(const SearchInput& input, const Model& model, const Pick& pick);

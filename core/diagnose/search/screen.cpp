@@ -41,6 +41,10 @@ std::vector<size_t> refinable(const Effect& effect, const Shape& shape, const Ex
 
 }  // namespace
 
+void sortByGain(std::vector<Pick>& picks) {
+  std::stable_sort(picks.begin(), picks.end(), [](const Pick& a, const Pick& b) { return a.gain > b.gain; });
+}
+
 Screen::Screen(const LinearRig& rig, const std::vector<const Effect*>& effects, const Excitation& seen,
                const std::vector<int>& fold, int folds, std::uint64_t seed)
     : rig_(rig), seen_(seen), fold_(fold), folds_(folds), seed_(seed) {
@@ -163,7 +167,7 @@ std::vector<Pick> Screen::bestOfEach(const Left& left, const std::vector<Pick>& 
     Pick pick = bestOf(effect, left);
     if (pick.gain > 0.0) best.push_back(std::move(pick));
   }
-  std::stable_sort(best.begin(), best.end(), [](const Pick& a, const Pick& b) { return a.gain > b.gain; });
+  sortByGain(best);
   return best;
 }
 
@@ -330,7 +334,7 @@ void Screen::settle(std::vector<Pick>& chosen) const {
     chosen[k].parameters =
         chosen[k].effect->scaled(chosen[k].shape, {amplitude.data(), static_cast<size_t>(amplitude.size())});
   }
-  std::stable_sort(chosen.begin(), chosen.end(), [](const Pick& a, const Pick& b) { return a.gain > b.gain; });
+  sortByGain(chosen);
 }
 
 std::vector<Pick> Screen::grow(std::vector<Pick> chosen) const {
@@ -340,7 +344,7 @@ std::vector<Pick> Screen::grow(std::vector<Pick> chosen) const {
     std::vector<Pick> best = bestOfEach(left, chosen);
     if (best.empty()) break;
     for (size_t k = 0; k < std::min<size_t>(3, best.size()); ++k) best[k] = refined(best[k], left);
-    std::stable_sort(best.begin(), best.end(), [](const Pick& a, const Pick& b) { return a.gain > b.gain; });
+    sortByGain(best);
     Pick& first = best.front();
     if (first.gain < leastPart * left.response.squaredNorm() || first.gain < leastOfBase * baseSquares) break;
     double chance = 0.0;

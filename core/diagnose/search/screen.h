@@ -22,6 +22,9 @@ struct Pick {
   std::vector<const Effect*> rivals;  ///< that do as well in its place, within two standard errors, best first
 };
 
+/// The largest gain first.
+void sortByGain(std::vector<Pick>& picks);
+
 struct ScreenResult {
   std::vector<Pick> chosen;  ///< most important first
   double baseSquares = 0.0;  ///< what the base model leaves, in squared typical residuals

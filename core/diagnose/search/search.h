@@ -15,6 +15,9 @@ struct Chosen {
   std::vector<const Effect*> rivals;  ///< others that do about as well in its place; twins included
 };
 
+/// Whether an effect, or its twin, is among the chosen ones.
+bool contains(const std::vector<Chosen>& chosen, const Effect* effect);
+
 struct SearchResult {
   FitResult base;
   FitResult best;

@@ -1,0 +1,126 @@
+#include "diagnose/search/rivals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "base/statistics.h"
+#include "diagnose/catalogue.h"
+#include "diagnose/fit/cross_validation.h"
+#include "diagnose/search/swinging_load.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr size_t mostRivals = 3;
+constexpr double alikePart = 0.7, unlistedPart = 0.8;  ///< of the chosen one's gain, for look-alikes and others
+constexpr double halfOfAll = 0.5;
+
+bool lists(const Chosen& chosen, const Effect* rival) {
+  return std::find(chosen.rivals.begin(), chosen.rivals.end(), rival) != chosen.rivals.end();
+}
+
+}  // namespace
+
+/// Effects that the screen finds nearly as good as the chosen one, beside the other chosen ones.
+std::vector<Pick> Rivals::nearlyAsGood(const SearchResult& result, size_t k) const {
+  std::vector<Pick> others, candidates;
+  for (size_t j = 0; j < result.chosen.size(); ++j) {
+    if (j != k) others.push_back(screen_.best(*result.chosen[j].effect, others));
+  }
+  std::erase_if(others, [](const Pick& one) { return one.parameters.empty(); });
+  const double own = screen_.best(*result.chosen[k].effect, others).gain;
+  const auto alike = result.chosen[k].effect->lookAlikes();
+  for (const Effect* effect : catalogue()) {
+    if (contains(result.chosen, effect)) continue;
+    Pick pick = screen_.best(*effect, others);
+    const bool listed = std::find(alike.begin(), alike.end(), effect->name()) != alike.end();
+    if (pick.parameters.empty() || pick.gain < (listed ? alikePart : unlistedPart) * own) continue;
+    candidates.push_back(std::move(pick));
+  }
+  sortByGain(candidates);
+  if (candidates.size() > mostRivals) candidates.resize(mostRivals);
+  return candidates;
+}
+
+/// Tries a rival in the place of a chosen effect, without which `left` remains; `best` are the validated errors of the
+/// best model.
+void Rivals::tryInPlace(SearchResult& result, size_t k, const FitResult& left, const Pick& rival,
+                        std::vector<double>& best) const {
+  Chosen& chosen = result.chosen[k];
+  // Which of two loads it is, short windows tell better than long ones.
+  const bool exchange = swings(result.best.model) && !swings(left.model);
+  if (swings(rival) && (exchange || !fits_.loadsMayShow())) return;
+  FitResult fit = fits_.fresh(with(input_, left.model, rival));
+  if (!fit.usable || !plausible(fit.model, input_.seen)) return;
+  const auto errors = fits_.worth().validated(fit);
+  if (!std::isfinite(mean(errors))) return;
+  const Comparison ahead = compare(errors, best, input_.seed);
+  // Skewed errors hide a clear difference from the t-value: the sign-flip test sees it.
+  const bool clearlyWorse = (ahead.relative > 0.25 && signFlipPValue(errors, best, input_.seed) <= 0.02) ||
+                            (ahead.relative > 0.5 && quantile(errors, 0.5) > 1.5 * quantile(best, 0.5));
+  const bool freer = swings(fit.model) && !swings(result.best.model);
+  // Folds may mislead where the form isn't quite right: what fits all windows far worse is no better name.
+  const bool better = ahead.inErrors < -2.0 && mean(errors) < 0.9 * mean(best) &&
+                      mean(fit.windowSquares) < 1.5 * mean(result.best.windowSquares) &&
+                      (!freer || fits_.clearlyBetterFromRestarts(fit.model, result.best.model));
+  if (!better && (ahead.inErrors >= 2.0 || clearlyWorse)) return;
+  // A push at a time of its own explains whatever happened then: physics that does as well is the better name.
+  const bool physics = chosen.effect->happensOnce() && !rival.effect->happensOnce();
+  if (!better && !physics) {
+    chosen.rivals.push_back(rival.effect);
+    return;
+  }
+  if (better) {
+    chosen.marginal = std::max(0.0, mean(left.windowSquares) - mean(fit.windowSquares));
+    chosen.rivals.clear();
+  } else {
+    chosen.rivals.push_back(chosen.effect);
+  }
+  chosen.effect = rival.effect;
+  result.best = std::move(fit);
+  best = errors;
+}
+
+/// Beside other findings a name may rest on how they were chosen: a look-alike that does as well alone is a rival.
+void Rivals::weighAlone(SearchResult& result) const {
+  Chosen& first = result.chosen.front();
+  const auto aloneWith = [&](const Pick& pick) {
+    return pick.parameters.empty() ? FitResult{} : fits_.together(screen_, {pick});
+  };
+  const Pick ownPick = screen_.best(*first.effect, {});
+  std::optional<double> own;  // squared error; the fits themselves are large
+  for (const std::string_view name : first.effect->lookAlikes()) {
+    const Effect* alike = findEffect(name);
+    if (lists(first, alike) || contains(result.chosen, alike) || alike->memory() > 0) continue;
+    const Pick pick = screen_.best(*alike, {});
+    if (pick.gain < halfOfAll * ownPick.gain) continue;
+    if (!own) {
+      const FitResult fit = aloneWith(ownPick);
+      if (!fit.usable || !fits_.worth().helps(result.base, fit)) return;
+      own = mean(fit.windowSquares);
+    }
+    const FitResult rival = aloneWith(pick);
+    if (!rival.usable || !plausible(rival.model, input_.seen)) continue;
+    // Of as many parameters, so that the errors can be compared as they are.
+    if (mean(rival.windowSquares) <= *own) first.rivals.push_back(alike);
+  }
+}
+
+void Rivals::weigh(SearchResult& result, std::vector<FitResult> left) const {
+  auto best = fits_.worth().validated(result.best);
+  for (size_t k = 0; k < result.chosen.size(); ++k) {
+    if (input_.stop.stop_requested()) return;
+    input_.say(0.5 + 0.3 * static_cast<double>(k) / static_cast<double>(result.chosen.size()), "weighing rivals");
+    for (const Pick& rival : nearlyAsGood(result, k)) tryInPlace(result, k, left[k], rival, best);
+    if (const Effect* twin = findEffect(result.chosen[k].effect->twin())) result.chosen[k].rivals.push_back(twin);
+  }
+  std::stable_sort(result.chosen.begin(), result.chosen.end(),
+                   [](const Chosen& a, const Chosen& b) { return a.marginal > b.marginal; });
+  left.clear();  // the fits are large, and no longer needed
+  if (result.chosen.size() > 1) weighAlone(result);
+}
+
+}  // namespace breakaway

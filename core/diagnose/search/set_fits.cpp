@@ -1,0 +1,73 @@
+#include "diagnose/search/set_fits.h"
+
+#include <cmath>
+#include <utility>
+
+#include "base/statistics.h"
+#include "diagnose/noise_floor.h"
+#include "diagnose/search/swinging_load.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr double clearlyLess = 0.65;  ///< of a squared error
+constexpr double goodStart = 0.6;     ///< of the base model's squared error: no other start is tried
+constexpr double loadFloors = 2.0;    ///< rms error of restarts, in tolerated ones, from which a load is looked for
+
+}  // namespace
+
+SetFits::SetFits(const SearchInput& input, const FitResult& base)
+    : input_(input),
+      base_(base),
+      worth_(input, base, noiseFloor(base.model, input.tracks, input.split.trainScore, input.seed)),
+      loadsMayShow_(restartsErr()) {
+}
+
+bool SetFits::restartsErr() const {
+  const auto& windows = input_.split.trainScore;
+  const FrictionScatter scatter = usualScatter(input_.seen.highSpeed);
+  const double tolerated = noiseFloor(base_.model, input_.tracks, windows, input_.seed, scatter);
+  return mean(scoreWindows(base_.model, input_.tracks, windows)) > std::pow(loadFloors * tolerated, 2);
+}
+
+bool SetFits::helps(const FitResult& without, const FitResult& with) const {
+  if (!worth_.helps(without, with)) return false;
+  return !swings(with.model) || swings(without.model) ||
+         (loadsMayShow_ && clearlyBetterFromRestarts(with.model, without.model));
+}
+
+bool SetFits::clearlyBetterFromRestarts(const Model& model, const Model& other) const {
+  const auto& windows = input_.split.trainScore;
+  return typicalPart(scoreWindows(model, input_.tracks, windows), scoreWindows(other, input_.tracks, windows)) <
+         clearlyLess;
+}
+
+FitResult SetFits::fresh(const Model& start) const {
+  return fitModel(input_, start, 6);
+}
+
+FitResult SetFits::together(const Screen& screen, const std::vector<Pick>& picks) const {
+  Model start = withScreenedBase(input_, base_.model, screen.baseCoefficients(picks));
+  for (const Pick& pick : picks) start = with(input_, start, pick);
+  FitResult fit = fresh(start);
+  if (fit.usable && mean(fit.windowSquares) < goodStart * mean(base_.windowSquares)) return fit;
+  // Hidden states are slow to fit: several effects at once get one more start only.
+  std::vector<Model> starts = picks.size() > 1 && remembers(start) ? std::vector<Model>{} : variantsOf(start);
+  starts.push_back(fitShort(input_, start));
+  for (const Model& other : starts) {
+    FitResult slow = fresh(other);
+    if (slow.usable && mean(slow.windowSquares) < mean(fit.windowSquares)) fit = std::move(slow);
+  }
+  return fit;
+}
+
+FitResult SetFits::beside(const Model& model, const Pick& pick, double left) const {
+  if (swings(pick)) return SwingingLoads(input_, model).fitted(pick);
+  const Model start = with(input_, model, pick);
+  FitResult fit = fresh(start);
+  if (!fit.usable || mean(fit.windowSquares) > (1.0 - clearGain) * left) fit = fresh(fitShort(input_, start));
+  return fit;
+}
+
+}  // namespace breakaway
