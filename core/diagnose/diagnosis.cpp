@@ -7,12 +7,14 @@
 
 #include "base/statistics.h"
 #include "diagnose/catalogue.h"
+#include "diagnose/effects/wording.h"
 #include "diagnose/fit/inverse_fit.h"
 #include "diagnose/next_experiment.h"
 #include "diagnose/noise_floor.h"
 #include "diagnose/preparation.h"
 #include "diagnose/proof.h"
 #include "diagnose/search/search.h"
+#include "diagnose/simulate/physics.h"
 #include "diagnose/where.h"
 
 namespace breakaway {
@@ -111,11 +113,19 @@ bool hasRealRivals(const Finding& finding) {
                      [effect](const std::string& rival) { return rival != effect->twin(); });
 }
 
+/// A single finding that explains the smaller part of the error, and nobody can tell that there is any of it.
+bool isVague(const std::vector<Finding>& findings) {
+  if (findings.size() != 1 || findings.front().share > mostIsExplained) return false;
+  const Parameter& amplitude = findings.front().parameters.front();
+  return amplitude.low95 < 0.0 && amplitude.high95 > 0.0;
+}
+
 /// What the best model leaves.
 struct Rest {
   double share = 0.0;  ///< of the base model's excess
   double pValue = 1.0;
   bool material = false;
+  bool wanders = false;  ///< not material, but more than sensors do
   std::vector<Place> where;
 };
 
@@ -139,13 +149,15 @@ void findPlaces(Rest& rest, const Model& best, const std::vector<Track>& seen, c
 /// What windows may show if the model is right, rms.
 struct Floors {
   double perfect = 0.0;
-  double tolerated = 0.0;  ///< the same where friction scatters
+  double tolerated = 0.0;  ///< the same where friction scatters, and what is left wanders a little
 };
 
-Floors floorsOf(const Model& model, const Preparation& prepared, const std::vector<Window>& windows,
-                std::uint64_t seed) {
+/// `left`: what the model leaves, taken for a torque that wanders: a little of that is tolerated.
+Floors floorsOf(const Model& model, const Preparation& prepared, const std::vector<Window>& windows, std::uint64_t seed,
+                const TorqueNoise& left) {
+  const FrictionScatter scatter = usualScatter(prepared.seen.highSpeed, physicsOf(model).coulomb, left);
   return {noiseFloor(model, prepared.tracks, windows, seed),
-          noiseFloor(model, prepared.tracks, windows, seed, usualScatter(prepared.seen.highSpeed))};
+          noiseFloor(model, prepared.tracks, windows, seed, scatter)};
 }
 
 /// What the model leaves of windows that restart.
@@ -164,13 +176,28 @@ Rest restOf(const Diagnosis& diagnosis, const std::vector<double>& errorsBefore,
     rest.material = true;
     rest.share = std::min(ofAll, 1.0);
   }
+  rest.wanders = !rest.material && after > std::pow(materialFloors * floors.perfect, 2);
   return rest;
 }
 
+/// How much torque is left, in words.
+void remarkOnWander(Diagnosis& diagnosis, const TorqueNoise& left, const Axis axis) {
+  if (left.rms <= 0.0) return;
+  const double friction = physicsOf(diagnosis.model).coulomb;
+  const std::string size =
+      torqueText(left.rms, axis) + " rms (" + digitsText(100.0 * left.rms / friction) + " % of the friction)";
+  if (diagnosis.verdict == Verdict::outsideCatalogue) {
+    diagnosis.remarks.push_back("taken for a " + torqueWord(axis) + " that wanders at random, what is left is " + size);
+  } else {
+    diagnosis.remarks.push_back("what is left is no more than a " + torqueWord(axis) + " that wanders at random by " +
+                                size + ", as brushes and bearings make it");
+  }
+}
+
 /// Where the training data lack nothing, what the held-out data nevertheless show.
-void remarkOnHeldout(Diagnosis& diagnosis, const Preparation& prepared, std::uint64_t seed) {
+void remarkOnHeldout(Diagnosis& diagnosis, const Preparation& prepared, std::uint64_t seed, const TorqueNoise& left) {
   const auto& windows = prepared.split.heldoutScore;
-  const Floors floors = floorsOf(diagnosis.model, prepared, windows, seed);
+  const Floors floors = floorsOf(diagnosis.model, prepared, windows, seed, left);
   const size_t far = farOffWindows(scoreWindows(diagnosis.model, prepared.tracks, windows), floors.tolerated);
   if (far == 0) return;
   diagnosis.remarks.push_back(std::to_string(far) + " of " + std::to_string(windows.size()) +
@@ -211,7 +238,8 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   const auto& windows = prepared->split.trainScore;
   const auto errorsBefore = scoreWindows(diagnosis.base, prepared->tracks, windows);
   auto errorsAfter = scoreWindows(diagnosis.model, prepared->tracks, windows);
-  Floors floors = floorsOf(diagnosis.model, *prepared, windows, options.seed);
+  TorqueNoise left = found->left;
+  Floors floors = floorsOf(diagnosis.model, *prepared, windows, options.seed, left);
   const double before = typicalSquare(errorsBefore);
   const double excess = std::max(before - floors.perfect * floors.perfect, 1e-300);
   double explained = (before - typicalSquare(errorsAfter)) / excess;
@@ -225,13 +253,16 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   } else {
     diagnosis.model = diagnosis.base;
     errorsAfter = errorsBefore;
-    floors = floorsOf(diagnosis.base, *prepared, windows, options.seed);
+    left = found->leftByBase;
+    floors = floorsOf(diagnosis.base, *prepared, windows, options.seed, left);
   }
   Rest rest = restOf(diagnosis, errorsBefore, errorsAfter, floors);
   const auto giveUp = [&] {
     diagnosis.findings.clear();
     diagnosis.model = diagnosis.base;
-    rest = restOf(diagnosis, errorsBefore, errorsBefore, floorsOf(diagnosis.base, *prepared, windows, options.seed));
+    left = found->leftByBase;
+    rest =
+        restOf(diagnosis, errorsBefore, errorsBefore, floorsOf(diagnosis.base, *prepared, windows, options.seed, left));
   };
   const double fitted = 1.0 - mean(found->best.windowSquares) / std::max(mean(found->base.windowSquares), 1e-300);
   if (rest.share > materialShareBesideFindings && !diagnosis.findings.empty() &&
@@ -248,7 +279,7 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   // data have to show it.
   const bool usually = typicalSquare(errorsAfter) <= std::pow(leastFall, 2) * before && held < clearFallOnHeldout;
   const bool idle = !currentToo && diagnosis.fit.trainAfter > leastFall * diagnosis.fit.trainBefore && !usually;
-  if (!diagnosis.findings.empty() && (refused || idle)) {
+  if (!diagnosis.findings.empty() && (refused || idle || isVague(diagnosis.findings))) {
     giveUp();
     diagnosis.fit =
         scoreFit(bench, diagnosis.base, diagnosis.model, prepared->tracks, prepared->split, options, diagnosis.proof);
@@ -273,12 +304,13 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
     diagnosis.verdict = Verdict::outsideCatalogue;
   } else if (diagnosis.findings.empty()) {
     diagnosis.verdict = Verdict::nothingMissing;
-    remarkOnHeldout(diagnosis, *prepared, options.seed);
+    remarkOnHeldout(diagnosis, *prepared, options.seed, left);
     diagnosis.unexplainedShare = 0.0;  // whatever is left has no place of its own
   } else {
     const bool rivals = std::any_of(diagnosis.findings.begin(), diagnosis.findings.end(), hasRealRivals);
     diagnosis.verdict = rivals ? Verdict::ambiguous : Verdict::named;
   }
+  if (outside || rest.wanders) remarkOnWander(diagnosis, left, bench.axis);
   NextExperiment next = nextExperiment(diagnosis, bench, prepared->seen);
   diagnosis.nextSentence = std::move(next.sentence);
   diagnosis.nextSeparates = std::move(next.separates);

@@ -29,10 +29,29 @@ Model scattered(Model model, const FrictionScatter& scatter, Random& random) {
   return model;
 }
 
+double torquePerInput(const Model& model) {
+  const Physics physics = physicsOf(model);
+  return physics.electrical ? physics.torqueConstant / physics.resistance : physics.torqueConstant;
+}
+
+void addWander(Track& driven, const FrictionScatter& scatter, double gain, Random& random) {
+  double wander = scatter.wander * random.normal();
+  for (size_t k = 0; k < driven.rows(); ++k) {
+    driven.input[k] += wander / gain;
+    const double dt = k + 1 < driven.rows() ? driven.time[k + 1] - driven.time[k] : 0.0;
+    const double keep = std::exp(-dt / scatter.wander_s);
+    wander = keep * wander + scatter.wander * std::sqrt(1.0 - keep * keep) * random.normal();
+  }
+}
+
 }  // namespace
 
-FrictionScatter usualScatter(double highSpeed) {
-  return {.relative = 0.01, .speed = 0.1 * highSpeed};
+FrictionScatter usualScatter(double highSpeed, double coulomb, const TorqueNoise& left) {
+  FrictionScatter scatter{.relative = 0.01, .speed = 0.1 * highSpeed};
+  if (!left.usual(coulomb)) return scatter;
+  scatter.wander = left.rms;
+  scatter.wander_s = left.time_s;
+  return scatter;
 }
 
 double noiseFloor(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows,
@@ -52,6 +71,7 @@ double noiseFloor(const Model& model, const std::vector<Track>& tracks, const st
     Track replay = recorded.rowsFrom(first, window.last);
     Track driven = recorded.rowsFrom(first, window.last);  // what acted, if what was recorded is a noisy measurement
     for (double& one : driven.input) one += recorded.inputNoise * random.normal();
+    if (scatter.wander > 0.0) addWander(driven, scatter, torquePerInput(model), random);
     Simulator rig(scattered(model, scatter, random), driven, 0, driven.rows() - 1);
     MotionState state = Simulator(model, recorded, first, window.last).restart(first, hidden[w]);
     for (size_t k = 0; k < replay.rows(); ++k) {

@@ -1,4 +1,5 @@
 #include <QTest>
+#include <algorithm>
 
 #include "diagnose/diagnosed.h"
 #include "support/temporary.h"
@@ -12,6 +13,8 @@ class TestDiagnose : public QObject {
  private slots:
   void coulombAsymmetry_isOneAndTheSameAsConstantLoad();
   void cleanRigWithNoise_lacksNothing();
+  void torqueThatWandersALittle_isNotMissing();
+  void effectUnderATorqueThatWanders_isNamed();
   void sameSeed_givesTheSameDiagnosis();
   void missingChannel_isOneClearLine();
 };
@@ -49,6 +52,26 @@ void TestDiagnose::cleanRigWithNoise_lacksNothing() {
     // One count is 0.44 mrad.
     QVERIFY2(fit.heldoutBefore > 1e-4 && fit.heldoutBefore < 3e-3, qPrintable(QString::number(fit.heldoutBefore)));
   }
+}
+
+void TestDiagnose::torqueThatWandersALittle_isNotMissing() {
+  const Diagnosis diagnosis = diagnosed({.seconds = 20.0, .wander_Nm = 0.01 * 0.012});
+  QCOMPARE(nameOf(diagnosis.verdict), std::string("nothing_missing"));
+  QVERIFY2(diagnosis.fit.heldoutAfter > 2.5 * diagnosis.fit.floor, qPrintable(QString::number(diagnosis.fit.floor)));
+  const bool said = std::any_of(diagnosis.remarks.begin(), diagnosis.remarks.end(), [](const std::string& remark) {
+    return remark.find("wanders at random by 1") != std::string::npos;  // hundred and some µNm
+  });
+  QVERIFY2(said, inWords(diagnosis).c_str());
+}
+
+void TestDiagnose::effectUnderATorqueThatWanders_isNamed() {
+  const Diagnosis diagnosis = diagnosed({.positionTorque = "[[9, 0.0012, 0.4]]", .wander_Nm = 0.015 * 0.012});
+  QVERIFY(!diagnosis.findings.empty());
+  const Finding& finding = diagnosis.findings.front();
+  QCOMPARE(finding.effect, std::string("cogging"));
+  QCOMPARE(parameter(finding, "order"), 9.0);
+  QVERIFY2(within(parameter(finding, "amplitude_Nm"), gauge * 0.0012, 0.1),
+           qPrintable(QString::number(parameter(finding, "amplitude_Nm"))));
 }
 
 void TestDiagnose::sameSeed_givesTheSameDiagnosis() {

@@ -2,7 +2,9 @@
 #include <QTest>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "base/statistics.h"
 #include "diagnose/fit/inverse_fit.h"
 #include "diagnose/fit/motion.h"
 #include "diagnose/search/linear_rig.h"
@@ -27,6 +29,9 @@ class TestLinearRig : public QObject {
   void everyEffect_givesFiniteColumns_data();
   void everyEffect_givesFiniteColumns();
   void rows_belongToTheirWindows();
+  void wanderingTorque_isMeasured_data();
+  void wanderingTorque_isMeasured();
+  void wanderThatConceals_isTakenOut();
 };
 
 namespace {
@@ -112,6 +117,21 @@ double amplitudeFound(const Effect& effect, const LinearRig& rig, const std::vec
   return found[0] * std::cos(found[1] - planted[1]);
 }
 
+/// A torque that wanders at random, which the recorded drive says nothing about.
+void addWander(Track& track, double rms, double time_s) {
+  Random random(3);
+  const double keep = std::exp(-1e-3 / time_s);
+  double wander = rms * random.normal();
+  for (double& one : track.input) {
+    one -= wander;
+    wander = keep * wander + rms * std::sqrt(1.0 - keep * keep) * random.normal();
+  }
+}
+
+Eigen::VectorXd leftOf(const LinearRig& rig) {
+  return rig.response() - rig.base() * solved(rig, Eigen::MatrixXd(rig.response().size(), 0));
+}
+
 }  // namespace
 
 Q_DECLARE_METATYPE(breakaway::DriveInput)
@@ -135,14 +155,15 @@ void TestLinearRig::base_isRecovered() {
   }
   const Prepared data = prepared(truth, {.seconds = 12.0, .current = current});
   const LinearRig rig(believed, data.tracks, data.windows);
-  const Eigen::VectorXd x = solved(rig, Eigen::MatrixXd(rig.response().size(), 0));
+  const Eigen::VectorXd solution = solved(rig, Eigen::MatrixXd(rig.response().size(), 0));
+  const Eigen::VectorXd x = rig.physical(solution);
   const Physics p = voltageDriven();
   // The back-EMF damps, late by L/R: that is the less of inertia.
   const double emf = input == DriveInput::voltage ? p.torqueConstant * p.backEmf / p.resistance : 0.0;
   VERIFY_WITHIN(x[0], p.inertia - emf * p.inductance / p.resistance, 0.01);
   VERIFY_WITHIN(x[1], p.viscous + emf, 0.01);
   VERIFY_WITHIN(x[2], p.coulomb, 0.01);
-  const double left = (rig.response() - rig.base() * x).norm() / rig.response().norm();
+  const double left = (rig.response() - rig.base() * solution).norm() / rig.response().norm();
   QVERIFY2(left < 5e-3, qPrintable(QString::number(left)));
 }
 
@@ -222,6 +243,48 @@ void TestLinearRig::rows_belongToTheirWindows() {
   for (const size_t window : rig.window()) ++rows.at(window);
   QVERIFY(*std::max_element(rows.begin(), rows.end()) > 10);
   QVERIFY(rig.samples() >= static_cast<double>(rig.response().size()) && rig.samples() <= 6000.0);
+}
+
+void TestLinearRig::wanderingTorque_isMeasured_data() {
+  QTest::addColumn<double>("rms");
+  QTest::addColumn<double>("time_s");
+  QTest::newRow("2 % of the friction, quick") << 2.4e-4 << 0.05;
+  QTest::newRow("5 % of the friction, slow") << 6e-4 << 0.5;
+}
+
+void TestLinearRig::wanderingTorque_isMeasured() {
+  QFETCH(double, rms);
+  QFETCH(double, time_s);
+  Model truth = servoModel(DriveInput::torque);
+  truth.count = 2.0 * std::numbers::pi / 8192.0;
+  Prepared data = prepared(truth, {.seconds = 40.0});
+  const auto noiseOf = [&] { return LinearRig(truth, data.tracks, data.windows, Torque::wandering).noise(); };
+  const TorqueNoise none = noiseOf();
+  QVERIFY2(none.rms < 0.2 * rms, qPrintable(QString::number(none.rms)));
+  addWander(data.tracks.front(), rms, time_s);
+  const TorqueNoise found = noiseOf();
+  QVERIFY2(found.rms > 0.5 * rms && found.rms < 2.0 * rms, qPrintable(QString::number(found.rms)));
+  // Rows that take it into account are independent of one another.
+  const LinearRig rig(truth, data.tracks, data.windows, Torque::wandering);
+  const Eigen::VectorXd left = leftOf(rig);
+  double products = 0.0;
+  for (Eigen::Index r = 0; r + 1 < left.size(); ++r) products += left[r] * left[r + 1];
+  const double correlation = products / left.squaredNorm();
+  QVERIFY2(std::abs(correlation) < 0.25, qPrintable(QString::number(correlation)));
+}
+
+void TestLinearRig::wanderThatConceals_isTakenOut() {
+  const Effect& effect = *findEffect("cogging");
+  const std::vector<double> planted{3e-4, 0.8, 9.0};  // 2.5 % of the friction, under a wander of 5 %
+  const Model truth = servoWith(DriveInput::torque, "cogging", planted);
+  Prepared data = prepared(truth, {.seconds = 12.0, .size = 0.8});
+  addWander(data.tracks.front(), 6e-4, 0.1);
+  const Model believed = servoModel(DriveInput::torque);
+  const LinearRig steady(believed, data.tracks, data.windows);
+  const LinearRig rig(believed, data.tracks, data.windows, Torque::wandering);
+  const double without = std::abs(amplitudeFound(effect, steady, planted, 1.0) / planted.front() - 1.0);
+  const double with = std::abs(amplitudeFound(effect, rig, planted, 1.0) / planted.front() - 1.0);
+  QVERIFY2(with < 0.4 && with < 0.25 * without, qPrintable(QString("%1 of %2").arg(with).arg(without)));
 }
 
 QTEST_APPLESS_MAIN(TestLinearRig)

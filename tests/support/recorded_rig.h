@@ -29,6 +29,7 @@ struct RigRecording {
   double amplitude_rad_per_s = 14.0;
   bool currentDrive = false;  ///< the recording is driven by current_A (mean over each row), else by voltage_V
   double currentNoise_A = 0.01;
+  double wander_Nm = 0.0;  ///< rms of a torque that wanders at random, correlated over 0.1 s; for driving voltage
   unsigned seed = 1;
 };
 
@@ -69,7 +70,8 @@ inline RecordedRig recordRig(const RigRecording& wanted) {
   const double count = 2.0 * std::numbers::pi / wanted.countsPerRev, step = 1e-3;
   const double phase = noise.uniform() * 6.28, second = noise.uniform() * 6.28;
   std::vector<double> time, angle, voltage, current;
-  double integral = 0.0, last = 0.0, speed = 0.0;
+  double integral = 0.0, last = 0.0, speed = 0.0, wander = 0.0;
+  Noise wanders(wanted.seed + 133);
   for (size_t k = 0; k < static_cast<size_t>(wanted.seconds / step); ++k) {
     const double t = static_cast<double>(k) * step;
     const double seen = std::floor((plant.angle_rad() + 0.3) / count) * count;
@@ -84,7 +86,8 @@ inline RecordedRig recordRig(const RigRecording& wanted) {
     time.push_back(t);
     angle.push_back(seen);
     voltage.push_back(volts);
-    plant.applyVoltage(volts);
+    plant.applyVoltage(volts + wander * 1.2 / 0.07);
+    wander += std::sqrt(0.02) * wanted.wander_Nm * wanders.normal() - 0.01 * wander;
     double sum = 0.0;
     for (int part = 0; part < 20; ++part) {
       plant.advance(1);

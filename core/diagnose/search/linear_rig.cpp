@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "diagnose/simulate/physics.h"
 
@@ -14,13 +15,15 @@ constexpr size_t mostRows = 5000;
 constexpr size_t fewestSamples = 10;
 constexpr double inductanceDoubt = 0.5;  ///< relative
 constexpr double partOfResidual = 0.09;
+constexpr double mostWander = 1e7, coarseFactor = 8.0;  ///< of wander, in units of a reading's noise
 constexpr double startDoubt_s = 0.01;
 constexpr size_t turnMargin = 2;  ///< samples left out on each side of a reversal
 
 }  // namespace
 
-LinearRig::LinearRig(const Model& base, const std::vector<Track>& tracks, const std::vector<Window>& windows)
-    : tracks_(tracks), physics_(physicsOf(base)), windows_(windows.size()) {
+LinearRig::LinearRig(const Model& base, const std::vector<Track>& tracks, const std::vector<Window>& windows,
+                     Torque torque)
+    : tracks_(tracks), physics_(physicsOf(base)), torque_(torque), windows_(windows.size()) {
   currentSeen_ = physics_.electrical && std::all_of(windows.begin(), windows.end(), [&](const Window& window) {
                    return !tracks[window.track].current.empty();
                  });
@@ -69,20 +72,28 @@ LinearRig::LinearRig(const Model& base, const std::vector<Track>& tracks, const 
     addElectrical(lagged(t, track.input, false), t, 1.0, all.col(baseColumns - 2));
     addElectrical(lagged(t, speed, false), t, 1.0, all.col(baseColumns - 1));
   }
+  if (torque_ == Torque::wandering) {  // the motion is the response: −J₀ x in the place of ∬drive, and that of J x
+    const Eigen::Index rows = mechanicalRows();
+    all.col(0).head(rows).swap(all.col(baseColumns).head(rows));
+    all.col(0).head(rows) *= -1.0;
+    all.col(baseColumns).head(rows) *= -physics_.inertia;
+    raw_ = all;
+    noise_ = wander(Eigen::MatrixXd(rows_, 0));
+  }
   weights_ = Eigen::VectorXd::Ones(rows_);
   weigh(all);
   // Each set of rows in units of its typical residual: the sensor's noise and a part of what the base model leaves.
   const auto scale = [&](const std::vector<Stretch>& set, double factor, auto noiseOf) {
     if (set.empty()) return;
-    double noise = 0.0;
-    for (const Stretch& one : set) noise = std::max(noise, factor * noiseOf(tracks_[one.track]));
+    double reading = 0.0;
+    for (const Stretch& one : set) reading = std::max(reading, factor * noiseOf(tracks_[one.track]));
     const Eigen::Index first = set.front().at, rows = set.back().at + set.back().rows - first;
     const Eigen::MatrixXd columns = all.block(first, 0, rows, baseColumns);
     const Eigen::VectorXd response = all.block(first, baseColumns, rows, 1);
     const Eigen::VectorXd size = columns.colwise().norm().cwiseMax(1e-300).cwiseInverse().transpose();
     const Eigen::MatrixXd scaled = columns * size.asDiagonal();
     const double squares = (response - scaled * scaled.colPivHouseholderQr().solve(response)).squaredNorm();
-    const double typical = std::sqrt(noise * noise + partOfResidual * squares / static_cast<double>(rows));
+    const double typical = std::sqrt(reading * reading + partOfResidual * squares / static_cast<double>(rows));
     weights_.segment(first, rows) /= std::max(typical, 1e-300);
   };
   scale(stretches_, physics_.inertia, [](const Track& track) { return track.noise; });
@@ -104,6 +115,18 @@ LinearRig::LinearRig(const Model& base, const std::vector<Track>& tracks, const 
   response_ = all.col(baseColumns);
   base_ = all.leftCols(baseColumns);
   if (physics_.electrical && physics_.inductance > 0.0) freeInductance();
+}
+
+Eigen::Index LinearRig::mechanicalRows() const {
+  return stretches_.empty() ? 0 : stretches_.back().at + stretches_.back().rows;
+}
+
+Eigen::VectorXd LinearRig::physical(Eigen::VectorXd coefficients) const {
+  if (torque_ == Torque::steady) return coefficients;
+  const double gain = coefficients[0];
+  coefficients[0] = physics_.inertia;
+  coefficients.head(physics_.gravity > 0.0 ? 5 : 3) /= gain;
+  return coefficients;
 }
 
 void LinearRig::freeInductance() {
@@ -148,13 +171,13 @@ void LinearRig::cut(const std::vector<Window>& windows) {
       if (from > window.first) from += turnMargin;
       if (to <= window.last) to -= std::min(to, turnMargin);
       if (to > from && to - from >= fewestSamples) {
-        stretches_.push_back({window.track, from, to - 1, w, 1, 0, 0});
+        stretches_.push_back({window.track, from, to - 1, w, 1, 1, 0, 0});
         samples += to - from;
       }
       first = k <= window.last && recorded.usable(k) && k > first ? k : k + 1;
     }
     if (currentSeen_) {
-      electrical_.push_back({window.track, window.first, window.last, w, 1, 0, 0});
+      electrical_.push_back({window.track, window.first, window.last, w, 1, 1, 0, 0});
       samples += window.last - window.first + 1;
     }
   }
@@ -164,6 +187,7 @@ void LinearRig::cut(const std::vector<Window>& windows) {
     for (Stretch& one : *set) {
       const size_t length = one.last - one.first + 1;
       one.samplesPerRow = std::clamp<size_t>(length / 12, 1, together);
+      one.samplesTaken = torque_ == Torque::steady ? one.samplesPerRow : 1;
       one.at = rows_;
       one.rows = static_cast<Eigen::Index>(length / one.samplesPerRow);
       rows_ += one.rows;
@@ -173,16 +197,6 @@ void LinearRig::cut(const std::vector<Window>& windows) {
   for (Start& one : starts_) {
     one.at = rows_++;
     window_.push_back(one.window);
-  }
-  for (const Stretch& one : stretches_) {
-    Eigen::MatrixXd line(one.rows, 2);
-    for (Eigen::Index r = 0; r < one.rows; ++r) {
-      const size_t k = one.first + static_cast<size_t>(r) * one.samplesPerRow;
-      line(r, 0) = 1.0;
-      line(r, 1) = tracks_[one.track].time[k] - tracks_[one.track].time[one.first];
-    }
-    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(line);
-    nuisance_.push_back(qr.householderQ() * Eigen::MatrixXd::Identity(one.rows, 2));
   }
 }
 
@@ -230,7 +244,7 @@ void LinearRig::addMechanical(const std::vector<double>& values, size_t track, i
       double sum = 0.0;
       for (size_t part = 0; part < one.samplesPerRow; ++part, ++k) {
         const double value = values[k] - origin;
-        sum += times == 0 ? value : times == 1 ? once : twice;
+        if (part < one.samplesTaken) sum += times == 0 ? value : times == 1 ? once : twice;
         if (k == one.last) continue;
         const double dt = time[k + 1] - time[k];
         if (times == 1) {
@@ -240,7 +254,7 @@ void LinearRig::addMechanical(const std::vector<double>& values, size_t track, i
           once += dt * value;
         }
       }
-      out[one.at + r] += factor * sum / std::sqrt(static_cast<double>(one.samplesPerRow));
+      out[one.at + r] += factor * sum / std::sqrt(static_cast<double>(one.samplesTaken));
     }
   }
 }
@@ -278,11 +292,62 @@ std::vector<double> LinearRig::lagged(size_t track, const std::vector<double>& v
   return out;
 }
 
-void LinearRig::weigh(Eigen::Ref<Eigen::MatrixXd> columns) const {
-  for (size_t s = 0; s < stretches_.size(); ++s) {
-    auto part = columns.middleRows(stretches_[s].at, stretches_[s].rows);
-    part -= (nuisance_[s] * (nuisance_[s].transpose() * part)).eval();
+double LinearRig::spacingOf(const Stretch& one) const {
+  const std::vector<double>& time = tracks_[one.track].time;
+  const double step = (time[one.last] - time[one.first]) / static_cast<double>(one.last - one.first);
+  return step * static_cast<double>(one.samplesPerRow);
+}
+
+TorqueNoise LinearRig::wander(const Eigen::MatrixXd& more) const {
+  TorqueNoise best;
+  double least = std::numeric_limits<double>::infinity();
+  const Eigen::Index rows = mechanicalRows();
+  Eigen::MatrixXd all(rows, raw_.cols() + more.cols());  // the response comes last
+  if (rows < 2 * all.cols()) return best;                // hardly ever moves
+  all.leftCols(more.cols()) = more.topRows(rows);
+  all.rightCols(raw_.cols()) = raw_.topRows(rows);
+  const auto consider = [&](double ratio, double time_s) {
+    const TorqueNoise noise{ratio, time_s, 0.0};
+    Eigen::MatrixXd white = all;
+    double logarithms = 0.0;
+    for (const Stretch& one : stretches_) logarithms += whitenStretch(noise, one, white.middleRows(one.at, one.rows));
+    const Eigen::Index width = white.cols() - 1;
+    const Eigen::VectorXd scale = white.leftCols(width).colwise().norm().cwiseMax(1e-300).cwiseInverse();
+    white.leftCols(width) *= scale.asDiagonal();
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(white);
+    const double left = qr.matrixQR()(width, width);  // what the columns leave of the response
+    const double free = static_cast<double>(rows - width) - 2.0 * static_cast<double>(stretches_.size());
+    const double unlikely = logarithms + 0.5 * free * std::log(left * left / free);
+    if (!(unlikely < least)) return;
+    least = unlikely;
+    best = noise;
+    best.rms = ratio * std::abs(left) / std::sqrt(free);
+  };
+  consider(0.0, best.time_s);
+  for (const double time_s : {0.03, 0.1, 0.3, 1.0}) {
+    for (double ratio = 1.0; ratio < mostWander; ratio *= coarseFactor) consider(ratio, time_s);
   }
+  for (double factor = std::sqrt(coarseFactor); factor > 1.1; factor = std::sqrt(factor)) {
+    const TorqueNoise about = best;
+    for (const double times : {factor, 1.0 / factor}) consider(times * about.ratio, about.time_s);
+  }
+  return best;
+}
+
+double LinearRig::whitenStretch(const TorqueNoise& noise, const Stretch& one, Eigen::Ref<Eigen::MatrixXd> rows) const {
+  Eigen::MatrixXd line(one.rows, 2);
+  line.col(0).setOnes();
+  line.col(1).setLinSpaced(-1.0, 1.0);
+  whiten(noise, spacingOf(one), line);
+  const double logarithms = whiten(noise, spacingOf(one), rows);
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(line);
+  const Eigen::MatrixXd basis = qr.householderQ() * Eigen::MatrixXd::Identity(one.rows, 2);
+  rows -= (basis * (basis.transpose() * rows)).eval();
+  return logarithms;
+}
+
+void LinearRig::weigh(Eigen::Ref<Eigen::MatrixXd> columns) const {
+  for (const Stretch& one : stretches_) whitenStretch(noise_, one, columns.middleRows(one.at, one.rows));
   for (Eigen::Index c = 0; c < columns.cols(); ++c) columns.col(c).array() *= weights_.array();
 }
 
@@ -297,6 +362,12 @@ std::vector<size_t> LinearRig::tracksSeen() const {
 }
 
 Eigen::MatrixXd LinearRig::columnsOf(const Effect& effect, const Shape& shape, size_t only) const {
+  Eigen::MatrixXd columns = rawColumnsOf(effect, shape, only);
+  weigh(columns);
+  return columns;
+}
+
+Eigen::MatrixXd LinearRig::rawColumnsOf(const Effect& effect, const Shape& shape, size_t only) const {
   Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(rows_, static_cast<Eigen::Index>(shape.size()));
   for (size_t a = 0; a < shape.size(); ++a) {
     auto column = columns.col(static_cast<Eigen::Index>(a));
@@ -314,7 +385,6 @@ Eigen::MatrixXd LinearRig::columnsOf(const Effect& effect, const Shape& shape, s
       addElectrical(traces.sensed, t, 1.0, column);
     }
   }
-  weigh(columns);
   return columns;
 }
 

@@ -100,7 +100,7 @@ Eigen::VectorXd Screen::baseCoefficients(const std::vector<Pick>& chosen) const 
   const Eigen::VectorXd scale = all.colwise().norm().cwiseMax(1e-300).cwiseInverse().transpose();
   const Eigen::VectorXd solution =
       scale.cwiseProduct((all * scale.asDiagonal()).colPivHouseholderQr().solve(rig_.response()));
-  return solution.head(rig_.base().cols());
+  return rig_.physical(solution.head(rig_.base().cols()));
 }
 
 Eigen::MatrixXd Screen::orthonormal(Eigen::MatrixXd columns) {

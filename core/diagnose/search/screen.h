@@ -45,7 +45,7 @@ class Screen {
   ScreenResult run() const;
   /// The effect's best shape and amplitude on top of the base and `others`; no parameters where it can't help.
   Pick best(const Effect& effect, const std::vector<Pick>& others) const;
-  /// Coefficients of the rig's base columns, fitted together with `chosen`: J, B with the back-EMF's share, F …
+  /// The base's physics, fitted together with `chosen`: J, B with the back-EMF's share, F …
   Eigen::VectorXd baseCoefficients(const std::vector<Pick>& chosen) const;
 
  private:

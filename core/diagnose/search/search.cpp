@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "diagnose/search/rivals.h"
 #include "diagnose/search/set_fits.h"
 #include "diagnose/search/swinging_load.h"
+#include "diagnose/simulate/physics.h"
 
 namespace breakaway {
 
@@ -28,7 +30,7 @@ constexpr double mostOfAll = 0.6;
 constexpr double importantPart = 0.2, noticeable = 0.02, negligible = 0.002;  ///< of the screen's squared residual
 constexpr size_t mostTrials = 4;
 constexpr double settledFloors = 9.0;  ///< squared error, in squared floors, below which no more is looked for
-constexpr double nearlyAlike = 3.0, nearlyNothing = 0.2;  ///< of a squared error
+constexpr double nearlyAlike = 3.0, nearlyNothing = 0.2, clearlyLess = 0.8;  ///< of a squared error
 
 /// Whether the effect's amplitude, its first parameter, can't be told from zero.
 bool vanishes(const Model& model, const Effect& effect) {
@@ -57,6 +59,37 @@ std::vector<Pick> noteworthy(const ScreenResult& found) {
   return picks;
 }
 
+/// What the screen finds on a rig.
+struct Screening {
+  Screening(const SearchInput& input, const LinearRig& onRig, const std::vector<const Effect*>& effects)
+      : rig(onRig), screen(rig, effects, input.seen, input.split.fold, folds, input.seed), found(screen.run()) {}
+
+  const LinearRig& rig;
+  Screen screen;
+  ScreenResult found;
+};
+
+/// A load's own motion can follow any noise of the torque.
+std::vector<const Effect*> withoutLoads(const Excitation& seen) {
+  std::vector<const Effect*> effects(catalogue().begin(), catalogue().end());
+  std::erase_if(effects, [&seen](const Effect* one) {
+    const auto shapes = one->shapes(seen);
+    return !shapes.empty() && one->loadPeriod_s(shapes.front().front()) > 0.0;
+  });
+  return effects;
+}
+
+/// The likeliest noise of the torque beside the base and `picks`.
+TorqueNoise wanderBeside(const LinearRig& wandering, const std::vector<Pick>& picks) {
+  Eigen::MatrixXd more(wandering.response().size(), 0);
+  for (const Pick& pick : picks) {
+    const Eigen::MatrixXd own = wandering.rawColumnsOf(*pick.effect, pick.shape, pick.track);
+    more.conservativeResize(Eigen::NoChange, more.cols() + own.cols());
+    more.rightCols(own.cols()) = own;
+  }
+  return wandering.wander(more);
+}
+
 class Search {
  public:
   explicit Search(SearchInput input) : input_(std::move(input)) {}
@@ -67,18 +100,19 @@ class Search {
     result.base = fitBase(input_, starts);
     input_.windowWeights = robustWeights(result.base.windowSquares);
     result.base = fitModel(input_, result.base.model, 10);
-    fits_.emplace(input_, result.base);
     result.best = result.base;
     input_.say(0.2, "looking for what is missing");
     input_.seen.inertia = physicsInertia(result.base.model);
-    const LinearRig rig(result.base.model, input_.tracks, input_.split.train);
-    const Screen screen(rig, {catalogue().begin(), catalogue().end()}, input_.seen, input_.split.fold, folds,
-                        input_.seed);
-    const ScreenResult found = screen.run();
-    if (sure(found)) announce(important(found));
+    const LinearRig steadyRig(result.base.model, input_.tracks, input_.split.train);
+    const LinearRig wanderingRig(result.base.model, input_.tracks, input_.split.train, Torque::wandering);
+    const Screening steady(input_, steadyRig, {catalogue().begin(), catalogue().end()});
+    result.leftByBase = wanderingRig.noise();
+    fits_.emplace(input_, result.base, result.leftByBase);
+    if (sure(steady.found)) announce(important(steady.found));
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
     input_.say(0.35, "simulating what was found");
-    adoptFound(result, screen, found);
+    const auto wandering = adoptFound(result, steady, wanderingRig);
+    const auto& [used, screen, found] = wandering ? *wandering : steady;
     const bool asSet = !result.chosen.empty();
     if (!asSet) adoptAlone(result, screen);
     backward(result);
@@ -92,6 +126,7 @@ class Search {
     Rivals(input_, *fits_, screen).weigh(result, std::move(left_));
     for (Chosen& one : result.chosen) listOtherLoads(one);
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
+    result.left = wanderBeside(wanderingRig, picksOf(result, screen));
     input_.say(0.85, "refining");
     const std::vector<double> weights =
         robustWeights(residualSquares(result.base.model, input_.tracks, input_.split.polish));
@@ -212,22 +247,53 @@ class Search {
     return sets;
   }
 
-  /// The screen's set, or a load whose motion explains more than a set that leaves much open.
-  void adoptFound(SearchResult& result, const Screen& screen, const ScreenResult& found) {
-    double explained = 0.0;
+  /// The screen's set, or a load whose motion explains more than a set that leaves much open. Returns the screening
+  /// that takes the torque for noisy, where that has led further.
+  std::unique_ptr<const Screening> adoptFound(SearchResult& result, const Screening& steady,
+                                              const LinearRig& wanderingRig) {
+    const auto& [rig, screen, found] = steady;
+    double part = 0.0;
     bool named = false;
     for (const Pick& one : found.chosen) {
-      explained += one.gain;
+      part += one.gain;
       named = named || (swings(one) && one.gain > noticeable * found.baseSquares);
     }
-    const bool openToLoads = !worth().baseAtFloor() && (named || explained <= mostOfAll * found.baseSquares);
+    const bool openToLoads = !worth().baseAtFloor() && (named || part <= mostOfAll * found.baseSquares);
     SearchResult set = result;
     if (!named) adopt(set, screen, noteworthy(found));
-    if (openToLoads && mean(set.best.windowSquares) > nearlyNothing * mean(result.base.windowSquares))
-      adoptLoad(result, screen);
-    if (!result.chosen.empty()) return;
-    if (named) adopt(set, screen, withOneLoad(found.chosen));
+    auto wandering = lookAgain(set, wanderingRig);
+    const bool explained =
+        wandering &&
+        wanderBeside(wanderingRig, picksOf(set, wandering->screen)).usual(physicsOf(result.base.model).coulomb);
+    if (openToLoads && !explained && mean(set.best.windowSquares) > nearlyNothing * mean(result.base.windowSquares)) {
+      SearchResult loaded = result;
+      adoptLoad(loaded, screen);
+      // A load is free at each window's start: beside a set that explains much it has to do better from restarts, too.
+      if (!loaded.chosen.empty() &&
+          (set.chosen.empty() || !wandering || fits_->clearlyBetterFromRestarts(loaded.best.model, set.best.model))) {
+        result = std::move(loaded);
+        return nullptr;
+      }
+    }
+    if (named && !wandering) adopt(set, screen, withOneLoad(found.chosen));
     result = std::move(set);
+    return wandering;
+  }
+
+  /// Where a set leaves much, what the screen finds if the torque wanders; nothing if that is no better.
+  std::unique_ptr<const Screening> lookAgain(SearchResult& set, const LinearRig& wanderingRig) const {
+    const double left = mean(set.best.windowSquares);
+    if (worth().baseAtFloor() || worth().floors(set.best) <= settledFloors ||
+        left <= halfOfAll * mean(set.base.windowSquares))
+      return nullptr;
+    auto wandering = std::make_unique<const Screening>(input_, wanderingRig, withoutLoads(input_.seen));
+    SearchResult other = set;
+    other.best = other.base;
+    other.chosen.clear();
+    adopt(other, wandering->screen, noteworthy(wandering->found));
+    if (mean(other.best.windowSquares) >= clearlyLess * left) return nullptr;
+    set = std::move(other);
+    return wandering;
   }
 
   void adoptLoad(SearchResult& result, const Screen& screen) {
@@ -260,6 +326,15 @@ class Search {
       const bool listed = std::find(chosen.rivals.begin(), chosen.rivals.end(), other) != chosen.rivals.end();
       if (other != chosen.effect && !listed) chosen.rivals.push_back(other);
     }
+  }
+
+  static std::vector<Pick> picksOf(const SearchResult& result, const Screen& screen) {
+    std::vector<Pick> picks;
+    for (const Chosen& one : result.chosen) {
+      Pick pick = screen.best(*one.effect, picks);
+      if (!pick.parameters.empty()) picks.push_back(std::move(pick));
+    }
+    return picks;
   }
 
   /// What the screen could not see may still show in the simulation.
@@ -342,7 +417,7 @@ class Search {
         const double back = mean(fit.windowSquares) - mean(result.best.windowSquares);
         const bool needed = fits_->helps(fit, result.best) && worth().material(fit, result.best);
         // What happens once may stand for whatever one window's start did: its size has to be told from zero.
-        const bool clear = back > clearGain * mean(fit.windowSquares) && !result.chosen[k].effect->happensOnce();
+        const bool clear = back > halfOfAll * mean(fit.windowSquares) && !result.chosen[k].effect->happensOnce();
         if (needed && (clear || !vanishes(result.best.model, *result.chosen[k].effect))) {
           result.chosen[k].marginal = std::max(0.0, back);
           left_[k] = std::move(fit);

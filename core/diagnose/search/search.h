@@ -22,6 +22,8 @@ struct SearchResult {
   FitResult base;
   FitResult best;
   std::vector<Chosen> chosen;  ///< in order of importance
+  TorqueNoise left;            ///< what base and chosen leave, taken for a torque that wanders
+  TorqueNoise leftByBase;      ///< what the base leaves
 };
 
 /// The screen's effects are fitted together by simulation. An effect stays when without it the cross-validated error of

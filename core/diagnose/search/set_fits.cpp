@@ -6,6 +6,7 @@
 #include "base/statistics.h"
 #include "diagnose/noise_floor.h"
 #include "diagnose/search/swinging_load.h"
+#include "diagnose/simulate/physics.h"
 
 namespace breakaway {
 
@@ -17,16 +18,16 @@ constexpr double loadFloors = 2.0;    ///< rms error of restarts, in tolerated o
 
 }  // namespace
 
-SetFits::SetFits(const SearchInput& input, const FitResult& base)
+SetFits::SetFits(const SearchInput& input, const FitResult& base, const TorqueNoise& left)
     : input_(input),
       base_(base),
       worth_(input, base, noiseFloor(base.model, input.tracks, input.split.trainScore, input.seed)),
-      loadsMayShow_(restartsErr()) {
+      loadsMayShow_(restartsErr(left)) {
 }
 
-bool SetFits::restartsErr() const {
+bool SetFits::restartsErr(const TorqueNoise& left) const {
   const auto& windows = input_.split.trainScore;
-  const FrictionScatter scatter = usualScatter(input_.seen.highSpeed);
+  const FrictionScatter scatter = usualScatter(input_.seen.highSpeed, physicsOf(base_.model).coulomb, left);
   const double tolerated = noiseFloor(base_.model, input_.tracks, windows, input_.seed, scatter);
   return mean(scoreWindows(base_.model, input_.tracks, windows)) > std::pow(loadFloors * tolerated, 2);
 }

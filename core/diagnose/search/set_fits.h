@@ -11,7 +11,8 @@ namespace breakaway {
 /// Fits on top of one base model. Keeps references to what it is made from.
 class SetFits {
  public:
-  SetFits(const SearchInput& input, const FitResult& base);
+  /// `left`: what the base model leaves, taken for a torque that wanders.
+  SetFits(const SearchInput& input, const FitResult& base, const TorqueNoise& left);
 
   const Worth& worth() const { return worth_; }
   /// Whether restarts of the base model err by more than sensors and friction that scatters may do: a load that swings
@@ -31,7 +32,7 @@ class SetFits {
   FitResult beside(const Model& model, const Pick& pick, double left) const;
 
  private:
-  bool restartsErr() const;
+  bool restartsErr(const TorqueNoise& left) const;
 
   const SearchInput& input_;
   const FitResult& base_;
