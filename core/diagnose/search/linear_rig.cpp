@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 #include "diagnose/simulate/physics.h"
 
@@ -299,18 +299,16 @@ double LinearRig::spacingOf(const Stretch& one) const {
 }
 
 TorqueNoise LinearRig::wander(const Eigen::MatrixXd& more) const {
-  TorqueNoise best;
-  double least = std::numeric_limits<double>::infinity();
   const Eigen::Index rows = mechanicalRows();
   Eigen::MatrixXd all(rows, raw_.cols() + more.cols());  // the response comes last
-  if (rows < 2 * all.cols()) return best;                // hardly ever moves
+  if (rows < 2 * all.cols()) return {};                  // hardly ever moves
   all.leftCols(more.cols()) = more.topRows(rows);
   all.rightCols(raw_.cols()) = raw_.topRows(rows);
-  const auto consider = [&](double ratio, double time_s) {
-    const TorqueNoise noise{ratio, time_s, 0.0};
+  const auto consider = [&](double ratio, double time_s) {  // its improbability
     Eigen::MatrixXd white = all;
     double logarithms = 0.0;
-    for (const Stretch& one : stretches_) logarithms += whitenStretch(noise, one, white.middleRows(one.at, one.rows));
+    for (const Stretch& one : stretches_)
+      logarithms += whitenStretch({ratio, time_s, 0.0}, one, white.middleRows(one.at, one.rows));
     const Eigen::Index width = white.cols() - 1;
     const Eigen::VectorXd scale = white.leftCols(width).colwise().norm().cwiseMax(1e-300).cwiseInverse();
     white.leftCols(width) *= scale.asDiagonal();
@@ -318,20 +316,23 @@ TorqueNoise LinearRig::wander(const Eigen::MatrixXd& more) const {
     const double left = qr.matrixQR()(width, width);  // what the columns leave of the response
     const double free = static_cast<double>(rows - width) - 2.0 * static_cast<double>(stretches_.size());
     const double unlikely = logarithms + 0.5 * free * std::log(left * left / free);
-    if (!(unlikely < least)) return;
-    least = unlikely;
-    best = noise;
-    best.rms = ratio * std::abs(left) / std::sqrt(free);
+    return std::pair{unlikely, TorqueNoise{ratio, time_s, ratio * std::abs(left) / std::sqrt(free)}};
   };
-  consider(0.0, best.time_s);
+  auto best = consider(0.0, 1.0);
   for (const double time_s : {0.03, 0.1, 0.3, 1.0}) {
-    for (double ratio = 1.0; ratio < mostWander; ratio *= coarseFactor) consider(ratio, time_s);
+    auto own = consider(1.0, time_s);
+    const auto tryRatio = [&](double ratio) {
+      if (const auto other = consider(ratio, time_s); other.first < own.first) own = other;
+    };
+    for (double ratio = coarseFactor; ratio < mostWander; ratio *= coarseFactor) tryRatio(ratio);
+    for (double factor = std::sqrt(coarseFactor); factor > 1.2; factor = std::sqrt(factor)) {
+      const double about = own.second.ratio;
+      tryRatio(about * factor);
+      tryRatio(about / factor);
+    }
+    if (own.first < best.first) best = own;
   }
-  for (double factor = std::sqrt(coarseFactor); factor > 1.1; factor = std::sqrt(factor)) {
-    const TorqueNoise about = best;
-    for (const double times : {factor, 1.0 / factor}) consider(times * about.ratio, about.time_s);
-  }
-  return best;
+  return best.second;
 }
 
 double LinearRig::whitenStretch(const TorqueNoise& noise, const Stretch& one, Eigen::Ref<Eigen::MatrixXd> rows) const {
