@@ -360,7 +360,7 @@ class Search {
       Pick pick = screen.best(*effect, picks);
       if (pick.parameters.empty()) continue;
       // What a load that did nothing alone takes from what others leave is hardly its own.
-      if (swings(pick) && (loaded || (loadsTried_ && !isLikelyLoad(effect)))) continue;
+      if (swings(pick) && (loaded || !fits_->loadsMayShow() || (loadsTried_ && !isLikelyLoad(effect)))) continue;
       candidates.push_back(std::move(pick));
     }
     sortByGain(candidates);
