@@ -181,17 +181,15 @@ Rest restOf(const Diagnosis& diagnosis, const std::vector<double>& errorsBefore,
 }
 
 /// How much torque is left, in words.
-void remarkOnWander(Diagnosis& diagnosis, const TorqueNoise& left, const Axis axis) {
-  if (left.rms <= 0.0) return;
-  const double friction = physicsOf(diagnosis.model).coulomb;
-  const std::string size =
-      torqueText(left.rms, axis) + " rms (" + digitsText(100.0 * left.rms / friction) + " % of the friction)";
-  if (diagnosis.verdict == Verdict::outsideCatalogue) {
-    diagnosis.remarks.push_back("taken for a " + torqueWord(axis) + " that wanders at random, what is left is " + size);
-  } else {
-    diagnosis.remarks.push_back("what is left is no more than a " + torqueWord(axis) + " that wanders at random by " +
-                                size + ", as brushes and bearings make it");
-  }
+std::string wanderRemark(const TorqueNoise& left, double friction, const Excitation& seen) {
+  const bool small = left.rms < friction;
+  const std::string size = torqueText(left.rms, seen.axis) + " rms (" +
+                           digitsText(100.0 * left.rms / (small ? friction : seen.peakTorque)) + " % of the " +
+                           (small ? "friction" : "drive's peak") + ")";
+  const std::string torque = torqueWord(seen.axis);
+  if (!left.usual(friction)) return "taken for a " + torque + " that wanders at random, what is left is " + size;
+  return "what is left is no more than a " + torque + " that wanders at random by " + size +
+         ", as brushes and bearings make it";
 }
 
 /// Where the training data lack nothing, what the held-out data nevertheless show.
@@ -310,7 +308,8 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
     const bool rivals = std::any_of(diagnosis.findings.begin(), diagnosis.findings.end(), hasRealRivals);
     diagnosis.verdict = rivals ? Verdict::ambiguous : Verdict::named;
   }
-  if (outside || rest.wanders) remarkOnWander(diagnosis, left, bench.axis);
+  if ((outside || rest.wanders) && left.rms > 0.0 && left.rms < prepared->seen.peakTorque)
+    diagnosis.remarks.push_back(wanderRemark(left, physicsOf(diagnosis.model).coulomb, prepared->seen));
   NextExperiment next = nextExperiment(diagnosis, bench, prepared->seen);
   diagnosis.nextSentence = std::move(next.sentence);
   diagnosis.nextSeparates = std::move(next.separates);
