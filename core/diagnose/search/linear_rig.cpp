@@ -21,14 +21,25 @@ constexpr size_t turnMargin = 2;  ///< samples left out on each side of a revers
 
 }  // namespace
 
+RecordedMotions recordedMotions(const Model& base, const std::vector<Track>& tracks) {
+  const Physics physics = physicsOf(base);
+  auto motions = std::make_shared<std::vector<RecordedMotion>>();
+  for (const Track& track : tracks) motions->emplace_back(track, physics);
+  return motions;
+}
+
 LinearRig::LinearRig(const Model& base, const std::vector<Track>& tracks, const std::vector<Window>& windows,
-                     Torque torque)
-    : tracks_(tracks), physics_(physicsOf(base)), torque_(torque), windows_(windows.size()) {
+                     Torque torque, RecordedMotions recorded)
+    : tracks_(tracks),
+      physics_(physicsOf(base)),
+      torque_(torque),
+      motions_(recorded ? std::move(recorded) : recordedMotions(base, tracks)),
+      recorded_(*motions_),
+      windows_(windows.size()) {
   currentSeen_ = physics_.electrical && std::all_of(windows.begin(), windows.end(), [&](const Window& window) {
                    return !tracks[window.track].current.empty();
                  });
   gain_ = physics_.electrical ? physics_.torqueConstant / physics_.resistance : physics_.torqueConstant;
-  for (const Track& track : tracks_) recorded_.emplace_back(track, physics_);
   cut(windows);
 
   const Eigen::Index baseColumns = 3 + (physics_.gravity > 0.0 ? 2 : 0) + (currentSeen_ ? 2 : 0);

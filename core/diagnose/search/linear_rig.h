@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
 #include "diagnose/effect.h"
@@ -14,6 +15,10 @@
 namespace breakaway {
 
 inline constexpr size_t everyTrack = static_cast<size_t>(-1);
+
+/// One per track; rigs of one base model can share them.
+using RecordedMotions = std::shared_ptr<const std::vector<RecordedMotion>>;
+RecordedMotions recordedMotions(const Model& base, const std::vector<Track>& tracks);
 
 /// Whether the torque is only what the model has, or noisy as well.
 enum class Torque { steady, wandering };
@@ -38,7 +43,7 @@ class LinearRig {
   /// `base` gives gains, lag and the start values of J and F; tracks carry their smoothed motion.
   /// Where the torque wanders, rows are single readings, independent for the likeliest noise.
   LinearRig(const Model& base, const std::vector<Track>& tracks, const std::vector<Window>& windows,
-            Torque torque = Torque::steady);
+            Torque torque = Torque::steady, RecordedMotions recorded = nullptr);
 
   const Eigen::VectorXd& response() const { return response_; }
   /// Columns of the base model.
@@ -100,7 +105,8 @@ class LinearRig {
   double gain_ = 1.0;  ///< Nm per unit of input
   Torque torque_;
   TorqueNoise noise_;
-  std::vector<RecordedMotion> recorded_;
+  RecordedMotions motions_;
+  const std::vector<RecordedMotion>& recorded_;
   std::vector<Stretch> stretches_, electrical_;
   std::vector<Start> starts_;
   Eigen::Index rows_ = 0;

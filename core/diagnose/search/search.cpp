@@ -103,8 +103,9 @@ class Search {
     result.best = result.base;
     input_.say(0.2, "looking for what is missing");
     input_.seen.inertia = physicsInertia(result.base.model);
-    const LinearRig steadyRig(result.base.model, input_.tracks, input_.split.train);
-    const LinearRig wanderingRig(result.base.model, input_.tracks, input_.split.train, Torque::wandering);
+    const auto motions = recordedMotions(result.base.model, input_.tracks);
+    const LinearRig steadyRig(result.base.model, input_.tracks, input_.split.train, Torque::steady, motions);
+    const LinearRig wanderingRig(result.base.model, input_.tracks, input_.split.train, Torque::wandering, motions);
     const Screening steady(input_, steadyRig, {catalogue().begin(), catalogue().end()});
     result.leftByBase = wanderingRig.noise();
     fits_.emplace(input_, result.base, result.leftByBase);
