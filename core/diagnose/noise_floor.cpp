@@ -29,11 +29,6 @@ Model scattered(Model model, const FrictionScatter& scatter, Random& random) {
   return model;
 }
 
-double torquePerInput(const Model& model) {
-  const Physics physics = physicsOf(model);
-  return physics.electrical ? physics.torqueConstant / physics.resistance : physics.torqueConstant;
-}
-
 void addWander(Track& driven, const FrictionScatter& scatter, double gain, Random& random) {
   double wander = scatter.wander * random.normal();
   for (size_t k = 0; k < driven.rows(); ++k) {
@@ -71,7 +66,7 @@ double noiseFloor(const Model& model, const std::vector<Track>& tracks, const st
     Track replay = recorded.rowsFrom(first, window.last);
     Track driven = recorded.rowsFrom(first, window.last);  // what acted, if what was recorded is a noisy measurement
     for (double& one : driven.input) one += recorded.inputNoise * random.normal();
-    if (scatter.wander > 0.0) addWander(driven, scatter, torquePerInput(model), random);
+    if (scatter.wander > 0.0) addWander(driven, scatter, physicsOf(model).torquePerInput(), random);
     Simulator rig(scattered(model, scatter, random), driven, 0, driven.rows() - 1);
     MotionState state = Simulator(model, recorded, first, window.last).restart(first, hidden[w]);
     for (size_t k = 0; k < replay.rows(); ++k) {

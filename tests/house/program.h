@@ -16,7 +16,7 @@ inline Outcome run(const QString& program, const QStringList& words, const QStri
   QProcess process;
   if (!folder.isEmpty()) process.setWorkingDirectory(folder);
   process.start(program, words);
-  if (!process.waitForStarted() || !process.waitForFinished(240000)) {
+  if (!process.waitForStarted() || !process.waitForFinished(60000)) {
     process.kill();
     process.waitForFinished();
     return {};

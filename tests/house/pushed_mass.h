@@ -13,10 +13,10 @@ inline QByteArray pushedMassBench(const char* motor = R"("mass_kg": 95)") {
 
 /// Rows of a mass that is pushed to and fro, `position` in place of row 100's position.
 inline QByteArray pushedMassRecording(int rows = 5000, const QByteArray& position = {},
-                                      const QByteArray& header = "time_s,position_m,force_N") {
+                                      const QByteArray& header = "time_s,position_m,force_N", double step_s = 1e-3) {
   QByteArray text = header + "\n";
   for (int k = 0; k < rows; ++k) {
-    const double t = 1e-3 * k, x = 0.01 * std::sin(6.0 * t),
+    const double t = step_s * k, x = 0.01 * std::sin(6.0 * t),
                  force = -95.0 * 0.36 * std::sin(6.0 * t) + 20.0 * (std::cos(6.0 * t) > 0 ? 1 : -1);
     text += QByteArray::number(t) + "," + (k == 99 && !position.isEmpty() ? position : QByteArray::number(x, 'g', 9)) +
             "," + QByteArray::number(force, 'g', 9) + "\n";

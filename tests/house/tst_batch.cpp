@@ -33,10 +33,15 @@ static const char* const manifest =
 {"id": 3, "bench": "rigs/b.json", "recordings": ["rigs/r.csv"], "heldout": ["rigs/r.csv"], "comment": "ours"}
 )";
 
+/// As short as a diagnosis takes, and soon done.
+static QByteArray coarseRecording() {
+  return pushedMassRecording(640, {}, "time_s,position_m,force_N", 8e-3);
+}
+
 void TestBatch::initTestCase() {
   QVERIFY(breakaway::makeFolder(folder_.path("lists/rigs")));
   folder_.write("lists/rigs/b.json", pushedMassBench().toStdString());
-  folder_.write("lists/rigs/r.csv", pushedMassRecording().toStdString());
+  folder_.write("lists/rigs/r.csv", coarseRecording().toStdString());
   folder_.write("lists/l.jsonl", manifest);
 }
 

@@ -246,7 +246,7 @@ Result<std::vector<Model>> startModels(const Bench& bench, const std::vector<Tra
   }
   columns.push_back([](const InverseRows&, size_t) { return 1.0; });  // a constant load must not bend the others
   const auto got = regress(tracks, columns, inputColumn, false);
-  double gain = physics.electrical ? physics.torqueConstant / physics.resistance : physics.torqueConstant;
+  double gain = physics.torquePerInput();
   double inertia = belief.inertia.value_or(0.0), viscous = belief.viscous.value_or(0.0),
          coulomb = belief.coulomb.value_or(0.0);
   if (got) {

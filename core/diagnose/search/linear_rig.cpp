@@ -39,7 +39,7 @@ LinearRig::LinearRig(const Model& base, const std::vector<Track>& tracks, const 
   currentSeen_ = physics_.electrical && std::all_of(windows.begin(), windows.end(), [&](const Window& window) {
                    return !tracks[window.track].current.empty();
                  });
-  gain_ = physics_.electrical ? physics_.torqueConstant / physics_.resistance : physics_.torqueConstant;
+  gain_ = physics_.torquePerInput();
   cut(windows);
 
   const Eigen::Index baseColumns = 3 + (physics_.gravity > 0.0 ? 2 : 0) + (currentSeen_ ? 2 : 0);

@@ -19,10 +19,6 @@ constexpr double fewWindows = 0.12;
 constexpr size_t mostEffects = 6;
 constexpr size_t beamWidth = 3;
 
-bool same(const Effect* a, const Effect* b) {
-  return a == b || (!a->twin().empty() && a->twin() == b->name());
-}
-
 /// Numbers of the parameters that differ from shape to shape: the nonlinear ones that a search may refine.
 std::vector<size_t> refinable(const Effect& effect, const Shape& shape, const Excitation& seen) {
   std::vector<size_t> numbers;
@@ -40,6 +36,10 @@ std::vector<size_t> refinable(const Effect& effect, const Shape& shape, const Ex
 }
 
 }  // namespace
+
+bool same(const Effect* a, const Effect* b) {
+  return a == b || (!a->twin().empty() && a->twin() == b->name());
+}
 
 void sortByGain(std::vector<Pick>& picks) {
   std::stable_sort(picks.begin(), picks.end(), [](const Pick& a, const Pick& b) { return a.gain > b.gain; });

@@ -22,6 +22,9 @@ struct Pick {
   std::vector<const Effect*> rivals;  ///< that do as well in its place, within two standard errors, best first
 };
 
+/// Whether the two are one effect, or twins that no recording tells apart.
+bool same(const Effect* a, const Effect* b);
+
 /// The largest gain first.
 void sortByGain(std::vector<Pick>& picks);
 

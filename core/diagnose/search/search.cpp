@@ -17,9 +17,7 @@
 namespace breakaway {
 
 bool contains(const std::vector<Chosen>& chosen, const Effect* effect) {
-  return std::any_of(chosen.begin(), chosen.end(), [effect](const Chosen& one) {
-    return one.effect == effect || (!one.effect->twin().empty() && one.effect->twin() == effect->name());
-  });
+  return std::any_of(chosen.begin(), chosen.end(), [effect](const Chosen& one) { return same(one.effect, effect); });
 }
 
 namespace {
@@ -61,10 +59,9 @@ std::vector<Pick> noteworthy(const ScreenResult& found) {
 
 /// What the screen finds on a rig.
 struct Screening {
-  Screening(const SearchInput& input, const LinearRig& onRig, const std::vector<const Effect*>& effects)
-      : rig(onRig), screen(rig, effects, input.seen, input.split.fold, folds, input.seed), found(screen.run()) {}
+  Screening(const SearchInput& input, const LinearRig& rig, const std::vector<const Effect*>& effects)
+      : screen(rig, effects, input.seen, input.split.fold, folds, input.seed), found(screen.run()) {}
 
-  const LinearRig& rig;
   Screen screen;
   ScreenResult found;
 };
@@ -113,7 +110,7 @@ class Search {
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
     input_.say(0.35, "simulating what was found");
     const auto wandering = adoptFound(result, steady, wanderingRig);
-    const auto& [used, screen, found] = wandering ? *wandering : steady;
+    const auto& [screen, found] = wandering ? *wandering : steady;
     const bool asSet = !result.chosen.empty();
     if (!asSet) adoptAlone(result, screen);
     backward(result);
@@ -252,7 +249,7 @@ class Search {
   /// that takes the torque for noisy, where that has led further.
   std::unique_ptr<const Screening> adoptFound(SearchResult& result, const Screening& steady,
                                               const LinearRig& wanderingRig) {
-    const auto& [rig, screen, found] = steady;
+    const auto& [screen, found] = steady;
     double part = 0.0;
     bool named = false;
     for (const Pick& one : found.chosen) {
