@@ -11,6 +11,7 @@
 #include "firmware_link/bridge_upload.h"
 #include "firmware_link/fault_words.h"
 #include "firmware_link/friction_upload.h"
+#include "firmware_link/leg_start.h"
 #include "firmware_link/sample_decoder.h"
 
 namespace breakaway {
@@ -78,6 +79,8 @@ class BoardDrive final : public Drive {
   void beat(std::uint64_t until);
   void prepareCommand();
   void wish(const Command& command);
+  void wishLeg(const Leg& leg);
+  std::uint16_t sendWish();
   void sendAnew();
   void begin(const Command& command, std::shared_ptr<Procedure> procedure);
   Result<void> hear(double wait_s);
@@ -88,6 +91,7 @@ class BoardDrive final : public Drive {
   void followZeroing();
   void runProcedure(const Sample& sample);
   void endProcedure(const std::string& reason);
+  void rest();
   void faultCame(const wire::Fault& fault);
   Result<void> askForFault();
   Error broken(const Error& error);
@@ -105,6 +109,10 @@ class BoardDrive final : public Drive {
 
   std::shared_ptr<Procedure> procedure_;
   Command wanted_;
+  std::optional<Leg> leg_;       ///< in place of it
+  unsigned legOfProcedure_ = 0;  ///< by the procedure's number
+  std::uint8_t legNumber_ = 0;   ///< on the wire
+  std::size_t wishes_ = 0;
   bool fresh_ = false, acknowledged_ = true;
   std::uint16_t commandSequence_ = 0;
   Clock::time_point commandSent_, beatSent_;
@@ -143,6 +151,7 @@ Result<void> BoardDrive::greet() {
                static_cast<double>(hello.supply_V),
                dictionary_.can(wire::Hello::hasIndex)};
   identity_.can.compensates = dictionary_.can(wire::Hello::friction);
+  identity_.can.runsLegs = dictionary_.can(wire::Hello::legs);
   std::vector<std::string> names;
   for (const auto& [name, member] : settingsByName) names.emplace_back(name);
   const auto values = dictionary_.values(link_, names);
@@ -199,12 +208,21 @@ Result<void> BoardDrive::linearise(const DutyCurve& curve) {
 
 /// Holds until the next wish. What the board has already is not sent again.
 void BoardDrive::wish(const Command& command) {
-  if (command == wanted_) return;
+  if (!leg_ && command == wanted_) return;
+  leg_.reset();
   wanted_ = command;
   sendAnew();
 }
 
+void BoardDrive::wishLeg(const Leg& leg) {
+  leg_ = leg;
+  wanted_ = {};
+  ++legNumber_;
+  sendAnew();
+}
+
 void BoardDrive::sendAnew() {
+  ++wishes_;
   acknowledged_ = false;
   commandSent_ = {};
 }
@@ -212,6 +230,9 @@ void BoardDrive::sendAnew() {
 void BoardDrive::begin(const Command& command, std::shared_ptr<Procedure> procedure) {
   endProcedure("another command came");
   procedure_ = std::move(procedure);
+  legOfProcedure_ = 0;
+  if (procedure_ != nullptr && identity_.can.runsLegs) procedure_->leaveLegsToDrive();
+  leg_.reset();
   wanted_ = command;
   fresh_ = true;
   sendAnew();
@@ -233,10 +254,16 @@ void BoardDrive::endProcedure(const std::string& reason) {
   procedure_.reset();
 }
 
+/// The board's windings are open already.
+void BoardDrive::rest() {
+  wanted_ = {};
+  leg_.reset();
+  acknowledged_ = true;
+}
+
 void BoardDrive::stop(const std::string& reason) {
   endProcedure(reason);
-  wanted_ = {};
-  acknowledged_ = true;
+  rest();
   fresh_ = false;
   if (broken_) return;
   const auto stopped = link_.ask<wire::Alive>(wire::Type::stop);
@@ -249,11 +276,22 @@ void BoardDrive::stop(const std::string& reason) {
 
 void BoardDrive::prepareCommand() {
   if (acknowledged_ || since_s(commandSent_) < resendAfter_s) return;
+  commandSequence_ = sendWish();
+  commandSent_ = Clock::now();
+}
+
+std::uint16_t BoardDrive::sendWish() {
   using Flag = wire::MotorCommand::Flag;
+  const auto flags =
+      static_cast<std::uint8_t>((wanted_.zeroCurrentSensor ? Flag::zeroCurrentSensor : 0) |
+                                (procedure_ != nullptr ? Flag::watched : 0) | (fresh_ ? Flag::fresh : 0));
+  if (leg_) {
+    const LegStart start = legStart(*leg_, {legNumber_, flags, latch_}, decoder_.count_rad());
+    return link_.prepare(start.type, start.body);
+  }
   wire::MotorCommand frame;
   frame.mode = static_cast<wire::MotorCommand::Mode>(wanted_.mode);
-  frame.flags = static_cast<std::uint8_t>((wanted_.zeroCurrentSensor ? Flag::zeroCurrentSensor : 0) |
-                                          (procedure_ != nullptr ? Flag::watched : 0) | (fresh_ ? Flag::fresh : 0));
+  frame.flags = flags;
   frame.latch = latch_;
   frame.current_limit_A = static_cast<float>(wanted_.current_limit_A);
   if (wanted_.mode == Command::Mode::position) {
@@ -264,8 +302,7 @@ void BoardDrive::prepareCommand() {
   } else {
     frame.target = static_cast<float>(wanted_.target);
   }
-  commandSequence_ = link_.prepare(wire::Type::command, bodyOf(frame));
-  commandSent_ = Clock::now();
+  return link_.prepare(wire::Type::command, bodyOf(frame));
 }
 
 void BoardDrive::commandAnswered(const wire::Frame& frame) {
@@ -313,8 +350,7 @@ void BoardDrive::faultCame(const wire::Fault& fault) {
   faultUnknown_ = false;
   if (known) return;
   endProcedure(faultWords(fault, limits_));
-  wanted_ = {};
-  acknowledged_ = true;
+  rest();
 }
 
 Result<void> BoardDrive::askForFault() {
@@ -330,8 +366,7 @@ Result<void> BoardDrive::askForFault() {
   if (told->latch != latch_) {
     latch_ = told->latch;
     endProcedure("somebody else stopped the motor");
-    wanted_ = {};
-    acknowledged_ = true;
+    rest();
   }
   faultUnknown_ = false;
   return {};
@@ -346,7 +381,8 @@ void BoardDrive::heard(const wire::Frame& frame) {
   } else if (frame.type == static_cast<std::uint8_t>(wire::Type::faultHappened)) {
     wire::Fault fault;
     if (wire::readMessage(frame.body, fault)) faultCame(fault);
-  } else if (answers(wire::Type::command)) {
+  } else if (answers(wire::Type::command) || answers(wire::Type::startHoming) || answers(wire::Type::startBreakaway) ||
+             answers(wire::Type::startSpeed)) {
     commandAnswered(frame);
   } else if (answers(wire::Type::heartbeat) && !frame.body.empty() && frame.body[0] == 0) {
     wire::Alive told;
@@ -359,6 +395,7 @@ void BoardDrive::take(std::span<const std::uint8_t> body) {
   lost_ += decoder_.take(body, came_);
   for (std::size_t k = before; k < came_.size(); ++k) {
     Sample& sample = came_[k];
+    sample.legPhase = leg_ ? SampleDecoder::phaseOf(sample.legPhase, (legNumber_ & 1u) != 0) : std::uint8_t(0);
     if (decoder_.unzeroed()) sample.current_A -= zero_A_;
     followZeroing();
     if (zeroes_ && !sample.enabled) {
@@ -385,13 +422,17 @@ void BoardDrive::followZeroing() {
 void BoardDrive::runProcedure(const Sample& sample) {
   if (procedure_ == nullptr) return;
   const Command next = procedure_->step(sample);
-  if (procedure_->state() == Procedure::State::running) {
+  if (procedure_->state() != Procedure::State::running) {
+    procedure_.reset();
+    leg_.reset();
+    wanted_ = {};
+    sendAnew();
+  } else if (const Leg* leg = procedure_->leg(); leg == nullptr) {
     wish(next);
-    return;
+  } else if (procedure_->legNumber() != legOfProcedure_) {
+    legOfProcedure_ = procedure_->legNumber();
+    wishLeg(*leg);
   }
-  procedure_.reset();
-  wanted_ = {};
-  sendAnew();
 }
 
 Result<void> BoardDrive::hear(double wait_s) {
@@ -408,7 +449,7 @@ void BoardDrive::beat(std::uint64_t until) {
 Result<void> BoardDrive::grant(std::size_t ticks) {
   const std::uint64_t end = decoder_.next() + ticks;
   while (decoder_.next() < end) {
-    const double slice_s = procedure_ != nullptr ? options_.slice_s : longSlice_s;
+    const double slice_s = procedure_ != nullptr && !leg_ ? options_.slice_s : longSlice_s;
     const auto slice = static_cast<std::uint64_t>(std::max(1.0, std::floor(slice_s * rate_Hz_ + 1e-9)));
     if (auto ran = runTo(std::min(end, decoder_.next() + slice)); !ran) return ran;
   }
@@ -418,12 +459,15 @@ Result<void> BoardDrive::grant(std::size_t ticks) {
 /// Lets the board run up to `until` and takes its samples.
 Result<void> BoardDrive::runTo(std::uint64_t until) {
   const auto begun = Clock::now();
+  const std::size_t wishes = wishes_;
+  const bool leg = leg_.has_value();
   stands_.reset();
   prepareCommand();
   beat(until);
   if (auto sent = link_.flush(); !sent) return broken(sent.error());
   while (decoder_.next() < until) {
     if (auto taken = hear(resendAfter_s); !taken) return taken;
+    if (leg && wishes_ != wishes) break;  // its end came before the slice's: the board stands there
     if (stands_ && static_cast<std::int32_t>(*stands_ - static_cast<std::uint32_t>(until)) >= 0) {
       // It has run so far, and what it sent of that has come or is gone.
       lost_ += decoder_.passTo(static_cast<std::uint32_t>(until));

@@ -66,6 +66,8 @@ Sample SampleDecoder::sampleOf(const wire::Measured<double>& measured, std::uint
   sample.disturbance_estimate_Nm = measured[Channel::disturbance];
   sample.index = (measured.flags & wire::SampleFlag::index) != 0;
   sample.enabled = (measured.flags & wire::SampleFlag::enabled) != 0;
+  sample.legPhase = static_cast<std::uint8_t>(
+      measured.flags & ~(wire::SampleFlag::enabled | wire::SampleFlag::index | wire::SampleFlag::latched));
   return sample;
 }
 

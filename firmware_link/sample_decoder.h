@@ -21,6 +21,13 @@ class SampleDecoder {
 
   explicit SampleDecoder(const Board& board) : board_(board) {}
 
+  /// How far a leg is of odd or even number, from a decoded sample's legPhase: that has the flags' upper bits still.
+  static std::uint8_t phaseOf(std::uint8_t flags, bool odd) {
+    using Flag = wire::SampleFlag;
+    return ((flags & Flag::odd) != 0) == odd ? static_cast<std::uint8_t>(flags >> Flag::phaseShift & Flag::phaseBits)
+                                             : 0;
+  }
+
   /// Appends the samples of a telemetry frame's body that are newer than all before them. Returns how many are missing
   /// between those and these; a body that isn't whole is skipped and shows as a gap later.
   std::size_t take(std::span<const std::uint8_t> body, std::vector<Sample>& samples);

@@ -108,6 +108,9 @@ class ServoController {
     setLimit();
   }
 
+  /// The same command with another target.
+  void retarget(Scalar target) { command_.target = target; }
+
   /// Moves the angle's zero by whole turns, so that a single-precision board can keep it small.
   void shift(Scalar by_rad) {
     speed_.shift(by_rad);

@@ -6,20 +6,17 @@
 namespace breakaway {
 
 namespace {
-constexpr double learningDoubling_s = 0.7;  // of the first, long ramp
-constexpr double leastStand_s = 0.03;       // on one count, of a rotor that stands
+constexpr double leastStand_s = 0.03;  // on one count, of a rotor that stands
 constexpr size_t leastRampRows = 20;
 }  // namespace
 
 double BreakawayRamp::commandedAt(double inRamp_s) const {
-  if (!plan_.learning) return plan_.start_A + plan_.rate_A_per_s * inRamp_s;
-  const double first = 1e-3;
-  return plan_.start_A + first * (std::exp2(inRamp_s / learningDoubling_s) - 1.0);
+  return rampCurrent(plan_, inRamp_s);
 }
 
 double BreakawayRamp::rateAt(double commanded_A) const {
   if (!plan_.learning) return plan_.rate_A_per_s;
-  return std::log(2.0) / learningDoubling_s * std::max(0.0, commanded_A - plan_.start_A);
+  return std::log(2.0) / RampPlan::learningDoubling_s * std::max(0.0, commanded_A - plan_.start_A);
 }
 
 /// The last row before the motion: back to the first count on which it stayed longer than a rotor does that has let go.

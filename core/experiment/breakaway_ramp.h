@@ -4,16 +4,14 @@
 #include <cstddef>
 #include <vector>
 
+#include "control/leg/breakaway_leg.h"
 #include "experiment/breakaway_lag.h"
 #include "friction/measurements.h"
 
 namespace breakaway {
 
 /// Currents positive in the way's direction.
-struct RampPlan {
-  double start_A = 0.0, rate_A_per_s = 0.0, top_A = 0.0;
-  bool learning = false;  ///< nothing is expected: it grows exponentially until something moves
-};
+using RampPlan = RampShape<double>;
 
 struct RampRow {
   double time_s = 0.0;  ///< since the ramp began
@@ -31,6 +29,7 @@ class BreakawayRamp {
   double standing_rad() const { return standing_rad_; }
   double commandedAt(double inRamp_s) const;
   void add(const RampRow& row) { rows_.push_back(row); }
+  bool empty() const { return rows_.empty(); }
 
   /// Currents, lag and time (since the ramp began) of the breakaway that ended it: dated back to the last standing row,
   /// less the time that the rotor needed for its first count. Precondition: at least one row.

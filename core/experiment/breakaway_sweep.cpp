@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <utility>
 
 namespace breakaway {
 
@@ -78,22 +79,38 @@ double BreakawaySweep::hold_A() const {
   return 0.5 * (moving_A(Way::ccw, binAngle_rad()) - moving_A(Way::cw, binAngle_rad()));
 }
 
-Command BreakawaySweep::current(double inWay_A) {
-  commanded_A_ = inWay_A;
-  const double amps = sign() * inWay_A;
-  const double volts = amps == 0.0 ? 0.0 : amps * options_.resistance_ohm + std::copysign(options_.deadZone_V, amps);
-  return {Command::Mode::voltage, volts, options_.current_limit_A, false};
-}
-
 void BreakawaySweep::enter(Stage stage, const Sample& sample) {
   stage_ = stage;
-  stageStart_s_ = near_s_ = sample.time_s;
+  stageStart_s_ = sample.time_s;
   indexFrom_rad_ = sample.angle_rad;
-  if (stage != Stage::move) return;
+  if (stage == Stage::angle) begin(sample);
+}
+
+/// The leg at the step's angle.
+void BreakawaySweep::begin(const Sample& sample) {
   // The nearest turn in which the target lies ahead in the way, with a margin for a rotor that has just run past it.
   const double wanted = binAngle_rad() + options_.indexAngle_rad;
-  const double away = wanted - sample.angle_rad;
-  target_rad_ = wanted - turnAngle * std::round(away / turnAngle);
+  target_rad_ = wanted - turnAngle * std::round((wanted - sample.angle_rad) / turnAngle);
+  BreakawayPlan<double> plan;
+  plan.near_rad =
+      std::max(0.15 * turnAngle / static_cast<double>(options_.bins), 2.0 * turnAngle / options_.countsPerRev);
+  plan.nearSpeed_rad_per_s = 0.3;
+  plan.near_s = 0.03;
+  plan.move_s = options_.move_s;
+  plan.dwell_s = options_.settle_s + options_.dwell_s;
+  plan.mostDwell_s = 1.0;
+  plan.restSpeed_rad_per_s = 0.5 * options_.motionVelocity_rad_per_s;
+  plan.growing = way() == Way::ccw;
+  plan.hold_A = sign() * hold_A();
+  plan.resistance_ohm = options_.resistance_ohm;
+  plan.deadZone_V = options_.deadZone_V;
+  plan.ramp = planned_ = planRamp();
+  plan.motionCounts = static_cast<std::uint16_t>(std::min<size_t>(options_.motionCounts, 10'000));
+  plan.motionSpeed_rad_per_s = options_.motionVelocity_rad_per_s;
+  commanded_A_ = plan.hold_A;
+  seen_ = notBegun;
+  rampSeen_ = false;
+  beginLeg({plan, target_rad_, options_.current_limit_A}, options_.countsPerRev);
 }
 
 Command BreakawaySweep::run(const Sample& sample) {
@@ -105,46 +122,74 @@ Command BreakawaySweep::run(const Sample& sample) {
     enter(Stage::zero, sample);
   }
   if (const std::string wrong = index_.step(sample); !wrong.empty()) fail(wrong);
-  const double inStage_s = sample.time_s - stageStart_s_;
   switch (stage_) {
     case Stage::zero:
       return zero(sample);
     case Stage::index:
       return passIndex(sample);
-    case Stage::move: {
-      const double tolerance =
-          std::max(0.15 * turnAngle / static_cast<double>(options_.bins), 2.0 * turnAngle / options_.countsPerRev);
-      const bool near =
-          std::abs(sample.angle_rad - target_rad_) < tolerance && std::abs(sample.velocity_rad_per_s) < 0.3;
-      if (!near) near_s_ = sample.time_s;
-      if (sample.time_s - near_s_ > 0.03 || inStage_s > options_.move_s) {
-        enter(Stage::dwell, sample);
-        return current(sign() * hold_A());
-      }
-      return {Command::Mode::position, target_rad_, options_.current_limit_A, false};
-    }
-    case Stage::dwell:
-      if (inStage_s > options_.settle_s + options_.dwell_s &&
-          std::abs(sample.velocity_rad_per_s) < 0.5 * options_.motionVelocity_rad_per_s) {
-        enter(Stage::ramp, sample);
-        ramp_ = BreakawayRamp(planRamp(), sign(), sample.angle_rad, turnAngle / options_.countsPerRev,
-                              options_.motionCounts);
-      } else if (inStage_s > 1.0) {
-        ++missed_;  // it doesn't come to rest here
-        advanceStep(sample);
-      }
-      return current(sign() * hold_A());
-    case Stage::ramp:
-      return ramp(sample);
+    case Stage::angle:
+      follow(sample);
+      return {};
   }
   return {};
+}
+
+/// Takes the ramp's rows as the leg goes through its stages.
+void BreakawaySweep::follow(const Sample& sample) {
+  const LegPhase before = std::exchange(seen_, legPhase());
+  leastTick_s_ = leastTick_s_ > 0.0 ? std::min(leastTick_s_, tick_s()) : tick_s();
+  if (seen_ == Machine::ramp && before != Machine::ramp) {
+    rampStart_s_ = sample.time_s;
+    ramp_ = BreakawayRamp(planned_, sign(), sample.angle_rad, turnAngle / options_.countsPerRev, options_.motionCounts);
+    rampSeen_ = tick_s() < 1.5 * leastTick_s_;
+  } else if (before == Machine::ramp) {
+    ramp_.add({sample.time_s - rampStart_s_, commanded_A_, sign() * sample.current_A, sample.angle_rad});
+    commanded_A_ = ramp_.commandedAt(sample.time_s - rampStart_s_);
+  }
+  if (legHasEnded(seen_)) end(sample);
+}
+
+void BreakawaySweep::end(const Sample& sample) {
+  endLeg();
+  switch (seen_) {
+    case Machine::broke: {
+      const double part_s = sample.time_s - rampStart_s_;
+      const bool tooSoon = !ramp_.plan().learning && part_s < shortRamp * options_.ramp_s;
+      if (ramp_.empty() || !rampSeen_) {  // samples of it were lost on the way: once more
+        begin(sample);
+      } else if (tooSoon && attempt_ < 2) {
+        ++attempt_;  // the start was too high: come back and begin lower
+        begin(sample);
+      } else {
+        takeEvent();
+        advanceStep(sample);
+      }
+      return;
+    }
+    case Machine::restless:
+      ++missed_;
+      advanceStep(sample);
+      return;
+    default:
+      missed(sample);
+  }
+}
+
+void BreakawaySweep::missed(const Sample& sample) {
+  ++missed_;
+  // What was expected may have been wrong.
+  recent_A_[static_cast<size_t>(way())].reset();
+  recentOverMoving_[static_cast<size_t>(way())].reset();
+  if (++missedInARow_ >= 3)
+    fail("the rotor does not break away " + wayText(sign() > 0.0) + noBreakaway(ramp_.plan().top_A));
+  advanceStep(sample);
 }
 
 void BreakawaySweep::approach(const Sample& sample) {
   const size_t pass = step_ / options_.bins;
   const bool passes = options_.indexTolerance_rad > 0.0 && indexPass_ != pass;
   indexPass_ = pass;
-  enter(passes ? Stage::index : Stage::move, sample);
+  enter(passes ? Stage::index : Stage::angle, sample);
 }
 
 /// To the other side of the index than the pass begins at.
@@ -152,7 +197,7 @@ Command BreakawaySweep::passIndex(const Sample& sample) {
   const double beyond_rad = options_.indexAngle_rad - sign() * (options_.indexTolerance_rad + beyondIndex_rad);
   target_rad_ = beyond_rad - turnAngle * std::round((beyond_rad - indexFrom_rad_) / turnAngle);
   const bool there = std::abs(sample.angle_rad - target_rad_) < 0.5 * beyondIndex_rad;
-  if (there || sample.time_s - stageStart_s_ > indexMove_s) enter(Stage::move, sample);
+  if (there || sample.time_s - stageStart_s_ > indexMove_s) enter(Stage::angle, sample);
   return {Command::Mode::position, target_rad_, options_.current_limit_A, false};
 }
 
@@ -184,41 +229,6 @@ RampPlan BreakawaySweep::planRamp() const {
           std::min(limit, hold + options_.mostOverExpected * expected), false};
 }
 
-bool BreakawaySweep::moves(const Sample& sample) const {
-  const double counts = sign() * (sample.angle_rad - ramp_.standing_rad()) / turnAngle * options_.countsPerRev;
-  return counts > static_cast<double>(options_.motionCounts) - 0.5 &&
-         sign() * sample.velocity_rad_per_s > options_.motionVelocity_rad_per_s;
-}
-
-Command BreakawaySweep::ramp(const Sample& sample) {
-  ramp_.add({sample.time_s - stageStart_s_, commanded_A_, sign() * sample.current_A, sample.angle_rad});
-  if (moves(sample)) {
-    const double part_s = sample.time_s - stageStart_s_;
-    const bool tooSoon = !ramp_.plan().learning && part_s < shortRamp * options_.ramp_s;
-    if (tooSoon && attempt_ < 2) {
-      ++attempt_;  // the start was too high: come back and begin lower
-      enter(Stage::move, sample);
-    } else {
-      takeEvent();
-      advanceStep(sample);
-    }
-    return {};
-  }
-  const double next = ramp_.commandedAt(sample.time_s - stageStart_s_);
-  const double most = ramp_.plan().top_A;
-  const bool saturated = std::abs(next) * options_.resistance_ohm + options_.deadZone_V > sample.supply_V;
-  if (next > most || saturated) {
-    ++missed_;
-    // What was expected may have been wrong.
-    recent_A_[static_cast<size_t>(way())].reset();
-    recentOverMoving_[static_cast<size_t>(way())].reset();
-    if (++missedInARow_ >= 3) fail("the rotor does not break away " + wayText(sign() > 0.0) + noBreakaway(most));
-    advanceStep(sample);
-    return {};
-  }
-  return current(next);
-}
-
 void BreakawaySweep::takeEvent() {
   const BreakawayLag motor{options_.inertia_kg_m2, options_.torqueConstant_Nm_per_A,
                            options_.backEmfConstant_V_s_per_rad, options_.resistance_ohm};
@@ -226,7 +236,7 @@ void BreakawaySweep::takeEvent() {
   event.way = way();
   event.turn = turn();
   event.bin = bin();
-  event.time_s += stageStart_s_;
+  event.time_s += rampStart_s_;
   event.zero_A = zeroing_.zero_A();
   event.angle_rad = inTurn(ramp_.standing_rad() - options_.indexAngle_rad);
   event.torque_Nm = options_.torqueConstant_Nm_per_A * event.current_A;
@@ -280,14 +290,17 @@ std::string BreakawaySweep::activity() const {
       return "zeroing the current sensor";
     case Stage::index:
       return "passing the index";
-    case Stage::move:
-      return "moving " + where;
-    case Stage::dwell:
-      return "standing at " + degreesText(boardAngle_rad_ - options_.indexAngle_rad);
-    case Stage::ramp:
-      return "ramping " + where + ", turn " + std::to_string(turn() + 1);
+    case Stage::angle:
+      break;
   }
-  return {};
+  switch (seen_) {
+    case Machine::stand:
+      return "standing at " + degreesText(boardAngle_rad_ - options_.indexAngle_rad);
+    case Machine::ramp:
+      return "ramping " + where + ", turn " + std::to_string(turn() + 1);
+    default:
+      return "moving " + where;
+  }
 }
 
 }  // namespace breakaway

@@ -48,9 +48,10 @@ struct BreakawaySweepOptions {
   double mostDrift_A = 0.1;         ///< of the current sensor's zero, from one zeroing to the next
 };
 
-/// Each pass around the rotor begins beyond the index, so that lost counts show. Then at each angle: settle, dwell,
-/// ramp; motion counts when it is sustained in counts and in speed; it is dated back to the last standing sample, and
-/// the time the rotor needed for its first count is taken off. The angle where it stood is the event's angle.
+/// Each pass around the rotor begins beyond the index, so that lost counts show. Then at each angle, as one leg:
+/// settle, dwell, ramp; motion counts when it is sustained in counts and in speed; it is dated back to the last
+/// standing sample, and the time the rotor needed for its first count is taken off. The angle where it stood is the
+/// event's angle.
 class BreakawaySweep : public TimedProcedure {
  public:
   /// `earlier` are the breakaways of an interrupted sweep with the same bins; they are kept, and what is missing of the
@@ -73,7 +74,8 @@ class BreakawaySweep : public TimedProcedure {
   std::string activity() const override;
 
  private:
-  enum class Stage { zero, index, move, dwell, ramp };
+  enum class Stage { zero, index, angle };
+  using Machine = BreakawayLeg<double>;
   Way way() const { return (step_ / options_.bins) % 2 == 0 ? Way::ccw : Way::cw; }
   double sign() const { return way() == Way::ccw ? 1.0 : -1.0; }
   size_t bin() const;
@@ -86,13 +88,14 @@ class BreakawaySweep : public TimedProcedure {
   void keep(const std::vector<BreakawayEvent>& earlier);
   void skipDone();
   Command zero(const Sample& sample);
-  Command current(double inWay_A);
   void enter(Stage stage, const Sample& sample);
   void approach(const Sample& sample);
   Command passIndex(const Sample& sample);
+  void begin(const Sample& sample);
   RampPlan planRamp() const;
-  Command ramp(const Sample& sample);
-  bool moves(const Sample& sample) const;
+  void follow(const Sample& sample);
+  void end(const Sample& sample);
+  void missed(const Sample& sample);
   void takeEvent();
   void advanceStep(const Sample& sample);
   void markOutlier();
@@ -110,9 +113,11 @@ class BreakawaySweep : public TimedProcedure {
   std::array<std::optional<double>, 2> recentOverMoving_;  ///< and over what keeps it moving there
   BreakawayRamp ramp_;
   double stageStart_s_ = 0.0, now_s_ = 0.0, zeroed_s_ = 0.0, first_s_ = 0.0, target_rad_ = 0.0, indexFrom_rad_ = 0.0,
-         near_s_ = 0.0;
-  double boardAngle_rad_ = 0.0;
-  double commanded_A_ = 0.0;
+         rampStart_s_ = 0.0, commanded_A_ = 0.0, boardAngle_rad_ = 0.0;
+  double leastTick_s_ = 0.0;
+  LegPhase seen_ = notBegun;  ///< of the angle's leg
+  RampPlan planned_;
+  bool rampSeen_ = false;  ///< no sample was lost where the ramp began
   bool begun_ = false;
 };
 

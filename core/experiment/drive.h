@@ -66,6 +66,7 @@ struct Abilities {
   bool takesGains = true;    ///< the gains and the observer of ControllerSettings
   bool compensates = true;   ///< takes a friction table
   bool positions = true;     ///< takes position commands
+  bool runsLegs = false;     ///< what has to react in the very tick runs on the board, not from the host
   bool operator==(const Abilities&) const = default;
 };
 
@@ -82,6 +83,8 @@ struct Identity {
   Abilities can{};
   Axis axis = Axis::rotary;
 };
+
+struct Leg;
 
 /// A pure state machine: sample in, command out, status readable at any time. It runs in the board's control tick, in a
 /// simulation faster than real time, or on the host, always the same.
@@ -104,6 +107,14 @@ class Procedure {
   virtual State state() const { return status().state; }
   /// Ends the procedure; what it has measured stays.
   virtual void stop(const std::string& reason) = 0;
+
+  /// The drive runs legs itself: from now on it looks after each step() whether there is one, and its samples tell how
+  /// far it is. Otherwise step() runs them.
+  virtual void leaveLegsToDrive() {}
+  /// What a board is to run by itself now, in place of step()'s command; null: nothing.
+  virtual const Leg* leg() const { return nullptr; }
+  /// Another number for each leg.
+  virtual unsigned legNumber() const { return 0; }
 };
 
 class Drive {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "experiment/index_watch.h"
 
@@ -12,102 +13,74 @@ namespace {
 constexpr double turn = 2.0 * std::numbers::pi;
 }
 
-Command Homing::move(double velocity_rad_per_s) const {
-  return {Command::Mode::velocity, velocity_rad_per_s, options_.current_limit_A, false};
+double Homing::tolerance_rad() const {
+  return std::max(options_.indexTolerance_rad, breakaway::indexTolerance_rad(options_.countsPerRev));
 }
 
-void Homing::enter(Stage stage, const Sample& sample) {
-  stage_ = stage;
-  stageAngle_rad_ = movedAngle_rad_ = sample.angle_rad;
-  movedTime_s_ = sample.time_s;
-}
-
-bool Homing::stalled(const Sample& sample) {
-  if (std::abs(sample.angle_rad - movedAngle_rad_) > 0.02) {
-    movedAngle_rad_ = sample.angle_rad;
-    movedTime_s_ = sample.time_s;
-  }
-  return sample.time_s - movedTime_s_ > options_.stall_s;
+Leg Homing::plan() const {
+  HomingPlan<double> plan;
+  plan.searchSpeed_rad_per_s = options_.searchSpeed_rad_per_s;
+  plan.approachSpeed_rad_per_s = options_.approachSpeed_rad_per_s;
+  plan.backOff_rad = options_.backOff_rad;
+  plan.tolerance_rad = tolerance_rad();
+  plan.mostTurns = options_.mostTurns;
+  plan.timeout_s = options_.timeout_s;
+  plan.stall_s = options_.stall_s;
+  plan.approaches = static_cast<std::uint8_t>(std::clamp<size_t>(options_.approaches, 1, 255));
+  return {plan, 0.0, options_.current_limit_A};
 }
 
 Command Homing::run(const Sample& sample) {
   if (!begun_) {
     begun_ = true;
-    lastAngle_rad_ = sample.angle_rad;
-    enter(Stage::search, sample);
-    return move(options_.searchSpeed_rad_per_s);
-  }
-  elapsed_s_ = elapsed_s(sample);
-  const double before = lastAngle_rad_;
-  lastAngle_rad_ = sample.angle_rad;
-  if (stalled(sample)) fail("the rotor does not move; is the current limit too low, or the shaft held?");
-  if (elapsed_s_ > options_.timeout_s)
-    fail("not done after " + std::to_string(static_cast<int>(options_.timeout_s)) + " s");
-  switch (stage_) {
-    case Stage::search:
-      search(sample, before);
-      return move(options_.searchSpeed_rad_per_s);
-    case Stage::verify:
-      verify(sample);
-      return move(options_.searchSpeed_rad_per_s);
-    case Stage::backOff:
-      if (sample.angle_rad < stageAngle_rad_ - options_.backOff_rad) enter(Stage::approach, sample);
-      return move(-options_.searchSpeed_rad_per_s);
-    case Stage::approach:
-      approach(sample, before);
-      return move(options_.approachSpeed_rad_per_s);
+    lastAngle_rad_ = stageAngle_rad_ = sample.angle_rad;
+    beginLeg(plan(), options_.countsPerRev);
+  } else {
+    follow(sample);
   }
   return {};
 }
 
-double Homing::tolerance_rad() const {
-  return std::max(options_.indexTolerance_rad, breakaway::indexTolerance_rad(options_.countsPerRev));
-}
-
-void Homing::search(const Sample& sample, double before_rad) {
-  // Coasting from what ran before it, a rotor passes degrees within a tick.
-  if (std::abs(sample.velocity_rad_per_s) > 3.0 * options_.searchSpeed_rad_per_s) {
-    stageAngle_rad_ = sample.angle_rad;
-    return;
-  }
-  travelled_rad_ = sample.angle_rad - stageAngle_rad_;
-  if (sample.index && sample.angle_rad > before_rad - 1e-12) {
-    enter(Stage::verify, sample);
-  } else if (travelled_rad_ > options_.mostTurns * turn) {
-    fail("no index within " + std::to_string(options_.mostTurns).substr(0, 3) +
-         " turns; check the encoder's index wire");
-  }
-}
-
-/// A sound index comes once in a turn; anywhere else it is a disturbed wire or a lost count.
-void Homing::verify(const Sample& sample) {
+/// The leg's stages say what the samples mean; after a gap in them an edge can't be told to the count.
+void Homing::follow(const Sample& sample) {
+  const LegPhase before = std::exchange(stage_, legPhase());
+  const double beforeAngle_rad = std::exchange(lastAngle_rad_, sample.angle_rad);
   const double since_rad = sample.angle_rad - stageAngle_rad_;
-  if (since_rad > turn + tolerance_rad()) {
-    fail("the index was seen once, but not again after a whole turn; check the encoder's index wire");
-  } else if (sample.index && since_rad > 0.0) {
-    if (since_rad > turn - tolerance_rad()) {
-      enter(Stage::backOff, sample);
-    } else {
-      fail("the index was seen twice within a turn, " + degreesText(since_rad) +
-           " apart; check the encoder's index wire and shield");
+  leastTick_s_ = leastTick_s_ > 0.0 ? std::min(leastTick_s_, tick_s()) : tick_s();
+  if (stage_ == before) return;
+  stageAngle_rad_ = sample.angle_rad;
+  const bool passed = before == Machine::approach && (stage_ == Machine::backOff || stage_ == Machine::done);
+  if (passed && sample.index && tick_s() < 1.5 * leastTick_s_)
+    edges_.push_back(0.5 * (beforeAngle_rad + sample.angle_rad));
+  if (!legHasEnded(stage_)) return;
+  endLeg();
+  if (stage_ != Machine::done) fail(failureOf(stage_, since_rad));
+  if (edges_.empty()) fail("the samples in which the index came were lost on the way; home again");
+  finish();
+}
+
+std::string Homing::failureOf(LegPhase phase, double since_rad) const {
+  switch (phase) {
+    case Machine::still:
+      return "the rotor does not move; is the current limit too low, or the shaft held?";
+    case Machine::timedOut:
+      return "not done after " + std::to_string(static_cast<int>(options_.timeout_s)) + " s";
+    case Machine::noIndex:
+      return "no index within " + std::to_string(options_.mostTurns).substr(0, 3) +
+             " turns; check the encoder's index wire";
+    case Machine::notAgain:
+      return "the index was seen once, but not again after a whole turn; check the encoder's index wire";
+    case Machine::twice:
+      return "the index was seen twice within a turn, " + degreesText(since_rad) +
+             " apart; check the encoder's index wire and shield";
+    case Machine::lost:
+      return "the index was seen once, but not again; check the encoder's index wire";
+    default: {
+      const std::string apart = edges_.empty() ? "" : degreesText(std::abs(lastAngle_rad_ - edges_.front())) + " apart";
+      return "the index was seen at two places" + (apart.empty() ? "" : ", " + apart) +
+             "; check the encoder's index wire and shield";
     }
   }
-}
-
-void Homing::approach(const Sample& sample, double before_rad) {
-  const double since_rad = sample.angle_rad - stageAngle_rad_;
-  if (since_rad > 4.0 * options_.backOff_rad)
-    fail("the index was seen once, but not again; check the encoder's index wire");
-  if (!sample.index || sample.angle_rad < before_rad || since_rad <= 0.2 * options_.backOff_rad) return;
-  const double edge_rad = 0.5 * (before_rad + sample.angle_rad);
-  if (!edges_.empty() && std::abs(edge_rad - edges_.front()) > tolerance_rad()) {
-    fail("the index was seen at two places, " + degreesText(std::abs(edge_rad - edges_.front())) +
-         " apart; check the encoder's index wire and shield");
-    return;
-  }
-  edges_.push_back(edge_rad);
-  if (edges_.size() >= options_.approaches) finish();
-  enter(Stage::backOff, sample);
 }
 
 Estimate Homing::indexAngle_rad() const {
@@ -121,17 +94,19 @@ Estimate Homing::indexAngle_rad() const {
 }
 
 double Homing::progress() const {
-  const double found = stage_ == Stage::search && edges_.empty() ? 0.0 : 0.5;
-  const double searched = std::clamp(travelled_rad_ / turn, 0.0, 1.0) * 0.5;
+  const bool searches = stage_ <= Machine::search;
+  const double found = searches ? 0.0 : 0.5;
+  const double searched = searches ? std::clamp((lastAngle_rad_ - stageAngle_rad_) / turn, 0.0, 1.0) * 0.5 : 0.0;
   return std::max(found, searched) +
          0.5 * static_cast<double>(edges_.size()) / static_cast<double>(options_.approaches);
 }
 
 double Homing::remaining_s() const {
   const double pass = options_.backOff_rad / options_.approachSpeed_rad_per_s + 0.5;
-  const double turns_rad = stage_ == Stage::search   ? 2.0 * turn - travelled_rad_
-                           : stage_ == Stage::verify ? turn - (lastAngle_rad_ - stageAngle_rad_)
-                                                     : 0.0;
+  const double since_rad = lastAngle_rad_ - stageAngle_rad_;
+  const double turns_rad = stage_ <= Machine::search   ? 2.0 * turn - since_rad
+                           : stage_ == Machine::verify ? turn - since_rad
+                                                       : 0.0;
   const double search = turns_rad / options_.searchSpeed_rad_per_s;
   return std::max(0.0, search) +
          pass * static_cast<double>(options_.approaches - std::min(options_.approaches, edges_.size()));
@@ -139,16 +114,15 @@ double Homing::remaining_s() const {
 
 std::string Homing::activity() const {
   switch (stage_) {
-    case Stage::search:
-      return "searching the index counter-clockwise";
-    case Stage::verify:
+    case Machine::verify:
       return "turning once more to the index";
-    case Stage::backOff:
+    case Machine::backOff:
       return "backing off";
-    case Stage::approach:
+    case Machine::approach:
       return "passing the index slowly, pass " + std::to_string(edges_.size() + 1);
+    default:
+      return "searching the index counter-clockwise";
   }
-  return {};
 }
 
 }  // namespace breakaway

@@ -22,8 +22,8 @@ struct HomingOptions {
 };
 
 /// Searches the index towards growing angle, turns on to see it once more after exactly a turn, backs off, and passes
-/// its edge slowly from the same side a few times. Fails in words when there is no index within mostTurns, when it
-/// comes at two places, when the rotor doesn't move, or at the time-out.
+/// its edge slowly from the same side a few times; one leg, so that a board may run it. Fails in words when there is no
+/// index within mostTurns, when it comes at two places, when the rotor doesn't move, or at the time-out.
 class Homing : public TimedProcedure {
  public:
   explicit Homing(const HomingOptions& options = {}) : options_(options) {}
@@ -40,20 +40,16 @@ class Homing : public TimedProcedure {
   std::string activity() const override;
 
  private:
-  enum class Stage { search, verify, backOff, approach };
-  Command move(double velocity_rad_per_s) const;
-  bool stalled(const Sample& sample);
-  void search(const Sample& sample, double before_rad);
-  void verify(const Sample& sample);
-  void approach(const Sample& sample, double before_rad);
+  using Machine = HomingLeg<double>;
+  Leg plan() const;
+  void follow(const Sample& sample);
+  std::string failureOf(LegPhase phase, double since_rad) const;
   double tolerance_rad() const;
-  void enter(Stage stage, const Sample& sample);
 
   HomingOptions options_;
-  Stage stage_ = Stage::search;
+  LegPhase stage_ = notBegun;
   std::vector<double> edges_;
-  double stageAngle_rad_ = 0.0, lastAngle_rad_ = 0.0, movedAngle_rad_ = 0.0, movedTime_s_ = 0.0, travelled_rad_ = 0.0;
-  double elapsed_s_ = 0.0;
+  double stageAngle_rad_ = 0.0, lastAngle_rad_ = 0.0, leastTick_s_ = 0.0;
   bool begun_ = false;
 };
 

@@ -14,8 +14,19 @@ Command TimedProcedure::step(const Sample& sample) {
     tick_s_ = sample.time_s - last_s_;
   }
   last_s_ = sample.time_s;
+  phase_ = !leg_ ? notBegun : runner_ ? runner_->step(sample) : sample.legPhase;
   const Command command = run(sample);
-  return state_ == State::running ? command : Command{};
+  if (state_ != State::running) return {};
+  return leg_ && runner_ ? runner_->command() : command;
+}
+
+void TimedProcedure::beginLeg(const Leg& leg, double countsPerRev) {
+  leg_ = leg;
+  phase_ = notBegun;
+  ++legNumber_;
+  if (legsElsewhere_) return;
+  runner_.emplace(countsPerRev);
+  runner_->begin(leg);
 }
 
 Procedure::Status TimedProcedure::status() const {

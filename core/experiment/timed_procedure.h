@@ -1,9 +1,11 @@
 // What all procedures share: a clock that starts with the first sample, one end, and a reason for it.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "experiment/drive.h"
+#include "experiment/leg.h"
 
 namespace breakaway {
 
@@ -13,6 +15,9 @@ class TimedProcedure : public Procedure {
   Status status() const final;
   State state() const final { return state_; }
   void stop(const std::string& reason) final;
+  void leaveLegsToDrive() final { legsElsewhere_ = true; }
+  const Leg* leg() const final { return leg_ && state_ == State::running ? &*leg_ : nullptr; }
+  unsigned legNumber() const final { return legNumber_; }
 
  protected:
   /// One tick while running.
@@ -21,6 +26,13 @@ class TimedProcedure : public Procedure {
   virtual double progress() const = 0;
   virtual double remaining_s() const = 0;
   virtual std::string activity() const = 0;
+
+  /// From now on this leg commands, whatever run() returns, until another one or endLeg(). `countsPerRev` of the
+  /// encoder; 0: unknown.
+  void beginLeg(const Leg& leg, double countsPerRev);
+  void endLeg() { leg_.reset(); }
+  /// How far the leg is after this sample.
+  LegPhase legPhase() const { return phase_; }
 
   void finish();
   void fail(const std::string& reason);
@@ -34,7 +46,11 @@ class TimedProcedure : public Procedure {
   State state_ = State::running;
   std::string failure_;
   double start_s_ = 0.0, last_s_ = 0.0, tick_s_ = 0.0;
-  bool begun_ = false;
+  bool begun_ = false, legsElsewhere_ = false;
+  std::optional<Leg> leg_;
+  std::optional<LegRunner> runner_;
+  LegPhase phase_ = notBegun;
+  unsigned legNumber_ = 0;
 };
 
 /// "123°" of an angle in rad, taken into one turn.

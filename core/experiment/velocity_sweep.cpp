@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <numbers>
+#include <utility>
 
 namespace breakaway {
 
@@ -13,10 +13,6 @@ constexpr double turn = 2.0 * std::numbers::pi;
 constexpr double spanAngle_rad = 1.0 / 30.0;      // half the span of a speed; order 40 is then shown by sin(1.3)/1.3
 constexpr double fastSpanAngle_rad = 1.0 / 12.0;  // where the inertia hides the finest harmonics anyway
 constexpr double smoothing_s = 0.15;
-constexpr double held_s = 0.4;   // near the speed for so long before it counts
-constexpr double stuck_s = 3.0;  // without coming nearer to the speed
-constexpr double lost_s = 1.0;   // away from the speed by more than lostPart while measuring
-constexpr double lostPart = 0.3;
 }  // namespace
 
 VelocitySweep::VelocitySweep(VelocitySweepOptions options, const std::vector<VelocityRun>& earlier)
@@ -59,38 +55,70 @@ double VelocitySweep::target() const {
 }
 
 double VelocitySweep::wobbleAt(double time_s) const {
-  if (stage_ != Stage::sum) return 0.0;
   const double phase = (time_s - runStart_s_) / options_.run_s;
-  const double part = phase - std::floor(phase);
-  return options_.wobble * (part < 0.25 ? 4.0 * part : part < 0.75 ? 2.0 - 4.0 * part : 4.0 * part - 4.0);
+  return options_.wobble * triangle(phase - std::floor(phase));
 }
 
 void VelocitySweep::enter(Stage stage, const Sample& sample) {
   stage_ = stage;
-  stageStart_s_ = nearer_s_ = reached_s_ = sample.time_s;
-  nearest_rad_per_s_ = std::numeric_limits<double>::infinity();
+  stageStart_s_ = sample.time_s;
+  if (stage == Stage::speed && next_ < 2 * options_.speeds_rad_per_s.size()) begin();
+}
+
+void VelocitySweep::begin() {
+  SpeedPlan<double> plan;
+  plan.target_rad_per_s = target();
+  plan.wobble = options_.wobble;
+  plan.settle_s = options_.settle_s;
+  plan.run_s = options_.run_s;
+  plan.leastTurns = static_cast<std::uint16_t>(std::min<size_t>(options_.leastTurns, 60'000));
+  seen_ = notBegun;
+  beginLeg({plan, 0.0, options_.current_limit_A}, options_.countsPerRev);
 }
 
 Command VelocitySweep::run(const Sample& sample) {
   now_s_ = sample.time_s;
   if (!begun_) {
     begun_ = true;
-    enter(options_.zeroing_s > 0.0 ? Stage::zero : Stage::settle, sample);
+    enter(options_.zeroing_s > 0.0 ? Stage::zero : Stage::speed, sample);
   }
   mean_rad_per_s_ += (sample.velocity_rad_per_s - mean_rad_per_s_) * std::min(1.0, tick_s() / smoothing_s);
   if (const std::string wrong = index_.step(sample); !wrong.empty()) fail(wrong);
-  switch (stage_) {
-    case Stage::zero:
-      return zero(sample);
-    case Stage::settle:
-      settle(sample);
-      return drive();
-    case Stage::sum:
-      hold(sample);
-      sum(sample);
-      return drive();
-  }
+  if (stage_ == Stage::zero) return zero(sample);
+  follow(sample);
   return {};
+}
+
+/// Takes a run's sums as the leg goes through its stages.
+void VelocitySweep::follow(const Sample& sample) {
+  const LegPhase before = std::exchange(seen_, legPhase());
+  char text[160];
+  switch (seen_) {
+    case Machine::hold:
+      if (before != Machine::hold) {
+        beginRun(sample);
+      } else {
+        sum(sample);
+      }
+      return;
+    case Machine::done:
+      endLeg();
+      sum(sample);
+      endRun(sample);
+      return;
+    case Machine::notReached:
+      std::snprintf(text, sizeof text, "the speed %.1f rad/s was not reached, only %.1f rad/s", target(),
+                    mean_rad_per_s_);
+      return fail(text);
+    case Machine::lost:
+      std::snprintf(
+          text, sizeof text,
+          "the speed %.1f rad/s was lost at %s, only %.1f rad/s are left; is the shaft held, or the limit too low?",
+          target(), degreesText(sample.angle_rad - options_.indexAngle_rad).c_str(), mean_rad_per_s_);
+      return fail(text);
+    default:
+      return;
+  }
 }
 
 Command VelocitySweep::zero(const Sample& sample) {
@@ -101,49 +129,13 @@ Command VelocitySweep::zero(const Sample& sample) {
   if (next_ >= 2 * options_.speeds_rad_per_s.size()) {
     finish();
   } else {
-    enter(Stage::settle, sample);
+    enter(Stage::speed, sample);
   }
   return command;
 }
 
-/// A rotor that is held or dragged down while it is measured would be summed for ever.
-void VelocitySweep::hold(const Sample& sample) {
-  if (std::abs(mean_rad_per_s_ - target()) < lostPart * std::abs(target())) held_s_ = sample.time_s;
-  if (sample.time_s - held_s_ < lost_s) return;
-  char text[160];
-  std::snprintf(
-      text, sizeof text,
-      "the speed %.1f rad/s was lost at %s, only %.1f rad/s are left; is the shaft held, or the limit too low?",
-      target(), degreesText(sample.angle_rad - options_.indexAngle_rad).c_str(), mean_rad_per_s_);
-  fail(text);
-}
-
-void VelocitySweep::settle(const Sample& sample) {
-  // Cogging's ripple is no part of how near it is: smoothed.
-  const double off = std::abs(mean_rad_per_s_ - target());
-  if (off < nearest_rad_per_s_ - 0.02 * std::abs(target())) {
-    nearest_rad_per_s_ = off;
-    nearer_s_ = sample.time_s;
-  }
-  // A rotor that still comes up to speed would take its inertia's torque for friction.
-  const bool near = off < 0.015 * std::abs(target()) + 0.3;
-  if (!near) reached_s_ = sample.time_s;
-  const bool settled = sample.time_s - stageStart_s_ > options_.settle_s && sample.time_s - reached_s_ > held_s;
-  // It ripples around its speed and comes no nearer: as steady as it gets.
-  const bool rippling = !near && off < 0.15 * std::abs(target()) && sample.time_s - nearer_s_ > stuck_s;
-  if (settled || rippling) {
-    beginRun(sample);
-  } else if (!near && sample.time_s - nearer_s_ > stuck_s) {
-    char text[96];
-    std::snprintf(text, sizeof text, "the speed %.1f rad/s was not reached, only %.1f rad/s", target(),
-                  mean_rad_per_s_);
-    fail(text);
-  }
-}
-
 void VelocitySweep::beginRun(const Sample& sample) {
-  enter(Stage::sum, sample);
-  runStart_s_ = held_s_ = sample.time_s;
+  runStart_s_ = sample.time_s;
   startAngle_rad_ = sample.angle_rad;
   // As long a span as the finest harmonics allow: it divides the encoder's rounding.
   const double slowest = *std::min_element(options_.speeds_rad_per_s.begin(), options_.speeds_rad_per_s.end());
@@ -168,19 +160,15 @@ void VelocitySweep::beginRun(const Sample& sample) {
 }
 
 void VelocitySweep::sum(const Sample& sample) {
-  const double turns = std::abs(sample.angle_rad - startAngle_rad_) / turn;
-  const bool enough =
-      sample.time_s - runStart_s_ >= options_.run_s && turns >= static_cast<double>(options_.leastTurns);
+  // A whole turn is a whole number of counts, which rounding must not miss.
+  const double turns = std::abs(sample.angle_rad - startAngle_rad_) / turn + 1e-9;
   if (std::floor(turns) > static_cast<double>(open_.turns)) {
     open_.turns = static_cast<size_t>(std::floor(turns));
     turnSpeeds_rad_per_s_.push_back((sample.angle_rad - turnAngle_rad_) / (sample.time_s - turnStart_s_));
     turnEnds_s_.push_back(sample.time_s);
     turnAngle_rad_ = sample.angle_rad;
     turnStart_s_ = sample.time_s;
-    if (enough) {
-      endRun(sample);
-      return;
-    }
+    if (seen_ == Machine::done) return;
   }
   const size_t size = angles_rad_.size(), newest = taken_ % size;
   angles_rad_[newest] = sample.angle_rad;
@@ -237,12 +225,12 @@ void VelocitySweep::endRun(const Sample& sample) {
   runs_.push_back(open_);
   skipDone();
   if (next_ >= 2 * options_.speeds_rad_per_s.size() && options_.zeroing_s <= 0.0) finish();
-  enter(options_.zeroing_s > 0.0 ? Stage::zero : Stage::settle, sample);
+  enter(options_.zeroing_s > 0.0 ? Stage::zero : Stage::speed, sample);
 }
 
 double VelocitySweep::progress() const {
   if (next_ >= 2 * options_.speeds_rad_per_s.size()) return 1.0;
-  const double part = stage_ == Stage::sum ? std::min(1.0, (now_s_ - runStart_s_) / options_.run_s) : 0.0;
+  const double part = seen_ == Machine::hold ? std::min(1.0, (now_s_ - runStart_s_) / options_.run_s) : 0.0;
   return (static_cast<double>(next_) + part) / (2.0 * static_cast<double>(options_.speeds_rad_per_s.size()));
 }
 
@@ -253,7 +241,7 @@ double VelocitySweep::remaining_s() const {
 
 std::string VelocitySweep::activity() const {
   char text[96];
-  std::snprintf(text, sizeof text, "%s %s at %.1f rad/s", stage_ == Stage::sum ? "measuring" : "settling",
+  std::snprintf(text, sizeof text, "%s %s at %.1f rad/s", seen_ == Machine::hold ? "measuring" : "settling",
                 wayText(target() > 0.0).c_str(), std::abs(target()));
   return stage_ == Stage::zero ? "zeroing the current sensor" : text;
 }

@@ -12,6 +12,7 @@ namespace breakaway {
 
 struct VelocitySweepOptions {
   std::vector<double> speeds_rad_per_s;  ///< positive; each is run ccw and cw
+  double countsPerRev = 0.0;             ///< of the encoder; 0: unknown
   double indexAngle_rad = 0.0;           ///< from homing
   size_t bins = 360;
   double settle_s = 0.6;
@@ -26,8 +27,8 @@ struct VelocitySweepOptions {
   double mostDrift_A = 0.1;         ///< of the current sensor's zero, from one zeroing to the next
 };
 
-/// Runs each speed over whole turns and sums current and speed per bin of rotor angle. Fails in words when a speed
-/// isn't reached or not held, when the index comes elsewhere or not at all, and when the current sensor drifts.
+/// Runs each speed over whole turns, as one leg, and sums current and speed per bin of rotor angle. Fails in words when
+/// a speed isn't reached or not held, when the index comes elsewhere or not at all, and when the current sensor drifts.
 class VelocitySweep : public TimedProcedure {
  public:
   /// `earlier` are complete runs of an interrupted sweep; those with the options' speeds and bins are kept and not run
@@ -45,20 +46,17 @@ class VelocitySweep : public TimedProcedure {
   std::string activity() const override;
 
  private:
-  enum class Stage { zero, settle, sum };
+  enum class Stage { zero, speed };
+  using Machine = SpeedLeg<double>;
   double target() const;
-  Command drive() const {
-    return {Command::Mode::velocity, target() * (1.0 + wobble()), options_.current_limit_A, false};
-  }
   double targetOf(size_t number) const;
   bool isDone(double target_rad_per_s) const;
   void skipDone();
   Command zero(const Sample& sample);
-  void hold(const Sample& sample);
-  double wobble() const { return wobbleAt(now_s_); }
   double wobbleAt(double time_s) const;
   void enter(Stage stage, const Sample& sample);
-  void settle(const Sample& sample);
+  void begin();
+  void follow(const Sample& sample);
   void beginRun(const Sample& sample);
   void sum(const Sample& sample);
   void mergeLastBlock();
@@ -78,9 +76,7 @@ class VelocitySweep : public TimedProcedure {
   double turnAngle_rad_ = 0.0, turnStart_s_ = 0.0;
   size_t span_ = 1, taken_ = 0;
   double mean_rad_per_s_ = 0.0;  ///< smoothed speed
-  double nearest_rad_per_s_ = 0.0, nearer_s_ = 0.0,
-         reached_s_ = 0.0;  ///< to the speed while settling, and when it last came nearer
-  double held_s_ = 0.0;     ///< when the speed was last near enough while measuring
+  LegPhase seen_ = notBegun;     ///< of the speed's leg
   IndexWatch index_;
   bool begun_ = false;
 };

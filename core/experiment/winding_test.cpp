@@ -10,6 +10,8 @@ constexpr double rest_s = 0.4;
 }
 
 Command WindingTest::run(const Sample& sample) {
+  if (!begun_) stageStart_s_ = sample.time_s;
+  begun_ = true;
   now_s_ = elapsed_s(sample);
   switch (stage_) {
     case Stage::rest:

@@ -58,6 +58,7 @@ class WindingTest : public TimedProcedure {
 
   WindingTestOptions options_;
   Stage stage_ = Stage::rest;
+  bool begun_ = false;
   size_t ramp_ = 0;
   std::vector<WindingPoint> points_, blocks_;
   std::vector<double> blockTimes_s_;

@@ -18,6 +18,7 @@ struct Sample {
   double disturbance_estimate_Nm = 0.0;  ///< disturbance observer's output
   bool index = false;                    ///< the encoder's index was seen in this tick
   bool enabled = false;                  ///< false: windings open
+  std::uint8_t legPhase = 0;             ///< of the leg that was asked for last (control/leg); 0: it hasn't begun
 
   bool operator==(const Sample&) const = default;
 };

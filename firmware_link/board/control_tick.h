@@ -9,6 +9,7 @@
 #include "control/servo_controller.h"
 #include "control/turn.h"
 #include "firmware_link/board/board_hardware.h"
+#include "firmware_link/board/leg_tick.h"
 #include "firmware_link/wire/messages.h"
 #include "firmware_link/wire/nearest.h"
 
@@ -53,22 +54,31 @@ class ControlTick {
   void linearise(const DutyTable<Scalar>& bridge) { servo_.linearise(bridge); }
 
   void command(const wire::MotorCommand& wanted) {
-    using Flag = wire::MotorCommand::Flag;
     static_assert(static_cast<int>(wire::MotorCommand::Mode::position) == static_cast<int>(ServoMode::position));
-    if ((wanted.flags & Flag::fresh) != 0) {
-      watch_.restart();
-      travelStart_ = count_;
-    }
-    watched_ = (wanted.flags & Flag::watched) != 0;
-    wanted_ = wanted;
+    leg_.forget();
+    take(wanted);
     obey();
   }
+
+  /// From the next tick on the leg commands. One that was started already goes on as it is.
+  template <typename Start>
+  void start(const Start& start) {
+    if (leg_.has(start.head.number)) return;
+    wire::MotorCommand head;
+    head.flags = start.head.flags;
+    head.latch = start.head.latch;
+    head.current_limit_A = start.head.current_limit_A;
+    take(head);
+    leg_.begin(start, {static_cast<std::int32_t>(hardware_.countsPerRev)});
+    obey(leg_.ask());
+  }
+  bool legRuns() const { return leg_.runs(); }
   void off() {
     command({});
     left_ = 0;
   }
 
-  TickOutcome<Scalar> step(const Readings<Scalar>& readings, const TickLimits<Scalar>& limits) {
+  TickOutcome<Scalar> step(const Readings<Scalar>& readings, const TickLimits<Scalar>& limits, std::uint32_t time_us) {
     using wire::Channel;
     count_ = readings.count;
     if (!known_) begin();
@@ -82,10 +92,11 @@ class ControlTick {
     outcome.fault = judged(readings, out, middle, limits);
     const bool enabled = out.enabled && outcome.fault == wire::FaultCode::none;
     outcome.drive = {enabled, enabled ? realisable(out.duty) : Scalar(0)};
+    if (leg_.runs()) obey(leg_.step({time_us, count_, readings.index, out.velocity_rad_per_s, readings.supply_V}));
     wire::Measured<Scalar>& m = outcome.measured;
     m.angle_counts = count_;
     m.flags = static_cast<std::uint8_t>((enabled ? wire::SampleFlag::enabled : 0) |
-                                        (readings.index ? wire::SampleFlag::index : 0));
+                                        (readings.index ? wire::SampleFlag::index : 0) | leg_.flags());
     m[Channel::current] = out.current_A;
     m[Channel::duty] = outcome.drive.duty;
     m[Channel::supply] = readings.supply_V;
@@ -107,6 +118,31 @@ class ControlTick {
   Scalar jumped_rad() const { return watch_.jumped_rad(); }
 
  private:
+  void take(const wire::MotorCommand& wanted) {
+    using Flag = wire::MotorCommand::Flag;
+    if ((wanted.flags & Flag::fresh) != 0) {
+      watch_.restart();
+      travelStart_ = count_;
+    }
+    watched_ = (wanted.flags & Flag::watched) != 0;
+    wanted_ = wanted;
+  }
+
+  void obey(const LegAsk<Scalar>& ask) {
+    const auto mode = static_cast<wire::MotorCommand::Mode>(ask.mode);
+    const auto target = static_cast<float>(ask.target);
+    if (mode == wanted_.mode && ask.targetCounts == wanted_.targetCounts) {
+      if (target == wanted_.target) return;
+      wanted_.target = target;
+      servo_.retarget(ask.target);
+    } else {
+      wanted_.mode = mode;
+      wanted_.target = target;
+      wanted_.targetCounts = ask.targetCounts;
+      obey();
+    }
+  }
+
   void obey() {
     ServoCommand<Scalar> servo{static_cast<ServoMode>(wanted_.mode), static_cast<Scalar>(wanted_.target),
                                static_cast<Scalar>(wanted_.current_limit_A),
@@ -175,6 +211,7 @@ class ControlTick {
   ServoController<Scalar> servo_;
   BoardWatch<Scalar> watch_;
   wire::MotorCommand wanted_;
+  LegTick<Scalar> leg_;
   Scalar halfCount_rad_;
   Turn perHalfCount_, firstHalfCounts_ = 0;
   Scalar steps_, perStep_, left_ = 0;  ///< of the timer, and what the last one left over

@@ -15,6 +15,7 @@
 #include "firmware_link/board/parameters.h"
 #include "firmware_link/board/sample_batch.h"
 #include "firmware_link/wire/frame.h"
+#include "firmware_link/wire/leg_messages.h"
 #include "firmware_link/wire/messages.h"
 
 namespace breakaway::board {
@@ -48,11 +49,14 @@ class ReferenceBoard {
   Drive<Scalar> tick(const Readings<Scalar>& readings) {
     if (hardware_.pace == Pace::real && control_.acts() && ++silentTicks_ > leaseTicks_)
       trip(wire::FaultCode::leaseExpired, {});
-    TickOutcome<Scalar> outcome = control_.step(readings, limits_);
+    const bool legRan = control_.legRuns();
+    TickOutcome<Scalar> outcome = control_.step(readings, limits_, time_us_);
     if (outcome.fault != wire::FaultCode::none) trip(outcome.fault, outcome.measured);
     if (fault_.code != wire::FaultCode::none) outcome.measured.flags |= wire::SampleFlag::latched;
     keep(outcome.measured);
     advanceClock();
+    // Whoever grants time has something else to say when a leg has ended.
+    if (hardware_.pace == Pace::granted && legRan && !control_.legRuns()) untilTick_ = tick_;
     if (hardware_.pace == Pace::granted && !mayTick()) flush();
     return outcome.drive;
   }
@@ -137,7 +141,8 @@ class ReferenceBoard {
     using wire::Type;
     return type == Type::writeParameters || type == Type::command || type == Type::heartbeat ||
            type == Type::writeFriction || type == Type::useFriction || type == Type::startCapture ||
-           type == Type::writeBridge || type == Type::useStatic;
+           type == Type::writeBridge || type == Type::useStatic || type == Type::startHoming ||
+           type == Type::startBreakaway || type == Type::startSpeed;
   }
 
   /// What changes something obeys the order in which it was asked, whatever order it comes in.
@@ -194,10 +199,6 @@ class ReferenceBoard {
         return asked<wire::CaptureAsked>(frame, [&](const auto& page) {
           return burst_.write(page.first, period_ns_, out) ? Code::ok : Code::noSuch;
         });
-      case Type::startProcedure:
-      case Type::stopProcedure:
-      case Type::procedureStatus:
-        return Code::notPossible;
       default:
         return change(frame, out);
     }
@@ -227,6 +228,12 @@ class ReferenceBoard {
           if (code == Code::ok) control_.linearise(compensation_.bridge());
           return told(code, curve, out);
         });
+      case Type::startHoming:
+        return asked<wire::StartHoming>(frame, [&](auto& leg) { return start(leg, out); });
+      case Type::startBreakaway:
+        return asked<wire::StartBreakaway>(frame, [&](auto& leg) { return start(leg, out); });
+      case Type::startSpeed:
+        return asked<wire::StartSpeed>(frame, [&](auto& leg) { return start(leg, out); });
       case Type::startCapture:
         return asked<wire::Capture>(frame, [&](const auto& wanted) {
           out(burst_.start(wanted));
@@ -257,6 +264,7 @@ class ReferenceBoard {
     can(true, Ability::friction);
     can(true, Ability::staticFriction);
     can(true, Ability::bridgeCurve);
+    can(true, Ability::legs);
     hello.boot = hardware_.boot;
     hello.latch = latch_;
     hello.loopRate_Hz = static_cast<float>(hardware_.loopRate_Hz);
@@ -339,22 +347,38 @@ class ReferenceBoard {
     batch_.begin(schema, static_cast<std::uint8_t>(every), period_ns_ * every);
   }
 
-  static bool finite(float value) { return value - value == 0.0f; }
-
   wire::Code command(wire::MotorCommand& wanted, wire::Writer& out) {
     using Mode = wire::MotorCommand::Mode;
     const bool known = static_cast<std::uint8_t>(wanted.mode) <= static_cast<std::uint8_t>(Mode::position);
-    if (!known || !finite(wanted.target) || !finite(wanted.current_limit_A)) return wire::Code::notAValue;
+    if (!known || !wire::isFinite(wanted.target) || !wire::isFinite(wanted.current_limit_A))
+      return wire::Code::notAValue;
     const bool acts = wanted.mode != Mode::off || (wanted.flags & wire::MotorCommand::watched) != 0;
     if (acts && wanted.latch != latch_) return wire::Code::latched;
-    if (wanted.current_limit_A < 0.0f) wanted.current_limit_A = 0.0f;
-    if ((wanted.flags & wire::MotorCommand::fresh) != 0) fault_.code = wire::FaultCode::none;
-    if (acts && !control_.acts()) silentTicks_ = 0;
+    begin(wanted, acts);
     control_.command(wanted);
     burst_.commandCame();
     wanted.latch = latch_;
     out(wanted);
     return wire::Code::ok;
+  }
+
+  template <typename Start>
+  wire::Code start(Start& leg, wire::Writer& out) {
+    if (!wire::allFinite(leg)) return wire::Code::notAValue;
+    if (leg.head.latch != latch_) return wire::Code::latched;
+    begin(leg.head, true);
+    control_.start(leg);
+    burst_.commandCame();
+    out(leg);
+    return wire::Code::ok;
+  }
+
+  /// What a command and a leg's start have in common.
+  template <typename Head>
+  void begin(Head& head, bool acts) {
+    if (head.current_limit_A < 0.0f) head.current_limit_A = 0.0f;
+    if ((head.flags & wire::MotorCommand::fresh) != 0) fault_.code = wire::FaultCode::none;
+    if (acts && !control_.acts()) silentTicks_ = 0;
   }
 
   wire::Code heard(const wire::Heartbeat& beat, wire::Writer& out) {

@@ -27,9 +27,9 @@ enum class Type : std::uint8_t {
   useFriction = 0x0B,      ///< FrictionUse → the same; the table that was written takes effect
   startCapture = 0x0C,     ///< Capture → the same as accepted
   readCapture = 0x0D,      ///< CaptureAsked → CapturePage
-  startProcedure = 0x0E,   ///< Procedure → ProcedureStatus
-  stopProcedure = 0x0F,    ///< nothing → ProcedureStatus
-  procedureStatus = 0x10,  ///< nothing → ProcedureStatus
+  startHoming = 0x0E,      ///< StartHoming → the same; the board runs this leg by itself
+  startBreakaway = 0x0F,   ///< StartBreakaway → the same
+  startSpeed = 0x10,       ///< StartSpeed → the same
   frictionUsed = 0x11,     ///< nothing → FrictionUse, of the table that is used
   writeBridge = 0x12,      ///< BridgeCurve → the same; takes effect at once
   readBridge = 0x13,       ///< nothing → BridgeCurve
@@ -62,7 +62,7 @@ struct Hello {
     grantedPace = 4,  ///< its clock runs only as far as heartbeats grant
     capture = 8,
     friction = 16,
-    procedures = 32,
+    legs = 32,  ///< runs them by itself; see leg_messages.h
     temperature = 64,
     staticFriction = 128,
     bridgeCurve = 256
@@ -247,33 +247,6 @@ struct CapturePage {
   template <typename Self, typename Io>
   static void pass(Self& s, Io& io) {
     io(s.taken), io(s.samples), io(s.first);
-  }
-};
-
-/// Procedures that run on the board; reserved.
-struct Procedure {
-  static constexpr std::size_t mostArguments = 16;
-  enum class Kind : std::uint8_t { none = 0, homing = 1, velocitySweep = 2, breakawaySweep = 3 };
-  Kind kind = Kind::none;
-  std::uint16_t latch = 0;
-  std::uint8_t count = 0;
-  float argument[mostArguments] = {};
-  template <typename Self, typename Io>
-  static void pass(Self& s, Io& io) {
-    io(s.kind), io(s.latch), io.list(s.count, s.argument);
-  }
-};
-
-struct ProcedureStatus {
-  Procedure::Kind kind = Procedure::Kind::none;
-  enum class State : std::uint8_t { running = 0, finished = 1, failed = 2, stopped = 3 };
-  State state = State::stopped;
-  std::uint8_t stage = 0, reason = 0;
-  float progress = 0;
-  float result[4] = {};
-  template <typename Self, typename Io>
-  static void pass(Self& s, Io& io) {
-    io(s.kind), io(s.state), io(s.stage), io(s.reason), io(s.progress), io(s.result);
   }
 };
 

@@ -51,8 +51,12 @@ inline constexpr std::uint16_t allChannels = (1u << channelCount) - 1;
 inline constexpr std::uint16_t usualChannels = allChannels & ~(1u << static_cast<unsigned>(Channel::current)) &
                                                ~(1u << static_cast<unsigned>(Channel::temperature));
 
+/// The upper five bits tell how far a leg is: its phase, and whether its number is odd. 0: none was started since the
+/// last command, stop or fault.
 struct SampleFlag {
-  static constexpr std::uint8_t enabled = 1, index = 2, latched = 4;
+  static constexpr std::uint8_t enabled = 1, index = 2, latched = 4, odd = 128;
+  static constexpr unsigned phaseShift = 3;
+  static constexpr std::uint8_t phaseBits = 15;
 };
 
 struct ChannelForm {

@@ -5,6 +5,7 @@
 #include <random>
 #include <vector>
 
+#include "firmware_link/wire/leg_messages.h"
 #include "firmware_link/wire/messages.h"
 
 using namespace breakaway::wire;
@@ -262,7 +263,9 @@ void TestWire::everyMessage_comesBackAndFits() {
     comesBack<Capture>(random);
     comesBack<CaptureAsked>(random);
     comesBack<CapturePage>(random);
-    comesBack<ProcedureStatus>(random);
+    comesBack<StartHoming>(random);
+    comesBack<StartBreakaway>(random);
+    comesBack<StartSpeed>(random);
     comesBack<BatchHeader>(random);
   }
   Bytes room(mostBody);

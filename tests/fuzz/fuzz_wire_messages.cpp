@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "firmware_link/sample_decoder.h"
+#include "firmware_link/wire/leg_messages.h"
 #include "firmware_link/wire/messages.h"
 #include "fuzz/fuzzed.h"
 
@@ -36,7 +37,9 @@ static const Fuzzed messages("wire_messages", [](std::string_view bytes) {
   readAndWrite<wire::StaticFrictionUse>(body);
   readAndWrite<wire::BridgeCurve>(body);
   readAndWrite<wire::CapturePage>(body);
-  readAndWrite<wire::ProcedureStatus>(body);
+  readAndWrite<wire::StartHoming>(body);
+  readAndWrite<wire::StartBreakaway>(body);
+  readAndWrite<wire::StartSpeed>(body);
   SampleDecoder::Board board;
   board.loopRate_Hz = 5000.0;
   board.countsPerRev = 4096.0;

@@ -45,11 +45,19 @@ class TickCost {
     command.target = target;
     command.flags = wire::MotorCommand::fresh;
     ask(wire::Type::command, command);
-    run(500, nullptr);
-    Cost tick, send;
-    run(2500, &tick, &send);
-    report(name, tick);
+    const Cost send = timed(name);
     if (mode == wire::MotorCommand::Mode::velocity) report("sending", send);
+  }
+
+  /// The same on a leg that the board runs by itself.
+  template <typename Start>
+  void measure(const char* name, wire::Type type, Start start) {
+    heartbeat();
+    start.head.number = ++leg_;
+    start.head.flags = wire::MotorCommand::fresh | wire::MotorCommand::watched;
+    start.head.latch = latch();
+    ask(type, start);
+    timed(name);
   }
 
   void measureAsked() {
@@ -147,6 +155,15 @@ class TickCost {
 
   std::uint16_t latch() { return hardware().boot; }
 
+  /// Returns what sending costs.
+  Cost timed(const char* name) {
+    run(500, nullptr);
+    Cost tick, send;
+    run(2500, &tick, &send);
+    report(name, tick);
+    return send;
+  }
+
   /// Takes what the board sends, and counts what it refused: a figure without the table would be another one.
   void drain() {
     while (const std::size_t size = board_.transmit(sent_)) {
@@ -226,6 +243,7 @@ class TickCost {
   EmulatedBench bench_{emulatedRig, 1};
   std::array<std::uint8_t, 1024> sent_{};
   std::uint16_t sequence_ = 0;
+  std::uint8_t leg_ = 0;
   Cost takingFriction_;
   wire::FrameDecoder decoder_;
   std::uint32_t refused_ = 0;
@@ -236,8 +254,41 @@ class TickCost {
 
 }  // namespace breakaway
 
+namespace {
+
+breakaway::wire::StartSpeed slowSpeed() {
+  breakaway::wire::StartSpeed start;
+  start.plan.target_rad_per_s = 2.0f;
+  start.plan.wobble = 0.015f;
+  start.plan.settle_s = 0.01f;
+  start.plan.run_s = 100.0f;
+  return start;
+}
+
+breakaway::wire::StartHoming slowHoming() {
+  breakaway::wire::StartHoming start;
+  start.plan = {2.0f, 0.8f, 0.25f, 0.02f, 1.5f, 60.0f, 3.0f, 3};
+  return start;
+}
+
+/// A ramp that nothing ends, but for the windings' clamp.
+breakaway::wire::StartBreakaway ramp() {
+  breakaway::wire::StartBreakaway start;
+  start.plan.ways = breakaway::wire::StartBreakaway::growing | breakaway::wire::StartBreakaway::learning;
+  start.plan.restSpeed_rad_per_s = 1e3f;
+  start.plan.mostDwell_s = 1.0f;
+  start.plan.resistance_ohm = 1.2f;
+  start.plan.deadZone_V = 0.24f;
+  start.plan.rampTop_A = 100.0f;
+  start.plan.motionCounts = 60'000;
+  return start;
+}
+
+}  // namespace
+
 extern "C" void runImage() {
   using Mode = breakaway::wire::MotorCommand::Mode;
+  using breakaway::wire::Type;
   static breakaway::TickCost cost;
   cost.measureTimer();
   cost.measure("off", Mode::off, 0.0f);
@@ -246,6 +297,9 @@ extern "C" void runImage() {
   cost.measure("velocity", Mode::velocity, 20.0f);
   cost.measure("slow", Mode::velocity, 2.0f);
   cost.measure("position", Mode::position, 3.0f);
+  cost.measure("homing", Type::startHoming, slowHoming());
+  cost.measure("speed-leg", Type::startSpeed, slowSpeed());
+  cost.measure("ramp", Type::startBreakaway, ramp());
   cost.measureAsked();
   cost.tellRefused();
   breakaway::leaveEmulator();
