@@ -7,7 +7,10 @@ ProcedureSequence::ProcedureSequence(std::vector<Stage> stages) : stages_(std::m
 
 Command ProcedureSequence::step(const Sample& sample) {
   if (state_ != State::running) return {};
-  if (!current_) current_ = stages_[next_].begin();
+  if (!current_) {
+    current_ = stages_[next_].begin();
+    if (legsElsewhere_) current_->leaveLegsToDrive();
+  }
   const Command command = current_->step(sample);
   switch (current_->state()) {
     case State::running:
@@ -28,6 +31,7 @@ void ProcedureSequence::endStage() {
     fail(ended.error().message());
     return;
   }
+  legsBefore_ += current_->legNumber();
   current_.reset();
   if (++next_ == stages_.size()) state_ = State::finished;
 }
@@ -35,6 +39,11 @@ void ProcedureSequence::endStage() {
 void ProcedureSequence::fail(const std::string& reason) {
   state_ = State::failed;
   failure_ = reason;
+}
+
+void ProcedureSequence::leaveLegsToDrive() {
+  legsElsewhere_ = true;
+  if (current_) current_->leaveLegsToDrive();
 }
 
 Procedure::Status ProcedureSequence::status() const {

@@ -25,6 +25,9 @@ class ProcedureSequence : public Procedure {
   Status status() const override;
   State state() const override { return state_; }
   void stop(const std::string& reason) override;
+  void leaveLegsToDrive() override;
+  const Leg* leg() const override { return current_ && state_ == State::running ? current_->leg() : nullptr; }
+  unsigned legNumber() const override { return legsBefore_ + (current_ ? current_->legNumber() : 0); }
 
  private:
   void endStage();
@@ -32,6 +35,8 @@ class ProcedureSequence : public Procedure {
 
   std::vector<Stage> stages_;
   size_t next_ = 0;
+  unsigned legsBefore_ = 0;  ///< of the stages that have ended
+  bool legsElsewhere_ = false;
   std::shared_ptr<Procedure> current_;
   State state_ = State::running;
   std::string failure_;

@@ -199,6 +199,7 @@ void Session::sweepVelocity(double highest_rad_per_s, size_t speeds, double dura
     const double part = speeds < 2 ? 1.0 : static_cast<double>(k) / static_cast<double>(speeds - 1);
     options.speeds_rad_per_s.push_back(highest_rad_per_s * std::pow(0.06, 1.0 - part));
   }
+  options.countsPerRev = identity_.countsPerRev;
   options.indexAngle_rad = index_rad_ ? index_rad_->value : 0.0;
   options.indexTolerance_rad = index_rad_ ? indexTolerance_rad(identity_.countsPerRev) : 0.0;
   options.run_s = duration_s;

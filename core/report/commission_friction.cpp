@@ -64,7 +64,8 @@ Result<void> CommissionJob::sweepVelocity() {
   // In an order in which speed and time have nothing to do with each other: a zero that drifts is no viscous friction.
   for (const double part : {0.2, 0.6, 0.1, 1.0, 0.05, 0.35}) options.speeds_rad_per_s.push_back(part * highest);
   options.indexAngle_rad = done_.indexAngle_rad.value;
-  options.indexTolerance_rad = indexTolerance_rad(done_.identity.countsPerRev);
+  options.countsPerRev = done_.identity.countsPerRev;
+  options.indexTolerance_rad = indexTolerance_rad(options.countsPerRev);
   options.run_s = options_.speedRun_s;
   options.zeroing_s = zeroing_s();
   const auto sweep = std::make_shared<VelocitySweep>(options, kept_.runs);
