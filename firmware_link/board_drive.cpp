@@ -11,8 +11,8 @@
 #include "firmware_link/bridge_upload.h"
 #include "firmware_link/fault_words.h"
 #include "firmware_link/friction_upload.h"
-#include "firmware_link/leg_start.h"
 #include "firmware_link/sample_decoder.h"
+#include "firmware_link/wish.h"
 
 namespace breakaway {
 
@@ -77,21 +77,16 @@ class BoardDrive final : public Drive {
   Result<void> runTo(std::uint64_t until);
   Result<void> wait(double duration_s);
   void beat(std::uint64_t until);
-  void prepareCommand();
-  void wish(const Command& command);
-  void wishLeg(const Leg& leg);
-  std::uint16_t sendWish();
-  void sendAnew();
+  void prepareWish();
   void begin(const Command& command, std::shared_ptr<Procedure> procedure);
   Result<void> hear(double wait_s);
   void heard(const wire::Frame& frame);
-  void commandAnswered(const wire::Frame& frame);
+  void wishAnswered(const wire::Frame& frame);
   void alive(const wire::Alive& alive);
   void take(std::span<const std::uint8_t> body);
   void followZeroing();
   void runProcedure(const Sample& sample);
   void endProcedure(const std::string& reason);
-  void rest();
   void faultCame(const wire::Fault& fault);
   Result<void> askForFault();
   Error broken(const Error& error);
@@ -108,14 +103,9 @@ class BoardDrive final : public Drive {
   std::uint16_t boot_, latch_;
 
   std::shared_ptr<Procedure> procedure_;
-  Command wanted_;
-  std::optional<Leg> leg_;       ///< in place of it
-  unsigned legOfProcedure_ = 0;  ///< by the procedure's number
-  std::uint8_t legNumber_ = 0;   ///< on the wire
-  std::size_t wishes_ = 0;
-  bool fresh_ = false, acknowledged_ = true;
-  std::uint16_t commandSequence_ = 0;
-  Clock::time_point commandSent_, beatSent_;
+  unsigned legOfProcedure_ = 0;  ///< the last one that was wished for
+  Wish wish_;
+  Clock::time_point beatSent_;
 
   std::vector<Sample> came_;  ///< since advance() was called last
   double zero_A_ = 0.0, zeroSum_A_ = 0.0;
@@ -206,38 +196,14 @@ Result<void> BoardDrive::linearise(const DutyCurve& curve) {
   return uploadBridge(link_, curve);
 }
 
-/// Holds until the next wish. What the board has already is not sent again.
-void BoardDrive::wish(const Command& command) {
-  if (!leg_ && command == wanted_) return;
-  leg_.reset();
-  wanted_ = command;
-  sendAnew();
-}
-
-void BoardDrive::wishLeg(const Leg& leg) {
-  leg_ = leg;
-  wanted_ = {};
-  ++legNumber_;
-  sendAnew();
-}
-
-void BoardDrive::sendAnew() {
-  ++wishes_;
-  acknowledged_ = false;
-  commandSent_ = {};
-}
-
 void BoardDrive::begin(const Command& command, std::shared_ptr<Procedure> procedure) {
   endProcedure("another command came");
   procedure_ = std::move(procedure);
   legOfProcedure_ = 0;
   if (procedure_ != nullptr && identity_.can.runsLegs) procedure_->leaveLegsToDrive();
-  leg_.reset();
-  wanted_ = command;
-  fresh_ = true;
-  sendAnew();
+  wish_.begin(command);
   if (granted_ || broken_) return;  // it goes out with the next grant
-  prepareCommand();
+  prepareWish();
   if (auto sent = link_.flush(); !sent) broken(sent.error());
 }
 
@@ -254,17 +220,9 @@ void BoardDrive::endProcedure(const std::string& reason) {
   procedure_.reset();
 }
 
-/// The board's windings are open already.
-void BoardDrive::rest() {
-  wanted_ = {};
-  leg_.reset();
-  acknowledged_ = true;
-}
-
 void BoardDrive::stop(const std::string& reason) {
   endProcedure(reason);
-  rest();
-  fresh_ = false;
+  wish_.rest();
   if (broken_) return;
   const auto stopped = link_.ask<wire::Alive>(wire::Type::stop);
   if (!stopped) {
@@ -274,55 +232,18 @@ void BoardDrive::stop(const std::string& reason) {
   alive(*stopped);
 }
 
-void BoardDrive::prepareCommand() {
-  if (acknowledged_ || since_s(commandSent_) < resendAfter_s) return;
-  commandSequence_ = sendWish();
-  commandSent_ = Clock::now();
+void BoardDrive::prepareWish() {
+  wish_.prepare(link_, {procedure_ != nullptr, latch_, decoder_.count_rad()});
 }
 
-std::uint16_t BoardDrive::sendWish() {
-  using Flag = wire::MotorCommand::Flag;
-  const auto flags =
-      static_cast<std::uint8_t>((wanted_.zeroCurrentSensor ? Flag::zeroCurrentSensor : 0) |
-                                (procedure_ != nullptr ? Flag::watched : 0) | (fresh_ ? Flag::fresh : 0));
-  if (leg_) {
-    const LegStart start = legStart(*leg_, {legNumber_, flags, latch_}, decoder_.count_rad());
-    return link_.prepare(start.type, start.body);
-  }
-  wire::MotorCommand frame;
-  frame.mode = static_cast<wire::MotorCommand::Mode>(wanted_.mode);
-  frame.flags = flags;
-  frame.latch = latch_;
-  frame.current_limit_A = static_cast<float>(wanted_.current_limit_A);
-  if (wanted_.mode == Command::Mode::position) {
-    // A float can't tell counts apart after a few hundred turns.
-    const double counts = std::floor(wanted_.target / decoder_.count_rad());
-    frame.targetCounts = static_cast<std::int32_t>(static_cast<std::uint32_t>(static_cast<std::int64_t>(counts)));
-    frame.target = static_cast<float>(wanted_.target - counts * decoder_.count_rad());
-  } else {
-    frame.target = static_cast<float>(wanted_.target);
-  }
-  return link_.prepare(wire::Type::command, bodyOf(frame));
-}
-
-void BoardDrive::commandAnswered(const wire::Frame& frame) {
-  if (frame.sequence != commandSequence_ || frame.body.empty()) return;
-  const auto code = static_cast<wire::Code>(frame.body[0]);
-  if (code == wire::Code::ok) {
-    acknowledged_ = true;
-    fresh_ = false;
-    return;
-  }
-  if (code == wire::Code::outdated) {  // a later heartbeat was faster; it is still what is wished for
-    sendAnew();
-    return;
-  }
-  acknowledged_ = true;  // asking for it again would not help
-  if (code == wire::Code::latched) {
+void BoardDrive::wishAnswered(const wire::Frame& frame) {
+  const auto refused = wish_.answered(frame);
+  if (!refused) return;
+  if (*refused == wire::Code::latched) {
     faultUnknown_ = true;
   } else {
     endProcedure("the board refused a command");
-    wish({});
+    wish_.want(Command{});
   }
 }
 
@@ -336,7 +257,7 @@ void BoardDrive::alive(const wire::Alive& alive) {
   }
   stands_ = alive.tick;
   if (alive.latch == latch_) return;
-  if (alive.fault != wire::FaultCode::none || procedure_ != nullptr || wanted_.mode != Command::Mode::off) {
+  if (alive.fault != wire::FaultCode::none || procedure_ != nullptr || wish_.command().mode != Command::Mode::off) {
     faultUnknown_ = true;
   } else {
     latch_ = alive.latch;
@@ -350,7 +271,7 @@ void BoardDrive::faultCame(const wire::Fault& fault) {
   faultUnknown_ = false;
   if (known) return;
   endProcedure(faultWords(fault, limits_));
-  rest();
+  wish_.rest();
 }
 
 Result<void> BoardDrive::askForFault() {
@@ -366,7 +287,7 @@ Result<void> BoardDrive::askForFault() {
   if (told->latch != latch_) {
     latch_ = told->latch;
     endProcedure("somebody else stopped the motor");
-    rest();
+    wish_.rest();
   }
   faultUnknown_ = false;
   return {};
@@ -381,9 +302,8 @@ void BoardDrive::heard(const wire::Frame& frame) {
   } else if (frame.type == static_cast<std::uint8_t>(wire::Type::faultHappened)) {
     wire::Fault fault;
     if (wire::readMessage(frame.body, fault)) faultCame(fault);
-  } else if (answers(wire::Type::command) || answers(wire::Type::startHoming) || answers(wire::Type::startBreakaway) ||
-             answers(wire::Type::startSpeed)) {
-    commandAnswered(frame);
+  } else if (Wish::isAnswered(frame)) {
+    wishAnswered(frame);
   } else if (answers(wire::Type::heartbeat) && !frame.body.empty() && frame.body[0] == 0) {
     wire::Alive told;
     if (wire::readMessage(frame.body.subspan(1), told)) alive(told);
@@ -395,7 +315,7 @@ void BoardDrive::take(std::span<const std::uint8_t> body) {
   lost_ += decoder_.take(body, came_);
   for (std::size_t k = before; k < came_.size(); ++k) {
     Sample& sample = came_[k];
-    sample.legPhase = leg_ ? SampleDecoder::phaseOf(sample.legPhase, (legNumber_ & 1u) != 0) : std::uint8_t(0);
+    sample.legPhase = wish_.leg() ? SampleDecoder::phaseOf(sample.legPhase, wish_.oddLeg()) : std::uint8_t(0);
     if (decoder_.unzeroed()) sample.current_A -= zero_A_;
     followZeroing();
     if (zeroes_ && !sample.enabled) {
@@ -410,7 +330,7 @@ void BoardDrive::take(std::span<const std::uint8_t> body) {
 /// The board averages a few ticks earlier or later than it was told here; what a procedure has seen of the zeroing is
 /// what counts for it, so the zero of the samples is taken on this side too. The board's own serves its current loop.
 void BoardDrive::followZeroing() {
-  const bool wanted = wanted_.zeroCurrentSensor && wanted_.mode == Command::Mode::off;
+  const bool wanted = wish_.command().zeroCurrentSensor && wish_.command().mode == Command::Mode::off;
   if (zeroes_ && !wanted && zeroCount_ > 0) zero_A_ += zeroSum_A_ / static_cast<double>(zeroCount_);
   if (zeroes_ != wanted) {
     zeroSum_A_ = 0.0;
@@ -424,14 +344,13 @@ void BoardDrive::runProcedure(const Sample& sample) {
   const Command next = procedure_->step(sample);
   if (procedure_->state() != Procedure::State::running) {
     procedure_.reset();
-    leg_.reset();
-    wanted_ = {};
-    sendAnew();
+    wish_.rest();
+    wish_.sendAnew();
   } else if (const Leg* leg = procedure_->leg(); leg == nullptr) {
-    wish(next);
+    wish_.want(next);
   } else if (procedure_->legNumber() != legOfProcedure_) {
     legOfProcedure_ = procedure_->legNumber();
-    wishLeg(*leg);
+    wish_.want(*leg);
   }
 }
 
@@ -449,7 +368,7 @@ void BoardDrive::beat(std::uint64_t until) {
 Result<void> BoardDrive::grant(std::size_t ticks) {
   const std::uint64_t end = decoder_.next() + ticks;
   while (decoder_.next() < end) {
-    const double slice_s = procedure_ != nullptr && !leg_ ? options_.slice_s : longSlice_s;
+    const double slice_s = procedure_ != nullptr && !wish_.leg() ? options_.slice_s : longSlice_s;
     const auto slice = static_cast<std::uint64_t>(std::max(1.0, std::floor(slice_s * rate_Hz_ + 1e-9)));
     if (auto ran = runTo(std::min(end, decoder_.next() + slice)); !ran) return ran;
   }
@@ -459,15 +378,15 @@ Result<void> BoardDrive::grant(std::size_t ticks) {
 /// Lets the board run up to `until` and takes its samples.
 Result<void> BoardDrive::runTo(std::uint64_t until) {
   const auto begun = Clock::now();
-  const std::size_t wishes = wishes_;
-  const bool leg = leg_.has_value();
+  const std::size_t wishes = wish_.changes();
+  const bool leg = wish_.leg().has_value();
   stands_.reset();
-  prepareCommand();
+  prepareWish();
   beat(until);
   if (auto sent = link_.flush(); !sent) return broken(sent.error());
   while (decoder_.next() < until) {
     if (auto taken = hear(resendAfter_s); !taken) return taken;
-    if (leg && wishes_ != wishes) break;  // its end came before the slice's: the board stands there
+    if (leg && wish_.changes() != wishes) break;  // its end came before the slice's: the board stands there
     if (stands_ && static_cast<std::int32_t>(*stands_ - static_cast<std::uint32_t>(until)) >= 0) {
       // It has run so far, and what it sent of that has come or is gone.
       lost_ += decoder_.passTo(static_cast<std::uint32_t>(until));
@@ -476,7 +395,7 @@ Result<void> BoardDrive::runTo(std::uint64_t until) {
     if (since_s(beatSent_) < resendAfter_s) continue;
     if (link_.silent_s() > patience_s || since_s(begun) > 10.0 * patience_s)
       return broken({options_.place, linkLossWords(link_.silent_s())});
-    prepareCommand();
+    prepareWish();
     beat(until);
     if (auto sent = link_.flush(); !sent) return broken(sent.error());
   }
@@ -486,7 +405,7 @@ Result<void> BoardDrive::runTo(std::uint64_t until) {
 Result<void> BoardDrive::wait(double duration_s) {
   const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(Seconds(duration_s));
   for (;;) {
-    prepareCommand();
+    prepareWish();
     if (since_s(beatSent_) >= beatEvery_s) beat(0);
     if (auto sent = link_.flush(); !sent) return broken(sent.error());
     const double left_s = Seconds(end - Clock::now()).count();

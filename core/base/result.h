@@ -15,8 +15,8 @@ struct Error {
   std::string place;
   std::string fact;
 
-  /// One line: place and fact.
-  std::string message() const { return place.empty() ? fact : place + ": " + fact; }
+  /// One line: place and fact. What would begin another line, or tell a terminal something, is spelled out.
+  std::string message() const;
   bool operator==(const Error&) const = default;
 };
 

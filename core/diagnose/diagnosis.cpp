@@ -13,6 +13,7 @@
 #include "diagnose/noise_floor.h"
 #include "diagnose/preparation.h"
 #include "diagnose/proof.h"
+#include "diagnose/remainder.h"
 #include "diagnose/search/search.h"
 #include "diagnose/simulate/physics.h"
 #include "diagnose/where.h"
@@ -21,34 +22,14 @@ namespace breakaway {
 
 namespace {
 
-/// Beyond this part of the excess error, and this many times what sensors and scattering friction may do, what is left
-/// is material.
-constexpr double materialShare = 0.25;
-constexpr double materialShareBesideFindings = 0.4;
-constexpr double materialFloors = 2.5;
-/// Windows that are so many times off, and how many of them (at least five) are no accident.
-constexpr double farOffFloors = 8.0;
-constexpr double farOffPart = 0.05;
 constexpr double leastShare = 0.03;
+constexpr double muchIsLeft = 0.4;  ///< of the base model's excess error
 constexpr double mostIsExplained = 0.5;
 constexpr double glaringShare = 0.8;
 constexpr double worseOnHeldout = 1.02;  ///< times the base model's error: what does worse is refused
 constexpr double muchWorseOnHeldout = 1.25, clearFallOnHeldout = 0.9;
+constexpr double hardlyLessOnHeldout = 0.95, muchFloors = 2.5;
 constexpr double leastFall = 0.98;  ///< of the error over the training windows: less is none
-/// Of the drive's peak: a place where less is unexplained is none.
-constexpr double immaterialPart = 0.01;
-
-/// How many windows err so much that neither sensors nor scattering friction can be the cause.
-size_t farOffWindows(const std::vector<double>& squares, double tolerated) {
-  const double limit = std::pow(farOffFloors * tolerated, 2);
-  return static_cast<size_t>(
-      std::count_if(squares.begin(), squares.end(), [limit](double one) { return one > limit; }));
-}
-
-bool farOff(const std::vector<double>& squares, double tolerated) {
-  return static_cast<double>(farOffWindows(squares, tolerated)) >=
-         std::max(5.0, farOffPart * static_cast<double>(squares.size()));
-}
 
 double meanSquare(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows) {
   return mean(scoreWindows(model, tracks, windows));
@@ -120,78 +101,6 @@ bool isVague(const std::vector<Finding>& findings) {
   return amplitude.low95 < 0.0 && amplitude.high95 > 0.0;
 }
 
-/// What the best model leaves.
-struct Rest {
-  double share = 0.0;  ///< of the base model's excess
-  double pValue = 1.0;
-  bool material = false;
-  bool wanders = false;  ///< not material, but more than sensors do
-  std::vector<Place> where;
-};
-
-/// The places of the rest that hold on held-out data, too.
-void findPlaces(Rest& rest, const Model& best, const std::vector<Track>& seen, const Excitation& motion,
-                std::uint64_t seed) {
-  auto left = places(residualMaps(best, seen, seed), best);
-  // No rig is exact to so small a part of its drive.
-  std::erase_if(left, [&motion](const Place& place) {
-    return place.size < immaterialPart * (place.sizeUnit == "V" ? motion.peakInput : motion.peakTorque);
-  });
-  if (left.empty()) return;
-  rest.pValue = left.front().pValue;
-  if (left.front().share < 0.1 || left.front().pValue > 0.02) return;
-  for (Place place : left) {
-    place.sentence = "Not explained by any known effect. " + place.sentence;
-    rest.where.push_back(std::move(place));
-  }
-}
-
-/// What windows may show if the model is right, rms.
-struct Floors {
-  double perfect = 0.0;
-  double tolerated = 0.0;  ///< the same where friction scatters, and what is left wanders a little
-};
-
-/// `left`: what the model leaves, taken for a torque that wanders: a little of that is tolerated.
-Floors floorsOf(const Model& model, const Preparation& prepared, const std::vector<Window>& windows, std::uint64_t seed,
-                const TorqueNoise& left) {
-  const FrictionScatter scatter = usualScatter(prepared.seen.highSpeed, physicsOf(model).coulomb, left);
-  return {noiseFloor(model, prepared.tracks, windows, seed),
-          noiseFloor(model, prepared.tracks, windows, seed, scatter)};
-}
-
-/// What the model leaves of windows that restart.
-Rest restOf(const Diagnosis& diagnosis, const std::vector<double>& errorsBefore, const std::vector<double>& errorsAfter,
-            const Floors& floors) {
-  Rest rest;
-  const double before = typicalSquare(errorsBefore), after = typicalSquare(errorsAfter);
-  const double unit = floors.perfect * floors.perfect;
-  const double least = diagnosis.findings.empty() ? materialShare : materialShareBesideFindings;
-  if (after > std::pow(materialFloors * floors.tolerated, 2))
-    rest.share = std::clamp((after - unit) / std::max(before - unit, 1e-300), 0.0, 1.0);
-  rest.material = rest.share > least;
-  // Few windows, but too many and too far off for restarts at the edge of standstill.
-  const double ofAll = mean(errorsAfter) / std::max(mean(errorsBefore), 1e-300);
-  if (!rest.material && ofAll > least && farOff(errorsAfter, floors.tolerated)) {
-    rest.material = true;
-    rest.share = std::min(ofAll, 1.0);
-  }
-  rest.wanders = !rest.material && after > std::pow(materialFloors * floors.perfect, 2);
-  return rest;
-}
-
-/// How much torque is left, in words.
-std::string wanderRemark(const TorqueNoise& left, double friction, const Excitation& seen) {
-  const bool small = left.rms < friction;
-  const std::string size = torqueText(left.rms, seen.axis) + " rms (" +
-                           digitsText(100.0 * left.rms / (small ? friction : seen.peakTorque)) + " % of the " +
-                           (small ? "friction" : "drive's peak") + ")";
-  const std::string torque = torqueWord(seen.axis);
-  if (!left.usual(friction)) return "taken for a " + torque + " that wanders at random, what is left is " + size;
-  return "what is left is no more than a " + torque + " that wanders at random by " + size +
-         ", as brushes and bearings make it";
-}
-
 /// Where the training data lack nothing, what the held-out data nevertheless show.
 void remarkOnHeldout(Diagnosis& diagnosis, const Preparation& prepared, std::uint64_t seed, const TorqueNoise& left) {
   const auto& windows = prepared.split.heldoutScore;
@@ -199,8 +108,8 @@ void remarkOnHeldout(Diagnosis& diagnosis, const Preparation& prepared, std::uin
   const size_t far = farOffWindows(scoreWindows(diagnosis.model, prepared.tracks, windows), floors.tolerated);
   if (far == 0) return;
   diagnosis.remarks.push_back(std::to_string(far) + " of " + std::to_string(windows.size()) +
-                              " held-out windows err more than " + std::to_string(std::lround(farOffFloors)) +
-                              " times as much as sensors and friction explain. They show something that the data to "
+                              " held-out windows err more than " + farOffText() +
+                              " as much as sensors and friction explain. They show something that the data to "
                               "learn from don't: learn from a recording that moves like these");
 }
 
@@ -235,11 +144,18 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   // Decisions rest on training windows; the worst tenth, which a restart at the edge of standstill may rule, left out.
   const auto& windows = prepared->split.trainScore;
   const auto errorsBefore = scoreWindows(diagnosis.base, prepared->tracks, windows);
-  auto errorsAfter = scoreWindows(diagnosis.model, prepared->tracks, windows);
+  const auto errorsAfter = scoreWindows(diagnosis.model, prepared->tracks, windows);
   TorqueNoise left = found->left;
-  Floors floors = floorsOf(diagnosis.model, *prepared, windows, options.seed, left);
+  Remainder rest =
+      remainderOf(diagnosis.model, !found->chosen.empty(), *prepared, {errorsBefore, errorsAfter}, left, options.seed);
+  const auto giveUp = [&] {
+    diagnosis.findings.clear();
+    diagnosis.model = diagnosis.base;
+    left = found->leftByBase;
+    rest = remainderOf(diagnosis.base, false, *prepared, {errorsBefore, errorsBefore}, left, options.seed);
+  };
   const double before = typicalSquare(errorsBefore);
-  const double excess = std::max(before - floors.perfect * floors.perfect, 1e-300);
+  const double excess = std::max(before - rest.floors.perfect * rest.floors.perfect, 1e-300);
   double explained = (before - typicalSquare(errorsAfter)) / excess;
   // What lives in a few windows only shows in the plain mean.
   const double ofAll = 1.0 - mean(errorsAfter) / std::max(mean(errorsBefore), 1e-300);
@@ -248,23 +164,11 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   const bool currentToo = found->best.currentSquares < 0.8 * found->base.currentSquares;
   if (explained >= leastShare || currentToo) {
     diagnosis.findings = findingsOf(*found, diagnosis.model, input, explained);
-  } else {
-    diagnosis.model = diagnosis.base;
-    errorsAfter = errorsBefore;
-    left = found->leftByBase;
-    floors = floorsOf(diagnosis.base, *prepared, windows, options.seed, left);
+  } else if (!found->chosen.empty()) {
+    giveUp();
   }
-  Rest rest = restOf(diagnosis, errorsBefore, errorsAfter, floors);
-  const auto giveUp = [&] {
-    diagnosis.findings.clear();
-    diagnosis.model = diagnosis.base;
-    left = found->leftByBase;
-    rest =
-        restOf(diagnosis, errorsBefore, errorsBefore, floorsOf(diagnosis.base, *prepared, windows, options.seed, left));
-  };
   const double fitted = 1.0 - mean(found->best.windowSquares) / std::max(mean(found->base.windowSquares), 1e-300);
-  if (rest.share > materialShareBesideFindings && !diagnosis.findings.empty() &&
-      std::max(explained, fitted) < mostIsExplained) {
+  if (rest.share > muchIsLeft && !diagnosis.findings.empty() && std::max(explained, fitted) < mostIsExplained) {
     giveUp();  // what explains the smaller part of something unknown has borrowed its name
   }
   diagnosis.fit =
@@ -272,7 +176,10 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   // Held-out data chose nothing, but they may refuse: what makes them worse is not there, unless it is all that the
   // training data show, as a push in one recording is, and then they may only be somewhat worse.
   const double held = diagnosis.fit.heldoutAfter / diagnosis.fit.heldoutBefore;
-  const bool refused = held > (ofAll < glaringShare ? worseOnHeldout : muchWorseOnHeldout);
+  const bool glaring = ofAll >= glaringShare;
+  // Where they show much, a finding that takes hardly any of it away explains something else.
+  const bool muchHeld = !glaring && !currentToo && diagnosis.fit.heldoutBefore > muchFloors * diagnosis.fit.floor;
+  const bool refused = held > (glaring ? muchWorseOnHeldout : muchHeld ? hardlyLessOnHeldout : worseOnHeldout);
   // A load that swings may run away in single windows after a restart and still be right in most; then the held-out
   // data have to show it.
   const bool usually = typicalSquare(errorsAfter) <= std::pow(leastFall, 2) * before && held < clearFallOnHeldout;
@@ -288,7 +195,7 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   diagnosis.firstNames = std::move(firstNames);
   diagnosis.named_s = named_s ? *named_s : elapsed();
   const std::vector<Track>& training = prepared->training;
-  if (rest.material) findPlaces(rest, diagnosis.model, training, prepared->seen, options.seed);
+  if (rest.material) findPlaces(rest, diagnosis.model, *prepared, options.seed);
   const bool outside = rest.material;
   diagnosis.unexplainedShare = rest.share;
   diagnosis.unexplainedPValue = rest.pValue;

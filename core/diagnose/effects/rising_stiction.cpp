@@ -10,6 +10,7 @@ namespace {
 
 constexpr int leastStarts = 3;
 constexpr double leastRest_rows = 10.0;
+constexpr double shortestTime = 0.05;  ///< of the longest rest: what has grown by then at once is no matter of rest
 
 /// Breakaway that grows the longer the axis has stood still; gone as soon as it slides.
 class RisingStiction final : public Effect {
@@ -41,7 +42,7 @@ class RisingStiction final : public Effect {
     return shapes;
   }
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
-    return p[0] > 0.0 && p[0] <= seen.peakTorque;
+    return p[0] > 0.0 && p[0] <= seen.peakTorque && p[1] >= shortestTime * seen.longestRest_s;
   }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
     return "The longer the axis has stood, the " + std::string(p[0] < 0.0 ? "less" : "more") + " " +

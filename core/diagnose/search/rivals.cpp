@@ -33,14 +33,18 @@ std::vector<Pick> Rivals::nearlyAsGood(const SearchResult& result, size_t k) con
   std::erase_if(others, [](const Pick& one) { return one.parameters.empty(); });
   const double own = screen_.best(*result.chosen[k].effect, others).gain;
   const auto alike = result.chosen[k].effect->lookAlikes();
+  const auto listed = [&alike](const Effect* effect) {
+    return std::find(alike.begin(), alike.end(), effect->name()) != alike.end();
+  };
   for (const Effect* effect : catalogue()) {
     if (contains(result.chosen, effect)) continue;
     Pick pick = screen_.best(*effect, others);
-    const bool listed = std::find(alike.begin(), alike.end(), effect->name()) != alike.end();
-    if (pick.parameters.empty() || pick.gain < (listed ? alikePart : unlistedPart) * own) continue;
+    if (pick.parameters.empty() || pick.gain < (listed(effect) ? alikePart : unlistedPart) * own) continue;
     candidates.push_back(std::move(pick));
   }
   sortByGain(candidates);
+  // On the screen others may gain more than what is likely to be mistaken for it.
+  std::stable_partition(candidates.begin(), candidates.end(), [&](const Pick& one) { return listed(one.effect); });
   if (candidates.size() > mostRivals) candidates.resize(mostRivals);
   return candidates;
 }
@@ -63,7 +67,10 @@ void Rivals::tryInPlace(SearchResult& result, size_t k, const FitResult& left, c
                             (ahead.relative > 0.5 && quantile(errors, 0.5) > 1.5 * quantile(best, 0.5));
   const bool freer = swings(fit.model) && !swings(result.best.model);
   // Folds may mislead where the form isn't quite right: what fits all windows far worse is no better name.
-  const bool better = ahead.inErrors < -2.0 && mean(errors) < 0.9 * mean(best) &&
+  const bool clearlyBetter =
+      ahead.inErrors < -2.0 || (mean(fit.windowSquares) < halfOfAll * mean(result.best.windowSquares) &&
+                                quantile(errors, 0.5) < 0.9 * quantile(best, 0.5));
+  const bool better = clearlyBetter && mean(errors) < 0.9 * mean(best) &&
                       mean(fit.windowSquares) < 1.5 * mean(result.best.windowSquares) &&
                       (!freer || fits_.clearlyBetterFromRestarts(fit.model, result.best.model));
   if (!better && (ahead.inErrors >= 2.0 || clearlyWorse)) return;

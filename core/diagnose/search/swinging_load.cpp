@@ -23,6 +23,7 @@ constexpr double insignificant = 0.1;  ///< of the mean squared error: what is s
 constexpr double ranAway = 4.0;        ///< of a squared error: beyond it, how far says no more
 constexpr double hardlyLess = 0.9;     ///< of a squared error
 constexpr double stillFalling = 0.9;   ///< of a squared error, from one fit to its continuation
+constexpr double promising = 0.5;      ///< of the model's squared error: what leaves more is not followed further
 constexpr int mostContinuations = 2;
 
 }  // namespace
@@ -139,7 +140,8 @@ void SwingingLoads::walk(Shaped& best, const Pick& pick, const View& view) const
 
 FitResult SwingingLoads::fitted(const Pick& pick) const {
   FitResult best;
-  double least = mean(residualSquares(model_, input_.tracks, input_.split.train));
+  const double own = mean(residualSquares(model_, input_.tracks, input_.split.train));
+  double least = own;
   const auto fitFrom = [&](const Model& start) {
     FitResult fit = fitModel(input_, start, 10);
     const double before = least;
@@ -156,10 +158,11 @@ FitResult SwingingLoads::fitted(const Pick& pick) const {
       Pick walked = pick;
       walked.parameters = std::move(shaped.parameters);
       fitFrom(with(input_, model_, walked));
+      if (least > promising * own) break;
     }
     if (pick.effect->loadPlay(pick.parameters) <= 0.0) break;  // only what flies takes long
   }
-  for (int k = 0; k < mostContinuations && best.usable; ++k) {
+  for (int k = 0; k < mostContinuations && best.usable && least <= promising * own; ++k) {
     if (!fitFrom(best.model)) break;
   }
   return best;

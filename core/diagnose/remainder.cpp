@@ -1,0 +1,118 @@
+#include "diagnose/remainder.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/statistics.h"
+#include "diagnose/effects/wording.h"
+#include "diagnose/fit/windowed_fit.h"
+#include "diagnose/noise_floor.h"
+#include "diagnose/simulate/physics.h"
+#include "diagnose/where.h"
+
+namespace breakaway {
+
+namespace {
+
+/// Beyond this part of the excess error, and this many times what sensors and scattering friction may do, what is left
+/// is material.
+constexpr double materialShare = 0.25;
+constexpr double materialShareBesideFindings = 0.4;
+constexpr double materialFloors = 2.5;
+/// Windows that are so many times off, and how many of them (at least five) are no accident.
+constexpr double farOffFloors = 8.0;
+constexpr double farOffPart = 0.05;
+/// Of the drive's peak: a place where less is unexplained is none.
+constexpr double immaterialPart = 0.01;
+/// Of what is unexplained: a place with less of it, or one that chance gives more often, is none.
+constexpr double leastInPlace = 0.1, likeliestByChance = 0.02;
+
+bool farOff(const std::vector<double>& squares, double tolerated) {
+  return static_cast<double>(farOffWindows(squares, tolerated)) >=
+         std::max(5.0, farOffPart * static_cast<double>(squares.size()));
+}
+
+bool holds(const Place& place) {
+  return place.share >= leastInPlace && place.pValue <= likeliestByChance;
+}
+
+std::vector<Place> placesOf(const Model& model, const Preparation& prepared, std::uint64_t seed) {
+  return places(residualMaps(model, prepared.training, seed), model);
+}
+
+Remainder beside(const WindowErrors& errors, const Floors& floors, bool named) {
+  Remainder rest;
+  rest.floors = floors;
+  const double before = typicalSquare(errors.before), after = typicalSquare(errors.after);
+  const double unit = floors.perfect * floors.perfect;
+  const double least = named ? materialShareBesideFindings : materialShare;
+  if (after > std::pow(materialFloors * floors.tolerated, 2))
+    rest.share = std::clamp((after - unit) / std::max(before - unit, 1e-300), 0.0, 1.0);
+  rest.material = rest.share > least;
+  // Few windows, but too many and too far off for restarts at the edge of standstill.
+  const double ofAll = mean(errors.after) / std::max(mean(errors.before), 1e-300);
+  if (!rest.material && ofAll > least && farOff(errors.after, floors.tolerated)) {
+    rest.material = true;
+    rest.share = std::min(ofAll, 1.0);
+  }
+  rest.wanders = !rest.material && after > std::pow(materialFloors * floors.perfect, 2);
+  return rest;
+}
+
+}  // namespace
+
+size_t farOffWindows(const std::vector<double>& squares, double tolerated) {
+  const double limit = std::pow(farOffFloors * tolerated, 2);
+  return static_cast<size_t>(
+      std::count_if(squares.begin(), squares.end(), [limit](double one) { return one > limit; }));
+}
+
+std::string farOffText() {
+  return std::to_string(std::lround(farOffFloors)) + " times";
+}
+
+Floors floorsOf(const Model& model, const Preparation& prepared, const std::vector<Window>& windows, std::uint64_t seed,
+                const TorqueNoise& left) {
+  const FrictionScatter scatter = usualScatter(prepared.seen.highSpeed, physicsOf(model).coulomb, left);
+  return {noiseFloor(model, prepared.tracks, windows, seed),
+          noiseFloor(model, prepared.tracks, windows, seed, scatter)};
+}
+
+Remainder remainderOf(const Model& model, bool named, const Preparation& prepared, const WindowErrors& errors,
+                      const TorqueNoise& left, std::uint64_t seed) {
+  const std::vector<Window>& windows = prepared.split.trainScore;
+  Remainder rest = beside(errors, floorsOf(model, prepared, windows, seed, left), named);
+  if (!rest.wanders) return rest;
+  const auto found = placesOf(model, prepared, seed);
+  if (std::any_of(found.begin(), found.end(), holds))
+    rest = beside(errors, floorsOf(model, prepared, windows, seed, {}), named);
+  return rest;
+}
+
+void findPlaces(Remainder& rest, const Model& model, const Preparation& prepared, std::uint64_t seed) {
+  auto left = placesOf(model, prepared, seed);
+  // No rig is exact to so small a part of its drive.
+  std::erase_if(left, [&prepared](const Place& place) {
+    return place.size < immaterialPart * (place.sizeUnit == "V" ? prepared.seen.peakInput : prepared.seen.peakTorque);
+  });
+  if (left.empty()) return;
+  rest.pValue = left.front().pValue;
+  if (!holds(left.front())) return;
+  for (Place place : left) {
+    place.sentence = "Not explained by any known effect. " + place.sentence;
+    rest.where.push_back(std::move(place));
+  }
+}
+
+std::string wanderRemark(const TorqueNoise& left, double friction, const Excitation& seen) {
+  const bool small = left.rms < friction;
+  const std::string size = torqueText(left.rms, seen.axis) + " rms (" +
+                           digitsText(100.0 * left.rms / (small ? friction : seen.peakTorque)) + " % of the " +
+                           (small ? "friction" : "drive's peak") + ")";
+  const std::string torque = torqueWord(seen.axis);
+  if (!left.usual(friction)) return "taken for a " + torque + " that wanders at random, what is left is " + size;
+  return "what is left is no more than a " + torque + " that wanders at random by " + size +
+         ", as brushes and bearings make it";
+}
+
+}  // namespace breakaway
