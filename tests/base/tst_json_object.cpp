@@ -57,7 +57,9 @@ void TestJsonObject::everyFault_namesItsField_data() {
   row(R"({"inner": {"length_m": true}})",
       "f.json, field inner.length_m: expected a number, found a value of type boolean");
   row(R"({"inner": {"lenght_m": 1}})", "f.json, field inner.lenght_m: is an unknown field, did you mean length_m?");
-  row(R"({"new\nline": 1})", "f.json, field new\\x0aline: is an unknown field");
+  row(R"({"new\nline": 1})",
+      "f.json, field new\\x0aline: is an unknown field, expected one of: mass_kg, friction_Nm, name, on, names, waves, "
+      "inner, effects");
   row(R"({"effects": [{"effect": "a"}, {}]})", "f.json, field effects[1].effect: is missing, expected a text");
   row(R"({"mass": 1})",
       "f.json, field mass: is an unknown field, expected one of: mass_kg, friction_Nm, name, on, names, waves, inner, "
