@@ -26,6 +26,7 @@ constexpr double leastShare = 0.03;
 constexpr double muchIsLeft = 0.4;  ///< of the base model's excess error
 constexpr double mostIsExplained = 0.5;
 constexpr double glaringShare = 0.8;
+constexpr double leastOfCurrent = 0.2;   ///< of the current's squared error
 constexpr double worseOnHeldout = 1.02;  ///< times the base model's error: what does worse is refused
 constexpr double muchWorseOnHeldout = 1.25, clearFallOnHeldout = 0.9;
 constexpr double hardlyLessOnHeldout = 0.95, muchFloors = 2.5;
@@ -77,9 +78,7 @@ std::vector<Finding> findingsOf(const SearchResult& result, const Model& model, 
     for (const EffectTerm& term : model.effects) {
       if (term.effect != finding.effect) continue;
       finding.parameters = term.parameters;
-      std::vector<double> values;
-      for (const Parameter& one : term.parameters) values.push_back(one.value);
-      finding.sentence = chosen.effect->sentence(values, input.seen);
+      finding.sentence = chosen.effect->sentence(valuesOf(term), input.seen);
       if (!term.recording.empty() && input.tracks.size() > 1)
         finding.sentence = "In " + term.recording + ": " + finding.sentence;
     }
@@ -92,6 +91,13 @@ bool hasRealRivals(const Finding& finding) {
   const Effect* effect = findEffect(finding.effect);
   return std::any_of(finding.ambiguousWith.begin(), finding.ambiguousWith.end(),
                      [effect](const std::string& rival) { return rival != effect->twin(); });
+}
+
+/// Whether something in the model changes what the current sensor shows, which moves nothing.
+bool changesReadings(const Model& model) {
+  return std::any_of(model.effects.begin(), model.effects.end(), [](const EffectTerm& term) {
+    return findEffect(term.effect)->sensed(valuesOf(term), 1.0, 1000.0) != 1.0;
+  });
 }
 
 /// A single finding that explains the smaller part of the error, and nobody can tell that there is any of it.
@@ -161,14 +167,16 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   const double ofAll = 1.0 - mean(errorsAfter) / std::max(mean(errorsBefore), 1e-300);
   if (ofAll > glaringShare) explained = std::max(explained, ofAll);
   explained = std::clamp(explained, 0.0, 1.0);
-  const bool currentToo = found->best.currentSquares < 0.8 * found->base.currentSquares;
+  const double ofCurrent = 1.0 - found->best.currentSquares / std::max(found->base.currentSquares, 1e-300);
+  const bool currentToo = ofCurrent > leastOfCurrent;
   if (explained >= leastShare || currentToo) {
     diagnosis.findings = findingsOf(*found, diagnosis.model, input, explained);
   } else if (!found->chosen.empty()) {
     giveUp();
   }
   const double fitted = 1.0 - mean(found->best.windowSquares) / std::max(mean(found->base.windowSquares), 1e-300);
-  if (rest.share > muchIsLeft && !diagnosis.findings.empty() && std::max(explained, fitted) < mostIsExplained) {
+  if (rest.share > muchIsLeft && !diagnosis.findings.empty() && std::max(explained, fitted) < mostIsExplained &&
+      !(currentToo && changesReadings(diagnosis.model))) {
     giveUp();  // what explains the smaller part of something unknown has borrowed its name
   }
   diagnosis.fit =
@@ -176,10 +184,10 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   // Held-out data chose nothing, but they may refuse: what makes them worse is not there, unless it is all that the
   // training data show, as a push in one recording is, and then they may only be somewhat worse.
   const double held = diagnosis.fit.heldoutAfter / diagnosis.fit.heldoutBefore;
-  const bool glaring = ofAll >= glaringShare;
+  const bool elsewhere = ofAll >= glaringShare || currentToo;  // in few windows, or in a current that moves nothing
   // Where they show much, a finding that takes hardly any of it away explains something else.
-  const bool muchHeld = !glaring && !currentToo && diagnosis.fit.heldoutBefore > muchFloors * diagnosis.fit.floor;
-  const bool refused = held > (glaring ? muchWorseOnHeldout : muchHeld ? hardlyLessOnHeldout : worseOnHeldout);
+  const bool muchHeld = diagnosis.fit.heldoutBefore > muchFloors * diagnosis.fit.floor;
+  const bool refused = held > (elsewhere ? muchWorseOnHeldout : muchHeld ? hardlyLessOnHeldout : worseOnHeldout);
   // A load that swings may run away in single windows after a restart and still be right in most; then the held-out
   // data have to show it.
   const bool usually = typicalSquare(errorsAfter) <= std::pow(leastFall, 2) * before && held < clearFallOnHeldout;

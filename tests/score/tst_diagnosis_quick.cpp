@@ -16,6 +16,7 @@ class TestDiagnosisQuick : public QObject {
   void easyEffects_areNamed();
   void cleanPlants_raiseNoAlarm();
   void physicsOutsideTheCatalogue_getsNoName();
+  void torqueWithAPlaceOfItsOwn_isNotTakenForOneThatWanders();
 };
 
 struct Quick {
@@ -85,6 +86,14 @@ void TestDiagnosisQuick::physicsOutsideTheCatalogue_getsNoName() {
   QCOMPARE(score.outsideNamed.runs, std::size(outside));
   QVERIFY2(score.outsideNamed.hits <= mostNamedOutside, qPrintable(QString::number(score.outsideNamed.hits)));
   QCOMPARE(score.families.front().failed, size_t(0));
+}
+
+void TestDiagnosisQuick::torqueWithAPlaceOfItsOwn_isNotTakenForOneThatWanders() {
+  if (sanitized) QSKIP("takes too long under sanitizers");
+  // A detent that grows with speed, on a rig with so much friction that it is no more than 1.5 % of it.
+  const ScoredTrial scored = diagnosed({"outside", 6314});
+  QCOMPARE(scored.verdict, nameOf(Verdict::outsideCatalogue));
+  QVERIFY(scored.answer.empty());
 }
 
 QTEST_APPLESS_MAIN(TestDiagnosisQuick)

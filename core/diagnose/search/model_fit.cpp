@@ -39,12 +39,6 @@ std::optional<double> torqueOf(const std::string& name, double value, const Exci
   return std::nullopt;
 }
 
-std::vector<double> valuesOf(const EffectTerm& term) {
-  std::vector<double> values;
-  for (const Parameter& one : term.parameters) values.push_back(one.value);
-  return values;
-}
-
 }  // namespace
 
 Model with(const SearchInput& input, const Model& model, const Pick& pick) {

@@ -34,9 +34,7 @@ bool swings(const Pick& pick) {
 
 bool swings(const Model& model) {
   return std::any_of(model.effects.begin(), model.effects.end(), [](const EffectTerm& term) {
-    std::vector<double> values;
-    for (const Parameter& one : term.parameters) values.push_back(one.value);
-    return findEffect(term.effect)->loadPeriod_s(values) > 0.0;
+    return findEffect(term.effect)->loadPeriod_s(valuesOf(term)) > 0.0;
   });
 }
 

@@ -28,6 +28,9 @@ struct EffectTerm {
   bool operator==(const EffectTerm&) const = default;
 };
 
+/// The parameters' values, in the effect's order.
+std::vector<double> valuesOf(const EffectTerm& term);
+
 /// Base and effects, `breakaway.model/1`.
 struct Model {
   Axis axis = Axis::rotary;
