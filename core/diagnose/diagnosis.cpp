@@ -167,8 +167,7 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   const double ofAll = 1.0 - mean(errorsAfter) / std::max(mean(errorsBefore), 1e-300);
   if (ofAll > glaringShare) explained = std::max(explained, ofAll);
   explained = std::clamp(explained, 0.0, 1.0);
-  const double ofCurrent = 1.0 - found->best.currentSquares / std::max(found->base.currentSquares, 1e-300);
-  const bool currentToo = ofCurrent > leastOfCurrent;
+  const bool currentToo = found->best.currentSquares < (1.0 - leastOfCurrent) * found->base.currentSquares;
   if (explained >= leastShare || currentToo) {
     diagnosis.findings = findingsOf(*found, diagnosis.model, input, explained);
   } else if (!found->chosen.empty()) {

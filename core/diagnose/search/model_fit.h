@@ -22,7 +22,7 @@ struct SearchInput {
   std::uint64_t seed = 1;
   std::stop_token stop;
   std::function<void(double, const std::string&)> progress;
-  std::function<void(const std::vector<const Effect*>&)> named;  ///< called once if the screen is sure of the names
+  std::function<void(const std::vector<const Effect*>&)> named;  ///< called once, when the names are likely to stay
   std::vector<double> windowWeights;                             ///< of split.train; empty: all 1
 
   void say(double part, const std::string& activity) const {

@@ -106,7 +106,7 @@ class Search {
     const Screening steady(input_, steadyRig, {catalogue().begin(), catalogue().end()});
     result.leftByBase = wanderingRig.noise();
     fits_.emplace(input_, result.base, result.leftByBase);
-    if (sure(steady.found)) announce(important(steady.found));
+    if (sure(steady.found)) announce(important(steady.found));  // or else what simulation makes of it
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
     input_.say(0.35, "simulating what was found");
     const auto wandering = adoptFound(result, steady, wanderingRig);
@@ -119,6 +119,7 @@ class Search {
       backward(result);
     }
     if (tryMore(result, screen, found.chosen)) backward(result);
+    announce(result.chosen);
     refine(result);
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
     Rivals(input_, *fits_, screen).weigh(result, std::move(left_));
@@ -168,11 +169,12 @@ class Search {
       return findEffect(name)->growsAtRest();
     });
   }
-  void announce(const std::vector<Pick>& those) const {
-    if (!input_.named) return;
+  template <typename One>
+  void announce(const std::vector<One>& those) {
+    if (!input_.named || std::exchange(announced_, true)) return;
     std::vector<const Effect*> effects;
     effects.reserve(those.size());
-    for (const Pick& one : those) effects.push_back(one.effect);
+    for (const One& one : those) effects.push_back(one.effect);
     input_.named(effects);
   }
 
@@ -432,7 +434,7 @@ class Search {
   std::optional<SetFits> fits_;             ///< once the base model is fitted
   std::vector<FitResult> left_;             ///< without each chosen effect
   std::vector<const Effect*> likelyLoads_;  ///< that swing, as adoptLoad() found
-  bool loadsTried_ = false;
+  bool loadsTried_ = false, announced_ = false;
 };
 
 }  // namespace
