@@ -43,9 +43,14 @@ std::vector<Pick> Rivals::nearlyAsGood(const SearchResult& result, size_t k) con
     candidates.push_back(std::move(pick));
   }
   sortByGain(candidates);
-  // On the screen others may gain more than what is likely to be mistaken for it.
-  std::stable_partition(candidates.begin(), candidates.end(), [&](const Pick& one) { return listed(one.effect); });
-  if (candidates.size() > mostRivals) candidates.resize(mostRivals);
+  if (candidates.size() <= mostRivals) return candidates;
+  // On the screen others may gain more than what is likely to be mistaken for it: the best of that is tried, too.
+  const auto rest = candidates.begin() + mostRivals;
+  const auto alikeToo = std::find_if(rest, candidates.end(), [&](const Pick& one) { return listed(one.effect); });
+  const bool seen = std::any_of(candidates.begin(), rest, [&](const Pick& one) { return listed(one.effect); });
+  const bool more = !seen && alikeToo != candidates.end();
+  if (more) std::iter_swap(rest, alikeToo);
+  candidates.resize(mostRivals + (more ? 1 : 0));
   return candidates;
 }
 
