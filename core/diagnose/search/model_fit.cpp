@@ -69,6 +69,14 @@ Model without(const Model& model, const Effect& effect) {
   return out;
 }
 
+bool vanishes(const Model& model, const Effect& effect) {
+  for (const EffectTerm& term : model.effects) {
+    if (term.effect == effect.name())
+      return term.parameters.front().low95 < 0.0 && term.parameters.front().high95 > 0.0;
+  }
+  return true;
+}
+
 bool remembers(const Model& model) {
   return std::any_of(model.effects.begin(), model.effects.end(),
                      [](const EffectTerm& term) { return findEffect(term.effect)->memory() > 0; });

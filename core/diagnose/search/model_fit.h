@@ -45,6 +45,9 @@ bool plausible(const Effect& effect, const std::vector<double>& parameters, cons
 bool plausible(const EffectTerm& term, const Excitation& seen);
 bool plausible(const Model& model, const Excitation& seen);
 
+/// Whether the effect's amplitude, its first parameter, can't be told from zero.
+bool vanishes(const Model& model, const Effect& effect);
+
 /// Whether effects of the model carry hidden states, so that a fit has to simulate each parameter's change.
 bool remembers(const Model& model);
 

@@ -18,6 +18,15 @@ constexpr size_t mostRivals = 3;
 constexpr double alikePart = 0.7, unlistedPart = 0.8;  ///< of the chosen one's gain, for look-alikes and others
 constexpr double halfOfAll = 0.5;
 
+constexpr double hardlyMore = 1.15;  ///< of a squared error
+
+/// How many of the effect's numbers a fit may change.
+std::ptrdiff_t freedomOf(const Effect& effect, Axis axis) {
+  const auto specs = effect.parameters(axis);
+  return std::count_if(specs.begin(), specs.end(),
+                       [](const ParameterSpec& one) { return !one.held || one.freeInTheEnd; });
+}
+
 bool lists(const Chosen& chosen, const Effect* rival) {
   return std::find(chosen.rivals.begin(), chosen.rivals.end(), rival) != chosen.rivals.end();
 }
@@ -78,10 +87,15 @@ void Rivals::tryInPlace(SearchResult& result, size_t k, const FitResult& left, c
   const bool better = clearlyBetter && mean(errors) < 0.9 * mean(best) &&
                       mean(fit.windowSquares) < 1.5 * mean(result.best.windowSquares) &&
                       (!freer || fits_.clearlyBetterFromRestarts(fit.model, result.best.model));
-  if (!better && (ahead.inErrors >= 2.0 || clearlyWorse)) return;
+  const bool simpler =
+      freedomOf(*rival.effect, result.best.model.axis) < freedomOf(*chosen.effect, result.best.model.axis) &&
+      mean(fit.windowSquares) < hardlyMore * mean(result.best.windowSquares);
+  if (!better && !simpler && (ahead.inErrors >= 2.0 || clearlyWorse)) return;
   // A push at a time of its own explains whatever happened then: physics that does as well is the better name.
   const bool physics = chosen.effect->happensOnce() && !rival.effect->happensOnce();
-  if (!better && !physics) {
+  // Nor does a size that can't be told from zero hold a name against one that needs less to do the same.
+  const bool firmer = simpler && vanishes(result.best.model, *chosen.effect) && !vanishes(fit.model, *rival.effect);
+  if (!better && !physics && !firmer) {
     chosen.rivals.push_back(rival.effect);
     return;
   }

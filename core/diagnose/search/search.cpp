@@ -30,15 +30,6 @@ constexpr size_t mostTrials = 4;
 constexpr double settledFloors = 9.0;  ///< squared error, in squared floors, below which no more is looked for
 constexpr double nearlyAlike = 3.0, nearlyNothing = 0.2, clearlyLess = 0.8;  ///< of a squared error
 
-/// Whether the effect's amplitude, its first parameter, can't be told from zero.
-bool vanishes(const Model& model, const Effect& effect) {
-  for (const EffectTerm& term : model.effects) {
-    if (term.effect == effect.name())
-      return term.parameters.front().low95 < 0.0 && term.parameters.front().high95 > 0.0;
-  }
-  return true;
-}
-
 /// An axis has one load side: of effects that each bring one along, the most important stays.
 std::vector<Pick> withOneLoad(std::vector<Pick> picks) {
   bool loaded = false;
