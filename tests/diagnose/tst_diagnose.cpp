@@ -15,6 +15,7 @@ class TestDiagnose : public QObject {
   void cleanRigWithNoise_lacksNothing();
   void torqueThatWandersALittle_isNotMissing();
   void effectUnderATorqueThatWanders_isNamed();
+  void sensorsOffsetUnderATorqueThatWanders_isNamed();
   void sameSeed_givesTheSameDiagnosis();
   void missingChannel_isOneClearLine();
 };
@@ -72,6 +73,17 @@ void TestDiagnose::effectUnderATorqueThatWanders_isNamed() {
   QCOMPARE(parameter(finding, "order"), 9.0);
   QVERIFY2(within(parameter(finding, "amplitude_Nm"), gauge * 0.0012, 0.1),
            qPrintable(QString::number(parameter(finding, "amplitude_Nm"))));
+}
+
+/// What the current sensor shows moves nothing: neither what the torque does nor held-out positions speak against it.
+void TestDiagnose::sensorsOffsetUnderATorqueThatWanders_isNamed() {
+  const Diagnosis diagnosis =
+      diagnosed({.seconds = 20.0, .currentOffset_A = 0.03, .wander_Nm = 0.03 * 0.012, .seed = 2});
+  QVERIFY(!diagnosis.findings.empty());
+  const Finding& finding = diagnosis.findings.front();
+  QCOMPARE(finding.effect, std::string("current_sensor_offset"));
+  QVERIFY2(within(parameter(finding, "offset_A"), 0.03, 0.05),
+           qPrintable(QString::number(parameter(finding, "offset_A"))));
 }
 
 void TestDiagnose::sameSeed_givesTheSameDiagnosis() {

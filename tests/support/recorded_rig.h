@@ -29,7 +29,8 @@ struct RigRecording {
   double amplitude_rad_per_s = 14.0;
   bool currentDrive = false;  ///< the recording is driven by current_A (mean over each row), else by voltage_V
   double currentNoise_A = 0.01;
-  double wander_Nm = 0.0;  ///< rms of a torque that wanders at random, correlated over 0.1 s; for driving voltage
+  double currentOffset_A = 0.0;  ///< of the sensor; the current is recorded beside the voltage where there is one
+  double wander_Nm = 0.0;        ///< rms of a torque that wanders at random, correlated over 0.1 s; for driving voltage
   unsigned seed = 1;
 };
 
@@ -93,13 +94,12 @@ inline RecordedRig recordRig(const RigRecording& wanted) {
       plant.advance(1);
       sum += plant.current_A();
     }
-    current.push_back(sum / 20.0 + wanted.currentNoise_A * noise.normal());
+    current.push_back(sum / 20.0 + wanted.currentNoise_A * noise.normal() + wanted.currentOffset_A);
   }
-  RecordedRig out{{},
-                  *Recording::seal("test.csv", {{"time_s", time},
-                                                {"angle_rad", angle},
-                                                {wanted.currentDrive ? "current_A" : "voltage_V",
-                                                 wanted.currentDrive ? current : voltage}})};
+  std::vector<Channel> channels{{"time_s", time}, {"angle_rad", angle}};
+  if (!wanted.currentDrive) channels.push_back({"voltage_V", voltage});
+  if (wanted.currentDrive || wanted.currentOffset_A != 0.0) channels.push_back({"current_A", current});
+  RecordedRig out{{}, *Recording::seal("test.csv", std::move(channels))};
   out.bench.name = "test";
   out.bench.input = wanted.currentDrive ? DriveInput::current : DriveInput::voltage;
   out.bench.countsPerUnit = wanted.countsPerRev;
