@@ -110,7 +110,7 @@ class Search {
       backward(result);
     }
     if (tryMore(result, screen, found.chosen)) backward(result);
-    announce(result.chosen);
+    if (settledOn(result)) announce(result.chosen);
     refine(result);
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
     Rivals(input_, *fits_, screen).weigh(result, std::move(left_));
@@ -159,6 +159,11 @@ class Search {
     return !swings(picks.front()) && std::none_of(alike.begin(), alike.end(), [](std::string_view name) {
       return findEffect(name)->growsAtRest();
     });
+  }
+  /// Whether what comes after will hardly change the names: nothing, or what explains most and leaves little.
+  bool settledOn(const SearchResult& result) const {
+    return result.chosen.empty() || (worth().floors(result.best) < settledFloors &&
+                                     mean(result.best.windowSquares) < nearlyNothing * mean(result.base.windowSquares));
   }
   template <typename One>
   void announce(const std::vector<One>& those) {
