@@ -16,6 +16,7 @@ constexpr double leastShare = 0.01;    ///< a smaller one is no place to look at
 constexpr double belongs = 0.5;        ///< a neighbour belongs to the place from this part of the worst cell on
 constexpr double nearly = 0.4;         ///< of the largest share
 constexpr double strongOrder = 1.5;    ///< times the next one: the turn has one order
+constexpr double worthSpeeds = 1.25;   ///< times the share at all speeds: the angle alone doesn't tell it
 constexpr double ratioBothWays = 0.4;  ///< of the smaller to the larger
 
 struct Stretch {
@@ -100,6 +101,9 @@ std::string angleSentence(const ResidualMap& map, const Stretch& at, const Place
     out += std::string(". It comes ") + (number == 1 ? "once" : std::to_string(number) + " times") +
            " per turn with ±" + torqueText(map.orders[0].amplitude, axis);
   }
+  if (map.ofSomeSpeeds())
+    out += ". That holds at speeds between " + speedText(map.fromSpeed, axis) + " and " + speedText(map.toSpeed, axis) +
+           ", and not alike at others";
   return out + ".";
 }
 
@@ -193,6 +197,11 @@ Place placeOf(const ResidualMap& whole, const Model& model) {
 
 }  // namespace
 
+bool showsMore(const ResidualMap& map, const ResidualMap& other) {
+  const auto counts = [](const ResidualMap& one) { return one.share / (one.ofSomeSpeeds() ? worthSpeeds : 1.0); };
+  return counts(map) > counts(other);
+}
+
 std::vector<Place> places(const std::vector<ResidualMap>& maps, const Model& model) {
   std::vector<const ResidualMap*> strongest;  // one per axis and side
   for (const ResidualMap& map : maps) {
@@ -203,7 +212,7 @@ std::vector<Place> places(const std::vector<ResidualMap>& maps, const Model& mod
     });
     if (same == strongest.end())
       strongest.push_back(&map);
-    else if (map.share > (*same)->share)
+    else if (showsMore(map, **same))
       *same = &map;
   }
   std::vector<Place> found;

@@ -26,6 +26,8 @@ constexpr double farOffPart = 0.05;
 constexpr double immaterialPart = 0.01;
 /// Of what is unexplained: a place with less of it, or one that chance gives more often, is none.
 constexpr double leastInPlace = 0.1, likeliestByChance = 0.02;
+/// What is in one place to a larger part is no friction that scatters.
+constexpr double mostByScatter = 0.4;
 
 bool farOff(const std::vector<double>& squares, double tolerated) {
   return static_cast<double>(farOffWindows(squares, tolerated)) >=
@@ -34,6 +36,11 @@ bool farOff(const std::vector<double>& squares, double tolerated) {
 
 bool holds(const Place& place) {
   return place.share >= leastInPlace && place.pValue <= likeliestByChance;
+}
+
+/// No rig is exact to a smaller part of its drive.
+bool notable(const Place& place, const Excitation& seen) {
+  return place.size >= immaterialPart * (place.sizeUnit == "V" ? seen.peakInput : seen.peakTorque);
 }
 
 std::vector<Place> placesOf(const Model& model, const Preparation& prepared, std::uint64_t seed) {
@@ -84,17 +91,18 @@ Remainder remainderOf(const Model& model, bool named, const Preparation& prepare
   Remainder rest = beside(errors, floorsOf(model, prepared, windows, seed, left), named);
   if (!rest.wanders) return rest;
   const auto found = placesOf(model, prepared, seed);
-  if (std::any_of(found.begin(), found.end(), holds))
-    rest = beside(errors, floorsOf(model, prepared, windows, seed, {}), named);
-  return rest;
+  if (std::none_of(found.begin(), found.end(), holds)) return rest;
+  Floors floors = floorsOf(model, prepared, windows, seed, {});
+  if (std::any_of(found.begin(), found.end(), [&prepared](const Place& place) {
+        return holds(place) && place.share > mostByScatter && notable(place, prepared.seen);
+      }))
+    floors.tolerated = floors.perfect;
+  return beside(errors, floors, named);
 }
 
 void findPlaces(Remainder& rest, const Model& model, const Preparation& prepared, std::uint64_t seed) {
   auto left = placesOf(model, prepared, seed);
-  // No rig is exact to so small a part of its drive.
-  std::erase_if(left, [&prepared](const Place& place) {
-    return place.size < immaterialPart * (place.sizeUnit == "V" ? prepared.seen.peakInput : prepared.seen.peakTorque);
-  });
+  std::erase_if(left, [&prepared](const Place& place) { return !notable(place, prepared.seen); });
   if (left.empty()) return;
   rest.pValue = left.front().pValue;
   if (!holds(left.front())) return;

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
+#include <numeric>
 
 #include "base/statistics.h"
 #include "diagnose/block_maps.h"
@@ -18,6 +20,7 @@ namespace {
 
 constexpr size_t coarse = 24, fine = 72;  ///< cells of an axis, and of the turn
 constexpr int highestOrder = 100;
+constexpr size_t speedsEachWay = 3;  ///< classes of speed, equally often seen
 constexpr double smoothing_Hz = 25.0;
 constexpr double turn = 2.0 * std::numbers::pi;
 
@@ -153,31 +156,92 @@ Candidate mapOver(const Instants& all, Along axis, Unknown shows, const Everythi
   return out;
 }
 
-/// Waves per turn: cells are cosine and sine of each order.
-void addOrders(Candidate& candidate, const Instants& all, size_t blocks) {
-  const size_t n = all.value.size();
-  BlockMap sums{std::vector<std::vector<double>>(size_t{2} * highestOrder, std::vector<double>(blocks, 0.0)),
-                std::vector<double>(size_t{2} * highestOrder, 0.5 * static_cast<double>(n)), 2};
+/// Waves per turn. Cells are cosine and sine of each order, of one class of the instants after the other, so that the
+/// classes of an order lie side by side.
+BlockMap wavesPerTurn(const Instants& all, Unknown shows, size_t blocks, const std::vector<size_t>& classOf,
+                      size_t classes) {
+  const size_t n = all.value.size(), perOrder = 2 * classes;
+  BlockMap waves{std::vector<std::vector<double>>(perOrder * highestOrder, std::vector<double>(blocks, 0.0)),
+                 std::vector<double>(perOrder * highestOrder, 0.0), perOrder};
   for (size_t k = 0; k < n; ++k) {
-    const double value = valueOf(all, k, candidate.map.shows);
+    const double value = valueOf(all, k, shows);
     const double c = std::cos(all.along[byAngle][k]), s = std::sin(all.along[byAngle][k]);
     double re = 1.0, im = 0.0;
-    for (size_t order = 0; order < highestOrder; ++order) {
+    for (size_t cell = 2 * classOf[k]; cell < waves.sums.size(); cell += perOrder) {
       const double next = re * c - im * s;
       im = re * s + im * c;
       re = next;
-      sums.sums[2 * order][all.block[k]] += value * re;
-      sums.sums[2 * order + 1][all.block[k]] += value * im;
+      waves.sums[cell][all.block[k]] += value * re;
+      waves.sums[cell + 1][all.block[k]] += value * im;
+      waves.count[cell] += 0.5;
+      waves.count[cell + 1] += 0.5;
     }
   }
+  return waves;
+}
+
+void addOrders(Candidate& candidate, const Instants& all, size_t blocks) {
+  const size_t n = all.value.size();
+  candidate.sums.push_back(wavesPerTurn(all, candidate.map.shows, blocks, std::vector<size_t>(n, 0), 1));
+  const BlockMap& waves = candidate.sums.back();
   for (size_t order = 0; order < highestOrder; ++order) {
-    const double amplitude = std::hypot(sums.sum(2 * order), sums.sum(2 * order + 1)) / (0.5 * static_cast<double>(n));
+    const double amplitude =
+        std::hypot(waves.sum(2 * order), waves.sum(2 * order + 1)) / (0.5 * static_cast<double>(n));
     candidate.map.orders.push_back({static_cast<int>(order) + 1, amplitude});
   }
   std::partial_sort(candidate.map.orders.begin(), candidate.map.orders.begin() + 3, candidate.map.orders.end(),
                     [](const Order& a, const Order& b) { return a.amplitude > b.amplitude; });
   candidate.map.orders.resize(3);
-  candidate.sums.push_back(std::move(sums));
+}
+
+/// Torque over the angle that isn't the same at every speed: waves by classes of speed, and the map of the class that
+/// shows most.
+Candidate overAngleBySpeed(const Instants& all, const Everything& context, Axis rig) {
+  const std::vector<double>& speed = all.along[byVelocity];
+  std::vector<double> limits;  // from the fastest backwards to the fastest forwards
+  for (const double way : {-1.0, 1.0}) {
+    std::vector<double> seen;
+    std::copy_if(speed.begin(), speed.end(), std::back_inserter(seen), [way](double v) { return v * way > 0.0; });
+    if (seen.empty()) continue;
+    for (size_t part = 0; part < speedsEachWay; ++part)
+      limits.push_back(quantile(seen, static_cast<double>(part) / speedsEachWay));
+  }
+  std::vector<size_t> classOf;
+  classOf.reserve(speed.size());
+  for (const double v : speed) {
+    const auto above = std::upper_bound(limits.begin(), limits.end(), v) - limits.begin();
+    classOf.push_back(static_cast<size_t>(std::max<std::ptrdiff_t>(above - 1, 0)));
+  }
+  BlockMap waves = wavesPerTurn(all, Unknown::torque, context.blocks, classOf, limits.size());
+  size_t worst = 0;
+  double most = 0.0;
+  for (size_t cell = 0; cell + 1 < waves.sums.size(); cell += 2) {
+    const double energy =
+        std::pow(std::hypot(waves.sum(cell), waves.sum(cell + 1)), 2) / std::max(waves.count[cell], 1.0);
+    if (energy > most) {
+      most = energy;
+      worst = cell / 2 % limits.size();
+    }
+  }
+  Instants one;
+  double slowest = std::numeric_limits<double>::infinity(), fastest = -slowest;
+  for (size_t k = 0; k < speed.size(); ++k) {
+    if (classOf[k] != worst) continue;
+    slowest = std::min(slowest, speed[k]);
+    fastest = std::max(fastest, speed[k]);
+    one.value.push_back(all.value[k]);
+    one.way.push_back(all.way[k]);
+    one.block.push_back(all.block[k]);
+    one.along[byAngle].push_back(all.along[byAngle][k]);
+  }
+  Candidate out = mapOver(one, byAngle, Unknown::torque, context, rig);
+  if (out.map.centre.empty()) return out;
+  addOrders(out, one, context.blocks);
+  out.map.fromSpeed = slowest;
+  out.map.toSpeed = fastest;
+  out.sums = {std::move(waves)};
+  out.total = std::inner_product(all.value.begin(), all.value.end(), all.value.begin(), 0.0);
+  return out;
 }
 
 Candidate overFrequency(const ResidualSpectrum& spectrum, size_t blocks) {
@@ -216,6 +280,9 @@ std::vector<ResidualMap> residualMaps(const Model& model, const std::vector<Trac
     if (candidate.map.centre.empty()) return;
     if (axis == byAngle && all.turns) addOrders(candidate, instants, all.blocks);
     candidates.push_back(std::move(candidate));
+    if (axis != byAngle || shows != Unknown::torque || !all.turns) return;
+    Candidate bySpeed = overAngleBySpeed(instants, all, model.axis);
+    if (!bySpeed.map.centre.empty()) candidates.push_back(std::move(bySpeed));
   };
   for (const Along axis : {byTime, byAngle, byVelocity, byAcceleration, byTorque}) add(axis, Unknown::torque);
   for (const Along axis : {byTime, byAngle, byTorque, byReversal}) add(axis, Unknown::friction);

@@ -1,6 +1,7 @@
 // Where simulation and recording part: what the model can't explain, mapped over time, angle, velocity and more.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,13 +32,20 @@ struct ResidualMap {
   std::vector<double> error;            ///< standard error of the mean, from stretches of one second
   std::vector<double> rising, falling;  ///< the mean while moving towards growing and falling angle
   std::vector<double> count;
-  std::vector<Order> orders = {};  ///< over whole turns: the strongest, at most three
-  double share = 0.0;              ///< part of the unexplained square that lies in these means, chance taken off
+  std::vector<Order> orders = {};                               ///< over whole turns: the strongest, at most three
+  double fromSpeed = -std::numeric_limits<double>::infinity();  ///< the map is of these speeds only
+  double toSpeed = std::numeric_limits<double>::infinity();
+
+  bool ofSomeSpeeds() const { return fromSpeed > -std::numeric_limits<double>::infinity(); }
+  double share = 0.0;  ///< part of the unexplained square that lies in these means, chance taken off
   double pValue = 1.0;
 };
 
 /// Maps over every axis that the tracks show. Significance by sign flips of whole seconds, maximum over all maps.
 std::vector<ResidualMap> residualMaps(const Model& model, const std::vector<Track>& tracks, std::uint64_t seed);
+
+/// Of two maps over the same axis: whether the first is the one to look at. What is alike at all speeds is simpler.
+bool showsMore(const ResidualMap& map, const ResidualMap& other);
 
 /// The stretches of the significant maps where it is worst, at most one per axis for the mechanics and one for the
 /// electrical side, the largest share first.

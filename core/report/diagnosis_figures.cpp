@@ -189,7 +189,7 @@ void addWhereFigures(std::vector<NamedFigure>& figures, const Diagnosis& d, cons
                                     [&map](const Place& one) { return one.axis == map.axis && one.unit == map.unit; });
     // Of the maps over one axis the one that shows more.
     const bool second = std::any_of(before.begin(), before.end(), [&map](const ResidualMap& one) {
-      return &one != &map && one.axis == map.axis && one.unit == map.unit && one.share > map.share;
+      return one.axis == map.axis && one.unit == map.unit && showsMore(one, map);
     });
     if (place == d.where.end() || second) continue;
     const MapText text = textOf(map, d.model.axis);
@@ -200,7 +200,8 @@ void addWhereFigures(std::vector<NamedFigure>& figures, const Diagnosis& d, cons
     figure.logX = map.axis == "frequency";
     figure.curves.push_back(bandOf(map, text, beforeLabel, beforeColour));
     const auto same = std::find_if(after.begin(), after.end(), [&map](const ResidualMap& one) {
-      return one.axis == map.axis && one.shows == map.shows && one.unit == map.unit;
+      return one.axis == map.axis && one.shows == map.shows && one.unit == map.unit &&
+             one.ofSomeSpeeds() == map.ofSomeSpeeds();
     });
     if (!d.findings.empty() && same != after.end())
       figure.curves.push_back(bandOf(*same, text, afterLabel, afterColour));
