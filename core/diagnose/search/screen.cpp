@@ -81,6 +81,11 @@ Screen::Screen(const LinearRig& rig, const std::vector<const Effect*>& effects, 
   }
 }
 
+const Eigen::MatrixXd& Screen::columnsOf(const Pick& pick) const {
+  return known_.get({pick.effect, pick.shape, pick.track},
+                    [&] { return rig_.columnsOf(*pick.effect, pick.shape, pick.track); });
+}
+
 Eigen::MatrixXd Screen::design(const std::vector<Pick>& chosen) const {
   Eigen::Index width = rig_.base().cols();
   for (const Pick& pick : chosen) width += static_cast<Eigen::Index>(pick.shape.size());
@@ -127,7 +132,7 @@ Screen::Left Screen::leaveOnlyResponse(const std::vector<Pick>& chosen) const {
   if (chosen.empty()) return {base_.basis, base_.response, {}, {}};
   Eigen::MatrixXd own(rig_.response().size(), 0);
   for (const Pick& pick : chosen) {
-    const Eigen::MatrixXd more = columnsOf(pick);
+    const Eigen::MatrixXd& more = columnsOf(pick);
     own.conservativeResize(Eigen::NoChange, own.cols() + more.cols());
     own.rightCols(more.cols()) = more - base_.basis * (base_.basis.transpose() * more);
     // What the base explains wholly is not there.
@@ -199,16 +204,13 @@ Pick Screen::refined(Pick pick, const Left& left) const {
   for (; factor > 1.02; factor = std::sqrt(factor)) {
     for (const size_t number : numbers) {
       for (const double times : {factor, 1.0 / factor}) {
-        Shape shape = pick.shape;
-        for (auto& one : shape) one[number] *= times;
+        Pick other = pick;
+        for (auto& one : other.shape) one[number] *= times;
         Eigen::VectorXd amplitude;
-        const double gain = gainOf(rig_.columnsOf(*pick.effect, shape, pick.track), left, amplitude);
-        if (gain <= pick.gain) continue;
-        auto parameters = pick.effect->scaled(shape, {amplitude.data(), static_cast<size_t>(amplitude.size())});
-        if (!pick.effect->plausible(parameters, seen_)) continue;
-        pick.gain = gain;
-        pick.shape = std::move(shape);
-        pick.parameters = std::move(parameters);
+        other.gain = gainOf(columnsOf(other), left, amplitude);
+        if (other.gain <= pick.gain) continue;
+        other.parameters = pick.effect->scaled(other.shape, {amplitude.data(), static_cast<size_t>(amplitude.size())});
+        if (pick.effect->plausible(other.parameters, seen_)) pick = std::move(other);
       }
     }
   }
@@ -386,7 +388,7 @@ std::vector<Pick> Screen::prune(std::vector<Pick> chosen) const {
       // An effect that lives in a few windows can't be confirmed by others.
       std::vector<double> gains(with.size());
       const Left left = leave(others);
-      const Eigen::MatrixXd own = columnsOf(chosen[k]);
+      const Eigen::MatrixXd& own = columnsOf(chosen[k]);
       double local = 0.0, all = 0.0;
       for (Eigen::Index r = 0; r < own.rows(); ++r)
         gains[rig_.window()[static_cast<size_t>(r)]] += own.row(r).squaredNorm();

@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "diagnose/search/column_memo.h"
 #include "diagnose/search/linear_rig.h"
 
 namespace breakaway {
@@ -80,7 +81,7 @@ class Screen {
   std::vector<Pick> prune(std::vector<Pick> chosen) const;
   /// Squared residual per window, each fold predicted from the others.
   std::vector<double> validated(const std::vector<Pick>& chosen) const;
-  Eigen::MatrixXd columnsOf(const Pick& pick) const { return rig_.columnsOf(*pick.effect, pick.shape, pick.track); }
+  const Eigen::MatrixXd& columnsOf(const Pick& pick) const;
   Eigen::MatrixXd design(const std::vector<Pick>& chosen) const;
   void settle(std::vector<Pick>& chosen) const;  ///< joint amplitudes and gains
   void findRivals(std::vector<Pick>& chosen) const;
@@ -97,6 +98,7 @@ class Screen {
   std::vector<Eigen::MatrixXd> own_;  ///< products of each candidate's free columns among themselves
   Eigen::VectorXd norms_;             ///< squared, of the whole columns
   Left base_;                         ///< with nothing chosen
+  mutable ColumnMemo known_;
 };
 
 }  // namespace breakaway
