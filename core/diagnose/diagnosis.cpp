@@ -100,6 +100,11 @@ bool changesReadings(const Model& model) {
   });
 }
 
+bool allHappenOnce(const std::vector<Finding>& findings) {
+  return std::all_of(findings.begin(), findings.end(),
+                     [](const Finding& one) { return findEffect(one.effect)->happensOnce(); });
+}
+
 /// A single finding that explains the smaller part of the error, and nobody can tell that there is any of it.
 bool isVague(const std::vector<Finding>& findings) {
   if (findings.size() != 1 || findings.front().share > mostIsExplained) return false;
@@ -183,9 +188,10 @@ Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& rec
   // Held-out data chose nothing, but they may refuse: what makes them worse is not there, unless it is all that the
   // training data show, as a push in one recording is, and then they may only be somewhat worse.
   const double held = diagnosis.fit.heldoutAfter / diagnosis.fit.heldoutBefore;
-  const bool elsewhere = ofAll >= glaringShare || currentToo;  // in few windows, or in a current that moves nothing
   // Where they show much, a finding that takes hardly any of it away explains something else.
   const bool muchHeld = diagnosis.fit.heldoutBefore > muchFloors * diagnosis.fit.floor;
+  // In few windows, or in a current that moves nothing.
+  const bool elsewhere = currentToo || (ofAll >= glaringShare && (!muchHeld || allHappenOnce(diagnosis.findings)));
   const bool refused = held > (elsewhere ? muchWorseOnHeldout : muchHeld ? hardlyLessOnHeldout : worseOnHeldout);
   // A load that swings may run away in single windows after a restart and still be right in most; then the held-out
   // data have to show it.

@@ -47,12 +47,11 @@ std::vector<Place> placesOf(const Model& model, const Preparation& prepared, std
   return places(residualMaps(model, prepared.training, seed), model);
 }
 
-Remainder beside(const WindowErrors& errors, const Floors& floors, bool named) {
+Remainder beside(const WindowErrors& errors, const Floors& floors, double least) {
   Remainder rest;
   rest.floors = floors;
   const double before = typicalSquare(errors.before), after = typicalSquare(errors.after);
   const double unit = floors.perfect * floors.perfect;
-  const double least = named ? materialShareBesideFindings : materialShare;
   if (after > std::pow(materialFloors * floors.tolerated, 2))
     rest.share = std::clamp((after - unit) / std::max(before - unit, 1e-300), 0.0, 1.0);
   rest.material = rest.share > least;
@@ -88,16 +87,16 @@ Floors floorsOf(const Model& model, const Preparation& prepared, const std::vect
 Remainder remainderOf(const Model& model, bool named, const Preparation& prepared, const WindowErrors& errors,
                       const TorqueNoise& left, std::uint64_t seed) {
   const std::vector<Window>& windows = prepared.split.trainScore;
-  Remainder rest = beside(errors, floorsOf(model, prepared, windows, seed, left), named);
+  const double least = named ? materialShareBesideFindings : materialShare;
+  Remainder rest = beside(errors, floorsOf(model, prepared, windows, seed, left), least);
   if (!rest.wanders) return rest;
   const auto found = placesOf(model, prepared, seed);
   if (std::none_of(found.begin(), found.end(), holds)) return rest;
-  Floors floors = floorsOf(model, prepared, windows, seed, {});
-  if (std::any_of(found.begin(), found.end(), [&prepared](const Place& place) {
-        return holds(place) && place.share > mostByScatter && notable(place, prepared.seen);
-      }))
-    floors.tolerated = floors.perfect;
-  return beside(errors, floors, named);
+  const Floors floors = floorsOf(model, prepared, windows, seed, {});
+  const bool clear = std::any_of(found.begin(), found.end(), [&prepared](const Place& place) {
+    return holds(place) && place.share > mostByScatter && notable(place, prepared.seen);
+  });
+  return clear ? beside(errors, {floors.perfect, floors.perfect}, materialShare) : beside(errors, floors, least);
 }
 
 void findPlaces(Remainder& rest, const Model& model, const Preparation& prepared, std::uint64_t seed) {

@@ -80,11 +80,6 @@ ParameterVector::ParameterVector(const Model& model, const std::vector<std::stri
   }
 }
 
-bool ParameterVector::leavesTerms(Eigen::Index k) const {
-  const Slot& slot = slots_[static_cast<size_t>(k)];
-  return slot.effect == 0 && slot.name != motorNames(model_.axis).coulomb && slot.name != "down_angle_rad";
-}
-
 Parameter& ParameterVector::parameter(Model& model, const Slot& slot) {
   return slot.effect == 0 ? model.base[slot.index] : model.effects[slot.effect - 1].parameters[slot.index];
 }

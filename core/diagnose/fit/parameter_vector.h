@@ -26,8 +26,6 @@ class ParameterVector {
   double upper(Eigen::Index k) const { return slots_[static_cast<size_t>(k)].upper; }
   /// A positive base quantity: one that a gauge may leave free.
   bool logarithmic(Eigen::Index k) const { return slots_[static_cast<size_t>(k)].logarithmic; }
-  /// A base parameter that no load or dry friction depends on.
-  bool leavesTerms(Eigen::Index k) const;
   const std::string& name(Eigen::Index k) const { return slots_[static_cast<size_t>(k)].name; }
 
   /// The model at `x`.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <span>
 
 namespace breakaway {
 
@@ -31,6 +32,16 @@ std::optional<double> sensedAt(const Simulator& simulator, const std::vector<dou
   const double rate = p.inductance > 0.0 ? p.resistance / p.inductance : 0.0;
   const double part = rate > 0.0 ? std::expm1(-rest * rate) / std::expm1(-dt * rate) : 0.0;
   return simulator.sensed(currents[k] + part * (currents[k + 1] - currents[k]), 0.0);
+}
+
+/// Whether a variant's lost voltage is another one: unless it is only in terms that lose none.
+bool losesAnew(const Stepper& variant, std::span<const char> changed) {
+  bool any = false;
+  for (size_t k = 0; k < changed.size(); ++k) {
+    if (changed[k] != 0 && variant.terms()[k].effect->losesVoltage()) return true;
+    any = any || changed[k] != 0;
+  }
+  return !any;
 }
 
 }  // namespace
@@ -152,7 +163,8 @@ void WindowResidual::fit(const Model& model, const MotionState& hidden) {
   }
 }
 
-WindowResidual::Passage WindowResidual::torquesAt(Simulator& simulator, size_t row, const double* resistance) const {
+WindowResidual::Passage WindowResidual::torquesAt(Simulator& simulator, size_t row, std::span<const char> changed,
+                                                  std::span<Term> parts) const {
   const size_t k = row - window_.first;
   const MotionState &from = states_[k], &to = states_[k + 1];
   const double dt = track_.time[row + 1] - track_.time[row], time = track_.time[row] + 0.5 * dt;
@@ -163,23 +175,38 @@ WindowResidual::Passage WindowResidual::torquesAt(Simulator& simulator, size_t r
   const Physics& p = stepper.physics();
   Passage at;
   const double u = simulator.input(row);
-  double drive = track_.connected[row] ? p.torqueConstant * u : 0.0;
+  at.drive = track_.connected[row] ? p.torqueConstant * u : 0.0;
   if (p.electrical && track_.connected[row]) {
-    const double volts = stepper.losesVoltage() ? u - stepper.lostVoltage(from, u, v, time) : u;
-    at.current = (volts - p.backEmf * v - p.inductance * (to.current - from.current) / dt) / p.resistance;
-    drive = p.torqueConstant * at.current;
+    if (stepper.losesVoltage())
+      at.lost = losesAnew(stepper, changed) ? stepper.lostVoltage(from, u, v, time) : passages_[k].lost;
+    at.current = (u - at.lost - p.backEmf * v - p.inductance * (to.current - from.current) / dt) / p.resistance;
+    at.drive = p.torqueConstant * at.current;
   } else if (p.electrical) {
-    drive = 0.0;
+    at.drive = 0.0;
   }
   const double way = v > 0.0 ? 1.0 : v < 0.0 ? -1.0 : to.way;
-  if (resistance != nullptr) {
-    at.resistance = *resistance;
-  } else {
-    const Stepper::Forces forces = stepper.forcesAt(from, x, v, way, drive, time, to.position - from.position);
-    at.resistance = forces.load + way * forces.friction;
-  }
-  at.net = drive - p.viscous * v - at.resistance - p.inertia * a;
+  stepper.partsAt(from, x, v, way, at.drive, time, to.position - from.position, changed, parts);
+  const Stepper::Forces forces = stepper.forcesOf(x, parts);
+  at.resistance = forces.load + way * forces.friction;
+  at.net = at.drive - p.viscous * v - at.resistance - p.inertia * a;
   return at;
+}
+
+std::span<const Term> WindowResidual::partsOf(size_t k) const {
+  const size_t each = simulator_->stepper().terms().size();
+  return std::span(parts_).subspan(k * each, each);
+}
+
+std::vector<char> WindowResidual::changedTerms(const Stepper& variant) const {
+  const auto &now = variant.terms(), &before = simulator_->stepper().terms();
+  std::vector<char> changed(now.size(), 0);
+  for (size_t k = 0; k < now.size(); ++k) {
+    if (now[k].parameters == before[k].parameters) continue;
+    if (now[k].effect->shapesInput(track_.drive) || now[k].effect->losesVoltage())
+      return std::vector<char>(now.size(), 1);
+    changed[k] = 1;
+  }
+  return changed;
 }
 
 void WindowResidual::linearise() {
@@ -187,24 +214,26 @@ void WindowResidual::linearise() {
   const Physics& p = stepper.physics();
   const bool varying = !stepper.terms().empty() || p.gravity != 0.0;
   passages_.resize(states_.size() - 1);
+  const size_t terms = stepper.terms().size();
+  parts_.resize(passages_.size() * terms);
+  const std::vector<char> all(terms, 1);
   double decayed = -1.0, keeps = 1.0, gains = 1.0;  // of the row before: most are alike
   for (size_t k = 0; k + 1 < states_.size(); ++k) {
     const size_t row = window_.first + k;
     const double dt = track_.time[row + 1] - track_.time[row];
-    Passage& at = passages_[k] = torquesAt(*simulator_, row, nullptr);
+    Passage& at = passages_[k] = torquesAt(*simulator_, row, all, std::span(parts_).subspan(k * terms, terms));
     double damping = p.viscous;
     if (p.electrical && track_.connected[row]) damping += p.torqueConstant * p.backEmf / p.resistance;
     const MotionState &from = states_[k], &to = states_[k + 1];
     if (varying) {
       const double v = 0.5 * (from.velocity + to.velocity), x = 0.5 * (from.position + to.position);
-      const double way = v > 0.0 ? 1.0 : v < 0.0 ? -1.0 : to.way, time = track_.time[row];
-      const double drive = p.torqueConstant * (p.electrical ? from.current : simulator_->input(row));
+      const double way = v > 0.0 ? 1.0 : v < 0.0 ? -1.0 : to.way, time = track_.time[row] + 0.5 * dt;
       const double span = to.position - from.position;
       const auto resistance = [&](double dx, double dv) {
-        const Stepper::Forces forces = stepper.forcesAt(from, x + dx, v + dv, way, drive, time, span);
+        const Stepper::Forces forces = stepper.forcesAt(from, x + dx, v + dv, way, at.drive, time, span);
         return forces.load + way * forces.friction;
       };
-      const double now = resistance(0.0, 0.0);
+      const double now = startsAt(k) ? resistance(0.0, 0.0) : at.resistance;
       const double dv = way * std::max(1e-4 * std::abs(v), 1e-9), dx = std::max(1e-3 * std::abs(x), 1e-6);
       // A negative slope may run away; the linearised motion must not.
       damping += std::max((resistance(0.0, dv) - now) / dv, -0.9 * damping);
@@ -286,16 +315,20 @@ Eigen::VectorXd WindowResidual::column(const Model& variant, const MotionState& 
   return projected((moved - nominal_) / step);
 }
 
-Eigen::VectorXd WindowResidual::linearColumn(const Model& variant, double step, bool sameTerms) const {
+Eigen::VectorXd WindowResidual::linearColumn(const Model& variant, double step) const {
   Simulator simulator(variant, track_, window_.first, window_.last);
+  const std::vector<char> changed = changedTerms(simulator.stepper());
+  const bool sensors = std::any_of(changed.begin(), changed.end(), [](char one) { return one != 0; });
   std::vector<double> torque(passages_.size()), current(passages_.size());
+  std::vector<Term> parts(changed.size());
   for (size_t k = 0; k < passages_.size(); ++k) {
-    const Passage at = torquesAt(simulator, window_.first + k, sameTerms ? &passages_[k].resistance : nullptr);
+    std::ranges::copy(partsOf(k), parts.begin());
+    const Passage at = torquesAt(simulator, window_.first + k, changed, parts);
     torque[k] = (at.net - passages_[k].net) / step;
     current[k] = (at.current - passages_[k].current) / step;
   }
   Eigen::VectorXd change = respond(0.0, 0.0, &torque, &current);
-  if (!sameTerms && !simulator.stepper().terms().empty()) {  // what sensors show changes at once
+  if (sensors) {  // what sensors show changes at once
     Eigen::Index at = 0, currentAt = positions_;
     std::vector<double> currents;
     for (const MotionState& state : states_) currents.push_back(state.current);

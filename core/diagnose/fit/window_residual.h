@@ -41,8 +41,8 @@ class WindowResidual {
   /// out: by simulating the variant, or by the linearised motion, which is several times faster and not quite as
   /// exact where the motion stops or effects carry hidden states.
   Eigen::VectorXd column(const Model& variant, const MotionState& hidden, double step) const;
-  /// `sameTerms`: the variant differs in base parameters other than the Coulomb friction only.
-  Eigen::VectorXd linearColumn(const Model& variant, double step, bool sameTerms) const;
+  /// The variant differs in one parameter.
+  Eigen::VectorXd linearColumn(const Model& variant, double step) const;
   /// Whether linearColumn() leaves out hidden states.
   bool remembers() const { return simulator_->stepper().remembers(); }
   /// Whether impacts may make the residual rough.
@@ -56,7 +56,9 @@ class WindowResidual {
     double stiffness = 0.0;   ///< torque per change of position
     double net = 0.0;         ///< drive less all resistance, Nm
     double resistance = 0.0;  ///< of load and dry friction, Nm
+    double drive = 0.0;       ///< Nm
     double current = 0.0;     ///< A
+    double lost = 0.0;        ///< V
   };
   bool useCurrent(size_t row) const;
   void simulate(Simulator& simulator, MotionState state, Eigen::VectorXd& out, std::vector<MotionState>* keep) const;
@@ -67,8 +69,11 @@ class WindowResidual {
   MotionState startAt(const Eigen::VectorXd& start, const MotionState& hidden) const;
   /// The residuals' change with each number of the start.
   Eigen::MatrixXd startColumns(const MotionState& hidden);
-  /// `resistance`, if given, is taken over instead of evaluating the terms.
-  Passage torquesAt(Simulator& simulator, size_t row, const double* resistance) const;
+  /// With `parts` of the model's terms there, of which those marked in `changed` are evaluated anew.
+  Passage torquesAt(Simulator& simulator, size_t row, std::span<const char> changed, std::span<Term> parts) const;
+  /// Which terms of a variant differ from the model's; all where it changes what drives them.
+  std::vector<char> changedTerms(const Stepper& variant) const;
+  std::span<const Term> partsOf(size_t k) const;
   void linearise();
   /// Whether standstill ends within row k of the run.
   bool startsAt(size_t k) const;
@@ -94,6 +99,7 @@ class WindowResidual {
   std::optional<Simulator> simulator_;
   std::vector<MotionState> states_;  ///< of the nominal run, one per row
   std::vector<Passage> passages_;    ///< one per row but the last
+  std::vector<Term> parts_;          ///< of each passage, one per term
   Eigen::VectorXd nominal_, residual_;
   Eigen::MatrixXd basis_;
 };

@@ -22,7 +22,8 @@ constexpr double priorDeviation = 1.1;  ///< of the logarithm of a start value: 
 constexpr double nudge = 1e-5;          ///< finite difference of a parameter of order one
 constexpr double swingingNudge = 5e-3;  ///< the same where impacts make residuals rough
 constexpr double windowsTogether = 3.0;
-constexpr double boundFirmness = 1.0;  ///< pull back to a bound, per unit beyond it
+constexpr double hardlyDiffers = 1e-3;  ///< of the cost
+constexpr double boundFirmness = 1.0;   ///< pull back to a bound, per unit beyond it
 
 /// The nearest x within the bounds. Ceres' own bounds cost a line search with several Jacobians per step.
 Eigen::VectorXd clamped(const ParameterVector& parameters, const Eigen::VectorXd& x) {
@@ -72,7 +73,7 @@ WindowDerivative derive(const ParameterVector& parameters, WindowResidual& windo
     const double step = x[p] + far > parameters.upper(p) ? -far : far;
     near[p] += step;
     out.jacobian.col(p) = simulated ? window.column(parameters.at(near), hidden.at(near, p, index), step)
-                                    : window.linearColumn(parameters.at(near), step, parameters.leavesTerms(p));
+                                    : window.linearColumn(parameters.at(near), step);
   }
   return out;
 }
@@ -141,11 +142,15 @@ class PriorCost final : public ceres::CostFunction {
   double weight_;
 };
 
-class StopRequested final : public ceres::IterationCallback {
+/// Ends on request, and where a step that is no better hardly differs: shorter ones would drown in what evaluation
+/// itself changes, which moves each window's start on.
+class Ending final : public ceres::IterationCallback {
  public:
-  explicit StopRequested(std::stop_token stop) : stop_(std::move(stop)) {}
-  ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
-    return stop_.stop_requested() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
+  explicit Ending(std::stop_token stop) : stop_(std::move(stop)) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& step) override {
+    if (stop_.stop_requested()) return ceres::SOLVER_ABORT;
+    const bool alike = !step.step_is_successful && std::abs(step.cost_change) < hardlyDiffers * step.cost;
+    return alike ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
   }
 
  private:
@@ -193,8 +198,8 @@ FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>
   solver.function_tolerance = options.tolerance;
   solver.parameter_tolerance = 1e-7;
   solver.logging_type = ceres::SILENT;
-  StopRequested stopRequested(options.stop);
-  solver.callbacks.push_back(&stopRequested);
+  Ending ending(options.stop);
+  solver.callbacks.push_back(&ending);
   ceres::Solver::Summary summary;
   silenceSolver();
   ceres::Solve(solver, &problem, &summary);

@@ -25,7 +25,7 @@ namespace {
 constexpr double largestPValue = 0.01;
 constexpr double halfOfAll = 0.5;
 constexpr double mostOfAll = 0.6;
-constexpr double importantPart = 0.2, noticeable = 0.02, negligible = 0.002;  ///< of the screen's squared residual
+constexpr double importantPart = 0.2, noticeable = 0.02, negligible = 0.005;  ///< of the screen's squared residual
 constexpr size_t mostTrials = 4;
 constexpr double settledFloors = 9.0;  ///< squared error, in squared floors, below which no more is looked for
 constexpr double nearlyAlike = 3.0, nearlyNothing = 0.2, clearlyLess = 0.8;  ///< of a squared error

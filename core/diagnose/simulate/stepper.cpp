@@ -67,6 +67,18 @@ Situation Stepper::situationAt(const MotionState& state, double position, double
   return at;
 }
 
+/// `act` gets each term, with its own memory in `at`, and its number.
+template <typename Act>
+void Stepper::eachTerm(const MotionState& state, Situation& at, Act act) const {
+  size_t used = 0;
+  for (size_t k = 0; k < terms_.size(); ++k) {
+    const size_t own = terms_[k].effect->memory();
+    at.memory = std::span(state.memory).subspan(used, own);
+    used += own;
+    act(terms_[k], k);
+  }
+}
+
 Stepper::Forces Stepper::forcesAt(const MotionState& state, double position, double velocity, double direction,
                                   double drive, double time_s, double span) const {
   Forces forces{physics_.load, physics_.coulomb};
@@ -74,12 +86,28 @@ Stepper::Forces Stepper::forcesAt(const MotionState& state, double position, dou
   if (physics_.gravity != 0.0) forces.load += physics_.gravity * std::sin(position - physics_.downAngle);
   Situation at = situationAt(state, position, velocity, direction, drive, time_s);
   at.span = span;
-  size_t used = 0;
-  for (const CompiledTerm& term : terms_) {
-    const size_t own = term.effect->memory();
-    at.memory = std::span(state.memory).subspan(used, own);
-    used += own;
+  eachTerm(state, at, [&](const CompiledTerm& term, size_t) {
     const Term part = term.effect->term(term.parameters, at);
+    forces.load += part.load_Nm;
+    forces.friction += part.friction_Nm;
+  });
+  forces.friction = std::max(forces.friction, 0.0);
+  return forces;
+}
+
+void Stepper::partsAt(const MotionState& state, double position, double velocity, double direction, double drive,
+                      double time_s, double span, std::span<const char> wanted, std::span<Term> parts) const {
+  Situation at = situationAt(state, position, velocity, direction, drive, time_s);
+  at.span = span;
+  eachTerm(state, at, [&](const CompiledTerm& term, size_t k) {
+    if (wanted[k] != 0) parts[k] = term.effect->term(term.parameters, at);
+  });
+}
+
+Stepper::Forces Stepper::forcesOf(double position, std::span<const Term> parts) const {
+  Forces forces{physics_.load, physics_.coulomb};
+  if (physics_.gravity != 0.0) forces.load += physics_.gravity * std::sin(position - physics_.downAngle);
+  for (const Term& part : parts) {
     forces.load += part.load_Nm;
     forces.friction += part.friction_Nm;
   }
@@ -94,13 +122,9 @@ double Stepper::lostVoltage(const MotionState& state, double u, double velocity,
         situationAt(state, state.position, velocity, signOf(velocity), physics_.torqueConstant * current, time_s);
     at.input = u;
     double loss = 0.0;
-    size_t used = 0;
-    for (const CompiledTerm& term : terms_) {
-      const size_t own = term.effect->memory();
-      at.memory = std::span(state.memory).subspan(used, own);
-      used += own;
+    eachTerm(state, at, [&](const CompiledTerm& term, size_t) {
       if (term.effect->losesVoltage()) loss += term.effect->term(term.parameters, at).voltage_V;
-    }
+    });
     return loss;
   };
   // R i + loss(i) = u − Ke ω by false position between no current and the current without loss.

@@ -72,6 +72,11 @@ class Stepper {
   /// so much motion around the position.
   Forces forcesAt(const MotionState& state, double position, double velocity, double direction, double drive,
                   double time_s, double span = 0.0) const;
+  /// What each of terms() gives at an instant, into `parts`; those that `wanted` doesn't mark stay as they are.
+  void partsAt(const MotionState& state, double position, double velocity, double direction, double drive,
+               double time_s, double span, std::span<const char> wanted, std::span<Term> parts) const;
+  /// forcesAt() of known parts.
+  Forces forcesOf(double position, std::span<const Term> parts) const;
   /// Advances hidden states and history over a step that went from `before` to `state` under `u` and ended at `time_s`.
   void keepHistory(MotionState& state, const MotionState& before, double u, double dt, double time_s) const;
   /// Voltage lost once the current has settled at a speed, V.
@@ -101,6 +106,8 @@ class Stepper {
     double xi = 0, xv = 0;  ///< ∫ of the second row
   };
 
+  template <typename Act>
+  void eachTerm(const MotionState& state, Situation& at, Act act) const;
   Situation situationAt(const MotionState& state, double position, double velocity, double direction, double drive,
                         double time_s) const;
   Forces forcesDuring(const MotionState& state, double direction, double drive, double damping, double dt,
