@@ -25,7 +25,7 @@ constexpr double farOffPart = 0.05;
 /// Of the drive's peak: a place where less is unexplained is none.
 constexpr double immaterialPart = 0.01;
 /// Of what is unexplained: a place with less of it, or one that chance gives more often, is none.
-constexpr double leastInPlace = 0.1, likeliestByChance = 0.02;
+constexpr double leastInPlace = 0.1, largelyInPlace = 0.25, likeliestByChance = 0.02;
 /// What is in one place to a larger part is no friction that scatters.
 constexpr double mostByScatter = 0.4;
 
@@ -38,9 +38,10 @@ bool holds(const Place& place) {
   return place.share >= leastInPlace && place.pValue <= likeliestByChance;
 }
 
-/// No rig is exact to a smaller part of its drive.
+/// No rig is exact to a smaller part of its drive, unless that is in one place to a large part.
 bool notable(const Place& place, const Excitation& seen) {
-  return place.size >= immaterialPart * (place.sizeUnit == "V" ? seen.peakInput : seen.peakTorque);
+  return place.share >= largelyInPlace ||
+         place.size >= immaterialPart * (place.sizeUnit == "V" ? seen.peakInput : seen.peakTorque);
 }
 
 std::vector<Place> placesOf(const Model& model, const Preparation& prepared, std::uint64_t seed) {
@@ -91,10 +92,11 @@ Remainder remainderOf(const Model& model, bool named, const Preparation& prepare
   Remainder rest = beside(errors, floorsOf(model, prepared, windows, seed, left), least);
   if (!rest.wanders) return rest;
   const auto found = placesOf(model, prepared, seed);
-  if (std::none_of(found.begin(), found.end(), holds)) return rest;
+  const auto stands = [&prepared](const Place& place) { return holds(place) && notable(place, prepared.seen); };
+  if (std::none_of(found.begin(), found.end(), stands)) return rest;
   const Floors floors = floorsOf(model, prepared, windows, seed, {});
-  const bool clear = std::any_of(found.begin(), found.end(), [&prepared](const Place& place) {
-    return holds(place) && place.share > mostByScatter && notable(place, prepared.seen);
+  const bool clear = std::any_of(found.begin(), found.end(), [&stands](const Place& place) {
+    return stands(place) && place.share > mostByScatter;
   });
   return clear ? beside(errors, {floors.perfect, floors.perfect}, materialShare) : beside(errors, floors, least);
 }

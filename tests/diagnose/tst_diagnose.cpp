@@ -15,7 +15,8 @@ class TestDiagnose : public QObject {
   void cleanRigWithNoise_lacksNothing();
   void torqueThatWandersALittle_isNotMissing();
   void effectUnderATorqueThatWanders_isNamed();
-  void sensorsOffsetUnderATorqueThatWanders_isNamed();
+  void sensorsOffset_isNamed_data();
+  void sensorsOffset_isNamed();
   void sameSeed_givesTheSameDiagnosis();
   void missingChannel_isOneClearLine();
 };
@@ -76,10 +77,17 @@ void TestDiagnose::effectUnderATorqueThatWanders_isNamed() {
 }
 
 /// What the current sensor shows moves nothing: neither what the torque does nor held-out positions speak against it.
-void TestDiagnose::sensorsOffsetUnderATorqueThatWanders_isNamed() {
+void TestDiagnose::sensorsOffset_isNamed_data() {
+  QTest::addColumn<double>("wander");  // of the friction
+  QTest::newRow("alone") << 0.0;
+  QTest::newRow("under a torque that wanders") << 0.03;
+}
+
+void TestDiagnose::sensorsOffset_isNamed() {
+  QFETCH(double, wander);
   const Diagnosis diagnosis =
-      diagnosed({.seconds = 20.0, .currentOffset_A = 0.03, .wander_Nm = 0.03 * 0.012, .seed = 2});
-  QVERIFY(!diagnosis.findings.empty());
+      diagnosed({.seconds = 20.0, .currentOffset_A = 0.03, .wander_Nm = wander * 0.012, .seed = 2});
+  QCOMPARE(diagnosis.findings.size(), size_t(1));
   const Finding& finding = diagnosis.findings.front();
   QCOMPARE(finding.effect, std::string("current_sensor_offset"));
   QVERIFY2(within(parameter(finding, "offset_A"), 0.03, 0.05),

@@ -287,7 +287,9 @@ class Search {
     other.best = other.base;
     other.chosen.clear();
     adopt(other, wandering->screen, noteworthy(wandering->found));
-    if (mean(other.best.windowSquares) >= clearlyLess * left) return nullptr;
+    const double now = mean(other.best.windowSquares);
+    const bool current = other.best.currentSquares < clearlyLess * set.best.currentSquares;
+    if (now >= (current ? 1.0 : clearlyLess) * left) return nullptr;
     set = std::move(other);
     return wandering;
   }

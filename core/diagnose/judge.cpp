@@ -1,0 +1,215 @@
+#include "diagnose/judge.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/statistics.h"
+#include "diagnose/catalogue.h"
+#include "diagnose/fit/windowed_fit.h"
+#include "diagnose/noise_floor.h"
+#include "diagnose/proof.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr double leastShare = 0.03;
+constexpr double muchIsLeft = 0.4;  ///< of the base model's excess error
+constexpr double mostIsExplained = 0.5;
+constexpr double glaringShare = 0.8;
+constexpr double leastOfCurrent = 0.2;   ///< of the current's squared error
+constexpr double worseOnHeldout = 1.02;  ///< times the base model's error: what does worse is refused
+constexpr double muchWorseOnHeldout = 1.25, clearFallOnHeldout = 0.9;
+constexpr double hardlyLessOnHeldout = 0.95, muchFloors = 2.5;
+constexpr double leastFall = 0.98;  ///< of the error over the training windows: less is none
+
+double meanSquare(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows) {
+  return mean(scoreWindows(model, tracks, windows));
+}
+
+FitScore scoreFit(const Bench& bench, const Model& base, const Model& best, const std::vector<Track>& tracks,
+                  const Split& split, std::uint64_t seed, Proof& proof) {
+  FitScore fit;
+  fit.channel = bench.positionChannel();
+  fit.separateRecording = split.separateRecording;
+  fit.trainBefore = std::sqrt(meanSquare(base, tracks, split.trainScore));
+  fit.trainAfter = std::sqrt(meanSquare(best, tracks, split.trainScore));
+  const auto before = scoreWindows(base, tracks, split.heldoutScore),
+             after = scoreWindows(best, tracks, split.heldoutScore);
+  fit.heldoutBefore = std::sqrt(mean(before));
+  fit.heldoutAfter = std::sqrt(mean(after));
+  const Interval interval = bootstrap(before.size(), 2000, seed, [&](std::span<const size_t> blocks) {
+    double sumBefore = 0.0, sumAfter = 0.0;
+    for (const size_t block : blocks) {
+      sumBefore += before[block];
+      sumAfter += after[block];
+    }
+    return 1.0 - std::sqrt(sumAfter / std::max(sumBefore, 1e-300));
+  });
+  fit.improvementLow95 = interval.low;
+  fit.improvementHigh95 = interval.high;
+  fit.floor = noiseFloor(best, tracks, split.heldoutScore, seed);
+  proof = proofOf(best, tracks, split.heldoutScore, before, after, fit);
+  return fit;
+}
+
+/// The findings, with shares of the excess that add up to what the extended model takes away.
+std::vector<Finding> findingsOf(const SearchResult& result, const Model& model, const SearchInput& input,
+                                double explained) {
+  double marginals = 0.0;
+  for (const Chosen& chosen : result.chosen) marginals += chosen.marginal;
+  std::vector<Finding> findings;
+  for (const Chosen& chosen : result.chosen) {
+    Finding finding;
+    finding.effect = chosen.effect->name();
+    finding.share = marginals > 0.0 ? std::clamp(explained * chosen.marginal / marginals, 0.0, 1.0) : 0.0;
+    finding.pValue = chosen.pValue;
+    for (const Effect* rival : chosen.rivals) finding.ambiguousWith.emplace_back(rival->name());
+    for (const EffectTerm& term : model.effects) {
+      if (term.effect != finding.effect) continue;
+      finding.parameters = term.parameters;
+      finding.sentence = chosen.effect->sentence(valuesOf(term), input.seen);
+      if (!term.recording.empty() && input.tracks.size() > 1)
+        finding.sentence = "In " + term.recording + ": " + finding.sentence;
+    }
+    findings.push_back(std::move(finding));
+  }
+  return findings;
+}
+
+/// Whether something in the model changes what the current sensor shows, which moves nothing.
+bool changesReadings(const Model& model) {
+  return std::any_of(model.effects.begin(), model.effects.end(), [](const EffectTerm& term) {
+    return findEffect(term.effect)->sensed(valuesOf(term), 1.0, 1000.0) != 1.0;
+  });
+}
+
+bool allHappenOnce(const std::vector<Finding>& findings) {
+  return std::all_of(findings.begin(), findings.end(),
+                     [](const Finding& one) { return findEffect(one.effect)->happensOnce(); });
+}
+
+/// Whether there may be none of it.
+bool mayBeNothing(const Finding& finding) {
+  const Parameter& amplitude = finding.parameters.front();
+  return amplitude.low95 < 0.0 && amplitude.high95 > 0.0;
+}
+
+/// A single finding that explains the smaller part of the error, and nobody can tell that there is any of it.
+bool isVague(const std::vector<Finding>& findings) {
+  return findings.size() == 1 && findings.front().share <= mostIsExplained && mayBeNothing(findings.front());
+}
+
+/// Beside others, what takes hardly anything away and may be nothing at all.
+bool isIdle(const Finding& finding) {
+  return finding.share < leastShare && mayBeNothing(finding);
+}
+
+class Judge {
+ public:
+  Judge(const Bench& bench, const Preparation& prepared, const SearchInput& input, const SearchResult& found)
+      : bench_(bench),
+        prepared_(prepared),
+        input_(input),
+        found_(found),
+        base_(withDoubts(found.base.model, prepared)),
+        errorsBefore_(scoreWindows(base_, prepared.tracks, prepared.split.trainScore)) {}
+
+  Judgement judged() {
+    SearchResult candidate = found_;
+    while (!candidate.chosen.empty()) {
+      Judgement judgement;
+      const Opinion opinion = judge(candidate, judgement);
+      const auto idle = std::find_if(judgement.findings.begin(), judgement.findings.end(), isIdle);
+      if (candidate.chosen.size() > 1 && idle != judgement.findings.end()) {
+        drop(candidate, candidate.chosen.begin() + (idle - judgement.findings.begin()));
+        continue;
+      }
+      if (opinion == Opinion::stands) return judgement;
+      if (opinion == Opinion::falls || candidate.chosen.size() == 1) break;
+      drop(candidate, leastOf(candidate));
+    }
+    return nothing();
+  }
+
+ private:
+  using Members = std::vector<Chosen>;
+  enum class Opinion { stands, falls, heldoutRefuses };
+
+  double before() const { return typicalSquare(errorsBefore_); }
+
+  Judgement nothing() const {
+    Judgement out;
+    out.base = out.model = base_;
+    out.left = found_.leftByBase;
+    out.rest = remainderOf(base_, false, prepared_, {errorsBefore_, errorsBefore_}, out.left, input_.seed);
+    out.fit = scoreFit(bench_, base_, base_, prepared_.tracks, prepared_.split, input_.seed, out.proof);
+    return out;
+  }
+
+  Opinion judge(const SearchResult& candidate, Judgement& out) const {
+    out.base = base_;
+    out.model = withDoubts(candidate.best.model, prepared_);
+    out.left = candidate.left;
+    const auto errorsAfter = scoreWindows(out.model, prepared_.tracks, prepared_.split.trainScore);
+    out.rest = remainderOf(out.model, true, prepared_, {errorsBefore_, errorsAfter}, out.left, input_.seed);
+    const double excess = std::max(before() - out.rest.floors.perfect * out.rest.floors.perfect, 1e-300);
+    double explained = (before() - typicalSquare(errorsAfter)) / excess;
+    // What lives in a few windows only shows in the plain mean.
+    const double ofAll = 1.0 - mean(errorsAfter) / std::max(mean(errorsBefore_), 1e-300);
+    if (ofAll > glaringShare) explained = std::max(explained, ofAll);
+    explained = std::clamp(explained, 0.0, 1.0);
+    const bool currentToo = candidate.best.currentSquares < (1.0 - leastOfCurrent) * candidate.base.currentSquares;
+    if (explained < leastShare && !currentToo) return Opinion::falls;
+    const double fitted =
+        1.0 - mean(candidate.best.windowSquares) / std::max(mean(candidate.base.windowSquares), 1e-300);
+    // What explains the smaller part of something unknown has borrowed its name.
+    if (out.rest.share > muchIsLeft && std::max(explained, fitted) < mostIsExplained &&
+        !(currentToo && changesReadings(out.model)))
+      return Opinion::falls;
+    out.findings = findingsOf(candidate, out.model, input_, explained);
+    out.fit = scoreFit(bench_, base_, out.model, prepared_.tracks, prepared_.split, input_.seed, out.proof);
+    // What makes held-out data worse is not there, unless it is all that the training data show, as a push in one
+    // recording is, and then they may only be somewhat worse.
+    const double held = out.fit.heldoutAfter / out.fit.heldoutBefore;
+    // Where they show much, a finding that takes hardly any of it away explains something else.
+    const bool muchHeld = out.fit.heldoutBefore > muchFloors * out.fit.floor;
+    // In few windows, or in a current that moves nothing.
+    const bool elsewhere = currentToo || (ofAll >= glaringShare && (!muchHeld || allHappenOnce(out.findings)));
+    if (held > (elsewhere ? muchWorseOnHeldout : muchHeld ? hardlyLessOnHeldout : worseOnHeldout))
+      return Opinion::heldoutRefuses;
+    // A load that swings may run away in single windows after a restart and still be right in most; then the held-out
+    // data have to show it.
+    const bool usually = typicalSquare(errorsAfter) <= std::pow(leastFall, 2) * before() && held < clearFallOnHeldout;
+    const bool idle = !currentToo && out.fit.trainAfter > leastFall * out.fit.trainBefore && !usually;
+    return idle || isVague(out.findings) ? Opinion::falls : Opinion::stands;
+  }
+
+  static Members::iterator leastOf(SearchResult& candidate) {
+    return std::min_element(candidate.chosen.begin(), candidate.chosen.end(),
+                            [](const Chosen& a, const Chosen& b) { return a.marginal < b.marginal; });
+  }
+
+  /// The rest of the set is refined.
+  void drop(SearchResult& candidate, Members::iterator one) const {
+    const auto& windows = prepared_.split.polish;
+    candidate.best = polishModel(input_, without(candidate.best.model, *one->effect),
+                                 robustWeights(residualSquares(candidate.base.model, input_.tracks, windows)));
+    candidate.chosen.erase(one);
+  }
+
+  const Bench& bench_;
+  const Preparation& prepared_;
+  const SearchInput& input_;
+  const SearchResult& found_;
+  Model base_;
+  std::vector<double> errorsBefore_;
+};
+
+}  // namespace
+
+Judgement judge(const Bench& bench, const Preparation& prepared, const SearchInput& input, const SearchResult& found) {
+  return Judge(bench, prepared, input, found).judged();
+}
+
+}  // namespace breakaway
