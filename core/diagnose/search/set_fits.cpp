@@ -33,9 +33,9 @@ bool SetFits::restartsErr(const TorqueNoise& left) const {
 }
 
 bool SetFits::helps(const FitResult& without, const FitResult& with) const {
-  if (!worth_.helps(without, with)) return false;
-  return !swings(with.model) || swings(without.model) ||
-         (loadsMayShow_ && clearlyBetterFromRestarts(with.model, without.model));
+  const bool loaded = swings(with.model) && !swings(without.model);
+  if (loaded && !(with.usable && loadsMayShow_ && clearlyBetterFromRestarts(with.model, without.model))) return false;
+  return worth_.helps(without, with);  // what takes long comes last
 }
 
 bool SetFits::clearlyBetterFromRestarts(const Model& model, const Model& other) const {

@@ -23,7 +23,9 @@ constexpr double insignificant = 0.1;  ///< of the mean squared error: what is s
 constexpr double ranAway = 4.0;        ///< of a squared error: beyond it, how far says no more
 constexpr double hardlyLess = 0.9;     ///< of a squared error
 constexpr double stillFalling = 0.9;   ///< of a squared error, from one fit to its continuation
-constexpr double promising = 0.5;      ///< of the model's squared error: what leaves more is not followed further
+/// Of the model's squared error: what leaves more is not followed further. Behind a gap a load can follow anything to
+/// some part, at each window's start anew, and its fits take long.
+constexpr double promising = 0.5, promisingInPlay = 0.2;
 constexpr int mostContinuations = 2;
 
 }  // namespace
@@ -140,6 +142,8 @@ FitResult SwingingLoads::fitted(const Pick& pick) const {
   FitResult best;
   const double own = mean(residualSquares(model_, input_.tracks, input_.split.train));
   double least = own;
+  const bool inPlay = pick.effect->loadPlay(pick.parameters) > 0.0;
+  const double followed = (inPlay ? promisingInPlay : promising) * own;
   const auto fitFrom = [&](const Model& start) {
     FitResult fit = fitModel(input_, start, 10);
     const double before = least;
@@ -156,11 +160,12 @@ FitResult SwingingLoads::fitted(const Pick& pick) const {
       Pick walked = pick;
       walked.parameters = std::move(shaped.parameters);
       fitFrom(with(input_, model_, walked));
-      if (least > promising * own) break;
+      if (least > followed) break;
     }
-    if (pick.effect->loadPlay(pick.parameters) <= 0.0) break;  // only what flies takes long
+    if (!inPlay) break;  // only what flies takes long
+    if (best.usable && least > followed) break;
   }
-  for (int k = 0; k < mostContinuations && best.usable && least <= promising * own; ++k) {
+  for (int k = 0; k < mostContinuations && best.usable && least <= followed; ++k) {
     if (!fitFrom(best.model)) break;
   }
   return best;
