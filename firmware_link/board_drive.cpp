@@ -157,7 +157,7 @@ Result<void> BoardDrive::greet() {
   alive(*stopped);
   decoder_.begin(stopped->tick);
   const auto written = dictionary_.write(
-      link_, {{"telemetry_channels", static_cast<double>(wire::usualChannels)}, {"telemetry_every", 1.0}});
+      link_, {{"telemetry_channels", static_cast<double>(options_.channels)}, {"telemetry_every", 1.0}});
   return written ? Result<void>{} : written.error();
 }
 

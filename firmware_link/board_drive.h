@@ -1,12 +1,14 @@
 // A board that speaks the wire, as a drive.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
 #include "base/result.h"
 #include "experiment/drive.h"
 #include "firmware_link/byte_stream.h"
+#include "firmware_link/wire/telemetry.h"
 
 namespace breakaway {
 
@@ -17,6 +19,8 @@ struct BoardDriveOptions {
   double slice_s = 0.001;
   /// Where the pace is real: without a byte for that long the link counts as gone.
   double silence_s = 0.5;
+  /// What telemetry carries, at least what samples are made of: a bit per wire::Channel.
+  std::uint16_t channels = wire::usualChannels;
 };
 
 /// Asks whether a board that speaks the wire is there, every 0.15 s for at most `most_s`. Errors: the stream's.

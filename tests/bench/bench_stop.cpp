@@ -5,7 +5,6 @@
 #include <QTemporaryDir>
 #include <algorithm>
 #include <atomic>
-#include <bit>
 #include <chrono>
 #include <cstdio>
 #include <thread>
@@ -100,7 +99,8 @@ int main(int argc, char** argv) {
   auto stream = openByteStream(end->uri());
   if (!stream) return fail(stream.error().message());
   Witness witness;
-  auto drive = openBoardDrive(std::make_unique<Tap>(std::move(*stream), witness), {.place = end->uri()});
+  auto drive = openBoardDrive(std::make_unique<Tap>(std::move(*stream), witness),
+                              {.place = end->uri(), .channels = wire::allChannels});
   if (!drive) return fail(drive.error().message());
   Session session;
   Comparison comparison;
@@ -138,8 +138,7 @@ int main(int argc, char** argv) {
   std::printf(
       "a board at %.0f kHz over TCP with %d channels, %.2f MB/s into the window, %zu samples lost, board late by %.1f "
       "s\n",
-      1e-3 * rate_Hz, std::popcount(static_cast<unsigned>(wire::usualChannels)), 1e-6 * rate, session.link().lost,
-      server.late_s());
+      1e-3 * rate_Hz, static_cast<int>(wire::channelCount), 1e-6 * rate, session.link().lost, server.late_s());
   std::printf(
       "%zu presses of STOP until the wire: median %.1f ms, 99 %% %.1f ms (50), worst %.1f ms; %d not out in 2 s; load "
       "of this machine %.1f\n",
