@@ -94,16 +94,17 @@ std::string angleSentence(const ResidualMap& map, const Stretch& at, const Place
       map.shows == Unknown::friction
           ? "The axis needs " + moreOrLess(at.mean, axis) + " than the model " + range + ", " + waysText(at, axis)
           : "Something pushes the axis " + wayText(-at.mean, axis) + " with " + torqueText(std::abs(at.mean), axis) +
-                " " + range + ", " +
-                (waysText(at, axis) == "both ways" ? "whichever way it turns" : waysText(at, axis));
+                " " + range +
+                (map.ofSomeSpeeds()
+                     ? " at speeds between " + speedText(map.fromSpeed, axis) + " and " + speedText(map.toSpeed, axis)
+                 : waysText(at, axis) == "both ways" ? ", whichever way it turns"
+                                                     : ", " + waysText(at, axis));
   if (!map.orders.empty() && map.orders[0].amplitude > strongOrder * map.orders[1].amplitude) {
     const int number = map.orders[0].number;
     out += std::string(". It comes ") + (number == 1 ? "once" : std::to_string(number) + " times") +
            " per turn with ±" + torqueText(map.orders[0].amplitude, axis);
   }
-  if (map.ofSomeSpeeds())
-    out += ". That holds at speeds between " + speedText(map.fromSpeed, axis) + " and " + speedText(map.toSpeed, axis) +
-           ", and not alike at others";
+  if (map.ofSomeSpeeds()) out += ". At other speeds it isn't the same";
   return out + ".";
 }
 

@@ -35,10 +35,10 @@ struct ResidualMap {
   std::vector<Order> orders = {};                               ///< over whole turns: the strongest, at most three
   double fromSpeed = -std::numeric_limits<double>::infinity();  ///< the map is of these speeds only
   double toSpeed = std::numeric_limits<double>::infinity();
-
-  bool ofSomeSpeeds() const { return fromSpeed > -std::numeric_limits<double>::infinity(); }
   double share = 0.0;  ///< part of the unexplained square that lies in these means, chance taken off
   double pValue = 1.0;
+
+  bool ofSomeSpeeds() const { return fromSpeed > -std::numeric_limits<double>::infinity(); }
 };
 
 /// Maps over every axis that the tracks show. Significance by sign flips of whole seconds, maximum over all maps.

@@ -76,13 +76,13 @@ void TestDiagnose::effectUnderATorqueThatWanders_isNamed() {
            qPrintable(QString::number(parameter(finding, "amplitude_Nm"))));
 }
 
-/// What the current sensor shows moves nothing: neither what the torque does nor held-out positions speak against it.
 void TestDiagnose::sensorsOffset_isNamed_data() {
   QTest::addColumn<double>("wander");  // of the friction
   QTest::newRow("alone") << 0.0;
   QTest::newRow("under a torque that wanders") << 0.03;
 }
 
+/// What the current sensor shows moves nothing: neither what the torque does nor held-out positions speak against it.
 void TestDiagnose::sensorsOffset_isNamed() {
   QFETCH(double, wander);
   const Diagnosis diagnosis =
