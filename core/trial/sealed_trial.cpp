@@ -180,7 +180,7 @@ std::string familyOf(std::uint64_t seed) {
   return oneOf(catalogueEffects(), random).name;
 }
 
-SealedTrial makeTrial(const std::string& family, std::uint64_t seed) {
+SealedTrial makeTrial(const std::string& family, std::uint64_t seed, const TrialForm& form) {
   SealedTrial trial;
   trial.family = family;
   trial.seed = seed;
@@ -190,8 +190,10 @@ SealedTrial makeTrial(const std::string& family, std::uint64_t seed) {
 
   const auto effects = drawEffects(family, random);
   TrialRig rig = drawTrialRig(needsOf(family, effects), random);
+  if (form.row_s > 0.0) rig.sensors.row_s = form.row_s;
   double duration_s = drawn(random, 30.0, 36.0);
   for (const TrialEffect* effect : effects) duration_s = std::max(duration_s, effect->shortest_s);
+  if (form.duration_s > 0.0) duration_s = form.duration_s;
   std::vector<TrialMove> moves = movesFor(effects);
   const TrialCourse course = drawCourse(rig, moves, duration_s, random);
   const TrialRig plain = rig;

@@ -40,8 +40,14 @@ struct SealedTrial {
   std::string outside;           ///< what an outside trial conceals; else empty
 };
 
+/// What of a trial isn't left to chance; 0: drawn.
+struct TrialForm {
+  double duration_s = 0.0;  ///< of the first recording
+  double row_s = 0.0;
+};
+
 /// The trial of one family and seed, the same on every machine. Precondition: a name of trialFamilies().
-SealedTrial makeTrial(const std::string& family, std::uint64_t seed);
+SealedTrial makeTrial(const std::string& family, std::uint64_t seed, const TrialForm& form = {});
 
 /// The family that `breakaway trial --seed N` draws.
 std::string familyOf(std::uint64_t seed);
