@@ -5,6 +5,7 @@
 
 #include "base/statistics.h"
 #include "diagnose/catalogue.h"
+#include "diagnose/effects/wave.h"
 #include "diagnose/fit/windowed_fit.h"
 #include "diagnose/noise_floor.h"
 #include "diagnose/proof.h"
@@ -53,6 +54,25 @@ FitScore scoreFit(const Bench& bench, const Model& base, const Model& best, cons
   return fit;
 }
 
+/// The effect's terms, that of the largest amplitude first.
+std::vector<EffectTerm> termsOf(const Model& model, const std::string& effect) {
+  std::vector<EffectTerm> terms;
+  for (const EffectTerm& term : model.effects) {
+    if (term.effect == effect) terms.push_back(term);
+  }
+  std::stable_sort(terms.begin(), terms.end(), [](const EffectTerm& a, const EffectTerm& b) {
+    return std::abs(a.parameters.front().value) > std::abs(b.parameters.front().value);
+  });
+  return terms;
+}
+
+/// An effect's second wave has `amplitude2_Nm`, `phase2_rad`, `order2`, and so on.
+Parameter numbered(Parameter parameter, size_t number) {
+  if (number > 1)
+    parameter.name.insert(std::min(parameter.name.find('_'), parameter.name.size()), std::to_string(number));
+  return parameter;
+}
+
 /// The findings, with shares of the excess that add up to what the extended model takes away.
 std::vector<Finding> findingsOf(const SearchResult& result, const Model& model, const SearchInput& input,
                                 double explained) {
@@ -65,12 +85,16 @@ std::vector<Finding> findingsOf(const SearchResult& result, const Model& model, 
     finding.share = marginals > 0.0 ? std::clamp(explained * chosen.marginal / marginals, 0.0, 1.0) : 0.0;
     finding.pValue = chosen.pValue;
     for (const Effect* rival : chosen.rivals) finding.ambiguousWith.emplace_back(rival->name());
-    for (const EffectTerm& term : model.effects) {
-      if (term.effect != finding.effect) continue;
-      finding.parameters = term.parameters;
-      finding.sentence = chosen.effect->sentence(valuesOf(term), input.seen);
-      if (!term.recording.empty() && input.tracks.size() > 1)
-        finding.sentence = "In " + term.recording + ": " + finding.sentence;
+    const std::vector<EffectTerm> terms = termsOf(model, finding.effect);
+    if (!terms.empty()) {
+      const EffectTerm& first = terms.front();
+      finding.sentence = chosen.effect->sentence(valuesOf(first), input.seen);
+      if (!first.recording.empty() && input.tracks.size() > 1)
+        finding.sentence = "In " + first.recording + ": " + finding.sentence;
+      finding.sentence += furtherWavesText(terms);
+    }
+    for (size_t k = 0; k < terms.size(); ++k) {
+      for (const Parameter& one : terms[k].parameters) finding.parameters.push_back(numbered(one, k + 1));
     }
     findings.push_back(std::move(finding));
   }

@@ -35,7 +35,7 @@ std::vector<Stretch> heldoutStretches(double length) {
   std::vector<Stretch> stretches;
   for (double k = 1.0; k <= parts; k += 1.0) {
     const double to = k * length / parts;
-    const double from = std::floor(to - std::max(1.0, 0.2 * length / parts));
+    const double from = std::round(to - std::max(1.0, 0.2 * length / parts));
     stretches.push_back({from, k < parts ? std::floor(to) : length + 1.0});
   }
   return stretches;

@@ -65,8 +65,13 @@ Situation typical(const Drawn& drawn) {
 }
 
 double opposing(const Drawn& drawn, const std::vector<double>& p, const Situation& at) {
-  const Term term = drawn.effect.term(p, at);
-  return torqueScale(drawn) * (term.load_Nm + at.direction * term.friction_Nm);
+  const size_t own = drawn.effect.parameters(drawn.seen.axis).size();
+  double sum = 0.0;
+  for (size_t from = 0; from + own <= p.size(); from += own) {  // wave by wave
+    const Term term = drawn.effect.term(std::span(p).subspan(from, own), at);
+    sum += term.load_Nm + at.direction * term.friction_Nm;
+  }
+  return torqueScale(drawn) * sum;
 }
 
 void addWays(Figure& figure, const Drawn& drawn, const std::vector<double>& x,

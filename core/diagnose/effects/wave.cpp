@@ -74,9 +74,24 @@ bool wavePlausible(std::span<const double> p, const Excitation& seen, double lar
   return std::abs(p[0]) <= largest && seenWhole;
 }
 
+bool wavesAreTold(const Excitation& seen) {
+  return seen.axis == Axis::rotary && seen.travel > 0.5 * turn;
+}
+
 std::string waveText(double orderOrPeriod, Axis axis) {
   if (axis == Axis::linear) return "every " + lengthText(orderOrPeriod);
   return orderOrPeriod == 1.0 ? "once per turn" : digitsText(orderOrPeriod) + " times per turn";
+}
+
+std::string furtherWavesText(const std::vector<EffectTerm>& terms) {
+  if (terms.size() < 2) return {};
+  std::string text = " With it, weaker: ";
+  for (size_t k = 1; k < terms.size(); ++k) {
+    const auto first = valuesOf(terms.front()), p = valuesOf(terms[k]);
+    text += (k > 1 ? ", " : "") + waveText(p[2], Axis::rotary) + " (" + percentText(std::abs(p[0] / first[0])) +
+            " of that)";
+  }
+  return text + ".";
 }
 
 std::string wavePeakText(std::span<const double> p, Axis axis, double lowest) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "diagnose/effect.h"
+#include "diagnose/simulate/model.h"
 
 namespace breakaway {
 
@@ -24,9 +25,16 @@ std::vector<double> waveScaled(const Shape& shape, std::span<const double> ampli
 /// At most `largest` in amplitude, and not longer than the data shows: a longer wave is a spring or an offset.
 bool wavePlausible(std::span<const double> p, const Excitation& seen, double largest);
 
+/// Whether the data can tell waves of several orders apart: half a turn of a rotor.
+bool wavesAreTold(const Excitation& seen);
+
 /// "12 times per turn", "every 5 mm".
 std::string waveText(double orderOrPeriod, Axis axis);
 /// The angle within the turn, or the position above `lowest`, at which the wave peaks first.
 std::string wavePeakText(std::span<const double> p, Axis axis, double lowest = 0.0);
+
+/// Of an effect's terms, what those after the first add to its sentence: " With it, weaker: 14 times per turn (22 %)."
+/// Empty for one term.
+std::string furtherWavesText(const std::vector<EffectTerm>& terms);
 
 }  // namespace breakaway

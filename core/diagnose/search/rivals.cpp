@@ -20,11 +20,17 @@ constexpr double halfOfAll = 0.5;
 
 constexpr double hardlyMore = 1.15;  ///< of a squared error
 
+size_t wavesOf(const Model& model, const Effect& effect) {
+  return static_cast<size_t>(std::count_if(model.effects.begin(), model.effects.end(),
+                                           [&effect](const EffectTerm& term) { return term.effect == effect.name(); }));
+}
+
 /// How many of the effect's numbers a fit may change.
-std::ptrdiff_t freedomOf(const Effect& effect, Axis axis) {
-  const auto specs = effect.parameters(axis);
-  return std::count_if(specs.begin(), specs.end(),
-                       [](const ParameterSpec& one) { return !one.held || one.freeInTheEnd; });
+size_t freedomOf(const Model& model, const Effect& effect) {
+  const auto specs = effect.parameters(model.axis);
+  const auto free =
+      std::count_if(specs.begin(), specs.end(), [](const ParameterSpec& one) { return !one.held || one.freeInTheEnd; });
+  return wavesOf(model, effect) * static_cast<size_t>(free);
 }
 
 bool lists(const Chosen& chosen, const Effect* rival) {
@@ -33,13 +39,26 @@ bool lists(const Chosen& chosen, const Effect* rival) {
 
 }  // namespace
 
+/// Adds the effect's best shape beside the others, if it has any.
+void Rivals::addBest(const Effect& effect, std::vector<Pick>& others) const {
+  Pick pick = screen_.best(effect, others);
+  if (!pick.parameters.empty()) others.push_back(std::move(pick));
+}
+
+/// What the screen makes of all terms but those of the k-th chosen effect.
+std::vector<Pick> Rivals::othersOf(const SearchResult& result, size_t k) const {
+  std::vector<Pick> others;
+  for (const EffectTerm& term : result.best.model.effects) {
+    const Effect* effect = findEffect(term.effect);
+    if (effect != result.chosen[k].effect) addBest(*effect, others);
+  }
+  return others;
+}
+
 /// Effects that the screen finds nearly as good as the chosen one, beside the other chosen ones.
 std::vector<Pick> Rivals::nearlyAsGood(const SearchResult& result, size_t k) const {
-  std::vector<Pick> others, candidates;
-  for (size_t j = 0; j < result.chosen.size(); ++j) {
-    if (j != k) others.push_back(screen_.best(*result.chosen[j].effect, others));
-  }
-  std::erase_if(others, [](const Pick& one) { return one.parameters.empty(); });
+  std::vector<Pick> candidates;
+  const std::vector<Pick> others = othersOf(result, k);
   const double own = screen_.best(*result.chosen[k].effect, others).gain;
   const auto alike = result.chosen[k].effect->lookAlikes();
   const auto listed = [&alike](const Effect* effect) {
@@ -71,7 +90,18 @@ void Rivals::tryInPlace(SearchResult& result, size_t k, const FitResult& left, c
   // Which of two loads it is, short windows tell better than long ones.
   const bool exchange = swings(result.best.model) && !swings(left.model);
   if (swings(rival) && (exchange || !fits_.loadsMayShow())) return;
-  FitResult fit = fits_.fresh(with(input_, left.model, rival));
+  // What comes in waves may have as many.
+  const size_t waves = wavesOf(result.best.model, *chosen.effect);
+  Model start = with(input_, left.model, rival);
+  for (std::vector<Pick> picks = othersOf(result, k); wavesOf(start, *rival.effect) < waves;) {
+    if (picks.empty() || !same(picks.back().effect, rival.effect)) picks.push_back(rival);
+    if (!rival.effect->comesInWaves(input_.seen)) break;
+    const size_t before = picks.size();
+    addBest(*rival.effect, picks);
+    if (picks.size() == before) break;
+    start = with(input_, start, picks.back());
+  }
+  FitResult fit = fits_.fresh(start);
   if (!fit.usable || !plausible(fit.model, input_.seen)) return;
   const auto errors = fits_.worth().validated(fit);
   if (!std::isfinite(mean(errors))) return;
@@ -87,9 +117,8 @@ void Rivals::tryInPlace(SearchResult& result, size_t k, const FitResult& left, c
   const bool better = clearlyBetter && mean(errors) < 0.9 * mean(best) &&
                       mean(fit.windowSquares) < 1.5 * mean(result.best.windowSquares) &&
                       (!freer || fits_.clearlyBetterFromRestarts(fit.model, result.best.model));
-  const bool simpler =
-      freedomOf(*rival.effect, result.best.model.axis) < freedomOf(*chosen.effect, result.best.model.axis) &&
-      mean(fit.windowSquares) < hardlyMore * mean(result.best.windowSquares);
+  const bool simpler = freedomOf(fit.model, *rival.effect) < freedomOf(result.best.model, *chosen.effect) &&
+                       mean(fit.windowSquares) < hardlyMore * mean(result.best.windowSquares);
   if (!better && !simpler && (ahead.inErrors >= 2.0 || clearlyWorse)) return;
   // A push at a time of its own explains whatever happened then: physics that does as well is the better name.
   const bool physics = chosen.effect->happensOnce() && !rival.effect->happensOnce();

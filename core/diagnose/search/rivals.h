@@ -17,6 +17,8 @@ class Rivals {
   void weigh(SearchResult& result, std::vector<FitResult> left) const;
 
  private:
+  void addBest(const Effect& effect, std::vector<Pick>& others) const;
+  std::vector<Pick> othersOf(const SearchResult& result, size_t k) const;
   std::vector<Pick> nearlyAsGood(const SearchResult& result, size_t k) const;
   void tryInPlace(SearchResult& result, size_t k, const FitResult& left, const Pick& rival,
                   std::vector<double>& best) const;

@@ -16,8 +16,16 @@ constexpr double leastPart = 0.03;       ///< of what is left
 constexpr double leastOfBase = 0.005;    ///< of what the base leaves
 constexpr double leastAgreement = 0.01;  ///< fall of the held-out error
 constexpr double fewWindows = 0.12;
-constexpr size_t mostEffects = 6;
+constexpr size_t mostEffects = 6, mostWaves = 5;  ///< waves beyond the first of each effect
 constexpr size_t beamWidth = 3;
+
+/// How many of them are of an effect that comes before.
+size_t furtherWaves(const std::vector<Pick>& picks) {
+  size_t further = 0;
+  for (size_t k = 0; k < picks.size(); ++k)
+    further += contains({picks.begin(), picks.begin() + static_cast<std::ptrdiff_t>(k)}, picks[k].effect) ? 1 : 0;
+  return further;
+}
 
 /// Numbers of the parameters that differ from shape to shape: the nonlinear ones that a search may refine.
 std::vector<size_t> refinable(const Effect& effect, const Shape& shape, const Excitation& seen) {
@@ -39,6 +47,10 @@ std::vector<size_t> refinable(const Effect& effect, const Shape& shape, const Ex
 
 bool same(const Effect* a, const Effect* b) {
   return a == b || (!a->twin().empty() && a->twin() == b->name());
+}
+
+bool contains(const std::vector<Pick>& picks, const Effect* effect) {
+  return std::any_of(picks.begin(), picks.end(), [effect](const Pick& one) { return same(one.effect, effect); });
 }
 
 void sortByGain(std::vector<Pick>& picks) {
@@ -162,7 +174,8 @@ double Screen::gainOf(const Eigen::MatrixXd& columns, const Left& left, Eigen::V
 }
 
 bool Screen::open(const Effect* effect, const std::vector<Pick>& chosen) const {
-  return std::none_of(chosen.begin(), chosen.end(), [effect](const Pick& one) { return same(one.effect, effect); });
+  // Of its waves, those that are chosen already leave nothing of their own shape.
+  return effect->comesInWaves(seen_) || !contains(chosen, effect);
 }
 
 std::vector<Pick> Screen::bestOfEach(const Left& left, const std::vector<Pick>& chosen) const {
@@ -341,9 +354,13 @@ void Screen::settle(std::vector<Pick>& chosen) const {
 
 std::vector<Pick> Screen::grow(std::vector<Pick> chosen) const {
   const double baseSquares = leave({}).response.squaredNorm();
-  while (chosen.size() < mostEffects) {
+  while (chosen.size() < mostEffects + mostWaves) {
     const Left left = leave(chosen);
     std::vector<Pick> best = bestOfEach(left, chosen);
+    if (chosen.size() - furtherWaves(chosen) >= mostEffects)
+      std::erase_if(best, [&chosen](const Pick& one) { return !contains(chosen, one.effect); });
+    if (furtherWaves(chosen) >= mostWaves)
+      std::erase_if(best, [&chosen](const Pick& one) { return contains(chosen, one.effect); });
     if (best.empty()) break;
     for (size_t k = 0; k < std::min<size_t>(3, best.size()); ++k) best[k] = refined(best[k], left);
     sortByGain(best);
@@ -413,6 +430,7 @@ void Screen::findRivals(std::vector<Pick>& chosen) const {
     const auto own = validated(chosen);
     for (Pick& rival : bestOfEach(left, chosen)) {
       if (rival.gain < 0.6 * chosen[k].gain) break;
+      if (contains(chosen, rival.effect)) continue;
       rival = refined(std::move(rival), left);
       std::vector<Pick> swapped = chosen;
       swapped[k] = rival;

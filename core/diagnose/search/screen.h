@@ -26,6 +26,9 @@ struct Pick {
 /// Whether the two are one effect, or twins that no recording tells apart.
 bool same(const Effect* a, const Effect* b);
 
+/// Whether an effect, or its twin, is among the picks.
+bool contains(const std::vector<Pick>& picks, const Effect* effect);
+
 /// The largest gain first.
 void sortByGain(std::vector<Pick>& picks);
 

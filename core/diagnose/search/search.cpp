@@ -28,7 +28,7 @@ constexpr double mostOfAll = 0.6;
 constexpr double importantPart = 0.2, noticeable = 0.02, negligible = 0.005;  ///< of the screen's squared residual
 constexpr size_t mostTrials = 4;
 constexpr double settledFloors = 9.0;  ///< squared error, in squared floors, below which no more is looked for
-constexpr double nearlyAlike = 3.0, nearlyNothing = 0.2, clearlyLess = 0.8;  ///< of a squared error
+constexpr double hardlyMore = 1.03, nearlyAlike = 3.0, nearlyNothing = 0.2, clearlyLess = 0.8;  ///< of a squared error
 
 /// An axis has one load side: of effects that each bring one along, the most important stays.
 std::vector<Pick> withOneLoad(std::vector<Pick> picks) {
@@ -40,11 +40,29 @@ std::vector<Pick> withOneLoad(std::vector<Pick> picks) {
   return picks;
 }
 
+/// One pick of each effect, with the gains of all its waves.
+std::vector<Pick> asEffects(const std::vector<Pick>& picks) {
+  std::vector<Pick> effects;
+  for (const Pick& pick : picks) {
+    const auto known = std::find_if(effects.begin(), effects.end(),
+                                    [&pick](const Pick& one) { return same(one.effect, pick.effect); });
+    if (known == effects.end()) {
+      effects.push_back(pick);
+    } else {
+      known->gain += pick.gain;
+    }
+  }
+  sortByGain(effects);
+  return effects;
+}
+
 /// The screen's set without loads and without what hardly takes anything away: simulation may still ask for it.
 std::vector<Pick> noteworthy(const ScreenResult& found) {
   std::vector<Pick> picks = found.chosen;
   const double least = negligible * found.baseSquares;
-  std::erase_if(picks, [least](const Pick& one) { return swings(one) || one.gain < least; });
+  std::vector<Pick> effects = asEffects(picks);
+  std::erase_if(effects, [least](const Pick& one) { return one.gain < least; });
+  std::erase_if(picks, [&](const Pick& one) { return swings(one) || !contains(effects, one.effect); });
   return picks;
 }
 
@@ -122,6 +140,7 @@ class Search {
         robustWeights(residualSquares(result.base.model, input_.tracks, input_.split.polish));
     result.base = polishModel(input_, result.base.model, weights);
     result.best = result.chosen.empty() ? result.base : polishModel(input_, result.best.model, weights);
+    dropIdleWaves(result, weights);
     return result;
   }
 
@@ -132,7 +151,7 @@ class Search {
   }
   /// The screen's effects whose part of the residual a simulation is likely to confirm.
   std::vector<Pick> important(const ScreenResult& found) const {
-    std::vector<Pick> picks = found.chosen;
+    std::vector<Pick> picks = asEffects(found.chosen);
     const bool atFloor = worth().baseAtFloor();
     // At the position's floor a current may still show something, if that is most of what there is.
     const double least = (atFloor ? halfOfAll : importantPart) * found.baseSquares;
@@ -196,7 +215,7 @@ class Search {
         continue;
       }
       result.best = std::move(fit);
-      for (const Pick& pick : picks) result.chosen.push_back({pick.effect, pick.pValue, 0.0, {}});
+      for (const Pick& pick : asEffects(picks)) result.chosen.push_back({pick.effect, pick.pValue, 0.0, {}});
       return;
     }
   }
@@ -328,8 +347,8 @@ class Search {
 
   static std::vector<Pick> picksOf(const SearchResult& result, const Screen& screen) {
     std::vector<Pick> picks;
-    for (const Chosen& one : result.chosen) {
-      Pick pick = screen.best(*one.effect, picks);
+    for (const EffectTerm& term : result.best.model.effects) {
+      Pick pick = screen.best(*findEffect(term.effect), picks);
       if (!pick.parameters.empty()) picks.push_back(std::move(pick));
     }
     return picks;
@@ -354,7 +373,7 @@ class Search {
     std::vector<Pick> candidates;
     const bool loaded = swings(result.best.model);
     for (const Effect* effect : catalogue()) {
-      if (contains(result.chosen, effect)) continue;
+      if (contains(result.chosen, effect) && !effect->comesInWaves(input_.seen)) continue;
       Pick pick = screen.best(*effect, picks);
       if (pick.parameters.empty()) continue;
       // What a load that did nothing alone takes from what others leave is hardly its own.
@@ -389,7 +408,7 @@ class Search {
     }
     if (!winner) return false;
     result.best = std::move(*winner);
-    result.chosen.push_back(chosen);
+    if (!contains(result.chosen, chosen.effect)) result.chosen.push_back(chosen);
     return true;
   }
 
@@ -425,6 +444,23 @@ class Search {
         result.chosen.erase(result.chosen.begin() + static_cast<std::ptrdiff_t>(k));
         changed = true;
       }
+    }
+  }
+
+  /// Of an effect's further waves, those go of which there may be nothing and that hardly take anything away.
+  void dropIdleWaves(SearchResult& result, const std::vector<double>& weights) const {
+    for (size_t e = result.best.model.effects.size(); e-- > 1;) {
+      const auto& terms = result.best.model.effects;
+      const auto here = terms.begin() + static_cast<std::ptrdiff_t>(e);
+      const Parameter& size = here->parameters.front();
+      const bool further =
+          std::any_of(terms.begin(), here, [&here](const EffectTerm& one) { return one.effect == here->effect; });
+      if (!further || size.low95 > 0.0 || size.high95 < 0.0) continue;
+      Model less = result.best.model;
+      less.effects.erase(less.effects.begin() + static_cast<std::ptrdiff_t>(e));
+      FitResult fit = polishModel(input_, less, weights);
+      if (fit.usable && mean(fit.windowSquares) < hardlyMore * mean(result.best.windowSquares))
+        result.best = std::move(fit);
     }
   }
 

@@ -127,10 +127,11 @@ double Stepper::lostVoltage(const MotionState& state, double u, double velocity,
     });
     return loss;
   };
-  // R i + loss(i) = u − Ke ω by false position between no current and the current without loss.
+  // R i + loss(i) = u − Ke ω by false position between hardly any current and the current without loss. What doesn't
+  // depend on the current may lie beyond either.
   const double free = available / physics_.resistance;
-  double low = 0.0, high = free, gLow = lossAt(0.0) - available, gHigh = lossAt(free);
-  if (gLow * gHigh > 0.0) return std::abs(gHigh) < std::abs(gLow) ? gHigh : gLow + available;
+  double low = 1e-6 * free, high = free, gLow = lossAt(low) - available, gHigh = lossAt(free);
+  if (gLow * gHigh > 0.0) return lossAt(free - gHigh / physics_.resistance);
   double loss = gHigh;
   int kept = 0;  // an end that stays twice counts half: Illinois
   for (int k = 0; k < 12 && gHigh != gLow; ++k) {
@@ -220,7 +221,14 @@ void Stepper::advance(MotionState& state, double u, double dt, double time_s, bo
   for (int part = 0; part < parts; ++part) {
     const double now = time_s + part * step;
     const MotionState before = stateDependent_ ? state : MotionState{};
-    const double volts = losesVoltage_ && connected ? u - lostVoltage(state, u, state.velocity, now) : u;
+    double volts = u;
+    if (losesVoltage_ && connected) {
+      double middle = state.velocity + 0.5 * step * state.acceleration;
+      if (middle * state.velocity <= 0.0) middle = state.velocity;
+      MotionState half = state;
+      half.position += 0.25 * step * (state.velocity + middle);
+      volts -= lostVoltage(half, u, middle, now + 0.5 * step);
+    }
     if (!p.electrical) {
       mechanical(state, connected ? p.torqueConstant * u : 0.0, p.viscous, step, now);
     } else if (!connected) {
