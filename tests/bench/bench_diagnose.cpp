@@ -23,7 +23,7 @@ namespace {
 constexpr double count = 2.0 * std::numbers::pi / 4096.0;
 constexpr double namedTarget_s = 1.0, elapsedTarget_s = 5.0;  ///< at 60 s
 constexpr std::uint64_t trialSeed = 9001;
-constexpr double memoryTarget_MB = 500.0;                     ///< at 600 s
+constexpr double memoryTarget_MB = 500.0;  ///< at 600 s
 
 /// A servo driven by voltage, its current recorded, that conceals a Stribeck excess and cogging.
 Model servo() {
@@ -143,7 +143,8 @@ void diagnoseEffects() {
                 diagnosis->elapsed_s, namesOf(*diagnosis).c_str());
   }
   std::printf("median: named after %.2f s, all after %.2f s; target: %.0f s, %.0f s; first names final in %zu of %zu\n",
-              quantile(named_s, 0.5), quantile(elapsed_s, 0.5), namedTarget_s, elapsedTarget_s, agreeing, named_s.size());
+              quantile(named_s, 0.5), quantile(elapsed_s, 0.5), namedTarget_s, elapsedTarget_s, agreeing,
+              named_s.size());
 }
 
 }  // namespace

@@ -15,6 +15,8 @@ class TestDiagnose : public QObject {
   void cleanRigWithNoise_lacksNothing();
   void torqueThatWandersALittle_isNotMissing();
   void effectUnderATorqueThatWanders_isNamed();
+  void severalWaves_areOneFinding_data();
+  void severalWaves_areOneFinding();
   void sensorsOffset_isNamed_data();
   void sensorsOffset_isNamed();
   void sameSeed_givesTheSameDiagnosis();
@@ -74,6 +76,40 @@ void TestDiagnose::effectUnderATorqueThatWanders_isNamed() {
   QCOMPARE(parameter(finding, "order"), 9.0);
   QVERIFY2(within(parameter(finding, "amplitude_Nm"), gauge * 0.0012, 0.1),
            qPrintable(QString::number(parameter(finding, "amplitude_Nm"))));
+}
+
+void TestDiagnose::severalWaves_areOneFinding_data() {
+  QTest::addColumn<QString>("torque");
+  QTest::addColumn<QString>("friction");
+  QTest::addColumn<QString>("effect");
+  QTest::addColumn<QList<double>>("sizes");  // amplitudes in Nm and their orders, the largest first
+  QTest::newRow("cogging") << "[[7, 0.002, 0.4], [14, 0.0009, 2.0], [12, 0.0006, -1.0]]"
+                           << "[]"
+                           << "cogging" << QList<double>{0.002, 7.0, 0.0009, 14.0, 0.0006, 12.0};
+  QTest::newRow("friction") << "[]"
+                            << "[[1, 0.2, 0.4], [3, 0.1, 1.0]]"
+                            << "position_dependent_friction" << QList<double>{0.2 * 0.012, 1.0, 0.1 * 0.012, 3.0};
+}
+
+void TestDiagnose::severalWaves_areOneFinding() {
+  QFETCH(QString, torque);
+  QFETCH(QString, friction);
+  QFETCH(QString, effect);
+  QFETCH(QList<double>, sizes);
+  const Diagnosis diagnosis =
+      diagnosed({.positionTorque = torque.toStdString(), .waves = friction.toStdString(), .seconds = 30.0});
+  QVERIFY2(nameOf(diagnosis.verdict) == "named", inWords(diagnosis).c_str());
+  QCOMPARE(diagnosis.findings.size(), size_t(1));
+  const Finding& finding = diagnosis.findings.front();
+  QCOMPARE(QString::fromStdString(finding.effect), effect);
+  for (qsizetype k = 0; k + 1 < sizes.size(); k += 2) {
+    const std::string number = k > 0 ? std::to_string(k / 2 + 1) : "";
+    QCOMPARE(parameter(finding, "order" + number), sizes[k + 1]);
+    const double size = std::abs(parameter(finding, "amplitude" + number + "_Nm"));
+    QVERIFY2(within(size, gauge * sizes[k], 0.1), inWords(diagnosis).c_str());
+  }
+  QCOMPARE(finding.parameters.size(), static_cast<size_t>(3 * sizes.size() / 2));
+  QVERIFY(isProved(diagnosis.fit));
 }
 
 void TestDiagnose::sensorsOffset_isNamed_data() {

@@ -15,6 +15,7 @@ class TestStepperEffects : public QObject {
   Q_OBJECT
  private slots:
   void deadTime_losesItsVoltageWithTheCurrentsSign();
+  void voltageThatHelps_isNotLost();
   void currentDrive_losesNoVoltage();
   void supplySag_actsAsAResistanceTimesTheDutySquared();
   void supplyGivesBack_noSagWhileBraking();
@@ -104,6 +105,25 @@ void TestStepperEffects::deadTime_losesItsVoltageWithTheCurrentsSign() {
     COMPARE_WITHIN(heldCurrent(terms, u, 0.05), i, 1e-4);
   }
   QVERIFY(std::abs(heldCurrent(terms, 0.0, 0.05)) < 1e-12);
+}
+
+void TestStepperEffects::voltageThatHelps_isNotLost() {
+  // A back-EMF that changes around the turn, at one speed and place: i = (u − Ke ω (1 + A cos(N θ − φ)))/R, on either
+  // side of no current.
+  Physics p = voltageDriven();
+  p.inductance = 0.0;
+  p.inertia = 1e3;  // so that neither changes
+  constexpr double speed = 40.0, share = 0.25;
+  for (const double wave : {1.0, -1.0}) {
+    for (const double volts : {-0.2, -0.02, 0.02, 0.2}) {
+      const double u = p.backEmf * speed + volts;
+      Stepper stepper(p, {compiled("torque_ripple", {share * wave, 0.0, 1e-3})});
+      MotionState state{0.0, speed, 0.0};
+      stepper.advance(state, u, row_s, 0.0);
+      const double expected = (volts - share * wave * p.backEmf * speed) / p.resistance;
+      COMPARE_WITHIN(state.current, expected, 1e-3 * std::abs(expected));
+    }
+  }
 }
 
 void TestStepperEffects::currentDrive_losesNoVoltage() {

@@ -118,15 +118,17 @@ class Search {
     if (sure(steady.found)) announce(important(steady.found));  // or else what simulation makes of it
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
     input_.say(0.35, "simulating what was found");
-    const auto wandering = adoptFound(result, steady, wanderingRig);
-    const auto& [screen, found] = wandering ? *wandering : steady;
+    auto wandering = adoptFound(result, steady, wanderingRig);
+    const Screen& first = wandering ? wandering->screen : steady.screen;
     const bool asSet = !result.chosen.empty();
-    if (!asSet) adoptAlone(result, screen);
+    if (!asSet) adoptAlone(result, first);
     backward(result);
     if (asSet && result.chosen.empty()) {  // one of its members may still be right alone, from a start of its own
-      adoptAlone(result, screen);
+      adoptAlone(result, first);
       backward(result);
     }
+    if (!wandering) wandering = extend(result, wanderingRig);
+    const auto& [screen, found] = wandering ? *wandering : steady;
     if (tryMore(result, screen, found.chosen)) backward(result);
     if (settledOn(result)) announce(result.chosen);
     refine(result);
@@ -310,6 +312,23 @@ class Search {
     const bool current = other.best.currentSquares < clearlyLess * set.best.currentSquares;
     if (now >= (current ? 1.0 : clearlyLess) * left) return nullptr;
     set = std::move(other);
+    return wandering;
+  }
+
+  /// Where a set leaves much beside what it explains, the larger set that the screen finds if the torque wanders, which
+  /// tells waves of several orders better; nothing if that is no better.
+  std::unique_ptr<const Screening> extend(SearchResult& result, const LinearRig& wanderingRig) {
+    if (result.chosen.empty() || swings(result.best.model) || worth().floors(result.best) <= settledFloors)
+      return nullptr;
+    auto wandering = std::make_unique<const Screening>(input_, wanderingRig, withoutLoads(input_.seen));
+    SearchResult other = result;
+    other.best = other.base;
+    other.chosen.clear();
+    adopt(other, wandering->screen, noteworthy(wandering->found));
+    const bool goesOn = contains(other.chosen, result.chosen.front().effect);
+    if (!goesOn || mean(other.best.windowSquares) >= clearlyLess * mean(result.best.windowSquares)) return nullptr;
+    result = std::move(other);
+    backward(result);
     return wandering;
   }
 
