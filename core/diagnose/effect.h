@@ -95,8 +95,8 @@ class Effect {
   virtual Term term(std::span<const double>, const Situation&) const { return {}; }
   /// Whether it happens in one recording only, at a time of its own.
   virtual bool happensOnce() const { return false; }
-  /// Whether several of it may be there at once, each with an order of its own.
-  virtual bool comesInWaves(const Excitation&) const { return false; }
+  /// Whether several of it may be there at once: waves of different orders, both ends of a travel.
+  virtual bool mayRepeat(const Excitation&) const { return false; }
   /// Whether it grows while the axis stands still.
   virtual bool growsAtRest() const { return false; }
   /// Whether term() loses voltage.

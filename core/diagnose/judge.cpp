@@ -73,6 +73,14 @@ Parameter numbered(Parameter parameter, size_t number) {
   return parameter;
 }
 
+/// What terms after the first add to the finding's sentence.
+std::string furtherText(const std::vector<EffectTerm>& terms, const Effect& effect, const Excitation& seen) {
+  if (terms.front().parameters.back().name == "order") return furtherWavesText(terms);
+  std::string text;
+  for (size_t k = 1; k < terms.size(); ++k) text += " " + effect.sentence(valuesOf(terms[k]), seen);
+  return text;
+}
+
 /// The findings, with shares of the excess that add up to what the extended model takes away.
 std::vector<Finding> findingsOf(const SearchResult& result, const Model& model, const SearchInput& input,
                                 double explained) {
@@ -91,7 +99,7 @@ std::vector<Finding> findingsOf(const SearchResult& result, const Model& model, 
       finding.sentence = chosen.effect->sentence(valuesOf(first), input.seen);
       if (!first.recording.empty() && input.tracks.size() > 1)
         finding.sentence = "In " + first.recording + ": " + finding.sentence;
-      finding.sentence += furtherWavesText(terms);
+      finding.sentence += furtherText(terms, *chosen.effect, input.seen);
     }
     for (size_t k = 0; k < terms.size(); ++k) {
       for (const Parameter& one : terms[k].parameters) finding.parameters.push_back(numbered(one, k + 1));
@@ -216,9 +224,8 @@ class Judge {
 
   /// The rest of the set is refined.
   void drop(SearchResult& candidate, Members::iterator one) const {
-    const auto& windows = prepared_.split.polish;
-    candidate.best = polishModel(input_, without(candidate.best.model, *one->effect),
-                                 robustWeights(residualSquares(candidate.base.model, input_.tracks, windows)));
+    const Model rest = without(candidate.best.model, *one->effect);
+    candidate.best = polishModel(input_, rest, polishWeights(input_, rest));
     candidate.chosen.erase(one);
   }
 

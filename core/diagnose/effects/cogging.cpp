@@ -20,7 +20,7 @@ class Cogging final : public Effect {
   }
   std::vector<ParameterSpec> parameters(Axis axis) const override { return waveParameters(axis); }
   Term term(std::span<const double> p, const Situation& at) const override { return {-waveValue(p, at), 0.0}; }
-  bool comesInWaves(const Excitation& seen) const override { return wavesAreTold(seen); }
+  bool mayRepeat(const Excitation& seen) const override { return wavesAreTold(seen); }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     return waveShapes(seen, 2, 96, 0.1 * seen.peakTorque);
   }

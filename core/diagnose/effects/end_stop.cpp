@@ -30,6 +30,7 @@ class EndStop final : public Effect {
     return {.load_Nm = depth > 0.0 ? p[2] * std::max(0.0, p[0] * depth + p[3] * p[2] * at.velocity) : 0.0};
   }
   double longestStep_s(std::span<const double>) const override { return 5e-4; }
+  bool mayRepeat(const Excitation&) const override { return true; }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     std::vector<Shape> shapes;
     if (seen.peakTorque <= 0.0 || seen.travel <= 0.0) return shapes;

@@ -20,7 +20,7 @@ class PositionDependentFriction final : public Effect {
   }
   std::vector<ParameterSpec> parameters(Axis axis) const override { return waveParameters(axis); }
   Term term(std::span<const double> p, const Situation& at) const override { return {0.0, waveValue(p, at)}; }
-  bool comesInWaves(const Excitation& seen) const override { return wavesAreTold(seen); }
+  bool mayRepeat(const Excitation& seen) const override { return wavesAreTold(seen); }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     return seen.bothWays ? waveShapes(seen, 1, 12, 0.1 * seen.peakTorque) : std::vector<Shape>{};
   }

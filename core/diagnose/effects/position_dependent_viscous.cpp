@@ -23,7 +23,7 @@ class PositionDependentViscous final : public Effect {
   Term term(std::span<const double> p, const Situation& at) const override {
     return {0.0, waveValue(p, at) * std::abs(at.velocity)};
   }
-  bool comesInWaves(const Excitation& seen) const override { return wavesAreTold(seen); }
+  bool mayRepeat(const Excitation& seen) const override { return wavesAreTold(seen); }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     if (seen.highSpeed <= 1.3 * seen.lowSpeed) return {};
     return waveShapes(seen, 1, 12, 0.1 * seen.peakTorque / seen.highSpeed);

@@ -27,7 +27,7 @@ class TorqueRipple final : public Effect {
     const double torqueConstant = at.current != 0.0 ? at.driveTorque / at.current : 0.0;
     return {.load_Nm = -wave * at.driveTorque, .voltage_V = wave * torqueConstant * at.velocity};
   }
-  bool comesInWaves(const Excitation& seen) const override { return wavesAreTold(seen); }
+  bool mayRepeat(const Excitation& seen) const override { return wavesAreTold(seen); }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     return seen.axis == Axis::rotary ? waveShapes(seen, 1, 48, 0.03) : std::vector<Shape>{};
   }

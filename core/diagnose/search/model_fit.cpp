@@ -145,6 +145,10 @@ FitResult fitBase(const SearchInput& input, const std::vector<Model>& starts) {
   return best;
 }
 
+std::vector<double> polishWeights(const SearchInput& input, const Model& model) {
+  return robustWeights(residualSquares(model, input.tracks, input.split.polish));
+}
+
 FitResult polishModel(const SearchInput& input, const Model& model, const std::vector<double>& windowWeights) {
   if (remembers(model)) return fitModel(input, model, 4);
   return fitWindows(

@@ -63,6 +63,9 @@ Model fitShort(const SearchInput& input, const Model& model, double tolerance = 
 /// The base model: the best of the fits from each start.
 FitResult fitBase(const SearchInput& input, const std::vector<Model>& starts);
 
+/// Weights for the last refinement: windows in which the model errs far more than in others count less.
+std::vector<double> polishWeights(const SearchInput& input, const Model& model);
+
 /// The last refinement, on the overlapping windows.
 FitResult polishModel(const SearchInput& input, const Model& model, const std::vector<double>& windowWeights = {});
 

@@ -95,7 +95,7 @@ void Rivals::tryInPlace(SearchResult& result, size_t k, const FitResult& left, c
   Model start = with(input_, left.model, rival);
   for (std::vector<Pick> picks = othersOf(result, k); wavesOf(start, *rival.effect) < waves;) {
     if (picks.empty() || !same(picks.back().effect, rival.effect)) picks.push_back(rival);
-    if (!rival.effect->comesInWaves(input_.seen)) break;
+    if (!rival.effect->mayRepeat(input_.seen)) break;
     const size_t before = picks.size();
     addBest(*rival.effect, picks);
     if (picks.size() == before) break;

@@ -175,7 +175,7 @@ double Screen::gainOf(const Eigen::MatrixXd& columns, const Left& left, Eigen::V
 
 bool Screen::open(const Effect* effect, const std::vector<Pick>& chosen) const {
   // Of its waves, those that are chosen already leave nothing of their own shape.
-  return effect->comesInWaves(seen_) || !contains(chosen, effect);
+  return effect->mayRepeat(seen_) || !contains(chosen, effect);
 }
 
 std::vector<Pick> Screen::bestOfEach(const Left& left, const std::vector<Pick>& chosen) const {

@@ -138,10 +138,13 @@ class Search {
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
     result.left = wanderBeside(wanderingRig, picksOf(result, screen));
     input_.say(0.85, "refining");
-    const std::vector<double> weights =
-        robustWeights(residualSquares(result.base.model, input_.tracks, input_.split.polish));
-    result.base = polishModel(input_, result.base.model, weights);
-    result.best = result.chosen.empty() ? result.base : polishModel(input_, result.best.model, weights);
+    result.base = polishModel(input_, result.base.model, polishWeights(input_, result.base.model));
+    if (result.chosen.empty()) {
+      result.best = result.base;
+      return result;
+    }
+    const std::vector<double> weights = polishWeights(input_, result.best.model);
+    result.best = polishModel(input_, result.best.model, weights);
     dropIdleWaves(result, weights);
     return result;
   }
@@ -392,7 +395,7 @@ class Search {
     std::vector<Pick> candidates;
     const bool loaded = swings(result.best.model);
     for (const Effect* effect : catalogue()) {
-      if (contains(result.chosen, effect) && !effect->comesInWaves(input_.seen)) continue;
+      if (contains(result.chosen, effect) && !effect->mayRepeat(input_.seen)) continue;
       Pick pick = screen.best(*effect, picks);
       if (pick.parameters.empty()) continue;
       // What a load that did nothing alone takes from what others leave is hardly its own.

@@ -1,9 +1,11 @@
 #include "diagnose/search/set_fits.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "base/statistics.h"
+#include "diagnose/catalogue.h"
 #include "diagnose/noise_floor.h"
 #include "diagnose/search/swinging_load.h"
 #include "diagnose/simulate/physics.h"
@@ -45,7 +47,15 @@ bool SetFits::clearlyBetterFromRestarts(const Model& model, const Model& other) 
 }
 
 FitResult SetFits::fresh(const Model& start) const {
-  return fitModel(input_, start, 6);
+  FitResult fit = fitModel(input_, start, 6);
+  const bool once = std::any_of(start.effects.begin(), start.effects.end(),
+                                [](const EffectTerm& term) { return findEffect(term.effect)->happensOnce(); });
+  if (!once || !fit.usable) return fit;
+  // What happened rests on the windows in which the base model errs most, and which count least for that.
+  SearchInput own = input_;
+  own.windowWeights.clear();
+  FitResult again = fitModel(own, fit.model, 6);
+  return again.usable && mean(again.windowSquares) < mean(fit.windowSquares) ? again : fit;
 }
 
 FitResult SetFits::together(const Screen& screen, const std::vector<Pick>& picks) const {

@@ -41,9 +41,9 @@ bool swings(const Model& model) {
 }
 
 double typicalPart(const std::vector<double>& squares, const std::vector<double>& ofSquares) {
+  const double unit = std::max(insignificant * mean(ofSquares), 1e-300);
   double sum = 0.0;
-  for (size_t w = 0; w < squares.size(); ++w)
-    sum += std::log(std::max(squares[w], 1e-300) / std::max(ofSquares[w], 1e-300));
+  for (size_t w = 0; w < squares.size(); ++w) sum += std::log((squares[w] + unit) / (ofSquares[w] + unit));
   return std::exp(sum / static_cast<double>(std::max<size_t>(squares.size(), 1)));
 }
 
@@ -85,12 +85,11 @@ SwingingLoads::View SwingingLoads::viewOf(double window_s, size_t most) const {
 }
 
 double SwingingLoads::leftBy(const Pick& pick, const View& view) const {
-  std::vector<double> squares = residualSquares(with(input_, model_, pick), input_.tracks, view.windows),
-                      own = view.own;
+  const std::vector<double>& own = view.own;
+  std::vector<double> squares = residualSquares(with(input_, model_, pick), input_.tracks, view.windows);
   for (size_t w = 0; w < squares.size(); ++w) {
-    own[w] += view.unit;
-    const double now = std::isfinite(squares[w]) ? squares[w] + view.unit : ranAway * own[w];
-    squares[w] = std::min(now, ranAway * own[w]);
+    const double most = ranAway * (own[w] + view.unit) - view.unit;
+    squares[w] = std::isfinite(squares[w]) ? std::min(squares[w], most) : most;
   }
   return typicalPart(squares, own);
 }

@@ -45,7 +45,8 @@ class SwingingLoads {
   const Model model_;
 };
 
-/// Geometric mean of what the first leaves of the second, window by window.
+/// Geometric mean of what the first leaves of the second, window by window. Windows that err by far less than the
+/// second's mean, as those at rest do, hardly count.
 double typicalPart(const std::vector<double>& squares, const std::vector<double>& ofSquares);
 
 }  // namespace breakaway
