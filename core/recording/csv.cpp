@@ -48,19 +48,35 @@ std::string_view takeLine(std::string_view& rest) {
   return line;
 }
 
-/// Where the cell that begins at `at` ends: at the next comma outside double quotes, or at `end`.
+/// Where the cell that begins at `at` ends: at the next comma, or at `end`. A cell that opens with a double quote may
+/// hold commas.
 const char* cellEnd(const char* at, const char* end) {
+  const char* first = std::find_if(at, end, [](char c) { return c != ' ' && c != '\t'; });
   bool quoted = false;
+  const bool opens = first < end && *first == '"';
   while (at < end && (quoted || *at != ',')) {
-    if (*at == '"') quoted = !quoted;
+    if (opens && *at == '"') quoted = !quoted;
     ++at;
   }
   return at;
 }
 
-std::string_view unquoted(std::string_view text) {
-  if (text.size() >= 2 && text.front() == '"' && text.back() == '"') return text.substr(1, text.size() - 2);
-  return text;
+/// Without the double quotes around it, those within being doubled.
+std::string unquoted(std::string_view text) {
+  if (text.size() < 2 || text.front() != '"' || text.back() != '"') return std::string(text);
+  std::string plain;
+  for (size_t k = 1; k + 1 < text.size(); ++k) {
+    plain += text[k];
+    if (text[k] == '"' && k + 2 < text.size() && text[k + 1] == '"') ++k;
+  }
+  return std::string(trimmed(plain));
+}
+
+std::string quotedWhereNeeded(const std::string& name) {
+  if (name.find(',') == std::string::npos && !name.starts_with('"') && !name.starts_with('#')) return name;
+  std::string text = "\"";
+  for (const char c : name) text += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return text + '"';
 }
 
 struct Head {
@@ -199,9 +215,8 @@ Result<void> writeCsv(const Recording& recording, const std::string& path) {
   const auto& channels = recording.channels();
   out.reserve(out.size() + recording.rows() * channels.size() * 12);
   for (size_t c = 0; c < channels.size(); ++c) {
-    const bool quoted = channels[c].name.find(',') != std::string::npos;
     out += c == 0 ? "" : ",";
-    out += quoted ? '"' + channels[c].name + '"' : channels[c].name;
+    out += quotedWhereNeeded(channels[c].name);
   }
   out += '\n';
   char cell[32];

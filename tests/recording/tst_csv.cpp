@@ -17,6 +17,7 @@ class TestCsv : public QObject {
   void missingCells_stayMissing();
   void markCrLfSpacesAndLastLineWithoutBreak_areRead();
   void otherColumns_mayHoldAnything();
+  void quotedNames_comeBack();
   void notes_areKept();
   void numbers_areReadAsStrtodReadsThem();
   void timeText_isCopiedAsItStands();
@@ -106,6 +107,27 @@ void TestCsv::otherColumns_mayHoldAnything() {
   QCOMPARE(texts->at(1), std::string("0.10"));
   VERIFY_OK(writeCsv(*read, folder.path("w.csv")));
   VERIFY_OK(readCsv(folder.path("w.csv")));
+}
+
+void TestCsv::quotedNames_comeBack() {
+  for (const char* header : {"a\"b,c", "\"a, \"\"b\"\"\",c", "\"a,c", "\"\"\"a\",c", "\" a , b \",c", "\"#a, b\",c"}) {
+    const auto read = readCsvText(std::string("time_s,") + header + "\n0,1\n1,2\n", "r");
+    const auto wider = readCsvText(std::string("time_s,") + header + "\n0,1,5\n1,2,6\n", "r");
+    QVERIFY2(read.ok() != wider.ok(), header);
+    const Recording& one = read ? *read : *wider;
+    const TemporaryFolder folder;
+    VERIFY_OK(writeCsv(one, folder.path("w.csv")));
+    const auto again = readCsv(folder.path("w.csv"));
+    VERIFY_OK(again);
+    QVERIFY2(again->channels() == one.channels(), header);
+  }
+  const TemporaryFolder folder;
+  const auto first = readCsvText("\"#a\",time_s\n1,0\n2,1\n", "r");
+  VERIFY_OK(first);
+  VERIFY_OK(writeCsv(*first, folder.path("w.csv")));
+  const auto again = readCsv(folder.path("w.csv"));
+  VERIFY_OK(again);
+  QVERIFY(again->channels() == first->channels());
 }
 
 void TestCsv::notes_areKept() {
