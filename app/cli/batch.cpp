@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
@@ -133,6 +134,8 @@ Result<void> runBatch(const BatchLine& line) {
     if (auto done = appendLine(line.out, "{\"id\":" + id + "," + result + "}"); !done) return done;
   }
   if (progressIsWatched()) std::fprintf(stderr, "\r\033[K");
+  // A shard that holds no entry leaves its results, too: none.
+  if (!std::ofstream(line.out, std::ios::app)) return Error{line.out, "cannot be written"};
   return {};
 }
 

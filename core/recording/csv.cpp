@@ -1,6 +1,7 @@
 #include "recording/csv.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -18,6 +19,26 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+/// The columns that mean something, contracts section 2: what stands in them must be numbers. Others are only kept.
+constexpr std::array<std::string_view, 18> meaningful{"time_s",
+                                                      "angle_rad",
+                                                      "position_m",
+                                                      "voltage_V",
+                                                      "duty",
+                                                      "current_A",
+                                                      "torque_Nm",
+                                                      "force_N",
+                                                      "velocity_rad_per_s",
+                                                      "velocity_m_per_s",
+                                                      "supply_V",
+                                                      "temperature_degC",
+                                                      "angle_reference_rad",
+                                                      "velocity_reference_rad_per_s",
+                                                      "current_reference_A",
+                                                      "disturbance_estimate_Nm",
+                                                      "index",
+                                                      "enabled"};
+
 /// Takes the next line off `rest`, without its line break.
 std::string_view takeLine(std::string_view& rest) {
   const size_t end = rest.find('\n');
@@ -25,6 +46,37 @@ std::string_view takeLine(std::string_view& rest) {
   rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
   if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
   return line;
+}
+
+/// Where the cell that begins at `at` ends: at the next comma, or at `end`. A cell that opens with a double quote may
+/// hold commas.
+const char* cellEnd(const char* at, const char* end) {
+  const char* first = std::find_if(at, end, [](char c) { return c != ' ' && c != '\t'; });
+  bool quoted = false;
+  const bool opens = first < end && *first == '"';
+  while (at < end && (quoted || *at != ',')) {
+    if (opens && *at == '"') quoted = !quoted;
+    ++at;
+  }
+  return at;
+}
+
+/// Without the double quotes around it, those within being doubled.
+std::string unquoted(std::string_view text) {
+  if (text.size() < 2 || text.front() != '"' || text.back() != '"') return std::string(text);
+  std::string plain;
+  for (size_t k = 1; k + 1 < text.size(); ++k) {
+    plain += text[k];
+    if (text[k] == '"' && k + 2 < text.size() && text[k + 1] == '"') ++k;
+  }
+  return std::string(trimmed(plain));
+}
+
+std::string quotedWhereNeeded(const std::string& name) {
+  if (name.find(',') == std::string::npos && !name.starts_with('"') && !name.starts_with('#')) return name;
+  std::string text = "\"";
+  for (const char c : name) text += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return text + '"';
 }
 
 struct Head {
@@ -39,14 +91,16 @@ Result<std::vector<std::string>> readColumns(std::string_view line, const std::s
                  "is separated by semicolons or tabs, expected commas; breakaway import converts such files"};
   }
   std::vector<std::string> columns;
+  const char* at = line.data();
+  const char* end = line.data() + line.size();
   while (true) {
-    const size_t comma = line.find(',');
-    columns.emplace_back(trimmed(line.substr(0, comma)));
+    const char* comma = cellEnd(at, end);
+    columns.emplace_back(unquoted(trimmed({at, static_cast<size_t>(comma - at)})));
     if (columns.back().empty()) {
       return Error{name + ", header", "column " + std::to_string(columns.size()) + " has no name"};
     }
-    if (comma == std::string_view::npos) return columns;
-    line.remove_prefix(comma + 1);
+    if (comma == end) return columns;
+    at = comma + 1;
   }
 }
 
@@ -105,8 +159,10 @@ Result<void> readRow(std::string_view line, size_t row, const std::string& name,
       while (after < end && *after == ' ') ++after;
       if (code == std::errc::result_out_of_range) value = outOfRange({start, static_cast<size_t>(stop - start)});
       if (code == std::errc::invalid_argument || (after < end && *after != ',') || std::isinf(value)) {
-        const char* comma = std::find(at, end, ',');
-        return cellError(name, row, channels[column].name, trimmed({at, static_cast<size_t>(comma - at)}));
+        after = cellEnd(at, end);
+        if (std::find(meaningful.begin(), meaningful.end(), channels[column].name) != meaningful.end())
+          return cellError(name, row, channels[column].name, trimmed({at, static_cast<size_t>(after - at)}));
+        value = std::numeric_limits<double>::quiet_NaN();
       }
       at = after;
     }
@@ -158,7 +214,10 @@ Result<void> writeCsv(const Recording& recording, const std::string& path) {
   }
   const auto& channels = recording.channels();
   out.reserve(out.size() + recording.rows() * channels.size() * 12);
-  for (size_t c = 0; c < channels.size(); ++c) out += (c == 0 ? "" : ",") + channels[c].name;
+  for (size_t c = 0; c < channels.size(); ++c) {
+    out += c == 0 ? "" : ",";
+    out += quotedWhereNeeded(channels[c].name);
+  }
   out += '\n';
   char cell[32];
   for (size_t row = 0; row < recording.rows(); ++row) {
@@ -187,8 +246,9 @@ Result<std::vector<std::string>> readTimeText(const std::string& path) {
     std::string_view line = takeLine(rest);
     if (line.empty()) continue;
     for (std::ptrdiff_t c = 0; c < skip; ++c) {
-      const size_t comma = line.find(',');
-      line.remove_prefix(comma == std::string_view::npos ? line.size() : comma + 1);
+      const char* comma = cellEnd(line.data(), line.data() + line.size());
+      const auto width = static_cast<size_t>(comma - line.data());
+      line.remove_prefix(std::min(width + 1, line.size()));
     }
     texts.emplace_back(trimmed(line.substr(0, line.find(','))));
   }

@@ -12,7 +12,8 @@ namespace breakaway {
 
 /// Reads the contract's form only; other forms come in through import. Errors name the file, the row (1 is the first
 /// row after the header, blank lines not counted) and the column. `nan` is a missing value like an empty cell;
-/// infinities are refused.
+/// infinities are refused. A column that contracts section 2 doesn't name may hold anything: what is no number is a
+/// missing value there, and a comma within double quotes separates nothing.
 Result<Recording> readCsv(const std::string& path);
 Result<Recording> readCsvText(std::string_view text, const std::string& name);
 

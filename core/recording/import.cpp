@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <limits>
+#include <numbers>
 #include <set>
 
 #include "base/atomic_file.h"
@@ -97,6 +99,37 @@ void settleTime(std::vector<double>& time, bool unitGiven, std::vector<std::stri
   }
 }
 
+/// An angle that starts anew with each turn goes on counting afterwards: one that stays within a turn, and all of whose
+/// leaps are by about a turn.
+void settleAngle(std::vector<double>& angle, std::vector<std::string>& remarks) {
+  constexpr double turn = 2.0 * std::numbers::pi, nearATurn = 0.5;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  double last = std::numeric_limits<double>::quiet_NaN();
+  size_t leaps = 0;
+  for (const double value : angle) {
+    if (!std::isfinite(value)) continue;
+    low = std::min(low, value);
+    high = std::max(high, value);
+    const double step = std::abs(value - last);  // NaN at first
+    last = value;
+    if (!(step > std::numbers::pi)) continue;
+    if (std::abs(step - turn) > nearATurn) return;
+    ++leaps;
+  }
+  if (leaps == 0 || high - low > 1.001 * turn) return;
+  double turns = 0.0;
+  last = std::numeric_limits<double>::quiet_NaN();
+  for (double& value : angle) {
+    if (!std::isfinite(value)) continue;
+    if (value - last > std::numbers::pi) turns -= turn;
+    if (last - value > std::numbers::pi) turns += turn;
+    last = value;
+    value += turns;
+  }
+  remarks.push_back("the angle starts anew with each turn, in " + std::to_string(leaps) +
+                    (leaps == 1 ? " place" : " places") + "; it goes on counting now");
+}
+
 /// The rule for one column: the map's, or what its name means. Nothing: it keeps its name and values.
 std::optional<Meaning> ruleFor(const std::string& column, const ImportMap& map) {
   if (const auto it = map.find(column); it != map.end())
@@ -150,6 +183,7 @@ Result<Imported> settle(RawTable table, const ImportMap& map, const std::string&
     if (rule) {
       convert(column.channel.values, rule->scale, rule->offset);
       if (rule->to == "time_s") settleTime(column.channel.values, rule->unitGiven, remarks);
+      if (rule->to == "angle_rad") settleAngle(column.channel.values, remarks);
       if (rule->to != from) remarks.push_back(inWords(from, *rule));
       column.channel.name = rule->to;
     } else {

@@ -16,6 +16,7 @@ class TestBatch : public QObject {
   void finishedEntries_areNotDoneAgain();
   void halfWrittenLine_isDoneAgain();
   void shards_shareTheList();
+  void shardWithoutEntries_leavesEmptyResults();
   void diagnosis_isTheOneOfDiagnose();
 
  private:
@@ -94,6 +95,14 @@ void TestBatch::shards_shareTheList() {
   QCOMPARE(ids(results()), QStringList{"bad"});
   QCOMPARE(batch({"--shard", "1/2"}).status, 0);
   QCOMPARE(ids(results()), (QStringList{"bad", "good", "3"}));
+}
+
+void TestBatch::shardWithoutEntries_leavesEmptyResults() {
+  QFile::remove(QString::fromStdString(folder_.path("results.jsonl")));
+  QCOMPARE(batch({"--shard", "4/4"}).status, 0);
+  const auto text = breakaway::readFile(folder_.path("results.jsonl"));
+  QVERIFY(text);
+  QVERIFY(text->empty());
 }
 
 void TestBatch::diagnosis_isTheOneOfDiagnose() {

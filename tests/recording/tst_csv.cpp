@@ -16,6 +16,8 @@ class TestCsv : public QObject {
   void whatIsWritten_readsBackToTheSameDoubles();
   void missingCells_stayMissing();
   void markCrLfSpacesAndLastLineWithoutBreak_areRead();
+  void otherColumns_mayHoldAnything();
+  void quotedNames_comeBack();
   void notes_areKept();
   void numbers_areReadAsStrtodReadsThem();
   void timeText_isCopiedAsItStands();
@@ -85,6 +87,49 @@ void TestCsv::markCrLfSpacesAndLastLineWithoutBreak_areRead() {
   QCOMPARE(read->channel("angle_rad")[1], 25.0);
 }
 
+void TestCsv::otherColumns_mayHoldAnything() {
+  const std::string text =
+      "\"time_s\",state,\"note, by hand\",angle_rad,gain\n"
+      "0,idle,\"3, then 4\",1.5,inf\n"
+      "1,12,,2.5,7\n";
+  const auto read = readCsvText(text, "r");
+  VERIFY_OK(read);
+  QCOMPARE(read->channel("angle_rad")[0], 1.5);
+  QCOMPARE(read->channel("angle_rad")[1], 2.5);
+  QVERIFY(std::isnan(read->channel("state")[0]) && std::isnan(read->channel("note, by hand")[0]));
+  QVERIFY(std::isnan(read->channel("gain")[0]));
+  QCOMPARE(read->channel("state")[1], 12.0);
+  QCOMPARE(read->channel("gain")[1], 7.0);
+  const TemporaryFolder folder;
+  const auto texts = readTimeText(folder.write("r.csv", "note,time_s\n\"a, b\",0.0\n,0.10\n"));
+  VERIFY_OK(texts);
+  QCOMPARE(texts->at(0), std::string("0.0"));
+  QCOMPARE(texts->at(1), std::string("0.10"));
+  VERIFY_OK(writeCsv(*read, folder.path("w.csv")));
+  VERIFY_OK(readCsv(folder.path("w.csv")));
+}
+
+void TestCsv::quotedNames_comeBack() {
+  for (const char* header : {"a\"b,c", "\"a, \"\"b\"\"\",c", "\"a,c", "\"\"\"a\",c", "\" a , b \",c", "\"#a, b\",c"}) {
+    const auto read = readCsvText(std::string("time_s,") + header + "\n0,1\n1,2\n", "r");
+    const auto wider = readCsvText(std::string("time_s,") + header + "\n0,1,5\n1,2,6\n", "r");
+    QVERIFY2(read.ok() != wider.ok(), header);
+    const Recording& one = read ? *read : *wider;
+    const TemporaryFolder folder;
+    VERIFY_OK(writeCsv(one, folder.path("w.csv")));
+    const auto again = readCsv(folder.path("w.csv"));
+    VERIFY_OK(again);
+    QVERIFY2(again->channels() == one.channels(), header);
+  }
+  const TemporaryFolder folder;
+  const auto first = readCsvText("\"#a\",time_s\n1,0\n2,1\n", "r");
+  VERIFY_OK(first);
+  VERIFY_OK(writeCsv(*first, folder.path("w.csv")));
+  const auto again = readCsv(folder.path("w.csv"));
+  VERIFY_OK(again);
+  QVERIFY(again->channels() == first->channels());
+}
+
 void TestCsv::notes_areKept() {
   const auto read = readCsvText("# rig: bench 3: left\n#plain\n\ntime_s\n0\n1\n", "r");
   VERIFY_OK(read);
@@ -127,11 +172,11 @@ void TestCsv::badText_getsOneLine_data() {
       "r.csv, header: is separated by semicolons or tabs, expected commas; breakaway import converts such files");
   row("nameless column", "time_s,,x\n0,1,2\n", "r.csv, header: column 2 has no name");
   row("column twice", "time_s,x,x\n0,1,2\n", "r.csv: has the column x twice");
-  row("text", "time_s,x\n0,1\n1,abc\n", "r.csv, row 2, column x: expected a finite number, found \"abc\"");
-  row("number and text", "time_s,x\n0,1V\n", "r.csv, row 1, column x: expected a finite number, found \"1V\"");
-  row("two signs", "time_s,x\n0,+-1\n", "r.csv, row 1, column x: expected a finite number, found \"+-1\"");
-  row("infinity", "time_s,x\n0,inf\n", "r.csv, row 1, column x: expected a finite number, found \"inf\"");
-  row("beyond range", "time_s,x\n0,1e999\n", "r.csv, row 1, column x: expected a finite number, found \"1e999\"");
+  row("text", "time_s,duty\n0,1\n1,abc\n", "r.csv, row 2, column duty: expected a finite number, found \"abc\"");
+  row("number and text", "time_s,duty\n0,1V\n", "r.csv, row 1, column duty: expected a finite number, found \"1V\"");
+  row("two signs", "time_s,duty\n0,+-1\n", "r.csv, row 1, column duty: expected a finite number, found \"+-1\"");
+  row("infinity", "time_s,duty\n0,inf\n", "r.csv, row 1, column duty: expected a finite number, found \"inf\"");
+  row("beyond range", "time_s,duty\n0,1e999\n", "r.csv, row 1, column duty: expected a finite number, found \"1e999\"");
   row("too few cells", "time_s,x\n0,1\n1\n", "r.csv, row 2: has too few cells: 1, expected 2");
   row("too many cells", "time_s,x\n0,1,2\n", "r.csv, row 1: has more cells than the header's 2");
   row("time missing", "time_s,x\n0,1\n,2\n",

@@ -1,4 +1,5 @@
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -26,6 +27,9 @@ class TestImport : public QObject {
   void mapThatDoesNotFit_isTold();
   void timeWithoutUnit_isJudgedByItsSteps();
   void timesOfDay_startAtZero();
+  void angleThatWraps_goesOnCounting();
+  void angleThatLeapsElsewhere_staysAsItIs_data();
+  void angleThatLeapsElsewhere_staysAsItIs();
   void unusedText_isLeftOut_usedText_isAnError();
   void lineCutShortAtTheEnd_isLeftOut();
   void registerThatWraps_isReadAsSigned();
@@ -220,6 +224,39 @@ void TestImport::timesOfDay_startAtZero() {
   VERIFY_OK(imported);
   QCOMPARE(imported->recording.time()[0], 0.0);
   QVERIFY(std::abs(imported->recording.time()[2] - 0.002) < 1e-6);
+}
+
+void TestImport::angleThatWraps_goesOnCounting() {
+  const auto imported = importRecording(
+      folder_.write("log.csv", "t,angle_deg\n0,300\n1e-3,345\n2e-3,5\n3e-3,\n4e-3,40\n5e-3,10\n6e-3,350\n"));
+  VERIFY_OK(imported);
+  const auto angle = imported->recording.channel("angle_rad");
+  const double expected[]{300, 345, 365, NAN, 400, 370, 350};
+  for (size_t k = 0; k < angle.size(); ++k) {
+    if (k == 3) {
+      QVERIFY(std::isnan(angle[k]));
+    } else {
+      QVERIFY2(std::abs(angle[k] * 180.0 / std::numbers::pi - expected[k]) < 1e-9, qPrintable(QString::number(k)));
+    }
+  }
+  QVERIFY(std::any_of(imported->remarks.begin(), imported->remarks.end(),
+                      [](const std::string& one) { return one.find("in 2 places") != std::string::npos; }));
+}
+
+void TestImport::angleThatLeapsElsewhere_staysAsItIs_data() {
+  QTest::addColumn<QByteArray>("rows");
+  QTest::newRow("leap of half a turn") << QByteArray("0,0.1\n1e-3,3.5\n2e-3,0.1\n");
+  QTest::newRow("more than a turn") << QByteArray("0,0.1\n1e-3,6.3\n2e-3,7.9\n");
+  QTest::newRow("no leap") << QByteArray("0,0.1\n1e-3,2.3\n2e-3,4.9\n3e-3,6.2\n");
+}
+
+void TestImport::angleThatLeapsElsewhere_staysAsItIs() {
+  QFETCH(QByteArray, rows);
+  const auto imported = importRecording(folder_.write("log.csv", "time_s,angle_rad\n" + rows.toStdString()));
+  VERIFY_OK(imported);
+  const QList<QByteArray> lines = rows.trimmed().split('\n');
+  for (qsizetype k = 0; k < lines.size(); ++k)
+    QCOMPARE(imported->recording.channel("angle_rad")[static_cast<size_t>(k)], lines[k].split(',')[1].toDouble());
 }
 
 void TestImport::unusedText_isLeftOut_usedText_isAnError() {
