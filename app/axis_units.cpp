@@ -47,7 +47,7 @@ QString wayName(Way way, Axis axis) {
 }
 
 QString shortWayName(Way way, Axis axis) {
-  if (axis == Axis::linear) return wayName(way, axis);
+  if (axis == Axis::linear) return way == Way::cw ? translated("back") : translated("fwd");
   return way == Way::cw ? translated("cw") : translated("ccw");
 }
 

@@ -21,7 +21,7 @@ struct AxisUnits {
 
 AxisUnits unitsOf(Axis axis);
 
-/// "clockwise", "backwards"…, and the short form for tables ("cw", "back").
+/// "clockwise", "backwards" …, and short for tables: "cw", "back" …
 QString wayName(Way way, Axis axis);
 QString shortWayName(Way way, Axis axis);
 

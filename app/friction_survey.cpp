@@ -63,8 +63,9 @@ void FrictionSurvey::estimateAroundRotor() {
                    {"missed", static_cast<double>(missed)}};
 }
 
-void FrictionSurvey::layOver(const Travel& felt) {
-  if (travel && sameEnds(*travel, felt)) return;
+bool FrictionSurvey::layOver(const Travel& felt) {
+  if (travel && sameEnds(*travel, felt)) return true;
+  const bool nothing = events.empty() && strokes.empty();
   travel = felt;
   events.clear();
   strokes.clear();
@@ -72,6 +73,7 @@ void FrictionSurvey::layOver(const Travel& felt) {
   strokeBins = missed = 0;
   moving.reset();
   map.reset();
+  return nothing;
 }
 
 std::optional<KnownAxis> FrictionSurvey::knownAxis() const {

@@ -43,8 +43,8 @@ struct FrictionSurvey {
   std::optional<Estimate> viscousAverage_Nm_s_per_rad() const;
 
   /// The travel as it was felt anew. Bins stay where they were as long as the ends are where they were; else what was
-  /// measured over the travel is forgotten.
-  void layOver(const Travel& felt);
+  /// measured over the travel is forgotten, and the answer is false.
+  bool layOver(const Travel& felt);
   /// What is known of the axis, if it is: counted from the index.
   std::optional<KnownAxis> knownAxis() const;
 

@@ -7,6 +7,7 @@
 #include <QElapsedTimer>
 #include <QEventLoop>
 #include <QFile>
+#include <QListWidget>
 #include <QPixmap>
 #include <QStyleFactory>
 #include <QTableWidget>
@@ -234,8 +235,11 @@ void Tour::compare() {
 /// The same way on a linear axis.
 void Tour::linear() {
   session_.setPace(4.0);
-  session_.connectTo("simulated:linear");
   window_.showPage("connectPage");
+  auto* boards = window_.findChild<QListWidget*>("boardList");
+  for (QListWidgetItem* item : boards->findItems("Simulated board: linear", Qt::MatchExactly))
+    boards->setCurrentItem(item);
+  press("connectButton");
   shoot("connect-linear");
   window_.showPage("homePage");
   shoot("home-linear-ready");
@@ -260,13 +264,11 @@ void Tour::linear() {
   press("breakawaySweepButton");
   wait([this] { return session_.survey().events.size() > 216; });
   session_.setPace(4.0);
-  auto* view = window_.findChild<QComboBox*>("polarView");
-  view->setCurrentIndex(0);
   shoot("friction-linear-running");
   session_.setPace(100.0);
   if (!wait([this] { return session_.survey().map.has_value(); })) trouble_ = "the linear axis' map did not come";
   session_.setPace(4.0);
-  view->setCurrentIndex(1);
+  window_.findChild<QComboBox*>("polarView")->setCurrentIndex(1);
   shoot("friction-linear-done");
   window_.showPage("reportPage");
   shoot("report-linear-ready");

@@ -56,7 +56,8 @@ void Session::keepSurvey(const RunSnapshot& snapshot) {
     survey_.runs = sweep->runs;
   } else if (const auto* homing = std::get_if<HomingResult>(&snapshot.result); homing && homing->travel) {
     if (homing->identification) survey_.identification = homing->identification;
-    if (finished) survey_.layOver(moved(*homing->travel, -homing->index_rad.value));
+    if (finished && !survey_.layOver(moved(*homing->travel, -homing->index_rad.value)))
+      emit said(tr("The ends lie elsewhere than before: what was measured over the travel is forgotten"), true);
   } else if (const auto* strokes = std::get_if<StrokesResult>(&snapshot.result)) {
     survey_.strokes = strokes->strokes;
     survey_.strokeBins = strokes->bins;

@@ -221,7 +221,7 @@ void ConnectPage::showIdentity() {
           identity.can.everyTick ? tr("One sample comes from each tick")
                                  : tr("As often as the board answers with half of its time to spare")},
          {tr("Encoder"),
-          (session_.linear() ? tr("%1 counts per m") : tr("%1 counts per turn")).arg(number(identity.countsPerRev)),
+          (session_.linear() ? tr("%1 counts per m") : tr("%1 counts per turn")).arg(identity.countsPerRev, 0, 'g', 10),
           {}},
          {tr("Index"),
           !identity.hasIndex  ? tr("none")

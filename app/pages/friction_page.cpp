@@ -19,11 +19,11 @@ namespace breakaway {
 
 namespace {
 
-QString withInterval(const std::optional<Estimate>& estimate, double scale, const QString& unit) {
+QString withInterval(const std::optional<Estimate>& estimate, double scale, const QString& unit, int decimals) {
   if (!estimate) return FrictionPage::tr("not measured");
   return FrictionPage::tr("%1 ± %2 %3")
-      .arg(scale * estimate->value, 0, 'f', 2)
-      .arg(1.96 * scale * estimate->standardError, 0, 'f', 2)
+      .arg(scale * estimate->value, 0, 'f', decimals)
+      .arg(1.96 * scale * estimate->standardError, 0, 'f', decimals)
       .arg(unit);
 }
 
@@ -222,17 +222,19 @@ void FrictionPage::showSurvey() {
 void FrictionPage::showAverages() {
   const FrictionSurvey& survey = session_.survey();
   const AxisUnits units = unitsOf(survey.axis);
+  const int decimals = survey.axis == Axis::linear ? 3 : 2;
   std::vector<Fact> facts{
-      {tr("Coulomb average"), withInterval(survey.coulombAverage_Nm(), units.torqueScale, units.torque),
+      {tr("Coulomb average"), withInterval(survey.coulombAverage_Nm(), units.torqueScale, units.torque, decimals),
        tr("Mean of both ways at zero speed, 95 % interval")},
-      {tr("Viscous average"), withInterval(survey.viscousAverage_Nm_s_per_rad(), units.viscousScale, units.viscous),
+      {tr("Viscous average"),
+       withInterval(survey.viscousAverage_Nm_s_per_rad(), units.viscousScale, units.viscous, decimals),
        tr("Slope with speed, 95 % interval")}};
   if (survey.map) {
-    const auto mean = [&survey, &units](Way way) {
+    const auto mean = [&survey, &units, decimals](Way way) {
       double sum_Nm = 0.0;
       for (const MapBin& bin : survey.map->bins) sum_Nm += bin.way[static_cast<size_t>(way)].static_Nm.value;
       return tr("%1 %2")
-          .arg(units.torqueScale * sum_Nm / static_cast<double>(survey.map->bins.size()), 0, 'f', 2)
+          .arg(units.torqueScale * sum_Nm / static_cast<double>(survey.map->bins.size()), 0, 'f', decimals)
           .arg(units.torque);
     };
     const QString ccw = shortWayName(Way::ccw, survey.axis), cw = shortWayName(Way::cw, survey.axis);
@@ -241,12 +243,10 @@ void FrictionPage::showAverages() {
     const auto& repeat = survey.map->repeatability;
     if (survey.map->turns > 1) {
       const auto number = [](double value) { return QString::number(value, 'f', 3); };
-      const bool linear = survey.axis == Axis::linear;
       const auto differ = [&](size_t way) { return number(units.torqueScale * repeat[way].rmsDifference_Nm); };
       facts.push_back(
-          {linear ? tr("Passes correlate") : tr("Turns correlate"),
-           linear ? tr("%1, back %2").arg(number(repeat[1].correlation), number(repeat[0].correlation))
-                  : tr("%1 %2, %3 %4").arg(ccw, number(repeat[1].correlation), cw, number(repeat[0].correlation)),
+          {survey.axis == Axis::linear ? tr("Passes correlate") : tr("Turns correlate"),
+           tr("%1 %2, %3 %4").arg(ccw, number(repeat[1].correlation), cw, number(repeat[0].correlation)),
            tr("They differ by %1 (%2) and %3 %4 rms (%5)").arg(differ(1), ccw, differ(0), units.torque, cw)});
     }
   }

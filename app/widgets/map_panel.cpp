@@ -5,9 +5,11 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QSignalBlocker>
 #include <QStackedWidget>
 #include <QStandardItemModel>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "map_views.h"
 #include "widgets/look.h"
@@ -54,7 +56,10 @@ MapPanel::MapPanel(QWidget* parent) : QWidget(parent) {
     line->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     column->addWidget(line);
   }
-  connect(view_, &QComboBox::currentIndexChanged, this, &MapPanel::showMap);
+  connect(view_, &QComboBox::currentIndexChanged, this, [this] {
+    chosen_ = true;
+    showMap();
+  });
   for (int k = 0; k < plots_->count(); ++k) {
     auto* one = static_cast<MapPlot*>(plots_->widget(k));
     connect(fromZero_, &QCheckBox::toggled, one, &MapPlot::setFromZero);
@@ -78,9 +83,11 @@ void MapPanel::show(const FrictionSurvey& survey) {
   showMap();
 }
 
+/// A view that somebody chose stays; otherwise the first one that has something to show.
 void MapPanel::showViews() {
+  const QSignalBlocker ours(view_);
   const auto* items = qobject_cast<QStandardItemModel*>(view_->model());
-  const bool nothing = !obstacleTo(views[view_->currentIndex()], survey_).isEmpty();
+  if (!obstacleTo(views[view_->currentIndex()], survey_).isEmpty()) chosen_ = false;
   int first = -1;
   for (int k = 0; k < view_->count(); ++k) {
     const QString obstacle = obstacleTo(views[k], survey_);
@@ -89,7 +96,7 @@ void MapPanel::showViews() {
     items->item(k)->setToolTip(obstacle);
     if (first < 0 && obstacle.isEmpty()) first = k;
   }
-  if (nothing) view_->setCurrentIndex(std::max(first, 0));
+  if (!chosen_) view_->setCurrentIndex(std::max(first, 0));
 }
 
 void MapPanel::showMap() {

@@ -35,6 +35,7 @@ class MapPanel : public QWidget {
   MapPlot& plot() const;
 
   FrictionSurvey survey_;
+  bool chosen_ = false;  ///< the view, by somebody
   QComboBox* view_ = nullptr;
   QCheckBox* fromZero_ = nullptr;
   QStackedWidget* plots_ = nullptr;

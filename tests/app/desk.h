@@ -13,7 +13,7 @@ constexpr int patience_ms = 120'000;
 
 /// Fast, and without a watchdog that would watch the test machine instead of the window.
 struct Desk {
-  Desk() : session({60.0, 0.005, 600.0}), window(session, comparison, answers) {
+  explicit Desk(double pace = 60.0) : session({pace, 0.005, 600.0}), window(session, comparison, answers) {
     window.show();
     window.showPage("connectPage");
   }

@@ -21,6 +21,7 @@ class TestLinearJourney : public QObject {
  private slots:
   void initTestCase();
   void connectHomeSweepExport_mapHoldsTheTruth();
+  void tunePage_tunesTheAxisAndStepsWithinItsTravel();
   void stop_endsEveryMotion_data();
   void stop_endsEveryMotion();
   void stoppedSweep_goesOnAfterReconnectingAndHomingAnew();
@@ -29,11 +30,12 @@ class TestLinearJourney : public QObject {
 
 namespace {
 
-constexpr int places = 16;
+constexpr int places = 24;
 const std::string uri = "simulated:linear";
 
 /// At the board list's linear preset.
 struct LinearDesk : Desk {
+  LinearDesk() : Desk(120.0) {}
   bool connected() {
     auto* list = named<QListWidget>(window, "boardList");
     const auto found = list->findItems("Simulated board: linear", Qt::MatchExactly);
@@ -112,7 +114,7 @@ void TestLinearJourney::connectHomeSweepExport_mapHoldsTheTruth() {
   QVERIFY(plot->readingAt(plot->pixelOf(plot->curves()[0].points[3])).contains("(95 %)"));
 
   named<QSpinBox>(desk.window, "bins")->setValue(places + 1);
-  QVERIFY(desk.waits("breakawaySweepButton", "into 16 places"));
+  QVERIFY(desk.waits("breakawaySweepButton", "into 24 places"));
   desk.sweep(places, 2);
   size_t grew = 0, last = 0;
   QVERIFY(QTest::qWaitFor(
@@ -161,6 +163,33 @@ void TestLinearJourney::connectHomeSweepExport_mapHoldsTheTruth() {
   QVERIFY(breakaway > 0.0 && breakaway < 0.03);
   QVERIFY(coulomb > 0.0 && coulomb < 0.03);
   QVERIFY(viscous > 0.0 && viscous < 0.08);
+}
+
+void TestLinearJourney::tunePage_tunesTheAxisAndStepsWithinItsTravel() {
+  LinearDesk desk;
+  QVERIFY(desk.connected());
+  desk.window.showPage("tunePage");
+  QVERIFY(desk.waits("measureStepButton", "Home first"));
+  QVERIFY(desk.homed());
+  desk.window.showPage("tunePage");
+  const ControllerSettings before = desk.session.settings();
+  press(desk.window, "tuneMediumButton");
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.settings() != before; }, patience_ms));
+  const double bandwidth = desk.session.settings().velocity_kp_A_s_per_rad * 14.0 / 1.8;
+  QVERIFY2(bandwidth > 20.0 && bandwidth < 200.0, qPrintable(QString::number(bandwidth)));
+  auto* height = named<QDoubleSpinBox>(desk.window, "stepHeight");
+  QVERIFY(height->suffix() == " m/s" && height->maximum() < 1.0);
+  height->setValue(height->maximum());
+  press(desk.window, "measureStepButton");
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.steps().size() == 1; }, patience_ms));
+  const StepFigures& figures = desk.session.steps().front().figures;
+  QVERIFY2(figures.rise_s > 0.005 && figures.rise_s < 0.3, qPrintable(QString::number(figures.rise_s)));
+  QVERIFY(QTest::qWaitFor([&] { return !desk.session.powered(); }, patience_ms));
+  QTest::qWait(100);  // it coasts
+  const double stands_m = desk.session.history().newest()->angle_rad;
+  const Travel travel = desk.session.axis()->travel;
+  QVERIFY2(stands_m > travel.middle_m() && stands_m < travel.last_m() + 0.5 * travel.margin_m,
+           qPrintable(QString::number(stands_m)));
 }
 
 void TestLinearJourney::stop_endsEveryMotion_data() {
