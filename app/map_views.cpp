@@ -119,26 +119,21 @@ MapPicture pictureOf(MapView view, const FrictionSurvey& survey) {
   const QString breakaway = linear ? titled(QT_TRANSLATE_NOOP("MapView", "breakaway force (%1)"), units.torque)
                                    : titled(QT_TRANSLATE_NOOP("MapView", "breakaway torque (%1)"), units.torque);
   if (view == MapView::turns) return {turnCurves(survey), breakaway, units.torque};
-  const bool coulomb = view == MapView::coulomb;
-  if (linear && survey.moving && !survey.map && (coulomb || view == MapView::viscous)) {
-    return coulomb
-               ? MapPicture{movingCurves(survey, units.torqueScale, &MovingFriction::coulomb_Nm),
-                            titled(QT_TRANSLATE_NOOP("MapView", "Coulomb friction (%1)"), units.torque), units.torque}
-               : MapPicture{movingCurves(survey, units.viscousScale, &MovingFriction::viscous_Nm_s_per_rad),
-                            titled(QT_TRANSLATE_NOOP("MapView", "viscous coefficient (%1)"), units.viscous),
-                            units.viscous};
-  }
-  if (!survey.map) return {{}, breakaway, units.torque};
-  const FrictionMap& map = *survey.map;
+  const bool moves = view == MapView::coulomb || view == MapView::viscous;
+  if (!survey.map && !(linear && survey.moving && moves)) return {{}, breakaway, units.torque};
+  const FrictionMap map = survey.map.value_or(FrictionMap{});
   switch (view) {
     case MapView::staticMean:
       return {wayCurves(map, units.torqueScale, [](const WayBin& bin) { return bin.static_Nm; }),
               titled(QT_TRANSLATE_NOOP("MapView", "static friction (%1)"), units.torque), units.torque};
     case MapView::coulomb:
-      return {wayCurves(map, units.torqueScale, [](const WayBin& bin) { return bin.coulomb_Nm; }),
+      return {survey.map ? wayCurves(map, units.torqueScale, [](const WayBin& bin) { return bin.coulomb_Nm; })
+                         : movingCurves(survey, units.torqueScale, &MovingFriction::coulomb_Nm),
               titled(QT_TRANSLATE_NOOP("MapView", "Coulomb friction (%1)"), units.torque), units.torque};
     case MapView::viscous:
-      return {wayCurves(map, units.viscousScale, [](const WayBin& bin) { return bin.viscous_Nm_s_per_rad; }),
+      return {survey.map
+                  ? wayCurves(map, units.viscousScale, [](const WayBin& bin) { return bin.viscous_Nm_s_per_rad; })
+                  : movingCurves(survey, units.viscousScale, &MovingFriction::viscous_Nm_s_per_rad),
               titled(QT_TRANSLATE_NOOP("MapView", "viscous coefficient (%1)"), units.viscous), units.viscous};
     case MapView::total:
       return {

@@ -94,6 +94,10 @@ void Session::estimateSurvey() {
 }
 
 void Session::forgetSurvey() {
+  if (!surveyedDevice_.empty())
+    emit said(
+        tr("This is another board: what was measured on %1 is forgotten").arg(QString::fromStdString(surveyedDevice_)),
+        false);
   ++surveyNumber_;  // an estimate that is under way is of the other board
   survey_ = {};
   surveyedDevice_.clear();

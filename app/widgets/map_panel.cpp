@@ -75,6 +75,7 @@ void MapPanel::show(const FrictionSurvey& survey) {
   survey_ = survey;
   const bool linear = survey.axis == Axis::linear;
   plots_->setCurrentIndex(linear ? 1 : 0);
+  static_cast<TravelPlot*>(plots_->widget(1))->setTravel(survey.travel);
   fromZero_->setText(linear ? tr("Scale from zero") : tr("Radius from zero"));
   fromZero_->setToolTip(linear
                             ? tr("Off: the scale begins below the least value, so that variation is easier to see")

@@ -13,6 +13,7 @@ namespace {
 constexpr double mm = 1e3;
 constexpr double half95 = 1.96;
 constexpr double bandOpacity = 0.22;
+constexpr double unknown_mm = 100.0;  // either way from the index, before the travel is known
 
 }  // namespace
 
@@ -68,17 +69,12 @@ void TravelPlot::drawCurve(const MapCurve& curve, const Look& look) {
 void TravelPlot::rescale() {
   const auto [lower, upper] = valueRange(half95);
   canvas().yAxis->setRange(lower, upper);
-  bool any = false;
-  double from = 0.0, to = 1.0;
-  for (const MapCurve& curve : curves()) {
-    for (const MapPoint& point : curve.points) {
-      from = any ? std::min(from, mm * point.at) : mm * point.at;
-      to = any ? std::max(to, mm * point.at) : mm * point.at;
-      any = true;
-    }
+  double from = -unknown_mm, to = unknown_mm;
+  if (travel_) {
+    from = mm * travel_->low_m;
+    to = mm * travel_->high_m;
   }
-  const double edge = 0.02 * std::max(1.0, to - from);
-  canvas().xAxis->setRange(from - edge, to + edge);
+  canvas().xAxis->setRange(from, to);
 }
 
 QPointF TravelPlot::pixelOf(const MapPoint& point) const {

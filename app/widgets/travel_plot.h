@@ -2,6 +2,9 @@
 // arrow keys read a point.
 #pragma once
 
+#include <optional>
+
+#include "experiment/travel.h"
 #include "widgets/map_plot.h"
 
 class QCPGraph;
@@ -13,6 +16,8 @@ class TravelPlot : public MapPlot {
 
  public:
   explicit TravelPlot(const char* objectName, QWidget* parent = nullptr);
+  /// What the axis of places shows, counted from the index.
+  void setTravel(const std::optional<Travel>& travel) { travel_ = travel; }
   QPointF pixelOf(const MapPoint& point) const override;
 
  protected:
@@ -25,6 +30,7 @@ class TravelPlot : public MapPlot {
   void drawBand(const MapCurve& curve, const Look& look);
   void drawCurve(const MapCurve& curve, const Look& look);
 
+  std::optional<Travel> travel_;
   QCPGraph* mark_ = nullptr;
 };
 
