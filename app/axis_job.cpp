@@ -114,7 +114,7 @@ Run axisHomingRun(const AxisHomingRequest& request) {
 }
 
 AxisStep stepOver(const KnownAxis& axis, const TravelPace& pace, const VelocityStepOptions& options) {
-  const auto step = std::make_shared<VelocityStep>(options);
+  auto step = std::make_shared<VelocityStep>(options);
   const Glide glide(0.3 * pace.speed_m_per_s, pace.acceleration_m_per_s2);
   const double way_s = axis.travel.usable_m() / glide.speed_m_per_s();
   std::vector<ProcedureSequence::Stage> stages{{way_s,

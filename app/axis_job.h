@@ -41,7 +41,7 @@ Run strokesRun(const AxisSweepRequest& request, size_t speeds, double run_s, con
 Result<Run> travelBreakawayRun(const AxisSweepRequest& request, size_t passes, const std::vector<TravelRun>& strokes,
                                const std::vector<BreakawayEvent>& earlier);
 
-/// From the lower margin forwards: a step in velocity, which needs room. `read` is the caller's.
+/// A step in velocity that begins at the lower margin, and the whole with the way there.
 struct AxisStep {
   std::shared_ptr<Procedure> whole;
   std::shared_ptr<VelocityStep> step;

@@ -91,7 +91,11 @@ void FrictionSurvey::estimateOverTravel() {
   mapObstacle = fitted ? "" : fitted.error().message();
   if (!fitted) return;
   moving = fitted->moving;
-  if (!sweepComplete || bins != strokeBins) {
+  if (sweepComplete && bins != strokeBins) {
+    mapObstacle = "both sweeps were taken apart into different places";
+    return;
+  }
+  if (!sweepComplete) {
     mapObstacle = events.empty() ? "no breakaway sweep was run" : "the breakaway sweep did not run to its end";
     return;
   }

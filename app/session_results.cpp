@@ -88,6 +88,9 @@ void Session::estimateSurvey() {
           if (number != surveyNumber_) return;
           survey_ = survey;
           emit surveyChanged();
+          const bool lacks = survey_.sweepComplete ? !survey_.map : !survey_.strokes.empty() && !survey_.moving;
+          if (lacks && !survey_.mapObstacle.empty())
+            emit said(tr("There is no map: %1").arg(QString::fromStdString(survey_.mapObstacle)), true);
         },
         Qt::QueuedConnection);
   });
