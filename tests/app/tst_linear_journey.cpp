@@ -10,6 +10,8 @@
 #include "base/atomic_file.h"
 #include "firmware_link/simulated_truth.h"
 #include "friction/map_export.h"
+#include "support/linear_rig.h"
+#include "support/temporary.h"
 #include "widgets/travel_plot.h"
 #include "widgets/travel_strip.h"
 
@@ -26,6 +28,8 @@ class TestLinearJourney : public QObject {
   void stop_endsEveryMotion();
   void stoppedSweep_goesOnAfterReconnectingAndHomingAnew();
   void anotherBoard_forgetsWhatWasMeasured();
+  void axisWithoutIndex_countsFromItsLowerEnd();
+  void endsFoundElsewhere_forgetTheSweeps();
 };
 
 namespace {
@@ -268,6 +272,35 @@ void TestLinearJourney::anotherBoard_forgetsWhatWasMeasured() {
   QVERIFY(!desk.session.survey().identification && !desk.session.survey().travel);
   desk.window.showPage("homePage");
   QVERIFY(named<QWidget>(desk.window, "rotorDial")->isVisible());
+}
+
+void TestLinearJourney::axisWithoutIndex_countsFromItsLowerEnd() {
+  LinearAxis axis;
+  axis.length_m = 0.12;
+  axis.hasIndex = false;
+  const TemporaryFolder folder;
+  LinearDesk desk;
+  desk.session.connectTo(QString::fromStdString("simulated:" + folder.write("axis.rig.json", linearRigText(axis, 7))));
+  QVERIFY(desk.session.connected());
+  desk.window.showPage("homePage");
+  QVERIFY(named<QLabel>(desk.window, "homingPlan")->text().contains("no index"));
+  QVERIFY(desk.homed());
+  const auto known = desk.session.axis();
+  QVERIFY(known && std::abs(known->index_m - known->travel.low_m) < 1e-9);
+  desk.window.showPage("frictionPage");
+  QVERIFY(named<QWidget>(desk.window, "velocitySweepButton")->isEnabled());
+}
+
+void TestLinearJourney::endsFoundElsewhere_forgetTheSweeps() {
+  FrictionSurvey survey;
+  survey.axis = Axis::linear;
+  QVERIFY(survey.layOver({-0.2, 0.2, 0.012}));
+  survey.events.emplace_back();
+  survey.sweepComplete = true;
+  QVERIFY(survey.layOver({-0.2005, 0.2005, 0.012}));
+  QVERIFY(survey.events.size() == 1 && survey.travel->low_m == -0.2);
+  QVERIFY(!survey.layOver({-0.15, 0.2, 0.012}));
+  QVERIFY(survey.events.empty() && !survey.sweepComplete && survey.travel->low_m == -0.15);
 }
 
 JOURNEY_MAIN(TestLinearJourney)
