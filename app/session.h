@@ -56,7 +56,7 @@ class Session : public QObject {
   void stop();
   void turnSlowly();
   void home(const HomingOptions& options = {});
-  void measureStep(const VelocityStepOptions& options);
+  void measureStep(const VelocityStepOptions& wanted);
   void identify();
   /// `bins`: of a linear axis, into which its strokes are taken apart.
   void sweepVelocity(double highest_rad_per_s, size_t speeds, double duration_s, size_t bins = 90);

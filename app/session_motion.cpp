@@ -65,7 +65,9 @@ void Session::home(const HomingOptions& options) {
          }});
 }
 
-void Session::measureStep(const VelocityStepOptions& options) {
+void Session::measureStep(const VelocityStepOptions& wanted) {
+  VelocityStepOptions options = wanted;
+  options.axis = identity_.axis;
   auto step = std::make_shared<VelocityStep>(options);
   std::shared_ptr<Procedure> whole = step;
   if (const auto known = axis()) {
