@@ -47,8 +47,7 @@ Result<void> CommissionJob::identify() {
   expected_A_ = fit->expected_A;
   SpinTestOptions spinOptions;
   // Where friction takes much of the supply, half of it would hardly turn the rotor.
-  const double moving_V = fit->line.voltageFor(fit->friction_A()),
-               supply_V = drive_.identity().supply_V;
+  const double moving_V = fit->line.voltageFor(fit->friction_A()), supply_V = drive_.identity().supply_V;
   spinOptions.highest_V = std::clamp(2.5 * moving_V, 0.5 * supply_V, 0.9 * supply_V);
   auto spin = std::make_shared<SpinTest>(spinOptions);
   if (auto ran = steps_.run("03-spin", spin, 0.03); !ran) return ran;

@@ -41,7 +41,8 @@ void tuneForUse(Drive& drive, Commission& done) {
   if (accepted) {
     done.settings = *accepted;
   } else {
-    done.remarks.push_back("The controller is left as it was for the measurements: " + accepted.error().message() + ".");
+    done.remarks.push_back("The controller is left as it was for the measurements: " + accepted.error().message() +
+                           ".");
   }
   done.bench.controller = controllerOf(done.settings);
 }
