@@ -6,6 +6,7 @@
 #include "experiment/spin_test.h"
 #include "experiment/winding_test.h"
 #include "identify/velocity_friction.h"
+#include "identify/winding_fit.h"
 #include "procedure_sequence.h"
 
 namespace breakaway {
@@ -22,19 +23,13 @@ struct Gathered {
 };
 
 Result<void> identify(Gathered& job, std::optional<double> trusted_Nm_per_A) {
-  const auto line = fitWindingLine(job.winding->points());
-  if (!line) return line.error();
-  const auto constant_s = fitTimeConstant(job.winding->squareResponse_A(), job.winding->squareTick_s());
-  if (!constant_s) return constant_s.error();
+  const auto winding = fitWinding(*job.winding);
+  if (!winding) return winding.error();
   MotorIdentificationOptions options;
   options.trustedTorqueConstant_Nm_per_A = trusted_Nm_per_A;
-  const auto motor = identifyMotor(job.spin->blocks(), *line, *constant_s, options);
+  const auto motor = identifyMotor(job.spin->blocks(), winding->line, winding->timeConstant_s, options);
   if (!motor) return motor.error();
-  Identification found{*motor, job.zeroing->noiseRms_A(), {}};
-  for (size_t way = 0; way < 2; ++way) {
-    for (const double one_A : job.winding->breakaway_A()[way])
-      found.expected_A[way] = std::max(found.expected_A[way], one_A);
-  }
+  const Identification found{*motor, job.zeroing->noiseRms_A(), winding->expected_A};
   job.identification = found;
   return {};
 }

@@ -34,7 +34,7 @@ KnownMotor knownMotor(const ControllerSettings& settings, const std::optional<Be
             words("identified")};
   }
   KnownMotor known;
-  if (bench && bench->axis == Axis::rotary && bench->motor.inertia && bench->motor.torqueConstant) {
+  if (bench && bench->motor.inertia && bench->motor.torqueConstant) {
     const MotorBelief& motor = bench->motor;
     known.values = {*motor.inertia,
                     *motor.torqueConstant,
@@ -57,13 +57,14 @@ KnownMotor knownMotor(const ControllerSettings& settings, const std::optional<Be
 
 ServoLoop boardLoop(const Identity& identity, const ControllerSettings& settings, const KnownMotor& motor) {
   const double tick_s = identity.loopRate_Hz > 0.0 ? 1.0 / identity.loopRate_Hz : 0.0;
+  const double revolution = identity.axis == Axis::rotary ? 2.0 * std::numbers::pi : 1.0;  // or a metre
   ServoLoop loop;
   loop.motor = motor.values;
   const bool wound = motor.values.resistance_ohm > 0.0 && motor.values.inductance_H > 0.0;
   loop.current = wound ? CurrentPath::winding : CurrentPath::ideal;
   loop.delay_ticks = identity.simulated ? 0 : 1;
   loop.board = {tick_s,
-                identity.countsPerRev > 0.0 ? 2.0 * std::numbers::pi / identity.countsPerRev : 0.0,
+                identity.countsPerRev > 0.0 ? revolution / identity.countsPerRev : 0.0,
                 {motor.values.resistance_ohm, motor.values.inductance_H, motor.values.backEmfConstant_V_s_per_rad,
                  boardCurrentBandwidth_rad_per_s(tick_s)},
                 boardVelocityBandwidth_rad_per_s(tick_s)};

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "identify/map_estimation.h"
+#include "report/travel_survey.h"
 
 namespace breakaway {
 
@@ -29,6 +30,10 @@ void FrictionSurvey::estimate() {
   moving.reset();
   map.reset();
   if (!identification) return;
+  axis == Axis::linear ? estimateOverTravel() : estimateAroundRotor();
+}
+
+void FrictionSurvey::estimateAroundRotor() {
   const double torqueConstant_Nm_per_A = identification->motor.torqueConstant_Nm_per_A.value;
   if (!runs.empty()) {
     VelocityFrictionOptions options;
@@ -58,8 +63,61 @@ void FrictionSurvey::estimate() {
                    {"missed", static_cast<double>(missed)}};
 }
 
-std::string breakawayTable(const std::vector<BreakawayEvent>& events) {
-  std::string text = "angle_rad,way,turn,bin,current_A,torque_Nm,outlier\n";
+bool FrictionSurvey::layOver(const Travel& felt) {
+  if (travel && sameEnds(*travel, felt)) return true;
+  const bool nothing = events.empty() && strokes.empty();
+  travel = felt;
+  events.clear();
+  strokes.clear();
+  sweepComplete = false;
+  strokeBins = missed = 0;
+  moving.reset();
+  map.reset();
+  return nothing;
+}
+
+std::optional<KnownAxis> FrictionSurvey::knownAxis() const {
+  if (!travel || !identification) return {};
+  return KnownAxis{board, *travel, identification->motor, identification->shownResistance_ohm,
+                   identification->noiseRms_A};
+}
+
+void FrictionSurvey::estimateOverTravel() {
+  const auto known = knownAxis();
+  if (!known || strokes.empty()) return;
+  const TravelBins places{travel->first_m(), travel->last_m(), strokeBins};
+  const TravelFrictionOptions friction = frictionOver(*known, places, strokesZeroError_A);
+  auto fitted = fitTravelFriction(strokes, friction);
+  mapObstacle = fitted ? "" : fitted.error().message();
+  if (!fitted) return;
+  moving = fitted->moving;
+  if (sweepComplete && bins != strokeBins) {
+    mapObstacle = "both sweeps were taken apart into different places";
+    return;
+  }
+  if (!sweepComplete) {
+    mapObstacle = events.empty() ? "no breakaway sweep was run" : "the breakaway sweep did not run to its end";
+    return;
+  }
+  MapOptions options;
+  options.rig = rig;
+  options.bins = bins;
+  options.turns = turns;
+  options.torqueConstant_Nm_per_A = known->forcePerAmpere();
+  options.noiseRms_A = identification->noiseRms_A;
+  options.zeroError_A = eventsZeroError_A;
+  options.totalVelocity_rad_per_s = travelTotalVelocity_m_per_s;
+  auto survey = surveyTravel(events, strokes, *moving, friction, 0.0, options);
+  mapObstacle = survey ? "" : survey.error().message();
+  if (!survey) return;
+  moving = survey->friction.moving;
+  map = std::move(survey->map);
+  map->settings = settings;
+}
+
+std::string breakawayTable(const std::vector<BreakawayEvent>& events, Axis axis) {
+  std::string text = axis == Axis::linear ? "position_m,way,pass,bin,current_A,force_N,outlier\n"
+                                          : "angle_rad,way,turn,bin,current_A,torque_Nm,outlier\n";
   for (const BreakawayEvent& event : events) {
     char line[160];
     std::snprintf(line, sizeof line, "%.9g,%s,%zu,%zu,%.9g,%.9g,%d\n", event.angle_rad,

@@ -11,7 +11,8 @@ ProfileComparison::ProfileComparison(Session& session, QObject* parent) : QObjec
 }
 
 QString ProfileComparison::obstacle() const {
-  return session_.connected() ? QString() : tr("No board is connected");
+  if (!session_.connected()) return tr("No board is connected");
+  return session_.linear() ? tr("Profiles are of a rotor's board; this one moves a linear axis") : QString();
 }
 
 QString ProfileComparison::source() const {

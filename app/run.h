@@ -11,6 +11,7 @@
 
 #include "base/estimate.h"
 #include "experiment/drive.h"
+#include "experiment/travel.h"
 #include "experiment/velocity_step.h"
 #include "friction/measurements.h"
 #include "identify/motor_identification.h"
@@ -24,6 +25,7 @@ struct Identification {
   IdentifiedMotor motor;
   double noiseRms_A = 0.0;             ///< of the current sensor, per sample
   std::array<double, 2> expected_A{};  ///< first look at the breakaway current, by Way
+  double shownResistance_ohm = 0.0;    ///< of a linear axis, with the current as the sensor shows it
 };
 
 struct IdentificationResult {
@@ -31,8 +33,10 @@ struct IdentificationResult {
 };
 
 struct HomingResult {
-  size_t passes = 0;   ///< over the index's edge so far
-  Estimate index_rad;  ///< in the board's angle; valid once finished
+  size_t passes = 0;                               ///< over the index's edge so far
+  Estimate index_rad{};                            ///< in the board's angle; valid once finished
+  std::optional<Travel> travel{};                  ///< of a linear axis, as the encoder counts it
+  std::optional<Identification> identification{};  ///< of a linear axis: its motor is identified on the way
 };
 
 /// A measured step with the settings it was measured with.
@@ -49,6 +53,8 @@ struct BreakawayResult {
   size_t turns = 0;
   size_t missed = 0;
   std::optional<Identification> identification;
+  double zeroError_A = 0.0;                                ///< of a linear axis' sweep
+  std::vector<std::pair<std::string, double>> settings{};  ///< likewise: how it was measured
 };
 
 struct VelocitySweepResult {
@@ -56,8 +62,15 @@ struct VelocitySweepResult {
   std::optional<Identification> identification;
 };
 
-using RunResult =
-    std::variant<std::monostate, IdentificationResult, HomingResult, StepResult, BreakawayResult, VelocitySweepResult>;
+/// Of a linear axis.
+struct StrokesResult {
+  std::vector<TravelRun> strokes;
+  size_t bins = 0;
+  double zeroError_A = 0.0;  ///< standard error of the current sensor's zero
+};
+
+using RunResult = std::variant<std::monostate, IdentificationResult, HomingResult, StepResult, BreakawayResult,
+                               VelocitySweepResult, StrokesResult>;
 
 struct RunSnapshot {
   RunKind kind = RunKind::none;

@@ -7,6 +7,7 @@
 #include <QElapsedTimer>
 #include <QEventLoop>
 #include <QFile>
+#include <QListWidget>
 #include <QPixmap>
 #include <QStyleFactory>
 #include <QTableWidget>
@@ -60,6 +61,7 @@ class Tour {
   void home();
   void sweep();
   void compare();
+  void linear();
 
   QString folder_, theme_;
   PreparedAnswer files_;
@@ -109,6 +111,7 @@ Result<void> Tour::run() {
   compare();
   window_.showPage("reportPage");
   shoot("report-ready");
+  linear();
   if (!trouble_.isEmpty()) return Error{"screenshots", trouble_.toStdString()};
   return {};
 }
@@ -227,6 +230,48 @@ void Tour::compare() {
   axis->setCurrentIndex(
       std::max(0, axis->findData(QString::fromStdString(comparison_.diagnosis()->where.front().axis))));
   shoot("compare-where");
+}
+
+/// The same way on a linear axis.
+void Tour::linear() {
+  session_.setPace(4.0);
+  window_.showPage("connectPage");
+  auto* boards = window_.findChild<QListWidget*>("boardList");
+  for (QListWidgetItem* item : boards->findItems("Simulated board: linear", Qt::MatchExactly))
+    boards->setCurrentItem(item);
+  press("connectButton");
+  shoot("connect-linear");
+  window_.showPage("homePage");
+  shoot("home-linear-ready");
+  press("homeButton");
+  wait([this] { return session_.runs(RunKind::homing) && session_.run().status.progress > 0.1; }, 10'000);
+  shoot("home-linear-running");
+  session_.setPace(60.0);
+  if (!wait([this] { return session_.index_rad().has_value(); })) trouble_ = "the linear axis was not homed";
+  session_.setPace(4.0);
+  shoot("home-linear-done");
+  window_.showPage("tunePage");
+  press("measureStepButton");
+  if (!wait([&] { return !session_.steps().empty(); })) trouble_ = "the linear axis' step did not end";
+  shoot("tune-linear-step");
+  window_.showPage("frictionPage");
+  shoot("friction-linear-ready");
+  session_.setPace(100.0);
+  press("velocitySweepButton");
+  if (!wait([this] { return session_.survey().moving && !session_.run().running(); }))
+    trouble_ = "the linear axis' velocity sweep did not end";
+  shoot("friction-linear-coulomb");
+  press("breakawaySweepButton");
+  wait([this] { return session_.survey().events.size() > 216; });
+  session_.setPace(4.0);
+  shoot("friction-linear-running");
+  session_.setPace(100.0);
+  if (!wait([this] { return session_.survey().map.has_value(); })) trouble_ = "the linear axis' map did not come";
+  session_.setPace(4.0);
+  window_.findChild<QComboBox*>("polarView")->setCurrentIndex(1);
+  shoot("friction-linear-done");
+  window_.showPage("reportPage");
+  shoot("report-linear-ready");
 }
 
 }  // namespace

@@ -1,13 +1,8 @@
 #include "session.h"
 
 #include <chrono>
-#include <cmath>
 
-#include "bench_job.h"
-#include "experiment/abilities.h"
 #include "firmware_link/presets.h"
-#include "recording/sample_recording.h"
-#include "slow_turning.h"
 
 namespace breakaway {
 
@@ -23,17 +18,6 @@ std::optional<Bench> benchBeside(const QString& uri) {
   if (path.empty()) return {};
   const auto bench = readBench(path);
   return bench ? std::optional(*bench) : std::nullopt;
-}
-
-/// A clause as a tooltip shows it.
-QString sentence(const std::string& clause) {
-  QString text = QString::fromStdString(clause);
-  return text.left(1).toUpper() + text.mid(1);
-}
-
-std::optional<double> trustedTorqueConstant(const std::optional<Bench>& bench) {
-  if (!bench || !bench->trusted.contains("torque_constant_Nm_per_A")) return {};
-  return bench->motor.torqueConstant;
 }
 
 }  // namespace
@@ -63,7 +47,8 @@ void Session::connectTo(const QString& uri, unsigned seed) {
 
 void Session::open(const QString& uri) {
   connectTo(uri);
-  if (connected() && identity_.simulated) turnSlowly();
+  // A linear axis stays where it is until its ends are known.
+  if (connected() && identity_.simulated && !linear()) turnSlowly();
 }
 
 void Session::adopt(std::unique_ptr<Drive> drive, const QString& uri) {
@@ -77,6 +62,9 @@ void Session::begin(std::unique_ptr<Drive> drive, const QString& uri) {
   identity_ = drive->identity();
   settings_ = drive->settings();
   bench_ = benchBeside(uri);
+  if (surveyedDevice_ != identity_.device) forgetSurvey();
+  survey_.axis = identity_.axis;
+  survey_.board = identity_;
   survey_.rig = bench_ ? bench_->name : identity_.device;
   if (bench_ && bench_->dutyCurve.known()) {
     if (const auto taken = drive->linearise(bench_->dutyCurve); !taken)
@@ -149,104 +137,6 @@ QString Session::stateWords() const {
   return lastStop_.isEmpty() ? tr("idle, windings open") : lastStop_;
 }
 
-QString Session::obstacle() const {
-  if (!connected()) return tr("No board is connected");
-  if (run_.running() && run_.kind != RunKind::turning) {
-    return tr("Busy: %1. STOP ends it.").arg(QString::fromStdString(run_.status.activity));
-  }
-  return {};
-}
-
-void Session::stop() {
-  if (loop_) loop_->stop();
-}
-
-void Session::start(Run run) {
-  if (!loop_) return;
-  lastStop_.clear();
-  loop_->start(std::move(run));
-}
-
-void Session::turnSlowly() {
-  start({RunKind::turning, std::make_shared<SlowTurning>(SlowTurning::Options{}), {}});
-}
-
-void Session::home(const HomingOptions& options) {
-  HomingOptions known = options;
-  known.countsPerRev = identity_.countsPerRev;
-  const auto homing = std::make_shared<Homing>(known);
-  start({RunKind::homing, homing, [homing] {
-           const bool finished = homing->state() == Procedure::State::finished;
-           return HomingResult{homing->passes(), finished ? homing->indexAngle_rad() : Estimate{}};
-         }});
-}
-
-void Session::measureStep(const VelocityStepOptions& options) {
-  const auto step = std::make_shared<VelocityStep>(options);
-  start({RunKind::step, step, [step, options, settings = settings_] {
-           const bool finished = step->state() == Procedure::State::finished;
-           return StepResult{step->curve(), finished ? step->figures() : StepFigures{}, options, settings};
-         }});
-}
-
-void Session::identify() {
-  start(identificationRun(trustedTorqueConstant(bench_)));
-}
-
-void Session::sweepVelocity(double highest_rad_per_s, size_t speeds, double duration_s) {
-  VelocitySweepOptions options;
-  for (size_t k = 0; k < speeds; ++k) {
-    const double part = speeds < 2 ? 1.0 : static_cast<double>(k) / static_cast<double>(speeds - 1);
-    options.speeds_rad_per_s.push_back(highest_rad_per_s * std::pow(0.06, 1.0 - part));
-  }
-  options.countsPerRev = identity_.countsPerRev;
-  options.indexAngle_rad = index_rad_ ? index_rad_->value : 0.0;
-  options.indexTolerance_rad = index_rad_ ? indexTolerance_rad(identity_.countsPerRev) : 0.0;
-  options.run_s = duration_s;
-  VelocityRequest request{options, {}, survey_.identification, trustedTorqueConstant(bench_)};
-  if (survey_.runs.size() < 2 * speeds && surveyedDevice_ == identity_.device) request.earlier = survey_.runs;
-  start(velocitySweepRun(request));
-}
-
-void Session::sweepBreakaway(size_t bins, size_t turns) {
-  BreakawayRequest request;
-  request.bins = bins;
-  request.turns = turns;
-  request.index_rad = index_rad_ ? index_rad_->value : 0.0;
-  request.indexTolerance_rad = index_rad_ ? indexTolerance_rad(identity_.countsPerRev) : 0.0;
-  request.trustedTorqueConstant_Nm_per_A = trustedTorqueConstant(bench_);
-  request.identification = survey_.identification;
-  request.runs = survey_.runs;
-  if (!survey_.sweepComplete && surveyedDevice_ == identity_.device && survey_.bins == bins && survey_.turns == turns)
-    request.earlier = survey_.events;
-  if (!request.earlier.empty())
-    emit said(tr("The sweep goes on after %1 breakaways").arg(survey_.events.size()), false);
-  request.countsPerRev = identity_.countsPerRev;
-  request.current_limit_A = settings_.current_limit_A;
-  start(breakawayRun(request));
-}
-
-QString Session::homingObstacle() const {
-  const std::string never = connected() ? obstacleTo(Task::homing, identity_) : std::string();
-  return never.empty() ? obstacle() : sentence(never);
-}
-
-QString Session::sweepObstacle() const {
-  if (connected()) {
-    if (const std::string never = obstacleTo(Task::sweep, identity_); !never.empty()) return sentence(never);
-  }
-  if (QString busy = obstacle(); !busy.isEmpty()) return busy;
-  if (!index_rad_) return tr("Home first: angles around the rotor count from the index");
-  return {};
-}
-
-double Session::reachableSpeed_rad_per_s() const {
-  double backEmf_V_s_per_rad = settings_.nominal_torque_constant_Nm_per_A;  // the same quantity in SI
-  if (bench_ && bench_->motor.backEmfConstant) backEmf_V_s_per_rad = *bench_->motor.backEmfConstant;
-  if (survey_.identification) backEmf_V_s_per_rad = survey_.identification->motor.backEmfConstant_V_s_per_rad.value;
-  return backEmf_V_s_per_rad > 0.0 ? 0.55 * identity_.supply_V / backEmf_V_s_per_rad : 10.0;
-}
-
 void Session::setPace(double pace) {
   pace_ = pace;
   if (loop_) loop_->setPace(pace);
@@ -305,10 +195,6 @@ void Session::takeTuning(unsigned connection, const Result<ControllerSettings>& 
   emit settingsChanged();
 }
 
-QString Session::gainsObstacle() const {
-  return connected() ? sentence(obstacleTo(Task::tuning, identity_)) : tr("No board is connected");
-}
-
 QString Session::tuningObstacle() const {
   if (QString never = gainsObstacle(); !never.isEmpty()) return never;
   return tuning_ ? tr("Tuning") : QString();
@@ -316,114 +202,6 @@ QString Session::tuningObstacle() const {
 
 QString Session::marginLine() const {
   return connected() ? marginWords(boardLoop(identity_, settings_, motor())) : QString();
-}
-
-void Session::startRecording() {
-  if (!loop_ || recording_) return;
-  recording_ = true;
-  loop_->startRecording();
-  emit recordingChanged();
-}
-
-void Session::finishRecording() {
-  if (loop_ && recording_) loop_->finishRecording();
-}
-
-void Session::takeBatch(const SampleBatchPtr& batch) {
-  history_.append(batch->samples);
-  emit samplesArrived();
-}
-
-void Session::takeLink(const LinkStatus& status) {
-  link_ = status;
-  emit linkChanged();
-}
-
-void Session::takeRun(const RunSnapshot& snapshot) {
-  run_ = snapshot;
-  keepSurvey(snapshot);
-  keepResult(snapshot);
-  emit runChanged();
-}
-
-void Session::keepResult(const RunSnapshot& snapshot) {
-  const bool tripped = snapshot.status.state == Procedure::State::stopped && snapshot.endedByBoard;
-  if (tripped) lastStop_ = tr("stopped by the board");
-  if (tripped || snapshot.status.state == Procedure::State::failed)
-    emit said(QString::fromStdString(snapshot.status.failure), true);
-  if (snapshot.status.state != Procedure::State::finished) return;
-  if (const auto* homing = std::get_if<HomingResult>(&snapshot.result)) {
-    index_rad_ = homing->index_rad;
-  } else if (const auto* step = std::get_if<StepResult>(&snapshot.result)) {
-    steps_.push_back(*step);
-  }
-  emit measured();
-}
-
-void Session::keepSurvey(const RunSnapshot& snapshot) {
-  const bool ended = snapshot.status.state != Procedure::State::running;
-  if (const auto* identified = std::get_if<IdentificationResult>(&snapshot.result)) {
-    if (identified->found) survey_.identification = identified->found;
-  } else if (const auto* sweep = std::get_if<VelocitySweepResult>(&snapshot.result)) {
-    survey_.identification = sweep->identification;
-    survey_.runs = sweep->runs;
-  } else if (const auto* breakaways = std::get_if<BreakawayResult>(&snapshot.result)) {
-    survey_.identification = breakaways->identification;
-    survey_.events = breakaways->events;
-    survey_.bins = breakaways->bins;
-    survey_.turns = breakaways->turns;
-    survey_.missed = breakaways->missed;
-    survey_.sweepComplete = snapshot.status.state == Procedure::State::finished;
-  } else {
-    return;
-  }
-  surveyedDevice_ = identity_.device;
-  emit surveyChanged();
-  if (ended) estimateSurvey();
-}
-
-void Session::estimateSurvey() {
-  pool_.start([this, number = ++surveyNumber_, survey = survey_]() mutable {
-    survey.estimate();
-    QMetaObject::invokeMethod(
-        this,
-        [this, number, survey = std::move(survey)] {
-          if (number != surveyNumber_) return;
-          survey_ = survey;
-          emit surveyChanged();
-        },
-        Qt::QueuedConnection);
-  });
-}
-
-void Session::forgetMeasurements() {
-  index_rad_.reset();
-  steps_.clear();
-  emit measured();
-}
-
-void Session::takeStop(DriveLoop::StopCause cause) {
-  if (cause == DriveLoop::StopCause::pressed) {
-    lastStop_ = tr("stopped");
-    emit said(tr("STOP: the motor is off"), false);
-  } else if (cause == DriveLoop::StopCause::watchdog) {
-    lastStop_ = tr("stopped by watchdog");
-    emit said(tr("The window did not answer for %1 ms, so the motor was stopped").arg(options_.watchdog_s * 1e3), true);
-  }
-  emit runChanged();
-}
-
-void Session::takeRecording(const std::shared_ptr<const std::vector<Sample>>& samples) {
-  recording_ = false;
-  auto recording =
-      sealSamples("live recording", *samples, {{"device", identity_.device}, {"firmware", identity_.firmware}});
-  if (recording) {
-    lastRecording_ = *recording;
-    emit said(tr("Recorded %1 samples").arg(samples->size()), false);
-  } else {
-    emit said(QString::fromStdString(recording.error().message()), true);
-  }
-  emit recordingChanged();
 }
 
 }  // namespace breakaway

@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "axis_job.h"
 #include "board_connection.h"
 #include "board_tuning.h"
 #include "drive_loop.h"
@@ -41,6 +42,7 @@ class Session : public QObject {
   const BoardConnection& connection() const { return board_; }
   const QString& uri() const { return uri_; }
   const Identity& identity() const { return identity_; }
+  bool linear() const { return identity_.axis == Axis::linear; }
   const LinkStatus& link() const { return link_; }
   const LiveHistory& history() const { return history_; }
   /// What the motor is doing, in words for the bar.
@@ -54,16 +56,22 @@ class Session : public QObject {
   void stop();
   void turnSlowly();
   void home(const HomingOptions& options = {});
-  void measureStep(const VelocityStepOptions& options);
+  void measureStep(const VelocityStepOptions& wanted);
   void identify();
-  void sweepVelocity(double highest_rad_per_s, size_t speeds, double duration_s);
+  /// `bins`: of a linear axis, into which its strokes are taken apart.
+  void sweepVelocity(double highest_rad_per_s, size_t speeds, double duration_s, size_t bins = 90);
   void sweepBreakaway(size_t bins, size_t turns);
   const RunSnapshot& run() const { return run_; }
   bool runs(RunKind kind) const { return run_.kind == kind && run_.running(); }
   /// Why no motion can be started now; empty when it can.
   QString obstacle() const;
-  /// The same for homing, which needs an index.
+  /// The same for homing, which needs an index around a rotor.
   QString homingObstacle() const;
+  /// The same for turnSlowly(), and for measureStep(): a linear axis must know its ends.
+  QString turningObstacle() const;
+  QString stepObstacle() const;
+  /// As fast a step as the homed linear axis has room for.
+  std::optional<double> highestStep_m_per_s() const;
 
   // The controller: settings are asked for, and what the board accepted comes back by settingsChanged().
   void configure(const ControllerSettings& wanted);
@@ -83,8 +91,10 @@ class Session : public QObject {
   /// Margins and αgT of what is set, in one line; empty without a board.
   QString marginLine() const;
 
-  /// Why no sweep around the rotor can be started now; empty when it can.
+  /// Why no sweep can be started now; empty when it can.
   QString sweepObstacle() const;
+  /// The same for the breakaway sweep, which a linear axis can't begin with.
+  QString breakawayObstacle(size_t bins) const;
   /// How many board seconds pass in one second, for a simulated board.
   void setPace(double pace);
   double pace() const { return pace_; }
@@ -95,8 +105,10 @@ class Session : public QObject {
   const std::optional<Bench>& bench() const { return bench_; }
   /// A speed that the supply can reach with room to spare, from what is known of the motor.
   double reachableSpeed_rad_per_s() const;
-  /// The index in the board's angle, from homing.
+  /// The index in the board's angle, from homing; the lower end of a linear axis without one.
   const std::optional<Estimate>& index_rad() const { return index_rad_; }
+  /// The homed axis as the encoder counts it; nothing on a rotor.
+  std::optional<KnownAxis> axis() const;
   /// Every measured step, the newest last.
   const std::vector<StepResult>& steps() const { return steps_; }
   void forgetSteps();
@@ -134,7 +146,10 @@ class Session : public QObject {
   void keepResult(const RunSnapshot& snapshot);
   void keepSurvey(const RunSnapshot& snapshot);
   void estimateSurvey();
+  void forgetSurvey();
   void forgetMeasurements();
+  Run axisHoming() const;
+  std::optional<AxisSweepRequest> axisSweep(size_t bins) const;
 
   const DriveLoopOptions options_;
   BoardConnection board_;

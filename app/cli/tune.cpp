@@ -33,14 +33,15 @@ Result<void> runTune(const TuneLine& line) {
   AutoTuningOptions options;
   options.stiffness = *stiffness;
   options.noise = {roundingRms_rad(bench->count()), line.currentNoise_A};
-  const auto study =
-      studyTuning(*loop, within(loop->motor.inertia_kg_m2, line.inertiaError_percent),
-                  within(loop->motor.torqueConstant_Nm_per_A, line.torqueConstantError_percent), options);
+  auto study = studyTuning(*loop, within(loop->motor.inertia_kg_m2, line.inertiaError_percent),
+                           within(loop->motor.torqueConstant_Nm_per_A, line.torqueConstantError_percent), options);
   if (!study) return Error{line.bench + ", " + study.error().place, study.error().fact};
+  study->axis = bench->axis;
   if (auto written = writeTuning(*study, *bench, line.out); !written) return written;
   std::printf("%s\n", inWords(*study).c_str());
   if (!bench->countsPerUnit)
-    std::printf("The bench file has no encoder.counts_per_rev, so the noise is the current sensor's alone.\n");
+    std::printf("The bench file has no encoder.%s, so the noise is the current sensor's alone.\n",
+                motorNames(bench->axis).counts);
   return {};
 }
 

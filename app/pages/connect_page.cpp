@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "axis_units.h"
 #include "experiment/abilities.h"
 #include "session.h"
 #include "widgets/board_list.h"
@@ -50,6 +51,7 @@ ConnectPage::ConnectPage(Session& session, FileChooser& files, QWidget* parent)
   connect(&session_, &Session::connectionChanged, this, &ConnectPage::showConnection);
   connect(&session_, &Session::settingsChanged, this, &ConnectPage::showConnection);
   connect(&session_, &Session::runChanged, this, &ConnectPage::showMotion);
+  connect(&session_, &Session::measured, this, &ConnectPage::showMotion);
   showConnection();
 }
 
@@ -210,29 +212,45 @@ void ConnectPage::showIdentity() {
     controller_->show({});
   } else {
     const auto number = [](double value) { return QString::number(value, 'g', 5); };
-    facts_->show({{tr("Device"), QString::fromStdString(identity.device), {}},
-                  {tr("Firmware"), QString::fromStdString(identity.firmware), {}},
-                  {tr("Address"), shortAddress(session_.uri()), session_.uri()},
-                  {identity.can.everyTick ? tr("Control loop") : tr("Asked for values"),
-                   tr("%1 Hz").arg(number(identity.loopRate_Hz)),
-                   identity.can.everyTick ? tr("One sample comes from each tick")
-                                          : tr("As often as the board answers with half of its time to spare")},
-                  {tr("Encoder"), tr("%1 counts per turn").arg(number(identity.countsPerRev)), {}},
-                  {tr("Index"), identity.hasIndex ? tr("once per turn") : tr("none"), {}},
-                  {tr("Supply"), tr("%1 V").arg(number(identity.supply_V)), {}}});
-    controller_->show(
-        {{tr("Velocity Kp"), tr("%1 A s/rad").arg(number(settings.velocity_kp_A_s_per_rad)), {}},
-         {tr("Velocity Ki"), tr("%1 A/rad").arg(number(settings.velocity_ki_A_per_rad)), {}},
-         {tr("Velocity Kd"), tr("%1 A s²/rad").arg(number(settings.velocity_kd_A_s2_per_rad)), {}},
-         {tr("Observer cutoff"), tr("%1 rad/s").arg(number(settings.observer_cutoff_rad_per_s)), {}},
-         {tr("Nominal inertia"), tr("%1 kg m²").arg(number(settings.nominal_inertia_kg_m2)), {}},
-         {tr("Nominal torque constant"), tr("%1 Nm/A").arg(number(settings.nominal_torque_constant_Nm_per_A)), {}},
-         {tr("Current limit"), tr("%1 A").arg(number(settings.current_limit_A)), {}}});
+    facts_->show(
+        {{tr("Device"), QString::fromStdString(identity.device), {}},
+         {tr("Firmware"), QString::fromStdString(identity.firmware), {}},
+         {tr("Address"), shortAddress(session_.uri()), session_.uri()},
+         {identity.can.everyTick ? tr("Control loop") : tr("Asked for values"),
+          tr("%1 Hz").arg(number(identity.loopRate_Hz)),
+          identity.can.everyTick ? tr("One sample comes from each tick")
+                                 : tr("As often as the board answers with half of its time to spare")},
+         {tr("Encoder"),
+          (session_.linear() ? tr("%1 counts per m") : tr("%1 counts per turn")).arg(identity.countsPerRev, 0, 'g', 10),
+          {}},
+         {tr("Index"),
+          !identity.hasIndex  ? tr("none")
+          : session_.linear() ? tr("once over the travel")
+                              : tr("once per turn"),
+          {}},
+         {tr("Supply"), tr("%1 V").arg(number(identity.supply_V)), {}}});
+    const AxisUnits units = unitsOf(identity.axis);
+    const auto with = [&number](double value, const QString& unit) { return number(value) + " " + unit; };
+    controller_->show({{tr("Velocity Kp"), with(settings.velocity_kp_A_s_per_rad, units.gain), {}},
+                       {tr("Velocity Ki"), with(settings.velocity_ki_A_per_rad, units.integral), {}},
+                       {tr("Velocity Kd"), with(settings.velocity_kd_A_s2_per_rad, units.derivative), {}},
+                       {tr("Observer cutoff"), with(settings.observer_cutoff_rad_per_s, tr("rad/s")), {}},
+                       {session_.linear() ? tr("Nominal mass") : tr("Nominal inertia"),
+                        with(settings.nominal_inertia_kg_m2, session_.linear() ? tr("kg") : tr("kg m²")),
+                        {}},
+                       {session_.linear() ? tr("Nominal force constant") : tr("Nominal torque constant"),
+                        with(settings.nominal_torque_constant_Nm_per_A, units.constant),
+                        {}},
+                       {tr("Current limit"), tr("%1 A").arg(number(settings.current_limit_A)), {}}});
   }
 }
 
 void ConnectPage::showMotion() {
-  setAvailable(turn_, tr("Turn to and fro slowly, ±6 rad/s, until STOP"), session_.obstacle());
+  turn_->setText(session_.linear() ? tr("Go to and fro") : tr("Turn slowly"));
+  setAvailable(turn_,
+               session_.linear() ? tr("Go to and fro slowly over half the travel, until STOP")
+                                 : tr("Turn to and fro slowly, ±6 rad/s, until STOP"),
+               session_.turningObstacle());
 }
 
 }  // namespace breakaway

@@ -1,55 +1,29 @@
 #include "pages/friction_page.h"
 
-#include <QCheckBox>
-#include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QEvent>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QStandardItemModel>
 #include <QVBoxLayout>
-#include <cmath>
 
-#include "base/atomic_file.h"
-#include "friction/map_export.h"
-#include "polar_views.h"
+#include "axis_units.h"
 #include "session.h"
 #include "widgets/controls.h"
 #include "widgets/facts_table.h"
-#include "widgets/look.h"
-#include "widgets/polar_plot.h"
+#include "widgets/map_export.h"
+#include "widgets/map_panel.h"
 #include "widgets/run_panel.h"
 
 namespace breakaway {
 
 namespace {
 
-constexpr PolarView views[] = {PolarView::turns,   PolarView::staticMean, PolarView::coulomb,
-                               PolarView::viscous, PolarView::total,      PolarView::positionTorque};
-
-struct ExportFormat {
-  const char* name;  ///< of exportMap(), or of the page
-  const char* title;
-  const char* ending;
-};
-
-constexpr ExportFormat formats[] = {
-    {"csv", QT_TRANSLATE_NOOP("FrictionPage", "Map as CSV"), ".csv"},
-    {"json", QT_TRANSLATE_NOOP("FrictionPage", "Map as JSON"), ".json"},
-    {"c-header", QT_TRANSLATE_NOOP("FrictionPage", "Map as C header"), ".h"},
-    {"mat", QT_TRANSLATE_NOOP("FrictionPage", "Map as MATLAB file"), ".mat"},
-    {"png", QT_TRANSLATE_NOOP("FrictionPage", "Picture as PNG"), ".png"},
-    {"svg", QT_TRANSLATE_NOOP("FrictionPage", "Picture as SVG"), ".svg"},
-    {"breakaways", QT_TRANSLATE_NOOP("FrictionPage", "All breakaways as CSV"), ".csv"},
-};
-
-QString withInterval(const std::optional<Estimate>& estimate, double scale, const QString& unit) {
+QString withInterval(const std::optional<Estimate>& estimate, double scale, const QString& unit, int decimals) {
   if (!estimate) return FrictionPage::tr("not measured");
   return FrictionPage::tr("%1 ± %2 %3")
-      .arg(scale * estimate->value, 0, 'f', 2)
-      .arg(1.96 * scale * estimate->standardError, 0, 'f', 2)
+      .arg(scale * estimate->value, 0, 'f', decimals)
+      .arg(1.96 * scale * estimate->standardError, 0, 'f', decimals)
       .arg(unit);
 }
 
@@ -83,8 +57,9 @@ FrictionPage::FrictionPage(Session& session, FileChooser& files, QWidget* parent
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(16, 10, 16, 6);
   row->setSpacing(20);
+  map_ = new MapPanel(this);
   row->addWidget(buildControls());
-  row->addWidget(buildMap(), 1);
+  row->addWidget(map_, 1);
   connect(&session_, &Session::connectionChanged, this, &FrictionPage::showConnection);
   connect(&session_, &Session::runChanged, this, &FrictionPage::showMotion);
   connect(&session_, &Session::measured, this, &FrictionPage::showMotion);
@@ -99,7 +74,8 @@ QWidget* FrictionPage::buildControls() {
   auto* column = new QVBoxLayout(side);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(6);
-  column->addWidget(heading(side, tr("Friction around the rotor")));
+  title_ = heading(side, {});
+  column->addWidget(title_);
   column->addWidget(buildVelocityGroup());
   column->addWidget(buildBreakawayGroup());
   run_ = new RunPanel("frictionRun", {RunKind::velocitySweep, RunKind::breakaway}, side);
@@ -108,7 +84,7 @@ QWidget* FrictionPage::buildControls() {
   averages_ = new FactsTable("frictionAverages", side);
   column->addWidget(averages_);
   column->addStretch(1);
-  column->addWidget(buildExport());
+  column->addWidget(new MapExport(session_, files_, *map_, side));
   return side;
 }
 
@@ -119,21 +95,21 @@ QWidget* FrictionPage::buildVelocityGroup() {
   column->setSpacing(4);
   auto* row = new QHBoxLayout;
   row->setSpacing(6);
-  highest_ = numberBox(group, "highestSpeed", tr("Highest speed"), 1.0, 2000.0, 100.0, tr(" rad/s"));
-  highest_->setToolTip(tr("Speeds lie between 6 % of it and it, in equal ratios, each both ways"));
+  highest_ = numberBox(group, "highestSpeed", tr("Highest speed"), 1.0, 2000.0, 100.0, {});
   speeds_ = countBox(group, "speedCount", tr("Number of speeds"), 2, 12, 4);
   speeds_->setSuffix(tr(" speeds"));
   duration_ = numberBox(group, "speedDuration", tr("Time at each speed"), 0.5, 120.0, 10.0, tr(" s"));
-  duration_->setToolTip(tr("At least this long at each speed, and then on to the end of the turn"));
   row->addWidget(highest_, 3);
   row->addWidget(speeds_, 3);
   row->addWidget(duration_, 2);
   velocity_ = pushButton(group, "velocitySweepButton", tr("Run velocity sweep"));
-  column->addWidget(caption(group, tr("Constant speeds up to")));
+  speedsCaption_ = caption(group, {});
+  column->addWidget(speedsCaption_);
   column->addLayout(row);
   column->addWidget(velocity_);
   connect(velocity_, &QPushButton::clicked, this, [this] {
-    session_.sweepVelocity(highest_->value(), static_cast<size_t>(speeds_->value()), duration_->value());
+    session_.sweepVelocity(highest_->value(), static_cast<size_t>(speeds_->value()), duration_->value(),
+                           static_cast<size_t>(bins_->value()));
   });
   return group;
 }
@@ -146,82 +122,86 @@ QWidget* FrictionPage::buildBreakawayGroup() {
   auto* row = new QHBoxLayout;
   row->setSpacing(6);
   bins_ = countBox(group, "bins", tr("Angles per turn"), 8, 720, 90);
-  bins_->setSuffix(tr(" angles"));
-  bins_->setToolTip(tr("Breakaways per turn, evenly spaced"));
   turns_ = countBox(group, "turns", tr("Turns each way"), 1, 10, 2);
-  turns_->setSuffix(tr(" turns each way"));
   row->addWidget(bins_, 1);
   row->addWidget(turns_, 1);
   breakaway_ = pushButton(group, "breakawaySweepButton", tr("Run breakaway sweep"));
   column->addWidget(caption(group, tr("Breakaway from standstill at")));
   column->addLayout(row);
   column->addWidget(breakaway_);
+  connect(bins_, &QSpinBox::valueChanged, this, &FrictionPage::showMotion);
   connect(breakaway_, &QPushButton::clicked, this, [this] {
     session_.sweepBreakaway(static_cast<size_t>(bins_->value()), static_cast<size_t>(turns_->value()));
   });
   return group;
 }
 
-QWidget* FrictionPage::buildExport() {
-  auto* group = new QWidget(this);
-  auto* row = new QHBoxLayout(group);
-  row->setContentsMargins(0, 0, 0, 0);
-  format_ = new QComboBox(group);
-  format_->setObjectName("exportFormat");
-  format_->setAccessibleName(tr("Form of the export"));
-  for (const ExportFormat& format : formats) format_->addItem(tr(format.title), QString(format.name));
-  export_ = pushButton(group, "exportMapButton", tr("Export…"));
-  row->addWidget(format_, 1);
-  row->addWidget(export_);
-  connect(format_, &QComboBox::currentIndexChanged, this, &FrictionPage::showExport);
-  connect(export_, &QPushButton::clicked, this, &FrictionPage::exportChosen);
-  return group;
-}
-
-QWidget* FrictionPage::buildMap() {
-  auto* side = new QWidget(this);
-  auto* column = new QVBoxLayout(side);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(4);
-  auto* strip = new QHBoxLayout;
-  view_ = new QComboBox(side);
-  view_->setObjectName("polarView");
-  view_->setAccessibleName(tr("What the polar plot shows"));
-  for (const PolarView view : views) view_->addItem(nameOf(view), static_cast<int>(view));
-  fromZero_ = new QCheckBox(tr("Radius from zero"), side);
-  fromZero_->setObjectName("radiusFromZero");
-  fromZero_->setChecked(true);
-  fromZero_->setToolTip(tr("Off: the radius begins below the least value, so that variation is easier to see"));
-  quantity_ = new QLabel(side);
-  quantity_->setObjectName("polarQuantity");
-  strip->addWidget(view_);
-  strip->addWidget(fromZero_);
-  strip->addStretch(1);
-  strip->addWidget(quantity_);
-  column->addLayout(strip);
-  plot_ = new PolarPlot("polarPlot", side);
-  column->addWidget(plot_, 1);
-  legend_ = new QLabel(side);
-  legend_->setObjectName("polarLegend");
-  reading_ = new QLabel(side);
-  reading_->setObjectName("polarReading");
-  for (QLabel* line : {legend_, reading_}) {
-    line->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    column->addWidget(line);
-  }
-  connect(view_, &QComboBox::currentIndexChanged, this, &FrictionPage::showMap);
-  connect(fromZero_, &QCheckBox::toggled, plot_, &PolarPlot::setRadiusFromZero);
-  connect(plot_, &PolarPlot::reading, reading_, &QLabel::setText);
-  return side;
-}
-
 void FrictionPage::showConnection() {
-  if (session_.connected()) highest_->setValue(session_.reachableSpeed_rad_per_s());
+  const Axis axis = session_.identity().axis;
+  if (axis != worded_) axis == Axis::linear ? wordForTravel() : wordForRotor();
+  worded_ = axis;
+  reach_ = 0.0;
+  showReach();
   showMotion();
+}
+
+void FrictionPage::wordForRotor() {
+  title_->setText(tr("Friction around the rotor"));
+  speedsCaption_->setText(tr("Constant speeds up to"));
+  highest_->setDecimals(1);
+  highest_->setRange(1.0, 2000.0);
+  highest_->setSingleStep(1.0);
+  highest_->setSuffix(tr(" rad/s"));
+  highest_->setToolTip(tr("Speeds lie between 6 % of it and it, in equal ratios, each both ways"));
+  speeds_->setMinimum(2);
+  speeds_->setValue(4);
+  duration_->setValue(10.0);
+  duration_->setToolTip(tr("At least this long at each speed, and then on to the end of the turn"));
+  bins_->setSuffix(tr(" angles"));
+  bins_->setAccessibleName(tr("Angles per turn"));
+  bins_->setToolTip(tr("Breakaways per turn, evenly spaced"));
+  turns_->setSuffix(tr(" turns each way"));
+  turns_->setAccessibleName(tr("Turns each way"));
+}
+
+void FrictionPage::wordForTravel() {
+  title_->setText(tr("Friction over the travel"));
+  speedsCaption_->setText(tr("Strokes at speeds up to"));
+  highest_->setDecimals(3);
+  highest_->setRange(0.005, 10.0);
+  highest_->setSingleStep(0.01);
+  highest_->setSuffix(tr(" m/s"));
+  highest_->setToolTip(tr("Speeds lie between 1.2 % of it and it, in equal ratios, each both ways"));
+  speeds_->setMinimum(3);
+  speeds_->setValue(7);
+  duration_->setValue(25.0);
+  duration_->setToolTip(tr("At least this long at each speed, and then on to the end of the stroke"));
+  bins_->setSuffix(tr(" places"));
+  bins_->setAccessibleName(tr("Places over the travel"));
+  bins_->setToolTip(tr("Places over the travel, evenly spaced; strokes are taken apart into as many"));
+  turns_->setSuffix(tr(" passes each way"));
+  turns_->setAccessibleName(tr("Passes each way"));
+}
+
+/// The highest speed is proposed anew when more is known of what the motor can do, and otherwise left as it is.
+void FrictionPage::showReach() {
+  if (!session_.connected()) return;
+  const double reach = session_.reachableSpeed_rad_per_s();
+  if (reach == reach_) return;
+  reach_ = reach;
+  if (session_.axis()) highest_->setMaximum(reach);
+  highest_->setValue(reach);
 }
 
 void FrictionPage::showMotion() {
   run_->show(session_.run());
+  if (session_.linear()) {
+    showReach();
+    setAvailable(velocity_, tr("Strokes to and fro over the travel at several speeds."), session_.sweepObstacle());
+    setAvailable(breakaway_, tr("Steps over the travel; at each place the current rises slowly until the axis moves."),
+                 session_.breakawayObstacle(static_cast<size_t>(bins_->value())));
+    return;
+  }
   const bool identified = session_.survey().identification.has_value();
   const QString first =
       identified ? QString()
@@ -234,107 +214,43 @@ void FrictionPage::showMotion() {
 }
 
 void FrictionPage::showSurvey() {
-  const FrictionSurvey& survey = session_.survey();
-  auto* items = qobject_cast<QStandardItemModel*>(view_->model());
-  for (int k = 0; k < view_->count(); ++k) {
-    const QString obstacle = obstacleTo(views[k], survey);
-    items->item(k)->setEnabled(obstacle.isEmpty());
-    items->item(k)->setToolTip(obstacle);
-  }
-  if (!obstacleTo(views[view_->currentIndex()], survey).isEmpty()) view_->setCurrentIndex(0);
   showAverages();
-  showMap();
-  showExport();
+  map_->show(session_.survey());
+  showMotion();
 }
 
 void FrictionPage::showAverages() {
   const FrictionSurvey& survey = session_.survey();
+  const AxisUnits units = unitsOf(survey.axis);
+  const int decimals = survey.axis == Axis::linear ? 3 : 2;
   std::vector<Fact> facts{
-      {tr("Coulomb average"), withInterval(survey.coulombAverage_Nm(), 1e3, tr("mNm")),
+      {tr("Coulomb average"), withInterval(survey.coulombAverage_Nm(), units.torqueScale, units.torque, decimals),
        tr("Mean of both ways at zero speed, 95 % interval")},
-      {tr("Viscous average"), withInterval(survey.viscousAverage_Nm_s_per_rad(), 1e6, tr("µNm s/rad")),
+      {tr("Viscous average"),
+       withInterval(survey.viscousAverage_Nm_s_per_rad(), units.viscousScale, units.viscous, decimals),
        tr("Slope with speed, 95 % interval")}};
   if (survey.map) {
-    const auto mean = [&survey](Way way) {
+    const auto mean = [&survey, &units, decimals](Way way) {
       double sum_Nm = 0.0;
       for (const MapBin& bin : survey.map->bins) sum_Nm += bin.way[static_cast<size_t>(way)].static_Nm.value;
-      return tr("%1 mNm").arg(1e3 * sum_Nm / static_cast<double>(survey.map->bins.size()), 0, 'f', 2);
+      return tr("%1 %2")
+          .arg(units.torqueScale * sum_Nm / static_cast<double>(survey.map->bins.size()), 0, 'f', decimals)
+          .arg(units.torque);
     };
-    facts.push_back({tr("Static, ccw mean"), mean(Way::ccw), {}});
-    facts.push_back({tr("Static, cw mean"), mean(Way::cw), {}});
+    const QString ccw = shortWayName(Way::ccw, survey.axis), cw = shortWayName(Way::cw, survey.axis);
+    facts.push_back({tr("Static, %1 mean").arg(ccw), mean(Way::ccw), {}});
+    facts.push_back({tr("Static, %1 mean").arg(cw), mean(Way::cw), {}});
     const auto& repeat = survey.map->repeatability;
     if (survey.map->turns > 1) {
-      facts.push_back({tr("Turns correlate"),
-                       tr("ccw %1, cw %2").arg(repeat[1].correlation, 0, 'f', 3).arg(repeat[0].correlation, 0, 'f', 3),
-                       tr("Turns differ by %1 (ccw) and %2 mNm rms (cw)")
-                           .arg(1e3 * repeat[1].rmsDifference_Nm, 0, 'f', 3)
-                           .arg(1e3 * repeat[0].rmsDifference_Nm, 0, 'f', 3)});
+      const auto number = [](double value) { return QString::number(value, 'f', 3); };
+      const auto differ = [&](size_t way) { return number(units.torqueScale * repeat[way].rmsDifference_Nm); };
+      facts.push_back(
+          {survey.axis == Axis::linear ? tr("Passes correlate") : tr("Turns correlate"),
+           tr("%1 %2, %3 %4").arg(ccw, number(repeat[1].correlation), cw, number(repeat[0].correlation)),
+           tr("They differ by %1 (%2) and %3 %4 rms (%5)").arg(differ(1), ccw, differ(0), units.torque, cw)});
     }
   }
   averages_->show(facts);
-}
-
-void FrictionPage::showMap() {
-  const PolarPicture picture = pictureOf(views[view_->currentIndex()], session_.survey());
-  plot_->show(picture.curves, picture.quantity, picture.unit);
-  quantity_->setText(tr("Radius: %1").arg(picture.quantity));
-  reading_->setText(picture.curves.empty() ? QString()
-                                           : tr("Point at the plot, or use its arrow keys, to read a value"));
-  showLegend();
-}
-
-void FrictionPage::showLegend() {
-  const Look look = Look::of(palette());
-  QStringList parts;
-  bool outliers = false;
-  for (const PolarCurve& curve : plot_->curves()) {
-    parts << QString("<span style='color:%1; font-weight:bold'>%2</span> %3")
-                 .arg(look.curve(curve.colour).name(), curve.dashed ? "╌╌" : "──", curve.name.toHtmlEscaped());
-    for (const PolarPoint& point : curve.points) outliers = outliers || point.outlier;
-  }
-  if (outliers)
-    parts << QString("<span style='color:%1; font-weight:bold'>✕</span> %2").arg(look.trouble.name(), tr("outlier"));
-  legend_->setText(parts.isEmpty() ? tr("Nothing measured yet: home, then run a sweep") : parts.join(" &nbsp; "));
-}
-
-void FrictionPage::showExport() {
-  const FrictionSurvey& survey = session_.survey();
-  const QString format = format_->currentData().toString();
-  const bool needsMap = format != "png" && format != "svg" && format != "breakaways";
-  QString obstacle;
-  if (needsMap && !survey.map) obstacle = tr("There is no map yet: run the breakaway sweep to its end");
-  if (!needsMap && survey.events.empty()) obstacle = tr("Nothing was measured yet");
-  setAvailable(export_, tr("Write the file"), obstacle);
-}
-
-void FrictionPage::exportChosen() {
-  const ExportFormat& format = formats[format_->currentIndex()];
-  const QString name = format.name;
-  files_.ask(this,
-             {tr("Export the friction map"), tr("%1 (*%2)").arg(tr(format.title), format.ending),
-              QString("map") + format.ending, true},
-             [this, name](const QString& path) { writeExport(name, path); });
-}
-
-bool FrictionPage::writeExport(const QString& format, const QString& path) {
-  Result<void> written;
-  const FrictionSurvey& survey = session_.survey();
-  if (format == "png" || format == "svg") {
-    if (!(format == "png" ? plot_->savePng(path) : plot_->saveSvg(path)))
-      written = Error{path.toStdString(), "cannot be written"};
-  } else if (format == "breakaways") {
-    written = writeFile(path.toStdString(), breakawayTable(survey.events));
-  } else if (survey.map) {
-    written = exportMap(*survey.map, format.toStdString(), path.toStdString());
-  }
-  session_.say(written ? tr("Written: %1").arg(path) : QString::fromStdString(written.error().message()),
-               !written.ok());
-  return written.ok();
-}
-
-void FrictionPage::changeEvent(QEvent* event) {
-  QWidget::changeEvent(event);
-  if (legend_ != nullptr && event->type() == QEvent::PaletteChange) showLegend();
 }
 
 }  // namespace breakaway

@@ -1,11 +1,12 @@
 // Friction: sweeps around the rotor, the polar map growing, the averages, and the files they end in.
 #pragma once
 
+#include <optional>
+
+#include "base/axis.h"
 #include "pages/page.h"
 #include "widgets/file_chooser.h"
 
-class QCheckBox;
-class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
@@ -14,7 +15,7 @@ class QSpinBox;
 namespace breakaway {
 
 class FactsTable;
-class PolarPlot;
+class MapPanel;
 class RunPanel;
 class Session;
 
@@ -24,24 +25,17 @@ class FrictionPage : public Page {
  public:
   FrictionPage(Session& session, FileChooser& files, QWidget* parent = nullptr);
 
- protected:
-  void changeEvent(QEvent* event) override;
-
  private:
   QWidget* buildControls();
   QWidget* buildVelocityGroup();
   QWidget* buildBreakawayGroup();
-  QWidget* buildExport();
-  QWidget* buildMap();
   void showConnection();
+  void wordForRotor();
+  void wordForTravel();
+  void showReach();
   void showMotion();
   void showSurvey();
   void showAverages();
-  void showMap();
-  void showLegend();
-  void showExport();
-  void exportChosen();
-  bool writeExport(const QString& format, const QString& path);
 
   Session& session_;
   FileChooser& files_;
@@ -54,14 +48,11 @@ class FrictionPage : public Page {
   QPushButton* breakaway_ = nullptr;
   RunPanel* run_ = nullptr;
   FactsTable* averages_ = nullptr;
-  QComboBox* format_ = nullptr;
-  QPushButton* export_ = nullptr;
-  QComboBox* view_ = nullptr;
-  QCheckBox* fromZero_ = nullptr;
-  PolarPlot* plot_ = nullptr;
-  QLabel* legend_ = nullptr;
-  QLabel* reading_ = nullptr;
-  QLabel* quantity_ = nullptr;
+  QLabel* title_ = nullptr;
+  QLabel* speedsCaption_ = nullptr;
+  MapPanel* map_ = nullptr;
+  std::optional<Axis> worded_;  ///< the axis that the page speaks of
+  double reach_ = 0.0;          ///< the speed that was proposed last
 };
 
 }  // namespace breakaway

@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QStackedWidget>
 #include <QVBoxLayout>
 #include <cmath>
 #include <numbers>
@@ -12,6 +13,7 @@
 #include "widgets/facts_table.h"
 #include "widgets/rotor_dial.h"
 #include "widgets/run_panel.h"
+#include "widgets/travel_strip.h"
 
 namespace breakaway {
 
@@ -21,14 +23,19 @@ HomePage::HomePage(Session& session, QWidget* parent)
   row->setContentsMargins(16, 12, 16, 8);
   row->setSpacing(28);
   row->addWidget(buildControls());
-  dial_ = new RotorDial(this);
-  row->addWidget(dial_, 1);
-  connect(&session_, &Session::connectionChanged, this, &HomePage::showResult);
+  pictures_ = new QStackedWidget(this);
+  dial_ = new RotorDial(pictures_);
+  strip_ = new TravelStrip(pictures_);
+  pictures_->addWidget(dial_);
+  pictures_->addWidget(strip_);
+  row->addWidget(pictures_, 1);
+  connect(&session_, &Session::connectionChanged, this, &HomePage::showConnection);
+  connect(&session_, &Session::surveyChanged, this, &HomePage::showConnection);
   connect(&session_, &Session::measured, this, &HomePage::showResult);
   connect(&session_, &Session::runChanged, this, &HomePage::showMotion);
   connect(&timer_, &QTimer::timeout, this, &HomePage::showAngle);
   timer_.start(33);
-  showResult();
+  showConnection();
 }
 
 QWidget* HomePage::buildControls() {
@@ -37,8 +44,10 @@ QWidget* HomePage::buildControls() {
   auto* column = new QVBoxLayout(side);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(9);
-  column->addWidget(heading(side, tr("Home to the index")));
-  column->addWidget(explanation(side, plan(), "homingPlan"));
+  title_ = heading(side, {});
+  column->addWidget(title_);
+  plan_ = explanation(side, {}, "homingPlan");
+  column->addWidget(plan_);
   auto* buttons = new QHBoxLayout;
   home_ = pushButton(side, "homeButton", tr("Home"));
   buttons->addWidget(home_);
@@ -67,7 +76,60 @@ QString HomePage::plan() const {
       .arg(options_.timeout_s);
 }
 
+QString HomePage::travelPlan() const {
+  QStringList steps{
+      tr("The axis feels for both ends at 50 mm/s, with a current limit that grows only until it moves.")};
+  if (!session_.survey().identification)
+    steps << tr("The motor is identified: half a minute standing in the middle, then strokes to and fro by voltage.");
+  steps
+      << (session_.identity().hasIndex
+              ? tr("Then it runs over the whole travel to see the index once and only once, and passes it slowly from "
+                   "below three times.")
+              : tr("It has no index: positions are counted from the lower end."));
+  steps << tr("From there on everything keeps 3 % of the travel, at least 2.4 mm, away from the ends.");
+  return steps.join(' ');
+}
+
+void HomePage::showConnection() {
+  const bool linear = session_.linear();
+  pictures_->setCurrentWidget(linear ? static_cast<QWidget*>(strip_) : dial_);
+  title_->setText(linear ? tr("Feel for the ends, home to the index") : tr("Home to the index"));
+  plan_->setText(linear ? travelPlan() : plan());
+  showResult();
+}
+
+void HomePage::showTravel() {
+  const auto axis = session_.axis();
+  if (!axis) {
+    result_->show({{tr("Travel"), tr("not felt yet"), {}}, {tr("Index"), tr("not homed yet"), {}}});
+    return;
+  }
+  const auto millimetres = [](double length_m, int decimals) {
+    return tr("%1 mm").arg(1e3 * length_m, 0, 'f', decimals);
+  };
+  const Estimate& index = *session_.index_rad();
+  const bool hasIndex = session_.identity().hasIndex;
+  result_->show(
+      {{tr("Travel"), millimetres(axis->travel.high_m - axis->travel.low_m, 2), tr("From end to end")},
+       {tr("Margin"), millimetres(axis->travel.margin_m, 1), tr("Kept away from either end")},
+       {hasIndex ? tr("Index") : tr("Lower end"), tr("%1 mm in the board's position").arg(1e3 * index.value, 0, 'f', 3),
+        hasIndex ? tr("Mean over the passes") : tr("Positions are counted from here")},
+       {tr("Interval"), tr("± %1 µm (95 %)").arg(1.96e6 * index.standardError, 0, 'f', 1), {}},
+       {tr("Mass"),
+        tr("%1 ± %2 kg")
+            .arg(axis->motor.inertia_kg_m2.value, 0, 'f', 3)
+            .arg(1.96 * axis->motor.inertia_kg_m2.standardError, 0, 'f', 3),
+        tr("By strokes, 95 %; %1").arg(QString::fromStdString(axis->motor.gauge))},
+       {tr("Highest speed"), tr("%1 m/s").arg(session_.reachableSpeed_rad_per_s(), 0, 'f', 3),
+        tr("That strokes can reach between the margins")}});
+}
+
 void HomePage::showResult() {
+  if (session_.linear()) {
+    showTravel();
+    showMotion();
+    return;
+  }
   const auto& index = session_.index_rad();
   if (!index) {
     result_->show({{tr("Index"), session_.connected() ? tr("not homed yet") : tr("–"), {}}});
@@ -84,12 +146,20 @@ void HomePage::showResult() {
 
 void HomePage::showMotion() {
   run_->show(session_.run());
-  setAvailable(home_, tr("Find the index"), session_.homingObstacle());
+  setAvailable(home_, session_.linear() ? tr("Find both ends and the index") : tr("Find the index"),
+               session_.homingObstacle());
 }
 
 void HomePage::showAngle() {
   if (!isVisible()) return;
   const auto newest = session_.history().newest();
+  if (session_.linear()) {
+    const auto axis = session_.axis();
+    strip_->show(newest ? std::optional(newest->angle_rad) : std::nullopt,
+                 axis ? std::optional(axis->travel) : std::nullopt,
+                 session_.index_rad() ? std::optional(session_.index_rad()->value) : std::nullopt);
+    return;
+  }
   dial_->show(newest ? std::optional(newest->angle_rad) : std::nullopt,
               session_.index_rad() ? std::optional(session_.index_rad()->value) : std::nullopt);
 }

@@ -6,7 +6,9 @@
 #include "experiment/homing.h"
 #include "pages/page.h"
 
+class QLabel;
 class QPushButton;
+class QStackedWidget;
 
 namespace breakaway {
 
@@ -14,6 +16,7 @@ class FactsTable;
 class RotorDial;
 class RunPanel;
 class Session;
+class TravelStrip;
 
 class HomePage : public Page {
   Q_OBJECT
@@ -24,6 +27,9 @@ class HomePage : public Page {
  private:
   QWidget* buildControls();
   QString plan() const;
+  QString travelPlan() const;
+  void showConnection();
+  void showTravel();
   void showResult();
   void showMotion();
   void showAngle();
@@ -33,7 +39,11 @@ class HomePage : public Page {
   QPushButton* home_ = nullptr;
   RunPanel* run_ = nullptr;
   FactsTable* result_ = nullptr;
+  QLabel* title_ = nullptr;
+  QLabel* plan_ = nullptr;
+  QStackedWidget* pictures_ = nullptr;
   RotorDial* dial_ = nullptr;
+  TravelStrip* strip_ = nullptr;
   QTimer timer_;
 };
 

@@ -54,7 +54,9 @@ void ReportPage::showFriction() {
   QStringList parts;
   if (survey.identification) parts << tr("the motor's constants");
   if (survey.moving) parts << tr("Coulomb and viscous averages with intervals");
-  if (!survey.events.empty()) parts << tr("%1 breakaways around the rotor").arg(survey.events.size());
+  if (!survey.events.empty())
+    parts << (survey.axis == Axis::linear ? tr("%1 breakaways over the travel") : tr("%1 breakaways around the rotor"))
+                 .arg(survey.events.size());
   if (survey.map) parts << tr("the friction map");
   frictionHolds_->setText(parts.isEmpty()
                               ? tr("Nothing was measured yet. A sweep on the Friction page fills this report.")

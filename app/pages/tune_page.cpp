@@ -10,6 +10,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "axis_units.h"
 #include "session.h"
 #include "widgets/controls.h"
 #include "widgets/quantity_slider.h"
@@ -46,6 +47,7 @@ TunePage::TunePage(Session& session, QWidget* parent)
   connect(&session_, &Session::surveyChanged, this, &TunePage::showMargins);
   connect(&session_, &Session::runChanged, this, &TunePage::showMotion);
   connect(&session_, &Session::measured, this, &TunePage::showSteps);
+  connect(&session_, &Session::measured, this, &TunePage::showMotion);
   scaleSliders();
   showSteps();
 }
@@ -106,10 +108,6 @@ QWidget* TunePage::buildControls() {
   height_ = new QDoubleSpinBox(side);
   height_->setObjectName("stepHeight");
   height_->setAccessibleName(tr("Velocity step"));
-  height_->setRange(1.0, 300.0);
-  height_->setValue(20.0);
-  height_->setDecimals(1);
-  height_->setSuffix(tr(" rad/s"));
   height_->setAlignment(Qt::AlignRight);
   height_->setToolTip(tr("From standstill to this velocity"));
   form->addRow(tr("Step from 0 to"), height_);
@@ -132,16 +130,37 @@ QWidget* TunePage::buildResults() {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(6);
   plot_ = new StepPlot(side);
-  table_ = readTable(side, "stepTable", tr("Measured steps"),
-                     {tr("Step"), tr("Kp (A s/rad)"), tr("Ki (A/rad)"), tr("Kd (A s²/rad)"), tr("g (rad/s)"),
-                      tr("Rise (ms)"), tr("Overshoot (%)"), tr("Settling (ms)"), tr("Peak (A)")});
+  table_ = readTable(side, "stepTable", tr("Measured steps"), QStringList(9, QString()));
   table_->setFixedHeight(116);
   column->addWidget(plot_, 1);
   column->addWidget(table_);
   return side;
 }
 
+void TunePage::wordForAxis() {
+  const Axis axis = session_.identity().axis;
+  if (axis == worded_) return;
+  worded_ = axis;
+  const AxisUnits units = unitsOf(axis);
+  for (const Slider& slider : sliders_) {
+    if (slider.field == &ControllerSettings::velocity_kp_A_s_per_rad) slider.widget->setUnit(units.gain);
+    if (slider.field == &ControllerSettings::velocity_ki_A_per_rad) slider.widget->setUnit(units.integral);
+    if (slider.field == &ControllerSettings::velocity_kd_A_s2_per_rad) slider.widget->setUnit(units.derivative);
+  }
+  const bool linear = axis == Axis::linear;
+  height_->setDecimals(linear ? 3 : 1);
+  height_->setRange(linear ? 0.01 : 1.0, linear ? 10.0 : 300.0);
+  height_->setSingleStep(linear ? 0.01 : 1.0);
+  height_->setValue(linear ? 0.1 : 20.0);
+  height_->setSuffix(" " + units.speed);
+  plot_->setSpeedUnit(units.speed);
+  table_->setHorizontalHeaderLabels({tr("Step"), tr("Kp (%1)").arg(units.gain), tr("Ki (%1)").arg(units.integral),
+                                     tr("Kd (%1)").arg(units.derivative), tr("g (rad/s)"), tr("Rise (ms)"),
+                                     tr("Overshoot (%)"), tr("Settling (ms)"), tr("Peak (A)")});
+}
+
 void TunePage::scaleSliders() {
+  wordForAxis();
   const ControllerSettings& settings = session_.settings();
   const double kp = settings.velocity_kp_A_s_per_rad;
   for (const Slider& slider : sliders_) {
@@ -169,8 +188,14 @@ void TunePage::showMargins() {
 }
 
 void TunePage::showMotion() {
-  setAvailable(measure_, tr("Turns up to 2 s: standstill, then the step, measured and stopped again"),
-               session_.obstacle());
+  const auto highest = session_.highestStep_m_per_s();
+  if (highest) height_->setMaximum(*highest);
+  setAvailable(measure_,
+               session_.linear()
+                   ? tr("Goes to the lower end of the travel, then the step forwards, measured and stopped "
+                        "again")
+                   : tr("Turns up to 2 s: standstill, then the step, measured and stopped again"),
+               session_.stepObstacle());
 }
 
 void TunePage::measure() {

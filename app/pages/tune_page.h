@@ -1,6 +1,8 @@
 // Tune: gains and observer cutoff, applied while they move, and the velocity step that they make.
 #pragma once
 
+#include <optional>
+
 #include "experiment/drive.h"
 #include "pages/page.h"
 
@@ -27,6 +29,7 @@ class TunePage : public Page {
   QWidget* buildResults();
   QuantitySlider* addSlider(const QString& objectName, const QString& title, const QString& unit, const QString& help,
                             double ControllerSettings::*field);
+  void wordForAxis();
   void scaleSliders();
   void showSettings();
   void showMargins();
@@ -43,6 +46,7 @@ class TunePage : public Page {
   std::vector<QPushButton*> stiffness_;
   QLabel* margins_ = nullptr;
   QDoubleSpinBox* height_ = nullptr;
+  std::optional<Axis> worded_;  ///< the axis that the page speaks of
   QPushButton* measure_ = nullptr;
   QPushButton* forget_ = nullptr;
   StepPlot* plot_ = nullptr;

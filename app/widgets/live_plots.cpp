@@ -28,14 +28,25 @@ struct LiveChannel {
   double Sample::*value;
 };
 
-constexpr std::array<LiveChannel, 4> channels{{
+constexpr std::array<LiveChannel, 4> rotaryChannels{{
     {QT_TRANSLATE_NOOP("LivePlots", "angle (rad)"), 1.0, 0.2, 3, &Sample::angle_rad},
     {QT_TRANSLATE_NOOP("LivePlots", "velocity (rad/s)"), 1.0, 1.0, 2, &Sample::velocity_rad_per_s},
     {QT_TRANSLATE_NOOP("LivePlots", "current (A)"), 1.0, 0.2, 3, &Sample::current_A},
     {QT_TRANSLATE_NOOP("LivePlots", "disturbance (mNm)"), 1e3, 10.0, 2, &Sample::disturbance_estimate_Nm},
 }};
 
+constexpr std::array<LiveChannel, 4> linearChannels{{
+    {QT_TRANSLATE_NOOP("LivePlots", "position (mm)"), 1e3, 1.0, 3, &Sample::angle_rad},
+    {QT_TRANSLATE_NOOP("LivePlots", "velocity (m/s)"), 1.0, 0.005, 4, &Sample::velocity_rad_per_s},
+    {QT_TRANSLATE_NOOP("LivePlots", "current (A)"), 1.0, 0.2, 3, &Sample::current_A},
+    {QT_TRANSLATE_NOOP("LivePlots", "disturbance (N)"), 1.0, 2.0, 2, &Sample::disturbance_estimate_Nm},
+}};
+
 constexpr std::array<double, 5> spans_s{2.0, 5.0, 10.0, 20.0, 50.0};
+
+const std::array<LiveChannel, 4>& shownChannels(const Session& session) {
+  return session.linear() ? linearChannels : rotaryChannels;
+}
 
 }  // namespace
 
@@ -135,7 +146,7 @@ void LivePlots::addTrace(int channel) {
     return text;
   };
   trace.title = inset(Qt::AlignTop | Qt::AlignLeft);
-  trace.title->setText(tr(channels[static_cast<size_t>(channel)].title));
+  trace.title->setText(tr(shownChannels(session_)[static_cast<size_t>(channel)].title));
   trace.readout = inset(Qt::AlignTop | Qt::AlignRight);
   for (QCPItemStraightLine*& cursor : trace.cursors) {
     cursor = new QCPItemStraightLine(plot_);
@@ -223,6 +234,7 @@ void LivePlots::consume() {
   const LiveHistory& history = session_.history();
   if (consumed_ < history.first()) consumed_ = history.first();
   if (consumed_ == history.end()) return;
+  const auto& channels = shownChannels(session_);
   std::array<std::vector<TracePoint>, channelCount> points;
   for (; consumed_ < history.end(); ++consumed_) {
     const Sample& sample = history.at(consumed_);
@@ -244,7 +256,9 @@ void LivePlots::consume() {
 void LivePlots::startOver() {
   consumed_ = session_.history().first();
   const double period_s = session_.connected() ? 1.0 / std::max(1.0, session_.identity().loopRate_Hz) : 0.001;
-  for (Trace& trace : traces_) {
+  for (size_t channel = 0; channel < traces_.size(); ++channel) {
+    Trace& trace = traces_[channel];
+    trace.title->setText(tr(shownChannels(session_)[channel].title));
     trace.graph->data()->clear();
     trace.envelope = Envelope(0.002, 3.5 * period_s);
   }
@@ -272,7 +286,7 @@ void LivePlots::scaleValues(Trace& trace) const {
   bool found = false;
   QCPRange values = trace.graph->getValueRange(found, QCP::sdBoth, trace.rect->axis(QCPAxis::atBottom)->range());
   if (!found) return;
-  const double least = channels[static_cast<size_t>(&trace - traces_.data())].leastSpan;
+  const double least = shownChannels(session_)[static_cast<size_t>(&trace - traces_.data())].leastSpan;
   const double span = std::max(least, values.size()) * 1.15;
   trace.rect->axis(QCPAxis::atLeft)->setRange(values.center() - 0.5 * span, values.center() + 0.62 * span);
 }
@@ -296,7 +310,7 @@ void LivePlots::writeReadouts() {
   difference_->setText(
       tr("A %1 s   B %2 s   Δt %3 s").arg(a->time_s, 0, 'f', 4).arg(b->time_s, 0, 'f', 4).arg(delta_s, 0, 'f', 4));
   for (size_t channel = 0; channel < traces_.size(); ++channel) {
-    const LiveChannel& shownAs = channels[channel];
+    const LiveChannel& shownAs = shownChannels(session_)[channel];
     const double atA = shownAs.scale * ((*a).*shownAs.value);
     const double atB = shownAs.scale * ((*b).*shownAs.value);
     const auto text = [&](double value) { return QString::number(value, 'f', shownAs.decimals); };
@@ -361,9 +375,9 @@ void LivePlots::changeEvent(QEvent* event) {
 }
 
 void LivePlots::exportVisible() {
-  const auto recording =
-      sealSamples("visible stretch", session_.history().between(from_s(), to_s()),
-                  {{"device", session_.identity().device}, {"firmware", session_.identity().firmware}});
+  const auto recording = sealSamples(
+      "visible stretch", session_.history().between(from_s(), to_s()),
+      {{"device", session_.identity().device}, {"firmware", session_.identity().firmware}}, session_.identity().axis);
   if (!recording) {
     session_.say(tr("Nothing to export: no sample is visible"), true);
     return;

@@ -59,6 +59,10 @@ void QuantitySlider::setRange(const QuantityRange& range) {
   slider_->setValue(positionOf(box_->value()));
 }
 
+void QuantitySlider::setUnit(const QString& unit) {
+  box_->setSuffix(" " + unit);
+}
+
 void QuantitySlider::setAvailable(bool available, const QString& reason) {
   for (QWidget* part : std::initializer_list<QWidget*>{slider_, box_}) {
     part->setEnabled(available);

@@ -29,6 +29,7 @@ class QuantitySlider : public QWidget {
   void show(double value);
   using QWidget::show;
   void setRange(const QuantityRange& range);
+  void setUnit(const QString& unit);
   void setAvailable(bool available, const QString& reason);
 
  signals:

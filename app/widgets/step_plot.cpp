@@ -43,7 +43,6 @@ StepPlot::StepPlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(thi
     rect->setRangeDrag(Qt::Horizontal);
   }
   plot_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
-  velocity_->axis(QCPAxis::atLeft)->setLabel(tr("velocity (rad/s)"));
   velocity_->axis(QCPAxis::atBottom)->setTickLabels(false);
   current_->axis(QCPAxis::atLeft)->setLabel(tr("current (A)"));
   current_->axis(QCPAxis::atLeft)->ticker()->setTickCount(3);
@@ -56,7 +55,12 @@ StepPlot::StepPlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(thi
   follow(current_->axis(QCPAxis::atBottom), velocity_->axis(QCPAxis::atBottom));
   hint_ = new QCPTextElement(plot_, tr("No step measured yet"));
   velocity_->insetLayout()->addElement(hint_, Qt::AlignCenter);
+  setSpeedUnit(tr("rad/s"));
   draw();
+}
+
+void StepPlot::setSpeedUnit(const QString& unit) {
+  velocity_->axis(QCPAxis::atLeft)->setLabel(tr("velocity (%1)").arg(unit));
 }
 
 void StepPlot::show(const std::vector<StepResult>& steps) {

@@ -22,6 +22,7 @@ class StepPlot : public QWidget {
   /// The last step is drawn in full, those before it as ghosts.
   void show(const std::vector<StepResult>& steps);
   using QWidget::show;
+  void setSpeedUnit(const QString& unit);
 
  protected:
   void changeEvent(QEvent* event) override;

@@ -32,15 +32,14 @@ std::string toIdentification(const Identity& board) {
 
 std::string obstacleTo(Task task, const Identity& board) {
   const bool linear = board.axis == Axis::linear;
-  if (linear && task != Task::commissioning)
-    return "the board moves a linear axis: breakaway commission does its whole job";
   switch (task) {
     case Task::homing:
-      return toHoming(board);
+      // Without an index a linear axis counts from its lower end; on the way there its motor is identified.
+      return linear ? toIdentification(board) : toHoming(board);
     case Task::identification:
       return toIdentification(board);
     case Task::sweep:
-      return joined(toHoming(board), toIdentification(board));
+      return joined(linear ? std::string() : toHoming(board), toIdentification(board));
     case Task::tuning:
       return board.can.takesGains ? "" : "the board keeps its own gains: set them with its maker's tool";
     case Task::compensation:

@@ -8,8 +8,8 @@
 namespace breakaway {
 
 namespace {
-constexpr double motion_rad = 0.005;  // less travel is no motion
-constexpr double endStall = 0.1;      // of stall_s, at the end of the step
+constexpr double rotaryMotion_rad = 0.005, linearMotion_m = 2e-4;  // less travel is no motion
+constexpr double endStall = 0.1;                                   // of stall_s, at the end of the step
 }  // namespace
 
 Command VelocityStep::run(const Sample& sample) {
@@ -29,16 +29,19 @@ Command VelocityStep::run(const Sample& sample) {
 
 /// A rotor that has gone some way at the speed asked for and stands since then is held; a slow one has its time.
 void VelocityStep::watchMotion(const Sample& sample, double target_rad_per_s) {
+  const double motion_rad = options_.axis == Axis::linear ? linearMotion_m : rotaryMotion_rad;
   const bool moved = std::abs(sample.angle_rad - movedAngle_rad_) > motion_rad;
   if (moved) movedAngle_rad_ = sample.angle_rad;
   stalled_s_ = moved || std::abs(target_rad_per_s) * options_.stall_s < 10.0 * motion_rad ? 0.0 : stalled_s_ + tick_s();
   const bool atEnd = elapsed_s_ >= options_.before_s + options_.after_s;
   if (stalled_s_ <= (atEnd ? endStall * options_.stall_s : options_.stall_s)) return;
   char text[128];
-  std::snprintf(
-      text, sizeof text,
-      "the rotor does not move though %.1f rad/s are asked for; is the shaft held, or the current limit too low?",
-      target_rad_per_s);
+  std::snprintf(text, sizeof text,
+                options_.axis == Axis::linear
+                    ? "the axis does not move though %.3f m/s are asked for; is it held, or the current limit too low?"
+                    : "the rotor does not move though %.1f rad/s are asked for; is the shaft held, or the current "
+                      "limit too low?",
+                target_rad_per_s);
   fail(text);
 }
 

@@ -14,7 +14,8 @@ struct VelocityStepOptions {
   double after_s = 0.6;      ///< recorded after the step
   double settleBand = 0.05;  ///< of the step, for the settling time
   double current_limit_A = 0.0;
-  double stall_s = 0.4;  ///< without any motion while it should turn
+  double stall_s = 0.4;      ///< without any motion while it should turn
+  Axis axis = Axis::rotary;  ///< linear: read m for rad
 };
 
 struct StepFigures {
@@ -29,7 +30,7 @@ struct StepCurve {
   std::vector<double> time_s, velocity_rad_per_s, reference_rad_per_s, current_A;
 };
 
-/// Fails in words when the rotor doesn't move, or stands at the end though it should turn.
+/// Fails in words when the rotor or the axis doesn't move, or stands at the end though it should.
 class VelocityStep : public TimedProcedure {
  public:
   explicit VelocityStep(const VelocityStepOptions& options = {}) : options_(options) {}

@@ -24,19 +24,6 @@ void CommissionJob::fillBench() {
   done_.bench.controller = controllerOf(done_.settings);
 }
 
-/// The measurements ran with careful gains; the board is left with those that the motor, as it is known now, allows.
-void CommissionJob::tuneForUse() {
-  const auto medium = mediumSettings(done_, done_.settings);
-  const auto accepted = medium ? drive_.configure(*medium) : medium;
-  if (!accepted) {
-    done_.remarks.push_back("The controller is left as it was for the measurements: " + accepted.error().message() +
-                            ".");
-    return;
-  }
-  done_.settings = *accepted;
-  done_.bench.controller = controllerOf(done_.settings);
-}
-
 Result<Commission> CommissionJob::run() {
   done_.identity = drive_.identity();
   done_.addedInertia_kg_m2 = options_.addedInertia_kg_m2;
@@ -60,7 +47,7 @@ Result<Commission> CommissionJob::run() {
   if (const auto ok = sweepBreakaway(); !ok) return ok.error();
   if (const auto ok = turnSlowly(); !ok) return ok.error();
   fillBench();
-  tuneForUse();
+  tuneForUse(drive_, done_);
   if (const auto ok = runCompensated(drive_, steps_, done_); !ok) return ok.error();
   drive_.stop("the job is done");
   return std::move(done_);

@@ -60,6 +60,7 @@ struct Commission {
   IdentifiedMotor motor;
   Estimate addedInertia_kg_m2;  ///< part of the motor's inertia
   ControllerSettings settings;  ///< the tuning that the board is left with
+  bool tunedForUse = false;     ///< to medium stiffness; else as it was for the measurements
   double noiseRms_A = 0.0;
   Estimate sensorZero_A;
   Estimate indexAngle_rad;

@@ -37,7 +37,6 @@ class CommissionJob {
   Result<void> turnSlowly();
   Result<void> refitMoving(const std::vector<BreakawayEvent>& events, const MapOptions& options);
   void fillBench();
-  void tuneForUse();
   VelocityFrictionOptions frictionOptions() const;
   double zeroing_s() const;
 

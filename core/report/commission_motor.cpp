@@ -10,6 +10,7 @@
 #include "experiment/spin_test.h"
 #include "experiment/winding_test.h"
 #include "identify/reversal_inertia.h"
+#include "identify/winding_fit.h"
 #include "report/commission_job.h"
 
 namespace breakaway {
@@ -41,23 +42,18 @@ Result<void> CommissionJob::identify() {
   }
   const auto winding = std::make_shared<WindingTest>();
   if (auto ran = steps_.run("02-winding", winding, 0.02); !ran) return ran;
-  const auto line = fitWindingLine(winding->points());
-  if (!line) return Error{"02-winding", line.error().message()};
-  const auto constant = fitTimeConstant(winding->squareResponse_A(), winding->squareTick_s());
-  if (!constant) return Error{"02-winding", constant.error().message()};
-  for (size_t way = 0; way < 2; ++way) {
-    for (const double one : winding->breakaway_A()[way]) expected_A_[way] = std::max(expected_A_[way], one);
-  }
+  const auto fit = fitWinding(*winding);
+  if (!fit) return Error{"02-winding", fit.error().message()};
+  expected_A_ = fit->expected_A;
   SpinTestOptions spinOptions;
   // Where friction takes much of the supply, half of it would hardly turn the rotor.
-  const double moving_V = line->voltageFor(std::max(expected_A_[0], expected_A_[1])),
-               supply_V = drive_.identity().supply_V;
+  const double moving_V = fit->line.voltageFor(fit->friction_A()), supply_V = drive_.identity().supply_V;
   spinOptions.highest_V = std::clamp(2.5 * moving_V, 0.5 * supply_V, 0.9 * supply_V);
   auto spin = std::make_shared<SpinTest>(spinOptions);
   if (auto ran = steps_.run("03-spin", spin, 0.03); !ran) return ran;
   MotorIdentificationOptions options;
   options.trustedTorqueConstant_Nm_per_A = trustedTorqueConstant();
-  auto motor = identifyMotor(spin->blocks(), *line, *constant, options);
+  auto motor = identifyMotor(spin->blocks(), fit->line, fit->timeConstant_s, options);
   if (!motor ||
       highestSpeed(spin->blocks()) * motor->backEmfConstant_V_s_per_rad.value < 0.3 * drive_.identity().supply_V) {
     // A heavy rotor doesn't come up to speed in so short a leg.
@@ -65,14 +61,14 @@ Result<void> CommissionJob::identify() {
     spinOptions.cycles = 2;
     spin = std::make_shared<SpinTest>(spinOptions);
     if (auto ran = steps_.run("03b-spin-slowly", spin, 0.0); !ran) return ran;
-    motor = identifyMotor(spin->blocks(), *line, *constant, options);
+    motor = identifyMotor(spin->blocks(), fit->line, fit->timeConstant_s, options);
   }
   if (!motor) return Error{"03-spin", motor.error().message()};
   done_.motor = *motor;
   bridgeTests_.standing = winding->points();
   bridgeTests_.moving = {spin->blocks()};
-  timeConstant_s_ = *constant;
-  bridgeTests_.timeConstant_s = constant->value;
+  timeConstant_s_ = fit->timeConstant_s;
+  bridgeTests_.timeConstant_s = fit->timeConstant_s.value;
   bridgeTests_.supply_V = drive_.identity().supply_V;
   const double Kt = motor->torqueConstant_Nm_per_A.value, Ke = motor->backEmfConstant_V_s_per_rad.value;
   if (std::abs(Kt - Ke) > 0.05 * Ke) {

@@ -1,7 +1,5 @@
 #include "report/final_tuning.h"
 
-#include <numbers>
-
 #include "stability/auto_tuning.h"
 #include "stability/bench_loop.h"
 
@@ -19,7 +17,7 @@ Result<ControllerSettings> mediumSettings(const Commission& done, const Controll
   const double shown = done.motor.torquePerShownAmpere_Nm();
   const Estimate constant{shown, shown * trueConstant.standardError / trueConstant.value};
   AutoTuningOptions options;
-  options.noise = {roundingRms_rad(2.0 * std::numbers::pi / done.identity.countsPerRev), done.noiseRms_A};
+  options.noise = {roundingRms_rad(bench.count()), done.noiseRms_A};
   const auto tuning = autoTune(*loop, done.motor.inertia_kg_m2, constant, options);
   if (!tuning) return tuning.error();
   ControllerSettings settings = present;
@@ -34,6 +32,19 @@ Result<ControllerSettings> mediumSettings(const Commission& done, const Controll
   settings.nominal_inertia_kg_m2 = tuning->settings.inertia_kg_m2;
   settings.nominal_torque_constant_Nm_per_A = tuning->settings.torqueConstant_Nm_per_A;
   return settings;
+}
+
+void tuneForUse(Drive& drive, Commission& done) {
+  const auto medium = mediumSettings(done, done.settings);
+  const auto accepted = medium ? drive.configure(*medium) : medium;
+  done.tunedForUse = accepted.ok();
+  if (accepted) {
+    done.settings = *accepted;
+  } else {
+    done.remarks.push_back("The controller is left as it was for the measurements: " + accepted.error().message() +
+                           ".");
+  }
+  done.bench.controller = controllerOf(done.settings);
 }
 
 BenchController controllerOf(const ControllerSettings& settings) {

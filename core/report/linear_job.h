@@ -3,12 +3,9 @@
 
 #include <array>
 
-#include "experiment/travel.h"
-#include "experiment/travel_bins.h"
-#include "experiment/travel_breakaway.h"
-#include "identify/travel_friction.h"
 #include "report/commission.h"
 #include "report/commission_steps.h"
+#include "report/travel_plan.h"
 
 namespace breakaway {
 
@@ -29,19 +26,13 @@ class LinearJob {
   Result<void> home();
   Result<void> layBins();
   Result<void> sweepVelocity();
-  TravelBreakawayOptions breakawayOptions(const std::array<std::vector<double>, 2>& moving_A) const;
   Result<void> sweepBreakaway();
   Result<void> drawMap(const TravelBreakawayOptions& measured, double zeroError_A);
-  void noteSettings(const TravelBreakawayOptions& measured);
   Result<void> takeFriction(const TravelFriction& friction);
   Result<void> compensate();
   void joinMass(const Estimate& bySweep);
   void fillBench();
-  TravelFrictionOptions frictionOptions() const;
-  double zeroing_s() const;
-  double count_m() const { return 1.0 / drive_.identity().countsPerRev; }
-  double indexTolerance() const { return drive_.identity().hasIndex ? indexTolerance_m(count_m()) : 0.0; }
-  double forcePerAmpere() const { return done_.motor.torquePerShownAmpere_Nm(); }
+  KnownAxis known() const;
 
   Drive& drive_;
   const CommissionOptions& options_;
@@ -53,7 +44,7 @@ class LinearJob {
   std::array<double, 2> expected_A_{0.0, 0.0};
   bool linearised_ = false;  ///< the board takes its voltages through the inverse of the bridge's curve
   double shownResistance_ohm_ = 0.0, zeroError_A_ = 0.0;
-  double speed_m_per_s_ = 0.0, acceleration_m_per_s2_ = 0.0;  ///< the highest that strokes are run with
+  TravelPace pace_;
 };
 
 }  // namespace breakaway

@@ -109,6 +109,9 @@ void useChapter(HtmlReport& report, const Commission& done) {
   facts.emplace_back("friction falls to Coulomb over",
                      fall.value > 0.0 ? withInterval(fall, 1.0, units.speed) : std::string("not seen"));
   const ControllerSettings& left = done.settings;
+  facts.emplace_back("controller", done.tunedForUse
+                                       ? "tuned to medium stiffness for the identified motor, left on the board"
+                                       : "left as it was for the measurements");
   facts.emplace_back("velocity controller", numberText(left.velocity_kp_A_s_per_rad) + units.gain);
   facts.emplace_back("position controller", numberText(left.position_kp_A_per_rad) + units.positionGain + " and " +
                                                 numberText(left.position_kd_A_s_per_rad) + units.gain);

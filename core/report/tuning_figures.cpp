@@ -149,20 +149,24 @@ Figure sensitivityFigure(const TuningStudy& study) {
 }
 
 Figure loadFigure(const TuningStudy& study) {
-  Figure figure{"How the shaft yields to a load", "frequency / rad/s", "speed per load / rad/s per mNm"};
+  const bool linear = study.axis == Axis::linear;
+  Figure figure{linear ? "How the axis yields to a load" : "How the shaft yields to a load", "frequency / rad/s",
+                linear ? "speed per load / m/s per kN" : "speed per load / rad/s per mNm"};
   figure.logX = figure.logY = true;
-  const auto perMillinewtonmetre = [&study](const std::string& label, const ClosedResponse& closed) {
+  const double perUnit = linear ? 1e3 : 1e-3;
+  const auto scaled = [&study, perUnit](const std::string& label, const ClosedResponse& closed) {
     Curve curve = magnitude(label, study.velocity, closed.yielding);
-    for (double& one : curve.y) one *= 1e-3;
+    for (double& one : curve.y) one *= perUnit;
     return curve;
   };
-  figure.curves = {perMillinewtonmetre("velocity loop", study.velocityClosed),
-                   perMillinewtonmetre("position loop", study.positionClosed)};
+  figure.curves = {scaled("velocity loop", study.velocityClosed), scaled("position loop", study.positionClosed)};
   return figure;
 }
 
 Figure noiseFigure(const TuningStudy& study) {
-  Figure figure{"What a cutoff costs", "observer cutoff g / rad/s", "noise of the torque estimate, rms / mNm"};
+  Figure figure{
+      "What a cutoff costs", "observer cutoff g / rad/s",
+      study.axis == Axis::linear ? "noise of the force estimate, rms / mN" : "noise of the torque estimate, rms / mNm"};
   figure.logX = figure.logY = true;
   Curve both{"encoder and current sensor", study.cutoffs_rad_per_s, {}},
       encoder{"encoder alone", study.cutoffs_rad_per_s, {}};

@@ -46,12 +46,13 @@ Json marginsJson(const LoopMargins& found) {
 
 Json noiseJson(const TuningStudy& study) {
   const LoopNoise& noise = study.tuning.noise;
-  return {{"angle_rms_rad", study.sensors.angle_rms_rad},
+  const auto called = [&study](const char* name) { return nameOn(study.axis, name); };
+  return {{study.axis == Axis::linear ? "position_rms_m" : "angle_rms_rad", study.sensors.angle_rms_rad},
           {"current_rms_A", study.sensors.current_rms_A},
-          {"disturbance_estimate_rms_Nm", noise.estimate_Nm},
-          {"disturbance_estimate_by_encoder_rms_Nm", noise.estimateByEncoder_Nm},
+          {called("disturbance_estimate_rms_Nm"), noise.estimate_Nm},
+          {called("disturbance_estimate_by_encoder_rms_Nm"), noise.estimateByEncoder_Nm},
           {"current_reference_rms_A", noise.currentReference_A},
-          {"velocity_rms_rad_per_s", noise.velocity_rad_per_s},
+          {called("velocity_rms_rad_per_s"), noise.velocity_rad_per_s},
           {"voltage_rms_V", noise.voltage_V}};
 }
 
@@ -96,13 +97,15 @@ Json controllersJson(const Tuning& tuning) {
 
 std::string tuningJson(const TuningStudy& study, const std::string& name) {
   const Tuning& tuning = study.tuning;
+  const std::string inertia = nameOn(study.axis, "inertia_kg_m2"),
+                    constant = nameOn(study.axis, "torque_constant_Nm_per_A");
   Json json{{"schema", "breakaway.tuning/1"}, {"name", name}, {"stiffness", nameOf(tuning.stiffness)}};
   json.update(controllersJson(tuning));
   json["velocity_bandwidth_rad_per_s"] = tuning.velocityBandwidth_rad_per_s;
   json["position_bandwidth_rad_per_s"] = tuning.positionBandwidth_rad_per_s;
   json["held_by"] = tuning.heldBy;
-  json["motor"] = {{"inertia_kg_m2", estimateJson(study.inertia_kg_m2)},
-                   {"torque_constant_Nm_per_A", estimateJson(study.torqueConstant_Nm_per_A)}};
+  json["motor"] = {{inertia, estimateJson(study.inertia_kg_m2)},
+                   {constant, estimateJson(study.torqueConstant_Nm_per_A)}};
   json["loop"] = loopJson(study.loop);
   json["wanted"] = {{"gain_margin", tuning.wanted.gainMargin},
                     {"phase_margin_rad", tuning.wanted.phaseMargin_rad},
@@ -111,8 +114,8 @@ std::string tuningJson(const TuningStudy& study, const std::string& name) {
   json["velocity"] = {{"nominal", marginsJson(tuning.nominal.velocity)}, {"worst", marginsJson(tuning.worstVelocity)}};
   json["position"] = {{"nominal", marginsJson(tuning.nominal.position)}, {"worst", marginsJson(tuning.worstPosition)}};
   for (const TuningCorner& corner : tuning.corners) {
-    json["corners"].push_back({{"inertia_kg_m2", corner.inertia_kg_m2},
-                               {"torque_constant_Nm_per_A", corner.torqueConstant_Nm_per_A},
+    json["corners"].push_back({{inertia, corner.inertia_kg_m2},
+                               {constant, corner.torqueConstant_Nm_per_A},
                                {"velocity", marginsJson(corner.velocity)},
                                {"position", marginsJson(corner.position)}});
   }
@@ -150,7 +153,7 @@ std::string responseTable(const TuningStudy& study) {
   for (const char* loop : {"velocity", "position"}) {
     for (const char* what : {"loop_gain", "loop_phase_rad", "sensitivity", "complementary", "following",
                              "yielding_rad_per_s_per_Nm", "observing"})
-      table += "," + std::string(loop) + "_" + what;
+      table += "," + std::string(loop) + "_" + nameOn(study.axis, what);
   }
   table += "\n";
   for (size_t k = 0; k < study.velocity.frequency_rad_per_s.size(); ++k) {
@@ -168,9 +171,11 @@ std::string responseTable(const TuningStudy& study) {
 }
 
 std::string noiseTable(const TuningStudy& study) {
-  std::string table =
-      "cutoff_rad_per_s,disturbance_estimate_rms_Nm,disturbance_estimate_by_encoder_rms_Nm,current_reference_rms_A,"
-      "velocity_rms_rad_per_s,voltage_rms_V\n";
+  std::string table = "cutoff_rad_per_s";
+  for (const char* what : {"disturbance_estimate_rms_Nm", "disturbance_estimate_by_encoder_rms_Nm",
+                           "current_reference_rms_A", "velocity_rms_rad_per_s", "voltage_rms_V"})
+    table += "," + nameOn(study.axis, what);
+  table += "\n";
   for (size_t k = 0; k < study.noise.size(); ++k) {
     const LoopNoise& one = study.noise[k];
     table += row({study.cutoffs_rad_per_s[k], one.estimate_Nm, one.estimateByEncoder_Nm, one.currentReference_A,
@@ -242,17 +247,21 @@ Result<void> writeTuning(const TuningStudy& study, const Bench& bench, const std
 std::string inWords(const TuningStudy& study) {
   const Tuning& tuning = study.tuning;
   const auto& gains = tuning.settings.gains;
+  const bool linear = study.axis == Axis::linear;
+  const std::string perSpeed = linear ? " A s/m" : " A s/rad", perPlace = linear ? " A/m" : " A/rad";
   std::string words = "Tuned " + std::string(nameOf(tuning.stiffness)) + ": velocity Kp " +
-                      numberText(gains.velocity_kp_A_s_per_rad) + " A s/rad, observer cutoff " +
+                      numberText(gains.velocity_kp_A_s_per_rad) + perSpeed + ", observer cutoff " +
                       numberText(tuning.settings.observer_cutoff_rad_per_s, 3) + " rad/s; position Kp " +
-                      numberText(gains.position_kp_A_per_rad) + " A/rad, Kd " +
-                      numberText(gains.position_kd_A_s_per_rad) + " A s/rad.\n";
+                      numberText(gains.position_kp_A_per_rad) + perPlace + ", Kd " +
+                      numberText(gains.position_kd_A_s_per_rad) + perSpeed + ".\n";
   if (!tuning.heldBy.empty()) words += "What would be lost first with higher gains: " + tuning.heldBy + ".\n";
-  words += "At the worst corner of inertia ±" + percent(study.inertia_kg_m2) + " and torque constant ±" +
-           percent(study.torqueConstant_Nm_per_A) + ", velocity: " + marginWords(tuning.worstVelocity) +
-           "; position: " + marginWords(tuning.worstPosition) + ".\n";
+  words += "At the worst corner of " + std::string(linear ? "mass" : "inertia") + " ±" + percent(study.inertia_kg_m2) +
+           " and " + (linear ? "force" : "torque") + " constant ±" + percent(study.torqueConstant_Nm_per_A) +
+           ", velocity: " + marginWords(tuning.worstVelocity) + "; position: " + marginWords(tuning.worstPosition) +
+           ".\n";
   words += boundWords(study) + "\n";
-  words += "Noise: " + numberText(1e3 * tuning.noise.estimate_Nm, 3) + " mNm rms in the torque estimate, " +
+  words += "Noise: " + numberText(1e3 * tuning.noise.estimate_Nm, 3) +
+           (linear ? " mN rms in the force estimate, " : " mNm rms in the torque estimate, ") +
            numberText(1e3 * tuning.noise.currentReference_A, 3) + " mA in the current.";
   if (study.loop.current == CurrentPath::ideal)
     words += "\nThe current loop was taken as ideal: resistance or inductance is missing.";

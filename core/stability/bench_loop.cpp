@@ -6,10 +6,13 @@ namespace breakaway {
 
 Result<ServoLoop> loopOfBench(const Bench& bench, const BoardTiming& timing) {
   const MotorBelief& motor = bench.motor;
-  if (bench.axis != Axis::rotary) return Error{"field axis", "is linear, expected rotary: a rotor's loop is tuned"};
   const auto torqueConstant = motor.torqueConstant ? motor.torqueConstant : motor.backEmfConstant;
-  if (!torqueConstant) return Error{"field motor.torque_constant_Nm_per_A", "is missing, expected the identified one"};
-  if (!motor.inertia) return Error{"field motor.inertia_kg_m2", "is missing, expected the identified one"};
+  const MotorNames& names = motorNames(bench.axis);
+  const auto missing = [](const char* name) {
+    return Error{std::string("field motor.") + name, "is missing, expected the identified one"};
+  };
+  if (!torqueConstant) return missing(names.torqueConstant);
+  if (!motor.inertia) return missing(names.inertia);
   ServoLoop loop;
   loop.delay_ticks = timing.delay_ticks;
   loop.motor = {*motor.inertia,

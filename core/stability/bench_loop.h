@@ -16,8 +16,8 @@ struct BoardTiming {
 
 /// Motor, encoder and winding as believed, the controller tuned on the same values, its current limit that of the bench
 /// file (0: none given). Without resistance or inductance the current is taken as ideal: held at its reference. A
-/// missing torque constant is the back-EMF constant, which is the same quantity in SI. Errors: a linear axis, no
-/// torque constant, no inertia.
+/// missing torque constant is the back-EMF constant, which is the same quantity in SI. On a linear axis read m for rad,
+/// kg for kg m², N for Nm. Errors: no torque constant, no inertia.
 Result<ServoLoop> loopOfBench(const Bench& bench, const BoardTiming& timing);
 
 }  // namespace breakaway

@@ -1,12 +1,14 @@
 // A tuning with all that shows what it is: root locus, response, bounds and noise.
 #pragma once
 
+#include "base/axis.h"
 #include "stability/auto_tuning.h"
 #include "stability/root_locus.h"
 
 namespace breakaway {
 
 struct TuningStudy {
+  Axis axis = Axis::rotary;  ///< linear: read m for rad, kg for kg m², N for Nm, and files name them so
   Estimate inertia_kg_m2, torqueConstant_Nm_per_A;
   SensorNoise sensors;
   Tuning tuning;

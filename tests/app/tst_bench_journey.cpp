@@ -9,7 +9,7 @@
 #include <QSvgRenderer>
 #include <QTableWidget>
 
-#include "app/window_support.h"
+#include "app/desk.h"
 #include "base/atomic_file.h"
 #include "friction/map_export.h"
 #include "widgets/polar_plot.h"
@@ -30,47 +30,6 @@ class TestBenchJourney : public QObject {
   void everyControl_hasAName();
   void disabledControls_sayWhy();
 };
-
-namespace {
-
-constexpr int patience_ms = 120'000;
-
-/// Fast, and without a watchdog that would watch the test machine instead of the window.
-struct Desk {
-  Desk() : session({60.0, 0.005, 600.0}), window(session, comparison, answers) {
-    window.show();
-    window.showPage("connectPage");
-  }
-  bool connected() {
-    press(window, "connectButton");
-    return session.connected();
-  }
-  bool homed() {
-    window.showPage("homePage");
-    press(window, "homeButton");
-    return QTest::qWaitFor([this] { return session.index_rad().has_value(); }, patience_ms);
-  }
-  void sweep(int bins, int turns) {
-    window.showPage("frictionPage");
-    named<QSpinBox>(window, "bins")->setValue(bins);
-    named<QSpinBox>(window, "turns")->setValue(turns);
-    press(window, "breakawaySweepButton");
-  }
-  bool exported(const char* format, const QString& path) {
-    answers.byTitle["Export the friction map"] = path;
-    auto* box = named<QComboBox>(window, "exportFormat");
-    box->setCurrentIndex(box->findData(format));
-    press(window, "exportMapButton");
-    return QFile(path).size() > 0;
-  }
-
-  Answers answers;
-  Session session;
-  Comparison comparison;
-  MainWindow window;
-};
-
-}  // namespace
 
 void TestBenchJourney::initTestCase() {
   if (qEnvironmentVariableIsEmpty("BREAKAWAY_RESOURCES"))

@@ -210,6 +210,14 @@ void TestTravel::anIndexlessAxis_countsFromItsLowerEnd() {
   QVERIFY(std::abs(done->motor.torqueConstant_Nm_per_A.value / 14.0 - 1.0) < 0.02);
   QVERIFY(done->compensatedRun && done->compensatedRun->with_rad_per_s < done->compensatedRun->without_rad_per_s);
   QVERIFY(!done->missed);
+  // Left tuned, on the board as in the bench file: the cutoff belongs to the gain.
+  const ControllerSettings left = board.drive->settings();
+  QVERIFY(done->tunedForUse && done->bench.controller.mode == ControlMode::velocity);
+  QCOMPARE(done->bench.controller.kp, left.velocity_kp_A_s_per_rad);
+  QCOMPARE(done->bench.controller.observerCutoff_rad_per_s, left.observer_cutoff_rad_per_s);
+  const double bandwidth = left.velocity_kp_A_s_per_rad * 14.0 / 1.8;
+  QVERIFY2(bandwidth > 20.0 && bandwidth < 200.0, qPrintable(QString::number(bandwidth)));
+  QVERIFY(std::abs(left.observer_cutoff_rad_per_s / bandwidth - 10.0 / 3.0) < 0.1);
 }
 
 QTEST_APPLESS_MAIN(TestTravel)

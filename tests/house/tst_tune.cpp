@@ -19,6 +19,7 @@ class TestTune : public QObject {
   void stiffness_changesTheGains();
   void moreDoubt_isSaidAndCostsGain();
   void motorWithoutWinding_isTunedWithAnIdealCurrent();
+  void linearAxis_isTunedInItsOwnUnits();
   void wrongInput_getsOneLine_data();
   void wrongInput_getsOneLine();
 };
@@ -111,6 +112,26 @@ void TestTune::motorWithoutWinding_isTunedWithAnIdealCurrent() {
   QCOMPARE(valueAt(tuningIn(folder, "t"), "loop/current_path").toString(), QString("ideal"));
 }
 
+void TestTune::linearAxis_isTunedInItsOwnUnits() {
+  const TemporaryFolder folder;
+  folder.write("b.json", R"({"schema": "breakaway.bench/1", "axis": "linear", "encoder": {"counts_per_m": 1000000},
+      "drive": {"input": "current_A", "supply_V": 24}, "motor": {"force_constant_N_per_A": 14, "resistance_ohm": 2.2,
+      "back_emf_constant_V_s_per_m": 14, "inductance_H": 0.0021, "mass_kg": 1.8},
+      "controller": {"mode": "open_loop", "current_limit_A": 4}})");
+  const Outcome outcome = tune(folder, "--bench b.json --out t");
+  QVERIFY2(outcome.status == 0 && outcome.err.isEmpty(), qPrintable(outcome.err));
+  QVERIFY(outcome.out.contains(" A s/m") && outcome.out.contains("mass ±") && !outcome.out.contains("Nm"));
+  QCOMPARE(valueAt(tuningIn(folder, "t"), "motor/mass_kg/value").toDouble(), 1.8);
+  QVERIFY(contentOf(folder, "t/noise.csv").startsWith("cutoff_rad_per_s,disturbance_estimate_rms_N,"));
+  QVERIFY(contentOf(folder, "t/response.csv").contains("velocity_yielding_m_per_s_per_N"));
+  const auto bench = readBench(folder.path() + "/t/bench.json");
+  QVERIFY2(bench.ok(), bench.ok() ? "" : bench.error().message().c_str());
+  QVERIFY(bench->axis == Axis::linear && bench->controller.mode == ControlMode::velocity);
+  // As fast as a rotor's loop with the same tick: J·w/Kt is a gain of its own unit.
+  const double bandwidth = bench->controller.kp * 14.0 / 1.8;
+  QVERIFY2(bandwidth > 20.0 && bandwidth < 200.0, qPrintable(QString::number(bandwidth)));
+}
+
 void TestTune::wrongInput_getsOneLine_data() {
   QTest::addColumn<QString>("words");
   QTest::addColumn<QByteArray>("bench");
@@ -122,7 +143,7 @@ void TestTune::wrongInput_getsOneLine_data() {
                               << "b.json, field motor.inertia_kg_m2: is missing";
   QTest::newRow("linear") << "--bench b.json --out t" << QByteArray(R"({"schema": "breakaway.bench/1", "axis": "linear",
                               "drive": {"input": "force_N"}, "motor": {"mass_kg": 2}})")
-                          << "b.json, field axis: is linear";
+                          << "b.json, field motor.force_constant_N_per_A: is missing";
   QTest::newRow("tick") << "--bench b.json --out t --tick-s 0" << good << "--tick-s";
   QTest::newRow("doubt") << "--bench b.json --out t --inertia-error 120" << good << "--inertia-error";
   QTest::newRow("no bench") << "--bench c.json --out t" << good << "c.json: cannot be read";

@@ -1,0 +1,157 @@
+#include "map_views.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <functional>
+
+#include "axis_units.h"
+
+namespace breakaway {
+
+namespace {
+
+QString translated(const char* text) {
+  return QCoreApplication::translate("MapView", text);
+}
+
+/// ccw and cw keep their colours in every view.
+int colourOf(Way way) {
+  return way == Way::ccw ? 0 : 1;
+}
+
+std::vector<MapCurve> turnCurves(const FrictionSurvey& survey) {
+  const char* const name = survey.axis == Axis::linear ? QT_TRANSLATE_NOOP("MapView", "%1, pass %2")
+                                                       : QT_TRANSLATE_NOOP("MapView", "%1, turn %2");
+  std::vector<MapCurve> curves;
+  for (const Way way : {Way::ccw, Way::cw}) {
+    for (size_t turn = 0; turn < survey.turns; ++turn) {
+      MapCurve curve{translated(name).arg(wayName(way, survey.axis)).arg(turn + 1), colourOf(way), turn > 0, false, {}};
+      for (const BreakawayEvent& event : survey.events) {
+        if (event.way == way && event.turn == turn)
+          curve.points.push_back(
+              {event.angle_rad, unitsOf(survey.axis).torqueScale * event.torque_Nm, 0.0, event.outlier});
+      }
+      if (curve.points.empty()) continue;
+      std::sort(curve.points.begin(), curve.points.end(),
+                [](const MapPoint& a, const MapPoint& b) { return a.at < b.at; });
+      curve.closed = curve.points.size() >= survey.bins;
+      curves.push_back(std::move(curve));
+    }
+  }
+  return curves;
+}
+
+using Read = std::function<Estimate(const WayBin&)>;
+
+std::vector<MapCurve> wayCurves(const FrictionMap& map, double scale, const Read& read) {
+  std::vector<MapCurve> curves;
+  for (const Way way : {Way::ccw, Way::cw}) {
+    MapCurve curve{wayName(way, map.axis), colourOf(way), false, true, {}};
+    for (const MapBin& bin : map.bins) {
+      const WayBin& one = bin.way[static_cast<size_t>(way)];
+      const Estimate estimate = read(one);
+      curve.points.push_back({bin.angle_rad, scale * estimate.value, scale * estimate.standardError, one.outlier});
+    }
+    curves.push_back(std::move(curve));
+  }
+  return curves;
+}
+
+/// The moving friction before there is a map of breakaways: over the bins that strokes were taken apart into.
+std::vector<MapCurve> movingCurves(const FrictionSurvey& survey, double scale,
+                                   std::vector<Estimate> MovingFriction::*read) {
+  if (!survey.travel) return {};
+  const TravelBins places{survey.travel->first_m(), survey.travel->last_m(), survey.strokeBins};
+  std::vector<MapCurve> curves;
+  for (const Way way : {Way::ccw, Way::cw}) {
+    MapCurve curve{wayName(way, survey.axis), colourOf(way), false, true, {}};
+    const std::vector<Estimate>& values = (*survey.moving)[static_cast<size_t>(way)].*read;
+    for (size_t k = 0; k < values.size(); ++k)
+      curve.points.push_back({places.centre_m(k), scale * values[k].value, scale * values[k].standardError, false});
+    curves.push_back(std::move(curve));
+  }
+  return curves;
+}
+
+MapCurve positionCurve(const FrictionMap& map) {
+  const bool linear = map.axis == Axis::linear;
+  MapCurve curve{linear ? translated("position force") : translated("position torque"), 3, false, true, {}};
+  for (const MapBin& bin : map.bins)
+    curve.points.push_back({bin.angle_rad, unitsOf(map.axis).torqueScale * bin.positionTorque_Nm(), 0.0, false});
+  return curve;
+}
+
+}  // namespace
+
+QString nameOf(MapView view, Axis axis) {
+  const bool linear = axis == Axis::linear;
+  switch (view) {
+    case MapView::turns:
+      return linear ? translated("Breakaway, pass by pass") : translated("Breakaway, turn by turn");
+    case MapView::staticMean:
+      return translated("Static friction, mean");
+    case MapView::coulomb:
+      return translated("Coulomb friction");
+    case MapView::viscous:
+      return translated("Viscous coefficient");
+    case MapView::total:
+      return translated("Total at the map's speed");
+    case MapView::positionTorque:
+      return linear ? translated("Position force") : translated("Position torque");
+  }
+  return {};
+}
+
+QString obstacleTo(MapView view, const FrictionSurvey& survey) {
+  if (view == MapView::turns) return survey.events.empty() ? translated("Run the breakaway sweep first") : QString();
+  const bool moving = view == MapView::coulomb || view == MapView::viscous || view == MapView::total;
+  // A linear axis has moving friction over its travel before it has breakaways.
+  if (survey.axis == Axis::linear && (view == MapView::coulomb || view == MapView::viscous))
+    return survey.moving ? QString() : translated("Run the velocity sweep first");
+  if (!survey.map) return translated("Run the breakaway sweep to its end first");
+  return moving && !survey.moving ? translated("Run the velocity sweep first") : QString();
+}
+
+MapPicture pictureOf(MapView view, const FrictionSurvey& survey) {
+  const AxisUnits units = unitsOf(survey.axis);
+  const bool linear = survey.axis == Axis::linear;
+  const auto titled = [](const char* quantity, const QString& unit) { return translated(quantity).arg(unit); };
+  const QString breakaway = linear ? titled(QT_TRANSLATE_NOOP("MapView", "breakaway force (%1)"), units.torque)
+                                   : titled(QT_TRANSLATE_NOOP("MapView", "breakaway torque (%1)"), units.torque);
+  if (view == MapView::turns) return {turnCurves(survey), breakaway, units.torque};
+  const bool moves = view == MapView::coulomb || view == MapView::viscous;
+  if (!survey.map && !(linear && survey.moving && moves)) return {{}, breakaway, units.torque};
+  const FrictionMap map = survey.map.value_or(FrictionMap{});
+  switch (view) {
+    case MapView::staticMean:
+      return {wayCurves(map, units.torqueScale, [](const WayBin& bin) { return bin.static_Nm; }),
+              titled(QT_TRANSLATE_NOOP("MapView", "static friction (%1)"), units.torque), units.torque};
+    case MapView::coulomb:
+      return {survey.map ? wayCurves(map, units.torqueScale, [](const WayBin& bin) { return bin.coulomb_Nm; })
+                         : movingCurves(survey, units.torqueScale, &MovingFriction::coulomb_Nm),
+              titled(QT_TRANSLATE_NOOP("MapView", "Coulomb friction (%1)"), units.torque), units.torque};
+    case MapView::viscous:
+      return {survey.map
+                  ? wayCurves(map, units.viscousScale, [](const WayBin& bin) { return bin.viscous_Nm_s_per_rad; })
+                  : movingCurves(survey, units.viscousScale, &MovingFriction::viscous_Nm_s_per_rad),
+              titled(QT_TRANSLATE_NOOP("MapView", "viscous coefficient (%1)"), units.viscous), units.viscous};
+    case MapView::total:
+      return {
+          wayCurves(map, units.torqueScale,
+                    [](const WayBin& bin) {
+                      return Estimate{bin.total_Nm, 0.0};
+                    }),
+          translated("total at %1 %2 (%3)").arg(map.totalVelocity_rad_per_s, 0, 'f', 2).arg(units.speed, units.torque),
+          units.torque};
+    case MapView::positionTorque:
+      return {{positionCurve(map)},
+              linear ? titled(QT_TRANSLATE_NOOP("MapView", "position force (%1)"), units.torque)
+                     : titled(QT_TRANSLATE_NOOP("MapView", "position torque (%1)"), units.torque),
+              units.torque};
+    case MapView::turns:
+      break;
+  }
+  return {};
+}
+
+}  // namespace breakaway

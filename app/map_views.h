@@ -1,0 +1,26 @@
+// What the plot of a map can show of a survey: views by name, each a set of curves with its unit.
+#pragma once
+
+#include <QString>
+#include <vector>
+
+#include "friction_survey.h"
+#include "widgets/map_curve.h"
+
+namespace breakaway {
+
+enum class MapView { turns, staticMean, coulomb, viscous, total, positionTorque };
+
+struct MapPicture {
+  std::vector<MapCurve> curves;
+  QString quantity;  ///< of the radius, with its unit
+  QString unit;
+};
+
+QString nameOf(MapView view, Axis axis = Axis::rotary);
+/// Why the view has nothing to show yet; empty when it has.
+QString obstacleTo(MapView view, const FrictionSurvey& survey);
+/// Torques in mNm, viscous friction in µNm s/rad; N and N s/m over a linear axis' travel.
+MapPicture pictureOf(MapView view, const FrictionSurvey& survey);
+
+}  // namespace breakaway

@@ -1,0 +1,28 @@
+// A linear axis going to a place and stopping there.
+#pragma once
+
+#include "experiment/timed_procedure.h"
+#include "experiment/travel.h"
+
+namespace breakaway {
+
+/// Glides to `target_m`; ends there, and in words when it doesn't arrive in time.
+class TravelTo : public TimedProcedure {
+ public:
+  TravelTo(double target_m, double tolerance_m, const Glide& glide)
+      : target_m_(target_m), tolerance_m_(tolerance_m), glide_(glide) {}
+
+ protected:
+  Command run(const Sample& sample) override;
+  double progress() const override;
+  double remaining_s() const override;
+  std::string activity() const override { return "going to where it begins"; }
+
+ private:
+  double target_m_, tolerance_m_;
+  Glide glide_;
+  double start_m_ = 0.0, left_m_ = 0.0, allowed_s_ = 0.0;
+  bool begun_ = false;
+};
+
+}  // namespace breakaway

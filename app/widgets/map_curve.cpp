@@ -1,0 +1,17 @@
+#include "widgets/map_curve.h"
+
+#include <QCoreApplication>
+
+namespace breakaway {
+
+QString readingOf(const MapPoint& point, const QString& unit) {
+  const auto translated = [](const char* text) { return QCoreApplication::translate("MapCurve", text); };
+  QString text = QString::number(point.value, 'g', 4);
+  if (point.standardError > 0.0) text += translated(" ± %1").arg(1.96 * point.standardError, 0, 'g', 2);
+  text += " " + unit;
+  if (point.standardError > 0.0) text += translated(" (95 %)");
+  if (point.outlier) text += translated(", outlier");
+  return text;
+}
+
+}  // namespace breakaway

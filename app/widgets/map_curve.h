@@ -1,0 +1,27 @@
+// What a plot of the friction map draws: one curve per way and turn, in shown units.
+#pragma once
+
+#include <QString>
+#include <vector>
+
+namespace breakaway {
+
+struct MapPoint {
+  double at = 0.0;             ///< rad from the index; m on a linear axis
+  double value = 0.0;          ///< in the plot's unit
+  double standardError = 0.0;  ///< 0: not known
+  bool outlier = false;
+};
+
+struct MapCurve {
+  QString name;
+  int colour = 0;  ///< of Look::curve
+  bool dashed = false;
+  bool closed = false;           ///< complete: around a rotor the last point joins the first
+  std::vector<MapPoint> points;  ///< by growing place
+};
+
+/// "20.1 ± 0.12 mNm (95 %), outlier": the value and its doubt as a hovering hand reads them.
+QString readingOf(const MapPoint& point, const QString& unit);
+
+}  // namespace breakaway

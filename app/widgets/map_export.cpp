@@ -1,0 +1,88 @@
+#include "widgets/map_export.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QPushButton>
+
+#include "base/atomic_file.h"
+#include "friction/map_export.h"
+#include "session.h"
+#include "widgets/controls.h"
+#include "widgets/map_panel.h"
+
+namespace breakaway {
+
+namespace {
+
+struct ExportFormat {
+  const char* name;  ///< of exportMap(), or of the page
+  const char* title;
+  const char* ending;
+};
+
+constexpr ExportFormat formats[] = {
+    {"csv", QT_TRANSLATE_NOOP("MapExport", "Map as CSV"), ".csv"},
+    {"json", QT_TRANSLATE_NOOP("MapExport", "Map as JSON"), ".json"},
+    {"c-header", QT_TRANSLATE_NOOP("MapExport", "Map as C header"), ".h"},
+    {"mat", QT_TRANSLATE_NOOP("MapExport", "Map as MATLAB file"), ".mat"},
+    {"png", QT_TRANSLATE_NOOP("MapExport", "Picture as PNG"), ".png"},
+    {"svg", QT_TRANSLATE_NOOP("MapExport", "Picture as SVG"), ".svg"},
+    {"breakaways", QT_TRANSLATE_NOOP("MapExport", "All breakaways as CSV"), ".csv"},
+};
+
+}  // namespace
+
+MapExport::MapExport(Session& session, FileChooser& files, MapPanel& picture, QWidget* parent)
+    : QWidget(parent), session_(session), files_(files), picture_(picture) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  format_ = new QComboBox(this);
+  format_->setObjectName("exportFormat");
+  format_->setAccessibleName(tr("Form of the export"));
+  for (const ExportFormat& format : formats) format_->addItem(tr(format.title), QString(format.name));
+  export_ = pushButton(this, "exportMapButton", tr("Export…"));
+  row->addWidget(format_, 1);
+  row->addWidget(export_);
+  connect(format_, &QComboBox::currentIndexChanged, this, &MapExport::showExport);
+  connect(export_, &QPushButton::clicked, this, &MapExport::exportChosen);
+  connect(&session_, &Session::surveyChanged, this, &MapExport::showExport);
+  showExport();
+}
+
+void MapExport::showExport() {
+  const FrictionSurvey& survey = session_.survey();
+  const QString format = format_->currentData().toString();
+  const bool needsMap = format != "png" && format != "svg" && format != "breakaways";
+  QString obstacle;
+  if (needsMap && !survey.map) obstacle = tr("There is no map yet: run the breakaway sweep to its end");
+  const bool drawn = survey.axis == Axis::linear && survey.moving && format != "breakaways";
+  const bool nothing = survey.events.empty() && !drawn;
+  if (!needsMap && nothing) obstacle = tr("Nothing was measured yet");
+  setAvailable(export_, tr("Write the file"), obstacle);
+}
+
+void MapExport::exportChosen() {
+  const ExportFormat& format = formats[format_->currentIndex()];
+  const QString name = format.name;
+  files_.ask(this,
+             {tr("Export the friction map"), tr("%1 (*%2)").arg(tr(format.title), format.ending),
+              QString("map") + format.ending, true},
+             [this, name](const QString& path) { writeExport(name, path); });
+}
+
+bool MapExport::writeExport(const QString& format, const QString& path) {
+  Result<void> written;
+  const FrictionSurvey& survey = session_.survey();
+  if (format == "png" || format == "svg") {
+    if (!picture_.savePicture(path, format == "svg")) written = Error{path.toStdString(), "cannot be written"};
+  } else if (format == "breakaways") {
+    written = writeFile(path.toStdString(), breakawayTable(survey.events, survey.axis));
+  } else if (survey.map) {
+    written = exportMap(*survey.map, format.toStdString(), path.toStdString());
+  }
+  session_.say(written ? tr("Written: %1").arg(path) : QString::fromStdString(written.error().message()),
+               !written.ok());
+  return written.ok();
+}
+
+}  // namespace breakaway

@@ -1,0 +1,49 @@
+// A technician's desk: the window on a simulated board, and the presses that every journey begins with.
+#pragma once
+
+#include <QComboBox>
+#include <QFile>
+#include <QSpinBox>
+
+#include "app/window_support.h"
+
+namespace breakaway::test {
+
+constexpr int patience_ms = 120'000;
+
+/// Fast, and without a watchdog that would watch the test machine instead of the window.
+struct Desk {
+  explicit Desk(double pace = 60.0) : session({pace, 0.005, 600.0}), window(session, comparison, answers) {
+    window.show();
+    window.showPage("connectPage");
+  }
+  bool connected() {
+    press(window, "connectButton");
+    return session.connected();
+  }
+  bool homed() {
+    window.showPage("homePage");
+    press(window, "homeButton");
+    return QTest::qWaitFor([this] { return session.index_rad().has_value(); }, patience_ms);
+  }
+  void sweep(int bins, int turns) {
+    window.showPage("frictionPage");
+    named<QSpinBox>(window, "bins")->setValue(bins);
+    named<QSpinBox>(window, "turns")->setValue(turns);
+    press(window, "breakawaySweepButton");
+  }
+  bool exported(const char* format, const QString& path) {
+    answers.byTitle["Export the friction map"] = path;
+    auto* box = named<QComboBox>(window, "exportFormat");
+    box->setCurrentIndex(box->findData(format));
+    press(window, "exportMapButton");
+    return QFile(path).size() > 0;
+  }
+
+  Answers answers;
+  Session session;
+  Comparison comparison;
+  MainWindow window;
+};
+
+}  // namespace breakaway::test
