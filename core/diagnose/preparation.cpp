@@ -7,6 +7,7 @@
 #include "diagnose/channel_checks.h"
 #include "diagnose/fit/inverse_fit.h"
 #include "diagnose/fit/motion.h"
+#include "diagnose/fit/winding_start.h"
 #include "diagnose/simulate/simulator.h"
 
 namespace breakaway {
@@ -135,9 +136,11 @@ Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& re
   out.split = std::move(*split);
   out.training = maskedTracks(out.tracks, recordings.size(), out.split);
   const std::vector<Track>& training = out.training;
-  auto starts = startModels(bench, training);
-  if (!starts) return starts.error();
-  out.starts = std::move(*starts);
+  for (const Bench& one : startingWindings(bench, training)) {
+    auto starts = startModels(one, training);
+    if (!starts) return starts.error();
+    out.starts.insert(out.starts.end(), starts->begin(), starts->end());
+  }
   out.seen = excitationOf(training, out.starts.front());
   out.held.assign(bench.trusted.begin(), bench.trusted.end());
   std::string held;

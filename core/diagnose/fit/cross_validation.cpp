@@ -80,8 +80,11 @@ std::vector<double> crossValidated(const FitResult& fit, const ParameterVector& 
                 static_cast<double>(fit.windows[w].positions);
     }
     rest.diagonal() += 1e-4 * normal.diagonal() + fit.priorPrecision;
-    rest.diagonal().array() += 1e-12 * normal.diagonal().maxCoeff();
-    Eigen::VectorXd step = rest.ldlt().solve(score);
+    Eigen::VectorXd step = score;
+    if (size > 0) {  // with every value trusted there is nothing to move
+      rest.diagonal().array() += 1e-12 * normal.diagonal().maxCoeff();
+      step = rest.ldlt().solve(score);
+    }
     for (int halvings = 0;; ++halvings) {
       Eigen::VectorXd x = fit.x + step;
       for (Eigen::Index k = 0; k < size; ++k) x[k] = std::clamp(x[k], parameters.lower(k), parameters.upper(k));

@@ -40,7 +40,7 @@ class HiddenStates {
 
   /// Of `window` at x, `nudged` −1 for x itself or the number of the nudged parameter.
   const MotionState& at(const Eigen::VectorXd& x, Eigen::Index nudged, size_t window) {
-    if (nudged < 0 && (x_.size() != x.size() || x_ != x)) {
+    if (states_.empty() || (nudged < 0 && (x_.size() != x.size() || x_ != x))) {
       x_ = x;
       states_.assign(static_cast<size_t>(x.size()) + 1, {});
     }
@@ -187,10 +187,11 @@ FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>
     const double factor = options.windowWeights.empty() ? 1.0 : options.windowWeights[w];
     residuals[w].reweigh({factor * result.weights.position, factor * result.weights.current});
     count += static_cast<double>(residuals[w].rows());
-    problem.AddResidualBlock(new WindowCost(parameters, residuals[w], hidden, w, options.exact), nullptr, x.data());
+    if (x.size() > 0)
+      problem.AddResidualBlock(new WindowCost(parameters, residuals[w], hidden, w, options.exact), nullptr, x.data());
   }
   const double priorWeight = 0.1 * std::sqrt(count / static_cast<double>(windows.size()));
-  problem.AddResidualBlock(new PriorCost(parameters, start, priorWeight), nullptr, x.data());
+  if (x.size() > 0) problem.AddResidualBlock(new PriorCost(parameters, start, priorWeight), nullptr, x.data());
   ceres::Solver::Options solver;
   solver.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
   solver.initial_trust_region_radius = 30.0;  // steps that let windows run away are the rule far from the answer
@@ -253,8 +254,9 @@ FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>
     normal(k, k) += precision;
     meat(k, k) += precision * precision * priorDeviation * priorDeviation;
   }
-  normal.diagonal().array() += 1e-12 * normal.diagonal().maxCoeff();
-  const Eigen::MatrixXd inverse = normal.ldlt().solve(Eigen::MatrixXd::Identity(size, size));
+  if (size > 0) normal.diagonal().array() += 1e-12 * normal.diagonal().maxCoeff();
+  const Eigen::MatrixXd inverse =
+      size > 0 ? normal.ldlt().solve(Eigen::MatrixXd::Identity(size, size)).eval() : Eigen::MatrixXd(0, 0);
   const auto n = static_cast<double>(clusters.size());
   result.covariance = inverse * meat * inverse * (n / std::max(1.0, n - static_cast<double>(size)));
   result.model = parameters.withIntervals(x, result.covariance, student95(n - 1.0));

@@ -277,6 +277,7 @@ class Search {
     for (const Pick& one : found.chosen) {
       part += one.gain;
       named = named || (swings(one) && one.gain > noticeable * found.baseSquares);
+      if (swings(one) && one.gain > halfOfAll * found.baseSquares) fits_->expectLoads();
     }
     const bool openToLoads = !worth().baseAtFloor() && (named || part <= mostOfAll * found.baseSquares);
     SearchResult set = result;
@@ -337,7 +338,7 @@ class Search {
 
   void adoptLoad(SearchResult& result, const Screen& screen) {
     loadsTried_ = true;
-    if (!fits_->loadsMayShow()) return;
+    if (!fits_->loadsAreTried()) return;
     std::vector<std::pair<const Effect*, double>> left;  // squared errors
     const SwingingLoads loads(input_, result.base.model);
     for (const Pick& pick : SwingingLoads::offered(input_, screen)) {

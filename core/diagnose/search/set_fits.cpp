@@ -14,9 +14,9 @@ namespace breakaway {
 
 namespace {
 
-constexpr double clearlyLess = 0.65;  ///< of a squared error
-constexpr double goodStart = 0.6;     ///< of the base model's squared error: no other start is tried
-constexpr double loadFloors = 2.0;    ///< rms error of restarts, in tolerated ones, from which a load is looked for
+constexpr double clearlyLess = 0.65, farLess = 0.2;  ///< of a squared error
+constexpr double goodStart = 0.6;                    ///< of the base model's squared error: no other start is tried
+constexpr double loadFloors = 2.0;  ///< rms error of restarts, in tolerated ones, from which a load is looked for
 
 }  // namespace
 
@@ -36,14 +36,14 @@ bool SetFits::restartsErr(const TorqueNoise& left) const {
 
 bool SetFits::helps(const FitResult& without, const FitResult& with) const {
   const bool loaded = swings(with.model) && !swings(without.model);
-  if (loaded && !(with.usable && loadsMayShow_ && clearlyBetterFromRestarts(with.model, without.model))) return false;
+  if (loaded && !(with.usable && loadsAreTried() && clearlyBetterFromRestarts(with.model, without.model))) return false;
   return worth_.helps(without, with);  // what takes long comes last
 }
 
 bool SetFits::clearlyBetterFromRestarts(const Model& model, const Model& other) const {
   const auto& windows = input_.split.trainScore;
   return typicalPart(scoreWindows(model, input_.tracks, windows), scoreWindows(other, input_.tracks, windows)) <
-         clearlyLess;
+         (loadsMayShow_ || !swings(model) || swings(other) ? clearlyLess : farLess);
 }
 
 FitResult SetFits::fresh(const Model& start) const {

@@ -18,6 +18,9 @@ class SetFits {
   /// Whether restarts of the base model err by more than sensors and friction that scatters may do: a load that swings
   /// or flies leaves much.
   bool loadsMayShow() const { return loadsMayShow_; }
+  /// From now on they may, since the screen has found one: it has to leave far less of restarts, then.
+  void expectLoads() { expected_ = true; }
+  bool loadsAreTried() const { return loadsMayShow_ || expected_; }
   /// Whether the second model takes away error. A load that swings is free at each window's start, which noise can use,
   /// too: it has to do clearly better from restarts as well, where it isn't.
   bool helps(const FitResult& without, const FitResult& with) const;
@@ -37,7 +40,7 @@ class SetFits {
   const SearchInput& input_;
   const FitResult& base_;
   Worth worth_;
-  bool loadsMayShow_;
+  bool loadsMayShow_, expected_ = false;
 };
 
 }  // namespace breakaway
