@@ -22,7 +22,7 @@ constexpr double materialFloors = 2.5;
 /// Windows that are so many times off, and how many of them (at least five) are no accident.
 constexpr double farOffFloors = 8.0;
 constexpr double farOffPart = 0.05;
-/// Of the drive's peak: a place where less is unexplained is none.
+/// Of the drive's peak, or of the friction: a place where less is unexplained is none.
 constexpr double immaterialPart = 0.01;
 /// Of what is unexplained: a place with less of it, or one that chance gives more often, is none.
 constexpr double leastInPlace = 0.1, largelyInPlace = 0.25, likeliestByChance = 0.02;
@@ -38,10 +38,13 @@ bool holds(const Place& place) {
   return place.share >= leastInPlace && place.pValue <= likeliestByChance;
 }
 
-/// No rig is exact to a smaller part of its drive, unless that is in one place to a large part.
-bool notable(const Place& place, const Excitation& seen) {
-  return place.share >= largelyInPlace ||
-         place.size >= immaterialPart * (place.sizeUnit == "V" ? seen.peakInput : seen.peakTorque);
+/// No rig is exact to a smaller part of its drive. What is in one place to a large part may be smaller, but not less
+/// than friction scatters by.
+bool notable(const Place& place, const Preparation& prepared, double friction) {
+  const Excitation& seen = prepared.seen;
+  const bool voltage = place.sizeUnit == "V";
+  return (place.share >= largelyInPlace && (voltage || place.size >= immaterialPart * friction)) ||
+         place.size >= immaterialPart * (voltage ? seen.peakInput : seen.peakTorque);
 }
 
 std::vector<Place> placesOf(const Model& model, const Preparation& prepared, std::uint64_t seed) {
@@ -92,7 +95,9 @@ Remainder remainderOf(const Model& model, bool named, const Preparation& prepare
   Remainder rest = beside(errors, floorsOf(model, prepared, windows, seed, left), least);
   if (!rest.wanders) return rest;
   const auto found = placesOf(model, prepared, seed);
-  const auto stands = [&prepared](const Place& place) { return holds(place) && notable(place, prepared.seen); };
+  const auto stands = [&, friction = physicsOf(model).coulomb](const Place& place) {
+    return holds(place) && notable(place, prepared, friction);
+  };
   if (std::none_of(found.begin(), found.end(), stands)) return rest;
   const Floors floors = floorsOf(model, prepared, windows, seed, {});
   const bool clear = std::any_of(found.begin(), found.end(), [&stands](const Place& place) {
@@ -103,7 +108,9 @@ Remainder remainderOf(const Model& model, bool named, const Preparation& prepare
 
 void findPlaces(Remainder& rest, const Model& model, const Preparation& prepared, std::uint64_t seed) {
   auto left = placesOf(model, prepared, seed);
-  std::erase_if(left, [&prepared](const Place& place) { return !notable(place, prepared.seen); });
+  std::erase_if(left, [&, friction = physicsOf(model).coulomb](const Place& place) {
+    return !notable(place, prepared, friction);
+  });
   if (left.empty()) return;
   rest.pValue = left.front().pValue;
   if (!holds(left.front())) return;

@@ -1,8 +1,14 @@
 #include "diagnose/torque_noise.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace breakaway {
+
+bool TorqueNoise::usual(double coulomb) const {
+  constexpr double most = 0.015, quick_s = 0.3;
+  return rms <= most * coulomb / std::sqrt(std::max(1.0, time_s / quick_s));
+}
 
 double whiten(const TorqueNoise& noise, double spacing_s, Eigen::Ref<Eigen::MatrixXd> rows) {
   if (noise.ratio <= 0.0) return 0.0;

@@ -11,9 +11,9 @@ struct TorqueNoise {
   double time_s = 0.1;  ///< correlation time
   double rms = 0.0;     ///< Nm or N
 
-  /// Whether it is no more than any rig's, beside so much Coulomb friction: small, and from moment to moment. What
-  /// changes slowly has a cause of its own.
-  bool usual(double coulomb) const { return rms <= 0.015 * coulomb && time_s < 0.5; }
+  /// Whether it is no more than any rig's, beside so much Coulomb friction: small, and smaller where it changes slowly,
+  /// which moves the axis further and is more likely to have a cause of its own.
+  bool usual(double coulomb) const;
 };
 
 /// Makes rows of one stretch, `spacing_s` apart, independent and of equal variance: the innovations of a Kalman filter
