@@ -225,7 +225,7 @@ class Judge {
   /// The rest of the set is refined.
   void drop(SearchResult& candidate, Members::iterator one) const {
     const Model rest = without(candidate.best.model, *one->effect);
-    candidate.best = polishModel(input_, rest, polishWeights(input_, rest));
+    candidate.best = polishModel(input_, rest, polishWeights(input_, candidate.base.model, rest));
     candidate.chosen.erase(one);
   }
 

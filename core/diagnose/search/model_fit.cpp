@@ -145,8 +145,13 @@ FitResult fitBase(const SearchInput& input, const std::vector<Model>& starts) {
   return best;
 }
 
-std::vector<double> polishWeights(const SearchInput& input, const Model& model) {
-  return robustWeights(residualSquares(model, input.tracks, input.split.polish));
+bool happensOnce(const Model& model) {
+  return std::any_of(model.effects.begin(), model.effects.end(),
+                     [](const EffectTerm& term) { return findEffect(term.effect)->happensOnce(); });
+}
+
+std::vector<double> polishWeights(const SearchInput& input, const Model& base, const Model& model) {
+  return robustWeights(residualSquares(happensOnce(model) ? model : base, input.tracks, input.split.polish));
 }
 
 FitResult polishModel(const SearchInput& input, const Model& model, const std::vector<double>& windowWeights) {

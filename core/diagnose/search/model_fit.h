@@ -63,8 +63,12 @@ Model fitShort(const SearchInput& input, const Model& model, double tolerance = 
 /// The base model: the best of the fits from each start.
 FitResult fitBase(const SearchInput& input, const std::vector<Model>& starts);
 
-/// Weights for the last refinement: windows in which the model errs far more than in others count less.
-std::vector<double> polishWeights(const SearchInput& input, const Model& model);
+/// Whether it holds something that happens in one recording only, at a time of its own.
+bool happensOnce(const Model& model);
+
+/// Weights for the last refinement of a model: windows in which the base model errs far more than in others count less,
+/// unless the model holds what happens once and rests on them.
+std::vector<double> polishWeights(const SearchInput& input, const Model& base, const Model& model);
 
 /// The last refinement, on the overlapping windows.
 FitResult polishModel(const SearchInput& input, const Model& model, const std::vector<double>& windowWeights = {});

@@ -138,12 +138,13 @@ class Search {
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
     result.left = wanderBeside(wanderingRig, picksOf(result, screen));
     input_.say(0.85, "refining");
-    result.base = polishModel(input_, result.base.model, polishWeights(input_, result.base.model));
+    const Model& base = result.base.model;
+    const std::vector<double> weights = polishWeights(input_, base, result.best.model);
+    result.base = polishModel(input_, base, polishWeights(input_, base, base));
     if (result.chosen.empty()) {
       result.best = result.base;
       return result;
     }
-    const std::vector<double> weights = polishWeights(input_, result.best.model);
     result.best = polishModel(input_, result.best.model, weights);
     dropIdleWaves(result, weights);
     return result;

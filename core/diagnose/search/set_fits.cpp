@@ -1,11 +1,9 @@
 #include "diagnose/search/set_fits.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "base/statistics.h"
-#include "diagnose/catalogue.h"
 #include "diagnose/noise_floor.h"
 #include "diagnose/search/swinging_load.h"
 #include "diagnose/simulate/physics.h"
@@ -48,9 +46,7 @@ bool SetFits::clearlyBetterFromRestarts(const Model& model, const Model& other) 
 
 FitResult SetFits::fresh(const Model& start) const {
   FitResult fit = fitModel(input_, start, 6);
-  const bool once = std::any_of(start.effects.begin(), start.effects.end(),
-                                [](const EffectTerm& term) { return findEffect(term.effect)->happensOnce(); });
-  if (!once || !fit.usable) return fit;
+  if (!happensOnce(start) || !fit.usable) return fit;
   // What happened rests on the windows in which the base model errs most, and which count least for that.
   SearchInput own = input_;
   own.windowWeights.clear();
