@@ -77,7 +77,7 @@ Unexplained unexplainedAlong(const Model& model, const Track& track) {
     if (!track.motion.rest_s.empty()) state.rest_s = track.motion.rest_s[row];
     double current = 0.0, slope = 0.0;
     if (p.electrical && connected) {
-      const double lost = stepper.losesVoltage() ? stepper.lostVoltage(state, u, v, t) : 0.0;
+      const double lost = stepper.losesVoltage() ? stepper.lostVoltage(state, u, state.position, v, t) : 0.0;
       const Winding before = winding;
       winding.advance(p, u - lost - p.backEmf * v, rows.step_s);
       // At the instant itself: what the inductance keeps, or the mean of what acts before and after.

@@ -12,9 +12,6 @@ class TestDiagnose : public QObject {
   Q_OBJECT
  private slots:
   void coulombAsymmetry_isOneAndTheSameAsConstantLoad();
-  void cleanRigWithNoise_lacksNothing();
-  void torqueThatWandersALittle_isNotMissing();
-  void effectUnderATorqueThatWanders_isNamed();
   void severalWaves_areOneFinding_data();
   void severalWaves_areOneFinding();
   void sensorsOffset_isNamed_data();
@@ -40,42 +37,6 @@ void TestDiagnose::coulombAsymmetry_isOneAndTheSameAsConstantLoad() {
   QVERIFY(diagnosis.proof.worst.after >= diagnosis.proof.typical.after);
   QVERIFY(!diagnosis.where.empty());
   QVERIFY2(diagnosis.where.front().pValue <= 0.01, diagnosis.where.front().sentence.c_str());
-}
-
-void TestDiagnose::cleanRigWithNoise_lacksNothing() {
-  for (const unsigned seed : {1u, 2u, 3u}) {
-    const Diagnosis diagnosis = diagnosed({.seconds = 20.0, .seed = seed});
-    QVERIFY2(diagnosis.findings.empty(), diagnosis.findings.empty() ? "" : diagnosis.findings.front().sentence.c_str());
-    QCOMPARE(nameOf(diagnosis.verdict), std::string("nothing_missing"));
-    QVERIFY(diagnosis.nextSeparates.empty());
-    QCOMPARE(diagnosis.unexplainedShare, 0.0);
-    const FitScore& fit = diagnosis.fit;
-    QCOMPARE(fit.heldoutAfter, fit.heldoutBefore);
-    QCOMPARE(fit.improvementLow95, 0.0);
-    QCOMPARE(fit.improvementHigh95, 0.0);
-    // One count is 0.44 mrad.
-    QVERIFY2(fit.heldoutBefore > 1e-4 && fit.heldoutBefore < 3e-3, qPrintable(QString::number(fit.heldoutBefore)));
-  }
-}
-
-void TestDiagnose::torqueThatWandersALittle_isNotMissing() {
-  const Diagnosis diagnosis = diagnosed({.seconds = 20.0, .wander_Nm = 0.008 * 0.012});
-  QCOMPARE(nameOf(diagnosis.verdict), std::string("nothing_missing"));
-  QVERIFY2(diagnosis.fit.heldoutAfter > 2.5 * diagnosis.fit.floor, qPrintable(QString::number(diagnosis.fit.floor)));
-  const bool said = std::any_of(diagnosis.remarks.begin(), diagnosis.remarks.end(), [](const std::string& remark) {
-    return remark.find("wanders at random by 1") != std::string::npos;  // a hundred µNm and some
-  });
-  QVERIFY2(said, inWords(diagnosis).c_str());
-}
-
-void TestDiagnose::effectUnderATorqueThatWanders_isNamed() {
-  const Diagnosis diagnosis = diagnosed({.positionTorque = "[[9, 0.0012, 0.4]]", .wander_Nm = 0.015 * 0.012});
-  QVERIFY(!diagnosis.findings.empty());
-  const Finding& finding = diagnosis.findings.front();
-  QCOMPARE(finding.effect, std::string("cogging"));
-  QCOMPARE(parameter(finding, "order"), 9.0);
-  QVERIFY2(within(parameter(finding, "amplitude_Nm"), gauge * 0.0012, 0.1),
-           qPrintable(QString::number(parameter(finding, "amplitude_Nm"))));
 }
 
 void TestDiagnose::severalWaves_areOneFinding_data() {

@@ -125,8 +125,9 @@ std::vector<MotionState> hiddenStates(const Model& model, const std::vector<Trac
         const double u = track.input[row], dt = track.time[row + 1] - track.time[row];
         if (p.electrical) {
           stepper.setSupply(track.supplyAt(row));
-          const double lost =
-              stepper.losesVoltage() ? stepper.lostVoltage(before, u, state.velocity, track.time[row]) : 0.0;
+          const double lost = stepper.losesVoltage()
+                                  ? stepper.lostVoltage(before, u, before.position, state.velocity, track.time[row])
+                                  : 0.0;
           const double settled = track.connected[row] ? (u - lost - p.backEmf * state.velocity) / p.resistance : 0.0;
           const double keep = p.inductance > 0.0 ? std::exp(-dt * p.resistance / p.inductance) : 0.0;
           state.current = settled + (before.current - settled) * keep;

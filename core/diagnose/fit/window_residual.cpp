@@ -178,7 +178,7 @@ WindowResidual::Passage WindowResidual::torquesAt(Simulator& simulator, size_t r
   at.drive = track_.connected[row] ? p.torqueConstant * u : 0.0;
   if (p.electrical && track_.connected[row]) {
     if (stepper.losesVoltage())
-      at.lost = losesAnew(stepper, changed) ? stepper.lostVoltage(from, u, v, time) : passages_[k].lost;
+      at.lost = losesAnew(stepper, changed) ? stepper.lostVoltage(from, u, from.position, v, time) : passages_[k].lost;
     at.current = (u - at.lost - p.backEmf * v - p.inductance * (to.current - from.current) / dt) / p.resistance;
     at.drive = p.torqueConstant * at.current;
   } else if (p.electrical) {

@@ -202,7 +202,7 @@ class Search {
   /// The screen's set as a whole, or else its most important members; where much is left, also with rivals in place, or
   /// the most important one alone.
   void adopt(SearchResult& result, const Screen& screen, std::vector<Pick> picks) const {
-    for (; !picks.empty(); dropLeast(picks)) {
+    for (; !picks.empty(); dropWavesOrLeast(picks)) {
       FitResult fit = fits_->together(screen, picks);
       if (worth().floors(fit) > 4.0) {
         std::vector<std::vector<Pick>> others = exchanged(screen, picks);
@@ -223,6 +223,19 @@ class Search {
       result.best = std::move(fit);
       for (const Pick& pick : asEffects(picks)) result.chosen.push_back({pick.effect, pick.pValue, 0.0, {}});
       return;
+    }
+  }
+
+  /// First all further waves, which together take long to fit, and then one pick at a time.
+  static void dropWavesOrLeast(std::vector<Pick>& picks) {
+    std::vector<Pick> first;
+    for (const Pick& pick : picks) {
+      if (!contains(first, pick.effect)) first.push_back(pick);
+    }
+    if (first.size() == picks.size()) {
+      dropLeast(picks);
+    } else {
+      picks = std::move(first);
     }
   }
 
@@ -256,7 +269,8 @@ class Search {
   static std::vector<std::vector<Pick>> exchanged(const Screen& screen, const std::vector<Pick>& picks) {
     std::vector<std::vector<Pick>> sets;
     for (size_t k = 0; k < picks.size(); ++k) {
-      if (picks[k].rivals.empty()) continue;
+      const auto here = picks.begin() + static_cast<std::ptrdiff_t>(k);
+      if (picks[k].rivals.empty() || contains(std::vector<Pick>(picks.begin(), here), picks[k].effect)) continue;
       std::vector<Pick> others = picks;
       others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
       Pick rival = screen.best(*picks[k].rivals.front(), others);

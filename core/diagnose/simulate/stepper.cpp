@@ -115,11 +115,10 @@ Stepper::Forces Stepper::forcesOf(double position, std::span<const Term> parts) 
   return forces;
 }
 
-double Stepper::lostVoltage(const MotionState& state, double u, double velocity, double time_s) const {
+double Stepper::lostVoltage(const MotionState& state, double u, double position, double velocity, double time_s) const {
   const double available = u - physics_.backEmf * velocity;
   const auto lossAt = [&](double current) {
-    Situation at =
-        situationAt(state, state.position, velocity, signOf(velocity), physics_.torqueConstant * current, time_s);
+    Situation at = situationAt(state, position, velocity, signOf(velocity), physics_.torqueConstant * current, time_s);
     at.input = u;
     double loss = 0.0;
     eachTerm(state, at, [&](const CompiledTerm& term, size_t) {
@@ -225,9 +224,8 @@ void Stepper::advance(MotionState& state, double u, double dt, double time_s, bo
     if (losesVoltage_ && connected) {
       double middle = state.velocity + 0.5 * step * state.acceleration;
       if (middle * state.velocity <= 0.0) middle = state.velocity;
-      MotionState half = state;
-      half.position += 0.25 * step * (state.velocity + middle);
-      volts -= lostVoltage(half, u, middle, now + 0.5 * step);
+      const double place = state.position + 0.25 * step * (state.velocity + middle);
+      volts -= lostVoltage(state, u, place, middle, now + 0.5 * step);
     }
     if (!p.electrical) {
       mechanical(state, connected ? p.torqueConstant * u : 0.0, p.viscous, step, now);

@@ -79,8 +79,8 @@ class Stepper {
   Forces forcesOf(double position, std::span<const Term> parts) const;
   /// Advances hidden states and history over a step that went from `before` to `state` under `u` and ended at `time_s`.
   void keepHistory(MotionState& state, const MotionState& before, double u, double dt, double time_s) const;
-  /// Voltage lost once the current has settled at a speed, V.
-  double lostVoltage(const MotionState& state, double u, double velocity, double time_s) const;
+  /// Voltage lost at a place and speed once the current has settled, V.
+  double lostVoltage(const MotionState& state, double u, double position, double velocity, double time_s) const;
   bool losesVoltage() const { return losesVoltage_; }
   bool elastic() const { return stiffness_ > 0.0; }
   /// Whether effects carry hidden state, so that forcesAt() doesn't tell all of a parameter's influence.
