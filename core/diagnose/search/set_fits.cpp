@@ -1,5 +1,6 @@
 #include "diagnose/search/set_fits.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -40,8 +41,10 @@ bool SetFits::helps(const FitResult& without, const FitResult& with) const {
 
 bool SetFits::clearlyBetterFromRestarts(const Model& model, const Model& other) const {
   const auto& windows = input_.split.trainScore;
-  return typicalPart(scoreWindows(model, input_.tracks, windows), scoreWindows(other, input_.tracks, windows)) <
-         (loadsMayShow_ || !swings(model) || swings(other) ? clearlyLess : farLess);
+  const auto now = scoreWindows(model, input_.tracks, windows), before = scoreWindows(other, input_.tracks, windows);
+  // In single windows a load may run away and still be right; in those at rest it shows nothing.
+  const double part = std::min(typicalPart(now, before, 0.0), typicalPart(now, before, insignificant));
+  return part < (loadsMayShow_ || !swings(model) || swings(other) ? clearlyLess : farLess);
 }
 
 FitResult SetFits::fresh(const Model& start) const {

@@ -19,10 +19,9 @@ struct Viewed {
 };
 constexpr std::array<Viewed, 2> views{{{0.1, 24, 2}, {0.5, 12, 1}}};
 constexpr size_t fewestRows = 8;
-constexpr double insignificant = 0.1;  ///< of the mean squared error: what is smaller is no better
-constexpr double ranAway = 4.0;        ///< of a squared error: beyond it, how far says no more
-constexpr double hardlyLess = 0.9;     ///< of a squared error
-constexpr double stillFalling = 0.9;   ///< of a squared error, from one fit to its continuation
+constexpr double ranAway = 4.0;       ///< of a squared error: beyond it, how far says no more
+constexpr double hardlyLess = 0.9;    ///< of a squared error
+constexpr double stillFalling = 0.9;  ///< of a squared error, from one fit to its continuation
 /// Of the model's squared error: what leaves more is not followed further. Behind a gap a load can follow anything to
 /// some part, at each window's start anew, and its fits take long.
 constexpr double promising = 0.5, promisingInPlay = 0.2;
@@ -40,8 +39,8 @@ bool swings(const Model& model) {
   });
 }
 
-double typicalPart(const std::vector<double>& squares, const std::vector<double>& ofSquares) {
-  const double unit = std::max(insignificant * mean(ofSquares), 1e-300);
+double typicalPart(const std::vector<double>& squares, const std::vector<double>& ofSquares, double hardly) {
+  const double unit = std::max(hardly * mean(ofSquares), 1e-300);
   double sum = 0.0;
   for (size_t w = 0; w < squares.size(); ++w) sum += std::log((squares[w] + unit) / (ofSquares[w] + unit));
   return std::exp(sum / static_cast<double>(std::max<size_t>(squares.size(), 1)));
@@ -91,7 +90,7 @@ double SwingingLoads::leftBy(const Pick& pick, const View& view) const {
     const double most = ranAway * (own[w] + view.unit) - view.unit;
     squares[w] = std::isfinite(squares[w]) ? std::min(squares[w], most) : most;
   }
-  return typicalPart(squares, own);
+  return typicalPart(squares, own, insignificant);
 }
 
 std::vector<SwingingLoads::Shaped> SwingingLoads::bestOfGrid(const Pick& pick, const View& view, size_t most) const {

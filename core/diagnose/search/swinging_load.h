@@ -45,8 +45,11 @@ class SwingingLoads {
   const Model model_;
 };
 
-/// Geometric mean of what the first leaves of the second, window by window. Windows that err by far less than the
-/// second's mean, as those at rest do, hardly count.
-double typicalPart(const std::vector<double>& squares, const std::vector<double>& ofSquares);
+/// Windows that err by less than this part of the mean hardly count, where that is asked for.
+inline constexpr double insignificant = 0.1;
+
+/// Geometric mean of what the first leaves of the second, window by window. Windows that err by less than `hardly` of
+/// the second's mean, as those at rest do, hardly count.
+double typicalPart(const std::vector<double>& squares, const std::vector<double>& ofSquares, double hardly);
 
 }  // namespace breakaway
