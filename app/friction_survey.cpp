@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "identify/map_estimation.h"
 #include "report/travel_survey.h"
 
 namespace breakaway {
@@ -33,6 +32,21 @@ void FrictionSurvey::estimate() {
   axis == Axis::linear ? estimateOverTravel() : estimateAroundRotor();
 }
 
+bool FrictionSurvey::sweepIsThere() {
+  if (sweepComplete) return true;
+  mapObstacle = events.empty() ? "no breakaway sweep was run" : "the breakaway sweep did not run to its end";
+  return false;
+}
+
+MapOptions FrictionSurvey::mapOptions() const {
+  MapOptions options;
+  options.rig = rig;
+  options.bins = bins;
+  options.turns = turns;
+  options.noiseRms_A = identification->noiseRms_A;
+  return options;
+}
+
 void FrictionSurvey::estimateAroundRotor() {
   const double torqueConstant_Nm_per_A = identification->motor.torqueConstant_Nm_per_A.value;
   if (!runs.empty()) {
@@ -42,16 +56,9 @@ void FrictionSurvey::estimateAroundRotor() {
     options.bins = bins;
     if (auto fitted = fitMovingFriction(runs, options)) moving = std::move(*fitted);
   }
-  if (!sweepComplete) {
-    mapObstacle = events.empty() ? "no breakaway sweep was run" : "the breakaway sweep did not run to its end";
-    return;
-  }
-  MapOptions options;
-  options.rig = rig;
-  options.bins = bins;
-  options.turns = turns;
+  if (!sweepIsThere()) return;
+  MapOptions options = mapOptions();
   options.torqueConstant_Nm_per_A = torqueConstant_Nm_per_A;
-  options.noiseRms_A = identification->noiseRms_A;
   auto estimated = estimateMap(events, moving ? &*moving : nullptr, options);
   mapObstacle = estimated ? "" : estimated.error().message();
   if (!estimated) return;
@@ -95,16 +102,9 @@ void FrictionSurvey::estimateOverTravel() {
     mapObstacle = "both sweeps were taken apart into different places";
     return;
   }
-  if (!sweepComplete) {
-    mapObstacle = events.empty() ? "no breakaway sweep was run" : "the breakaway sweep did not run to its end";
-    return;
-  }
-  MapOptions options;
-  options.rig = rig;
-  options.bins = bins;
-  options.turns = turns;
+  if (!sweepIsThere()) return;
+  MapOptions options = mapOptions();
   options.torqueConstant_Nm_per_A = known->forcePerAmpere();
-  options.noiseRms_A = identification->noiseRms_A;
   options.zeroError_A = eventsZeroError_A;
   options.totalVelocity_rad_per_s = travelTotalVelocity_m_per_s;
   auto survey = surveyTravel(events, strokes, *moving, friction, 0.0, options);

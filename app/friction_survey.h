@@ -8,6 +8,7 @@
 
 #include "friction/friction_map.h"
 #include "friction/measurements.h"
+#include "identify/map_estimation.h"
 #include "identify/velocity_friction.h"
 #include "report/travel_plan.h"
 #include "run.h"
@@ -52,6 +53,8 @@ struct FrictionSurvey {
   void estimate();
 
  private:
+  bool sweepIsThere();  ///< or why there is none as the map's obstacle
+  MapOptions mapOptions() const;
   void estimateAroundRotor();
   void estimateOverTravel();
 };

@@ -4,13 +4,13 @@
 #include <memory>
 #include <numbers>
 
-#include "control/tuning.h"
 #include "experiment/current_zeroing.h"
 #include "experiment/reversal_test.h"
 #include "experiment/spin_test.h"
 #include "experiment/winding_test.h"
 #include "identify/reversal_inertia.h"
 #include "identify/winding_fit.h"
+#include "report/careful_tuning.h"
 #include "report/commission_job.h"
 
 namespace breakaway {
@@ -81,21 +81,9 @@ Result<void> CommissionJob::identify() {
 }
 
 Result<void> CommissionJob::tune() {
-  const double J = done_.motor.inertia_kg_m2.value, Kt = done_.motor.torqueConstant_Nm_per_A.value;
-  const double tick_s = 1.0 / drive_.identity().loopRate_Hz;
-  const double filter = boardVelocityBandwidth_rad_per_s(tick_s);
-  const auto gains = tuneMotion(J, Kt, 0.15 * filter, 0.1 * filter);
-  ControllerSettings settings = drive_.settings();
-  settings.velocity_kp_A_s_per_rad = gains.velocity_kp_A_s_per_rad;
-  settings.velocity_ki_A_per_rad = gains.velocity_ki_A_per_rad;
-  settings.velocity_kd_A_s2_per_rad = 0.0;
-  settings.position_kp_A_per_rad = gains.position_kp_A_per_rad;
-  settings.position_ki_A_per_rad_s = 0.0;
-  settings.position_kd_A_s_per_rad = gains.position_kd_A_s_per_rad;
-  settings.observer_cutoff_rad_per_s = tuneObserver(tick_s, filter);
-  settings.nominal_inertia_kg_m2 = J;
-  settings.nominal_torque_constant_Nm_per_A = Kt;
-  const auto accepted = drive_.configure(settings);
+  const auto accepted =
+      drive_.configure(carefullyTuned(done_.motor.inertia_kg_m2.value, done_.motor.torqueConstant_Nm_per_A.value,
+                                      1.0 / drive_.identity().loopRate_Hz, drive_.settings()));
   if (!accepted) return accepted.error();
   done_.settings = *accepted;
   return {};

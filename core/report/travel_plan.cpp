@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "control/tuning.h"
+#include "report/careful_tuning.h"
 
 namespace breakaway {
 
@@ -43,19 +43,8 @@ TravelPace paceOf(const KnownAxis& axis) {
 }
 
 ControllerSettings carefulSettings(const KnownAxis& axis, const TravelPace& pace, const ControllerSettings& present) {
-  const double m = axis.motor.inertia_kg_m2.value, Kf = axis.forcePerAmpere();
-  const double tick_s = 1.0 / axis.board.loopRate_Hz, filter = boardVelocityBandwidth_rad_per_s(tick_s);
-  const auto gains = tuneMotion(m, Kf, 0.15 * filter, 0.1 * filter);
-  ControllerSettings settings = present;
-  settings.velocity_kp_A_s_per_rad = gains.velocity_kp_A_s_per_rad;
-  settings.velocity_ki_A_per_rad = gains.velocity_ki_A_per_rad;
-  settings.velocity_kd_A_s2_per_rad = 0.0;
-  settings.position_kp_A_per_rad = gains.position_kp_A_per_rad;
-  settings.position_ki_A_per_rad_s = 0.0;
-  settings.position_kd_A_s_per_rad = gains.position_kd_A_s_per_rad;
-  settings.observer_cutoff_rad_per_s = tuneObserver(tick_s, filter);
-  settings.nominal_inertia_kg_m2 = m;
-  settings.nominal_torque_constant_Nm_per_A = Kf;
+  ControllerSettings settings =
+      carefullyTuned(axis.motor.inertia_kg_m2.value, axis.forcePerAmpere(), 1.0 / axis.board.loopRate_Hz, present);
   settings.velocity_limit_rad_per_s = 0.3 * pace.speed_m_per_s;
   return settings;
 }

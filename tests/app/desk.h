@@ -32,6 +32,19 @@ struct Desk {
     named<QSpinBox>(window, "turns")->setValue(turns);
     press(window, "breakawaySweepButton");
   }
+  /// Whether a sweep's map came to its end, and was drawn while it grew.
+  bool mapGrows() {
+    size_t grew = 0, last = 0;
+    const bool whole = QTest::qWaitFor(
+        [&] {
+          const size_t events = session.survey().events.size();
+          if (events > last) ++grew;
+          last = events;
+          return session.survey().map.has_value();
+        },
+        patience_ms);
+    return whole && grew >= 3;
+  }
   bool exported(const char* format, const QString& path) {
     answers.byTitle["Export the friction map"] = path;
     auto* box = named<QComboBox>(window, "exportFormat");

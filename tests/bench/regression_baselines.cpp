@@ -178,7 +178,10 @@ TorqueColumns torqueColumns(const Preparation& prepared) {
     block.resize(0, 0);
   }
   for (Eigen::Index c = 0; c < size; ++c) all.col(c) /= std::max(all.col(c).norm(), 1e-300);
-  out.gram = all.transpose() * all;
+  all = (all.array().abs() < 1e-30).select(0.0, all);  // a filter's tails end in denormals, which take long
+  out.gram.setZero(size, size);
+  out.gram.selfadjointView<Eigen::Lower>().rankUpdate(all.transpose());
+  out.gram.triangularView<Eigen::StrictlyUpper>() = out.gram.transpose();
   out.right = all.transpose() * response;
   out.squares = response.squaredNorm();
   return out;

@@ -368,7 +368,7 @@ std::vector<Pick> Screen::grow(std::vector<Pick> chosen) const {
     if (first.gain < leastPart * left.response.squaredNorm() || first.gain < leastOfBase * baseSquares) break;
     double chance = 0.0;
     first.pValue = pValueOf(first, left, chance);
-    if (first.pValue > 0.01 || first.gain < beyondChance * chance) break;
+    if (first.pValue > largestPValue || first.gain < beyondChance * chance) break;
     chosen.push_back(first);
     settle(chosen);
   }
@@ -459,7 +459,7 @@ ScreenResult Screen::run() const {
       Pick first = refined(starts[k], left);
       double chance = 0.0;
       first.pValue = pValueOf(first, left, chance);
-      if (first.pValue > 0.01 || first.gain < beyondChance * chance) continue;
+      if (first.pValue > largestPValue || first.gain < beyondChance * chance) continue;
       chosen.push_back(first);
     }
     chosen = prune(exchange(grow(std::move(chosen))));

@@ -12,6 +12,8 @@
 
 namespace breakaway {
 
+constexpr double largestPValue = 0.01;  ///< family-wise
+
 /// One effect as the screen found it.
 struct Pick {
   const Effect* effect = nullptr;

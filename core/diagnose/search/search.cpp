@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <optional>
 #include <utility>
 
 #include "base/statistics.h"
 #include "diagnose/catalogue.h"
 #include "diagnose/fit/cross_validation.h"
+#include "diagnose/search/adoption.h"
 #include "diagnose/search/rivals.h"
 #include "diagnose/search/set_fits.h"
 #include "diagnose/search/swinging_load.h"
@@ -22,79 +22,9 @@ bool contains(const std::vector<Chosen>& chosen, const Effect* effect) {
 
 namespace {
 
-constexpr double largestPValue = 0.01;
-constexpr double halfOfAll = 0.5;
-constexpr double mostOfAll = 0.6;
-constexpr double importantPart = 0.2, noticeable = 0.02, negligible = 0.005;  ///< of the screen's squared residual
+constexpr double importantPart = 0.2, halfOfAll = 0.5, mostOfAll = 0.6;  ///< of a squared residual or error
+constexpr double hardlyMore = 1.03;                                      ///< of a squared error
 constexpr size_t mostTrials = 4;
-constexpr double settledFloors = 9.0;  ///< squared error, in squared floors, below which no more is looked for
-constexpr double hardlyMore = 1.03, nearlyAlike = 3.0, nearlyNothing = 0.2, clearlyLess = 0.8;  ///< of a squared error
-
-/// An axis has one load side: of effects that each bring one along, the most important stays.
-std::vector<Pick> withOneLoad(std::vector<Pick> picks) {
-  bool loaded = false;
-  std::erase_if(picks, [&loaded](const Pick& one) {
-    if (one.effect->detachedInertia(one.parameters) == 0.0) return false;
-    return std::exchange(loaded, true);
-  });
-  return picks;
-}
-
-/// One pick of each effect, with the gains of all its waves.
-std::vector<Pick> asEffects(const std::vector<Pick>& picks) {
-  std::vector<Pick> effects;
-  for (const Pick& pick : picks) {
-    const auto known = std::find_if(effects.begin(), effects.end(),
-                                    [&pick](const Pick& one) { return same(one.effect, pick.effect); });
-    if (known == effects.end()) {
-      effects.push_back(pick);
-    } else {
-      known->gain += pick.gain;
-    }
-  }
-  sortByGain(effects);
-  return effects;
-}
-
-/// The screen's set without loads and without what hardly takes anything away: simulation may still ask for it.
-std::vector<Pick> noteworthy(const ScreenResult& found) {
-  std::vector<Pick> picks = found.chosen;
-  const double least = negligible * found.baseSquares;
-  std::vector<Pick> effects = asEffects(picks);
-  std::erase_if(effects, [least](const Pick& one) { return one.gain < least; });
-  std::erase_if(picks, [&](const Pick& one) { return swings(one) || !contains(effects, one.effect); });
-  return picks;
-}
-
-/// What the screen finds on a rig.
-struct Screening {
-  Screening(const SearchInput& input, const LinearRig& rig, const std::vector<const Effect*>& effects)
-      : screen(rig, effects, input.seen, input.split.fold, folds, input.seed), found(screen.run()) {}
-
-  Screen screen;
-  ScreenResult found;
-};
-
-/// A load's own motion can follow any noise of the torque.
-std::vector<const Effect*> withoutLoads(const Excitation& seen) {
-  std::vector<const Effect*> effects(catalogue().begin(), catalogue().end());
-  std::erase_if(effects, [&seen](const Effect* one) {
-    const auto shapes = one->shapes(seen);
-    return !shapes.empty() && one->loadPeriod_s(shapes.front().front()) > 0.0;
-  });
-  return effects;
-}
-
-/// The likeliest noise of the torque beside the base and `picks`.
-TorqueNoise wanderBeside(const LinearRig& wandering, const std::vector<Pick>& picks) {
-  Eigen::MatrixXd more(wandering.response().size(), 0);
-  for (const Pick& pick : picks) {
-    const Eigen::MatrixXd own = wandering.rawColumnsOf(*pick.effect, pick.shape, pick.track);
-    more.conservativeResize(Eigen::NoChange, more.cols() + own.cols());
-    more.rightCols(own.cols()) = own;
-  }
-  return wandering.wander(more);
-}
 
 class Search {
  public:
@@ -118,25 +48,29 @@ class Search {
     if (sure(steady.found)) announce(important(steady.found));  // or else what simulation makes of it
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
     input_.say(0.35, "simulating what was found");
-    auto wandering = adoptFound(result, steady, wanderingRig);
-    const Screen& first = wandering ? wandering->screen : steady.screen;
+    Adoption adoption(input_, *fits_, wanderingRig);
+    const Screening* wandering = adoption.adopt(result, steady);
+    const Screen& first = wandering != nullptr ? wandering->screen : steady.screen;
     const bool asSet = !result.chosen.empty();
-    if (!asSet) adoptAlone(result, first);
+    if (!asSet) adoption.adoptAlone(result, first);
     backward(result);
     if (asSet && result.chosen.empty()) {  // one of its members may still be right alone, from a start of its own
-      adoptAlone(result, first);
+      adoption.adoptAlone(result, first);
       backward(result);
     }
-    if (!wandering) wandering = extend(result, wanderingRig);
-    const auto& [screen, found] = wandering ? *wandering : steady;
-    if (tryMore(result, screen, found.chosen)) backward(result);
+    if (wandering == nullptr) {
+      wandering = adoption.extend(result);
+      if (wandering != nullptr) backward(result);
+    }
+    const auto& [screen, found] = wandering != nullptr ? *wandering : steady;
+    if (tryMore(result, screen, found.chosen, adoption)) backward(result);
     if (settledOn(result)) announce(result.chosen);
     refine(result);
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
     Rivals(input_, *fits_, screen).weigh(result, std::move(left_));
-    for (Chosen& one : result.chosen) listOtherLoads(one);
+    adoption.listOtherLoads(result);
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
-    result.left = wanderBeside(wanderingRig, picksOf(result, screen));
+    result.left = wanderBeside(wanderingRig, picksOf(result.best.model, screen));
     input_.say(0.85, "refining");
     const Model& base = result.base.model;
     const std::vector<double> weights = polishWeights(input_, base, result.best.model);
@@ -199,201 +133,8 @@ class Search {
     input_.named(effects);
   }
 
-  /// The screen's set as a whole, or else its most important members; where much is left, also with rivals in place, or
-  /// the most important one alone.
-  void adopt(SearchResult& result, const Screen& screen, std::vector<Pick> picks) const {
-    for (; !picks.empty(); dropWavesOrLeast(picks)) {
-      FitResult fit = fits_->together(screen, picks);
-      if (worth().floors(fit) > 4.0) {
-        std::vector<std::vector<Pick>> others = exchanged(screen, picks);
-        if (picks.size() > 1) others.push_back({picks.front()});  // what goes with it may have led the fit astray
-        for (std::vector<Pick>& other : others) {
-          FitResult rival = fits_->together(screen, other);
-          if (!rival.usable || mean(rival.windowSquares) > 0.7 * mean(fit.windowSquares)) continue;
-          fit = std::move(rival);
-          picks = std::move(other);
-        }
-      }
-      if (!fits_->helps(result.base, fit)) {
-        for (size_t k = 0; k < picks.size(); ++k) {
-          if (!plausible(fit.model.effects[k], input_.seen)) picks[k].gain = 0.0;  // the first to go
-        }
-        continue;
-      }
-      result.best = std::move(fit);
-      for (const Pick& pick : asEffects(picks)) result.chosen.push_back({pick.effect, pick.pValue, 0.0, {}});
-      return;
-    }
-  }
-
-  /// First all further waves, which together take long to fit, and then one pick at a time.
-  static void dropWavesOrLeast(std::vector<Pick>& picks) {
-    std::vector<Pick> first;
-    for (const Pick& pick : picks) {
-      if (!contains(first, pick.effect)) first.push_back(pick);
-    }
-    if (first.size() == picks.size()) {
-      dropLeast(picks);
-    } else {
-      picks = std::move(first);
-    }
-  }
-
-  static void dropLeast(std::vector<Pick>& picks) {
-    const auto nonsense = std::find_if(picks.begin(), picks.end(), [](const Pick& one) { return one.gain <= 0.0; });
-    picks.erase(nonsense != picks.end() ? nonsense : picks.end() - 1);
-  }
-
-  void adoptAlone(SearchResult& result, const Screen& screen) const {
-    for (const Pick& pick : bestAlone(screen)) {
-      if (result.chosen.empty()) adopt(result, screen, {pick});
-    }
-  }
-
-  /// The effects that explain most alone.
-  static std::vector<Pick> bestAlone(const Screen& screen) {
-    std::vector<Pick> best;
-    for (const Effect* effect : catalogue()) {
-      Pick pick = screen.best(*effect, {});
-      pick.pValue = largestPValue;
-      if (!pick.parameters.empty()) best.push_back(std::move(pick));
-    }
-    sortByGain(best);
-    const double least = best.empty() ? 0.0 : halfOfAll * best.front().gain;
-    std::erase_if(best, [least](const Pick& one) { return one.gain < least; });
-    if (best.size() > mostTrials) best.resize(mostTrials);
-    return best;
-  }
-
-  /// The set with one member at a time exchanged for its first rival.
-  static std::vector<std::vector<Pick>> exchanged(const Screen& screen, const std::vector<Pick>& picks) {
-    std::vector<std::vector<Pick>> sets;
-    for (size_t k = 0; k < picks.size(); ++k) {
-      const auto here = picks.begin() + static_cast<std::ptrdiff_t>(k);
-      if (picks[k].rivals.empty() || contains(std::vector<Pick>(picks.begin(), here), picks[k].effect)) continue;
-      std::vector<Pick> others = picks;
-      others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
-      Pick rival = screen.best(*picks[k].rivals.front(), others);
-      if (rival.parameters.empty()) continue;
-      rival.pValue = picks[k].pValue;
-      sets.push_back(picks);
-      sets.back()[k] = std::move(rival);
-    }
-    return sets;
-  }
-
-  /// The screen's set, or a load whose motion explains more than a set that leaves much open. Returns the screening
-  /// that takes the torque for noisy, where that has led further.
-  std::unique_ptr<const Screening> adoptFound(SearchResult& result, const Screening& steady,
-                                              const LinearRig& wanderingRig) {
-    const auto& [screen, found] = steady;
-    double part = 0.0;
-    bool named = false;
-    for (const Pick& one : found.chosen) {
-      part += one.gain;
-      named = named || (swings(one) && one.gain > noticeable * found.baseSquares);
-      if (swings(one) && one.gain > halfOfAll * found.baseSquares) fits_->expectLoads();
-    }
-    const bool openToLoads = !worth().baseAtFloor() && (named || part <= mostOfAll * found.baseSquares);
-    SearchResult set = result;
-    if (!named) adopt(set, screen, noteworthy(found));
-    auto wandering = lookAgain(set, wanderingRig);
-    const bool explained =
-        wandering &&
-        wanderBeside(wanderingRig, picksOf(set, wandering->screen)).usual(physicsOf(result.base.model).coulomb);
-    if (openToLoads && !explained && mean(set.best.windowSquares) > nearlyNothing * mean(result.base.windowSquares)) {
-      SearchResult loaded = result;
-      adoptLoad(loaded, screen);
-      // A load is free at each window's start: beside a set that explains much it has to do better from restarts, too.
-      if (!loaded.chosen.empty() &&
-          (set.chosen.empty() || !wandering || fits_->clearlyBetterFromRestarts(loaded.best.model, set.best.model))) {
-        result = std::move(loaded);
-        return nullptr;
-      }
-    }
-    if (named && !wandering) adopt(set, screen, withOneLoad(found.chosen));
-    result = std::move(set);
-    return wandering;
-  }
-
-  /// Where a set leaves much, what the screen finds if the torque wanders; nothing if that is no better.
-  std::unique_ptr<const Screening> lookAgain(SearchResult& set, const LinearRig& wanderingRig) const {
-    const double left = mean(set.best.windowSquares);
-    if (worth().baseAtFloor() || worth().floors(set.best) <= settledFloors ||
-        left <= halfOfAll * mean(set.base.windowSquares))
-      return nullptr;
-    auto wandering = std::make_unique<const Screening>(input_, wanderingRig, withoutLoads(input_.seen));
-    SearchResult other = set;
-    other.best = other.base;
-    other.chosen.clear();
-    adopt(other, wandering->screen, noteworthy(wandering->found));
-    const double now = mean(other.best.windowSquares);
-    const bool current = other.best.currentSquares < clearlyLess * set.best.currentSquares;
-    if (now >= (current ? 1.0 : clearlyLess) * left) return nullptr;
-    set = std::move(other);
-    return wandering;
-  }
-
-  /// Where a set leaves much beside what it explains, the larger set that the screen finds if the torque wanders, which
-  /// tells waves of several orders better; nothing if that is no better.
-  std::unique_ptr<const Screening> extend(SearchResult& result, const LinearRig& wanderingRig) {
-    if (result.chosen.empty() || swings(result.best.model) || worth().floors(result.best) <= settledFloors)
-      return nullptr;
-    auto wandering = std::make_unique<const Screening>(input_, wanderingRig, withoutLoads(input_.seen));
-    SearchResult other = result;
-    other.best = other.base;
-    other.chosen.clear();
-    adopt(other, wandering->screen, noteworthy(wandering->found));
-    const bool goesOn = contains(other.chosen, result.chosen.front().effect);
-    if (!goesOn || mean(other.best.windowSquares) >= clearlyLess * mean(result.best.windowSquares)) return nullptr;
-    result = std::move(other);
-    backward(result);
-    return wandering;
-  }
-
-  void adoptLoad(SearchResult& result, const Screen& screen) {
-    loadsTried_ = true;
-    if (!fits_->loadsAreTried()) return;
-    std::vector<std::pair<const Effect*, double>> left;  // squared errors
-    const SwingingLoads loads(input_, result.base.model);
-    for (const Pick& pick : SwingingLoads::offered(input_, screen)) {
-      const Effect* effect = pick.effect;
-      FitResult fit = loads.fitted(pick);
-      if (!fit.usable || !fits_->helps(result.base, fit)) continue;
-      const double own = mean(fit.windowSquares);
-      left.emplace_back(effect, own);
-      if (own >= mean(result.best.windowSquares)) continue;
-      result.best = std::move(fit);
-      result.chosen = {{effect, largestPValue, 0.0, {}}};
-    }
-    for (const auto& [effect, own] : left) {
-      if (own < nearlyAlike * mean(result.best.windowSquares)) likelyLoads_.push_back(effect);
-    }
-  }
-
-  bool isLikelyLoad(const Effect* effect) const {
-    return std::find(likelyLoads_.begin(), likelyLoads_.end(), effect) != likelyLoads_.end();
-  }
-  /// A load that explained the motion about as well as the one that was chosen in the end.
-  void listOtherLoads(Chosen& chosen) const {
-    if (!isLikelyLoad(chosen.effect)) return;
-    for (const Effect* other : likelyLoads_) {
-      const bool listed = std::find(chosen.rivals.begin(), chosen.rivals.end(), other) != chosen.rivals.end();
-      if (other != chosen.effect && !listed) chosen.rivals.push_back(other);
-    }
-  }
-
-  static std::vector<Pick> picksOf(const SearchResult& result, const Screen& screen) {
-    std::vector<Pick> picks;
-    for (const EffectTerm& term : result.best.model.effects) {
-      Pick pick = screen.best(*findEffect(term.effect), picks);
-      if (!pick.parameters.empty()) picks.push_back(std::move(pick));
-    }
-    return picks;
-  }
-
   /// What the screen could not see may still show in the simulation.
-  bool tryMore(SearchResult& result, const Screen& screen, std::vector<Pick> picks) const {
+  bool tryMore(SearchResult& result, const Screen& screen, std::vector<Pick> picks, const Adoption& adoption) const {
     std::erase_if(picks, [&](const Pick& one) { return !contains(result.chosen, one.effect); });
     const auto settled = [&] {
       const double left = mean(result.best.windowSquares);
@@ -414,8 +155,7 @@ class Search {
       if (contains(result.chosen, effect) && !effect->mayRepeat(input_.seen)) continue;
       Pick pick = screen.best(*effect, picks);
       if (pick.parameters.empty()) continue;
-      // What a load that did nothing alone takes from what others leave is hardly its own.
-      if (swings(pick) && (loaded || !fits_->loadsMayShow() || (loadsTried_ && !isLikelyLoad(effect)))) continue;
+      if (swings(pick) && (loaded || !adoption.mayStillSwing(effect))) continue;
       candidates.push_back(std::move(pick));
     }
     sortByGain(candidates);
@@ -503,10 +243,9 @@ class Search {
   }
 
   SearchInput input_;
-  std::optional<SetFits> fits_;             ///< once the base model is fitted
-  std::vector<FitResult> left_;             ///< without each chosen effect
-  std::vector<const Effect*> likelyLoads_;  ///< that swing, as adoptLoad() found
-  bool loadsTried_ = false, announced_ = false;
+  std::optional<SetFits> fits_;  ///< once the base model is fitted
+  std::vector<FitResult> left_;  ///< without each chosen effect
+  bool announced_ = false;
 };
 
 }  // namespace

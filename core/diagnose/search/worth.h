@@ -47,4 +47,7 @@ class Worth {
 constexpr double clearGain = 0.2;
 constexpr double sureGain = 0.15;  ///< by the interval's lower end
 
+constexpr double settledFloors = 9.0;  ///< squared error, in squared floors, below which no more is looked for
+constexpr double nearlyNothing = 0.2;  ///< of the base model's squared error
+
 }  // namespace breakaway

@@ -1,0 +1,175 @@
+#include "diagnose/search/adoption.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/statistics.h"
+#include "diagnose/search/swinging_load.h"
+#include "diagnose/simulate/physics.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr double halfOfAll = 0.5, mostOfAll = 0.6, noticeable = 0.02;  ///< of the screen's squared residual
+constexpr double clearlyLess = 0.8, nearlyAlike = 3.0;                 ///< of a squared error
+constexpr double wellExplained = 4.0;  ///< squared error, in squared floors, below which no exchange is tried
+constexpr double farBetter = 0.7;      ///< of a squared error: by exchange
+
+void dropLeast(std::vector<Pick>& picks) {
+  const auto nonsense = std::find_if(picks.begin(), picks.end(), [](const Pick& one) { return one.gain <= 0.0; });
+  picks.erase(nonsense != picks.end() ? nonsense : picks.end() - 1);
+}
+
+/// First all further waves, which together take long to fit, and then one pick at a time.
+void dropWavesOrLeast(std::vector<Pick>& picks) {
+  std::vector<Pick> first;
+  for (const Pick& pick : picks) {
+    if (!contains(first, pick.effect)) first.push_back(pick);
+  }
+  if (first.size() == picks.size()) {
+    dropLeast(picks);
+  } else {
+    picks = std::move(first);
+  }
+}
+
+}  // namespace
+
+const Screening* Adoption::adopt(SearchResult& result, const Screening& steady) {
+  const auto& [screen, found] = steady;
+  const Worth& worth = fits_.worth();
+  double part = 0.0;
+  bool named = false;
+  for (const Pick& one : found.chosen) {
+    part += one.gain;
+    named = named || (swings(one) && one.gain > noticeable * found.baseSquares);
+    if (swings(one) && one.gain > halfOfAll * found.baseSquares) fits_.expectLoads();
+  }
+  const bool openToLoads = !worth.baseAtFloor() && (named || part <= mostOfAll * found.baseSquares);
+  SearchResult set = result;
+  if (!named) adoptSet(set, screen, noteworthy(found));
+  const Screening* again = lookAgain(set);
+  const bool explained =
+      again != nullptr &&
+      wanderBeside(wanderingRig_, picksOf(set.best.model, again->screen)).usual(physicsOf(result.base.model).coulomb);
+  if (openToLoads && !explained && mean(set.best.windowSquares) > nearlyNothing * mean(result.base.windowSquares)) {
+    SearchResult loaded = result;
+    adoptLoad(loaded, screen);
+    // A load is free at each window's start: beside a set that explains much it has to do better from restarts, too.
+    if (!loaded.chosen.empty() && (set.chosen.empty() || again == nullptr ||
+                                   fits_.clearlyBetterFromRestarts(loaded.best.model, set.best.model))) {
+      result = std::move(loaded);
+      return nullptr;
+    }
+  }
+  if (named && again == nullptr) adoptSet(set, screen, withOneLoad(found.chosen));
+  result = std::move(set);
+  return again;
+}
+
+void Adoption::adoptAlone(SearchResult& result, const Screen& screen) const {
+  for (const Pick& pick : bestAlone(screen)) {
+    if (result.chosen.empty()) adoptSet(result, screen, {pick});
+  }
+}
+
+const Screening* Adoption::extend(SearchResult& result) {
+  if (result.chosen.empty() || swings(result.best.model) || fits_.worth().floors(result.best) <= settledFloors)
+    return nullptr;
+  const auto& [screening, other] = wandering(result);
+  const bool goesOn = contains(other.chosen, result.chosen.front().effect);
+  if (!goesOn || mean(other.best.windowSquares) >= clearlyLess * mean(result.best.windowSquares)) return nullptr;
+  result = other;
+  return &screening;
+}
+
+bool Adoption::mayStillSwing(const Effect* load) const {
+  return fits_.loadsMayShow() && (!loadsTried_ || isLikely(load));
+}
+
+void Adoption::listOtherLoads(SearchResult& result) const {
+  for (Chosen& one : result.chosen) {
+    if (!isLikely(one.effect)) continue;
+    for (const Effect* other : likelyLoads_) {
+      const bool listed = std::find(one.rivals.begin(), one.rivals.end(), other) != one.rivals.end();
+      if (other != one.effect && !listed) one.rivals.push_back(other);
+    }
+  }
+}
+
+/// The picks as a whole, or else the most important of them; where much is left, also with rivals in place, or the most
+/// important one alone.
+void Adoption::adoptSet(SearchResult& result, const Screen& screen, std::vector<Pick> picks) const {
+  for (; !picks.empty(); dropWavesOrLeast(picks)) {
+    FitResult fit = fits_.together(screen, picks);
+    if (fits_.worth().floors(fit) > wellExplained) {
+      std::vector<std::vector<Pick>> others = exchanged(screen, picks);
+      if (picks.size() > 1) others.push_back({picks.front()});  // what goes with it may have led the fit astray
+      for (std::vector<Pick>& other : others) {
+        FitResult rival = fits_.together(screen, other);
+        if (!rival.usable || mean(rival.windowSquares) > farBetter * mean(fit.windowSquares)) continue;
+        fit = std::move(rival);
+        picks = std::move(other);
+      }
+    }
+    if (!fits_.helps(result.base, fit)) {
+      for (size_t k = 0; k < picks.size(); ++k) {
+        if (!plausible(fit.model.effects[k], input_.seen)) picks[k].gain = 0.0;  // the first to go
+      }
+      continue;
+    }
+    result.best = std::move(fit);
+    for (const Pick& pick : asEffects(picks)) result.chosen.push_back({pick.effect, pick.pValue, 0.0, {}});
+    return;
+  }
+}
+
+void Adoption::adoptLoad(SearchResult& result, const Screen& screen) {
+  loadsTried_ = true;
+  if (!fits_.loadsAreTried()) return;
+  std::vector<std::pair<const Effect*, double>> left;  // squared errors
+  const SwingingLoads loads(input_, result.base.model);
+  for (const Pick& pick : SwingingLoads::offered(input_, screen)) {
+    FitResult fit = loads.fitted(pick);
+    if (!fit.usable || !fits_.helps(result.base, fit)) continue;
+    const double own = mean(fit.windowSquares);
+    left.emplace_back(pick.effect, own);
+    if (own >= mean(result.best.windowSquares)) continue;
+    result.best = std::move(fit);
+    result.chosen = {{pick.effect, largestPValue, 0.0, {}}};
+  }
+  for (const auto& [effect, own] : left) {
+    if (own < nearlyAlike * mean(result.best.windowSquares)) likelyLoads_.push_back(effect);
+  }
+}
+
+/// Where a set leaves much, what the screen finds if the torque wanders, in its place; null if that is no better.
+const Screening* Adoption::lookAgain(SearchResult& set) {
+  const double left = mean(set.best.windowSquares);
+  if (fits_.worth().baseAtFloor() || fits_.worth().floors(set.best) <= settledFloors ||
+      left <= halfOfAll * mean(set.base.windowSquares))
+    return nullptr;
+  const auto& [screening, other] = wandering(set);
+  const bool current = other.best.currentSquares < clearlyLess * set.best.currentSquares;
+  if (mean(other.best.windowSquares) >= (current ? 1.0 : clearlyLess) * left) return nullptr;
+  set = other;
+  return &screening;
+}
+
+const Adoption::Wandering& Adoption::wandering(const SearchResult& base) {
+  if (!wandering_) {
+    wandering_.emplace(Wandering{Screening(input_, wanderingRig_, withoutLoads(input_.seen)), base});
+    SearchResult& set = wandering_->set;
+    set.best = set.base;
+    set.chosen.clear();
+    adoptSet(set, wandering_->screening.screen, noteworthy(wandering_->screening.found));
+  }
+  return *wandering_;
+}
+
+bool Adoption::isLikely(const Effect* load) const {
+  return std::find(likelyLoads_.begin(), likelyLoads_.end(), load) != likelyLoads_.end();
+}
+
+}  // namespace breakaway
