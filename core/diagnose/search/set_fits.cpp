@@ -13,7 +13,8 @@ namespace breakaway {
 
 namespace {
 
-constexpr double clearlyLess = 0.65, farLess = 0.2;  ///< of a squared error
+constexpr double clearlyLess = 0.65, farLess = 0.2;  ///< of a squared error, typically
+constexpr double clearlyLessInAll = 0.35;            ///< of the mean squared error
 constexpr double goodStart = 0.6;                    ///< of the base model's squared error: no other start is tried
 constexpr double loadFloors = 2.0;  ///< rms error of restarts, in tolerated ones, from which a load is looked for
 
@@ -44,7 +45,9 @@ bool SetFits::clearlyBetterFromRestarts(const Model& model, const Model& other) 
   const auto now = scoreWindows(model, input_.tracks, windows), before = scoreWindows(other, input_.tracks, windows);
   // In single windows a load may run away and still be right; in those at rest it shows nothing.
   const double part = std::min(typicalPart(now, before, 0.0), typicalPart(now, before, insignificant));
-  return part < (loadsMayShow_ || !swings(model) || swings(other) ? clearlyLess : farLess);
+  const double ofAll = mean(now) / std::max(mean(before), 1e-300);
+  if (loadsMayShow_ || !swings(model) || swings(other)) return part < clearlyLess || ofAll < clearlyLessInAll;
+  return std::min(part, ofAll) < farLess;
 }
 
 FitResult SetFits::fresh(const Model& start) const {

@@ -20,7 +20,7 @@ struct Viewed {
 constexpr std::array<Viewed, 2> views{{{0.1, 24, 2}, {0.5, 12, 1}}};
 constexpr size_t fewestRows = 8;
 constexpr double ranAway = 4.0;       ///< of a squared error: beyond it, how far says no more
-constexpr double hardlyLess = 0.9;    ///< of a squared error
+constexpr double hardlyLess = 0.8;    ///< of a squared error
 constexpr double stillFalling = 0.9;  ///< of a squared error, from one fit to its continuation
 /// Of the model's squared error: what leaves more is not followed further. Behind a gap a load can follow anything to
 /// some part, at each window's start anew, and its fits take long.
