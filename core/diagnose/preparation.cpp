@@ -5,7 +5,6 @@
 
 #include "diagnose/catalogue.h"
 #include "diagnose/channel_checks.h"
-#include "diagnose/fit/gauge.h"
 #include "diagnose/fit/inverse_fit.h"
 #include "diagnose/fit/motion.h"
 #include "diagnose/fit/winding_start.h"
@@ -27,6 +26,25 @@ double restartHorizonFor(const std::vector<Track>& tracks, double highSpeed) {
     if (enough) return horizon;
   }
   return 0.2;
+}
+
+/// Scale that no data can give: what must be held at the bench's value, besides what is trusted.
+std::vector<std::string> gauge(const Bench& bench, const std::vector<Track>& tracks) {
+  const MotorNames& names = motorNames(bench.axis);
+  const auto trusts = [&bench](const char* name) { return bench.trusted.count(name) > 0; };
+  const bool scaled = bench.pendulum.has_value() || trusts(names.inertia);
+  if (bench.input == DriveInput::torque) return {};
+  if (bench.input == DriveInput::current)
+    return scaled || trusts(names.torqueConstant) ? std::vector<std::string>{}
+                                                  : std::vector<std::string>{names.torqueConstant};
+  const bool currentSeen =
+      std::all_of(tracks.begin(), tracks.end(), [](const Track& track) { return !track.current.empty(); });
+  if (currentSeen) return {};
+  // Voltage alone shows ratios: F R/Kt, J R/Kt. Ke shows together with B, and is left to the fit: held too high, no B
+  // would do.
+  if (scaled && trusts(names.torqueConstant)) return {};
+  if (scaled) return {names.resistance};
+  return {names.resistance, names.torqueConstant};
 }
 
 /// Copies of the first `count` tracks whose rows outside all training windows count as disconnected, so that no inverse
@@ -69,19 +87,6 @@ void widenByFactor(Parameter& one, double doubt95) {
   const double least = 1e-3 * one.value;  // an interval that reaches zero ends there
   one.low95 = one.value * std::exp(-std::hypot(std::log(one.value / std::max(one.low95, least)), doubt95));
   one.high95 = one.value * std::exp(std::hypot(std::log(one.high95 / one.value), doubt95));
-}
-
-/// Where only viscous friction below zero would go with the bench's back-EMF constant, that is fitted as well.
-void freeBackEmf(const Bench& bench, Preparation& out) {
-  const std::string name = motorNames(bench.axis).backEmfConstant;
-  const auto held = std::find(out.held.begin(), out.held.end(), name);
-  if (held == out.held.end() || bench.trusted.count(name) > 0) return;
-  std::vector<Model> starved = starvedOfViscous(out.starts, out.held, out.tracks, out.split, out.seen);
-  if (starved.empty()) return;
-  out.held.erase(held);
-  out.starts = std::move(starved);
-  out.remarks.push_back("the bench's " + name +
-                        " would leave no viscous friction, so both are fitted; only their sum shows");
 }
 
 }  // namespace
@@ -152,7 +157,6 @@ Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& re
   }
   for (Model& start : out.starts) start.restartHorizon_s = restartHorizonFor(out.tracks, out.seen.highSpeed);
   if (out.seen.highSpeed <= 0.0) return Error{recordings.front().name(), "never moves, so there is nothing to fit"};
-  freeBackEmf(bench, out);
   return out;
 }
 

@@ -157,7 +157,10 @@ void WindowResidual::fit(const Model& model, const MotionState& hidden) {
   // No further than the doubt about the start allows.
   const double reach = 20.0 * track_.noise;
   next_ = start_;
+  // What rests keeps resting: the least speed would end its rest, and with it what has grown meanwhile.
+  const bool rests = start_[1] == 0.0 && states_[std::min<size_t>(1, states_.size() - 1)].velocity == 0.0;
   for (Eigen::Index k = 0; k < step.size(); ++k) {
+    if (k == 1 && rests) continue;
     const double most = k % 2 == 0 ? reach : reach / 0.02;
     next_[k] += std::clamp(step[k], -most, most);
   }
