@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 
+#include "base/statistics.h"
 #include "diagnose/catalogue.h"
 #include "diagnose/simulate/physics.h"
 
@@ -150,8 +151,14 @@ bool happensOnce(const Model& model) {
                      [](const EffectTerm& term) { return findEffect(term.effect)->happensOnce(); });
 }
 
+bool growsAtRest(const Model& model) {
+  return std::any_of(model.effects.begin(), model.effects.end(),
+                     [](const EffectTerm& term) { return findEffect(term.effect)->growsAtRest(); });
+}
+
 std::vector<double> polishWeights(const SearchInput& input, const Model& base, const Model& model) {
-  return robustWeights(residualSquares(happensOnce(model) ? model : base, input.tracks, input.split.polish));
+  const bool restsOnFew = happensOnce(model) || growsAtRest(model);
+  return robustWeights(residualSquares(restsOnFew ? model : base, input.tracks, input.split.polish));
 }
 
 FitResult polishModel(const SearchInput& input, const Model& model, const std::vector<double>& windowWeights) {
@@ -171,6 +178,7 @@ Result<FitResult> fitNamed(const SearchInput& input, const std::vector<Model>& s
     Model model = fit.model;
     std::vector<Pick> picks;
     const LinearRig rig(model, input.tracks, input.split.train);
+    Model screened = model;
     for (const Effect* effect : effects) {
       const Screen screen(rig, {effect}, input.seen, input.split.fold, folds, input.seed);
       picks.push_back(screen.best(*effect, picks));
@@ -179,8 +187,13 @@ Result<FitResult> fitNamed(const SearchInput& input, const std::vector<Model>& s
                                                     effect->neededExcitation(input.seen)};
       }
       model = with(input, model, picks.back());
+      screened = withScreenedBase(input, screened, screen.baseCoefficients(picks));
     }
+    for (const Pick& pick : picks) screened = with(input, screened, pick);
     fit = fitModel(input, fitShort(input, model, 1e-4));
+    // What the base model has taken for its own may hold the fit back.
+    FitResult other = fitModel(input, screened);
+    if (other.usable && mean(other.windowSquares) < mean(fit.windowSquares)) fit = std::move(other);
   }
   fit = polishModel(input, fit.model);
   if (!fit.usable)

@@ -65,9 +65,11 @@ FitResult fitBase(const SearchInput& input, const std::vector<Model>& starts);
 
 /// Whether it holds something that happens in one recording only, at a time of its own.
 bool happensOnce(const Model& model);
+/// Whether it holds friction that grows the longer the axis rests.
+bool growsAtRest(const Model& model);
 
 /// Weights for the last refinement of a model: windows in which the base model errs far more than in others count less,
-/// unless the model holds what happens once and rests on them.
+/// or those in which the model itself does, if it holds what happens once or grows at rest, and rests on them.
 std::vector<double> polishWeights(const SearchInput& input, const Model& base, const Model& model);
 
 /// The last refinement, on the overlapping windows.

@@ -173,7 +173,9 @@ class Search {
     double best = 2.0 * sureGain;
     for (const Pick& candidate : candidates) {
       if (swings(candidate) && winner && worth().floors(*winner) < settledFloors) break;
-      FitResult fit = fits_->beside(result.best.model, candidate, left);
+      std::vector<Pick> together = picks;
+      together.push_back(candidate);
+      FitResult fit = fits_->beside(result.best.model, screen, std::move(together), left);
       if (!fit.usable || !plausible(fit.model, input_.seen)) continue;
       const auto after = worth().validated(fit);
       const Comparison gain = compare(before, after, input_.seed);

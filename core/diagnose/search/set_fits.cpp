@@ -52,11 +52,17 @@ bool SetFits::clearlyBetterFromRestarts(const Model& model, const Model& other) 
 
 FitResult SetFits::fresh(const Model& start) const {
   FitResult fit = fitModel(input_, start, 6);
-  if (!happensOnce(start) || !fit.usable) return fit;
-  // What happened rests on the windows in which the base model errs most, and which count least for that.
+  if (!fit.usable || !(happensOnce(start) || growsAtRest(start))) return fit;
+  // What it does rests on the windows in which the base model errs most, and which count least for that.
   SearchInput own = input_;
   own.windowWeights.clear();
-  FitResult again = fitModel(own, fit.model, 6);
+  FitResult again;
+  if (happensOnce(start)) {
+    again = fitModel(own, fit.model, 6);
+  } else {
+    own.windowWeights = robustWeights(residualSquares(start, input_.tracks, input_.split.train));
+    again = fitModel(own, start, 6);
+  }
   return again.usable && mean(again.windowSquares) < mean(fit.windowSquares) ? again : fit;
 }
 
@@ -75,12 +81,15 @@ FitResult SetFits::together(const Screen& screen, const std::vector<Pick>& picks
   return fit;
 }
 
-FitResult SetFits::beside(const Model& model, const Pick& pick, double left) const {
+FitResult SetFits::beside(const Model& model, const Screen& screen, std::vector<Pick> picks, double left) const {
+  const Pick pick = picks.back();
   if (swings(pick)) return SwingingLoads(input_, model).fitted(pick);
   const Model start = with(input_, model, pick);
   FitResult fit = fresh(start);
-  if (!fit.usable || mean(fit.windowSquares) > (1.0 - clearGain) * left) fit = fresh(fitShort(input_, start));
-  return fit;
+  if (fit.usable && mean(fit.windowSquares) <= (1.0 - clearGain) * left) return fit;
+  // A base that was fitted without friction that grows at rest has too much of it when it moves.
+  return fresh(pick.effect->growsAtRest() ? withScreenedBase(input_, start, screen.baseCoefficients(picks))
+                                          : fitShort(input_, start));
 }
 
 }  // namespace breakaway
