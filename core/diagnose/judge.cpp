@@ -6,6 +6,7 @@
 #include "base/statistics.h"
 #include "diagnose/catalogue.h"
 #include "diagnose/effects/wave.h"
+#include "diagnose/fit/seen_span.h"
 #include "diagnose/fit/windowed_fit.h"
 #include "diagnose/noise_floor.h"
 #include "diagnose/proof.h"
@@ -181,7 +182,7 @@ class Judge {
 
   Opinion judge(const SearchResult& candidate, Judgement& out) const {
     out.base = base_;
-    out.model = withDoubts(candidate.best.model, prepared_);
+    out.model = withDoubts(withinSeen(candidate.best.model, prepared_.tracks, prepared_.split), prepared_);
     out.left = candidate.left;
     const auto errorsAfter = scoreWindows(out.model, prepared_.tracks, prepared_.split.trainScore);
     out.rest = remainderOf(out.model, true, prepared_, {errorsBefore_, errorsAfter}, out.left, input_.seed);

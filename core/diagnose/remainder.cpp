@@ -19,6 +19,8 @@ namespace {
 constexpr double materialShare = 0.25;
 constexpr double materialShareBesideFindings = 0.4;
 constexpr double materialFloors = 2.5;
+/// Beyond so many times what they may do, a smaller part is material, too: names that leave as much are borrowed.
+constexpr double glaringFloors = 6.0, glaringShare = 0.05;
 /// Windows that are so many times off, and how many of them (at least five) are no accident.
 constexpr double farOffFloors = 8.0;
 constexpr double farOffPart = 0.05;
@@ -58,7 +60,8 @@ Remainder beside(const WindowErrors& errors, const Floors& floors, double least)
   const double unit = floors.perfect * floors.perfect;
   if (after > std::pow(materialFloors * floors.tolerated, 2))
     rest.share = std::clamp((after - unit) / std::max(before - unit, 1e-300), 0.0, 1.0);
-  rest.material = rest.share > least;
+  const bool glares = rest.share > glaringShare && after > std::pow(glaringFloors * floors.tolerated, 2);
+  rest.material = rest.share > least || glares;
   // Few windows, but too many and too far off for restarts at the edge of standstill.
   const double ofAll = mean(errors.after) / std::max(mean(errors.before), 1e-300);
   if (!rest.material && ofAll > least && farOff(errors.after, floors.tolerated)) {

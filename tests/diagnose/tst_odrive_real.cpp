@@ -24,7 +24,9 @@ void TestOdriveReal::diagnosis_namesCoggingAndProvesIt() {
   VERIFY_OK(recording);
   const auto diagnosis = diagnose(*bench, {*recording}, {}, {});
   VERIFY_OK(diagnosis);
-  QVERIFY2(diagnosis->verdict == Verdict::named, inWords(*diagnosis).c_str());
+  // More is left than belongs to sensors and friction: the waves are there, and not all.
+  QVERIFY2(diagnosis->verdict == Verdict::outsideCatalogue, inWords(*diagnosis).c_str());
+  QVERIFY2(!diagnosis->findings.empty(), inWords(*diagnosis).c_str());
   QCOMPARE(diagnosis->findings.front().effect, std::string("cogging"));
   QVERIFY2(diagnosis->fit.improvementLow95 > 0.0, inWords(*diagnosis).c_str());
 }

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "diagnose/effects/all.h"
 #include "diagnose/effects/wording.h"
 
@@ -30,7 +32,8 @@ class SupplySag final : public Effect {
     return {Shape{{0.05 * seen.peakInput / seen.peakCurrent, supply_V}}};
   }
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
-    return p[0] > 0.0 && p[0] * seen.peakCurrent < 0.5 * seen.peakInput;
+    const double duty = std::min(1.0, seen.peakInput / (seen.supply_V > 0.0 ? seen.supply_V : p[1]));
+    return p[0] > 0.0 && p[0] * duty * duty * seen.peakCurrent < 0.5 * seen.peakInput;
   }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
     return "The supply gives way under load as if it had " + quantityText(p[0], "Ω") +

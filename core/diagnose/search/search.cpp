@@ -23,7 +23,8 @@ bool contains(const std::vector<Chosen>& chosen, const Effect* effect) {
 namespace {
 
 constexpr double importantPart = 0.2, halfOfAll = 0.5, mostOfAll = 0.6;  ///< of a squared residual or error
-constexpr double hardlyMore = 1.03;                                      ///< of a squared error
+constexpr double hardlyMore = 1.03, hardlyAny = 0.02;                    ///< of a squared error
+constexpr double wellSettledFloors = 100.0;  ///< squared error, in squared floors, up to which `hardlyAny` will do
 constexpr size_t mostTrials = 4;
 
 class Search {
@@ -138,7 +139,9 @@ class Search {
     std::erase_if(picks, [&](const Pick& one) { return !contains(result.chosen, one.effect); });
     const auto settled = [&] {
       const double left = mean(result.best.windowSquares);
-      return worth().floors(result.best) < settledFloors || left < 0.02 * mean(result.base.windowSquares);
+      const double floors = worth().floors(result.best);
+      return floors < settledFloors ||
+             (floors < wellSettledFloors && left < hardlyAny * mean(result.base.windowSquares));
     };
     if (settled()) return false;
     if (!remembers(result.best.model)) {  // far from the answer, a fit may have come to no end yet
