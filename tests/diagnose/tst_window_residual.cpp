@@ -19,6 +19,7 @@ class TestWindowResidual : public QObject {
  private slots:
   void linearColumns_pointWhereSimulatedOnesDo_data();
   void linearColumns_pointWhereSimulatedOnesDo();
+  void whatRestsAtTheStart_keepsResting();
 };
 
 namespace {
@@ -75,6 +76,25 @@ void TestWindowResidual::linearColumns_pointWhereSimulatedOnesDo() {
     const std::string said = parameters.name(static_cast<Eigen::Index>(k)) + ": cosine " + std::to_string(cosine) +
                              ", norm " + std::to_string(ratio);
     QVERIFY2(cosine > leastCosine && ratio > leastNorm && ratio < mostNorm, said.c_str());
+  }
+}
+
+/// Each fit moves the start on; the least speed would end the rest that friction has grown with.
+void TestWindowResidual::whatRestsAtTheStart_keepsResting() {
+  const Model model = servoWith(DriveInput::torque, "rising_stiction", {0.008, 0.2, 2.0});
+  const Recording recording = drivenRecording(model, {.seconds = 4.0});
+  Track track = *makeTrack(recording, model.axis, model.input, model.supply_V, model.count);
+  track.motion = motionOf(track);
+  const std::vector<Track> tracks{track};
+  const Window window{0, 2800, 3400};  // the drive pauses from 2.4 to 3 s
+  const MotionState hidden = hiddenStates(model, tracks, {window}).front();
+  QVERIFY(hidden.rest_s > 0.2);
+  WindowResidual residual(tracks.front(), window, {1.0, 0.0});
+  for (int k = 0; k < 4; ++k) {
+    residual.fit(model, hidden);
+    const double rms =
+        residual.residual().head(residual.positions()).norm() / std::sqrt(static_cast<double>(residual.positions()));
+    QVERIFY2(rms < 1e-4, qPrintable(QString("%1 rad after fit %2").arg(rms).arg(k + 1)));
   }
 }
 
