@@ -178,7 +178,8 @@ Result<FitResult> fitNamed(const SearchInput& input, const std::vector<Model>& s
     Model model = fit.model;
     std::vector<Pick> picks;
     const LinearRig rig(model, input.tracks, input.split.train);
-    Model screened = model;
+    const Model base = model;
+    Eigen::VectorXd coefficients;  // of the base, beside all effects
     for (const Effect* effect : effects) {
       const Screen screen(rig, {effect}, input.seen, input.split.fold, folds, input.seed);
       picks.push_back(screen.best(*effect, picks));
@@ -187,8 +188,9 @@ Result<FitResult> fitNamed(const SearchInput& input, const std::vector<Model>& s
                                                     effect->neededExcitation(input.seen)};
       }
       model = with(input, model, picks.back());
-      screened = withScreenedBase(input, screened, screen.baseCoefficients(picks));
+      coefficients = screen.baseCoefficients(picks);
     }
+    Model screened = withScreenedBase(input, base, coefficients);
     for (const Pick& pick : picks) screened = with(input, screened, pick);
     fit = fitModel(input, fitShort(input, model, 1e-4));
     // What the base model has taken for its own may hold the fit back.

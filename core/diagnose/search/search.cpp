@@ -178,7 +178,7 @@ class Search {
       if (swings(candidate) && winner && worth().floors(*winner) < settledFloors) break;
       std::vector<Pick> together = picks;
       together.push_back(candidate);
-      FitResult fit = fits_->beside(result.best.model, screen, std::move(together), left);
+      FitResult fit = fits_->beside(result.best.model, screen, together, left);
       if (!fit.usable || !plausible(fit.model, input_.seen)) continue;
       const auto after = worth().validated(fit);
       const Comparison gain = compare(before, after, input_.seed);

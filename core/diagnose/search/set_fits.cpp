@@ -54,15 +54,11 @@ FitResult SetFits::fresh(const Model& start) const {
   FitResult fit = fitModel(input_, start, 6);
   if (!fit.usable || !(happensOnce(start) || growsAtRest(start))) return fit;
   // What it does rests on the windows in which the base model errs most, and which count least for that.
+  const bool once = happensOnce(start);
   SearchInput own = input_;
-  own.windowWeights.clear();
-  FitResult again;
-  if (happensOnce(start)) {
-    again = fitModel(own, fit.model, 6);
-  } else {
-    own.windowWeights = robustWeights(residualSquares(start, input_.tracks, input_.split.train));
-    again = fitModel(own, start, 6);
-  }
+  own.windowWeights =
+      once ? std::vector<double>{} : robustWeights(residualSquares(start, input_.tracks, input_.split.train));
+  FitResult again = fitModel(own, once ? fit.model : start, 6);
   return again.usable && mean(again.windowSquares) < mean(fit.windowSquares) ? again : fit;
 }
 
@@ -81,8 +77,8 @@ FitResult SetFits::together(const Screen& screen, const std::vector<Pick>& picks
   return fit;
 }
 
-FitResult SetFits::beside(const Model& model, const Screen& screen, std::vector<Pick> picks, double left) const {
-  const Pick pick = picks.back();
+FitResult SetFits::beside(const Model& model, const Screen& screen, const std::vector<Pick>& picks, double left) const {
+  const Pick& pick = picks.back();
   if (swings(pick)) return SwingingLoads(input_, model).fitted(pick);
   const Model start = with(input_, model, pick);
   FitResult fit = fresh(start);

@@ -32,7 +32,7 @@ class SetFits {
   /// The set in the base model's place, from the screen's sizes, or from others where that doesn't lead far.
   FitResult together(const Screen& screen, const std::vector<Pick>& picks) const;
   /// The last of the picks on top of a model that has the others and leaves the squared error `left`.
-  FitResult beside(const Model& model, const Screen& screen, std::vector<Pick> picks, double left) const;
+  FitResult beside(const Model& model, const Screen& screen, const std::vector<Pick>& picks, double left) const;
 
  private:
   bool restartsErr(const TorqueNoise& left) const;
