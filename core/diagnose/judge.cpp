@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/statistics.h"
 #include "diagnose/catalogue.h"
@@ -10,6 +11,7 @@
 #include "diagnose/fit/windowed_fit.h"
 #include "diagnose/noise_floor.h"
 #include "diagnose/proof.h"
+#include "diagnose/simulate/physics.h"
 
 namespace breakaway {
 
@@ -23,7 +25,8 @@ constexpr double leastOfCurrent = 0.2;   ///< of the current's squared error
 constexpr double worseOnHeldout = 1.02;  ///< times the base model's error: what does worse is refused
 constexpr double muchWorseOnHeldout = 1.25, clearFallOnHeldout = 0.9;
 constexpr double hardlyLessOnHeldout = 0.95, muchFloors = 2.5;
-constexpr double leastFall = 0.98;  ///< of the error over the training windows: less is none
+constexpr double leastFall = 0.98;                        ///< of the error over the training windows: less is none
+constexpr double nearFloors = 2.0, scatteredPart = 0.03;  ///< of the friction: three times what any rig's scatters by
 
 double meanSquare(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows) {
   return mean(scoreWindows(model, tracks, windows));
@@ -56,7 +59,7 @@ FitScore scoreFit(const Bench& bench, const Model& base, const Model& best, cons
 }
 
 /// The effect's terms, that of the largest amplitude first.
-std::vector<EffectTerm> termsOf(const Model& model, const std::string& effect) {
+std::vector<EffectTerm> largestTerms(const Model& model, const std::string& effect) {
   std::vector<EffectTerm> terms;
   for (const EffectTerm& term : model.effects) {
     if (term.effect == effect) terms.push_back(term);
@@ -94,7 +97,7 @@ std::vector<Finding> findingsOf(const SearchResult& result, const Model& model, 
     finding.share = marginals > 0.0 ? std::clamp(explained * chosen.marginal / marginals, 0.0, 1.0) : 0.0;
     finding.pValue = chosen.pValue;
     for (const Effect* rival : chosen.rivals) finding.ambiguousWith.emplace_back(rival->name());
-    const std::vector<EffectTerm> terms = termsOf(model, finding.effect);
+    const std::vector<EffectTerm> terms = largestTerms(model, finding.effect);
     if (!terms.empty()) {
       const EffectTerm& first = terms.front();
       finding.sentence = chosen.effect->sentence(valuesOf(first), input.seen);
@@ -115,6 +118,10 @@ bool changesReadings(const Model& model) {
   return std::any_of(model.effects.begin(), model.effects.end(), [](const EffectTerm& term) {
     return findEffect(term.effect)->sensed(valuesOf(term), 1.0, 1000.0) != 1.0;
   });
+}
+
+bool showsInCurrent(const SearchResult& result) {
+  return result.best.currentSquares < (1.0 - leastOfCurrent) * result.base.currentSquares;
 }
 
 bool allHappenOnce(const std::vector<Finding>& findings) {
@@ -138,6 +145,12 @@ bool isIdle(const Finding& finding) {
   return finding.share < leastShare && mayBeNothing(finding);
 }
 
+/// What a rig that lacks nothing may seem to have where the base model errs by little more than its sensors do.
+bool isFaint(const Finding& finding, double coulomb) {
+  const bool small = std::abs(finding.parameters.front().value) < scatteredPart * coulomb;
+  return mayBeNothing(finding) || (small && findEffect(finding.effect)->happensOnce());
+}
+
 class Judge {
  public:
   Judge(const Bench& bench, const Preparation& prepared, const SearchInput& input, const SearchResult& found)
@@ -153,9 +166,9 @@ class Judge {
     while (!candidate.chosen.empty()) {
       Judgement judgement;
       const Opinion opinion = judge(candidate, judgement);
-      const auto idle = std::find_if(judgement.findings.begin(), judgement.findings.end(), isIdle);
-      if (candidate.chosen.size() > 1 && idle != judgement.findings.end()) {
-        drop(candidate, candidate.chosen.begin() + (idle - judgement.findings.begin()));
+      if (const auto idle = superfluous(candidate, judgement)) {
+        if (candidate.chosen.size() == 1) break;
+        drop(candidate, candidate.chosen.begin() + *idle);
         continue;
       }
       if (opinion == Opinion::stands) return judgement;
@@ -170,6 +183,19 @@ class Judge {
   enum class Opinion { stands, falls, heldoutRefuses };
 
   double before() const { return typicalSquare(errorsBefore_); }
+
+  /// Which finding takes hardly anything away, or may be nothing where hardly anything is missing.
+  std::optional<std::ptrdiff_t> superfluous(const SearchResult& candidate, const Judgement& judged) const {
+    const bool near =
+        mean(errorsBefore_) < std::pow(nearFloors * judged.rest.floors.perfect, 2) && !showsInCurrent(candidate);
+    const double coulomb = physicsOf(judged.model).coulomb;
+    const auto& all = judged.findings;
+    const auto one = std::find_if(all.begin(), all.end(), [&](const Finding& finding) {
+      return (all.size() > 1 && isIdle(finding)) || (near && isFaint(finding, coulomb));
+    });
+    if (one == all.end()) return std::nullopt;
+    return one - all.begin();
+  }
 
   Judgement nothing() const {
     Judgement out;
@@ -192,7 +218,7 @@ class Judge {
     const double ofAll = 1.0 - mean(errorsAfter) / std::max(mean(errorsBefore_), 1e-300);
     if (ofAll > glaringShare) explained = std::max(explained, ofAll);
     explained = std::clamp(explained, 0.0, 1.0);
-    const bool currentToo = candidate.best.currentSquares < (1.0 - leastOfCurrent) * candidate.base.currentSquares;
+    const bool currentToo = showsInCurrent(candidate);
     if (explained < leastShare && !currentToo) return Opinion::falls;
     const double fitted =
         1.0 - mean(candidate.best.windowSquares) / std::max(mean(candidate.base.windowSquares), 1e-300);

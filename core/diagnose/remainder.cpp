@@ -14,15 +14,17 @@ namespace breakaway {
 
 namespace {
 
-/// Beyond this part of the excess error, and this many times what sensors and scattering friction may do, what is left
-/// is material.
-constexpr double materialShare = 0.25;
-constexpr double materialShareBesideFindings = 0.4;
+/// What is left is material beyond a part of the excess error, if it is `materialFloors` times what sensors and
+/// scattering friction may do; or where several windows err by more than `farOff` times that: too many and too far for
+/// restarts at the edge of standstill. A name that is right may leave more than nothing at all would.
+struct Limits {
+  double share, farOff;
+};
+constexpr Limits alone{0.25, 5.0}, besideFindings{0.4, 8.0};
 constexpr double materialFloors = 2.5;
 /// Beyond so many times what they may do, a smaller part is material, too: names that leave as much are borrowed.
 constexpr double glaringFloors = 6.0, glaringShare = 0.05;
-/// Windows that are so many times off, and how many of them (at least five) are no accident.
-constexpr double farOffFloors = 8.0;
+/// Of the windows, but at least five, that are so far off is no accident.
 constexpr double farOffPart = 0.05;
 /// Of the drive's peak, or of the friction: a place where less is unexplained is none.
 constexpr double immaterialPart = 0.01;
@@ -31,9 +33,13 @@ constexpr double leastInPlace = 0.1, largelyInPlace = 0.25, likeliestByChance = 
 /// What is in one place to a larger part is no friction that scatters.
 constexpr double mostByScatter = 0.4;
 
-bool farOff(const std::vector<double>& squares, double tolerated) {
-  return static_cast<double>(farOffWindows(squares, tolerated)) >=
-         std::max(5.0, farOffPart * static_cast<double>(squares.size()));
+double windowsBeyond(const std::vector<double>& squares, double limit) {
+  return static_cast<double>(
+      std::count_if(squares.begin(), squares.end(), [limit](double one) { return one > limit * limit; }));
+}
+
+bool oftenFarOff(const std::vector<double>& squares, double limit) {
+  return windowsBeyond(squares, limit) >= std::max(5.0, farOffPart * static_cast<double>(squares.size()));
 }
 
 bool holds(const Place& place) {
@@ -53,7 +59,7 @@ std::vector<Place> placesOf(const Model& model, const Preparation& prepared, std
   return places(residualMaps(model, prepared.training, seed), model);
 }
 
-Remainder beside(const WindowErrors& errors, const Floors& floors, double least) {
+Remainder beside(const WindowErrors& errors, const Floors& floors, const Limits& limits) {
   Remainder rest;
   rest.floors = floors;
   const double before = typicalSquare(errors.before), after = typicalSquare(errors.after);
@@ -61,10 +67,9 @@ Remainder beside(const WindowErrors& errors, const Floors& floors, double least)
   if (after > std::pow(materialFloors * floors.tolerated, 2))
     rest.share = std::clamp((after - unit) / std::max(before - unit, 1e-300), 0.0, 1.0);
   const bool glares = rest.share > glaringShare && after > std::pow(glaringFloors * floors.tolerated, 2);
-  rest.material = rest.share > least || glares;
-  // Few windows, but too many and too far off for restarts at the edge of standstill.
+  rest.material = rest.share > limits.share || glares;
   const double ofAll = mean(errors.after) / std::max(mean(errors.before), 1e-300);
-  if (!rest.material && ofAll > least && farOff(errors.after, floors.tolerated)) {
+  if (!rest.material && ofAll > limits.share && oftenFarOff(errors.after, limits.farOff * floors.tolerated)) {
     rest.material = true;
     rest.share = std::min(ofAll, 1.0);
   }
@@ -75,13 +80,11 @@ Remainder beside(const WindowErrors& errors, const Floors& floors, double least)
 }  // namespace
 
 size_t farOffWindows(const std::vector<double>& squares, double tolerated) {
-  const double limit = std::pow(farOffFloors * tolerated, 2);
-  return static_cast<size_t>(
-      std::count_if(squares.begin(), squares.end(), [limit](double one) { return one > limit; }));
+  return static_cast<size_t>(windowsBeyond(squares, besideFindings.farOff * tolerated));
 }
 
 std::string farOffText() {
-  return std::to_string(std::lround(farOffFloors)) + " times";
+  return std::to_string(std::lround(besideFindings.farOff)) + " times";
 }
 
 Floors floorsOf(const Model& model, const Preparation& prepared, const std::vector<Window>& windows, std::uint64_t seed,
@@ -94,8 +97,8 @@ Floors floorsOf(const Model& model, const Preparation& prepared, const std::vect
 Remainder remainderOf(const Model& model, bool named, const Preparation& prepared, const WindowErrors& errors,
                       const TorqueNoise& left, std::uint64_t seed) {
   const std::vector<Window>& windows = prepared.split.trainScore;
-  const double least = named ? materialShareBesideFindings : materialShare;
-  Remainder rest = beside(errors, floorsOf(model, prepared, windows, seed, left), least);
+  const Limits& limits = named ? besideFindings : alone;
+  Remainder rest = beside(errors, floorsOf(model, prepared, windows, seed, left), limits);
   if (!rest.wanders) return rest;
   const auto found = placesOf(model, prepared, seed);
   const auto stands = [&, friction = physicsOf(model).coulomb](const Place& place) {
@@ -106,7 +109,8 @@ Remainder remainderOf(const Model& model, bool named, const Preparation& prepare
   const bool clear = std::any_of(found.begin(), found.end(), [&stands](const Place& place) {
     return stands(place) && place.share > mostByScatter;
   });
-  return clear ? beside(errors, {floors.perfect, floors.perfect}, materialShare) : beside(errors, floors, least);
+  const Floors strict{floors.perfect, floors.perfect};
+  return clear ? beside(errors, strict, {alone.share, besideFindings.farOff}) : beside(errors, floors, limits);
 }
 
 void findPlaces(Remainder& rest, const Model& model, const Preparation& prepared, std::uint64_t seed) {
