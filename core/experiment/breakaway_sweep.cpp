@@ -29,42 +29,18 @@ double inTurn(double angle_rad) {
 
 BreakawaySweep::BreakawaySweep(BreakawaySweepOptions options, const std::vector<BreakawayEvent>& earlier)
     : options_(std::move(options)),
+      tour_(options_.bins, options_.turns, earlier),
       zeroing_(options_.zeroing_s),
       index_(options_.indexAngle_rad, options_.indexTolerance_rad) {
   if (options_.bins < 8 || options_.turns == 0) fail("at least 8 bins and one turn are needed");
   if (!(options_.resistance_ohm > 0.0)) fail("the winding's resistance is not known");
   if (!(options_.torqueConstant_Nm_per_A > 0.0)) fail("the torque constant is not known");
   if (!(options_.countsPerRev > 0.0)) fail("the encoder's counts are not known");
-  if (state() == State::running) keep(earlier);
-}
-
-size_t BreakawaySweep::stepOf(const BreakawayEvent& event) const {
-  const size_t inWay = event.way == Way::ccw ? event.bin : 2 * options_.bins - 1 - event.bin;
-  return event.turn * 2 * options_.bins + inWay;
-}
-
-void BreakawaySweep::keep(const std::vector<BreakawayEvent>& earlier) {
-  done_.assign(steps(), false);
-  for (const BreakawayEvent& event : earlier) {
-    if (event.bin >= options_.bins || event.turn >= options_.turns || done_[stepOf(event)]) continue;
-    done_[stepOf(event)] = true;
-    events_.push_back(event);
-  }
-  skipDone();
-  if (step_ >= steps()) finish();
-}
-
-void BreakawaySweep::skipDone() {
-  while (step_ < steps() && done_[step_]) ++step_;
-}
-
-size_t BreakawaySweep::bin() const {
-  const size_t k = step_ % options_.bins;
-  return way() == Way::ccw ? k : options_.bins - 1 - k;
+  if (state() == State::running && tour_.ended()) finish();
 }
 
 double BreakawaySweep::binAngle_rad() const {
-  return (static_cast<double>(bin()) + 0.5) * turnAngle / static_cast<double>(options_.bins);
+  return (static_cast<double>(tour_.bin()) + 0.5) * turnAngle / static_cast<double>(options_.bins);
 }
 
 double BreakawaySweep::moving_A(Way way, double angle_rad) const {
@@ -186,7 +162,7 @@ void BreakawaySweep::missed(const Sample& sample) {
 }
 
 void BreakawaySweep::approach(const Sample& sample) {
-  const size_t pass = step_ / options_.bins;
+  const size_t pass = tour_.oneWay();
   const bool passes = options_.indexTolerance_rad > 0.0 && indexPass_ != pass;
   indexPass_ = pass;
   enter(passes ? Stage::index : Stage::angle, sample);
@@ -207,7 +183,7 @@ Command BreakawaySweep::zero(const Sample& sample) {
   if (!done) return command;
   zeroed_s_ = sample.time_s;
   if (const std::string moved = zeroing_.moved(options_.mostDrift_A); !moved.empty()) fail(moved);
-  if (step_ >= steps()) {
+  if (tour_.ended()) {
     finish();
   } else {
     approach(sample);
@@ -233,40 +209,22 @@ void BreakawaySweep::takeEvent() {
   const BreakawayLag motor{options_.inertia_kg_m2, options_.torqueConstant_Nm_per_A,
                            options_.backEmfConstant_V_s_per_rad, options_.resistance_ohm};
   BreakawayEvent event = ramp_.event(motor, tick_s());
-  event.way = way();
-  event.turn = turn();
-  event.bin = bin();
   event.time_s += rampStart_s_;
   event.zero_A = zeroing_.zero_A();
   event.angle_rad = inTurn(ramp_.standing_rad() - options_.indexAngle_rad);
   event.torque_Nm = options_.torqueConstant_Nm_per_A * event.current_A;
-  events_.push_back(event);
   const auto w = static_cast<size_t>(way());
   const double moving = moving_A(way(), binAngle_rad()) - sign() * hold_A();
   recent_A_[w] = event.commanded_A - sign() * hold_A();
   if (moving > 0.0) recentOverMoving_[w] = *recent_A_[w] / moving;
   missedInARow_ = 0;
-  markOutlier();
-}
-
-/// Against the median of the five breakaways before it the same way: further off than half of it is no neighbour's
-/// value.
-void BreakawaySweep::markOutlier() {
-  BreakawayEvent& last = events_.back();
-  std::vector<double> before;
-  for (size_t k = events_.size() - 1; k-- > 0 && before.size() < 5;) {
-    if (events_[k].way == last.way && events_[k].turn == last.turn) before.push_back(events_[k].torque_Nm);
-  }
-  if (before.size() < 5) return;
-  std::nth_element(before.begin(), before.begin() + 2, before.end());
-  last.outlier = std::abs(last.torque_Nm - before[2]) > 0.5 * std::abs(before[2]);
+  tour_.take(std::move(event));
 }
 
 void BreakawaySweep::advanceStep(const Sample& sample) {
-  ++step_;
+  tour_.advance();
   attempt_ = 0;
-  skipDone();
-  if (step_ >= steps() || sample.time_s - zeroed_s_ > options_.zeroEvery_s) {
+  if (tour_.ended() || sample.time_s - zeroed_s_ > options_.zeroEvery_s) {
     enter(Stage::zero, sample);
   } else {
     approach(sample);
@@ -274,13 +232,11 @@ void BreakawaySweep::advanceStep(const Sample& sample) {
 }
 
 double BreakawaySweep::progress() const {
-  return static_cast<double>(step_) / static_cast<double>(steps());
+  return tour_.progress();
 }
 
 double BreakawaySweep::remaining_s() const {
-  const double usual_s = options_.settle_s + options_.dwell_s + options_.ramp_s + 0.2;
-  const double each_s = step_ >= 8 ? (now_s_ - first_s_) / static_cast<double>(step_) : usual_s;
-  return each_s * static_cast<double>(steps() - std::min(step_, steps()));
+  return tour_.remaining_s(now_s_ - first_s_, options_.settle_s + options_.dwell_s + options_.ramp_s + 0.2);
 }
 
 std::string BreakawaySweep::activity() const {
@@ -297,7 +253,7 @@ std::string BreakawaySweep::activity() const {
     case Machine::stand:
       return "standing at " + degreesText(boardAngle_rad_ - options_.indexAngle_rad);
     case Machine::ramp:
-      return "ramping " + where + ", turn " + std::to_string(turn() + 1);
+      return "ramping " + where + ", turn " + std::to_string(tour_.pass() + 1);
     default:
       return "moving " + where;
   }

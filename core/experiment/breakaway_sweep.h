@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "experiment/breakaway_ramp.h"
+#include "experiment/breakaway_tour.h"
 #include "experiment/index_watch.h"
 #include "experiment/timed_procedure.h"
 #include "experiment/zeroing.h"
@@ -60,7 +61,7 @@ class BreakawaySweep : public TimedProcedure {
   explicit BreakawaySweep(BreakawaySweepOptions options, const std::vector<BreakawayEvent>& earlier = {});
 
   /// All breakaways so far, in the order they were measured; outliers are marked against their neighbours.
-  const std::vector<BreakawayEvent>& events() const { return events_; }
+  const std::vector<BreakawayEvent>& events() const { return tour_.events(); }
   const BreakawaySweepOptions& options() const { return options_; }
   /// Angles at which the rotor didn't break away.
   size_t missed() const { return missed_; }
@@ -76,17 +77,11 @@ class BreakawaySweep : public TimedProcedure {
  private:
   enum class Stage { zero, index, angle };
   using Machine = BreakawayLeg<double>;
-  Way way() const { return (step_ / options_.bins) % 2 == 0 ? Way::ccw : Way::cw; }
-  double sign() const { return way() == Way::ccw ? 1.0 : -1.0; }
-  size_t bin() const;
-  size_t turn() const { return step_ / (2 * options_.bins); }
-  size_t steps() const { return 2 * options_.bins * options_.turns; }
+  Way way() const { return tour_.way(); }
+  double sign() const { return tour_.sign(); }
   double binAngle_rad() const;
   double moving_A(Way way, double angle_rad) const;
   double hold_A() const;
-  size_t stepOf(const BreakawayEvent& event) const;
-  void keep(const std::vector<BreakawayEvent>& earlier);
-  void skipDone();
   Command zero(const Sample& sample);
   void enter(Stage stage, const Sample& sample);
   void approach(const Sample& sample);
@@ -98,16 +93,14 @@ class BreakawaySweep : public TimedProcedure {
   void missed(const Sample& sample);
   void takeEvent();
   void advanceStep(const Sample& sample);
-  void markOutlier();
 
   BreakawaySweepOptions options_;
+  BreakawayTour tour_;
   Zeroing zeroing_;
   Stage stage_ = Stage::zero;
-  size_t step_ = 0, missed_ = 0, missedInARow_ = 0;
+  size_t missed_ = 0, missedInARow_ = 0;
   int attempt_ = 0;
   std::optional<size_t> indexPass_;  ///< pass around the rotor, of one way, that has begun with the index
-  std::vector<bool> done_;           ///< by step, of an earlier part
-  std::vector<BreakawayEvent> events_;
   IndexWatch index_;
   std::array<std::optional<double>, 2> recent_A_;          ///< last breakaway less the holding current, by Way
   std::array<std::optional<double>, 2> recentOverMoving_;  ///< and over what keeps it moving there

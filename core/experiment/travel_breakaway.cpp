@@ -15,6 +15,7 @@ constexpr double patience_s = 1.0;       // for it to come to rest
 
 TravelBreakaway::TravelBreakaway(TravelBreakawayOptions options, const std::vector<BreakawayEvent>& earlier)
     : options_(std::move(options)),
+      tour_(options_.bins.count, options_.passes, earlier),
       zeroing_(options_.zeroing_s),
       watch_(options_.travel, options_.index_m, options_.indexTolerance_m),
       glide_(options_.speed_m_per_s, options_.acceleration_m_per_s2) {
@@ -25,32 +26,11 @@ TravelBreakaway::TravelBreakaway(TravelBreakawayOptions options, const std::vect
   for (const auto& way : options_.moving_A) {
     if (way.size() != options_.bins.count) fail("what keeps the axis moving is not known for each bin");
   }
-  if (state() == State::running) keep(earlier);
-}
-
-size_t TravelBreakaway::stepOf(const BreakawayEvent& event) const {
-  const size_t count = options_.bins.count;
-  return event.turn * 2 * count + (event.way == Way::ccw ? event.bin : 2 * count - 1 - event.bin);
-}
-
-void TravelBreakaway::keep(const std::vector<BreakawayEvent>& earlier) {
-  done_.assign(steps(), false);
-  for (const BreakawayEvent& event : earlier) {
-    if (event.bin >= options_.bins.count || event.turn >= options_.passes || done_[stepOf(event)]) continue;
-    done_[stepOf(event)] = true;
-    events_.push_back(event);
-  }
-  while (step_ < steps() && done_[step_]) ++step_;
-  if (step_ >= steps()) finish();
-}
-
-size_t TravelBreakaway::bin() const {
-  const size_t k = step_ % options_.bins.count;
-  return way() == Way::ccw ? k : options_.bins.count - 1 - k;
+  if (state() == State::running && tour_.ended()) finish();
 }
 
 double TravelBreakaway::moving_A(Way way) const {
-  return options_.moving_A[static_cast<size_t>(way)][bin()];
+  return options_.moving_A[static_cast<size_t>(way)][tour_.bin()];
 }
 
 Command TravelBreakaway::current(double inWay_A) {
@@ -65,7 +45,7 @@ void TravelBreakaway::enter(Stage stage, const Sample& sample) {
   stageStart_s_ = near_s_ = sample.time_s;
   if (stage != Stage::move) return;
   glide_.rest();
-  const double way_m = std::abs(options_.bins.centre_m(bin()) - sample.angle_rad);
+  const double way_m = std::abs(options_.bins.centre_m(tour_.bin()) - sample.angle_rad);
   allowed_s_ = options_.move_s + 2.0 * way_m / options_.speed_m_per_s;
 }
 
@@ -97,7 +77,7 @@ Command TravelBreakaway::zero(const Sample& sample) {
   if (!done) return command;
   zeroed_s_ = sample.time_s;
   if (const std::string moved = zeroing_.moved(options_.mostDrift_A); !moved.empty()) fail(moved);
-  if (step_ >= steps()) {
+  if (tour_.ended()) {
     finish();
   } else {
     enter(Stage::move, sample);
@@ -107,7 +87,7 @@ Command TravelBreakaway::zero(const Sample& sample) {
 
 /// Gliding until it is near, by the position loop from there.
 Command TravelBreakaway::move(const Sample& sample) {
-  const double target_m = options_.bins.centre_m(bin()), off_m = std::abs(sample.angle_rad - target_m);
+  const double target_m = options_.bins.centre_m(tour_.bin()), off_m = std::abs(sample.angle_rad - target_m);
   const double tolerance_m = std::max(0.15 * options_.bins.width_m(), 2.0 * options_.count_m);
   const bool near = off_m < tolerance_m && std::abs(sample.velocity_rad_per_s) < 2.0 * options_.motionVelocity_m_per_s;
   if (!near) near_s_ = sample.time_s;
@@ -184,47 +164,28 @@ void TravelBreakaway::takeEvent() {
   const BreakawayLag motor{options_.mass_kg, options_.forceConstant_N_per_A, options_.backEmfConstant_V_s_per_m,
                            options_.resistance_ohm};
   BreakawayEvent event = ramp_.event(motor, tick_s());
-  event.way = way();
-  event.turn = pass();
-  event.bin = bin();
   event.time_s += stageStart_s_;
   event.zero_A = zeroing_.zero_A();
   event.angle_rad = ramp_.standing_rad();
   event.torque_Nm = options_.forceConstant_N_per_A * event.current_A;
-  events_.push_back(event);
   const double moving = moving_A(way()) - sign() * hold_A();
   if (moving > 0.0) overMoving_[static_cast<size_t>(way())] = (event.commanded_A - sign() * hold_A()) / moving;
   missedInARow_ = 0;
-  markOutlier();
-}
-
-/// Against the median of the five breakaways before it the same way.
-void TravelBreakaway::markOutlier() {
-  BreakawayEvent& last = events_.back();
-  std::vector<double> before;
-  for (size_t k = events_.size() - 1; k-- > 0 && before.size() < 5;) {
-    if (events_[k].way == last.way && events_[k].turn == last.turn) before.push_back(events_[k].torque_Nm);
-  }
-  if (before.size() < 5) return;
-  std::nth_element(before.begin(), before.begin() + 2, before.end());
-  last.outlier = std::abs(last.torque_Nm - before[2]) > 0.5 * std::abs(before[2]);
+  tour_.take(std::move(event));
 }
 
 void TravelBreakaway::advanceStep(const Sample& sample) {
-  ++step_;
+  tour_.advance();
   attempt_ = 0;
-  while (step_ < steps() && done_[step_]) ++step_;
-  enter(step_ >= steps() || sample.time_s - zeroed_s_ > options_.zeroEvery_s ? Stage::zero : Stage::move, sample);
+  enter(tour_.ended() || sample.time_s - zeroed_s_ > options_.zeroEvery_s ? Stage::zero : Stage::move, sample);
 }
 
 double TravelBreakaway::progress() const {
-  return static_cast<double>(step_) / static_cast<double>(std::max<size_t>(1, steps()));
+  return tour_.progress();
 }
 
 double TravelBreakaway::remaining_s() const {
-  const double usual_s = options_.settle_s + options_.dwell_s + options_.ramp_s + 0.3;
-  const double each_s = step_ >= 8 ? (now_s_ - first_s_) / static_cast<double>(step_) : usual_s;
-  return each_s * static_cast<double>(steps() - std::min(step_, steps()));
+  return tour_.remaining_s(now_s_ - first_s_, options_.settle_s + options_.dwell_s + options_.ramp_s + 0.3);
 }
 
 std::string TravelBreakaway::activity() const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "experiment/breakaway_ramp.h"
+#include "experiment/breakaway_tour.h"
 #include "experiment/timed_procedure.h"
 #include "experiment/travel.h"
 #include "experiment/travel_bins.h"
@@ -49,7 +50,7 @@ class TravelBreakaway : public TimedProcedure {
   /// `earlier`: the breakaways of an interrupted sweep with the same bins.
   explicit TravelBreakaway(TravelBreakawayOptions options, const std::vector<BreakawayEvent>& earlier = {});
 
-  const std::vector<BreakawayEvent>& events() const { return events_; }
+  const std::vector<BreakawayEvent>& events() const { return tour_.events(); }
   const std::vector<ZeroReading>& zeros() const { return zeroing_.readings(); }
   size_t missed() const { return missed_; }
 
@@ -61,7 +62,6 @@ class TravelBreakaway : public TimedProcedure {
 
  private:
   enum class Stage { zero, move, dwell, ramp };
-  void keep(const std::vector<BreakawayEvent>& earlier);
   void enter(Stage stage, const Sample& sample);
   Command zero(const Sample& sample);
   Command move(const Sample& sample);
@@ -71,26 +71,20 @@ class TravelBreakaway : public TimedProcedure {
   bool moves(const Sample& sample) const;
   RampPlan planRamp() const;
   void takeEvent();
-  void markOutlier();
   void advanceStep(const Sample& sample);
   double moving_A(Way way) const;
   double hold_A() const { return 0.5 * (moving_A(Way::ccw) - moving_A(Way::cw)); }
-  size_t steps() const { return options_.bins.count * 2 * options_.passes; }
-  Way way() const { return step_ / options_.bins.count % 2 == 0 ? Way::ccw : Way::cw; }
-  double sign() const { return way() == Way::ccw ? 1.0 : -1.0; }
-  size_t pass() const { return step_ / (2 * options_.bins.count); }
-  size_t bin() const;
-  size_t stepOf(const BreakawayEvent& event) const;
+  Way way() const { return tour_.way(); }
+  double sign() const { return tour_.sign(); }
 
   TravelBreakawayOptions options_;
+  BreakawayTour tour_;
   Zeroing zeroing_;
   TravelWatch watch_;
   Glide glide_;
   BreakawayRamp ramp_;
   Stage stage_ = Stage::zero;
-  std::vector<BreakawayEvent> events_;
-  std::vector<bool> done_;
-  size_t step_ = 0, missed_ = 0, missedInARow_ = 0;
+  size_t missed_ = 0, missedInARow_ = 0;
   int attempt_ = 0;
   std::array<std::optional<double>, 2> overMoving_;  ///< last breakaway over what keeps it moving there
   double stageStart_s_ = 0.0, near_s_ = 0.0, zeroed_s_ = 0.0, first_s_ = 0.0, now_s_ = 0.0, now_m_ = 0.0;

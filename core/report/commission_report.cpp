@@ -1,6 +1,6 @@
 #include "report/commission_report.h"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -10,13 +10,13 @@
 #include "recording/csv.h"
 #include "report/html_report.h"
 #include "report/linear_report.h"
+#include "report/map_figures.h"
 #include "report/motor_chapter.h"
 
 namespace breakaway {
 
 namespace {
 
-constexpr const char* wayNames[] = {"clockwise", "counter-clockwise"};
 constexpr int polar_px = 560;
 
 /// One curve per way around the turn, closed, in mNm.
@@ -25,7 +25,7 @@ std::vector<Curve> aroundTheTurn(const FrictionMap& map, Get get) {
   std::vector<Curve> curves;
   for (size_t w = 0; w < 2; ++w) {
     Curve curve;
-    curve.label = wayNames[w];
+    curve.label = unitsOf(Axis::rotary).ways[w];
     curve.colour = static_cast<int>(w);
     for (size_t k = 0; k <= map.bins.size(); ++k) {
       const MapBin& bin = map.bins[k % map.bins.size()];
@@ -41,86 +41,20 @@ Figure staticFigure(const FrictionMap& map) {
   Figure figure{"Breakaway torque around the rotor", "", "torque / mNm"};
   figure.polar = true;
   figure.curves = aroundTheTurn(map, [](const WayBin& bin) { return 1e3 * bin.static_Nm.value; });
-  Curve outliers;
-  outliers.label = "outlier";
-  outliers.style = Curve::Style::points;
-  outliers.colour = 6;
-  outliers.width_px = 3.0;
-  for (const MapBin& bin : map.bins) {
-    for (const WayBin& way : bin.way) {
-      if (!way.outlier) continue;
-      outliers.x.push_back(bin.angle_rad);
-      outliers.y.push_back(1e3 * way.static_Nm.value);
-    }
-  }
+  Curve outliers = outlierCurve(map, 1.0);
   if (!outliers.x.empty()) figure.curves.push_back(std::move(outliers));
   return figure;
 }
 
-Figure turnsFigure(const FrictionMap& map, size_t way) {
-  Figure figure{std::string("Turn by turn, ") + wayNames[way], "angle / °", "breakaway torque / mNm"};
-  for (size_t turn = 0; turn < map.turnStatic_Nm[way].size(); ++turn) {
-    Curve curve;
-    curve.label = "turn " + std::to_string(turn + 1);
-    for (size_t k = 0; k < map.bins.size(); ++k) {
-      curve.x.push_back(map.bins[k].angle_rad * 180.0 / std::numbers::pi);
-      curve.y.push_back(1e3 * map.turnStatic_Nm[way][turn][k]);
-    }
-    figure.curves.push_back(std::move(curve));
+/// Mean torque at each speed, by way.
+std::array<Curve, 2> speedPoints(const Commission& done) {
+  std::array<Curve, 2> points;
+  for (const VelocityRun& run : done.runs) {
+    Curve& own = points[static_cast<size_t>(run.way())];
+    own.x.push_back(std::abs(run.target_rad_per_s));
+    own.y.push_back(1e3 * done.motor.torqueConstant_Nm_per_A.value * meanCurrent_A(run).value);
   }
-  return figure;
-}
-
-template <typename Get>
-Figure angleFigure(const FrictionMap& map, const std::string& title, const std::string& yLabel, double scale, Get get) {
-  Figure figure{title, "angle / °", yLabel};
-  for (size_t w = 0; w < 2; ++w) {
-    Curve curve;
-    curve.label = wayNames[w];
-    for (const MapBin& bin : map.bins) {
-      const Estimate estimate = get(bin.way[w]);
-      curve.x.push_back(bin.angle_rad * 180.0 / std::numbers::pi);
-      curve.y.push_back(scale * estimate.value);
-      curve.low.push_back(scale * estimate.low95());
-      curve.high.push_back(scale * estimate.high95());
-    }
-    figure.curves.push_back(std::move(curve));
-  }
-  return figure;
-}
-
-Figure speedFigure(const Commission& done) {
-  Figure figure{"Torque at constant speed", "speed / rad/s", "torque / mNm"};
-  const double Kt = done.motor.torqueConstant_Nm_per_A.value;
-  for (size_t w = 0; w < 2; ++w) {
-    Curve points, line;
-    points.label = wayNames[w];
-    points.style = Curve::Style::points;
-    points.width_px = 3.5;
-    points.colour = line.colour = static_cast<int>(w);
-    line.label = std::string("Coulomb and viscous, ") + wayNames[w];
-    double highest = 0.0;
-    for (const VelocityRun& run : done.runs) {
-      if (static_cast<size_t>(run.way()) != w) continue;
-      points.x.push_back(std::abs(run.target_rad_per_s));
-      points.y.push_back(1e3 * Kt * meanCurrent_A(run).value);
-      highest = std::max(highest, points.x.back());
-    }
-    for (const double speed : {0.0, highest}) {
-      line.x.push_back(speed);
-      line.y.push_back(1e3 *
-                       (done.moving[w].coulombMean_Nm.value + done.moving[w].viscousMean_Nm_s_per_rad.value * speed));
-    }
-    figure.curves.push_back(std::move(points));
-    figure.curves.push_back(std::move(line));
-  }
-  return figure;
-}
-
-double staticMean_Nm(const FrictionMap& map, size_t way) {
-  double sum = 0.0;
-  for (const MapBin& bin : map.bins) sum += bin.way[way].static_Nm.value;
-  return sum / static_cast<double>(map.bins.size());
+  return points;
 }
 
 void frictionChapter(HtmlReport& report, const Commission& done) {
@@ -128,10 +62,11 @@ void frictionChapter(HtmlReport& report, const Commission& done) {
   report.heading("Friction, motor and encoder");
   std::vector<std::vector<std::string>> rows;
   for (size_t w = 0; w < 2; ++w) {
-    rows.push_back(
-        {wayNames[w], numberText(1e3 * staticMean_Nm(map, w)), withInterval(done.moving[w].coulombMean_Nm, 1e3, "mNm"),
-         withInterval(done.moving[w].viscousMean_Nm_s_per_rad, 1e6, "µNm s/rad"),
-         numberText(map.repeatability[w].correlation), numberText(1e3 * map.repeatability[w].rmsDifference_Nm)});
+    rows.push_back({unitsOf(map.axis).ways[w], numberText(1e3 * staticMean(map, w)),
+                    withInterval(done.moving[w].coulombMean_Nm, 1e3, "mNm"),
+                    withInterval(done.moving[w].viscousMean_Nm_s_per_rad, 1e6, "µNm s/rad"),
+                    numberText(map.repeatability[w].correlation),
+                    numberText(1e3 * map.repeatability[w].rmsDifference_Nm)});
   }
   report.table(
       {"way", "breakaway, mean / mNm", "Coulomb", "viscous", "correlation of turns", "difference of turns / mNm rms"},
@@ -139,19 +74,19 @@ void frictionChapter(HtmlReport& report, const Commission& done) {
   report.figure(staticFigure(map),
                 "Whole motor torque that starts motion from standstill: friction and position torque.", polar_px,
                 polar_px);
-  for (size_t w = 0; w < 2; ++w) report.figure(turnsFigure(map, w));
-  report.figure(angleFigure(map, "Coulomb torque around the rotor", "torque / mNm", 1e3,
-                            [](const WayBin& bin) { return bin.coulomb_Nm; }),
+  for (size_t w = 0; w < 2; ++w) report.figure(passesFigure(map, w));
+  report.figure(mapFigure(map, "Coulomb torque around the rotor", "torque / mNm", 1e3,
+                          [](const WayBin& bin) { return bin.coulomb_Nm; }),
                 "Whole motor torque, extrapolated to zero speed from moving; the band is the 95 % interval.");
-  report.figure(angleFigure(map, "Viscous coefficient around the rotor", "coefficient / µNm s/rad", 1e6,
-                            [](const WayBin& bin) { return bin.viscous_Nm_s_per_rad; }),
+  report.figure(mapFigure(map, "Viscous coefficient around the rotor", "coefficient / µNm s/rad", 1e6,
+                          [](const WayBin& bin) { return bin.viscous_Nm_s_per_rad; }),
                 "Its slope with speed. Harmonics that don't stand out of the noise are left out.");
   Figure total{"Total torque around the rotor at " + numberText(map.totalVelocity_rad_per_s) + " rad/s", "",
                "torque / mNm"};
   total.polar = true;
   total.curves = aroundTheTurn(map, [](const WayBin& bin) { return 1e3 * bin.total_Nm; });
   report.figure(total, {}, polar_px, polar_px);
-  report.figure(speedFigure(done));
+  report.figure(speedFigure(done, speedPoints(done), "speed / rad/s"));
 }
 
 std::string reportHtml(const Commission& done, bool hasTruth) {
@@ -214,7 +149,7 @@ std::string inWords(const Commission& done) {
                 "Breakaway torque on average %.3g mNm clockwise and %.3g mNm counter-clockwise; consecutive turns "
                 "correlate by %.3f and %.3f. "
                 "Coulomb friction %.3g mNm (%.3g to %.3g), viscous friction %.3g µNm s/rad (%.3g to %.3g).",
-                1e3 * staticMean_Nm(map, 0), 1e3 * staticMean_Nm(map, 1), map.repeatability[0].correlation,
+                1e3 * staticMean(map, 0), 1e3 * staticMean(map, 1), map.repeatability[0].correlation,
                 map.repeatability[1].correlation, 1e3 * map.coulombAverage_Nm.value,
                 1e3 * map.coulombAverage_Nm.low95(), 1e3 * map.coulombAverage_Nm.high95(),
                 1e6 * map.viscousAverage_Nm_s_per_rad.value, 1e6 * map.viscousAverage_Nm_s_per_rad.low95(),

@@ -1,91 +1,32 @@
 #include "report/linear_report.h"
 
-#include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstdio>
 
 #include "report/html_report.h"
+#include "report/map_figures.h"
 #include "report/motor_chapter.h"
 
 namespace breakaway {
 
 namespace {
 
-constexpr const char* wayNames[] = {"backwards", "forwards"};
 constexpr double mm = 1e3;
 
-double staticMean_N(const FrictionMap& map, size_t way) {
-  double sum = 0.0;
-  for (const MapBin& bin : map.bins) sum += bin.way[way].static_Nm.value;
-  return sum / static_cast<double>(map.bins.size());
-}
-
-/// One curve per way over the travel, with its band.
-template <typename Get>
-Figure travelFigure(const FrictionMap& map, const std::string& title, const std::string& yLabel, Get get) {
-  Figure figure{title, "position / mm", yLabel};
-  for (size_t w = 0; w < 2; ++w) {
-    Curve curve;
-    curve.label = wayNames[w];
-    curve.colour = static_cast<int>(w);
-    for (const MapBin& bin : map.bins) {
-      const Estimate estimate = get(bin.way[w]);
-      curve.x.push_back(mm * bin.angle_rad);
-      curve.y.push_back(estimate.value);
-      curve.low.push_back(estimate.low95());
-      curve.high.push_back(estimate.high95());
-    }
-    figure.curves.push_back(std::move(curve));
-  }
-  return figure;
-}
-
 Figure breakawayFigure(const FrictionMap& map) {
-  Figure figure = travelFigure(map, "Breakaway force over the travel", "force / N",
-                               [](const WayBin& bin) { return bin.static_Nm; });
-  Curve outliers;
-  outliers.label = "outlier";
-  outliers.style = Curve::Style::points;
-  outliers.colour = 6;
-  outliers.width_px = 3.0;
-  for (const MapBin& bin : map.bins) {
-    for (const WayBin& way : bin.way) {
-      if (!way.outlier) continue;
-      outliers.x.push_back(mm * bin.angle_rad);
-      outliers.y.push_back(way.static_Nm.value);
-    }
-  }
+  Figure figure = mapFigure(map, "Breakaway force over the travel", "force / N", 1.0,
+                            [](const WayBin& bin) { return bin.static_Nm; });
+  Curve outliers = outlierCurve(map, mm);
   if (!outliers.x.empty()) figure.curves.push_back(std::move(outliers));
   return figure;
 }
 
-Figure passesFigure(const FrictionMap& map, size_t way) {
-  Figure figure{std::string("Pass by pass, ") + wayNames[way], "position / mm", "breakaway force / N"};
-  for (size_t pass = 0; pass < map.turnStatic_Nm[way].size(); ++pass) {
-    Curve curve;
-    curve.label = "pass " + std::to_string(pass + 1);
-    for (size_t k = 0; k < map.bins.size(); ++k) {
-      curve.x.push_back(mm * map.bins[k].angle_rad);
-      curve.y.push_back(map.turnStatic_Nm[way][pass][k]);
-    }
-    figure.curves.push_back(std::move(curve));
-  }
-  return figure;
-}
-
-/// Mean force of each speed's strokes, and the line through the averages.
-Figure speedFigure(const Commission& done) {
-  Figure figure{"Force at constant speed", "speed / m/s", "force / N"};
+/// Mean force of each speed's strokes, by way.
+std::array<Curve, 2> speedPoints(const Commission& done) {
   const double Kf = done.motor.torquePerShownAmpere_Nm(), m = done.motor.inertia_kg_m2.value;
+  std::array<Curve, 2> points;
   for (size_t w = 0; w < 2; ++w) {
     const double sign = w == 0 ? -1.0 : 1.0;
-    Curve points, line;
-    points.label = wayNames[w];
-    points.style = Curve::Style::points;
-    points.width_px = 3.5;
-    points.colour = line.colour = static_cast<int>(w);
-    line.label = std::string("Coulomb and viscous, ") + wayNames[w];
-    double highest = 0.0;
     for (const TravelRun& run : done.strokes) {
       double force = 0.0, speed = 0.0, crossed = 0.0;
       for (const TravelBinSums& sum : run.bins[w]) {
@@ -96,18 +37,11 @@ Figure speedFigure(const Commission& done) {
         crossed += 1.0;
       }
       if (crossed == 0.0) continue;
-      points.x.push_back(speed / crossed);
-      points.y.push_back(force / crossed);
-      highest = std::max(highest, points.x.back());
+      points[w].x.push_back(speed / crossed);
+      points[w].y.push_back(force / crossed);
     }
-    for (const double speed : {0.0, highest}) {
-      line.x.push_back(speed);
-      line.y.push_back(done.moving[w].coulombMean_Nm.value + done.moving[w].viscousMean_Nm_s_per_rad.value * speed);
-    }
-    figure.curves.push_back(std::move(points));
-    figure.curves.push_back(std::move(line));
   }
-  return figure;
+  return points;
 }
 
 void frictionChapter(HtmlReport& report, const Commission& done) {
@@ -115,7 +49,7 @@ void frictionChapter(HtmlReport& report, const Commission& done) {
   report.heading("Friction over the travel");
   std::vector<std::vector<std::string>> rows;
   for (size_t w = 0; w < 2; ++w) {
-    rows.push_back({wayNames[w], numberText(staticMean_N(map, w)),
+    rows.push_back({unitsOf(map.axis).ways[w], numberText(staticMean(map, w)),
                     withInterval(done.moving[w].coulombMean_Nm, 1.0, "N"),
                     withInterval(done.moving[w].viscousMean_Nm_s_per_rad, 1.0, "N s/m"),
                     numberText(map.repeatability[w].correlation), numberText(map.repeatability[w].rmsDifference_Nm)});
@@ -128,17 +62,17 @@ void frictionChapter(HtmlReport& report, const Commission& done) {
       "Whole motor force that starts motion from standstill: friction and position force; the band is the 95 % "
       "interval. Forwards is growing position.");
   for (size_t w = 0; w < 2; ++w) report.figure(passesFigure(map, w));
-  report.figure(
-      travelFigure(map, "Coulomb force over the travel", "force / N", [](const WayBin& bin) { return bin.coulomb_Nm; }),
-      "Whole motor force, extrapolated to zero speed from moving.");
-  report.figure(travelFigure(map, "Viscous coefficient over the travel", "coefficient / N s/m",
-                             [](const WayBin& bin) { return bin.viscous_Nm_s_per_rad; }),
+  report.figure(mapFigure(map, "Coulomb force over the travel", "force / N", 1.0,
+                          [](const WayBin& bin) { return bin.coulomb_Nm; }),
+                "Whole motor force, extrapolated to zero speed from moving.");
+  report.figure(mapFigure(map, "Viscous coefficient over the travel", "coefficient / N s/m", 1.0,
+                          [](const WayBin& bin) { return bin.viscous_Nm_s_per_rad; }),
                 "Its slope with speed, smoothed as far as the noise asks for it.");
-  report.figure(travelFigure(map, "Total force over the travel at " + numberText(map.totalVelocity_rad_per_s) + " m/s",
-                             "force / N", [](const WayBin& bin) {
-                               return Estimate{bin.total_Nm, 0.0};
-                             }));
-  report.figure(speedFigure(done));
+  report.figure(mapFigure(map, "Total force over the travel at " + numberText(map.totalVelocity_rad_per_s) + " m/s",
+                          "force / N", 1.0, [](const WayBin& bin) {
+                            return Estimate{bin.total_Nm, 0.0};
+                          }));
+  report.figure(speedFigure(done, speedPoints(done), "speed / m/s"));
 }
 
 }  // namespace
@@ -170,7 +104,7 @@ std::string linearInWords(const Commission& done) {
   std::snprintf(text, sizeof text,
                 "Breakaway force on average %.3g N backwards and %.3g N forwards; consecutive passes correlate by %.3f "
                 "and %.3f. Coulomb friction %.3g N (%.3g to %.3g), viscous friction %.3g N s/m (%.3g to %.3g).",
-                staticMean_N(map, 0), staticMean_N(map, 1), map.repeatability[0].correlation,
+                staticMean(map, 0), staticMean(map, 1), map.repeatability[0].correlation,
                 map.repeatability[1].correlation, map.coulombAverage_Nm.value, map.coulombAverage_Nm.low95(),
                 map.coulombAverage_Nm.high95(), map.viscousAverage_Nm_s_per_rad.value,
                 map.viscousAverage_Nm_s_per_rad.low95(), map.viscousAverage_Nm_s_per_rad.high95());

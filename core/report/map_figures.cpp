@@ -1,0 +1,107 @@
+#include "report/map_figures.h"
+
+#include <algorithm>
+#include <cctype>
+#include <numbers>
+#include <utility>
+
+namespace breakaway {
+
+namespace {
+
+std::string begun(std::string text) {
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text;
+}
+
+}  // namespace
+
+const MapUnits& unitsOf(Axis axis) {
+  static const MapUnits rotor{
+      {"clockwise", "counter-clockwise"}, "angle / °", 180.0 / std::numbers::pi, "torque", "mNm", 1e3, "turn"};
+  static const MapUnits travel{{"backwards", "forwards"}, "position / mm", 1e3, "force", "N", 1.0, "pass"};
+  return axis == Axis::linear ? travel : rotor;
+}
+
+double staticMean(const FrictionMap& map, size_t way) {
+  double sum = 0.0;
+  for (const MapBin& bin : map.bins) sum += bin.way[way].static_Nm.value;
+  return sum / static_cast<double>(map.bins.size());
+}
+
+Curve outlierCurve(const FrictionMap& map, double placeScale) {
+  Curve outliers;
+  outliers.label = "outlier";
+  outliers.style = Curve::Style::points;
+  outliers.colour = 6;
+  outliers.width_px = 3.0;
+  for (const MapBin& bin : map.bins) {
+    for (const WayBin& way : bin.way) {
+      if (!way.outlier) continue;
+      outliers.x.push_back(placeScale * bin.angle_rad);
+      outliers.y.push_back(unitsOf(map.axis).torqueScale * way.static_Nm.value);
+    }
+  }
+  return outliers;
+}
+
+Figure mapFigure(const FrictionMap& map, const std::string& title, const std::string& yTitle, double scale,
+                 Estimate (*get)(const WayBin&)) {
+  const MapUnits& units = unitsOf(map.axis);
+  Figure figure{title, units.place, yTitle};
+  for (size_t w = 0; w < 2; ++w) {
+    Curve curve;
+    curve.label = units.ways[w];
+    curve.colour = static_cast<int>(w);
+    for (const MapBin& bin : map.bins) {
+      const Estimate estimate = get(bin.way[w]);
+      curve.x.push_back(units.placeScale * bin.angle_rad);
+      curve.y.push_back(scale * estimate.value);
+      curve.low.push_back(scale * estimate.low95());
+      curve.high.push_back(scale * estimate.high95());
+    }
+    figure.curves.push_back(std::move(curve));
+  }
+  return figure;
+}
+
+Figure passesFigure(const FrictionMap& map, size_t way) {
+  const MapUnits& units = unitsOf(map.axis);
+  Figure figure{begun(units.pass) + " by " + units.pass + ", " + units.ways[way], units.place,
+                "breakaway " + units.torqueTitle()};
+  for (size_t pass = 0; pass < map.turnStatic_Nm[way].size(); ++pass) {
+    Curve curve;
+    curve.label = std::string(units.pass) + " " + std::to_string(pass + 1);
+    for (size_t k = 0; k < map.bins.size(); ++k) {
+      curve.x.push_back(units.placeScale * map.bins[k].angle_rad);
+      curve.y.push_back(units.torqueScale * map.turnStatic_Nm[way][pass][k]);
+    }
+    figure.curves.push_back(std::move(curve));
+  }
+  return figure;
+}
+
+Figure speedFigure(const Commission& done, std::array<Curve, 2> points, const std::string& speedTitle) {
+  const MapUnits& units = unitsOf(done.map.axis);
+  Figure figure{begun(units.torque) + " at constant speed", speedTitle, units.torqueTitle()};
+  for (size_t w = 0; w < 2; ++w) {
+    points[w].label = units.ways[w];
+    points[w].style = Curve::Style::points;
+    points[w].width_px = 3.5;
+    Curve line;
+    points[w].colour = line.colour = static_cast<int>(w);
+    line.label = std::string("Coulomb and viscous, ") + units.ways[w];
+    double highest = 0.0;
+    for (const double speed : points[w].x) highest = std::max(highest, speed);
+    for (const double speed : {0.0, highest}) {
+      line.x.push_back(speed);
+      line.y.push_back(units.torqueScale *
+                       (done.moving[w].coulombMean_Nm.value + done.moving[w].viscousMean_Nm_s_per_rad.value * speed));
+    }
+    figure.curves.push_back(std::move(points[w]));
+    figure.curves.push_back(std::move(line));
+  }
+  return figure;
+}
+
+}  // namespace breakaway

@@ -1,0 +1,39 @@
+// What reports of rotors and of linear axes draw alike: a map's figures, in the units of the axis.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "friction/friction_map.h"
+#include "report/commission.h"
+#include "report/html_report.h"
+
+namespace breakaway {
+
+/// How an axis' places, torque and ways are written.
+struct MapUnits {
+  std::array<const char*, 2> ways;
+  const char* place;  ///< axis title
+  double placeScale;
+  const char* torque;      ///< "torque" or "force"
+  const char* torqueUnit;  ///< "mNm" or "N"
+  double torqueScale;
+  const char* pass;  ///< "turn" or "pass"
+
+  std::string torqueTitle() const { return std::string(torque) + " / " + torqueUnit; }
+};
+const MapUnits& unitsOf(Axis axis);
+
+/// Nm or N.
+double staticMean(const FrictionMap& map, size_t way);
+/// The breakaways that were marked as outliers; empty where there is none.
+Curve outlierCurve(const FrictionMap& map, double placeScale);
+/// One curve per way over the places, each with its 95 % band, times `scale`.
+Figure mapFigure(const FrictionMap& map, const std::string& title, const std::string& yTitle, double scale,
+                 Estimate (*get)(const WayBin&));
+/// One curve per turn or pass.
+Figure passesFigure(const FrictionMap& map, size_t way);
+/// By way the `points` at constant speed, and the line through the averages.
+Figure speedFigure(const Commission& done, std::array<Curve, 2> points, const std::string& speedTitle);
+
+}  // namespace breakaway
