@@ -218,7 +218,7 @@ void BreakawaySweep::takeEvent() {
   recent_A_[w] = event.commanded_A - sign() * hold_A();
   if (moving > 0.0) recentOverMoving_[w] = *recent_A_[w] / moving;
   missedInARow_ = 0;
-  tour_.take(std::move(event));
+  tour_.take(event);
 }
 
 void BreakawaySweep::advanceStep(const Sample& sample) {

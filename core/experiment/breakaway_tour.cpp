@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace breakaway {
 
@@ -54,7 +53,7 @@ void BreakawayTour::take(BreakawayEvent event) {
     std::nth_element(before.begin(), middle, before.end());
     event.outlier = std::abs(event.torque_Nm - *middle) > 0.5 * std::abs(*middle);
   }
-  events_.push_back(std::move(event));
+  events_.push_back(event);
 }
 
 double BreakawayTour::remaining_s(double elapsed_s, double usual_s) const {

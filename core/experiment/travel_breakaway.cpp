@@ -171,7 +171,7 @@ void TravelBreakaway::takeEvent() {
   const double moving = moving_A(way()) - sign() * hold_A();
   if (moving > 0.0) overMoving_[static_cast<size_t>(way())] = (event.commanded_A - sign() * hold_A()) / moving;
   missedInARow_ = 0;
-  tour_.take(std::move(event));
+  tour_.take(event);
 }
 
 void TravelBreakaway::advanceStep(const Sample& sample) {
