@@ -24,6 +24,10 @@ struct Finding {
   std::string sentence;
 };
 
+/// What a map of the unexplained shows. `friction` is the same torque counted along the motion: what resists whichever
+/// way it goes.
+enum class Unknown { torque, friction, voltage };
+
 /// A stretch of one axis on which simulation and recording part.
 struct Place {
   std::string axis;  ///< time, angle, velocity, acceleration, current, reversal, frequency, temperature
@@ -35,6 +39,8 @@ struct Place {
   std::string sentence;
   double size = 0.0;            ///< mean of the unexplained there, as an absolute value
   std::string sizeUnit = "Nm";  ///< or N, or V
+  Unknown shows = Unknown::torque;
+  bool ofSomeSpeeds = false;  ///< it shows there at some speeds only
 };
 
 /// RMSE of the position over windows that restart every window_s, as simulate() does it.

@@ -191,6 +191,8 @@ Place placeOf(const ResidualMap& whole, const Model& model) {
   if (map.axis == "reversal") place.from = std::max(0.0, place.from);
   place.sentence = sentenceOf(map, at, place, model.axis);
   place.size = std::abs(at.mean);
+  place.shows = map.shows;
+  place.ofSomeSpeeds = map.ofSomeSpeeds();
   if (model.axis == Axis::linear) place.sizeUnit = "N";
   if (map.shows == Unknown::voltage) place.sizeUnit = "V";
   return place;

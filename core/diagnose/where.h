@@ -12,9 +12,6 @@
 
 namespace breakaway {
 
-/// What a map shows. `friction` is the same torque counted along the motion: what resists whichever way it goes.
-enum class Unknown { torque, friction, voltage };
-
 /// An order of the turn: so many waves per turn.
 struct Order {
   int number = 0;

@@ -181,32 +181,36 @@ Curve bandOf(const ResidualMap& map, const MapText& text, const std::string& lab
   return curve;
 }
 
+/// The map that a place was found in, of those that one model leaves; null where there is none.
+const ResidualMap* mapOf(const Place& place, const std::vector<ResidualMap>& maps) {
+  const ResidualMap* found = nullptr;  // of several ranges of speeds the one that shows more
+  for (const ResidualMap& map : maps) {
+    const bool same = map.axis == place.axis && map.unit == place.unit && map.shows == place.shows &&
+                      map.ofSomeSpeeds() == place.ofSomeSpeeds;
+    if (same && (found == nullptr || showsMore(map, *found))) found = &map;
+  }
+  return found;
+}
+
 /// The unexplained over each axis where it showed, before and after.
 void addWhereFigures(std::vector<NamedFigure>& figures, const Diagnosis& d, const std::vector<Track>& tracks) {
   const auto before = residualMaps(d.base, tracks, 1), after = residualMaps(d.model, tracks, 1);
-  for (const ResidualMap& map : before) {
-    const auto place = std::find_if(d.where.begin(), d.where.end(),
-                                    [&map](const Place& one) { return one.axis == map.axis && one.unit == map.unit; });
-    // Of the maps over one axis the one that shows more.
-    const bool second = std::any_of(before.begin(), before.end(), [&map](const ResidualMap& one) {
-      return one.axis == map.axis && one.unit == map.unit && showsMore(one, map);
-    });
-    if (place == d.where.end() || second) continue;
-    const MapText text = textOf(map, d.model.axis);
-    const bool volts = map.shows == Unknown::voltage;
+  for (const Place& place : d.where) {
+    const ResidualMap* map = mapOf(place, before);
+    const std::string name = "where_" + place.axis + (place.shows == Unknown::voltage ? "_voltage" : "");
+    const bool drawn =
+        std::any_of(figures.begin(), figures.end(), [&name](const NamedFigure& one) { return one.name == name; });
+    if (map == nullptr || drawn) continue;
+    const MapText text = textOf(*map, d.model.axis);
     Figure figure{.title = "Where: over " + text.label.substr(0, text.label.find(" /")),
                   .xLabel = text.label,
                   .yLabel = text.value};
-    figure.logX = map.axis == "frequency";
-    figure.curves.push_back(bandOf(map, text, beforeLabel, beforeColour));
-    const auto same = std::find_if(after.begin(), after.end(), [&map](const ResidualMap& one) {
-      return one.axis == map.axis && one.shows == map.shows && one.unit == map.unit &&
-             one.ofSomeSpeeds() == map.ofSomeSpeeds();
-    });
-    if (!d.findings.empty() && same != after.end())
-      figure.curves.push_back(bandOf(*same, text, afterLabel, afterColour));
-    figure.highlights.push_back({text.scale * place->from, text.scale * place->to, "most here"});
-    figures.push_back({"where_" + map.axis + (volts ? "_voltage" : ""), place->sentence + " Bands: 95 %.", figure});
+    figure.logX = map->axis == "frequency";
+    figure.curves.push_back(bandOf(*map, text, beforeLabel, beforeColour));
+    const ResidualMap* same = mapOf(place, after);
+    if (!d.findings.empty() && same != nullptr) figure.curves.push_back(bandOf(*same, text, afterLabel, afterColour));
+    figure.highlights.push_back({text.scale * place.from, text.scale * place.to, "most here"});
+    figures.push_back({name, place.sentence + " Bands: 95 %.", figure});
   }
 }
 
@@ -255,7 +259,7 @@ std::string gainSvg(const Diagnosis& d) {
     const double y = top + row * static_cast<double>(k), end = left + (right - left) * bars[k].value / most;
     const double cap = std::min(8.0, 0.5 * (end - left));  // ends are round
     canvas.text(left - 10.0, y + 4.0, bars[k].label, SvgCanvas::Anchor::end, Ink::text, 13.0);
-    canvas.curve("M" + px(left) + " " + px(y) + "H" + px(std::max(end, left + 1.0)),
+    canvas.curve("M" + px(left + cap) + " " + px(y) + "H" + px(std::max(end - cap, left + cap + 0.01)),
                  Curve{.label = {}, .x = {}, .y = {}, .width_px = 2.0 * cap}, bars[k].colour);
     canvas.text(end + 14.0, y + 4.0, numberText(shown.scale * bars[k].value, 3) + " " + shown.unit,
                 SvgCanvas::Anchor::start, Ink::text, 13.0);

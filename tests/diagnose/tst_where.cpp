@@ -71,6 +71,7 @@ class TestWhere : public QObject {
   void higherFrictionOverAStretch_isSaidInDegreesBothWays();
   void stretchOverZero_isOnePlace();
   void insignificantMap_isNoPlace();
+  void strongerMapByChance_givesWayToASureOne();
   void whiteSeries_isWhite_andADriftIsNot();
   void rivals_getOneExperimentThatTellsThemApart();
   void nothingMissing_namesWhatThisRecordingCouldNotShow();
@@ -99,6 +100,7 @@ void TestWhere::higherFrictionOverAStretch_isSaidInDegreesBothWays() {
   QVERIFY(std::abs(found.front().from - 40.0 * degree) < 1e-9 && std::abs(found.front().to - 95.0 * degree) < 1e-9);
   QVERIFY(std::abs(found.front().share - 0.6) < 1e-9);
   QVERIFY(std::abs(found.front().size - 1.8e-3) < 1e-9);
+  QVERIFY(found.front().shows == Unknown::friction && !found.front().ofSomeSpeeds);
   const auto lower = places({frictionOverAngle(-1.8)}, Model{});
   QCOMPARE(lower.front().sentence,
            std::string("The axis needs 1.8 mNm less than the model between 40° and 95°, both ways."));
@@ -118,6 +120,17 @@ void TestWhere::insignificantMap_isNoPlace() {
   ResidualMap map = frictionOverAngle(1.8);
   map.pValue = 0.2;
   QVERIFY(places({map}, Model{}).empty());
+}
+
+void TestWhere::strongerMapByChance_givesWayToASureOne() {
+  ResidualMap chance = frictionOverAngle(5.0), sure = frictionOverAngle(1.8);
+  chance.pValue = 0.2;
+  sure.shows = Unknown::torque;
+  sure.share = 0.3;
+  const auto found = places({chance, sure}, Model{});
+  QCOMPARE(found.size(), size_t(1));
+  QVERIFY(found.front().shows == Unknown::torque);  // which a picture of the place draws
+  QVERIFY(std::abs(found.front().size - 1.8e-3) < 1e-9);
 }
 
 void TestWhere::whiteSeries_isWhite_andADriftIsNot() {
