@@ -59,6 +59,12 @@ bool plausible(const EffectTerm& term, const Excitation& seen) {
   return plausible(*findEffect(term.effect), valuesOf(term), seen);
 }
 
+bool possible(const Model& model, const Excitation& seen) {
+  return std::all_of(model.effects.begin(), model.effects.end(), [&seen](const EffectTerm& term) {
+    return findEffect(term.effect)->plausible(valuesOf(term), seen);
+  });
+}
+
 bool plausible(const Model& model, const Excitation& seen) {
   return std::all_of(model.effects.begin(), model.effects.end(),
                      [&seen](const EffectTerm& term) { return plausible(term, seen); });

@@ -44,6 +44,8 @@ std::vector<Model> variantsOf(const Model& model);
 bool plausible(const Effect& effect, const std::vector<double>& parameters, const Excitation& seen);
 bool plausible(const EffectTerm& term, const Excitation& seen);
 bool plausible(const Model& model, const Excitation& seen);
+/// The same, however small the effects are.
+bool possible(const Model& model, const Excitation& seen);
 
 /// Whether the effect's amplitude, its first parameter, can't be told from zero.
 bool vanishes(const Model& model, const Effect& effect);

@@ -102,7 +102,7 @@ void Rivals::tryInPlace(SearchResult& result, size_t k, const FitResult& left, c
     start = with(input_, start, picks.back());
   }
   FitResult fit = fits_.fresh(start);
-  if (!fit.usable || !plausible(fit.model, input_.seen)) return;
+  if (!fit.usable || !possible(fit.model, input_.seen)) return;
   const auto errors = fits_.worth().validated(fit);
   if (!std::isfinite(mean(errors))) return;
   const Comparison ahead = compare(errors, best, input_.seed);
@@ -119,6 +119,8 @@ void Rivals::tryInPlace(SearchResult& result, size_t k, const FitResult& left, c
                       (!freer || fits_.clearlyBetterFromRestarts(fit.model, result.best.model));
   const bool simpler = freedomOf(fit.model, *rival.effect) < freedomOf(result.best.model, *chosen.effect) &&
                        mean(fit.windowSquares) < hardlyMore * mean(result.best.windowSquares);
+  // Something is there, if the chosen effect is: one that does better may be as small as it likes.
+  if (!better && !plausible(fit.model, input_.seen)) return;
   if (!better && !simpler && (ahead.inErrors >= 2.0 || clearlyWorse)) return;
   // A push at a time of its own explains whatever happened then: physics that does as well is the better name.
   const bool physics = chosen.effect->happensOnce() && !rival.effect->happensOnce();
