@@ -52,7 +52,7 @@ Result<Model> fitted(const FitLine& line, const Preparation& prepared) {
                 100.0 * fit->relativeError);
     return fit->model;
   }
-  const SearchInput input{prepared.tracks, prepared.split, prepared.held, prepared.seen, 1, {}, {}, {}, {}};
+  const SearchInput input(prepared, 1);
   auto fit = fitNamed(input, prepared.starts, line.effects);
   if (!fit) return fit.error();
   std::printf("least squares over %zu restarted windows: %s\n", prepared.split.train.size(), fit->termination.c_str());
@@ -65,7 +65,7 @@ Result<void> runFit(const FitLine& line) {
   if (!bench) return bench.error();
   const auto recordings = readRecordings(line.recordings);
   if (!recordings) return recordings.error();
-  const auto prepared = prepare(*bench, *recordings, {}, 0.5, true);
+  const auto prepared = prepare(*bench, *recordings, {}, 0.5, HeldOut::none);
   if (!prepared) return prepared.error();
   const auto model = fitted(line, *prepared);
   if (!model) return model.error();

@@ -11,13 +11,14 @@
 #include "diagnose/fit/windowed_fit.h"
 #include "diagnose/noise_floor.h"
 #include "diagnose/proof.h"
+#include "diagnose/search/swinging_load.h"
 #include "diagnose/simulate/physics.h"
 
 namespace breakaway {
 
 namespace {
 
-constexpr double leastShare = 0.03;
+constexpr double leastShare = 0.03, littleShare = 0.1;
 constexpr double muchIsLeft = 0.4;  ///< of the base model's excess error
 constexpr double mostIsExplained = 0.5;
 constexpr double glaringShare = 0.8;
@@ -124,11 +125,6 @@ bool showsInCurrent(const SearchResult& result) {
   return result.best.currentSquares < (1.0 - leastOfCurrent) * result.base.currentSquares;
 }
 
-bool allHappenOnce(const std::vector<Finding>& findings) {
-  return std::all_of(findings.begin(), findings.end(),
-                     [](const Finding& one) { return findEffect(one.effect)->happensOnce(); });
-}
-
 /// Whether there may be none of it.
 bool mayBeNothing(const Finding& finding) {
   const Parameter& amplitude = finding.parameters.front();
@@ -140,15 +136,21 @@ bool isVague(const std::vector<Finding>& findings) {
   return findings.size() == 1 && findings.front().share <= mostIsExplained && mayBeNothing(findings.front());
 }
 
-/// Beside others, what takes hardly anything away and may be nothing at all.
-bool isIdle(const Finding& finding) {
-  return finding.share < leastShare && mayBeNothing(finding);
+/// What happens once, and is no larger than what friction may do by itself.
+bool isScatter(const Finding& finding, double coulomb) {
+  const bool small = std::abs(finding.parameters.front().value) < scatteredPart * coulomb;
+  return small && findEffect(finding.effect)->happensOnce();
+}
+
+/// Beside others, what takes hardly anything away and may be nothing at all, or little and may be friction's scatter.
+bool isIdle(const Finding& finding, double coulomb) {
+  return (finding.share < leastShare && mayBeNothing(finding)) ||
+         (finding.share < littleShare && isScatter(finding, coulomb));
 }
 
 /// What a rig that lacks nothing may seem to have where the base model errs by little more than its sensors do.
 bool isFaint(const Finding& finding, double coulomb) {
-  const bool small = std::abs(finding.parameters.front().value) < scatteredPart * coulomb;
-  return mayBeNothing(finding) || (small && findEffect(finding.effect)->happensOnce());
+  return mayBeNothing(finding) || isScatter(finding, coulomb);
 }
 
 class Judge {
@@ -191,7 +193,7 @@ class Judge {
     const double coulomb = physicsOf(judged.model).coulomb;
     const auto& all = judged.findings;
     const auto one = std::find_if(all.begin(), all.end(), [&](const Finding& finding) {
-      return (all.size() > 1 && isIdle(finding)) || (near && isFaint(finding, coulomb));
+      return (all.size() > 1 && isIdle(finding, coulomb)) || (near && isFaint(finding, coulomb));
     });
     if (one == all.end()) return std::nullopt;
     return one - all.begin();
@@ -233,8 +235,9 @@ class Judge {
     const double held = out.fit.heldoutAfter / out.fit.heldoutBefore;
     // Where they show much, a finding that takes hardly any of it away explains something else.
     const bool muchHeld = out.fit.heldoutBefore > muchFloors * out.fit.floor;
-    // In few windows, or in a current that moves nothing.
-    const bool elsewhere = currentToo || (ofAll >= glaringShare && (!muchHeld || allHappenOnce(out.findings)));
+    // In few windows, or in a current that moves nothing; a load swings in all of them.
+    const bool inFew = ofAll >= glaringShare && !swings(out.model);
+    const bool elsewhere = currentToo || (inFew && (!muchHeld || allHappenOnce(out.findings)));
     if (held > (elsewhere ? muchWorseOnHeldout : muchHeld ? hardlyLessOnHeldout : worseOnHeldout))
       return Opinion::heldoutRefuses;
     // A load that swings may run away in single windows after a restart and still be right in most; then the held-out
@@ -265,6 +268,11 @@ class Judge {
 };
 
 }  // namespace
+
+bool allHappenOnce(const std::vector<Finding>& findings) {
+  return std::all_of(findings.begin(), findings.end(),
+                     [](const Finding& one) { return findEffect(one.effect)->happensOnce(); });
+}
 
 Judgement judge(const Bench& bench, const Preparation& prepared, const SearchInput& input, const SearchResult& found) {
   return Judge(bench, prepared, input, found).judged();

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "diagnose/catalogue.h"
 #include "diagnose/channel_checks.h"
@@ -14,7 +16,8 @@ namespace breakaway {
 
 namespace {
 
-constexpr double bridged_s = 0.02;  ///< from reading to reading, over which a line is near enough
+constexpr double bridged_s = 0.02;       ///< from reading to reading, over which a line is near enough
+constexpr double inductanceReach = 1.5;  ///< a factor up and down
 
 /// The shortest look back that knows the velocity to a thousandth of the higher speeds; a longer one lets the model's
 /// own faults in.
@@ -45,6 +48,20 @@ std::vector<std::string> gauge(const Bench& bench, const std::vector<Track>& tra
   if (scaled && trusts(names.torqueConstant)) return {};
   if (scaled) return {names.resistance};
   return {names.resistance, names.torqueConstant};
+}
+
+/// The fits' inductance stays near what the starts have, or between that and what the current shows.
+void limitInductance(Freedom& freedom, const std::vector<Model>& starts, std::optional<double> shown) {
+  double least = shown.value_or(std::numeric_limits<double>::infinity()), most = shown.value_or(0.0);
+  for (const Model& start : starts) {
+    const auto inductance = start.baseValue(motorNames(start.axis).inductance);
+    if (!inductance) continue;
+    least = std::min(least, *inductance);
+    most = std::max(most, *inductance);
+  }
+  if (most <= 0.0) return;
+  freedom.leastInductance_H = least / inductanceReach;
+  freedom.mostInductance_H = most * inductanceReach;
 }
 
 /// Copies of the first `count` tracks whose rows outside all training windows count as disconnected, so that no inverse
@@ -116,7 +133,7 @@ Model withDoubts(Model model, const Preparation& prepared) {
 }
 
 Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& recordings,
-                            const std::vector<Recording>& heldout, double window_s, bool whole) {
+                            const std::vector<Recording>& heldout, double window_s, HeldOut part) {
   Preparation out;
   for (const auto* group : {&recordings, &heldout}) {
     for (const Recording& recording : *group) {
@@ -132,22 +149,24 @@ Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& re
     }
   }
   out.recordings = recordings.size();
-  auto split = whole ? wholeTracks(out.tracks, window_s) : splitTracks(out.tracks, recordings.size(), window_s);
+  auto split = splitTracks(out.tracks, recordings.size(), window_s, part);
   if (!split) return split.error();
   out.split = std::move(*split);
   out.training = maskedTracks(out.tracks, recordings.size(), out.split);
   const std::vector<Track>& training = out.training;
-  for (const Bench& one : startingWindings(bench, training)) {
+  const StartingWindings windings = startingWindings(bench, training);
+  for (const Bench& one : windings.benches) {
     auto starts = startModels(one, training);
     if (!starts) return starts.error();
     out.starts.insert(out.starts.end(), starts->begin(), starts->end());
   }
   out.seen = excitationOf(training, out.starts.front());
-  out.held.assign(bench.trusted.begin(), bench.trusted.end());
+  out.freedom.held.assign(bench.trusted.begin(), bench.trusted.end());
+  limitInductance(out.freedom, out.starts, windings.shownInductance_H);
   std::string held;
   for (const std::string& name : gauge(bench, training)) {
     if (bench.trusted.count(name) > 0) continue;
-    out.held.push_back(name);
+    out.freedom.held.push_back(name);
     held += (held.empty() ? "" : ", ") + name;
   }
   out.scaleDoubted = !held.empty();

@@ -6,6 +6,7 @@
 
 #include "base/result.h"
 #include "diagnose/effect.h"
+#include "diagnose/fit/parameter_vector.h"
 #include "diagnose/simulate/model.h"
 #include "diagnose/split.h"
 #include "motor/bench.h"
@@ -21,15 +22,15 @@ struct Preparation {
   Split split;
   std::vector<Model> starts;  ///< base models with start values and the restart's horizon, the inverse model's first
   Excitation seen;
-  std::vector<std::string> held;  ///< trusted base parameters, and those that set the scale
-  bool scaleDoubted = false;      ///< the scale of all torques rests on a value that nobody trusts
+  Freedom freedom;
+  bool scaleDoubted = false;  ///< the scale of all torques rests on a value that nobody trusts
   std::vector<std::string> remarks;
 };
 
-/// Checks the channels, splits (or, with `whole`, takes everything for training), and finds start values. Errors name
-/// the recording and what it lacks: a channel, any value, length, motion.
+/// Checks the channels, splits, and finds start values. Errors name the recording and what it lacks: a channel, any
+/// value, length, motion.
 Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& recordings,
-                            const std::vector<Recording>& heldout, double window_s, bool whole);
+                            const std::vector<Recording>& heldout, double window_s, HeldOut part = HeldOut::last);
 
 /// The model with intervals that also carry what least squares can't know: each effect's own doubt
 /// (ParameterSpec::doubt), and the doubt of 10 % about an untrusted value that sets the scale (torques and inertias).

@@ -29,14 +29,15 @@ void append(std::vector<Window>& to, std::vector<Window> from) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
-/// Held-out stretches of one recording of `length` s: the last fifth of each part of about 30 s.
-std::vector<Stretch> heldoutStretches(double length) {
+/// Held-out stretches of one recording of `length` s: a fifth of each part of about 30 s.
+std::vector<Stretch> heldoutStretches(double length, HeldOut part) {
   const double parts = std::clamp(std::round(length / 30.0), 1.0, 8.0);
   std::vector<Stretch> stretches;
   for (double k = 1.0; k <= parts; k += 1.0) {
-    const double to = k * length / parts;
+    const bool middle = part == HeldOut::middle;
+    const double to = (middle ? k - 0.4 : k) * length / parts;
     const double from = std::round(to - std::max(1.0, 0.2 * length / parts));
-    stretches.push_back({from, k < parts ? std::floor(to) : length + 1.0});
+    stretches.push_back({from, k < parts || middle ? std::floor(to) : length + 1.0});
   }
   return stretches;
 }
@@ -117,9 +118,28 @@ void assignFolds(Split& split) {
   for (size_t k = 0; k < n; ++k) split.fold.push_back(static_cast<int>(k / length) % folds);
 }
 
+Result<Split> wholeTracks(const std::vector<Track>& tracks, double window_s) {
+  Split split;
+  const double total = totalTime(tracks, tracks.size());
+  const double fitWindow = total >= 15.0 ? std::max(1.0, window_s) : window_s;
+  for (size_t k = 0; k < tracks.size(); ++k) {
+    append(split.train, windowsOf(tracks, k, 0, tracks[k].rows(), fitWindow));
+    appendOverlapping(split.polish, tracks[k], k, 0, tracks[k].rows(), fitWindow);
+    append(split.trainScore, windowsOf(tracks, k, 0, tracks[k].rows(), window_s));
+  }
+  dropUnknown(split, tracks);
+  if (split.train.size() < fewestWindows)
+    return tooShort(tracks.front(), total, static_cast<double>(fewestWindows) * fitWindow, split.train.size(),
+                    fitWindow);
+  thinTraining(split);
+  assignFolds(split);
+  return split;
+}
+
 }  // namespace
 
-Result<Split> splitTracks(const std::vector<Track>& tracks, size_t recordings, double window_s) {
+Result<Split> splitTracks(const std::vector<Track>& tracks, size_t recordings, double window_s, HeldOut part) {
+  if (part == HeldOut::none) return wholeTracks(tracks, window_s);
   Split split;
   split.separateRecording = recordings < tracks.size();
   const double total = totalTime(tracks, recordings);
@@ -141,8 +161,9 @@ Result<Split> splitTracks(const std::vector<Track>& tracks, size_t recordings, d
       train(0, track.rows());
       continue;
     }
+    split.blocks = true;
     double from = 0.0;
-    for (const Stretch& stretch : heldoutStretches(track.time.back())) {
+    for (const Stretch& stretch : heldoutStretches(track.time.back(), part)) {
       train(from > 0.0 ? rowAt(track, from) : 0, rowAt(track, stretch.from - gap_s));
       append(split.heldoutScore, windowsOf(tracks, k, rowAt(track, stretch.from), rowAt(track, stretch.to), window_s));
       if (k == 0) split.heldoutRows.emplace_back(rowAt(track, stretch.from), rowAt(track, stretch.to));
@@ -154,24 +175,6 @@ Result<Split> splitTracks(const std::vector<Track>& tracks, size_t recordings, d
   const double needed = (static_cast<double>(fewestWindows) * fitWindow + gap_s) / 0.8;
   if (split.train.size() < fewestWindows || split.heldoutScore.size() < 2)
     return tooShort(tracks.front(), total, needed, split.train.size(), fitWindow);
-  thinTraining(split);
-  assignFolds(split);
-  return split;
-}
-
-Result<Split> wholeTracks(const std::vector<Track>& tracks, double window_s) {
-  Split split;
-  const double total = totalTime(tracks, tracks.size());
-  const double fitWindow = total >= 15.0 ? std::max(1.0, window_s) : window_s;
-  for (size_t k = 0; k < tracks.size(); ++k) {
-    append(split.train, windowsOf(tracks, k, 0, tracks[k].rows(), fitWindow));
-    appendOverlapping(split.polish, tracks[k], k, 0, tracks[k].rows(), fitWindow);
-    append(split.trainScore, windowsOf(tracks, k, 0, tracks[k].rows(), window_s));
-  }
-  dropUnknown(split, tracks);
-  if (split.train.size() < fewestWindows)
-    return tooShort(tracks.front(), total, static_cast<double>(fewestWindows) * fitWindow, split.train.size(),
-                    fitWindow);
   thinTraining(split);
   assignFolds(split);
   return split;

@@ -18,17 +18,19 @@ struct Split {
   std::vector<Window> heldoutScore;
   std::vector<std::pair<size_t, size_t>> heldoutRows;  ///< [first, last + 1) of the first recording
   bool separateRecording = false;
+  bool blocks = false;  ///< held out are parts of the recordings that train
 };
 
 constexpr int folds = 4;
 
+/// Which fifth of each half minute of the recordings themselves is held out.
+enum class HeldOut { none, last, middle };
+
 /// The first `recordings` tracks train; the others, if any, are held out. Without others, blocks of the recordings
 /// themselves are held out, a fifth of the time, at least 1 s away from any training sample; of four or more recordings
-/// too short for that, every fourth is held out as a whole. Training windows last 1 s when there are 15 s or more, else
-/// window_s. Errors: too short to fit.
-Result<Split> splitTracks(const std::vector<Track>& tracks, size_t recordings, double window_s);
-
-/// All of the tracks as training windows, for fits without a proof.
-Result<Split> wholeTracks(const std::vector<Track>& tracks, double window_s);
+/// too short for that, every fourth is held out as a whole. With HeldOut::none all tracks train, for fits without a
+/// proof. Training windows last 1 s when there are 15 s or more, else window_s. Errors: too short to fit.
+Result<Split> splitTracks(const std::vector<Track>& tracks, size_t recordings, double window_s,
+                          HeldOut part = HeldOut::last);
 
 }  // namespace breakaway

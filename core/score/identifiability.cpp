@@ -71,17 +71,9 @@ Result<Identifiability> identifiability(const SealedTrial& trial) {
   for (const std::string& name : truth) {
     if (findEffect(name) == nullptr) return Error{"effect " + name, "is not in the catalogue"};
   }
-  const auto prepared = prepare(trial.bench, trial.recordings, trial.heldout, window_s, false);
+  const auto prepared = prepare(trial.bench, trial.recordings, trial.heldout, window_s);
   if (!prepared) return prepared.error();
-  const SearchInput input{.tracks = prepared->tracks,
-                          .split = prepared->split,
-                          .held = prepared->held,
-                          .seen = prepared->seen,
-                          .seed = 1,
-                          .stop = {},
-                          .progress = {},
-                          .named = {},
-                          .windowWeights = {}};
+  const SearchInput input(*prepared, 1);
   const auto& windows = prepared->split.heldoutScore;
   const auto errorsOf = [&](const Model& model) { return scoreWindows(model, prepared->tracks, windows); };
   const auto fittedBase = fitNamed(input, prepared->starts, {});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -21,7 +22,7 @@ using namespace breakaway;
 namespace {
 
 struct Options {
-  std::string results, shard = "1/1";
+  std::string results, baselines, shard = "1/1";
   std::vector<std::string> families;
   size_t count = 0;
   bool tuning = false, printOnly = false;
@@ -59,10 +60,14 @@ std::vector<Job> jobsOf(const Options& options) {
   return jobs;
 }
 
-ScoredTrial scoredTrial(const Job& job) {
+/// `known` is an earlier score of the same trial: what the baselines say doesn't rest on the search.
+ScoredTrial scoredTrial(const Job& job, const ScoredTrial* known) {
   const SealedTrial trial = makeTrial(job.family, job.seed);
   ScoredTrial scored = judge(trial, diagnose(trial.bench, trial.recordings, trial.heldout, {}));
-  if (const auto prepared = prepare(trial.bench, trial.recordings, trial.heldout, 0.5, false)) {
+  if (known != nullptr) {
+    scored.stepwise = known->stepwise;
+    scored.thresholded = known->thresholded;
+  } else if (const auto prepared = prepare(trial.bench, trial.recordings, trial.heldout, 0.5)) {
     const test::TorqueColumns columns = test::torqueColumns(*prepared);
     scored.stepwise = test::stepwiseNames(columns);
     scored.thresholded = test::thresholdedNames(columns);
@@ -78,12 +83,12 @@ ScoredTrial scoredTrial(const Job& job) {
   return scored;
 }
 
-Result<std::vector<ScoredTrial>> readScored(const Options& options) {
-  const auto lines = readWholeLines(options.results);
+Result<std::vector<ScoredTrial>> readScored(const Options& options, const std::string& file) {
+  const auto lines = readWholeLines(file);
   if (!lines) return lines.error();
   std::vector<ScoredTrial> trials;
   for (size_t k = 0; k < lines->size(); ++k) {
-    auto trial = parseScoredLine((*lines)[k], options.results + ", line " + std::to_string(k + 1));
+    auto trial = parseScoredLine((*lines)[k], file + ", line " + std::to_string(k + 1));
     if (!trial) return trial.error();
     const auto& wanted = options.families;
     if (options.seeds().holds(trial->seed) && std::find(wanted.begin(), wanted.end(), trial->family) != wanted.end())
@@ -95,8 +100,14 @@ Result<std::vector<ScoredTrial>> readScored(const Options& options) {
 Result<void> run(const Options& options) {
   const auto shard = parseShard(options.shard);
   if (!shard) return shard.error();
-  const auto done = readScored(options);
+  const auto done = readScored(options, options.results);
   if (!done) return done.error();
+  std::map<Job, ScoredTrial> earlier;
+  if (!options.baselines.empty()) {
+    const auto read = readScored(options, options.baselines);
+    if (!read) return read.error();
+    for (const ScoredTrial& trial : *read) earlier.emplace(Job{trial.family, trial.seed}, trial);
+  }
   std::set<Job> finished;
   for (const ScoredTrial& trial : *done) finished.insert({trial.family, trial.seed});
   const auto folder = std::filesystem::path(options.results).parent_path();
@@ -106,7 +117,8 @@ Result<void> run(const Options& options) {
   const auto jobs = jobsOf(options);
   for (size_t k = 0; k < jobs.size(); ++k) {
     if (!shard->holds(k) || finished.contains(jobs[k])) continue;
-    const ScoredTrial trial = scoredTrial(jobs[k]);
+    const auto known = earlier.find(jobs[k]);
+    const ScoredTrial trial = scoredTrial(jobs[k], known != earlier.end() ? &known->second : nullptr);
     if (auto written = appendLine(options.results, scoredLine(trial)); !written) return written;
     std::fprintf(stderr, "%zu of %zu: %s %llu: %s%s%s, %.1f s\n", k + 1, jobs.size(), trial.family.c_str(),
                  static_cast<unsigned long long>(trial.seed), trial.verdict.c_str(), trial.answer.empty() ? "" : " ",
@@ -116,7 +128,7 @@ Result<void> run(const Options& options) {
 }
 
 Result<void> print(const Options& options) {
-  const auto trials = readScored(options);
+  const auto trials = readScored(options, options.results);
   if (!trials) return trials.error();
   const auto all = jobsOf(options);
   std::printf("%zu of %zu trials, %s seeds\n\n", trials->size(), all.size(), options.tuning ? "tuning" : "scored");
@@ -137,6 +149,9 @@ int main(int argc, char** argv) {
   CLI::App app{"The diagnosis on sealed trials, scored against the truth", "study_diagnosis"};
   app.add_option("--results", options.results,
                  "file that scored trials are appended to; build/diagnosis-scored.jsonl, or -tuning.jsonl");
+  app.add_option("--baselines", options.baselines,
+                 "an earlier such file, from which the baselines' answers are taken over")
+      ->check(CLI::ExistingFile);
   app.add_option("--families", options.families, "A,B,...: only these families of trials")
       ->delimiter(',')
       ->check(CLI::IsMember(trialFamilies()));

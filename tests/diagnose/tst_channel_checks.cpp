@@ -42,7 +42,7 @@ Recording changed(const std::function<void(std::vector<Channel>&)>& change) {
 }
 
 Preparation prepared(const Recording& recording) {
-  auto out = prepare(benchOf(torqueDriven()), {recording}, {}, 0.5, false);
+  auto out = prepare(benchOf(torqueDriven()), {recording}, {}, 0.5);
   if (!out) qFatal("%s", out.error().message().c_str());
   return std::move(*out);
 }
@@ -96,7 +96,7 @@ void TestChannelChecks::angleThatWrapsOrLeaps_isSaid() {
   const Recording wrapped = changed([](std::vector<Channel>& channels) {
     for (double& angle : channels[1].values) angle -= turn * std::floor(angle / turn);
   });
-  const auto refused = prepare(benchOf(torqueDriven()), {wrapped}, {}, 0.5, false);
+  const auto refused = prepare(benchOf(torqueDriven()), {wrapped}, {}, 0.5);
   QVERIFY(!refused);
   QVERIFY(refused.error().message().find("column angle_rad: wraps") != std::string::npos);
   const auto leaping = remarksOf(changed([](std::vector<Channel>& channels) {

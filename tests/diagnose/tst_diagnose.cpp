@@ -16,6 +16,7 @@ class TestDiagnose : public QObject {
   void severalWaves_areOneFinding();
   void sensorsOffset_isNamed_data();
   void sensorsOffset_isNamed();
+  void pushInThePartKeptForTheProof_isNamed();
   void sameSeed_givesTheSameDiagnosis();
   void missingChannel_isOneClearLine();
 };
@@ -89,6 +90,17 @@ void TestDiagnose::sensorsOffset_isNamed() {
   QCOMPARE(finding.effect, std::string("current_sensor_offset"));
   QVERIFY2(within(parameter(finding, "offset_A"), 0.03, 0.05),
            qPrintable(QString::number(parameter(finding, "offset_A"))));
+}
+
+/// The parts that train show nothing of it.
+void TestDiagnose::pushInThePartKeptForTheProof_isNamed() {
+  const Diagnosis diagnosis = diagnosed({.seconds = 20.0, .push_Nm = -0.006, .pushFrom_s = 17.0, .pushTo_s = 19.0});
+  QCOMPARE(diagnosis.findings.size(), size_t(1));
+  const Finding& finding = diagnosis.findings.front();
+  QCOMPARE(finding.effect, std::string("external_disturbance"));
+  QVERIFY2(within(parameter(finding, "start_s"), 17.0, 0.02), inWords(diagnosis).c_str());
+  QVERIFY2(within(parameter(finding, "duration_s"), 2.0, 0.15), inWords(diagnosis).c_str());
+  for (const auto& [first, end] : diagnosis.heldoutRows) QVERIFY(end < 16'000);
 }
 
 void TestDiagnose::sameSeed_givesTheSameDiagnosis() {

@@ -43,7 +43,7 @@ double windowError_m(const Model& model, const Recording& recording) {
 
 void TestEmpsReal::inverseFit_reproducesThePublishedParameters() {
   NEEDS_REAL_RECORDINGS();
-  const auto prepared = prepare(bench(), {recording()}, {}, 0.5, true);
+  const auto prepared = prepare(bench(), {recording()}, {}, 0.5, HeldOut::none);
   VERIFY_OK(prepared);
   Model model = prepared->starts.front();
   model.effects = {{"constant_load", {}}};

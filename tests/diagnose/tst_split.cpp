@@ -1,8 +1,11 @@
 #include <QTest>
 #include <cmath>
 
+#include "diagnose/catalogue.h"
+#include "diagnose/fit/seen_span.h"
 #include "diagnose/simulate/track.h"
 #include "diagnose/split.h"
+#include "support/known_servo.h"
 #include "support/temporary.h"
 
 using namespace breakaway;
@@ -14,6 +17,8 @@ class TestSplit : public QObject {
  private slots:
   void rowsThatAreMissing_areInNoWindow();
   void positionsThatWereNotRead_areBridgedOrInNoWindow();
+  void middleFifth_canBeHeldOutInPlaceOfTheLast();
+  void pushThatEndsUnseen_endsWithTheTrainingData();
   void tooCoarseRows_areOneClearLine();
 };
 
@@ -73,6 +78,44 @@ void TestSplit::positionsThatWereNotRead_areBridgedOrInNoWindow() {
   for (const auto* windows : {&split->train, &split->polish, &split->trainScore}) {
     for (const Window& window : *windows) QVERIFY(track.time[window.last] < 8.11 || track.time[window.first] > 9.69);
   }
+}
+
+void TestSplit::middleFifth_canBeHeldOutInPlaceOfTheLast() {
+  const std::vector<Track> tracks{swinging(always, always)};
+  const std::vector<double>& time = tracks.front().time;
+  const double length = time.back();
+  const auto split = splitTracks(tracks, 1, 0.5, HeldOut::middle);
+  VERIFY_OK(split);
+  QVERIFY(split->heldoutScore.size() > 4);
+  for (const Window& window : split->heldoutScore)
+    QVERIFY(time[window.first] > 0.35 * length && time[window.last] < 0.65 * length);
+  bool before = false, after = false;
+  for (const auto* windows : {&split->train, &split->polish, &split->trainScore}) {
+    for (const Window& window : *windows) {
+      before = before || time[window.last] < 0.4 * length;
+      after = after || time[window.last] > 0.9 * length;
+      for (const Window& kept : split->heldoutScore)
+        QVERIFY(time[window.last] < time[kept.first] - 0.99 || time[window.first] > time[kept.last] + 0.99);
+    }
+  }
+  QVERIFY(before && after);
+}
+
+void TestSplit::pushThatEndsUnseen_endsWithTheTrainingData() {
+  const std::vector<Track> tracks{swinging(always, always)};
+  const double length = tracks.front().time.back();
+  const auto split = splitTracks(tracks, 1, 0.5);
+  VERIFY_OK(split);
+  double seen_s = 0.0;
+  for (const Window& window : split->polish) seen_s = std::max(seen_s, tracks.front().time[window.last]);
+  QVERIFY(seen_s < 0.8 * length);
+  Model model;
+  model.effects = {test::effectTerm(*findEffect("external_disturbance"), {0.01, 5.0, 2.0 * length})};
+  const Model kept = withinSeen(model, tracks, *split);
+  QCOMPARE(kept.effects.front().parameters[1].value, 5.0);
+  const Parameter& duration = kept.effects.front().parameters[2];
+  QVERIFY(std::abs(5.0 + duration.value - seen_s) < 0.01);
+  QVERIFY(5.0 + duration.high95 > length - 0.01);  // it may also go on
 }
 
 void TestSplit::tooCoarseRows_areOneClearLine() {

@@ -58,7 +58,7 @@ void TestWindowResidual::linearColumns_pointWhereSimulatedOnesDo() {
   WindowResidual residual(tracks.front(), window, {1.0, 1.0});
   residual.fit(model, hidden);
   if (residual.remembers()) QSKIP("takes its derivatives by simulation");
-  const ParameterVector parameters(model, {}, 0.05, 50.0);
+  const ParameterVector parameters(model, Freedom{}, 0.05, 50.0);
   const Eigen::VectorXd x = parameters.start();
   std::vector<Eigen::VectorXd> exact, linear;
   double largest = 0.0;

@@ -31,6 +31,7 @@ struct RigRecording {
   double currentNoise_A = 0.01;
   double currentOffset_A = 0.0;  ///< of the sensor; the current is recorded beside the voltage where there is one
   double wander_Nm = 0.0;        ///< rms of a torque that wanders at random, correlated over 0.1 s; for driving voltage
+  double push_Nm = 0.0, pushFrom_s = 0.0, pushTo_s = 0.0;  ///< once, from outside; for driving voltage
   unsigned seed = 1;
 };
 
@@ -87,7 +88,8 @@ inline RecordedRig recordRig(const RigRecording& wanted) {
     time.push_back(t);
     angle.push_back(seen);
     voltage.push_back(volts);
-    plant.applyVoltage(volts + wander * 1.2 / 0.07);
+    const double push = t >= wanted.pushFrom_s && t < wanted.pushTo_s ? wanted.push_Nm : 0.0;
+    plant.applyVoltage(volts + (push + wander) * 1.2 / 0.07);
     wander += std::sqrt(0.02) * wanted.wander_Nm * wanders.normal() - 0.01 * wander;
     double sum = 0.0;
     for (int part = 0; part < 20; ++part) {

@@ -9,6 +9,8 @@ namespace breakaway {
 
 namespace {
 
+constexpr double farthest = 7.0;  ///< of the logarithm of a base parameter
+
 bool endsWith(const std::string& text, std::string_view end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
@@ -22,18 +24,19 @@ double typicalSize(const std::string& name, double torqueSize, double speedSize)
   return 1.0;
 }
 
-ParameterVector::ParameterVector(const Model& model, const std::vector<std::string>& held, double torqueSize,
-                                 double speedSize, bool last)
+bool Freedom::holds(const std::string& name) const {
+  return std::find(held.begin(), held.end(), name) != held.end();
+}
+
+ParameterVector::ParameterVector(const Model& model, const Freedom& freedom, double torqueSize, double speedSize,
+                                 bool last)
     : model_(model) {
   const MotorNames& names = motorNames(model.axis);
-  const auto isHeld = [&held](const std::string& name) {
-    return std::find(held.begin(), held.end(), name) != held.end();
-  };
   const auto kt = model.baseValue(names.torqueConstant), ke = model.baseValue(names.backEmfConstant);
-  if (kt && ke && !isHeld(names.torqueConstant) && !isHeld(names.backEmfConstant)) emfRatio_ = *ke / *kt;
+  if (kt && ke && !freedom.holds(names.torqueConstant) && !freedom.holds(names.backEmfConstant)) emfRatio_ = *ke / *kt;
   for (size_t k = 0; k < model_.base.size(); ++k) {
     const Parameter& one = model_.base[k];
-    if (isHeld(one.name) || (emfRatio_ > 0.0 && one.name == names.backEmfConstant)) continue;
+    if (freedom.holds(one.name) || (emfRatio_ > 0.0 && one.name == names.backEmfConstant)) continue;
     Slot slot{one.name, 0, k};
     if (one.name == names.viscous || one.name == names.coulomb) {
       slot.scale = std::max(typicalSize(one.name, torqueSize, speedSize), 1e-300);
@@ -42,9 +45,12 @@ ParameterVector::ParameterVector(const Model& model, const std::vector<std::stri
       slot.scale = 1.0;
     } else {
       slot.logarithmic = true;
-      const double reach = one.name == names.inductance ? 0.4 : 7.0;  // beyond, something else is late
-      slot.lower = std::log(one.value) - reach;
-      slot.upper = std::log(one.value) + reach;
+      slot.lower = std::log(one.value) - farthest;
+      slot.upper = std::log(one.value) + farthest;
+      if (one.name == names.inductance) {
+        slot.lower = std::max(slot.lower, std::log(freedom.leastInductance_H));
+        slot.upper = std::min(slot.upper, std::log(freedom.mostInductance_H));
+      }
     }
     slots_.push_back(slot);
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -10,15 +11,23 @@
 
 namespace breakaway {
 
+/// What bench and recordings leave to a fit of the base parameters.
+struct Freedom {
+  std::vector<std::string> held;   ///< trusted, and those that set the scale
+  double leastInductance_H = 0.0;  ///< beyond these, something else is late
+  double mostInductance_H = std::numeric_limits<double>::infinity();
+
+  bool holds(const std::string& name) const;
+};
+
 /// Positive base quantities enter as logarithms, all others divided by a typical size, so that every entry is of order
 /// one.
 class ParameterVector {
  public:
-  /// All parameters of `model` except those that `held` names and those their effect holds. The back-EMF constant keeps
+  /// All parameters of `model` except those that are held and those their effect holds. The back-EMF constant keeps
   /// its ratio to the torque constant unless either is held. `torqueSize` and `speedSize` are typical for the
   /// recordings.
-  ParameterVector(const Model& model, const std::vector<std::string>& held, double torqueSize, double speedSize,
-                  bool last = false);
+  ParameterVector(const Model& model, const Freedom& freedom, double torqueSize, double speedSize, bool last = false);
 
   Eigen::Index size() const { return static_cast<Eigen::Index>(slots_.size()); }
   Eigen::VectorXd start() const;

@@ -34,12 +34,13 @@ std::vector<Span> seenSpans(const Track& track, size_t number, const Split& spli
   return merged;
 }
 
-/// The time between two spans in which `t` lies.
-std::optional<Span> unseenAround(const std::vector<Span>& seen, double t) {
+/// The time between two spans, or after the last, in which `t` lies.
+std::optional<Span> unseenAround(const std::vector<Span>& seen, double t, double end_s) {
   for (size_t k = 1; k < seen.size(); ++k) {
     if (t > seen[k - 1].to_s && t < seen[k].from_s) return Span{seen[k - 1].to_s, seen[k].from_s};
   }
-  return std::nullopt;
+  if (seen.empty() || t <= seen.back().to_s) return std::nullopt;
+  return Span{seen.back().to_s, std::max(seen.back().to_s, end_s)};
 }
 
 Parameter* named(EffectTerm& term, std::string_view name) {
@@ -48,9 +49,9 @@ Parameter* named(EffectTerm& term, std::string_view name) {
   return found == term.parameters.end() ? nullptr : &*found;
 }
 
-void keepWithin(Parameter& start, Parameter& duration, const std::vector<Span>& seen) {
+void keepWithin(Parameter& start, Parameter& duration, const std::vector<Span>& seen, double end_s) {
   const double end = start.value + duration.value;
-  const auto before = unseenAround(seen, start.value), after = unseenAround(seen, end);
+  const auto before = unseenAround(seen, start.value, end_s), after = unseenAround(seen, end, end_s);
   const double from = before ? before->to_s : start.value, to = after ? after->from_s : end;
   if (from >= to || (!before && !after)) return;
   const double shorter = duration.value - duration.low95, longer = duration.high95 - duration.value;
@@ -68,7 +69,7 @@ Model withinSeen(Model model, const std::vector<Track>& tracks, const Split& spl
     if (!findEffect(term.effect)->happensOnce() || start == nullptr || duration == nullptr) continue;
     for (size_t k = 0; k < tracks.size(); ++k) {
       if (term.recording.empty() || term.recording == fileNameOf(tracks[k].name)) {
-        keepWithin(*start, *duration, seenSpans(tracks[k], k, split));
+        keepWithin(*start, *duration, seenSpans(tracks[k], k, split), tracks[k].time.back());
         break;
       }
     }

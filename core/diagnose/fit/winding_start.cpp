@@ -79,27 +79,27 @@ Bench withWinding(Bench bench, const Winding& seen) {
 
 }  // namespace
 
-std::vector<Bench> startingWindings(const Bench& bench, const std::vector<Track>& tracks) {
-  if (!bench.electrical()) return {bench};
+StartingWindings startingWindings(const Bench& bench, const std::vector<Track>& tracks) {
+  if (!bench.electrical()) return {{bench}, {}};
   const bool currentSeen =
       std::all_of(tracks.begin(), tracks.end(), [](const Track& one) { return !one.current.empty(); });
   const MotorBelief& motor = bench.motor;
   if (currentSeen) {
     const auto seen = windingOf(tracks);
-    if (!seen) return {bench};
+    if (!seen) return {{bench}, {}};
     const bool off =
         isFarOff(motor.resistance_ohm, seen->resistance_ohm, farOff) ||
         isFarOff(motor.inductance_H, seen->inductance_H, inductanceFarOff) ||
         isFarOff(motor.backEmfConstant ? motor.backEmfConstant : motor.torqueConstant, seen->backEmf, farOff);
-    return {off ? withWinding(bench, *seen) : bench};
+    return {{off ? withWinding(bench, *seen) : bench}, seen->inductance_H};
   }
   std::vector<Bench> benches{bench};
-  if (motor.inductance_H) return benches;
+  if (motor.inductance_H) return {benches, {}};
   for (const double time_s : usual_s) {
     benches.push_back(bench);
     benches.back().motor.inductance_H = time_s * motor.resistance_ohm.value_or(1.0);
   }
-  return benches;
+  return {benches, {}};
 }
 
 }  // namespace breakaway

@@ -24,6 +24,8 @@ EffectTerm termOf(const Effect& effect, Axis axis, const std::vector<double>& va
   return term;
 }
 
+constexpr double farBelow = 0.5;  ///< of the start's error
+
 /// No rig is exact to so small a part of its drive: what is smaller is no finding.
 constexpr double leastTorque = 5e-4;
 
@@ -41,6 +43,10 @@ std::optional<double> torqueOf(const std::string& name, double value, const Exci
 }
 
 }  // namespace
+
+SearchInput::SearchInput(const Preparation& prepared, std::uint64_t anySeed)
+    : tracks(prepared.tracks), split(prepared.split), freedom(prepared.freedom), seen(prepared.seen), seed(anySeed) {
+}
 
 Model with(const SearchInput& input, const Model& model, const Pick& pick) {
   Model out = model;
@@ -90,7 +96,7 @@ bool remembers(const Model& model) {
 }
 
 ParameterVector vectorOf(const SearchInput& input, const Model& model, bool last) {
-  return {model, input.held, std::max(input.seen.peakTorque, 1e-12), std::max(input.seen.highSpeed, 1e-9), last};
+  return {model, input.freedom, std::max(input.seen.peakTorque, 1e-12), std::max(input.seen.highSpeed, 1e-9), last};
 }
 
 Model withScreenedBase(const SearchInput& input, Model model, const Eigen::VectorXd& coefficients) {
@@ -109,7 +115,7 @@ Model withScreenedBase(const SearchInput& input, Model model, const Eigen::Vecto
                                                              {names.coulomb, coefficients[2] / scale},
                                                              {drive, driveValue}}};
   for (const auto& [name, value] : found) {
-    if (!(value > 0.0) || std::find(input.held.begin(), input.held.end(), name) != input.held.end()) continue;
+    if (!(value > 0.0) || input.freedom.holds(name)) continue;
     for (Parameter& one : model.base) {
       if (one.name == name) one.value = value;
     }
@@ -132,9 +138,16 @@ std::vector<Model> variantsOf(const Model& model) {
 
 FitResult fitModel(const SearchInput& input, const Model& model, int iterations) {
   if (remembers(model)) iterations = std::min(iterations, 5);  // each takes several times as long
-  return fitWindows(
-      vectorOf(input, model), input.tracks, input.split.train,
-      {.iterations = iterations, .tolerance = 1e-3, .windowWeights = input.windowWeights, .stop = input.stop});
+  const auto fitted = [&](const Model& start) {
+    return fitWindows(
+        vectorOf(input, start), input.tracks, input.split.train,
+        {.iterations = iterations, .tolerance = 1e-3, .windowWeights = input.windowWeights, .stop = input.stop});
+  };
+  FitResult fit = fitted(model);
+  // Start values hold the more, the worse the start was: not where the fit has left it far behind.
+  if (!fit.usable || remembers(model) || fit.rmse * fit.weights.position > farBelow) return fit;
+  FitResult further = fitted(fit.model);
+  return further.usable && further.rmse < fit.rmse ? further : fit;
 }
 
 Model fitShort(const SearchInput& input, const Model& model, double tolerance) {

@@ -8,6 +8,7 @@
 
 #include "base/result.h"
 #include "diagnose/fit/windowed_fit.h"
+#include "diagnose/preparation.h"
 #include "diagnose/search/screen.h"
 #include "diagnose/split.h"
 
@@ -17,7 +18,7 @@ namespace breakaway {
 struct SearchInput {
   const std::vector<Track>& tracks;
   const Split& split;
-  std::vector<std::string> held;  ///< base parameters that are trusted
+  Freedom freedom;
   Excitation seen;
   std::uint64_t seed = 1;
   std::stop_token stop;
@@ -25,6 +26,7 @@ struct SearchInput {
   std::function<void(const std::vector<const Effect*>&)> named;  ///< called once, when the names are likely to stay
   std::vector<double> windowWeights;                             ///< of split.train; empty: all 1
 
+  SearchInput(const Preparation& prepared, std::uint64_t seed);
   void say(double part, const std::string& activity) const {
     if (progress) progress(part, activity);
   }

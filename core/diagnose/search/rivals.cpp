@@ -114,7 +114,9 @@ void Rivals::tryInPlace(SearchResult& result, size_t k, const FitResult& left, c
   const bool clearlyBetter =
       ahead.inErrors < -2.0 || (mean(fit.windowSquares) < halfOfAll * mean(result.best.windowSquares) &&
                                 quantile(errors, 0.5) < 0.9 * quantile(best, 0.5));
-  const bool better = clearlyBetter && mean(errors) < 0.9 * mean(best) &&
+  // A size that can't be told from zero borrows from friction, and is no better name for what has a clear one.
+  const bool vaguer = vanishes(fit.model, *rival.effect) && !vanishes(result.best.model, *chosen.effect);
+  const bool better = clearlyBetter && !vaguer && mean(errors) < 0.9 * mean(best) &&
                       mean(fit.windowSquares) < 1.5 * mean(result.best.windowSquares) &&
                       (!freer || fits_.clearlyBetterFromRestarts(fit.model, result.best.model));
   const bool simpler = freedomOf(fit.model, *rival.effect) < freedomOf(result.best.model, *chosen.effect) &&

@@ -24,8 +24,8 @@ namespace {
 
 constexpr double importantPart = 0.2, halfOfAll = 0.5, mostOfAll = 0.6;  ///< of a squared residual or error
 constexpr double hardlyMore = 1.03, hardlyAny = 0.02;                    ///< of a squared error
-constexpr double wellSettledFloors = 100.0;  ///< squared error, in squared floors, up to which `hardlyAny` will do
-constexpr size_t mostTrials = 4;
+constexpr double wellSettledFloors = 25.0;  ///< squared error, in squared floors, up to which `hardlyAny` will do
+constexpr size_t mostTrials = 4, fewTrials = 2;
 
 class Search {
  public:
@@ -140,6 +140,7 @@ class Search {
     const auto settled = [&] {
       const double left = mean(result.best.windowSquares);
       const double floors = worth().floors(result.best);
+      if (worth().currentErrs(result.best)) return false;
       return floors < settledFloors ||
              (floors < wellSettledFloors && left < hardlyAny * mean(result.base.windowSquares));
     };
@@ -166,7 +167,7 @@ class Search {
     const auto loads =
         std::stable_partition(candidates.begin(), candidates.end(), [](const Pick& one) { return !swings(one); });
     std::stable_partition(candidates.begin(), loads, [](const Pick& one) { return one.effect->growsAtRest(); });
-    const size_t most = remembers(result.best.model) ? 1 : mostTrials;  // hidden states are slow to fit
+    const size_t most = remembers(result.best.model) ? fewTrials : mostTrials;  // hidden states are slow to fit
     if (loads != candidates.end()) candidates.erase(loads + 1, candidates.end());
     const auto skipped =
         loads - candidates.begin() > static_cast<std::ptrdiff_t>(most) ? candidates.begin() + most : loads;

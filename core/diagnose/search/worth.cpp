@@ -1,6 +1,7 @@
 #include "diagnose/search/worth.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/statistics.h"
 #include "diagnose/catalogue.h"
@@ -11,9 +12,9 @@ namespace breakaway {
 namespace {
 
 constexpr double leastImprovement = 0.03;
-constexpr double clearOfCurrent = 0.35;  ///< of its squared error
-constexpr double baseFloors = 1.6;       ///< a base model that errs by less lacks nothing that its position shows
-constexpr double leastShare = 0.01;      ///< of the base model's squared error
+constexpr double clearOfCurrent = 0.35, muchOfCurrent = 0.25;  ///< of its squared error
+constexpr double baseFloors = 1.6;   ///< a base model that errs by less lacks nothing that its position shows
+constexpr double leastShare = 0.01;  ///< of the base model's squared error
 constexpr double spreadFloors = 0.3;
 constexpr double fewWindowsFloors = 4.0;
 constexpr double leastFloors = 0.8;  ///< of the squared floor
@@ -22,7 +23,11 @@ constexpr size_t mostKept = 8;       ///< validated errors
 }  // namespace
 
 Worth::Worth(const SearchInput& input, const FitResult& base, double floor)
-    : input_(input), unit_(base.weights), base_(mean(base.windowSquares)), floor_(floor) {
+    : input_(input),
+      unit_(base.weights),
+      base_(mean(base.windowSquares)),
+      baseCurrent_(base.currentSquares),
+      floor_(floor) {
 }
 
 std::vector<double> Worth::validated(const FitResult& fit) const {
@@ -57,11 +62,21 @@ bool Worth::material(const FitResult& without, const FitResult& with) const {
   const bool spread = mean(gains) > spreadFloors * unit || back > fewWindowsFloors * unit;
   const bool seen = !baseAtFloor();
   const bool position = seen && spread && back > leastFloors * unit && back > leastShare * base_;
-  double noise = 0.0;
-  for (const Track& track : input_.tracks) noise = std::max(noise, track.currentNoise);
+  const double noise = currentNoise();
   const double currentBack = without.currentSquares - with.currentSquares;
   return position ||
          (currentBack > clearOfCurrent * without.currentSquares && currentBack > leastFloors * noise * noise);
+}
+
+double Worth::currentNoise() const {
+  double noise = 0.0;
+  for (const Track& track : input_.tracks) noise = std::max(noise, track.currentNoise);
+  return noise;
+}
+
+bool Worth::currentErrs(const FitResult& fit) const {
+  return input_.seen.currentSeen && fit.currentSquares > muchOfCurrent * baseCurrent_ &&
+         fit.currentSquares > settledFloors * std::pow(currentNoise(), 2);
 }
 
 bool Worth::baseAtFloor() const {

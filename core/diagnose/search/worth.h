@@ -26,10 +26,14 @@ class Worth {
   bool material(const FitResult& without, const FitResult& with) const;
   /// Whether the base model errs by hardly more than a perfect one.
   bool baseAtFloor() const;
+  /// Whether the current, where it is recorded, shows much that neither its sensor nor the model explains.
+  bool currentErrs(const FitResult& fit) const;
   /// The mean square error of a fit in units of a perfect model's.
   double floors(const FitResult& fit) const;
 
  private:
+  double currentNoise() const;
+
   struct Validated {
     std::vector<Parameter> base;
     std::vector<EffectTerm> effects;
@@ -37,8 +41,8 @@ class Worth {
   };
 
   const SearchInput& input_;
-  Weights unit_;       ///< of errors: what the base model leaves
-  double base_ = 0.0;  ///< its mean square error
+  Weights unit_;                           ///< of errors: what the base model leaves
+  double base_ = 0.0, baseCurrent_ = 0.0;  ///< its mean square errors
   double floor_ = 0.0;
   mutable std::deque<Validated> known_;  ///< the latest first
 };
