@@ -232,7 +232,8 @@ class Judge {
     out.fit = scoreFit(bench_, base_, out.model, prepared_.tracks, prepared_.split, input_.seed, out.proof);
     // What makes held-out data worse is not there, unless it is all that the training data show, as a push in one
     // recording is, and then they may only be somewhat worse.
-    const double held = out.fit.heldoutAfter / out.fit.heldoutBefore;
+    const double held =
+        growsAtRest(out.model) ? typicallyHeld(out.model) : out.fit.heldoutAfter / out.fit.heldoutBefore;
     // Where they show much, a finding that takes hardly any of it away explains something else.
     const bool muchHeld = out.fit.heldoutBefore > muchFloors * out.fit.floor;
     // In few windows, or in a current that moves nothing; a load swings in all of them.
@@ -245,6 +246,14 @@ class Judge {
     const bool usually = typicalSquare(errorsAfter) <= std::pow(leastFall, 2) * before() && held < clearFallOnHeldout;
     const bool idle = !currentToo && out.fit.trainAfter > leastFall * out.fit.trainBefore && !usually;
     return idle || isVague(out.findings) ? Opinion::falls : Opinion::stands;
+  }
+
+  /// The part of the held-out error that is left but for the worst tenth: where an axis breaks away a moment too late,
+  /// a whole window is off.
+  double typicallyHeld(const Model& model) const {
+    const auto& windows = prepared_.split.heldoutScore;
+    const double before = typicalSquare(scoreWindows(base_, prepared_.tracks, windows));
+    return std::sqrt(typicalSquare(scoreWindows(model, prepared_.tracks, windows)) / std::max(before, 1e-300));
   }
 
   static Members::iterator leastOf(SearchResult& candidate) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "diagnose/catalogue.h"
@@ -50,18 +49,19 @@ std::vector<std::string> gauge(const Bench& bench, const std::vector<Track>& tra
   return {names.resistance, names.torqueConstant};
 }
 
-/// The fits' inductance stays near what the starts have, or between that and what the current shows.
-void limitInductance(Freedom& freedom, const std::vector<Model>& starts, std::optional<double> shown) {
-  double least = shown.value_or(std::numeric_limits<double>::infinity()), most = shown.value_or(0.0);
-  for (const Model& start : starts) {
-    const auto inductance = start.baseValue(motorNames(start.axis).inductance);
-    if (!inductance) continue;
-    least = std::min(least, *inductance);
-    most = std::max(most, *inductance);
+/// The fits' inductance stays near what the bench says, what the current shows and what the starts have, or between.
+void limitInductance(Preparation& prepared, std::optional<double> believed, std::optional<double> shown) {
+  std::vector<double> known;
+  for (const auto& one : {believed, shown}) {
+    if (one && *one > 0.0) known.push_back(*one);
   }
-  if (most <= 0.0) return;
-  freedom.leastInductance_H = least / inductanceReach;
-  freedom.mostInductance_H = most * inductanceReach;
+  for (const Model& start : prepared.starts) {
+    if (const auto one = start.baseValue(motorNames(start.axis).inductance)) known.push_back(*one);
+  }
+  if (known.empty()) return;
+  const auto [least, most] = std::minmax_element(known.begin(), known.end());
+  prepared.freedom.leastInductance_H = *least / inductanceReach;
+  prepared.freedom.mostInductance_H = *most * inductanceReach;
 }
 
 /// Copies of the first `count` tracks whose rows outside all training windows count as disconnected, so that no inverse
@@ -162,7 +162,7 @@ Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& re
   }
   out.seen = excitationOf(training, out.starts.front());
   out.freedom.held.assign(bench.trusted.begin(), bench.trusted.end());
-  limitInductance(out.freedom, out.starts, windings.shownInductance_H);
+  limitInductance(out, bench.motor.inductance_H, windings.shownInductance_H);
   std::string held;
   for (const std::string& name : gauge(bench, training)) {
     if (bench.trusted.count(name) > 0) continue;

@@ -22,7 +22,7 @@ using namespace breakaway;
 namespace {
 
 struct Options {
-  std::string results, baselines, shard = "1/1";
+  std::string results, earlier, shard = "1/1";
   std::vector<std::string> families;
   size_t count = 0;
   bool tuning = false, printOnly = false;
@@ -60,14 +60,21 @@ std::vector<Job> jobsOf(const Options& options) {
   return jobs;
 }
 
-/// `known` is an earlier score of the same trial: what the baselines say doesn't rest on the search.
+/// `known` is an earlier score of the same trial: what the baselines say, and what the truth shows, doesn't rest on the
+/// search.
 ScoredTrial scoredTrial(const Job& job, const ScoredTrial* known) {
   const SealedTrial trial = makeTrial(job.family, job.seed);
   ScoredTrial scored = judge(trial, diagnose(trial.bench, trial.recordings, trial.heldout, {}));
   if (known != nullptr) {
     scored.stepwise = known->stepwise;
     scored.thresholded = known->thresholded;
-  } else if (const auto prepared = prepare(trial.bench, trial.recordings, trial.heldout, 0.5)) {
+    scored.unidentified = known->unidentified;
+    scored.identifiable = known->identifiable;
+    scored.size = known->size;
+    scored.achievable = known->achievable;
+    return scored;
+  }
+  if (const auto prepared = prepare(trial.bench, trial.recordings, trial.heldout, 0.5)) {
     const test::TorqueColumns columns = test::torqueColumns(*prepared);
     scored.stepwise = test::stepwiseNames(columns);
     scored.thresholded = test::thresholdedNames(columns);
@@ -103,8 +110,8 @@ Result<void> run(const Options& options) {
   const auto done = readScored(options, options.results);
   if (!done) return done.error();
   std::map<Job, ScoredTrial> earlier;
-  if (!options.baselines.empty()) {
-    const auto read = readScored(options, options.baselines);
+  if (!options.earlier.empty()) {
+    const auto read = readScored(options, options.earlier);
     if (!read) return read.error();
     for (const ScoredTrial& trial : *read) earlier.emplace(Job{trial.family, trial.seed}, trial);
   }
@@ -149,8 +156,9 @@ int main(int argc, char** argv) {
   CLI::App app{"The diagnosis on sealed trials, scored against the truth", "study_diagnosis"};
   app.add_option("--results", options.results,
                  "file that scored trials are appended to; build/diagnosis-scored.jsonl, or -tuning.jsonl");
-  app.add_option("--baselines", options.baselines,
-                 "an earlier such file, from which the baselines' answers are taken over")
+  app.add_option("--earlier", options.earlier,
+                 "an earlier such file, from which is taken over what doesn't rest on the search: the baselines' "
+                 "answers, and what the truth shows")
       ->check(CLI::ExistingFile);
   app.add_option("--families", options.families, "A,B,...: only these families of trials")
       ->delimiter(',')

@@ -94,6 +94,9 @@ void TestDiagnose::sensorsOffset_isNamed() {
 
 /// The parts that train show nothing of it.
 void TestDiagnose::pushInThePartKeptForTheProof_isNamed() {
+#ifdef __SANITIZE_ADDRESS__
+  QSKIP("takes too long under sanitizers: two diagnoses");
+#endif
   const Diagnosis diagnosis = diagnosed({.seconds = 20.0, .push_Nm = -0.006, .pushFrom_s = 17.0, .pushTo_s = 19.0});
   QCOMPARE(diagnosis.findings.size(), size_t(1));
   const Finding& finding = diagnosis.findings.front();

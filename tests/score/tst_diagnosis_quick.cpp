@@ -18,6 +18,8 @@ class TestDiagnosisQuick : public QObject {
   void physicsOutsideTheCatalogue_getsNoName();
   void torqueWithAPlaceOfItsOwn_isNotTakenForOneThatWanders();
   void frictionThatBursts_isNotTakenForScatter();
+  void windingThatLags_isNotCalledADelay();
+  void slightPushThatExplainsMuch_isNamed();
 };
 
 struct Quick {
@@ -103,6 +105,22 @@ void TestDiagnosisQuick::frictionThatBursts_isNotTakenForScatter() {
   const ScoredTrial scored = diagnosed({"outside", 6311});
   QCOMPARE(scored.verdict, nameOf(Verdict::outsideCatalogue));
   QVERIFY(scored.answer.empty());
+}
+
+void TestDiagnosisQuick::windingThatLags_isNotCalledADelay() {
+  if (sanitized) QSKIP("takes too long under sanitizers");
+  // Voltage alone drives: the inductance shows little, and nothing else is late.
+  const ScoredTrial scored = diagnosed({"torque_saturation", 6112});
+  QCOMPARE(scored.answer.size(), size_t(1));
+  QCOMPARE(scored.answer.front().effect, std::string("torque_saturation"));
+}
+
+void TestDiagnosisQuick::slightPushThatExplainsMuch_isNamed() {
+  if (sanitized) QSKIP("takes too long under sanitizers");
+  // 2.4 % of the friction on a rig that hardly scatters.
+  const ScoredTrial scored = diagnosed({"combination", 6120});
+  QVERIFY(!scored.answer.empty());
+  QCOMPARE(scored.answer.front().effect, std::string("external_disturbance"));
 }
 
 QTEST_APPLESS_MAIN(TestDiagnosisQuick)

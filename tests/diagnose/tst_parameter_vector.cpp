@@ -1,0 +1,71 @@
+#include <QTest>
+#include <cmath>
+
+#include "diagnose/fit/parameter_vector.h"
+#include "diagnose/preparation.h"
+#include "support/known_servo.h"
+#include "support/recorded_rig.h"
+#include "support/temporary.h"
+
+using namespace breakaway;
+using namespace breakaway::test;
+
+class TestParameterVector : public QObject {
+  Q_OBJECT
+ private slots:
+  void inductance_staysWithinItsLimits();
+  void heldValues_areNotFree();
+  void limits_reachFromTheBenchToWhatTheCurrentShows();
+};
+
+namespace {
+
+Eigen::Index indexOf(const ParameterVector& parameters, const std::string& name) {
+  for (Eigen::Index k = 0; k < parameters.size(); ++k) {
+    if (parameters.name(k) == name) return k;
+  }
+  return -1;
+}
+
+}  // namespace
+
+/// Wherever the start lies between them, so that fits that follow each other don't walk away.
+void TestParameterVector::inductance_staysWithinItsLimits() {
+  Freedom freedom;
+  freedom.leastInductance_H = 1e-3;
+  freedom.mostInductance_H = 2e-3;
+  for (const double start : {1.1e-3, 1.9e-3}) {
+    Model model = servoModel(DriveInput::voltage);
+    for (Parameter& one : model.base) {
+      if (one.name == "inductance_H") one.value = start;
+    }
+    const ParameterVector parameters(model, freedom, 0.05, 50.0);
+    const Eigen::Index inductance = indexOf(parameters, "inductance_H"), inertia = indexOf(parameters, "inertia_kg_m2");
+    QVERIFY(inductance >= 0 && inertia >= 0);
+    QVERIFY(std::abs(parameters.lower(inductance) - std::log(1e-3)) < 1e-9);
+    QVERIFY(std::abs(parameters.upper(inductance) - std::log(2e-3)) < 1e-9);
+    QVERIFY(parameters.upper(inertia) - parameters.lower(inertia) > 10.0);
+  }
+}
+
+void TestParameterVector::heldValues_areNotFree() {
+  Freedom freedom;
+  freedom.held = {"inductance_H", "inertia_kg_m2"};
+  const ParameterVector parameters(servoModel(DriveInput::voltage), freedom, 0.05, 50.0);
+  QCOMPARE(indexOf(parameters, "inductance_H"), Eigen::Index(-1));
+  QCOMPARE(indexOf(parameters, "inertia_kg_m2"), Eigen::Index(-1));
+  QVERIFY(indexOf(parameters, "coulomb_Nm") >= 0);
+}
+
+void TestParameterVector::limits_reachFromTheBenchToWhatTheCurrentShows() {
+  auto rig = recordRig({.seconds = 12.0, .currentOffset_A = 1e-6});
+  rig.bench.motor.inductance_H = 0.011;  // ten times what it is: fits begin from what the current shows
+  const auto prepared = prepare(rig.bench, {rig.recording}, {}, 0.5);
+  VERIFY_OK(prepared);
+  QVERIFY(*prepared->starts.front().baseValue("inductance_H") < 0.0022);
+  QVERIFY(prepared->freedom.leastInductance_H < 0.0011);
+  QVERIFY(prepared->freedom.mostInductance_H > 0.011);
+}
+
+QTEST_APPLESS_MAIN(TestParameterVector)
+#include "tst_parameter_vector.moc"
