@@ -25,7 +25,8 @@ constexpr double glaringShare = 0.8;
 constexpr double leastOfCurrent = 0.2;   ///< of the current's squared error
 constexpr double worseOnHeldout = 1.02;  ///< times the base model's error: what does worse is refused
 constexpr double muchWorseOnHeldout = 1.25, clearFallOnHeldout = 0.9;
-constexpr double hardlyLessOnHeldout = 0.95, muchFloors = 2.5;
+constexpr double hardlyLessOnHeldout = 0.95;
+constexpr double muchFloors = 1.6, muchFloorsForOnce = 2.5;  ///< of held-out data that show something themselves
 constexpr double leastFall = 0.98;                        ///< of the error over the training windows: less is none
 constexpr double nearFloors = 2.0, scatteredPart = 0.03;  ///< of the friction: three times what any rig's scatters by
 
@@ -235,17 +236,20 @@ class Judge {
     const double held =
         growsAtRest(out.model) ? typicallyHeld(out.model) : out.fit.heldoutAfter / out.fit.heldoutBefore;
     // Where they show much, a finding that takes hardly any of it away explains something else.
-    const bool muchHeld = out.fit.heldoutBefore > muchFloors * out.fit.floor;
+    const bool once = allHappenOnce(out.findings);
+    const bool muchHeld = out.fit.heldoutBefore > (once ? muchFloorsForOnce : muchFloors) * out.fit.floor;
     // In few windows, or in a current that moves nothing; a load swings in all of them.
     const bool inFew = ofAll >= glaringShare && !swings(out.model);
-    const bool elsewhere = currentToo || (inFew && (!muchHeld || allHappenOnce(out.findings)));
+    const bool elsewhere = currentToo || (inFew && (!muchHeld || once));
     if (held > (elsewhere ? muchWorseOnHeldout : muchHeld ? hardlyLessOnHeldout : worseOnHeldout))
       return Opinion::heldoutRefuses;
     // A load that swings may run away in single windows after a restart and still be right in most; then the held-out
     // data have to show it.
     const bool usually = typicalSquare(errorsAfter) <= std::pow(leastFall, 2) * before() && held < clearFallOnHeldout;
     const bool idle = !currentToo && out.fit.trainAfter > leastFall * out.fit.trainBefore && !usually;
-    return idle || isVague(out.findings) ? Opinion::falls : Opinion::stands;
+    // A push may stand for whatever few windows err by, unless it takes most of all error away.
+    const bool stray = once && ofAll < mostIsExplained;
+    return idle || stray || isVague(out.findings) ? Opinion::falls : Opinion::stands;
   }
 
   /// The part of the held-out error that is left but for the worst tenth: where an axis breaks away a moment too late,

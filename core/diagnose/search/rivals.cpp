@@ -116,11 +116,13 @@ void Rivals::tryInPlace(SearchResult& result, size_t k, const FitResult& left, c
                                 quantile(errors, 0.5) < 0.9 * quantile(best, 0.5));
   // A size that can't be told from zero borrows from friction, and is no better name for what has a clear one.
   const bool vaguer = vanishes(fit.model, *rival.effect) && !vanishes(result.best.model, *chosen.effect);
+  const size_t freedom = freedomOf(fit.model, *rival.effect), own = freedomOf(result.best.model, *chosen.effect);
+  // More numbers to choose that still leave more are no better name, whatever single folds say.
+  const double leaves = mean(fit.windowSquares) / mean(result.best.windowSquares);
   const bool better = clearlyBetter && !vaguer && mean(errors) < 0.9 * mean(best) &&
-                      mean(fit.windowSquares) < 1.5 * mean(result.best.windowSquares) &&
+                      leaves < (freedom > own ? 1.0 : 1.5) &&
                       (!freer || fits_.clearlyBetterFromRestarts(fit.model, result.best.model));
-  const bool simpler = freedomOf(fit.model, *rival.effect) < freedomOf(result.best.model, *chosen.effect) &&
-                       mean(fit.windowSquares) < hardlyMore * mean(result.best.windowSquares);
+  const bool simpler = freedom < own && leaves < hardlyMore;
   // Something is there, if the chosen effect is: one that does better may be as small as it likes.
   if (!better && !plausible(fit.model, input_.seen)) return;
   if (!better && !simpler && (ahead.inErrors >= 2.0 || clearlyWorse)) return;

@@ -82,6 +82,7 @@ class Search {
     }
     result.best = polishModel(input_, result.best.model, weights);
     dropIdleWaves(result, weights);
+    dropVanished(result, weights);
     return result;
   }
 
@@ -217,9 +218,8 @@ class Search {
                             : fitModel(input_, without(result.best.model, *result.chosen[k].effect), 8);
         const double back = mean(fit.windowSquares) - mean(result.best.windowSquares);
         const bool needed = fits_->helps(fit, result.best) && worth().material(fit, result.best);
-        // What happens once may stand for whatever one window's start did: its size has to be told from zero.
-        const bool clear = back > halfOfAll * mean(fit.windowSquares) && !result.chosen[k].effect->happensOnce();
-        if (needed && (clear || !vanishes(result.best.model, *result.chosen[k].effect))) {
+        if (needed && (isClear(fit, result.best, *result.chosen[k].effect) ||
+                       !vanishes(result.best.model, *result.chosen[k].effect))) {
           result.chosen[k].marginal = std::max(0.0, back);
           left_[k] = std::move(fit);
           continue;
@@ -228,6 +228,25 @@ class Search {
         result.chosen.erase(result.chosen.begin() + static_cast<std::ptrdiff_t>(k));
         changed = true;
       }
+    }
+  }
+
+  /// Whether most of the error comes back without the effect. What happens once may stand for whatever one window's
+  /// start did: its size has to be told from zero.
+  static bool isClear(const FitResult& without, const FitResult& with, const Effect& effect) {
+    return mean(with.windowSquares) < halfOfAll * mean(without.windowSquares) && !effect.happensOnce();
+  }
+
+  /// Beside others, an effect goes of which the last refinement leaves nothing that can be told from zero, and without
+  /// which hardly anything comes back.
+  void dropVanished(SearchResult& result, const std::vector<double>& weights) const {
+    for (size_t k = result.chosen.size(); k-- > 0 && result.chosen.size() > 1;) {
+      const Effect& effect = *result.chosen[k].effect;
+      if (!vanishes(result.best.model, effect)) continue;
+      FitResult fit = polishModel(input_, without(result.best.model, effect), weights);
+      if (!fit.usable || isClear(fit, result.best, effect)) continue;
+      result.best = std::move(fit);
+      result.chosen.erase(result.chosen.begin() + static_cast<std::ptrdiff_t>(k));
     }
   }
 

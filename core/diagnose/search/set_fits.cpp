@@ -21,17 +21,22 @@ constexpr double loadFloors = 2.0;  ///< rms error of restarts, in tolerated one
 }  // namespace
 
 SetFits::SetFits(const SearchInput& input, const FitResult& base, const TorqueNoise& left)
-    : input_(input),
-      base_(base),
-      worth_(input, base, noiseFloor(base.model, input.tracks, input.split.trainScore, input.seed)),
-      loadsMayShow_(restartsErr(left)) {
+    : SetFits(input, base, left, scoreWindows(base.model, input.tracks, input.split.trainScore)) {
 }
 
-bool SetFits::restartsErr(const TorqueNoise& left) const {
-  const auto& windows = input_.split.trainScore;
+SetFits::SetFits(const SearchInput& input, const FitResult& base, const TorqueNoise& left,
+                 const std::vector<double>& restarts)
+    : input_(input),
+      base_(base),
+      worth_(input, base, mean(restarts),
+             noiseFloor(base.model, input.tracks, input.split.trainScore, input.seed)),
+      loadsMayShow_(mayHideLoads(restarts, left)) {
+}
+
+bool SetFits::mayHideLoads(const std::vector<double>& restarts, const TorqueNoise& left) const {
   const FrictionScatter scatter = usualScatter(input_.seen.highSpeed, physicsOf(base_.model).coulomb, left);
-  const double tolerated = noiseFloor(base_.model, input_.tracks, windows, input_.seed, scatter);
-  return mean(scoreWindows(base_.model, input_.tracks, windows)) > std::pow(loadFloors * tolerated, 2);
+  const double tolerated = noiseFloor(base_.model, input_.tracks, input_.split.trainScore, input_.seed, scatter);
+  return mean(restarts) > std::pow(loadFloors * tolerated, 2);
 }
 
 bool SetFits::helps(const FitResult& without, const FitResult& with) const {

@@ -35,7 +35,10 @@ class SetFits {
   FitResult beside(const Model& model, const Screen& screen, const std::vector<Pick>& picks, double left) const;
 
  private:
-  bool restartsErr(const TorqueNoise& left) const;
+  /// `restarts`: squared errors of the base model's restarts.
+  SetFits(const SearchInput& input, const FitResult& base, const TorqueNoise& left,
+          const std::vector<double>& restarts);
+  bool mayHideLoads(const std::vector<double>& restarts, const TorqueNoise& left) const;
 
   const SearchInput& input_;
   const FitResult& base_;

@@ -22,11 +22,12 @@ constexpr size_t mostKept = 8;       ///< validated errors
 
 }  // namespace
 
-Worth::Worth(const SearchInput& input, const FitResult& base, double floor)
+Worth::Worth(const SearchInput& input, const FitResult& base, double restarts, double floor)
     : input_(input),
       unit_(base.weights),
       base_(mean(base.windowSquares)),
       baseCurrent_(base.currentSquares),
+      restarts_(restarts),
       floor_(floor) {
 }
 
@@ -60,7 +61,8 @@ bool Worth::material(const FitResult& without, const FitResult& with) const {
   gains.resize(gains.size() - gains.size() / 10);
   // What few windows rule has to be larger: single windows err by more than sensors explain.
   const bool spread = mean(gains) > spreadFloors * unit || back > fewWindowsFloors * unit;
-  const bool seen = !baseAtFloor();
+  // The best start of a window takes up some of what a model lacks, and all that a restart's noise adds.
+  const bool seen = !baseAtFloor() || restarts_ > baseFloors * baseFloors * unit;
   const bool position = seen && spread && back > leastFloors * unit && back > leastShare * base_;
   const double noise = currentNoise();
   const double currentBack = without.currentSquares - with.currentSquares;

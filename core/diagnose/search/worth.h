@@ -11,8 +11,9 @@ namespace breakaway {
 /// Judges fits of a search against one base model.
 class Worth {
  public:
-  /// `floor`: rms error of a perfect model, rad or m.
-  Worth(const SearchInput& input, const FitResult& base, double floor);
+  /// `restarts`: mean squared error of the base model's restarts; `floor`: rms error of a perfect model's, rad or
+  /// m.
+  Worth(const SearchInput& input, const FitResult& base, double restarts, double floor);
 
   /// Weighted squared error of each training window under the fit that the other folds would give. The last few are
   /// kept: fits are compared with one another again and again.
@@ -43,7 +44,7 @@ class Worth {
   const SearchInput& input_;
   Weights unit_;                           ///< of errors: what the base model leaves
   double base_ = 0.0, baseCurrent_ = 0.0;  ///< its mean square errors
-  double floor_ = 0.0;
+  double restarts_ = 0.0, floor_ = 0.0;
   mutable std::deque<Validated> known_;  ///< the latest first
 };
 
