@@ -233,8 +233,8 @@ class Judge {
     out.fit = scoreFit(bench_, base_, out.model, prepared_.tracks, prepared_.split, input_.seed, out.proof);
     // What makes held-out data worse is not there, unless it is all that the training data show, as a push in one
     // recording is, and then they may only be somewhat worse.
-    const double held =
-        growsAtRest(out.model) ? typicallyHeld(out.model) : out.fit.heldoutAfter / out.fit.heldoutBefore;
+    const double inAll = out.fit.heldoutAfter / out.fit.heldoutBefore;
+    const double held = growsAtRest(out.model) ? std::min(inAll, typicallyHeld(out.model)) : inAll;
     // Where they show much, a finding that takes hardly any of it away explains something else.
     const bool once = allHappenOnce(out.findings);
     const bool muchHeld = out.fit.heldoutBefore > (once ? muchFloorsForOnce : muchFloors) * out.fit.floor;

@@ -251,20 +251,24 @@ void LinearRig::addMechanical(const std::vector<double>& values, size_t track, i
     double once = 0.0, twice = 0.0;
     const double origin = times == 2 ? 0.0 : values[one.first];
     size_t k = one.first;
+    const auto goOn = [&] {
+      const double dt = time[k + 1] - time[k], value = values[k] - origin;
+      if (times == 1) {
+        once += 0.5 * dt * (value + values[k + 1] - origin);
+      } else if (times == 2) {  // a value acts until the next row
+        twice += dt * (once + 0.5 * dt * value);
+        once += dt * value;
+      }
+      ++k;
+    };
     for (Eigen::Index r = 0; r < one.rows; ++r) {
       double sum = 0.0;
-      for (size_t part = 0; part < one.samplesPerRow; ++part, ++k) {
-        const double value = values[k] - origin;
-        if (part < one.samplesTaken) sum += times == 0 ? value : times == 1 ? once : twice;
-        if (k == one.last) continue;
-        const double dt = time[k + 1] - time[k];
-        if (times == 1) {
-          once += 0.5 * dt * (value + values[k + 1] - origin);
-        } else if (times == 2) {  // a value acts until the next row
-          twice += dt * (once + 0.5 * dt * value);
-          once += dt * value;
-        }
+      size_t part = 0;
+      for (; part < one.samplesTaken; ++part) {
+        sum += times == 0 ? values[k] - origin : times == 1 ? once : twice;
+        if (k < one.last) goOn();
       }
+      for (; part < one.samplesPerRow && k < one.last; ++part) goOn();
       out[one.at + r] += factor * sum / std::sqrt(static_cast<double>(one.samplesTaken));
     }
   }

@@ -53,10 +53,11 @@ class LinearRig {
   /// Per amplitude the column of an effect at one shape; zero columns where the motion doesn't show it. `only` is the
   /// one track that it happens in.
   Eigen::MatrixXd columnsOf(const Effect& effect, const Shape& shape, size_t only = everyTrack) const;
+  /// The same before rows are weighed, which takes less time for all columns at once.
+  Eigen::MatrixXd rawColumnsOf(const Effect& effect, const Shape& shape, size_t only = everyTrack) const;
+  void weigh(Eigen::Ref<Eigen::MatrixXd> columns) const;
   /// Of the torque, as the base model leaves it.
   const TorqueNoise& noise() const { return noise_; }
-  /// The same before rows are weighed.
-  Eigen::MatrixXd rawColumnsOf(const Effect& effect, const Shape& shape, size_t only = everyTrack) const;
   /// Where the torque wanders: its likeliest noise beside the base and `more`, raw columns of effects.
   TorqueNoise wander(const Eigen::MatrixXd& more) const;
   /// The tracks that the windows lie in.
@@ -97,7 +98,6 @@ class LinearRig {
   double spacingOf(const Stretch& one) const;
   /// Makes rows independent and takes out α and β.
   double whitenStretch(const TorqueNoise& noise, const Stretch& one, Eigen::Ref<Eigen::MatrixXd> rows) const;
-  void weigh(Eigen::Ref<Eigen::MatrixXd> columns) const;
 
   const std::vector<Track>& tracks_;
   Physics physics_;

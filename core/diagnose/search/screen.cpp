@@ -77,7 +77,8 @@ Screen::Screen(const LinearRig& rig, const std::vector<const Effect*>& effects, 
   }
   free_.resize(rig.response().size(), width);
   for (const Candidate& one : candidates_)
-    free_.middleCols(one.at, one.width) = rig.columnsOf(*one.effect, one.shape, one.track);
+    free_.middleCols(one.at, one.width) = rig.rawColumnsOf(*one.effect, one.shape, one.track);
+  rig.weigh(free_);
   for (Eigen::Index c = 0; c < width; ++c) {
     if (!free_.col(c).allFinite()) free_.col(c).setZero();
   }

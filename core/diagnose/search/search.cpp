@@ -9,6 +9,7 @@
 #include "diagnose/catalogue.h"
 #include "diagnose/fit/cross_validation.h"
 #include "diagnose/search/adoption.h"
+#include "diagnose/search/further.h"
 #include "diagnose/search/rivals.h"
 #include "diagnose/search/set_fits.h"
 #include "diagnose/search/swinging_load.h"
@@ -23,9 +24,7 @@ bool contains(const std::vector<Chosen>& chosen, const Effect* effect) {
 namespace {
 
 constexpr double importantPart = 0.2, halfOfAll = 0.5, mostOfAll = 0.6;  ///< of a squared residual or error
-constexpr double hardlyMore = 1.03, hardlyAny = 0.02;                    ///< of a squared error
-constexpr double wellSettledFloors = 25.0;  ///< squared error, in squared floors, up to which `hardlyAny` will do
-constexpr size_t mostTrials = 4, fewTrials = 2;
+constexpr double hardlyMore = 1.03;                                      ///< of a squared error
 
 class Search {
  public:
@@ -42,11 +41,12 @@ class Search {
     input_.seen.inertia = physicsInertia(result.base.model);
     const auto motions = recordedMotions(result.base.model, input_.tracks);
     const LinearRig steadyRig(result.base.model, input_.tracks, input_.split.train, Torque::steady, motions);
-    const LinearRig wanderingRig(result.base.model, input_.tracks, input_.split.train, Torque::wandering, motions);
     const Screening steady(input_, steadyRig, {catalogue().begin(), catalogue().end()});
-    result.leftByBase = wanderingRig.noise();
-    fits_.emplace(input_, result.base, result.leftByBase);
+    fits_.emplace(input_, result.base);
     if (sure(steady.found)) announce(important(steady.found));  // or else what simulation makes of it
+    const LinearRig wanderingRig(result.base.model, input_.tracks, input_.split.train, Torque::wandering, motions);
+    result.leftByBase = wanderingRig.noise();
+    fits_->weighRestarts(result.leftByBase);
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
     input_.say(0.35, "simulating what was found");
     Adoption adoption(input_, *fits_, wanderingRig);
@@ -64,7 +64,7 @@ class Search {
       if (wandering != nullptr) backward(result);
     }
     const auto& [screen, found] = wandering != nullptr ? *wandering : steady;
-    if (tryMore(result, screen, found.chosen, adoption)) backward(result);
+    if (Further(input_, *fits_, screen, adoption).find(result, found.chosen)) backward(result);
     if (settledOn(result)) announce(result.chosen);
     refine(result);
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
@@ -133,68 +133,6 @@ class Search {
     effects.reserve(those.size());
     for (const One& one : those) effects.push_back(one.effect);
     input_.named(effects);
-  }
-
-  /// What the screen could not see may still show in the simulation.
-  bool tryMore(SearchResult& result, const Screen& screen, std::vector<Pick> picks, const Adoption& adoption) const {
-    std::erase_if(picks, [&](const Pick& one) { return !contains(result.chosen, one.effect); });
-    const auto settled = [&] {
-      const double left = mean(result.best.windowSquares);
-      const double floors = worth().floors(result.best);
-      if (worth().currentErrs(result.best)) return false;
-      return floors < settledFloors ||
-             (floors < wellSettledFloors && left < hardlyAny * mean(result.base.windowSquares));
-    };
-    if (settled()) return false;
-    if (!remembers(result.best.model)) {  // far from the answer, a fit may have come to no end yet
-      FitResult further = fitModel(input_, result.best.model, 8);
-      if (further.usable && mean(further.windowSquares) < mean(result.best.windowSquares))
-        result.best = std::move(further);
-      if (settled()) return false;
-    }
-    const auto before = worth().validated(result.best);
-    const double left = mean(result.best.windowSquares);
-    std::vector<Pick> candidates;
-    const bool loaded = swings(result.best.model);
-    for (const Effect* effect : catalogue()) {
-      if (contains(result.chosen, effect) && !effect->mayRepeat(input_.seen)) continue;
-      Pick pick = screen.best(*effect, picks);
-      if (pick.parameters.empty()) continue;
-      if (swings(pick) && (loaded || !adoption.mayStillSwing(effect))) continue;
-      candidates.push_back(std::move(pick));
-    }
-    sortByGain(candidates);
-    // What acts around standstill hardly shows in a regression. Loads take long: they come last, and one is enough.
-    const auto loads =
-        std::stable_partition(candidates.begin(), candidates.end(), [](const Pick& one) { return !swings(one); });
-    std::stable_partition(candidates.begin(), loads, [](const Pick& one) { return one.effect->growsAtRest(); });
-    const size_t most = remembers(result.best.model) ? fewTrials : mostTrials;  // hidden states are slow to fit
-    if (loads != candidates.end()) candidates.erase(loads + 1, candidates.end());
-    const auto skipped =
-        loads - candidates.begin() > static_cast<std::ptrdiff_t>(most) ? candidates.begin() + most : loads;
-    candidates.erase(skipped, loads);
-    std::optional<FitResult> winner;
-    Chosen chosen;
-    double best = 2.0 * sureGain;
-    for (const Pick& candidate : candidates) {
-      if (swings(candidate) && winner && worth().floors(*winner) < settledFloors) break;
-      std::vector<Pick> together = picks;
-      together.push_back(candidate);
-      FitResult fit = fits_->beside(result.best.model, screen, together, left);
-      if (!fit.usable || !plausible(fit.model, input_.seen)) continue;
-      const auto after = worth().validated(fit);
-      const Comparison gain = compare(before, after, input_.seed);
-      const double pValue = worth().chance(before, after);
-      if (swings(fit.model) && !fits_->helps(result.best, fit)) continue;
-      if (!(gain.relative >= best) || gain.interval.low <= sureGain || pValue > largestPValue) continue;
-      best = gain.relative;
-      winner = std::move(fit);
-      chosen = {candidate.effect, pValue, 0.0, {}};
-    }
-    if (!winner) return false;
-    result.best = std::move(*winner);
-    if (!contains(result.chosen, chosen.effect)) result.chosen.push_back(chosen);
-    return true;
   }
 
   /// Held parameters are compared once everything else fits.

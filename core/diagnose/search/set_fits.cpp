@@ -20,29 +20,31 @@ constexpr double loadFloors = 2.0;  ///< rms error of restarts, in tolerated one
 
 }  // namespace
 
-SetFits::SetFits(const SearchInput& input, const FitResult& base, const TorqueNoise& left)
-    : SetFits(input, base, left, scoreWindows(base.model, input.tracks, input.split.trainScore)) {
-}
-
-SetFits::SetFits(const SearchInput& input, const FitResult& base, const TorqueNoise& left,
-                 const std::vector<double>& restarts)
+SetFits::SetFits(const SearchInput& input, const FitResult& base)
     : input_(input),
       base_(base),
-      worth_(input, base, mean(restarts),
-             noiseFloor(base.model, input.tracks, input.split.trainScore, input.seed)),
-      loadsMayShow_(mayHideLoads(restarts, left)) {
+      restarts_(mean(scoreWindows(base.model, input.tracks, input.split.trainScore))),
+      worth_(input, base, restarts_, noiseFloor(base.model, input.tracks, input.split.trainScore, input.seed)) {
 }
 
-bool SetFits::mayHideLoads(const std::vector<double>& restarts, const TorqueNoise& left) const {
+void SetFits::weighRestarts(const TorqueNoise& left) {
   const FrictionScatter scatter = usualScatter(input_.seen.highSpeed, physicsOf(base_.model).coulomb, left);
   const double tolerated = noiseFloor(base_.model, input_.tracks, input_.split.trainScore, input_.seed, scatter);
-  return mean(restarts) > std::pow(loadFloors * tolerated, 2);
+  loadsMayShow_ = restarts_ > std::pow(loadFloors * tolerated, 2);
 }
 
 bool SetFits::helps(const FitResult& without, const FitResult& with) const {
   const bool loaded = swings(with.model) && !swings(without.model);
   if (loaded && !(with.usable && loadsAreTried() && clearlyBetterFromRestarts(with.model, without.model))) return false;
-  return worth_.helps(without, with);  // what takes long comes last
+  return breaksAwayBetter(without, with) || worth_.helps(without, with);  // what takes long comes last
+}
+
+bool SetFits::breaksAwayBetter(const FitResult& without, const FitResult& with) const {
+  if (!with.usable || !growsAtRest(with.model) || growsAtRest(without.model) || !plausible(with.model, input_.seen))
+    return false;
+  const auto &before = without.windowSquares, &after = with.windowSquares;
+  return mean(after) < clearlyLess * mean(before) && typicalPart(after, before, insignificant) < clearlyLess &&
+         worth_.chance(before, after) <= largestPValue;
 }
 
 bool SetFits::clearlyBetterFromRestarts(const Model& model, const Model& other) const {

@@ -11,9 +11,10 @@ namespace breakaway {
 /// Fits on top of one base model. Keeps references to what it is made from.
 class SetFits {
  public:
-  /// `left`: what the base model leaves, taken for a torque that wanders.
-  SetFits(const SearchInput& input, const FitResult& base, const TorqueNoise& left);
+  SetFits(const SearchInput& input, const FitResult& base);
 
+  /// Looks whether loads may show. `left`: what the base model leaves, taken for a torque that wanders.
+  void weighRestarts(const TorqueNoise& left);
   const Worth& worth() const { return worth_; }
   /// Whether restarts of the base model err by more than sensors and friction that scatters may do: a load that swings
   /// or flies leaves much.
@@ -24,6 +25,9 @@ class SetFits {
   /// Whether the second model takes away error. A load that swings is free at each window's start, which noise can use,
   /// too: it has to do clearly better from restarts as well, where it isn't.
   bool helps(const FitResult& without, const FitResult& with) const;
+  /// The same by the windows as fitted, for friction that grows at rest: when an axis breaks away no linearised fold
+  /// foretells.
+  bool breaksAwayBetter(const FitResult& without, const FitResult& with) const;
   /// Whether a model leaves clearly less of another's error when the training windows restart.
   bool clearlyBetterFromRestarts(const Model& model, const Model& other) const;
 
@@ -35,15 +39,11 @@ class SetFits {
   FitResult beside(const Model& model, const Screen& screen, const std::vector<Pick>& picks, double left) const;
 
  private:
-  /// `restarts`: squared errors of the base model's restarts.
-  SetFits(const SearchInput& input, const FitResult& base, const TorqueNoise& left,
-          const std::vector<double>& restarts);
-  bool mayHideLoads(const std::vector<double>& restarts, const TorqueNoise& left) const;
-
   const SearchInput& input_;
   const FitResult& base_;
+  double restarts_;  ///< mean squared error of the base model's
   Worth worth_;
-  bool loadsMayShow_, expected_ = false;
+  bool loadsMayShow_ = false, expected_ = false;
 };
 
 }  // namespace breakaway

@@ -1,0 +1,133 @@
+#include "diagnose/search/further.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "base/statistics.h"
+#include "diagnose/catalogue.h"
+#include "diagnose/fit/cross_validation.h"
+#include "diagnose/search/swinging_load.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr double hardlyAny = 0.02;          ///< of a squared error
+constexpr double clearlyLess = 0.95;        ///< of a squared error, typically, before any fit
+constexpr double wellSettledFloors = 25.0;  ///< squared error, in squared floors, up to which `hardlyAny` will do
+constexpr size_t mostTrials = 4, fewTrials = 2;
+
+bool holds(const Model& model, const Effect& effect) {
+  return std::any_of(model.effects.begin(), model.effects.end(),
+                     [&effect](const EffectTerm& term) { return term.effect == effect.name(); });
+}
+
+}  // namespace
+
+/// A start for friction that grows at rest: a regression shows the few rows of its breakaways only, a simulation all
+/// that comes of them.
+Pick Further::simulatedBest(const Effect& effect, const Model& model, const Pick& screened) const {
+  Pick best = screened;
+  best.effect = &effect;
+  const auto own = residualSquares(model, input_.tracks, input_.split.train);
+  double least = std::numeric_limits<double>::infinity();
+  const auto consider = [&](const std::vector<double>& parameters) {
+    Pick other = best;
+    other.parameters = parameters;
+    if (parameters.empty() || !plausible(effect, parameters, input_.seen)) return;
+    const auto squares = residualSquares(with(input_, model, other), input_.tracks, input_.split.train);
+    const double left = typicalPart(squares, own, insignificant);
+    if (!(left < least)) return;
+    least = left;
+    best = std::move(other);
+  };
+  consider(std::vector(best.parameters));
+  for (const Shape& shape : effect.shapes(input_.seen)) {
+    for (const double part : {0.1, 0.3, 1.0}) {
+      std::vector<double> parameters = shape.front();
+      parameters.front() = part * input_.seen.coulomb;
+      consider(parameters);
+    }
+  }
+  return least < clearlyLess ? best : screened;
+}
+
+/// What was found first may have stood for what is found now, and be too small beside it: then it goes.
+FitResult Further::withoutImplausible(FitResult fit) const {
+  if (!fit.usable || plausible(fit.model, input_.seen)) return fit;
+  Model model = fit.model;
+  std::erase_if(model.effects, [this](const EffectTerm& term) { return !plausible(term, input_.seen); });
+  return model.effects.empty() ? fit : fitModel(input_, model, 8);
+}
+
+bool Further::find(SearchResult& result, std::vector<Pick> picks) const {
+  const Worth& worth = fits_.worth();
+  std::erase_if(picks, [&](const Pick& one) { return !contains(result.chosen, one.effect); });
+  const auto settled = [&] {
+    const double left = mean(result.best.windowSquares);
+    const double floors = worth.floors(result.best);
+    if (worth.currentErrs(result.best)) return false;
+    return floors < settledFloors || (floors < wellSettledFloors && left < hardlyAny * mean(result.base.windowSquares));
+  };
+  if (settled()) return false;
+  if (!remembers(result.best.model)) {  // far from the answer, a fit may have come to no end yet
+    FitResult further = fitModel(input_, result.best.model, 8);
+    if (further.usable && mean(further.windowSquares) < mean(result.best.windowSquares))
+      result.best = std::move(further);
+    if (settled()) return false;
+  }
+  const auto before = worth.validated(result.best);
+  const double left = mean(result.best.windowSquares);
+  std::vector<Pick> candidates;
+  const bool loaded = swings(result.best.model);
+  for (const Effect* effect : catalogue()) {
+    if (contains(result.chosen, effect) && !effect->mayRepeat(input_.seen)) continue;
+    Pick pick = screen_.best(*effect, picks);
+    if (effect->growsAtRest()) pick = simulatedBest(*effect, result.best.model, pick);
+    if (pick.parameters.empty()) continue;
+    if (swings(pick) && (loaded || !adoption_.mayStillSwing(effect))) continue;
+    candidates.push_back(std::move(pick));
+  }
+  sortByGain(candidates);
+  // What acts around standstill hardly shows in a regression. Loads take long: they come last, and one is enough.
+  const auto loads =
+      std::stable_partition(candidates.begin(), candidates.end(), [](const Pick& one) { return !swings(one); });
+  std::stable_partition(candidates.begin(), loads, [](const Pick& one) { return one.effect->growsAtRest(); });
+  const size_t most = remembers(result.best.model) ? fewTrials : mostTrials;  // hidden states are slow to fit
+  if (loads != candidates.end()) candidates.erase(loads + 1, candidates.end());
+  const auto skipped =
+      loads - candidates.begin() > static_cast<std::ptrdiff_t>(most) ? candidates.begin() + most : loads;
+  candidates.erase(skipped, loads);
+  std::optional<FitResult> winner;
+  Chosen chosen;
+  double best = 2.0 * sureGain;
+  for (const Pick& candidate : candidates) {
+    if (swings(candidate) && winner && worth.floors(*winner) < settledFloors) break;
+    std::vector<Pick> together = picks;
+    together.push_back(candidate);
+    FitResult fit = fits_.beside(result.best.model, screen_, together, left);
+    fit = withoutImplausible(std::move(fit));
+    if (!fit.usable || !plausible(fit.model, input_.seen) || !holds(fit.model, *candidate.effect)) continue;
+    const auto after = worth.validated(fit);
+    const Comparison gain = compare(before, after, input_.seed);
+    const double pValue = worth.chance(before, after);
+    if (swings(fit.model) && !fits_.helps(result.best, fit)) continue;
+    const bool sure = gain.interval.low > sureGain && pValue <= largestPValue;
+    const double part = fits_.breaksAwayBetter(result.best, fit) ? 1.0 - mean(fit.windowSquares) / left
+                        : sure                                   ? gain.relative
+                                                                 : 0.0;
+    if (!(part >= best)) continue;
+    best = part;
+    winner = std::move(fit);
+    chosen = {candidate.effect, pValue, 0.0, {}};
+  }
+  if (!winner) return false;
+  result.best = std::move(*winner);
+  std::erase_if(result.chosen, [&](const Chosen& one) { return !holds(result.best.model, *one.effect); });
+  if (!contains(result.chosen, chosen.effect)) result.chosen.push_back(chosen);
+  return true;
+}
+
+}  // namespace breakaway
