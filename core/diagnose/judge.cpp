@@ -27,7 +27,7 @@ constexpr double worseOnHeldout = 1.02;  ///< times the base model's error: what
 constexpr double muchWorseOnHeldout = 1.25, clearFallOnHeldout = 0.9;
 constexpr double hardlyLessOnHeldout = 0.95;
 constexpr double muchFloors = 1.6, muchFloorsForOnce = 2.5;  ///< of held-out data that show something themselves
-constexpr double leastFall = 0.98;                        ///< of the error over the training windows: less is none
+constexpr double leastFall = 0.98;                           ///< of the error over the training windows: less is none
 constexpr double nearFloors = 2.0, scatteredPart = 0.03;  ///< of the friction: three times what any rig's scatters by
 
 double meanSquare(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows) {
