@@ -66,6 +66,7 @@ struct Excitation {
   double count = 0.0;             ///< one encoder count, rad
   double peakTorque = 0.0;        ///< of the drive, 99 % quantile while moving, Nm
   double peakCurrent = 0.0;       ///< the same of the current, A; 0 where torque drives
+  double usualCurrent = 0.0;      ///< its root mean square, A
   double peakInput = 0.0;         ///< largest |drive input|: V, A or Nm
   double peakAcceleration = 0.0;  ///< 99 % quantile, rad/s²
   double longestRest_s = 0.0;     ///< standstill

@@ -41,6 +41,8 @@ class TestCatalogue : public QObject {
   void words_areWholeAndFinite_data() { effectsOnAllDrives(); }
   void words_areWholeAndFinite();
   void wrongSign_isNotPlausible();
+  void whatTheTravelDoesNotShow_isNotPlausible();
+  void heatOfTheUsualCurrent_isWhatCounts();
 
  private:
   static void effects();
@@ -309,6 +311,32 @@ void TestCatalogue::wrongSign_isNotPlausible() {
     QVERIFY2(effect.plausible(effect.scaled(shape, up), seen), name);
     QVERIFY2(!effect.plausible(effect.scaled(shape, down), seen), name);
   }
+}
+
+/// A wave longer than the travel is any spring's, and what begins in the middle is no end.
+void TestCatalogue::whatTheTravelDoesNotShow_isNotPlausible() {
+  Excitation seen = richExcitation(DriveInput::torque);
+  seen.axis = Axis::linear;
+  const std::vector<double> whole{0.1 * seen.peakTorque, 0.3, 0.8 * seen.travel};
+  const std::vector<double> part{0.1 * seen.peakTorque, 0.3, 1.3 * seen.travel};
+  QVERIFY(findEffect("cogging")->plausible(whole, seen));
+  QVERIFY(!findEffect("cogging")->plausible(part, seen));
+  const double stiffness = seen.peakTorque / seen.travel;
+  const std::vector<double> end{stiffness, seen.highest - 0.2 * seen.travel, 1.0, 0.0};
+  const std::vector<double> middle{stiffness, seen.highest - 0.5 * seen.travel, 1.0, 0.0};
+  QVERIFY(findEffect("end_stop")->plausible(end, seen));
+  QVERIFY(!findEffect("end_stop")->plausible(middle, seen));
+}
+
+/// Reversals under voltage give short peaks, which heat nothing.
+void TestCatalogue::heatOfTheUsualCurrent_isWhatCounts() {
+  Excitation seen = richExcitation(DriveInput::voltage);
+  const double cold = seen.peakInput / seen.peakCurrent;
+  const std::vector<double> warm{0.5 * cold / std::pow(seen.usualCurrent, 2), 10.0};
+  seen.peakCurrent *= 10.0;
+  QVERIFY(findEffect("winding_heating")->plausible(warm, seen));
+  const std::vector<double> burnt{20.0 * cold / std::pow(seen.usualCurrent, 2), 10.0};
+  QVERIFY(!findEffect("winding_heating")->plausible(burnt, seen));
 }
 
 QTEST_APPLESS_MAIN(TestCatalogue)

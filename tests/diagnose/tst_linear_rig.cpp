@@ -28,6 +28,7 @@ class TestLinearRig : public QObject {
   void effectThatIsNotThere_hasNoAmplitude();
   void everyEffect_givesFiniteColumns_data();
   void everyEffect_givesFiniteColumns();
+  void jumpOfTheDrive_isNoBreakaway();
   void rows_belongToTheirWindows();
   void wanderingTorque_isMeasured_data();
   void wanderingTorque_isMeasured();
@@ -230,6 +231,17 @@ void TestLinearRig::everyEffect_givesFiniteColumns() {
     QCOMPARE(columns.cols(), static_cast<Eigen::Index>(shape.size()));
     QVERIFY(columns.allFinite());
   }
+}
+
+/// A coarse encoder shows motion some time after the drive jumped: then the drive is not what began it.
+void TestLinearRig::jumpOfTheDrive_isNoBreakaway() {
+  Model truth = servoModel(DriveInput::torque);
+  truth.count = 2.0 * std::numbers::pi / 200.0;
+  const Prepared data = prepared(truth, {.seconds = 24.0, .pulses = true});
+  const LinearRig rig(truth, data.tracks, data.windows);
+  const Eigen::VectorXd x = rig.physical(solved(rig, Eigen::MatrixXd(rig.response().size(), 0)));
+  VERIFY_WITHIN(x[0], torqueDriven().inertia, 0.03);
+  VERIFY_WITHIN(x[2], torqueDriven().coulomb, 0.03);
 }
 
 void TestLinearRig::rows_belongToTheirWindows() {

@@ -17,12 +17,20 @@ struct DrivenRecording {
   double hold_s = 4e-3;  ///< the drive changes this often
   double size = 1.0;     ///< of the drive
   bool current = true;   ///< the current is recorded where voltage drives
+  bool pulses = false;   ///< the drive jumps and rests, and is 4.5 to 9 times the Coulomb friction at size 1
 };
 
 /// Starts, turns, stops and rests, with faster motion on top; twice the Coulomb friction at `unit` = F and size 1.
 inline double mixedDrive(double t, double unit) {
   const double pause = std::fmod(t, 3.0) < 2.4 ? 1.0 : 0.0;
   return pause * unit * (2.0 * std::sin(4.1 * t) + 1.1 * std::sin(17.0 * t + 1.0) + 0.5 * std::sin(61.0 * t));
+}
+
+/// Jumps from rest and back, one way and the other.
+inline double pulsedDrive(double t, double unit) {
+  const double number = std::floor(t / 0.6), within = t - 0.6 * number;
+  const double way = std::fmod(number, 2.0) < 0.5 ? 1.0 : -1.0, strength = 1.0 + 0.5 * std::fmod(number, 3.0);
+  return within < 0.07 ? way * strength * 4.5 * unit : 0.0;
 }
 
 /// Drive input that is the Coulomb friction of a model at standstill: Nm, A or V.
@@ -41,7 +49,8 @@ inline Recording drivenRecording(const Model& model, const DrivenRecording& want
   for (long k = 0; k < std::lround(wanted.seconds / wanted.row_s); ++k) {
     time.push_back(static_cast<double>(k) * wanted.row_s);
     const double held = std::floor(time.back() / wanted.hold_s + 1e-6) * wanted.hold_s;
-    input.push_back(wanted.size * mixedDrive(held, frictionInput(model)));
+    const double unit = wanted.size * frictionInput(model);
+    input.push_back(wanted.pulses ? pulsedDrive(held, unit) : mixedDrive(held, unit));
     angle.push_back(0.0);
   }
   const auto seal = [&] {

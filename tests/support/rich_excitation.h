@@ -25,6 +25,7 @@ inline Excitation richExcitation(DriveInput input, Axis axis = Axis::rotary) {
   seen.count = 2.0 * std::numbers::pi / 14400.0;
   seen.peakTorque = 0.08;
   seen.peakCurrent = input == DriveInput::torque ? 0.0 : 1.1;
+  seen.usualCurrent = 0.4 * seen.peakCurrent;
   seen.peakInput = seen.electrical ? 2.5 : seen.currentDrive ? 1.2 : 0.09;
   seen.peakAcceleration = 500.0;
   seen.longestRest_s = 2.0;

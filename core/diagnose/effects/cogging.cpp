@@ -28,7 +28,7 @@ class Cogging final : public Effect {
     return waveScaled(shape, amplitude);
   }
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
-    return wavePlausible(p, seen, seen.peakTorque);
+    return wavePlausible(p, seen, seen.peakTorque, 1.0);  // a longer wave is any spring's
   }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
     return std::string(seen.axis == Axis::rotary ? "The rotor" : "The slide") + " is pulled back and forth by ±" +

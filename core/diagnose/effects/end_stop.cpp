@@ -7,6 +7,8 @@ namespace breakaway {
 
 namespace {
 
+constexpr double deepest = 0.35;  ///< of the travel: what begins further inside is no end
+
 /// A springy stop at an end of the travel: pushes back in proportion to how far the axis went into it. `side` 1: at
 /// growing positions, −1: at falling ones.
 class EndStop final : public Effect {
@@ -45,7 +47,8 @@ class EndStop final : public Effect {
     return shapes;
   }
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
-    return p[0] > 0.0 && p[1] > seen.lowest && p[1] < seen.highest;
+    const double depth = p[2] > 0.0 ? seen.highest - p[1] : p[1] - seen.lowest;
+    return p[0] > 0.0 && depth > 0.0 && depth < deepest * seen.travel;
   }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
     const double depth = p[2] > 0.0 ? seen.highest - p[1] : p[1] - seen.lowest;

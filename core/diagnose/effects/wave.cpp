@@ -69,8 +69,8 @@ std::vector<double> waveScaled(const Shape& shape, std::span<const double> ampli
   return {cosine[0] * std::hypot(amplitude[0], amplitude[1]), std::atan2(amplitude[1], amplitude[0]), cosine[2]};
 }
 
-bool wavePlausible(std::span<const double> p, const Excitation& seen, double largest) {
-  const bool seenWhole = seen.axis == Axis::rotary || p[2] < 1.5 * seen.travel;
+bool wavePlausible(std::span<const double> p, const Excitation& seen, double largest, double longest) {
+  const bool seenWhole = seen.axis == Axis::rotary || p[2] < longest * seen.travel;
   return std::abs(p[0]) <= largest && seenWhole;
 }
 

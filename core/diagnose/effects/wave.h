@@ -23,7 +23,7 @@ std::vector<Shape> waveShapes(const Excitation& seen, int lowest, int highest, d
 /// Parameters of a·cosine + b·sine: {A₀·hypot(a, b), atan2(b, a), k}.
 std::vector<double> waveScaled(const Shape& shape, std::span<const double> amplitude);
 /// At most `largest` in amplitude, and not longer than the data shows: a longer wave is a spring or an offset.
-bool wavePlausible(std::span<const double> p, const Excitation& seen, double largest);
+bool wavePlausible(std::span<const double> p, const Excitation& seen, double largest, double longest = 1.5);
 
 /// Whether the data can tell waves of several orders apart: half a turn of a rotor.
 bool wavesAreTold(const Excitation& seen);

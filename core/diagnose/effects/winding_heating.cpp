@@ -41,7 +41,7 @@ class WindingHeating final : public Effect {
     return shapes;
   }
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
-    return p[0] > 0.0 && p[0] * std::pow(seen.peakCurrent, 3) < 10.0 * seen.peakInput;
+    return p[0] > 0.0 && p[0] * std::pow(seen.usualCurrent, 3) < seen.peakInput;
   }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
     const double current = 0.5 * seen.peakCurrent;

@@ -305,7 +305,7 @@ Excitation excitationOf(const std::vector<Track>& tracks, const Model& model) {
   seen.supplySeen = model.supply_V.value_or(0.0) > 0.0 || !tracks.front().supply.empty();
   seen.step_s = tracks.front().time.back() / static_cast<double>(tracks.front().rows() - 1);
   std::vector<double> speeds, torques, currents, accelerations;
-  double forwards = 0.0;
+  double forwards = 0.0, heat = 0.0, rows = 0.0;  // heat: A²
   seen.lowest = 1e300;
   seen.highest = -1e300;
   for (const Track& track : tracks) {
@@ -319,13 +319,15 @@ Excitation excitationOf(const std::vector<Track>& tracks, const Model& model) {
       seen.longestRest_s = std::max(seen.longestRest_s, motion.resting[k] ? motion.rest_s[k] : 0.0);
       if (k > 0 && motion.resting[k - 1] && !motion.resting[k]) ++seen.starts;
       if (k > 0 && motion.way[k] * motion.way[k - 1] < 0.0) ++seen.reversals;
+      const double drive = physics.electrical
+                               ? (track.input[k] - physics.backEmf * motion.velocity[k]) / physics.resistance
+                               : track.input[k];
+      heat += drive * drive;
+      rows += 1.0;
       if (motion.resting[k] || std::abs(motion.velocity[k]) < 4.0 * motion.velocityNoise) continue;
       speeds.push_back(std::abs(motion.velocity[k]));
       accelerations.push_back(std::abs(motion.acceleration[k]));
       forwards += motion.velocity[k] > 0.0 ? 1.0 : 0.0;
-      const double drive = physics.electrical
-                               ? (track.input[k] - physics.backEmf * motion.velocity[k]) / physics.resistance
-                               : track.input[k];
       torques.push_back(std::abs(physics.torqueConstant * drive));
       currents.push_back(model.input == DriveInput::torque ? 0.0 : std::abs(drive));
     }
@@ -338,6 +340,7 @@ Excitation excitationOf(const std::vector<Track>& tracks, const Model& model) {
   seen.highSpeed = quantile(speeds, 0.95);
   seen.peakTorque = quantile(torques, 0.99);
   seen.peakCurrent = quantile(currents, 0.99);
+  seen.usualCurrent = model.input == DriveInput::torque ? 0.0 : std::sqrt(heat / rows);
   seen.peakAcceleration = quantile(accelerations, 0.99);
   return seen;
 }

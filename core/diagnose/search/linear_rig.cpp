@@ -16,8 +16,9 @@ constexpr size_t fewestSamples = 10;
 constexpr double inductanceDoubt = 0.5;  ///< relative
 constexpr double partOfResidual = 0.09;
 constexpr double mostWander = 1e7, coarseFactor = 8.0;  ///< of wander, in units of a reading's noise
-constexpr double startDoubt_s = 0.01;
-constexpr size_t turnMargin = 2;  ///< samples left out on each side of a reversal
+constexpr double startDoubt_s = 0.01, longestStart_s = 0.1;
+constexpr double shownReadings = 12.0;  ///< of noise: motion that shows
+constexpr size_t turnMargin = 2;       ///< samples left out on each side of a reversal
 
 }  // namespace
 
@@ -110,13 +111,7 @@ LinearRig::LinearRig(const Model& base, const std::vector<Track>& tracks, const 
   scale(stretches_, physics_.inertia, [](const Track& track) { return track.noise; });
   scale(electrical_, 1.0, [](const Track& track) { return track.currentNoise; });
   for (const Start& one : starts_) {
-    const std::vector<double>& time = tracks_[one.track].time;
-    size_t early = one.row, late = one.row;
-    while (early > 0 && time[one.row] - time[early] < startDoubt_s) --early;
-    while (late + 1 < time.size() && time[late] - time[one.row] < startDoubt_s) ++late;
-    const RecordedMotion& motion = recorded_[one.track];
-    const double change = std::abs(motion.at(late).driveTorque - motion.at(early).driveTorque);
-    weights_[one.at] = 1.0 / std::max(0.5 * change + 0.03 * physics_.coulomb, 1e-300);
+    weights_[one.at] = 1.0 / std::max(startDoubt(one) + 0.03 * physics_.coulomb, 1e-300);
   }
   for (const auto* set : {&stretches_, &electrical_}) {
     for (const Stretch& one : *set) samples_ += static_cast<double>(one.last - one.first + 1);
@@ -224,6 +219,39 @@ void LinearRig::findStarts(const std::vector<Window>& windows) {
       starts_.push_back({window.track, k, w, way, recorded_[window.track].at(k).driveTorque, 0});
     }
   }
+}
+
+/// How far the drive may be from what it was when motion began: what it changes within the time that motion takes to
+/// show, if it began when the drive was smaller.
+double LinearRig::startDoubt(const Start& one) const {
+  const Track& track = tracks_[one.track];
+  const std::vector<double>& time = track.time;
+  const RecordedMotion& motion = recorded_[one.track];
+  const auto before = [&](double back_s) {
+    size_t row = one.row;
+    while (row > 0 && time[one.row] - time[row] < back_s) --row;
+    return row;
+  };
+  // Twice integrated, what the drive gains since then moves the axis.
+  const auto movedSince = [&](size_t from) {
+    double speed = 0.0, way = 0.0;
+    for (size_t k = from; k < one.row; ++k) {
+      const double dt = time[k + 1] - time[k];
+      const double net = one.direction * (motion.at(k).driveTorque - motion.at(from).driveTorque);
+      speed = std::max(0.0, speed + dt * net / physics_.inertia);
+      way += dt * speed;
+    }
+    return way;
+  };
+  size_t early = before(startDoubt_s), late = one.row;
+  for (double back_s = startDoubt_s; back_s < longestStart_s; back_s *= 1.25) {
+    const size_t from = before(back_s);
+    if (!track.motion.resting[from] || movedSince(from) > shownReadings * track.noise) break;
+    early = from;
+  }
+  while (late + 1 < time.size() && time[late] - time[one.row] < startDoubt_s) ++late;
+  const double change = std::abs(motion.at(late).driveTorque - motion.at(early).driveTorque);
+  return 0.5 * change;
 }
 
 std::vector<RecordedStart> LinearRig::startsOf(size_t track) const {
