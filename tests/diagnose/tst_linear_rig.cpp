@@ -236,8 +236,8 @@ void TestLinearRig::everyEffect_givesFiniteColumns() {
 /// A coarse encoder shows motion some time after the drive jumped: then the drive is not what began it.
 void TestLinearRig::jumpOfTheDrive_isNoBreakaway() {
   Model truth = servoModel(DriveInput::torque);
-  truth.count = 2.0 * std::numbers::pi / 200.0;
-  const Prepared data = prepared(truth, {.seconds = 24.0, .pulses = true});
+  truth.count = 2.0 * std::numbers::pi / 100.0;
+  const Prepared data = prepared(truth, {.seconds = 24.0, .size = 0.5, .pulses = true});
   const LinearRig rig(truth, data.tracks, data.windows);
   const Eigen::VectorXd x = rig.physical(solved(rig, Eigen::MatrixXd(rig.response().size(), 0)));
   VERIFY_WITHIN(x[0], torqueDriven().inertia, 0.03);
