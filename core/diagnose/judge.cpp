@@ -234,7 +234,8 @@ class Judge {
     // What makes held-out data worse is not there, unless it is all that the training data show, as a push in one
     // recording is, and then they may only be somewhat worse.
     const double inAll = out.fit.heldoutAfter / out.fit.heldoutBefore;
-    const double held = growsAtRest(out.model) ? std::min(inAll, typicallyHeld(out.model)) : inAll;
+    const bool singly = growsAtRest(out.model) || swings(out.model);
+    const double held = singly ? std::min(inAll, typicallyHeld(out.model)) : inAll;
     // Where they show much, a finding that takes hardly any of it away explains something else.
     const bool once = allHappenOnce(out.findings);
     const bool muchHeld = out.fit.heldoutBefore > (once ? muchFloorsForOnce : muchFloors) * out.fit.floor;
@@ -253,7 +254,7 @@ class Judge {
   }
 
   /// The part of the held-out error that is left but for the worst tenth: where an axis breaks away a moment too late,
-  /// a whole window is off.
+  /// or a load runs away, a whole window is off.
   double typicallyHeld(const Model& model) const {
     const auto& windows = prepared_.split.heldoutScore;
     const double before = typicalSquare(scoreWindows(base_, prepared_.tracks, windows));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "base/statistics.h"
 #include "diagnose/effects/wording.h"
@@ -42,6 +43,19 @@ bool oftenFarOff(const std::vector<double>& squares, double limit) {
   return windowsBeyond(squares, limit) >= std::max(5.0, farOffPart * static_cast<double>(squares.size()));
 }
 
+/// Each window half its length later, where the next one follows. A drive that reverses as often as windows begin makes
+/// all restarts begin at the edge of standstill; between them they don't.
+std::vector<Window> halfLater(const std::vector<Window>& windows) {
+  std::vector<Window> later;
+  for (size_t k = 0; k + 1 < windows.size(); ++k) {
+    const Window &one = windows[k], &next = windows[k + 1];
+    if (next.track != one.track || next.first > one.last + 1 || next.first <= one.first) continue;
+    const auto half = [](const Window& window) { return window.first + (window.last - window.first) / 2; };
+    later.push_back({one.track, half(one), half(next)});
+  }
+  return later;
+}
+
 bool holds(const Place& place) {
   return place.share >= leastInPlace && place.pValue <= likeliestByChance;
 }
@@ -59,17 +73,20 @@ std::vector<Place> placesOf(const Model& model, const Preparation& prepared, std
   return places(residualMaps(model, prepared.training, seed), model);
 }
 
-Remainder beside(const WindowErrors& errors, const Floors& floors, const Limits& limits) {
+Remainder beside(const WindowErrors& errors, const Floors& floors, const Limits& limits,
+                 const std::function<std::vector<double>()>& halfLater) {
   Remainder rest;
   rest.floors = floors;
   const double before = typicalSquare(errors.before), after = typicalSquare(errors.after);
   const double unit = floors.perfect * floors.perfect;
-  if (after > std::pow(materialFloors * floors.tolerated, 2))
+  const double most = std::pow(materialFloors * floors.tolerated, 2);
+  if (after > most && typicalSquare(halfLater()) > most)
     rest.share = std::clamp((after - unit) / std::max(before - unit, 1e-300), 0.0, 1.0);
   const bool glares = rest.share > glaringShare && after > std::pow(glaringFloors * floors.tolerated, 2);
   rest.material = rest.share > limits.share || glares;
   const double ofAll = mean(errors.after) / std::max(mean(errors.before), 1e-300);
-  if (!rest.material && ofAll > limits.share && oftenFarOff(errors.after, limits.farOff * floors.tolerated)) {
+  const double far = limits.farOff * floors.tolerated;
+  if (!rest.material && ofAll > limits.share && oftenFarOff(errors.after, far) && oftenFarOff(halfLater(), far)) {
     rest.material = true;
     rest.share = std::min(ofAll, 1.0);
   }
@@ -98,7 +115,8 @@ Remainder remainderOf(const Model& model, bool named, const Preparation& prepare
                       const TorqueNoise& left, std::uint64_t seed) {
   const std::vector<Window>& windows = prepared.split.trainScore;
   const Limits& limits = named ? besideFindings : alone;
-  Remainder rest = beside(errors, floorsOf(model, prepared, windows, seed, left), limits);
+  const auto later = [&] { return scoreWindows(model, prepared.tracks, halfLater(windows)); };
+  Remainder rest = beside(errors, floorsOf(model, prepared, windows, seed, left), limits, later);
   if (!rest.wanders) return rest;
   const auto found = placesOf(model, prepared, seed);
   const auto stands = [&, friction = physicsOf(model).coulomb](const Place& place) {
@@ -110,7 +128,8 @@ Remainder remainderOf(const Model& model, bool named, const Preparation& prepare
     return stands(place) && place.share > mostByScatter;
   });
   const Floors strict{floors.perfect, floors.perfect};
-  return clear ? beside(errors, strict, {alone.share, besideFindings.farOff}) : beside(errors, floors, limits);
+  return clear ? beside(errors, strict, {alone.share, besideFindings.farOff}, later)
+               : beside(errors, floors, limits, later);
 }
 
 void findPlaces(Remainder& rest, const Model& model, const Preparation& prepared, std::uint64_t seed) {

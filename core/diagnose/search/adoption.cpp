@@ -57,8 +57,8 @@ const Screening* Adoption::adopt(SearchResult& result, const Screening& steady) 
     SearchResult loaded = result;
     adoptLoad(loaded, screen);
     // A load is free at each window's start: beside a set that explains much it has to do better from restarts, too.
-    if (!loaded.chosen.empty() && (set.chosen.empty() || again == nullptr ||
-                                   fits_.clearlyBetterFromRestarts(loaded.best.model, set.best.model))) {
+    if (!loaded.chosen.empty() &&
+        (set.chosen.empty() || again == nullptr || fits_.clearlyBetterFromRestarts(loaded.best, set.best))) {
       result = std::move(loaded);
       return nullptr;
     }

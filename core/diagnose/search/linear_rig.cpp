@@ -18,7 +18,7 @@ constexpr double partOfResidual = 0.09;
 constexpr double mostWander = 1e7, coarseFactor = 8.0;  ///< of wander, in units of a reading's noise
 constexpr double startDoubt_s = 0.01, longestStart_s = 0.1;
 constexpr double shownReadings = 12.0;  ///< of noise: motion that shows
-constexpr size_t turnMargin = 2;       ///< samples left out on each side of a reversal
+constexpr size_t turnMargin = 2;        ///< samples left out on each side of a reversal
 
 }  // namespace
 

@@ -85,7 +85,7 @@ class LinearRig {
   /// Adds to `out` the values that act at each breakaway.
   void addStarts(const std::vector<double>& values, size_t track, double factor, Eigen::Ref<Eigen::VectorXd> out) const;
   double startDoubt(const Start& one) const;  ///< Nm
-  Eigen::Index mechanicalRows() const;  ///< they come first
+  Eigen::Index mechanicalRows() const;        ///< they come first
   void freeInductance();
   void cut(const std::vector<Window>& windows);
   std::vector<RecordedStart> startsOf(size_t track) const;

@@ -121,7 +121,7 @@ void Rivals::tryInPlace(SearchResult& result, size_t k, const FitResult& left, c
   const double leaves = mean(fit.windowSquares) / mean(result.best.windowSquares);
   const bool better = clearlyBetter && !vaguer && mean(errors) < 0.9 * mean(best) &&
                       leaves < (freedom > own ? 1.0 : 1.5) &&
-                      (!freer || fits_.clearlyBetterFromRestarts(fit.model, result.best.model));
+                      (!freer || fits_.clearlyBetterFromRestarts(fit, result.best));
   const bool simpler = freedom < own && leaves < hardlyMore;
   // Something is there, if the chosen effect is: one that does better may be as small as it likes.
   if (!better && !plausible(fit.model, input_.seen)) return;

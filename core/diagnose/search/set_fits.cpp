@@ -13,9 +13,9 @@ namespace breakaway {
 
 namespace {
 
-constexpr double clearlyLess = 0.65, farLess = 0.2;  ///< of a squared error, typically
-constexpr double clearlyLessInAll = 0.35;            ///< of the mean squared error
-constexpr double goodStart = 0.6;                    ///< of the base model's squared error: no other start is tried
+constexpr double somewhatLess = 0.8, clearlyLess = 0.65, farLess = 0.2;  ///< of a squared error, typically
+constexpr double clearlyLessInAll = 0.35;                                ///< of the mean squared error
+constexpr double goodStart = 0.6;   ///< of the base model's squared error: no other start is tried
 constexpr double loadFloors = 2.0;  ///< rms error of restarts, in tolerated ones, from which a load is looked for
 
 }  // namespace
@@ -35,7 +35,7 @@ void SetFits::weighRestarts(const TorqueNoise& left) {
 
 bool SetFits::helps(const FitResult& without, const FitResult& with) const {
   const bool loaded = swings(with.model) && !swings(without.model);
-  if (loaded && !(with.usable && loadsAreTried() && clearlyBetterFromRestarts(with.model, without.model))) return false;
+  if (loaded && !(with.usable && loadsAreTried() && clearlyBetterFromRestarts(with, without))) return false;
   return breaksAwayBetter(without, with) || worth_.helps(without, with);  // what takes long comes last
 }
 
@@ -47,13 +47,15 @@ bool SetFits::breaksAwayBetter(const FitResult& without, const FitResult& with) 
          worth_.chance(before, after) <= largestPValue;
 }
 
-bool SetFits::clearlyBetterFromRestarts(const Model& model, const Model& other) const {
+bool SetFits::clearlyBetterFromRestarts(const FitResult& fit, const FitResult& other) const {
   const auto& windows = input_.split.trainScore;
-  const auto now = scoreWindows(model, input_.tracks, windows), before = scoreWindows(other, input_.tracks, windows);
+  const auto now = scoreWindows(fit.model, input_.tracks, windows);
+  const auto before = scoreWindows(other.model, input_.tracks, windows);
   // In single windows a load may run away and still be right; in those at rest it shows nothing.
   const double part = std::min(typicalPart(now, before, 0.0), typicalPart(now, before, insignificant));
   const double ofAll = mean(now) / std::max(mean(before), 1e-300);
-  if (loadsMayShow_ || !swings(model) || swings(other)) return part < clearlyLess || ofAll < clearlyLessInAll;
+  if (loadFollowsAll(fit, other)) return part < somewhatLess || ofAll < somewhatLess;
+  if (loadsMayShow_ || !swings(fit.model) || swings(other.model)) return part < clearlyLess || ofAll < clearlyLessInAll;
   return std::min(part, ofAll) < farLess;
 }
 

@@ -29,7 +29,7 @@ class SetFits {
   /// foretells.
   bool breaksAwayBetter(const FitResult& without, const FitResult& with) const;
   /// Whether a model leaves clearly less of another's error when the training windows restart.
-  bool clearlyBetterFromRestarts(const Model& model, const Model& other) const;
+  bool clearlyBetterFromRestarts(const FitResult& fit, const FitResult& other) const;
 
   /// A short fit, from a start that is near.
   FitResult fresh(const Model& start) const;

@@ -14,10 +14,12 @@ namespace {
 
 struct Viewed {
   double window_s;
-  size_t windows;
-  size_t shapesWalked;
+  size_t windows, shapesWalked, fits;
 };
-constexpr std::array<Viewed, 2> views{{{0.1, 24, 2}, {0.5, 12, 1}}};
+constexpr std::array<Viewed, 2> ofGrid{{{0.1, 24, 2, 2}, {0.5, 12, 1, 1}}};
+constexpr std::array<Viewed, 2> ofSpread{{{0.2, 16, 5, 3}, {0.5, 12, 3, 2}}};
+constexpr int shapesSpread = 80;
+constexpr double lightest = 0.2, heaviest = 2.1;  ///< of a shape's load
 constexpr size_t fewestRows = 8;
 constexpr double ranAway = 4.0;       ///< of a squared error: beyond it, how far says no more
 constexpr double hardlyLess = 0.8;    ///< of a squared error
@@ -25,6 +27,7 @@ constexpr double stillFalling = 0.9;  ///< of a squared error, from one fit to i
 /// Of the model's squared error: what leaves more is not followed further. Behind a gap a load can follow anything to
 /// some part, at each window's start anew, and its fits take long.
 constexpr double promising = 0.5, promisingInPlay = 0.2;
+constexpr double nearlyAll = 0.03, hardlyAny = 0.02;  ///< of a squared error
 constexpr int mostContinuations = 2;
 
 }  // namespace
@@ -33,10 +36,19 @@ bool swings(const Pick& pick) {
   return pick.effect->loadPeriod_s(pick.parameters) > 0.0;
 }
 
+bool inPlay(const Pick& pick) {
+  return pick.effect->loadPlay(pick.parameters) > 0.0;
+}
+
 bool swings(const Model& model) {
   return std::any_of(model.effects.begin(), model.effects.end(), [](const EffectTerm& term) {
     return findEffect(term.effect)->loadPeriod_s(valuesOf(term)) > 0.0;
   });
+}
+
+bool loadFollowsAll(const FitResult& loaded, const FitResult& other) {
+  return swings(loaded.model) && !swings(other.model) &&
+         typicalSquare(loaded.windowSquares) < hardlyAny * typicalSquare(other.windowSquares);
 }
 
 double typicalPart(const std::vector<double>& squares, const std::vector<double>& ofSquares, double hardly) {
@@ -93,32 +105,78 @@ double SwingingLoads::leftBy(const Pick& pick, const View& view) const {
   return typicalPart(squares, own, insignificant);
 }
 
-std::vector<SwingingLoads::Shaped> SwingingLoads::bestOfGrid(const Pick& pick, const View& view, size_t most) const {
-  std::vector<std::vector<double>> candidates{pick.parameters};
+std::vector<std::vector<double>> SwingingLoads::grid(const Pick& pick) const {
+  std::vector<std::vector<double>> out{pick.parameters};
   for (const Shape& shape : pick.effect->shapes(input_.seen)) {
-    for (const double load : {0.6, 1.4}) candidates.push_back(pick.effect->scaled(shape, std::vector<double>{load}));
+    for (const double load : {0.6, 1.4}) out.push_back(pick.effect->scaled(shape, std::vector<double>{load}));
   }
-  std::vector<Shaped> grid;
-  for (std::vector<double>& parameters : candidates) {
-    if (input_.stop.stop_requested()) break;
-    Pick other = pick;
-    other.parameters = std::move(parameters);
-    if (!plausible(*other.effect, other.parameters, input_.seen)) continue;
-    const double left = leftBy(other, view);
-    grid.push_back({std::move(other.parameters), left});
-  }
-  std::stable_sort(grid.begin(), grid.end(), [](const Shaped& a, const Shaped& b) { return a.left < b.left; });
-  if (grid.size() > most) grid.resize(most);
-  return grid;
+  return out;
 }
 
-/// Multiplies or divides one parameter at a time for as long as that does better.
+/// Gap, contact and load make a narrow valley, which a grid may miss: shapes spread over all that it spans, each
+/// parameter on a logarithmic scale (the generalised golden ratio's sequence, M. Roberts, 'The unreasonable
+/// effectiveness of quasirandom sequences', 2018).
+std::vector<std::vector<double>> SwingingLoads::spread(const Pick& pick) const {
+  std::vector<std::vector<double>> out;
+  const Effect& effect = *pick.effect;
+  const std::vector<Shape> shapes = effect.shapes(input_.seen);
+  if (shapes.empty()) return out;
+  std::vector<double> low = shapes.front().front(), high = low;
+  for (const Shape& shape : shapes) {
+    for (size_t p = 0; p < low.size(); ++p) {
+      low[p] = std::min(low[p], shape.front()[p]);
+      high[p] = std::max(high[p], shape.front()[p]);
+    }
+  }
+  constexpr double golden = 1.2207440846057596;  // x⁴ = x + 1
+  for (int k = 1; k <= shapesSpread; ++k) {
+    double rate = 1.0;
+    const auto between = [&](double from, double to) {
+      rate /= golden;
+      const double along = k * rate - std::floor(k * rate);
+      return from * std::pow(to / from, along);
+    };
+    const double load = between(lightest, heaviest);
+    std::vector<double> shape = low;
+    for (size_t p = 0; p < low.size(); ++p) {
+      if (high[p] > low[p] && low[p] > 0.0) shape[p] = between(low[p], high[p]);
+    }
+    out.push_back(effect.scaled({shape}, std::vector<double>{load}));
+  }
+  return out;
+}
+
+std::vector<SwingingLoads::Shaped> SwingingLoads::bestOf(const std::vector<std::vector<double>>& candidates,
+                                                         const Pick& pick, const View& view, size_t most) const {
+  std::vector<Shaped> best;
+  for (const std::vector<double>& parameters : candidates) {
+    if (input_.stop.stop_requested()) break;
+    Pick other = pick;
+    other.parameters = parameters;
+    if (!plausible(*other.effect, other.parameters, input_.seen)) continue;
+    const double left = leftBy(other, view);
+    best.push_back({std::move(other.parameters), left});
+  }
+  sortByLeft(best);
+  if (best.size() > most) best.resize(most);
+  return best;
+}
+
+void SwingingLoads::sortByLeft(std::vector<Shaped>& shapes) {
+  std::stable_sort(shapes.begin(), shapes.end(), [](const Shaped& a, const Shaped& b) { return a.left < b.left; });
+}
+
+/// Multiplies or divides the size, or one other parameter at a time, for as long as that does better.
 void SwingingLoads::walk(Shaped& best, const Pick& pick, const View& view) const {
   const auto specs = pick.effect->parameters(input_.seen.axis);
   Pick other = pick;
   const auto step = [&](size_t p, double by) {
     other.parameters = best.parameters;
-    other.parameters[p] *= by;
+    if (p == 0) {
+      other.parameters = pick.effect->scaled({best.parameters}, std::vector<double>{by});
+    } else {
+      other.parameters[p] *= by;
+    }
     if (input_.stop.stop_requested() || !plausible(*other.effect, other.parameters, input_.seen)) return false;
     const double left = leftBy(other, view);
     if (!(left < best.left)) return false;
@@ -140,8 +198,7 @@ FitResult SwingingLoads::fitted(const Pick& pick) const {
   FitResult best;
   const double own = mean(residualSquares(model_, input_.tracks, input_.split.train));
   double least = own;
-  const bool inPlay = pick.effect->loadPlay(pick.parameters) > 0.0;
-  const double followed = (inPlay ? promisingInPlay : promising) * own;
+  const double followed = (inPlay(pick) ? promisingInPlay : promising) * own;
   const auto fitFrom = [&](const Model& start) {
     FitResult fit = fitModel(input_, start, 10);
     const double before = least;
@@ -150,18 +207,28 @@ FitResult SwingingLoads::fitted(const Pick& pick) const {
     best = std::move(fit);
     return least < stillFalling * before;
   };
-  for (const Viewed& viewed : views) {
+  const auto lookFrom = [&](const std::vector<std::vector<double>>& candidates, const Viewed& viewed) {
     const View view = viewOf(viewed.window_s, viewed.windows);
-    for (Shaped& shaped : bestOfGrid(pick, view, viewed.shapesWalked)) {
-      walk(shaped, pick, view);
-      if (shaped.left > hardlyLess || input_.stop.stop_requested()) continue;
+    std::vector<Shaped> shapes = bestOf(candidates, pick, view, viewed.shapesWalked);
+    for (Shaped& shaped : shapes) walk(shaped, pick, view);
+    sortByLeft(shapes);
+    if (shapes.size() > viewed.fits) shapes.resize(viewed.fits);
+    for (Shaped& shaped : shapes) {
+      if (shaped.left > hardlyLess || input_.stop.stop_requested()) break;
       Pick walked = pick;
       walked.parameters = std::move(shaped.parameters);
       fitFrom(with(input_, model_, walked));
-      if (least > followed) break;
     }
-    if (!inPlay) break;  // only what flies takes long
-    if (best.usable && least > followed) break;
+  };
+  const bool play = inPlay(pick);
+  for (const Viewed& viewed : ofGrid) {
+    lookFrom(grid(pick), viewed);
+    if (!play || (best.usable && least > followed)) break;  // only what flies takes long
+  }
+  if (play && best.usable && least <= promising * own) {
+    for (const Viewed& viewed : ofSpread) {
+      if (least > nearlyAll * own) lookFrom(spread(pick), viewed);
+    }
   }
   for (int k = 0; k < mostContinuations && best.usable && least <= followed; ++k) {
     if (!fitFrom(best.model)) break;

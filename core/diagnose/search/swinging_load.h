@@ -10,6 +10,13 @@ namespace breakaway {
 /// Whether the effect brings a load along that has a motion of its own.
 bool swings(const Pick& pick);
 bool swings(const Model& model);
+/// Whether its load hangs behind a gap.
+bool inPlay(const Pick& pick);
+
+/// Whether a load takes away all but a fiftieth of another model's squared error, in windows at whose start its place
+/// is fitted. Something else may be followed to a part, but not so far; then restarts, where its place is guessed and
+/// it may run away, need not show it as clearly.
+bool loadFollowsAll(const FitResult& loaded, const FitResult& other);
 
 /// Looks for loads beside one model. Impacts make the error of whole windows a wilderness; in windows so short that
 /// they hold few impacts, and in longer ones for wide gaps, the best of a grid of shapes leads to the right valley.
@@ -38,7 +45,11 @@ class SwingingLoads {
   View viewOf(double window_s, size_t most) const;
   /// Geometric mean over the view's windows of what the load leaves of the model's squared error.
   double leftBy(const Pick& pick, const View& view) const;
-  std::vector<Shaped> bestOfGrid(const Pick& pick, const View& view, size_t most) const;
+  std::vector<std::vector<double>> grid(const Pick& pick) const;
+  std::vector<std::vector<double>> spread(const Pick& pick) const;
+  std::vector<Shaped> bestOf(const std::vector<std::vector<double>>& candidates, const Pick& pick, const View& view,
+                             size_t most) const;
+  static void sortByLeft(std::vector<Shaped>& shapes);
   void walk(Shaped& best, const Pick& pick, const View& view) const;
 
   const SearchInput& input_;
