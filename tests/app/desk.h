@@ -10,10 +10,12 @@
 namespace breakaway::test {
 
 constexpr int patience_ms = 120'000;
+constexpr double hurried = 60.0;    ///< board seconds per wall second
+constexpr double unhurried = 10.0;  ///< pace of what is to be stopped: a busy machine must not miss the whole of it
 
 /// Fast, and without a watchdog that would watch the test machine instead of the window.
 struct Desk {
-  explicit Desk(double pace = 60.0) : session({pace, 0.005, 600.0}), window(session, comparison, answers) {
+  explicit Desk(double pace = hurried) : session({pace, 0.005, 600.0}), window(session, comparison, answers) {
     window.show();
     window.showPage("connectPage");
   }

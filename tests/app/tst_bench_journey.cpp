@@ -94,6 +94,7 @@ void TestBenchJourney::stopDuringSweep_keepsWhatWasMeasured() {
   Desk desk;
   QVERIFY(desk.connected());
   QVERIFY(desk.homed());
+  desk.session.setPace(unhurried);
   desk.sweep(48, 2);
   QVERIFY(QTest::qWaitFor([&] { return desk.session.survey().events.size() >= 5; }, patience_ms));
   if (key == 0) {
@@ -120,12 +121,14 @@ void TestBenchJourney::stoppedSweep_goesOnWhereItEnded() {
   Desk desk;
   QVERIFY(desk.connected());
   QVERIFY(desk.homed());
+  desk.session.setPace(unhurried);
   desk.sweep(48, 2);
   QVERIFY(QTest::qWaitFor([&] { return desk.session.survey().events.size() >= 7; }, patience_ms));
   press(desk.window, "stopButton");
   QVERIFY(QTest::qWaitFor([&] { return desk.session.run().status.state == Procedure::State::stopped; }, patience_ms));
   const std::vector<BreakawayEvent> before = desk.session.survey().events;
   QVERIFY(before.size() < 180);
+  desk.session.setPace(hurried);
   desk.sweep(48, 2);
   QVERIFY(QTest::qWaitFor([&] { return desk.session.survey().map.has_value(); }, patience_ms));
   const auto& events = desk.session.survey().events;

@@ -35,12 +35,13 @@ class TestLinearJourney : public QObject {
 namespace {
 
 constexpr int places = 24;
-constexpr size_t breakaways = 96;  // at each place, each way, two passes
+constexpr size_t breakaways = 96;   // at each place, each way, two passes
+constexpr double axisPace = 120.0;  ///< board seconds per wall second
 const std::string uri = "simulated:linear";
 
 /// At the board list's linear preset.
 struct LinearDesk : Desk {
-  LinearDesk() : Desk(120.0) {}
+  LinearDesk() : Desk(axisPace) {}
   bool connected() {
     auto* list = named<QListWidget>(window, "boardList");
     const auto found = list->findItems("Simulated board: linear", Qt::MatchExactly);
@@ -203,8 +204,10 @@ void TestLinearJourney::stop_endsEveryMotion() {
   LinearDesk desk;
   QVERIFY(desk.connected());
   const QString row = QTest::currentDataTag();
+  const bool onKnownAxis = row == "velocity sweep" || row == "to and fro" || row == "index";
+  if (onKnownAxis) QVERIFY(desk.homed());
+  desk.session.setPace(unhurried);
   if (row == "velocity sweep" || row == "to and fro") {
-    QVERIFY(desk.homed());
     if (row == "velocity sweep") {
       desk.sweepVelocity();
     } else {
@@ -212,10 +215,6 @@ void TestLinearJourney::stop_endsEveryMotion() {
       press(desk.window, "turnButton");
     }
   } else {
-    if (row == "index") {
-      QVERIFY(desk.homed());
-      desk.session.setPace(10.0);  // once the motor is known, the way to the index is short
-    }
     desk.window.showPage("homePage");
     press(desk.window, "homeButton");
   }
@@ -227,7 +226,8 @@ void TestLinearJourney::stop_endsEveryMotion() {
       },
       patience_ms));
   press(desk.window, "stopButton");
-  QVERIFY(QTest::qWaitFor([&] { return desk.session.run().status.state == Procedure::State::stopped; }, patience_ms));
+  QVERIFY(QTest::qWaitFor([&] { return !desk.session.run().running(); }, patience_ms));
+  QCOMPARE(desk.session.run().status.state, Procedure::State::stopped);
   QVERIFY(QTest::qWaitFor([&] { return !desk.session.powered(); }, patience_ms));
   QVERIFY(desk.session.obstacle().isEmpty());
 }
@@ -237,6 +237,7 @@ void TestLinearJourney::stoppedSweep_goesOnAfterReconnectingAndHomingAnew() {
   QVERIFY(desk.connected());
   QVERIFY(desk.homed());
   QVERIFY(desk.sweptVelocity());
+  desk.session.setPace(unhurried);
   desk.sweep(places, 2);
   QVERIFY(QTest::qWaitFor([&] { return desk.session.survey().events.size() >= 6; }, patience_ms));
   press(desk.window, "stopButton");
@@ -245,6 +246,7 @@ void TestLinearJourney::stoppedSweep_goesOnAfterReconnectingAndHomingAnew() {
   QVERIFY(before.size() < breakaways);
   desk.window.showPage("connectPage");
   press(desk.window, "disconnectButton");
+  desk.session.setPace(axisPace);
   QVERIFY(desk.connected());
   QVERIFY(desk.homed());
   desk.sweep(places, 2);
