@@ -38,7 +38,7 @@ void print(const Model& model) {
   };
   for (const Parameter& one : model.base) show("", one);
   for (const EffectTerm& term : model.effects) {
-    for (const Parameter& one : term.parameters) show(term.effect + ": ", one);
+    for (const Parameter& one : presentParameters(term, model.axis)) show(term.effect + ": ", one);
   }
 }
 

@@ -45,6 +45,7 @@ struct ParameterSpec {
   bool freeInTheEnd = false;  ///< but fitted with the last refinement
   double doubt =
       0.01;  ///< relative standard deviation that least squares can't know: no rig keeps to a model more closely
+  bool absentAtZero = false;  ///< not fitted while it is 0
 };
 
 /// What the search needs to know of the data to offer shapes: ranges seen in the recordings.
@@ -120,6 +121,8 @@ class Effect {
   virtual double longestStep_s(std::span<const double>) const { return 2e-3; }
   /// Inertia that the motor's side loses because a term carries it, kg m².
   virtual double detachedInertia(std::span<const double>) const { return 0.0; }
+  /// Coulomb friction that the motor's side loses because a term carries it, Nm.
+  virtual double detachedFriction(std::span<const double>) const { return 0.0; }
   /// Stiffness with which friction builds up over a reversal, Nm/rad; 0: friction is rigid.
   virtual double frictionStiffness(std::span<const double>) const { return 0.0; }
   /// Damping while it builds up, as a part of what would be critical for the whole inertia on that stiffness.
@@ -151,7 +154,7 @@ class Effect {
   /// Whether these parameters make sense: a searched amplitude of the wrong sign doesn't.
   virtual bool plausible(std::span<const double>, const Excitation&) const { return true; }
   /// Other held parameters worth a fit of their own once the effect is in.
-  virtual std::vector<std::vector<double>> variants(std::span<const double>) const { return {}; }
+  virtual std::vector<std::vector<double>> variants(std::span<const double>, const Excitation&) const { return {}; }
 
   // What people read.
 

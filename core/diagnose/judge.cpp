@@ -108,7 +108,8 @@ std::vector<Finding> findingsOf(const SearchResult& result, const Model& model, 
       finding.sentence += furtherText(terms, *chosen.effect, input.seen);
     }
     for (size_t k = 0; k < terms.size(); ++k) {
-      for (const Parameter& one : terms[k].parameters) finding.parameters.push_back(numbered(one, k + 1));
+      for (const Parameter& one : presentParameters(terms[k], model.axis))
+        finding.parameters.push_back(numbered(one, k + 1));
     }
     findings.push_back(std::move(finding));
   }

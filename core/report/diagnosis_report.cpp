@@ -22,7 +22,7 @@ std::vector<std::vector<std::string>> parameterRows(const Diagnosis& d) {
     add("base", one, before ? numberText(*before) : "");
   }
   for (const EffectTerm& term : d.model.effects) {
-    for (const Parameter& one : term.parameters) add(term.effect, one, "");
+    for (const Parameter& one : presentParameters(term, d.model.axis)) add(term.effect, one, "");
   }
   return rows;
 }

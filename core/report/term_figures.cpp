@@ -103,7 +103,9 @@ std::vector<NamedFigure> termFigures(const Diagnosis& d, const std::vector<Track
     const Effect* effect = findEffect(finding.effect);
     if (effect == nullptr || finding.parameters.empty()) continue;
     Drawn drawn{*effect, {{}}, physicsOf(d.model), seen, tracks.front()};
-    for (const Parameter& one : finding.parameters) drawn.sets.front().push_back(one.value);
+    std::vector<double>& values = drawn.sets.front();
+    for (const Parameter& one : finding.parameters) values.push_back(one.value);
+    values.resize(std::max(values.size(), effect->parameters(seen.axis).size()), 0.0);  // what is absent at zero
     for (size_t k = 0; k < finding.parameters.size(); ++k) {
       for (const double end : {finding.parameters[k].low95, finding.parameters[k].high95}) {
         drawn.sets.push_back(drawn.sets.front());

@@ -246,7 +246,7 @@ void TestCatalogue::shapes_areWithinBounds() {
     // A size to start from has to make sense, too.
     const std::vector<double> one = effect->scaled(shape, std::vector<double>(shape.size(), 0.5));
     QVERIFY2(effect->plausible(one, seen), effect->sentence(one, seen).c_str());
-    for (const auto& variant : effect->variants(one)) QVERIFY(outOfBounds(*effect, variant, seen.axis).isEmpty());
+    for (const auto& variant : effect->variants(one, seen)) QVERIFY(outOfBounds(*effect, variant, seen.axis).isEmpty());
   }
 }
 

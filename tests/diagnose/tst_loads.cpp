@@ -18,6 +18,7 @@ class TestLoads : public QObject {
   Q_OBJECT
  private slots:
   void softContact_isFoundBehindItsGap();
+  void frictionBehindASpring_isFoundThere();
   void windowsThatBeginAtReversals_areNothingMissing();
   void windowsThatErrWhereverTheyBegin_areMaterial();
 };
@@ -62,6 +63,20 @@ void TestLoads::softContact_isFoundBehindItsGap() {
   QCOMPARE(first.effect, std::string("backlash"));
   VERIFY_WITHIN(first.parameters.at(0).value, load, 0.2);
   VERIFY_WITHIN(first.parameters.at(1).value, gap, 0.3);
+}
+
+void TestLoads::frictionBehindASpring_isFoundThere() {
+  const double load = 2.6e-5, frequency = 90.0, held = 4e-3;
+  Model truth = servoWith(DriveInput::torque, "compliance", {load, frequency, 0.04, held});
+  truth.count = 2.0 * std::numbers::pi / 8192.0;
+  const auto diagnosis = diagnose(torqueBench(), {drivenRecording(truth, {.seconds = 30.0, .size = 1.5})}, {}, {});
+  QVERIFY(diagnosis);
+  QVERIFY2(!diagnosis->findings.empty(), inWords(*diagnosis).c_str());
+  const Finding& first = diagnosis->findings.front();
+  QCOMPARE(first.effect, std::string("compliance"));
+  VERIFY_WITHIN(first.parameters.at(0).value, load, 0.2);
+  VERIFY_WITHIN(first.parameters.at(1).value, frequency, 0.1);
+  VERIFY_WITHIN(first.parameters.at(3).value, held, 0.3);
 }
 
 /// The same restarts half a window later err as little as they should.

@@ -253,7 +253,7 @@ void TestSimulatedEffects::laterMeasurements_changeNothingBeforeTheNextRestart()
 }
 
 void TestSimulatedEffects::hiddenState_outlivesARestart() {
-  Model model = servoWith(DriveInput::voltage, "compliance", {2e-5, 80.0, 0.05});
+  Model model = servoWith(DriveInput::voltage, "compliance", {2e-5, 80.0, 0.05, 0.0});
   model.effects.push_back(effectTerm(*findEffect("winding_heating"), {0.5, 3.0}));
   const Track track = trackOf(model, drivenRecording(model, {.seconds = 1.0}));
   Simulator simulator(model, track, 0, track.rows() - 1);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/atomic_file.h"
 #include "diagnose/simulate/simulation.h"
 #include "diagnose/simulate/simulator.h"
 #include "support/known_servo.h"
@@ -18,6 +19,7 @@ class TestSimulation : public QObject {
   void quantisedOwnRecording_errsByAboutACount();
   void restartWithWrongFriction_beginsNearTheMeasurement();
   void modelFile_givesTheIdenticalTrace();
+  void modelFile_leavesOutWhatIsAbsentAtZero();
   void pushInOneRecording_isNotInAnother();
   void unknownEffect_isOneClearLine();
   void missingDriveChannel_isOneClearLine();
@@ -144,6 +146,20 @@ void TestSimulation::modelFile_givesTheIdenticalTrace() {
   QCOMPARE(after->velocity, before->velocity);
   QCOMPARE(after->current_A, before->current_A);
   QCOMPARE(before->current_A.size(), recording.rows());
+}
+
+void TestSimulation::modelFile_leavesOutWhatIsAbsentAtZero() {
+  for (const double friction : {0.0, 0.003}) {
+    const Model model = servoWith(DriveInput::torque, "compliance", {2e-5, 80.0, 0.05, friction});
+    const TemporaryFolder folder;
+    VERIFY_OK(writeModel(model, folder.path("model.json")));
+    const auto text = readFile(folder.path("model.json"));
+    VERIFY_OK(text);
+    QCOMPARE(text->find("load_friction_Nm") != std::string::npos, friction > 0.0);
+    const auto back = readModel(folder.path("model.json"));
+    VERIFY_OK(back);
+    QVERIFY(back->effects == model.effects);
+  }
 }
 
 void TestSimulation::pushInOneRecording_isNotInAnother() {

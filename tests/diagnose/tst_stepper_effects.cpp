@@ -25,6 +25,8 @@ class TestStepperEffects : public QObject {
   void elasticFriction_slidesLikeARigidOneInTheEnd();
   void compliance_hasItsAntiresonanceAndResonance_data();
   void compliance_hasItsAntiresonanceAndResonance();
+  void frictionOnTheLoadsSide_slidesAndHoldsThere_data();
+  void frictionOnTheLoadsSide_slidesAndHoldsThere();
   void backlash_movesAloneWithinTheGap();
   void endStop_throwsBackWithoutLoss();
   void waves_areAveragedOverTheWayOfAStep();
@@ -244,7 +246,7 @@ void TestStepperEffects::compliance_hasItsAntiresonanceAndResonance() {
   Physics p = torqueDriven();
   p.coulomb = 0.0;
   p.viscous = 1e-3;
-  Stepper stepper(p, {compiled("compliance", {share * p.inertia, wa, zeta})});
+  Stepper stepper(p, {compiled("compliance", {share * p.inertia, wa, zeta, 0.0})});
   MotionState state;
   const double settled = 3.0, turns = 20.0, seconds = settled + turns * 2.0 * std::numbers::pi / w;
   std::complex<double> sum = 0.0;
@@ -261,6 +263,50 @@ void TestStepperEffects::compliance_hasItsAntiresonanceAndResonance() {
   const std::complex<double> mechanical =
       (1.0 - share) * p.inertia * s + p.viscous + share * p.inertia * s * spring / (s * s + spring);
   VERIFY_WITHIN(got, 0.01 / std::abs(mechanical), 0.04);
+}
+
+void TestStepperEffects::frictionOnTheLoadsSide_slidesAndHoldsThere_data() {
+  QTest::addColumn<double>("size");  // of the drive, in parts of all friction
+  QTest::newRow("it rests at times") << 1.6;
+  QTest::newRow("it slides") << 6.0;
+}
+
+void TestStepperEffects::frictionOnTheLoadsSide_slidesAndHoldsThere() {
+  QFETCH(double, size);
+  const double wa = 90.0, zeta = 0.06;
+  const Physics p = torqueDriven();
+  const double load = 0.4 * p.inertia, held = 0.5 * p.coulomb;
+  const auto drive = [&](double t) { return size * p.coulomb * (std::sin(9.0 * t) + 0.4 * std::sin(47.0 * t + 1.0)); };
+  // Both sides with Coulomb friction, each stopped when it would turn round: explicit, in steps of 2 µs.
+  struct Side {
+    double inertia, coulomb, position = 0.0, velocity = 0.0;
+    void advance(double torque, double h) {
+      if (velocity == 0.0 && std::abs(torque) <= coulomb) return;
+      const double way = velocity != 0.0 ? velocity : torque;
+      const double after = velocity + h * (torque - std::copysign(coulomb, way)) / inertia;
+      velocity = velocity * after < 0.0 ? 0.0 : after;
+      position += h * velocity;
+    }
+  };
+  Side motor{p.inertia - load, p.coulomb - held}, hanging{load, held};
+  Stepper stepper(p, {compiled("compliance", {load, wa, zeta, held})});
+  MotionState state;
+  double furthest = 0.0, worst = 0.0, rested = 0.0;
+  runAlong(stepper, state, 2.0, drive, [&](double t, const MotionState& now) {
+    constexpr double h = 2e-6;
+    for (int k = 0; k < std::lround(row_s / h); ++k) {
+      const double pull = load * (wa * wa * (motor.position - hanging.position) +
+                                  2.0 * zeta * wa * (motor.velocity - hanging.velocity));
+      motor.advance(drive(t - row_s) - pull - p.viscous * motor.velocity, h);
+      hanging.advance(pull, h);
+    }
+    if (hanging.velocity == 0.0) rested += row_s;
+    furthest = std::max(furthest, std::abs(motor.position));
+    worst = std::max(worst, std::abs(motor.position - now.position));
+  });
+  QVERIFY(furthest > 0.05);
+  QVERIFY2(worst < 0.02 * furthest, qPrintable(QString("%1 of %2").arg(worst).arg(furthest)));
+  QVERIFY((rested > 0.2) == (size < 2.0));
 }
 
 void TestStepperEffects::backlash_movesAloneWithinTheGap() {

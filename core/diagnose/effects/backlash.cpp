@@ -61,7 +61,7 @@ class Backlash final : public Effect {
     return plausibleLoad(p[0], seen) && p[1] < seen.travel;
   }
   /// Harder contact than smoothed velocities show.
-  std::vector<std::vector<double>> variants(std::span<const double> p) const override {
+  std::vector<std::vector<double>> variants(std::span<const double> p, const Excitation&) const override {
     return {{p[0], p[1], 4.0 * p[2], p[3]}, {p[0], 0.75 * p[1], 10.0 * p[2], p[3]}};
   }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {

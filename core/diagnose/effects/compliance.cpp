@@ -10,12 +10,16 @@ namespace breakaway {
 
 namespace {
 
+constexpr double typicalFriction = 0.25, mostFriction = 1.2;  // of the whole, which a base model knows badly
+
 /// A coupling, belt or shaft that gives: part of the inertia swings behind a spring.
 class Compliance final : public Effect {
  public:
   std::string_view name() const override { return "compliance"; }
   std::string_view formula() const override {
-    return "load = J_load (ω_a² δ + 2 ζ ω_a δ'),  δ'' = ω' − load/J_load,  J_load taken from J";
+    return "load = J_load (ω_a² δ + 2 ζ ω_a δ'),  J_load ω_load' = load − F_load sgn ω_load,  J_load taken from J, "
+           "F_load "
+           "from F";
   }
   std::string_view source() const override {
     return "G. Ellis, R. D. Lorenz, 'Resonant load control methods for industrial servo drives', IEEE Industry "
@@ -24,7 +28,8 @@ class Compliance final : public Effect {
   std::vector<ParameterSpec> parameters(Axis axis) const override {
     return {{inertiaName("load", axis), 1e-15, 1e9},
             {"antiresonance_rad_per_s", 0.1, highestFrequency},
-            {"damping_ratio", 1e-4, 2.0}};
+            {"damping_ratio", 1e-4, 2.0},
+            {torqueName("load_friction", axis), 0.0, 1e9, false, false, 0.01, true}};
   }
   Term term(std::span<const double> p, const Situation& at) const override { return twoMassTerm(loadOf(p), at); }
   size_t memory() const override { return twoMassMemory; }
@@ -37,14 +42,26 @@ class Compliance final : public Effect {
   }
   double longestStep_s(std::span<const double> p) const override { return twoMassStep_s(loadOf(p)); }
   double detachedInertia(std::span<const double> p) const override { return p[0]; }
+  double detachedFriction(std::span<const double> p) const override { return p.back(); }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     std::vector<Shape> shapes;
     if (seen.inertia <= 0.0 || seen.step_s <= 0.0) return shapes;
     for (double frequency = 5.0; frequency < 0.3 / seen.step_s; frequency *= 1.4)
-      shapes.push_back({{0.3 * seen.inertia, frequency, 0.05}});
+      shapes.push_back({{0.3 * seen.inertia, frequency, 0.05, 0.0}});
     return shapes;
   }
+  /// A heavier load with friction that is larger in proportion: it moves the same.
+  std::vector<double> scaled(const Shape& shape, std::span<const double> amplitude) const override {
+    const std::vector<double>& p = shape.front();
+    return {p[0] * amplitude[0], p[1], p[2], p[3] * amplitude[0]};
+  }
+  /// Part of the friction on the load's side.
+  std::vector<std::vector<double>> variants(std::span<const double> p, const Excitation& seen) const override {
+    if (p[3] > 0.0 || seen.coulomb <= 0.0) return {};
+    return {{p[0], p[1], p[2], typicalFriction * seen.coulomb}};
+  }
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
+    if (seen.coulomb > 0.0 && p[3] > mostFriction * seen.coulomb) return false;
     return plausibleLoad(p[0], seen) && p[1] * seen.step_s < 1.5 && p[1] * seen.duration_s > 6.0;
   }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
@@ -52,6 +69,7 @@ class Compliance final : public Effect {
     return "A load of " + inertiaText(p[0], seen.axis) + " (" + percentText(p[0] / seen.inertia) +
            " of the inertia) hangs on a spring: the motor hardly moves at " + hertzText(p[1]) + " and rings at " +
            hertzText(p[1] * std::sqrt(seen.inertia / motor)) +
+           (p[3] > 0.0 ? "; it drags " + torqueText(p[3], seen.axis) + " of the friction behind that spring" : "") +
            ". Look at the coupling, the belt or a long shaft, and for a loose clamp.";
   }
   std::vector<std::string_view> lookAlikes() const override { return {"backlash", "transport_delay", "presliding"}; }
@@ -64,7 +82,7 @@ class Compliance final : public Effect {
 
  private:
   static TwoMass loadOf(std::span<const double> p) {
-    return {p[0], std::clamp(p[1], 1e-3, highestFrequency), p[2], 0.0};
+    return {p[0], std::clamp(p[1], 1e-3, highestFrequency), p[2], 0.0, p[3]};
   }
   static std::string hertzText(double frequency_rad_per_s) {
     return digitsText(frequency_rad_per_s / (2.0 * std::numbers::pi)) + " Hz";

@@ -42,7 +42,7 @@ class Stribeck final : public Effect {
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
     return p[0] > 0.0 && p[0] <= seen.peakTorque;
   }
-  std::vector<std::vector<double>> variants(std::span<const double> p) const override {
+  std::vector<std::vector<double>> variants(std::span<const double> p, const Excitation&) const override {
     return {{p[0], p[1], p[2] == 2.0 ? 1.0 : 2.0}};
   }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {

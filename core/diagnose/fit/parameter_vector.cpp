@@ -61,6 +61,7 @@ ParameterVector::ParameterVector(const Model& model, const Freedom& freedom, dou
       if (specs[k].held && !(last && specs[k].freeInTheEnd)) continue;
       Slot slot{specs[k].name, e + 1, k};
       const double value = model_.effects[e].parameters[k].value;
+      if (specs[k].absentAtZero && value == 0.0) continue;
       if (specs[k].lower > 0.0 && value > 0.0) {
         slot.logarithmic = true;
         slot.bounded = specs[k].freeInTheEnd;
@@ -80,6 +81,7 @@ ParameterVector::ParameterVector(const Model& model, const Freedom& freedom, dou
         const double upper = torque ? std::min(1.2 * torqueSize, specs[k].upper) : specs[k].upper;
         slot.lower = lower / slot.scale;
         slot.upper = upper / slot.scale;
+        slot.bounded = specs[k].lower == 0.0;
       }
       slots_.push_back(slot);
     }
@@ -120,7 +122,8 @@ Model ParameterVector::withIntervals(const Eigen::VectorXd& x, const Eigen::Matr
       place(parameter(model, slot), std::exp(x[k]), std::exp(slot.bounded ? std::max(low, slot.lower) : low),
             std::exp(slot.bounded ? std::min(high, slot.upper) : high));
     } else {
-      place(parameter(model, slot), x[k] * slot.scale, (x[k] - half) * slot.scale, (x[k] + half) * slot.scale);
+      const double low = slot.bounded ? std::max(x[k] - half, slot.lower) : x[k] - half;
+      place(parameter(model, slot), x[k] * slot.scale, low * slot.scale, (x[k] + half) * slot.scale);
     }
   }
   if (emfRatio_ > 0.0) {

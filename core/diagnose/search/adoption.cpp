@@ -129,7 +129,7 @@ void Adoption::adoptLoad(SearchResult& result, const Screen& screen) {
   loadsTried_ = true;
   if (!fits_.loadsAreTried()) return;
   std::vector<std::pair<const Effect*, double>> left;  // squared errors
-  const SwingingLoads loads(input_, result.base.model);
+  const SwingingLoads loads(input_, fits_.worth(), result.base.model);
   for (const Pick& pick : SwingingLoads::offered(input_, screen)) {
     FitResult fit = loads.fitted(pick);
     if (!fit.usable || !fits_.helps(result.base, fit)) continue;

@@ -129,14 +129,15 @@ void EffectTraces::forget(const Effect& effect, const std::vector<double>& p, co
 
 void EffectTraces::follow(const Effect& effect, const std::vector<double>& p, const Track& track) {
   if (track.rows() < 4) return;
-  const double inertia = effect.detachedInertia(p);
+  const double inertia = effect.detachedInertia(p), friction = effect.detachedFriction(p);
   FollowedLoad load(effect, p, track, 0);
   double before = load.motorSpeed(), now = before;
   for (size_t k = 0; k + 2 < track.rows(); ++k) {
     const double pull = load.torque();
     load.advance();
     const double after = load.motorSpeed();
-    torque[k] = pull - inertia * 0.5 * (after - before) / (track.time[k + 1] - track.time[k]);
+    torque[k] = pull - inertia * 0.5 * (after - before) / (track.time[k + 1] - track.time[k]) -
+                (now != 0.0 ? std::copysign(friction, now) : 0.0);
     before = now;
     now = after;
   }

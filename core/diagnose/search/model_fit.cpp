@@ -123,11 +123,11 @@ Model withScreenedBase(const SearchInput& input, Model model, const Eigen::Vecto
   return model;
 }
 
-std::vector<Model> variantsOf(const Model& model) {
+std::vector<Model> variantsOf(const SearchInput& input, const Model& model) {
   std::vector<Model> variants;
   for (size_t e = 0; e < model.effects.size(); ++e) {
     const Effect& effect = *findEffect(model.effects[e].effect);
-    for (const auto& variant : effect.variants(valuesOf(model.effects[e]))) {
+    for (const auto& variant : effect.variants(valuesOf(model.effects[e]), input.seen)) {
       variants.push_back(model);
       variants.back().effects[e] = termOf(effect, model.axis, variant);
       variants.back().effects[e].recording = model.effects[e].recording;

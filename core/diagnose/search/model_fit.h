@@ -39,7 +39,7 @@ Model without(const Model& model, const Effect& effect);
 Model withScreenedBase(const SearchInput& input, Model model, const Eigen::VectorXd& coefficients);
 
 /// The model with one effect at a time at another variant.
-std::vector<Model> variantsOf(const Model& model);
+std::vector<Model> variantsOf(const SearchInput& input, const Model& model);
 
 /// Whether an effect, or every one of a model, is of a sign and size that it can have, and large enough to be told from
 /// what every rig does besides.

@@ -138,7 +138,7 @@ class Search {
   /// Held parameters are compared once everything else fits.
   void refine(SearchResult& result) const {
     if (remembers(result.best.model)) return;
-    for (const Model& model : variantsOf(result.best.model)) {
+    for (const Model& model : variantsOf(input_, result.best.model)) {
       FitResult fit = fitModel(input_, model, 8);
       if (fit.usable && mean(fit.windowSquares) < mean(result.best.windowSquares)) result.best = std::move(fit);
     }

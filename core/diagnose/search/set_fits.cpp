@@ -77,7 +77,7 @@ FitResult SetFits::together(const Screen& screen, const std::vector<Pick>& picks
   FitResult fit = fresh(start);
   if (fit.usable && mean(fit.windowSquares) < goodStart * mean(base_.windowSquares)) return fit;
   // Hidden states are slow to fit: several effects at once get one more start only.
-  std::vector<Model> starts = picks.size() > 1 && remembers(start) ? std::vector<Model>{} : variantsOf(start);
+  std::vector<Model> starts = picks.size() > 1 && remembers(start) ? std::vector<Model>{} : variantsOf(input_, start);
   starts.push_back(fitShort(input_, start));
   for (const Model& other : starts) {
     FitResult slow = fresh(other);
@@ -88,7 +88,7 @@ FitResult SetFits::together(const Screen& screen, const std::vector<Pick>& picks
 
 FitResult SetFits::beside(const Model& model, const Screen& screen, const std::vector<Pick>& picks, double left) const {
   const Pick& pick = picks.back();
-  if (swings(pick)) return SwingingLoads(input_, model).fitted(pick);
+  if (swings(pick)) return SwingingLoads(input_, worth_, model).fitted(pick);
   const Model start = with(input_, model, pick);
   FitResult fit = fresh(start);
   if (fit.usable && mean(fit.windowSquares) <= (1.0 - clearGain) * left) return fit;

@@ -27,7 +27,8 @@ constexpr double stillFalling = 0.9;  ///< of a squared error, from one fit to i
 /// Of the model's squared error: what leaves more is not followed further. Behind a gap a load can follow anything to
 /// some part, at each window's start anew, and its fits take long.
 constexpr double promising = 0.5, promisingInPlay = 0.2;
-constexpr double nearlyAll = 0.03, hardlyAny = 0.02;  ///< of a squared error
+constexpr double nearlyAll = 0.03, hardlyAny = 0.02, somewhatLess = 0.7;  ///< of a squared error
+constexpr double plainlyFits = 2.0;  ///< squared error, in squared floors, below which no friction is looked for
 constexpr int mostContinuations = 2;
 
 }  // namespace
@@ -58,7 +59,8 @@ double typicalPart(const std::vector<double>& squares, const std::vector<double>
   return std::exp(sum / static_cast<double>(std::max<size_t>(squares.size(), 1)));
 }
 
-SwingingLoads::SwingingLoads(const SearchInput& input, const Model& model) : input_(input), model_(model) {
+SwingingLoads::SwingingLoads(const SearchInput& input, const Worth& worth, const Model& model)
+    : input_(input), worth_(worth), model_(model) {
 }
 
 std::vector<Pick> SwingingLoads::offered(const SearchInput& input, const Screen& screen) {
@@ -146,6 +148,15 @@ std::vector<std::vector<double>> SwingingLoads::spread(const Pick& pick) const {
   return out;
 }
 
+std::vector<std::vector<double>> SwingingLoads::variants(const std::vector<std::vector<double>>& shapes,
+                                                         const Pick& pick) const {
+  std::vector<std::vector<double>> out;
+  for (const std::vector<double>& shape : shapes) {
+    for (std::vector<double>& variant : pick.effect->variants(shape, input_.seen)) out.push_back(std::move(variant));
+  }
+  return out;
+}
+
 std::vector<SwingingLoads::Shaped> SwingingLoads::bestOf(const std::vector<std::vector<double>>& candidates,
                                                          const Pick& pick, const View& view, size_t most) const {
   std::vector<Shaped> best;
@@ -228,6 +239,15 @@ FitResult SwingingLoads::fitted(const Pick& pick) const {
   if (play && best.usable && least <= promising * own) {
     for (const Viewed& viewed : ofSpread) {
       if (least > nearlyAll * own) lookFrom(spread(pick), viewed);
+    }
+  }
+  if (!play && best.usable && worth_.floors(best) > plainlyFits) {
+    FitResult plain = best;
+    const double plainLeast = least;
+    lookFrom(variants(grid(pick), pick), ofGrid.front());
+    if (least > somewhatLess * plainLeast) {  // no sign of more than the plain load
+      best = std::move(plain);
+      least = plainLeast;
     }
   }
   for (int k = 0; k < mostContinuations && best.usable && least <= followed; ++k) {

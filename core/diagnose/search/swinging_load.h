@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "diagnose/search/model_fit.h"
+#include "diagnose/search/worth.h"
 
 namespace breakaway {
 
@@ -22,8 +23,8 @@ bool loadFollowsAll(const FitResult& loaded, const FitResult& other);
 /// they hold few impacts, and in longer ones for wide gaps, the best of a grid of shapes leads to the right valley.
 class SwingingLoads {
  public:
-  /// Preconditions: `input` outlives it; `model` has no load that swings.
-  SwingingLoads(const SearchInput& input, const Model& model);
+  /// Preconditions: `input` and `worth` outlive it; `model` has no load that swings.
+  SwingingLoads(const SearchInput& input, const Worth& worth, const Model& model);
 
   /// The catalogue's loads, each as the screen sees it best, or else at its first shape.
   static std::vector<Pick> offered(const SearchInput& input, const Screen& screen);
@@ -46,6 +47,8 @@ class SwingingLoads {
   /// Geometric mean over the view's windows of what the load leaves of the model's squared error.
   double leftBy(const Pick& pick, const View& view) const;
   std::vector<std::vector<double>> grid(const Pick& pick) const;
+  /// The effect's variants of each shape.
+  std::vector<std::vector<double>> variants(const std::vector<std::vector<double>>& shapes, const Pick& pick) const;
   std::vector<std::vector<double>> spread(const Pick& pick) const;
   std::vector<Shaped> bestOf(const std::vector<std::vector<double>>& candidates, const Pick& pick, const View& view,
                              size_t most) const;
@@ -53,6 +56,7 @@ class SwingingLoads {
   void walk(Shaped& best, const Pick& pick, const View& view) const;
 
   const SearchInput& input_;
+  const Worth& worth_;
   const Model model_;
 };
 

@@ -31,17 +31,23 @@ std::vector<Parameter> readParameters(JsonObject object) {
   return parameters;
 }
 
-/// JSON keeps no order; everything else relies on the catalogue's.
+/// JSON keeps no order, and a file leaves out what is absent at zero; everything else relies on the catalogue's list.
 void inCatalogueOrder(EffectTerm& term, Axis axis) {
   const Effect* effect = findEffect(term.effect);
   if (effect == nullptr) return;
   std::vector<Parameter> ordered;
+  size_t read = 0;
   for (const ParameterSpec& spec : effect->parameters(axis)) {
-    for (const Parameter& one : term.parameters) {
-      if (one.name == spec.name) ordered.push_back(one);
+    const auto it = std::find_if(term.parameters.begin(), term.parameters.end(),
+                                 [&spec](const Parameter& one) { return one.name == spec.name; });
+    if (it != term.parameters.end()) {
+      ordered.push_back(*it);
+      ++read;
+    } else if (spec.absentAtZero) {
+      ordered.push_back({spec.name, 0.0, 0.0, 0.0});
     }
   }
-  if (ordered.size() == term.parameters.size()) term.parameters = std::move(ordered);
+  if (read == term.parameters.size()) term.parameters = std::move(ordered);
 }
 
 }  // namespace
@@ -51,6 +57,17 @@ std::vector<double> valuesOf(const EffectTerm& term) {
   values.reserve(term.parameters.size());
   for (const Parameter& one : term.parameters) values.push_back(one.value);
   return values;
+}
+
+std::vector<Parameter> presentParameters(const EffectTerm& term, Axis axis) {
+  std::vector<Parameter> present;
+  const Effect* effect = findEffect(term.effect);
+  const auto specs = effect != nullptr ? effect->parameters(axis) : std::vector<ParameterSpec>{};
+  for (size_t k = 0; k < term.parameters.size(); ++k) {
+    const bool absent = k < specs.size() && specs[k].absentAtZero && term.parameters[k].value == 0.0;
+    if (!absent) present.push_back(term.parameters[k]);
+  }
+  return present;
 }
 
 std::optional<double> Model::baseValue(const std::string& name) const {
@@ -116,7 +133,8 @@ Result<void> writeModel(const Model& model, const std::string& path) {
   json["base"] = parametersJson(model.base);
   json["effects"] = Json::array();
   for (const EffectTerm& term : model.effects) {
-    json["effects"].push_back({{"effect", term.effect}, {"parameters", parametersJson(term.parameters)}});
+    json["effects"].push_back(
+        {{"effect", term.effect}, {"parameters", parametersJson(presentParameters(term, model.axis))}});
     if (!term.recording.empty()) json["effects"].back()["recording"] = term.recording;
   }
   return writeFile(path, json.dump(2) + "\n");

@@ -30,6 +30,8 @@ struct EffectTerm {
 
 /// The parameters' values, in the effect's order.
 std::vector<double> valuesOf(const EffectTerm& term);
+/// What people and files are shown: without parameters that are absent at zero and are zero.
+std::vector<Parameter> presentParameters(const EffectTerm& term, Axis axis);
 
 /// Base and effects, `breakaway.model/1`.
 struct Model {

@@ -17,7 +17,8 @@ constexpr double margin_s = 0.25;
 // Of a load that swings: periods that a restart looks back, and the doubt about its place when it has followed the
 // encoder, in readings' noise. Behind a gap it takes its time, and readings that jump make it rattle.
 constexpr double periodsSeen = 1.5, periodsSeenInPlay = 4.5, longestHorizon_s = 0.2;
-constexpr double followedFor_s = 0.3, loadDoubt = 10.0, doubtInPlay = 30.0, noIdea = 1e3;
+// A load that friction holds stays where it came to rest.
+constexpr double followedFor_s = 0.3, followedIfHeld_s = 3.0, loadDoubt = 10.0, doubtInPlay = 30.0, noIdea = 1e3;
 
 constexpr int mostUnknowns = 7;  // of a restart: three, and two for each load that swings
 constexpr size_t mostLoads = (mostUnknowns - 3) / 2;
@@ -178,7 +179,8 @@ size_t Simulator::horizonBegin(double horizon_s, size_t row) const {
 }
 
 Eigen::Vector2d Simulator::followed(const SwingingLoad& load, size_t row) const {
-  const size_t from = horizonBegin(followedFor_s, row);
+  const double held = load.effect->detachedFriction(load.parameters);
+  const size_t from = horizonBegin(held > 0.0 ? followedIfHeld_s : followedFor_s, row);
   if (row < from + 4 || row + 2 >= track_.rows()) return Eigen::Vector2d::Zero();
   FollowedLoad one(*load.effect, load.parameters, track_, from);
   while (one.row() + 1 < row) one.advance();

@@ -8,7 +8,7 @@ namespace breakaway {
 namespace {
 
 constexpr double shortestStep_s = 2e-5;
-constexpr double leastInertia = 0.02;  ///< what a detached load leaves of the base inertia, at least
+constexpr double leastLeft = 0.02;  ///< of the base inertia and friction: what a detached load leaves, at least
 constexpr int mostEventsPerStep = 8;
 
 /// Differences of recorded times are equal only up to their last digits.
@@ -32,7 +32,7 @@ double slipAfter(double slip, double motion, double stiffness, double friction) 
 
 Stepper::Stepper(const Physics& physics, std::vector<CompiledTerm> terms)
     : physics_(physics), terms_(std::move(terms)), stateDependent_(!terms_.empty() || physics.gravity != 0.0) {
-  double detached = 0.0;
+  double inertia = 0.0, friction = 0.0;  // detached
   for (const CompiledTerm& term : terms_) {
     memorySize_ += term.effect->memory();
     const bool swings = term.effect->loadPeriod_s(term.parameters) > 0.0;
@@ -42,9 +42,11 @@ Stepper::Stepper(const Physics& physics, std::vector<CompiledTerm> terms)
     stiffness_ += term.effect->frictionStiffness(term.parameters);
     dampingRatio_ += term.effect->frictionDampingRatio(term.parameters);
     longestStep_ = std::min(longestStep_, term.effect->longestStep_s(term.parameters));
-    detached += term.effect->detachedInertia(term.parameters);
+    inertia += term.effect->detachedInertia(term.parameters);
+    friction += term.effect->detachedFriction(term.parameters);
   }
-  physics_.inertia = std::max(physics_.inertia - detached, leastInertia * physics_.inertia);
+  physics_.inertia = std::max(physics_.inertia - inertia, leastLeft * physics_.inertia);
+  physics_.coulomb = std::max(physics_.coulomb - friction, leastLeft * physics_.coulomb);
   if (stiffness_ > 0.0) longestStep_ = std::min(longestStep_, 0.3 * std::sqrt(physics_.inertia / stiffness_));
   longestStep_ = std::max(longestStep_, shortestStep_s);
 }
