@@ -53,8 +53,8 @@ Remainder withFarWindows(const Model& model, const Preparation& data) {
 }  // namespace
 
 void TestLoads::softContact_isFoundBehindItsGap() {
-  const double load = 2.6e-5, gap = 0.05, frequency = 150.0;
-  Model truth = servoWith(DriveInput::torque, "backlash", {load, gap, load * frequency * frequency, 0.15});
+  const double load = 2.6e-5, gap = 0.02, frequency = 100.0;
+  Model truth = servoWith(DriveInput::torque, "backlash", {load, gap, load * frequency * frequency, 0.3});
   truth.count = 2.0 * std::numbers::pi / 8192.0;
   const auto diagnosis = diagnose(torqueBench(), {drivenRecording(truth, {.seconds = 30.0, .size = 1.5})}, {}, {});
   QVERIFY(diagnosis);
