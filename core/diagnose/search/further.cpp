@@ -91,12 +91,13 @@ bool Further::find(SearchResult& result, std::vector<Pick> picks) const {
     candidates.push_back(std::move(pick));
   }
   sortByGain(candidates);
-  // What acts around standstill hardly shows in a regression. Loads take long: they come last, and one is enough.
+  // What acts around standstill hardly shows in a regression. Loads take long: they come last, and beside others one is
+  // enough; alone, a regression hardly tells one from another.
   const auto loads =
       std::stable_partition(candidates.begin(), candidates.end(), [](const Pick& one) { return !swings(one); });
   std::stable_partition(candidates.begin(), loads, [](const Pick& one) { return one.effect->growsAtRest(); });
   const size_t most = remembers(result.best.model) ? fewTrials : mostTrials;  // hidden states are slow to fit
-  if (loads != candidates.end()) candidates.erase(loads + 1, candidates.end());
+  if (loads != candidates.end() && !result.chosen.empty()) candidates.erase(loads + 1, candidates.end());
   const auto skipped =
       loads - candidates.begin() > static_cast<std::ptrdiff_t>(most) ? candidates.begin() + most : loads;
   candidates.erase(skipped, loads);
