@@ -38,7 +38,7 @@ function(breakaway_test name)
   breakaway_test_program(${name} ${ARGN})
   add_test(NAME ${base} COMMAND ${base})
   set_tests_properties(${base} PROPERTIES
-    ENVIRONMENT "QT_QPA_PLATFORM=offscreen;BREAKAWAY_SOURCE_DIR=${CMAKE_SOURCE_DIR};BREAKAWAY_BIN_DIR=${CMAKE_BINARY_DIR}/bin;UBSAN_OPTIONS=print_stacktrace=1"
+    ENVIRONMENT "QT_QPA_PLATFORM=offscreen;BREAKAWAY_SOURCE_DIR=${CMAKE_SOURCE_DIR};BREAKAWAY_BIN_DIR=${CMAKE_BINARY_DIR}/bin;UBSAN_OPTIONS=print_stacktrace=1;QTEST_FUNCTION_TIMEOUT=1200000"
     SKIP_REGULAR_EXPRESSION "SKIP   : .*all real recordings"
     TIMEOUT 1200)
 endfunction()

@@ -56,7 +56,7 @@ void TestLoads::softContact_isFoundBehindItsGap() {
   const double load = 2.6e-5, gap = 0.02, frequency = 100.0;
   Model truth = servoWith(DriveInput::torque, "backlash", {load, gap, load * frequency * frequency, 0.3});
   truth.count = 2.0 * std::numbers::pi / 8192.0;
-  const auto diagnosis = diagnose(torqueBench(), {drivenRecording(truth, {.seconds = 30.0, .size = 1.5})}, {}, {});
+  const auto diagnosis = diagnose(torqueBench(), {drivenRecording(truth, {.seconds = 15.0, .size = 1.5})}, {}, {});
   QVERIFY(diagnosis);
   QVERIFY2(!diagnosis->findings.empty(), inWords(*diagnosis).c_str());
   const Finding& first = diagnosis->findings.front();
@@ -69,7 +69,7 @@ void TestLoads::frictionBehindASpring_isFoundThere() {
   const double load = 2.6e-5, frequency = 90.0, held = 4e-3;
   Model truth = servoWith(DriveInput::torque, "compliance", {load, frequency, 0.04, held});
   truth.count = 2.0 * std::numbers::pi / 8192.0;
-  const auto diagnosis = diagnose(torqueBench(), {drivenRecording(truth, {.seconds = 30.0, .size = 1.5})}, {}, {});
+  const auto diagnosis = diagnose(torqueBench(), {drivenRecording(truth, {.seconds = 15.0, .size = 1.5})}, {}, {});
   QVERIFY(diagnosis);
   QVERIFY2(!diagnosis->findings.empty(), inWords(*diagnosis).c_str());
   const Finding& first = diagnosis->findings.front();
