@@ -73,7 +73,7 @@ Concealed warmup(TrialRig& rig, const TrialCourse&, double size, Random& random)
   TrialFriction& f = rig.physics.friction;
   f.warmupExcess = size * drawn(random, 0.6, 1.2) * f.coulomb;
   f.warmupTime_s = drawn(random, 6.0, 18.0);
-  return {"friction_warmup", {{torqueNamed("excess", rig), f.warmupExcess}, {"time_constant_s", f.warmupTime_s}}};
+  return {"friction_warmup", {{torqueNamed("amplitude", rig), f.warmupExcess}, {"time_constant_s", f.warmupTime_s}}};
 }
 
 Concealed risingStiction(TrialRig& rig, const TrialCourse&, double size, Random& random) {

@@ -21,6 +21,10 @@ void splitInertia(TrialRig& rig, double share, double rate_Hz, double dampingRat
   p.shaftDamping = 2.0 * dampingRatio * w * p.loadInertia;
 }
 
+const char* loadName(const TrialRig& rig) {
+  return rig.axis == Axis::rotary ? "load_kg_m2" : "load_kg";
+}
+
 Concealed backlash(TrialRig& rig, const TrialCourse&, double size, Random& random) {
   TrialPhysics& p = rig.physics;
   splitInertia(rig, drawn(random, 0.3, 0.6), drawn(random, 60.0, 120.0), drawn(random, 0.1, 0.3));
@@ -29,7 +33,7 @@ Concealed backlash(TrialRig& rig, const TrialCourse&, double size, Random& rando
   return {"backlash",
           {{positionNamed("gap", rig), p.gap},
            {stiffnessNamed("stiffness", rig), p.shaftStiffness},
-           {rig.axis == Axis::rotary ? "load_inertia_kg_m2" : "load_mass_kg", p.loadInertia}}};
+           {loadName(rig), p.loadInertia}}};
 }
 
 /// Larger is softer.
@@ -39,7 +43,7 @@ Concealed compliance(TrialRig& rig, const TrialCourse&, double size, Random& ran
   return {"compliance",
           {{"antiresonance_rad_per_s", 2.0 * std::numbers::pi * rate_Hz},
            {"damping_ratio", damping},
-           {rig.axis == Axis::rotary ? "load_inertia_kg_m2" : "load_mass_kg", rig.physics.loadInertia}}};
+           {loadName(rig), rig.physics.loadInertia}}};
 }
 
 /// Larger stands further in the way.
@@ -66,7 +70,7 @@ Concealed disturbance(TrialRig& rig, const TrialCourse& course, double size, Ran
   p.disturbanceStart_s = drawn(random, 0.15, 0.75) * duration_s;
   p.disturbanceLength_s = drawnLog(random, 0.8, 4.0);
   return {"external_disturbance",
-          {{torqueNamed("load", rig), p.disturbance},
+          {{torqueNamed(rig.axis == Axis::rotary ? "torque" : "force", rig), -p.disturbance},
            {"start_s", p.disturbanceStart_s},
            {"duration_s", p.disturbanceLength_s}}};
 }
