@@ -69,7 +69,7 @@ class Compliance final : public Effect {
     return "A load of " + inertiaText(p[0], seen.axis) + " (" + percentText(p[0] / seen.inertia) +
            " of the inertia) hangs on a spring: the motor hardly moves at " + hertzText(p[1]) + " and rings at " +
            hertzText(p[1] * std::sqrt(seen.inertia / motor)) +
-           (p[3] > 0.0 ? "; it drags " + torqueText(p[3], seen.axis) + " of the friction behind that spring" : "") +
+           (p[3] > 0.0 ? "; " + torqueText(p[3], seen.axis) + " of the friction is on the load's side" : "") +
            ". Look at the coupling, the belt or a long shaft, and for a loose clamp.";
   }
   std::vector<std::string_view> lookAlikes() const override { return {"backlash", "transport_delay", "presliding"}; }
