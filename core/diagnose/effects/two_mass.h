@@ -10,8 +10,8 @@ namespace breakaway {
 /// The load is simulated in coordinates relative to the motor, so that its state outlives a restart:
 ///   δ = θ − θ_load,  J_load ω_load' = T − F_load sgn ω_load,
 ///   T/J_load = ω_a² (|δ| − gap/2) + 2 ζ ω_a |δ|'  towards the motor, in contact only, where a gap never pulls.
-/// A load that rests goes on resting while |T| ≤ F_load. Given the motor's motion, T is linear in J_load at constant ω_a
-/// and F_load/J_load.
+/// A load that rests goes on resting while |T| ≤ F_load. Given the motor's motion, T is linear in J_load at constant
+/// ω_a and F_load/J_load.
 struct TwoMass {
   double inertia = 0.0;       ///< J_load, kg m²
   double frequency = 0.0;     ///< ω_a = √(k/J_load), the antiresonance, rad/s
