@@ -17,9 +17,8 @@ class Compliance final : public Effect {
  public:
   std::string_view name() const override { return "compliance"; }
   std::string_view formula() const override {
-    return "load = J_load (ω_a² δ + 2 ζ ω_a δ'),  J_load ω_load' = load − F_load sgn ω_load,  J_load taken from J, "
-           "F_load "
-           "from F";
+    return "load = J_load (ω_a² δ + 2 ζ ω_a δ'),  J_load ω_load' = load − F_load sgn ω_load,  "
+           "J_load taken from J, F_load from F";
   }
   std::string_view source() const override {
     return "G. Ellis, R. D. Lorenz, 'Resonant load control methods for industrial servo drives', IEEE Industry "
@@ -29,7 +28,7 @@ class Compliance final : public Effect {
     return {{inertiaName("load", axis), 1e-15, 1e9},
             {"antiresonance_rad_per_s", 0.1, highestFrequency},
             {"damping_ratio", 1e-4, 2.0},
-            {torqueName("load_friction", axis), 0.0, 1e9, false, false, 0.01, true}};
+            {.name = torqueName("load_friction", axis), .lower = 0.0, .upper = 1e9, .absentAtZero = true}};
   }
   Term term(std::span<const double> p, const Situation& at) const override { return twoMassTerm(loadOf(p), at); }
   size_t memory() const override { return twoMassMemory; }

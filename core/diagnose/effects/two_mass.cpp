@@ -70,19 +70,9 @@ class Course {
 
   /// All of it within the gap, in closed form; false: it isn't, and nothing was done.
   bool flight(double dt_s) {
-    const double way = this->way(dt_s), braked = acceleration_ + way * deceleration_;
-    const double stops_s = way != 0.0 ? std::abs(ownVelocity()) / deceleration_ : dt_s;
-    const double first_s = std::min(stops_s, dt_s), then_s = dt_s - first_s;
-    if (!flies(load_, now_, braked, first_s)) return false;
-    Relative next = flown(now_, braked, first_s);
-    if (then_s > 0.0) {
-      if (!flies(load_, next, acceleration_, then_s)) return false;
-      next = flown(next, acceleration_, then_s);
-    }
-    now_ = next;
+    if (!flies(load_, now_, acceleration_, dt_s)) return false;
+    now_ = flown(now_, acceleration_, dt_s);
     motor_ += dt_s * acceleration_;
-    lost_ += way * deceleration_ * first_s;
-    if (then_s > 0.0) rest();
     return true;
   }
 

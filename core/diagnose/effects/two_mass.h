@@ -17,7 +17,7 @@ struct TwoMass {
   double frequency = 0.0;     ///< ω_a = √(k/J_load), the antiresonance, rad/s
   double dampingRatio = 0.0;  ///< ζ
   double halfGap = 0.0;       ///< rad
-  double friction = 0.0;      ///< F_load, Nm: Coulomb's, on the load's side
+  double friction = 0.0;      ///< F_load, Nm: Coulomb's, on the load's side; only where there is no gap
 };
 
 /// Hidden state: δ in rad, δ' in rad/s, the motor's velocity in rad/s and the time in s, both as remembered last. Time
