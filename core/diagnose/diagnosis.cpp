@@ -26,13 +26,6 @@ bool hasRealRivals(const Finding& finding) {
 
 constexpr size_t fewestFarOff = 2;  ///< held-out windows that tell of something that the others don't show
 
-/// How many held-out windows err far more than sensors and friction explain.
-size_t farOffHeldout(const Model& model, const Preparation& prepared, std::uint64_t seed, const TorqueNoise& left) {
-  const auto& windows = prepared.split.heldoutScore;
-  const Floors floors = floorsOf(model, prepared, windows, seed, left);
-  return farOffWindows(scoreWindows(model, prepared.tracks, windows), floors.tolerated);
-}
-
 std::string heldoutRemark(size_t far, size_t windows) {
   return std::to_string(far) + " of " + std::to_string(windows) + " held-out windows err more than " + farOffText() +
          " as much as sensors and friction explain. They show something that the data to learn from don't: learn from "
@@ -91,7 +84,7 @@ Result<Attempt> diagnoseParts(const Bench& bench, const std::vector<Recording>& 
   const bool outside = rest.material;
   const bool nothing = diagnosis.findings.empty() && !outside;
   if (nothing || (!diagnosis.findings.empty() && allHappenOnce(diagnosis.findings))) {
-    const size_t far = farOffHeldout(diagnosis.model, *prepared, options.seed, left);
+    const size_t far = farOffWindows(diagnosis.model, *prepared, prepared->split.heldoutScore, options.seed, left);
     if (nothing && far > 0) diagnosis.remarks.push_back(heldoutRemark(far, prepared->split.heldoutScore.size()));
     if (prepared->split.blocks) attempt.farOff = far;
   }

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double quietPart = 0.25;   ///< of the windows: those with the smallest errors
 constexpr double clearlyLess = 0.7;  ///< of the squared error
+constexpr std::uint64_t replays = 6;
 
 /// The model with friction near standstill as it happens to be once.
 Model scattered(Model model, const FrictionScatter& scatter, Random& random) {
@@ -49,8 +50,11 @@ FrictionScatter usualScatter(double highSpeed, double coulomb, const TorqueNoise
   return scatter;
 }
 
-double noiseFloor(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows,
-                  std::uint64_t seed, const FrictionScatter& scatter) {
+namespace {
+
+std::vector<double> replayedSquares(const Model& model, const std::vector<Track>& tracks,
+                                    const std::vector<Window>& windows, std::uint64_t seed,
+                                    const FrictionScatter& scatter) {
   const std::vector<MotionState> hidden = hiddenStates(model, tracks, windows);
   Random random(seed);
   std::vector<double> floors;
@@ -88,6 +92,14 @@ double noiseFloor(const Model& model, const std::vector<Track>& tracks, const st
     }
     floors.push_back(squares / count);
   }
+  return floors;
+}
+
+}  // namespace
+
+double noiseFloor(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows,
+                  std::uint64_t seed, const FrictionScatter& scatter) {
+  std::vector<double> floors = replayedSquares(model, tracks, windows, seed, scatter);
   // A controller that answers to an encoder's steps shakes the current for real, which its readings can't tell from the
   // sensor's noise. What the model errs by where it errs least is more than that noise can do.
   double scale = 1.0;
@@ -100,6 +112,17 @@ double noiseFloor(const Model& model, const std::vector<Track>& tracks, const st
   const double worst = quantile(floors, 0.9);
   std::erase_if(floors, [worst](double one) { return one > worst; });
   return std::sqrt(scale * mean(floors));
+}
+
+std::vector<double> usualSquares(const Model& model, const std::vector<Track>& tracks,
+                                 const std::vector<Window>& windows, std::uint64_t seed,
+                                 const FrictionScatter& scatter) {
+  std::vector<double> squares(windows.size(), 0.0);
+  for (std::uint64_t replay = 1; replay <= replays; ++replay) {
+    const auto one = replayedSquares(model, tracks, windows, seed + replay, scatter);
+    for (size_t w = 0; w < windows.size(); ++w) squares[w] += one[w] / static_cast<double>(replays);
+  }
+  return squares;
 }
 
 }  // namespace breakaway

@@ -28,4 +28,10 @@ FrictionScatter usualScatter(double highSpeed, double coulomb, const TorqueNoise
 double noiseFloor(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows,
                   std::uint64_t seed, const FrictionScatter& scatter = {});
 
+/// Mean squared error of such replays, window by window, over several of them. Where a small cause grows (a pendulum
+/// near its top, the edge of standstill), it is large.
+std::vector<double> usualSquares(const Model& model, const std::vector<Track>& tracks,
+                                 const std::vector<Window>& windows, std::uint64_t seed,
+                                 const FrictionScatter& scatter);
+
 }  // namespace breakaway

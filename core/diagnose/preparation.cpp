@@ -30,6 +30,10 @@ double restartHorizonFor(const std::vector<Track>& tracks, double highSpeed) {
   return 0.2;
 }
 
+bool currentSeen(const std::vector<Track>& tracks) {
+  return std::all_of(tracks.begin(), tracks.end(), [](const Track& track) { return !track.current.empty(); });
+}
+
 /// Scale that no data can give: what must be held at the bench's value, besides what is trusted.
 std::vector<std::string> gauge(const Bench& bench, const std::vector<Track>& tracks) {
   const MotorNames& names = motorNames(bench.axis);
@@ -39,14 +43,19 @@ std::vector<std::string> gauge(const Bench& bench, const std::vector<Track>& tra
   if (bench.input == DriveInput::current)
     return scaled || trusts(names.torqueConstant) ? std::vector<std::string>{}
                                                   : std::vector<std::string>{names.torqueConstant};
-  const bool currentSeen =
-      std::all_of(tracks.begin(), tracks.end(), [](const Track& track) { return !track.current.empty(); });
-  if (currentSeen) return {};
+  if (currentSeen(tracks)) return {};
   // Voltage alone shows ratios: F R/Kt, J R/Kt. Ke shows together with B, and is left to the fit: held too high, no B
   // would do.
   if (scaled && trusts(names.torqueConstant)) return {};
   if (scaled) return {names.resistance};
   return {names.resistance, names.torqueConstant};
+}
+
+/// What the scale of all torques rests on, in words.
+std::string scaleText(const std::vector<std::string>& held, const std::string& assumedFor) {
+  std::string text;
+  for (const std::string& one : held) text += (text.empty() ? "" : ", ") + one;
+  return "the bench's " + (assumedFor.empty() ? text : assumedFor + " (it doesn't say the resistance)");
 }
 
 /// The fits' inductance stays near what the bench says, what the current shows and what the starts have, or between.
@@ -154,7 +163,15 @@ Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& re
   out.split = std::move(*split);
   out.training = maskedTracks(out.tracks, recordings.size(), out.split);
   const std::vector<Track>& training = out.training;
-  const StartingWindings windings = startingWindings(bench, training);
+  Bench known = bench;
+  std::string assumedFor;
+  if (bench.electrical() && !bench.motor.resistance_ohm && !currentSeen(training)) {
+    if (const auto assumed = assumedResistance(bench, training)) {
+      known.motor.resistance_ohm = assumed->value_ohm;
+      assumedFor = assumed->scale;
+    }
+  }
+  const StartingWindings windings = startingWindings(known, training);
   for (const Bench& one : windings.benches) {
     auto starts = startModels(one, training);
     if (!starts) return starts.error();
@@ -163,15 +180,12 @@ Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& re
   out.seen = excitationOf(training, out.starts.front());
   out.freedom.held.assign(bench.trusted.begin(), bench.trusted.end());
   limitInductance(out, bench.motor.inductance_H, windings.shownInductance_H);
-  std::string held;
-  for (const std::string& name : gauge(bench, training)) {
-    if (bench.trusted.count(name) > 0) continue;
-    out.freedom.held.push_back(name);
-    held += (held.empty() ? "" : ", ") + name;
-  }
+  std::vector<std::string> held = gauge(bench, training);
+  std::erase_if(held, [&bench](const std::string& name) { return bench.trusted.count(name) > 0; });
+  out.freedom.held.insert(out.freedom.held.end(), held.begin(), held.end());
   out.scaleDoubted = !held.empty();
   if (!held.empty()) {
-    out.remarks.push_back("the scale of all torques rests on the bench's " + held +
+    out.remarks.push_back("the scale of all torques rests on " + scaleText(held, assumedFor) +
                           ", which these recordings can't check: trust only ratios");
   }
   for (Model& start : out.starts) start.restartHorizon_s = restartHorizonFor(out.tracks, out.seen.highSpeed);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "base/statistics.h"
 #include "diagnose/effects/wording.h"
@@ -26,7 +25,7 @@ constexpr double materialFloors = 2.5;
 /// Beyond so many times what they may do, a smaller part is material, too: names that leave as much are borrowed.
 constexpr double glaringFloors = 6.0, glaringShare = 0.05;
 /// Of the windows, but at least five, that are so far off is no accident.
-constexpr double farOffPart = 0.05;
+constexpr double farOffPart = 0.05, fewestFarOff = 5.0;
 /// Of the drive's peak, or of the friction: a place where less is unexplained is none.
 constexpr double immaterialPart = 0.01;
 /// Of what is unexplained: a place with less of it, or one that chance gives more often, is none.
@@ -34,14 +33,8 @@ constexpr double leastInPlace = 0.1, largelyInPlace = 0.25, likeliestByChance = 
 /// What is in one place to a larger part is no friction that scatters.
 constexpr double mostByScatter = 0.4;
 
-double windowsBeyond(const std::vector<double>& squares, double limit) {
-  return static_cast<double>(
-      std::count_if(squares.begin(), squares.end(), [limit](double one) { return one > limit * limit; }));
-}
-
-bool oftenFarOff(const std::vector<double>& squares, double limit) {
-  return windowsBeyond(squares, limit) >= std::max(5.0, farOffPart * static_cast<double>(squares.size()));
-}
+/// Of what a replay of the window itself errs by: less may come of scatter that grows, as near a pendulum's top.
+constexpr double farBeyondUsual = 3.0;
 
 /// Each window half its length later, where the next one follows. A drive that reverses as often as windows begin makes
 /// all restarts begin at the edge of standstill; between them they don't.
@@ -73,20 +66,70 @@ std::vector<Place> placesOf(const Model& model, const Preparation& prepared, std
   return places(residualMaps(model, prepared.training, seed), model);
 }
 
-Remainder beside(const WindowErrors& errors, const Floors& floors, const Limits& limits,
-                 const std::function<std::vector<double>()>& halfLater) {
+/// One model's restarts, in the windows that are scored and between them.
+class Restarts {
+ public:
+  Restarts(const Model& model, const Preparation& prepared, std::uint64_t seed, const TorqueNoise& left)
+      : model_(model),
+        prepared_(prepared),
+        seed_(seed),
+        scatter_(usualScatter(prepared.seen.highSpeed, physicsOf(model).coulomb, left)) {}
+
+  const std::vector<double>& squaresLater() {
+    if (squaresLater_.empty()) {
+      windowsLater_ = halfLater(prepared_.split.trainScore);
+      squaresLater_ = scoreWindows(model_, prepared_.tracks, windowsLater_);
+    }
+    return squaresLater_;
+  }
+
+  /// The windows that err by more than `limit`, and by far more than scattering friction makes of them.
+  size_t farOff(const std::vector<Window>& windows, const std::vector<double>& squares, double limit) const {
+    std::vector<Window> beyond;
+    std::vector<double> errors;
+    for (size_t w = 0; w < windows.size(); ++w) {
+      if (squares[w] <= limit * limit) continue;
+      beyond.push_back(windows[w]);
+      errors.push_back(squares[w]);
+    }
+    if (beyond.empty()) return 0;
+    const auto usual = usualSquares(model_, prepared_.tracks, beyond, seed_, scatter_);
+    size_t count = 0;
+    for (size_t w = 0; w < beyond.size(); ++w) count += errors[w] > farBeyondUsual * farBeyondUsual * usual[w] ? 1 : 0;
+    return count;
+  }
+  /// Too many for accidents, wherever windows begin.
+  bool oftenFarOff(const std::vector<double>& squares, double limit) {
+    return often(prepared_.split.trainScore, squares, limit) && often(windowsLater_, squaresLater(), limit);
+  }
+
+ private:
+  bool often(const std::vector<Window>& windows, const std::vector<double>& squares, double limit) const {
+    const double enough = std::max(fewestFarOff, farOffPart * static_cast<double>(windows.size()));
+    const auto far = std::count_if(squares.begin(), squares.end(), [limit](double one) { return one > limit * limit; });
+    return static_cast<double>(far) >= enough && static_cast<double>(farOff(windows, squares, limit)) >= enough;
+  }
+
+  const Model& model_;
+  const Preparation& prepared_;
+  std::uint64_t seed_;
+  FrictionScatter scatter_;
+  std::vector<Window> windowsLater_;
+  std::vector<double> squaresLater_;
+};
+
+Remainder beside(const WindowErrors& errors, const Floors& floors, const Limits& limits, Restarts& restarts) {
   Remainder rest;
   rest.floors = floors;
   const double before = typicalSquare(errors.before), after = typicalSquare(errors.after);
   const double unit = floors.perfect * floors.perfect;
   const double most = std::pow(materialFloors * floors.tolerated, 2);
-  if (after > most && typicalSquare(halfLater()) > most)
+  if (after > most && typicalSquare(restarts.squaresLater()) > most)
     rest.share = std::clamp((after - unit) / std::max(before - unit, 1e-300), 0.0, 1.0);
   const bool glares = rest.share > glaringShare && after > std::pow(glaringFloors * floors.tolerated, 2);
   rest.material = rest.share > limits.share || glares;
   const double ofAll = mean(errors.after) / std::max(mean(errors.before), 1e-300);
-  const double far = limits.farOff * floors.tolerated;
-  if (!rest.material && ofAll > limits.share && oftenFarOff(errors.after, far) && oftenFarOff(halfLater(), far)) {
+  if (!rest.material && ofAll > limits.share && restarts.oftenFarOff(errors.after, limits.farOff * floors.tolerated)) {
     rest.material = true;
     rest.share = std::min(ofAll, 1.0);
   }
@@ -96,8 +139,11 @@ Remainder beside(const WindowErrors& errors, const Floors& floors, const Limits&
 
 }  // namespace
 
-size_t farOffWindows(const std::vector<double>& squares, double tolerated) {
-  return static_cast<size_t>(windowsBeyond(squares, besideFindings.farOff * tolerated));
+size_t farOffWindows(const Model& model, const Preparation& prepared, const std::vector<Window>& windows,
+                     std::uint64_t seed, const TorqueNoise& left) {
+  const Floors floors = floorsOf(model, prepared, windows, seed, left);
+  return Restarts(model, prepared, seed, left)
+      .farOff(windows, scoreWindows(model, prepared.tracks, windows), besideFindings.farOff * floors.tolerated);
 }
 
 std::string farOffText() {
@@ -115,8 +161,8 @@ Remainder remainderOf(const Model& model, bool named, const Preparation& prepare
                       const TorqueNoise& left, std::uint64_t seed) {
   const std::vector<Window>& windows = prepared.split.trainScore;
   const Limits& limits = named ? besideFindings : alone;
-  const auto later = [&] { return scoreWindows(model, prepared.tracks, halfLater(windows)); };
-  Remainder rest = beside(errors, floorsOf(model, prepared, windows, seed, left), limits, later);
+  Restarts restarts(model, prepared, seed, left);
+  Remainder rest = beside(errors, floorsOf(model, prepared, windows, seed, left), limits, restarts);
   if (!rest.wanders) return rest;
   const auto found = placesOf(model, prepared, seed);
   const auto stands = [&, friction = physicsOf(model).coulomb](const Place& place) {
@@ -128,8 +174,9 @@ Remainder remainderOf(const Model& model, bool named, const Preparation& prepare
     return stands(place) && place.share > mostByScatter;
   });
   const Floors strict{floors.perfect, floors.perfect};
-  return clear ? beside(errors, strict, {alone.share, besideFindings.farOff}, later)
-               : beside(errors, floors, limits, later);
+  Restarts placed(model, prepared, seed, {});
+  return clear ? beside(errors, strict, {alone.share, besideFindings.farOff}, placed)
+               : beside(errors, floors, limits, placed);
 }
 
 void findPlaces(Remainder& rest, const Model& model, const Preparation& prepared, std::uint64_t seed) {

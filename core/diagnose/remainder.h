@@ -46,8 +46,9 @@ void findPlaces(Remainder& rest, const Model& model, const Preparation& prepared
 /// How much torque is left, in words.
 std::string wanderRemark(const TorqueNoise& left, double friction, const Excitation& seen);
 
-/// How many windows err so much that neither sensors nor scattering friction can be the cause.
-size_t farOffWindows(const std::vector<double>& squares, double tolerated);
+/// How many of `windows` err so much that neither sensors nor scattering friction can be the cause.
+size_t farOffWindows(const Model& model, const Preparation& prepared, const std::vector<Window>& windows,
+                     std::uint64_t seed, const TorqueNoise& left);
 /// "8 times", in words of farOffWindows().
 std::string farOffText();
 

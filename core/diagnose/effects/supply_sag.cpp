@@ -7,6 +7,8 @@ namespace breakaway {
 
 namespace {
 
+constexpr double softest = 1.2;  ///< of the winding's own resistance: more than half of the voltage would be lost
+
 /// The supply falls by its resistance times the bridge's current, which is duty times motor current while motoring, and
 /// the windings get duty times less. `supply_V` serves only where the supply isn't known; it is then the largest input.
 class SupplySag final : public Effect {
@@ -33,12 +35,14 @@ class SupplySag final : public Effect {
   }
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
     const double duty = std::min(1.0, seen.peakInput / (seen.supply_V > 0.0 ? seen.supply_V : p[1]));
-    return p[0] > 0.0 && p[0] * duty * duty * seen.peakCurrent < 0.5 * seen.peakInput;
+    // At the peak current that a stiff supply would give; a soft one gives less.
+    return p[0] > 0.0 && p[0] * duty * duty * seen.peakCurrent < softest * seen.peakInput;
   }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
+    const double beside = p[0] * seen.peakCurrent / seen.peakInput;  // of the winding's resistance
     return "The supply gives way under load as if it had " + quantityText(p[0], "Ω") +
-           " inside: at the peak current of " + quantityText(seen.peakCurrent, "A") + " and full voltage it lacks " +
-           quantityText(p[0] * seen.peakCurrent, "V") +
+           " inside: at full voltage and the largest current it lacks about " +
+           quantityText(seen.peakInput * beside / (1.0 + beside), "V") +
            ". Look at the supply's current limit, its cable and the bridge's capacitors.";
   }
   std::vector<std::string_view> lookAlikes() const override { return {"dead_time", "winding_heating"}; }

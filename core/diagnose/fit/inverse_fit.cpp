@@ -17,6 +17,7 @@ namespace breakaway {
 namespace {
 
 constexpr double parallelCutoff_Hz = 50.0;
+constexpr double usualWinding_s = 1e-3;  ///< a winding's time constant
 
 using Column = std::function<double(const InverseRows&, size_t)>;
 
@@ -209,7 +210,10 @@ Result<InverseFit> fitInverse(const Model& model, const std::vector<Track>& trac
   return fit;
 }
 
-Result<std::vector<Model>> startModels(const Bench& bench, const std::vector<Track>& tracks) {
+namespace {
+
+/// The bench's motor before anything is known of its motion: constants, winding and down angle.
+Model believedDrive(const Bench& bench) {
   const MotorNames& names = motorNames(bench.axis);
   Model model;
   model.axis = bench.axis;
@@ -219,7 +223,6 @@ Result<std::vector<Model>> startModels(const Bench& bench, const std::vector<Tra
   model.pendulum = bench.pendulum;
   const MotorBelief& belief = bench.motor;
   const auto add = [&model](const char* name, double value) { model.base.push_back({name, value, value, value}); };
-  const auto trusts = [&bench](const char* name) { return bench.trusted.count(name) > 0; };
   if (bench.input != DriveInput::torque) {
     add(names.torqueConstant,
         belief.torqueConstant.value_or(belief.backEmfConstant.value_or(bench.electrical() ? 0.1 : 1.0)));
@@ -230,50 +233,84 @@ Result<std::vector<Model>> startModels(const Bench& bench, const std::vector<Tra
     if (belief.inductance_H) add(names.inductance, *belief.inductance_H);
   }
   if (bench.pendulum) add("down_angle_rad", bench.pendulum->downAngle_rad);
+  return model;
+}
 
-  // input = a·(J/k) + ω·(B/k) + s·(F/k) + gravity/k (+ Ke ω): ratios to the drive's gain k, Kt or Kt/R, come out
-  // linearly.
-  const Model believed = model;
-  const Physics physics = physicsOf(model);
+/// input = a·(J/k) + ω·(B/k) + s·(F/k) + gravity/k (+ Ke ω): ratios to the drive's gain k, Kt or Kt/R, come out
+/// linearly.
+struct GainRatios {
+  double inertia = 0.0, viscous = 0.0, coulomb = 0.0;
+  double gravity = 0.0;  ///< 1/k; 0 without a pendulum
+};
+
+Result<GainRatios> gainRatios(const Model& model, const std::vector<Track>& tracks) {
   std::vector<Column> columns{accelerationColumn, velocityColumn, directionColumn};
-  Eigen::Index gravityAt = -1;
-  const double hanging = bench.pendulum ? pendulumInertia(*bench.pendulum) : 0.0;
-  if (physics.gravity > 0.0) {
-    gravityAt = static_cast<Eigen::Index>(columns.size());
-    columns.push_back([gravity = gravityColumn(model), hanging](const InverseRows& rows, size_t k) {
-      return gravity(rows, k) + hanging * rows.acceleration[k];
-    });
+  const bool hangs = physicsOf(model).gravity > 0.0;
+  if (hangs) {
+    columns.push_back(
+        [gravity = gravityColumn(model), hanging = pendulumInertia(*model.pendulum)](
+            const InverseRows& rows, size_t k) { return gravity(rows, k) + hanging * rows.acceleration[k]; });
   }
   columns.push_back([](const InverseRows&, size_t) { return 1.0; });  // a constant load must not bend the others
   const auto got = regress(tracks, columns, inputColumn, false);
-  double gain = physics.torquePerInput();
+  if (!got) return got.error();
+  return GainRatios{got->value[0], got->value[1], got->value[2], hangs ? got->value[3] : 0.0};
+}
+
+}  // namespace
+
+std::optional<AssumedResistance> assumedResistance(const Bench& bench, const std::vector<Track>& tracks) {
+  const Model model = believedDrive(bench);
+  const auto ratios = gainRatios(model, tracks);
+  const MotorNames& names = motorNames(bench.axis);
+  const MotorBelief& belief = bench.motor;
+  const double kt = physicsOf(model).torqueConstant;
+  if (ratios) {
+    if (ratios->gravity > 0.0) return AssumedResistance{kt * ratios->gravity, "pendulum"};
+    if (belief.inertia && ratios->inertia > 0.0)
+      return AssumedResistance{kt * ratios->inertia / *belief.inertia, names.inertia};
+    if (belief.coulomb && *belief.coulomb > 0.0 && ratios->coulomb > 0.0)
+      return AssumedResistance{kt * ratios->coulomb / *belief.coulomb, names.coulomb};
+  }
+  if (belief.inductance_H) return AssumedResistance{*belief.inductance_H / usualWinding_s, names.inductance};
+  return std::nullopt;
+}
+
+Result<std::vector<Model>> startModels(const Bench& bench, const std::vector<Track>& tracks) {
+  const MotorNames& names = motorNames(bench.axis);
+  Model model = believedDrive(bench);
+  const MotorBelief& belief = bench.motor;
+  const auto trusts = [&bench](const char* name) { return bench.trusted.count(name) > 0; };
+  const Model believed = model;
+  const double hanging = bench.pendulum ? pendulumInertia(*bench.pendulum) : 0.0;
+  const auto ratios = gainRatios(model, tracks);
+  double gain = physicsOf(model).torquePerInput();
   double inertia = belief.inertia.value_or(0.0), viscous = belief.viscous.value_or(0.0),
          coulomb = belief.coulomb.value_or(0.0);
-  if (got) {
-    if (gravityAt >= 0 && got->value[gravityAt] > 0.0 && !trusts(names.torqueConstant)) {
-      const double found = 1.0 / got->value[gravityAt];
-      const double factor = std::clamp(found / gain, 0.05, 20.0);
+  if (ratios) {
+    if (ratios->gravity > 0.0 && !trusts(names.torqueConstant)) {
+      const double factor = std::clamp(1.0 / ratios->gravity / gain, 0.05, 20.0);
       for (Parameter& one : model.base) {
         const bool electrical = one.name == names.torqueConstant || one.name == names.backEmfConstant;
         if (electrical) one = {one.name, one.value * factor, one.value * factor, one.value * factor};
       }
       gain *= factor;
-    } else if (trusts(names.inertia) && got->value[0] > 0.0 && !trusts(names.torqueConstant) &&
+    } else if (trusts(names.inertia) && ratios->inertia > 0.0 && !trusts(names.torqueConstant) &&
                bench.input != DriveInput::torque) {
-      const double factor = inertia / got->value[0] / gain;
+      const double factor = inertia / ratios->inertia / gain;
       for (Parameter& one : model.base) {
         if (one.name == names.torqueConstant || one.name == names.backEmfConstant) one.value *= factor;
       }
       gain *= factor;
     }
     const double emf = physicsOf(model).electrical ? physicsOf(model).backEmf * gain : 0.0;
-    const double foundInertia = got->value[0] * gain - (gravityAt >= 0 ? 0.0 : hanging);
+    const double foundInertia = ratios->inertia * gain - (physicsOf(model).gravity > 0.0 ? 0.0 : hanging);
     if (!trusts(names.inertia) && foundInertia > 0.0) inertia = foundInertia;
-    if (!trusts(names.viscous)) viscous = std::max(0.0, got->value[1] * gain - emf);
-    if (!trusts(names.coulomb)) coulomb = std::max(0.0, got->value[2] * gain);
+    if (!trusts(names.viscous)) viscous = std::max(0.0, ratios->viscous * gain - emf);
+    if (!trusts(names.coulomb)) coulomb = std::max(0.0, ratios->coulomb * gain);
   }
   if (inertia <= 0.0) {
-    if (!got) return got.error();
+    if (!ratios) return ratios.error();
     return Error{tracks.front().name, "doesn't show the inertia, and the bench doesn't say it"};
   }
   const auto finish = [&names](Model start, double j, double b, double f) {
