@@ -9,6 +9,7 @@
 #include "diagnose/catalogue.h"
 #include "diagnose/fit/cross_validation.h"
 #include "diagnose/search/swinging_load.h"
+#include "diagnose/search/window_slope.h"
 
 namespace breakaway {
 
@@ -17,7 +18,8 @@ namespace {
 constexpr double hardlyAny = 0.02;          ///< of a squared error
 constexpr double clearlyLess = 0.95;        ///< of a squared error, typically, before any fit
 constexpr double wellSettledFloors = 25.0;  ///< squared error, in squared floors, up to which `hardlyAny` will do
-constexpr size_t mostTrials = 4, fewTrials = 2;
+constexpr double hardlyLeft = 0.05, halfLeft = 0.5;
+constexpr size_t mostTrials = 4, fewTrials = 2, mostBySlope = 2;
 
 bool holds(const Model& model, const Effect& effect) {
   return std::any_of(model.effects.begin(), model.effects.end(),
@@ -62,6 +64,31 @@ FitResult Further::withoutImplausible(FitResult fit) const {
   return model.effects.empty() ? fit : fitModel(input_, model, 8);
 }
 
+/// Effects that the regression gives no size that they can have, where the windows' slopes do: it can't follow a drive
+/// that clips, or a base that is far off.
+std::vector<Pick> Further::sloped(const SearchResult& result) const {
+  std::vector<SlopePick> found;
+  for (const Effect* effect : catalogue()) {
+    if (contains(result.chosen, effect)) continue;
+    SlopePick one = slopePick(input_, result.best, *effect);
+    if (one.part > clearGain) found.push_back(std::move(one));
+  }
+  std::stable_sort(found.begin(), found.end(), [](const SlopePick& a, const SlopePick& b) { return a.part > b.part; });
+  if (found.size() > mostBySlope) found.resize(mostBySlope);
+  std::vector<Pick> picks;
+  for (SlopePick& one : found) picks.push_back(std::move(one.pick));
+  return picks;
+}
+
+/// Whether a fit leaves hardly anything of another one's error, in all and typically. Folds may not foretell it, where
+/// few windows show a drive's limit.
+bool Further::leavesNothing(const FitResult& without, const FitResult& with) const {
+  if (swings(with.model) || happensOnce(with.model)) return false;
+  const auto &before = without.windowSquares, &after = with.windowSquares;
+  return mean(after) < hardlyLeft * mean(before) && typicalPart(after, before, insignificant) < halfLeft &&
+         fits_.worth().chance(before, after) <= largestPValue;
+}
+
 bool Further::find(SearchResult& result, std::vector<Pick> picks) const {
   const Worth& worth = fits_.worth();
   std::erase_if(picks, [&](const Pick& one) { return !contains(result.chosen, one.effect); });
@@ -101,6 +128,8 @@ bool Further::find(SearchResult& result, std::vector<Pick> picks) const {
   const auto skipped =
       loads - candidates.begin() > static_cast<std::ptrdiff_t>(most) ? candidates.begin() + most : loads;
   candidates.erase(skipped, loads);
+  const std::vector<Pick> bySlope = sloped(result);
+  candidates.insert(candidates.begin(), bySlope.begin(), bySlope.end());
   std::optional<FitResult> winner;
   Chosen chosen;
   double best = 2.0 * sureGain;
@@ -116,9 +145,8 @@ bool Further::find(SearchResult& result, std::vector<Pick> picks) const {
     const double pValue = worth.chance(before, after);
     if (swings(fit.model) && !fits_.helps(result.best, fit)) continue;
     const bool sure = gain.interval.low > sureGain && pValue <= largestPValue;
-    const double part = fits_.breaksAwayBetter(result.best, fit) ? 1.0 - mean(fit.windowSquares) / left
-                        : sure                                   ? gain.relative
-                                                                 : 0.0;
+    const bool asFitted = fits_.breaksAwayBetter(result.best, fit) || leavesNothing(result.best, fit);
+    const double part = asFitted ? 1.0 - mean(fit.windowSquares) / left : sure ? gain.relative : 0.0;
     if (!(part >= best)) continue;
     best = part;
     winner = std::move(fit);

@@ -21,6 +21,8 @@ class Further {
 
  private:
   Pick simulatedBest(const Effect& effect, const Model& model, const Pick& screened) const;
+  bool leavesNothing(const FitResult& without, const FitResult& with) const;
+  std::vector<Pick> sloped(const SearchResult& result) const;
   FitResult withoutImplausible(FitResult fit) const;
 
   const SearchInput& input_;

@@ -202,6 +202,11 @@ Result<FitResult> fitNamed(const SearchInput& input, const std::vector<Model>& s
     for (const Effect* effect : effects) {
       const Screen screen(rig, {effect}, input.seen, input.split.fold, folds, input.seed);
       picks.push_back(screen.best(*effect, picks));
+      const auto shapes = effect->shapes(input.seen);
+      if (picks.back().parameters.empty() && !shapes.empty()) {  // only the regression sees none of it
+        picks.back().shape = shapes.front();
+        picks.back().parameters = shapes.front().front();
+      }
       if (picks.back().parameters.empty()) {
         return Error{input.tracks.front().name, "can't show the effect " + std::string(effect->name()) + ": " +
                                                     effect->neededExcitation(input.seen)};

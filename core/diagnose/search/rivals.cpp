@@ -18,7 +18,8 @@ constexpr size_t mostRivals = 3;
 constexpr double alikePart = 0.7, unlistedPart = 0.8;  ///< of the chosen one's gain, for look-alikes and others
 constexpr double halfOfAll = 0.5;
 
-constexpr double hardlyMore = 1.15;  ///< of a squared error
+constexpr double hardlyMore = 1.15;                    ///< of a squared error
+constexpr double farMore = 10.0, typicallyMore = 2.0;  ///< of a squared error, whatever single folds say
 
 size_t wavesOf(const Model& model, const Effect& effect) {
   return static_cast<size_t>(std::count_if(model.effects.begin(), model.effects.end(),
@@ -125,7 +126,9 @@ void Rivals::tryInPlace(SearchResult& result, size_t k, const FitResult& left, c
   const bool simpler = freedom < own && leaves < hardlyMore;
   // Something is there, if the chosen effect is: one that does better may be as small as it likes.
   if (!better && !plausible(fit.model, input_.seen)) return;
-  if (!better && !simpler && (ahead.inErrors >= 2.0 || clearlyWorse)) return;
+  const bool leavesFarMore =
+      leaves > farMore && typicalPart(fit.windowSquares, result.best.windowSquares, insignificant) > typicallyMore;
+  if (!better && !simpler && (ahead.inErrors >= 2.0 || clearlyWorse || leavesFarMore)) return;
   // A push at a time of its own explains whatever happened then: physics that does as well is the better name.
   const bool physics = chosen.effect->happensOnce() && !rival.effect->happensOnce();
   // Nor does a size that can't be told from zero hold a name against one that needs less to do the same.

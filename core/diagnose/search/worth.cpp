@@ -15,6 +15,7 @@ constexpr double leastImprovement = 0.03;
 constexpr double clearOfCurrent = 0.35, muchOfCurrent = 0.25;  ///< of its squared error
 constexpr double baseFloors = 1.6;   ///< a base model that errs by less lacks nothing that its position shows
 constexpr double leastShare = 0.01;  ///< of the base model's squared error
+constexpr double clearFloors = 9.0, hardlyAny = 0.1;  ///< of the squared floor, of a squared error
 constexpr double spreadFloors = 0.3;
 constexpr double fewWindowsFloors = 4.0;
 constexpr double leastFloors = 0.8;  ///< of the squared floor
@@ -63,7 +64,9 @@ bool Worth::material(const FitResult& without, const FitResult& with) const {
   const bool spread = mean(gains) > spreadFloors * unit || back > fewWindowsFloors * unit;
   // The best start of a window takes up some of what a model lacks, and all that a restart's noise adds.
   const bool seen = !baseAtFloor() || restarts_ > baseFloors * baseFloors * unit;
-  const bool position = seen && spread && back > leastFloors * unit && back > leastShare * base_;
+  // Beside a much larger effect, what takes nearly all away that is left needs no share of that one's.
+  const bool clears = back > clearFloors * unit && mean(with.windowSquares) < hardlyAny * mean(without.windowSquares);
+  const bool position = seen && spread && back > leastFloors * unit && (back > leastShare * base_ || clears);
   const double noise = currentNoise();
   const double currentBack = without.currentSquares - with.currentSquares;
   return position ||

@@ -1,0 +1,21 @@
+// What an effect would take away as simulated windows see it: for where the regression on the linear rig is misled.
+#pragma once
+
+#include <vector>
+
+#include "diagnose/search/model_fit.h"
+
+namespace breakaway {
+
+/// An effect's best shape by the slopes of a fit's windows: how the residuals would change with a little of it, beside
+/// all that the fit may change itself.
+struct SlopePick {
+  Pick pick;          ///< no parameters where slopes don't tell, or give a size that it can't have
+  double part = 0.0;  ///< of the fit's squared residuals that it takes away, if all were linear
+};
+
+/// Slopes don't tell of effects with hidden states, of waves (which the regression finds), of what acts at standstill,
+/// elastic friction, changed inputs, or one time alone; nor beside hidden states.
+SlopePick slopePick(const SearchInput& input, const FitResult& fit, const Effect& effect);
+
+}  // namespace breakaway
