@@ -45,8 +45,7 @@ class ExternalDisturbance final : public Effect {
     return "From " + timeText(p[1]) + " to " + timeText(p[1] + p[2]) +
            " after the recording's begin something pushed " + wayText(p[0], seen.axis) + " with " +
            torqueText(std::abs(p[0]), seen.axis) +
-           ", and never else: a hand, a cable, a load put on. Look at what happened then, and repeat the recording "
-           "without it.";
+           ": a hand, a cable, a load put on. Look at what happened then, and repeat the recording without it.";
   }
   std::vector<std::string_view> lookAlikes() const override { return {"constant_load", "friction_warmup"}; }
   std::string neededExcitation(const Excitation& seen) const override {
@@ -54,6 +53,7 @@ class ExternalDisturbance final : public Effect {
            " untouched: what came from outside doesn't come again at the same time.";
   }
   bool happensOnce() const override { return true; }
+  bool mayRepeat(const Excitation&) const override { return true; }  // each at a time of its own
   std::string_view drawnOver() const override { return "time"; }
 };
 

@@ -8,6 +8,7 @@
 #include "diagnose/noise_floor.h"
 #include "diagnose/search/swinging_load.h"
 #include "diagnose/simulate/physics.h"
+#include "diagnose/simulate/simulator.h"
 
 namespace breakaway {
 
@@ -50,11 +51,21 @@ bool SetFits::breaksAwayBetter(const FitResult& without, const FitResult& with) 
 bool SetFits::clearlyBetterFromRestarts(const FitResult& fit, const FitResult& other) const {
   const auto& windows = input_.split.trainScore;
   const auto now = scoreWindows(fit.model, input_.tracks, windows);
-  const auto before = scoreWindows(other.model, input_.tracks, windows);
-  // In single windows a load may run away and still be right; in those at rest it shows nothing.
-  const double part = std::min(typicalPart(now, before, 0.0), typicalPart(now, before, insignificant));
-  const double ofAll = mean(now) / std::max(mean(before), 1e-300);
-  if (loadFollowsAll(fit, other)) return part < somewhatLess || ofAll < somewhatLess;
+  double part = 0.0, ofAll = 0.0;
+  const auto compareWith = [&](const Model& model) {
+    const auto before = scoreWindows(model, input_.tracks, windows);
+    // In single windows a load may run away and still be right; in those at rest it shows nothing.
+    part = std::max(part, std::min(typicalPart(now, before, 0.0), typicalPart(now, before, insignificant)));
+    // A restart just after a breakaway may be a whole window off by itself.
+    ofAll = std::max(ofAll, typicalSquare(now) / std::max(typicalSquare(before), 1e-300));
+  };
+  compareWith(other.model);
+  // A load makes restarts look back further, which knows the velocity better whatever the model.
+  Model lookingBack = other.model;
+  const Window& any = windows.front();
+  lookingBack.restartHorizon_s = Simulator(fit.model, input_.tracks[any.track], any.first, any.last).horizon_s();
+  if (lookingBack.restartHorizon_s > other.model.restartHorizon_s) compareWith(lookingBack);
+  if (loadFollowsAll(fit, other)) return part < somewhatLess || ofAll < clearlyLess;
   if (loadsMayShow_ || !swings(fit.model) || swings(other.model)) return part < clearlyLess || ofAll < clearlyLessInAll;
   return std::min(part, ofAll) < farLess;
 }
