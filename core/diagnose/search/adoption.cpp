@@ -70,7 +70,12 @@ const Screening* Adoption::adopt(SearchResult& result, const Screening& steady) 
 
 void Adoption::adoptAlone(SearchResult& result, const Screen& screen) const {
   for (const Pick& pick : bestAlone(screen)) {
-    if (result.chosen.empty()) adoptSet(result, screen, {pick});
+    if (!result.chosen.empty()) return;
+    adoptSet(result, screen, {pick});
+    // What has two ends may fit at both only; of waves the screen has had as many as it wants.
+    if (!result.chosen.empty() || pick.shape.size() > 1 || !pick.effect->mayRepeat(input_.seen)) continue;
+    Pick other = screen.best(*pick.effect, {pick});
+    if (!other.parameters.empty()) adoptSet(result, screen, {pick, std::move(other)});
   }
 }
 
