@@ -25,6 +25,7 @@ EffectTerm termOf(const Effect& effect, Axis axis, const std::vector<double>& va
 }
 
 constexpr double farBelow = 0.5;  ///< of the start's error
+constexpr double leastLoadSteps = 1e8, loadStepsPerRow = 600.0;
 
 /// No rig is exact to so small a part of its drive: what is smaller is no finding.
 constexpr double leastTorque = 5e-4;
@@ -46,6 +47,9 @@ std::optional<double> torqueOf(const std::string& name, double value, const Exci
 
 SearchInput::SearchInput(const Preparation& prepared, std::uint64_t anySeed)
     : tracks(prepared.tracks), split(prepared.split), freedom(prepared.freedom), seen(prepared.seen), seed(anySeed) {
+  double rows = 0.0;
+  for (const Window& window : split.train) rows += static_cast<double>(window.last - window.first);
+  loadSteps = std::make_shared<StepBudget>(leastLoadSteps + loadStepsPerRow * rows);
 }
 
 Model with(const SearchInput& input, const Model& model, const Pick& pick) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -14,6 +15,22 @@
 
 namespace breakaway {
 
+/// How many simulated steps the search may still spend on loads that swing: those behind a gap need fine ones, and
+/// where nothing explains a recording, all their shapes are tried. A count, not a clock: the answer is the same on any
+/// machine.
+class StepBudget {
+ public:
+  explicit StepBudget(double steps) : left_(steps) {}
+  /// Whether there are so many left; then they are spent.
+  bool take(double steps) {
+    left_ -= steps;
+    return left_ >= 0.0;
+  }
+
+ private:
+  double left_;
+};
+
 /// What a search runs on.
 struct SearchInput {
   const std::vector<Track>& tracks;
@@ -25,6 +42,7 @@ struct SearchInput {
   std::function<void(double, const std::string&)> progress;
   std::function<void(const std::vector<const Effect*>&)> named;  ///< called once, when the names are likely to stay
   std::vector<double> windowWeights;                             ///< of split.train; empty: all 1
+  std::shared_ptr<StepBudget> loadSteps;                         ///< of the whole search
 
   SearchInput(const Preparation& prepared, std::uint64_t seed);
   void say(double part, const std::string& activity) const {

@@ -30,6 +30,9 @@ constexpr double promising = 0.5, promisingInPlay = 0.2;
 constexpr double nearlyAll = 0.03, hardlyAny = 0.02, somewhatLess = 0.7;  ///< of a squared error
 constexpr double plainlyFits = 2.0;  ///< squared error, in squared floors, below which no friction is looked for
 constexpr int mostContinuations = 2;
+/// Runs of a window: the nominal one and one for each number of its start; and a fit's iterations.
+constexpr double runsPerStart = 5.0, runsPerFit = 5.0;
+constexpr double restart_s = 2.0, restartInPlay_s = 10.0;  ///< simulated for a window's restart
 
 }  // namespace
 
@@ -95,6 +98,19 @@ SwingingLoads::View SwingingLoads::viewOf(double window_s, size_t most) const {
   view.own = residualSquares(model_, input_.tracks, view.windows);
   view.unit = std::max(insignificant * mean(view.own), 1e-300);
   return view;
+}
+
+double SwingingLoads::stepsOf(const std::vector<Window>& windows, const Pick& pick, double runs) const {
+  const double longest_s = pick.effect->longestStep_s(pick.parameters);
+  const double sought_s = inPlay(pick) ? restartInPlay_s : restart_s;
+  double steps = 0.0;
+  for (const Window& window : windows) {
+    const std::vector<double>& time = input_.tracks[window.track].time;
+    const auto rows = static_cast<double>(window.last - window.first);
+    const double length_s = time[window.last] - time[window.first];
+    steps += (runs + sought_s / length_s) * std::max(rows, length_s / longest_s);
+  }
+  return steps;
 }
 
 double SwingingLoads::leftBy(const Pick& pick, const View& view) const {
@@ -165,6 +181,7 @@ std::vector<SwingingLoads::Shaped> SwingingLoads::bestOf(const std::vector<std::
     Pick other = pick;
     other.parameters = parameters;
     if (!plausible(*other.effect, other.parameters, input_.seen)) continue;
+    if (!input_.loadSteps->take(stepsOf(view.windows, other, runsPerStart))) break;
     const double left = leftBy(other, view);
     best.push_back({std::move(other.parameters), left});
   }
@@ -189,6 +206,7 @@ void SwingingLoads::walk(Shaped& best, const Pick& pick, const View& view) const
       other.parameters[p] *= by;
     }
     if (input_.stop.stop_requested() || !plausible(*other.effect, other.parameters, input_.seen)) return false;
+    if (!input_.loadSteps->take(stepsOf(view.windows, other, runsPerStart))) return false;
     const double left = leftBy(other, view);
     if (!(left < best.left)) return false;
     best = {other.parameters, left};
@@ -210,7 +228,10 @@ FitResult SwingingLoads::fitted(const Pick& pick) const {
   const double own = mean(residualSquares(model_, input_.tracks, input_.split.train));
   double least = own;
   const double followed = (inPlay(pick) ? promisingInPlay : promising) * own;
-  const auto fitFrom = [&](const Model& start) {
+  const auto fitFrom = [&](const Model& start, const Pick& shaped) {
+    const auto columns = static_cast<double>(vectorOf(input_, start).size());
+    if (!input_.loadSteps->take(stepsOf(input_.split.train, shaped, runsPerFit * (runsPerStart + columns))))
+      return false;
     FitResult fit = fitModel(input_, start, 10);
     const double before = least;
     if (!fit.usable || !(mean(fit.windowSquares) < before)) return false;
@@ -228,7 +249,7 @@ FitResult SwingingLoads::fitted(const Pick& pick) const {
       if (shaped.left > hardlyLess || input_.stop.stop_requested()) break;
       Pick walked = pick;
       walked.parameters = std::move(shaped.parameters);
-      fitFrom(with(input_, model_, walked));
+      fitFrom(with(input_, model_, walked), walked);
     }
   };
   const bool play = inPlay(pick);
@@ -251,7 +272,7 @@ FitResult SwingingLoads::fitted(const Pick& pick) const {
     }
   }
   for (int k = 0; k < mostContinuations && best.usable && least <= followed; ++k) {
-    if (!fitFrom(best.model)) break;
+    if (!fitFrom(best.model, pick)) break;
   }
   return best;
 }
