@@ -169,6 +169,8 @@ Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& re
     if (const auto assumed = assumedResistance(bench, training)) {
       known.motor.resistance_ohm = assumed->value_ohm;
       assumedFor = assumed->scale;
+      // The inverse model's inertia is only roughly what windows make of it.
+      if (assumedFor == motorNames(bench.axis).inertia) known.trusted.insert(assumedFor);
     }
   }
   const StartingWindings windings = startingWindings(known, training);
@@ -178,13 +180,13 @@ Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& re
     out.starts.insert(out.starts.end(), starts->begin(), starts->end());
   }
   out.seen = excitationOf(training, out.starts.front());
-  out.freedom.held.assign(bench.trusted.begin(), bench.trusted.end());
+  out.freedom.held.assign(known.trusted.begin(), known.trusted.end());
   limitInductance(out, bench.motor.inductance_H, windings.shownInductance_H);
-  std::vector<std::string> held = gauge(bench, training);
+  std::vector<std::string> held = gauge(known, training);
   std::erase_if(held, [&bench](const std::string& name) { return bench.trusted.count(name) > 0; });
   out.freedom.held.insert(out.freedom.held.end(), held.begin(), held.end());
-  out.scaleDoubted = !held.empty();
-  if (!held.empty()) {
+  out.scaleDoubted = !held.empty() || !assumedFor.empty();
+  if (out.scaleDoubted) {
     out.remarks.push_back("the scale of all torques rests on " + scaleText(held, assumedFor) +
                           ", which these recordings can't check: trust only ratios");
   }

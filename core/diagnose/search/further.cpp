@@ -128,6 +128,10 @@ bool Further::find(SearchResult& result, std::vector<Pick> picks) const {
   const auto skipped =
       loads - candidates.begin() > static_cast<std::ptrdiff_t>(most) ? candidates.begin() + most : loads;
   candidates.erase(skipped, loads);
+  // What pushed once may push again.
+  std::stable_partition(candidates.begin(), candidates.end(), [&result](const Pick& one) {
+    return one.effect->happensOnce() && contains(result.chosen, one.effect);
+  });
   const std::vector<Pick> bySlope = sloped(result);
   candidates.insert(candidates.begin(), bySlope.begin(), bySlope.end());
   std::optional<FitResult> winner;
