@@ -7,8 +7,6 @@ namespace breakaway {
 
 namespace {
 
-constexpr double leastRatio = 1.3;  ///< of the higher to the lower speeds
-
 /// Turbulent drag of air or oil.
 class QuadraticDrag final : public Effect {
  public:
@@ -24,7 +22,7 @@ class QuadraticDrag final : public Effect {
     return {0.0, p[0] * at.velocity * at.velocity};
   }
   std::vector<Shape> shapes(const Excitation& seen) const override {
-    if (seen.highSpeed <= leastRatio * seen.lowSpeed) return {};
+    if (seen.highSpeed <= 2.0 * seen.lowSpeed) return {};
     return {{{0.1 * seen.peakTorque / (seen.highSpeed * seen.highSpeed)}}};
   }
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
