@@ -34,7 +34,7 @@ constexpr double leastInPlace = 0.1, largelyInPlace = 0.25, likeliestByChance = 
 constexpr double mostByScatter = 0.4;
 
 /// Of what a replay of the window itself errs by: less may come of scatter that grows, as near a pendulum's top.
-constexpr double farBeyondUsual = 3.0;
+constexpr double farBeyondUsual = 2.0;
 
 /// Each window half its length later, where the next one follows. A drive that reverses as often as windows begin makes
 /// all restarts begin at the edge of standstill; between them they don't.
