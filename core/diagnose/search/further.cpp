@@ -76,6 +76,7 @@ std::vector<Pick> Further::sloped(const SearchResult& result) const {
   std::stable_sort(found.begin(), found.end(), [](const SlopePick& a, const SlopePick& b) { return a.part > b.part; });
   if (found.size() > mostBySlope) found.resize(mostBySlope);
   std::vector<Pick> picks;
+  picks.reserve(found.size());
   for (SlopePick& one : found) picks.push_back(std::move(one.pick));
   return picks;
 }
