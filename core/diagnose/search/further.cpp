@@ -64,8 +64,8 @@ FitResult Further::withoutImplausible(FitResult fit) const {
   return model.effects.empty() ? fit : fitModel(input_, model, 8);
 }
 
-/// Effects that the regression gives no size that they can have, where the windows' slopes do: it can't follow a drive
-/// that clips, or a base that is far off.
+/// The effects that the windows' slopes promise most of, from sizes of their own: the regression can't follow a drive
+/// that clips or a base that is far off, and may give an effect no size that it can have.
 std::vector<Pick> Further::sloped(const SearchResult& result) const {
   std::vector<SlopePick> found;
   for (const Effect* effect : catalogue()) {
