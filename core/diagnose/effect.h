@@ -18,6 +18,7 @@ struct Situation {
   double velocity = 0.0;           ///< rad/s
   double acceleration = 0.0;       ///< rad/s²
   double driveTorque = 0.0;        ///< the model's motor torque, never a measured one, Nm
+  double knownLoad = 0.0;          ///< torque of the load that the bench declares, Nm; sign as in Term
   double direction = 0.0;          ///< ±1: of motion, or of the motion that is about to start
   double current = 0.0;            ///< the model's motor current, A; 0 where torque drives
   double input = 0.0;              ///< the drive input: V, A or Nm
@@ -66,6 +67,7 @@ struct Excitation {
   double travel = 0.0;            ///< their difference
   double count = 0.0;             ///< one encoder count, rad
   double peakTorque = 0.0;        ///< of the drive, 99 % quantile while moving, Nm
+  double knownLoad = 0.0;         ///< largest torque of the load that the bench declares, Nm; 0: none
   double peakCurrent = 0.0;       ///< the same of the current, A; 0 where torque drives
   double usualCurrent = 0.0;      ///< its root mean square, A
   double peakInput = 0.0;         ///< largest |drive input|: V, A or Nm

@@ -82,6 +82,7 @@ Figure overCurrent(const Drawn& drawn) {
     Situation at = typical(drawn);
     at.current = amperes ? x : 0.0;
     at.driveTorque = amperes ? x * drawn.physics.torqueConstant : x;
+    at.knownLoad = at.driveTorque;
     at.input = x / end * drawn.seen.peakInput;
     return volts ? drawn.effect.term(set, at).voltage_V : opposing(drawn, set, at);
   };

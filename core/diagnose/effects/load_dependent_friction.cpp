@@ -7,29 +7,38 @@ namespace breakaway {
 
 namespace {
 
-/// Friction in proportion to the torque that the gear, screw or bearing transmits; the model's torque, never the
-/// measured current, whose noise would correlate with the residual.
+/// Friction in proportion to the torque that the gear, screw or bearing transmits: all that the motor gives, or what the
+/// declared load asks for. The model's torque, never the measured current, whose noise would correlate with the residual.
 class LoadDependentFriction final : public Effect {
  public:
   std::string_view name() const override { return "load_dependent_friction"; }
-  std::string_view formula() const override { return "friction = μ · |drive torque|"; }
+  std::string_view formula() const override { return "friction = μ · |(1 − q) · drive torque + q · known load|"; }
   std::string_view source() const override {
     return "P. Hamon, M. Gautier, P. Garrec, 'Dynamic identification of robots with a dry friction model depending on "
            "load and velocity', IROS 2010, doi:10.1109/IROS.2010.5649189";
   }
-  std::vector<ParameterSpec> parameters(Axis) const override { return {{"coefficient", -0.9, 0.9}}; }
+  std::vector<ParameterSpec> parameters(Axis) const override {
+    return {{"coefficient", -0.9, 0.9},
+            {.name = "known_load_part", .lower = 0.0, .upper = 1.0, .held = true, .absentAtZero = true}};
+  }
   Term term(std::span<const double> p, const Situation& at) const override {
-    return {0.0, p[0] * std::abs(at.driveTorque)};
+    return {0.0, p[0] * std::abs((1.0 - p[1]) * at.driveTorque + p[1] * at.knownLoad)};
   }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     // Where the torque hardly exceeds dry friction, there is no load whose change could show.
-    return seen.peakTorque > 1.2 * seen.coulomb ? std::vector<Shape>{{{0.1}}} : std::vector<Shape>{};
+    std::vector<Shape> shapes;
+    if (seen.peakTorque > 1.2 * seen.coulomb) shapes.push_back({{0.1, 0.0}});
+    if (seen.knownLoad > 0.0) shapes.push_back({{0.1, 1.0}});
+    return shapes;
   }
   bool plausible(std::span<const double> p, const Excitation&) const override { return p[0] > 0.0 && p[0] < 0.95; }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
-    return std::string("Friction ") + (p[0] > 0.0 ? "grows" : "falls") + " with the transmitted " +
-           torqueWord(seen.axis) + ", by " + percentText(std::abs(p[0])) + " of it (" +
-           torqueText(std::abs(p[0]) * seen.peakTorque, seen.axis) + " at the recording's peak): losses in the " +
+    const bool ofKnown = p[1] > 0.5;
+    return std::string("Friction ") + (p[0] > 0.0 ? "grows" : "falls") + " with the " +
+           (ofKnown ? "known load's " : "transmitted ") + torqueWord(seen.axis) + ", by " +
+           percentText(std::abs(p[0])) + " of it (" +
+           torqueText(std::abs(p[0]) * (ofKnown ? seen.knownLoad : seen.peakTorque), seen.axis) +
+           (ofKnown ? " at its largest" : " at the recording's peak") + "): losses in the " +
            (seen.axis == Axis::rotary ? "gear or the loaded bearing; look at mesh, alignment and grease."
                                       : "screw or gear; look at nut, alignment and grease.");
   }

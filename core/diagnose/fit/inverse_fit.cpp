@@ -125,6 +125,7 @@ void addEffect(std::vector<Column>& columns, const Effect& effect, const Shape& 
       at.driveTorque = torque(rows, k);
       at.direction = signOf(rows.velocity[k]);
       at.current = at.driveTorque / physics.torqueConstant;
+      at.knownLoad = physics.gravity * std::sin(at.position - physics.downAngle);
       at.input = rows.input[k];
       const Term term = effect.term(set, at);
       return term.load_Nm + at.direction * term.friction_Nm;
@@ -376,6 +377,7 @@ Excitation excitationOf(const std::vector<Track>& tracks, const Model& model) {
   seen.lowSpeed = quantile(speeds, 0.1);
   seen.highSpeed = quantile(speeds, 0.95);
   seen.peakTorque = quantile(torques, 0.99);
+  seen.knownLoad = std::abs(physics.gravity);
   seen.peakCurrent = quantile(currents, 0.99);
   seen.usualCurrent = model.input == DriveInput::torque ? 0.0 : std::sqrt(heat / rows);
   seen.peakAcceleration = quantile(accelerations, 0.99);

@@ -9,6 +9,7 @@
 #include "diagnose/catalogue.h"
 #include "diagnose/fit/cross_validation.h"
 #include "diagnose/search/swinging_load.h"
+#include "diagnose/search/voltage_balance.h"
 
 namespace breakaway {
 
@@ -19,6 +20,8 @@ constexpr double alikePart = 0.7, unlistedPart = 0.8;  ///< of the chosen one's 
 constexpr double halfOfAll = 0.5;
 
 constexpr double hardlyMore = 1.15;                    ///< of a squared error
+constexpr double unlikely = 3.0;                       ///< standard deviations
+constexpr double roundFigure = 0.05;                   ///< to which a rig and its model agree
 constexpr double farMore = 10.0, typicallyMore = 2.0;  ///< of a squared error, whatever single folds say
 
 size_t wavesOf(const Model& model, const Effect& effect) {
@@ -173,12 +176,43 @@ void Rivals::weighAlone(SearchResult& result) const {
   }
 }
 
+/// Where current drives, an offset of its sensor is a constant load for the motion. A voltage that was recorded, too,
+/// tells: it knows the offset and nothing of the load.
+void Rivals::askVoltage(SearchResult& result, size_t k) const {
+  const Effect& offset = *findEffect("current_sensor_offset");
+  Chosen& chosen = result.chosen[k];
+  if (!same(chosen.effect, findEffect("constant_load")) || contains(result.chosen, &offset)) return;
+  const auto shown = input_.seen.currentDrive ? sensorOffset(input_.tracks, input_.split.train) : std::nullopt;
+  if (!shown) return;
+  Pick pick;
+  pick.effect = &offset;
+  pick.parameters = {shown->value_A};
+  const Model others = without(result.best.model, *chosen.effect);
+  FitResult fit = fitModel(input_, with(input_, others, pick), 10);
+  if (!fit.usable || !plausible(fit.model, input_.seen)) return;
+  const double leaves = mean(fit.windowSquares) / mean(result.best.windowSquares);
+  const Parameter& needed = fit.model.effects.back().parameters.front();  // by the motion
+  const double deviation = std::hypot(shown->deviation_A, (needed.high95 - needed.low95) / 3.92,
+                                      roundFigure * needed.value);
+  const double apart = std::abs(shown->value_A - needed.value) / deviation;
+  const bool there = std::abs(shown->value_A) > unlikely * shown->deviation_A;
+  if (leaves > hardlyMore || (apart > unlikely && !(there && shown->value_A / needed.value > halfOfAll))) return;
+  if (there && apart <= unlikely) {
+    chosen.effect = &offset;
+    chosen.rivals.clear();
+    result.best = std::move(fit);
+  } else if (!lists(chosen, &offset)) {
+    chosen.rivals.push_back(&offset);
+  }
+}
+
 void Rivals::weigh(SearchResult& result, std::vector<FitResult> left) const {
   auto best = fits_.worth().validated(result.best);
   for (size_t k = 0; k < result.chosen.size(); ++k) {
     if (input_.stop.stop_requested()) return;
     input_.say(0.5 + 0.3 * static_cast<double>(k) / static_cast<double>(result.chosen.size()), "weighing rivals");
     for (const Pick& rival : nearlyAsGood(result, k)) tryInPlace(result, k, left[k], rival, best);
+    askVoltage(result, k);
     if (const Effect* twin = findEffect(result.chosen[k].effect->twin())) result.chosen[k].rivals.push_back(twin);
   }
   std::stable_sort(result.chosen.begin(), result.chosen.end(),

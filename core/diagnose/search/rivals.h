@@ -23,6 +23,7 @@ class Rivals {
   void tryInPlace(SearchResult& result, size_t k, const FitResult& left, const Pick& rival,
                   std::vector<double>& best) const;
   void weighAlone(SearchResult& result) const;
+  void askVoltage(SearchResult& result, size_t k) const;
 
   const SearchInput& input_;
   const SetFits& fits_;

@@ -60,6 +60,7 @@ Situation Stepper::situationAt(const MotionState& state, double position, double
   at.velocity = velocity;
   at.acceleration = state.acceleration;
   at.driveTorque = drive;
+  if (physics_.gravity != 0.0) at.knownLoad = physics_.gravity * std::sin(position - physics_.downAngle);
   at.direction = direction;
   at.current = physics_.torqueConstant > 0.0 ? drive / physics_.torqueConstant : 0.0;
   at.supply_V = supply_;

@@ -134,6 +134,7 @@ Track Track::rowsFrom(size_t first, size_t last) const {
   out.bridged = part(bridged);
   out.connected = part(connected);
   out.current = part(current);
+  out.voltage = part(voltage);
   out.supply = part(supply);
   out.temperature = part(temperature);
   out.supply_V = supply_V;
@@ -200,6 +201,8 @@ Result<Track> makeTrack(const Recording& recording, Axis axis, DriveInput driveI
   track.temperature.assign(temperature.begin(), temperature.end());
   const auto current = recording.channel("current_A");
   if (names.electrical() && !current.empty()) track.current.assign(current.begin(), current.end());
+  const auto voltage = recording.channel("voltage_V");
+  if (driveInput == DriveInput::current) track.voltage.assign(voltage.begin(), voltage.end());
   if (!track.current.empty()) {
     std::vector<char> known(rows);
     for (size_t k = 0; k < rows; ++k) known[k] = std::isfinite(track.current[k]) ? 1 : 0;

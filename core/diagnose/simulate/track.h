@@ -31,6 +31,7 @@ struct Track {
   std::vector<char> bridged;     ///< its position lies on the line between two readings that are near; empty: none
   std::vector<char> connected;   ///< windings not open
   std::vector<double> current;   ///< measured current in A where voltage or duty drives and it was recorded; else empty
+  std::vector<double> voltage;   ///< recorded one in V where current drives; else empty
   std::vector<double> supply;    ///< recorded supply in V; empty: not recorded
   std::vector<double> temperature;  ///< recorded temperature in °C; empty: not recorded
   double supply_V = 0.0;            ///< of the bench; 0: not known
