@@ -16,19 +16,19 @@ constexpr double clearlyLess = 0.8, nearlyAlike = 3.0;                 ///< of a
 constexpr double wellExplained = 4.0;  ///< squared error, in squared floors, below which no exchange is tried
 constexpr double farBetter = 0.7;      ///< of a squared error: by exchange
 
-void dropLeast(std::vector<Pick>& picks) {
-  const auto nonsense = std::find_if(picks.begin(), picks.end(), [](const Pick& one) { return one.gain <= 0.0; });
-  picks.erase(nonsense != picks.end() ? nonsense : picks.end() - 1);
-}
-
-/// First all further waves, which together take long to fit, and then one pick at a time.
+/// First what makes no sense, then all further waves, which together take long to fit, and then one pick at a time.
 void dropWavesOrLeast(std::vector<Pick>& picks) {
+  const auto nonsense = std::find_if(picks.begin(), picks.end(), [](const Pick& one) { return one.gain <= 0.0; });
+  if (nonsense != picks.end()) {
+    picks.erase(nonsense);
+    return;
+  }
   std::vector<Pick> first;
   for (const Pick& pick : picks) {
     if (!contains(first, pick.effect)) first.push_back(pick);
   }
   if (first.size() == picks.size()) {
-    dropLeast(picks);
+    picks.pop_back();
   } else {
     picks = std::move(first);
   }

@@ -19,6 +19,8 @@ constexpr double hardlyAny = 0.02;          ///< of a squared error
 constexpr double clearlyLess = 0.95;        ///< of a squared error, typically, before any fit
 constexpr double wellSettledFloors = 25.0;  ///< squared error, in squared floors, up to which `hardlyAny` will do
 constexpr double hardlyLeft = 0.05, halfLeft = 0.5;
+constexpr double muchLess = 0.35, less = 0.7;  ///< of a squared error: by a push, and by one more
+constexpr double clearlyHelped = 0.8;          ///< of a squared error
 constexpr size_t mostTrials = 4, fewTrials = 2, mostBySlope = 2;
 
 bool holds(const Model& model, const Effect& effect) {
@@ -69,7 +71,7 @@ FitResult Further::withoutImplausible(FitResult fit) const {
 std::vector<Pick> Further::sloped(const SearchResult& result) const {
   std::vector<SlopePick> found;
   for (const Effect* effect : catalogue()) {
-    if (contains(result.chosen, effect)) continue;
+    if (contains(result.chosen, effect) && !effect->mayRepeat(input_.seen)) continue;
     SlopePick one = slopePick(input_, result.best, *effect);
     if (one.part > clearGain) found.push_back(std::move(one));
   }
@@ -88,6 +90,26 @@ bool Further::leavesNothing(const FitResult& without, const FitResult& with) con
   const auto &before = without.windowSquares, &after = with.windowSquares;
   return mean(after) < hardlyLeft * mean(before) && typicalPart(after, before, insignificant) < halfLeft &&
          fits_.worth().chance(before, after) <= largestPValue;
+}
+
+/// What has two ends may show at both only.
+FitResult Further::withOtherEnd(FitResult fit, const Pick& one, double left) const {
+  const Effect& effect = *one.effect;
+  const bool ends = one.shape.size() == 1 && effect.mayRepeat(input_.seen) && !effect.happensOnce();
+  if (!ends || !fit.usable || mean(fit.windowSquares) > clearlyHelped * left) return fit;
+  const SlopePick other = slopePick(input_, fit, effect);
+  if (other.pick.parameters.empty()) return fit;
+  FitResult both = fits_.fresh(with(input_, fit.model, other.pick));
+  return both.usable && mean(both.windowSquares) < halfLeft * mean(fit.windowSquares) ? both : fit;
+}
+
+/// Whether a push takes much away: no fold foretells what happens once.
+bool Further::pushes(const SearchResult& before, const FitResult& fit, const Effect& effect) const {
+  const EffectTerm& last = fit.model.effects.back();
+  if (!effect.happensOnce() || last.effect != effect.name()) return false;
+  const Parameter& size = last.parameters.front();
+  const double part = mean(fit.windowSquares) / mean(before.best.windowSquares);
+  return size.low95 * size.high95 > 0.0 && part < (contains(before.chosen, &effect) ? less : muchLess);
 }
 
 bool Further::find(SearchResult& result, std::vector<Pick> picks) const {
@@ -143,6 +165,7 @@ bool Further::find(SearchResult& result, std::vector<Pick> picks) const {
     std::vector<Pick> together = picks;
     together.push_back(candidate);
     FitResult fit = fits_.beside(result.best.model, screen_, together, left);
+    fit = withOtherEnd(std::move(fit), candidate, left);
     fit = withoutImplausible(std::move(fit));
     if (!fit.usable || !plausible(fit.model, input_.seen) || !holds(fit.model, *candidate.effect)) continue;
     const auto after = worth.validated(fit);
@@ -150,7 +173,8 @@ bool Further::find(SearchResult& result, std::vector<Pick> picks) const {
     const double pValue = worth.chance(before, after);
     if (swings(fit.model) && !fits_.helps(result.best, fit)) continue;
     const bool sure = gain.interval.low > sureGain && pValue <= largestPValue;
-    const bool asFitted = fits_.breaksAwayBetter(result.best, fit) || leavesNothing(result.best, fit);
+    const bool asFitted = fits_.breaksAwayBetter(result.best, fit) || leavesNothing(result.best, fit) ||
+                          pushes(result, fit, *candidate.effect);
     const double part = asFitted ? 1.0 - mean(fit.windowSquares) / left : sure ? gain.relative : 0.0;
     if (!(part >= best)) continue;
     best = part;

@@ -21,6 +21,8 @@ class Further {
 
  private:
   Pick simulatedBest(const Effect& effect, const Model& model, const Pick& screened) const;
+  FitResult withOtherEnd(FitResult fit, const Pick& one, double left) const;
+  bool pushes(const SearchResult& before, const FitResult& fit, const Effect& effect) const;
   bool leavesNothing(const FitResult& without, const FitResult& with) const;
   std::vector<Pick> sloped(const SearchResult& result) const;
   FitResult withoutImplausible(FitResult fit) const;

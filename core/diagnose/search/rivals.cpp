@@ -19,7 +19,7 @@ constexpr size_t mostRivals = 3;
 constexpr double alikePart = 0.7, unlistedPart = 0.8;  ///< of the chosen one's gain, for look-alikes and others
 constexpr double halfOfAll = 0.5;
 
-constexpr double hardlyMore = 1.15;                    ///< of a squared error
+constexpr double hardlyMore = 1.15, notMuchMore = 1.5;  ///< of a squared error
 constexpr double unlikely = 3.0;                       ///< standard deviations
 constexpr double roundFigure = 0.05;                   ///< to which a rig and its model agree
 constexpr double farMore = 10.0, typicallyMore = 2.0;  ///< of a squared error, whatever single folds say
@@ -132,11 +132,13 @@ void Rivals::tryInPlace(SearchResult& result, size_t k, const FitResult& left, c
   const bool leavesFarMore =
       leaves > farMore && typicalPart(fit.windowSquares, result.best.windowSquares, insignificant) > typicallyMore;
   if (!better && !simpler && (ahead.inErrors >= 2.0 || clearlyWorse || leavesFarMore)) return;
-  // A push at a time of its own explains whatever happened then: physics that does as well is the better name.
-  const bool physics = chosen.effect->happensOnce() && !rival.effect->happensOnce();
+  // A push at a time of its own explains whatever happened then: physics that does as well is the better name. No fold
+  // foretells a push, so that folds make a rival of what leaves much more.
+  const bool push = chosen.effect->happensOnce() && !rival.effect->happensOnce();
+  if (!better && push && leaves > notMuchMore) return;
   // Nor does a size that can't be told from zero hold a name against one that needs less to do the same.
   const bool firmer = simpler && vanishes(result.best.model, *chosen.effect) && !vanishes(fit.model, *rival.effect);
-  if (!better && !physics && !firmer) {
+  if (!better && !push && !firmer) {
     chosen.rivals.push_back(rival.effect);
     return;
   }

@@ -25,6 +25,7 @@ namespace {
 
 constexpr double importantPart = 0.2, halfOfAll = 0.5, mostOfAll = 0.6;  ///< of a squared residual or error
 constexpr double hardlyMore = 1.03;                                      ///< of a squared error
+constexpr int mostFurther = 3;
 
 class Search {
  public:
@@ -64,7 +65,8 @@ class Search {
       if (wandering != nullptr) backward(result);
     }
     const auto& [screen, found] = wandering != nullptr ? *wandering : steady;
-    if (Further(input_, *fits_, screen, adoption).find(result, found.chosen)) backward(result);
+    const Further further(input_, *fits_, screen, adoption);
+    for (int more = 0; more < mostFurther && further.find(result, found.chosen); ++more) backward(result);
     if (settledOn(result)) announce(result.chosen);
     refine(result);
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};

@@ -14,8 +14,9 @@ struct SlopePick {
   double part = 0.0;  ///< of the fit's squared residuals that it takes away, if all were linear
 };
 
-/// Slopes don't tell of effects with hidden states, of waves (which the regression finds), of what acts at standstill,
-/// elastic friction, changed inputs, or one time alone; nor beside hidden states.
+/// Slopes don't tell of effects with hidden states, of waves of many orders (which the regression finds), of what acts
+/// at standstill, elastic friction or changed inputs; nor beside hidden states. What happens once is looked for in all
+/// windows alike, however much they err.
 SlopePick slopePick(const SearchInput& input, const FitResult& fit, const Effect& effect);
 
 }  // namespace breakaway
