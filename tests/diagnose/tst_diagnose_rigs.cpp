@@ -19,7 +19,11 @@ class TestDiagnoseRigs : public QObject {
  private slots:
   void benchWithoutResistance_isScaledByItsInertia();
   void supplyThatGivesWayByHalf_isNamed();
+  void voltageBesideTheCurrent_tellsSensorFromLoad();
+  void frictionOfTheKnownLoadAlone_isLoadDependent();
+  void severalPushes_areOneFinding_data();
   void severalPushes_areOneFinding();
+  void pushBesideImbalance_hidesNeither();
   void stopsAtBothEnds_areOneFinding();
   void slopesOfWindows_showWhatIsThereAndNothingElse();
   void nearTheTop_aWindowMayErrMore();
@@ -94,18 +98,72 @@ void TestDiagnoseRigs::supplyThatGivesWayByHalf_isNamed() {
   QVERIFY2(within(parameter(diagnosis.findings.front(), "resistance_ohm"), sag_ohm, 0.1), inWords(diagnosis).c_str());
 }
 
+void TestDiagnoseRigs::voltageBesideTheCurrent_tellsSensorFromLoad() {
+  const double offset_A = 0.04;
+  for (const bool ofSensor : {true, false}) {
+    RigRecording wanted{.seconds = 20.0, .currentDrive = true, .voltageToo = true};
+    (ofSensor ? wanted.currentOffset_A : wanted.asymmetry) = ofSensor ? offset_A : 0.4;
+    const auto rig = recordRig(wanted);
+    const Diagnosis diagnosis = diagnosedAlone(rig.bench, rig.recording);
+    QCOMPARE(diagnosis.findings.size(), size_t(1));
+    const Finding& finding = diagnosis.findings.front();
+    QCOMPARE(finding.effect, std::string(ofSensor ? "current_sensor_offset" : "constant_load"));
+    QCOMPARE(nameOf(diagnosis.verdict), std::string("named"));
+    if (ofSensor) QVERIFY2(within(parameter(finding, "offset_A"), offset_A, 0.1), inWords(diagnosis).c_str());
+  }
+}
+
+void TestDiagnoseRigs::frictionOfTheKnownLoadAlone_isLoadDependent() {
+  Model model = servoWith(DriveInput::voltage, "load_dependent_friction", {0.3, 1.0});
+  model.pendulum = Pendulum{0.1, 0.04, 0.0, 0.0};  // 39 mNm at the most, thrice the friction
+  const Recording recording = read(drivenRecording(model, {.seconds = 20.0, .hold_s = 0.02, .size = 6.0}));
+  Bench bench = benchOf(model);
+  bench.pendulum = model.pendulum;
+  const Diagnosis diagnosis = diagnosedAlone(bench, recording);
+  QCOMPARE(diagnosis.findings.size(), size_t(1));
+  const Finding& finding = diagnosis.findings.front();
+  QCOMPARE(finding.effect, std::string("load_dependent_friction"));
+  QCOMPARE(parameter(finding, "known_load_part"), 1.0);
+  QVERIFY2(within(parameter(finding, "coefficient"), 0.3, 0.1), inWords(diagnosis).c_str());
+}
+
+void TestDiagnoseRigs::severalPushes_areOneFinding_data() {
+  QTest::addColumn<double>("first_Nm");
+  QTest::addColumn<double>("second_Nm");
+  QTest::newRow("a third of the friction") << 0.004 << -0.003;
+  QTest::newRow("two thirds of it") << 0.008 << -0.006;
+}
+
 void TestDiagnoseRigs::severalPushes_areOneFinding() {
-  Model model = servoWith(DriveInput::voltage, "external_disturbance", {0.004, 3.1, 1.7});
+  QFETCH(double, first_Nm);
+  QFETCH(double, second_Nm);
+  Model model = servoWith(DriveInput::voltage, "external_disturbance", {first_Nm, 3.1, 1.7});
   const Effect& push = *findEffect("external_disturbance");
-  model.effects.push_back(effectTerm(push, {-0.003, 9.4, 2.3}));
+  model.effects.push_back(effectTerm(push, {second_Nm, 9.4, 2.3}));
   const Recording recording = read(drivenRecording(model, {.seconds = 20.0, .hold_s = 0.02, .size = 4.0}));
   const Diagnosis diagnosis = diagnosedAlone(benchOf(model), recording);
   QCOMPARE(diagnosis.findings.size(), size_t(1));
   const Finding& finding = diagnosis.findings.front();
   QCOMPARE(finding.effect, std::string("external_disturbance"));
-  QVERIFY2(within(parameter(finding, "torque_Nm"), 0.004, 0.1), inWords(diagnosis).c_str());
-  QVERIFY2(within(parameter(finding, "torque2_Nm"), -0.003, 0.1), inWords(diagnosis).c_str());
-  QVERIFY2(within(parameter(finding, "start2_s"), 9.4, 0.03), inWords(diagnosis).c_str());
+  const bool inOrder = parameter(finding, "start_s") < parameter(finding, "start2_s");
+  const auto valueOf = [&](const char* one, const char* other) { return parameter(finding, inOrder ? one : other); };
+  QVERIFY2(within(valueOf("torque_Nm", "torque2_Nm"), first_Nm, 0.1), inWords(diagnosis).c_str());
+  QVERIFY2(within(valueOf("torque2_Nm", "torque_Nm"), second_Nm, 0.1), inWords(diagnosis).c_str());
+  QVERIFY2(within(valueOf("start2_s", "start_s"), 9.4, 0.03), inWords(diagnosis).c_str());
+}
+
+void TestDiagnoseRigs::pushBesideImbalance_hidesNeither() {
+  Model model = servoWith(DriveInput::voltage, "external_disturbance", {0.009, 5.2, 1.6});
+  model.effects.push_back(effectTerm(*findEffect("imbalance"), {0.003, 0.7, 1.0}));
+  const Recording recording = read(drivenRecording(model, {.seconds = 20.0, .hold_s = 0.02, .size = 4.0}));
+  const Diagnosis diagnosis = diagnosedAlone(benchOf(model), recording);
+  QCOMPARE(diagnosis.findings.size(), size_t(2));
+  for (const Finding& finding : diagnosis.findings) {
+    const bool push = finding.effect == "external_disturbance";
+    if (!push) QCOMPARE(finding.effect, std::string("imbalance"));
+    const double size = std::abs(parameter(finding, push ? "torque_Nm" : "amplitude_Nm"));
+    QVERIFY2(within(size, push ? 0.009 : 0.003, 0.1), inWords(diagnosis).c_str());
+  }
 }
 
 void TestDiagnoseRigs::stopsAtBothEnds_areOneFinding() {

@@ -29,6 +29,7 @@ struct RigRecording {
   double amplitude_rad_per_s = 14.0;
   bool currentDrive = false;  ///< the recording is driven by current_A (mean over each row), else by voltage_V
   double currentNoise_A = 0.01;
+  bool voltageToo = false;       ///< the voltage is recorded beside the current that drives
   double currentOffset_A = 0.0;  ///< of the sensor; the current is recorded beside the voltage where there is one
   double wander_Nm = 0.0;        ///< rms of a torque that wanders at random, correlated over 0.1 s; for driving voltage
   double push_Nm = 0.0, pushFrom_s = 0.0, pushTo_s = 0.0;  ///< once, from outside; for driving voltage
@@ -99,7 +100,7 @@ inline RecordedRig recordRig(const RigRecording& wanted) {
     current.push_back(sum / 20.0 + wanted.currentNoise_A * noise.normal() + wanted.currentOffset_A);
   }
   std::vector<Channel> channels{{"time_s", time}, {"angle_rad", angle}};
-  if (!wanted.currentDrive) channels.push_back({"voltage_V", voltage});
+  if (!wanted.currentDrive || wanted.voltageToo) channels.push_back({"voltage_V", voltage});
   if (wanted.currentDrive || wanted.currentOffset_A != 0.0) channels.push_back({"current_A", current});
   RecordedRig out{{}, *Recording::seal("test.csv", std::move(channels))};
   out.bench.name = "test";
