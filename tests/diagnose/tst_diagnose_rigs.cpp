@@ -24,6 +24,7 @@ class TestDiagnoseRigs : public QObject {
   void severalPushes_areOneFinding_data();
   void severalPushes_areOneFinding();
   void pushBesideImbalance_hidesNeither();
+  void stopsAtBothEnds_areOneFinding_data();
   void stopsAtBothEnds_areOneFinding();
   void slopesOfWindows_showWhatIsThereAndNothingElse();
   void nearTheTop_aWindowMayErrMore();
@@ -166,16 +167,23 @@ void TestDiagnoseRigs::pushBesideImbalance_hidesNeither() {
   }
 }
 
+void TestDiagnoseRigs::stopsAtBothEnds_areOneFinding_data() {
+  QTest::addColumn<double>("stiffness_Nm_per_rad");
+  QTest::newRow("firm") << 0.6;
+  QTest::newRow("soft") << 0.08;
+}
+
 void TestDiagnoseRigs::stopsAtBothEnds_areOneFinding() {
-  Model model = servoWith(DriveInput::voltage, "end_stop", {0.6, 2.0, 1.0, 4e-3});
-  model.effects.push_back(effectTerm(*findEffect("end_stop"), {0.6, -2.4, -1.0, 4e-3}));
+  QFETCH(double, stiffness_Nm_per_rad);
+  Model model = servoWith(DriveInput::voltage, "end_stop", {stiffness_Nm_per_rad, 2.0, 1.0, 4e-3});
+  model.effects.push_back(effectTerm(*findEffect("end_stop"), {stiffness_Nm_per_rad, -2.4, -1.0, 4e-3}));
   const Recording recording = read(drivenRecording(model, {.seconds = 20.0, .hold_s = 0.01, .size = 3.0}));
   const Diagnosis diagnosis = diagnosedAlone(benchOf(model), recording);
   QVERIFY(!diagnosis.findings.empty());
   const Finding& finding = diagnosis.findings.front();
   QCOMPARE(finding.effect, std::string("end_stop"));
-  QVERIFY2(within(std::abs(parameter(finding, "stiffness_Nm_per_rad")), 0.6, 0.1), inWords(diagnosis).c_str());
-  QVERIFY2(within(std::abs(parameter(finding, "stiffness2_Nm_per_rad")), 0.6, 0.1), inWords(diagnosis).c_str());
+  for (const char* name : {"stiffness_Nm_per_rad", "stiffness2_Nm_per_rad"})
+    QVERIFY2(within(std::abs(parameter(finding, name)), stiffness_Nm_per_rad, 0.1), inWords(diagnosis).c_str());
 }
 
 void TestDiagnoseRigs::slopesOfWindows_showWhatIsThereAndNothingElse() {
