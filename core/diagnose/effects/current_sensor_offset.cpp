@@ -7,8 +7,9 @@ namespace breakaway {
 
 namespace {
 
-/// The sensor shows a current where none flows. Where current drives, the recorded current is what the sensor shows, and
-/// for the motion the offset is one and the same as a constant load: only a recorded voltage tells (sensorOffset()).
+/// The sensor shows a current where none flows. Where current drives, the recorded current is what the sensor shows,
+/// and for the motion the offset is one and the same as a constant load: only a recorded voltage tells
+/// (sensorOffset()).
 class CurrentSensorOffset final : public Effect {
  public:
   std::string_view name() const override { return "current_sensor_offset"; }
@@ -35,9 +36,9 @@ class CurrentSensorOffset final : public Effect {
     return "The current sensor shows " + quantityText(std::abs(p[0]), "A") +
            (p[0] > 0.0 ? " too much" : " too little") + " at every current (" +
            percentText(std::abs(p[0]) / seen.peakCurrent) + " of the peak); " +
-           (seen.currentDrive ? "the recorded voltage says so, and a motor driven by it is pushed " +
-                                    wayText(-p[0], seen.axis)
-                              : "the motion knows nothing of it") +
+           (seen.currentDrive
+                ? "the recorded voltage says so, and a motor driven by it is pushed " + wayText(-p[0], seen.axis)
+                : "the motion knows nothing of it") +
            ". Zero the sensor with the drive off, and look at its reference and temperature.";
   }
   std::vector<std::string_view> lookAlikes() const override { return {"constant_load", "coulomb_asymmetry"}; }

@@ -7,8 +7,9 @@ namespace breakaway {
 
 namespace {
 
-/// Friction in proportion to the torque that the gear, screw or bearing transmits: all that the motor gives, or what the
-/// declared load asks for. The model's torque, never the measured current, whose noise would correlate with the residual.
+/// Friction in proportion to the torque that the gear, screw or bearing transmits: all that the motor gives, or what
+/// the declared load asks for. The model's torque, never the measured current, whose noise would correlate with the
+/// residual.
 class LoadDependentFriction final : public Effect {
  public:
   std::string_view name() const override { return "load_dependent_friction"; }

@@ -20,9 +20,9 @@ constexpr double alikePart = 0.7, unlistedPart = 0.8;  ///< of the chosen one's 
 constexpr double halfOfAll = 0.5;
 
 constexpr double hardlyMore = 1.15, notMuchMore = 1.5;  ///< of a squared error
-constexpr double unlikely = 3.0;                       ///< standard deviations
-constexpr double roundFigure = 0.05;                   ///< to which a rig and its model agree
-constexpr double farMore = 10.0, typicallyMore = 2.0;  ///< of a squared error, whatever single folds say
+constexpr double unlikely = 3.0;                        ///< standard deviations
+constexpr double roundFigure = 0.05;                    ///< to which a rig and its model agree
+constexpr double farMore = 10.0, typicallyMore = 2.0;   ///< of a squared error, whatever single folds say
 
 size_t wavesOf(const Model& model, const Effect& effect) {
   return static_cast<size_t>(std::count_if(model.effects.begin(), model.effects.end(),
@@ -194,8 +194,8 @@ void Rivals::askVoltage(SearchResult& result, size_t k) const {
   if (!fit.usable || !plausible(fit.model, input_.seen)) return;
   const double leaves = mean(fit.windowSquares) / mean(result.best.windowSquares);
   const Parameter& needed = fit.model.effects.back().parameters.front();  // by the motion
-  const double deviation = std::hypot(shown->deviation_A, (needed.high95 - needed.low95) / 3.92,
-                                      roundFigure * needed.value);
+  const double deviation =
+      std::hypot(shown->deviation_A, (needed.high95 - needed.low95) / 3.92, roundFigure * needed.value);
   const double apart = std::abs(shown->value_A - needed.value) / deviation;
   const bool there = std::abs(shown->value_A) > unlikely * shown->deviation_A;
   if (leaves > hardlyMore || (apart > unlikely && !(there && shown->value_A / needed.value > halfOfAll))) return;

@@ -17,8 +17,8 @@ using Square = Eigen::Matrix<double, columns, columns>;
 
 struct Balance {
   std::vector<Row> rows;
-  std::vector<double> voltages;   ///< V s
-  std::vector<size_t> windows;    ///< of each row
+  std::vector<double> voltages;  ///< V s
+  std::vector<size_t> windows;   ///< of each row
   void add(const Track& track, size_t first, size_t last, size_t window);
 };
 
