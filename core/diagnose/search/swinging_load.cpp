@@ -32,6 +32,7 @@ constexpr double plainlyFits = 2.0;  ///< squared error, in squared floors, belo
 constexpr int mostContinuations = 2;
 /// Runs of a window: the nominal one and one for each number of its start; and a fit's iterations.
 constexpr double runsPerStart = 5.0, runsPerFit = 5.0;
+constexpr double effortOfTerm = 0.25, effortOfLoss = 3.0;  ///< of a step without any
 constexpr double restart_s = 2.0, restartInPlay_s = 10.0;  ///< simulated for a window's restart
 
 }  // namespace
@@ -110,7 +111,15 @@ double SwingingLoads::stepsOf(const std::vector<Window>& windows, const Pick& pi
     const double length_s = time[window.last] - time[window.first];
     steps += (runs + sought_s / length_s) * std::max(rows, length_s / longest_s);
   }
-  return steps;
+  // What the load comes beside takes time, too: most of all lost voltages, which are iterated, and hidden states, which
+  // follow the tracks from their beginning.
+  double effort = 1.0;
+  for (const EffectTerm& term : model_.effects)
+    effort += findEffect(term.effect)->losesVoltage() ? effortOfLoss : effortOfTerm;
+  if (remembers(model_)) {
+    for (const Track& track : input_.tracks) steps += runs / runsPerStart * static_cast<double>(track.rows());
+  }
+  return effort * steps;
 }
 
 double SwingingLoads::leftBy(const Pick& pick, const View& view) const {

@@ -53,7 +53,7 @@ class SwingingLoads {
   std::vector<Shaped> bestOf(const std::vector<std::vector<double>>& candidates, const Pick& pick, const View& view,
                              size_t most) const;
   /// Simulated steps of so many runs over windows and of their restarts; each row takes as many as the load's shape
-  /// asks for.
+  /// asks for, and one that takes long counts several times.
   double stepsOf(const std::vector<Window>& windows, const Pick& pick, double runs) const;
   static void sortByLeft(std::vector<Shaped>& shapes);
   void walk(Shaped& best, const Pick& pick, const View& view) const;
