@@ -27,6 +27,7 @@ class TestDiagnoseRigs : public QObject {
   void stopsAtBothEnds_areOneFinding_data();
   void stopsAtBothEnds_areOneFinding();
   void slopesOfWindows_showWhatIsThereAndNothingElse();
+  void slopesOfWindows_showInWhichRecordingAPushWas();
   void nearTheTop_aWindowMayErrMore();
 };
 
@@ -201,6 +202,25 @@ void TestDiagnoseRigs::slopesOfWindows_showWhatIsThereAndNothingElse() {
     QVERIFY2(there ? shown.part > 0.5 && shown.part <= 1.0 : shown.part < 0.2, qPrintable(what));
     if (there) QVERIFY2(within(shown.pick.parameters.front(), drag, 0.3), qPrintable(what));
   }
+}
+
+void TestDiagnoseRigs::slopesOfWindows_showInWhichRecordingAPushWas() {
+  const double torque = 0.006;
+  std::vector<Recording> recordings;
+  for (const bool there : {false, true}) {
+    const Model model = there ? servoWith(DriveInput::voltage, "external_disturbance", {torque, 4.0, 1.5})
+                              : servoModel(DriveInput::voltage);
+    const Recording exact = read(drivenRecording(model, {.seconds = 12.0, .hold_s = 0.05, .size = 5.0}));
+    recordings.push_back(*Recording::seal(there ? "pushed.csv" : "untouched.csv", exact.channels()));
+  }
+  const auto prepared = prepare(benchOf(servoModel(DriveInput::voltage)), recordings, {}, 0.5);
+  VERIFY_OK(prepared);
+  const SearchInput input(*prepared, 1);
+  const FitResult base = fitBase(input, prepared->starts);
+  const SlopePick shown = slopePick(input, base, *findEffect("external_disturbance"));
+  QCOMPARE(shown.pick.track, size_t(1));
+  QVERIFY2(shown.part > 0.3, qPrintable(QString::number(shown.part)));
+  QVERIFY2(within(shown.pick.parameters.front(), torque, 0.4), qPrintable(QString::number(shown.pick.parameters[0])));
 }
 
 /// A pendulum that is left to itself falls from near its top one way or the other, but hangs where it hangs.

@@ -83,10 +83,8 @@ Own addSlopes(const SearchInput& input, const FitResult& fit, const Effect& effe
   const auto modelAt = [&](const Candidate& candidate, const Eigen::VectorXd& amplitude) {
     return with(input, fit.model, pickAt(effect, candidate, amplitude));
   };
-  // Without any of it all shapes are one.
-  const Model none = modelAt(candidates.front(), Eigen::VectorXd::Zero(width));
   const auto& windows = input.split.train;
-  const auto hidden = hiddenStates(none, input.tracks, windows);
+  const auto hidden = hiddenStates(fit.model, input.tracks, windows);
   for (size_t w = 0; w < windows.size(); ++w) {
     const double weight = input.windowWeights.empty() ? 1.0 : input.windowWeights[w];
     const double unweighted = effect.happensOnce() ? 1.0 / weight : 1.0;
@@ -102,7 +100,8 @@ Own addSlopes(const SearchInput& input, const FitResult& fit, const Effect& effe
     Eigen::MatrixXd columns(residual.size(), width);
     for (Candidate& one : candidates) {
       if (!actsIn(effect, one, input, windows[w])) continue;
-      if (!std::exchange(fitted, true)) window.fit(none, hidden[w]);
+      // Without any of it all shapes are one.
+      if (!std::exchange(fitted, true)) window.fit(modelAt(one, Eigen::VectorXd::Zero(width)), hidden[w]);
       if (window.rows() != residual.size()) break;
       for (Eigen::Index k = 0; k < width; ++k)
         columns.col(k) = window.linearColumn(modelAt(one, little * Eigen::VectorXd::Unit(width, k)), little);
