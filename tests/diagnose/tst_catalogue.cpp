@@ -80,7 +80,8 @@ constexpr std::array contractNames{"coulomb_asymmetry",
                                    "external_disturbance"};
 
 /// Without a unit of their own; the limit and the slew are in the drive input's.
-const std::set<std::string> pureNumbers{"order", "exponent", "damping_ratio", "side", "coefficient", "limit"};
+const std::set<std::string> pureNumbers{"known_load_part", "order", "exponent", "damping_ratio", "side",
+                                        "coefficient",     "limit"};
 
 /// The first parameter out of its bounds or not finite, in words; empty: none.
 QString outOfBounds(const Effect& effect, const std::vector<double>& p, Axis axis) {

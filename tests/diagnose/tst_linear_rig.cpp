@@ -93,7 +93,7 @@ void addPlanted() {
                                  {torque, "quadratic_drag", {2e-5}, 0.2, 1.5, 0.01},
                                  {voltage, "quadratic_drag", {2e-5}, 4.0, 1.5, 0.04},
                                  {torque, "constant_load", {0.003}, 2.0, 1.5, 0.01},
-                                 {current, "load_dependent_friction", {0.15}, 0.5, 1.5, 0.01},
+                                 {current, "load_dependent_friction", {0.15, 0.0}, 0.5, 1.5, 0.01},
                                  {voltage, "dead_time", {0.1, 0.05}, 3.0, 3.0, 0.4},
                                  {voltage, "winding_heating", {0.5, 3.0}, 0.3, 1.5, 0.25},
                                  {torque, "transport_delay", {3e-3}, 1.0, 1.5, 0.01},
