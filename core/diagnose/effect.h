@@ -147,6 +147,8 @@ class Effect {
 
   /// Candidate shapes; empty when the data can't show the effect at all.
   virtual std::vector<Shape> shapes(const Excitation& seen) const = 0;
+  /// Parameters at which it is tried in the place of what it looks like, whatever the regression says of it.
+  virtual std::vector<std::vector<double>> asRival(const Excitation&) const { return {}; }
   /// Parameters at `amplitude` times the sets of a shape. Without its own: the first parameter is multiplied.
   virtual std::vector<double> scaled(const Shape& shape, std::span<const double> amplitude) const {
     std::vector<double> p = shape.front();

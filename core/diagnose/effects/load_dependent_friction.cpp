@@ -29,8 +29,16 @@ class LoadDependentFriction final : public Effect {
     // Where the torque hardly exceeds dry friction, there is no load whose change could show.
     std::vector<Shape> shapes;
     if (seen.peakTorque > 1.2 * seen.coulomb) shapes.push_back({{0.1, 0.0}});
-    if (seen.knownLoad > 0.0) shapes.push_back({{0.1, 1.0}});
+    if (shapes.empty() && seen.knownLoad > 0.0) shapes.push_back({{0.1, 1.0}});  // or else a variant
     return shapes;
+  }
+  std::vector<std::vector<double>> asRival(const Excitation& seen) const override {
+    return seen.knownLoad > 0.0 ? std::vector<std::vector<double>>{{0.1, 1.0}} : std::vector<std::vector<double>>{};
+  }
+  std::vector<std::vector<double>> variants(std::span<const double> p, const Excitation& seen) const override {
+    // Which of the two torques it is, a regression may mistake.
+    return seen.knownLoad > 0.0 ? std::vector<std::vector<double>>{{p[0], 1.0 - p[1]}}
+                                : std::vector<std::vector<double>>{};
   }
   bool plausible(std::span<const double> p, const Excitation&) const override { return p[0] > 0.0 && p[0] < 0.95; }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {

@@ -16,19 +16,19 @@ constexpr double clearlyLess = 0.8, nearlyAlike = 3.0;                 ///< of a
 constexpr double wellExplained = 4.0;  ///< squared error, in squared floors, below which no exchange is tried
 constexpr double farBetter = 0.7;      ///< of a squared error: by exchange
 
-/// First what makes no sense, then all further waves, which together take long to fit, and then one pick at a time.
-void dropWavesOrLeast(std::vector<Pick>& picks) {
+void dropLeast(std::vector<Pick>& picks) {
   const auto nonsense = std::find_if(picks.begin(), picks.end(), [](const Pick& one) { return one.gain <= 0.0; });
-  if (nonsense != picks.end()) {
-    picks.erase(nonsense);
-    return;
-  }
+  picks.erase(nonsense != picks.end() ? nonsense : picks.end() - 1);
+}
+
+/// First all further waves, which together take long to fit, and then one pick at a time.
+void dropWavesOrLeast(std::vector<Pick>& picks) {
   std::vector<Pick> first;
   for (const Pick& pick : picks) {
     if (!contains(first, pick.effect)) first.push_back(pick);
   }
   if (first.size() == picks.size()) {
-    picks.pop_back();
+    dropLeast(picks);
   } else {
     picks = std::move(first);
   }
@@ -106,7 +106,7 @@ void Adoption::listOtherLoads(SearchResult& result) const {
 /// The picks as a whole, or else the most important of them; where much is left, also with rivals in place, or the most
 /// important one alone.
 void Adoption::adoptSet(SearchResult& result, const Screen& screen, std::vector<Pick> picks) const {
-  for (; !picks.empty(); dropWavesOrLeast(picks)) {
+  while (!picks.empty()) {
     FitResult fit = fits_.together(screen, picks);
     if (fits_.worth().floors(fit) > wellExplained) {
       std::vector<std::vector<Pick>> others = exchanged(screen, picks);
@@ -121,6 +121,13 @@ void Adoption::adoptSet(SearchResult& result, const Screen& screen, std::vector<
     if (!fits_.helps(result.base, fit)) {
       for (size_t k = 0; k < picks.size(); ++k) {
         if (!plausible(fit.model.effects[k], input_.seen)) picks[k].gain = 0.0;  // the first to go
+      }
+      // What explains nearly all but for one wave or end that makes no sense keeps the others.
+      const auto nonsense = std::find_if(picks.begin(), picks.end(), [](const Pick& one) { return one.gain <= 0.0; });
+      if (nonsense != picks.end() && mean(fit.windowSquares) < nearlyNothing * mean(result.base.windowSquares)) {
+        picks.erase(nonsense);
+      } else {
+        dropWavesOrLeast(picks);
       }
       continue;
     }

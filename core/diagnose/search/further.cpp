@@ -76,7 +76,10 @@ std::vector<Pick> Further::sloped(const SearchResult& result) const {
     if (one.part > clearGain) found.push_back(std::move(one));
   }
   std::stable_sort(found.begin(), found.end(), [](const SlopePick& a, const SlopePick& b) { return a.part > b.part; });
-  if (found.size() > mostBySlope) found.resize(mostBySlope);
+  // A push explains a part of whatever happened at its time: it takes no other one's place.
+  size_t others = 0;
+  std::erase_if(found,
+                [&others](const SlopePick& one) { return !one.pick.effect->happensOnce() && others++ >= mostBySlope; });
   std::vector<Pick> picks;
   picks.reserve(found.size());
   for (SlopePick& one : found) picks.push_back(std::move(one.pick));

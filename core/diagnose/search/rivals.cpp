@@ -19,10 +19,10 @@ constexpr size_t mostRivals = 3;
 constexpr double alikePart = 0.7, unlistedPart = 0.8;  ///< of the chosen one's gain, for look-alikes and others
 constexpr double halfOfAll = 0.5;
 
-constexpr double hardlyMore = 1.15, notMuchMore = 1.5;  ///< of a squared error
-constexpr double unlikely = 3.0;                        ///< standard deviations
-constexpr double roundFigure = 0.05;                    ///< to which a rig and its model agree
-constexpr double farMore = 10.0, typicallyMore = 2.0;   ///< of a squared error, whatever single folds say
+constexpr double hardlyMore = 1.15, notMuchMore = 1.5, farLess = 0.7;  ///< of a squared error
+constexpr double unlikely = 3.0;                                       ///< standard deviations
+constexpr double roundFigure = 0.05;                                   ///< to which a rig and its model agree
+constexpr double farMore = 10.0, typicallyMore = 2.0;  ///< of a squared error, whatever single folds say
 
 size_t wavesOf(const Model& model, const Effect& effect) {
   return static_cast<size_t>(std::count_if(model.effects.begin(), model.effects.end(),
@@ -86,6 +86,26 @@ std::vector<Pick> Rivals::nearlyAsGood(const SearchResult& result, size_t k) con
   return candidates;
 }
 
+/// What is taken for the chosen effect, or it for that, and what a regression may not show.
+std::vector<Pick> Rivals::whateverTheScreen(const SearchResult& result, size_t k) const {
+  std::vector<Pick> picks;
+  const Effect& chosen = *result.chosen[k].effect;
+  const auto names = [](const Effect& one, const Effect& other) {
+    const auto alike = one.lookAlikes();
+    return std::find(alike.begin(), alike.end(), other.name()) != alike.end();
+  };
+  for (const Effect* effect : catalogue()) {
+    if (contains(result.chosen, effect) || !(names(chosen, *effect) || names(*effect, chosen))) continue;
+    for (const auto& parameters : effect->asRival(input_.seen)) {
+      picks.emplace_back();
+      picks.back().effect = effect;
+      picks.back().shape = {parameters};
+      picks.back().parameters = parameters;
+    }
+  }
+  return picks;
+}
+
 /// Tries a rival in the place of a chosen effect, without which `left` remains; `best` are the validated errors of the
 /// best model.
 void Rivals::tryInPlace(SearchResult& result, size_t k, const FitResult& left, const Pick& rival,
@@ -106,6 +126,8 @@ void Rivals::tryInPlace(SearchResult& result, size_t k, const FitResult& left, c
     start = with(input_, start, picks.back());
   }
   FitResult fit = fits_.fresh(start);
+  const bool unscreened = rival.gain <= 0.0;  // its size is no more than a guess
+  if (unscreened && fit.usable) fit = fitModel(input_, fit.model, 10);
   if (!fit.usable || !possible(fit.model, input_.seen)) return;
   const auto errors = fits_.worth().validated(fit);
   if (!std::isfinite(mean(errors))) return;
@@ -137,7 +159,8 @@ void Rivals::tryInPlace(SearchResult& result, size_t k, const FitResult& left, c
   const bool push = chosen.effect->happensOnce() && !rival.effect->happensOnce();
   if (!better && push && leaves > notMuchMore) return;
   // Nor does a size that can't be told from zero hold a name against one that needs less to do the same.
-  const bool firmer = simpler && vanishes(result.best.model, *chosen.effect) && !vanishes(fit.model, *rival.effect);
+  const bool firmer = simpler && (vanishes(result.best.model, *chosen.effect) || (unscreened && leaves < farLess)) &&
+                      !vanishes(fit.model, *rival.effect);
   if (!better && !push && !firmer) {
     chosen.rivals.push_back(rival.effect);
     return;
@@ -214,6 +237,7 @@ void Rivals::weigh(SearchResult& result, std::vector<FitResult> left) const {
     if (input_.stop.stop_requested()) return;
     input_.say(0.5 + 0.3 * static_cast<double>(k) / static_cast<double>(result.chosen.size()), "weighing rivals");
     for (const Pick& rival : nearlyAsGood(result, k)) tryInPlace(result, k, left[k], rival, best);
+    for (const Pick& rival : whateverTheScreen(result, k)) tryInPlace(result, k, left[k], rival, best);
     askVoltage(result, k);
     if (const Effect* twin = findEffect(result.chosen[k].effect->twin())) result.chosen[k].rivals.push_back(twin);
   }

@@ -20,6 +20,7 @@ class Rivals {
   void addBest(const Effect& effect, std::vector<Pick>& others) const;
   std::vector<Pick> othersOf(const SearchResult& result, size_t k) const;
   std::vector<Pick> nearlyAsGood(const SearchResult& result, size_t k) const;
+  std::vector<Pick> whateverTheScreen(const SearchResult& result, size_t k) const;
   void tryInPlace(SearchResult& result, size_t k, const FitResult& left, const Pick& rival,
                   std::vector<double>& best) const;
   void weighAlone(SearchResult& result) const;
