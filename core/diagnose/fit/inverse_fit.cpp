@@ -88,9 +88,7 @@ Result<Regression> regress(const std::vector<Track>& tracks, const std::vector<C
 
 Column gravityColumn(const Model& model) {
   const Physics physics = physicsOf(model);
-  return [physics](const InverseRows& rows, size_t k) {
-    return physics.gravity * std::sin(rows.position[k] - physics.downAngle);
-  };
+  return [physics](const InverseRows& rows, size_t k) { return physics.knownLoad(rows.position[k]); };
 }
 
 const Column accelerationColumn = [](const InverseRows& rows, size_t k) { return rows.acceleration[k]; };
@@ -125,7 +123,7 @@ void addEffect(std::vector<Column>& columns, const Effect& effect, const Shape& 
       at.driveTorque = torque(rows, k);
       at.direction = signOf(rows.velocity[k]);
       at.current = at.driveTorque / physics.torqueConstant;
-      at.knownLoad = physics.gravity * std::sin(at.position - physics.downAngle);
+      at.knownLoad = physics.knownLoad(at.position);
       at.input = rows.input[k];
       const Term term = effect.term(set, at);
       return term.load_Nm + at.direction * term.friction_Nm;

@@ -36,7 +36,7 @@ RecordedMotion::RecordedMotion(const Track& track, const Physics& physics) {
     at.velocity = motion.velocity[k];
     at.acceleration = motion.acceleration[k];
     at.direction = motion.way[k];
-    at.knownLoad = physics.gravity * std::sin(at.position - physics.downAngle);
+    at.knownLoad = physics.knownLoad(at.position);
     at.input = track.input[k];
     at.supply_V = track.supplyAt(k);
     at.rest_s = motion.rest_s[k];

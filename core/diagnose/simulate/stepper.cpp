@@ -60,7 +60,7 @@ Situation Stepper::situationAt(const MotionState& state, double position, double
   at.velocity = velocity;
   at.acceleration = state.acceleration;
   at.driveTorque = drive;
-  if (physics_.gravity != 0.0) at.knownLoad = physics_.gravity * std::sin(position - physics_.downAngle);
+  at.knownLoad = physics_.knownLoad(position);
   at.direction = direction;
   at.current = physics_.torqueConstant > 0.0 ? drive / physics_.torqueConstant : 0.0;
   at.supply_V = supply_;
@@ -86,9 +86,9 @@ Stepper::Forces Stepper::forcesAt(const MotionState& state, double position, dou
                                   double drive, double time_s, double span) const {
   Forces forces{physics_.load, physics_.coulomb};
   if (!stateDependent_) return forces;
-  if (physics_.gravity != 0.0) forces.load += physics_.gravity * std::sin(position - physics_.downAngle);
   Situation at = situationAt(state, position, velocity, direction, drive, time_s);
   at.span = span;
+  forces.load += at.knownLoad;
   eachTerm(state, at, [&](const CompiledTerm& term, size_t) {
     const Term part = term.effect->term(term.parameters, at);
     forces.load += part.load_Nm;
@@ -109,7 +109,7 @@ void Stepper::partsAt(const MotionState& state, double position, double velocity
 
 Stepper::Forces Stepper::forcesOf(double position, std::span<const Term> parts) const {
   Forces forces{physics_.load, physics_.coulomb};
-  if (physics_.gravity != 0.0) forces.load += physics_.gravity * std::sin(position - physics_.downAngle);
+  forces.load += physics_.knownLoad(position);
   for (const Term& part : parts) {
     forces.load += part.load_Nm;
     forces.friction += part.friction_Nm;

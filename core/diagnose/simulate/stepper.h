@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "diagnose/effect.h"
@@ -27,6 +28,8 @@ struct Physics {
 
   /// Of a standing axis, once the current has followed: Nm per unit of u.
   double torquePerInput() const { return electrical ? torqueConstant / resistance : torqueConstant; }
+  /// What the declared load asks for at a position, Nm.
+  double knownLoad(double position) const { return gravity != 0.0 ? gravity * std::sin(position - downAngle) : 0.0; }
 };
 
 struct CompiledTerm {
