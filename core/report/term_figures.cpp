@@ -73,8 +73,32 @@ Figure overAngle(const Drawn& drawn) {
   return figure;
 }
 
+/// Whether it is the declared load that counts, whatever the motor gives.
+bool followsKnownLoad(const Drawn& drawn) {
+  Situation at = typical(drawn);
+  at.driveTorque = at.current = 0.0;
+  at.knownLoad = drawn.seen.knownLoad;
+  const double loaded = opposing(drawn, drawn.sets.front(), at);
+  at.knownLoad = 0.0;
+  return loaded != opposing(drawn, drawn.sets.front(), at);
+}
+
+/// Over what the declared load asks for.
+Figure overKnownLoad(const Drawn& drawn) {
+  const Value value = [&](const std::vector<double>& set, double x) {
+    Situation at = typical(drawn);
+    at.knownLoad = x;
+    return opposing(drawn, set, at);
+  };
+  Figure figure{.title = {}, .xLabel = torqueLabel(drawn, "known load's"), .yLabel = torqueLabel(drawn, "opposing")};
+  figure.curves.push_back(curveOf(drawn, between(-drawn.seen.knownLoad, drawn.seen.knownLoad), value));
+  for (double& x : figure.curves.back().x) x *= torqueScale(drawn);
+  return figure;
+}
+
 /// Over what the motor gives: lost voltage where the term loses voltage, else torque.
 Figure overCurrent(const Drawn& drawn) {
+  if (followsKnownLoad(drawn)) return overKnownLoad(drawn);
   const bool amperes = drawn.seen.peakCurrent > 0.0;
   const double end = amperes ? drawn.seen.peakCurrent : drawn.seen.peakTorque;
   const bool volts = drawn.effect.losesVoltage();
@@ -82,7 +106,6 @@ Figure overCurrent(const Drawn& drawn) {
     Situation at = typical(drawn);
     at.current = amperes ? x : 0.0;
     at.driveTorque = amperes ? x * drawn.physics.torqueConstant : x;
-    at.knownLoad = at.driveTorque;
     at.input = x / end * drawn.seen.peakInput;
     return volts ? drawn.effect.term(set, at).voltage_V : opposing(drawn, set, at);
   };
