@@ -1,6 +1,5 @@
 // Linear axes against their truth: the preset over seeds, and odd axes, each commissioned whole.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -15,6 +14,7 @@
 #include "motor/rig.h"
 #include "report/commission.h"
 #include "support/linear_rig.h"
+#include "support/processor_time.h"
 
 using namespace breakaway;
 using namespace breakaway::test;
@@ -43,14 +43,14 @@ struct Total {
 };
 
 void score(const std::string& name, const std::string& uri, unsigned seed, Total& total) {
-  const auto begin = std::chrono::steady_clock::now();
+  const ProcessorTime time(ProcessorTime::Of::thread);
   auto drive = openDrive(uri, seed);
   const auto rig = rigFileOf(uri) ? readRig(*rigFileOf(uri)) : Result<Rig>(rigFileOf(uri).error());
   CommissionOptions options;
   options.rig = name;
   options.keepRecordings = false;
   const auto done = drive ? commission(**drive, options) : Result<Commission>(drive.error());
-  const double cpu_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const double cpu_s = time.elapsed_s();
   const auto truth = done ? trueMap(uri, done->map) : Result<FrictionMap>(done.error());
   if (!truth || !rig) {
     ++total.failed;

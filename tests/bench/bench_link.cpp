@@ -1,21 +1,18 @@
 // How many telemetry frames a core encodes and decodes per second, beside what a line can carry.
-#include <chrono>
 #include <cstdio>
 #include <vector>
 
 #include "firmware_link/sample_decoder.h"
 #include "firmware_link/wire/messages.h"
+#include "support/processor_time.h"
 
 using namespace breakaway;
+using namespace breakaway::test;
 
 namespace {
 
 constexpr int frames = 100'000;
 constexpr double line_Bd = 3e6, bitsPerByte = 10.0;  // 8N1
-
-double seconds(std::chrono::steady_clock::time_point since) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
-}
 
 }  // namespace
 
@@ -25,7 +22,7 @@ int main() {
   constexpr std::size_t perFrame = wire::mostSamples(wire::usualChannels);
   std::vector<std::uint8_t> sent;
   sent.reserve(static_cast<std::size_t>(frames) * wire::mostFrame);
-  const auto encoding = std::chrono::steady_clock::now();
+  const ProcessorTime encoding;
   for (std::uint32_t k = 0; k < frames; ++k) {
     std::uint8_t body[wire::mostBody], frame[wire::mostFrame];
     wire::Writer out(body);
@@ -45,7 +42,7 @@ int main() {
         {static_cast<std::uint8_t>(wire::Type::telemetry), static_cast<std::uint16_t>(k), out.written()}, frame);
     sent.insert(sent.end(), frame, frame + size);
   }
-  const double encoding_s = seconds(encoding);
+  const double encoding_s = encoding.elapsed_s();
   SampleDecoder::Board board;
   board.loopRate_Hz = 1e4;
   board.countsPerRev = 14400.0;
@@ -53,14 +50,14 @@ int main() {
   wire::FrameDecoder line;
   std::vector<Sample> samples;
   std::size_t lost = 0, decoded = 0;
-  const auto decoding = std::chrono::steady_clock::now();
+  const ProcessorTime decoding;
   for (const std::uint8_t byte : sent) {
     if (!line.take(byte)) continue;
     lost += decoder.take(line.frame().body, samples);
     decoded += samples.size();
     samples.clear();
   }
-  const double decoding_s = seconds(decoding);
+  const double decoding_s = decoding.elapsed_s();
   const double perFrame_B = static_cast<double>(sent.size()) / frames;
   const double carried = line_Bd / bitsPerByte / perFrame_B;
   std::printf("frames of %zu samples of %zu channels, %.0f bytes on the wire each\n", perFrame,

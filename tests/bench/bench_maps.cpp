@@ -1,7 +1,6 @@
 // Friction maps against the truth: every rotary preset and rigs at random. Resumable: one line per rig in --results.
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
@@ -15,6 +14,7 @@
 #include "firmware_link/presets.h"
 #include "firmware_link/simulated_board.h"
 #include "firmware_link/simulated_truth.h"
+#include "support/processor_time.h"
 #include "support/random_rig.h"
 
 using namespace breakaway;
@@ -26,10 +26,6 @@ struct Job {
   std::string name, uri;
   unsigned seed = 1;
 };
-
-double seconds(const std::chrono::steady_clock::time_point& begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
 
 /// The gain is trusted: the rigs' gain error is zero, and torques rest on the measured back-EMF constant.
 MapScore scored(const Job& job) {
@@ -45,9 +41,9 @@ MapScore scored(const Job& job) {
   CommissionOptions options;
   options.rig = job.name;
   options.keepRecordings = false;
-  const auto begin = std::chrono::steady_clock::now();
+  const ProcessorTime time(ProcessorTime::Of::thread);
   const auto done = commission(**drive, options);
-  score.cpu_s = seconds(begin);
+  score.cpu_s = time.elapsed_s();
   if (!done) {
     score.failure = done.error().message();
     return score;
