@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "commission/axis_identification.h"
 #include "experiment/current_zeroing.h"
 #include "identify/zero_track.h"
 #include "procedure_sequence.h"
-#include "report/axis_identification.h"
 #include "travel_to.h"
 
 namespace breakaway {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "commission/travel_plan.h"
 #include "identify/motor_identification.h"
-#include "report/travel_plan.h"
 #include "run.h"
 
 namespace breakaway {

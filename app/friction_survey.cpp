@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "report/travel_survey.h"
+#include "commission/travel_survey.h"
 
 namespace breakaway {
 

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "commission/travel_plan.h"
 #include "friction/friction_map.h"
 #include "friction/measurements.h"
 #include "identify/map_estimation.h"
 #include "identify/velocity_friction.h"
-#include "report/travel_plan.h"
 #include "run.h"
 
 namespace breakaway {

@@ -3,8 +3,8 @@
 #include <numbers>
 
 #include "axis_units.h"
+#include "draw/html_report.h"
 #include "map_views.h"
-#include "report/html_report.h"
 
 namespace breakaway {
 

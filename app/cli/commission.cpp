@@ -1,4 +1,4 @@
-#include "report/commission.h"
+#include "commission/commission.h"
 
 #include <CLI/CLI.hpp>
 #include <csignal>

@@ -5,10 +5,10 @@
 #include "base/atomic_file.h"
 #include "cli/command.h"
 #include "cli/inputs.h"
+#include "draw/png.h"
 #include "figures/all_figures.h"
 #include "figures/figure_files.h"
 #include "firmware_link/simulated_board.h"
-#include "report/png.h"
 
 namespace breakaway::cli {
 

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "base/result.h"
+#include "commission/commission.h"
 #include "experiment/compensation.h"
 #include "experiment/course.h"
 #include "experiment/drive.h"
-#include "report/commission.h"
 
 namespace breakaway {
 

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
-#include "report/html_report.h"
-#include "report/png.h"
+#include "draw/html_report.h"
+#include "draw/png.h"
 
 namespace breakaway {
 

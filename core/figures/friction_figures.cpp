@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "base/statistics.h"
-#include "report/html_report.h"
+#include "draw/html_report.h"
 
 namespace breakaway {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "commission/commission.h"
 #include "figures/bench_figure.h"
-#include "report/commission.h"
 
 namespace breakaway {
 

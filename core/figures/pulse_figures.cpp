@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/statistics.h"
-#include "report/html_report.h"
+#include "draw/html_report.h"
 
 namespace breakaway {
 

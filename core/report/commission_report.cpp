@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "base/atomic_file.h"
+#include "draw/html_report.h"
 #include "friction/map_export.h"
 #include "recording/csv.h"
-#include "report/html_report.h"
 #include "report/linear_report.h"
 #include "report/map_figures.h"
 #include "report/motor_chapter.h"

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/result.h"
-#include "report/commission.h"
+#include "commission/commission.h"
 
 namespace breakaway {
 

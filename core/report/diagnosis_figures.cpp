@@ -7,8 +7,8 @@
 #include "diagnose/fit/motion.h"
 #include "diagnose/simulate/simulation.h"
 #include "diagnose/where.h"
-#include "report/html_report.h"
-#include "report/svg_canvas.h"
+#include "draw/html_report.h"
+#include "draw/svg_canvas.h"
 #include "report/term_figures.h"
 
 namespace breakaway {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "diagnose/diagnosis.h"
+#include "draw/svg_plot.h"
 #include "recording/recording.h"
-#include "report/svg_plot.h"
 
 namespace breakaway {
 

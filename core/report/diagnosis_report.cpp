@@ -5,8 +5,8 @@
 
 #include "base/atomic_file.h"
 #include "diagnose/catalogue.h"
+#include "draw/html_report.h"
 #include "report/diagnosis_figures.h"
-#include "report/html_report.h"
 
 namespace breakaway {
 

@@ -8,7 +8,7 @@
 #include "diagnose/effect.h"
 #include "diagnose/simulate/stepper.h"
 #include "diagnose/simulate/track.h"
-#include "report/svg_plot.h"
+#include "draw/svg_plot.h"
 
 namespace breakaway {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdio>
 
-#include "report/html_report.h"
+#include "draw/html_report.h"
 #include "report/map_figures.h"
 #include "report/motor_chapter.h"
 

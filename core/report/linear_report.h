@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "report/commission.h"
+#include "commission/commission.h"
 
 namespace breakaway {
 

@@ -4,9 +4,9 @@
 #include <array>
 #include <string>
 
+#include "commission/commission.h"
+#include "draw/html_report.h"
 #include "friction/friction_map.h"
-#include "report/commission.h"
-#include "report/html_report.h"
 
 namespace breakaway {
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "report/commission.h"
-#include "report/html_report.h"
+#include "commission/commission.h"
+#include "draw/html_report.h"
 
 namespace breakaway {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "report/html_report.h"
+#include "draw/html_report.h"
 
 namespace breakaway {
 

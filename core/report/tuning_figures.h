@@ -1,7 +1,7 @@
 // Pictures of a tuned loop.
 #pragma once
 
-#include "report/svg_plot.h"
+#include "draw/svg_plot.h"
 #include "stability/tuning_study.h"
 
 namespace breakaway {

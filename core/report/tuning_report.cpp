@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "base/atomic_file.h"
-#include "report/html_report.h"
+#include "draw/html_report.h"
 #include "report/tuning_figures.h"
 
 namespace breakaway {

@@ -10,9 +10,9 @@
 
 #include "base/atomic_file.h"
 #include "base/statistics.h"
+#include "commission/commission.h"
 #include "firmware_link/simulated_board.h"
 #include "motor/rig.h"
-#include "report/commission.h"
 #include "support/random_rig.h"
 
 using namespace breakaway;

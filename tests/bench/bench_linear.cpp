@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "base/atomic_file.h"
+#include "commission/commission.h"
 #include "firmware_link/presets.h"
 #include "firmware_link/simulated_board.h"
 #include "firmware_link/simulated_truth.h"
 #include "motor/rig.h"
-#include "report/commission.h"
 #include "support/linear_rig.h"
 #include "support/processor_time.h"
 

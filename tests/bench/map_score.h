@@ -6,9 +6,9 @@
 #include <string>
 
 #include "base/result.h"
+#include "commission/commission.h"
 #include "friction/friction_map.h"
 #include "motor/rig.h"
-#include "report/commission.h"
 
 namespace breakaway::test {
 

@@ -2,10 +2,10 @@
 #include <QTest>
 #include <cmath>
 
+#include "commission/commission.h"
 #include "experiment/travel_search.h"
 #include "firmware_link/simulated_board.h"
 #include "firmware_link/simulated_truth.h"
-#include "report/commission.h"
 #include "support/linear_rig.h"
 #include "support/temporary.h"
 

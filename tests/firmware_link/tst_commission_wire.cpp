@@ -4,13 +4,13 @@
 #include <array>
 #include <cmath>
 
+#include "commission/commission.h"
 #include "experiment/homing.h"
 #include "firmware_link/board_drive.h"
 #include "firmware_link/simulated_board.h"
 #include "firmware_link/simulated_truth.h"
 #include "firmware_link/transport/open_board.h"
 #include "house/program.h"
-#include "report/commission.h"
 #include "support/firmware_stream.h"
 #include "support/map_accuracy.h"
 #include "support/temporary.h"

@@ -12,8 +12,9 @@ namespace breakaway::test {
 namespace {
 
 /// The rooms of core, each of which may include itself and those before it.
-const std::vector<std::string> rooms{"base",       "friction", "recording", "motor", "observer", "control", "stability",
-                                     "experiment", "identify", "diagnose",  "trial", "score",    "report",  "figures"};
+const std::vector<std::string> rooms{"base",      "friction",   "recording", "motor",      "observer", "control",
+                                     "stability", "experiment", "identify",  "commission", "diagnose", "trial",
+                                     "score",     "draw",       "report",    "figures"};
 /// What the link stands on.
 const std::set<std::string> belowLink{"base", "friction", "recording", "control", "observer", "motor", "experiment"};
 
@@ -89,6 +90,8 @@ std::string whyNotInCore(const std::string& path, const Include& one) {
   if (rankOf(other) == rooms.size()) return "core stands on itself only";
   if (room == "trial" && !belowTrial.contains(other) && one.what != "motor/bench.h")
     return "trials know only base, friction, recordings and the bench file";
+  if (room == "draw" && other != "draw" && other != "base") return "drawing knows only base";
+  if (room == "report" && other == "experiment") return "a report draws and writes, it moves nothing";
   return rankOf(other) > rankOf(room) ? room + " stands below " + other : std::string();
 }
 

@@ -37,7 +37,14 @@ void TestLayering::plantedBreach_isFound_data() {
   row("core/recording/planted.cpp", "\"diagnose/simulate/model.h\"", "recording stands below diagnose");
   row("core/observer/planted.h", "\"control/pid.h\"", "observer stands below control");
   row("core/stability/planted.cpp", "\"experiment/drive.h\"", "stability stands below experiment");
-  row("core/diagnose/planted.cpp", "\"report/svg_plot.h\"", "diagnose stands below report");
+  row("core/diagnose/planted.cpp", "\"draw/svg_plot.h\"", "diagnose stands below draw");
+  row("core/diagnose/planted.cpp", "\"report/diagnosis_report.h\"", "diagnose stands below report");
+  row("core/identify/planted.cpp", "\"commission/commission.h\"", "identify stands below commission");
+  row("core/commission/planted.cpp", "\"report/commission_report.h\"", "commission stands below report");
+  row("core/commission/planted.cpp", "\"draw/svg_plot.h\"", "commission stands below draw");
+  row("core/draw/planted.cpp", "\"friction/friction_map.h\"", "drawing knows only base");
+  row("core/report/planted.cpp", "\"experiment/drive.h\"", "moves nothing");
+  row("core/report/planted.cpp", "\"figures/all_figures.h\"", "report stands below figures");
   row("core/motor/planted.cpp", "<QString>", "core knows no Qt");
   row("core/motor/planted.cpp", "<QtCore/QString>", "core knows no Qt");
   row("core/motor/planted.h", "<nlohmann/json.hpp>", "JSON stays inside");

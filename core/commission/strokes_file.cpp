@@ -1,0 +1,64 @@
+#include "commission/strokes_file.h"
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "base/atomic_file.h"
+#include "base/json_object.h"
+
+namespace breakaway {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr const char* schema = "breakaway.progress/1";
+constexpr const char* wayNames[] = {"bins_cw", "bins_ccw"};
+constexpr double mostSamples = 1e9;
+
+}  // namespace
+
+std::string strokesFile(const std::string& folder, size_t number) {
+  char name[48];
+  std::snprintf(name, sizeof name, "/progress/strokes-%02zu.json", number + 1);
+  return folder + name;
+}
+
+Result<void> writeStrokes(const TravelRun& run, const std::string& path) {
+  Json json{{"schema", schema},
+            {"target_m_per_s", run.target_m_per_s},
+            {"duration_s", run.duration_s},
+            {"middle_s", run.middle_s},
+            {"zero_A", run.zero_A},
+            {"half_span_s", run.halfSpan_s}};
+  for (size_t way = 0; way < 2; ++way) {
+    json[wayNames[way]] = Json::array();
+    for (const TravelBinSums& sum : run.bins[way])
+      json[wayNames[way]].push_back({sum.samples, sum.current_A, sum.velocity_m_per_s, sum.acceleration_m_per_s2});
+  }
+  return writeFile(path, json.dump() + "\n");
+}
+
+Result<TravelRun> readStrokes(const std::string& path) {
+  auto root = JsonObject::fromFile(path);
+  if (!root) return root.error();
+  if (const std::string found = root->text("schema"); found != schema)
+    root->fault("schema", "is \"" + found + "\", expected \"" + schema + "\"");
+  TravelRun run{root->number("target_m_per_s", Allowed::positive),
+                root->number("duration_s", Allowed::positive),
+                root->number("middle_s"),
+                root->number("zero_A"),
+                root->number("half_span_s", Allowed::positive),
+                {}};
+  for (size_t way = 0; way < 2; ++way) {
+    for (const auto& row : root->rows(wayNames[way], 4)) {
+      const bool count = row[0] >= 0.0 && row[0] <= mostSamples;
+      if (!count) root->fault(wayNames[way], "holds a wrong number of samples");
+      run.bins[way].push_back({count ? static_cast<size_t>(row[0]) : 0, row[1], row[2], row[3]});
+    }
+  }
+  if (run.bins[0].size() != run.bins[1].size()) root->fault(wayNames[1], "has another length than the other way");
+  if (const auto done = root->finish(); !done) return done.error();
+  return run;
+}
+
+}  // namespace breakaway

@@ -1,0 +1,147 @@
+#include "draw/html_report.h"
+
+#include <cassert>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+
+#include "base/atomic_file.h"
+
+namespace breakaway {
+
+namespace {
+
+const char* const style = R"(
+:root { color-scheme: light dark; --paper: #ffffff; --text: #22252a; --faint: #5f6670; --rule: #dde0e4; --mark: #0072b2; --wash: #f4f6f8; }
+@media screen and (prefers-color-scheme: dark) {
+  :root { --paper: #16181c; --text: #e4e6ea; --faint: #9aa2ad; --rule: #343941; --mark: #4aa8e0; --wash: #1f2227; } }
+* { box-sizing: border-box; }
+body { margin: 0 auto; padding: 2rem 1.5rem 4rem; max-width: 60rem; background: var(--paper); color: var(--text);
+  font: 16px/1.55 system-ui, "Segoe UI", "DejaVu Sans", Helvetica, Arial, sans-serif; }
+h1 { font-size: 1.9rem; line-height: 1.2; margin: 0 0 .3rem; } h2 { font-size: 1.35rem; margin: 2.2rem 0 .6rem; }
+h3 { font-size: 1.1rem; margin: 1.6rem 0 .4rem; } p { margin: .6rem 0; max-width: 48rem; }
+.subtitle, figcaption, caption { color: var(--faint); } .subtitle { margin: 0 0 1.5rem; }
+.verdict { border-left: 4px solid var(--mark); background: var(--wash); padding: .8rem 1.1rem; font-size: 1.1rem; white-space: pre-line; }
+table { border-collapse: collapse; margin: 1rem 0; font-variant-numeric: tabular-nums; }
+caption { text-align: left; padding-bottom: .3rem; } th, td { padding: .3rem .9rem .3rem 0; text-align: left; vertical-align: top; }
+thead th { border-bottom: 2px solid var(--rule); font-weight: 600; } tbody td, tbody th { border-bottom: 1px solid var(--rule); }
+tbody th { font-weight: 400; color: var(--faint); } td.number, th.number { text-align: right; }
+.wide { overflow-x: auto; } figure { margin: 1.4rem 0; } figure svg { max-width: 100%; height: auto; display: block; }
+figcaption { font-size: .92rem; margin-top: .3rem; max-width: 48rem; } details { margin: 1rem 0; } summary { cursor: pointer; color: var(--faint); }
+@media print { body { max-width: none; padding: 0; font-size: 10.5pt; } figure, table, .verdict { break-inside: avoid; }
+  h2, h3 { break-after: avoid; } @page { margin: 18mm 16mm; } }
+)";
+
+bool startsWithNumber(const std::string& text) {
+  size_t k = 0;
+  if (text.starts_with("\u2212")) k = 3;
+  while (k < text.size() && (text[k] == '-' || text[k] == '+' || text[k] == '.')) ++k;
+  return k < text.size() && std::isdigit(static_cast<unsigned char>(text[k])) != 0;
+}
+
+}  // namespace
+
+HtmlReport::HtmlReport(std::string title, std::string subtitle)
+    : title_(std::move(title)), subtitle_(std::move(subtitle)) {
+}
+
+void HtmlReport::heading(const std::string& text, int level) {
+  assert(level == 2 || level == 3);
+  const std::string tag = "h" + std::to_string(level);
+  body_ += "<" + tag + ">" + escaped(text) + "</" + tag + ">\n";
+}
+
+void HtmlReport::paragraph(const std::string& text) {
+  body_ += "<p>" + escaped(text) + "</p>\n";
+}
+
+void HtmlReport::verdict(const std::string& text) {
+  body_ += "<p class=\"verdict\">" + escaped(text) + "</p>\n";
+}
+
+void HtmlReport::list(const std::vector<std::string>& items) {
+  body_ += "<ul>\n";
+  for (const auto& item : items) body_ += "<li>" + escaped(item) + "</li>\n";
+  body_ += "</ul>\n";
+}
+
+void HtmlReport::facts(const std::vector<std::pair<std::string, std::string>>& rows) {
+  body_ += "<div class=\"wide\"><table><tbody>\n";
+  for (const auto& [name, value] : rows)
+    body_ += "<tr><th>" + escaped(name) + "</th><td>" + escaped(value) + "</td></tr>\n";
+  body_ += "</tbody></table></div>\n";
+}
+
+void HtmlReport::table(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows,
+                       const std::string& caption) {
+  std::vector<bool> numeric(header.size(), !rows.empty());
+  for (const auto& row : rows) {
+    assert(row.size() == header.size());
+    for (size_t c = 0; c < row.size(); ++c) numeric[c] = numeric[c] && (row[c].empty() || startsWithNumber(row[c]));
+  }
+  const auto tag = [&numeric](const char* name, size_t c) {
+    return std::string("<") + name + (numeric[c] ? " class=\"number\">" : ">");
+  };
+  body_ += "<div class=\"wide\"><table>";
+  if (!caption.empty()) body_ += "<caption>" + escaped(caption) + "</caption>";
+  body_ += "<thead><tr>";
+  for (size_t c = 0; c < header.size(); ++c) body_ += tag("th", c) + escaped(header[c]) + "</th>";
+  body_ += "</tr></thead><tbody>\n";
+  for (const auto& row : rows) {
+    body_ += "<tr>";
+    for (size_t c = 0; c < row.size(); ++c) body_ += tag("td", c) + escaped(row[c]) + "</td>";
+    body_ += "</tr>\n";
+  }
+  body_ += "</tbody></table></div>\n";
+}
+
+void HtmlReport::figure(const Figure& figure, const std::string& caption, int width_px, int height_px) {
+  svg(toSvg(figure, width_px, height_px), caption);
+}
+
+void HtmlReport::svg(std::string_view svg, const std::string& caption) {
+  body_ += "<figure>\n";
+  body_ += svg;
+  if (!caption.empty()) body_ += "<figcaption>" + escaped(caption) + "</figcaption>\n";
+  body_ += "</figure>\n";
+}
+
+void HtmlReport::details(const std::string& summary, const std::vector<std::string>& paragraphs) {
+  body_ += "<details><summary>" + escaped(summary) + "</summary>\n";
+  for (const auto& text : paragraphs) paragraph(text);
+  body_ += "</details>\n";
+}
+
+std::string HtmlReport::html() const {
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
+         escaped(title_) + "</title>\n<style>" + style + "</style>\n</head>\n<body>\n<h1>" + escaped(title_) +
+         "</h1>\n" + (subtitle_.empty() ? "" : "<p class=\"subtitle\">" + escaped(subtitle_) + "</p>\n") + body_ +
+         "</body>\n</html>\n";
+}
+
+Result<void> HtmlReport::write(const std::string& path) const {
+  return writeFile(path, html());
+}
+
+std::string numberText(double value, int digits) {
+  if (!std::isfinite(value)) return std::isnan(value) ? "–" : value > 0 ? "∞" : "\u2212∞";
+  char text[64];
+  const double size = std::abs(value);
+  if (size != 0.0 && (size < 1e-4 || size >= 1e6)) {
+    std::snprintf(text, sizeof text, "%.*e", digits - 1, value);
+    std::string result = text;
+    const size_t e = result.find('e');
+    size_t end = e;
+    while (end > 0 && result[end - 1] == '0') --end;
+    if (end > 0 && result[end - 1] == '.') --end;
+    if (result.find('.') < e) result.erase(end, e - end);
+    return result;
+  }
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
+  std::string result = text;
+  if (result.find('e') != std::string::npos) std::snprintf(text, sizeof text, "%.0f", value), result = text;
+  return result;
+}
+
+}  // namespace breakaway
