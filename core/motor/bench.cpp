@@ -8,6 +8,7 @@
 
 #include "base/atomic_file.h"
 #include "base/json_object.h"
+#include "recording/columns.h"
 
 namespace breakaway {
 
@@ -32,16 +33,14 @@ constexpr MotorNames linearNames{"force_constant_N_per_A",
                                  "coulomb_N",
                                  "counts_per_m"};
 
-struct InputName {
-  const char* name;
+struct InputQuantity {
+  Quantity quantity;
   DriveInput input;
-  std::optional<Axis> axis;
 };
-constexpr std::array<InputName, 5> inputNames{{{"voltage_V", DriveInput::voltage, {}},
-                                               {"duty", DriveInput::duty, {}},
-                                               {"current_A", DriveInput::current, {}},
-                                               {"torque_Nm", DriveInput::torque, Axis::rotary},
-                                               {"force_N", DriveInput::torque, Axis::linear}}};
+constexpr std::array<InputQuantity, 4> inputs{{{Quantity::voltage, DriveInput::voltage},
+                                               {Quantity::duty, DriveInput::duty},
+                                               {Quantity::current, DriveInput::current},
+                                               {Quantity::torque, DriveInput::torque}}};
 
 struct GainNames {
   ControlMode mode;
@@ -116,7 +115,7 @@ Result<Bench> readBench(JsonObject root) {
   const auto known = driveInputNamed(input, bench.axis);
   if (!known) {
     drive.fault("input", "is \"" + input + "\", expected voltage_V, duty, current_A or " +
-                             (bench.axis == Axis::rotary ? "torque_Nm" : "force_N"));
+                             columnName(Quantity::torque, bench.axis));
   } else {
     bench.input = *known;
   }
@@ -158,8 +157,8 @@ const MotorNames& motorNames(Axis axis) {
 }
 
 std::optional<DriveInput> driveInputNamed(const std::string& name, Axis axis) {
-  for (const InputName& one : inputNames) {
-    if (name == one.name && one.axis.value_or(axis) == axis) return one.input;
+  for (const InputQuantity& one : inputs) {
+    if (name == columnName(one.quantity, axis)) return one.input;
   }
   return std::nullopt;
 }
@@ -170,16 +169,16 @@ double Bench::count() const {
 }
 
 std::string Bench::positionChannel() const {
-  return axis == Axis::rotary ? "angle_rad" : "position_m";
+  return columnName(Quantity::position, axis);
 }
 
 std::string Bench::velocityChannel() const {
-  return axis == Axis::rotary ? "velocity_rad_per_s" : "velocity_m_per_s";
+  return columnName(Quantity::velocity, axis);
 }
 
 std::string Bench::inputChannel() const {
-  for (const InputName& one : inputNames) {
-    if (one.input == input && one.axis.value_or(axis) == axis) return one.name;
+  for (const InputQuantity& one : inputs) {
+    if (one.input == input) return columnName(one.quantity, axis);
   }
   return {};
 }

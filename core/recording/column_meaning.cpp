@@ -7,27 +7,15 @@
 #include <utility>
 #include <vector>
 
+#include "recording/columns.h"
+
 namespace breakaway {
 
 namespace {
 
-enum class Kind {
-  time,
-  angle,
-  length,
-  angularVelocity,
-  linearVelocity,
-  current,
-  voltage,
-  torque,
-  force,
-  temperature,
-  ratio
-};
-
 struct Unit {
   const char* name;
-  Kind kind;
+  const char* si;  ///< the unit of the columns that it converts to
   double scale;
   double offset = 0.0;
 };
@@ -36,166 +24,159 @@ constexpr double turn = 2.0 * std::numbers::pi;
 constexpr double degree = turn / 360.0;
 
 constexpr auto units = std::to_array<Unit>({
-    {"s", Kind::time, 1},
-    {"sec", Kind::time, 1},
-    {"seconds", Kind::time, 1},
-    {"sekunden", Kind::time, 1},
-    {"ms", Kind::time, 1e-3},
-    {"msec", Kind::time, 1e-3},
-    {"millis", Kind::time, 1e-3},
-    {"milliseconds", Kind::time, 1e-3},
-    {"us", Kind::time, 1e-6},
-    {"usec", Kind::time, 1e-6},
-    {"micros", Kind::time, 1e-6},
-    {"microseconds", Kind::time, 1e-6},
-    {"ns", Kind::time, 1e-9},
-    {"min", Kind::time, 60},
-    {"rad", Kind::angle, 1},
-    {"radians", Kind::angle, 1},
-    {"mrad", Kind::angle, 1e-3},
-    {"deg", Kind::angle, degree},
-    {"degree", Kind::angle, degree},
-    {"degrees", Kind::angle, degree},
-    {"grad", Kind::angle, degree},
-    {"rev", Kind::angle, turn},
-    {"revs", Kind::angle, turn},
-    {"turn", Kind::angle, turn},
-    {"turns", Kind::angle, turn},
-    {"m", Kind::length, 1},
-    {"cm", Kind::length, 1e-2},
-    {"mm", Kind::length, 1e-3},
-    {"um", Kind::length, 1e-6},
-    {"rad_per_s", Kind::angularVelocity, 1},
-    {"rads", Kind::angularVelocity, 1},
-    {"rad_per_sec", Kind::angularVelocity, 1},
-    {"deg_per_s", Kind::angularVelocity, degree},
-    {"deg_per_sec", Kind::angularVelocity, degree},
-    {"dps", Kind::angularVelocity, degree},
-    {"rpm", Kind::angularVelocity, turn / 60},
-    {"1_per_min", Kind::angularVelocity, turn / 60},
-    {"u_per_min", Kind::angularVelocity, turn / 60},
-    {"rev_per_min", Kind::angularVelocity, turn / 60},
-    {"r_per_min", Kind::angularVelocity, turn / 60},
-    {"rev_per_s", Kind::angularVelocity, turn},
-    {"turn_per_s", Kind::angularVelocity, turn},
-    {"turns_per_s", Kind::angularVelocity, turn},
-    {"rps", Kind::angularVelocity, turn},
-    {"m_per_s", Kind::linearVelocity, 1},
-    {"mm_per_s", Kind::linearVelocity, 1e-3},
-    {"a", Kind::current, 1},
-    {"amp", Kind::current, 1},
-    {"amps", Kind::current, 1},
-    {"ampere", Kind::current, 1},
-    {"ma", Kind::current, 1e-3},
-    {"v", Kind::voltage, 1},
-    {"volt", Kind::voltage, 1},
-    {"volts", Kind::voltage, 1},
-    {"mv", Kind::voltage, 1e-3},
-    {"nm", Kind::torque, 1},
-    {"n_m", Kind::torque, 1},
-    {"mnm", Kind::torque, 1e-3},
-    {"ncm", Kind::torque, 1e-2},
-    {"n", Kind::force, 1},
-    {"newton", Kind::force, 1},
-    {"kn", Kind::force, 1e3},
-    {"degc", Kind::temperature, 1},
-    {"c", Kind::temperature, 1},
-    {"celsius", Kind::temperature, 1},
-    {"k", Kind::temperature, 1, -273.15},
-    {"percent", Kind::ratio, 1e-2},
-    {"%", Kind::ratio, 1e-2},
-    {"prozent", Kind::ratio, 1e-2},
-    {"1", Kind::ratio, 1},
+    {"s", "s", 1},
+    {"sec", "s", 1},
+    {"seconds", "s", 1},
+    {"sekunden", "s", 1},
+    {"ms", "s", 1e-3},
+    {"msec", "s", 1e-3},
+    {"millis", "s", 1e-3},
+    {"milliseconds", "s", 1e-3},
+    {"us", "s", 1e-6},
+    {"usec", "s", 1e-6},
+    {"micros", "s", 1e-6},
+    {"microseconds", "s", 1e-6},
+    {"ns", "s", 1e-9},
+    {"min", "s", 60},
+    {"rad", "rad", 1},
+    {"radians", "rad", 1},
+    {"mrad", "rad", 1e-3},
+    {"deg", "rad", degree},
+    {"degree", "rad", degree},
+    {"degrees", "rad", degree},
+    {"grad", "rad", degree},
+    {"rev", "rad", turn},
+    {"revs", "rad", turn},
+    {"turn", "rad", turn},
+    {"turns", "rad", turn},
+    {"m", "m", 1},
+    {"cm", "m", 1e-2},
+    {"mm", "m", 1e-3},
+    {"um", "m", 1e-6},
+    {"rad_per_s", "rad/s", 1},
+    {"rads", "rad/s", 1},
+    {"rad_per_sec", "rad/s", 1},
+    {"deg_per_s", "rad/s", degree},
+    {"deg_per_sec", "rad/s", degree},
+    {"dps", "rad/s", degree},
+    {"rpm", "rad/s", turn / 60},
+    {"1_per_min", "rad/s", turn / 60},
+    {"u_per_min", "rad/s", turn / 60},
+    {"rev_per_min", "rad/s", turn / 60},
+    {"r_per_min", "rad/s", turn / 60},
+    {"rev_per_s", "rad/s", turn},
+    {"turn_per_s", "rad/s", turn},
+    {"turns_per_s", "rad/s", turn},
+    {"rps", "rad/s", turn},
+    {"m_per_s", "m/s", 1},
+    {"mm_per_s", "m/s", 1e-3},
+    {"a", "A", 1},
+    {"amp", "A", 1},
+    {"amps", "A", 1},
+    {"ampere", "A", 1},
+    {"ma", "A", 1e-3},
+    {"v", "V", 1},
+    {"volt", "V", 1},
+    {"volts", "V", 1},
+    {"mv", "V", 1e-3},
+    {"nm", "Nm", 1},
+    {"n_m", "Nm", 1},
+    {"mnm", "Nm", 1e-3},
+    {"ncm", "Nm", 1e-2},
+    {"n", "N", 1},
+    {"newton", "N", 1},
+    {"kn", "N", 1e3},
+    {"degc", "°C", 1},
+    {"c", "°C", 1},
+    {"celsius", "°C", 1},
+    {"k", "°C", 1, -273.15},
+    {"percent", "1", 1e-2},
+    {"%", "1", 1e-2},
+    {"prozent", "1", 1e-2},
+    {"1", "1", 1},
 });
 
-struct Quantity {
-  const char* word;
-  Kind kind;
-  const char *name, *linearName;  ///< contract names; the second where the unit is one of length
-  const char* reference;          ///< the name of its reference, or nullptr
-  const char* linearReference;
+struct Word {
+  const char* text;
+  Quantity quantity;
+  Axis axis = Axis::rotary;  ///< where no unit tells it
 };
 
-constexpr Quantity timeIs(const char* word) {
-  return {word, Kind::time, "time_s", nullptr, nullptr, nullptr};
-}
-constexpr Quantity positionIs(const char* word) {
-  return {word, Kind::angle, "angle_rad", "position_m", "angle_reference_rad", "position_reference_m"};
-}
-constexpr Quantity velocityIs(const char* word) {
-  return {word,
-          Kind::angularVelocity,
-          "velocity_rad_per_s",
-          "velocity_m_per_s",
-          "velocity_reference_rad_per_s",
-          "velocity_reference_m_per_s"};
-}
-constexpr Quantity plain(const char* word, Kind kind, const char* name, const char* reference = nullptr) {
-  return {word, kind, name, nullptr, reference, nullptr};
-}
-
 /// In order: the first word that a name has decides ("supply voltage" is a supply, "current position" a position).
-constexpr auto quantities = std::to_array<Quantity>({
-    timeIs("time"),
-    timeIs("t"),
-    timeIs("timestamp"),
-    timeIs("zeit"),
-    timeIs("zeitstempel"),
-    timeIs("elapsed"),
-    timeIs("uptime"),
-    velocityIs("velocity"),
-    velocityIs("vel"),
-    velocityIs("speed"),
-    velocityIs("omega"),
-    velocityIs("w"),
-    velocityIs("drehzahl"),
-    velocityIs("geschwindigkeit"),
-    velocityIs("rpm"),
-    positionIs("position"),
-    positionIs("pos"),
-    positionIs("angle"),
-    positionIs("theta"),
-    positionIs("th"),
-    positionIs("phi"),
-    positionIs("q"),
-    positionIs("winkel"),
-    plain("torque", Kind::torque, "torque_Nm"),
-    plain("tau", Kind::torque, "torque_Nm"),
-    plain("drehmoment", Kind::torque, "torque_Nm"),
-    plain("moment", Kind::torque, "torque_Nm"),
-    plain("force", Kind::force, "force_N"),
-    plain("kraft", Kind::force, "force_N"),
-    plain("f", Kind::force, "force_N"),
-    plain("temperature", Kind::temperature, "temperature_degC"),
-    plain("temp", Kind::temperature, "temperature_degC"),
-    plain("temperatur", Kind::temperature, "temperature_degC"),
-    plain("supply", Kind::voltage, "supply_V"),
-    plain("vbus", Kind::voltage, "supply_V"),
-    plain("bus", Kind::voltage, "supply_V"),
-    plain("vdc", Kind::voltage, "supply_V"),
-    plain("battery", Kind::voltage, "supply_V"),
-    plain("batt", Kind::voltage, "supply_V"),
-    plain("vin", Kind::voltage, "supply_V"),
-    plain("input", Kind::voltage, "supply_V"),
-    plain("duty", Kind::ratio, "duty"),
-    plain("dutycycle", Kind::ratio, "duty"),
-    plain("pwm", Kind::ratio, "duty"),
-    plain("voltage", Kind::voltage, "voltage_V"),
-    plain("volt", Kind::voltage, "voltage_V"),
-    plain("volts", Kind::voltage, "voltage_V"),
-    plain("spannung", Kind::voltage, "voltage_V"),
-    plain("u", Kind::voltage, "voltage_V"),
-    plain("uq", Kind::voltage, "voltage_V"),
-    plain("vm", Kind::voltage, "voltage_V"),
-    plain("vq", Kind::voltage, "voltage_V"),
-    plain("current", Kind::current, "current_A", "current_reference_A"),
-    plain("curr", Kind::current, "current_A", "current_reference_A"),
-    plain("cur", Kind::current, "current_A", "current_reference_A"),
-    plain("amps", Kind::current, "current_A", "current_reference_A"),
-    plain("i", Kind::current, "current_A", "current_reference_A"),
-    plain("iq", Kind::current, "current_A", "current_reference_A"),
-    plain("strom", Kind::current, "current_A", "current_reference_A"),
+constexpr auto quantityWords = std::to_array<Word>({
+    {"time", Quantity::time},
+    {"t", Quantity::time},
+    {"timestamp", Quantity::time},
+    {"zeit", Quantity::time},
+    {"zeitstempel", Quantity::time},
+    {"elapsed", Quantity::time},
+    {"uptime", Quantity::time},
+    {"velocity", Quantity::velocity},
+    {"vel", Quantity::velocity},
+    {"speed", Quantity::velocity},
+    {"omega", Quantity::velocity},
+    {"w", Quantity::velocity},
+    {"drehzahl", Quantity::velocity},
+    {"geschwindigkeit", Quantity::velocity},
+    {"rpm", Quantity::velocity},
+    {"position", Quantity::position},
+    {"pos", Quantity::position},
+    {"angle", Quantity::position},
+    {"theta", Quantity::position},
+    {"th", Quantity::position},
+    {"phi", Quantity::position},
+    {"q", Quantity::position},
+    {"winkel", Quantity::position},
+    {"torque", Quantity::torque},
+    {"tau", Quantity::torque},
+    {"drehmoment", Quantity::torque},
+    {"moment", Quantity::torque},
+    {"force", Quantity::torque, Axis::linear},
+    {"kraft", Quantity::torque, Axis::linear},
+    {"f", Quantity::torque, Axis::linear},
+    {"temperature", Quantity::temperature},
+    {"temp", Quantity::temperature},
+    {"temperatur", Quantity::temperature},
+    {"supply", Quantity::supply},
+    {"vbus", Quantity::supply},
+    {"bus", Quantity::supply},
+    {"vdc", Quantity::supply},
+    {"battery", Quantity::supply},
+    {"batt", Quantity::supply},
+    {"vin", Quantity::supply},
+    {"input", Quantity::supply},
+    {"duty", Quantity::duty},
+    {"dutycycle", Quantity::duty},
+    {"pwm", Quantity::duty},
+    {"voltage", Quantity::voltage},
+    {"volt", Quantity::voltage},
+    {"volts", Quantity::voltage},
+    {"spannung", Quantity::voltage},
+    {"u", Quantity::voltage},
+    {"uq", Quantity::voltage},
+    {"vm", Quantity::voltage},
+    {"vq", Quantity::voltage},
+    {"current", Quantity::current},
+    {"curr", Quantity::current},
+    {"cur", Quantity::current},
+    {"amps", Quantity::current},
+    {"i", Quantity::current},
+    {"iq", Quantity::current},
+    {"strom", Quantity::current},
 });
+
+std::optional<Quantity> referenceOf(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::position:
+      return Quantity::positionReference;
+    case Quantity::velocity:
+      return Quantity::velocityReference;
+    case Quantity::current:
+      return Quantity::currentReference;
+    default:
+      return std::nullopt;
+  }
+}
 
 constexpr auto referenceWords =
     std::to_array<const char*>({"ref", "reference", "target", "goal", "setpoint", "sp", "cmd", "command", "commanded",
@@ -293,12 +274,6 @@ NameParts partsOf(std::string_view name) {
   return parts;
 }
 
-bool fits(const Unit& unit, const Quantity& quantity) {
-  if (unit.kind == quantity.kind) return true;
-  if (quantity.linearName == nullptr) return false;
-  return quantity.kind == Kind::angle ? unit.kind == Kind::length : unit.kind == Kind::linearVelocity;
-}
-
 }  // namespace
 
 bool isUnit(std::string_view text) {
@@ -306,31 +281,31 @@ bool isUnit(std::string_view text) {
 }
 
 std::optional<Meaning> meaningOf(std::string_view name) {
-  if (name == "index" || name == "enabled") return Meaning{std::string(name), 1.0, 0.0, true};
+  if (columnNamed(name) != nullptr) return Meaning{std::string(name), 1.0, 0.0, true};
   if (name == "torque_enable" || name == "enable") return Meaning{"enabled", 1.0, 0.0, true};
   for (const char* rpm : {"rpm", "RPM"}) {
     if (name == rpm) return Meaning{"velocity_rad_per_s", turn / 60, 0.0, true};
   }
   const NameParts parts = partsOf(name);
   if (parts.unknownUnit) return std::nullopt;
-  const auto known = [&parts](const Quantity& one) { return contains(parts.words, one.word); };
-  const auto it = std::find_if(quantities.begin(), quantities.end(), known);
-  if (it == quantities.end() || (parts.unit != nullptr && !fits(*parts.unit, *it))) return std::nullopt;
+  const auto known = [&parts](const Word& one) { return contains(parts.words, one.text); };
+  const auto it = std::find_if(quantityWords.begin(), quantityWords.end(), known);
+  if (it == quantityWords.end()) return std::nullopt;
   bool reference = false;
   for (const std::string& word : parts.words) {
     if (contains(referenceWords, word)) {
       reference = true;
-    } else if (word != it->word && !contains(decorations, word) && word != "current") {
+    } else if (word != it->text && !contains(decorations, word) && word != "current") {
       return std::nullopt;  // a word that is not understood may change everything ("velocity error")
     }
   }
-  if (std::string_view(it->word) == "input" && parts.unit == nullptr) return std::nullopt;
-  const bool linear =
-      parts.unit != nullptr && (parts.unit->kind == Kind::length || parts.unit->kind == Kind::linearVelocity);
-  const char* to = reference ? (linear ? it->linearReference : it->reference) : (linear ? it->linearName : it->name);
-  if (to == nullptr) return std::nullopt;
-  if (parts.unit == nullptr) return Meaning{to, 1.0, 0.0, false};
-  return Meaning{to, parts.unit->scale, parts.unit->offset, true};
+  if (std::string_view(it->text) == "input" && parts.unit == nullptr) return std::nullopt;
+  const auto quantity = reference ? referenceOf(it->quantity) : it->quantity;
+  if (!quantity) return std::nullopt;
+  if (parts.unit == nullptr) return Meaning{columnName(*quantity, it->axis), 1.0, 0.0, false};
+  const Column* column = columnIn(parts.unit->si, *quantity);
+  if (column == nullptr) return std::nullopt;
+  return Meaning{column->name, parts.unit->scale, parts.unit->offset, true};
 }
 
 }  // namespace breakaway

@@ -1,13 +1,13 @@
 #include "recording/csv.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 
 #include "base/atomic_file.h"
+#include "recording/columns.h"
 
 namespace breakaway {
 
@@ -18,26 +18,6 @@ std::string_view trimmed(std::string_view text) {
   while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r')) text.remove_suffix(1);
   return text;
 }
-
-/// The columns that mean something, contracts section 2: what stands in them must be numbers. Others are only kept.
-constexpr std::array<std::string_view, 18> meaningful{"time_s",
-                                                      "angle_rad",
-                                                      "position_m",
-                                                      "voltage_V",
-                                                      "duty",
-                                                      "current_A",
-                                                      "torque_Nm",
-                                                      "force_N",
-                                                      "velocity_rad_per_s",
-                                                      "velocity_m_per_s",
-                                                      "supply_V",
-                                                      "temperature_degC",
-                                                      "angle_reference_rad",
-                                                      "velocity_reference_rad_per_s",
-                                                      "current_reference_A",
-                                                      "disturbance_estimate_Nm",
-                                                      "index",
-                                                      "enabled"};
 
 /// Takes the next line off `rest`, without its line break.
 std::string_view takeLine(std::string_view& rest) {
@@ -128,9 +108,10 @@ Result<Head> readHead(std::string_view text, const std::string& name) {
   return Error{name, "is empty, expected a header line with time_s"};
 }
 
-Error cellError(const std::string& name, size_t row, const std::string& column, std::string_view text) {
-  return {name + ", row " + std::to_string(row) + ", column " + column,
-          "expected a finite number, found \"" + std::string(text.substr(0, 40)) + "\""};
+Error cellError(const std::string& name, size_t row, const Column& column, std::string_view text) {
+  const std::string expected = column.cell == Cell::flag ? "0 or 1" : "a finite number";
+  return {name + ", row " + std::to_string(row) + ", column " + column.name,
+          "expected " + expected + ", found \"" + std::string(text.substr(0, 40)) + "\""};
 }
 
 /// What a number beyond a double's range stands for: 0 or the smallest doubles below it, infinity above.
@@ -138,8 +119,13 @@ double outOfRange(std::string_view digits) {
   return std::strtod(std::string(digits).c_str(), nullptr);
 }
 
-/// One row into the columns' ends; says which column is at fault.
-Result<void> readRow(std::string_view line, size_t row, const std::string& name, std::vector<Channel>& channels) {
+bool allowed(double value, const Column* column) {
+  return !std::isinf(value) && (column == nullptr || column->cell == Cell::number || (value >= 0.0 && value <= 1.0));
+}
+
+/// One row into the columns' ends; says which column is at fault. `known`: what each column means, if anything.
+Result<void> readRow(std::string_view line, size_t row, const std::string& name,
+                     const std::vector<const Column*>& known, std::vector<Channel>& channels) {
   const char* at = line.data();
   const char* end = line.data() + line.size();
   for (size_t column = 0; column < channels.size(); ++column) {
@@ -158,10 +144,11 @@ Result<void> readRow(std::string_view line, size_t row, const std::string& name,
       const char* after = stop;
       while (after < end && *after == ' ') ++after;
       if (code == std::errc::result_out_of_range) value = outOfRange({start, static_cast<size_t>(stop - start)});
-      if (code == std::errc::invalid_argument || (after < end && *after != ',') || std::isinf(value)) {
+      const bool isNumber = code != std::errc::invalid_argument && (after == end || *after == ',');
+      if (!isNumber || !(allowed(value, known[column]) || std::isnan(value))) {
         after = cellEnd(at, end);
-        if (std::find(meaningful.begin(), meaningful.end(), channels[column].name) != meaningful.end())
-          return cellError(name, row, channels[column].name, trimmed({at, static_cast<size_t>(after - at)}));
+        if (known[column] != nullptr)
+          return cellError(name, row, *known[column], trimmed({at, static_cast<size_t>(after - at)}));
         value = std::numeric_limits<double>::quiet_NaN();
       }
       at = after;
@@ -181,10 +168,12 @@ Result<Recording> readCsvText(std::string_view text, const std::string& name) {
   auto head = readHead(text, name);
   if (!head) return head.error();
   std::vector<Channel> channels;
+  std::vector<const Column*> known;
   const auto rowCount = static_cast<size_t>(std::count(head->rows.begin(), head->rows.end(), '\n')) + 1;
   for (const std::string& column : head->columns) {
     channels.push_back({column, {}});
     channels.back().values.reserve(rowCount);
+    known.push_back(columnNamed(column));
   }
   size_t row = 0;
   std::string_view rest = head->rows;
@@ -192,7 +181,7 @@ Result<Recording> readCsvText(std::string_view text, const std::string& name) {
     const std::string_view line = takeLine(rest);
     if (line.empty()) continue;
     ++row;
-    if (auto done = readRow(line, row, name, channels); !done) return done.error();
+    if (auto done = readRow(line, row, name, known, channels); !done) return done.error();
   }
   if (channels.front().values.empty()) return Error{name, "has a header and no rows"};
   return Recording::seal(name, std::move(channels), std::move(head->notes));

@@ -1,4 +1,4 @@
-// Recordings as CSV, contracts section 2: `# key: value` lines, one header line, rows; an empty cell is a missing
+// Recordings as CSV (resources/help/files.md): `# key: value` lines, one header line, rows; an empty cell is a missing
 // value.
 #pragma once
 
@@ -10,9 +10,9 @@
 
 namespace breakaway {
 
-/// Reads the contract's form only; other forms come in through import. Errors name the file, the row (1 is the first
+/// Reads this form only; other forms come in through import. Errors name the file, the row (1 is the first
 /// row after the header, blank lines not counted) and the column. `nan` is a missing value like an empty cell;
-/// infinities are refused. A column that contracts section 2 doesn't name may hold anything: what is no number is a
+/// infinities are refused. A column that columns.h doesn't name may hold anything: what is no number is a
 /// missing value there, and a comma within double quotes separates nothing.
 Result<Recording> readCsv(const std::string& path);
 Result<Recording> readCsvText(std::string_view text, const std::string& name);

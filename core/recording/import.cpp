@@ -11,6 +11,7 @@
 #include "base/atomic_file.h"
 #include "base/json_object.h"
 #include "recording/column_meaning.h"
+#include "recording/columns.h"
 #include "recording/json_log.h"
 #include "recording/known_logs.h"
 #include "recording/mat.h"
@@ -19,6 +20,11 @@
 namespace breakaway {
 
 namespace {
+
+bool holds(const std::string& column, Quantity quantity) {
+  const Column* known = columnNamed(column);
+  return known != nullptr && known->quantity == quantity;
+}
 
 std::string shortText(double value) {
   char text[32];
@@ -141,7 +147,7 @@ std::string inWords(const std::string& from, const Meaning& meaning) {
   std::string text = from + " → " + meaning.to;
   if (meaning.scale != 1.0) text += ", × " + shortText(meaning.scale);
   if (meaning.offset != 0.0) text += (meaning.offset > 0.0 ? ", + " : ", − ") + shortText(std::abs(meaning.offset));
-  if (!meaning.unitGiven && meaning.to != "time_s") text += ", taken as SI: the name tells no unit";
+  if (!meaning.unitGiven && !holds(meaning.to, Quantity::time)) text += ", taken as SI: the name tells no unit";
   return text;
 }
 
@@ -182,8 +188,8 @@ Result<Imported> settle(RawTable table, const ImportMap& map, const std::string&
     }
     if (rule) {
       convert(column.channel.values, rule->scale, rule->offset);
-      if (rule->to == "time_s") settleTime(column.channel.values, rule->unitGiven, remarks);
-      if (rule->to == "angle_rad") settleAngle(column.channel.values, remarks);
+      if (holds(rule->to, Quantity::time)) settleTime(column.channel.values, rule->unitGiven, remarks);
+      if (rule->to == columnName(Quantity::position, Axis::rotary)) settleAngle(column.channel.values, remarks);
       if (rule->to != from) remarks.push_back(inWords(from, *rule));
       column.channel.name = rule->to;
     } else {
@@ -197,13 +203,14 @@ Result<Imported> settle(RawTable table, const ImportMap& map, const std::string&
   }
   std::string names;
   for (const Channel& channel : channels) names += (names.empty() ? "" : ", ") + channel.name;
-  if (!taken.contains("time_s"))
-    return Error{path, "no column could be taken for the time; there are: " + names + "; say which with --map"};
-  if (!taken.contains("angle_rad") && !taken.contains("position_m")) {
-    return Error{path,
-                 "no column could be taken for the angle or position; there are: " + names + "; say which with --map"};
-  }
-  std::stable_partition(channels.begin(), channels.end(), [](const Channel& one) { return one.name == "time_s"; });
+  const auto none = [&](Quantity quantity) {
+    return std::none_of(taken.begin(), taken.end(), [=](const std::string& name) { return holds(name, quantity); });
+  };
+  const std::string instead = "; there are: " + names + "; say which with --map";
+  if (none(Quantity::time)) return Error{path, "no column could be taken for the time" + instead};
+  if (none(Quantity::position)) return Error{path, "no column could be taken for the angle or position" + instead};
+  std::stable_partition(channels.begin(), channels.end(),
+                        [](const Channel& one) { return holds(one.name, Quantity::time); });
   table.notes.emplace_back("imported from", std::filesystem::path(path).filename().string());
   auto recording = Recording::seal(path, std::move(channels), std::move(table.notes));
   if (!recording) return recording.error();

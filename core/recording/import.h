@@ -1,4 +1,4 @@
-// From what people have on disk to a recording: contracts section 2.
+// From what people have on disk to a recording in the columns of columns.h.
 #pragma once
 
 #include <map>

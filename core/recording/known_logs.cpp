@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "recording/columns.h"
+
 namespace breakaway {
 
 namespace {
@@ -30,31 +32,36 @@ std::string noteOf(const RawTable& table, const std::string& key) {
   return {};
 }
 
-void rename(RawTable& table, const std::string& from, const std::string& to) {
-  if (RawColumn* column = find(table, from)) column->channel.name = to;
-}
+struct Renaming {
+  const char* from;
+  Quantity to;
+};
 
-/// Puts the columns with these names first, in this order.
-void order(RawTable& table, const std::vector<std::string>& names) {
-  const auto rank = [&names](const RawColumn& one) {
-    return std::find(names.begin(), names.end(), one.channel.name) - names.begin();
-  };
-  std::stable_sort(table.columns.begin(), table.columns.end(),
-                   [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+/// Names these columns for the axis and puts them first, in this order.
+void rename(RawTable& table, Axis axis, std::initializer_list<Renaming> renamings) {
+  auto next = table.columns.begin();
+  for (const Renaming& one : renamings) {
+    RawColumn* column = find(table, one.from);
+    if (column == nullptr) continue;
+    column->channel.name = columnName(one.to, axis);
+    const auto place = table.columns.begin() + (column - table.columns.data());
+    std::rotate(next++, place, place + 1);
+  }
 }
 
 bool translateEmps(RawTable& table) {
   const std::string gain = noteOf(table, "gtau");
   if (gain.empty() || !hasAll(table, {"t", "qm", "qg", "vir"})) return false;
   const double gain_N_per_V = std::strtod(gain.c_str(), nullptr);
-  Channel force{"force_N", find(table, "vir")->channel.values};
+  Channel force{"force", find(table, "vir")->channel.values};
   for (double& value : force.values) value *= gain_N_per_V;
   table.columns.push_back({std::move(force), {}});
-  rename(table, "t", "time_s");
-  rename(table, "qm", "position_m");
-  rename(table, "vir", "voltage_V");
-  rename(table, "qg", "position_reference_m");
-  order(table, {"time_s", "position_m", "force_N", "voltage_V", "position_reference_m"});
+  rename(table, Axis::linear,
+         {{"t", Quantity::time},
+          {"qm", Quantity::position},
+          {"force", Quantity::torque},
+          {"vir", Quantity::voltage},
+          {"qg", Quantity::positionReference}});
   table.remarks.push_back("recognised the EMPS benchmark: force_N is gtau × vir, gtau = " + gain + " N/V");
   return true;
 }
@@ -83,22 +90,23 @@ Result<bool> translateBam(RawTable& table, const std::string& name) {
                      std::to_string(std::count_if(raw.begin(), raw.end(), impossible)) + " of " +
                      std::to_string(raw.size()) + " entries are like this)"};
   }
-  Channel duty{"duty", raw}, voltage{"voltage_V", raw};
+  Channel duty{"duty", raw}, voltage{"voltage", raw};
   for (size_t k = 0; k < raw.size(); ++k) {
     duty.values[k] = asSigned(raw[k]) / fullDuty_pwm;
     voltage.values[k] = duty.values[k] * supply[k];
   }
   *find(table, "load") = {std::move(duty), {}};
   table.columns.push_back({std::move(voltage), {}});
-  rename(table, "timestamp", "time_s");
-  rename(table, "position", "angle_rad");
-  rename(table, "input_volts", "supply_V");
-  rename(table, "speed", "velocity_rad_per_s");
-  rename(table, "goal_position", "angle_reference_rad");
-  rename(table, "temp", "temperature_degC");
-  rename(table, "torque_enable", "enabled");
-  order(table, {"time_s", "angle_rad", "voltage_V", "duty", "supply_V", "velocity_rad_per_s", "angle_reference_rad",
-                "temperature_degC", "enabled"});
+  rename(table, Axis::rotary,
+         {{"timestamp", Quantity::time},
+          {"position", Quantity::position},
+          {"voltage", Quantity::voltage},
+          {"duty", Quantity::duty},
+          {"input_volts", Quantity::supply},
+          {"speed", Quantity::velocity},
+          {"goal_position", Quantity::positionReference},
+          {"temp", Quantity::temperature},
+          {"torque_enable", Quantity::enabled}});
   table.remarks.push_back(
       "recognised a BAM log of an XL330: duty is load as a signed 16 bit number / 885, voltage_V is duty × supply_V");
   return true;

@@ -1,16 +1,32 @@
 #include "recording/sample_recording.h"
 
+#include <array>
+
+#include "recording/columns.h"
+
 namespace breakaway {
 
 namespace {
 
-template <typename Read>
-Channel column(const char* name, std::span<const Sample> samples, Read read) {
-  Channel channel{name, {}};
-  channel.values.reserve(samples.size());
-  for (const Sample& sample : samples) channel.values.push_back(static_cast<double>(read(sample)));
-  return channel;
-}
+struct Source {
+  Quantity quantity;
+  double (*of)(const Sample& sample);
+};
+
+constexpr auto sources = std::to_array<Source>({
+    {Quantity::time, [](const Sample& s) { return s.time_s; }},
+    {Quantity::position, [](const Sample& s) { return s.angle_rad; }},
+    {Quantity::velocity, [](const Sample& s) { return s.velocity_rad_per_s; }},
+    {Quantity::current, [](const Sample& s) { return s.current_A; }},
+    {Quantity::voltage, [](const Sample& s) { return s.voltage_V; }},
+    {Quantity::supply, [](const Sample& s) { return s.supply_V; }},
+    {Quantity::currentReference, [](const Sample& s) { return s.current_reference_A; }},
+    {Quantity::velocityReference, [](const Sample& s) { return s.velocity_reference_rad_per_s; }},
+    {Quantity::positionReference, [](const Sample& s) { return s.angle_reference_rad; }},
+    {Quantity::disturbance, [](const Sample& s) { return s.disturbance_estimate_Nm; }},
+    {Quantity::index, [](const Sample& s) { return s.index ? 1.0 : 0.0; }},
+    {Quantity::enabled, [](const Sample& s) { return s.enabled ? 1.0 : 0.0; }},
+});
 
 }  // namespace
 
@@ -18,22 +34,11 @@ Result<Recording> sealSamples(const std::string& name, std::span<const Sample> s
                               std::vector<std::pair<std::string, std::string>> notes, Axis axis) {
   if (samples.empty()) return Error{name, "holds no sample"};
   std::vector<Channel> channels;
-  const auto add = [&](const char* title, auto read) { channels.push_back(column(title, samples, read)); };
-  add("time_s", [](const Sample& s) { return s.time_s; });
-  const bool turns = axis == Axis::rotary;
-  add(turns ? "angle_rad" : "position_m", [](const Sample& s) { return s.angle_rad; });
-  add(turns ? "velocity_rad_per_s" : "velocity_m_per_s", [](const Sample& s) { return s.velocity_rad_per_s; });
-  add("current_A", [](const Sample& s) { return s.current_A; });
-  add("voltage_V", [](const Sample& s) { return s.voltage_V; });
-  add("supply_V", [](const Sample& s) { return s.supply_V; });
-  add("current_reference_A", [](const Sample& s) { return s.current_reference_A; });
-  add(turns ? "velocity_reference_rad_per_s" : "velocity_reference_m_per_s",
-      [](const Sample& s) { return s.velocity_reference_rad_per_s; });
-  add(turns ? "angle_reference_rad" : "position_reference_m", [](const Sample& s) { return s.angle_reference_rad; });
-  add(turns ? "disturbance_estimate_Nm" : "disturbance_estimate_N",
-      [](const Sample& s) { return s.disturbance_estimate_Nm; });
-  add("index", [](const Sample& s) { return s.index; });
-  add("enabled", [](const Sample& s) { return s.enabled; });
+  for (const Source& source : sources) {
+    Channel& channel = channels.emplace_back(Channel{columnName(source.quantity, axis), {}});
+    channel.values.reserve(samples.size());
+    for (const Sample& sample : samples) channel.values.push_back(source.of(sample));
+  }
   return Recording::seal(name, std::move(channels), std::move(notes));
 }
 

@@ -13,7 +13,7 @@
 
 namespace breakaway {
 
-/// The samples as a recording in the contract's columns (section 2), named for the axis. Fails when there is none.
+/// The samples as a recording in the columns of columns.h, named for the axis. Fails when there is none.
 Result<Recording> sealSamples(const std::string& name, std::span<const Sample> samples,
                               std::vector<std::pair<std::string, std::string>> notes, Axis axis = Axis::rotary);
 

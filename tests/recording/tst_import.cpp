@@ -60,6 +60,10 @@ void TestImport::names_areUnderstood_data() {
   row("pos [mm]", "position_m", 1e-3);
   row("position_m", "position_m");
   row("goal_position", "angle_reference_rad");
+  row("position_reference_m", "position_reference_m");
+  row("target speed [mm/s]", "velocity_reference_m_per_s", 1e-3);
+  row("disturbance_estimate_N", "disturbance_estimate_N");
+  row("disturbance_estimate_Nm", "disturbance_estimate_Nm");
   row("target angle (deg)", "angle_reference_rad", degree);
   row("velocity_rad_per_s", "velocity_rad_per_s");
   row("Drehzahl [1/min]", "velocity_rad_per_s", std::numbers::pi / 30.0);
@@ -77,8 +81,7 @@ void TestImport::names_areUnderstood_data() {
   row("force_N", "force_N");
   row("temp", "temperature_degC");
   row("torque_enable", "enabled");
-  for (const char* unknown :
-       {"", "velocity error", "current [foo]", "angle [A]", "status", "disturbance_estimate_Nm", "input"})
+  for (const char* unknown : {"", "velocity error", "current [foo]", "angle [A]", "status", "disturbance", "input"})
     row(unknown, "");
 }
 
