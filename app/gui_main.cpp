@@ -5,10 +5,9 @@
 #include <cstdio>
 #include <cstring>
 
-#include "comparison.h"
 #include "main_window.h"
 #include "screenshots.h"
-#include "session.h"
+#include "session/session.h"
 
 namespace {
 
@@ -56,10 +55,12 @@ int main(int argc, char** argv) {
     return taken ? 0 : fail(taken.error());
   }
   Session session;
-  Comparison comparison;
   FileDialogs files;
-  MainWindow window(session, comparison, files);
+  MainWindow window(session, files);
   window.show();
-  QTimer::singleShot(0, &session, [&] { session.open(parser.value(board)); });
+  QTimer::singleShot(0, &window, [&] {
+    session.connection.open(parser.value(board));
+    if (session.connection.identity().simulated) session.bench.turnSlowly();
+  });
   return QApplication::exec();
 }

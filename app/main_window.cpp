@@ -9,14 +9,13 @@
 #include <QTime>
 #include <QVBoxLayout>
 
-#include "comparison.h"
 #include "pages/compare_page.h"
 #include "pages/connect_page.h"
 #include "pages/friction_page.h"
 #include "pages/home_page.h"
 #include "pages/report_page.h"
 #include "pages/tune_page.h"
-#include "session.h"
+#include "session/session.h"
 #include "widgets/board_bar.h"
 #include "widgets/live_plots.h"
 #include "widgets/look.h"
@@ -24,31 +23,30 @@
 
 namespace breakaway {
 
-MainWindow::MainWindow(Session& session, Comparison& comparison, FileChooser& files, QWidget* parent)
-    : QMainWindow(parent) {
+MainWindow::MainWindow(Session& session, FileChooser& files, QWidget* parent) : QMainWindow(parent) {
   setObjectName("mainWindow");
   setWindowTitle(tr("Breakaway"));
   setWindowIcon(QIcon(":/icons/breakaway.svg"));
   setDockOptions(QMainWindow::AnimatedDocks);
-  setMenuWidget(new BoardBar(session, this));
-  buildPages(session, comparison, files);
+  setMenuWidget(new BoardBar(session.connection, this));
+  buildPages(session, files);
   buildNavigation();
   buildLiveDock(session, files);
-  new StopKeys([&session] { session.stop(); }, this);
-  connect(&session, &Session::said, this, &MainWindow::showLine);
-  connect(&comparison, &Comparison::said, this, &MainWindow::showLine);
+  new StopKeys([&connection = session.connection] { connection.stop(); }, this);
+  connect(&session.messages, &Messages::said, this, &MainWindow::showLine);
   showIcons();
   steps_->setFocus();
   resize(1366, 768);
 }
 
-void MainWindow::buildPages(Session& session, Comparison& comparison, FileChooser& files) {
-  pages_ = {new ConnectPage(session, files, this),
-            new TunePage(session, this),
-            new HomePage(session, this),
-            new FrictionPage(session, files, this),
-            new ComparePage(session, comparison, files, this),
-            new ReportPage(session, comparison, files, this)};
+void MainWindow::buildPages(Session& session, FileChooser& files) {
+  auto& [messages, connection, bench, live, comparison] = session;
+  pages_ = {new ConnectPage(connection, bench, messages, files, this),
+            new TunePage(connection, bench, this),
+            new HomePage(connection, bench, live, this),
+            new FrictionPage(connection, bench, messages, files, this),
+            new ComparePage(bench, live, comparison, files, this),
+            new ReportPage(bench, comparison, messages, files, this)};
   stack_ = new QStackedWidget(this);
   for (Page* page : pages_) stack_->addWidget(page);
 }
@@ -100,7 +98,7 @@ void MainWindow::buildLiveDock(Session& session, FileChooser& files) {
   dock->setObjectName("liveDock");
   dock->setFeatures(QDockWidget::NoDockWidgetFeatures);
   dock->setTitleBarWidget(new QWidget(dock));
-  dock->setWidget(new LivePlots(session, files, dock));
+  dock->setWidget(new LivePlots(session.connection, session.live, session.messages, files, dock));
   addDockWidget(Qt::BottomDockWidgetArea, dock);
   resizeDocks({dock}, {236}, Qt::Vertical);
 }

@@ -13,16 +13,15 @@ class QStackedWidget;
 
 namespace breakaway {
 
-class Comparison;
 class LivePlots;
 class Page;
-class Session;
+struct Session;
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
  public:
-  MainWindow(Session& session, Comparison& comparison, FileChooser& files, QWidget* parent = nullptr);
+  MainWindow(Session& session, FileChooser& files, QWidget* parent = nullptr);
 
   /// Brings the page with this object name to the front.
   void showPage(const QString& objectName);
@@ -31,7 +30,7 @@ class MainWindow : public QMainWindow {
   void changeEvent(QEvent* event) override;
 
  private:
-  void buildPages(Session& session, Comparison& comparison, FileChooser& files);
+  void buildPages(Session& session, FileChooser& files);
   void buildNavigation();
   void buildLiveDock(Session& session, FileChooser& files);
   void showIcons();

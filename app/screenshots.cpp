@@ -16,10 +16,9 @@
 #include <functional>
 
 #include "base/atomic_file.h"
-#include "comparison.h"
 #include "main_window.h"
-#include "resource_folder.h"
-#include "session.h"
+#include "session/resource_folder.h"
+#include "session/session.h"
 #include "widgets/live_plots.h"
 #include "widgets/look.h"
 
@@ -42,7 +41,7 @@ class PreparedAnswer : public FileChooser {
 class Tour {
  public:
   Tour(const QString& folder, const QString& theme)
-      : folder_(folder), theme_(theme), session_(options()), window_(session_, comparison_, files_) {
+      : folder_(folder), theme_(theme), session_(options()), window_(session_, files_) {
     window_.resize(1366, 768);
     window_.show();
   }
@@ -66,7 +65,6 @@ class Tour {
   QString folder_, theme_;
   PreparedAnswer files_;
   Session session_;
-  Comparison comparison_;
   MainWindow window_;
   QString trouble_;
 };
@@ -119,13 +117,13 @@ Result<void> Tour::run() {
 void Tour::connectBoard() {
   window_.showPage("connectPage");
   shoot("connect-empty");
-  session_.connectTo("serial:ttyACM7@921600");
-  if (!wait([this] { return session_.connection().state() == ConnectionState::failed; }))
+  session_.connection.open("serial:ttyACM7@921600");
+  if (!wait([this] { return session_.connection.state() == ConnectionState::failed; }))
     trouble_ = "a port that isn't there does not fail";
   shoot("connect-failed");
-  session_.connectTo("simulated");
-  if (!session_.connected()) trouble_ = "the simulated board cannot be opened";
-  session_.turnSlowly();
+  session_.connection.open("simulated");
+  if (!session_.connection.connected()) trouble_ = "the simulated board cannot be opened";
+  session_.bench.turnSlowly();
   settle(3200);
   shoot("connect-connected");
   window_.findChild<LivePlots*>()->setPaused(true);
@@ -138,7 +136,7 @@ void Tour::connectBoard() {
 
 void Tour::compareProfile() {
   const QTemporaryDir folder;
-  const ControllerSettings before = session_.settings();
+  const ControllerSettings before = session_.connection.settings();
   files_.path = folder.filePath("bench 3.profile.json");
   press("saveProfileButton");
   wait([this] { return QFile::exists(files_.path); }, 5000);
@@ -146,8 +144,8 @@ void Tour::compareProfile() {
   other.velocity_kp_A_s_per_rad *= 0.6;
   other.observer_cutoff_rad_per_s *= 0.5;
   other.current_limit_A *= 0.8;
-  session_.configure(other);
-  wait([&] { return session_.settings() == other; }, 5000);
+  session_.connection.configure(other);
+  wait([&] { return session_.connection.settings() == other; }, 5000);
   press("openProfileButton");
   const auto* table = window_.findChild<QTableWidget*>("profileTable");
   wait([&] { return table->rowCount() == 3; }, 5000);
@@ -157,22 +155,22 @@ void Tour::compareProfile() {
   wait([&] { return !table->item(2, 3)->text().isEmpty(); }, 5000);
   shoot("connect-profile");
   files_.path.clear();
-  session_.configure(before);
-  wait([&] { return session_.settings() == before; }, 5000);
+  session_.connection.configure(before);
+  wait([&] { return session_.connection.settings() == before; }, 5000);
 }
 
 void Tour::tune() {
   window_.showPage("tunePage");
   shoot("tune-empty");
-  const ControllerSettings tuned = session_.settings();
+  const ControllerSettings tuned = session_.connection.settings();
   for (const double factor : {0.35, 0.6, 1.0}) {
     ControllerSettings softer = tuned;
     softer.velocity_kp_A_s_per_rad *= factor;
-    session_.configure(softer);
-    const size_t before = session_.steps().size();
+    session_.connection.configure(softer);
+    const size_t before = session_.bench.steps().size();
     settle(100);
     press("measureStepButton");
-    if (!wait([&] { return session_.steps().size() > before; })) trouble_ = "the velocity step did not end";
+    if (!wait([&] { return session_.bench.steps().size() > before; })) trouble_ = "the velocity step did not end";
   }
   shoot("tune-step");
 }
@@ -181,26 +179,27 @@ void Tour::home() {
   window_.showPage("homePage");
   shoot("home-ready");
   press("homeButton");
-  wait([this] { return session_.runs(RunKind::homing) && session_.run().status.progress > 0.3; }, 5000);
+  wait([this] { return session_.connection.runs(RunKind::homing) && session_.connection.run().status.progress > 0.3; },
+       5000);
   shoot("home-running");
-  if (!wait([this] { return session_.index_rad().has_value(); })) trouble_ = "homing did not end";
+  if (!wait([this] { return session_.bench.index_rad().has_value(); })) trouble_ = "homing did not end";
   shoot("home-done");
 }
 
 void Tour::sweep() {
   window_.showPage("frictionPage");
   shoot("friction-ready");
-  session_.setPace(60.0);
+  session_.connection.setPace(60.0);
   press("velocitySweepButton");
-  if (!wait([this] { return session_.survey().moving.has_value(); })) trouble_ = "the velocity sweep did not end";
+  if (!wait([this] { return session_.bench.survey().moving.has_value(); })) trouble_ = "the velocity sweep did not end";
   press("breakawaySweepButton");
-  const auto share = [this] { return static_cast<double>(session_.survey().events.size()) / 360.0; };
+  const auto share = [this] { return static_cast<double>(session_.bench.survey().events.size()) / 360.0; };
   wait([&] { return share() > 0.6; });
-  session_.setPace(4.0);
+  session_.connection.setPace(4.0);
   shoot("friction-running");
-  session_.setPace(60.0);
-  if (!wait([this] { return session_.survey().map.has_value(); })) trouble_ = "the breakaway sweep did not end";
-  session_.setPace(4.0);
+  session_.connection.setPace(60.0);
+  if (!wait([this] { return session_.bench.survey().map.has_value(); })) trouble_ = "the breakaway sweep did not end";
+  session_.connection.setPace(4.0);
   shoot("friction-done");
   auto* view = window_.findChild<QComboBox*>("polarView");
   view->setCurrentIndex(2);
@@ -213,28 +212,29 @@ void Tour::compare() {
   shoot("compare-empty");
   if (resourceFiles("examples", ".bench.json").isEmpty()) return;
   press("openExampleButton");
-  if (!wait([this] { return comparison_.bench() && comparison_.recording(); }))
+  if (!wait([this] { return session_.comparison.bench() && session_.comparison.recording(); }))
     trouble_ = "the example cannot be opened";
   shoot("compare-opened");
   press("diagnoseButton");
   shoot("compare-running");
-  if (!wait(
-          [this] { return !comparison_.shownTrace().position.empty() && !comparison_.baseTrace().position.empty(); })) {
+  if (!wait([this] {
+        return !session_.comparison.shownTrace().position.empty() && !session_.comparison.baseTrace().position.empty();
+      })) {
     trouble_ = "the diagnosis did not end";
     return;
   }
   shoot("compare-diagnosed");
-  if (comparison_.diagnosis()->where.empty()) return;
+  if (session_.comparison.diagnosis()->where.empty()) return;
   auto* axis = window_.findChild<QComboBox*>("residualAxis");
   window_.findChild<QWidget*>("comparePage")->setFocus();
   axis->setCurrentIndex(
-      std::max(0, axis->findData(QString::fromStdString(comparison_.diagnosis()->where.front().axis))));
+      std::max(0, axis->findData(QString::fromStdString(session_.comparison.diagnosis()->where.front().axis))));
   shoot("compare-where");
 }
 
 /// The same way on a linear axis.
 void Tour::linear() {
-  session_.setPace(4.0);
+  session_.connection.setPace(4.0);
   window_.showPage("connectPage");
   auto* boards = window_.findChild<QListWidget*>("boardList");
   for (QListWidgetItem* item : boards->findItems("Simulated board: linear", Qt::MatchExactly))
@@ -244,30 +244,31 @@ void Tour::linear() {
   window_.showPage("homePage");
   shoot("home-linear-ready");
   press("homeButton");
-  wait([this] { return session_.runs(RunKind::homing) && session_.run().status.progress > 0.1; }, 10'000);
+  wait([this] { return session_.connection.runs(RunKind::homing) && session_.connection.run().status.progress > 0.1; },
+       10'000);
   shoot("home-linear-running");
-  session_.setPace(60.0);
-  if (!wait([this] { return session_.index_rad().has_value(); })) trouble_ = "the linear axis was not homed";
-  session_.setPace(4.0);
+  session_.connection.setPace(60.0);
+  if (!wait([this] { return session_.bench.index_rad().has_value(); })) trouble_ = "the linear axis was not homed";
+  session_.connection.setPace(4.0);
   shoot("home-linear-done");
   window_.showPage("tunePage");
   press("measureStepButton");
-  if (!wait([&] { return !session_.steps().empty(); })) trouble_ = "the linear axis' step did not end";
+  if (!wait([&] { return !session_.bench.steps().empty(); })) trouble_ = "the linear axis' step did not end";
   shoot("tune-linear-step");
   window_.showPage("frictionPage");
   shoot("friction-linear-ready");
-  session_.setPace(100.0);
+  session_.connection.setPace(100.0);
   press("velocitySweepButton");
-  if (!wait([this] { return session_.survey().moving && !session_.run().running(); }))
+  if (!wait([this] { return session_.bench.survey().moving && !session_.connection.run().running(); }))
     trouble_ = "the linear axis' velocity sweep did not end";
   shoot("friction-linear-coulomb");
   press("breakawaySweepButton");
-  wait([this] { return session_.survey().events.size() > 216; });
-  session_.setPace(4.0);
+  wait([this] { return session_.bench.survey().events.size() > 216; });
+  session_.connection.setPace(4.0);
   shoot("friction-linear-running");
-  session_.setPace(100.0);
-  if (!wait([this] { return session_.survey().map.has_value(); })) trouble_ = "the linear axis' map did not come";
-  session_.setPace(4.0);
+  session_.connection.setPace(100.0);
+  if (!wait([this] { return session_.bench.survey().map.has_value(); })) trouble_ = "the linear axis' map did not come";
+  session_.connection.setPace(4.0);
   window_.findChild<QComboBox*>("polarView")->setCurrentIndex(1);
   shoot("friction-linear-done");
   window_.showPage("reportPage");

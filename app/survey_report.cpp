@@ -2,9 +2,9 @@
 
 #include <numbers>
 
-#include "axis_units.h"
 #include "draw/html_report.h"
-#include "map_views.h"
+#include "widgets/axis_units.h"
+#include "widgets/map_views.h"
 
 namespace breakaway {
 

@@ -12,13 +12,14 @@
 #include <QVBoxLayout>
 #include <cmath>
 
-#include "comparison.h"
-#include "residual_axis.h"
-#include "resource_folder.h"
-#include "session.h"
+#include "session/bench_runs.h"
+#include "session/comparison.h"
+#include "session/live_samples.h"
+#include "session/resource_folder.h"
 #include "widgets/controls.h"
 #include "widgets/facts_table.h"
 #include "widgets/findings_list.h"
+#include "widgets/residual_axis.h"
 #include "widgets/residual_plots.h"
 
 namespace breakaway {
@@ -39,8 +40,13 @@ QString lengthText(double value, bool linear) {
 
 }  // namespace
 
-ComparePage::ComparePage(Session& session, Comparison& comparison, FileChooser& files, QWidget* parent)
-    : Page("comparePage", tr("Compare"), "compare", parent), session_(session), comparison_(comparison), files_(files) {
+ComparePage::ComparePage(const BenchRuns& bench, const LiveSamples& live, Comparison& comparison, FileChooser& files,
+                         QWidget* parent)
+    : Page("comparePage", tr("Compare"), "compare", parent),
+      bench_(bench),
+      live_(live),
+      comparison_(comparison),
+      files_(files) {
   setAcceptDrops(true);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(16, 8, 16, 4);
@@ -55,7 +61,7 @@ ComparePage::ComparePage(Session& session, Comparison& comparison, FileChooser& 
   connect(&comparison_, &Comparison::progressChanged, this, &ComparePage::showProgress);
   connect(&comparison_, &Comparison::diagnosisChanged, this, &ComparePage::showProof);
   connect(&comparison_, &Comparison::tracesChanged, this, &ComparePage::showProof);
-  connect(&session_, &Session::recordingChanged, this, &ComparePage::showInputs);
+  connect(&live_, &LiveSamples::recordingChanged, this, &ComparePage::showInputs);
   showInputs();
   showProof();
 }
@@ -65,14 +71,14 @@ QWidget* ComparePage::buildInputs() {
   auto* row = new QHBoxLayout(strip);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(6);
-  bench_ = pushButton(strip, "openBenchButton", tr("Bench…"),
-                      tr("What is believed of the rig: NAME.bench.json. Dropping the file here does the same."));
-  recording_ =
+  openBench_ = pushButton(strip, "openBenchButton", tr("Bench…"),
+                          tr("What is believed of the rig: NAME.bench.json. Dropping the file here does the same."));
+  openRecording_ =
       pushButton(strip, "openRecordingButton", tr("Recording…"), tr("NAME.csv. Dropping the file here does the same."));
-  heldout_ = pushButton(strip, "openHeldoutButton", tr("Held-out…"),
-                        tr("A second recording for the proof; without it, parts of the first are held out"));
-  live_ = pushButton(strip, "takeLiveButton", tr("Last live"));
-  example_ = pushButton(strip, "openExampleButton", tr("Example"));
+  openHeldout_ = pushButton(strip, "openHeldoutButton", tr("Held-out…"),
+                            tr("A second recording for the proof; without it, parts of the first are held out"));
+  takeLive_ = pushButton(strip, "takeLiveButton", tr("Last live"));
+  openExample_ = pushButton(strip, "openExampleButton", tr("Example"));
   diagnose_ = pushButton(strip, "diagnoseButton", tr("Diagnose"));
   cancel_ = pushButton(strip, "cancelButton", tr("Cancel"));
   progress_ = new QProgressBar(strip);
@@ -84,25 +90,26 @@ QWidget* ComparePage::buildInputs() {
   activity_ = new QLabel(strip);
   activity_->setObjectName("diagnoseActivity");
   activity_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  for (QWidget* widget : std::initializer_list<QWidget*>{bench_, recording_, heldout_, live_, example_})
+  for (QWidget* widget :
+       std::initializer_list<QWidget*>{openBench_, openRecording_, openHeldout_, takeLive_, openExample_})
     row->addWidget(widget);
   row->addSpacing(10);
   for (QWidget* widget : std::initializer_list<QWidget*>{diagnose_, cancel_, progress_}) row->addWidget(widget);
   row->addWidget(activity_, 1);
-  connect(bench_, &QPushButton::clicked, this, [this] {
+  connect(openBench_, &QPushButton::clicked, this, [this] {
     ask(tr("Open a bench"), tr("Bench (*.bench.json *.json)"),
         [this](const QString& path) { comparison_.openBench(path); });
   });
-  connect(recording_, &QPushButton::clicked, this, [this] {
+  connect(openRecording_, &QPushButton::clicked, this, [this] {
     ask(tr("Open a recording"), tr("Recording (*.csv)"),
         [this](const QString& path) { comparison_.openRecording(path); });
   });
-  connect(heldout_, &QPushButton::clicked, this, [this] {
+  connect(openHeldout_, &QPushButton::clicked, this, [this] {
     ask(tr("Open a held-out recording"), tr("Recording (*.csv)"),
         [this](const QString& path) { comparison_.openHeldout(path); });
   });
-  connect(live_, &QPushButton::clicked, this, &ComparePage::takeLive);
-  connect(example_, &QPushButton::clicked, this, &ComparePage::openExample);
+  connect(takeLive_, &QPushButton::clicked, this, &ComparePage::takeLive);
+  connect(openExample_, &QPushButton::clicked, this, &ComparePage::openExample);
   connect(diagnose_, &QPushButton::clicked, &comparison_, &Comparison::diagnose);
   connect(cancel_, &QPushButton::clicked, &comparison_, &Comparison::cancel);
   return strip;
@@ -165,21 +172,21 @@ void ComparePage::openExample() {
 }
 
 void ComparePage::takeLive() {
-  if (!session_.lastRecording()) return;
-  comparison_.takeRecording(*session_.lastRecording());
-  if (session_.bench() && !comparison_.bench()) comparison_.takeBench(*session_.bench());
+  if (!live_.lastRecording()) return;
+  comparison_.takeRecording(*live_.lastRecording());
+  if (bench_.bench() && !comparison_.bench()) comparison_.takeBench(*bench_.bench());
 }
 
 void ComparePage::showInputs() {
   const auto& bench = comparison_.bench();
-  bench_->setText(bench ? tr("Bench: %1").arg(QString::fromStdString(bench->name).left(24)) : tr("Bench…"));
+  openBench_->setText(bench ? tr("Bench: %1").arg(QString::fromStdString(bench->name).left(24)) : tr("Bench…"));
   const auto& recording = comparison_.recording();
-  recording_->setText(recording ? tr("Recording: %1").arg(fileName(recording->name()).left(24)) : tr("Recording…"));
+  openRecording_->setText(recording ? tr("Recording: %1").arg(fileName(recording->name()).left(24)) : tr("Recording…"));
   const auto& heldout = comparison_.heldout();
-  heldout_->setText(heldout ? tr("Held-out: %1").arg(fileName(heldout->name()).left(20)) : tr("Held-out…"));
-  setAvailable(live_, session_.lastRecording().has_value(), tr("Take what was last recorded in the live plots"),
+  openHeldout_->setText(heldout ? tr("Held-out: %1").arg(fileName(heldout->name()).left(20)) : tr("Held-out…"));
+  setAvailable(takeLive_, live_.lastRecording().has_value(), tr("Take what was last recorded in the live plots"),
                tr("Nothing was recorded yet: Record, below the page, begins one"));
-  setAvailable(example_, !resourceFiles("examples", ".bench.json").isEmpty(),
+  setAvailable(openExample_, !resourceFiles("examples", ".bench.json").isEmpty(),
                tr("A recording of a simulated rig with concealed physics"), tr("The examples are not installed"));
   showProgress();
 }

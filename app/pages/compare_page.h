@@ -11,17 +11,19 @@ class QPushButton;
 
 namespace breakaway {
 
+class BenchRuns;
 class Comparison;
 class FactsTable;
 class FindingsList;
+class LiveSamples;
 class ResidualPlots;
-class Session;
 
 class ComparePage : public Page {
   Q_OBJECT
 
  public:
-  ComparePage(Session& session, Comparison& comparison, FileChooser& files, QWidget* parent = nullptr);
+  ComparePage(const BenchRuns& bench, const LiveSamples& live, Comparison& comparison, FileChooser& files,
+              QWidget* parent = nullptr);
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -38,14 +40,15 @@ class ComparePage : public Page {
   void showProgress();
   void showProof();
 
-  Session& session_;
+  const BenchRuns& bench_;
+  const LiveSamples& live_;
   Comparison& comparison_;
   FileChooser& files_;
-  QPushButton* bench_ = nullptr;
-  QPushButton* recording_ = nullptr;
-  QPushButton* heldout_ = nullptr;
-  QPushButton* example_ = nullptr;
-  QPushButton* live_ = nullptr;
+  QPushButton* openBench_ = nullptr;
+  QPushButton* openRecording_ = nullptr;
+  QPushButton* openHeldout_ = nullptr;
+  QPushButton* openExample_ = nullptr;
+  QPushButton* takeLive_ = nullptr;
   QPushButton* diagnose_ = nullptr;
   QPushButton* cancel_ = nullptr;
   QProgressBar* progress_ = nullptr;

@@ -9,9 +9,11 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "axis_units.h"
 #include "experiment/abilities.h"
-#include "session.h"
+#include "session/bench_runs.h"
+#include "session/connection.h"
+#include "session/messages.h"
+#include "widgets/axis_units.h"
 #include "widgets/board_list.h"
 #include "widgets/controls.h"
 #include "widgets/facts_table.h"
@@ -41,17 +43,22 @@ QString cannotWords(const Identity& board) {
 }
 }  // namespace
 
-ConnectPage::ConnectPage(Session& session, FileChooser& files, QWidget* parent)
-    : Page("connectPage", tr("Connect"), "connect", parent), session_(session), files_(files) {
+ConnectPage::ConnectPage(Connection& connection, BenchRuns& bench, Messages& messages, FileChooser& files,
+                         QWidget* parent)
+    : Page("connectPage", tr("Connect"), "connect", parent),
+      connection_(connection),
+      bench_(bench),
+      messages_(messages),
+      files_(files) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(16, 12, 16, 12);
   row->setSpacing(28);
   row->addWidget(buildBoards(), 0);
   row->addWidget(buildIdentity(), 1);
-  connect(&session_, &Session::connectionChanged, this, &ConnectPage::showConnection);
-  connect(&session_, &Session::settingsChanged, this, &ConnectPage::showConnection);
-  connect(&session_, &Session::runChanged, this, &ConnectPage::showMotion);
-  connect(&session_, &Session::measured, this, &ConnectPage::showMotion);
+  connect(&connection_, &Connection::changed, this, &ConnectPage::showConnection);
+  connect(&connection_, &Connection::settingsChanged, this, &ConnectPage::showConnection);
+  connect(&connection_, &Connection::runChanged, this, &ConnectPage::showMotion);
+  connect(&bench_, &BenchRuns::measured, this, &ConnectPage::showMotion);
   showConnection();
 }
 
@@ -117,7 +124,7 @@ QWidget* ConnectPage::buildIdentity() {
   column->addSpacing(4);
   column->addWidget(buildMotion());
   column->addWidget(rule(side));
-  column->addWidget(new ProfilePanel(session_, files_, side), 1);
+  column->addWidget(new ProfilePanel(connection_, bench_, messages_, files_, side), 1);
   column->addStretch(0);
   return side;
 }
@@ -132,19 +139,19 @@ QWidget* ConnectPage::buildMotion() {
   pace_->setObjectName("paceBox");
   pace_->setAccessibleName(tr("Pace of simulated time"));
   for (const double pace : {1.0, 2.0, 5.0, 10.0, 20.0}) pace_->addItem(tr("%1 × real time").arg(pace), pace);
-  connect(pace_, &QComboBox::activated, this, [this] { session_.setPace(pace_->currentData().toDouble()); });
+  connect(pace_, &QComboBox::activated, this, [this] { connection_.setPace(pace_->currentData().toDouble()); });
   buttons->addWidget(turn_);
   buttons->addWidget(disconnect_);
   buttons->addSpacing(12);
   buttons->addWidget(pace_);
   buttons->addStretch(1);
-  connect(turn_, &QPushButton::clicked, &session_, &Session::turnSlowly);
-  connect(disconnect_, &QPushButton::clicked, &session_, &Session::disconnectBoard);
+  connect(turn_, &QPushButton::clicked, &bench_, &BenchRuns::turnSlowly);
+  connect(disconnect_, &QPushButton::clicked, &connection_, &Connection::close);
   return row;
 }
 
 void ConnectPage::connectChosen() {
-  if (const QString address = address_->text().trimmed(); !address.isEmpty()) session_.connectTo(address);
+  if (const QString address = address_->text().trimmed(); !address.isEmpty()) connection_.open(address);
 }
 
 void ConnectPage::openRig() {
@@ -155,8 +162,8 @@ void ConnectPage::openRig() {
 }
 
 void ConnectPage::showConnection() {
-  const bool connected = session_.connected(), simulated = session_.identity().simulated;
-  const ConnectionState state = session_.connection().state();
+  const bool connected = connection_.connected(), simulated = connection_.identity().simulated;
+  const ConnectionState state = connection_.state();
   const bool trying = state == ConnectionState::connecting || state == ConnectionState::reconnecting;
   setAvailable(connect_, !address_->text().trimmed().isEmpty(), tr("Connect to this address; the motor stays off"),
                tr("No board is chosen in the list, and no address is given"));
@@ -172,27 +179,26 @@ void ConnectPage::showConnection() {
 }
 
 void ConnectPage::showState() {
-  const BoardConnection& connection = session_.connection();
   const Look look = Look::of(palette());
   QPalette words = palette();
-  words.setColor(QPalette::WindowText, connection.trouble().isEmpty() ? look.ink : look.trouble);
+  words.setColor(QPalette::WindowText, connection_.trouble().isEmpty() ? look.ink : look.trouble);
   state_->setPalette(words);
-  switch (connection.state()) {
+  switch (connection_.state()) {
     case ConnectionState::none:
       state_->clear();
       break;
     case ConnectionState::connecting:
-      state_->setText(tr("Connecting to %1 …").arg(shortAddress(connection.uri())));
+      state_->setText(tr("Connecting to %1 …").arg(shortAddress(connection_.uri())));
       break;
     case ConnectionState::connected:
       state_->setText(tr("Connected."));
       break;
     case ConnectionState::failed:
-      state_->setText(tr("Not connected: %1").arg(connection.trouble()));
+      state_->setText(tr("Not connected: %1").arg(connection_.trouble()));
       break;
     case ConnectionState::reconnecting:
       state_->setText(tr("Link lost: %1. Trying again every second; the motor stays off when the board comes back.")
-                          .arg(connection.trouble()));
+                          .arg(connection_.trouble()));
       break;
   }
 }
@@ -203,42 +209,42 @@ void ConnectPage::changeEvent(QEvent* event) {
 }
 
 void ConnectPage::showIdentity() {
-  const Identity& identity = session_.identity();
-  const ControllerSettings& settings = session_.settings();
-  cannot_->setText(session_.connected() ? cannotWords(identity) : QString());
+  const Identity& identity = connection_.identity();
+  const ControllerSettings& settings = connection_.settings();
+  cannot_->setText(connection_.connected() ? cannotWords(identity) : QString());
   cannot_->setVisible(!cannot_->text().isEmpty());
-  if (!session_.connected()) {
+  if (!connection_.connected()) {
     facts_->show({{tr("Device"), tr("none"), {}}});
     controller_->show({});
   } else {
     const auto number = [](double value) { return QString::number(value, 'g', 5); };
-    facts_->show(
-        {{tr("Device"), QString::fromStdString(identity.device), {}},
-         {tr("Firmware"), QString::fromStdString(identity.firmware), {}},
-         {tr("Address"), shortAddress(session_.uri()), session_.uri()},
-         {identity.can.everyTick ? tr("Control loop") : tr("Asked for values"),
-          tr("%1 Hz").arg(number(identity.loopRate_Hz)),
-          identity.can.everyTick ? tr("One sample comes from each tick")
-                                 : tr("As often as the board answers with half of its time to spare")},
-         {tr("Encoder"),
-          (session_.linear() ? tr("%1 counts per m") : tr("%1 counts per turn")).arg(identity.countsPerRev, 0, 'g', 10),
-          {}},
-         {tr("Index"),
-          !identity.hasIndex  ? tr("none")
-          : session_.linear() ? tr("once over the travel")
-                              : tr("once per turn"),
-          {}},
-         {tr("Supply"), tr("%1 V").arg(number(identity.supply_V)), {}}});
+    facts_->show({{tr("Device"), QString::fromStdString(identity.device), {}},
+                  {tr("Firmware"), QString::fromStdString(identity.firmware), {}},
+                  {tr("Address"), shortAddress(connection_.uri()), connection_.uri()},
+                  {identity.can.everyTick ? tr("Control loop") : tr("Asked for values"),
+                   tr("%1 Hz").arg(number(identity.loopRate_Hz)),
+                   identity.can.everyTick ? tr("One sample comes from each tick")
+                                          : tr("As often as the board answers with half of its time to spare")},
+                  {tr("Encoder"),
+                   (connection_.linear() ? tr("%1 counts per m") : tr("%1 counts per turn"))
+                       .arg(identity.countsPerRev, 0, 'g', 10),
+                   {}},
+                  {tr("Index"),
+                   !identity.hasIndex     ? tr("none")
+                   : connection_.linear() ? tr("once over the travel")
+                                          : tr("once per turn"),
+                   {}},
+                  {tr("Supply"), tr("%1 V").arg(number(identity.supply_V)), {}}});
     const AxisUnits units = unitsOf(identity.axis);
     const auto with = [&number](double value, const QString& unit) { return number(value) + " " + unit; };
     controller_->show({{tr("Velocity Kp"), with(settings.velocity_kp_A_s_per_rad, units.gain), {}},
                        {tr("Velocity Ki"), with(settings.velocity_ki_A_per_rad, units.integral), {}},
                        {tr("Velocity Kd"), with(settings.velocity_kd_A_s2_per_rad, units.derivative), {}},
                        {tr("Observer cutoff"), with(settings.observer_cutoff_rad_per_s, tr("rad/s")), {}},
-                       {session_.linear() ? tr("Nominal mass") : tr("Nominal inertia"),
-                        with(settings.nominal_inertia_kg_m2, session_.linear() ? tr("kg") : tr("kg m²")),
+                       {connection_.linear() ? tr("Nominal mass") : tr("Nominal inertia"),
+                        with(settings.nominal_inertia_kg_m2, connection_.linear() ? tr("kg") : tr("kg m²")),
                         {}},
-                       {session_.linear() ? tr("Nominal force constant") : tr("Nominal torque constant"),
+                       {connection_.linear() ? tr("Nominal force constant") : tr("Nominal torque constant"),
                         with(settings.nominal_torque_constant_Nm_per_A, units.constant),
                         {}},
                        {tr("Current limit"), tr("%1 A").arg(number(settings.current_limit_A)), {}}});
@@ -246,11 +252,11 @@ void ConnectPage::showIdentity() {
 }
 
 void ConnectPage::showMotion() {
-  turn_->setText(session_.linear() ? tr("Go to and fro") : tr("Turn slowly"));
+  turn_->setText(connection_.linear() ? tr("Go to and fro") : tr("Turn slowly"));
   setAvailable(turn_,
-               session_.linear() ? tr("Go to and fro slowly over half the travel, until STOP")
-                                 : tr("Turn to and fro slowly, ±6 rad/s, until STOP"),
-               session_.turningObstacle());
+               connection_.linear() ? tr("Go to and fro slowly over half the travel, until STOP")
+                                    : tr("Turn to and fro slowly, ±6 rad/s, until STOP"),
+               bench_.turningObstacle());
 }
 
 }  // namespace breakaway

@@ -11,15 +11,18 @@ class QPushButton;
 
 namespace breakaway {
 
+class BenchRuns;
 class BoardList;
+class Connection;
 class FactsTable;
-class Session;
+class Messages;
 
 class ConnectPage : public Page {
   Q_OBJECT
 
  public:
-  ConnectPage(Session& session, FileChooser& files, QWidget* parent = nullptr);
+  ConnectPage(Connection& connection, BenchRuns& bench, Messages& messages, FileChooser& files,
+              QWidget* parent = nullptr);
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -35,7 +38,9 @@ class ConnectPage : public Page {
   void showIdentity();
   void showMotion();
 
-  Session& session_;
+  Connection& connection_;
+  BenchRuns& bench_;
+  Messages& messages_;
   FileChooser& files_;
   BoardList* boards_ = nullptr;
   QLineEdit* address_ = nullptr;

@@ -7,8 +7,10 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "axis_units.h"
-#include "session.h"
+#include "session/bench_runs.h"
+#include "session/connection.h"
+#include "session/messages.h"
+#include "widgets/axis_units.h"
 #include "widgets/controls.h"
 #include "widgets/facts_table.h"
 #include "widgets/map_export.h"
@@ -52,18 +54,23 @@ QDoubleSpinBox* numberBox(QWidget* parent, const char* objectName, const QString
 
 }  // namespace
 
-FrictionPage::FrictionPage(Session& session, FileChooser& files, QWidget* parent)
-    : Page("frictionPage", tr("Friction"), "friction", parent), session_(session), files_(files) {
+FrictionPage::FrictionPage(Connection& connection, BenchRuns& bench, Messages& messages, FileChooser& files,
+                           QWidget* parent)
+    : Page("frictionPage", tr("Friction"), "friction", parent),
+      connection_(connection),
+      bench_(bench),
+      messages_(messages),
+      files_(files) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(16, 10, 16, 6);
   row->setSpacing(20);
   map_ = new MapPanel(this);
   row->addWidget(buildControls());
   row->addWidget(map_, 1);
-  connect(&session_, &Session::connectionChanged, this, &FrictionPage::showConnection);
-  connect(&session_, &Session::runChanged, this, &FrictionPage::showMotion);
-  connect(&session_, &Session::measured, this, &FrictionPage::showMotion);
-  connect(&session_, &Session::surveyChanged, this, &FrictionPage::showSurvey);
+  connect(&connection_, &Connection::changed, this, &FrictionPage::showConnection);
+  connect(&connection_, &Connection::runChanged, this, &FrictionPage::showMotion);
+  connect(&bench_, &BenchRuns::measured, this, &FrictionPage::showMotion);
+  connect(&bench_, &BenchRuns::surveyChanged, this, &FrictionPage::showSurvey);
   showConnection();
   showSurvey();
 }
@@ -84,7 +91,7 @@ QWidget* FrictionPage::buildControls() {
   averages_ = new FactsTable("frictionAverages", side);
   column->addWidget(averages_);
   column->addStretch(1);
-  column->addWidget(new MapExport(session_, files_, *map_, side));
+  column->addWidget(new MapExport(bench_, messages_, files_, *map_, side));
   return side;
 }
 
@@ -108,8 +115,8 @@ QWidget* FrictionPage::buildVelocityGroup() {
   column->addLayout(row);
   column->addWidget(velocity_);
   connect(velocity_, &QPushButton::clicked, this, [this] {
-    session_.sweepVelocity(highest_->value(), static_cast<size_t>(speeds_->value()), duration_->value(),
-                           static_cast<size_t>(bins_->value()));
+    bench_.sweepVelocity(highest_->value(), static_cast<size_t>(speeds_->value()), duration_->value(),
+                         static_cast<size_t>(bins_->value()));
   });
   return group;
 }
@@ -130,14 +137,13 @@ QWidget* FrictionPage::buildBreakawayGroup() {
   column->addLayout(row);
   column->addWidget(breakaway_);
   connect(bins_, &QSpinBox::valueChanged, this, &FrictionPage::showMotion);
-  connect(breakaway_, &QPushButton::clicked, this, [this] {
-    session_.sweepBreakaway(static_cast<size_t>(bins_->value()), static_cast<size_t>(turns_->value()));
-  });
+  connect(breakaway_, &QPushButton::clicked, this,
+          [this] { bench_.sweepBreakaway(static_cast<size_t>(bins_->value()), static_cast<size_t>(turns_->value())); });
   return group;
 }
 
 void FrictionPage::showConnection() {
-  const Axis axis = session_.identity().axis;
+  const Axis axis = connection_.identity().axis;
   if (axis != worded_) axis == Axis::linear ? wordForTravel() : wordForRotor();
   worded_ = axis;
   reach_ = 0.0;
@@ -185,42 +191,41 @@ void FrictionPage::wordForTravel() {
 
 /// The highest speed is proposed anew when more is known of what the motor can do, and otherwise left as it is.
 void FrictionPage::showReach() {
-  if (!session_.connected()) return;
-  const double reach = session_.reachableSpeed_rad_per_s();
+  if (!connection_.connected()) return;
+  const double reach = bench_.reachableSpeed_rad_per_s();
   if (reach == reach_) return;
   reach_ = reach;
-  if (session_.axis()) highest_->setMaximum(reach);
+  if (bench_.axis()) highest_->setMaximum(reach);
   highest_->setValue(reach);
 }
 
 void FrictionPage::showMotion() {
-  run_->show(session_.run());
-  if (session_.linear()) {
+  run_->show(connection_.run());
+  if (connection_.linear()) {
     showReach();
-    setAvailable(velocity_, tr("Strokes to and fro over the travel at several speeds."), session_.sweepObstacle());
+    setAvailable(velocity_, tr("Strokes to and fro over the travel at several speeds."), bench_.sweepObstacle());
     setAvailable(breakaway_, tr("Steps over the travel; at each place the current rises slowly until the axis moves."),
-                 session_.breakawayObstacle(static_cast<size_t>(bins_->value())));
+                 bench_.breakawayObstacle(static_cast<size_t>(bins_->value())));
     return;
   }
-  const bool identified = session_.survey().identification.has_value();
+  const bool identified = bench_.survey().identification.has_value();
   const QString first =
       identified ? QString()
                  : tr(" The motor is identified first: about a minute, standing and then turning both ways.");
-  setAvailable(velocity_, tr("Turns at constant speeds, both ways, over whole turns.") + first,
-               session_.sweepObstacle());
+  setAvailable(velocity_, tr("Turns at constant speeds, both ways, over whole turns.") + first, bench_.sweepObstacle());
   setAvailable(breakaway_,
                tr("Steps around the rotor; at each angle the current rises slowly until the shaft moves.") + first,
-               session_.sweepObstacle());
+               bench_.sweepObstacle());
 }
 
 void FrictionPage::showSurvey() {
   showAverages();
-  map_->show(session_.survey());
+  map_->show(bench_.survey());
   showMotion();
 }
 
 void FrictionPage::showAverages() {
-  const FrictionSurvey& survey = session_.survey();
+  const FrictionSurvey& survey = bench_.survey();
   const AxisUnits units = unitsOf(survey.axis);
   const int decimals = survey.axis == Axis::linear ? 3 : 2;
   std::vector<Fact> facts{

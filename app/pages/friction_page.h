@@ -14,16 +14,19 @@ class QSpinBox;
 
 namespace breakaway {
 
+class BenchRuns;
+class Connection;
 class FactsTable;
 class MapPanel;
+class Messages;
 class RunPanel;
-class Session;
 
 class FrictionPage : public Page {
   Q_OBJECT
 
  public:
-  FrictionPage(Session& session, FileChooser& files, QWidget* parent = nullptr);
+  FrictionPage(Connection& connection, BenchRuns& bench, Messages& messages, FileChooser& files,
+               QWidget* parent = nullptr);
 
  private:
   QWidget* buildControls();
@@ -37,7 +40,9 @@ class FrictionPage : public Page {
   void showSurvey();
   void showAverages();
 
-  Session& session_;
+  Connection& connection_;
+  BenchRuns& bench_;
+  Messages& messages_;
   FileChooser& files_;
   QDoubleSpinBox* highest_ = nullptr;
   QSpinBox* speeds_ = nullptr;

@@ -8,7 +8,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "session.h"
+#include "session/bench_runs.h"
+#include "session/connection.h"
+#include "session/live_samples.h"
 #include "widgets/controls.h"
 #include "widgets/facts_table.h"
 #include "widgets/rotor_dial.h"
@@ -17,8 +19,8 @@
 
 namespace breakaway {
 
-HomePage::HomePage(Session& session, QWidget* parent)
-    : Page("homePage", tr("Home"), "home", parent), session_(session) {
+HomePage::HomePage(Connection& connection, BenchRuns& bench, const LiveSamples& live, QWidget* parent)
+    : Page("homePage", tr("Home"), "home", parent), connection_(connection), bench_(bench), live_(live) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(16, 12, 16, 8);
   row->setSpacing(28);
@@ -29,10 +31,10 @@ HomePage::HomePage(Session& session, QWidget* parent)
   pictures_->addWidget(dial_);
   pictures_->addWidget(strip_);
   row->addWidget(pictures_, 1);
-  connect(&session_, &Session::connectionChanged, this, &HomePage::showConnection);
-  connect(&session_, &Session::surveyChanged, this, &HomePage::showConnection);
-  connect(&session_, &Session::measured, this, &HomePage::showResult);
-  connect(&session_, &Session::runChanged, this, &HomePage::showMotion);
+  connect(&connection_, &Connection::changed, this, &HomePage::showConnection);
+  connect(&bench_, &BenchRuns::surveyChanged, this, &HomePage::showConnection);
+  connect(&bench_, &BenchRuns::measured, this, &HomePage::showResult);
+  connect(&connection_, &Connection::runChanged, this, &HomePage::showMotion);
   connect(&timer_, &QTimer::timeout, this, &HomePage::showAngle);
   timer_.start(33);
   showConnection();
@@ -59,7 +61,7 @@ QWidget* HomePage::buildControls() {
   result_ = new FactsTable("homingResult", side);
   column->addWidget(result_);
   column->addStretch(1);
-  connect(home_, &QPushButton::clicked, this, [this] { session_.home(options_); });
+  connect(home_, &QPushButton::clicked, this, [this] { bench_.home(options_); });
   return side;
 }
 
@@ -79,10 +81,10 @@ QString HomePage::plan() const {
 QString HomePage::travelPlan() const {
   QStringList steps{
       tr("The axis feels for both ends at 50 mm/s, with a current limit that grows only until it moves.")};
-  if (!session_.survey().identification)
+  if (!bench_.survey().identification)
     steps << tr("The motor is identified: half a minute standing in the middle, then strokes to and fro by voltage.");
   steps
-      << (session_.identity().hasIndex
+      << (connection_.identity().hasIndex
               ? tr("Then it runs over the whole travel to see the index once and only once, and passes it slowly from "
                    "below three times.")
               : tr("It has no index: positions are counted from the lower end."));
@@ -91,7 +93,7 @@ QString HomePage::travelPlan() const {
 }
 
 void HomePage::showConnection() {
-  const bool linear = session_.linear();
+  const bool linear = connection_.linear();
   pictures_->setCurrentWidget(linear ? static_cast<QWidget*>(strip_) : dial_);
   title_->setText(linear ? tr("Feel for the ends, home to the index") : tr("Home to the index"));
   plan_->setText(linear ? travelPlan() : plan());
@@ -99,7 +101,7 @@ void HomePage::showConnection() {
 }
 
 void HomePage::showTravel() {
-  const auto axis = session_.axis();
+  const auto axis = bench_.axis();
   if (!axis) {
     result_->show({{tr("Travel"), tr("not felt yet"), {}}, {tr("Index"), tr("not homed yet"), {}}});
     return;
@@ -107,8 +109,8 @@ void HomePage::showTravel() {
   const auto millimetres = [](double length_m, int decimals) {
     return tr("%1 mm").arg(1e3 * length_m, 0, 'f', decimals);
   };
-  const Estimate& index = *session_.index_rad();
-  const bool hasIndex = session_.identity().hasIndex;
+  const Estimate& index = *bench_.index_rad();
+  const bool hasIndex = connection_.identity().hasIndex;
   result_->show(
       {{tr("Travel"), millimetres(axis->travel.high_m - axis->travel.low_m, 2), tr("From end to end")},
        {tr("Margin"), millimetres(axis->travel.margin_m, 1), tr("Kept away from either end")},
@@ -120,48 +122,48 @@ void HomePage::showTravel() {
             .arg(axis->motor.inertia_kg_m2.value, 0, 'f', 3)
             .arg(1.96 * axis->motor.inertia_kg_m2.standardError, 0, 'f', 3),
         tr("By strokes, 95 %; %1").arg(QString::fromStdString(axis->motor.gauge))},
-       {tr("Highest speed"), tr("%1 m/s").arg(session_.reachableSpeed_rad_per_s(), 0, 'f', 3),
+       {tr("Highest speed"), tr("%1 m/s").arg(bench_.reachableSpeed_rad_per_s(), 0, 'f', 3),
         tr("That strokes can reach between the margins")}});
 }
 
 void HomePage::showResult() {
-  if (session_.linear()) {
+  if (connection_.linear()) {
     showTravel();
     showMotion();
     return;
   }
-  const auto& index = session_.index_rad();
+  const auto& index = bench_.index_rad();
   if (!index) {
-    result_->show({{tr("Index"), session_.connected() ? tr("not homed yet") : tr("–"), {}}});
+    result_->show({{tr("Index"), connection_.connected() ? tr("not homed yet") : tr("–"), {}}});
   } else {
     result_->show(
         {{tr("Index"), tr("%1 rad in the board's angle").arg(index->value, 0, 'f', 5), tr("Mean over the passes")},
          {tr("Interval"), tr("± %1 mrad (95 %)").arg(1.96e3 * index->standardError, 0, 'f', 3), {}},
          {tr("Encoder count"),
-          tr("%1 mrad").arg(2e3 * std::numbers::pi / session_.identity().countsPerRev, 0, 'f', 3),
+          tr("%1 mrad").arg(2e3 * std::numbers::pi / connection_.identity().countsPerRev, 0, 'f', 3),
           {}}});
   }
   showMotion();
 }
 
 void HomePage::showMotion() {
-  run_->show(session_.run());
-  setAvailable(home_, session_.linear() ? tr("Find both ends and the index") : tr("Find the index"),
-               session_.homingObstacle());
+  run_->show(connection_.run());
+  setAvailable(home_, connection_.linear() ? tr("Find both ends and the index") : tr("Find the index"),
+               bench_.homingObstacle());
 }
 
 void HomePage::showAngle() {
   if (!isVisible()) return;
-  const auto newest = session_.history().newest();
-  if (session_.linear()) {
-    const auto axis = session_.axis();
+  const auto newest = live_.history().newest();
+  if (connection_.linear()) {
+    const auto axis = bench_.axis();
     strip_->show(newest ? std::optional(newest->angle_rad) : std::nullopt,
                  axis ? std::optional(axis->travel) : std::nullopt,
-                 session_.index_rad() ? std::optional(session_.index_rad()->value) : std::nullopt);
+                 bench_.index_rad() ? std::optional(bench_.index_rad()->value) : std::nullopt);
     return;
   }
   dial_->show(newest ? std::optional(newest->angle_rad) : std::nullopt,
-              session_.index_rad() ? std::optional(session_.index_rad()->value) : std::nullopt);
+              bench_.index_rad() ? std::optional(bench_.index_rad()->value) : std::nullopt);
 }
 
 }  // namespace breakaway

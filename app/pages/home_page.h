@@ -12,17 +12,19 @@ class QStackedWidget;
 
 namespace breakaway {
 
+class BenchRuns;
+class Connection;
 class FactsTable;
+class LiveSamples;
 class RotorDial;
 class RunPanel;
-class Session;
 class TravelStrip;
 
 class HomePage : public Page {
   Q_OBJECT
 
  public:
-  explicit HomePage(Session& session, QWidget* parent = nullptr);
+  HomePage(Connection& connection, BenchRuns& bench, const LiveSamples& live, QWidget* parent = nullptr);
 
  private:
   QWidget* buildControls();
@@ -34,7 +36,9 @@ class HomePage : public Page {
   void showMotion();
   void showAngle();
 
-  Session& session_;
+  Connection& connection_;
+  BenchRuns& bench_;
+  const LiveSamples& live_;
   HomingOptions options_;
   QPushButton* home_ = nullptr;
   RunPanel* run_ = nullptr;

@@ -7,17 +7,23 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
-#include "comparison.h"
 #include "report/diagnosis_report.h"
-#include "session.h"
+#include "session/bench_runs.h"
+#include "session/comparison.h"
+#include "session/messages.h"
 #include "survey_report.h"
 #include "widgets/controls.h"
 #include "widgets/findings_list.h"
 
 namespace breakaway {
 
-ReportPage::ReportPage(Session& session, Comparison& comparison, FileChooser& files, QWidget* parent)
-    : Page("reportPage", tr("Report"), "report", parent), session_(session), comparison_(comparison), files_(files) {
+ReportPage::ReportPage(const BenchRuns& bench, const Comparison& comparison, Messages& messages, FileChooser& files,
+                       QWidget* parent)
+    : Page("reportPage", tr("Report"), "report", parent),
+      bench_(bench),
+      comparison_(comparison),
+      messages_(messages),
+      files_(files) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(16, 12, 16, 8);
   column->setSpacing(8);
@@ -43,14 +49,14 @@ ReportPage::ReportPage(Session& session, Comparison& comparison, FileChooser& fi
   connect(friction_, &QPushButton::clicked, this, &ReportPage::writeFriction);
   connect(compared_, &QPushButton::clicked, this, &ReportPage::writeComparison);
   connect(open_, &QPushButton::clicked, this, [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(last_)); });
-  connect(&session_, &Session::surveyChanged, this, &ReportPage::showFriction);
+  connect(&bench_, &BenchRuns::surveyChanged, this, &ReportPage::showFriction);
   connect(&comparison_, &Comparison::diagnosisChanged, this, &ReportPage::showComparison);
   showFriction();
   showComparison();
 }
 
 void ReportPage::showFriction() {
-  const FrictionSurvey& survey = session_.survey();
+  const FrictionSurvey& survey = bench_.survey();
   QStringList parts;
   if (survey.identification) parts << tr("the motor's constants");
   if (survey.moving) parts << tr("Coulomb and viscous averages with intervals");
@@ -82,7 +88,7 @@ void ReportPage::showComparison() {
 void ReportPage::writeFriction() {
   files_.ask(this, {tr("Write the friction report"), tr("Report (*.html)"), "friction.html", true},
              [this](const QString& path) {
-               written(writeSurveyReport(session_.survey(), session_.identity(), path.toStdString()), path);
+               written(writeSurveyReport(bench_.survey(), bench_.survey().board, path.toStdString()), path);
              });
 }
 
@@ -101,12 +107,12 @@ void ReportPage::writeComparison() {
 
 void ReportPage::written(const Result<void>& result, const QString& report) {
   if (!result) {
-    session_.say(QString::fromStdString(result.error().message()), true);
+    messages_.warn(result.error());
     return;
   }
   last_ = report;
   setAvailable(open_, true, tr("Open %1").arg(report), {});
-  session_.say(tr("Written: %1").arg(report), false);
+  messages_.say(tr("Written: %1").arg(report));
 }
 
 }  // namespace breakaway

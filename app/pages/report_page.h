@@ -10,14 +10,16 @@ class QPushButton;
 
 namespace breakaway {
 
+class BenchRuns;
 class Comparison;
-class Session;
+class Messages;
 
 class ReportPage : public Page {
   Q_OBJECT
 
  public:
-  ReportPage(Session& session, Comparison& comparison, FileChooser& files, QWidget* parent = nullptr);
+  ReportPage(const BenchRuns& bench, const Comparison& comparison, Messages& messages, FileChooser& files,
+             QWidget* parent = nullptr);
 
  private:
   void showFriction();
@@ -26,8 +28,9 @@ class ReportPage : public Page {
   void writeComparison();
   void written(const Result<void>& result, const QString& report);
 
-  Session& session_;
-  Comparison& comparison_;
+  const BenchRuns& bench_;
+  const Comparison& comparison_;
+  Messages& messages_;
   FileChooser& files_;
   QLabel* frictionHolds_ = nullptr;
   QLabel* comparisonHolds_ = nullptr;

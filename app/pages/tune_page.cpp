@@ -10,8 +10,9 @@
 #include <cmath>
 #include <iterator>
 
-#include "axis_units.h"
-#include "session.h"
+#include "session/bench_runs.h"
+#include "session/connection.h"
+#include "widgets/axis_units.h"
 #include "widgets/controls.h"
 #include "widgets/quantity_slider.h"
 #include "widgets/step_plot.h"
@@ -35,19 +36,20 @@ QString milliseconds(double time_s) {
 
 }  // namespace
 
-TunePage::TunePage(Session& session, QWidget* parent)
-    : Page("tunePage", tr("Tune"), "tune", parent), session_(session) {
+TunePage::TunePage(Connection& connection, BenchRuns& bench, QWidget* parent)
+    : Page("tunePage", tr("Tune"), "tune", parent), connection_(connection), bench_(bench) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(16, 12, 16, 8);
   row->setSpacing(20);
   row->addWidget(buildControls());
   row->addWidget(buildResults(), 1);
-  connect(&session_, &Session::connectionChanged, this, &TunePage::scaleSliders);
-  connect(&session_, &Session::settingsChanged, this, &TunePage::showSettings);
-  connect(&session_, &Session::surveyChanged, this, &TunePage::showMargins);
-  connect(&session_, &Session::runChanged, this, &TunePage::showMotion);
-  connect(&session_, &Session::measured, this, &TunePage::showSteps);
-  connect(&session_, &Session::measured, this, &TunePage::showMotion);
+  connect(&connection_, &Connection::changed, this, &TunePage::scaleSliders);
+  connect(&connection_, &Connection::settingsChanged, this, &TunePage::showSettings);
+  connect(&bench_, &BenchRuns::surveyChanged, this, &TunePage::showMargins);
+  connect(&bench_, &BenchRuns::tuningChanged, this, &TunePage::showMargins);
+  connect(&connection_, &Connection::runChanged, this, &TunePage::showMotion);
+  connect(&bench_, &BenchRuns::measured, this, &TunePage::showSteps);
+  connect(&bench_, &BenchRuns::measured, this, &TunePage::showMotion);
   scaleSliders();
   showSteps();
 }
@@ -57,9 +59,9 @@ QuantitySlider* TunePage::addSlider(const QString& objectName, const QString& ti
   auto* slider = new QuantitySlider(objectName, title, unit, help, this);
   sliders_.push_back({slider, field});
   connect(slider, &QuantitySlider::chosen, this, [this, field](double value) {
-    ControllerSettings wanted = session_.settings();
+    ControllerSettings wanted = connection_.settings();
     wanted.*field = value;
-    session_.configure(wanted);
+    connection_.configure(wanted);
   });
   return slider;
 }
@@ -73,7 +75,7 @@ QWidget* TunePage::buildTuning() {
       {"tuneSoftButton", tr("Soft")}, {"tuneMediumButton", tr("Medium")}, {"tuneStiffButton", tr("Stiff")}};
   for (size_t k = 0; k < std::size(names); ++k) {
     auto* button = pushButton(group, names[k].first, names[k].second);
-    connect(button, &QPushButton::clicked, this, [this, k] { session_.tune(static_cast<Stiffness>(k)); });
+    connect(button, &QPushButton::clicked, this, [this, k] { bench_.tune(static_cast<Stiffness>(k)); });
     row->addWidget(button, 1);
     stiffness_.push_back(button);
   }
@@ -120,7 +122,7 @@ QWidget* TunePage::buildControls() {
   column->addLayout(buttons);
   column->addStretch(1);
   connect(measure_, &QPushButton::clicked, this, &TunePage::measure);
-  connect(forget_, &QPushButton::clicked, &session_, &Session::forgetSteps);
+  connect(forget_, &QPushButton::clicked, &bench_, &BenchRuns::forgetSteps);
   return side;
 }
 
@@ -138,7 +140,7 @@ QWidget* TunePage::buildResults() {
 }
 
 void TunePage::wordForAxis() {
-  const Axis axis = session_.identity().axis;
+  const Axis axis = connection_.identity().axis;
   if (axis == worded_) return;
   worded_ = axis;
   const AxisUnits units = unitsOf(axis);
@@ -161,7 +163,7 @@ void TunePage::wordForAxis() {
 
 void TunePage::scaleSliders() {
   wordForAxis();
-  const ControllerSettings& settings = session_.settings();
+  const ControllerSettings& settings = connection_.settings();
   const double kp = settings.velocity_kp_A_s_per_rad;
   for (const Slider& slider : sliders_) {
     const bool cutoff = slider.field == &ControllerSettings::observer_cutoff_rad_per_s;
@@ -174,38 +176,38 @@ void TunePage::scaleSliders() {
 
 void TunePage::showSettings() {
   for (const Slider& slider : sliders_) {
-    slider.widget->show(session_.settings().*slider.field);
-    slider.widget->setAvailable(session_.gainsObstacle().isEmpty(), session_.gainsObstacle());
+    slider.widget->show(connection_.settings().*slider.field);
+    slider.widget->setAvailable(bench_.gainsObstacle().isEmpty(), bench_.gainsObstacle());
   }
   showMargins();
   showMotion();
 }
 
 void TunePage::showMargins() {
-  const QString tip = tr("Gains whose margins hold for what is known of the motor (%1)").arg(session_.motor().source);
-  for (QPushButton* button : stiffness_) setAvailable(button, tip, session_.tuningObstacle());
-  margins_->setText(session_.marginLine());
+  const QString tip = tr("Gains whose margins hold for what is known of the motor (%1)").arg(bench_.motor().source);
+  for (QPushButton* button : stiffness_) setAvailable(button, tip, bench_.tuningObstacle());
+  margins_->setText(bench_.marginLine());
 }
 
 void TunePage::showMotion() {
-  const auto highest = session_.highestStep_m_per_s();
+  const auto highest = bench_.highestStep_m_per_s();
   if (highest) height_->setMaximum(*highest);
   setAvailable(measure_,
-               session_.linear()
+               connection_.linear()
                    ? tr("Goes to the lower end of the travel, then the step forwards, measured and stopped "
                         "again")
                    : tr("Turns up to 2 s: standstill, then the step, measured and stopped again"),
-               session_.stepObstacle());
+               bench_.stepObstacle());
 }
 
 void TunePage::measure() {
   VelocityStepOptions options;
   options.to_rad_per_s = height_->value();
-  session_.measureStep(options);
+  bench_.measureStep(options);
 }
 
 void TunePage::showSteps() {
-  const auto& steps = session_.steps();
+  const auto& steps = bench_.steps();
   plot_->show(steps);
   table_->setRowCount(static_cast<int>(steps.size()));
   for (size_t k = 0; k < steps.size(); ++k) {

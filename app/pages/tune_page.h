@@ -13,15 +13,16 @@ class QDoubleSpinBox;
 
 namespace breakaway {
 
+class BenchRuns;
+class Connection;
 class QuantitySlider;
-class Session;
 class StepPlot;
 
 class TunePage : public Page {
   Q_OBJECT
 
  public:
-  explicit TunePage(Session& session, QWidget* parent = nullptr);
+  TunePage(Connection& connection, BenchRuns& bench, QWidget* parent = nullptr);
 
  private:
   QWidget* buildControls();
@@ -37,7 +38,8 @@ class TunePage : public Page {
   void showMotion();
   void measure();
 
-  Session& session_;
+  Connection& connection_;
+  BenchRuns& bench_;
   struct Slider {
     QuantitySlider* widget;
     double ControllerSettings::*field;

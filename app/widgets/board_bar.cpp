@@ -7,12 +7,12 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "session.h"
+#include "session/connection.h"
 #include "widgets/look.h"
 
 namespace breakaway {
 
-BoardBar::BoardBar(Session& session, QWidget* parent) : QWidget(parent), session_(session) {
+BoardBar::BoardBar(Connection& connection, QWidget* parent) : QWidget(parent), connection_(connection) {
   setObjectName("boardBar");
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   auto* row = new QHBoxLayout(this);
@@ -33,13 +33,13 @@ BoardBar::BoardBar(Session& session, QWidget* parent) : QWidget(parent), session
   stop_->setAccessibleName(tr("Stop the motor"));
   stop_->setToolTip(tr("Stop the motor at once and open its windings. Esc and Space do the same from anywhere."));
   stop_->setMinimumSize(150, 38);
-  connect(stop_, &QPushButton::pressed, &session_, &Session::stop);
+  connect(stop_, &QPushButton::pressed, &connection_, &Connection::stop);
   row->addWidget(stop_);
   styleStop();
-  connect(&session_, &Session::connectionChanged, this, &BoardBar::showConnection);
-  connect(&session_, &Session::linkChanged, this, &BoardBar::showLink);
-  connect(&session_, &Session::runChanged, this, &BoardBar::showState);
-  connect(&session_, &Session::linkChanged, this, &BoardBar::showState);
+  connect(&connection_, &Connection::changed, this, &BoardBar::showConnection);
+  connect(&connection_, &Connection::linkChanged, this, &BoardBar::showLink);
+  connect(&connection_, &Connection::runChanged, this, &BoardBar::showState);
+  connect(&connection_, &Connection::linkChanged, this, &BoardBar::showState);
   showConnection();
 }
 
@@ -62,8 +62,8 @@ QLabel* BoardBar::addField(const char* objectName, const QString& title, int wid
 }
 
 void BoardBar::showConnection() {
-  const Identity& identity = session_.identity();
-  const bool connected = session_.connected();
+  const Identity& identity = connection_.identity();
+  const bool connected = connection_.connected();
   device_->setText(connected ? QString::fromStdString(identity.device) : tr("none"));
   firmware_->setText(connected ? QString::fromStdString(identity.firmware) : tr("–"));
   simulated_->setVisible(connected && identity.simulated);
@@ -73,23 +73,23 @@ void BoardBar::showConnection() {
 }
 
 void BoardBar::showLink() {
-  const LinkStatus& link = session_.link();
-  if (!session_.connected()) {
+  const LinkStatus& link = connection_.link();
+  if (!connection_.connected()) {
     link_->setText(tr("–"));
     lost_->setText(tr("–"));
     return;
   }
-  const double rate_Hz = session_.identity().loopRate_Hz;
+  const double rate_Hz = connection_.identity().loopRate_Hz;
   QString rate = rate_Hz < 1e3 ? tr("%1 Hz").arg(rate_Hz, 0, 'f', 0) : tr("%1 kHz").arg(rate_Hz / 1e3, 0, 'f', 1);
-  if (session_.identity().simulated && link.realTimeFactor > 0.0)
+  if (connection_.identity().simulated && link.realTimeFactor > 0.0)
     rate += tr(", %1 × real time").arg(link.realTimeFactor, 0, 'f', 1);
   link_->setText(rate);
   lost_->setText(QString::number(link.lost));
 }
 
 void BoardBar::showState() {
-  state_->setText(session_.stateWords());
-  state_->setToolTip(session_.stateWords());
+  state_->setText(connection_.stateWords());
+  state_->setToolTip(connection_.stateWords());
 }
 
 void BoardBar::styleStop() {
@@ -108,7 +108,7 @@ void BoardBar::styleStop() {
 void BoardBar::paintEvent(QPaintEvent*) {
   const Look look = Look::of(palette());
   QPainter painter(this);
-  painter.fillRect(rect(), session_.identity().simulated ? look.simulated : look.panel);
+  painter.fillRect(rect(), connection_.identity().simulated ? look.simulated : look.panel);
   painter.setPen(look.line);
   painter.drawLine(rect().bottomLeft(), rect().bottomRight());
 }

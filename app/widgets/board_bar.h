@@ -8,13 +8,13 @@ class QPushButton;
 
 namespace breakaway {
 
-class Session;
+class Connection;
 
 class BoardBar : public QWidget {
   Q_OBJECT
 
  public:
-  explicit BoardBar(Session& session, QWidget* parent = nullptr);
+  explicit BoardBar(Connection& connection, QWidget* parent = nullptr);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -27,7 +27,7 @@ class BoardBar : public QWidget {
   void showState();
   void styleStop();
 
-  Session& session_;
+  Connection& connection_;
   QLabel* device_ = nullptr;
   QLabel* firmware_ = nullptr;
   QLabel* link_ = nullptr;

@@ -4,10 +4,10 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
-#include "comparison.h"
-#include "residual_axis.h"
+#include "session/comparison.h"
 #include "widgets/controls.h"
 #include "widgets/look.h"
+#include "widgets/residual_axis.h"
 
 namespace breakaway {
 

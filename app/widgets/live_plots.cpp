@@ -11,8 +11,9 @@
 #include <QVBoxLayout>
 
 #include "recording/csv.h"
-#include "recording/sample_recording.h"
-#include "session.h"
+#include "session/connection.h"
+#include "session/live_samples.h"
+#include "session/messages.h"
 #include "widgets/controls.h"
 #include "widgets/look.h"
 
@@ -44,14 +45,14 @@ constexpr std::array<LiveChannel, 4> linearChannels{{
 
 constexpr std::array<double, 5> spans_s{2.0, 5.0, 10.0, 20.0, 50.0};
 
-const std::array<LiveChannel, 4>& shownChannels(const Session& session) {
-  return session.linear() ? linearChannels : rotaryChannels;
+const std::array<LiveChannel, 4>& shownChannels(const Connection& connection) {
+  return connection.linear() ? linearChannels : rotaryChannels;
 }
 
 }  // namespace
 
-LivePlots::LivePlots(Session& session, FileChooser& files, QWidget* parent)
-    : QWidget(parent), session_(session), files_(files) {
+LivePlots::LivePlots(Connection& connection, LiveSamples& live, Messages& messages, FileChooser& files, QWidget* parent)
+    : QWidget(parent), connection_(connection), live_(live), messages_(messages), files_(files) {
   setObjectName("livePlots");
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 2, 8, 6);
@@ -60,9 +61,9 @@ LivePlots::LivePlots(Session& session, FileChooser& files, QWidget* parent)
   buildPlot();
   layout->addWidget(plot_, 1);
   applyLook();
-  connect(&session_, &Session::connectionChanged, this, &LivePlots::startOver);
-  connect(&session_, &Session::recordingChanged, this, &LivePlots::showRecording);
-  connect(&session_, &Session::linkChanged, this, &LivePlots::showRecording);
+  connect(&connection_, &Connection::changed, this, &LivePlots::startOver);
+  connect(&live_, &LiveSamples::recordingChanged, this, &LivePlots::showRecording);
+  connect(&connection_, &Connection::linkChanged, this, &LivePlots::showRecording);
   connect(&timer_, &QTimer::timeout, this, [this] {
     if (isVisible()) refresh();
   });
@@ -92,8 +93,8 @@ void LivePlots::buildStrip() {
   connect(span_, &QComboBox::currentIndexChanged, this, &LivePlots::follow);
   record_ = toolButton(this, "recordButton", tr("Record"), {});
   record_->setShortcut(Qt::Key_R);
-  connect(record_, &QToolButton::clicked, &session_,
-          [this] { session_.recording() ? session_.finishRecording() : session_.startRecording(); });
+  connect(record_, &QToolButton::clicked, &live_,
+          [this] { live_.recording() ? live_.finishRecording() : live_.startRecording(); });
   export_ = toolButton(this, "exportVisibleButton", tr("Export visible…"),
                        tr("Write the visible stretch as CSV, every sample of it"));
   connect(export_, &QToolButton::clicked, this, &LivePlots::exportVisible);
@@ -146,7 +147,7 @@ void LivePlots::addTrace(int channel) {
     return text;
   };
   trace.title = inset(Qt::AlignTop | Qt::AlignLeft);
-  trace.title->setText(tr(shownChannels(session_)[static_cast<size_t>(channel)].title));
+  trace.title->setText(tr(shownChannels(connection_)[static_cast<size_t>(channel)].title));
   trace.readout = inset(Qt::AlignTop | Qt::AlignRight);
   for (QCPItemStraightLine*& cursor : trace.cursors) {
     cursor = new QCPItemStraightLine(plot_);
@@ -231,10 +232,10 @@ void LivePlots::refresh() {
 }
 
 void LivePlots::consume() {
-  const LiveHistory& history = session_.history();
+  const LiveHistory& history = live_.history();
   if (consumed_ < history.first()) consumed_ = history.first();
   if (consumed_ == history.end()) return;
-  const auto& channels = shownChannels(session_);
+  const auto& channels = shownChannels(connection_);
   std::array<std::vector<TracePoint>, channelCount> points;
   for (; consumed_ < history.end(); ++consumed_) {
     const Sample& sample = history.at(consumed_);
@@ -254,24 +255,24 @@ void LivePlots::consume() {
 }
 
 void LivePlots::startOver() {
-  consumed_ = session_.history().first();
-  const double period_s = session_.connected() ? 1.0 / std::max(1.0, session_.identity().loopRate_Hz) : 0.001;
+  consumed_ = live_.history().first();
+  const double period_s = connection_.connected() ? 1.0 / std::max(1.0, connection_.identity().loopRate_Hz) : 0.001;
   for (size_t channel = 0; channel < traces_.size(); ++channel) {
     Trace& trace = traces_[channel];
-    trace.title->setText(tr(shownChannels(session_)[channel].title));
+    trace.title->setText(tr(shownChannels(connection_)[channel].title));
     trace.graph->data()->clear();
     trace.envelope = Envelope(0.002, 3.5 * period_s);
   }
   setPaused(false);
-  setAvailable(record_, session_.connected(), tr("Record every sample at the full rate (R)"),
+  setAvailable(record_, connection_.connected(), tr("Record every sample at the full rate (R)"),
                tr("No board is connected"));
-  setAvailable(export_, session_.connected(), tr("Write the visible stretch as CSV, every sample of it"),
+  setAvailable(export_, connection_.connected(), tr("Write the visible stretch as CSV, every sample of it"),
                tr("No board is connected"));
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
 void LivePlots::follow() {
-  const auto newest = session_.history().newest();
+  const auto newest = live_.history().newest();
   const double end_s = newest ? newest->time_s : 0.0;
   const double span_s = span_->currentData().toDouble();
   const double shift_s = end_s - to_s();
@@ -286,7 +287,7 @@ void LivePlots::scaleValues(Trace& trace) const {
   bool found = false;
   QCPRange values = trace.graph->getValueRange(found, QCP::sdBoth, trace.rect->axis(QCPAxis::atBottom)->range());
   if (!found) return;
-  const double least = shownChannels(session_)[static_cast<size_t>(&trace - traces_.data())].leastSpan;
+  const double least = shownChannels(connection_)[static_cast<size_t>(&trace - traces_.data())].leastSpan;
   const double span = std::max(least, values.size()) * 1.15;
   trace.rect->axis(QCPAxis::atLeft)->setRange(values.center() - 0.5 * span, values.center() + 0.62 * span);
 }
@@ -302,15 +303,15 @@ void LivePlots::placeCursors() {
 
 void LivePlots::writeReadouts() {
   const bool shown = cursorButton_->isChecked();
-  const auto a = session_.history().nearest(cursor_s_[0]);
-  const auto b = session_.history().nearest(cursor_s_[1]);
+  const auto a = live_.history().nearest(cursor_s_[0]);
+  const auto b = live_.history().nearest(cursor_s_[1]);
   difference_->setVisible(shown && a && b);
   if (!shown || !a || !b) return;
   const double delta_s = b->time_s - a->time_s;
   difference_->setText(
       tr("A %1 s   B %2 s   Δt %3 s").arg(a->time_s, 0, 'f', 4).arg(b->time_s, 0, 'f', 4).arg(delta_s, 0, 'f', 4));
   for (size_t channel = 0; channel < traces_.size(); ++channel) {
-    const LiveChannel& shownAs = shownChannels(session_)[channel];
+    const LiveChannel& shownAs = shownChannels(connection_)[channel];
     const double atA = shownAs.scale * ((*a).*shownAs.value);
     const double atB = shownAs.scale * ((*b).*shownAs.value);
     const auto text = [&](double value) { return QString::number(value, 'f', shownAs.decimals); };
@@ -375,25 +376,21 @@ void LivePlots::changeEvent(QEvent* event) {
 }
 
 void LivePlots::exportVisible() {
-  const auto recording = sealSamples(
-      "visible stretch", session_.history().between(from_s(), to_s()),
-      {{"device", session_.identity().device}, {"firmware", session_.identity().firmware}}, session_.identity().axis);
+  const auto recording = live_.stretch(from_s(), to_s());
   if (!recording) {
-    session_.say(tr("Nothing to export: no sample is visible"), true);
+    messages_.warn(tr("Nothing to export: no sample is visible"));
     return;
   }
   files_.ask(this, {tr("Export the visible stretch"), tr("Recording (*.csv)"), "visible.csv", true},
              [this, recording](const QString& path) {
                const auto written = writeCsv(*recording, path.toStdString());
-               session_.say(written ? tr("%1 samples written to %2").arg(recording->rows()).arg(path)
-                                    : QString::fromStdString(written.error().message()),
-                            !written);
+               messages_.say(written, tr("%1 samples written to %2").arg(recording->rows()).arg(path));
              });
 }
 
 void LivePlots::showRecording() {
-  record_->setText(session_.recording() ? tr("Finish recording (%1 s)").arg(session_.link().recorded_s, 0, 'f', 0)
-                                        : tr("Record"));
+  record_->setText(live_.recording() ? tr("Finish recording (%1 s)").arg(connection_.link().recorded_s, 0, 'f', 0)
+                                     : tr("Record"));
 }
 
 }  // namespace breakaway

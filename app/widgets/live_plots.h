@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "envelope.h"
+#include "widgets/envelope.h"
 #include "widgets/file_chooser.h"
 
 class QCPAxisRect;
@@ -20,13 +20,16 @@ class QToolButton;
 
 namespace breakaway {
 
-class Session;
+class Connection;
+class LiveSamples;
+class Messages;
 
 class LivePlots : public QWidget {
   Q_OBJECT
 
  public:
-  LivePlots(Session& session, FileChooser& files, QWidget* parent = nullptr);
+  LivePlots(Connection& connection, LiveSamples& live, Messages& messages, FileChooser& files,
+            QWidget* parent = nullptr);
 
   bool paused() const { return paused_; }
   double from_s() const;
@@ -69,7 +72,9 @@ class LivePlots : public QWidget {
   void exportVisible();
   void showRecording();
 
-  Session& session_;
+  Connection& connection_;
+  LiveSamples& live_;
+  Messages& messages_;
   FileChooser& files_;
   QCustomPlot* plot_ = nullptr;
   QToolButton* pause_ = nullptr;

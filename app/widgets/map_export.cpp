@@ -6,7 +6,8 @@
 
 #include "base/atomic_file.h"
 #include "friction/map_export.h"
-#include "session.h"
+#include "session/bench_runs.h"
+#include "session/messages.h"
 #include "widgets/controls.h"
 #include "widgets/map_panel.h"
 
@@ -32,8 +33,8 @@ constexpr ExportFormat formats[] = {
 
 }  // namespace
 
-MapExport::MapExport(Session& session, FileChooser& files, MapPanel& picture, QWidget* parent)
-    : QWidget(parent), session_(session), files_(files), picture_(picture) {
+MapExport::MapExport(const BenchRuns& bench, Messages& messages, FileChooser& files, MapPanel& picture, QWidget* parent)
+    : QWidget(parent), bench_(bench), messages_(messages), files_(files), picture_(picture) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   format_ = new QComboBox(this);
@@ -45,12 +46,12 @@ MapExport::MapExport(Session& session, FileChooser& files, MapPanel& picture, QW
   row->addWidget(export_);
   connect(format_, &QComboBox::currentIndexChanged, this, &MapExport::showExport);
   connect(export_, &QPushButton::clicked, this, &MapExport::exportChosen);
-  connect(&session_, &Session::surveyChanged, this, &MapExport::showExport);
+  connect(&bench_, &BenchRuns::surveyChanged, this, &MapExport::showExport);
   showExport();
 }
 
 void MapExport::showExport() {
-  const FrictionSurvey& survey = session_.survey();
+  const FrictionSurvey& survey = bench_.survey();
   const QString format = format_->currentData().toString();
   const bool needsMap = format != "png" && format != "svg" && format != "breakaways";
   QString obstacle;
@@ -70,9 +71,9 @@ void MapExport::exportChosen() {
              [this, name](const QString& path) { writeExport(name, path); });
 }
 
-bool MapExport::writeExport(const QString& format, const QString& path) {
+void MapExport::writeExport(const QString& format, const QString& path) {
   Result<void> written;
-  const FrictionSurvey& survey = session_.survey();
+  const FrictionSurvey& survey = bench_.survey();
   if (format == "png" || format == "svg") {
     if (!picture_.savePicture(path, format == "svg")) written = Error{path.toStdString(), "cannot be written"};
   } else if (format == "breakaways") {
@@ -80,9 +81,7 @@ bool MapExport::writeExport(const QString& format, const QString& path) {
   } else if (survey.map) {
     written = exportMap(*survey.map, format.toStdString(), path.toStdString());
   }
-  session_.say(written ? tr("Written: %1").arg(path) : QString::fromStdString(written.error().message()),
-               !written.ok());
-  return written.ok();
+  messages_.say(written, tr("Written: %1").arg(path));
 }
 
 }  // namespace breakaway

@@ -10,22 +10,25 @@ class QPushButton;
 
 namespace breakaway {
 
+class BenchRuns;
 class MapPanel;
-class Session;
+class Messages;
 
 class MapExport : public QWidget {
   Q_OBJECT
 
  public:
   /// `picture`: what is saved as a picture.
-  MapExport(Session& session, FileChooser& files, MapPanel& picture, QWidget* parent = nullptr);
+  MapExport(const BenchRuns& bench, Messages& messages, FileChooser& files, MapPanel& picture,
+            QWidget* parent = nullptr);
 
  private:
   void showExport();
   void exportChosen();
-  bool writeExport(const QString& format, const QString& path);
+  void writeExport(const QString& format, const QString& path);
 
-  Session& session_;
+  const BenchRuns& bench_;
+  Messages& messages_;
   FileChooser& files_;
   MapPanel& picture_;
   QComboBox* format_ = nullptr;

@@ -11,8 +11,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "map_views.h"
 #include "widgets/look.h"
+#include "widgets/map_views.h"
 #include "widgets/polar_plot.h"
 #include "widgets/travel_plot.h"
 

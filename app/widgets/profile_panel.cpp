@@ -14,8 +14,14 @@
 
 namespace breakaway {
 
-ProfilePanel::ProfilePanel(Session& session, FileChooser& files, QWidget* parent)
-    : QWidget(parent), session_(session), files_(files), profile_(session) {
+ProfilePanel::ProfilePanel(Connection& connection, const BenchRuns& bench, Messages& messages, FileChooser& files,
+                           QWidget* parent)
+    : QWidget(parent),
+      connection_(connection),
+      bench_(bench),
+      messages_(messages),
+      files_(files),
+      profile_(connection, bench, messages) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(8);
@@ -48,7 +54,7 @@ ProfilePanel::ProfilePanel(Session& session, FileChooser& files, QWidget* parent
     name->setCheckState(name->checkState() == Qt::Checked ? Qt::Unchecked : Qt::Checked);
   });
   connect(table_, &QTableWidget::itemChanged, this, &ProfilePanel::showAvailable);
-  connect(&session_, &Session::connectionChanged, this, &ProfilePanel::showAvailable);
+  connect(&connection_, &Connection::changed, this, &ProfilePanel::showAvailable);
   frameTicks();
   fill();
 }

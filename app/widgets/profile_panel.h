@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "profile_comparison.h"
+#include "session/profile_comparison.h"
 #include "widgets/file_chooser.h"
 
 class QLabel;
@@ -16,7 +16,8 @@ class ProfilePanel : public QWidget {
   Q_OBJECT
 
  public:
-  ProfilePanel(Session& session, FileChooser& files, QWidget* parent = nullptr);
+  ProfilePanel(Connection& connection, const BenchRuns& bench, Messages& messages, FileChooser& files,
+               QWidget* parent = nullptr);
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -27,7 +28,9 @@ class ProfilePanel : public QWidget {
   void showAvailable();
   QStringList ticked() const;
 
-  Session& session_;
+  Connection& connection_;
+  const BenchRuns& bench_;
+  Messages& messages_;
   FileChooser& files_;
   ProfileComparison profile_;
   QPushButton* save_ = nullptr;

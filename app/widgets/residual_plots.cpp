@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparison.h"
-#include "residual_axis.h"
+#include "session/comparison.h"
 #include "widgets/look.h"
+#include "widgets/residual_axis.h"
 
 namespace breakaway {
 

@@ -15,18 +15,18 @@ constexpr double unhurried = 10.0;  ///< pace of what is to be stopped: a busy m
 
 /// Fast, and without a watchdog that would watch the test machine instead of the window.
 struct Desk {
-  explicit Desk(double pace = hurried) : session({pace, 0.005, 600.0}), window(session, comparison, answers) {
+  explicit Desk(double pace = hurried) : session({pace, 0.005, 600.0}), window(session, answers) {
     window.show();
     window.showPage("connectPage");
   }
   bool connected() {
     press(window, "connectButton");
-    return session.connected();
+    return session.connection.connected();
   }
   bool homed() {
     window.showPage("homePage");
     press(window, "homeButton");
-    return QTest::qWaitFor([this] { return session.index_rad().has_value(); }, patience_ms);
+    return QTest::qWaitFor([this] { return session.bench.index_rad().has_value(); }, patience_ms);
   }
   void sweep(int bins, int turns) {
     window.showPage("frictionPage");
@@ -39,10 +39,10 @@ struct Desk {
     size_t grew = 0, last = 0;
     const bool whole = QTest::qWaitFor(
         [&] {
-          const size_t events = session.survey().events.size();
+          const size_t events = session.bench.survey().events.size();
           if (events > last) ++grew;
           last = events;
-          return session.survey().map.has_value();
+          return session.bench.survey().map.has_value();
         },
         patience_ms);
     return whole && grew >= 3;
@@ -57,7 +57,6 @@ struct Desk {
 
   Answers answers;
   Session session;
-  Comparison comparison;
   MainWindow window;
 };
 

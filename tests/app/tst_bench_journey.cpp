@@ -50,10 +50,10 @@ void TestBenchJourney::connectHomeSweepExport() {
   named<QSpinBox>(desk.window, "speedCount")->setValue(3);
   named<QDoubleSpinBox>(desk.window, "speedDuration")->setValue(4.0);
   press(desk.window, "velocitySweepButton");
-  QVERIFY(QTest::qWaitFor([&] { return desk.session.survey().moving.has_value(); }, patience_ms));
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.bench.survey().moving.has_value(); }, patience_ms));
   // The preset's friction: Coulomb 17 mNm both ways, viscous 20 µNm s/rad.
-  const double coulomb_Nm = desk.session.survey().coulombAverage_Nm()->value;
-  const double viscous = desk.session.survey().viscousAverage_Nm_s_per_rad()->value;
+  const double coulomb_Nm = desk.session.bench.survey().coulombAverage_Nm()->value;
+  const double viscous = desk.session.bench.survey().viscousAverage_Nm_s_per_rad()->value;
   QVERIFY2(coulomb_Nm > 0.95 * 0.017 && coulomb_Nm < 1.05 * 0.017, qPrintable(QString::number(coulomb_Nm)));
   QVERIFY2(viscous > 0.8 * 2e-5 && viscous < 1.2 * 2e-5, qPrintable(QString::number(viscous)));
 
@@ -94,18 +94,19 @@ void TestBenchJourney::stopDuringSweep_keepsWhatWasMeasured() {
   Desk desk;
   QVERIFY(desk.connected());
   QVERIFY(desk.homed());
-  desk.session.setPace(unhurried);
+  desk.session.connection.setPace(unhurried);
   desk.sweep(48, 2);
-  QVERIFY(QTest::qWaitFor([&] { return desk.session.survey().events.size() >= 5; }, patience_ms));
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.bench.survey().events.size() >= 5; }, patience_ms));
   if (key == 0) {
     press(desk.window, "stopButton");
   } else {
     QTest::keyClick(named<QWidget>(desk.window, "polarView"), static_cast<Qt::Key>(key));
   }
-  QVERIFY(QTest::qWaitFor([&] { return desk.session.run().status.state == Procedure::State::stopped; }, patience_ms));
-  QVERIFY(QTest::qWaitFor([&] { return !desk.session.powered(); }, patience_ms));
-  QVERIFY(desk.session.survey().events.size() >= 5);
-  QVERIFY(!desk.session.survey().map.has_value());
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.connection.run().status.state == Procedure::State::stopped; },
+                          patience_ms));
+  QVERIFY(QTest::qWaitFor([&] { return !desk.session.connection.powered(); }, patience_ms));
+  QVERIFY(desk.session.bench.survey().events.size() >= 5);
+  QVERIFY(!desk.session.bench.survey().map.has_value());
   QVERIFY(!named<PolarPlot>(desk.window, "polarPlot")->curves().empty());
   QVERIFY(named<QLabel>(desk.window, "frictionRunActivity")->text().contains("What was measured is kept"));
   QTemporaryDir folder;
@@ -121,18 +122,19 @@ void TestBenchJourney::stoppedSweep_goesOnWhereItEnded() {
   Desk desk;
   QVERIFY(desk.connected());
   QVERIFY(desk.homed());
-  desk.session.setPace(unhurried);
+  desk.session.connection.setPace(unhurried);
   desk.sweep(48, 2);
-  QVERIFY(QTest::qWaitFor([&] { return desk.session.survey().events.size() >= 7; }, patience_ms));
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.bench.survey().events.size() >= 7; }, patience_ms));
   press(desk.window, "stopButton");
-  QVERIFY(QTest::qWaitFor([&] { return desk.session.run().status.state == Procedure::State::stopped; }, patience_ms));
-  const std::vector<BreakawayEvent> before = desk.session.survey().events;
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.connection.run().status.state == Procedure::State::stopped; },
+                          patience_ms));
+  const std::vector<BreakawayEvent> before = desk.session.bench.survey().events;
   QVERIFY(before.size() < 180);
-  desk.session.setPace(hurried);
+  desk.session.connection.setPace(hurried);
   desk.sweep(48, 2);
-  QVERIFY(QTest::qWaitFor([&] { return desk.session.survey().map.has_value(); }, patience_ms));
-  const auto& events = desk.session.survey().events;
-  QVERIFY(events.size() + desk.session.survey().missed == 192);
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.bench.survey().map.has_value(); }, patience_ms));
+  const auto& events = desk.session.bench.survey().events;
+  QVERIFY(events.size() + desk.session.bench.survey().missed == 192);
   for (size_t k = 0; k < before.size(); ++k) QCOMPARE(events[k].torque_Nm, before[k].torque_Nm);
 }
 
@@ -142,15 +144,16 @@ void TestBenchJourney::slider_changesTheBoardAndTheStep() {
   desk.window.showPage("tunePage");
   const auto measure = [&](size_t count) {
     press(desk.window, "measureStepButton");
-    return QTest::qWaitFor([&] { return desk.session.steps().size() == count; }, patience_ms);
+    return QTest::qWaitFor([&] { return desk.session.bench.steps().size() == count; }, patience_ms);
   };
   QVERIFY(measure(1));
-  const double kp = desk.session.settings().velocity_kp_A_s_per_rad;
+  const double kp = desk.session.connection.settings().velocity_kp_A_s_per_rad;
   auto* slider = named<QSlider>(desk.window, "kpSlider");
   slider->setValue(slider->value() - 200);  // a fifth of the way: a quarter of the gain
-  QVERIFY(QTest::qWaitFor([&] { return desk.session.settings().velocity_kp_A_s_per_rad < 0.5 * kp; }, patience_ms));
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.connection.settings().velocity_kp_A_s_per_rad < 0.5 * kp; },
+                          patience_ms));
   QVERIFY(measure(2));
-  const auto& steps = desk.session.steps();
+  const auto& steps = desk.session.bench.steps();
   QVERIFY2(steps[1].figures.rise_s > 1.5 * steps[0].figures.rise_s, "a quarter of the gain must rise more slowly");
   QCOMPARE(named<QTableWidget>(desk.window, "stepTable")->rowCount(), 2);
 }
@@ -166,13 +169,13 @@ void TestBenchJourney::stiffnessButton_tunesTheBoardAndSaysItsMargins() {
   const auto* line = named<QLabel>(desk.window, "marginLine");
   double last_rad_per_s = 0.0;
   for (const char* name : {"tuneSoftButton", "tuneMediumButton", "tuneStiffButton"}) {
-    const ControllerSettings before = desk.session.settings();
+    const ControllerSettings before = desk.session.connection.settings();
     press(desk.window, name);
-    QVERIFY(QTest::qWaitFor([&] { return desk.session.settings() != before; }, patience_ms));
-    QVERIFY(desk.session.settings().observer_cutoff_rad_per_s > last_rad_per_s);
-    last_rad_per_s = desk.session.settings().observer_cutoff_rad_per_s;
+    QVERIFY(QTest::qWaitFor([&] { return desk.session.connection.settings() != before; }, patience_ms));
+    QVERIFY(desk.session.connection.settings().observer_cutoff_rad_per_s > last_rad_per_s);
+    last_rad_per_s = desk.session.connection.settings().observer_cutoff_rad_per_s;
     QVERIFY(QTest::qWaitFor([&] { return line->text().startsWith("Phase margin") && button->isEnabled(); }, 5000));
-    QCOMPARE(line->text(), desk.session.marginLine());
+    QCOMPARE(line->text(), desk.session.bench.marginLine());
   }
 }
 

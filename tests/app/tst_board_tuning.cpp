@@ -1,7 +1,7 @@
 // The Tune page's logic without the page: what is known of the motor, the margins' line, tuned settings.
 #include <QTest>
 
-#include "board_tuning.h"
+#include "session/board_tuning.h"
 #include "stability/margins.h"
 
 using namespace breakaway;

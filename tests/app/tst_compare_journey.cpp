@@ -26,7 +26,7 @@ namespace {
 constexpr int patience_ms = 240'000;
 
 struct Desk {
-  Desk() : session({1.0, 0.005, 600.0}), window(session, comparison, answers) {
+  Desk() : session({1.0, 0.005, 600.0}), window(session, answers) {
     window.show();
     window.showPage("comparePage");
   }
@@ -38,19 +38,21 @@ struct Desk {
     return ready();
   }
   bool ready() {
-    return QTest::qWaitFor([this] { return comparison.bench() && comparison.recording(); }, patience_ms);
+    return QTest::qWaitFor([this] { return session.comparison.bench() && session.comparison.recording(); },
+                           patience_ms);
   }
   bool diagnosed() {
     press(window, "diagnoseButton");
     return QTest::qWaitFor(
-        [this] { return !comparison.baseTrace().position.empty() && !comparison.shownTrace().position.empty(); },
+        [this] {
+          return !session.comparison.baseTrace().position.empty() && !session.comparison.shownTrace().position.empty();
+        },
         patience_ms);
   }
   QString proof(const char* name) { return named<FactsTable>(window, "proof")->value(name); }
 
   Answers answers;
   Session session;
-  Comparison comparison;
   MainWindow window;
 };
 
@@ -74,13 +76,13 @@ QString shortened(const QString& path, const QTemporaryDir& folder) {
 /// Before and after stand on the page, the simulation that is drawn has the error that is claimed, and every place can
 /// be shown.
 void checkDiagnosis(Desk& desk) {
-  const Diagnosis& diagnosis = *desk.comparison.diagnosis();
+  const Diagnosis& diagnosis = *desk.session.comparison.diagnosis();
   if (!sanitized) {
     QVERIFY(!diagnosis.findings.empty());
     QVERIFY(diagnosis.fit.heldoutAfter < diagnosis.fit.heldoutBefore);
   }
   QVERIFY2(desk.proof("Held-out error").contains("→"), qPrintable(desk.proof("Held-out error")));
-  const double drawn = desk.comparison.shownRmse();
+  const double drawn = desk.session.comparison.shownRmse();
   QVERIFY2(sanitized || (drawn > 0.7 * diagnosis.fit.heldoutAfter && drawn < 1.4 * diagnosis.fit.heldoutAfter),
            qPrintable(QString::number(drawn)));
   auto* plots = named<ResidualPlots>(desk.window, "residualPlots");
@@ -108,7 +110,7 @@ void TestCompareJourney::example_isDiagnosed() {
   if (sanitized) {
     const QString example = qEnvironmentVariable("BREAKAWAY_RESOURCES") + "/examples/example";
     QVERIFY(desk.opened(example + ".bench.json", shortened(example + ".csv", folder)));
-    QVERIFY(QTest::qWaitFor([&] { return desk.comparison.recording()->rows() < 10000; }, patience_ms));
+    QVERIFY(QTest::qWaitFor([&] { return desk.session.comparison.recording()->rows() < 10000; }, patience_ms));
   }
   QVERIFY(desk.diagnosed());
   checkDiagnosis(desk);
@@ -129,16 +131,16 @@ void TestCompareJourney::emps_isDiagnosed() {
   QVERIFY(desk.opened(folder + "emps.bench.json", sanitized ? shortened(recording, temporary) : recording));
   QVERIFY(desk.diagnosed());
   checkDiagnosis(desk);
-  if (desk.comparison.diagnosis()->findings.empty() && sanitized) return;
-  const std::string first = desk.comparison.diagnosis()->findings.front().effect;
-  const double with = desk.comparison.shownRmse();
+  if (desk.session.comparison.diagnosis()->findings.empty() && sanitized) return;
+  const std::string first = desk.session.comparison.diagnosis()->findings.front().effect;
+  const double with = desk.session.comparison.shownRmse();
   auto* box = named<QCheckBox>(desk.window, ("finding_" + first).c_str());
   box->setFocus();
   QTest::keyClick(box, Qt::Key_Return);
-  QVERIFY(!desk.comparison.includes(first));
-  QVERIFY(QTest::qWaitFor([&] { return desk.comparison.shownRmse() > 1.5 * with; }, patience_ms));
+  QVERIFY(!desk.session.comparison.includes(first));
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.comparison.shownRmse() > 1.5 * with; }, patience_ms));
   QTest::keyClick(box, Qt::Key_Return);
-  QVERIFY(QTest::qWaitFor([&] { return std::abs(desk.comparison.shownRmse() - with) < 1e-12; }, patience_ms));
+  QVERIFY(QTest::qWaitFor([&] { return std::abs(desk.session.comparison.shownRmse() - with) < 1e-12; }, patience_ms));
 }
 
 void TestCompareJourney::cancel_endsTheDiagnosis() {
@@ -147,10 +149,10 @@ void TestCompareJourney::cancel_endsTheDiagnosis() {
   QVERIFY(desk.ready());
   press(desk.window, "diagnoseButton");
   press(desk.window, "cancelButton");
-  QVERIFY(!desk.comparison.diagnosing());
+  QVERIFY(!desk.session.comparison.diagnosing());
   QVERIFY(named<QWidget>(desk.window, "diagnoseButton")->isEnabled());
   QTest::qWait(300);
-  QVERIFY(!desk.comparison.diagnosis().has_value());
+  QVERIFY(!desk.session.comparison.diagnosis().has_value());
 }
 
 void TestCompareJourney::badRecording_isSaidInOneLine() {
@@ -165,7 +167,7 @@ void TestCompareJourney::badRecording_isSaidInOneLine() {
   auto* line = named<QLabel>(desk.window, "messageLine");
   QVERIFY(QTest::qWaitFor([&] { return line->text().contains("row 2"); }, 5000));
   QVERIFY(!line->text().contains('\n'));
-  QVERIFY(!desk.comparison.recording().has_value());
+  QVERIFY(!desk.session.comparison.recording().has_value());
 }
 
 JOURNEY_MAIN(TestCompareJourney)

@@ -41,7 +41,7 @@ class Socket {
 };
 
 struct Desk {
-  Desk() : session({1.0, 0.005, 600.0}), window(session, comparison, answers) {
+  Desk() : session({1.0, 0.005, 600.0}), window(session, answers) {
     window.show();
     window.showPage("connectPage");
   }
@@ -52,7 +52,6 @@ struct Desk {
   QString state() { return named<QLabel>(window, "connectionState")->text(); }
 
   Session session;
-  Comparison comparison;
   Answers answers;
   MainWindow window;
 };
@@ -82,7 +81,7 @@ void TestConnection::initTestCase() {
 void TestConnection::missingPort_isSaidOnThePage() {
   Desk desk;
   desk.connectTo("serial:ttyNoSuchPort7");
-  QTRY_COMPARE(desk.session.connection().state(), ConnectionState::failed);
+  QTRY_COMPARE(desk.session.connection.state(), ConnectionState::failed);
   QVERIFY2(desk.state().startsWith("Not connected: serial port /dev/ttyNoSuchPort7: there is no such port"),
            qPrintable(desk.state()));
   desk.connectTo("serial:ttyUSB0@fast");
@@ -99,7 +98,7 @@ void TestConnection::choice_fillsTheAddress() {
   }
   QCOMPARE(address->text(), QString("simulated:geared"));
   press(desk.window, "connectButton");
-  QVERIFY(desk.session.connected());
+  QVERIFY(desk.session.connection.connected());
   QVERIFY2(desk.state().startsWith("Connected"), qPrintable(desk.state()));
 }
 
@@ -133,7 +132,7 @@ void TestConnection::vesc_isConnected_andThePagesSayWhatItCannotDo() {
   socket.plug(vesc);
   desk.connectTo(socket.address());
   QVERIFY2(desk.state().startsWith("Connecting"), qPrintable(desk.state()));  // the window isn't held up
-  QTRY_VERIFY2(desk.session.connected(), qPrintable(desk.state()));
+  QTRY_VERIFY2(desk.session.connection.connected(), qPrintable(desk.state()));
   QCOMPARE(named<QLabel>(desk.window, "deviceLabel")->text(), QString("VESC 60_MK5 01020304"));
   QVERIFY(named<QLabel>(desk.window, "cannotLine")->text().contains("Homing: the board reports no index"));
   QVERIFY(!named<QWidget>(desk.window, "simulatedLabel")->isVisible());
@@ -145,8 +144,8 @@ void TestConnection::vesc_isConnected_andThePagesSayWhatItCannotDo() {
   QVERIFY(refused("velocitySweepButton", "no index"));
   QVERIFY(refused("breakawaySweepButton", "winding test"));
   QVERIFY(refused("tuneSoftButton", "keeps its own gains"));
-  desk.session.disconnectBoard();
-  QVERIFY(!desk.session.connected());
+  desk.session.connection.close();
+  QVERIFY(!desk.session.connection.connected());
 }
 
 void TestConnection::stop_reachesTheVesc() {
@@ -155,13 +154,13 @@ void TestConnection::stop_reachesTheVesc() {
   const Socket socket;
   socket.plug(vesc);
   desk.connectTo(socket.address());
-  QTRY_VERIFY2(desk.session.connected(), qPrintable(desk.state()));
+  QTRY_VERIFY2(desk.session.connection.connected(), qPrintable(desk.state()));
   press(desk.window, "turnButton");
   QTRY_VERIFY(vesc.powered());
-  QTRY_VERIFY(desk.session.powered());
+  QTRY_VERIFY(desk.session.connection.powered());
   press(desk.window, "stopButton");
   QTRY_VERIFY(!vesc.powered());
-  QTRY_VERIFY(!desk.session.powered());
+  QTRY_VERIFY(!desk.session.connection.powered());
 }
 
 void TestConnection::lostBoard_comesBack_withItsMotorOff() {
@@ -171,19 +170,19 @@ void TestConnection::lostBoard_comesBack_withItsMotorOff() {
     VescFake vesc(servo());
     socket.plug(vesc);
     desk.connectTo(socket.address());
-    QTRY_VERIFY2(desk.session.connected(), qPrintable(desk.state()));
+    QTRY_VERIFY2(desk.session.connection.connected(), qPrintable(desk.state()));
     press(desk.window, "turnButton");
     QTRY_VERIFY(vesc.powered());
     vesc.hangUp();
   }
-  QTRY_COMPARE(desk.session.connection().state(), ConnectionState::reconnecting);
+  QTRY_COMPARE(desk.session.connection.state(), ConnectionState::reconnecting);
   QVERIFY2(desk.state().startsWith("Link lost: "), qPrintable(desk.state()));
-  QVERIFY(!desk.session.connected());
+  QVERIFY(!desk.session.connection.connected());
   const VescFake again(servo());
   socket.plug(again);
-  QTRY_VERIFY_WITH_TIMEOUT(desk.session.connected(), 10000);
+  QTRY_VERIFY_WITH_TIMEOUT(desk.session.connection.connected(), 10000);
   QTest::qWait(500);
-  QVERIFY(!again.powered() && !desk.session.run().running());
+  QVERIFY(!again.powered() && !desk.session.connection.run().running());
   for (const auto& one : again.commands()) QCOMPARE(one, (std::vector<std::uint8_t>{6, 0, 0, 0, 0}));
 }
 
@@ -194,16 +193,16 @@ void TestConnection::givingUp_endsTheTrying() {
     VescFake vesc(servo());
     socket.plug(vesc);
     desk.connectTo(socket.address());
-    QTRY_VERIFY2(desk.session.connected(), qPrintable(desk.state()));
+    QTRY_VERIFY2(desk.session.connection.connected(), qPrintable(desk.state()));
   }
-  QTRY_COMPARE(desk.session.connection().state(), ConnectionState::reconnecting);
+  QTRY_COMPARE(desk.session.connection.state(), ConnectionState::reconnecting);
   QCOMPARE(named<QPushButton>(desk.window, "disconnectButton")->text(), QString("Give up"));
   press(desk.window, "disconnectButton");
-  QCOMPARE(desk.session.connection().state(), ConnectionState::none);
+  QCOMPARE(desk.session.connection.state(), ConnectionState::none);
   const VescFake again(servo());
   socket.plug(again);
   QTest::qWait(1500);
-  QVERIFY(!desk.session.connected());
+  QVERIFY(!desk.session.connection.connected());
 }
 
 void TestConnection::profile_isSavedComparedAndRestoredInPart() {
@@ -211,30 +210,30 @@ void TestConnection::profile_isSavedComparedAndRestoredInPart() {
   const TemporaryFolder folder;
   const QString file = QString::fromStdString(folder.path("a.profile.json"));
   desk.connectTo("simulated");
-  QVERIFY(desk.session.connected());
+  QVERIFY(desk.session.connection.connected());
   desk.answers.byTitle["Save the profile"] = file;
   desk.answers.byTitle["Compare with a profile"] = file;
   press(desk.window, "saveProfileButton");
   QTRY_VERIFY(QFile::exists(file));
-  const ControllerSettings saved = desk.session.settings();
+  const ControllerSettings saved = desk.session.connection.settings();
   ControllerSettings other = saved;
   other.velocity_kp_A_s_per_rad *= 2.0;
   other.current_limit_A *= 0.5;
-  desk.session.configure(other);
-  QTRY_VERIFY(desk.session.settings() == other);
+  desk.session.connection.configure(other);
+  QTRY_VERIFY(desk.session.connection.settings() == other);
   press(desk.window, "openProfileButton");
   auto* table = named<QTableWidget>(desk.window, "profileTable");
   QTRY_COMPARE(table->rowCount(), 2);
   QCOMPARE(table->item(0, 0)->text(), QString("velocity_kp_A_s_per_rad"));
   QVERIFY(table->item(0, 3)->text().isEmpty());
   table->item(1, 0)->setCheckState(Qt::Unchecked);
-  QVERIFY(desk.session.settings() == other);  // nothing is written unasked
+  QVERIFY(desk.session.connection.settings() == other);  // nothing is written unasked
   press(desk.window, "restoreProfileButton");
   other.velocity_kp_A_s_per_rad = saved.velocity_kp_A_s_per_rad;
-  QTRY_VERIFY(desk.session.settings() == other);
+  QTRY_VERIFY(desk.session.connection.settings() == other);
   QTRY_VERIFY(!table->item(0, 3)->text().isEmpty());
   QCOMPARE(table->item(0, 3)->text(), table->item(0, 2)->text());
-  desk.session.disconnectBoard();
+  desk.session.connection.close();
   QTRY_COMPARE(table->rowCount(), 0);
 }
 

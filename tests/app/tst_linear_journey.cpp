@@ -59,7 +59,8 @@ struct LinearDesk : Desk {
   }
   bool sweptVelocity() {
     sweepVelocity();
-    return QTest::qWaitFor([this] { return session.survey().moving && !session.run().running(); }, patience_ms);
+    return QTest::qWaitFor([this] { return session.bench.survey().moving && !session.connection.run().running(); },
+                           patience_ms);
   }
   bool waits(const char* button, const QString& reason) {
     auto* found = named<QWidget>(window, button);
@@ -92,7 +93,7 @@ void TestLinearJourney::initTestCase() {
 void TestLinearJourney::connectHomeSweepExport_mapHoldsTheTruth() {
   LinearDesk desk;
   QVERIFY(desk.connected());
-  QVERIFY(!desk.session.powered() && !desk.session.run().running());
+  QVERIFY(!desk.session.connection.powered() && !desk.session.connection.run().running());
   QVERIFY(desk.waits("turnButton", "ends of the travel are not known"));
   QVERIFY(desk.waits("saveProfileButton", "linear axis"));
   desk.window.showPage("frictionPage");
@@ -101,7 +102,7 @@ void TestLinearJourney::connectHomeSweepExport_mapHoldsTheTruth() {
 
   QVERIFY(desk.homed());
   QVERIFY(named<QWidget>(desk.window, "travelStrip")->isVisible());
-  const auto axis = desk.session.axis();
+  const auto axis = desk.session.bench.axis();
   QVERIFY(axis.has_value());
   QVERIFY(std::abs(axis->travel.high_m - axis->travel.low_m - 0.4) < 5e-4);
   QVERIFY(std::abs(axis->index_m - (0.21 - 0.13)) < 2e-5);
@@ -112,7 +113,7 @@ void TestLinearJourney::connectHomeSweepExport_mapHoldsTheTruth() {
   QVERIFY(desk.waits("breakawaySweepButton", "velocity sweep first"));
   QVERIFY(named<QDoubleSpinBox>(desk.window, "highestSpeed")->suffix() == " m/s");
   QVERIFY(desk.sweptVelocity());
-  const double coulomb_N = desk.session.survey().coulombAverage_Nm()->value;
+  const double coulomb_N = desk.session.bench.survey().coulombAverage_Nm()->value;
   QVERIFY2(coulomb_N > 0.97 * 4.95 && coulomb_N < 1.03 * 4.95, qPrintable(QString::number(coulomb_N)));
   auto* plot = named<TravelPlot>(desk.window, "travelPlot");
   QVERIFY(plot->isVisible());
@@ -169,22 +170,22 @@ void TestLinearJourney::tunePage_tunesTheAxisAndStepsWithinItsTravel() {
   QVERIFY(desk.waits("measureStepButton", "Home first"));
   QVERIFY(desk.homed());
   desk.window.showPage("tunePage");
-  const ControllerSettings before = desk.session.settings();
+  const ControllerSettings before = desk.session.connection.settings();
   press(desk.window, "tuneMediumButton");
-  QVERIFY(QTest::qWaitFor([&] { return desk.session.settings() != before; }, patience_ms));
-  const double bandwidth = desk.session.settings().velocity_kp_A_s_per_rad * 14.0 / 1.8;
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.connection.settings() != before; }, patience_ms));
+  const double bandwidth = desk.session.connection.settings().velocity_kp_A_s_per_rad * 14.0 / 1.8;
   QVERIFY2(bandwidth > 20.0 && bandwidth < 200.0, qPrintable(QString::number(bandwidth)));
   auto* height = named<QDoubleSpinBox>(desk.window, "stepHeight");
   QVERIFY(height->suffix() == " m/s" && height->maximum() < 1.0);
   height->setValue(height->maximum());
   press(desk.window, "measureStepButton");
-  QVERIFY(QTest::qWaitFor([&] { return desk.session.steps().size() == 1; }, patience_ms));
-  const StepFigures& figures = desk.session.steps().front().figures;
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.bench.steps().size() == 1; }, patience_ms));
+  const StepFigures& figures = desk.session.bench.steps().front().figures;
   QVERIFY2(figures.rise_s > 0.005 && figures.rise_s < 0.3, qPrintable(QString::number(figures.rise_s)));
-  QVERIFY(QTest::qWaitFor([&] { return !desk.session.powered(); }, patience_ms));
+  QVERIFY(QTest::qWaitFor([&] { return !desk.session.connection.powered(); }, patience_ms));
   QTest::qWait(100);  // it coasts
-  const double stands_m = desk.session.history().newest()->angle_rad;
-  const Travel travel = desk.session.axis()->travel;
+  const double stands_m = desk.session.live.history().newest()->angle_rad;
+  const Travel travel = desk.session.bench.axis()->travel;
   QVERIFY2(stands_m > travel.middle_m() && stands_m < travel.last_m() + 0.5 * travel.margin_m,
            qPrintable(QString::number(stands_m)));
 }
@@ -206,7 +207,7 @@ void TestLinearJourney::stop_endsEveryMotion() {
   const QString row = QTest::currentDataTag();
   const bool onKnownAxis = row == "velocity sweep" || row == "to and fro" || row == "index";
   if (onKnownAxis) QVERIFY(desk.homed());
-  desk.session.setPace(unhurried);
+  desk.session.connection.setPace(unhurried);
   if (row == "velocity sweep" || row == "to and fro") {
     if (row == "velocity sweep") {
       desk.sweepVelocity();
@@ -220,16 +221,16 @@ void TestLinearJourney::stop_endsEveryMotion() {
   }
   QVERIFY(QTest::qWaitFor(
       [&] {
-        const auto& run = desk.session.run();
-        return run.running() && desk.session.powered() &&
+        const auto& run = desk.session.connection.run();
+        return run.running() && desk.session.connection.powered() &&
                QString::fromStdString(run.status.activity).contains(activity);
       },
       patience_ms));
   press(desk.window, "stopButton");
-  QVERIFY(QTest::qWaitFor([&] { return !desk.session.run().running(); }, patience_ms));
-  QCOMPARE(desk.session.run().status.state, Procedure::State::stopped);
-  QVERIFY(QTest::qWaitFor([&] { return !desk.session.powered(); }, patience_ms));
-  QVERIFY(desk.session.obstacle().isEmpty());
+  QVERIFY(QTest::qWaitFor([&] { return !desk.session.connection.run().running(); }, patience_ms));
+  QCOMPARE(desk.session.connection.run().status.state, Procedure::State::stopped);
+  QVERIFY(QTest::qWaitFor([&] { return !desk.session.connection.powered(); }, patience_ms));
+  QVERIFY(desk.session.connection.obstacle().isEmpty());
 }
 
 void TestLinearJourney::stoppedSweep_goesOnAfterReconnectingAndHomingAnew() {
@@ -237,22 +238,23 @@ void TestLinearJourney::stoppedSweep_goesOnAfterReconnectingAndHomingAnew() {
   QVERIFY(desk.connected());
   QVERIFY(desk.homed());
   QVERIFY(desk.sweptVelocity());
-  desk.session.setPace(unhurried);
+  desk.session.connection.setPace(unhurried);
   desk.sweep(places, 2);
-  QVERIFY(QTest::qWaitFor([&] { return desk.session.survey().events.size() >= 6; }, patience_ms));
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.bench.survey().events.size() >= 6; }, patience_ms));
   press(desk.window, "stopButton");
-  QVERIFY(QTest::qWaitFor([&] { return desk.session.run().status.state == Procedure::State::stopped; }, patience_ms));
-  const std::vector<BreakawayEvent> before = desk.session.survey().events;
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.connection.run().status.state == Procedure::State::stopped; },
+                          patience_ms));
+  const std::vector<BreakawayEvent> before = desk.session.bench.survey().events;
   QVERIFY(before.size() < breakaways);
   desk.window.showPage("connectPage");
   press(desk.window, "disconnectButton");
-  desk.session.setPace(axisPace);
+  desk.session.connection.setPace(axisPace);
   QVERIFY(desk.connected());
   QVERIFY(desk.homed());
   desk.sweep(places, 2);
-  QVERIFY(QTest::qWaitFor([&] { return desk.session.survey().map.has_value(); }, patience_ms));
-  const auto& events = desk.session.survey().events;
-  QCOMPARE(events.size() + desk.session.survey().missed, breakaways);
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.bench.survey().map.has_value(); }, patience_ms));
+  const auto& events = desk.session.bench.survey().events;
+  QCOMPARE(events.size() + desk.session.bench.survey().missed, breakaways);
   for (size_t k = 0; k < before.size(); ++k) QCOMPARE(events[k].torque_Nm, before[k].torque_Nm);
 }
 
@@ -260,10 +262,10 @@ void TestLinearJourney::anotherBoard_forgetsWhatWasMeasured() {
   LinearDesk desk;
   QVERIFY(desk.connected());
   QVERIFY(desk.homed());
-  QVERIFY(desk.session.survey().identification.has_value());
-  desk.session.connectTo("simulated:servo");
-  QVERIFY(desk.session.connected());
-  QVERIFY(!desk.session.survey().identification && !desk.session.survey().travel);
+  QVERIFY(desk.session.bench.survey().identification.has_value());
+  desk.session.connection.open("simulated:servo");
+  QVERIFY(desk.session.connection.connected());
+  QVERIFY(!desk.session.bench.survey().identification && !desk.session.bench.survey().travel);
   desk.window.showPage("homePage");
   QVERIFY(named<QWidget>(desk.window, "rotorDial")->isVisible());
 }
@@ -274,12 +276,13 @@ void TestLinearJourney::axisWithoutIndex_countsFromItsLowerEnd() {
   axis.hasIndex = false;
   const TemporaryFolder folder;
   LinearDesk desk;
-  desk.session.connectTo(QString::fromStdString("simulated:" + folder.write("axis.rig.json", linearRigText(axis, 7))));
-  QVERIFY(desk.session.connected());
+  desk.session.connection.open(
+      QString::fromStdString("simulated:" + folder.write("axis.rig.json", linearRigText(axis, 7))));
+  QVERIFY(desk.session.connection.connected());
   desk.window.showPage("homePage");
   QVERIFY(named<QLabel>(desk.window, "homingPlan")->text().contains("no index"));
   QVERIFY(desk.homed());
-  const auto known = desk.session.axis();
+  const auto known = desk.session.bench.axis();
   QVERIFY(known && std::abs(known->index_m - known->travel.low_m) < 1e-9);
   desk.window.showPage("frictionPage");
   QVERIFY(named<QWidget>(desk.window, "velocitySweepButton")->isEnabled());

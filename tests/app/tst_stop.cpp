@@ -34,22 +34,21 @@ class TestStop : public QObject {
 namespace {
 
 struct Desk {
-  explicit Desk(double watchdog_s = 5.0) : session({1.0, 0.005, watchdog_s}), window(session, comparison, answers) {
+  explicit Desk(double watchdog_s = 5.0) : session({1.0, 0.005, watchdog_s}), window(session, answers) {
     window.show();
-    session.adopt(std::make_unique<SmallDrive>(witness), "small");
+    session.connection.adopt(std::make_unique<SmallDrive>(witness), "small");
   }
   bool turning() {
-    session.turnSlowly();
+    session.bench.turnSlowly();
     return QTest::qWaitFor([this] { return witness->powered && std::abs(witness->velocity_rad_per_s) > 0.5; }, 5000);
   }
   bool stopped() {
-    return QTest::qWaitFor([this] { return !witness->powered && session.stateWords() == "stopped"; }, 5000);
+    return QTest::qWaitFor([this] { return !witness->powered && session.connection.stateWords() == "stopped"; }, 5000);
   }
 
   std::shared_ptr<DriveWitness> witness = std::make_shared<DriveWitness>();
   Answers answers;
   Session session;
-  Comparison comparison;
   MainWindow window;
 };
 
@@ -122,7 +121,7 @@ void TestStop::blockedWindow_stopsTheMotor() {
   const double took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   QVERIFY(!desk.witness->powered);
   QVERIFY2(took_s > 0.15 && took_s < 1.0, qPrintable(QString::number(took_s)));
-  QTRY_COMPARE(desk.session.stateWords(), QString("stopped by watchdog"));
+  QTRY_COMPARE(desk.session.connection.stateWords(), QString("stopped by watchdog"));
   QVERIFY(named<QLabel>(desk.window, "messageLine")->text().contains("did not answer for 250 ms"));
 }
 
@@ -140,7 +139,7 @@ void TestStop::stop_reachesTheDriveWithin50ms() {
     Desk desk;
     QVERIFY(desk.turning());
     const auto start = std::chrono::steady_clock::now();
-    desk.session.stop();
+    desk.session.connection.stop();
     while (desk.witness->stops == 0 && std::chrono::steady_clock::now() - start < std::chrono::seconds(5)) {
     }
     QCOMPARE(desk.witness->stops.load(), 1);
@@ -152,8 +151,8 @@ void TestStop::stop_reachesTheDriveWithin50ms() {
 
 void TestStop::startPostedBeforeStop_isDropped() {
   Desk desk;
-  desk.session.turnSlowly();
-  desk.session.stop();
+  desk.session.bench.turnSlowly();
+  desk.session.connection.stop();
   QTRY_VERIFY(desk.witness->stops == 1);
   QTest::qWait(100);
   QVERIFY(!desk.witness->powered);
@@ -162,26 +161,27 @@ void TestStop::startPostedBeforeStop_isDropped() {
 void TestStop::boardsOwnStop_isSaidInItsWords() {
   Desk desk;
   QVERIFY(desk.turning());
-  QSignalSpy said(&desk.session, &Session::said);
+  QSignalSpy said(&desk.session.messages, &Messages::said);
   desk.witness->trips = true;
-  QVERIFY(QTest::qWaitFor([&] { return desk.session.run().status.state == Procedure::State::stopped; }, 5000));
-  QVERIFY(desk.session.run().endedByBoard);
+  QVERIFY(
+      QTest::qWaitFor([&] { return desk.session.connection.run().status.state == Procedure::State::stopped; }, 5000));
+  QVERIFY(desk.session.connection.run().endedByBoard);
   QCOMPARE(said.count(), 1);
   QCOMPARE(said.front().at(0).toString(), QString("over-current: 9.9 A measured"));
   QVERIFY(said.front().at(1).toBool());
-  QVERIFY(QTest::qWaitFor([&] { return desk.session.stateWords() == "stopped by the board"; }, 5000));
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.connection.stateWords() == "stopped by the board"; }, 5000));
   said.clear();
   QVERIFY(desk.turning());
   press(desk.window, "stopButton");
   QVERIFY(desk.stopped());
-  QVERIFY(!desk.session.run().endedByBoard);
+  QVERIFY(!desk.session.connection.run().endedByBoard);
 }
 
 void TestStop::pulledCable_isSaid() {
   Desk desk;
   QVERIFY(desk.turning());
   desk.witness->cableCut = true;
-  QTRY_VERIFY(!desk.session.connected());
+  QTRY_VERIFY(!desk.session.connection.connected());
   QVERIFY(!desk.witness->powered);
   QVERIFY(named<QLabel>(desk.window, "messageLine")->text().contains("the cable was pulled"));
   QCOMPARE(named<QLabel>(desk.window, "deviceLabel")->text(), QString("none"));

@@ -10,9 +10,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "comparison.h"
 #include "main_window.h"
-#include "session.h"
+#include "session/session.h"
 #include "widgets/file_chooser.h"
 
 namespace breakaway::test {

@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <thread>
 
-#include "comparison.h"
 #include "firmware_link/board_drive.h"
 #include "firmware_link/board_server.h"
 #include "firmware_link/presets.h"
@@ -18,7 +17,7 @@
 #include "firmware_link/wire/messages.h"
 #include "main_window.h"
 #include "motor/rig.h"
-#include "session.h"
+#include "session/session.h"
 #include "widgets/file_chooser.h"
 
 using namespace breakaway;
@@ -103,11 +102,10 @@ int main(int argc, char** argv) {
                               {.place = end->uri(), .channels = wire::allChannels});
   if (!drive) return fail(drive.error().message());
   Session session;
-  Comparison comparison;
   FileDialogs files;
-  MainWindow window(session, comparison, files);
+  MainWindow window(session, files);
   window.show();
-  session.adopt(std::move(*drive), QString::fromStdString(end->uri()));
+  session.connection.adopt(std::move(*drive), QString::fromStdString(end->uri()));
   waitFor([] { return false; }, 500ms);
   auto* stop = window.findChild<QPushButton*>("stopButton");
   const auto begin = Clock::now();
@@ -115,8 +113,8 @@ int main(int argc, char** argv) {
   std::vector<double> latency_s;
   int unanswered = 0;
   for (int k = 0; k < presses; ++k) {
-    session.turnSlowly();
-    if (!waitFor([&] { return session.powered(); }, 2000ms)) ++unanswered;
+    session.bench.turnSlowly();
+    if (!waitFor([&] { return session.connection.powered(); }, 2000ms)) ++unanswered;
     waitFor([] { return false; }, std::chrono::milliseconds(10 + (k * 37) % 50));
     // From another thread, so that what the window is busy with counts as for a person.
     std::atomic<Clock::rep> pressed{0};
@@ -138,12 +136,13 @@ int main(int argc, char** argv) {
   std::printf(
       "a board at %.0f kHz over TCP with %d channels, %.2f MB/s into the window, %zu samples lost, board late by %.1f "
       "s\n",
-      1e-3 * rate_Hz, static_cast<int>(wire::channelCount), 1e-6 * rate, session.link().lost, server.late_s());
+      1e-3 * rate_Hz, static_cast<int>(wire::channelCount), 1e-6 * rate, session.connection.link().lost,
+      server.late_s());
   std::printf(
       "%zu presses of STOP until the wire: median %.1f ms, 99 %% %.1f ms (50), worst %.1f ms; %d not out in 2 s; load "
       "of this machine %.1f\n",
       latency_s.size(), 1e3 * part(latency_s, 0.5), 1e3 * part(latency_s, 0.99), 1e3 * latency_s.back(), unanswered,
       load[0]);
-  session.disconnectBoard();
+  session.connection.close();
   return 0;
 }

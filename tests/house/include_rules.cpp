@@ -120,12 +120,18 @@ std::string whyNotInLink(const std::string& path, const Include& one) {
 }
 
 std::string whyNotInApp(const std::string& path, const Include& one) {
-  const bool shown = path.starts_with("app/pages/") || path.starts_with("app/widgets/");
+  const bool session = path.starts_with("app/session/"), widget = path.starts_with("app/widgets/");
+  const bool shown = widget || path.starts_with("app/pages/");
   const bool cli = path.starts_with("app/cli/") || path == "app/cli_main.cpp";
-  if (cli && (isQt(one.what) || one.what.starts_with("widgets/") || one.what.starts_with("pages/")))
+  const bool window = one.what == "main_window.h" || one.what == "screenshots.h";
+  if (cli && (isQt(one.what) || one.what.starts_with("widgets/") || one.what.starts_with("pages/") || window))
     return "commands see no window";
-  if (path.starts_with("app/widgets/") && one.what.starts_with("pages/")) return "widgets stand below pages";
-  if (shown && one.what.starts_with("cli/")) return "pages know no commands";
+  if (session && (one.what.starts_with("widgets/") || one.what.starts_with("pages/") || window))
+    return "the session knows no window";
+  if (widget && one.what.starts_with("pages/")) return "widgets stand below pages";
+  if (shown && window) return "pages and widgets stand below the window";
+  if ((session || shown) && one.what.starts_with("cli/")) return "pages know no commands";
+  if ((session || shown) && one.what == "session/session.h") return "whoever is given a part doesn't ask for the whole";
   if (shown && (one.what == "firmware_link/simulated_board.h" || one.what == "firmware_link/transport/open_board.h"))
     return "pages reach a board through the session";
   const bool trial = cli && one.what == "trial/sealed_trial.h";

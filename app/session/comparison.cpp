@@ -1,4 +1,4 @@
-#include "comparison.h"
+#include "session/comparison.h"
 
 #include <QFileInfo>
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace breakaway {
 
-Comparison::Comparison(QObject* parent) : QObject(parent) {
+Comparison::Comparison(Messages& messages, QObject* parent) : QObject(parent), messages_(messages) {
   pool_.setMaxThreadCount(2);
 }
 
@@ -28,7 +28,7 @@ void Comparison::open(const QString& path) {
 void Comparison::openBench(const QString& path) {
   const auto bench = readBench(path.toStdString());
   if (!bench) {
-    emit said(QString::fromStdString(bench.error().message()), true);
+    messages_.warn(bench.error());
     return;
   }
   bench_ = *bench;
@@ -65,11 +65,11 @@ void Comparison::read(const QString& path, std::optional<Recording> Comparison::
     auto recording = readCsv(path.toStdString());
     return [this, recording, path, into] {
       if (!recording) {
-        emit said(QString::fromStdString(recording.error().message()), true);
+        messages_.warn(recording.error());
         return;
       }
       this->*into = *recording;
-      emit said(tr("%1: %2 rows").arg(QFileInfo(path).fileName()).arg(recording->rows()), false);
+      messages_.say(tr("%1: %2 rows").arg(QFileInfo(path).fileName()).arg(recording->rows()));
       forgetDiagnosis();
     };
   });
@@ -138,7 +138,7 @@ void Comparison::takeDiagnosis(const Result<Diagnosis>& diagnosis) {
   diagnosing_ = false;
   emit progressChanged();
   if (!diagnosis) {
-    emit said(QString::fromStdString(diagnosis.error().message()), true);
+    messages_.warn(diagnosis.error());
     return;
   }
   diagnosis_ = *diagnosis;
@@ -178,7 +178,7 @@ void Comparison::simulateShown() {
     return [this, mine, leftOut, trace] {
       if (mine != wanted_ || leftOut != leftOut_) return;
       if (!trace) {
-        emit said(QString::fromStdString(trace.error().message()), true);
+        messages_.warn(trace.error());
         return;
       }
       shown_ = *trace;

@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "experiment/drive.h"
-#include "recorder.h"
 #include "run.h"
-#include "sample_batch.h"
+#include "session/recorder.h"
+#include "session/sample_batch.h"
 
 namespace breakaway {
 

@@ -1,4 +1,4 @@
-#include "envelope.h"
+#include "widgets/envelope.h"
 
 #include <limits>
 

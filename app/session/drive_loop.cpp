@@ -1,4 +1,4 @@
-#include "drive_loop.h"
+#include "session/drive_loop.h"
 
 #include <algorithm>
 

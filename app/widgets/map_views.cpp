@@ -1,10 +1,10 @@
-#include "map_views.h"
+#include "widgets/map_views.h"
 
 #include <QCoreApplication>
 #include <algorithm>
 #include <functional>
 
-#include "axis_units.h"
+#include "widgets/axis_units.h"
 
 namespace breakaway {
 

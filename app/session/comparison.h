@@ -17,6 +17,7 @@
 #include "diagnose/simulate/simulation.h"
 #include "motor/bench.h"
 #include "recording/recording.h"
+#include "session/messages.h"
 
 namespace breakaway {
 
@@ -24,7 +25,7 @@ class Comparison : public QObject {
   Q_OBJECT
 
  public:
-  explicit Comparison(QObject* parent = nullptr);
+  explicit Comparison(Messages& messages, QObject* parent = nullptr);
   ~Comparison() override;
 
   void openBench(const QString& path);
@@ -66,7 +67,6 @@ class Comparison : public QObject {
   void progressChanged();
   void diagnosisChanged();
   void tracesChanged();
-  void said(const QString& line, bool trouble);
 
  private:
   void inPool(std::function<std::function<void()>()> work);
@@ -76,6 +76,7 @@ class Comparison : public QObject {
   void simulateBase();
   void simulateShown();
 
+  Messages& messages_;
   QThreadPool pool_;
   std::stop_source stop_;
   std::optional<Bench> bench_;

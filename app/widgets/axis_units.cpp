@@ -1,4 +1,4 @@
-#include "axis_units.h"
+#include "widgets/axis_units.h"
 
 #include <QCoreApplication>
 

@@ -1,4 +1,4 @@
-#include "slow_strokes.h"
+#include "session/slow_strokes.h"
 
 namespace breakaway {
 

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "experiment/profile.h"
-#include "session.h"
+#include "session/bench_runs.h"
+#include "session/connection.h"
+#include "session/messages.h"
 
 namespace breakaway {
 
@@ -16,7 +18,7 @@ class ProfileComparison : public QObject {
   Q_OBJECT
 
  public:
-  explicit ProfileComparison(Session& session, QObject* parent = nullptr);
+  ProfileComparison(Connection& connection, const BenchRuns& bench, Messages& messages, QObject* parent = nullptr);
 
   /// Reads what the board is set to and writes it to `path`.
   void save(const QString& path);
@@ -45,7 +47,9 @@ class ProfileComparison : public QObject {
   void takeRestored(const Result<std::vector<RestoredRow>>& restored, const ControllerSettings& settings);
   void forget();
 
-  Session& session_;
+  Connection& connection_;
+  const BenchRuns& bench_;
+  Messages& messages_;
   QString path_;
   std::optional<Profile> profile_;
   std::vector<Row> rows_;

@@ -1,4 +1,4 @@
-#include "resource_folder.h"
+#include "session/resource_folder.h"
 
 #include <QDir>
 

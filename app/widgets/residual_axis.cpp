@@ -1,4 +1,4 @@
-#include "residual_axis.h"
+#include "widgets/residual_axis.h"
 
 #include <QCoreApplication>
 #include <algorithm>

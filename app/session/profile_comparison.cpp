@@ -1,18 +1,20 @@
-#include "profile_comparison.h"
+#include "session/profile_comparison.h"
 
 #include <QFileInfo>
 #include <QPointer>
 
 namespace breakaway {
 
-ProfileComparison::ProfileComparison(Session& session, QObject* parent) : QObject(parent), session_(session) {
-  connect(&session_, &Session::connectionChanged, this, &ProfileComparison::forget);
-  connect(&session_, &Session::settingsChanged, this, &ProfileComparison::compare);
+ProfileComparison::ProfileComparison(Connection& connection, const BenchRuns& bench, Messages& messages,
+                                     QObject* parent)
+    : QObject(parent), connection_(connection), bench_(bench), messages_(messages) {
+  connect(&connection_, &Connection::changed, this, &ProfileComparison::forget);
+  connect(&connection_, &Connection::settingsChanged, this, &ProfileComparison::compare);
 }
 
 QString ProfileComparison::obstacle() const {
-  if (!session_.connected()) return tr("No board is connected");
-  return session_.linear() ? tr("Profiles are of a rotor's board; this one moves a linear axis") : QString();
+  if (!connection_.connected()) return tr("No board is connected");
+  return connection_.linear() ? tr("Profiles are of a rotor's board; this one moves a linear axis") : QString();
 }
 
 QString ProfileComparison::source() const {
@@ -23,29 +25,25 @@ QString ProfileComparison::source() const {
 }
 
 void ProfileComparison::forget() {
-  if (session_.connected() || !profile_) return;
+  if (connection_.connected() || !profile_) return;
   profile_.reset();
   rows_.clear();
   emit changed();
 }
 
 void ProfileComparison::save(const QString& path) {
-  session_.onBoard([session = &session_, path](Drive& board) {
+  connection_.onBoard([messages = &messages_, path](Drive& board) {
     const auto here = profileOf(board);
     const auto written = here ? writeProfile(*here, path.toStdString()) : Result<void>(here.error());
     QMetaObject::invokeMethod(
-        session,
-        [session, path, written] {
-          session->say(written ? tr("%1 is written").arg(path) : QString::fromStdString(written.error().message()),
-                       !written);
-        },
+        messages, [messages, path, written] { messages->say(written, tr("%1 is written").arg(path)); },
         Qt::QueuedConnection);
   });
 }
 
 void ProfileComparison::open(const QString& path) {
   auto read = readProfile(path.toStdString());
-  if (!read) return session_.say(QString::fromStdString(read.error().message()), true);
+  if (!read) return messages_.warn(read.error());
   path_ = path;
   profile_ = std::move(*read);
   rows_.clear();
@@ -54,11 +52,11 @@ void ProfileComparison::open(const QString& path) {
 
 void ProfileComparison::compare() {
   if (!profile_) return;
-  // The answer comes to the session, which lives longer than this.
-  session_.onBoard([session = &session_, self = QPointer(this)](Drive& board) {
+  // The answer comes to the messages, which live longer than this.
+  connection_.onBoard([messages = &messages_, self = QPointer(this)](Drive& board) {
     const auto here = profileOf(board);
     QMetaObject::invokeMethod(
-        session,
+        messages,
         [self, here] {
           if (self) self->takeComparison(here);
         },
@@ -67,7 +65,7 @@ void ProfileComparison::compare() {
 }
 
 void ProfileComparison::takeComparison(const Result<Profile>& here) {
-  if (!here) return session_.say(QString::fromStdString(here.error().message()), true);
+  if (!here) return messages_.warn(here.error());
   if (!profile_) return;
   std::vector<Row> rows;
   for (const ProfileRow& one : compareProfiles(*here, *profile_)) {
@@ -85,12 +83,12 @@ void ProfileComparison::restore(const QStringList& names) {
   if (!profile_ || names.isEmpty()) return;
   RestoreOptions options;
   for (const QString& one : names) options.only.push_back(one.toStdString());
-  if (session_.index_rad()) options.index_rad = session_.index_rad()->value;
+  if (bench_.index_rad()) options.index_rad = bench_.index_rad()->value;
   options.anyBoard = true;  // the person has seen whose it is, and has chosen parameter by parameter
-  session_.onBoard([session = &session_, self = QPointer(this), options, profile = *profile_](Drive& board) {
+  connection_.onBoard([messages = &messages_, self = QPointer(this), options, profile = *profile_](Drive& board) {
     const auto restored = restoreProfile(board, profile, options);
     QMetaObject::invokeMethod(
-        session,
+        messages,
         [self, restored, settings = board.settings()] {
           if (self) self->takeRestored(restored, settings);
         },
@@ -100,7 +98,7 @@ void ProfileComparison::restore(const QStringList& names) {
 
 void ProfileComparison::takeRestored(const Result<std::vector<RestoredRow>>& restored,
                                      const ControllerSettings& settings) {
-  if (!restored) return session_.say(QString::fromStdString(restored.error().message()), true);
+  if (!restored) return messages_.warn(restored.error());
   size_t otherwise = 0;
   for (const RestoredRow& one : *restored) {
     if (!one.same) ++otherwise;
@@ -108,12 +106,14 @@ void ProfileComparison::takeRestored(const Result<std::vector<RestoredRow>>& res
       if (row.values.name == one.name) row.accepted = QString::fromStdString(one.accepted);
     }
   }
-  session_.say(otherwise == 0 ? tr("The board accepted all that was asked for")
-                              : tr("The board took %1 of %2 parameters otherwise than asked for: see the table")
-                                    .arg(otherwise)
-                                    .arg(restored->size()),
-               otherwise > 0);
-  session_.takeSettings(settings);  // which compares again
+  if (otherwise == 0) {
+    messages_.say(tr("The board accepted all that was asked for"));
+  } else {
+    messages_.warn(tr("The board took %1 of %2 parameters otherwise than asked for: see the table")
+                       .arg(otherwise)
+                       .arg(restored->size()));
+  }
+  connection_.takeSettings(settings);  // which compares again
 }
 
 }  // namespace breakaway

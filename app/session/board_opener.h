@@ -5,7 +5,6 @@
 #include <QString>
 #include <QThreadPool>
 #include <QTimer>
-#include <chrono>
 #include <functional>
 #include <memory>
 
@@ -17,15 +16,15 @@ namespace breakaway {
 enum class ConnectionState { none, connecting, connected, failed, reconnecting };
 
 /// A board that comes back is met as it is then: a new drive, its motor off, nothing written to it.
-class BoardConnection : public QObject {
+class BoardOpener : public QObject {
   Q_OBJECT
 
  public:
   using Taker = std::function<void(std::unique_ptr<Drive>)>;
 
   /// `taker` gets each drive that was opened, in this object's thread.
-  explicit BoardConnection(Taker taker, QObject* parent = nullptr);
-  ~BoardConnection() override;
+  explicit BoardOpener(Taker taker, QObject* parent = nullptr);
+  ~BoardOpener() override;
 
   /// Opens at once what is simulated, the rest in a thread of its own. Ends what was under way.
   void open(const BoardRequest& request);
@@ -35,12 +34,10 @@ class BoardConnection : public QObject {
   void close();
   /// A drive that nobody had to open.
   void keep();
-  void setRetry(std::chrono::milliseconds every) { retry_.setInterval(every); }
 
   ConnectionState state() const { return state_; }
   /// Why it failed or was lost, in one line; empty otherwise.
   const QString& trouble() const { return trouble_; }
-  QString uri() const { return QString::fromStdString(request_.uri); }
 
  signals:
   void changed();

@@ -1,4 +1,4 @@
-#include "live_history.h"
+#include "session/live_history.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "slow_turning.h"
+#include "session/slow_turning.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "recorder.h"
+#include "session/recorder.h"
 
 #include <algorithm>
 #include <utility>

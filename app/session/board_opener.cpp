@@ -1,5 +1,6 @@
-#include "board_connection.h"
+#include "session/board_opener.h"
 
+#include <chrono>
 #include <utility>
 
 #include "firmware_link/presets.h"
@@ -8,23 +9,23 @@ namespace breakaway {
 
 using namespace std::chrono_literals;
 
-BoardConnection::BoardConnection(Taker taker, QObject* parent) : QObject(parent), taker_(std::move(taker)) {
+BoardOpener::BoardOpener(Taker taker, QObject* parent) : QObject(parent), taker_(std::move(taker)) {
   retry_.setSingleShot(true);
   retry_.setInterval(1s);
-  connect(&retry_, &QTimer::timeout, this, &BoardConnection::attempt);
+  connect(&retry_, &QTimer::timeout, this, &BoardOpener::attempt);
 }
 
-BoardConnection::~BoardConnection() {
+BoardOpener::~BoardOpener() {
   pool_.waitForDone();
 }
 
-void BoardConnection::enter(ConnectionState state, const QString& trouble) {
+void BoardOpener::enter(ConnectionState state, const QString& trouble) {
   state_ = state;
   trouble_ = trouble;
   emit changed();
 }
 
-void BoardConnection::open(const BoardRequest& request) {
+void BoardOpener::open(const BoardRequest& request) {
   close();
   request_ = request;
   if (isSimulated(request.uri)) {
@@ -35,7 +36,7 @@ void BoardConnection::open(const BoardRequest& request) {
   attempt();
 }
 
-void BoardConnection::attempt() {
+void BoardOpener::attempt() {
   pool_.start([this, number = number_, request = request_] {
     const auto opened = std::make_shared<Result<std::unique_ptr<Drive>>>(openBoard(request));
     QMetaObject::invokeMethod(
@@ -43,7 +44,7 @@ void BoardConnection::attempt() {
   });
 }
 
-void BoardConnection::take(unsigned number, Result<std::unique_ptr<Drive>>& opened) {
+void BoardOpener::take(unsigned number, Result<std::unique_ptr<Drive>>& opened) {
   if (number != number_) return;  // nobody waits for it any more
   if (opened) {
     state_ = ConnectionState::connected;
@@ -58,21 +59,21 @@ void BoardConnection::take(unsigned number, Result<std::unique_ptr<Drive>>& open
   }
 }
 
-void BoardConnection::lost(const QString& why) {
+void BoardOpener::lost(const QString& why) {
   if (request_.uri.empty() || isSimulated(request_.uri)) return enter(ConnectionState::failed, why);
   ++number_;
   enter(ConnectionState::reconnecting, why);
   retry_.start();
 }
 
-void BoardConnection::close() {
+void BoardOpener::close() {
   ++number_;
   retry_.stop();
   request_ = {};
   enter(ConnectionState::none, {});
 }
 
-void BoardConnection::keep() {
+void BoardOpener::keep() {
   close();
   enter(ConnectionState::connected, {});
 }

@@ -1,4 +1,4 @@
-#include "board_tuning.h"
+#include "session/board_tuning.h"
 
 #include <QCoreApplication>
 #include <cmath>

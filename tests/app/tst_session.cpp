@@ -1,0 +1,282 @@
+// The session's parts, each alone: the connection, the runs at the bench, the live samples, and pages that are given
+// no more than they use.
+#include <QFile>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTableWidget>
+
+#include "app/small_drive.h"
+#include "app/window_support.h"
+#include "pages/home_page.h"
+#include "pages/tune_page.h"
+#include "session/live_samples.h"
+#include "support/temporary.h"
+
+using namespace breakaway;
+using namespace breakaway::test;
+
+class TestSession : public QObject {
+  Q_OBJECT
+ private slots:
+  void initTestCase();
+  void board_comesBeforeItIsShown();
+  void failedOpening_isSaidAndLeavesNoBoard();
+  void refusedSettings_leaveWhatIsSet();
+  void pulledCable_leavesNothingOfTheBoard();
+  void lateReports_ofAnEarlierBoard_areNotTaken();
+  void liveSamples_keepTheLastMinuteOfTheirBatches();
+  void emptyStretch_isAnError();
+  void recording_holdsEverySampleFromItsStart();
+  void lostBoard_endsItsRecording();
+  void runs_sayWhyTheyCannotStart();
+  void measuredSteps_areKeptUntilTheBoardLeaves();
+  void surveyOfAnotherBoard_isForgotten();
+  void bridgesCurve_isGivenToTheBoard_andARefusalSaid();
+  void page_worksWithItsPartsAlone();
+};
+
+namespace {
+
+struct Parts {
+  QStringList lines() const {
+    QStringList all;
+    for (const auto& one : said) all << one.at(0).toString();
+    return all;
+  }
+
+  Messages messages;
+  QSignalSpy said{&messages, &Messages::said};
+  std::shared_ptr<DriveWitness> witness = std::make_shared<DriveWitness>();
+  Connection connection{messages, {1.0, 0.005, 600.0}};
+};
+
+/// Refuses what is asked of it.
+class StubbornDrive : public SmallDrive {
+ public:
+  using SmallDrive::SmallDrive;
+  Result<ControllerSettings> configure(const ControllerSettings&) override { return Error{"board", "refuses gains"}; }
+  Result<void> linearise(const DutyCurve& curve) override {
+    return Error{"board", "refuses a curve of " + std::to_string(curve.points.size()) + " points"};
+  }
+};
+
+SampleBatch batchOf(double from_s, size_t count) {
+  SampleBatch batch;
+  for (size_t k = 0; k < count; ++k) {
+    Sample sample;
+    sample.time_s = from_s + 1e-3 * static_cast<double>(k);
+    sample.angle_rad = 2.0 * sample.time_s;
+    batch.samples.push_back(sample);
+  }
+  return batch;
+}
+
+}  // namespace
+
+void TestSession::initTestCase() {
+  if (qEnvironmentVariableIsEmpty("BREAKAWAY_RESOURCES"))
+    qputenv("BREAKAWAY_RESOURCES", qgetenv("BREAKAWAY_SOURCE_DIR") + "/resources");
+}
+
+void TestSession::board_comesBeforeItIsShown() {
+  Parts parts;
+  QStringList order;
+  connect(&parts.connection, &Connection::changed, this, [&] { order << "changed"; });
+  connect(&parts.connection, &Connection::came, this, [&] {
+    order << "came";
+    QVERIFY(parts.connection.connected());
+    QCOMPARE(parts.connection.identity().device, std::string("small drive"));
+  });
+  connect(&parts.connection, &Connection::left, this, [&] { order << "left"; });
+  parts.connection.adopt(std::make_unique<SmallDrive>(parts.witness), "small");
+  QVERIFY(order.endsWith("changed") && order.contains("came"));
+  QCOMPARE(parts.connection.uri(), QString("small"));
+  QCOMPARE(parts.lines(), QStringList("Connected to small drive"));
+  order.clear();
+  parts.connection.close();
+  QCOMPARE(order.front(), QString("left"));
+  QVERIFY(!parts.connection.connected() && parts.connection.identity().device.empty());
+  QCOMPARE(parts.connection.state(), ConnectionState::none);
+}
+
+void TestSession::failedOpening_isSaidAndLeavesNoBoard() {
+  Parts parts;
+  parts.connection.open("simulated:no such preset");
+  QCOMPARE(parts.connection.state(), ConnectionState::failed);
+  QVERIFY(!parts.connection.connected() && !parts.connection.trouble().isEmpty());
+  QCOMPARE(parts.lines(), QStringList(parts.connection.trouble()));
+  QVERIFY(parts.said.front().at(1).toBool());
+  parts.connection.stop();  // nothing to stop is nothing wrong
+  QCOMPARE(parts.connection.obstacle(), QString("No board is connected"));
+}
+
+void TestSession::refusedSettings_leaveWhatIsSet() {
+  Parts parts;
+  parts.connection.adopt(std::make_unique<StubbornDrive>(parts.witness), "small");
+  const ControllerSettings before = parts.connection.settings();
+  ControllerSettings wanted = before;
+  wanted.velocity_kp_A_s_per_rad *= 2.0;
+  QSignalSpy changed(&parts.connection, &Connection::settingsChanged);
+  parts.connection.configure(wanted);
+  QVERIFY(changed.wait(5000));
+  QVERIFY(parts.connection.settings() == before);
+  QCOMPARE(parts.lines().back(), QString("board: refuses gains"));
+}
+
+void TestSession::pulledCable_leavesNothingOfTheBoard() {
+  Parts parts;
+  parts.connection.adopt(std::make_unique<SmallDrive>(parts.witness), "small");
+  QSignalSpy left(&parts.connection, &Connection::left);
+  parts.witness->cableCut = true;
+  QVERIFY(left.wait(5000));
+  QVERIFY(!parts.connection.connected() && !parts.connection.powered() && !parts.connection.run().running());
+  QCOMPARE(parts.connection.state(), ConnectionState::failed);
+  QVERIFY(parts.lines().back().contains("the cable was pulled"));
+}
+
+void TestSession::lateReports_ofAnEarlierBoard_areNotTaken() {
+  Parts parts;
+  parts.connection.adopt(std::make_unique<SmallDrive>(parts.witness), "first");
+  QTest::qSleep(100);  // samples are on their way
+  parts.connection.adopt(std::make_unique<SmallDrive>(parts.witness), "second");
+  double first_s = -1.0;
+  connect(&parts.connection, &Connection::samplesCame, this, [&](const SampleBatchPtr& batch) {
+    if (first_s < 0.0) first_s = batch->samples.front().time_s;
+  });
+  QTRY_VERIFY(first_s > 0.0);
+  QVERIFY2(first_s < 0.0015, qPrintable(QString::number(first_s)));  // the second board's first sample
+}
+
+void TestSession::liveSamples_keepTheLastMinuteOfTheirBatches() {
+  Parts parts;
+  LiveSamples live(parts.connection, parts.messages);
+  live.take(batchOf(0.0, 1000));
+  live.take(batchOf(1.0, 1000));
+  QCOMPARE(live.history().end(), uint64_t{2000});
+  QCOMPARE(live.history().first(), uint64_t{0});
+  const auto stretch = live.stretch(0.4995, 1.2005);
+  QVERIFY2(stretch.ok(), stretch.ok() ? "" : stretch.error().message().c_str());
+  QCOMPARE(stretch->rows(), size_t{701});
+  live.take(batchOf(60.5, 1));
+  QCOMPARE(live.history().first(), uint64_t{500});
+  QCOMPARE(live.history().newest()->time_s, 60.5);
+}
+
+void TestSession::emptyStretch_isAnError() {
+  Parts parts;
+  LiveSamples live(parts.connection, parts.messages);
+  QVERIFY(!live.stretch(0.0, 1.0).ok());
+  live.startRecording();
+  QVERIFY(!live.recording());  // there is no board to record
+}
+
+void TestSession::recording_holdsEverySampleFromItsStart() {
+  Parts parts;
+  LiveSamples live(parts.connection, parts.messages);
+  parts.connection.adopt(std::make_unique<SmallDrive>(parts.witness), "small");
+  live.startRecording();
+  QVERIFY(live.recording() && !live.lastRecording());
+  QTest::qWait(300);
+  live.finishRecording();
+  QTRY_VERIFY(!live.recording());
+  QVERIFY(live.lastRecording().has_value());
+  const auto time = live.lastRecording()->channel("time_s");
+  QVERIFY2(time.size() > 100, qPrintable(QString::number(time.size())));
+  for (size_t k = 1; k < time.size(); ++k) QVERIFY(std::abs(time[k] - time[k - 1] - 1e-3) < 1e-9);
+  QCOMPARE(parts.lines().back(), QString("Recorded %1 samples").arg(time.size()));
+}
+
+void TestSession::lostBoard_endsItsRecording() {
+  Parts parts;
+  LiveSamples live(parts.connection, parts.messages);
+  parts.connection.adopt(std::make_unique<SmallDrive>(parts.witness), "small");
+  live.startRecording();
+  QTRY_VERIFY(live.history().newest().has_value());
+  parts.witness->cableCut = true;
+  QTRY_VERIFY(!live.recording());
+  QVERIFY(!live.history().newest() && !live.lastRecording());
+}
+
+void TestSession::runs_sayWhyTheyCannotStart() {
+  Parts parts;
+  BenchRuns bench(parts.connection, parts.messages);
+  for (const QString& why : {bench.turningObstacle(), bench.homingObstacle(), bench.stepObstacle(),
+                             bench.sweepObstacle(), bench.gainsObstacle(), bench.tuningObstacle()})
+    QCOMPARE(why, QString("No board is connected"));
+  QVERIFY(bench.marginLine().isEmpty());
+  parts.connection.adopt(std::make_unique<SmallDrive>(parts.witness), "small");
+  QVERIFY(bench.homingObstacle().isEmpty() && bench.stepObstacle().isEmpty());
+  QVERIFY(bench.sweepObstacle().startsWith("Home first"));
+  bench.home();
+  QTRY_VERIFY(parts.connection.runs(RunKind::homing));
+  QVERIFY2(bench.stepObstacle().startsWith("Busy: "), qPrintable(bench.stepObstacle()));
+}
+
+void TestSession::measuredSteps_areKeptUntilTheBoardLeaves() {
+  Parts parts;
+  BenchRuns bench(parts.connection, parts.messages);
+  parts.connection.adopt(std::make_unique<SmallDrive>(parts.witness), "small");
+  VelocityStepOptions options;
+  options.to_rad_per_s = 10.0;
+  bench.measureStep(options);
+  QTRY_COMPARE_WITH_TIMEOUT(bench.steps().size(), size_t{1}, 20000);
+  QCOMPARE(bench.steps().front().options.to_rad_per_s, 10.0);
+  QVERIFY(bench.steps().front().settings == parts.connection.settings());
+  parts.connection.stop();
+  QTRY_COMPARE(parts.connection.stateWords(), QString("stopped"));
+  QCOMPARE(bench.steps().size(), size_t{1});  // a report of the same run is no new step
+  parts.connection.close();
+  QVERIFY(bench.steps().empty());
+}
+
+void TestSession::surveyOfAnotherBoard_isForgotten() {
+  Parts parts;
+  BenchRuns bench(parts.connection, parts.messages);
+  parts.connection.adopt(std::make_unique<SmallDrive>(parts.witness), "small");
+  QCOMPARE(bench.survey().rig, std::string("small drive"));
+  RunSnapshot swept{RunKind::velocitySweep, {Procedure::State::running, 0.5, 1.0, "sweeping", ""}, {}};
+  swept.result = VelocitySweepResult{std::vector<VelocityRun>(3), Identification{}};
+  emit parts.connection.runReported(swept);
+  QCOMPARE(bench.survey().runs.size(), size_t{3});
+  parts.connection.close();
+  parts.connection.adopt(std::make_unique<SmallDrive>(parts.witness), "small");
+  QCOMPARE(bench.survey().runs.size(), size_t{3});  // the same board again
+  parts.connection.open("simulated:servo");
+  QVERIFY(parts.connection.connected());
+  QVERIFY(bench.survey().runs.empty() && bench.bench().has_value());
+  QVERIFY(parts.lines().contains("This is another board: what was measured on small drive is forgotten"));
+}
+
+void TestSession::bridgesCurve_isGivenToTheBoard_andARefusalSaid() {
+  const std::string presets = qgetenv("BREAKAWAY_SOURCE_DIR").toStdString() + "/resources/presets/";
+  auto believed = readBench(presets + "servo.bench.json");
+  QVERIFY(believed.ok());
+  believed->dutyCurve.points = {{0.02, {0.0, 0.001}}, {0.5, {0.45, 0.001}}, {1.0, {0.98, 0.001}}};
+  const TemporaryFolder folder;
+  const std::string rig = folder.path("own.rig.json");
+  QVERIFY(QFile::copy(QString::fromStdString(presets + "servo.rig.json"), QString::fromStdString(rig)));
+  QVERIFY(writeBench(*believed, folder.path("own.bench.json")).ok());
+  Parts parts;
+  BenchRuns bench(parts.connection, parts.messages);
+  parts.connection.adopt(std::make_unique<StubbornDrive>(parts.witness), QString::fromStdString("simulated:" + rig));
+  QVERIFY(bench.bench().has_value());
+  QTRY_COMPARE(parts.lines().back(), QString("board: refuses a curve of 3 points"));
+}
+
+void TestSession::page_worksWithItsPartsAlone() {
+  Parts parts;
+  BenchRuns bench(parts.connection, parts.messages);
+  LiveSamples live(parts.connection, parts.messages);
+  TunePage tune(parts.connection, bench);
+  HomePage home(parts.connection, bench, live);
+  QVERIFY(!named<QPushButton>(tune, "measureStepButton")->isEnabled());
+  parts.connection.adopt(std::make_unique<SmallDrive>(parts.witness), "small");
+  QVERIFY(named<QPushButton>(tune, "measureStepButton")->isEnabled());
+  QVERIFY(named<QPushButton>(home, "homeButton")->isEnabled());
+  tune.show();
+  press(tune, "measureStepButton");
+  QTRY_COMPARE_WITH_TIMEOUT(named<QTableWidget>(tune, "stepTable")->rowCount(), 1, 20000);
+}
+
+JOURNEY_MAIN(TestSession)
+#include "tst_session.moc"
