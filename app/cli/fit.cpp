@@ -6,10 +6,11 @@
 #include "base/statistics.h"
 #include "cli/command.h"
 #include "cli/inputs.h"
-#include "diagnose/catalogue.h"
+#include "diagnose/effects/catalogue.h"
 #include "diagnose/fit/inverse_fit.h"
-#include "diagnose/preparation.h"
+#include "diagnose/fit/preparation.h"
 #include "diagnose/search/model_fit.h"
+#include "diagnose/simulate/model_file.h"
 
 namespace breakaway::cli {
 

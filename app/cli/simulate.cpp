@@ -3,6 +3,7 @@
 
 #include "base/atomic_file.h"
 #include "cli/command.h"
+#include "diagnose/simulate/model_file.h"
 #include "diagnose/simulate/simulation.h"
 #include "recording/csv.h"
 

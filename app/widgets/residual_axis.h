@@ -5,7 +5,7 @@
 #include <QStringList>
 #include <vector>
 
-#include "diagnose/simulate/model.h"
+#include "diagnose/model/model.h"
 #include "diagnose/simulate/simulation.h"
 #include "recording/recording.h"
 

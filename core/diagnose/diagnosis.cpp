@@ -4,15 +4,15 @@
 #include <chrono>
 #include <optional>
 
-#include "diagnose/catalogue.h"
+#include "diagnose/effects/catalogue.h"
+#include "diagnose/fit/preparation.h"
 #include "diagnose/fit/windowed_fit.h"
-#include "diagnose/judge.h"
-#include "diagnose/next_experiment.h"
-#include "diagnose/preparation.h"
-#include "diagnose/remainder.h"
 #include "diagnose/search/search.h"
 #include "diagnose/simulate/physics.h"
-#include "diagnose/where.h"
+#include "diagnose/verdict/judge.h"
+#include "diagnose/verdict/next_experiment.h"
+#include "diagnose/verdict/remainder.h"
+#include "diagnose/verdict/where.h"
 
 namespace breakaway {
 
@@ -107,7 +107,7 @@ Result<Attempt> diagnoseParts(const Bench& bench, const std::vector<Recording>& 
   }
   if ((outside || rest.wanders) && left.rms > 0.0 && left.rms < prepared->seen.peakTorque)
     diagnosis.remarks.push_back(wanderRemark(left, physicsOf(diagnosis.model).coulomb, prepared->seen));
-  NextExperiment next = nextExperiment(diagnosis, bench, prepared->seen);
+  NextExperiment next = nextExperiment(diagnosis.verdict, diagnosis.findings, diagnosis.where, bench, prepared->seen);
   diagnosis.nextSentence = std::move(next.sentence);
   diagnosis.nextSeparates = std::move(next.separates);
   diagnosis.elapsed_s = elapsed();

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
-#include "diagnose/catalogue.h"
 #include "diagnose/diagnosis.h"
+#include "diagnose/effects/catalogue.h"
 #include "diagnose/effects/wording.h"
 
 namespace breakaway {
@@ -76,20 +76,6 @@ std::string proofText(const Diagnosis& d) {
 }
 
 }  // namespace
-
-std::string nameOf(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::nothingMissing:
-      return "nothing_missing";
-    case Verdict::named:
-      return "named";
-    case Verdict::ambiguous:
-      return "ambiguous";
-    case Verdict::outsideCatalogue:
-      return "outside_catalogue";
-  }
-  return {};
-}
 
 std::string inWords(const Diagnosis& d) {
   std::string out = headline(d) + "\n";

@@ -6,7 +6,7 @@
 
 #include "diagnose/fit/motion.h"
 #include "diagnose/simulate/simulation.h"
-#include "diagnose/where.h"
+#include "diagnose/verdict/where.h"
 #include "draw/html_report.h"
 #include "draw/svg_canvas.h"
 #include "report/term_figures.h"

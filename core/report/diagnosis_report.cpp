@@ -4,7 +4,8 @@
 #include <initializer_list>
 
 #include "base/atomic_file.h"
-#include "diagnose/catalogue.h"
+#include "diagnose/effects/catalogue.h"
+#include "diagnose/simulate/model_file.h"
 #include "draw/html_report.h"
 #include "report/diagnosis_figures.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnose/effect.h"
+#include "diagnose/model/effect.h"
 #include "diagnose/simulate/stepper.h"
 #include "diagnose/simulate/track.h"
 #include "draw/svg_plot.h"

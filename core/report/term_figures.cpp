@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "diagnose/catalogue.h"
+#include "diagnose/effects/catalogue.h"
 #include "diagnose/fit/inverse_fit.h"
 #include "diagnose/simulate/physics.h"
 #include "report/drawn_term.h"

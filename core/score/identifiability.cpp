@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "base/statistics.h"
-#include "diagnose/catalogue.h"
+#include "diagnose/effects/catalogue.h"
+#include "diagnose/fit/noise_floor.h"
+#include "diagnose/fit/preparation.h"
 #include "diagnose/fit/windowed_fit.h"
-#include "diagnose/noise_floor.h"
-#include "diagnose/preparation.h"
 #include "diagnose/search/model_fit.h"
 #include "score/scored_trial.h"
 

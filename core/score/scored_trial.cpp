@@ -5,7 +5,7 @@
 #include <numbers>
 #include <set>
 
-#include "diagnose/catalogue.h"
+#include "diagnose/effects/catalogue.h"
 
 namespace breakaway {
 

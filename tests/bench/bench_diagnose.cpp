@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/statistics.h"
-#include "diagnose/catalogue.h"
 #include "diagnose/diagnosis.h"
+#include "diagnose/effects/catalogue.h"
 #include "score/scored_trial.h"
 #include "support/driven_recording.h"
 #include "support/processor_time.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "diagnose/catalogue.h"
+#include "diagnose/effects/catalogue.h"
 #include "diagnose/fit/inverse_rows.h"
 #include "diagnose/simulate/physics.h"
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "diagnose/effect.h"
-#include "diagnose/preparation.h"
+#include "diagnose/fit/preparation.h"
+#include "diagnose/model/effect.h"
 
 namespace breakaway::test {
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "diagnose/catalogue.h"
+#include "diagnose/effects/catalogue.h"
 #include "support/rich_excitation.h"
 #include "support/within.h"
 

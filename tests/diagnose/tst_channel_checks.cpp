@@ -4,9 +4,9 @@
 #include <functional>
 
 #include "base/statistics.h"
-#include "diagnose/channel_checks.h"
+#include "diagnose/fit/channel_checks.h"
 #include "diagnose/fit/motion.h"
-#include "diagnose/preparation.h"
+#include "diagnose/fit/preparation.h"
 #include "support/driven_recording.h"
 
 using namespace breakaway;

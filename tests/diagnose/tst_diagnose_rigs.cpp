@@ -4,7 +4,7 @@
 
 #include "base/statistics.h"
 #include "diagnose/diagnosed.h"
-#include "diagnose/noise_floor.h"
+#include "diagnose/fit/noise_floor.h"
 #include "diagnose/search/window_slope.h"
 #include "support/driven_recording.h"
 #include "support/known_servo.h"

@@ -3,7 +3,7 @@
 
 #include "diagnose/diagnosis.h"
 #include "diagnose/fit/inverse_fit.h"
-#include "diagnose/preparation.h"
+#include "diagnose/fit/preparation.h"
 #include "diagnose/simulate/simulation.h"
 #include "recording/csv.h"
 #include "support/real_recordings.h"

@@ -7,7 +7,7 @@
 #include "base/statistics.h"
 #include "diagnose/fit/inverse_fit.h"
 #include "diagnose/fit/motion.h"
-#include "diagnose/search/linear_rig.h"
+#include "diagnose/screen/linear_rig.h"
 #include "support/driven_recording.h"
 #include "support/known_servo.h"
 #include "support/within.h"

@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "diagnose/diagnosis.h"
-#include "diagnose/remainder.h"
 #include "diagnose/search/model_fit.h"
+#include "diagnose/verdict/remainder.h"
 #include "support/driven_recording.h"
 #include "support/known_servo.h"
 #include "support/within.h"

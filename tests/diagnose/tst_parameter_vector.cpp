@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "diagnose/fit/parameter_vector.h"
-#include "diagnose/preparation.h"
+#include "diagnose/fit/preparation.h"
 #include "support/known_servo.h"
 #include "support/recorded_rig.h"
 #include "support/temporary.h"

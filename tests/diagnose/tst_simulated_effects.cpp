@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "diagnose/simulate/model_file.h"
 #include "support/driven_recording.h"
 #include "support/known_servo.h"
 #include "support/rich_excitation.h"

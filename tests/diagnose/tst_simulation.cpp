@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/atomic_file.h"
+#include "diagnose/simulate/model_file.h"
 #include "diagnose/simulate/simulation.h"
 #include "diagnose/simulate/simulator.h"
 #include "support/known_servo.h"

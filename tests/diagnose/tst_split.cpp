@@ -1,10 +1,10 @@
 #include <QTest>
 #include <cmath>
 
-#include "diagnose/catalogue.h"
+#include "diagnose/effects/catalogue.h"
 #include "diagnose/fit/seen_span.h"
+#include "diagnose/fit/split.h"
 #include "diagnose/simulate/track.h"
-#include "diagnose/split.h"
 #include "support/known_servo.h"
 #include "support/temporary.h"
 

@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "base/statistics.h"
-#include "diagnose/block_maps.h"
-#include "diagnose/next_experiment.h"
-#include "diagnose/proof.h"
-#include "diagnose/where.h"
+#include "diagnose/verdict/block_maps.h"
+#include "diagnose/verdict/next_experiment.h"
+#include "diagnose/verdict/proof.h"
+#include "diagnose/verdict/where.h"
 
 using namespace breakaway;
 
@@ -149,12 +149,11 @@ void TestWhere::whiteSeries_isWhite_andADriftIsNot() {
 }
 
 void TestWhere::rivals_getOneExperimentThatTellsThemApart() {
-  Diagnosis diagnosis;
-  diagnosis.verdict = Verdict::ambiguous;
-  diagnosis.findings = {{.effect = "stribeck", .ambiguousWith = {"presliding"}, .parameters = {}, .sentence = {}}};
+  const std::vector<Finding> findings{
+      {.effect = "stribeck", .ambiguousWith = {"presliding"}, .parameters = {}, .sentence = {}}};
   Bench bench;
   bench.controller.currentLimit_A = 4.0;
-  const NextExperiment next = nextExperiment(diagnosis, bench, rotaryMotion());
+  const NextExperiment next = nextExperiment(Verdict::ambiguous, findings, {}, bench, rotaryMotion());
   QCOMPARE(next.separates, (std::vector<std::string>{"stribeck", "presliding"}));
   const QString sentence = QString::fromStdString(next.sentence);
   QVERIFY2(sentence.startsWith("To tell stribeck from presliding: "), qPrintable(sentence));
@@ -167,22 +166,21 @@ void TestWhere::nothingMissing_namesWhatThisRecordingCouldNotShow() {
   Excitation seen = rotaryMotion();
   seen.currentSeen = true;
   QVERIFY(unseenEffects(seen).empty());
-  QVERIFY(nextExperiment({}, {}, seen).sentence.empty());
+  QVERIFY(nextExperiment(Verdict::nothingMissing, {}, {}, {}, seen).sentence.empty());
   seen.bothWays = false;
   seen.reversals = seen.starts = 0;
   const auto unseen = unseenEffects(seen);
   QVERIFY(std::find(unseen.begin(), unseen.end(), "constant_load") != unseen.end());
-  const QString sentence = QString::fromStdString(nextExperiment({}, {}, seen).sentence);
+  const QString sentence = QString::fromStdString(nextExperiment(Verdict::nothingMissing, {}, {}, {}, seen).sentence);
   QVERIFY2(sentence.contains("constant_load") && sentence.contains("Reverse at least twenty times"),
            qPrintable(sentence));
 }
 
 void TestWhere::outsideCatalogue_looksCloserAtThePlace() {
-  Diagnosis diagnosis;
-  diagnosis.verdict = Verdict::outsideCatalogue;
-  diagnosis.where = {
+  const std::vector<Place> where{
       {.axis = "angle", .from = 40.0 * degree, .to = 95.0 * degree, .unit = "rad", .sentence = {}, .sizeUnit = {}}};
-  const QString sentence = QString::fromStdString(nextExperiment(diagnosis, {}, rotaryMotion()).sentence);
+  const QString sentence =
+      QString::fromStdString(nextExperiment(Verdict::outsideCatalogue, {}, where, {}, rotaryMotion()).sentence);
   QVERIFY2(sentence.startsWith("Move to and fro between 40° and 95°, slowly at 6 rad/s and again at 20 rad/s"),
            qPrintable(sentence));
 }

@@ -1,7 +1,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "diagnose/catalogue.h"
+#include "diagnose/effects/catalogue.h"
 #include "diagnose/fit/motion.h"
 #include "diagnose/fit/parameter_vector.h"
 #include "diagnose/fit/window_residual.h"

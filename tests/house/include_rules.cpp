@@ -15,6 +15,10 @@ namespace {
 const std::vector<std::string> rooms{"base",      "friction",   "recording", "motor",      "observer", "control",
                                      "stability", "experiment", "identify",  "commission", "diagnose", "trial",
                                      "score",     "draw",       "report",    "figures"};
+/// The steps of diagnose, from the lowest: each may include itself and those before it. The catalogue is the top of
+/// effects/, and what lies in no folder is the top of all.
+const std::vector<std::string> steps{"model",  "effects", "catalogue", "simulate", "fit",
+                                     "screen", "search",  "verdict",   "diagnosis"};
 /// What the link stands on.
 const std::set<std::string> belowLink{"base", "friction", "recording", "control", "observer", "motor", "experiment"};
 
@@ -42,8 +46,23 @@ std::string firstPart(const std::string& path) {
   return path.substr(0, path.find('/'));
 }
 
-size_t rankOf(const std::string& room) {
-  return static_cast<size_t>(std::find(rooms.begin(), rooms.end(), room) - rooms.begin());
+size_t rankOf(const std::string& one, const std::vector<std::string>& order = rooms) {
+  return static_cast<size_t>(std::find(order.begin(), order.end(), one) - order.begin());
+}
+
+/// The step of diagnose that a path from core/ lies on.
+std::string stepOf(const std::string& path) {
+  const std::string below = path.substr(std::string("diagnose/").size());
+  if (below.find('/') == std::string::npos) return "diagnosis";
+  return below.starts_with("effects/catalogue.") ? "catalogue" : firstPart(below);
+}
+
+std::string whyNotOnStair(const std::string& from, const std::string& what) {
+  const std::string step = stepOf(from), other = stepOf(what);
+  for (const std::string& one : {step, other}) {
+    if (rankOf(one, steps) == steps.size()) return one + " is no step of diagnose";
+  }
+  return rankOf(other, steps) > rankOf(step, steps) ? step + " stands below " + other : std::string();
 }
 
 bool isQt(const std::string& what) {
@@ -88,6 +107,7 @@ std::string whyNotInCore(const std::string& path, const Include& one) {
   if (one.what.find('/') == std::string::npos) return "includes are written from the layer's folder";
   if (rankOf(room) == rooms.size()) return room + " is no room of the plan";
   if (rankOf(other) == rooms.size()) return "core stands on itself only";
+  if (room == "diagnose" && other == room) return whyNotOnStair(path.substr(5), one.what);
   if (room == "trial" && !belowTrial.contains(other) && one.what != "motor/bench.h")
     return "trials know only base, friction, recordings and the bench file";
   if (room == "draw" && other != "draw" && other != "base") return "drawing knows only base";

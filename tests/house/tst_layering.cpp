@@ -54,6 +54,16 @@ void TestLayering::plantedBreach_isFound_data() {
   row("core/diagnose/planted.cpp", "\"motor/plant.h\"", "the search must not know core/motor/plant.h");
   row("core/diagnose/effects/planted.cpp", "\"motor/middle.h\"", "the search must not know core/motor/plant.h");
   row("core/diagnose/planted.cpp", "\"trial/sealed_trial.h\"", "diagnose stands below trial");
+  row("core/diagnose/model/planted.h", "\"diagnose/effects/wave.h\"", "model stands below effects");
+  row("core/diagnose/effects/planted.cpp", "\"diagnose/effects/catalogue.h\"", "effects stands below catalogue");
+  row("core/diagnose/effects/catalogue.h", "\"diagnose/simulate/physics.h\"", "catalogue stands below simulate");
+  row("core/diagnose/simulate/planted.h", "\"diagnose/fit/window.h\"", "simulate stands below fit");
+  row("core/diagnose/fit/planted.cpp", "\"diagnose/screen/screen.h\"", "fit stands below screen");
+  row("core/diagnose/screen/planted.cpp", "\"diagnose/search/model_fit.h\"", "screen stands below search");
+  row("core/diagnose/search/planted.h", "\"diagnose/verdict/finding.h\"", "search stands below verdict");
+  row("core/diagnose/verdict/planted.cpp", "\"diagnose/diagnosis.h\"", "verdict stands below diagnosis");
+  row("core/diagnose/model/planted.cpp", "\"diagnose/diagnosis.h\"", "model stands below diagnosis");
+  row("core/diagnose/attic/planted.cpp", "\"diagnose/model/effect.h\"", "attic is no step of diagnose");
   row("core/trial/planted.cpp", "\"diagnose/search/search.h\"", "trials know only");
   row("core/trial/planted.cpp", "\"motor/plant.h\"", "trials know only");
   row("core/motor/planted.cpp", "\"trial/trial_plant.h\"", "motor stands below trial");

@@ -6,7 +6,7 @@
 #include <QRegularExpression>
 #include <QTest>
 
-#include "diagnose/catalogue.h"
+#include "diagnose/effects/catalogue.h"
 #include "house/program.h"
 
 using namespace breakaway;

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/statistics.h"
-#include "diagnose/catalogue.h"
+#include "diagnose/effects/catalogue.h"
 #include "score/scored_seeds.h"
 #include "score/scoring.h"
 #include "support/temporary.h"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "diagnose/catalogue.h"
-#include "diagnose/simulate/model.h"
+#include "diagnose/effects/catalogue.h"
+#include "diagnose/model/model.h"
 #include "diagnose/simulate/stepper.h"
 
 namespace breakaway::test {

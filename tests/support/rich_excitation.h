@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include "diagnose/effect.h"
+#include "diagnose/model/effect.h"
 
 namespace breakaway::test {
 

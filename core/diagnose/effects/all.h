@@ -1,7 +1,7 @@
 // One accessor per effect file; catalogue.cpp lists them.
 #pragma once
 
-#include "diagnose/effect.h"
+#include "diagnose/model/effect.h"
 
 namespace breakaway {
 

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "diagnose/effect.h"
+#include "diagnose/model/effect.h"
 
 namespace breakaway {
 

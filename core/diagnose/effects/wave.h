@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "diagnose/effect.h"
-#include "diagnose/simulate/model.h"
+#include "diagnose/model/effect.h"
+#include "diagnose/model/model.h"
 
 namespace breakaway {
 

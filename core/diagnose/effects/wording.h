@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "diagnose/effect.h"
+#include "diagnose/model/effect.h"
 
 namespace breakaway {
 

@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "base/statistics.h"
-#include "diagnose/catalogue.h"
+#include "diagnose/effects/catalogue.h"
 #include "diagnose/fit/inverse_rows.h"
 #include "diagnose/fit/motion.h"
 #include "diagnose/simulate/physics.h"

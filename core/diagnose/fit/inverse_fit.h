@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/result.h"
-#include "diagnose/effect.h"
-#include "diagnose/simulate/model.h"
+#include "diagnose/model/effect.h"
+#include "diagnose/model/model.h"
 #include "diagnose/simulate/track.h"
 
 namespace breakaway {

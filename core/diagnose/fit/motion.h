@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "diagnose/fit/window.h"
-#include "diagnose/simulate/model.h"
+#include "diagnose/model/model.h"
 #include "diagnose/simulate/stepper.h"
 #include "diagnose/simulate/track.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnose/catalogue.h"
+#include "diagnose/effects/catalogue.h"
 
 namespace breakaway {
 

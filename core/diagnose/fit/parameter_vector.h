@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnose/simulate/model.h"
+#include "diagnose/model/model.h"
 #include "motor/bench.h"
 
 namespace breakaway {

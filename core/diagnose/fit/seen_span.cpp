@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "diagnose/catalogue.h"
+#include "diagnose/effects/catalogue.h"
 #include "diagnose/simulate/physics.h"
 
 namespace breakaway {

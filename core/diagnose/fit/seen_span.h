@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "diagnose/simulate/model.h"
-#include "diagnose/split.h"
+#include "diagnose/fit/split.h"
+#include "diagnose/model/model.h"
 
 namespace breakaway {
 

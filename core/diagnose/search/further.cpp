@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/statistics.h"
-#include "diagnose/catalogue.h"
+#include "diagnose/effects/catalogue.h"
 #include "diagnose/fit/cross_validation.h"
 #include "diagnose/search/swinging_load.h"
 #include "diagnose/search/window_slope.h"

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "base/statistics.h"
-#include "diagnose/catalogue.h"
+#include "diagnose/effects/catalogue.h"
 #include "diagnose/simulate/physics.h"
 
 namespace breakaway {

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "base/result.h"
+#include "diagnose/fit/preparation.h"
+#include "diagnose/fit/split.h"
 #include "diagnose/fit/windowed_fit.h"
-#include "diagnose/preparation.h"
-#include "diagnose/search/screen.h"
-#include "diagnose/split.h"
+#include "diagnose/screen/screen.h"
 
 namespace breakaway {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "diagnose/catalogue.h"
+#include "diagnose/effects/catalogue.h"
 #include "diagnose/search/swinging_load.h"
 #include "diagnose/search/worth.h"
 

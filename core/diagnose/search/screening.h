@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "diagnose/screen/screen.h"
 #include "diagnose/search/model_fit.h"
-#include "diagnose/search/screen.h"
 
 namespace breakaway {
 

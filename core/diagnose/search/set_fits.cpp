@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/statistics.h"
-#include "diagnose/noise_floor.h"
+#include "diagnose/fit/noise_floor.h"
 #include "diagnose/search/swinging_load.h"
 #include "diagnose/simulate/physics.h"
 #include "diagnose/simulate/simulator.h"

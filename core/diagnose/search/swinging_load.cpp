@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/statistics.h"
-#include "diagnose/catalogue.h"
+#include "diagnose/effects/catalogue.h"
 
 namespace breakaway {
 

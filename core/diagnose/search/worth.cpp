@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/statistics.h"
-#include "diagnose/catalogue.h"
+#include "diagnose/effects/catalogue.h"
 #include "diagnose/fit/cross_validation.h"
 
 namespace breakaway {

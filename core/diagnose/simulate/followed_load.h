@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "diagnose/effect.h"
+#include "diagnose/model/effect.h"
 #include "diagnose/simulate/track.h"
 
 namespace breakaway {

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "diagnose/catalogue.h"
+#include "diagnose/effects/catalogue.h"
 
 namespace breakaway {
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "base/result.h"
-#include "diagnose/simulate/model.h"
+#include "diagnose/model/model.h"
 #include "diagnose/simulate/stepper.h"
 
 namespace breakaway {

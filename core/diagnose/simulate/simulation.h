@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "diagnose/simulate/model.h"
+#include "diagnose/model/model.h"
 #include "diagnose/simulate/track.h"
 #include "recording/recording.h"
 

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "diagnose/simulate/model.h"
+#include "diagnose/model/model.h"
 #include "diagnose/simulate/stepper.h"
 #include "diagnose/simulate/track.h"
 

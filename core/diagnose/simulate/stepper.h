@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "diagnose/effect.h"
+#include "diagnose/model/effect.h"
 
 namespace breakaway {
 

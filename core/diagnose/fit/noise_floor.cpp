@@ -1,0 +1,128 @@
+#include "diagnose/fit/noise_floor.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/statistics.h"
+#include "diagnose/effects/all.h"
+#include "diagnose/fit/motion.h"
+#include "diagnose/fit/windowed_fit.h"
+#include "diagnose/simulate/physics.h"
+#include "diagnose/simulate/simulator.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr double quietPart = 0.25;   ///< of the windows: those with the smallest errors
+constexpr double clearlyLess = 0.7;  ///< of the squared error
+constexpr std::uint64_t replays = 6;
+
+/// The model with friction near standstill as it happens to be once.
+Model scattered(Model model, const FrictionScatter& scatter, Random& random) {
+  if (scatter.relative <= 0.0) return model;
+  const double off = scatter.relative * physicsOf(model).coulomb * random.normal();
+  const std::vector<double> values{off, scatter.speed, 2.0};
+  EffectTerm term{std::string(stribeck().name()), {}};
+  const auto specs = stribeck().parameters(model.axis);
+  for (size_t k = 0; k < specs.size(); ++k) term.parameters.push_back({specs[k].name, values[k], values[k], values[k]});
+  model.effects.push_back(std::move(term));
+  return model;
+}
+
+void addWander(Track& driven, const FrictionScatter& scatter, double gain, Random& random) {
+  double wander = scatter.wander * random.normal();
+  for (size_t k = 0; k < driven.rows(); ++k) {
+    driven.input[k] += wander / gain;
+    const double dt = k + 1 < driven.rows() ? driven.time[k + 1] - driven.time[k] : 0.0;
+    const double keep = std::exp(-dt / scatter.wander_s);
+    wander = keep * wander + scatter.wander * std::sqrt(1.0 - keep * keep) * random.normal();
+  }
+}
+
+}  // namespace
+
+FrictionScatter usualScatter(double highSpeed, double coulomb, const TorqueNoise& left) {
+  FrictionScatter scatter{.relative = 0.01, .speed = 0.1 * highSpeed};
+  if (!left.usual(coulomb)) return scatter;
+  scatter.wander = left.rms;
+  scatter.wander_s = left.time_s;
+  return scatter;
+}
+
+namespace {
+
+std::vector<double> replayedSquares(const Model& model, const std::vector<Track>& tracks,
+                                    const std::vector<Window>& windows, std::uint64_t seed,
+                                    const FrictionScatter& scatter) {
+  const std::vector<MotionState> hidden = hiddenStates(model, tracks, windows);
+  Random random(seed);
+  std::vector<double> floors;
+  for (size_t w = 0; w < windows.size(); ++w) {
+    const Window& window = windows[w];
+    const Track& recorded = tracks[window.track];
+    // From one horizon before the window to its end, as if the model were the rig.
+    const double horizon_s = Simulator(model, recorded, window.first, window.last).horizon_s();
+    size_t first = window.first;
+    while (first > 0 &&
+           (recorded.time[window.first] - recorded.time[first - 1] <= horizon_s || window.first - first < 4))
+      --first;
+    Track replay = recorded.rowsFrom(first, window.last);
+    Track driven = recorded.rowsFrom(first, window.last);  // what acted, if what was recorded is a noisy measurement
+    for (double& one : driven.input) one += recorded.inputNoise * random.normal();
+    if (scatter.wander > 0.0) addWander(driven, scatter, physicsOf(model).torquePerInput(), random);
+    Simulator rig(scattered(model, scatter, random), driven, 0, driven.rows() - 1);
+    MotionState state = Simulator(model, recorded, first, window.last).restart(first, hidden[w]);
+    for (size_t k = 0; k < replay.rows(); ++k) {
+      const double exact = rig.shown(state.position);
+      replay.position[k] = model.count > 0.0 ? model.count * std::floor(exact / model.count) + 0.5 * model.count
+                                             : exact + recorded.noise * random.normal();
+      if (k + 1 < replay.rows()) rig.run(state, k, k + 1);
+    }
+    replay.seen.assign(replay.rows(), 1);
+    const size_t start = window.first - first;
+    Simulator simulator(model, replay, 0, replay.rows() - 1);
+    MotionState predicted = simulator.restart(start, hidden[w]);
+    double squares = 0.0, count = 0.0;
+    for (size_t k = start; k < replay.rows(); ++k) {
+      const double error = simulator.shown(predicted.position) - replay.position[k];
+      squares += error * error;
+      count += 1.0;
+      if (k + 1 < replay.rows()) simulator.run(predicted, k, k + 1);
+    }
+    floors.push_back(squares / count);
+  }
+  return floors;
+}
+
+}  // namespace
+
+double noiseFloor(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows,
+                  std::uint64_t seed, const FrictionScatter& scatter) {
+  std::vector<double> floors = replayedSquares(model, tracks, windows, seed, scatter);
+  // A controller that answers to an encoder's steps shakes the current for real, which its readings can't tell from the
+  // sensor's noise. What the model errs by where it errs least is more than that noise can do.
+  double scale = 1.0;
+  if (std::any_of(windows.begin(), windows.end(),
+                  [&tracks](const Window& window) { return tracks[window.track].inputNoise > 0.0; })) {
+    const double ratio = quantile(scoreWindows(model, tracks, windows), quietPart) / quantile(floors, quietPart);
+    if (ratio < clearlyLess) scale = ratio;
+  }
+  // A window that begins at the edge of standstill may go either way: the worst tenth says nothing about the sensors.
+  const double worst = quantile(floors, 0.9);
+  std::erase_if(floors, [worst](double one) { return one > worst; });
+  return std::sqrt(scale * mean(floors));
+}
+
+std::vector<double> usualSquares(const Model& model, const std::vector<Track>& tracks,
+                                 const std::vector<Window>& windows, std::uint64_t seed,
+                                 const FrictionScatter& scatter) {
+  std::vector<double> squares(windows.size(), 0.0);
+  for (std::uint64_t replay = 1; replay <= replays; ++replay) {
+    const auto one = replayedSquares(model, tracks, windows, seed + replay, scatter);
+    for (size_t w = 0; w < windows.size(); ++w) squares[w] += one[w] / static_cast<double>(replays);
+  }
+  return squares;
+}
+
+}  // namespace breakaway

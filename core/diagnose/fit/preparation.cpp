@@ -1,0 +1,198 @@
+#include "diagnose/fit/preparation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "diagnose/effects/catalogue.h"
+#include "diagnose/fit/channel_checks.h"
+#include "diagnose/fit/inverse_fit.h"
+#include "diagnose/fit/motion.h"
+#include "diagnose/fit/winding_start.h"
+#include "diagnose/simulate/simulator.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr double bridged_s = 0.02;       ///< from reading to reading, over which a line is near enough
+constexpr double inductanceReach = 1.5;  ///< a factor up and down
+
+/// The shortest look back that knows the velocity to a thousandth of the higher speeds; a longer one lets the model's
+/// own faults in.
+double restartHorizonFor(const std::vector<Track>& tracks, double highSpeed) {
+  for (const double horizon : {0.02, 0.05, 0.1}) {
+    const bool enough = std::all_of(tracks.begin(), tracks.end(), [=](const Track& track) {
+      return restartVelocityNoise(track, horizon) <= 1e-3 * highSpeed;
+    });
+    if (enough) return horizon;
+  }
+  return 0.2;
+}
+
+bool currentSeen(const std::vector<Track>& tracks) {
+  return std::all_of(tracks.begin(), tracks.end(), [](const Track& track) { return !track.current.empty(); });
+}
+
+/// Scale that no data can give: what must be held at the bench's value, besides what is trusted.
+std::vector<std::string> gauge(const Bench& bench, const std::vector<Track>& tracks) {
+  const MotorNames& names = motorNames(bench.axis);
+  const auto trusts = [&bench](const char* name) { return bench.trusted.count(name) > 0; };
+  const bool scaled = bench.pendulum.has_value() || trusts(names.inertia);
+  if (bench.input == DriveInput::torque) return {};
+  if (bench.input == DriveInput::current)
+    return scaled || trusts(names.torqueConstant) ? std::vector<std::string>{}
+                                                  : std::vector<std::string>{names.torqueConstant};
+  if (currentSeen(tracks)) return {};
+  // Voltage alone shows ratios: F R/Kt, J R/Kt. Ke shows together with B, and is left to the fit: held too high, no B
+  // would do.
+  if (scaled && trusts(names.torqueConstant)) return {};
+  if (scaled) return {names.resistance};
+  return {names.resistance, names.torqueConstant};
+}
+
+/// What the scale of all torques rests on, in words.
+std::string scaleText(const std::vector<std::string>& held, const std::string& assumedFor) {
+  std::string text;
+  for (const std::string& one : held) text += (text.empty() ? "" : ", ") + one;
+  return "the bench's " + (assumedFor.empty() ? text : assumedFor + " (it doesn't say the resistance)");
+}
+
+/// The fits' inductance stays near what the bench says, what the current shows and what the starts have, or between.
+void limitInductance(Preparation& prepared, std::optional<double> believed, std::optional<double> shown) {
+  std::vector<double> known;
+  for (const auto& one : {believed, shown}) {
+    if (one && *one > 0.0) known.push_back(*one);
+  }
+  for (const Model& start : prepared.starts) {
+    if (const auto one = start.baseValue(motorNames(start.axis).inductance)) known.push_back(*one);
+  }
+  if (known.empty()) return;
+  const auto [least, most] = std::minmax_element(known.begin(), known.end());
+  prepared.freedom.leastInductance_H = *least / inductanceReach;
+  prepared.freedom.mostInductance_H = *most * inductanceReach;
+}
+
+/// Copies of the first `count` tracks whose rows outside all training windows count as disconnected, so that no inverse
+/// model sees them.
+std::vector<Track> maskedTracks(const std::vector<Track>& tracks, size_t count, const Split& split) {
+  std::vector<Track> masked(tracks.begin(), tracks.begin() + static_cast<std::ptrdiff_t>(count));
+  std::vector<std::vector<char>> inside(count);
+  for (size_t k = 0; k < count; ++k) inside[k].assign(masked[k].rows(), 0);
+  for (const auto* windows : {&split.train, &split.polish}) {
+    for (const Window& window : *windows) {
+      if (window.track < count)
+        std::fill_n(inside[window.track].begin() + static_cast<std::ptrdiff_t>(window.first),
+                    window.last - window.first + 1, 1);
+    }
+  }
+  for (size_t k = 0; k < count; ++k) {
+    for (size_t row = 0; row < masked[k].rows(); ++row)
+      masked[k].connected[row] = masked[k].connected[row] != 0 && inside[k][row] != 0;
+  }
+  return masked;
+}
+
+constexpr double largeDoubt = 0.1;   ///< beyond it, an interval is a factor up and down
+constexpr double scaleDoubt = 0.10;  ///< 95 %, relative
+
+/// Whether it is of a size that only ratios to a held value give: torques, inertias, resistances.
+bool holdsScale(const std::string& name) {
+  return name.find("_Nm") != std::string::npos || name.find("_N") != std::string::npos ||
+         name.find("_kg") != std::string::npos || name.find("_ohm") != std::string::npos;
+}
+
+void widen(Parameter& one, double doubt95) {
+  const double more = doubt95 * std::abs(one.value);
+  one.low95 = one.value - std::hypot(one.value - one.low95, more);
+  one.high95 = one.value + std::hypot(one.high95 - one.value, more);
+}
+
+/// Of a positive value: `doubt95` is of its logarithm.
+void widenByFactor(Parameter& one, double doubt95) {
+  const double least = 1e-3 * one.value;  // an interval that reaches zero ends there
+  one.low95 = one.value * std::exp(-std::hypot(std::log(one.value / std::max(one.low95, least)), doubt95));
+  one.high95 = one.value * std::exp(std::hypot(std::log(one.high95 / one.value), doubt95));
+}
+
+}  // namespace
+
+Model withDoubts(Model model, const Preparation& prepared) {
+  const auto carry = [&prepared](Parameter& one, double doubt) {
+    if (one.low95 == one.high95) return;  // held
+    if (one.name == "phase_rad") {        // an error across the wave turns it
+      one.low95 = one.value - std::hypot(one.value - one.low95, 1.96 * doubt);
+      one.high95 = one.value + std::hypot(one.high95 - one.value, 1.96 * doubt);
+      return;
+    }
+    const bool scaled = prepared.scaleDoubted && holdsScale(one.name) && one.name.find("constant") == std::string::npos;
+    const double doubt95 = std::hypot(1.96 * doubt, scaled ? scaleDoubt : 0.0);
+    if (doubt > largeDoubt && one.value > 0.0) {
+      widenByFactor(one, doubt95);
+    } else {
+      widen(one, doubt95);
+    }
+  };
+  for (Parameter& one : model.base) carry(one, 0.0);
+  for (EffectTerm& term : model.effects) {
+    const auto specs = findEffect(term.effect)->parameters(model.axis);
+    for (size_t k = 0; k < specs.size(); ++k) carry(term.parameters[k], specs[k].doubt);
+  }
+  return model;
+}
+
+Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& recordings,
+                            const std::vector<Recording>& heldout, double window_s, HeldOut part) {
+  Preparation out;
+  for (const auto* group : {&recordings, &heldout}) {
+    for (const Recording& recording : *group) {
+      auto track = makeTrack(recording, bench.axis, bench.input, bench.supply_V, bench.count());
+      if (!track) return track.error();
+      out.remarks.insert(out.remarks.end(), track->remarks.begin(), track->remarks.end());
+      track->leaps = leapsOf(*track);
+      if (auto unwrapped = checkUnwrapped(bench, *track); !unwrapped) return unwrapped.error();
+      bridgePositions(*track, bridged_s);
+      track->motion = motionOf(*track);
+      for (std::string& remark : channelRemarks(bench, recording, *track)) out.remarks.push_back(std::move(remark));
+      out.tracks.push_back(std::move(*track));
+    }
+  }
+  out.recordings = recordings.size();
+  auto split = splitTracks(out.tracks, recordings.size(), window_s, part);
+  if (!split) return split.error();
+  out.split = std::move(*split);
+  out.training = maskedTracks(out.tracks, recordings.size(), out.split);
+  const std::vector<Track>& training = out.training;
+  Bench known = bench;
+  std::string assumedFor;
+  if (bench.electrical() && !bench.motor.resistance_ohm && !currentSeen(training)) {
+    if (const auto assumed = assumedResistance(bench, training)) {
+      known.motor.resistance_ohm = assumed->value_ohm;
+      assumedFor = assumed->scale;
+      // The inverse model's inertia is only roughly what windows make of it.
+      if (assumedFor == motorNames(bench.axis).inertia) known.trusted.insert(assumedFor);
+    }
+  }
+  const StartingWindings windings = startingWindings(known, training);
+  for (const Bench& one : windings.benches) {
+    auto starts = startModels(one, training);
+    if (!starts) return starts.error();
+    out.starts.insert(out.starts.end(), starts->begin(), starts->end());
+  }
+  out.seen = excitationOf(training, out.starts.front());
+  out.freedom.held.assign(known.trusted.begin(), known.trusted.end());
+  limitInductance(out, bench.motor.inductance_H, windings.shownInductance_H);
+  std::vector<std::string> held = gauge(known, training);
+  std::erase_if(held, [&bench](const std::string& name) { return bench.trusted.count(name) > 0; });
+  out.freedom.held.insert(out.freedom.held.end(), held.begin(), held.end());
+  out.scaleDoubted = !held.empty() || !assumedFor.empty();
+  if (out.scaleDoubted) {
+    out.remarks.push_back("the scale of all torques rests on " + scaleText(held, assumedFor) +
+                          ", which these recordings can't check: trust only ratios");
+  }
+  for (Model& start : out.starts) start.restartHorizon_s = restartHorizonFor(out.tracks, out.seen.highSpeed);
+  if (out.seen.highSpeed <= 0.0) return Error{recordings.front().name(), "never moves, so there is nothing to fit"};
+  return out;
+}
+
+}  // namespace breakaway

@@ -1,0 +1,38 @@
+// What recordings have seen of a rig: the ranges that decide which effects they can show.
+#pragma once
+
+#include "motor/bench.h"
+
+namespace breakaway {
+
+/// What the search needs to know of the data to offer shapes: ranges seen in the recordings.
+struct Excitation {
+  Axis axis = Axis::rotary;
+  bool electrical = false;        ///< voltage or duty drives
+  bool currentDrive = false;      ///< current drives
+  bool currentSeen = false;       ///< voltage or duty drives, and the current was recorded, too
+  bool supplySeen = false;        ///< the bridge's supply is known
+  double supply_V = 0.0;          ///< of the bench, or the recorded one at the first row; 0: not known
+  bool bothWays = false;          ///< at least 10 % of the motion goes each way
+  double step_s = 0.0;            ///< median time from row to row
+  double duration_s = 0.0;        ///< of the longest recording
+  double lowSpeed = 0.0;          ///< 10 % quantile of |velocity| while moving, rad/s
+  double highSpeed = 0.0;         ///< its 95 % quantile
+  double lowest = 0.0;            ///< smallest position, rad
+  double highest = 0.0;           ///< largest position, rad
+  double travel = 0.0;            ///< their difference
+  double count = 0.0;             ///< one encoder count, rad
+  double peakTorque = 0.0;        ///< of the drive, 99 % quantile while moving, Nm
+  double knownLoad = 0.0;         ///< largest torque of the load that the bench declares, Nm; 0: none
+  double peakCurrent = 0.0;       ///< the same of the current, A; 0 where torque drives
+  double usualCurrent = 0.0;      ///< its root mean square, A
+  double peakInput = 0.0;         ///< largest |drive input|: V, A or Nm
+  double peakAcceleration = 0.0;  ///< 99 % quantile, rad/s²
+  double longestRest_s = 0.0;     ///< standstill
+  int starts = 0;                 ///< from standstill
+  int reversals = 0;
+  double inertia = 0.0;  ///< of the base model, kg m²
+  double coulomb = 0.0;  ///< of the base model, Nm
+};
+
+}  // namespace breakaway

@@ -1,0 +1,47 @@
+// A model of a rig: the base physics and the effects added to it. Enough to simulate without the bench file.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "motor/bench.h"
+
+namespace breakaway {
+
+/// A fitted quantity, its name ending in its unit, with its 95 % interval; a value that was held has low95 == high95 ==
+/// value.
+struct Parameter {
+  std::string name;
+  double value = 0.0;
+  double low95 = 0.0;
+  double high95 = 0.0;
+  bool operator==(const Parameter&) const = default;
+};
+
+/// One effect of the catalogue with its parameters, in the catalogue's order.
+struct EffectTerm {
+  std::string effect;
+  std::vector<Parameter> parameters;
+  std::string recording = {};  ///< file name of the only one it happens in; empty: it is always there
+  bool operator==(const EffectTerm&) const = default;
+};
+
+/// The parameters' values, in the effect's order.
+std::vector<double> valuesOf(const EffectTerm& term);
+/// Base and effects, `breakaway.model/1`.
+struct Model {
+  Axis axis = Axis::rotary;
+  DriveInput input = DriveInput::torque;
+  std::optional<double> supply_V;
+  double count = 0.0;                ///< one encoder count in rad or m; 0: not declared
+  std::optional<Pendulum> pendulum;  ///< masses and lengths; its down angle is a base parameter
+  double restartHorizon_s = 0.05;    ///< how far a restart looks back, see Simulator::restart()
+  std::vector<Parameter> base;
+  std::vector<EffectTerm> effects;
+
+  /// The base parameter's value, or nothing.
+  std::optional<double> baseValue(const std::string& name) const;
+};
+
+}  // namespace breakaway

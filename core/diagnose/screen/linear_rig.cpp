@@ -1,0 +1,435 @@
+#include "diagnose/screen/linear_rig.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "diagnose/simulate/physics.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr size_t mostRows = 5000;
+constexpr size_t fewestSamples = 10;
+constexpr double inductanceDoubt = 0.5;  ///< relative
+constexpr double partOfResidual = 0.09;
+constexpr double mostWander = 1e7, coarseFactor = 8.0;  ///< of wander, in units of a reading's noise
+constexpr double startDoubt_s = 0.01, longestStart_s = 0.1;
+constexpr double shownReadings = 12.0;  ///< of noise: motion that shows
+constexpr size_t turnMargin = 2;        ///< samples left out on each side of a reversal
+
+}  // namespace
+
+RecordedMotions recordedMotions(const Model& base, const std::vector<Track>& tracks) {
+  const Physics physics = physicsOf(base);
+  auto motions = std::make_shared<std::vector<RecordedMotion>>();
+  for (const Track& track : tracks) motions->emplace_back(track, physics);
+  return motions;
+}
+
+LinearRig::LinearRig(const Model& base, const std::vector<Track>& tracks, const std::vector<Window>& windows,
+                     Torque torque, RecordedMotions recorded)
+    : tracks_(tracks),
+      physics_(physicsOf(base)),
+      torque_(torque),
+      motions_(recorded ? std::move(recorded) : recordedMotions(base, tracks)),
+      recorded_(*motions_),
+      windows_(windows.size()) {
+  currentSeen_ = physics_.electrical && std::all_of(windows.begin(), windows.end(), [&](const Window& window) {
+                   return !tracks[window.track].current.empty();
+                 });
+  gain_ = physics_.torquePerInput();
+  cut(windows);
+
+  const Eigen::Index baseColumns = 3 + (physics_.gravity > 0.0 ? 2 : 0) + (currentSeen_ ? 2 : 0);
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(rows_, baseColumns + 1);
+  for (size_t t = 0; t < tracks_.size(); ++t) {
+    const Track& track = tracks_[t];
+    const size_t n = track.rows();
+    std::vector<double> drive(n), way(n), sine(n), cosine(n), speed(n);
+    for (size_t k = 0; k < n; ++k) {
+      const Situation& at = recorded_[t].at(k);
+      drive[k] = track.connected[k] ? gain_ * track.input[k] : 0.0;
+      way[k] = at.direction;
+      sine[k] = std::sin(at.position);
+      cosine[k] = std::cos(at.position);
+      speed[k] = at.velocity;
+    }
+    addMechanical(lagged(t, drive, true), t, 2, 1.0, all.col(baseColumns));
+    addMechanical(track.position, t, 0, 1.0, all.col(0));
+    addMechanical(track.position, t, 1, 1.0, all.col(1));
+    addMechanical(way, t, 2, 1.0, all.col(2));
+    if (physics_.gravity > 0.0) {
+      addMechanical(sine, t, 2, 1.0, all.col(3));
+      addMechanical(cosine, t, 2, 1.0, all.col(4));
+    }
+    std::vector<double> starting, direction, startSine, startCosine;
+    for (const Start& one : starts_) {
+      if (one.track != t) continue;
+      starting.push_back(one.drive);
+      direction.push_back(one.direction);
+      startSine.push_back(sine[one.row]);
+      startCosine.push_back(cosine[one.row]);
+    }
+    addStarts(starting, t, 1.0, all.col(baseColumns));
+    addStarts(direction, t, 1.0, all.col(2));
+    if (physics_.gravity > 0.0) {
+      addStarts(startSine, t, 1.0, all.col(3));
+      addStarts(startCosine, t, 1.0, all.col(4));
+    }
+    if (!currentSeen_) continue;
+    addElectrical(track.current, t, 1.0, all.col(baseColumns));
+    addElectrical(lagged(t, track.input, false), t, 1.0, all.col(baseColumns - 2));
+    addElectrical(lagged(t, speed, false), t, 1.0, all.col(baseColumns - 1));
+  }
+  if (torque_ == Torque::wandering) {  // the motion is the response: −J₀ x in the place of ∬drive, and that of J x
+    const Eigen::Index rows = mechanicalRows();
+    all.col(0).head(rows).swap(all.col(baseColumns).head(rows));
+    all.col(0).head(rows) *= -1.0;
+    all.col(baseColumns).head(rows) *= -physics_.inertia;
+    raw_ = all;
+    noise_ = wander(Eigen::MatrixXd(rows_, 0));
+  }
+  weights_ = Eigen::VectorXd::Ones(rows_);
+  weigh(all);
+  // Each set of rows in units of its typical residual: the sensor's noise and a part of what the base model leaves.
+  const auto scale = [&](const std::vector<Stretch>& set, double factor, auto noiseOf) {
+    if (set.empty()) return;
+    double reading = 0.0;
+    for (const Stretch& one : set) reading = std::max(reading, factor * noiseOf(tracks_[one.track]));
+    const Eigen::Index first = set.front().at, rows = set.back().at + set.back().rows - first;
+    const Eigen::MatrixXd columns = all.block(first, 0, rows, baseColumns);
+    const Eigen::VectorXd response = all.block(first, baseColumns, rows, 1);
+    const Eigen::VectorXd size = columns.colwise().norm().cwiseMax(1e-300).cwiseInverse().transpose();
+    const Eigen::MatrixXd scaled = columns * size.asDiagonal();
+    const double squares = (response - scaled * scaled.colPivHouseholderQr().solve(response)).squaredNorm();
+    const double typical = std::sqrt(reading * reading + partOfResidual * squares / static_cast<double>(rows));
+    weights_.segment(first, rows) /= std::max(typical, 1e-300);
+  };
+  scale(stretches_, physics_.inertia, [](const Track& track) { return track.noise; });
+  scale(electrical_, 1.0, [](const Track& track) { return track.currentNoise; });
+  for (const Start& one : starts_) {
+    weights_[one.at] = 1.0 / std::max(startDoubt(one) + 0.03 * physics_.coulomb, 1e-300);
+  }
+  for (const auto* set : {&stretches_, &electrical_}) {
+    for (const Stretch& one : *set) samples_ += static_cast<double>(one.last - one.first + 1);
+  }
+  samples_ += static_cast<double>(starts_.size());
+  for (Eigen::Index c = 0; c < all.cols(); ++c) all.col(c).array() *= weights_.array();
+  response_ = all.col(baseColumns);
+  base_ = all.leftCols(baseColumns);
+  if (physics_.electrical && physics_.inductance > 0.0) freeInductance();
+}
+
+Eigen::Index LinearRig::mechanicalRows() const {
+  return stretches_.empty() ? 0 : stretches_.back().at + stretches_.back().rows;
+}
+
+Eigen::VectorXd LinearRig::physical(Eigen::VectorXd coefficients) const {
+  if (torque_ == Torque::steady) return coefficients;
+  const double gain = coefficients[0];
+  coefficients[0] = physics_.inertia;
+  coefficients.head(physics_.gravity > 0.0 ? 5 : 3) /= gain;
+  return coefficients;
+}
+
+void LinearRig::freeInductance() {
+  // What a slightly larger inductance would change.
+  constexpr double step = 0.02;
+  Eigen::VectorXd change = Eigen::VectorXd::Zero(rows_);
+  for (size_t t = 0; t < tracks_.size(); ++t) {
+    const Track& track = tracks_[t];
+    std::vector<double> drive(track.rows());
+    for (size_t k = 0; k < drive.size(); ++k)
+      drive[k] = track.connected[k] ? track.input[k] - physics_.backEmf * recorded_[t].at(k).velocity : 0.0;
+    for (const double sign : {1.0, -1.0}) {
+      Physics nudged = physics_;
+      nudged.inductance *= 1.0 + sign * step;
+      std::swap(physics_, nudged);
+      addMechanical(lagged(t, drive, true), t, 2, sign * gain_ / (2.0 * step), change);
+      if (currentSeen_) addElectrical(lagged(t, drive, false), t, -sign / (physics_.resistance * 2.0 * step), change);
+      std::swap(physics_, nudged);
+    }
+  }
+  weigh(change);
+  Eigen::MatrixXd more(rows_, base_.cols() + 1);
+  more << base_, change;
+  const Eigen::VectorXd scale = more.colwise().norm().cwiseMax(1e-300).cwiseInverse();
+  const Eigen::VectorXd solution =
+      scale.cwiseProduct((more * scale.asDiagonal()).colPivHouseholderQr().solve(response_));
+  // Beyond the doubt about an inductance something else is late.
+  if (std::abs(solution[base_.cols()]) < inductanceDoubt) base_ = more;
+}
+
+void LinearRig::cut(const std::vector<Window>& windows) {
+  size_t samples = 0;
+  for (size_t w = 0; w < windows.size(); ++w) {
+    const Window& window = windows[w];
+    const RecordedMotion& recorded = recorded_[window.track];
+    size_t first = window.first;
+    for (size_t k = window.first; k <= window.last + 1; ++k) {
+      const bool goesOn = k <= window.last && recorded.usable(k) &&
+                          recorded.at(k).direction == recorded.at(std::max(first, k - (k > first ? 1 : 0))).direction;
+      if (goesOn) continue;
+      size_t from = first, to = k;  // [from, to)
+      if (from > window.first) from += turnMargin;
+      if (to <= window.last) to -= std::min(to, turnMargin);
+      if (to > from && to - from >= fewestSamples) {
+        stretches_.push_back({window.track, from, to - 1, w, 1, 1, 0, 0});
+        samples += to - from;
+      }
+      first = k <= window.last && recorded.usable(k) && k > first ? k : k + 1;
+    }
+    if (currentSeen_) {
+      electrical_.push_back({window.track, window.first, window.last, w, 1, 1, 0, 0});
+      samples += window.last - window.first + 1;
+    }
+  }
+  findStarts(windows);
+  const size_t together = std::max<size_t>(1, (samples + mostRows - 1) / mostRows);
+  for (auto* set : {&stretches_, &electrical_}) {
+    for (Stretch& one : *set) {
+      const size_t length = one.last - one.first + 1;
+      one.samplesPerRow = std::clamp<size_t>(length / 12, 1, together);
+      one.samplesTaken = torque_ == Torque::steady ? one.samplesPerRow : 1;
+      one.at = rows_;
+      one.rows = static_cast<Eigen::Index>(length / one.samplesPerRow);
+      rows_ += one.rows;
+      window_.insert(window_.end(), static_cast<size_t>(one.rows), one.window);
+    }
+  }
+  for (Start& one : starts_) {
+    one.at = rows_++;
+    window_.push_back(one.window);
+  }
+}
+
+void LinearRig::findStarts(const std::vector<Window>& windows) {
+  for (size_t w = 0; w < windows.size(); ++w) {
+    const Window& window = windows[w];
+    const Track& track = tracks_[window.track];
+    for (size_t k = window.first + 1; k < window.last; ++k) {
+      if (!track.motion.resting[k] || track.motion.resting[k + 1] || !track.connected[k]) continue;
+      // Which way it goes: the first motion that is clearly more than the rest's.
+      size_t later = k + 1;
+      while (later < window.last && std::abs(track.position[later] - track.position[k]) < 6.0 * track.noise) ++later;
+      const double way = track.position[later] > track.position[k] ? 1.0 : -1.0;
+      starts_.push_back({window.track, k, w, way, recorded_[window.track].at(k).driveTorque, 0});
+    }
+  }
+}
+
+/// How far the drive may be from what it was when motion began: what it changes within the time that motion takes to
+/// show, if it began when the drive was smaller.
+double LinearRig::startDoubt(const Start& one) const {
+  const Track& track = tracks_[one.track];
+  const std::vector<double>& time = track.time;
+  const RecordedMotion& motion = recorded_[one.track];
+  const auto before = [&](double back_s) {
+    size_t row = one.row;
+    while (row > 0 && time[one.row] - time[row] < back_s) --row;
+    return row;
+  };
+  // Twice integrated, what the drive gains since then moves the axis.
+  const auto movedSince = [&](size_t from) {
+    double speed = 0.0, way = 0.0;
+    for (size_t k = from; k < one.row; ++k) {
+      const double dt = time[k + 1] - time[k];
+      const double net = one.direction * (motion.at(k).driveTorque - motion.at(from).driveTorque);
+      speed = std::max(0.0, speed + dt * net / physics_.inertia);
+      way += dt * speed;
+    }
+    return way;
+  };
+  size_t early = before(startDoubt_s), late = one.row;
+  for (double back_s = startDoubt_s; back_s < longestStart_s; back_s *= 1.25) {
+    const size_t from = before(back_s);
+    if (!track.motion.resting[from] || movedSince(from) > shownReadings * track.noise) break;
+    early = from;
+  }
+  while (late + 1 < time.size() && time[late] - time[one.row] < startDoubt_s) ++late;
+  const double change = std::abs(motion.at(late).driveTorque - motion.at(early).driveTorque);
+  return 0.5 * change;
+}
+
+std::vector<RecordedStart> LinearRig::startsOf(size_t track) const {
+  std::vector<RecordedStart> starts;
+  for (const Start& one : starts_) {
+    if (one.track == track) starts.push_back({one.row, one.direction});
+  }
+  return starts;
+}
+
+void LinearRig::addStarts(const std::vector<double>& values, size_t track, double factor,
+                          Eigen::Ref<Eigen::VectorXd> out) const {
+  size_t number = 0;
+  for (const Start& one : starts_) {
+    if (one.track == track) out[one.at] += factor * values[number++];
+  }
+}
+
+void LinearRig::addMechanical(const std::vector<double>& values, size_t track, int times, double factor,
+                              Eigen::Ref<Eigen::VectorXd> out) const {
+  if (values.empty()) return;
+  const std::vector<double>& time = tracks_[track].time;
+  for (const Stretch& one : stretches_) {
+    if (one.track != track) continue;
+    double once = 0.0, twice = 0.0;
+    const double origin = times == 2 ? 0.0 : values[one.first];
+    size_t k = one.first;
+    const auto goOn = [&] {
+      const double dt = time[k + 1] - time[k], value = values[k] - origin;
+      if (times == 1) {
+        once += 0.5 * dt * (value + values[k + 1] - origin);
+      } else if (times == 2) {  // a value acts until the next row
+        twice += dt * (once + 0.5 * dt * value);
+        once += dt * value;
+      }
+      ++k;
+    };
+    for (Eigen::Index r = 0; r < one.rows; ++r) {
+      double sum = 0.0;
+      size_t part = 0;
+      for (; part < one.samplesTaken; ++part) {
+        sum += times == 0 ? values[k] - origin : times == 1 ? once : twice;
+        if (k < one.last) goOn();
+      }
+      for (; part < one.samplesPerRow && k < one.last; ++part) goOn();
+      out[one.at + r] += factor * sum / std::sqrt(static_cast<double>(one.samplesTaken));
+    }
+  }
+}
+
+void LinearRig::addElectrical(const std::vector<double>& values, size_t track, double factor,
+                              Eigen::Ref<Eigen::VectorXd> out) const {
+  if (values.empty()) return;
+  for (const Stretch& one : electrical_) {
+    if (one.track != track) continue;
+    size_t k = one.first;
+    for (Eigen::Index r = 0; r < one.rows; ++r) {
+      double sum = 0.0;
+      for (size_t part = 0; part < one.samplesPerRow; ++part, ++k) {
+        const bool known = tracks_[track].connected[k] != 0 && std::isfinite(tracks_[track].current[k]);
+        if (known) sum += values[k];
+      }
+      out[one.at + r] += factor * sum / std::sqrt(static_cast<double>(one.samplesPerRow));
+    }
+  }
+}
+
+std::vector<double> LinearRig::lagged(size_t track, const std::vector<double>& values, bool mean) const {
+  if (values.empty() || physics_.inductance <= 0.0) return values;
+  const std::vector<double>& time = tracks_[track].time;
+  const double rate = physics_.resistance / physics_.inductance;
+  std::vector<double> out(values.size());
+  double state = values.front(), dt = -1.0, keep = 1.0;
+  for (size_t k = 0; k < values.size(); ++k) {
+    const double length = k + 1 < values.size() ? time[k + 1] - time[k] : 0.0;
+    if (std::abs(length - dt) > 1e-8 * length) keep = std::exp(-(dt = length) * rate);
+    const double away = state - values[k];
+    out[k] = mean && length > 0.0 ? values[k] + away * (1.0 - keep) / (length * rate) : state;
+    state = values[k] + away * keep;
+  }
+  return out;
+}
+
+double LinearRig::spacingOf(const Stretch& one) const {
+  const std::vector<double>& time = tracks_[one.track].time;
+  const double step = (time[one.last] - time[one.first]) / static_cast<double>(one.last - one.first);
+  return step * static_cast<double>(one.samplesPerRow);
+}
+
+TorqueNoise LinearRig::wander(const Eigen::MatrixXd& more) const {
+  const Eigen::Index rows = mechanicalRows();
+  Eigen::MatrixXd all(rows, raw_.cols() + more.cols());  // the response comes last
+  if (rows < 2 * all.cols()) return {};                  // hardly ever moves
+  all.leftCols(more.cols()) = more.topRows(rows);
+  all.rightCols(raw_.cols()) = raw_.topRows(rows);
+  const auto consider = [&](double ratio, double time_s) {  // its improbability
+    Eigen::MatrixXd white = all;
+    double logarithms = 0.0;
+    for (const Stretch& one : stretches_)
+      logarithms += whitenStretch({ratio, time_s, 0.0}, one, white.middleRows(one.at, one.rows));
+    const Eigen::Index width = white.cols() - 1;
+    const Eigen::VectorXd scale = white.leftCols(width).colwise().norm().cwiseMax(1e-300).cwiseInverse();
+    white.leftCols(width) *= scale.asDiagonal();
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(white);
+    const double left = qr.matrixQR()(width, width);  // what the columns leave of the response
+    const double free = static_cast<double>(rows - width) - 2.0 * static_cast<double>(stretches_.size());
+    const double unlikely = logarithms + 0.5 * free * std::log(left * left / free);
+    return std::pair{unlikely, TorqueNoise{ratio, time_s, ratio * std::abs(left) / std::sqrt(free)}};
+  };
+  auto best = consider(0.0, 1.0);
+  for (const double time_s : {0.03, 0.1, 0.3, 1.0}) {
+    auto own = consider(1.0, time_s);
+    const auto tryRatio = [&](double ratio) {
+      if (const auto other = consider(ratio, time_s); other.first < own.first) own = other;
+    };
+    for (double ratio = coarseFactor; ratio < mostWander; ratio *= coarseFactor) tryRatio(ratio);
+    for (double factor = std::sqrt(coarseFactor); factor > 1.2; factor = std::sqrt(factor)) {
+      const double about = own.second.ratio;
+      tryRatio(about * factor);
+      tryRatio(about / factor);
+    }
+    if (own.first < best.first) best = own;
+  }
+  return best.second;
+}
+
+double LinearRig::whitenStretch(const TorqueNoise& noise, const Stretch& one, Eigen::Ref<Eigen::MatrixXd> rows) const {
+  Eigen::MatrixXd line(one.rows, 2);
+  line.col(0).setOnes();
+  line.col(1).setLinSpaced(-1.0, 1.0);
+  whiten(noise, spacingOf(one), line);
+  const double logarithms = whiten(noise, spacingOf(one), rows);
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(line);
+  const Eigen::MatrixXd basis = qr.householderQ() * Eigen::MatrixXd::Identity(one.rows, 2);
+  rows -= (basis * (basis.transpose() * rows)).eval();
+  return logarithms;
+}
+
+void LinearRig::weigh(Eigen::Ref<Eigen::MatrixXd> columns) const {
+  for (const Stretch& one : stretches_) whitenStretch(noise_, one, columns.middleRows(one.at, one.rows));
+  for (Eigen::Index c = 0; c < columns.cols(); ++c) columns.col(c).array() *= weights_.array();
+}
+
+std::vector<size_t> LinearRig::tracksSeen() const {
+  std::vector<size_t> tracks;
+  for (const auto* set : {&stretches_, &electrical_}) {
+    for (const Stretch& one : *set) tracks.push_back(one.track);
+  }
+  std::sort(tracks.begin(), tracks.end());
+  tracks.erase(std::unique(tracks.begin(), tracks.end()), tracks.end());
+  return tracks;
+}
+
+Eigen::MatrixXd LinearRig::columnsOf(const Effect& effect, const Shape& shape, size_t only) const {
+  Eigen::MatrixXd columns = rawColumnsOf(effect, shape, only);
+  weigh(columns);
+  return columns;
+}
+
+Eigen::MatrixXd LinearRig::rawColumnsOf(const Effect& effect, const Shape& shape, size_t only) const {
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(rows_, static_cast<Eigen::Index>(shape.size()));
+  for (size_t a = 0; a < shape.size(); ++a) {
+    auto column = columns.col(static_cast<Eigen::Index>(a));
+    for (size_t t = 0; t < tracks_.size(); ++t) {
+      if (only != everyTrack && only != t) continue;
+      const EffectTraces traces(effect, shape[a], tracks_[t], recorded_[t], physics_, startsOf(t));
+      addMechanical(traces.torque, t, 2, 1.0, column);
+      addStarts(traces.starting, t, 1.0, column);
+      addMechanical(traces.shown, t, 0, -physics_.inertia, column);
+      addMechanical(lagged(t, traces.voltage, true), t, 2, gain_, column);
+      addMechanical(lagged(t, traces.input, true), t, 2, -gain_, column);
+      if (!currentSeen_) continue;
+      addElectrical(lagged(t, traces.voltage, false), t, -1.0 / physics_.resistance, column);
+      addElectrical(lagged(t, traces.input, false), t, 1.0 / physics_.resistance, column);
+      addElectrical(traces.sensed, t, 1.0, column);
+    }
+  }
+  return columns;
+}
+
+}  // namespace breakaway

@@ -1,0 +1,19 @@
+// How far base and extended model err, on training and on held-out data.
+#pragma once
+
+#include <string>
+
+namespace breakaway {
+
+/// RMSE of the position over windows that restart every window_s, as simulate() does it.
+struct FitScore {
+  std::string channel;
+  double window_s = 0.5;
+  double trainBefore = 0.0, trainAfter = 0.0;
+  double heldoutBefore = 0.0, heldoutAfter = 0.0;
+  double improvementLow95 = 0.0, improvementHigh95 = 0.0;
+  bool separateRecording = false;
+  double floor = 0.0;
+};
+
+}  // namespace breakaway

@@ -1,0 +1,296 @@
+#include "diagnose/verdict/judge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/statistics.h"
+#include "diagnose/effects/catalogue.h"
+#include "diagnose/effects/wave.h"
+#include "diagnose/fit/noise_floor.h"
+#include "diagnose/fit/seen_span.h"
+#include "diagnose/fit/windowed_fit.h"
+#include "diagnose/search/swinging_load.h"
+#include "diagnose/simulate/physics.h"
+#include "diagnose/verdict/proof.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr double leastShare = 0.03, littleShare = 0.1;
+constexpr double muchIsLeft = 0.4;  ///< of the base model's excess error
+constexpr double mostIsExplained = 0.5;
+constexpr double glaringShare = 0.8;
+constexpr double leastOfCurrent = 0.2;   ///< of the current's squared error
+constexpr double worseOnHeldout = 1.02;  ///< times the base model's error: what does worse is refused
+constexpr double muchWorseOnHeldout = 1.25, clearFallOnHeldout = 0.9;
+constexpr double hardlyLessOnHeldout = 0.95;
+constexpr double muchFloors = 1.6, muchFloorsForOnce = 2.5;  ///< of held-out data that show something themselves
+constexpr double leastFall = 0.98;                           ///< of the error over the training windows: less is none
+constexpr double nearFloors = 2.0, scatteredPart = 0.03;  ///< of the friction: three times what any rig's scatters by
+
+double meanSquare(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows) {
+  return mean(scoreWindows(model, tracks, windows));
+}
+
+FitScore scoreFit(const Bench& bench, const Model& base, const Model& best, const std::vector<Track>& tracks,
+                  const Split& split, std::uint64_t seed, Proof& proof) {
+  FitScore fit;
+  fit.channel = bench.positionChannel();
+  fit.separateRecording = split.separateRecording;
+  fit.trainBefore = std::sqrt(meanSquare(base, tracks, split.trainScore));
+  fit.trainAfter = std::sqrt(meanSquare(best, tracks, split.trainScore));
+  const auto before = scoreWindows(base, tracks, split.heldoutScore),
+             after = scoreWindows(best, tracks, split.heldoutScore);
+  fit.heldoutBefore = std::sqrt(mean(before));
+  fit.heldoutAfter = std::sqrt(mean(after));
+  const Interval interval = bootstrap(before.size(), 2000, seed, [&](std::span<const size_t> blocks) {
+    double sumBefore = 0.0, sumAfter = 0.0;
+    for (const size_t block : blocks) {
+      sumBefore += before[block];
+      sumAfter += after[block];
+    }
+    return 1.0 - std::sqrt(sumAfter / std::max(sumBefore, 1e-300));
+  });
+  fit.improvementLow95 = interval.low;
+  fit.improvementHigh95 = interval.high;
+  fit.floor = noiseFloor(best, tracks, split.heldoutScore, seed);
+  proof = proofOf(best, tracks, split.heldoutScore, before, after, fit);
+  return fit;
+}
+
+/// The effect's terms, that of the largest amplitude first.
+std::vector<EffectTerm> largestTerms(const Model& model, const std::string& effect) {
+  std::vector<EffectTerm> terms;
+  for (const EffectTerm& term : model.effects) {
+    if (term.effect == effect) terms.push_back(term);
+  }
+  std::stable_sort(terms.begin(), terms.end(), [](const EffectTerm& a, const EffectTerm& b) {
+    return std::abs(a.parameters.front().value) > std::abs(b.parameters.front().value);
+  });
+  return terms;
+}
+
+/// An effect's second wave has `amplitude2_Nm`, `phase2_rad`, `order2`, and so on.
+Parameter numbered(Parameter parameter, size_t number) {
+  if (number > 1)
+    parameter.name.insert(std::min(parameter.name.find('_'), parameter.name.size()), std::to_string(number));
+  return parameter;
+}
+
+/// What terms after the first add to the finding's sentence.
+std::string furtherText(const std::vector<EffectTerm>& terms, const Effect& effect, const Excitation& seen) {
+  if (terms.front().parameters.back().name == "order") return furtherWavesText(terms);
+  std::string text;
+  for (size_t k = 1; k < terms.size(); ++k) text += " " + effect.sentence(valuesOf(terms[k]), seen);
+  return text;
+}
+
+/// The findings, with shares of the excess that add up to what the extended model takes away.
+std::vector<Finding> findingsOf(const SearchResult& result, const Model& model, const SearchInput& input,
+                                double explained) {
+  double marginals = 0.0;
+  for (const Chosen& chosen : result.chosen) marginals += chosen.marginal;
+  std::vector<Finding> findings;
+  for (const Chosen& chosen : result.chosen) {
+    Finding finding;
+    finding.effect = chosen.effect->name();
+    finding.share = marginals > 0.0 ? std::clamp(explained * chosen.marginal / marginals, 0.0, 1.0) : 0.0;
+    finding.pValue = chosen.pValue;
+    for (const Effect* rival : chosen.rivals) finding.ambiguousWith.emplace_back(rival->name());
+    const std::vector<EffectTerm> terms = largestTerms(model, finding.effect);
+    if (!terms.empty()) {
+      const EffectTerm& first = terms.front();
+      finding.sentence = chosen.effect->sentence(valuesOf(first), input.seen);
+      if (!first.recording.empty() && input.tracks.size() > 1)
+        finding.sentence = "In " + first.recording + ": " + finding.sentence;
+      finding.sentence += furtherText(terms, *chosen.effect, input.seen);
+    }
+    for (size_t k = 0; k < terms.size(); ++k) {
+      for (const Parameter& one : presentParameters(terms[k], model.axis))
+        finding.parameters.push_back(numbered(one, k + 1));
+    }
+    findings.push_back(std::move(finding));
+  }
+  return findings;
+}
+
+/// Whether something in the model changes what the current sensor shows, which moves nothing.
+bool changesReadings(const Model& model) {
+  return std::any_of(model.effects.begin(), model.effects.end(), [](const EffectTerm& term) {
+    return findEffect(term.effect)->sensed(valuesOf(term), 1.0, 1000.0) != 1.0;
+  });
+}
+
+bool showsInCurrent(const SearchResult& result) {
+  return result.best.currentSquares < (1.0 - leastOfCurrent) * result.base.currentSquares;
+}
+
+/// Whether there may be none of it.
+bool mayBeNothing(const Finding& finding) {
+  const Parameter& amplitude = finding.parameters.front();
+  return amplitude.low95 < 0.0 && amplitude.high95 > 0.0;
+}
+
+/// A single finding that explains the smaller part of the error, and nobody can tell that there is any of it.
+bool isVague(const std::vector<Finding>& findings) {
+  return findings.size() == 1 && findings.front().share <= mostIsExplained && mayBeNothing(findings.front());
+}
+
+/// What happens once, and is no larger than what friction may do by itself.
+bool isScatter(const Finding& finding, double coulomb) {
+  const bool small = std::abs(finding.parameters.front().value) < scatteredPart * coulomb;
+  return small && findEffect(finding.effect)->happensOnce();
+}
+
+/// Beside others, what takes hardly anything away and may be nothing at all, or little and may be friction's scatter.
+bool isIdle(const Finding& finding, double coulomb) {
+  return (finding.share < leastShare && mayBeNothing(finding)) ||
+         (finding.share < littleShare && isScatter(finding, coulomb));
+}
+
+/// What a rig that lacks nothing may seem to have where the base model errs by little more than its sensors do.
+bool isFaint(const Finding& finding, double coulomb) {
+  return mayBeNothing(finding) || isScatter(finding, coulomb);
+}
+
+class Judge {
+ public:
+  Judge(const Bench& bench, const Preparation& prepared, const SearchInput& input, const SearchResult& found)
+      : bench_(bench),
+        prepared_(prepared),
+        input_(input),
+        found_(found),
+        base_(withDoubts(found.base.model, prepared)),
+        errorsBefore_(scoreWindows(base_, prepared.tracks, prepared.split.trainScore)) {}
+
+  Judgement judged() {
+    SearchResult candidate = found_;
+    while (!candidate.chosen.empty()) {
+      Judgement judgement;
+      const Opinion opinion = judge(candidate, judgement);
+      if (const auto idle = superfluous(candidate, judgement)) {
+        if (candidate.chosen.size() == 1) break;
+        drop(candidate, candidate.chosen.begin() + *idle);
+        continue;
+      }
+      if (opinion == Opinion::stands) return judgement;
+      if (opinion == Opinion::falls || candidate.chosen.size() == 1) break;
+      drop(candidate, leastOf(candidate));
+    }
+    return nothing();
+  }
+
+ private:
+  using Members = std::vector<Chosen>;
+  enum class Opinion { stands, falls, heldoutRefuses };
+
+  double before() const { return typicalSquare(errorsBefore_); }
+
+  /// Which finding takes hardly anything away, or may be nothing where hardly anything is missing.
+  std::optional<std::ptrdiff_t> superfluous(const SearchResult& candidate, const Judgement& judged) const {
+    const bool near =
+        mean(errorsBefore_) < std::pow(nearFloors * judged.rest.floors.perfect, 2) && !showsInCurrent(candidate);
+    const double coulomb = physicsOf(judged.model).coulomb;
+    const auto& all = judged.findings;
+    const auto one = std::find_if(all.begin(), all.end(), [&](const Finding& finding) {
+      return (all.size() > 1 && isIdle(finding, coulomb)) || (near && isFaint(finding, coulomb));
+    });
+    if (one == all.end()) return std::nullopt;
+    return one - all.begin();
+  }
+
+  Judgement nothing() const {
+    Judgement out;
+    out.base = out.model = base_;
+    out.left = found_.leftByBase;
+    out.rest = remainderOf(base_, false, prepared_, {errorsBefore_, errorsBefore_}, out.left, input_.seed);
+    out.fit = scoreFit(bench_, base_, base_, prepared_.tracks, prepared_.split, input_.seed, out.proof);
+    return out;
+  }
+
+  Opinion judge(const SearchResult& candidate, Judgement& out) const {
+    out.base = base_;
+    out.model = withDoubts(withinSeen(candidate.best.model, prepared_.tracks, prepared_.split), prepared_);
+    out.left = candidate.left;
+    const auto errorsAfter = scoreWindows(out.model, prepared_.tracks, prepared_.split.trainScore);
+    out.rest = remainderOf(out.model, true, prepared_, {errorsBefore_, errorsAfter}, out.left, input_.seed);
+    const double excess = std::max(before() - out.rest.floors.perfect * out.rest.floors.perfect, 1e-300);
+    double explained = (before() - typicalSquare(errorsAfter)) / excess;
+    // What lives in a few windows only shows in the plain mean.
+    const double ofAll = 1.0 - mean(errorsAfter) / std::max(mean(errorsBefore_), 1e-300);
+    if (ofAll > glaringShare) explained = std::max(explained, ofAll);
+    explained = std::clamp(explained, 0.0, 1.0);
+    const bool currentToo = showsInCurrent(candidate);
+    if (explained < leastShare && !currentToo) return Opinion::falls;
+    const double fitted =
+        1.0 - mean(candidate.best.windowSquares) / std::max(mean(candidate.base.windowSquares), 1e-300);
+    // What explains the smaller part of something unknown has borrowed its name.
+    if (out.rest.share > muchIsLeft && std::max(explained, fitted) < mostIsExplained &&
+        !(currentToo && changesReadings(out.model)))
+      return Opinion::falls;
+    out.findings = findingsOf(candidate, out.model, input_, explained);
+    out.fit = scoreFit(bench_, base_, out.model, prepared_.tracks, prepared_.split, input_.seed, out.proof);
+    // What makes held-out data worse is not there, unless it is all that the training data show, as a push in one
+    // recording is, and then they may only be somewhat worse.
+    const double inAll = out.fit.heldoutAfter / out.fit.heldoutBefore;
+    const bool singly = growsAtRest(out.model) || swings(out.model);
+    const double held = singly ? std::min(inAll, typicallyHeld(out.model)) : inAll;
+    // Where they show much, a finding that takes hardly any of it away explains something else.
+    const bool once = allHappenOnce(out.findings);
+    const bool muchHeld = out.fit.heldoutBefore > (once ? muchFloorsForOnce : muchFloors) * out.fit.floor;
+    // In few windows, or in a current that moves nothing; a load swings in all of them.
+    const bool inFew = ofAll >= glaringShare && !swings(out.model);
+    const bool elsewhere = currentToo || (inFew && (!muchHeld || once));
+    if (held > (elsewhere ? muchWorseOnHeldout : muchHeld ? hardlyLessOnHeldout : worseOnHeldout))
+      return Opinion::heldoutRefuses;
+    // A load that swings may run away in single windows after a restart and still be right in most; then the held-out
+    // data have to show it.
+    const bool usually = typicalSquare(errorsAfter) <= std::pow(leastFall, 2) * before() && held < clearFallOnHeldout;
+    const bool idle = !currentToo && out.fit.trainAfter > leastFall * out.fit.trainBefore && !usually;
+    // A push may stand for whatever few windows err by, unless it takes most of all error away.
+    const bool stray = once && ofAll < mostIsExplained;
+    return idle || stray || isVague(out.findings) ? Opinion::falls : Opinion::stands;
+  }
+
+  /// The part of the held-out error that is left but for the worst tenth: where an axis breaks away a moment too late,
+  /// or a load runs away, a whole window is off.
+  double typicallyHeld(const Model& model) const {
+    const auto& windows = prepared_.split.heldoutScore;
+    const double before = typicalSquare(scoreWindows(base_, prepared_.tracks, windows));
+    return std::sqrt(typicalSquare(scoreWindows(model, prepared_.tracks, windows)) / std::max(before, 1e-300));
+  }
+
+  static Members::iterator leastOf(SearchResult& candidate) {
+    return std::min_element(candidate.chosen.begin(), candidate.chosen.end(),
+                            [](const Chosen& a, const Chosen& b) { return a.marginal < b.marginal; });
+  }
+
+  /// The rest of the set is refined.
+  void drop(SearchResult& candidate, Members::iterator one) const {
+    const Model rest = without(candidate.best.model, *one->effect);
+    candidate.best = polishModel(input_, rest, polishWeights(input_, candidate.base.model, rest));
+    candidate.chosen.erase(one);
+  }
+
+  const Bench& bench_;
+  const Preparation& prepared_;
+  const SearchInput& input_;
+  const SearchResult& found_;
+  Model base_;
+  std::vector<double> errorsBefore_;
+};
+
+}  // namespace
+
+bool allHappenOnce(const std::vector<Finding>& findings) {
+  return std::all_of(findings.begin(), findings.end(),
+                     [](const Finding& one) { return findEffect(one.effect)->happensOnce(); });
+}
+
+Judgement judge(const Bench& bench, const Preparation& prepared, const SearchInput& input, const SearchResult& found) {
+  return Judge(bench, prepared, input, found).judged();
+}
+
+}  // namespace breakaway

@@ -1,0 +1,238 @@
+#include "diagnose/verdict/next_experiment.h"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+#include "diagnose/effects/catalogue.h"
+#include "diagnose/effects/wording.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr double enoughTime_s = 60.0;
+constexpr double fewRepeats = 20;
+
+/// How an effect gives itself away, by the axis it is drawn over.
+std::string signOf(const Effect& effect) {
+  const std::string_view over = effect.drawnOver();
+  if (over == "velocity") return "follows the speed";
+  if (over == "angle") return "comes back at the same place";
+  if (over == "time") return "comes with time, whatever the motion";
+  if (over == "current") return "grows with what the motor gives";
+  if (over == "travel") return "shows right after each reversal";
+  if (over == "frequency") return "grows with how fast the command changes";
+  return {};
+}
+
+/// Twins over the same axis: what tells them apart, as "first: …; second: …".
+struct Difference {
+  const char *first, *second, *sign, *otherSign;
+};
+constexpr std::array<Difference, 12> differences{{
+    {"cogging", "torque_ripple", "stays the same when the load changes", "grows with the load"},
+    {"cogging", "position_dependent_friction", "pushes the same way in both directions", "changes sign with direction"},
+    {"imbalance", "encoder_eccentricity", "stays the same at every speed", "grows with the speed's square"},
+    {"imbalance", "position_dependent_friction", "pushes the same way in both directions",
+     "changes sign with direction"},
+    {"position_dependent_friction", "position_dependent_viscous", "stays the same at every speed",
+     "grows with the speed"},
+    {"torque_ripple", "position_dependent_viscous", "grows with the load", "grows with the speed"},
+    {"quadratic_drag", "viscous_asymmetry", "bends upwards with speed, both ways alike", "differs between the ways"},
+    {"stribeck", "quadratic_drag", "falls with speed near zero", "grows at high speed"},
+    {"presliding", "backlash", "builds up like a spring against friction",
+     "leaves the motor free before the load hits"},
+    {"friction_warmup", "external_disturbance", "comes again after a cold start", "doesn't come again"},
+    {"compliance", "transport_delay", "rings at one frequency", "delays all frequencies alike"},
+    {"torque_saturation", "load_dependent_friction", "takes torque away whether it drives or brakes",
+     "only ever resists the motion"},
+}};
+
+std::string pairText(const Effect& one, const Effect& other) {
+  for (const Difference& d : differences) {
+    const bool straight = one.name() == d.first && other.name() == d.second;
+    if (!straight && !(one.name() == d.second && other.name() == d.first)) continue;
+    return std::string(" What ") + (straight ? d.sign : d.otherSign) + " is " + std::string(one.name()) + "; what " +
+           (straight ? d.otherSign : d.sign) + " is " + std::string(other.name()) + ".";
+  }
+  const std::string first = signOf(one), second = signOf(other);
+  if (first.empty() || second.empty() || first == second) return {};
+  return " What " + first + " is " + std::string(one.name()) + "; what " + second + " is " + std::string(other.name()) +
+         ".";
+}
+
+/// What must not be exceeded, where the bench says so.
+std::string limits(const Bench& bench) {
+  std::string out;
+  if (bench.controller.currentLimit_A > 0.0) out = quantityText(bench.controller.currentLimit_A, "A");
+  if (bench.electrical() && bench.supply_V.value_or(0.0) > 0.0)
+    out += (out.empty() ? "" : " and ") + quantityText(*bench.supply_V, "V");
+  return out.empty() ? out : " Stay within " + out + ".";
+}
+
+/// A change of the experiment, and what the recording would then have seen.
+struct Change {
+  std::string sentence;
+  Excitation seen;
+};
+
+std::vector<Change> changes(const Excitation& seen) {
+  std::vector<Change> out;
+  const bool rotary = seen.axis == Axis::rotary;
+  const auto add = [&](std::string sentence) -> Excitation& {
+    out.push_back({std::move(sentence), seen});
+    return out.back().seen;
+  };
+  Excitation* more = &add("Reverse at least twenty times at speeds up to " + speedText(seen.highSpeed, seen.axis) +
+                          ", as long one way as the other.");
+  more->bothWays = true;
+  more->reversals = std::max(seen.reversals, static_cast<int>(fewRepeats));
+  more->starts = std::max(seen.starts, static_cast<int>(fewRepeats));
+  if (rotary) {
+    more = &add("Turn over two whole turns, both ways, at " + speedText(0.3 * seen.highSpeed, seen.axis) + " and at " +
+                speedText(seen.highSpeed, seen.axis) + ".");
+    more->highest = std::max(seen.highest, seen.lowest + 4.0 * std::numbers::pi);
+    more->travel = more->highest - more->lowest;
+    more->bothWays = true;
+    more->lowSpeed = std::min(seen.lowSpeed, 0.3 * seen.highSpeed);
+    more->reversals = std::max(seen.reversals, 4);
+  }
+  more = &add("Hold constant speeds of " + speedText(0.1 * seen.highSpeed, seen.axis) + ", " +
+              speedText(0.3 * seen.highSpeed, seen.axis) + " and " + speedText(seen.highSpeed, seen.axis) +
+              ", both ways.");
+  more->bothWays = true;
+  more->lowSpeed = std::min(seen.lowSpeed, 0.1 * seen.highSpeed);
+  more = &add("Stop at least " + digitsText(fewRepeats) +
+              " times, rest between 0.5 s and 10 s, and start slowly again, up to " +
+              torqueText(seen.peakTorque, seen.axis) + ".");
+  more->starts = std::max(seen.starts, static_cast<int>(fewRepeats));
+  more->longestRest_s = std::max(seen.longestRest_s, 10.0);
+  more->reversals = std::max(seen.reversals, 4);
+  more = &add("Start cold and record the same motion for " + timeText(std::max(enoughTime_s, 2.0 * seen.duration_s)) +
+              ".");
+  more->duration_s = std::max(enoughTime_s, 2.0 * seen.duration_s);
+  if (seen.electrical && !seen.currentSeen) {
+    more = &add("Record the same motion with the current beside the voltage.");
+    more->currentSeen = true;
+  }
+  if (seen.electrical && !seen.supplySeen) {
+    more = &add("Record the same motion with the supply's voltage.");
+    more->supplySeen = true;
+  }
+  return out;
+}
+
+size_t newlyShown(const std::vector<const Effect*>& unseen, const Excitation& seen) {
+  return static_cast<size_t>(std::count_if(unseen.begin(), unseen.end(),
+                                           [&seen](const Effect* effect) { return !effect->shapes(seen).empty(); }));
+}
+
+/// Effects without a shape that some change of the experiment would give one.
+std::vector<const Effect*> unseenOnes(const Excitation& seen, const std::vector<Change>& possible) {
+  std::vector<const Effect*> out;
+  for (const Effect* effect : catalogue()) {
+    const bool shown = !effect->shapes(seen).empty();
+    const bool could = std::any_of(possible.begin(), possible.end(),
+                                   [effect](const Change& one) { return !effect->shapes(one.seen).empty(); });
+    if (!shown && could) out.push_back(effect);
+  }
+  return out;
+}
+
+NextExperiment separating(const Finding& finding, const Bench& bench, const Excitation& seen) {
+  const Effect& one = *findEffect(finding.effect);
+  // A real rival before the twin that no motion tells apart.
+  const auto real = std::find_if(finding.ambiguousWith.begin(), finding.ambiguousWith.end(),
+                                 [&one](const std::string& rival) { return rival != one.twin(); });
+  const std::string& name = real != finding.ambiguousWith.end() ? *real : finding.ambiguousWith.front();
+  const Effect& other = *findEffect(name);
+  NextExperiment next;
+  next.separates = {finding.effect};
+  next.separates.insert(next.separates.end(), finding.ambiguousWith.begin(), finding.ambiguousWith.end());
+  next.sentence = "To tell " + finding.effect + " from " + name + ": " + other.neededExcitation(seen) +
+                  pairText(one, other) + limits(bench);
+  return next;
+}
+
+/// A closer look at the place that nothing in the catalogue explains.
+std::string closerLook(const Place& place, const Excitation& seen) {
+  const std::string slow = speedText(0.3 * seen.highSpeed, seen.axis), fast = speedText(seen.highSpeed, seen.axis);
+  const std::string twice = "slowly at " + slow + " and again at " + fast;
+  const auto way = [&](double x) { return travelText(x, seen.axis); };
+  if (place.axis == "angle") {
+    return "Move to and fro between " + way(place.from) + " and " + way(place.to) + ", " + twice +
+           ", ten times each: what stays at its place belongs to the rig.";
+  }
+  if (place.axis == "velocity") {
+    return "Hold five constant speeds from " + speedText(place.from, seen.axis) + " to " +
+           speedText(place.to, seen.axis) + ", each over the same place and both ways.";
+  }
+  if (place.axis == "time" || place.axis == "temperature") {
+    return "Repeat the very same motion of " + timeText(seen.duration_s) +
+           " twice, once cold and once warm: what comes at the same time again belongs to the rig, the rest came from "
+           "outside.";
+  }
+  if (place.axis == "reversal") {
+    return "Reverse at least twenty times over ways of " + way(0.5 * place.to) + " and " + way(3.0 * place.to) + ", " +
+           twice + ".";
+  }
+  if (place.axis == "frequency") {
+    return "Chirp the command with ±" + digitsText(0.3 * seen.peakInput) + " from " + digitsText(0.5 * place.from) +
+           " Hz to " + digitsText(2.0 * place.to) + " Hz within 20 s, and again with half of it.";
+  }
+  return "Repeat the motion at half and at full drive, ±" + digitsText(0.5 * seen.peakInput) + " and ±" +
+         digitsText(seen.peakInput) +
+         ", free and with a known load: what follows the drive is in motor or electronics.";
+}
+
+std::string mostInformative(const Excitation& seen) {
+  const std::vector<Change> possible = changes(seen);
+  const std::vector<const Effect*> unseen = unseenOnes(seen, possible);
+  if (unseen.empty()) return {};
+  const auto best = std::max_element(possible.begin(), possible.end(), [&](const Change& a, const Change& b) {
+    return newlyShown(unseen, a.seen) < newlyShown(unseen, b.seen);
+  });
+  std::string names;
+  for (const Effect* effect : unseen) names += (names.empty() ? "" : ", ") + std::string(effect->name());
+  return "This recording could not show " + names + ". " + best->sentence +
+         (newlyShown(unseen, best->seen) == unseen.size()
+              ? ""
+              : " That would show " + std::to_string(newlyShown(unseen, best->seen)) + " of them.");
+}
+
+}  // namespace
+
+std::vector<std::string> unseenEffects(const Excitation& seen) {
+  std::vector<std::string> names;
+  for (const Effect* effect : unseenOnes(seen, changes(seen))) names.emplace_back(effect->name());
+  return names;
+}
+
+NextExperiment nextExperiment(Verdict verdict, const std::vector<Finding>& findings, const std::vector<Place>& where,
+                              const Bench& bench, const Excitation& seen) {
+  const Finding* twin = nullptr;
+  for (const Finding& finding : findings) {
+    if (finding.ambiguousWith.empty()) continue;
+    if (verdict == Verdict::ambiguous) {
+      const std::string_view own = findEffect(finding.effect)->twin();
+      if (std::all_of(finding.ambiguousWith.begin(), finding.ambiguousWith.end(),
+                      [own](const std::string& rival) { return rival == own; })) {
+        continue;
+      }
+      return separating(finding, bench, seen);
+    }
+    if (twin == nullptr) twin = &finding;
+  }
+  if (verdict == Verdict::outsideCatalogue && !where.empty())
+    return {closerLook(where.front(), seen) + limits(bench), {}};
+  if (twin != nullptr) return separating(*twin, bench, seen);
+  if (!findings.empty()) {
+    const Effect& effect = *findEffect(findings.front().effect);
+    return {"To confirm " + std::string(effect.name()) + ": " + effect.neededExcitation(seen) + limits(bench), {}};
+  }
+  const std::string more = mostInformative(seen);
+  return {more.empty() ? more : more + limits(bench), {}};
+}
+
+}  // namespace breakaway

@@ -1,0 +1,28 @@
+// The one experiment to run next: it separates rivals, shows what this recording can't, or looks closer at a place.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "diagnose/model/excitation.h"
+#include "diagnose/verdict/finding.h"
+#include "diagnose/verdict/place.h"
+#include "diagnose/verdict/verdict.h"
+#include "motor/bench.h"
+
+namespace breakaway {
+
+struct NextExperiment {
+  std::string sentence;  ///< with speeds, angles and amplitudes within the bench's limits and what was seen
+  std::vector<std::string> separates;
+};
+
+/// By the verdict: rivals first; then what was found, to confirm it; then the place that nothing explains; with nothing
+/// missing, the experiment that would show the most effects that these recordings could not show at all.
+NextExperiment nextExperiment(Verdict verdict, const std::vector<Finding>& findings, const std::vector<Place>& where,
+                              const Bench& bench, const Excitation& seen);
+
+/// Effects that recordings like these can't show, though others of the same rig could.
+std::vector<std::string> unseenEffects(const Excitation& seen);
+
+}  // namespace breakaway

@@ -1,0 +1,33 @@
+// What a recording shows of the torque and the voltage that a model can't explain, along the recorded motion.
+#pragma once
+
+#include <vector>
+
+#include "diagnose/model/model.h"
+#include "diagnose/simulate/track.h"
+
+namespace breakaway {
+
+/// One track on an even grid; all vectors have the same length but `voltage`, which may be empty. On a linear axis read
+/// m for rad and N for Nm.
+struct Unexplained {
+  double step_s = 0.0;
+  double inertia = 0.0;              ///< of the motor's side, kg m²
+  std::vector<double> time;          ///< s since the first row
+  std::vector<double> position;      ///< behind what the encoder shows, rad
+  std::vector<double> velocity;      ///< rad/s
+  std::vector<double> acceleration;  ///< that the model expects of its drive, rad/s²: free of the encoder's noise
+  std::vector<double> drive;         ///< the model's motor torque, Nm
+  std::vector<double> current;       ///< the model's, A; 0 where torque drives
+  std::vector<double> travel;        ///< since the last reversal, rad
+  std::vector<double> torque;        ///< that the drive gives beyond what the model needs, Nm; 0 where not `usable`
+  std::vector<double> voltage;       ///< that the drive loses beyond the model, V; empty: no current was recorded
+  std::vector<char> usable, driven;  ///< in motion; windings connected
+  std::vector<size_t> row;           ///< the track's row at or before `time`
+};
+
+/// Runs the model's terms, with their hidden states, along the motion that the track shows. Precondition: as for
+/// Simulator.
+Unexplained unexplainedAlong(const Model& model, const Track& track);
+
+}  // namespace breakaway

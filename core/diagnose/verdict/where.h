@@ -1,0 +1,54 @@
+// Where simulation and recording part: what the model can't explain, mapped over time, angle, velocity and more.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "diagnose/model/model.h"
+#include "diagnose/simulate/track.h"
+#include "diagnose/verdict/place.h"
+
+namespace breakaway {
+
+/// An order of the turn: so many waves per turn.
+struct Order {
+  int number = 0;
+  double amplitude = 0.0;
+};
+
+/// Mean of the unexplained over one axis; cells with little data are NaN.
+struct ResidualMap {
+  std::string axis;  ///< contract's name
+  std::string unit;  ///< of the axis: "rad", "Hz" …; "current" is the motor torque in Nm, for voltage the current in A
+  Unknown shows = Unknown::torque;
+  std::vector<double> centre;           ///< of the cells, in `unit`
+  std::vector<double> width;            ///< of the cells
+  std::vector<double> mean;             ///< Nm (N on a linear axis) that the drive gives beyond what the model needs; V
+  std::vector<double> error;            ///< standard error of the mean, from stretches of one second
+  std::vector<double> rising, falling;  ///< the mean while moving towards growing and falling angle
+  std::vector<double> count;
+  std::vector<Order> orders = {};                               ///< over whole turns: the strongest, at most three
+  double fromSpeed = -std::numeric_limits<double>::infinity();  ///< the map is of these speeds only
+  double toSpeed = std::numeric_limits<double>::infinity();
+  double share = 0.0;  ///< part of the unexplained square that lies in these means, chance taken off
+  double pValue = 1.0;
+
+  bool ofSomeSpeeds() const { return fromSpeed > -std::numeric_limits<double>::infinity(); }
+};
+
+/// Maps over every axis that the tracks show. Significance by sign flips of whole seconds, maximum over all maps.
+std::vector<ResidualMap> residualMaps(const Model& model, const std::vector<Track>& tracks, std::uint64_t seed);
+
+/// Of two maps over the same axis: whether the first is the one to look at. What is alike at all speeds is simpler.
+bool showsMore(const ResidualMap& map, const ResidualMap& other);
+
+/// The stretches of the significant maps where it is worst, at most one per axis for the mechanics and one for the
+/// electrical side, the largest share first.
+std::vector<Place> places(const std::vector<ResidualMap>& maps, const Model& model);
+
+/// Puts the place on that axis (Effect::drawnOver()) first where it shows nearly as much as the first one.
+void preferAxis(std::vector<Place>& places, std::string_view axis);
+
+}  // namespace breakaway
