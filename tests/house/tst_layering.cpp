@@ -34,7 +34,7 @@ void TestLayering::plantedBreach_isFound_data() {
     QTest::newRow(qPrintable(QString("%1 %2").arg(path, include))) << path << include << why;
   };
   row("core/base/planted.h", "\"motor/bench.h\"", "base stands below motor");
-  row("core/recording/planted.cpp", "\"diagnose/simulate/model.h\"", "recording stands below diagnose");
+  row("core/recording/planted.cpp", "\"diagnose/model/model.h\"", "recording stands below diagnose");
   row("core/observer/planted.h", "\"control/pid.h\"", "observer stands below control");
   row("core/stability/planted.cpp", "\"experiment/drive.h\"", "stability stands below experiment");
   row("core/diagnose/planted.cpp", "\"draw/svg_plot.h\"", "diagnose stands below draw");
@@ -67,7 +67,7 @@ void TestLayering::plantedBreach_isFound_data() {
   row("core/trial/planted.cpp", "\"diagnose/search/search.h\"", "trials know only");
   row("core/trial/planted.cpp", "\"motor/plant.h\"", "trials know only");
   row("core/motor/planted.cpp", "\"trial/trial_plant.h\"", "motor stands below trial");
-  row("firmware_link/planted.cpp", "\"diagnose/simulate/model.h\"", "the link stands beside diagnose");
+  row("firmware_link/planted.cpp", "\"diagnose/model/model.h\"", "the link stands beside diagnose");
   row("firmware_link/planted.cpp", "<QSerialPortInfo>", "Qt only in its transports");
   row("firmware_link/transport/planted.cpp", "<QTcpSocket>", "Qt only in its transports");
   row("firmware_link/planted.cpp", "\"firmware_link/transport/serial_line.h\"", "transports stand above the link");
