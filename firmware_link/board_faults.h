@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "motor/rig_faults.h"
+#include "plant/rig_faults.h"
 
 namespace breakaway {
 

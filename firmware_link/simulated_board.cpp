@@ -9,7 +9,7 @@
 #include "firmware_link/presets.h"
 #include "firmware_link/simulated_rig.h"
 #include "firmware_link/trip_words.h"
-#include "motor/rig.h"
+#include "plant/rig.h"
 
 namespace breakaway {
 

@@ -9,7 +9,7 @@
 
 #include "firmware_link/board/reference_board.h"
 #include "firmware_link/simulated_rig.h"
-#include "motor/rig.h"
+#include "plant/rig.h"
 
 namespace breakaway {
 

@@ -6,9 +6,9 @@
 
 #include "firmware_link/board/board_hardware.h"
 #include "firmware_link/board_faults.h"
-#include "motor/plant.h"
-#include "motor/rig.h"
-#include "motor/sensors.h"
+#include "plant/plant.h"
+#include "plant/rig.h"
+#include "plant/sensors.h"
 
 namespace breakaway {
 

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "firmware_link/presets.h"
-#include "motor/rig_torques.h"
+#include "plant/rig_torques.h"
 
 namespace breakaway {
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace breakaway {
 
@@ -46,35 +45,6 @@ double upperBound95(size_t hits, size_t runs) {
     (atMost(middle) > 0.05 ? low : high) = middle;
   }
   return high;
-}
-
-std::uint64_t Random::bits() {
-  state_ += 0x9E3779B97F4A7C15ULL;
-  std::uint64_t z = state_;
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ULL;
-  z = (z ^ (z >> 27)) * 0x94D049BB133111EBULL;
-  return z ^ (z >> 31);
-}
-
-double Random::uniform() {
-  return static_cast<double>(bits() >> 11) * 0x1.0p-53;
-}
-
-double Random::normal() {
-  if (hasSpare_) {
-    hasSpare_ = false;
-    return spare_;
-  }
-  // Box and Muller's transform.
-  const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));
-  const double angle = 2.0 * std::numbers::pi * uniform();
-  spare_ = radius * std::sin(angle);
-  hasSpare_ = true;
-  return radius * std::cos(angle);
-}
-
-size_t Random::below(size_t limit) {
-  return static_cast<size_t>(uniform() * static_cast<double>(limit));
 }
 
 }  // namespace breakaway

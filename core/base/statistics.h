@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "base/random.h"
+
 namespace breakaway {
 
 /// Arithmetic mean; 0 for an empty span.
@@ -17,21 +19,6 @@ double quantile(std::vector<double> values, double fraction);
 /// One-sided 95 % upper bound of a probability after `hits` of `runs` (C. Clopper, E. Pearson, Biometrika 26(4), 1934):
 /// the largest one at which so few hits still come up in 5 % of cases; 1 for no runs.
 double upperBound95(size_t hits, size_t runs);
-
-/// Repeatable random numbers (SplitMix64; S. Vigna, public domain algorithm), the same on every machine.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
-  std::uint64_t bits();
-  double uniform();            ///< in [0, 1)
-  double normal();             ///< mean 0, standard deviation 1
-  size_t below(size_t limit);  ///< 0 … limit − 1
-
- private:
-  std::uint64_t state_;
-  double spare_ = 0.0;
-  bool hasSpare_ = false;
-};
 
 /// 95 % interval of `statistic` over resampled blocks (percentile bootstrap): calls it with block indices drawn with
 /// replacement.

@@ -8,7 +8,7 @@
 
 #include "app/window_support.h"
 #include "experiment/homing.h"
-#include "motor/rig.h"
+#include "plant/rig.h"
 #include "procedure_sequence.h"
 #include "support/temporary.h"
 #include "support/vesc_fake.h"

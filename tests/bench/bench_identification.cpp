@@ -12,7 +12,7 @@
 #include "base/statistics.h"
 #include "commission/commission.h"
 #include "firmware_link/simulated_board.h"
-#include "motor/rig.h"
+#include "plant/rig.h"
 #include "support/random_rig.h"
 
 using namespace breakaway;

@@ -12,7 +12,7 @@
 #include "firmware_link/presets.h"
 #include "firmware_link/simulated_board.h"
 #include "firmware_link/simulated_truth.h"
-#include "motor/rig.h"
+#include "plant/rig.h"
 #include "support/linear_rig.h"
 #include "support/processor_time.h"
 

@@ -16,7 +16,7 @@
 #include "firmware_link/wire/frame.h"
 #include "firmware_link/wire/messages.h"
 #include "main_window.h"
-#include "motor/rig.h"
+#include "plant/rig.h"
 #include "session/session.h"
 #include "widgets/file_chooser.h"
 

@@ -8,7 +8,7 @@
 #include "base/result.h"
 #include "commission/commission.h"
 #include "friction/friction_map.h"
-#include "motor/rig.h"
+#include "plant/rig.h"
 
 namespace breakaway::test {
 

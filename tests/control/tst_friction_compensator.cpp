@@ -2,11 +2,11 @@
 #include <cmath>
 #include <memory>
 
+#include "base/random.h"
 #include "control/friction_compensator.h"
 #include "control/friction_table.h"
 #include "control/servo_controller.h"
 #include "control/tuning.h"
-#include "motor/noise.h"
 #include "observer/reaction_torque_observer.h"
 
 using namespace breakaway;

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <complex>
 
-#include "motor/noise.h"
+#include "base/random.h"
 #include "observer/disturbance_observer.h"
 #include "observer/edge_timed_velocity.h"
 #include "observer/kalman_velocity.h"

@@ -6,9 +6,9 @@
 #include "firmware_link/board/cortex_m3/emulated_sensors.h"
 #include "firmware_link/board/cortex_m3/gaussian_table.h"
 #include "firmware_link/board/cortex_m3/host/rig_tables.h"
-#include "motor/plant.h"
-#include "motor/rig_torques.h"
-#include "motor/sensors.h"
+#include "plant/plant.h"
+#include "plant/rig_torques.h"
+#include "plant/sensors.h"
 
 using namespace breakaway;
 

@@ -7,7 +7,7 @@
 #include "experiment/velocity_step.h"
 #include "firmware_link/transport/open_board.h"
 #include "house/program.h"
-#include "motor/rig.h"
+#include "plant/rig.h"
 #include "support/temporary.h"
 #include "support/vesc_fake.h"
 

@@ -1,5 +1,5 @@
 #include "fuzz/fuzzed.h"
-#include "motor/rig.h"
+#include "plant/rig.h"
 
 using namespace breakaway;
 using namespace breakaway::test;

@@ -12,21 +12,26 @@ namespace breakaway::test {
 namespace {
 
 /// The rooms of core, each of which may include itself and those before it.
-const std::vector<std::string> rooms{"base",      "friction",   "recording", "motor",      "observer", "control",
-                                     "stability", "experiment", "identify",  "commission", "diagnose", "trial",
-                                     "score",     "draw",       "report",    "figures"};
+const std::vector<std::string> rooms{"base",    "friction",  "recording",  "motor",    "plant",      "observer",
+                                     "control", "stability", "experiment", "identify", "commission", "diagnose",
+                                     "trial",   "score",     "draw",       "report",   "figures"};
 /// The steps of diagnose, from the lowest: each may include itself and those before it. The catalogue is the top of
 /// effects/, and what lies in no folder is the top of all.
 const std::vector<std::string> steps{"model",  "effects", "catalogue", "simulate", "fit",
                                      "screen", "search",  "verdict",   "diagnosis"};
 /// What the link stands on.
-const std::set<std::string> belowLink{"base", "friction", "recording", "control", "observer", "motor", "experiment"};
+const std::set<std::string> belowLink{"base",     "friction", "recording", "control",
+                                      "observer", "motor",    "plant",     "experiment"};
 
 /// The compiler's own headers that a board without an operating system has too.
 const std::set<std::string> freestanding{"array", "bit", "cstddef", "cstdint", "limits", "span", "type_traits"};
 
-/// What trials stand on: they know neither the search nor the simulated bench.
-const std::set<std::string> belowTrial{"base", "friction", "recording", "trial"};
+/// What trials stand on: they know the plant, but not the search.
+const std::set<std::string> belowTrial{"base", "friction", "recording", "plant", "trial"};
+
+/// Of the link, the simulated boards: they alone know the plant.
+const std::vector<std::string> simulatedBoards{"firmware_link/simulated_", "firmware_link/board_faults.",
+                                               "firmware_link/board/cortex_m3/host/"};
 
 struct Include {
   std::string what;
@@ -71,8 +76,12 @@ bool isQt(const std::string& what) {
 }
 
 bool isPlant(const std::string& path) {
-  return path.starts_with("core/motor/plant") || path.starts_with("core/motor/rig") ||
-         path.starts_with("core/motor/sensors") || path.starts_with("core/trial/");
+  return path.starts_with("core/plant/") || path.starts_with("core/trial/");
+}
+
+/// The rooms of core that may use the plant; of what the search draws in, all files are looked at.
+bool knowsPlant(const std::string& room) {
+  return room == "plant" || room == "trial" || room == "diagnose";
 }
 
 /// The repository's file that an include in `from` names, or "".
@@ -109,9 +118,11 @@ std::string whyNotInCore(const std::string& path, const Include& one) {
   if (rankOf(other) == rooms.size()) return "core stands on itself only";
   if (room == "diagnose" && other == room) return whyNotOnStair(path.substr(5), one.what);
   if (room == "trial" && !belowTrial.contains(other) && one.what != "motor/bench.h")
-    return "trials know only base, friction, recordings and the bench file";
+    return "trials know only base, friction, recordings, the plant and the bench file";
   if (room == "draw" && other != "draw" && other != "base") return "drawing knows only base";
   if (room == "report" && other == "experiment") return "a report draws and writes, it moves nothing";
+  if (other == "plant" && rankOf(room) > rankOf(other) && !knowsPlant(room))
+    return "above the drive port nobody sees the plant";
   return rankOf(other) > rankOf(room) ? room + " stands below " + other : std::string();
 }
 
@@ -135,6 +146,9 @@ std::string whyNotInLink(const std::string& path, const Include& one) {
   if (!transport && one.what.starts_with("firmware_link/transport/")) return "transports stand above the link";
   const std::string other = firstPart(one.what);
   const bool written = path.starts_with("firmware_link/board/cortex_m3/") && one.what == "emulated_rig_data.h";
+  const bool simulated = std::any_of(simulatedBoards.begin(), simulatedBoards.end(),
+                                     [&path](const std::string& start) { return path.starts_with(start); });
+  if (other == "plant" && !simulated) return "of the link, only simulated boards see the plant";
   const bool fine = written || one.angled || other == "firmware_link" || belowLink.contains(other);
   return fine ? std::string() : "the link stands beside " + other;
 }

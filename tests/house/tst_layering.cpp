@@ -51,8 +51,8 @@ void TestLayering::plantedBreach_isFound_data() {
   row("core/motor/planted.h", "\"bench.h\"", "written from the layer's folder");
   row("core/motor/planted.cpp", "\"cli/command.h\"", "core stands on itself only");
   row("core/cellar/planted.cpp", "\"base/result.h\"", "no room of the plan");
-  row("core/diagnose/planted.cpp", "\"motor/plant.h\"", "the search must not know core/motor/plant.h");
-  row("core/diagnose/effects/planted.cpp", "\"motor/middle.h\"", "the search must not know core/motor/plant.h");
+  row("core/diagnose/planted.cpp", "\"plant/plant.h\"", "the search must not know core/plant/plant.h");
+  row("core/diagnose/effects/planted.cpp", "\"motor/middle.h\"", "the search must not know core/plant/plant.h");
   row("core/diagnose/planted.cpp", "\"trial/sealed_trial.h\"", "diagnose stands below trial");
   row("core/diagnose/model/planted.h", "\"diagnose/effects/wave.h\"", "model stands below effects");
   row("core/diagnose/effects/planted.cpp", "\"diagnose/effects/catalogue.h\"", "effects stands below catalogue");
@@ -65,8 +65,13 @@ void TestLayering::plantedBreach_isFound_data() {
   row("core/diagnose/model/planted.cpp", "\"diagnose/diagnosis.h\"", "model stands below diagnosis");
   row("core/diagnose/attic/planted.cpp", "\"diagnose/model/effect.h\"", "attic is no step of diagnose");
   row("core/trial/planted.cpp", "\"diagnose/search/search.h\"", "trials know only");
-  row("core/trial/planted.cpp", "\"motor/plant.h\"", "trials know only");
-  row("core/motor/planted.cpp", "\"trial/trial_plant.h\"", "motor stands below trial");
+  row("core/trial/planted.cpp", "\"diagnose/model/model.h\"", "trials know only");
+  row("core/plant/planted.cpp", "\"trial/trial_rig.h\"", "plant stands below trial");
+  row("core/plant/planted.cpp", "\"diagnose/model/model.h\"", "plant stands below diagnose");
+  row("core/motor/planted.cpp", "\"plant/rig.h\"", "motor stands below plant");
+  row("core/experiment/planted.cpp", "\"plant/rig.h\"", "nobody sees the plant");
+  row("core/report/planted.cpp", "\"plant/rig.h\"", "nobody sees the plant");
+  row("firmware_link/planted.cpp", "\"plant/plant.h\"", "only simulated boards see the plant");
   row("firmware_link/planted.cpp", "\"diagnose/model/model.h\"", "the link stands beside diagnose");
   row("firmware_link/planted.cpp", "<QSerialPortInfo>", "Qt only in its transports");
   row("firmware_link/transport/planted.cpp", "<QTcpSocket>", "Qt only in its transports");
@@ -89,20 +94,21 @@ void TestLayering::plantedBreach_isFound_data() {
   row("app/pages/planted.cpp", "\"session/session.h\"", "doesn't ask for the whole");
   row("app/pages/planted.cpp", "\"firmware_link/simulated_board.h\"", "through the session");
   row("app/pages/planted.cpp", "\"firmware_link/transport/open_board.h\"", "through the session");
-  row("app/planted.cpp", "\"motor/plant.h\"", "nobody sees the plant");
+  row("app/planted.cpp", "\"plant/plant.h\"", "nobody sees the plant");
   row("app/pages/planted.cpp", "\"trial/sealed_trial.h\"", "nobody sees the plant");
-  row("app/cli/planted.cpp", "\"trial/trial_plant.h\"", "nobody sees the plant");
+  row("app/cli/planted.cpp", "\"trial/trial_rig.h\"", "nobody sees the plant");
 }
 
 void TestLayering::plantedBreach_isFound() {
   QFETCH(QString, path);
   QFETCH(QString, include);
   QFETCH(QString, why);
-  Sources sources{
-      {"core/motor/plant.h", ""}, {"core/motor/middle.h", "#include \"motor/plant.h\"\n"}, {"core/base/result.h", ""}};
+  Sources sources{{"core/plant/plant.h", ""}, {"core/base/result.h", ""}};
   QVERIFY(breaches(sources).empty());
+  if (include.contains("middle.h")) sources["core/motor/middle.h"] = "#include \"plant/plant.h\"\n";
   sources[path.toStdString()] = "#pragma once\n  # include " + include.toStdString() + "\n";
-  const auto found = breaches(sources);
+  auto found = breaches(sources);
+  std::erase_if(found, [](const std::string& one) { return one.starts_with("core/motor/middle.h"); });
   QCOMPARE(found.size(), size_t(1));
   QVERIFY2(found[0].find(why.toStdString()) != std::string::npos && found[0].starts_with(path.toStdString()),
            found[0].c_str());

@@ -3,7 +3,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "motor/noise.h"
+#include "base/random.h"
 
 using namespace breakaway;
 

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/random.h"
 #include "identify/harmonic_evidence.h"
-#include "motor/noise.h"
 
 using namespace breakaway;
 

@@ -1,9 +1,9 @@
 #include <QTest>
 #include <cmath>
 
+#include "base/random.h"
 #include "identify/motor_identification.h"
 #include "identify/reversal_inertia.h"
-#include "motor/noise.h"
 
 using namespace breakaway;
 

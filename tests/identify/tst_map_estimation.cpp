@@ -2,8 +2,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/random.h"
 #include "identify/map_estimation.h"
-#include "motor/noise.h"
 
 using namespace breakaway;
 

@@ -1,8 +1,8 @@
 #include <QTest>
 #include <cmath>
 
+#include "base/random.h"
 #include "identify/stribeck_velocity.h"
-#include "motor/noise.h"
 
 using namespace breakaway;
 

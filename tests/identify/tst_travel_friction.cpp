@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/random.h"
 #include "identify/smooth_pair.h"
 #include "identify/travel_friction.h"
-#include "motor/noise.h"
 
 using namespace breakaway;
 

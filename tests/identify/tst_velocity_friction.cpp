@@ -2,8 +2,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/random.h"
 #include "identify/velocity_friction.h"
-#include "motor/noise.h"
 
 using namespace breakaway;
 

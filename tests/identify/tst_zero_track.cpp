@@ -1,8 +1,8 @@
 #include <QTest>
 #include <cmath>
 
+#include "base/random.h"
 #include "identify/zero_track.h"
-#include "motor/noise.h"
 
 using namespace breakaway;
 

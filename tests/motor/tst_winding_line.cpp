@@ -1,7 +1,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "motor/noise.h"
+#include "base/random.h"
 #include "motor/winding_line.h"
 
 using namespace breakaway;

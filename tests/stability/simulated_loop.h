@@ -6,8 +6,8 @@
 #include <cmath>
 #include <deque>
 
+#include "base/random.h"
 #include "control/servo_controller.h"
-#include "motor/noise.h"
 #include "stability/servo_loop.h"
 
 namespace breakaway::test {

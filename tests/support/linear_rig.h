@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string>
 
-#include "motor/noise.h"
+#include "base/random.h"
 
 namespace breakaway::test {
 

@@ -10,8 +10,8 @@
 
 #include "friction/friction_map.h"
 #include "friction/measurements.h"
-#include "motor/rig.h"
-#include "motor/rig_torques.h"
+#include "plant/rig.h"
+#include "plant/rig_torques.h"
 
 namespace breakaway::test {
 

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "base/random.h"
 #include "motor/bench.h"
-#include "motor/noise.h"
-#include "motor/plant.h"
-#include "motor/rig.h"
+#include "plant/plant.h"
+#include "plant/rig.h"
 #include "recording/recording.h"
 
 namespace breakaway::test {

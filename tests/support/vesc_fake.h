@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "firmware_link/vesc/vesc_frame.h"
-#include "motor/plant.h"
-#include "motor/rig.h"
+#include "plant/plant.h"
+#include "plant/rig.h"
 #include "support/pty.h"
 
 namespace breakaway::test {

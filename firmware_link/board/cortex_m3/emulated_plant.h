@@ -9,7 +9,7 @@
 
 namespace breakaway {
 
-/// The equations of `core/motor/plant.h` without its concealed effects: exact transition of winding and shaft over a
+/// The equations of `core/plant/plant.h` without its concealed effects: exact transition of winding and shaft over a
 /// substep with the dry torques held at their mid-step value; standing still until the motor's torque exceeds static
 /// friction; coming to rest where the speed passes zero. The angle is whole 2^-36 turns, so that it never loses digits.
 class EmulatedPlant {

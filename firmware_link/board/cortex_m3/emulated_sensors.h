@@ -1,4 +1,4 @@
-// What the emulated board sees of its plant: encoder, current sensor, bridge; as `core/motor/sensors.h`, in single
+// What the emulated board sees of its plant: encoder, current sensor, bridge; as `core/plant/sensors.h`, in single
 // precision. Freestanding.
 #pragma once
 

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "firmware_link/simulated_rig.h"
-#include "motor/plant_propagator.h"
-#include "motor/rig_torques.h"
+#include "plant/plant_propagator.h"
+#include "plant/rig_torques.h"
 
 namespace breakaway {
 

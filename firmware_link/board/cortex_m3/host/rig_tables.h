@@ -6,7 +6,7 @@
 
 #include "base/result.h"
 #include "firmware_link/board/cortex_m3/emulated_rig.h"
-#include "motor/rig.h"
+#include "plant/rig.h"
 
 namespace breakaway {
 
@@ -22,7 +22,7 @@ struct RigTables {
   RigTables& operator=(RigTables&&) = default;
 };
 
-/// Tabulates the same functions that the truth is computed from (motor/rig_torques.h). Errors: an effect that isn't a
+/// Tabulates the same functions that the truth is computed from (plant/rig_torques.h). Errors: an effect that isn't a
 /// function of the angle alone, a fault, an encoder without whole counts: the emulated plant has none of these.
 Result<RigTables> rigTables(const Rig& rig);
 

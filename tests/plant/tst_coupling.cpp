@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "motor/plant.h"
+#include "plant/plant.h"
 #include "support/linear_rig.h"
 
 using namespace breakaway;

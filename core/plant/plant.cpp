@@ -1,10 +1,10 @@
-#include "motor/plant.h"
+#include "plant/plant.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "motor/rig_torques.h"
+#include "plant/rig_torques.h"
 
 namespace breakaway {
 

@@ -1,7 +1,7 @@
 #include <QTest>
 
-#include "motor/rig.h"
-#include "motor/rig_torques.h"
+#include "plant/rig.h"
+#include "plant/rig_torques.h"
 #include "support/random_rig.h"
 
 using namespace breakaway;

@@ -1,4 +1,4 @@
-#include "motor/rig_effects.h"
+#include "plant/rig_effects.h"
 
 namespace breakaway {
 

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <numbers>
 
-#include "motor/noise.h"
-#include "motor/rig.h"
+#include "base/random.h"
+#include "plant/rig.h"
 
 namespace breakaway {
 

@@ -1,4 +1,4 @@
-#include "motor/rig_torques.h"
+#include "plant/rig_torques.h"
 
 #include <algorithm>
 #include <cmath>

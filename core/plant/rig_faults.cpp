@@ -1,4 +1,4 @@
-#include "motor/rig_faults.h"
+#include "plant/rig_faults.h"
 
 #include <algorithm>
 #include <utility>

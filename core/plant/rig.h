@@ -9,8 +9,8 @@
 #include "base/axis.h"
 #include "base/result.h"
 #include "motor/duty_curve.h"
-#include "motor/rig_coupling.h"
-#include "motor/rig_faults.h"
+#include "plant/rig_coupling.h"
+#include "plant/rig_faults.h"
 
 namespace breakaway {
 

@@ -1,4 +1,4 @@
-#include "motor/plant_propagator.h"
+#include "plant/plant_propagator.h"
 
 #include <cmath>
 

@@ -1,10 +1,51 @@
-// Seeded noise for simulated rigs, the same on every machine.
+// Repeatable random numbers, the same on every machine.
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <numbers>
 
 namespace breakaway {
+
+/// Uniform and normal numbers from SplitMix64 (S. Vigna's public domain algorithm), normal ones by Box and Muller's
+/// transform.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : state_(seed) {}
+
+  std::uint64_t bits() {
+    state_ += 0x9E3779B97F4A7C15ULL;
+    std::uint64_t z = state_;
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ULL;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EBULL;
+    return z ^ (z >> 31);
+  }
+
+  /// Uniform in [0, 1).
+  double uniform() { return static_cast<double>(bits() >> 11) * 0x1.0p-53; }
+
+  /// Normal with mean 0 and variance 1.
+  double normal() {
+    if (hasSpare_) {
+      hasSpare_ = false;
+      return spare_;
+    }
+    const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));
+    const double angle = 2.0 * std::numbers::pi * uniform();
+    spare_ = radius * std::sin(angle);
+    hasSpare_ = true;
+    return radius * std::cos(angle);
+  }
+
+  /// 0 … limit − 1, evenly.
+  std::size_t below(std::size_t limit) { return static_cast<std::size_t>(uniform() * static_cast<double>(limit)); }
+
+ private:
+  std::uint64_t state_;
+  double spare_ = 0.0;
+  bool hasSpare_ = false;
+};
 
 /// Uniform and normal numbers from xoshiro256++ (Blackman and Vigna, "Scrambled linear pseudorandom number generators",
 /// 2021), normal ones by Marsaglia's polar method.

@@ -1,7 +1,7 @@
 // A rig's torques around the rotor, with the concealed effects that are functions of the angle alone folded in.
 #pragma once
 
-#include "motor/rig.h"
+#include "plant/rig.h"
 
 namespace breakaway {
 

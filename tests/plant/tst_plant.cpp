@@ -2,8 +2,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "motor/plant.h"
-#include "motor/sensors.h"
+#include "plant/plant.h"
+#include "plant/sensors.h"
 
 using namespace breakaway;
 

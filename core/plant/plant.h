@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "motor/noise.h"
-#include "motor/plant_propagator.h"
-#include "motor/rig.h"
+#include "base/random.h"
+#include "plant/plant_propagator.h"
+#include "plant/rig.h"
 
 namespace breakaway {
 

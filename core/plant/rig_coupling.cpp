@@ -1,4 +1,4 @@
-#include "motor/rig_coupling.h"
+#include "plant/rig_coupling.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "motor/rig.h"
+#include "plant/rig.h"
 
 #include <algorithm>
 #include <cassert>
@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "base/json_object.h"
-#include "motor/rig_effects.h"
+#include "plant/rig_effects.h"
 
 namespace breakaway {
 

@@ -1,4 +1,4 @@
-#include "motor/sensors.h"
+#include "plant/sensors.h"
 
 #include <algorithm>
 
