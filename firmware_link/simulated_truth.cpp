@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "firmware_link/presets.h"
-#include "plant/rig_torques.h"
+#include "plant/rig.h"
 
 namespace breakaway {
 
@@ -26,12 +26,13 @@ Result<FrictionMap> trueMap(const std::string& uri, const FrictionMap& measured)
   map.axis = rig->axis;
   map.totalVelocity_rad_per_s = measured.totalVelocity_rad_per_s;
   map.bins.resize(measured.bins.size());
+  const PlantPhysics physics = physicsOf(*rig);
   const double unit = rig->unitPerRad();
   double coulomb = 0.0, viscous = 0.0;
   for (size_t k = 0; k < map.bins.size(); ++k) {
     MapBin& bin = map.bins[k];
     bin.angle_rad = measured.bins[k].angle_rad;
-    const RigTorques torques = torquesAt(*rig, shaftAngle_rad(*rig, bin.angle_rad));
+    const AngleTorques torques = torquesAt(physics, shaftAngle_rad(*rig, bin.angle_rad));
     for (size_t w = 0; w < 2; ++w) {
       const double against = w == 0 ? torques.position_Nm : -torques.position_Nm;
       WayBin& way = bin.way[w];

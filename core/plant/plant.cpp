@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "plant/rig_torques.h"
-
 namespace breakaway {
 
 namespace {
@@ -13,7 +11,6 @@ namespace {
 constexpr double turn = 2.0 * std::numbers::pi;
 constexpr int cellsPerOrder = 256;  // linear interpolation errs by 8e-5 of a harmonic's amplitude
 constexpr double heatStep_s = 0.01;
-constexpr double sameStand_rad = 1e-4;
 
 double signOf(int way) {
   return way == 0 ? -1.0 : 1.0;
@@ -21,75 +18,53 @@ double signOf(int way) {
 
 }  // namespace
 
-Plant::Plant(const Rig& rig, double substep_s, uint64_t seed)
-    : substep_s_(substep_s),
-      stribeckVelocity_(rig.stribeckVelocity_rad_per_s),
-      scatterRms_(rig.scatterRms),
-      supply_V_(rig.bridge.supply_V),
-      coldResistance_ohm_(rig.resistance_ohm),
-      coupling_(rig.coupling),
-      load_rad_(rig.startAngle_rad()),
+Plant::Plant(const PlantPhysics& physics, double substep_s, uint64_t seed)
+    : physics_(physics),
+      substep_s_(substep_s),
+      load_rad_(physics.startAngle_rad),
       noise_(seed),
-      angle_rad_(rig.startAngle_rad()) {
-  if (rig.axis == Axis::linear) {
-    travel_rad_ = turn;
-    stopStiffness_ = rig.travel.stopStiffness_Nm_per_rad;
-    stopDamping_ = rig.travel.stopDamping_Nm_s_per_rad;
-  }
-  const int cells = std::max(4096, cellsPerOrder * highestOrder(rig));
+      angle_rad_(physics.startAngle_rad) {
+  const PlantPhysics& p = physics_;
+  const int cells = std::max(4096, cellsPerOrder * highestOrder(p));
   cellsPerTurn_ = cells;
-  double rippleOrder = 0.0, rippleAmplitude = 0.0, ripplePhase = 0.0;
-  for (const RigEffect& effect : rig.effects) {
-    const auto& name = effect.effect;
-    if (name == "quadratic_drag") dragCoefficient_ = effect.parameter("coefficient_Nm_s2_per_rad2");
-    if (name == "friction_warmup")
-      warmShare_ = effect.parameter("share"), warmTime_s_ = effect.parameter("time_constant_s");
-    if (name == "rising_stiction")
-      restShare_ = effect.parameter("share"), restTime_s_ = effect.parameter("time_constant_s");
-    if (name == "dead_time") deadTime_V_ = effect.parameter("voltage_V");
-    if (name == "supply_sag") sagResistance_ohm_ = effect.parameter("resistance_ohm");
-    if (name == "winding_heating") {
-      heatShare_ = effect.parameter("share");
-      heatCurrent_A_ = effect.parameter("current_A");
-      heatTime_s_ = effect.parameter("time_constant_s");
-    }
-    if (name == "torque_ripple") {
-      rippleOrder = effect.parameter("order"), rippleAmplitude = effect.parameter("amplitude");
-      ripplePhase = effect.parameter("phase_rad");
-    }
-    if (name == "external_disturbance") {
-      pulse_Nm_ = effect.parameter("torque_Nm");
-      pulseStart_s_ = effect.parameter("start_s");
-      pulseEnd_s_ = pulseStart_s_ + effect.parameter("duration_s");
-    }
-  }
-  sagResistance_ohm_ += rig.bridge.supplyResistance_ohm;
   cells_.resize(static_cast<size_t>(cells) + 1);
   double viscousSum[2] = {0.0, 0.0};
   for (int k = 0; k <= cells; ++k) {
-    const double angle = turn * k / cells;
-    const RigTorques torques = torquesAt(rig, angle);
+    const AngleTorques torques = torquesAt(p, turn * k / cells);
     Cell& cell = cells_[static_cast<size_t>(k)];
     for (size_t way = 0; way < 2; ++way) {
-      cell.static_Nm[way] = torques.static_Nm[way] / (1.0 + restShare_);
+      cell.static_Nm[way] = std::max(0.0, p.holding[way].at(turn * k / cells));
       cell.coulomb_Nm[way] = torques.coulomb_Nm[way];
       cell.viscous[way] = torques.viscous_Nm_s_per_rad[way];
       if (k < cells) viscousSum[way] += cell.viscous[way];
     }
     cell.position_Nm = torques.position_Nm;
-    cell.ripple = 1.0 + rippleAmplitude * std::cos(rippleOrder * angle - ripplePhase);
+    cell.ripple = torques.ripple;
   }
-  for (size_t way = 0; way < 2; ++way) {
-    motor_[way] = {rig.torqueConstant_Nm_per_A, rig.backEmfConstant_V_s_per_rad, rig.resistance_ohm, rig.inductance_H,
-                   rig.inertia_kg_m2,           viscousSum[way] / cells};
-  }
+  for (size_t way = 0; way < 2; ++way)
+    motor_[way] = {p.torqueConstant, p.backEmfConstant, p.resistance_ohm,
+                   p.inductance_H,   p.inertia,         viscousSum[way] / cells};
+  if (p.delay_s > 0.0 || p.inputLimit > 0.0 || p.inputSlew_per_s > 0.0) path_.emplace(p, substep_s);
+  if (p.outside != OutsidePhysics{}) outside_.emplace(p.outside, substep_s, seed);
+  bent_ = !p.ripple.empty() || p.saturationTorque > 0.0 || p.outside.deadBand > 0.0;
+  further_ = p.warmup.excess != 0.0 || p.ofLoad != 0.0 || p.rest.excess != 0.0 || outside_.has_value();
   prepare();
   comeToRest();
+  moving_ = p.bristles.stiffness > 0.0;  // on bristles it never stands
+}
+
+void Plant::set(double angle_rad, double velocity_rad_per_s, double current_A) {
+  angle_rad_ = load_rad_ = angle_rad;
+  velocity_ = loadVelocity_ = velocity_rad_per_s;
+  current_ = current_A;
+  acceleration_ = 0.0;
+  moving_ = velocity_ != 0.0 || physics_.bristles.stiffness > 0.0;
+  way_ = velocity_ < 0.0 ? 0 : 1;
 }
 
 void Plant::prepare() {
   for (int way = 0; way < 2; ++way) {
-    motor_[way].resistance_ohm = coldResistance_ohm_ * resistancePart_ * (1.0 + heatShare_ * heat_);
+    motor_[way].resistance_ohm = physics_.resistance_ohm * resistancePart_ * (1.0 + heat_);
     closed_[way] = closedWindings(motor_[way], substep_s_);
     opened_[way] = breakaway::openWindings(motor_[way], substep_s_);
   }
@@ -107,19 +82,36 @@ Plant::Local Plant::localAt(double angle_rad, int way) const {
           motor_[way].torqueConstant * mix(a.ripple, b.ripple)};
 }
 
+/// What the electromagnetic torque is worth on the shaft.
+double Plant::motorTorque(const Local& here, double current_A) const {
+  double torque = here.torqueConstant * current_A;
+  if (physics_.saturationTorque > 0.0)
+    torque = physics_.saturationTorque * std::tanh(torque / physics_.saturationTorque);
+  return outside_ ? outside_->passedOn(torque) : torque;
+}
+
+/// By how much all dry friction is more than when warm.
 double Plant::warmth() const {
-  return warmShare_ == 0.0 ? 1.0 : 1.0 + warmShare_ * std::exp(-time_s_ / warmTime_s_);
+  const auto& w = physics_.warmup;
+  return w.share == 0.0 ? 1.0 : 1.0 + w.share * std::exp(-time_s_ / w.time_s);
+}
+
+/// How far the present rest has grown what a long one adds.
+double Plant::rested() const {
+  return 1.0 - std::exp(-(time_s_ - restStart_s_) / physics_.rest.time_s);
 }
 
 double Plant::outerTorque() const {
-  return time_s_ >= pulseStart_s_ && time_s_ < pulseEnd_s_ ? pulse_Nm_ : 0.0;
+  const auto& p = physics_.pulse;
+  return time_s_ >= p.start_s && time_s_ < p.start_s + p.duration_s ? p.torque : 0.0;
 }
 
 /// A stop pushes back, and never pulls.
 double Plant::stopTorque(double angle_rad, double velocity) const {
-  if (travel_rad_ <= 0.0 || (angle_rad >= 0.0 && angle_rad <= travel_rad_)) return 0.0;
-  const double beyond = angle_rad < 0.0 ? angle_rad : angle_rad - travel_rad_;
-  const double torque = -stopStiffness_ * beyond - stopDamping_ * velocity;
+  const auto& s = physics_.stops;
+  if (!s.present || (angle_rad >= s.low_rad && angle_rad <= s.high_rad)) return 0.0;
+  const double beyond = angle_rad < s.low_rad ? angle_rad - s.low_rad : angle_rad - s.high_rad;
+  const double torque = -s.stiffness * beyond - s.damping * velocity;
   return torque * beyond < 0.0 ? torque : 0.0;
 }
 
@@ -127,43 +119,59 @@ double Plant::stopTorque(double angle_rad, double velocity) const {
 /// solved to second order.
 double Plant::outsideTorque(double duration_s) {
   const double half = 0.5 * duration_s;
-  if (!coupling_.present()) return outerTorque() + stopTorque(angle_rad_ + half * velocity_, velocity_);
+  const RigCoupling& coupling = physics_.coupling;
+  const double outer =
+      outside_ ? outerTorque() + outside_->torque(angle_rad_ + half * velocity_, velocity_ + half * acceleration_)
+               : outerTorque();
+  if (!coupling.present()) return outer + stopTorque(angle_rad_ + half * velocity_, velocity_);
   const double load_rad = load_rad_ + half * loadVelocity_;
-  coupled_Nm_ = coupling_.torque_Nm(angle_rad_ + half * velocity_ - load_rad, velocity_ - loadVelocity_);
+  coupled_Nm_ = coupling.torque_Nm(angle_rad_ + half * velocity_ - load_rad, velocity_ - loadVelocity_);
   loadStop_Nm_ = stopTorque(load_rad, loadVelocity_);
-  return outerTorque() - coupled_Nm_;
+  return outer - coupled_Nm_;
 }
 
 /// The load takes the very impulse that the motor gives.
 void Plant::moveLoad(double duration_s) {
-  if (!coupling_.present()) return;
+  if (!physics_.coupling.present()) return;
   const double before = loadVelocity_;
-  loadVelocity_ += (coupled_Nm_ + loadStop_Nm_) * duration_s / coupling_.loadInertia_kg_m2;
+  loadVelocity_ += (coupled_Nm_ + loadStop_Nm_) * duration_s / physics_.coupling.loadInertia_kg_m2;
   load_rad_ += 0.5 * (before + loadVelocity_) * duration_s;
 }
 
 double Plant::windingVoltage() const {
-  double voltage = voltage_V_;
-  if (sagResistance_ohm_ != 0.0) {
-    const double busCurrent = voltage * current_ / supply_V_;
-    voltage *= 1.0 - sagResistance_ohm_ * std::max(0.0, busCurrent) / supply_V_;
+  const PlantPhysics& p = physics_;
+  double voltage = acting_;
+  if (p.supplyResistance_ohm != 0.0) {
+    const double busCurrent = voltage * current_ / p.supply_V;
+    voltage *= 1.0 - p.supplyResistance_ohm * std::max(0.0, busCurrent) / p.supply_V;
   }
-  if (deadTime_V_ != 0.0) {
+  if (p.deadTime_V != 0.0) {
     // The diodes take their drop from whichever way the current flows; at rest they hold it at zero up to that drop.
-    if (std::abs(current_) > 1e-6) {
-      voltage -= std::copysign(deadTime_V_, current_);
+    if (p.deadTimeCurrent_A > 0.0) {
+      voltage -= p.deadTime_V * std::tanh(current_ / p.deadTimeCurrent_A);
+    } else if (std::abs(current_) > 1e-6) {
+      voltage -= std::copysign(p.deadTime_V, current_);
     } else {
-      voltage = std::copysign(std::max(0.0, std::abs(voltage) - deadTime_V_), voltage);
+      voltage = std::copysign(std::max(0.0, std::abs(voltage) - p.deadTime_V), voltage);
     }
   }
   return voltage;
 }
 
-double Plant::threshold(int way) const {
-  const Local local = localAt(angle_rad_, way);
-  double rested = 1.0;
-  if (restShare_ != 0.0) rested += restShare_ * (1.0 - std::exp(-(time_s_ - restStart_s_) / restTime_s_));
-  return local.static_Nm * scatter_[way] * rested * warmth();
+/// Dry friction beyond Coulomb friction and what a breakaway leaves of static friction.
+double Plant::further(const Local& here, double speed, double current_A) const {
+  const PlantPhysics& p = physics_;
+  double torque = p.ofLoad * std::abs(p.torqueConstant * current_A);
+  if (p.warmup.excess != 0.0) torque += p.warmup.excess * std::exp(-time_s_ / p.warmup.time_s);
+  return outside_ ? torque + outside_->friction(speed, here.coulomb_Nm) : torque;
+}
+
+double Plant::threshold(const Local& here, int way, double current_A) const {
+  const auto& rest = physics_.rest;
+  const double grown = 1.0 + (rest.share != 0.0 ? rest.share * rested() : 0.0);
+  const double held = here.static_Nm * scatter_[way] * grown * warmth();
+  if (!further_) return held;
+  return held + further(here, 0.0, current_A) + (rest.excess != 0.0 ? rest.excess * rested() : 0.0);
 }
 
 void Plant::comeToRest() {
@@ -171,35 +179,40 @@ void Plant::comeToRest() {
   acceleration_ = 0.0;
   moving_ = false;
   // Asperities that have hardly moved hold as before: a slip that short is the same standstill.
-  if (std::abs(angle_rad_ - restAngle_rad_) < sameStand_rad) return;
+  if (std::abs(angle_rad_ - restAngle_rad_) < physics_.sameStand_rad) return;
   restStart_s_ = time_s_;
   restAngle_rad_ = angle_rad_;
-  for (double& factor : scatter_) factor = std::max(0.0, 1.0 + scatterRms_ * noise_.normal());
+  for (double& factor : scatter_) factor = std::max(0.0, 1.0 + physics_.scatterRms * noise_.normal());
 }
 
 // Standing: the current is an exact exponential, so the moment at which it reaches the breakaway level is a logarithm.
 double Plant::stand(double duration_s) {
   const LinearMotor& m = motor_[1];
-  const double rate = m.resistance_ohm / m.inductance_H;
-  const double target = open_ ? 0.0 : windingVoltage() / m.resistance_ohm;
+  const double rate = shaftAlone() ? 0.0 : m.resistance_ohm / m.inductance_H;
   const double start = open_ ? 0.0 : current_;
-  const double end = open_ ? 0.0 : target + (start - target) * std::exp(-rate * duration_s);
-  const Local here = localAt(angle_rad_, 1);
-  const double free = here.position_Nm + outsideTorque(duration_s);
+  const double target = shaftAlone() ? start : windingVoltage() / m.resistance_ohm;
+  const double end = target + (start - target) * std::exp(-rate * duration_s);
+  const double outside = outsideTorque(duration_s);
   for (int way = 0; way < 2; ++way) {
-    const double limit = threshold(way);
-    if (blocked_ || signOf(way) * (here.torqueConstant * end + free) <= limit) continue;
+    const Local here = localAt(angle_rad_, way);
+    const double sign = signOf(way), limit = threshold(here, way, end), free = here.position_Nm + outside;
+    const double most = motorTorque(here, end);
+    if (blocked_ || sign * (most + free) <= limit) continue;
     double used = 0.0;
-    const double level = (signOf(way) * limit - free) / here.torqueConstant;  // current at which it lets go
-    if (signOf(way) * (level - start) > 0.0)
+    const double level = (sign * limit - free) / here.torqueConstant;  // current at which it lets go
+    if (bent_) {
+      const double least = motorTorque(here, start), needed = sign * limit - free;
+      if (sign * (needed - least) > 0.0) used = duration_s * (needed - least) / (most - least);
+    } else if (sign * (level - start) > 0.0) {
       used = std::clamp(-std::log((level - target) / (start - target)) / rate, 0.0, duration_s);
-    current_ = open_ ? 0.0 : target + (start - target) * std::exp(-rate * used);
+    }
+    current_ = target + (start - target) * std::exp(-rate * used);
     time_s_ += used;
     moveLoad(used);
     moving_ = true;
     way_ = way;
-    if (restShare_ != 0.0)
-      scatter_[way] *= 1.0 + restShare_ * (1.0 - std::exp(-(time_s_ - restStart_s_) / restTime_s_));
+    if (physics_.rest.share != 0.0) scatter_[way] *= 1.0 + physics_.rest.share * rested();
+    if (physics_.rest.excess != 0.0) restLeft_Nm_ = physics_.rest.excess * rested();
     return used;
   }
   current_ = end;
@@ -209,38 +222,60 @@ double Plant::stand(double duration_s) {
 }
 
 Propagator Plant::propagatorFor(int way, double duration_s) const {
-  if (duration_s == substep_s_) return open_ ? opened_[way] : closed_[way];
-  return open_ ? breakaway::openWindings(motor_[way], duration_s) : closedWindings(motor_[way], duration_s);
+  if (duration_s == substep_s_) return shaftAlone() ? opened_[way] : closed_[way];
+  return shaftAlone() ? breakaway::openWindings(motor_[way], duration_s) : closedWindings(motor_[way], duration_s);
+}
+
+/// LuGre's torque under the friction `dry_Nm` of steady motion; advances the bristles implicitly.
+double Plant::bristleTorque(double dry_Nm, double duration_s) {
+  const auto& b = physics_.bristles;
+  const double before = bristle_rad_;
+  bristle_rad_ = (bristle_rad_ + duration_s * velocity_) /
+                 (1.0 + duration_s * b.stiffness * std::abs(velocity_) / std::max(dry_Nm, 1e-12));
+  return b.stiffness * bristle_rad_ + b.damping * (bristle_rad_ - before) / duration_s;
 }
 
 double Plant::slide(double duration_s) {
+  const PlantPhysics& p = physics_;
+  const bool bristly = p.bristles.stiffness > 0.0;
+  if (bristly && velocity_ != 0.0) way_ = velocity_ < 0.0 ? 0 : 1;
   const double sign = signOf(way_), half = 0.5 * duration_s;
   double middle = velocity_ + half * acceleration_;  // mid-step speed, for what changes slowly
   if (middle * sign < 0.0) middle = 0.0;
   const Local here = localAt(angle_rad_ + half * velocity_, way_);
-  const double x = middle / stribeckVelocity_;
-  const double excess =
-      std::abs(x) < 6.0 ? (here.static_Nm * scatter_[way_] - here.coulomb_Nm) * std::exp(-x * x) : 0.0;
+  const double x = std::abs(middle / p.stribeckVelocity), above = here.static_Nm * scatter_[way_] - here.coulomb_Nm;
+  const double fallen = p.stribeckExponent == 2.0 ? x * x : std::pow(x, p.stribeckExponent);
+  const double excess = above != 0.0 && fallen < 36.0 ? above * std::exp(-fallen) : 0.0;
   const LinearMotor& m = motor_[way_];
-  double torque = here.position_Nm + outsideTorque(duration_s) - sign * warmth() * (here.coulomb_Nm + excess);
-  torque -= (here.viscous - m.viscous) * middle + dragCoefficient_ * middle * std::abs(middle);
-  if (!open_) torque += (here.torqueConstant - m.torqueConstant) * current_;
-  const double drive = open_ ? 0.0 : windingVoltage() / m.inductance_H, push = torque / m.inertia;
   const double i0 = open_ ? 0.0 : current_, w0 = velocity_;
-  const auto speedAfter = [&](const Propagator& p) {
-    return p.phi[1][0] * i0 + p.phi[1][1] * w0 + p.gamma[1][0] * drive + p.gamma[1][1] * push;
+  double dry = warmth() * (here.coulomb_Nm + excess);
+  if (further_) dry = std::max(0.0, dry + further(here, std::abs(middle), i0) + restLeft_Nm_);
+  const double outside = outsideTorque(duration_s);
+  double torque = here.position_Nm + outside - (bristly ? bristleTorque(dry, duration_s) : sign * dry);
+  torque -= (here.viscous - m.viscous) * middle + p.quadraticDrag * middle * std::abs(middle);
+  if (bent_ && !shaftAlone()) torque += motorTorque(here, i0) - m.torqueConstant * i0;
+  if (!p.electrical) torque += motorTorque(here, i0);
+  double drive = 0.0;
+  if (!shaftAlone()) {
+    double voltage = windingVoltage();
+    if (bent_) voltage -= (here.torqueConstant / m.torqueConstant - 1.0) * m.backEmfConstant * middle;
+    drive = voltage / m.inductance_H;
+  }
+  const double push = torque / m.inertia;
+  const auto speedAfter = [&](const Propagator& of) {
+    return of.phi[1][0] * i0 + of.phi[1][1] * w0 + of.gamma[1][0] * drive + of.gamma[1][1] * push;
   };
-  Propagator p = propagatorFor(way_, duration_s);
-  double w1 = speedAfter(p), used = duration_s;
-  const bool rests = w1 * sign <= 0.0;
+  Propagator e = propagatorFor(way_, duration_s);
+  double w1 = speedAfter(e), used = duration_s;
+  const bool rests = !bristly && w1 * sign <= 0.0;
   if (rests && w0 * sign > 0.0) {
     // Zero of the exact solution by the Illinois method; the speed changes its sign once within so short a step.
     double low = 0.0, high = duration_s, atLow = w0, atHigh = w1;
     bool wasBefore = false, first = true;
     for (int k = 0; k < 60 && high - low > 1e-13 * duration_s + 1e-18; ++k) {
       used = (low * atHigh - high * atLow) / (atHigh - atLow);
-      p = propagatorFor(way_, used);
-      w1 = speedAfter(p);
+      e = propagatorFor(way_, used);
+      w1 = speedAfter(e);
       if (w1 == 0.0) break;
       const bool before = w1 * sign > 0.0;
       (before ? low : high) = used;
@@ -250,8 +285,10 @@ double Plant::slide(double duration_s) {
       first = false;
     }
   }
-  current_ = p.phi[0][0] * i0 + p.phi[0][1] * w0 + p.gamma[0][0] * drive + p.gamma[0][1] * push;
-  angle_rad_ += 0.5 * (w0 + (rests ? 0.0 : w1)) * used;
+  if (p.electrical) current_ = e.phi[0][0] * i0 + e.phi[0][1] * w0 + e.gamma[0][0] * drive + e.gamma[0][1] * push;
+  const double moved = 0.5 * (w0 + (rests ? 0.0 : w1)) * used;
+  angle_rad_ += moved;
+  if (restLeft_Nm_ != 0.0) restLeft_Nm_ *= std::exp(-std::abs(moved) / p.rest.travel_rad);
   time_s_ += used;
   moveLoad(used);
   acceleration_ = (w1 - w0) / used;
@@ -267,10 +304,12 @@ double Plant::slide(double duration_s) {
 }
 
 void Plant::heat() {
+  if (!open_) loss_J_ += motor_[0].resistance_ohm * current_ * current_ * substep_s_;
   const double elapsed = time_s_ - heatDone_s_;
   if (elapsed < heatStep_s) return;
-  const double load = open_ ? 0.0 : current_ * current_ / (heatCurrent_A_ * heatCurrent_A_);
-  heat_ += (load - heat_) * -std::expm1(-elapsed / heatTime_s_);
+  const double steady = physics_.heatingPerJoule * physics_.heatingTime_s * loss_J_ / elapsed;
+  heat_ += (steady - heat_) * -std::expm1(-elapsed / physics_.heatingTime_s);
+  loss_J_ = 0.0;
   heatDone_s_ = time_s_;
   prepare();
 }
@@ -284,10 +323,13 @@ void Plant::scaleResistance(double part) {
 void Plant::advance(int substeps) {
   if (blocked_ && moving_) comeToRest();
   for (int k = 0; k < substeps; ++k) {
+    if (outside_) outside_->step(time_s_, velocity_);
+    acting_ = path_ ? path_->next(input_) : input_;
+    if (!physics_.electrical) current_ = acting_ / physics_.torqueConstant;
     double left = substep_s_;
     // Rest and breakaway can follow each other within a step; what eight events leave over is less than a step.
     for (int events = 0; events < 8 && left > 0.0; ++events) left -= moving_ ? slide(left) : stand(left);
-    if (heatShare_ != 0.0) heat();
+    if (physics_.heatingPerJoule != 0.0) heat();
   }
 }
 

@@ -1,28 +1,37 @@
-// The simulated rig's physics: winding, shaft and exact stick-slip. Standing still is standing still: speed is exactly
-// zero until the drive torque exceeds static friction, and the moments of breaking away and of coming to rest are found
-// on the exact solution.
+// The plant of simulated boards and sealed trials: winding, shaft and exact stick-slip. Standing still is standing
+// still: speed is exactly zero until the drive torque exceeds static friction, and the moments of breaking away and of
+// coming to rest are found on the exact solution. Written apart from the search's simulator, so that an error in one of
+// them can't hide in the other.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "base/random.h"
+#include "plant/command_path.h"
+#include "plant/outside.h"
+#include "plant/physics.h"
 #include "plant/plant_propagator.h"
 #include "plant/rig.h"
 
 namespace breakaway {
 
-/// A motor on its rig. Between events the equations are linear with the dry torques held at their mid-step value, and
-/// are solved exactly; friction moving is C(θ) + (S(θ) − C(θ))·exp(−(ω/ω_s)²) + B(θ)·ω (Armstrong-Hélouvry, "Control of
-/// Machines with Friction", 1991, the Gaussian form), S with the scatter of the breakaway that began the motion.
+/// Between events the equations are linear with the dry torques held at their mid-step value, and are solved exactly;
+/// friction moving is C(θ) + (S(θ) − C(θ))·exp(−(ω/ω_s)^δ) + B(θ)·ω (Armstrong-Hélouvry, "Control of Machines with
+/// Friction", 1991), S with the scatter of the breakaway that began the motion; with bristles LuGre's on top of that
+/// level (Canudas de Wit et al., "A new model for control of systems with friction", IEEE TAC 40 (1995), eqs. 2–4).
 class Plant {
  public:
   /// `substep_s` is the step; 50 µs or finer, and coarsestStep_s() or finer where there is a coupling. The shaft starts
-  /// at rest at Rig::startAngle_rad().
-  Plant(const Rig& rig, double substep_s, uint64_t seed);
+  /// at rest at PlantPhysics::startAngle_rad.
+  Plant(const PlantPhysics& physics, double substep_s, uint64_t seed);
+  Plant(const Rig& rig, double substep_s, uint64_t seed) : Plant(physicsOf(rig), substep_s, seed) {}
 
-  void applyVoltage(double voltage_V) {
-    voltage_V_ = voltage_V;
+  void applyVoltage(double voltage_V) { apply(voltage_V); }
+  /// The input of the physics: V, or Nm where it isn't electrical.
+  void apply(double input) {
+    input_ = input;
     open_ = false;
   }
   void openWindings() { open_ = true; }
@@ -31,14 +40,16 @@ class Plant {
   /// Sets the winding's resistance to `part` of what the rig file gives.
   void scaleResistance(double part);
   void advance(int substeps);
+  /// Starts it at another state, motor and load together.
+  void set(double angle_rad, double velocity_rad_per_s, double current_A);
 
   double time_s() const { return time_s_; }
   double angle_rad() const {
     return angle_rad_;
   }  ///< of the motor, from the index; on a linear axis from the lower stop
   /// Likewise where the encoder sits: behind the coupling, or on the motor's shaft.
-  double encoderAngle_rad() const { return coupling_.present() ? load_rad_ : angle_rad_; }
-  double loadVelocity_rad_per_s() const { return coupling_.present() ? loadVelocity_ : velocity_; }
+  double encoderAngle_rad() const { return physics_.coupling.present() ? load_rad_ : angle_rad_; }
+  double loadVelocity_rad_per_s() const { return physics_.coupling.present() ? loadVelocity_ : velocity_; }
   double velocity_rad_per_s() const { return velocity_; }
   double current_A() const { return open_ ? 0.0 : current_; }
   bool standing() const { return !moving_; }
@@ -52,43 +63,49 @@ class Plant {
   };
 
   Local localAt(double angle_rad, int way) const;
+  bool shaftAlone() const { return open_ || !physics_.electrical; }
   double windingVoltage() const;
+  double motorTorque(const Local& here, double current_A) const;
   double warmth() const;
+  double rested() const;
   double outerTorque() const;
   double stopTorque(double angle_rad, double velocity) const;
   double outsideTorque(double duration_s);
   void moveLoad(double duration_s);
-  double threshold(int way) const;
+  double further(const Local& here, double speed, double current_A) const;
+  double threshold(const Local& here, int way, double current_A) const;
   double stand(double duration_s);
   double slide(double duration_s);
+  double bristleTorque(double dry_Nm, double duration_s);
   void comeToRest();
   void heat();
   void prepare();
   Propagator propagatorFor(int way, double duration_s) const;
 
+  PlantPhysics physics_;
   double substep_s_;
   LinearMotor motor_[2];  ///< per way, with the way's mean viscous friction
   Propagator closed_[2], opened_[2];
   std::vector<Cell> cells_;
   double cellsPerTurn_ = 0.0;
-  double stribeckVelocity_, scatterRms_, supply_V_;
-  double dragCoefficient_ = 0.0, warmShare_ = 0.0, warmTime_s_ = 1.0, restShare_ = 0.0, restTime_s_ = 1.0;
-  double deadTime_V_ = 0.0, sagResistance_ohm_ = 0.0;
-  double heatShare_ = 0.0, heatCurrent_A_ = 1.0, heatTime_s_ = 1.0, heat_ = 0.0, coldResistance_ohm_ = 0.0;
-  RigCoupling coupling_;
+  std::optional<CommandPath> path_;
+  std::optional<Outside> outside_;
+  bool bent_ = false;     ///< the motor's torque isn't the mean torque constant times the current
+  bool further_ = false;  ///< there is dry friction beyond static and Coulomb friction
+  double loss_J_ = 0.0, heat_ = 0.0, heatDone_s_ = 0.0;
   double load_rad_ = 0.0, loadVelocity_ = 0.0;   ///< behind the coupling
   double coupled_Nm_ = 0.0, loadStop_Nm_ = 0.0;  ///< of the step that runs: through the coupling, on the load
-  double travel_rad_ = 0.0, stopStiffness_ = 0.0, stopDamping_ = 0.0;  ///< between the stops of a linear axis
-  double pulse_Nm_ = 0.0, pulseStart_s_ = 0.0, pulseEnd_s_ = 0.0;
 
   Noise noise_;
-  double time_s_ = 0.0, angle_rad_ = 0.0, velocity_ = 0.0, current_ = 0.0, voltage_V_ = 0.0, acceleration_ = 0.0;
+  double time_s_ = 0.0, angle_rad_ = 0.0, velocity_ = 0.0, current_ = 0.0, input_ = 0.0, acting_ = 0.0,
+         acceleration_ = 0.0;
   bool open_ = true, moving_ = false, blocked_ = false;
   double resistancePart_ = 1.0;
   int way_ = 1;                     ///< of the motion: 0 cw, 1 ccw
   double scatter_[2] = {1.0, 1.0};  ///< of this standstill, or of the breakaway that began this motion
   double restAngle_rad_ = 1e300;    ///< where the scatter of this standstill was drawn
-  double restStart_s_ = -1e9, heatDone_s_ = 0.0;
+  double restStart_s_ = -1e9, restLeft_Nm_ = 0.0;
+  double bristle_rad_ = 0.0;  ///< LuGre's z
 };
 
 /// The coarsest step with which a plant follows the coupling's swing to 1e-4 of its frequency; 50 µs without one.

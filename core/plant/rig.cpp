@@ -1,12 +1,10 @@
 #include "plant/rig.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <numbers>
 
 #include "base/json_object.h"
-#include "plant/rig_effects.h"
 
 namespace breakaway {
 
@@ -38,12 +36,6 @@ const RigNames& namesOf(const Rig& rig) {
   return rig.axis == Axis::rotary ? rotaryNames : linearNames;
 }
 
-double sumOf(const std::vector<Harmonic>& harmonics, double angle_rad) {
-  double sum = 0.0;
-  for (const Harmonic& one : harmonics) sum += one.amplitude * std::cos(one.order * angle_rad - one.phase_rad);
-  return sum;
-}
-
 std::vector<Harmonic> readHarmonics(JsonObject& object, std::string_view name) {
   std::vector<Harmonic> harmonics;
   for (const auto& row : object.rows(name, 3)) {
@@ -52,7 +44,7 @@ std::vector<Harmonic> readHarmonics(JsonObject& object, std::string_view name) {
                              std::to_string(highestOrder));
       return {};
     }
-    harmonics.push_back({static_cast<int>(row[0]), row[1], row[2]});
+    harmonics.push_back({row[0], row[1], row[2]});
   }
   return harmonics;
 }
@@ -60,7 +52,7 @@ std::vector<Harmonic> readHarmonics(JsonObject& object, std::string_view name) {
 /// `unit`: what the file's unit of it is on the rig's shaft.
 FrictionCurve readCurve(JsonObject& friction, const std::string& name, double unit) {
   JsonObject object = friction.object(name);
-  FrictionCurve curve{unit * object.number("mean", Allowed::nonNegative), readHarmonics(object, "harmonics")};
+  FrictionCurve curve{unit * object.number("mean", Allowed::nonNegative), readHarmonics(object, "harmonics"), 0.0, {}};
   double lowest = 0.0;
   for (int k = 0; k < 7200; ++k) lowest = std::min(lowest, curve.at(k * std::numbers::pi / 3600.0));
   if (lowest < 0.0) friction.fault(name, "falls below zero around the rotor, expected friction everywhere");
@@ -172,28 +164,17 @@ void readBridge(JsonObject object, RigBridge& bridge) {
                  "doesn't rise from the dead zone's end on, expected [input duty, output duty] in rising order");
 }
 
-/// Whether the effect's physics has units of a rotor, which a linear axis hasn't.
-bool needsRotor(const std::string& effect) {
-  for (const char* one :
-       {"friction_warmup", "rising_stiction", "dead_time", "winding_heating", "supply_sag", "current_sensor_offset"}) {
-    if (effect == one) return false;
-  }
-  return true;
-}
-
 RigEffect readEffect(JsonObject& object, Axis axis) {
   RigEffect effect{object.text("effect"), {}};
-  const auto& kinds = rigEffectKinds();
-  const auto kind =
-      std::find_if(kinds.begin(), kinds.end(), [&](const auto& one) { return one.effect == effect.effect; });
+  const RigEffectKind* kind = findRigEffect(effect.effect);
   JsonObject parameters = object.object("parameters", false);
-  if (kind == kinds.end()) {
+  if (!kind) {
     std::string all;
-    for (const auto& one : kinds) all += (all.empty() ? "" : ", ") + one.effect;
+    for (const auto& one : rigEffectKinds()) all += (all.empty() ? "" : ", ") + one.effect;
     object.fault("effect", "is \"" + effect.effect + "\", expected one that a simulated rig can conceal: " + all);
     return effect;
   }
-  if (axis == Axis::linear && needsRotor(effect.effect))
+  if (axis == Axis::linear && kind->needsRotor)
     object.fault("effect", "is \"" + effect.effect + "\", which a rotor conceals, but axis is linear");
   for (const auto& [name, otherwise] : kind->parameters) {
     const bool positive = name == "time_constant_s" || name == "current_A";
@@ -250,10 +231,6 @@ Result<Rig> readRig(JsonObject root) {
 
 }  // namespace
 
-double FrictionCurve::at(double angle_rad) const {
-  return mean * (1.0 + sumOf(harmonics, angle_rad));
-}
-
 double Rig::unitPerRad() const {
   return axis == Axis::rotary ? 1.0 : travel.length_m / (2.0 * std::numbers::pi);
 }
@@ -262,16 +239,30 @@ double Rig::startAngle_rad() const {
   return axis == Axis::rotary ? -encoder.indexAngle_rad : travel.start_m / unitPerRad();
 }
 
-double Rig::positionTorqueAt(double angle_rad) const {
-  return sumOf(positionTorque_Nm, angle_rad);
-}
-
-double RigEffect::parameter(const std::string& name) const {
-  for (const auto& [key, value] : parameters) {
-    if (key == name) return value;
+PlantPhysics physicsOf(const Rig& rig) {
+  PlantPhysics physics;
+  physics.torqueConstant = rig.torqueConstant_Nm_per_A;
+  physics.backEmfConstant = rig.backEmfConstant_V_s_per_rad;
+  physics.resistance_ohm = rig.resistance_ohm;
+  physics.inductance_H = rig.inductance_H;
+  physics.inertia = rig.inertia_kg_m2;
+  physics.startAngle_rad = rig.startAngle_rad();
+  physics.holding = rig.staticFriction_Nm;
+  physics.coulomb = rig.coulomb_Nm;
+  physics.viscous = rig.viscous_Nm_s_per_rad;
+  physics.stribeckVelocity = rig.stribeckVelocity_rad_per_s;
+  physics.scatterRms = rig.scatterRms;
+  physics.position = rig.positionTorque_Nm;
+  physics.supply_V = rig.bridge.supply_V;
+  physics.coupling = rig.coupling;
+  if (rig.axis == Axis::linear)
+    physics.stops = {true, 0.0, 2.0 * std::numbers::pi, rig.travel.stopStiffness_Nm_per_rad,
+                     rig.travel.stopDamping_Nm_s_per_rad};
+  for (const RigEffect& effect : rig.effects) {
+    if (const RigEffectKind* kind = findRigEffect(effect.effect); kind && kind->conceal) kind->conceal(effect, physics);
   }
-  assert(false);
-  return 0.0;
+  physics.supplyResistance_ohm += rig.bridge.supplyResistance_ohm;
+  return physics;
 }
 
 Result<Rig> readRig(const std::string& path) {

@@ -9,24 +9,11 @@
 #include "base/axis.h"
 #include "base/result.h"
 #include "motor/duty_curve.h"
-#include "plant/rig_coupling.h"
+#include "plant/physics.h"
+#include "plant/rig_effects.h"
 #include "plant/rig_faults.h"
 
 namespace breakaway {
-
-/// One term amplitude · cos(order · θ − phase), θ from the index.
-struct Harmonic {
-  int order = 0;
-  double amplitude = 0.0;  ///< relative to the mean for a friction curve, Nm for the position torque
-  double phase_rad = 0.0;
-};
-
-/// mean · (1 + Σ harmonics) around the rotor, in Nm, or Nm s/rad for viscous friction.
-struct FrictionCurve {
-  double mean = 0.0;
-  std::vector<Harmonic> harmonics;
-  double at(double angle_rad) const;
-};
 
 struct RigEncoder {
   double countsPerRev = 0.0;
@@ -58,13 +45,6 @@ struct RigBridge {
   double pwmSteps = 0.0;              ///< duty resolution 1/pwmSteps; 0: continuous
   double supplyResistance_ohm = 0.0;  ///< the supply falls by it times the bridge's current; the board doesn't see it
   DutyCurve dutyCurve;                ///< beyond the dead zone; unknown: the voltage grows as the duty does
-};
-
-/// Concealed physics: an effect's contract name and its parameters by name.
-struct RigEffect {
-  std::string effect;
-  std::vector<std::pair<std::string, double>> parameters;
-  double parameter(const std::string& name) const;  ///< precondition: the reader has filled it in
 };
 
 /// The travel of a linear axis between its stops. The shaft that stands for it turns once over the whole travel, from 0
@@ -101,9 +81,10 @@ struct Rig {
   double unitPerRad() const;
   /// Where the shaft stands at power-up, as the rig's angles are counted.
   double startAngle_rad() const;
-
-  double positionTorqueAt(double angle_rad) const;
 };
+
+/// What the rig's plant is made of, with the concealed effects in it; also for the truth, which is taken when warm.
+PlantPhysics physicsOf(const Rig& rig);
 
 /// Reads `breakaway.rig/1` strictly: a missing, wrong or unknown field is an error that names the file and the field,
 /// and so is a friction curve that falls below zero somewhere around the rotor.

@@ -12,7 +12,7 @@ namespace {
 using enum TrialMove;
 
 Concealed deadTime(TrialRig& rig, const TrialCourse&, double size, Random& random) {
-  TrialPhysics& p = rig.physics;
+  PlantPhysics& p = rig.physics;
   p.deadTime_V = size * drawn(random, 0.015, 0.04) * rig.supply_V;
   p.deadTimeCurrent_A = drawnLog(random, 0.01, 0.05) * rig.peakCurrent_A();
   return {"dead_time", {{"voltage_V", p.deadTime_V}, {"current_A", p.deadTimeCurrent_A}}};
@@ -25,7 +25,7 @@ Concealed currentOffset(TrialRig& rig, const TrialCourse&, double size, Random& 
 }
 
 Concealed windingHeating(TrialRig& rig, const TrialCourse&, double size, Random& random) {
-  TrialPhysics& p = rig.physics;
+  PlantPhysics& p = rig.physics;
   const double rise = size * drawn(random, 0.3, 0.6), typical_A = 0.4 * rig.peakCurrent_A();
   p.heatingTime_s = drawn(random, 12.0, 35.0);
   p.heatingPerJoule = rise / (typical_A * typical_A * p.resistance_ohm * p.heatingTime_s);
@@ -33,13 +33,13 @@ Concealed windingHeating(TrialRig& rig, const TrialCourse&, double size, Random&
 }
 
 Concealed supplySag(TrialRig& rig, const TrialCourse&, double size, Random& random) {
-  double& resistance = rig.physics.sagResistance_ohm;
+  double& resistance = rig.physics.supplyResistance_ohm;
   resistance = size * drawn(random, 0.12, 0.3) * rig.supply_V / rig.peakCurrent_A();
   return {"supply_sag", {{"resistance_ohm", resistance}}};
 }
 
 Concealed eccentricity(TrialRig& rig, const TrialCourse&, double size, Random& random) {
-  TrialWave& wave = rig.sensors.eccentricity;
+  Harmonic& wave = rig.sensors.eccentricity;
   wave = drawnWave(size * drawnLog(random, 0.006, 0.025), 1, 1, random);
   return {"encoder_eccentricity", waveTruth("amplitude_rad", wave)};
 }
@@ -55,8 +55,8 @@ Concealed commandSaturation(TrialRig& rig, const TrialCourse& course, double siz
                           : rig.input == DriveInput::duty  ? rig.supply_V
                                                            : 1.0;
   if (random.uniform() < 0.3) {
-    rig.physics.inputSlewPerS = 2.0 * peak / (size * drawn(random, 0.01, 0.03));
-    return {"command_saturation", {{"slew_per_s", rig.physics.inputSlewPerS / perInput}}};
+    rig.physics.inputSlew_per_s = 2.0 * peak / (size * drawn(random, 0.01, 0.03));
+    return {"command_saturation", {{"slew_per_s", rig.physics.inputSlew_per_s / perInput}}};
   }
   rig.physics.inputLimit = peak * (1.0 - 0.5 * std::min(1.9, size * drawn(random, 0.6, 1.0)));
   return {"command_saturation", {{"limit", rig.physics.inputLimit / perInput}}};

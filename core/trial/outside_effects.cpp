@@ -11,22 +11,22 @@ using enum TrialMove;
 
 /// Friction follows the speed late: more of it while speeding up than while slowing down.
 Concealed frictionLag(TrialRig& rig, const TrialCourse&, double size, Random& random) {
-  TrialOutside& o = rig.physics.outside;
-  o.lag = size * drawn(random, 1.0, 2.5) * rig.physics.friction.coulomb / rig.topSpeed;
+  OutsidePhysics& o = rig.physics.outside;
+  o.lag = size * drawn(random, 1.0, 2.5) * rig.coulomb() / rig.topSpeed;
   o.lagTime_s = drawnLog(random, 0.15, 0.6);
   return {"friction_lag", {{viscousNamed("slope", rig), o.lag}, {"time_constant_s", o.lagTime_s}}};
 }
 
 /// A torque that wanders at random (Ornstein and Uhlenbeck's process).
 Concealed wanderingTorque(TrialRig& rig, const TrialCourse&, double size, Random& random) {
-  TrialOutside& o = rig.physics.outside;
-  o.wander = size * drawn(random, 0.2, 0.5) * rig.physics.friction.coulomb;
+  OutsidePhysics& o = rig.physics.outside;
+  o.wander = size * drawn(random, 0.2, 0.5) * rig.coulomb();
   o.wanderTime_s = drawnLog(random, 0.05, 0.4);
   return {"wandering_torque", {{torqueNamed("rms", rig), o.wander}, {"correlation_time_s", o.wanderTime_s}}};
 }
 
 Concealed breathingFriction(TrialRig& rig, const TrialCourse&, double size, Random& random) {
-  TrialOutside& o = rig.physics.outside;
+  OutsidePhysics& o = rig.physics.outside;
   o.breathing = size * drawn(random, 0.35, 0.65);
   o.breathingPeriod_s = drawn(random, 3.0, 8.0);
   return {"breathing_friction", {{"swing", o.breathing}, {"period_s", o.breathingPeriod_s}}};
@@ -34,14 +34,14 @@ Concealed breathingFriction(TrialRig& rig, const TrialCourse&, double size, Rand
 
 /// The transmission swallows small torque; under current or torque drive, where no bridge could do that.
 Concealed torqueDeadBand(TrialRig& rig, const TrialCourse&, double size, Random& random) {
-  TrialOutside& o = rig.physics.outside;
-  o.deadBand = size * drawn(random, 0.5, 1.0) * rig.physics.friction.coulomb;
+  OutsidePhysics& o = rig.physics.outside;
+  o.deadBand = size * drawn(random, 0.5, 1.0) * rig.coulomb();
   return {"torque_dead_band", {{torqueNamed("half_width", rig), o.deadBand}}};
 }
 
 Concealed frictionBursts(TrialRig& rig, const TrialCourse&, double size, Random& random) {
-  TrialOutside& o = rig.physics.outside;
-  o.bursts = size * drawn(random, 0.6, 1.4) * rig.physics.friction.coulomb;
+  OutsidePhysics& o = rig.physics.outside;
+  o.bursts = size * drawn(random, 0.6, 1.4) * rig.coulomb();
   o.burstEvery_s = drawn(random, 1.0, 2.5);
   o.burstLength_s = drawn(random, 0.2, 0.6);
   return {"friction_bursts",
@@ -50,7 +50,7 @@ Concealed frictionBursts(TrialRig& rig, const TrialCourse&, double size, Random&
 
 /// A detent that grows with the square of speed.
 Concealed whirl(TrialRig& rig, const TrialCourse&, double size, Random& random) {
-  TrialOutside& o = rig.physics.outside;
+  OutsidePhysics& o = rig.physics.outside;
   o.whirlSpeed = 0.5 * rig.topSpeed;
   o.whirl = drawnWave(size * drawn(random, 0.04, 0.1) * rig.peakTorque, 2, 5, random);
   return {"whirl", waveTruth(torqueNamed("amplitude_at_half_speed", rig), o.whirl)};
@@ -58,7 +58,7 @@ Concealed whirl(TrialRig& rig, const TrialCourse&, double size, Random& random) 
 
 /// A detent whose place moves on with speed.
 Concealed slippingDetent(TrialRig& rig, const TrialCourse&, double size, Random& random) {
-  TrialOutside& o = rig.physics.outside;
+  OutsidePhysics& o = rig.physics.outside;
   o.slippingDetent = drawnWave(size * drawn(random, 0.03, 0.07) * rig.peakTorque, 2, 5, random);
   o.detentSlip_s = drawnSign(random) * drawn(random, 4.0, 8.0) / (0.5 * rig.topSpeed);
   auto truth = waveTruth(torqueNamed("amplitude", rig), o.slippingDetent);

@@ -104,11 +104,13 @@ std::vector<TrialMove> movesFor(const std::vector<const TrialEffect*>& effects) 
 
 /// Imperfections that every plant has and none of which matters: far below one count.
 void addTrifles(TrialRig& rig, Random& random) {
-  TrialPhysics& p = rig.physics;
-  p.constantLoad = 1e-5 * rig.peakTorque * random.normal();
+  PlantPhysics& p = rig.physics;
+  p.load = -1e-5 * rig.peakTorque * random.normal();
   if (rig.axis == Axis::rotary) {
-    p.cogging = {5e-5 * rig.peakTorque * random.uniform(), 36.0, 6.0 * random.uniform()};
-    rig.sensors.eccentricity = {0.2 * rig.sensors.count * random.uniform(), 1.0, 6.0 * random.uniform()};
+    const double cogging = 5e-5 * rig.peakTorque * random.uniform();
+    p.position.push_back({36.0, cogging, 6.0 * random.uniform()});
+    const double swing = 0.2 * rig.sensors.count * random.uniform();
+    rig.sensors.eccentricity = {1.0, swing, 6.0 * random.uniform()};
   }
 }
 
@@ -149,14 +151,14 @@ double sizeFor(const TrialEffect& effect, const TrialRig& rig, const TrialCourse
 /// Another course of the same moves; before an end stop one that runs into it about as far as the first.
 std::optional<TrialCourse> secondCourse(const TrialRig& rig, const std::vector<TrialMove>& moves,
                                         const TrialCourse& first, Random& random) {
-  const TrialPhysics& p = rig.physics;
-  const auto beyond = [&p](const TrialCourse& course) {
+  const auto& stops = rig.physics.stops;
+  const auto beyond = [&stops](const TrialCourse& course) {
     const auto [low, high] = std::minmax_element(course.position.begin(), course.position.end());
-    return std::max(*high - p.highStop, p.lowStop - *low);
+    return std::max(*high - stops.high_rad, stops.low_rad - *low);
   };
   for (int attempt = 0; attempt < 30; ++attempt) {
     TrialCourse course = drawCourse(rig, moves, drawn(random, 20.0, 30.0), random);
-    if (!p.stops || (beyond(course) > 0.3 * beyond(first) && beyond(course) < 1.6 * beyond(first))) return course;
+    if (!stops.present || (beyond(course) > 0.3 * beyond(first) && beyond(course) < 1.6 * beyond(first))) return course;
   }
   return std::nullopt;
 }
@@ -217,7 +219,7 @@ SealedTrial makeTrial(const std::string& family, std::uint64_t seed, const Trial
           ? drawCourse(rig, {TrialMove::idle, moves.front(), TrialMove::idle, TrialMove::idle}, duration_s, random)
           : course;
   trial.recordings.push_back(recordTrial(rig, poor, "recording.csv", random.bits()));
-  rig.physics.disturbance = 0.0;  // what happened once doesn't come again
+  rig.physics.pulse.torque = 0.0;  // what happened once doesn't come again
   if (random.uniform() < 0.15) {
     const auto repeat = secondCourse(rig, moves, course, random);
     if (repeat) trial.recordings.push_back(recordTrial(rig, *repeat, "recording2.csv", random.bits()));

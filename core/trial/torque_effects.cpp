@@ -7,24 +7,27 @@ namespace {
 using enum TrialMove;
 
 Concealed constantLoad(TrialRig& rig, const TrialCourse&, double size, Random& random) {
-  double& load = rig.physics.constantLoad;
-  load = drawnSign(random) * size * drawn(random, 0.2, 0.6) * rig.physics.friction.coulomb;
-  return {"constant_load", {{torqueNamed("load", rig), load}}};
+  const double against = drawnSign(random) * size * drawn(random, 0.2, 0.6) * rig.coulomb();
+  rig.physics.load = -against;
+  return {"constant_load", {{torqueNamed("load", rig), against}}};
 }
 
 Concealed imbalance(TrialRig& rig, const TrialCourse&, double size, Random& random) {
-  rig.physics.imbalance = drawnWave(size * drawn(random, 0.015, 0.05) * rig.peakTorque, 1, 1, random);
-  return {"imbalance", waveTruth(torqueNamed("amplitude", rig), rig.physics.imbalance)};
+  const Harmonic wave = drawnWave(size * drawn(random, 0.015, 0.05) * rig.peakTorque, 1, 1, random);
+  rig.physics.position.push_back(wave);
+  return {"imbalance", waveTruth(torqueNamed("amplitude", rig), wave)};
 }
 
 Concealed cogging(TrialRig& rig, const TrialCourse&, double size, Random& random) {
-  rig.physics.cogging = drawnWave(size * drawn(random, 0.015, 0.05) * rig.peakTorque, 4, 24, random);
-  return {"cogging", waveTruth(torqueNamed("amplitude", rig), rig.physics.cogging)};
+  const Harmonic wave = drawnWave(size * drawn(random, 0.015, 0.05) * rig.peakTorque, 4, 24, random);
+  rig.physics.position.push_back(wave);
+  return {"cogging", waveTruth(torqueNamed("amplitude", rig), wave)};
 }
 
 Concealed torqueRipple(TrialRig& rig, const TrialCourse&, double size, Random& random) {
-  rig.physics.ripple = drawnWave(size * drawn(random, 0.05, 0.14), 2, 18, random);
-  return {"torque_ripple", waveTruth("amplitude", rig.physics.ripple)};
+  const Harmonic wave = drawnWave(size * drawn(random, 0.05, 0.14), 2, 18, random);
+  rig.physics.ripple.push_back(wave);
+  return {"torque_ripple", waveTruth("amplitude", wave)};
 }
 
 Concealed torqueSaturation(TrialRig& rig, const TrialCourse&, double size, Random& random) {

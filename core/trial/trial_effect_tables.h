@@ -22,7 +22,7 @@ std::string stiffnessNamed(const std::string& what, const TrialRig& rig);
 std::string positionNamed(const std::string& what, const TrialRig& rig);
 
 /// A wave with an integer order between two bounds and any phase.
-TrialWave drawnWave(double amplitude, int lowestOrder, int highestOrder, Random& random);
-std::vector<std::pair<std::string, double>> waveTruth(const std::string& amplitudeName, const TrialWave& wave);
+Harmonic drawnWave(double amplitude, int lowestOrder, int highestOrder, Random& random);
+std::vector<std::pair<std::string, double>> waveTruth(const std::string& amplitudeName, const Harmonic& wave);
 
 }  // namespace breakaway

@@ -32,13 +32,13 @@ std::string positionNamed(const std::string& what, const TrialRig& rig) {
   return named(what, rig, "_rad", "_m");
 }
 
-TrialWave drawnWave(double amplitude, int lowestOrder, int highestOrder, Random& random) {
+Harmonic drawnWave(double amplitude, int lowestOrder, int highestOrder, Random& random) {
   const size_t orders = static_cast<size_t>(highestOrder - lowestOrder) + 1;
   const double order = lowestOrder + static_cast<double>(random.below(orders));
-  return {amplitude, order, drawn(random, -std::numbers::pi, std::numbers::pi)};
+  return {order, amplitude, drawn(random, -std::numbers::pi, std::numbers::pi)};
 }
 
-std::vector<std::pair<std::string, double>> waveTruth(const std::string& amplitudeName, const TrialWave& wave) {
+std::vector<std::pair<std::string, double>> waveTruth(const std::string& amplitudeName, const Harmonic& wave) {
   return {{amplitudeName, wave.amplitude}, {"phase_rad", wave.phase_rad}, {"order", wave.order}};
 }
 

@@ -16,22 +16,21 @@ double rounded(double value, double step) {
 
 /// What the encoder would show with endless resolution.
 double shown(const TrialSensors& sensors, double position) {
-  const TrialWave& e = sensors.eccentricity;
-  return position + (e.amplitude != 0.0 ? e.amplitude * std::cos(e.order * position - e.phase_rad) : 0.0);
+  return position + sensors.eccentricity.at(position);
 }
 
 /// The torque that an open-loop operator would ask for from the nominal motor, Nm.
 double feedforward(const TrialRig& rig, const TrialCourse& course, size_t k) {
-  const TrialPhysics& p = rig.physics;
+  const PlantPhysics& p = rig.physics;
   const double next = k + 1 < course.velocity.size() ? course.velocity[k + 1] : course.velocity[k];
   const double v = course.velocity[k];
-  return 0.95 * p.totalInertia() * (next - v) / course.row_s + p.friction.viscous * v +
-         1.1 * p.friction.coulomb * std::tanh(v / (0.03 * rig.topSpeed));
+  return 0.95 * p.totalInertia() * (next - v) / course.row_s + rig.viscous() * v +
+         1.1 * rig.coulomb() * std::tanh(v / (0.03 * rig.topSpeed));
 }
 
 /// The drive input that gives a torque at a speed: V, duty, A or Nm, rounded as a digital drive rounds it.
 double inputFor(const TrialRig& rig, double torque, double velocity) {
-  const TrialPhysics& p = rig.physics;
+  const PlantPhysics& p = rig.physics;
   if (rig.input == DriveInput::torque) return rounded(torque, rig.peakTorque / 65536.0);
   const double current = torque / p.torqueConstant;
   if (rig.input == DriveInput::current) return rounded(current, rig.peakCurrent_A() / 65536.0);
@@ -51,8 +50,8 @@ double plantInput(const TrialRig& rig, double input) {
   }
 }
 
-double plantStep_s(const TrialPhysics& p) {
-  return p.loadInertia > 0.0 || p.friction.stiffness > 0.0 || p.stops ? 25e-6 : 50e-6;
+double plantStep_s(const PlantPhysics& p) {
+  return p.coupling.present() || p.bristles.stiffness > 0.0 || p.stops.present ? 25e-6 : 50e-6;
 }
 
 }  // namespace
@@ -61,7 +60,7 @@ Recording recordTrial(const TrialRig& rig, const TrialCourse& course, const std:
                       TrialTrace* trace) {
   const TrialSensors& s = rig.sensors;
   const double step_s = plantStep_s(rig.physics);
-  TrialPlant plant(rig.physics, step_s, seed);
+  Plant plant(rig.physics, step_s, seed);
   TrialController controller(rig);
   Random random(seed ^ 0x5eed5eed5eedULL);
   const size_t rows = course.velocity.size();
@@ -73,7 +72,7 @@ Recording recordTrial(const TrialRig& rig, const TrialCourse& course, const std:
   std::vector<double> time(rows), position(rows), input(rows), sampled(rows + skewRows + 1, 0.0), current;
   for (size_t k = 0; k < rows; ++k) {
     time[k] = rounded(static_cast<double>(k) * s.row_s, 1e-6);
-    const double exact = shown(s, plant.position());
+    const double exact = shown(s, plant.angle_rad());
     position[k] = std::floor(exact / s.count) * s.count;
     double torque = 0.0, speed = 0.0;
     if (rig.loop.mode == ControlMode::openLoop) {
@@ -86,13 +85,14 @@ Recording recordTrial(const TrialRig& rig, const TrialCourse& course, const std:
     input[k] = inputFor(rig, torque + course.shake[k], speed);
     if (trace) {
       trace->position.push_back(exact);
-      trace->current.push_back(plant.current());
+      trace->current.push_back(plant.current_A());
       trace->input.push_back(plantInput(rig, input[k]));
     }
-    if (skewRows == 0) sampled[k] = plant.current();
-    plant.advance(plantInput(rig, input[k]), lateBy);
-    if (skewRows > 0) sampled[k + skewRows] = plant.current();
-    plant.advance(plantInput(rig, input[k]), perRow - lateBy);
+    if (skewRows == 0) sampled[k] = plant.current_A();
+    plant.apply(plantInput(rig, input[k]));
+    plant.advance(lateBy);
+    if (skewRows > 0) sampled[k + skewRows] = plant.current_A();
+    plant.advance(perRow - lateBy);
   }
   std::vector<Channel> channels{{"time_s", std::move(time)},
                                 {rig.axis == Axis::rotary ? "angle_rad" : "position_m", std::move(position)}};

@@ -8,6 +8,8 @@ namespace breakaway {
 
 namespace {
 
+constexpr double gravity_m_per_s2 = 9.81;
+
 DriveInput drawInput(const TrialNeeds& needs, Random& random) {
   if (needs.heldTorque) {
     return needs.windings || random.uniform() < 0.65 ? DriveInput::current : DriveInput::torque;
@@ -21,33 +23,33 @@ DriveInput drawInput(const TrialNeeds& needs, Random& random) {
 }
 
 void drawMotor(TrialRig& rig, Random& random) {
-  TrialPhysics& p = rig.physics;
+  PlantPhysics& p = rig.physics;
   const bool rotary = rig.axis == Axis::rotary;
   rig.peakTorque = rotary ? drawnLog(random, 0.05, 1.6) : drawnLog(random, 6.0, 190.0);
   rig.topSpeed = rotary ? drawnLog(random, 15.0, 70.0) : drawnLog(random, 0.2, 0.9);
   rig.supply_V = std::array{12.0, 24.0, 36.0, 48.0}[random.below(4)];
   p.supply_V = rig.supply_V;
   p.torqueConstant = drawn(random, 0.35, 0.55) * rig.supply_V / rig.topSpeed;
+  p.backEmfConstant = p.torqueConstant;
   p.resistance_ohm = drawn(random, 0.6, 1.0) * rig.supply_V / rig.peakCurrent_A();
   p.inductance_H = p.resistance_ohm * drawnLog(random, 0.4e-3, 2e-3);
   p.inertia = rig.peakTorque * drawnLog(random, 0.04, 0.12) / rig.topSpeed;
-  p.friction.coulomb = rig.peakTorque * drawnLog(random, 0.02, 0.2);
-  p.friction.viscous = rig.peakTorque * drawnLog(random, 0.01, 0.08) / rig.topSpeed;
-  p.processNoise = 2e-4 * rig.peakTorque;
+  const double coulomb = rig.peakTorque * drawnLog(random, 0.02, 0.2);
+  rig.setFriction(coulomb, rig.peakTorque * drawnLog(random, 0.01, 0.08) / rig.topSpeed);
+  p.sameStand_rad = 0.0;
+  p.outside.noise = 2e-4 * rig.peakTorque;
 }
 
 /// A point mass on an arm that holds 25 to 50 % of the whole inertia; contracts section 1.
 void hangPendulum(TrialRig& rig, Random& random) {
-  constexpr double gravity = 9.81;
-  TrialPhysics& p = rig.physics;
-  const double inertia = drawn(random, 0.25, 0.5) * p.inertia;
-  p.gravityTorque = drawn(random, 0.08, 0.2) * rig.peakTorque;
-  p.downAngle_rad = drawn(random, -1.5, 1.5);
+  const double inertia = drawn(random, 0.25, 0.5) * rig.physics.inertia;
+  const double torque = drawn(random, 0.08, 0.2) * rig.peakTorque;
   Pendulum pendulum;
-  pendulum.length_m = gravity * inertia / p.gravityTorque;
+  pendulum.length_m = gravity_m_per_s2 * inertia / torque;
   pendulum.mass_kg = inertia / (pendulum.length_m * pendulum.length_m);
-  pendulum.downAngle_rad = p.downAngle_rad;
+  pendulum.downAngle_rad = drawn(random, -1.5, 1.5);
   rig.pendulum = pendulum;
+  rig.physics.position.push_back(weightOf(pendulum));
 }
 
 void drawSensors(TrialRig& rig, const TrialNeeds& needs, Random& random) {
@@ -104,6 +106,22 @@ double drawnSign(Random& random) {
   return random.uniform() < 0.5 ? -1.0 : 1.0;
 }
 
+void TrialRig::setFriction(double coulomb, double viscous) {
+  for (size_t way = 0; way < 2; ++way) {
+    physics.coulomb[way].mean = physics.holding[way].mean = coulomb;
+    physics.viscous[way].mean = viscous;
+  }
+}
+
+void TrialRig::raiseViscous(double by) {
+  for (FrictionCurve& curve : physics.viscous) curve.mean += by;
+}
+
+Harmonic weightOf(const Pendulum& pendulum) {
+  const double torque = pendulum.mass_kg * gravity_m_per_s2 * pendulum.length_m;
+  return {1.0, torque, pendulum.downAngle_rad - 0.5 * std::numbers::pi};  // −torque · sin(θ − down)
+}
+
 TrialRig drawTrialRig(const TrialNeeds& needs, Random& random) {
   TrialRig rig;
   rig.axis = needs.rotary || random.uniform() < 0.8 ? Axis::rotary : Axis::linear;
@@ -118,7 +136,7 @@ TrialRig drawTrialRig(const TrialNeeds& needs, Random& random) {
 }
 
 Bench believedBench(const TrialRig& rig, Random& random) {
-  const TrialPhysics& p = rig.physics;
+  const PlantPhysics& p = rig.physics;
   Bench bench;
   bench.name = "trial";
   bench.axis = rig.axis;
@@ -144,8 +162,8 @@ Bench believedBench(const TrialRig& rig, Random& random) {
     ownInertia -= rig.pendulum->mass_kg * rig.pendulum->length_m * rig.pendulum->length_m;
   }
   const double inertia = ownInertia * drawn(random, 0.7, 1.3);
-  const double viscous = p.friction.viscous * drawnLog(random, 0.5, 2.0);
-  const double coulomb = p.friction.coulomb * drawnLog(random, 0.5, 2.0);
+  const double viscous = rig.viscous() * drawnLog(random, 0.5, 2.0);
+  const double coulomb = rig.coulomb() * drawnLog(random, 0.5, 2.0);
   if (random.uniform() < 0.85) motor.inertia = inertia;
   if (random.uniform() < 0.75) motor.viscous = viscous;
   if (random.uniform() < 0.75) motor.coulomb = coulomb;

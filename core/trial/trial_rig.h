@@ -5,7 +5,7 @@
 
 #include "base/statistics.h"
 #include "motor/bench.h"
-#include "trial/trial_plant.h"
+#include "plant/plant.h"
 
 namespace breakaway {
 
@@ -24,7 +24,7 @@ struct TrialSensors {
   double currentStep_A = 1e-6;  ///< of the converter
   double currentOffset_A = 0.0;
   double currentSkew_s = 0.0;  ///< how late the current is sampled against its row
-  TrialWave eccentricity;      ///< rad that the encoder shows too much
+  Harmonic eccentricity;       ///< rad that the encoder shows too much
 };
 
 /// The loop that makes the motor follow its course.
@@ -37,7 +37,7 @@ struct TrialLoop {
 struct TrialRig {
   Axis axis = Axis::rotary;
   DriveInput input = DriveInput::current;
-  TrialPhysics physics;
+  PlantPhysics physics;
   TrialSensors sensors;
   TrialLoop loop;
   std::optional<Pendulum> pendulum;  ///< its inertia is part of the physics' whole
@@ -47,8 +47,16 @@ struct TrialRig {
   bool shortTravel = false;  ///< the course keeps coming back to where it began
 
   bool electrical() const { return physics.electrical; }
+  /// What the friction is without anything concealed, by viscous effects apart.
+  double coulomb() const { return physics.coulomb[0].mean; }
+  double viscous() const { return physics.viscous[0].mean; }
+  void setFriction(double coulomb, double viscous);
+  void raiseViscous(double by);
   double peakCurrent_A() const { return peakTorque / physics.torqueConstant; }
 };
+
+/// What the declared pendulum's weight does to the motor, Nm.
+Harmonic weightOf(const Pendulum& pendulum);
 
 /// What a trial asks of its rig beyond chance.
 struct TrialNeeds {

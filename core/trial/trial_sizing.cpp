@@ -14,17 +14,17 @@ constexpr double window_s = 0.5;
 constexpr size_t windows = 30, points = 10;  // of one comparison
 
 /// The rig's base physics with log factors on inertia, viscous friction, Coulomb friction and resistance.
-TrialPhysics basePhysics(const TrialRig& rig, const VectorXd& logs) {
-  const TrialPhysics& p = rig.physics;
-  TrialPhysics base;
+PlantPhysics basePhysics(const TrialRig& rig, const VectorXd& logs) {
+  const PlantPhysics& p = rig.physics;
+  TrialRig plain;
+  plain.setFriction(rig.coulomb() * std::exp(logs[2]), rig.viscous() * std::exp(logs[1]));
+  PlantPhysics base = plain.physics;
   base.electrical = p.electrical;
   base.torqueConstant = p.torqueConstant;
+  base.backEmfConstant = p.backEmfConstant;
   base.inductance_H = p.inductance_H;
   base.inertia = p.totalInertia() * std::exp(logs[0]);
-  base.gravityTorque = p.gravityTorque;
-  base.downAngle_rad = p.downAngle_rad;
-  base.friction.viscous = p.friction.viscous * std::exp(logs[1]);
-  base.friction.coulomb = p.friction.coulomb * std::exp(logs[2]);
+  if (rig.pendulum) base.position.push_back(weightOf(*rig.pendulum));
   base.resistance_ohm = p.resistance_ohm * (p.electrical ? std::exp(logs[3]) : 1.0);
   return base;
 }
@@ -32,21 +32,21 @@ TrialPhysics basePhysics(const TrialRig& rig, const VectorXd& logs) {
 /// Position errors at the points of all windows, in counts.
 VectorXd errors(const TrialRig& rig, const TrialTrace& trace, const VectorXd& logs) {
   constexpr double step_s = 50e-6;
-  const TrialPhysics base = basePhysics(rig, logs);
   const double row_s = rig.sensors.row_s;
   const auto length = static_cast<size_t>(window_s / row_s);
   const int perRow = std::max(1, static_cast<int>(std::lround(row_s / step_s)));
+  Plant plant(basePhysics(rig, logs), row_s / perRow, 1);
   VectorXd out(static_cast<Eigen::Index>(windows * points));
   Eigen::Index at = 0;
   for (size_t w = 0; w < windows; ++w) {
     const size_t first = 1 + w * (trace.position.size() - length - 2) / (windows - 1);
-    TrialPlant plant(base, row_s / perRow, 1);
     const double speed = (trace.position[first + 1] - trace.position[first - 1]) / (2.0 * row_s);
     plant.set(trace.position[first], speed, trace.current[first]);
     for (size_t k = 0; k < length; ++k) {
-      plant.advance(trace.input[first + k], perRow);
+      plant.apply(trace.input[first + k]);
+      plant.advance(perRow);
       if ((k + 1) % (length / points) == 0 && at < static_cast<Eigen::Index>((w + 1) * points)) {
-        out[at++] = (plant.position() - trace.position[first + k + 1]) / rig.sensors.count;
+        out[at++] = (plant.angle_rad() - trace.position[first + k + 1]) / rig.sensors.count;
       }
     }
   }
@@ -87,14 +87,14 @@ double costOfLeavingOut(const TrialRig& rig, const TrialTrace& trace) {
 }
 
 double sensorFloor(const TrialRig& rig) {
-  const TrialPhysics& p = rig.physics;
+  const PlantPhysics& p = rig.physics;
   const double encoder = 1.2 * rig.sensors.count, J = p.totalInertia();
   // White torque noise of deviation s, held for dt: position error over 0 … T has rms s/J √dt √(T³/12).
   const double integrated = std::sqrt(window_s * window_s * window_s / 12.0) / J;
   const double drive = rig.input == DriveInput::current
                            ? rig.sensors.currentNoise_A * p.torqueConstant * std::sqrt(rig.sensors.row_s) * integrated
                            : 0.0;
-  const double process = p.processNoise * std::sqrt(1e-3) * integrated;
+  const double process = p.outside.noise * std::sqrt(1e-3) * integrated;
   return std::hypot(encoder, drive, process);
 }
 

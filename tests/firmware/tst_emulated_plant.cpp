@@ -7,7 +7,6 @@
 #include "firmware_link/board/cortex_m3/gaussian_table.h"
 #include "firmware_link/board/cortex_m3/host/rig_tables.h"
 #include "plant/plant.h"
-#include "plant/rig_torques.h"
 #include "plant/sensors.h"
 
 using namespace breakaway;
@@ -119,7 +118,7 @@ void TestEmulatedPlant::breakaway_comesWhereTheTablesSay() {
     plant.advance();
   }
   QVERIFY(!plant.standing());
-  const RigTorques torques = torquesAt(rig, start_rad);
+  const AngleTorques torques = torquesAt(physicsOf(rig), start_rad);
   const double truth_Nm = torques.static_Nm[static_cast<size_t>(way)] - sign * torques.position_Nm;
   const double seen_Nm = rig.torqueConstant_Nm_per_A * voltage_V / rig.resistance_ohm;
   QVERIFY2(std::abs(seen_Nm / truth_Nm - 1.0) < 2e-3,

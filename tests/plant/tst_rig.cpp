@@ -1,7 +1,6 @@
 #include <QTest>
 
 #include "plant/rig.h"
-#include "plant/rig_torques.h"
 #include "support/random_rig.h"
 
 using namespace breakaway;
@@ -59,7 +58,7 @@ void TestRig::curve_isMeanTimesHarmonics() {
   const auto rig = readRigText(
       rigText("6e-5", "[[2, 0.25, 0.5]]", R"(, "position_torque": {"harmonics_Nm": [[12, 0.001, 1.0]]})"), "r");
   QVERIFY(rig.ok());
-  const RigTorques torques = torquesAt(*rig, 0.7);
+  const AngleTorques torques = torquesAt(physicsOf(*rig), 0.7);
   QCOMPARE(torques.static_Nm[0], 0.02 * (1.0 + 0.25 * std::cos(2.0 * 0.7 - 0.5)));
   QCOMPARE(torques.static_Nm[1], 0.01);
   QCOMPARE(torques.position_Nm, 0.001 * std::cos(12.0 * 0.7 - 1.0));
@@ -99,7 +98,7 @@ void TestRig::leftOutEffectParameter_takesItsDefault() {
   const auto rig =
       readRigText(rigText("6e-5", "[]", R"(, "effects": [{"effect": "constant_load", "parameters": {}}])"), "r");
   QVERIFY(rig.ok());
-  QCOMPARE(torquesAt(*rig, 0.0).position_Nm, 0.002);
+  QCOMPARE(torquesAt(physicsOf(*rig), 0.0).position_Nm, 0.002);
 }
 
 void TestRig::faults_areRead() {

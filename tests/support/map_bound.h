@@ -11,7 +11,6 @@
 #include "friction/friction_map.h"
 #include "friction/measurements.h"
 #include "plant/rig.h"
-#include "plant/rig_torques.h"
 
 namespace breakaway::test {
 
@@ -28,7 +27,7 @@ inline double currentVariance_A2(const Rig& rig) {
 }
 
 inline int highestOf(const std::vector<Harmonic>& harmonics, int atLeast = 0) {
-  for (const Harmonic& one : harmonics) atLeast = std::max(atLeast, one.order);
+  for (const Harmonic& one : harmonics) atLeast = std::max(atLeast, static_cast<int>(one.order));
   return atLeast;
 }
 
@@ -116,12 +115,13 @@ inline void boundMoving(const Rig& rig, const std::vector<VelocityRun>& runs, Wa
 inline double boundStatic(const Rig& rig, const std::vector<BreakawayEvent>& events, Way way, double zeroingSamples) {
   const auto w = static_cast<size_t>(way);
   const int order = highestOf(rig.staticFriction_Nm[w].harmonics, highestOf(rig.positionTorque_Nm));
+  const PlantPhysics physics = physicsOf(rig);
   double count = 0.0, samples = 0.0, squares = 0.0;
   for (const BreakawayEvent& event : events) {
     if (event.way != way) continue;
     count += 1.0;
     samples += static_cast<double>(event.samples);
-    squares += std::pow(rig.scatterRms * torquesAt(rig, event.angle_rad).static_Nm[w], 2);
+    squares += std::pow(rig.scatterRms * torquesAt(physics, event.angle_rad).static_Nm[w], 2);
   }
   if (count == 0.0) return 0.0;
   const double Kt = rig.torqueConstant_Nm_per_A, parameters = 2.0 * order + 1.0;

@@ -113,17 +113,17 @@ void TestTrial::bench_isNearTheTruthAndSaysNothingOfTheSecret() {
   for (int k = 0; k < 200; ++k) {
     const TrialRig rig = drawTrialRig({}, random);
     const Bench bench = believedBench(rig, random);
-    const TrialPhysics& p = rig.physics;
+    const PlantPhysics& p = rig.physics;
     double own = p.totalInertia();
     if (const auto& hung = rig.pendulum) {
       own -= hung->mass_kg * hung->length_m * hung->length_m;
-      QCOMPARE(hung->mass_kg * 9.81 * hung->length_m, p.gravityTorque);
-      QVERIFY(bench.pendulum && std::abs(bench.pendulum->downAngle_rad - p.downAngle_rad) <= 0.2);
+      QCOMPARE(hung->mass_kg * 9.81 * hung->length_m, p.position.front().amplitude);
+      QVERIFY(bench.pendulum && std::abs(bench.pendulum->downAngle_rad - hung->downAngle_rad) <= 0.2);
     }
     if (bench.motor.inertia) QVERIFY(std::abs(*bench.motor.inertia / own - 1.0) <= 0.3);
-    if (bench.motor.coulomb) QVERIFY(std::abs(std::log(*bench.motor.coulomb / p.friction.coulomb)) <= std::log(2.01));
+    if (bench.motor.coulomb) QVERIFY(std::abs(std::log(*bench.motor.coulomb / rig.coulomb())) <= std::log(2.01));
     if (bench.motor.torqueConstant) QCOMPARE(*bench.motor.torqueConstant, p.torqueConstant);
-    const double share = p.friction.coulomb / rig.peakTorque;
+    const double share = rig.coulomb() / rig.peakTorque;
     QVERIFY(share >= 0.0199 && share <= 0.2001);
     QCOMPARE(bench.count(), rig.sensors.count);
   }
@@ -142,7 +142,7 @@ void TestTrial::plainRig_costsNothingToLeaveOut() {
 
 void TestTrial::loadLeftOut_costsMuch() {
   auto [rig, course] = plainRig(3);
-  rig.physics.constantLoad = 0.5 * rig.physics.friction.coulomb;
+  rig.physics.load = -0.5 * rig.coulomb();
   TrialTrace trace;
   (void)recordTrial(rig, course, "loaded", 3, &trace);
   const double cost = costOfLeavingOut(rig, trace);

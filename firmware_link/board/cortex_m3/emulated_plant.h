@@ -12,6 +12,8 @@ namespace breakaway {
 /// The equations of `core/plant/plant.h` without its concealed effects: exact transition of winding and shaft over a
 /// substep with the dry torques held at their mid-step value; standing still until the motor's torque exceeds static
 /// friction; coming to rest where the speed passes zero. The angle is whole 2^-36 turns, so that it never loses digits.
+/// A plant of its own because the chip has no floating-point unit: that plant's double precision, exponentials and
+/// tables on the heap would cost it many ticks; the tables here come from that plant's own functions.
 class EmulatedPlant {
  public:
   EmulatedPlant(const EmulatedRig& rig, std::uint32_t seed);

@@ -10,7 +10,6 @@
 
 #include "firmware_link/simulated_rig.h"
 #include "plant/plant_propagator.h"
-#include "plant/rig_torques.h"
 
 namespace breakaway {
 
@@ -31,16 +30,8 @@ EmulatedMotion motionOf(const Propagator& p) {
 }
 
 Result<void> carried(const Rig& rig) {
-  static constexpr std::array ofTheAngle{"constant_load",
-                                         "imbalance",
-                                         "cogging",
-                                         "coulomb_asymmetry",
-                                         "viscous_asymmetry",
-                                         "stribeck",
-                                         "position_dependent_friction",
-                                         "position_dependent_viscous"};
   for (const RigEffect& effect : rig.effects) {
-    if (std::find(ofTheAngle.begin(), ofTheAngle.end(), effect.effect) == ofTheAngle.end())
+    if (const auto* kind = findRigEffect(effect.effect); kind && !kind->ofAngleAlone)
       return Error{"field effects", "names " + effect.effect + ", which the emulated plant doesn't have"};
   }
   if (rig.axis != Axis::rotary) return Error{"field axis", "is linear, the emulated plant is a rotor"};
@@ -48,7 +39,7 @@ Result<void> carried(const Rig& rig) {
   if (!rig.faults.empty()) return Error{"field faults", "isn't empty, the emulated plant has none"};
   if (rig.encoder.countsPerRev != std::floor(rig.encoder.countsPerRev))
     return Error{"field encoder.counts_per_rev", "is no whole number, expected one"};
-  if (highestOrder(rig) > 32)
+  if (highestOrder(physicsOf(rig)) > 32)
     return Error{"field friction", "has a harmonic above order 32, too fine for the emulated plant's grid"};
   return {};
 }
@@ -150,9 +141,11 @@ Result<RigTables> rigTables(const Rig& rig) {
   out.tick_s = static_cast<float>(tick_s);
   out.substep_s = static_cast<float>(substep_s);
   const size_t count = size_t{1} << cellBits;
+  const PlantPhysics physics = physicsOf(rig);
   std::array<double, 2> viscousMean{};
   for (size_t k = 0; k <= count; ++k) {
-    const RigTorques at = torquesAt(rig, 2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(count));
+    const AngleTorques at =
+        torquesAt(physics, 2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(count));
     EmulatedCell cell{};
     for (size_t way = 0; way < 2; ++way) {
       cell.static_Nm[way] = static_cast<float>(at.static_Nm[way]);

@@ -22,7 +22,7 @@ struct RigTables {
   RigTables& operator=(RigTables&&) = default;
 };
 
-/// Tabulates the same functions that the truth is computed from (plant/rig_torques.h). Errors: an effect that isn't a
+/// Tabulates the same functions that the truth is computed from (plant/physics.h). Errors: an effect that isn't a
 /// function of the angle alone, a fault, an encoder without whole counts: the emulated plant has none of these.
 Result<RigTables> rigTables(const Rig& rig);
 
