@@ -182,7 +182,9 @@ void Tour::home() {
   wait([this] { return session_.connection.runs(RunKind::homing) && session_.connection.run().status.progress > 0.3; },
        5000);
   shoot("home-running");
+  session_.connection.setPace(60.0);
   if (!wait([this] { return session_.bench.index_rad().has_value(); })) trouble_ = "homing did not end";
+  session_.connection.setPace(4.0);
   shoot("home-done");
 }
 
@@ -191,14 +193,14 @@ void Tour::sweep() {
   shoot("friction-ready");
   session_.connection.setPace(60.0);
   press("velocitySweepButton");
-  if (!wait([this] { return session_.bench.survey().moving.has_value(); })) trouble_ = "the velocity sweep did not end";
+  if (!wait([this] { return session_.bench.known().knows(Known::runs); })) trouble_ = "the velocity sweep did not end";
   press("breakawaySweepButton");
-  const auto share = [this] { return static_cast<double>(session_.bench.survey().events.size()) / 360.0; };
+  const auto share = [this] { return static_cast<double>(session_.bench.known().breakaways.size()) / 720.0; };
   wait([&] { return share() > 0.6; });
   session_.connection.setPace(4.0);
   shoot("friction-running");
   session_.connection.setPace(60.0);
-  if (!wait([this] { return session_.bench.survey().map.has_value(); })) trouble_ = "the breakaway sweep did not end";
+  if (!wait([this] { return session_.bench.known().knows(Known::map); })) trouble_ = "the breakaway sweep did not end";
   session_.connection.setPace(4.0);
   shoot("friction-done");
   auto* view = window_.findChild<QComboBox*>("polarView");
@@ -259,15 +261,16 @@ void Tour::linear() {
   shoot("friction-linear-ready");
   session_.connection.setPace(100.0);
   press("velocitySweepButton");
-  if (!wait([this] { return session_.bench.survey().moving && !session_.connection.run().running(); }))
+  if (!wait([this] { return session_.bench.known().knows(Known::runs) && !session_.connection.run().running(); }))
     trouble_ = "the linear axis' velocity sweep did not end";
   shoot("friction-linear-coulomb");
   press("breakawaySweepButton");
-  wait([this] { return session_.bench.survey().events.size() > 216; });
+  wait([this] { return session_.bench.known().breakaways.size() > 432; });
   session_.connection.setPace(4.0);
   shoot("friction-linear-running");
   session_.connection.setPace(100.0);
-  if (!wait([this] { return session_.bench.survey().map.has_value(); })) trouble_ = "the linear axis' map did not come";
+  if (!wait([this] { return session_.bench.known().knows(Known::map); }))
+    trouble_ = "the linear axis' map did not come";
   session_.connection.setPace(4.0);
   window_.findChild<QComboBox*>("polarView")->setCurrentIndex(1);
   shoot("friction-linear-done");

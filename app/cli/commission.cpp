@@ -7,6 +7,8 @@
 
 #include "cli/command.h"
 #include "cli/inputs.h"
+#include "commission/commission_progress.h"
+#include "commission/motor_file.h"
 #include "experiment/abilities.h"
 #include "firmware_link/presets.h"
 #include "firmware_link/simulated_truth.h"
@@ -23,7 +25,7 @@ struct CommissionLine {
   bool motorOnly = false;
   unsigned seed = 1;
   size_t bins = 180, turns = 2;
-  double run_s = CommissionOptions{}.speedRun_s;
+  double run_s = SweepSettings{}.speedRun_s;
   bool resume = false, namesBins = false, namesTurns = false, namesRun = false;
 };
 
@@ -75,9 +77,9 @@ Result<void> beginFolder(const CommissionLine& line, CommissionOptions& options)
   if (!line.resume) return removeProgress(line.out);
   auto earlier = readProgress(line.out);
   if (!earlier) return earlier.error();
-  if (!line.namesBins) options.bins = earlier->bins;
-  if (!line.namesTurns) options.turns = earlier->turns;
-  if (!line.namesRun) options.speedRun_s = earlier->speedRun_s;
+  if (!line.namesBins) options.sweeps.bins = earlier->sweeps.bins;
+  if (!line.namesTurns) options.sweeps.turns = earlier->sweeps.turns;
+  if (!line.namesRun) options.sweeps.speedRun_s = earlier->sweeps.speedRun_s;
   options.earlier = std::move(*earlier);
   return {};
 }
@@ -122,10 +124,10 @@ Outcome runCommission(const CommissionLine& line) {
   CommissionOptions options;
   options.bench = *bench;
   options.rig = options.bench && !options.bench->name.empty() ? options.bench->name : (*drive)->identity().device;
-  options.bins = line.bins;
-  options.turns = line.turns;
+  options.sweeps.bins = line.bins;
+  options.sweeps.turns = line.turns;
   if (auto taken = takeAddedInertia(line, (*drive)->identity().axis, options); !taken) return taken;
-  options.speedRun_s = line.run_s;
+  options.sweeps.speedRun_s = line.run_s;
   if (progressIsWatched()) {
     options.progress = [](double part, const std::string& activity) {
       std::fprintf(stderr, "\r\033[K%3.0f %%  %s", 100.0 * part, activity.c_str());
@@ -135,7 +137,7 @@ Outcome runCommission(const CommissionLine& line) {
   const WatchedInterrupt interrupt;
   options.interrupted = [] { return interruptAsked != 0; };
   bool kept = false;
-  options.keepProgress = [&](const CommissionProgress& progress) {
+  options.keepProgress = [&](const Commission& progress) {
     kept = true;
     return writeProgress(progress, line.out);
   };

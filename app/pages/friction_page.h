@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "base/axis.h"
+#include "commission/known.h"
 #include "pages/page.h"
 #include "widgets/file_chooser.h"
 
@@ -32,12 +33,12 @@ class FrictionPage : public Page {
   QWidget* buildControls();
   QWidget* buildVelocityGroup();
   QWidget* buildBreakawayGroup();
+  SweepSettings sweeps() const;
   void showConnection();
   void wordForRotor();
   void wordForTravel();
-  void showReach();
   void showMotion();
-  void showSurvey();
+  void showKnown();
   void showAverages();
 
   Connection& connection_;
@@ -51,13 +52,13 @@ class FrictionPage : public Page {
   QSpinBox* turns_ = nullptr;
   QPushButton* velocity_ = nullptr;
   QPushButton* breakaway_ = nullptr;
+  QPushButton* trial_ = nullptr;
   RunPanel* run_ = nullptr;
   FactsTable* averages_ = nullptr;
   QLabel* title_ = nullptr;
   QLabel* speedsCaption_ = nullptr;
   MapPanel* map_ = nullptr;
   std::optional<Axis> worded_;  ///< the axis that the page speaks of
-  double reach_ = 0.0;          ///< the speed that was proposed last
 };
 
 }  // namespace breakaway

@@ -8,9 +8,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "experiment/homing.h"
 #include "session/bench_runs.h"
 #include "session/connection.h"
 #include "session/live_samples.h"
+#include "widgets/axis_units.h"
 #include "widgets/controls.h"
 #include "widgets/facts_table.h"
 #include "widgets/rotor_dial.h"
@@ -32,7 +34,7 @@ HomePage::HomePage(Connection& connection, BenchRuns& bench, const LiveSamples& 
   pictures_->addWidget(strip_);
   row->addWidget(pictures_, 1);
   connect(&connection_, &Connection::changed, this, &HomePage::showConnection);
-  connect(&bench_, &BenchRuns::surveyChanged, this, &HomePage::showConnection);
+  connect(&bench_, &BenchRuns::knownChanged, this, &HomePage::showConnection);
   connect(&bench_, &BenchRuns::measured, this, &HomePage::showResult);
   connect(&connection_, &Connection::runChanged, this, &HomePage::showMotion);
   connect(&timer_, &QTimer::timeout, this, &HomePage::showAngle);
@@ -53,35 +55,43 @@ QWidget* HomePage::buildControls() {
   auto* buttons = new QHBoxLayout;
   home_ = pushButton(side, "homeButton", tr("Home"));
   buttons->addWidget(home_);
+  identify_ = pushButton(side, "identifyButton", tr("Identify the motor"));
+  buttons->addWidget(identify_);
   buttons->addStretch(1);
   column->addLayout(buttons);
-  run_ = new RunPanel("homingRun", {RunKind::homing}, side);
+  run_ = new RunPanel("homingRun", {RunKind::homing, RunKind::identification}, side);
   column->addWidget(run_);
   column->addWidget(rule(side));
   result_ = new FactsTable("homingResult", side);
   column->addWidget(result_);
   column->addStretch(1);
-  connect(home_, &QPushButton::clicked, this, [this] { bench_.home(options_); });
+  connect(home_, &QPushButton::clicked, this, [this] { bench_.make(RunKind::homing); });
+  connect(identify_, &QPushButton::clicked, this, [this] { bench_.make(RunKind::identification); });
   return side;
 }
 
 QString HomePage::plan() const {
-  const double backOff_deg = options_.backOff_rad * 180.0 / std::numbers::pi;
-  return tr("The shaft turns counter-clockwise at %1 rad/s until the index is seen, at most %2 turns. Then it backs "
+  const HomingOptions options;
+  const double backOff_deg = options.backOff_rad * 180.0 / std::numbers::pi;
+  const bool first = !bench_.known().knows(Known::motor) && bench_.obstacleToMake(RunKind::identification).isEmpty();
+  const QString before =
+      first ? tr("First the motor is identified: about a minute, standing and then turning both ways. ") : QString();
+  return before +
+         tr("The shaft turns counter-clockwise at %1 rad/s until the index is seen, at most %2 turns. Then it backs "
             "off by %3° and passes "
             "the index's edge %4 times at %5 rad/s, always from the same side. It gives up after %6 s.")
-      .arg(options_.searchSpeed_rad_per_s)
-      .arg(options_.mostTurns)
-      .arg(backOff_deg, 0, 'f', 0)
-      .arg(options_.approaches)
-      .arg(options_.approachSpeed_rad_per_s)
-      .arg(options_.timeout_s);
+             .arg(options.searchSpeed_rad_per_s)
+             .arg(options.mostTurns)
+             .arg(backOff_deg, 0, 'f', 0)
+             .arg(options.approaches)
+             .arg(options.approachSpeed_rad_per_s)
+             .arg(options.timeout_s);
 }
 
 QString HomePage::travelPlan() const {
   QStringList steps{
       tr("The axis feels for both ends at 50 mm/s, with a current limit that grows only until it moves.")};
-  if (!bench_.survey().identification)
+  if (!bench_.known().knows(Known::motor))
     steps << tr("The motor is identified: half a minute standing in the middle, then strokes to and fro by voltage.");
   steps
       << (connection_.identity().hasIndex
@@ -100,66 +110,81 @@ void HomePage::showConnection() {
   showResult();
 }
 
-void HomePage::showTravel() {
-  const auto axis = bench_.axis();
-  if (!axis) {
-    result_->show({{tr("Travel"), tr("not felt yet"), {}}, {tr("Index"), tr("not homed yet"), {}}});
-    return;
-  }
+std::vector<Fact> HomePage::motorFacts() const {
+  const Commission& known = bench_.known();
+  if (!known.knows(Known::motor)) return {};
+  const AxisUnits units = unitsOf(known.identity.axis);
+  const IdentifiedMotor& motor = known.motor;
+  const auto row = [](const QString& name, const Estimate& estimate, double scale, const QString& unit,
+                      const QString& help) {
+    return Fact{name,
+                tr("%1 ± %2 %3")
+                    .arg(scale * estimate.value, 0, 'g', 4)
+                    .arg(1.96 * scale * estimate.standardError, 0, 'g', 2)
+                    .arg(unit),
+                help};
+  };
+  const QString scale = QString::fromStdString(motor.gauge);
+  const bool linear = known.linear();
+  return {row(linear ? tr("Force constant") : tr("Torque constant"), motor.torqueConstant_Nm_per_A, 1.0, units.constant,
+              scale),
+          row(tr("Resistance"), motor.resistance_ohm, 1.0, tr("Ω"), {}),
+          row(linear ? tr("Mass") : tr("Inertia"), motor.inertia_kg_m2, units.inertiaScale, units.inertia, scale)};
+}
+
+std::vector<Fact> HomePage::travelFacts() const {
+  const auto index = bench_.index_rad();
+  if (!index) return {{tr("Travel"), tr("not felt yet"), {}}, {tr("Index"), tr("not homed yet"), {}}};
   const auto millimetres = [](double length_m, int decimals) {
     return tr("%1 mm").arg(1e3 * length_m, 0, 'f', decimals);
   };
-  const Estimate& index = *bench_.index_rad();
+  const Commission& known = bench_.known();
   const bool hasIndex = connection_.identity().hasIndex;
-  result_->show(
-      {{tr("Travel"), millimetres(axis->travel.high_m - axis->travel.low_m, 2), tr("From end to end")},
-       {tr("Margin"), millimetres(axis->travel.margin_m, 1), tr("Kept away from either end")},
-       {hasIndex ? tr("Index") : tr("Lower end"), tr("%1 mm in the board's position").arg(1e3 * index.value, 0, 'f', 3),
-        hasIndex ? tr("Mean over the passes") : tr("Positions are counted from here")},
-       {tr("Interval"), tr("± %1 µm (95 %)").arg(1.96e6 * index.standardError, 0, 'f', 1), {}},
-       {tr("Mass"),
-        tr("%1 ± %2 kg")
-            .arg(axis->motor.inertia_kg_m2.value, 0, 'f', 3)
-            .arg(1.96 * axis->motor.inertia_kg_m2.standardError, 0, 'f', 3),
-        tr("By strokes, 95 %; %1").arg(QString::fromStdString(axis->motor.gauge))},
-       {tr("Highest speed"), tr("%1 m/s").arg(bench_.reachableSpeed_rad_per_s(), 0, 'f', 3),
-        tr("That strokes can reach between the margins")}});
+  return {
+      {tr("Travel"), millimetres(known.counted.high_m - known.counted.low_m, 2), tr("From end to end")},
+      {tr("Margin"), millimetres(known.counted.margin_m, 1), tr("Kept away from either end")},
+      {hasIndex ? tr("Index") : tr("Lower end"), tr("%1 mm in the board's position").arg(1e3 * index->value, 0, 'f', 3),
+       hasIndex ? tr("Mean over the passes") : tr("Positions are counted from here")},
+      {tr("Interval"), tr("± %1 µm (95 %)").arg(1.96e6 * index->standardError, 0, 'f', 1), {}},
+      {tr("Highest speed"), tr("%1 m/s").arg(known.pace.speed_m_per_s, 0, 'f', 3),
+       tr("That strokes can reach between the margins")}};
+}
+
+std::vector<Fact> HomePage::indexFacts() const {
+  const auto index = bench_.index_rad();
+  if (!index) return {{tr("Index"), connection_.connected() ? tr("not homed yet") : tr("–"), {}}};
+  return {{tr("Index"), tr("%1 rad in the board's angle").arg(index->value, 0, 'f', 5), tr("Mean over the passes")},
+          {tr("Interval"), tr("± %1 mrad (95 %)").arg(1.96e3 * index->standardError, 0, 'f', 3), {}},
+          {tr("Encoder count"),
+           tr("%1 mrad").arg(2e3 * std::numbers::pi / connection_.identity().countsPerRev, 0, 'f', 3),
+           {}}};
 }
 
 void HomePage::showResult() {
-  if (connection_.linear()) {
-    showTravel();
-    showMotion();
-    return;
-  }
-  const auto& index = bench_.index_rad();
-  if (!index) {
-    result_->show({{tr("Index"), connection_.connected() ? tr("not homed yet") : tr("–"), {}}});
-  } else {
-    result_->show(
-        {{tr("Index"), tr("%1 rad in the board's angle").arg(index->value, 0, 'f', 5), tr("Mean over the passes")},
-         {tr("Interval"), tr("± %1 mrad (95 %)").arg(1.96e3 * index->standardError, 0, 'f', 3), {}},
-         {tr("Encoder count"),
-          tr("%1 mrad").arg(2e3 * std::numbers::pi / connection_.identity().countsPerRev, 0, 'f', 3),
-          {}}});
-  }
+  std::vector<Fact> facts = connection_.linear() ? travelFacts() : indexFacts();
+  for (Fact& fact : motorFacts()) facts.push_back(std::move(fact));
+  result_->show(facts);
   showMotion();
 }
 
 void HomePage::showMotion() {
   run_->show(connection_.run());
-  setAvailable(home_, connection_.linear() ? tr("Find both ends and the index") : tr("Find the index"),
-               bench_.homingObstacle());
+  const QString what = connection_.linear() ? tr("Find both ends and the index") : tr("Find the index");
+  const QString first = connection_.connected() ? bench_.missingFor(RunKind::homing) : QString();
+  setAvailable(home_, first.isEmpty() ? what : what + ". " + first, bench_.obstacleToMake(RunKind::homing));
+  setAvailable(identify_,
+               tr("Measure the motor's constants, its inertia, and what the current sensor's scale is worth"),
+               bench_.obstacleToMake(RunKind::identification));
 }
 
 void HomePage::showAngle() {
   if (!isVisible()) return;
   const auto newest = live_.history().newest();
   if (connection_.linear()) {
-    const auto axis = bench_.axis();
+    const bool homed = bench_.axisIsHomed();
     strip_->show(newest ? std::optional(newest->angle_rad) : std::nullopt,
-                 axis ? std::optional(axis->travel) : std::nullopt,
-                 bench_.index_rad() ? std::optional(bench_.index_rad()->value) : std::nullopt);
+                 homed ? std::optional(bench_.known().counted) : std::nullopt,
+                 homed ? std::optional(bench_.index_rad()->value) : std::nullopt);
     return;
   }
   dial_->show(newest ? std::optional(newest->angle_rad) : std::nullopt,

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <QTimer>
+#include <vector>
 
-#include "experiment/homing.h"
 #include "pages/page.h"
+#include "widgets/facts_table.h"
 
 class QLabel;
 class QPushButton;
@@ -14,7 +15,6 @@ namespace breakaway {
 
 class BenchRuns;
 class Connection;
-class FactsTable;
 class LiveSamples;
 class RotorDial;
 class RunPanel;
@@ -31,7 +31,9 @@ class HomePage : public Page {
   QString plan() const;
   QString travelPlan() const;
   void showConnection();
-  void showTravel();
+  std::vector<Fact> indexFacts() const;
+  std::vector<Fact> travelFacts() const;
+  std::vector<Fact> motorFacts() const;
   void showResult();
   void showMotion();
   void showAngle();
@@ -39,8 +41,8 @@ class HomePage : public Page {
   Connection& connection_;
   BenchRuns& bench_;
   const LiveSamples& live_;
-  HomingOptions options_;
   QPushButton* home_ = nullptr;
+  QPushButton* identify_ = nullptr;
   RunPanel* run_ = nullptr;
   FactsTable* result_ = nullptr;
   QLabel* title_ = nullptr;

@@ -7,11 +7,11 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
+#include "report/commission_report.h"
 #include "report/diagnosis_report.h"
 #include "session/bench_runs.h"
 #include "session/comparison.h"
 #include "session/messages.h"
-#include "survey_report.h"
 #include "widgets/controls.h"
 #include "widgets/findings_list.h"
 
@@ -49,25 +49,26 @@ ReportPage::ReportPage(const BenchRuns& bench, const Comparison& comparison, Mes
   connect(friction_, &QPushButton::clicked, this, &ReportPage::writeFriction);
   connect(compared_, &QPushButton::clicked, this, &ReportPage::writeComparison);
   connect(open_, &QPushButton::clicked, this, [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(last_)); });
-  connect(&bench_, &BenchRuns::surveyChanged, this, &ReportPage::showFriction);
+  connect(&bench_, &BenchRuns::knownChanged, this, &ReportPage::showFriction);
   connect(&comparison_, &Comparison::diagnosisChanged, this, &ReportPage::showComparison);
   showFriction();
   showComparison();
 }
 
 void ReportPage::showFriction() {
-  const FrictionSurvey& survey = bench_.survey();
+  const Commission& known = bench_.known();
   QStringList parts;
-  if (survey.identification) parts << tr("the motor's constants");
-  if (survey.moving) parts << tr("Coulomb and viscous averages with intervals");
-  if (!survey.events.empty())
-    parts << (survey.axis == Axis::linear ? tr("%1 breakaways over the travel") : tr("%1 breakaways around the rotor"))
-                 .arg(survey.events.size());
-  if (survey.map) parts << tr("the friction map");
+  if (known.knows(Known::motor)) parts << tr("the motor's constants");
+  if (known.knows(Known::runs)) parts << tr("Coulomb and viscous averages with intervals");
+  if (!known.breakaways.empty())
+    parts << (known.linear() ? tr("%1 breakaways over the travel") : tr("%1 breakaways around the rotor"))
+                 .arg(known.breakaways.size());
+  if (known.knows(Known::map)) parts << tr("the friction map");
+  if (known.compensatedRun) parts << tr("what the map is good for");
   frictionHolds_->setText(parts.isEmpty()
                               ? tr("Nothing was measured yet. A sweep on the Friction page fills this report.")
                               : tr("One HTML file with pictures: %1.").arg(parts.join(", ")));
-  setAvailable(friction_, survey.identification.has_value(), tr("Write one HTML file"), tr("Nothing was measured yet"));
+  setAvailable(friction_, known.knows(Known::motor), tr("Write one HTML file"), tr("Nothing was measured yet"));
 }
 
 void ReportPage::showComparison() {
@@ -87,9 +88,7 @@ void ReportPage::showComparison() {
 
 void ReportPage::writeFriction() {
   files_.ask(this, {tr("Write the friction report"), tr("Report (*.html)"), "friction.html", true},
-             [this](const QString& path) {
-               written(writeSurveyReport(bench_.survey(), bench_.survey().board, path.toStdString()), path);
-             });
+             [this](const QString& path) { written(writeReport(bench_.known(), false, path.toStdString()), path); });
 }
 
 void ReportPage::writeComparison() {

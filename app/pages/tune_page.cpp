@@ -45,7 +45,7 @@ TunePage::TunePage(Connection& connection, BenchRuns& bench, QWidget* parent)
   row->addWidget(buildResults(), 1);
   connect(&connection_, &Connection::changed, this, &TunePage::scaleSliders);
   connect(&connection_, &Connection::settingsChanged, this, &TunePage::showSettings);
-  connect(&bench_, &BenchRuns::surveyChanged, this, &TunePage::showMargins);
+  connect(&bench_, &BenchRuns::knownChanged, this, &TunePage::showMargins);
   connect(&bench_, &BenchRuns::tuningChanged, this, &TunePage::showMargins);
   connect(&connection_, &Connection::runChanged, this, &TunePage::showMotion);
   connect(&bench_, &BenchRuns::measured, this, &TunePage::showSteps);
@@ -190,7 +190,7 @@ void TunePage::showMargins() {
 }
 
 void TunePage::showMotion() {
-  const auto highest = bench_.highestStep_m_per_s();
+  const auto highest = bench_.highestStep();
   if (highest) height_->setMaximum(*highest);
   setAvailable(measure_,
                connection_.linear()

@@ -22,10 +22,14 @@ void BenchRuns::meetBoard() {
   ++board_;
   const Identity& identity = connection_.identity();
   bench_ = benchBeside(connection_.uri());
-  if (surveyedDevice_ != identity.device) forgetSurvey();
-  survey_.axis = identity.axis;
-  survey_.board = identity;
-  survey_.rig = bench_ ? bench_->name : identity.device;
+  const std::string& before = known_.identity.device;
+  if (!before.empty() && before != identity.device) {
+    messages_.say(
+        tr("This is another board: what was measured on %1 is forgotten").arg(QString::fromStdString(before)));
+    known_ = {};
+  }
+  known_.identity = identity;
+  emit knownChanged();
   if (bench_ && bench_->dutyCurve.known()) lineariseBoard();
 }
 
@@ -40,7 +44,7 @@ void BenchRuns::lineariseBoard() {
 }
 
 void BenchRuns::leaveBoard() {
-  index_rad_.reset();
+  known_.forgetBoard();
   forgetSteps();
 }
 
@@ -50,74 +54,22 @@ void BenchRuns::forgetSteps() {
 }
 
 void BenchRuns::keepResult(const RunSnapshot& snapshot) {
-  keepSurvey(snapshot);
-  if (snapshot.status.state != Procedure::State::finished) return;
-  if (const auto* homing = std::get_if<HomingResult>(&snapshot.result)) {
-    index_rad_ = homing->index_rad;
-  } else if (const auto* step = std::get_if<StepResult>(&snapshot.result)) {
-    steps_.push_back(*step);
-  }
+  const Procedure::State state = snapshot.status.state;
+  if (const auto* known = std::get_if<KnownPtr>(&snapshot.result)) keepKnown(*known);
+  if (state != Procedure::State::finished) return;
+  if (const auto* step = std::get_if<StepResult>(&snapshot.result)) steps_.push_back(*step);
   emit measured();
 }
 
-void BenchRuns::keepSurvey(const RunSnapshot& snapshot) {
-  const bool ended = snapshot.status.state != Procedure::State::running;
-  const bool finished = snapshot.status.state == Procedure::State::finished;
-  if (const auto* identified = std::get_if<IdentificationResult>(&snapshot.result)) {
-    if (identified->found) survey_.identification = identified->found;
-  } else if (const auto* sweep = std::get_if<VelocitySweepResult>(&snapshot.result)) {
-    survey_.identification = sweep->identification;
-    survey_.runs = sweep->runs;
-  } else if (const auto* homing = std::get_if<HomingResult>(&snapshot.result); homing && homing->travel) {
-    if (homing->identification) survey_.identification = homing->identification;
-    if (finished && !survey_.layOver(moved(*homing->travel, -homing->index_rad.value)))
-      messages_.warn(tr("The ends lie elsewhere than before: what was measured over the travel is forgotten"));
-  } else if (const auto* strokes = std::get_if<StrokesResult>(&snapshot.result)) {
-    survey_.strokes = strokes->strokes;
-    survey_.strokeBins = strokes->bins;
-    survey_.strokesZeroError_A = strokes->zeroError_A;
-  } else if (const auto* breakaways = std::get_if<BreakawayResult>(&snapshot.result)) {
-    survey_.identification = breakaways->identification;
-    survey_.events = breakaways->events;
-    survey_.bins = breakaways->bins;
-    survey_.turns = breakaways->turns;
-    survey_.missed = breakaways->missed;
-    survey_.eventsZeroError_A = breakaways->zeroError_A;
-    survey_.settings = breakaways->settings;
-    survey_.sweepComplete = finished;
-  } else {
-    return;
-  }
-  surveyedDevice_ = connection_.identity().device;
-  emit surveyChanged();
-  if (ended) estimateSurvey();
-}
-
-void BenchRuns::estimateSurvey() {
-  pool_.start([this, number = ++surveyNumber_, survey = survey_]() mutable {
-    survey.estimate();
-    QMetaObject::invokeMethod(
-        this,
-        [this, number, survey = std::move(survey)] {
-          if (number != surveyNumber_) return;
-          survey_ = survey;
-          emit surveyChanged();
-          const bool lacks = survey_.sweepComplete ? !survey_.map : !survey_.strokes.empty() && !survey_.moving;
-          if (lacks && !survey_.mapObstacle.empty())
-            messages_.warn(tr("There is no map: %1").arg(QString::fromStdString(survey_.mapObstacle)));
-        },
-        Qt::QueuedConnection);
-  });
-}
-
-void BenchRuns::forgetSurvey() {
-  if (!surveyedDevice_.empty())
-    messages_.say(
-        tr("This is another board: what was measured on %1 is forgotten").arg(QString::fromStdString(surveyedDevice_)));
-  ++surveyNumber_;  // an estimate that is under way is of the other board
-  survey_ = {};
-  surveyedDevice_.clear();
-  emit surveyChanged();
+void BenchRuns::keepKnown(const KnownPtr& now) {
+  if (now == last_) return;
+  last_ = now;
+  const Commission& known = *now;
+  if (known.settings != connection_.settings()) connection_.takeSettings(known.settings);
+  for (size_t k = known_.remarks.size(); k < known.remarks.size(); ++k)
+    messages_.say(QString::fromStdString(known.remarks[k]));
+  known_ = known;
+  emit knownChanged();
 }
 
 }  // namespace breakaway

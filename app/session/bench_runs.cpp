@@ -1,12 +1,11 @@
 // What is started at the bench, and why it can't be.
 #include "session/bench_runs.h"
 
-#include <cmath>
-
-#include "bench_job.h"
+#include "commission/steps.h"
 #include "experiment/abilities.h"
 #include "session/slow_strokes.h"
 #include "session/slow_turning.h"
+#include "session/step_over_travel.h"
 
 namespace breakaway {
 
@@ -18,9 +17,31 @@ QString sentence(const std::string& clause) {
   return text.left(1).toUpper() + text.mid(1);
 }
 
-std::optional<double> trustedTorqueConstant(const std::optional<Bench>& bench) {
-  if (!bench || !bench->trusted.contains(motorNames(bench->axis).torqueConstant)) return {};
-  return bench->motor.torqueConstant;
+/// What a kind of run leaves, and what of it is made anew when all is known.
+struct Wanted {
+  Facts facts, anew;
+};
+
+Wanted wantedOf(RunKind kind) {
+  switch (kind) {
+    case RunKind::identification:
+      return {{Known::motor}, {Known::windingTest}};
+    case RunKind::homing:
+      return {{Known::index}, {Known::ends, Known::index}};
+    case RunKind::velocitySweep:
+      return {{Known::runs}, {Known::runs}};
+    case RunKind::breakaway:
+      return {{Known::map, Known::stribeck}, {Known::breakaways}};
+    case RunKind::trial:
+      return {{Known::comparison}, {Known::gainsInUse}};
+    default:
+      return {};
+  }
+}
+
+Task taskOf(RunKind kind) {
+  if (kind == RunKind::identification) return Task::identification;
+  return kind == RunKind::homing ? Task::homing : kind == RunKind::trial ? Task::commissioning : Task::sweep;
 }
 
 }  // namespace
@@ -37,172 +58,100 @@ BenchRuns::~BenchRuns() {
 }
 
 void BenchRuns::turnSlowly() {
-  if (const auto known = axis()) {
-    connection_.start(
-        {RunKind::turning, std::make_shared<SlowStrokes>(known->travel, 1.0 / connection_.identity().loopRate_Hz), {}});
+  if (axisIsHomed()) {
+    connection_.start({RunKind::turning,
+                       std::make_shared<SlowStrokes>(known_.counted, 1.0 / connection_.identity().loopRate_Hz),
+                       {}});
     return;
   }
   if (connection_.linear()) return;
   connection_.start({RunKind::turning, std::make_shared<SlowTurning>(SlowTurning::Options{}), {}});
 }
 
-void BenchRuns::home(const HomingOptions& options) {
-  if (connection_.linear()) {
-    connection_.start(axisHoming());
-    return;
-  }
-  HomingOptions known = options;
-  known.countsPerRev = connection_.identity().countsPerRev;
-  const auto homing = std::make_shared<Homing>(known);
-  connection_.start({RunKind::homing, homing, [homing] {
-                       const bool finished = homing->state() == Procedure::State::finished;
-                       return HomingResult{homing->passes(), finished ? homing->indexAngle_rad() : Estimate{}};
-                     }});
-}
-
 void BenchRuns::measureStep(const VelocityStepOptions& wanted) {
   VelocityStepOptions options = wanted;
   options.axis = connection_.identity().axis;
-  auto step = std::make_shared<VelocityStep>(options);
+  const auto step = std::make_shared<VelocityStep>(options);
   std::shared_ptr<Procedure> whole = step;
-  if (const auto known = axis()) {
-    AxisStep over = stepOver(*known, paceOf(*known), options);
-    whole = over.whole;
-    step = over.step;
-  }
+  if (axisIsHomed()) whole = std::make_shared<StepOverTravel>(known_, step);
   connection_.start({RunKind::step, whole, [step, options, settings = connection_.settings()] {
                        const bool finished = step->state() == Procedure::State::finished;
                        return StepResult{step->curve(), finished ? step->figures() : StepFigures{}, options, settings};
                      }});
 }
 
-void BenchRuns::sweepVelocity(double highest_rad_per_s, size_t speeds, double duration_s, size_t bins) {
-  if (connection_.linear()) {
-    auto request = axisSweep(bins);
-    if (!request) return;
-    request->pace.speed_m_per_s = std::min(request->pace.speed_m_per_s, highest_rad_per_s);
-    connection_.start(strokesRun(*request, speeds, duration_s, survey_.strokes));
-    return;
-  }
-  VelocitySweepOptions options;
-  for (size_t k = 0; k < speeds; ++k) {
-    const double part = speeds < 2 ? 1.0 : static_cast<double>(k) / static_cast<double>(speeds - 1);
-    options.speeds_rad_per_s.push_back(highest_rad_per_s * std::pow(0.06, 1.0 - part));
-  }
-  options.countsPerRev = connection_.identity().countsPerRev;
-  options.indexAngle_rad = index_rad_ ? index_rad_->value : 0.0;
-  options.indexTolerance_rad = index_rad_ ? indexTolerance_rad(connection_.identity().countsPerRev) : 0.0;
-  options.run_s = duration_s;
-  VelocityRequest request{options, {}, survey_.identification, trustedTorqueConstant(bench_)};
-  if (survey_.runs.size() < 2 * speeds && surveyedDevice_ == connection_.identity().device)
-    request.earlier = survey_.runs;
-  connection_.start(velocitySweepRun(request));
+CommissionOptions BenchRuns::optionsWith(const SweepSettings& sweeps) const {
+  CommissionOptions options;
+  options.bench = bench_;
+  options.rig = bench_ && !bench_->name.empty() ? bench_->name : connection_.identity().device;
+  options.sweeps = sweeps;
+  options.keepRecordings = false;
+  options.measuresAnew = options.givesGainsBack = true;
+  return options;
 }
 
-void BenchRuns::sweepBreakaway(size_t bins, size_t turns) {
-  std::vector<BreakawayEvent> earlier;
-  if (!survey_.sweepComplete && surveyedDevice_ == connection_.identity().device && survey_.bins == bins &&
-      survey_.turns == turns)
-    earlier = survey_.events;
-  if (!earlier.empty()) messages_.say(tr("The sweep goes on after %1 breakaways").arg(earlier.size()));
-  if (connection_.linear()) {
-    const auto request = axisSweep(bins);
-    if (!request) return;
-    auto run = travelBreakawayRun(*request, turns, survey_.strokes, earlier);
-    if (!run) return messages_.warn(run.error());
-    connection_.start(std::move(*run));
-    return;
+Facts BenchRuns::forgottenFor(RunKind kind, const SweepSettings& sweeps) const {
+  const Wanted wanted = wantedOf(kind);
+  Facts forgotten = withComputed(known_.otherThan(sweeps)), left = known_.facts;
+  left.remove(forgotten);
+  if (left.hasAll(wanted.facts)) forgotten.add(withComputed(wanted.anew));
+  return forgotten;
+}
+
+void BenchRuns::make(RunKind kind, const SweepSettings& sweeps) {
+  Commission before = known_;
+  before.forget(forgottenFor(kind, sweeps));
+  before.sweeps = sweeps;
+  Facts wanted = wantedOf(kind).facts;
+  // A map drawn from new runs and the breakaways that are there moves nothing.
+  if (kind == RunKind::velocitySweep && before.knows(Known::breakaways)) wanted.add({Known::map});
+  if (kind == RunKind::breakaway && !before.breakaways.empty() && !before.knows(Known::breakaways))
+    messages_.say(tr("The sweep goes on after %1 breakaways").arg(before.breakaways.size()));
+  connection_.start(runOf(kind, std::make_shared<Job>(optionsWith(sweeps), wanted, std::move(before))));
+}
+
+QString BenchRuns::missingFor(RunKind kind, const SweepSettings& sweeps) const {
+  const Wanted wanted = wantedOf(kind);
+  Facts own = wanted.facts;
+  own.add(wanted.anew);
+  QStringList steps;
+  Facts known = known_.facts;
+  known.remove(forgottenFor(kind, sweeps));
+  for (const StepPtr& step : plan(connection_.identity(), known, wanted.facts)) {
+    // What is worth a word takes time.
+    if (step->expected_s(sweeps) > 0.0 && !step->leaves().hasAny(own)) steps << QString::fromStdString(step->words());
   }
-  BreakawayRequest request;
-  request.earlier = earlier;
-  request.bins = bins;
-  request.turns = turns;
-  request.index_rad = index_rad_ ? index_rad_->value : 0.0;
-  request.indexTolerance_rad = index_rad_ ? indexTolerance_rad(connection_.identity().countsPerRev) : 0.0;
-  request.trustedTorqueConstant_Nm_per_A = trustedTorqueConstant(bench_);
-  request.identification = survey_.identification;
-  request.runs = survey_.runs;
-  request.countsPerRev = connection_.identity().countsPerRev;
-  request.current_limit_A = connection_.settings().current_limit_A;
-  connection_.start(breakawayRun(request));
+  return steps.isEmpty() ? QString() : tr("First: %1").arg(steps.join(", "));
 }
 
-QString BenchRuns::homingObstacle() const {
-  const std::string never = connection_.connected() ? obstacleTo(Task::homing, connection_.identity()) : std::string();
-  return never.empty() ? connection_.obstacle() : sentence(never);
-}
-
-QString BenchRuns::sweepObstacle() const {
+QString BenchRuns::obstacleToMake(RunKind kind) const {
   if (connection_.connected()) {
-    if (const std::string never = obstacleTo(Task::sweep, connection_.identity()); !never.empty())
+    if (const std::string never = obstacleTo(taskOf(kind), connection_.identity()); !never.empty())
       return sentence(never);
   }
-  if (QString busy = connection_.obstacle(); !busy.isEmpty()) return busy;
-  if (!index_rad_)
-    return connection_.linear() ? tr("Home first: it feels for both ends, and places count from the index")
-                                : tr("Home first: angles around the rotor count from the index");
-  return {};
-}
-
-QString BenchRuns::breakawayObstacle(size_t bins) const {
-  if (QString sweep = sweepObstacle(); !sweep.isEmpty() || !connection_.linear()) return sweep;
-  if (survey_.strokes.empty())
-    return tr("Run the velocity sweep first: its slow strokes tell what keeps the axis moving");
-  if (survey_.strokeBins != bins)
-    return tr("The velocity sweep was taken apart into %1 places: take as many here, or run it again")
-        .arg(survey_.strokeBins);
-  return {};
+  return connection_.obstacle();
 }
 
 QString BenchRuns::turningObstacle() const {
   if (QString busy = connection_.obstacle(); !busy.isEmpty()) return busy;
-  return connection_.linear() && !axis() ? tr("Home first: the ends of the travel are not known yet") : QString();
+  return connection_.linear() && !axisIsHomed() ? tr("Home first: the ends of the travel are not known yet")
+                                                : QString();
 }
 
 QString BenchRuns::stepObstacle() const {
   if (QString busy = connection_.obstacle(); !busy.isEmpty()) return busy;
-  return connection_.linear() && !axis()
+  return connection_.linear() && !axisIsHomed()
              ? tr("Home first: a step in velocity needs room, and the ends are not known yet")
              : QString();
 }
 
-std::optional<double> BenchRuns::highestStep_m_per_s() const {
-  const auto known = axis();
-  if (!known) return {};
-  return breakaway::highestStep_m_per_s(*known, paceOf(*known), VelocityStepOptions{});
+std::optional<Estimate> BenchRuns::index_rad() const {
+  return known_.knows(Known::index) ? std::optional(known_.indexAngle_rad) : std::nullopt;
 }
 
-std::optional<KnownAxis> BenchRuns::axis() const {
-  auto known = connection_.linear() && index_rad_ ? survey_.knownAxis() : std::nullopt;
-  if (!known) return {};
-  known->board = connection_.identity();
-  known->current_limit_A = connection_.settings().current_limit_A;
-  known->index_m = index_rad_->value;
-  known->travel = moved(known->travel, known->index_m);
-  return known;
-}
-
-Run BenchRuns::axisHoming() const {
-  AxisHomingRequest request{
-      connection_.identity(), connection_.settings(), survey_.identification, trustedTorqueConstant(bench_), {}};
-  if (bench_ && bench_->currentGainInterval) request.scale.gainInterval = *bench_->currentGainInterval;
-  if (bench_ && bench_->trusted.contains("mass_kg")) request.scale.trustedInertia_kg_m2 = bench_->motor.inertia;
-  return axisHomingRun(request);
-}
-
-std::optional<AxisSweepRequest> BenchRuns::axisSweep(size_t bins) const {
-  const auto known = axis();
-  if (!known) return {};
-  return AxisSweepRequest{
-      *known, paceOf(*known), {known->travel.first_m(), known->travel.last_m(), bins}, survey_.identification};
-}
-
-double BenchRuns::reachableSpeed_rad_per_s() const {
-  if (const auto known = axis()) return paceOf(*known).speed_m_per_s;
-  double backEmf_V_s_per_rad = connection_.settings().nominal_torque_constant_Nm_per_A;  // the same quantity in SI
-  if (bench_ && bench_->motor.backEmfConstant) backEmf_V_s_per_rad = *bench_->motor.backEmfConstant;
-  if (survey_.identification) backEmf_V_s_per_rad = survey_.identification->motor.backEmfConstant_V_s_per_rad.value;
-  return backEmf_V_s_per_rad > 0.0 ? 0.55 * connection_.identity().supply_V / backEmf_V_s_per_rad : 10.0;
+std::optional<double> BenchRuns::highestStep() const {
+  if (!axisIsHomed()) return {};
+  return highestStep_m_per_s(known_, VelocityStepOptions{});
 }
 
 QString BenchRuns::gainsObstacle() const {
@@ -225,8 +174,8 @@ void BenchRuns::tune(Stiffness stiffness) {
   tuning_ = true;
   emit tuningChanged();
   pool_.start([this, stiffness, board = board_, identity = connection_.identity(), settings = connection_.settings(),
-               known = motor()] {
-    const auto tuned = tunedSettings(identity, settings, known, stiffness);
+               motor = motor()] {
+    const auto tuned = tunedSettings(identity, settings, motor, stiffness);
     QMetaObject::invokeMethod(
         this, [this, board, tuned] { takeTuning(board, tuned); }, Qt::QueuedConnection);
   });

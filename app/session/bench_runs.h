@@ -1,17 +1,14 @@
-// The runs at the bench: what can be started and why not, what was measured, and what follows for speeds and tuning.
+// The runs at the bench: steps of the bench job, each with what it needs, and what they leave; and motions beside them.
 #pragma once
 
 #include <QObject>
 #include <QString>
 #include <QThreadPool>
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "axis_job.h"
-#include "experiment/homing.h"
+#include "commission/known.h"
 #include "experiment/velocity_step.h"
-#include "friction_survey.h"
 #include "motor/bench.h"
 #include "session/board_tuning.h"
 #include "session/connection.h"
@@ -28,39 +25,41 @@ class BenchRuns : public QObject {
 
   // Each replaces what runs; see the obstacles.
   void turnSlowly();
-  void home(const HomingOptions& options = {});
   void measureStep(const VelocityStepOptions& wanted);
-  /// `bins`: of a linear axis, into which its strokes are taken apart.
-  void sweepVelocity(double highest_rad_per_s, size_t speeds, double duration_s, size_t bins = 90);
-  void sweepBreakaway(size_t bins, size_t turns);
+  /// Makes what the kind stands for, and before it whatever that needs and isn't known yet: identification, homing,
+  /// either sweep (with the breakaway sweep all that the map takes), or a trial: tuning for use and a run with and
+  /// without the map. What was interrupted goes on where it ended, unless `sweeps` are others now; what was complete is
+  /// made anew.
+  void make(RunKind kind, const SweepSettings& sweeps);
+  /// With the sweeps' settings as they are: for what doesn't sweep.
+  void make(RunKind kind) { make(kind, known_.sweeps); }
+  /// What make() begins with, in words: "First: winding test, spin test"; empty when nothing is missing.
+  QString missingFor(RunKind kind, const SweepSettings& sweeps) const;
+  QString missingFor(RunKind kind) const { return missingFor(kind, known_.sweeps); }
 
   // Why it can't be started now; empty when it can.
   QString turningObstacle() const;
-  QString homingObstacle() const;
   QString stepObstacle() const;
-  QString sweepObstacle() const;
-  QString breakawayObstacle(size_t bins) const;
+  QString obstacleToMake(RunKind kind) const;
   QString gainsObstacle() const;
   QString tuningObstacle() const;
 
-  // What was measured since the connection; the survey outlives it, until another board comes.
-  const FrictionSurvey& survey() const { return survey_; }
+  /// What the job knows; it outlives the connection, until another board comes.
+  const Commission& known() const { return known_; }
   /// The index in the board's angle, from homing; the lower end of a linear axis without one.
-  const std::optional<Estimate>& index_rad() const { return index_rad_; }
-  /// The homed axis as the encoder counts it; nothing on a rotor.
-  std::optional<KnownAxis> axis() const;
+  std::optional<Estimate> index_rad() const;
+  /// A linear axis whose ends, index and pace are known.
+  bool axisIsHomed() const { return connection_.linear() && known_.knows(Known::index); }
   /// Every measured step, the newest last.
   const std::vector<StepResult>& steps() const { return steps_; }
   void forgetSteps();
 
   /// The bench file that lies beside a simulated board's rig file, if any.
   const std::optional<Bench>& bench() const { return bench_; }
-  /// A speed that the supply can reach with room to spare, from what is known of the motor.
-  double reachableSpeed_rad_per_s() const;
   /// As fast a step as the homed linear axis has room for.
-  std::optional<double> highestStep_m_per_s() const;
+  std::optional<double> highestStep() const;
   /// What is known of the motor so far, for tuning.
-  KnownMotor motor() const { return knownMotor(connection_.settings(), bench_, survey_.identification); }
+  KnownMotor motor() const { return knownMotor(connection_.settings(), bench_, known_); }
   /// Margins and αgT of what is set, in one line; empty without a board.
   QString marginLine() const;
   /// Tunes to a stiffness from what is known of the motor, in the pool, and asks the board for the result.
@@ -68,7 +67,7 @@ class BenchRuns : public QObject {
 
  signals:
   void measured();  ///< index or steps
-  void surveyChanged();
+  void knownChanged();
   void tuningChanged();
 
  private:
@@ -76,22 +75,18 @@ class BenchRuns : public QObject {
   void leaveBoard();
   void lineariseBoard();
   void keepResult(const RunSnapshot& snapshot);
-  void keepSurvey(const RunSnapshot& snapshot);
-  void estimateSurvey();
-  void forgetSurvey();
+  void keepKnown(const KnownPtr& now);
+  Facts forgottenFor(RunKind kind, const SweepSettings& sweeps) const;
+  CommissionOptions optionsWith(const SweepSettings& sweeps) const;
   void takeTuning(unsigned board, const Result<ControllerSettings>& tuned);
-  Run axisHoming() const;
-  std::optional<AxisSweepRequest> axisSweep(size_t bins) const;
 
   Connection& connection_;
   Messages& messages_;
   unsigned board_ = 0;  ///< number of the connected one
   std::optional<Bench> bench_;
-  std::optional<Estimate> index_rad_;
   std::vector<StepResult> steps_;
-  FrictionSurvey survey_;
-  std::string surveyedDevice_;  ///< the board that the survey was measured on
-  unsigned surveyNumber_ = 0;
+  Commission known_;
+  KnownPtr last_;  ///< that was taken
   bool tuning_ = false;
   QThreadPool pool_;
 };

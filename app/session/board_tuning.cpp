@@ -21,17 +21,18 @@ Estimate trustedWithin(double value, double part) {
 
 }  // namespace
 
-KnownMotor knownMotor(const ControllerSettings& settings, const std::optional<Bench>& bench,
-                      const std::optional<Identification>& identification) {
-  if (identification) {
-    const IdentifiedMotor& motor = identification->motor;
-    return {{motor.inertia_kg_m2.value, motor.torqueConstant_Nm_per_A.value,
-             std::max(0.0, motor.viscous_Nm_s_per_rad.value), motor.resistance_ohm.value,
-             std::max(0.0, motor.inductance_H.value), motor.backEmfConstant_V_s_per_rad.value},
-            motor.inertia_kg_m2,
-            motor.torqueConstant_Nm_per_A,
-            identification->noiseRms_A,
-            words("identified")};
+KnownMotor knownMotor(const ControllerSettings& settings, const std::optional<Bench>& bench, const Commission& found) {
+  if (found.knows(Known::motor)) {
+    const IdentifiedMotor& motor = found.motor;
+    const double shown = motor.torquePerShownAmpere_Nm(), gain = motor.currentGain.value;
+    const Estimate& constant = motor.torqueConstant_Nm_per_A;
+    return {
+        {motor.inertia_kg_m2.value, shown, std::max(0.0, motor.viscous_Nm_s_per_rad.value), found.shownResistance_ohm,
+         std::max(0.0, motor.inductance_H.value / gain), motor.backEmfConstant_V_s_per_rad.value},
+        motor.inertia_kg_m2,
+        {shown, shown * constant.standardError / constant.value},
+        found.noiseRms_A,
+        words("identified")};
   }
   KnownMotor known;
   if (bench && bench->motor.inertia && bench->motor.torqueConstant) {

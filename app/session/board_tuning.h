@@ -4,9 +4,9 @@
 #include <QString>
 #include <optional>
 
+#include "commission/known.h"
 #include "experiment/drive.h"
 #include "motor/bench.h"
-#include "run.h"
 #include "stability/auto_tuning.h"
 
 namespace breakaway {
@@ -19,10 +19,9 @@ struct KnownMotor {
   QString source;                 ///< "identified", "bench file" or "name plate"
 };
 
-/// From the identification with its intervals; else from the bench file, within ±5 % (inertia) and ±2.7 % (torque
-/// constant); else from the nominal values that are set, within ±30 %.
-KnownMotor knownMotor(const ControllerSettings& settings, const std::optional<Bench>& bench,
-                      const std::optional<Identification>& identification);
+/// From the identification with its intervals, per ampere as the sensor shows it; else from the bench file, within ±5 %
+/// (inertia) and ±2.7 % (torque constant); else from the nominal values that are set, within ±30 %.
+KnownMotor knownMotor(const ControllerSettings& settings, const std::optional<Bench>& bench, const Commission& known);
 
 /// The velocity loop that the board closes with these settings around that motor. A simulated board answers within the
 /// tick, any other from the next.

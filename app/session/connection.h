@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "experiment/drive.h"
-#include "run.h"
 #include "session/board_opener.h"
 #include "session/drive_loop.h"
 #include "session/messages.h"
+#include "session/run.h"
 #include "session/sample_batch.h"
 
 namespace breakaway {

@@ -58,12 +58,13 @@ void DriveLoop::post(std::function<void(Drive&)> job, bool moves) {
 void DriveLoop::start(Run run) {
   post(
       [this, run = std::move(run)](Drive& drive) {
-        if (run_.procedure && run_.procedure->status().state == Procedure::State::running) {
-          run_.procedure->stop("another procedure was started");
+        if (run_.something() && run_.status().state == Procedure::State::running) {
+          const char* const why = "another procedure was started";
+          run_.job ? stopRun(why) : run_.procedure->stop(why);
           sendRun();
         }
         run_ = run;
-        drive.start(run_.procedure);
+        run_.job ? run_.job->begin(drive) : drive.start(run_.procedure);
         sendRun();
       },
       true);
@@ -118,10 +119,16 @@ void DriveLoop::runJobs() {
 }
 
 void DriveLoop::halt(StopCause cause) {
-  drive_->stop(wordsOf(cause));
+  stopRun(wordsOf(cause));
   link_.enabled = false;
-  if (run_.procedure) sendRun();
+  if (run_.something()) sendRun();
   emit stopped(cause);
+}
+
+/// The motor first, whatever there is to end.
+void DriveLoop::stopRun(const std::string& reason) {
+  drive_->stop(reason);
+  if (run_.job) run_.job->stop(*drive_, reason);
 }
 
 bool DriveLoop::advance() {
@@ -138,6 +145,7 @@ bool DriveLoop::advance() {
   link_.lost += *lost;
   sinceStatus_s_ += options_.slice_s;
   if (!slice_.empty()) link_.enabled = slice_.back().enabled;
+  if (run_.job) run_.job->take(*drive_, options_.slice_s, slice_, *lost);
   return true;
 }
 
@@ -145,8 +153,8 @@ void DriveLoop::publish() {
   const auto time = Clock::now();
   if (time - lastBatch_ >= batchEvery) sendBatch(time);
   if (time - lastStatus_ >= statusEvery) sendStatus(time);
-  if (!run_.procedure) return;
-  const bool ended = run_.procedure->status().state != Procedure::State::running;
+  if (!run_.something()) return;
+  const bool ended = run_.status().state != Procedure::State::running;
   if (ended || time - lastRun_ >= runEvery) sendRun(ended);
 }
 
@@ -173,7 +181,7 @@ void DriveLoop::sendStatus(Clock::time_point time) {
 
 void DriveLoop::sendRun(bool endedByBoard) {
   lastRun_ = Clock::now();
-  RunSnapshot snapshot{run_.kind, run_.procedure->status(), run_.read ? run_.read() : RunResult{}, endedByBoard};
+  RunSnapshot snapshot{run_.kind, run_.status(), run_.read ? run_.read() : RunResult{}, endedByBoard};
   const bool ended = snapshot.status.state != Procedure::State::running;
   emit runChanged(snapshot);
   if (ended) run_ = {};

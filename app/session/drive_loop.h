@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "experiment/drive.h"
-#include "run.h"
 #include "session/recorder.h"
+#include "session/run.h"
 #include "session/sample_batch.h"
 
 namespace breakaway {
@@ -51,7 +51,7 @@ class DriveLoop : public QObject {
   void setPace(double pace) noexcept { pace_.store(pace); }
   /// Runs `job` on the drive in the I/O thread; a job that `moves` is dropped when a stop comes before its turn.
   void post(std::function<void(Drive&)> job, bool moves);
-  /// Starts a procedure on the drive and reports its status and partial results until its end.
+  /// Starts a procedure or a job on the drive and reports its status and partial results until its end.
   void start(Run run);
   void startRecording();
   void finishRecording();
@@ -77,6 +77,7 @@ class DriveLoop : public QObject {
   void obeyStops();
   void runJobs();
   void halt(StopCause cause);
+  void stopRun(const std::string& reason);
   bool advance();
   void publish();
   void sendBatch(Clock::time_point time);

@@ -5,6 +5,7 @@
 #include <QPushButton>
 
 #include "base/atomic_file.h"
+#include "friction/breakaway_table.h"
 #include "friction/map_export.h"
 #include "session/bench_runs.h"
 #include "session/messages.h"
@@ -46,18 +47,18 @@ MapExport::MapExport(const BenchRuns& bench, Messages& messages, FileChooser& fi
   row->addWidget(export_);
   connect(format_, &QComboBox::currentIndexChanged, this, &MapExport::showExport);
   connect(export_, &QPushButton::clicked, this, &MapExport::exportChosen);
-  connect(&bench_, &BenchRuns::surveyChanged, this, &MapExport::showExport);
+  connect(&bench_, &BenchRuns::knownChanged, this, &MapExport::showExport);
   showExport();
 }
 
 void MapExport::showExport() {
-  const FrictionSurvey& survey = bench_.survey();
+  const Commission& known = bench_.known();
   const QString format = format_->currentData().toString();
   const bool needsMap = format != "png" && format != "svg" && format != "breakaways";
   QString obstacle;
-  if (needsMap && !survey.map) obstacle = tr("There is no map yet: run the breakaway sweep to its end");
-  const bool drawn = survey.axis == Axis::linear && survey.moving && format != "breakaways";
-  const bool nothing = survey.events.empty() && !drawn;
+  if (needsMap && !known.knows(Known::map)) obstacle = tr("There is no map yet: run the breakaway sweep to its end");
+  const bool drawn = known.identity.axis == Axis::linear && known.knows(Known::runs) && format != "breakaways";
+  const bool nothing = known.breakaways.empty() && !drawn;
   if (!needsMap && nothing) obstacle = tr("Nothing was measured yet");
   setAvailable(export_, tr("Write the file"), obstacle);
 }
@@ -73,13 +74,13 @@ void MapExport::exportChosen() {
 
 void MapExport::writeExport(const QString& format, const QString& path) {
   Result<void> written;
-  const FrictionSurvey& survey = bench_.survey();
+  const Commission& known = bench_.known();
   if (format == "png" || format == "svg") {
     if (!picture_.savePicture(path, format == "svg")) written = Error{path.toStdString(), "cannot be written"};
   } else if (format == "breakaways") {
-    written = writeFile(path.toStdString(), breakawayTable(survey.events, survey.axis));
-  } else if (survey.map) {
-    written = exportMap(*survey.map, format.toStdString(), path.toStdString());
+    written = writeFile(path.toStdString(), breakawayTable(known.breakaways, known.identity.axis));
+  } else if (known.knows(Known::map)) {
+    written = exportMap(known.map, format.toStdString(), path.toStdString());
   }
   messages_.say(written, tr("Written: %1").arg(path));
 }

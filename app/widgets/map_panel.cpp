@@ -71,11 +71,11 @@ MapPlot& MapPanel::plot() const {
   return *static_cast<MapPlot*>(plots_->currentWidget());
 }
 
-void MapPanel::show(const FrictionSurvey& survey) {
-  survey_ = survey;
-  const bool linear = survey.axis == Axis::linear;
+void MapPanel::show(const Commission& known) {
+  known_ = known;
+  const bool linear = known.identity.axis == Axis::linear;
   plots_->setCurrentIndex(linear ? 1 : 0);
-  static_cast<TravelPlot*>(plots_->widget(1))->setTravel(survey.travel);
+  static_cast<TravelPlot*>(plots_->widget(1))->setTravel(known.travel);
   fromZero_->setText(linear ? tr("Scale from zero") : tr("Radius from zero"));
   fromZero_->setToolTip(linear
                             ? tr("Off: the scale begins below the least value, so that variation is easier to see")
@@ -88,11 +88,11 @@ void MapPanel::show(const FrictionSurvey& survey) {
 void MapPanel::showViews() {
   const QSignalBlocker ours(view_);
   const auto* items = qobject_cast<QStandardItemModel*>(view_->model());
-  if (!obstacleTo(views[view_->currentIndex()], survey_).isEmpty()) chosen_ = false;
+  if (!obstacleTo(views[view_->currentIndex()], known_).isEmpty()) chosen_ = false;
   int first = -1;
   for (int k = 0; k < view_->count(); ++k) {
-    const QString obstacle = obstacleTo(views[k], survey_);
-    view_->setItemText(k, nameOf(views[k], survey_.axis));
+    const QString obstacle = obstacleTo(views[k], known_);
+    view_->setItemText(k, nameOf(views[k], known_.identity.axis));
     items->item(k)->setEnabled(obstacle.isEmpty());
     items->item(k)->setToolTip(obstacle);
     if (first < 0 && obstacle.isEmpty()) first = k;
@@ -101,9 +101,9 @@ void MapPanel::showViews() {
 }
 
 void MapPanel::showMap() {
-  const MapPicture picture = pictureOf(views[view_->currentIndex()], survey_);
+  const MapPicture picture = pictureOf(views[view_->currentIndex()], known_);
   plot().show(picture.curves, picture.quantity, picture.unit);
-  quantity_->setText(survey_.axis == Axis::linear ? QString() : tr("Radius: %1").arg(picture.quantity));
+  quantity_->setText(known_.identity.axis == Axis::linear ? QString() : tr("Radius: %1").arg(picture.quantity));
   reading_->setText(picture.curves.empty() ? QString()
                                            : tr("Point at the plot, or use its arrow keys, to read a value"));
   showLegend();
@@ -121,7 +121,7 @@ void MapPanel::showLegend() {
       bands = bands || point.standardError > 0.0;
     }
   }
-  if (bands && survey_.axis == Axis::linear) parts << tr("band: 95 % interval");
+  if (bands && known_.identity.axis == Axis::linear) parts << tr("band: 95 % interval");
   if (outliers)
     parts << QString("<span style='color:%1; font-weight:bold'>✕</span> %2").arg(look.trouble.name(), tr("outlier"));
   legend_->setText(parts.isEmpty() ? tr("Nothing measured yet: home, then run a sweep") : parts.join(" &nbsp; "));

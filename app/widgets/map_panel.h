@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "friction_survey.h"
+#include "commission/known.h"
 
 class QCheckBox;
 class QComboBox;
@@ -20,7 +20,7 @@ class MapPanel : public QWidget {
  public:
   explicit MapPanel(QWidget* parent = nullptr);
 
-  void show(const FrictionSurvey& survey);
+  void show(const Commission& known);
   using QWidget::show;
   /// The picture of the chosen view; whether it could be written.
   bool savePicture(const QString& path, bool svg);
@@ -34,7 +34,7 @@ class MapPanel : public QWidget {
   void showLegend();
   MapPlot& plot() const;
 
-  FrictionSurvey survey_;
+  Commission known_;
   bool chosen_ = false;  ///< the view, by somebody
   QComboBox* view_ = nullptr;
   QCheckBox* fromZero_ = nullptr;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "experiment/travel_bins.h"
 #include "widgets/axis_units.h"
 
 namespace breakaway {
@@ -19,22 +20,24 @@ int colourOf(Way way) {
   return way == Way::ccw ? 0 : 1;
 }
 
-std::vector<MapCurve> turnCurves(const FrictionSurvey& survey) {
-  const char* const name = survey.axis == Axis::linear ? QT_TRANSLATE_NOOP("MapView", "%1, pass %2")
-                                                       : QT_TRANSLATE_NOOP("MapView", "%1, turn %2");
+std::vector<MapCurve> turnCurves(const Commission& known) {
+  const char* const name = known.identity.axis == Axis::linear ? QT_TRANSLATE_NOOP("MapView", "%1, pass %2")
+                                                               : QT_TRANSLATE_NOOP("MapView", "%1, turn %2");
+  const std::vector<BreakawayEvent>& events = known.events.empty() ? known.breakaways : known.events;
   std::vector<MapCurve> curves;
   for (const Way way : {Way::ccw, Way::cw}) {
-    for (size_t turn = 0; turn < survey.turns; ++turn) {
-      MapCurve curve{translated(name).arg(wayName(way, survey.axis)).arg(turn + 1), colourOf(way), turn > 0, false, {}};
-      for (const BreakawayEvent& event : survey.events) {
+    for (size_t turn = 0; turn < known.sweeps.turns; ++turn) {
+      MapCurve curve{
+          translated(name).arg(wayName(way, known.identity.axis)).arg(turn + 1), colourOf(way), turn > 0, false, {}};
+      for (const BreakawayEvent& event : events) {
         if (event.way == way && event.turn == turn)
           curve.points.push_back(
-              {event.angle_rad, unitsOf(survey.axis).torqueScale * event.torque_Nm, 0.0, event.outlier});
+              {event.angle_rad, unitsOf(known.identity.axis).torqueScale * event.torque_Nm, 0.0, event.outlier});
       }
       if (curve.points.empty()) continue;
       std::sort(curve.points.begin(), curve.points.end(),
                 [](const MapPoint& a, const MapPoint& b) { return a.at < b.at; });
-      curve.closed = curve.points.size() >= survey.bins;
+      curve.closed = curve.points.size() >= known.sweeps.bins;
       curves.push_back(std::move(curve));
     }
   }
@@ -58,14 +61,13 @@ std::vector<MapCurve> wayCurves(const FrictionMap& map, double scale, const Read
 }
 
 /// The moving friction before there is a map of breakaways: over the bins that strokes were taken apart into.
-std::vector<MapCurve> movingCurves(const FrictionSurvey& survey, double scale,
-                                   std::vector<Estimate> MovingFriction::*read) {
-  if (!survey.travel) return {};
-  const TravelBins places{survey.travel->first_m(), survey.travel->last_m(), survey.strokeBins};
+std::vector<MapCurve> movingCurves(const Commission& known, double scale, std::vector<Estimate> MovingFriction::*read) {
+  if (!known.travel) return {};
+  const TravelBins places{known.travel->first_m(), known.travel->last_m(), known.sweeps.bins};
   std::vector<MapCurve> curves;
   for (const Way way : {Way::ccw, Way::cw}) {
-    MapCurve curve{wayName(way, survey.axis), colourOf(way), false, true, {}};
-    const std::vector<Estimate>& values = (*survey.moving)[static_cast<size_t>(way)].*read;
+    MapCurve curve{wayName(way, known.identity.axis), colourOf(way), false, true, {}};
+    const std::vector<Estimate>& values = known.moving[static_cast<size_t>(way)].*read;
     for (size_t k = 0; k < values.size(); ++k)
       curve.points.push_back({places.centre_m(k), scale * values[k].value, scale * values[k].standardError, false});
     curves.push_back(std::move(curve));
@@ -102,38 +104,39 @@ QString nameOf(MapView view, Axis axis) {
   return {};
 }
 
-QString obstacleTo(MapView view, const FrictionSurvey& survey) {
-  if (view == MapView::turns) return survey.events.empty() ? translated("Run the breakaway sweep first") : QString();
+QString obstacleTo(MapView view, const Commission& known) {
+  if (view == MapView::turns) return known.breakaways.empty() ? translated("Run the breakaway sweep first") : QString();
   const bool moving = view == MapView::coulomb || view == MapView::viscous || view == MapView::total;
   // A linear axis has moving friction over its travel before it has breakaways.
-  if (survey.axis == Axis::linear && (view == MapView::coulomb || view == MapView::viscous))
-    return survey.moving ? QString() : translated("Run the velocity sweep first");
-  if (!survey.map) return translated("Run the breakaway sweep to its end first");
-  return moving && !survey.moving ? translated("Run the velocity sweep first") : QString();
+  if (known.identity.axis == Axis::linear && (view == MapView::coulomb || view == MapView::viscous))
+    return known.knows(Known::runs) ? QString() : translated("Run the velocity sweep first");
+  if (!known.knows(Known::map)) return translated("Run the breakaway sweep to its end first");
+  return moving && !known.knows(Known::runs) ? translated("Run the velocity sweep first") : QString();
 }
 
-MapPicture pictureOf(MapView view, const FrictionSurvey& survey) {
-  const AxisUnits units = unitsOf(survey.axis);
-  const bool linear = survey.axis == Axis::linear;
+MapPicture pictureOf(MapView view, const Commission& known) {
+  const AxisUnits units = unitsOf(known.identity.axis);
+  const bool linear = known.identity.axis == Axis::linear;
   const auto titled = [](const char* quantity, const QString& unit) { return translated(quantity).arg(unit); };
   const QString breakaway = linear ? titled(QT_TRANSLATE_NOOP("MapView", "breakaway force (%1)"), units.torque)
                                    : titled(QT_TRANSLATE_NOOP("MapView", "breakaway torque (%1)"), units.torque);
-  if (view == MapView::turns) return {turnCurves(survey), breakaway, units.torque};
+  if (view == MapView::turns) return {turnCurves(known), breakaway, units.torque};
   const bool moves = view == MapView::coulomb || view == MapView::viscous;
-  if (!survey.map && !(linear && survey.moving && moves)) return {{}, breakaway, units.torque};
-  const FrictionMap map = survey.map.value_or(FrictionMap{});
+  if (!known.knows(Known::map) && !(linear && known.knows(Known::runs) && moves)) return {{}, breakaway, units.torque};
+  const FrictionMap& map = known.map;
   switch (view) {
     case MapView::staticMean:
       return {wayCurves(map, units.torqueScale, [](const WayBin& bin) { return bin.static_Nm; }),
               titled(QT_TRANSLATE_NOOP("MapView", "static friction (%1)"), units.torque), units.torque};
     case MapView::coulomb:
-      return {survey.map ? wayCurves(map, units.torqueScale, [](const WayBin& bin) { return bin.coulomb_Nm; })
-                         : movingCurves(survey, units.torqueScale, &MovingFriction::coulomb_Nm),
+      return {known.knows(Known::map)
+                  ? wayCurves(map, units.torqueScale, [](const WayBin& bin) { return bin.coulomb_Nm; })
+                  : movingCurves(known, units.torqueScale, &MovingFriction::coulomb_Nm),
               titled(QT_TRANSLATE_NOOP("MapView", "Coulomb friction (%1)"), units.torque), units.torque};
     case MapView::viscous:
-      return {survey.map
+      return {known.knows(Known::map)
                   ? wayCurves(map, units.viscousScale, [](const WayBin& bin) { return bin.viscous_Nm_s_per_rad; })
-                  : movingCurves(survey, units.viscousScale, &MovingFriction::viscous_Nm_s_per_rad),
+                  : movingCurves(known, units.viscousScale, &MovingFriction::viscous_Nm_s_per_rad),
               titled(QT_TRANSLATE_NOOP("MapView", "viscous coefficient (%1)"), units.viscous), units.viscous};
     case MapView::total:
       return {

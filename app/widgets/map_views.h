@@ -1,10 +1,10 @@
-// What the plot of a map can show of a survey: views by name, each a set of curves with its unit.
+// What the plot of a map can show of what is known: views by name, each a set of curves with its unit.
 #pragma once
 
 #include <QString>
 #include <vector>
 
-#include "friction_survey.h"
+#include "commission/known.h"
 #include "widgets/map_curve.h"
 
 namespace breakaway {
@@ -19,8 +19,8 @@ struct MapPicture {
 
 QString nameOf(MapView view, Axis axis = Axis::rotary);
 /// Why the view has nothing to show yet; empty when it has.
-QString obstacleTo(MapView view, const FrictionSurvey& survey);
+QString obstacleTo(MapView view, const Commission& known);
 /// Torques in mNm, viscous friction in µNm s/rad; N and N s/m over a linear axis' travel.
-MapPicture pictureOf(MapView view, const FrictionSurvey& survey);
+MapPicture pictureOf(MapView view, const Commission& known);
 
 }  // namespace breakaway

@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "run.h"
+#include "session/run.h"
 
 class QLabel;
 class QProgressBar;

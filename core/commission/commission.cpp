@@ -1,63 +1,40 @@
 #include "commission/commission.h"
 
-#include "commission/commission_begin.h"
-#include "commission/commission_job.h"
-#include "commission/commission_linear.h"
-#include "commission/compensated_run.h"
-#include "commission/final_tuning.h"
-#include "commission/measured_bench.h"
+#include "commission/job.h"
 
 namespace breakaway {
 
-std::optional<double> CommissionJob::trustedTorqueConstant() const {
-  return trustedConstant(options_);
-}
+namespace {
 
-/// Fresh, or from what was kept, if that belongs to this job.
-Result<void> CommissionJob::begin() {
-  static_cast<void>(drive_.linearise({}));  // an earlier job's curve; a board that takes none has none
-  return beginProgress(options_, done_, kept_);
-}
+constexpr double slice_s = 0.25;
 
-void CommissionJob::fillBench() {
-  done_.bench = measuredBench(done_, options_, shownResistance_ohm_);
-  done_.bench.controller = controllerOf(done_.settings);
-}
+}  // namespace
 
-Result<Commission> CommissionJob::run() {
-  done_.identity = drive_.identity();
-  done_.addedInertia_kg_m2 = options_.addedInertia_kg_m2;
-  if (!(done_.identity.countsPerRev > 0.0)) return Error{"board", "has no encoder, which everything here rests on"};
-  if (!done_.identity.hasIndex) return Error{"board", "has an encoder without index, which homing needs"};
-  if (options_.against && options_.against->addedInertia_kg_m2.value == options_.addedInertia_kg_m2.value)
-    return Error{"added inertia", "is the same as in the motor's file that it is held against, expected another one"};
-  if (const auto ok = begin(); !ok) return ok.error();
-  if (const auto ok = identify(); !ok) return ok.error();
-  if (const auto ok = tune(); !ok) return ok.error();
-  if (const auto ok = reverse(); !ok) return ok.error();
-  fitWindings();
-  if (const auto ok = setScale(); !ok) return ok.error();
-  if (options_.motorOnly) {
-    drive_.stop("the motor is identified");
-    fillBench();
-    return std::move(done_);
-  }
-  if (const auto ok = home(); !ok) return ok.error();
-  if (const auto ok = sweepVelocity(); !ok) return ok.error();
-  if (const auto ok = sweepBreakaway(); !ok) return ok.error();
-  if (const auto ok = turnSlowly(); !ok) return ok.error();
-  fillBench();
-  tuneForUse(drive_, done_);
-  if (const auto ok = runCompensated(drive_, steps_, done_); !ok) return ok.error();
-  drive_.stop("the job is done");
-  return std::move(done_);
+std::optional<double> trustedConstant(const CommissionOptions& options) {
+  if (!options.bench || !options.bench->trusted.contains(motorNames(options.bench->axis).torqueConstant)) return {};
+  return options.bench->motor.torqueConstant;
 }
 
 Result<Commission> commission(Drive& drive, const CommissionOptions& options) {
-  const bool linear = drive.identity().axis == Axis::linear;
-  auto result = linear ? commissionLinear(drive, options) : CommissionJob(drive, options).run();
-  if (!result) drive.stop(result.error().message());
-  return result;
+  Job job(options, options.motorOnly ? Facts{Known::motor} : Facts{Known::comparison});
+  std::vector<Sample> samples;
+  job.begin(drive);
+  while (job.running()) {
+    if (options.interrupted && options.interrupted()) {
+      const char* const why = "interrupted from the keyboard; the motor is off";
+      drive.stop(why);
+      job.stop(drive, why);
+      break;
+    }
+    samples.clear();
+    if (const auto lost = drive.advance(slice_s, samples); lost) {
+      job.take(drive, slice_s, samples, *lost);
+    } else {
+      job.stop(drive, lost.error().fact);
+    }
+  }
+  if (job.status().state != Procedure::State::finished) return job.failure();
+  return job.known();
 }
 
 }  // namespace breakaway

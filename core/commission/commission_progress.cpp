@@ -77,13 +77,15 @@ std::string eventsText(const std::vector<BreakawayEvent>& events) {
   return Json{{"schema", schema}, {"events", rows}}.dump() + "\n";
 }
 
-std::string stateText(const CommissionProgress& progress) {
+std::string stateText(const Commission& progress) {
   Json json{{"schema", schema},
-            {"device", progress.device},
-            {"bins", progress.bins},
-            {"turns", progress.turns},
-            {"speed_run_s", progress.speedRun_s},
-            {"added_inertia_kg_m2", progress.addedInertia_kg_m2},
+            {"device", progress.identity.device},
+            {"bins", progress.sweeps.bins},
+            {"turns", progress.sweeps.turns},
+            {"speed_run_s", progress.sweeps.speedRun_s},
+            {"speeds", progress.sweeps.speeds},
+            {"highest_rad_per_s", progress.sweeps.highest_rad_per_s},
+            {"added_inertia_kg_m2", progress.addedInertia_kg_m2.value},
             {"part", progress.part},
             {"rig_time_s", progress.rigTime_s},
             {"remarks", progress.remarks},
@@ -95,8 +97,8 @@ std::string stateText(const CommissionProgress& progress) {
                       {"margin_m", progress.travel->margin_m}};
   if (progress.trustedTorqueConstant_Nm_per_A)
     json["trusted_torque_constant_Nm_per_A"] = *progress.trustedTorqueConstant_Nm_per_A;
-  if (progress.motor) {
-    Json motor = Json::parse(motorText(*progress.motor));
+  if (progress.knows(Known::motor)) {
+    Json motor = Json::parse(motorText(progress.identified));
     motor["shown_resistance_ohm"] = progress.shownResistance_ohm;
     motor["expected_cw_A"] = progress.expected_A[0];
     motor["expected_ccw_A"] = progress.expected_A[1];
@@ -188,16 +190,17 @@ Result<std::vector<BreakawayEvent>> readEvents(const std::string& path) {
   return events;
 }
 
-void takeMotor(JsonObject object, CommissionProgress& progress) {
-  const IdentifiedMotor motor = motorIn(object);
+void takeMotor(JsonObject object, Commission& progress) {
+  progress.identified = motorIn(object);
   progress.shownResistance_ohm = object.number("shown_resistance_ohm", Allowed::nonNegative);
   progress.expected_A = {object.number("expected_cw_A"), object.number("expected_ccw_A")};
-  progress.motor = motor;
+  progress.motor = progress.identified;
+  progress.facts.add({Known::windingTest, Known::roughMotor, Known::reversal, Known::bridge, Known::motor});
 }
 
 }  // namespace
 
-Result<void> writeProgress(const CommissionProgress& progress, const std::string& folder) {
+Result<void> writeProgress(const Commission& progress, const std::string& folder) {
   if (auto made = makeFolder(folder + "/progress"); !made) return made;
   std::error_code code;
   for (size_t k = 0; k < progress.runs.size(); ++k) {
@@ -209,26 +212,28 @@ Result<void> writeProgress(const CommissionProgress& progress, const std::string
     if (fs::exists(file, code)) continue;
     if (auto written = writeStrokes(progress.strokes[k], file); !written) return written;
   }
-  if (!progress.events.empty()) {
-    if (auto written = writeFile(eventsFile(folder), eventsText(progress.events)); !written) return written;
+  if (!progress.breakaways.empty()) {
+    if (auto written = writeFile(eventsFile(folder), eventsText(progress.breakaways)); !written) return written;
   }
   return writeFile(stateFile(folder), stateText(progress));
 }
 
-Result<CommissionProgress> readProgress(const std::string& folder) {
+Result<Commission> readProgress(const std::string& folder) {
   std::error_code code;
   if (!fs::exists(stateFile(folder), code))
     return Error{folder, "holds no interrupted commissioning to go on from, expected progress/state.json"};
   auto root = JsonObject::fromFile(stateFile(folder));
   if (!root) return root.error();
   checkSchema(*root);
-  CommissionProgress progress;
-  progress.device = root->text("device");
-  progress.bins = countOf(*root, "bins");
-  progress.turns = countOf(*root, "turns");
-  progress.speedRun_s = root->number("speed_run_s", Allowed::positive);
+  Commission progress;
+  progress.identity.device = root->text("device");
+  progress.sweeps.bins = countOf(*root, "bins");
+  progress.sweeps.turns = countOf(*root, "turns");
+  progress.sweeps.speedRun_s = root->number("speed_run_s", Allowed::positive);
+  progress.sweeps.speeds = static_cast<size_t>(root->number("speeds", 0.0, Allowed::nonNegative));
+  progress.sweeps.highest_rad_per_s = root->number("highest_rad_per_s", 0.0, Allowed::nonNegative);
   progress.trustedTorqueConstant_Nm_per_A = root->optionalNumber("trusted_torque_constant_Nm_per_A", Allowed::positive);
-  progress.addedInertia_kg_m2 = root->number("added_inertia_kg_m2", 0.0, Allowed::nonNegative);
+  progress.addedInertia_kg_m2.value = root->number("added_inertia_kg_m2", 0.0, Allowed::nonNegative);
   progress.part = countOf(*root, "part");
   progress.rigTime_s = root->number("rig_time_s", Allowed::nonNegative);
   progress.remarks = root->texts("remarks");
@@ -252,7 +257,7 @@ Result<CommissionProgress> readProgress(const std::string& folder) {
   }
   auto events = readEvents(eventsFile(folder));
   if (!events) return events.error();
-  progress.events = std::move(*events);
+  progress.breakaways = std::move(*events);
   return progress;
 }
 

@@ -4,7 +4,22 @@
 
 namespace breakaway {
 
-Bench measuredBench(const Commission& done, const CommissionOptions& options, double shownResistance_ohm) {
+namespace {
+
+BenchController controllerOf(const ControllerSettings& settings) {
+  return {ControlMode::velocity,
+          settings.velocity_kp_A_s_per_rad,
+          settings.velocity_ki_A_per_rad,
+          settings.velocity_kd_A_s2_per_rad,
+          settings.observer_cutoff_rad_per_s,
+          settings.nominal_inertia_kg_m2,
+          settings.nominal_torque_constant_Nm_per_A,
+          settings.current_limit_A};
+}
+
+}  // namespace
+
+Bench measuredBench(const Commission& done, const CommissionOptions& options) {
   const IdentifiedMotor& motor = done.motor;
   Bench bench = options.bench ? *options.bench : Bench{};
   if (bench.name.empty()) bench.name = options.rig;
@@ -15,12 +30,13 @@ Bench measuredBench(const Commission& done, const CommissionOptions& options, do
   bench.countsPerUnit = done.identity.countsPerRev;
   bench.motor.torqueConstant = motor.torquePerShownAmpere_Nm();
   bench.motor.backEmfConstant = motor.backEmfConstant_V_s_per_rad.value;
-  bench.motor.resistance_ohm = shownResistance_ohm;
+  bench.motor.resistance_ohm = done.shownResistance_ohm;
   if (motor.inductance_H.value > 0.0) bench.motor.inductance_H = motor.inductance_H.value / motor.currentGain.value;
   bench.motor.inertia = motor.inertia_kg_m2.value;
   bench.motor.viscous = std::max(0.0, motor.viscous_Nm_s_per_rad.value);
   bench.motor.coulomb = std::max(0.0, motor.coulomb_Nm.value);
   bench.trusted.insert(motorNames(bench.axis).torqueConstant);
+  if (done.facts.hasAny({Known::carefulGains, Known::gainsInUse})) bench.controller = controllerOf(done.settings);
   return bench;
 }
 

@@ -6,8 +6,8 @@
 
 namespace breakaway {
 
-/// The options' own bench, or a new one, with what was measured in it; its controller is left as it was. Recordings
-/// show the current as the sensor does; with it go the motor's constant and winding, `shownResistance_ohm` too.
-Bench measuredBench(const Commission& done, const CommissionOptions& options, double shownResistance_ohm);
+/// The options' own bench, or a new one, with what was measured in it, and the controller that the job has set.
+/// Recordings show the current as the sensor does; with it go the motor's constant and winding.
+Bench measuredBench(const Commission& done, const CommissionOptions& options);
 
 }  // namespace breakaway

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "base/axis.h"
 #include "base/result.h"
+#include "experiment/identity.h"
 #include "motor/duty_curve.h"
 #include "recording/sample.h"
 
@@ -23,22 +23,6 @@ struct Command {
   bool zeroCurrentSensor =
       false;  ///< with mode off: average the sensor while this is set and take the mean as its zero
   bool operator==(const Command&) const = default;
-};
-
-/// Gains and observer of the board's controller; names as in the bench file, contracts section 1.
-struct ControllerSettings {
-  double velocity_kp_A_s_per_rad = 0.0;
-  double velocity_ki_A_per_rad = 0.0;
-  double velocity_kd_A_s2_per_rad = 0.0;
-  double position_kp_A_per_rad = 0.0;
-  double position_ki_A_per_rad_s = 0.0;
-  double position_kd_A_s_per_rad = 0.0;
-  double observer_cutoff_rad_per_s = 0.0;  ///< 0: no disturbance feedback, the estimate still runs at its last cutoff
-  double nominal_inertia_kg_m2 = 0.0;
-  double nominal_torque_constant_Nm_per_A = 0.0;
-  double current_limit_A = 0.0;
-  double velocity_limit_rad_per_s = 0.0;
-  bool operator==(const ControllerSettings&) const = default;
 };
 
 /// Friction that the board's controller takes off the shaft by feed-forward, from the map or on average.
@@ -56,32 +40,6 @@ struct FrictionCompensation {
   double blend_rad_per_s = 0.5;     ///< up to this speed the Coulomb torque grows in proportion
   double cutoff_rad_per_s = 0.0;    ///< of a low pass on the whole (compensator B); 0: none
   bool operator==(const FrictionCompensation&) const = default;
-};
-
-/// What a board can do beyond turning its motor. What it can't is said where one would look for it: abilities.h.
-struct Abilities {
-  bool everyTick =
-      true;  ///< a sample comes from each control tick; else the board is asked, loopRate_Hz times a second
-  bool zeroesSensor = true;  ///< takes its current sensor's zero when told to
-  bool takesGains = true;    ///< the gains and the observer of ControllerSettings
-  bool compensates = true;   ///< takes a friction table
-  bool positions = true;     ///< takes position commands
-  bool runsLegs = false;     ///< what has to react in the very tick runs on the board, not from the host
-  bool operator==(const Abilities&) const = default;
-};
-
-/// On a linear axis whatever is counted in rad here, in samples, commands and settings is in m, Nm are N, and kg m² are
-/// kg: the same laws hold.
-struct Identity {
-  std::string device;
-  std::string firmware;
-  bool simulated = false;
-  double loopRate_Hz = 0.0;
-  double countsPerRev = 0.0;  ///< per m on a linear axis
-  double supply_V = 0.0;
-  bool hasIndex = false;
-  Abilities can{};
-  Axis axis = Axis::rotary;
 };
 
 struct Leg;

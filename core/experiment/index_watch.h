@@ -3,7 +3,8 @@
 
 #include <string>
 
-#include "experiment/drive.h"
+#include "base/axis.h"
+#include "recording/sample.h"
 
 namespace breakaway {
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "experiment/open_current.h"
+#include "experiment/spin_block.h"
 #include "experiment/timed_procedure.h"
 
 namespace breakaway {
@@ -18,15 +19,6 @@ struct SpinTestOptions {
   double rest_s = 0.2;           ///< with open windings before and after, to see whether the current sensor drifts
   double stall_s = 0.6;          ///< above 0.6 of the highest voltage without any motion
   double mostDrift_A = 0.1;      ///< of the current sensor's zero, from the first rest to the last
-};
-
-/// Means over one block of ticks; the angle is at the block's end.
-struct SpinBlock {
-  double end_s = 0.0;
-  double duration_s = 0.0;
-  double angle_rad = 0.0;
-  double current_A = 0.0;
-  double voltage_V = 0.0;
 };
 
 /// Gathers the samples of one block after the other.

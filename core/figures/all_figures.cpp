@@ -62,9 +62,9 @@ Result<Figures> ofBench(CommissionedBench& bench, const AllFiguresOptions& optio
 
 CommissionOptions commissioning(const AllFiguresOptions& options, double from, double share) {
   CommissionOptions commission;
-  commission.bins = options.bins;
-  commission.turns = options.turns;
-  commission.speedRun_s = options.speedRun_s;
+  commission.sweeps.bins = options.bins;
+  commission.sweeps.turns = options.turns;
+  commission.sweeps.speedRun_s = options.speedRun_s;
   commission.keepRecordings = false;
   if (options.progress) {
     commission.progress = [&options, from, share](double part, const std::string& activity) {

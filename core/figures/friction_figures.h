@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "commission/commission.h"
+#include "commission/known.h"
 #include "figures/bench_figure.h"
 
 namespace breakaway {

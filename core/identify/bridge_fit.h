@@ -6,7 +6,7 @@
 
 #include "base/estimate.h"
 #include "base/result.h"
-#include "experiment/spin_test.h"
+#include "experiment/spin_block.h"
 #include "motor/duty_curve.h"
 #include "motor/winding_line.h"
 

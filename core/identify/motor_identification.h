@@ -7,7 +7,7 @@
 
 #include "base/estimate.h"
 #include "base/result.h"
-#include "experiment/spin_test.h"
+#include "experiment/spin_block.h"
 #include "identify/bridge_fit.h"
 #include "motor/winding_line.h"
 

@@ -5,7 +5,7 @@
 
 #include "base/estimate.h"
 #include "base/result.h"
-#include "experiment/spin_test.h"
+#include "experiment/spin_block.h"
 
 namespace breakaway {
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/atomic_file.h"
+#include "commission/motor_file.h"
 #include "draw/html_report.h"
 #include "friction/map_export.h"
 #include "recording/csv.h"
@@ -57,7 +58,7 @@ std::array<Curve, 2> speedPoints(const Commission& done) {
   return points;
 }
 
-void frictionChapter(HtmlReport& report, const Commission& done) {
+void rotorChapter(HtmlReport& report, const Commission& done) {
   const FrictionMap& map = done.map;
   report.heading("Friction, motor and encoder");
   std::vector<std::vector<std::string>> rows;
@@ -89,23 +90,60 @@ void frictionChapter(HtmlReport& report, const Commission& done) {
   report.figure(speedFigure(done, speedPoints(done), "speed / rad/s"));
 }
 
-std::string reportHtml(const Commission& done, bool hasTruth) {
-  HtmlReport report("Friction of " + (done.map.rig.empty() ? done.identity.device : done.map.rig),
-                    done.identity.device);
-  report.verdict(inWords(done));
-  frictionChapter(report, done);
-  useChapter(report, done);
-  motorChapter(report, done);
-  report.heading("How it was measured");
+/// Before there is a map: what the velocity sweep tells alone, and how far the breakaway sweep is.
+void unfinishedChapter(HtmlReport& report, const Commission& done) {
+  const bool linear = done.linear();
+  const MapUnits& units = unitsOf(done.identity.axis);
+  report.heading(linear ? "Friction over the travel" : "Friction, motor and encoder");
+  if (!done.breakaways.empty())
+    report.paragraph("The breakaway sweep was stopped before its end: " + std::to_string(done.breakaways.size()) +
+                     " of " + std::to_string(2 * done.sweeps.bins * done.sweeps.turns) + " breakaways were measured.");
+  if (!done.knows(Known::runs)) return;
+  std::vector<std::vector<std::string>> rows;
+  for (size_t w = 0; w < 2; ++w)
+    rows.push_back({units.ways[w], withInterval(done.moving[w].coulombMean_Nm, units.torqueScale, units.torqueUnit),
+                    linear ? withInterval(done.moving[w].viscousMean_Nm_s_per_rad, 1.0, "N s/m")
+                           : withInterval(done.moving[w].viscousMean_Nm_s_per_rad, 1e6, "µNm s/rad")});
+  report.table({"way", "Coulomb", "viscous"}, rows);
+  report.figure(linear ? strokesFigure(done) : speedFigure(done, speedPoints(done), "speed / rad/s"));
+}
+
+std::string nameOf(const Commission& done) {
+  if (!done.map.rig.empty()) return done.map.rig;
+  return done.bench.name.empty() ? done.identity.device : done.bench.name;
+}
+
+std::vector<std::pair<std::string, std::string>> circumstances(const Commission& done) {
+  const bool linear = done.linear();
   std::vector<std::pair<std::string, std::string>> facts{
       {"board", done.identity.device + ", " + done.identity.firmware},
       {"control rate", numberText(done.identity.loopRate_Hz) + " Hz"},
-      {"encoder", numberText(done.identity.countsPerRev, 6) + " counts per turn"},
-      {"index at", withInterval(done.indexAngle_rad, 1.0, "rad from power-up")},
-      {"time on the bench", numberText(done.rigTime_s / 60.0, 3) + " min"},
-      {"turns", std::to_string(done.map.turns) + " each way"}};
+      {"encoder", numberText(done.identity.countsPerRev, 6) + (linear ? " counts per m" : " counts per turn")}};
+  if (done.knows(Known::index))
+    facts.emplace_back(!linear || done.identity.hasIndex ? "index at" : "lower end at",
+                       linear ? withInterval(done.indexAngle_rad, 1e3, "mm from power-up")
+                              : withInterval(done.indexAngle_rad, 1.0, "rad from power-up"));
+  facts.emplace_back("time on the bench", numberText(done.rigTime_s / 60.0, 3) + " min");
+  if (!done.knows(Known::map)) return facts;
+  facts.emplace_back(linear ? "passes" : "turns", std::to_string(done.map.turns) + " each way");
   for (const auto& [name, value] : done.map.settings) facts.emplace_back(name, numberText(value));
-  report.facts(facts);
+  return facts;
+}
+
+std::string reportHtml(const Commission& done, bool hasTruth) {
+  HtmlReport report("Friction of " + nameOf(done), done.identity.device);
+  report.verdict(done.knows(Known::map) ? inWords(done) : motorInWords(done));
+  if (!done.knows(Known::map)) {
+    unfinishedChapter(report, done);
+  } else if (done.linear()) {
+    travelChapter(report, done);
+  } else {
+    rotorChapter(report, done);
+  }
+  if (done.knows(Known::gainsInUse) || done.compensatedRun) useChapter(report, done);
+  motorChapter(report, done);
+  report.heading("How it was measured");
+  report.facts(circumstances(done));
   closingChapter(report, done, hasTruth);
   return report.html();
 }
@@ -136,13 +174,16 @@ Result<void> writeCommission(const Commission& done, const std::optional<Frictio
   if (truth) {
     if (auto written = exportMap(*truth, "csv", folder + "/truth.csv"); !written) return written;
   }
-  const bool linear = done.map.axis == Axis::linear;
-  return writeFile(folder + "/report.html",
-                   linear ? linearReportHtml(done, truth.has_value()) : reportHtml(done, truth.has_value()));
+  return writeReport(done, truth.has_value(), folder + "/report.html");
+}
+
+Result<void> writeReport(const Commission& done, bool hasTruth, const std::string& path) {
+  if (!done.knows(Known::motor)) return Error{path, "nothing was measured yet"};
+  return writeFile(path, reportHtml(done, hasTruth));
 }
 
 std::string inWords(const Commission& done) {
-  if (done.map.axis == Axis::linear) return linearInWords(done);
+  if (done.linear()) return linearInWords(done);
   const FrictionMap& map = done.map;
   char text[512];
   std::snprintf(text, sizeof text,

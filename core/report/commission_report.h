@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/result.h"
-#include "commission/commission.h"
+#include "commission/known.h"
 
 namespace breakaway {
 
@@ -13,6 +13,10 @@ namespace breakaway {
 /// there is a truth.
 Result<void> writeCommission(const Commission& commission, const std::optional<FrictionMap>& truth,
                              const std::string& folder);
+
+/// Writes what is known as one HTML file, whatever of the job was made so far. Errors: the motor isn't identified; the
+/// file.
+Result<void> writeReport(const Commission& known, bool hasTruth, const std::string& path);
 
 /// Writes one step's recording to recordings/STEP.csv in `folder`.
 Result<void> writeStep(const std::string& step, const Recording& recording, const std::string& folder);

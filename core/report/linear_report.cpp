@@ -44,7 +44,13 @@ std::array<Curve, 2> speedPoints(const Commission& done) {
   return points;
 }
 
-void frictionChapter(HtmlReport& report, const Commission& done) {
+}  // namespace
+
+Figure strokesFigure(const Commission& done) {
+  return speedFigure(done, speedPoints(done), "speed / m/s");
+}
+
+void travelChapter(HtmlReport& report, const Commission& done) {
   const FrictionMap& map = done.map;
   report.heading("Friction over the travel");
   std::vector<std::vector<std::string>> rows;
@@ -72,30 +78,7 @@ void frictionChapter(HtmlReport& report, const Commission& done) {
                           "force / N", 1.0, [](const WayBin& bin) {
                             return Estimate{bin.total_Nm, 0.0};
                           }));
-  report.figure(speedFigure(done, speedPoints(done), "speed / m/s"));
-}
-
-}  // namespace
-
-std::string linearReportHtml(const Commission& done, bool hasTruth) {
-  HtmlReport report("Friction of " + (done.map.rig.empty() ? done.identity.device : done.map.rig),
-                    done.identity.device);
-  report.verdict(linearInWords(done));
-  frictionChapter(report, done);
-  useChapter(report, done);
-  motorChapter(report, done);
-  report.heading("How it was measured");
-  std::vector<std::pair<std::string, std::string>> facts{
-      {"board", done.identity.device + ", " + done.identity.firmware},
-      {"control rate", numberText(done.identity.loopRate_Hz) + " Hz"},
-      {"encoder", numberText(done.identity.countsPerRev, 6) + " counts per m"},
-      {done.identity.hasIndex ? "index at" : "lower end at", withInterval(done.indexAngle_rad, mm, "mm from power-up")},
-      {"time on the bench", numberText(done.rigTime_s / 60.0, 3) + " min"},
-      {"passes", std::to_string(done.map.turns) + " each way"}};
-  for (const auto& [name, value] : done.map.settings) facts.emplace_back(name, numberText(value));
-  report.facts(facts);
-  closingChapter(report, done, hasTruth);
-  return report.html();
+  report.figure(strokesFigure(done));
 }
 
 std::string linearInWords(const Commission& done) {

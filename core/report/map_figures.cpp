@@ -82,7 +82,7 @@ Figure passesFigure(const FrictionMap& map, size_t way) {
 }
 
 Figure speedFigure(const Commission& done, std::array<Curve, 2> points, const std::string& speedTitle) {
-  const MapUnits& units = unitsOf(done.map.axis);
+  const MapUnits& units = unitsOf(done.identity.axis);
   Figure figure{begun(units.torque) + " at constant speed", speedTitle, units.torqueTitle()};
   for (size_t w = 0; w < 2; ++w) {
     points[w].label = units.ways[w];

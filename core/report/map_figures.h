@@ -4,7 +4,7 @@
 #include <array>
 #include <string>
 
-#include "commission/commission.h"
+#include "commission/known.h"
 #include "draw/html_report.h"
 #include "friction/friction_map.h"
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "commission/commission.h"
+#include "commission/known.h"
 #include "draw/html_report.h"
 
 namespace breakaway {

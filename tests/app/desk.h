@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QSpinBox>
 
@@ -28,6 +29,12 @@ struct Desk {
     press(window, "homeButton");
     return QTest::qWaitFor([this] { return session.bench.index_rad().has_value(); }, patience_ms);
   }
+  /// A velocity sweep that is soon over, for what needs one.
+  void quickSpeeds() {
+    window.showPage("frictionPage");
+    named<QSpinBox>(window, "speedCount")->setValue(3);
+    named<QDoubleSpinBox>(window, "speedDuration")->setValue(2.0);
+  }
   void sweep(int bins, int turns) {
     window.showPage("frictionPage");
     named<QSpinBox>(window, "bins")->setValue(bins);
@@ -39,10 +46,10 @@ struct Desk {
     size_t grew = 0, last = 0;
     const bool whole = QTest::qWaitFor(
         [&] {
-          const size_t events = session.bench.survey().events.size();
+          const size_t events = session.bench.known().breakaways.size();
           if (events > last) ++grew;
           last = events;
-          return session.bench.survey().map.has_value();
+          return session.bench.known().knows(Known::map);
         },
         patience_ms);
     return whole && grew >= 3;

@@ -50,10 +50,10 @@ void TestBenchJourney::connectHomeSweepExport() {
   named<QSpinBox>(desk.window, "speedCount")->setValue(3);
   named<QDoubleSpinBox>(desk.window, "speedDuration")->setValue(4.0);
   press(desk.window, "velocitySweepButton");
-  QVERIFY(QTest::qWaitFor([&] { return desk.session.bench.survey().moving.has_value(); }, patience_ms));
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.bench.known().knows(Known::runs); }, patience_ms));
   // The preset's friction: Coulomb 17 mNm both ways, viscous 20 µNm s/rad.
-  const double coulomb_Nm = desk.session.bench.survey().coulombAverage_Nm()->value;
-  const double viscous = desk.session.bench.survey().viscousAverage_Nm_s_per_rad()->value;
+  const double coulomb_Nm = desk.session.bench.known().coulombAverage_Nm()->value;
+  const double viscous = desk.session.bench.known().viscousAverage_Nm_s_per_rad()->value;
   QVERIFY2(coulomb_Nm > 0.95 * 0.017 && coulomb_Nm < 1.05 * 0.017, qPrintable(QString::number(coulomb_Nm)));
   QVERIFY2(viscous > 0.8 * 2e-5 && viscous < 1.2 * 2e-5, qPrintable(QString::number(viscous)));
 
@@ -94,9 +94,11 @@ void TestBenchJourney::stopDuringSweep_keepsWhatWasMeasured() {
   Desk desk;
   QVERIFY(desk.connected());
   QVERIFY(desk.homed());
-  desk.session.connection.setPace(unhurried);
+  desk.quickSpeeds();
   desk.sweep(48, 2);
-  QVERIFY(QTest::qWaitFor([&] { return desk.session.bench.survey().events.size() >= 5; }, patience_ms));
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.bench.known().knows(Known::runs); }, patience_ms));
+  desk.session.connection.setPace(unhurried);
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.bench.known().breakaways.size() >= 5; }, patience_ms));
   if (key == 0) {
     press(desk.window, "stopButton");
   } else {
@@ -105,8 +107,8 @@ void TestBenchJourney::stopDuringSweep_keepsWhatWasMeasured() {
   QVERIFY(QTest::qWaitFor([&] { return desk.session.connection.run().status.state == Procedure::State::stopped; },
                           patience_ms));
   QVERIFY(QTest::qWaitFor([&] { return !desk.session.connection.powered(); }, patience_ms));
-  QVERIFY(desk.session.bench.survey().events.size() >= 5);
-  QVERIFY(!desk.session.bench.survey().map.has_value());
+  QVERIFY(desk.session.bench.known().breakaways.size() >= 5);
+  QVERIFY(!desk.session.bench.known().knows(Known::map));
   QVERIFY(!named<PolarPlot>(desk.window, "polarPlot")->curves().empty());
   QVERIFY(named<QLabel>(desk.window, "frictionRunActivity")->text().contains("What was measured is kept"));
   QTemporaryDir folder;
@@ -122,19 +124,21 @@ void TestBenchJourney::stoppedSweep_goesOnWhereItEnded() {
   Desk desk;
   QVERIFY(desk.connected());
   QVERIFY(desk.homed());
-  desk.session.connection.setPace(unhurried);
+  desk.quickSpeeds();
   desk.sweep(48, 2);
-  QVERIFY(QTest::qWaitFor([&] { return desk.session.bench.survey().events.size() >= 7; }, patience_ms));
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.bench.known().knows(Known::runs); }, patience_ms));
+  desk.session.connection.setPace(unhurried);
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.bench.known().breakaways.size() >= 7; }, patience_ms));
   press(desk.window, "stopButton");
   QVERIFY(QTest::qWaitFor([&] { return desk.session.connection.run().status.state == Procedure::State::stopped; },
                           patience_ms));
-  const std::vector<BreakawayEvent> before = desk.session.bench.survey().events;
+  const std::vector<BreakawayEvent> before = desk.session.bench.known().breakaways;
   QVERIFY(before.size() < 180);
   desk.session.connection.setPace(hurried);
   desk.sweep(48, 2);
-  QVERIFY(QTest::qWaitFor([&] { return desk.session.bench.survey().map.has_value(); }, patience_ms));
-  const auto& events = desk.session.bench.survey().events;
-  QVERIFY(events.size() + desk.session.bench.survey().missed == 192);
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.bench.known().knows(Known::map); }, patience_ms));
+  const auto& events = desk.session.bench.known().breakaways;
+  QVERIFY(events.size() + desk.session.bench.known().missed == 192);
   for (size_t k = 0; k < before.size(); ++k) QCOMPARE(events[k].torque_Nm, before[k].torque_Nm);
 }
 

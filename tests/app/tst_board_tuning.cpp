@@ -41,10 +41,12 @@ Bench bench() {
   return bench;
 }
 
-Identification identification() {
-  Identification found;
+Commission identification() {
+  Commission found;
+  found.facts.add({Known::motor});
   found.motor.torqueConstant_Nm_per_A = found.motor.backEmfConstant_V_s_per_rad = {0.0702, 1e-4};
   found.motor.resistance_ohm = {1.21, 0.01};
+  found.shownResistance_ohm = 1.21;
   found.motor.inductance_H = {0.0011, 1e-5};
   found.motor.inertia_kg_m2 = {6.05e-5, 3e-7};
   found.motor.viscous_Nm_s_per_rad = {2e-5, 1e-6};

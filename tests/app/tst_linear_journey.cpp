@@ -29,7 +29,6 @@ class TestLinearJourney : public QObject {
   void stoppedSweep_goesOnAfterReconnectingAndHomingAnew();
   void anotherBoard_forgetsWhatWasMeasured();
   void axisWithoutIndex_countsFromItsLowerEnd();
-  void endsFoundElsewhere_forgetTheSweeps();
 };
 
 namespace {
@@ -59,8 +58,13 @@ struct LinearDesk : Desk {
   }
   bool sweptVelocity() {
     sweepVelocity();
-    return QTest::qWaitFor([this] { return session.bench.survey().moving && !session.connection.run().running(); },
-                           patience_ms);
+    return QTest::qWaitFor(
+        [this] { return session.bench.known().knows(Known::runs) && !session.connection.run().running(); },
+        patience_ms);
+  }
+  bool beginsWith(const char* button, const QString& step) {
+    auto* found = named<QWidget>(window, button);
+    return found->isEnabled() && found->toolTip().contains("First: ") && found->toolTip().contains(step);
   }
   bool waits(const char* button, const QString& reason) {
     auto* found = named<QWidget>(window, button);
@@ -97,23 +101,24 @@ void TestLinearJourney::connectHomeSweepExport_mapHoldsTheTruth() {
   QVERIFY(desk.waits("turnButton", "ends of the travel are not known"));
   QVERIFY(desk.waits("saveProfileButton", "linear axis"));
   desk.window.showPage("frictionPage");
-  QVERIFY(desk.waits("velocitySweepButton", "Home first"));
-  QVERIFY(desk.waits("breakawaySweepButton", "Home first"));
+  QVERIFY(desk.beginsWith("velocitySweepButton", "homing"));
+  QVERIFY(desk.beginsWith("breakawaySweepButton", "homing, velocity sweep"));
 
   QVERIFY(desk.homed());
   QVERIFY(named<QWidget>(desk.window, "travelStrip")->isVisible());
-  const auto axis = desk.session.bench.axis();
-  QVERIFY(axis.has_value());
-  QVERIFY(std::abs(axis->travel.high_m - axis->travel.low_m - 0.4) < 5e-4);
-  QVERIFY(std::abs(axis->index_m - (0.21 - 0.13)) < 2e-5);
-  QVERIFY(std::abs(axis->motor.inertia_kg_m2.value / 1.8 - 1.0) < 0.02);
+  const Commission& known = desk.session.bench.known();
+  QVERIFY(desk.session.bench.axisIsHomed());
+  QVERIFY(std::abs(known.counted.high_m - known.counted.low_m - 0.4) < 5e-4);
+  QVERIFY(std::abs(known.indexAngle_rad.value - (0.21 - 0.13)) < 2e-5);
+  QVERIFY(std::abs(known.motor.inertia_kg_m2.value / 1.8 - 1.0) < 0.02);
   QVERIFY(named<QLabel>(desk.window, "homingRunActivity")->text().contains("Done"));
 
   desk.window.showPage("frictionPage");
-  QVERIFY(desk.waits("breakawaySweepButton", "velocity sweep first"));
+  QVERIFY(!desk.beginsWith("velocitySweepButton", "homing"));
+  QVERIFY(desk.beginsWith("breakawaySweepButton", "velocity sweep"));
   QVERIFY(named<QDoubleSpinBox>(desk.window, "highestSpeed")->suffix() == " m/s");
   QVERIFY(desk.sweptVelocity());
-  const double coulomb_N = desk.session.bench.survey().coulombAverage_Nm()->value;
+  const double coulomb_N = desk.session.bench.known().coulombAverage_Nm()->value;
   QVERIFY2(coulomb_N > 0.97 * 4.95 && coulomb_N < 1.03 * 4.95, qPrintable(QString::number(coulomb_N)));
   auto* plot = named<TravelPlot>(desk.window, "travelPlot");
   QVERIFY(plot->isVisible());
@@ -121,7 +126,9 @@ void TestLinearJourney::connectHomeSweepExport_mapHoldsTheTruth() {
   QVERIFY(plot->readingAt(plot->pixelOf(plot->curves()[0].points[3])).contains("(95 %)"));
 
   named<QSpinBox>(desk.window, "bins")->setValue(places + 1);
-  QVERIFY(desk.waits("breakawaySweepButton", "into 24 places"));
+  QVERIFY(desk.beginsWith("breakawaySweepButton", "velocity sweep"));  // strokes were taken apart into other places
+  named<QSpinBox>(desk.window, "bins")->setValue(places);
+  QVERIFY(!desk.beginsWith("breakawaySweepButton", "velocity sweep"));
   desk.sweep(places, 2);
   QVERIFY2(desk.mapGrows(), "the map did not grow while the sweep ran");
   auto* view = named<QComboBox>(desk.window, "polarView");
@@ -185,7 +192,7 @@ void TestLinearJourney::tunePage_tunesTheAxisAndStepsWithinItsTravel() {
   QVERIFY(QTest::qWaitFor([&] { return !desk.session.connection.powered(); }, patience_ms));
   QTest::qWait(100);  // it coasts
   const double stands_m = desk.session.live.history().newest()->angle_rad;
-  const Travel travel = desk.session.bench.axis()->travel;
+  const Travel travel = desk.session.bench.known().counted;
   QVERIFY2(stands_m > travel.middle_m() && stands_m < travel.last_m() + 0.5 * travel.margin_m,
            qPrintable(QString::number(stands_m)));
 }
@@ -240,11 +247,11 @@ void TestLinearJourney::stoppedSweep_goesOnAfterReconnectingAndHomingAnew() {
   QVERIFY(desk.sweptVelocity());
   desk.session.connection.setPace(unhurried);
   desk.sweep(places, 2);
-  QVERIFY(QTest::qWaitFor([&] { return desk.session.bench.survey().events.size() >= 6; }, patience_ms));
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.bench.known().breakaways.size() >= 6; }, patience_ms));
   press(desk.window, "stopButton");
   QVERIFY(QTest::qWaitFor([&] { return desk.session.connection.run().status.state == Procedure::State::stopped; },
                           patience_ms));
-  const std::vector<BreakawayEvent> before = desk.session.bench.survey().events;
+  const std::vector<BreakawayEvent> before = desk.session.bench.known().breakaways;
   QVERIFY(before.size() < breakaways);
   desk.window.showPage("connectPage");
   press(desk.window, "disconnectButton");
@@ -252,9 +259,9 @@ void TestLinearJourney::stoppedSweep_goesOnAfterReconnectingAndHomingAnew() {
   QVERIFY(desk.connected());
   QVERIFY(desk.homed());
   desk.sweep(places, 2);
-  QVERIFY(QTest::qWaitFor([&] { return desk.session.bench.survey().map.has_value(); }, patience_ms));
-  const auto& events = desk.session.bench.survey().events;
-  QCOMPARE(events.size() + desk.session.bench.survey().missed, breakaways);
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.bench.known().knows(Known::map); }, patience_ms));
+  const auto& events = desk.session.bench.known().breakaways;
+  QCOMPARE(events.size() + desk.session.bench.known().missed, breakaways);
   for (size_t k = 0; k < before.size(); ++k) QCOMPARE(events[k].torque_Nm, before[k].torque_Nm);
 }
 
@@ -262,10 +269,10 @@ void TestLinearJourney::anotherBoard_forgetsWhatWasMeasured() {
   LinearDesk desk;
   QVERIFY(desk.connected());
   QVERIFY(desk.homed());
-  QVERIFY(desk.session.bench.survey().identification.has_value());
+  QVERIFY(desk.session.bench.known().knows(Known::motor));
   desk.session.connection.open("simulated:servo");
   QVERIFY(desk.session.connection.connected());
-  QVERIFY(!desk.session.bench.survey().identification && !desk.session.bench.survey().travel);
+  QVERIFY(!desk.session.bench.known().knows(Known::motor) && !desk.session.bench.known().travel);
   desk.window.showPage("homePage");
   QVERIFY(named<QWidget>(desk.window, "rotorDial")->isVisible());
 }
@@ -282,22 +289,10 @@ void TestLinearJourney::axisWithoutIndex_countsFromItsLowerEnd() {
   desk.window.showPage("homePage");
   QVERIFY(named<QLabel>(desk.window, "homingPlan")->text().contains("no index"));
   QVERIFY(desk.homed());
-  const auto known = desk.session.bench.axis();
-  QVERIFY(known && std::abs(known->index_m - known->travel.low_m) < 1e-9);
+  const Commission& known = desk.session.bench.known();
+  QVERIFY(std::abs(known.indexAngle_rad.value - known.counted.low_m) < 1e-9);
   desk.window.showPage("frictionPage");
   QVERIFY(named<QWidget>(desk.window, "velocitySweepButton")->isEnabled());
-}
-
-void TestLinearJourney::endsFoundElsewhere_forgetTheSweeps() {
-  FrictionSurvey survey;
-  survey.axis = Axis::linear;
-  QVERIFY(survey.layOver({-0.2, 0.2, 0.012}));
-  survey.events.emplace_back();
-  survey.sweepComplete = true;
-  QVERIFY(survey.layOver({-0.2005, 0.2005, 0.012}));
-  QVERIFY(survey.events.size() == 1 && survey.travel->low_m == -0.2);
-  QVERIFY(!survey.layOver({-0.15, 0.2, 0.012}));
-  QVERIFY(survey.events.empty() && !survey.sweepComplete && survey.travel->low_m == -0.15);
 }
 
 JOURNEY_MAIN(TestLinearJourney)

@@ -200,14 +200,16 @@ void TestSession::lostBoard_endsItsRecording() {
 void TestSession::runs_sayWhyTheyCannotStart() {
   Parts parts;
   BenchRuns bench(parts.connection, parts.messages);
-  for (const QString& why : {bench.turningObstacle(), bench.homingObstacle(), bench.stepObstacle(),
-                             bench.sweepObstacle(), bench.gainsObstacle(), bench.tuningObstacle()})
+  for (const QString& why : {bench.turningObstacle(), bench.stepObstacle(), bench.obstacleToMake(RunKind::homing),
+                             bench.obstacleToMake(RunKind::breakaway), bench.gainsObstacle(), bench.tuningObstacle()})
     QCOMPARE(why, QString("No board is connected"));
   QVERIFY(bench.marginLine().isEmpty());
   parts.connection.adopt(std::make_unique<SmallDrive>(parts.witness), "small");
-  QVERIFY(bench.homingObstacle().isEmpty() && bench.stepObstacle().isEmpty());
-  QVERIFY(bench.sweepObstacle().startsWith("Home first"));
-  bench.home();
+  QVERIFY(bench.obstacleToMake(RunKind::homing).isEmpty() && bench.stepObstacle().isEmpty());
+  QVERIFY(bench.obstacleToMake(RunKind::breakaway).isEmpty());
+  QCOMPARE(bench.missingFor(RunKind::breakaway),
+           QString("First: current sensor's zero, winding test, spin test, reversal test, homing, velocity sweep"));
+  bench.make(RunKind::homing);
   QTRY_VERIFY(parts.connection.runs(RunKind::homing));
   QVERIFY2(bench.stepObstacle().startsWith("Busy: "), qPrintable(bench.stepObstacle()));
 }
@@ -233,17 +235,23 @@ void TestSession::surveyOfAnotherBoard_isForgotten() {
   Parts parts;
   BenchRuns bench(parts.connection, parts.messages);
   parts.connection.adopt(std::make_unique<SmallDrive>(parts.witness), "small");
-  QCOMPARE(bench.survey().rig, std::string("small drive"));
   RunSnapshot swept{RunKind::velocitySweep, {Procedure::State::running, 0.5, 1.0, "sweeping", ""}, {}};
-  swept.result = VelocitySweepResult{std::vector<VelocityRun>(3), Identification{}};
+  Commission known;
+  known.identity = parts.connection.identity();
+  known.settings = parts.connection.settings();
+  known.runs.resize(3);
+  known.facts = {Known::index, Known::motor};
+  swept.result = std::make_shared<const Commission>(known);
   emit parts.connection.runReported(swept);
-  QCOMPARE(bench.survey().runs.size(), size_t{3});
+  QCOMPARE(bench.known().runs.size(), size_t{3});
+  QVERIFY(bench.index_rad().has_value());
   parts.connection.close();
   parts.connection.adopt(std::make_unique<SmallDrive>(parts.witness), "small");
-  QCOMPARE(bench.survey().runs.size(), size_t{3});  // the same board again
+  QCOMPARE(bench.known().runs.size(), size_t{3});                    // the same board again
+  QVERIFY(bench.known().knows(Known::motor) && !bench.index_rad());  // which may count from elsewhere now
   parts.connection.open("simulated:servo");
   QVERIFY(parts.connection.connected());
-  QVERIFY(bench.survey().runs.empty() && bench.bench().has_value());
+  QVERIFY(bench.known().runs.empty() && bench.bench().has_value());
   QVERIFY(parts.lines().contains("This is another board: what was measured on small drive is forgotten"));
 }
 

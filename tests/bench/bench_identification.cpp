@@ -126,7 +126,7 @@ int main(int argc, char** argv) {
       if (!rig) return 1;
       CommissionOptions options;
       options.keepRecordings = false;
-      options.bins = 36;
+      options.sweeps.bins = 36;
       options.bench.emplace();
       options.bench->currentGainInterval = one.gainInterval;
       if (one.knownInertia) {

@@ -48,7 +48,7 @@ MapScore scored(const Job& job) {
     score.failure = done.error().message();
     return score;
   }
-  const auto truth = trueMap(job.uri, options.bins, done->map.totalVelocity_rad_per_s);
+  const auto truth = trueMap(job.uri, options.sweeps.bins, done->map.totalVelocity_rad_per_s);
   if (truth) compare(*done, *truth, *rig, score);
   return score;
 }

@@ -1,5 +1,6 @@
 #include <QTest>
 
+#include "commission/commission.h"
 #include "firmware_link/presets.h"
 #include "firmware_link/simulated_board.h"
 #include "firmware_link/simulated_truth.h"
@@ -42,7 +43,7 @@ Result<Commission> commissioned(const std::string& uri, unsigned seed, bool keep
   if (!drive) return drive.error();
   CommissionOptions options;
   options.rig = "rig";
-  options.bins = bins;
+  options.sweeps.bins = bins;
   options.keepRecordings = keep;
   return commission(**drive, options);
 }

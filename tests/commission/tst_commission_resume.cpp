@@ -4,6 +4,8 @@
 #include <QFile>
 #include <QTest>
 
+#include "commission/commission.h"
+#include "commission/commission_progress.h"
 #include "firmware_link/simulated_board.h"
 #include "firmware_link/simulated_truth.h"
 #include "house/program.h"
@@ -50,15 +52,21 @@ std::string linkLossAt(double start_s) {
 CommissionOptions quick(const test::TemporaryFolder& folder) {
   CommissionOptions options;
   options.rig = "rig";
-  options.bins = bins;
-  options.speedRun_s = 4.0;
-  options.keepProgress = [&folder](const CommissionProgress& progress) {
-    return writeProgress(progress, folder.path("out"));
-  };
+  options.sweeps.bins = bins;
+  options.sweeps.speedRun_s = 4.0;
+  options.keepProgress = [&folder](const Commission& progress) { return writeProgress(progress, folder.path("out")); };
   options.keepRecording = [&folder](const std::string& step, const Recording& recording) {
     return writeStep(step, recording, folder.path("out"));
   };
   return options;
+}
+
+Commission begunOn(const std::string& device, size_t angles) {
+  Commission begun;
+  begun.identity.device = device;
+  begun.sweeps.bins = angles;
+  begun.sweeps.speedRun_s = 4.0;
+  return begun;
 }
 
 Result<Commission> commissioned(const std::string& rig, const CommissionOptions& options) {
@@ -89,10 +97,18 @@ void TestCommissionResume::soundRigs_areNeverInterrupted() {
 
 void TestCommissionResume::progress_readsBackAsItWas() {
   test::TemporaryFolder folder;
-  CommissionProgress progress{"a board",         bins, 2,  4.0, 0.07, 3, 123.25, {"a remark"}, IdentifiedMotor{},
-                              {0.25, 1.0 / 3.0}, 1.25, {}, {}};
-  progress.motor->resistance_ohm = {1.0 / 7.0, 1e-3};
-  progress.motor->torqueConstantTrusted = true;
+  Commission progress = begunOn("a board", bins);
+  progress.sweeps.speeds = 5;
+  progress.sweeps.highest_rad_per_s = 20.0;
+  progress.trustedTorqueConstant_Nm_per_A = 0.07;
+  progress.part = 3;
+  progress.rigTime_s = 123.25;
+  progress.remarks = {"a remark"};
+  progress.facts.add({Known::motor});
+  progress.expected_A = {0.25, 1.0 / 3.0};
+  progress.shownResistance_ohm = 1.25;
+  progress.identified.resistance_ohm = {1.0 / 7.0, 1e-3};
+  progress.identified.torqueConstantTrusted = true;
   VelocityRun run{-10.0 / 3.0, 2, 4.5, 7.5, 0.05, 0.01, 0.3, {{3, 0.1, 0.2, -3.0, 9.1}, {0, 0.0, 0.0, 0.0, 0.0}}, {}};
   run.blocks.assign(2, RunBlock{1, 0.1, 0.2, 0.3, 0.4, run.bins});
   progress.runs = {run, run};
@@ -106,23 +122,25 @@ void TestCommissionResume::progress_readsBackAsItWas() {
   event.angle_rad = 0.1, event.current_A = 0.2, event.torque_Nm = 0.3, event.commanded_A = 0.4;
   event.commandedMean_A = 0.5, event.measuredMean_A = 0.6, event.commandedVariance_A2 = 0.7, event.covariance_A2 = 0.8;
   event.time_s = 12.5, event.zero_A = 0.01, event.lag_A = 0.02;
-  progress.events = {event};
+  progress.breakaways = {event};
   VERIFY_OK(writeProgress(progress, folder.path("out")));
   const auto back = readProgress(folder.path("out"));
   VERIFY_OK(back);
-  QCOMPARE(back->device, progress.device);
+  QCOMPARE(back->identity.device, progress.identity.device);
+  QVERIFY(back->sweeps == progress.sweeps);
   QCOMPARE(back->part, size_t{3});
   QCOMPARE(back->remarks, progress.remarks);
   QCOMPARE(back->trustedTorqueConstant_Nm_per_A, progress.trustedTorqueConstant_Nm_per_A);
-  QCOMPARE(back->motor->resistance_ohm, progress.motor->resistance_ohm);
-  QVERIFY(back->motor->torqueConstantTrusted);
+  QVERIFY(back->knows(Known::motor));
+  QCOMPARE(back->identified.resistance_ohm, progress.identified.resistance_ohm);
+  QVERIFY(back->motor.torqueConstantTrusted);
   QCOMPARE(back->expected_A, progress.expected_A);
   QCOMPARE(back->runs.size(), size_t{2});
   QCOMPARE(back->runs[1].target_rad_per_s, run.target_rad_per_s);
   QCOMPARE(back->runs[1].blocks[1].bins[0].velocitySquared, 9.1);
   QVERIFY(back->runs[1].zero_A == 0.05 && back->runs[1].start_rad == 0.3 && back->runs[1].middle_s == 7.5);
   QVERIFY(back->runs[1].blocks[1].turns == 1 && back->runs[1].blocks[1].endWobble_rad_per_s == 0.4);
-  const BreakawayEvent& read = back->events.front();
+  const BreakawayEvent& read = back->breakaways.front();
   QVERIFY(read.time_s == 12.5 && read.zero_A == 0.01 && read.lag_A == 0.02);
   QVERIFY(read.way == Way::cw && read.turn == 1 && read.bin == 17 && read.samples == 2000 && read.outlier);
   QVERIFY(read.angle_rad == 0.1 && read.current_A == 0.2 && read.torque_Nm == 0.3 && read.commanded_A == 0.4);
@@ -138,7 +156,8 @@ void TestCommissionResume::progress_readsBackAsItWas() {
 
 void TestCommissionResume::damagedProgress_isNamed() {
   test::TemporaryFolder folder;
-  const CommissionProgress progress{"a board", bins, 2, 4.0, {}, 1, 0.0, {}, {}, {}, 0.0, {}, {BreakawayEvent{}}};
+  Commission progress = begunOn("a board", bins);
+  progress.breakaways = {BreakawayEvent{}};
   VERIFY_OK(writeProgress(progress, folder.path("out")));
   VERIFY_OK(writeFile(
       folder.path("out/progress/breakaways.json"),
@@ -171,10 +190,10 @@ void TestCommissionResume::lostLink_keepsWhatItHasAndGoesOn() {
            broken.error().message().c_str());
   auto kept = readProgress(folder.path("out"));
   VERIFY_OK(kept);
-  QCOMPARE(kept->motor.has_value(), hasMotor);
+  QCOMPARE(kept->knows(Known::motor), hasMotor);
   QCOMPARE(!kept->runs.empty(), hasRuns);
-  QCOMPARE(!kept->events.empty(), hasEvents);
-  const size_t runs = kept->runs.size(), events = kept->events.size();
+  QCOMPARE(!kept->breakaways.empty(), hasEvents);
+  const size_t runs = kept->runs.size(), events = kept->breakaways.size();
   QVERIFY2(!hasRuns || hasEvents || runs < 12, "lost in the middle of the sweep");
 
   const std::string sound = rigFile(folder, "sound", "");
@@ -185,7 +204,7 @@ void TestCommissionResume::lostLink_keepsWhatItHasAndGoesOn() {
   QCOMPARE(done->runs.size(), size_t{12});
   QCOMPARE(done->events.size() + done->missed, 4 * bins);
   if (hasRuns) QCOMPARE(done->runs.front().bins.front().current_A, kept->runs.front().bins.front().current_A);
-  if (hasEvents) QCOMPARE(done->events.front().angle_rad, kept->events.front().angle_rad);
+  if (hasEvents) QCOMPARE(done->events.front().angle_rad, kept->breakaways.front().angle_rad);
   QVERIFY(runs < 13 && events < 4 * bins);
   const auto whole = commissioned(sound, quick(folder));
   VERIFY_OK(whole);
@@ -214,7 +233,7 @@ void TestCommissionResume::interruption_keepsTheStepsRecording() {
 void TestCommissionResume::anotherRig_isRefused() {
   test::TemporaryFolder folder;
   CommissionOptions options = quick(folder);
-  options.earlier = CommissionProgress{"another board", bins, 2, 4.0, {}, 1, 0.0, {}, {}, {}, 0.0, {}, {}};
+  options.earlier = begunOn("another board", bins);
   const auto done = commissioned(rigFile(folder, "sound", ""), options);
   VERIFY_ERROR(done, "board: is simulated board, rig servo, but the interrupted job was begun on another board");
 }
@@ -222,7 +241,7 @@ void TestCommissionResume::anotherRig_isRefused() {
 void TestCommissionResume::otherBins_areRefused() {
   test::TemporaryFolder folder;
   CommissionOptions options = quick(folder);
-  options.earlier = CommissionProgress{"simulated board, rig servo", 72, 2, 4.0, {}, 1, 0.0, {}, {}, {}, 0.0, {}, {}};
+  options.earlier = begunOn("simulated board, rig servo", 72);
   const auto done = commissioned(rigFile(folder, "sound", ""), options);
   VERIFY_ERROR(done, "bins and turns: are 36 and 2, but the interrupted job was begun with 72 and 2");
 }
@@ -270,7 +289,7 @@ void TestCommissionResume::controlC_endsTheCommandInOrder() {
   QVERIFY(process.readAllStandardError().contains("06-breakaway-sweep: interrupted from the keyboard"));
   const auto kept = readProgress(folder.path("out"));
   VERIFY_OK(kept);
-  QVERIFY(!kept->events.empty() && kept->runs.size() == 12);
+  QVERIFY(!kept->breakaways.empty() && kept->runs.size() == 12);
 }
 
 QTEST_APPLESS_MAIN(TestCommissionResume)

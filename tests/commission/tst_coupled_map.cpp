@@ -31,8 +31,8 @@ void TestCoupledMap::aStiffCoupling_leavesTheMapWithinItsAims() {
   QVERIFY2(drive.ok(), drive ? "" : drive.error().message().c_str());
   CommissionOptions options;
   options.rig = "coupled";
-  options.bins = 36;
-  options.speedRun_s = 6.0;
+  options.sweeps.bins = 36;
+  options.sweeps.speedRun_s = 6.0;
   options.keepRecordings = false;
   const auto done = commission(**drive, options);
   QVERIFY2(done.ok(), done ? "" : done.error().message().c_str());
@@ -43,12 +43,12 @@ void TestCoupledMap::aStiffCoupling_leavesTheMapWithinItsAims() {
   for (const auto& [curve, aim] : aims) {
     for (size_t w = 0; w < 2; ++w) {
       double squares = 0.0, level = 0.0;
-      for (size_t k = 0; k < options.bins; ++k) {
+      for (size_t k = 0; k < options.sweeps.bins; ++k) {
         const double right = (truth->bins[k].way[w].*curve).value;
         squares += std::pow((done->map.bins[k].way[w].*curve).value - right, 2);
         level += right;
       }
-      const auto n = static_cast<double>(options.bins);
+      const auto n = static_cast<double>(options.sweeps.bins);
       const double rms = std::sqrt(squares / n) / (level / n);
       QVERIFY2(rms < aim, qPrintable(QString::number(rms)));
     }

@@ -3,6 +3,7 @@
 #include <QTest>
 
 #include "base/atomic_file.h"
+#include "commission/commission.h"
 #include "firmware_link/simulated_board.h"
 #include "firmware_link/simulated_truth.h"
 #include "report/commission_report.h"
@@ -55,8 +56,8 @@ std::string servo(const std::string& bridge, const std::string& motor = {}, cons
 CommissionOptions quick() {
   CommissionOptions options;
   options.rig = "rig";
-  options.bins = 36;
-  options.speedRun_s = 4.0;
+  options.sweeps.bins = 36;
+  options.sweeps.speedRun_s = 4.0;
   options.keepRecordings = false;
   return options;
 }
@@ -222,8 +223,8 @@ void TestHonestRig::sensorsWithTolerances_areMappedAllTheSame() {
   test::TemporaryFolder folder;
   const std::string uri = "simulated:" + folder.write("random.rig.json", test::RandomRig(seed).text(true));
   CommissionOptions options = quick();
-  options.bins = 180;
-  options.speedRun_s = CommissionOptions{}.speedRun_s;
+  options.sweeps.bins = 180;
+  options.sweeps.speedRun_s = SweepSettings{}.speedRun_s;
   const auto done = commissioned(uri, options, seed);
   VERIFY_OK(done);
   verifyMap(*done, uri);

@@ -36,8 +36,8 @@ test::LinearAxis shortAxis() {
 CommissionOptions quick() {
   CommissionOptions options;
   options.rig = "axis";
-  options.bins = bins;
-  options.speedRun_s = 3.0;
+  options.sweeps.bins = bins;
+  options.sweeps.speedRun_s = 3.0;
   options.keepRecordings = false;
   return options;
 }
@@ -164,24 +164,24 @@ void TestTravel::troubles_endStoppedAndInWords() {
 void TestTravel::anInterruptedJob_goesOnWhereItWas() {
   const Board board(shortAxis());
   CommissionOptions options = quick();
-  std::optional<CommissionProgress> kept;
-  options.keepProgress = [&](const CommissionProgress& progress) {
+  std::optional<Commission> kept;
+  options.keepProgress = [&](const Commission& progress) {
     kept = progress;
     return Result<void>();
   };
-  options.interrupted = [&] { return kept && kept->events.size() >= 10; };
+  options.interrupted = [&] { return kept && kept->breakaways.size() >= 10; };
   const auto first = commission(*board.drive, options);
   QVERIFY(!first);
-  QVERIFY(kept && kept->motor && kept->strokes.size() >= 3 && kept->events.size() >= 10);
+  QVERIFY(kept && kept->knows(Known::motor) && kept->strokes.size() >= 3 && kept->breakaways.size() >= 10);
   QVERIFY(board.rests());
-  const size_t before = kept->events.size();
+  const size_t before = kept->breakaways.size();
   // The board was without power meanwhile: it counts from elsewhere.
   test::LinearAxis moved = shortAxis();
   moved.start = 0.7;
   const Board again(moved, 6);
   CommissionOptions rest = quick();
   rest.earlier = kept;
-  rest.earlier->device = again.drive->identity().device;
+  rest.earlier->identity.device = again.drive->identity().device;
   const auto done = commission(*again.drive, rest);
   QVERIFY2(done.ok(), done ? "" : done.error().message().c_str());
   QVERIFY(done->events.size() > before);

@@ -50,8 +50,8 @@ Result<CommissionedBench> commissioned(const std::string& uri, unsigned seed) {
   auto drive = openDrive(uri, seed);
   if (!drive) return drive.error();
   CommissionOptions options;
-  options.bins = 72;
-  options.speedRun_s = 6.0;
+  options.sweeps.bins = 72;
+  options.sweeps.speedRun_s = 6.0;
   options.keepRecordings = false;
   return commissionBench(std::move(*drive), options);
 }

@@ -71,13 +71,13 @@ std::unique_ptr<Drive> opened(const std::string& board) {
 std::array<double, 3> squares(Drive& drive) {
   CommissionOptions options;
   options.rig = "rig";
-  options.bins = 36;
-  options.turns = 1;
-  options.speedRun_s = 15.0;
+  options.sweeps.bins = 36;
+  options.sweeps.turns = 1;
+  options.sweeps.speedRun_s = 15.0;
   options.keepRecordings = false;
   const auto done = commission(drive, options);
   if (!done) qFatal("%s", done.error().message().c_str());
-  const auto truth = trueMap(uri, options.bins, done->map.totalVelocity_rad_per_s);
+  const auto truth = trueMap(uri, options.sweeps.bins, done->map.totalVelocity_rad_per_s);
   std::array<double, 3> sums{};
   for (const Way way : {Way::cw, Way::ccw}) {
     sums[0] += std::pow(deviation(done->map, *truth, way, staticOf).rms, 2);

@@ -44,6 +44,7 @@ void TestLayering::plantedBreach_isFound_data() {
   row("core/commission/planted.cpp", "\"draw/svg_plot.h\"", "commission stands below draw");
   row("core/draw/planted.cpp", "\"friction/friction_map.h\"", "drawing knows only base");
   row("core/report/planted.cpp", "\"experiment/drive.h\"", "moves nothing");
+  row("core/report/planted.cpp", "\"commission/job.h\"", "must not know core/experiment/drive.h");
   row("core/report/planted.cpp", "\"figures/all_figures.h\"", "report stands below figures");
   row("core/motor/planted.cpp", "<QString>", "core knows no Qt");
   row("core/motor/planted.cpp", "<QtCore/QString>", "core knows no Qt");
@@ -103,7 +104,10 @@ void TestLayering::plantedBreach_isFound() {
   QFETCH(QString, path);
   QFETCH(QString, include);
   QFETCH(QString, why);
-  Sources sources{{"core/plant/plant.h", ""}, {"core/base/result.h", ""}};
+  Sources sources{{"core/plant/plant.h", ""},
+                  {"core/base/result.h", ""},
+                  {"core/experiment/drive.h", ""},
+                  {"core/commission/job.h", "#include \"experiment/drive.h\"\n"}};
   QVERIFY(breaches(sources).empty());
   if (include.contains("middle.h")) sources["core/motor/middle.h"] = "#include \"plant/plant.h\"\n";
   sources[path.toStdString()] = "#pragma once\n  # include " + include.toStdString() + "\n";

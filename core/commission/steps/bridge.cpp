@@ -1,0 +1,60 @@
+// Winding and bridge of a rotor once more, from all tests together; and the bridge's curve, where it has one, to the
+// board.
+#include "commission/motor_tests.h"
+#include "commission/steps.h"
+
+namespace breakaway {
+
+namespace {
+
+class Bridge : public Step {
+ public:
+  Bridge() : Step("bridge", {Known::windingTest, Known::roughMotor, Known::reversal}, {Known::bridge}) {}
+
+  Result<StepEnd> end(OnBench& on, const Result<void>&) override {
+    takeBridge(*on.known.tests, on.known.motor, on.known);
+    return StepEnd::over;
+  }
+};
+
+class Straighten : public Step {
+ public:
+  Straighten() : Step("straightened bridge", {Known::bridge}, {Known::straight}) {}
+
+  Result<StepEnd> end(OnBench& on, const Result<void>&) override {
+    Commission& known = on.known;
+    known.linearised = false;
+    if (!known.motor.dutyCurve.known()) return StepEnd::over;
+    const auto taken = on.drive.linearise(known.motor.dutyCurve);
+    known.linearised = taken.ok();
+    const char* otherwise = known.linear() ? "breakaway ramps are made along a straight line."
+                                           : "breakaway ramps follow its tangent at the breakaway current.";
+    known.remark(known.linearised ? "The bridge bends its duty: the board takes its voltages through the measured "
+                                    "curve's inverse."
+                                  : "The bridge bends its duty, and the board can't straighten it (" +
+                                        taken.error().fact + "): " + otherwise);
+    return StepEnd::over;
+  }
+};
+
+}  // namespace
+
+void takeBridge(const MotorTests& tests, IdentifiedMotor& motor, Commission& known) {
+  const auto bridge = fitBridge(tests.bridge);
+  if (bridge) {
+    takeBridge(motor, *bridge, tests.winding.timeConstant_s);
+  } else {
+    known.remark(bridge.error().message() +
+                 "; resistance and back-EMF constant rest on a straight line beyond the dead zone.");
+  }
+}
+
+StepPtr bridgeStep() {
+  return std::make_unique<Bridge>();
+}
+
+StepPtr straightenStep() {
+  return std::make_unique<Straighten>();
+}
+
+}  // namespace breakaway

@@ -1,0 +1,105 @@
+// The same slow to and fro with and without the measured friction compensated: what the map is good for on this bench.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/statistics.h"
+#include "commission/steps.h"
+#include "experiment/central_difference.h"
+#include "experiment/compensation.h"
+#include "experiment/course.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr double period_s = 4.0, periods = 1.5;  // of a sine of speed, so slow that the loop follows it
+constexpr double rotorsAmplitude_rad_per_s = 5.0;
+constexpr double partOfPace = 0.1, partOfTravel = 0.25;  // that a linear axis takes of either, at most
+constexpr double approach_s = 8.0;                       // to the place where the course begins
+constexpr double halfSpan_s = 0.005;                     // of the central differences that speeds are
+
+double reference(double time_s, double amplitude_rad_per_s) {
+  return amplitude_rad_per_s * std::sin(2.0 * std::numbers::pi * time_s / period_s);
+}
+
+double amplitudeOn(const Commission& known) {
+  if (!known.linear()) return rotorsAmplitude_rad_per_s;
+  const double reach_m = partOfTravel * known.counted.usable_m();
+  return std::min(partOfPace * known.pace.speed_m_per_s, 2.0 * std::numbers::pi * reach_m / period_s);
+}
+
+CourseOptions courseOn(const Commission& known, double amplitude_rad_per_s) {
+  CourseOptions course;
+  course.activity = "going to and fro slowly";
+  course.before = {Command::Mode::velocity, 0.0, 0.0, false};
+  course.before_s = 0.5;
+  if (known.linear()) {
+    const double start_m = known.counted.middle_m() - 0.5 * amplitude_rad_per_s * period_s / std::numbers::pi;
+    course.before = {Command::Mode::position, start_m, 0.0, false};
+    course.before_s = approach_s;
+  }
+  course.duration_s = periods * period_s;
+  course.command = [amplitude_rad_per_s](double time_s, const Sample&) {
+    return Command{Command::Mode::velocity, reference(time_s, amplitude_rad_per_s), 0.0, false};
+  };
+  return course;
+}
+
+double velocityError(const std::vector<Sample>& samples, double amplitude_rad_per_s) {
+  const SpeedCurve speed = centralDifference(samples, halfSpan_s);
+  std::vector<double> error;
+  for (size_t k = 0; k < speed.time_s.size(); ++k)
+    error.push_back(speed.velocity_rad_per_s[k] - reference(speed.time_s[k], amplitude_rad_per_s));
+  return rms(error);
+}
+
+class Compensated : public Step {
+ public:
+  Compensated()
+      : Step("run with and without the map", {Known::map, Known::stribeck, Known::index, Known::gainsInUse},
+             {Known::comparison}) {}
+  double expected_s(const SweepSettings&) const override { return 20.0; }
+
+  Result<StepRun> begin(OnBench& on) override {
+    result_.amplitude_rad_per_s = amplitudeOn(on.known);
+    result_.period_s = period_s;
+    const auto map = compensationOf(on.known.map, CompensatedFriction::map, on.known.indexAngle_rad.value);
+    taken_ = on.drive.compensate(withMap_ ? map : FrictionCompensation{});
+    if (!taken_) return StepRun{};
+    course_ = std::make_shared<Course>(courseOn(on.known, result_.amplitude_rad_per_s));
+    return StepRun{withMap_ ? "09-compensated" : "08-uncompensated", course_};
+  }
+
+  Result<void> leave(Drive& drive) override { return taken_ ? drive.compensate({}) : Result<void>(); }
+
+  /// A board that takes no compensation, or a run that fails, leaves a remark.
+  Result<StepEnd> end(OnBench& on, const Result<void>& ran) override {
+    if (const Result<void>& failed = taken_ ? ran : taken_; !failed) {
+      on.known.remark("The map wasn't tried out: " + failed.error().message() + ".");
+      return StepEnd::over;
+    }
+    (withMap_ ? result_.with_rad_per_s : result_.without_rad_per_s) =
+        velocityError(course_->samples(), result_.amplitude_rad_per_s);
+    if (!withMap_) {
+      withMap_ = true;
+      return StepEnd::again;
+    }
+    on.known.compensatedRun = result_;
+    return StepEnd::over;
+  }
+
+ private:
+  CompensatedRun result_;
+  bool withMap_ = false;
+  Result<void> taken_;
+  std::shared_ptr<Course> course_;
+};
+
+}  // namespace
+
+StepPtr compensatedRunStep() {
+  return std::make_unique<Compensated>();
+}
+
+}  // namespace breakaway

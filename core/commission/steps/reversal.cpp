@@ -1,0 +1,67 @@
+// The second way to a rotor's inertia: constant current turns it round.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "commission/motor_tests.h"
+#include "commission/steps.h"
+#include "experiment/reversal_test.h"
+#include "identify/reversal_inertia.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr double turnsToSpeed = 2.0;  // of a reversal, so that position torque averages out
+
+class Reversal : public Step {
+ public:
+  Reversal() : Step("reversal test", {Known::windingTest, Known::roughMotor, Known::carefulGains}, {Known::reversal}) {}
+  double expected_s(const SweepSettings&) const override { return 5.0; }
+
+  Result<StepRun> begin(OnBench& on) override {
+    const IdentifiedMotor& motor = on.known.motor;
+    const Identity& board = on.known.identity;
+    const double Kt = motor.torqueConstant_Nm_per_A.value, J = motor.inertia_kg_m2.value;
+    const double friction_A = std::max(0.01, motor.coulomb_Nm.value / Kt);
+    const double most_A = 0.8 * on.known.settings.current_limit_A;
+    current_A_ = std::min(3.0 * friction_A, most_A);
+    const double slope = Kt * current_A_ / J, free = board.supply_V / motor.backEmfConstant_V_s_per_rad.value;
+    ReversalTestOptions options;
+    options.current_A = current_A_;
+    options.highest_rad_per_s =
+        std::min(0.5 * free, std::max(0.2 * slope, std::sqrt(turnsToSpeed * 4.0 * std::numbers::pi * slope)));
+    options.block_s = std::max(2.0 / board.loopRate_Hz, options.highest_rad_per_s / slope / 40.0);
+    test_ = std::make_shared<ReversalTest>(options);
+    return StepRun{"03c-reversal", test_};
+  }
+
+  /// Where it can't be gone, the first stands alone, and a remark says so.
+  Result<StepEnd> end(OnBench& on, const Result<void>& ran) override {
+    Commission& known = on.known;
+    const auto inertia = ran ? reversalInertia(test_->blocks(), {known.motor.torqueConstant_Nm_per_A.value, current_A_})
+                             : Result<Estimate>(ran.error());
+    if (!inertia) {
+      known.remark(inertia.error().message() + "; the inertia rests on the spin test alone.");
+      return StepEnd::over;
+    }
+    known.tests->bridge.moving.push_back(test_->blocks());
+    if (joinInertia(known.motor, *inertia) > 3.0)
+      known.remark(
+          "The inertia by speeding up and slowing down and the one by turning round differ by more than three standard "
+          "errors; the interval given covers both.");
+    return StepEnd::over;
+  }
+
+ private:
+  double current_A_ = 0.0;
+  std::shared_ptr<ReversalTest> test_;
+};
+
+}  // namespace
+
+StepPtr reversalStep() {
+  return std::make_unique<Reversal>();
+}
+
+}  // namespace breakaway

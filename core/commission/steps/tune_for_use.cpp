@@ -1,0 +1,69 @@
+// The controller that the board is left with: of medium stiffness, for the motor as it is known now.
+#include "commission/measured_bench.h"
+#include "commission/steps.h"
+#include "stability/auto_tuning.h"
+#include "stability/bench_loop.h"
+
+namespace breakaway {
+
+namespace {
+
+/// Of medium stiffness (autoTune()) for what is identified, within the board's present limits; noise and rounding are
+/// those that the job met.
+Result<ControllerSettings> mediumSettings(const Commission& done, const ControllerSettings& present) {
+  Bench bench = done.bench;
+  bench.controller.currentLimit_A = present.current_limit_A;
+  BoardTiming timing;
+  timing.tick_s = 1.0 / done.identity.loopRate_Hz;
+  const auto loop = loopOfBench(bench, timing);
+  if (!loop) return loop.error();
+  // Torques are per ampere as the sensor shows it; its gain is part of the constant's doubt.
+  const Estimate& trueConstant = done.motor.torqueConstant_Nm_per_A;
+  const double shown = done.motor.torquePerShownAmpere_Nm();
+  const Estimate constant{shown, shown * trueConstant.standardError / trueConstant.value};
+  AutoTuningOptions options;
+  options.noise = {roundingRms_rad(bench.count()), done.noiseRms_A};
+  const auto tuning = autoTune(*loop, done.motor.inertia_kg_m2, constant, options);
+  if (!tuning) return tuning.error();
+  ControllerSettings settings = present;
+  const MotionGains<double>& gains = tuning->settings.gains;
+  settings.velocity_kp_A_s_per_rad = gains.velocity_kp_A_s_per_rad;
+  settings.velocity_ki_A_per_rad = gains.velocity_ki_A_per_rad;
+  settings.velocity_kd_A_s2_per_rad = gains.velocity_kd_A_s2_per_rad;
+  settings.position_kp_A_per_rad = gains.position_kp_A_per_rad;
+  settings.position_ki_A_per_rad_s = gains.position_ki_A_per_rad_s;
+  settings.position_kd_A_s_per_rad = gains.position_kd_A_s_per_rad;
+  settings.observer_cutoff_rad_per_s = tuning->settings.observer_cutoff_rad_per_s;
+  settings.nominal_inertia_kg_m2 = tuning->settings.inertia_kg_m2;
+  settings.nominal_torque_constant_Nm_per_A = tuning->settings.torqueConstant_Nm_per_A;
+  return settings;
+}
+
+class TuneForUse : public Step {
+ public:
+  TuneForUse() : Step("tuning for use", {Known::map, Known::stribeck, Known::carefulGains}, {Known::gainsInUse}) {}
+
+  /// Where there are no such gains, or the board takes none, it stays as it is, and a remark says so.
+  Result<StepEnd> end(OnBench& on, const Result<void>&) override {
+    Commission& known = on.known;
+    known.bench = measuredBench(known, on.options);
+    const auto medium = mediumSettings(known, known.settings);
+    const auto accepted = medium ? on.drive.configure(*medium) : medium;
+    known.tunedForUse = accepted.ok();
+    if (accepted) {
+      known.settings = *accepted;
+      known.facts.remove({Known::carefulGains});
+    } else {
+      known.remark("The controller is left as it was for the measurements: " + accepted.error().message() + ".");
+    }
+    return StepEnd::over;
+  }
+};
+
+}  // namespace
+
+StepPtr tuneForUseStep() {
+  return std::make_unique<TuneForUse>();
+}
+
+}  // namespace breakaway
