@@ -8,6 +8,7 @@
 #include "base/atomic_file.h"
 #include "cli/command.h"
 #include "cli/diagnose_files.h"
+#include "score/scored_trial.h"
 #include "trial/sealed_trial.h"
 
 namespace breakaway::cli {
@@ -21,9 +22,9 @@ struct TrialLine {
 
 using Names = std::vector<std::string>;
 
-/// Sorted, the inseparable twins (contracts section 4) under one name.
+/// Sorted, inseparable twins under one name.
 Names compared(Names names) {
-  std::replace(names.begin(), names.end(), std::string("coulomb_asymmetry"), std::string("constant_load"));
+  for (std::string& name : names) name = countedAs(name);
   std::sort(names.begin(), names.end());
   return names;
 }

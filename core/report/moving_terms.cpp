@@ -19,11 +19,13 @@ std::vector<double> courseOf(const Drawn& drawn, const std::vector<double>& set,
   std::vector<double> out;
   std::array<double, 8> memory{};
   const Track& track = drawn.track;
-  const size_t every = std::max<size_t>(1, track.rows() / points), own = drawn.effect.memory();
+  const size_t every = std::max<size_t>(1, track.rows() / points);
+  const HiddenState* hidden = drawn.effect.hidden();
+  const size_t own = hidden != nullptr ? hidden->size() : 0;
   const Physics& p = drawn.physics;
   std::vector<double> input = track.input;
-  const bool shapes = drawn.effect.shapesInput(track.drive);
-  if (shapes) drawn.effect.shapeInput(set, track.time, input);
+  const InputPart* acting = drawn.effect.input(track.drive);
+  if (acting != nullptr) acting->shape(set, track.time, input);
   time.clear();
   for (size_t k = 0; k < track.rows(); ++k) {
     Situation at = typical(drawn);
@@ -40,14 +42,14 @@ std::vector<double> courseOf(const Drawn& drawn, const std::vector<double>& set,
       steady.current = 0.5 * drawn.seen.peakCurrent;  // so that the picture shows the course, not the motion
       const Term term = drawn.effect.term(set, steady);
       time.push_back(track.origin_s + track.time[k]);
-      out.push_back(shapes                        ? input[k] - track.input[k]
+      out.push_back(acting != nullptr             ? input[k] - track.input[k]
                     : drawn.effect.losesVoltage() ? term.voltage_V
                                                   : torqueScale(drawn) * (term.load_Nm + term.friction_Nm));
     }
-    if (own == 0 || k + 1 == track.rows()) continue;
+    if (hidden == nullptr || k + 1 == track.rows()) continue;
     const std::array<double, 8> before = memory;
     at.memory = std::span(before).first(own);
-    drawn.effect.remember(set, at, track.time[k + 1] - track.time[k], std::span(memory).first(own));
+    hidden->remember(set, at, track.time[k + 1] - track.time[k], std::span(memory).first(own));
   }
   return out;
 }
@@ -55,7 +57,7 @@ std::vector<double> courseOf(const Drawn& drawn, const std::vector<double>& set,
 }  // namespace
 
 Figure overTime(const Drawn& drawn) {
-  const bool shapes = drawn.effect.shapesInput(drawn.track.drive);
+  const bool shapes = drawn.effect.input(drawn.track.drive) != nullptr;
   Figure figure{.title = {},
                 .xLabel = "time / s",
                 .yLabel = shapes                        ? "acting − commanded drive"
@@ -80,9 +82,9 @@ Figure overTravel(const Drawn& drawn) {
   const std::string unit = rotary(drawn) ? "°" : "mm";
   Figure figure;
   const std::vector<double>& p = drawn.sets.front();
-  if (drawn.effect.frictionStiffness(p) > 0.0) {
+  if (const ElasticFriction* elastic = drawn.effect.elastic()) {
     const double friction = std::max(drawn.physics.coulomb, 1e-12);
-    const double reach = 6.0 * friction / drawn.effect.frictionStiffness(p);
+    const double reach = 6.0 * friction / elastic->stiffness(p);
     figure.xLabel = "travel since reversal / " + unit;
     figure.yLabel = torqueLabel(drawn, "friction");
     figure.curves.push_back(curveOf(
@@ -90,7 +92,7 @@ Figure overTravel(const Drawn& drawn) {
         [&](const std::vector<double>& set, double x) {
           // From fully the other way: dζ/dθ = (K/F)(1 − ζ), ζ(0) = −1.
           return torqueScale(drawn) * friction *
-                 (1.0 - 2.0 * std::exp(-drawn.effect.frictionStiffness(set) * x / scale / friction));
+                 (1.0 - 2.0 * std::exp(-elastic->stiffness(set) * x / scale / friction));
         },
         "with " + std::string(drawn.effect.name())));
     figure.curves.push_back({.label = "rigid friction",
@@ -100,17 +102,26 @@ Figure overTravel(const Drawn& drawn) {
                              .colour = 6});
     return figure;
   }
-  // Load inertia, gap, stiffness: torque over the twist between motor and load.
-  const double reach = 1.5 * p[1];
+  // Torque over the twist between motor and load.
+  const LoadPart& load = *drawn.effect.load();
+  const double play = load.loadOf(p).play(), reach = 1.5 * play;
   figure.xLabel = "motor − load / " + unit;
   figure.yLabel = torqueLabel(drawn, "transmitted");
   figure.curves.push_back(
       curveOf(drawn, between(-scale * reach, scale * reach), [&](const std::vector<double>& set, double x) {
-        const double beyond = std::abs(x / scale) - 0.5 * set[1];
-        return beyond > 0.0 ? torqueScale(drawn) * (x > 0.0 ? 1.0 : -1.0) * set[2] * beyond : 0.0;
+        const TwoMass at = load.loadOf(set);
+        const double beyond = std::abs(x / scale) - at.halfGap;
+        return beyond > 0.0 ? torqueScale(drawn) * (x > 0.0 ? 1.0 : -1.0) * at.stiffness() * beyond : 0.0;
       }));
-  figure.highlights.push_back({-0.5 * scale * p[1], 0.5 * scale * p[1], "play"});
+  figure.highlights.push_back({-0.5 * scale * play, 0.5 * scale * play, "play"});
   return figure;
+}
+
+/// How late the effect makes a channel, s.
+double lateness(const Drawn& drawn, const std::vector<double>& set) {
+  if (const CurrentSensorPart* sensor = drawn.effect.currentSensor()) return sensor->lag_s(set);
+  const InputPart* acting = drawn.effect.input(drawn.track.drive);
+  return acting != nullptr ? acting->delay_s(set) : 0.0;
 }
 
 /// How much stronger or weaker the axis answers than without the effect; for delays, how much later.
@@ -120,22 +131,23 @@ Figure overFrequency(const Drawn& drawn) {
   for (const double part : between(0.0, std::log(highest))) x.push_back(std::exp(part));
   Figure figure{.title = {}, .xLabel = "frequency / Hz", .yLabel = {}};
   figure.logX = true;
-  if (drawn.effect.detachedInertia(drawn.sets.front()) > 0.0) {
+  if (const LoadPart* load = drawn.effect.load()) {
     figure.yLabel = "answer to torque, two masses to one";
     figure.logY = true;
     figure.curves.push_back(curveOf(drawn, x, [&](const std::vector<double>& set, double hertz) {
       using Complex = std::complex<double>;
       const Complex s(0.0, turn * hertz);
       const double whole = drawn.physics.inertia;
-      // J_load, ω_a and ζ; G = (s² + 2ζω_a s + ω_a²) J/(J_m s² + J (2ζω_a s + ω_a²)).
-      const Complex spring = 2.0 * set[2] * set[1] * s + set[1] * set[1];
-      return std::abs((s * s + spring) * whole / ((whole - set[0]) * s * s + whole * spring));
+      const TwoMass at = load->loadOf(set);
+      // G = (s² + 2ζω_a s + ω_a²) J/(J_m s² + J (2ζω_a s + ω_a²)).
+      const Complex spring = 2.0 * at.dampingRatio * at.frequency * s + at.frequency * at.frequency;
+      return std::abs((s * s + spring) * whole / ((whole - at.inertia) * s * s + whole * spring));
     }));
     return figure;
   }
   figure.yLabel = "phase that the delay takes / °";
-  figure.curves.push_back(
-      curveOf(drawn, x, [&](const std::vector<double>& set, double hertz) { return -360.0 * hertz * set[0]; }));
+  figure.curves.push_back(curveOf(
+      drawn, x, [&](const std::vector<double>& set, double hertz) { return -360.0 * hertz * lateness(drawn, set); }));
   return figure;
 }
 

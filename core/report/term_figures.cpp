@@ -47,16 +47,16 @@ Figure overAngle(const Drawn& drawn) {
   const double low = whole ? 0.0 : drawn.seen.lowest, high = whole ? turn : drawn.seen.highest;
   const double probe = low + 0.137 * (high - low);
   const auto& first = drawn.sets.front();
-  const bool encoder = drawn.effect.shown(first, probe) != probe;
+  const EncoderPart* encoder = drawn.effect.encoder();
   // What is friction alone is drawn as friction, the same both ways.
   Situation still = typical(drawn);
   still.position = probe;
   const Term term = drawn.effect.term(first, still);
-  const bool friction = !encoder && term.load_Nm == 0.0 && term.friction_Nm != 0.0;
+  const bool friction = encoder == nullptr && term.load_Nm == 0.0 && term.friction_Nm != 0.0;
   const auto valueAt = [&](double direction) -> Value {
     return [&drawn, scale, encoder, friction, direction](const std::vector<double>& set, double shown) {
       const double position = shown / scale;
-      if (encoder) return scale * (drawn.effect.shown(set, position) - position);
+      if (encoder != nullptr) return scale * (encoder->shown(set, position) - position);
       Situation at = typical(drawn);
       at.position = position;
       at.direction = direction;
@@ -66,8 +66,8 @@ Figure overAngle(const Drawn& drawn) {
   };
   Figure figure{.title = {},
                 .xLabel = rotary(drawn) ? "angle / °" : "position / mm",
-                .yLabel = encoder ? (rotary(drawn) ? "shown − true / °" : "shown − true / mm")
-                                  : torqueLabel(drawn, friction ? "resisting" : "opposing")};
+                .yLabel = encoder != nullptr ? (rotary(drawn) ? "shown − true / °" : "shown − true / mm")
+                                             : torqueLabel(drawn, friction ? "resisting" : "opposing")};
   if (whole) figure.xRange = {0.0, 360.0};
   addWays(figure, drawn, between(scale * low, scale * high), valueAt);
   return figure;

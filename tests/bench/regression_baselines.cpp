@@ -152,7 +152,7 @@ TorqueColumns torqueColumns(const Preparation& prepared) {
   out.base = {0, 1, 2};
   Eigen::Index size = 3;
   for (const Effect* effect : catalogue()) {
-    if (effect->memory() > 0) continue;
+    if (effect->hidden() != nullptr) continue;
     for (const Shape& shape : effect->shapes(prepared.seen)) {
       Eigen::MatrixXd block = filtered(tracks, situations, shape.size(), [&](const Situation& at, size_t c) {
         const Term term = effect->term(shape[c], at);

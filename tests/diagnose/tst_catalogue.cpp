@@ -28,6 +28,10 @@ class TestCatalogue : public QObject {
   void parameters_endInTheirUnit();
   void lookAlikes_areOtherEntries_data() { effects(); }
   void lookAlikes_areOtherEntries();
+  void tells_haveBothSides_data() { effects(); }
+  void tells_haveBothSides();
+  void parts_belongTogether_data() { effects(); }
+  void parts_belongTogether();
   void twins_areMutual_data() { effects(); }
   void twins_areMutual();
   void richData_givesShapes_data() { effects(); }
@@ -97,10 +101,13 @@ QString outOfBounds(const Effect& effect, const std::vector<double>& p, Axis axi
 /// Everything an effect does at one instant: load, friction, lost voltage, and what encoder and current sensor add.
 std::array<double, 5> deedsOf(const Effect& effect, const std::vector<double>& p, Situation at) {
   const std::array<double, 4> memory{0.5, -0.3, at.velocity, at.time_s};
-  at.memory = std::span(memory).first(effect.memory());
+  if (const HiddenState* hidden = effect.hidden()) at.memory = std::span(memory).first(hidden->size());
   const Term term = effect.term(p, at);
-  return {term.load_Nm, term.friction_Nm, term.voltage_V, effect.shown(p, at.position) - at.position,
-          effect.sensed(p, at.current, 40.0) - at.current};
+  const EncoderPart* encoder = effect.encoder();
+  const CurrentSensorPart* sensor = effect.currentSensor();
+  return {term.load_Nm, term.friction_Nm, term.voltage_V,
+          encoder != nullptr ? encoder->shown(p, at.position) - at.position : 0.0,
+          sensor != nullptr ? sensor->sensed(p, at.current, 40.0) - at.current : 0.0};
 }
 
 /// A moment in which most effects do something.
@@ -202,6 +209,31 @@ void TestCatalogue::lookAlikes_areOtherEntries() {
   }
 }
 
+void TestCatalogue::tells_haveBothSides() {
+  QFETCH(const Effect*, effect);
+  for (const Tell& tell : effect->tells()) {
+    const Effect* other = findEffect(tell.beside);
+    QVERIFY2(other != nullptr && other != effect, std::string(tell.beside).c_str());
+    const auto back = other->tells();
+    const auto it =
+        std::find_if(back.begin(), back.end(), [effect](const Tell& one) { return one.beside == effect->name(); });
+    QVERIFY2(it != back.end() && it->sign != tell.sign && !it->sign.empty(), std::string(tell.beside).c_str());
+  }
+}
+
+void TestCatalogue::parts_belongTogether() {
+  QFETCH(const Effect*, effect);
+  if (effect->load() != nullptr) QVERIFY(effect->hidden() != nullptr && effect->hidden()->size() >= 2);
+  if (effect->hidden() != nullptr) QVERIFY(effect->hidden()->size() <= 4);
+  if (const CurrentSensorPart* sensor = effect->currentSensor(); sensor != nullptr && !sensor->sameForMotion().empty())
+    QVERIFY(findEffect(sensor->sameForMotion()) != nullptr && effect->parameters(Axis::rotary).size() == 1);
+  if (const OncePart* once = effect->once()) {
+    const auto specs = effect->parameters(Axis::rotary);
+    QVERIFY(once->start != once->duration && once->start < specs.size() && once->duration < specs.size());
+    QVERIFY(specs[once->start].name.ends_with("_s") && specs[once->duration].name.ends_with("_s"));
+  }
+}
+
 void TestCatalogue::twins_areMutual() {
   QFETCH(const Effect*, effect);
   const bool expected = effect->name() == "constant_load" || effect->name() == "coulomb_asymmetry";
@@ -257,7 +289,7 @@ void TestCatalogue::amplitude_scalesWhatTheEffectDoes() {
   const std::set<std::string_view> ofShapeOnly{"presliding", "command_saturation", "transport_delay"};
   if (ofShapeOnly.contains(effect->name())) return;  // nothing in them is an amplitude
   const auto shapes = effect->shapes(seen);
-  bool acts = shapes.empty() || effect->shapesInput(DriveInput::current);
+  bool acts = shapes.empty() || effect->input(DriveInput::current) != nullptr;
   for (size_t s = 0; s < shapes.size(); s += 1 + shapes.size() / 12) {
     const Shape& shape = shapes[s];
     const std::vector<double> amplitude = shape.size() == 2 ? std::vector{0.4, -0.3} : std::vector{0.4};

@@ -214,4 +214,19 @@ std::vector<std::string> breaches(const Sources& sources) {
   return found;
 }
 
+std::vector<std::string> namedEffects(const Sources& sources, const std::vector<std::string>& effects) {
+  static const std::regex comment(R"(//[^\n]*)");
+  std::vector<std::string> found;
+  for (const auto& [path, text] : sources) {
+    const auto in = [&path](const char* folder) { return path.starts_with(folder); };
+    const bool asks = in("core/diagnose/") || in("core/report/") || in("core/score/") || in("app/");
+    if (!asks || in("core/diagnose/effects/")) continue;
+    const std::string code = std::regex_replace(text, comment, "");
+    for (const std::string& effect : effects) {
+      if (code.find('"' + effect + '"') != std::string::npos) found.push_back(path + " names " + effect);
+    }
+  }
+  return found;
+}
+
 }  // namespace breakaway::test

@@ -1,6 +1,7 @@
 #include <QTest>
 #include <filesystem>
 
+#include "diagnose/effects/catalogue.h"
 #include "house/include_rules.h"
 
 using namespace breakaway::test;
@@ -11,6 +12,7 @@ class TestLayering : public QObject {
   void sources_keepTheLayering();
   void plantedBreach_isFound_data();
   void plantedBreach_isFound();
+  void effects_areNamedInTheirOwnFilesOnly();
   void everyHeader_saysItsIdeaAndGuardsItself();
 };
 
@@ -116,6 +118,21 @@ void TestLayering::plantedBreach_isFound() {
   QCOMPARE(found.size(), size_t(1));
   QVERIFY2(found[0].find(why.toStdString()) != std::string::npos && found[0].starts_with(path.toStdString()),
            found[0].c_str());
+}
+
+void TestLayering::effects_areNamedInTheirOwnFilesOnly() {
+  std::vector<std::string> names;
+  for (const breakaway::Effect* effect : breakaway::catalogue()) names.emplace_back(effect->name());
+  Sources sources = readSources(root());
+  std::string all;
+  for (const auto& one : namedEffects(sources, names)) all += one + "\n";
+  QVERIFY2(all.empty(), all.c_str());
+  for (const char* path : {"core/diagnose/search/planted.cpp", "core/diagnose/planted.h", "core/report/planted.cpp",
+                           "core/score/planted.cpp", "app/pages/planted.cpp"}) {
+    sources[path] = "// \"stribeck\"\nif (finding.effect == \"cogging\") return;\n";
+    QCOMPARE(namedEffects(sources, names), std::vector<std::string>{std::string(path) + " names cogging"});
+    sources.erase(path);
+  }
 }
 
 void TestLayering::everyHeader_saysItsIdeaAndGuardsItself() {

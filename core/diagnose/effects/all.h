@@ -2,6 +2,7 @@
 #pragma once
 
 #include "diagnose/model/effect.h"
+#include "diagnose/model/model.h"
 
 namespace breakaway {
 
@@ -32,5 +33,8 @@ const Effect& endStop();
 const Effect& transportDelay();
 const Effect& channelSkew();
 const Effect& externalDisturbance();
+
+/// A term of stribeck(): so much more friction near standstill, gone above `speed` as a Gaussian is.
+EffectTerm frictionNearStandstill(double excess, double speed, Axis axis);
 
 }  // namespace breakaway

@@ -10,7 +10,7 @@ namespace breakaway {
 namespace {
 
 /// A load behind a gap: within it the motor turns alone, at its ends teeth meet with stiffness and damping.
-class Backlash final : public Effect {
+class Backlash final : public TwoMassEffect {
  public:
   std::string_view name() const override { return "backlash"; }
   std::string_view formula() const override {
@@ -27,18 +27,6 @@ class Backlash final : public Effect {
             {stiffnessName("stiffness", axis), 1e-9, 1e12, false, false, 1.0},
             {"damping_ratio", 0.0, 2.0, true}};
   }
-  Term term(std::span<const double> p, const Situation& at) const override { return twoMassTerm(loadOf(p), at); }
-  size_t memory() const override { return twoMassMemory; }
-  void remember(std::span<const double> p, const Situation& at, double dt_s, std::span<double> memory) const override {
-    twoMassRemember(loadOf(p), at, dt_s, memory);
-  }
-  double loadPeriod_s(std::span<const double> p) const override { return twoMassPeriod_s(loadOf(p)); }
-  double loadPlay(std::span<const double> p) const override { return p[1]; }
-  void placeLoad(double place, double speed, double velocity, double time_s, std::span<double> memory) const override {
-    placeTwoMass(place, speed, velocity, time_s, memory);
-  }
-  double longestStep_s(std::span<const double> p) const override { return twoMassStep_s(loadOf(p)); }
-  double detachedInertia(std::span<const double> p) const override { return p[0]; }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     std::vector<Shape> shapes;
     if (seen.inertia <= 0.0 || seen.step_s <= 0.0 || seen.reversals < 2) return shapes;
@@ -72,6 +60,7 @@ class Backlash final : public Effect {
            " of the inertia) hits. Look at gear, key, coupling or nut: hold the load and turn the motor by hand.";
   }
   std::vector<std::string_view> lookAlikes() const override { return {"presliding", "compliance", "stribeck"}; }
+  std::vector<Tell> tells() const override { return {{"presliding", "leaves the motor free before the load hits"}}; }
   std::string neededExcitation(const Excitation& seen) const override {
     return "Reverse the load at least 20 times: command back and forth with ±" + digitsText(0.5 * seen.peakInput) +
            ", and ±" + digitsText(0.15 * seen.peakInput) + " for reversals at speeds around " +
@@ -80,7 +69,7 @@ class Backlash final : public Effect {
   std::string_view drawnOver() const override { return "travel"; }
 
  private:
-  static TwoMass loadOf(std::span<const double> p) {
+  TwoMass loadOf(std::span<const double> p) const override {
     const double frequency = std::sqrt(std::max(p[2] / p[0], 1.0));
     return {p[0], std::min(frequency, highestFrequency), p[3], 0.5 * p[1]};
   }

@@ -10,7 +10,7 @@ namespace {
 
 /// The measured current is late against the position by T (early when negative). Where current drives, what acted is
 /// the recorded one, advanced by T.
-class ChannelSkew final : public Effect {
+class ChannelSkew final : public Effect, private InputPart, private CurrentSensorPart {
  public:
   std::string_view name() const override { return "channel_skew"; }
   std::string_view formula() const override { return "shown current = i(t − T) ≈ i − T di/dt"; }
@@ -19,22 +19,8 @@ class ChannelSkew final : public Effect {
            "Acoustics, Speech, and Signal Processing 24(4), 1976: the delay between two channels";
   }
   std::vector<ParameterSpec> parameters(Axis) const override { return {{"skew_s", -1.0, 1.0}}; }
-  double sensed(std::span<const double> p, double current, double slope) const override {
-    return current - p[0] * slope;
-  }
-  double sensorLag_s(std::span<const double> p) const override { return p[0]; }
-  bool shapesInput(DriveInput input) const override { return input == DriveInput::current; }
-  void shapeInput(std::span<const double> p, std::span<const double> time_s, std::span<double> input) const override {
-    if (input.size() < 2) return;
-    const std::vector<double> recorded(input.begin(), input.end());
-    size_t row = 0;  // the last row at or before t + T, but for the last of all
-    for (size_t k = 0; k < input.size(); ++k) {
-      const double t = time_s[k] + p[0];
-      while (row + 2 < recorded.size() && time_s[row + 1] <= t) ++row;
-      const double part = std::clamp((t - time_s[row]) / (time_s[row + 1] - time_s[row]), 0.0, 1.0);
-      input[k] = recorded[row] + part * (recorded[row + 1] - recorded[row]);
-    }
-  }
+  const CurrentSensorPart* currentSensor() const override { return this; }
+  const InputPart* input(DriveInput drive) const override { return drive == DriveInput::current ? this : nullptr; }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     if (seen.step_s <= 0.0) return {};
     if (seen.electrical && seen.currentSeen) return {Shape{{seen.step_s}}};
@@ -59,6 +45,23 @@ class ChannelSkew final : public Effect {
            " long and well apart: each marks its time on both channels.";
   }
   std::string_view drawnOver() const override { return "frequency"; }
+
+ private:
+  double sensed(std::span<const double> p, double current, double slope) const override {
+    return current - p[0] * slope;
+  }
+  double lag_s(std::span<const double> p) const override { return p[0]; }
+  void shape(std::span<const double> p, std::span<const double> time_s, std::span<double> input) const override {
+    if (input.size() < 2) return;
+    const std::vector<double> recorded(input.begin(), input.end());
+    size_t row = 0;  // the last row at or before t + T, but for the last of all
+    for (size_t k = 0; k < input.size(); ++k) {
+      const double t = time_s[k] + p[0];
+      while (row + 2 < recorded.size() && time_s[row + 1] <= t) ++row;
+      const double part = std::clamp((t - time_s[row]) / (time_s[row + 1] - time_s[row]), 0.0, 1.0);
+      input[k] = recorded[row] + part * (recorded[row + 1] - recorded[row]);
+    }
+  }
 };
 
 }  // namespace

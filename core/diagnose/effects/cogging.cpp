@@ -10,7 +10,7 @@ namespace {
 
 /// Torque between magnets and teeth: pushes towards its valleys whichever way the rotor turns. Positive towards growing
 /// angle.
-class Cogging final : public Effect {
+class Cogging final : public WaveEffect {
  public:
   std::string_view name() const override { return "cogging"; }
   std::string_view formula() const override { return "load = −A · cos(N θ − φ)"; }
@@ -18,14 +18,9 @@ class Cogging final : public Effect {
     return "Z. Q. Zhu, D. Howe, 'Influence of design parameters on cogging torque in permanent magnet machines', IEEE "
            "Trans. Energy Conversion 15(4), 2000";
   }
-  std::vector<ParameterSpec> parameters(Axis axis) const override { return waveParameters(axis); }
   Term term(std::span<const double> p, const Situation& at) const override { return {-waveValue(p, at), 0.0}; }
-  bool mayRepeat(const Excitation& seen) const override { return wavesAreTold(seen); }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     return waveShapes(seen, 2, 96, 0.1 * seen.peakTorque);
-  }
-  std::vector<double> scaled(const Shape& shape, std::span<const double> amplitude) const override {
-    return waveScaled(shape, amplitude);
   }
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
     return wavePlausible(p, seen, seen.peakTorque, 1.0);  // a longer wave is any spring's
@@ -39,11 +34,14 @@ class Cogging final : public Effect {
                                       : "Compare with the pitch of its magnets or of its slots.");
   }
   std::vector<std::string_view> lookAlikes() const override { return {"position_dependent_friction", "imbalance"}; }
+  std::vector<Tell> tells() const override {
+    return {{"torque_ripple", "stays the same when the load changes"},
+            {"position_dependent_friction", "pushes the same way in both directions"}};
+  }
   std::string neededExcitation(const Excitation& seen) const override {
     return std::string("Run slowly over ") + (seen.axis == Axis::rotary ? "two whole turns" : "the whole travel") +
            " both ways at two speeds, the slower at most " + speedText(0.3 * seen.highSpeed, seen.axis) + ".";
   }
-  std::string_view drawnOver() const override { return "angle"; }
 };
 
 }  // namespace

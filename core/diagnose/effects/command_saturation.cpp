@@ -11,7 +11,7 @@ constexpr double leastPart = 0.3;  ///< of the drive's peak: a higher limit is n
 
 /// A drive that clips what it is told, or follows it no faster than a given rate. Both parameters are in the unit of
 /// the drive input (V, A, Nm or N; per second); a rate beyond what a row can ask for limits nothing.
-class CommandSaturation final : public Effect {
+class CommandSaturation final : public Effect, private InputPart {
  public:
   std::string_view name() const override { return "command_saturation"; }
   std::string_view formula() const override { return "|u| ≤ limit,  |du/dt| ≤ slew"; }
@@ -22,19 +22,7 @@ class CommandSaturation final : public Effect {
   std::vector<ParameterSpec> parameters(Axis) const override {
     return {{"limit", 1e-9, 1e9}, {"slew_per_s", 1e-9, 1e12}};
   }
-  bool shapesInput(DriveInput) const override { return true; }
-  void shapeInput(std::span<const double> p, std::span<const double> time_s, std::span<double> input) const override {
-    double reached = input.empty() ? 0.0 : std::clamp(input.front(), -p[0], p[0]);
-    for (size_t k = 0; k < input.size(); ++k) {
-      input[k] = std::clamp(input[k], -p[0], p[0]);
-      if (k + 1 == input.size()) break;
-      // It climbs within the row: the row gets the mean.
-      const double way = input[k] - reached, furthest = p[1] * (time_s[k + 1] - time_s[k]);
-      const double done = std::clamp(way, -furthest, furthest);
-      input[k] = reached + done - 0.5 * done * std::abs(done) / furthest;
-      reached += done;
-    }
-  }
+  const InputPart* input(DriveInput) const override { return this; }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     std::vector<Shape> shapes;
     if (seen.peakInput <= 0.0 || seen.step_s <= 0.0) return shapes;
@@ -71,6 +59,20 @@ class CommandSaturation final : public Effect {
            ", both ways, and record what the drive gives out.";
   }
   std::string_view drawnOver() const override { return "time"; }
+
+ private:
+  void shape(std::span<const double> p, std::span<const double> time_s, std::span<double> input) const override {
+    double reached = input.empty() ? 0.0 : std::clamp(input.front(), -p[0], p[0]);
+    for (size_t k = 0; k < input.size(); ++k) {
+      input[k] = std::clamp(input[k], -p[0], p[0]);
+      if (k + 1 == input.size()) break;
+      // It climbs within the row: the row gets the mean.
+      const double way = input[k] - reached, furthest = p[1] * (time_s[k + 1] - time_s[k]);
+      const double done = std::clamp(way, -furthest, furthest);
+      input[k] = reached + done - 0.5 * done * std::abs(done) / furthest;
+      reached += done;
+    }
+  }
 };
 
 }  // namespace

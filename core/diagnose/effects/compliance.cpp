@@ -13,7 +13,7 @@ namespace {
 constexpr double typicalFriction = 0.25, mostFriction = 1.2;  // of the whole, which a base model knows badly
 
 /// A coupling, belt or shaft that gives: part of the inertia swings behind a spring.
-class Compliance final : public Effect {
+class Compliance final : public TwoMassEffect {
  public:
   std::string_view name() const override { return "compliance"; }
   std::string_view formula() const override {
@@ -30,18 +30,6 @@ class Compliance final : public Effect {
             {"damping_ratio", 1e-4, 2.0},
             {.name = torqueName("load_friction", axis), .lower = 0.0, .upper = 1e9, .absentAtZero = true}};
   }
-  Term term(std::span<const double> p, const Situation& at) const override { return twoMassTerm(loadOf(p), at); }
-  size_t memory() const override { return twoMassMemory; }
-  void remember(std::span<const double> p, const Situation& at, double dt_s, std::span<double> memory) const override {
-    twoMassRemember(loadOf(p), at, dt_s, memory);
-  }
-  double loadPeriod_s(std::span<const double> p) const override { return twoMassPeriod_s(loadOf(p)); }
-  void placeLoad(double place, double speed, double velocity, double time_s, std::span<double> memory) const override {
-    placeTwoMass(place, speed, velocity, time_s, memory);
-  }
-  double longestStep_s(std::span<const double> p) const override { return twoMassStep_s(loadOf(p)); }
-  double detachedInertia(std::span<const double> p) const override { return p[0]; }
-  double detachedFriction(std::span<const double> p) const override { return p.back(); }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     std::vector<Shape> shapes;
     if (seen.inertia <= 0.0 || seen.step_s <= 0.0) return shapes;
@@ -72,6 +60,7 @@ class Compliance final : public Effect {
            ". Look at the coupling, the belt or a long shaft, and for a loose clamp.";
   }
   std::vector<std::string_view> lookAlikes() const override { return {"backlash", "transport_delay", "presliding"}; }
+  std::vector<Tell> tells() const override { return {{"transport_delay", "rings at one frequency"}}; }
   std::string neededExcitation(const Excitation& seen) const override {
     const double highest = seen.step_s > 0.0 ? 1.0 / seen.step_s : 1e3;
     return "Chirp the command with ±" + digitsText(0.3 * seen.peakInput) + " from " + hertzText(5.0) + " to " +
@@ -80,7 +69,7 @@ class Compliance final : public Effect {
   std::string_view drawnOver() const override { return "frequency"; }
 
  private:
-  static TwoMass loadOf(std::span<const double> p) {
+  TwoMass loadOf(std::span<const double> p) const override {
     return {p[0], std::clamp(p[1], 1e-3, highestFrequency), p[2], 0.0, p[3]};
   }
   static std::string hertzText(double frequency_rad_per_s) {

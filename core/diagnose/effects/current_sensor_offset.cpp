@@ -10,7 +10,7 @@ namespace {
 /// The sensor shows a current where none flows. Where current drives, the recorded current is what the sensor shows,
 /// and for the motion the offset is one and the same as a constant load: only a recorded voltage tells
 /// (sensorOffset()).
-class CurrentSensorOffset final : public Effect {
+class CurrentSensorOffset final : public Effect, private InputPart, private CurrentSensorPart {
  public:
   std::string_view name() const override { return "current_sensor_offset"; }
   std::string_view formula() const override { return "shown current = i + c"; }
@@ -19,11 +19,8 @@ class CurrentSensorOffset final : public Effect {
            "motor drives', IEEE Trans. Industry Applications 34(2), 1998";
   }
   std::vector<ParameterSpec> parameters(Axis) const override { return {{"offset_A", -1e9, 1e9}}; }
-  double sensed(std::span<const double> p, double current, double) const override { return current + p[0]; }
-  bool shapesInput(DriveInput input) const override { return input == DriveInput::current; }
-  void shapeInput(std::span<const double> p, std::span<const double>, std::span<double> input) const override {
-    for (double& value : input) value -= p[0];
-  }
+  const CurrentSensorPart* currentSensor() const override { return this; }
+  const InputPart* input(DriveInput drive) const override { return drive == DriveInput::current ? this : nullptr; }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     if (!seen.electrical || !seen.currentSeen || seen.peakCurrent <= 0.0) return {};
     return {Shape{{0.02 * seen.peakCurrent}}};
@@ -44,6 +41,13 @@ class CurrentSensorOffset final : public Effect {
   std::vector<std::string_view> lookAlikes() const override { return {"constant_load", "coulomb_asymmetry"}; }
   std::string neededExcitation(const Excitation&) const override {
     return "Record one second with the drive off, then move both ways with voltage and current recorded.";
+  }
+
+ private:
+  double sensed(std::span<const double> p, double current, double) const override { return current + p[0]; }
+  std::string_view sameForMotion() const override { return "constant_load"; }
+  void shape(std::span<const double> p, std::span<const double>, std::span<double> input) const override {
+    for (double& value : input) value -= p[0];
   }
 };
 

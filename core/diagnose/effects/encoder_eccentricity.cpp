@@ -11,7 +11,7 @@ namespace {
 constexpr double typical_rad = 2e-3;
 
 /// A code disc off its centre shows too much on one side of the turn and too little on the other.
-class EncoderEccentricity final : public Effect {
+class EncoderEccentricity final : public Effect, private EncoderPart {
  public:
   std::string_view name() const override { return "encoder_eccentricity"; }
   std::string_view formula() const override { return "shown angle = θ + A · cos(θ − φ)"; }
@@ -22,9 +22,7 @@ class EncoderEccentricity final : public Effect {
   std::vector<ParameterSpec> parameters(Axis) const override {
     return {{"amplitude_rad", -1e9, 1e9}, {"phase_rad", -1e3, 1e3}};
   }
-  double shown(std::span<const double> p, double position) const override {
-    return position + p[0] * std::cos(position - p[1]);
-  }
+  const EncoderPart* encoder() const override { return this; }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     if (seen.axis != Axis::rotary || seen.travel < 1.9 * std::numbers::pi) return {};
     return {Shape{{typical_rad, 0.0}, {typical_rad, 0.5 * std::numbers::pi}}};
@@ -43,6 +41,7 @@ class EncoderEccentricity final : public Effect {
            "shaft's run-out.";
   }
   std::vector<std::string_view> lookAlikes() const override { return {"imbalance", "torque_ripple"}; }
+  std::vector<Tell> tells() const override { return {{"imbalance", "grows with the speed's square"}}; }
   std::string neededExcitation(const Excitation& seen) const override {
     return "Turn several turns at constant " + speedText(0.3 * seen.highSpeed, seen.axis) + " and at " +
            speedText(seen.highSpeed, seen.axis) +
@@ -50,6 +49,11 @@ class EncoderEccentricity final : public Effect {
            "with the speed's square.";
   }
   std::string_view drawnOver() const override { return "angle"; }
+
+ private:
+  double shown(std::span<const double> p, double position) const override {
+    return position + p[0] * std::cos(position - p[1]);
+  }
 };
 
 }  // namespace

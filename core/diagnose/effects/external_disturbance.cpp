@@ -48,11 +48,15 @@ class ExternalDisturbance final : public Effect {
            ": a hand, a cable, a load put on. Look at what happened then, and repeat the recording without it.";
   }
   std::vector<std::string_view> lookAlikes() const override { return {"constant_load", "friction_warmup"}; }
+  std::vector<Tell> tells() const override { return {{"friction_warmup", "doesn't come again"}}; }
   std::string neededExcitation(const Excitation& seen) const override {
     return "Repeat the same motion of " + timeText(seen.duration_s) +
            " untouched: what came from outside doesn't come again at the same time.";
   }
-  bool happensOnce() const override { return true; }
+  const OncePart* once() const override {
+    static constexpr OncePart when{.start = 1, .duration = 2};
+    return &when;
+  }
   bool mayRepeat(const Excitation&) const override { return true; }  // each at a time of its own
   std::string_view drawnOver() const override { return "time"; }
 };

@@ -44,6 +44,7 @@ class FrictionWarmup final : public Effect {
   std::vector<std::string_view> lookAlikes() const override {
     return {"winding_heating", "external_disturbance", "stribeck"};
   }
+  std::vector<Tell> tells() const override { return {{"external_disturbance", "comes again after a cold start"}}; }
   std::string neededExcitation(const Excitation& seen) const override {
     return "Let the axis cool down, then run it to and fro at " + speedText(0.5 * seen.highSpeed, seen.axis) + " for " +
            timeText(std::max(2.0 * seen.duration_s, 60.0)) + ", and repeat the same at once while it is warm.";

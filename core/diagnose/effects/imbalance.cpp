@@ -9,20 +9,17 @@ namespace breakaway {
 namespace {
 
 /// Gravity on a mass off the axis: once per turn, the same whichever way it turns. Positive towards growing angle.
-class Imbalance final : public Effect {
+class Imbalance final : public WaveEffect {
  public:
   std::string_view name() const override { return "imbalance"; }
   std::string_view formula() const override { return "load = −A · cos(θ − φ)"; }
   std::string_view source() const override {
     return "L. Meirovitch, 'Fundamentals of Vibrations', McGraw-Hill 2001: rotating unbalanced masses";
   }
-  std::vector<ParameterSpec> parameters(Axis axis) const override { return waveParameters(axis); }
   Term term(std::span<const double> p, const Situation& at) const override { return {-waveValue(p, at), 0.0}; }
+  bool mayRepeat(const Excitation&) const override { return false; }  // it has one order
   std::vector<Shape> shapes(const Excitation& seen) const override {
     return seen.axis == Axis::rotary ? waveShapes(seen, 1, 1, 0.1 * seen.peakTorque) : std::vector<Shape>{};
-  }
-  std::vector<double> scaled(const Shape& shape, std::span<const double> amplitude) const override {
-    return waveScaled(shape, amplitude);
   }
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
     return wavePlausible(p, seen, seen.peakTorque);
@@ -35,10 +32,13 @@ class Imbalance final : public Effect {
            "upright to tell.";
   }
   std::vector<std::string_view> lookAlikes() const override { return {"cogging", "position_dependent_friction"}; }
+  std::vector<Tell> tells() const override {
+    return {{"encoder_eccentricity", "stays the same at every speed"},
+            {"position_dependent_friction", "pushes the same way in both directions"}};
+  }
   std::string neededExcitation(const Excitation& seen) const override {
     return "Turn slowly over two whole turns, both ways, at " + speedText(0.3 * seen.highSpeed, seen.axis) + ".";
   }
-  std::string_view drawnOver() const override { return "angle"; }
 };
 
 }  // namespace

@@ -54,6 +54,7 @@ class LoadDependentFriction final : public Effect {
   std::vector<std::string_view> lookAlikes() const override {
     return {"torque_saturation", "position_dependent_friction"};
   }
+  std::vector<Tell> tells() const override { return {{"torque_saturation", "only ever resists the motion"}}; }
   std::string neededExcitation(const Excitation& seen) const override {
     return "Repeat the same motion with a known load that asks for at least " +
            torqueText(0.5 * seen.peakTorque, seen.axis) + ".";

@@ -10,7 +10,7 @@ namespace breakaway {
 namespace {
 
 /// Friction that changes around the rotor or along the axis and opposes motion either way.
-class PositionDependentFriction final : public Effect {
+class PositionDependentFriction final : public WaveEffect {
  public:
   std::string_view name() const override { return "position_dependent_friction"; }
   std::string_view formula() const override { return "friction = A · cos(k θ − φ)"; }
@@ -18,14 +18,9 @@ class PositionDependentFriction final : public Effect {
     return "B. Armstrong, 'Friction: experimental determination, modeling and compensation', ICRA 1988, "
            "doi:10.1109/ROBOT.1988.12259";
   }
-  std::vector<ParameterSpec> parameters(Axis axis) const override { return waveParameters(axis); }
   Term term(std::span<const double> p, const Situation& at) const override { return {0.0, waveValue(p, at)}; }
-  bool mayRepeat(const Excitation& seen) const override { return wavesAreTold(seen); }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     return seen.bothWays ? waveShapes(seen, 1, 12, 0.1 * seen.peakTorque) : std::vector<Shape>{};
-  }
-  std::vector<double> scaled(const Shape& shape, std::span<const double> amplitude) const override {
-    return waveScaled(shape, amplitude);
   }
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
     // More than the whole dry friction would push somewhere; the base model may see too little of it.
@@ -38,11 +33,15 @@ class PositionDependentFriction final : public Effect {
            "shaft.";
   }
   std::vector<std::string_view> lookAlikes() const override { return {"cogging", "imbalance"}; }
+  std::vector<Tell> tells() const override {
+    return {{"cogging", "changes sign with direction"},
+            {"imbalance", "changes sign with direction"},
+            {"position_dependent_viscous", "stays the same at every speed"}};
+  }
   std::string neededExcitation(const Excitation& seen) const override {
     return std::string("Run slowly over ") + (seen.axis == Axis::rotary ? "two whole turns" : "the whole travel") +
            " at " + speedText(0.3 * seen.highSpeed, seen.axis) + ", both ways.";
   }
-  std::string_view drawnOver() const override { return "angle"; }
 };
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace breakaway {
 namespace {
 
 /// Viscous friction that changes around the rotor or along the axis, as the gap of a lubricated fit does.
-class PositionDependentViscous final : public Effect {
+class PositionDependentViscous final : public WaveEffect {
  public:
   std::string_view name() const override { return "position_dependent_viscous"; }
   std::string_view formula() const override { return "friction = A · cos(k θ − φ) · |ω|"; }
@@ -23,13 +23,9 @@ class PositionDependentViscous final : public Effect {
   Term term(std::span<const double> p, const Situation& at) const override {
     return {0.0, waveValue(p, at) * std::abs(at.velocity)};
   }
-  bool mayRepeat(const Excitation& seen) const override { return wavesAreTold(seen); }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     if (seen.highSpeed <= 1.3 * seen.lowSpeed) return {};
     return waveShapes(seen, 1, 12, 0.1 * seen.peakTorque / seen.highSpeed);
-  }
-  std::vector<double> scaled(const Shape& shape, std::span<const double> amplitude) const override {
-    return waveScaled(shape, amplitude);
   }
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
     return wavePlausible(p, seen, seen.peakTorque / seen.highSpeed);
@@ -43,12 +39,14 @@ class PositionDependentViscous final : public Effect {
   std::vector<std::string_view> lookAlikes() const override {
     return {"position_dependent_friction", "torque_ripple", "encoder_eccentricity"};
   }
+  std::vector<Tell> tells() const override {
+    return {{"position_dependent_friction", "grows with the speed"}, {"torque_ripple", "grows with the speed"}};
+  }
   std::string neededExcitation(const Excitation& seen) const override {
     return std::string("Run over ") + (seen.axis == Axis::rotary ? "ten whole turns" : "the whole travel") +
            " both ways at two constant speeds, " + speedText(0.3 * seen.highSpeed, seen.axis) + " and " +
            speedText(seen.highSpeed, seen.axis) + ".";
   }
-  std::string_view drawnOver() const override { return "angle"; }
 };
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace {
 
 /// Friction that gives like a spring before it slides. The simulation itself builds it up over a reversal, from the
 /// whole friction torque and the stiffness.
-class Presliding final : public Effect {
+class Presliding final : public Effect, private ElasticFriction {
   static constexpr double wellDamped = 0.35;  // as bristles are
 
  public:
@@ -26,8 +26,7 @@ class Presliding final : public Effect {
   std::vector<ParameterSpec> parameters(Axis axis) const override {
     return {{stiffnessName("stiffness", axis), 1e-9, 1e12}, {"damping_ratio", 0.02, 3.0, true, true}};
   }
-  double frictionStiffness(std::span<const double> p) const override { return p[0]; }
-  double frictionDampingRatio(std::span<const double> p) const override { return p[1]; }
+  const ElasticFriction* elastic() const override { return this; }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     std::vector<Shape> shapes;
     if (seen.reversals + seen.starts < 2 || seen.travel <= 0.0) return shapes;
@@ -49,6 +48,7 @@ class Presliding final : public Effect {
            "and hysteresis when positioning finely.";
   }
   std::vector<std::string_view> lookAlikes() const override { return {"stribeck", "backlash", "compliance"}; }
+  std::vector<Tell> tells() const override { return {{"backlash", "builds up like a spring against friction"}}; }
   std::string neededExcitation(const Excitation& seen) const override {
     return "Reverse slowly at least ten times, with the " + torqueWord(seen.axis) +
            " rising and falling in ramps up to " +
@@ -65,6 +65,10 @@ class Presliding final : public Effect {
   static double slidingFriction(const Excitation& seen) {
     return seen.coulomb > 0.0 ? seen.coulomb : 0.1 * seen.peakTorque;
   }
+
+ private:
+  double stiffness(std::span<const double> p) const override { return p[0]; }
+  double dampingRatio(std::span<const double> p) const override { return p[1]; }
 };
 
 }  // namespace

@@ -36,6 +36,9 @@ class QuadraticDrag final : public Effect {
            ": air or oil that is churned. Look at a fan, an open rotor or carriage, or the oil level.";
   }
   std::vector<std::string_view> lookAlikes() const override { return {"torque_saturation", "viscous_asymmetry"}; }
+  std::vector<Tell> tells() const override {
+    return {{"viscous_asymmetry", "bends upwards with speed, both ways alike"}, {"stribeck", "grows at high speed"}};
+  }
   std::string neededExcitation(const Excitation& seen) const override {
     return "Hold constant speeds of " + speedText(seen.highSpeed / 3.0, seen.axis) + ", " +
            speedText(seen.highSpeed * 2.0 / 3.0, seen.axis) + " and " + speedText(seen.highSpeed, seen.axis) +

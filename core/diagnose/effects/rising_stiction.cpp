@@ -24,7 +24,7 @@ class RisingStiction final : public Effect {
   std::vector<ParameterSpec> parameters(Axis axis) const override {
     return {{torqueName("excess", axis), -1e9, 1e9},
             {"time_constant_s", 0.02, 1e6},
-            {speedName("velocity", axis), 1e-9, 1e9}};
+            {.name = speedName("velocity", axis), .lower = 1e-9, .upper = 1e9, .amongSpeeds = true}};
   }
   bool growsAtRest() const override { return true; }
   Term term(std::span<const double> p, const Situation& at) const override {

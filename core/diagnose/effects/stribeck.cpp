@@ -24,7 +24,7 @@ class Stribeck final : public Effect {
   }
   std::vector<ParameterSpec> parameters(Axis axis) const override {
     return {{torqueName("excess", axis), -1e9, 1e9},
-            {speedName("velocity", axis), 1e-9, 1e9},
+            {.name = speedName("velocity", axis), .lower = 1e-9, .upper = 1e9, .amongSpeeds = true},
             {"exponent", 0.5, 3.0, true, true}};
   }
   Term term(std::span<const double> p, const Situation& at) const override {
@@ -53,6 +53,7 @@ class Stribeck final : public Effect {
                        : ": friction that rises from standstill, as in a full-film or creeping contact.");
   }
   std::vector<std::string_view> lookAlikes() const override { return {"presliding", "backlash", "rising_stiction"}; }
+  std::vector<Tell> tells() const override { return {{"quadratic_drag", "falls with speed near zero"}}; }
   std::string neededExcitation(const Excitation& seen) const override {
     return "Ramp slowly through zero speed, both ways, from " + speedText(seen.highSpeed / 3.0, seen.axis) +
            " down to " + speedText(seen.highSpeed / 100.0, seen.axis) + ".";
@@ -65,6 +66,14 @@ class Stribeck final : public Effect {
 const Effect& stribeck() {
   static const Stribeck effect;
   return effect;
+}
+
+EffectTerm frictionNearStandstill(double excess, double speed, Axis axis) {
+  const std::vector<double> values{excess, speed, 2.0};
+  EffectTerm term{std::string(stribeck().name()), {}};
+  const auto specs = stribeck().parameters(axis);
+  for (size_t k = 0; k < specs.size(); ++k) term.parameters.push_back({specs[k].name, values[k], values[k], values[k]});
+  return term;
 }
 
 }  // namespace breakaway

@@ -10,7 +10,7 @@ namespace {
 
 /// Kt that rises and falls around the turn, and the back-EMF alike: Kt·(1 + A·cos(Nθ − φ)). On top of Kt it is a load;
 /// Ke = Kt in SI, and Kt is the model's torque per current.
-class TorqueRipple final : public Effect {
+class TorqueRipple final : public WaveEffect {
  public:
   std::string_view name() const override { return "torque_ripple"; }
   std::string_view formula() const override {
@@ -27,12 +27,8 @@ class TorqueRipple final : public Effect {
     const double torqueConstant = at.current != 0.0 ? at.driveTorque / at.current : 0.0;
     return {.load_Nm = -wave * at.driveTorque, .voltage_V = wave * torqueConstant * at.velocity};
   }
-  bool mayRepeat(const Excitation& seen) const override { return wavesAreTold(seen); }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     return seen.axis == Axis::rotary ? waveShapes(seen, 1, 48, 0.03) : std::vector<Shape>{};
-  }
-  std::vector<double> scaled(const Shape& shape, std::span<const double> amplitude) const override {
-    return waveScaled(shape, amplitude);
   }
   bool plausible(std::span<const double> p, const Excitation&) const override { return std::abs(p[0]) < 0.6; }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
@@ -43,11 +39,13 @@ class TorqueRipple final : public Effect {
            "worn brush or commutator, unequal phases.";
   }
   std::vector<std::string_view> lookAlikes() const override { return {"cogging", "position_dependent_friction"}; }
+  std::vector<Tell> tells() const override {
+    return {{"cogging", "grows with the load"}, {"position_dependent_viscous", "grows with the load"}};
+  }
   std::string neededExcitation(const Excitation& seen) const override {
     return "Turn two whole turns both ways at " + speedText(0.3 * seen.highSpeed, seen.axis) + ", once free and once " +
            "against a load of " + torqueText(0.5 * seen.peakTorque, seen.axis) + ": ripple grows with it.";
   }
-  std::string_view drawnOver() const override { return "angle"; }
 };
 
 }  // namespace

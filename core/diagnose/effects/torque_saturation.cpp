@@ -36,6 +36,9 @@ class TorqueSaturation final : public Effect {
            "peak current.";
   }
   std::vector<std::string_view> lookAlikes() const override { return {"load_dependent_friction", "quadratic_drag"}; }
+  std::vector<Tell> tells() const override {
+    return {{"load_dependent_friction", "takes torque away whether it drives or brakes"}};
+  }
   std::string neededExcitation(const Excitation& seen) const override {
     return "Accelerate hard and short, both ways, at " + quantityText(0.3 * seen.peakCurrent, "A") + ", " +
            quantityText(0.6 * seen.peakCurrent, "A") + " and " + quantityText(seen.peakCurrent, "A") + ".";

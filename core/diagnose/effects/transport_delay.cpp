@@ -8,7 +8,7 @@ namespace breakaway {
 namespace {
 
 /// The command acts later than the recording says; each row's share of what came before is exact for a held command.
-class TransportDelay final : public Effect {
+class TransportDelay final : public Effect, private InputPart {
  public:
   std::string_view name() const override { return "transport_delay"; }
   std::string_view formula() const override { return "u(t) → u(t − T)"; }
@@ -17,28 +17,7 @@ class TransportDelay final : public Effect {
            "system with time delay";
   }
   std::vector<ParameterSpec> parameters(Axis) const override { return {{"delay_s", 1e-6, 10.0}}; }
-  bool shapesInput(DriveInput) const override { return true; }
-  double inputDelay_s(std::span<const double> p) const override { return p[0]; }
-  void shapeInput(std::span<const double> p, std::span<const double> time_s, std::span<double> input) const override {
-    const std::vector<double> held(input.begin(), input.end());
-    const size_t rows = held.size();
-    // Row k takes the mean of the held command over [t_k − T, t_{k+1} − T]; `row` is where its begin falls.
-    size_t row = 0;
-    for (size_t k = 0; k + 1 < rows; ++k) {
-      double from = time_s[k] - p[0];
-      const double to = time_s[k + 1] - p[0];
-      while (row < k && time_s[row + 1] <= from) ++row;
-      double sum = 0.0;
-      for (size_t part = row; from < to; ++part) {
-        const double end = part < k ? std::min(time_s[part + 1], to) : to;
-        if (end <= from) continue;
-        sum += held[part] * (end - from);
-        from = end;
-      }
-      input[k] = sum / (time_s[k + 1] - time_s[k]);
-    }
-    if (rows > 1) input[rows - 1] = input[rows - 2];
-  }
+  const InputPart* input(DriveInput) const override { return this; }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     std::vector<Shape> shapes;
     if (seen.step_s <= 0.0) return shapes;
@@ -58,11 +37,35 @@ class TransportDelay final : public Effect {
            "drive's cycle time.";
   }
   std::vector<std::string_view> lookAlikes() const override { return {"channel_skew", "compliance"}; }
+  std::vector<Tell> tells() const override { return {{"compliance", "delays all frequencies alike"}}; }
   std::string neededExcitation(const Excitation& seen) const override {
     return "Step the command between ±" + digitsText(0.5 * seen.peakInput) + " at random times, at least " +
            timeText(20.0 * seen.step_s) + " apart.";
   }
   std::string_view drawnOver() const override { return "frequency"; }
+
+ private:
+  double delay_s(std::span<const double> p) const override { return p[0]; }
+  void shape(std::span<const double> p, std::span<const double> time_s, std::span<double> input) const override {
+    const std::vector<double> held(input.begin(), input.end());
+    const size_t rows = held.size();
+    // Row k takes the mean of the held command over [t_k − T, t_{k+1} − T]; `row` is where its begin falls.
+    size_t row = 0;
+    for (size_t k = 0; k + 1 < rows; ++k) {
+      double from = time_s[k] - p[0];
+      const double to = time_s[k + 1] - p[0];
+      while (row < k && time_s[row + 1] <= from) ++row;
+      double sum = 0.0;
+      for (size_t part = row; from < to; ++part) {
+        const double end = part < k ? std::min(time_s[part + 1], to) : to;
+        if (end <= from) continue;
+        sum += held[part] * (end - from);
+        from = end;
+      }
+      input[k] = sum / (time_s[k + 1] - time_s[k]);
+    }
+    if (rows > 1) input[rows - 1] = input[rows - 2];
+  }
 };
 
 }  // namespace

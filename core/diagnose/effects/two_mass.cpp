@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace breakaway {
 
@@ -111,12 +110,17 @@ class Course {
   double lost_ = 0.0;
 };
 
+double stepOf(const TwoMass& load) {
+  return std::min(2e-3, (load.halfGap > 0.0 ? 0.2 : 0.3) / load.frequency);  // impacts need finer steps
+}
+
 }  // namespace
 
-Term twoMassTerm(const TwoMass& load, const Situation& at) {
-  if (at.memory.size() < twoMassMemory || at.memory[3] == 0.0) return {};
+Term TwoMassEffect::term(std::span<const double> p, const Situation& at) const {
+  if (at.memory.size() < size() || at.memory[3] == 0.0) return {};
+  const TwoMass load = loadOf(p);
   const Relative now{at.memory[0], at.memory[1]};
-  const double since_s = std::min(at.time_s - at.memory[3], twoMassStep_s(load));
+  const double since_s = std::min(at.time_s - at.memory[3], stepOf(load));
   if (since_s <= 0.0) return {.load_Nm = load.inertia * pull(load, now)};
   // The mean over the span around `at`, which a step asks for at its middle: an impact gives both sides the same
   // impulse.
@@ -127,10 +131,12 @@ Term twoMassTerm(const TwoMass& load, const Situation& at) {
   return {.load_Nm = load.inertia * (acceleration + gained / (2.0 * since_s))};
 }
 
-void twoMassRemember(const TwoMass& load, const Situation& at, double dt_s, std::span<double> memory) {
+void TwoMassEffect::remember(std::span<const double> p, const Situation& at, double dt_s,
+                             std::span<double> memory) const {
   // At first, and after a jump in time, the load keeps its place and speed relative to the motor.
   const bool continues = at.memory[3] != 0.0 && std::abs(at.time_s - dt_s - at.memory[3]) < 0.5 * dt_s;
   const double acceleration = continues ? (at.velocity - at.memory[2]) / dt_s : at.acceleration;
+  const TwoMass load = loadOf(p);
   Course course(load, {at.memory[0], at.memory[1]}, at.velocity - dt_s * acceleration, acceleration);
   course.advance(dt_s);
   memory[0] = course.now().deflection;
@@ -139,19 +145,15 @@ void twoMassRemember(const TwoMass& load, const Situation& at, double dt_s, std:
   memory[3] = at.time_s;
 }
 
-void placeTwoMass(double deflection, double speed, double velocity, double time_s, std::span<double> memory) {
-  memory[0] = deflection;
+void TwoMassEffect::place(double place, double speed, double velocity, double time_s, std::span<double> memory) const {
+  memory[0] = place;
   memory[1] = speed;
   memory[2] = velocity;
   memory[3] = std::max(time_s, 1e-9);  // 0 would mean that nothing is remembered
 }
 
-double twoMassPeriod_s(const TwoMass& load) {
-  return 2.0 * std::numbers::pi / load.frequency;
-}
-
-double twoMassStep_s(const TwoMass& load) {
-  return std::min(2e-3, (load.halfGap > 0.0 ? 0.2 : 0.3) / load.frequency);  // impacts need finer steps
+double TwoMassEffect::longestStep_s(std::span<const double> p) const {
+  return stepOf(loadOf(p));
 }
 
 bool plausibleLoad(double inertia, const Excitation& seen) {

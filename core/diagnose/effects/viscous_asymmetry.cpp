@@ -40,6 +40,7 @@ class ViscousAsymmetry final : public Effect {
   std::vector<std::string_view> lookAlikes() const override {
     return {"constant_load", "coulomb_asymmetry", "stribeck"};
   }
+  std::vector<Tell> tells() const override { return {{"quadratic_drag", "differs between the ways"}}; }
   std::string neededExcitation(const Excitation& seen) const override {
     return "Move both ways at several constant speeds from " +
            speedText(std::min(seen.lowSpeed, seen.highSpeed / 3.0), seen.axis) + " to " +

@@ -36,8 +36,27 @@ std::vector<ParameterSpec> waveParameters(const std::string& amplitude, Axis axi
   return {{amplitude, -1e9, 1e9}, {"phase_rad", -1e3, 1e3}, {rotary ? "order" : "period_m", 1e-9, 1e9, rotary}};
 }
 
-std::vector<ParameterSpec> waveParameters(Axis axis) {
+std::vector<ParameterSpec> WaveEffect::parameters(Axis axis) const {
   return waveParameters(torqueName("amplitude", axis), axis);
+}
+
+bool WaveEffect::mayRepeat(const Excitation& seen) const {
+  return seen.axis == Axis::rotary && seen.travel > 0.5 * turn;
+}
+
+std::vector<double> WaveEffect::scaled(const Shape& shape, std::span<const double> amplitude) const {
+  const std::vector<double>& cosine = shape.front();
+  return {cosine[0] * std::hypot(amplitude[0], amplitude[1]), std::atan2(amplitude[1], amplitude[0]), cosine[2]};
+}
+
+std::string WaveEffect::furtherSentence(std::span<const double> largest, std::span<const std::vector<double>> further,
+                                        const Excitation& seen) const {
+  if (further.empty()) return {};
+  std::string text;
+  for (const std::vector<double>& p : further)
+    text += (text.empty() ? "" : ", ") + waveText(p[2], seen.axis) + " (" + percentText(std::abs(p[0] / largest[0])) +
+            " of that)";
+  return " With it, weaker: " + text + ".";
 }
 
 double waveValue(std::span<const double> p, const Situation& at) {
@@ -64,34 +83,14 @@ std::vector<Shape> waveShapes(const Excitation& seen, int lowest, int highest, d
   return shapes;
 }
 
-std::vector<double> waveScaled(const Shape& shape, std::span<const double> amplitude) {
-  const std::vector<double>& cosine = shape.front();
-  return {cosine[0] * std::hypot(amplitude[0], amplitude[1]), std::atan2(amplitude[1], amplitude[0]), cosine[2]};
-}
-
 bool wavePlausible(std::span<const double> p, const Excitation& seen, double largest, double longest) {
   const bool seenWhole = seen.axis == Axis::rotary || p[2] < longest * seen.travel;
   return std::abs(p[0]) <= largest && seenWhole;
 }
 
-bool wavesAreTold(const Excitation& seen) {
-  return seen.axis == Axis::rotary && seen.travel > 0.5 * turn;
-}
-
 std::string waveText(double orderOrPeriod, Axis axis) {
   if (axis == Axis::linear) return "every " + lengthText(orderOrPeriod);
   return orderOrPeriod == 1.0 ? "once per turn" : digitsText(orderOrPeriod) + " times per turn";
-}
-
-std::string furtherWavesText(const std::vector<EffectTerm>& terms) {
-  if (terms.size() < 2) return {};
-  std::string text = " With it, weaker: ";
-  for (size_t k = 1; k < terms.size(); ++k) {
-    const auto first = valuesOf(terms.front()), p = valuesOf(terms[k]);
-    text += (k > 1 ? ", " : "") + waveText(p[2], Axis::rotary) + " (" + percentText(std::abs(p[0] / first[0])) +
-            " of that)";
-  }
-  return text + ".";
 }
 
 std::string wavePeakText(std::span<const double> p, Axis axis, double lowest) {

@@ -10,7 +10,7 @@ namespace {
 
 /// Copper that warms up: its resistance follows its own loss with the winding's thermal lag. Hidden state: Θ in A², the
 /// loss in units of the cold resistance.
-class WindingHeating final : public Effect {
+class WindingHeating final : public Effect, private HiddenState {
  public:
   std::string_view name() const override { return "winding_heating"; }
   std::string_view formula() const override { return "lost voltage = c · Θ · i,  T dΘ/dt = i² (1 + c Θ/R) − Θ"; }
@@ -26,12 +26,7 @@ class WindingHeating final : public Effect {
   Term term(std::span<const double> p, const Situation& at) const override {
     return {.voltage_V = at.memory.empty() ? 0.0 : p[0] * at.memory[0] * at.current};
   }
-  size_t memory() const override { return 1; }
-  void remember(std::span<const double> p, const Situation& at, double dt_s, std::span<double> memory) const override {
-    const double warmth = at.resistance_ohm > 0.0 ? p[0] * at.memory[0] / at.resistance_ohm : 0.0;
-    const double loss = at.current * at.current * std::max(0.0, 1.0 + warmth);
-    memory[0] = at.memory[0] - (loss - at.memory[0]) * std::expm1(-dt_s / p[1]);
-  }
+  const HiddenState* hidden() const override { return this; }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     std::vector<Shape> shapes;
     if (!seen.electrical || seen.peakCurrent <= 0.0 || seen.duration_s < 4.0) return shapes;
@@ -55,6 +50,14 @@ class WindingHeating final : public Effect {
            timeText(std::max(30.0, 0.5 * seen.duration_s)) + ", then rest as long, and repeat.";
   }
   std::string_view drawnOver() const override { return "time"; }
+
+ private:
+  size_t size() const override { return 1; }
+  void remember(std::span<const double> p, const Situation& at, double dt_s, std::span<double> memory) const override {
+    const double warmth = at.resistance_ohm > 0.0 ? p[0] * at.memory[0] / at.resistance_ohm : 0.0;
+    const double loss = at.current * at.current * std::max(0.0, 1.0 + warmth);
+    memory[0] = at.memory[0] - (loss - at.memory[0]) * std::expm1(-dt_s / p[1]);
+  }
 };
 
 }  // namespace

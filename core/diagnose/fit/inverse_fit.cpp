@@ -103,10 +103,9 @@ void place(Model& model, const std::string& name, double value, double error) {
 }
 
 /// Whether an effect is a torque at every instant, so that the inverse model can hold it.
-bool instantTorque(const Effect& effect, const Shape& shape, DriveInput drive) {
-  const std::vector<double>& p = shape.front();
-  return effect.memory() == 0 && !effect.losesVoltage() && !effect.shapesInput(drive) &&
-         effect.frictionStiffness(p) == 0.0 && effect.detachedInertia(p) == 0.0 && effect.shown(p, 0.3) == 0.3;
+bool instantTorque(const Effect& effect, DriveInput drive) {
+  return effect.hidden() == nullptr && !effect.losesVoltage() && effect.input(drive) == nullptr &&
+         effect.elastic() == nullptr && effect.encoder() == nullptr;
 }
 
 /// The columns of one effect at a shape.
@@ -176,8 +175,8 @@ Result<InverseFit> fitInverse(const Model& model, const std::vector<Track>& trac
     if (effect == nullptr) return Error{"effect " + term.effect, "is not in the catalogue"};
     double best = 1e300;
     Shape bestShape;
-    for (const Shape& shape : effect->shapes(seen)) {
-      if (!instantTorque(*effect, shape, model.input)) continue;
+    const bool linear = instantTorque(*effect, model.input);
+    for (const Shape& shape : linear ? effect->shapes(seen) : std::vector<Shape>{}) {
       auto trial = columns;
       addEffect(trial, *effect, shape, torque, physics);
       const auto got = regress(tracks, trial, response, true);

@@ -22,11 +22,7 @@ constexpr std::uint64_t replays = 6;
 Model scattered(Model model, const FrictionScatter& scatter, Random& random) {
   if (scatter.relative <= 0.0) return model;
   const double off = scatter.relative * physicsOf(model).coulomb * random.normal();
-  const std::vector<double> values{off, scatter.speed, 2.0};
-  EffectTerm term{std::string(stribeck().name()), {}};
-  const auto specs = stribeck().parameters(model.axis);
-  for (size_t k = 0; k < specs.size(); ++k) term.parameters.push_back({specs[k].name, values[k], values[k], values[k]});
-  model.effects.push_back(std::move(term));
+  model.effects.push_back(frictionNearStandstill(off, scatter.speed, model.axis));
   return model;
 }
 

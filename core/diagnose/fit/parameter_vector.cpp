@@ -67,8 +67,7 @@ ParameterVector::ParameterVector(const Model& model, const Freedom& freedom, dou
         slot.bounded = specs[k].freeInTheEnd;
         slot.lower = std::max(std::log(specs[k].lower), std::log(value) - 4.0);
         slot.upper = std::min(std::log(specs[k].upper), std::log(value) + 4.0);
-        // A speed at which something changes lies well within the speeds that were run.
-        if (specs[k].name == "velocity_rad_per_s" || specs[k].name == "velocity_m_per_s") {
+        if (specs[k].amongSpeeds) {
           slot.lower = std::log(0.002 * speedSize);
           slot.upper = std::log(0.5 * speedSize);
         }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <string_view>
 
 #include "diagnose/effects/catalogue.h"
 #include "diagnose/simulate/physics.h"
@@ -43,12 +42,6 @@ std::optional<Span> unseenAround(const std::vector<Span>& seen, double t, double
   return Span{seen.back().to_s, std::max(seen.back().to_s, end_s)};
 }
 
-Parameter* named(EffectTerm& term, std::string_view name) {
-  const auto found = std::find_if(term.parameters.begin(), term.parameters.end(),
-                                  [name](const Parameter& one) { return one.name == name; });
-  return found == term.parameters.end() ? nullptr : &*found;
-}
-
 void keepWithin(Parameter& start, Parameter& duration, const std::vector<Span>& seen, double end_s) {
   const double end = start.value + duration.value;
   const auto before = unseenAround(seen, start.value, end_s), after = unseenAround(seen, end, end_s);
@@ -65,11 +58,12 @@ void keepWithin(Parameter& start, Parameter& duration, const std::vector<Span>& 
 
 Model withinSeen(Model model, const std::vector<Track>& tracks, const Split& split) {
   for (EffectTerm& term : model.effects) {
-    Parameter *start = named(term, "start_s"), *duration = named(term, "duration_s");
-    if (!findEffect(term.effect)->happensOnce() || start == nullptr || duration == nullptr) continue;
+    const OncePart* once = findEffect(term.effect)->once();
+    if (once == nullptr) continue;
     for (size_t k = 0; k < tracks.size(); ++k) {
       if (term.recording.empty() || term.recording == fileNameOf(tracks[k].name)) {
-        keepWithin(*start, *duration, seenSpans(tracks[k], k, split), tracks[k].time.back());
+        keepWithin(term.parameters[once->start], term.parameters[once->duration], seenSpans(tracks[k], k, split),
+                   tracks[k].time.back());
         break;
       }
     }

@@ -139,7 +139,7 @@ void WindowResidual::fit(const Model& model, const MotionState& hidden) {
     for (Eigen::Index k = 0; k < loadRows_; k += 2) {
       const auto& load = simulator_->loads()[static_cast<size_t>(k / 2)];
       firm_[2 + k] = loadFirmness * firm_[0];
-      firm_[3 + k] = firm_[2 + k] * load.period_s / (2.0 * std::numbers::pi);
+      firm_[3 + k] = firm_[2 + k] * load.load.period_s() / (2.0 * std::numbers::pi);
     }
     next_ = seen_ = startOf(observed_);
   }
@@ -205,7 +205,7 @@ std::vector<char> WindowResidual::changedTerms(const Stepper& variant) const {
   std::vector<char> changed(now.size(), 0);
   for (size_t k = 0; k < now.size(); ++k) {
     if (now[k].parameters == before[k].parameters) continue;
-    if (now[k].effect->shapesInput(track_.drive) || now[k].effect->losesVoltage())
+    if (now[k].effect->input(track_.drive) != nullptr || now[k].effect->losesVoltage())
       return std::vector<char>(now.size(), 1);
     changed[k] = 1;
   }

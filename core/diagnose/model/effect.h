@@ -6,7 +6,13 @@
 #include <string_view>
 #include <vector>
 
+#include "diagnose/model/elastic_friction.h"
 #include "diagnose/model/excitation.h"
+#include "diagnose/model/hidden_state.h"
+#include "diagnose/model/input_part.h"
+#include "diagnose/model/load_part.h"
+#include "diagnose/model/once_part.h"
+#include "diagnose/model/sensor_parts.h"
 #include "diagnose/model/situation.h"
 #include "motor/bench.h"
 
@@ -22,71 +28,53 @@ struct ParameterSpec {
   double doubt =
       0.01;  ///< relative standard deviation that least squares can't know: no rig keeps to a model more closely
   bool absentAtZero = false;  ///< not fitted while it is 0
+  bool amongSpeeds = false;   ///< a speed at which something changes: it lies well within those that were run
 };
 
 /// A candidate for the search: parameters at a typical size, one set per amplitude that enters linearly (a wave has
 /// two: cosine and sine). All sets share the nonlinear parameters.
 using Shape = std::vector<std::vector<double>>;
 
+/// What tells an effect from another that shows along the same axis.
+struct Tell {
+  std::string_view beside;  ///< the other effect's name
+  std::string_view sign;    ///< what this one does then, for "what … is this effect"
+};
+
+/// What every effect has stands here; what only some have are parts, null for all others.
 class Effect {
  public:
   virtual ~Effect() = default;
 
-  /// The contract's name.
+  /// The name that files and people know it by.
   virtual std::string_view name() const = 0;
   /// The formula in the notation of resources/help/notation.md, and where it comes from.
   virtual std::string_view formula() const = 0;
   virtual std::string_view source() const = 0;
   virtual std::vector<ParameterSpec> parameters(Axis axis) const = 0;
 
-  // What it does in a simulation; `p` is in the order of parameters(). Each does nothing unless overridden.
+  // What it does in a simulation; `p` is in the order of parameters(), here and everywhere.
 
-  virtual Term term(std::span<const double>, const Situation&) const { return {}; }
-  /// Whether it happens in one recording only, at a time of its own.
-  virtual bool happensOnce() const { return false; }
-  /// Whether several of it may be there at once: waves of different orders, both ends of a travel.
-  virtual bool mayRepeat(const Excitation&) const { return false; }
-  /// Whether it grows while the axis stands still.
-  virtual bool growsAtRest() const { return false; }
+  virtual Term term(std::span<const double> /*p*/, const Situation&) const { return {}; }
   /// Whether term() loses voltage.
   virtual bool losesVoltage() const { return false; }
-  /// Numbers of hidden state (temperature, the load's deflection …), at most 4; all start at 0.
-  virtual size_t memory() const { return 0; }
-  /// Advances the hidden state over dt_s that ended in `at`, whose `memory` is the state before. Must be stable for any
-  /// dt_s up to longestStep_s().
-  virtual void remember(std::span<const double>, const Situation&, double /*dt_s*/,
-                        std::span<double> /*memory*/) const {}
-  /// Period in s with which a load swings against the motor, whose place and speed relative to it are the first two
-  /// numbers of hidden state: a restart finds them from the measured motion. 0: there is none.
-  virtual double loadPeriod_s(std::span<const double>) const { return 0.0; }
-  /// The play between that load and the motor, rad.
-  virtual double loadPlay(std::span<const double>) const { return 0.0; }
-  /// Sets the hidden state for a load at this place and speed relative to a motor that moves at `velocity`.
-  virtual void placeLoad(double /*place*/, double /*speed*/, double /*velocity*/, double /*time_s*/,
-                         std::span<double> /*memory*/) const {}
-  /// The longest step at which term() and remember() stay accurate.
-  virtual double longestStep_s(std::span<const double>) const { return 2e-3; }
-  /// Inertia that the motor's side loses because a term carries it, kg m².
-  virtual double detachedInertia(std::span<const double>) const { return 0.0; }
-  /// Coulomb friction that the motor's side loses because a term carries it, Nm.
-  virtual double detachedFriction(std::span<const double>) const { return 0.0; }
-  /// Stiffness with which friction builds up over a reversal, Nm/rad; 0: friction is rigid.
-  virtual double frictionStiffness(std::span<const double>) const { return 0.0; }
-  /// Damping while it builds up, as a part of what would be critical for the whole inertia on that stiffness.
-  virtual double frictionDampingRatio(std::span<const double>) const { return 0.0; }
-  /// The drive input as it acts, in place of `input` (row k acts from time[k] until time[k + 1]); the first rows may
-  /// lack their past.
-  virtual bool shapesInput(DriveInput) const { return false; }
-  virtual void shapeInput(std::span<const double>, std::span<const double> /*time_s*/,
-                          std::span<double> /*input*/) const {}
-  /// How late the recorded input acts, s: for a winding, whose current follows within a row, better than shapeInput().
-  virtual double inputDelay_s(std::span<const double>) const { return 0.0; }
-  /// What the encoder shows at a true position.
-  virtual double shown(std::span<const double>, double position) const { return position; }
-  /// What the current sensor shows, given the true current and its slope in A/s.
-  virtual double sensed(std::span<const double>, double current, double /*slope*/) const { return current; }
-  /// How much later the current sensor shows what flows, s; sensed() has it to the first order.
-  virtual double sensorLag_s(std::span<const double>) const { return 0.0; }
+  /// The longest step at which term() and hidden state stay accurate.
+  virtual double longestStep_s(std::span<const double> /*p*/) const { return 2e-3; }
+  /// Whether it grows while the axis stands still, so that motion alone hardly shows it.
+  virtual bool growsAtRest() const { return false; }
+  /// Whether several of it may be there at once: waves of different orders, both ends of a travel.
+  virtual bool mayRepeat(const Excitation&) const { return false; }
+
+  // Its parts.
+
+  virtual const HiddenState* hidden() const { return nullptr; }
+  virtual const LoadPart* load() const { return nullptr; }  ///< whoever has it has hidden(), too
+  virtual const ElasticFriction* elastic() const { return nullptr; }
+  virtual const InputPart* input(DriveInput) const { return nullptr; }  ///< by what drives
+  virtual const EncoderPart* encoder() const { return nullptr; }
+  virtual const CurrentSensorPart* currentSensor() const { return nullptr; }
+  virtual const OncePart* once() const { return nullptr; }
+  bool happensOnce() const { return once() != nullptr; }
 
   // What the search asks.
 
@@ -109,10 +97,19 @@ class Effect {
 
   /// What is missing, where it shows and how big it is, in a technician's words, with what to look at.
   virtual std::string sentence(std::span<const double> p, const Excitation& seen) const = 0;
+  /// What further terms of the same effect, smaller ones, add to that sentence: theirs, unless there is a shorter way.
+  virtual std::string furtherSentence(std::span<const double> /*largest*/, std::span<const std::vector<double>> further,
+                                      const Excitation& seen) const {
+    std::string text;
+    for (const std::vector<double>& p : further) text += " " + sentence(p, seen);
+    return text;
+  }
   /// Effects that look the same on poor data.
   virtual std::vector<std::string_view> lookAlikes() const = 0;
   /// Inseparable twin: one and the same thing for a recording; empty for most.
   virtual std::string_view twin() const { return {}; }
+  /// What tells it from others that show along the same axis; each of the two has its own side of it.
+  virtual std::vector<Tell> tells() const { return {}; }
   /// The experiment that makes the effect visible, with speeds and amplitudes within what was seen.
   virtual std::string neededExcitation(const Excitation& seen) const = 0;
   /// The axis over which the report draws the term: velocity, angle, time, current, travel, frequency; empty: no curve.

@@ -82,10 +82,10 @@ EffectTraces::EffectTraces(const Effect& effect, const std::vector<double>& p, c
                            const RecordedMotion& motion, const Physics& physics,
                            const std::vector<RecordedStart>& starts) {
   const size_t n = track.rows();
-  const bool remembers = effect.memory() > 0 || effect.frictionStiffness(p) > 0.0;
+  const bool remembers = effect.hidden() != nullptr || effect.elastic() != nullptr;
   torque.assign(n, 0.0);
   voltage.assign(effect.losesVoltage() && physics.electrical ? n : 0, 0.0);
-  if (effect.loadPeriod_s(p) > 0.0) {
+  if (effect.load() != nullptr) {
     follow(effect, p, track);
   } else if (remembers) {
     remember(effect, p, track, motion, physics.coulomb);
@@ -101,20 +101,19 @@ EffectTraces::EffectTraces(const Effect& effect, const std::vector<double>& p, c
     const Term term = remembers ? Term{} : effect.term(p, at);
     starting.push_back(term.load_Nm + start.direction * term.friction_Nm + torquePerVolt * term.voltage_V);
   }
-  if (effect.shapesInput(track.drive)) {
+  if (const InputPart* acting = effect.input(track.drive)) {
     input = track.input;
-    effect.shapeInput(p, track.time, input);
+    acting->shape(p, track.time, input);
     for (size_t k = 0; k < n; ++k) input[k] -= track.input[k];
   }
-  const double probe = 0.3 + track.position.front();
-  if (effect.shown(p, probe) != probe || effect.shown(p, probe + 0.7) != probe + 0.7) {
+  if (const EncoderPart* encoder = effect.encoder()) {
     shown.resize(n);
-    for (size_t k = 0; k < n; ++k) shown[k] = effect.shown(p, track.position[k]) - track.position[k];
+    for (size_t k = 0; k < n; ++k) shown[k] = encoder->shown(p, track.position[k]) - track.position[k];
   }
-  if (physics.electrical && effect.sensed(p, 1.0, 1000.0) != 1.0) {
+  if (const CurrentSensorPart* sensor = effect.currentSensor(); sensor != nullptr && physics.electrical) {
     sensed.resize(n);
     for (size_t k = 0; k < n; ++k)
-      sensed[k] = effect.sensed(p, motion.at(k).current, motion.slope_[k]) - motion.at(k).current;
+      sensed[k] = sensor->sensed(p, motion.at(k).current, motion.slope_[k]) - motion.at(k).current;
   }
 }
 
@@ -130,15 +129,15 @@ void EffectTraces::forget(const Effect& effect, const std::vector<double>& p, co
 
 void EffectTraces::follow(const Effect& effect, const std::vector<double>& p, const Track& track) {
   if (track.rows() < 4) return;
-  const double inertia = effect.detachedInertia(p), friction = effect.detachedFriction(p);
+  const TwoMass detached = effect.load()->loadOf(p);
   FollowedLoad load(effect, p, track, 0);
   double before = load.motorSpeed(), now = before;
   for (size_t k = 0; k + 2 < track.rows(); ++k) {
     const double pull = load.torque();
     load.advance();
     const double after = load.motorSpeed();
-    torque[k] = pull - inertia * 0.5 * (after - before) / (track.time[k + 1] - track.time[k]) -
-                (now != 0.0 ? std::copysign(friction, now) : 0.0);
+    torque[k] = pull - detached.inertia * 0.5 * (after - before) / (track.time[k + 1] - track.time[k]) -
+                (now != 0.0 ? std::copysign(detached.friction, now) : 0.0);
     before = now;
     now = after;
   }
@@ -146,8 +145,11 @@ void EffectTraces::follow(const Effect& effect, const std::vector<double>& p, co
 
 void EffectTraces::remember(const Effect& effect, const std::vector<double>& p, const Track& track,
                             const RecordedMotion& motion, double coulomb) {
-  const size_t n = track.rows(), size = effect.memory();
-  const double stiffness = effect.frictionStiffness(p), longest_s = longerSteps * effect.longestStep_s(p);
+  const HiddenState* hidden = effect.hidden();
+  const ElasticFriction* elastic = effect.elastic();
+  const size_t n = track.rows(), size = hidden != nullptr ? hidden->size() : 0;
+  const double stiffness = elastic != nullptr ? elastic->stiffness(p) : 0.0,
+               longest_s = longerSteps * effect.longestStep_s(p);
   const double step_s = track.time.back() / std::max(1.0, static_cast<double>(n) - 1.0);
   const auto most = std::max<size_t>(1, static_cast<size_t>(0.5 * sameTorque_s / std::max(step_s, 1e-9)));
   std::array<double, 8> memory{}, before{};
@@ -164,7 +166,7 @@ void EffectTraces::remember(const Effect& effect, const std::vector<double>& p, 
     if (!voltage.empty()) std::fill_n(voltage.begin() + first, rows, term.voltage_V);
     if (next >= n) break;
     if (stiffness > 0.0) slip = elasticFriction(slip, track.position[next] - track.position[k], stiffness, coulomb);
-    if (size == 0) continue;
+    if (hidden == nullptr) continue;
     const double from = at.velocity, to = motion.at(next).velocity, dt = track.time[next] - track.time[k];
     const auto parts = std::clamp(static_cast<int>(std::ceil(dt / longest_s)), 1, 50);
     at = motion.at(next);
@@ -174,7 +176,7 @@ void EffectTraces::remember(const Effect& effect, const std::vector<double>& p, 
       at.velocity = (1.0 - share) * from + share * to;
       before = memory;
       at.memory = std::span(before).first(size);
-      effect.remember(p, at, dt / parts, std::span(memory).first(size));
+      hidden->remember(p, at, dt / parts, std::span(memory).first(size));
     }
   }
 }

@@ -96,7 +96,7 @@ bool vanishes(const Model& model, const Effect& effect) {
 
 bool remembers(const Model& model) {
   return std::any_of(model.effects.begin(), model.effects.end(),
-                     [](const EffectTerm& term) { return findEffect(term.effect)->memory() > 0; });
+                     [](const EffectTerm& term) { return findEffect(term.effect)->hidden() != nullptr; });
 }
 
 ParameterVector vectorOf(const SearchInput& input, const Model& model, bool last) {

@@ -186,7 +186,7 @@ void Rivals::weighAlone(SearchResult& result) const {
   std::optional<double> own;  // squared error; the fits themselves are large
   for (const std::string_view name : first.effect->lookAlikes()) {
     const Effect* alike = findEffect(name);
-    if (lists(first, alike) || contains(result.chosen, alike) || alike->memory() > 0) continue;
+    if (lists(first, alike) || contains(result.chosen, alike) || alike->hidden() != nullptr) continue;
     const Pick pick = screen_.best(*alike, {});
     if (pick.gain < halfOfAll * ownPick.gain) continue;
     if (!own) {
@@ -201,13 +201,21 @@ void Rivals::weighAlone(SearchResult& result) const {
   }
 }
 
-/// Where current drives, an offset of its sensor is a constant load for the motion. A voltage that was recorded, too,
-/// tells: it knows the offset and nothing of the load.
+/// Where current drives, its sensor may show what isn't there, and that is the chosen effect for the motion. A voltage
+/// that was recorded, too, tells: it knows the sensor's offset and nothing of the motion's torque.
 void Rivals::askVoltage(SearchResult& result, size_t k) const {
-  const Effect& offset = *findEffect("current_sensor_offset");
+  if (!input_.seen.currentDrive) return;
+  for (const Effect* effect : catalogue()) {
+    const CurrentSensorPart* sensor = effect->currentSensor();
+    const Effect* alike = sensor != nullptr ? findEffect(sensor->sameForMotion()) : nullptr;
+    if (alike != nullptr && same(result.chosen[k].effect, alike)) askVoltage(result, k, *effect);
+  }
+}
+
+void Rivals::askVoltage(SearchResult& result, size_t k, const Effect& offset) const {
   Chosen& chosen = result.chosen[k];
-  if (!same(chosen.effect, findEffect("constant_load")) || contains(result.chosen, &offset)) return;
-  const auto shown = input_.seen.currentDrive ? sensorOffset(input_.tracks, input_.split.train) : std::nullopt;
+  if (contains(result.chosen, &offset)) return;
+  const auto shown = sensorOffset(input_.tracks, input_.split.train);
   if (!shown) return;
   Pick pick;
   pick.effect = &offset;

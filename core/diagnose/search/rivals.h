@@ -25,6 +25,7 @@ class Rivals {
                   std::vector<double>& best) const;
   void weighAlone(SearchResult& result) const;
   void askVoltage(SearchResult& result, size_t k) const;
+  void askVoltage(SearchResult& result, size_t k, const Effect& offset) const;
 
   const SearchInput& input_;
   const SetFits& fits_;

@@ -21,7 +21,7 @@ std::vector<const Effect*> withoutLoads(const Excitation& seen) {
   std::vector<const Effect*> effects(catalogue().begin(), catalogue().end());
   std::erase_if(effects, [&seen](const Effect* one) {
     const auto shapes = one->shapes(seen);
-    return !shapes.empty() && one->loadPeriod_s(shapes.front().front()) > 0.0;
+    return !shapes.empty() && one->load() != nullptr;
   });
   return effects;
 }
@@ -53,7 +53,7 @@ std::vector<Pick> noteworthy(const ScreenResult& found) {
 std::vector<Pick> withOneLoad(std::vector<Pick> picks) {
   bool loaded = false;
   std::erase_if(picks, [&loaded](const Pick& one) {
-    if (one.effect->detachedInertia(one.parameters) == 0.0) return false;
+    if (one.effect->load() == nullptr) return false;
     return std::exchange(loaded, true);
   });
   return picks;

@@ -38,17 +38,16 @@ constexpr double restart_s = 2.0, restartInPlay_s = 10.0;  ///< simulated for a 
 }  // namespace
 
 bool swings(const Pick& pick) {
-  return pick.effect->loadPeriod_s(pick.parameters) > 0.0;
+  return pick.effect->load() != nullptr;
 }
 
 bool inPlay(const Pick& pick) {
-  return pick.effect->loadPlay(pick.parameters) > 0.0;
+  return swings(pick) && pick.effect->load()->loadOf(pick.parameters).play() > 0.0;
 }
 
 bool swings(const Model& model) {
-  return std::any_of(model.effects.begin(), model.effects.end(), [](const EffectTerm& term) {
-    return findEffect(term.effect)->loadPeriod_s(valuesOf(term)) > 0.0;
-  });
+  return std::any_of(model.effects.begin(), model.effects.end(),
+                     [](const EffectTerm& term) { return findEffect(term.effect)->load() != nullptr; });
 }
 
 bool loadFollowsAll(const FitResult& loaded, const FitResult& other) {
@@ -71,7 +70,7 @@ std::vector<Pick> SwingingLoads::offered(const SearchInput& input, const Screen&
   std::vector<Pick> picks;
   for (const Effect* effect : catalogue()) {
     const auto shapes = effect->shapes(input.seen);
-    if (shapes.empty() || effect->loadPeriod_s(shapes.front().front()) <= 0.0) continue;
+    if (shapes.empty() || effect->load() == nullptr) continue;
     Pick pick = screen.best(*effect, {});
     if (pick.parameters.empty()) {
       pick.effect = effect;

@@ -16,9 +16,10 @@ constexpr double hardlyOwn = 1e-6;  ///< of a squared column: the fit's own para
 constexpr size_t looksAtWindow = 50;
 
 bool slopesTell(const Effect& effect, const std::vector<Shape>& shapes, DriveInput drive) {
-  if (shapes.empty() || effect.memory() > 0 || effect.growsAtRest() || effect.shapesInput(drive)) return false;
+  if (shapes.empty() || effect.hidden() != nullptr || effect.growsAtRest() || effect.input(drive) != nullptr)
+    return false;
   const Shape& any = shapes.front();
-  return (any.size() == 1 || shapes.size() == 1) && effect.frictionStiffness(any.front()) <= 0.0;
+  return (any.size() == 1 || shapes.size() == 1) && effect.elastic() == nullptr;
 }
 
 /// One shape, and sums over the windows in which it acts: J the fit's Jacobian, C the shape's columns, r the residual.

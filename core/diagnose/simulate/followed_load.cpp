@@ -21,14 +21,15 @@ double middleOf(const Track& track, size_t row) {
 
 FollowedLoad::FollowedLoad(const Effect& effect, std::span<const double> parameters, const Track& track, size_t row)
     : effect_(effect),
+      load_(*effect.load()),
       parameters_(parameters.begin(), parameters.end()),
       track_(track),
       row_(row),
-      size_(effect.memory()),
+      size_(load_.size()),
       longest_s_(longerSteps * effect.longestStep_s(parameters)),
       now_s_(middleOf(track, row)),
       motor_(speedAt(track, row)) {
-  effect_.placeLoad(0.0, 0.0, motor_, now_s_, std::span(memory_).first(size_));
+  load_.place(0.0, 0.0, motor_, now_s_, std::span(memory_).first(size_));
 }
 
 void FollowedLoad::advance() {
@@ -42,7 +43,7 @@ void FollowedLoad::advance() {
     at.time_s = now_s_ + share * dt;
     at.velocity = (1.0 - share) * motor_ + share * next;
     at.memory = std::span(before).first(size_);
-    effect_.remember(parameters_, at, dt / parts, std::span(memory_).first(size_));
+    load_.remember(parameters_, at, dt / parts, std::span(memory_).first(size_));
   }
   now_s_ = next_s;
   motor_ = next;

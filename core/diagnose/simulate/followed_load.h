@@ -14,7 +14,7 @@ namespace breakaway {
 /// The readings aren't smoothed: the load's inertia does that, and no spring is too fast for it.
 class FollowedLoad {
  public:
-  /// Moving with the motor in the middle of `row`. Preconditions: Effect::loadPeriod_s() is positive; two rows follow.
+  /// Moving with the motor in the middle of `row`. Preconditions: the effect has a load(); two rows follow.
   FollowedLoad(const Effect& effect, std::span<const double> parameters, const Track& track, size_t row);
 
   size_t row() const { return row_; }
@@ -30,6 +30,7 @@ class FollowedLoad {
 
  private:
   const Effect& effect_;
+  const LoadPart& load_;
   std::vector<double> parameters_;
   const Track& track_;
   size_t row_, size_;

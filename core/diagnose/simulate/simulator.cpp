@@ -69,18 +69,21 @@ Simulator::Simulator(const Physics& physics, std::vector<CompiledTerm> terms, do
     : stepper_(physics, std::move(terms)), track_(track), horizon_(horizon_s) {
   size_t memory = 0;
   for (const CompiledTerm& term : stepper_.terms()) {
-    const size_t own = term.effect->memory();
-    const double period = term.effect->loadPeriod_s(term.parameters);
-    if (period > 0.0 && loads_.size() < mostLoads)
-      loads_.push_back({term.effect, term.parameters, memory, own, period, term.effect->loadPlay(term.parameters)});
+    const HiddenState* hidden = term.effect->hidden();
+    const size_t own = hidden != nullptr ? hidden->size() : 0;
+    const LoadPart* load = term.effect->load();
+    if (load != nullptr && loads_.size() < mostLoads)
+      loads_.push_back({term, load->loadOf(term.parameters), memory, own});
     memory += own;
   }
-  for (const SwingingLoad& load : loads_)
-    horizon_ = std::max(
-        horizon_, std::min((load.play > 0.0 ? periodsSeenInPlay : periodsSeen) * load.period_s, longestHorizon_s));
+  for (const SwingingLoad& one : loads_) {
+    const double periods = one.load.play() > 0.0 ? periodsSeenInPlay : periodsSeen;
+    horizon_ = std::max(horizon_, std::min(periods * one.load.period_s(), longestHorizon_s));
+  }
   size_t shaping = 0;
   for (const CompiledTerm& term : stepper_.terms()) {
-    if (!term.effect->shapesInput(track.drive)) continue;
+    const InputPart* input = term.effect->input(track.drive);
+    if (input == nullptr) continue;
     if (shaped_.empty()) {
       const auto rowAt = [&track](double t) {
         return static_cast<size_t>(std::lower_bound(track.time.begin(), track.time.end(), t) - track.time.begin());
@@ -90,15 +93,17 @@ Simulator::Simulator(const Physics& physics, std::vector<CompiledTerm> terms, do
       shaped_.assign(track.input.begin() + static_cast<std::ptrdiff_t>(shapedFrom_),
                      track.input.begin() + static_cast<std::ptrdiff_t>(end));
     }
-    term.effect->shapeInput(term.parameters, std::span(track.time).subspan(shapedFrom_, shaped_.size()), shaped_);
-    delay_s_ = term.effect->inputDelay_s(term.parameters);
+    input->shape(term.parameters, std::span(track.time).subspan(shapedFrom_, shaped_.size()), shaped_);
+    delay_s_ = input->delay_s(term.parameters);
     ++shaping;
   }
   if (shaping > 1 || !physics.electrical || physics.inductance <= 0.0) delay_s_ = 0.0;  // rows' means will do
 }
 
 double Simulator::shown(double position) const {
-  for (const CompiledTerm& term : stepper_.terms()) position = term.effect->shown(term.parameters, position);
+  for (const CompiledTerm& term : stepper_.terms()) {
+    if (const EncoderPart* encoder = term.effect->encoder()) position = encoder->shown(term.parameters, position);
+  }
   return position;
 }
 
@@ -109,13 +114,17 @@ double Simulator::truePosition(double shownPosition) const {
 }
 
 double Simulator::sensed(double current, double slope) const {
-  for (const CompiledTerm& term : stepper_.terms()) current = term.effect->sensed(term.parameters, current, slope);
+  for (const CompiledTerm& term : stepper_.terms()) {
+    if (const auto* sensor = term.effect->currentSensor()) current = sensor->sensed(term.parameters, current, slope);
+  }
   return current;
 }
 
 double Simulator::sensorLag_s() const {
   double lag = 0.0;
-  for (const CompiledTerm& term : stepper_.terms()) lag += term.effect->sensorLag_s(term.parameters);
+  for (const CompiledTerm& term : stepper_.terms()) {
+    if (const auto* sensor = term.effect->currentSensor()) lag += sensor->lag_s(term.parameters);
+  }
   return lag;
 }
 
@@ -155,7 +164,8 @@ MotionState Simulator::restart(size_t row, const MotionState& carried) {
   MotionState best;
   double least = 1e300;
   const double enough = 3.0 * std::max(restartNoise(track_, horizonBegin(horizon_, row), row), track_.quantisation);
-  const bool play = std::any_of(loads_.begin(), loads_.end(), [](const SwingingLoad& one) { return one.play > 0.0; });
+  const bool play =
+      std::any_of(loads_.begin(), loads_.end(), [](const SwingingLoad& one) { return one.load.play() > 0.0; });
   const double shortest = loads_.empty() ? 0.1 : 0.4;
   for (double horizon = horizon_; horizon > shortest * horizon_; horizon *= 0.5) {
     for (const Side side : {Side::followed, Side::middle, Side::low, Side::high}) {
@@ -179,16 +189,16 @@ size_t Simulator::horizonBegin(double horizon_s, size_t row) const {
 }
 
 Eigen::Vector2d Simulator::followed(const SwingingLoad& load, size_t row) const {
-  const double held = load.effect->detachedFriction(load.parameters);
-  const size_t from = horizonBegin(held > 0.0 ? followedIfHeld_s : followedFor_s, row);
+  const size_t from = horizonBegin(load.load.friction > 0.0 ? followedIfHeld_s : followedFor_s, row);
   if (row < from + 4 || row + 2 >= track_.rows()) return Eigen::Vector2d::Zero();
-  FollowedLoad one(*load.effect, load.parameters, track_, from);
+  FollowedLoad one(*load.term.effect, load.term.parameters, track_, from);
   while (one.row() + 1 < row) one.advance();
   return {one.place(), one.speed()};
 }
 
 void Simulator::place(const SwingingLoad& load, double place, double speed, double time_s, MotionState& state) {
-  load.effect->placeLoad(place, speed, state.velocity, time_s, std::span(state.memory).subspan(load.memory, load.size));
+  load.term.effect->load()->place(place, speed, state.velocity, time_s,
+                                  std::span(state.memory).subspan(load.memory, load.size));
 }
 
 MotionState Simulator::restartOver(double horizon_s, size_t row, const MotionState& carried, Side side, double& error) {
@@ -217,11 +227,11 @@ MotionState Simulator::restartOver(double horizon_s, size_t row, const MotionSta
     const auto at = static_cast<Eigen::Index>(3 + 2 * k);
     const bool follows = side == Side::followed;
     if (follows) unknown.segment<2>(at) = followed(loads_[k], first);
-    if (side == Side::low || side == Side::high) unknown[at] = (side == Side::low ? -0.5 : 0.5) * loads_[k].play;
+    if (side == Side::low || side == Side::high) unknown[at] = (side == Side::low ? -0.5 : 0.5) * loads_[k].load.play();
     nudge[at] = small;
-    nudge[at + 1] = small / std::min(length, loads_[k].period_s);
-    doubt[at] = !follows ? noIdea : loads_[k].play > 0.0 ? doubtInPlay : loadDoubt;
-    doubt[at + 1] = doubt[at] * std::max(1.0, 2.0 * std::numbers::pi * length / loads_[k].period_s);
+    nudge[at + 1] = small / std::min(length, loads_[k].load.period_s());
+    doubt[at] = !follows ? noIdea : loads_[k].load.play() > 0.0 ? doubtInPlay : loadDoubt;
+    doubt[at + 1] = doubt[at] * std::max(1.0, 2.0 * std::numbers::pi * length / loads_[k].load.period_s());
   }
   const Unknowns expected = unknown;
   const double ownLoad = physics().load;

@@ -35,14 +35,12 @@ class Simulator {
   /// row the axis is taken to rest. Hidden state is taken over from `carried`; a load that swings is found like
   /// position and velocity, over at least one and a half of its periods.
   MotionState restart(size_t row, const MotionState& carried);
-  /// A load that swings against the motor (Effect::loadPeriod_s).
+  /// A load that swings against the motor (Effect::load()).
   struct SwingingLoad {
-    const Effect* effect = nullptr;
-    std::vector<double> parameters;
+    CompiledTerm term;
+    TwoMass load;
     size_t memory = 0;  ///< where its numbers begin in a state's hidden ones
     size_t size = 0;    ///< how many they are
-    double period_s = 0.0;
-    double play = 0.0;
   };
   const std::vector<SwingingLoad>& loads() const { return loads_; }
   /// How far back a restart looks, s.

@@ -34,16 +34,23 @@ Stepper::Stepper(const Physics& physics, std::vector<CompiledTerm> terms)
     : physics_(physics), terms_(std::move(terms)), stateDependent_(!terms_.empty() || physics.gravity != 0.0) {
   double inertia = 0.0, friction = 0.0;  // detached
   for (const CompiledTerm& term : terms_) {
-    memorySize_ += term.effect->memory();
-    const bool swings = term.effect->loadPeriod_s(term.parameters) > 0.0;
-    swings_ = swings_ || swings;
-    remembersLong_ = remembersLong_ || (!swings && term.effect->memory() > 0);
-    losesVoltage_ = losesVoltage_ || (physics_.electrical && term.effect->losesVoltage());
-    stiffness_ += term.effect->frictionStiffness(term.parameters);
-    dampingRatio_ += term.effect->frictionDampingRatio(term.parameters);
+    const HiddenState* hidden = term.effect->hidden();
+    own_.push_back({memorySize_, hidden != nullptr ? hidden->size() : 0, hidden, term.effect->losesVoltage()});
+    memorySize_ += own_.back().size;
+    losesVoltage_ = losesVoltage_ || (physics_.electrical && own_.back().losesVoltage);
     longestStep_ = std::min(longestStep_, term.effect->longestStep_s(term.parameters));
-    inertia += term.effect->detachedInertia(term.parameters);
-    friction += term.effect->detachedFriction(term.parameters);
+    if (const LoadPart* load = term.effect->load()) {
+      const TwoMass detached = load->loadOf(term.parameters);
+      inertia += detached.inertia;
+      friction += detached.friction;
+      swings_ = true;
+    } else if (hidden != nullptr) {
+      remembersLong_ = true;
+    }
+    if (const ElasticFriction* elastic = term.effect->elastic()) {
+      stiffness_ += elastic->stiffness(term.parameters);
+      dampingRatio_ += elastic->dampingRatio(term.parameters);
+    }
   }
   physics_.inertia = std::max(physics_.inertia - inertia, leastLeft * physics_.inertia);
   physics_.coulomb = std::max(physics_.coulomb - friction, leastLeft * physics_.coulomb);
@@ -73,11 +80,8 @@ Situation Stepper::situationAt(const MotionState& state, double position, double
 /// `act` gets each term, with its own memory in `at`, and its number.
 template <typename Act>
 void Stepper::eachTerm(const MotionState& state, Situation& at, Act act) const {
-  size_t used = 0;
   for (size_t k = 0; k < terms_.size(); ++k) {
-    const size_t own = terms_[k].effect->memory();
-    at.memory = std::span(state.memory).subspan(used, own);
-    used += own;
+    at.memory = std::span(state.memory).subspan(own_[k].memory, own_[k].size);
     act(terms_[k], k);
   }
 }
@@ -124,8 +128,8 @@ double Stepper::lostVoltage(const MotionState& state, double u, double position,
     Situation at = situationAt(state, position, velocity, signOf(velocity), physics_.torqueConstant * current, time_s);
     at.input = u;
     double loss = 0.0;
-    eachTerm(state, at, [&](const CompiledTerm& term, size_t) {
-      if (term.effect->losesVoltage()) loss += term.effect->term(term.parameters, at).voltage_V;
+    eachTerm(state, at, [&](const CompiledTerm& term, size_t k) {
+      if (own_[k].losesVoltage) loss += term.effect->term(term.parameters, at).voltage_V;
     });
     return loss;
   };
@@ -191,14 +195,12 @@ void Stepper::keepHistory(MotionState& state, const MotionState& before, double 
   if (memorySize_ == 0) return;
   Situation at = situationAt(state, state.position, state.velocity, way, drive, time_s);
   at.input = u;
-  size_t used = 0;
-  for (const CompiledTerm& term : terms_) {
-    const size_t own = term.effect->memory();
-    if (own == 0) continue;
+  for (size_t k = 0; k < terms_.size(); ++k) {
+    const Own& own = own_[k];
+    if (own.hidden == nullptr) continue;
     const std::array<double, 8> old = state.memory;
-    at.memory = std::span(old).subspan(used, own);
-    term.effect->remember(term.parameters, at, dt, std::span(state.memory).subspan(used, own));
-    used += own;
+    at.memory = std::span(old).subspan(own.memory, own.size);
+    own.hidden->remember(terms_[k].parameters, at, dt, std::span(state.memory).subspan(own.memory, own.size));
   }
 }
 

@@ -109,6 +109,13 @@ class Stepper {
     double xi = 0, xv = 0;  ///< ∫ of the second row
   };
 
+  /// What a step asks of a term again and again.
+  struct Own {
+    size_t memory = 0, size = 0;  ///< where its hidden state lies
+    const HiddenState* hidden = nullptr;
+    bool losesVoltage = false;
+  };
+
   template <typename Act>
   void eachTerm(const MotionState& state, Situation& at, Act act) const;
   Situation situationAt(const MotionState& state, double position, double velocity, double direction, double drive,
@@ -124,6 +131,7 @@ class Stepper {
 
   Physics physics_;
   std::vector<CompiledTerm> terms_;
+  std::vector<Own> own_;  ///< one per term
   bool stateDependent_;
   bool losesVoltage_ = false;
   bool remembersLong_ = false;

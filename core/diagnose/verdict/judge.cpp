@@ -6,7 +6,6 @@
 
 #include "base/statistics.h"
 #include "diagnose/effects/catalogue.h"
-#include "diagnose/effects/wave.h"
 #include "diagnose/fit/noise_floor.h"
 #include "diagnose/fit/seen_span.h"
 #include "diagnose/fit/windowed_fit.h"
@@ -79,14 +78,6 @@ Parameter numbered(Parameter parameter, size_t number) {
   return parameter;
 }
 
-/// What terms after the first add to the finding's sentence.
-std::string furtherText(const std::vector<EffectTerm>& terms, const Effect& effect, const Excitation& seen) {
-  if (terms.front().parameters.back().name == "order") return furtherWavesText(terms);
-  std::string text;
-  for (size_t k = 1; k < terms.size(); ++k) text += " " + effect.sentence(valuesOf(terms[k]), seen);
-  return text;
-}
-
 /// The findings, with shares of the excess that add up to what the extended model takes away.
 std::vector<Finding> findingsOf(const SearchResult& result, const Model& model, const SearchInput& input,
                                 double explained) {
@@ -102,10 +93,13 @@ std::vector<Finding> findingsOf(const SearchResult& result, const Model& model, 
     const std::vector<EffectTerm> terms = largestTerms(model, finding.effect);
     if (!terms.empty()) {
       const EffectTerm& first = terms.front();
-      finding.sentence = chosen.effect->sentence(valuesOf(first), input.seen);
+      std::vector<std::vector<double>> further;
+      for (size_t k = 1; k < terms.size(); ++k) further.push_back(valuesOf(terms[k]));
+      const std::vector<double> largest = valuesOf(first);
+      finding.sentence = chosen.effect->sentence(largest, input.seen);
       if (!first.recording.empty() && input.tracks.size() > 1)
         finding.sentence = "In " + first.recording + ": " + finding.sentence;
-      finding.sentence += furtherText(terms, *chosen.effect, input.seen);
+      finding.sentence += chosen.effect->furtherSentence(largest, further, input.seen);
     }
     for (size_t k = 0; k < terms.size(); ++k) {
       for (const Parameter& one : presentParameters(terms[k], model.axis))
@@ -118,9 +112,8 @@ std::vector<Finding> findingsOf(const SearchResult& result, const Model& model, 
 
 /// Whether something in the model changes what the current sensor shows, which moves nothing.
 bool changesReadings(const Model& model) {
-  return std::any_of(model.effects.begin(), model.effects.end(), [](const EffectTerm& term) {
-    return findEffect(term.effect)->sensed(valuesOf(term), 1.0, 1000.0) != 1.0;
-  });
+  return std::any_of(model.effects.begin(), model.effects.end(),
+                     [](const EffectTerm& term) { return findEffect(term.effect)->currentSensor() != nullptr; });
 }
 
 bool showsInCurrent(const SearchResult& result) {

@@ -1,7 +1,6 @@
 #include "diagnose/verdict/next_experiment.h"
 
 #include <algorithm>
-#include <array>
 #include <numbers>
 
 #include "diagnose/effects/catalogue.h"
@@ -26,37 +25,16 @@ std::string signOf(const Effect& effect) {
   return {};
 }
 
-/// Twins over the same axis: what tells them apart, as "first: …; second: …".
-struct Difference {
-  const char *first, *second, *sign, *otherSign;
-};
-constexpr std::array<Difference, 12> differences{{
-    {"cogging", "torque_ripple", "stays the same when the load changes", "grows with the load"},
-    {"cogging", "position_dependent_friction", "pushes the same way in both directions", "changes sign with direction"},
-    {"imbalance", "encoder_eccentricity", "stays the same at every speed", "grows with the speed's square"},
-    {"imbalance", "position_dependent_friction", "pushes the same way in both directions",
-     "changes sign with direction"},
-    {"position_dependent_friction", "position_dependent_viscous", "stays the same at every speed",
-     "grows with the speed"},
-    {"torque_ripple", "position_dependent_viscous", "grows with the load", "grows with the speed"},
-    {"quadratic_drag", "viscous_asymmetry", "bends upwards with speed, both ways alike", "differs between the ways"},
-    {"stribeck", "quadratic_drag", "falls with speed near zero", "grows at high speed"},
-    {"presliding", "backlash", "builds up like a spring against friction",
-     "leaves the motor free before the load hits"},
-    {"friction_warmup", "external_disturbance", "comes again after a cold start", "doesn't come again"},
-    {"compliance", "transport_delay", "rings at one frequency", "delays all frequencies alike"},
-    {"torque_saturation", "load_dependent_friction", "takes torque away whether it drives or brakes",
-     "only ever resists the motion"},
-}};
+/// How an effect gives itself away beside another: as the two say of each other, or else by its axis.
+std::string signBeside(const Effect& effect, const Effect& other) {
+  for (const Tell& tell : effect.tells()) {
+    if (tell.beside == other.name()) return std::string(tell.sign);
+  }
+  return signOf(effect);
+}
 
 std::string pairText(const Effect& one, const Effect& other) {
-  for (const Difference& d : differences) {
-    const bool straight = one.name() == d.first && other.name() == d.second;
-    if (!straight && !(one.name() == d.second && other.name() == d.first)) continue;
-    return std::string(" What ") + (straight ? d.sign : d.otherSign) + " is " + std::string(one.name()) + "; what " +
-           (straight ? d.otherSign : d.sign) + " is " + std::string(other.name()) + ".";
-  }
-  const std::string first = signOf(one), second = signOf(other);
+  const std::string first = signBeside(one, other), second = signBeside(other, one);
   if (first.empty() || second.empty() || first == second) return {};
   return " What " + first + " is " + std::string(one.name()) + "; what " + second + " is " + std::string(other.name()) +
          ".";

@@ -1,0 +1,20 @@
+// The part of effects that lie between what was recorded as the drive's input and what acts.
+#pragma once
+
+#include <span>
+
+namespace breakaway {
+
+class InputPart {
+ public:
+  /// The drive input as it acts, in place of `input` (row k acts from time_s[k] until time_s[k + 1]); the first rows
+  /// may lack their past.
+  virtual void shape(std::span<const double> p, std::span<const double> time_s, std::span<double> input) const = 0;
+  /// How late the recorded input acts, s: for a winding, whose current follows within a row, better than shape().
+  virtual double delay_s(std::span<const double> /*p*/) const { return 0.0; }
+
+ protected:
+  ~InputPart() = default;
+};
+
+}  // namespace breakaway
