@@ -14,11 +14,6 @@ namespace {
 constexpr double sameTorque_s = 4e-3;
 constexpr double longerSteps = 5.0;  ///< than the effect's own longest
 
-double elasticFriction(double slip, double motion, double stiffness, double friction) {
-  const double s = motion > 0.0 ? 1.0 : -1.0;
-  return motion == 0.0 ? slip : s - (s - slip) * std::exp(-std::abs(motion) * stiffness / std::max(friction, 1e-300));
-}
-
 }  // namespace
 
 RecordedMotion::RecordedMotion(const Track& track, const Physics& physics) {
@@ -165,7 +160,7 @@ void EffectTraces::remember(const Effect& effect, const std::vector<double>& p, 
     std::fill_n(torque.begin() + first, rows, value);
     if (!voltage.empty()) std::fill_n(voltage.begin() + first, rows, term.voltage_V);
     if (next >= n) break;
-    if (stiffness > 0.0) slip = elasticFriction(slip, track.position[next] - track.position[k], stiffness, coulomb);
+    if (stiffness > 0.0) slip = slipAfter(slip, track.position[next] - track.position[k], stiffness, coulomb);
     if (hidden == nullptr) continue;
     const double from = at.velocity, to = motion.at(next).velocity, dt = track.time[next] - track.time[k];
     const auto parts = std::clamp(static_cast<int>(std::ceil(dt / longest_s)), 1, 50);

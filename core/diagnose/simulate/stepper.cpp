@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnose/simulate/false_position.h"
+
 namespace breakaway {
 
 namespace {
@@ -18,14 +20,6 @@ bool sameStep(double a, double b) {
 
 double signOf(double value) {
   return value > 0.0 ? 1.0 : value < 0.0 ? -1.0 : 0.0;
-}
-
-/// Dahl's elastic friction as a part of the full one after a further motion (P. R. Dahl, 'Solid friction damping of
-/// mechanical vibrations', AIAA Journal 14(12), 1976).
-double slipAfter(double slip, double motion, double stiffness, double friction) {
-  if (motion == 0.0 || friction <= 0.0) return slip;
-  const double s = signOf(motion);
-  return s - (s - slip) * std::exp(-std::abs(motion) * stiffness / friction);
 }
 
 }  // namespace
@@ -136,26 +130,16 @@ double Stepper::lostVoltage(const MotionState& state, double u, double position,
   // R i + loss(i) = u − Ke ω by false position between hardly any current and the current without loss. What doesn't
   // depend on the current may lie beyond either.
   const double free = available / physics_.resistance;
-  double low = 1e-6 * free, high = free, gLow = lossAt(low) - available, gHigh = lossAt(free);
-  if (gLow * gHigh > 0.0) return lossAt(free - gHigh / physics_.resistance);
-  double loss = gHigh;
-  int kept = 0;  // an end that stays twice counts half: Illinois
-  for (int k = 0; k < 12 && gHigh != gLow; ++k) {
-    const double current = (low * gHigh - high * gLow) / (gHigh - gLow);
+  const double least = 1e-6 * free, atLeast = lossAt(least) - available;
+  double loss = lossAt(free);
+  if (atLeast * loss > 0.0) return lossAt(free - loss / physics_.resistance);
+  FalsePosition root(least, atLeast, free, loss);
+  for (int k = 0; k < 12 && !root.flat(); ++k) {
+    const double current = root.next();
     loss = lossAt(current);
     const double g = physics_.resistance * current + loss - available;
     if (std::abs(g) < 1e-4 * std::abs(available)) break;
-    if ((g > 0.0) == (gHigh > 0.0)) {
-      high = current;
-      gHigh = g;
-      if (kept == -1) gLow *= 0.5;
-      kept = -1;
-    } else {
-      low = current;
-      gLow = g;
-      if (kept == 1) gHigh *= 0.5;
-      kept = 1;
-    }
+    root.narrow(current, g);
   }
   return loss;
 }
@@ -341,28 +325,16 @@ double Stepper::breakawayTime(const MotionState& state, double u, double dt, dou
 }
 
 double Stepper::reversalTime(const MotionState& state, double iEnd, double vEnd, double dt, double vAfter) const {
-  // Illinois' false position on v(t), whose signs differ at 0 and dt.
-  double low = 0.0, high = dt, vLow = state.velocity, vHigh = vAfter;
+  FalsePosition root(0.0, state.velocity, dt, vAfter);
   const double i0 = state.current - iEnd, v0 = state.velocity - vEnd;
-  int kept = 0;
-  for (int k = 0; k < 60 && high - low > 1e-12 * dt; ++k) {
-    const double t = (low * vHigh - high * vLow) / (vHigh - vLow);
+  for (int k = 0; k < 60 && root.width() > 1e-12 * dt; ++k) {
+    const double t = root.next();
     const Coupled at = coupledOver(t);
     const double v = vEnd + at.vi * i0 + at.vv * v0;
     if (v == 0.0) return t;
-    if ((v > 0.0) == (vHigh > 0.0)) {
-      high = t;
-      vHigh = v;
-      if (kept == -1) vLow *= 0.5;
-      kept = -1;
-    } else {
-      low = t;
-      vLow = v;
-      if (kept == 1) vHigh *= 0.5;
-      kept = 1;
-    }
+    root.narrow(t, v);
   }
-  return 0.5 * (low + high);
+  return root.middle();
 }
 
 void Stepper::inductive(MotionState& state, double u, double dt, double time_s) {
