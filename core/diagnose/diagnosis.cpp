@@ -18,12 +18,6 @@ namespace breakaway {
 
 namespace {
 
-bool hasRealRivals(const Finding& finding) {
-  const Effect* effect = findEffect(finding.effect);
-  return std::any_of(finding.ambiguousWith.begin(), finding.ambiguousWith.end(),
-                     [effect](const std::string& rival) { return rival != effect->twin(); });
-}
-
 constexpr size_t fewestFarOff = 2;  ///< held-out windows that tell of something that the others don't show
 
 std::string heldoutRemark(size_t far, size_t windows) {
@@ -95,16 +89,9 @@ Result<Attempt> diagnoseParts(const Bench& bench, const std::vector<Recording>& 
     if (!diagnosis.findings.empty())
       preferAxis(diagnosis.where, findEffect(diagnosis.findings.front().effect)->drawnOver());
   }
-  if (outside) {
-    diagnosis.where.insert(diagnosis.where.begin(), rest.where.begin(), rest.where.end());
-    diagnosis.verdict = Verdict::outsideCatalogue;
-  } else if (diagnosis.findings.empty()) {
-    diagnosis.verdict = Verdict::nothingMissing;
-    diagnosis.unexplainedShare = 0.0;  // whatever is left has no place of its own
-  } else {
-    const bool rivals = std::any_of(diagnosis.findings.begin(), diagnosis.findings.end(), hasRealRivals);
-    diagnosis.verdict = rivals ? Verdict::ambiguous : Verdict::named;
-  }
+  diagnosis.verdict = verdictOf(diagnosis.findings, outside);
+  if (outside) diagnosis.where.insert(diagnosis.where.begin(), rest.where.begin(), rest.where.end());
+  if (nothing) diagnosis.unexplainedShare = 0.0;  // whatever is left has no place of its own
   if ((outside || rest.wanders) && left.rms > 0.0 && left.rms < prepared->seen.peakTorque)
     diagnosis.remarks.push_back(wanderRemark(left, physicsOf(diagnosis.model).coulomb, prepared->seen));
   NextExperiment next = nextExperiment(diagnosis.verdict, diagnosis.findings, diagnosis.where, bench, prepared->seen);

@@ -1,4 +1,4 @@
-// The diagnosis in words and as JSON, contracts section 4.
+// The diagnosis in words and as JSON (resources/help/files.md).
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>

@@ -17,4 +17,9 @@ struct Finding {
   std::string sentence;
 };
 
+/// The first of its rivals that isn't the twin which no recording tells from it; null: it has no such rival.
+const std::string* realRival(const Finding& finding);
+/// Whether each is something that happens in one recording only, at a time of its own.
+bool allHappenOnce(const std::vector<Finding>& findings);
+
 }  // namespace breakaway

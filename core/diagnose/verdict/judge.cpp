@@ -277,11 +277,6 @@ class Judge {
 
 }  // namespace
 
-bool allHappenOnce(const std::vector<Finding>& findings) {
-  return std::all_of(findings.begin(), findings.end(),
-                     [](const Finding& one) { return findEffect(one.effect)->happensOnce(); });
-}
-
 Judgement judge(const Bench& bench, const Preparation& prepared, const SearchInput& input, const SearchResult& found) {
   return Judge(bench, prepared, input, found).judged();
 }

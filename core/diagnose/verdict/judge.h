@@ -22,8 +22,6 @@ struct Judgement {
   TorqueNoise left;  ///< what the model leaves, taken for a torque that wanders
 };
 
-bool allHappenOnce(const std::vector<Finding>& findings);
-
 /// Decisions rest on training windows; the worst tenth, which a restart at the edge of standstill may rule, is left
 /// out. Held-out data choose nothing, but they may refuse: then the least important finding goes, and what is left is
 /// judged again.

@@ -120,10 +120,8 @@ std::vector<const Effect*> unseenOnes(const Excitation& seen, const std::vector<
 
 NextExperiment separating(const Finding& finding, const Bench& bench, const Excitation& seen) {
   const Effect& one = *findEffect(finding.effect);
-  // A real rival before the twin that no motion tells apart.
-  const auto real = std::find_if(finding.ambiguousWith.begin(), finding.ambiguousWith.end(),
-                                 [&one](const std::string& rival) { return rival != one.twin(); });
-  const std::string& name = real != finding.ambiguousWith.end() ? *real : finding.ambiguousWith.front();
+  const std::string* real = realRival(finding);
+  const std::string& name = real != nullptr ? *real : finding.ambiguousWith.front();
   const Effect& other = *findEffect(name);
   NextExperiment next;
   next.separates = {finding.effect};
@@ -192,15 +190,8 @@ NextExperiment nextExperiment(Verdict verdict, const std::vector<Finding>& findi
   const Finding* twin = nullptr;
   for (const Finding& finding : findings) {
     if (finding.ambiguousWith.empty()) continue;
-    if (verdict == Verdict::ambiguous) {
-      const std::string_view own = findEffect(finding.effect)->twin();
-      if (std::all_of(finding.ambiguousWith.begin(), finding.ambiguousWith.end(),
-                      [own](const std::string& rival) { return rival == own; })) {
-        continue;
-      }
-      return separating(finding, bench, seen);
-    }
-    if (twin == nullptr) twin = &finding;
+    if (verdict == Verdict::ambiguous && realRival(finding) != nullptr) return separating(finding, bench, seen);
+    if (verdict != Verdict::ambiguous && twin == nullptr) twin = &finding;
   }
   if (verdict == Verdict::outsideCatalogue && !where.empty())
     return {closerLook(where.front(), seen) + limits(bench), {}};

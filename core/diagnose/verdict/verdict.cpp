@@ -1,6 +1,16 @@
 #include "diagnose/verdict/verdict.h"
 
+#include <algorithm>
+
 namespace breakaway {
+
+Verdict verdictOf(const std::vector<Finding>& findings, bool outside) {
+  if (outside) return Verdict::outsideCatalogue;
+  if (findings.empty()) return Verdict::nothingMissing;
+  const bool rivals =
+      std::any_of(findings.begin(), findings.end(), [](const Finding& one) { return realRival(one) != nullptr; });
+  return rivals ? Verdict::ambiguous : Verdict::named;
+}
 
 std::string nameOf(Verdict verdict) {
   switch (verdict) {

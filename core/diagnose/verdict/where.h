@@ -20,7 +20,7 @@ struct Order {
 
 /// Mean of the unexplained over one axis; cells with little data are NaN.
 struct ResidualMap {
-  std::string axis;  ///< contract's name
+  std::string axis;  ///< as Place has it
   std::string unit;  ///< of the axis: "rad", "Hz" …; "current" is the motor torque in Nm, for voltage the current in A
   Unknown shows = Unknown::torque;
   std::vector<double> centre;           ///< of the cells, in `unit`
