@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "diagnose/effects/catalogue.h"
-#include "diagnose/fit/inverse_fit.h"
+#include "diagnose/fit/excitation_seen.h"
 #include "diagnose/simulate/physics.h"
 #include "report/drawn_term.h"
 

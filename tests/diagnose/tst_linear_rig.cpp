@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "base/statistics.h"
-#include "diagnose/fit/inverse_fit.h"
+#include "diagnose/fit/excitation_seen.h"
 #include "diagnose/fit/motion.h"
 #include "diagnose/screen/linear_rig.h"
 #include "support/driven_recording.h"

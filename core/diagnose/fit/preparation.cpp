@@ -6,8 +6,9 @@
 
 #include "diagnose/effects/catalogue.h"
 #include "diagnose/fit/channel_checks.h"
-#include "diagnose/fit/inverse_fit.h"
+#include "diagnose/fit/excitation_seen.h"
 #include "diagnose/fit/motion.h"
+#include "diagnose/fit/start_models.h"
 #include "diagnose/fit/winding_start.h"
 #include "diagnose/simulate/simulator.h"
 
