@@ -17,6 +17,7 @@
 #include "pages/tune_page.h"
 #include "session/session.h"
 #include "widgets/board_bar.h"
+#include "widgets/controls.h"
 #include "widgets/live_plots.h"
 #include "widgets/look.h"
 #include "widgets/stop_keys.h"
@@ -84,9 +85,7 @@ void MainWindow::buildNavigation() {
   right->addWidget(stack_, 1);
   right->addWidget(line_);
   auto* centre = new QWidget(this);
-  auto* row = new QHBoxLayout(centre);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(0);
+  auto* row = rowIn(centre, 0);
   row->addWidget(steps_);
   row->addLayout(right, 1);
   setCentralWidget(centre);

@@ -167,8 +167,8 @@ void Tour::tune() {
     ControllerSettings softer = tuned;
     softer.velocity_kp_A_s_per_rad *= factor;
     session_.connection.configure(softer);
+    wait([&] { return session_.connection.settings() == softer; }, 5000);
     const size_t before = session_.bench.steps().size();
-    settle(100);
     press("measureStepButton");
     if (!wait([&] { return session_.bench.steps().size() > before; })) trouble_ = "the velocity step did not end";
   }

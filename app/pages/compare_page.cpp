@@ -48,9 +48,7 @@ ComparePage::ComparePage(const BenchRuns& bench, const LiveSamples& live, Compar
       comparison_(comparison),
       files_(files) {
   setAcceptDrops(true);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(16, 8, 16, 4);
-  column->setSpacing(5);
+  auto* column = columnIn(this, 5, {16, 8, 16, 4});
   column->addWidget(buildInputs());
   auto* row = new QHBoxLayout;
   row->setSpacing(14);
@@ -68,15 +66,14 @@ ComparePage::ComparePage(const BenchRuns& bench, const LiveSamples& live, Compar
 
 QWidget* ComparePage::buildInputs() {
   auto* strip = new QWidget(this);
-  auto* row = new QHBoxLayout(strip);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(6);
+  auto* row = rowIn(strip, 6);
   openBench_ = pushButton(strip, "openBenchButton", tr("Bench…"),
                           tr("What is believed of the rig: NAME.bench.json. Dropping the file here does the same."));
   openRecording_ =
       pushButton(strip, "openRecordingButton", tr("Recording…"), tr("NAME.csv. Dropping the file here does the same."));
-  openHeldout_ = pushButton(strip, "openHeldoutButton", tr("Held-out…"),
-                            tr("A second recording for the proof; without it, parts of the first are held out"));
+  openHeldout_ =
+      pushButton(strip, "openHeldoutButton", tr("Held-out…"),
+                 tr("A second recording to prove the findings on; without it, parts of the first are held out"));
   takeLive_ = pushButton(strip, "takeLiveButton", tr("Last live"));
   openExample_ = pushButton(strip, "openExampleButton", tr("Example"));
   diagnose_ = pushButton(strip, "diagnoseButton", tr("Diagnose"));
@@ -117,9 +114,7 @@ QWidget* ComparePage::buildInputs() {
 
 QWidget* ComparePage::buildPlots() {
   auto* side = new QWidget(this);
-  auto* column = new QVBoxLayout(side);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(4);
+  auto* column = columnIn(side, 4);
   plots_ = new ResidualPlots(comparison_, side);
   auto* strip = new QHBoxLayout;
   axis_ = new QComboBox(side);
@@ -144,9 +139,7 @@ QWidget* ComparePage::buildPlots() {
 QWidget* ComparePage::buildVerdict() {
   auto* side = new QWidget(this);
   side->setFixedWidth(420);
-  auto* column = new QVBoxLayout(side);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(6);
+  auto* column = columnIn(side, 6);
   proof_ = new FactsTable("proof", side);
   findings_ = new FindingsList(comparison_, side);
   column->addWidget(proof_);
@@ -184,7 +177,8 @@ void ComparePage::showInputs() {
   openRecording_->setText(recording ? tr("Recording: %1").arg(fileName(recording->name()).left(24)) : tr("Recording…"));
   const auto& heldout = comparison_.heldout();
   openHeldout_->setText(heldout ? tr("Held-out: %1").arg(fileName(heldout->name()).left(20)) : tr("Held-out…"));
-  setAvailable(takeLive_, live_.lastRecording().has_value(), tr("Take what was last recorded in the live plots"),
+  setAvailable(takeLive_, live_.lastRecording().has_value(),
+               tr("Take the last recording that was made in the live plots"),
                tr("Nothing was recorded yet: Record, below the page, begins one"));
   setAvailable(openExample_, !resourceFiles("examples", ".bench.json").isEmpty(),
                tr("A recording of a simulated rig with concealed physics"), tr("The examples are not installed"));
@@ -193,7 +187,9 @@ void ComparePage::showInputs() {
 
 void ComparePage::showProgress() {
   const bool running = comparison_.diagnosing();
-  setAvailable(diagnose_, tr("Fit, search, decide on held-out data"), comparison_.obstacle());
+  setAvailable(diagnose_,
+               tr("Fits the declared physics, searches for what is missing, and decides on data that was held out"),
+               comparison_.obstacle());
   setAvailable(cancel_, running, tr("End the diagnosis"), tr("No diagnosis is running"));
   progress_->setVisible(running);
   progress_->setValue(static_cast<int>(std::lround(1000.0 * comparison_.progress())));
@@ -213,7 +209,7 @@ void ComparePage::showProof() {
   };
   std::vector<Fact> facts{
       {tr("Held-out error"), change(fit.heldoutBefore, fit.heldoutAfter),
-       tr("RMS of the position over %1 s windows, base model and extended model; %2")
+       tr("RMS error of the position over windows of %1 s, with the base model and with the extended one; %2")
            .arg(fit.window_s)
            .arg(fit.separateRecording ? tr("on a separate recording") : tr("on held-out parts of the recording"))},
       {tr("Better by"),
@@ -223,10 +219,11 @@ void ComparePage::showProof() {
            .arg(100.0 * fit.improvementHigh95, 0, 'f', 0),
        {}},
       {tr("Training error"), change(fit.trainBefore, fit.trainAfter), {}},
-      {tr("A perfect model"), lengthText(fit.floor, linear), tr("What the sensors and the restarts alone leave")}};
+      {tr("A perfect model"), lengthText(fit.floor, linear),
+       tr("What noise of the sensors, and the unknown start of each window, leave even to a perfect model")}};
   if (!comparison_.shownTrace().position.empty()) {
     facts.push_back({tr("As ticked below"), lengthText(comparison_.shownRmse(), linear),
-                     tr("RMS of the simulation that is drawn, held-out rows")});
+                     tr("RMS error of the position as the drawn simulation has it, over the held-out rows")});
   }
   proof_->show(facts);
 }

@@ -50,9 +50,7 @@ ConnectPage::ConnectPage(Connection& connection, BenchRuns& bench, Messages& mes
       bench_(bench),
       messages_(messages),
       files_(files) {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(16, 12, 16, 12);
-  row->setSpacing(28);
+  auto* row = rowIn(this, 28, {16, 12, 16, 12});
   row->addWidget(buildBoards(), 0);
   row->addWidget(buildIdentity(), 1);
   connect(&connection_, &Connection::changed, this, &ConnectPage::showConnection);
@@ -65,9 +63,7 @@ ConnectPage::ConnectPage(Connection& connection, BenchRuns& bench, Messages& mes
 QWidget* ConnectPage::buildBoards() {
   auto* side = new QWidget(this);
   side->setFixedWidth(340);
-  auto* column = new QVBoxLayout(side);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(8);
+  auto* column = columnIn(side, 8);
   column->addWidget(heading(side, tr("Boards")));
   boards_ = new BoardList(side);
   column->addWidget(boards_, 1);
@@ -76,8 +72,8 @@ QWidget* ConnectPage::buildBoards() {
   address_->setAccessibleName(tr("Address of the board"));
   address_->setPlaceholderText("serial:ttyACM0@115200");
   address_->setToolTip(
-      tr("serial:PORT@BAUD or tcp:HOST:PORT. Behind a VESC's address, what it doesn't know of its motor: "
-         "?pole_pairs=7&counts_per_rev=16384"));
+      tr("serial:PORT@BAUD or tcp:HOST:PORT. A VESC doesn't know its motor's pole pairs and encoder counts: "
+         "write ?pole_pairs=7&counts_per_rev=16384 behind its address"));
   auto* named = new QHBoxLayout;
   auto* title = new QLabel(tr("Address"), side);
   title->setBuddy(address_);
@@ -107,9 +103,7 @@ QWidget* ConnectPage::buildBoards() {
 
 QWidget* ConnectPage::buildIdentity() {
   auto* side = new QWidget(this);
-  auto* column = new QVBoxLayout(side);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(8);
+  auto* column = columnIn(side, 8);
   column->addWidget(heading(side, tr("Connected board")));
   auto* tables = new QHBoxLayout;
   tables->setSpacing(40);
@@ -131,8 +125,7 @@ QWidget* ConnectPage::buildIdentity() {
 
 QWidget* ConnectPage::buildMotion() {
   auto* row = new QWidget(this);
-  auto* buttons = new QHBoxLayout(row);
-  buttons->setContentsMargins(0, 0, 0, 0);
+  auto* buttons = rowIn(row);
   turn_ = pushButton(row, "turnButton", tr("Turn slowly"));
   disconnect_ = pushButton(row, "disconnectButton", tr("Disconnect"));
   pace_ = new QComboBox(row);
@@ -167,7 +160,8 @@ void ConnectPage::showConnection() {
   const bool trying = state == ConnectionState::connecting || state == ConnectionState::reconnecting;
   setAvailable(connect_, !address_->text().trimmed().isEmpty(), tr("Connect to this address; the motor stays off"),
                tr("No board is chosen in the list, and no address is given"));
-  setAvailable(pace_, simulated, tr("How fast the simulated board's time passes; a long sweep need not be waited for"),
+  setAvailable(pace_, simulated,
+               tr("How fast time passes on the simulated board: at 20 × real time a sweep of 20 minutes takes one"),
                connected ? tr("A real board keeps its own time") : tr("No board is connected"));
   disconnect_->setText(trying ? tr("Give up") : tr("Disconnect"));
   setAvailable(disconnect_, connected || trying,
@@ -223,8 +217,8 @@ void ConnectPage::showIdentity() {
                   {tr("Address"), shortAddress(connection_.uri()), connection_.uri()},
                   {identity.can.everyTick ? tr("Control loop") : tr("Asked for values"),
                    tr("%1 Hz").arg(number(identity.loopRate_Hz)),
-                   identity.can.everyTick ? tr("One sample comes from each tick")
-                                          : tr("As often as the board answers with half of its time to spare")},
+                   identity.can.everyTick ? tr("The board sends one sample for each tick of its loop")
+                                          : tr("As often as the board can answer while half of its time stays free")},
                   {tr("Encoder"),
                    (connection_.linear() ? tr("%1 counts per m") : tr("%1 counts per turn"))
                        .arg(identity.countsPerRev, 0, 'g', 10),

@@ -1,4 +1,4 @@
-// How a board on a port is reached: opened without holding up the window, and again by itself when the link was lost.
+// Opens boards: one on a port without holding up the window, and again by itself when its link was lost.
 #pragma once
 
 #include <QObject>
@@ -26,13 +26,13 @@ class BoardOpener : public QObject {
   explicit BoardOpener(Taker taker, QObject* parent = nullptr);
   ~BoardOpener() override;
 
-  /// Opens at once what is simulated, the rest in a thread of its own. Ends what was under way.
+  /// Opens a simulated board at once, any other in a thread of its own. Gives up an attempt that is under way.
   void open(const BoardRequest& request);
-  /// The drive that came was lost: tries again until it comes back or close() is called.
+  /// The board that was opened is lost: tries again until it comes back or close() is called.
   void lost(const QString& why);
-  /// Nothing is under way any more; the drive, if there is one, belongs to somebody else.
+  /// Gives up an attempt that is under way; a drive that was handed over is not touched.
   void close();
-  /// A drive that nobody had to open.
+  /// Somebody has a drive that was opened elsewhere: that counts as connected.
   void keep();
 
   ConnectionState state() const { return state_; }

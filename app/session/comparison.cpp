@@ -32,7 +32,6 @@ void Comparison::openBench(const QString& path) {
     return;
   }
   bench_ = *bench;
-  benchPath_ = path;
   forgetDiagnosis();
 }
 
@@ -51,12 +50,6 @@ void Comparison::takeRecording(const Recording& recording) {
 
 void Comparison::takeBench(const Bench& bench) {
   bench_ = bench;
-  benchPath_.clear();
-  forgetDiagnosis();
-}
-
-void Comparison::dropHeldout() {
-  heldout_.reset();
   forgetDiagnosis();
 }
 

@@ -29,13 +29,12 @@ class Comparison : public QObject {
   ~Comparison() override;
 
   void openBench(const QString& path);
-  /// Reads in a pool thread; without a held-out recording, blocks of the recording itself are held out.
+  /// Reads in a pool thread. Without a held-out recording, blocks of the recording itself are held out.
   void openRecording(const QString& path);
   void openHeldout(const QString& path);
   void takeRecording(const Recording& recording);
   void takeBench(const Bench& bench);
-  void dropHeldout();
-  /// A bench or a recording, by the name's ending.
+  /// A bench if the name ends in .json, a recording otherwise.
   void open(const QString& path);
 
   void diagnose();
@@ -45,7 +44,6 @@ class Comparison : public QObject {
   bool includes(const std::string& effect) const { return !leftOut_.contains(effect); }
 
   const std::optional<Bench>& bench() const { return bench_; }
-  const QString& benchPath() const { return benchPath_; }
   const std::optional<Recording>& recording() const { return recording_; }
   const std::optional<Recording>& heldout() const { return heldout_; }
   const std::optional<Diagnosis>& diagnosis() const { return diagnosis_; }
@@ -59,7 +57,8 @@ class Comparison : public QObject {
   /// diagnosis.
   const Trace& baseTrace() const { return base_; }
   const Trace& shownTrace() const { return shown_; }
-  /// RMS of the shown simulation's position error over the held-out rows, or over all rows when others are held out.
+  /// RMS of the shown simulation's position error over the held-out rows, or over all rows if those held out are of
+  /// another recording.
   double shownRmse() const;
 
  signals:
@@ -80,7 +79,6 @@ class Comparison : public QObject {
   QThreadPool pool_;
   std::stop_source stop_;
   std::optional<Bench> bench_;
-  QString benchPath_;
   std::optional<Recording> recording_;
   std::optional<Recording> heldout_;
   std::optional<Diagnosis> diagnosis_;
@@ -92,8 +90,8 @@ class Comparison : public QObject {
   QString activity_;
 };
 
-/// RMS of simulated minus measured position over [first, last + 1) stretches of rows; over all rows when there are
-/// none.
+/// RMS of simulated minus measured position over the stretches [first, last) of rows, or over all rows if there is no
+/// stretch.
 double positionRmse(const Trace& trace, const Recording& recording, const std::string& channel,
                     const std::vector<std::pair<size_t, size_t>>& stretches);
 

@@ -7,8 +7,6 @@
 #include <span>
 #include <vector>
 
-#include "base/result.h"
-#include "recording/recording.h"
 #include "recording/sample.h"
 
 namespace breakaway {

@@ -24,7 +24,7 @@ class LiveSamples : public QObject {
   /// Every sample with from ≤ time ≤ to. Errors: sealSamples()'s.
   Result<Recording> stretch(double from_s, double to_s) const;
 
-  /// A recording of everything at the full rate. Nothing without a board.
+  /// A recording of everything at the full rate. Does nothing without a board.
   void startRecording();
   void finishRecording();
   bool recording() const { return recording_; }

@@ -14,7 +14,7 @@ ProfileComparison::ProfileComparison(Connection& connection, const BenchRuns& be
 
 QString ProfileComparison::obstacle() const {
   if (!connection_.connected()) return tr("No board is connected");
-  return connection_.linear() ? tr("Profiles are of a rotor's board; this one moves a linear axis") : QString();
+  return connection_.linear() ? tr("Profiles are for boards with a rotor; this one moves a linear axis") : QString();
 }
 
 QString ProfileComparison::source() const {

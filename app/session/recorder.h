@@ -1,4 +1,4 @@
-// Keeps every sample it is given until it is sealed into a recording; it never drops and never decimates.
+// Keeps every sample it is given, up to its capacity, until it is sealed into a recording; it never decimates.
 #pragma once
 
 #include <cstddef>
@@ -11,11 +11,10 @@ namespace breakaway {
 
 class Recorder {
  public:
-  /// Ten minutes at 5 kHz; then the recorder is full, refuses further samples and says so through full().
+  /// Ten minutes at 5 kHz; further samples are not kept.
   static constexpr size_t capacity = 3'000'000;
 
   bool recording() const { return recording_; }
-  bool full() const { return samples_.size() >= capacity; }
   size_t size() const { return samples_.size(); }
   void start();
   void append(std::span<const Sample> samples);

@@ -6,8 +6,8 @@
 
 namespace breakaway {
 
-/// Full paths of the files in the resources' folder `folder` whose names end so, by name; none when the folder is
-/// missing.
+/// Full paths of those files in the resources' `folder` whose names end in `ending`, sorted by name; none if the folder
+/// is missing.
 QStringList resourceFiles(const QString& folder, const QString& ending);
 
 }  // namespace breakaway

@@ -1,4 +1,4 @@
-// The motion a simulated board makes after it is connected: to and fro, slowly, until something else is asked.
+// A rotor turning to and fro slowly until something else is asked of it.
 #pragma once
 
 #include <optional>

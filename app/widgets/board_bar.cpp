@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "session/connection.h"
+#include "widgets/controls.h"
 #include "widgets/look.h"
 
 namespace breakaway {
@@ -15,9 +16,7 @@ namespace breakaway {
 BoardBar::BoardBar(Connection& connection, QWidget* parent) : QWidget(parent), connection_(connection) {
   setObjectName("boardBar");
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(12, 5, 8, 5);
-  row->setSpacing(14);
+  auto* row = rowIn(this, 14, {12, 5, 8, 5});
   device_ = addField("deviceLabel", tr("Device"), 190);
   firmware_ = addField("firmwareLabel", tr("Firmware"), 110);
   link_ = addField("linkLabel", tr("Link"), 130);

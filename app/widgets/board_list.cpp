@@ -55,13 +55,12 @@ void BoardList::addTitle(const QString& text) {
   item->setSizeHint({0, fontMetrics().height() + 9});
 }
 
-/// One behind the last item of that kind; behind the title of the ports where there is none.
-int BoardList::rowOf(const char* kind) const {
-  int behind = 0;
+int BoardList::rowBelowRigs() const {
+  int below = 0;
   for (int row = 0; row < count(); ++row) {
-    if (item(row)->data(kindRole) == kind) behind = row + 1;
+    if (item(row)->data(kindRole) == rigKind) below = row + 1;
   }
-  return behind;
+  return below;
 }
 
 QString BoardList::address() const {
@@ -69,7 +68,7 @@ QString BoardList::address() const {
 }
 
 void BoardList::addRig(const QString& name, const QString& uri) {
-  auto* item = add(rowOf(rigKind), tr("Simulated board: %1").arg(name), uri, uri);
+  auto* item = add(rowBelowRigs(), tr("Simulated board: %1").arg(name), uri, uri);
   item->setData(kindRole, rigKind);
   setCurrentItem(item);
 }
@@ -86,7 +85,7 @@ void BoardList::showPorts(const std::vector<SerialPort>& ports) {
   for (int row = count() - 1; row >= 0; --row) {
     if (item(row)->data(kindRole) == portKind) delete takeItem(row);
   }
-  int at = rowOf(rigKind) + 1;
+  int at = rowBelowRigs() + 1;
   for (size_t k = 0; k < ports.size(); ++k) {
     const SerialPort& port = ports[k];
     auto* item = add(at++, QString::fromStdString(port.words()), addresses[k],

@@ -24,7 +24,7 @@ class BoardList : public QListWidget {
  private:
   QListWidgetItem* add(int row, const QString& text, const QString& uri, const QString& tip);
   void addTitle(const QString& text);
-  int rowOf(const char* kind) const;
+  int rowBelowRigs() const;
 
   QTimer watch_;
   std::vector<QString> shown_;  ///< addresses of the ports in the list

@@ -1,13 +1,27 @@
 #include "widgets/controls.h"
 
 #include <QFrame>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 #include "widgets/look.h"
 
 namespace breakaway {
+
+namespace {
+
+template <class Layout>
+Layout* layOut(QWidget* widget, int spacing, const QMargins& margins) {
+  auto* layout = new Layout(widget);
+  layout->setContentsMargins(margins);
+  layout->setSpacing(spacing);
+  return layout;
+}
+
+}  // namespace
 
 QToolButton* toolButton(QWidget* parent, const char* objectName, const QString& text, const QString& tip) {
   auto* button = new QToolButton(parent);
@@ -35,6 +49,14 @@ void setAvailable(QWidget* control, bool available, const QString& tip, const QS
 
 void setAvailable(QWidget* control, const QString& tip, const QString& reason) {
   setAvailable(control, reason.isEmpty(), tip, reason);
+}
+
+QVBoxLayout* columnIn(QWidget* widget, int spacing, const QMargins& margins) {
+  return layOut<QVBoxLayout>(widget, spacing, margins);
+}
+
+QHBoxLayout* rowIn(QWidget* widget, int spacing, const QMargins& margins) {
+  return layOut<QHBoxLayout>(widget, spacing, margins);
 }
 
 QLabel* heading(QWidget* parent, const QString& text) {

@@ -27,7 +27,7 @@ QString verdictText(Verdict verdict) {
   return {};
 }
 
-/// excess_Nm → "excess 3.1 mNm"-like: name, value, interval and the unit from the name's end as it stands.
+/// "excess_Nm = 0.0031  [0.0029, 0.0033]": the name with its unit as it stands, the value and its 95 % interval.
 QString parameterText(const Parameter& parameter) {
   QString value = QString("%1 = %2").arg(QString::fromStdString(parameter.name)).arg(parameter.value, 0, 'g', 4);
   if (parameter.low95 == parameter.high95) return value;
@@ -58,9 +58,7 @@ FindingsList::FindingsList(Comparison& comparison, QWidget* parent) : QScrollAre
 
 void FindingsList::rebuild() {
   auto* content = new QWidget;
-  auto* column = new QVBoxLayout(content);
-  column->setContentsMargins(0, 0, 8, 0);
-  column->setSpacing(4);
+  auto* column = columnIn(content, 4, {0, 0, 8, 0});
   if (const auto& diagnosis = comparison_.diagnosis()) {
     addVerdict(*column);
     int rank = 0;

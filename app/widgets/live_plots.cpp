@@ -54,9 +54,7 @@ const std::array<LiveChannel, 4>& shownChannels(const Connection& connection) {
 LivePlots::LivePlots(Connection& connection, LiveSamples& live, Messages& messages, FileChooser& files, QWidget* parent)
     : QWidget(parent), connection_(connection), live_(live), messages_(messages), files_(files) {
   setObjectName("livePlots");
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(8, 2, 8, 6);
-  layout->setSpacing(2);
+  auto* layout = columnIn(this, 2, {8, 2, 8, 6});
   buildStrip();
   buildPlot();
   layout->addWidget(plot_, 1);
@@ -87,7 +85,7 @@ void LivePlots::buildStrip() {
   span_ = new QComboBox(this);
   span_->setObjectName("spanBox");
   span_->setAccessibleName(tr("Visible time span"));
-  span_->setToolTip(tr("Visible time span; the wheel zooms over a paused picture"));
+  span_->setToolTip(tr("Visible time span; while the picture is paused, the wheel zooms"));
   for (const double span : spans_s) span_->addItem(tr("%1 s").arg(span), span);
   span_->setCurrentIndex(2);
   connect(span_, &QComboBox::currentIndexChanged, this, &LivePlots::follow);

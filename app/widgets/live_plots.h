@@ -38,7 +38,7 @@ class LivePlots : public QWidget {
  public slots:
   void setPaused(bool paused);
   void showCursors(bool shown);
-  /// Takes the new samples over and draws; called by a timer, and by who wants a picture now.
+  /// Takes the new samples over and draws; called by a timer, and by whoever wants a picture at once.
   void refresh();
 
  protected:

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+#include "widgets/controls.h"
 #include "widgets/look.h"
 
 namespace breakaway {
@@ -22,8 +23,7 @@ constexpr double near_px = 12.0;
 MapPlot::MapPlot(const char* objectName, const QString& accessibleName, QSize picture, QWidget* parent)
     : QWidget(parent), plot_(new QCustomPlot(this)), picture_(picture) {
   setObjectName(objectName);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = columnIn(this);
   layout->addWidget(plot_);
   plot_->setObjectName(QString(objectName) + "Canvas");
   plot_->setAccessibleName(accessibleName);

@@ -16,15 +16,8 @@ namespace breakaway {
 
 ProfilePanel::ProfilePanel(Connection& connection, const BenchRuns& bench, Messages& messages, FileChooser& files,
                            QWidget* parent)
-    : QWidget(parent),
-      connection_(connection),
-      bench_(bench),
-      messages_(messages),
-      files_(files),
-      profile_(connection, bench, messages) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(8);
+    : QWidget(parent), files_(files), profile_(connection, bench, messages) {
+  auto* column = columnIn(this, 8);
   column->addWidget(heading(this, tr("Profile")));
   auto* buttons = new QHBoxLayout;
   save_ = pushButton(this, "saveProfileButton", tr("Save…"));
@@ -54,7 +47,7 @@ ProfilePanel::ProfilePanel(Connection& connection, const BenchRuns& bench, Messa
     name->setCheckState(name->checkState() == Qt::Checked ? Qt::Unchecked : Qt::Checked);
   });
   connect(table_, &QTableWidget::itemChanged, this, &ProfilePanel::showAvailable);
-  connect(&connection_, &Connection::changed, this, &ProfilePanel::showAvailable);
+  connect(&connection, &Connection::changed, this, &ProfilePanel::showAvailable);
   frameTicks();
   fill();
 }

@@ -28,9 +28,6 @@ class ProfilePanel : public QWidget {
   void showAvailable();
   QStringList ticked() const;
 
-  Connection& connection_;
-  const BenchRuns& bench_;
-  Messages& messages_;
   FileChooser& files_;
   ProfileComparison profile_;
   QPushButton* save_ = nullptr;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "session/comparison.h"
+#include "widgets/controls.h"
 #include "widgets/look.h"
 #include "widgets/residual_axis.h"
 
@@ -14,8 +15,7 @@ namespace breakaway {
 
 ResidualPlots::ResidualPlots(Comparison& comparison, QWidget* parent) : QWidget(parent), comparison_(comparison) {
   setObjectName("residualPlots");
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = columnIn(this);
   buildPlot();
   layout->addWidget(plot_);
   connect(&comparison_, &Comparison::inputsChanged, this, &ResidualPlots::showAll);

@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/controls.h"
+
 namespace breakaway {
 
 RunPanel::RunPanel(const char* objectName, std::vector<RunKind> kinds, QWidget* parent)
     : QWidget(parent), kinds_(std::move(kinds)), bar_(new QProgressBar(this)), activity_(new QLabel(this)) {
   setObjectName(objectName);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(3);
+  auto* column = columnIn(this, 3);
   bar_->setObjectName(QString(objectName) + "Bar");
   bar_->setAccessibleName(tr("Progress"));
   bar_->setRange(0, 1000);

@@ -4,6 +4,7 @@
 
 #include <QVBoxLayout>
 
+#include "widgets/controls.h"
 #include "widgets/look.h"
 
 namespace breakaway {
@@ -23,8 +24,7 @@ QVector<double> list(const std::vector<double>& values, double scale = 1.0) {
 
 StepPlot::StepPlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)) {
   setObjectName("stepPlot");
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = columnIn(this);
   layout->addWidget(plot_);
   plot_->setAccessibleName(tr("Measured velocity step and its current over time"));
   plot_->setMinimumSize(200, 150);
