@@ -49,7 +49,7 @@ CurrentSensorModel::CurrentSensorModel(const Rig& rig, uint64_t seed)
     : sensor_(rig.currentSensor),
       step_V_(sensor_.adcRange_V / std::exp2(sensor_.adcBits)),
       supplied_(1.0 + sensor_.supplyDeviation_V / sensor_.adcRange_V),
-      noise_(seed) {
+      noise_(seed, Stream::currentNoise) {
   for (const RigEffect& effect : rig.effects) {
     if (effect.effect == "current_sensor_offset") sensor_.offset_A += effect.parameter("offset_A");
   }

@@ -99,7 +99,7 @@ class RandomRig {
     return out + "]}";
   }
 
-  Noise noise_;
+  Random noise_;
 };
 
 }  // namespace breakaway::test
