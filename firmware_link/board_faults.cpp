@@ -1,18 +1,18 @@
 #include "firmware_link/board_faults.h"
 
 #include <cmath>
-#include <numbers>
+
+#include "base/numbers.h"
 
 namespace breakaway {
 
 namespace {
 
-constexpr double turn = 2.0 * std::numbers::pi;
 constexpr double resistanceStep = 1e-3;  // a plant that is prepared anew in every tick would be slow
 
 /// Whether a shaft on its way from `before_rad` to `now_rad` passed `place_rad`, in any turn.
 bool passes(double before_rad, double now_rad, double place_rad) {
-  return std::floor((before_rad - place_rad) / turn) != std::floor((now_rad - place_rad) / turn);
+  return std::floor((before_rad - place_rad) / turn_rad) != std::floor((now_rad - place_rad) / turn_rad);
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 #include "firmware_link/board_link.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 namespace breakaway {
 
@@ -138,10 +138,8 @@ Result<BoardLink::Bytes> BoardLink::ask(wire::Type type, std::span<const std::ui
     awaited.body->erase(awaited.body->begin());
     return ended(std::move(*awaited.body));
   }
-  char text[160];
-  std::snprintf(text, sizeof text, "does not answer (%s, asked %d times in %.1f s)", nameOf(type), patience.tries,
-                patience.tries * patience.perTry_s);
-  return ended(Error{place_, text});
+  return ended(Error{place_, fmt::format("does not answer ({}, asked {} times in {:.1f} s)", nameOf(type),
+                                         patience.tries, patience.tries * patience.perTry_s)});
 }
 
 }  // namespace breakaway

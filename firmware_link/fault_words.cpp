@@ -1,19 +1,9 @@
 #include "firmware_link/fault_words.h"
 
+#include <fmt/core.h>
 #include <cmath>
-#include <cstdio>
 
 namespace breakaway {
-
-namespace {
-
-std::string text(const char* format, double number) {
-  char line[240];
-  std::snprintf(line, sizeof line, format, number);
-  return line;
-}
-
-}  // namespace
 
 std::string faultWords(const wire::Fault& fault, const FaultLimits& limits) {
   using wire::FaultCode;
@@ -30,13 +20,13 @@ std::string faultWords(const wire::Fault& fault, const FaultLimits& limits) {
                         static_cast<double>(fault.supply_V), limits.supply_V,
                         static_cast<double>(fault.jump_rad) / limits.count_rad, limits.blockedFor_s});
     case FaultCode::overSpeed:
-      return text("over-speed: %.0f rad/s; check the velocity's target and the encoder's direction",
-                  std::abs(static_cast<double>(fault.velocity_rad_per_s)));
+      return fmt::format("over-speed: {:.0f} rad/s; check the velocity's target and the encoder's direction",
+                         std::abs(static_cast<double>(fault.velocity_rad_per_s)));
     case FaultCode::travel:
       return "the rotor went beyond the travel that the board allows; widen travel_limit_rad, or ask for less";
     case FaultCode::overTemperature:
-      return text("over-temperature: %.0f degrees Celsius; let the motor cool, then go on",
-                  static_cast<double>(fault.temperature_degC));
+      return fmt::format("over-temperature: {:.0f} degrees Celsius; let the motor cool, then go on",
+                         static_cast<double>(fault.temperature_degC));
     case FaultCode::leaseExpired:
       return linkLossWords(limits.lease_s);
   }

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
+
+#include "base/numbers.h"
 
 namespace breakaway {
 
@@ -80,11 +81,11 @@ Result<void> uploadFriction(BoardLink& link, const FrictionCompensation& frictio
     if (auto written = upload(link, (*curves)[k], k); !written) return written;
     for (const float value : (*curves)[k]) addTo(sum, value);
   }
-  constexpr double turn = 2.0 * std::numbers::pi;
   wire::FrictionUse use;
   use.bins = static_cast<std::uint16_t>((*curves)[0].size());
   use.checksum = sum.value();
-  use.index_rad = static_cast<float>(friction.indexAngle_rad - turn * std::floor(friction.indexAngle_rad / turn));
+  use.index_rad =
+      static_cast<float>(friction.indexAngle_rad - turn_rad * std::floor(friction.indexAngle_rad / turn_rad));
   use.blend_rad_per_s = static_cast<float>(friction.blend_rad_per_s);
   use.cutoff_rad_per_s = static_cast<float>(friction.cutoff_rad_per_s);
   if (!withStatic) {

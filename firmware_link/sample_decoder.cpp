@@ -1,6 +1,6 @@
 #include "firmware_link/sample_decoder.h"
 
-#include <numbers>
+#include "base/numbers.h"
 
 namespace breakaway {
 
@@ -44,7 +44,7 @@ std::size_t SampleDecoder::take(std::span<const std::uint8_t> body, std::vector<
 }
 
 double SampleDecoder::count_rad() const {
-  return 2.0 * std::numbers::pi / board_.countsPerRev;
+  return turn_rad / board_.countsPerRev;
 }
 
 Sample SampleDecoder::sampleOf(const wire::Measured<double>& measured, std::uint64_t tick) {

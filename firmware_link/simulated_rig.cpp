@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/numbers.h"
 #include "control/tuning.h"
 
 namespace breakaway {
@@ -86,7 +86,7 @@ void SimulatedRig::drive(bool enabled, double duty) {
 template <typename Scalar>
 board::BoardHardware<Scalar> hardwareOf(const Rig& rig) {
   const double tick_s = 1.0 / rig.loopRate_Hz, range_A = sensorRange_A(rig);
-  const double unit = rig.unitPerRad(), count = unit * 2.0 * std::numbers::pi / rig.encoder.countsPerRev;
+  const double unit = rig.unitPerRad(), count = unit * turn_rad / rig.encoder.countsPerRev;
   const double most_A = std::min(0.9 * range_A, rig.bridge.supply_V / rig.resistance_ohm);
   board::BoardHardware<Scalar> hardware;
   hardware.simulated = true;

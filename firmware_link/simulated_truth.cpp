@@ -1,7 +1,6 @@
 #include "firmware_link/simulated_truth.h"
 
-#include <numbers>
-
+#include "base/numbers.h"
 #include "firmware_link/presets.h"
 #include "plant/rig.h"
 
@@ -55,7 +54,7 @@ Result<FrictionMap> trueMap(const std::string& uri, size_t bins, double totalVel
   turn.totalVelocity_rad_per_s = totalVelocity_rad_per_s;
   turn.bins.resize(bins);
   for (size_t k = 0; k < bins; ++k)
-    turn.bins[k].angle_rad = (static_cast<double>(k) + 0.5) * 2.0 * std::numbers::pi / static_cast<double>(bins);
+    turn.bins[k].angle_rad = (static_cast<double>(k) + 0.5) * turn_rad / static_cast<double>(bins);
   return trueMap(uri, turn);
 }
 

@@ -1,43 +1,33 @@
 #include "firmware_link/trip_words.h"
 
+#include <fmt/core.h>
 #include <cmath>
-#include <cstdio>
 
 namespace breakaway {
-
-namespace {
-
-template <typename... Numbers>
-std::string text(const char* format, Numbers... numbers) {
-  char line[320];
-  std::snprintf(line, sizeof line, format, numbers...);
-  return line;
-}
-
-}  // namespace
 
 std::string tripWords(Trip trip, const TripFigures& figures) {
   switch (trip) {
     case Trip::overCurrent:
-      return text("over-current: %.1f A measured, the board trips at %.1f A; check motor leads and bridge for a short",
-                  std::abs(figures.current_A), figures.trip_A);
+      return fmt::format(
+          "over-current: {:.1f} A measured, the board trips at {:.1f} A; check motor leads and bridge for a short",
+          std::abs(figures.current_A), figures.trip_A);
     case Trip::openSensor:
-      return text(
-          "the current sensor shows %.1f A while the windings are open; check the bridge for a short, the sensor and "
+      return fmt::format(
+          "the current sensor shows {:.1f} A while the windings are open; check the bridge for a short, the sensor and "
           "its wires",
           figures.current_A);
     case Trip::supplyLow:
-      return text("the supply dropped to %.1f V of %.1f V; check the power supply and its current limit",
-                  figures.supply_V, figures.nominalSupply_V);
+      return fmt::format("the supply dropped to {:.1f} V of {:.1f} V; check the power supply and its current limit",
+                         figures.supply_V, figures.nominalSupply_V);
     case Trip::encoderJump:
-      return text(
-          "the encoder jumped by about %.0f counts within a control tick, which no motion does; check encoder cable "
+      return fmt::format(
+          "the encoder jumped by about {:.0f} counts within a control tick, which no motion does; check encoder cable "
           "and "
           "shield, then home again",
           figures.jumpedCounts);
     case Trip::blocked:
-      return text(
-          "the rotor is blocked: no motion for %.1f s at the current limit of %.2f A; free the shaft, or raise the "
+      return fmt::format(
+          "the rotor is blocked: no motion for {:.1f} s at the current limit of {:.2f} A; free the shaft, or raise the "
           "limit",
           figures.blockedFor_s, figures.limit_A);
     case Trip::none:
@@ -47,8 +37,9 @@ std::string tripWords(Trip trip, const TripFigures& figures) {
 }
 
 std::string linkLossWords(double silent_s) {
-  return text(
-      "the link to the board is lost: no samples for %.2f s, so the board opened the windings; check cable and power, "
+  return fmt::format(
+      "the link to the board is lost: no samples for {:.2f} s, so the board opened the windings; check cable and "
+      "power, "
       "then connect and home again",
       silent_s);
 }

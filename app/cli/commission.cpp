@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "base/numbers.h"
 #include "cli/command.h"
 #include "cli/inputs.h"
 #include "commission/commission_progress.h"
@@ -86,7 +87,7 @@ Result<void> beginFolder(const CommissionLine& line, CommissionOptions& options)
 
 /// The disc that is mounted, and the motor that it is held against.
 Result<void> takeAddedInertia(const CommissionLine& line, Axis axis, CommissionOptions& options) {
-  options.addedInertia_kg_m2 = {line.addedInertia_kg_m2, line.addedTolerance * line.addedInertia_kg_m2 / 1.959964};
+  options.addedInertia_kg_m2 = {line.addedInertia_kg_m2, line.addedTolerance * line.addedInertia_kg_m2 / normal95};
   options.motorOnly = line.motorOnly;
   if (line.against.empty()) return {};
   auto against = readMotor(line.against);

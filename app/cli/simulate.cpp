@@ -1,7 +1,7 @@
 #include <CLI/CLI.hpp>
-#include <charconv>
 
 #include "base/atomic_file.h"
+#include "base/exact_text.h"
 #include "cli/command.h"
 #include "diagnose/simulate/model_file.h"
 #include "diagnose/simulate/simulation.h"
@@ -17,9 +17,8 @@ struct SimulateLine {
 };
 
 void append(std::string& text, double value) {
-  char cell[32];
   text += ',';
-  text.append(cell, std::to_chars(cell, cell + sizeof cell, value).ptr);
+  appendExact(text, value);
 }
 
 Result<void> runSimulate(const SimulateLine& line) {

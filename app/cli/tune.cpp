@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "base/numbers.h"
 #include "cli/command.h"
 #include "report/tuning_report.h"
 #include "stability/bench_loop.h"
@@ -10,7 +11,7 @@ namespace breakaway::cli {
 
 namespace {
 
-constexpr double perHalfInterval = 1.0 / 1.959964;  // a standard error per half of a 95 % interval
+constexpr double perHalfInterval = 1.0 / normal95;  // a standard error per half of a 95 % interval
 
 struct TuneLine {
   std::string bench, stiffness = "medium", out;

@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "base/numbers.h"
 #include "session/bench_runs.h"
 #include "session/connection.h"
 #include "session/messages.h"
@@ -25,7 +26,7 @@ QString withInterval(const std::optional<Estimate>& estimate, double scale, cons
   if (!estimate) return FrictionPage::tr("not measured");
   return FrictionPage::tr("%1 ± %2 %3")
       .arg(scale * estimate->value, 0, 'f', decimals)
-      .arg(1.96 * scale * estimate->standardError, 0, 'f', decimals)
+      .arg(normal95 * scale * estimate->standardError, 0, 'f', decimals)
       .arg(unit);
 }
 

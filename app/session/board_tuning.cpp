@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/numbers.h"
 #include "control/tuning.h"
 
 namespace breakaway {
@@ -16,7 +17,7 @@ QString words(const char* text) {
 
 /// A value known to ±`part` of itself.
 Estimate trustedWithin(double value, double part) {
-  return {value, part * value / 1.959964};
+  return {value, part * value / normal95};
 }
 
 }  // namespace
@@ -58,7 +59,7 @@ KnownMotor knownMotor(const ControllerSettings& settings, const std::optional<Be
 
 ServoLoop boardLoop(const Identity& identity, const ControllerSettings& settings, const KnownMotor& motor) {
   const double tick_s = identity.loopRate_Hz > 0.0 ? 1.0 / identity.loopRate_Hz : 0.0;
-  const double revolution = identity.axis == Axis::rotary ? 2.0 * std::numbers::pi : 1.0;  // or a metre
+  const double revolution = identity.axis == Axis::rotary ? turn_rad : 1.0;  // or a metre
   ServoLoop loop;
   loop.motor = motor.values;
   const bool wound = motor.values.resistance_ohm > 0.0 && motor.values.inductance_H > 0.0;

@@ -2,12 +2,14 @@
 
 #include <QCoreApplication>
 
+#include "base/numbers.h"
+
 namespace breakaway {
 
 QString readingOf(const MapPoint& point, const QString& unit) {
   const auto translated = [](const char* text) { return QCoreApplication::translate("MapCurve", text); };
   QString text = QString::number(point.value, 'g', 4);
-  if (point.standardError > 0.0) text += translated(" ± %1").arg(1.96 * point.standardError, 0, 'g', 2);
+  if (point.standardError > 0.0) text += translated(" ± %1").arg(normal95 * point.standardError, 0, 'g', 2);
   text += " " + unit;
   if (point.standardError > 0.0) text += translated(" (95 %)");
   if (point.outlier) text += translated(", outlier");

@@ -3,7 +3,8 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "base/numbers.h"
 
 namespace breakaway {
 
@@ -54,9 +55,8 @@ std::vector<double> travelSinceReversal(const Trace& trace) {
 std::vector<double> positions(const Model& model, const Recording& recording) {
   std::vector<double> position = copy(recording.channel(model.axis == Axis::rotary ? "angle_rad" : "position_m"));
   const auto [low, high] = std::minmax_element(position.begin(), position.end());
-  constexpr double turn = 2.0 * std::numbers::pi;
-  if (model.axis == Axis::linear || position.empty() || *high - *low <= turn) return position;
-  for (double& angle : position) angle -= turn * std::floor(angle / turn);
+  if (model.axis == Axis::linear || position.empty() || *high - *low <= turn_rad) return position;
+  for (double& angle : position) angle -= turn_rad * std::floor(angle / turn_rad);
   return position;
 }
 

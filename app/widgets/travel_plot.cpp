@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/numbers.h"
 #include "widgets/look.h"
 
 namespace breakaway {
@@ -11,7 +12,6 @@ namespace breakaway {
 namespace {
 
 constexpr double mm = 1e3;
-constexpr double half95 = 1.96;
 constexpr double bandOpacity = 0.22;
 constexpr double unknown_mm = 100.0;  // either way from the index, before the travel is known
 
@@ -40,8 +40,8 @@ void TravelPlot::drawBand(const MapCurve& curve, const Look& look) {
   if (!known) return;
   QCPGraph *low = canvas().addGraph(), *high = canvas().addGraph();
   for (const MapPoint& point : curve.points) {
-    low->addData(mm * point.at, point.value - half95 * point.standardError);
-    high->addData(mm * point.at, point.value + half95 * point.standardError);
+    low->addData(mm * point.at, point.value - normal95 * point.standardError);
+    high->addData(mm * point.at, point.value + normal95 * point.standardError);
   }
   QColor fill = look.curve(curve.colour);
   fill.setAlphaF(static_cast<float>(bandOpacity));
@@ -67,7 +67,7 @@ void TravelPlot::drawCurve(const MapCurve& curve, const Look& look) {
 }
 
 void TravelPlot::rescale() {
-  const auto [lower, upper] = valueRange(half95);
+  const auto [lower, upper] = valueRange(normal95);
   canvas().yAxis->setRange(lower, upper);
   double from = -unknown_mm, to = unknown_mm;
   if (travel_) {

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numbers>
+
+#include "base/numbers.h"
 
 namespace breakaway {
 
@@ -42,7 +43,7 @@ class Random {
       return spare_;
     }
     const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));
-    const double angle = 2.0 * std::numbers::pi * uniform();
+    const double angle = turn_rad * uniform();
     spare_ = radius * std::sin(angle);
     hasSpare_ = true;
     return radius * std::cos(angle);

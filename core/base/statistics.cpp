@@ -26,25 +26,4 @@ double quantile(std::vector<double> values, double fraction) {
   return *nth;
 }
 
-double upperBound95(size_t hits, size_t runs) {
-  if (hits >= runs) return 1.0;
-  const auto n = static_cast<double>(runs);
-  // P(X ≤ hits) of the binomial distribution falls with p.
-  const auto atMost = [&](double p) {
-    double term = n * std::log1p(-p), sum = std::exp(term);
-    for (size_t k = 0; k < hits; ++k) {
-      const auto i = static_cast<double>(k);
-      term += std::log((n - i) / (i + 1.0)) + std::log(p) - std::log1p(-p);
-      sum += std::exp(term);
-    }
-    return sum;
-  };
-  double low = 0.0, high = 1.0;
-  for (int halving = 0; halving < 60; ++halving) {
-    const double middle = 0.5 * (low + high);
-    (atMost(middle) > 0.05 ? low : high) = middle;
-  }
-  return high;
-}
-
 }  // namespace breakaway

@@ -16,10 +16,6 @@ double rms(std::span<const double> values);
 /// Quantile in [0, 1] by partial sorting of the given copy, without interpolation; 0 for no values.
 double quantile(std::vector<double> values, double fraction);
 
-/// One-sided 95 % upper bound of a probability after `hits` of `runs` (C. Clopper, E. Pearson, Biometrika 26(4), 1934):
-/// the largest one at which so few hits still come up in 5 % of cases; 1 for no runs.
-double upperBound95(size_t hits, size_t runs);
-
 /// 95 % interval of `statistic` over resampled blocks (percentile bootstrap): calls it with block indices drawn with
 /// replacement.
 struct Interval {

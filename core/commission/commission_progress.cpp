@@ -1,6 +1,6 @@
 #include "commission/commission_progress.h"
 
-#include <cstdio>
+#include <fmt/core.h>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <system_error>
@@ -29,9 +29,7 @@ std::string eventsFile(const std::string& folder) {
 }
 
 std::string runFile(const std::string& folder, size_t number) {
-  char name[48];
-  std::snprintf(name, sizeof name, "/progress/run-%02zu.json", number + 1);
-  return folder + name;
+  return fmt::format("{}/progress/run-{:02}.json", folder, number + 1);
 }
 
 Json rowOf(const AngleBinSums& sums) {

@@ -1,6 +1,7 @@
 #include "commission/strokes_file.h"
 
-#include <cstdio>
+#include <fmt/core.h>
+
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
@@ -18,9 +19,7 @@ constexpr double mostSamples = 1e9;
 }  // namespace
 
 std::string strokesFile(const std::string& folder, size_t number) {
-  char name[48];
-  std::snprintf(name, sizeof name, "/progress/strokes-%02zu.json", number + 1);
-  return folder + name;
+  return fmt::format("{}/progress/strokes-{:02}.json", folder, number + 1);
 }
 
 Result<void> writeStrokes(const TravelRun& run, const std::string& path) {

@@ -1,6 +1,7 @@
 // The diagnosis in words and as JSON (resources/help/files.md).
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
@@ -16,9 +17,7 @@ constexpr double farFromFloor = 1.6;
 
 std::string sizeText(double value, Axis axis) {
   if (axis == Axis::linear) return lengthText(value);
-  char text[48];
-  std::snprintf(text, sizeof text, value < 1.0 ? "%.3g mrad" : "%.3g rad", value < 1.0 ? value * 1e3 : value);
-  return text;
+  return value < 1.0 ? fmt::format("{:.3g} mrad", value * 1e3) : fmt::format("{:.3g} rad", value);
 }
 
 /// "a", "a or b", "a, b or c".
@@ -82,10 +81,7 @@ std::string inWords(const Diagnosis& d) {
   for (const Finding& finding : d.findings) {
     out += "- " + finding.effect + ": " + finding.sentence + "\n";
     for (const Parameter& one : finding.parameters) {
-      char text[160];
-      std::snprintf(text, sizeof text, "    %s = %.4g  [%.4g, %.4g]\n", one.name.c_str(), one.value, one.low95,
-                    one.high95);
-      out += text;
+      out += fmt::format("    {} = {:.4g}  [{:.4g}, {:.4g}]\n", one.name, one.value, one.low95, one.high95);
     }
     out += "    takes away " + percentText(finding.share) + " of the excess error (p = " + digitsText(finding.pValue) +
            ")\n";

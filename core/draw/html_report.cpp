@@ -1,9 +1,9 @@
 #include "draw/html_report.h"
 
+#include <fmt/core.h>
 #include <cassert>
 #include <cctype>
 #include <cmath>
-#include <cstdio>
 
 #include "base/atomic_file.h"
 
@@ -126,11 +126,9 @@ Result<void> HtmlReport::write(const std::string& path) const {
 
 std::string numberText(double value, int digits) {
   if (!std::isfinite(value)) return std::isnan(value) ? "–" : value > 0 ? "∞" : "\u2212∞";
-  char text[64];
   const double size = std::abs(value);
   if (size != 0.0 && (size < 1e-4 || size >= 1e6)) {
-    std::snprintf(text, sizeof text, "%.*e", digits - 1, value);
-    std::string result = text;
+    std::string result = fmt::format("{:.{}e}", value, digits - 1);
     const size_t e = result.find('e');
     size_t end = e;
     while (end > 0 && result[end - 1] == '0') --end;
@@ -138,10 +136,8 @@ std::string numberText(double value, int digits) {
     if (result.find('.') < e) result.erase(end, e - end);
     return result;
   }
-  std::snprintf(text, sizeof text, "%.*g", digits, value);
-  std::string result = text;
-  if (result.find('e') != std::string::npos) std::snprintf(text, sizeof text, "%.0f", value), result = text;
-  return result;
+  const std::string result = fmt::format("{:.{}g}", value, digits);
+  return result.find('e') == std::string::npos ? result : fmt::format("{:.0f}", value);
 }
 
 }  // namespace breakaway

@@ -1,10 +1,10 @@
 #include "draw/svg_path.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <unordered_set>
 
@@ -81,9 +81,7 @@ void add(std::string& path, char letter, const Pixel& p) {
 }  // namespace
 
 std::string px(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f", value);
-  std::string result = text;
+  std::string result = fmt::format("{:.1f}", value);
   if (result.ends_with(".0")) result.resize(result.size() - 2);
   return result == "-0" ? "0" : result;
 }

@@ -7,14 +7,13 @@
 #include <numbers>
 #include <tuple>
 
+#include "base/numbers.h"
 #include "draw/svg_canvas.h"
 #include "draw/svg_ticks.h"
 
 namespace breakaway {
 
 namespace {
-
-constexpr double turn = 2.0 * std::numbers::pi;
 
 /// From angle and radius to px.
 struct Dial {
@@ -59,7 +58,7 @@ bool goesAround(const Curve& curve) {
   if (curve.style == Curve::Style::points || curve.x.size() < 8) return false;
   const double span = std::abs(curve.x.back() - curve.x.front());
   const double step = span / static_cast<double>(curve.x.size() - 1);
-  return std::isfinite(span) && span < turn + step && turn - span < 2.5 * step;
+  return std::isfinite(span) && span < turn_rad + step && turn_rad - span < 2.5 * step;
 }
 
 void drawDial(SvgCanvas& canvas, const Dial& dial, const std::string& radiusLabel, double right_px) {
@@ -92,7 +91,7 @@ void drawDial(SvgCanvas& canvas, const Dial& dial, const std::string& radiusLabe
 
 std::string sectorPath(const Dial& dial, const Highlight& one) {
   std::vector<Pixel> rim, centre;
-  const double from = std::min(one.from, one.to), to = std::min(std::max(one.from, one.to), from + turn);
+  const double from = std::min(one.from, one.to), to = std::min(std::max(one.from, one.to), from + turn_rad);
   constexpr int steps = 90;
   for (int k = 0; k <= steps; ++k) {
     rim.push_back(dial.at(from + (to - from) * k / steps, dial.outer));

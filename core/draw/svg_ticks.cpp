@@ -1,10 +1,10 @@
 #include "draw/svg_ticks.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <cstdio>
 
 namespace breakaway {
 
@@ -20,10 +20,8 @@ std::string superscript(int value) {
 }
 
 std::string fixed(double value, int decimals) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", decimals, std::abs(value));
-  const bool zero = std::string(text).find_first_not_of("0.") == std::string::npos;
-  return (value < 0 && !zero ? minus : "") + std::string(text);
+  const std::string text = fmt::format("{:.{}f}", std::abs(value), decimals);
+  return (value < 0 && text.find_first_not_of("0.") != std::string::npos ? minus : "") + text;
 }
 
 }  // namespace
@@ -86,9 +84,7 @@ std::string decadeLabel(double value) {
   const double exponent = std::log10(value);
   const int whole = static_cast<int>(std::lround(exponent));
   if (std::abs(exponent - whole) < 1e-9 && (whole < -1 || whole > 2)) return "10" + superscript(whole);
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", value);
-  return text;
+  return fmt::format("{:g}", value);
 }
 
 std::string exponentText(int exponent) {

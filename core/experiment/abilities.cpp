@@ -1,6 +1,6 @@
 #include "experiment/abilities.h"
 
-#include <cstdio>
+#include <fmt/core.h>
 
 namespace breakaway {
 
@@ -17,11 +17,8 @@ std::string toHoming(const Identity& board) {
 std::string toIdentification(const Identity& board) {
   std::string why;
   if (!board.can.everyTick) {
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "the board is asked %.0f times a second: the winding test needs a sample of every control tick",
-                  board.loopRate_Hz);
-    why = text;
+    why = fmt::format("the board is asked {:.0f} times a second: the winding test needs a sample of every control tick",
+                      board.loopRate_Hz);
   }
   if (!board.can.zeroesSensor)
     why = joined(why, "the board zeroes its current sensor by itself: identification and sweeps need it zeroed anew");

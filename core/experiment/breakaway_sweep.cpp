@@ -1,28 +1,26 @@
 #include "experiment/breakaway_sweep.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <numbers>
 #include <utility>
+
+#include "base/numbers.h"
 
 namespace breakaway {
 
 namespace {
 
-constexpr double turnAngle = 2.0 * std::numbers::pi;
 constexpr double beyondIndex_rad = 0.1;
 constexpr double indexMove_s = 3.0;
 constexpr double shortRamp = 0.15;  // of ramp_s: a breakaway this soon says little about its current
 
 std::string noBreakaway(double most_A) {
-  char text[96];
-  std::snprintf(text, sizeof text, " at up to %.2f A, three times in a row; is the shaft held?", most_A);
-  return text;
+  return fmt::format(" at up to {:.2f} A, three times in a row; is the shaft held?", most_A);
 }
 
 double inTurn(double angle_rad) {
-  return angle_rad - turnAngle * std::floor(angle_rad / turnAngle);
+  return angle_rad - turn_rad * std::floor(angle_rad / turn_rad);
 }
 
 }  // namespace
@@ -40,13 +38,13 @@ BreakawaySweep::BreakawaySweep(BreakawaySweepOptions options, const std::vector<
 }
 
 double BreakawaySweep::binAngle_rad() const {
-  return (static_cast<double>(tour_.bin()) + 0.5) * turnAngle / static_cast<double>(options_.bins);
+  return (static_cast<double>(tour_.bin()) + 0.5) * turn_rad / static_cast<double>(options_.bins);
 }
 
 double BreakawaySweep::moving_A(Way way, double angle_rad) const {
   const auto& table = options_.moving_A[static_cast<size_t>(way)];
   if (table.empty()) return 0.0;
-  const double place = inTurn(angle_rad) / turnAngle * static_cast<double>(table.size());
+  const double place = inTurn(angle_rad) / turn_rad * static_cast<double>(table.size());
   return table[std::min(static_cast<size_t>(place), table.size() - 1)];
 }
 
@@ -66,10 +64,10 @@ void BreakawaySweep::enter(Stage stage, const Sample& sample) {
 void BreakawaySweep::begin(const Sample& sample) {
   // The nearest turn in which the target lies ahead in the way, with a margin for a rotor that has just run past it.
   const double wanted = binAngle_rad() + options_.indexAngle_rad;
-  target_rad_ = wanted - turnAngle * std::round((wanted - sample.angle_rad) / turnAngle);
+  target_rad_ = wanted - turn_rad * std::round((wanted - sample.angle_rad) / turn_rad);
   BreakawayPlan<double> plan;
   plan.near_rad =
-      std::max(0.15 * turnAngle / static_cast<double>(options_.bins), 2.0 * turnAngle / options_.countsPerRev);
+      std::max(0.15 * turn_rad / static_cast<double>(options_.bins), 2.0 * turn_rad / options_.countsPerRev);
   plan.nearSpeed_rad_per_s = 0.3;
   plan.near_s = 0.03;
   plan.move_s = options_.move_s;
@@ -116,7 +114,7 @@ void BreakawaySweep::follow(const Sample& sample) {
   leastTick_s_ = leastTick_s_ > 0.0 ? std::min(leastTick_s_, tick_s()) : tick_s();
   if (seen_ == Machine::ramp && before != Machine::ramp) {
     rampStart_s_ = sample.time_s;
-    ramp_ = BreakawayRamp(planned_, sign(), sample.angle_rad, turnAngle / options_.countsPerRev, options_.motionCounts);
+    ramp_ = BreakawayRamp(planned_, sign(), sample.angle_rad, turn_rad / options_.countsPerRev, options_.motionCounts);
     rampSeen_ = tick_s() < 1.5 * leastTick_s_;
   } else if (before == Machine::ramp) {
     ramp_.add({sample.time_s - rampStart_s_, commanded_A_, sign() * sample.current_A, sample.angle_rad});
@@ -171,7 +169,7 @@ void BreakawaySweep::approach(const Sample& sample) {
 /// To the other side of the index than the pass begins at.
 Command BreakawaySweep::passIndex(const Sample& sample) {
   const double beyond_rad = options_.indexAngle_rad - sign() * (options_.indexTolerance_rad + beyondIndex_rad);
-  target_rad_ = beyond_rad - turnAngle * std::round((beyond_rad - indexFrom_rad_) / turnAngle);
+  target_rad_ = beyond_rad - turn_rad * std::round((beyond_rad - indexFrom_rad_) / turn_rad);
   const bool there = std::abs(sample.angle_rad - target_rad_) < 0.5 * beyondIndex_rad;
   if (there || sample.time_s - stageStart_s_ > indexMove_s) enter(Stage::angle, sample);
   return {Command::Mode::position, target_rad_, options_.current_limit_A, false};

@@ -14,7 +14,7 @@ class BreakawayTour {
   BreakawayTour(size_t bins, size_t passes, const std::vector<BreakawayEvent>& earlier);
 
   Way way() const { return (step_ / bins_) % 2 == 0 ? Way::ccw : Way::cw; }
-  double sign() const { return way() == Way::ccw ? 1.0 : -1.0; }
+  double sign() const { return signOf(way()); }
   size_t bin() const;
   /// Both ways are one pass.
   size_t pass() const { return step_ / (2 * bins_); }

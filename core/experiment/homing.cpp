@@ -2,16 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
+#include "base/numbers.h"
 #include "experiment/index_watch.h"
 
 namespace breakaway {
-
-namespace {
-constexpr double turn = 2.0 * std::numbers::pi;
-}
 
 double Homing::tolerance_rad() const {
   return std::max(options_.indexTolerance_rad, breakaway::indexTolerance_rad(options_.countsPerRev));
@@ -89,14 +85,14 @@ Estimate Homing::indexAngle_rad() const {
   double sum = 0.0, squares = 0.0;
   for (const double edge : edges_) sum += edge;
   for (const double edge : edges_) squares += (edge - sum / n) * (edge - sum / n);
-  const double rounding = options_.countsPerRev > 0.0 ? turn / options_.countsPerRev / std::sqrt(12.0) : 0.0;
+  const double rounding = options_.countsPerRev > 0.0 ? turn_rad / options_.countsPerRev / std::sqrt(12.0) : 0.0;
   return {sum / n, std::hypot(rounding, n > 1.0 ? std::sqrt(squares / (n - 1.0) / n) : 0.0)};
 }
 
 double Homing::progress() const {
   const bool searches = stage_ <= Machine::search;
   const double found = searches ? 0.0 : 0.5;
-  const double searched = searches ? std::clamp((lastAngle_rad_ - stageAngle_rad_) / turn, 0.0, 1.0) * 0.5 : 0.0;
+  const double searched = searches ? std::clamp((lastAngle_rad_ - stageAngle_rad_) / turn_rad, 0.0, 1.0) * 0.5 : 0.0;
   return std::max(found, searched) +
          0.5 * static_cast<double>(edges_.size()) / static_cast<double>(options_.approaches);
 }
@@ -104,8 +100,8 @@ double Homing::progress() const {
 double Homing::remaining_s() const {
   const double pass = options_.backOff_rad / options_.approachSpeed_rad_per_s + 0.5;
   const double since_rad = lastAngle_rad_ - stageAngle_rad_;
-  const double turns_rad = stage_ <= Machine::search   ? 2.0 * turn - since_rad
-                           : stage_ == Machine::verify ? turn - since_rad
+  const double turns_rad = stage_ <= Machine::search   ? 2.0 * turn_rad - since_rad
+                           : stage_ == Machine::verify ? turn_rad - since_rad
                                                        : 0.0;
   const double search = turns_rad / options_.searchSpeed_rad_per_s;
   return std::max(0.0, search) +

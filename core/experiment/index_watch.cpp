@@ -1,30 +1,27 @@
 #include "experiment/index_watch.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <numbers>
+
+#include "base/numbers.h"
 
 namespace breakaway {
 
-namespace {
-constexpr double turn = 2.0 * std::numbers::pi;
-}
-
 double indexTolerance_rad(double countsPerRev) {
-  const double half_degree_rad = turn / 720.0;
-  return half_degree_rad + (countsPerRev > 0.0 ? 8.0 * turn / countsPerRev : 0.0);
+  const double half_degree_rad = turn_rad / 720.0;
+  return half_degree_rad + (countsPerRev > 0.0 ? 8.0 * turn_rad / countsPerRev : 0.0);
 }
 
 double IndexWatch::fromIndex(double angle_rad) const {
   const double off_rad = angle_rad - index_rad_;
-  return axis_ == Axis::linear ? off_rad : std::remainder(off_rad, turn);
+  return axis_ == Axis::linear ? off_rad : std::remainder(off_rad, turn_rad);
 }
 
 /// Whole turns from the index; on a linear axis whether it lies below.
 double IndexWatch::sideOf(double angle_rad) const {
   const double off_rad = angle_rad - index_rad_;
-  return axis_ == Axis::linear ? (off_rad < 0.0 ? -1.0 : 0.0) : std::floor(off_rad / turn);
+  return axis_ == Axis::linear ? (off_rad < 0.0 ? -1.0 : 0.0) : std::floor(off_rad / turn_rad);
 }
 
 std::string IndexWatch::step(const Sample& sample) {
@@ -38,12 +35,9 @@ std::string IndexWatch::step(const Sample& sample) {
     seen_ = true;
     const double off_rad = fromIndex(middle_rad);
     if (std::abs(off_rad) <= room_rad) return {};
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "the index came %.*f%s from where homing found it: the encoder lost counts; home again, then go on",
-                  axis_ == Axis::linear ? 2 : 1, off_rad * (axis_ == Axis::linear ? 1e3 : 360.0 / turn),
-                  axis_ == Axis::linear ? " mm" : "°");
-    return text;
+    const std::string off = axis_ == Axis::linear ? fmt::format("{:.2f} mm", 1e3 * off_rad)
+                                                  : fmt::format("{:.1f}°", off_rad * (360.0 / turn_rad));
+    return "the index came " + off + " from where homing found it: the encoder lost counts; home again, then go on";
   }
   if (std::abs(fromIndex(sample.angle_rad)) <= tolerance_rad_) return {};
   const double side = sideOf(sample.angle_rad);

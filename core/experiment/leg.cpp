@@ -1,13 +1,13 @@
 #include "experiment/leg.h"
 
 #include <cmath>
-#include <numbers>
+
+#include "base/numbers.h"
 
 namespace breakaway {
 
 namespace {
 
-constexpr double turn = 2.0 * std::numbers::pi;
 constexpr double countsOfUnknown = 1 << 20;  // fine enough for any encoder
 
 std::int32_t wrapped(double whole) {
@@ -20,7 +20,7 @@ LegRunner::LegRunner(double countsPerRev) : countsPerTurn_(countsPerRev > 0.0 ? 
 }
 
 std::int32_t LegRunner::countOf(double angle_rad) const {
-  return wrapped(std::nearbyint(angle_rad / turn * countsPerTurn_));
+  return wrapped(std::nearbyint(angle_rad / turn_rad * countsPerTurn_));
 }
 
 void LegRunner::begin(const Leg& leg) {
@@ -50,7 +50,7 @@ LegPhase LegRunner::step(const Sample& sample) {
 Command LegRunner::command() const {
   const LegAsk<double>& ask = std::visit([](const auto& leg) -> const LegAsk<double>& { return leg.ask(); }, leg_);
   if (ask.mode == ServoMode::off) return {};
-  const double target = ask.mode == ServoMode::position ? ask.targetCounts * turn / countsPerTurn_ : ask.target;
+  const double target = ask.mode == ServoMode::position ? ask.targetCounts * turn_rad / countsPerTurn_ : ask.target;
   return {static_cast<Command::Mode>(ask.mode), target, current_limit_A_, false};
 }
 

@@ -1,7 +1,7 @@
 #include "experiment/open_current.h"
 
+#include <fmt/core.h>
 #include <cmath>
-#include <cstdio>
 
 namespace breakaway {
 
@@ -30,12 +30,10 @@ std::string OpenCurrent::moved(double most_A) {
 
 std::string zeroMoved(double move_A, double passed_s, double most_A) {
   if (std::abs(move_A) <= most_A) return {};
-  char text[200];
-  std::snprintf(text, sizeof text,
-                "the current sensor's zero moved by %.3f A within %.1f s, more than %.2f A; let the bench come to a "
-                "steady temperature, or check the sensor, then go on",
-                move_A, passed_s, most_A);
-  return text;
+  return fmt::format(
+      "the current sensor's zero moved by {:.3f} A within {:.1f} s, more than {:.2f} A; let the bench come to a "
+      "steady temperature, or check the sensor, then go on",
+      move_A, passed_s, most_A);
 }
 
 }  // namespace breakaway

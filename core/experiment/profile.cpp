@@ -1,9 +1,9 @@
 #include "experiment/profile.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "base/json_object.h"
 
@@ -26,9 +26,7 @@ constexpr std::array<ProfileParameter, 11> parameters{
      {"velocity_limit_rad_per_s", &Settings::velocity_limit_rad_per_s}}};
 
 std::string numberText(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.9g", value);
-  return text;
+  return fmt::format("{:.9g}", value);
 }
 
 /// Boards keep single precision.
@@ -57,10 +55,8 @@ std::string frictionText(const std::optional<FrictionCompensation>& friction) {
   for (const auto& way : coulomb) {
     for (const double one : way) sum += one;
   }
-  char text[96];
-  std::snprintf(text, sizeof text, "%zu bins, %.4g Nm on average", coulomb[0].size(),
-                sum / static_cast<double>(coulomb[0].size() + coulomb[1].size()));
-  return text;
+  return fmt::format("{} bins, {:.4g} Nm on average", coulomb[0].size(),
+                     sum / static_cast<double>(coulomb[0].size() + coulomb[1].size()));
 }
 
 bool sameFriction(const std::optional<FrictionCompensation>& a, const std::optional<FrictionCompensation>& b) {

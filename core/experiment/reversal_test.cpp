@@ -1,8 +1,8 @@
 #include "experiment/reversal_test.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace breakaway {
 
@@ -21,10 +21,8 @@ Command ReversalTest::run(const Sample& sample) {
     turned_s_ = now_s_;
     if (++done_ > options_.reversals) finish();
   } else if (now_s_ - turned_s_ > options_.most_s) {
-    char text[128];
-    std::snprintf(text, sizeof text, "%.3g A bring the rotor to %.3g rad/s only, not to %.3g", options_.current_A,
-                  std::abs(sample.velocity_rad_per_s), options_.highest_rad_per_s);
-    fail(text);
+    fail(fmt::format("{:.3g} A bring the rotor to {:.3g} rad/s only, not to {:.3g}", options_.current_A,
+                     std::abs(sample.velocity_rad_per_s), options_.highest_rad_per_s));
   }
   return {Command::Mode::current, way_ * options_.current_A, 0.0, false};
 }

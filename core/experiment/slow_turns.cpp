@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
-namespace breakaway {
+#include "base/numbers.h"
 
-namespace {
-constexpr double turn = 2.0 * std::numbers::pi;
-}
+namespace breakaway {
 
 SlowTurns::SlowTurns(SlowTurnsOptions options) : options_(std::move(options)), zeroing_(options_.zeroing_s) {
   const auto good = [](double speed) { return speed > 0.0; };
@@ -24,7 +21,7 @@ double SlowTurns::target() const {
 }
 
 double SlowTurns::expected_s() const {
-  return turn / std::abs(target());
+  return turn_rad / std::abs(target());
 }
 
 void SlowTurns::next(const Sample& sample) {
@@ -50,7 +47,7 @@ Command SlowTurns::run(const Sample& sample) {
     current_A_rad_ += sample.current_A * step_rad;
     velocity_rad2_per_s_ += sample.velocity_rad_per_s * step_rad;
     const double gone_rad = sample.angle_rad - startAngle_rad_;
-    const bool whole = std::abs(gone_rad) >= turn;
+    const bool whole = std::abs(gone_rad) >= turn_rad;
     if (whole) turns_.push_back({velocity_rad2_per_s_ / gone_rad, current_A_rad_ / gone_rad});
     if (whole || running_s > options_.patience * expected_s()) {
       next(sample);
@@ -67,7 +64,7 @@ double SlowTurns::progress() const {
 double SlowTurns::remaining_s() const {
   double left_s = 0.0;
   for (size_t k = number_; k < 2 * options_.speeds_rad_per_s.size(); ++k)
-    left_s += options_.settle_s + turn / options_.speeds_rad_per_s[k / 2];
+    left_s += options_.settle_s + turn_rad / options_.speeds_rad_per_s[k / 2];
   return left_s;
 }
 

@@ -1,8 +1,8 @@
 #include "experiment/spin_test.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace breakaway {
 
@@ -57,11 +57,8 @@ void SpinTest::watchMotion(const Sample& sample) {
   if (moved) movedAngle_rad_ = sample.angle_rad;
   stalled_s_ = moved ? 0.0 : stalled_s_ + tick_s();
   if (stalled_s_ <= options_.stall_s) return;
-  char text[128];
-  std::snprintf(text, sizeof text,
-                "the rotor does not move %s at %.1f V; is the shaft held, or the current limit too low?",
-                wayText(commanded_V_ > 0.0).c_str(), std::abs(commanded_V_));
-  fail(text);
+  fail(fmt::format("the rotor does not move {} at {:.1f} V; is the shaft held, or the current limit too low?",
+                   wayText(commanded_V_ > 0.0), std::abs(commanded_V_)));
 }
 
 double SpinTest::progress() const {

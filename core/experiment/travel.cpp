@@ -1,13 +1,11 @@
 #include "experiment/travel.h"
 
-#include <cstdio>
+#include <fmt/core.h>
 
 namespace breakaway {
 
 std::string millimetresText(double length_m) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.1f mm", 1e3 * length_m);
-  return text;
+  return fmt::format("{:.1f} mm", 1e3 * length_m);
 }
 
 double indexTolerance_m(double count_m) {

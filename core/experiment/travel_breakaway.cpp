@@ -1,8 +1,8 @@
 #include "experiment/travel_breakaway.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 namespace breakaway {
@@ -150,11 +150,8 @@ Command TravelBreakaway::ramp(const Sample& sample) {
   ++missed_;
   overMoving_[static_cast<size_t>(way())].reset();
   if (++missedInARow_ >= 3) {
-    char text[120];
-    std::snprintf(text, sizeof text,
-                  "the axis does not break away %s at up to %.2f A, three times in a row; is it held?",
-                  wayText(sign() > 0.0, Axis::linear).c_str(), most);
-    fail(text);
+    fail(fmt::format("the axis does not break away {} at up to {:.2f} A, three times in a row; is it held?",
+                     wayText(sign() > 0.0, Axis::linear), most));
   }
   advanceStep(sample);
   return {};

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
+
+#include "base/numbers.h"
 
 namespace breakaway {
 
@@ -89,7 +90,7 @@ Command TravelStrokes::stroke(const Sample& sample) {
   // From rest it takes the whole voltage.
   const bool goes =
       way_ * (sample.angle_rad - start_m_) > motion_m && sample.time_s - moved_s_ < 0.1 * options_.stall_s;
-  const double wave = goes ? 0.5 * options_.depth * (1.0 - std::cos(2.0 * std::numbers::pi * stretches)) : 0.0;
+  const double wave = goes ? 0.5 * options_.depth * (1.0 - std::cos(turn_rad * stretches)) : 0.0;
   return towards(way_ * std::max(std::min(options_.least_V, voltage_V()), voltage_V() * (1.0 - wave)));
 }
 

@@ -1,8 +1,8 @@
 #include "experiment/travel_sweep.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 namespace breakaway {
@@ -89,10 +89,7 @@ Command TravelSweep::stroke(const Sample& sample) {
     trace_.current_A.push_back(sample.current_A);
   }
   if (stalled(sample)) {
-    char text[120];
-    std::snprintf(text, sizeof text, "the axis does not move at %.3g m/s; is it held, or the current limit too low?",
-                  speed());
-    fail(text);
+    fail(fmt::format("the axis does not move at {:.3g} m/s; is it held, or the current limit too low?", speed()));
   }
   if (std::abs(sample.angle_rad - target_m) < 0.05 * options_.bins.width_m()) endStroke(sample);
   if (stage_ == Stage::zero) return {};
@@ -137,9 +134,7 @@ double TravelSweep::remaining_s() const {
 
 std::string TravelSweep::activity() const {
   if (stage_ == Stage::zero) return "zeroing the current sensor";
-  char text[80];
-  std::snprintf(text, sizeof text, "going to and fro at %.3g m/s", speed());
-  return text;
+  return fmt::format("going to and fro at {:.3g} m/s", speed());
 }
 
 }  // namespace breakaway

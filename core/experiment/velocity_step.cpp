@@ -1,8 +1,8 @@
 #include "experiment/velocity_step.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace breakaway {
@@ -35,14 +35,13 @@ void VelocityStep::watchMotion(const Sample& sample, double target_rad_per_s) {
   stalled_s_ = moved || std::abs(target_rad_per_s) * options_.stall_s < 10.0 * motion_rad ? 0.0 : stalled_s_ + tick_s();
   const bool atEnd = elapsed_s_ >= options_.before_s + options_.after_s;
   if (stalled_s_ <= (atEnd ? endStall * options_.stall_s : options_.stall_s)) return;
-  char text[128];
-  std::snprintf(text, sizeof text,
-                options_.axis == Axis::linear
-                    ? "the axis does not move though %.3f m/s are asked for; is it held, or the current limit too low?"
-                    : "the rotor does not move though %.1f rad/s are asked for; is the shaft held, or the current "
-                      "limit too low?",
-                target_rad_per_s);
-  fail(text);
+  fail(options_.axis == Axis::linear
+           ? fmt::format("the axis does not move though {:.3f} m/s are asked for; is it held, or the current limit too "
+                         "low?",
+                         target_rad_per_s)
+           : fmt::format("the rotor does not move though {:.1f} rad/s are asked for; is the shaft held, or the current "
+                         "limit too low?",
+                         target_rad_per_s));
 }
 
 StepFigures VelocityStep::figures() const {

@@ -1,15 +1,15 @@
 #include "experiment/velocity_sweep.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <numbers>
 #include <utility>
+
+#include "base/numbers.h"
 
 namespace breakaway {
 
 namespace {
-constexpr double turn = 2.0 * std::numbers::pi;
 constexpr double spanAngle_rad = 1.0 / 30.0;      // half the span of a speed; order 40 is then shown by sin(1.3)/1.3
 constexpr double fastSpanAngle_rad = 1.0 / 12.0;  // where the inertia hides the finest harmonics anyway
 constexpr double smoothing_s = 0.15;
@@ -92,7 +92,6 @@ Command VelocitySweep::run(const Sample& sample) {
 /// Takes a run's sums as the leg goes through its stages.
 void VelocitySweep::follow(const Sample& sample) {
   const LegPhase before = std::exchange(seen_, legPhase());
-  char text[160];
   switch (seen_) {
     case Machine::hold:
       if (before != Machine::hold) {
@@ -107,15 +106,11 @@ void VelocitySweep::follow(const Sample& sample) {
       endRun(sample);
       return;
     case Machine::notReached:
-      std::snprintf(text, sizeof text, "the speed %.1f rad/s was not reached, only %.1f rad/s", target(),
-                    mean_rad_per_s_);
-      return fail(text);
+      return fail(fmt::format("the speed {:.1f} rad/s was not reached, only {:.1f} rad/s", target(), mean_rad_per_s_));
     case Machine::lost:
-      std::snprintf(
-          text, sizeof text,
-          "the speed %.1f rad/s was lost at %s, only %.1f rad/s are left; is the shaft held, or the limit too low?",
-          target(), degreesText(sample.angle_rad - options_.indexAngle_rad).c_str(), mean_rad_per_s_);
-      return fail(text);
+      return fail(fmt::format(
+          "the speed {:.1f} rad/s was lost at {}, only {:.1f} rad/s are left; is the shaft held, or the limit too low?",
+          target(), degreesText(sample.angle_rad - options_.indexAngle_rad), mean_rad_per_s_));
     default:
       return;
   }
@@ -155,13 +150,13 @@ void VelocitySweep::beginRun(const Sample& sample) {
   open_.halfSpan_s = static_cast<double>(span_) * tick_s();
   open_.bins.resize(options_.bins);
   // Blocks are of whole turns, so that what differs between them is no part of the rotor's own variation.
-  const double expected = std::abs(target()) * options_.run_s / turn / static_cast<double>(options_.blocks);
+  const double expected = std::abs(target()) * options_.run_s / turn_rad / static_cast<double>(options_.blocks);
   turnsPerBlock_ = static_cast<size_t>(std::max(1.0, std::floor(expected)));
 }
 
 void VelocitySweep::sum(const Sample& sample) {
   // A whole turn is a whole number of counts, which rounding must not miss.
-  const double turns = std::abs(sample.angle_rad - startAngle_rad_) / turn + 1e-9;
+  const double turns = std::abs(sample.angle_rad - startAngle_rad_) / turn_rad + 1e-9;
   if (std::floor(turns) > static_cast<double>(open_.turns)) {
     open_.turns = static_cast<size_t>(std::floor(turns));
     turnSpeeds_rad_per_s_.push_back((sample.angle_rad - turnAngle_rad_) / (sample.time_s - turnStart_s_));
@@ -178,7 +173,7 @@ void VelocitySweep::sum(const Sample& sample) {
   // Freed of the wobble, which each bin meets at other moments.
   const double velocity = (sample.angle_rad - angles_rad_[oldest]) / (2.0 * open_.halfSpan_s) -
                           target() * wobbleAt(sample.time_s - open_.halfSpan_s);
-  const double place = (angles_rad_[middle] - options_.indexAngle_rad) / turn;
+  const double place = (angles_rad_[middle] - options_.indexAngle_rad) / turn_rad;
   const auto bin =
       static_cast<size_t>((place - std::floor(place)) * static_cast<double>(options_.bins)) % options_.bins;
   const size_t block = open_.turns / turnsPerBlock_;
@@ -240,10 +235,9 @@ double VelocitySweep::remaining_s() const {
 }
 
 std::string VelocitySweep::activity() const {
-  char text[96];
-  std::snprintf(text, sizeof text, "%s %s at %.1f rad/s", seen_ == Machine::hold ? "measuring" : "settling",
-                wayText(target() > 0.0).c_str(), std::abs(target()));
-  return stage_ == Stage::zero ? "zeroing the current sensor" : text;
+  if (stage_ == Stage::zero) return "zeroing the current sensor";
+  return fmt::format("{} {} at {:.1f} rad/s", seen_ == Machine::hold ? "measuring" : "settling",
+                     wayText(target() > 0.0), std::abs(target()));
 }
 
 }  // namespace breakaway

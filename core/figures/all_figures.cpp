@@ -1,8 +1,8 @@
 #include "figures/all_figures.h"
 
-#include <numbers>
 #include <utility>
 
+#include "base/numbers.h"
 #include "figures/commissioned_bench.h"
 #include "figures/compensation_figures.h"
 #include "figures/friction_figures.h"
@@ -26,7 +26,7 @@ ObserverFigureOptions observersOf(const CommissionedBench& bench, unsigned seed)
   ObserverFigureOptions options;
   options.rotor.inertia_kg_m2 = bench.inertia_kg_m2();
   options.rotor.torqueConstant_Nm_per_A = bench.torqueConstant_Nm_per_A();
-  options.rotor.count_rad = 2.0 * std::numbers::pi / bench.measured.identity.countsPerRev;
+  options.rotor.count_rad = turn_rad / bench.measured.identity.countsPerRev;
   options.rotor.tick_s = 1.0 / bench.measured.identity.loopRate_Hz;
   options.rotor.currentNoise_A = bench.measured.noiseRms_A;
   options.rotor.seed = seed;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "base/numbers.h"
 #include "base/statistics.h"
 #include "experiment/central_difference.h"
 
@@ -23,7 +23,7 @@ CourseOptions slowCourse(const SlowMotionOptions& options) {
   course.zeroing_s = 1.0;
   course.before = command;
   course.before_s = 1.0;
-  course.duration_s = options.turns * 2.0 * std::numbers::pi / options.speed_rad_per_s + 2.0 * options.halfSpan_s;
+  course.duration_s = options.turns * turn_rad / options.speed_rad_per_s + 2.0 * options.halfSpan_s;
   course.command = [command](double, const Sample&) { return command; };
   return course;
 }

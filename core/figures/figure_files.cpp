@@ -1,10 +1,10 @@
 #include "figures/figure_files.h"
 
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
+#include "base/exact_text.h"
 #include "draw/html_report.h"
 #include "draw/png.h"
 
@@ -23,12 +23,6 @@ Size sizeOf(const Figure& figure) {
   return figure.polar || figure.equalScale ? Size{square_px, square_px} : Size{860, 380};
 }
 
-std::string shortest(double value) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-  return {text, end};
-}
-
 Result<std::string> csvOf(const BenchFigure& figure) {
   std::string text;
   for (const Channel& one : figure.columns) text += (text.empty() ? "" : ",") + one.name;
@@ -43,7 +37,7 @@ Result<std::string> csvOf(const BenchFigure& figure) {
       if (!std::isfinite(value))
         return Error{figure.name,
                      "column " + figure.columns[k].name + " has no number in row " + std::to_string(row + 1)};
-      text += (k == 0 ? "" : ",") + shortest(value);
+      text += (k == 0 ? "" : ",") + exactText(value);
     }
     text += '\n';
   }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "base/numbers.h"
 #include "base/statistics.h"
 #include "draw/html_report.h"
 
@@ -12,7 +12,6 @@ namespace breakaway {
 
 namespace {
 
-constexpr double turn = 2.0 * std::numbers::pi;
 constexpr size_t differencesPerTurn = 60;  // half the span over which the inertia's torque is taken: 6°
 constexpr std::array<const char*, 2> ways{"cw", "ccw"};
 constexpr std::array<const char*, 2> wayLabels{"clockwise", "counter-clockwise"};
@@ -33,7 +32,7 @@ Channel aroundTurn(const FrictionMap& map, const std::string& name, Get get) {
 /// The raw slope of torque over speed in each bin of one way's runs; NaN where a bin has fewer than two speeds.
 std::vector<double> rawViscous(const Commission& measured, Way way, size_t bins) {
   const double Kt = measured.motor.torqueConstant_Nm_per_A.value, J = measured.motor.inertia_kg_m2.value;
-  const double sign = way == Way::ccw ? 1.0 : -1.0;
+  const double sign = signOf(way);
   std::vector<std::array<double, 5>> sums(bins);  // n, Σω, Στ, Σω², Σωτ
   for (const VelocityRun& run : measured.runs) {
     if (run.way() != way || run.bins.empty()) continue;
@@ -45,8 +44,8 @@ std::vector<double> rawViscous(const Commission& measured, Way way, size_t bins)
     const size_t reach = std::max<size_t>(1, n / differencesPerTurn);
     for (size_t k = 0; k < n; ++k) {
       const double before = speedOf(k + n - reach), here = speedOf(k), after = speedOf(k + reach);
-      const double slope =
-          0.5 * (after * after - before * before) / (2.0 * turn * static_cast<double>(reach) / static_cast<double>(n));
+      const double slope = 0.5 * (after * after - before * before) /
+                           (2.0 * turn_rad * static_cast<double>(reach) / static_cast<double>(n));
       if (std::isnan(slope) || std::isnan(here)) continue;
       const double current = run.bins[k].current_A / static_cast<double>(run.bins[k].samples);
       const double torque = sign * (Kt * current - J * slope), speed = std::abs(here);
@@ -83,13 +82,13 @@ BenchFigure constantVelocityFigure(const Commission& measured) {
   for (const VelocityRun& run : measured.runs) {
     const auto& moving = measured.moving[static_cast<size_t>(run.way())];
     const Estimate current = meanCurrent_A(run);
-    const double sign = run.way() == Way::ccw ? 1.0 : -1.0, speed = std::abs(run.target_rad_per_s);
+    const double sign = signOf(run.way()), speed = std::abs(run.target_rad_per_s);
     const double line = moving.coulombMean_Nm.value + moving.viscousMean_Nm_s_per_rad.value * speed;
     const double row[] = {run.target_rad_per_s, sign * Kt * current.value, Kt * current.standardError, sign * line};
     for (size_t k = 0; k < 4; ++k) figure.columns[k].values.push_back(row[k]);
   }
   for (size_t w = 0; w < 2; ++w) {
-    const double sign = w == 1 ? 1.0 : -1.0;
+    const double sign = signOf(Way(w));
     Curve points{wayLabels[w], {}, {}}, line{std::string("F + B·ω, ") + wayLabels[w], {0.0}, {}};
     for (size_t k = 0; k < figure.columns[0].values.size(); ++k) {
       if (sign * figure.columns[0].values[k] < 0.0) continue;
@@ -129,7 +128,7 @@ std::vector<BenchFigure> staticFrictionFigures(const Commission& measured) {
       const std::string number = std::to_string(k + 1);
       figure.columns.push_back({"turn_" + number + "_Nm", map.turnStatic_Nm[w][k]});
       figure.figure.curves.push_back(
-          drawn(figure, "turn " + number, "angle_rad", "turn_" + number + "_Nm", 1e3, 360.0 / turn));
+          drawn(figure, "turn " + number, "angle_rad", "turn_" + number + "_Nm", 1e3, 360.0 / turn_rad));
     }
     figure.columns.push_back(
         aroundTurn(map, "static_Nm", [w](const MapBin& bin) { return bin.way[w].static_Nm.value; }));
@@ -156,8 +155,8 @@ std::vector<BenchFigure> viscousFigures(const Commission& measured) {
                        "that stand out of their noise by 3.5 standard errors.",
                        {std::string("Viscous coefficient, ") + wayLabels[w], "angle / °", "coefficient / µNm s/rad"},
                        {angles(map), {"raw_Nm_s_per_rad", std::move(raw)}, std::move(filtered)}};
-    figure.figure.curves = {drawn(figure, "raw", "angle_rad", "raw_Nm_s_per_rad", 1e6, 360.0 / turn),
-                            drawn(figure, "filtered", "angle_rad", "filtered_Nm_s_per_rad", 1e6, 360.0 / turn)};
+    figure.figure.curves = {drawn(figure, "raw", "angle_rad", "raw_Nm_s_per_rad", 1e6, 360.0 / turn_rad),
+                            drawn(figure, "filtered", "angle_rad", "filtered_Nm_s_per_rad", 1e6, 360.0 / turn_rad)};
     figure.figure.curves[0].width_px = 1.0;
     figure.figure.curves[0].colour = 4;
     figure.figure.curves[1].colour = 1;
@@ -178,7 +177,7 @@ BenchFigure polarFigure(const FrictionMap& map, BenchFigure figure) {
     const std::string column = std::string(ways[w]) + "_Nm";
     Curve curve = drawn(figure, wayLabels[w], "angle_rad", column, 1e3);
     if (!curve.x.empty()) {
-      curve.x.push_back(curve.x.front() + turn);
+      curve.x.push_back(curve.x.front() + turn_rad);
       curve.y.push_back(curve.y.front());
     }
     figure.figure.curves.push_back(std::move(curve));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/numbers.h"
 #include "base/statistics.h"
 
 namespace breakaway {
@@ -11,7 +12,7 @@ namespace breakaway {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
-constexpr double rampSpeed_rad_per_s = 100.0 * 2.0 * std::numbers::pi / 60.0;
+constexpr double rampSpeed_rad_per_s = 100.0 * turn_rad / 60.0;
 constexpr double ramp_s = 3.0;
 
 double rampAt(double time_s) {

@@ -1,8 +1,8 @@
 #include "figures/observed_rotor.h"
 
 #include <cmath>
-#include <numbers>
 
+#include "base/numbers.h"
 #include "base/statistics.h"
 
 namespace breakaway {
@@ -42,7 +42,7 @@ std::vector<ObservedTick> observeRotor(const ObservedRotorOptions& options) {
     tick.sinceEdge_s = std::round(sinceEdge / options.timerStep_s) * options.timerStep_s;
     tick.current_A = flowed + options.currentNoise_A * random.normal();
     tick.velocity_rad_per_s = velocity;
-    const double phase = 2.0 * std::numbers::pi * options.swing_Hz * static_cast<double>(k) * T;
+    const double phase = turn_rad * options.swing_Hz * static_cast<double>(k) * T;
     const double wanted = options.speed_rad_per_s + options.swing_rad_per_s * std::sin(phase);
     flowed = (takenOff * load + J * stiffness_rad_per_s * (wanted - velocity)) / Kt;
     const double acceleration = (Kt * flowed - load) / J;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/numbers.h"
 #include "base/statistics.h"
 #include "draw/html_report.h"
 
@@ -15,8 +16,6 @@ constexpr std::array<Compensated, 4> parts{{{CompensatedFriction::none, "none", 
                                             {CompensatedFriction::coulomb, "f", "F"},
                                             {CompensatedFriction::coulombAndViscous, "f_and_b", "F + Bω"},
                                             {CompensatedFriction::map, "map", "map"}}};
-
-constexpr double turn = 6.283185307179586;
 
 struct Pulses {
   double current_A = 0.0, width_s = 0.0;
@@ -86,8 +85,8 @@ struct Beginning {
   /// `angle_rad` is where the rotor was last seen, `index_rad` the index.
   Command command(size_t number, double angle_rad, double index_rad) const {
     if (starts == 0) return {Command::Mode::velocity, speed_rad_per_s, 0.0, false};
-    const double place_rad = index_rad + turn * static_cast<double>(number) / static_cast<double>(starts);
-    return {Command::Mode::position, angle_rad + std::remainder(place_rad - angle_rad, turn), 0.0, false};
+    const double place_rad = index_rad + turn_rad * static_cast<double>(number) / static_cast<double>(starts);
+    return {Command::Mode::position, angle_rad + std::remainder(place_rad - angle_rad, turn_rad), 0.0, false};
   }
 };
 

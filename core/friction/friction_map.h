@@ -1,5 +1,4 @@
-// Friction around the rotor, or over a linear axis' travel: what a sweep measured, per bin and direction; contracts
-// section 5.
+// Friction around the rotor, or over a linear axis' travel: what a sweep measured, per bin and direction.
 #pragma once
 
 #include <array>
@@ -9,11 +8,15 @@
 
 #include "base/axis.h"
 #include "base/estimate.h"
+#include "base/numbers.h"
 
 namespace breakaway {
 
 /// cw is falling angle, ccw is growing angle.
 enum class Way { cw = 0, ccw = 1 };
+constexpr double signOf(Way way) {
+  return signOfWay(static_cast<int>(way));
+}
 
 /// One bin and one way. Torques are whole motor torques (friction and position torque), positive in the way's
 /// direction.

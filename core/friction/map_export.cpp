@@ -1,8 +1,7 @@
 #include "friction/map_export.h"
 
-#include <charconv>
-
 #include "base/atomic_file.h"
+#include "base/exact_text.h"
 #include "friction/map_json.h"
 #include "friction/map_mat.h"
 #include "friction/map_table.h"
@@ -11,18 +10,13 @@ namespace breakaway {
 
 namespace {
 
-std::string shortest(double value) {
-  char text[32];
-  return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
-}
-
 std::string csvText(const FrictionMap& map) {
   const auto columns = mapTable(map);
   std::string out;
   for (const MapColumn& column : columns) out += (out.empty() ? "" : ",") + column.name;
   out += '\n';
   for (size_t k = 0; k < map.bins.size(); ++k) {
-    for (size_t c = 0; c < columns.size(); ++c) out += (c == 0 ? "" : ",") + shortest(columns[c].values[k]);
+    for (size_t c = 0; c < columns.size(); ++c) out += (c == 0 ? "" : ",") + exactText(columns[c].values[k]);
     out += '\n';
   }
   return out;
@@ -43,7 +37,7 @@ std::string whatEntriesHold(const FrictionMap& map) {
   const double width_m = map.bins.size() > 1 ? map.bins[1].angle_rad - map.bins[0].angle_rad : 0.0;
   return "motor force by position, 0 at the encoder's index, or at the lower end without one.\n"
          "   Entry k holds the positions around " +
-         shortest(map.bins.empty() ? 0.0 : map.bins[0].angle_rad) + " + k * " + shortest(width_m) + " m.";
+         exactText(map.bins.empty() ? 0.0 : map.bins[0].angle_rad) + " + k * " + exactText(width_m) + " m.";
 }
 
 std::string headerText(const FrictionMap& map) {
@@ -51,14 +45,14 @@ std::string headerText(const FrictionMap& map) {
                     "#ifndef BREAKAWAY_FRICTION_MAP_H\n#define BREAKAWAY_FRICTION_MAP_H\n\n" +
                     "#define BREAKAWAY_MAP_BINS " + std::to_string(map.bins.size()) + "\n" +
                     "#define BREAKAWAY_MAP_TOTAL_VELOCITY_" + std::string(map.axis == Axis::rotary ? "RAD" : "M") +
-                    "_PER_S " + shortest(map.totalVelocity_rad_per_s) + "\n\n";
+                    "_PER_S " + exactText(map.totalVelocity_rad_per_s) + "\n\n";
   for (const MapColumn& column : mapTable(map)) {
     const bool wanted = column.name.find("_std_") == std::string::npos && column.name.rfind("samples", 0) != 0 &&
                         column.name.rfind("outlier", 0) != 0 && column.name != nameOn(map.axis, "angle_rad");
     if (!wanted) continue;
     out += "static const float breakaway_map_" + column.name + "[BREAKAWAY_MAP_BINS] = {";
     for (size_t k = 0; k < column.values.size(); ++k) {
-      std::string number = shortest(static_cast<double>(static_cast<float>(column.values[k])));
+      std::string number = exactText(static_cast<double>(static_cast<float>(column.values[k])));
       if (number.find_first_of(".e") == std::string::npos) number += ".0";
       out += std::string(k == 0 ? "" : ",") + (k % 6 == 0 ? "\n  " : " ") + number + "f";
     }

@@ -1,9 +1,9 @@
 #include "identify/bridge_fit.h"
 
+#include <fmt/core.h>
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace breakaway {
 
@@ -236,11 +236,11 @@ Result<BridgeFit> fitBridge(const BridgeTests& tests) {
   const Fit fit = fitted(line, knots_V, 0.98 * standing_V);
   const double reach_V = knots_V.front() + (lastKnot_duty + reach_duty) * tests.supply_V;
   if (highest_V < reach_V) {
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "can't be told: the tests reach %.3g V only, expected %.3g V, from where on it is taken as straight",
-                  highest_V, reach_V);
-    return Error{place, text};
+    return Error{
+        place,
+        fmt::format(
+            "can't be told: the tests reach {:.3g} V only, expected {:.3g} V, from where on it is taken as straight",
+            highest_V, reach_V)};
   }
   const auto slopes = static_cast<Eigen::Index>(knots_V.size());
   const double far = farSlope(fit, knots_V.size());

@@ -15,10 +15,6 @@ bool shows(const RunSpectrum& run) {
   return run.torque_Nm.size() > 1 && !std::isinf(run.variance_Nm2[1]);
 }
 
-double signOf(size_t way) {
-  return way == 0 ? -1.0 : 1.0;  // torques count in the way's direction
-}
-
 }  // namespace
 
 void takeOffEncoderSwing(std::array<WayRuns, 2>& ways) {
@@ -35,7 +31,7 @@ void takeOffEncoderSwing(std::array<WayRuns, 2>& ways) {
       const auto own = static_cast<Eigen::Index>(2 * w);
       row[own] = 1.0;
       row[own + 1] = speed;
-      row[4] = signOf(w) * speed * speed;
+      row[4] = signOf(Way(w)) * speed * speed;
       normal += weight * row * row.transpose();
       right += (weight * run.torque_Nm[1]) * row.cast<Complex>();
       ++speeds;
@@ -52,7 +48,7 @@ void takeOffEncoderSwing(std::array<WayRuns, 2>& ways) {
     for (RunSpectrum& run : ways[w].spectra) {
       if (!shows(run)) continue;
       const double squared = run.speed_rad_per_s * run.speed_rad_per_s;
-      run.torque_Nm[1] -= signOf(w) * squared * swing;
+      run.torque_Nm[1] -= signOf(Way(w)) * squared * swing;
       run.variance_Nm2[1] += squared * squared * variance;
     }
   }

@@ -3,15 +3,14 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/numbers.h"
 #include "identify/map_filling.h"
 
 namespace breakaway {
 
 namespace {
 
-constexpr double turnAngle = 2.0 * std::numbers::pi;
 constexpr size_t leastEvents = 8;
 constexpr size_t highestTrend = 30;  // order of the curve that the breakaways are interpolated around
 
@@ -53,13 +52,13 @@ size_t neighboursNeeded(const std::vector<const BreakawayEvent*>& events, const 
 std::vector<double> interpolated(const std::vector<std::pair<double, double>>& points, size_t bins) {
   std::vector<double> values(bins);
   for (size_t k = 0; k < bins; ++k) {
-    const double angle = (static_cast<double>(k) + 0.5) * turnAngle / static_cast<double>(bins);
+    const double angle = (static_cast<double>(k) + 0.5) * turn_rad / static_cast<double>(bins);
     const auto after = std::lower_bound(points.begin(), points.end(), std::make_pair(angle, -1e300));
     const auto& high = after == points.end() ? points.front() : *after;
     const auto& low = after == points.begin() ? points.back() : *(after - 1);
     double width = high.first - low.first, part = angle - low.first;
-    if (width <= 0.0) width += turnAngle;
-    if (part < 0.0) part += turnAngle;
+    if (width <= 0.0) width += turn_rad;
+    if (part < 0.0) part += turn_rad;
     values[k] = width > 1e-12 ? low.second + (high.second - low.second) * std::min(1.0, part / width) : low.second;
   }
   return values;
@@ -114,7 +113,7 @@ std::vector<std::vector<double>> turnsOf(const std::vector<BreakawayEvent>& even
     std::sort(points.begin(), points.end());
     turns.push_back(interpolated(points, options.bins));
     for (size_t k = 0; k < options.bins; ++k)
-      turns.back()[k] += trend.at((static_cast<double>(k) + 0.5) * turnAngle / static_cast<double>(options.bins));
+      turns.back()[k] += trend.at((static_cast<double>(k) + 0.5) * turn_rad / static_cast<double>(options.bins));
   }
   return turns;
 }
@@ -157,7 +156,7 @@ Result<FrictionMap> estimateMap(const std::vector<BreakawayEvent>& measured,
   map.totalVelocity_rad_per_s = options.totalVelocity_rad_per_s;
   map.bins.resize(options.bins);
   for (size_t k = 0; k < options.bins; ++k) {
-    map.bins[k].angle_rad = (static_cast<double>(k) + 0.5) * turnAngle / static_cast<double>(options.bins);
+    map.bins[k].angle_rad = (static_cast<double>(k) + 0.5) * turn_rad / static_cast<double>(options.bins);
   }
   for (const Way way : {Way::cw, Way::ccw}) {
     const auto w = static_cast<size_t>(way);
@@ -167,7 +166,7 @@ Result<FrictionMap> estimateMap(const std::vector<BreakawayEvent>& measured,
                    "has fewer than 8 breakaways in each turn"};
     }
     const auto binOf = [&map](const BreakawayEvent& event) {
-      return static_cast<size_t>(event.angle_rad / turnAngle * static_cast<double>(map.bins.size()));
+      return static_cast<size_t>(event.angle_rad / turn_rad * static_cast<double>(map.bins.size()));
     };
     fillStatic(map, way, events, binOf, commonError(measured, way, options));
   }

@@ -1,8 +1,11 @@
 #include "identify/motor_identification.h"
 
+#include <fmt/core.h>
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+
+#include "base/numbers.h"
 
 namespace breakaway {
 
@@ -197,34 +200,31 @@ Estimate inertiaByAdded(const Estimate& shown, const AddedInertia& added) {
 void setCurrentScale(IdentifiedMotor& motor, const CurrentScaleOptions& options) {
   motor.shownInertia_kg_m2 = motor.inertia_kg_m2;
   const double Kt = relative(motor.torqueConstant_Nm_per_A);
-  Estimate gain{1.0, options.gainInterval / 1.959964};
+  Estimate gain{1.0, options.gainInterval / normal95};
   std::optional<Estimate> inertia;
-  char text[300];
   const auto byAdded = options.added ? gainByAdded(motor.inertia_kg_m2, *options.added) : std::nullopt;
   if (options.trustedInertia_kg_m2) {
     gain.value = motor.inertia_kg_m2.value / *options.trustedInertia_kg_m2;
     gain.standardError = gain.value * std::hypot(relative(motor.inertia_kg_m2), Kt);
     inertia = Estimate{*options.trustedInertia_kg_m2, 0.0};
-    std::snprintf(text, sizeof text,
-                  "The scale of all torques rests on the trusted inertia: by it the current sensor shows %.4g (%.4g to "
-                  "%.4g) of the true current.",
-                  gain.value, gain.low95(), gain.high95());
+    motor.gauge = fmt::format(
+        "The scale of all torques rests on the trusted inertia: by it the current sensor shows {:.4g} ({:.4g} to "
+        "{:.4g}) of the true current.",
+        gain.value, gain.low95(), gain.high95());
   } else if (byAdded) {
     gain = {byAdded->value, byAdded->value * std::hypot(relative(*byAdded), Kt)};
     inertia = inertiaByAdded(motor.inertia_kg_m2, *options.added);
-    std::snprintf(text, sizeof text,
-                  "The scale of all torques rests on the disc of known inertia: by it the current sensor shows %.4g "
-                  "(%.4g to %.4g) of the true current.",
-                  gain.value, gain.low95(), gain.high95());
+    motor.gauge = fmt::format(
+        "The scale of all torques rests on the disc of known inertia: by it the current sensor shows {:.4g} "
+        "({:.4g} to {:.4g}) of the true current.",
+        gain.value, gain.low95(), gain.high95());
   } else {
-    std::snprintf(
-        text, sizeof text,
-        "%sThe scale of all torques rests on the current sensor's gain, taken as right within ±%.3g %%: "
+    motor.gauge = fmt::format(
+        "{}The scale of all torques rests on the current sensor's gain, taken as right within ±{:.3g} %: "
         "resistance, inductance, inertia and friction share that doubt, their ratios are free of it.",
         options.added ? "The added inertia doesn't stand out of the inertia's doubt and measures nothing. " : "",
         100.0 * options.gainInterval);
   }
-  motor.gauge = text;
   motor.currentGain = gain;
   const double doubt = relative(gain);
   const auto scale = [doubt](Estimate& one, double by, double further) {

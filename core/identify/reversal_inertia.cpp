@@ -1,9 +1,9 @@
 #include "identify/reversal_inertia.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
 namespace breakaway {
@@ -77,10 +77,9 @@ Result<Estimate> reversalInertia(const std::vector<SpinBlock>& blocks, const Rev
     inertia.standardError = std::hypot(inertia.standardError, 0.5 * std::sqrt(squares / (n * (n - 1.0))));
   }
   if (current < 0.8 * options.commanded_A) {
-    char text[128];
-    std::snprintf(text, sizeof text, "was asked for with %.3g A, but the current reached %.3g A only: it is saturated",
-                  options.commanded_A, current);
-    return Error{"inertia by reversal", text};
+    return Error{"inertia by reversal",
+                 fmt::format("was asked for with {:.3g} A, but the current reached {:.3g} A only: it is saturated",
+                             options.commanded_A, current)};
   }
   return inertia;
 }

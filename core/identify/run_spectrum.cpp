@@ -5,12 +5,13 @@
 #include <limits>
 #include <numbers>
 
+#include "base/numbers.h"
+
 namespace breakaway {
 
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double turn = 2.0 * std::numbers::pi;
 /// Of an order's phase in half the span, beyond which the central difference shows too little of it.
 constexpr double mostPhase = 1.2;
 constexpr double lawDoubt = 1.5;   // up to as much scatter over its law is chance
@@ -75,7 +76,7 @@ struct Stretch {
 std::vector<Complex> torqueHarmonics(const std::vector<double>& current, const std::vector<double>& velocity,
                                      const Stretch& stretch, const VelocityRun& run, size_t highest,
                                      const VelocityFrictionOptions& options) {
-  const double sign = run.way() == Way::ccw ? 1.0 : -1.0, speed = std::abs(harmonicOf(velocity, 0).real());
+  const double sign = signOf(run.way()), speed = std::abs(harmonicOf(velocity, 0).real());
   std::vector<double> halfSquare(velocity.size());
   for (size_t k = 0; k < velocity.size(); ++k) halfSquare[k] = 0.5 * velocity[k] * velocity[k];
   const double perTurn = stretch.turns > 0.0 ? sign / (std::numbers::pi * stretch.turns) : 0.0;
@@ -157,7 +158,7 @@ size_t samplesOf(const VelocityRun& run) {
 
 std::complex<double> harmonicOf(const std::vector<double>& values, size_t order) {
   const auto n = static_cast<double>(values.size());
-  const Complex step = std::polar(1.0, -static_cast<double>(order) * turn / n);
+  const Complex step = std::polar(1.0, -static_cast<double>(order) * turn_rad / n);
   Complex sum = 0.0, turned = std::polar(1.0, -static_cast<double>(order) * std::numbers::pi / n);
   for (const double value : values) {
     sum += value * turned;

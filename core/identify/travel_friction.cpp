@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/numbers.h"
 #include "identify/smooth_pair.h"
 
 namespace breakaway {
@@ -25,7 +26,7 @@ using Bin = std::vector<Point>;  // over the speeds
 
 std::vector<Bin> pointsOf(const std::vector<TravelRun>& runs, size_t way, const TravelFrictionOptions& options) {
   std::vector<Bin> bins(options.bins.count);
-  const double sign = way == 0 ? -1.0 : 1.0, Kf = options.forceConstant_N_per_A;
+  const double sign = signOf(Way(way)), Kf = options.forceConstant_N_per_A;
   for (const TravelRun& run : runs) {
     const double speedError = options.count_m / std::sqrt(6.0) / (2.0 * run.halfSpan_s);
     for (size_t k = 0; k < run.bins[way].size() && k < bins.size(); ++k) {
@@ -228,7 +229,7 @@ Result<TravelFriction> fitTravelFriction(const std::vector<TravelRun>& runs, con
     friction.mass_kg = mass;
     mass_kg = mass.value;
   }
-  if (shape.stribeck > 0.0) friction.stribeck_m_per_s = {shape.stribeck, (shape.high - shape.low) / (2.0 * 1.959964)};
+  if (shape.stribeck > 0.0) friction.stribeck_m_per_s = {shape.stribeck, (shape.high - shape.low) / (2.0 * normal95)};
   const Misfit fit = misfit(ways, mass_kg, shape.stribeck);
   const double scale = std::max(1.0, fit.chi2 / std::max(1.0, fit.freedom));
   for (size_t way = 0; way < 2; ++way)
@@ -244,7 +245,7 @@ Result<std::array<std::vector<double>, 2>> movingCurrent_A(const std::vector<Tra
   std::array<std::vector<double>, 2> currents;
   for (size_t way = 0; way < 2; ++way) {
     const auto& bins = slowest->bins[way];
-    const double sign = way == 0 ? -1.0 : 1.0;
+    const double sign = signOf(Way(way));
     const auto crossed = [](const TravelBinSums& sum) { return sum.samples > 0; };
     const auto first = std::find_if(bins.begin(), bins.end(), crossed);
     if (first == bins.end()) return Error{"strokes", "crossed no bin at the slowest speed"};

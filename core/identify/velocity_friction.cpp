@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/numbers.h"
 #include "identify/encoder_swing.h"
 #include "identify/friction_line.h"
 #include "identify/harmonic_evidence.h"
@@ -14,7 +14,6 @@ namespace breakaway {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double turn = 2.0 * std::numbers::pi;
 constexpr double leastFall = 0.02;  // part of the fall above which a run counts as slow
 // How friction varies before the map itself has said it: share of the orders that are there, their rms amplitude as
 // part of the mean, and how many orders that guess counts for.
@@ -25,7 +24,7 @@ constexpr double coulombShare = 0.1, coulombPart = 0.06, coulombOrders = 3.0;
 void addHarmonic(std::vector<Estimate>& bins, size_t order, Complex value) {
   const auto n = static_cast<double>(bins.size());
   for (size_t k = 0; k < bins.size(); ++k) {
-    const double angle = turn * (static_cast<double>(k) + 0.5) / n * static_cast<double>(order);
+    const double angle = turn_rad * (static_cast<double>(k) + 0.5) / n * static_cast<double>(order);
     bins[k].value += (value * std::polar(1.0, angle)).real();
   }
 }
@@ -157,7 +156,7 @@ void expectPosition(std::array<WayRuns, 2>& ways, const std::array<std::vector<d
     ways[w].position_Nm.assign(1, 0.0);
     ways[w].positionVariance_Nm2.assign(1, 0.0);
     for (size_t k = 0; k < positions.size(); ++k) {
-      ways[w].position_Nm.push_back((w == 0 ? -1.0 : 1.0) * positions[k].value);
+      ways[w].position_Nm.push_back(signOf(Way(w)) * positions[k].value);
       ways[w].positionVariance_Nm2.push_back(positions[k].variance + frictions[k].variance +
                                              std::norm(frictions[k].value));
     }
@@ -167,7 +166,7 @@ void expectPosition(std::array<WayRuns, 2>& ways, const std::array<std::vector<d
 }  // namespace
 
 Estimate meanCurrent_A(const VelocityRun& run) {
-  const double sign = run.way() == Way::ccw ? 1.0 : -1.0;
+  const double sign = signOf(run.way());
   double squares = 0.0, mean = 0.0;
   for (const RunBlock& block : run.blocks) mean += meanAround(block.bins, &AngleBinSums::current_A);
   const auto n = static_cast<double>(run.blocks.size());

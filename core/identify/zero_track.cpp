@@ -100,7 +100,7 @@ void countFrom(const ZeroTrack& track, std::span<VelocityRun> runs) {
 void countFrom(const ZeroTrack& track, std::span<BreakawayEvent> events) {
   for (BreakawayEvent& event : events) {
     const double zero_A = track.at(event.time_s).value;
-    event.measuredMean_A += (event.way == Way::ccw ? 1.0 : -1.0) * (event.zero_A - zero_A);
+    event.measuredMean_A += signOf(event.way) * (event.zero_A - zero_A);
     event.zero_A = zero_A;
   }
 }

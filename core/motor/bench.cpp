@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "base/atomic_file.h"
 #include "base/json_object.h"
+#include "base/numbers.h"
 #include "recording/columns.h"
 
 namespace breakaway {
@@ -165,7 +165,7 @@ std::optional<DriveInput> driveInputNamed(const std::string& name, Axis axis) {
 
 double Bench::count() const {
   if (!countsPerUnit) return 0.0;
-  return (axis == Axis::rotary ? 2.0 * std::numbers::pi : 1.0) / *countsPerUnit;
+  return (axis == Axis::rotary ? turn_rad : 1.0) / *countsPerUnit;
 }
 
 std::string Bench::positionChannel() const {

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "base/numbers.h"
 
 namespace breakaway {
 
@@ -28,7 +29,7 @@ void Outside::step(double time_s, double velocity) {
       burst_s_ = o.burstLength_s * (0.5 + random_.uniform());
   }
   if (o.lag != 0.0) laggedSpeed_ += dt / o.lagTime_s * (std::abs(velocity) - laggedSpeed_);
-  if (o.breathing != 0.0) breathing_ = o.breathing * std::sin(2.0 * std::numbers::pi * time_s / o.breathingPeriod_s);
+  if (o.breathing != 0.0) breathing_ = o.breathing * std::sin(turn_rad * time_s / o.breathingPeriod_s);
 }
 
 double Outside::torque(double angle_rad, double velocity) const {

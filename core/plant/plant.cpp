@@ -2,19 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "base/numbers.h"
 
 namespace breakaway {
 
 namespace {
 
-constexpr double turn = 2.0 * std::numbers::pi;
 constexpr int cellsPerOrder = 256;  // linear interpolation errs by 8e-5 of a harmonic's amplitude
 constexpr double heatStep_s = 0.01;
-
-double signOf(int way) {
-  return way == 0 ? -1.0 : 1.0;
-}
 
 }  // namespace
 
@@ -30,10 +26,10 @@ Plant::Plant(const PlantPhysics& physics, double substep_s, uint64_t seed)
   cells_.resize(static_cast<size_t>(cells) + 1);
   double viscousSum[2] = {0.0, 0.0};
   for (int k = 0; k <= cells; ++k) {
-    const AngleTorques torques = torquesAt(p, turn * k / cells);
+    const AngleTorques torques = torquesAt(p, turn_rad * k / cells);
     Cell& cell = cells_[static_cast<size_t>(k)];
     for (size_t way = 0; way < 2; ++way) {
-      cell.static_Nm[way] = std::max(0.0, p.holding[way].at(turn * k / cells));
+      cell.static_Nm[way] = std::max(0.0, p.holding[way].at(turn_rad * k / cells));
       cell.coulomb_Nm[way] = torques.coulomb_Nm[way];
       cell.viscous[way] = torques.viscous_Nm_s_per_rad[way];
       if (k < cells) viscousSum[way] += cell.viscous[way];
@@ -71,7 +67,7 @@ void Plant::prepare() {
 }
 
 Plant::Local Plant::localAt(double angle_rad, int way) const {
-  const double turns = angle_rad * (1.0 / turn);
+  const double turns = angle_rad * (1.0 / turn_rad);
   const double place = (turns - std::floor(turns)) * cellsPerTurn_;
   const auto index = std::min(static_cast<size_t>(place), cells_.size() - 2);
   const double part = place - static_cast<double>(index);
@@ -195,7 +191,7 @@ double Plant::stand(double duration_s) {
   const double outside = outsideTorque(duration_s);
   for (int way = 0; way < 2; ++way) {
     const Local here = localAt(angle_rad_, way);
-    const double sign = signOf(way), limit = threshold(here, way, end), free = here.position_Nm + outside;
+    const double sign = signOfWay(way), limit = threshold(here, way, end), free = here.position_Nm + outside;
     const double most = motorTorque(here, end);
     if (blocked_ || sign * (most + free) <= limit) continue;
     double used = 0.0;
@@ -239,7 +235,7 @@ double Plant::slide(double duration_s) {
   const PlantPhysics& p = physics_;
   const bool bristly = p.bristles.stiffness > 0.0;
   if (bristly && velocity_ != 0.0) way_ = velocity_ < 0.0 ? 0 : 1;
-  const double sign = signOf(way_), half = 0.5 * duration_s;
+  const double sign = signOfWay(way_), half = 0.5 * duration_s;
   double middle = velocity_ + half * acceleration_;  // mid-step speed, for what changes slowly
   if (middle * sign < 0.0) middle = 0.0;
   const Local here = localAt(angle_rad_ + half * velocity_, way_);

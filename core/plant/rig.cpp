@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/json_object.h"
+#include "base/numbers.h"
 
 namespace breakaway {
 
@@ -232,7 +233,7 @@ Result<Rig> readRig(JsonObject root) {
 }  // namespace
 
 double Rig::unitPerRad() const {
-  return axis == Axis::rotary ? 1.0 : travel.length_m / (2.0 * std::numbers::pi);
+  return axis == Axis::rotary ? 1.0 : travel.length_m / turn_rad;
 }
 
 double Rig::startAngle_rad() const {
@@ -256,8 +257,7 @@ PlantPhysics physicsOf(const Rig& rig) {
   physics.supply_V = rig.bridge.supply_V;
   physics.coupling = rig.coupling;
   if (rig.axis == Axis::linear)
-    physics.stops = {true, 0.0, 2.0 * std::numbers::pi, rig.travel.stopStiffness_Nm_per_rad,
-                     rig.travel.stopDamping_Nm_s_per_rad};
+    physics.stops = {true, 0.0, turn_rad, rig.travel.stopStiffness_Nm_per_rad, rig.travel.stopDamping_Nm_s_per_rad};
   for (const RigEffect& effect : rig.effects) {
     if (const RigEffectKind* kind = findRigEffect(effect.effect); kind && kind->conceal) kind->conceal(effect, physics);
   }

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 
+#include "base/numbers.h"
+
 namespace breakaway {
 
-namespace {
-constexpr double turn = 2.0 * std::numbers::pi;
-}
-
 EncoderModel::EncoderModel(const Rig& rig)
-    : countsPerRad_(rig.encoder.countsPerRev / turn),
+    : countsPerRad_(rig.encoder.countsPerRev / turn_rad),
       index_rad_(rig.encoder.indexPlace_rad),
       hasIndex_(rig.encoder.hasIndex),
       disc_{rig.encoder.eccentricity_rad, rig.encoder.eccentricityPhase_rad},
@@ -31,8 +29,8 @@ double EncoderModel::shown(double angle_rad) const {
 
 EncoderModel::Reading EncoderModel::read(double angle_rad) {
   const double shown_rad = shown(angle_rad);
-  const auto entered = static_cast<int64_t>(std::floor((angle_rad - index_rad_) / turn));
-  const auto left = static_cast<int64_t>(std::floor((angle_rad - index_rad_ - indexWidth_rad_) / turn));
+  const auto entered = static_cast<int64_t>(std::floor((angle_rad - index_rad_) / turn_rad));
+  const auto left = static_cast<int64_t>(std::floor((angle_rad - index_rad_ - indexWidth_rad_) / turn_rad));
   if (first_) {
     startCounts_ = shown_rad * countsPerRad_;
     entered_ = entered;

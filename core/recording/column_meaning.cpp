@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <numbers>
 #include <utility>
 #include <vector>
 
+#include "base/numbers.h"
 #include "recording/columns.h"
 
 namespace breakaway {
@@ -20,8 +20,7 @@ struct Unit {
   double offset = 0.0;
 };
 
-constexpr double turn = 2.0 * std::numbers::pi;
-constexpr double degree = turn / 360.0;
+constexpr double degree = turn_rad / 360.0;
 
 constexpr auto units = std::to_array<Unit>({
     {"s", "s", 1},
@@ -45,10 +44,10 @@ constexpr auto units = std::to_array<Unit>({
     {"degree", "rad", degree},
     {"degrees", "rad", degree},
     {"grad", "rad", degree},
-    {"rev", "rad", turn},
-    {"revs", "rad", turn},
-    {"turn", "rad", turn},
-    {"turns", "rad", turn},
+    {"rev", "rad", turn_rad},
+    {"revs", "rad", turn_rad},
+    {"turn", "rad", turn_rad},
+    {"turns", "rad", turn_rad},
     {"m", "m", 1},
     {"cm", "m", 1e-2},
     {"mm", "m", 1e-3},
@@ -59,15 +58,15 @@ constexpr auto units = std::to_array<Unit>({
     {"deg_per_s", "rad/s", degree},
     {"deg_per_sec", "rad/s", degree},
     {"dps", "rad/s", degree},
-    {"rpm", "rad/s", turn / 60},
-    {"1_per_min", "rad/s", turn / 60},
-    {"u_per_min", "rad/s", turn / 60},
-    {"rev_per_min", "rad/s", turn / 60},
-    {"r_per_min", "rad/s", turn / 60},
-    {"rev_per_s", "rad/s", turn},
-    {"turn_per_s", "rad/s", turn},
-    {"turns_per_s", "rad/s", turn},
-    {"rps", "rad/s", turn},
+    {"rpm", "rad/s", turn_rad / 60},
+    {"1_per_min", "rad/s", turn_rad / 60},
+    {"u_per_min", "rad/s", turn_rad / 60},
+    {"rev_per_min", "rad/s", turn_rad / 60},
+    {"r_per_min", "rad/s", turn_rad / 60},
+    {"rev_per_s", "rad/s", turn_rad},
+    {"turn_per_s", "rad/s", turn_rad},
+    {"turns_per_s", "rad/s", turn_rad},
+    {"rps", "rad/s", turn_rad},
     {"m_per_s", "m/s", 1},
     {"mm_per_s", "m/s", 1e-3},
     {"a", "A", 1},
@@ -284,7 +283,7 @@ std::optional<Meaning> meaningOf(std::string_view name) {
   if (columnNamed(name) != nullptr) return Meaning{std::string(name), 1.0, 0.0, true};
   if (name == "torque_enable" || name == "enable") return Meaning{"enabled", 1.0, 0.0, true};
   for (const char* rpm : {"rpm", "RPM"}) {
-    if (name == rpm) return Meaning{"velocity_rad_per_s", turn / 60, 0.0, true};
+    if (name == rpm) return Meaning{"velocity_rad_per_s", turn_rad / 60, 0.0, true};
   }
   const NameParts parts = partsOf(name);
   if (parts.unknownUnit) return std::nullopt;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/atomic_file.h"
+#include "base/exact_text.h"
 #include "recording/columns.h"
 
 namespace breakaway {
@@ -208,13 +209,10 @@ Result<void> writeCsv(const Recording& recording, const std::string& path) {
     out += quotedWhereNeeded(channels[c].name);
   }
   out += '\n';
-  char cell[32];
   for (size_t row = 0; row < recording.rows(); ++row) {
     for (size_t c = 0; c < channels.size(); ++c) {
       if (c > 0) out += ',';
-      const double value = channels[c].values[row];
-      if (std::isnan(value)) continue;
-      out.append(cell, std::to_chars(cell, cell + sizeof cell, value).ptr);
+      if (const double value = channels[c].values[row]; !std::isnan(value)) appendExact(out, value);
     }
     out += '\n';
   }

@@ -1,7 +1,7 @@
 #include "recording/import.h"
 
+#include <fmt/core.h>
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -9,7 +9,9 @@
 #include <set>
 
 #include "base/atomic_file.h"
+#include "base/exact_text.h"
 #include "base/json_object.h"
+#include "base/numbers.h"
 #include "recording/column_meaning.h"
 #include "recording/columns.h"
 #include "recording/json_log.h"
@@ -27,13 +29,7 @@ bool holds(const std::string& column, Quantity quantity) {
 }
 
 std::string shortText(double value) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 9).ptr};
-}
-
-std::string exactText(double value) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+  return fmt::format("{:.9g}", value);
 }
 
 /// Vectors as long as the longest become columns, single values notes.
@@ -108,7 +104,7 @@ void settleTime(std::vector<double>& time, bool unitGiven, std::vector<std::stri
 /// An angle that starts anew with each turn goes on counting afterwards: one that stays within a turn, and all of whose
 /// leaps are by about a turn.
 void settleAngle(std::vector<double>& angle, std::vector<std::string>& remarks) {
-  constexpr double turn = 2.0 * std::numbers::pi, nearATurn = 0.5;
+  constexpr double nearATurn = 0.5;
   double low = std::numeric_limits<double>::infinity(), high = -low;
   double last = std::numeric_limits<double>::quiet_NaN();
   size_t leaps = 0;
@@ -119,16 +115,16 @@ void settleAngle(std::vector<double>& angle, std::vector<std::string>& remarks) 
     const double step = std::abs(value - last);  // NaN at first
     last = value;
     if (!(step > std::numbers::pi)) continue;
-    if (std::abs(step - turn) > nearATurn) return;
+    if (std::abs(step - turn_rad) > nearATurn) return;
     ++leaps;
   }
-  if (leaps == 0 || high - low > 1.001 * turn) return;
+  if (leaps == 0 || high - low > 1.001 * turn_rad) return;
   double turns = 0.0;
   last = std::numeric_limits<double>::quiet_NaN();
   for (double& value : angle) {
     if (!std::isfinite(value)) continue;
-    if (value - last > std::numbers::pi) turns -= turn;
-    if (last - value > std::numbers::pi) turns += turn;
+    if (value - last > std::numbers::pi) turns -= turn_rad;
+    if (last - value > std::numbers::pi) turns += turn_rad;
     last = value;
     value += turns;
   }

@@ -3,6 +3,7 @@
 #include <matio.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -60,6 +61,21 @@ void copyValues(const matvar_t& variable, std::vector<double>& values) {
   for (size_t k = 0; k < values.size(); ++k) values[k] = static_cast<double>(data[k]);
 }
 
+struct Kind {
+  matio_classes type;
+  void (*copy)(const matvar_t& variable, std::vector<double>& values);
+};
+constexpr auto kinds = std::to_array<Kind>({{MAT_C_DOUBLE, copyValues<double>},
+                                            {MAT_C_SINGLE, copyValues<float>},
+                                            {MAT_C_INT8, copyValues<int8_t>},
+                                            {MAT_C_UINT8, copyValues<uint8_t>},
+                                            {MAT_C_INT16, copyValues<int16_t>},
+                                            {MAT_C_UINT16, copyValues<uint16_t>},
+                                            {MAT_C_INT32, copyValues<int32_t>},
+                                            {MAT_C_UINT32, copyValues<uint32_t>},
+                                            {MAT_C_INT64, copyValues<int64_t>},
+                                            {MAT_C_UINT64, copyValues<uint64_t>}});
+
 /// The array's values column by column; empty when they are no real numbers.
 std::vector<double> valuesOf(const matvar_t& variable) {
   if (variable.isComplex != 0 || variable.data == nullptr || variable.rank < 1 || variable.data_size <= 0) return {};
@@ -70,40 +86,10 @@ std::vector<double> valuesOf(const matvar_t& variable) {
   }
   if (count * static_cast<size_t>(variable.data_size) > variable.nbytes) return {};
   std::vector<double> values(count);
-  switch (variable.class_type) {
-    case MAT_C_DOUBLE:
-      copyValues<double>(variable, values);
-      break;
-    case MAT_C_SINGLE:
-      copyValues<float>(variable, values);
-      break;
-    case MAT_C_INT8:
-      copyValues<int8_t>(variable, values);
-      break;
-    case MAT_C_UINT8:
-      copyValues<uint8_t>(variable, values);
-      break;
-    case MAT_C_INT16:
-      copyValues<int16_t>(variable, values);
-      break;
-    case MAT_C_UINT16:
-      copyValues<uint16_t>(variable, values);
-      break;
-    case MAT_C_INT32:
-      copyValues<int32_t>(variable, values);
-      break;
-    case MAT_C_UINT32:
-      copyValues<uint32_t>(variable, values);
-      break;
-    case MAT_C_INT64:
-      copyValues<int64_t>(variable, values);
-      break;
-    case MAT_C_UINT64:
-      copyValues<uint64_t>(variable, values);
-      break;
-    default:
-      return {};
-  }
+  const auto it = std::find_if(kinds.begin(), kinds.end(),
+                               [&variable](const Kind& one) { return one.type == variable.class_type; });
+  if (it == kinds.end()) return {};
+  it->copy(variable, values);
   return values;
 }
 

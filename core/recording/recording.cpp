@@ -1,9 +1,10 @@
 #include "recording/recording.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <set>
+
+#include "base/exact_text.h"
 
 namespace breakaway {
 
@@ -24,12 +25,6 @@ double medianStep(const std::vector<double>& time) {
   const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
   std::nth_element(steps.begin(), middle, steps.end());
   return *middle;
-}
-
-/// The shortest text that tells the number from its neighbours.
-std::string exactText(double value) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
 /// ", found: a, b, c", at most a few names.

@@ -1,11 +1,11 @@
 #include "report/commission_report.h"
 
+#include <fmt/core.h>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <numbers>
 
 #include "base/atomic_file.h"
+#include "base/numbers.h"
 #include "commission/motor_file.h"
 #include "draw/html_report.h"
 #include "friction/map_export.h"
@@ -30,7 +30,7 @@ std::vector<Curve> aroundTheTurn(const FrictionMap& map, Get get) {
     curve.colour = static_cast<int>(w);
     for (size_t k = 0; k <= map.bins.size(); ++k) {
       const MapBin& bin = map.bins[k % map.bins.size()];
-      curve.x.push_back(bin.angle_rad + (k == map.bins.size() ? 2.0 * std::numbers::pi : 0.0));
+      curve.x.push_back(bin.angle_rad + (k == map.bins.size() ? turn_rad : 0.0));
       curve.y.push_back(get(bin.way[w]));
     }
     curves.push_back(std::move(curve));
@@ -185,17 +185,14 @@ Result<void> writeReport(const Commission& done, bool hasTruth, const std::strin
 std::string inWords(const Commission& done) {
   if (done.linear()) return linearInWords(done);
   const FrictionMap& map = done.map;
-  char text[512];
-  std::snprintf(text, sizeof text,
-                "Breakaway torque on average %.3g mNm clockwise and %.3g mNm counter-clockwise; consecutive turns "
-                "correlate by %.3f and %.3f. "
-                "Coulomb friction %.3g mNm (%.3g to %.3g), viscous friction %.3g µNm s/rad (%.3g to %.3g).",
-                1e3 * staticMean(map, 0), 1e3 * staticMean(map, 1), map.repeatability[0].correlation,
-                map.repeatability[1].correlation, 1e3 * map.coulombAverage_Nm.value,
-                1e3 * map.coulombAverage_Nm.low95(), 1e3 * map.coulombAverage_Nm.high95(),
-                1e6 * map.viscousAverage_Nm_s_per_rad.value, 1e6 * map.viscousAverage_Nm_s_per_rad.low95(),
-                1e6 * map.viscousAverage_Nm_s_per_rad.high95());
-  return text;
+  return fmt::format(
+      "Breakaway torque on average {:.3g} mNm clockwise and {:.3g} mNm counter-clockwise; consecutive turns "
+      "correlate by {:.3f} and {:.3f}. "
+      "Coulomb friction {:.3g} mNm ({:.3g} to {:.3g}), viscous friction {:.3g} µNm s/rad ({:.3g} to {:.3g}).",
+      1e3 * staticMean(map, 0), 1e3 * staticMean(map, 1), map.repeatability[0].correlation,
+      map.repeatability[1].correlation, 1e3 * map.coulombAverage_Nm.value, 1e3 * map.coulombAverage_Nm.low95(),
+      1e3 * map.coulombAverage_Nm.high95(), 1e6 * map.viscousAverage_Nm_s_per_rad.value,
+      1e6 * map.viscousAverage_Nm_s_per_rad.low95(), 1e6 * map.viscousAverage_Nm_s_per_rad.high95());
 }
 
 }  // namespace breakaway

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/numbers.h"
 #include "diagnose/fit/motion.h"
 #include "diagnose/simulate/simulation.h"
 #include "diagnose/verdict/where.h"
@@ -175,8 +176,8 @@ Curve bandOf(const ResidualMap& map, const MapText& text, const std::string& lab
   for (size_t k = 0; k < map.centre.size(); ++k) {
     curve.x.push_back(text.scale * map.centre[k]);
     curve.y.push_back(text.valueScale * map.mean[k]);
-    curve.low.push_back(text.valueScale * (map.mean[k] - 1.96 * map.error[k]));
-    curve.high.push_back(text.valueScale * (map.mean[k] + 1.96 * map.error[k]));
+    curve.low.push_back(text.valueScale * (map.mean[k] - normal95 * map.error[k]));
+    curve.high.push_back(text.valueScale * (map.mean[k] + normal95 * map.error[k]));
   }
   return curve;
 }

@@ -1,7 +1,7 @@
 #include "report/linear_report.h"
 
+#include <fmt/core.h>
 #include <array>
-#include <cstdio>
 
 #include "draw/html_report.h"
 #include "report/map_figures.h"
@@ -26,7 +26,7 @@ std::array<Curve, 2> speedPoints(const Commission& done) {
   const double Kf = done.motor.torquePerShownAmpere_Nm(), m = done.motor.inertia_kg_m2.value;
   std::array<Curve, 2> points;
   for (size_t w = 0; w < 2; ++w) {
-    const double sign = w == 0 ? -1.0 : 1.0;
+    const double sign = signOf(Way(w));
     for (const TravelRun& run : done.strokes) {
       double force = 0.0, speed = 0.0, crossed = 0.0;
       for (const TravelBinSums& sum : run.bins[w]) {
@@ -83,15 +83,13 @@ void travelChapter(HtmlReport& report, const Commission& done) {
 
 std::string linearInWords(const Commission& done) {
   const FrictionMap& map = done.map;
-  char text[512];
-  std::snprintf(text, sizeof text,
-                "Breakaway force on average %.3g N backwards and %.3g N forwards; consecutive passes correlate by %.3f "
-                "and %.3f. Coulomb friction %.3g N (%.3g to %.3g), viscous friction %.3g N s/m (%.3g to %.3g).",
-                staticMean(map, 0), staticMean(map, 1), map.repeatability[0].correlation,
-                map.repeatability[1].correlation, map.coulombAverage_Nm.value, map.coulombAverage_Nm.low95(),
-                map.coulombAverage_Nm.high95(), map.viscousAverage_Nm_s_per_rad.value,
-                map.viscousAverage_Nm_s_per_rad.low95(), map.viscousAverage_Nm_s_per_rad.high95());
-  return text;
+  return fmt::format(
+      "Breakaway force on average {:.3g} N backwards and {:.3g} N forwards; consecutive passes correlate by {:.3f} "
+      "and {:.3f}. Coulomb friction {:.3g} N ({:.3g} to {:.3g}), viscous friction {:.3g} N s/m ({:.3g} to {:.3g}).",
+      staticMean(map, 0), staticMean(map, 1), map.repeatability[0].correlation, map.repeatability[1].correlation,
+      map.coulombAverage_Nm.value, map.coulombAverage_Nm.low95(), map.coulombAverage_Nm.high95(),
+      map.viscousAverage_Nm_s_per_rad.value, map.viscousAverage_Nm_s_per_rad.low95(),
+      map.viscousAverage_Nm_s_per_rad.high95());
 }
 
 }  // namespace breakaway

@@ -5,6 +5,7 @@
 #include <complex>
 #include <numbers>
 
+#include "base/numbers.h"
 #include "report/drawn_term.h"
 
 namespace breakaway {
@@ -12,7 +13,6 @@ namespace breakaway {
 namespace {
 
 constexpr size_t points = 400;
-constexpr double turn = 2.0 * std::numbers::pi;
 
 /// Hidden states along the recording, one sample per point.
 std::vector<double> courseOf(const Drawn& drawn, const std::vector<double>& set, std::vector<double>& time) {
@@ -136,7 +136,7 @@ Figure overFrequency(const Drawn& drawn) {
     figure.logY = true;
     figure.curves.push_back(curveOf(drawn, x, [&](const std::vector<double>& set, double hertz) {
       using Complex = std::complex<double>;
-      const Complex s(0.0, turn * hertz);
+      const Complex s(0.0, turn_rad * hertz);
       const double whole = drawn.physics.inertia;
       const TwoMass at = load->loadOf(set);
       // G = (s² + 2ζω_a s + ω_a²) J/(J_m s² + J (2ζω_a s + ω_a²)).

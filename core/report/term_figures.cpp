@@ -4,18 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/numbers.h"
 #include "diagnose/effects/catalogue.h"
 #include "diagnose/fit/excitation_seen.h"
 #include "diagnose/simulate/physics.h"
 #include "report/drawn_term.h"
 
 namespace breakaway {
-
-namespace {
-
-constexpr double turn = 2.0 * std::numbers::pi;
-
-}  // namespace
 
 /// The whole friction curve over speed: what the model says without the effect, and with it.
 Figure overVelocity(const Drawn& drawn) {
@@ -42,9 +37,9 @@ Figure overVelocity(const Drawn& drawn) {
 
 /// Around the turn, or along the travel. What is drawn is the torque, or what the encoder shows wrongly.
 Figure overAngle(const Drawn& drawn) {
-  const bool whole = rotary(drawn) && drawn.seen.travel >= turn;
+  const bool whole = rotary(drawn) && drawn.seen.travel >= turn_rad;
   const double scale = rotary(drawn) ? 180.0 / std::numbers::pi : 1e3;
-  const double low = whole ? 0.0 : drawn.seen.lowest, high = whole ? turn : drawn.seen.highest;
+  const double low = whole ? 0.0 : drawn.seen.lowest, high = whole ? turn_rad : drawn.seen.highest;
   const double probe = low + 0.137 * (high - low);
   const auto& first = drawn.sets.front();
   const EncoderPart* encoder = drawn.effect.encoder();

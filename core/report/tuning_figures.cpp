@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/numbers.h"
 #include "draw/html_report.h"
 
 namespace breakaway {
@@ -22,7 +23,7 @@ void append(Curve& curve, const Complex& point) {
 /// z on the unit circle, and along ζ = 0.707 where s = ωn·(−ζ ± j·√(1 − ζ²)).
 Curve unitCircle() {
   Curve circle{"unit circle", {}, {}};
-  for (int k = 0; k <= 180; ++k) append(circle, std::polar(1.0, 2.0 * std::numbers::pi * k / 180));
+  for (int k = 0; k <= 180; ++k) append(circle, std::polar(1.0, turn_rad * k / 180));
   circle.style = Curve::Style::dashed;
   circle.colour = grey;
   return circle;
@@ -65,10 +66,10 @@ Curve phase(const std::string& label, const LoopResponse& response) {
   double turns = 0.0, last = 0.0;
   for (size_t k = 0; k < response.loop.size(); ++k) {
     const double angle = std::arg(response.loop[k]);
-    if (k > 0) turns += std::round((last - angle) / (2.0 * std::numbers::pi));
+    if (k > 0) turns += std::round((last - angle) / turn_rad);
     if (k == 0 && angle > 0.0) turns = -1.0;  // integrators begin at −90° or below
     last = angle;
-    curve.y.push_back(degrees * (angle + 2.0 * std::numbers::pi * turns));
+    curve.y.push_back(degrees * (angle + turn_rad * turns));
   }
   return curve;
 }

@@ -1,8 +1,8 @@
 #include "report/tuning_report.h"
 
+#include <fmt/core.h>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -128,9 +128,8 @@ std::string tuningJson(const TuningStudy& study, const std::string& name) {
 std::string row(const std::vector<double>& values) {
   std::string line;
   for (size_t k = 0; k < values.size(); ++k) {
-    std::array<char, 32> text{};
-    if (std::isfinite(values[k])) std::snprintf(text.data(), text.size(), "%.9g", values[k]);
-    line += (k > 0 ? "," : "") + std::string(text.data());
+    line += k > 0 ? "," : "";
+    if (std::isfinite(values[k])) line += fmt::format("{:.9g}", values[k]);
   }
   return line + "\n";
 }

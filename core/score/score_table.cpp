@@ -1,8 +1,8 @@
 // The figures of a score as Markdown.
-#include <cstdarg>
-#include <cstdio>
+#include <fmt/core.h>
 #include <functional>
 
+#include "base/distributions.h"
 #include "base/statistics.h"
 #include "score/scoring.h"
 
@@ -10,40 +10,31 @@ namespace breakaway {
 
 namespace {
 
-__attribute__((format(printf, 1, 2))) std::string print(const char* format, ...) {
-  char text[160];
-  va_list values;
-  va_start(values, format);
-  std::vsnprintf(text, sizeof text, format, values);
-  va_end(values);
-  return text;
-}
-
 std::string percent(const Share& share) {
   if (share.runs == 0) return "–";
-  return print("%.1f %% (%zu of %zu)", 100.0 * share.value(), share.hits, share.runs);
+  return fmt::format("{:.1f} % ({} of {})", 100.0 * share.value(), share.hits, share.runs);
 }
 
 /// "–" for no values.
 std::string quantileText(const std::vector<double>& values, double fraction, double unit = 1.0) {
-  return values.empty() ? "–" : print("%.2f", quantile(values, fraction) / unit);
+  return values.empty() ? "–" : fmt::format("{:.2f}", quantile(values, fraction) / unit);
 }
 
 /// "–" for a ratio of nothing.
 std::string ratioText(double above, double below) {
-  return below > 0.0 ? print("%.2f", above / below) : "–";
+  return below > 0.0 ? fmt::format("{:.2f}", above / below) : "–";
 }
 
 std::string falseAlarms(const Score& score) {
   if (score.falseAlarms.runs == 0) return "–";
-  return percent(score.falseAlarms) +
-         print(", 95 %% sure below %.1f %%", 100.0 * upperBound95(score.falseAlarms.hits, score.falseAlarms.runs));
+  return percent(score.falseAlarms) + fmt::format(", 95 % sure below {:.1f} %",
+                                                  100.0 * upperBound95(score.falseAlarms.hits, score.falseAlarms.runs));
 }
 
 std::string sizeText(const SizeBin& bin) {
-  if (bin.from <= 0.0) return print("below %g", bin.to);
-  if (bin.to >= 1e300) return print("%g and above", bin.from);
-  return print("%g to %g", bin.from, bin.to);
+  if (bin.from <= 0.0) return fmt::format("below {:g}", bin.to);
+  if (bin.to >= 1e300) return fmt::format("{:g} and above", bin.from);
+  return fmt::format("{:g} to {:g}", bin.from, bin.to);
 }
 
 struct Line {
@@ -59,7 +50,7 @@ std::vector<Line> linesFor(const Score& first) {
       {"F1 on identifiable combinations",
        [](const Score& s) {
          const bool any = s.truePositives + s.falsePositives + s.falseNegatives > 0;
-         return any ? print("%.2f", s.f1()) : "–";
+         return any ? fmt::format("{:.2f}", s.f1()) : "–";
        }},
       {"wrong extras per run",
        [](const Score& s) { return ratioText(static_cast<double>(s.wrongExtras), static_cast<double>(s.runs)); }},
@@ -108,10 +99,9 @@ std::string familyTable(const Score& score) {
       "| failed |\n|---|---|---|---|---|---|---|---|---|---|\n";
   for (const FamilyScore& one : score.families) {
     const std::string extras = ratioText(static_cast<double>(one.wrongExtras), static_cast<double>(one.runs));
-    out +=
-        "| " + one.family +
-        print(" | %zu | %zu | %zu | %zu | %zu | %zu | %zu | %s | %zu |\n", one.runs, one.identifiable, one.firstRight,
-              one.topTwo, one.ambiguous, one.nothingMissing, one.outside, extras.c_str(), one.failed);
+    out += "| " + one.family +
+           fmt::format(" | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", one.runs, one.identifiable, one.firstRight,
+                       one.topTwo, one.ambiguous, one.nothingMissing, one.outside, extras, one.failed);
   }
   return out;
 }

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <set>
 
+#include "base/numbers.h"
 #include "diagnose/effects/catalogue.h"
 
 namespace breakaway {
@@ -13,8 +14,7 @@ namespace {
 
 /// Moves an angle and its interval by whole turns to where the truth is.
 void unwrap(ScoredParameter& angle) {
-  const double turn = 2.0 * std::numbers::pi;
-  const double shift = turn * std::round((angle.truth - angle.value) / turn);
+  const double shift = turn_rad * std::round((angle.truth - angle.value) / turn_rad);
   angle.value += shift;
   angle.low95 += shift;
   angle.high95 += shift;

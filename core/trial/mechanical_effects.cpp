@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/numbers.h"
 #include "base/statistics.h"
 #include "trial/trial_effect_tables.h"
 
@@ -14,7 +14,7 @@ using enum TrialMove;
 /// Puts a part of the inertia behind a shaft that resonates against its load at `rate_Hz` with the motor held.
 void splitInertia(TrialRig& rig, double share, double rate_Hz, double dampingRatio) {
   PlantPhysics& p = rig.physics;
-  const double total = p.totalInertia(), w = 2.0 * std::numbers::pi * rate_Hz;
+  const double total = p.totalInertia(), w = turn_rad * rate_Hz;
   const double load = share * total;
   p.inertia = total - load;
   p.coupling.loadInertia_kg_m2 = load;
@@ -42,7 +42,7 @@ Concealed compliance(TrialRig& rig, const TrialCourse&, double size, Random& ran
   const double rate_Hz = drawnLog(random, 9.0, 30.0) / std::sqrt(size), damping = drawn(random, 0.015, 0.06);
   splitInertia(rig, drawn(random, 0.3, 0.6), rate_Hz, damping);
   return {"compliance",
-          {{"antiresonance_rad_per_s", 2.0 * std::numbers::pi * rate_Hz},
+          {{"antiresonance_rad_per_s", turn_rad * rate_Hz},
            {"damping_ratio", damping},
            {loadName(rig), rig.physics.coupling.loadInertia_kg_m2}}};
 }

@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+
+#include "base/numbers.h"
 
 namespace breakaway {
 
 namespace {
-
-constexpr double turn = 2.0 * std::numbers::pi;
 
 /// Writes one stretch of a move into rows [from, to): speed as a fraction of the top speed, shake of the peak torque.
 class Stretch {
@@ -47,8 +46,8 @@ class Stretch {
   void sines(double peak, double lowest_Hz, double highest_Hz) {
     std::array<std::array<double, 2>, 5> waves;
     for (auto& [rate, phase] : waves) {
-      rate = turn * drawnLog(random_, lowest_Hz, highest_Hz);
-      phase = turn * random_.uniform();
+      rate = turn_rad * drawnLog(random_, lowest_Hz, highest_Hz);
+      phase = turn_rad * random_.uniform();
     }
     for (size_t k = from_; k < to_; ++k) {
       double sum = 0.0;
@@ -103,7 +102,7 @@ class Stretch {
     const double peak = drawn(random_, 0.2, 0.4), low = 2.0, high = 100.0;
     const double growth = std::log(high / low) / length();
     for (size_t k = from_; k < to_; ++k) {
-      course_.shake[k] = peak * std::sin(turn * low / growth * (std::exp(growth * seconds(k)) - 1.0));
+      course_.shake[k] = peak * std::sin(turn_rad * low / growth * (std::exp(growth * seconds(k)) - 1.0));
     }
   }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/numbers.h"
+
 namespace breakaway {
 
 namespace {
@@ -61,7 +63,7 @@ void drawSensors(TrialRig& rig, const TrialNeeds& needs, Random& random) {
     constexpr std::array fine{2000.0, 4000.0, 4096.0, 8192.0, 10000.0, 14400.0, 20000.0};
     constexpr std::array rough{1000.0, 1024.0};
     s.countsPerUnit = coarse ? rough[random.below(rough.size())] : fine[random.below(fine.size())];
-    s.count = 2.0 * std::numbers::pi / s.countsPerUnit;
+    s.count = turn_rad / s.countsPerUnit;
   } else {
     constexpr std::array fine{1e5, 2e5, 5e5, 1e6};
     s.countsPerUnit = coarse ? 4e4 : fine[random.below(fine.size())];

@@ -7,8 +7,8 @@
 #include <poll.h>
 #include <sys/socket.h>
 
+#include <fmt/core.h>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <memory>
 
@@ -47,13 +47,11 @@ int connectOne(const addrinfo& address, double wait_s, Descriptor& connection) {
 }
 
 std::string whyNot(int reason, double wait_s) {
-  char text[80];
   switch (reason) {
     case ECONNREFUSED:
       return "refuses the connection: nothing listens on that port";
     case ETIMEDOUT:
-      std::snprintf(text, sizeof text, "does not answer within %.1f s", wait_s);
-      return text;
+      return fmt::format("does not answer within {:.1f} s", wait_s);
     default:
       return std::string("cannot be reached: ") + std::strerror(reason);
   }

@@ -1,13 +1,10 @@
 #include "firmware_link/vesc/vesc_angle.h"
 
 #include <cmath>
-#include <numbers>
+
+#include "base/numbers.h"
 
 namespace breakaway {
-
-namespace {
-constexpr double turn_rad = 2.0 * std::numbers::pi;
-}
 
 double VescAngle::step(double within_rad, double velocity_rad_per_s, double time_s) {
   if (!angle_rad_) {

@@ -1,8 +1,8 @@
 #include "firmware_link/vesc/vesc_drive.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <utility>
 
@@ -194,20 +194,15 @@ void VescDrive::watch(const Sample& sample, const VescValues& values) {
   const bool runs = procedure_ != nullptr || command_.mode != Command::Mode::off;
   if (!runs) return;
   if (values.fault != 0) return stop(vescFaultWords(values.fault));
-  char text[160];
   const double speedLimit = settings_.velocity_limit_rad_per_s;
   if (speedLimit > 0.0 && std::abs(sample.velocity_rad_per_s) > tripShare * speedLimit) {
-    std::snprintf(text, sizeof text,
-                  "over-speed: %.1f rad/s with a limit of %.1f rad/s; ask for less, or raise the limit",
-                  std::abs(sample.velocity_rad_per_s), speedLimit);
-    return stop(text);
+    return stop(fmt::format("over-speed: {:.1f} rad/s with a limit of {:.1f} rad/s; ask for less, or raise the limit",
+                            std::abs(sample.velocity_rad_per_s), speedLimit));
   }
   if (std::abs(sample.current_A) <= tripShare * limit_A()) return;
-  std::snprintf(
-      text, sizeof text,
-      "over-current: %.1f A measured with a limit of %.1f A; raise the limit, or set the same one in the VESC",
-      std::abs(sample.current_A), limit_A());
-  stop(text);
+  stop(fmt::format(
+      "over-current: {:.1f} A measured with a limit of {:.1f} A; raise the limit, or set the same one in the VESC",
+      std::abs(sample.current_A), limit_A()));
 }
 
 void VescDrive::runProcedure(const Sample& sample) {
@@ -240,9 +235,7 @@ void VescDrive::heldUp(Clock::time_point now) {
   heard_ = nextQuestion_ = now;
   asked_ = false;
   if (procedure_ == nullptr && command_.mode == Command::Mode::off) return;
-  char text[120];
-  std::snprintf(text, sizeof text, "this program was held up for %.1f s, so the motor was stopped", late_s);
-  stop(text);
+  stop(fmt::format("this program was held up for {:.1f} s, so the motor was stopped", late_s));
 }
 
 Result<size_t> VescDrive::advance(double duration_s, std::vector<Sample>& samples) {
@@ -301,16 +294,12 @@ double answersPerSecond(VescLine& line, const VescPayload& question) {
 }
 
 std::string deviceName(const VescVersion& version) {
-  char text[24];
-  std::snprintf(text, sizeof text, " %02x%02x%02x%02x", version.identity[0], version.identity[1], version.identity[2],
-                version.identity[3]);
-  return "VESC " + version.hardware + text;
+  return fmt::format("VESC {} {:02x}{:02x}{:02x}{:02x}", version.hardware, version.identity[0], version.identity[1],
+                     version.identity[2], version.identity[3]);
 }
 
 std::string firmwareName(const VescVersion& version) {
-  char text[32];
-  std::snprintf(text, sizeof text, "VESC %d.%02d", version.major, version.minor);
-  return text;
+  return fmt::format("VESC {}.{:02}", version.major, version.minor);
 }
 
 }  // namespace

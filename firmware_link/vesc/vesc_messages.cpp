@@ -1,9 +1,9 @@
 #include "firmware_link/vesc/vesc_messages.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace breakaway {
@@ -190,9 +190,7 @@ std::string vescFaultWords(int fault) {
       "the encoder fails"};
   if (fault == 0) return {};
   if (fault > 0 && fault < static_cast<int>(words.size())) return words[static_cast<size_t>(fault)];
-  char text[64];
-  std::snprintf(text, sizeof text, "fault %d, which is not known here; its maker's tool names it", fault);
-  return text;
+  return fmt::format("fault {}, which is not known here; its maker's tool names it", fault);
 }
 
 }  // namespace breakaway

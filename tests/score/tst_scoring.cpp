@@ -27,7 +27,6 @@ class TestScoring : public QObject {
   void concealedSizes_haveTheCataloguesNames();
   void line_readsBackTheSame();
   void foreignLine_isOneClearLine();
-  void exactBound_isClopperAndPearsons();
   void seeds_areApart();
   void tables_holdEveryFamilyAndMethod();
 };
@@ -218,14 +217,6 @@ void TestScoring::line_readsBackTheSame() {
 void TestScoring::foreignLine_isOneClearLine() {
   VERIFY_ERROR(parseScoredLine("{\"id\": 1}", "f.jsonl, line 3"), "f.jsonl, line 3: is no scored trial");
   VERIFY_ERROR(parseScoredLine("{\"id\": ", "f.jsonl, line 3"), "f.jsonl, line 3: is no scored trial");
-}
-
-void TestScoring::exactBound_isClopperAndPearsons() {
-  QVERIFY(std::abs(upperBound95(0, 300) - (1.0 - std::pow(0.05, 1.0 / 300.0))) < 1e-9);
-  QVERIFY(std::abs(upperBound95(1, 20) - 0.21611) < 1e-4);
-  QVERIFY(std::abs(upperBound95(5, 10) - 0.77756) < 1e-4);
-  QCOMPARE(upperBound95(20, 20), 1.0);
-  QCOMPARE(upperBound95(0, 0), 1.0);
 }
 
 void TestScoring::seeds_areApart() {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/numbers.h"
 #include "diagnose/effects/all.h"
 #include "diagnose/effects/two_mass.h"
 #include "diagnose/effects/wording.h"
@@ -73,7 +73,7 @@ class Compliance final : public TwoMassEffect {
     return {p[0], std::clamp(p[1], 1e-3, highestFrequency), p[2], 0.0, p[3]};
   }
   static std::string hertzText(double frequency_rad_per_s) {
-    return digitsText(frequency_rad_per_s / (2.0 * std::numbers::pi)) + " Hz";
+    return digitsText(frequency_rad_per_s / turn_rad) + " Hz";
   }
 };
 

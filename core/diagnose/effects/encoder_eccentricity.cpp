@@ -1,6 +1,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/numbers.h"
 #include "diagnose/effects/all.h"
 #include "diagnose/effects/wording.h"
 
@@ -33,10 +34,9 @@ class EncoderEccentricity final : public Effect, private EncoderPart {
   bool plausible(std::span<const double> p, const Excitation&) const override { return std::abs(p[0]) < 0.1; }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
     const double peak = p[0] < 0.0 ? p[1] + std::numbers::pi : p[1];
-    const double turn = 2.0 * std::numbers::pi;
     return "Once per turn the encoder shows up to " + travelText(std::abs(p[0]), Axis::rotary) +
            (seen.count > 0.0 ? " (" + digitsText(std::abs(p[0]) / seen.count) + " counts)" : "") + " too much around " +
-           angleText(peak - turn * std::floor(peak / turn)) +
+           angleText(peak - turn_rad * std::floor(peak / turn_rad)) +
            " and as much too little opposite: its disc or its shaft is off centre. Look at the encoder's seat and the "
            "shaft's run-out.";
   }

@@ -3,16 +3,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/numbers.h"
 #include "diagnose/effects/wording.h"
 
 namespace breakaway {
 
 namespace {
 
-constexpr double turn = 2.0 * std::numbers::pi;
-
 double waveNumber(double orderOrPeriod, Axis axis) {
-  return axis == Axis::rotary ? orderOrPeriod : turn / orderOrPeriod;
+  return axis == Axis::rotary ? orderOrPeriod : turn_rad / orderOrPeriod;
 }
 
 constexpr double mostWaves = 50.0;   ///< over a linear axis' travel
@@ -69,8 +68,8 @@ std::vector<Shape> waveShapes(const Excitation& seen, int lowest, int highest, d
   if (seen.travel <= 0.0) return shapes;
   if (seen.axis == Axis::rotary) {
     for (int order = lowest; order <= highest; ++order) {
-      const double wave = turn / order;
-      const bool whole = seen.travel > 0.95 * turn || seen.travel > 2.0 * wave;
+      const double wave = turn_rad / order;
+      const bool whole = seen.travel > 0.95 * turn_rad || seen.travel > 2.0 * wave;
       if (whole && wave > leastCounts * seen.count) shapes.push_back(waveBasis(amplitude, order));
     }
   } else {
@@ -95,9 +94,9 @@ std::string waveText(double orderOrPeriod, Axis axis) {
 
 std::string wavePeakText(std::span<const double> p, Axis axis, double lowest) {
   const double phase = p[0] < 0.0 ? p[1] + std::numbers::pi : p[1];
-  const double first = phase - turn * std::floor(phase / turn);
+  const double first = phase - turn_rad * std::floor(phase / turn_rad);
   if (axis == Axis::rotary) return angleText(first / p[2]);
-  const double peak = first / turn * p[2];
+  const double peak = first / turn_rad * p[2];
   return lengthText(peak + p[2] * std::ceil((lowest - peak) / p[2]));
 }
 

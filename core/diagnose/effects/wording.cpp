@@ -1,7 +1,7 @@
 #include "diagnose/effects/wording.h"
 
+#include <fmt/core.h>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 namespace breakaway {
@@ -12,9 +12,7 @@ std::string withPrefix(double value, const char* unit) {
   const double size = std::abs(value);
   const double scale = size >= 1.0 || size == 0.0 ? 1.0 : size >= 1e-3 ? 1e3 : 1e6;
   const char* prefix = scale == 1.0 ? "" : scale == 1e3 ? "m" : "µ";
-  char text[64];
-  std::snprintf(text, sizeof text, "%.3g %s%s", value * scale, prefix, unit);
-  return text;
+  return fmt::format("{:.3g} {}{}", value * scale, prefix, unit);
 }
 
 }  // namespace
@@ -39,22 +37,16 @@ std::string speedText(double value, Axis axis) {
   return axis == Axis::rotary ? digitsText(value) + " rad/s" : withPrefix(value, "m/s");
 }
 std::string angleText(double value_rad) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.0f°", value_rad * 180.0 / std::numbers::pi);
-  return text;
+  return fmt::format("{:.0f}°", value_rad * 180.0 / std::numbers::pi);
 }
 std::string lengthText(double value_m) {
   return withPrefix(value_m, "m");
 }
 std::string percentText(double fraction) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.0f %%", fraction * 100.0);
-  return text;
+  return fmt::format("{:.0f} %", fraction * 100.0);
 }
 std::string digitsText(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
+  return fmt::format("{:.3g}", value);
 }
 std::string wayText(double sign, Axis axis) {
   if (axis == Axis::rotary) return sign > 0.0 ? "counter-clockwise" : "clockwise";

@@ -1,10 +1,10 @@
 #include "diagnose/fit/channel_checks.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <numbers>
 
+#include "base/numbers.h"
 #include "base/statistics.h"
 
 namespace breakaway {
@@ -35,13 +35,6 @@ double wayAfter(const Track& track, size_t row) {
   return std::abs(track.position[row + 1] - track.position[row]);
 }
 
-template <typename... Values>
-std::string text(const char* format, Values... values) {
-  char line[300];
-  std::snprintf(line, sizeof line, format, values...);
-  return line;
-}
-
 void sayGaps(std::vector<std::string>& out, const Track& track) {
   const double usual = track.usualStep_s;
   size_t gaps = 0;
@@ -55,8 +48,8 @@ void sayGaps(std::vector<std::string>& out, const Track& track) {
   if (gaps > 0) {
     out.push_back(
         track.name +
-        text(": rows are missing in %zu place%s, for up to %.3g s; windows that hold such a place are left out", gaps,
-             gaps == 1 ? "" : "s", longest));
+        fmt::format(": rows are missing in {} place{}, for up to {:.3g} s; windows that hold such a place are left out",
+                    gaps, gaps == 1 ? "" : "s", longest));
   }
 }
 
@@ -64,11 +57,12 @@ void sayLeaps(std::vector<std::string>& out, const Bench& bench, const Track& tr
   if (track.leaps.empty()) return;
   double largest = 0.0;
   for (const size_t row : track.leaps) largest = std::max(largest, wayAfter(track, row));
-  out.push_back(track.name + ", column " + bench.positionChannel() +
-                text(": leaps by up to %.4g %s within a row in %zu place%s: bad readings or lost counts; windows that "
-                     "hold such a place are left out",
-                     largest, bench.axis == Axis::rotary ? "rad" : "m", track.leaps.size(),
-                     track.leaps.size() == 1 ? "" : "s"));
+  out.push_back(
+      track.name + ", column " + bench.positionChannel() +
+      fmt::format(": leaps by up to {:.4g} {} within a row in {} place{}: bad readings or lost counts; windows that "
+                  "hold such a place are left out",
+                  largest, bench.axis == Axis::rotary ? "rad" : "m", track.leaps.size(),
+                  track.leaps.size() == 1 ? "" : "s"));
 }
 
 void sayDrive(std::vector<std::string>& out, const Bench& bench, const Recording& recording, const Track& track) {
@@ -81,7 +75,7 @@ void sayDrive(std::vector<std::string>& out, const Bench& bench, const Recording
   const std::string column = ", column " + bench.inputChannel();
   if (*low == *high) {
     out.push_back(track.name + column +
-                  text(": never changes (%.4g throughout): what it does to the axis can't be told", *low));
+                  fmt::format(": never changes ({:.4g} throughout): what it does to the axis can't be told", *low));
     return;
   }
   const auto partAt = [&values](double value) {
@@ -91,10 +85,12 @@ void sayDrive(std::vector<std::string>& out, const Bench& bench, const Recording
   // A command that goes between two levels stands at them by intention.
   const double between = 1.0 - partAt(*high) - partAt(*low) - partAt(0.0);
   if (std::max(atHigh, atLow) > clippedPart && between > 0.2) {
-    out.push_back(track.name + column +
-                  text(": %.0f %% of the rows stand at exactly %.4g or %.4g: if the recording clips what really acted, "
-                       "the model errs there",
-                       100.0 * (atHigh + atLow), *low, *high));
+    out.push_back(
+        track.name + column +
+        fmt::format(
+            ": {:.0f} % of the rows stand at exactly {:.4g} or {:.4g}: if the recording clips what really acted, "
+            "the model errs there",
+            100.0 * (atHigh + atLow), *low, *high));
   }
 }
 
@@ -157,14 +153,14 @@ std::vector<size_t> leapsOf(const Track& track) {
 
 Result<void> checkUnwrapped(const Bench& bench, const Track& track) {
   const bool turns = bench.axis == Axis::rotary && track.leaps.size() >= fewestWraps &&
-                     std::all_of(track.leaps.begin(), track.leaps.end(), [&track](size_t row) {
-                       return std::abs(wayAfter(track, row) - 2.0 * std::numbers::pi) < 0.5;
-                     });
+                     std::all_of(track.leaps.begin(), track.leaps.end(),
+                                 [&track](size_t row) { return std::abs(wayAfter(track, row) - turn_rad) < 0.5; });
   if (!turns) return {};
-  return Error{track.name + ", column " + bench.positionChannel(),
-               text("wraps: it leaps by about a whole turn within a row in %zu places, expected an angle that goes on "
-                    "counting",
-                    track.leaps.size())};
+  return Error{
+      track.name + ", column " + bench.positionChannel(),
+      fmt::format("wraps: it leaps by about a whole turn within a row in {} places, expected an angle that goes on "
+                  "counting",
+                  track.leaps.size())};
 }
 
 std::vector<std::string> channelRemarks(const Bench& bench, const Recording& recording, const Track& track) {

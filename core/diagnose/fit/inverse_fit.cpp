@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/numbers.h"
 #include "diagnose/effects/catalogue.h"
 #include "diagnose/fit/excitation_seen.h"
 #include "diagnose/fit/inverse_regression.h"
@@ -14,7 +15,7 @@ namespace {
 
 void place(Model& model, const std::string& name, double value, double error) {
   for (Parameter& one : model.base) {
-    if (one.name == name) one = {name, value, value - 1.959964 * error, value + 1.959964 * error};
+    if (one.name == name) one = {name, value, value - normal95 * error, value + normal95 * error};
   }
 }
 
@@ -61,7 +62,7 @@ std::vector<Parameter> effectParameters(const Effect& effect, Axis axis, const S
       near[static_cast<size_t>(a)] += step;
       slope[a] = (effect.scaled(shape, near)[k] - value[k]) / step;
     }
-    const double half = 1.959964 * std::sqrt(std::max(0.0, slope.dot(covariance * slope)));
+    const double half = normal95 * std::sqrt(std::max(0.0, slope.dot(covariance * slope)));
     parameters.push_back({specs[k].name, value[k], value[k] - half, value[k] + half});
   }
   return parameters;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/numbers.h"
 #include "base/statistics.h"
 
 namespace breakaway {
@@ -90,7 +91,7 @@ InverseRows inverseRows(const Track& track, const InverseFilter& filter) {
     rows.acceleration[k] =
         (rows.position[k + 1] - 2.0 * rows.position[k] + rows.position[k - 1]) / (rows.step_s * rows.step_s);
   }
-  const double omega = 2.0 * std::numbers::pi * cutoff;
+  const double omega = turn_rad * cutoff;
   rows.velocityNoise = track.noise * omega * std::sqrt(2.0 * cutoff * rows.step_s / 3.0);
   const double speed = quantile(
       [&] {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/numbers.h"
 #include "diagnose/effects/catalogue.h"
 #include "diagnose/fit/channel_checks.h"
 #include "diagnose/fit/excitation_seen.h"
@@ -122,12 +123,12 @@ Model withDoubts(Model model, const Preparation& prepared) {
   const auto carry = [&prepared](Parameter& one, double doubt) {
     if (one.low95 == one.high95) return;  // held
     if (one.name == "phase_rad") {        // an error across the wave turns it
-      one.low95 = one.value - std::hypot(one.value - one.low95, 1.96 * doubt);
-      one.high95 = one.value + std::hypot(one.high95 - one.value, 1.96 * doubt);
+      one.low95 = one.value - std::hypot(one.value - one.low95, normal95 * doubt);
+      one.high95 = one.value + std::hypot(one.high95 - one.value, normal95 * doubt);
       return;
     }
     const bool scaled = prepared.scaleDoubted && holdsScale(one.name) && one.name.find("constant") == std::string::npos;
-    const double doubt95 = std::hypot(1.96 * doubt, scaled ? scaleDoubt : 0.0);
+    const double doubt95 = std::hypot(normal95 * doubt, scaled ? scaleDoubt : 0.0);
     if (doubt > largeDoubt && one.value > 0.0) {
       widenByFactor(one, doubt95);
     } else {

@@ -1,8 +1,8 @@
 #include "diagnose/fit/split.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "diagnose/fit/channel_checks.h"
 
@@ -49,17 +49,15 @@ double totalTime(const std::vector<Track>& tracks, size_t recordings) {
 }
 
 Error tooShort(const Track& track, double length, double needed, size_t windows, double window_s) {
-  char fact[160];
   if (length >= needed) {
-    std::snprintf(fact, sizeof fact,
-                  "holds %zu windows of %.3g s in which no row is missing, expected at least %zu; the usual step from "
-                  "row to row is %.3g s",
-                  windows, window_s, fewestWindows, track.usualStep_s);
-    return {track.name, fact};
+    return {track.name,
+            fmt::format(
+                "holds {} windows of {:.3g} s in which no row is missing, expected at least {}; the usual step from "
+                "row to row is {:.3g} s",
+                windows, window_s, fewestWindows, track.usualStep_s)};
   }
-  std::snprintf(fact, sizeof fact, "is too short to fit: it holds %.3g s of usable data, expected at least %.3g s",
-                length, needed);
-  return {track.name, fact};
+  return {track.name, fmt::format("is too short to fit: it holds {:.3g} s of usable data, expected at least {:.3g} s",
+                                  length, needed)};
 }
 
 /// Windows of `window_s` that begin every half of it within rows [from, to).

@@ -3,9 +3,10 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <span>
+
+#include "base/numbers.h"
 
 namespace breakaway {
 

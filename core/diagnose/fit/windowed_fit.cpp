@@ -8,8 +8,8 @@
 #include <cmath>
 #include <map>
 
+#include "base/distributions.h"
 #include "base/statistics.h"
-#include "base/student.h"
 #include "diagnose/fit/motion.h"
 #include "diagnose/simulate/physics.h"
 #include "diagnose/simulate/simulator.h"

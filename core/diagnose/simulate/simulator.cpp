@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "base/numbers.h"
 #include "diagnose/simulate/followed_load.h"
 #include "diagnose/simulate/physics.h"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/numbers.h"
 #include "diagnose/simulate/false_position.h"
 
 namespace breakaway {
@@ -16,10 +17,6 @@ constexpr int mostEventsPerStep = 8;
 /// Differences of recorded times are equal only up to their last digits.
 bool sameStep(double a, double b) {
   return std::abs(a - b) <= 5e-10 * b;
-}
-
-double signOf(double value) {
-  return value > 0.0 ? 1.0 : value < 0.0 ? -1.0 : 0.0;
 }
 
 }  // namespace

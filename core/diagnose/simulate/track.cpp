@@ -1,8 +1,8 @@
 #include "diagnose/simulate/track.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "base/statistics.h"
 
@@ -78,12 +78,10 @@ void straighten(Track& track) {
     return squares.empty() ? 0.0 : mean(squares);
   };
   if (typical(grid) > 0.5 * typical(track.time)) return;
-  char fact[200];
-  std::snprintf(fact, sizeof fact,
-                ": its times jitter by up to %.3g ms against regular ones, at which the motion is smoother: taken as "
-                "regular",
-                1e3 * jitter);
-  track.remarks.push_back(track.name + fact);
+  track.remarks.push_back(fmt::format(
+      "{}: its times jitter by up to {:.3g} ms against regular ones, at which the motion is smoother: taken as "
+      "regular",
+      track.name, 1e3 * jitter));
   track.time = grid;
 }
 

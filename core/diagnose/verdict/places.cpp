@@ -4,6 +4,7 @@
 #include <functional>
 #include <numbers>
 
+#include "base/numbers.h"
 #include "diagnose/effects/wording.h"
 #include "diagnose/verdict/where.h"
 
@@ -169,7 +170,7 @@ ResidualMap cutElsewhere(ResidualMap map) {
   const auto half = static_cast<std::ptrdiff_t>(map.centre.size() / 2);
   for (auto* values : {&map.centre, &map.width, &map.mean, &map.error, &map.rising, &map.falling, &map.count})
     std::rotate(values->begin(), values->begin() + half, values->end());
-  for (double& centre : map.centre) centre -= centre > std::numbers::pi ? 2.0 * std::numbers::pi : 0.0;
+  for (double& centre : map.centre) centre -= centre > std::numbers::pi ? turn_rad : 0.0;
   return map;
 }
 

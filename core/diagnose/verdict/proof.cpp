@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/distributions.h"
 #include "base/statistics.h"
 #include "diagnose/simulate/simulation.h"
 
@@ -13,13 +13,6 @@ namespace {
 
 constexpr size_t mostLags = 10;
 constexpr double outlier = 3.0;  ///< robust standard deviations: what lies beyond counts as lying there
-
-/// Probability that χ² with `degrees` of freedom exceeds `value` (E. B. Wilson, M. M. Hilferty, PNAS 17(12), 1931).
-double chiSquareTail(double value, double degrees) {
-  const double part = 2.0 / (9.0 * degrees);
-  const double z = (std::cbrt(value / degrees) - (1.0 - part)) / std::sqrt(part);
-  return 0.5 * std::erfc(z / std::numbers::sqrt2);
-}
 
 /// Centred, outliers drawn in, gaps left as NaN.
 std::vector<double> tamed(std::vector<double> series) {

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <unsupported/Eigen/FFT>
 
+#include "base/numbers.h"
+
 namespace breakaway {
 
 namespace {
@@ -37,8 +39,8 @@ void ResidualSpectrum::add(const Unexplained& track, double noise, size_t firstB
     }
     if (moving < leastMotion * static_cast<double>(n)) continue;
     for (size_t k = 0; k < n; ++k) {
-      const double window = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * (static_cast<double>(k) + 0.5) /
-                                                 static_cast<double>(n));  // Hann
+      const double window =
+          0.5 - 0.5 * std::cos(turn_rad * (static_cast<double>(k) + 0.5) / static_cast<double>(n));  // Hann
       torque[k] = window * (track.torque[from + k] - torqueMean);
       drive[k] = window * (track.drive[from + k] - driveMean);
     }

@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 #include <numeric>
 
+#include "base/numbers.h"
 #include "base/statistics.h"
 #include "diagnose/fit/inverse_rows.h"
 #include "diagnose/simulate/physics.h"
@@ -22,7 +22,6 @@ constexpr size_t coarse = 24, fine = 72;  ///< cells of an axis, and of the turn
 constexpr int highestOrder = 100;
 constexpr size_t speedsEachWay = 3;  ///< classes of speed, equally often seen
 constexpr double smoothing_Hz = 25.0;
-constexpr double turn = 2.0 * std::numbers::pi;
 
 enum Along { byTime, byAngle, byVelocity, byAcceleration, byTorque, byReversal, byTemperature, byCurrent, alongs };
 struct AxisName {
@@ -65,7 +64,7 @@ void addTrack(Everything& all, const Model& model, const Track& track) {
   }
   const auto every = std::max<size_t>(1, static_cast<size_t>(1.0 / (4.0 * cutoff * u.step_s)));
   for (size_t k = 0; k < n; k += every) {
-    const double angle = all.turns ? u.position[k] - turn * std::floor(u.position[k] / turn) : u.position[k];
+    const double angle = all.turns ? u.position[k] - turn_rad * std::floor(u.position[k] / turn_rad) : u.position[k];
     const std::array<double, alongs> values{track.origin_s + u.time[k],
                                             angle,
                                             u.velocity[k],
@@ -109,7 +108,7 @@ Candidate mapOver(const Instants& all, Along axis, Unknown shows, const Everythi
   const bool fromZero = axis == byReversal;
   const bool signedAxis = axis == byVelocity || axis == byAcceleration || axis == byTorque || axis == byCurrent;
   const bool narrowNearZero = axis == byVelocity || fromZero;
-  double low = round || fromZero ? 0.0 : quantile(known, 0.005), high = round ? turn : quantile(known, 0.995);
+  double low = round || fromZero ? 0.0 : quantile(known, 0.005), high = round ? turn_rad : quantile(known, 0.995);
   if (signedAxis && low < 0.0 && high > 0.0) {  // no cell has both signs
     high = std::max(-low, high);
     low = -high;
@@ -269,7 +268,7 @@ std::vector<ResidualMap> residualMaps(const Model& model, const std::vector<Trac
   all.temperature = true;
   for (const Track& track : tracks) {
     const auto [low, high] = std::minmax_element(track.position.begin(), track.position.end());
-    all.turns = all.turns || (model.axis == Axis::rotary && *high - *low > turn);
+    all.turns = all.turns || (model.axis == Axis::rotary && *high - *low > turn_rad);
     all.temperature = all.temperature && !track.temperature.empty();
   }
   for (const Track& track : tracks) addTrack(all, model, track);

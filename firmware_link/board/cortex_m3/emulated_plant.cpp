@@ -1,5 +1,6 @@
 #include "firmware_link/board/cortex_m3/emulated_plant.h"
 
+#include "base/numbers.h"
 #include "firmware_link/board/cortex_m3/gaussian_table.h"
 
 namespace breakaway {
@@ -8,13 +9,9 @@ namespace {
 
 constexpr int fractionBits = 36;
 constexpr std::int64_t turn_q36 = std::int64_t{1} << fractionBits;
-constexpr float perRad_q36 = static_cast<float>(static_cast<double>(turn_q36) / 6.283185307179586);
+constexpr float perRad_q36 = static_cast<float>(static_cast<double>(turn_q36) / turn_rad);
 constexpr auto sameStand_q36 = static_cast<std::int64_t>(1e-4f * perRad_q36);
 constexpr int mostEvents = 8;
-
-float signOf(int way) {
-  return way == 0 ? -1.0f : 1.0f;
-}
 
 /// A substep's way; fits 31 bits up to 3900 rad/s, and converting to 64 bits would go through double precision.
 std::int64_t way_q36(float way_rad) {
@@ -74,10 +71,10 @@ float EmulatedPlant::stand(float duration_s) {
   const float free = here[1].position_Nm;
   for (int way = 0; way < 2; ++way) {
     const float limit = here[way].static_Nm * scatter_[way];
-    if (signOf(way) * (rig_.torqueConstant_Nm_per_A * end + free) <= limit) continue;
-    const float level = (signOf(way) * limit - free) * inverseTorqueConstant_;  // current at which it lets go
+    if (signOfWay<float>(way) * (rig_.torqueConstant_Nm_per_A * end + free) <= limit) continue;
+    const float level = (signOfWay<float>(way) * limit - free) * inverseTorqueConstant_;  // current at which it lets go
     float part = 0.0f;
-    if (signOf(way) * (level - start) > 0.0f && change != 0.0f) part = (level - start) / change;
+    if (signOfWay<float>(way) * (level - start) > 0.0f && change != 0.0f) part = (level - start) / change;
     if (part > 1.0f) part = 1.0f;
     current_ = start + part * change;
     moving_ = true;
@@ -116,7 +113,7 @@ EmulatedMotion EmulatedPlant::motionOver(float t) const {
 }
 
 float EmulatedPlant::slide(float duration_s) {
-  const float sign = signOf(way_), half = 0.5f * duration_s;
+  const float sign = signOfWay<float>(way_), half = 0.5f * duration_s;
   float middle = velocity_ + half * acceleration_;  // mid-step speed, for what changes slowly
   if (middle * sign < 0.0f) middle = 0.0f;
   const Local here = localAt(angle_q36_ + way_q36(half * velocity_), way_);

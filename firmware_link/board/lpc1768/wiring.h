@@ -1,6 +1,7 @@
 // What is connected to this board: motor, encoder, sensor, supply. To be edited for one's own bench.
 #pragma once
 
+#include "base/numbers.h"
 #include "control/tuning.h"
 #include "firmware_link/board/board_hardware.h"
 
@@ -23,7 +24,7 @@ inline board::BoardHardware<float> wiredHardware() {
   hardware.supply_V = supply_V;
   hardware.sensorRange_A = range_A;
   hardware.pwmSteps = 4800;
-  const float count_rad = 6.2831853f / static_cast<float>(countsPerRev);
+  const float count_rad = static_cast<float>(turn_rad) / static_cast<float>(countsPerRev);
   hardware.servo = {tick_s,
                     count_rad,
                     {1.2f, 0.0011f, 0.07f, boardCurrentBandwidth_rad_per_s(tick_s)},

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstdio>
 #include <initializer_list>
-#include <numbers>
 #include <utility>
 
+#include "base/numbers.h"
 #include "firmware_link/simulated_rig.h"
 #include "plant/plant_propagator.h"
 
@@ -144,8 +144,7 @@ Result<RigTables> rigTables(const Rig& rig) {
   const PlantPhysics physics = physicsOf(rig);
   std::array<double, 2> viscousMean{};
   for (size_t k = 0; k <= count; ++k) {
-    const AngleTorques at =
-        torquesAt(physics, 2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(count));
+    const AngleTorques at = torquesAt(physics, turn_rad * static_cast<double>(k) / static_cast<double>(count));
     EmulatedCell cell{};
     for (size_t way = 0; way < 2; ++way) {
       cell.static_Nm[way] = static_cast<float>(at.static_Nm[way]);
@@ -173,7 +172,7 @@ Result<RigTables> rigTables(const Rig& rig) {
   out.scatterRms = static_cast<float>(rig.scatterRms);
   out.cells = tables.cells.data();
   out.cellBits = cellBits;
-  out.start_q36 = std::llround(-rig.encoder.indexAngle_rad / (2.0 * std::numbers::pi) * 0x1p36);
+  out.start_q36 = std::llround(-rig.encoder.indexAngle_rad / turn_rad * 0x1p36);
   out.countsPerRev = static_cast<std::int32_t>(rig.encoder.countsPerRev);
   const RigCurrentSensor& sensor = rig.currentSensor;
   out.sensitivity_V_per_A = static_cast<float>(sensor.sensitivity_V_per_A);
