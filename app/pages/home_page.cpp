@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/numbers.h"
 #include "experiment/homing.h"
 #include "session/bench_runs.h"
 #include "session/connection.h"
@@ -120,7 +121,7 @@ std::vector<Fact> HomePage::motorFacts() const {
     return Fact{name,
                 tr("%1 ± %2 %3")
                     .arg(scale * estimate.value, 0, 'g', 4)
-                    .arg(1.96 * scale * estimate.standardError, 0, 'g', 2)
+                    .arg(normal95 * scale * estimate.standardError, 0, 'g', 2)
                     .arg(unit),
                 help};
   };
@@ -145,7 +146,7 @@ std::vector<Fact> HomePage::travelFacts() const {
       {tr("Margin"), millimetres(known.counted.margin_m, 1), tr("Kept away from either end")},
       {hasIndex ? tr("Index") : tr("Lower end"), tr("%1 mm in the board's position").arg(1e3 * index->value, 0, 'f', 3),
        hasIndex ? tr("Mean over the passes") : tr("Positions are counted from here")},
-      {tr("Interval"), tr("± %1 µm (95 %)").arg(1.96e6 * index->standardError, 0, 'f', 1), {}},
+      {tr("Interval"), tr("± %1 µm (95 %)").arg(1e6 * normal95 * index->standardError, 0, 'f', 1), {}},
       {tr("Highest speed"), tr("%1 m/s").arg(known.pace.speed_m_per_s, 0, 'f', 3),
        tr("That strokes can reach between the margins")}};
 }
@@ -154,7 +155,7 @@ std::vector<Fact> HomePage::indexFacts() const {
   const auto index = bench_.index_rad();
   if (!index) return {{tr("Index"), connection_.connected() ? tr("not homed yet") : tr("–"), {}}};
   return {{tr("Index"), tr("%1 rad in the board's angle").arg(index->value, 0, 'f', 5), tr("Mean over the passes")},
-          {tr("Interval"), tr("± %1 mrad (95 %)").arg(1.96e3 * index->standardError, 0, 'f', 3), {}},
+          {tr("Interval"), tr("± %1 mrad (95 %)").arg(1e3 * normal95 * index->standardError, 0, 'f', 3), {}},
           {tr("Encoder count"),
            tr("%1 mrad").arg(2e3 * std::numbers::pi / connection_.identity().countsPerRev, 0, 'f', 3),
            {}}};

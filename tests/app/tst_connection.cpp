@@ -9,7 +9,6 @@
 #include "app/window_support.h"
 #include "experiment/homing.h"
 #include "plant/rig.h"
-#include "procedure_sequence.h"
 #include "support/temporary.h"
 #include "support/vesc_fake.h"
 #include "widgets/board_list.h"
@@ -61,7 +60,6 @@ struct Desk {
 class TestConnection : public QObject {
   Q_OBJECT
  private slots:
-  void jobInStages_handsItsLegsToTheBoard();
   void initTestCase();
   void missingPort_isSaidOnThePage();
   void choice_fillsTheAddress();
@@ -235,35 +233,6 @@ void TestConnection::profile_isSavedComparedAndRestoredInPart() {
   QCOMPARE(table->item(0, 3)->text(), table->item(0, 2)->text());
   desk.session.connection.close();
   QTRY_COMPARE(table->rowCount(), 0);
-}
-
-/// The window runs its jobs in stages: what a board can run by itself must come through them.
-void TestConnection::jobInStages_handsItsLegsToTheBoard() {
-  const auto ended = [] { return Result<void>{}; };
-  const auto homing = [] { return std::make_shared<Homing>(); };
-  ProcedureSequence job({{1.0, homing, ended}, {1.0, homing, ended}});
-  job.leaveLegsToDrive();
-  QVERIFY(job.leg() == nullptr);
-  Sample sample;
-  QCOMPARE(job.step(sample), Command{});
-  QVERIFY(job.leg() != nullptr);
-  QCOMPARE(job.legNumber(), 1u);
-  // Through its stages to the end: the edge is passed once between the last two.
-  const auto seen = [&](LegPhase phase, bool index) {
-    sample.time_s += 1e-3;
-    sample.legPhase = phase;
-    sample.index = index;
-    job.step(sample);
-  };
-  for (int stage = HomingLeg<double>::search; stage <= HomingLeg<double>::approach; ++stage)
-    seen(static_cast<LegPhase>(stage), false);
-  seen(HomingLeg<double>::done, true);
-  QVERIFY(job.leg() == nullptr);  // the first stage has ended
-  seen(notBegun, false);
-  QVERIFY(job.leg() != nullptr);
-  QCOMPARE(job.legNumber(), 2u);
-  job.stop("pressed");
-  QVERIFY(job.leg() == nullptr);
 }
 
 JOURNEY_MAIN(TestConnection)
