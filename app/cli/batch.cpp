@@ -1,4 +1,4 @@
-// Many diagnoses from one list, resumable and in shards: contracts section 3.
+// Many diagnoses from one list, resumable and in shards (resources/help/commands.md).
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>

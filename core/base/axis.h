@@ -8,7 +8,7 @@ namespace breakaway {
 enum class Axis { rotary, linear };
 
 /// A rotor's quantity's name as it is on the axis: `coulomb_average_Nm` is `coulomb_average_N` on a linear one;
-/// contracts section 1.
+/// names are those of resources/help/files.md.
 std::string nameOn(Axis axis, std::string rotorsName);
 
 }  // namespace breakaway

@@ -20,7 +20,7 @@ class StepRecorder {
 
   void append(const std::vector<Sample>& samples);
   bool empty() const { return kept_.empty(); }
-  /// The columns of contracts section 2. `index` is set in the kept row after which it was seen.
+  /// The recording's columns (columns.h). `index` is set in the kept row after which it was seen.
   Result<Recording> seal(const std::vector<std::pair<std::string, std::string>>& notes) const;
 
  private:

@@ -5,7 +5,7 @@
 
 namespace breakaway {
 
-/// Gains as in the bench file, contracts section 1.
+/// Gains as in the bench file (resources/help/files.md).
 template <typename Scalar>
 struct MotionGains {
   Scalar velocity_kp_A_s_per_rad = 0;

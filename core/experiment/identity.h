@@ -7,7 +7,7 @@
 
 namespace breakaway {
 
-/// Gains and observer of the board's controller; names as in the bench file, contracts section 1.
+/// Gains and observer of the board's controller; names as in the bench file (resources/help/files.md).
 struct ControllerSettings {
   double velocity_kp_A_s_per_rad = 0.0;
   double velocity_ki_A_per_rad = 0.0;

@@ -1,4 +1,4 @@
-// Friction maps as files: map.json and map.csv of contracts section 5, a C header, a MATLAB file.
+// Friction maps as files: map.json and map.csv (resources/help/files.md), a C header, a MATLAB file.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The map's columns, contracts section 5: one list that all its files share.
+// The map's columns (resources/help/files.md): one list that all its files share.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The bench file: what the technician believes about the rig; contracts section 1.
+// The bench file: what the technician believes about the rig (resources/help/files.md).
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ namespace breakaway {
 enum class DriveInput { voltage, duty, current, torque };  ///< `torque` is force on a linear axis
 enum class ControlMode { openLoop, velocity, position };
 
-/// The contract's names of the motor's quantities on one axis.
+/// The bench file's names of the motor's quantities on one axis.
 struct MotorNames {
   const char *torqueConstant, *backEmfConstant, *resistance, *inductance, *inertia, *viscous, *coulomb, *counts;
 };

@@ -1,4 +1,4 @@
-// The rig file: all there is to a simulated rig; contracts section 6. Only the plant and the truth may look into it.
+// The rig file: all there is to a simulated rig. Only the plant and the truth may look into it.
 #pragma once
 
 #include <array>

@@ -7,9 +7,9 @@
 
 namespace breakaway {
 
-/// value in the contract's unit = scale × value + offset.
+/// value in the column's unit = scale × value + offset.
 struct Meaning {
-  std::string to;  ///< the contract's name, with its unit
+  std::string to;  ///< the column's name, with its unit
   double scale = 1.0;
   double offset = 0.0;
   bool unitGiven = false;  ///< the name told the unit; else SI is assumed

@@ -8,7 +8,7 @@
 
 namespace breakaway {
 
-/// Rewrites the columns of a log that is recognised into the contract's names and units and says so in a remark; leaves
+/// Rewrites the columns of a log that is recognised into recordings' names and units and says so in a remark; leaves
 /// every other table as it is.
 /// - EMPS benchmark (A. Janot, M. Gautier, M. Brunot, "Data set and reference models of EMPS", 2019): t, qm, qg, vir
 /// and the

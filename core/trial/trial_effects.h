@@ -13,7 +13,7 @@ namespace breakaway {
 
 /// One piece of physics.
 struct TrialEffect {
-  std::string name;  ///< the contract's, or the plant's own outside the catalogue
+  std::string name;  ///< the catalogue's, or the plant's own outside it
   TrialNeeds needs;
   std::vector<TrialMove> moves;  ///< that show it
   double shortest_s = 30.0;      ///< of a recording that shows it
@@ -21,7 +21,7 @@ struct TrialEffect {
   Concealed (*conceal)(TrialRig& rig, const TrialCourse& course, double size, Random& random) = nullptr;
 };
 
-/// The catalogue's 27 effects, as contracts section 4 names them.
+/// The catalogue's 27 effects, by its names.
 const std::vector<TrialEffect>& catalogueEffects();
 /// Physics that no entry of the catalogue holds, alone or in pairs.
 const std::vector<TrialEffect>& outsideEffects();

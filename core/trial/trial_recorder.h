@@ -18,7 +18,7 @@ struct TrialTrace {
   std::vector<double> input;     ///< the command as the plant takes it: V or Nm
 };
 
-/// Plays the course under the rig's loop at the row rate. The recording holds the contract's columns: the command
+/// Plays the course under the rig's loop at the row rate. The recording holds these columns: the command
 /// exactly as applied (held until the next row), the encoder floored to its count, the current with noise, converter
 /// steps and offset.
 /// `trace`, when given, receives what no sensor of the rig shows.

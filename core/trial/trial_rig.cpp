@@ -42,7 +42,7 @@ void drawMotor(TrialRig& rig, Random& random) {
   p.outside.noise = 2e-4 * rig.peakTorque;
 }
 
-/// A point mass on an arm that holds 25 to 50 % of the whole inertia; contracts section 1.
+/// A point mass on an arm that holds 25 to 50 % of the whole inertia, as a bench file declares it.
 void hangPendulum(TrialRig& rig, Random& random) {
   const double inertia = drawn(random, 0.25, 0.5) * rig.physics.inertia;
   const double torque = drawn(random, 0.08, 0.2) * rig.peakTorque;

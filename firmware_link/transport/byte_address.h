@@ -1,4 +1,4 @@
-// Where a board's bytes come from, read from its URI: `serial:PORT[@BAUD]` or `tcp:HOST:PORT`; contracts section 3.
+// Where a board's bytes come from, read from its URI: `serial:PORT[@BAUD]` or `tcp:HOST:PORT`.
 #pragma once
 
 #include <cstdint>

@@ -11,7 +11,7 @@ class TestMapExport : public QObject {
   Q_OBJECT
  private slots:
   void json_isReadBack();
-  void csv_hasTheContractsColumns();
+  void csv_hasTheManualsColumns();
   void cHeader_compilesAsC();
   void mat_holdsTheColumns();
   void unknownFormat_namesTheKnownOnes();
@@ -72,7 +72,7 @@ void TestMapExport::json_isReadBack() {
   QCOMPARE(map->settings, is.settings);
 }
 
-void TestMapExport::csv_hasTheContractsColumns() {
+void TestMapExport::csv_hasTheManualsColumns() {
   test::TemporaryFolder folder;
   const QString text = QString::fromStdString(written(folder, "csv"));
   const QStringList lines = text.split('\n');

@@ -5,7 +5,7 @@
 using namespace breakaway;
 using namespace breakaway::test;
 
-/// What import makes of anything must be a recording in the contract's own form.
+/// What import makes of anything must be a recording in our own form.
 static const Fuzzed import("import", [](std::string_view bytes) {
   if (bytes.starts_with("MATLAB ") || bytes.starts_with("\x89HDF")) return;  // fuzz_mat's
   const auto imported = importRecording(fileWith(bytes, "log.txt"));

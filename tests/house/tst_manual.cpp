@@ -5,6 +5,7 @@
 #include <QMap>
 #include <QRegularExpression>
 #include <QTest>
+#include <algorithm>
 
 #include "diagnose/effects/catalogue.h"
 #include "house/program.h"
@@ -19,6 +20,8 @@ class TestManual : public QObject {
   void everyEntry_isAnEffect();
   void poorEntry_isFound();
   void everyCommand_isInTheManual();
+  void everyPlaceInTheArchitecture_isThere();
+  void plantedPlace_isMissed();
   void everyLink_leadsSomewhere();
   void plantedLink_isFollowed_data();
   void plantedLink_isFollowed();
@@ -129,6 +132,36 @@ static QStringList deadLinks(const QString& markdown, const QString& self) {
     if (!leads) dead << target;
   }
   return dead;
+}
+
+/// Files and folders that a text names between backticks, as long as they have a slash, and that aren't there: from the
+/// repository's root, or from one of the folders that the text speaks of.
+static QStringList missingPlaces(const QString& text) {
+  const QDir root(qEnvironmentVariable("BREAKAWAY_SOURCE_DIR"));
+  const QStringList from{".", "core", "core/diagnose", "core/commission", "firmware_link"};
+  QStringList missing;
+  const QRegularExpression place("`([a-z_0-9]+(?:/[A-Za-z_0-9.]*)+)`");
+  for (auto it = place.globalMatch(text); it.hasNext();) {
+    const QString path = it.next().captured(1);
+    const auto isThere = [&](const QString& folder) { return QFileInfo::exists(root.filePath(folder + "/" + path)); };
+    if (std::none_of(from.begin(), from.end(), isThere)) missing << path;
+  }
+  return missing;
+}
+
+void TestManual::everyPlaceInTheArchitecture_isThere() {
+  const QString root = qEnvironmentVariable("BREAKAWAY_SOURCE_DIR");
+  for (const char* file : {"/ARCHITECTURE.md", "/CONTRIBUTING.md"}) {
+    const QString text = contentOf(root + file);
+    QVERIFY2(!text.isEmpty(), file);
+    const QStringList missing = missingPlaces(text);
+    QVERIFY2(missing.isEmpty(), qPrintable(QString(file) + " names what isn't there: " + missing.join(", ")));
+  }
+}
+
+void TestManual::plantedPlace_isMissed() {
+  QCOMPARE(missingPlaces("see `core/base/result.h`, `verdict/judge.cpp` and `core/cellar/wine.h`"),
+           QStringList{"core/cellar/wine.h"});
 }
 
 void TestManual::everyLink_leadsSomewhere() {

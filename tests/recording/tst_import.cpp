@@ -99,7 +99,7 @@ void TestImport::everyForm_givesTheSameRecording_data() {
   QTest::addColumn<QByteArray>("text");
   const auto row = [](const char* name, const QByteArray& text) { QTest::newRow(name) << text; };
   const QByteArray rad = "1.5707963267948966", turn = "3.141592653589793";
-  row("the contract's own", "time_s,angle_rad,current_A\n0,0,0\n0.001," + rad + ",0.5\n0.002," + turn + ",-1.5\n");
+  row("our own", "time_s,angle_rad,current_A\n0,0,0\n0.001," + rad + ",0.5\n0.002," + turn + ",-1.5\n");
   row("mark, CRLF, semicolons, decimal commas, German names",
       "\xEF\xBB\xBFZeit [ms];Winkel [°];Strom [A]\r\n0,0;0,0;0,0\r\n1,0;90,0;0,5\r\n2,0;180,0;-1,5\r\n");
   row("tabs, µs, mA", "t_us\tangle_deg\tcurrent_mA\n0\t0\t0\n1000\t90\t500\n2000\t180\t-1500\n");

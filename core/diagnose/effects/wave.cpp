@@ -40,7 +40,7 @@ std::vector<ParameterSpec> WaveEffect::parameters(Axis axis) const {
 }
 
 bool WaveEffect::mayRepeat(const Excitation& seen) const {
-  return seen.axis == Axis::rotary && seen.travel > 0.5 * turn;
+  return seen.axis == Axis::rotary && seen.travel > 0.5 * turn_rad;
 }
 
 std::vector<double> WaveEffect::scaled(const Shape& shape, std::span<const double> amplitude) const {
