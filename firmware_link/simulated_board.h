@@ -9,9 +9,9 @@
 
 namespace breakaway {
 
-/// Opens the board at `uri`: `simulated`, `simulated:PRESET` or `simulated:FILE.rig.json` (help/files.md). `seed`
-/// drives noise and scatter. Presets are looked for beside the program and in the source tree's resources. The board
-/// starts off, its settings tuned from the motor's name plate, which gives torque constant and inertia to one
+/// Opens the board at `uri`: `simulated`, `simulated:PRESET` or `simulated:FILE.rig.json` (resources/help/files.md).
+/// `seed` drives noise and scatter. Presets are looked for beside the program and in the source tree's resources. The
+/// board starts off, its settings tuned from the motor's name plate, which gives torque constant and inertia to one
 /// significant digit.
 Result<std::unique_ptr<Drive>> openDrive(const std::string& uri, unsigned seed);
 
