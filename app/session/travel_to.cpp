@@ -1,4 +1,4 @@
-#include "travel_to.h"
+#include "session/travel_to.h"
 
 #include <cmath>
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/numbers.h"
+#include "recording/columns.h"
 
 namespace breakaway {
 
@@ -53,7 +54,7 @@ std::vector<double> travelSinceReversal(const Trace& trace) {
 }
 
 std::vector<double> positions(const Model& model, const Recording& recording) {
-  std::vector<double> position = copy(recording.channel(model.axis == Axis::rotary ? "angle_rad" : "position_m"));
+  std::vector<double> position = copy(recording.channel(columnName(Quantity::position, model.axis)));
   const auto [low, high] = std::minmax_element(position.begin(), position.end());
   if (model.axis == Axis::linear || position.empty() || *high - *low <= turn_rad) return position;
   for (double& angle : position) angle -= turn_rad * std::floor(angle / turn_rad);
@@ -62,7 +63,7 @@ std::vector<double> positions(const Model& model, const Recording& recording) {
 
 std::vector<double> motorTorque(const Model& model, const Recording& recording, const Trace& trace) {
   const bool rotary = model.axis == Axis::rotary;
-  if (model.input == DriveInput::torque) return copy(recording.channel(rotary ? "torque_Nm" : "force_N"));
+  if (model.input == DriveInput::torque) return copy(recording.channel(columnName(Quantity::torque, model.axis)));
   std::vector<double> torque =
       model.input == DriveInput::current ? copy(recording.channel("current_A")) : trace.current_A;
   const double constant = model.baseValue(rotary ? "torque_constant_Nm_per_A" : "force_constant_N_per_A").value_or(1.0);

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "motor/bench.h"
 #include "trial/trial_loop.h"
 
 namespace breakaway {
@@ -94,8 +95,10 @@ Recording recordTrial(const TrialRig& rig, const TrialCourse& course, const std:
     if (skewRows > 0) sampled[k + skewRows] = plant.current_A();
     plant.advance(perRow - lateBy);
   }
-  std::vector<Channel> channels{{"time_s", std::move(time)},
-                                {rig.axis == Axis::rotary ? "angle_rad" : "position_m", std::move(position)}};
+  Bench names;
+  names.axis = rig.axis;
+  names.input = rig.input;
+  std::vector<Channel> channels{{"time_s", std::move(time)}, {names.positionChannel(), std::move(position)}};
   if (s.current) {
     const bool commanded = rig.input == DriveInput::current;
     for (size_t k = 0; k < rows; ++k) {
@@ -104,19 +107,8 @@ Recording recordTrial(const TrialRig& rig, const TrialCourse& course, const std:
     }
     channels.push_back({"current_A", std::move(current)});
   }
-  switch (rig.input) {
-    case DriveInput::voltage:
-      channels.push_back({"voltage_V", std::move(input)});
-      break;
-    case DriveInput::duty:
-      channels.push_back({"duty", std::move(input)});
-      break;
-    case DriveInput::torque:
-      channels.push_back({rig.axis == Axis::rotary ? "torque_Nm" : "force_N", std::move(input)});
-      break;
-    case DriveInput::current:
-      break;  // what its sensor shows stands there already
-  }
+  // Of a current, what its sensor shows stands there already.
+  if (rig.input != DriveInput::current) channels.push_back({names.inputChannel(), std::move(input)});
   if (rig.loop.mode != ControlMode::openLoop && random.uniform() < 0.3 && rig.axis == Axis::rotary) {
     channels.push_back({"velocity_reference_rad_per_s", course.velocity});
   }

@@ -92,6 +92,10 @@ void TestRooms::includeFromAbove_doesNotCompile_data() {
       "base/result.h");
   row("firmware_link/wish.cpp", "experiment/drive.h", "diagnose/model/model.h");
   row("firmware_link/wish.cpp", "firmware_link/wire/bytes.h", "firmware_link/vesc/vesc_drive.h");
+  row("app/cli/ports.cpp", "motor/bench.h", "session/session.h");
+  row("app/session/recorder.cpp", "recording/recording.h", "widgets/look.h");
+  row("app/session/recorder.cpp", "experiment/drive.h", "trial/sealed_trial.h");
+  row("app/widgets/look.cpp", "session/recorder.h", "pages/home_page.h");
   row("firmware_link/vesc/vesc_line.cpp", "firmware_link/byte_stream.h", "firmware_link/transport/open_board.h");
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/numbers.h"
 #include "base/statistics.h"
 #include "commission/steps.h"
 #include "experiment/central_difference.h"
@@ -20,13 +21,13 @@ constexpr double approach_s = 8.0;                       // to the place where t
 constexpr double halfSpan_s = 0.005;                     // of the central differences that speeds are
 
 double reference(double time_s, double amplitude_rad_per_s) {
-  return amplitude_rad_per_s * std::sin(2.0 * std::numbers::pi * time_s / period_s);
+  return amplitude_rad_per_s * std::sin(turn_rad * time_s / period_s);
 }
 
 double amplitudeOn(const Commission& known) {
   if (!known.linear()) return rotorsAmplitude_rad_per_s;
   const double reach_m = partOfTravel * known.counted.usable_m();
-  return std::min(partOfPace * known.pace.speed_m_per_s, 2.0 * std::numbers::pi * reach_m / period_s);
+  return std::min(partOfPace * known.pace.speed_m_per_s, turn_rad * reach_m / period_s);
 }
 
 CourseOptions courseOn(const Commission& known, double amplitude_rad_per_s) {

@@ -1,7 +1,7 @@
 // What a rotor's friction does between standing and moving. Where that can't be seen, a compensation goes without it.
 #include <algorithm>
-#include <numbers>
 
+#include "base/numbers.h"
 #include "commission/steps.h"
 #include "commission/sweep_layout.h"
 #include "experiment/slow_turns.h"
@@ -21,7 +21,7 @@ class Slow : public Step {
   Result<StepRun> begin(OnBench& on) override {
     SlowTurnsOptions options;
     // In a short job the slowest turn is a little faster.
-    const double slowest = std::max(0.5, 2.0 * std::numbers::pi / (longestTurn_runs * on.known.sweeps.speedRun_s));
+    const double slowest = std::max(0.5, turn_rad / (longestTurn_runs * on.known.sweeps.speedRun_s));
     options.speeds_rad_per_s = {4.0, 2.0, 1.0, std::min(slowest, 0.8)};
     options.zeroing_s = sensorZeroing_s(on.known);
     slow_ = std::make_shared<SlowTurns>(options);

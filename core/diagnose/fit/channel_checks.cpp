@@ -95,7 +95,7 @@ void sayDrive(std::vector<std::string>& out, const Bench& bench, const Recording
 }
 
 void sayVelocity(std::vector<std::string>& out, const Bench& bench, const Recording& recording, const Track& track) {
-  const std::string column = bench.axis == Axis::rotary ? "velocity_rad_per_s" : "velocity_m_per_s";
+  const std::string column = bench.velocityChannel();
   const auto values = recording.channel(column);
   if (values.empty()) return;
   std::vector<double> recorded, slope;

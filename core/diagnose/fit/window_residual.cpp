@@ -140,7 +140,7 @@ void WindowResidual::fit(const Model& model, const MotionState& hidden) {
     for (Eigen::Index k = 0; k < loadRows_; k += 2) {
       const auto& load = simulator_->loads()[static_cast<size_t>(k / 2)];
       firm_[2 + k] = loadFirmness * firm_[0];
-      firm_[3 + k] = firm_[2 + k] * load.load.period_s() / (2.0 * std::numbers::pi);
+      firm_[3 + k] = firm_[2 + k] * load.load.period_s() / turn_rad;
     }
     next_ = seen_ = startOf(observed_);
   }

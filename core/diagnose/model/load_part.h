@@ -1,9 +1,9 @@
 // The part of effects that bring a load along which has a motion of its own.
 #pragma once
 
-#include <numbers>
 #include <span>
 
+#include "base/numbers.h"
 #include "diagnose/model/hidden_state.h"
 
 namespace breakaway {
@@ -18,7 +18,7 @@ struct TwoMass {
 
   double stiffness() const { return inertia * frequency * frequency; }
   /// With which the load swings against a motor that is held, s.
-  double period_s() const { return 2.0 * std::numbers::pi / frequency; }
+  double period_s() const { return turn_rad / frequency; }
   /// Between motor and load, rad.
   double play() const { return 2.0 * halfGap; }
 };

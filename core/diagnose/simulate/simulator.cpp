@@ -231,7 +231,7 @@ MotionState Simulator::restartOver(double horizon_s, size_t row, const MotionSta
     nudge[at] = small;
     nudge[at + 1] = small / std::min(length, loads_[k].load.period_s());
     doubt[at] = !follows ? noIdea : loads_[k].load.play() > 0.0 ? doubtInPlay : loadDoubt;
-    doubt[at + 1] = doubt[at] * std::max(1.0, 2.0 * std::numbers::pi * length / loads_[k].load.period_s());
+    doubt[at + 1] = doubt[at] * std::max(1.0, turn_rad * length / loads_[k].load.period_s());
   }
   const Unknowns expected = unknown;
   const double ownLoad = physics().load;
