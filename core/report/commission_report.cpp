@@ -26,7 +26,7 @@ std::vector<Curve> aroundTheTurn(const FrictionMap& map, Get get) {
   std::vector<Curve> curves;
   for (size_t w = 0; w < 2; ++w) {
     Curve curve;
-    curve.label = unitsOf(Axis::rotary).ways[w];
+    curve.label = mapUnitsOf(Axis::rotary).ways[w];
     curve.colour = static_cast<int>(w);
     for (size_t k = 0; k <= map.bins.size(); ++k) {
       const MapBin& bin = map.bins[k % map.bins.size()];
@@ -63,7 +63,7 @@ void rotorChapter(HtmlReport& report, const Commission& done) {
   report.heading("Friction, motor and encoder");
   std::vector<std::vector<std::string>> rows;
   for (size_t w = 0; w < 2; ++w) {
-    rows.push_back({unitsOf(map.axis).ways[w], numberText(1e3 * staticMean(map, w)),
+    rows.push_back({mapUnitsOf(map.axis).ways[w], numberText(1e3 * staticMean(map, w)),
                     withInterval(done.moving[w].coulombMean_Nm, 1e3, "mNm"),
                     withInterval(done.moving[w].viscousMean_Nm_s_per_rad, 1e6, "µNm s/rad"),
                     numberText(map.repeatability[w].correlation),
@@ -93,7 +93,7 @@ void rotorChapter(HtmlReport& report, const Commission& done) {
 /// Before there is a map: what the velocity sweep tells alone, and how far the breakaway sweep is.
 void unfinishedChapter(HtmlReport& report, const Commission& done) {
   const bool linear = done.linear();
-  const MapUnits& units = unitsOf(done.identity.axis);
+  const MapUnits& units = mapUnitsOf(done.identity.axis);
   report.heading(linear ? "Friction over the travel" : "Friction, motor and encoder");
   if (!done.breakaways.empty())
     report.paragraph("The breakaway sweep was stopped before its end: " + std::to_string(done.breakaways.size()) +

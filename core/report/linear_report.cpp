@@ -55,7 +55,7 @@ void travelChapter(HtmlReport& report, const Commission& done) {
   report.heading("Friction over the travel");
   std::vector<std::vector<std::string>> rows;
   for (size_t w = 0; w < 2; ++w) {
-    rows.push_back({unitsOf(map.axis).ways[w], numberText(staticMean(map, w)),
+    rows.push_back({mapUnitsOf(map.axis).ways[w], numberText(staticMean(map, w)),
                     withInterval(done.moving[w].coulombMean_Nm, 1.0, "N"),
                     withInterval(done.moving[w].viscousMean_Nm_s_per_rad, 1.0, "N s/m"),
                     numberText(map.repeatability[w].correlation), numberText(map.repeatability[w].rmsDifference_Nm)});

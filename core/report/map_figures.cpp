@@ -16,7 +16,7 @@ std::string begun(std::string text) {
 
 }  // namespace
 
-const MapUnits& unitsOf(Axis axis) {
+const MapUnits& mapUnitsOf(Axis axis) {
   static const MapUnits rotor{
       {"clockwise", "counter-clockwise"}, "angle / °", 180.0 / std::numbers::pi, "torque", "mNm", 1e3, "turn"};
   static const MapUnits travel{{"backwards", "forwards"}, "position / mm", 1e3, "force", "N", 1.0, "pass"};
@@ -39,7 +39,7 @@ Curve outlierCurve(const FrictionMap& map, double placeScale) {
     for (const WayBin& way : bin.way) {
       if (!way.outlier) continue;
       outliers.x.push_back(placeScale * bin.angle_rad);
-      outliers.y.push_back(unitsOf(map.axis).torqueScale * way.static_Nm.value);
+      outliers.y.push_back(mapUnitsOf(map.axis).torqueScale * way.static_Nm.value);
     }
   }
   return outliers;
@@ -47,7 +47,7 @@ Curve outlierCurve(const FrictionMap& map, double placeScale) {
 
 Figure mapFigure(const FrictionMap& map, const std::string& title, const std::string& yTitle, double scale,
                  Estimate (*get)(const WayBin&)) {
-  const MapUnits& units = unitsOf(map.axis);
+  const MapUnits& units = mapUnitsOf(map.axis);
   Figure figure{title, units.place, yTitle};
   for (size_t w = 0; w < 2; ++w) {
     Curve curve;
@@ -66,7 +66,7 @@ Figure mapFigure(const FrictionMap& map, const std::string& title, const std::st
 }
 
 Figure passesFigure(const FrictionMap& map, size_t way) {
-  const MapUnits& units = unitsOf(map.axis);
+  const MapUnits& units = mapUnitsOf(map.axis);
   Figure figure{begun(units.pass) + " by " + units.pass + ", " + units.ways[way], units.place,
                 "breakaway " + units.torqueTitle()};
   for (size_t pass = 0; pass < map.turnStatic_Nm[way].size(); ++pass) {
@@ -82,7 +82,7 @@ Figure passesFigure(const FrictionMap& map, size_t way) {
 }
 
 Figure speedFigure(const Commission& done, std::array<Curve, 2> points, const std::string& speedTitle) {
-  const MapUnits& units = unitsOf(done.identity.axis);
+  const MapUnits& units = mapUnitsOf(done.identity.axis);
   Figure figure{begun(units.torque) + " at constant speed", speedTitle, units.torqueTitle()};
   for (size_t w = 0; w < 2; ++w) {
     points[w].label = units.ways[w];

@@ -22,7 +22,7 @@ struct MapUnits {
 
   std::string torqueTitle() const { return std::string(torque) + " / " + torqueUnit; }
 };
-const MapUnits& unitsOf(Axis axis);
+const MapUnits& mapUnitsOf(Axis axis);
 
 /// Nm or N.
 double staticMean(const FrictionMap& map, size_t way);
