@@ -72,7 +72,7 @@ void Adoption::adoptAlone(SearchResult& result, const Screen& screen) const {
   for (const Pick& pick : bestAlone(screen)) {
     if (!result.chosen.empty()) return;
     adoptSet(result, screen, {pick});
-    // What has two ends may fit at both only; of waves the screen has had as many as it wants.
+    // An effect with two ends may fit only with both. Of waves the screen has already taken as many as it wants.
     if (!result.chosen.empty() || pick.shape.size() > 1 || !pick.effect->mayRepeat(input_.seen)) continue;
     Pick other = screen.best(*pick.effect, {pick});
     if (!other.parameters.empty()) adoptSet(result, screen, {pick, std::move(other)});
@@ -110,7 +110,7 @@ void Adoption::adoptSet(SearchResult& result, const Screen& screen, std::vector<
     FitResult fit = fits_.together(screen, picks);
     if (fits_.worth().floors(fit) > wellExplained) {
       std::vector<std::vector<Pick>> others = exchanged(screen, picks);
-      if (picks.size() > 1) others.push_back({picks.front()});  // what goes with it may have led the fit astray
+      if (picks.size() > 1) others.push_back({picks.front()});  // the others may have led the fit astray
       for (std::vector<Pick>& other : others) {
         FitResult rival = fits_.together(screen, other);
         if (!rival.usable || mean(rival.windowSquares) > farBetter * mean(fit.windowSquares)) continue;
@@ -122,7 +122,7 @@ void Adoption::adoptSet(SearchResult& result, const Screen& screen, std::vector<
       for (size_t k = 0; k < picks.size(); ++k) {
         if (!plausible(fit.model.effects[k], input_.seen)) picks[k].gain = 0.0;  // the first to go
       }
-      // What explains nearly all but for one wave or end that makes no sense keeps the others.
+      // If a set explains nearly all and only one wave or end is implausible, the others stay.
       const auto nonsense = std::find_if(picks.begin(), picks.end(), [](const Pick& one) { return one.gain <= 0.0; });
       if (nonsense != picks.end() && mean(fit.windowSquares) < nearlyNothing * mean(result.base.windowSquares)) {
         picks.erase(nonsense);

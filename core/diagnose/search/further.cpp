@@ -30,8 +30,8 @@ bool holds(const Model& model, const Effect& effect) {
 
 }  // namespace
 
-/// A start for friction that grows at rest: a regression shows the few rows of its breakaways only, a simulation all
-/// that comes of them.
+/// A start for friction that grows at rest, by simulation: a regression sees only the few rows of its breakaways, a
+/// simulation sees all that follows from them.
 Pick Further::simulatedBest(const Effect& effect, const Model& model, const Pick& screened) const {
   Pick best = screened;
   best.effect = &effect;
@@ -58,7 +58,8 @@ Pick Further::simulatedBest(const Effect& effect, const Model& model, const Pick
   return least < clearlyLess ? best : screened;
 }
 
-/// What was found first may have stood for what is found now, and be too small beside it: then it goes.
+/// An effect that was found earlier may have stood for the one found now. If it is too small beside that, it is
+/// dropped.
 FitResult Further::withoutImplausible(FitResult fit) const {
   if (!fit.usable || plausible(fit.model, input_.seen)) return fit;
   Model model = fit.model;
@@ -66,8 +67,8 @@ FitResult Further::withoutImplausible(FitResult fit) const {
   return model.effects.empty() ? fit : fitModel(input_, model, 8);
 }
 
-/// The effects that the windows' slopes promise most of, from sizes of their own: the regression can't follow a drive
-/// that clips or a base that is far off, and may give an effect no size that it can have.
+/// The effects with the largest gain by the windows' slopes, which give sizes of their own. If a drive clips or the
+/// base is far off, the regression is misled and may find no plausible size for an effect.
 std::vector<Pick> Further::sloped(const SearchResult& result) const {
   std::vector<SlopePick> found;
   for (const Effect* effect : catalogue()) {
@@ -76,7 +77,7 @@ std::vector<Pick> Further::sloped(const SearchResult& result) const {
     if (one.part > clearGain) found.push_back(std::move(one));
   }
   std::stable_sort(found.begin(), found.end(), [](const SlopePick& a, const SlopePick& b) { return a.part > b.part; });
-  // A push explains a part of whatever happened at its time: it takes no other one's place.
+  // A push explains a part of whatever happened at its time, so it doesn't use up the places of other effects.
   size_t others = 0;
   std::erase_if(found,
                 [&others](const SlopePick& one) { return !one.pick.effect->happensOnce() && others++ >= mostBySlope; });
@@ -86,8 +87,8 @@ std::vector<Pick> Further::sloped(const SearchResult& result) const {
   return picks;
 }
 
-/// Whether a fit leaves hardly anything of another one's error, in all and typically. Folds may not foretell it, where
-/// few windows show a drive's limit.
+/// Whether a fit leaves hardly anything of another one's error, in the mean and typically. If few windows show an
+/// effect, such as a drive's limit, folds can't foretell it.
 bool Further::leavesNothing(const FitResult& without, const FitResult& with) const {
   if (swings(with.model) || happensOnce(with.model)) return false;
   const auto &before = without.windowSquares, &after = with.windowSquares;
@@ -95,7 +96,7 @@ bool Further::leavesNothing(const FitResult& without, const FitResult& with) con
          fits_.worth().chance(before, after) <= largestPValue;
 }
 
-/// What has two ends may show at both only.
+/// If an effect has two ends, it may show only with both.
 FitResult Further::withOtherEnd(FitResult fit, const Pick& one, double left) const {
   const Effect& effect = *one.effect;
   const bool ends = one.shape.size() == 1 && effect.mayRepeat(input_.seen) && !effect.happensOnce();
@@ -106,7 +107,7 @@ FitResult Further::withOtherEnd(FitResult fit, const Pick& one, double left) con
   return both.usable && mean(both.windowSquares) < halfLeft * mean(fit.windowSquares) ? both : fit;
 }
 
-/// Whether a push takes much away: no fold foretells what happens once.
+/// Whether a push takes much away; folds can't foretell what happens once.
 bool Further::pushes(const SearchResult& before, const FitResult& fit, const Effect& effect) const {
   const EffectTerm& last = fit.model.effects.back();
   if (!effect.happensOnce() || last.effect != effect.name()) return false;
@@ -144,8 +145,9 @@ bool Further::find(SearchResult& result, std::vector<Pick> picks) const {
     candidates.push_back(std::move(pick));
   }
   sortByGain(candidates);
-  // What acts around standstill hardly shows in a regression. Loads take long: they come last, and beside others one is
-  // enough; alone, a regression hardly tells one from another.
+  // Effects around standstill hardly show in a regression: they come first. Loads take long: they come last. Beside
+  // other effects one load is enough; if there is nothing else, all are tried, because a regression hardly tells them
+  // apart.
   const auto loads =
       std::stable_partition(candidates.begin(), candidates.end(), [](const Pick& one) { return !swings(one); });
   std::stable_partition(candidates.begin(), loads, [](const Pick& one) { return one.effect->growsAtRest(); });

@@ -27,7 +27,7 @@ EffectTerm termOf(const Effect& effect, Axis axis, const std::vector<double>& va
 constexpr double farBelow = 0.5;  ///< of the start's error
 constexpr double leastLoadSteps = 1e8, loadStepsPerRow = 600.0;
 
-/// No rig is exact to so small a part of its drive: what is smaller is no finding.
+/// Of the drive: every rig is inexact by so much, so that a smaller effect is no finding.
 constexpr double leastTorque = 5e-4;
 
 bool endsWith(const std::string& text, std::string_view end) {
@@ -148,7 +148,7 @@ FitResult fitModel(const SearchInput& input, const Model& model, int iterations)
         {.iterations = iterations, .tolerance = 1e-3, .windowWeights = input.windowWeights, .stop = input.stop});
   };
   FitResult fit = fitted(model);
-  // Start values hold the more, the worse the start was: not where the fit has left it far behind.
+  // The worse a start was, the more it holds its fit back: if the fit has come far below it, it goes on from there.
   if (!fit.usable || remembers(model) || fit.rmse * fit.weights.position > farBelow) return fit;
   FitResult further = fitted(fit.model);
   return further.usable && further.rmse < fit.rmse ? further : fit;

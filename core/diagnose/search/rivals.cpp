@@ -76,7 +76,8 @@ std::vector<Pick> Rivals::nearlyAsGood(const SearchResult& result, size_t k) con
   }
   sortByGain(candidates);
   if (candidates.size() <= mostRivals) return candidates;
-  // On the screen others may gain more than what is likely to be mistaken for it: the best of that is tried, too.
+  // If all that are left are no look-alikes, the best look-alike is tried, too, although others gain more on the
+  // screen.
   const auto rest = candidates.begin() + mostRivals;
   const auto alikeToo = std::find_if(rest, candidates.end(), [&](const Pick& one) { return listed(one.effect); });
   const bool seen = std::any_of(candidates.begin(), rest, [&](const Pick& one) { return listed(one.effect); });
@@ -86,7 +87,7 @@ std::vector<Pick> Rivals::nearlyAsGood(const SearchResult& result, size_t k) con
   return candidates;
 }
 
-/// What is taken for the chosen effect, or it for that, and what a regression may not show.
+/// Look-alikes of the chosen effect, either way, that are tried whatever the regression says (Effect::asRival()).
 std::vector<Pick> Rivals::whateverTheScreen(const SearchResult& result, size_t k) const {
   std::vector<Pick> picks;
   const Effect& chosen = *result.chosen[k].effect;
@@ -111,10 +112,10 @@ std::vector<Pick> Rivals::whateverTheScreen(const SearchResult& result, size_t k
 void Rivals::tryInPlace(SearchResult& result, size_t k, const FitResult& left, const Pick& rival,
                         std::vector<double>& best) const {
   Chosen& chosen = result.chosen[k];
-  // Which of two loads it is, short windows tell better than long ones.
+  // Short windows, which found the chosen load, tell two loads apart better than long ones: no exchange here.
   const bool exchange = swings(result.best.model) && !swings(left.model);
   if (swings(rival) && (exchange || !fits_.loadsMayShow())) return;
-  // What comes in waves may have as many.
+  // If the chosen effect has several waves, the rival may have as many.
   const size_t waves = wavesOf(result.best.model, *chosen.effect);
   Model start = with(input_, left.model, rival);
   for (std::vector<Pick> picks = othersOf(result, k); wavesOf(start, *rival.effect) < waves;) {
@@ -132,33 +133,33 @@ void Rivals::tryInPlace(SearchResult& result, size_t k, const FitResult& left, c
   const auto errors = fits_.worth().validated(fit);
   if (!std::isfinite(mean(errors))) return;
   const Comparison ahead = compare(errors, best, input_.seed);
-  // Skewed errors hide a clear difference from the t-value: the sign-flip test sees it.
+  // If errors are skewed, the t-value misses a clear difference; the sign-flip test sees it.
   const bool clearlyWorse = (ahead.relative > 0.25 && signFlipPValue(errors, best, input_.seed) <= 0.02) ||
                             (ahead.relative > 0.5 && quantile(errors, 0.5) > 1.5 * quantile(best, 0.5));
   const bool freer = swings(fit.model) && !swings(result.best.model);
-  // Folds may mislead where the form isn't quite right: what fits all windows far worse is no better name.
+  // If a form isn't quite right, folds mislead: halving the error of all windows counts as clearly better, too.
   const bool clearlyBetter =
       ahead.inErrors < -2.0 || (mean(fit.windowSquares) < halfOfAll * mean(result.best.windowSquares) &&
                                 quantile(errors, 0.5) < 0.9 * quantile(best, 0.5));
-  // A size that can't be told from zero borrows from friction, and is no better name for what has a clear one.
+  // If the rival's size may be zero and the chosen one's isn't, the rival borrows from friction: no better name.
   const bool vaguer = vanishes(fit.model, *rival.effect) && !vanishes(result.best.model, *chosen.effect);
   const size_t freedom = freedomOf(fit.model, *rival.effect), own = freedomOf(result.best.model, *chosen.effect);
-  // More numbers to choose that still leave more are no better name, whatever single folds say.
+  // If the rival has more free numbers and still leaves more error, it is no better name, whatever the folds say.
   const double leaves = mean(fit.windowSquares) / mean(result.best.windowSquares);
   const bool better = clearlyBetter && !vaguer && mean(errors) < 0.9 * mean(best) &&
                       leaves < (freedom > own ? 1.0 : 1.5) &&
                       (!freer || fits_.clearlyBetterFromRestarts(fit, result.best));
   const bool simpler = freedom < own && leaves < hardlyMore;
-  // Something is there, if the chosen effect is: one that does better may be as small as it likes.
+  // If the chosen effect stands, something is there: a rival that does better may be of any size.
   if (!better && !plausible(fit.model, input_.seen)) return;
   const bool leavesFarMore =
       leaves > farMore && typicalPart(fit.windowSquares, result.best.windowSquares, insignificant) > typicallyMore;
   if (!better && !simpler && (ahead.inErrors >= 2.0 || clearlyWorse || leavesFarMore)) return;
-  // A push at a time of its own explains whatever happened then: physics that does as well is the better name. No fold
-  // foretells a push, so that folds make a rival of what leaves much more.
+  // A push at a time of its own explains whatever happened then: if physics does as well, it is the better name. Folds
+  // can't foretell a push and so favour its rivals: one that leaves much more error is dropped.
   const bool push = chosen.effect->happensOnce() && !rival.effect->happensOnce();
   if (!better && push && leaves > notMuchMore) return;
-  // Nor does a size that can't be told from zero hold a name against one that needs less to do the same.
+  // If the chosen size may be zero and the rival does as well with fewer free numbers, the rival takes its place.
   const bool firmer = simpler && (vanishes(result.best.model, *chosen.effect) || (unscreened && leaves < farLess)) &&
                       !vanishes(fit.model, *rival.effect);
   if (!better && !push && !firmer) {
@@ -176,7 +177,8 @@ void Rivals::tryInPlace(SearchResult& result, size_t k, const FitResult& left, c
   best = errors;
 }
 
-/// Beside other findings a name may rest on how they were chosen: a look-alike that does as well alone is a rival.
+/// Among several findings a name may depend on how the others were chosen: if a look-alike does as well alone, it is a
+/// rival.
 void Rivals::weighAlone(SearchResult& result) const {
   Chosen& first = result.chosen.front();
   const auto aloneWith = [&](const Pick& pick) {
@@ -196,7 +198,7 @@ void Rivals::weighAlone(SearchResult& result) const {
     }
     const FitResult rival = aloneWith(pick);
     if (!rival.usable || !plausible(rival.model, input_.seen)) continue;
-    // Of as many parameters, so that the errors can be compared as they are.
+    // Both are single effects, so that their errors can be compared as they are.
     if (mean(rival.windowSquares) <= *own) first.rivals.push_back(alike);
   }
 }

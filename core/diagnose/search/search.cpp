@@ -97,7 +97,7 @@ class Search {
   std::vector<Pick> important(const ScreenResult& found) const {
     std::vector<Pick> picks = asEffects(found.chosen);
     const bool atFloor = worth().baseAtFloor();
-    // At the position's floor a current may still show something, if that is most of what there is.
+    // If the position is at its floor, a current may still show an effect, if that makes up most of the residual.
     const double least = (atFloor ? halfOfAll : importantPart) * found.baseSquares;
     if (atFloor && !input_.seen.currentSeen) return {};
     std::erase_if(picks, [&](const Pick& one) {
@@ -106,7 +106,7 @@ class Search {
     return picks;
   }
 
-  /// Whether a simulation will hardly overrule the screen's names: one that explains most, or nothing at the floor.
+  /// Whether a simulation will hardly overrule the screen: one name explains most, or the base is at the floor.
   bool sure(const ScreenResult& found) const {
     const std::vector<Pick> picks = important(found);
     if (picks.empty()) {
@@ -116,14 +116,14 @@ class Search {
     }
     if (picks.size() > 1 || picks.front().gain < mostOfAll * found.baseSquares || !picks.front().rivals.empty())
       return false;
-    // What acts at standstill, and loads that have a motion of their own, are for the simulation to tell.
+    // Only the simulation tells of effects at standstill and of loads with a motion of their own.
     const Effect& one = *picks.front().effect;
     const auto alike = one.lookAlikes();
     return !swings(picks.front()) && std::none_of(alike.begin(), alike.end(), [](std::string_view name) {
       return findEffect(name)->growsAtRest();
     });
   }
-  /// Whether what comes after will hardly change the names: nothing, or what explains most and leaves little.
+  /// Whether later steps will hardly change the names: there are none, or they explain most and leave little.
   bool settledOn(const SearchResult& result) const {
     return result.chosen.empty() || (worth().floors(result.best) < settledFloors &&
                                      mean(result.best.windowSquares) < nearlyNothing * mean(result.base.windowSquares));
@@ -146,7 +146,7 @@ class Search {
     }
   }
 
-  /// An effect that the others make superfluous goes, the least important ones first; of those that stay, what they are
+  /// Drops effects that the others make superfluous, the least important ones first, and sets what the others are
   /// worth.
   void backward(SearchResult& result) {
     for (bool changed = true; changed && !input_.stop.stop_requested();) {
@@ -171,14 +171,14 @@ class Search {
     }
   }
 
-  /// Whether most of the error comes back without the effect. What happens once may stand for whatever one window's
-  /// start did: its size has to be told from zero.
+  /// Whether most of the error comes back without the effect. If it happens once, this doesn't count: it may stand for
+  /// a single window's start, and its size has to differ from zero.
   static bool isClear(const FitResult& without, const FitResult& with, const Effect& effect) {
     return mean(with.windowSquares) < halfOfAll * mean(without.windowSquares) && !effect.happensOnce();
   }
 
-  /// Beside others, an effect goes of which the last refinement leaves nothing that can be told from zero, and without
-  /// which hardly anything comes back.
+  /// Drops effects beside others if the last refinement leaves them a size that may be zero, and if hardly any error
+  /// comes back without them.
   void dropVanished(SearchResult& result, const std::vector<double>& weights) const {
     for (size_t k = result.chosen.size(); k-- > 0 && result.chosen.size() > 1;) {
       const Effect& effect = *result.chosen[k].effect;
@@ -190,7 +190,7 @@ class Search {
     }
   }
 
-  /// Of an effect's further waves, those go of which there may be nothing and that hardly take anything away.
+  /// Drops further waves of an effect if their amplitude may be zero and they take hardly anything away.
   void dropIdleWaves(SearchResult& result, const std::vector<double>& weights) const {
     for (size_t e = result.best.model.effects.size(); e-- > 1;) {
       const auto& terms = result.best.model.effects;

@@ -54,13 +54,13 @@ bool SetFits::clearlyBetterFromRestarts(const FitResult& fit, const FitResult& o
   double part = 0.0, ofAll = 0.0;
   const auto compareWith = [&](const Model& model) {
     const auto before = scoreWindows(model, input_.tracks, windows);
-    // In single windows a load may run away and still be right; in those at rest it shows nothing.
+    // In single windows a load may run away although the model is right; in windows at rest it shows nothing.
     part = std::max(part, std::min(typicalPart(now, before, 0.0), typicalPart(now, before, insignificant)));
-    // A restart just after a breakaway may be a whole window off by itself.
+    // A restart just after a breakaway may put a whole window off, whatever the model: the worst tenth is left out.
     ofAll = std::max(ofAll, typicalSquare(now) / std::max(typicalSquare(before), 1e-300));
   };
   compareWith(other.model);
-  // A load makes restarts look back further, which knows the velocity better whatever the model.
+  // With a load restarts look back further and so know the velocity better: the other model gets the same horizon.
   Model lookingBack = other.model;
   const Window& any = windows.front();
   lookingBack.restartHorizon_s = Simulator(fit.model, input_.tracks[any.track], any.first, any.last).horizon_s();
@@ -73,7 +73,8 @@ bool SetFits::clearlyBetterFromRestarts(const FitResult& fit, const FitResult& o
 FitResult SetFits::fresh(const Model& start) const {
   FitResult fit = fitModel(input_, start, 6);
   if (!fit.usable || !(happensOnce(start) || growsAtRest(start))) return fit;
-  // What it does rests on the windows in which the base model errs most, and which count least for that.
+  // It acts in the windows in which the base model errs most, and they count least for that reason: fitted once more
+  // with other weights.
   const bool once = happensOnce(start);
   SearchInput own = input_;
   own.windowWeights =
@@ -103,7 +104,7 @@ FitResult SetFits::beside(const Model& model, const Screen& screen, const std::v
   const Model start = with(input_, model, pick);
   FitResult fit = fresh(start);
   if (fit.usable && mean(fit.windowSquares) <= (1.0 - clearGain) * left) return fit;
-  // A base that was fitted without friction that grows at rest has too much of it when it moves.
+  // A base model fitted without friction that grows at rest has too much friction in motion: start from the screen's.
   return fresh(pick.effect->growsAtRest() ? withScreenedBase(input_, start, screen.baseCoefficients(picks))
                                           : fitShort(input_, start));
 }

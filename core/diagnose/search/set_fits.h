@@ -13,20 +13,21 @@ class SetFits {
  public:
   SetFits(const SearchInput& input, const FitResult& base);
 
-  /// Looks whether loads may show. `left`: what the base model leaves, taken for a torque that wanders.
+  /// Finds loadsMayShow(). `left`: what the base model leaves, taken for a torque that wanders.
   void weighRestarts(const TorqueNoise& left);
   const Worth& worth() const { return worth_; }
-  /// Whether restarts of the base model err by more than sensors and friction that scatters may do: a load that swings
-  /// or flies leaves much.
+  /// Whether restarts of the base model err by more than sensors and scattering friction explain: only then can a load
+  /// that swings or flies be there.
   bool loadsMayShow() const { return loadsMayShow_; }
-  /// From now on they may, since the screen has found one: it has to leave far less of restarts, then.
+  /// Loads are tried from now on, because the screen has found one. Without loadsMayShow() it has to leave far less of
+  /// the restarts' error.
   void expectLoads() { expected_ = true; }
   bool loadsAreTried() const { return loadsMayShow_ || expected_; }
-  /// Whether the second model takes away error. A load that swings is free at each window's start, which noise can use,
-  /// too: it has to do clearly better from restarts as well, where it isn't.
+  /// Whether the second model takes away error. At each window's start the place of a load that swings is fitted, which
+  /// follows noise, too. So a load has to do clearly better after restarts as well, where its place isn't fitted.
   bool helps(const FitResult& without, const FitResult& with) const;
-  /// The same by the windows as fitted, for friction that grows at rest: when an axis breaks away no linearised fold
-  /// foretells.
+  /// The same for friction that grows at rest, by the windows as fitted: a linearised fold can't foretell when an axis
+  /// breaks away.
   bool breaksAwayBetter(const FitResult& without, const FitResult& with) const;
   /// Whether a model leaves clearly less of another's error when the training windows restart.
   bool clearlyBetterFromRestarts(const FitResult& fit, const FitResult& other) const;

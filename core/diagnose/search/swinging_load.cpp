@@ -24,8 +24,8 @@ constexpr size_t fewestRows = 8;
 constexpr double ranAway = 4.0;       ///< of a squared error: beyond it, how far says no more
 constexpr double hardlyLess = 0.8;    ///< of a squared error
 constexpr double stillFalling = 0.9;  ///< of a squared error, from one fit to its continuation
-/// Of the model's squared error: what leaves more is not followed further. Behind a gap a load can follow anything to
-/// some part, at each window's start anew, and its fits take long.
+/// Of the model's squared error: a shape that leaves more is dropped. Behind a gap a load can follow a part of any
+/// motion, because each window fits its start anew, and its fits take long.
 constexpr double promising = 0.5, promisingInPlay = 0.2;
 constexpr double nearlyAll = 0.03, hardlyAny = 0.02, somewhatLess = 0.7;  ///< of a squared error
 constexpr double plainlyFits = 2.0;  ///< squared error, in squared floors, below which no friction is looked for
@@ -110,7 +110,7 @@ double SwingingLoads::stepsOf(const std::vector<Window>& windows, const Pick& pi
     const double length_s = time[window.last] - time[window.first];
     steps += (runs + sought_s / length_s) * std::max(rows, length_s / longest_s);
   }
-  // What the load comes beside takes time, too: most of all lost voltages, which are iterated, and hidden states, which
+  // The model's other effects take time, too: most of all lost voltages, which are iterated, and hidden states, which
   // follow the tracks from their beginning.
   double effort = 1.0;
   for (const EffectTerm& term : model_.effects)

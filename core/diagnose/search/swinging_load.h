@@ -15,8 +15,8 @@ bool swings(const Model& model);
 bool inPlay(const Pick& pick);
 
 /// Whether a load takes away all but a fiftieth of another model's squared error, in windows at whose start its place
-/// is fitted. Something else may be followed to a part, but not so far; then restarts, where its place is guessed and
-/// it may run away, need not show it as clearly.
+/// is fitted. A load can follow a part of other physics, but not so much of it. After restarts, where its place is
+/// guessed and it may run away, such a load need not do as clearly better.
 bool loadFollowsAll(const FitResult& loaded, const FitResult& other);
 
 /// Looks for loads beside one model. Impacts make the error of whole windows a wilderness; in windows so short that

@@ -60,11 +60,11 @@ bool Worth::material(const FitResult& without, const FitResult& with) const {
   const double back = mean(gains), unit = floor_ * floor_;
   std::sort(gains.begin(), gains.end());
   gains.resize(gains.size() - gains.size() / 10);
-  // What few windows rule has to be larger: single windows err by more than sensors explain.
+  // If few windows make up the gain, it has to be larger: single windows err by more than sensors explain.
   const bool spread = mean(gains) > spreadFloors * unit || back > fewWindowsFloors * unit;
-  // The best start of a window takes up some of what a model lacks, and all that a restart's noise adds.
+  // A fitted start takes up some of what a model lacks, and all that a restart's noise adds: restarts count, too.
   const bool seen = !baseAtFloor() || restarts_ > baseFloors * baseFloors * unit;
-  // Beside a much larger effect, what takes nearly all away that is left needs no share of that one's.
+  // Beside a much larger effect an effect needs no share of the base's error if it takes nearly all away that is left.
   const bool clears = back > clearFloors * unit && mean(with.windowSquares) < hardlyAny * mean(without.windowSquares);
   const bool position = seen && spread && back > leastFloors * unit && (back > leastShare * base_ || clears);
   const double noise = currentNoise();

@@ -20,14 +20,14 @@ class Worth {
   std::vector<double> validated(const FitResult& fit) const;
   /// Probability, for the whole catalogue, that chance alone gives such a gain.
   double chance(const std::vector<double>& before, const std::vector<double>& after) const;
-  /// Whether the effect takes away error: of windows that a fit did not see, or, for what happens in few windows only,
-  /// at least half of all.
+  /// Whether the second fit's effects take away error: from windows that a fit did not see or, if they act in few
+  /// windows only, at least half of all error.
   bool helps(const FitResult& without, const FitResult& with) const;
-  /// Whether what the effect takes away would be missed beside what the sensors do.
+  /// Whether what the effect takes away is large enough beside the sensors' noise.
   bool material(const FitResult& without, const FitResult& with) const;
   /// Whether the base model errs by hardly more than a perfect one.
   bool baseAtFloor() const;
-  /// Whether the current, where it is recorded, shows much that neither its sensor nor the model explains.
+  /// Whether a recorded current shows much that neither its sensor's noise nor the model explains.
   bool currentErrs(const FitResult& fit) const;
   /// The mean square error of a fit in units of a perfect model's.
   double floors(const FitResult& fit) const;

@@ -120,30 +120,31 @@ bool showsInCurrent(const SearchResult& result) {
   return result.best.currentSquares < (1.0 - leastOfCurrent) * result.base.currentSquares;
 }
 
-/// Whether there may be none of it.
+/// Whether the interval of its amplitude includes zero.
 bool mayBeNothing(const Finding& finding) {
   const Parameter& amplitude = finding.parameters.front();
   return amplitude.low95 < 0.0 && amplitude.high95 > 0.0;
 }
 
-/// A single finding that explains the smaller part of the error, and nobody can tell that there is any of it.
+/// Whether the only finding explains less than half of the error and may be zero.
 bool isVague(const std::vector<Finding>& findings) {
   return findings.size() == 1 && findings.front().share <= mostIsExplained && mayBeNothing(findings.front());
 }
 
-/// What happens once, and is no larger than what friction may do by itself.
+/// Whether it happens once and is no larger than the scatter of the friction.
 bool isScatter(const Finding& finding, double coulomb) {
   const bool small = std::abs(finding.parameters.front().value) < scatteredPart * coulomb;
   return small && findEffect(finding.effect)->happensOnce();
 }
 
-/// Beside others, what takes hardly anything away and may be nothing at all, or little and may be friction's scatter.
+/// Whether a finding beside others takes hardly anything away and may be zero, or takes little away and may be the
+/// friction's scatter.
 bool isIdle(const Finding& finding, double coulomb) {
   return (finding.share < leastShare && mayBeNothing(finding)) ||
          (finding.share < littleShare && isScatter(finding, coulomb));
 }
 
-/// What a rig that lacks nothing may seem to have where the base model errs by little more than its sensors do.
+/// Whether a rig that lacks nothing might seem to have it, if the base model errs by little more than its sensors.
 bool isFaint(const Finding& finding, double coulomb) {
   return mayBeNothing(finding) || isScatter(finding, coulomb);
 }
@@ -181,7 +182,7 @@ class Judge {
 
   double before() const { return typicalSquare(errorsBefore_); }
 
-  /// Which finding takes hardly anything away, or may be nothing where hardly anything is missing.
+  /// A finding that is idle beside others, or faint where the base model is near the floor; nothing if there is none.
   std::optional<std::ptrdiff_t> superfluous(const SearchResult& candidate, const Judgement& judged) const {
     const bool near =
         mean(errorsBefore_) < std::pow(nearFloors * judged.rest.floors.perfect, 2) && !showsInCurrent(candidate);
@@ -211,7 +212,7 @@ class Judge {
     out.rest = remainderOf(out.model, true, prepared_, {errorsBefore_, errorsAfter}, out.left, input_.seed);
     const double excess = std::max(before() - out.rest.floors.perfect * out.rest.floors.perfect, 1e-300);
     double explained = (before() - typicalSquare(errorsAfter)) / excess;
-    // What lives in a few windows only shows in the plain mean.
+    // The typical error leaves out the worst windows. If an effect acts in few windows, only the plain mean shows it.
     const double ofAll = 1.0 - mean(errorsAfter) / std::max(mean(errorsBefore_), 1e-300);
     if (ofAll > glaringShare) explained = std::max(explained, ofAll);
     explained = std::clamp(explained, 0.0, 1.0);
@@ -219,36 +220,36 @@ class Judge {
     if (explained < leastShare && !currentToo) return Opinion::falls;
     const double fitted =
         1.0 - mean(candidate.best.windowSquares) / std::max(mean(candidate.base.windowSquares), 1e-300);
-    // What explains the smaller part of something unknown has borrowed its name.
+    // If much is left and the findings explain less than half, something unknown borrows their names.
     if (out.rest.share > muchIsLeft && std::max(explained, fitted) < mostIsExplained &&
         !(currentToo && changesReadings(out.model)))
       return Opinion::falls;
     out.findings = findingsOf(candidate, out.model, input_, explained);
     out.fit = scoreFit(bench_, base_, out.model, prepared_.tracks, prepared_.split, input_.seed, out.proof);
-    // What makes held-out data worse is not there, unless it is all that the training data show, as a push in one
-    // recording is, and then they may only be somewhat worse.
+    // If held-out data get worse, the effect isn't there. If it acts only where the training data are, as a push in one
+    // recording does, held-out data may get somewhat worse.
     const double inAll = out.fit.heldoutAfter / out.fit.heldoutBefore;
     const bool singly = growsAtRest(out.model) || swings(out.model);
     const double held = singly ? std::min(inAll, typicallyHeld(out.model)) : inAll;
-    // Where they show much, a finding that takes hardly any of it away explains something else.
+    // If held-out data err by much and the findings take hardly any of it away, they explain something else.
     const bool once = allHappenOnce(out.findings);
     const bool muchHeld = out.fit.heldoutBefore > (once ? muchFloorsForOnce : muchFloors) * out.fit.floor;
-    // In few windows, or in a current that moves nothing; a load swings in all of them.
+    // It acts elsewhere: in few windows, or in a current's reading, which moves nothing. A load swings in all windows.
     const bool inFew = ofAll >= glaringShare && !swings(out.model);
     const bool elsewhere = currentToo || (inFew && (!muchHeld || once));
     if (held > (elsewhere ? muchWorseOnHeldout : muchHeld ? hardlyLessOnHeldout : worseOnHeldout))
       return Opinion::heldoutRefuses;
-    // A load that swings may run away in single windows after a restart and still be right in most; then the held-out
-    // data have to show it.
+    // After a restart a load that swings may run away in single windows, although the model is right. Then the typical
+    // window decides, and held-out data have to show the gain.
     const bool usually = typicalSquare(errorsAfter) <= std::pow(leastFall, 2) * before() && held < clearFallOnHeldout;
     const bool idle = !currentToo && out.fit.trainAfter > leastFall * out.fit.trainBefore && !usually;
-    // A push may stand for whatever few windows err by, unless it takes most of all error away.
+    // A push can take up whatever a few windows err by. It counts only if it takes most of all error away.
     const bool stray = once && ofAll < mostIsExplained;
     return idle || stray || isVague(out.findings) ? Opinion::falls : Opinion::stands;
   }
 
-  /// The part of the held-out error that is left but for the worst tenth: where an axis breaks away a moment too late,
-  /// or a load runs away, a whole window is off.
+  /// The part of the held-out error that is left, without the worst tenth of the windows: if an axis breaks away a
+  /// moment too late, or a load runs away, a whole window is off.
   double typicallyHeld(const Model& model) const {
     const auto& windows = prepared_.split.heldoutScore;
     const double before = typicalSquare(scoreWindows(base_, prepared_.tracks, windows));

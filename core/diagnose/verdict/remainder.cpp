@@ -14,30 +14,31 @@ namespace breakaway {
 
 namespace {
 
-/// What is left is material beyond a part of the excess error, if it is `materialFloors` times what sensors and
-/// scattering friction may do; or where several windows err by more than `farOff` times that: too many and too far for
-/// restarts at the edge of standstill. A name that is right may leave more than nothing at all would.
+/// What is left is material if it is `materialFloors` times what sensors and scattering friction explain, and more than
+/// the part `share` of the excess error. It is also material if several windows err by more than `farOff` times that:
+/// restarts at the edge of standstill don't explain so many or so large errors. Beside a finding more may be left than
+/// beside none.
 struct Limits {
   double share, farOff;
 };
 constexpr Limits alone{0.25, 5.0}, besideFindings{0.4, 8.0};
 constexpr double materialFloors = 2.5;
-/// Beyond so many times what they may do, a smaller part is material, too: names that leave as much are borrowed.
+/// If the error is so many times what they explain, a smaller share is material, too: such a name is borrowed.
 constexpr double glaringFloors = 6.0, glaringShare = 0.05;
-/// Of the windows, but at least five, that are so far off is no accident.
+/// So large a part of the windows, and at least five of them, isn't far off by accident.
 constexpr double farOffPart = 0.05, fewestFarOff = 5.0;
-/// Of the drive's peak, or of the friction: a place where less is unexplained is none.
+/// Of the drive's peak, or of the friction: less than this doesn't count as a place.
 constexpr double immaterialPart = 0.01;
-/// Of what is unexplained: a place with less of it, or one that chance gives more often, is none.
+/// Shares of what is unexplained, and the p-value: with less, or more often by chance, it doesn't count as a place.
 constexpr double leastInPlace = 0.1, largelyInPlace = 0.25, likeliestByChance = 0.02;
-/// What is in one place to a larger part is no friction that scatters.
+/// If a larger share lies in one place, it isn't scattering friction.
 constexpr double mostByScatter = 0.4;
 
-/// Of what a replay of the window itself errs by: less may come of scatter that grows, as near a pendulum's top.
+/// Times the error of the window's own replay: less may come from scatter that grows, as near a pendulum's top.
 constexpr double farBeyondUsual = 2.0;
 
-/// Each window half its length later, where the next one follows. A drive that reverses as often as windows begin makes
-/// all restarts begin at the edge of standstill; between them they don't.
+/// The windows shifted by half their length, where the next one follows directly. If a drive reverses as often as
+/// windows begin, all restarts lie at the edge of standstill; shifted windows begin elsewhere.
 std::vector<Window> halfLater(const std::vector<Window>& windows) {
   std::vector<Window> later;
   for (size_t k = 0; k + 1 < windows.size(); ++k) {
@@ -53,8 +54,8 @@ bool holds(const Place& place) {
   return place.share >= leastInPlace && place.pValue <= likeliestByChance;
 }
 
-/// No rig is exact to a smaller part of its drive. What is in one place to a large part may be smaller, but not less
-/// than friction scatters by.
+/// Whether it is larger than the inaccuracy that every rig has, as a part of its drive. If a large share lies in one
+/// place, it may be smaller, but not smaller than the scatter of the friction.
 bool notable(const Place& place, const Preparation& prepared, double friction) {
   const Excitation& seen = prepared.seen;
   const bool voltage = place.sizeUnit == "V";
@@ -98,7 +99,7 @@ class Restarts {
     for (size_t w = 0; w < beyond.size(); ++w) count += errors[w] > farBeyondUsual * farBeyondUsual * usual[w] ? 1 : 0;
     return count;
   }
-  /// Too many for accidents, wherever windows begin.
+  /// Whether so many windows are far off that it isn't accidental, in both sets of windows.
   bool oftenFarOff(const std::vector<double>& squares, double limit) {
     return often(prepared_.split.trainScore, squares, limit) && often(windowsLater_, squaresLater(), limit);
   }
