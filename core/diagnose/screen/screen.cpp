@@ -27,7 +27,8 @@ size_t furtherWaves(const std::vector<Pick>& picks) {
   return further;
 }
 
-/// Numbers of the parameters that differ from shape to shape: the nonlinear ones that a search may refine.
+/// Numbers of the parameters that differ from shape to shape and aren't held: the nonlinear ones that a search may
+/// refine.
 std::vector<size_t> refinable(const Effect& effect, const Shape& shape, const Excitation& seen) {
   std::vector<size_t> numbers;
   const auto all = effect.shapes(seen);
@@ -36,9 +37,7 @@ std::vector<size_t> refinable(const Effect& effect, const Shape& shape, const Ex
     bool differs = false, shared = true;
     for (const Shape& one : all) differs = differs || one.front()[k] != all.front().front()[k];
     for (const auto& one : shape) shared = shared && one[k] == shape.front()[k];
-    const bool whole =
-        specs[k].held && (specs[k].name == "order" || specs[k].name == "side" || specs[k].name == "exponent");
-    if (differs && shared && !whole) numbers.push_back(k);
+    if (differs && shared && !specs[k].held) numbers.push_back(k);
   }
   return numbers;
 }
