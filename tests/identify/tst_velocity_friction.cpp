@@ -1,4 +1,5 @@
 #include <QTest>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -63,9 +64,8 @@ VelocityFrictionOptions options() {
   return result;
 }
 
-std::vector<VelocityRun> runs(bool varied, double slowExcess_Nm) {
+std::vector<VelocityRun> runs(bool varied, double slowExcess_Nm, unsigned seed = 1) {
   std::vector<VelocityRun> all;
-  unsigned seed = 1;
   for (const double speed : {20.0, 40.0, 80.0, 140.0, 200.0}) {
     for (const double sign : {1.0, -1.0})
       all.push_back(runAt(sign * speed, speed < 30.0 ? slowExcess_Nm : 0.0, 0.017, varied, seed++));
@@ -75,20 +75,29 @@ std::vector<VelocityRun> runs(bool varied, double slowExcess_Nm) {
 
 }  // namespace
 
+/// The worst of 180 bins, on average over ten draws of the noise: what one draw shows is chance.
 void TestVelocityFriction::harmonicsOfBoth_areFoundThroughTheRipple() {
-  const auto friction = fitMovingFriction(runs(true, 0.0), options());
-  QVERIFY(friction.ok());
-  for (size_t way = 0; way < 2; ++way) {
-    double worstCoulomb = 0.0, worstViscous = 0.0;
-    for (size_t k = 0; k < 180; ++k) {
-      const double angle = (static_cast<double>(k) + 0.5) * turn / 180.0;
-      worstCoulomb = std::max(worstCoulomb, std::abs((*friction)[way].coulomb_Nm[k].value - coulomb(angle)) / 0.017);
-      worstViscous =
-          std::max(worstViscous, std::abs((*friction)[way].viscous_Nm_s_per_rad[k].value - viscous(angle)) / 2e-5);
+  constexpr int draws = 10;
+  std::array<double, 2> coulombError{}, viscousError{};
+  for (unsigned draw = 0; draw < draws; ++draw) {
+    const auto friction = fitMovingFriction(runs(true, 0.0, 1 + 100 * draw), options());
+    QVERIFY(friction.ok());
+    for (size_t way = 0; way < 2; ++way) {
+      double worstCoulomb = 0.0, worstViscous = 0.0;
+      for (size_t k = 0; k < 180; ++k) {
+        const double angle = (static_cast<double>(k) + 0.5) * turn / 180.0;
+        worstCoulomb = std::max(worstCoulomb, std::abs((*friction)[way].coulomb_Nm[k].value - coulomb(angle)) / 0.017);
+        worstViscous =
+            std::max(worstViscous, std::abs((*friction)[way].viscous_Nm_s_per_rad[k].value - viscous(angle)) / 2e-5);
+      }
+      coulombError[way] += worstCoulomb / draws;
+      viscousError[way] += worstViscous / draws;
+      QCOMPARE((*friction)[way].leftOut, size_t{0});
     }
-    QVERIFY2(worstCoulomb < 0.02, qPrintable(QString::number(worstCoulomb)));
-    QVERIFY2(worstViscous < 0.12, qPrintable(QString::number(worstViscous)));
-    QCOMPARE((*friction)[way].leftOut, size_t{0});
+  }
+  for (size_t way = 0; way < 2; ++way) {
+    QVERIFY2(coulombError[way] < 0.02, qPrintable(QString::number(coulombError[way])));
+    QVERIFY2(viscousError[way] < 0.12, qPrintable(QString::number(viscousError[way])));
   }
 }
 
