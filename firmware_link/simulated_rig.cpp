@@ -49,9 +49,9 @@ SimulatedRig::SimulatedRig(const Rig& rig, unsigned seed)
     : ticks_s_(1.0 / rig.loopRate_Hz),
       rate_Hz_(rig.loopRate_Hz),
       substeps_(static_cast<int>(std::ceil(ticks_s_ / coarsestStep_s(rig) - 1e-9))),
-      plant_(rig, ticks_s_ / substeps_, seed),
+      plant_(rig, ticks_s_ / substeps_, 2u * seed + 1u),
       encoder_(rig),
-      sensor_(rig, seed),
+      sensor_(rig, 2u * seed + 2u),
       bridge_(rig),
       faults_(rig.faults),
       supply_V_(rig.bridge.supply_V) {

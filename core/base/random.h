@@ -9,21 +9,11 @@
 
 namespace breakaway {
 
-/// What random numbers are for: under one seed each purpose has a stream of its own, so that what one draws doesn't
-/// shift the others.
-enum class Stream : std::uint64_t {
-  whole = 0,                       ///< all that one seed gives
-  currentNoise = 0x5eed5eed5eed,   ///< of a current sensor
-  breakawayScatter = 0x5ca77e4ed,  ///< of static friction, from one standstill to the next
-  trialFamily = 0xfa311e,          ///< which kind of trial a seed stands for
-};
-
 /// Uniform and normal numbers from SplitMix64 (S. Vigna's public domain algorithm), normal ones by Box and Muller's
 /// transform.
 class Random {
  public:
-  explicit Random(std::uint64_t seed, Stream stream = Stream::whole)
-      : state_(seed ^ static_cast<std::uint64_t>(stream)) {}
+  explicit Random(std::uint64_t seed) : state_(seed) {}
 
   std::uint64_t bits() {
     state_ += 0x9E3779B97F4A7C15ULL;
@@ -54,6 +44,61 @@ class Random {
 
  private:
   std::uint64_t state_;
+  double spare_ = 0.0;
+  bool hasSpare_ = false;
+};
+
+/// Uniform and normal numbers from xoshiro256++ (Blackman and Vigna, "Scrambled linear pseudorandom number generators",
+/// 2021), normal ones by Marsaglia's polar method.
+class Noise {
+ public:
+  explicit Noise(uint64_t seed) {
+    for (uint64_t& word : state_) word = splitMix(seed);
+  }
+
+  /// Uniform in [0, 1).
+  double uniform() { return static_cast<double>(next() >> 11) * 0x1.0p-53; }
+
+  /// Normal with mean 0 and variance 1.
+  double normal() {
+    if (hasSpare_) {
+      hasSpare_ = false;
+      return spare_;
+    }
+    double u = 0.0, v = 0.0, s = 0.0;
+    do {
+      u = 2.0 * uniform() - 1.0;
+      v = 2.0 * uniform() - 1.0;
+      s = u * u + v * v;
+    } while (s >= 1.0 || s == 0.0);
+    const double factor = std::sqrt(-2.0 * std::log(s) / s);
+    spare_ = v * factor;
+    hasSpare_ = true;
+    return u * factor;
+  }
+
+ private:
+  static uint64_t rotate(uint64_t x, int k) { return (x << k) | (x >> (64 - k)); }
+  static uint64_t splitMix(uint64_t& x) {
+    x += 0x9e3779b97f4a7c15u;
+    uint64_t z = x;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+  }
+  uint64_t next() {
+    const uint64_t result = rotate(state_[0] + state_[3], 23) + state_[0];
+    const uint64_t t = state_[1] << 17;
+    state_[2] ^= state_[0];
+    state_[3] ^= state_[1];
+    state_[1] ^= state_[2];
+    state_[0] ^= state_[3];
+    state_[2] ^= t;
+    state_[3] = rotate(state_[3], 45);
+    return result;
+  }
+
+  uint64_t state_[4];
   double spare_ = 0.0;
   bool hasSpare_ = false;
 };

@@ -18,7 +18,7 @@ Plant::Plant(const PlantPhysics& physics, double substep_s, uint64_t seed)
     : physics_(physics),
       substep_s_(substep_s),
       load_rad_(physics.startAngle_rad),
-      scatters_(seed, Stream::breakawayScatter),
+      noise_(seed),
       angle_rad_(physics.startAngle_rad) {
   const PlantPhysics& p = physics_;
   const int cells = std::max(4096, cellsPerOrder * highestOrder(p));
@@ -178,7 +178,7 @@ void Plant::comeToRest() {
   if (std::abs(angle_rad_ - restAngle_rad_) < physics_.sameStand_rad) return;
   restStart_s_ = time_s_;
   restAngle_rad_ = angle_rad_;
-  for (double& factor : scatter_) factor = std::max(0.0, 1.0 + physics_.scatterRms * scatters_.normal());
+  for (double& factor : scatter_) factor = std::max(0.0, 1.0 + physics_.scatterRms * noise_.normal());
 }
 
 // Standing: the current is an exact exponential, so the moment at which it reaches the breakaway level is a logarithm.

@@ -96,7 +96,7 @@ class Plant {
   double load_rad_ = 0.0, loadVelocity_ = 0.0;   ///< behind the coupling
   double coupled_Nm_ = 0.0, loadStop_Nm_ = 0.0;  ///< of the step that runs: through the coupling, on the load
 
-  Random scatters_;
+  Noise noise_;
   double time_s_ = 0.0, angle_rad_ = 0.0, velocity_ = 0.0, current_ = 0.0, input_ = 0.0, acting_ = 0.0,
          acceleration_ = 0.0;
   bool open_ = true, moving_ = false, blocked_ = false;

@@ -47,7 +47,7 @@ CurrentSensorModel::CurrentSensorModel(const Rig& rig, uint64_t seed)
     : sensor_(rig.currentSensor),
       step_V_(sensor_.adcRange_V / std::exp2(sensor_.adcBits)),
       supplied_(1.0 + sensor_.supplyDeviation_V / sensor_.adcRange_V),
-      noise_(seed, Stream::currentNoise) {
+      noise_(seed) {
   for (const RigEffect& effect : rig.effects) {
     if (effect.effect == "current_sensor_offset") sensor_.offset_A += effect.parameter("offset_A");
   }

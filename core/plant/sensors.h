@@ -50,7 +50,7 @@ class CurrentSensorModel {
  private:
   RigCurrentSensor sensor_;
   double step_V_, supplied_;  ///< converter's step; the sensor's supply over the converter's reference
-  Random noise_;
+  Noise noise_;
 };
 
 /// The bridge: what mean voltage a commanded duty gives.

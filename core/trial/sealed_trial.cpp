@@ -173,7 +173,7 @@ std::vector<std::string> trialFamilies() {
 }
 
 std::string familyOf(std::uint64_t seed) {
-  Random random(seed, Stream::trialFamily);
+  Random random(seed ^ 0xfa311eULL);
   size_t percent = random.below(100);
   for (const auto& [family, share] : furtherFamilies) {
     if (percent < share) return family;

@@ -63,7 +63,7 @@ Recording recordTrial(const TrialRig& rig, const TrialCourse& course, const std:
   const double step_s = plantStep_s(rig.physics);
   Plant plant(rig.physics, step_s, seed);
   TrialController controller(rig);
-  Random random(seed, Stream::currentNoise);
+  Random random(seed ^ 0x5eed5eed5eedULL);
   const size_t rows = course.velocity.size();
   const int perRow = static_cast<int>(std::lround(s.row_s / step_s));
   const int skewSteps = static_cast<int>(std::lround(s.currentSkew_s / step_s));

@@ -45,7 +45,7 @@ double worstDifference(double part) {
   a.configure(nominal, tick_s);
   b.configure((1.0 + part) * nominal.cutoff_rad_per_s, tick_s);
   a.reset(0.0);
-  Random noise(5);
+  Noise noise(5);
   double velocity = 0.0, worst = 0.0, largest = 0.0;
   for (int k = 0; k < 20000; ++k) {
     const double current = 2.0 * noise.normal();

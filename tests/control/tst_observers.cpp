@@ -61,7 +61,7 @@ void TestObservers::floatObserver_followsTheDoubleOne() {
   DisturbanceObserver<float> board;
   fine.configure({200.0, 6e-5, 0.07}, 2e-4);
   board.configure({200.0f, 6e-5f, 0.07f}, 2e-4f);
-  Random noise(3);
+  Noise noise(3);
   double worst = 0.0;
   for (int k = 0; k < 20000; ++k) {
     const double current = 0.3 + 0.1 * noise.normal(), speed = 20.0 * std::sin(k * 1e-3);

@@ -32,7 +32,7 @@ double straight(double duty) {
 
 /// A standing rotor's ramps, and a turning one to and fro whose current is `swing_A` this way and that.
 BridgeTests tests(double (*bridge)(double), double highest_duty, double swing_A, unsigned seed) {
-  Random noise(seed);
+  Noise noise(seed);
   BridgeTests tests;
   tests.supply_V = supply_V;
   for (int k = 1; k <= 400; ++k) {

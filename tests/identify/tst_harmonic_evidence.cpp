@@ -56,7 +56,7 @@ void TestHarmonicEvidence::thePriorLearnsHowTheCurveVaries() {
 
 /// Over curves of which a quarter of the orders are there, at every noise from far below to far above them.
 void TestHarmonicEvidence::standardErrorsHoldTheTruth() {
-  Random noise(11);
+  Noise noise(11);
   for (const double error : {0.002, 0.02, 0.06, 0.3}) {
     double covered = 0.0, squares = 0.0, plainSquares = 0.0, count = 0.0;
     for (int curve = 0; curve < 400; ++curve) {

@@ -28,7 +28,7 @@ constexpr double Kt = 0.07, J = 6e-5;
 
 /// A rotor with Coulomb and viscous friction to and fro under ±`amps`, turned round at 60 rad/s; blocks of 2 ms.
 std::vector<SpinBlock> toAndFro(double amps, double coulomb_Nm, double viscous, unsigned seed) {
-  Random noise(seed);
+  Noise noise(seed);
   std::vector<SpinBlock> blocks;
   double speed = 0.0, angle = 0.0, way = 1.0;
   for (int k = 1; k < 4000; ++k) {

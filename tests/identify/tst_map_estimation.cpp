@@ -36,7 +36,7 @@ MapOptions options() {
 
 /// Ramps of 1000 samples over the last 30 % of the breakaway's current.
 std::vector<BreakawayEvent> events(double scatter, double noise_A, double size, unsigned seed, size_t turns = 2) {
-  Random noise(seed);
+  Noise noise(seed);
   std::vector<BreakawayEvent> all;
   for (size_t t = 0; t < turns; ++t) {
     for (const Way way : {Way::ccw, Way::cw}) {
@@ -124,7 +124,7 @@ void TestMapEstimation::weakCurrents_areCalibratedTogether() {
 
 void TestMapEstimation::unrelatedTurns_dontCorrelate() {
   auto all = events(0.0, 0.0, 1.0, 6);
-  Random noise(9);
+  Noise noise(9);
   for (BreakawayEvent& event : all) {
     event.commanded_A = 0.3 * (1.0 + 0.1 * noise.normal());
     event.measuredMean_A = event.commandedMean_A;

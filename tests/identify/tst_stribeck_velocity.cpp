@@ -35,7 +35,7 @@ FrictionMap mapWith(double static_Nm) {
 
 std::vector<SlowTurn> turnsOf(double stribeck, double static_Nm, const std::vector<double>& speeds, double error_Nm,
                               unsigned seed) {
-  Random noise(seed);
+  Noise noise(seed);
   std::vector<SlowTurn> turns;
   for (const double speed : speeds) {
     for (const double sign : {1.0, -1.0}) {

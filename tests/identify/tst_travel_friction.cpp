@@ -37,7 +37,7 @@ double viscousAt(double x) {
 /// What strokes at these speeds over bins of 2 mm leave, of an axis of 1.8 kg that speeds up over its first third.
 std::vector<TravelRun> strokesOf(const std::vector<double>& speeds, double noise_A, unsigned seed) {
   constexpr double Kf = 14.0, mass = 1.8, tick_s = 2e-4, width_m = 0.002;
-  Random noise(seed);
+  Noise noise(seed);
   std::vector<TravelRun> runs;
   for (const double speed : speeds) {
     TravelRun run;
@@ -74,7 +74,7 @@ TravelFrictionOptions optionsFor(double noise_A) {
 }  // namespace
 
 void TestTravelFriction::smoothCurves_areFoundAndHeldByTheirIntervals() {
-  Random noise(11);
+  Noise noise(11);
   std::vector<double> place;
   std::vector<Eigen::Vector2d> pairs;
   std::vector<Eigen::Matrix2d> covariances;
@@ -101,7 +101,7 @@ void TestTravelFriction::smoothCurves_areFoundAndHeldByTheirIntervals() {
 }
 
 void TestTravelFriction::levelCurves_areLeftLevel() {
-  Random noise(12);
+  Noise noise(12);
   std::vector<double> place;
   std::vector<Eigen::Vector2d> pairs;
   std::vector<Eigen::Matrix2d> covariances;

@@ -37,7 +37,7 @@ VelocityRun runAt(double speed, double excess_Nm, double noise_A, bool varied, u
   run.halfSpan_s = 2e-4;
   run.bins.resize(360);
   run.blocks.assign(8, {12, speed, speed, 0.0, 0.0, run.bins});
-  Random noise(seed);
+  Noise noise(seed);
   const double sign = speed > 0.0 ? 1.0 : -1.0, size = std::abs(speed);
   const double mean = 0.017 + 2e-5 * size + excess_Nm;
   for (size_t k = 0; k < 360; ++k) {

@@ -23,7 +23,7 @@ constexpr size_t samples = 2000;
 /// Thirteen zeroings, one every 20 s, of a zero that is `zeroAt` of time.
 template <typename Zero>
 std::vector<ZeroReading> readings(Zero zeroAt, unsigned seed) {
-  Random noise(seed);
+  Noise noise(seed);
   std::vector<ZeroReading> all;
   for (int k = 0; k < 13; ++k) {
     const double time_s = 20.0 * k;

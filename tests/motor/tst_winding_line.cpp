@@ -16,7 +16,7 @@ class TestWindingLine : public QObject {
 
 namespace {
 std::vector<WindingPoint> points(double R, double V0, double offset, double noise_A, unsigned seed) {
-  Random noise(seed);
+  Noise noise(seed);
   std::vector<WindingPoint> all;
   for (int k = -200; k <= 200; ++k) {
     const double v = 0.6 * k / 200.0;

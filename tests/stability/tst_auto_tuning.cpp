@@ -138,7 +138,7 @@ void TestAutoTuning::insideOfTheCorners_nothingIsWorse() {
   QVERIFY(tuning.ok());
   const unsigned seed = 5;
   qInfo("seed %u", seed);
-  Random noise(seed);
+  Noise noise(seed);
   const auto inside = [&noise](double value, double error) {
     return value * (1.0 + 1.96 * error * (2.0 * noise.uniform() - 1.0));
   };

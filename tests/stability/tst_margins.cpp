@@ -219,7 +219,7 @@ void TestMargins::noise_isThatOfManyTicks() {
   SimulatedLoop simulated(loop);
   const unsigned seed = 7;
   qInfo("seed %u", seed);
-  Random noise(seed);
+  Noise noise(seed);
   double estimate = 0.0, current = 0.0, shown = 0.0, speed = 0.0, voltage = 0.0;
   const int settle = 5000, count = 600000;
   for (int k = 0; k < settle + count; ++k) {

@@ -124,7 +124,7 @@ void TestServoLoop::everySignal_isThatOfTheControllersCode() {
   Eigen::VectorXd x = Eigen::VectorXd::Zero(closed.A.rows()), u(4), worst = Eigen::VectorXd::Zero(6), largest = worst;
   const unsigned seed = 11;
   qInfo("seed %u", seed);
-  Random noise(seed);
+  Noise noise(seed);
   const double target = position ? 0.2 : 10.0;
   simulated.ask(target);
   for (int k = 0; k < 1500; ++k) {

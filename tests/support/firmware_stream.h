@@ -5,10 +5,10 @@
 #include <cstring>
 #include <functional>
 #include <memory>
+#include <random>
 #include <string>
 #include <vector>
 
-#include "base/random.h"
 #include "firmware_link/byte_stream.h"
 #include "firmware_link/presets.h"
 #include "firmware_link/simulated_firmware.h"
@@ -92,7 +92,7 @@ class SpoiledStream final : public ByteStream {
   }
 
  private:
-  bool happens(double share) { return random_.uniform() < share; }
+  bool happens(double share) { return std::uniform_real_distribution<double>()(random_) < share; }
 
   std::vector<std::uint8_t> spoiled(std::vector<std::uint8_t> bytes) {
     std::vector<std::vector<std::uint8_t>> pieces(1);
@@ -110,15 +110,14 @@ class SpoiledStream final : public ByteStream {
       const int times = happens(spoiling_->doubled) ? 2 : 1;
       for (int k = 0; k < times; ++k) {
         if (happens(spoiling_->garbage))
-          for (int n = 0; n < 40; ++n) out.push_back(static_cast<std::uint8_t>(random_.bits()));
+          for (int n = 0; n < 40; ++n) out.push_back(static_cast<std::uint8_t>(random_()));
         if (spoiling_->bootText && happens(0.02)) {
           const char* text = "boot v2.1 ok\r\n";
           out.insert(out.end(), text, text + std::strlen(text));
         }
         for (const std::uint8_t byte : piece) {
           if (happens(spoiling_->dropped)) continue;
-          out.push_back(happens(spoiling_->flipped) ? static_cast<std::uint8_t>(byte ^ (1u << random_.bits() % 8))
-                                                    : byte);
+          out.push_back(happens(spoiling_->flipped) ? static_cast<std::uint8_t>(byte ^ (1u << random_() % 8)) : byte);
         }
       }
     }
@@ -127,7 +126,7 @@ class SpoiledStream final : public ByteStream {
 
   std::unique_ptr<ByteStream> inner_;
   std::shared_ptr<const Spoiling> spoiling_;
-  Random random_;
+  std::mt19937 random_;
 };
 
 }  // namespace breakaway::test

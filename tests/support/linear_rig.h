@@ -20,7 +20,7 @@ struct LinearAxis {
 
 /// `seed` draws the curves' phases and swings.
 inline std::string linearRigText(const LinearAxis& axis, unsigned seed) {
-  Random noise(seed);
+  Noise noise(seed);
   const auto number = [](double value) {
     char text[40];
     std::snprintf(text, sizeof text, "%.9g", value);

@@ -99,7 +99,7 @@ class RandomRig {
     return out + "]}";
   }
 
-  Random noise_;
+  Noise noise_;
 };
 
 }  // namespace breakaway::test

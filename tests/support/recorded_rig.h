@@ -69,12 +69,12 @@ inline RecordedRig recordRig(const RigRecording& wanted) {
   const auto rig = readRigText(rigText(wanted), "test.rig.json");
   if (!rig) std::fprintf(stderr, "%s\n", rig.error().message().c_str());
   Plant plant(*rig, 5e-5, wanted.seed);
-  Random noise(wanted.seed + 77);
+  Noise noise(wanted.seed + 77);
   const double count = 2.0 * std::numbers::pi / wanted.countsPerRev, step = 1e-3;
   const double phase = noise.uniform() * 6.28, second = noise.uniform() * 6.28;
   std::vector<double> time, angle, voltage, current;
   double integral = 0.0, last = 0.0, speed = 0.0, wander = 0.0;
-  Random wanders(wanted.seed + 133);
+  Noise wanders(wanted.seed + 133);
   for (size_t k = 0; k < static_cast<size_t>(wanted.seconds / step); ++k) {
     const double t = static_cast<double>(k) * step;
     const double seen = std::floor((plant.angle_rad() + 0.3) / count) * count;
