@@ -63,7 +63,7 @@ struct Commission {
   double noiseRms_A = 0.0;  ///< of the current sensor, per sample
   Estimate sensorZero_A;
   std::array<double, 2> expected_A{};  ///< first look at the breakaway current, by Way
-  std::shared_ptr<MotorTests> tests;   ///< what it is identified from, until it is
+  std::shared_ptr<MotorTests> tests;   ///< that it was identified from, here
   IdentifiedMotor identified;          ///< as its own tests leave it
   IdentifiedMotor motor;               ///< with what the sweeps tell of it
   double shownResistance_ohm = 0.0;    ///< with the current as the sensor shows it

@@ -9,6 +9,7 @@ namespace breakaway {
 
 struct MotorTests {
   WindingFit winding;
+  IdentifiedMotor rough;  ///< by the first test that moves a rotor
   BridgeTests bridge;
 };
 

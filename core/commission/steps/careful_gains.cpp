@@ -1,4 +1,5 @@
 // The controller that measurements run with; on a linear axis with how fast it may go between its ends.
+#include "commission/motor_tests.h"
 #include "commission/steps.h"
 #include "commission/travel_plan.h"
 #include "control/tuning.h"
@@ -34,7 +35,9 @@ class CarefulGains : public Step {
 
   Result<StepEnd> end(OnBench& on, const Result<void>&) override {
     Commission& known = on.known;
-    const IdentifiedMotor& motor = known.knows(Known::motor) ? known.identified : known.motor;
+    // A rotor's are the same each time they are set: from the spin test, as long as that is remembered.
+    const bool spun = !known.linear() && known.tests;
+    const IdentifiedMotor& motor = spun ? known.tests->rough : known.identified;
     ControllerSettings careful = carefullyTuned(motor.inertia_kg_m2.value, motor.torquePerShownAmpere_Nm(),
                                                 1.0 / known.identity.loopRate_Hz, on.drive.settings());
     if (known.linear()) {

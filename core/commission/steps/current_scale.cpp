@@ -48,7 +48,6 @@ class CurrentScale : public Step {
     if (known.linear()) known.motor.gauge = onAnAxis(known.motor.gauge);
     known.remark(known.motor.gauge);
     known.identified = known.motor;
-    known.tests.reset();
     return StepEnd::over;
   }
 };

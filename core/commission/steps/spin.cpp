@@ -50,7 +50,7 @@ class Spin : public Step {
                                     0.3 * known.identity.supply_V;
     if (slow && !slowly_) return StepEnd::again;
     if (!motor) return Error{"03-spin", motor.error().message()};
-    known.motor = *motor;
+    known.motor = tests.rough = *motor;
     tests.bridge.moving = {spin_->blocks()};
     const double Kt = motor->torqueConstant_Nm_per_A.value, Ke = motor->backEmfConstant_V_s_per_rad.value;
     if (std::abs(Kt - Ke) > 0.05 * Ke)
