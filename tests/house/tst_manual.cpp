@@ -140,7 +140,7 @@ static QStringList missingPlaces(const QString& text) {
   const QDir root(qEnvironmentVariable("BREAKAWAY_SOURCE_DIR"));
   const QStringList from{".", "core", "core/diagnose", "core/commission", "firmware_link"};
   QStringList missing;
-  const QRegularExpression place("`([a-z_0-9]+(?:/[A-Za-z_0-9.]*)+)`");
+  const QRegularExpression place("`([a-z_0-9]+(?:/(?:[a-z_0-9.]*|CMakeLists[.]txt))+)`");
   for (auto it = place.globalMatch(text); it.hasNext();) {
     const QString path = it.next().captured(1);
     const auto isThere = [&](const QString& folder) { return QFileInfo::exists(root.filePath(folder + "/" + path)); };
