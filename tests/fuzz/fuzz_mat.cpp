@@ -1,5 +1,5 @@
 #include "fuzz/fuzzed.h"
-#include "recording/mat.h"
+#include "recording/import/mat.h"
 
 using namespace breakaway;
 using namespace breakaway::test;

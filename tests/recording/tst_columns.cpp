@@ -4,7 +4,7 @@
 #include "motor/bench.h"
 #include "recording/columns.h"
 #include "recording/csv.h"
-#include "recording/import.h"
+#include "recording/import/import.h"
 #include "recording/sample_recording.h"
 #include "support/temporary.h"
 

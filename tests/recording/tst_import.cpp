@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "recording/column_meaning.h"
 #include "recording/csv.h"
-#include "recording/import.h"
+#include "recording/import/column_name.h"
+#include "recording/import/import.h"
 #include "support/temporary.h"
 
 using namespace breakaway;
@@ -62,8 +62,6 @@ void TestImport::names_areUnderstood_data() {
   row("goal_position", "angle_reference_rad");
   row("position_reference_m", "position_reference_m");
   row("target speed [mm/s]", "velocity_reference_m_per_s", 1e-3);
-  row("disturbance_estimate_N", "disturbance_estimate_N");
-  row("disturbance_estimate_Nm", "disturbance_estimate_Nm");
   row("target angle (deg)", "angle_reference_rad", degree);
   row("velocity_rad_per_s", "velocity_rad_per_s");
   row("Drehzahl [1/min]", "velocity_rad_per_s", std::numbers::pi / 30.0);
@@ -80,7 +78,6 @@ void TestImport::names_areUnderstood_data() {
   row("torque (N·m)", "torque_Nm");
   row("force_N", "force_N");
   row("temp", "temperature_degC");
-  row("torque_enable", "enabled");
   for (const char* unknown : {"", "velocity error", "current [foo]", "angle [A]", "status", "disturbance", "input"})
     row(unknown, "");
 }
@@ -89,10 +86,11 @@ void TestImport::names_areUnderstood() {
   QFETCH(QString, name);
   QFETCH(QString, to);
   QFETCH(double, scale);
-  const auto meaning = meaningOf(name.toStdString());
-  QCOMPARE(meaning ? meaning->to : std::string(), to.toStdString());
-  if (meaning)
-    QVERIFY2(std::abs(meaning->scale - scale) <= 1e-15 * scale, qPrintable(QString::number(meaning->scale, 'g', 17)));
+  const auto meaning = understandName(name.toStdString());
+  QCOMPARE(meaning.to, to.toStdString());
+  QCOMPARE(meaning.aside.empty(), meaning.understood());
+  if (meaning.understood())
+    QVERIFY2(std::abs(meaning.scale - scale) <= 1e-15 * scale, qPrintable(QString::number(meaning.scale, 'g', 17)));
 }
 
 void TestImport::everyForm_givesTheSameRecording_data() {
@@ -146,9 +144,12 @@ void TestImport::badFiles_getOneLine_data() {
   row("prose", "Dear colleague,\nthe log is on the other disk.\n",
       "holds no table: expected rows of at least two numbers, separated by commas, semicolons, tabs or blanks");
   row("no time", "angle,current\n0,0\n1,1\n",
-      "no column could be taken for the time; there are: angle_rad, current_A; say which with --map");
+      "no column could be taken for the time; there are: angle_rad, current_A; say which with --map, or how far the "
+      "rows are apart: "
+      "{\"sample_time_s\": 0.01}");
   row("no angle", "time,current\n0,0\n1,1\n",
-      "no column could be taken for the angle or position; there are: time_s, current_A; say which with --map");
+      "no column could be taken for the angle, position or speed; there are: time_s, current_A; say which with --map "
+      "{\"columns\": {\"NAME\": {\"to\": \"angle_rad\", \"unit\": \"deg\"}}}");
   row("times fall", "time;angle\n0;0\n0,2;1\n0,1;2\n0,3;2\n",
       "row 3, column time_s: 0.1 does not increase after 0.2, expected strictly increasing times");
   row("text in a number", "time;angle\n0;0\n1;abc\n2;0\n", "row 2, column angle: expected a number, found \"abc\"");
@@ -156,7 +157,8 @@ void TestImport::badFiles_getOneLine_data() {
       "row 2, column angle: expected a number, found \"1.000,5\"");
   row("ragged", "time,angle\n0,0\n1,1,1\n2,2\n3,3\n", "row 2: has 3 cells, expected 2");
   row("broken JSON", "{\"entries\":\n [{\"t\": }]}", "line 2: is not valid JSON");
-  row("JSON without a log", "{\"a\": 1}", "holds no log: expected \"entries\": an array of objects, one per sample");
+  row("JSON without a log", "{\"a\": 1}",
+      "holds no log: expected \"entries\": an array of objects, one per sample, or arrays by name");
   row("JSON with a hole", R"([{"t": 0, "q": 1}, {"t": 1}])", "entry 2: lacks the field q");
 }
 
@@ -193,7 +195,13 @@ void TestImport::mapThatDoesNotFit_isTold_data() {
   row("two into one", R"({"columns": {"angle": {"to": "x"}, "t": {"to": "x"}}})", "two columns become x");
   row("unknown field", R"({"columns": {"angle": {"to": "x", "scael": 2}}})",
       "columns.angle.scael: is an unknown field, did you mean scale?");
-  row("no columns", R"({})", "columns: is missing, expected an object");
+  row("a unit that isn't one", R"({"columns": {"angle": {"to": "angle_rad", "unit": "furlongs"}}})",
+      "columns.angle.unit: is no unit that import knows");
+  row("a unit and a scale", R"({"columns": {"angle": {"to": "angle_rad", "unit": "deg", "scale": 2}}})",
+      "stands beside scale or offset");
+  row("unknown key", R"({"sampletime_s": 0.01})", "sampletime_s: is an unknown field, did you mean sample_time_s?");
+  row("no step", R"({"sample_time_s": 0})", "sample_time_s");
+  row("sign that is none", R"({"sign": {"angle": 2}})", "must be 1 or -1");
   row("scale of nothing", R"({"columns": {"angle": {"to": "x", "scale": 0}}})",
       "is 0, which would leave nothing of the column");
   row("a comma in a name", R"({"columns": {"angle": {"to": "a,b"}}})", "expected a column's name");

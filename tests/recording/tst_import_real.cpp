@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "recording/csv.h"
-#include "recording/import.h"
+#include "recording/import/import.h"
 #include "support/real_recordings.h"
 #include "support/temporary.h"
 

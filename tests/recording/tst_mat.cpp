@@ -3,7 +3,7 @@
 #include <QTest>
 #include <memory>
 
-#include "recording/mat.h"
+#include "recording/import/mat.h"
 #include "support/temporary.h"
 
 using namespace breakaway;

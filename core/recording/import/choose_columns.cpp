@@ -1,0 +1,177 @@
+#include "recording/import/choose_columns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "base/json_object.h"
+#include "recording/columns.h"
+
+namespace breakaway {
+
+namespace {
+
+Choice guess(const RawColumn& column) {
+  Choice choice;
+  const std::string& name = column.channel.name;
+  if (const Column* known = columnNamed(name); known != nullptr && column.unit.empty()) {
+    choice.name.to = name;
+    choice.name.unit = known->unit;
+    choice.name.rank = -1;
+    return choice;
+  }
+  if (name == "torque_enable" || name == "enable" || isSameWord(name, "enabled")) {
+    choice.name.to = "enabled";
+    choice.name.unit = "1";
+    return choice;
+  }
+  choice.name = understandName(name, column.unit);
+  return choice;
+}
+
+void setAside(Choice& choice, const std::string& why) {
+  choice.name = ColumnName{};
+  choice.name.aside = why;
+}
+
+/// A time goes up, seldom down, and doesn't stand still.
+bool goesUp(const RawColumn& column) {
+  size_t up = 0, down = 0;
+  double last = NAN;
+  for (const double value : column.channel.values) {
+    if (value > last) ++up;
+    if (value < last) ++down;
+    if (std::isfinite(value)) last = value;
+  }
+  return up > 0 && 20 * down <= up;
+}
+
+void checkTimes(const RawTable& table, std::vector<Choice>& choices) {
+  for (size_t c = 0; c < choices.size(); ++c) {
+    Choice& choice = choices[c];
+    if (choice.name.to != "time_s" || choice.byMap) continue;
+    const bool only =
+        std::count_if(choices.begin(), choices.end(), [](const Choice& one) { return one.name.to == "time_s"; }) == 1;
+    const bool needed = choice.name.rank <= 1 && only;  // then a time that falls is an error with its row
+    if (!needed && !goesUp(table.columns[c])) setAside(choice, "doesn't go on increasing, as a time does");
+  }
+}
+
+/// The axis of the angle, or of the speed; empty when names tell none.
+std::string axisOf(const std::vector<Choice>& choices) {
+  for (const char* to : {"angle_rad", "position_m", "velocity_rad_per_s", "velocity_m_per_s"}) {
+    const Choice* best = nullptr;
+    for (const Choice& choice : choices) {
+      if (choice.name.to != to || choice.byMap) continue;
+      if (best == nullptr || choice.name.rank < best->name.rank) best = &choice;
+    }
+    if (best != nullptr) return best->name.group;
+  }
+  return {};
+}
+
+Result<void> takeOneEach(const RawTable& table, std::vector<Choice>& choices, const std::string& place) {
+  std::set<std::string> targets;
+  for (const Choice& choice : choices) {
+    if (choice.name.understood()) targets.insert(choice.name.to);
+  }
+  for (const std::string& to : targets) {
+    size_t best = choices.size();
+    for (size_t c = 0; c < choices.size(); ++c) {
+      const Choice& choice = choices[c];
+      if (choice.name.to != to) continue;
+      if (best < choices.size() && choice.byMap && choices[best].byMap)
+        return Error{place,
+                     "two columns become " + to + "; name another one for \"" + table.columns[c].channel.name + "\""};
+      const bool better = best == choices.size() || (choice.byMap && !choices[best].byMap) ||
+                          (choice.byMap == choices[best].byMap && choice.name.rank < choices[best].name.rank);
+      if (better) best = c;
+    }
+    for (size_t c = 0; c < choices.size(); ++c) {
+      if (c != best && choices[c].name.to == to)
+        setAside(choices[c], "would be a second " + to + ", beside " + table.columns[best].channel.name);
+    }
+  }
+  return {};
+}
+
+Result<void> checkMap(const RawTable& table, const ImportMap& map, const std::string& place) {
+  std::vector<std::string> names;
+  for (const RawColumn& column : table.columns) names.push_back(column.channel.name);
+  std::vector<std::string> wanted;
+  for (const auto& [name, rule] : map.columns) wanted.push_back(name);
+  for (const std::string& name : {map.integrate, map.differentiate, map.split}) {
+    if (!name.empty()) wanted.push_back(name);
+  }
+  for (const std::string& name : wanted) {
+    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+    const auto suggestion = nearestName(name, names);
+    return Error{place, "has no column \"" + name + "\", which the map names" +
+                            (suggestion ? ", did you mean " + *suggestion + "?" : "")};
+  }
+  return {};
+}
+
+}  // namespace
+
+ColumnName nameOf(const ColumnRule& rule) {
+  ColumnName name;
+  name.to = rule.to;
+  name.scale = rule.scale;
+  name.offset = rule.offset;
+  name.unit = rule.unit.empty() ? "map" : rule.unit;
+  name.rank = -2;
+  if (const Unit* unit = rule.unit.empty() ? nullptr : unitNamed(rule.unit)) {
+    name.scale = unit->scale;
+    name.offset = unit->offset;
+    name.needs = unit->needs;
+  }
+  return name;
+}
+
+Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap& map, const ToolColumns& tool,
+                                          const std::string& place) {
+  if (const auto fits = checkMap(table, map, place); !fits) return fits.error();
+  std::vector<Choice> choices;
+  for (const RawColumn& column : table.columns) {
+    const std::string& name = column.channel.name;
+    Choice choice;
+    if (const auto rule = map.columns.find(name); rule != map.columns.end()) {
+      choice.name = nameOf(rule->second);
+      choice.byMap = true;
+    } else if (const auto known = tool.find(name); known != tool.end()) {
+      choice.name = known->second;
+      choice.byTool = true;
+    } else {
+      choice = guess(column);
+    }
+    if (map.sample_time_s && choice.name.to == "time_s" && !choice.byMap)
+      setAside(choice, "the map's sample time takes its place");
+    if (column.clock && choice.name.understood() && choice.name.to != "time_s") setAside(choice, "holds times of day");
+    if (column.clock && !choice.byMap && !choice.name.understood()) {
+      choice.name = ColumnName{};
+      choice.name.to = "time_s";
+      choice.name.unit = "clock";
+      choice.name.rank = 6;
+    }
+    choices.push_back(std::move(choice));
+  }
+  checkTimes(table, choices);
+  const std::string axis = axisOf(choices);
+  for (Choice& choice : choices) {
+    if (!choice.name.understood() || choice.byMap || choice.name.to == "time_s") continue;
+    if (!axis.empty() && !choice.name.group.empty() && choice.name.group != axis)
+      setAside(choice, "belongs to another axis (" + choice.name.group + ") than the one taken (" + axis + ")");
+  }
+  if (const auto one = takeOneEach(table, choices, place); !one) return one.error();
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const auto& fault = table.columns[c].fault;
+    if (!fault) continue;
+    if (choices[c].name.understood()) return *fault;
+    choices[c].dropped = true;
+    choices[c].name.aside = "holds text";
+  }
+  return choices;
+}
+
+}  // namespace breakaway

@@ -1,0 +1,36 @@
+// What a column of a foreign log is, by its name and unit: "Drehzahl [1/min]", "t_ms", "axis0.encoder.pos_estimate".
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "recording/import/units.h"
+
+namespace breakaway {
+
+/// What a name and its unit tell: value in the contract's unit = scale × value + offset, divided by what is needed.
+struct ColumnName {
+  std::string to;     ///< the contract's name, with its unit; empty when the column isn't understood
+  std::string aside;  ///< then: why
+  double scale = 1.0;
+  double offset = 0.0;
+  std::string unit;  ///< as written; empty when the name tells none, and SI is assumed
+  UnitNeeds needs = UnitNeeds::nothing;
+  std::string group;  ///< which of several axes: the numbers in the name; empty for all or none
+  int rank = 0;       ///< of several columns for the same thing the lowest is taken
+
+  bool understood() const { return !to.empty(); }
+  bool operator==(const ColumnName&) const = default;
+};
+
+/// The last word that names a quantity decides, with its unit, whatever stands before it; words behind it that may
+/// change everything ("velocity error", "current limit") leave the column aside, and so do those of other things
+/// ("gyro", "load torque", "battery current", "d axis"). A unit may stand in brackets anywhere, after " in ", after a
+/// slash, as the last words ("angle_deg", "omega_rad_s"), or, as `unit`, apart. Case and separators don't matter. A
+/// unit that is unknown or is none of that quantity leaves the column aside.
+ColumnName understandName(std::string_view name, std::string_view unit = {});
+
+/// Whether a word of the name is that of a quantity.
+bool knowsQuantity(std::string_view name);
+
+}  // namespace breakaway

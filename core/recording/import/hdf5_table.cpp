@@ -1,0 +1,211 @@
+#include "recording/import/hdf5_table.h"
+
+#include <hdf5.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <vector>
+
+#include "base/contained.h"
+#include "recording/import/npy.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr hsize_t mostValues = hsize_t{1} << 28;
+
+/// Closes what the library opened.
+class Handle {
+ public:
+  Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  ~Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+  operator hid_t() const { return id_; }
+
+ private:
+  hid_t id_;
+  herr_t (*close_)(hid_t);
+};
+
+struct Found {
+  std::vector<RawColumn> columns;
+};
+
+std::string unitOf(hid_t set) {
+  for (const char* name : {"units", "unit", "Units", "Unit"}) {
+    if (H5Aexists(set, name) <= 0) continue;
+    const Handle attribute(H5Aopen(set, name, H5P_DEFAULT), H5Aclose);
+    const Handle type(H5Aget_type(attribute), H5Tclose);
+    if (H5Tget_class(type) != H5T_STRING) continue;
+    if (H5Tis_variable_str(type) > 0) {
+      char* text = nullptr;
+      const Handle memory(H5Tcopy(H5T_C_S1), H5Tclose);
+      H5Tset_size(memory, H5T_VARIABLE);
+      H5Tset_cset(memory, H5Tget_cset(type));
+      if (H5Aread(attribute, memory, static_cast<void*>(&text)) < 0 || text == nullptr) continue;
+      std::string unit(text);
+      H5free_memory(text);
+      return unit;
+    }
+    std::string text(std::min<size_t>(H5Tget_size(type), 200), '\0');
+    if (H5Tget_size(type) > 200 || H5Aread(attribute, type, text.data()) < 0) continue;
+    return text.substr(0, text.find('\0'));
+  }
+  return {};
+}
+
+bool isNumber(hid_t type) {
+  const H5T_class_t kind = H5Tget_class(type);
+  return kind == H5T_INTEGER || kind == H5T_FLOAT || kind == H5T_ENUM;
+}
+
+/// All values of the set, or of one field of its records.
+std::vector<double> valuesOf(hid_t set, hsize_t count, const char* field) {
+  std::vector<double> values(count);
+  if (field == nullptr) {
+    if (H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) return {};
+    return values;
+  }
+  const Handle memory(H5Tcreate(H5T_COMPOUND, sizeof(double)), H5Tclose);
+  H5Tinsert(memory, field, 0, H5T_NATIVE_DOUBLE);
+  if (H5Dread(set, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) return {};
+  return values;
+}
+
+/// Stamps of 19 digits keep them all, counted from the first.
+std::vector<double> stampsOf(hid_t set, hsize_t count, double& origin) {
+  std::vector<int64_t> whole(count);
+  if (count == 0 || H5Dread(set, H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, whole.data()) < 0) return {};
+  std::vector<double> values;
+  const int64_t first = std::abs(static_cast<double>(whole.front())) > 1e15 ? whole.front() : 0;
+  origin = static_cast<double>(first);
+  for (const int64_t one : whole) values.push_back(static_cast<double>(one - first));
+  return values;
+}
+
+void add(Found& found, std::string name, std::vector<double> values, const std::string& unit, double origin = 0.0) {
+  if (values.empty()) return;
+  for (double& value : values) value = std::isfinite(value) ? value : NAN;
+  RawColumn column{{std::move(name), std::move(values)}, {}};
+  column.unit = unit;
+  column.origin = origin;
+  found.columns.push_back(std::move(column));
+}
+
+herr_t visit(hid_t file, const char* path, const H5O_info_t* info, void* data) {
+  auto& found = *static_cast<Found*>(data);
+  if (info->type != H5O_TYPE_DATASET || found.columns.size() > 5000) return 0;
+  const Handle set(H5Dopen2(file, path, H5P_DEFAULT), H5Dclose);
+  const Handle space(H5Dget_space(set), H5Sclose);
+  const Handle type(H5Dget_type(set), H5Tclose);
+  const int rank = H5Sget_simple_extent_ndims(space);
+  if (rank < 0 || rank > 2) return 0;
+  hsize_t size[2] = {1, 1};
+  H5Sget_simple_extent_dims(space, size, nullptr);
+  if (size[0] == 0 || size[1] == 0 || size[0] > mostValues / size[1]) return 0;
+  const hsize_t count = size[0] * size[1];
+  const std::string unit = unitOf(set);
+  if (H5Tget_class(type) == H5T_COMPOUND && rank == 1) {
+    for (int k = 0; k < H5Tget_nmembers(type) && k < 1000; ++k) {
+      const Handle field(H5Tget_member_type(type, static_cast<unsigned>(k)), H5Tclose);
+      char* name = H5Tget_member_name(type, static_cast<unsigned>(k));
+      if (name != nullptr && isNumber(field))
+        add(found, std::string(path) + "." + name, valuesOf(set, count, name), "");
+      H5free_memory(name);
+    }
+    return 0;
+  }
+  if (!isNumber(type)) return 0;
+  if (rank < 2 || size[0] == 1 || size[1] == 1) {
+    double origin = 0.0;
+    const bool wide = H5Tget_class(type) == H5T_INTEGER && H5Tget_size(type) == 8;
+    add(found, path, wide ? stampsOf(set, count, origin) : valuesOf(set, count, nullptr), unit, origin);
+    return 0;
+  }
+  const std::vector<double> values = valuesOf(set, count, nullptr);
+  if (values.empty()) return 0;
+  const bool across = size[0] < size[1] && size[0] <= 64;
+  const hsize_t width = across ? size[0] : size[1], rows = across ? size[1] : size[0];
+  for (hsize_t c = 0; c < width && width <= 1000; ++c) {
+    std::vector<double> column(rows);
+    for (hsize_t k = 0; k < rows; ++k) column[k] = across ? values[c * rows + k] : values[k * width + c];
+    add(found, std::string(path) + "_" + std::to_string(c + 1), std::move(column), unit);
+  }
+  return 0;
+}
+
+template <typename T>
+void put(std::string& bytes, const T& value) {
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+void putText(std::string& bytes, const std::string& text) {
+  put(bytes, uint64_t{text.size()});
+  bytes += text;
+}
+
+/// Runs in the contained process: each column as name, unit, origin, count, values.
+std::string readSets(const std::string& path) {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  std::string bytes;
+  const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  if (file < 0) return bytes;
+  Found found;
+  H5Ovisit(file, H5_INDEX_NAME, H5_ITER_INC, visit, &found);
+  for (const RawColumn& column : found.columns) {
+    putText(bytes, column.channel.name);
+    putText(bytes, column.unit);
+    put(bytes, column.origin);
+    put(bytes, uint64_t{column.channel.values.size()});
+    bytes.append(reinterpret_cast<const char*>(column.channel.values.data()),
+                 column.channel.values.size() * sizeof(double));
+  }
+  return bytes;
+}
+
+template <typename T>
+T take(const std::string& bytes, size_t& at) {
+  T value{};
+  std::memcpy(&value, bytes.data() + at, sizeof value);
+  at += sizeof value;
+  return value;
+}
+
+std::string takeText(const std::string& bytes, size_t& at) {
+  const auto size = take<uint64_t>(bytes, at);
+  std::string text = bytes.substr(at, size);
+  at += size;
+  return text;
+}
+
+}  // namespace
+
+Result<RawTable> readHdf5(const std::string& path) {
+  std::error_code code;
+  const auto fileSize = static_cast<size_t>(std::filesystem::file_size(path, code));
+  const ContainedLimits limits{120, (size_t{512} << 20) + 64 * fileSize};
+  const auto bytes = runContained([&path] { return readSets(path); }, path, limits);
+  if (!bytes) return bytes.error();
+  if (bytes->empty()) return Error{path, "is an HDF5 file that is damaged or holds no vector of numbers"};
+  std::vector<RawColumn> columns;
+  for (size_t at = 0; at < bytes->size();) {
+    RawColumn column;
+    column.channel.name = takeText(*bytes, at);
+    column.unit = takeText(*bytes, at);
+    column.origin = take<double>(*bytes, at);
+    column.channel.values.resize(take<uint64_t>(*bytes, at));
+    std::memcpy(column.channel.values.data(), bytes->data() + at, column.channel.values.size() * sizeof(double));
+    at += column.channel.values.size() * sizeof(double);
+    columns.push_back(std::move(column));
+  }
+  return tableOfColumns(std::move(columns), path);
+}
+
+}  // namespace breakaway

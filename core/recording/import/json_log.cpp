@@ -1,0 +1,313 @@
+#include "recording/import/json_log.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "recording/import/clock_time.h"
+#include "recording/import/sysid_json.h"
+
+namespace breakaway {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int deepest = 100;
+constexpr size_t mostFields = 5000;
+
+std::string lineOf(const std::string& text, size_t byte) {
+  const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size()));
+  return std::to_string(1 + std::count(text.begin(), end, '\n'));
+}
+
+std::string plainText(const Json& value) {
+  return value.is_string() ? value.get<std::string>() : value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// How deep brackets nest outside of strings.
+bool nestsTooDeep(const std::string& text) {
+  int depth = 0;
+  bool quoted = false;
+  for (size_t k = 0; k < text.size(); ++k) {
+    const char c = text[k];
+    if (quoted) {
+      if (c == '\\') ++k;
+      if (c == '"') quoted = false;
+    } else if (c == '"') {
+      quoted = true;
+    } else if (c == '{' || c == '[') {
+      if (++depth > deepest) return true;
+    } else if (c == '}' || c == ']') {
+      --depth;
+    }
+  }
+  return false;
+}
+
+bool isPlain(const Json& value) {
+  return value.is_number() || value.is_boolean() || value.is_null();
+}
+
+/// The longest array that `fits`, wherever it stands; its path of keys in `key`.
+const Json* longest(const Json& json, bool (*fits)(const Json&)) {
+  const Json* best = nullptr;
+  const std::function<void(const Json&)> look = [&](const Json& one) {
+    if (one.is_array() && fits(one) && (best == nullptr || one.size() > best->size())) best = &one;
+    if (one.is_object()) {
+      for (const auto& [key, value] : one.items()) look(value);
+    }
+  };
+  look(json);
+  return best;
+}
+
+bool isArrayOfObjects(const Json& array) {
+  return !array.empty() && array.front().is_object();
+}
+
+bool isArrayOfRows(const Json& array) {
+  return array.size() > 1 && array.front().is_array() && array.front().size() > 1 && isPlain(array.front().front());
+}
+
+/// One cell; whole numbers beyond a double's digits are counted from the column's first.
+void put(const Json& value, RawColumn& column, const std::string& place, bool first) {
+  auto& values = column.channel.values;
+  if (value.is_number_integer() && std::abs(value.get<double>()) >= 1e15) {
+    const auto whole = value.get<int64_t>();
+    if (first) column.origin = static_cast<double>(whole);
+    values.push_back(static_cast<double>(whole - static_cast<int64_t>(column.origin)));
+    return;
+  }
+  double number = std::numeric_limits<double>::quiet_NaN();
+  if (value.is_boolean()) number = value.get<bool>() ? 1.0 : 0.0;
+  if (value.is_number()) number = value.get<double>() - column.origin;
+  if (value.is_string()) {
+    if (const auto clock = readClock(value.get_ref<const std::string&>())) {
+      if (first) column.origin = static_cast<double>(clock->whole_s), column.clock = true;
+      number = static_cast<double>(clock->whole_s) - column.origin + clock->fraction_s;
+      values.push_back(column.clock ? number : NAN);
+      return;
+    }
+  }
+  values.push_back(std::isfinite(number) ? number : NAN);
+  if (!isPlain(value) && !column.fault)
+    column.fault =
+        Error{place + ", field " + column.channel.name, "expected a number, found " + plainText(value).substr(0, 40)};
+}
+
+/// The fields of a sample, objects and short arrays of numbers flattened.
+void flatten(const Json& sample, const std::string& prefix, std::vector<std::pair<std::string, const Json*>>& fields) {
+  for (const auto& [key, value] : sample.items()) {
+    const std::string name = prefix.empty() ? key : prefix + "." + key;
+    if (fields.size() >= mostFields) return;
+    if (value.is_object()) {
+      flatten(value, name, fields);
+    } else if (value.is_array()) {
+      for (size_t k = 0; k < value.size() && k < 64; ++k) {
+        if (isPlain(value[k])) fields.emplace_back(name + "[" + std::to_string(k) + "]", &value[k]);
+      }
+    } else {
+      fields.emplace_back(name, &value);
+    }
+  }
+}
+
+Result<RawTable> samplesOf(const std::vector<const Json*>& samples, const std::string& name) {
+  RawTable table;
+  std::vector<std::pair<std::string, const Json*>> fields;
+  flatten(*samples.front(), "", fields);
+  for (const auto& [key, value] : fields) {
+    if (isPlain(*value) || (value->is_string() && readClock(value->get_ref<const std::string&>()))) {
+      table.columns.push_back({{key, {}}, {}});
+    } else {
+      table.remarks.push_back("the field " + key + " holds no numbers and was left out");
+    }
+  }
+  if (table.columns.empty()) return Error{name, "holds a log without any number"};
+  size_t without = 0;
+  for (size_t k = 0; k < samples.size(); ++k) {
+    const std::string place = name + ", entry " + std::to_string(k + 1);
+    fields.clear();
+    if (samples[k]->is_object()) flatten(*samples[k], "", fields);
+    size_t next = 0;
+    for (RawColumn& column : table.columns) {
+      auto field = next < fields.size() && fields[next].first == column.channel.name
+                       ? fields.begin() + static_cast<std::ptrdiff_t>(next)
+                       : std::find_if(fields.begin(), fields.end(),
+                                      [&](const auto& one) { return one.first == column.channel.name; });
+      if (field == fields.end()) {
+        if (++without > samples.size() / 50 * table.columns.size())
+          return Error{place, "lacks the field " + column.channel.name};
+        column.channel.values.push_back(NAN);
+        continue;
+      }
+      put(*field->second, column, place, k == 0);
+      next = static_cast<size_t>(field - fields.begin()) + 1;
+    }
+  }
+  if (without > 0)
+    table.remarks.push_back(std::to_string(without) + " fields lack in some entries; they are missing values");
+  return table;
+}
+
+/// {"time": […], "angle": […]}, also an object deeper.
+Result<RawTable> arraysOf(const Json& json, const std::string& name) {
+  RawTable table;
+  size_t rows = 0;
+  const std::function<void(const Json&, const std::string&, bool)> look = [&](const Json& one,
+                                                                              const std::string& prefix, bool measure) {
+    for (const auto& [key, value] : one.items()) {
+      const std::string path = prefix.empty() ? key : prefix + "." + key;
+      if (value.is_object()) look(value, path, measure);
+      if (!value.is_array() || value.empty() || !(isPlain(value.front()) || value.front().is_string())) continue;
+      if (measure) {
+        rows = std::max(rows, value.size());
+      } else if (value.size() == rows) {
+        RawColumn column{{path, {}}, {}};
+        for (size_t k = 0; k < rows; ++k) put(value[k], column, name + ", entry " + std::to_string(k + 1), k == 0);
+        table.columns.push_back(std::move(column));
+      } else {
+        table.remarks.push_back(path + " has " + std::to_string(value.size()) + " values, not " + std::to_string(rows) +
+                                ", and was left out");
+      }
+    }
+  };
+  look(json, "", true);
+  if (rows < 2) return Error{name, "holds no log"};
+  look(json, "", false);
+  return table;
+}
+
+/// {"time": {"0": 0.1, "1": 0.2}, …}, as pandas writes it.
+bool isByIndex(const Json& json) {
+  return json.is_object() && !json.empty() && std::all_of(json.begin(), json.end(), [](const Json& column) {
+           return column.is_object() && column.contains("0") && isPlain(column["0"]);
+         });
+}
+
+Result<RawTable> byIndex(const Json& json, const std::string& name) {
+  Json arrays = Json::object();
+  for (const auto& [key, column] : json.items()) {
+    Json values = Json::array();
+    for (const auto& [index, value] : column.items()) values.push_back(value);
+    arrays[key] = std::move(values);
+  }
+  return arraysOf(arrays, name);
+}
+
+Result<RawTable> rowsOf(const Json& json, const Json& rows, const std::string& name) {
+  std::vector<std::string> names;
+  if (json.is_object()) {
+    for (const char* key : {"columns", "header", "names", "fields", "labels"}) {
+      const auto it = json.find(key);
+      if (it == json.end() || !it->is_array()) continue;
+      for (const Json& one : *it) names.push_back(plainText(one));
+    }
+  }
+  const size_t width = rows.front().size();
+  RawTable table;
+  for (size_t c = 0; c < width; ++c) {
+    RawColumn column{{c < names.size() && names.size() == width ? names[c] : "column_" + std::to_string(c + 1), {}},
+                     {}};
+    for (size_t k = 0; k < rows.size(); ++k) {
+      if (!rows[k].is_array() || rows[k].size() != width)
+        return Error{name + ", entry " + std::to_string(k + 1), "has other than " + std::to_string(width) + " numbers"};
+      put(rows[k][c], column, name + ", entry " + std::to_string(k + 1), k == 0);
+    }
+    table.columns.push_back(std::move(column));
+  }
+  return table;
+}
+
+void addNotes(const Json& json, RawTable& table) {
+  if (!json.is_object()) return;
+  for (const auto& [key, value] : json.items()) {
+    if (value.is_primitive()) table.notes.emplace_back(key, plainText(value));
+  }
+}
+
+Result<RawTable> plainLog(const Json& json, const std::string& name) {
+  const Json* samples = nullptr;
+  for (const char* key : {"entries", "samples", "data"}) {
+    if (json.is_object() && json.contains(key) && json[key].is_array() && isArrayOfObjects(json[key]))
+      samples = &json[key];
+  }
+  if (samples == nullptr) samples = longest(json, isArrayOfObjects);
+  Result<RawTable> table = Error{name, "holds no log"};
+  if (samples != nullptr && samples->size() > 1) {
+    std::vector<const Json*> each;
+    for (const Json& one : *samples) each.push_back(&one);
+    table = samplesOf(each, name);
+  } else if (isByIndex(json)) {
+    table = byIndex(json, name);
+  } else if (const Json* rows = longest(json, isArrayOfRows)) {
+    table = rowsOf(json, *rows, name);
+  } else if (json.is_object()) {
+    table = arraysOf(json, name);
+  }
+  if (!table) {
+    if (table.error().fact != "holds no log") return table.error();
+    return Error{name, "holds no log: expected \"entries\": an array of objects, one per sample, or arrays by name"};
+  }
+  addNotes(json, *table);
+  return table;
+}
+
+Result<ReadTable> tableOf(const Json& json, const std::string& name) {
+  if (isSysId(json)) return readSysId(json, name);
+  auto table = plainLog(json, name);
+  if (!table) return table.error();
+  return ReadTable{std::move(*table), {}};
+}
+
+/// One object per line; other lines are left out.
+Result<ReadTable> linesOf(const std::string& text, const std::string& name) {
+  std::vector<Json> kept;
+  size_t others = 0;
+  for (size_t at = 0; at < text.size();) {
+    const size_t end = std::min(text.find('\n', at), text.size());
+    const size_t start = text.find_first_not_of(" \t\r,", at);
+    if (start < end) {
+      Json one = Json::parse(text.begin() + static_cast<std::ptrdiff_t>(start),
+                             text.begin() + static_cast<std::ptrdiff_t>(end), nullptr, false);
+      if (one.is_object()) {
+        kept.push_back(std::move(one));
+      } else {
+        ++others;
+      }
+    }
+    at = end + 1;
+  }
+  if (kept.size() < 2 || others > kept.size() / 10 + 1) return Error{name, "holds no log"};
+  std::vector<const Json*> samples;
+  for (const Json& one : kept) samples.push_back(&one);
+  auto table = samplesOf(samples, name);
+  if (!table) return table.error();
+  if (others > 0) table->remarks.push_back(std::to_string(others) + " lines are no JSON objects and were left out");
+  return ReadTable{std::move(*table), {}};
+}
+
+}  // namespace
+
+Result<ReadTable> readJsonLog(const std::string& text, const std::string& name) {
+  if (nestsTooDeep(text))
+    return Error{name, "nests deeper than " + std::to_string(deepest) + " levels, as no log does"};
+  try {
+    return tableOf(Json::parse(text), name);
+  } catch (const Json::parse_error& error) {
+    try {
+      if (auto lines = linesOf(text, name)) return lines;
+    } catch (const Json::exception&) {  // not one object per line either
+    }
+    return Error{name + ", line " + lineOf(text, error.byte > 0 ? error.byte - 1 : 0), "is not valid JSON"};
+  } catch (const Json::out_of_range&) {
+    return Error{name, "holds a number that is beyond all that can be computed with"};
+  } catch (const Json::exception&) {
+    return Error{name, "holds no log that is understood"};
+  }
+}
+
+}  // namespace breakaway

@@ -1,0 +1,296 @@
+#include "recording/import/known_tools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <optional>
+
+#include "recording/import/known_scopes.h"
+#include "recording/import/settle_motion.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr double turn = 2.0 * std::numbers::pi;
+
+const RawColumn* find(const RawTable& table, std::string_view name) {
+  const auto it = std::find_if(table.columns.begin(), table.columns.end(),
+                               [name](const RawColumn& one) { return isSameWord(one.channel.name, name); });
+  return it == table.columns.end() ? nullptr : &*it;
+}
+
+bool hasAll(const RawTable& table, std::initializer_list<std::string_view> names) {
+  return std::all_of(names.begin(), names.end(), [&](std::string_view name) { return find(table, name) != nullptr; });
+}
+
+bool hasWord(const std::vector<std::string>& words, std::string_view word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+ColumnName in(std::string to, double scale, const char* unit, int rank = 0, UnitNeeds needs = UnitNeeds::nothing) {
+  ColumnName name;
+  name.to = std::move(to);
+  name.scale = scale;
+  name.unit = unit;
+  name.rank = rank;
+  name.needs = needs;
+  return name;
+}
+
+ColumnName setAside(const char* why) {
+  ColumnName name;
+  name.aside = why;
+  return name;
+}
+
+bool isVesc(const RawTable& table) {
+  return find(table, "ms_today") != nullptr && (find(table, "erpm") != nullptr || find(table, "tachometer") != nullptr);
+}
+
+ToolColumns vesc(RawTable& table) {
+  table.remarks.emplace_back(
+      "recognised VESC Tool's log: the tachometer counts 6 steps per electrical turn, erpm electrical turns");
+  return {{"ms_today", in("time_s", 1e-3, "ms")},
+          {"ms_today_setup", setAside("is the clock of another block of values")},
+          {"tachometer", in("angle_rad", turn / 6.0, "steps of 1/6 electrical turn", 0, UnitNeeds::polePairs)},
+          {"tachometer_abs", setAside("counts both ways up")},
+          {"tacho", in("angle_rad", turn / 6.0, "steps of 1/6 electrical turn", 0, UnitNeeds::polePairs)},
+          {"encoder_position", in("angle_rad", turn / 360.0, "deg", 8)},
+          {"erpm", in("velocity_rad_per_s", turn / 60.0, "erpm", 0, UnitNeeds::polePairs)},
+          {"q_axis_current", in("current_A", 1.0, "A")},
+          {"current_motor", in("current_A", 1.0, "A", 1)},
+          {"current_in", setAside("is the supply's current, not the motor's")},
+          {"duty_cycle", in("duty", 1.0, "1")},
+          {"input_voltage", in("supply_V", 1.0, "V")},
+          {"q_axis_voltage", in("voltage_V", 1.0, "V", 1)},
+          {"temp_motor", in("temperature_degC", 1.0, "°C")},
+          {"speed_meters_per_sec", setAside("is the vehicle's speed, by VESC Tool's settings")}};
+}
+
+/// Turns for all that moves in this table and whose name tells no unit.
+ToolColumns inTurns(const RawTable& table, const std::function<bool(const std::string&)>& belongs) {
+  ToolColumns columns;
+  for (const RawColumn& column : table.columns) {
+    ColumnName name = understandName(column.channel.name, column.unit);
+    if (!belongs(column.channel.name) || !name.understood() || !name.unit.empty()) continue;
+    const bool position = name.to == "angle_rad" || name.to == "angle_reference_rad";
+    const bool velocity = name.to == "velocity_rad_per_s" || name.to == "velocity_reference_rad_per_s";
+    if (!position && !velocity) continue;
+    name.scale = turn;
+    name.unit = position ? "turns" : "turns/s";
+    columns[column.channel.name] = name;
+  }
+  return columns;
+}
+
+bool isOdrive(const RawTable& table) {
+  return std::any_of(table.columns.begin(), table.columns.end(), [](const RawColumn& column) {
+    const std::string& name = column.channel.name;
+    return name.find("pos_estimate") != std::string::npos || name.find("vel_estimate") != std::string::npos ||
+           name.find("Iq_measured") != std::string::npos || name.find("iq_measured") != std::string::npos;
+  });
+}
+
+ToolColumns odrive(RawTable& table) {
+  ToolColumns columns = inTurns(table, [](const std::string&) { return true; });
+  constexpr double fastest_turns_per_s = 1000.0;
+  bool counts = false;
+  for (const RawColumn& column : table.columns) {
+    const auto it = columns.find(column.channel.name);
+    if (it == columns.end() || it->second.unit != "turns/s") continue;
+    counts = counts || largest(column.channel.values) > fastest_turns_per_s;
+  }
+  if (counts) {
+    for (auto& [name, column] : columns) {
+      column.needs = UnitNeeds::countsPerRev;
+      column.unit = column.unit == "turns" ? "counts" : "counts/s";
+    }
+  }
+  for (const RawColumn& column : table.columns) {
+    const std::string& name = column.channel.name;
+    if (name.find("pos_estimate_counts") != std::string::npos || name.find("shadow_count") != std::string::npos)
+      columns[name] = in("angle_rad", turn, "counts", 3, UnitNeeds::countsPerRev);
+    if (name.find("_cpr") != std::string::npos || name.find("pos_circular") != std::string::npos)
+      columns[name] = setAside("starts anew with each turn");
+  }
+  table.remarks.push_back(std::string("recognised an ODrive's log: positions in ") +
+                          (counts ? "counts, as firmware before 0.5 has them" : "turns, speeds in turns per second"));
+  return columns;
+}
+
+bool isMoteus(const RawTable& table) {
+  const bool stats = std::any_of(table.columns.begin(), table.columns.end(), [](const RawColumn& column) {
+    return column.channel.name.starts_with("servo_stats.");
+  });
+  return stats || (hasAll(table, {"position", "velocity", "q_current", "d_current"})) ||
+         hasAll(table, {"position", "velocity", "torque", "q_a", "d_a"}) ||
+         (hasAll(table, {"mode", "position", "velocity", "torque", "voltage", "temperature", "fault"}));
+}
+
+ToolColumns moteus(RawTable& table) {
+  table.remarks.emplace_back("recognised a moteus log: positions in turns, speeds in turns per second");
+  ToolColumns columns = inTurns(table, [](const std::string& name) { return name.find("raw") == std::string::npos; });
+  for (const RawColumn& column : table.columns) {
+    const std::string& name = column.channel.name;
+    const size_t dot = name.find_last_of('.');
+    const std::string last = dot == std::string::npos ? name : name.substr(dot + 1);
+    if (isSameWord(last, "voltage") || isSameWord(last, "filt_bus_v") || isSameWord(last, "bus_v"))
+      columns[name] = in("supply_V", 1.0, "V", isSameWord(last, "filt_bus_v") ? 2 : 1);
+    if (isSameWord(last, "temperature")) columns[name] = setAside("is the board's temperature, not the winding's");
+    if (isSameWord(last, "abs_position") || isSameWord(last, "unwrapped_position"))
+      columns[name] = setAside("is another of moteus' positions");
+  }
+  return columns;
+}
+
+bool isSimpleFoc(const RawTable& table) {
+  const size_t count = table.columns.size();
+  const bool nameless = std::all_of(table.columns.begin(), table.columns.end(), [](const RawColumn& column) {
+    return column.channel.name.starts_with("column_") && !column.fault;
+  });
+  if (!nameless || table.rows() < 10) return false;
+  const bool stamped = table.columns.front().clock;
+  const size_t values = count - (stamped ? 1 : 0);
+  if (values != 4 && values != 7) return false;
+  // The last column but one has to be the speed of the last.
+  std::vector<double> rows(table.rows());
+  for (size_t k = 0; k < rows.size(); ++k) rows[k] = static_cast<double>(k);
+  const auto motion =
+      compareMotion(rows, table.columns[count - 1].channel.values, table.columns[count - 2].channel.values, {});
+  const bool says = std::any_of(table.preamble.begin(), table.preamble.end(),
+                                [](const std::string& line) { return line.find("MOT:") != std::string::npos; });
+  return motion && motion->correlation > (says ? 0.7 : 0.97);
+}
+
+ToolColumns simpleFoc(RawTable& table) {
+  const bool stamped = table.columns.front().clock;
+  const size_t first = stamped ? 1 : 0;
+  const std::vector<const char*> names =
+      table.columns.size() - first == 4
+          ? std::vector<const char*>{"target", "voltage_q", "velocity", "angle"}
+          : std::vector<const char*>{"target", "voltage_q", "voltage_d", "current_q", "current_d", "velocity", "angle"};
+  if (stamped) table.columns.front().channel.name = "terminal time";
+  for (size_t c = 0; c < names.size(); ++c) table.columns[first + c].channel.name = names[c];
+  table.remarks.emplace_back(
+      "recognised SimpleFOC's monitor: target, voltage (V), currents (mA), velocity (rad/s), angle (rad) in its order");
+  return {{"target", setAside("may be an angle, a speed or a voltage: the control mode isn't in the log")},
+          {"voltage_q", in("voltage_V", 1.0, "V")},
+          {"current_q", in("current_A", 1e-3, "mA")},
+          {"velocity", in("velocity_rad_per_s", 1.0, "rad/s")},
+          {"angle", in("angle_rad", 1.0, "rad")}};
+}
+
+ToolColumns betaflight(RawTable& table) {
+  ToolColumns columns;
+  for (const RawColumn& column : table.columns) {
+    const std::string& name = column.channel.name;
+    if (name.starts_with("eRPM")) {
+      ColumnName speed = understandName(name.find('[') == std::string::npos ? "erpm" : "erpm" + name.substr(4));
+      speed.to = "velocity_rad_per_s";
+      speed.scale = 100.0 * turn / 60.0;
+      speed.unit = "100 erpm";
+      speed.needs = UnitNeeds::polePairs;
+      columns[name] = speed;
+    }
+    if (name.starts_with("motor["))
+      columns[name] = setAside("is the mixer's output, in steps that the log's head tells");
+    if (name.starts_with("amperage")) columns[name] = setAside("is the supply's current, not the motor's");
+    if (name.starts_with("time")) columns[name] = in("time_s", 1e-6, "µs");
+  }
+  table.remarks.emplace_back("recognised Betaflight's decoded log: eRPM in hundreds of electrical turns per minute");
+  return columns;
+}
+
+/// Registers are sent without a sign.
+void makeSigned(std::vector<double>& values, double bits16or32) {
+  for (double& value : values) {
+    if (value >= 0.5 * bits16or32) value -= bits16or32;
+  }
+}
+
+ToolColumns dynamixel(RawTable& table, double countsPerRev) {
+  ToolColumns columns;
+  const double counts = countsPerRev > 0.0 ? countsPerRev : 4096.0;
+  for (RawColumn& column : table.columns) {
+    const auto words = wordsOf(column.channel.name, true);
+    const bool present = hasWord(words, "present"), goal = hasWord(words, "goal");
+    if ((!present && !goal) || column.fault || !column.unit.empty() || !areWhole(column.channel.values)) continue;
+    auto& values = column.channel.values;
+    ColumnName& to = columns[column.channel.name];
+    if (hasWord(words, "position")) {
+      makeSigned(values, 4294967296.0);
+      to = in(present ? "angle_rad" : "angle_reference_rad", turn / counts, "1/4096 turn");
+    } else if (hasWord(words, "velocity") || hasWord(words, "speed")) {
+      makeSigned(values, 4294967296.0);
+      to = in(present ? "velocity_rad_per_s" : "velocity_reference_rad_per_s", 0.229 * turn / 60.0, "0.229 rpm");
+    } else if (hasWord(words, "current")) {
+      makeSigned(values, 65536.0);
+      to = in(present ? "current_A" : "current_reference_A", 2.69e-3, "2.69 mA");
+    } else if (hasWord(words, "pwm")) {
+      makeSigned(values, 65536.0);
+      to = in("duty", 1.0 / 885.0, "1/885", present ? 0 : 4);
+    } else if (hasWord(words, "voltage")) {
+      to = in("supply_V", 0.1, "0.1 V");
+    } else {
+      columns.erase(column.channel.name);
+    }
+  }
+  if (!columns.empty())
+    table.remarks.emplace_back(
+        "recognised Dynamixel registers, whole numbers in an X series' units: 4096 per turn, 0.229 rpm, 2.69 mA (an "
+        "XL330 "
+        "has 1 mA), PWM of 885, 0.1 V; another model needs a map");
+  return columns;
+}
+
+bool isDynamixel(const RawTable& table) {
+  size_t count = 0;
+  double most = 0.0;
+  for (const RawColumn& column : table.columns) {
+    const auto words = wordsOf(column.channel.name, true);
+    if (!hasWord(words, "present") || !column.unit.empty() || column.fault) continue;
+    if (understandName(column.channel.name).unit.empty() && areWhole(column.channel.values)) ++count;
+    if (hasWord(words, "position")) most = largest(column.channel.values);
+  }
+  return count >= 1 && most > 50.0;
+}
+
+/// Stamps in two columns, seconds and nanoseconds, become one.
+void joinStamps(RawTable& table) {
+  const auto endsIn = [](const std::string& name, std::initializer_list<const char*> words) {
+    const auto parts = wordsOf(name, false);
+    return !parts.empty() &&
+           std::any_of(words.begin(), words.end(), [&](const char* word) { return parts.back() == word; });
+  };
+  const auto seconds = std::find_if(table.columns.begin(), table.columns.end(), [&](const RawColumn& one) {
+    return !one.fault && endsIn(one.channel.name, {"sec", "secs"});
+  });
+  const auto nanos = std::find_if(table.columns.begin(), table.columns.end(), [&](const RawColumn& one) {
+    return !one.fault && endsIn(one.channel.name, {"nsec", "nsecs", "nanosec", "nanosecs"});
+  });
+  if (seconds == table.columns.end() || nanos == table.columns.end()) return;
+  auto& values = seconds->channel.values;
+  for (size_t k = 0; k < values.size(); ++k) values[k] += 1e-9 * (nanos->channel.values[k] + nanos->origin);
+  seconds->unit = "s";
+  table.remarks.push_back(seconds->channel.name + " and " + nanos->channel.name + " are one stamp");
+  seconds->channel.name = "stamp (" + seconds->channel.name + ")";
+  table.columns.erase(nanos);
+}
+
+}  // namespace
+
+ToolColumns recogniseTool(RawTable& table, double countsPerRev) {
+  joinStamps(table);
+  if (auto scope = recogniseScope(table)) return std::move(*scope);
+  if (isVesc(table)) return vesc(table);
+  if (find(table, "loopIteration") != nullptr || find(table, "loopiteration") != nullptr) return betaflight(table);
+  if (isMoteus(table)) return moteus(table);
+  if (isOdrive(table)) return odrive(table);
+  if (isDynamixel(table)) return dynamixel(table, countsPerRev);
+  if (isSimpleFoc(table)) return simpleFoc(table);
+  return {};
+}
+
+}  // namespace breakaway

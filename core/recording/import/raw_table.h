@@ -1,0 +1,32 @@
+// What a file held, before its names and units were understood.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/result.h"
+#include "recording/recording.h"
+
+namespace breakaway {
+
+struct RawColumn {
+  Channel channel;             ///< name as in the file, values in the file's unit, counted from `origin`
+  std::optional<Error> fault;  ///< the first cell that is text; an error only if the column is used
+  std::string unit = {};       ///< as the file gives it apart from the name; empty when it doesn't
+  double origin = 0.0;         ///< a whole number; stamps of 19 digits keep all of them this way
+  bool clock = false;          ///< values are s that were read from times of day or dates
+};
+
+struct RawTable {
+  std::vector<RawColumn> columns;  ///< all of the same length
+  std::vector<std::pair<std::string, std::string>> notes;
+  std::vector<std::string> remarks;   ///< what was left out or assumed, in words
+  std::vector<std::string> preamble;  ///< lines before the table, for tools that are known by them
+  std::string tool = {};              ///< the program whose form this is, if its container tells
+
+  size_t rows() const { return columns.empty() ? 0 : columns.front().channel.values.size(); }
+};
+
+}  // namespace breakaway

@@ -1,0 +1,79 @@
+#include "recording/import/read_table.h"
+
+#include "base/atomic_file.h"
+#include "recording/import/file_kind.h"
+#include "recording/import/gzip.h"
+#include "recording/import/hdf5_table.h"
+#include "recording/import/json_log.h"
+#include "recording/import/mat.h"
+#include "recording/import/npy.h"
+#include "recording/import/text_table.h"
+#include "recording/import/wpilog.h"
+#include "recording/import/xlsx.h"
+#include "recording/import/zip_archive.h"
+
+namespace breakaway {
+
+namespace {
+
+Result<ReadTable> whole(Result<RawTable> table) {
+  if (!table) return table.error();
+  return ReadTable{std::move(*table), {}};
+}
+
+/// A zip archive is a workbook, arrays, or one packed log.
+Result<ReadTable> readZip(const std::string& bytes, const std::string& name) {
+  const auto archive = ZipArchive::open(bytes, name);
+  if (!archive) return archive.error();
+  if (isWorkbook(*archive)) return whole(readWorkbook(*archive, name));
+  if (isNpz(*archive)) return whole(readNpz(*archive, name));
+  if (archive->has("content.xml"))
+    return Error{name, "is an OpenDocument spreadsheet (.ods); save the sheet as .xlsx or CSV"};
+  if (archive->has("xl/workbook.bin"))
+    return Error{name, "is a binary Excel workbook (.xlsb); save it as .xlsx or CSV"};
+  const auto members = archive->members();
+  if (members.size() != 1)
+    return Error{name,
+                 "is a zip archive of " + std::to_string(members.size()) + " files; unpack it and import one of them"};
+  auto content = archive->read(members.front());
+  if (!content) return content.error();
+  if (isZip(*content)) return Error{name, "is a zip archive within a zip archive; unpack it first"};
+  return readTableBytes(std::move(*content), name);
+}
+
+}  // namespace
+
+Result<ReadTable> readTableBytes(std::string&& bytes, const std::string& name) {
+  if (isGzip(bytes)) {
+    auto unpacked = unpackGzip(bytes, name);
+    if (!unpacked) return unpacked.error();
+    bytes = std::move(*unpacked);
+  }
+  if (isZip(bytes)) return readZip(bytes, name);
+  if (isNpy(bytes)) {
+    auto columns = readNpy(bytes, "column", name);
+    if (!columns) return columns.error();
+    return whole(tableOfColumns(std::move(*columns), name));
+  }
+  if (isWpilog(bytes)) return whole(readWpilog(bytes, name));
+  if (const auto kind = unreadKind(bytes, name)) return Error{name, *kind};
+  const size_t start = bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  if (start != std::string::npos && (bytes[start] == '{' || bytes[start] == '[')) return readJsonLog(bytes, name);
+  return whole(readTextTable(bytes, name));
+}
+
+Result<ReadTable> readTable(const std::string& path) {
+  auto content = readFile(path);
+  if (!content) return content.error();
+  if (content->starts_with("\x89HDF")) return whole(readHdf5(path));
+  const bool mat = content->starts_with("MATLAB ") || path.ends_with(".mat");
+  if (!mat) return readTableBytes(std::move(*content), path);
+  content->clear();
+  auto channels = readMat(path);
+  if (!channels) return channels.error();
+  std::vector<RawColumn> columns;
+  for (Channel& channel : *channels) columns.push_back({std::move(channel), {}});
+  return whole(tableOfColumns(std::move(columns), path));
+}
+
+}  // namespace breakaway

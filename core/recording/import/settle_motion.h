@@ -1,0 +1,50 @@
+// What the values themselves tell of angle, speed and duty: turns that start anew, units that no name told, and what
+// can't be.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace breakaway {
+
+/// A period after which an angle starts anew, in the column's own unit: it stays within one and leaps by most of one.
+/// Nothing when it doesn't. `pauses`: rows after a pause, over which nothing is known.
+std::optional<double> periodOf(const std::vector<double>& angle, const std::vector<size_t>& pauses,
+                               std::optional<double> expected = {});
+
+struct Unwound {
+  size_t places = 0;
+  double largestStep = 0.0;  ///< afterwards, in periods: near 0.5 its direction can't be told
+};
+/// Lets the angle go on counting within each stretch between pauses.
+Unwound unwind(std::vector<double>& angle, double period, const std::vector<size_t>& pauses);
+
+/// The factor between the angle's changes and what the speed makes of them, Δangle = factor · ∫ speed dt, and how well
+/// they agree (correlation, −1 to 1); pauses are left out. Nothing when one of them rests.
+struct MotionFactor {
+  double factor = 1.0;
+  double correlation = 0.0;
+};
+std::optional<MotionFactor> compareMotion(const std::vector<double>& time_s, const std::vector<double>& angle,
+                                          const std::vector<double>& speed, const std::vector<size_t>& pauses);
+
+/// Whole numbers throughout, but for missing values.
+bool areWhole(const std::vector<double>& values);
+/// Largest magnitude; 0 when all are missing.
+double largest(const std::vector<double>& values);
+double rangeOf(const std::vector<double>& values);
+
+/// What a duty of these values is counted in: 1 for a duty, 100, 255, 1000, 1023 or 4095; nothing when it can't be
+/// told.
+std::optional<double> fullDutyOf(const std::vector<double>& values, bool namedPwm);
+
+/// The first row at which the angle leaps by more than ten times its usual largest steps, in one of a thousand rows or
+/// fewer.
+struct Leaps {
+  size_t count = 0, first = 0;
+  double size = 0.0;
+};
+Leaps leapsIn(const std::vector<double>& time_s, const std::vector<double>& angle, const std::vector<size_t>& pauses);
+
+}  // namespace breakaway

@@ -1,0 +1,102 @@
+#include "recording/import/sysid_json.h"
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+namespace breakaway {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr auto tests = std::to_array<const char*>({"slow-forward", "slow-backward", "fast-forward", "fast-backward"});
+
+bool isTest(const Json& value) {
+  return value.is_array() && !value.empty() && value.front().is_array() && value.front().size() >= 4;
+}
+
+std::string textOf(const Json& json, const char* key) {
+  const auto it = json.find(key);
+  return it != json.end() && it->is_string() ? it->get<std::string>() : std::string();
+}
+
+struct Named {
+  const char* name;
+  const char* unit;  ///< "" for the file's unit of position, "/s" for that of speed
+};
+
+std::vector<Named> columnsOf(size_t width) {
+  if (width == 4) return {{"time", "s"}, {"voltage", "V"}, {"position", ""}, {"velocity", "/s"}};
+  if (width == 9 || width == 8)
+    return {{"time", "s"},
+            {"left voltage", "V"},
+            {"right voltage", "V"},
+            {"left position", ""},
+            {"right position", ""},
+            {"left velocity", "/s"},
+            {"right velocity", "/s"},
+            {"heading", "rad"},
+            {"heading rate", "rad/s"}};
+  if (width == 10)
+    return {{"time", "s"},          {"battery voltage", "V"}, {"autospeed", "1"},
+            {"left voltage", "V"},  {"right voltage", "V"},   {"left position", ""},
+            {"right position", ""}, {"left velocity", "/s"},  {"right velocity", "/s"},
+            {"heading", "rad"}};
+  return {};
+}
+
+}  // namespace
+
+bool isSysId(const Json& json) {
+  if (!json.is_object()) return false;
+  for (const char* test : tests) {
+    if (json.contains(test) && isTest(json[test])) return true;
+  }
+  return false;
+}
+
+Result<ReadTable> readSysId(const Json& json, const std::string& name) {
+  ReadTable read;
+  RawTable& table = read.table;
+  const std::string unit = textOf(json, "units");
+  std::vector<Named> columns;
+  for (const char* test : tests) {
+    if (!json.contains(test) || !isTest(json[test])) continue;
+    const Json& rows = json[test];
+    if (columns.empty()) {
+      columns = columnsOf(rows.front().size());
+      if (columns.empty())
+        return Error{name + ", " + test, "has rows of " + std::to_string(rows.front().size()) +
+                                             " numbers, expected time, voltage, position, velocity"};
+      columns.resize(std::min(columns.size(), rows.front().size()));
+      for (const Named& one : columns) {
+        RawColumn column{{one.name, {}}, {}};
+        const std::string_view own = one.unit;
+        column.unit = own.empty()                    ? unit
+                      : own == "/s" && !unit.empty() ? unit + "/s"
+                      : own == "/s"                  ? ""
+                                                     : std::string(own);
+        table.columns.push_back(std::move(column));
+      }
+    }
+    if (table.rows() > 0) read.newPart.push_back(table.rows());
+    const size_t before = table.rows();
+    for (const Json& row : rows) {
+      if (!row.is_array() || row.size() < columns.size())
+        return Error{name + ", " + test, "has a row of another length, expected " + std::to_string(columns.size())};
+      for (size_t c = 0; c < columns.size(); ++c) {
+        if (!row[c].is_number()) return Error{name + ", " + test, "has a row with other than numbers"};
+        table.columns[c].channel.values.push_back(row[c].get<double>());
+      }
+    }
+    table.remarks.push_back(std::string(test) + ": " + std::to_string(rows.size()) + " rows, from row " +
+                            std::to_string(before + 1));
+  }
+  table.remarks.push_back("recognised SysId's tests" +
+                          (unit.empty() ? std::string(", without a unit") : ", in " + unit) +
+                          "; each begins anew, after a pause");
+  return read;
+}
+
+}  // namespace breakaway

@@ -1,0 +1,196 @@
+#include "recording/import/text_names.h"
+
+#include <algorithm>
+#include <map>
+
+#include "recording/import/column_name.h"
+#include "recording/import/units.h"
+
+namespace breakaway {
+
+namespace {
+
+using Cells = std::vector<std::string_view>;
+
+std::string_view withoutCommentMark(std::string_view line) {
+  line = withoutBlanks(line);
+  const size_t start = line.find_first_not_of("#%/ \t");
+  return start == std::string_view::npos ? std::string_view{} : line.substr(start);
+}
+
+bool isNumber(std::string_view cell, const TextLayout& layout) {
+  TextNumber number;
+  return readCell(cell, layout, number) == TextCell::number;
+}
+
+size_t numbersIn(const Cells& cells, const TextLayout& layout) {
+  return static_cast<size_t>(
+      std::count_if(cells.begin(), cells.end(), [&](std::string_view cell) { return isNumber(cell, layout); }));
+}
+
+/// Cells parted by two blanks or more: names with single blanks in them.
+Cells splitAtWideBlanks(std::string_view line) {
+  Cells cells;
+  line = withoutBlanks(line);
+  while (!line.empty()) {
+    const size_t end = std::min(line.find("  "), line.find('\t'));
+    cells.push_back(withoutBlanks(line.substr(0, end)));
+    line = end == std::string_view::npos ? std::string_view{} : withoutBlanks(line.substr(end));
+  }
+  return cells;
+}
+
+/// One name fewer than cells: the rows end in a separator, or begin with their number as R writes them.
+bool fillUp(Cells& cells, const TextLayout& layout, bool endsEmpty) {
+  const bool names = cells.size() + 1 == layout.cells && cells.size() > 1 && numbersIn(cells, layout) == 0 &&
+                     std::any_of(cells.begin(), cells.end(), [](std::string_view cell) { return knowsQuantity(cell); });
+  if (!names) return false;
+  cells.insert(endsEmpty ? cells.end() : cells.begin(), std::string_view{});
+  return true;
+}
+
+/// The line's cells if they are as many as a row's, a few empty ones at the end aside.
+Cells fitting(std::string_view line, const TextLayout& layout, bool rowsEndEmpty) {
+  Cells cells;
+  const size_t wanted = layout.cells;
+  const auto fits = [&] {
+    while (cells.size() > wanted && cells.back().empty()) cells.pop_back();
+    return cells.size() == wanted;
+  };
+  splitCells(line, layout, cells);
+  if (fits() || fillUp(cells, layout, rowsEndEmpty)) return cells;
+  const bool comment = cells.size() == wanted + 1 && isSameWord(cells.back(), "comment");  // LabVIEW's last column
+  if (comment) {
+    cells.pop_back();
+    return cells;
+  }
+  TextLayout other = layout;
+  for (const char separator : {'\t', ';', ',', '|'}) {
+    other.separator = separator;
+    splitCells(line, other, cells);
+    if (fits()) return cells;
+  }
+  cells = splitAtWideBlanks(line);
+  return fits() ? cells : Cells{};
+}
+
+bool isUnitCell(std::string_view cell) {
+  return isUnit(cell) || (cell.size() > 2 && (cell.front() == '(' || cell.front() == '[') &&
+                          (cell.back() == ')' || cell.back() == ']'));
+}
+
+size_t countOf(const Cells& cells, bool (*is)(std::string_view)) {
+  return static_cast<size_t>(std::count_if(cells.begin(), cells.end(), is));
+}
+
+bool knownName(std::string_view cell) {
+  return knowsQuantity(cell);
+}
+
+std::string_view withoutBrackets(std::string_view cell) {
+  if (cell.size() >= 2 && (cell.front() == '(' || cell.front() == '[')) return cell.substr(1, cell.size() - 2);
+  return cell;
+}
+
+/// Groups above the names: each group's word stands over its first column.
+void putGroupsBefore(const Cells& groups, std::vector<std::string>& names) {
+  std::string_view group;
+  for (size_t c = 0; c < names.size(); ++c) {
+    if (!groups[c].empty()) group = groups[c];
+    if (!group.empty() && group != names[c]) names[c] = std::string(group) + " " + names[c];
+  }
+}
+
+void fill(const Cells& cells, TextNames& found) {
+  for (size_t c = 0; c < found.names.size(); ++c) {
+    if (!cells[c].empty()) found.names[c] = std::string(cells[c]);
+  }
+  found.found = true;
+}
+
+/// A name that stands there twice gets a number.
+void makeUnique(std::vector<std::string>& names) {
+  std::map<std::string, int> seen;
+  for (std::string& name : names) {
+    const int count = ++seen[name];
+    if (count > 1) name += " (" + std::to_string(count) + ")";
+  }
+}
+
+void readLabels(std::string_view row, const TextLayout& layout, TextNames& found) {
+  Cells cells;
+  splitCells(row, layout, cells);
+  for (size_t c = 0; c < cells.size() && c < found.names.size(); ++c) {
+    if (const auto label = labelOf(cells[c]); !label.empty()) found.names[c] = std::string(label);
+    found.units[c] = std::string(unitBehind(cells[c]));
+  }
+  found.found = true;
+}
+
+/// Names and units from the last lines that are no comments.
+void readLines(const std::vector<std::string_view>& lines, const TextLayout& layout, bool rowsEndEmpty,
+               TextNames& found) {
+  const Cells last = lines.empty() ? Cells{} : fitting(lines.back(), layout, rowsEndEmpty);
+  if (last.empty()) return;
+  const Cells above = lines.size() < 2 ? Cells{} : fitting(lines[lines.size() - 2], layout, rowsEndEmpty);
+  const size_t numbers = numbersIn(last, layout);
+  const bool aboveIsText = !above.empty() && numbersIn(above, layout) == 0;
+  const size_t units = countOf(last, isUnitCell), names = countOf(last, knownName);
+  if (numbers > 0) {
+    // Channels by number with no line of units; else what stands there is a row of other values.
+    if (2 * numbers <= last.size() && names > 0) fill(last, found);
+    return;
+  }
+  const auto filled = last.size() - static_cast<size_t>(std::count(last.begin(), last.end(), std::string_view{}));
+  const bool areUnits = !above.empty() && (units > names || units == filled || (aboveIsText && names == 0));
+  if (areUnits) {
+    fill(above, found);
+    for (size_t c = 0; c < last.size(); ++c) found.units[c] = std::string(withoutBrackets(last[c]));
+    const Cells third = lines.size() < 3 ? Cells{} : fitting(lines[lines.size() - 3], layout, rowsEndEmpty);
+    const bool groups = !third.empty() && numbersIn(third, layout) == 0 && countOf(above, knownName) > 0 &&
+                        countOf(third, knownName) == 0;
+    if (groups) putGroupsBefore(third, found.names);
+    return;
+  }
+  fill(last, found);
+  if (aboveIsText && countOf(above, knownName) < names) putGroupsBefore(above, found.names);
+}
+
+}  // namespace
+
+bool isNamesLine(std::string_view line, const TextLayout& layout) {
+  Cells cells;
+  splitCells(line, layout, cells);
+  if (cells.size() != layout.cells || numbersIn(cells, layout) > 0) return false;
+  const auto empty = std::count(cells.begin(), cells.end(), std::string_view{});
+  return 2 * static_cast<size_t>(empty) < cells.size() && countOf(cells, knownName) > 0;
+}
+
+TextNames namesBefore(const std::vector<std::string_view>& before, std::string_view firstRow,
+                      const TextLayout& layout) {
+  TextNames found{std::vector<std::string>(layout.cells), std::vector<std::string>(layout.cells), false};
+  for (size_t c = 0; c < layout.cells; ++c) found.names[c] = "column_" + std::to_string(c + 1);
+  if (layout.labelled) {
+    readLabels(firstRow, layout, found);
+    makeUnique(found.names);
+    return found;
+  }
+  std::vector<std::string_view> plain, comments;
+  for (const std::string_view line : before) {
+    if (isComment(withoutBlanks(line))) {
+      comments.push_back(withoutCommentMark(line));
+    } else {
+      plain.push_back(line);
+    }
+  }
+  Cells row;
+  splitCells(firstRow, layout, row);
+  const bool endsEmpty = !row.empty() && row.back().empty();
+  readLines(plain, layout, endsEmpty, found);
+  if (!found.found && !before.empty() && isComment(withoutBlanks(before.back())))
+    readLines(comments, layout, endsEmpty, found);
+  makeUnique(found.names);
+  return found;
+}
+
+}  // namespace breakaway

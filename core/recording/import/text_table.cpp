@@ -1,0 +1,328 @@
+#include "recording/import/text_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "recording/import/text_encoding.h"
+#include "recording/import/text_layout.h"
+#include "recording/import/text_names.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr size_t mostCells = 10000;
+constexpr size_t mostPreamble = 200;
+
+/// Lines that stand for all: everything in a short text, five parts of a long one.
+std::vector<std::string_view> sampleOf(std::string_view text, char lineEnd) {
+  constexpr size_t shortText = 400000, partSize = 16000;
+  std::vector<std::string_view> lines;
+  const auto take = [&](std::string_view part, size_t most) {
+    while (!part.empty() && most > 0) {
+      const std::string_view line = takeLine(part, lineEnd);
+      const std::string_view trimmed = withoutBlanks(line);
+      if (trimmed.empty() || isComment(trimmed)) continue;
+      lines.push_back(line);
+      --most;
+    }
+  };
+  if (text.size() <= shortText) {
+    take(text, 1000);
+    if (lines.size() < 1000) {
+      if (lines.size() > 3) lines.pop_back();  // may be cut short
+      return lines;
+    }
+    lines.clear();
+  }
+  for (const double place : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+    std::string_view part = text.substr(static_cast<size_t>(place * static_cast<double>(text.size())));
+    takeLine(part, lineEnd);
+    take(part.substr(0, partSize), 100);
+  }
+  return lines;
+}
+
+/// What a line is to the table.
+enum class LineKind {
+  row,
+  flawedRow,  ///< text stands where numbers belong
+  otherRow,   ///< numbers, but not as many cells
+  text
+};
+
+/// Reads one table after the other line by line.
+class Rows {
+ public:
+  Rows(const TextLayout& layout, std::string name, size_t expected) : layout_(layout), name_(std::move(name)) {
+    table.columns.resize(layout.cells);
+    counts_.resize(layout.cells);
+    numbers_.resize(layout.cells);
+    kinds_.resize(layout.cells);
+    firstNumeric_ =
+        static_cast<size_t>(std::find(layout.numeric.begin(), layout.numeric.end(), true) - layout.numeric.begin());
+    for (RawColumn& column : table.columns) column.channel.values.reserve(expected);
+  }
+
+  RawTable table;
+
+  LineKind judge(std::string_view line) {
+    splitCells(line, layout_, cells_);
+    const size_t wanted = layout_.cells;
+    while (cells_.size() > wanted && cells_.back().empty()) cells_.pop_back();
+    if (cells_.size() != wanted) return judgeOther();
+    size_t good = 0, bad = 0;
+    for (size_t c = 0; c < wanted; ++c) {
+      kinds_[c] = readCell(cells_[c], layout_, numbers_[c]);
+      if (!layout_.numeric[c]) continue;
+      good += kinds_[c] == TextCell::number || kinds_[c] == TextCell::clock ? 1 : 0;
+      bad += kinds_[c] == TextCell::text ? 1 : 0;
+    }
+    const bool begun =
+        firstNumeric_ >= wanted || kinds_[firstNumeric_] != TextCell::text;  // else a label begins the line
+    if (good == 0 || bad > good || !begun) return LineKind::text;
+    return bad == 0 ? LineKind::row : LineKind::flawedRow;
+  }
+
+  /// Takes the line that was judged last.
+  void append(bool flawed) {
+    const size_t row = table.rows();
+    if (flawed) flawed_.push_back(row);
+    for (size_t c = 0; c < layout_.cells; ++c) {
+      RawColumn& column = table.columns[c];
+      const TextNumber& number = numbers_[c];
+      if (row == 0 && number.large) column.origin = static_cast<double>(number.whole), origins_ = true;
+      if (kinds_[c] == TextCell::clock) ++counts_[c].clocks;
+      if (kinds_[c] == TextCell::number) ++counts_[c].numbers;
+      if (kinds_[c] == TextCell::text) noteFault(c, row);
+      double value = number.value;
+      if (origins_ && column.origin != 0.0) {
+        const auto origin = static_cast<int64_t>(column.origin);
+        value = number.large ? static_cast<double>(number.whole - origin) + number.rest : value - column.origin;
+      }
+      column.channel.values.push_back(value);
+    }
+  }
+
+  size_t cellsOfLast() const { return cells_.size(); }
+
+  /// Leaves out the flawed rows after the last good one, and all of them when they are few.
+  void settle(size_t lastGoodRow) {
+    size_t after = 0;
+    while (!flawed_.empty() && flawed_.back() > lastGoodRow) {
+      flawed_.pop_back();
+      ++after;
+    }
+    for (RawColumn& column : table.columns) column.channel.values.resize(lastGoodRow + 1);
+    if (100 * flawed_.size() <= table.rows() && !flawed_.empty()) {
+      table.remarks.push_back(std::to_string(flawed_.size()) +
+                              (flawed_.size() == 1 ? " row with text among its numbers was"
+                                                   : " rows with text among "
+                                                     "their numbers were") +
+                              " left out, the first is row " + std::to_string(flawed_.front() + 1));
+      for (RawColumn& column : table.columns) dropRows(column.channel.values);
+      for (size_t c = 0; c < layout_.cells; ++c) {
+        if (layout_.numeric[c]) table.columns[c].fault.reset();
+      }
+    } else if (flawed_.empty()) {
+      for (size_t c = 0; c < layout_.cells; ++c) {
+        if (layout_.numeric[c]) table.columns[c].fault.reset();  // those were in rows that are no part of the table
+      }
+    }
+    for (size_t c = 0; c < layout_.cells; ++c) settleClock(c);
+  }
+
+ private:
+  struct Counts {
+    size_t clocks = 0, numbers = 0;
+  };
+
+  LineKind judgeOther() {
+    size_t numbers = 0, filled = 0;
+    TextNumber number;
+    for (size_t c = 0; c < cells_.size() && c < mostCells; ++c) {
+      const TextCell kind = readCell(cells_[c], layout_, number);
+      numbers += kind == TextCell::number || kind == TextCell::clock ? 1 : 0;
+      filled += cells_[c].empty() ? 0 : 1;
+    }
+    return numbers >= 2 && 2 * numbers > filled ? LineKind::otherRow : LineKind::text;
+  }
+
+  void noteFault(size_t c, size_t row) {
+    RawColumn& column = table.columns[c];
+    if (column.fault) return;
+    column.fault = Error{name_ + ", row " + std::to_string(row + 1) + ", column " + column.channel.name,
+                         "expected a number, found \"" + std::string(cells_[c].substr(0, 40)) + "\""};
+  }
+
+  void dropRows(std::vector<double>& values) const {
+    size_t to = 0, next = 0;
+    for (size_t k = 0; k < values.size(); ++k) {
+      if (next < flawed_.size() && flawed_[next] == k) {
+        ++next;
+        continue;
+      }
+      values[to++] = values[k];
+    }
+    values.resize(to);
+  }
+
+  void settleClock(size_t c) {
+    RawColumn& column = table.columns[c];
+    if (counts_[c].clocks == 0) return;
+    column.clock = counts_[c].numbers == 0;
+    if (!column.clock && !column.fault) {
+      column.fault = Error{name_ + ", column " + column.channel.name, "holds times of day beside numbers"};
+    }
+  }
+
+  const TextLayout& layout_;
+  std::string name_;
+  std::vector<std::string_view> cells_;
+  std::vector<TextNumber> numbers_;
+  std::vector<TextCell> kinds_;
+  std::vector<Counts> counts_;
+  std::vector<size_t> flawed_;
+  size_t firstNumeric_ = 0;
+  bool origins_ = false;
+};
+
+void addNote(std::string_view line, RawTable& table) {
+  const size_t colon = line.find(':');
+  if (colon == std::string_view::npos || table.notes.size() >= mostPreamble) return;
+  const std::string_view key = withoutBlanks(line.substr(0, colon));
+  const size_t start = key.find_first_not_of("#%/ \t");
+  if (start != std::string_view::npos)
+    table.notes.emplace_back(key.substr(start), withoutBlanks(line.substr(colon + 1)));
+}
+
+/// Where the first row stands: rows follow it, and no names do.
+struct Start {
+  std::string_view rest;                 ///< from the first row on
+  std::vector<std::string_view> before;  ///< lines before it, the last ones
+  bool found = false;
+};
+
+Start findStart(std::string_view text, char lineEnd, const TextLayout& layout, Rows& rows, RawTable& notes) {
+  constexpr size_t looksAhead = 5;
+  Start start;
+  while (!text.empty()) {
+    const std::string_view from = text;
+    const std::string_view line = takeLine(text, lineEnd);
+    const std::string_view trimmed = withoutBlanks(line);
+    if (trimmed.empty()) continue;
+    const bool comment = isComment(trimmed);
+    if (comment) addNote(trimmed, notes);
+    if (!comment && rows.judge(line) == LineKind::row) {
+      std::string_view ahead = text;
+      size_t all = 0, good = 0;
+      bool names = false;
+      while (!ahead.empty() && all < looksAhead) {
+        const std::string_view next = takeLine(ahead, lineEnd);
+        const std::string_view trimmedNext = withoutBlanks(next);
+        if (trimmedNext.empty() || isComment(trimmedNext)) continue;
+        ++all;
+        const LineKind kind = rows.judge(next);
+        good += kind == LineKind::row || kind == LineKind::flawedRow ? 1 : 0;
+        names = names || (kind == LineKind::text && isNamesLine(next, layout));
+      }
+      if (2 * good >= all && !names) {
+        start.rest = from;
+        start.found = true;
+        return start;
+      }
+    }
+    start.before.push_back(line);
+    if (start.before.size() > mostPreamble) start.before.erase(start.before.begin() + 20);
+  }
+  return start;
+}
+
+std::string inFewWords(size_t count, std::string_view first) {
+  std::string shown(first.substr(0, 40));
+  if (first.size() > 40) shown = shown.substr(0, shown.find_last_of(' ')) + " …";
+  while (!isUtf8(shown)) shown.pop_back();
+  return std::to_string(count) + (count == 1 ? " line" : " lines") + " between or after the rows " +
+         (count == 1 ? "is no row and was" : "are no rows and were") + " left out, the first: \"" + shown + "\"";
+}
+
+Result<void> readRows(std::string_view rest, char lineEnd, const TextLayout& layout, const std::string& name,
+                      Rows& rows) {
+  size_t others = 0, texts = 0, otherAt = 0, otherCells = 0, lastGood = 0;
+  std::string_view firstText;
+  bool cut = false;
+  const char* textEnd = rest.data() + rest.size();
+  while (!rest.empty()) {
+    const std::string_view line = takeLine(rest, lineEnd);
+    const bool lastWithoutEnd = line.data() + line.size() == textEnd;
+    const std::string_view trimmed = withoutBlanks(line);
+    if (trimmed.empty()) continue;
+    if (isComment(trimmed)) {
+      addNote(trimmed, rows.table);
+      continue;
+    }
+    const LineKind kind = rows.judge(line);
+    if (kind == LineKind::row || kind == LineKind::flawedRow) {
+      rows.append(kind == LineKind::flawedRow);
+      if (kind == LineKind::row) lastGood = rows.table.rows() - 1;
+    } else if (lastWithoutEnd && rows.cellsOfLast() < layout.cells && kind == LineKind::otherRow) {
+      cut = true;
+    } else if (lastWithoutEnd && rows.cellsOfLast() < layout.cells && layout.cells <= 3) {
+      cut = true;
+    } else {
+      if (kind == LineKind::otherRow && others++ == 0) {
+        otherAt = rows.table.rows() + 1;
+        otherCells = rows.cellsOfLast();
+      }
+      if (texts++ == 0) firstText = trimmed;
+    }
+  }
+  if (50 * others > rows.table.rows() + others) {
+    return Error{name + ", row " + std::to_string(otherAt),
+                 "has " + std::to_string(otherCells) + " cells, expected " + std::to_string(layout.cells)};
+  }
+  if (cut) rows.table.remarks.emplace_back("the last line is cut short and was left out");
+  if (texts > 0) rows.table.remarks.push_back(inFewWords(texts, firstText));
+  rows.settle(lastGood);
+  return {};
+}
+
+}  // namespace
+
+Result<RawTable> readTextTable(std::string_view text, const std::string& name) {
+  std::string buffer;
+  const std::string_view utf8 = inUtf8(text, buffer);
+  const char lineEnd = lineEndOf(utf8);
+  const auto sample = sampleOf(utf8, lineEnd);
+  if (withoutBlanks(utf8.substr(0, 1000)).find_first_not_of("\r\n \t") == std::string_view::npos && sample.empty())
+    return Error{name, "is empty, expected a table"};
+  const TextLayout layout = layoutOf(sample);
+  const Error none{
+      name, "holds no table: expected rows of at least two numbers, separated by commas, semicolons, tabs or blanks"};
+  if (layout.cells < 2 || layout.cells > mostCells) return none;
+  size_t sampled = 0;
+  for (const std::string_view line : sample) sampled += line.size() + 1;
+  const size_t lineSize = std::max<size_t>(4, sampled / std::max<size_t>(1, sample.size()));
+  Rows rows(layout, name, utf8.size() / lineSize + 16);
+  RawTable notes;
+  const Start start = findStart(utf8, lineEnd, layout, rows, notes);
+  if (!start.found) return none;
+  std::string_view first = start.rest;
+  const TextNames names = namesBefore(start.before, takeLine(first, lineEnd), layout);
+  for (size_t c = 0; c < layout.cells; ++c) {
+    rows.table.columns[c].channel.name = names.names[c];
+    rows.table.columns[c].unit = names.units[c];
+  }
+  rows.table.notes = std::move(notes.notes);
+  if (const auto done = readRows(start.rest, lineEnd, layout, name, rows); !done) return done.error();
+  RawTable table = std::move(rows.table);
+  for (const std::string_view line : start.before) table.preamble.emplace_back(withoutBlanks(line));
+  std::erase_if(table.columns, [](const RawColumn& column) {
+    const auto& values = column.channel.values;
+    return !column.fault && column.channel.name.starts_with("column_") &&
+           std::all_of(values.begin(), values.end(), [](double v) { return std::isnan(v); });
+  });
+  return table;
+}
+
+}  // namespace breakaway

@@ -1,0 +1,337 @@
+#include "recording/import/units.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <numbers>
+#include <utility>
+
+namespace breakaway {
+
+namespace {
+
+constexpr double turn = 2.0 * std::numbers::pi;
+constexpr double degree = turn / 360.0;
+constexpr double gravity_m_per_s2 = 9.80665;
+constexpr double pound_N = 0.45359237 * gravity_m_per_s2;
+constexpr double inch_m = 0.0254;
+using enum UnitKind;
+
+/// Names as `normalized` leaves them: words joined by "_".
+constexpr auto units = std::to_array<Unit>({
+    {"s", time, 1},
+    {"sec", time, 1},
+    {"secs", time, 1},
+    {"second", time, 1},
+    {"seconds", time, 1},
+    {"sekunde", time, 1},
+    {"sekunden", time, 1},
+    {"ms", time, 1e-3},
+    {"msec", time, 1e-3},
+    {"msecs", time, 1e-3},
+    {"millis", time, 1e-3},
+    {"millisecond", time, 1e-3},
+    {"milliseconds", time, 1e-3},
+    {"us", time, 1e-6},
+    {"usec", time, 1e-6},
+    {"usecs", time, 1e-6},
+    {"micros", time, 1e-6},
+    {"microsecond", time, 1e-6},
+    {"microseconds", time, 1e-6},
+    {"ns", time, 1e-9},
+    {"nsec", time, 1e-9},
+    {"nsecs", time, 1e-9},
+    {"nanos", time, 1e-9},
+    {"nanosecond", time, 1e-9},
+    {"nanoseconds", time, 1e-9},
+    {"min", time, 60},
+    {"minutes", time, 60},
+    {"h", time, 3600},
+    {"hours", time, 3600},
+    {"days", time, 86400},
+
+    {"rad", angle, 1},
+    {"rads", angle, 1},
+    {"radian", angle, 1},
+    {"radians", angle, 1},
+    {"mrad", angle, 1e-3},
+    {"deg", angle, degree},
+    {"degs", angle, degree},
+    {"degree", angle, degree},
+    {"degrees", angle, degree},
+    {"grad", angle, degree},
+    {"cdeg", angle, 1e-2 * degree},
+    {"mdeg", angle, 1e-3 * degree},
+    {"arcmin", angle, degree / 60},
+    {"arcsec", angle, degree / 3600},
+    {"rev", angle, turn},
+    {"revs", angle, turn},
+    {"revolution", angle, turn},
+    {"revolutions", angle, turn},
+    {"turn", angle, turn},
+    {"turns", angle, turn},
+    {"rot", angle, turn},
+    {"rotation", angle, turn},
+    {"rotations", angle, turn},
+    {"umdr", angle, turn},
+    {"umdrehung", angle, turn},
+    {"umdrehungen", angle, turn},
+    {"count", angle, turn, 0, UnitNeeds::countsPerRev},
+    {"counts", angle, turn, 0, UnitNeeds::countsPerRev},
+    {"cnt", angle, turn, 0, UnitNeeds::countsPerRev},
+    {"cnts", angle, turn, 0, UnitNeeds::countsPerRev},
+    {"cts", angle, turn, 0, UnitNeeds::countsPerRev},
+    {"tick", angle, turn, 0, UnitNeeds::countsPerRev},
+    {"ticks", angle, turn, 0, UnitNeeds::countsPerRev},
+    {"inc", angle, turn, 0, UnitNeeds::countsPerRev},
+    {"incs", angle, turn, 0, UnitNeeds::countsPerRev},
+    {"ink", angle, turn, 0, UnitNeeds::countsPerRev},
+    {"inkremente", angle, turn, 0, UnitNeeds::countsPerRev},
+    {"increments", angle, turn, 0, UnitNeeds::countsPerRev},
+    {"pulse", angle, turn, 0, UnitNeeds::countsPerRev},
+    {"pulses", angle, turn, 0, UnitNeeds::countsPerRev},
+    {"lsb", angle, turn, 0, UnitNeeds::countsPerRev},
+    {"qc", angle, turn, 0, UnitNeeds::countsPerRev},
+    {"edeg", angle, degree, 0, UnitNeeds::polePairs},
+    {"erad", angle, 1, 0, UnitNeeds::polePairs},
+    {"erev", angle, turn, 0, UnitNeeds::polePairs},
+
+    {"m", length, 1},
+    {"meter", length, 1},
+    {"meters", length, 1},
+    {"cm", length, 1e-2},
+    {"mm", length, 1e-3},
+    {"um", length, 1e-6},
+    {"inch", length, inch_m},
+    {"inches", length, inch_m},
+    {"feet", length, 12 * inch_m},
+
+    {"rad_per_s", angularVelocity, 1},
+    {"mrad_per_s", angularVelocity, 1e-3},
+    {"deg_per_s", angularVelocity, degree},
+    {"mdeg_per_s", angularVelocity, 1e-3 * degree},
+    {"dps", angularVelocity, degree},
+    {"deg_per_min", angularVelocity, degree / 60},
+    {"rev_per_s", angularVelocity, turn},
+    {"rps", angularVelocity, turn},
+    {"rpm", angularVelocity, turn / 60},
+    {"krpm", angularVelocity, 1000 * turn / 60},
+    {"mrpm", angularVelocity, 1e-3 * turn / 60},
+    {"rev_per_min", angularVelocity, turn / 60},
+    {"1_per_min", angularVelocity, turn / 60},
+    {"min_1", angularVelocity, turn / 60},
+    {"u_per_min", angularVelocity, turn / 60},
+    {"umin", angularVelocity, turn / 60},
+    {"r_per_min", angularVelocity, turn / 60},
+    {"erpm", angularVelocity, turn / 60, 0, UnitNeeds::polePairs},
+    {"erad_per_s", angularVelocity, 1, 0, UnitNeeds::polePairs},
+    {"count_per_s", angularVelocity, turn, 0, UnitNeeds::countsPerRev},
+    {"cps", angularVelocity, turn, 0, UnitNeeds::countsPerRev},
+    {"m_per_s", linearVelocity, 1},
+    {"cm_per_s", linearVelocity, 1e-2},
+    {"mm_per_s", linearVelocity, 1e-3},
+    {"um_per_s", linearVelocity, 1e-6},
+    {"m_per_min", linearVelocity, 1.0 / 60},
+    {"mm_per_min", linearVelocity, 1e-3 / 60},
+    {"inch_per_s", linearVelocity, inch_m},
+    {"feet_per_s", linearVelocity, 12 * inch_m},
+
+    {"a", current, 1},
+    {"amp", current, 1},
+    {"amps", current, 1},
+    {"ampere", current, 1},
+    {"amperes", current, 1},
+    {"arms", current, 1},
+    {"aeff", current, 1},
+    {"ma", current, 1e-3},
+    {"milliamp", current, 1e-3},
+    {"milliamps", current, 1e-3},
+    {"ua", current, 1e-6},
+    {"ka", current, 1e3},
+    {"v", voltage, 1},
+    {"volt", voltage, 1},
+    {"volts", voltage, 1},
+    {"mv", voltage, 1e-3},
+    {"millivolt", voltage, 1e-3},
+    {"millivolts", voltage, 1e-3},
+    {"kv", voltage, 1e3},
+
+    {"nm", torque, 1},
+    {"n_m", torque, 1},
+    {"newton_meter", torque, 1},
+    {"newton_meters", torque, 1},
+    {"newtonmeter", torque, 1},
+    {"mnm", torque, 1e-3},
+    {"mn_m", torque, 1e-3},
+    {"n_mm", torque, 1e-3},
+    {"nmm", torque, 1e-3},
+    {"unm", torque, 1e-6},
+    {"ncm", torque, 1e-2},
+    {"n_cm", torque, 1e-2},
+    {"knm", torque, 1e3},
+    {"oz_in", torque, pound_N / 16 * inch_m},
+    {"ozin", torque, pound_N / 16 * inch_m},
+    {"oz_inch", torque, pound_N / 16 * inch_m},
+    {"ozf_in", torque, pound_N / 16 * inch_m},
+    {"ozfin", torque, pound_N / 16 * inch_m},
+    {"in_oz", torque, pound_N / 16 * inch_m},
+    {"lb_in", torque, pound_N* inch_m},
+    {"lbin", torque, pound_N* inch_m},
+    {"lbf_in", torque, pound_N* inch_m},
+    {"in_lb", torque, pound_N* inch_m},
+    {"lb_ft", torque, pound_N * 12 * inch_m},
+    {"lbf_ft", torque, pound_N * 12 * inch_m},
+    {"ft_lb", torque, pound_N * 12 * inch_m},
+    {"kgf_cm", torque, gravity_m_per_s2 * 1e-2},
+    {"kgfcm", torque, gravity_m_per_s2 * 1e-2},
+    {"kg_cm", torque, gravity_m_per_s2 * 1e-2},
+    {"kgcm", torque, gravity_m_per_s2 * 1e-2},
+    {"kgf_m", torque, gravity_m_per_s2},
+    {"kgfm", torque, gravity_m_per_s2},
+    {"kg_m", torque, gravity_m_per_s2},
+    {"gf_cm", torque, gravity_m_per_s2 * 1e-5},
+    {"gfcm", torque, gravity_m_per_s2 * 1e-5},
+    {"g_cm", torque, gravity_m_per_s2 * 1e-5},
+    {"gcm", torque, gravity_m_per_s2 * 1e-5},
+
+    {"n", force, 1},
+    {"newton", force, 1},
+    {"newtons", force, 1},
+    {"mn", force, 1e-3},
+    {"kn", force, 1e3},
+    {"kgf", force, gravity_m_per_s2},
+    {"gf", force, 1e-3 * gravity_m_per_s2},
+    {"lbf", force, pound_N},
+
+    {"degc", temperature, 1},
+    {"deg_c", temperature, 1},
+    {"c", temperature, 1},
+    {"celsius", temperature, 1},
+    {"k", temperature, 1, -273.15},
+    {"kelvin", temperature, 1, -273.15},
+    {"degf", temperature, 5.0 / 9, -160.0 / 9},
+    {"deg_f", temperature, 5.0 / 9, -160.0 / 9},
+    {"fahrenheit", temperature, 5.0 / 9, -160.0 / 9},
+
+    {"percent", ratio, 1e-2},
+    {"%", ratio, 1e-2},
+    {"pct", ratio, 1e-2},
+    {"prozent", ratio, 1e-2},
+    {"permille", ratio, 1e-3},
+    {"‰", ratio, 1e-3},
+    {"1", ratio, 1},
+    {"pu", ratio, 1},
+});
+
+const Unit* exactly(std::string_view name) {
+  const auto it = std::find_if(units.begin(), units.end(), [name](const Unit& unit) { return name == unit.name; });
+  return it == units.end() ? nullptr : &*it;
+}
+
+/// What moves, in the one word that stands in front of "per".
+std::string_view oneWord(std::string_view word) {
+  static constexpr auto same = std::to_array<std::pair<std::string_view, std::string_view>>(
+      {{"rads", "rad"},     {"radian", "rad"},     {"radians", "rad"}, {"degs", "deg"},       {"degree", "deg"},
+       {"degrees", "deg"},  {"grad", "deg"},       {"revs", "rev"},    {"revolution", "rev"}, {"revolutions", "rev"},
+       {"turn", "rev"},     {"turns", "rev"},      {"rot", "rev"},     {"rotation", "rev"},   {"rotations", "rev"},
+       {"u", "rev"},        {"r", "rev"},          {"umdr", "rev"},    {"counts", "count"},   {"cnt", "count"},
+       {"cts", "count"},    {"tick", "count"},     {"ticks", "count"}, {"inc", "count"},      {"ink", "count"},
+       {"pulses", "count"}, {"lsb", "count"},      {"meter", "m"},     {"meters", "m"},       {"metre", "m"},
+       {"metres", "m"},     {"millimeters", "mm"}, {"in", "inch"},     {"inches", "inch"},    {"ft", "feet"},
+       {"foot", "feet"}});
+  const auto it = std::find_if(same.begin(), same.end(), [word](const auto& one) { return one.first == word; });
+  return it == same.end() ? word : it->second;
+}
+
+std::string_view oneTime(std::string_view word) {
+  if (word == "sec" || word == "second" || word == "seconds" || word == "sekunde") return "s";
+  if (word == "minute" || word == "minutes") return "min";
+  return word;
+}
+
+}  // namespace
+
+std::vector<std::string> wordsOf(std::string_view text, bool splitCamel) {
+  std::vector<std::string> words;
+  std::string word;
+  const auto close = [&] {
+    if (!word.empty()) words.push_back(std::exchange(word, {}));
+  };
+  const auto isLower = [&text](size_t k) { return k < text.size() && std::islower((unsigned char)text[k]) != 0; };
+  const auto isUpper = [&text](size_t k) { return k < text.size() && std::isupper((unsigned char)text[k]) != 0; };
+  const auto isDigit = [&text](size_t k) { return k < text.size() && text[k] >= '0' && text[k] <= '9'; };
+  for (size_t k = 0; k < text.size(); ++k) {
+    const std::string_view rest = text.substr(k);
+    const auto c = static_cast<unsigned char>(text[k]);
+    if (rest.starts_with("°") || rest.starts_with("º")) {
+      word += "deg";
+      ++k;
+    } else if (rest.starts_with("µ") || rest.starts_with("μ")) {
+      word += 'u';
+      ++k;
+    } else if (rest.starts_with("⁻¹")) {
+      close();
+      words.emplace_back("1");
+      k += 4;
+    } else if (rest.starts_with("·") || rest.starts_with("×")) {
+      ++k;
+      close();
+    } else if (rest.starts_with("⋅") || rest.starts_with("∙")) {
+      k += 2;
+      close();
+    } else if (c == '/') {
+      close();
+      words.emplace_back("per");
+    } else if (std::isalnum(c) != 0 || c == '%' || c >= 0x80U) {
+      const bool hump = splitCamel && k > 0 && !word.empty() && isUpper(k) && isLower(k - 1);
+      const bool lastOfCapitals = splitCamel && word.size() > 2 && isUpper(k) && isUpper(k - 1) && isLower(k + 1) &&
+                                  isLower(k + 2);  // "RPMmotor" stays, "MotorPWMValue" parts
+      const bool number = splitCamel && k > 0 && !word.empty() && isDigit(k) != isDigit(k - 1) && word.size() >= 2 &&
+                          std::isalnum((unsigned char)text[k - 1]) != 0;
+      if (hump || lastOfCapitals || number) close();
+      word += static_cast<char>(std::tolower(c));
+    } else {
+      close();
+    }
+  }
+  close();
+  return words;
+}
+
+const Unit* unitOfWords(const std::vector<std::string>& words, size_t from) {
+  if (from >= words.size() || words.size() - from > 4) return nullptr;
+  const size_t count = words.size() - from;
+  std::string text;
+  for (size_t k = from; k < words.size(); ++k) text += (k == from ? "" : "_") + words[k];
+  if (const Unit* unit = exactly(text)) return unit;
+  const std::string& last = words.back();
+  if (count == 3 && words[from + 1] == "per")
+    return exactly(std::string(oneWord(words[from])) + "_per_" + std::string(oneTime(last)));
+  // "rad_s", "rad.s", "deg_sec": what turns, and a time; "rad·s⁻¹", "rad s-1"
+  const bool inverse = count == 3 && last == "1";
+  if (count != 2 && !inverse) return nullptr;
+  const std::string_view moved = oneWord(words[from]), time = oneTime(words[from + 1]);
+  if (time != "s" && time != "min") return nullptr;
+  return exactly(std::string(moved) + "_per_" + std::string(time));
+}
+
+const Unit* unitNamed(std::string_view text) {
+  while (!text.empty() && (text.front() == '[' || text.front() == '(' || text.front() == ' ')) text.remove_prefix(1);
+  while (!text.empty() && (text.back() == ']' || text.back() == ')' || text.back() == ' ')) text.remove_suffix(1);
+  if (text.empty() || text.size() > 40) return nullptr;
+  if (text == "rads") return exactly("rad_per_s");  // as a unit of its own it is a speed more often than an angle
+  const Unit* unit = unitOfWords(wordsOf(text, false), 0);
+  return unit != nullptr ? unit : unitOfWords(wordsOf(text, true), 0);
+}
+
+bool isUnit(std::string_view text) {
+  return unitNamed(text) != nullptr;
+}
+
+bool isSameWord(std::string_view text, std::string_view lower) {
+  return text.size() == lower.size() && std::equal(text.begin(), text.end(), lower.begin(), [](char a, char b) {
+           return std::tolower(static_cast<unsigned char>(a)) == b;
+         });
+}
+
+}  // namespace breakaway
