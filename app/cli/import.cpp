@@ -58,12 +58,13 @@ Result<void> import(const Options& options) {
   for (const Imported& part : *parts) {
     const std::string out =
         map.split.empty() ? options.out : partPath(options.out, part.recording.notes().rbegin()[1].second);
-    printFates(part);
     if (options.explain) {
+      printFates(part);
       printFirstRows(part.recording);
       continue;
     }
     if (const auto done = writeCsv(part.recording, out); !done) return done.error();
+    printFates(part);
     std::printf("%s: %zu rows, %zu columns\n", out.c_str(), part.recording.rows(), part.recording.channels().size());
   }
   return {};

@@ -34,6 +34,18 @@ void setAside(Choice& choice, const std::string& why) {
   choice.name.aside = why;
 }
 
+/// "current_a" beside "current_b" is one phase's, and no current in A.
+void setPhasesAside(const RawTable& table, std::vector<Choice>& choices) {
+  for (size_t c = 0; c < choices.size(); ++c) {
+    std::string name = table.columns[c].channel.name;
+    if (choices[c].byMap || choices[c].name.unit != "a" || name.empty()) continue;
+    name.back() = name.back() == 'A' ? 'B' : 'b';
+    const bool sibling = std::any_of(table.columns.begin(), table.columns.end(),
+                                     [&name](const RawColumn& one) { return one.channel.name == name; });
+    if (sibling) setAside(choices[c], "is one phase's");
+  }
+}
+
 /// A time goes up, seldom down, and doesn't stand still.
 bool goesUp(const RawColumn& column) {
   size_t up = 0, down = 0;
@@ -157,6 +169,7 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
     choices.push_back(std::move(choice));
   }
   checkTimes(table, choices);
+  setPhasesAside(table, choices);
   const std::string axis = axisOf(choices);
   for (Choice& choice : choices) {
     if (!choice.name.understood() || choice.byMap || choice.name.to == "time_s") continue;

@@ -58,6 +58,8 @@ constexpr auto quantities = std::to_array<Word>({
     {"phi", UnitKind::angle},
     {"winkel", UnitKind::angle},
     {"lage", UnitKind::angle},
+    {"weg", UnitKind::angle},
+    {"displacement", UnitKind::angle},
     {"drehwinkel", UnitKind::angle},
     {"th", UnitKind::angle, true},
     {"ang", UnitKind::angle, true},
@@ -148,7 +150,14 @@ bool isNumber(std::string_view word) {
 const Word* quantityNamed(std::string_view word) {
   const auto it =
       std::find_if(quantities.begin(), quantities.end(), [word](const Word& one) { return one.text == word; });
-  return it == quantities.end() ? nullptr : &*it;
+  if (it != quantities.end()) return &*it;
+  // German compounds: "Motorstrom", "Solldrehzahl".
+  static constexpr auto germanEnds = std::to_array<std::string_view>(
+      {"strom", "spannung", "drehzahl", "drehmoment", "winkel", "temperatur", "kraft", "geschwindigkeit", "zeit"});
+  for (const std::string_view end : germanEnds) {
+    if (word.size() > end.size() + 2 && word.ends_with(end)) return quantityNamed(end);
+  }
+  return nullptr;
 }
 
 /// A name taken apart.

@@ -257,7 +257,6 @@ Result<RawTable> plainLog(const Json& json, const std::string& name) {
 }
 
 Result<ReadTable> tableOf(const Json& json, const std::string& name) {
-  if (isSysId(json)) return readSysId(json, name);
   auto table = plainLog(json, name);
   if (!table) return table.error();
   return ReadTable{std::move(*table), {}};
@@ -296,6 +295,7 @@ Result<ReadTable> readJsonLog(const std::string& text, const std::string& name) 
   if (nestsTooDeep(text))
     return Error{name, "nests deeper than " + std::to_string(deepest) + " levels, as no log does"};
   try {
+    if (auto tests = readSysId(text, name)) return std::move(*tests);
     return tableOf(Json::parse(text), name);
   } catch (const Json::parse_error& error) {
     try {

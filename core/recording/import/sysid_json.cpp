@@ -1,5 +1,6 @@
 #include "recording/import/sysid_json.h"
 
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 #include <string_view>
@@ -46,17 +47,13 @@ std::vector<Named> columnsOf(size_t width) {
   return {};
 }
 
-}  // namespace
-
-bool isSysId(const Json& json) {
+bool holdsTests(const Json& json) {
   if (!json.is_object()) return false;
-  for (const char* test : tests) {
-    if (json.contains(test) && isTest(json[test])) return true;
-  }
-  return false;
+  return std::any_of(tests.begin(), tests.end(),
+                     [&json](const char* test) { return json.contains(test) && isTest(json[test]); });
 }
 
-Result<ReadTable> readSysId(const Json& json, const std::string& name) {
+Result<ReadTable> readTests(const Json& json, const std::string& name) {
   ReadTable read;
   RawTable& table = read.table;
   const std::string unit = textOf(json, "units");
@@ -97,6 +94,17 @@ Result<ReadTable> readSysId(const Json& json, const std::string& name) {
                           (unit.empty() ? std::string(", without a unit") : ", in " + unit) +
                           "; each begins anew, after a pause");
   return read;
+}
+
+}  // namespace
+
+std::optional<Result<ReadTable>> readSysId(const std::string& text, const std::string& name) {
+  if (std::none_of(tests.begin(), tests.end(),
+                   [&text](const char* test) { return text.find(test) != std::string::npos; }))
+    return std::nullopt;
+  const Json json = Json::parse(text, nullptr, false);
+  if (!holdsTests(json)) return std::nullopt;
+  return readTests(json, name);
 }
 
 }  // namespace breakaway

@@ -1,7 +1,7 @@
 // The characterisation logs of robot teams: SysId's JSON of four tests.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 
 #include "base/result.h"
@@ -9,11 +9,9 @@
 
 namespace breakaway {
 
-/// Whether the object holds tests ("slow-forward", "fast-backward", …), each an array of rows.
-bool isSysId(const nlohmann::ordered_json& json);
-
-/// All tests one after the other, each a part of its own, in the units that the file names. Rows are time, voltage,
-/// position, velocity; of a drive train's rows the left side is named "left", the right one "right".
-Result<ReadTable> readSysId(const nlohmann::ordered_json& json, const std::string& name);
+/// Reads tests ("slow-forward", "fast-backward", …), each an array of rows: all one after the other, each a part of its
+/// own, in the units that the file names. Rows are time, voltage, position, velocity; of a drive train's rows the left
+/// side is named "left", the right one "right". Nothing for text that holds no such tests.
+std::optional<Result<ReadTable>> readSysId(const std::string& text, const std::string& name);
 
 }  // namespace breakaway
