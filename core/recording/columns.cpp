@@ -16,7 +16,7 @@ constexpr auto table = std::to_array<Column>({
      "measured, or the board's estimate"},
     {"velocity_m_per_s", "m/s", Quantity::velocity, Axis::linear, Cell::number, "measured, or the board's estimate"},
     {"voltage_V", "V", Quantity::voltage, {}, Cell::number, "across the motor"},
-    {"duty", "1", Quantity::duty, {}, Cell::number, "voltage over supply"},
+    {"duty", "1", Quantity::duty, {}, Cell::ratio, "voltage over supply"},
     {"current_A", "A", Quantity::current, {}, Cell::number, "as the sensor gives it"},
     {"torque_Nm", "Nm", Quantity::torque, Axis::rotary, Cell::number, "the motor's"},
     {"force_N", "N", Quantity::torque, Axis::linear, Cell::number, "the motor's"},

@@ -32,6 +32,7 @@ enum class Quantity {
 /// What stands in a cell, unless it is missing.
 enum class Cell {
   number,  ///< finite
+  ratio,   ///< −1 to 1, but for rounding: a larger one counts in something else
   flag     ///< 0 to 1; between them where a log was resampled
 };
 

@@ -109,8 +109,9 @@ Result<Head> readHead(std::string_view text, const std::string& name) {
   return Error{name, "is empty, expected a header line with time_s"};
 }
 
-Error cellError(const std::string& name, size_t row, const Column& column, std::string_view text) {
-  const std::string expected = column.cell == Cell::flag ? "0 or 1" : "a finite number";
+Error cellError(const std::string& name, size_t row, const Column& column, std::string_view text, double value) {
+  const bool beyond = column.cell == Cell::ratio && std::isfinite(value);
+  const std::string expected = column.cell == Cell::flag ? "0 or 1" : beyond ? "a duty from -1 to 1" : "a finite number";
   return {name + ", row " + std::to_string(row) + ", column " + column.name,
           "expected " + expected + ", found \"" + std::string(text.substr(0, 40)) + "\""};
 }
@@ -121,7 +122,10 @@ double outOfRange(std::string_view digits) {
 }
 
 bool allowed(double value, const Column* column) {
-  return !std::isinf(value) && (column == nullptr || column->cell == Cell::number || (value >= 0.0 && value <= 1.0));
+  constexpr double mostDuty = 1.02;  // logs round
+  if (std::isinf(value)) return false;
+  if (column == nullptr || column->cell == Cell::number) return true;
+  return column->cell == Cell::ratio ? std::abs(value) <= mostDuty : value >= 0.0 && value <= 1.0;
 }
 
 /// One row into the columns' ends; says which column is at fault. `known`: what each column means, if anything.
@@ -149,7 +153,8 @@ Result<void> readRow(std::string_view line, size_t row, const std::string& name,
       if (!isNumber || !(allowed(value, known[column]) || std::isnan(value))) {
         after = cellEnd(at, end);
         if (known[column] != nullptr)
-          return cellError(name, row, *known[column], trimmed({at, static_cast<size_t>(after - at)}));
+          return cellError(name, row, *known[column], trimmed({at, static_cast<size_t>(after - at)}),
+                           isNumber ? value : std::numeric_limits<double>::quiet_NaN());
         value = std::numeric_limits<double>::quiet_NaN();
       }
       at = after;

@@ -175,6 +175,8 @@ void TestCsv::badText_getsOneLine_data() {
   row("text", "time_s,duty\n0,1\n1,abc\n", "r.csv, row 2, column duty: expected a finite number, found \"abc\"");
   row("number and text", "time_s,duty\n0,1V\n", "r.csv, row 1, column duty: expected a finite number, found \"1V\"");
   row("two signs", "time_s,duty\n0,+-1\n", "r.csv, row 1, column duty: expected a finite number, found \"+-1\"");
+  row("PWM in counts", "time_s,duty\n0,1\n1,64\n",
+      "r.csv, row 2, column duty: expected a duty from -1 to 1, found \"64\"");
   row("infinity", "time_s,duty\n0,inf\n", "r.csv, row 1, column duty: expected a finite number, found \"inf\"");
   row("beyond range", "time_s,duty\n0,1e999\n", "r.csv, row 1, column duty: expected a finite number, found \"1e999\"");
   row("too few cells", "time_s,x\n0,1\n1\n", "r.csv, row 2: has too few cells: 1, expected 2");

@@ -70,7 +70,7 @@ class Settling {
         if (const auto done = takeOther(c); !done) return done.error();
       }
     }
-    turnSigns();
+    if (const auto done = turnSigns(); !done) return done.error();
     differentiate();
     if (const auto done = needMotion(); !done) return done.error();
     checkMotion();
@@ -448,19 +448,25 @@ class Settling {
     }
   }
 
-  void turnSigns() {
+  Result<void> turnSigns() {
     for (const auto& [name, sign] : map_.sign) {
-      if (sign > 0.0) continue;
+      bool found = false;
       for (size_t c = 0; c < fates_.size(); ++c) {
         if ((fates_[c].from != name && fates_[c].to != name) || fates_[c].kind == ColumnFate::Kind::leftOut) continue;
+        found = true;
+        if (is(c, "time_s") || sign > 0.0) continue;
         convert(values(c), -1.0, 0.0);
         fates_[c].scale = -fates_[c].scale;
         fates_[c].offset = -fates_[c].offset;
       }
       for (Channel& channel : made_) {
-        if (channel.name == name) convert(channel.values, -1.0, 0.0);
+        if (channel.name != name) continue;
+        found = true;
+        if (sign < 0.0) convert(channel.values, -1.0, 0.0);
       }
+      if (!found) return Error{path_, "has no column \"" + name + "\", whose sign the map turns; there are: " + names()};
     }
+    return {};
   }
 
   Result<void> needMotion() {
