@@ -4,8 +4,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "base/exact_text.h"
 #include "recording/import/known_logs.h"
-#include "recording/import/number_text.h"
 #include "recording/import/read_table.h"
 
 namespace breakaway {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <optional>
 
+#include "base/numbers.h"
 #include "recording/import/known_scopes.h"
 #include "recording/import/settle_motion.h"
 
@@ -13,7 +13,6 @@ namespace breakaway {
 
 namespace {
 
-constexpr double turn = 2.0 * std::numbers::pi;
 
 const RawColumn* find(const RawTable& table, std::string_view name) {
   const auto it = std::find_if(table.columns.begin(), table.columns.end(),
@@ -54,11 +53,11 @@ ToolColumns vesc(RawTable& table) {
       "recognised VESC Tool's log: the tachometer counts 6 steps per electrical turn, erpm electrical turns");
   return {{"ms_today", in("time_s", 1e-3, "ms")},
           {"ms_today_setup", setAside("is the clock of another block of values")},
-          {"tachometer", in("angle_rad", turn / 6.0, "steps of 1/6 electrical turn", 0, UnitNeeds::polePairs)},
+          {"tachometer", in("angle_rad", turn_rad / 6.0, "steps of 1/6 electrical turn", 0, UnitNeeds::polePairs)},
           {"tachometer_abs", setAside("counts both ways up")},
-          {"tacho", in("angle_rad", turn / 6.0, "steps of 1/6 electrical turn", 0, UnitNeeds::polePairs)},
-          {"encoder_position", in("angle_rad", turn / 360.0, "deg", 8)},
-          {"erpm", in("velocity_rad_per_s", turn / 60.0, "erpm", 0, UnitNeeds::polePairs)},
+          {"tacho", in("angle_rad", turn_rad / 6.0, "steps of 1/6 electrical turn", 0, UnitNeeds::polePairs)},
+          {"encoder_position", in("angle_rad", turn_rad / 360.0, "deg", 8)},
+          {"erpm", in("velocity_rad_per_s", turn_rad / 60.0, "erpm", 0, UnitNeeds::polePairs)},
           {"q_axis_current", in("current_A", 1.0, "A")},
           {"current_motor", in("current_A", 1.0, "A", 1)},
           {"current_in", setAside("is the supply's current, not the motor's")},
@@ -78,7 +77,7 @@ ToolColumns inTurns(const RawTable& table, const std::function<bool(const std::s
     const bool position = name.to == "angle_rad" || name.to == "angle_reference_rad";
     const bool velocity = name.to == "velocity_rad_per_s" || name.to == "velocity_reference_rad_per_s";
     if (!position && !velocity) continue;
-    name.scale = turn;
+    name.scale = turn_rad;
     name.unit = position ? "turns" : "turns/s";
     columns[column.channel.name] = name;
   }
@@ -111,7 +110,7 @@ ToolColumns odrive(RawTable& table) {
   for (const RawColumn& column : table.columns) {
     const std::string& name = column.channel.name;
     if (name.find("pos_estimate_counts") != std::string::npos || name.find("shadow_count") != std::string::npos)
-      columns[name] = in("angle_rad", turn, "counts", 3, UnitNeeds::countsPerRev);
+      columns[name] = in("angle_rad", turn_rad, "counts", 3, UnitNeeds::countsPerRev);
     if (name.find("_cpr") != std::string::npos || name.find("pos_circular") != std::string::npos)
       columns[name] = setAside("starts anew with each turn");
   }
@@ -189,7 +188,7 @@ ToolColumns betaflight(RawTable& table) {
     if (name.starts_with("eRPM")) {
       ColumnName speed = understandName(name.find('[') == std::string::npos ? "erpm" : "erpm" + name.substr(4));
       speed.to = "velocity_rad_per_s";
-      speed.scale = 100.0 * turn / 60.0;
+      speed.scale = 100.0 * turn_rad / 60.0;
       speed.unit = "100 erpm";
       speed.needs = UnitNeeds::polePairs;
       columns[name] = speed;
@@ -221,10 +220,10 @@ ToolColumns dynamixel(RawTable& table, double countsPerRev) {
     ColumnName& to = columns[column.channel.name];
     if (hasWord(words, "position")) {
       makeSigned(values, 4294967296.0);
-      to = in(present ? "angle_rad" : "angle_reference_rad", turn / counts, "1/4096 turn");
+      to = in(present ? "angle_rad" : "angle_reference_rad", turn_rad / counts, "1/4096 turn");
     } else if (hasWord(words, "velocity") || hasWord(words, "speed")) {
       makeSigned(values, 4294967296.0);
-      to = in(present ? "velocity_rad_per_s" : "velocity_reference_rad_per_s", 0.229 * turn / 60.0, "0.229 rpm");
+      to = in(present ? "velocity_rad_per_s" : "velocity_reference_rad_per_s", 0.229 * turn_rad / 60.0, "0.229 rpm");
     } else if (hasWord(words, "current")) {
       makeSigned(values, 65536.0);
       to = in(present ? "current_A" : "current_reference_A", 2.69e-3, "2.69 mA");

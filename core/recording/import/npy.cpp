@@ -8,7 +8,7 @@
 #include <limits>
 #include <optional>
 
-#include "recording/import/number_text.h"
+#include "base/exact_text.h"
 
 namespace breakaway {
 

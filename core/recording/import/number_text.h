@@ -7,7 +7,5 @@ namespace breakaway {
 
 /// At most nine digits.
 std::string shortText(double value);
-/// The shortest text that reads back as the same number.
-std::string exactText(double value);
 
 }  // namespace breakaway

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <numbers>
 #include <set>
 
 #include "recording/import/choose_columns.h"
+#include "base/numbers.h"
 #include "recording/import/import.h"
 #include "recording/import/known_tools.h"
 #include "recording/import/number_text.h"
@@ -15,7 +15,6 @@ namespace breakaway {
 
 namespace {
 
-constexpr double turn = 2.0 * std::numbers::pi;
 
 bool isAngle(const std::string& to) {
   return to == "angle_rad" || to == "angle_reference_rad";
@@ -247,12 +246,12 @@ class Settling {
     if (const auto filled = fillNeed(*c, true); !filled) return filled.error();
     const bool counted = choices_[*c].name.needs == UnitNeeds::countsPerRev;
     std::optional<double> expected;
-    if (!fate.unit.empty()) expected = turn / fate.scale;
+    if (!fate.unit.empty()) expected = turn_rad / fate.scale;
     const auto period = periodOf(angle, time_.pauses, expected);
     if (fate.unit.empty()) {
       if (const auto known = nameUnit(*c, period); !known) return known.error();
     }
-    const double turns = period ? *period * fate.scale / turn : 0.0;
+    const double turns = period ? *period * fate.scale / turn_rad : 0.0;
     const bool whole = std::abs(turns - 1.0) < 1e-3;
     const bool overflow = period && areWhole(angle) && (*period == 65536.0 || counted) && turns > 1.5;
     if (period && (whole || overflow)) unwindBy(angle, *period, whole);
@@ -283,13 +282,13 @@ class Settling {
       fate.guessed = true;
     };
     if (map_.counts_per_rev && areWhole(angle)) {
-      set(turn / *map_.counts_per_rev, "counts", "whole numbers, with the map's counts per turn");
+      set(turn_rad / *map_.counts_per_rev, "counts", "whole numbers, with the map's counts per turn");
       return {};
     }
-    if (period && *period == 360.0) return set(turn / 360.0, "deg", "it starts anew after 360"), Result<void>{};
-    if (period && *period == 1.0) return set(turn, "turns", "it starts anew after 1"), Result<void>{};
+    if (period && *period == 360.0) return set(turn_rad / 360.0, "deg", "it starts anew after 360"), Result<void>{};
+    if (period && *period == 1.0) return set(turn_rad, "turns", "it starts anew after 1"), Result<void>{};
     if (const auto scale = scaleBySpeed(c)) {
-      set(*scale, *scale == 1.0 ? "rad" : *scale == turn ? "turns" : "deg", "so it agrees with the speed");
+      set(*scale, *scale == 1.0 ? "rad" : *scale == turn_rad ? "turns" : "deg", "so it agrees with the speed");
       return {};
     }
     constexpr double manyTurns = 30.0;
@@ -312,7 +311,7 @@ class Settling {
     convert(speed, fates_[*v].scale, fates_[*v].offset);
     const auto motion = compareMotion(time_.time_s, values(c), speed, time_.pauses);
     if (!motion || motion->correlation < 0.9) return std::nullopt;
-    for (const double scale : {1.0, turn / 360.0, turn}) {
+    for (const double scale : {1.0, turn_rad / 360.0, turn_rad}) {
       if (std::abs(std::log(motion->factor * scale)) < std::log(1.15)) return scale;
     }
     return std::nullopt;
@@ -339,7 +338,7 @@ class Settling {
       const char* unit;
     };
     for (const Candidate& one :
-         {Candidate{1.0, "rad/s"}, {turn / 360.0, "deg/s"}, {turn / 60.0, "rpm"}, {turn, "turns/s"}}) {
+         {Candidate{1.0, "rad/s"}, {turn_rad / 360.0, "deg/s"}, {turn_rad / 60.0, "rpm"}, {turn_rad, "turns/s"}}) {
       if (std::abs(std::log(std::abs(motion->factor) / one.scale)) > std::log(1.15)) continue;
       fates_[c].scale = one.scale;
       fates_[c].unit = one.unit;

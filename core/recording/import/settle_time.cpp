@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/exact_text.h"
 #include "recording/import/number_text.h"
 
 namespace breakaway {
