@@ -70,7 +70,9 @@ std::optional<ToolColumns> labview(RawTable& table) {
   for (const std::string& line : table.preamble) {
     const auto cells = cellsOf(line);
     if (cells.empty() || cells[0] != "Y_Unit_Label") continue;
-    for (size_t c = 1; c < cells.size() && c < table.columns.size(); ++c) table.columns[c].unit = cells[c];
+    const size_t first = !table.columns.empty() && table.columns.front().channel.name == "X_Value" ? 1 : 0;
+    for (size_t c = 1; c < cells.size() && c + first <= table.columns.size(); ++c)
+      table.columns[c + first - 1].unit = cells[c];
   }
   table.remarks.emplace_back("recognised LabVIEW's measurement file");
   std::erase_if(table.columns, [](const RawColumn& one) { return one.channel.name == "X_Value" && isEmpty(one); });

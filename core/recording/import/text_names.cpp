@@ -1,6 +1,7 @@
 #include "recording/import/text_names.h"
 
 #include <algorithm>
+#include <cstring>
 #include <map>
 
 #include "recording/import/column_name.h"
@@ -49,8 +50,13 @@ bool fillUp(Cells& cells, const TextLayout& layout, bool endsEmpty) {
   return true;
 }
 
+/// Where the rows hold nothing: before their first separator, after their last.
+struct EmptyEnds {
+  bool begin = false, end = false;
+};
+
 /// The line's cells if they are as many as a row's, a few empty ones at the end aside.
-Cells fitting(std::string_view line, const TextLayout& layout, bool rowsEndEmpty) {
+Cells fitting(std::string_view line, const TextLayout& layout, const EmptyEnds& rows) {
   Cells cells;
   const size_t wanted = layout.cells;
   const auto fits = [&] {
@@ -58,11 +64,12 @@ Cells fitting(std::string_view line, const TextLayout& layout, bool rowsEndEmpty
     return cells.size() == wanted;
   };
   splitCells(line, layout, cells);
-  if (fits() || fillUp(cells, layout, rowsEndEmpty)) return cells;
-  const bool comment = cells.size() == wanted + 1 && isSameWord(cells.back(), "comment");  // LabVIEW's last column
-  if (comment) {
+  if (fits() || fillUp(cells, layout, rows.end)) return cells;
+  if (cells.size() > wanted && isSameWord(cells.back(), "comment")) {  // LabVIEW's last column
     cells.pop_back();
-    return cells;
+    // Its first one is empty where the times aren't written out; blanks as separators don't count it.
+    if (cells.size() == wanted + 1 && rows.begin) cells.erase(cells.begin());
+    if (cells.size() == wanted) return cells;
   }
   TextLayout other = layout;
   for (const char separator : {'\t', ';', ',', '|'}) {
@@ -92,11 +99,13 @@ std::string_view withoutBrackets(std::string_view cell) {
   return cell;
 }
 
-/// Groups above the names: each group's word stands over its first column.
+/// Groups above the names: each group's word stands over its first column. What begins with a mark is a line between
+/// parts of the file.
 void putGroupsBefore(const Cells& groups, std::vector<std::string>& names) {
   std::string_view group;
   for (size_t c = 0; c < names.size(); ++c) {
-    if (!groups[c].empty()) group = groups[c];
+    const bool word = !groups[c].empty() && std::strchr("*-=#+~", groups[c].front()) == nullptr;
+    if (word) group = groups[c];
     if (!group.empty() && group != names[c]) names[c] = std::string(group) + " " + names[c];
   }
 }
@@ -128,11 +137,11 @@ void readLabels(std::string_view row, const TextLayout& layout, TextNames& found
 }
 
 /// Names and units from the last lines that are no comments.
-void readLines(const std::vector<std::string_view>& lines, const TextLayout& layout, bool rowsEndEmpty,
+void readLines(const std::vector<std::string_view>& lines, const TextLayout& layout, const EmptyEnds& rows,
                TextNames& found) {
-  const Cells last = lines.empty() ? Cells{} : fitting(lines.back(), layout, rowsEndEmpty);
+  const Cells last = lines.empty() ? Cells{} : fitting(lines.back(), layout, rows);
   if (last.empty()) return;
-  const Cells above = lines.size() < 2 ? Cells{} : fitting(lines[lines.size() - 2], layout, rowsEndEmpty);
+  const Cells above = lines.size() < 2 ? Cells{} : fitting(lines[lines.size() - 2], layout, rows);
   const size_t numbers = numbersIn(last, layout);
   const bool aboveIsText = !above.empty() && numbersIn(above, layout) == 0;
   const size_t units = countOf(last, isUnitCell), names = countOf(last, knownName);
@@ -146,7 +155,7 @@ void readLines(const std::vector<std::string_view>& lines, const TextLayout& lay
   if (areUnits) {
     fill(above, found);
     for (size_t c = 0; c < last.size(); ++c) found.units[c] = std::string(withoutBrackets(last[c]));
-    const Cells third = lines.size() < 3 ? Cells{} : fitting(lines[lines.size() - 3], layout, rowsEndEmpty);
+    const Cells third = lines.size() < 3 ? Cells{} : fitting(lines[lines.size() - 3], layout, rows);
     const bool groups = !third.empty() && numbersIn(third, layout) == 0 && countOf(above, knownName) > 0 &&
                         countOf(third, knownName) == 0;
     if (groups) putGroupsBefore(third, found.names);
@@ -185,10 +194,11 @@ TextNames namesBefore(const std::vector<std::string_view>& before, std::string_v
   }
   Cells row;
   splitCells(firstRow, layout, row);
-  const bool endsEmpty = !row.empty() && row.back().empty();
-  readLines(plain, layout, endsEmpty, found);
+  const EmptyEnds rows{!firstRow.empty() && (firstRow.front() == '\t' || firstRow.front() == layout.separator),
+                       !row.empty() && row.back().empty()};
+  readLines(plain, layout, rows, found);
   if (!found.found && !before.empty() && isComment(withoutBlanks(before.back())))
-    readLines(comments, layout, endsEmpty, found);
+    readLines(comments, layout, rows, found);
   makeUnique(found.names);
   return found;
 }
