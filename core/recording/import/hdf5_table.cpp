@@ -84,6 +84,7 @@ std::vector<double> stampsOf(hid_t set, hsize_t count, double& origin) {
   std::vector<int64_t> whole(count);
   if (count == 0 || H5Dread(set, H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, whole.data()) < 0) return {};
   std::vector<double> values;
+  values.reserve(whole.size());
   const int64_t first = std::abs(static_cast<double>(whole.front())) > 1e15 ? whole.front() : 0;
   origin = static_cast<double>(first);
   for (const int64_t one : whole) values.push_back(static_cast<double>(one - first));
