@@ -47,12 +47,12 @@ Result<void> Job::prepare(Drive& drive) {
   if (options_.earlier) {
     known_ = *options_.earlier;
     known_.forgetBoard();
-    if (const auto fits = goOn(asked); !fits) return fits;
+    if (auto fits = goOn(asked); !fits) return fits;
     ++known_.part;
     known_.remark("The job was interrupted and went on: part " + std::to_string(known_.part) + " began after " +
                   std::to_string(known_.runs.size() + known_.strokes.size()) + " runs and " +
                   std::to_string(known_.breakaways.size()) + " breakaways.");
-  } else if (const auto fits = goOn(asked); !fits) {
+  } else if (auto fits = goOn(asked); !fits) {
     return fits;
   }
   known_.identity = identity;

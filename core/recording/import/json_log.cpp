@@ -282,6 +282,7 @@ Result<ReadTable> linesOf(const std::string& text, const std::string& name) {
   }
   if (kept.size() < 2 || others > kept.size() / 10 + 1) return Error{name, "holds no log"};
   std::vector<const Json*> samples;
+  samples.reserve(kept.size());
   for (const Json& one : kept) samples.push_back(&one);
   auto table = samplesOf(samples, name);
   if (!table) return table.error();

@@ -171,7 +171,7 @@ std::vector<size_t> shapeOf(std::string_view header) {
   return shape;
 }
 
-std::string lastPart(std::string name) {
+std::string lastPart(const std::string& name) {
   return name.ends_with(".npy") ? name.substr(0, name.size() - 4) : name;
 }
 

@@ -265,9 +265,8 @@ Result<void> readRows(std::string_view rest, char lineEnd, const TextLayout& lay
     if (kind == LineKind::row || kind == LineKind::flawedRow) {
       rows.append(kind == LineKind::flawedRow);
       if (kind == LineKind::row) lastGood = rows.table.rows() - 1;
-    } else if (lastWithoutEnd && rows.cellsOfLast() < layout.cells && kind == LineKind::otherRow) {
-      cut = true;
-    } else if (lastWithoutEnd && rows.cellsOfLast() < layout.cells && layout.cells <= 3) {
+    } else if (lastWithoutEnd && rows.cellsOfLast() < layout.cells &&
+               (kind == LineKind::otherRow || layout.cells <= 3)) {
       cut = true;
     } else {
       if (kind == LineKind::otherRow && others++ == 0) {
