@@ -1,5 +1,7 @@
 #include "session/run.h"
 
+#include <utility>
+
 namespace breakaway {
 
 Run runOf(RunKind kind, std::shared_ptr<Job> job) {
@@ -10,7 +12,7 @@ Run runOf(RunKind kind, std::shared_ptr<Job> job) {
     }
     return copy;
   };
-  return {kind, nullptr, read, job};
+  return {kind, nullptr, read, std::move(job)};
 }
 
 }  // namespace breakaway
