@@ -35,6 +35,7 @@ Identity board(Axis axis) {
 
 std::vector<std::string> words(const std::vector<StepPtr>& steps) {
   std::vector<std::string> all;
+  all.reserve(steps.size());
   for (const StepPtr& step : steps) all.push_back(step->words());
   return all;
 }

@@ -217,11 +217,12 @@ std::vector<std::string> breaches(const Sources& sources) {
 std::vector<std::string> namedEffects(const Sources& sources, const std::vector<std::string>& effects) {
   static const std::regex comment(R"(//[^\n]*)");
   std::vector<std::string> found;
-  for (const auto& [path, text] : sources) {
+  for (const auto& source : sources) {
+    const std::string& path = source.first;
     const auto in = [&path](const char* folder) { return path.starts_with(folder); };
     const bool asks = in("core/diagnose/") || in("core/report/") || in("core/score/") || in("app/");
     if (!asks || in("core/diagnose/effects/")) continue;
-    const std::string code = std::regex_replace(text, comment, "");
+    const std::string code = std::regex_replace(source.second, comment, "");
     for (const std::string& effect : effects) {
       if (code.find('"' + effect + '"') != std::string::npos) found.push_back(path + " names " + effect);
     }
