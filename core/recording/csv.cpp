@@ -111,7 +111,9 @@ Result<Head> readHead(std::string_view text, const std::string& name) {
 
 Error cellError(const std::string& name, size_t row, const Column& column, std::string_view text, double value) {
   const bool beyond = column.cell == Cell::ratio && std::isfinite(value);
-  const std::string expected = column.cell == Cell::flag ? "0 or 1" : beyond ? "a duty from -1 to 1" : "a finite number";
+  const std::string expected = column.cell == Cell::flag ? "0 or 1"
+                               : beyond                  ? "a duty from -1 to 1"
+                                                         : "a finite number";
   return {name + ", row " + std::to_string(row) + ", column " + column.name,
           "expected " + expected + ", found \"" + std::string(text.substr(0, 40)) + "\""};
 }

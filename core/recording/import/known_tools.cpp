@@ -13,7 +13,6 @@ namespace breakaway {
 
 namespace {
 
-
 const RawColumn* find(const RawTable& table, std::string_view name) {
   const auto it = std::find_if(table.columns.begin(), table.columns.end(),
                                [name](const RawColumn& one) { return isSameWord(one.channel.name, name); });

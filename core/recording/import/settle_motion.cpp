@@ -70,8 +70,9 @@ std::optional<double> periodOf(const std::vector<double>& angle, const std::vect
   });
   if (leaps == 0 || leaps > angle.size() / 2) return std::nullopt;
   // The period is the expected one, or the next of the usual ones above the range.
-  for (const double period : {expected.value_or(1.0), 1.0, turn_rad, 360.0, 1024.0, 2000.0, 2048.0, 4000.0, 4096.0, 8000.0,
-                              8192.0, 10000.0, 16384.0, 32768.0, 36000.0, 65536.0, 131072.0, 262144.0, 1048576.0}) {
+  for (const double period :
+       {expected.value_or(1.0), 1.0, turn_rad, 360.0, 1024.0, 2000.0, 2048.0, 4000.0, 4096.0, 8000.0, 8192.0, 10000.0,
+        16384.0, 32768.0, 36000.0, 65536.0, 131072.0, 262144.0, 1048576.0}) {
     if (range > 1.001 * period || range < 0.86 * period) continue;
     const bool fromZero = low > -0.05 * period, aboutZero = std::abs(high + low) < 0.2 * period;
     bool all = fromZero || aboutZero;

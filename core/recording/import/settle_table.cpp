@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <set>
 
-#include "recording/import/choose_columns.h"
 #include "base/numbers.h"
+#include "recording/import/choose_columns.h"
 #include "recording/import/import.h"
 #include "recording/import/known_tools.h"
 #include "recording/import/number_text.h"
@@ -14,7 +14,6 @@
 namespace breakaway {
 
 namespace {
-
 
 bool isAngle(const std::string& to) {
   return to == "angle_rad" || to == "angle_reference_rad";
@@ -463,7 +462,8 @@ class Settling {
         found = true;
         if (sign < 0.0) convert(channel.values, -1.0, 0.0);
       }
-      if (!found) return Error{path_, "has no column \"" + name + "\", whose sign the map turns; there are: " + names()};
+      if (!found)
+        return Error{path_, "has no column \"" + name + "\", whose sign the map turns; there are: " + names()};
     }
     return {};
   }
