@@ -161,7 +161,7 @@ void TestDiagnosisQuick::moreNumbersThatLeaveMore_areNoBetterName() {
 void TestDiagnosisQuick::frictionThatGrowsAtRest_isFoundBySimulation() {
   if (sanitized) QSKIP("takes too long under sanitizers");
   // Its breakaways are few rows of a regression, which finds nothing, and no linearised fold foretells them.
-  const ScoredTrial scored = diagnosed({"rising_stiction", 6113});
+  const ScoredTrial scored = diagnosed({"rising_stiction", 6115});
   QVERIFY(!scored.answer.empty());
   QCOMPARE(scored.answer.front().effect, std::string("rising_stiction"));
 }
