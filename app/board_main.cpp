@@ -9,6 +9,7 @@
 #include "firmware_link/far_end.h"
 #include "firmware_link/presets.h"
 #include "firmware_link/simulated_firmware.h"
+#include "version.h"
 
 namespace {
 
@@ -63,10 +64,15 @@ int main(int argc, char** argv) {
   app.add_option("--tcp", line.port,
                  "listen on this port of the loopback, 0: any that is free; without it on a pseudo terminal")
       ->check(CLI::Range(0, 65535));
+  app.set_version_flag("--version", "breakaway-board " + std::string(breakaway::versionText()));
+  app.footer(
+      "Examples:\n"
+      "  breakaway-board --rig geared\n"
+      "  breakaway-board --tcp 5000 --pace granted");
   try {
     app.parse(argc, argv);
-  } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
+  } catch (const CLI::Success& asked) {
+    return app.exit(asked);
   } catch (const CLI::ParseError& error) {
     std::fprintf(stderr, "breakaway-board: %s; see breakaway-board --help\n", error.what());
     return 2;

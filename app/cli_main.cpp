@@ -1,30 +1,19 @@
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <vector>
 
-#include "base/json_object.h"
+#include "base/made.h"
 #include "cli/command.h"
+#include "cli/command_line.h"
+#include "cli/inputs.h"
+#include "version.h"
 
 namespace {
 
-/// The first word when it should be a command and is none, with the nearest one.
-std::string unknownCommand(const CLI::App& app, const std::string& word) {
-  std::vector<std::string> names;
-  for (const CLI::App* one : app.get_subcommands(nullptr)) names.push_back(one->get_name());
-  if (word.starts_with("-") || std::find(names.begin(), names.end(), word) != names.end()) return {};
-  const auto suggestion = breakaway::nearestName(word, names);
-  return "knows no command " + word + (suggestion ? ", did you mean " + *suggestion + "?" : "; see breakaway --help");
-}
+using namespace breakaway;
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  using namespace breakaway;
-  CLI::App app{"Breakaway: the bench instrument for a servo motor's friction", "breakaway"};
-  app.require_subcommand(1);
-  cli::Job job;
+void addCommands(CLI::App& app, cli::Job& job) {
   for (const cli::AddCommand add : {
            cli::addFit,
            cli::addSimulate,
@@ -39,23 +28,54 @@ int main(int argc, char** argv) {
            cli::addBurst,
            cli::addProfile,
            cli::addFigures,
+           cli::addList,
        }) {
     add(app, job);
   }
+}
+
+int fail(int status, const std::string& line) {
+  std::fprintf(stderr, "breakaway: %s\n", line.c_str());
+  return status;
+}
+
+/// The exit status: whatever was asked for doesn't count as done if nobody can have read it.
+int say(const std::string& text) {
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+  return written ? 0 : fail(2, "standard output: cannot be written");
+}
+
+int answer(const cli::Answer& answer, const cli::Manner& manner, bool outputIsThere) {
+  if (manner.json) return say(withMade(answer.json) + "\n");
+  return manner.quiet || outputIsThere ? 0 : say(answer.words);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  const std::string program = "breakaway " + std::string(versionText());
+  CLI::App app{"Breakaway: the bench instrument for a servo motor's friction", "breakaway"};
+  app.require_subcommand(1);
+  cli::Job job;
+  cli::Manner manner;
+  addCommands(app, job);
+  cli::addCommon(app, program, manner);
+  if (const auto help = cli::helpAskedFor(app, words)) return *help ? say(**help) : fail(2, help->error().fact);
   try {
     app.parse(argc, argv);
-  } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
+  } catch (const CLI::Success& asked) {
+    return app.exit(asked);
   } catch (const CLI::ParseError& error) {
-    const std::string unknown = argc > 1 ? unknownCommand(app, argv[1]) : std::string();
-    if (!unknown.empty()) {
-      std::fprintf(stderr, "breakaway: %s\n", unknown.c_str());
-      return 2;
-    }
-    std::fprintf(stderr, "breakaway: %s; see breakaway --help\n", error.what());
-    return 2;
+    return fail(2, cli::complaint(app, words, error.what()));
   }
+  const CLI::App& command = *app.get_subcommands().front();
+  if (const auto good = cli::checkTogether(command, manner); !good) return fail(2, good.error().message());
+  if (manner.quiet) cli::beQuiet();
+  std::vector<std::string> line{"breakaway"};
+  line.insert(line.end(), words.begin(), words.end());
+  beginRun(program, asCommand(line), cli::seedOf(command));
   const cli::Outcome outcome = job();
-  if (!outcome.line.empty()) std::fprintf(stderr, "breakaway: %s\n", outcome.line.c_str());
-  return outcome.status;
+  if (!outcome.line.empty()) fail(outcome.status, outcome.line);
+  return outcome.status != 0 ? outcome.status : answer(outcome.answer, manner, cli::writesToStandardOutput(command));
 }

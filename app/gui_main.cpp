@@ -1,22 +1,30 @@
+#include <unistd.h>
+
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QTemporaryDir>
 #include <QTimer>
+#include <algorithm>
 #include <cstdio>
-#include <cstring>
+#include <cstdlib>
+#include <initializer_list>
+#include <memory>
+#include <string>
+#include <vector>
 
+#include "base/made.h"
 #include "main_window.h"
 #include "screenshots.h"
 #include "session/session.h"
+#include "version.h"
 
 namespace {
 
-/// Pictures need no display; this must be known before the application is made.
-bool wantsScreenshots(int argc, char** argv) {
-  for (int k = 1; k < argc; ++k) {
-    if (std::strncmp(argv[k], "--screenshots", 13) == 0) return true;
-  }
-  return false;
+/// Whether one of `options` was given: some must be known before the application is made.
+bool hasWord(const std::vector<std::string>& words, std::initializer_list<std::string_view> options) {
+  return std::any_of(words.begin(), words.end(), [options](const std::string& word) {
+    return std::find(options.begin(), options.end(), std::string_view(word).substr(0, word.find('='))) != options.end();
+  });
 }
 
 /// The offscreen platform has nothing to tell window managers, and says so each time.
@@ -24,43 +32,93 @@ void quietAboutSizeHints(QtMsgType, const QMessageLogContext&, const QString& me
   if (!message.contains("propagateSizeHints")) std::fprintf(stderr, "breakaway-gui: %s\n", qPrintable(message));
 }
 
-int fail(const breakaway::Error& error) {
-  std::fprintf(stderr, "breakaway-gui: %s\n", error.message().c_str());
+/// While the application looks for its display: where there is none, Qt warns at length and aborts.
+void oneLineWithoutDisplay(QtMsgType type, const QMessageLogContext&, const QString&) {
+  if (type != QtFatalMsg) return;
+  const char* display = std::getenv("DISPLAY");
+  std::fprintf(stderr, "breakaway-gui: has no display to open its window on (DISPLAY is %s); breakaway needs none\n",
+               display == nullptr || *display == '\0' ? "empty" : display);
+  std::fflush(stderr);
+  _exit(2);
+}
+
+std::unique_ptr<QApplication> applicationOnDisplay(int& argc, char** argv) {
+  const auto before = qInstallMessageHandler(oneLineWithoutDisplay);
+  auto application = std::make_unique<QApplication>(argc, argv);
+  qInstallMessageHandler(before);
+  return application;
+}
+
+int fail(const QString& line) {
+  std::fprintf(stderr, "breakaway-gui: %s\n", qPrintable(line));
   return 2;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  using namespace breakaway;
-  const QTemporaryDir runtime;
-  if (wantsScreenshots(argc, argv)) {
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    if (qEnvironmentVariableIsEmpty("XDG_RUNTIME_DIR")) qputenv("XDG_RUNTIME_DIR", runtime.path().toUtf8());
-    qInstallMessageHandler(quietAboutSizeHints);
-  }
-  QApplication application(argc, argv);
-  QApplication::setApplicationName("breakaway");
-  QApplication::setApplicationDisplayName("Breakaway");
+struct Line {
+  QCommandLineOption board{"board", QObject::tr("Connect to this board at the start."), "URI", "simulated"};
+  QCommandLineOption screenshots{
+      "screenshots", QObject::tr("Render every page in each of its states into DIR, without a display."), "DIR"};
   QCommandLineParser parser;
-  parser.setApplicationDescription(QObject::tr("Breakaway: the bench instrument for a servo motor's friction"));
-  parser.addHelpOption();
-  const QCommandLineOption board("board", QObject::tr("Connect to this board at the start."), "URI", "simulated");
-  const QCommandLineOption screenshots(
-      "screenshots", QObject::tr("Render every page in each of its states into DIR, without a display."), "DIR");
-  parser.addOptions({board, screenshots});
-  parser.process(application);
-  if (parser.isSet(screenshots)) {
-    const auto taken = takeScreenshots(parser.value(screenshots));
-    return taken ? 0 : fail(taken.error());
+
+  Line() {
+    parser.setApplicationDescription(
+        QObject::tr("Breakaway: the bench instrument for a servo motor's friction\n"
+                    "Examples:\n"
+                    "  breakaway-gui\n"
+                    "  breakaway-gui --board serial:ttyACM0"));
+    parser.addHelpOption();
+    parser.addVersionOption();
+    parser.addOptions({board, screenshots});
   }
+};
+
+void nameApplication() {
+  QCoreApplication::setApplicationName("breakaway");
+  const std::string_view version = breakaway::versionText();
+  QCoreApplication::setApplicationVersion(QString::fromUtf8(version.data(), static_cast<qsizetype>(version.size())));
+}
+
+void beginRunOf(const std::vector<std::string>& given) {
+  std::vector<std::string> words{"breakaway-gui"};
+  words.insert(words.end(), given.begin(), given.end());
+  breakaway::beginRun("breakaway-gui " + std::string(breakaway::versionText()), breakaway::asCommand(words));
+}
+
+int show(const QString& board) {
+  using namespace breakaway;
   Session session;
   FileDialogs files;
   MainWindow window(session, files);
   window.show();
   QTimer::singleShot(0, &window, [&] {
-    session.connection.open(parser.value(board));
+    session.connection.open(board);
     if (session.connection.identity().simulated) session.bench.turnSlowly();
   });
   return QApplication::exec();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  beginRunOf(words);
+  nameApplication();
+  if (hasWord(words, {"-h", "--help", "--help-all", "-v", "--version"})) {
+    const QCoreApplication application(argc, argv);
+    Line().parser.process(application);  // says it and ends
+  }
+  const QTemporaryDir runtime;
+  if (hasWord(words, {"--screenshots"})) {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    if (qEnvironmentVariableIsEmpty("XDG_RUNTIME_DIR")) qputenv("XDG_RUNTIME_DIR", runtime.path().toUtf8());
+    qInstallMessageHandler(quietAboutSizeHints);
+  }
+  const auto application = applicationOnDisplay(argc, argv);
+  QApplication::setApplicationDisplayName("Breakaway");
+  Line line;
+  if (!line.parser.parse(QApplication::arguments()))
+    return fail(line.parser.errorText() + "; see breakaway-gui --help");
+  if (!line.parser.isSet(line.screenshots)) return show(line.parser.value(line.board));
+  const auto taken = breakaway::takeScreenshots(line.parser.value(line.screenshots));
+  return taken ? 0 : fail(QString::fromStdString(taken.error().message()));
 }

@@ -1,14 +1,18 @@
 // Many diagnoses from one list, resumable and in shards (resources/help/commands.md).
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
+#include <thread>
 
 #include "base/atomic_file.h"
 #include "base/line_log.h"
+#include "base/made.h"
 #include "base/shard.h"
 #include "cli/command.h"
 #include "cli/inputs.h"
@@ -23,6 +27,7 @@ using Json = nlohmann::ordered_json;
 struct BatchLine {
   std::string manifest, out;
   std::string shard = "1/1";
+  size_t jobs = 1;
 };
 
 struct Entry {
@@ -116,27 +121,65 @@ Result<Diagnosis> diagnoseEntry(const Entry& entry) {
   return diagnose(in->bench, in->recordings, in->heldout, {});
 }
 
-Result<void> runBatch(const BatchLine& line) {
+/// The entry's line of RESULTS.
+std::string resultLine(const Entry& entry) {
+  const OwnInputs ownInputs;
+  const auto diagnosis = diagnoseEntry(entry);
+  const std::string result = diagnosis ? "\"diagnosis\":" + withMade(diagnosisJson(*diagnosis, true))
+                                       : "\"error\":" + textOf(Json(diagnosis.error().message()));
+  return "{\"id\":" + textOf(entry.id) + "," + result + "}";
+}
+
+/// Does `todo` with `jobs` threads, each entry's line appended when it is done. Error: of RESULTS, which ends it.
+Result<void> doEntries(const std::vector<const Entry*>& todo, const std::string& out, size_t jobs) {
+  std::mutex mutex;  // of what is below, and of RESULTS
+  size_t next = 0, done = 0;
+  Result<void> end;
+  const auto work = [&] {
+    for (;;) {
+      const Entry* entry = nullptr;
+      {
+        const std::scoped_lock lock(mutex);
+        if (next == todo.size() || !end) return;
+        entry = todo[next++];
+        if (progressIsWatched())
+          std::fprintf(stderr, "\r\033[K%zu of %zu  %s", done + 1, todo.size(), textOf(entry->id).c_str());
+      }
+      const std::string line = resultLine(*entry);
+      const std::scoped_lock lock(mutex);
+      ++done;
+      if (end) end = appendLine(out, line);
+    }
+  };
+  {
+    std::vector<std::jthread> further;
+    for (size_t k = 1; k < std::min(jobs, todo.size()); ++k) further.emplace_back(work);
+    work();
+  }
+  if (progressIsWatched()) std::fprintf(stderr, "\r\033[K");
+  return end;
+}
+
+Result<Answer> runBatch(const BatchLine& line) {
   const auto shard = parseShard(line.shard);
   if (!shard) return shard.error();
   const auto entries = readManifest(line.manifest);
   if (!entries) return entries.error();
   const auto finished = finishedIds(line.out);
   if (!finished) return finished.error();
+  std::vector<const Entry*> todo;
+  size_t held = 0;
   for (size_t k = 0; k < entries->size(); ++k) {
-    const Entry& entry = (*entries)[k];
-    const std::string id = textOf(entry.id);
-    if (!shard->holds(k) || finished->contains(id)) continue;
-    if (progressIsWatched()) std::fprintf(stderr, "\r\033[K%zu of %zu  %s", k + 1, entries->size(), id.c_str());
-    const auto diagnosis = diagnoseEntry(entry);
-    const std::string result = diagnosis ? "\"diagnosis\":" + diagnosisJson(*diagnosis, true)
-                                         : "\"error\":" + textOf(Json(diagnosis.error().message()));
-    if (auto done = appendLine(line.out, "{\"id\":" + id + "," + result + "}"); !done) return done;
+    if (!shard->holds(k)) continue;
+    ++held;
+    if (!finished->contains(textOf((*entries)[k].id))) todo.push_back(&(*entries)[k]);
   }
-  if (progressIsWatched()) std::fprintf(stderr, "\r\033[K");
+  if (auto done = doEntries(todo, line.out, line.jobs); !done) return done.error();
   // A shard that holds no entry leaves its results, too: none.
   if (!std::ofstream(line.out, std::ios::app)) return Error{line.out, "cannot be written"};
-  return {};
+  const Json json{{"out", line.out}, {"entries", held}, {"done_now", todo.size()}, {"done_before", held - todo.size()}};
+  return Answer{line.out + ": " + std::to_string(held) + " entries, " + std::to_string(todo.size()) + " done now\n",
+                asText(json)};
 }
 
 }  // namespace
@@ -155,6 +198,14 @@ void addBatch(CLI::App& app, Job& chosen) {
                    "file that results are appended to, one per line: {\"id\", \"diagnosis\"} or {\"id\", \"error\"}")
       ->required();
   command->add_option("--shard", line->shard, "I/N: only every N-th entry, beginning with the I-th");
+  command->add_option("--jobs", line->jobs, "entries that are done at the same time, each on a core of its own")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 256));
+  command->footer(
+      "Examples:\n"
+      "  breakaway batch list.jsonl --out results.jsonl --jobs 4\n"
+      "  breakaway batch list.jsonl --out results.jsonl --shard 2/3\n"
+      "  find . -name '*.csv' | my-list | breakaway batch - --out results.jsonl");
   command->callback([line, &chosen] { chosen = [line] { return runBatch(*line); }; });
 }
 

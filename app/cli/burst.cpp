@@ -1,12 +1,16 @@
 #include "firmware_link/burst_capture.h"
 
+#include <fmt/core.h>
+
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/made.h"
 #include "cli/command.h"
+#include "cli/inputs.h"
 #include "firmware_link/transport/byte_address.h"
 #include "firmware_link/transport/open_byte_stream.h"
 #include "recording/csv.h"
@@ -25,7 +29,22 @@ struct BurstLine {
   BurstRequest request;
 };
 
-Result<void> runBurst(const BurstLine& line) {
+Answer answerOf(const BurstLine& line, const BurstRequest& request, const CapturedBurst& burst) {
+  std::string words;
+  if (burst.samples.size() < request.samples)
+    words +=
+        fmt::format("the board has room for {} samples, {} were asked for\n", burst.samples.size(), request.samples);
+  if (!burst.fault.empty()) words += burst.fault + "\n";
+  words += fmt::format("{}: {} samples, one every {} ticks\n", line.out, burst.samples.size(), request.every);
+  const nlohmann::ordered_json json{{"out", line.out},
+                                    {"samples", burst.samples.size()},
+                                    {"asked_for", request.samples},
+                                    {"every_ticks", request.every},
+                                    {"fault", burst.fault}};
+  return {words, asText(json)};
+}
+
+Result<Answer> runBurst(const BurstLine& line) {
   if (!carriesBytes(line.board))
     return Error{"board " + line.board, "takes no burst, expected serial:PORT[@BAUD] or tcp:HOST:PORT"};
   BurstRequest request = line.request;
@@ -35,17 +54,14 @@ Result<void> runBurst(const BurstLine& line) {
   BoardLink link(std::move(*stream), "board " + line.board);
   const auto board = BoardDictionary::read(link);
   if (!board) return board.error();
+  noteDevice(MadeOn{board->device(), {}, board->firmware()});
   const auto burst = captureBurst(link, *board, request);
   if (!burst) return burst.error();
   const auto recording =
       sealSamples(line.out, burst->samples, {{"device", board->device()}, {"firmware", board->firmware()}});
   if (!recording) return recording.error();
-  if (auto written = writeCsv(*recording, line.out); !written) return written;
-  std::printf("%s: %zu samples, one every %d ticks\n", line.out.c_str(), burst->samples.size(), request.every);
-  if (burst->samples.size() < request.samples)
-    std::printf("the board has room for %zu samples, %d were asked for\n", burst->samples.size(), request.samples);
-  if (!burst->fault.empty()) std::printf("%s\n", burst->fault.c_str());
-  return {};
+  if (auto written = writeCsv(*recording, line.out); !written) return written.error();
+  return answerOf(line, request, *burst);
 }
 
 }  // namespace
@@ -70,6 +86,10 @@ void addBurst(CLI::App& app, Job& chosen) {
                      ->check(CLI::Range(-1e6, 1e6))
                      ->needs(mode);
   mode->needs(target);
+  command->footer(
+      "Examples:\n"
+      "  breakaway burst --board serial:ttyACM0 --out b.csv\n"
+      "  breakaway burst --board tcp:localhost:5000 --samples 400 --command voltage --target 2 --out b.csv");
   command->callback([line, &chosen] { chosen = [line] { return runBurst(*line); }; });
 }
 

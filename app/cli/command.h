@@ -14,13 +14,21 @@ class App;
 
 namespace breakaway::cli {
 
-/// How a command ended: its exit status, and one line where it isn't 0.
+/// What a command says on standard output when it is done.
+struct Answer {
+  std::string words;  ///< for people; its last line says where the result is
+  std::string json;   ///< the same as a JSON object, for --json
+};
+
+/// How a command ended: its exit status, what it answers, and one line where it isn't 0.
 struct Outcome {
   int status =
       0;  ///< 0: done; 1: the bench failed on the way; 2: the input is wrong; 130: interrupted from the keyboard
   std::string line;  ///< empty where the status is 0
+  Answer answer;
 
-  Outcome(const Result<void>& done) : status(done ? 0 : 2), line(done ? std::string() : done.error().message()) {}
+  Outcome(const Result<Answer>& done)
+      : status(done ? 0 : 2), line(done ? std::string() : done.error().message()), answer(done ? *done : Answer()) {}
   Outcome(int wrongStatus, std::string why) : status(wrongStatus), line(std::move(why)) {}
 };
 
@@ -43,5 +51,6 @@ void addProfile(CLI::App& app, Job& chosen);
 void addPorts(CLI::App& app, Job& chosen);
 void addBurst(CLI::App& app, Job& chosen);
 void addFigures(CLI::App& app, Job& chosen);
+void addList(CLI::App& app, Job& chosen);
 
 }  // namespace breakaway::cli

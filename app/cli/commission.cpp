@@ -4,6 +4,7 @@
 #include <csignal>
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "base/numbers.h"
 #include "cli/command.h"
@@ -14,6 +15,7 @@
 #include "firmware_link/presets.h"
 #include "firmware_link/simulated_truth.h"
 #include "firmware_link/transport/open_board.h"
+#include "friction/map_json.h"
 #include "report/commission_report.h"
 
 namespace breakaway::cli {
@@ -100,41 +102,65 @@ Result<void> takeAddedInertia(const CommissionLine& line, Axis axis, CommissionO
   return {};
 }
 
+std::string remarksOf(const Commission& done) {
+  std::string words;
+  for (const std::string& remark : done.remarks) words += remark + "\n";
+  return words;
+}
+
 /// What is left once the motor is known and nothing else was asked for.
-Result<void> endWithMotor(const Commission& done, const std::string& folder) {
-  if (auto written = writeIdentification(done, folder); !written) return written;
-  if (auto removed = removeProgress(folder); !removed) return removed;
-  std::printf("%s\n", motorInWords(done).c_str());
-  for (const std::string& remark : done.remarks) std::printf("%s\n", remark.c_str());
-  std::printf("Motor: %s/motor.json\n", folder.c_str());
-  return {};
+Result<Answer> endWithMotor(const Commission& done, const std::string& folder) {
+  if (auto written = writeIdentification(done, folder); !written) return written.error();
+  if (auto removed = removeProgress(folder); !removed) return removed.error();
+  const nlohmann::ordered_json json{
+      {"motor", folder + "/motor.json"}, {"bench", folder + "/bench.json"}, {"remarks", done.remarks}};
+  return Answer{motorInWords(done) + "\n" + remarksOf(done) + "Motor: " + folder + "/motor.json\n", asText(json)};
+}
+
+/// The whole job's files, and what is said of it: the map without its bins.
+Result<Answer> endWithMap(const Commission& done, const CommissionLine& line) {
+  std::optional<FrictionMap> truth;
+  if (isSimulated(line.board)) {
+    auto known = trueMap(line.board, done.map);
+    if (!known) return known.error();
+    truth = std::move(*known);
+  }
+  if (auto written = writeCommission(done, truth, line.out); !written) return written.error();
+  if (auto removed = removeProgress(line.out); !removed) return removed.error();
+  auto json = nlohmann::ordered_json::parse(mapJsonText(done.map));
+  json.erase("bins");
+  for (const char* name : {"bench", "motor", "map"}) json["files"][name] = line.out + "/" + name + ".json";
+  json["remarks"] = done.remarks;
+  json["report"] = line.out + "/report.html";
+  return Answer{inWords(done) + "\n" + remarksOf(done) + "Report: " + line.out + "/report.html\n", asText(json)};
 }
 
 Outcome runCommission(const CommissionLine& line) {
   auto bench = readBelief(line);
-  if (!bench) return Result<void>(bench.error());
+  if (!bench) return Result<Answer>(bench.error());
   auto drive = openBoard(requestFor(line, *bench));
-  if (!drive) return Result<void>(drive.error());
+  if (!drive) return Result<Answer>(drive.error());
   if (const std::string why = obstacleTo(Task::commissioning, (*drive)->identity()); !why.empty())
-    return Result<void>(
+    return Result<Answer>(
         Error{"board " + line.board, "is " + (*drive)->identity().device + ", which can't be commissioned: " + why});
   if (*bench && (**bench).axis != (*drive)->identity().axis)
-    return Result<void>(Error{line.bench.empty() ? "bench" : line.bench,
-                              (**bench).axis == Axis::linear ? "is of a linear axis, but the board turns a rotor"
-                                                             : "is of a rotor, but the board moves a linear axis"});
+    return Result<Answer>(Error{line.bench.empty() ? "bench" : line.bench,
+                                (**bench).axis == Axis::linear ? "is of a linear axis, but the board turns a rotor"
+                                                               : "is of a rotor, but the board moves a linear axis"});
   CommissionOptions options;
   options.bench = *bench;
   options.rig = options.bench && !options.bench->name.empty() ? options.bench->name : (*drive)->identity().device;
   options.sweeps.bins = line.bins;
   options.sweeps.turns = line.turns;
-  if (auto taken = takeAddedInertia(line, (*drive)->identity().axis, options); !taken) return taken;
+  if (auto taken = takeAddedInertia(line, (*drive)->identity().axis, options); !taken)
+    return Result<Answer>(taken.error());
   options.sweeps.speedRun_s = line.run_s;
   if (progressIsWatched()) {
     options.progress = [](double part, const std::string& activity) {
       std::fprintf(stderr, "\r\033[K%3.0f %%  %s", 100.0 * part, activity.c_str());
     };
   }
-  if (auto begun = beginFolder(line, options); !begun) return begun;
+  if (auto begun = beginFolder(line, options); !begun) return Result<Answer>(begun.error());
   const WatchedInterrupt interrupt;
   options.interrupted = [] { return interruptAsked != 0; };
   bool kept = false;
@@ -147,21 +173,10 @@ Outcome runCommission(const CommissionLine& line) {
   };
   const auto done = commission(**drive, options);
   if (progressIsWatched()) std::fprintf(stderr, "\r\033[K");
-  if (!done && !kept) return Result<void>(done.error());
+  if (!done && !kept) return Result<Answer>(done.error());
   if (!done) return {interruptAsked != 0 ? 130 : 1, withAdvice(done.error(), line.out).message()};
   if (line.motorOnly) return endWithMotor(*done, line.out);
-  std::optional<FrictionMap> truth;
-  if (isSimulated(line.board)) {
-    auto known = trueMap(line.board, done->map);
-    if (!known) return Result<void>(known.error());
-    truth = std::move(*known);
-  }
-  if (auto written = writeCommission(*done, truth, line.out); !written) return written;
-  if (auto removed = removeProgress(line.out); !removed) return removed;
-  std::printf("%s\n", inWords(*done).c_str());
-  for (const std::string& remark : done->remarks) std::printf("%s\n", remark.c_str());
-  std::printf("Report: %s/report.html\n", line.out.c_str());
-  return Result<void>();
+  return endWithMap(*done, line);
 }
 
 }  // namespace
@@ -210,6 +225,11 @@ void addCommission(CLI::App& app, Job& chosen) {
       "--resume", line->resume,
       "go on with the interrupted job in the folder: its motor, runs and breakaways are kept, the current "
       "sensor is zeroed and the rotor homed anew");
+  command->footer(
+      "Examples:\n"
+      "  breakaway commission --out c\n"
+      "  breakaway commission --bench axis7.bench.json --board serial:ttyACM0 --out c\n"
+      "  breakaway commission --board serial:ttyACM0 --out c --resume");
   command->callback([line, bins, turns, run, &chosen] {
     line->namesBins = bins->count() > 0;
     line->namesTurns = turns->count() > 0;

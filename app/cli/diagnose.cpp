@@ -1,18 +1,20 @@
 #include <CLI/CLI.hpp>
-#include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "cli/command.h"
 #include "cli/diagnose_files.h"
+#include "cli/inputs.h"
 
 namespace breakaway::cli {
 
 namespace {
 
-Result<void> runDiagnose(const DiagnosedFiles& files) {
+Result<Answer> runDiagnose(const DiagnosedFiles& files) {
   const auto diagnosis = diagnoseFiles(files);
   if (!diagnosis) return diagnosis.error();
-  std::fputs(inWords(*diagnosis).c_str(), stdout);
-  return {};
+  auto json = nlohmann::ordered_json::parse(diagnosisJson(*diagnosis, true));
+  json["report"] = files.out + "/report.html";
+  return Answer{inWords(*diagnosis) + "Report: " + files.out + "/report.html\n", asText(json)};
 }
 
 }  // namespace
@@ -29,7 +31,12 @@ void addDiagnose(CLI::App& app, Job& chosen) {
       ->add_option("--out", line->out,
                    "folder for diagnosis.json, model.json, base_model.json, report.html and figures")
       ->required();
-  command->add_option("--seed", line->seed, "seed of everything random");
+  command->add_option("--seed", line->seed, "seed of everything random")->capture_default_str();
+  command->footer(
+      "Examples:\n"
+      "  breakaway diagnose --bench axis7.bench.json --recording march.csv --out d\n"
+      "  breakaway diagnose --bench b.json --recording a.csv b.csv --heldout c.csv --out d\n"
+      "  breakaway import log.mat --out - | breakaway diagnose --bench b.json --recording - --out d --json");
   command->callback([line, &chosen] { chosen = [line] { return runDiagnose(*line); }; });
 }
 

@@ -1,8 +1,10 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
+#include "base/made.h"
 #include "cli/command.h"
 #include "cli/inputs.h"
 #include "draw/png.h"
@@ -19,17 +21,18 @@ struct FiguresLine {
   AllFiguresOptions options;
 };
 
-Result<void> runFigures(FiguresLine& line) {
-  if (auto able = pngCanBeWritten(); !able) return able;
+Result<Answer> runFigures(FiguresLine& line) {
+  if (auto able = pngCanBeWritten(); !able) return able.error();
   auto bench = openDrive(line.board, line.options.seed);
   if (!bench) return bench.error();
+  noteDevice(MadeOn{(*bench)->identity().device, {}, (*bench)->identity().firmware});
   auto uneven = openDrive(line.uneven, line.options.seed);
   if (!uneven) return uneven.error();
   for (const auto& [name, board] : {std::pair(line.board, bench->get()), std::pair(line.uneven, uneven->get())}) {
     if (board->identity().axis != Axis::rotary)
       return Error{"board " + name, "moves a linear axis, expected a rotor: the figures are a rotor's"};
   }
-  if (auto made = makeFolder(line.out); !made) return made;
+  if (auto made = makeFolder(line.out); !made) return made.error();
   if (progressIsWatched()) {
     line.options.progress = [](double part, const std::string& activity) {
       std::fprintf(stderr, "\r\033[K%3.0f %%  %s", 100.0 * part, activity.c_str());
@@ -38,9 +41,10 @@ Result<void> runFigures(FiguresLine& line) {
   const auto figures = measureFigures(std::move(*bench), std::move(*uneven), line.options);
   if (progressIsWatched()) std::fprintf(stderr, "\r\033[K");
   if (!figures) return figures.error();
-  if (auto written = writeFigures(*figures, line.out); !written) return written;
-  std::printf("%zu figures: %s/index.html\n", figures->size(), line.out.c_str());
-  return {};
+  if (auto written = writeFigures(*figures, line.out); !written) return written.error();
+  nlohmann::ordered_json json{{"report", line.out + "/index.html"}, {"figures", nlohmann::ordered_json::array()}};
+  for (const BenchFigure& one : *figures) json["figures"].push_back(one.name);
+  return Answer{std::to_string(figures->size()) + " figures: " + line.out + "/index.html\n", asText(json)};
 }
 
 }  // namespace
@@ -62,6 +66,10 @@ void addFigures(CLI::App& app, Job& chosen) {
   command->add_option("--turns", line->options.turns, "turns of the breakaway sweep each way")
       ->capture_default_str()
       ->check(CLI::Range(1, 20));
+  command->footer(
+      "Examples:\n"
+      "  breakaway figures --out f\n"
+      "  breakaway figures --board simulated:geared --seed 3 --out f");
   command->callback([line, &chosen] { chosen = [line] { return runFigures(*line); }; });
 }
 

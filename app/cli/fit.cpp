@@ -1,6 +1,8 @@
+#include <fmt/core.h>
+
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "base/json_object.h"
 #include "base/statistics.h"
@@ -15,6 +17,8 @@
 namespace breakaway::cli {
 
 namespace {
+
+constexpr double window_s = 0.5;
 
 struct FitLine {
   std::string bench, out, method = "simulation";
@@ -33,47 +37,63 @@ Result<void> checkEffects(const std::vector<std::string>& names) {
   return {};
 }
 
-void print(const Model& model) {
-  const auto show = [](const std::string& prefix, const Parameter& one) {
-    std::printf("%-44s %12.6g   [%.6g, %.6g]\n", (prefix + one.name).c_str(), one.value, one.low95, one.high95);
+std::string inWords(const Model& model) {
+  std::string words;
+  const auto show = [&words](const std::string& prefix, const Parameter& one) {
+    words += fmt::format("{:<44} {:>12.6g}   [{:.6g}, {:.6g}]\n", prefix + one.name, one.value, one.low95, one.high95);
   };
   for (const Parameter& one : model.base) show("", one);
   for (const EffectTerm& term : model.effects) {
     for (const Parameter& one : presentParameters(term, model.axis)) show(term.effect + ": ", one);
   }
+  return words;
 }
 
-Result<Model> fitted(const FitLine& line, const Preparation& prepared) {
+struct Fitted {
+  Model model;
+  std::string how;
+};
+
+Result<Fitted> fitted(const FitLine& line, const Preparation& prepared) {
   if (line.method == "inverse") {
     Model model = prepared.starts.front();
     for (const std::string& name : line.effects) model.effects.push_back({name, {}});
     auto fit = fitInverse(model, prepared.tracks);
     if (!fit) return fit.error();
-    std::printf("least squares on the inverse model, %zu filtered rows, relative error %.2f %%\n", fit->rows,
-                100.0 * fit->relativeError);
-    return fit->model;
+    return Fitted{fit->model,
+                  fmt::format("least squares on the inverse model, {} filtered rows, relative error {:.2f} %\n",
+                              fit->rows, 100.0 * fit->relativeError)};
   }
   const SearchInput input(prepared, 1);
   auto fit = fitNamed(input, prepared.starts, line.effects);
   if (!fit) return fit.error();
-  std::printf("least squares over %zu restarted windows: %s\n", prepared.split.train.size(), fit->termination.c_str());
-  return withDoubts(fit->model, prepared);
+  return Fitted{withDoubts(fit->model, prepared), fmt::format("least squares over {} restarted windows: {}\n",
+                                                              prepared.split.train.size(), fit->termination)};
 }
 
-Result<void> runFit(const FitLine& line) {
-  if (auto known = checkEffects(line.effects); !known) return known;
+Answer answerOf(const FitLine& line, const Fitted& fit, const std::string& channel, double error) {
+  auto json = nlohmann::ordered_json::parse(modelText(fit.model));
+  json["fit"] = {{"method", line.method}, {"channel", channel}, {"metric", "rmse"},
+                 {"window_s", window_s},  {"train", error},     {"model", line.out}};
+  return {fit.how + inWords(fit.model) +
+              fmt::format("{}: {:.4g} rms over windows restarted every {} s\nModel: {}\n", channel, error, window_s,
+                          line.out),
+          asText(json)};
+}
+
+Result<Answer> runFit(const FitLine& line) {
+  if (auto known = checkEffects(line.effects); !known) return known.error();
   const auto bench = readBench(line.bench);
   if (!bench) return bench.error();
   const auto recordings = readRecordings(line.recordings);
   if (!recordings) return recordings.error();
-  const auto prepared = prepare(*bench, *recordings, {}, 0.5, HeldOut::none);
+  const auto prepared = prepare(*bench, *recordings, {}, window_s, HeldOut::none);
   if (!prepared) return prepared.error();
-  const auto model = fitted(line, *prepared);
-  if (!model) return model.error();
-  print(*model);
-  const double error = std::sqrt(mean(scoreWindows(*model, prepared->tracks, prepared->split.trainScore)));
-  std::printf("%s: %.4g rms over windows restarted every 0.5 s\n", bench->positionChannel().c_str(), error);
-  return writeModel(*model, line.out);
+  const auto fit = fitted(line, *prepared);
+  if (!fit) return fit.error();
+  const double error = std::sqrt(mean(scoreWindows(fit->model, prepared->tracks, prepared->split.trainScore)));
+  if (auto written = writeModel(fit->model, line.out); !written) return written.error();
+  return answerOf(line, *fit, bench->positionChannel(), error);
 }
 
 }  // namespace
@@ -88,9 +108,15 @@ void addFit(CLI::App& app, Job& chosen) {
       ->delimiter(',');
   command
       ->add_option("--method", line->method,
-                   "simulation: restarted windows (default); inverse: least squares on the filtered inverse model")
+                   "simulation: restarted windows; inverse: least squares on the filtered inverse model")
+      ->capture_default_str()
       ->check(CLI::IsMember({"simulation", "inverse"}));
   command->add_option("--out", line->out, "model file to write")->required();
+  command->footer(
+      "Examples:\n"
+      "  breakaway fit --bench b.json --recording a.csv --out model.json\n"
+      "  breakaway fit --bench b.json --recording a.csv --effects stribeck,cogging --out model.json\n"
+      "breakaway list effects names the effects.");
   command->callback([line, &chosen] { chosen = [line] { return runFit(*line); }; });
 }
 

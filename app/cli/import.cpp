@@ -1,15 +1,20 @@
 #include "recording/import/import.h"
 
+#include <fmt/core.h>
+
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "cli/command.h"
+#include "cli/inputs.h"
 #include "recording/csv.h"
 
 namespace breakaway::cli {
 
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 struct Options {
   std::string in, out, map;
@@ -19,18 +24,20 @@ struct Options {
 constexpr size_t rowsShown = 5;
 constexpr size_t columnsShown = 8;
 
-void printFirstRows(const Recording& recording) {
+std::string firstRows(const Recording& recording) {
+  std::string words;
   const auto& channels = recording.channels();
   const size_t columns = std::min(channels.size(), columnsShown);
-  for (size_t c = 0; c < columns; ++c) std::printf("%s%.24s", c == 0 ? "" : "\t", channels[c].name.c_str());
-  std::printf("%s\n", columns < channels.size() ? "\t…" : "");
+  for (size_t c = 0; c < columns; ++c) words += fmt::format("{}{:.24}", c == 0 ? "" : "\t", channels[c].name);
+  words += columns < channels.size() ? "\t…\n" : "\n";
   for (size_t k = 0; k < std::min(recording.rows(), rowsShown); ++k) {
     for (size_t c = 0; c < columns; ++c) {
       const double value = channels[c].values[k];
-      std::printf(std::isnan(value) ? "%s" : "%s%.9g", c == 0 ? "" : "\t", value);
+      words += (c == 0 ? "" : "\t") + (std::isnan(value) ? std::string() : fmt::format("{:.9g}", value));
     }
-    std::printf("\n");
+    words += "\n";
   }
+  return words;
 }
 
 /// "log.csv" and "3" make "log.3.csv".
@@ -41,12 +48,29 @@ std::string partPath(const std::string& out, const std::string& part) {
   return extension ? out.substr(0, dot) + "." + part + out.substr(dot) : out + "." + part;
 }
 
-void printFates(const Imported& imported) {
-  for (const ColumnFate& column : imported.columns) std::printf("%s\n", column.inWords().c_str());
-  for (const auto& remark : imported.remarks) std::printf("%s\n", remark.c_str());
+std::string fates(const Imported& imported) {
+  std::string words;
+  for (const ColumnFate& column : imported.columns) words += column.inWords() + "\n";
+  for (const auto& remark : imported.remarks) words += remark + "\n";
+  return words;
 }
 
-Result<void> import(const Options& options) {
+Json jsonOf(const Imported& imported) {
+  Json json{{"rows", imported.recording.rows()}, {"columns", Json::array()}, {"remarks", imported.remarks}};
+  for (const ColumnFate& one : imported.columns) {
+    const bool leftOut = one.kind == ColumnFate::Kind::leftOut;
+    json["columns"].push_back({{"from", one.from},
+                               {"to", leftOut ? Json() : Json(one.to)},
+                               {"unit", one.unit},
+                               {"scale", one.scale},
+                               {"offset", one.offset},
+                               {"why", one.why},
+                               {"guessed", one.guessed}});
+  }
+  return json;
+}
+
+Result<Answer> import(const Options& options) {
   ImportMap map;
   if (!options.map.empty()) {
     auto read = readImportMap(options.map);
@@ -55,19 +79,22 @@ Result<void> import(const Options& options) {
   }
   const auto parts = importRecordings(options.in, map);
   if (!parts) return parts.error();
+  std::string words;
+  Json json{{"recordings", Json::array()}};
   for (const Imported& part : *parts) {
-    const std::string out =
-        map.split.empty() ? options.out : partPath(options.out, part.recording.notes().rbegin()[1].second);
+    words += fates(part);
+    json["recordings"].push_back(jsonOf(part));
     if (options.explain) {
-      printFates(part);
-      printFirstRows(part.recording);
+      words += firstRows(part.recording);
       continue;
     }
+    const std::string out =
+        map.split.empty() ? options.out : partPath(options.out, part.recording.notes().rbegin()[1].second);
     if (const auto done = writeCsv(part.recording, out); !done) return done.error();
-    printFates(part);
-    std::printf("%s: %zu rows, %zu columns\n", out.c_str(), part.recording.rows(), part.recording.channels().size());
+    words += fmt::format("{}: {} rows, {} columns\n", out, part.recording.rows(), part.recording.channels().size());
+    json["recordings"].back()["out"] = out;
   }
-  return {};
+  return Answer{words, asText(json)};
 }
 
 }  // namespace
@@ -77,16 +104,21 @@ void addImport(CLI::App& app, Job& chosen) {
   auto* command = app.add_subcommand("import", "Turn a log of another tool into a recording");
   command
       ->add_option("IN", options->in,
-                   "log: a table of text, .xlsx, .mat, .npy, .npz, HDF5, JSON, .wpilog, .lvm, also packed (.gz)")
+                   "log: a table of text, .xlsx, .mat, .npy, .npz, HDF5, JSON, .wpilog, .lvm, also packed (.gz); - is "
+                   "standard input")
       ->required();
-  command->add_option("--out", options->out, "recording to write, CSV");
+  command->add_option("--out", options->out, "recording to write, CSV; - is standard output");
   command->add_option("--map", options->map,
                       "JSON that says what the file doesn't: {\"columns\": {\"OLD\": {\"to\": \"NEW\", \"unit\": "
                       "\"deg\"}}, \"pole_pairs\": 7}");
   command->add_flag("--explain", options->explain, "say what is understood, show the first rows, write nothing");
   command->footer(
       "Columns are understood by their names and units; what became of each is printed. The manual's page import.md "
-      "tells more.");
+      "tells more.\n"
+      "Examples:\n"
+      "  breakaway import log.csv --explain\n"
+      "  breakaway import vesc.csv --map vesc.map.json --out r.csv\n"
+      "  zcat log.gz | breakaway import - --out r.csv");
   command->callback([options, &chosen] {
     if (options->out.empty() && !options->explain) throw CLI::RequiredError("--out");
     chosen = [options] { return import(*options); };

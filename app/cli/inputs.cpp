@@ -27,8 +27,16 @@ Result<DiagnosisInputs> readDiagnosisInputs(const std::string& bench, const std:
   return DiagnosisInputs{std::move(*rig), std::move(*learned), std::move(*proving)};
 }
 
+namespace {
+bool quiet = false;
+}
+
 bool progressIsWatched() {
-  return ::isatty(STDERR_FILENO) == 1;
+  return !quiet && ::isatty(STDERR_FILENO) == 1;
+}
+
+void beQuiet() {
+  quiet = true;
 }
 
 }  // namespace breakaway::cli

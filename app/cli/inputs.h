@@ -23,7 +23,16 @@ struct DiagnosisInputs {
 Result<DiagnosisInputs> readDiagnosisInputs(const std::string& bench, const std::vector<std::string>& recordings,
                                             const std::vector<std::string>& heldout);
 
-/// True when a person watches standard error.
+/// True when a person watches standard error, and didn't ask for quiet.
 bool progressIsWatched();
+
+/// No progress from here on.
+void beQuiet();
+
+/// JSON as text for standard output, whatever bytes its texts hold.
+template <typename Json>
+std::string asText(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
 
 }  // namespace breakaway::cli

@@ -1,16 +1,18 @@
 #include "experiment/profile.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "cli/command.h"
+#include "cli/inputs.h"
 #include "firmware_link/transport/open_board.h"
 
 namespace breakaway::cli {
 
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 struct ProfileLine {
   std::string action, file;
@@ -18,48 +20,50 @@ struct ProfileLine {
   RestoreOptions options;
 };
 
-Result<void> save(Drive& board, const ProfileLine& line) {
+Result<Answer> save(Drive& board, const ProfileLine& line) {
   const auto profile = profileOf(board);
   if (!profile) return profile.error();
-  if (auto written = writeProfile(*profile, line.file); !written) return written;
-  std::printf("%s: what %s is set to\n", line.file.c_str(), profile->device.c_str());
-  return {};
+  if (auto written = writeProfile(*profile, line.file); !written) return written.error();
+  const Json json{{"profile", line.file}, {"device", profile->device}};
+  return Answer{line.file + ": what " + profile->device + " is set to\n", asText(json)};
 }
 
-Result<void> compare(Drive& board, const Profile& profile) {
+Result<Answer> compare(Drive& board, const Profile& profile) {
   const auto here = profileOf(board);
   if (!here) return here.error();
+  std::string words;
   if (here->device != profile.device || here->firmware != profile.firmware) {
-    std::printf("saved from %s (%s), compared with %s (%s)\n", profile.device.c_str(), profile.firmware.c_str(),
-                here->device.c_str(), here->firmware.c_str());
+    words = "saved from " + profile.device + " (" + profile.firmware + "), compared with " + here->device + " (" +
+            here->firmware + ")\n";
   }
-  const auto rows = compareProfiles(*here, profile);
-  const auto differing = std::count_if(rows.begin(), rows.end(), [](const ProfileRow& row) { return !row.same; });
-  if (differing == 0) std::printf("nothing differs\n");
-  for (const ProfileRow& row : rows) {
-    if (!row.same)
-      std::printf("%s: %s on the board, %s in the profile\n", row.name.c_str(), row.here.c_str(), row.there.c_str());
+  Json json{{"saved_from", profile.device}, {"compared_with", here->device}, {"differing", Json::array()}};
+  for (const ProfileRow& row : compareProfiles(*here, profile)) {
+    if (row.same) continue;
+    words += row.name + ": " + row.here + " on the board, " + row.there + " in the profile\n";
+    json["differing"].push_back({{"name", row.name}, {"here", row.here}, {"there", row.there}});
   }
-  return {};
+  if (json["differing"].empty()) words += "nothing differs\n";
+  return Answer{words, asText(json)};
 }
 
-Result<void> restore(Drive& board, const Profile& profile, const ProfileLine& line) {
+Result<Answer> restore(Drive& board, const Profile& profile, const ProfileLine& line) {
   const auto rows = restoreProfile(board, profile, line.options);
   if (!rows) {
     const bool other = rows.error().place == "profile";
     return other ? Error{line.file, rows.error().fact + ", with --any-board"} : rows.error();
   }
+  std::string words;
+  Json json{{"restored", Json::array()}};
   for (const RestoredRow& row : *rows) {
-    if (row.same) {
-      std::printf("%s: %s accepted\n", row.name.c_str(), row.accepted.c_str());
-    } else {
-      std::printf("%s: %s asked for, the board took %s\n", row.name.c_str(), row.wanted.c_str(), row.accepted.c_str());
-    }
+    words +=
+        row.name + ": " +
+        (row.same ? row.accepted + " accepted\n" : row.wanted + " asked for, the board took " + row.accepted + "\n");
+    json["restored"].push_back({{"name", row.name}, {"wanted", row.wanted}, {"accepted", row.accepted}});
   }
-  return {};
+  return Answer{words, asText(json)};
 }
 
-Result<void> runProfile(const ProfileLine& line) {
+Result<Answer> runProfile(const ProfileLine& line) {
   std::optional<Profile> profile;
   if (line.action != "save") {  // before the board is asked anything
     auto read = readProfile(line.file);
@@ -93,6 +97,11 @@ void addProfile(CLI::App& app, Job& chosen) {
                       "where the board counts the encoder's index now, from homing; a friction table of several bins "
                       "needs it");
   command->add_flag("--any-board", line->options.anyBoard, "restore a profile that was saved from another board, too");
+  command->footer(
+      "Examples:\n"
+      "  breakaway profile save --board serial:ttyACM0 --profile before.profile.json\n"
+      "  breakaway profile restore --board serial:ttyACM0 --profile before.profile.json --only "
+      "velocity_kp_A_s_per_rad");
   command->callback([line, &chosen] { chosen = [line] { return runProfile(*line); }; });
 }
 

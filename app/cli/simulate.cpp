@@ -1,8 +1,10 @@
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
 #include "base/exact_text.h"
 #include "cli/command.h"
+#include "cli/inputs.h"
 #include "diagnose/simulate/model_file.h"
 #include "diagnose/simulate/simulation.h"
 #include "recording/csv.h"
@@ -21,12 +23,14 @@ void append(std::string& text, double value) {
   appendExact(text, value);
 }
 
-Result<void> runSimulate(const SimulateLine& line) {
+Result<Answer> runSimulate(const SimulateLine& line) {
   const auto model = readModel(line.model);
   if (!model) return model.error();
-  const auto recording = readCsv(line.recording);
+  const auto content = readFile(line.recording);
+  if (!content) return content.error();
+  const auto recording = readCsvText(*content, line.recording);
   if (!recording) return recording.error();
-  const auto times = readTimeText(line.recording);
+  const auto times = timeTextIn(*content, line.recording);
   if (!times) return times.error();
   const auto trace = simulate(*model, *recording, {line.restartEvery_s});
   if (!trace) return trace.error();
@@ -41,7 +45,9 @@ Result<void> runSimulate(const SimulateLine& line) {
     if (!trace->current_A.empty()) append(out, trace->current_A[k]);
     out += '\n';
   }
-  return writeFile(line.out, out);
+  if (auto written = writeFile(line.out, out); !written) return written.error();
+  const nlohmann::ordered_json json{{"out", line.out}, {"rows", times->size()}};
+  return Answer{line.out + ": " + std::to_string(times->size()) + " rows\n", asText(json)};
 }
 
 }  // namespace
@@ -56,6 +62,10 @@ void addSimulate(CLI::App& app, Job& chosen) {
       ->add_option("--restart-every", line->restartEvery_s,
                    "set the state again from measurements every so many seconds")
       ->check(CLI::PositiveNumber);
+  command->footer(
+      "Examples:\n"
+      "  breakaway simulate --model d/model.json --recording a.csv --out sim.csv\n"
+      "  breakaway simulate --model d/model.json --recording a.csv --restart-every 0.5 --out -");
   command->callback([line, &chosen] { chosen = [line] { return runSimulate(*line); }; });
 }
 

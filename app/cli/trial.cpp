@@ -1,13 +1,14 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
+#include "base/made.h"
 #include "cli/command.h"
 #include "cli/diagnose_files.h"
+#include "cli/inputs.h"
 #include "score/scored_trial.h"
 #include "trial/sealed_trial.h"
 
@@ -44,7 +45,7 @@ DiagnosedFiles filesOf(const SealedTrial& trial, const std::string& folder) {
   return files;
 }
 
-Result<void> unseal(const SealedTrial& trial, const Diagnosis& diagnosis, const std::string& folder) {
+Result<Answer> unseal(const SealedTrial& trial, const Diagnosis& diagnosis, const std::string& folder) {
   using Json = nlohmann::ordered_json;
   Names answer, truth;
   for (const Finding& finding : diagnosis.findings) answer.push_back(finding.effect);
@@ -67,19 +68,19 @@ Result<void> unseal(const SealedTrial& trial, const Diagnosis& diagnosis, const 
       {"outside", trial.outside},
       {"concealed", concealed},
       {"diagnosis", std::filesystem::absolute(folder + "/diagnosis/diagnosis.json").lexically_normal().string()}};
-  if (auto done = writeFile(folder + "/trial.json", json.dump(2) + "\n"); !done) return done;
+  if (auto done = writeFile(folder + "/trial.json", withMade(json.dump(2) + "\n")); !done) return done.error();
   std::string words = truth.empty() ? "nothing" : truth.front();
   for (size_t k = 1; k < truth.size(); ++k) words += ", " + truth[k];
-  std::printf("Concealed was: %s. The answer is %s.\n", words.c_str(), right ? "right" : "wrong");
-  return {};
+  return Answer{inWords(diagnosis) + "Concealed was: " + words + ". The answer is " + (right ? "right" : "wrong") +
+                    ".\nReport: " + folder + "/diagnosis/report.html\n",
+                asText(json)};
 }
 
-Result<void> runTrial(const TrialLine& line) {
+Result<Answer> runTrial(const TrialLine& line) {
   const SealedTrial trial = makeTrial(line.family.empty() ? familyOf(line.seed) : line.family, line.seed);
-  if (auto done = writeTrial(trial, line.out); !done) return done;
+  if (auto done = writeTrial(trial, line.out); !done) return done.error();
   const auto diagnosis = diagnoseFiles(filesOf(trial, line.out));
   if (!diagnosis) return diagnosis.error();
-  std::fputs(inWords(*diagnosis).c_str(), stdout);
   return unseal(trial, *diagnosis, line.out);
 }
 
@@ -96,6 +97,10 @@ void addTrial(CLI::App& app, Job& chosen) {
       ->add_option("--family", line->family,
                    "an effect's name, combination, masked, noisy, weak, low, outside or clean; drawn by default")
       ->check(CLI::IsMember(trialFamilies()));
+  command->footer(
+      "Examples:\n"
+      "  breakaway trial --seed 7 --out t\n"
+      "  breakaway trial --seed 7 --family backlash --out t --json");
   command->callback([line, &chosen] { chosen = [line] { return runTrial(*line); }; });
 }
 

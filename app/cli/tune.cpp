@@ -1,9 +1,10 @@
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "base/numbers.h"
 #include "cli/command.h"
+#include "cli/inputs.h"
 #include "report/tuning_report.h"
 #include "stability/bench_loop.h"
 
@@ -23,27 +24,27 @@ Estimate within(double value, double percent) {
   return {value, 0.01 * percent * perHalfInterval * value};
 }
 
-Result<void> runTune(const TuneLine& line) {
-  const auto stiffness = stiffnessNamed(line.stiffness);
-  if (!stiffness) return Error{"--stiffness", "is " + line.stiffness + ", expected soft, medium or stiff"};
+Result<Answer> runTune(const TuneLine& line) {
   const auto bench = readBench(line.bench);
   if (!bench) return bench.error();
   auto loop = loopOfBench(*bench, line.timing);
   if (!loop) return Error{line.bench + ", " + loop.error().place, loop.error().fact};
   if (line.currentLimit_A > 0.0) loop->settings.current_limit_A = line.currentLimit_A;
   AutoTuningOptions options;
-  options.stiffness = *stiffness;
+  options.stiffness = *stiffnessNamed(line.stiffness);
   options.noise = {roundingRms_rad(bench->count()), line.currentNoise_A};
   auto study = studyTuning(*loop, within(loop->motor.inertia_kg_m2, line.inertiaError_percent),
                            within(loop->motor.torqueConstant_Nm_per_A, line.torqueConstantError_percent), options);
   if (!study) return Error{line.bench + ", " + study.error().place, study.error().fact};
   study->axis = bench->axis;
-  if (auto written = writeTuning(*study, *bench, line.out); !written) return written;
-  std::printf("%s\n", inWords(*study).c_str());
+  if (auto written = writeTuning(*study, *bench, line.out); !written) return written.error();
+  std::string words = inWords(*study) + "\n";
   if (!bench->countsPerUnit)
-    std::printf("The bench file has no encoder.%s, so the noise is the current sensor's alone.\n",
-                motorNames(bench->axis).counts);
-  return {};
+    words += "The bench file has no encoder." + std::string(motorNames(bench->axis).counts) +
+             ", so the noise is the current sensor's alone.\n";
+  auto json = nlohmann::ordered_json::parse(tuningJson(*study, bench->name));
+  json["tuning"] = line.out + "/tuning.json";
+  return Answer{words + "Tuning: " + line.out + "/tuning.json\n", asText(json)};
 }
 
 }  // namespace
@@ -53,7 +54,9 @@ void addTune(CLI::App& app, Job& chosen) {
   auto* command =
       app.add_subcommand("tune", "Tune velocity and position loop, with margins that hold for the motor's doubt");
   command->add_option("--bench", line->bench, "bench file with the identified motor, NAME.bench.json")->required();
-  command->add_option("--stiffness", line->stiffness, "soft, medium or stiff")->capture_default_str();
+  command->add_option("--stiffness", line->stiffness, "how much of the margins to spend")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"soft", "medium", "stiff"}));
   command->add_option("--tick-s", line->timing.tick_s, "the board's control tick in s")
       ->capture_default_str()
       ->check(CLI::Range(1e-6, 0.1));
@@ -93,6 +96,10 @@ void addTune(CLI::App& app, Job& chosen) {
                    "folder for tuning.json, bench.json with the controller, root_locus.csv, response.csv, noise.csv, "
                    "figures")
       ->required();
+  command->footer(
+      "Examples:\n"
+      "  breakaway tune --bench c/bench.json --out t\n"
+      "  breakaway tune --bench c/bench.json --stiffness stiff --out t --json");
   command->callback([line, &chosen] { chosen = [line] { return runTune(*line); }; });
 }
 

@@ -2,6 +2,8 @@
 
 #include <qcustomplot.h>
 
+#include <QBuffer>
+#include <QImage>
 #include <QKeyEvent>
 #include <QSvgGenerator>
 #include <QVBoxLayout>
@@ -9,6 +11,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/atomic_file.h"
+#include "base/made.h"
 #include "widgets/controls.h"
 #include "widgets/look.h"
 
@@ -129,8 +133,10 @@ bool MapPlot::savePicture(const QString& path, bool svg) {
   draw(Look::of(lightPalette()));  // a picture for paper, whatever the screen shows
   bool saved = true;
   if (svg) {
+    QBuffer drawn;
+    drawn.open(QIODevice::WriteOnly);
     QSvgGenerator generator;
-    generator.setFileName(path);
+    generator.setOutputDevice(&drawn);
     generator.setSize(picture_);
     generator.setViewBox(QRect(QPoint(0, 0), picture_));
     generator.setTitle(quantity_);
@@ -141,9 +147,12 @@ bool MapPlot::savePicture(const QString& path, bool svg) {
       painter.setMode(QCPPainter::pmNoCaching);
       plot_->toPainter(&painter, picture_.width(), picture_.height());
       painter.end();
+      saved = writeFile(path.toStdString(), svgWithMade(drawn.data().toStdString())).ok();
     }
   } else {
-    saved = plot_->savePng(path, picture_.width(), picture_.height(), 2.0);
+    QImage drawn = plot_->toPixmap(picture_.width(), picture_.height(), 2.0).toImage();
+    drawn.setText("made", QString::fromStdString(madeJson()));
+    saved = drawn.save(path, "PNG");
   }
   draw(Look::of(palette()));
   plot_->replot(QCustomPlot::rpQueuedReplot);

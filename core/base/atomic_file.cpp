@@ -9,6 +9,8 @@
 #include <fstream>
 #include <system_error>
 
+#include "base/made.h"
+
 namespace breakaway {
 
 namespace {
@@ -39,7 +41,7 @@ Result<void> writeFile(const std::string& path, std::string_view content) {
 Result<std::string> readFile(const std::string& path) {
   std::error_code code;
   if (std::filesystem::is_directory(path, code)) return Error{path, "is a folder, expected a file"};
-  std::FILE* file = std::fopen(path.c_str(), "rb");
+  std::FILE* file = path == "-" ? stdin : std::fopen(path.c_str(), "rb");
   if (file == nullptr) return systemError(path, "cannot be read", errno);
   std::string content;
   const auto size = std::filesystem::file_size(path, code);
@@ -48,8 +50,9 @@ Result<std::string> readFile(const std::string& path) {
   size_t got = 0;
   while ((got = std::fread(block, 1, sizeof block, file)) > 0) content.append(block, got);
   const bool failed = std::ferror(file) != 0;
-  std::fclose(file);
+  if (file != stdin) std::fclose(file);
   if (failed) return Error{path, "cannot be read to its end"};
+  noteInput(path, content);
   return content;
 }
 

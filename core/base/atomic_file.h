@@ -12,7 +12,7 @@ namespace breakaway {
 /// reason.
 Result<void> writeFile(const std::string& path, std::string_view content);
 
-/// The whole content of the file at `path`.
+/// The whole content of the file at `path`; "-" is standard input.
 Result<std::string> readFile(const std::string& path);
 
 /// Creates the folder (and its parents); an existing one is welcome.

@@ -262,7 +262,7 @@ void JsonObject::fault(std::string_view name, const std::string& fact) {
 Result<void> JsonObject::finish() {
   for (const auto& [name, value] : node_->json.items()) {
     const bool known = std::find(node_->known.begin(), node_->known.end(), name) != node_->known.end();
-    if (known || name == "comment") continue;
+    if (known || name == "comment" || name == "made") continue;
     const auto suggestion = nearestName(name, node_->known);
     std::string all;
     for (const auto& one : node_->known) all += (all.empty() ? "" : ", ") + one;

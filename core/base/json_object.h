@@ -16,7 +16,7 @@ enum class Allowed { any, nonNegative, positive };
 
 /// Reads one JSON object field by field and remembers the first fault. Nested objects and arrays share that memory, so
 /// that a reader reads everything it knows and asks `finish()` once. Fields nobody asked for are faults, with the
-/// nearest known name as a suggestion. `comment` is allowed everywhere.
+/// nearest known name as a suggestion. `comment` and `made` (made.h) are allowed everywhere.
 class JsonObject {
  public:
   /// The object that is the whole file at `path`.

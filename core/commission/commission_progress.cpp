@@ -7,6 +7,7 @@
 
 #include "base/atomic_file.h"
 #include "base/json_object.h"
+#include "base/made.h"
 #include "commission/motor_file.h"
 #include "commission/strokes_file.h"
 
@@ -203,7 +204,7 @@ Result<void> writeProgress(const Commission& progress, const std::string& folder
   std::error_code code;
   for (size_t k = 0; k < progress.runs.size(); ++k) {
     if (fs::exists(runFile(folder, k), code)) continue;
-    if (auto written = writeFile(runFile(folder, k), runText(progress.runs[k])); !written) return written;
+    if (auto written = writeFile(runFile(folder, k), withMade(runText(progress.runs[k]))); !written) return written;
   }
   for (size_t k = 0; k < progress.strokes.size(); ++k) {
     const std::string file = strokesFile(folder, k);
@@ -213,7 +214,7 @@ Result<void> writeProgress(const Commission& progress, const std::string& folder
   if (!progress.breakaways.empty()) {
     if (auto written = writeFile(eventsFile(folder), eventsText(progress.breakaways)); !written) return written;
   }
-  return writeFile(stateFile(folder), stateText(progress));
+  return writeFile(stateFile(folder), withMade(stateText(progress)));
 }
 
 Result<Commission> readProgress(const std::string& folder) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/made.h"
 #include "commission/measured_bench.h"
 
 namespace breakaway {
@@ -140,6 +141,7 @@ void Job::take(Drive& drive, double passed_s, const std::vector<Sample>& samples
   if (slice_s_ < wholeSlice_s - rounding_s) return;
   slice_s_ = 0.0;
   known_.rigTime_s += wholeSlice_s;
+  noteRigTime(known_.rigTime_s);
   if (options_.progress && (told_s_ += wholeSlice_s) >= tellEvery_s) {
     told_s_ = 0.0;
     const auto now = status();

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
+#include "base/made.h"
 #include "diagnose/diagnosis.h"
 #include "diagnose/effects/catalogue.h"
 #include "diagnose/effects/wording.h"
@@ -147,7 +148,7 @@ std::string diagnosisJson(const Diagnosis& d, bool oneLine) {
 }
 
 Result<void> writeDiagnosis(const Diagnosis& diagnosis, const std::string& path) {
-  return writeFile(path, diagnosisJson(diagnosis, false) + "\n");
+  return writeFile(path, withMade(diagnosisJson(diagnosis, false)) + "\n");
 }
 
 }  // namespace breakaway

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/atomic_file.h"
+#include "base/made.h"
 
 namespace breakaway {
 
@@ -28,6 +29,7 @@ thead th { border-bottom: 2px solid var(--rule); font-weight: 600; } tbody td, t
 tbody th { font-weight: 400; color: var(--faint); } td.number, th.number { text-align: right; }
 .wide { overflow-x: auto; } figure { margin: 1.4rem 0; } figure svg { max-width: 100%; height: auto; display: block; }
 figcaption { font-size: .92rem; margin-top: .3rem; max-width: 48rem; } details { margin: 1rem 0; } summary { cursor: pointer; color: var(--faint); }
+.made { margin-top: 3rem; font-size: .85rem; overflow-wrap: anywhere; } pre { white-space: pre-wrap; }
 @media print { body { max-width: none; padding: 0; font-size: 10.5pt; } figure, table, .verdict { break-inside: avoid; }
   h2, h3 { break-after: avoid; } @page { margin: 18mm 16mm; } }
 )";
@@ -117,7 +119,7 @@ std::string HtmlReport::html() const {
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
          escaped(title_) + "</title>\n<style>" + style + "</style>\n</head>\n<body>\n<h1>" + escaped(title_) +
          "</h1>\n" + (subtitle_.empty() ? "" : "<p class=\"subtitle\">" + escaped(subtitle_) + "</p>\n") + body_ +
-         "</body>\n</html>\n";
+         htmlOfMade() + "</body>\n</html>\n";
 }
 
 Result<void> HtmlReport::write(const std::string& path) const {

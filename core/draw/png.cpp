@@ -4,12 +4,17 @@
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <zlib.h>
 
 #include <array>
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <vector>
+
+#include "base/atomic_file.h"
+#include "base/made.h"
 
 namespace breakaway {
 
@@ -40,6 +45,29 @@ Result<int> statusOf(std::vector<std::string> words) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
 }
 
+/// An iTXt chunk (PNG, third edition, 11.3.3.4): `text` in UTF-8, not packed, under `keyword`.
+std::string textChunk(const std::string& keyword, const std::string& text) {
+  const auto bytesOf = [](std::uint32_t number) {
+    std::string bytes;
+    for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(number >> static_cast<unsigned>(shift));
+    return bytes;
+  };
+  const std::string named = "iTXt" + keyword + std::string(5, '\0') + text;
+  const auto sum = crc32(0, reinterpret_cast<const Bytef*>(named.data()), static_cast<uInt>(named.size()));
+  return bytesOf(static_cast<std::uint32_t>(named.size() - 4)) + named + bytesOf(static_cast<std::uint32_t>(sum));
+}
+
+/// The picture at `path`, with where it comes from under the keyword `made`.
+Result<std::string> pictureWithMade(const std::string& path) {
+  const std::string chunk = textChunk("made", madeJson());
+  const OwnInputs ours;  // the picture is no input
+  auto png = readFile(path);
+  constexpr size_t afterHeader = 8 + 25;  // signature and IHDR
+  if (png && png->size() < afterHeader) return Error{path, "is no whole PNG"};
+  if (png) png->insert(afterHeader, chunk);
+  return png;
+}
+
 }  // namespace
 
 Result<void> convertToPng(const std::string& svgPath, const std::string& pngPath, double scale) {
@@ -50,12 +78,9 @@ Result<void> convertToPng(const std::string& svgPath, const std::string& pngPath
     std::remove(temporary.c_str());
     return status ? Error{svgPath, "cannot be drawn as PNG by rsvg-convert"} : status.error();
   }
-  if (std::rename(temporary.c_str(), pngPath.c_str()) != 0) {
-    const Error error{pngPath, std::string("cannot be written: ") + std::strerror(errno)};
-    std::remove(temporary.c_str());
-    return error;
-  }
-  return {};
+  const auto picture = pictureWithMade(temporary);
+  std::remove(temporary.c_str());
+  return picture ? writeFile(pngPath, *picture) : picture.error();
 }
 
 Result<void> pngCanBeWritten() {

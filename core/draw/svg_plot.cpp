@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/atomic_file.h"
+#include "base/made.h"
 #include "draw/svg_canvas.h"
 #include "draw/svg_polar.h"
 #include "draw/svg_ticks.h"
@@ -231,7 +232,7 @@ std::string toSvg(const Figure& figure, int width_px, int height_px) {
 }
 
 Result<void> writeSvg(const Figure& figure, const std::string& path, int width_px, int height_px) {
-  return writeFile(path, toSvg(figure, width_px, height_px));
+  return writeFile(path, svgWithMade(toSvg(figure, width_px, height_px)));
 }
 
 }  // namespace breakaway

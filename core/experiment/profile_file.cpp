@@ -3,6 +3,7 @@
 
 #include "base/atomic_file.h"
 #include "base/json_object.h"
+#include "base/made.h"
 #include "experiment/profile.h"
 
 namespace breakaway {
@@ -82,7 +83,7 @@ std::string profileText(const Profile& profile) {
 }
 
 Result<void> writeProfile(const Profile& profile, const std::string& path) {
-  return writeFile(path, profileText(profile));
+  return writeFile(path, withMade(profileText(profile)));
 }
 
 }  // namespace breakaway

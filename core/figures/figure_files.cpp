@@ -5,6 +5,7 @@
 
 #include "base/atomic_file.h"
 #include "base/exact_text.h"
+#include "base/made.h"
 #include "draw/html_report.h"
 #include "draw/png.h"
 
@@ -92,7 +93,8 @@ Result<void> writeFigures(const std::vector<BenchFigure>& figures, const std::st
     if (auto converted = convertToPng(path + ".svg", path + ".png"); !converted) return converted;
     if (auto written = writeFile(path + ".csv", tables[k]); !written) return written;
   }
-  if (auto written = writeFile(folder + "/figures.json", indexJson(figures).dump(2) + "\n"); !written) return written;
+  if (auto written = writeFile(folder + "/figures.json", withMade(indexJson(figures).dump(2) + "\n")); !written)
+    return written;
   return writeFile(folder + "/index.html", indexHtml(figures));
 }
 

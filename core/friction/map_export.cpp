@@ -1,7 +1,13 @@
 #include "friction/map_export.h"
 
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
 #include "base/atomic_file.h"
 #include "base/exact_text.h"
+#include "base/made.h"
 #include "friction/map_json.h"
 #include "friction/map_mat.h"
 #include "friction/map_table.h"
@@ -40,7 +46,21 @@ std::string whatEntriesHold(const FrictionMap& map) {
          exactText(map.bins.empty() ? 0.0 : map.bins[0].angle_rad) + " + k * " + exactText(width_m) + " m.";
 }
 
-std::string headerText(const FrictionMap& map) {
+/// The shortest text that reads back as the same float, as a literal of C.
+std::string floatLiteral(float value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  std::string number(text.data(), end);
+  if (number.find_first_of(".e") == std::string::npos) number += ".0";
+  return number + "f";
+}
+
+bool isFloat(double value) {
+  return std::abs(value) <= std::numeric_limits<float>::max();
+}
+
+/// Errors: a value that no float holds, with its bin and column.
+Result<std::string> headerText(const FrictionMap& map) {
   std::string out = "/* Friction map of " + commentText(map.rig) + ": " + whatEntriesHold(map) + " */\n" +
                     "#ifndef BREAKAWAY_FRICTION_MAP_H\n#define BREAKAWAY_FRICTION_MAP_H\n\n" +
                     "#define BREAKAWAY_MAP_BINS " + std::to_string(map.bins.size()) + "\n" +
@@ -52,9 +72,11 @@ std::string headerText(const FrictionMap& map) {
     if (!wanted) continue;
     out += "static const float breakaway_map_" + column.name + "[BREAKAWAY_MAP_BINS] = {";
     for (size_t k = 0; k < column.values.size(); ++k) {
-      std::string number = exactText(static_cast<double>(static_cast<float>(column.values[k])));
-      if (number.find_first_of(".e") == std::string::npos) number += ".0";
-      out += std::string(k == 0 ? "" : ",") + (k % 6 == 0 ? "\n  " : " ") + number + "f";
+      if (!isFloat(column.values[k]))
+        return Error{"bin " + std::to_string(k + 1) + ", column " + column.name,
+                     "is " + exactText(column.values[k]) + ", expected what a float of C can hold"};
+      out += std::string(k == 0 ? "" : ",") + (k % 6 == 0 ? "\n  " : " ") +
+             floatLiteral(static_cast<float>(column.values[k]));
     }
     out += "\n};\n\n";
   }
@@ -65,8 +87,11 @@ std::string headerText(const FrictionMap& map) {
 
 Result<void> exportMap(const FrictionMap& map, const std::string& format, const std::string& path) {
   if (format == "csv") return writeFile(path, csvText(map));
-  if (format == "json") return writeFile(path, mapJsonText(map));
-  if (format == "c-header") return writeFile(path, headerText(map));
+  if (format == "json") return writeFile(path, withMade(mapJsonText(map)));
+  if (format == "c-header") {
+    const auto header = headerText(map);
+    return header ? writeFile(path, *header) : header.error();
+  }
   if (format == "mat") return writeMapMat(map, path);
   return Error{"format " + format, "is unknown, expected csv, json, c-header or mat"};
 }

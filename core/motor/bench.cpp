@@ -7,6 +7,7 @@
 
 #include "base/atomic_file.h"
 #include "base/json_object.h"
+#include "base/made.h"
 #include "base/numbers.h"
 #include "recording/columns.h"
 
@@ -236,7 +237,7 @@ Result<void> writeBench(const Bench& bench, const std::string& path) {
                               {"nominal_torque_constant_Nm_per_A", controller.nominalTorqueConstant},
                               {"current_limit_A", controller.currentLimit_A}};
   }
-  return writeFile(path, json.dump(2) + "\n");
+  return writeFile(path, withMade(json.dump(2) + "\n"));
 }
 
 }  // namespace breakaway

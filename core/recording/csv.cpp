@@ -226,13 +226,11 @@ Result<void> writeCsv(const Recording& recording, const std::string& path) {
   return writeFile(path, out);
 }
 
-Result<std::vector<std::string>> readTimeText(const std::string& path) {
-  auto content = readFile(path);
-  if (!content) return content.error();
-  auto head = readHead(*content, path);
+Result<std::vector<std::string>> timeTextIn(std::string_view text, const std::string& name) {
+  auto head = readHead(text, name);
   if (!head) return head.error();
   const auto it = std::find(head->columns.begin(), head->columns.end(), "time_s");
-  if (it == head->columns.end()) return Error{path, "has no column time_s"};
+  if (it == head->columns.end()) return Error{name, "has no column time_s"};
   const auto skip = it - head->columns.begin();
   std::vector<std::string> texts;
   std::string_view rest = head->rows;

@@ -20,7 +20,7 @@ Result<Recording> readCsvText(std::string_view text, const std::string& name);
 /// Writes all channels with the shortest text that reads back to the same double; to a temporary name, then renamed.
 Result<void> writeCsv(const Recording& recording, const std::string& path);
 
-/// The text of the `time_s` column as it stands in the file, one per row.
-Result<std::vector<std::string>> readTimeText(const std::string& path);
+/// The text of the `time_s` column as it stands in the content of a file, one per row. Errors name the file `name`.
+Result<std::vector<std::string>> timeTextIn(std::string_view text, const std::string& name);
 
 }  // namespace breakaway

@@ -4,6 +4,7 @@
 #include <initializer_list>
 
 #include "base/atomic_file.h"
+#include "base/made.h"
 #include "diagnose/effects/catalogue.h"
 #include "diagnose/simulate/model_file.h"
 #include "draw/html_report.h"
@@ -140,7 +141,7 @@ Result<void> writeDiagnosisFolder(const Diagnosis& d, const Bench& bench, const 
   for (const NamedFigure& one : figures) {
     if (auto done = writeSvg(one.figure, folder + "/figures/" + one.name + ".svg"); !done) return done;
   }
-  if (auto done = writeFile(folder + "/figures/gain.svg", gainSvg(d)); !done) return done;
+  if (auto done = writeFile(folder + "/figures/gain.svg", svgWithMade(gainSvg(d))); !done) return done;
   if (auto done = buildReport(d, bench, recordings, heldout, figures).write(folder + "/report.html"); !done)
     return done;
   return writeDiagnosis(d, folder + "/diagnosis.json");

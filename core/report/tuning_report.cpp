@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/atomic_file.h"
+#include "base/made.h"
 #include "draw/html_report.h"
 #include "report/tuning_figures.h"
 
@@ -93,35 +94,6 @@ Json controllersJson(const Tuning& tuning) {
                                             {"kp_A_per_rad", gains.position_kp_A_per_rad},
                                             {"ki_A_per_rad_s", gains.position_ki_A_per_rad_s},
                                             {"kd_A_s_per_rad", gains.position_kd_A_s_per_rad}})}};
-}
-
-std::string tuningJson(const TuningStudy& study, const std::string& name) {
-  const Tuning& tuning = study.tuning;
-  const std::string inertia = nameOn(study.axis, "inertia_kg_m2"),
-                    constant = nameOn(study.axis, "torque_constant_Nm_per_A");
-  Json json{{"schema", "breakaway.tuning/1"}, {"name", name}, {"stiffness", nameOf(tuning.stiffness)}};
-  json.update(controllersJson(tuning));
-  json["velocity_bandwidth_rad_per_s"] = tuning.velocityBandwidth_rad_per_s;
-  json["position_bandwidth_rad_per_s"] = tuning.positionBandwidth_rad_per_s;
-  json["held_by"] = tuning.heldBy;
-  json["motor"] = {{inertia, estimateJson(study.inertia_kg_m2)},
-                   {constant, estimateJson(study.torqueConstant_Nm_per_A)}};
-  json["loop"] = loopJson(study.loop);
-  json["wanted"] = {{"gain_margin", tuning.wanted.gainMargin},
-                    {"phase_margin_rad", tuning.wanted.phaseMargin_rad},
-                    {"peak_sensitivity", tuning.wanted.peakSensitivity},
-                    {"noise_per_current_limit", tuning.wanted.noiseShare}};
-  json["velocity"] = {{"nominal", marginsJson(tuning.nominal.velocity)}, {"worst", marginsJson(tuning.worstVelocity)}};
-  json["position"] = {{"nominal", marginsJson(tuning.nominal.position)}, {"worst", marginsJson(tuning.worstPosition)}};
-  for (const TuningCorner& corner : tuning.corners) {
-    json["corners"].push_back({{inertia, corner.inertia_kg_m2},
-                               {constant, corner.torqueConstant_Nm_per_A},
-                               {"velocity", marginsJson(corner.velocity)},
-                               {"position", marginsJson(corner.position)}});
-  }
-  json["cutoff"] = cutoffJson(study);
-  json["noise"] = noiseJson(study);
-  return json.dump(2) + "\n";
 }
 
 /// One row of numbers; what is not finite stays empty.
@@ -216,11 +188,40 @@ BenchController controllerOf(const Tuning& tuning) {
           s.torqueConstant_Nm_per_A,     s.current_limit_A};
 }
 
+std::string tuningJson(const TuningStudy& study, const std::string& name) {
+  const Tuning& tuning = study.tuning;
+  const std::string inertia = nameOn(study.axis, "inertia_kg_m2"),
+                    constant = nameOn(study.axis, "torque_constant_Nm_per_A");
+  Json json{{"schema", "breakaway.tuning/1"}, {"name", name}, {"stiffness", nameOf(tuning.stiffness)}};
+  json.update(controllersJson(tuning));
+  json["velocity_bandwidth_rad_per_s"] = tuning.velocityBandwidth_rad_per_s;
+  json["position_bandwidth_rad_per_s"] = tuning.positionBandwidth_rad_per_s;
+  json["held_by"] = tuning.heldBy;
+  json["motor"] = {{inertia, estimateJson(study.inertia_kg_m2)},
+                   {constant, estimateJson(study.torqueConstant_Nm_per_A)}};
+  json["loop"] = loopJson(study.loop);
+  json["wanted"] = {{"gain_margin", tuning.wanted.gainMargin},
+                    {"phase_margin_rad", tuning.wanted.phaseMargin_rad},
+                    {"peak_sensitivity", tuning.wanted.peakSensitivity},
+                    {"noise_per_current_limit", tuning.wanted.noiseShare}};
+  json["velocity"] = {{"nominal", marginsJson(tuning.nominal.velocity)}, {"worst", marginsJson(tuning.worstVelocity)}};
+  json["position"] = {{"nominal", marginsJson(tuning.nominal.position)}, {"worst", marginsJson(tuning.worstPosition)}};
+  for (const TuningCorner& corner : tuning.corners) {
+    json["corners"].push_back({{inertia, corner.inertia_kg_m2},
+                               {constant, corner.torqueConstant_Nm_per_A},
+                               {"velocity", marginsJson(corner.velocity)},
+                               {"position", marginsJson(corner.position)}});
+  }
+  json["cutoff"] = cutoffJson(study);
+  json["noise"] = noiseJson(study);
+  return json.dump(2) + "\n";
+}
+
 Result<void> writeTuning(const TuningStudy& study, const Bench& bench, const std::string& folder) {
   if (auto made = makeFolder(folder + "/figures"); !made) return made;
   Bench tuned = bench;
   tuned.controller = controllerOf(study.tuning);
-  const std::pair<const char*, std::string> texts[] = {{"tuning.json", tuningJson(study, bench.name)},
+  const std::pair<const char*, std::string> texts[] = {{"tuning.json", withMade(tuningJson(study, bench.name))},
                                                        {"root_locus.csv", locusTable(study.locus)},
                                                        {"response.csv", responseTable(study)},
                                                        {"noise.csv", noiseTable(study)}};

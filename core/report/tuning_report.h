@@ -12,6 +12,9 @@ namespace breakaway {
 /// root_locus.csv, response.csv, noise.csv, figures/*.svg.
 Result<void> writeTuning(const TuningStudy& study, const Bench& bench, const std::string& folder);
 
+/// What tuning.json holds, but for where it comes from (base/made.h). `name` is the rig's.
+std::string tuningJson(const TuningStudy& study, const std::string& name);
+
 /// The bench file's `controller`: the tuned velocity loop.
 BenchController controllerOf(const Tuning& tuning);
 

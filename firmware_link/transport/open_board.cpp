@@ -4,6 +4,7 @@
 #include <charconv>
 #include <utility>
 
+#include "base/made.h"
 #include "firmware_link/board_drive.h"
 #include "firmware_link/presets.h"
 #include "firmware_link/simulated_board.h"
@@ -82,9 +83,7 @@ Result<std::unique_ptr<Drive>> openOnWire(const std::string& uri, bool vescOnly,
   return nobody(*address, vescOnly);
 }
 
-}  // namespace
-
-Result<std::unique_ptr<Drive>> openBoard(const BoardRequest& request) {
+Result<std::unique_ptr<Drive>> openByUri(const BoardRequest& request) {
   if (isSimulated(request.uri)) return openDrive(request.uri, request.seed);
   BoardRequest whole = request;
   const bool vescOnly = whole.uri.starts_with(vescScheme);
@@ -94,6 +93,14 @@ Result<std::unique_ptr<Drive>> openBoard(const BoardRequest& request) {
     uri.resize(mark);
   }
   return openOnWire(uri, vescOnly, whole);
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Drive>> openBoard(const BoardRequest& request) {
+  auto drive = openByUri(request);
+  if (drive) noteDevice(MadeOn{(*drive)->identity().device, {}, (*drive)->identity().firmware});
+  return drive;
 }
 
 }  // namespace breakaway

@@ -44,13 +44,13 @@ void TestHeadless::everyCommand_hasCompleteHelp() {
   const QString program = builtProgram("breakaway");
   const Outcome help = run(program, {"--help"});
   QCOMPARE(help.status, 0);
-  const QStringList lines = help.out.section("Subcommands:", 1).split('\n', Qt::SkipEmptyParts);
+  const QStringList lines = help.out.section("Subcommands:", 1).section("\n\n", 0, 0).split('\n', Qt::SkipEmptyParts);
   QVERIFY(lines.size() >= 4);
   for (const QString& line : lines) {
     const QString command = line.trimmed().section(' ', 0, 0);
     const Outcome one = run(program, {command, "--help"});
     QVERIFY2(one.status == 0 && one.err.isEmpty(), qPrintable(command));
-    const bool writes = command != "ports" && command != "profile";
+    const bool writes = !QStringList{"ports", "profile", "list", "help"}.contains(command);
     QVERIFY2(one.out.contains(writes ? "--out" : command), qPrintable(one.out));
     QVERIFY2(line.trimmed().section(' ', 1).trimmed().size() > 10, qPrintable(command + " has no description"));
   }

@@ -138,7 +138,7 @@ void TestTune::wrongInput_getsOneLine_data() {
   QTest::addColumn<QString>("line");
   const QByteArray good = servo;
   QTest::newRow("no such stiffness") << "--bench b.json --stiffness hard --out t" << good
-                                     << "--stiffness: is hard, expected soft, medium or stiff";
+                                     << "--stiffness: hard not in {soft,medium,stiff}";
   QTest::newRow("no inertia") << "--bench b.json --out t" << QByteArray(good).replace(", \"inertia_kg_m2\": 6e-5", "")
                               << "b.json, field motor.inertia_kg_m2: is missing";
   QTest::newRow("linear") << "--bench b.json --out t" << QByteArray(R"({"schema": "breakaway.bench/1", "axis": "linear",

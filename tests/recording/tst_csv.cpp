@@ -101,7 +101,7 @@ void TestCsv::otherColumns_mayHoldAnything() {
   QCOMPARE(read->channel("state")[1], 12.0);
   QCOMPARE(read->channel("gain")[1], 7.0);
   const TemporaryFolder folder;
-  const auto texts = readTimeText(folder.write("r.csv", "note,time_s\n\"a, b\",0.0\n,0.10\n"));
+  const auto texts = timeTextIn("note,time_s\n\"a, b\",0.0\n,0.10\n", "r.csv");
   VERIFY_OK(texts);
   QCOMPARE(texts->at(0), std::string("0.0"));
   QCOMPARE(texts->at(1), std::string("0.10"));
@@ -149,9 +149,7 @@ void TestCsv::numbers_areReadAsStrtodReadsThem() {
 }
 
 void TestCsv::timeText_isCopiedAsItStands() {
-  const TemporaryFolder folder;
-  const auto path = folder.write("r.csv", "# a: b\nangle_rad,time_s\n1,0.000\n\n2, 1e-3\n");
-  const auto texts = readTimeText(path);
+  const auto texts = timeTextIn("# a: b\nangle_rad,time_s\n1,0.000\n\n2, 1e-3\n", "r.csv");
   VERIFY_OK(texts);
   QCOMPARE(texts->size(), size_t(2));
   QCOMPARE(texts->at(0), std::string("0.000"));

@@ -5,6 +5,7 @@
 
 #include "base/atomic_file.h"
 #include "base/json_object.h"
+#include "base/made.h"
 #include "diagnose/effects/catalogue.h"
 #include "diagnose/simulate/physics.h"
 
@@ -87,7 +88,7 @@ Result<Model> readModel(const std::string& path) {
   return model;
 }
 
-Result<void> writeModel(const Model& model, const std::string& path) {
+std::string modelText(const Model& model) {
   using Json = nlohmann::ordered_json;
   const auto parametersJson = [](const std::vector<Parameter>& parameters) {
     Json json = Json::object();
@@ -114,7 +115,11 @@ Result<void> writeModel(const Model& model, const std::string& path) {
         {{"effect", term.effect}, {"parameters", parametersJson(presentParameters(term, model.axis))}});
     if (!term.recording.empty()) json["effects"].back()["recording"] = term.recording;
   }
-  return writeFile(path, json.dump(2) + "\n");
+  return json.dump(2) + "\n";
+}
+
+Result<void> writeModel(const Model& model, const std::string& path) {
+  return writeFile(path, withMade(modelText(model)));
 }
 
 }  // namespace breakaway
