@@ -116,8 +116,11 @@ int main(int argc, char** argv) {
   const auto application = applicationOnDisplay(argc, argv);
   QApplication::setApplicationDisplayName("Breakaway");
   Line line;
-  if (!line.parser.parse(QApplication::arguments()))
-    return fail(line.parser.errorText() + "; see breakaway-gui --help");
+  if (!line.parser.parse(QApplication::arguments())) {
+    QString why = line.parser.errorText();
+    if (why.endsWith('.')) why.chop(1);
+    return fail(why + "; see breakaway-gui --help");
+  }
   if (!line.parser.isSet(line.screenshots)) return show(line.parser.value(line.board));
   const auto taken = breakaway::takeScreenshots(line.parser.value(line.screenshots));
   return taken ? 0 : fail(QString::fromStdString(taken.error().message()));

@@ -24,7 +24,10 @@ void addDiagnose(CLI::App& app, Job& chosen) {
   auto* command = app.add_subcommand(
       "diagnose", "Find where simulation and recordings part, which physics is missing, and prove it");
   command->add_option("--bench", line->bench, "bench file, NAME.bench.json")->required();
-  command->add_option("--recording", line->recordings, "one or more recordings to learn from, NAME.csv")->required();
+  command
+      ->add_option("--recording", line->recordings,
+                   "one or more recordings to learn from, NAME.csv; - is standard input")
+      ->required();
   command->add_option("--heldout", line->heldout,
                       "recordings to prove on; without any, parts of the recordings are held out");
   command

@@ -102,7 +102,8 @@ void addFit(CLI::App& app, Job& chosen) {
   auto line = std::make_shared<FitLine>();
   auto* command = app.add_subcommand("fit", "Fit the base model, and exactly the effects named, to recordings");
   command->add_option("--bench", line->bench, "bench file, NAME.bench.json")->required();
-  command->add_option("--recording", line->recordings, "one or more recordings, NAME.csv")->required();
+  command->add_option("--recording", line->recordings, "one or more recordings, NAME.csv; - is standard input")
+      ->required();
   command
       ->add_option("--effects", line->effects, "effects to add, by their names in the catalogue, separated by commas")
       ->delimiter(',');

@@ -56,7 +56,9 @@ void addSimulate(CLI::App& app, Job& chosen) {
   auto line = std::make_shared<SimulateLine>();
   auto* command = app.add_subcommand("simulate", "Predict a recording's motion from its drive input alone");
   command->add_option("--model", line->model, "model file from fit or diagnose")->required();
-  command->add_option("--recording", line->recording, "recording whose drive input is used, NAME.csv")->required();
+  command
+      ->add_option("--recording", line->recording, "recording whose drive input is used, NAME.csv; - is standard input")
+      ->required();
   command->add_option("--out", line->out, "CSV to write, one row per row of the recording")->required();
   command
       ->add_option("--restart-every", line->restartEvery_s,

@@ -73,7 +73,10 @@ void TestBenchJourney::connectHomeSweepExport() {
   QVERIFY2(map.ok(), map.ok() ? "" : map.error().message().c_str());
   QCOMPARE(map->bins.size(), size_t{12});
   QCOMPARE(QImage(folder.filePath("map.png")).width(), 1600);
+  QVERIFY(QImage(folder.filePath("map.png")).text("made").contains("\"run\""));
   QVERIFY(QSvgRenderer(folder.filePath("map.svg")).isValid());
+  QFile svg(folder.filePath("map.svg"));
+  QVERIFY(svg.open(QIODevice::ReadOnly) && svg.readAll().contains("<metadata>{\"at\""));
   desk.answers.byTitle["Write the friction report"] = folder.filePath("friction.html");
   desk.window.showPage("reportPage");
   press(desk.window, "writeFrictionReportButton");

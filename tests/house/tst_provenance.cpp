@@ -110,8 +110,8 @@ Outcome TestProvenance::breakaway(const QString& words) const {
 void TestProvenance::initTestCase() {
   const std::string examples = qEnvironmentVariable("BREAKAWAY_SOURCE_DIR").toStdString() + "/resources/examples/";
   folder_.write("b.json", *breakaway::readFile(examples + "example.bench.json"));
-  const QString rows = QString::fromStdString(*breakaway::readFile(examples + "example.csv")).section('\n', 0, 6001);
-  folder_.write("r.csv", (rows + "\n").toStdString());
+  const QString table = QString::fromStdString(*breakaway::readFile(examples + "example.csv")).section('\n', 0, 6001);
+  folder_.write("r.csv", (table + "\n").toStdString());
   folder_.write("l.jsonl", R"({"id": 1, "bench": "b.json", "recordings": ["r.csv"]})");
   QVERIFY(breakaway::makeFolder(folder_.path("out")));
   version_ = breakaway("--version").out.trimmed();
@@ -162,10 +162,10 @@ void TestProvenance::inputs_areNamedWithTheirHash() {
   QCOMPARE((*made)["seed"].toInt(), 3);
   const QJsonArray inputs = (*made)["inputs"].toArray();
   QCOMPARE(inputs.size(), 2);
-  for (const QJsonValue& one : inputs) {
+  for (const auto& one : inputs) {
     const QByteArray hash =
-        QCryptographicHash::hash(contentOf(path(one["path"].toString())), QCryptographicHash::Sha256);
-    QCOMPARE(one["sha256"].toString().toUtf8(), hash.toHex());
+        QCryptographicHash::hash(contentOf(path(one.toObject()["path"].toString())), QCryptographicHash::Sha256);
+    QCOMPARE(one.toObject()["sha256"].toString().toUtf8(), hash.toHex());
   }
   QVERIFY((*made)["device"].isNull() && (*made)["rig_time_s"].isNull());
 }
