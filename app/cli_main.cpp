@@ -1,5 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <new>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -12,6 +14,19 @@
 namespace {
 
 using namespace breakaway;
+
+/// What libraries throw on the way ends the command as any other bad input does.
+cli::Outcome outcomeOf(const cli::Job& job) {
+  try {
+    return job();
+  } catch (const std::bad_alloc&) {
+    return {2, "there is not enough memory for this input"};
+  } catch (const std::length_error&) {
+    return {2, "there is not enough memory for this input"};
+  } catch (const std::exception& error) {
+    return {2, Error{"", std::string("cannot go on with this input: ") + error.what()}.message()};
+  }
+}
 
 void addCommands(CLI::App& app, cli::Job& job) {
   for (const cli::AddCommand add : {
@@ -75,7 +90,7 @@ int main(int argc, char** argv) {
   std::vector<std::string> line{"breakaway"};
   line.insert(line.end(), words.begin(), words.end());
   beginRun(program, asCommand(line), cli::seedOf(command));
-  const cli::Outcome outcome = job();
+  const cli::Outcome outcome = outcomeOf(job);
   if (!outcome.line.empty()) fail(outcome.status, outcome.line);
   return outcome.status != 0 ? outcome.status : answer(outcome.answer, manner, cli::writesToStandardOutput(command));
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/json_text.h"
 #include "firmware_link/board_dictionary.h"
 #include "firmware_link/board_link.h"
 #include "firmware_link/bridge_upload.h"
@@ -133,8 +134,8 @@ Result<std::unique_ptr<Drive>> BoardDrive::open(std::unique_ptr<ByteStream> stre
 
 Result<void> BoardDrive::greet() {
   const wire::Hello& hello = dictionary_.hello();
-  identity_ = {dictionary_.device(),
-               dictionary_.firmware(),
+  identity_ = {asUtf8(dictionary_.device()),
+               asUtf8(dictionary_.firmware()),
                dictionary_.can(wire::Hello::simulated),
                rate_Hz_,
                static_cast<double>(hello.countsPerRev),

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "base/atomic_file.h"
+#include "base/json_text.h"
 #include "base/line_log.h"
 #include "base/made.h"
 #include "base/shard.h"
@@ -46,8 +47,8 @@ std::string lineOf(const std::string& path, size_t index) {
 
 /// The object in a line with its id, a text or a number.
 Result<Json> parseLine(const std::string& text, const std::string& place) {
-  Json json = Json::parse(text, nullptr, false);
-  if (json.is_discarded()) return Error{place, "is not valid JSON"};
+  if (auto fault = jsonFault(text, place)) return Error{place, fault->fact};
+  Json json = Json::parse(text);
   if (!json.is_object()) return Error{place, "expected a JSON object"};
   if (!json.contains("id")) return Error{place, "has no field id"};
   if (!json["id"].is_string() && !json["id"].is_number())

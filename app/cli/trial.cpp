@@ -68,7 +68,7 @@ Result<Answer> unseal(const SealedTrial& trial, const Diagnosis& diagnosis, cons
       {"outside", trial.outside},
       {"concealed", concealed},
       {"diagnosis", std::filesystem::absolute(folder + "/diagnosis/diagnosis.json").lexically_normal().string()}};
-  if (auto done = writeFile(folder + "/trial.json", withMade(json.dump(2) + "\n")); !done) return done.error();
+  if (auto done = writeFile(folder + "/trial.json", withMade(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n")); !done) return done.error();
   std::string words = truth.empty() ? "nothing" : truth.front();
   for (size_t k = 1; k < truth.size(); ++k) words += ", " + truth[k];
   return Answer{inWords(diagnosis) + "Concealed was: " + words + ". The answer is " + (right ? "right" : "wrong") +

@@ -14,6 +14,8 @@
 namespace breakaway {
 
 namespace {
+constexpr size_t mostFromStream = size_t{256} << 20;
+
 Error systemError(const std::string& path, const std::string& what, int number) {
   return {path, what + ": " + std::error_code(number, std::generic_category()).message()};
 }
@@ -48,7 +50,13 @@ Result<std::string> readFile(const std::string& path) {
   if (!code) content.reserve(size);
   char block[1 << 16];
   size_t got = 0;
-  while ((got = std::fread(block, 1, sizeof block, file)) > 0) content.append(block, got);
+  const bool endless = !std::filesystem::is_regular_file(path, code);
+  while ((got = std::fread(block, 1, sizeof block, file)) > 0) {
+    content.append(block, got);
+    if (!endless || content.size() <= mostFromStream) continue;
+    if (file != stdin) std::fclose(file);
+    return Error{path, "gives more than 256 MB without an end, expected a file"};
+  }
   const bool failed = std::ferror(file) != 0;
   if (file != stdin) std::fclose(file);
   if (failed) return Error{path, "cannot be read to its end"};

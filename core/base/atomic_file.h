@@ -12,7 +12,8 @@ namespace breakaway {
 /// reason.
 Result<void> writeFile(const std::string& path, std::string_view content);
 
-/// The whole content of the file at `path`; "-" is standard input.
+/// The whole content of the file at `path`; "-" is standard input. A pipe or a device that gives more than 256 MB is an
+/// error.
 Result<std::string> readFile(const std::string& path);
 
 /// Creates the folder (and its parents); an existing one is welcome.

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
+#include "base/json_text.h"
 
 namespace breakaway {
 
@@ -15,11 +16,6 @@ namespace {
 struct Faults {
   std::optional<Error> first;
 };
-
-std::string lineOf(const std::string& text, size_t byte) {
-  const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size()));
-  return std::to_string(1 + std::count(text.begin(), end, '\n'));
-}
 
 std::string kindOf(const Json& value) {
   if (value.is_number()) return "the number " + value.dump();
@@ -74,16 +70,11 @@ Result<JsonObject> JsonObject::fromFile(const std::string& path) {
 
 Result<JsonObject> JsonObject::fromText(const std::string& text, const std::string& place) {
   if (text.empty()) return Error{place, "is empty, expected a JSON object"};
+  if (auto fault = jsonFault(text, place)) return *fault;
   auto node = std::make_shared<Node>();
   node->place = place;
   node->faults = std::make_shared<Faults>();
-  try {
-    node->json = Json::parse(text);
-  } catch (const Json::parse_error& error) {
-    return Error{place + ", line " + lineOf(text, error.byte > 0 ? error.byte - 1 : 0), "is not valid JSON"};
-  } catch (const Json::out_of_range&) {
-    return Error{place, "holds a number that is beyond all that can be computed with"};
-  }
+  node->json = Json::parse(text);
   if (!node->json.is_object()) return Error{place, "expected a JSON object"};
   return JsonObject(std::move(node));
 }

@@ -43,7 +43,7 @@ bool writeWhole(int file, std::string_view text) {
 Result<std::vector<std::string>> readWholeLines(const std::string& path) {
   std::vector<std::string> lines;
   std::error_code code;
-  if (!std::filesystem::exists(path, code)) return lines;
+  if (!std::filesystem::exists(path, code) || std::filesystem::is_character_file(path, code)) return lines;
   const auto text = readFile(path);
   if (!text) return text.error();
   size_t from = 0;

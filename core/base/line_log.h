@@ -9,8 +9,8 @@
 
 namespace breakaway {
 
-/// The whole lines of the file at `path`, without their ends; none when there is no such file. A last line that doesn't
-/// end was cut short by a kill and is left out. Errors: the file can't be read.
+/// The whole lines of the file at `path`, without their ends; none when there is no such file, or a device. A last line
+/// that doesn't end was cut short by a kill and is left out. Errors: the file can't be read.
 Result<std::vector<std::string>> readWholeLines(const std::string& path);
 
 /// Appends `line` and its end in one go, creating the file and cutting away a last line that was cut short. Several

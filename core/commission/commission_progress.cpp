@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 constexpr const char* schema = "breakaway.progress/1";
 constexpr size_t sumWidth = 5, eventWidth = 16;
-constexpr double mostCount = 1e9;
+constexpr double mostCount = 1e9, mostBins = 1e4, mostTurns = 1e4, mostFiles = 1e4;
 
 std::string stateFile(const std::string& folder) {
   return folder + "/progress/state.json";
@@ -63,7 +63,7 @@ std::string runText(const VelocityRun& run) {
                   {"start_rad", run.start_rad},
                   {"bins", rowsOf(run.bins)},
                   {"blocks", blocks}};
-  return json.dump() + "\n";
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string eventsText(const std::vector<BreakawayEvent>& events) {
@@ -103,7 +103,7 @@ std::string stateText(const Commission& progress) {
     motor["expected_ccw_A"] = progress.expected_A[1];
     json["motor"] = motor;
   }
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 void checkSchema(JsonObject& root) {
@@ -111,9 +111,9 @@ void checkSchema(JsonObject& root) {
   if (found != schema) root.fault("schema", "is \"" + found + "\", expected \"" + schema + "\"");
 }
 
-size_t countOf(JsonObject& object, std::string_view name) {
+size_t countOf(JsonObject& object, std::string_view name, double most = mostCount) {
   const double count = object.number(name, Allowed::nonNegative);
-  if (count <= mostCount) return static_cast<size_t>(count);
+  if (count <= most) return static_cast<size_t>(count);
   object.fault(name, "is too large for a count");
   return 0;
 }
@@ -171,18 +171,23 @@ BreakawayEvent eventOf(const std::vector<double>& row) {
   return event;
 }
 
-Result<std::vector<BreakawayEvent>> readEvents(const std::string& path) {
+Result<std::vector<BreakawayEvent>> readEvents(const std::string& path, const Commission& progress) {
   std::error_code code;
   if (!fs::exists(path, code)) return std::vector<BreakawayEvent>{};
   auto root = JsonObject::fromFile(path);
   if (!root) return root.error();
   checkSchema(*root);
   std::vector<BreakawayEvent> events;
+  const auto bins = static_cast<double>(progress.sweeps.bins);
   for (const auto& row : root->rows("events", eventWidth)) {
-    if (isCount(row[1]) && isCount(row[2]) && isCount(row[10])) {
+    const bool counts = isCount(row[1]) && isCount(row[10]) && row[2] >= 0.0 && row[2] < bins;
+    const double low = progress.travel ? progress.travel->low_m : 0.0;
+    const double high = progress.travel ? progress.travel->high_m : turn_rad;
+    if (counts && row[3] >= low && row[3] <= high) {
       events.push_back(eventOf(row));
     } else {
-      root->fault("events", "holds a wrong turn, bin or number of samples");
+      root->fault("events", counts ? "holds a place beyond the turn or the travel"
+                                   : "holds a wrong turn, bin or number of samples");
     }
   }
   if (const auto done = root->finish(); !done) return done.error();
@@ -226,18 +231,18 @@ Result<Commission> readProgress(const std::string& folder) {
   checkSchema(*root);
   Commission progress;
   progress.identity.device = root->text("device");
-  progress.sweeps.bins = countOf(*root, "bins");
-  progress.sweeps.turns = countOf(*root, "turns");
+  progress.sweeps.bins = countOf(*root, "bins", mostBins);
+  progress.sweeps.turns = countOf(*root, "turns", mostTurns);
   progress.sweeps.speedRun_s = root->number("speed_run_s", Allowed::positive);
-  progress.sweeps.speeds = static_cast<size_t>(root->number("speeds", 0.0, Allowed::nonNegative));
+  progress.sweeps.speeds = root->has("speeds") ? countOf(*root, "speeds", mostFiles) : 0;
   progress.sweeps.highest_rad_per_s = root->number("highest_rad_per_s", 0.0, Allowed::nonNegative);
   progress.trustedTorqueConstant_Nm_per_A = root->optionalNumber("trusted_torque_constant_Nm_per_A", Allowed::positive);
   progress.addedInertia_kg_m2.value = root->number("added_inertia_kg_m2", 0.0, Allowed::nonNegative);
   progress.part = countOf(*root, "part");
   progress.rigTime_s = root->number("rig_time_s", Allowed::nonNegative);
   progress.remarks = root->texts("remarks");
-  const size_t runs = countOf(*root, "runs");
-  const double strokes = root->number("strokes", 0.0, Allowed::nonNegative);
+  const size_t runs = countOf(*root, "runs", mostFiles);
+  const size_t strokes = root->has("strokes") ? countOf(*root, "strokes", mostFiles) : 0;
   if (root->has("travel")) {
     JsonObject travel = root->object("travel");
     progress.travel = Travel{travel.number("low_m"), travel.number("high_m"), travel.number("margin_m")};
@@ -247,14 +252,18 @@ Result<Commission> readProgress(const std::string& folder) {
   for (size_t k = 0; k < runs; ++k) {
     auto run = readRun(runFile(folder, k));
     if (!run) return run.error();
+    if (run->bins.size() != progress.sweeps.bins)
+      return Error{runFile(folder, k) + ", field bins", "has " + std::to_string(run->bins.size()) + " bins, expected " +
+                                                            std::to_string(progress.sweeps.bins) +
+                                                            " as progress/state.json says"};
     progress.runs.push_back(std::move(*run));
   }
-  for (size_t k = 0; static_cast<double>(k) < strokes; ++k) {
+  for (size_t k = 0; k < strokes; ++k) {
     auto run = readStrokes(strokesFile(folder, k));
     if (!run) return run.error();
     progress.strokes.push_back(std::move(*run));
   }
-  auto events = readEvents(eventsFile(folder));
+  auto events = readEvents(eventsFile(folder), progress);
   if (!events) return events.error();
   progress.breakaways = std::move(*events);
   return progress;

@@ -71,7 +71,7 @@ Result<void> writeMotor(const MotorRecord& record, const std::string& path) {
   if (record.axis == Axis::linear) json["axis"] = "linear";
   json[nameOn(record.axis, "added_inertia_kg_m2")] = pair(record.addedInertia_kg_m2);
   json["motor"] = motorJson(record.motor, record.axis);
-  return writeFile(path, withMade(json.dump(2) + "\n"));
+  return writeFile(path, withMade(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"));
 }
 
 Result<MotorRecord> readMotor(const std::string& path) {

@@ -35,7 +35,7 @@ Result<void> writeStrokes(const TravelRun& run, const std::string& path) {
     for (const TravelBinSums& sum : run.bins[way])
       json[wayNames[way]].push_back({sum.samples, sum.current_A, sum.velocity_m_per_s, sum.acceleration_m_per_s2});
   }
-  return writeFile(path, withMade(json.dump() + "\n"));
+  return writeFile(path, withMade(json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"));
 }
 
 Result<TravelRun> readStrokes(const std::string& path) {

@@ -6,6 +6,7 @@
 
 #include "diagnose/effects/catalogue.h"
 #include "diagnose/fit/preparation.h"
+#include "diagnose/fit/shared_rows.h"
 #include "diagnose/fit/windowed_fit.h"
 #include "diagnose/search/search.h"
 #include "diagnose/simulate/physics.h"
@@ -106,6 +107,7 @@ Result<Attempt> diagnoseParts(const Bench& bench, const std::vector<Recording>& 
 Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& recordings,
                            const std::vector<Recording>& heldout, const DiagnoseOptions& options) {
   const Clock::time_point begin = Clock::now();
+  if (const auto apart = checkSharedRows(bench, recordings, heldout); !apart) return apart.error();
   auto usual = diagnoseParts(bench, recordings, heldout, options, HeldOut::last, begin);
   if (!usual) return usual.error();
   if (usual->farOff < fewestFarOff) return std::move(usual->diagnosis);

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/json_text.h"
 #include "friction/map_export.h"
 #include "friction/map_table.h"
 
@@ -157,17 +158,16 @@ std::string mapJsonText(const FrictionMap& map) {
     for (const MapColumn& column : columns) row[column.name] = column.values[k];
     json["bins"].push_back(std::move(row));
   }
-  return json.dump(1) + "\n";
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 Result<FrictionMap> readMapText(const std::string& text, const std::string& place) {
   if (text.empty()) return Error{place, "is empty, expected a JSON object"};
-  Json json;
+  if (auto fault = jsonFault(text, place)) return *fault;
   try {
-    json = Json::parse(text);
-    return readMapJson(json, place);
+    return readMapJson(Json::parse(text), place);
   } catch (const Json::exception&) {
-    return Error{place, json.is_null() ? "is not valid JSON" : "has a field of another type than expected"};
+    return Error{place, "has a field of another type than expected"};
   }
 }
 

@@ -237,7 +237,7 @@ Result<void> writeBench(const Bench& bench, const std::string& path) {
                               {"nominal_torque_constant_Nm_per_A", controller.nominalTorqueConstant},
                               {"current_limit_A", controller.currentLimit_A}};
   }
-  return writeFile(path, withMade(json.dump(2) + "\n"));
+  return writeFile(path, withMade(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"));
 }
 
 }  // namespace breakaway

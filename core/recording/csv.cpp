@@ -177,7 +177,9 @@ Result<Recording> readCsvText(std::string_view text, const std::string& name) {
   if (!head) return head.error();
   std::vector<Channel> channels;
   std::vector<const Column*> known;
-  const auto rowCount = static_cast<size_t>(std::count(head->rows.begin(), head->rows.end(), '\n')) + 1;
+  // Empty lines are no rows: each row takes at least its commas.
+  const auto lines = static_cast<size_t>(std::count(head->rows.begin(), head->rows.end(), '\n')) + 1;
+  const size_t rowCount = std::min(lines, head->rows.size() / head->columns.size() + 1);
   for (const std::string& column : head->columns) {
     channels.push_back({column, {}});
     channels.back().values.reserve(rowCount);

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/json_text.h"
 #include "firmware_link/vesc/vesc_angle.h"
 #include "firmware_link/vesc/vesc_line.h"
 
@@ -318,8 +319,8 @@ Result<std::unique_ptr<Drive>> openVesc(std::unique_ptr<ByteStream>& stream, con
     return std::unique_ptr<Drive>();
   }
   Identity identity;
-  identity.device = deviceName(*version);
-  identity.firmware = firmwareName(*version);
+  identity.device = asUtf8(deviceName(*version));
+  identity.firmware = asUtf8(firmwareName(*version));
   if (!options.polePairs) {
     return Error{
         identity.device,

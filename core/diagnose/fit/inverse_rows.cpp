@@ -11,6 +11,8 @@ namespace breakaway {
 
 namespace {
 
+constexpr double mostSteps = 1000.0;  ///< without a row; longer is a pause, which is cut to it
+
 /// One second-order section, direct form II transposed.
 struct Section {
   double b0, b1, b2, a1, a2;
@@ -47,7 +49,19 @@ double interpolate(const std::vector<double>& time, const std::vector<double>& v
   return values[at] + part * (values[at + 1] - values[at]);
 }
 
+bool isPause(const Track& track, size_t row, double step_s) {
+  return track.time[row] - track.time[row - 1] > mostSteps * step_s;
+}
+
 }  // namespace
+
+std::vector<double> withoutPauses(const Track& track, double step_s) {
+  std::vector<double> time{0.0};
+  time.reserve(track.rows());
+  for (size_t k = 1; k < track.rows(); ++k)
+    time.push_back(time.back() + (isPause(track, k, step_s) ? mostSteps * step_s : track.time[k] - track.time[k - 1]));
+  return time;
+}
 
 void lowPass(std::vector<double>& values, double step_s, double cutoff_Hz) {
   const size_t n = values.size();
@@ -73,15 +87,17 @@ InverseRows inverseRows(const Track& track, const InverseFilter& filter) {
   rows.step_s = quantile(std::move(steps), 0.5);
   const double rate = 1.0 / rows.step_s;
   double cutoff = filter.cutoff_Hz > 0.0 ? filter.cutoff_Hz : std::min(100.0, 0.1 * rate);
-  const auto count = static_cast<size_t>(track.time.back() / rows.step_s) + 1;
+  const std::vector<double> time = withoutPauses(track, rows.step_s);
+  const auto count = static_cast<size_t>(time.back() / rows.step_s) + 1;
   size_t at = 0, hold = 0;
   for (size_t k = 0; k < count; ++k) {
-    const double t = std::min(static_cast<double>(k) * rows.step_s, track.time.back());
-    rows.time.push_back(t);
-    rows.position.push_back(interpolate(track.time, track.position, t, at));
-    while (hold + 1 < track.rows() && track.time[hold + 1] <= t + 1e-9) ++hold;
+    const double t = std::min(static_cast<double>(k) * rows.step_s, time.back());
+    rows.position.push_back(interpolate(time, track.position, t, at));
+    while (hold + 1 < track.rows() && time[hold + 1] <= t + 1e-9) ++hold;
+    rows.time.push_back(track.time[hold] + (t - time[hold]));
     rows.input.push_back(track.input[hold]);
-    rows.moving.push_back(track.connected[hold]);
+    const bool pause = hold + 1 < track.rows() && isPause(track, hold + 1, rows.step_s);
+    rows.moving.push_back(pause ? 0 : track.connected[hold]);
   }
   lowPass(rows.position, rows.step_s, cutoff);
   rows.velocity.assign(count, 0.0);

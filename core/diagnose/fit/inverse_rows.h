@@ -25,6 +25,11 @@ struct InverseFilter {
       0.0;  ///< 0: 100 Hz, at most a tenth of the sampling rate, lower where a coarse encoder asks for it
 };
 
+/// The time of each row, from 0, with pauses of more than 1000 steps cut to these: what the even grid runs over, so
+/// that a clock that was set costs nothing.
+std::vector<double> withoutPauses(const Track& track, double step_s);
+
+/// Rows within a pause count as disconnected; `time` is the track's own, with its pauses.
 InverseRows inverseRows(const Track& track, const InverseFilter& filter = {});
 
 /// Columns and response, low-passed alike with zero phase at `cutoff_Hz` and decimated to five times that, as in

@@ -55,8 +55,9 @@ Motion motionOf(const Track& track) {
   motion.velocity.resize(n);
   motion.acceleration.resize(n);
   if (rows.time.size() >= 2) {
+    const std::vector<double> time = withoutPauses(track, rows.step_s);
     for (size_t k = 0; k < n; ++k) {
-      const double at = (track.time[k] - rows.time.front()) / rows.step_s;
+      const double at = time[k] / rows.step_s;
       motion.velocity[k] = between(rows.velocity, at);
       motion.acceleration[k] = between(rows.acceleration, at);
     }

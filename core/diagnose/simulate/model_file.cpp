@@ -115,7 +115,7 @@ std::string modelText(const Model& model) {
         {{"effect", term.effect}, {"parameters", parametersJson(presentParameters(term, model.axis))}});
     if (!term.recording.empty()) json["effects"].back()["recording"] = term.recording;
   }
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 Result<void> writeModel(const Model& model, const std::string& path) {

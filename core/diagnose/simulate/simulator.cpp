@@ -315,7 +315,8 @@ std::vector<size_t> restartRows(const Track& track, double window_s) {
   for (size_t row = 1; row < track.rows(); ++row) {
     if (track.time[row] < k * window_s - 1e-9) continue;
     rows.push_back(row);
-    while (track.time[row] >= k * window_s - 1e-9) k += 1.0;
+    k = std::max(k, std::floor(track.time[row] / window_s) - 1.0);  // at once over a pause of days
+    while (k < 1e15 && track.time[row] >= k * window_s - 1e-9) k += 1.0;
   }
   return rows;
 }

@@ -57,7 +57,8 @@ void addTrack(Everything& all, const Model& model, const Track& track) {
   if (n < 2) return;
   const size_t firstBlock = all.blocks;
   all.spectrum.add(u, track.noise, firstBlock);
-  all.blocks += static_cast<size_t>(u.time.back()) + 1;
+  // Pauses, which the rows leave out, hold no block.
+  all.blocks += static_cast<size_t>(static_cast<double>(n) * u.step_s) + 1;
   const double cutoff = std::min(smoothing_Hz, 0.05 / u.step_s);
   for (auto* values : {&u.torque, &u.voltage, &u.acceleration}) {
     if (!values->empty()) lowPass(*values, u.step_s, cutoff);
@@ -76,7 +77,7 @@ void addTrack(Everything& all, const Model& model, const Track& track) {
     const auto add = [&](Instants& instants, double value, double way) {
       instants.value.push_back(value);
       instants.way.push_back(way);
-      instants.block.push_back(firstBlock + static_cast<size_t>(u.time[k]));
+      instants.block.push_back(firstBlock + static_cast<size_t>(static_cast<double>(k) * u.step_s));
       for (size_t a = 0; a < alongs; ++a) instants.along[a].push_back(values[a]);
     };
     if (u.usable[k] != 0) add(all.mechanical, u.torque[k], u.velocity[k] > 0.0 ? 1.0 : -1.0);

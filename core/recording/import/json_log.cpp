@@ -6,6 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "base/json_text.h"
 #include "recording/import/clock_time.h"
 #include "recording/import/sysid_json.h"
 
@@ -15,7 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int deepest = 100;
 constexpr size_t mostFields = 5000;
 
 std::string lineOf(const std::string& text, size_t byte) {
@@ -25,26 +25,6 @@ std::string lineOf(const std::string& text, size_t byte) {
 
 std::string plainText(const Json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
-/// How deep brackets nest outside of strings.
-bool nestsTooDeep(const std::string& text) {
-  int depth = 0;
-  bool quoted = false;
-  for (size_t k = 0; k < text.size(); ++k) {
-    const char c = text[k];
-    if (quoted) {
-      if (c == '\\') ++k;
-      if (c == '"') quoted = false;
-    } else if (c == '"') {
-      quoted = true;
-    } else if (c == '{' || c == '[') {
-      if (++depth > deepest) return true;
-    } else if (c == '}' || c == ']') {
-      --depth;
-    }
-  }
-  return false;
 }
 
 bool isPlain(const Json& value) {
@@ -294,7 +274,9 @@ Result<ReadTable> linesOf(const std::string& text, const std::string& name) {
 
 Result<ReadTable> readJsonLog(const std::string& text, const std::string& name) {
   if (nestsTooDeep(text))
-    return Error{name, "nests deeper than " + std::to_string(deepest) + " levels, as no log does"};
+    return Error{name, "nests deeper than " + std::to_string(deepestJson) + " levels, as no log does"};
+  const auto fault = jsonFault(text, name);
+  if (fault && fault->fact.ends_with("twice in one object")) return *fault;
   try {
     if (auto tests = readSysId(text, name)) return std::move(*tests);
     return tableOf(Json::parse(text), name);
