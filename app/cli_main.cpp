@@ -1,7 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <new>
-#include <stdexcept>
+#include <exception>
 #include <string>
 #include <vector>
 
@@ -9,6 +8,7 @@
 #include "cli/command.h"
 #include "cli/command_line.h"
 #include "cli/inputs.h"
+#include "cli/thrown.h"
 #include "version.h"
 
 namespace {
@@ -19,12 +19,8 @@ using namespace breakaway;
 cli::Outcome outcomeOf(const cli::Job& job) {
   try {
     return job();
-  } catch (const std::bad_alloc&) {
-    return {2, "there is not enough memory for this input"};
-  } catch (const std::length_error&) {
-    return {2, "there is not enough memory for this input"};
   } catch (const std::exception& error) {
-    return {2, Error{"", std::string("cannot go on with this input: ") + error.what()}.message()};
+    return {2, cli::thrown(error).message()};
   }
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <initializer_list>
 #include <memory>
 #include <string>
@@ -42,9 +43,24 @@ void oneLineWithoutDisplay(QtMsgType type, const QMessageLogContext&, const QStr
   _exit(2);
 }
 
+/// What libraries throw from within an event ends the window with one line; the connection's end stops the motor.
+class Application : public QApplication {
+ public:
+  using QApplication::QApplication;
+  bool notify(QObject* receiver, QEvent* event) override {
+    try {
+      return QApplication::notify(receiver, event);
+    } catch (const std::exception& error) {
+      std::fprintf(stderr, "breakaway-gui: cannot go on: %s\n", error.what());
+      QCoreApplication::exit(2);
+      return false;
+    }
+  }
+};
+
 std::unique_ptr<QApplication> applicationOnDisplay(int& argc, char** argv) {
   const auto before = qInstallMessageHandler(oneLineWithoutDisplay);
-  auto application = std::make_unique<QApplication>(argc, argv);
+  std::unique_ptr<QApplication> application = std::make_unique<Application>(argc, argv);
   qInstallMessageHandler(before);
   return application;
 }

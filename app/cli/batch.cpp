@@ -17,6 +17,7 @@
 #include "base/shard.h"
 #include "cli/command.h"
 #include "cli/inputs.h"
+#include "cli/thrown.h"
 #include "diagnose/diagnosis.h"
 
 namespace breakaway::cli {
@@ -117,9 +118,13 @@ Result<std::set<std::string>> finishedIds(const std::string& path) {
 }
 
 Result<Diagnosis> diagnoseEntry(const Entry& entry) {
-  const auto in = readDiagnosisInputs(entry.bench, entry.recordings, entry.heldout);
-  if (!in) return in.error();
-  return diagnose(in->bench, in->recordings, in->heldout, {});
+  try {
+    const auto in = readDiagnosisInputs(entry.bench, entry.recordings, entry.heldout);
+    if (!in) return in.error();
+    return diagnose(in->bench, in->recordings, in->heldout, {});
+  } catch (const std::exception& exception) {
+    return thrown(exception);
+  }
 }
 
 /// The entry's line of RESULTS.

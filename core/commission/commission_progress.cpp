@@ -252,10 +252,6 @@ Result<Commission> readProgress(const std::string& folder) {
   for (size_t k = 0; k < runs; ++k) {
     auto run = readRun(runFile(folder, k));
     if (!run) return run.error();
-    if (run->bins.size() != progress.sweeps.bins)
-      return Error{runFile(folder, k) + ", field bins", "has " + std::to_string(run->bins.size()) + " bins, expected " +
-                                                            std::to_string(progress.sweeps.bins) +
-                                                            " as progress/state.json says"};
     progress.runs.push_back(std::move(*run));
   }
   for (size_t k = 0; k < strokes; ++k) {

@@ -1,6 +1,7 @@
 #include <QTest>
 
 #include "base/json_object.h"
+#include "base/json_text.h"
 #include "support/temporary.h"
 
 using namespace breakaway;
@@ -8,6 +9,7 @@ using namespace breakaway;
 class TestJsonObject : public QObject {
   Q_OBJECT
  private slots:
+  void nameThatIsNoUtf8_isReplaced();
   void firstFault_isTheOneReported();
   void everyFault_namesItsField_data();
   void everyFault_namesItsField();
@@ -82,7 +84,8 @@ void TestJsonObject::text_mustBeAnObject_data() {
   QTest::newRow("bytes") << QByteArray("{\"\xff\xfe\": 1}") << "f.json, line 1: is not valid JSON";
   QTest::newRow("beyond range") << QByteArray("{\"a\": 1e999}")
                                 << "f.json: holds a number that is beyond all that can be computed with";
-  QTest::newRow("deep") << QByteArray(100000, '[') << "f.json, line 1: is not valid JSON";
+  QTest::newRow("deep") << QByteArray(100000, '[') << "f.json: nests deeper than 100 levels, which is not read";
+  QTest::newRow("twice") << QByteArray(R"({"a": {"b": 1, "b": 2}})") << "f.json: has the field b twice in one object";
 }
 
 void TestJsonObject::text_mustBeAnObject() {
@@ -115,6 +118,17 @@ void TestJsonObject::nearestName_forgivesOneSlip() {
   QFETCH(QString, nearest);
   const std::vector<std::string> candidates{"angle", "scale", "inertia_kg_m2"};
   QCOMPARE(QString::fromStdString(nearestName(name.toStdString(), candidates).value_or("")), nearest);
+}
+
+void TestJsonObject::nameThatIsNoUtf8_isReplaced() {
+  QCOMPARE(asUtf8("Pr\xfc"
+                  "fstand"),
+           std::string("Pr\xef\xbf\xbd"
+                       "fstand"));
+  QCOMPARE(asUtf8("Pr\xc3\xbc"
+                  "fstand \"3\""),
+           std::string("Pr\xc3\xbc"
+                       "fstand \"3\""));
 }
 
 QTEST_APPLESS_MAIN(TestJsonObject)

@@ -166,6 +166,17 @@ void TestCommissionResume::damagedProgress_isNamed() {
   QVERIFY(!back.ok());
   QVERIFY(back.error().message().find("breakaways.json") != std::string::npos);
   QVERIFY(back.error().message().find("wrong turn") != std::string::npos);
+  VERIFY_OK(writeFile(
+      folder.path("out/progress/breakaways.json"),
+      R"({"schema": "breakaway.progress/1", "events": [[1, 0, 0, 1e12, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0]]})"));
+  const auto far = readProgress(folder.path("out"));
+  QVERIFY(!far.ok() && far.error().message().find("beyond the turn") != std::string::npos);
+  auto state = readFile(folder.path("out/progress/state.json"));
+  VERIFY_OK(state);
+  state->replace(state->find("\"bins\": 36"), 10, "\"bins\": 1e9");
+  VERIFY_OK(writeFile(folder.path("out/progress/state.json"), *state));
+  const auto absurd = readProgress(folder.path("out"));
+  QVERIFY(!absurd.ok() && absurd.error().message().find("field bins: is too large") != std::string::npos);
 }
 
 void TestCommissionResume::lostLink_keepsWhatItHasAndGoesOn_data() {

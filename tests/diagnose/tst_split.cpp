@@ -2,8 +2,11 @@
 #include <cmath>
 
 #include "diagnose/effects/catalogue.h"
+#include "diagnose/fit/inverse_rows.h"
+#include "diagnose/fit/motion.h"
 #include "diagnose/fit/seen_span.h"
 #include "diagnose/fit/split.h"
+#include "diagnose/simulate/simulator.h"
 #include "diagnose/simulate/track.h"
 #include "support/known_servo.h"
 #include "support/temporary.h"
@@ -19,6 +22,7 @@ class TestSplit : public QObject {
   void positionsThatWereNotRead_areBridgedOrInNoWindow();
   void middleFifth_canBeHeldOutInPlaceOfTheLast();
   void pushThatEndsUnseen_endsWithTheTrainingData();
+  void pauseOfDays_costsNothingAndIsNoMotion();
   void tooCoarseRows_areOneClearLine();
 };
 
@@ -116,6 +120,23 @@ void TestSplit::pushThatEndsUnseen_endsWithTheTrainingData() {
   const Parameter& duration = kept.effects.front().parameters[2];
   QVERIFY(std::abs(5.0 + duration.value - seen_s) < 0.01);
   QVERIFY(5.0 + duration.high95 > length - 0.01);  // it may also go on
+}
+
+void TestSplit::pauseOfDays_costsNothingAndIsNoMotion() {
+  Track track = swinging([](double) { return true; }, [](double) { return true; });
+  const size_t whole = inverseRows(track).time.size();
+  constexpr double days_s = 1e6;
+  for (size_t k = 15000; k < track.rows(); ++k) track.time[k] += days_s;
+  const InverseRows rows = inverseRows(track);
+  QVERIFY2(rows.time.size() <= whole + 1000, qPrintable(QString::number(rows.time.size())));
+  QVERIFY(rows.time.size() > whole);
+  QVERIFY(std::abs(rows.time.back() - track.time.back()) < 2.0 * row_s);
+  for (size_t k = 0; k < rows.time.size(); ++k) {
+    const bool within = rows.time[k] > track.time[14999] + row_s && rows.time[k] < track.time[15000] - row_s;
+    QVERIFY(!within || (rows.usable[k] == 0 && rows.moving[k] == 0));
+  }
+  QCOMPARE(motionOf(track).velocity.size(), track.rows());
+  QVERIFY(restartRows(track, 0.5).size() < 100);
 }
 
 void TestSplit::tooCoarseRows_areOneClearLine() {

@@ -63,11 +63,36 @@ void TestBadInput::badInput_getsOneLineAndStatus2_data() {
   }
   row("no such effect", "fit --bench b.json --recording r.csv --effects stribek --out m.json",
       {{"b.json", pushedMassBench()}, {"r.csv", pushedMassRecording()}}, "stribek");
+  const QByteArray deep = QByteArray(1000000, '[') + QByteArray(1000000, ']');
+  row("endless nesting", diagnose, {{"b.json", R"({"comment":)" + deep + "}"}, {"r.csv", pushedMassRecording()}},
+      "b.json: nests deeper than 100 levels");
+  row("a field twice", fit, {{"b.json", R"({"name": "a", "name": "b"})"}, {"r.csv", pushedMassRecording()}},
+      "b.json: has the field name twice in one object");
+  row("a column twice", fit, {{"b.json", pushedMassBench()}, {"r.csv", "time_s,a,a\n0,1,1\n1,1,1\n"}},
+      "r.csv: has the column a twice");
+  row("no end", "diagnose --bench /dev/zero --recording r.csv --out d", {{"r.csv", pushedMassRecording()}},
+      "/dev/zero: gives more than 256 MB without an end");
+  QByteArray wide = "time_s";
+  for (int k = 0; k < 20000; ++k) wide += ",c" + QByteArray::number(k);
+  row("columns and lines without a row", fit,
+      {{"b.json", pushedMassBench()}, {"r.csv", wide + "\n" + QByteArray(400000, '\n')}},
+      "r.csv: has a header and no rows");
+  row("proof on what was learned", "diagnose --bench b.json --recording r.csv --heldout h.csv --out d",
+      {{"b.json", pushedMassBench()}, {"r.csv", pushedMassRecording()}, {"h.csv", pushedMassRecording()}},
+      "h.csv: is held out, but shares rows with r.csv");
+  row("learned twice", "diagnose --bench b.json --recording r.csv r.csv --out d",
+      {{"b.json", pushedMassBench()}, {"r.csv", pushedMassRecording()}}, "r.csv: shares rows with r.csv");
+  row("model nested without end", "simulate --model m.json --recording r.csv --out s.csv",
+      {{"m.json", R"({"effects":)" + deep + "}"}, {"r.csv", pushedMassRecording()}}, "m.json: nests deeper");
+  row("map nested without end", "export --map m.json --as csv --out m.csv",
+      {{"m.json", R"({"settings":)" + deep + "}"}}, "m.json: nests deeper");
+  row("log nested without end", "import l.json --out m.csv", {{"l.json", deep}}, "l.json: nests deeper");
   const auto ofManifest = [&](const char* name, const QByteArray& text, const char* line) {
     row(name, "batch l.jsonl --out results.jsonl", {{"l.jsonl", text}}, line);
   };
   const QByteArray entry = R"({"id": "a", "bench": "b.json", "recordings": ["r.csv"]})";
   ofManifest("no JSON in the list", entry + "\n{]\n", "l.jsonl, line 2: is not valid JSON");
+  ofManifest("list nested without end", R"({"id": 1, "recordings": )" + deep + "}", "l.jsonl, line 1: nests deeper");
   ofManifest("no id", R"({"bench": "b.json", "recordings": ["r.csv"]})", "l.jsonl, line 1: has no field id");
   ofManifest("an id twice", entry + "\n\n" + entry, "l.jsonl, line 3: has the id \"a\" once more");
   ofManifest("no bench in the list", R"({"id": 7, "recordings": ["r.csv"]})", "l.jsonl, line 1, field bench");

@@ -56,8 +56,8 @@ void ResidualSpectrum::add(const Unexplained& track, double noise, size_t firstB
       const std::complex<double> cross = torqueLines[line] * std::conj(driveLines[line]);
       const double slope = 2.0 * std::sin(std::numbers::pi * frequency * track.step_s) / track.step_s;
       const double reading = track.inertia * noise * slope * slope;
-      lines_[band].push_back({firstBlock + static_cast<size_t>((static_cast<double>(from) + 0.5) * track.step_s), cross.real(),
-                              cross.imag(), std::norm(driveLines[line]), std::norm(torqueLines[line]),
+      lines_[band].push_back({firstBlock + static_cast<size_t>((static_cast<double>(from) + 0.5) * track.step_s),
+                              cross.real(), cross.imag(), std::norm(driveLines[line]), std::norm(torqueLines[line]),
                               reading * reading * windowSquares});
     }
   }
