@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -86,6 +87,7 @@ int main(int argc, char** argv) {
   std::vector<std::string> line{"breakaway"};
   line.insert(line.end(), words.begin(), words.end());
   beginRun(program, asCommand(line), cli::seedOf(command));
+  std::signal(SIGXFSZ, SIG_IGN);  // a size limit is a write error like a full disk
   const cli::Outcome outcome = outcomeOf(job);
   if (!outcome.line.empty()) fail(outcome.status, outcome.line);
   return outcome.status != 0 ? outcome.status : answer(outcome.answer, manner, cli::writesToStandardOutput(command));

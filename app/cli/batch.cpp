@@ -166,11 +166,22 @@ Result<void> doEntries(const std::vector<const Entry*>& todo, const std::string&
   return end;
 }
 
+std::vector<std::string> inputsOf(const BatchLine& line, const std::vector<Entry>& entries) {
+  std::vector<std::string> inputs{line.manifest};
+  for (const Entry& entry : entries) {
+    inputs.push_back(entry.bench);
+    inputs.insert(inputs.end(), entry.recordings.begin(), entry.recordings.end());
+    inputs.insert(inputs.end(), entry.heldout.begin(), entry.heldout.end());
+  }
+  return inputs;
+}
+
 Result<Answer> runBatch(const BatchLine& line) {
   const auto shard = parseShard(line.shard);
   if (!shard) return shard.error();
   const auto entries = readManifest(line.manifest);
   if (!entries) return entries.error();
+  if (auto good = checkOutput(line.out, inputsOf(line, *entries)); !good) return good.error();
   const auto finished = finishedIds(line.out);
   if (!finished) return finished.error();
   std::vector<const Entry*> todo;
@@ -182,7 +193,7 @@ Result<Answer> runBatch(const BatchLine& line) {
   }
   if (auto done = doEntries(todo, line.out, line.jobs); !done) return done.error();
   // A shard that holds no entry leaves its results, too: none.
-  if (!std::ofstream(line.out, std::ios::app)) return Error{line.out, "cannot be written"};
+  if (line.out != "-" && !std::ofstream(line.out, std::ios::app)) return Error{line.out, "cannot be written"};
   const Json json{{"out", line.out}, {"entries", held}, {"done_now", todo.size()}, {"done_before", held - todo.size()}};
   return Answer{line.out + ": " + std::to_string(held) + " entries, " + std::to_string(todo.size()) + " done now\n",
                 asText(json)};

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/atomic_file.h"
 #include "base/made.h"
 #include "cli/command.h"
 #include "cli/inputs.h"
@@ -47,6 +48,7 @@ Answer answerOf(const BurstLine& line, const BurstRequest& request, const Captur
 Result<Answer> runBurst(const BurstLine& line) {
   if (!carriesBytes(line.board))
     return Error{"board " + line.board, "takes no burst, expected serial:PORT[@BAUD] or tcp:HOST:PORT"};
+  if (auto good = checkOutput(line.out); !good) return good.error();
   BurstRequest request = line.request;
   if (!line.mode.empty()) request.mode = modes.at(line.mode);
   auto stream = openByteStream(line.board);

@@ -3,10 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "base/numbers.h"
+#include "base/output_folder.h"
 #include "cli/command.h"
 #include "cli/inputs.h"
 #include "commission/commission_progress.h"
@@ -29,7 +31,7 @@ struct CommissionLine {
   unsigned seed = 1;
   size_t bins = 180, turns = 2;
   double run_s = SweepSettings{}.speedRun_s;
-  bool resume = false, namesBins = false, namesTurns = false, namesRun = false;
+  bool resume = false, anew = false, namesBins = false, namesTurns = false, namesRun = false;
 };
 
 /// The bench file that was named, or the one beside a simulated rig.
@@ -75,8 +77,10 @@ Error withAdvice(const Error& error, const std::string& folder) {
   return {error.place, error.fact + "; what was measured is kept in " + folder + ", go on with --resume"};
 }
 
-/// Takes what an interrupted job left, or clears it away.
+/// Takes what an interrupted job left; clears it away only where that is asked for.
 Result<void> beginFolder(const CommissionLine& line, CommissionOptions& options) {
+  if (!line.resume && !line.anew && holdsProgress(line.out))
+    return Error{line.out, "holds an interrupted job: go on with --resume, or give it up with --anew"};
   if (!line.resume) return removeProgress(line.out);
   auto earlier = readProgress(line.out);
   if (!earlier) return earlier.error();
@@ -108,31 +112,61 @@ std::string remarksOf(const Commission& done) {
   return words;
 }
 
+/// What the job writes at its end, the last file last.
+OutputPlan outputOf(const CommissionLine& line) {
+  OutputPlan plan{line.out, "commission", {"recordings", "bench.json", "motor.json"}, {line.bench, line.against}};
+  if (!line.motorOnly) plan.names.insert(plan.names.end(), {"map.json", "map.csv", "truth.csv", "report.html"});
+  return plan;
+}
+
+/// Puts the job's files in place with the steps' recordings, which stood beside the progress until now.
+Result<void> fill(OutputFolder& out, const std::string& folder,
+                  const std::function<Result<void>(const std::string& stage)>& write) {
+  const auto all = [&](const std::string& stage) -> Result<void> {
+    std::error_code code;
+    const std::string recordings = folder + "/progress/recordings";
+    if (std::filesystem::exists(recordings, code)) std::filesystem::copy(recordings, stage + "/recordings", code);
+    if (code) return Error{stage + "/recordings", "cannot be written: " + code.message()};
+    return write(stage);
+  };
+  return out.fill(all, {"progress"});
+}
+
 /// What is left once the motor is known and nothing else was asked for.
-Result<Answer> endWithMotor(const Commission& done, const std::string& folder) {
-  if (auto written = writeIdentification(done, folder); !written) return written.error();
-  if (auto removed = removeProgress(folder); !removed) return removed.error();
+Result<Answer> endWithMotor(const Commission& done, const std::string& folder, OutputFolder& out) {
+  const auto written = fill(out, folder, [&](const std::string& stage) { return writeIdentification(done, stage); });
+  if (!written) return written.error();
   const nlohmann::ordered_json json{
       {"motor", folder + "/motor.json"}, {"bench", folder + "/bench.json"}, {"remarks", done.remarks}};
-  return Answer{motorInWords(done) + "\n" + remarksOf(done) + "Motor: " + folder + "/motor.json\n", asText(json)};
+  return Answer{out.inWords() + motorInWords(done) + "\n" + remarksOf(done) + "Motor: " + folder + "/motor.json\n",
+                asText(json)};
 }
 
 /// The whole job's files, and what is said of it: the map without its bins.
-Result<Answer> endWithMap(const Commission& done, const CommissionLine& line) {
+Result<Answer> endWithMap(const Commission& done, const CommissionLine& line, OutputFolder& out) {
   std::optional<FrictionMap> truth;
   if (isSimulated(line.board)) {
     auto known = trueMap(line.board, done.map);
     if (!known) return known.error();
     truth = std::move(*known);
   }
-  if (auto written = writeCommission(done, truth, line.out); !written) return written.error();
-  if (auto removed = removeProgress(line.out); !removed) return removed.error();
+  const auto written =
+      fill(out, line.out, [&](const std::string& stage) { return writeCommission(done, truth, stage); });
+  if (!written) return written.error();
   auto json = nlohmann::ordered_json::parse(mapJsonText(done.map));
   json.erase("bins");
   for (const char* name : {"bench", "motor", "map"}) json["files"][name] = line.out + "/" + name + ".json";
   json["remarks"] = done.remarks;
   json["report"] = line.out + "/report.html";
-  return Answer{inWords(done) + "\n" + remarksOf(done) + "Report: " + line.out + "/report.html\n", asText(json)};
+  return Answer{out.inWords() + inWords(done) + "\n" + remarksOf(done) + "Report: " + line.out + "/report.html\n",
+                asText(json)};
+}
+
+/// What a job that measured nothing has made.
+void clearAway(const std::string& folder) {
+  if (!removeProgress(folder)) return;
+  std::error_code code;
+  if (std::filesystem::is_empty(folder, code) && !code) std::filesystem::remove(folder, code);
 }
 
 Outcome runCommission(const CommissionLine& line) {
@@ -160,6 +194,8 @@ Outcome runCommission(const CommissionLine& line) {
       std::fprintf(stderr, "\r\033[K%3.0f %%  %s", 100.0 * part, activity.c_str());
     };
   }
+  auto out = OutputFolder::open(outputOf(line));
+  if (!out) return Result<Answer>(out.error());
   if (auto begun = beginFolder(line, options); !begun) return Result<Answer>(begun.error());
   const WatchedInterrupt interrupt;
   options.interrupted = [] { return interruptAsked != 0; };
@@ -169,14 +205,15 @@ Outcome runCommission(const CommissionLine& line) {
     return writeProgress(progress, line.out);
   };
   options.keepRecording = [&](const std::string& step, const Recording& recording) {
-    return writeStep(step, recording, line.out);
+    return writeStep(step, recording, line.out + "/progress");
   };
   const auto done = commission(**drive, options);
   if (progressIsWatched()) std::fprintf(stderr, "\r\033[K");
+  if (!done && !kept && !line.resume) clearAway(line.out);
   if (!done && !kept) return Result<Answer>(done.error());
   if (!done) return {interruptAsked != 0 ? 130 : 1, withAdvice(done.error(), line.out).message()};
-  if (line.motorOnly) return endWithMotor(*done, line.out);
-  return endWithMap(*done, line);
+  if (line.motorOnly) return endWithMotor(*done, line.out, *out);
+  return endWithMap(*done, line, *out);
 }
 
 }  // namespace
@@ -218,6 +255,7 @@ void addCommission(CLI::App& app, Job& chosen) {
                       "torques without trusting the current sensor's gain");
   command->add_flag("--motor-only", line->motorOnly,
                     "end once the motor is identified: bench.json and motor.json only");
+  command->add_flag("--anew", line->anew, "give up the interrupted job in the folder, and begin anew");
   auto* run = command->add_option("--run-s", line->run_s,
                                   "seconds at each speed of the velocity sweep; with --resume the interrupted job's");
   run->capture_default_str()->check(CLI::Range(2.0, 120.0));

@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "base/output_folder.h"
 #include "cli/command.h"
 #include "cli/diagnose_files.h"
 #include "cli/inputs.h"
@@ -9,12 +10,32 @@ namespace breakaway::cli {
 
 namespace {
 
+OutputPlan outputOf(const DiagnosedFiles& files) {
+  OutputPlan plan{files.out,
+                  "diagnose",
+                  {"base_model.json", "model.json", "report.html", "figures", "diagnosis.json"},
+                  files.recordings};
+  plan.inputs.push_back(files.bench);
+  plan.inputs.insert(plan.inputs.end(), files.heldout.begin(), files.heldout.end());
+  return plan;
+}
+
 Result<Answer> runDiagnose(const DiagnosedFiles& files) {
-  const auto diagnosis = diagnoseFiles(files);
-  if (!diagnosis) return diagnosis.error();
+  auto out = OutputFolder::open(outputOf(files));
+  if (!out) return out.error();
+  std::optional<Diagnosis> diagnosis;
+  const auto done = out->fill([&](const std::string& folder) -> Result<void> {
+    DiagnosedFiles staged = files;
+    staged.out = folder;
+    auto found = diagnoseFiles(staged);
+    if (!found) return found.error();
+    diagnosis = std::move(*found);
+    return {};
+  });
+  if (!done) return done.error();
   auto json = nlohmann::ordered_json::parse(diagnosisJson(*diagnosis, true));
   json["report"] = files.out + "/report.html";
-  return Answer{inWords(*diagnosis) + "Report: " + files.out + "/report.html\n", asText(json)};
+  return Answer{out->inWords() + inWords(*diagnosis) + "Report: " + files.out + "/report.html\n", asText(json)};
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "base/atomic_file.h"
 #include "cli/command.h"
 #include "cli/inputs.h"
 #include "friction/map_export.h"
@@ -14,6 +15,7 @@ struct Options {
 };
 
 Result<Answer> exported(const Options& options) {
+  if (auto good = checkOutput(options.out, {options.map}); !good) return good.error();
   const auto map = readMap(options.map);
   if (!map) return map.error();
   if (auto done = exportMap(*map, options.format, options.out); !done) {

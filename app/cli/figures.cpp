@@ -3,8 +3,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "base/atomic_file.h"
 #include "base/made.h"
+#include "base/output_folder.h"
 #include "cli/command.h"
 #include "cli/inputs.h"
 #include "draw/png.h"
@@ -32,7 +32,8 @@ Result<Answer> runFigures(FiguresLine& line) {
     if (board->identity().axis != Axis::rotary)
       return Error{"board " + name, "moves a linear axis, expected a rotor: the figures are a rotor's"};
   }
-  if (auto made = makeFolder(line.out); !made) return made.error();
+  auto out = OutputFolder::open({line.out, "figures", {"figures.json", "index.html"}, {}});
+  if (!out) return out.error();
   if (progressIsWatched()) {
     line.options.progress = [](double part, const std::string& activity) {
       std::fprintf(stderr, "\r\033[K%3.0f %%  %s", 100.0 * part, activity.c_str());
@@ -41,10 +42,12 @@ Result<Answer> runFigures(FiguresLine& line) {
   const auto figures = measureFigures(std::move(*bench), std::move(*uneven), line.options);
   if (progressIsWatched()) std::fprintf(stderr, "\r\033[K");
   if (!figures) return figures.error();
-  if (auto written = writeFigures(*figures, line.out); !written) return written.error();
+  const auto written = out->fill([&](const std::string& folder) { return writeFigures(*figures, folder); });
+  if (!written) return written.error();
   nlohmann::ordered_json json{{"report", line.out + "/index.html"}, {"figures", nlohmann::ordered_json::array()}};
   for (const BenchFigure& one : *figures) json["figures"].push_back(one.name);
-  return Answer{std::to_string(figures->size()) + " figures: " + line.out + "/index.html\n", asText(json)};
+  return Answer{out->inWords() + std::to_string(figures->size()) + " figures: " + line.out + "/index.html\n",
+                asText(json)};
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/atomic_file.h"
 #include "base/json_object.h"
 #include "base/statistics.h"
 #include "cli/command.h"
@@ -83,6 +84,9 @@ Answer answerOf(const FitLine& line, const Fitted& fit, const std::string& chann
 
 Result<Answer> runFit(const FitLine& line) {
   if (auto known = checkEffects(line.effects); !known) return known.error();
+  std::vector<std::string> inputs = line.recordings;
+  inputs.push_back(line.bench);
+  if (auto good = checkOutput(line.out, inputs); !good) return good.error();
   const auto bench = readBench(line.bench);
   if (!bench) return bench.error();
   const auto recordings = readRecordings(line.recordings);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/atomic_file.h"
 #include "cli/command.h"
 #include "cli/inputs.h"
 #include "recording/csv.h"
@@ -70,7 +71,25 @@ Json jsonOf(const Imported& imported) {
   return json;
 }
 
+/// Where a part goes: into the file that was named, or beside it.
+std::string outOf(const Imported& part, const Options& options, const ImportMap& map) {
+  return map.split.empty() ? options.out : partPath(options.out, part.recording.notes().rbegin()[1].second);
+}
+
+/// Before anything is written.
+Result<void> checkOutputs(const std::vector<Imported>& parts, const Options& options, const ImportMap& map) {
+  if (!map.split.empty() && isStandardOutput(options.out))
+    return Error{options.map, "splits into several files, expected --out to name a file"};
+  for (const Imported& part : parts) {
+    if (auto good = checkOutput(outOf(part, options, map), {options.in, options.map}); !good) return good;
+  }
+  return {};
+}
+
 Result<Answer> import(const Options& options) {
+  if (!options.explain) {
+    if (auto good = checkOutput(options.out, {options.in, options.map}); !good) return good.error();
+  }
   ImportMap map;
   if (!options.map.empty()) {
     auto read = readImportMap(options.map);
@@ -79,6 +98,9 @@ Result<Answer> import(const Options& options) {
   }
   const auto parts = importRecordings(options.in, map);
   if (!parts) return parts.error();
+  if (!options.explain) {
+    if (auto good = checkOutputs(*parts, options, map); !good) return good.error();
+  }
   std::string words;
   Json json{{"recordings", Json::array()}};
   for (const Imported& part : *parts) {
@@ -88,8 +110,7 @@ Result<Answer> import(const Options& options) {
       words += firstRows(part.recording);
       continue;
     }
-    const std::string out =
-        map.split.empty() ? options.out : partPath(options.out, part.recording.notes().rbegin()[1].second);
+    const std::string out = outOf(part, options, map);
     if (const auto done = writeCsv(part.recording, out); !done) return done.error();
     words += fmt::format("{}: {} rows, {} columns\n", out, part.recording.rows(), part.recording.channels().size());
     json["recordings"].back()["out"] = out;
@@ -107,7 +128,7 @@ void addImport(CLI::App& app, Job& chosen) {
                    "log: a table of text, .xlsx, .mat, .npy, .npz, HDF5, JSON, .wpilog, .lvm, also packed (.gz); - is "
                    "standard input")
       ->required();
-  command->add_option("--out", options->out, "recording to write, CSV; - is standard output");
+  auto* out = command->add_option("--out", options->out, "recording to write, CSV; - is standard output");
   command->add_option("--map", options->map,
                       "JSON that says what the file doesn't: {\"columns\": {\"OLD\": {\"to\": \"NEW\", \"unit\": "
                       "\"deg\"}}, \"pole_pairs\": 7}");
@@ -119,8 +140,8 @@ void addImport(CLI::App& app, Job& chosen) {
       "  breakaway import log.csv --explain\n"
       "  breakaway import vesc.csv --map vesc.map.json --out r.csv\n"
       "  zcat log.gz | breakaway import - --out r.csv");
-  command->callback([options, &chosen] {
-    if (options->out.empty() && !options->explain) throw CLI::RequiredError("--out");
+  command->callback([options, out, &chosen] {
+    if (out->empty() && !options->explain) throw CLI::RequiredError("--out");
     chosen = [options] { return import(*options); };
   });
 }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "base/atomic_file.h"
 #include "cli/command.h"
 #include "cli/inputs.h"
 #include "firmware_link/transport/open_board.h"
@@ -65,6 +66,9 @@ Result<Answer> restore(Drive& board, const Profile& profile, const ProfileLine& 
 
 Result<Answer> runProfile(const ProfileLine& line) {
   std::optional<Profile> profile;
+  if (line.action == "save") {
+    if (auto good = checkOutput(line.file); !good) return good.error();
+  }
   if (line.action != "save") {  // before the board is asked anything
     auto read = readProfile(line.file);
     if (!read) return read.error();

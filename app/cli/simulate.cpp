@@ -24,6 +24,7 @@ void append(std::string& text, double value) {
 }
 
 Result<Answer> runSimulate(const SimulateLine& line) {
+  if (auto good = checkOutput(line.out, {line.model, line.recording}); !good) return good.error();
   const auto model = readModel(line.model);
   if (!model) return model.error();
   const auto content = readFile(line.recording);

@@ -6,6 +6,7 @@
 
 #include "base/atomic_file.h"
 #include "base/made.h"
+#include "base/output_folder.h"
 #include "cli/command.h"
 #include "cli/diagnose_files.h"
 #include "cli/inputs.h"
@@ -45,7 +46,9 @@ DiagnosedFiles filesOf(const SealedTrial& trial, const std::string& folder) {
   return files;
 }
 
-Result<Answer> unseal(const SealedTrial& trial, const Diagnosis& diagnosis, const std::string& folder) {
+/// `out`: where `folder` is put in place.
+Result<Answer> unseal(const SealedTrial& trial, const Diagnosis& diagnosis, const std::string& folder,
+                      const std::string& out) {
   using Json = nlohmann::ordered_json;
   Names answer, truth;
   for (const Finding& finding : diagnosis.findings) answer.push_back(finding.effect);
@@ -67,21 +70,35 @@ Result<Answer> unseal(const SealedTrial& trial, const Diagnosis& diagnosis, cons
       {"verdict", nameOf(diagnosis.verdict)},
       {"outside", trial.outside},
       {"concealed", concealed},
-      {"diagnosis", std::filesystem::absolute(folder + "/diagnosis/diagnosis.json").lexically_normal().string()}};
-  if (auto done = writeFile(folder + "/trial.json", withMade(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n")); !done) return done.error();
+      {"diagnosis", std::filesystem::absolute(out + "/diagnosis/diagnosis.json").lexically_normal().string()}};
+  if (auto done =
+          writeFile(folder + "/trial.json", withMade(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"));
+      !done)
+    return done.error();
   std::string words = truth.empty() ? "nothing" : truth.front();
   for (size_t k = 1; k < truth.size(); ++k) words += ", " + truth[k];
   return Answer{inWords(diagnosis) + "Concealed was: " + words + ". The answer is " + (right ? "right" : "wrong") +
-                    ".\nReport: " + folder + "/diagnosis/report.html\n",
+                    ".\nReport: " + out + "/diagnosis/report.html\n",
                 asText(json)};
 }
 
 Result<Answer> runTrial(const TrialLine& line) {
+  auto out = OutputFolder::open({line.out, "trial", {"bench.json", "recording.csv", "diagnosis", "trial.json"}, {}});
+  if (!out) return out.error();
   const SealedTrial trial = makeTrial(line.family.empty() ? familyOf(line.seed) : line.family, line.seed);
-  if (auto done = writeTrial(trial, line.out); !done) return done.error();
-  const auto diagnosis = diagnoseFiles(filesOf(trial, line.out));
-  if (!diagnosis) return diagnosis.error();
-  return unseal(trial, *diagnosis, line.out);
+  Answer answer;
+  const auto done = out->fill([&](const std::string& folder) -> Result<void> {
+    if (auto written = writeTrial(trial, folder); !written) return written;
+    const auto diagnosis = diagnoseFiles(filesOf(trial, folder));
+    if (!diagnosis) return diagnosis.error();
+    auto unsealed = unseal(trial, *diagnosis, folder, line.out);
+    if (!unsealed) return unsealed.error();
+    answer = std::move(*unsealed);
+    return {};
+  });
+  if (!done) return done.error();
+  answer.words = out->inWords() + answer.words;
+  return answer;
 }
 
 }  // namespace

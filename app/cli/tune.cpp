@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/numbers.h"
+#include "base/output_folder.h"
 #include "cli/command.h"
 #include "cli/inputs.h"
 #include "report/tuning_report.h"
@@ -27,6 +28,12 @@ Estimate within(double value, double percent) {
 Result<Answer> runTune(const TuneLine& line) {
   const auto bench = readBench(line.bench);
   if (!bench) return bench.error();
+  auto out =
+      OutputFolder::open({line.out,
+                          "tune",
+                          {"bench.json", "root_locus.csv", "response.csv", "noise.csv", "figures", "tuning.json"},
+                          {line.bench}});
+  if (!out) return out.error();
   auto loop = loopOfBench(*bench, line.timing);
   if (!loop) return Error{line.bench + ", " + loop.error().place, loop.error().fact};
   if (line.currentLimit_A > 0.0) loop->settings.current_limit_A = line.currentLimit_A;
@@ -37,8 +44,9 @@ Result<Answer> runTune(const TuneLine& line) {
                            within(loop->motor.torqueConstant_Nm_per_A, line.torqueConstantError_percent), options);
   if (!study) return Error{line.bench + ", " + study.error().place, study.error().fact};
   study->axis = bench->axis;
-  if (auto written = writeTuning(*study, *bench, line.out); !written) return written.error();
-  std::string words = inWords(*study) + "\n";
+  const auto written = out->fill([&](const std::string& folder) { return writeTuning(*study, *bench, folder); });
+  if (!written) return written.error();
+  std::string words = out->inWords() + inWords(*study) + "\n";
   if (!bench->countsPerUnit)
     words += "The bench file has no encoder." + std::string(motorNames(bench->axis).counts) +
              ", so the noise is the current sensor's alone.\n";

@@ -1,17 +1,23 @@
 #include "base/atomic_file.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
+#include <optional>
 #include <system_error>
 
 #include "base/made.h"
 
 namespace breakaway {
+
+namespace fs = std::filesystem;
 
 namespace {
 constexpr size_t mostFromStream = size_t{256} << 20;
@@ -19,34 +25,189 @@ constexpr size_t mostFromStream = size_t{256} << 20;
 Error systemError(const std::string& path, const std::string& what, int number) {
   return {path, what + ": " + std::error_code(number, std::generic_category()).message()};
 }
+
+std::optional<struct stat> statusOf(const std::string& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) return std::nullopt;
+  return status;
+}
+
+bool same(const struct stat& a, const struct stat& b) {
+  return a.st_dev == b.st_dev && a.st_ino == b.st_ino;
+}
+
+/// 0, or the system's reason.
+int writeAll(int file, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = ::write(file, text.data(), text.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return written < 0 ? errno : EIO;
+    text.remove_prefix(static_cast<size_t>(written));
+  }
+  return 0;
+}
+
+/// Where a chain of links ends, whether there is a file or not yet.
+fs::path targetOf(const std::string& path) {
+  fs::path target = path;
+  std::error_code code;
+  for (int k = 0; k < 40 && fs::is_symlink(target, code); ++k) {
+    const fs::path next = fs::read_symlink(target, code);
+    target = next.is_absolute() ? next : target.parent_path() / next;
+  }
+  return target;
+}
+
+fs::path folderOf(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+void syncFolder(const fs::path& folder) {
+  const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (file < 0) return;
+  ::fsync(file);
+  ::close(file);
+}
+
+Result<void> writeThrough(const std::string& path, std::string_view content) {
+  if (isStandardOutput(path)) {
+    std::fflush(stdout);
+    const int failed = writeAll(STDOUT_FILENO, content);
+    return failed == 0 ? Result<void>() : systemError(path, "cannot be written", failed);
+  }
+  const int file = ::open(path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC);
+  if (file < 0) return systemError(path, "cannot be written", errno);
+  int failed = writeAll(file, content);
+  if (::close(file) != 0 && failed == 0) failed = errno;
+  return failed == 0 ? Result<void>() : systemError(path, "cannot be written", failed);
+}
+
+/// A new file in the target's folder: without a name as long as it isn't whole, where the file system has such.
+class NewFile {
+ public:
+  explicit NewFile(const fs::path& target) {
+    static std::atomic<unsigned> count{0};
+    const fs::path folder = folderOf(target);
+    name_ = folder / (".breakaway-" + std::to_string(::getpid()) + "-" + std::to_string(count++) + ".part");
+    file_ = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+    if (file_ >= 0) return;
+    file_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    named_ = file_ >= 0;
+  }
+  ~NewFile() {
+    if (file_ >= 0) ::close(file_);
+    if (named_) ::unlink(name_.c_str());
+  }
+  NewFile(const NewFile&) = delete;
+  NewFile& operator=(const NewFile&) = delete;
+
+  bool open() const { return file_ >= 0; }
+  /// These return 0, or the system's reason.
+  int fill(std::string_view content, const std::optional<struct stat>& earlier) {
+    if (earlier) {
+      if (::fchown(file_, earlier->st_uid, earlier->st_gid) != 0 && ::fchown(file_, uid_t(-1), earlier->st_gid) != 0) {
+        // another's file in a shared folder: it becomes ours
+      }
+      if (::fchmod(file_, earlier->st_mode & 07777) != 0) return errno;
+    }
+    const int failed = writeAll(file_, content);
+    if (failed != 0) return failed;
+    return ::fsync(file_) == 0 || errno == EINVAL ? 0 : errno;
+  }
+  int take(const fs::path& target) {
+    if (!named_) {
+      const std::string self = "/proc/self/fd/" + std::to_string(file_);
+      if (::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name_.c_str(), AT_SYMLINK_FOLLOW) != 0) return errno;
+      named_ = true;
+    }
+    if (::rename(name_.c_str(), target.c_str()) != 0) return errno;
+    named_ = false;
+    syncFolder(folderOf(target));
+    return 0;
+  }
+
+ private:
+  fs::path name_;
+  int file_ = -1;
+  bool named_ = false;
+};
+
+Result<void> checkTarget(const std::string& path) {
+  const auto there = statusOf(path);
+  if (there && S_ISDIR(there->st_mode)) return Error{path, "is a folder, expected a file"};
+  if (there) {
+    const bool protectedFile = S_ISREG(there->st_mode) && (there->st_mode & 0222) == 0;
+    if (protectedFile || ::access(path.c_str(), W_OK) != 0)
+      return Error{path, "cannot be written: it is protected against writing"};
+    if (!S_ISREG(there->st_mode)) return {};
+  }
+  const fs::path folder = folderOf(targetOf(path));
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) return systemError(path, "cannot be written", errno);
+  return {};
+}
+
 }  // namespace
 
+bool isStandardOutput(const std::string& path) {
+  if (path == "-") return true;
+  const auto there = statusOf(path);
+  struct stat out {};
+  return there && ::fstat(STDOUT_FILENO, &out) == 0 && same(*there, out);
+}
+
+bool isAmong(const std::string& path, const std::vector<std::string>& inputs) {
+  const auto there = statusOf(path);
+  if (!there || !S_ISREG(there->st_mode)) return false;
+  return std::any_of(inputs.begin(), inputs.end(), [&](const std::string& input) {
+    const auto read = statusOf(input);
+    return read && same(*there, *read);
+  });
+}
+
+Result<void> checkOutput(const std::string& path, const std::vector<std::string>& inputs) {
+  if (path.empty()) return Error{"output", "has an empty name, expected a file"};
+  if (path == "-") return {};
+  if (path.ends_with('/')) return Error{path, "is the name of a folder, expected a file"};
+  if (isAmong(path, inputs)) return Error{path, "is an input as well, expected another file to write"};
+  if (isStandardOutput(path)) return {};
+  return checkTarget(path);
+}
+
 Result<void> writeFile(const std::string& path, std::string_view content) {
-  const std::string temporary = path + ".part" + std::to_string(::getpid());
-  std::FILE* file = std::fopen(temporary.c_str(), "wb");
-  if (file == nullptr) return systemError(path, "cannot be written", errno);
-  const bool written = std::fwrite(content.data(), 1, content.size(), file) == content.size();
-  const int writeError = errno;
-  const bool closed = std::fclose(file) == 0;
-  if (!written || !closed) {
-    std::remove(temporary.c_str());
-    return systemError(path, "cannot be written", written ? errno : writeError);
-  }
-  if (std::rename(temporary.c_str(), path.c_str()) != 0) {
-    const int renameError = errno;
-    std::remove(temporary.c_str());
-    return systemError(path, "cannot be replaced", renameError);
-  }
+  if (auto good = checkOutput(path); !good) return good;
+  const auto earlier = statusOf(path);
+  if (isStandardOutput(path) || (earlier && !S_ISREG(earlier->st_mode))) return writeThrough(path, content);
+  const fs::path target = targetOf(path);
+  NewFile file(target);
+  if (!file.open()) return systemError(path, "cannot be written", errno);
+  if (const int failed = file.fill(content, earlier); failed != 0)
+    return systemError(path, "cannot be written", failed);
+  if (const int failed = file.take(target); failed != 0) return systemError(path, "cannot be replaced", failed);
   return {};
+}
+
+void syncTree(const std::string& path) {
+  std::error_code code;
+  if (fs::is_directory(path, code)) {
+    for (const auto& one : fs::directory_iterator(path, code)) {
+      if (!one.is_symlink(code)) syncTree(one.path().string());
+    }
+    syncFolder(path);
+    return;
+  }
+  const int file = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (file < 0) return;
+  ::fsync(file);
+  ::close(file);
 }
 
 Result<std::string> readFile(const std::string& path) {
   std::error_code code;
-  if (std::filesystem::is_directory(path, code)) return Error{path, "is a folder, expected a file"};
+  if (fs::is_directory(path, code)) return Error{path, "is a folder, expected a file"};
   std::FILE* file = path == "-" ? stdin : std::fopen(path.c_str(), "rb");
   if (file == nullptr) return systemError(path, "cannot be read", errno);
   std::string content;
-  const auto size = std::filesystem::file_size(path, code);
+  const auto size = fs::file_size(path, code);
   if (!code) content.reserve(size);
   char block[1 << 16];
   size_t got = 0;
@@ -66,9 +227,9 @@ Result<std::string> readFile(const std::string& path) {
 
 Result<void> makeFolder(const std::string& path) {
   std::error_code code;
-  std::filesystem::create_directories(path, code);
+  fs::create_directories(path, code);
   if (code) return Error{path, "cannot be created as a folder: " + code.message()};
-  if (!std::filesystem::is_directory(path, code)) return Error{path, "is a file, expected a folder"};
+  if (!fs::is_directory(path, code)) return Error{path, "is a file, expected a folder"};
   return {};
 }
 

@@ -43,7 +43,10 @@ bool writeWhole(int file, std::string_view text) {
 Result<std::vector<std::string>> readWholeLines(const std::string& path) {
   std::vector<std::string> lines;
   std::error_code code;
-  if (!std::filesystem::exists(path, code) || std::filesystem::is_character_file(path, code)) return lines;
+  if (!std::filesystem::is_regular_file(path, code)) {
+    if (std::filesystem::is_directory(path, code)) return Error{path, "is a folder, expected a file"};
+    return lines;
+  }
   const auto text = readFile(path);
   if (!text) return text.error();
   size_t from = 0;
@@ -55,16 +58,22 @@ Result<std::vector<std::string>> readWholeLines(const std::string& path) {
 }
 
 Result<void> appendLine(const std::string& path, std::string_view line) {
-  const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  const auto failed = [&path] {
-    return Error{path, "cannot be written: " + std::error_code(errno, std::generic_category()).message()};
-  };
-  if (file < 0) return failed();
   std::string text(line);
   text += '\n';
+  std::error_code code;
+  const bool stream = std::filesystem::exists(path, code) && !std::filesystem::is_regular_file(path, code);
+  if (stream || isStandardOutput(path)) return writeFile(path, text);
+  const auto failed = [&path](int number) {
+    return Error{path, "cannot be written: " + std::error_code(number, std::generic_category()).message()};
+  };
+  const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  if (file < 0) return failed(errno);
   Result<void> done;
-  if (::flock(file, LOCK_EX) != 0 || !cutAfterLastEnd(file) || !writeWhole(file, text)) done = failed();
-  if (::close(file) != 0 && done) done = failed();
+  if (::flock(file, LOCK_EX) != 0 || !cutAfterLastEnd(file) || !writeWhole(file, text) || ::fsync(file) != 0) {
+    done = failed(errno);
+    cutAfterLastEnd(file);  // a disk that is full leaves no half line
+  }
+  if (::close(file) != 0 && done) done = failed(errno);
   return done;
 }
 

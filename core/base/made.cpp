@@ -18,6 +18,7 @@ struct Run {
   std::mutex mutex;
   bool begun = false;
   Made made;
+  std::string folder, folderName;  ///< of nameFolder()
 };
 
 std::string utcNow() {
@@ -105,8 +106,17 @@ void noteInput(const std::string& path, std::string_view content) {
   }
   InputFile input{path, sha256Of(content)};
   const std::scoped_lock lock(run.mutex);
+  if (!run.folder.empty() && path.starts_with(run.folder + "/"))
+    input.path = run.folderName + path.substr(run.folder.size());
   std::vector<InputFile>& inputs = ownInputs != nullptr ? *ownInputs : run.made.inputs;
   if (std::find(inputs.begin(), inputs.end(), input) == inputs.end()) inputs.push_back(std::move(input));
+}
+
+void nameFolder(const std::string& folder, const std::string& name) {
+  Run& run = theRun();
+  const std::scoped_lock lock(run.mutex);
+  run.folder = folder;
+  run.folderName = name;
 }
 
 void noteDevice(std::optional<MadeOn> device) {

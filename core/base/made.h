@@ -43,6 +43,9 @@ Made thisRun();
 /// Notes that `content` was read from `path`, for a run that has begun.
 void noteInput(const std::string& path, std::string_view content);
 
+/// What is read from `folder` from here on counts as read from `name`: that is where it will be put.
+void nameFolder(const std::string& folder, const std::string& name);
+
 /// Notes the board that is measured, for a run that has begun; nothing: none is.
 void noteDevice(std::optional<MadeOn> device);
 

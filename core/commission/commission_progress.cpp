@@ -265,6 +265,11 @@ Result<Commission> readProgress(const std::string& folder) {
   return progress;
 }
 
+bool holdsProgress(const std::string& folder) {
+  std::error_code code;
+  return fs::exists(stateFile(folder), code);
+}
+
 Result<void> removeProgress(const std::string& folder) {
   std::error_code code;
   fs::remove_all(folder + "/progress", code);

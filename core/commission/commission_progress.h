@@ -16,6 +16,9 @@ Result<void> writeProgress(const Commission& progress, const std::string& folder
 /// What writeProgress() wrote. Errors: there is none, or a field is missing or wrong, by file and name.
 Result<Commission> readProgress(const std::string& folder);
 
+/// Whether there is something to go on from.
+bool holdsProgress(const std::string& folder);
+
 /// Removes what writeProgress() wrote; nothing there is fine.
 Result<void> removeProgress(const std::string& folder);
 

@@ -9,12 +9,12 @@
 #include <array>
 #include <cerrno>
 #include <cstdint>
-#include <cstdio>
 #include <cstring>
 #include <vector>
 
 #include "base/atomic_file.h"
 #include "base/made.h"
+#include "base/memory_file.h"
 
 namespace breakaway {
 
@@ -22,8 +22,8 @@ namespace {
 
 constexpr const char* program = "rsvg-convert";
 
-/// The program's exit status, or the system's reason why it could not be run. What it prints leads nowhere.
-Result<int> statusOf(std::vector<std::string> words) {
+/// The program's exit status, or the system's reason why it could not be run. What it prints goes to `out`.
+Result<int> statusOf(std::vector<std::string> words, const MemoryFile& out) {
   std::vector<char*> arguments;
   arguments.reserve(words.size() + 1);
   for (std::string& word : words) arguments.push_back(word.data());
@@ -31,7 +31,7 @@ Result<int> statusOf(std::vector<std::string> words) {
   pid_t child = 0;
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, out.descriptor(), STDOUT_FILENO);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
   const int failed = posix_spawnp(&child, program, &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
@@ -57,34 +57,28 @@ std::string textChunk(const std::string& keyword, const std::string& text) {
   return bytesOf(static_cast<std::uint32_t>(named.size() - 4)) + named + bytesOf(static_cast<std::uint32_t>(sum));
 }
 
-/// The picture at `path`, with where it comes from under the keyword `made`.
-Result<std::string> pictureWithMade(const std::string& path) {
-  const std::string chunk = textChunk("made", madeJson());
-  const OwnInputs ours;  // the picture is no input
-  auto png = readFile(path);
+/// The picture for `path`, with where it comes from under the keyword `made`.
+Result<std::string> pictureWithMade(std::string png, const std::string& path) {
   constexpr size_t afterHeader = 8 + 25;  // signature and IHDR
-  if (png && png->size() < afterHeader) return Error{path, "is no whole PNG"};
-  if (png) png->insert(afterHeader, chunk);
+  if (png.size() < afterHeader) return Error{path, "is no whole PNG"};
+  png.insert(afterHeader, textChunk("made", madeJson()));
   return png;
 }
 
 }  // namespace
 
 Result<void> convertToPng(const std::string& svgPath, const std::string& pngPath, double scale) {
-  const std::string temporary = pngPath + ".part-" + std::to_string(getpid());
-  const auto status = statusOf({program, "--format=png", "--background-color=#ffffff",
-                                "--zoom=" + std::to_string(scale), "--output=" + temporary, "--", svgPath});
-  if (!status || *status != 0) {
-    std::remove(temporary.c_str());
-    return status ? Error{svgPath, "cannot be drawn as PNG by rsvg-convert"} : status.error();
-  }
-  const auto picture = pictureWithMade(temporary);
-  std::remove(temporary.c_str());
+  const MemoryFile drawn;
+  const auto status = statusOf(
+      {program, "--format=png", "--background-color=#ffffff", "--zoom=" + std::to_string(scale), "--", svgPath}, drawn);
+  if (!status) return status.error();
+  if (*status != 0) return Error{svgPath, "cannot be drawn as PNG by rsvg-convert"};
+  const auto picture = pictureWithMade(drawn.content(), pngPath);
   return picture ? writeFile(pngPath, *picture) : picture.error();
 }
 
 Result<void> pngCanBeWritten() {
-  const auto status = statusOf({program, "--version"});
+  const auto status = statusOf({program, "--version"}, MemoryFile());
   if (!status) return status.error();
   return *status == 0 ? Result<void>() : Error{program, "cannot be run (package librsvg2-bin)"};
 }

@@ -2,11 +2,11 @@
 
 #include <matio.h>
 
-#include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <vector>
 
+#include "base/atomic_file.h"
+#include "base/memory_file.h"
 #include "friction/map_table.h"
 
 namespace breakaway {
@@ -26,8 +26,8 @@ bool writeVector(mat_t* file, const std::string& name, std::vector<double> value
 Result<void> writeMapMat(const FrictionMap& map, const std::string& path) {
   // matio prints its own reasons otherwise; the result says what failed.
   Mat_LogInitFunc("breakaway", [](int, char*) {});
-  const std::string temporary = path + ".part";
-  mat_t* file = Mat_CreateVer(temporary.c_str(), "Breakaway friction map", MAT_FT_MAT5);
+  const MemoryFile bytes;
+  mat_t* file = Mat_CreateVer(bytes.path().c_str(), "Breakaway friction map", MAT_FT_MAT5);
   if (file == nullptr) return Error{path, "cannot be written"};
   bool good = true;
   for (MapColumn& column : mapTable(map)) good = good && writeVector(file, column.name, std::move(column.values));
@@ -37,13 +37,8 @@ Result<void> writeMapMat(const FrictionMap& map, const std::string& path) {
                              {map.viscousAverage_Nm_s_per_rad.value, map.viscousAverage_Nm_s_per_rad.standardError});
   good = good && writeVector(file, nameOn(map.axis, "total_velocity_rad_per_s"), {map.totalVelocity_rad_per_s});
   good = Mat_Close(file) == 0 && good;
-  std::error_code code;
-  if (good) std::filesystem::rename(temporary, path, code);
-  if (!good || code) {
-    std::remove(temporary.c_str());
-    return Error{path, "cannot be written whole"};
-  }
-  return {};
+  if (!good) return Error{path, "cannot be written whole"};
+  return writeFile(path, bytes.content());
 }
 
 }  // namespace breakaway
