@@ -28,21 +28,22 @@ class TestBatch : public QObject {
 };
 
 static const char* const manifest =
-    R"({"id": "good", "bench": "rigs/b.json", "recordings": ["rigs/r.csv"], "heldout": ["rigs/r.csv"]}
+    R"({"id": "good", "bench": "rigs/b.json", "recordings": ["rigs/r.csv"], "heldout": ["rigs/h.csv"]}
 {"id": "bad", "bench": "rigs/none.json", "recordings": ["rigs/r.csv"]}
 
-{"id": 3, "bench": "rigs/b.json", "recordings": ["rigs/r.csv"], "heldout": ["rigs/r.csv"], "comment": "ours"}
+{"id": 3, "bench": "rigs/b.json", "recordings": ["rigs/r.csv"], "heldout": ["rigs/h.csv"], "comment": "ours"}
 )";
 
 /// As short as a diagnosis takes, and soon done.
-static QByteArray coarseRecording() {
-  return pushedMassRecording(640, {}, "time_s,position_m,force_N", 8e-3);
+static QByteArray coarseRecording(double step_s) {
+  return pushedMassRecording(640, {}, "time_s,position_m,force_N", step_s);
 }
 
 void TestBatch::initTestCase() {
   QVERIFY(breakaway::makeFolder(folder_.path("lists/rigs")));
   folder_.write("lists/rigs/b.json", pushedMassBench().toStdString());
-  folder_.write("lists/rigs/r.csv", coarseRecording().toStdString());
+  folder_.write("lists/rigs/r.csv", coarseRecording(8e-3).toStdString());
+  folder_.write("lists/rigs/h.csv", coarseRecording(7.9e-3).toStdString());
   folder_.write("lists/l.jsonl", manifest);
 }
 
@@ -110,7 +111,7 @@ void TestBatch::diagnosis_isTheOneOfDiagnose() {
   QCOMPARE(batch({"--shard", "1/3"}).status, 0);
   QJsonObject got = QJsonDocument::fromJson(results()).object()["diagnosis"].toObject();
   const QString words =
-      "diagnose --bench lists/rigs/b.json --recording lists/rigs/r.csv --heldout lists/rigs/r.csv --out d";
+      "diagnose --bench lists/rigs/b.json --recording lists/rigs/r.csv --heldout lists/rigs/h.csv --out d";
   QCOMPARE(run(builtProgram("breakaway"), words.split(' '), QString::fromStdString(folder_.path())).status, 0);
   const auto text = breakaway::readFile(folder_.path("d/diagnosis.json"));
   VERIFY_OK(text);
