@@ -218,14 +218,23 @@ Sample SimulatedBoard::tick(const SimulatedRig::Reading& reading) {
 void SimulatedBoard::watch(const Sample& sample) {
   const double own_A = settings_.current_limit_A;
   const double limit_A = commandLimit_A_ > 0.0 ? std::min(commandLimit_A_, own_A) : own_A;
-  const BoardWatch<double>::Seen seen{sample.angle_rad, sample.current_A, sample.current_reference_A,
-                                      limit_A,          sample.supply_V,  sample.enabled};
+  const BoardWatch<double>::Seen seen{sample.angle_rad, sample.current_A,         sample.current_reference_A,
+                                      limit_A,          sample.supply_V,          sample.enabled,
+                                      sample.voltage_V, sample.velocity_rad_per_s};
   const Trip trip = watch_.step(seen);
   const bool runs = procedure_ != nullptr || sample.enabled;
   if (trip == Trip::none || !runs) return;
   const auto& limits = watch_.limits();
-  stop(tripWords(trip, {seen.current_A, limits.trip_A, limit_A, seen.supply_V, limits.supply_V,
-                        watch_.jumped_rad() / limits.count_rad, limits.blockedFor_s}));
+  const auto& motor = watch_.motor();
+  stop(tripWords(trip, {seen.current_A,
+                        limits.trip_A,
+                        limit_A,
+                        seen.supply_V,
+                        limits.supply_V,
+                        watch_.jumped_rad() / limits.count_rad,
+                        limits.blockedFor_s,
+                        {motor.voltage_V, motor.current_A, motor.velocity_rad_per_s, seen.velocity_rad_per_s,
+                         limits.resistance_ohm, limits.backEmf_V_s_per_rad, limits.trip_A}}));
 }
 
 /// While the link is down the board computes on by itself until its lease runs out.

@@ -54,6 +54,7 @@ SimulatedRig::SimulatedRig(const Rig& rig, unsigned seed)
       sensor_(rig, 2u * seed + 2u),
       bridge_(rig),
       faults_(rig.faults),
+      terminals_(rig.wiring),
       supply_V_(rig.bridge.supply_V) {
 }
 
@@ -63,20 +64,23 @@ SimulatedRig::Reading SimulatedRig::read() {
   plant_.block(trouble.blocked);
   plant_.scaleResistance(trouble.resistancePart);
   supplyPart_ = trouble.supplyPart;
+  terminals_.at(exact_s);
   const EncoderModel::Reading encoder = encoder_.read(plant_.encoderAngle_rad());
   Reading reading;
-  reading.count = encoder.count + trouble.slippedCounts;
-  reading.index = (encoder.index && !trouble.hidesIndex) || trouble.showsIndex;
-  reading.supply_V = supply_V_ * trouble.supplyPart;
-  reading.current_A = sensor_.read(plant_.current_A() + trouble.past_A, static_cast<double>(tickCount_) / rate_Hz_);
+  reading.count = terminals_.count(encoder.count) + trouble.slippedCounts;
+  reading.index = terminals_.index((encoder.index && !trouble.hidesIndex) || trouble.showsIndex);
+  reading.supply_V = terminals_.supplyReading(supply_V_ * trouble.supplyPart);
+  const double flows_A = terminals_.sensorWay() * (plant_.current_A() + trouble.past_A);
+  reading.current_A = sensor_.read(flows_A, static_cast<double>(tickCount_) / rate_Hz_);
+  if (terminals_.sensorDead()) reading.current_A = 0.0;
   reading.linkLost = trouble.linkLost;
   ++tickCount_;
   return reading;
 }
 
 void SimulatedRig::drive(bool enabled, double duty) {
-  if (enabled) {
-    plant_.applyVoltage(bridge_.voltage(duty) * supplyPart_);
+  if (enabled && !terminals_.leadOff()) {
+    plant_.applyVoltage(terminals_.voltage(bridge_.voltage(duty) * supplyPart_));
   } else {
     plant_.openWindings();
   }
@@ -110,6 +114,8 @@ board::BoardHardware<Scalar> hardwareOf(const Rig& rig) {
   hardware.watch.supply_V = static_cast<Scalar>(rig.bridge.supply_V);
   hardware.watch.mostAcceleration_rad_per_s2 =
       static_cast<Scalar>(3.0 * most_A * rig.torqueConstant_Nm_per_A / rig.inertia_kg_m2 * unit);
+  hardware.watch.resistance_ohm = hardware.servo.current.resistance_ohm;
+  hardware.watch.backEmf_V_s_per_rad = hardware.servo.current.backEmfConstant_V_s_per_rad;
   hardware.start = namePlateSettings<Scalar>(rig, 0.6 * most_A);
   hardware.mostCurrent_A = static_cast<Scalar>(most_A);
   hardware.mostVelocity_rad_per_s =

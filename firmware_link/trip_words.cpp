@@ -30,6 +30,13 @@ std::string tripWords(Trip trip, const TripFigures& figures) {
           "the rotor is blocked: no motion for {:.1f} s at the current limit of {:.2f} A; free the shaft, or raise the "
           "limit",
           figures.blockedFor_s, figures.limit_A);
+    case Trip::supplyHigh:
+      return fmt::format(
+          "the supply reads {:.1f} V where {:.1f} V belong: braking feeds it (add a brake resistor or brake more "
+          "gently), or the board's divider is another one",
+          figures.supply_V, figures.nominalSupply_V);
+    case Trip::contradiction:
+      return contradictionWords(figures.motor);
     case Trip::none:
       break;
   }

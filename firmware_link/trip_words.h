@@ -4,6 +4,7 @@
 #include <string>
 
 #include "control/board_watch.h"
+#include "firmware_link/contradiction.h"
 
 namespace breakaway {
 
@@ -12,6 +13,7 @@ struct TripFigures {
   double current_A = 0.0, trip_A = 0.0, limit_A = 0.0;
   double supply_V = 0.0, nominalSupply_V = 0.0;
   double jumpedCounts = 0.0, blockedFor_s = 0.0;
+  MotorFigures motor = {};
 };
 
 /// What happened and what to do about it.

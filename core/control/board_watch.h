@@ -5,7 +5,17 @@
 
 namespace breakaway {
 
-enum class Trip { none, overCurrent, openSensor, supplyLow, encoderJump, blocked };
+/// As the wire numbers them; see FaultCode.
+enum class Trip {
+  none = 0,
+  overCurrent = 1,
+  openSensor = 2,
+  supplyLow = 3,
+  encoderJump = 4,
+  blocked = 5,
+  supplyHigh = 10,
+  contradiction = 11  ///< voltage, current and motion don't belong to one motor
+};
 
 /// Templated on the scalar, no heap, no library calls.
 template <typename Scalar>
@@ -21,6 +31,9 @@ class BoardWatch {
     Scalar mostAcceleration_rad_per_s2 = 0;   ///< a change of the angle that needs more is no motion
     Scalar blockedFor_s = Scalar(1);          ///< at the current limit without motion
     Scalar blockedTravel_rad = Scalar(0.01);  ///< less travel than this is no motion
+    Scalar mostSupply = Scalar(1.25);         ///< part of the supply above which something feeds it
+    Scalar resistance_ohm = 0;                ///< of the motor; 0: nothing is foretold
+    Scalar backEmf_V_s_per_rad = 0;
   };
   struct Seen {
     Scalar angle_rad = 0;  ///< the encoder's count as an angle
@@ -29,18 +42,27 @@ class BoardWatch {
     Scalar limit_A = 0;    ///< that holds in this tick; 0: none
     Scalar supply_V = 0;
     bool enabled = false;
+    Scalar voltage_V = 0;  ///< that the winding gets
+    Scalar velocity_rad_per_s = 0;
+  };
+  /// What the winding got, what flowed and how fast the encoder turned, over the last 20 ms.
+  struct Motor {
+    Scalar voltage_V = 0, current_A = 0, velocity_rad_per_s = 0;
   };
 
   explicit BoardWatch(const Limits& limits)
       : limits_(limits),
         least_V_(limits.leastSupply * limits.supply_V),
+        most_V_(limits.mostSupply * limits.supply_V),
+        lost_V_(lostPart * limits.supply_V),
+        share_(Scalar(steps) * limits.tick_s / motorTime_s),
         room_rad_(Scalar(4.5) * limits.count_rad + limits.mostAcceleration_rad_per_s2 * limits.tick_s * limits.tick_s),
         still_rad_(limits.blockedTravel_rad + limits.count_rad),
         lowFor_(ticksIn(limits.supplyLowFor_s)),
         blockedFor_(ticksIn(limits.blockedFor_s)) {}
 
   /// Forgets how long something has lasted; for a new command after a trip.
-  void restart() { low_ = atLimit_ = 0; }
+  void restart() { low_ = high_ = atLimit_ = 0; }
 
   /// The angle's zero was moved; see ServoController::shift().
   void shift(Scalar by_rad) {
@@ -53,15 +75,25 @@ class BoardWatch {
     if (exceeds(seen.current_A, limits_.trip_A)) return seen.enabled ? Trip::overCurrent : Trip::openSensor;
     low_ = seen.supply_V < least_V_ ? low_ + 1 : 0;
     if (low_ > lowFor_) return Trip::supplyLow;
+    high_ = seen.supply_V > most_V_ ? high_ + 1 : 0;
+    if (high_ > lowFor_) return Trip::supplyHigh;
+    if (contradicts(seen)) return Trip::contradiction;
     if (jump != Trip::none) return jump;
     return blocked(seen);
   }
 
   /// By how much the angle jumped at the last trip of that kind.
   Scalar jumped_rad() const { return jumped_rad_; }
+  const Motor& motor() const { return motor_; }
   const Limits& limits() const { return limits_; }
 
  private:
+  // What a sound bench may differ by from V = R·i + Ke·ω: the bridge's losses as a part of the supply, a hot winding's
+  // resistance and what falls with the current, a magnet's strength.
+  static constexpr Scalar lostPart = Scalar(0.06), hotPart = Scalar(0.4), magnetPart = Scalar(0.15);
+  static constexpr Scalar motorTime_s = Scalar(0.02);  ///< over which voltage, current and speed are smoothed
+  static constexpr int steps = 5;                      ///< ticks for one round, a few operations in each
+
   /// Whole ticks, what is lacking to one by rounding apart.
   long ticksIn(Scalar duration_s) const {
     return limits_.tick_s > Scalar(0) ? static_cast<long>(duration_s / limits_.tick_s * Scalar(1.000001)) : 0;
@@ -87,6 +119,28 @@ class BoardWatch {
     return Trip::encoderJump;
   }
 
+  /// Voltage and current say how fast a motor turns, whatever the encoder shows. Smoothed values of one time are
+  /// compared, so that neither a ripple nor a step of the current counts.
+  bool contradicts(const Seen& seen) {
+    if (!seen.enabled || !(limits_.resistance_ohm > Scalar(0))) {
+      motor_ = {};
+      step_ = 0;
+      return false;
+    }
+    if (step_ == 0) motor_.voltage_V += share_ * (seen.voltage_V - motor_.voltage_V);
+    if (step_ == 1) motor_.current_A += share_ * (seen.current_A - motor_.current_A);
+    if (step_ == 2) motor_.velocity_rad_per_s += share_ * (seen.velocity_rad_per_s - motor_.velocity_rad_per_s);
+    if (step_ == 3) {
+      resistive_V_ = limits_.resistance_ohm * motor_.current_A;
+      induced_V_ = limits_.backEmf_V_s_per_rad * motor_.velocity_rad_per_s;
+    }
+    const bool last = step_ == steps - 1;
+    step_ = last ? 0 : step_ + 1;
+    if (!last) return false;
+    const Scalar usual_V = lost_V_ + hotPart * magnitude(resistive_V_) + magnetPart * magnitude(induced_V_);
+    return exceeds(motor_.voltage_V - resistive_V_ - induced_V_, usual_V);
+  }
+
   Trip blocked(const Seen& seen) {
     const Scalar almost_A = Scalar(0.9) * seen.limit_A;
     const bool atLimit = seen.enabled && seen.limit_A > Scalar(0) &&
@@ -98,8 +152,13 @@ class BoardWatch {
   }
 
   Limits limits_;
-  Scalar least_V_, room_rad_, still_rad_;  ///< supply that counts as dropped; change and travel that are none
-  long lowFor_, blockedFor_, low_ = 0, atLimit_ = 0;  ///< ticks
+  Scalar least_V_, most_V_;                                      ///< supply that counts as dropped, as fed
+  Scalar lost_V_, share_;                                        ///< of the motor's voltage; of a new value in its mean
+  Scalar room_rad_, still_rad_;                                  ///< change and travel that are none
+  long lowFor_, blockedFor_, low_ = 0, high_ = 0, atLimit_ = 0;  ///< ticks
+  Motor motor_;
+  Scalar resistive_V_ = 0, induced_V_ = 0;
+  int step_ = 0;  ///< of the round
   Scalar angle_rad_ = 0, change_rad_ = 0, jumped_rad_ = 0, anchor_rad_ = 0;
   int ticks_ = 0;  ///< seen, up to two
   bool jumped_ = false;

@@ -101,6 +101,17 @@ struct PlantPhysics {
   struct {
     double torque = 0.0, start_s = 0.0, duration_s = 0.0;
   } pulse;  ///< once, from outside, towards growing angle
+  struct Attached {
+    double from_s = 0.0;
+    double torque = 0.0;    ///< towards growing angle
+    double pendulum = 0.0;  ///< gravity's torque at most, hanging down at startAngle_rad
+  };
+  std::vector<Attached> attached;  ///< on the motor's shaft, from a time on
+  struct Wall {
+    double from_s = 0.0, at_rad = 0.0, side = 1.0;  ///< +1: beyond it angles are larger
+    double stiffness = 0.0, damping = 0.0;
+  };
+  std::vector<Wall> walls;  ///< stops on one side of what the encoder's side carries, from a time on
 
   double delay_s = 0.0;          ///< of the input
   double inputLimit = 0.0;       ///< clips the input

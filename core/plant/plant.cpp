@@ -12,6 +12,13 @@ namespace {
 constexpr int cellsPerOrder = 256;  // linear interpolation errs by 8e-5 of a harmonic's amplitude
 constexpr double heatStep_s = 0.01;
 
+/// A stop pushes back, and never pulls.
+template <typename Stop>
+double pushBack(const Stop& stop, double beyond, double velocity) {
+  const double torque = -stop.stiffness * beyond - stop.damping * velocity;
+  return torque * beyond < 0.0 ? torque : 0.0;
+}
+
 }  // namespace
 
 Plant::Plant(const PlantPhysics& physics, double substep_s, uint64_t seed)
@@ -97,18 +104,27 @@ double Plant::rested() const {
   return 1.0 - std::exp(-(time_s_ - restStart_s_) / physics_.rest.time_s);
 }
 
-double Plant::outerTorque() const {
+double Plant::outerTorque(double angle_rad) const {
   const auto& p = physics_.pulse;
-  return time_s_ >= p.start_s && time_s_ < p.start_s + p.duration_s ? p.torque : 0.0;
+  double torque = time_s_ >= p.start_s && time_s_ < p.start_s + p.duration_s ? p.torque : 0.0;
+  for (const auto& one : physics_.attached) {
+    if (time_s_ < one.from_s) continue;
+    torque += one.torque;
+    if (one.pendulum != 0.0) torque -= one.pendulum * std::sin(angle_rad - physics_.startAngle_rad);
+  }
+  return torque;
 }
 
-/// A stop pushes back, and never pulls.
 double Plant::stopTorque(double angle_rad, double velocity) const {
   const auto& s = physics_.stops;
-  if (!s.present || (angle_rad >= s.low_rad && angle_rad <= s.high_rad)) return 0.0;
-  const double beyond = angle_rad < s.low_rad ? angle_rad - s.low_rad : angle_rad - s.high_rad;
-  const double torque = -s.stiffness * beyond - s.damping * velocity;
-  return torque * beyond < 0.0 ? torque : 0.0;
+  double torque = 0.0;
+  if (s.present && angle_rad < s.low_rad) torque += pushBack(s, angle_rad - s.low_rad, velocity);
+  if (s.present && angle_rad > s.high_rad) torque += pushBack(s, angle_rad - s.high_rad, velocity);
+  for (const auto& wall : physics_.walls) {
+    const double beyond = angle_rad - wall.at_rad;
+    if (time_s_ >= wall.from_s && wall.side * beyond > 0.0) torque += pushBack(wall, beyond, velocity);
+  }
+  return torque;
 }
 
 /// What acts on the motor's shaft from outside over a step, at the step's middle, where coupling and stops are then
@@ -117,8 +133,8 @@ double Plant::outsideTorque(double duration_s) {
   const double half = 0.5 * duration_s;
   const RigCoupling& coupling = physics_.coupling;
   const double outer =
-      outside_ ? outerTorque() + outside_->torque(angle_rad_ + half * velocity_, velocity_ + half * acceleration_)
-               : outerTorque();
+      outerTorque(angle_rad_ + half * velocity_) +
+      (outside_ ? outside_->torque(angle_rad_ + half * velocity_, velocity_ + half * acceleration_) : 0.0);
   if (!coupling.present()) return outer + stopTorque(angle_rad_ + half * velocity_, velocity_);
   const double load_rad = load_rad_ + half * loadVelocity_;
   coupled_Nm_ = coupling.torque_Nm(angle_rad_ + half * velocity_ - load_rad, velocity_ - loadVelocity_);

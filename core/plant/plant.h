@@ -68,7 +68,7 @@ class Plant {
   double motorTorque(const Local& here, double current_A) const;
   double warmth() const;
   double rested() const;
-  double outerTorque() const;
+  double outerTorque(double angle_rad) const;
   double stopTorque(double angle_rad, double velocity) const;
   double outsideTorque(double duration_s);
   void moveLoad(double duration_s);

@@ -226,8 +226,33 @@ Result<Rig> readRig(JsonObject root) {
   readBridge(root.object("bridge"), rig.bridge);
   for (JsonObject& effect : root.objects("effects")) rig.effects.push_back(readEffect(effect, rig.axis));
   rig.faults = readFaults(root, rig.axis, unit);
+  rig.wiring = readWiring(root, rig.axis, unit);
   if (const auto done = root.finish(); !done) return done.error();
   return rig;
+}
+
+/// The stop of a rotor swings with it as fast as that of a linear axis does by default.
+constexpr double usualStop_rad_per_s = 1000.0;
+
+/// What the wiring hangs on the shaft.
+void attach(const RigWiring& wiring, PlantPhysics& physics) {
+  switch (wiring.kind) {
+    case WiringKind::load:
+      physics.attached.push_back({wiring.from_s, wiring.value, 0.0});
+      break;
+    case WiringKind::pendulum:
+      physics.attached.push_back({wiring.from_s, 0.0, wiring.value});
+      break;
+    case WiringKind::stopAt: {
+      const double inertia = physics.totalInertia();
+      physics.walls.push_back({wiring.from_s, physics.startAngle_rad + wiring.value, wiring.value > 0.0 ? 1.0 : -1.0,
+                               inertia * usualStop_rad_per_s * usualStop_rad_per_s,
+                               0.6 * inertia * usualStop_rad_per_s});
+      break;
+    }
+    default:
+      break;  // at the terminals
+  }
 }
 
 }  // namespace
@@ -262,6 +287,7 @@ PlantPhysics physicsOf(const Rig& rig) {
     if (const RigEffectKind* kind = findRigEffect(effect.effect); kind && kind->conceal) kind->conceal(effect, physics);
   }
   physics.supplyResistance_ohm += rig.bridge.supplyResistance_ohm;
+  for (const RigWiring& wiring : rig.wiring) attach(wiring, physics);
   return physics;
 }
 

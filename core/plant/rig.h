@@ -12,6 +12,7 @@
 #include "plant/physics.h"
 #include "plant/rig_effects.h"
 #include "plant/rig_faults.h"
+#include "plant/rig_wiring.h"
 
 namespace breakaway {
 
@@ -76,6 +77,7 @@ struct Rig {
   RigCoupling coupling;
   std::vector<RigEffect> effects;
   std::vector<RigFault> faults;
+  std::vector<RigWiring> wiring;
 
   /// What one rad of the rig's shaft is on its axis: 1 rad, or so many m.
   double unitPerRad() const;

@@ -115,7 +115,7 @@ class ControlTick {
   Scalar limit_A() const { return servo_.limit_A(); }
   /// What is taken off the sensor's reading.
   Scalar zero_A() const { return servo_.zero_A(); }
-  Scalar jumped_rad() const { return watch_.jumped_rad(); }
+  const BoardWatch<Scalar>& watch() const { return watch_; }
 
  private:
   void take(const wire::MotorCommand& wanted) {
@@ -184,9 +184,11 @@ class ControlTick {
                          const TickLimits<Scalar>& limits) {
     using wire::FaultCode;
     static_assert(static_cast<int>(FaultCode::blocked) == static_cast<int>(Trip::blocked) &&
-                  static_cast<int>(FaultCode::overCurrent) == static_cast<int>(Trip::overCurrent));
-    const Trip trip =
-        watch_.step({angle_rad, out.current_A, out.current_reference_A, limit_A(), readings.supply_V, out.enabled});
+                  static_cast<int>(FaultCode::overCurrent) == static_cast<int>(Trip::overCurrent) &&
+                  static_cast<int>(FaultCode::supplyHigh) == static_cast<int>(Trip::supplyHigh) &&
+                  static_cast<int>(FaultCode::contradiction) == static_cast<int>(Trip::contradiction));
+    const Trip trip = watch_.step({angle_rad, out.current_A, out.current_reference_A, limit_A(), readings.supply_V,
+                                   out.enabled, out.voltage_V, out.velocity_rad_per_s});
     if (!out.enabled && !watched_) return FaultCode::none;
     if (trip != Trip::none) return static_cast<FaultCode>(trip);
     if (exceeds(out.velocity_rad_per_s, limits.velocity_rad_per_s)) return FaultCode::overSpeed;

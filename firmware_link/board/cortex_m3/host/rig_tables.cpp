@@ -37,6 +37,7 @@ Result<void> carried(const Rig& rig) {
   if (rig.axis != Axis::rotary) return Error{"field axis", "is linear, the emulated plant is a rotor"};
   if (rig.coupling.present()) return Error{"field coupling", "is there, the emulated plant has a stiff shaft"};
   if (!rig.faults.empty()) return Error{"field faults", "isn't empty, the emulated plant has none"};
+  if (!rig.wiring.empty()) return Error{"field wiring", "isn't empty, the emulated plant is wired as it should be"};
   if (rig.encoder.countsPerRev != std::floor(rig.encoder.countsPerRev))
     return Error{"field encoder.counts_per_rev", "is no whole number, expected one"};
   if (highestOrder(physicsOf(rig)) > 32)

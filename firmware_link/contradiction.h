@@ -1,0 +1,33 @@
+// Which wire is wrong when voltage, current and motion don't belong to one motor.
+#pragma once
+
+#include <string>
+
+namespace breakaway {
+
+/// Means over the watch's last 20 ms, and what the board believes of the motor.
+struct MotorFigures {
+  double voltage_V = 0.0, current_A = 0.0, velocity_rad_per_s = 0.0;
+  double now_rad_per_s = 0.0;  ///< the velocity of the last tick
+  double resistance_ohm = 0.0, backEmf_V_s_per_rad = 0.0;
+  double trip_A = 0.0;
+};
+
+enum class WiringCause {
+  unknown,
+  encoderReversed,
+  encoderStands,
+  countsFactor,
+  sensorReversed,
+  bridgeReversed,
+  sensorOrBridgeReversed,
+  sensorDead,
+  leadOff
+};
+
+/// By the signature: what of V = R·i + Ke·ω has the wrong sign, is missing, or is off by a factor.
+WiringCause causeOf(const MotorFigures& motor);
+/// What it is, with its figures, and what to do about it.
+std::string contradictionWords(const MotorFigures& motor);
+
+}  // namespace breakaway
