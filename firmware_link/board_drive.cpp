@@ -150,7 +150,7 @@ Result<void> BoardDrive::greet() {
   settings_ = settingsOf(*values);
   const auto limits = dictionary_.values(link_, {"current_trip_A", "blocked_for_s", "lease_s", "current_zero_A"});
   if (!limits) return limits.error();
-  limits_ = {(*limits)[0], (*limits)[1], (*limits)[2], identity_.supply_V, decoder_.count_rad()};
+  limits_ = {(*limits)[0], (*limits)[1], (*limits)[2], identity_.supply_V, decoder_.count_rad(), identity_.axis};
   zero_A_ = (*limits)[3];
   link_.listen([this](const wire::Frame& frame) { heard(frame); });
   const auto stopped = link_.ask<wire::Alive>(wire::Type::stop);

@@ -1,15 +1,16 @@
 #include "firmware_link/contradiction.h"
 
 #include <fmt/core.h>
+#include <algorithm>
 #include <cmath>
 
 namespace breakaway {
 
 namespace {
 
-constexpr double quiet = 0.0025;  ///< of the trip's current: the sensor's own noise and zero
-constexpr double still = 0.02;    ///< of the voltage: the back-EMF of a shaft that stands
-constexpr double clearly = 0.3;   ///< of the current that voltage and speed foretell
+constexpr double quiet = 0.0025;                          ///< of the trip's current: the sensor's own noise and zero
+constexpr double still = 0.1;                             ///< of the voltage: the back-EMF of a shaft that stands
+constexpr double usualFactors[] = {0.25, 0.5, 2.0, 4.0};  ///< lines for edges, one channel for two
 
 /// By voltage and current.
 double electricalSpeed(const MotorFigures& m) {
@@ -21,56 +22,74 @@ double foretoldCurrent(const MotorFigures& m) {
   return (m.voltage_V - m.backEmf_V_s_per_rad * m.velocity_rad_per_s) / m.resistance_ohm;
 }
 
+std::string speedText(double speed, Axis axis) {
+  return axis == Axis::rotary ? fmt::format("{:.0f} rad/s", speed) : fmt::format("{:.3g} m/s", speed);
+}
+
+/// The nearest factor that a wrong number of counts usually has.
+std::string factorText(double factor) {
+  for (const double usual : usualFactors) {
+    if (std::abs(std::log(factor / usual)) < 0.5 * std::log(2.0)) return fmt::format("about {:g} times", usual);
+  }
+  return fmt::format("{:.2g} times", factor);
+}
+
 }  // namespace
 
 WiringCause causeOf(const MotorFigures& m) {
   if (!(m.resistance_ohm > 0.0 && m.backEmf_V_s_per_rad > 0.0)) return WiringCause::unknown;
-  const double induced_V = m.backEmf_V_s_per_rad * m.velocity_rad_per_s;
-  const bool stands = std::abs(induced_V) < still * std::abs(m.voltage_V);
-  const bool against = !stands && induced_V * m.voltage_V < 0.0;
+  const double V = m.voltage_V, resistive_V = m.resistance_ohm * m.current_A,
+               induced_V = m.backEmf_V_s_per_rad * m.velocity_rad_per_s;
+  const bool stands = std::abs(induced_V) < still * std::abs(V);
   if (std::abs(m.current_A) < quiet * m.trip_A) {
     if (stands) return WiringCause::leadOff;
     // What drives without a word accelerates; what has lost its lead runs down.
     return std::abs(m.now_rad_per_s) >= std::abs(m.velocity_rad_per_s) ? WiringCause::sensorDead : WiringCause::leadOff;
   }
-  const bool currentAgainst = m.current_A * m.voltage_V < 0.0;
-  if (against) return currentAgainst ? WiringCause::bridgeReversed : WiringCause::encoderReversed;
-  const double foretold_A = foretoldCurrent(m);
-  if (m.current_A * foretold_A < 0.0 && std::abs(m.current_A) > clearly * std::abs(foretold_A))
-    return stands ? WiringCause::sensorOrBridgeReversed : WiringCause::sensorReversed;
-  if (stands) return WiringCause::encoderStands;
-  return WiringCause::countsFactor;
+  if (stands) return resistive_V * V < 0.0 ? WiringCause::sensorOrBridgeReversed : WiringCause::encoderStands;
+  // Of what could be wrong, that with which the three agree best.
+  WiringCause best = WiringCause::countsFactor;
+  double least_V = 1e300;
+  const auto consider = [&](WiringCause cause, double left_V) {
+    if (std::abs(left_V) < least_V) best = cause;
+    least_V = std::min(least_V, std::abs(left_V));
+  };
+  for (const double factor : usualFactors) consider(WiringCause::countsFactor, V - resistive_V - induced_V / factor);
+  consider(WiringCause::encoderReversed, V - resistive_V + induced_V);
+  consider(WiringCause::bridgeReversed, V + resistive_V + induced_V);
+  consider(WiringCause::sensorReversed, V + resistive_V - induced_V);
+  return best;
 }
 
 std::string contradictionWords(const MotorFigures& m) {
-  const double turns = electricalSpeed(m), shown = m.velocity_rad_per_s;
+  const double turns = electricalSpeed(m);
+  const std::string driven = speedText(turns, m.axis), shown = speedText(m.velocity_rad_per_s, m.axis);
   switch (causeOf(m)) {
     case WiringCause::encoderReversed:
       return fmt::format(
-          "the encoder counts against the motor: {:.1f} V drive it at {:.0f} rad/s, the encoder shows {:.0f} rad/s; "
-          "swap "
-          "the encoder's A and B, or the motor's leads",
-          m.voltage_V, turns, shown);
+          "the encoder counts against the motor: {:.1f} V drive it at {}, the encoder shows {}; swap the encoder's A "
+          "and "
+          "B, or the motor's leads",
+          m.voltage_V, driven, shown);
     case WiringCause::encoderStands:
       return fmt::format(
-          "the encoder stands while voltage and current say that the motor turns at {:.0f} rad/s ({:.1f} V, {:.2f} A); "
-          "check coupling, encoder cable and the encoder's supply",
-          turns, m.voltage_V, m.current_A);
+          "the encoder stands while voltage and current say that the motor runs at {} ({:.1f} V, {:.2f} A); check "
+          "coupling, encoder cable and the encoder's supply",
+          driven, m.voltage_V, m.current_A);
     case WiringCause::countsFactor:
       return fmt::format(
-          "the encoder shows {:.0f} rad/s where {:.1f} V and {:.2f} A say {:.0f} rad/s, {:.2f} times as much; check "
-          "the "
-          "counts per turn (4 edges for a line), the coupling, and the supply's reading",
-          shown, m.voltage_V, m.current_A, turns, shown / turns);
+          "the encoder shows {} where {:.1f} V and {:.2f} A say {}, {} as much; check the encoder's counts (four edges "
+          "for a line), the coupling, and the supply's reading",
+          shown, m.voltage_V, m.current_A, driven, factorText(m.velocity_rad_per_s / turns));
     case WiringCause::sensorReversed:
       return fmt::format(
-          "the current reads {:.2f} A where {:.1f} V at {:.0f} rad/s drive {:.2f} A: the current sensor is reversed; "
-          "swap its leads, or the sign in the board",
+          "the current reads {:.2f} A where {:.1f} V at {} drive {:.2f} A: the current sensor is reversed; swap its "
+          "leads, or the sign in the board",
           m.current_A, m.voltage_V, shown, foretoldCurrent(m));
     case WiringCause::bridgeReversed:
       return fmt::format(
-          "{:.1f} V drive {:.2f} A and {:.0f} rad/s, both the other way round: the bridge is reversed; swap its two "
-          "inputs, or the sign in the board",
+          "{:.1f} V drive {:.2f} A and {}, both the other way round: the bridge is reversed; swap its two inputs, or "
+          "the sign in the board",
           m.voltage_V, m.current_A, shown);
     case WiringCause::sensorOrBridgeReversed:
       return fmt::format(
@@ -79,11 +98,15 @@ std::string contradictionWords(const MotorFigures& m) {
           m.voltage_V, m.current_A);
     case WiringCause::sensorDead:
       return fmt::format(
-          "the current sensor reads {:.2f} A while {:.1f} V drive the shaft at {:.0f} rad/s, where {:.1f} A are to be "
-          "expected: it is dead; check its supply and its wire",
+          "the current sensor reads {:.2f} A while {:.1f} V drive the motor at {}, where {:.1f} A are to be expected: "
+          "it is dead; check its supply and its wire",
           m.current_A, m.voltage_V, shown, foretoldCurrent(m));
     case WiringCause::leadOff:
-      return fmt::format("no current flows at {:.1f} V: a lead of the motor is off; check its terminals", m.voltage_V);
+      return fmt::format(
+          "no current is seen at {:.1f} V: a lead of the motor is off, or the current sensor is dead; check the "
+          "motor's "
+          "terminals and the sensor's supply",
+          m.voltage_V);
     case WiringCause::unknown:
       break;
   }

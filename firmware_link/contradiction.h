@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "base/axis.h"
+
 namespace breakaway {
 
 /// Means over the watch's last 20 ms, and what the board believes of the motor.
@@ -11,6 +13,7 @@ struct MotorFigures {
   double now_rad_per_s = 0.0;  ///< the velocity of the last tick
   double resistance_ohm = 0.0, backEmf_V_s_per_rad = 0.0;
   double trip_A = 0.0;
+  Axis axis = Axis::rotary;
 };
 
 enum class WiringCause {

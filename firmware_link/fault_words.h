@@ -11,6 +11,7 @@ namespace breakaway {
 /// What the board's dictionary says of its limits.
 struct FaultLimits {
   double trip_A = 0.0, blockedFor_s = 0.0, lease_s = 0.0, supply_V = 0.0, count_rad = 0.0;
+  Axis axis = Axis::rotary;
 };
 
 /// What happened and what to do about it.

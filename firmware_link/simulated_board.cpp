@@ -234,7 +234,7 @@ void SimulatedBoard::watch(const Sample& sample) {
                         watch_.jumped_rad() / limits.count_rad,
                         limits.blockedFor_s,
                         {motor.voltage_V, motor.current_A, motor.velocity_rad_per_s, seen.velocity_rad_per_s,
-                         limits.resistance_ohm, limits.backEmf_V_s_per_rad, limits.trip_A}}));
+                         limits.resistance_ohm, limits.backEmf_V_s_per_rad, limits.trip_A, identity_.axis}}));
 }
 
 /// While the link is down the board computes on by itself until its lease runs out.

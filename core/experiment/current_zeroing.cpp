@@ -7,6 +7,13 @@ namespace breakaway {
 
 Command CurrentZeroing::run(const Sample& sample) {
   elapsed_s_ = elapsed_s(sample);
+  if (elapsed_s_ < options_.settle_s || !begun_) first_rad_ = sample.angle_rad;
+  begun_ = true;
+  if (const double moved_rad = sample.angle_rad - first_rad_; std::abs(moved_rad) > options_.turns_rad) {
+    fail(bodyText(options_.axis) + " moves " + wayText(moved_rad > 0.0, options_.axis) +
+         " by itself with the windings open: a load pulls it; hold or balance the load, or take it off");
+    return {};
+  }
   if (elapsed_s_ < options_.settle_s) return {};
   if (!sample.enabled) {
     sum_ += sample.current_A;

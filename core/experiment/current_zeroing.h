@@ -11,10 +11,13 @@ struct CurrentZeroingOptions {
   double settle_s = 0.05;  ///< lets the winding's current die first
   double duration_s = 1.0;
   double mostDrift_A = 0.05;  ///< from the first half of the time to the second
+  double turns_rad = 0.05;    ///< with the windings open: something else than the motor drives
+  Axis axis = Axis::rotary;
 };
 
 /// Takes the sensor's mean as its zero, which the board then subtracts, and measures the noise. Fails in words when the
-/// sensor drifts meanwhile.
+/// sensor drifts meanwhile, and when the shaft
+/// turns by itself.
 class CurrentZeroing : public TimedProcedure {
  public:
   explicit CurrentZeroing(const CurrentZeroingOptions& options = {}) : options_(options) {}
@@ -33,6 +36,8 @@ class CurrentZeroing : public TimedProcedure {
   CurrentZeroingOptions options_;
   double elapsed_s_ = 0.0, sum_ = 0.0, squares_ = 0.0;
   size_t count_ = 0;
+  double first_rad_ = 0.0;
+  bool begun_ = false;
   OpenCurrent half_A_;
   bool second_ = false;
 };

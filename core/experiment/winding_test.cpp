@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace breakaway {
 
 namespace {
 constexpr double rest_s = 0.4;
-}
+constexpr size_t bothWays = 2;  // ramps
+}  // namespace
 
 Command WindingTest::run(const Sample& sample) {
   if (!begun_) stageStart_s_ = sample.time_s;
@@ -63,6 +65,8 @@ void WindingTest::endRamp(const Sample& sample) {
     highest = std::max(highest, way() * blocks_[k].current_A);
   }
   breakaway_A_[way() > 0.0 ? 1 : 0].push_back(highest);
+  if (way() * (sample.angle_rad - standing_rad_) < 0.0) ++against_;
+  if (!blocks_.empty()) along_A_ += way() * blocks_.back().current_A;
   moved_V_ = ramp_ == 0 ? target_V_ : std::min(moved_V_, target_V_);
   blocks_.clear();
   blockTimes_s_.clear();
@@ -71,6 +75,18 @@ void WindingTest::endRamp(const Sample& sample) {
   ++ramp_;
   stage_ = Stage::rest;
   stageStart_s_ = sample.time_s;
+  if (const std::string wrong = ramp_ == bothWays ? wrongSigns() : std::string(); !wrong.empty()) fail(wrong);
+}
+
+/// Open loop, the first motion each way tells the signs of encoder and current; a load may spoil one way, not both.
+std::string WindingTest::wrongSigns() const {
+  const std::string moves = bodyText(options_.axis) + " moves " + wayText(false, options_.axis);
+  if (against_ == bothWays && along_A_ > 0.0)
+    return moves + " at positive voltage and current: swap the encoder's A and B, or the motor's leads";
+  if (against_ == bothWays)
+    return moves + " at positive voltage, and the current flows that way, too: the bridge is reversed; swap its two " +
+           "inputs, or the sign in the board";
+  return {};
 }
 
 Command WindingTest::ramp(const Sample& sample) {

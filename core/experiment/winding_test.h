@@ -26,7 +26,8 @@ struct WindingTestOptions {
 
 /// Raises the voltage slowly until the rotor moves, both ways, for the steady line; then a square wave below that level
 /// for the time constant. Fails in words when the rotor doesn't move up to the supply or the current limit's plateau,
-/// and when the current sensor drifts.
+/// when the current sensor drifts, and when
+/// motion or current go against the voltage: which wires to swap.
 class WindingTest : public TimedProcedure {
  public:
   explicit WindingTest(const WindingTestOptions& options = {}) : options_(options) {}
@@ -51,6 +52,7 @@ class WindingTest : public TimedProcedure {
   Command square(const Sample& sample);
   void takePoint(const Sample& sample);
   void endRamp(const Sample& sample);
+  std::string wrongSigns() const;
   double way() const { return ramp_ % 2 == 0 ? 1.0 : -1.0; }
   Command voltage(double voltage_V) const {
     return {Command::Mode::voltage, voltage_V, options_.current_limit_A, false};
@@ -68,6 +70,8 @@ class WindingTest : public TimedProcedure {
   size_t blockCount_ = 0;
   OpenCurrent open_A_;
   double still_s_ = 0.0;                  ///< when it last stood where the ramp found it
+  size_t against_ = 0;                    ///< ramps whose motion went the other way
+  double along_A_ = 0.0;                  ///< sum of the last currents before motion, in the ramps' ways
   double moved_V_ = 0.0, onset_V_ = 0.0;  ///< least voltage that moved it; voltage at which current first stood out
   std::vector<double> sums_;
   std::vector<size_t> counts_;

@@ -1,5 +1,6 @@
 #include "motor/winding_line.h"
 
+#include <fmt/core.h>
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -77,6 +78,17 @@ Result<WindingLine> fitWindingLine(const std::vector<WindingPoint>& points) {
   }
   const Eigen::Matrix3d covariance = variance * normal.completeOrthogonalDecomposition().pseudoInverse();
   const double slope = fit.x[0], slopeError = std::sqrt(std::max(0.0, covariance(0, 0)));
+  const bool constant = std::all_of(points.begin(), points.end(), [&points](const WindingPoint& one) {
+    return one.current_A == points.front().current_A;
+  });
+  if (constant)
+    return Error{"winding", fmt::format("reads exactly {:g} A up to {:.2g} V: the current sensor is dead; check its "
+                                        "supply and its wire",
+                                        points.front().current_A, highest)};
+  if (slope < -5.0 * slopeError)
+    return Error{"winding",
+                 "shows a current that falls as the voltage rises: the current sensor is reversed; swap its "
+                 "leads, or the sign in the board"};
   if (!(slope > 5.0 * slopeError)) return Error{"winding", "shows no current that stands out of the sensor's noise"};
   WindingLine line;
   line.resistance_ohm = {1.0 / slope, slopeError / (slope * slope)};

@@ -11,8 +11,11 @@ class CurrentZero : public Step {
   CurrentZero() : Step("current sensor's zero", {}, {Known::sensorZero}) {}
   double expected_s(const SweepSettings&) const override { return 1.1; }
 
-  Result<StepRun> begin(OnBench&) override {
-    zeroing_ = std::make_shared<CurrentZeroing>();
+  Result<StepRun> begin(OnBench& on) override {
+    CurrentZeroingOptions options;
+    options.axis = on.drive.identity().axis;
+    if (options.axis == Axis::linear) options.turns_rad = 1e-3;
+    zeroing_ = std::make_shared<CurrentZeroing>(options);
     return StepRun{"01-zero", zeroing_};
   }
 
