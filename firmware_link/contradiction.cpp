@@ -8,7 +8,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr double quiet = 0.0025;                          ///< of the trip's current: the sensor's own noise and zero
+constexpr double quiet = 0.005;                           ///< of the trip's current: the sensor's own noise and zero
 constexpr double still = 0.1;                             ///< of the voltage: the back-EMF of a shaft that stands
 constexpr double usualFactors[] = {0.25, 0.5, 2.0, 4.0};  ///< lines for edges, one channel for two
 
@@ -44,7 +44,8 @@ WiringCause causeOf(const MotorFigures& m) {
   if (std::abs(m.current_A) < quiet * m.trip_A) {
     if (stands) return WiringCause::leadOff;
     // What drives without a word accelerates; what has lost its lead runs down.
-    return std::abs(m.now_rad_per_s) >= std::abs(m.velocity_rad_per_s) ? WiringCause::sensorDead : WiringCause::leadOff;
+    return std::abs(m.velocity_rad_per_s) >= std::abs(m.before_rad_per_s) ? WiringCause::sensorDead
+                                                                          : WiringCause::leadOff;
   }
   if (stands) return resistive_V * V < 0.0 ? WiringCause::sensorOrBridgeReversed : WiringCause::encoderStands;
   // Of what could be wrong, that with which the three agree best.

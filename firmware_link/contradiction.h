@@ -7,10 +7,10 @@
 
 namespace breakaway {
 
-/// Means over the watch's last 20 ms, and what the board believes of the motor.
+/// Of the tick that tripped, and what the board believes of the motor.
 struct MotorFigures {
   double voltage_V = 0.0, current_A = 0.0, velocity_rad_per_s = 0.0;
-  double now_rad_per_s = 0.0;  ///< the velocity of the last tick
+  double before_rad_per_s = 0.0;  ///< its mean over the watch's last 20 ms
   double resistance_ohm = 0.0, backEmf_V_s_per_rad = 0.0;
   double trip_A = 0.0;
   Axis axis = Axis::rotary;

@@ -25,9 +25,9 @@ std::string faultWords(const wire::Fault& fault, const FaultLimits& limits) {
                         limits.supply_V,
                         static_cast<double>(fault.jump_rad) / limits.count_rad,
                         limits.blockedFor_s,
-                        {static_cast<double>(fault.meanVoltage_V), static_cast<double>(fault.meanCurrent_A),
-                         static_cast<double>(fault.meanVelocity_rad_per_s),
-                         static_cast<double>(fault.velocity_rad_per_s), static_cast<double>(fault.resistance_ohm),
+                        {static_cast<double>(fault.voltage_V), static_cast<double>(fault.current_A),
+                         static_cast<double>(fault.velocity_rad_per_s),
+                         static_cast<double>(fault.meanVelocity_rad_per_s), static_cast<double>(fault.resistance_ohm),
                          static_cast<double>(fault.backEmf_V_s_per_rad), limits.trip_A, limits.axis}});
     case FaultCode::overSpeed:
       return fmt::format("over-speed: {:.0f} rad/s; check the velocity's target and the encoder's direction",

@@ -233,7 +233,7 @@ void SimulatedBoard::watch(const Sample& sample) {
                         limits.supply_V,
                         watch_.jumped_rad() / limits.count_rad,
                         limits.blockedFor_s,
-                        {motor.voltage_V, motor.current_A, motor.velocity_rad_per_s, seen.velocity_rad_per_s,
+                        {seen.voltage_V, seen.current_A, seen.velocity_rad_per_s, motor.velocity_rad_per_s,
                          limits.resistance_ohm, limits.backEmf_V_s_per_rad, limits.trip_A, identity_.axis}}));
 }
 

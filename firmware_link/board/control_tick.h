@@ -88,6 +88,7 @@ class ControlTick {
     const Turn turn = (static_cast<Turn>(halfCounts) + firstHalfCounts_) * perHalfCount_;
     const Scalar bus = readings.supply_V > Scalar(1e-3) ? readings.supply_V : Scalar(1e-3);
     const ServoOutput<Scalar> out = servo_.stepAt(middle, turn, readings.current_A, bus);
+    voltage_V_ = out.voltage_V;
     TickOutcome<Scalar> outcome;
     outcome.fault = judged(readings, out, middle, limits);
     const bool enabled = out.enabled && outcome.fault == wire::FaultCode::none;
@@ -116,6 +117,8 @@ class ControlTick {
   /// What is taken off the sensor's reading.
   Scalar zero_A() const { return servo_.zero_A(); }
   const BoardWatch<Scalar>& watch() const { return watch_; }
+  /// That the last tick asked for.
+  Scalar voltage_V() const { return voltage_V_; }
 
  private:
   void take(const wire::MotorCommand& wanted) {
@@ -216,6 +219,7 @@ class ControlTick {
   LegTick<Scalar> leg_;
   Scalar halfCount_rad_;
   Turn perHalfCount_, firstHalfCounts_ = 0;
+  Scalar voltage_V_ = 0;
   Scalar steps_, perStep_, left_ = 0;  ///< of the timer, and what the last one left over
   std::int32_t count_ = 0, origin_ = 0, travelStart_ = 0;
   bool known_ = false, watched_ = false;

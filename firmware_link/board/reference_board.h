@@ -128,10 +128,8 @@ class ReferenceBoard {
     fault_.limit_A = static_cast<float>(control_.limit_A());
     fault_.supply_V = static_cast<float>(seen[wire::Channel::supply]);
     fault_.jump_rad = static_cast<float>(control_.watch().jumped_rad());
-    const auto& motor = control_.watch().motor();
-    fault_.meanVoltage_V = static_cast<float>(motor.voltage_V);
-    fault_.meanCurrent_A = static_cast<float>(motor.current_A);
-    fault_.meanVelocity_rad_per_s = static_cast<float>(motor.velocity_rad_per_s);
+    fault_.voltage_V = static_cast<float>(control_.voltage_V());
+    fault_.meanVelocity_rad_per_s = static_cast<float>(control_.watch().motor().velocity_rad_per_s);
     fault_.resistance_ohm = static_cast<float>(control_.watch().limits().resistance_ohm);
     fault_.backEmf_V_s_per_rad = static_cast<float>(control_.watch().limits().backEmf_V_s_per_rad);
     fault_.velocity_rad_per_s = static_cast<float>(seen[wire::Channel::velocity]);

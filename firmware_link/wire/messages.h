@@ -214,15 +214,14 @@ struct Fault {
   std::uint16_t latch = 0;  ///< that it led to
   std::uint32_t tick = 0;
   float current_A = 0, limit_A = 0, supply_V = 0, jump_rad = 0, velocity_rad_per_s = 0, temperature_degC = 0;
-  float meanVoltage_V = 0, meanCurrent_A = 0, meanVelocity_rad_per_s = 0;  ///< of the motor, over the last 20 ms
+  float voltage_V = 0, meanVelocity_rad_per_s = 0;    ///< on the winding; over the last 20 ms
   float resistance_ohm = 0, backEmf_V_s_per_rad = 0;  ///< that the board believes; 0: it foretells nothing
 
   template <typename Self, typename Io>
   static void pass(Self& s, Io& io) {
     io(s.code), io(s.latch), io(s.tick), io(s.current_A), io(s.limit_A), io(s.supply_V), io(s.jump_rad);
     io(s.velocity_rad_per_s), io(s.temperature_degC);
-    io(s.meanVoltage_V), io(s.meanCurrent_A), io(s.meanVelocity_rad_per_s), io(s.resistance_ohm);
-    io(s.backEmf_V_s_per_rad);
+    io(s.voltage_V), io(s.meanVelocity_rad_per_s), io(s.resistance_ohm), io(s.backEmf_V_s_per_rad);
   }
 };
 
