@@ -47,19 +47,10 @@ WiringCause causeOf(const MotorFigures& m) {
     return std::abs(m.velocity_rad_per_s) >= std::abs(m.before_rad_per_s) ? WiringCause::sensorDead
                                                                           : WiringCause::leadOff;
   }
-  if (stands) return resistive_V * V < 0.0 ? WiringCause::sensorOrBridgeReversed : WiringCause::encoderStands;
-  // Of what could be wrong, that with which the three agree best.
-  WiringCause best = WiringCause::countsFactor;
-  double least_V = 1e300;
-  const auto consider = [&](WiringCause cause, double left_V) {
-    if (std::abs(left_V) < least_V) best = cause;
-    least_V = std::min(least_V, std::abs(left_V));
-  };
-  for (const double factor : usualFactors) consider(WiringCause::countsFactor, V - resistive_V - induced_V / factor);
-  consider(WiringCause::encoderReversed, V - resistive_V + induced_V);
-  consider(WiringCause::bridgeReversed, V + resistive_V + induced_V);
-  consider(WiringCause::sensorReversed, V + resistive_V - induced_V);
-  return best;
+  const bool currentAlong = resistive_V * V > 0.0, motionAlong = induced_V * V > 0.0;
+  if (stands) return currentAlong ? WiringCause::encoderStands : WiringCause::sensorOrBridgeReversed;
+  if (currentAlong) return motionAlong ? WiringCause::countsFactor : WiringCause::encoderReversed;
+  return motionAlong ? WiringCause::sensorReversed : WiringCause::bridgeReversed;
 }
 
 std::string contradictionWords(const MotorFigures& m) {
@@ -84,8 +75,8 @@ std::string contradictionWords(const MotorFigures& m) {
           shown, m.voltage_V, m.current_A, driven, factorText(m.velocity_rad_per_s / turns));
     case WiringCause::sensorReversed:
       return fmt::format(
-          "the current reads {:.2f} A where {:.1f} V at {} drive {:.2f} A: the current sensor is reversed; swap its "
-          "leads, or the sign in the board",
+          "the current reads {:.2f} A where {:.1f} V at {} drive {:.2f} A: the current sensor is reversed (swap its "
+          "leads), or its zero has moved",
           m.current_A, m.voltage_V, shown, foretoldCurrent(m));
     case WiringCause::bridgeReversed:
       return fmt::format(
@@ -94,8 +85,8 @@ std::string contradictionWords(const MotorFigures& m) {
           m.voltage_V, m.current_A, shown);
     case WiringCause::sensorOrBridgeReversed:
       return fmt::format(
-          "{:.1f} V drive {:.2f} A, the other way round: the current sensor or the bridge is reversed; swap the "
-          "sensor's leads or the bridge's inputs",
+          "{:.1f} V drive {:.2f} A, the other way round: the current sensor or the bridge is reversed (swap the "
+          "sensor's leads or the bridge's inputs), or the sensor's zero has moved",
           m.voltage_V, m.current_A);
     case WiringCause::sensorDead:
       return fmt::format(
@@ -104,9 +95,9 @@ std::string contradictionWords(const MotorFigures& m) {
           m.current_A, m.voltage_V, shown, foretoldCurrent(m));
     case WiringCause::leadOff:
       return fmt::format(
-          "no current is seen at {:.1f} V: a lead of the motor is off, or the current sensor is dead; check the "
-          "motor's "
-          "terminals and the sensor's supply",
+          "no current is seen at {:.1f} V: a lead of the motor is off, or the current sensor is dead (or the encoder, "
+          "where "
+          "friction is small); check the motor's terminals and the sensor's supply",
           m.voltage_V);
     case WiringCause::unknown:
       break;

@@ -28,7 +28,8 @@ enum class WiringCause {
   leadOff
 };
 
-/// By the signature: what of V = R·i + Ke·ω has the wrong sign, is missing, or is off by a factor.
+/// By the signature: which of current and motion is missing, or against the voltage; a motor that is driven has
+/// neither.
 WiringCause causeOf(const MotorFigures& motor);
 /// What it is, with its figures, and what to do about it.
 std::string contradictionWords(const MotorFigures& motor);

@@ -35,17 +35,15 @@ Answer answerOf(const BurstLine& line, const BurstRequest& request, const Captur
   if (burst.samples.size() < request.samples)
     words +=
         fmt::format("the board has room for {} samples, {} were asked for\n", burst.samples.size(), request.samples);
-  if (!burst.fault.empty()) words += burst.fault + "\n";
   words += fmt::format("{}: {} samples, one every {} ticks\n", line.out, burst.samples.size(), request.every);
   const nlohmann::ordered_json json{{"out", line.out},
                                     {"samples", burst.samples.size()},
                                     {"asked_for", request.samples},
-                                    {"every_ticks", request.every},
-                                    {"fault", burst.fault}};
+                                    {"every_ticks", request.every}};
   return {words, asText(json)};
 }
 
-Result<Answer> runBurst(const BurstLine& line) {
+Outcome runBurst(const BurstLine& line) {
   if (!carriesBytes(line.board))
     return Error{"board " + line.board, "takes no burst, expected serial:PORT[@BAUD] or tcp:HOST:PORT"};
   if (auto good = checkOutput(line.out); !good) return good.error();
@@ -63,7 +61,8 @@ Result<Answer> runBurst(const BurstLine& line) {
       sealSamples(line.out, burst->samples, {{"device", board->device()}, {"firmware", board->firmware()}});
   if (!recording) return recording.error();
   if (auto written = writeCsv(*recording, line.out); !written) return written.error();
-  return answerOf(line, request, *burst);
+  if (!burst->fault.empty()) return {1, burst->fault};
+  return Result<Answer>(answerOf(line, request, *burst));
 }
 
 }  // namespace

@@ -29,6 +29,7 @@ struct Outcome {
 
   Outcome(const Result<Answer>& done)
       : status(done ? 0 : 2), line(done ? std::string() : done.error().message()), answer(done ? *done : Answer()) {}
+  Outcome(const Error& error) : Outcome(2, error.message()) {}
   Outcome(int wrongStatus, std::string why) : status(wrongStatus), line(std::move(why)) {}
 };
 

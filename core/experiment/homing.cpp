@@ -1,5 +1,6 @@
 #include "experiment/homing.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -39,6 +40,8 @@ Command Homing::run(const Sample& sample) {
 
 /// The leg's stages say what the samples mean; after a gap in them an edge can't be told to the count.
 void Homing::follow(const Sample& sample) {
+  ++rows_;
+  indexRows_ += sample.index ? 1 : 0;
   const LegPhase before = std::exchange(stage_, legPhase());
   const double beforeAngle_rad = std::exchange(lastAngle_rad_, sample.angle_rad);
   const double since_rad = sample.angle_rad - stageAngle_rad_;
@@ -55,6 +58,28 @@ void Homing::follow(const Sample& sample) {
   finish();
 }
 
+/// The counts per turn that the board was told of, in words.
+std::string Homing::declared(const std::string& before) const {
+  if (!(options_.countsPerRev > 0.0)) return {};
+  return fmt::format("{} whether a turn has {:.0f} counts", before, options_.countsPerRev);
+}
+
+std::string Homing::seenTwice(double since_rad) const {
+  if (2 * indexRows_ > rows_) return invertedIndexText;
+  // Lines for edges, one channel for two, or a disc that isn't the one declared: the index comes once in a true turn.
+  const double part = since_rad / turn_rad;
+  for (const double usual : {0.25, 0.5, 1.0}) {
+    if (options_.countsPerRev > 0.0 && std::abs(part / usual - 1.0) < (usual < 1.0 ? 0.01 : 0.1))
+      return fmt::format(
+          "the index comes every {}: a turn has {:.0f} counts, not {:.0f}; check the counts per turn that the board "
+          "was "
+          "told, and, if they are right, the index wire's shield",
+          degreesText(since_rad), part * options_.countsPerRev, options_.countsPerRev);
+  }
+  return "the index was seen twice within a turn, " + degreesText(since_rad) +
+         " apart; check the encoder's index wire and shield";
+}
+
 std::string Homing::failureOf(LegPhase phase, double since_rad) const {
   switch (phase) {
     case Machine::still:
@@ -65,10 +90,10 @@ std::string Homing::failureOf(LegPhase phase, double since_rad) const {
       return "no index within " + std::to_string(options_.mostTurns).substr(0, 3) +
              " turns; check the encoder's index wire";
     case Machine::notAgain:
-      return "the index was seen once, but not again after a whole turn; check the encoder's index wire";
+      return "the index was seen once, but not again after a whole turn; check the encoder's index wire" +
+             declared(", and");
     case Machine::twice:
-      return "the index was seen twice within a turn, " + degreesText(since_rad) +
-             " apart; check the encoder's index wire and shield";
+      return seenTwice(since_rad);
     case Machine::lost:
       return "the index was seen once, but not again; check the encoder's index wire";
     default: {

@@ -44,11 +44,14 @@ class Homing : public TimedProcedure {
   Leg plan() const;
   void follow(const Sample& sample);
   std::string failureOf(LegPhase phase, double since_rad) const;
+  std::string seenTwice(double since_rad) const;
+  std::string declared(const std::string& before) const;
   double tolerance_rad() const;
 
   HomingOptions options_;
   LegPhase stage_ = notBegun;
   std::vector<double> edges_;
+  size_t rows_ = 0, indexRows_ = 0;  ///< samples, and those that show the index
   double stageAngle_rad_ = 0.0, lastAngle_rad_ = 0.0, leastTick_s_ = 0.0;
   bool begun_ = false;
 };

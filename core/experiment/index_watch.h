@@ -32,6 +32,9 @@ class IndexWatch {
   bool begun_ = false, besideOnce_ = false, seen_ = false;
 };
 
+inline constexpr const char* invertedIndexText =
+    "the index is seen nearly everywhere: its signal is inverted; swap its two wires, or the polarity in the board";
+
 /// Tolerance for an encoder of that many counts: its index' width and rounding, and half a degree.
 double indexTolerance_rad(double countsPerRev);
 

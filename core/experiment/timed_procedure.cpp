@@ -15,6 +15,8 @@ Command TimedProcedure::step(const Sample& sample) {
   }
   last_s_ = sample.time_s;
   phase_ = !leg_ ? notBegun : runner_ ? runner_->step(sample) : sample.legPhase;
+  if (const std::string dead = sensor_.step(sample); !dead.empty()) fail(dead);
+  if (state_ != State::running) return {};
   const Command command = run(sample);
   if (state_ != State::running) return {};
   return leg_ && runner_ ? runner_->command() : command;

@@ -1,9 +1,11 @@
-// What all procedures share: a clock that starts with the first sample, one end, and a reason for it.
+// What all procedures share: a clock that starts with the first sample, one end, a reason for it, and an eye on the
+// current sensor.
 #pragma once
 
 #include <optional>
 #include <string>
 
+#include "experiment/dead_sensor.h"
 #include "experiment/drive.h"
 #include "experiment/leg.h"
 
@@ -50,6 +52,7 @@ class TimedProcedure : public Procedure {
   std::optional<Leg> leg_;
   std::optional<LegRunner> runner_;
   LegPhase phase_ = notBegun;
+  DeadSensor sensor_;
   unsigned legNumber_ = 0;
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiment/index_watch.h"
+
 namespace breakaway {
 
 void TravelHoming::enter(Stage stage, const Sample& sample) {
@@ -21,11 +23,14 @@ bool TravelHoming::stalled(const Sample& sample) {
 }
 
 void TravelHoming::see(const Sample& sample, double before_m) {
+  ++rows_;
   if (!sample.index) return;
   const double here_m = 0.5 * (before_m + sample.angle_rad), tolerance_m = indexTolerance_m(options_.count_m);
   if (!sights_m_.empty() && std::abs(here_m - sights_m_.front()) > tolerance_m) {
-    fail("the index was seen at two places, " + millimetresText(std::abs(here_m - sights_m_.front())) +
-         " apart; check the encoder's index wire and shield");
+    fail(2 * sights_m_.size() > rows_
+             ? std::string(invertedIndexText)
+             : "the index was seen at two places, " + millimetresText(std::abs(here_m - sights_m_.front())) +
+                   " apart; check the encoder's index wire and shield");
   }
   sights_m_.push_back(here_m);
 }

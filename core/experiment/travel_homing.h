@@ -48,6 +48,7 @@ class TravelHoming : public TimedProcedure {
   Glide glide_;
   Stage stage_ = Stage::lower;
   std::vector<double> sights_m_, edges_m_;
+  size_t rows_ = 0;  ///< samples seen
   double before_m_ = 0.0, stageStart_m_ = 0.0, moved_m_ = 0.0, moved_s_ = 0.0;
   bool begun_ = false;
 };

@@ -140,7 +140,7 @@ const std::vector<Fault>& faults() {
       {"drift",
        R"("temperature_drift", "offset_A_per_s": 0.3, "resistance_per_s": 0.004)",
        30.0,
-       {"the current sensor's zero moved"}},
+       {"the current sensor's zero moved", "zero has moved"}},
       {"slow drift", R"("temperature_drift", "offset_A_per_s": 0.002, "resistance_per_s": 0.0005)", 50.0, {}},
   };
   return all;
@@ -335,6 +335,9 @@ void TestFaults::everyProcedure_endsInWordsAndGoesOn() {
   QVERIFY(!bench.last().enabled && bench.last().voltage_V == 0.0);
   if (finished) return;
 
+  const auto zeroed = std::make_shared<CurrentZeroing>();  // as a job that goes on does
+  bench.drive().start(zeroed);
+  bench.run(*zeroed, bench.time_s() + most_s);
   const auto home = std::make_shared<Homing>(HomingOptions{});
   bench.drive().start(home);
   bench.run(*home, bench.time_s() + most_s);
