@@ -115,6 +115,7 @@ board::BoardHardware<Scalar> hardwareOf(const Rig& rig) {
   hardware.watch.mostAcceleration_rad_per_s2 =
       static_cast<Scalar>(3.0 * most_A * rig.torqueConstant_Nm_per_A / rig.inertia_kg_m2 * unit);
   hardware.watch.resistance_ohm = hardware.servo.current.resistance_ohm;
+  hardware.watch.inductance_H = hardware.servo.current.inductance_H;
   hardware.watch.backEmf_V_s_per_rad = hardware.servo.current.backEmfConstant_V_s_per_rad;
   hardware.start = namePlateSettings<Scalar>(rig, 0.6 * most_A);
   hardware.mostCurrent_A = static_cast<Scalar>(most_A);

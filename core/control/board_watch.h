@@ -34,6 +34,7 @@ class BoardWatch {
     Scalar mostSupply = Scalar(1.25);         ///< part of the supply above which something feeds it
     Scalar resistance_ohm = 0;                ///< of the motor; 0: nothing is foretold
     Scalar backEmf_V_s_per_rad = 0;
+    Scalar inductance_H = 0;
   };
   struct Seen {
     Scalar angle_rad = 0;  ///< the encoder's count as an angle
@@ -56,6 +57,7 @@ class BoardWatch {
         most_V_(limits.mostSupply * limits.supply_V),
         lost_V_(lostPart * limits.supply_V),
         share_(Scalar(steps) * limits.tick_s / motorTime_s),
+        inductance_(limits.tick_s > Scalar(0) ? limits.inductance_H / (Scalar(steps) * limits.tick_s) : Scalar(0)),
         room_rad_(Scalar(4.5) * limits.count_rad + limits.mostAcceleration_rad_per_s2 * limits.tick_s * limits.tick_s),
         still_rad_(limits.blockedTravel_rad + limits.count_rad),
         lowFor_(ticksIn(limits.supplyLowFor_s)),
@@ -92,7 +94,8 @@ class BoardWatch {
   // resistance and what falls with the current, a magnet's strength.
   static constexpr Scalar lostPart = Scalar(0.06), hotPart = Scalar(0.4), magnetPart = Scalar(0.15);
   static constexpr Scalar motorTime_s = Scalar(0.02);  ///< over which voltage, current and speed are smoothed
-  static constexpr int steps = 5;                      ///< ticks for one round, a few operations in each
+  static constexpr int steps = 5;                      ///< ticks of a round, a few operations in each
+  static constexpr Scalar perRound = Scalar(1) / Scalar(steps);
 
   /// Whole ticks, what is lacking to one by rounding apart.
   long ticksIn(Scalar duration_s) const {
@@ -123,22 +126,33 @@ class BoardWatch {
   /// compared, so that neither a ripple nor a step of the current counts.
   bool contradicts(const Seen& seen) {
     if (!seen.enabled || !(limits_.resistance_ohm > Scalar(0))) {
-      motor_ = {};
+      motor_ = last_ = sum_ = {};
       step_ = 0;
       return false;
     }
-    if (step_ == 0) motor_.voltage_V += share_ * (seen.voltage_V - motor_.voltage_V);
-    if (step_ == 1) motor_.current_A += share_ * (seen.current_A - motor_.current_A);
-    if (step_ == 2) motor_.velocity_rad_per_s += share_ * (seen.velocity_rad_per_s - motor_.velocity_rad_per_s);
+    sum_.voltage_V += seen.voltage_V;
+    sum_.current_A += seen.current_A;
+    sum_.velocity_rad_per_s += seen.velocity_rad_per_s;
+    if (step_ == 0) smooth(motor_.voltage_V, last_.voltage_V);
+    if (step_ == 1) inductive_V_ = inductance_ * smooth(motor_.current_A, last_.current_A);
+    if (step_ == 2) smooth(motor_.velocity_rad_per_s, last_.velocity_rad_per_s);
     if (step_ == 3) {
       resistive_V_ = limits_.resistance_ohm * motor_.current_A;
       induced_V_ = limits_.backEmf_V_s_per_rad * motor_.velocity_rad_per_s;
     }
-    const bool last = step_ == steps - 1;
-    step_ = last ? 0 : step_ + 1;
-    if (!last) return false;
+    if (++step_ < steps) return false;
+    step_ = 0;
+    last_ = sum_;
+    sum_ = {};
     const Scalar usual_V = lost_V_ + hotPart * magnitude(resistive_V_) + magnetPart * magnitude(induced_V_);
-    return exceeds(motor_.voltage_V - resistive_V_ - induced_V_, usual_V);
+    return exceeds(motor_.voltage_V - resistive_V_ - induced_V_ - inductive_V_, usual_V);
+  }
+
+  /// Takes a round's sum into its smoothed value; returns by how much that one changes.
+  Scalar smooth(Scalar& value, Scalar sum) const {
+    const Scalar change = share_ * (perRound * sum - value);
+    value += change;
+    return change;
   }
 
   Trip blocked(const Seen& seen) {
@@ -154,10 +168,11 @@ class BoardWatch {
   Limits limits_;
   Scalar least_V_, most_V_;                                      ///< supply that counts as dropped, as fed
   Scalar lost_V_, share_;                                        ///< of the motor's voltage; of a new value in its mean
+  Scalar inductance_;                                            ///< per time of a round, V per A of change
   Scalar room_rad_, still_rad_;                                  ///< change and travel that are none
   long lowFor_, blockedFor_, low_ = 0, high_ = 0, atLimit_ = 0;  ///< ticks
-  Motor motor_;
-  Scalar resistive_V_ = 0, induced_V_ = 0;
+  Motor motor_, last_, sum_;                                     ///< smoothed; sums of the round before, of this one
+  Scalar resistive_V_ = 0, induced_V_ = 0, inductive_V_ = 0;
   int step_ = 0;  ///< of the round
   Scalar angle_rad_ = 0, change_rad_ = 0, jumped_rad_ = 0, anchor_rad_ = 0;
   int ticks_ = 0;  ///< seen, up to two
