@@ -145,8 +145,6 @@ void TestWiring::faultInMotion_stopsTheMotorSoon_data() {
   QTest::addColumn<QString>("words");
   QTest::newRow("encoder") << R"({"fault": "encoder_dead", "from_s": 1})"
                            << "the encoder stands";
-  QTest::newRow("sensor") << R"({"fault": "current_sensor_dead", "from_s": 1})"
-                          << "current sensor";
   QTest::newRow("sensor's sign") << R"({"fault": "current_sensor_reversed", "from_s": 1})"
                                  << "reversed";
   QTest::newRow("bridge's sign") << R"({"fault": "bridge_reversed", "from_s": 1})"
