@@ -6,7 +6,7 @@
 
 #include "firmware_link/board/board_hardware.h"
 #include "firmware_link/board_faults.h"
-#include "firmware_link/rig_terminals.h"
+#include "firmware_link/simulated_terminals.h"
 #include "plant/plant.h"
 #include "plant/rig.h"
 #include "plant/sensors.h"
@@ -41,7 +41,7 @@ class SimulatedRig {
   CurrentSensorModel sensor_;
   BridgeModel bridge_;
   BoardFaults faults_;
-  RigTerminals terminals_;
+  SimulatedTerminals terminals_;
   double supply_V_;
   uint64_t tickCount_ = 0;
   double supplyPart_ = 1.0;

@@ -1,15 +1,15 @@
-#include "firmware_link/rig_terminals.h"
+#include "firmware_link/simulated_terminals.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace breakaway {
 
-void RigTerminals::at(double time_s) {
+void SimulatedTerminals::at(double time_s) {
   time_s_ = time_s;
 }
 
-int64_t RigTerminals::count(int64_t encoder) {
+int64_t SimulatedTerminals::count(int64_t encoder) {
   if (!begun_) counter_ = static_cast<double>(encoder);
   const auto moved = static_cast<double>(begun_ ? encoder - encoder_ : 0);
   begun_ = true;
@@ -19,17 +19,17 @@ int64_t RigTerminals::count(int64_t encoder) {
   return static_cast<int64_t>(std::floor(counter_));
 }
 
-bool RigTerminals::index(bool seen) const {
+bool SimulatedTerminals::index(bool seen) const {
   if (has(WiringKind::encoderDead)) return false;
   return has(WiringKind::indexInverted) ? !seen : seen;
 }
 
-bool RigTerminals::has(WiringKind kind) const {
+bool SimulatedTerminals::has(WiringKind kind) const {
   return std::any_of(wiring_.begin(), wiring_.end(),
                      [=, this](const RigWiring& one) { return one.kind == kind && one.acts(time_s_); });
 }
 
-double RigTerminals::factor(WiringKind kind) const {
+double SimulatedTerminals::factor(WiringKind kind) const {
   double factor = 1.0;
   for (const RigWiring& one : wiring_) {
     if (one.kind == kind && one.acts(time_s_)) factor *= one.value;

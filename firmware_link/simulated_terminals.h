@@ -8,9 +8,9 @@
 
 namespace breakaway {
 
-class RigTerminals {
+class SimulatedTerminals {
  public:
-  explicit RigTerminals(const std::vector<RigWiring>& wiring) : wiring_(wiring) {}
+  explicit SimulatedTerminals(const std::vector<RigWiring>& wiring) : wiring_(wiring) {}
 
   /// From now on things are as at this rig time, once per control tick.
   void at(double time_s);
