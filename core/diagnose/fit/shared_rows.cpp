@@ -11,8 +11,9 @@ namespace breakaway {
 
 namespace {
 
-constexpr size_t stretch = 100;  ///< rows
-constexpr size_t telling = 25;   ///< of these, that change otherwise than the row before
+constexpr size_t leastStretch = 100;  ///< rows
+constexpr size_t part = 20;           ///< of the shortest recording: motions begin alike, encoders are coarse
+constexpr size_t tellingPart = 4;     ///< of a stretch's rows, that change otherwise than the row before
 constexpr uint64_t base = 0x9e3779b97f4a7c15;
 
 /// What two recordings would have in common.
@@ -39,9 +40,11 @@ Trace traceOf(const Recording& recording, const Bench& bench) {
   return {measured, drive};
 }
 
-/// Calls `take` with the first row and the hash of every stretch (or every `stretch`-th one) that tells enough.
+/// Calls `take` with the first row and the hash of every stretch of so many rows (or every `stretch`-th one) that tells
+/// enough.
 template <typename Take>
-void eachStretch(const Trace& trace, bool apart, Take take) {
+void eachStretch(const Trace& trace, size_t stretch, bool apart, Take take) {
+  const size_t telling = stretch / tellingPart;
   uint64_t hash = 0, leaving = 1;
   for (size_t k = 0; k < stretch; ++k) leaving *= base;
   size_t surprises = 0;
@@ -65,13 +68,18 @@ Result<void> checkSharedRows(const Bench& bench, const std::vector<Recording>& r
     const Recording* recording;
     bool proves;
   };
+  size_t shortest = SIZE_MAX;
+  for (const auto* group : {&recordings, &heldout}) {
+    for (const Recording& one : *group) shortest = std::min(shortest, one.rows());
+  }
+  const size_t stretch = std::max(leastStretch, shortest / part);
   std::unordered_map<uint64_t, Place> seen;  // stretches of all recordings before, side by side
   for (const auto* group : {&recordings, &heldout}) {
     const bool proves = group == &heldout;
     for (const Recording& one : *group) {
       const Trace trace = traceOf(one, bench);
       std::optional<Error> shared;
-      eachStretch(trace, false, [&](size_t first, uint64_t hash) {
+      eachStretch(trace, stretch, false, [&](size_t first, uint64_t hash) {
         const auto it = shared ? seen.end() : seen.find(hash);
         if (it == seen.end()) return;
         const std::string where = ", from row " + std::to_string(first + 1) + " on; ";
@@ -82,7 +90,7 @@ Result<void> checkSharedRows(const Bench& bench, const std::vector<Recording>& r
                                        : "shares rows with " + other + where + "expected each recording once"};
       });
       if (shared) return *shared;
-      eachStretch(trace, true, [&](size_t, uint64_t hash) { seen.emplace(hash, Place{&one, proves}); });
+      eachStretch(trace, stretch, true, [&](size_t, uint64_t hash) { seen.emplace(hash, Place{&one, proves}); });
     }
   }
   return {};
