@@ -48,7 +48,7 @@ struct Ran {
   double lasted_s = 0;
 };
 
-Ran run(Drive& drive, std::shared_ptr<Procedure> procedure, double most_s) {
+Ran run(Drive& drive, const std::shared_ptr<Procedure>& procedure, double most_s) {
   drive.start(procedure);
   std::vector<Sample> samples;
   while (procedure->state() == Procedure::State::running && samples.size() * 2e-4 < most_s) {
