@@ -40,6 +40,12 @@ class TestWiring : public QObject {
 
 namespace {
 
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool sanitized = true;
+#else
+constexpr bool sanitized = false;
+#endif
+
 constexpr double slice_s = 0.01;
 
 struct Ran {
@@ -135,6 +141,7 @@ void TestWiring::faultFromTheStart_isNamed() {
   QFETCH(QString, preset);
   QFETCH(QString, wiring);
   QFETCH(QString, words);
+  if (sanitized && preset != "servo") QSKIP("takes too long under sanitizers");
   const auto drive = opened(rigWith(preset, wiring));
   const QString failure = firstFailure(*drive);
   QVERIFY2(failure.contains(words), qPrintable("said: " + failure));
@@ -175,6 +182,7 @@ void TestWiring::soundBench_isLeftAlone_data() {
 
 void TestWiring::soundBench_isLeftAlone() {
   QFETCH(QString, preset);
+  if (sanitized && preset != "servo") QSKIP("takes too long under sanitizers");
   const auto drive = opened(rigWith(preset, {}));
   QCOMPARE(firstFailure(*drive), QString());
 }
