@@ -183,7 +183,8 @@ void Tour::home() {
        5000);
   shoot("home-running");
   session_.connection.setPace(60.0);
-  if (!wait([this] { return session_.bench.index_rad().has_value(); })) trouble_ = "homing did not end";
+  if (!wait([this] { return session_.bench.index_rad().has_value() && !session_.connection.run().running(); }))
+    trouble_ = "homing did not end";
   session_.connection.setPace(4.0);
   shoot("home-done");
 }
@@ -200,7 +201,8 @@ void Tour::sweep() {
   session_.connection.setPace(4.0);
   shoot("friction-running");
   session_.connection.setPace(60.0);
-  if (!wait([this] { return session_.bench.known().knows(Known::map); })) trouble_ = "the breakaway sweep did not end";
+  if (!wait([this] { return session_.bench.known().knows(Known::map) && !session_.connection.run().running(); }))
+    trouble_ = "the breakaway sweep did not end";
   session_.connection.setPace(4.0);
   shoot("friction-done");
   auto* view = window_.findChild<QComboBox*>("polarView");
@@ -250,7 +252,8 @@ void Tour::linear() {
        10'000);
   shoot("home-linear-running");
   session_.connection.setPace(60.0);
-  if (!wait([this] { return session_.bench.index_rad().has_value(); })) trouble_ = "the linear axis was not homed";
+  if (!wait([this] { return session_.bench.index_rad().has_value() && !session_.connection.run().running(); }))
+    trouble_ = "the linear axis was not homed";
   session_.connection.setPace(4.0);
   shoot("home-linear-done");
   window_.showPage("tunePage");
@@ -269,7 +272,7 @@ void Tour::linear() {
   session_.connection.setPace(4.0);
   shoot("friction-linear-running");
   session_.connection.setPace(100.0);
-  if (!wait([this] { return session_.bench.known().knows(Known::map); }))
+  if (!wait([this] { return session_.bench.known().knows(Known::map) && !session_.connection.run().running(); }))
     trouble_ = "the linear axis' map did not come";
   session_.connection.setPace(4.0);
   window_.findChild<QComboBox*>("polarView")->setCurrentIndex(1);
