@@ -21,6 +21,8 @@ using namespace breakaway;
 class TestWiring : public QObject {
   Q_OBJECT
  private slots:
+  void sheared_stopsBeforeItRunsAway_data();
+  void sheared_stopsBeforeItRunsAway();
   void sensorThatNeverChanges_isDead();
   void faultFromTheStart_isNamed_data();
   void faultFromTheStart_isNamed();
@@ -185,6 +187,37 @@ void TestWiring::soundBench_isLeftAlone() {
   if (sanitized && preset != "servo") QSKIP("takes too long under sanitizers");
   const auto drive = opened(rigWith(preset, {}));
   QCOMPARE(firstFailure(*drive), QString());
+}
+
+void TestWiring::sheared_stopsBeforeItRunsAway_data() {
+  QTest::addColumn<QString>("preset");
+  QTest::addColumn<double>("target");
+  for (const char* preset : {"servo", "geared", "uneven", "published-0134"}) {
+    for (const double target : {2.0, 5.0, 20.0}) QTest::addRow("%s at %g rad/s", preset, target) << preset << target;
+  }
+}
+
+/// The encoder hangs on the motor by next to nothing: a closed loop would take the whole supply.
+void TestWiring::sheared_stopsBeforeItRunsAway() {
+  QFETCH(QString, preset);
+  QFETCH(double, target);
+  const QString file = rigWith(preset, {});
+  QFile rig(file);
+  QVERIFY(rig.open(QIODevice::ReadOnly));
+  QByteArray text = rig.readAll();
+  rig.close();
+  text.replace(text.indexOf('{'), 1, R"({ "coupling": { "stiffness_Nm_per_rad": 1e-6, "load_inertia_kg_m2": 1e-4 },)");
+  QVERIFY(rig.open(QIODevice::WriteOnly));
+  rig.write(text);
+  rig.close();
+  const auto drive = opened(file);
+  std::vector<Sample> samples;
+  drive->command({Command::Mode::velocity, target, 0.0, false});
+  QVERIFY(drive->advance(1.0, samples));
+  const auto lastOn = std::find_if(samples.rbegin(), samples.rend(), [](const Sample& one) { return one.enabled; });
+  QVERIFY(lastOn != samples.rend());
+  const double on_s = lastOn->time_s - samples.front().time_s;
+  QVERIFY2(on_s < 0.5, qPrintable(QString("energised for %1 s").arg(on_s)));
 }
 
 void TestWiring::sensorThatNeverChanges_isDead() {
