@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
@@ -33,15 +34,26 @@ bool writeAll(int file, const char* data, size_t size) {
   return pages * static_cast<size_t>(::sysconf(_SC_PAGESIZE));
 }
 
+/// Whatever handles this process's signals is not for the child: after damage in a library a handler that allocates
+/// may wait for ever.
+void forgetHandlers() {
+  for (int signal = 1; signal < NSIG; ++signal) ::signal(signal, SIG_DFL);
+  sigset_t none;
+  ::sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+}
+
 /// The child's whole life: its length and then its bytes go down the pipe.
 [[noreturn]] void beTheChild(const std::function<std::string()>& work, int pipe, const ContainedLimits& limits) {
+  forgetHandlers();
   const int nowhere = ::open("/dev/null", O_WRONLY);
   ::dup2(nowhere, STDOUT_FILENO);
   ::dup2(nowhere, STDERR_FILENO);
   const rlimit computing{limits.computing_s, limits.computing_s}, core{0, 0};
   ::setrlimit(RLIMIT_CPU, &computing);
   ::setrlimit(RLIMIT_CORE, &core);
-#ifndef __SANITIZE_ADDRESS__  // whose shadow alone needs more
+  ::alarm(4 * limits.computing_s);  // and where it only waits
+#ifndef __SANITIZE_ADDRESS__        // whose shadow alone needs more
   const rlim_t most = addressSpace() + limits.memory_bytes;
   const rlimit memory{most, most};
   ::setrlimit(RLIMIT_AS, &memory);

@@ -11,7 +11,7 @@ namespace breakaway {
 
 /// What contained work may use up before it is ended.
 struct ContainedLimits {
-  unsigned computing_s = 120;
+  unsigned computing_s = 120;  ///< of its processor; four times as long on the clock
   size_t memory_bytes =
       size_t{4} << 30;  ///< beyond what the process has already; not enforced under the address sanitizer
 };

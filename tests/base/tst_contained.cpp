@@ -1,4 +1,6 @@
+#include <unistd.h>
 #include <QTest>
+
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -38,6 +40,8 @@ void TestContained::whateverEndsTheWork_isOneError_data() {
   QTest::newRow("exception") << 2;
   QTest::newRow("exit") << 3;
   QTest::newRow("endless computing") << 4;
+  QTest::newRow("endless waiting") << 5;
+  QTest::newRow("a handler that waits") << 6;
 }
 
 void TestContained::whateverEndsTheWork_isOneError() {
@@ -47,12 +51,21 @@ void TestContained::whateverEndsTheWork_isOneError() {
     if (how == 1) std::raise(SIGKILL);
     if (how == 2) throw std::runtime_error("no");
     if (how == 3) std::_Exit(0);
+    if (how == 5) {
+      while (true) ::pause();
+    }
+    if (how == 6) std::raise(SIGSEGV);
     volatile bool spinning = true;
     while (spinning) {
     }
     return {};
   };
-  VERIFY_ERROR(runContained(work, "f", {.computing_s = 1}), "f: is damaged, reading it ended early");
+  const auto before = std::signal(SIGSEGV, [](int) {
+    while (true) ::pause();
+  });
+  const auto got = runContained(work, "f", {.computing_s = 1});
+  std::signal(SIGSEGV, before);
+  VERIFY_ERROR(got, "f: is damaged, reading it ended early");
 }
 
 QTEST_APPLESS_MAIN(TestContained)

@@ -191,7 +191,7 @@ std::string takeText(const std::string& bytes, size_t& at) {
 Result<RawTable> readHdf5(const std::string& path) {
   std::error_code code;
   const auto fileSize = static_cast<size_t>(std::filesystem::file_size(path, code));
-  const ContainedLimits limits{120, (size_t{512} << 20) + 64 * fileSize};
+  const ContainedLimits limits{20 + static_cast<unsigned>(fileSize >> 20), (size_t{512} << 20) + 64 * fileSize};
   const auto bytes = runContained([&path] { return readSets(path); }, path, limits);
   if (!bytes) return bytes.error();
   if (bytes->empty()) return Error{path, "is an HDF5 file that is damaged or holds no vector of numbers"};

@@ -155,7 +155,7 @@ Result<std::vector<Channel>> readMat(const std::string& path) {
   std::error_code code;
   const auto fileSize = static_cast<size_t>(std::filesystem::file_size(path, code));
   // Room for what the file can honestly unpack to, so that a damaged size fails at once.
-  const ContainedLimits limits{120, (size_t{512} << 20) + 64 * fileSize};
+  const ContainedLimits limits{20 + static_cast<unsigned>(fileSize >> 20), (size_t{512} << 20) + 64 * fileSize};
   const auto bytes = runContained([&path] { return readVariables(path); }, path, limits);
   if (!bytes) return bytes.error();
   if (bytes->empty()) return Error{path, "is damaged or holds no numeric array"};
