@@ -57,17 +57,18 @@ void WindingTest::takePoint(const Sample& sample) {
 }
 
 void WindingTest::endRamp(const Sample& sample) {
-  double highest = 0.0;
+  double highest = 0.0, standing_V = 0.0;
   for (size_t k = 0; k < blocks_.size(); ++k) {
     // From letting go to the first count takes less than half of the time from there to where it counts as motion.
     if (blockTimes_s_[k] > still_s_ - std::max(options_.dates_s, 0.4 * (sample.time_s - still_s_))) continue;
     points_.push_back(blocks_[k]);
     highest = std::max(highest, way() * blocks_[k].current_A);
+    standing_V = std::max(standing_V, way() * blocks_[k].voltage_V);
   }
   breakaway_A_[way() > 0.0 ? 1 : 0].push_back(highest);
   if (way() * (sample.angle_rad - standing_rad_) < 0.0) ++against_;
   if (!blocks_.empty()) along_A_ += way() * blocks_.back().current_A;
-  moved_V_ = ramp_ == 0 ? target_V_ : std::min(moved_V_, target_V_);
+  standing_V_ = ramp_ == 0 ? standing_V : std::min(standing_V_, standing_V);
   blocks_.clear();
   blockTimes_s_.clear();
   blockVoltage_ = blockCurrent_ = 0.0;
@@ -113,33 +114,12 @@ Command WindingTest::square(const Sample& sample) {
     onset_V_ = line ? line->deadZone_V.value : 0.0;
   }
   const auto half = static_cast<size_t>(std::max(4.0, std::round(options_.squareHalfPeriod_s / squareTick_s_)));
-  if (sums_.empty()) {
-    sums_.assign(2 * half, 0.0);
-    counts_.assign(2 * half, 0);
-  }
-  // A command acts from the next tick on, and that tick still measures what the voltage before left: so the sample of
-  // tick p + 1 is the response's tick 0 to the command of tick p. The first period is the beginning's transient.
-  const size_t phase = squareTicks_ % (2 * half);
-  if (squareTicks_ > 2 * half) {
-    const size_t since = (squareTicks_ - 1) % (2 * half);
-    sums_[since] += sample.current_A;
-    ++counts_[since];
-  }
-  ++squareTicks_;
+  if (!response_) response_.emplace(half, squareTick_s_);
+  response_->take(sample);
+  const size_t phase = squareTicks_++ % (2 * half);
   if (sample.time_s - stageStart_s_ >= options_.square_s) finish();
-  const double level = onset_V_ + 0.6 * std::max(0.0, moved_V_ - onset_V_);
+  const double level = onset_V_ + 0.6 * std::max(0.0, standing_V_ - onset_V_);
   return voltage(phase < half ? level : -level);
-}
-
-std::vector<double> WindingTest::squareResponse_A() const {
-  std::vector<double> response;
-  const size_t half = sums_.size() / 2;
-  for (size_t k = 0; k < half; ++k) {
-    if (counts_[k] == 0 || counts_[k + half] == 0) return {};
-    response.push_back(
-        0.5 * (sums_[k] / static_cast<double>(counts_[k]) - sums_[k + half] / static_cast<double>(counts_[k + half])));
-  }
-  return response;
 }
 
 double WindingTest::progress() const {
@@ -158,48 +138,6 @@ double WindingTest::remaining_s() const {
 std::string WindingTest::activity() const {
   if (stage_ == Stage::square) return "measuring the winding's time constant";
   return "raising the voltage " + wayText(way() > 0.0, options_.axis) + " until " + bodyText(options_.axis) + " moves";
-}
-
-Result<Estimate> fitTimeConstant(const std::vector<double>& response, double tick_s) {
-  if (response.size() < 4) return Error{"winding", "has fewer than 4 ticks in half a square wave"};
-  double scale = 0.0;
-  const double half_s = tick_s * static_cast<double>(response.size());
-  const auto shape = [half_s](double t, double tau) {
-    return 1.0 - 2.0 * std::exp(-t / tau) / (1.0 + std::exp(-half_s / tau));
-  };
-  const auto squaresFor = [&](double tau) {
-    double xx = 0.0, xy = 0.0, yy = 0.0;
-    for (size_t k = 0; k < response.size(); ++k) {
-      const double x = shape(static_cast<double>(k) * tick_s, tau);
-      xx += x * x, xy += x * response[k], yy += response[k] * response[k];
-    }
-    scale = xy / xx;
-    return yy - xy * xy / xx;
-  };
-  const double low = std::log(0.05 * tick_s), high = std::log(2.0 * half_s);
-  double best = low, bestSquares = squaresFor(std::exp(low));
-  double from = low, to = high;
-  for (int round = 0; round < 8; ++round) {
-    const double step = (to - from) / 20.0;
-    for (int k = 0; k <= 20; ++k) {
-      const double squares = squaresFor(std::exp(from + k * step));
-      if (squares < bestSquares) bestSquares = squares, best = from + k * step;
-    }
-    from = std::max(low, best - step);
-    to = std::min(high, best + step);
-  }
-  const double tau = std::exp(best);
-  bestSquares = squaresFor(tau);
-  const double amplitude = scale, variance = bestSquares / static_cast<double>(response.size() - 2);
-  if (!(std::abs(amplitude) > 3.0 * std::sqrt(variance)))
-    return Error{"winding", "shows no step response above the noise"};
-  double information = 0.0;
-  for (size_t k = 0; k < response.size(); ++k) {
-    const double t = static_cast<double>(k) * tick_s;
-    const double slope = amplitude * (shape(t, 1.001 * tau) - shape(t, 0.999 * tau)) / (0.002 * tau);
-    information += slope * slope;
-  }
-  return Estimate{tau, information > 0.0 ? std::sqrt(variance / information) : tau};
 }
 
 }  // namespace breakaway

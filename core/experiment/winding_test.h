@@ -2,9 +2,11 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "experiment/open_current.h"
+#include "experiment/square_response.h"
 #include "experiment/timed_procedure.h"
 #include "motor/winding_line.h"
 
@@ -35,9 +37,8 @@ class WindingTest : public TimedProcedure {
   const std::vector<WindingPoint>& points() const { return points_; }
   /// Highest standing current of each ramp, positive in its way; the first look at the breakaway current.
   const std::array<std::vector<double>, 2>& breakaway_A() const { return breakaway_A_; }
-  /// Mean current by ticks after the square wave's edge, made of both edges: (after a rise − after a fall)/2.
-  std::vector<double> squareResponse_A() const;
-  double squareTick_s() const { return squareTick_s_; }
+  /// To the square wave; of a finished test.
+  const SquareResponse& squareResponse() const { return *response_; }
 
  protected:
   Command run(const Sample& sample) override;
@@ -69,19 +70,13 @@ class WindingTest : public TimedProcedure {
   double blockVoltage_ = 0.0, blockCurrent_ = 0.0, blockStart_s_ = 0.0;
   size_t blockCount_ = 0;
   OpenCurrent open_A_;
-  double still_s_ = 0.0;                  ///< when it last stood where the ramp found it
-  size_t against_ = 0;                    ///< ramps whose motion went the other way
-  double along_A_ = 0.0;                  ///< sum of the last currents before motion, in the ramps' ways
-  double moved_V_ = 0.0, onset_V_ = 0.0;  ///< least voltage that moved it; voltage at which current first stood out
-  std::vector<double> sums_;
-  std::vector<size_t> counts_;
+  double still_s_ = 0.0;                     ///< when it last stood where the ramp found it
+  size_t against_ = 0;                       ///< ramps whose motion went the other way
+  double along_A_ = 0.0;                     ///< sum of the last currents before motion, in the ramps' ways
+  double standing_V_ = 0.0, onset_V_ = 0.0;  ///< that every ramp stood at; at which current first stood out
+  std::optional<SquareResponse> response_;
   size_t squareTicks_ = 0;
   double squareTick_s_ = 0.0;
 };
-
-/// The winding's time constant L/R from squareResponse_A(): the response after a step of a square wave of half
-/// period T is I·(1 − 2·e^(−t/τ)/(1 + e^(−T/τ))); least squares in τ with I free. In s, with its standard error.
-/// Errors: fewer than 4 ticks, no response above the noise.
-Result<Estimate> fitTimeConstant(const std::vector<double>& response_A, double tick_s);
 
 }  // namespace breakaway

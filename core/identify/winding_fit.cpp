@@ -5,7 +5,7 @@ namespace breakaway {
 Result<WindingFit> fitWinding(const WindingTest& test) {
   const auto line = fitWindingLine(test.points());
   if (!line) return line.error();
-  const auto constant = fitTimeConstant(test.squareResponse_A(), test.squareTick_s());
+  const auto constant = fitTimeConstant(test.squareResponse());
   if (!constant) return constant.error();
   WindingFit fit{*line, *constant};
   for (size_t way = 0; way < 2; ++way) {
