@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "firmware_link/description_check.h"
+
 namespace breakaway {
 
 namespace {
@@ -43,7 +45,7 @@ Result<BoardDictionary> BoardDictionary::read(BoardLink& link) {
   if (!hello) return noAnswer(link, hello.error());
   dictionary.hello_ = *hello;
   const Error unusable{link.place(), "describes itself in a way that is none of the wire's, version 1"};
-  if (!(hello->loopRate_Hz > 0.0f) || !std::isfinite(hello->loopRate_Hz) || hello->countsPerRev == 0) return unusable;
+  if (auto checked = checkHello(link.place(), *hello); !checked) return checked.error();
   wire::Crc32c hash;
   for (std::size_t first = 0; first < hello->entries;) {
     const auto page = link.ask<wire::DictionaryPage>(
@@ -53,6 +55,7 @@ Result<BoardDictionary> BoardDictionary::read(BoardLink& link) {
     for (std::size_t k = 0; k < page->count; ++k) {
       const wire::DictionaryEntry& entry = page->entry[k];
       hash.add(bodyOf(entry));
+      if (auto checked = checkEntry(link.place(), entry); !checked) return checked.error();
       if (entry.kind == wire::DictionaryEntry::Kind::parameter) {
         dictionary.parameters_.push_back({entry.id, textOf(entry.name), entry.format, entry.writable != 0,
                                           static_cast<double>(entry.least), static_cast<double>(entry.most)});
@@ -65,7 +68,21 @@ Result<BoardDictionary> BoardDictionary::read(BoardLink& link) {
   }
   if (hash.value() != hello->dictionaryHash)
     return Error{link.place(), "gave a dictionary that is not the one it announced; connect again"};
+  if (auto checked = dictionary.checkValues(link); !checked) return checked.error();
   return dictionary;
+}
+
+/// Every value is asked for once, so that none that is absurd comes to light in the middle of a job.
+Result<void> BoardDictionary::checkValues(BoardLink& link) const {
+  for (std::size_t k = 0; k < wire::channelCount; ++k) {
+    const wire::ChannelForm& form = wire::channelForms[k];
+    if (form.format == wire::Format::int16 && (wire::usualChannels >> k & 1u) != 0 && scale_[k] == 0.0)
+      return Error{link.place(), std::string("says nothing of the channel ") + form.name};
+  }
+  std::vector<std::string> names;
+  for (const BoardParameter& parameter : parameters_) names.push_back(parameter.name);
+  const auto told = values(link, names);
+  return told ? Result<void>{} : told.error();
 }
 
 std::string BoardDictionary::device() const {
@@ -104,8 +121,11 @@ Result<std::vector<double>> BoardDictionary::exchange(BoardLink& link, wire::Typ
     const auto answer = link.ask<wire::ParameterList>(type, list);
     if (!answer) return answer.error();
     if (answer->count != list.count) return Error{link.place(), "answered with other parameters than were asked for"};
-    for (std::size_t k = 0; k < list.count; ++k)
-      answered.push_back(valueOf(*find(values[from + k].first), answer->value[k].word));
+    for (std::size_t k = 0; k < list.count; ++k) {
+      const std::string& name = values[from + k].first;
+      answered.push_back(valueOf(*find(name), answer->value[k].word));
+      if (auto checked = checkValue(link.place(), name, answered.back()); !checked) return checked.error();
+    }
   }
   return answered;
 }

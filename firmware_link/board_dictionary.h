@@ -24,7 +24,8 @@ struct BoardParameter {
 
 class BoardDictionary {
  public:
-  /// Says hello and reads the dictionary. Errors: no answer, another version, entries that aren't the wire's.
+  /// Says hello and reads the dictionary. Errors: no answer, another version, entries that aren't the wire's, numbers
+  /// that no board has (checkHello(), checkEntry(), checkValue()).
   static Result<BoardDictionary> read(BoardLink& link);
 
   const wire::Hello& hello() const { return hello_; }
@@ -41,6 +42,7 @@ class BoardDictionary {
   Result<std::vector<double>> write(BoardLink& link, const std::vector<std::pair<std::string, double>>& wanted) const;
 
  private:
+  Result<void> checkValues(BoardLink& link) const;
   Result<std::vector<double>> exchange(BoardLink& link, wire::Type type,
                                        const std::vector<std::pair<std::string, double>>& values) const;
 
