@@ -78,7 +78,14 @@ void TestImport::names_areUnderstood_data() {
   row("torque (N·m)", "torque_Nm");
   row("force_N", "force_N");
   row("temp", "temperature_degC");
-  for (const char* unknown : {"", "velocity error", "current [foo]", "angle [A]", "status", "disturbance", "input"})
+  row("current_10mA", "current_A", 10e-3);
+  row("speed [0.1 rpm]", "velocity_rad_per_s", std::numbers::pi / 300.0);
+  row("$\\dot{\\theta}$ (rad/s)", "velocity_rad_per_s");
+  row("u_cmd", "voltage_V");
+  row("Vitesse (tr/min)", "velocity_rad_per_s", std::numbers::pi / 30.0);
+  row("r78 Current actual value torque-generating [Arms]", "current_A");
+  for (const char* unknown : {"", "velocity error", "current [foo]", "angle [A]", "status", "disturbance", "input",
+                              "torque_x1000", "angle*10", "sin_theta", "predicted angle [deg]", "joint_3deg"})
     row(unknown, "");
 }
 

@@ -23,6 +23,8 @@ class TestImportFormats : public QObject {
   void whatNoFileSays_isAskedFor();
   void currentsAndVoltages_areNeverAnAngle();
   void wrappedAngle_goesOnWithinEachStretch();
+  void whatCannotBe_isCalledImplausible_data();
+  void whatCannotBe_isCalledImplausible();
   void filesThatAreNotRead_areNamed_data();
   void filesThatAreNotRead_areNamed();
 
@@ -167,6 +169,56 @@ void TestImportFormats::wrappedAngle_goesOnWithinEachStretch() {
   size_t said = 0;
   for (const std::string& remark : imported->remarks) said += remark.find("pause") != std::string::npos ? 1 : 0;
   QVERIFY(said >= 1);
+}
+
+void TestImportFormats::whatCannotBe_isCalledImplausible_data() {
+  QTest::addColumn<QString>("head");
+  QTest::addColumn<double>("angle");
+  QTest::addColumn<double>("speed");
+  QTest::addColumn<double>("drive");
+  QTest::addColumn<bool>("lost");
+  QTest::addColumn<QString>("said");
+  const auto row = [](const char* name, const char* head, double angle, double speed, double drive, bool lost,
+                      const char* said) { QTest::newRow(name) << head << angle << speed << drive << lost << said; };
+  row("all is well", "time_s,angle_rad,velocity_rad_per_s,current_A", 1, 1, 1, false, "");
+  row("a drive of the other sign", "time_s,angle_rad,velocity_rad_per_s,current_A", 1, 1, -1, false,
+      "moves against current_A");
+  row("a speed of the other sign", "time_s,angle_rad,velocity_rad_per_s,current_A", 1, -1, 1, false, "the other sign");
+  row("a speed of another unit", "time_s,angle_rad,velocity_rad_per_s,current_A", 1, 9.55, 1, false,
+      "as the speed says");
+  row("signs that are lost", "time_s,angle_rad,velocity_rad_per_s,current_A", 1, 1, 1, true, "never changes its sign");
+  row("a converter's counts", "time_s,angle_rad,velocity_rad_per_s,current", 1, 1, 800, false, "thousandths");
+  row("degrees that are called rad", "time_ms,angle_rad,speed,current_A", 1e5, 1e5, 1, false, "would turn");
+}
+
+/// To and fro; what drives has friction's and inertia's share.
+void TestImportFormats::whatCannotBe_isCalledImplausible() {
+  QFETCH(QString, head);
+  QFETCH(double, angle);
+  QFETCH(double, speed);
+  QFETCH(double, drive);
+  QFETCH(bool, lost);
+  QFETCH(QString, said);
+  QString text = head + "\n";
+  for (int k = 0; k < 400; ++k) {
+    const double phase = 0.03 * k, rate = 20.0 * std::cos(phase);
+    double current = drive * ((rate > 0 ? 0.2 : -0.2) + 0.01 * rate - 0.05 * std::sin(phase));
+    if (lost) current = std::abs(current);
+    if (drive > 100) current = std::round(current);
+    text += QString("%1,%2,%3,%4\n")
+                .arg(head.contains("ms") ? 10.0 * k : 0.01 * k)
+                .arg(angle * 20.0 * std::sin(phase) / 3.0, 0, 'g', 12)
+                .arg(speed * rate, 0, 'g', 12)
+                .arg(current, 0, 'g', 12);
+  }
+  const auto imported = importRecording(temporary_.write("log.csv", text.toStdString()));
+  VERIFY_OK(imported);
+  QString implausible;
+  for (const std::string& remark : imported->remarks) {
+    if (remark.starts_with("implausible")) implausible += QString::fromStdString(remark) + "\n";
+  }
+  if (said.isEmpty()) QCOMPARE(implausible, QString());
+  QVERIFY2(implausible.contains(said), qPrintable(implausible));
 }
 
 void TestImportFormats::filesThatAreNotRead_areNamed_data() {

@@ -69,6 +69,25 @@ void checkTimes(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
+/// Where nothing else is the time, a "tick" that goes on in even steps is the clock's, not an encoder's.
+void takeTicks(const RawTable& table, std::vector<Choice>& choices) {
+  if (std::any_of(choices.begin(), choices.end(), [](const Choice& one) { return one.name.to == "time_s"; })) return;
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const std::string& name = table.columns[c].channel.name;
+    const auto& values = table.columns[c].channel.values;
+    const bool tick = isSameWord(name, "tick") || isSameWord(name, "ticks") || isSameWord(name, "systick");
+    if (!tick || choices[c].byMap || values.size() < 3 || !(values[1] > values[0])) continue;
+    const bool even = std::adjacent_find(values.begin(), values.end(), [&](double a, double b) {
+                        return !(b > a) || b - a > 3.0 * (values[1] - values[0]);
+                      }) == values.end();
+    if (!even) continue;
+    choices[c].name = ColumnName{};
+    choices[c].name.to = "time_s";
+    choices[c].name.rank = 3;
+    return;
+  }
+}
+
 /// The axis of the angle, or of the speed; empty when names tell none.
 std::string axisOf(const std::vector<Choice>& choices) {
   for (const char* to : {"angle_rad", "position_m", "velocity_rad_per_s", "velocity_m_per_s"}) {
@@ -80,6 +99,15 @@ std::string axisOf(const std::vector<Choice>& choices) {
     if (best != nullptr) return best->name.group;
   }
   return {};
+}
+
+/// Of several columns for one thing, one that never changes is the last to be taken.
+int rankOf(const RawColumn& column, const Choice& choice) {
+  const auto& values = column.channel.values;
+  const bool changes = std::adjacent_find(values.begin(), values.end(), [](double a, double b) {
+                         return std::isfinite(a) && std::isfinite(b) && a != b;
+                       }) != values.end();
+  return choice.name.rank + (changes ? 0 : 10);
 }
 
 Result<void> takeOneEach(const RawTable& table, std::vector<Choice>& choices, const std::string& place) {
@@ -96,7 +124,8 @@ Result<void> takeOneEach(const RawTable& table, std::vector<Choice>& choices, co
         return Error{place,
                      "two columns become " + to + "; name another one for \"" + table.columns[c].channel.name + "\""};
       const bool better = best == choices.size() || (choice.byMap && !choices[best].byMap) ||
-                          (choice.byMap == choices[best].byMap && choice.name.rank < choices[best].name.rank);
+                          (choice.byMap == choices[best].byMap &&
+                           rankOf(table.columns[c], choice) < rankOf(table.columns[best], choices[best]));
       if (better) best = c;
     }
     for (size_t c = 0; c < choices.size(); ++c) {
@@ -169,6 +198,7 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
     choices.push_back(std::move(choice));
   }
   checkTimes(table, choices);
+  if (!map.sample_time_s) takeTicks(table, choices);
   setPhasesAside(table, choices);
   const std::string axis = axisOf(choices);
   for (Choice& choice : choices) {

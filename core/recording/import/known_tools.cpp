@@ -87,7 +87,8 @@ bool isOdrive(const RawTable& table) {
   return std::any_of(table.columns.begin(), table.columns.end(), [](const RawColumn& column) {
     const std::string& name = column.channel.name;
     return name.find("pos_estimate") != std::string::npos || name.find("vel_estimate") != std::string::npos ||
-           name.find("Iq_measured") != std::string::npos || name.find("iq_measured") != std::string::npos;
+           name.find("pos_vel_mapper") != std::string::npos || name.find("Iq_measured") != std::string::npos ||
+           name.find("iq_measured") != std::string::npos;
   });
 }
 
@@ -122,7 +123,10 @@ bool isMoteus(const RawTable& table) {
   const bool stats = std::any_of(table.columns.begin(), table.columns.end(), [](const RawColumn& column) {
     return column.channel.name.starts_with("servo_stats.");
   });
-  return stats || (hasAll(table, {"position", "velocity", "q_current", "d_current"})) ||
+  const bool registers = std::count_if(table.columns.begin(), table.columns.end(), [](const RawColumn& column) {
+                           return column.channel.name.starts_with("Register.");
+                         }) > 1;
+  return stats || registers || (hasAll(table, {"position", "velocity", "q_current", "d_current"})) ||
          hasAll(table, {"position", "velocity", "torque", "q_a", "d_a"}) ||
          (hasAll(table, {"mode", "position", "velocity", "torque", "voltage", "temperature", "fault"}));
 }
@@ -180,6 +184,22 @@ ToolColumns simpleFoc(RawTable& table) {
           {"angle", in("angle_rad", 1.0, "rad")}};
 }
 
+/// SimpleFOC's names for what its monitor sends, written by programs that read it.
+bool isNamedSimpleFoc(const RawTable& table) {
+  return hasAll(table, {"target", "voltage_q", "velocity", "angle"}) ||
+         hasAll(table, {"target", "voltage_q", "voltage_d", "current_q", "current_d"});
+}
+
+ToolColumns namedSimpleFoc(RawTable& table) {
+  table.remarks.emplace_back(
+      "recognised SimpleFOC's monitor by its names: voltage (V), currents (mA), velocity (rad/s), angle (rad)");
+  return {{"target", setAside("may be an angle, a speed or a voltage: the control mode isn't in the log")},
+          {"voltage_q", in("voltage_V", 1.0, "V")},
+          {"current_q", in("current_A", 1e-3, "mA")},
+          {"velocity", in("velocity_rad_per_s", 1.0, "rad/s")},
+          {"angle", in("angle_rad", 1.0, "rad")}};
+}
+
 ToolColumns betaflight(RawTable& table) {
   ToolColumns columns;
   for (const RawColumn& column : table.columns) {
@@ -194,10 +214,32 @@ ToolColumns betaflight(RawTable& table) {
     }
     if (name.starts_with("motor["))
       columns[name] = setAside("is the mixer's output, in steps that the log's head tells");
+    for (const char* part : {"axis", "rcCommand", "setpoint", "gyro", "debug"}) {
+      if (name.starts_with(part)) columns[name] = setAside("belongs to the flight controller, not to a motor");
+    }
     if (name.starts_with("amperage")) columns[name] = setAside("is the supply's current, not the motor's");
     if (name.starts_with("time")) columns[name] = in("time_s", 1e-6, "µs");
   }
   table.remarks.emplace_back("recognised Betaflight's decoded log: eRPM in hundreds of electrical turns per minute");
+  return columns;
+}
+
+/// A thrust stand measures what its speed controller draws.
+bool isThrustStand(const RawTable& table) {
+  return std::any_of(table.columns.begin(), table.columns.end(), [](const RawColumn& column) {
+    return column.channel.name.starts_with("ESC signal") || column.channel.name.starts_with("ESC throttle");
+  });
+}
+
+ToolColumns thrustStand(RawTable& table) {
+  table.remarks.emplace_back("recognised a thrust stand: current and voltage are those of the supply");
+  ToolColumns columns;
+  for (const RawColumn& column : table.columns) {
+    const ColumnName name = understandName(column.channel.name, column.unit);
+    if (name.to == "current_A") columns[column.channel.name] = setAside("is the supply's current, not the motor's");
+    if (name.to == "voltage_V") columns[column.channel.name] = in("supply_V", name.scale, "V");
+    if (column.channel.name.starts_with("Throttle")) columns[column.channel.name] = in("duty", 0.01, "%");
+  }
   return columns;
 }
 
@@ -287,7 +329,9 @@ ToolColumns recogniseTool(RawTable& table, double countsPerRev) {
   if (isMoteus(table)) return moteus(table);
   if (isOdrive(table)) return odrive(table);
   if (isDynamixel(table)) return dynamixel(table, countsPerRev);
+  if (isThrustStand(table)) return thrustStand(table);
   if (isSimpleFoc(table)) return simpleFoc(table);
+  if (isNamedSimpleFoc(table)) return namedSimpleFoc(table);
   return {};
 }
 

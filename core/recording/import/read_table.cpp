@@ -1,5 +1,7 @@
 #include "recording/import/read_table.h"
 
+#include <algorithm>
+
 #include "base/atomic_file.h"
 #include "recording/import/file_kind.h"
 #include "recording/import/gzip.h"
@@ -41,6 +43,22 @@ Result<ReadTable> readZip(const std::string& bytes, const std::string& name) {
   return readTableBytes(std::move(*content), name);
 }
 
+/// A brace, or a bracket that holds a value and not a stamp or mark as terminals put it ("[ID:001] …", "[12.5] 1,2").
+bool beginsAsJson(std::string_view text) {
+  const size_t start = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  if (start == std::string_view::npos || (text[start] != '{' && text[start] != '[')) return false;
+  if (text[start] == '{') return true;
+  const size_t first = text.find_first_not_of(" \t\r\n", start + 1);
+  if (first == std::string_view::npos || std::string_view("{[\"]").find(text[first]) != std::string_view::npos)
+    return true;
+  const size_t lineEnd = std::min(text.find('\n', first), text.size());
+  const size_t close = text.substr(0, lineEnd).find(']', first);
+  if (close == std::string_view::npos)
+    return std::string_view("-0123456789tfnN").find(text[first]) != std::string_view::npos;
+  const size_t behind = text.find_first_not_of(" \t\r", close + 1);
+  return behind == std::string_view::npos || text[behind] == '\n' || text[behind] == ',' || text[behind] == ']';
+}
+
 }  // namespace
 
 Result<ReadTable> readTableBytes(std::string&& bytes, const std::string& name) {
@@ -57,8 +75,7 @@ Result<ReadTable> readTableBytes(std::string&& bytes, const std::string& name) {
   }
   if (isWpilog(bytes)) return whole(readWpilog(bytes, name));
   if (const auto kind = unreadKind(bytes, name)) return Error{name, *kind};
-  const size_t start = bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-  if (start != std::string::npos && (bytes[start] == '{' || bytes[start] == '[')) return readJsonLog(bytes, name);
+  if (beginsAsJson(bytes)) return readJsonLog(bytes, name);
   return whole(readTextTable(bytes, name));
 }
 

@@ -8,6 +8,7 @@
 #include "recording/import/import.h"
 #include "recording/import/known_tools.h"
 #include "recording/import/number_text.h"
+#include "recording/import/plausible.h"
 #include "recording/import/settle_motion.h"
 #include "recording/import/settle_time.h"
 
@@ -62,6 +63,7 @@ class Settling {
     if (const auto done = takeIntegral(); !done) return done.error();
     if (const auto done = takeAngle(); !done) return done.error();
     if (const auto done = takeSpeed(); !done) return done.error();
+    settleTimeByMotion();
     if (const auto done = takeDuty(); !done) return done.error();
     for (size_t c = 0; c < choices_.size(); ++c) {
       if (isOpen(c)) {
@@ -155,7 +157,7 @@ class Settling {
   }
 
   static std::string unitNameOf(double unit_s) {
-    return unit_s == 1.0 ? "s" : unit_s == 1e-3 ? "ms" : unit_s == 1e-6 ? "µs" : "ns";
+    return unit_s > 0.5 ? "s" : unit_s > 0.5e-3 ? "ms" : unit_s > 0.5e-6 ? "µs" : "ns";
   }
 
   /// Keeps the rows that have a time, in all columns but `time`.
@@ -244,13 +246,15 @@ class Settling {
     auto& angle = values(*c);
     if (const auto filled = fillNeed(*c, true); !filled) return filled.error();
     const bool counted = choices_[*c].name.needs == UnitNeeds::countsPerRev;
+    const double perTurn = choices_[*c].name.needs == UnitNeeds::polePairs ? map_.pole_pairs.value_or(1.0) : 1.0;
     std::optional<double> expected;
-    if (!fate.unit.empty()) expected = turn_rad / fate.scale;
+    if (!fate.unit.empty()) expected = turn_rad / (fate.scale * perTurn);
     const auto period = periodOf(angle, time_.pauses, expected);
     if (fate.unit.empty()) {
       if (const auto known = nameUnit(*c, period); !known) return known.error();
+      if (fate.scale != 1.0 / perTurn) fate.scale /= perTurn;
     }
-    const double turns = period ? *period * fate.scale / turn_rad : 0.0;
+    const double turns = period ? *period * fate.scale * perTurn / turn_rad : 0.0;
     const bool whole = std::abs(turns - 1.0) < 1e-3;
     const bool overflow = period && areWhole(angle) && (*period == 65536.0 || counted) && turns > 1.5;
     if (period && (whole || overflow)) unwindBy(angle, *period, whole);
@@ -304,8 +308,7 @@ class Settling {
   /// By the speed, if that tells its unit: an angle in rad, deg or turns.
   std::optional<double> scaleBySpeed(size_t c) {
     const auto v = columnOf("velocity_rad_per_s");
-    if (!v || fates_[*v].unit.empty() || choices_[*v].name.needs != UnitNeeds::nothing || time_.unitGuessed)
-      return std::nullopt;
+    if (!v || fates_[*v].unit.empty() || choices_[*v].name.needs != UnitNeeds::nothing) return std::nullopt;
     std::vector<double> speed = values(*v);
     convert(speed, fates_[*v].scale, fates_[*v].offset);
     const auto motion = compareMotion(time_.time_s, values(c), speed, time_.pauses);
@@ -331,7 +334,7 @@ class Settling {
 
   void speedByAngle(size_t c, size_t angle) {
     const auto motion = compareMotion(time_.time_s, values(angle), values(c), time_.pauses);
-    if (!motion || std::abs(motion->correlation) < 0.9 || time_.unitGuessed) return;
+    if (!motion || std::abs(motion->correlation) < 0.9) return;
     struct Candidate {
       double scale;
       const char* unit;
@@ -347,6 +350,28 @@ class Settling {
     }
     keep(c, "its name tells no unit, and in none that is usual it agrees with the angle (factor " +
                 shortText(motion->factor) + ")");
+  }
+
+  /// Angle and speed tell the unit of the time where nothing else does.
+  void settleTimeByMotion() {
+    const auto time = columnOf("time_s"), angle = columnOf("angle_rad"), speed = columnOf("velocity_rad_per_s");
+    if (!time || !time_.unitGuessed || !angle || !speed || fates_[*angle].unit.empty() || fates_[*speed].unit.empty())
+      return;
+    const auto motion = compareMotion(time_.time_s, values(*angle), values(*speed), time_.pauses);
+    if (!motion || motion->correlation < 0.9) return;
+    for (const double factor : {1e-6, 1e-3, 1e3, 1e6}) {
+      const double unit_s = time_.unit_s * factor;
+      if (std::abs(std::log(motion->factor / factor)) > std::log(1.15) || unit_s < 0.5e-9 || unit_s > 1.5) continue;
+      convert(time_.time_s, factor, 0.0);
+      time_.unit_s = unit_s;
+      fates_[*time].scale = unit_s;
+      fates_[*time].unit = unitNameOf(unit_s);
+      fates_[*time].why = "so the speed agrees with the angle";
+      std::erase_if(remarks_, [](const std::string& one) { return one.starts_with("the time has no unit"); });
+      remarks_.push_back("the time has no unit; it was taken for " + fates_[*time].unit +
+                         ", with which the speed agrees with the angle");
+      return;
+    }
   }
 
   Result<void> takeDuty() {
@@ -392,7 +417,13 @@ class Settling {
     const auto filled = fillNeed(c, false);
     if (!filled) return filled.error();
     if (!*filled) return {};
-    const std::string& to = fates_[c].to;
+    std::string& to = fates_[c].to;
+    const bool torque = to == "force_N" && fates_[c].unit.empty() && columnOf("angle_rad") && !columnOf("torque_Nm");
+    if (torque) {
+      to = "torque_Nm";
+      fates_[c].unit = "Nm";
+      fates_[c].why = "what turns is driven by a torque";
+    }
     // References are counted as what was measured is.
     const auto measured = columnOf(to == "angle_reference_rad" ? "angle_rad" : "velocity_rad_per_s");
     if ((to == "angle_reference_rad" || to == "velocity_reference_rad_per_s") && fates_[c].unit.empty() && measured) {
@@ -400,8 +431,20 @@ class Settling {
       fates_[c].unit = fates_[*measured].unit;
       fates_[c].why = "in the unit of " + fates_[*measured].from;
     }
+    sayLargeWholeNumbers(c);
     apply(c);
     return {};
+  }
+
+  /// Electrical values without a unit that look like a converter's counts or like mA.
+  void sayLargeWholeNumbers(size_t c) {
+    const std::string& to = fates_[c].to;
+    const double most = to == "current_A" || to == "torque_Nm"  ? 60.0
+                        : to == "voltage_V" || to == "supply_V" ? 120.0
+                                                                : 0.0;
+    if (most == 0.0 || !fates_[c].guessed || !areWhole(values(c)) || largest(values(c)) <= most) return;
+    remarks_.push_back("implausible: " + fates_[c].from + " holds whole numbers up to " +
+                       shortText(largest(values(c))) + " and no unit; they may be thousandths or a converter's counts");
   }
 
   Result<void> takeIntegral() {
@@ -494,7 +537,12 @@ class Settling {
     const auto motion = compareMotion(time_.time_s, values(*angle), values(*speed), time_.pauses);
     if (!motion) return;
     const double factor = motion->factor;
-    if (std::abs(motion->correlation) < 0.6) {
+    const bool unsignedSpeed =
+        std::all_of(values(*speed).begin(), values(*speed).end(), [](double v) { return !(v < 0.0); });
+    if (unsignedSpeed && std::abs(motion->correlation) < 0.9) {
+      remarks_.emplace_back(
+          "implausible: the speed is never negative although the angle falls, too; it seems to have lost its sign");
+    } else if (std::abs(motion->correlation) < 0.6) {
       remarks_.emplace_back("implausible: the speed and the angle's changes have little in common");
     } else if (factor < 0.0) {
       remarks_.emplace_back("implausible: the speed has the other sign than the angle's changes");
@@ -523,6 +571,7 @@ class Settling {
     table_.notes.emplace_back("imported from", std::filesystem::path(path_).filename().string());
     auto recording = Recording::seal(path_, std::move(channels), std::move(table_.notes));
     if (!recording) return recording.error();
+    for (std::string& one : contradictionsIn(*recording)) remarks_.push_back(std::move(one));
     return Imported{std::move(*recording), std::move(fates_), std::move(remarks_)};
   }
 

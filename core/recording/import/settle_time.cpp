@@ -48,7 +48,8 @@ UnitGuess guessUnit(const RawTime& raw, double step) {
     if (since1970_s > firstStamp_s && since1970_s < lastStamp_s && step_s > 1e-7 && step_s < 3600.0) return one;
   }
   if (step < 0.5) return {};
-  if (!isWhole(raw.values)) return step < 10.0 ? UnitGuess{} : UnitGuess{1e-3, "ms", false};
+  if (!isWhole(raw.values))
+    return step < 10.0 ? UnitGuess{} : step < 250.0 ? UnitGuess{1e-3, "ms", false} : UnitGuess{1e-6, "µs", false};
   if (step >= 1e6) return {1e-9, "ns", false};
   return step >= 250.0 ? UnitGuess{1e-6, "µs", false} : UnitGuess{1e-3, "ms", false};
 }

@@ -46,6 +46,21 @@ double zeros(std::string_view text, size_t first) {
   return all == 0 ? 0.0 : static_cast<double>(count) / static_cast<double>(all);
 }
 
+/// Typographers' minus as a number has it.
+std::string_view withPlainMinus(std::string_view text, std::string& buffer) {
+  constexpr std::string_view minus = "\xE2\x88\x92";
+  size_t at = text.find(minus);
+  if (at == std::string_view::npos) return text;
+  buffer.clear();
+  buffer.reserve(text.size());
+  for (; at != std::string_view::npos; at = text.find(minus)) {
+    buffer += text.substr(0, at);
+    buffer += '-';
+    text.remove_prefix(at + minus.size());
+  }
+  return buffer += text;
+}
+
 }  // namespace
 
 bool isUtf8(std::string_view text) {
@@ -80,7 +95,7 @@ std::string_view inUtf8(std::string_view text, std::string& buffer) {
   if (little || big) return buffer = fromUtf16(text, 2, little);
   if (zeros(text, 1) > 0.6 && zeros(text, 0) < 0.1) return buffer = fromUtf16(text, 0, true);
   if (zeros(text, 0) > 0.6 && zeros(text, 1) < 0.1) return buffer = fromUtf16(text, 0, false);
-  if (isUtf8(text)) return text;
+  if (isUtf8(text)) return withPlainMinus(text, buffer);
   buffer.clear();
   buffer.reserve(text.size() + text.size() / 16);
   for (const char c : text) {

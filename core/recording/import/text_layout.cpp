@@ -10,6 +10,7 @@
 #include <map>
 
 #include "recording/import/clock_time.h"
+#include "recording/import/units.h"
 
 namespace breakaway {
 
@@ -92,6 +93,18 @@ bool readNumber(std::string_view cell, bool comma, bool unitMayFollow, TextNumbe
   }
   if (!std::isfinite(number.value)) return false;
   if (std::abs(number.value) >= 1e8 && stop - start >= 10) keepAllDigits(start, stop, number);
+  return true;
+}
+
+/// "1.5 sec", "12.3°".
+bool readNumberWithUnit(std::string_view cell, bool comma, TextNumber& number) {
+  if (cell.size() > 40) return false;
+  const size_t digit = cell.find_last_of("0123456789");
+  const size_t begin = cell.find_first_not_of(' ', digit + 1);
+  if (digit == std::string_view::npos || begin == std::string_view::npos) return false;
+  const std::string_view unit = cell.substr(begin);
+  if (!readNumber(cell.substr(0, digit + 1), comma, false, number) || !isUnit(unit)) return false;
+  number.unit = unit;
   return true;
 }
 
@@ -252,11 +265,19 @@ TextCell readCell(std::string_view cell, const TextLayout& layout, TextNumber& n
   number = {missing, 0, 0.0, false};
   if (isDigit(cell.front()) || cell.front() == '[') {
     const auto clock = readClock(cell);
-    if (!clock) return TextCell::text;
+    if (!clock && readNumberWithUnit(cell, layout.decimalComma, number)) return TextCell::number;
+    if (!clock) {
+      number = {missing, 0, 0.0, false};
+      return TextCell::text;
+    }
     number = {static_cast<double>(clock->whole_s) + clock->fraction_s, clock->whole_s, clock->fraction_s, true};
     return TextCell::clock;
   }
   if (saysMissing(cell)) return TextCell::missing;
+  if (cell.size() > 1 && (cell.front() == '-' || cell.front() == '+')) {
+    if (readNumberWithUnit(cell, layout.decimalComma, number)) return TextCell::number;
+    number = {missing, 0, 0.0, false};
+  }
   const int truth = truthOf(cell);
   if (truth < 0) return TextCell::text;
   number.value = truth;

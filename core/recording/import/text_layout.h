@@ -27,6 +27,7 @@ struct TextNumber {
   int64_t whole = 0;   ///< only if `large`, or a clock: value = whole + rest
   double rest = 0.0;
   bool large = false;
+  std::string_view unit = {};  ///< that stands behind the number in the cell: "1.5 sec"
 };
 
 std::string_view withoutBlanks(std::string_view text);

@@ -81,7 +81,17 @@ Cells fitting(std::string_view line, const TextLayout& layout, const EmptyEnds& 
   return fits() ? cells : Cells{};
 }
 
+/// "rad" of "Unit: rad".
+std::string_view withoutUnitWord(std::string_view cell) {
+  const size_t colon = cell.find(':');
+  if (colon == std::string_view::npos ||
+      (!isSameWord(cell.substr(0, colon), "unit") && !isSameWord(cell.substr(0, colon), "units")))
+    return cell;
+  return withoutBlanks(cell.substr(colon + 1));
+}
+
 bool isUnitCell(std::string_view cell) {
+  cell = withoutUnitWord(cell);
   return isUnit(cell) || (cell.size() > 2 && (cell.front() == '(' || cell.front() == '[') &&
                           (cell.back() == ')' || cell.back() == ']'));
 }
@@ -154,7 +164,7 @@ void readLines(const std::vector<std::string_view>& lines, const TextLayout& lay
   const bool areUnits = !above.empty() && (units > names || units == filled || (aboveIsText && names == 0));
   if (areUnits) {
     fill(above, found);
-    for (size_t c = 0; c < last.size(); ++c) found.units[c] = std::string(withoutBrackets(last[c]));
+    for (size_t c = 0; c < last.size(); ++c) found.units[c] = std::string(withoutBrackets(withoutUnitWord(last[c])));
     const Cells third = lines.size() < 3 ? Cells{} : fitting(lines[lines.size() - 3], layout, rows);
     const bool groups = !third.empty() && numbersIn(third, layout) == 0 && countOf(above, knownName) > 0 &&
                         countOf(third, knownName) == 0;
@@ -170,6 +180,7 @@ void readLines(const std::vector<std::string_view>& lines, const TextLayout& lay
 bool isNamesLine(std::string_view line, const TextLayout& layout) {
   Cells cells;
   splitCells(line, layout, cells);
+  if (cells.size() == layout.cells + 1 && isSameWord(cells.back(), "comment")) cells.pop_back();
   if (cells.size() != layout.cells || numbersIn(cells, layout) > 0) return false;
   const auto empty = std::count(cells.begin(), cells.end(), std::string_view{});
   return 2 * static_cast<size_t>(empty) < cells.size() && countOf(cells, knownName) > 0;
@@ -186,6 +197,7 @@ TextNames namesBefore(const std::vector<std::string_view>& before, std::string_v
   }
   std::vector<std::string_view> plain, comments;
   for (const std::string_view line : before) {
+    if (line.find_first_not_of("-|=+: \t_~\r") == std::string_view::npos) continue;  // a rule, as in Markdown
     if (isComment(withoutBlanks(line))) {
       comments.push_back(withoutCommentMark(line));
     } else {

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "recording/import/list_cells.h"
 #include "recording/import/text_encoding.h"
 #include "recording/import/text_layout.h"
 #include "recording/import/text_names.h"
+#include "recording/import/units.h"
 
 namespace breakaway {
 
@@ -51,6 +53,11 @@ enum class LineKind {
   text
 };
 
+/// LabVIEW repeats its head before each segment; with these words numbers follow, one per channel.
+bool isHeadOfSegment(std::string_view cell) {
+  return cell == "Samples" || cell == "X0" || cell == "Delta_X" || cell == "Channels";
+}
+
 /// Reads one table after the other line by line.
 class Rows {
  public:
@@ -59,6 +66,7 @@ class Rows {
     counts_.resize(layout.cells);
     numbers_.resize(layout.cells);
     kinds_.resize(layout.cells);
+    texts_.resize(layout.cells);
     firstNumeric_ =
         static_cast<size_t>(std::find(layout.numeric.begin(), layout.numeric.end(), true) - layout.numeric.begin());
     for (RawColumn& column : table.columns) column.channel.values.reserve(expected);
@@ -78,6 +86,7 @@ class Rows {
       good += kinds_[c] == TextCell::number || kinds_[c] == TextCell::clock ? 1 : 0;
       bad += kinds_[c] == TextCell::text ? 1 : 0;
     }
+    if (isHeadOfSegment(cells_.front())) return LineKind::text;
     const bool begun =
         firstNumeric_ >= wanted || kinds_[firstNumeric_] != TextCell::text;  // else a label begins the line
     if (good == 0 || bad > good || !begun) return LineKind::text;
@@ -94,13 +103,25 @@ class Rows {
       if (row == 0 && number.large) column.origin = static_cast<double>(number.whole), origins_ = true;
       if (kinds_[c] == TextCell::clock) ++counts_[c].clocks;
       if (kinds_[c] == TextCell::number) ++counts_[c].numbers;
-      if (kinds_[c] == TextCell::text) noteFault(c, row);
+      if (kinds_[c] == TextCell::text) noteText(c, row);
+      if (!number.unit.empty()) noteUnit(c, row);
       double value = number.value;
       if (origins_ && column.origin != 0.0) {
         const auto origin = static_cast<int64_t>(column.origin);
         value = number.large ? static_cast<double>(number.whole - origin) + number.rest : value - column.origin;
       }
       column.channel.values.push_back(value);
+    }
+  }
+
+  /// A column without a name that holds the same unit in each row tells the one of the column before it: "12.3 deg".
+  void takeUnitColumns() {
+    for (size_t c = 1; c < layout_.cells; ++c) {
+      const SeenText& seen = texts_[c];
+      const bool unit = seen.same && seen.count > 0 && seen.count + 1 >= table.rows() && isUnit(seen.first);
+      RawColumn& before = table.columns[c - 1];
+      if (unit && before.unit.empty() && !before.fault && table.columns[c].channel.name.starts_with("column_"))
+        before.unit = seen.first;
     }
   }
 
@@ -136,6 +157,11 @@ class Rows {
   struct Counts {
     size_t clocks = 0, numbers = 0;
   };
+  struct SeenText {
+    size_t count = 0;
+    std::string first;
+    bool same = true;
+  };
 
   LineKind judgeOther() {
     size_t numbers = 0, filled = 0;
@@ -148,11 +174,24 @@ class Rows {
     return numbers >= 2 && 2 * numbers > filled ? LineKind::otherRow : LineKind::text;
   }
 
-  void noteFault(size_t c, size_t row) {
+  void noteText(size_t c, size_t row) {
     RawColumn& column = table.columns[c];
+    SeenText& seen = texts_[c];
+    if (seen.count++ == 0) seen.first = cells_[c].substr(0, 40);
+    seen.same = seen.same && cells_[c] == seen.first;
     if (column.fault) return;
     column.fault = Error{name_ + ", row " + std::to_string(row + 1) + ", column " + column.channel.name,
                          "expected a number, found \"" + std::string(cells_[c].substr(0, 40)) + "\""};
+  }
+
+  /// All cells of a column have one unit.
+  void noteUnit(size_t c, size_t row) {
+    RawColumn& column = table.columns[c];
+    const std::string_view unit = numbers_[c].unit;
+    if (column.unit.empty()) column.unit = unit;
+    if (column.unit == unit || column.fault || unitNamed(column.unit) == unitNamed(unit)) return;
+    column.fault = Error{name_ + ", row " + std::to_string(row + 1) + ", column " + column.channel.name,
+                         "is in " + std::string(unit) + ", others in " + column.unit};
   }
 
   void dropRows(std::vector<double>& values) const {
@@ -182,6 +221,7 @@ class Rows {
   std::vector<TextNumber> numbers_;
   std::vector<TextCell> kinds_;
   std::vector<Counts> counts_;
+  std::vector<SeenText> texts_;
   std::vector<size_t> flawed_;
   size_t firstNumeric_ = 0;
   bool origins_ = false;
@@ -290,7 +330,9 @@ Result<void> readRows(std::string_view rest, char lineEnd, const TextLayout& lay
 
 Result<RawTable> readTextTable(std::string_view text, const std::string& name) {
   std::string buffer;
-  const std::string_view utf8 = inUtf8(text, buffer);
+  std::string_view utf8 = inUtf8(text, buffer);
+  const auto flat = withListsInCells(utf8);
+  if (flat) utf8 = *flat;
   const char lineEnd = lineEndOf(utf8);
   const auto sample = sampleOf(utf8, lineEnd);
   if (withoutBlanks(utf8.substr(0, 1000)).find_first_not_of("\r\n \t") == std::string_view::npos && sample.empty())
@@ -314,6 +356,7 @@ Result<RawTable> readTextTable(std::string_view text, const std::string& name) {
   }
   rows.table.notes = std::move(notes.notes);
   if (const auto done = readRows(start.rest, lineEnd, layout, name, rows); !done) return done.error();
+  rows.takeUnitColumns();
   RawTable table = std::move(rows.table);
   for (const std::string_view line : start.before) table.preamble.emplace_back(withoutBlanks(line));
   std::erase_if(table.columns, [](const RawColumn& column) {

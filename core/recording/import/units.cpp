@@ -231,14 +231,14 @@ const Unit* exactly(std::string_view name) {
 /// What moves, in the one word that stands in front of "per".
 std::string_view oneWord(std::string_view word) {
   static constexpr auto same = std::to_array<std::pair<std::string_view, std::string_view>>(
-      {{"rads", "rad"},     {"radian", "rad"},     {"radians", "rad"}, {"degs", "deg"},       {"degree", "deg"},
-       {"degrees", "deg"},  {"grad", "deg"},       {"revs", "rev"},    {"revolution", "rev"}, {"revolutions", "rev"},
-       {"turn", "rev"},     {"turns", "rev"},      {"rot", "rev"},     {"rotation", "rev"},   {"rotations", "rev"},
-       {"u", "rev"},        {"r", "rev"},          {"umdr", "rev"},    {"counts", "count"},   {"cnt", "count"},
-       {"cts", "count"},    {"tick", "count"},     {"ticks", "count"}, {"inc", "count"},      {"ink", "count"},
-       {"pulses", "count"}, {"lsb", "count"},      {"meter", "m"},     {"meters", "m"},       {"metre", "m"},
-       {"metres", "m"},     {"millimeters", "mm"}, {"in", "inch"},     {"inches", "inch"},    {"ft", "feet"},
-       {"foot", "feet"}});
+      {{"rads", "rad"},     {"radian", "rad"}, {"radians", "rad"},  {"degs", "deg"},       {"degree", "deg"},
+       {"degrees", "deg"},  {"grad", "deg"},   {"revs", "rev"},     {"revolution", "rev"}, {"revolutions", "rev"},
+       {"turn", "rev"},     {"turns", "rev"},  {"rot", "rev"},      {"rotation", "rev"},   {"rotations", "rev"},
+       {"u", "rev"},        {"r", "rev"},      {"umdr", "rev"},     {"tr", "rev"},         {"giri", "rev"},
+       {"counts", "count"}, {"cnt", "count"},  {"cts", "count"},    {"tick", "count"},     {"ticks", "count"},
+       {"inc", "count"},    {"ink", "count"},  {"pulses", "count"}, {"lsb", "count"},      {"meter", "m"},
+       {"meters", "m"},     {"metre", "m"},    {"metres", "m"},     {"millimeters", "mm"}, {"in", "inch"},
+       {"inches", "inch"},  {"ft", "feet"},    {"foot", "feet"}});
   const auto it = std::find_if(same.begin(), same.end(), [word](const auto& one) { return one.first == word; });
   return it == same.end() ? word : it->second;
 }

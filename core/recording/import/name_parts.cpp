@@ -1,0 +1,204 @@
+#include "recording/import/name_parts.h"
+
+#include <cctype>
+#include <charconv>
+#include <cmath>
+
+#include "recording/import/quantity_words.h"
+
+namespace breakaway {
+
+namespace {
+
+/// A unit with a number before it: "0.1°", "x0.01 A", "10mA".
+struct MultipliedUnit {
+  const Unit* unit = nullptr;
+  double factor = 1.0;
+  bool decimal = false;  ///< a power of ten, or with a decimal point: no index of an axis
+};
+
+MultipliedUnit multipliedUnit(std::string_view text) {
+  for (const std::string_view mark : {"x", "*", "×"}) {
+    if (text.starts_with(mark)) text.remove_prefix(mark.size());
+  }
+  MultipliedUnit found;
+  const auto [stop, code] = std::from_chars(text.data(), text.data() + text.size(), found.factor);
+  if (code != std::errc() || !(found.factor > 0.0) || !std::isfinite(found.factor)) return {};
+  const std::string_view number = text.substr(0, static_cast<size_t>(stop - text.data()));
+  text.remove_prefix(number.size());
+  while (!text.empty() && (text.front() == ' ' || text.front() == '*')) text.remove_prefix(1);
+  found.unit = unitNamed(text);
+  found.decimal = number.find('.') != std::string_view::npos ||
+                  (number.front() == '1' && number.find_first_not_of("0", 1) == std::string_view::npos);
+  return found;
+}
+
+void setUnit(std::string_view text, NameParts& parts) {
+  parts.unitText = std::string(text);
+  parts.unit = unitNamed(text);
+  if (parts.unit != nullptr) return;
+  const MultipliedUnit multiplied = multipliedUnit(text);
+  parts.unit = multiplied.unit;
+  parts.factor = multiplied.unit == nullptr ? 1.0 : multiplied.factor;
+  parts.unknownUnit = parts.unit == nullptr;
+}
+
+/// Takes a number with a unit off the end of the name: "current_10mA".
+std::string takeMultipliedUnit(const std::string& text, NameParts& parts) {
+  const size_t from = text.find_last_of(" _");
+  if (from == std::string::npos || from + 1 >= text.size() || !isNumber(text.substr(from + 1, 1))) return text;
+  const MultipliedUnit multiplied = multipliedUnit(std::string_view(text).substr(from + 1));
+  if (multiplied.unit == nullptr) return text;
+  parts.unitText = text.substr(from + 1);
+  parts.unknownUnit = !multiplied.decimal;
+  if (multiplied.decimal) {
+    parts.unit = multiplied.unit;
+    parts.factor = multiplied.factor;
+  }
+  return text.substr(0, from);
+}
+
+/// Takes bracketed units and indices off the name.
+std::string takeBrackets(std::string_view name, NameParts& parts) {
+  std::string rest;
+  while (!name.empty()) {
+    const size_t open = name.find_first_of("[(");
+    const size_t close = open == std::string_view::npos ? open : name.find_first_of("])", open);
+    if (close == std::string_view::npos || (open == 0 && close + 1 == name.size() && rest.empty())) break;
+    rest += name.substr(0, open);
+    const std::string_view inner = name.substr(open + 1, close - open - 1);
+    name.remove_prefix(close + 1);
+    const Words words = wordsOf(inner, true);
+    const bool plainWords = std::all_of(words.begin(), words.end(), [](const std::string& word) {
+      return isIn(decorations, word) || isIn(referenceWords, word) || quantityNamed(word) != nullptr;
+    });
+    if (const Unit* unit = unitNamed(inner); unit != nullptr && !isNumber(inner)) {
+      parts.unit = unit;
+      parts.unitText = std::string(inner);
+    } else if (isNumber(inner) || (plainWords && !words.empty())) {
+      rest += " " + std::string(inner) + " ";
+    } else if (!words.empty()) {
+      setUnit(inner, parts);
+    }
+  }
+  return rest + std::string(name);
+}
+
+void takeGroup(Words& words, std::string& group) {
+  Words kept;
+  for (std::string& word : words) {
+    const size_t digit = word.find_first_of("0123456789");
+    const bool letterAndNumber = digit == 1 && isNumber(word.substr(1));
+    const bool parameter = letterAndNumber && word.size() > 2 && (word[0] == 'r' || word[0] == 'p');  // a drive's "r63"
+    const bool axis = letterAndNumber && !parameter;                                                  // "m0"
+    const bool side = word == "left" || word == "right";
+    if (isNumber(word) || axis || side) group += (group.empty() ? "" : ".") + word;
+    if (!isNumber(word) && !axis && !side && !parameter) kept.push_back(std::move(word));
+  }
+  words = std::move(kept);
+}
+
+/// A letter behind a name may be an index ("theta_m", "current_c") where such a unit makes no sense.
+bool isIndexLetter(const Words& words, const Unit& unit) {
+  const std::string& last = words.back();
+  if (last.size() != 1) return false;
+  for (size_t k = words.size() - 1; k-- > 0;) {
+    const Word* word = quantityNamed(words[k]);
+    if (word == nullptr) continue;
+    const bool length = unit.kind == UnitKind::length && word->kind == UnitKind::angle && words[k].starts_with("pos");
+    return unit.kind != word->kind && !length && (last == "m" || last == "c");
+  }
+  return false;
+}
+
+/// The text up to where its word `count` begins.
+std::string_view firstWords(std::string_view text, size_t count) {
+  size_t end = text.size();
+  while (end > 0 && wordsOf(text.substr(0, end), false).size() > count) --end;
+  return text.substr(0, end);
+}
+
+/// A unit as the last words; the longest that is one.
+void takeUnitWords(const std::string& text, NameParts& parts) {
+  Words plain = wordsOf(text, false);
+  while (!plain.empty() && isNumber(plain.back()) && plain.size() > 1) {
+    if (plain.size() > 2 && unitOfWords(plain, plain.size() - 2) != nullptr) break;  // "min 1"
+    plain.pop_back();
+  }
+  for (const bool camel : {false, true}) {
+    if (camel) plain = wordsOf(text, true);
+    for (size_t from = 1; from < plain.size(); ++from) {
+      const Unit* unit = unitOfWords(plain, from);
+      if (unit != nullptr && from + 1 == plain.size() && isIndexLetter(plain, *unit)) unit = nullptr;
+      if (unit == nullptr || (plain[from] == "1" && plain.size() == from + 1)) continue;
+      parts.unit = unit;
+      for (size_t k = from; k < plain.size(); ++k) parts.unitText += (k == from ? "" : "_") + plain[k];
+      parts.words = camel ? Words(plain.begin(), plain.begin() + static_cast<std::ptrdiff_t>(from))
+                          : wordsOf(firstWords(text, from), true);
+      while (parts.words.size() > 1 && parts.words.back() == "per") parts.words.pop_back();  // "t / ms"
+      return;
+    }
+  }
+  parts.words = wordsOf(text, true);
+}
+
+/// "theta dot" and "dot theta" are a speed, "i q" the current of the q axis.
+void joinWords(Words& words) {
+  for (size_t k = 0; k + 1 < words.size(); ++k) {
+    const bool axis = words[k + 1] == "q" || words[k + 1] == "d";
+    if (axis && (words[k] == "i" || words[k] == "u" || words[k] == "v")) {
+      words[k] += words[k + 1];
+      words.erase(words.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+      continue;
+    }
+    const bool behind = words[k + 1] == "dot";
+    const Word* word = quantityNamed(behind ? words[k] : words[k + 1]);
+    if ((!behind && words[k] != "dot") || word == nullptr || word->kind != UnitKind::angle) continue;
+    words[k] = "omega";
+    words.erase(words.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+  }
+}
+
+}  // namespace
+
+NameParts partsOfName(std::string_view name, std::string_view unit) {
+  NameParts parts;
+  std::string text = takeBrackets(name, parts);
+  if (!unit.empty()) {
+    parts.unknownUnit = false;
+    parts.factor = 1.0;
+    setUnit(unit, parts);
+  }
+  if (parts.unit == nullptr && !parts.unknownUnit) text = takeMultipliedUnit(text, parts);
+  const size_t in = text.find(" in ");
+  if (parts.unit == nullptr && !parts.unknownUnit && in != std::string::npos) {
+    if (const Unit* named = unitNamed(std::string_view(text).substr(in + 4))) {
+      parts.unit = named;
+      parts.unitText = text.substr(in + 4);
+    } else {
+      parts.unknownUnit = true;
+      parts.unitText = text.substr(in + 4);
+    }
+    text = text.substr(0, in);
+  }
+  if (parts.unit == nullptr && !parts.unknownUnit) {
+    takeUnitWords(text, parts);
+  } else {
+    parts.words = wordsOf(text, true);
+  }
+  parts.plain = wordsOf(text, false);
+  takeGroup(parts.words, parts.group);
+  std::erase_if(parts.words, [](const std::string& word) { return word == "per"; });
+  joinWords(parts.words);
+  return parts;
+}
+
+bool isMultiplied(std::string_view name) {
+  const size_t mark = name.find_last_of("*xX");
+  if (mark == std::string_view::npos || mark == 0 || mark + 2 >= name.size() || name.substr(mark + 1, 2) != "10")
+    return false;
+  return name.find_first_not_of("0", mark + 2) == std::string_view::npos &&
+         (name[mark] == '*' || std::isalnum(static_cast<unsigned char>(name[mark - 1])) == 0);
+}
+
+}  // namespace breakaway

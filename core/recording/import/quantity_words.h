@@ -1,0 +1,64 @@
+// The words of which names of columns are made.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "recording/import/units.h"
+
+namespace breakaway {
+
+/// What a word names. `weak` words count only where no other does: single letters, and what often stands before others.
+struct Word {
+  std::string_view text;
+  UnitKind kind;
+  bool weak = false;
+};
+
+/// The quantity that the word names, also as the end of a German compound ("Motorstrom"); nullptr when it names none.
+const Word* quantityNamed(std::string_view word);
+
+inline constexpr auto referenceWords = std::to_array<std::string_view>(
+    {"ref", "reference", "target", "goal", "setpoint", "sp", "cmd", "command", "commanded", "desired", "des", "demand",
+     "demanded", "soll", "set", "sollwert", "request", "requested"});
+inline constexpr auto supplyWords = std::to_array<std::string_view>(
+    {"supply", "bus", "vbus", "vdc", "dc", "battery", "batt", "bat", "vbat", "vbatt", "vin", "dclink", "input"});
+/// May stand behind the quantity and change nothing.
+inline constexpr auto decorations = std::to_array<std::string_view>(
+    {"actual", "act",        "measured",  "meas",     "measurement", "present",   "motor",    "mot",
+     "shaft",  "rotor",      "encoder",   "enc",      "joint",       "axis",      "value",    "val",
+     "values", "ist",        "istwert",   "feedback", "fb",          "stamp",     "cycle",    "estimate",
+     "est",    "estimated",  "estimator", "filtered", "filt",        "lpf",       "now",      "data",
+     "output", "out",        "raw",       "state",    "states",      "q",         "mech",     "m",
+     "r",      "mechanical", "today",     "shadow",   "total",       "latest",    "per",      "of",
+     "the",    "link",       "angular",   "in",       "since",       "start",     "averaged", "average",
+     "avg",    "smoothed",   "smooth",    "rel",      "generating",  "producing", "voltage",  "current",
+     "sensor", "reading",    "channel",   "ch",       "sec"});
+/// Wherever they stand, the column is something else.
+inline constexpr auto otherThings =
+    std::to_array<std::string_view>({"error",        "err",        "limit",     "lim",          "max",
+                                     "min",          "peak",       "integral",  "integrator",   "std",
+                                     "rms",          "gain",       "offset",    "threshold",    "mode",
+                                     "fault",        "derivative", "ripple",    "tolerance",    "delta",
+                                     "diff",         "difference", "deviation", "fehler",       "gyro",
+                                     "gyroadc",      "imu",        "accel",     "acceleration", "acc",
+                                     "mag",          "gps",        "wheel",     "vehicle",      "roll",
+                                     "pitch",        "yaw",        "variance",  "covariance",   "correction",
+                                     "compensation", "power",      "energy",    "ratio",        "sum",
+                                     "abs",          "dt",         "delay",     "duration",     "regelabweichung",
+                                     "bandwidth",    "sin",        "cos",       "tan",          "predicted",
+                                     "prediction",   "predict",    "simulated", "sim",          "modeled",
+                                     "modelled",     "ideal",      "expected",  "theoretical",  "wind"});
+inline constexpr auto loadWords = std::to_array<std::string_view>(
+    {"load", "external", "friction", "disturbance", "gravity", "cogging", "brake", "feedforward", "ff"});
+inline constexpr auto driverWords =
+    std::to_array<std::string_view>({"fet", "mos", "mosfet", "driver", "controller", "mcu", "board", "ambient", "esc",
+                                     "inverter", "cpu", "bridge", "encoder", "pcb", "baro", "imu"});
+/// Motion counted in electrical turns.
+inline constexpr auto electricalWords =
+    std::to_array<std::string_view>({"electrical", "electric", "elec", "elektrisch"});
+/// Behind a gear or a coupling: taken only where the motor's own isn't there.
+inline constexpr auto drivenWords =
+    std::to_array<std::string_view>({"load", "link", "output", "slave", "secondary", "arm", "gear", "driven"});
+
+}  // namespace breakaway
