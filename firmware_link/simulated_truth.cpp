@@ -1,5 +1,7 @@
 #include "firmware_link/simulated_truth.h"
 
+#include <cmath>
+
 #include "base/numbers.h"
 #include "firmware_link/presets.h"
 #include "plant/rig.h"
@@ -11,6 +13,16 @@ namespace {
 /// Of the rig's shaft; on a linear axis positions are counted from the index, or from the lower stop without one.
 double shaftAngle_rad(const Rig& rig, double place) {
   return rig.axis == Axis::rotary ? place : place / rig.unitPerRad() + rig.encoder.indexPlace_rad;
+}
+
+/// Of what hangs on the shaft from the start, towards growing angle.
+double hanging_Nm(const Rig& rig, double shaft_rad) {
+  double torque = 0.0;
+  for (const RigWiring& one : rig.wiring) {
+    if (one.kind == WiringKind::load) torque += one.value;
+    if (one.kind == WiringKind::pendulum) torque -= one.value * std::sin(shaft_rad - rig.startAngle_rad());
+  }
+  return torque;
 }
 
 }  // namespace
@@ -31,9 +43,11 @@ Result<FrictionMap> trueMap(const std::string& uri, const FrictionMap& measured)
   for (size_t k = 0; k < map.bins.size(); ++k) {
     MapBin& bin = map.bins[k];
     bin.angle_rad = measured.bins[k].angle_rad;
-    const AngleTorques torques = torquesAt(physics, shaftAngle_rad(*rig, bin.angle_rad));
+    const double shaft_rad = shaftAngle_rad(*rig, bin.angle_rad);
+    const AngleTorques torques = torquesAt(physics, shaft_rad);
+    const double position_Nm = torques.position_Nm + hanging_Nm(*rig, shaft_rad);
     for (size_t w = 0; w < 2; ++w) {
-      const double against = w == 0 ? torques.position_Nm : -torques.position_Nm;
+      const double against = w == 0 ? position_Nm : -position_Nm;
       WayBin& way = bin.way[w];
       way.static_Nm.value = (torques.static_Nm[w] + against) / unit;
       way.coulomb_Nm.value = (torques.coulomb_Nm[w] + against) / unit;

@@ -132,9 +132,11 @@ std::vector<BenchFigure> staticFrictionFigures(const Commission& measured) {
     }
     figure.columns.push_back(
         aroundTurn(map, "static_Nm", [w](const MapBin& bin) { return bin.way[w].static_Nm.value; }));
-    figure.keyNumbers = {{"mean_Nm", mean(columnOf(figure, "static_Nm"))},
-                         {"correlation_of_turns", map.repeatability[w].correlation},
-                         {"rms_difference_of_turns_Nm", map.repeatability[w].rmsDifference_Nm}};
+    figure.keyNumbers = {{"mean_Nm", mean(columnOf(figure, "static_Nm"))}};
+    if (map.turns > 1) {
+      figure.keyNumbers.push_back({"correlation_of_turns", map.repeatability[w].correlation});
+      figure.keyNumbers.push_back({"rms_difference_of_turns_Nm", map.repeatability[w].rmsDifference_Nm});
+    }
     figures.push_back(std::move(figure));
   }
   return figures;

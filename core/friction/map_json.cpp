@@ -104,7 +104,7 @@ Result<FrictionMap> readMapJson(const Json& json, const std::string& place) {
   for (const auto& [key, value] : settings.items()) {
     if (value.is_number()) map.settings.emplace_back(key, value.get<double>());
   }
-  for (size_t w = 0; w < 2; ++w) {
+  for (size_t w = 0; w < 2 && map.turns > 1; ++w) {
     const std::string where = std::string("repeatability.") + wayNames[w] + ".";
     const Json row = json.contains("repeatability") && json["repeatability"].contains(wayNames[w])
                          ? json["repeatability"][wayNames[w]]
@@ -142,7 +142,7 @@ std::string mapJsonText(const FrictionMap& map) {
   if (map.axis == Axis::linear) json["axis"] = "linear";
   json["settings"] = Json::object();
   for (const auto& [key, value] : map.settings) json["settings"][key] = value;
-  for (size_t w = 0; w < 2; ++w) {
+  for (size_t w = 0; w < 2 && map.turns > 1; ++w) {  // one turn repeats nothing
     json["repeatability"][wayNames[w]] = Json{{"correlation", map.repeatability[w].correlation},
                                               {name("rms_difference_Nm"), map.repeatability[w].rmsDifference_Nm}};
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identify/finest_noise.h"
+
 namespace breakaway {
 
 namespace {
@@ -32,6 +34,12 @@ double scatterOf(const std::vector<std::vector<double>>& turns, size_t middle, s
     for (const double value : values) squares += (value - centre) * (value - centre);
   }
   return std::sqrt(squares / static_cast<double>(count * (turns.size() - 1)));
+}
+
+double meanOverTurns(const std::vector<std::vector<double>>& turns, size_t bin) {
+  double sum = 0.0;
+  for (const auto& turn : turns) sum += turn[bin];
+  return turns.empty() ? 0.0 : sum / static_cast<double>(turns.size());
 }
 
 Repeatability repeatabilityOf(const std::vector<std::vector<double>>& turns) {
@@ -77,14 +85,16 @@ void fillStatic(FrictionMap& map, Way way, const std::vector<BreakawayEvent>& ev
   const auto& turns = map.turnStatic_Nm[w];
   map.repeatability[w] = repeatabilityOf(turns);
   const size_t reach = std::max(leastPooled, map.bins.size() / 12);
+  std::vector<double> means;
+  for (size_t k = 0; k < map.bins.size(); ++k) means.push_back(meanOverTurns(turns, k));
+  const double finest = finestNoise(means, map.axis == Axis::rotary);
   for (size_t k = 0; k < map.bins.size(); ++k) {
-    std::vector<double> values;
-    for (const auto& turn : turns) values.push_back(turn[k]);
     WayBin& bin = map.bins[k].way[w];
     const double scatter = scatterOf(turns, k, reach);
-    bin.static_Nm = {mean(values), std::hypot(scatter / std::sqrt(static_cast<double>(turns.size())), commonError_Nm)};
-    for (const double value : values)
-      bin.outlier = bin.outlier || std::abs(value - bin.static_Nm.value) > outlierScatters * scatter;
+    const double own = std::max(finest, scatter / std::sqrt(static_cast<double>(turns.size())));
+    bin.static_Nm = {means[k], std::hypot(own, commonError_Nm)};
+    for (const auto& turn : turns)
+      bin.outlier = bin.outlier || std::abs(turn[k] - bin.static_Nm.value) > outlierScatters * scatter;
   }
   for (const BreakawayEvent& event : events) {
     if (event.way != way) continue;

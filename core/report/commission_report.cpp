@@ -63,11 +63,10 @@ void rotorChapter(HtmlReport& report, const Commission& done) {
   report.heading("Friction, motor and encoder");
   std::vector<std::vector<std::string>> rows;
   for (size_t w = 0; w < 2; ++w) {
+    const auto repeat = repeatCells(map, w);
     rows.push_back({mapUnitsOf(map.axis).ways[w], numberText(1e3 * staticMean(map, w)),
                     withInterval(done.moving[w].coulombMean_Nm, 1e3, "mNm"),
-                    withInterval(done.moving[w].viscousMean_Nm_s_per_rad, 1e6, "µNm s/rad"),
-                    numberText(map.repeatability[w].correlation),
-                    numberText(1e3 * map.repeatability[w].rmsDifference_Nm)});
+                    withInterval(done.moving[w].viscousMean_Nm_s_per_rad, 1e6, "µNm s/rad"), repeat[0], repeat[1]});
   }
   report.table(
       {"way", "breakaway, mean / mNm", "Coulomb", "viscous", "correlation of turns", "difference of turns / mNm rms"},
@@ -186,13 +185,12 @@ std::string inWords(const Commission& done) {
   if (done.linear()) return linearInWords(done);
   const FrictionMap& map = done.map;
   return fmt::format(
-      "Breakaway torque on average {:.3g} mNm clockwise and {:.3g} mNm counter-clockwise; consecutive turns "
-      "correlate by {:.3f} and {:.3f}. "
+      "Breakaway torque on average {:.3g} mNm clockwise and {:.3g} mNm counter-clockwise; {}. "
       "Coulomb friction {:.3g} mNm ({:.3g} to {:.3g}), viscous friction {:.3g} µNm s/rad ({:.3g} to {:.3g}).",
-      1e3 * staticMean(map, 0), 1e3 * staticMean(map, 1), map.repeatability[0].correlation,
-      map.repeatability[1].correlation, 1e3 * map.coulombAverage_Nm.value, 1e3 * map.coulombAverage_Nm.low95(),
-      1e3 * map.coulombAverage_Nm.high95(), 1e6 * map.viscousAverage_Nm_s_per_rad.value,
-      1e6 * map.viscousAverage_Nm_s_per_rad.low95(), 1e6 * map.viscousAverage_Nm_s_per_rad.high95());
+      1e3 * staticMean(map, 0), 1e3 * staticMean(map, 1), repeatWords(map), 1e3 * map.coulombAverage_Nm.value,
+      1e3 * map.coulombAverage_Nm.low95(), 1e3 * map.coulombAverage_Nm.high95(),
+      1e6 * map.viscousAverage_Nm_s_per_rad.value, 1e6 * map.viscousAverage_Nm_s_per_rad.low95(),
+      1e6 * map.viscousAverage_Nm_s_per_rad.high95());
 }
 
 }  // namespace breakaway

@@ -55,10 +55,10 @@ void travelChapter(HtmlReport& report, const Commission& done) {
   report.heading("Friction over the travel");
   std::vector<std::vector<std::string>> rows;
   for (size_t w = 0; w < 2; ++w) {
+    const auto repeat = repeatCells(map, w);
     rows.push_back({mapUnitsOf(map.axis).ways[w], numberText(staticMean(map, w)),
                     withInterval(done.moving[w].coulombMean_Nm, 1.0, "N"),
-                    withInterval(done.moving[w].viscousMean_Nm_s_per_rad, 1.0, "N s/m"),
-                    numberText(map.repeatability[w].correlation), numberText(map.repeatability[w].rmsDifference_Nm)});
+                    withInterval(done.moving[w].viscousMean_Nm_s_per_rad, 1.0, "N s/m"), repeat[0], repeat[1]});
   }
   report.table(
       {"way", "breakaway, mean / N", "Coulomb", "viscous", "correlation of passes", "difference of passes / N rms"},
@@ -84,12 +84,11 @@ void travelChapter(HtmlReport& report, const Commission& done) {
 std::string linearInWords(const Commission& done) {
   const FrictionMap& map = done.map;
   return fmt::format(
-      "Breakaway force on average {:.3g} N backwards and {:.3g} N forwards; consecutive passes correlate by {:.3f} "
-      "and {:.3f}. Coulomb friction {:.3g} N ({:.3g} to {:.3g}), viscous friction {:.3g} N s/m ({:.3g} to {:.3g}).",
-      staticMean(map, 0), staticMean(map, 1), map.repeatability[0].correlation, map.repeatability[1].correlation,
-      map.coulombAverage_Nm.value, map.coulombAverage_Nm.low95(), map.coulombAverage_Nm.high95(),
-      map.viscousAverage_Nm_s_per_rad.value, map.viscousAverage_Nm_s_per_rad.low95(),
-      map.viscousAverage_Nm_s_per_rad.high95());
+      "Breakaway force on average {:.3g} N backwards and {:.3g} N forwards; {}. Coulomb friction {:.3g} N ({:.3g} to "
+      "{:.3g}), viscous friction {:.3g} N s/m ({:.3g} to {:.3g}).",
+      staticMean(map, 0), staticMean(map, 1), repeatWords(map), map.coulombAverage_Nm.value,
+      map.coulombAverage_Nm.low95(), map.coulombAverage_Nm.high95(), map.viscousAverage_Nm_s_per_rad.value,
+      map.viscousAverage_Nm_s_per_rad.low95(), map.viscousAverage_Nm_s_per_rad.high95());
 }
 
 }  // namespace breakaway

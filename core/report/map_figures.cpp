@@ -1,5 +1,6 @@
 #include "report/map_figures.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cctype>
 #include <numbers>
@@ -27,6 +28,19 @@ double staticMean(const FrictionMap& map, size_t way) {
   double sum = 0.0;
   for (const MapBin& bin : map.bins) sum += bin.way[way].static_Nm.value;
   return sum / static_cast<double>(map.bins.size());
+}
+
+std::string repeatWords(const FrictionMap& map) {
+  const char* pass = mapUnitsOf(map.axis).pass;
+  if (map.turns < 2) return fmt::format("one {} tells nothing of how well it repeats", pass);
+  return fmt::format("consecutive {}{} correlate by {:.3f} and {:.3f}", pass, map.axis == Axis::linear ? "es" : "s",
+                     map.repeatability[0].correlation, map.repeatability[1].correlation);
+}
+
+std::array<std::string, 2> repeatCells(const FrictionMap& map, size_t way) {
+  if (map.turns < 2) return {"–", "–"};
+  return {numberText(map.repeatability[way].correlation),
+          numberText(mapUnitsOf(map.axis).torqueScale * map.repeatability[way].rmsDifference_Nm)};
 }
 
 Curve outlierCurve(const FrictionMap& map, double placeScale) {

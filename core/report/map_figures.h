@@ -26,6 +26,10 @@ const MapUnits& mapUnitsOf(Axis axis);
 
 /// Nm or N.
 double staticMean(const FrictionMap& map, size_t way);
+/// How well consecutive turns or passes repeat: a sentence's part that begins with a lower-case letter.
+std::string repeatWords(const FrictionMap& map);
+/// The same for a table's row: correlation, and difference in mNm or N.
+std::array<std::string, 2> repeatCells(const FrictionMap& map, size_t way);
 /// The breakaways that were marked as outliers; empty where there is none.
 Curve outlierCurve(const FrictionMap& map, double placeScale);
 /// One curve per way over the places, each with its 95 % band, times `scale`.

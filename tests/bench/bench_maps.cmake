@@ -1,2 +1,2 @@
-target_sources(${name} PRIVATE map_score.cpp)
-target_link_libraries(${name} PRIVATE CLI11::CLI11)
+target_sources(${name} PRIVATE map_score.cpp map_families.cpp)
+target_link_libraries(${name} PRIVATE CLI11::CLI11 nlohmann_json::nlohmann_json)

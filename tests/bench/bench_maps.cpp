@@ -1,6 +1,7 @@
 // Friction maps against the truth: every rotary preset and rigs at random. Resumable: one line per rig in --results.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
@@ -10,6 +11,7 @@
 
 #include "base/atomic_file.h"
 #include "base/line_log.h"
+#include "bench/map_families.h"
 #include "bench/map_score.h"
 #include "firmware_link/presets.h"
 #include "firmware_link/simulated_board.h"
@@ -25,6 +27,7 @@ namespace {
 struct Job {
   std::string name, uri;
   unsigned seed = 1;
+  size_t turns = 2;
 };
 
 /// The gain is trusted: the rigs' gain error is zero, and torques rest on the measured back-EMF constant.
@@ -40,6 +43,7 @@ MapScore scored(const Job& job) {
   }
   CommissionOptions options;
   options.rig = job.name;
+  options.sweeps.turns = job.turns;
   options.keepRecordings = false;
   const ProcessorTime time(ProcessorTime::Of::thread);
   const auto done = commission(**drive, options);
@@ -133,61 +137,150 @@ void printSummary(const std::vector<MapScore>& scores) {
       correlated, repeatable, 100.0 * friction, 100.0 * position, rig_s, cpu_s, failed);
 }
 
+/// Coverage of one family, curve by curve and way by way.
+void printCoverage(const MapFamily& family, const std::vector<MapScore>& scores) {
+  std::array<double, 8> covered{};
+  size_t maps = 0, failed = 0;
+  for (const MapScore& score : scores) {
+    if (!score.failure.empty()) {
+      ++failed;
+      continue;
+    }
+    ++maps;
+    size_t k = 0;
+    for (const WayScore& way : score.way) {
+      for (const CurveScore* one : {&way.still, &way.coulomb, &way.viscous}) covered[k++] += one->covered;
+    }
+    covered[6] += score.friction.covered;
+    covered[7] += score.position.covered;
+  }
+  std::printf("| %s |", family.name.c_str());
+  for (const size_t k : {0, 3, 1, 4, 2, 5, 6, 7})
+    std::printf(" %.0f |", 100.0 * covered[k] / static_cast<double>(std::max<size_t>(1, maps)));
+  std::printf(" %zu of %zu |\n", maps, maps + failed);
+}
+
 bool isRotary(const std::string& preset) {
   const auto bench = readBench(resourcesFolder() + "/presets/" + preset + ".bench.json");
   return bench && bench->axis == Axis::rotary;
+}
+
+struct Wanted {
+  unsigned count = 24, first = 1000;
+  std::string results, only, family;
+};
+
+/// One rig after the other; those in the results are not done again.
+class Study {
+ public:
+  explicit Study(const Wanted& wanted) : wanted_(wanted) {}
+
+  Result<void> begin() {
+    folder_ = std::filesystem::temp_directory_path() / ("breakaway-maps-" + std::to_string(wanted_.first));
+    if (auto made = makeFolder(folder_.string()); !made) return made;
+    if (wanted_.results.empty()) return {};
+    const auto lines = readWholeLines(wanted_.results);
+    if (!lines) return lines.error();
+    for (const std::string& line : *lines) {
+      if (auto score = MapScore::fromLine(line)) finished_[score->rig] = *score;
+    }
+    return {};
+  }
+  ~Study() {
+    std::error_code code;
+    std::filesystem::remove_all(folder_, code);
+  }
+
+  std::string rigFile(const std::string& name, const std::string& text) const {
+    const std::string file = (folder_ / (name + ".rig.json")).string();
+    return writeFile(file, text) ? file : std::string();
+  }
+  std::vector<MapScore> scores(const std::vector<Job>& jobs) {
+    std::vector<MapScore> all;
+    for (const Job& job : jobs) {
+      if (!wanted_.only.empty() && job.name != wanted_.only) continue;
+      if (!finished_.contains(job.name)) {
+        finished_[job.name] = scored(job);
+        if (!wanted_.results.empty() && !appendLine(wanted_.results, finished_[job.name].line())) std::exit(1);
+      }
+      all.push_back(finished_[job.name]);
+      print(all.back());
+    }
+    return all;
+  }
+
+ private:
+  Wanted wanted_;
+  std::filesystem::path folder_;
+  std::map<std::string, MapScore> finished_;
+};
+
+void printHead() {
+  std::printf(
+      "friction maps against the truth, in %% of the mean: rms error / Cramer-Rao bound of the rig's sensors (! beyond "
+      "3, 3 and 8 %% and 1.5 bounds), bins within the 95 %% interval in %%\n%-20s %-19s%-19s%-19s%-8s noise  static "
+      "friction, position torque; rig s, cpu s, missed\n",
+      "", " breakaway", " Coulomb", " viscous", "  turns");
+}
+
+bool anyFailed(const std::vector<MapScore>& scores) {
+  return std::any_of(scores.begin(), scores.end(), [](const MapScore& one) { return !one.failure.empty(); });
+}
+
+int soundRigs(Study& study, const Wanted& wanted) {
+  std::vector<Job> jobs;
+  for (const std::string& preset : presetNames()) {
+    if (isRotary(preset)) jobs.push_back({preset, "simulated:" + preset, 1});
+  }
+  for (unsigned seed = wanted.first; seed < wanted.first + wanted.count; ++seed) {
+    const std::string number = std::to_string(seed);
+    jobs.push_back(
+        {"random " + number, "simulated:" + study.rigFile("random-" + number, RandomRig(seed).text()), seed});
+  }
+  printHead();
+  const auto scores = study.scores(jobs);
+  printSummary(scores);
+  return anyFailed(scores) ? 1 : 0;
+}
+
+/// Coverage family by family: where runs share an error, their scatter doesn't show it.
+int families(Study& study, const Wanted& wanted) {
+  std::vector<std::pair<MapFamily, std::vector<MapScore>>> done;
+  printHead();
+  for (const MapFamily& family : mapFamilies()) {
+    if (wanted.family != "all" && family.name != wanted.family) continue;
+    std::vector<Job> jobs;
+    for (unsigned seed = wanted.first; seed < wanted.first + wanted.count; ++seed) {
+      const std::string name = family.name + " " + std::to_string(seed);
+      jobs.push_back({name, "simulated:" + study.rigFile(name, familyRig(family.name, seed)), seed, family.turns});
+    }
+    done.emplace_back(family, study.scores(jobs));
+  }
+  std::printf(
+      "\nBins within the 95 %% interval in %%\n\n| family | breakaway cw | ccw | Coulomb cw | ccw | viscous cw | ccw | "
+      "static friction | position torque | maps |\n|---|---|---|---|---|---|---|---|---|---|\n");
+  for (const auto& [family, scores] : done) printCoverage(family, scores);
+  return done.empty() ? 2 : 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app("Friction maps of every rotary preset and of rigs at random, against the truth");
-  unsigned count = 24, first = 1000;
-  std::string results, only;
-  app.add_option("count", count, "rigs at random")->capture_default_str();
-  app.add_option("first", first, "seed of the first one")->capture_default_str();
-  app.add_option("--results", results, "file of finished lines; rigs in it are not done again");
-  app.add_option("--only", only, "the rig of this name alone");
+  Wanted wanted;
+  app.add_option("count", wanted.count, "rigs at random, of each family")->capture_default_str();
+  app.add_option("first", wanted.first, "seed of the first one")->capture_default_str();
+  app.add_option("--results", wanted.results, "file of finished lines; rigs in it are not done again");
+  app.add_option("--only", wanted.only, "the rig of this name alone");
+  std::vector<std::string> names{"all"};
+  for (const MapFamily& family : mapFamilies()) names.push_back(family.name);
+  app.add_option("--family", wanted.family, "rigs whose runs share an error instead: all, or one kind")
+      ->check(CLI::IsMember(names));
   CLI11_PARSE(app, argc, argv);
-  const auto folder = std::filesystem::temp_directory_path() / ("breakaway-maps-" + std::to_string(first));
-  if (!makeFolder(folder.string())) return 1;
-  std::vector<Job> jobs;
-  for (const std::string& preset : presetNames()) {
-    if (isRotary(preset)) jobs.push_back({preset, "simulated:" + preset, 1});
+  Study study(wanted);
+  if (auto begun = study.begin(); !begun) {
+    std::fprintf(stderr, "%s\n", begun.error().message().c_str());
+    return 2;
   }
-  for (unsigned seed = first; seed < first + count; ++seed) {
-    const std::string file = (folder / ("random-" + std::to_string(seed) + ".rig.json")).string();
-    if (!writeFile(file, RandomRig(seed).text())) return 1;
-    jobs.push_back({"random " + std::to_string(seed), "simulated:" + file, seed});
-  }
-  std::map<std::string, MapScore> finished;
-  if (!results.empty()) {
-    const auto lines = readWholeLines(results);
-    if (!lines) {
-      std::fprintf(stderr, "%s\n", lines.error().message().c_str());
-      return 2;
-    }
-    for (const std::string& line : *lines) {
-      if (auto score = MapScore::fromLine(line)) finished[score->rig] = *score;
-    }
-  }
-  std::printf(
-      "friction maps against the truth, in %% of the mean: rms error / Cramer-Rao bound of the rig's sensors (! beyond "
-      "3, 3 and 8 %% and 1.5 bounds), bins within the 95 %% interval in %%\n%-20s %-19s%-19s%-19s%-8s noise  static "
-      "friction, position torque; rig s, cpu s, missed\n",
-      "", " breakaway", " Coulomb", " viscous", "  turns");
-  std::vector<MapScore> scores;
-  for (const Job& job : jobs) {
-    if (!only.empty() && job.name != only) continue;
-    if (!finished.contains(job.name)) {
-      finished[job.name] = scored(job);
-      if (!results.empty() && !appendLine(results, finished[job.name].line())) return 1;
-    }
-    scores.push_back(finished[job.name]);
-    print(scores.back());
-  }
-  std::error_code code;
-  std::filesystem::remove_all(folder, code);
-  printSummary(scores);
-  return std::any_of(scores.begin(), scores.end(), [](const MapScore& one) { return !one.failure.empty(); }) ? 1 : 0;
+  return wanted.family.empty() ? soundRigs(study, wanted) : families(study, wanted);
 }

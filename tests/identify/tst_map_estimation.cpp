@@ -2,7 +2,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/numbers.h"
 #include "base/random.h"
+#include "identify/finest_noise.h"
 #include "identify/map_estimation.h"
 
 using namespace breakaway;
@@ -13,6 +15,9 @@ class TestMapEstimation : public QObject {
   void everyBin_isFilledAndNearTheTruth();
   void missingBreakaways_areInterpolated();
   void standardError_matchesTheScatter();
+  void intervalsHoldTheTruth_data();
+  void intervalsHoldTheTruth();
+  void noiseOfACurve_isToldBesideItsHarmonics();
   void outlier_isMarkedAndKept();
   void weakCurrents_areCalibratedTogether();
   void unrelatedTurns_dontCorrelate();
@@ -93,6 +98,46 @@ void TestMapEstimation::standardError_matchesTheScatter() {
   QVERIFY(map.ok());
   const double relative = map->bins[0].way[1].static_Nm.standardError / 0.021;
   QVERIFY2(relative > 0.007 && relative < 0.018, qPrintable(QString::number(relative)));
+}
+
+void TestMapEstimation::intervalsHoldTheTruth_data() {
+  QTest::addColumn<size_t>("turns");
+  for (const size_t turns : {1u, 2u, 4u}) QTest::addRow("%zu turns", turns) << turns;
+}
+
+void TestMapEstimation::intervalsHoldTheTruth() {
+  QFETCH(size_t, turns);
+  size_t within = 0, bins = 0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    MapOptions wanted = options();
+    wanted.turns = turns;
+    const auto map = estimateMap(events(0.02, 0.0, 1.0, seed, turns), nullptr, wanted);
+    QVERIFY(map.ok());
+    for (const MapBin& bin : map->bins) {
+      const Estimate& one = bin.way[1].static_Nm;
+      within += std::abs(one.value - truth(bin.angle_rad)) < normal95 * one.standardError ? 1 : 0;
+      ++bins;
+    }
+  }
+  const double share = static_cast<double>(within) / static_cast<double>(bins);
+  QVERIFY2(share > 0.9 && share < 0.985, qPrintable(QString::number(share)));
+}
+
+void TestMapEstimation::noiseOfACurve_isToldBesideItsHarmonics() {
+  for (const bool around : {true, false}) {
+    double ratios = 0.0;
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+      Noise noise(seed);
+      std::vector<double> values;
+      for (size_t k = 0; k < 90; ++k) {
+        const double angle = (static_cast<double>(k) + 0.5) / 90.0 * (around ? turn : 0.4 * turn);
+        values.push_back(std::cos(angle) + 0.3 * std::sin(24.0 * angle) + 0.02 * noise.normal());
+      }
+      ratios += finestNoise(values, around) / 0.02 / 20.0;
+    }
+    QVERIFY2(ratios > 0.85 && ratios < 1.25, qPrintable(QString::number(ratios)));
+  }
+  QCOMPARE(finestNoise({1.0, 2.0}, true), 0.0);
 }
 
 void TestMapEstimation::outlier_isMarkedAndKept() {
