@@ -29,8 +29,10 @@ Command WindingTest::run(const Sample& sample) {
 Command WindingTest::rest(const Sample& sample) {
   const double inStage_s = sample.time_s - stageStart_s_;
   if (inStage_s > 0.05) open_A_.take(sample);
+  if (!sample.enabled) swing_.take(sample);
   if (inStage_s < rest_s) return {};
   if (const std::string moved = open_A_.moved(options_.mostDrift_A); !moved.empty()) fail(moved);
+  if (const std::string play = swing_.words(); !play.empty()) fail(play);
   if (ramp_ == options_.ramps) {
     stage_ = Stage::square;
   } else {
@@ -74,6 +76,7 @@ void WindingTest::endRamp(const Sample& sample) {
   blockVoltage_ = blockCurrent_ = 0.0;
   blockCount_ = 0;
   ++ramp_;
+  swing_.begin();
   stage_ = Stage::rest;
   stageStart_s_ = sample.time_s;
   if (const std::string wrong = ramp_ == bothWays ? wrongSigns() : std::string(); !wrong.empty()) fail(wrong);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "experiment/free_swing.h"
 #include "experiment/open_current.h"
 #include "experiment/square_response.h"
 #include "experiment/timed_procedure.h"
@@ -28,11 +29,11 @@ struct WindingTestOptions {
 
 /// Raises the voltage slowly until the rotor moves, both ways, for the steady line; then a square wave below that level
 /// for the time constant. Fails in words when the rotor doesn't move up to the supply or the current limit's plateau,
-/// when the current sensor drifts, and when
-/// motion or current go against the voltage: which wires to swap.
+/// when the current sensor drifts, when there is play between motor and encoder, and when motion or current go against
+/// the voltage: which wires to swap.
 class WindingTest : public TimedProcedure {
  public:
-  explicit WindingTest(const WindingTestOptions& options = {}) : options_(options) {}
+  explicit WindingTest(const WindingTestOptions& options = {}) : options_(options), swing_(options.axis) {}
 
   const std::vector<WindingPoint>& points() const { return points_; }
   /// Highest standing current of each ramp, positive in its way; the first look at the breakaway current.
@@ -70,6 +71,7 @@ class WindingTest : public TimedProcedure {
   double blockVoltage_ = 0.0, blockCurrent_ = 0.0, blockStart_s_ = 0.0;
   size_t blockCount_ = 0;
   OpenCurrent open_A_;
+  FreeSwing swing_;
   double still_s_ = 0.0;                     ///< when it last stood where the ramp found it
   size_t against_ = 0;                       ///< ramps whose motion went the other way
   double along_A_ = 0.0;                     ///< sum of the last currents before motion, in the ramps' ways
