@@ -97,7 +97,8 @@ Result<Answer> runFit(const FitLine& line) {
   if (!fit) return fit.error();
   const double error = std::sqrt(mean(scoreWindows(fit->model, prepared->tracks, prepared->split.trainScore)));
   if (auto written = writeModel(fit->model, line.out); !written) return written.error();
-  return answerOf(line, *fit, bench->positionChannel(), error);
+  const bool speedAlone = prepared->tracks.front().speedAlone();
+  return answerOf(line, *fit, speedAlone ? bench->velocityChannel() : bench->positionChannel(), error);
 }
 
 }  // namespace

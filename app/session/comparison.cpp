@@ -188,13 +188,14 @@ double Comparison::shownRmse() const {
 double positionRmse(const Trace& trace, const Recording& recording, const std::string& channel,
                     const std::vector<std::pair<size_t, size_t>>& stretches) {
   const auto measured = recording.channel(channel);
-  const size_t rows = std::min(measured.size(), trace.position.size());
+  const auto& shown = channel.starts_with("velocity") ? trace.velocity : trace.position;
+  const size_t rows = std::min(measured.size(), shown.size());
   const std::vector<std::pair<size_t, size_t>> all{{0, rows}};
   double sum = 0.0;
   size_t count = 0;
   for (const auto& [first, last] : stretches.empty() ? all : stretches) {
     for (size_t row = first; row < std::min(last, rows); ++row) {
-      const double error = trace.position[row] - measured[row];
+      const double error = shown[row] - measured[row];
       if (!std::isfinite(error)) continue;
       sum += error * error;
       ++count;

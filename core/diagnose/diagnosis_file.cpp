@@ -21,6 +21,11 @@ std::string sizeText(double value, Axis axis) {
   return value < 1.0 ? fmt::format("{:.3g} mrad", value * 1e3) : fmt::format("{:.3g} rad", value);
 }
 
+/// An error in the channel that was scored.
+std::string errorText(double value, Axis axis, const FitScore& fit) {
+  return sizeText(value, axis) + (fit.channel.starts_with("velocity") ? "/s" : "");
+}
+
 /// "a", "a or b", "a, b or c".
 std::string joined(const std::vector<std::string>& names, const std::string& word) {
   std::string out;
@@ -60,17 +65,18 @@ std::string headline(const Diagnosis& d) {
 std::string proofText(const Diagnosis& d) {
   const Axis axis = d.model.axis;
   const FitScore& fit = d.fit;
-  const std::string floor = "a perfect model would show " + sizeText(fit.floor, axis);
+  const std::string floor = "a perfect model would show " + errorText(fit.floor, axis, fit);
   const std::string source = fit.separateRecording
                                  ? "separate recordings"
                                  : "parts of the recordings, at least 1 s away from any training sample";
   if (d.findings.empty()) {
     return "Proof: over " + digitsText(fit.window_s) + " s windows of held-out data (" + source +
-           ") the base model errs by " + sizeText(fit.heldoutBefore, axis) + "; " + floor + ".\n";
+           ") the base model errs by " + errorText(fit.heldoutBefore, axis, fit) + "; " + floor + ".\n";
   }
   return "Proof: over " + digitsText(fit.window_s) + " s windows of held-out data (" + source +
-         ") the error falls from " + sizeText(fit.heldoutBefore, axis) + " to " + sizeText(fit.heldoutAfter, axis) +
-         ", by " + percentText(1.0 - fit.heldoutAfter / std::max(fit.heldoutBefore, 1e-300)) + " (95 % interval " +
+         ") the error falls from " + errorText(fit.heldoutBefore, axis, fit) + " to " +
+         errorText(fit.heldoutAfter, axis, fit) + ", by " +
+         percentText(1.0 - fit.heldoutAfter / std::max(fit.heldoutBefore, 1e-300)) + " (95 % interval " +
          percentText(fit.improvementLow95) + " to " + percentText(fit.improvementHigh95) + "); " + floor +
          ". That is " + percentText(d.proof.achieved) + " of what is possible.\n";
 }

@@ -33,6 +33,7 @@ struct RigRecording {
   double currentOffset_A = 0.0;  ///< of the sensor; the current is recorded beside the voltage where there is one
   double wander_Nm = 0.0;        ///< rms of a torque that wanders at random, correlated over 0.1 s; for driving voltage
   double push_Nm = 0.0, pushFrom_s = 0.0, pushTo_s = 0.0;  ///< once, from outside; for driving voltage
+  double speedStep_rad_per_s = 0.0;                        ///< not 0: the speed alone is recorded, in such steps
   unsigned seed = 1;
 };
 
@@ -72,7 +73,7 @@ inline RecordedRig recordRig(const RigRecording& wanted) {
   Noise noise(wanted.seed + 77);
   const double count = 2.0 * std::numbers::pi / wanted.countsPerRev, step = 1e-3;
   const double phase = noise.uniform() * 6.28, second = noise.uniform() * 6.28;
-  std::vector<double> time, angle, voltage, current;
+  std::vector<double> time, angle, voltage, current, turning;
   double integral = 0.0, last = 0.0, speed = 0.0, wander = 0.0;
   Noise wanders(wanted.seed + 133);
   for (size_t k = 0; k < static_cast<size_t>(wanted.seconds / step); ++k) {
@@ -88,6 +89,9 @@ inline RecordedRig recordRig(const RigRecording& wanted) {
     const double volts = std::round((0.08 * error + integral + 0.07 * reference) * 200.0) / 200.0;
     time.push_back(t);
     angle.push_back(seen);
+    if (wanted.speedStep_rad_per_s > 0.0)
+      turning.push_back(wanted.speedStep_rad_per_s *
+                        std::round(plant.velocity_rad_per_s() / wanted.speedStep_rad_per_s));
     voltage.push_back(volts);
     const double push = t >= wanted.pushFrom_s && t < wanted.pushTo_s ? wanted.push_Nm : 0.0;
     plant.applyVoltage(volts + (push + wander) * 1.2 / 0.07);
@@ -100,6 +104,7 @@ inline RecordedRig recordRig(const RigRecording& wanted) {
     current.push_back(sum / 20.0 + wanted.currentNoise_A * noise.normal() + wanted.currentOffset_A);
   }
   std::vector<Channel> channels{{"time_s", time}, {"angle_rad", angle}};
+  if (wanted.speedStep_rad_per_s > 0.0) channels.back() = {"velocity_rad_per_s", turning};
   if (!wanted.currentDrive || wanted.voltageToo) channels.push_back({"voltage_V", voltage});
   if (wanted.currentDrive || wanted.currentOffset_A != 0.0) channels.push_back({"current_A", current});
   RecordedRig out{{}, *Recording::seal("test.csv", std::move(channels))};

@@ -108,7 +108,8 @@ InverseRows inverseRows(const Track& track, const InverseFilter& filter) {
         (rows.position[k + 1] - 2.0 * rows.position[k] + rows.position[k - 1]) / (rows.step_s * rows.step_s);
   }
   const double omega = turn_rad * cutoff;
-  rows.velocityNoise = track.noise * omega * std::sqrt(2.0 * cutoff * rows.step_s / 3.0);
+  rows.velocityNoise = track.speedAlone() ? track.speedNoise * std::sqrt(2.0 * cutoff * rows.step_s)
+                                          : track.noise * omega * std::sqrt(2.0 * cutoff * rows.step_s / 3.0);
   const double speed = quantile(
       [&] {
         std::vector<double> speeds;

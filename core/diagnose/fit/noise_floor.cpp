@@ -18,6 +18,25 @@ constexpr double quietPart = 0.25;   ///< of the windows: those with the smalles
 constexpr double clearlyLess = 0.7;  ///< of the squared error
 constexpr std::uint64_t replays = 6;
 
+/// What the recording's sensor would have read in these states, and the positions that follow from it.
+void readAnew(const std::vector<MotionState>& states, const Simulator& rig, const Track& recorded, double count,
+              Random& random, Track& replay) {
+  const double left =
+      std::sqrt(std::max(0.0, std::pow(recorded.speedNoise, 2) - std::pow(recorded.speedCount, 2) / 12.0));
+  for (size_t k = 0; k < replay.rows(); ++k) {
+    const double exact = rig.reading(states[k]);
+    if (recorded.speedAlone()) {
+      const double read = exact + left * random.normal(), step = recorded.speedCount;
+      replay.speed[k] = step > 0.0 ? step * std::round(read / step) : read;
+    } else {
+      replay.position[k] =
+          count > 0.0 ? count * std::floor(exact / count) + 0.5 * count : exact + recorded.noise * random.normal();
+    }
+  }
+  replay.seen.assign(replay.rows(), 1);
+  if (recorded.speedAlone()) integrateSpeed(replay);
+}
+
 /// The model with friction near standstill as it happens to be once.
 Model scattered(Model model, const FrictionScatter& scatter, Random& random) {
   if (scatter.relative <= 0.0) return model;
@@ -69,19 +88,18 @@ std::vector<double> replayedSquares(const Model& model, const std::vector<Track>
     if (scatter.wander > 0.0) addWander(driven, scatter, physicsOf(model).torquePerInput(), random);
     Simulator rig(scattered(model, scatter, random), driven, 0, driven.rows() - 1);
     MotionState state = Simulator(model, recorded, first, window.last).restart(first, hidden[w]);
-    for (size_t k = 0; k < replay.rows(); ++k) {
-      const double exact = rig.shown(state.position);
-      replay.position[k] = model.count > 0.0 ? model.count * std::floor(exact / model.count) + 0.5 * model.count
-                                             : exact + recorded.noise * random.normal();
-      if (k + 1 < replay.rows()) rig.run(state, k, k + 1);
+    std::vector<MotionState> states{state};
+    for (size_t k = 0; k + 1 < replay.rows(); ++k) {
+      rig.run(state, k, k + 1);
+      states.push_back(state);
     }
-    replay.seen.assign(replay.rows(), 1);
+    readAnew(states, rig, recorded, model.count, random, replay);
     const size_t start = window.first - first;
     Simulator simulator(model, replay, 0, replay.rows() - 1);
     MotionState predicted = simulator.restart(start, hidden[w]);
     double squares = 0.0, count = 0.0;
     for (size_t k = start; k < replay.rows(); ++k) {
-      const double error = simulator.shown(predicted.position) - replay.position[k];
+      const double error = simulator.reading(predicted) - replay.reading(k);
       squares += error * error;
       count += 1.0;
       if (k + 1 < replay.rows()) simulator.run(predicted, k, k + 1);

@@ -24,7 +24,7 @@ FrictionScatter usualScatter(double highSpeed, double coulomb, const TorqueNoise
 /// RMSE over `windows` of a model against itself: each window's motion is simulated, read through the sensor (quantised
 /// where the encoder is declared, with the reading noise otherwise), and then predicted from a restart on those
 /// readings. With `scatter`, the friction of what is simulated is a little off in each window, and a torque wanders
-/// at random (Ornstein and Uhlenbeck's process). rad or m.
+/// at random (Ornstein and Uhlenbeck's process). rad or m; of speed alone rad/s or m/s.
 double noiseFloor(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows,
                   std::uint64_t seed, const FrictionScatter& scatter = {});
 

@@ -150,6 +150,9 @@ Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& re
     for (const Recording& recording : *group) {
       auto track = makeTrack(recording, bench.axis, bench.input, bench.supply_V, bench.count());
       if (!track) return track.error();
+      if (!out.tracks.empty() && out.tracks.front().speedAlone() != track->speedAlone())
+        return Error{recording.name(), "measures another channel than " + out.tracks.front().name + ": expected " +
+                                           bench.positionChannel() + " in all recordings or in none"};
       out.remarks.insert(out.remarks.end(), track->remarks.begin(), track->remarks.end());
       track->leaps = leapsOf(*track);
       if (auto unwrapped = checkUnwrapped(bench, *track); !unwrapped) return unwrapped.error();

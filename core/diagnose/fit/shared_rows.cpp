@@ -35,6 +35,7 @@ struct Trace {
 
 Trace traceOf(const Recording& recording, const Bench& bench) {
   auto measured = recording.channel(bench.positionChannel());
+  if (measured.empty()) measured = recording.channel(bench.velocityChannel());
   const auto drive = recording.channel(bench.inputChannel());
   if (drive.empty() || measured.empty()) return {};
   return {measured, drive};

@@ -66,7 +66,7 @@ void WindowResidual::simulate(Simulator& simulator, MotionState state, Eigen::Ve
   if (currents_ > 0) currents.reserve(window_.last - window_.first + 1);
   for (size_t k = window_.first;; ++k) {
     if (keep != nullptr) keep->push_back(state);
-    if (track_.seen[k]) out[position++] = weights_.position * (simulator.shown(state.position) - track_.position[k]);
+    if (track_.seen[k]) out[position++] = weights_.position * (simulator.reading(state) - track_.reading(k));
     if (currents_ > 0) currents.push_back(state.current);
     if (currents_ > 0 && k > window_.first && useCurrent(k)) {
       const auto shown = sensedAt(simulator, currents, track_, window_.first, k - window_.first);
@@ -156,13 +156,13 @@ void WindowResidual::fit(const Model& model, const MotionState& hidden) {
   residual_ = projected(nominal_);
   const Eigen::VectorXd step = scale.cwiseProduct(qr.solve(-nominal_));
   // No further than the doubt about the start allows.
-  const double reach = 20.0 * track_.noise;
+  const double reach = 20.0 * track_.noise, speedReach = track_.speedAlone() ? 20.0 * track_.speedNoise : reach / 0.02;
   next_ = start_;
   // What rests keeps resting: the least speed would end its rest, and with it what has grown meanwhile.
   const bool rests = start_[1] == 0.0 && states_[std::min<size_t>(1, states_.size() - 1)].velocity == 0.0;
   for (Eigen::Index k = 0; k < step.size(); ++k) {
     if (k == 1 && rests) continue;
-    const double most = k % 2 == 0 ? reach : reach / 0.02;
+    const double most = k % 2 == 0 ? reach : speedReach;
     next_[k] += std::clamp(step[k], -most, most);
   }
 }
@@ -294,7 +294,7 @@ Eigen::VectorXd WindowResidual::respond(double position, double velocity, const 
   Eigen::Index at = 0, currentAt = positions_;
   for (size_t k = 0; k < states_.size(); ++k) {
     const size_t row = window_.first + k;
-    if (track_.seen[row]) out[at++] = weights_.position * x;
+    if (track_.seen[row]) out[at++] = weights_.position * (track_.speedAlone() ? v : x);
     if (currents_ > 0 && k > 0 && useCurrent(row)) {
       const double direct = current != nullptr ? (*current)[k - 1] : 0.0;
       out[currentAt++] = weights_.current * (direct + byVelocity * v);
@@ -339,7 +339,7 @@ Eigen::VectorXd WindowResidual::linearColumn(const Model& variant, double step) 
     for (size_t k = 0; k < states_.size(); ++k) {
       const MotionState& state = states_[k];
       if (track_.seen[window_.first + k]) {
-        const double more = simulator.shown(state.position) - simulator_->shown(state.position);
+        const double more = simulator.reading(state) - simulator_->reading(state);
         change[at++] += weights_.position * more / step;
       }
       if (currents_ > 0 && k > 0 && useCurrent(window_.first + k)) {
@@ -361,7 +361,7 @@ Weights weightsOf(const std::vector<WindowResidual>& residuals, const std::vecto
     current += residual.residual().segment(residual.positions(), residual.currents()).squaredNorm();
     positions += static_cast<double>(residual.positions());
     currents += static_cast<double>(residual.currents());
-    noise = std::max(noise, tracks[windows[w].track].noise);
+    noise = std::max(noise, tracks[windows[w].track].readingNoise());
   }
   Weights weights;
   weights.position = 1.0 / std::max(std::sqrt(position / std::max(positions, 1.0)), noise);

@@ -16,10 +16,10 @@ struct Weights {
   double current = 0.0;
 };
 
-/// Residuals of positions (and of currents where the track has them). The window's initial position and velocity (and
-/// those of a load that swings) are free, held to what the restart's observer saw as firmly as its noise allows, and
-/// eliminated by variable projection
-/// (G. Golub, V. Pereyra, SIAM J. Numer. Anal. 10(2), 1973).
+/// Residuals of positions, or of speeds where they alone were measured (and of currents where the track has them). The
+/// window's initial position and velocity (and those of a load that swings) are free, held to what the restart's
+/// observer saw as firmly as its noise allows, and eliminated by variable projection (G. Golub, V. Pereyra, SIAM J.
+/// Numer. Anal. 10(2), 1973).
 class WindowResidual {
  public:
   WindowResidual(const Track& track, const Window& window, Weights weights);

@@ -297,7 +297,7 @@ std::vector<double> scoreWindows(const Model& model, const std::vector<Track>& t
     double sum = 0.0, n = 0.0;
     for (size_t k = window.first;; ++k) {
       if (track.seen[k]) {
-        const double error = simulator.shown(state.position) - track.position[k];
+        const double error = simulator.reading(state) - track.reading(k);
         sum += error * error;
         n += 1.0;
       }

@@ -34,7 +34,9 @@ Result<Trace> simulate(const Model& model, const Recording& recording, const Sim
   const auto terms = termsOf(model);
   if (!terms) return terms.error();
   Trace trace = simulate(model, *track, options.restartEvery_s);
-  for (double& one : trace.position) one -= 0.5 * model.count;  // as the encoder shows it, on average
+  if (!track->speedAlone()) {
+    for (double& one : trace.position) one -= 0.5 * model.count;  // as the encoder shows it, on average
+  }
   return trace;
 }
 

@@ -26,7 +26,7 @@ using Unknowns = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, mostUnknowns, 1>;
 using Normal = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, mostUnknowns, mostUnknowns>;
 
 struct Line {
-  double position = 0.0;  ///< at the first row
+  double value = 0.0;  ///< at the first row
   double slope = 0.0;
 };
 
@@ -34,7 +34,7 @@ Line lineThrough(const Track& track, size_t first, size_t last) {
   double n = 0, st = 0, sx = 0, stt = 0, stx = 0;
   for (size_t k = first; k <= last; ++k) {
     if (!track.seen[k]) continue;
-    const double t = track.time[k] - track.time[first], x = track.position[k] - track.position[first];
+    const double t = track.time[k] - track.time[first], x = track.reading(k) - track.reading(first);
     n += 1;
     st += t;
     sx += x;
@@ -42,9 +42,9 @@ Line lineThrough(const Track& track, size_t first, size_t last) {
     stx += t * x;
   }
   const double determinant = n * stt - st * st;
-  if (n < 2 || determinant <= 0.0) return {track.position[first], 0.0};
+  if (n < 2 || determinant <= 0.0) return {track.reading(first), 0.0};
   const double slope = (n * stx - st * sx) / determinant;
-  return {track.position[first] + (sx - slope * st) / n, slope};
+  return {track.reading(first) + (sx - slope * st) / n, slope};
 }
 
 /// Standard deviation of one reading, from third differences of rows [first, last] alone, whose variance is 20 times a
@@ -52,7 +52,7 @@ Line lineThrough(const Track& track, size_t first, size_t last) {
 double restartNoise(const Track& track, size_t first, size_t last) {
   double squares = 0.0;
   for (size_t k = first; k + 3 <= last; ++k) {
-    const double d = track.position[k + 3] - 3.0 * (track.position[k + 2] - track.position[k + 1]) - track.position[k];
+    const double d = track.reading(k + 3) - 3.0 * (track.reading(k + 2) - track.reading(k + 1)) - track.reading(k);
     squares += d * d;
   }
   return std::sqrt(squares / (20.0 * std::max(1.0, static_cast<double>(last) - static_cast<double>(first) - 2.0)));
@@ -163,7 +163,8 @@ MotionState Simulator::restart(size_t row, const MotionState& carried) {
   // Where the model can't follow the last stretch (it turned, or held on), a shorter one says more.
   MotionState best;
   double least = 1e300;
-  const double enough = 3.0 * std::max(restartNoise(track_, horizonBegin(horizon_, row), row), track_.quantisation);
+  const double enough = 3.0 * std::max(restartNoise(track_, horizonBegin(horizon_, row), row),
+                                       track_.speedAlone() ? track_.speedNoise : track_.quantisation);
   const bool play =
       std::any_of(loads_.begin(), loads_.end(), [](const SwingingLoad& one) { return one.load.play() > 0.0; });
   const double shortest = loads_.empty() ? 0.1 : 0.4;
@@ -212,7 +213,10 @@ MotionState Simulator::restartOver(double horizon_s, size_t row, const MotionSta
     state.acceleration = 0.0;
     return state;
   };
-  if (row - first < 3) return from(truePosition(track_.position[row]), 0.0, settledCurrent(row, 0.0));
+  if (row - first < 3) {
+    const double velocity = track_.speedAlone() ? track_.speed[row] : 0.0;
+    return from(truePosition(track_.position[row]), velocity, settledCurrent(row, velocity));
+  }
 
   const size_t early = first + std::max<size_t>(2, (row - first) / 3);
   const Line line = lineThrough(track_, first, early);
@@ -221,8 +225,13 @@ MotionState Simulator::restartOver(double horizon_s, size_t row, const MotionSta
   // Position, velocity, load; of each load that swings place and speed.
   const auto n = static_cast<Eigen::Index>(3 + 2 * loads_.size());
   Unknowns unknown = Unknowns::Zero(n), nudge(n), doubt = Unknowns::Constant(n, 1e9);  // doubt in nudges
-  unknown.head(3) << truePosition(line.position), line.slope, 0.0;
-  nudge.head(3) << small, small / length, physics().inertia * small / (length * length);
+  if (track_.speedAlone()) {
+    unknown.head(3) << track_.position[first], line.value, 0.0;
+    nudge.head(3) << small * length, small, physics().inertia * small / length;
+  } else {
+    unknown.head(3) << truePosition(line.value), line.slope, 0.0;
+    nudge.head(3) << small, small / length, physics().inertia * small / (length * length);
+  }
   for (size_t k = 0; k < loads_.size(); ++k) {
     const auto at = static_cast<Eigen::Index>(3 + 2 * k);
     const bool follows = side == Side::followed;
@@ -235,6 +244,9 @@ MotionState Simulator::restartOver(double horizon_s, size_t row, const MotionSta
   }
   const Unknowns expected = unknown;
   const double ownLoad = physics().load;
+  const auto measured = [this](const MotionState& state) {
+    return track_.speedAlone() ? state.velocity : state.position;
+  };
   const auto beginAt = [&](const Unknowns& at) {
     MotionState state = from(at[0], at[1], settledCurrent(first, at[1]));
     for (size_t k = 0; k < loads_.size(); ++k) {
@@ -256,9 +268,9 @@ MotionState Simulator::restartOver(double horizon_s, size_t row, const MotionSta
     for (size_t k = first; k <= row; ++k) {
       if (track_.seen[k]) {  // slopes of the position by each unknown, in units of its nudge
         for (Eigen::Index j = 0; j < n; ++j)
-          slope[j] = states[static_cast<size_t>(j) + 1].position - states[0].position;
+          slope[j] = measured(states[static_cast<size_t>(j) + 1]) - measured(states[0]);
         normal += slope * slope.transpose();
-        right += slope * (track_.position[k] - shown(states[0].position));
+        right += slope * (track_.reading(k) - reading(states[0]));
       }
       if (k == row) break;
       for (size_t j = 0; j < states.size(); ++j) {
@@ -266,6 +278,8 @@ MotionState Simulator::restartOver(double horizon_s, size_t row, const MotionSta
         run(states[j], k, k + 1);
       }
     }
+    // Speeds say nothing of where the axis is.
+    if (track_.speedAlone()) normal(0, 0) += 1e6 * normal.diagonal().maxCoeff();
     // Where friction swallows a nudge at once, the ridge keeps its step at zero.
     normal.diagonal().array() += 1e-9 * normal.diagonal().maxCoeff() + 1e-300;
     for (Eigen::Index k = 3; k < n; ++k) {  // a load keeps near to where it was expected
@@ -280,7 +294,7 @@ MotionState Simulator::restartOver(double horizon_s, size_t row, const MotionSta
   double seen = 0.0;
   for (size_t k = first; k <= row; ++k) {
     if (track_.seen[k]) {
-      error += std::pow(shown(state.position) - track_.position[k], 2);
+      error += std::pow(reading(state) - track_.reading(k), 2);
       seen += 1.0;
     }
     if (k < row) run(state, k, k + 1);
@@ -305,6 +319,7 @@ MotionState Simulator::restartOver(double horizon_s, size_t row, const MotionSta
 double restartVelocityNoise(const Track& track, double horizon_s) {
   const double step = track.time.back() / static_cast<double>(track.rows() - 1);
   const double rows = std::max(4.0, horizon_s / step + 1.0);
+  if (track.speedAlone()) return 2.0 * track.speedNoise / std::sqrt(rows);
   return track.noise * std::sqrt(192.0 / rows) / (step * (rows - 1.0));
 }
 

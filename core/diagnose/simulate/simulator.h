@@ -54,6 +54,10 @@ class Simulator {
   double input(size_t row) const { return shaped_.empty() ? track_.input[row] : shaped_[row - shapedFrom_]; }
   /// What the encoder shows at a state, and the true position behind what it shows.
   double shown(double position) const;
+  /// What the track's sensor shows of a state: its position as `shown`, or its velocity where that alone was measured.
+  double reading(const MotionState& state) const {
+    return track_.speedAlone() ? state.velocity : shown(state.position);
+  }
   double truePosition(double shown) const;
   /// What the current sensor shows.
   double sensed(double current, double slope) const;
@@ -81,7 +85,8 @@ class Simulator {
 };
 
 /// Standard deviation of the velocity that restart() finds, from the track's reading noise alone: the end of a parabola
-/// through n readings over `horizon_s` has a slope error of σ·√192/(√n·horizon).
+/// through n readings over `horizon_s` has a slope error of σ·√192/(√n·horizon), that of
+/// a line through n speeds an error of 2σ/√n.
 double restartVelocityNoise(const Track& track, double horizon_s);
 
 /// Rows at which windows of `window_s` begin: the first with t ≥ k·window_s − 1e-9 s.

@@ -74,7 +74,7 @@ void straighten(Track& track) {
   for (size_t k = 0; k < grid.size(); ++k) jitter = std::max(jitter, std::abs(grid[k] - track.time[k]));
   if (jitter < 0.02 * (grid.back() / static_cast<double>(grid.size() - 1))) return;
   const auto typical = [&](const std::vector<double>& time) {
-    const auto squares = roughness(time, track.position, track.seen);
+    const auto squares = roughness(time, track.speedAlone() ? track.speed : track.position, track.seen);
     return squares.empty() ? 0.0 : mean(squares);
   };
   if (typical(grid) > 0.5 * typical(track.time)) return;
@@ -83,6 +83,52 @@ void straighten(Track& track) {
       "regular",
       track.name, 1e3 * jitter));
   track.time = grid;
+}
+
+constexpr double speedsTogether_s = 0.1;  ///< over which readings of speed add up to a position
+
+/// The step in which readings are counted, the least one between neighbours of which all others are multiples; 0 where
+/// there is none.
+double countOf(const std::vector<double>& readings) {
+  std::vector<double> steps;
+  for (size_t k = 1; k < readings.size(); ++k) {
+    const double step = std::abs(readings[k] - readings[k - 1]);
+    if (step > 0.0) steps.push_back(step);
+  }
+  if (steps.size() < 20) return 0.0;
+  const double least = *std::min_element(steps.begin(), steps.end());
+  const auto whole = std::count_if(steps.begin(), steps.end(), [least](double step) {
+    return std::abs(step / least - std::round(step / least)) < 0.02;
+  });
+  const double reach = *std::max_element(steps.begin(), steps.end()) / least;
+  return reach < 1e4 && whole == std::ssize(steps) ? least : 0.0;
+}
+
+/// What was measured, with missing rows held; `track.time` is there. Errors: no value at all.
+Result<void> takeReadings(Track& track, const Recording& recording, const std::string& channel, double count) {
+  const auto readings = recording.channel(channel);
+  const size_t rows = readings.size();
+  std::vector<double> held(rows);
+  track.seen.resize(rows);
+  double last = std::nan("");
+  size_t missing = 0;
+  for (size_t k = 0; k < rows; ++k) {
+    track.seen[k] = std::isfinite(readings[k]) ? 1 : 0;
+    if (track.seen[k])
+      last = readings[k] + 0.5 * count;
+    else
+      ++missing;
+    held[k] = last;
+  }
+  if (missing == rows) return Error{recording.name() + ", column " + channel, "has no value at all"};
+  for (size_t k = rows; k-- > 1;) {
+    if (!std::isfinite(held[k - 1])) held[k - 1] = held[k];
+  }
+  if (missing > 0)
+    track.remarks.push_back(recording.name() + ": " + std::to_string(missing) + " rows have no " +
+                            (track.speedAlone() ? "speed" : "position") + " and are left out");
+  (track.speedAlone() ? track.speed : track.position) = std::move(held);
+  return {};
 }
 
 Result<std::vector<double>> inputOf(const Recording& recording, const Bench& names, const std::string& channel) {
@@ -127,6 +173,7 @@ Track Track::rowsFrom(size_t first, size_t last) const {
   out.name = name;
   out.time = part(time);
   out.position = part(position);
+  out.speed = part(speed);
   out.input = part(input);
   out.seen = part(seen);
   out.bridged = part(bridged);
@@ -141,6 +188,8 @@ Track Track::rowsFrom(size_t first, size_t last) const {
   out.usualStep_s = usualStep_s;
   out.noise = noise;
   out.quantisation = quantisation;
+  out.speedNoise = speedNoise;
+  out.speedCount = speedCount;
   out.inputNoise = inputNoise;
   out.currentNoise = currentNoise;
   return out;
@@ -155,8 +204,10 @@ Result<Track> makeTrack(const Recording& recording, Axis axis, DriveInput driveI
   Track track;
   track.name = recording.name();
   if (recording.rows() < 2) return Error{recording.name(), "has fewer than two rows"};
-  const auto position = recording.channel(names.positionChannel());
-  if (position.empty()) return Error{recording.name(), "has no column " + names.positionChannel()};
+  const bool speedAlone = !recording.has(names.positionChannel());
+  if (speedAlone && !recording.has(names.velocityChannel()))
+    return Error{recording.name(), "has no column " + names.positionChannel() + " and no " + names.velocityChannel()};
+  if (speedAlone) count = 0.0;
   auto input = inputOf(recording, names, names.inputChannel());
   if (!input) return input.error();
   track.input = std::move(*input);
@@ -166,28 +217,15 @@ Result<Track> makeTrack(const Recording& recording, Axis axis, DriveInput driveI
   track.origin_s = time[0];
   track.usualStep_s = recording.medianStep_s();
   track.time.resize(rows);
-  track.position.resize(rows);
-  track.seen.resize(rows);
   track.connected.assign(rows, 1);
-  double last = std::nan("");
-  size_t missing = 0;
-  for (size_t k = 0; k < rows; ++k) {
-    track.time[k] = time[k] - time[0];
-    track.seen[k] = std::isfinite(position[k]) ? 1 : 0;
-    if (track.seen[k])
-      last = position[k] + 0.5 * count;
-    else
-      ++missing;
-    track.position[k] = last;
-  }
-  if (missing == rows) return Error{recording.name() + ", column " + names.positionChannel(), "has no value at all"};
-  for (size_t k = rows; k-- > 1;) {
-    if (!std::isfinite(track.position[k - 1])) track.position[k - 1] = track.position[k];
-  }
-  if (missing > 0)
-    track.remarks.push_back(recording.name() + ": " + std::to_string(missing) +
-                            " rows have no position and are left out");
+  for (size_t k = 0; k < rows; ++k) track.time[k] = time[k] - time[0];
+  if (speedAlone) track.speed.resize(rows);
+  if (auto taken =
+          takeReadings(track, recording, speedAlone ? names.velocityChannel() : names.positionChannel(), count);
+      !taken)
+    return taken.error();
   straighten(track);
+  if (speedAlone) integrateSpeed(track);
   const auto enabled = recording.channel("enabled");
   for (size_t k = 0; k < enabled.size(); ++k) track.connected[k] = enabled[k] == 0.0 ? 0 : 1;
   track.drive = driveInput;
@@ -208,9 +246,25 @@ Result<Track> makeTrack(const Recording& recording, Axis axis, DriveInput driveI
   }
   if (driveInput == DriveInput::current)
     track.inputNoise = readingNoise(track.time, track.input, std::vector<char>(rows, 1));
+  if (speedAlone) {
+    track.speedCount = countOf(track.speed);
+    track.speedNoise = std::max(readingNoise(track.time, track.speed, track.seen), track.speedCount / std::sqrt(12.0));
+    track.noise = track.speedNoise * std::sqrt(track.usualStep_s * speedsTogether_s);
+    track.remarks.push_back(recording.name() +
+                            ": only the speed was measured; angles are its integral, and what goes "
+                            "with the angle is known from there on");
+    return track;
+  }
   track.quantisation = count / std::sqrt(12.0);
   track.noise = std::max(readingNoise(track.time, track.position, track.seen), track.quantisation);
   return track;
+}
+
+void integrateSpeed(Track& track) {
+  track.position.assign(track.rows(), 0.0);
+  for (size_t k = 1; k < track.rows(); ++k)
+    track.position[k] =
+        track.position[k - 1] + 0.5 * (track.speed[k] + track.speed[k - 1]) * (track.time[k] - track.time[k - 1]);
 }
 
 void bridgePositions(Track& track, double near_s) {

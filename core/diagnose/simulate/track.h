@@ -26,6 +26,7 @@ struct Track {
   std::vector<double> time;      ///< s since the first row
   std::vector<double> position;  ///< rad, the middle of the recorded count; rows without one hold the last value and
                                  ///< are not `seen`
+  std::vector<double> speed;     ///< rad/s, as recorded, where that alone was: positions are its integral; else empty
   std::vector<double> input;     ///< volts, amperes or torque that act from the row to the next
   std::vector<char> seen;        ///< the row has a position
   std::vector<char> bridged;     ///< its position lies on the line between two readings that are near; empty: none
@@ -40,6 +41,8 @@ struct Track {
   double usualStep_s = 0.0;   ///< median time from row to row
   double noise = 0.0;         ///< standard deviation of one position reading: quantisation and what exceeds it
   double quantisation = 0.0;  ///< standard deviation of what the encoder's count hides
+  double speedNoise = 0.0;    ///< as `noise`, of a reading of `speed`, rad/s
+  double speedCount = 0.0;    ///< step of the readings of `speed`, rad/s; 0: none is seen
   double inputNoise = 0.0;    ///< the same of a measured drive current, A; 0 where the input is a command
   double currentNoise = 0.0;  ///< the same of a current reading, A; 0 where there is none
   std::vector<std::string> remarks;
@@ -49,6 +52,10 @@ struct Track {
   Motion motion;
 
   size_t rows() const { return time.size(); }
+  bool speedAlone() const { return !speed.empty(); }
+  /// What was measured in a row: the position, in a recording of speed alone the speed.
+  double reading(size_t row) const { return speedAlone() ? speed[row] : position[row]; }
+  double readingNoise() const { return speedAlone() ? speedNoise : noise; }
   /// A copy of rows [first, last], without the smoothed motion; times keep their origin.
   Track rowsFrom(size_t first, size_t last) const;
   /// Whether the row's position can be taken for the axis' own, read or bridged.
@@ -57,9 +64,13 @@ struct Track {
 };
 
 /// Reads what `input` and `axis` need from the recording. `count` is one encoder count in rad or m (0: unknown).
-/// Errors: a needed column is missing or has no value at all; fewer than two rows.
+/// Without a position column
+/// the velocity's is what was measured. Errors: a needed column is missing or has no value at all; fewer than two rows.
 Result<Track> makeTrack(const Recording& recording, Axis axis, DriveInput input, std::optional<double> supply_V,
                         double count);
+
+/// The positions of a track of speed alone, from 0 on by trapezoids.
+void integrateSpeed(Track& track);
 
 /// Puts positions that were not read on the line between their neighbours; those nearer to one another than `near_s`
 /// become `bridged`. Looks ahead, so not for who predicts.

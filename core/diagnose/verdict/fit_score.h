@@ -5,7 +5,8 @@
 
 namespace breakaway {
 
-/// RMSE of the position over windows that restart every window_s, as simulate() does it.
+/// RMSE of the position, or of the speed where that alone was measured, over windows that restart every window_s, as
+/// simulate() does it.
 struct FitScore {
   std::string channel;
   double window_s = 0.5;

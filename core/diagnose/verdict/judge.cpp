@@ -36,7 +36,7 @@ double meanSquare(const Model& model, const std::vector<Track>& tracks, const st
 FitScore scoreFit(const Bench& bench, const Model& base, const Model& best, const std::vector<Track>& tracks,
                   const Split& split, std::uint64_t seed, Proof& proof) {
   FitScore fit;
-  fit.channel = bench.positionChannel();
+  fit.channel = tracks.front().speedAlone() ? bench.velocityChannel() : bench.positionChannel();
   fit.separateRecording = split.separateRecording;
   fit.trainBefore = std::sqrt(meanSquare(base, tracks, split.trainScore));
   fit.trainAfter = std::sqrt(meanSquare(best, tracks, split.trainScore));

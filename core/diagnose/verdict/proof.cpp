@@ -93,8 +93,8 @@ Proof proofOf(const Model& best, const std::vector<Track>& tracks, const std::ve
     if (otherTrack) trace = simulate(best, track, fit.window_s);
     if (otherTrack || heldout[w - 1].last + 1 < window.first)
       ends.insert(ends.end(), mostLags, std::nan(""));  // what lies apart isn't compared
-    ends.push_back(track.seen[window.last] != 0 ? track.position[window.last] - trace.position[window.last]
-                                                : std::nan(""));
+    const double shown = track.speedAlone() ? trace.velocity[window.last] : trace.position[window.last];
+    ends.push_back(track.seen[window.last] != 0 ? track.reading(window.last) - shown : std::nan(""));
   }
   const Whiteness whiteness = whitenessOf(ends);
   proof.lag1 = whiteness.lag1;
