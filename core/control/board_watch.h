@@ -75,9 +75,9 @@ class BoardWatch {
   Trip step(const Seen& seen) {
     const Trip jump = angle(seen);
     if (exceeds(seen.current_A, limits_.trip_A)) return seen.enabled ? Trip::overCurrent : Trip::openSensor;
-    low_ = seen.supply_V < least_V_ ? low_ + 1 : 0;
+    low_ = isAbove(least_V_, seen.supply_V) ? low_ + 1 : 0;
     if (low_ > lowFor_) return Trip::supplyLow;
-    high_ = seen.supply_V > most_V_ ? high_ + 1 : 0;
+    high_ = isAbove(seen.supply_V, most_V_) ? high_ + 1 : 0;
     if (high_ > lowFor_) return Trip::supplyHigh;
     if (contradicts(seen)) return Trip::contradiction;
     if (jump != Trip::none) return jump;
@@ -157,7 +157,7 @@ class BoardWatch {
 
   Trip blocked(const Seen& seen) {
     const Scalar almost_A = Scalar(0.9) * seen.limit_A;
-    const bool atLimit = seen.enabled && seen.limit_A > Scalar(0) &&
+    const bool atLimit = seen.enabled && isPositive(seen.limit_A) &&
                          (exceeds(seen.wanted_A, almost_A) || exceeds(seen.current_A, almost_A));
     const bool moved = exceeds(seen.angle_rad - anchor_rad_, still_rad_);
     if (moved) anchor_rad_ = seen.angle_rad;

@@ -33,7 +33,7 @@ class DutyInverse {
 
   /// The duty to ask for so that the windings get `wanted`; 0 for 0.
   Scalar inputFor(Scalar wanted) const {
-    if (!known() || wanted == Scalar(0)) return wanted;
+    if (!known() || isZero(wanted)) return wanted;
     const Scalar size = magnitude(wanted);
     int k = 1;
     while (k < table_.points && exceeds(size, table_.output[k])) ++k;

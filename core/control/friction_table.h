@@ -82,7 +82,7 @@ class FrictionFeedForward {
   Scalar torque_Nm(const Place& place, Scalar velocity_rad_per_s, Scalar intent = Scalar(0)) const {
     if (bins_ == 0) return Scalar(0);
     Scalar way = wayOf(velocity_rad_per_s);
-    if (intent != Scalar(0)) way += (Scalar(1) - magnitude(way)) * intent;
+    if (!isZero(intent)) way += (Scalar(1) - magnitude(way)) * intent;
     return dryTorque_Nm(place, way, risingPart(velocity_rad_per_s, intent)) +
            viscous(place, velocity_rad_per_s) * velocity_rad_per_s;
   }
@@ -128,16 +128,16 @@ class FrictionFeedForward {
   /// (1 − x²/4)⁴, which no board needs a library for; it ends at x = 2 and errs by 0.08 at most. None while the rotor
   /// still turns the other way.
   Scalar risingPart(Scalar velocity_rad_per_s, Scalar intent) const {
-    if (perFall_ == Scalar(0) || intent == Scalar(0)) return Scalar(0);
+    if (isZero(perFall_) || isZero(intent)) return Scalar(0);
     const bool against = isNegative(velocity_rad_per_s) != isNegative(intent);
     if (exceeds(velocity_rad_per_s, against ? blend_rad_per_s_ : fallen_rad_per_s_)) return Scalar(0);
     const Scalar x = velocity_rad_per_s * perFall_, y = Scalar(1) - x * x, square = y * y;
-    return y > Scalar(0) ? magnitude(intent) * (square * square) : Scalar(0);
+    return isPositive(y) ? magnitude(intent) * (square * square) : Scalar(0);
   }
 
   Scalar dryTorque_Nm(const Place& place, Scalar way, Scalar rising) const {
     Scalar position = at(nodes_[positionTorque], place), coulomb = at(nodes_[coulombTorque], place);
-    if (rising != Scalar(0)) {
+    if (!isZero(rising)) {
       position += rising * at(nodes_[positionRise], place);
       coulomb += rising * at(nodes_[coulombRise], place);
     }
@@ -150,7 +150,7 @@ class FrictionFeedForward {
 
   Scalar wayOf(Scalar velocity_rad_per_s) const {
     if (exceeds(blend_rad_per_s_, velocity_rad_per_s)) return velocity_rad_per_s * perBlend_;
-    return velocity_rad_per_s == Scalar(0) ? Scalar(0) : isNegative(velocity_rad_per_s) ? Scalar(-1) : Scalar(1);
+    return isZero(velocity_rad_per_s) ? Scalar(0) : isNegative(velocity_rad_per_s) ? Scalar(-1) : Scalar(1);
   }
 
   static Scalar at(const Node* curve, const Place& place) {

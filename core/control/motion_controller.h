@@ -43,7 +43,7 @@ class MotionController {
   Scalar velocityStep(Scalar reference_rad_per_s, Scalar velocity_rad_per_s, Scalar compensation_A, Scalar limit_A) {
     const Scalar error = reference_rad_per_s - velocity_rad_per_s;
     Scalar direct = gains_.velocity_kp_A_s_per_rad * error + compensation_A;
-    if (slopeGain_A_s_per_rad_ != Scalar(0)) {
+    if (!isZero(slopeGain_A_s_per_rad_)) {
       slope_ += slopeShare * (velocity_rad_per_s - velocity_ - slope_);
       direct -= slopeGain_A_s_per_rad_ * slope_;
     }
@@ -56,7 +56,7 @@ class MotionController {
   Scalar positionStep(Scalar error_rad, Scalar velocity_rad_per_s, Scalar compensation_A, Scalar limit_A) {
     velocity_ = velocity_rad_per_s;
     Scalar approach = gains_.position_kp_A_per_rad * error_rad, growth = positionGrowth_A_per_rad_ * error_rad;
-    if (gains_.velocity_limit_rad_per_s > Scalar(0) && exceeds(approach, mostApproach_A_)) {
+    if (isPositive(gains_.velocity_limit_rad_per_s) && exceeds(approach, mostApproach_A_)) {
       approach = within(approach, mostApproach_A_);
       growth = 0;
     }
@@ -68,7 +68,7 @@ class MotionController {
   Scalar integrated(Scalar direct_A, Scalar growth_A, Scalar limit_A) {
     const Scalar wanted = direct_A + integral_A_;
     const bool limited = exceeds(wanted, limit_A);
-    if (growth_A != Scalar(0) && (!limited || isNegative(wanted) != isNegative(growth_A)))
+    if (!isZero(growth_A) && (!limited || isNegative(wanted) != isNegative(growth_A)))
       integral_A_ = within(integral_A_ + growth_A, limit_A);
     return limited ? within(wanted, limit_A) : wanted;
   }

@@ -140,7 +140,7 @@ class ServoController {
       zero(sensor_A);
       return out;
     }
-    const Scalar perSupply = supply_V > Scalar(0) ? Scalar(1) / supply_V : Scalar(0);
+    const Scalar perSupply = isPositive(supply_V) ? Scalar(1) / supply_V : Scalar(0);
     if (command_.mode == ServoMode::voltage) {
       ask(current_.clampForCurrent(command_.target, out.current_A, out.velocity_rad_per_s, limit_A_), perSupply, out);
     } else {
@@ -190,13 +190,13 @@ class ServoController {
   /// reference says so, and stands for the speed until the rotor turns the other way; in current mode the commanded
   /// torque does, in proportion up to a share of the friction, so that a small one doesn't throw the rotor about.
   Scalar frictionCurrent(Turn middle, Scalar velocity_rad_per_s) {
-    if (perTorque_A_per_Nm_ == Scalar(0)) return Scalar(0);
+    if (isZero(perTorque_A_per_Nm_)) return Scalar(0);
     const auto place = friction_.placeOf(middle);
     const Scalar target = command_.target;
     Scalar torque_Nm = 0;
     const bool against = isNegative(target) != isNegative(velocity_rad_per_s) &&
                          exceeds(velocity_rad_per_s, friction_.blend_rad_per_s());
-    if (command_.mode == ServoMode::velocity && target != Scalar(0) && !against) {
+    if (command_.mode == ServoMode::velocity && !isZero(target) && !against) {
       torque_Nm = friction_.movingTorque_Nm(place, target, velocity_rad_per_s);
     } else {
       torque_Nm = friction_.torque_Nm(place, velocity_rad_per_s, intentAt(place));
@@ -210,7 +210,7 @@ class ServoController {
     if (command_.mode != ServoMode::current) return Scalar(0);
     const Scalar wanted_Nm = settings_.torqueConstant_Nm_per_A * command_.target;
     const Scalar whole_Nm = intentShare * friction_.friction_Nm(place);
-    if (!(whole_Nm > Scalar(0))) return Scalar(0);
+    if (!isPositive(whole_Nm)) return Scalar(0);
     return exceeds(wanted_Nm, whole_Nm) ? (isNegative(wanted_Nm) ? Scalar(-1) : Scalar(1)) : wanted_Nm / whole_Nm;
   }
 

@@ -86,7 +86,7 @@ class ControlTick {
     const std::int32_t halfCounts = 2 * difference(count_, origin_) + 1;
     const Scalar middle = static_cast<Scalar>(halfCounts) * halfCount_rad_;
     const Turn turn = (static_cast<Turn>(halfCounts) + firstHalfCounts_) * perHalfCount_;
-    const Scalar bus = readings.supply_V > Scalar(1e-3) ? readings.supply_V : Scalar(1e-3);
+    const Scalar bus = isAbove(readings.supply_V, Scalar(1e-3)) ? readings.supply_V : Scalar(1e-3);
     const ServoOutput<Scalar> out = servo_.stepAt(middle, turn, readings.current_A, bus);
     voltage_V_ = out.voltage_V;
     TickOutcome<Scalar> outcome;
@@ -198,7 +198,7 @@ class ControlTick {
     const std::int32_t moved = difference(count_, travelStart_);
     const std::uint32_t travel = moved < 0 ? 0u - static_cast<std::uint32_t>(moved) : static_cast<std::uint32_t>(moved);
     if (travel > limits.travel_counts) return FaultCode::travel;
-    const bool hot = hardware_.hasTemperature && limits.temperature_degC > Scalar(0) &&
+    const bool hot = hardware_.hasTemperature && isPositive(limits.temperature_degC) &&
                      !(readings.temperature_degC <= limits.temperature_degC);
     return hot ? FaultCode::overTemperature : FaultCode::none;
   }
