@@ -9,6 +9,7 @@ namespace breakaway {
 namespace {
 
 constexpr double quiet = 0.005;                           ///< of the trip's current: the sensor's own noise and zero
+constexpr double nothing = 0.02;                          ///< of the current that voltage and motion foretell
 constexpr double still = 0.1;                             ///< of the voltage: the back-EMF of a shaft that stands
 constexpr double usualFactors[] = {0.25, 0.5, 2.0, 4.0};  ///< lines for edges, one channel for two
 
@@ -22,10 +23,6 @@ double foretoldCurrent(const MotorFigures& m) {
   return (m.voltage_V - m.backEmf_V_s_per_rad * m.velocity_rad_per_s) / m.resistance_ohm;
 }
 
-std::string speedText(double speed, Axis axis) {
-  return axis == Axis::rotary ? fmt::format("{:.0f} rad/s", speed) : fmt::format("{:.3g} m/s", speed);
-}
-
 /// The nearest factor that a wrong number of counts usually has.
 std::string factorText(double factor) {
   for (const double usual : usualFactors) {
@@ -36,12 +33,16 @@ std::string factorText(double factor) {
 
 }  // namespace
 
+std::string shaftSpeedText(double speed, Axis axis) {
+  return axis == Axis::rotary ? fmt::format("{:.0f} rad/s", speed) : fmt::format("{:.3g} m/s", speed);
+}
+
 WiringCause causeOf(const MotorFigures& m) {
   if (!(m.resistance_ohm > 0.0 && m.backEmf_V_s_per_rad > 0.0)) return WiringCause::unknown;
   const double V = m.voltage_V, resistive_V = m.resistance_ohm * m.current_A,
                induced_V = m.backEmf_V_s_per_rad * m.velocity_rad_per_s;
   const bool stands = std::abs(induced_V) < still * std::abs(V);
-  if (std::abs(m.current_A) < quiet * m.trip_A) {
+  if (std::abs(m.current_A) < std::max(quiet * m.trip_A, nothing * std::abs(foretoldCurrent(m)))) {
     if (stands) return WiringCause::leadOff;
     // What drives without a word accelerates; what has lost its lead runs down.
     return std::abs(m.velocity_rad_per_s) >= std::abs(m.before_rad_per_s) ? WiringCause::sensorDead
@@ -55,7 +56,7 @@ WiringCause causeOf(const MotorFigures& m) {
 
 std::string contradictionWords(const MotorFigures& m) {
   const double turns = electricalSpeed(m);
-  const std::string driven = speedText(turns, m.axis), shown = speedText(m.velocity_rad_per_s, m.axis);
+  const std::string driven = shaftSpeedText(turns, m.axis), shown = shaftSpeedText(m.velocity_rad_per_s, m.axis);
   switch (causeOf(m)) {
     case WiringCause::encoderReversed:
       return fmt::format(

@@ -28,6 +28,9 @@ enum class WiringCause {
   leadOff
 };
 
+/// With its unit.
+std::string shaftSpeedText(double speed, Axis axis);
+
 /// By the signature: which of current and motion is missing, or against the voltage; a motor that is driven has
 /// neither.
 WiringCause causeOf(const MotorFigures& motor);

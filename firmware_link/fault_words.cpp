@@ -17,6 +17,8 @@ std::string faultWords(const wire::Fault& fault, const FaultLimits& limits) {
     case FaultCode::blocked:
     case FaultCode::supplyHigh:
     case FaultCode::contradiction:
+    case FaultCode::overSpeed:
+    case FaultCode::windingHeat:
       return tripWords(static_cast<Trip>(fault.code),
                        {static_cast<double>(fault.current_A),
                         limits.trip_A,
@@ -29,9 +31,6 @@ std::string faultWords(const wire::Fault& fault, const FaultLimits& limits) {
                          static_cast<double>(fault.velocity_rad_per_s),
                          static_cast<double>(fault.meanVelocity_rad_per_s), static_cast<double>(fault.resistance_ohm),
                          static_cast<double>(fault.backEmf_V_s_per_rad), limits.trip_A, limits.axis}});
-    case FaultCode::overSpeed:
-      return fmt::format("over-speed: {:.0f} rad/s; check the velocity's target and the encoder's direction",
-                         std::abs(static_cast<double>(fault.velocity_rad_per_s)));
     case FaultCode::travel:
       return "the rotor went beyond the travel that the board allows; widen travel_limit_rad, or ask for less";
     case FaultCode::overTemperature:

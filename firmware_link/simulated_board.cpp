@@ -88,6 +88,7 @@ class SimulatedBoard final : public Drive {
   std::shared_ptr<Procedure> procedure_;
   uint64_t tickCount_ = 0;
   double owed_s_ = 0.0, commandLimit_A_ = 0.0;
+  bool follows_ = false;                    ///< a speed was commanded
   size_t lostTicks_ = 0, silentTicks_ = 0;  ///< not carried by the link: since the host was told, and in a row
 };
 
@@ -171,6 +172,7 @@ Result<void> SimulatedBoard::linearise(const DutyCurve& curve) {
 void SimulatedBoard::obey(const Command& command) {
   static_assert(static_cast<int>(Command::Mode::position) == static_cast<int>(ServoMode::position));
   commandLimit_A_ = command.current_limit_A;
+  follows_ = command.mode == Command::Mode::velocity;
   controller_.command(
       {static_cast<ServoMode>(command.mode), command.target, command.current_limit_A, command.zeroCurrentSensor});
 }
@@ -218,9 +220,9 @@ Sample SimulatedBoard::tick(const SimulatedRig::Reading& reading) {
 void SimulatedBoard::watch(const Sample& sample) {
   const double own_A = settings_.current_limit_A;
   const double limit_A = commandLimit_A_ > 0.0 ? std::min(commandLimit_A_, own_A) : own_A;
-  const BoardWatch<double>::Seen seen{sample.angle_rad, sample.current_A,         sample.current_reference_A,
-                                      limit_A,          sample.supply_V,          sample.enabled,
-                                      sample.voltage_V, sample.velocity_rad_per_s};
+  const BoardWatch<double>::Seen seen{
+      sample.angle_rad, sample.current_A, sample.current_reference_A, limit_A,  sample.supply_V,
+      sample.enabled,   sample.voltage_V, sample.velocity_rad_per_s,  follows_, sample.velocity_reference_rad_per_s};
   const Trip trip = watch_.step(seen);
   const bool runs = procedure_ != nullptr || sample.enabled;
   if (trip == Trip::none || !runs) return;

@@ -10,7 +10,9 @@ namespace breakaway {
 
 namespace {
 
-constexpr double least_m = 2e-4;  // travel of a linear axis that is motion
+constexpr double fastestPart = 0.95;    // of the speed without load: where nothing is left to brake with
+constexpr double continuousPart = 0.5;  // of the most current, for ever
+constexpr double least_m = 2e-4;        // travel of a linear axis that is motion
 
 double oneDigit(double value) {
   const double decade = std::pow(10.0, std::floor(std::log10(value)));
@@ -119,8 +121,10 @@ board::BoardHardware<Scalar> hardwareOf(const Rig& rig) {
   hardware.watch.backEmf_V_s_per_rad = hardware.servo.current.backEmfConstant_V_s_per_rad;
   hardware.start = namePlateSettings<Scalar>(rig, 0.6 * most_A);
   hardware.mostCurrent_A = static_cast<Scalar>(most_A);
-  hardware.mostVelocity_rad_per_s =
-      static_cast<Scalar>(1.5 * rig.bridge.supply_V / rig.backEmfConstant_V_s_per_rad * unit);
+  const double unloaded = rig.bridge.supply_V / rig.backEmfConstant_V_s_per_rad * unit;
+  hardware.mostVelocity_rad_per_s = static_cast<Scalar>(unloaded);
+  hardware.watch.mostVelocity_rad_per_s = static_cast<Scalar>(fastestPart * unloaded);
+  hardware.watch.continuous_A = static_cast<Scalar>(continuousPart * most_A);
   return hardware;
 }
 

@@ -35,6 +35,18 @@ std::string tripWords(Trip trip, const TripFigures& figures) {
           "the supply reads {:.1f} V where {:.1f} V belong: braking feeds it (add a brake resistor or brake more "
           "gently), or the board's divider is another one",
           figures.supply_V, figures.nominalSupply_V);
+    case Trip::overSpeed:
+      return fmt::format(
+          "over-speed: {}, more than the motor may turn at or more than half again what was asked for; check the "
+          "gains, "
+          "the encoder's direction and its counts, and whether a load drives the shaft",
+          shaftSpeedText(std::abs(figures.motor.velocity_rad_per_s), figures.motor.axis));
+    case Trip::windingHeat:
+      return fmt::format(
+          "the winding gets too hot: {:.1f} A now, and for a third of a minute more than it bears for ever; let it "
+          "cool, "
+          "and ask for less torque or free the shaft",
+          std::abs(figures.current_A));
     case Trip::contradiction:
       return contradictionWords(figures.motor);
     case Trip::none:

@@ -13,8 +13,10 @@ enum class Trip {
   supplyLow = 3,
   encoderJump = 4,
   blocked = 5,
+  overSpeed = 6,  ///< faster than the motor may turn, or than it was asked to
   supplyHigh = 10,
-  contradiction = 11  ///< voltage, current and motion don't belong to one motor
+  contradiction = 11,  ///< voltage, current and motion don't belong to one motor
+  windingHeat = 12     ///< more current for longer than the winding bears
 };
 
 /// Templated on the scalar, no heap, no library calls.
@@ -35,6 +37,8 @@ class BoardWatch {
     Scalar resistance_ohm = 0;                ///< of the motor; 0: nothing is foretold
     Scalar backEmf_V_s_per_rad = 0;
     Scalar inductance_H = 0;
+    Scalar mostVelocity_rad_per_s = 0;  ///< that the motor may turn at, whatever it is asked; 0: no limit
+    Scalar continuous_A = 0;            ///< that the winding bears for ever; 0: no limit
   };
   struct Seen {
     Scalar angle_rad = 0;  ///< the encoder's count as an angle
@@ -45,6 +49,8 @@ class BoardWatch {
     bool enabled = false;
     Scalar voltage_V = 0;  ///< that the winding gets
     Scalar velocity_rad_per_s = 0;
+    bool follows = false;        ///< a speed was asked for
+    Scalar asked_rad_per_s = 0;  ///< that speed
   };
   /// What the winding got, what flowed and how fast the encoder turned, over the last 20 ms.
   struct Motor {
@@ -55,9 +61,15 @@ class BoardWatch {
       : limits_(limits),
         least_V_(limits.leastSupply * limits.supply_V),
         most_V_(limits.mostSupply * limits.supply_V),
-        lost_V_(lostPart * limits.supply_V),
+        lost_V_(lostPart * limits.supply_V + limits.backEmf_V_s_per_rad * limits.count_rad / motorTime_s),
         share_(Scalar(steps) * limits.tick_s / motorTime_s),
-        inductance_(limits.tick_s > Scalar(0) ? limits.inductance_H / (Scalar(steps) * limits.tick_s) : Scalar(0)),
+        perRound_(limits.tick_s > Scalar(0) ? Scalar(1) / (Scalar(steps) * limits.tick_s) : Scalar(0)),
+        inductance_(limits.inductance_H * perRound_),
+        heatShare_(Scalar(steps) * limits.tick_s / heatTime_s),
+        cooling_(limits.tick_s / heatTime_s),
+        mostHeat_(limits.continuous_A * limits.continuous_A),
+        mostVelocity_rad_per_s_(limits.mostVelocity_rad_per_s),
+        aside_rad_per_s_(Scalar(0.05) * limits.mostVelocity_rad_per_s + Scalar(2) * limits.count_rad / motorTime_s),
         room_rad_(Scalar(4.5) * limits.count_rad + limits.mostAcceleration_rad_per_s2 * limits.tick_s * limits.tick_s),
         still_rad_(limits.blockedTravel_rad + limits.count_rad),
         lowFor_(ticksIn(limits.supplyLowFor_s)),
@@ -66,10 +78,14 @@ class BoardWatch {
   /// Forgets how long something has lasted; for a new command after a trip.
   void restart() { low_ = high_ = atLimit_ = 0; }
 
+  /// Draws the speed's limit tighter than the board's own, or wider; 0: none.
+  void limitVelocity(Scalar most_rad_per_s) { mostVelocity_rad_per_s_ = most_rad_per_s; }
+
   /// The angle's zero was moved; see ServoController::shift().
   void shift(Scalar by_rad) {
     angle_rad_ += by_rad;
     anchor_rad_ += by_rad;
+    roundStart_rad_ += by_rad;
   }
 
   Trip step(const Seen& seen) {
@@ -79,7 +95,7 @@ class BoardWatch {
     if (low_ > lowFor_) return Trip::supplyLow;
     high_ = isAbove(seen.supply_V, most_V_) ? high_ + 1 : 0;
     if (high_ > lowFor_) return Trip::supplyHigh;
-    if (contradicts(seen)) return Trip::contradiction;
+    if (const Trip motion = motor(seen); motion != Trip::none) return motion;
     if (jump != Trip::none) return jump;
     return blocked(seen);
   }
@@ -87,6 +103,8 @@ class BoardWatch {
   /// By how much the angle jumped at the last trip of that kind.
   Scalar jumped_rad() const { return jumped_rad_; }
   const Motor& motor() const { return motor_; }
+  /// What the speed was held to at the last trip of that kind.
+  Scalar heldTo_rad_per_s() const { return heldTo_rad_per_s_; }
   const Limits& limits() const { return limits_; }
 
  private:
@@ -94,8 +112,14 @@ class BoardWatch {
   // resistance and what falls with the current, a magnet's strength.
   static constexpr Scalar lostPart = Scalar(0.06), hotPart = Scalar(0.4), magnetPart = Scalar(0.15);
   static constexpr Scalar motorTime_s = Scalar(0.02);  ///< over which voltage, current and speed are smoothed
-  static constexpr int steps = 5;                      ///< ticks of a round, a few operations in each
-  static constexpr Scalar perRound = Scalar(1) / Scalar(steps);
+  static constexpr Scalar heatTime_s = Scalar(20);     ///< of the winding
+  static constexpr Scalar overshoot = Scalar(1.5);     ///< of the speed that was asked for
+  static constexpr Scalar slowing = Scalar(0.25);      ///< of the smoothing's rate, at which a lower speed is held to
+  static constexpr int steps = 8;                      ///< ticks of a round, a few operations in each
+  static constexpr Scalar perSampled = Scalar(0.25);   ///< voltage and current are seen in four of them
+  // Which ones: two even and two odd, each of the four remainders by four once, so that no ripple of two or four ticks
+  // stands in the mean.
+  static constexpr unsigned voltageTicks = 0b0110'1001u;
 
   /// Whole ticks, what is lacking to one by rounding apart.
   long ticksIn(Scalar duration_s) const {
@@ -122,35 +146,87 @@ class BoardWatch {
     return Trip::encoderJump;
   }
 
-  /// Voltage and current say how fast a motor turns, whatever the encoder shows. Smoothed values of one time are
-  /// compared, so that neither a ripple nor a step of the current counts.
-  bool contradicts(const Seen& seen) {
-    if (!seen.enabled || !(limits_.resistance_ohm > Scalar(0))) {
+  /// What voltage, current and encoder say together. Smoothed values of one time are compared, so that neither a ripple
+  /// nor a step of the current counts. A round's sums are worked on in the next one, a part in each tick.
+  Trip motor(const Seen& seen) {
+    if (!seen.enabled) {
       motor_ = last_ = sum_ = {};
       step_ = 0;
-      return false;
+      roundStart_rad_ = seen.angle_rad;
+      allowed_rad_per_s_ = magnitude(seen.velocity_rad_per_s) + aside_rad_per_s_;
+      heat_ -= cooling_ * heat_;
+      return Trip::none;
     }
-    sum_.voltage_V += seen.voltage_V;
-    sum_.current_A += seen.current_A;
-    sum_.velocity_rad_per_s += seen.velocity_rad_per_s;
-    if (step_ == 0) smooth(motor_.voltage_V, last_.voltage_V);
-    if (step_ == 1) inductive_V_ = inductance_ * smooth(motor_.current_A, last_.current_A);
-    if (step_ == 2) smooth(motor_.velocity_rad_per_s, last_.velocity_rad_per_s);
-    if (step_ == 3) {
-      resistive_V_ = limits_.resistance_ohm * motor_.current_A;
-      induced_V_ = limits_.backEmf_V_s_per_rad * motor_.velocity_rad_per_s;
+    if (step_ == steps) {
+      step_ = 0;
+      last_ = {sum_.voltage_V, sum_.current_A, seen.angle_rad - roundStart_rad_};
+      sum_ = {};
+      roundStart_rad_ = seen.angle_rad;
     }
-    if (++step_ < steps) return false;
-    step_ = 0;
-    last_ = sum_;
-    sum_ = {};
-    const Scalar usual_V = lost_V_ + hotPart * magnitude(resistive_V_) + magnetPart * magnitude(induced_V_);
-    return exceeds(motor_.voltage_V - resistive_V_ - induced_V_ - inductive_V_, usual_V);
+    if ((voltageTicks >> step_ & 1u) != 0) {
+      sum_.voltage_V += seen.voltage_V;
+    } else {
+      sum_.current_A += seen.current_A;
+    }
+    return part(step_++, seen);
   }
 
-  /// Takes a round's sum into its smoothed value; returns by how much that one changes.
-  Scalar smooth(Scalar& value, Scalar sum) const {
-    const Scalar change = share_ * (perRound * sum - value);
+  Trip part(int which, const Seen& seen) {
+    switch (which) {
+      case 0:
+        smooth(motor_.voltage_V, perSampled * last_.voltage_V);
+        break;
+      case 1:
+        inductive_V_ = inductance_ * smooth(motor_.current_A, perSampled * last_.current_A);
+        break;
+      case 2:
+        smooth(motor_.velocity_rad_per_s, perRound_ * last_.velocity_rad_per_s);
+        break;
+      case 3:
+        resistive_V_ = limits_.resistance_ohm * motor_.current_A;
+        induced_V_ = limits_.backEmf_V_s_per_rad * motor_.velocity_rad_per_s;
+        break;
+      case 4:
+        usual_V_ = lost_V_ + hotPart * magnitude(resistive_V_) + magnetPart * magnitude(induced_V_);
+        break;
+      case 5:
+        if (isPositive(limits_.resistance_ohm) &&
+            exceeds(motor_.voltage_V - resistive_V_ - induced_V_ - inductive_V_, usual_V_))
+          return Trip::contradiction;
+        break;
+      case 6:
+        heat_ += heatShare_ * (motor_.current_A * motor_.current_A - heat_);
+        if (isPositive(mostHeat_) && isAbove(heat_, mostHeat_)) return Trip::windingHeat;
+        break;
+      default:
+        if (tooFast(seen)) return Trip::overSpeed;
+    }
+    return Trip::none;
+  }
+
+  /// Beyond the motor's limit; or faster than was asked for, but what slows down after a change of the reference is
+  /// given the time for it.
+  bool tooFast(const Seen& seen) {
+    const Scalar size = magnitude(motor_.velocity_rad_per_s);
+    if (isPositive(mostVelocity_rad_per_s_) && exceeds(size, mostVelocity_rad_per_s_)) {
+      heldTo_rad_per_s_ = mostVelocity_rad_per_s_;
+      return true;
+    }
+    const Scalar present = size + aside_rad_per_s_;
+    if (!seen.follows) {
+      allowed_rad_per_s_ = present;
+      return false;
+    }
+    allowed_rad_per_s_ += slowing * share_ * (present - allowed_rad_per_s_);
+    const Scalar asked = overshoot * magnitude(seen.asked_rad_per_s) + aside_rad_per_s_;
+    if (exceeds(asked, allowed_rad_per_s_)) allowed_rad_per_s_ = asked;
+    heldTo_rad_per_s_ = allowed_rad_per_s_;
+    return isPositive(aside_rad_per_s_) && exceeds(size, allowed_rad_per_s_);
+  }
+
+  /// Takes a round's mean into its smoothed value; returns by how much that one changes.
+  Scalar smooth(Scalar& value, Scalar mean) const {
+    const Scalar change = share_ * (mean - value);
     value += change;
     return change;
   }
@@ -168,11 +244,17 @@ class BoardWatch {
   Limits limits_;
   Scalar least_V_, most_V_;                                      ///< supply that counts as dropped, as fed
   Scalar lost_V_, share_;                                        ///< of the motor's voltage; of a new value in its mean
+  Scalar perRound_;                                              ///< one over a round's time
   Scalar inductance_;                                            ///< per time of a round, V per A of change
+  Scalar heatShare_, cooling_, mostHeat_;                        ///< of a round, of a tick; A²
+  Scalar mostVelocity_rad_per_s_, aside_rad_per_s_;              ///< whatever is asked; beyond what is asked
   Scalar room_rad_, still_rad_;                                  ///< change and travel that are none
   long lowFor_, blockedFor_, low_ = 0, high_ = 0, atLimit_ = 0;  ///< ticks
-  Motor motor_, last_, sum_;                                     ///< smoothed; sums of the round before, of this one
-  Scalar resistive_V_ = 0, induced_V_ = 0, inductive_V_ = 0;
+  Motor motor_;                                                  ///< smoothed
+  Motor last_, sum_;  ///< sums of the round before, of this one; the angle's change for the speed
+  Scalar resistive_V_ = 0, induced_V_ = 0, inductive_V_ = 0, usual_V_ = 0;
+  Scalar heat_ = 0, allowed_rad_per_s_ = 0, heldTo_rad_per_s_ = 0;
+  Scalar roundStart_rad_ = 0;
   int step_ = 0;  ///< of the round
   Scalar angle_rad_ = 0, change_rad_ = 0, jumped_rad_ = 0, anchor_rad_ = 0;
   int ticks_ = 0;  ///< seen, up to two

@@ -19,7 +19,6 @@ namespace breakaway::board {
 template <typename Scalar>
 struct TickLimits {
   static constexpr std::uint32_t noTravelLimit = 0xffffffffu;
-  Scalar velocity_rad_per_s = 0;
   std::uint32_t travel_counts = noTravelLimit;
   Scalar temperature_degC = 0;
 };
@@ -51,6 +50,7 @@ class ControlTick {
   void compensate(const FrictionTable<Scalar>& friction, Scalar cutoff_rad_per_s) {
     servo_.compensateSoon(friction, cutoff_rad_per_s);
   }
+  void limitVelocity(Scalar most_rad_per_s) { watch_.limitVelocity(most_rad_per_s); }
   void linearise(const DutyTable<Scalar>& bridge) { servo_.linearise(bridge); }
 
   void command(const wire::MotorCommand& wanted) {
@@ -188,13 +188,15 @@ class ControlTick {
     using wire::FaultCode;
     static_assert(static_cast<int>(FaultCode::blocked) == static_cast<int>(Trip::blocked) &&
                   static_cast<int>(FaultCode::overCurrent) == static_cast<int>(Trip::overCurrent) &&
+                  static_cast<int>(FaultCode::overSpeed) == static_cast<int>(Trip::overSpeed) &&
+                  static_cast<int>(FaultCode::windingHeat) == static_cast<int>(Trip::windingHeat) &&
                   static_cast<int>(FaultCode::supplyHigh) == static_cast<int>(Trip::supplyHigh) &&
                   static_cast<int>(FaultCode::contradiction) == static_cast<int>(Trip::contradiction));
-    const Trip trip = watch_.step({angle_rad, out.current_A, out.current_reference_A, limit_A(), readings.supply_V,
-                                   out.enabled, out.voltage_V, out.velocity_rad_per_s});
+    const Trip trip = watch_.step(
+        {angle_rad, out.current_A, out.current_reference_A, limit_A(), readings.supply_V, out.enabled, out.voltage_V,
+         out.velocity_rad_per_s, wanted_.mode == wire::MotorCommand::Mode::velocity, out.velocity_reference_rad_per_s});
     if (!out.enabled && !watched_) return FaultCode::none;
     if (trip != Trip::none) return static_cast<FaultCode>(trip);
-    if (exceeds(out.velocity_rad_per_s, limits.velocity_rad_per_s)) return FaultCode::overSpeed;
     const std::int32_t moved = difference(count_, travelStart_);
     const std::uint32_t travel = moved < 0 ? 0u - static_cast<std::uint32_t>(moved) : static_cast<std::uint32_t>(moved);
     if (travel > limits.travel_counts) return FaultCode::travel;

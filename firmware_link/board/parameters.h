@@ -96,8 +96,7 @@ class Parameters {
     begin(Parameter::velocityLimit, s.gains.velocity_limit_rad_per_s, hardware.mostVelocity_rad_per_s);
     begin(Parameter::lease, Scalar(longestLease_s), Scalar(longestLease_s));
     least_[static_cast<std::size_t>(Parameter::lease)] = 0.02f;
-    const Scalar tooFast = Scalar(1.2) * hardware.mostVelocity_rad_per_s;
-    begin(Parameter::velocityTrip, tooFast, tooFast);
+    begin(Parameter::velocityTrip, hardware.watch.mostVelocity_rad_per_s, hardware.watch.mostVelocity_rad_per_s);
     begin(Parameter::temperatureLimit, hardware.hasTemperature ? Scalar(80) : Scalar(0), Scalar(120));
     begin(Parameter::currentTrip, hardware.watch.trip_A);
     begin(Parameter::blockedFor, hardware.watch.blockedFor_s);

@@ -338,7 +338,7 @@ class ReferenceBoard {
   void obeyParameters() {
     leaseTicks_ = ticksOf(parameters_.scalar(Parameter::lease));
     const Scalar travel = parameters_.scalar(Parameter::travelLimit) / hardware_.servo.count_rad;
-    limits_.velocity_rad_per_s = parameters_.scalar(Parameter::velocityTrip);
+    control_.limitVelocity(parameters_.scalar(Parameter::velocityTrip));
     const bool free = !(travel > Scalar(0) && travel < Scalar(2e9));
     limits_.travel_counts = free ? TickLimits<Scalar>::noTravelLimit : static_cast<std::uint32_t>(travel);
     limits_.temperature_degC = parameters_.scalar(Parameter::temperatureLimit);

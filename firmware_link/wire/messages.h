@@ -189,7 +189,8 @@ enum class FaultCode : std::uint8_t {
   overTemperature = 8,
   leaseExpired = 9,
   supplyHigh = 10,
-  contradiction = 11
+  contradiction = 11,
+  windingHeat = 12
 };
 
 struct Alive {

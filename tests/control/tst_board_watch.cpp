@@ -16,6 +16,13 @@ class TestBoardWatch : public QObject {
   void supplyDrop_tripsAfterAMoment();
   void standingAtTheLimit_isBlockedAfterItsTime();
   void creepingAtTheLimit_isNotBlocked();
+  void fasterThanAsked_tripsSoon_data();
+  void fasterThanAsked_tripsSoon();
+  void slowingDown_isLeftAlone_data();
+  void slowingDown_isLeftAlone();
+  void heat_tripsWhenTheWindingHasIt();
+  void ripple_isNoContradiction_data();
+  void ripple_isNoContradiction();
 };
 
 namespace {
@@ -122,6 +129,100 @@ void TestBoardWatch::creepingAtTheLimit_isNotBlocked() {
     Watch::Seen seen = sound(0.05 * k * tick_s);
     seen.current_A = 6.9;
     QVERIFY(watch.step(seen) == Trip::none);
+  }
+}
+
+namespace {
+
+/// A motor of 1.2 ohm and 0.07 V s/rad that voltage, current and speed agree on.
+struct Turning {
+  Watch watch;
+  double angle_rad = 0.0, current_A = 0.5;
+
+  static Watch::Limits motorLimits() {
+    Watch::Limits own = limits();
+    own.resistance_ohm = 1.2;
+    own.backEmf_V_s_per_rad = 0.07;
+    own.mostVelocity_rad_per_s = 320.0;
+    own.continuous_A = 4.0;
+    return own;
+  }
+  Turning() : watch(motorLimits()) {}
+  Trip tick(double velocity, bool follows, double asked, double ripple_V = 0.0) {
+    angle_rad += velocity * tick_s;
+    Watch::Seen seen = sound(angle_rad);
+    seen.current_A = seen.wanted_A = current_A;
+    seen.voltage_V = 1.2 * current_A + 0.07 * velocity + ripple_V;
+    seen.velocity_rad_per_s = velocity;
+    seen.follows = follows;
+    seen.asked_rad_per_s = asked;
+    return watch.step(seen);
+  }
+};
+
+}  // namespace
+
+void TestBoardWatch::fasterThanAsked_tripsSoon_data() {
+  QTest::addColumn<double>("asked");
+  QTest::addColumn<double>("speed");
+  QTest::newRow("stands by command") << 0.0 << 30.0;
+  QTest::newRow("the other way") << 5.0 << -60.0;
+  QTest::newRow("twice as fast") << 100.0 << 200.0;
+  QTest::newRow("no limit asked for") << 1000.0 << 330.0;
+}
+
+/// A motor that comes to its wrong speed within 50 ms is stopped in less than 100 ms.
+void TestBoardWatch::fasterThanAsked_tripsSoon() {
+  QFETCH(double, asked);
+  QFETCH(double, speed);
+  Turning motor;
+  for (int k = 0; k < 500; ++k) QVERIFY(motor.tick(0.0, true, asked) == Trip::none);
+  Trip trip = Trip::none;
+  for (int k = 0; k < 500 && trip == Trip::none; ++k) trip = motor.tick(speed * std::min(1.0, k / 250.0), true, asked);
+  QVERIFY(trip == Trip::overSpeed);
+}
+
+void TestBoardWatch::slowingDown_isLeftAlone_data() {
+  QTest::addColumn<double>("slowing");
+  for (const double slowing : {50.0, 500.0, 5000.0}) QTest::addRow("%.0f rad/s2", slowing) << slowing;
+}
+
+void TestBoardWatch::slowingDown_isLeftAlone() {
+  QFETCH(double, slowing);
+  Turning motor;
+  for (int k = 0; k < 2000; ++k) QVERIFY(motor.tick(200.0, true, 200.0) == Trip::none);
+  double speed = 200.0;
+  for (int k = 0; k < 20; ++k) QVERIFY(motor.tick(speed += 3000.0 * tick_s, true, 2.0) == Trip::none);  // still rising
+  for (; speed > 2.0; speed -= slowing * tick_s) QVERIFY(motor.tick(speed, true, 2.0) == Trip::none);
+  // What was thrown about in current mode is caught by a speed.
+  for (int k = 0; k < 2000; ++k) QVERIFY(motor.tick(300.0 * k / 2000.0, false, 0.0) == Trip::none);
+  for (speed = 300.0; speed > 2.0; speed -= slowing * tick_s) QVERIFY(motor.tick(speed, true, 2.0) == Trip::none);
+}
+
+/// Twice the current that the winding bears for ever, for ln(4/3) of its 20 s.
+void TestBoardWatch::heat_tripsWhenTheWindingHasIt() {
+  Turning motor;
+  motor.current_A = 4.0;
+  for (int k = 0; k < 300000; ++k) QVERIFY(motor.tick(20.0, true, 20.0) == Trip::none);
+  Turning hotter;
+  hotter.current_A = 8.0;
+  int ticks = 0;
+  while (ticks < 100000 && hotter.tick(20.0, true, 20.0) == Trip::none) ++ticks;
+  QVERIFY2(std::abs(ticks * tick_s - 20.0 * std::log(4.0 / 3.0)) < 0.2, qPrintable(QString::number(ticks * tick_s)));
+}
+
+void TestBoardWatch::ripple_isNoContradiction_data() {
+  QTest::addColumn<int>("period");
+  for (const int period : {2, 4, 8}) QTest::addRow("%d ticks", period) << period;
+}
+
+/// A voltage that goes to and fro by two thirds of the supply, too fast for current and speed.
+void TestBoardWatch::ripple_isNoContradiction() {
+  QFETCH(int, period);
+  Turning motor;
+  for (int k = 0; k < 5000; ++k) {
+    const double ripple_V = k % period < period / 2 ? 16.0 : -16.0;
+    QVERIFY2(motor.tick(60.0, true, 60.0, ripple_V) == Trip::none, qPrintable(QString::number(k)));
   }
 }
 

@@ -34,6 +34,11 @@ inline board::BoardHardware<float> wiredHardware() {
   hardware.watch.trip_A = 0.95f * range_A;
   hardware.watch.supply_V = supply_V;
   hardware.watch.mostAcceleration_rad_per_s2 = 3.0f * range_A * 0.07f / 6e-5f;
+  hardware.watch.resistance_ohm = hardware.servo.current.resistance_ohm;
+  hardware.watch.inductance_H = hardware.servo.current.inductance_H;
+  hardware.watch.backEmf_V_s_per_rad = hardware.servo.current.backEmfConstant_V_s_per_rad;
+  hardware.watch.mostVelocity_rad_per_s = 0.95f * supply_V / 0.07f;
+  hardware.watch.continuous_A = 0.375f * range_A;
   hardware.start.gains = tuneMotion(6e-5f, 0.07f, 60.0f, 40.0f);
   hardware.start.gains.velocity_limit_rad_per_s = 0.6f * supply_V / 0.07f;
   hardware.start.observer_cutoff_rad_per_s = tuneObserver(tick_s, boardVelocityBandwidth_rad_per_s(tick_s));
@@ -41,7 +46,7 @@ inline board::BoardHardware<float> wiredHardware() {
   hardware.start.torqueConstant_Nm_per_A = 0.07f;
   hardware.start.current_limit_A = 0.5f * range_A;
   hardware.mostCurrent_A = 0.75f * range_A;
-  hardware.mostVelocity_rad_per_s = 1.5f * supply_V / 0.07f;
+  hardware.mostVelocity_rad_per_s = supply_V / 0.07f;
   return hardware;
 }
 

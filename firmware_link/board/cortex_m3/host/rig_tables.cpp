@@ -92,7 +92,12 @@ std::string hardwareText(const Rig& rig, const std::string& name) {
                                     {"count_rad", number(h.watch.count_rad)},
                                     {"trip_A", number(h.watch.trip_A)},
                                     {"supply_V", number(h.watch.supply_V)},
-                                    {"mostAcceleration_rad_per_s2", number(h.watch.mostAcceleration_rad_per_s2)}});
+                                    {"mostAcceleration_rad_per_s2", number(h.watch.mostAcceleration_rad_per_s2)},
+                                    {"resistance_ohm", number(h.watch.resistance_ohm)},
+                                    {"backEmf_V_s_per_rad", number(h.watch.backEmf_V_s_per_rad)},
+                                    {"inductance_H", number(h.watch.inductance_H)},
+                                    {"mostVelocity_rad_per_s", number(h.watch.mostVelocity_rad_per_s)},
+                                    {"continuous_A", number(h.watch.continuous_A)}});
   const std::string motion = fields({{"velocity_kp_A_s_per_rad", number(gains.velocity_kp_A_s_per_rad)},
                                      {"velocity_ki_A_per_rad", number(gains.velocity_ki_A_per_rad)},
                                      {"velocity_kd_A_s2_per_rad", number(gains.velocity_kd_A_s2_per_rad)},
