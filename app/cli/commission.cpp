@@ -12,6 +12,7 @@
 #include "cli/command.h"
 #include "cli/inputs.h"
 #include "commission/commission_progress.h"
+#include "commission/held_beliefs.h"
 #include "commission/motor_file.h"
 #include "experiment/abilities.h"
 #include "firmware_link/presets.h"
@@ -31,7 +32,7 @@ struct CommissionLine {
   unsigned seed = 1;
   size_t bins = 180, turns = 2;
   double run_s = SweepSettings{}.speedRun_s;
-  bool resume = false, anew = false, namesBins = false, namesTurns = false, namesRun = false;
+  bool resume = false, anew = false, anyway = false, namesBins = false, namesTurns = false, namesRun = false;
 };
 
 /// The bench file that was named, or the one beside a simulated rig.
@@ -74,6 +75,8 @@ class WatchedInterrupt {
 };
 
 Error withAdvice(const Error& error, const std::string& folder) {
+  if (error.place == contradictionPlace)
+    return {error.place, error.fact + "; mend it and begin with --anew, or go on with --resume --anyway"};
   return {error.place, error.fact + "; what was measured is kept in " + folder + ", go on with --resume"};
 }
 
@@ -189,16 +192,17 @@ Outcome runCommission(const CommissionLine& line) {
   if (auto taken = takeAddedInertia(line, (*drive)->identity().axis, options); !taken)
     return Result<Answer>(taken.error());
   options.sweeps.speedRun_s = line.run_s;
+  options.anyway = line.anyway;
   if (progressIsWatched()) {
     options.progress = [](double part, const std::string& activity) {
       std::fprintf(stderr, "\r\033[K%3.0f %%  %s", 100.0 * part, activity.c_str());
     };
   }
+  const WatchedInterrupt interrupt;
+  options.interrupted = [] { return interruptAsked != 0; };
   auto out = OutputFolder::open(outputOf(line));
   if (!out) return Result<Answer>(out.error());
   if (auto begun = beginFolder(line, options); !begun) return Result<Answer>(begun.error());
-  const WatchedInterrupt interrupt;
-  options.interrupted = [] { return interruptAsked != 0; };
   bool kept = false;
   options.keepProgress = [&](const Commission& progress) {
     kept = true;
@@ -256,6 +260,8 @@ void addCommission(CLI::App& app, Job& chosen) {
   command->add_flag("--motor-only", line->motorOnly,
                     "end once the motor is identified: bench.json and motor.json only");
   command->add_flag("--anew", line->anew, "give up the interrupted job in the folder, and begin anew");
+  command->add_flag("--anyway", line->anyway,
+                    "go on where the bench file contradicts the board or what is measured; the results say so");
   auto* run = command->add_option("--run-s", line->run_s,
                                   "seconds at each speed of the velocity sweep; with --resume the interrupted job's");
   run->capture_default_str()->check(CLI::Range(2.0, 120.0));

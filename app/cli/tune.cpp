@@ -1,3 +1,4 @@
+#include <fmt/core.h>
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -6,6 +7,7 @@
 #include "base/output_folder.h"
 #include "cli/command.h"
 #include "cli/inputs.h"
+#include "motor/beliefs.h"
 #include "report/tuning_report.h"
 #include "stability/bench_loop.h"
 
@@ -13,11 +15,13 @@ namespace breakaway::cli {
 
 namespace {
 
+constexpr double worthSaying = 0.02;                // of the stall current, in the current's noise
 constexpr double perHalfInterval = 1.0 / normal95;  // a standard error per half of a 95 % interval
 
 struct TuneLine {
   std::string bench, stiffness = "medium", out;
   BoardTiming timing;
+  bool anyway = false;
   double inertiaError_percent = 5.0, torqueConstantError_percent = 2.7, currentNoise_A = 0.018, currentLimit_A = 0.0;
 };
 
@@ -25,9 +29,37 @@ Estimate within(double value, double percent) {
   return {value, 0.01 * percent * perHalfInterval * value};
 }
 
+/// A file that contradicts itself is refused, or keeps the remark.
+Result<void> holdToItself(const TuneLine& line, Bench& bench) {
+  const auto contradiction = selfContradictionOf(bench);
+  if (!contradiction) return {};
+  if (!line.anyway)
+    return Error{line.bench + ", field motor." + contradiction->place, contradiction->fact + "; --anyway goes on"};
+  bench.remarks.push_back("In spite of a contradiction: " + contradiction->message() + ".");
+  return {};
+}
+
+/// The current's noise against the limit, or where none is given against what the standing motor draws at full supply.
+struct NoiseShare {
+  double noise_A = 0.0, most_A = 0.0;
+  bool given = false;
+  double share() const { return most_A > 0.0 ? noise_A / most_A : 0.0; }
+  std::string inWords() const {
+    return fmt::format("the current's noise, {:.3g} A rms, is {:.3g} % of {} of {:.3g} A", noise_A, 100.0 * share(),
+                       given ? "the current limit" : "the stall current U/R", most_A);
+  }
+};
+
+NoiseShare noiseShareOf(const TuningStudy& study, const Bench& bench) {
+  NoiseShare noise{study.tuning.noise.currentReference_A, study.loop.settings.current_limit_A, true};
+  if (noise.most_A > 0.0 || !bench.supply_V || !bench.motor.resistance_ohm) return noise;
+  return {noise.noise_A, *bench.supply_V / *bench.motor.resistance_ohm, false};
+}
+
 Result<Answer> runTune(const TuneLine& line) {
-  const auto bench = readBench(line.bench);
+  auto bench = readBench(line.bench);
   if (!bench) return bench.error();
+  if (auto held = holdToItself(line, *bench); !held) return held.error();
   auto out =
       OutputFolder::open({line.out,
                           "tune",
@@ -44,13 +76,20 @@ Result<Answer> runTune(const TuneLine& line) {
                            within(loop->motor.torqueConstant_Nm_per_A, line.torqueConstantError_percent), options);
   if (!study) return Error{line.bench + ", " + study.error().place, study.error().fact};
   study->axis = bench->axis;
+  const NoiseShare noise = noiseShareOf(*study, *bench);
+  if (noise.share() > 1.0 && !line.anyway)
+    return Error{line.bench, noise.inWords() + "; check inertia, constants and encoder; --anyway goes on"};
+  if (noise.share() > 1.0) bench->remarks.push_back("In spite of noise: " + noise.inWords() + ".");
   const auto written = out->fill([&](const std::string& folder) { return writeTuning(*study, *bench, folder); });
   if (!written) return written.error();
   std::string words = out->inWords() + inWords(*study) + "\n";
   if (!bench->countsPerUnit)
     words += "The bench file has no encoder." + std::string(motorNames(bench->axis).counts) +
              ", so the noise is the current sensor's alone.\n";
+  if (!noise.given && noise.share() > worthSaying) words += "No current limit is given: " + noise.inWords() + ".\n";
+  for (const std::string& remark : bench->remarks) words += remark + "\n";
   auto json = nlohmann::ordered_json::parse(tuningJson(*study, bench->name));
+  if (!bench->remarks.empty()) json["remarks"] = bench->remarks;
   json["tuning"] = line.out + "/tuning.json";
   return Answer{words + "Tuning: " + line.out + "/tuning.json\n", asText(json)};
 }
@@ -99,6 +138,9 @@ void addTune(CLI::App& app, Job& chosen) {
                    "of the board's current loop in rad/s; 0: as the boards have it")
       ->capture_default_str()
       ->check(CLI::NonNegativeNumber);
+  command->add_flag(
+      "--anyway", line->anyway,
+      "tune where the bench file contradicts itself or the noise is beyond the current; bench.json says so");
   command
       ->add_option("--out", line->out,
                    "folder for tuning.json, bench.json with the controller, root_locus.csv, response.csv, noise.csv, "

@@ -25,6 +25,8 @@ struct CommissionOptions {
   double shortStep_s = 20.0;
   size_t mostRows = 150000;  ///< of one recording, by further decimation
   bool keepRecordings = true;
+  /// Beliefs that contradict what is measured end the job (held_beliefs.h), unless it goes on anyway and says so.
+  bool anyway = false;
   /// What doesn't fit to what is asked or found now is measured anew, with a remark; else it is an error.
   bool measuresAnew = false;
   /// The controller is given back as it was found, unless it is tuned for use.

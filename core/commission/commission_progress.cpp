@@ -88,6 +88,7 @@ std::string stateText(const Commission& progress) {
             {"part", progress.part},
             {"rig_time_s", progress.rigTime_s},
             {"remarks", progress.remarks},
+            {"contradictions", progress.contradictions},
             {"runs", progress.runs.size()},
             {"strokes", progress.strokes.size()}};
   if (progress.travel)
@@ -241,6 +242,7 @@ Result<Commission> readProgress(const std::string& folder) {
   progress.part = countOf(*root, "part");
   progress.rigTime_s = root->number("rig_time_s", Allowed::nonNegative);
   progress.remarks = root->texts("remarks");
+  progress.contradictions = root->texts("contradictions");
   const size_t runs = countOf(*root, "runs", mostFiles);
   const size_t strokes = root->has("strokes") ? countOf(*root, "strokes", mostFiles) : 0;
   if (root->has("travel")) {

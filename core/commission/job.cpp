@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/made.h"
+#include "commission/held_beliefs.h"
 #include "commission/measured_bench.h"
 
 namespace breakaway {
@@ -60,6 +61,7 @@ Result<void> Job::prepare(Drive& drive) {
   known_.sweeps = asked.sweeps;
   known_.trustedTorqueConstant_Nm_per_A = asked.trustedTorqueConstant_Nm_per_A;
   known_.addedInertia_kg_m2 = asked.addedInertia_kg_m2;
+  if (auto held = holdDeclarations(options_, known_); !held) return held;
   // Somebody else may have set the board since.
   if (drive.settings() != known_.settings) known_.facts.remove({Known::carefulGains, Known::gainsInUse});
   known_.settings = drive.settings();

@@ -50,6 +50,13 @@ void Commission::remark(const std::string& text) {
   if (std::find(remarks.begin(), remarks.end(), text) == remarks.end()) remarks.push_back(text);
 }
 
+void Commission::contradict(const std::string& text) {
+  const std::string whole = "In spite of a contradiction: " + text + ".";
+  remark(whole);
+  if (std::find(contradictions.begin(), contradictions.end(), whole) == contradictions.end())
+    contradictions.push_back(whole);
+}
+
 void Commission::forget(const Facts& named) {
   const Facts gone = withComputed(named);
   facts.remove(gone);

@@ -17,6 +17,14 @@ BenchController controllerOf(const ControllerSettings& settings) {
           settings.current_limit_A};
 }
 
+/// What is measured takes the place of what was trusted; a trusted inertia was the scale that the current was measured
+/// by, and stays.
+void withdrawTrust(Bench& bench) {
+  const bool inertia = bench.trusted.contains(motorNames(bench.axis).inertia);
+  bench.trusted.clear();
+  if (inertia) bench.trusted.insert(motorNames(bench.axis).inertia);
+}
+
 }  // namespace
 
 Bench measuredBench(const Commission& done, const CommissionOptions& options) {
@@ -29,6 +37,8 @@ Bench measuredBench(const Commission& done, const CommissionOptions& options) {
   bench.dutyCurve = motor.dutyCurve;
   bench.countsPerUnit = done.identity.countsPerRev;
   bench.motor.torqueConstant = motor.torquePerShownAmpere_Nm();
+  withdrawTrust(bench);
+  bench.remarks = done.contradictions;
   bench.motor.backEmfConstant = motor.backEmfConstant_V_s_per_rad.value;
   bench.motor.resistance_ohm = done.shownResistance_ohm;
   if (motor.inductance_H.value > 0.0) bench.motor.inductance_H = motor.inductance_H.value / motor.currentGain.value;

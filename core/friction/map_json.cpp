@@ -116,6 +116,10 @@ Result<FrictionMap> readMapJson(const Json& json, const std::string& place) {
   map.viscousAverage_Nm_s_per_rad = reader.estimate(name("viscous_average_Nm_s_per_rad"));
   if (json.contains(name("stribeck_velocity_rad_per_s")))
     map.stribeckVelocity_rad_per_s = reader.estimate(name("stribeck_velocity_rad_per_s"));
+  for (const Json& remark : json.value("remarks", Json::array())) {
+    if (!remark.is_string()) reader.fault("remarks", "expected texts");
+    if (remark.is_string()) map.remarks.push_back(remark.get<std::string>());
+  }
   const auto columns = readBins(json["bins"], map.axis, reader);
   for (const MapColumn& column : columns) {
     const bool count = column.name.rfind("samples", 0) == 0;
@@ -151,6 +155,7 @@ std::string mapJsonText(const FrictionMap& map) {
   if (map.stribeckVelocity_rad_per_s.value > 0.0)
     json[name("stribeck_velocity_rad_per_s")] = estimateJson(map.stribeckVelocity_rad_per_s);
   for (size_t w = 0; w < 2; ++w) json[name("turn_static_Nm")][wayNames[w]] = map.turnStatic_Nm[w];
+  if (!map.remarks.empty()) json["remarks"] = map.remarks;
   const auto columns = mapTable(map);
   json["bins"] = Json::array();
   for (size_t k = 0; k < map.bins.size(); ++k) {

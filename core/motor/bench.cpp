@@ -147,6 +147,7 @@ Result<Bench> readBench(JsonObject root) {
     }
   }
   if (root.has("controller")) readController(root.object("controller"), bench.controller);
+  bench.remarks = root.texts("remarks");
   if (const auto done = root.finish(); !done) return done.error();
   return bench;
 }
@@ -237,6 +238,7 @@ Result<void> writeBench(const Bench& bench, const std::string& path) {
                               {"nominal_torque_constant_Nm_per_A", controller.nominalTorqueConstant},
                               {"current_limit_A", controller.currentLimit_A}};
   }
+  if (!bench.remarks.empty()) json["remarks"] = bench.remarks;
   return writeFile(path, withMade(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"));
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "base/axis.h"
 #include "base/result.h"
@@ -60,6 +61,7 @@ struct Bench {
   std::set<std::string> trusted;  ///< contract names, e.g. "torque_constant_Nm_per_A"
   std::optional<Pendulum> pendulum;
   BenchController controller;
+  std::vector<std::string> remarks;  ///< contradictions that whoever wrote it went on in spite of
 
   /// One encoder count in rad or m; 0 when the encoder is not declared.
   double count() const;

@@ -19,6 +19,7 @@ class TestTune : public QObject {
   void stiffness_changesTheGains();
   void moreDoubt_isSaidAndCostsGain();
   void motorWithoutWinding_isTunedWithAnIdealCurrent();
+  void contradiction_isGoneOnWithAndStaysInTheFile();
   void linearAxis_isTunedInItsOwnUnits();
   void wrongInput_getsOneLine_data();
   void wrongInput_getsOneLine();
@@ -112,6 +113,16 @@ void TestTune::motorWithoutWinding_isTunedWithAnIdealCurrent() {
   QCOMPARE(valueAt(tuningIn(folder, "t"), "loop/current_path").toString(), QString("ideal"));
 }
 
+void TestTune::contradiction_isGoneOnWithAndStaysInTheFile() {
+  const TemporaryFolder folder;
+  folder.write("b.json",
+               QByteArray(servo).replace("0.07,", "0.15, \"back_emf_constant_V_s_per_rad\": 0.07,").toStdString());
+  const Outcome outcome = tune(folder, "--bench b.json --out t --anyway");
+  QVERIFY2(outcome.status == 0 && outcome.out.contains("In spite of a contradiction"), qPrintable(outcome.err));
+  const auto bench = readBench(folder.path("t/bench.json"));
+  QVERIFY(bench.ok() && bench->remarks.size() == 1);
+}
+
 void TestTune::linearAxis_isTunedInItsOwnUnits() {
   const TemporaryFolder folder;
   folder.write("b.json", R"({"schema": "breakaway.bench/1", "axis": "linear", "encoder": {"counts_per_m": 1000000},
@@ -146,6 +157,12 @@ void TestTune::wrongInput_getsOneLine_data() {
                           << "b.json, field motor.force_constant_N_per_A: is missing";
   QTest::newRow("tick") << "--bench b.json --out t --tick-s 0" << good << "--tick-s";
   QTest::newRow("doubt") << "--bench b.json --out t --inertia-error 120" << good << "--inertia-error";
+  QTest::newRow("inertia in g cm2") << "--bench b.json --out t" << QByteArray(good).replace("6e-5", "600")
+                                    << "b.json, field motor.inertia_kg_m2: is 600: with resistance_ohm 1.2";
+  QTest::newRow("mNm/A") << "--bench b.json --out t"
+                         << QByteArray(good).replace("0.07,", "70, \"back_emf_constant_V_s_per_rad\": 0.07,")
+                         << "field motor.torque_constant_Nm_per_A: is 70, but back_emf_constant_V_s_per_rad is 0.07: "
+                            "1000 times as much, as in mNm/A";
   QTest::newRow("no bench") << "--bench c.json --out t" << good << "c.json: cannot be read";
 }
 

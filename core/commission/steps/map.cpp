@@ -40,6 +40,7 @@ class Map : public Step {
     if (!map) return map.error();
     known.map = std::move(*map);
     known.map.settings = known.howMeasured;
+    known.map.remarks = known.contradictions;
     takeAverages(known);
     return StepEnd::over;
   }

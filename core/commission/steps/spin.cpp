@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "commission/held_beliefs.h"
 #include "commission/motor_tests.h"
 #include "commission/steps.h"
 #include "experiment/spin_test.h"
@@ -50,6 +51,7 @@ class Spin : public Step {
                                     0.3 * known.identity.supply_V;
     if (slow && !slowly_) return StepEnd::again;
     if (!motor) return Error{"03-spin", motor.error().message()};
+    if (auto held = holdMotor(*motor, on.options, known); !held) return held.error();
     known.motor = tests.rough = *motor;
     tests.bridge.moving = {spin_->blocks()};
     const double Kt = motor->torqueConstant_Nm_per_A.value, Ke = motor->backEmfConstant_V_s_per_rad.value;

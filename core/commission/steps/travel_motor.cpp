@@ -1,6 +1,7 @@
 // The motor, the bridge and the mass of a linear axis, by strokes by voltage.
 #include <algorithm>
 
+#include "commission/held_beliefs.h"
 #include "commission/motor_tests.h"
 #include "commission/steps.h"
 #include "experiment/travel_strokes.h"
@@ -68,6 +69,7 @@ class TravelMotor : public Step {
     tests.bridge.moving = {strokes_->blocks()};
     const auto motor = identify(tests, block_s_, trustedConstant(on.options), on.known);
     if (!motor) return Error{"04-strokes", motor.error().message()};
+    if (auto held = holdMotor(*motor, on.options, on.known); !held) return held.error();
     on.known.motor = *motor;
     return StepEnd::over;
   }

@@ -102,17 +102,16 @@ std::optional<ClockTime> readClock(std::string_view text) {
   if (text.empty() || text.front() < '0' || text.front() > '9') return std::nullopt;
   Reading reading(text);
   ClockTime time;
-  if (Reading days = reading; true) {  // a span of time: "0 days 00:00:01.5"
-    const int64_t count = days.digits(1, 6);
+  Reading days = reading;  // a span of time: "0 days 00:00:01.5"
+  const int64_t count = days.digits(1, 6);
+  days.skipBlanks();
+  if (count >= 0 && days.takeWord("day")) {
+    days.takeOneOf("s");
+    days.takeOneOf(",");
     days.skipBlanks();
-    if (count >= 0 && days.takeWord("day")) {
-      days.takeOneOf("s");
-      days.takeOneOf(",");
-      days.skipBlanks();
-      if (days.atEnd()) return std::nullopt;
-      time.whole_s = count * 86400;
-      reading = days;
-    }
+    if (days.atEnd()) return std::nullopt;
+    time.whole_s = count * 86400;
+    reading = days;
   }
   const auto date = takeDate(reading);
   if (date) {

@@ -29,7 +29,7 @@ MultipliedUnit multipliedUnit(std::string_view text) {
   while (!text.empty() && (text.front() == ' ' || text.front() == '*')) text.remove_prefix(1);
   found.unit = unitNamed(text);
   found.decimal = number.find('.') != std::string_view::npos ||
-                  (number.front() == '1' && number.find_first_not_of("0", 1) == std::string_view::npos);
+                  (number.front() == '1' && number.find_first_not_of('0', 1) == std::string_view::npos);
   return found;
 }
 
@@ -197,7 +197,7 @@ bool isMultiplied(std::string_view name) {
   const size_t mark = name.find_last_of("*xX");
   if (mark == std::string_view::npos || mark == 0 || mark + 2 >= name.size() || name.substr(mark + 1, 2) != "10")
     return false;
-  return name.find_first_not_of("0", mark + 2) == std::string_view::npos &&
+  return name.find_first_not_of('0', mark + 2) == std::string_view::npos &&
          (name[mark] == '*' || std::isalnum(static_cast<unsigned char>(name[mark - 1])) == 0);
 }
 

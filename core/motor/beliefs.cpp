@@ -1,0 +1,206 @@
+#include "motor/beliefs.h"
+
+#include <fmt/core.h>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace breakaway {
+
+namespace {
+
+constexpr double nearly = 0.15;         // of a mistake's ratio, by which the belief may be off besides
+constexpr double standardErrors = 3.0;  // of the measured value, at which a difference isn't its noise
+constexpr double perDegree = 180.0 / std::numbers::pi, perRpm = 30.0 / std::numbers::pi;
+constexpr double exactly = 1.001;
+
+struct Mistake {
+  double ratio;  ///< believed over measured
+  const char* words;
+};
+
+/// Whatever constant hangs on the angle.
+constexpr Mistake ofAngle[] = {
+    {perDegree, "as with degrees for radians"},
+    {1.0 / perDegree, "as with degrees for radians"},
+    {4.0, "as with four edges counted for one line of the encoder"},
+    {0.25, "as with four edges counted for one line of the encoder"},
+    {2.0, "as with two edges counted for one line of the encoder, or pole pairs for poles"},
+    {0.5, "as with two edges counted for one line of the encoder, or pole pairs for poles"},
+    {std::numbers::sqrt3, "as between two leads for one phase"},
+    {1.0 / std::numbers::sqrt3, "as for one phase between two leads"},
+};
+
+constexpr Mistake ofTorqueConstant[] = {
+    {1e3, "as in mNm/A"},       {1e-3, "as with mA for A"},        {100.0, "as in Ncm/A"},
+    {10.197, "as in kg cm/A"},  {141.6, "as in oz in/A"},          {0.10197, "as in kg m/A"},
+    {0.73756, "as in lb ft/A"}, {perRpm, "as with rpm for rad/s"}, {1.0 / perRpm, "as in V/rpm"}};
+constexpr Mistake ofForceConstant[] = {
+    {1e3, "as in mN/A"}, {1e-3, "as in kN/A, or with mA for A"}, {0.10197, "as in kg/A"}};
+constexpr Mistake ofBackEmf[] = {{1e3, "as in mV s/rad"},
+                                 {1e-3, "as with V per 1000"},
+                                 {1.0 / perRpm, "as in rpm for rad/s: V/rpm"},
+                                 {perRpm, "as with rpm for rad/s"},
+                                 {1e3 / perRpm, "as in V per 1000 rpm"}};
+constexpr Mistake ofResistance[] = {{1e3, "as in milliohms"},
+                                    {2.0, "as between two leads for one phase"},
+                                    {0.5, "as for one phase between two leads"},
+                                    {1e-3, "as in kilohms"}};
+constexpr Mistake ofInductance[] = {{1e3, "as in mH"}, {1e6, "as in uH"}, {2.0, "as between two leads for one phase"}};
+constexpr Mistake ofInertia[] = {{1e7, "as in g cm2"},        {1e6, "as in kg mm2"},
+                                 {1e4, "as in kg cm2"},       {1e3, "as in g m2"},
+                                 {1e-3, "as in t m2"},        {9.80665, "as in kgf m s2 or by a gear"},
+                                 {141612.0, "as in oz in s2"}};
+constexpr Mistake ofMass[] = {{1e3, "as in g"}, {1e-3, "as in t"}, {2.2046, "as in lb"}};
+constexpr Mistake ofCounts[] = {{4.0, "as with edges for lines"},
+                                {0.25, "as with lines for edges"},
+                                {2.0, "as with the edges of both channels for those of one"},
+                                {0.5, "as with the edges of one channel for those of both"},
+                                {1e3, "as per m for per mm"},
+                                {1e-3, "as per mm for per m"}};
+constexpr Mistake ofSupply[] = {{1e3, "as in mV"},
+                                {2.0, "as with another supply, or another divider"},
+                                {0.5, "as with another supply, or another divider"}};
+
+template <size_t N>
+void append(const Mistake (&more)[N], std::vector<Mistake>& all) {
+  all.insert(all.end(), std::begin(more), std::end(more));
+}
+
+std::vector<Mistake> mistakesOf(BeliefOf of, Axis axis) {
+  const bool linear = axis == Axis::linear;
+  std::vector<Mistake> all;
+  switch (of) {
+    case BeliefOf::counts:
+      append(ofCounts, all);
+      break;
+    case BeliefOf::supply:
+      append(ofSupply, all);
+      break;
+    case BeliefOf::torqueConstant:
+      if (linear) append(ofForceConstant, all);
+      if (!linear) append(ofTorqueConstant, all);
+      append(ofAngle, all);
+      break;
+    case BeliefOf::backEmfConstant:
+      append(ofBackEmf, all);
+      append(ofAngle, all);
+      break;
+    case BeliefOf::resistance:
+      append(ofResistance, all);
+      break;
+    case BeliefOf::inductance:
+      append(ofInductance, all);
+      break;
+    case BeliefOf::inertia:
+      if (linear) append(ofMass, all);
+      if (!linear) append(ofInertia, all);
+      append(ofAngle, all);
+      break;
+  }
+  return all;
+}
+
+const char* unitOf(BeliefOf of, Axis axis) {
+  const bool linear = axis == Axis::linear;
+  switch (of) {
+    case BeliefOf::counts:
+      return linear ? "counts per m" : "counts per turn";
+    case BeliefOf::supply:
+      return "V";
+    case BeliefOf::torqueConstant:
+      return linear ? "N/A" : "Nm/A";
+    case BeliefOf::backEmfConstant:
+      return linear ? "V s/m" : "V s/rad";
+    case BeliefOf::resistance:
+      return "ohm";
+    case BeliefOf::inductance:
+      return "H";
+    case BeliefOf::inertia:
+      return linear ? "kg" : "kg m2";
+  }
+  return "";
+}
+
+double apart(double ratio, double from) {
+  return std::abs(std::log(ratio / from));
+}
+
+double relativeError(const Estimate& of) {
+  return of.value != 0.0 ? std::abs(of.standardError / of.value) : 0.0;
+}
+
+}  // namespace
+
+double honestFactor(BeliefOf of, bool trusted) {
+  constexpr double stated = 1.4, wired = 3.0, loaded = 8.0;
+  switch (of) {
+    case BeliefOf::counts:
+      return exactly;
+    case BeliefOf::supply:
+    case BeliefOf::torqueConstant:
+    case BeliefOf::backEmfConstant:
+      return stated;
+    case BeliefOf::resistance:
+    case BeliefOf::inductance:
+      return trusted ? stated : wired;
+    case BeliefOf::inertia:
+      return trusted ? stated : loaded;
+  }
+  return stated;
+}
+
+double ratioOf(const Belief& belief) {
+  return belief.believed / belief.measured.value;
+}
+
+std::string suggestionOf(BeliefOf of, Axis axis, double ratio) {
+  if (!(ratio > 0.0)) return "the sign is wrong";
+  const auto mistakes = mistakesOf(of, axis);
+  const auto nearest = std::min_element(mistakes.begin(), mistakes.end(), [ratio](const Mistake& a, const Mistake& b) {
+    return apart(ratio, a.ratio) < apart(ratio, b.ratio);
+  });
+  return nearest != mistakes.end() && apart(ratio, nearest->ratio) < nearly ? nearest->words : "";
+}
+
+std::optional<std::string> contradictionOf(const Belief& belief, Axis axis) {
+  const double ratio = ratioOf(belief);
+  const bool positive = ratio > 0.0 && std::isfinite(ratio);
+  if (positive && apart(ratio, 1.0) <= std::log(honestFactor(belief.of, belief.trusted)) +
+                                           standardErrors * relativeError(belief.measured))
+    return {};
+  const std::string hint = suggestionOf(belief.of, axis, ratio);
+  return fmt::format("{} {} is {:.5g}, {} {:.5g} {}: {:.4g} times as much{}", belief.source, belief.name,
+                     belief.believed, belief.from, belief.measured.value, unitOf(belief.of, axis), ratio,
+                     hint.empty() ? "" : ", " + hint);
+}
+
+std::optional<Error> selfContradictionOf(const Bench& bench) {
+  const MotorNames& names = motorNames(bench.axis);
+  const MotorBelief& motor = bench.motor;
+  if (motor.torqueConstant && motor.backEmfConstant) {
+    const Belief constants{BeliefOf::torqueConstant,      "is", "", *motor.torqueConstant, true,
+                           {*motor.backEmfConstant, 0.0}, ""};
+    if (const double ratio = ratioOf(constants); apart(ratio, 1.0) > std::log(honestFactor(constants.of, true))) {
+      const std::string hint = suggestionOf(constants.of, bench.axis, ratio);
+      return Error{names.torqueConstant,
+                   fmt::format("is {:.5g}, but {} is {:.5g}: {:.4g} times as much{}; in SI they are the same quantity",
+                               *motor.torqueConstant, names.backEmfConstant, *motor.backEmfConstant, ratio,
+                               hint.empty() ? "" : ", " + hint)};
+    }
+  }
+  const std::optional<double> K = motor.torqueConstant ? motor.torqueConstant : motor.backEmfConstant;
+  if (!K || !motor.inertia || !motor.resistance_ohm) return {};
+  constexpr double least_s = 1e-5, most_s = 100.0;
+  const double time_s = *motor.inertia * *motor.resistance_ohm / (*K * *K);
+  if (time_s >= least_s && time_s <= most_s) return {};
+  return Error{
+      names.inertia,
+      fmt::format("is {:.5g}: with {} {:.5g} and {} {:.5g} the motor's time constant would be {:.3g} s, expected "
+                  "1e-5 to 100 s; check the units{}",
+                  *motor.inertia, names.resistance, *motor.resistance_ohm, names.torqueConstant, *K, time_s,
+                  bench.axis == Axis::linear ? "" : " (1 g cm2 is 1e-7 kg m2)")};
+}
+
+}  // namespace breakaway
