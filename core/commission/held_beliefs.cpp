@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "identify/map_soundness.h"
 #include "motor/beliefs.h"
 
 namespace breakaway {
@@ -71,6 +72,12 @@ Result<void> holdMotor(const IdentifiedMotor& motor, const CommissionOptions& op
   if (held.none())
     held.bench(BeliefOf::inertia, names.inertia, belief.inertia,
                {scale * motor.inertia_kg_m2.value, scale * motor.inertia_kg_m2.standardError}, measured);
+  return held.conclude();
+}
+
+Result<void> holdMap(const FrictionMap& map, const CommissionOptions& options, Commission& known) {
+  Held held(options, known);
+  for (const std::string& why : unsoundness(map)) held.take("this is no friction map: " + why);
   return held.conclude();
 }
 

@@ -16,4 +16,7 @@ Result<void> holdDeclarations(const CommissionOptions& options, Commission& know
 /// After the first test that moves the motor, whose `motor` carries the current as the sensor shows it.
 Result<void> holdMotor(const IdentifiedMotor& motor, const CommissionOptions& options, Commission& known);
 
+/// Before a map becomes one: what doesn't repeat or contradicts itself isn't (identify/map_soundness.h).
+Result<void> holdMap(const FrictionMap& map, const CommissionOptions& options, Commission& known);
+
 }  // namespace breakaway

@@ -22,6 +22,7 @@ class TestHeldBeliefs : public QObject {
   void declarations_areHeldBeforeAnythingMoves();
   void contradiction_isGoneOnWithAndStaysInTheFiles();
   void trustThatWasMeasuredAnew_isWithdrawn();
+  void mapThatDoesntRepeat_isNone();
   void honestBeliefs_areNeverRefused_data();
   void honestBeliefs_areNeverRefused();
 
@@ -126,6 +127,44 @@ void TestHeldBeliefs::trustThatWasMeasuredAnew_isWithdrawn() {
   VERIFY_OK(done);
   QCOMPARE(done->bench.trusted, std::set<std::string>{"torque_constant_Nm_per_A"});
   QVERIFY(within(*done->bench.motor.resistance_ohm, R, 0.05));
+}
+
+/// Each breakaway differs from the next by more than half.
+void TestHeldBeliefs::mapThatDoesntRepeat_isNone() {
+  auto rig = readFile(preset("servo") + ".rig.json");
+  VERIFY_OK(rig);
+  const std::string scatter = "\"scatter_rms\": ";
+  const size_t at = rig->find(scatter);
+  QVERIFY(at != std::string::npos);
+  rig->replace(at, rig->find_first_of(",}", at) - at, scatter + "0.3");
+  TemporaryFolder folder;
+  const std::string uri = "simulated:" + folder.write("servo.rig.json", *rig);
+  for (const bool anyway : {false, true}) {
+    auto drive = openDrive(uri, 3);
+    VERIFY_OK(drive);
+    CommissionOptions options;
+    options.sweeps.bins = 24;
+    options.sweeps.speedRun_s = 3.0;
+    options.keepRecordings = false;
+    options.anyway = anyway;
+    Job job(options, Facts{Known::map});
+    std::vector<Sample> samples;
+    job.begin(**drive);
+    while (job.running()) {
+      samples.clear();
+      const auto lost = (*drive)->advance(0.25, samples);
+      VERIFY_OK(lost);
+      job.take(**drive, 0.25, samples, *lost);
+    }
+    if (anyway) {
+      QVERIFY2(job.failure().fact.empty() && !job.known().map.remarks.empty(), job.failure().message().c_str());
+    } else {
+      QVERIFY2(job.failure().fact.find("this is no friction map: ") != std::string::npos &&
+                   job.failure().fact.find("correlate by") != std::string::npos,
+               job.failure().message().c_str());
+      QVERIFY(!job.known().knows(Known::map) && !job.known().breakaways.empty());
+    }
+  }
 }
 
 void TestHeldBeliefs::honestBeliefs_areNeverRefused_data() {

@@ -1,6 +1,7 @@
 // The friction map of a rotor, from its breakaways and its runs at constant speed.
 #include <algorithm>
 
+#include "commission/held_beliefs.h"
 #include "commission/steps.h"
 #include "commission/sweep_layout.h"
 
@@ -38,6 +39,7 @@ class Map : public Step {
     if (auto refitted = refitMoving(known, options); !refitted) return refitted.error();
     auto map = estimateMap(known.breakaways, &known.moving, options);
     if (!map) return map.error();
+    if (auto held = holdMap(*map, on.options, known); !held) return held.error();
     known.map = std::move(*map);
     known.map.settings = known.howMeasured;
     known.map.remarks = known.contradictions;

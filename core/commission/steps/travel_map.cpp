@@ -1,4 +1,5 @@
 // The friction map of a linear axis, from its breakaways and its strokes.
+#include "commission/held_beliefs.h"
 #include "commission/steps.h"
 #include "commission/sweep_layout.h"
 #include "commission/travel_survey.h"
@@ -20,6 +21,7 @@ class TravelMap : public Step {
     known.events = calibrated(known.breakaways, options);
     auto survey = surveyTravel(known, options);
     if (!survey) return survey.error();
+    if (auto held = holdMap(survey->map, on.options, known); !held) return held.error();
     takeTravelFriction(survey->friction, on.options.bench, known);
     known.map = std::move(survey->map);
     known.map.settings = known.howMeasured;
