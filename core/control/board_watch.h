@@ -119,7 +119,7 @@ class BoardWatch {
   static constexpr Scalar perSampled = Scalar(0.25);   ///< voltage and current are seen in four of them
   // Which ones: two even and two odd, each of the four remainders by four once, so that no ripple of two or four ticks
   // stands in the mean.
-  static constexpr unsigned voltageTicks = 0b0110'1001u;
+  static constexpr unsigned seenTicks = 0b1101'0010u;
 
   /// Whole ticks, what is lacking to one by rounding apart.
   long ticksIn(Scalar duration_s) const {
@@ -150,24 +150,29 @@ class BoardWatch {
   /// nor a step of the current counts. A round's sums are worked on in the next one, a part in each tick.
   Trip motor(const Seen& seen) {
     if (!seen.enabled) {
-      motor_ = last_ = sum_ = {};
+      motor_ = {};
+      last_ = sum_ = {};
       step_ = 0;
+      inductive_V_ = 0;
+      acting_V_ = 0;
       roundStart_rad_ = seen.angle_rad;
+      roundStart_A_ = seen.current_A;
       allowed_rad_per_s_ = magnitude(seen.velocity_rad_per_s) + aside_rad_per_s_;
       heat_ -= cooling_ * heat_;
       return Trip::none;
     }
     if (step_ == steps) {
       step_ = 0;
-      last_ = {sum_.voltage_V, sum_.current_A, seen.angle_rad - roundStart_rad_};
+      last_ = {sum_.voltage_V, sum_.current_A, seen.current_A - roundStart_A_, seen.angle_rad - roundStart_rad_};
       sum_ = {};
       roundStart_rad_ = seen.angle_rad;
+      roundStart_A_ = seen.current_A;
     }
-    if ((voltageTicks >> step_ & 1u) != 0) {
-      sum_.voltage_V += seen.voltage_V;
-    } else {
+    if ((seenTicks >> step_ & 1u) != 0) {
+      sum_.voltage_V += acting_V_;
       sum_.current_A += seen.current_A;
     }
+    acting_V_ = seen.voltage_V;  // from now to the next tick
     return part(step_++, seen);
   }
 
@@ -177,12 +182,13 @@ class BoardWatch {
         smooth(motor_.voltage_V, perSampled * last_.voltage_V);
         break;
       case 1:
-        inductive_V_ = inductance_ * smooth(motor_.current_A, perSampled * last_.current_A);
+        smooth(motor_.current_A, perSampled * last_.current_A);
         break;
       case 2:
-        smooth(motor_.velocity_rad_per_s, perRound_ * last_.velocity_rad_per_s);
+        smooth(motor_.velocity_rad_per_s, perRound_ * last_.turned_rad);
         break;
       case 3:
+        smooth(inductive_V_, inductance_ * last_.rise_A);
         resistive_V_ = limits_.resistance_ohm * motor_.current_A;
         induced_V_ = limits_.backEmf_V_s_per_rad * motor_.velocity_rad_per_s;
         break;
@@ -224,12 +230,8 @@ class BoardWatch {
     return isPositive(aside_rad_per_s_) && exceeds(size, allowed_rad_per_s_);
   }
 
-  /// Takes a round's mean into its smoothed value; returns by how much that one changes.
-  Scalar smooth(Scalar& value, Scalar mean) const {
-    const Scalar change = share_ * (mean - value);
-    value += change;
-    return change;
-  }
+  /// Takes a round's mean into its smoothed value.
+  void smooth(Scalar& value, Scalar mean) const { value += share_ * (mean - value); }
 
   Trip blocked(const Seen& seen) {
     const Scalar almost_A = Scalar(0.9) * seen.limit_A;
@@ -251,11 +253,16 @@ class BoardWatch {
   Scalar room_rad_, still_rad_;                                  ///< change and travel that are none
   long lowFor_, blockedFor_, low_ = 0, high_ = 0, atLimit_ = 0;  ///< ticks
   Motor motor_;                                                  ///< smoothed
-  Motor last_, sum_;  ///< sums of the round before, of this one; the angle's change for the speed
+  struct Round {
+    Scalar voltage_V = 0, current_A = 0;  ///< sums over the ticks that are seen
+    Scalar rise_A = 0, turned_rad = 0;    ///< from its first tick to the next one's
+  };
+  Round last_, sum_;
   Scalar resistive_V_ = 0, induced_V_ = 0, inductive_V_ = 0, usual_V_ = 0;
   Scalar heat_ = 0, allowed_rad_per_s_ = 0, heldTo_rad_per_s_ = 0;
-  Scalar roundStart_rad_ = 0;
-  int step_ = 0;  ///< of the round
+  Scalar roundStart_rad_ = 0, roundStart_A_ = 0;
+  Scalar acting_V_ = 0;  ///< since the last tick
+  int step_ = 0;         ///< of the round
   Scalar angle_rad_ = 0, change_rad_ = 0, jumped_rad_ = 0, anchor_rad_ = 0;
   int ticks_ = 0;  ///< seen, up to two
   bool jumped_ = false;
