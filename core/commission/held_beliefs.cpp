@@ -63,6 +63,7 @@ Result<void> holdMotor(const IdentifiedMotor& motor, const CommissionOptions& op
   Held held(options, known);
   const std::string measured = "but measured is";
   held.bench(BeliefOf::resistance, names.resistance, belief.resistance_ohm, motor.resistance_ohm, measured);
+  held.bench(BeliefOf::inductance, names.inductance, belief.inductance_H, motor.inductance_H, measured);
   held.bench(BeliefOf::backEmfConstant, names.backEmfConstant, belief.backEmfConstant,
              motor.backEmfConstant_V_s_per_rad, measured);
   held.bench(BeliefOf::torqueConstant, names.torqueConstant, belief.torqueConstant, motor.backEmfConstant_V_s_per_rad,

@@ -103,8 +103,6 @@ class BoardWatch {
   /// By how much the angle jumped at the last trip of that kind.
   Scalar jumped_rad() const { return jumped_rad_; }
   const Motor& motor() const { return motor_; }
-  /// What the speed was held to at the last trip of that kind.
-  Scalar heldTo_rad_per_s() const { return heldTo_rad_per_s_; }
   const Limits& limits() const { return limits_; }
 
  private:
@@ -214,10 +212,7 @@ class BoardWatch {
   /// given the time for it.
   bool tooFast(const Seen& seen) {
     const Scalar size = magnitude(motor_.velocity_rad_per_s);
-    if (isPositive(mostVelocity_rad_per_s_) && exceeds(size, mostVelocity_rad_per_s_)) {
-      heldTo_rad_per_s_ = mostVelocity_rad_per_s_;
-      return true;
-    }
+    if (isPositive(mostVelocity_rad_per_s_) && exceeds(size, mostVelocity_rad_per_s_)) return true;
     const Scalar present = size + aside_rad_per_s_;
     if (!seen.follows) {
       allowed_rad_per_s_ = present;
@@ -226,7 +221,6 @@ class BoardWatch {
     allowed_rad_per_s_ += slowing * share_ * (present - allowed_rad_per_s_);
     const Scalar asked = overshoot * magnitude(seen.asked_rad_per_s) + aside_rad_per_s_;
     if (exceeds(asked, allowed_rad_per_s_)) allowed_rad_per_s_ = asked;
-    heldTo_rad_per_s_ = allowed_rad_per_s_;
     return isPositive(aside_rad_per_s_) && exceeds(size, allowed_rad_per_s_);
   }
 
@@ -259,7 +253,7 @@ class BoardWatch {
   };
   Round last_, sum_;
   Scalar resistive_V_ = 0, induced_V_ = 0, inductive_V_ = 0, usual_V_ = 0;
-  Scalar heat_ = 0, allowed_rad_per_s_ = 0, heldTo_rad_per_s_ = 0;
+  Scalar heat_ = 0, allowed_rad_per_s_ = 0;
   Scalar roundStart_rad_ = 0, roundStart_A_ = 0;
   Scalar acting_V_ = 0;  ///< since the last tick
   int step_ = 0;         ///< of the round
