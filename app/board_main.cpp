@@ -4,11 +4,13 @@
 #include <cstdio>
 #include <random>
 #include <string>
+#include <vector>
 
 #include "firmware_link/board_server.h"
 #include "firmware_link/far_end.h"
 #include "firmware_link/presets.h"
 #include "firmware_link/simulated_firmware.h"
+#include "line/help_as.h"
 #include "version.h"
 
 namespace {
@@ -20,6 +22,11 @@ struct BoardLine {
   unsigned seed = 1;
   int port = -1;
 };
+
+int fail(const std::string& line) {
+  std::fprintf(stderr, "breakaway-board: %s\n", line.c_str());
+  return 2;
+}
 
 volatile std::sig_atomic_t endAsked = 0;
 
@@ -48,38 +55,40 @@ Result<void> serve(const BoardLine& line) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  BoardLine line;
+  BoardLine asked;
   CLI::App app{
       "A board without hardware: the reference firmware with a simulated rig, behind a serial line or a TCP port. "
       "Prints "
       "what breakaway takes as --board, and runs until it is interrupted.",
       "breakaway-board"};
-  app.add_option("--rig", line.rig, "preset, or FILE.rig.json")->capture_default_str();
-  app.add_option("--seed", line.seed, "seed of the rig's noise")->capture_default_str();
-  app.add_option("--pace", line.pace,
+  app.add_option("--rig", asked.rig, "preset, or FILE.rig.json")->capture_default_str();
+  app.add_option("--seed", asked.seed, "seed of the rig's noise")->capture_default_str();
+  app.add_option("--pace", asked.pace,
                  "real: the board's clock is this machine's, and its lease runs out in 0.25 s; granted: the clock runs "
                  "as far as the host grants, as fast as it can be computed")
       ->capture_default_str()
       ->check(CLI::IsMember({"real", "granted"}));
-  app.add_option("--tcp", line.port,
+  app.add_option("--tcp", asked.port,
                  "listen on this port of the loopback, 0: any that is free; without it on a pseudo terminal")
       ->check(CLI::Range(0, 65535));
-  app.set_version_flag("--version", "breakaway-board " + std::string(breakaway::versionText()));
+  const std::string program = "breakaway-board " + std::string(breakaway::versionText());
+  app.set_version_flag("--version", program);
   app.footer(
       "Examples:\n"
       "  breakaway-board --rig geared\n"
       "  breakaway-board --tcp 5000 --pace granted");
+  if (const auto help = line::helpAs(app, program, {argv + 1, argv + argc})) {
+    if (!*help) return fail(help->error().message());
+    std::fputs((*help)->c_str(), stdout);
+    return 0;
+  }
   try {
     app.parse(argc, argv);
-  } catch (const CLI::Success& asked) {
-    return app.exit(asked);
+  } catch (const CLI::Success& done) {
+    return app.exit(done);
   } catch (const CLI::ParseError& error) {
-    std::fprintf(stderr, "breakaway-board: %s; see breakaway-board --help\n", error.what());
-    return 2;
+    return fail(std::string(error.what()) + "; see breakaway-board --help");
   }
-  if (const auto done = serve(line); !done) {
-    std::fprintf(stderr, "breakaway-board: %s\n", done.error().message().c_str());
-    return 2;
-  }
-  return 0;
+  const auto done = serve(asked);
+  return done ? 0 : fail(done.error().message());
 }

@@ -2,6 +2,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "cli/command_line.h"
 #include "cli/inputs.h"
 #include "cli/thrown.h"
+#include "line/help_as.h"
 #include "version.h"
 
 namespace {
@@ -30,7 +32,9 @@ void addCommands(CLI::App& app, cli::Job& job) {
            cli::addFit,
            cli::addSimulate,
            cli::addDiagnose,
+           cli::addCheck,
            cli::addBatch,
+           cli::addSummary,
            cli::addTrial,
            cli::addImport,
            cli::addExport,
@@ -41,6 +45,7 @@ void addCommands(CLI::App& app, cli::Job& job) {
            cli::addProfile,
            cli::addFigures,
            cli::addList,
+           cli::addProject,
        }) {
     add(app, job);
   }
@@ -73,11 +78,15 @@ int main(int argc, char** argv) {
   cli::Manner manner;
   addCommands(app, job);
   cli::addCommon(app, program, manner);
+  if (const auto help = line::helpAs(app, program, words))
+    return *help ? say(**help) : fail(2, help->error().message());
   if (const auto help = cli::helpAskedFor(app, words)) return *help ? say(**help) : fail(2, help->error().fact);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {
-    return app.exit(asked);
+    std::ostringstream text;
+    app.exit(asked, text, text);
+    return say(text.str());
   } catch (const CLI::ParseError& error) {
     return fail(2, cli::complaint(app, words, error.what()));
   }

@@ -1,7 +1,8 @@
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <QApplication>
-#include <QCommandLineParser>
+#include <QSettings>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <algorithm>
@@ -14,10 +15,13 @@
 #include <vector>
 
 #include "base/made.h"
+#include "line/help_as.h"
 #include "main_window.h"
 #include "screenshots.h"
 #include "session/session.h"
 #include "version.h"
+#include "widgets/closing.h"
+#include "widgets/look.h"
 
 namespace {
 
@@ -70,21 +74,23 @@ int fail(const QString& line) {
   return 2;
 }
 
-struct Line {
-  QCommandLineOption board{"board", QObject::tr("Connect to this board at the start."), "URI", "simulated"};
-  QCommandLineOption screenshots{
-      "screenshots", QObject::tr("Render every page in each of its states into DIR, without a display."), "DIR"};
-  QCommandLineParser parser;
+int wrong(const std::string& why) {
+  return fail(QString::fromStdString(why) + "; see breakaway-gui --help");
+}
 
-  Line() {
-    parser.setApplicationDescription(
-        QObject::tr("Breakaway: the bench instrument for a servo motor's friction\n"
-                    "Examples:\n"
-                    "  breakaway-gui\n"
-                    "  breakaway-gui --board serial:ttyACM0"));
-    parser.addHelpOption();
-    parser.addVersionOption();
-    parser.addOptions({board, screenshots});
+struct Line {
+  std::string board, project, screenshots;
+  CLI::App app{"Breakaway: the bench instrument for a servo motor's friction", "breakaway-gui"};
+
+  explicit Line(const std::string& version) {
+    app.add_option("--board", board,
+                   "connect to this board at the start; without it to the last one, or a simulated one")
+        ->type_name("URI");
+    app.add_option("--project", project, "keep everything in this project, made where there is none")->type_name("DIR");
+    app.add_option("--screenshots", screenshots, "render every page in each of its states into DIR, without a display")
+        ->type_name("DIR");
+    app.set_version_flag("-v,--version", version);
+    app.footer("Examples:\n  breakaway-gui\n  breakaway-gui --board serial:ttyACM0");
   }
 };
 
@@ -100,16 +106,28 @@ void beginRunOf(const std::vector<std::string>& given) {
   breakaway::beginRun("breakaway-gui " + std::string(breakaway::versionText()), breakaway::asCommand(words));
 }
 
-int show(const QString& board) {
+/// The words that Qt left.
+std::vector<std::string> given() {
+  std::vector<std::string> words;
+  for (const QString& one : QCoreApplication::arguments().mid(1)) words.push_back(one.toStdString());
+  return words;
+}
+
+constexpr const char* boardKey = "board";
+
+/// Nothing turns at the start. The board that was there last is connected again, unless another one is named.
+int show(const QString& board, const QString& project) {
   using namespace breakaway;
   Session session;
   FileDialogs files;
+  session.project.open(project.isEmpty() ? BenchProject::defaultFolder() : project);
   MainWindow window(session, files);
+  restoreLayout(window);
   window.show();
-  QTimer::singleShot(0, &window, [&] {
-    session.connection.open(board);
-    if (session.connection.identity().simulated) session.bench.turnSlowly();
-  });
+  QObject::connect(&session.connection, &Connection::came, &window,
+                   [&session] { QSettings("breakaway", "breakaway").setValue(boardKey, session.connection.uri()); });
+  const QString last = QSettings("breakaway", "breakaway").value(boardKey, "simulated").toString();
+  QTimer::singleShot(0, &window, [&] { session.connection.open(board.isEmpty() ? last : board); });
   return QApplication::exec();
 }
 
@@ -119,25 +137,38 @@ int main(int argc, char** argv) {
   const std::vector<std::string> words(argv + 1, argv + argc);
   beginRunOf(words);
   nameApplication();
-  if (hasWord(words, {"-h", "--help", "--help-all", "-v", "--version"})) {
-    const QCoreApplication application(argc, argv);
-    Line().parser.process(application);  // says it and ends
+  const std::string program = "breakaway-gui " + std::string(breakaway::versionText());
+  Line line(program);
+  if (const auto help = breakaway::line::helpAs(line.app, program, words)) {
+    if (!*help) return fail(QString::fromStdString(help->error().message()));
+    std::fputs((*help)->c_str(), stdout);
+    return 0;
+  }
+  if (hasWord(words, {"-h", "--help", "-v", "--version"})) {
+    try {
+      line.app.parse(argc, argv);
+    } catch (const CLI::ParseError& asked) {
+      return asked.get_exit_code() == 0 ? line.app.exit(asked) : wrong(asked.what());
+    }
   }
   const QTemporaryDir runtime;
   if (hasWord(words, {"--screenshots"})) {
     qputenv("QT_QPA_PLATFORM", "offscreen");
+    qputenv("XDG_DATA_HOME", runtime.path().toUtf8());  // nobody's project is filled by pictures
     if (qEnvironmentVariableIsEmpty("XDG_RUNTIME_DIR")) qputenv("XDG_RUNTIME_DIR", runtime.path().toUtf8());
     qInstallMessageHandler(quietAboutSizeHints);
   }
   const auto application = applicationOnDisplay(argc, argv);
   QApplication::setApplicationDisplayName("Breakaway");
-  Line line;
-  if (!line.parser.parse(QApplication::arguments())) {
-    QString why = line.parser.errorText();
-    if (why.endsWith('.')) why.chop(1);
-    return fail(why + "; see breakaway-gui --help");
+  breakaway::wear(breakaway::keptTheme());
+  try {
+    std::vector<std::string> left = given();
+    std::reverse(left.begin(), left.end());  // as the parser takes them
+    line.app.parse(left);
+  } catch (const CLI::ParseError& error) {
+    return wrong(error.what());
   }
-  if (!line.parser.isSet(line.screenshots)) return show(line.parser.value(line.board));
-  const auto taken = breakaway::takeScreenshots(line.parser.value(line.screenshots));
+  if (line.screenshots.empty()) return show(QString::fromStdString(line.board), QString::fromStdString(line.project));
+  const auto taken = breakaway::takeScreenshots(QString::fromStdString(line.screenshots));
   return taken ? 0 : fail(QString::fromStdString(taken.error().message()));
 }

@@ -1,132 +1,208 @@
 #include "main_window.h"
 
-#include <QDockWidget>
-#include <QEvent>
+#include <QAction>
+#include <QApplication>
+#include <QCloseEvent>
 #include <QHBoxLayout>
-#include <QLabel>
-#include <QListWidget>
+#include <QPushButton>
 #include <QStackedWidget>
-#include <QTime>
 #include <QVBoxLayout>
 
 #include "pages/compare_page.h"
 #include "pages/connect_page.h"
 #include "pages/friction_page.h"
+#include "pages/hand_page.h"
 #include "pages/home_page.h"
+#include "pages/identify_page.h"
 #include "pages/report_page.h"
+#include "pages/runs_page.h"
 #include "pages/tune_page.h"
 #include "session/session.h"
 #include "widgets/board_bar.h"
+#include "widgets/closing.h"
 #include "widgets/controls.h"
 #include "widgets/live_plots.h"
+#include "widgets/live_strip.h"
+#include "widgets/log_drawer.h"
 #include "widgets/look.h"
+#include "widgets/manual.h"
+#include "widgets/rail.h"
 #include "widgets/stop_keys.h"
+#include "widgets/theme_button.h"
+#include "widgets/toast.h"
+#include "widgets/wheel_guard.h"
 
 namespace breakaway {
 
-MainWindow::MainWindow(Session& session, FileChooser& files, QWidget* parent) : QMainWindow(parent) {
+namespace {
+constexpr int openLive_px = 208;  // with the strip below it, 240
+}  // namespace
+
+MainWindow::MainWindow(Session& session, FileChooser& files, QWidget* parent)
+    : QMainWindow(parent), connection_(session.connection) {
   setObjectName("mainWindow");
   setWindowTitle(tr("Breakaway"));
   setWindowIcon(QIcon(":/icons/breakaway.svg"));
-  setDockOptions(QMainWindow::AnimatedDocks);
-  setMenuWidget(new BoardBar(session.connection, this));
   buildPages(session, files);
-  buildNavigation();
-  buildLiveDock(session, files);
+  buildRail();
+  buildBelow(session, files);
+  layOut(new BoardBar(session.connection, this));
+  toast_ = new Toast(session.messages, this);
+  connect(toast_, &Toast::clicked, this, [this] { showLog(true); });
+  buildHelp();
   new StopKeys([&connection = session.connection] { connection.stop(); }, this);
-  connect(&session.messages, &Messages::said, this, &MainWindow::showLine);
-  showIcons();
-  steps_->setFocus();
+  new WheelGuard(this);
+  goTo(0);
+  rail_->setFocus();
   resize(1366, 768);
 }
 
-void MainWindow::buildPages(Session& session, FileChooser& files) {
-  auto& [messages, connection, bench, live, comparison] = session;
-  pages_ = {new ConnectPage(connection, bench, messages, files, this),
-            new TunePage(connection, bench, this),
-            new HomePage(connection, bench, live, this),
-            new FrictionPage(connection, bench, messages, files, this),
-            new ComparePage(bench, live, comparison, files, this),
-            new ReportPage(bench, comparison, messages, files, this)};
-  stack_ = new QStackedWidget(this);
-  for (Page* page : pages_) stack_->addWidget(page);
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!mayClose(*this, connection_)) return event->ignore();
+  keepLayout(*this);
+  QMainWindow::closeEvent(event);
 }
 
-void MainWindow::buildNavigation() {
-  steps_ = new QListWidget(this);
-  steps_->setObjectName("steps");
-  steps_->setAccessibleName(tr("Steps of the job"));
-  steps_->setFixedWidth(132);
-  steps_->setFrameShape(QFrame::NoFrame);
-  steps_->setIconSize(QSize(20, 20));
-  steps_->setSpacing(1);
-  steps_->setFont(sized(font(), 1.08));
-  for (const Page* page : pages_) {
-    auto* item = new QListWidgetItem(page->title(), steps_);
-    item->setSizeHint(QSize(0, 36));
+void MainWindow::buildPages(Session& session, FileChooser& files) {
+  auto& [messages, connection, project, bench, live, comparison, kept, runs, maps] = session;
+  pages_ = {new ConnectPage(connection, bench, messages, files, this),
+            new IdentifyPage(connection, bench, this),
+            new TunePage(connection, bench, this),
+            new HomePage(connection, bench, live, this),
+            new FrictionPage(connection, bench, maps, messages, files, this),
+            new ComparePage(bench, live, comparison, project, files, this),
+            new ReportPage(bench, comparison, messages, files, this),
+            new HandPage(connection, bench, live, this),
+            new RunsPage(project, runs, maps, comparison, files, this)};
+  stack_ = new QStackedWidget(this);
+  for (Page* page : pages_) {
+    stack_->addWidget(page);
+    connect(page, &Page::stateChanged, this, &MainWindow::showStates);
+    connect(page, &Page::pageAsked, this, &MainWindow::showPage);
   }
+}
+
+void MainWindow::buildRail() {
+  rail_ = new Rail(this);
   for (size_t k = 0; k < pages_.size(); ++k) {
-    const int step = static_cast<int>(k);
-    steps_->item(step)->setToolTip(tr("Ctrl+%1").arg(step + 1));
+    const int row = static_cast<int>(k);
+    rail_->add(pages_[k]->title(), tr("Ctrl+%1").arg(row + 1), pages_[k]->isTool());
     auto* action = new QAction(this);
-    action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + step)));
-    connect(action, &QAction::triggered, this, [this, step] { steps_->setCurrentRow(step); });
+    action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + row)));
+    connect(action, &QAction::triggered, this, [this, row] { rail_->setCurrentRow(row); });
     addAction(action);
   }
-  connect(steps_, &QListWidget::currentRowChanged, stack_, &QStackedWidget::setCurrentIndex);
-  line_ = new QLabel(this);
-  line_->setObjectName("messageLine");
-  line_->setAccessibleName(tr("Last message"));
-  line_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  line_->setContentsMargins(10, 2, 10, 2);
-  line_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  connect(rail_, &Rail::currentRowChanged, this, &MainWindow::goTo);
+  showStates();
+}
+
+/// F1 and "?" anywhere but in a text: the manual on what is under the cursor, or has the focus where it is on nothing.
+void MainWindow::buildHelp() {
+  auto* action = new QAction(this);
+  action->setObjectName("helpAction");
+  action->setShortcuts({QKeySequence(Qt::Key_F1), QKeySequence(Qt::Key_Question)});
+  connect(action, &QAction::triggered, this, [this] {
+    const QWidget* under = QApplication::widgetAt(QCursor::pos());
+    showHelp(under != nullptr && under->window() == this ? under : QApplication::focusWidget());
+  });
+  addAction(action);
+}
+
+void MainWindow::showHelp(const QWidget* about) {
+  if (manual_ == nullptr) manual_ = new Manual(this);
+  manual_->open(Manual::topicOf(about != nullptr ? about : stack_->currentWidget()));
+}
+
+void MainWindow::buildBelow(Session& session, FileChooser& files) {
+  log_ = new LogDrawer(session.messages, this);
+  log_->hide();
+  live_ = new LivePlots(session.connection, session.live, session.messages, files, this);
+  live_->setFixedHeight(openLive_px);
+  live_->hide();
+  strip_ = new LiveStrip(session.connection, session.live, this);
+  connect(strip_, &LiveStrip::plotsAsked, this, &MainWindow::showLive);
+  connect(strip_, &LiveStrip::logAsked, this, [this] { showLog(!log_->isVisible()); });
+  connect(log_, &LogDrawer::closed, this, [this] { showLog(false); });
+  connect(log_, &LogDrawer::changed, this, [this] { strip_->countUnread(*log_); });
+}
+
+void MainWindow::layOut(QWidget* bar) {
+  auto* centre = new QWidget(this);
+  auto* column = columnIn(centre, 0);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(0);
+  auto* side = new QWidget(centre);
+  side->setProperty("role", "rail");
+  side->setAttribute(Qt::WA_StyledBackground);
+  auto* left = columnIn(side, 0);
+  left->addWidget(rail_, 1);
+  auto* help =
+      pushButton(side, "helpButton", tr("Manual (F1)"), tr("The manual on this page; F1 on what is under the cursor"));
+  help->setProperty("role", "bare");
+  help->setFixedSize(Rail::width_px, 32);
+  help->setStyleSheet("padding-left: 12px;");
+  connect(help, &QPushButton::clicked, this, [this] { showHelp(nullptr); });
+  left->addWidget(help);
+  left->addWidget(new ThemeButton(this));
   auto* right = new QVBoxLayout;
   right->setSpacing(0);
   right->addWidget(stack_, 1);
-  right->addWidget(line_);
-  auto* centre = new QWidget(this);
-  auto* row = rowIn(centre, 0);
-  row->addWidget(steps_);
+  right->addWidget(log_);
+  right->addWidget(live_);
+  row->addWidget(side);
   row->addLayout(right, 1);
+  column->addWidget(bar);
+  column->addLayout(row, 1);
+  column->addWidget(strip_);
   setCentralWidget(centre);
-  steps_->setCurrentRow(0);
 }
 
-void MainWindow::buildLiveDock(Session& session, FileChooser& files) {
-  auto* dock = new QDockWidget(tr("Live"), this);
-  dock->setObjectName("liveDock");
-  dock->setFeatures(QDockWidget::NoDockWidgetFeatures);
-  dock->setTitleBarWidget(new QWidget(dock));
-  dock->setWidget(new LivePlots(session.connection, session.live, session.messages, files, dock));
-  addDockWidget(Qt::BottomDockWidgetArea, dock);
-  resizeDocks({dock}, {236}, Qt::Vertical);
+void MainWindow::goTo(int row) {
+  // Together they may ask for more room than there is, and the window would grow.
+  if (!pages_[static_cast<size_t>(row)]->wantsLive()) live_->hide();
+  // Only the page that is shown says how much room the window needs.
+  for (Page* page : pages_) {
+    const auto policy = page == pages_[static_cast<size_t>(row)] ? QSizePolicy::Preferred : QSizePolicy::Ignored;
+    page->setSizePolicy(policy, policy);
+  }
+  stack_->setCurrentIndex(row);
+  if (rail_->currentRow() != row) rail_->setCurrentRow(row);
+  fitLive();
 }
 
-void MainWindow::showIcons() {
-  for (size_t k = 0; k < pages_.size(); ++k)
-    steps_->item(static_cast<int>(k))->setIcon(lineIcon(pages_[k]->icon(), palette()));
+void MainWindow::showStates() {
+  for (size_t k = 0; k < pages_.size(); ++k) rail_->setState(static_cast<int>(k), pages_[k]->state());
 }
 
 void MainWindow::showPage(const QString& objectName) {
   for (size_t k = 0; k < pages_.size(); ++k) {
-    if (pages_[k]->objectName() == objectName) steps_->setCurrentRow(static_cast<int>(k));
+    if (pages_[k]->objectName() == objectName) goTo(static_cast<int>(k));
   }
 }
 
-void MainWindow::showLine(const QString& line, bool trouble) {
-  const Look look = Look::of(palette());
-  QPalette colours = palette();
-  colours.setColor(QPalette::WindowText, trouble ? look.trouble : look.muted);
-  line_->setPalette(colours);
-  line_->setText(QTime::currentTime().toString("HH:mm:ss  ") + line);
-  line_->setToolTip(line);
+void MainWindow::showLive(bool open) {
+  liveOpen_ = open;
+  strip_->showOpen(open);
+  fitLive();
 }
 
-void MainWindow::changeEvent(QEvent* event) {
-  QMainWindow::changeEvent(event);
-  if (steps_ == nullptr || event->type() != QEvent::PaletteChange) return;
-  showIcons();
-  line_->setPalette(palette());
+void MainWindow::showLog(bool open) {
+  if (open) live_->hide();
+  log_->setVisible(open);
+  fitLive();
+}
+
+/// Open only where the page leaves room for it, and the log doesn't take it.
+void MainWindow::fitLive() {
+  live_->setVisible(liveOpen_ && log_->isHidden() && pages_[static_cast<size_t>(stack_->currentIndex())]->wantsLive());
+  if (toast_ == nullptr) return;
+  const int drawer_px = live_->isHidden() ? 0 : openLive_px;
+  toast_->keepAbove(LiveStrip::height_px + (log_->isHidden() ? drawer_px : log_->height()));
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+  QMainWindow::resizeEvent(event);
+  fitLive();
 }
 
 }  // namespace breakaway

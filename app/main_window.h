@@ -1,20 +1,23 @@
-// The window: the steps of the job on the left, the bar above, the live plots below, the page between.
+// The window: the bar above, the steps of the job on the left, the page between, and the live strip below.
 #pragma once
 
 #include <QMainWindow>
-#include <memory>
 #include <vector>
 
 #include "widgets/file_chooser.h"
 
-class QLabel;
-class QListWidget;
 class QStackedWidget;
 
 namespace breakaway {
 
+class Connection;
 class LivePlots;
+class LiveStrip;
+class LogDrawer;
+class Manual;
 class Page;
+class Rail;
+class Toast;
 struct Session;
 
 class MainWindow : public QMainWindow {
@@ -25,20 +28,36 @@ class MainWindow : public QMainWindow {
 
   /// Brings the page with this object name to the front.
   void showPage(const QString& objectName);
+  /// Opens or closes the plots below the page.
+  void showLive(bool open);
 
  protected:
-  void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
 
  private:
   void buildPages(Session& session, FileChooser& files);
-  void buildNavigation();
-  void buildLiveDock(Session& session, FileChooser& files);
-  void showIcons();
-  void showLine(const QString& line, bool trouble);
+  void buildRail();
+  void buildBelow(Session& session, FileChooser& files);
+  void buildHelp();
+  void layOut(QWidget* bar);
+  void goTo(int row);
+  void showStates();
+  void showLog(bool open);
+  void showHelp(const QWidget* about);
+  void fitLive();
 
-  QListWidget* steps_ = nullptr;
+  Connection& connection_;
+  Rail* rail_ = nullptr;
   QStackedWidget* stack_ = nullptr;
-  QLabel* line_ = nullptr;
+  LogDrawer* log_ = nullptr;
+  LivePlots* live_ = nullptr;
+  LiveStrip* strip_ = nullptr;
+  Toast* toast_ = nullptr;
+  Manual* manual_ = nullptr;
+  bool liveOpen_ = false;
   std::vector<Page*> pages_;
 };
 

@@ -1,18 +1,21 @@
 #include "screenshots.h"
 
+#include <qcustomplot.h>
+
 #include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QApplication>
-#include <QCheckBox>
 #include <QComboBox>
 #include <QElapsedTimer>
 #include <QEventLoop>
 #include <QFile>
 #include <QListWidget>
 #include <QPixmap>
-#include <QStyleFactory>
+#include <QProcess>
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QThread>
+#include <cmath>
 #include <functional>
 
 #include "base/atomic_file.h"
@@ -28,6 +31,16 @@ namespace {
 
 using Condition = std::function<bool()>;
 
+/// A screen: its size in its own pixels, how many of them make one of the window's, and what that adds to a name.
+struct Screen {
+  QSize size;
+  qreal ratio;
+  const char* name;
+};
+
+constexpr Screen screens[] = {
+    {{1366, 768}, 1.0, ""}, {{1280, 720}, 1.0, "-1280x720"}, {{3840, 2160}, 2.0, "-3840x2160"}};
+
 /// Nobody is there to answer but with the one path that was prepared, if any.
 class PreparedAnswer : public FileChooser {
  public:
@@ -42,7 +55,8 @@ class Tour {
  public:
   Tour(const QString& folder, const QString& theme)
       : folder_(folder), theme_(theme), session_(options()), window_(session_, files_) {
-    window_.resize(1366, 768);
+    session_.project.open(project_.path());
+    window_.resize(screens[0].size);
     window_.show();
   }
 
@@ -51,18 +65,26 @@ class Tour {
  private:
   static DriveLoopOptions options() { return {4.0, 0.005, 600.0}; }
   bool wait(const Condition& reached, int timeout_ms = 120'000);
+  void report(const QString& name);
   void settle(int time_ms);
   void press(const char* button);
   void shoot(const QString& name);
+  void shoot(const QString& name, const Screen& screen);
   void connectBoard();
+  void loseLink();
   void compareProfile();
+  void live();
+  void identify();
   void tune();
   void home();
   void sweep();
+  void layBeneath();
   void compare();
+  void openLog();
   void linear();
 
   QString folder_, theme_;
+  QTemporaryDir project_;  ///< of this tour alone
   PreparedAnswer files_;
   Session session_;
   MainWindow window_;
@@ -80,6 +102,15 @@ bool Tour::wait(const Condition& reached, int timeout_ms) {
   return true;
 }
 
+/// With its preview, which is made beside the window.
+void Tour::report(const QString& name) {
+  auto* chapters = window_.findChild<QListWidget*>("reportChapters");
+  chapters->clear();
+  window_.showPage("reportPage");
+  if (!wait([&] { return chapters->count() > 0; }, 60'000)) trouble_ = "the report's preview did not come";
+  shoot(name);
+}
+
 void Tour::settle(int time_ms) {
   wait([] { return false; }, time_ms);
 }
@@ -95,26 +126,48 @@ void Tour::press(const char* button) {
 
 void Tour::shoot(const QString& name) {
   settle(120);
+  for (const Screen& screen : screens) shoot(name, screen);
+  window_.resize(screens[0].size);
+}
+
+void Tour::shoot(const QString& name, const Screen& screen) {
+  const QSize size = screen.size / screen.ratio;
+  window_.resize(size);
+  settle(30);
+  for (QCustomPlot* plot : window_.findChildren<QCustomPlot*>()) {
+    if (plot->bufferDevicePixelRatio() == screen.ratio) continue;
+    plot->setBufferDevicePixelRatio(screen.ratio);
+    plot->replot();  // the new buffer holds nothing yet
+  }
   window_.findChild<LivePlots*>()->refresh();
   settle(60);
-  const QString path = QString("%1/%2-%3.png").arg(folder_, name, theme_);
-  if (!window_.grab().save(path)) trouble_ = path + " cannot be written";
+  if (window_.size() != size && trouble_.isEmpty())
+    trouble_ = QString("%1: the window grew to %2×%3").arg(name).arg(window_.width()).arg(window_.height());
+  QPixmap picture(screen.size);
+  picture.setDevicePixelRatio(screen.ratio);
+  window_.render(&picture);
+  const QString path = QString("%1/%2-%3%4.png").arg(folder_, name, theme_, screen.name);
+  if (!picture.save(path)) trouble_ = path + " cannot be written";
 }
 
 Result<void> Tour::run() {
   connectBoard();
+  loseLink();
+  live();
   tune();
+  identify();
   home();
   sweep();
   compare();
-  window_.showPage("reportPage");
-  shoot("report-ready");
+  report("report-ready");
   linear();
   if (!trouble_.isEmpty()) return Error{"screenshots", trouble_.toStdString()};
   return {};
 }
 
 void Tour::connectBoard() {
+  window_.showPage("runsPage");
+  shoot("runs-empty");
   window_.showPage("connectPage");
   shoot("connect-empty");
   session_.connection.open("serial:ttyACM7@921600");
@@ -126,12 +179,58 @@ void Tour::connectBoard() {
   session_.bench.turnSlowly();
   settle(3200);
   shoot("connect-connected");
-  window_.findChild<LivePlots*>()->setPaused(true);
-  window_.findChild<LivePlots*>()->showCursors(true);
-  shoot("connect-cursors");
-  window_.findChild<LivePlots*>()->showCursors(false);
-  window_.findChild<LivePlots*>()->setPaused(false);
   compareProfile();
+}
+
+void Tour::live() {
+  auto* plots = window_.findChild<LivePlots*>();
+  window_.showPage("handPage");
+  shoot("hand-ready");
+  window_.showLive(true);
+  settle(200);
+  plots->setPaused(true);
+  plots->showCursors(true);
+  shoot("hand-live");
+  plots->showCursors(false);
+  plots->setPaused(false);
+  window_.showLive(false);
+  press("logButton");
+  shoot("hand-log");
+  press("logButton");
+}
+
+/// A board in a process of its own, whose cable is pulled while it records, and which comes back.
+void Tour::loseLink() {
+  const QString program = QCoreApplication::applicationDirPath() + "/breakaway-board";
+  if (!QFile::exists(program)) return;
+  QProcess board;
+  board.start(program, {"--tcp", "0"});
+  if (!board.waitForReadyRead(10'000)) {
+    trouble_ = "breakaway-board does not begin";
+    return;
+  }
+  const QString uri = QString::fromUtf8(board.readLine()).trimmed();
+  session_.connection.open(uri);
+  if (!wait([this] { return session_.connection.connected(); }, 20'000)) trouble_ = uri + " cannot be opened";
+  window_.showPage("handPage");
+  window_.showLive(true);
+  session_.bench.turnSlowly();
+  press("recordButton");
+  settle(4000);
+  board.kill();
+  board.waitForFinished(5000);
+  if (!wait([this] { return !session_.connection.connected(); }, 20'000)) trouble_ = "the lost link isn't noticed";
+  shoot("hand-link-lost");
+  board.start(program, {"--tcp", uri.section(':', -1)});
+  if (!wait([this] { return session_.connection.connected(); }, 20'000)) trouble_ = uri + " does not come back";
+  settle(3000);
+  shoot("hand-link-back");
+  window_.showLive(false);
+  session_.connection.close();
+  board.kill();
+  board.waitForFinished(5000);
+  session_.connection.open("simulated");
+  session_.bench.turnSlowly();
 }
 
 void Tour::compareProfile() {
@@ -175,6 +274,19 @@ void Tour::tune() {
   shoot("tune-step");
 }
 
+void Tour::identify() {
+  window_.showPage("identifyPage");
+  shoot("identify-ready");
+  press("identifyButton");
+  wait([this] { return session_.bench.known().knows(Known::windingTest); });
+  shoot("identify-running");
+  session_.connection.setPace(60.0);
+  if (!wait([this] { return session_.bench.known().knows(Known::motor) && !session_.connection.run().running(); }))
+    trouble_ = "the identification did not end";
+  session_.connection.setPace(4.0);
+  shoot("identify-done");
+}
+
 void Tour::home() {
   window_.showPage("homePage");
   shoot("home-ready");
@@ -205,10 +317,31 @@ void Tour::sweep() {
     trouble_ = "the breakaway sweep did not end";
   session_.connection.setPace(4.0);
   shoot("friction-done");
-  auto* view = window_.findChild<QComboBox*>("polarView");
-  view->setCurrentIndex(2);
-  window_.findChild<QCheckBox*>("radiusFromZero")->setChecked(false);
+  layBeneath();
+  press("viewCoulomb");
+  press("radiusFromZero");
   shoot("friction-coulomb");
+}
+
+/// The map that was measured, found again in the project, beneath itself with a tenth more friction everywhere.
+void Tour::layBeneath() {
+  window_.showPage("runsPage");
+  auto* runs = window_.findChild<QAbstractItemView*>("runsTable");
+  if (!wait([&] { return runs->model()->rowCount() >= 2; }, 20'000)) trouble_ = "the map is not among the runs";
+  runs->setCurrentIndex(runs->model()->index(0, 0));
+  settle(300);
+  shoot("runs-full");
+  KeptMap earlier;
+  earlier.run.name = "before greasing";
+  earlier.map = session_.bench.known().map;
+  for (MapBin& bin : earlier.map.bins)
+    for (WayBin& way : bin.way) way.static_Nm.value *= 1.1 + 0.15 * std::cos(bin.angle_rad - 1.0);
+  session_.maps.layBeneath(earlier);
+  window_.showPage("frictionPage");
+  press("viewStatic");
+  shoot("friction-beneath");
+  session_.maps.layBeneath({});
+  press("viewTurns");
 }
 
 void Tour::compare() {
@@ -219,6 +352,7 @@ void Tour::compare() {
   if (!wait([this] { return session_.comparison.bench() && session_.comparison.recording(); }))
     trouble_ = "the example cannot be opened";
   shoot("compare-opened");
+  openLog();
   press("diagnoseButton");
   shoot("compare-running");
   if (!wait([this] {
@@ -236,13 +370,39 @@ void Tour::compare() {
   shoot("compare-where");
 }
 
+/// Another tool's log, as it is understood before it is opened.
+void Tour::openLog() {
+  const QTemporaryDir folder;
+  QFile log(folder.filePath("bench 3, run 7.csv"));
+  if (!log.open(QIODevice::WriteOnly)) return;
+  log.write("t [ms];Winkel [°];Drehzahl [1/min];iq;u;board temp\n");
+  for (int k = 0; k < 200; ++k) {
+    const double t = 0.01 * k, angle = 400.0 * (1.0 - std::cos(3.0 * t)), speed = 1200.0 * std::sin(3.0 * t);
+    log.write(QString("%1;%2;%3;%4;%5;%6\n")
+                  .arg(10 * k)
+                  .arg(angle)
+                  .arg(speed / 6.0)
+                  .arg(0.3 * std::cos(3.0 * t))
+                  .arg(6.0 * std::sin(3.0 * t))
+                  .arg(31.5)
+                  .toUtf8());
+  }
+  log.close();
+  files_.path = log.fileName();
+  press("openRecordingButton");
+  if (!wait([this] { return session_.comparison.log().isOpen() && !session_.comparison.log().settling(); }, 5000))
+    trouble_ = "the log cannot be opened";
+  shoot("compare-log");
+  press("logCloseButton");
+  files_.path.clear();
+}
+
 /// The same way on a linear axis.
 void Tour::linear() {
   session_.connection.setPace(4.0);
   window_.showPage("connectPage");
   auto* boards = window_.findChild<QListWidget*>("boardList");
-  for (QListWidgetItem* item : boards->findItems("Simulated board: linear", Qt::MatchExactly))
-    boards->setCurrentItem(item);
+  for (QListWidgetItem* item : boards->findItems("linear", Qt::MatchExactly)) boards->setCurrentItem(item);
   press("connectButton");
   shoot("connect-linear");
   window_.showPage("homePage");
@@ -275,19 +435,17 @@ void Tour::linear() {
   if (!wait([this] { return session_.bench.known().knows(Known::map) && !session_.connection.run().running(); }))
     trouble_ = "the linear axis' map did not come";
   session_.connection.setPace(4.0);
-  window_.findChild<QComboBox*>("polarView")->setCurrentIndex(1);
+  press("viewStatic");
   shoot("friction-linear-done");
-  window_.showPage("reportPage");
-  shoot("report-linear-ready");
+  report("report-linear-ready");
 }
 
 }  // namespace
 
 Result<void> takeScreenshots(const QString& folder) {
   if (auto made = makeFolder(folder.toStdString()); !made) return made;
-  QApplication::setStyle(QStyleFactory::create("Fusion"));
   for (const QString& theme : {QString("light"), QString("dark")}) {
-    QApplication::setPalette(theme == "dark" ? darkPalette() : lightPalette());
+    wear(theme == "dark" ? Theme::dark : Theme::light);
     Tour tour(folder, theme);
     if (auto done = tour.run(); !done) return done;
   }

@@ -80,6 +80,7 @@ Result<void> BoardDictionary::checkValues(BoardLink& link) const {
       return Error{link.place(), std::string("says nothing of the channel ") + form.name};
   }
   std::vector<std::string> names;
+  names.reserve(parameters_.size());
   for (const BoardParameter& parameter : parameters_) names.push_back(parameter.name);
   const auto told = values(link, names);
   return told ? Result<void>{} : told.error();

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/json_text.h"
+#include "experiment/profile.h"
 #include "firmware_link/board_dictionary.h"
 #include "firmware_link/board_link.h"
 #include "firmware_link/bridge_upload.h"
@@ -27,23 +28,9 @@ constexpr double longSlice_s = 0.05;    // granted while nothing has to react
 constexpr double resendAfter_s = 0.02;  // on a local link an answer takes far less
 constexpr double patience_s = 3.0;      // for a granted slice, however slow its emulator
 
-/// In the order in which the board's parameters are asked for and written.
-constexpr std::pair<const char*, double ControllerSettings::*> settingsByName[] = {
-    {"velocity_kp_A_s_per_rad", &ControllerSettings::velocity_kp_A_s_per_rad},
-    {"velocity_ki_A_per_rad", &ControllerSettings::velocity_ki_A_per_rad},
-    {"velocity_kd_A_s2_per_rad", &ControllerSettings::velocity_kd_A_s2_per_rad},
-    {"position_kp_A_per_rad", &ControllerSettings::position_kp_A_per_rad},
-    {"position_ki_A_per_rad_s", &ControllerSettings::position_ki_A_per_rad_s},
-    {"position_kd_A_s_per_rad", &ControllerSettings::position_kd_A_s_per_rad},
-    {"observer_cutoff_rad_per_s", &ControllerSettings::observer_cutoff_rad_per_s},
-    {"nominal_inertia_kg_m2", &ControllerSettings::nominal_inertia_kg_m2},
-    {"nominal_torque_constant_Nm_per_A", &ControllerSettings::nominal_torque_constant_Nm_per_A},
-    {"current_limit_A", &ControllerSettings::current_limit_A},
-    {"velocity_limit_rad_per_s", &ControllerSettings::velocity_limit_rad_per_s}};
-
 ControllerSettings settingsOf(const std::vector<double>& values) {
   ControllerSettings settings;
-  for (std::size_t k = 0; k < values.size(); ++k) settings.*settingsByName[k].second = values[k];
+  for (std::size_t k = 0; k < values.size(); ++k) settings.*profileParameters()[k].value = values[k];
   return settings;
 }
 
@@ -144,7 +131,7 @@ Result<void> BoardDrive::greet() {
   identity_.can.compensates = dictionary_.can(wire::Hello::friction);
   identity_.can.runsLegs = dictionary_.can(wire::Hello::legs);
   std::vector<std::string> names;
-  for (const auto& [name, member] : settingsByName) names.emplace_back(name);
+  for (const auto& [name, member] : profileParameters()) names.emplace_back(name);
   const auto values = dictionary_.values(link_, names);
   if (!values) return values.error();
   settings_ = settingsOf(*values);
@@ -169,12 +156,9 @@ Error BoardDrive::broken(const Error& error) {
 }
 
 Result<ControllerSettings> BoardDrive::configure(const ControllerSettings& wanted) {
+  if (auto good = checkSettings(wanted); !good) return good.error();
   std::vector<std::pair<std::string, double>> values;
-  for (const auto& [name, member] : settingsByName) {
-    const double value = wanted.*member;
-    if (!std::isfinite(value) || value < 0.0) return Error{"settings", "hold a value that is negative or not finite"};
-    values.emplace_back(name, value);
-  }
+  for (const auto& [name, member] : profileParameters()) values.emplace_back(name, wanted.*member);
   const auto accepted = dictionary_.write(link_, values);
   if (!accepted) return accepted.error();
   settings_ = settingsOf(*accepted);

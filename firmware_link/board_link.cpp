@@ -8,66 +8,52 @@ namespace breakaway {
 
 namespace {
 
-const char* nameOf(wire::Type type) {
-  switch (type) {
-    case wire::Type::hello:
-      return "hello";
-    case wire::Type::dictionary:
-      return "dictionary";
-    case wire::Type::readParameters:
-      return "read parameters";
-    case wire::Type::writeParameters:
-      return "write parameters";
-    case wire::Type::command:
-      return "command";
-    case wire::Type::heartbeat:
-      return "heartbeat";
-    case wire::Type::stop:
-      return "stop";
-    case wire::Type::writeFriction:
-    case wire::Type::readFriction:
-    case wire::Type::useFriction:
-    case wire::Type::useStatic:
-    case wire::Type::frictionUsed:
-    case wire::Type::staticUsed:
-      return "friction table";
-    case wire::Type::writeBridge:
-    case wire::Type::readBridge:
-      return "bridge's curve";
-    case wire::Type::startCapture:
-    case wire::Type::readCapture:
-      return "burst";
-    default:
-      return "request";
-  }
+using wire::Code;
+using wire::Type;
+
+constexpr std::pair<Type, const char*> requests[] = {{Type::hello, "hello"},
+                                                     {Type::dictionary, "dictionary"},
+                                                     {Type::readParameters, "read parameters"},
+                                                     {Type::writeParameters, "write parameters"},
+                                                     {Type::command, "command"},
+                                                     {Type::heartbeat, "heartbeat"},
+                                                     {Type::stop, "stop"},
+                                                     {Type::writeFriction, "friction table"},
+                                                     {Type::readFriction, "friction table"},
+                                                     {Type::useFriction, "friction table"},
+                                                     {Type::useStatic, "friction table"},
+                                                     {Type::frictionUsed, "friction table"},
+                                                     {Type::staticUsed, "friction table"},
+                                                     {Type::writeBridge, "bridge's curve"},
+                                                     {Type::readBridge, "bridge's curve"},
+                                                     {Type::startCapture, "burst"},
+                                                     {Type::readCapture, "burst"}};
+
+constexpr std::pair<Code, const char*> refusals[] = {
+    {Code::unknown, "does not know the request"},
+    {Code::malformed, "could not read the request"},
+    {Code::notAValue, "refused a value"},
+    {Code::latched, "has stopped the motor meanwhile and waits for a new start"},
+    {Code::notPossible, "cannot do that"},
+    {Code::noSuch, "has no such thing"},
+    {Code::outdated, "has had a newer request before this one and refused it"}};
+
+template <typename Key, std::size_t count>
+const char* wordsOf(const std::pair<Key, const char*> (&words)[count], Key key, const char* otherwise) {
+  const auto* found =
+      std::find_if(std::begin(words), std::end(words), [&](const auto& one) { return one.first == key; });
+  return found != std::end(words) ? found->second : otherwise;
 }
 
-const char* wordsOf(std::uint8_t code) {
-  switch (static_cast<wire::Code>(code)) {
-    case wire::Code::unknown:
-      return "does not know the request";
-    case wire::Code::malformed:
-      return "could not read the request";
-    case wire::Code::notAValue:
-      return "refused a value";
-    case wire::Code::latched:
-      return "has stopped the motor meanwhile and waits for a new start";
-    case wire::Code::notPossible:
-      return "cannot do that";
-    case wire::Code::noSuch:
-      return "has no such thing";
-    case wire::Code::outdated:
-      return "has had a newer request before this one and refused it";
-    case wire::Code::ok:
-      break;
-  }
-  return "refused the request";
+const char* nameOf(Type type) {
+  return wordsOf(requests, type, "request");
 }
 
 }  // namespace
 
 Error BoardLink::refusal(wire::Type type, std::uint8_t code) const {
-  return {place_, std::string(wordsOf(code)) + " (" + nameOf(type) + ")"};
+  return {place_,
+          std::string(wordsOf(refusals, static_cast<Code>(code), "refused the request")) + " (" + nameOf(type) + ")"};
 }
 
 std::uint16_t BoardLink::prepare(wire::Type type, std::span<const std::uint8_t> body) {

@@ -8,9 +8,10 @@ namespace breakaway {
 
 namespace {
 
-constexpr double quiet = 0.005;                           ///< of the trip's current: the sensor's own noise and zero
-constexpr double nothing = 0.02;                          ///< of the current that voltage and motion foretell
-constexpr double still = 0.1;                             ///< of the voltage: the back-EMF of a shaft that stands
+constexpr double quiet = 0.005;   ///< of the trip's current: the sensor's own noise and zero
+constexpr double nothing = 0.02;  ///< of the current that voltage and motion foretell
+constexpr double still = 0.1;     ///< of the voltage: the back-EMF of a shaft that stands
+constexpr double decaying = 0.2;  ///< likewise of the speed that voltage and current tell: the estimate lags behind
 constexpr double usualFactors[] = {0.25, 0.5, 2.0, 4.0};  ///< lines for edges, one channel for two
 
 /// By voltage and current.
@@ -41,7 +42,7 @@ WiringCause causeOf(const MotorFigures& m) {
   if (!(m.resistance_ohm > 0.0 && m.backEmf_V_s_per_rad > 0.0)) return WiringCause::unknown;
   const double V = m.voltage_V, resistive_V = m.resistance_ohm * m.current_A,
                induced_V = m.backEmf_V_s_per_rad * m.velocity_rad_per_s;
-  const bool stands = std::abs(induced_V) < still * std::abs(V);
+  const bool stands = std::abs(induced_V) < std::max(still * std::abs(V), decaying * std::abs(V - resistive_V));
   if (std::abs(m.current_A) < std::max(quiet * m.trip_A, nothing * std::abs(foretoldCurrent(m)))) {
     if (stands) return WiringCause::leadOff;
     // What drives without a word accelerates; what has lost its lead runs down.
@@ -51,7 +52,9 @@ WiringCause causeOf(const MotorFigures& m) {
   const bool currentAlong = resistive_V * V > 0.0, motionAlong = induced_V * V > 0.0;
   if (stands) return currentAlong ? WiringCause::encoderStands : WiringCause::sensorOrBridgeReversed;
   if (currentAlong) return motionAlong ? WiringCause::countsFactor : WiringCause::encoderReversed;
-  return motionAlong ? WiringCause::sensorReversed : WiringCause::bridgeReversed;
+  // A true current drives the shaft its way, so one that slows down has the other current.
+  const bool speedsUp = std::abs(m.velocity_rad_per_s) >= std::abs(m.before_rad_per_s);
+  return motionAlong == speedsUp ? WiringCause::sensorReversed : WiringCause::bridgeReversed;
 }
 
 std::string contradictionWords(const MotorFigures& m) {

@@ -30,6 +30,7 @@ std::string resourcesFolder() {
   if (!code) {
     places.push_back(program.parent_path() / ".." / "resources");
     places.push_back(program.parent_path() / ".." / ".." / ".." / "resources");
+    places.push_back(program.parent_path() / ".." / "share" / "breakaway");
   }
   places.emplace_back("/usr/share/breakaway");
   for (const fs::path& place : places) {

@@ -8,8 +8,8 @@
 
 namespace breakaway {
 
-/// The folder `resources`: BREAKAWAY_RESOURCES, else ../resources or ../../../resources beside the program, else
-/// /usr/share/breakaway; empty when there is none.
+/// The folder `resources`: BREAKAWAY_RESOURCES, else ../resources, ../../../resources or ../share/breakaway
+/// from the program's own folder, else /usr/share/breakaway; empty when there is none.
 std::string resourcesFolder();
 
 /// The names NAME of all presets/NAME.rig.json, sorted.

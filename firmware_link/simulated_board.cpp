@@ -6,8 +6,11 @@
 
 #include "control/board_watch.h"
 #include "control/servo_controller.h"
+#include "experiment/profile.h"
+#include "experiment/servo_settings.h"
 #include "firmware_link/presets.h"
 #include "firmware_link/simulated_rig.h"
+#include "firmware_link/simulated_shaft.h"
 #include "firmware_link/trip_words.h"
 #include "plant/rig.h"
 
@@ -18,23 +21,17 @@ namespace {
 constexpr double lease_s = 0.2;  // without a word from the host the board opens the windings
 
 ControllerSettings settingsOf(const ServoSettings<double>& servo) {
-  ControllerSettings settings;
-  settings.velocity_kp_A_s_per_rad = servo.gains.velocity_kp_A_s_per_rad;
-  settings.velocity_ki_A_per_rad = servo.gains.velocity_ki_A_per_rad;
-  settings.position_kp_A_per_rad = servo.gains.position_kp_A_per_rad;
-  settings.position_kd_A_s_per_rad = servo.gains.position_kd_A_s_per_rad;
-  settings.observer_cutoff_rad_per_s = servo.observer_cutoff_rad_per_s;
-  settings.nominal_inertia_kg_m2 = servo.inertia_kg_m2;
-  settings.nominal_torque_constant_Nm_per_A = servo.torqueConstant_Nm_per_A;
-  settings.current_limit_A = servo.current_limit_A;
-  settings.velocity_limit_rad_per_s = servo.gains.velocity_limit_rad_per_s;
-  return settings;
+  ControllerSettings limits;
+  limits.current_limit_A = servo.current_limit_A;
+  limits.velocity_limit_rad_per_s = servo.gains.velocity_limit_rad_per_s;
+  return withTuning(limits, servo);
 }
 
 /// The same for every board: what the port says, whatever runs beneath it.
 class SimulatedBoard final : public Drive {
  public:
-  SimulatedBoard(const Rig& rig, unsigned seed) : SimulatedBoard(rig, seed, hardwareOf<double>(rig)) {}
+  SimulatedBoard(const Rig& rig, unsigned seed, ShaftWatch shaft)
+      : SimulatedBoard(rig, seed, std::move(shaft), hardwareOf<double>(rig)) {}
 
   const Identity& identity() const override { return identity_; }
   ControllerSettings settings() const override { return settings_; }
@@ -48,7 +45,7 @@ class SimulatedBoard final : public Drive {
   Result<size_t> advance(double duration_s, std::vector<Sample>& samples) override;
 
  private:
-  SimulatedBoard(const Rig& rig, unsigned seed, const board::BoardHardware<double>& hardware)
+  SimulatedBoard(const Rig& rig, unsigned seed, ShaftWatch shaft, const board::BoardHardware<double>& hardware)
       : ticks_s_(1.0 / rig.loopRate_Hz),
         rig_(rig, seed),
         controller_(hardware.servo),
@@ -63,13 +60,14 @@ class SimulatedBoard final : public Drive {
                   rig.loopRate_Hz,
                   1.0,
                   rig.bridge.supply_V,
-                  rig.encoder.hasIndex} {
+                  rig.encoder.hasIndex},
+        shaft_(std::move(shaft)),
+        unitPerRad_(rig.unitPerRad()) {
     identity_.axis = rig.axis;
     identity_.countsPerRev =
         rig.axis == Axis::rotary ? rig.encoder.countsPerRev : rig.encoder.countsPerRev / rig.travel.length_m;
-    apply();
+    controller_.configure(servoSettings(settings_));
   }
-  void apply();
   void obey(const Command& command);
   Sample tick(const SimulatedRig::Reading& reading);
   void watch(const Sample& sample);
@@ -85,6 +83,8 @@ class SimulatedBoard final : public Drive {
   ControllerSettings settings_;
   FrictionCompensation friction_;
   Identity identity_;
+  ShaftWatch shaft_;
+  double unitPerRad_;
   std::shared_ptr<Procedure> procedure_;
   uint64_t tickCount_ = 0;
   double owed_s_ = 0.0, commandLimit_A_ = 0.0;
@@ -92,31 +92,13 @@ class SimulatedBoard final : public Drive {
   size_t lostTicks_ = 0, silentTicks_ = 0;  ///< not carried by the link: since the host was told, and in a row
 };
 
-void SimulatedBoard::apply() {
-  const ControllerSettings& s = settings_;
-  controller_.configure(
-      {{s.velocity_kp_A_s_per_rad, s.velocity_ki_A_per_rad, s.velocity_kd_A_s2_per_rad, s.position_kp_A_per_rad,
-        s.position_ki_A_per_rad_s, s.position_kd_A_s_per_rad, s.velocity_limit_rad_per_s},
-       s.observer_cutoff_rad_per_s,
-       s.nominal_inertia_kg_m2,
-       s.nominal_torque_constant_Nm_per_A,
-       s.current_limit_A});
-}
-
 Result<ControllerSettings> SimulatedBoard::configure(const ControllerSettings& wanted) {
-  const double all[] = {
-      wanted.velocity_kp_A_s_per_rad,   wanted.velocity_ki_A_per_rad,   wanted.velocity_kd_A_s2_per_rad,
-      wanted.position_kp_A_per_rad,     wanted.position_ki_A_per_rad_s, wanted.position_kd_A_s_per_rad,
-      wanted.observer_cutoff_rad_per_s, wanted.nominal_inertia_kg_m2,   wanted.nominal_torque_constant_Nm_per_A,
-      wanted.current_limit_A,           wanted.velocity_limit_rad_per_s};
-  for (const double value : all) {
-    if (!std::isfinite(value) || value < 0.0) return Error{"settings", "hold a value that is negative or not finite"};
-  }
+  if (auto good = checkSettings(wanted); !good) return good.error();
   settings_ = wanted;
   settings_.observer_cutoff_rad_per_s = std::min(wanted.observer_cutoff_rad_per_s, 0.5 / ticks_s_);
   settings_.current_limit_A = std::min(wanted.current_limit_A, mostCurrent_A_);
   settings_.velocity_limit_rad_per_s = std::min(wanted.velocity_limit_rad_per_s, mostVelocity_rad_per_s_);
-  apply();
+  controller_.configure(servoSettings(settings_));
   return settings_;
 }
 
@@ -267,6 +249,8 @@ Result<size_t> SimulatedBoard::advance(double duration_s, std::vector<Sample>& s
   for (size_t k = 0; k < ticks; ++k) {
     const SimulatedRig::Reading reading = rig_.read();
     const Sample sample = tick(reading);
+    if (shaft_)
+      shaft_({sample.time_s, rig_.shaft_rad() * unitPerRad_, rig_.shaft_rad_per_s() * unitPerRad_, sample.enabled});
     if (heard(reading.linkLost)) samples.push_back(sample);
     watch(sample);
     runProcedure(sample);
@@ -278,14 +262,35 @@ Result<size_t> SimulatedBoard::advance(double duration_s, std::vector<Sample>& s
 }  // namespace
 
 Result<std::unique_ptr<Drive>> openDrive(const std::string& uri, unsigned seed) {
+  return openWatched(uri, seed, {});
+}
+
+namespace {
+
+Result<Rig> rigAt(const std::string& uri) {
   if (!isSimulated(uri)) {
     return Error{"board " + uri, "is no known board, expected simulated, simulated:PRESET or simulated:FILE.rig.json"};
   }
   const auto file = rigFileOf(uri);
   if (!file) return file.error();
-  const auto rig = readRig(*file);
+  return readRig(*file);
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Drive>> openWatched(const std::string& uri, unsigned seed, ShaftWatch watch) {
+  const auto rig = rigAt(uri);
   if (!rig) return rig.error();
-  return std::unique_ptr<Drive>(std::make_unique<SimulatedBoard>(*rig, seed));
+  return std::unique_ptr<Drive>(std::make_unique<SimulatedBoard>(*rig, seed, std::move(watch)));
+}
+
+Result<std::unique_ptr<Drive>> openPushed(const std::string& uri, unsigned seed, const ShaftPush& push) {
+  auto rig = rigAt(uri);
+  if (!rig) return rig.error();
+  if (rig->axis != Axis::rotary) return Error{"board " + uri, "moves a linear axis, expected a rotor to be pushed"};
+  rig->effects.push_back({"external_disturbance",
+                          {{"torque_Nm", push.torque_Nm}, {"start_s", push.start_s}, {"duration_s", push.duration_s}}});
+  return std::unique_ptr<Drive>(std::make_unique<SimulatedBoard>(*rig, seed, ShaftWatch{}));
 }
 
 }  // namespace breakaway

@@ -32,6 +32,9 @@ class SimulatedRig {
   double realisable(double duty) { return bridge_.realisable(duty); }
   /// Lets the rest of the tick pass; without `enabled` the windings are open.
   void drive(bool enabled, double duty);
+  /// The motor's: rad from the index, rad/s.
+  double shaft_rad() const { return plant_.angle_rad(); }
+  double shaft_rad_per_s() const { return plant_.velocity_rad_per_s(); }
 
  private:
   double ticks_s_, rate_Hz_;

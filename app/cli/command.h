@@ -42,7 +42,9 @@ using AddCommand = void (*)(CLI::App& app, Job& chosen);
 void addFit(CLI::App& app, Job& chosen);
 void addSimulate(CLI::App& app, Job& chosen);
 void addDiagnose(CLI::App& app, Job& chosen);
+void addCheck(CLI::App& app, Job& chosen);
 void addBatch(CLI::App& app, Job& chosen);
+void addSummary(CLI::App& app, Job& chosen);
 void addTrial(CLI::App& app, Job& chosen);
 void addImport(CLI::App& app, Job& chosen);
 void addExport(CLI::App& app, Job& chosen);
@@ -53,5 +55,6 @@ void addPorts(CLI::App& app, Job& chosen);
 void addBurst(CLI::App& app, Job& chosen);
 void addFigures(CLI::App& app, Job& chosen);
 void addList(CLI::App& app, Job& chosen);
+void addProject(CLI::App& app, Job& chosen);
 
 }  // namespace breakaway::cli

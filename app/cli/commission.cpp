@@ -11,6 +11,7 @@
 #include "base/output_folder.h"
 #include "cli/command.h"
 #include "cli/inputs.h"
+#include "cli/into_project.h"
 #include "commission/commission_progress.h"
 #include "commission/held_beliefs.h"
 #include "commission/motor_file.h"
@@ -26,9 +27,9 @@ namespace breakaway::cli {
 namespace {
 
 struct CommissionLine {
-  std::string bench, board = "simulated", out, against;
+  std::string bench, board = "simulated", out, against, project;
   double addedInertia_kg_m2 = 0.0, addedTolerance = 0.005;
-  bool motorOnly = false;
+  bool motorOnly = false, wiringOnly = false;
   unsigned seed = 1;
   size_t bins = 180, turns = 2;
   double run_s = SweepSettings{}.speedRun_s;
@@ -172,7 +173,28 @@ void clearAway(const std::string& folder) {
   if (std::filesystem::is_empty(folder, code) && !code) std::filesystem::remove(folder, code);
 }
 
+/// The wiring check alone: a sentence each, and no files.
+Outcome checkWiring(Drive& drive, CommissionOptions options) {
+  options.wiringOnly = true;
+  options.keepRecordings = false;
+  const auto done = commission(drive, options);
+  if (progressIsWatched()) std::fprintf(stderr, "\r\033[K");
+  if (!done && done.error().place == contradictionPlace)
+    return {1, done.error().message() + "; mend it, or go on with --anyway"};
+  if (!done) return {interruptAsked != 0 ? 130 : 1, done.error().message()};
+  const auto sentences =
+      inWords(*done->wiring, done->sensorZero_A, done->noiseRms_A, done->identity.supply_V, done->identity.axis);
+  std::string words;
+  for (const std::string& sentence : sentences) words += sentence + "\n";
+  const nlohmann::ordered_json json{{"wiring", sentences}, {"remarks", done->remarks}};
+  return Result<Answer>(Answer{words + remarksOf(*done), asText(json)});
+}
+
 Outcome runCommission(const CommissionLine& line) {
+  if (line.out.empty() && !line.wiringOnly)
+    return Result<Answer>(Error{"--out", "is missing, expected the folder for the results"});
+  if (line.wiringOnly && !line.project.empty())
+    return Result<Answer>(Error{"--project", "takes files, but --wiring-only leaves none"});
   auto bench = readBelief(line);
   if (!bench) return Result<Answer>(bench.error());
   auto drive = openBoard(requestFor(line, *bench));
@@ -184,6 +206,8 @@ Outcome runCommission(const CommissionLine& line) {
     return Result<Answer>(Error{line.bench.empty() ? "bench" : line.bench,
                                 (**bench).axis == Axis::linear ? "is of a linear axis, but the board turns a rotor"
                                                                : "is of a rotor, but the board moves a linear axis"});
+  auto project = openAskedProject(line.project);
+  if (!project) return Result<Answer>(project.error());
   CommissionOptions options;
   options.bench = *bench;
   options.rig = options.bench && !options.bench->name.empty() ? options.bench->name : (*drive)->identity().device;
@@ -200,6 +224,7 @@ Outcome runCommission(const CommissionLine& line) {
   }
   const WatchedInterrupt interrupt;
   options.interrupted = [] { return interruptAsked != 0; };
+  if (line.wiringOnly) return checkWiring(**drive, options);
   auto out = OutputFolder::open(outputOf(line));
   if (!out) return Result<Answer>(out.error());
   if (auto begun = beginFolder(line, options); !begun) return Result<Answer>(begun.error());
@@ -216,8 +241,10 @@ Outcome runCommission(const CommissionLine& line) {
   if (!done && !kept && !line.resume) clearAway(line.out);
   if (!done && !kept) return Result<Answer>(done.error());
   if (!done) return {interruptAsked != 0 ? 130 : 1, withAdvice(done.error(), line.out).message()};
-  if (line.motorOnly) return endWithMotor(*done, line.out, *out);
-  return endWithMap(*done, line, *out);
+  const auto answer = line.motorOnly ? endWithMotor(*done, line.out, *out) : endWithMap(*done, line, *out);
+  return intoProject(
+      *project, {.kind = line.motorOnly ? "identification" : "commission", .sources = {line.out}, .only = out->files()},
+      answer);
 }
 
 }  // namespace
@@ -233,11 +260,11 @@ void addCommission(CLI::App& app, Job& chosen) {
       ->add_option("--board", line->board,
                    "simulated, simulated:PRESET, simulated:FILE.rig.json, serial:PORT[@BAUD] or tcp:HOST:PORT")
       ->capture_default_str();
-  command
-      ->add_option(
-          "--out", line->out,
-          "folder for bench.json, recordings, map.json, map.csv, report.html, and truth.csv of a simulated board")
-      ->required();
+  command->add_option(
+      "--out", line->out,
+      "folder for bench.json, recordings, map.json, map.csv, report.html, and truth.csv of a simulated board; "
+      "needed unless --wiring-only");
+  addProjectOption(*command, line->project);
   command->add_option("--seed", line->seed, "seed of a simulated board's noise")->capture_default_str();
   auto* bins =
       command->add_option("--bins", line->bins,
@@ -259,6 +286,8 @@ void addCommission(CLI::App& app, Job& chosen) {
                       "torques without trusting the current sensor's gain");
   command->add_flag("--motor-only", line->motorOnly,
                     "end once the motor is identified: bench.json and motor.json only");
+  command->add_flag("--wiring-only", line->wiringOnly,
+                    "only check the wiring, by a few small pulses: a sentence each on what was seen, no files");
   command->add_flag("--anew", line->anew, "give up the interrupted job in the folder, and begin anew");
   command->add_flag("--anyway", line->anyway,
                     "go on where the bench file contradicts the board or what is measured; the results say so");
@@ -272,6 +301,7 @@ void addCommission(CLI::App& app, Job& chosen) {
   command->footer(
       "Examples:\n"
       "  breakaway commission --out c\n"
+      "  breakaway commission --bench axis7.bench.json --board serial:ttyACM0 --wiring-only\n"
       "  breakaway commission --bench axis7.bench.json --board serial:ttyACM0 --out c\n"
       "  breakaway commission --board serial:ttyACM0 --out c --resume");
   command->callback([line, bins, turns, run, &chosen] {

@@ -5,6 +5,7 @@
 #include "cli/command.h"
 #include "cli/diagnose_files.h"
 #include "cli/inputs.h"
+#include "cli/into_project.h"
 
 namespace breakaway::cli {
 
@@ -20,7 +21,9 @@ OutputPlan outputOf(const DiagnosedFiles& files) {
   return plan;
 }
 
-Result<Answer> runDiagnose(const DiagnosedFiles& files) {
+Result<Answer> runDiagnose(const DiagnosedFiles& files, const std::string& projectFolder) {
+  auto project = openAskedProject(projectFolder);
+  if (!project) return project.error();
   auto out = OutputFolder::open(outputOf(files));
   if (!out) return out.error();
   std::optional<Diagnosis> diagnosis;
@@ -35,13 +38,15 @@ Result<Answer> runDiagnose(const DiagnosedFiles& files) {
   if (!done) return done.error();
   auto json = nlohmann::ordered_json::parse(diagnosisJson(*diagnosis, true));
   json["report"] = files.out + "/report.html";
-  return Answer{out->inWords() + inWords(*diagnosis) + "Report: " + files.out + "/report.html\n", asText(json)};
+  const Answer answer{out->inWords() + inWords(*diagnosis) + "Report: " + files.out + "/report.html\n", asText(json)};
+  return intoProject(*project, {.sources = {files.out}, .only = out->files(), .motor = motorOf(files.bench)}, answer);
 }
 
 }  // namespace
 
 void addDiagnose(CLI::App& app, Job& chosen) {
   auto line = std::make_shared<DiagnosedFiles>();
+  auto project = std::make_shared<std::string>();
   auto* command = app.add_subcommand(
       "diagnose", "Find where simulation and recordings part, which physics is missing, and prove it");
   command->add_option("--bench", line->bench, "bench file, NAME.bench.json")->required();
@@ -56,12 +61,13 @@ void addDiagnose(CLI::App& app, Job& chosen) {
                    "folder for diagnosis.json, model.json, base_model.json, report.html and figures")
       ->required();
   command->add_option("--seed", line->seed, "seed of everything random")->capture_default_str();
+  addProjectOption(*command, *project);
   command->footer(
       "Examples:\n"
       "  breakaway diagnose --bench axis7.bench.json --recording march.csv --out d\n"
       "  breakaway diagnose --bench b.json --recording a.csv b.csv --heldout c.csv --out d\n"
       "  breakaway import log.mat --out - | breakaway diagnose --bench b.json --recording - --out d --json");
-  command->callback([line, &chosen] { chosen = [line] { return runDiagnose(*line); }; });
+  command->callback([line, project, &chosen] { chosen = [line, project] { return runDiagnose(*line, *project); }; });
 }
 
 }  // namespace breakaway::cli

@@ -1,46 +1,160 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "base/atomic_file.h"
 #include "cli/command.h"
 #include "cli/inputs.h"
+#include "diagnose/simulate/model_file.h"
+#include "export/gains.h"
+#include "export/model_export.h"
+#include "export/portable/program.h"
 #include "friction/map_export.h"
+#include "recording/csv.h"
 
 namespace breakaway::cli {
 
 namespace {
 
-struct Options {
-  std::string map, format, out;
+struct ExportLine {
+  std::string map, model, tuning, form, out, name, recording;
+  int polePairs = 0;  ///< 0: not given
 };
 
-Result<Answer> exported(const Options& options) {
-  if (auto good = checkOutput(options.out, {options.map}); !good) return good.error();
-  const auto map = readMap(options.map);
-  if (!map) return map.error();
-  if (auto done = exportMap(*map, options.format, options.out); !done) {
-    const bool ofMap = done.error().place.starts_with("bin ");
-    return ofMap ? Error{options.map + ", " + done.error().place, done.error().fact} : done.error();
+/// "{a,b}"
+std::string among(const std::vector<std::string>& forms) {
+  return "{" + CLI::detail::join(forms, ",") + "}";
+}
+
+/// Each form of anything once, in the order of maps, models, gains.
+std::vector<std::string> allForms() {
+  std::vector<std::string> all = mapForms();
+  for (const auto* more : {&modelForms(), &gainForms()}) {
+    for (const std::string& one : *more) {
+      if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
+    }
   }
-  const nlohmann::ordered_json json{{"out", options.out}, {"bins", map->bins.size()}};
-  return Answer{options.out + ": " + std::to_string(map->bins.size()) + " bins\n", asText(json)};
+  return all;
+}
+
+/// One of the forms of what is exported. The error reads as the parser's own.
+Result<void> checkForm(const std::string& form, const std::vector<std::string>& forms) {
+  if (std::find(forms.begin(), forms.end(), form) != forms.end()) return {};
+  return Error{"--as", form + " not in " + among(forms) + "; see breakaway export --help"};
+}
+
+Result<Answer> exportedMap(const ExportLine& line) {
+  if (auto good = checkForm(line.form, mapForms()); !good) return good.error();
+  if (auto good = checkOutput(line.out, {line.map}); !good) return good.error();
+  const auto map = readMap(line.map);
+  if (!map) return map.error();
+  if (auto done = exportMap(*map, line.form, line.out); !done) {
+    const bool ofMap = done.error().place.starts_with("bin ");
+    return ofMap ? Error{line.map + ", " + done.error().place, done.error().fact} : done.error();
+  }
+  const nlohmann::ordered_json json{{"out", line.out}, {"bins", map->bins.size()}};
+  return Answer{line.out + ": " + std::to_string(map->bins.size()) + " bins\n", asText(json)};
+}
+
+/// The output's own name where all languages take it for one, else the program's. C has no names but by prefix.
+std::string nameFor(const ExportLine& line) {
+  static const std::set<std::string> taken{"model", "package",   "block", "record", "function", "class",
+                                           "type",  "connector", "end",   "within", "import",   "if"};
+  if (!line.name.empty()) return line.name;
+  const std::string stem = std::filesystem::path(line.out).stem().string();
+  return line.form != "c" && isIdentifier(stem) && !taken.contains(stem) ? stem : "breakaway";
+}
+
+Result<Answer> exportedModel(const ExportLine& line) {
+  if (auto good = checkForm(line.form, modelForms()); !good) return good.error();
+  if (!line.name.empty() && !isIdentifier(line.name))
+    return Error{"--name", "is \"" + line.name + "\", expected letters, digits and _, a letter first"};
+  if (auto good = checkOutput(line.out, {line.model, line.recording}); !good) return good.error();
+  const auto model = readModel(line.model);
+  if (!model) return model.error();
+  ModelExportOptions options{.model = line.model, .name = nameFor(line)};
+  std::vector<Recording> recordings;
+  if (!line.recording.empty()) {
+    auto read = readRecordings({line.recording});
+    if (!read) return read.error();
+    recordings = std::move(*read);
+    options.recording = &recordings.front();
+  }
+  const auto done = exportModel(*model, line.form, options);
+  if (!done) {
+    const bool ofRecording = options.recording != nullptr && done.error().place.starts_with(line.recording);
+    return ofRecording ? done.error() : Error{line.model + ", " + done.error().place, done.error().fact};
+  }
+  if (auto written = writeFile(line.out, done->text); !written) return written.error();
+  std::string words;
+  for (const std::string& note : done->notes) words += note + "\n";
+  const nlohmann::ordered_json json{{"out", line.out}, {"form", line.form}, {"notes", done->notes}};
+  return Answer{words + line.out + ": the model as " + line.form + "\n", asText(json)};
+}
+
+Result<Answer> exportedGains(const ExportLine& line) {
+  if (auto good = checkForm(line.form, gainForms()); !good) return good.error();
+  if (auto good = checkOutput(line.out, {line.tuning}); !good) return good.error();
+  const auto gains = readTuning(line.tuning);
+  if (!gains) return gains.error();
+  const auto done = exportGains(*gains, line.form, line.tuning,
+                                line.polePairs > 0 ? std::optional<double>(line.polePairs) : std::nullopt);
+  if (!done) return done.error();
+  if (auto written = writeFile(line.out, done->text); !written) return written.error();
+  std::string words;
+  for (const std::string& note : done->notes) words += note + "\n";
+  const nlohmann::ordered_json json{{"out", line.out}, {"form", line.form}, {"notes", done->notes}};
+  return Answer{words + line.out + ": the gains for " + line.form + "\n", asText(json)};
+}
+
+/// Options that only some exports take are no silent extras.
+Result<void> checkExtras(const ExportLine& line) {
+  if (line.model.empty() && !line.name.empty()) return Error{"--name", "goes with --model only"};
+  if (line.model.empty() && !line.recording.empty()) return Error{"--recording", "goes with --model only"};
+  if (line.tuning.empty() && line.polePairs > 0) return Error{"--pole-pairs", "goes with --tuning only"};
+  return {};
+}
+
+Result<Answer> exported(const ExportLine& line) {
+  if (auto good = checkExtras(line); !good) return good.error();
+  if (!line.tuning.empty()) return exportedGains(line);
+  return line.model.empty() ? exportedMap(line) : exportedModel(line);
 }
 
 }  // namespace
 
 void addExport(CLI::App& app, Job& chosen) {
-  auto options = std::make_shared<Options>();
-  auto* command = app.add_subcommand("export", "Write a friction map in the form that another program reads");
-  command->add_option("--map", options->map, "map to read, map.json; - is standard input")->required();
-  command->add_option("--as", options->format, "the form")
-      ->required()
-      ->check(CLI::IsMember({"csv", "json", "c-header", "mat"}));
-  command->add_option("--out", options->out, "file to write; - is standard output")->required();
+  auto line = std::make_shared<ExportLine>();
+  auto* command = app.add_subcommand(
+      "export", "Write a friction map, a fitted model or gains in the form that another program reads");
+  auto* what = command->add_option_group("what");
+  what->add_option("--map", line->map, "map to read, map.json; - is standard input");
+  what->add_option("--model", line->model, "model to read, model.json from fit or diagnose; - is standard input");
+  what->add_option("--tuning", line->tuning, "tuning to read, tuning.json; - is standard input");
+  what->require_option(1);
+  command
+      ->add_option("--as", line->form,
+                   "the form. Of a map: csv, json, c-header, mat, modelica. Of a model: mjcf, isaaclab, urdf, sdf, c, "
+                   "python, modelica, matlab. Of a tuning: simplefoc, odrive, vesc")
+      ->type_name("TEXT:" + among(allForms()))
+      ->required();
+  command->add_option("--out", line->out, "file to write; - is standard output")->required();
+  command->add_option("--name", line->name,
+                      "of prefix (C), joint, class or package; else the output's own, for C breakaway");
+  command->add_option("--recording", line->recording,
+                      "of a model as mjcf, isaaclab, urdf or sdf: on which its error with what the joint holds is held "
+                      "against its own, NAME.csv");
+  command->add_option("--pole-pairs", line->polePairs, "of the motor, for vesc")->check(CLI::Range(1, 1000));
   command->footer(
       "Examples:\n"
       "  breakaway export --map c/map.json --as c-header --out friction_map.h\n"
-      "  breakaway export --map c/map.json --as csv --out - | head");
-  command->callback([options, &chosen] { chosen = [options]() -> Outcome { return exported(*options); }; });
+      "  breakaway export --map c/map.json --as csv --out - | head\n"
+      "  breakaway export --model d/model.json --as c --out motor.h\n"
+      "  breakaway export --model d/model.json --as mjcf --out joint.xml --recording a.csv\n"
+      "  breakaway export --tuning t/tuning.json --as vesc --pole-pairs 7 --out gains.txt");
+  command->callback([line, &chosen] { chosen = [line]() -> Outcome { return exported(*line); }; });
 }
 
 }  // namespace breakaway::cli

@@ -11,6 +11,7 @@
 #include "figures/all_figures.h"
 #include "figures/figure_files.h"
 #include "firmware_link/simulated_board.h"
+#include "firmware_link/simulated_shaft.h"
 
 namespace breakaway::cli {
 
@@ -39,7 +40,10 @@ Result<Answer> runFigures(FiguresLine& line) {
       std::fprintf(stderr, "\r\033[K%3.0f %%  %s", 100.0 * part, activity.c_str());
     };
   }
-  const auto figures = measureFigures(std::move(*bench), std::move(*uneven), line.options);
+  const auto pushed = [&line](const ExternalPulse& pulse) {
+    return openPushed(line.board, line.options.seed, {pulse.torque_Nm, pulse.start_s, pulse.duration_s});
+  };
+  const auto figures = measureFigures(std::move(*bench), std::move(*uneven), pushed, line.options);
   if (progressIsWatched()) std::fprintf(stderr, "\r\033[K");
   if (!figures) return figures.error();
   const auto written = out->fill([&](const std::string& folder) { return writeFigures(*figures, folder); });

@@ -12,6 +12,7 @@
 #include "diagnose/effects/catalogue.h"
 #include "diagnose/fit/inverse_fit.h"
 #include "diagnose/fit/preparation.h"
+#include "diagnose/fit/scale_check.h"
 #include "diagnose/search/model_fit.h"
 #include "diagnose/simulate/model_file.h"
 
@@ -72,11 +73,19 @@ Result<Fitted> fitted(const FitLine& line, const Preparation& prepared) {
                                                               prepared.split.train.size(), fit->termination)};
 }
 
-Answer answerOf(const FitLine& line, const Fitted& fit, const std::string& channel, double error) {
+Answer answerOf(const FitLine& line, const Fitted& fit, const ScaleCheck& scales, const std::string& channel,
+                double error) {
   auto json = nlohmann::ordered_json::parse(modelText(fit.model));
   json["fit"] = {{"method", line.method}, {"channel", channel}, {"metric", "rmse"},
                  {"window_s", window_s},  {"train", error},     {"model", line.out}};
-  return {fit.how + inWords(fit.model) +
+  std::string first;
+  if (scales.misread) {
+    first = "Misread: " + scales.misread->sentence + ".\nWith " + scales.misread->mended + ":\n";
+    json["fit"]["misread"] = scales.misread->sentence;
+    json["fit"]["mended"] = scales.misread->mended;
+  }
+  for (const std::string& remark : scales.remarks) first += "Note: " + remark + ".\n";
+  return {first + fit.how + inWords(fit.model) +
               fmt::format("{}: {:.4g} rms over windows restarted every {} s\nModel: {}\n", channel, error, window_s,
                           line.out),
           asText(json)};
@@ -91,14 +100,18 @@ Result<Answer> runFit(const FitLine& line) {
   if (!bench) return bench.error();
   const auto recordings = readRecordings(line.recordings);
   if (!recordings) return recordings.error();
-  const auto prepared = prepare(*bench, *recordings, {}, window_s, HeldOut::none);
+  const auto scales = checkScales(*bench, *recordings);
+  if (!scales) return scales.error();
+  const std::optional<Misreading>& misread = scales->misread;
+  const auto prepared =
+      prepare(misread ? mended(*bench, *misread) : *bench, mended(*recordings, misread), {}, window_s, HeldOut::none);
   if (!prepared) return prepared.error();
   const auto fit = fitted(line, *prepared);
   if (!fit) return fit.error();
   const double error = std::sqrt(mean(scoreWindows(fit->model, prepared->tracks, prepared->split.trainScore)));
   if (auto written = writeModel(fit->model, line.out); !written) return written.error();
   const bool speedAlone = prepared->tracks.front().speedAlone();
-  return answerOf(line, *fit, speedAlone ? bench->velocityChannel() : bench->positionChannel(), error);
+  return answerOf(line, *fit, *scales, speedAlone ? bench->velocityChannel() : bench->positionChannel(), error);
 }
 
 }  // namespace

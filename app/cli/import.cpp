@@ -9,6 +9,7 @@
 #include "base/atomic_file.h"
 #include "cli/command.h"
 #include "cli/inputs.h"
+#include "recording/block_file.h"
 #include "recording/csv.h"
 
 namespace breakaway::cli {
@@ -86,10 +87,27 @@ Result<void> checkOutputs(const std::vector<Imported>& parts, const Options& opt
   return {};
 }
 
+/// A recording of ours that was kept in blocks.
+Result<Answer> importBlocks(const Options& options) {
+  const auto survey = surveyBlocks(options.in);
+  if (!survey) return survey.error();
+  std::string words = fmt::format("{}: {} rows, {} columns, {} samples lost in {} gaps\n", options.in, survey->rows,
+                                  survey->head.columns.size(), survey->lost(), survey->gaps.size());
+  if (!survey->ended) words += "It ended by a kill or a loss of power: the last second may be missing.\n";
+  const Json json{{"rows", survey->rows},
+                  {"lost", survey->lost()},
+                  {"gaps", survey->gaps.size()},
+                  {"out", options.explain ? Json() : Json(options.out)}};
+  if (options.explain) return Answer{words, asText(json)};
+  if (auto written = writeBlocksAsCsv(options.in, options.out); !written) return written.error();
+  return Answer{words + options.out + "\n", asText(json)};
+}
+
 Result<Answer> import(const Options& options) {
   if (!options.explain) {
     if (auto good = checkOutput(options.out, {options.in, options.map}); !good) return good.error();
   }
+  if (isBlockFile(options.in)) return importBlocks(options);
   ImportMap map;
   if (!options.map.empty()) {
     auto read = readImportMap(options.map);

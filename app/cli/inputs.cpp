@@ -2,14 +2,14 @@
 
 #include <unistd.h>
 
-#include "recording/csv.h"
+#include "recording/block_file.h"
 
 namespace breakaway::cli {
 
 Result<std::vector<Recording>> readRecordings(const std::vector<std::string>& paths) {
   std::vector<Recording> recordings;
   for (const std::string& path : paths) {
-    auto recording = readCsv(path);
+    auto recording = readRecording(path);
     if (!recording) return recording.error();
     recordings.push_back(std::move(*recording));
   }

@@ -35,4 +35,10 @@ std::string asText(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
+/// The same on one line.
+template <typename Json>
+std::string asLine(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 }  // namespace breakaway::cli

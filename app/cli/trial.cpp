@@ -10,7 +10,7 @@
 #include "cli/command.h"
 #include "cli/diagnose_files.h"
 #include "cli/inputs.h"
-#include "score/scored_trial.h"
+#include "diagnose/effects/catalogue.h"
 #include "trial/sealed_trial.h"
 
 namespace breakaway::cli {
@@ -70,6 +70,7 @@ Result<Answer> unseal(const SealedTrial& trial, const Diagnosis& diagnosis, cons
       {"verdict", nameOf(diagnosis.verdict)},
       {"outside", trial.outside},
       {"concealed", concealed},
+      {"wander", {{"share_of_friction", trial.wanderShare}, {"correlation_s", trial.wander_s}}},
       {"diagnosis", std::filesystem::absolute(out + "/diagnosis/diagnosis.json").lexically_normal().string()}};
   if (auto done =
           writeFile(folder + "/trial.json", withMade(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"));
@@ -112,7 +113,8 @@ void addTrial(CLI::App& app, Job& chosen) {
       ->required();
   command
       ->add_option("--family", line->family,
-                   "an effect's name, combination, masked, noisy, weak, low, outside or clean; drawn by default")
+                   "an effect's name, combination, masked, noisy, weak, low, outside, clean, imperfect or rough; drawn "
+                   "by default")
       ->check(CLI::IsMember(trialFamilies()));
   command->footer(
       "Examples:\n"

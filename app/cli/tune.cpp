@@ -7,6 +7,7 @@
 #include "base/output_folder.h"
 #include "cli/command.h"
 #include "cli/inputs.h"
+#include "cli/into_project.h"
 #include "motor/beliefs.h"
 #include "report/tuning_report.h"
 #include "stability/bench_loop.h"
@@ -19,7 +20,7 @@ constexpr double worthSaying = 0.02;                // of the stall current, in 
 constexpr double perHalfInterval = 1.0 / normal95;  // a standard error per half of a 95 % interval
 
 struct TuneLine {
-  std::string bench, stiffness = "medium", out;
+  std::string bench, stiffness = "medium", out, project;
   BoardTiming timing;
   bool anyway = false;
   double inertiaError_percent = 5.0, torqueConstantError_percent = 2.7, currentNoise_A = 0.018, currentLimit_A = 0.0;
@@ -57,6 +58,8 @@ NoiseShare noiseShareOf(const TuningStudy& study, const Bench& bench) {
 }
 
 Result<Answer> runTune(const TuneLine& line) {
+  auto project = openAskedProject(line.project);
+  if (!project) return project.error();
   auto bench = readBench(line.bench);
   if (!bench) return bench.error();
   if (auto held = holdToItself(line, *bench); !held) return held.error();
@@ -91,7 +94,8 @@ Result<Answer> runTune(const TuneLine& line) {
   auto json = nlohmann::ordered_json::parse(tuningJson(*study, bench->name));
   if (!bench->remarks.empty()) json["remarks"] = bench->remarks;
   json["tuning"] = line.out + "/tuning.json";
-  return Answer{words + "Tuning: " + line.out + "/tuning.json\n", asText(json)};
+  return intoProject(*project, {.sources = {line.out}, .only = out->files()},
+                     Answer{words + "Tuning: " + line.out + "/tuning.json\n", asText(json)});
 }
 
 }  // namespace
@@ -146,6 +150,7 @@ void addTune(CLI::App& app, Job& chosen) {
                    "folder for tuning.json, bench.json with the controller, root_locus.csv, response.csv, noise.csv, "
                    "figures")
       ->required();
+  addProjectOption(*command, line->project);
   command->footer(
       "Examples:\n"
       "  breakaway tune --bench c/bench.json --out t\n"

@@ -12,49 +12,64 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "base/uuid.h"
+#include "recording/csv.h"
+#include "recording/stretch.h"
+#include "session/bench_project.h"
 #include "session/bench_runs.h"
 #include "session/comparison.h"
 #include "session/live_samples.h"
 #include "session/resource_folder.h"
 #include "widgets/controls.h"
+#include "widgets/evidence_plot.h"
 #include "widgets/facts_table.h"
+#include "widgets/file_slot.h"
 #include "widgets/findings_list.h"
+#include "widgets/log_panel.h"
+#include "widgets/number_text.h"
+#include "widgets/parameter_words.h"
 #include "widgets/residual_axis.h"
 #include "widgets/residual_plots.h"
+#include "widgets/verdict_card.h"
 
 namespace breakaway {
 
 namespace {
 
+constexpr int leastFindings = 200;
+
 QString fileName(const std::string& path) {
   return QFileInfo(QString::fromStdString(path)).fileName();
 }
 
-/// "4.53 mm" or "0.217 mrad", whatever reads well.
-QString lengthText(double value, bool linear) {
-  const QString unit = linear ? "m" : "rad";
-  if (value >= 1.0) return QString("%1 %2").arg(value, 0, 'g', 3).arg(unit);
-  if (value >= 1e-3) return QString("%1 m%2").arg(1e3 * value, 0, 'g', 3).arg(unit);
-  return QString("%1 µ%2").arg(1e6 * value, 0, 'g', 3).arg(unit);
-}
-
 }  // namespace
 
-ComparePage::ComparePage(const BenchRuns& bench, const LiveSamples& live, Comparison& comparison, FileChooser& files,
-                         QWidget* parent)
-    : Page("comparePage", tr("Compare"), "compare", parent),
+ComparePage::ComparePage(const BenchRuns& bench, const LiveSamples& live, Comparison& comparison, BenchProject& project,
+                         FileChooser& files, QWidget* parent)
+    : Page("comparePage", tr("Compare"), parent),
       bench_(bench),
+      project_(project),
       live_(live),
       comparison_(comparison),
       files_(files) {
   setAcceptDrops(true);
-  auto* column = columnIn(this, 5, {16, 8, 16, 4});
-  column->addWidget(buildInputs());
-  auto* row = new QHBoxLayout;
-  row->setSpacing(14);
-  row->addWidget(buildPlots(), 1);
-  row->addWidget(buildVerdict());
-  column->addLayout(row, 1);
+  setHead(tr("Compare"),
+          tr("A recording against the physics that its bench file declares: what is missing, and the proof."));
+  diagnose_ = addPrimary("diagnoseButton", tr("Diagnose"));
+  cancel_ = addSecondary("cancelButton", tr("Cancel"));
+  buildInputs();
+  buildBase();
+  buildFindings();
+  compared_ = new QWidget(this);
+  auto* column = columnIn(compared_, 8);
+  column->addWidget(new VerdictCard(comparison_, compared_));
+  column->addWidget(buildEvidence(), 2);
+  column->addWidget(buildPlots(), 3);
+  log_ = new LogPanel(comparison_.log(), this);
+  picture()->addWidget(log_, 1);
+  picture()->addWidget(compared_, 1);
+  addReading("compareReading");
+  connect(&comparison_.log(), &LogOpening::changed, this, &ComparePage::showLog);
   connect(&comparison_, &Comparison::inputsChanged, this, &ComparePage::showInputs);
   connect(&comparison_, &Comparison::progressChanged, this, &ComparePage::showProgress);
   connect(&comparison_, &Comparison::diagnosisChanged, this, &ComparePage::showProof);
@@ -62,91 +77,112 @@ ComparePage::ComparePage(const BenchRuns& bench, const LiveSamples& live, Compar
   connect(&live_, &LiveSamples::recordingChanged, this, &ComparePage::showInputs);
   showInputs();
   showProof();
+  showLog();
 }
 
-QWidget* ComparePage::buildInputs() {
-  auto* strip = new QWidget(this);
-  auto* row = rowIn(strip, 6);
-  openBench_ = pushButton(strip, "openBenchButton", tr("Bench…"),
-                          tr("What is believed of the rig: NAME.bench.json. Dropping the file here does the same."));
-  openRecording_ =
-      pushButton(strip, "openRecordingButton", tr("Recording…"), tr("NAME.csv. Dropping the file here does the same."));
-  openHeldout_ =
-      pushButton(strip, "openHeldoutButton", tr("Held-out…"),
-                 tr("A second recording to prove the findings on; without it, parts of the first are held out"));
-  takeLive_ = pushButton(strip, "takeLiveButton", tr("Last live"));
-  openExample_ = pushButton(strip, "openExampleButton", tr("Example"));
-  diagnose_ = pushButton(strip, "diagnoseButton", tr("Diagnose"));
-  cancel_ = pushButton(strip, "cancelButton", tr("Cancel"));
-  progress_ = new QProgressBar(strip);
+void ComparePage::buildInputs() {
+  auto* group = new QWidget(this);
+  auto* column = columnIn(group, 6);
+  openBench_ =
+      new FileSlot("openBenchButton", tr("Bench"),
+                   tr("What is believed of the rig: NAME.bench.json. Dropping the file here does the same."), group);
+  openRecording_ = new FileSlot(
+      "openRecordingButton", tr("Recording"),
+      tr("NAME.csv, or another tool's log, which is shown as it is understood before it is opened. Dropping the file "
+         "here does the same."),
+      group);
+  openHeldout_ = new FileSlot(
+      "openHeldoutButton", tr("Held-out"),
+      tr("A second recording to prove the findings on; without it, parts of the first are held out"), group);
+  for (QWidget* slot : {openBench_, openRecording_, openHeldout_}) column->addWidget(slot);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  takeLive_ = pushButton(group, "takeLiveButton", tr("Last recording"));
+  openExample_ = pushButton(group, "openExampleButton", tr("Example"));
+  row->addWidget(takeLive_, 1);
+  row->addWidget(openExample_, 1);
+  column->addLayout(row);
+  progress_ = new QProgressBar(group);
   progress_->setObjectName("diagnoseProgress");
   progress_->setAccessibleName(tr("Progress of the diagnosis"));
   progress_->setRange(0, 1000);
   progress_->setTextVisible(false);
-  progress_->setFixedSize(110, 10);
-  activity_ = new QLabel(strip);
-  activity_->setObjectName("diagnoseActivity");
-  activity_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  for (QWidget* widget :
-       std::initializer_list<QWidget*>{openBench_, openRecording_, openHeldout_, takeLive_, openExample_})
-    row->addWidget(widget);
-  row->addSpacing(10);
-  for (QWidget* widget : std::initializer_list<QWidget*>{diagnose_, cancel_, progress_}) row->addWidget(widget);
-  row->addWidget(activity_, 1);
+  column->addWidget(progress_);
+  settings()->addWidget(group);
   connect(openBench_, &QPushButton::clicked, this, [this] {
     ask(tr("Open a bench"), tr("Bench (*.bench.json *.json)"),
         [this](const QString& path) { comparison_.openBench(path); });
   });
   connect(openRecording_, &QPushButton::clicked, this, [this] {
-    ask(tr("Open a recording"), tr("Recording (*.csv)"),
+    ask(tr("Open a recording"), tr("Recordings and logs (*)"),
         [this](const QString& path) { comparison_.openRecording(path); });
   });
   connect(openHeldout_, &QPushButton::clicked, this, [this] {
-    ask(tr("Open a held-out recording"), tr("Recording (*.csv)"),
+    ask(tr("Open a held-out recording"), tr("Recordings and logs (*)"),
         [this](const QString& path) { comparison_.openHeldout(path); });
   });
   connect(takeLive_, &QPushButton::clicked, this, &ComparePage::takeLive);
   connect(openExample_, &QPushButton::clicked, this, &ComparePage::openExample);
   connect(diagnose_, &QPushButton::clicked, &comparison_, &Comparison::diagnose);
   connect(cancel_, &QPushButton::clicked, &comparison_, &Comparison::cancel);
-  return strip;
+}
+
+void ComparePage::buildBase() {
+  auto* group = card(this);
+  columnOf(group)->addWidget(section(group, tr("Base parameters")));
+  base_ = new FactsTable("baseParameters", group);
+  columnOf(group)->addWidget(base_);
+  settings()->addWidget(group);
+}
+
+void ComparePage::buildFindings() {
+  auto* group = card(this);
+  columnOf(group)->addWidget(section(group, tr("Findings")));
+  ticked_ = caption(group, {});
+  columnOf(group)->addWidget(ticked_);
+  findings_ = new FindingsList(comparison_, group);
+  findings_->setMinimumHeight(leastFindings);
+  columnOf(group)->addWidget(findings_, 1);
+  settings()->addWidget(group, 1);
+  connect(findings_, &FindingsList::axisChosen, this,
+          [this](const QString& axis) { axis_->setCurrentIndex(axis_->findData(axis)); });
+}
+
+QWidget* ComparePage::buildEvidence() {
+  auto* group = card(this);
+  columnOf(group)->setContentsMargins(12, 8, 12, 8);
+  auto* evidence = new EvidencePlot(comparison_, group);
+  columnOf(group)->addWidget(evidence, 1);
+  connect(evidence, &EvidencePlot::reading, this, &ComparePage::read);
+  return group;
 }
 
 QWidget* ComparePage::buildPlots() {
-  auto* side = new QWidget(this);
-  auto* column = columnIn(side, 4);
+  auto* side = card(this);
+  auto* column = columnOf(side);
+  column->setContentsMargins(12, 8, 12, 8);
+  column->setSpacing(4);
   plots_ = new ResidualPlots(comparison_, side);
-  auto* strip = new QHBoxLayout;
   axis_ = new QComboBox(side);
   axis_->setObjectName("residualAxis");
   axis_->setAccessibleName(tr("Axis of the residual"));
+  axis_->setToolTip(tr("Over what the residual is drawn. Drag and wheel zoom in time."));
   for (const QString& axis : residualAxes())
     axis_->addItem(tr("Residual over %1")
                        .arg(axis == "current"    ? tr("motor torque or force")
                             : axis == "reversal" ? tr("travel since reversal")
                                                  : axis),
                    axis);
-  auto* legend = new QLabel(tr("Bands: where they part. Green line: held out. Drag and wheel zoom in time."), side);
-  legend->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  strip->addWidget(axis_);
-  strip->addWidget(legend, 1);
   column->addWidget(plots_, 1);
-  column->addLayout(strip);
+  auto* row = new QHBoxLayout;
+  row->addWidget(axis_);
+  row->addStretch(1);
+  keep_ = pushButton(side, "keepVisibleButton", tr("Keep visible part"));
+  row->addWidget(keep_);
+  column->addLayout(row);
+  connect(keep_, &QPushButton::clicked, this, &ComparePage::keepVisible);
+  connect(plots_, &ResidualPlots::visibleChanged, this, &ComparePage::showKeep);
   connect(axis_, &QComboBox::currentIndexChanged, this, [this] { plots_->setAxis(axis_->currentData().toString()); });
-  return side;
-}
-
-QWidget* ComparePage::buildVerdict() {
-  auto* side = new QWidget(this);
-  side->setFixedWidth(420);
-  auto* column = columnIn(side, 6);
-  proof_ = new FactsTable("proof", side);
-  findings_ = new FindingsList(comparison_, side);
-  column->addWidget(proof_);
-  column->addWidget(rule(side));
-  column->addWidget(findings_, 1);
-  connect(findings_, &FindingsList::axisChosen, this,
-          [this](const QString& axis) { axis_->setCurrentIndex(axis_->findData(axis)); });
   return side;
 }
 
@@ -165,24 +201,72 @@ void ComparePage::openExample() {
 }
 
 void ComparePage::takeLive() {
-  if (!live_.lastRecording()) return;
-  comparison_.takeRecording(*live_.lastRecording());
+  if (live_.lastRecording().isEmpty()) return;
+  comparison_.openRecording(live_.lastRecording());
   if (bench_.bench() && !comparison_.bench()) comparison_.takeBench(*bench_.bench());
+}
+
+/// Rows of the recording that the plot over time shows now.
+std::optional<Recording> ComparePage::visible() const {
+  const auto& recording = comparison_.recording();
+  if (!recording) return std::nullopt;
+  const auto [from_s, to_s] = plots_->visible_s();
+  const auto part = stretchOf(*recording, from_s, to_s);
+  return part ? std::optional(*part) : std::nullopt;
+}
+
+void ComparePage::showKeep() {
+  const auto& recording = comparison_.recording();
+  QString reason;
+  if (!recording) {
+    reason = tr("Open a recording first");
+  } else {
+    const auto [from_s, to_s] = plots_->visible_s();
+    if (from_s <= recording->time().front() && to_s >= recording->time().back())
+      reason = tr("All of it is visible: zoom in with the wheel, over the measurement");
+  }
+  setAvailable(keep_, tr("Puts what the plot over time shows into the project, as a recording of its own"), reason);
+}
+
+void ComparePage::keepVisible() {
+  const auto part = visible();
+  if (!part) return;
+  NewRun run;
+  run.at = utcNow();
+  run.kind = "recording";
+  run.name = tr("%1, %2 s to %3 s")
+                 .arg(fileName(part->name()))
+                 .arg(part->time().front(), 0, 'f', 3)
+                 .arg(part->time().back(), 0, 'f', 3)
+                 .toStdString();
+  if (comparison_.bench()) run.motor = comparison_.bench()->motorSerial;
+  run.write = [part = *part](const std::string& folder) { return writeCsv(part, folder + "/recording.csv"); };
+  project_.put(run, tr("The visible part"));
 }
 
 void ComparePage::showInputs() {
   const auto& bench = comparison_.bench();
-  openBench_->setText(bench ? tr("Bench: %1").arg(QString::fromStdString(bench->name).left(24)) : tr("Bench…"));
+  openBench_->show(bench ? QString::fromStdString(bench->name) : QString(), !bench ? QString()
+                                                                            : bench->axis == Axis::linear
+                                                                                ? tr("linear")
+                                                                                : tr("rotary"));
+  const auto about = [](const Recording& recording) {
+    return tr("%1 s").arg(numberText(recording.time().back() - recording.time().front()));
+  };
   const auto& recording = comparison_.recording();
-  openRecording_->setText(recording ? tr("Recording: %1").arg(fileName(recording->name()).left(24)) : tr("Recording…"));
+  openRecording_->show(recording ? fileName(recording->name()) : QString(), recording ? about(*recording) : QString());
   const auto& heldout = comparison_.heldout();
-  openHeldout_->setText(heldout ? tr("Held-out: %1").arg(fileName(heldout->name()).left(20)) : tr("Held-out…"));
-  setAvailable(takeLive_, live_.lastRecording().has_value(),
+  openHeldout_->show(heldout     ? fileName(heldout->name())
+                     : recording ? tr("parts of the recording")
+                                 : QString(),
+                     heldout ? about(*heldout) : QString());
+  setAvailable(takeLive_, !live_.lastRecording().isEmpty(),
                tr("Take the last recording that was made in the live plots"),
                tr("Nothing was recorded yet: Record, below the page, begins one"));
   setAvailable(openExample_, !resourceFiles("examples", ".bench.json").isEmpty(),
                tr("A recording of a simulated rig with concealed physics"), tr("The examples are not installed"));
   showProgress();
+  showKeep();
 }
 
 void ComparePage::showProgress() {
@@ -191,41 +275,64 @@ void ComparePage::showProgress() {
                tr("Fits the declared physics, searches for what is missing, and decides on data that was held out"),
                comparison_.obstacle());
   setAvailable(cancel_, running, tr("End the diagnosis"), tr("No diagnosis is running"));
-  progress_->setVisible(running);
-  progress_->setValue(static_cast<int>(std::lround(1000.0 * comparison_.progress())));
-  activity_->setText(running ? comparison_.activity() : QString());
+  progress_->setValue(running ? static_cast<int>(std::lround(1000.0 * comparison_.progress())) : 0);
+  showState();
+}
+
+void ComparePage::showLog() {
+  const bool open = comparison_.log().isOpen();
+  // One goes before the other comes: together they ask for more room than there is.
+  (open ? compared_ : static_cast<QWidget*>(log_))->hide();
+  (open ? static_cast<QWidget*>(log_) : compared_)->show();
+}
+
+void ComparePage::showState() {
+  const auto& diagnosis = comparison_.diagnosis();
+  if (comparison_.diagnosing()) {
+    setState({StepMark::running, tr("%1 % done").arg(100.0 * comparison_.progress(), 0, 'f', 0)});
+  } else if (diagnosis) {
+    const auto count = diagnosis->findings.size();
+    setState({StepMark::done, count == 0   ? tr("nothing missing")
+                              : count == 1 ? tr("1 finding")
+                                           : tr("%1 findings").arg(count)});
+  } else {
+    setState({StepMark::open, comparison_.recording() ? tr("not diagnosed yet") : tr("needs a recording")});
+  }
+}
+
+std::vector<Fact> ComparePage::baseFacts(const Diagnosis& diagnosis) {
+  std::vector<Fact> facts;
+  for (const Parameter& parameter : diagnosis.base.base) {
+    const ParameterWords words = wordsOf(parameter);
+    facts.push_back({words.name, QString("%1 %2").arg(words.value, words.unit),
+                     words.interval.isEmpty() ? tr("Held as declared")
+                                              : tr("%1 %2 with 95 % confidence").arg(words.interval, words.unit)});
+  }
+  const bool linear = diagnosis.base.axis == Axis::linear;
+  const auto coulomb = diagnosis.base.baseValue(linear ? "coulomb_N" : "coulomb_Nm");
+  const QString size = linear ? tr("%1 N").arg(numberText(diagnosis.wander.rms, 2))
+                              : tr("%1 mNm").arg(numberText(1e3 * diagnosis.wander.rms, 2));
+  facts.push_back(
+      {tr("Wander of the friction"),
+       coulomb && *coulomb > 0.0 ? tr("%1 % of it").arg(numberText(100.0 * diagnosis.wander.rms / *coulomb, 2)) : size,
+       tr("Torque that changes at random and has no place: %1 rms, over about %2 s")
+           .arg(size, numberText(diagnosis.wander.time_s, 2))});
+  return facts;
 }
 
 void ComparePage::showProof() {
   const auto& diagnosis = comparison_.diagnosis();
-  if (!diagnosis) {
-    proof_->show({{tr("Held-out error"), tr("not diagnosed yet"), {}}});
-    return;
+  if (diagnosis) {
+    base_->show(baseFacts(*diagnosis));
+  } else {
+    base_->show({{tr("Not fitted yet"), {}, {}}});
   }
-  const FitScore& fit = diagnosis->fit;
-  const bool linear = diagnosis->base.axis == Axis::linear;
-  const auto change = [linear](double before, double after) {
-    return tr("%1 → %2").arg(lengthText(before, linear), lengthText(after, linear));
-  };
-  std::vector<Fact> facts{
-      {tr("Held-out error"), change(fit.heldoutBefore, fit.heldoutAfter),
-       tr("RMS error of the position over windows of %1 s, with the base model and with the extended one; %2")
-           .arg(fit.window_s)
-           .arg(fit.separateRecording ? tr("on a separate recording") : tr("on held-out parts of the recording"))},
-      {tr("Better by"),
-       tr("%1 % (95 %: %2 to %3 %)")
-           .arg(100.0 * (1.0 - fit.heldoutAfter / std::max(fit.heldoutBefore, 1e-300)), 0, 'f', 0)
-           .arg(100.0 * fit.improvementLow95, 0, 'f', 0)
-           .arg(100.0 * fit.improvementHigh95, 0, 'f', 0),
-       {}},
-      {tr("Training error"), change(fit.trainBefore, fit.trainAfter), {}},
-      {tr("A perfect model"), lengthText(fit.floor, linear),
-       tr("What noise of the sensors, and the unknown start of each window, leave even to a perfect model")}};
-  if (!comparison_.shownTrace().position.empty()) {
-    facts.push_back({tr("As ticked below"), lengthText(comparison_.shownRmse(), linear),
-                     tr("RMS error of the position as the drawn simulation has it, over the held-out rows")});
-  }
-  proof_->show(facts);
+  ticked_->setText(
+      diagnosis && !comparison_.shownTrace().position.empty()
+          ? tr("As ticked, the error is %1").arg(channelText(comparison_.shownRmse(), diagnosis->fit.channel))
+          : tr("Untick one to see the fit without it"));
+  read(diagnosis ? tr("Point at a plot to read it") : QString());
+  showState();
 }
 
 void ComparePage::dragEnterEvent(QDragEnterEvent* event) {

@@ -1,7 +1,11 @@
 // Compare: a recording against what its bench declares: where they part, which physics is missing, and the proof.
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "pages/page.h"
+#include "recording/recording.h"
 #include "widgets/file_chooser.h"
 
 class QComboBox;
@@ -11,51 +15,70 @@ class QPushButton;
 
 namespace breakaway {
 
+class BenchProject;
 class BenchRuns;
 class Comparison;
 class FactsTable;
+class FileSlot;
+struct Diagnosis;
+struct Fact;
 class FindingsList;
 class LiveSamples;
+class LogPanel;
 class ResidualPlots;
 
 class ComparePage : public Page {
   Q_OBJECT
 
  public:
-  ComparePage(const BenchRuns& bench, const LiveSamples& live, Comparison& comparison, FileChooser& files,
-              QWidget* parent = nullptr);
+  ComparePage(const BenchRuns& bench, const LiveSamples& live, Comparison& comparison, BenchProject& project,
+              FileChooser& files, QWidget* parent = nullptr);
+
+  bool wantsLive() const override { return false; }
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
 
  private:
-  QWidget* buildInputs();
+  void buildInputs();
+  void buildBase();
+  void buildFindings();
+  QWidget* buildEvidence();
   QWidget* buildPlots();
-  QWidget* buildVerdict();
+  static std::vector<Fact> baseFacts(const Diagnosis& diagnosis);
   void ask(const QString& title, const QString& filter, const FileChooser::Answer& open);
   void openExample();
   void takeLive();
   void showInputs();
   void showProgress();
   void showProof();
+  void showLog();
+  std::optional<Recording> visible() const;
+  void showKeep();
+  void keepVisible();
+  void showState();
 
   const BenchRuns& bench_;
+  BenchProject& project_;
   const LiveSamples& live_;
   Comparison& comparison_;
   FileChooser& files_;
-  QPushButton* openBench_ = nullptr;
-  QPushButton* openRecording_ = nullptr;
-  QPushButton* openHeldout_ = nullptr;
+  FileSlot* openBench_ = nullptr;
+  FileSlot* openRecording_ = nullptr;
+  FileSlot* openHeldout_ = nullptr;
   QPushButton* openExample_ = nullptr;
   QPushButton* takeLive_ = nullptr;
   QPushButton* diagnose_ = nullptr;
   QPushButton* cancel_ = nullptr;
   QProgressBar* progress_ = nullptr;
-  QLabel* activity_ = nullptr;
+  QLabel* ticked_ = nullptr;
   QComboBox* axis_ = nullptr;
   ResidualPlots* plots_ = nullptr;
-  FactsTable* proof_ = nullptr;
+  QPushButton* keep_ = nullptr;
+  LogPanel* log_ = nullptr;
+  QWidget* compared_ = nullptr;  ///< plots and verdict, which give way to a log
+  FactsTable* base_ = nullptr;
   FindingsList* findings_ = nullptr;
 };
 

@@ -1,7 +1,6 @@
 #include "pages/connect_page.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -18,11 +17,14 @@
 #include "widgets/controls.h"
 #include "widgets/facts_table.h"
 #include "widgets/look.h"
+#include "widgets/number_text.h"
 #include "widgets/profile_panel.h"
 
 namespace breakaway {
 
 namespace {
+constexpr int stateLines = 4, identityHeight = 212, turnWidth = 120;
+
 /// A rig file's name without its folders.
 QString shortAddress(const QString& uri) {
   return uri.contains('/') ? uri.section(':', 0, 0) + ":" + QFileInfo(uri).fileName() : uri;
@@ -45,14 +47,17 @@ QString cannotWords(const Identity& board) {
 
 ConnectPage::ConnectPage(Connection& connection, BenchRuns& bench, Messages& messages, FileChooser& files,
                          QWidget* parent)
-    : Page("connectPage", tr("Connect"), "connect", parent),
+    : Page("connectPage", tr("Connect"), parent),
       connection_(connection),
       bench_(bench),
       messages_(messages),
       files_(files) {
-  auto* row = rowIn(this, 28, {16, 12, 16, 12});
-  row->addWidget(buildBoards(), 0);
-  row->addWidget(buildIdentity(), 1);
+  setHead(tr("Connect"), tr("Choose a board and connect. Nothing moves, and nothing is written to it."));
+  connect_ = addPrimary("connectButton", tr("Connect"));
+  disconnect_ = addSecondary("disconnectButton", tr("Disconnect"));
+  settings()->addWidget(buildBoards(), 1);
+  picture()->addWidget(buildIdentity());
+  picture()->addWidget(buildProfile(), 1);
   connect(&connection_, &Connection::changed, this, &ConnectPage::showConnection);
   connect(&connection_, &Connection::settingsChanged, this, &ConnectPage::showConnection);
   connect(&connection_, &Connection::runChanged, this, &ConnectPage::showMotion);
@@ -61,10 +66,9 @@ ConnectPage::ConnectPage(Connection& connection, BenchRuns& bench, Messages& mes
 }
 
 QWidget* ConnectPage::buildBoards() {
-  auto* side = new QWidget(this);
-  side->setFixedWidth(340);
-  auto* column = columnIn(side, 8);
-  column->addWidget(heading(side, tr("Boards")));
+  auto* side = card(this);
+  auto* column = columnOf(side);
+  column->addWidget(section(side, tr("Boards")));
   boards_ = new BoardList(side);
   column->addWidget(boards_, 1);
   address_ = new QLineEdit(boards_->address(), side);
@@ -80,15 +84,12 @@ QWidget* ConnectPage::buildBoards() {
   named->addWidget(title);
   named->addWidget(address_, 1);
   column->addLayout(named);
-  auto* buttons = new QHBoxLayout;
-  connect_ = pushButton(side, "connectButton", tr("Connect"));
   auto* open =
       pushButton(side, "openRigButton", tr("Open rig file…"), tr("Add a simulated rig of your own, NAME.rig.json"));
-  buttons->addWidget(connect_);
-  buttons->addWidget(open);
-  buttons->addStretch(1);
-  column->addLayout(buttons);
+  column->addWidget(open);
   state_ = explanation(side, {}, "connectionState");
+  state_->setFixedHeight(stateLines * state_->fontMetrics().lineSpacing());
+  state_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   column->addWidget(state_);
   connect(connect_, &QPushButton::clicked, this, &ConnectPage::connectChosen);
   connect(open, &QPushButton::clicked, this, &ConnectPage::openRig);
@@ -102,24 +103,29 @@ QWidget* ConnectPage::buildBoards() {
 }
 
 QWidget* ConnectPage::buildIdentity() {
-  auto* side = new QWidget(this);
-  auto* column = columnIn(side, 8);
-  column->addWidget(heading(side, tr("Connected board")));
+  auto* side = card(this);
+  auto* column = columnOf(side);
+  auto* head = new QHBoxLayout;
+  head->addWidget(section(side, tr("Connected board")), 1);
+  head->addWidget(buildMotion());
+  column->addLayout(head);
   auto* tables = new QHBoxLayout;
   tables->setSpacing(40);
   facts_ = new FactsTable("identityTable", side);
   controller_ = new FactsTable("controllerTable", side);
   tables->addWidget(facts_, 0, Qt::AlignTop);
   tables->addWidget(controller_, 0, Qt::AlignTop);
-  tables->addStretch(1);
-  column->addLayout(tables);
   cannot_ = explanation(side, {}, "cannotLine");
-  column->addWidget(cannot_);
-  column->addSpacing(4);
-  column->addWidget(buildMotion());
-  column->addWidget(rule(side));
-  column->addWidget(new ProfilePanel(connection_, bench_, messages_, files_, side), 1);
-  column->addStretch(0);
+  tables->addWidget(cannot_, 1, Qt::AlignTop);
+  column->addLayout(tables);
+  column->addStretch(1);
+  side->setMinimumHeight(identityHeight);  // as much as the longest identity takes: what is below stays where it is
+  return side;
+}
+
+QWidget* ConnectPage::buildProfile() {
+  auto* side = card(this);
+  columnOf(side)->addWidget(new ProfilePanel(connection_, bench_, messages_, files_, side), 1);
   return side;
 }
 
@@ -127,17 +133,14 @@ QWidget* ConnectPage::buildMotion() {
   auto* row = new QWidget(this);
   auto* buttons = rowIn(row);
   turn_ = pushButton(row, "turnButton", tr("Turn slowly"));
-  disconnect_ = pushButton(row, "disconnectButton", tr("Disconnect"));
+  turn_->setFixedWidth(turnWidth);
   pace_ = new QComboBox(row);
   pace_->setObjectName("paceBox");
   pace_->setAccessibleName(tr("Pace of simulated time"));
   for (const double pace : {1.0, 2.0, 5.0, 10.0, 20.0}) pace_->addItem(tr("%1 × real time").arg(pace), pace);
   connect(pace_, &QComboBox::activated, this, [this] { connection_.setPace(pace_->currentData().toDouble()); });
   buttons->addWidget(turn_);
-  buttons->addWidget(disconnect_);
-  buttons->addSpacing(12);
   buttons->addWidget(pace_);
-  buttons->addStretch(1);
   connect(turn_, &QPushButton::clicked, &bench_, &BenchRuns::turnSlowly);
   connect(disconnect_, &QPushButton::clicked, &connection_, &Connection::close);
   return row;
@@ -173,10 +176,8 @@ void ConnectPage::showConnection() {
 }
 
 void ConnectPage::showState() {
-  const Look look = Look::of(palette());
-  QPalette words = palette();
-  words.setColor(QPalette::WindowText, connection_.trouble().isEmpty() ? look.ink : look.trouble);
-  state_->setPalette(words);
+  dressAs(state_, "tone", connection_.trouble().isEmpty() ? QString() : "trouble");
+  setState(railState());
   switch (connection_.state()) {
     case ConnectionState::none:
       state_->clear();
@@ -197,21 +198,34 @@ void ConnectPage::showState() {
   }
 }
 
-void ConnectPage::changeEvent(QEvent* event) {
-  Page::changeEvent(event);
-  if (facts_ != nullptr && event->type() == QEvent::PaletteChange) showState();
+StepState ConnectPage::railState() const {
+  switch (connection_.state()) {
+    case ConnectionState::connected: {
+      const double rate_Hz = connection_.identity().loopRate_Hz;
+      return {StepMark::done,
+              rate_Hz < 1e3 ? tr("%1 Hz").arg(rate_Hz, 0, 'f', 0) : tr("%1 kHz").arg(rate_Hz / 1e3, 0, 'f', 2)};
+    }
+    case ConnectionState::connecting:
+      return {StepMark::running, tr("connecting")};
+    case ConnectionState::reconnecting:
+      return {StepMark::trouble, tr("link lost, trying again")};
+    case ConnectionState::failed:
+      return {StepMark::trouble, tr("not connected")};
+    case ConnectionState::none:
+      break;
+  }
+  return {StepMark::open, tr("no board")};
 }
 
 void ConnectPage::showIdentity() {
   const Identity& identity = connection_.identity();
   const ControllerSettings& settings = connection_.settings();
   cannot_->setText(connection_.connected() ? cannotWords(identity) : QString());
-  cannot_->setVisible(!cannot_->text().isEmpty());
   if (!connection_.connected()) {
     facts_->show({{tr("Device"), tr("none"), {}}});
     controller_->show({});
   } else {
-    const auto number = [](double value) { return QString::number(value, 'g', 5); };
+    const auto number = [](double value) { return numberText(value, 4); };
     facts_->show({{tr("Device"), QString::fromStdString(identity.device), {}},
                   {tr("Firmware"), QString::fromStdString(identity.firmware), {}},
                   {tr("Address"), shortAddress(connection_.uri()), connection_.uri()},
@@ -236,7 +250,7 @@ void ConnectPage::showIdentity() {
                        {tr("Velocity Kd"), with(settings.velocity_kd_A_s2_per_rad, units.derivative), {}},
                        {tr("Observer cutoff"), with(settings.observer_cutoff_rad_per_s, tr("rad/s")), {}},
                        {connection_.linear() ? tr("Nominal mass") : tr("Nominal inertia"),
-                        with(settings.nominal_inertia_kg_m2, connection_.linear() ? tr("kg") : tr("kg m²")),
+                        with(units.inertiaScale * settings.nominal_inertia_kg_m2, units.inertia),
                         {}},
                        {connection_.linear() ? tr("Nominal force constant") : tr("Nominal torque constant"),
                         with(settings.nominal_torque_constant_Nm_per_A, units.constant),

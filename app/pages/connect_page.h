@@ -24,13 +24,12 @@ class ConnectPage : public Page {
   ConnectPage(Connection& connection, BenchRuns& bench, Messages& messages, FileChooser& files,
               QWidget* parent = nullptr);
 
- protected:
-  void changeEvent(QEvent* event) override;
-
  private:
   QWidget* buildBoards();
   QWidget* buildIdentity();
   QWidget* buildMotion();
+  QWidget* buildProfile();
+  StepState railState() const;
   void connectChosen();
   void openRig();
   void showConnection();

@@ -1,33 +1,34 @@
 #include "pages/friction_page.h"
 
 #include <QDoubleSpinBox>
-#include <QFormLayout>
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "base/numbers.h"
+#include "pages/run_state.h"
 #include "session/bench_runs.h"
 #include "session/connection.h"
 #include "session/messages.h"
+#include "session/shown_maps.h"
 #include "widgets/axis_units.h"
 #include "widgets/controls.h"
 #include "widgets/facts_table.h"
+#include "widgets/kept_maps_card.h"
 #include "widgets/map_export.h"
 #include "widgets/map_panel.h"
+#include "widgets/number_text.h"
 #include "widgets/run_panel.h"
+#include "widgets/run_words.h"
 
 namespace breakaway {
 
 namespace {
 
-QString withInterval(const std::optional<Estimate>& estimate, double scale, const QString& unit, int decimals) {
-  if (!estimate) return FrictionPage::tr("not measured");
-  return FrictionPage::tr("%1 ± %2 %3")
-      .arg(scale * estimate->value, 0, 'f', decimals)
-      .arg(normal95 * scale * estimate->standardError, 0, 'f', decimals)
-      .arg(unit);
+constexpr int boxWidth = 128;
+
+QString withInterval(const std::optional<Estimate>& estimate, double scale, const QString& unit) {
+  return estimate ? estimateText(*estimate, scale, unit) : FrictionPage::tr("not measured");
 }
 
 QSpinBox* countBox(QWidget* parent, const char* objectName, const QString& name, int least, int most, int value) {
@@ -55,139 +56,132 @@ QDoubleSpinBox* numberBox(QWidget* parent, const char* objectName, const QString
 
 }  // namespace
 
-FrictionPage::FrictionPage(Connection& connection, BenchRuns& bench, Messages& messages, FileChooser& files,
-                           QWidget* parent)
-    : Page("frictionPage", tr("Friction"), "friction", parent),
+FrictionPage::FrictionPage(Connection& connection, BenchRuns& bench, ShownMaps& maps, Messages& messages,
+                           FileChooser& files, QWidget* parent)
+    : Page("frictionPage", tr("Friction"), parent),
       connection_(connection),
       bench_(bench),
+      maps_(maps),
       messages_(messages),
       files_(files) {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(16, 10, 16, 6);
-  row->setSpacing(20);
+  breakaway_ = addPrimary("breakawaySweepButton", tr("Run breakaway sweep"));
+  velocity_ = addSecondary("velocitySweepButton", tr("Run velocity sweep"), 160);
   map_ = new MapPanel(this);
-  row->addWidget(buildControls());
-  row->addWidget(map_, 1);
+  buildSettings();
+  picture()->addWidget(map_, 1);
+  addReading("polarReading");
+  connect(map_, &MapPanel::reading, this, &FrictionPage::read);
   connect(&connection_, &Connection::changed, this, &FrictionPage::showConnection);
   connect(&connection_, &Connection::runChanged, this, &FrictionPage::showMotion);
   connect(&bench_, &BenchRuns::measured, this, &FrictionPage::showMotion);
   connect(&bench_, &BenchRuns::knownChanged, this, &FrictionPage::showKnown);
+  connect(&maps_, &ShownMaps::changed, this, &FrictionPage::showMaps);
   showConnection();
   showKnown();
 }
 
-QWidget* FrictionPage::buildControls() {
-  auto* side = new QWidget(this);
-  side->setFixedWidth(336);
-  auto* column = new QVBoxLayout(side);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(6);
-  title_ = heading(side, {});
-  column->addWidget(title_);
-  column->addWidget(buildVelocityGroup());
-  column->addWidget(buildBreakawayGroup());
-  run_ = new RunPanel("frictionRun", {RunKind::velocitySweep, RunKind::breakaway, RunKind::trial}, side);
-  column->addWidget(run_);
-  column->addWidget(rule(side));
-  averages_ = new FactsTable("frictionAverages", side);
-  column->addWidget(averages_);
-  column->addStretch(1);
-  column->addWidget(new MapExport(bench_, messages_, files_, *map_, side));
-  return side;
-}
-
-QWidget* FrictionPage::buildVelocityGroup() {
-  auto* group = new QWidget(this);
-  auto* column = new QVBoxLayout(group);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(4);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(6);
-  highest_ = numberBox(group, "highestSpeed", tr("Highest speed"), 0.0, 2000.0, 0.0, {});
-  highest_->setSpecialValueText(tr("As fast as it can"));
-  speeds_ = countBox(group, "speedCount", tr("Number of speeds"), 2, 12, 6);
-  speeds_->setSuffix(tr(" speeds"));
-  duration_ =
-      numberBox(group, "speedDuration", tr("Time at each speed"), 0.5, 120.0, SweepSettings{}.speedRun_s, tr(" s"));
-  row->addWidget(highest_, 3);
-  row->addWidget(speeds_, 3);
-  row->addWidget(duration_, 2);
-  velocity_ = pushButton(group, "velocitySweepButton", tr("Run velocity sweep"));
-  speedsCaption_ = caption(group, {});
-  column->addWidget(speedsCaption_);
-  column->addLayout(row);
-  column->addWidget(velocity_);
+void FrictionPage::buildSettings() {
+  settings()->addWidget(buildSweep());
+  auto* averages = card(this);
+  columnOf(averages)->addWidget(section(averages, tr("Averages")));
+  averages_ = new FactsTable("frictionAverages", averages);
+  columnOf(averages)->addWidget(averages_);
+  settings()->addWidget(averages);
+  auto* use = card(this);
+  columnOf(use)->addWidget(section(use, tr("Export and use")));
+  export_ = new MapExport(messages_, files_, *map_, use);
+  columnOf(use)->addWidget(export_);
+  trial_ = pushButton(use, "tryMapButton", tr("Tune and try the map"));
+  columnOf(use)->addWidget(trial_);
+  settings()->addWidget(use);
+  auto* maps = new KeptMapsCard(maps_, this);
+  connect(maps, &KeptMapsCard::runsAsked, this, [this] { emit pageAsked("runsPage"); });
+  settings()->addWidget(maps);
+  settings()->addStretch(1);
   connect(velocity_, &QPushButton::clicked, this, [this] { bench_.make(RunKind::velocitySweep, sweeps()); });
-  return group;
+  connect(breakaway_, &QPushButton::clicked, this, [this] { bench_.make(RunKind::breakaway, sweeps()); });
+  connect(trial_, &QPushButton::clicked, this, [this] { bench_.make(RunKind::trial, sweeps()); });
 }
 
-QWidget* FrictionPage::buildBreakawayGroup() {
-  auto* group = new QWidget(this);
-  auto* column = new QVBoxLayout(group);
-  column->setContentsMargins(0, 4, 0, 0);
-  column->setSpacing(4);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(6);
+QWidget* FrictionPage::buildSweep() {
+  auto* group = card(this);
+  columnOf(group)->addWidget(section(group, tr("Sweeps")));
+  auto* grid = new QGridLayout;
+  grid->setHorizontalSpacing(8);
+  grid->setVerticalSpacing(4);
+  grid->setColumnStretch(0, 1);
+  const auto row = [&](QWidget* box) {
+    const int at = grid->rowCount();
+    auto* name = new QLabel(box->accessibleName(), group);
+    name->setBuddy(box);
+    box->setFixedWidth(boxWidth);
+    grid->addWidget(name, at, 0);
+    grid->addWidget(box, at, 1);
+    return name;
+  };
   bins_ = countBox(group, "bins", tr("Angles per turn"), 8, 720, SweepSettings{}.bins);
   turns_ = countBox(group, "turns", tr("Turns each way"), 1, 10, 2);
-  row->addWidget(bins_, 1);
-  row->addWidget(turns_, 1);
-  breakaway_ = pushButton(group, "breakawaySweepButton", tr("Run breakaway sweep"));
-  column->addWidget(caption(group, tr("Breakaway from standstill at")));
-  column->addLayout(row);
-  column->addWidget(breakaway_);
-  trial_ = pushButton(group, "tryMapButton", tr("Tune and try the map"));
-  column->addWidget(trial_);
+  highest_ = numberBox(group, "highestSpeed", tr("Highest speed"), 0.0, 2000.0, 0.0, {});
+  highest_->setSpecialValueText(tr("reachable"));
+  speeds_ = countBox(group, "speedCount", tr("Number of speeds"), 2, 12, 6);
+  duration_ =
+      numberBox(group, "speedDuration", tr("Time at each speed"), 0.5, 120.0, SweepSettings{}.speedRun_s, tr(" s"));
+  turns_->setToolTip(
+      tr("How often each angle is visited each way; what differs between turns is the doubt of the map"));
+  speeds_->setToolTip(tr("How many speeds the velocity sweep measures each way"));
+  binsName_ = row(bins_);
+  turnsName_ = row(turns_);
+  row(highest_);
+  row(speeds_);
+  row(duration_);
+  columnOf(group)->addLayout(grid);
+  run_ = new RunPanel("frictionRun", {RunKind::velocitySweep, RunKind::breakaway, RunKind::trial}, group);
+  columnOf(group)->addWidget(run_);
   for (const QSpinBox* box : {bins_, turns_, speeds_})
     connect(box, &QSpinBox::valueChanged, this, &FrictionPage::showMotion);
   for (const QDoubleSpinBox* box : {highest_, duration_})
     connect(box, &QDoubleSpinBox::valueChanged, this, &FrictionPage::showMotion);
-  connect(breakaway_, &QPushButton::clicked, this, [this] { bench_.make(RunKind::breakaway, sweeps()); });
-  connect(trial_, &QPushButton::clicked, this, [this] { bench_.make(RunKind::trial, sweeps()); });
   return group;
 }
 
 void FrictionPage::showConnection() {
   const Axis axis = connection_.identity().axis;
-  if (axis != worded_) axis == Axis::linear ? wordForTravel() : wordForRotor();
+  if (axis != worded_) wordFor(axis);
   worded_ = axis;
+  showHead();
   showMotion();
 }
 
-void FrictionPage::wordForRotor() {
-  title_->setText(tr("Friction around the rotor"));
-  speedsCaption_->setText(tr("Constant speeds up to"));
-  highest_->setDecimals(1);
-  highest_->setRange(0.0, 2000.0);
-  highest_->setSingleStep(1.0);
-  highest_->setSuffix(tr(" rad/s"));
-  highest_->setToolTip(tr("Speeds lie between 6 % of it and it, in equal ratios, each both ways"));
-  speeds_->setMinimum(2);
-  speeds_->setValue(6);
-  duration_->setToolTip(tr("At least this long at each speed, and then on to the end of the turn"));
-  bins_->setSuffix(tr(" angles"));
-  bins_->setAccessibleName(tr("Angles per turn"));
-  bins_->setToolTip(tr("Breakaways per turn, evenly spaced"));
-  turns_->setSuffix(tr(" turns each way"));
-  turns_->setAccessibleName(tr("Turns each way"));
+void FrictionPage::showHead() {
+  if (maps_.opened())
+    return setHead(titleOf(maps_.opened()->run),
+                   tr("A map of the project. A sweep measures today's, which is shown then."));
+  const bool linear = worded_ == Axis::linear;
+  setHead(linear ? tr("Friction over the travel") : tr("Friction around the rotor"),
+          linear
+              ? tr("The force at which the axis breaks away at every place, both ways; and what keeps it moving.")
+              : tr("The torque at which the rotor breaks away at every angle, both ways; and what keeps it moving."));
 }
 
-void FrictionPage::wordForTravel() {
-  title_->setText(tr("Friction over the travel"));
-  speedsCaption_->setText(tr("Strokes at speeds up to"));
-  highest_->setDecimals(3);
-  highest_->setRange(0.0, 10.0);
-  highest_->setSingleStep(0.01);
-  highest_->setSuffix(tr(" m/s"));
-  highest_->setToolTip(tr("Speeds lie between 1.2 % of it and it, in equal ratios, each both ways"));
-  speeds_->setMinimum(3);
-  speeds_->setValue(7);
-  duration_->setToolTip(tr("At least this long at each speed, and then on to the end of the stroke"));
-  bins_->setSuffix(tr(" places"));
-  bins_->setAccessibleName(tr("Places over the travel"));
-  bins_->setToolTip(tr("Places over the travel, evenly spaced; strokes are taken apart into as many"));
-  turns_->setSuffix(tr(" passes each way"));
-  turns_->setAccessibleName(tr("Passes each way"));
+void FrictionPage::wordFor(Axis axis) {
+  const bool linear = axis == Axis::linear;
+  const auto either = [linear](const QString& rotor, const QString& travel) { return linear ? travel : rotor; };
+  highest_->setDecimals(linear ? 3 : 1);
+  highest_->setRange(0.0, linear ? 10.0 : 2000.0);
+  highest_->setSingleStep(linear ? 0.01 : 1.0);
+  highest_->setSuffix(either(tr(" rad/s"), tr(" m/s")));
+  highest_->setToolTip(
+      tr("Speeds lie between %1 % of it and it, in equal ratios, each both ways").arg(linear ? 1.2 : 6.0));
+  speeds_->setMinimum(linear ? 3 : 2);
+  speeds_->setValue(linear ? 7 : 6);
+  duration_->setToolTip(
+      tr("At least this long at each speed, and then on to the end of the %1").arg(either(tr("turn"), tr("stroke"))));
+  bins_->setAccessibleName(either(tr("Angles per turn"), tr("Places over travel")));
+  binsName_->setText(bins_->accessibleName());
+  bins_->setToolTip(either(tr("Breakaways per turn, evenly spaced"),
+                           tr("Places over the travel, evenly spaced; strokes are taken apart into as many")));
+  turns_->setAccessibleName(either(tr("Turns each way"), tr("Passes each way")));
+  turnsName_->setText(turns_->accessibleName());
 }
 
 SweepSettings FrictionPage::sweeps() const {
@@ -202,6 +196,8 @@ SweepSettings FrictionPage::sweeps() const {
 
 void FrictionPage::showMotion() {
   run_->show(connection_.run());
+  const bool sweeping = connection_.runs(RunKind::velocitySweep) || connection_.runs(RunKind::breakaway);
+  if (sweeping && maps_.opened()) return maps_.open({});
   const bool linear = connection_.linear();
   const auto offer = [this](QPushButton* button, RunKind kind, const QString& what) {
     const QString first = connection_.connected() ? bench_.missingFor(kind, sweeps()) : QString();
@@ -217,30 +213,60 @@ void FrictionPage::showMotion() {
       trial_, RunKind::trial,
       tr("Tunes the controller for the motor as it is known now, leaves it so, and goes slowly to and fro without and "
          "with the measured friction compensated."));
+  const Commission& known = bench_.known();
+  const size_t whole = 2 * sweeps().bins * sweeps().turns, done = known.breakaways.size() + known.missed;
+  const bool goesOn = done > 0 && !known.knows(Known::breakaways);
+  breakaway_->setText(goesOn ? tr("Continue (%1 of %2)").arg(done).arg(whole) : tr("Run breakaway sweep"));
+  showState();
+}
+
+void FrictionPage::showState() {
+  StepState state = stateOf(connection_, {RunKind::velocitySweep, RunKind::breakaway, RunKind::trial});
+  const Commission& known = bench_.known();
+  const size_t whole = 2 * known.sweeps.bins * known.sweeps.turns, done = known.breakaways.size() + known.missed;
+  const bool map = known.knows(Known::map);
+  if (map && state.mark != StepMark::running) state = {StepMark::done, tr("map complete")};
+  if (!map && done > 0) state.words = tr("%1 of %2").arg(done).arg(whole);
+  if (!map && done > 0 && state.mark == StepMark::open) state.mark = StepMark::paused;
+  setState(state);
 }
 
 void FrictionPage::showKnown() {
-  showAverages();
-  map_->show(bench_.known());
+  const Commission known = shown();
+  showAverages(known);
+  export_->show(known);
+  map_->show(known);
   showMotion();
 }
 
-void FrictionPage::showAverages() {
-  const Commission& known = bench_.known();
+/// Of the project's map that was opened, else of this bench.
+Commission FrictionPage::shown() const {
+  return maps_.opened() ? commissionOf(maps_.opened()->map) : bench_.known();
+}
+
+void FrictionPage::showMaps() {
+  const auto& earlier = maps_.earlier();
+  map_->layBeneath(earlier ? std::optional(earlier->map) : std::nullopt);
+  showHead();
+  showKnown();
+}
+
+void FrictionPage::showAverages(const Commission& known) {
+  const auto& opened = maps_.opened();
+  const auto coulomb = opened ? std::optional(opened->map.coulombAverage_Nm) : known.coulombAverage_Nm();
+  const auto viscous =
+      opened ? std::optional(opened->map.viscousAverage_Nm_s_per_rad) : known.viscousAverage_Nm_s_per_rad();
   const AxisUnits units = unitsOf(known.identity.axis);
-  const int decimals = known.identity.axis == Axis::linear ? 3 : 2;
-  std::vector<Fact> facts{
-      {tr("Coulomb average"), withInterval(known.coulombAverage_Nm(), units.torqueScale, units.torque, decimals),
-       tr("Mean of both ways at zero speed, 95 % interval")},
-      {tr("Viscous average"),
-       withInterval(known.viscousAverage_Nm_s_per_rad(), units.viscousScale, units.viscous, decimals),
-       tr("Slope with speed, 95 % interval")}};
+  std::vector<Fact> facts{{tr("Coulomb average"), withInterval(coulomb, units.torqueScale, units.torque),
+                           tr("Mean of both ways at zero speed, 95 % interval")},
+                          {tr("Viscous average"), withInterval(viscous, units.viscousScale, units.viscous),
+                           tr("Slope with speed, 95 % interval")}};
   if (known.knows(Known::map)) {
-    const auto mean = [&known, &units, decimals](Way way) {
+    const auto mean = [&known, &units](Way way) {
       double sum_Nm = 0.0;
       for (const MapBin& bin : known.map.bins) sum_Nm += bin.way[static_cast<size_t>(way)].static_Nm.value;
       return tr("%1 %2")
-          .arg(units.torqueScale * sum_Nm / static_cast<double>(known.map.bins.size()), 0, 'f', decimals)
+          .arg(numberText(units.torqueScale * sum_Nm / static_cast<double>(known.map.bins.size())))
           .arg(units.torque);
     };
     const QString ccw = shortWayName(Way::ccw, known.identity.axis), cw = shortWayName(Way::cw, known.identity.axis);

@@ -18,31 +18,36 @@ namespace breakaway {
 class BenchRuns;
 class Connection;
 class FactsTable;
+class MapExport;
 class MapPanel;
 class Messages;
 class RunPanel;
+class ShownMaps;
 
 class FrictionPage : public Page {
   Q_OBJECT
 
  public:
-  FrictionPage(Connection& connection, BenchRuns& bench, Messages& messages, FileChooser& files,
+  FrictionPage(Connection& connection, BenchRuns& bench, ShownMaps& maps, Messages& messages, FileChooser& files,
                QWidget* parent = nullptr);
 
  private:
-  QWidget* buildControls();
-  QWidget* buildVelocityGroup();
-  QWidget* buildBreakawayGroup();
+  void buildSettings();
+  QWidget* buildSweep();
   SweepSettings sweeps() const;
   void showConnection();
-  void wordForRotor();
-  void wordForTravel();
+  void wordFor(Axis axis);
+  void showHead();
   void showMotion();
   void showKnown();
-  void showAverages();
+  void showState();
+  void showAverages(const Commission& known);
+  void showMaps();
+  Commission shown() const;
 
   Connection& connection_;
   BenchRuns& bench_;
+  ShownMaps& maps_;
   Messages& messages_;
   FileChooser& files_;
   QDoubleSpinBox* highest_ = nullptr;
@@ -55,9 +60,10 @@ class FrictionPage : public Page {
   QPushButton* trial_ = nullptr;
   RunPanel* run_ = nullptr;
   FactsTable* averages_ = nullptr;
-  QLabel* title_ = nullptr;
-  QLabel* speedsCaption_ = nullptr;
+  QLabel* binsName_ = nullptr;
+  QLabel* turnsName_ = nullptr;
   MapPanel* map_ = nullptr;
+  MapExport* export_ = nullptr;
   std::optional<Axis> worded_;  ///< the axis that the page speaks of
 };
 

@@ -10,30 +10,40 @@
 
 #include "base/numbers.h"
 #include "experiment/homing.h"
+#include "pages/run_state.h"
 #include "session/bench_runs.h"
 #include "session/connection.h"
 #include "session/live_samples.h"
-#include "widgets/axis_units.h"
 #include "widgets/controls.h"
 #include "widgets/facts_table.h"
+#include "widgets/number_text.h"
 #include "widgets/rotor_dial.h"
 #include "widgets/run_panel.h"
 #include "widgets/travel_strip.h"
 
 namespace breakaway {
 
+namespace {
+
+double degrees(double angle_rad) {
+  return angle_rad * 180.0 / std::numbers::pi;
+}
+
+}  // namespace
+
 HomePage::HomePage(Connection& connection, BenchRuns& bench, const LiveSamples& live, QWidget* parent)
-    : Page("homePage", tr("Home"), "home", parent), connection_(connection), bench_(bench), live_(live) {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(16, 12, 16, 8);
-  row->setSpacing(28);
-  row->addWidget(buildControls());
+    : Page("homePage", tr("Home"), parent), connection_(connection), bench_(bench), live_(live) {
+  home_ = addPrimary("homeButton", tr("Home"));
+  settings()->addWidget(buildPlan());
+  settings()->addWidget(buildResult());
+  settings()->addStretch(1);
   pictures_ = new QStackedWidget(this);
   dial_ = new RotorDial(pictures_);
   strip_ = new TravelStrip(pictures_);
   pictures_->addWidget(dial_);
   pictures_->addWidget(strip_);
-  row->addWidget(pictures_, 1);
+  picture()->addWidget(pictures_, 1);
+  connect(home_, &QPushButton::clicked, this, [this] { bench_.make(RunKind::homing); });
   connect(&connection_, &Connection::changed, this, &HomePage::showConnection);
   connect(&bench_, &BenchRuns::knownChanged, this, &HomePage::showConnection);
   connect(&bench_, &BenchRuns::measured, this, &HomePage::showResult);
@@ -43,37 +53,27 @@ HomePage::HomePage(Connection& connection, BenchRuns& bench, const LiveSamples& 
   showConnection();
 }
 
-QWidget* HomePage::buildControls() {
-  auto* side = new QWidget(this);
-  side->setFixedWidth(420);
-  auto* column = new QVBoxLayout(side);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(9);
-  title_ = heading(side, {});
-  column->addWidget(title_);
-  plan_ = explanation(side, {}, "homingPlan");
+QWidget* HomePage::buildPlan() {
+  auto* group = card(this);
+  auto* column = columnOf(group);
+  column->addWidget(section(group, tr("What will move")));
+  plan_ = explanation(group, {}, "homingPlan");
   column->addWidget(plan_);
-  auto* buttons = new QHBoxLayout;
-  home_ = pushButton(side, "homeButton", tr("Home"));
-  buttons->addWidget(home_);
-  identify_ = pushButton(side, "identifyButton", tr("Identify the motor"));
-  buttons->addWidget(identify_);
-  buttons->addStretch(1);
-  column->addLayout(buttons);
-  run_ = new RunPanel("homingRun", {RunKind::homing, RunKind::identification}, side);
+  run_ = new RunPanel("homingRun", {RunKind::homing}, group);
   column->addWidget(run_);
-  column->addWidget(rule(side));
-  result_ = new FactsTable("homingResult", side);
-  column->addWidget(result_);
-  column->addStretch(1);
-  connect(home_, &QPushButton::clicked, this, [this] { bench_.make(RunKind::homing); });
-  connect(identify_, &QPushButton::clicked, this, [this] { bench_.make(RunKind::identification); });
-  return side;
+  return group;
+}
+
+QWidget* HomePage::buildResult() {
+  auto* group = card(this);
+  columnOf(group)->addWidget(section(group, tr("Result")));
+  result_ = new FactsTable("homingResult", group);
+  columnOf(group)->addWidget(result_);
+  return group;
 }
 
 QString HomePage::plan() const {
   const HomingOptions options;
-  const double backOff_deg = options.backOff_rad * 180.0 / std::numbers::pi;
   const bool first = !bench_.known().knows(Known::motor) && bench_.obstacleToMake(RunKind::identification).isEmpty();
   const QString before =
       first ? tr("First the motor is identified: about a minute, standing and then turning both ways. ") : QString();
@@ -83,7 +83,7 @@ QString HomePage::plan() const {
             "the index's edge %4 times at %5 rad/s, always from the same side. It gives up after %6 s.")
              .arg(options.searchSpeed_rad_per_s)
              .arg(options.mostTurns)
-             .arg(backOff_deg, 0, 'f', 0)
+             .arg(degrees(options.backOff_rad), 0, 'f', 0)
              .arg(options.approaches)
              .arg(options.approachSpeed_rad_per_s)
              .arg(options.timeout_s);
@@ -106,31 +106,10 @@ QString HomePage::travelPlan() const {
 void HomePage::showConnection() {
   const bool linear = connection_.linear();
   pictures_->setCurrentWidget(linear ? static_cast<QWidget*>(strip_) : dial_);
-  title_->setText(linear ? tr("Feel for the ends, home to the index") : tr("Home to the index"));
+  setHead(linear ? tr("Feel for the ends, home to the index") : tr("Home to the index"),
+          tr("Every angle of the map is counted from the encoder's index."));
   plan_->setText(linear ? travelPlan() : plan());
   showResult();
-}
-
-std::vector<Fact> HomePage::motorFacts() const {
-  const Commission& known = bench_.known();
-  if (!known.knows(Known::motor)) return {};
-  const AxisUnits units = unitsOf(known.identity.axis);
-  const IdentifiedMotor& motor = known.motor;
-  const auto row = [](const QString& name, const Estimate& estimate, double scale, const QString& unit,
-                      const QString& help) {
-    return Fact{name,
-                tr("%1 ± %2 %3")
-                    .arg(scale * estimate.value, 0, 'g', 4)
-                    .arg(normal95 * scale * estimate.standardError, 0, 'g', 2)
-                    .arg(unit),
-                help};
-  };
-  const QString scale = QString::fromStdString(motor.gauge);
-  const bool linear = known.linear();
-  return {row(linear ? tr("Force constant") : tr("Torque constant"), motor.torqueConstant_Nm_per_A, 1.0, units.constant,
-              scale),
-          row(tr("Resistance"), motor.resistance_ohm, 1.0, tr("Ω"), {}),
-          row(linear ? tr("Mass") : tr("Inertia"), motor.inertia_kg_m2, units.inertiaScale, units.inertia, scale)};
 }
 
 std::vector<Fact> HomePage::travelFacts() const {
@@ -154,17 +133,14 @@ std::vector<Fact> HomePage::travelFacts() const {
 std::vector<Fact> HomePage::indexFacts() const {
   const auto index = bench_.index_rad();
   if (!index) return {{tr("Index"), connection_.connected() ? tr("not homed yet") : tr("–"), {}}};
-  return {{tr("Index"), tr("%1 rad in the board's angle").arg(index->value, 0, 'f', 5), tr("Mean over the passes")},
-          {tr("Interval"), tr("± %1 mrad (95 %)").arg(1e3 * normal95 * index->standardError, 0, 'f', 3), {}},
-          {tr("Encoder count"),
-           tr("%1 mrad").arg(2e3 * std::numbers::pi / connection_.identity().countsPerRev, 0, 'f', 3),
-           {}}};
+  return {{tr("Index"), tr("%1°").arg(degrees(index->value), 0, 'f', 3),
+           tr("In the board's own angle; mean over the passes")},
+          {tr("Interval"), tr("± %1° (95 %)").arg(numberText(degrees(normal95 * index->standardError), 2)), {}},
+          {tr("Encoder count"), tr("%1°").arg(numberText(360.0 / connection_.identity().countsPerRev)), {}}};
 }
 
 void HomePage::showResult() {
-  std::vector<Fact> facts = connection_.linear() ? travelFacts() : indexFacts();
-  for (Fact& fact : motorFacts()) facts.push_back(std::move(fact));
-  result_->show(facts);
+  result_->show(connection_.linear() ? travelFacts() : indexFacts());
   showMotion();
 }
 
@@ -173,14 +149,18 @@ void HomePage::showMotion() {
   const QString what = connection_.linear() ? tr("Find both ends and the index") : tr("Find the index");
   const QString first = connection_.connected() ? bench_.missingFor(RunKind::homing) : QString();
   setAvailable(home_, first.isEmpty() ? what : what + ". " + first, bench_.obstacleToMake(RunKind::homing));
-  setAvailable(identify_,
-               tr("Measure the motor's constants, its inertia, and what the current sensor's scale is worth"),
-               bench_.obstacleToMake(RunKind::identification));
+  StepState state = stateOf(connection_, {RunKind::homing});
+  const auto index = bench_.index_rad();
+  if (index && state.mark != StepMark::running)
+    state = {StepMark::done, connection_.linear()
+                                 ? tr("index at %1 mm").arg(1e3 * index->value, 0, 'f', 2)
+                                 : tr("index ± %1°").arg(numberText(degrees(normal95 * index->standardError), 2))};
+  setState(state);
 }
 
 void HomePage::showAngle() {
   if (!isVisible()) return;
-  const auto newest = live_.history().newest();
+  const auto newest = live_.current();
   if (connection_.linear()) {
     const bool homed = bench_.axisIsHomed();
     strip_->show(newest ? std::optional(newest->angle_rad) : std::nullopt,

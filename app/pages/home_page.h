@@ -27,13 +27,13 @@ class HomePage : public Page {
   HomePage(Connection& connection, BenchRuns& bench, const LiveSamples& live, QWidget* parent = nullptr);
 
  private:
-  QWidget* buildControls();
+  QWidget* buildPlan();
+  QWidget* buildResult();
   QString plan() const;
   QString travelPlan() const;
   void showConnection();
   std::vector<Fact> indexFacts() const;
   std::vector<Fact> travelFacts() const;
-  std::vector<Fact> motorFacts() const;
   void showResult();
   void showMotion();
   void showAngle();
@@ -42,10 +42,8 @@ class HomePage : public Page {
   BenchRuns& bench_;
   const LiveSamples& live_;
   QPushButton* home_ = nullptr;
-  QPushButton* identify_ = nullptr;
   RunPanel* run_ = nullptr;
   FactsTable* result_ = nullptr;
-  QLabel* title_ = nullptr;
   QLabel* plan_ = nullptr;
   QStackedWidget* pictures_ = nullptr;
   RotorDial* dial_ = nullptr;

@@ -1,27 +1,67 @@
-// One step of the technician's job.
+// One step of the technician's job, and what all of them have: a head with one primary button, settings on the left,
+// the picture on the right, a line beneath it for what is read off, and a state for the rail.
 #pragma once
 
 #include <QString>
 #include <QWidget>
 
+#include "widgets/step_state.h"
+
+class QHBoxLayout;
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
 namespace breakaway {
+
+class ElidedLabel;
 
 class Page : public QWidget {
   Q_OBJECT
 
  public:
-  Page(const char* objectName, const QString& title, const QString& icon, QWidget* parent)
-      : QWidget(parent), title_(title), icon_(icon) {
-    setObjectName(objectName);
-    setAccessibleName(title);
-  }
+  Page(const char* objectName, const QString& title, QWidget* parent);
 
   const QString& title() const { return title_; }
-  const QString& icon() const { return icon_; }
+  const StepState& state() const { return state_; }
+  /// No step of the job, but something that is at hand all the time.
+  virtual bool isTool() const { return false; }
+  /// Whether plots of what comes from the board have room below it.
+  virtual bool wantsLive() const { return true; }
+
+ signals:
+  void stateChanged();
+  /// What was asked for is on the page of this name.
+  void pageAsked(const QString& objectName);
+
+ protected:
+  static constexpr int settingsWidth = 324;
+
+  /// The page's title and one sentence beneath it; both elide.
+  void setHead(const QString& title, const QString& sentence);
+  /// Top right, in a slot of fixed width.
+  QPushButton* addPrimary(const char* objectName, const QString& text);
+  /// To the left of it.
+  QPushButton* addSecondary(const char* objectName, const QString& text, int width = 144);
+  /// Where the cards of the settings go; it scrolls when there is no room.
+  QVBoxLayout* settings();
+  /// Where the picture goes.
+  QVBoxLayout* picture() const { return picture_; }
+  /// Adds the reading line beneath the picture.
+  void addReading(const char* objectName);
+  void read(const QString& text);
+  void setState(const StepState& state);
 
  private:
   QString title_;
-  QString icon_;
+  StepState state_;
+  ElidedLabel* head_ = nullptr;
+  ElidedLabel* sentence_ = nullptr;
+  ElidedLabel* reading_ = nullptr;
+  QHBoxLayout* buttons_ = nullptr;
+  QHBoxLayout* body_ = nullptr;
+  QVBoxLayout* settings_ = nullptr;
+  QVBoxLayout* picture_ = nullptr;
 };
 
 }  // namespace breakaway

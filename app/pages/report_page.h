@@ -1,12 +1,23 @@
-// Report: what was measured or compared, as files to hand over.
+// Report: what was measured or compared as a file to hand over: seen before it is written, with a customer's name,
+// remarks and the chapters that are wanted.
 #pragma once
+
+#include <QThreadPool>
+#include <QTimer>
+#include <atomic>
+#include <functional>
 
 #include "base/result.h"
 #include "pages/page.h"
+#include "widgets/drawn_report.h"
 #include "widgets/file_chooser.h"
 
 class QLabel;
+class QLineEdit;
+class QListWidget;
+class QPlainTextEdit;
 class QPushButton;
+class QTextBrowser;
 
 namespace breakaway {
 
@@ -20,24 +31,51 @@ class ReportPage : public Page {
  public:
   ReportPage(const BenchRuns& bench, const Comparison& comparison, Messages& messages, FileChooser& files,
              QWidget* parent = nullptr);
+  ~ReportPage() override;
+  bool wantsLive() const override { return false; }
+
+ protected:
+  void showEvent(QShowEvent* event) override;
 
  private:
-  void showFriction();
-  void showComparison();
+  enum class Of { friction, comparison };
+  /// Writes report.html into a folder; nothing where there is none to write.
+  using Draft = std::function<Result<void>(const std::string& folder)>;
+
+  QWidget* buildChoice();
+  QWidget* buildWords();
+  void choose(Of of);
+  void showAvailable();
+  Draft draft() const;
+  ReportEdit edit() const;
+  void preview();
+  void showPreview(unsigned number, const Result<DrawnReport>& report);
+  void showChapters(const QStringList& chapters);
   void writeFriction();
   void writeComparison();
+  void writePaper();
+  void write(const Draft& draft, const QString& path);
   void written(const Result<void>& result, const QString& report);
 
   const BenchRuns& bench_;
   const Comparison& comparison_;
   Messages& messages_;
   FileChooser& files_;
-  QLabel* frictionHolds_ = nullptr;
-  QLabel* comparisonHolds_ = nullptr;
+  QPushButton* ofFriction_ = nullptr;
+  QPushButton* ofComparison_ = nullptr;
+  QLineEdit* customer_ = nullptr;
+  QPlainTextEdit* remarks_ = nullptr;
+  QListWidget* chapters_ = nullptr;
+  QTextBrowser* text_ = nullptr;
   QPushButton* friction_ = nullptr;
   QPushButton* compared_ = nullptr;
+  QPushButton* paper_ = nullptr;
   QPushButton* open_ = nullptr;
   QString last_;
+  Of of_ = Of::friction;
+  QTimer soon_;
+  std::atomic<unsigned> wanted_ = 0;  ///< number of the newest preview
+  QThreadPool pool_;
 };
 
 }  // namespace breakaway

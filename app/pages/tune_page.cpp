@@ -1,19 +1,26 @@
 #include "pages/tune_page.h"
 
 #include <QDoubleSpinBox>
-#include <QFormLayout>
 #include <QHBoxLayout>
+#include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QVBoxLayout>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 
+#include "pages/run_state.h"
 #include "session/bench_runs.h"
 #include "session/connection.h"
 #include "widgets/axis_units.h"
+#include "widgets/bode_plot.h"
 #include "widgets/controls.h"
+#include "widgets/figure_chip.h"
+#include "widgets/locus_plot.h"
+#include "widgets/look.h"
+#include "widgets/number_text.h"
 #include "widgets/quantity_slider.h"
 #include "widgets/step_plot.h"
 #include "widgets/table.h"
@@ -21,6 +28,8 @@
 namespace breakaway {
 
 namespace {
+
+constexpr int soon_ms = 25, tableHeight = 148, leastTable = 84, plotsWidth = 320, stepBoxWidth = 136;
 
 /// A round number above what is set, so that a slider has room both ways.
 QuantityRange roomFor(double value, double otherwise) {
@@ -31,26 +40,50 @@ QuantityRange roomFor(double value, double otherwise) {
 }
 
 QString milliseconds(double time_s) {
-  return std::isfinite(time_s) ? QString::number(1e3 * time_s, 'f', 1) : TunePage::tr("not reached");
+  return std::isfinite(time_s) ? numberText(1e3 * time_s) : TunePage::tr("not reached");
+}
+
+QString toneOf(Grade grade) {
+  return grade == Grade::good ? "good" : grade == Grade::warning ? "warning" : "trouble";
+}
+
+QWidget* titled(QWidget* parent, const QString& title, QWidget* plot) {
+  auto* frame = card(parent);
+  columnOf(frame)->setContentsMargins(12, 8, 8, 8);
+  columnOf(frame)->setSpacing(4);
+  if (!title.isEmpty()) columnOf(frame)->addWidget(new QLabel(title, frame));
+  columnOf(frame)->addWidget(plot, 1);
+  return frame;
 }
 
 }  // namespace
 
 TunePage::TunePage(Connection& connection, BenchRuns& bench, QWidget* parent)
-    : Page("tunePage", tr("Tune"), "tune", parent), connection_(connection), bench_(bench) {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(16, 12, 16, 8);
-  row->setSpacing(20);
-  row->addWidget(buildControls());
-  row->addWidget(buildResults(), 1);
-  connect(&connection_, &Connection::changed, this, &TunePage::scaleSliders);
-  connect(&connection_, &Connection::settingsChanged, this, &TunePage::showSettings);
-  connect(&bench_, &BenchRuns::knownChanged, this, &TunePage::showMargins);
-  connect(&bench_, &BenchRuns::tuningChanged, this, &TunePage::showMargins);
+    : Page("tunePage", tr("Tune"), parent), connection_(connection), bench_(bench) {
+  setHead(tr("Tune"), tr("The step moves with the sliders; the board keeps its values until Apply."));
+  apply_ = addPrimary("applyButton", tr("Apply"));
+  measure_ = addSecondary("measureStepButton", tr("Measure a step"));
+  forget_ = addSecondary("forgetStepsButton", tr("Clear steps"));
+  settings()->addWidget(buildControls());
+  settings()->addStretch(1);
+  picture()->addWidget(buildChips());
+  picture()->addWidget(buildPlots(), 1);
+  addReading("tuneReading");
+  soon_.setSingleShot(true);
+  soon_.setInterval(soon_ms);
+  connect(&soon_, &QTimer::timeout, this, &TunePage::foretell);
+  connect(apply_, &QPushButton::clicked, this, [this] { connection_.configure(edited_); });
+  connect(measure_, &QPushButton::clicked, this, &TunePage::measure);
+  connect(forget_, &QPushButton::clicked, &bench_, &BenchRuns::forgetSteps);
+  connect(&connection_, &Connection::changed, this, &TunePage::meetBoard);
+  connect(&connection_, &Connection::settingsChanged, this, &TunePage::takeAccepted);
   connect(&connection_, &Connection::runChanged, this, &TunePage::showMotion);
+  connect(&bench_, &BenchRuns::knownChanged, &soon_, qOverload<>(&QTimer::start));
+  connect(&bench_, &BenchRuns::tuningChanged, this, &TunePage::showEdits);
+  connect(&bench_, &BenchRuns::tuned, this, &TunePage::edit);
   connect(&bench_, &BenchRuns::measured, this, &TunePage::showSteps);
   connect(&bench_, &BenchRuns::measured, this, &TunePage::showMotion);
-  scaleSliders();
+  meetBoard();
   showSteps();
 }
 
@@ -59,84 +92,116 @@ QuantitySlider* TunePage::addSlider(const QString& objectName, const QString& ti
   auto* slider = new QuantitySlider(objectName, title, unit, help, this);
   sliders_.push_back({slider, field});
   connect(slider, &QuantitySlider::chosen, this, [this, field](double value) {
-    ControllerSettings wanted = connection_.settings();
+    ControllerSettings wanted = edited_;
     wanted.*field = value;
-    connection_.configure(wanted);
+    edit(wanted);
   });
   return slider;
 }
 
 QWidget* TunePage::buildTuning() {
   auto* group = new QWidget(this);
-  auto* column = new QVBoxLayout(group);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = columnIn(group, 8);
+  source_ = caption(group, {});
+  column->addWidget(source_);
   auto* row = new QHBoxLayout;
+  row->setSpacing(8);
   const std::pair<const char*, QString> names[] = {
       {"tuneSoftButton", tr("Soft")}, {"tuneMediumButton", tr("Medium")}, {"tuneStiffButton", tr("Stiff")}};
   for (size_t k = 0; k < std::size(names); ++k) {
     auto* button = pushButton(group, names[k].first, names[k].second);
-    connect(button, &QPushButton::clicked, this, [this, k] { bench_.tune(static_cast<Stiffness>(k)); });
+    connect(button, &QPushButton::clicked, this, [this, k] { bench_.tune(static_cast<Stiffness>(k), edited_); });
     row->addWidget(button, 1);
     stiffness_.push_back(button);
   }
-  margins_ = explanation(group, {}, "marginLine");
   column->addLayout(row);
-  column->addWidget(margins_);
+  return group;
+}
+
+QWidget* TunePage::buildUndo() {
+  auto* group = new QWidget(this);
+  auto* row = rowIn(group, 8);
+  undo_ = pushButton(group, "undoButton", tr("Undo"));
+  redo_ = pushButton(group, "redoButton", tr("Redo"));
+  revert_ = pushButton(group, "revertButton", tr("Revert"));
+  for (QPushButton* button : {undo_, redo_, revert_}) row->addWidget(button, 1);
+  connect(undo_, &QPushButton::clicked, this, [this] { goBack(-1); });
+  connect(redo_, &QPushButton::clicked, this, [this] { goBack(1); });
+  connect(revert_, &QPushButton::clicked, this, [this] { edit(accepted_); });
   return group;
 }
 
 QWidget* TunePage::buildControls() {
-  auto* side = new QWidget(this);
-  side->setFixedWidth(320);
-  auto* column = new QVBoxLayout(side);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(7);
-  column->addWidget(heading(side, tr("Velocity loop")));
+  auto* side = card(this);
+  auto* column = columnOf(side);
+  column->setSpacing(10);
+  column->addWidget(section(side, tr("Velocity loop")));
   column->addWidget(buildTuning());
-  column->addWidget(addSlider("kp", tr("Proportional gain Kp"), tr("A s/rad"),
-                              tr("Current per velocity error; applied at once"),
+  column->addWidget(addSlider("kp", tr("Proportional gain Kp"), tr("A s/rad"), tr("Current per velocity error"),
                               &ControllerSettings::velocity_kp_A_s_per_rad));
-  column->addWidget(addSlider("ki", tr("Integral gain Ki"), tr("A/rad"),
-                              tr("Current per accumulated velocity error; applied at once"),
+  column->addWidget(addSlider("ki", tr("Integral gain Ki"), tr("A/rad"), tr("Current per accumulated velocity error"),
                               &ControllerSettings::velocity_ki_A_per_rad));
   column->addWidget(addSlider("kd", tr("Derivative gain Kd"), tr("A s²/rad"),
-                              tr("Current per change of the velocity error; applied at once"),
+                              tr("Current per change of the velocity error"),
                               &ControllerSettings::velocity_kd_A_s2_per_rad));
   column->addWidget(addSlider("cutoff", tr("Observer cutoff g"), tr("rad/s"),
                               tr("Bandwidth of the disturbance observer's feedback; 0 switches the feedback off"),
                               &ControllerSettings::observer_cutoff_rad_per_s));
-  column->addSpacing(4);
-  auto* form = new QFormLayout;
+  auto* row = new QHBoxLayout;
+  auto* name = new QLabel(tr("Step from 0 to"), side);
   height_ = new QDoubleSpinBox(side);
   height_->setObjectName("stepHeight");
   height_->setAccessibleName(tr("Velocity step"));
   height_->setAlignment(Qt::AlignRight);
   height_->setToolTip(tr("From standstill to this velocity"));
-  form->addRow(tr("Step from 0 to"), height_);
-  column->addLayout(form);
-  auto* buttons = new QHBoxLayout;
-  measure_ = pushButton(side, "measureStepButton", tr("Measure step"));
-  forget_ = pushButton(side, "forgetStepsButton", tr("Clear steps"));
-  buttons->addWidget(measure_, 1);
-  buttons->addWidget(forget_, 1);
-  column->addLayout(buttons);
-  column->addStretch(1);
-  connect(measure_, &QPushButton::clicked, this, &TunePage::measure);
-  connect(forget_, &QPushButton::clicked, &bench_, &BenchRuns::forgetSteps);
+  height_->setFixedSize(stepBoxWidth, 28);
+  name->setBuddy(height_);
+  connect(height_, &QDoubleSpinBox::valueChanged, &soon_, qOverload<>(&QTimer::start));
+  row->addWidget(name, 1);
+  row->addWidget(height_);
+  column->addLayout(row);
+  column->addWidget(buildUndo());
   return side;
 }
 
-QWidget* TunePage::buildResults() {
-  auto* side = new QWidget(this);
-  auto* column = new QVBoxLayout(side);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(6);
-  plot_ = new StepPlot(side);
-  table_ = readTable(side, "stepTable", tr("Measured steps"), QStringList(9, QString()));
-  table_->setFixedHeight(116);
-  column->addWidget(plot_, 1);
-  column->addWidget(table_);
-  return side;
+QWidget* TunePage::buildChips() {
+  auto* group = new QWidget(this);
+  auto* row = rowIn(group, 8);
+  phase_ = new FigureChip("phaseMarginChip", tr("Phase margin"), group);
+  gain_ = new FigureChip("gainMarginChip", tr("Gain margin"), group);
+  rule_ = new FigureChip("alphaChip", tr("αgT"), group);
+  noise_ = new FigureChip("noiseChip", tr("Current noise"), group);
+  for (FigureChip* chip : {phase_, gain_, rule_, noise_}) row->addWidget(chip, 1);
+  return group;
+}
+
+QWidget* TunePage::buildPlots() {
+  auto* group = new QWidget(this);
+  auto* row = rowIn(group, 8);
+  auto* left = new QVBoxLayout;
+  left->setSpacing(8);
+  plot_ = new StepPlot(group);
+  table_ = readTable(group, "stepTable", tr("Measured steps"), QStringList(8, QString()));
+  table_->setToolTip(tr("What is foretold, and the measured steps, the newest on top; settling to 5 %"));
+  table_->setFont(typed(Type::caption));
+  table_->setMinimumHeight(leastTable);
+  table_->setMaximumHeight(tableHeight);
+  table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+  left->addWidget(titled(group, {}, plot_), 1);
+  left->addWidget(table_);
+  auto* right = new QVBoxLayout;
+  right->setSpacing(8);
+  bode_ = new BodePlot(group);
+  locus_ = new LocusPlot(group);
+  right->addWidget(titled(group, tr("Open loop: gain (dB), phase (°)"), bode_), 1);
+  right->addWidget(titled(group, tr("Poles as g grows (1/s)"), locus_), 1);
+  auto* side = new QWidget(group);
+  side->setFixedWidth(plotsWidth);
+  side->setLayout(right);
+  right->setContentsMargins(0, 0, 0, 0);
+  row->addLayout(left, 1);
+  row->addWidget(side);
+  return group;
 }
 
 void TunePage::wordForAxis() {
@@ -156,37 +221,152 @@ void TunePage::wordForAxis() {
   height_->setValue(linear ? 0.1 : 20.0);
   height_->setSuffix(" " + units.speed);
   plot_->setSpeedUnit(units.speed);
-  table_->setHorizontalHeaderLabels({tr("Step"), tr("Kp (%1)").arg(units.gain), tr("Ki (%1)").arg(units.integral),
-                                     tr("Kd (%1)").arg(units.derivative), tr("g (rad/s)"), tr("Rise (ms)"),
-                                     tr("Overshoot (%)"), tr("Settling (ms)"), tr("Peak (A)")});
+  table_->setHorizontalHeaderLabels(
+      {tr("Step"), tr("Kp"), tr("Ki"), tr("g"), tr("Rise\nms"), tr("Over\n%"), tr("Settle\nms"), tr("Peak\nA")});
 }
 
-void TunePage::scaleSliders() {
+void TunePage::meetBoard() {
   wordForAxis();
-  const ControllerSettings& settings = connection_.settings();
-  const double kp = settings.velocity_kp_A_s_per_rad;
+  accepted_ = edited_ = connection_.settings();
+  history_ = {edited_};
+  at_ = 0;
+  const double kp = edited_.velocity_kp_A_s_per_rad;
   for (const Slider& slider : sliders_) {
     const bool cutoff = slider.field == &ControllerSettings::observer_cutoff_rad_per_s;
     const bool derivative = slider.field == &ControllerSettings::velocity_kd_A_s2_per_rad;
     const double otherwise = cutoff ? 2000.0 : derivative ? 0.01 * kp : 10.0 * kp;
-    slider.widget->setRange(roomFor(settings.*slider.field, std::max(otherwise, 1e-6)));
+    slider.widget->setRange(roomFor(edited_.*slider.field, std::max(otherwise, 1e-6)));
   }
-  showSettings();
-}
-
-void TunePage::showSettings() {
-  for (const Slider& slider : sliders_) {
-    slider.widget->show(connection_.settings().*slider.field);
-    slider.widget->setAvailable(bench_.gainsObstacle().isEmpty(), bench_.gainsObstacle());
-  }
-  showMargins();
+  showSliders();
   showMotion();
 }
 
-void TunePage::showMargins() {
-  const QString tip = tr("Gains whose margins hold for what is known of the motor (%1)").arg(bench_.motor().source);
-  for (QPushButton* button : stiffness_) setAvailable(button, tip, bench_.tuningObstacle());
-  margins_->setText(bench_.marginLine());
+/// What was edited on the page and isn't sent yet stays.
+void TunePage::takeAccepted() {
+  const ControllerSettings now = connection_.settings();
+  if (edits() == 0 || now == edited_ || at_ == 0) edited_ = now;
+  accepted_ = now;
+  if (history_.empty() || history_[at_] != edited_) {
+    history_.resize(at_ + 1);
+    history_.push_back(edited_);
+    at_ = history_.size() - 1;
+  }
+  showSliders();
+}
+
+void TunePage::edit(const ControllerSettings& settings) {
+  if (settings == edited_) return;
+  edited_ = settings;
+  history_.resize(at_ + 1);
+  history_.push_back(settings);
+  at_ = history_.size() - 1;
+  showSliders();
+}
+
+void TunePage::goBack(int by) {
+  at_ = static_cast<size_t>(std::clamp(static_cast<int>(at_) + by, 0, static_cast<int>(history_.size()) - 1));
+  edited_ = history_[at_];
+  showSliders();
+}
+
+size_t TunePage::edits() const {
+  size_t count = 0;
+  for (double ControllerSettings::*field :
+       {&ControllerSettings::velocity_kp_A_s_per_rad, &ControllerSettings::velocity_ki_A_per_rad,
+        &ControllerSettings::velocity_kd_A_s2_per_rad, &ControllerSettings::position_kp_A_per_rad,
+        &ControllerSettings::position_ki_A_per_rad_s, &ControllerSettings::position_kd_A_s_per_rad,
+        &ControllerSettings::observer_cutoff_rad_per_s, &ControllerSettings::nominal_inertia_kg_m2,
+        &ControllerSettings::nominal_torque_constant_Nm_per_A})
+    if (edited_.*field != accepted_.*field) ++count;
+  return count;
+}
+
+void TunePage::showSliders() {
+  const QString obstacle = bench_.gainsObstacle();
+  for (const Slider& slider : sliders_) {
+    slider.widget->show(edited_.*slider.field);
+    slider.widget->setOnBoard(connection_.connected() ? std::optional(accepted_.*slider.field) : std::nullopt);
+    slider.widget->setAvailable(obstacle.isEmpty(), obstacle);
+  }
+  showEdits();
+  soon_.start();
+}
+
+void TunePage::showEdits() {
+  const size_t count = edits();
+  const QString obstacle = bench_.gainsObstacle();
+  apply_->setText(count == 0 ? tr("Apply") : count == 1 ? tr("Apply 1 edit") : tr("Apply %1 edits").arg(count));
+  setAvailable(apply_, tr("Send what is set here to the board; what it accepts is shown"),
+               !obstacle.isEmpty() ? obstacle
+               : count == 0        ? tr("Nothing is edited: the board has what is shown")
+                                   : QString());
+  setAvailable(undo_, at_ > 0, tr("Take the last edit back"), tr("There is no edit to take back"));
+  setAvailable(redo_, at_ + 1 < history_.size(), tr("Make the edit again that was taken back"),
+               tr("No edit was taken back"));
+  setAvailable(revert_, count > 0, tr("Back to what the board has"), tr("Nothing is edited"));
+  source_->setText(connection_.connected() ? tr("Automatically, from the motor as by its %1").arg(bench_.motor().source)
+                                           : tr("Automatically"));
+  for (QPushButton* button : stiffness_)
+    setAvailable(button, tr("Sets gains whose margins hold for what is known of the motor; Apply sends them"),
+                 bench_.tuningObstacle());
+  StepState state = stateOf(connection_, {RunKind::step});
+  if (state.mark == StepMark::open && !bench_.steps().empty())
+    state = {StepMark::done, tr("%1 measured").arg(bench_.steps().size())};
+  if (count > 0) state = {StepMark::paused, tr("%1 not applied").arg(count)};
+  setState(state);
+}
+
+VelocityStepOptions TunePage::step() const {
+  VelocityStepOptions options;
+  options.to_rad_per_s = height_->value();
+  options.axis = connection_.identity().axis;
+  return options;
+}
+
+void TunePage::foretell() {
+  preview_ = onBoard_ = {};
+  if (connection_.connected() && bench_.gainsObstacle().isEmpty()) {
+    PreviewQuestion question{connection_.identity(), edited_, bench_.motor(),
+                             knownCoulomb_Nm(bench_.bench(), bench_.known()), step()};
+    preview_ = previewOf(question);
+    question.settings = accepted_;
+    if (edits() > 0) onBoard_ = previewOf(question);
+  }
+  plot_->foretell(preview_.step);
+  bode_->show(preview_.response, preview_.margins, onBoard_.response);
+  locus_->show(preview_.locus, edited_.observer_cutoff_rad_per_s, preview_.tick_s);
+  showChips();
+  showSteps();
+}
+
+void TunePage::showChips() {
+  const TuningPreview& now = preview_;
+  if (now.tick_s <= 0.0) {
+    for (FigureChip* chip : {phase_, gain_, rule_, noise_})
+      chip->show(tr("–"), connection_.connected() ? now.trouble : tr("no board"), {});
+    read(now.trouble);
+    return;
+  }
+  const bool stable = now.margins.stable;
+  const auto bounded = [](double value, const QString& text) { return std::isfinite(value) ? text : tr("any"); };
+  const double phase_deg = now.margins.phaseMargin_rad * 180.0 / std::numbers::pi;
+  phase_->show(stable ? bounded(phase_deg, tr("%1°").arg(phase_deg, 0, 'f', 1)) : tr("none"),
+               stable ? tr("45° and more") : tr("unstable"), toneOf(gradeOfPhase(now.margins)));
+  gain_->show(stable ? bounded(now.margins.gainMargin, numberText(now.margins.gainMargin)) : tr("none"),
+              stable ? tr("2.5 and more") : tr("unstable"), toneOf(gradeOfGain(now.margins)));
+  rule_->show(numberText(now.alphaGT, 2), tr("up to 0.3"), toneOf(gradeOfAlphaGT(now.alphaGT)));
+  noise_->show(stable ? tr("%1 mA").arg(numberText(1e3 * now.currentNoise_A)) : tr("–"),
+               tr("up to %1 mA").arg(numberText(20.0 * edited_.current_limit_A, 2)),
+               stable ? toneOf(gradeOfNoise(now.currentNoise_A, edited_.current_limit_A)) : "trouble");
+  if (!stable) {
+    read(tr("Unstable: the loop would swing up by itself. Lower the gain or the cutoff."));
+  } else if (gradeOfAlphaGT(now.alphaGT) != Grade::good) {
+    read(tr("αgT is beyond its rule of thumb; g up to %1 rad/s keeps it").arg(numberText(now.ruleOfThumb_rad_per_s)));
+  } else {
+    read(tr("Foretold: rise %1 ms, overshoot %2 %, settling %3 ms, peak %4 A")
+             .arg(milliseconds(now.figures.rise_s), numberText(100.0 * now.figures.overshoot, 2),
+                  milliseconds(now.figures.settling_s), numberText(now.figures.peakCurrent_A)));
+  }
 }
 
 void TunePage::showMotion() {
@@ -195,31 +375,38 @@ void TunePage::showMotion() {
   setAvailable(measure_,
                connection_.linear()
                    ? tr("Goes to the lower end of the travel, then the step forwards, measured and stopped "
-                        "again")
-                   : tr("Turns up to 2 s: standstill, then the step, measured and stopped again"),
+                        "again, with what the board has now")
+                   : tr("Turns up to 2 s: standstill, then the step, measured and stopped again, with what the board "
+                        "has now"),
                bench_.stepObstacle());
+  showEdits();
 }
 
 void TunePage::measure() {
-  VelocityStepOptions options;
-  options.to_rad_per_s = height_->value();
-  bench_.measureStep(options);
+  bench_.measureStep(step());
 }
 
 void TunePage::showSteps() {
+  const Look& look = Look::of(palette());
   const auto& steps = bench_.steps();
   plot_->show(steps);
-  table_->setRowCount(static_cast<int>(steps.size()));
-  for (size_t k = 0; k < steps.size(); ++k) {
-    const StepResult& step = steps[steps.size() - 1 - k];  // the newest on top
-    const auto number = [](double value) { return QString::number(value, 'g', 4); };
-    fillRow(*table_, static_cast<int>(k),
-            {QString::number(steps.size() - k), number(step.settings.velocity_kp_A_s_per_rad),
-             number(step.settings.velocity_ki_A_per_rad), number(step.settings.velocity_kd_A_s2_per_rad),
-             number(step.settings.observer_cutoff_rad_per_s), milliseconds(step.figures.rise_s),
-             QString::number(100.0 * step.figures.overshoot, 'f', 1), milliseconds(step.figures.settling_s),
-             QString::number(step.figures.peakCurrent_A, 'f', 2)});
-  }
+  const bool foretold = !preview_.step.time_s.empty();
+  table_->setRowCount(static_cast<int>(steps.size()) + (foretold ? 1 : 0));
+  const auto row = [this](int at, const QString& name, const ControllerSettings& with, const StepFigures& figures,
+                          const QColor& ink) {
+    fillRow(*table_, at,
+            {name, numberText(with.velocity_kp_A_s_per_rad), numberText(with.velocity_ki_A_per_rad),
+             numberText(with.observer_cutoff_rad_per_s), milliseconds(figures.rise_s),
+             numberText(100.0 * figures.overshoot, 2), milliseconds(figures.settling_s),
+             numberText(figures.peakCurrent_A)});
+    table_->item(at, 0)->setForeground(ink);
+    table_->item(at, 0)->setFont(typed(Type::caption, true));
+  };
+  int at = 0;
+  if (foretold) row(at++, tr("Foretold"), edited_, preview_.figures, look.curve(0));
+  for (size_t k = steps.size(); k-- > 0;)  // the newest on top
+    row(at++, tr("Step %1").arg(k + 1), steps[k].settings, steps[k].figures,
+        k >= StepPlot::firstDrawn(steps.size()) ? look.curve(StepPlot::colourOf(k)) : look.ink);
   setAvailable(forget_, !steps.empty(), tr("Forget all measured steps"), tr("No step was measured"));
 }
 

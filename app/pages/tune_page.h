@@ -1,20 +1,27 @@
-// Tune: gains and observer cutoff, applied while they move, and the velocity step that they make.
+// Tune: gains and observer cutoff. What they will make of the motor is foretold while they move; nothing is sent before
+// Apply. Measured steps lie over the foretold one.
 #pragma once
 
+#include <QTimer>
 #include <optional>
+#include <vector>
 
-#include "experiment/drive.h"
+#include "experiment/identity.h"
 #include "pages/page.h"
+#include "session/tuning_preview.h"
 
-class QLabel;
 class QPushButton;
 class QTableWidget;
 class QDoubleSpinBox;
+class QLabel;
 
 namespace breakaway {
 
 class BenchRuns;
+class BodePlot;
 class Connection;
+class FigureChip;
+class LocusPlot;
 class QuantitySlider;
 class StepPlot;
 
@@ -23,36 +30,63 @@ class TunePage : public Page {
 
  public:
   TunePage(Connection& connection, BenchRuns& bench, QWidget* parent = nullptr);
+  /// Of what is set on the page, as far as it was computed.
+  const TuningPreview& preview() const { return preview_; }
 
  private:
-  QWidget* buildControls();
-  QWidget* buildTuning();
-  QWidget* buildResults();
-  QuantitySlider* addSlider(const QString& objectName, const QString& title, const QString& unit, const QString& help,
-                            double ControllerSettings::*field);
-  void wordForAxis();
-  void scaleSliders();
-  void showSettings();
-  void showMargins();
-  void showSteps();
-  void showMotion();
-  void measure();
-
-  Connection& connection_;
-  BenchRuns& bench_;
   struct Slider {
     QuantitySlider* widget;
     double ControllerSettings::*field;
   };
+
+  QWidget* buildControls();
+  QWidget* buildTuning();
+  QWidget* buildUndo();
+  QWidget* buildChips();
+  QWidget* buildPlots();
+  QuantitySlider* addSlider(const QString& objectName, const QString& title, const QString& unit, const QString& help,
+                            double ControllerSettings::*field);
+  void wordForAxis();
+  void meetBoard();
+  void takeAccepted();
+  void edit(const ControllerSettings& settings);
+  void goBack(int by);
+  size_t edits() const;
+  void showSliders();
+  void showEdits();
+  void foretell();
+  void showChips();
+  void showSteps();
+  void showMotion();
+  void measure();
+  VelocityStepOptions step() const;
+
+  Connection& connection_;
+  BenchRuns& bench_;
+  ControllerSettings edited_, accepted_;
+  std::vector<ControllerSettings> history_;  ///< what was set on the page, `at_` is now
+  size_t at_ = 0;
+  TuningPreview preview_, onBoard_;
   std::vector<Slider> sliders_;
   std::vector<QPushButton*> stiffness_;
-  QLabel* margins_ = nullptr;
   QDoubleSpinBox* height_ = nullptr;
   std::optional<Axis> worded_;  ///< the axis that the page speaks of
+  QPushButton* apply_ = nullptr;
   QPushButton* measure_ = nullptr;
   QPushButton* forget_ = nullptr;
+  QPushButton* undo_ = nullptr;
+  QPushButton* redo_ = nullptr;
+  QPushButton* revert_ = nullptr;
+  FigureChip* phase_ = nullptr;
+  FigureChip* gain_ = nullptr;
+  FigureChip* rule_ = nullptr;
+  FigureChip* noise_ = nullptr;
   StepPlot* plot_ = nullptr;
+  BodePlot* bode_ = nullptr;
+  LocusPlot* locus_ = nullptr;
   QTableWidget* table_ = nullptr;
+  QLabel* source_ = nullptr;
+  QTimer soon_;
 };
 
 }  // namespace breakaway

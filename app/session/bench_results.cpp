@@ -1,4 +1,6 @@
 // What comes of the runs, and what the bench keeps of it.
+#include <utility>
+
 #include "firmware_link/presets.h"
 #include "session/bench_runs.h"
 
@@ -22,11 +24,16 @@ void BenchRuns::meetBoard() {
   ++board_;
   const Identity& identity = connection_.identity();
   bench_ = benchBeside(connection_.uri());
-  const std::string& before = known_.identity.device;
+  const std::string before = known_.identity.device;
   if (!before.empty() && before != identity.device) {
-    messages_.say(
-        tr("This is another board: what was measured on %1 is forgotten").arg(QString::fromStdString(before)));
-    known_ = {};
+    messages_.say(tr("This is another board: what was measured on %1 is kept until it comes back")
+                      .arg(QString::fromStdString(before)));
+    otherBoards_[before] = std::exchange(known_, {});
+    if (const auto earlier = otherBoards_.find(identity.device); earlier != otherBoards_.end()) {
+      known_ = std::move(earlier->second);
+      otherBoards_.erase(earlier);
+    }
+    forgetSteps();
   }
   known_.identity = identity;
   emit knownChanged();
@@ -45,7 +52,7 @@ void BenchRuns::lineariseBoard() {
 
 void BenchRuns::leaveBoard() {
   known_.forgetBoard();
-  forgetSteps();
+  emit knownChanged();
 }
 
 void BenchRuns::forgetSteps() {

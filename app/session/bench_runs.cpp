@@ -3,8 +3,7 @@
 
 #include "commission/steps.h"
 #include "experiment/abilities.h"
-#include "session/slow_strokes.h"
-#include "session/slow_turning.h"
+#include "session/slow_motion.h"
 #include "session/step_over_travel.h"
 
 namespace breakaway {
@@ -24,6 +23,8 @@ struct Wanted {
 
 Wanted wantedOf(RunKind kind) {
   switch (kind) {
+    case RunKind::wiring:
+      return {{Known::wiring}, {Known::wiring}};
     case RunKind::identification:
       return {{Known::motor}, {Known::windingTest}};
     case RunKind::homing:
@@ -40,7 +41,7 @@ Wanted wantedOf(RunKind kind) {
 }
 
 Task taskOf(RunKind kind) {
-  if (kind == RunKind::identification) return Task::identification;
+  if (kind == RunKind::wiring || kind == RunKind::identification) return Task::identification;
   return kind == RunKind::homing ? Task::homing : kind == RunKind::trial ? Task::commissioning : Task::sweep;
 }
 
@@ -58,14 +59,11 @@ BenchRuns::~BenchRuns() {
 }
 
 void BenchRuns::turnSlowly() {
-  if (axisIsHomed()) {
-    connection_.start({RunKind::turning,
-                       std::make_shared<SlowStrokes>(known_.counted, 1.0 / connection_.identity().loopRate_Hz),
-                       {}});
-    return;
-  }
-  if (connection_.linear()) return;
-  connection_.start({RunKind::turning, std::make_shared<SlowTurning>(SlowTurning::Options{}), {}});
+  if (connection_.linear() && !axisIsHomed()) return;
+  connection_.start(
+      {RunKind::turning,
+       axisIsHomed() ? slowStrokes(known_.counted, 1.0 / connection_.identity().loopRate_Hz) : slowTurning(),
+       {}});
 }
 
 void BenchRuns::measureStep(const VelocityStepOptions& wanted) {
@@ -78,6 +76,14 @@ void BenchRuns::measureStep(const VelocityStepOptions& wanted) {
                        const bool finished = step->state() == Procedure::State::finished;
                        return StepResult{step->curve(), finished ? step->figures() : StepFigures{}, options, settings};
                      }});
+}
+
+std::shared_ptr<HandGrip> BenchRuns::driveByHand(const HandOptions& options) {
+  auto grip = std::make_shared<HandGrip>();
+  HandOptions within = options;
+  if (axisIsHomed()) within.travel = known_.counted;
+  connection_.start({RunKind::hand, std::make_shared<HandDrive>(within, grip), {}});
+  return grip;
 }
 
 CommissionOptions BenchRuns::optionsWith(const SweepSettings& sweeps) const {
@@ -145,6 +151,13 @@ QString BenchRuns::stepObstacle() const {
              : QString();
 }
 
+QString BenchRuns::handObstacle() const {
+  if (connection_.runs(RunKind::hand)) return {};
+  if (QString busy = connection_.obstacle(); !busy.isEmpty()) return busy;
+  return connection_.linear() && !axisIsHomed() ? tr("Home first: the ends of the travel are not known yet")
+                                                : QString();
+}
+
 std::optional<Estimate> BenchRuns::index_rad() const {
   return known_.knows(Known::index) ? std::optional(known_.indexAngle_rad) : std::nullopt;
 }
@@ -164,17 +177,11 @@ QString BenchRuns::tuningObstacle() const {
   return tuning_ ? tr("Tuning") : QString();
 }
 
-QString BenchRuns::marginLine() const {
-  return connection_.connected() ? marginWords(boardLoop(connection_.identity(), connection_.settings(), motor()))
-                                 : QString();
-}
-
-void BenchRuns::tune(Stiffness stiffness) {
+void BenchRuns::tune(Stiffness stiffness, const ControllerSettings& settings) {
   if (!tuningObstacle().isEmpty()) return;
   tuning_ = true;
   emit tuningChanged();
-  pool_.start([this, stiffness, board = board_, identity = connection_.identity(), settings = connection_.settings(),
-               motor = motor()] {
+  pool_.start([this, stiffness, board = board_, identity = connection_.identity(), settings, motor = motor()] {
     const auto tuned = tunedSettings(identity, settings, motor, stiffness);
     QMetaObject::invokeMethod(
         this, [this, board, tuned] { takeTuning(board, tuned); }, Qt::QueuedConnection);
@@ -184,7 +191,7 @@ void BenchRuns::tune(Stiffness stiffness) {
 void BenchRuns::takeTuning(unsigned board, const Result<ControllerSettings>& tuned) {
   tuning_ = false;
   if (!tuned) messages_.warn(tuned.error());
-  if (tuned && board == board_) connection_.configure(*tuned);
+  if (tuned && board == board_) emit this->tuned(*tuned);
   emit tuningChanged();
 }
 

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QString>
 #include <QThreadPool>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "motor/bench.h"
 #include "session/board_tuning.h"
 #include "session/connection.h"
+#include "session/hand_drive.h"
 #include "session/messages.h"
 
 namespace breakaway {
@@ -26,6 +28,8 @@ class BenchRuns : public QObject {
   // Each replaces what runs; see the obstacles.
   void turnSlowly();
   void measureStep(const VelocityStepOptions& wanted);
+  /// Runs until the grip is let go.
+  std::shared_ptr<HandGrip> driveByHand(const HandOptions& options);
   /// Makes what the kind stands for, and before it whatever that needs and isn't known yet: identification, homing,
   /// either sweep (with the breakaway sweep all that the map takes), or a trial: tuning for use and a run with and
   /// without the map. What was interrupted goes on where it ended, unless `sweeps` are others now; what was complete is
@@ -40,17 +44,18 @@ class BenchRuns : public QObject {
   // Why it can't be started now; empty when it can.
   QString turningObstacle() const;
   QString stepObstacle() const;
+  QString handObstacle() const;
   QString obstacleToMake(RunKind kind) const;
   QString gainsObstacle() const;
   QString tuningObstacle() const;
 
-  /// What the job knows; it outlives the connection, until another board comes.
+  /// What the job knows; it outlives the connection. While another board is there, it waits for its own to come back.
   const Commission& known() const { return known_; }
   /// The index in the board's angle, from homing; the lower end of a linear axis without one.
   std::optional<Estimate> index_rad() const;
   /// A linear axis whose ends, index and pace are known.
   bool axisIsHomed() const { return connection_.linear() && known_.knows(Known::index); }
-  /// Every measured step, the newest last.
+  /// Every measured step on this board, the newest last.
   const std::vector<StepResult>& steps() const { return steps_; }
   void forgetSteps();
 
@@ -60,15 +65,15 @@ class BenchRuns : public QObject {
   std::optional<double> highestStep() const;
   /// What is known of the motor so far, for tuning.
   KnownMotor motor() const { return knownMotor(connection_.settings(), bench_, known_); }
-  /// Margins and αgT of what is set, in one line; empty without a board.
-  QString marginLine() const;
-  /// Tunes to a stiffness from what is known of the motor, in the pool, and asks the board for the result.
-  void tune(Stiffness stiffness);
+  /// Tunes `settings` to a stiffness from what is known of the motor, in the pool; tuned() brings the result. Nothing
+  /// is sent to the board.
+  void tune(Stiffness stiffness, const ControllerSettings& settings);
 
  signals:
   void measured();  ///< index or steps
   void knownChanged();
   void tuningChanged();
+  void tuned(const breakaway::ControllerSettings& settings);
 
  private:
   void meetBoard();
@@ -86,7 +91,8 @@ class BenchRuns : public QObject {
   std::optional<Bench> bench_;
   std::vector<StepResult> steps_;
   Commission known_;
-  KnownPtr last_;  ///< that was taken
+  std::map<std::string, Commission> otherBoards_;  ///< what is known of those that were here before, by device
+  KnownPtr last_;                                  ///< that was taken
   bool tuning_ = false;
   QThreadPool pool_;
 };

@@ -1,11 +1,11 @@
 #include "session/board_tuning.h"
 
 #include <QCoreApplication>
-#include <cmath>
-#include <numbers>
+#include <algorithm>
 
 #include "base/numbers.h"
 #include "control/tuning.h"
+#include "experiment/servo_settings.h"
 
 namespace breakaway {
 
@@ -70,27 +70,8 @@ ServoLoop boardLoop(const Identity& identity, const ControllerSettings& settings
                 {motor.values.resistance_ohm, motor.values.inductance_H, motor.values.backEmfConstant_V_s_per_rad,
                  boardCurrentBandwidth_rad_per_s(tick_s)},
                 boardVelocityBandwidth_rad_per_s(tick_s)};
-  loop.settings = {{settings.velocity_kp_A_s_per_rad, settings.velocity_ki_A_per_rad, settings.velocity_kd_A_s2_per_rad,
-                    settings.position_kp_A_per_rad, settings.position_ki_A_per_rad_s, settings.position_kd_A_s_per_rad,
-                    settings.velocity_limit_rad_per_s},
-                   settings.observer_cutoff_rad_per_s,
-                   settings.nominal_inertia_kg_m2,
-                   settings.nominal_torque_constant_Nm_per_A,
-                   settings.current_limit_A};
+  loop.settings = servoSettings(settings);
   return loop;
-}
-
-QString marginWords(const ServoLoop& loop) {
-  if (const auto fine = check(loop); !fine)
-    return words("Margins unknown: %1").arg(QString::fromStdString(fine.error().message()));
-  const LoopMargins found = margins(loop);
-  const QString rule = words("αgT %1 (rule: up to 0.3)").arg(loop.alphaGT(), 0, 'g', 2);
-  if (!found.stable) return words("Unstable with these gains; %1").arg(rule);
-  const auto number = [](double value, const QString& unit, int decimals) {
-    return std::isfinite(value) ? QString::number(value, 'f', decimals) + unit : words("unbounded");
-  };
-  return words("Phase margin %1, gain margin %2, %3")
-      .arg(number(found.phaseMargin_rad * 180.0 / std::numbers::pi, "°", 0), number(found.gainMargin, "", 1), rule);
 }
 
 Result<ControllerSettings> tunedSettings(const Identity& identity, const ControllerSettings& settings,
@@ -104,13 +85,7 @@ Result<ControllerSettings> tunedSettings(const Identity& identity, const Control
   options.noise = {roundingRms_rad(loop.board.count_rad), motor.currentNoise_A};
   const auto tuning = autoTune(loop, motor.inertia_kg_m2, motor.torqueConstant_Nm_per_A, options);
   if (!tuning) return tuning.error();
-  const auto& gains = tuning->settings.gains;
-  tuned.velocity_kp_A_s_per_rad = gains.velocity_kp_A_s_per_rad;
-  tuned.velocity_ki_A_per_rad = tuned.velocity_kd_A_s2_per_rad = tuned.position_ki_A_per_rad_s = 0.0;
-  tuned.position_kp_A_per_rad = gains.position_kp_A_per_rad;
-  tuned.position_kd_A_s_per_rad = gains.position_kd_A_s_per_rad;
-  tuned.observer_cutoff_rad_per_s = tuning->settings.observer_cutoff_rad_per_s;
-  return tuned;
+  return withTuning(settings, tuning->settings);
 }
 
 }  // namespace breakaway

@@ -27,9 +27,6 @@ KnownMotor knownMotor(const ControllerSettings& settings, const std::optional<Be
 /// tick, any other from the next.
 ServoLoop boardLoop(const Identity& identity, const ControllerSettings& settings, const KnownMotor& motor);
 
-/// Phase margin, gain margin and αgT in one line; what is wrong when the loop is unstable or can't be computed.
-QString marginWords(const ServoLoop& loop);
-
 /// The settings with gains, cutoff and nominal values tuned; limits and integrals as they are, ki and kd 0. Errors:
 /// those of autoTune().
 Result<ControllerSettings> tunedSettings(const Identity& identity, const ControllerSettings& settings,

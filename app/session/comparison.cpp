@@ -4,12 +4,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "recording/csv.h"
+#include "recording/block_file.h"
 
 namespace breakaway {
 
-Comparison::Comparison(Messages& messages, QObject* parent) : QObject(parent), messages_(messages) {
+Comparison::Comparison(Messages& messages, QObject* parent) : QObject(parent), messages_(messages), log_(messages) {
   pool_.setMaxThreadCount(2);
+  connect(&log_, &LogOpening::accepted, this, [this](const Recording& recording) {
+    this->*logged_ = recording;
+    forgetDiagnosis();
+  });
 }
 
 Comparison::~Comparison() {
@@ -54,8 +58,14 @@ void Comparison::takeBench(const Bench& bench) {
 }
 
 void Comparison::read(const QString& path, std::optional<Recording> Comparison::*into) {
+  log_.close();
+  if (!LogOpening::isRecording(path)) {
+    logged_ = into;
+    log_.open(path);
+    return;
+  }
   inPool([this, path, into]() -> std::function<void()> {
-    auto recording = readCsv(path.toStdString());
+    auto recording = readRecording(path.toStdString());
     return [this, recording, path, into] {
       if (!recording) {
         messages_.warn(recording.error());
@@ -72,11 +82,30 @@ void Comparison::forgetDiagnosis() {
   cancel();
   ++wanted_;
   diagnosis_.reset();
+  mended_.reset();
   leftOut_.clear();
   base_ = shown_ = {};
+  evidence_.reset();
+  prepareOverview();
   emit inputsChanged();
   emit diagnosisChanged();
   emit tracesChanged();
+  emit evidenceChanged();
+}
+
+void Comparison::prepareOverview() {
+  const unsigned mine = ++wantedOverview_;
+  overview_.reset();
+  if (!recording()) return;
+  inPool([this, mine, recording = *recording()]() -> std::function<void()> {
+    const auto overview =
+        std::make_shared<const Overview>(recording, recording.has("position_m") ? "position_m" : "angle_rad");
+    return [this, mine, overview] {
+      if (mine != wantedOverview_) return;
+      overview_ = overview;
+      emit overviewChanged();
+    };
+  });
 }
 
 QString Comparison::obstacle() const {
@@ -135,9 +164,27 @@ void Comparison::takeDiagnosis(const Result<Diagnosis>& diagnosis) {
     return;
   }
   diagnosis_ = *diagnosis;
+  if (diagnosis_->misread) {
+    mended_ = mended(*recording_, *diagnosis_->misread);
+    prepareOverview();
+  }
   emit diagnosisChanged();
   simulateBase();
   simulateShown();
+  gatherEvidence();
+}
+
+void Comparison::gatherEvidence() {
+  const auto& misread = diagnosis_->misread;
+  inPool([this, mine = wanted_, diagnosis = *diagnosis_, bench = misread ? mended(*bench_, *misread) : *bench_,
+          recording = *recording(), heldout = heldout_]() -> std::function<void()> {
+    const auto evidence = evidenceOf(diagnosis, bench, recording, heldout);
+    return [this, mine, evidence] {
+      if (mine != wanted_) return;
+      evidence_ = evidence;
+      emit evidenceChanged();
+    };
+  });
 }
 
 void Comparison::include(const std::string& effect, bool included) {
@@ -151,7 +198,7 @@ void Comparison::include(const std::string& effect, bool included) {
 }
 
 void Comparison::simulateBase() {
-  inPool([this, mine = wanted_, diagnosis = *diagnosis_, recording = *recording_]() -> std::function<void()> {
+  inPool([this, mine = wanted_, diagnosis = *diagnosis_, recording = *recording()]() -> std::function<void()> {
     const auto trace = simulate(diagnosis.base, recording, {diagnosis.fit.window_s});
     return [this, mine, trace] {
       if (mine != wanted_ || !trace) return;
@@ -166,7 +213,7 @@ void Comparison::simulateShown() {
   Model model = diagnosis_->model;
   std::erase_if(model.effects, [this](const EffectTerm& term) { return !includes(term.effect); });
   inPool([this, mine = wanted_, leftOut = leftOut_, window_s = diagnosis_->fit.window_s, model,
-          recording = *recording_]() -> std::function<void()> {
+          recording = *recording()]() -> std::function<void()> {
     const auto trace = simulate(model, recording, {window_s});
     return [this, mine, leftOut, trace] {
       if (mine != wanted_ || leftOut != leftOut_) return;
@@ -182,7 +229,7 @@ void Comparison::simulateShown() {
 
 double Comparison::shownRmse() const {
   if (!diagnosis_ || !recording_) return 0.0;
-  return positionRmse(shown_, *recording_, diagnosis_->fit.channel, diagnosis_->heldoutRows);
+  return positionRmse(shown_, *recording(), diagnosis_->fit.channel, diagnosis_->heldoutRows);
 }
 
 double positionRmse(const Trace& trace, const Recording& recording, const std::string& channel,

@@ -17,7 +17,10 @@
 #include "diagnose/simulate/simulation.h"
 #include "motor/bench.h"
 #include "recording/recording.h"
+#include "session/evidence.h"
+#include "session/log_opening.h"
 #include "session/messages.h"
+#include "session/overview.h"
 
 namespace breakaway {
 
@@ -29,13 +32,16 @@ class Comparison : public QObject {
   ~Comparison() override;
 
   void openBench(const QString& path);
-  /// Reads in a pool thread. Without a held-out recording, blocks of the recording itself are held out.
+  /// Reads in a pool thread; another tool's log is understood first, in log(). Without a held-out recording, blocks of
+  /// the recording itself are held out.
   void openRecording(const QString& path);
   void openHeldout(const QString& path);
   void takeRecording(const Recording& recording);
   void takeBench(const Bench& bench);
   /// A bench if the name ends in .json, a recording otherwise.
   void open(const QString& path);
+
+  LogOpening& log() { return log_; }
 
   void diagnose();
   void cancel();
@@ -44,7 +50,10 @@ class Comparison : public QObject {
   bool includes(const std::string& effect) const { return !leftOut_.contains(effect); }
 
   const std::optional<Bench>& bench() const { return bench_; }
-  const std::optional<Recording>& recording() const { return recording_; }
+  /// What is shown: after a diagnosis that found a column misread, with that put right.
+  const std::optional<Recording>& recording() const { return mended_ ? mended_ : recording_; }
+  /// The position in recording(), ready to be drawn at any zoom; it comes a little after the recording.
+  const std::shared_ptr<const Overview>& overview() const { return overview_; }
   const std::optional<Recording>& heldout() const { return heldout_; }
   const std::optional<Diagnosis>& diagnosis() const { return diagnosis_; }
   bool diagnosing() const { return diagnosing_; }
@@ -57,33 +66,44 @@ class Comparison : public QObject {
   /// diagnosis.
   const Trace& baseTrace() const { return base_; }
   const Trace& shownTrace() const { return shown_; }
+  /// Of the first finding; it comes a little after the diagnosis.
+  const std::optional<Evidence>& evidence() const { return evidence_; }
   /// RMS of the shown simulation's position error over the held-out rows, or over all rows if those held out are of
   /// another recording.
   double shownRmse() const;
 
  signals:
   void inputsChanged();
+  void overviewChanged();
   void progressChanged();
   void diagnosisChanged();
   void tracesChanged();
+  void evidenceChanged();
 
  private:
   void inPool(std::function<std::function<void()>()> work);
   void read(const QString& path, std::optional<Recording> Comparison::*into);
   void forgetDiagnosis();
+  void prepareOverview();
   void takeDiagnosis(const Result<Diagnosis>& diagnosis);
   void simulateBase();
   void simulateShown();
+  void gatherEvidence();
 
   Messages& messages_;
+  LogOpening log_;
+  std::optional<Recording> Comparison::*logged_ = nullptr;  ///< where the log goes
   QThreadPool pool_;
   std::stop_source stop_;
   std::optional<Bench> bench_;
-  std::optional<Recording> recording_;
+  std::optional<Recording> recording_, mended_;
   std::optional<Recording> heldout_;
   std::optional<Diagnosis> diagnosis_;
   std::set<std::string> leftOut_;
+  std::shared_ptr<const Overview> overview_;
+  unsigned wantedOverview_ = 0;  ///< number of the newest
   Trace base_, shown_;
+  std::optional<Evidence> evidence_;
   unsigned wanted_ = 0;  ///< number of the newest simulation or diagnosis asked for; older answers are not shown
   bool diagnosing_ = false;
   double progress_ = 0.0;

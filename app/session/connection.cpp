@@ -41,6 +41,7 @@ void Connection::close() {
 }
 
 void Connection::begin(std::unique_ptr<Drive> drive) {
+  loss_.clear();
   identity_ = drive->identity();
   settings_ = drive->settings();
   loop_ = std::make_unique<DriveLoop>(std::move(drive), options_);
@@ -73,11 +74,11 @@ void Connection::listenToLoop() {
   });
   listen(&DriveLoop::runChanged, [this](const RunSnapshot& snapshot) { takeRun(snapshot); });
   listen(&DriveLoop::stopped, [this](DriveLoop::StopCause cause) { takeStop(cause); });
-  listen(&DriveLoop::recordingFinished, [this](const auto& samples) { emit recorded(samples); });
   listen(&DriveLoop::failed, [this](const QString& reason) { loseBoard(reason); });
 }
 
 void Connection::loseBoard(const QString& why) {
+  loss_ = why;
   letGo();
   opener_.lost(why);
   messages_.warn(why);
@@ -170,8 +171,8 @@ void Connection::onBoard(std::function<void(Drive&)> job) {
   if (loop_) loop_->post(std::move(job), false);
 }
 
-void Connection::startRecording() {
-  if (loop_) loop_->startRecording();
+void Connection::startRecording(std::shared_ptr<Recorder> recorder) {
+  if (loop_) loop_->startRecording(std::move(recorder));
 }
 
 void Connection::finishRecording() {

@@ -38,6 +38,8 @@ class Connection : public QObject {
   const QString& uri() const { return uri_; }
   /// Of the connected board; a default one without.
   const Identity& identity() const { return identity_; }
+  /// Why the last board's link was lost, while that is so; empty where it was let go, or another one has come.
+  const QString& loss() const { return loss_; }
   bool linear() const { return identity_.axis == Axis::linear; }
   const LinkStatus& link() const { return link_; }
 
@@ -62,8 +64,8 @@ class Connection : public QObject {
   /// Does `job`, which moves nothing, on the board in the I/O thread. Nothing without a board.
   void onBoard(std::function<void(Drive&)> job);
 
-  /// Keeps every sample from now on, until finishRecording() hands them over by recorded().
-  void startRecording();
+  /// Gives every sample from now on to the recorder, until finishRecording() or the link's end.
+  void startRecording(std::shared_ptr<Recorder> recorder);
   void finishRecording();
 
   /// How many board seconds pass in one second, for a simulated board.
@@ -80,7 +82,6 @@ class Connection : public QObject {
   void runReported(const breakaway::RunSnapshot& snapshot);
   void runChanged();
   void samplesCame(const breakaway::SampleBatchPtr& batch);
-  void recorded(const std::shared_ptr<const std::vector<breakaway::Sample>>& samples);
 
  private:
   void begin(std::unique_ptr<Drive> drive);
@@ -100,7 +101,7 @@ class Connection : public QObject {
   ControllerSettings settings_;
   LinkStatus link_;
   RunSnapshot run_;
-  QString lastStop_;
+  QString lastStop_, loss_;
   bool powered_ = false;
   double pace_;
   std::unique_ptr<DriveLoop> loop_;  // last: it ends before what it reports to

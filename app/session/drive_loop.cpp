@@ -39,7 +39,6 @@ DriveLoop::DriveLoop(std::unique_ptr<Drive> drive, const DriveLoopOptions& optio
   qRegisterMetaType<LinkStatus>();
   qRegisterMetaType<RunSnapshot>();
   qRegisterMetaType<DriveLoop::StopCause>();
-  qRegisterMetaType<std::shared_ptr<const std::vector<Sample>>>();
   link_.rate_Hz = drive_->identity().loopRate_Hz;
   nextTurn_ = lastBatch_ = lastStatus_ = lastRun_ = Clock::now();
   thread_ = std::jthread([this](const std::stop_token& ending) { work(ending); });
@@ -70,15 +69,15 @@ void DriveLoop::start(Run run) {
       true);
 }
 
-void DriveLoop::startRecording() {
-  post([this](Drive&) { recorder_.start(); }, false);
+void DriveLoop::startRecording(std::shared_ptr<Recorder> recorder) {
+  post([this, recorder = std::move(recorder)](Drive&) { recorder_ = recorder; }, false);
 }
 
 void DriveLoop::finishRecording() {
   post(
       [this](Drive&) {
-        if (!recorder_.recording()) return;
-        emit recordingFinished(std::make_shared<const std::vector<Sample>>(recorder_.finish()));
+        if (recorder_) recorder_->finish();
+        recorder_.reset();
         link_.recorded_s = 0.0;
       },
       false);
@@ -139,7 +138,7 @@ bool DriveLoop::advance() {
     emit failed(QString::fromStdString(lost.error().message()));
     return false;
   }
-  recorder_.append(slice_);
+  if (recorder_) recorder_->append(slice_, *lost);
   pending_->samples.insert(pending_->samples.end(), slice_.begin(), slice_.end());
   pending_->lost += *lost;
   link_.lost += *lost;
@@ -173,7 +172,7 @@ void DriveLoop::sendBatch(Clock::time_point time) {
 
 void DriveLoop::sendStatus(Clock::time_point time) {
   link_.realTimeFactor = sinceStatus_s_ / seconds(time - lastStatus_);
-  link_.recorded_s = static_cast<double>(recorder_.size()) / std::max(1.0, link_.rate_Hz);
+  link_.recorded_s = recorder_ ? static_cast<double>(recorder_->taken()) / std::max(1.0, link_.rate_Hz) : 0.0;
   lastStatus_ = time;
   sinceStatus_s_ = 0.0;
   emit linkChanged(link_);

@@ -53,7 +53,8 @@ class DriveLoop : public QObject {
   void post(std::function<void(Drive&)> job, bool moves);
   /// Starts a procedure or a job on the drive and reports its status and partial results until its end.
   void start(Run run);
-  void startRecording();
+  /// Gives every sample from now on to the recorder, until its end or that of the link.
+  void startRecording(std::shared_ptr<Recorder> recorder);
   void finishRecording();
 
  signals:
@@ -61,7 +62,6 @@ class DriveLoop : public QObject {
   void linkChanged(const breakaway::LinkStatus& status);
   void runChanged(const breakaway::RunSnapshot& snapshot);
   void stopped(breakaway::DriveLoop::StopCause cause);
-  void recordingFinished(const std::shared_ptr<const std::vector<breakaway::Sample>>& samples);
   void failed(const QString& reason);
 
  private:
@@ -96,7 +96,7 @@ class DriveLoop : public QObject {
   // Touched by the I/O thread alone.
   unsigned obeyedStops_ = 0;
   Run run_;
-  Recorder recorder_;
+  std::shared_ptr<Recorder> recorder_;
   std::vector<Sample> slice_;
   std::shared_ptr<SampleBatch> pending_;
   std::weak_ptr<const SampleBatch> sent_;

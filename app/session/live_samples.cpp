@@ -1,19 +1,56 @@
 #include "session/live_samples.h"
 
+#include "base/made.h"
 #include "recording/sample_recording.h"
 
 namespace breakaway {
 
-LiveSamples::LiveSamples(Connection& connection, Messages& messages, QObject* parent)
-    : QObject(parent), connection_(connection), messages_(messages) {
+namespace {
+
+constexpr double leastGap_s = 0.2;  // so that it can be seen
+
+bool isSameBoard(const Identity& one, const Identity& other) {
+  return one.device == other.device && one.firmware == other.firmware && one.axis == other.axis &&
+         one.simulated == other.simulated;
+}
+
+}  // namespace
+
+LiveSamples::LiveSamples(Connection& connection, BenchProject& project, Messages& messages, QObject* parent)
+    : QObject(parent), connection_(connection), project_(project), messages_(messages) {
   connect(&connection_, &Connection::samplesCame, this, [this](const SampleBatchPtr& batch) { take(*batch); });
-  connect(&connection_, &Connection::recorded, this, [this](const auto& samples) { takeRecorded(*samples); });
-  connect(&connection_, &Connection::left, this, &LiveSamples::forget);
+  connect(&connection_, &Connection::came, this, &LiveSamples::meetBoard);
+  connect(&connection_, &Connection::left, this, &LiveSamples::leaveBoard);
+}
+
+LiveSamples::~LiveSamples() {
+  if (!recorder_) return;
+  recorder_->finish("the window was closed");
+  recorder_->wait();
+  endInProject(run_, recorder_->end());
+}
+
+void LiveSamples::take(const SampleBatch& batch) {
+  if (batch.samples.empty()) return;
+  flowing_ = true;
+  if (comesBack_) {
+    const double begins_s = batch.samples.front().time_s;
+    const double gap_s = std::max(leastGap_s, 1e-3 * static_cast<double>(sinceLoss_.elapsed()));
+    if (begins_s + ahead_s_ <= *lost_s_) ahead_s_ = *lost_s_ + gap_s - begins_s;
+    comesBack_ = false;
+  }
+  if (ahead_s_ == 0.0) return history_.append(batch.samples);
+  std::vector<Sample> samples = batch.samples;
+  for (Sample& sample : samples) sample.time_s += ahead_s_;
+  history_.append(samples);
+}
+
+std::optional<Sample> LiveSamples::current() const {
+  return connection_.connected() && flowing_ ? history_.newest() : std::nullopt;
 }
 
 Result<Recording> LiveSamples::sealed(const char* name, const std::vector<Sample>& samples) const {
-  const Identity& board = connection_.identity();
-  return sealSamples(name, samples, {{"device", board.device}, {"firmware", board.firmware}}, board.axis);
+  return sealSamples(name, samples, {{"device", board_.device}, {"firmware", board_.firmware}}, board_.axis);
 }
 
 Result<Recording> LiveSamples::stretch(double from_s, double to_s) const {
@@ -23,30 +60,106 @@ Result<Recording> LiveSamples::stretch(double from_s, double to_s) const {
 void LiveSamples::startRecording() {
   if (!connection_.connected() || recording_) return;
   recording_ = true;
-  connection_.startRecording();
+  endWanted_ = false;
+  ProjectRun run;
+  run.device = board_.device;
+  run.firmware = board_.firmware;
+  run.by = thisRun().by;
+  const BlockHead head{sampleColumns(board_.axis), {{"device", board_.device}, {"firmware", board_.firmware}}};
+  project_.inProject([this, run, head](Project* project) -> std::function<void()> {
+    const auto blocks = std::make_shared<std::optional<BlockWriter>>();
+    const auto begun = project != nullptr ? project->beginRecording(run, head, *blocks)
+                                          : Result<ProjectRun>(Error{"recording", "there is no project to keep it in"});
+    return [this, begun, blocks] { begin(begun, *blocks ? &**blocks : nullptr); };
+  });
   emit recordingChanged();
 }
 
-void LiveSamples::finishRecording() {
-  if (recording_) connection_.finishRecording();
+void LiveSamples::begin(const Result<ProjectRun>& run, BlockWriter* blocks) {
+  if (!run) {
+    recording_ = false;
+    messages_.warn(run.error());
+    emit recordingChanged();
+    return;
+  }
+  run_ = *run;
+  emit project_.changed();
+  recorder_ = std::make_shared<Recorder>(
+      std::move(*blocks), Recorder::Listener{[this](const RecordingEnd& end) {
+                                               QMetaObject::invokeMethod(
+                                                   this, [this, end] { takeEnd(end); }, Qt::QueuedConnection);
+                                             },
+                                             [this](const std::string& warning) {
+                                               QMetaObject::invokeMethod(
+                                                   this,
+                                                   [this, warning] { messages_.warn(QString::fromStdString(warning)); },
+                                                   Qt::QueuedConnection);
+                                             }});
+  if (endWanted_ || !connection_.connected()) return recorder_->finish(endWanted_ ? "" : "the link was lost");
+  connection_.startRecording(recorder_);
 }
 
-void LiveSamples::takeRecorded(const std::vector<Sample>& samples) {
+void LiveSamples::finishRecording() {
+  if (!recording_) return;
+  endWanted_ = true;
+  if (recorder_) connection_.finishRecording();
+}
+
+void LiveSamples::takeEnd(const RecordingEnd& end) {
   recording_ = false;
-  auto recording = sealed("live recording", samples);
-  if (recording) {
-    lastRecording_ = *recording;
-    messages_.say(tr("Recorded %1 samples").arg(samples.size()));
+  last_ = QString::fromStdString(end.path);
+  recorder_.reset();
+  connection_.finishRecording();
+  endInProject(run_, end);
+  const QString what = tr("Recorded %1 samples").arg(end.rows);
+  if (end.why.empty()) {
+    messages_.say(what);
   } else {
-    messages_.warn(recording.error());
+    messages_.warn(tr("%1, then %2; the recording is kept as run %3")
+                       .arg(what, QString::fromStdString(end.why), QString::fromStdString(run_.id)));
   }
   emit recordingChanged();
 }
 
-void LiveSamples::forget() {
+void LiveSamples::endInProject(const ProjectRun& run, const RecordingEnd& end) {
+  project_.inProject([messages = &messages_, project = &project_, run, end](Project* open) -> std::function<void()> {
+    if (open == nullptr) return {};
+    const auto ended = open->endRecording(run, end.why);
+    return [messages, project, ended] {
+      if (!ended) messages->warn(ended.error());
+      emit project->changed();
+    };
+  });
+}
+
+void LiveSamples::saveLast(const QString& csv) {
+  if (last_.isEmpty()) return;
+  project_.inProject([messages = &messages_, from = last_.toStdString(), csv](Project*) -> std::function<void()> {
+    const auto written = writeBlocksAsCsv(from, csv.toStdString());
+    return [messages, written, csv] { messages->say(written, tr("The recording is written to %1").arg(csv)); };
+  });
+}
+
+void LiveSamples::meetBoard() {
+  const Identity before = board_;
+  board_ = connection_.identity();
+  flowing_ = false;
+  comesBack_ = lost_s_.has_value() && history_.newest() && isSameBoard(before, board_);
+  if (comesBack_) return;
   history_.clear();
-  recording_ = false;
-  emit recordingChanged();
+  lost_s_.reset();
+  ahead_s_ = 0.0;
+}
+
+void LiveSamples::leaveBoard() {
+  const auto newest = history_.newest();
+  flowing_ = false;
+  lost_s_.reset();
+  if (!connection_.loss().isEmpty() && newest) {
+    lost_s_ = newest->time_s;
+    sinceLoss_.start();
+  }
+  if (recorder_) recorder_->finish(connection_.loss().isEmpty() ? "the board was let go" : "the link was lost");
 }
 
 }  // namespace breakaway

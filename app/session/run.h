@@ -13,7 +13,7 @@
 
 namespace breakaway {
 
-enum class RunKind { none, turning, step, identification, homing, velocitySweep, breakaway, trial };
+enum class RunKind { none, turning, hand, step, wiring, identification, homing, velocitySweep, breakaway, trial };
 
 /// A measured step with the settings it was measured with.
 struct StepResult {

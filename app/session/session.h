@@ -1,11 +1,15 @@
 // What the window shows, without a window, and in which order it is made: each part knows only those above it.
 #pragma once
 
+#include "session/bench_project.h"
 #include "session/bench_runs.h"
 #include "session/comparison.h"
 #include "session/connection.h"
+#include "session/kept_results.h"
 #include "session/live_samples.h"
 #include "session/messages.h"
+#include "session/project_runs.h"
+#include "session/shown_maps.h"
 
 namespace breakaway {
 
@@ -14,9 +18,13 @@ struct Session {
 
   Messages messages;
   Connection connection;
+  BenchProject project{messages};
   BenchRuns bench{connection, messages};
-  LiveSamples live{connection, messages};
+  LiveSamples live{connection, project, messages};
   Comparison comparison{messages};
+  KeptResults kept{connection, bench, comparison, project};
+  ProjectRuns runs{project, messages};
+  ShownMaps maps;
 };
 
 }  // namespace breakaway

@@ -12,8 +12,7 @@ constexpr double patience = 2.0, grace_s = 2.0;  // over the time that the way t
 
 Command TravelTo::run(const Sample& sample) {
   left_m_ = std::abs(target_m_ - sample.angle_rad);
-  if (!begun_) {
-    begun_ = true;
+  if (isFirst()) {
     start_m_ = left_m_;
     allowed_s_ = grace_s + patience * left_m_ / glide_.speed_m_per_s();
   }
@@ -23,14 +22,6 @@ Command TravelTo::run(const Sample& sample) {
     fail("the axis does not reach the place where this begins; is it held, or the current limit too low?");
   }
   return {Command::Mode::velocity, glide_.next(sample.angle_rad, target_m_, tick_s()), 0.0, false};
-}
-
-double TravelTo::progress() const {
-  return start_m_ > 0.0 ? 1.0 - std::min(1.0, left_m_ / start_m_) : 1.0;
-}
-
-double TravelTo::remaining_s() const {
-  return left_m_ / glide_.speed_m_per_s();
 }
 
 }  // namespace breakaway

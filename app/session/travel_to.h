@@ -14,15 +14,15 @@ class TravelTo : public TimedProcedure {
 
  protected:
   Command run(const Sample& sample) override;
-  double progress() const override;
-  double remaining_s() const override;
-  std::string activity() const override { return "going to where it begins"; }
+  Progress progress() const override {
+    return {start_m_ > 0.0 ? 1.0 - std::min(1.0, left_m_ / start_m_) : 1.0, left_m_ / glide_.speed_m_per_s(),
+            "going to where it begins"};
+  }
 
  private:
   double target_m_, tolerance_m_;
   Glide glide_;
   double start_m_ = 0.0, left_m_ = 0.0, allowed_s_ = 0.0;
-  bool begun_ = false;
 };
 
 }  // namespace breakaway

@@ -11,19 +11,20 @@ namespace breakaway {
 using namespace std::chrono_literals;
 
 namespace {
+constexpr int titleHeight = 32;
 constexpr int uriRole = Qt::UserRole, kindRole = Qt::UserRole + 1;
 constexpr const char *rigKind = "rig", *portKind = "port";
 }  // namespace
 
 BoardList::BoardList(QWidget* parent) : QListWidget(parent) {
   setObjectName("boardList");
+  setToolTip(tr("Boards that can be connected; a double click connects"));
   setAccessibleName(tr("Boards to connect to"));
-  setWordWrap(true);
   addTitle(tr("Simulated"));
   for (const std::string& name : presetNames()) {
     const QString preset = QString::fromStdString(name);
     const QString uri = "simulated:" + preset;
-    auto* item = add(count(), tr("Simulated board: %1").arg(preset), uri, uri);
+    auto* item = add(count(), preset, uri, uri);
     item->setData(kindRole, rigKind);
     if (preset == "servo") setCurrentItem(item);
   }
@@ -50,9 +51,9 @@ QListWidgetItem* BoardList::add(int row, const QString& text, const QString& uri
 void BoardList::addTitle(const QString& text) {
   auto* item = new QListWidgetItem(text, this);
   item->setFlags(Qt::NoItemFlags);
-  item->setFont(sized(font(), 0.9, true));
+  item->setFont(typed(Type::caption, true));
   item->setTextAlignment(Qt::AlignLeft | Qt::AlignBottom);
-  item->setSizeHint({0, fontMetrics().height() + 9});
+  item->setSizeHint({0, titleHeight});
 }
 
 int BoardList::rowBelowRigs() const {
@@ -68,7 +69,7 @@ QString BoardList::address() const {
 }
 
 void BoardList::addRig(const QString& name, const QString& uri) {
-  auto* item = add(rowBelowRigs(), tr("Simulated board: %1").arg(name), uri, uri);
+  auto* item = add(rowBelowRigs(), name, uri, uri);
   item->setData(kindRole, rigKind);
   setCurrentItem(item);
 }

@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -42,6 +43,20 @@ QPushButton* pushButton(QWidget* parent, const char* objectName, const QString& 
   return button;
 }
 
+QPushButton* chipButton(QWidget* parent, const char* objectName, const QString& text, const QString& tip) {
+  auto* button = pushButton(parent, objectName, text, tip);
+  button->setCheckable(true);
+  button->setProperty("role", "chip");
+  return button;
+}
+
+void dressAs(QWidget* widget, const char* property, const QString& value) {
+  if (widget->property(property).toString() == value) return;
+  widget->setProperty(property, value);
+  widget->style()->unpolish(widget);
+  widget->style()->polish(widget);
+}
+
 void setAvailable(QWidget* control, bool available, const QString& tip, const QString& reason) {
   control->setEnabled(available);
   control->setToolTip(available ? tip : reason);
@@ -59,9 +74,20 @@ QHBoxLayout* rowIn(QWidget* widget, int spacing, const QMargins& margins) {
   return layOut<QHBoxLayout>(widget, spacing, margins);
 }
 
-QLabel* heading(QWidget* parent, const QString& text) {
+QFrame* card(QWidget* parent) {
+  auto* frame = new QFrame(parent);
+  frame->setProperty("role", "card");
+  columnIn(frame, 8, {16, 12, 16, 12});
+  return frame;
+}
+
+QVBoxLayout* columnOf(QFrame* card) {
+  return static_cast<QVBoxLayout*>(card->layout());
+}
+
+QLabel* section(QWidget* parent, const QString& text) {
   auto* label = new QLabel(text, parent);
-  label->setFont(sized(parent->font(), 1.35, true));
+  label->setFont(typed(Type::section));
   return label;
 }
 
@@ -75,16 +101,9 @@ QLabel* explanation(QWidget* parent, const QString& text, const char* objectName
 
 QLabel* caption(QWidget* parent, const QString& text) {
   auto* label = new QLabel(text, parent);
-  label->setFont(sized(parent->font(), 1.0, true));
+  label->setFont(typed(Type::caption));
+  label->setProperty("tone", "muted");
   return label;
-}
-
-QFrame* rule(QWidget* parent) {
-  auto* line = new QFrame(parent);
-  line->setFrameShape(QFrame::HLine);
-  line->setFrameShadow(QFrame::Plain);
-  line->setForegroundRole(QPalette::Mid);
-  return line;
 }
 
 }  // namespace breakaway

@@ -6,10 +6,14 @@
 
 namespace breakaway {
 
+namespace {
+constexpr int oneLine = 40;  // characters of a value
+}  // namespace
+
 FactsTable::FactsTable(const char* objectName, QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)) {
   setObjectName(objectName);
   grid_->setContentsMargins(0, 0, 0, 0);
-  grid_->setHorizontalSpacing(16);
+  grid_->setHorizontalSpacing(12);
   grid_->setVerticalSpacing(4);
   grid_->setColumnStretch(1, 1);
 }
@@ -24,6 +28,7 @@ void FactsTable::show(const std::vector<Fact>& facts) {
     auto* name = new QLabel(this);
     auto* value = new QLabel(this);
     value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    value->setMinimumWidth(1);  // a long value is cut, and doesn't push the page apart
     const int row = static_cast<int>(rows_.size());
     grid_->addWidget(name, row, 0);
     grid_->addWidget(value, row, 1);
@@ -32,9 +37,10 @@ void FactsTable::show(const std::vector<Fact>& facts) {
   for (size_t k = 0; k < facts.size(); ++k) {
     rows_[k].first->setText(facts[k].name);
     rows_[k].second->setText(facts[k].value);
+    rows_[k].second->setWordWrap(facts[k].value.size() > oneLine);
     rows_[k].second->setAccessibleName(facts[k].name);
-    rows_[k].second->setFont(sized(font(), 1.0, true));
-    for (QLabel* label : {rows_[k].first, rows_[k].second}) label->setToolTip(facts[k].help);
+    for (QLabel* label : {rows_[k].first, rows_[k].second})
+      label->setToolTip(facts[k].help.isEmpty() ? facts[k].value : facts[k].help);
   }
 }
 

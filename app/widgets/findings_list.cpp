@@ -7,31 +7,23 @@
 #include "session/comparison.h"
 #include "widgets/controls.h"
 #include "widgets/look.h"
+#include "widgets/number_text.h"
+#include "widgets/parameter_words.h"
 #include "widgets/residual_axis.h"
 
 namespace breakaway {
 
 namespace {
 
-QString verdictText(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::nothingMissing:
-      return FindingsList::tr("Nothing is missing: the base model explains the recording");
-    case Verdict::named:
-      return FindingsList::tr("Missing physics found and named");
-    case Verdict::ambiguous:
-      return FindingsList::tr("Missing physics found; the data allow more than one name");
-    case Verdict::outsideCatalogue:
-      return FindingsList::tr("Something is missing that the catalogue has no name for");
-  }
-  return {};
+QLabel* wrapped(QLabel* label) {
+  label->setWordWrap(true);
+  return label;
 }
 
-/// "excess_Nm = 0.0031  [0.0029, 0.0033]": the name with its unit as it stands, the value and its 95 % interval.
-QString parameterText(const Parameter& parameter) {
-  QString value = QString("%1 = %2").arg(QString::fromStdString(parameter.name)).arg(parameter.value, 0, 'g', 4);
-  if (parameter.low95 == parameter.high95) return value;
-  return value + FindingsList::tr("  [%1, %2]").arg(parameter.low95, 0, 'g', 4).arg(parameter.high95, 0, 'g', 4);
+QLabel* heading(QWidget* parent, const QString& text) {
+  auto* label = new QLabel(text, parent);
+  label->setFont(typed(Type::body, true));
+  return label;
 }
 
 QString names(const std::vector<std::string>& effects) {
@@ -43,12 +35,14 @@ QString names(const std::vector<std::string>& effects) {
 }  // namespace
 
 QString effectTitle(const std::string& effect) {
-  return QString::fromStdString(effect).replace('_', ' ');
+  const QString words = QString::fromStdString(effect).replace('_', ' ');
+  return words.left(1).toUpper() + words.mid(1);
 }
 
 FindingsList::FindingsList(Comparison& comparison, QWidget* parent) : QScrollArea(parent), comparison_(comparison) {
   setObjectName("findingsList");
   setAccessibleName(tr("Findings"));
+  setToolTip(tr("What is missing, the most important first; untick one to see the fit without it"));
   setWidgetResizable(true);
   setFrameShape(QFrame::NoFrame);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -58,14 +52,15 @@ FindingsList::FindingsList(Comparison& comparison, QWidget* parent) : QScrollAre
 
 void FindingsList::rebuild() {
   auto* content = new QWidget;
-  auto* column = columnIn(content, 4, {0, 0, 8, 0});
+  content->setProperty("role", "column");
+  auto* column = columnIn(content, 8, {0, 0, 4, 0});
   if (const auto& diagnosis = comparison_.diagnosis()) {
-    addVerdict(*column);
-    int rank = 0;
-    for (const Finding& finding : diagnosis->findings) addFinding(*column, finding, ++rank);
+    for (const Finding& finding : diagnosis->findings) addFinding(*column, finding);
+    if (diagnosis->findings.empty() && !diagnosis->misread)
+      addText(*column, tr("No effect of the catalogue is missing."));
     addPlaces(*column);
     if (!diagnosis->nextSentence.empty()) {
-      column->addWidget(caption(content, tr("Next experiment")));
+      column->addWidget(heading(content, tr("Next experiment")));
       addText(*column, QString::fromStdString(diagnosis->nextSentence), "nextExperiment");
     }
     for (const std::string& remark : diagnosis->remarks) addText(*column, QString::fromStdString(remark));
@@ -78,38 +73,30 @@ void FindingsList::rebuild() {
   setWidget(content);
 }
 
-void FindingsList::addVerdict(QVBoxLayout& column) {
-  auto* verdict = new QLabel(verdictText(comparison_.diagnosis()->verdict), column.parentWidget());
-  verdict->setObjectName("verdict");
-  verdict->setWordWrap(true);
-  verdict->setFont(sized(font(), 1.08, true));
-  column.addWidget(verdict);
-}
-
-void FindingsList::addFinding(QVBoxLayout& column, const Finding& finding, int rank) {
-  const QString title = tr("%1. %2: %3 % of the excess, p = %4")
-                            .arg(rank)
-                            .arg(effectTitle(finding.effect))
-                            .arg(100.0 * finding.share, 0, 'f', 0)
-                            .arg(finding.pValue, 0, 'g', 2);
-  auto* box = new QCheckBox(title, column.parentWidget());
+void FindingsList::addFinding(QVBoxLayout& column, const Finding& finding) {
+  QWidget* parent = column.parentWidget();
+  auto* box = new QCheckBox(effectTitle(finding.effect), parent);
   box->setObjectName("finding_" + QString::fromStdString(finding.effect));
+  box->setAccessibleName(effectTitle(finding.effect));
   box->setChecked(comparison_.includes(finding.effect));
-  box->setFont(sized(font(), 1.0, true));
+  box->setFont(typed(Type::body, true));
   box->setToolTip(tr("Untick to see the fit without it (Return)"));
   connect(box, &QCheckBox::toggled, &comparison_,
           [this, effect = finding.effect](bool on) { comparison_.include(effect, on); });
   column.addWidget(box);
-  QString text = QString::fromStdString(finding.sentence);
-  if (!finding.ambiguousWith.empty()) text += tr(" Could also be: %1.").arg(names(finding.ambiguousWith));
-  for (const Parameter& parameter : finding.parameters) text += "\n" + parameterText(parameter);
-  addText(column, text);
+  column.addWidget(wrapped(caption(parent, tr("%1 % of what the base model leaves; chance would do so in %2 % of cases")
+                                               .arg(100.0 * finding.share, 0, 'f', 0)
+                                               .arg(numberText(100.0 * finding.pValue, 2)))));
+  addText(column, QString::fromStdString(finding.sentence));
+  for (const Parameter& parameter : finding.parameters)
+    column.addWidget(wrapped(caption(parent, wordsOf(parameter).line())));
+  if (!finding.ambiguousWith.empty()) addText(column, tr("Could also be: %1.").arg(names(finding.ambiguousWith)));
 }
 
 void FindingsList::addPlaces(QVBoxLayout& column) {
   const auto& places = comparison_.diagnosis()->where;
   if (places.empty()) return;
-  column.addWidget(caption(column.parentWidget(), tr("Where")));
+  column.addWidget(heading(column.parentWidget(), tr("Where")));
   for (const Place& place : places) {
     const QString axis = QString::fromStdString(place.axis);
     QString text = QString::fromStdString(place.sentence).toHtmlEscaped();

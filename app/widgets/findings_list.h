@@ -22,15 +22,14 @@ class FindingsList : public QScrollArea {
 
  private:
   void rebuild();
-  void addVerdict(QVBoxLayout& column);
-  void addFinding(QVBoxLayout& column, const Finding& finding, int rank);
+  void addFinding(QVBoxLayout& column, const Finding& finding);
   void addPlaces(QVBoxLayout& column);
   void addText(QVBoxLayout& column, const QString& text, const char* objectName = "");
 
   Comparison& comparison_;
 };
 
-/// "cogging" from `cogging`, "load dependent friction" from `load_dependent_friction`.
+/// "Cogging" from `cogging`, "Load dependent friction" from `load_dependent_friction`.
 QString effectTitle(const std::string& effect);
 
 }  // namespace breakaway

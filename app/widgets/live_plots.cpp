@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QShortcut>
 #include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -21,45 +22,22 @@ namespace breakaway {
 
 namespace {
 
-struct LiveChannel {
-  const char* title;  ///< with the unit that is shown
-  double scale;       ///< shown value = scale · SI value
-  double leastSpan;   ///< in the shown unit: noise is not blown up beyond it
-  int decimals;
-  double Sample::*value;
-};
-
-constexpr std::array<LiveChannel, 4> rotaryChannels{{
-    {QT_TRANSLATE_NOOP("LivePlots", "angle (rad)"), 1.0, 0.2, 3, &Sample::angle_rad},
-    {QT_TRANSLATE_NOOP("LivePlots", "velocity (rad/s)"), 1.0, 1.0, 2, &Sample::velocity_rad_per_s},
-    {QT_TRANSLATE_NOOP("LivePlots", "current (A)"), 1.0, 0.2, 3, &Sample::current_A},
-    {QT_TRANSLATE_NOOP("LivePlots", "disturbance (mNm)"), 1e3, 10.0, 2, &Sample::disturbance_estimate_Nm},
-}};
-
-constexpr std::array<LiveChannel, 4> linearChannels{{
-    {QT_TRANSLATE_NOOP("LivePlots", "position (mm)"), 1e3, 1.0, 3, &Sample::angle_rad},
-    {QT_TRANSLATE_NOOP("LivePlots", "velocity (m/s)"), 1.0, 0.005, 4, &Sample::velocity_rad_per_s},
-    {QT_TRANSLATE_NOOP("LivePlots", "current (A)"), 1.0, 0.2, 3, &Sample::current_A},
-    {QT_TRANSLATE_NOOP("LivePlots", "disturbance (N)"), 1.0, 2.0, 2, &Sample::disturbance_estimate_Nm},
-}};
-
-constexpr std::array<double, 5> spans_s{2.0, 5.0, 10.0, 20.0, 50.0};
-
-const std::array<LiveChannel, 4>& shownChannels(const Connection& connection) {
-  return connection.linear() ? linearChannels : rotaryChannels;
-}
+constexpr int recordWidth = 112;  // of "Finish (600 s)"
+constexpr std::array<double, 5> spans_s{2.0, 5.0, 10.0, 20.0, 60.0};
 
 }  // namespace
 
 LivePlots::LivePlots(Connection& connection, LiveSamples& live, Messages& messages, FileChooser& files, QWidget* parent)
     : QWidget(parent), connection_(connection), live_(live), messages_(messages), files_(files) {
   setObjectName("livePlots");
-  auto* layout = columnIn(this, 2, {8, 2, 8, 6});
+  auto* layout = columnIn(this, 4, {16, 4, 16, 4});
   buildStrip();
   buildPlot();
   layout->addWidget(plot_, 1);
   applyLook();
-  connect(&connection_, &Connection::changed, this, &LivePlots::startOver);
+  onNewLook(this, [this] { applyLook(); });
+  connect(&connection_, &Connection::came, this, &LivePlots::meetBoard);
+  connect(&connection_, &Connection::changed, this, &LivePlots::showConnection);
   connect(&live_, &LiveSamples::recordingChanged, this, &LivePlots::showRecording);
   connect(&connection_, &Connection::linkChanged, this, &LivePlots::showRecording);
   connect(&timer_, &QTimer::timeout, this, [this] {
@@ -72,15 +50,14 @@ LivePlots::LivePlots(Connection& connection, LiveSamples& live, Messages& messag
 void LivePlots::buildStrip() {
   auto* strip = new QHBoxLayout;
   strip->setSpacing(4);
-  pause_ = toolButton(this, "pauseButton", tr("Pause"), tr("Hold the picture still; samples keep coming in (P)"));
+  pause_ = toolButton(this, "pauseButton", tr("Pause"),
+                      tr("Hold the picture still; samples keep coming in (P in the plot)"));
   pause_->setCheckable(true);
-  pause_->setShortcut(Qt::Key_P);
   connect(pause_, &QToolButton::toggled, this, &LivePlots::setPaused);
-  cursorButton_ = toolButton(
-      this, "cursorsButton", tr("Cursors"),
-      tr("Two cursors A and B over all plots (C): drag them, or move A with the arrow keys and B with Shift"));
+  cursorButton_ = toolButton(this, "cursorsButton", tr("Cursors"),
+                             tr("Two cursors A and B over all plots (C in the plot): drag them, or move A with the "
+                                "arrow keys and B with Shift"));
   cursorButton_->setCheckable(true);
-  cursorButton_->setShortcut(Qt::Key_C);
   connect(cursorButton_, &QToolButton::toggled, this, &LivePlots::showCursors);
   span_ = new QComboBox(this);
   span_->setObjectName("spanBox");
@@ -88,18 +65,20 @@ void LivePlots::buildStrip() {
   span_->setToolTip(tr("Visible time span; while the picture is paused, the wheel zooms"));
   for (const double span : spans_s) span_->addItem(tr("%1 s").arg(span), span);
   span_->setCurrentIndex(2);
-  connect(span_, &QComboBox::currentIndexChanged, this, &LivePlots::follow);
+  connect(span_, &QComboBox::currentIndexChanged, this, [this] { stale_ = true; });
   record_ = toolButton(this, "recordButton", tr("Record"), {});
-  record_->setShortcut(Qt::Key_R);
+  record_->setFixedWidth(recordWidth);
   connect(record_, &QToolButton::clicked, &live_,
           [this] { live_.recording() ? live_.finishRecording() : live_.startRecording(); });
   export_ = toolButton(this, "exportVisibleButton", tr("Export visible…"),
                        tr("Write the visible stretch as CSV, every sample of it"));
   connect(export_, &QToolButton::clicked, this, &LivePlots::exportVisible);
+  save_ = toolButton(this, "saveRecordingButton", tr("Save recording…"), tr("Write the last recording as CSV"));
+  connect(save_, &QToolButton::clicked, this, &LivePlots::saveRecording);
   difference_ = new QLabel(this);
   difference_->setObjectName("cursorDifference");
   difference_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  for (QWidget* widget : std::initializer_list<QWidget*>{pause_, cursorButton_, span_, record_, export_})
+  for (QWidget* widget : std::initializer_list<QWidget*>{pause_, cursorButton_, span_, record_, save_, export_})
     strip->addWidget(widget);
   strip->addStretch(1);
   strip->addWidget(difference_);
@@ -110,6 +89,7 @@ void LivePlots::buildPlot() {
   plot_ = new QCustomPlot(this);
   plot_->setObjectName("livePlot");
   plot_->setAccessibleName(tr("Live plots of angle, velocity, current and estimated disturbance over time"));
+  plot_->setToolTip(tr("P holds the picture still, C shows the cursors, R records"));
   plot_->setFocusPolicy(Qt::StrongFocus);
   plot_->setMinimumSize(200, 120);
   plot_->setNoAntialiasingOnDrag(true);
@@ -121,6 +101,11 @@ void LivePlots::buildPlot() {
   linkTimeAxes();
   plot_->plotLayout()->setRowStretchFactors({1.0, 1.45});  // the lower row also carries the labels of time
   plot_->installEventFilter(this);
+  for (const auto& [key, button] : {std::pair{Qt::Key_P, pause_}, {Qt::Key_C, cursorButton_}, {Qt::Key_R, record_}}) {
+    auto* shortcut = new QShortcut(key, plot_);
+    shortcut->setContext(Qt::WidgetShortcut);
+    connect(shortcut, &QShortcut::activated, button, &QToolButton::click);
+  }
 }
 
 void LivePlots::addTrace(int channel) {
@@ -145,19 +130,26 @@ void LivePlots::addTrace(int channel) {
     return text;
   };
   trace.title = inset(Qt::AlignTop | Qt::AlignLeft);
-  trace.title->setText(tr(shownChannels(connection_)[static_cast<size_t>(channel)].title));
+  trace.title->setText(channels_[static_cast<size_t>(channel)].title());
   trace.readout = inset(Qt::AlignTop | Qt::AlignRight);
-  for (QCPItemStraightLine*& cursor : trace.cursors) {
-    cursor = new QCPItemStraightLine(plot_);
-    for (QCPItemPosition* position : cursor->positions()) {
+  const auto overTime = [&](QCPAbstractItem* item) {
+    for (QCPItemPosition* position : item->positions()) {
       position->setAxes(time, trace.rect->axis(QCPAxis::atLeft));
       position->setAxisRect(trace.rect);
       position->setTypeX(QCPItemPosition::ptPlotCoords);
       position->setTypeY(QCPItemPosition::ptAxisRectRatio);
     }
-    cursor->setClipAxisRect(trace.rect);
-    cursor->setVisible(false);
-  }
+    item->setClipAxisRect(trace.rect);
+    item->setVisible(false);
+  };
+  for (QCPItemStraightLine*& cursor : trace.cursors) overTime(cursor = new QCPItemStraightLine(plot_));
+  overTime(trace.loss = new QCPItemStraightLine(plot_));
+  if (channel != 0) return;
+  overTime(lossText_ = new QCPItemText(plot_));
+  lossText_->setObjectName("linkLost");
+  lossText_->setText(tr("link lost"));
+  lossText_->setPositionAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  lossText_->setPadding(QMargins(4, 1, 4, 1));
 }
 
 void LivePlots::linkTimeAxes() {
@@ -178,19 +170,21 @@ void LivePlots::linkTimeAxes() {
 }
 
 void LivePlots::applyLook() {
-  const Look look = Look::of(palette());
+  const Look& look = Look::of(palette());
   dress(*plot_, look);
   for (size_t channel = 0; channel < traces_.size(); ++channel) {
     const Trace& trace = traces_[channel];
     const QColor ink = look.curve(static_cast<int>(channel));
     trace.graph->setPen(QPen(ink, 1));
     trace.title->setTextColor(ink);
-    trace.title->setFont(sized(font(), 0.9, true));
+    trace.title->setFont(typed(Type::caption, true));
     trace.readout->setTextColor(look.ink);
-    trace.readout->setFont(sized(font(), 0.88));
+    trace.readout->setFont(typed(Type::caption));
     trace.cursors[0]->setPen(QPen(look.ink, 1));
     trace.cursors[1]->setPen(QPen(look.ink, 1, Qt::DashLine));
+    trace.loss->setPen(QPen(look.trouble, 2));
   }
+  lossText_->setColor(look.trouble);
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
@@ -205,6 +199,7 @@ void LivePlots::setPaused(bool paused) {
   paused_ = paused;
   pause_->setChecked(paused);
   plot_->setInteractions(paused ? QCP::iRangeDrag | QCP::iRangeZoom : QCP::Interactions());
+  stale_ = true;
   if (!paused) follow();
 }
 
@@ -222,9 +217,12 @@ void LivePlots::showCursors(bool shown) {
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
+/// A picture in which nothing would move isn't drawn again.
 void LivePlots::refresh() {
+  const uint64_t before = consumed_;
   consume();
-  if (paused_) return;
+  if (paused_ || (consumed_ == before && !stale_)) return;
+  stale_ = false;
   follow();
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
@@ -233,13 +231,11 @@ void LivePlots::consume() {
   const LiveHistory& history = live_.history();
   if (consumed_ < history.first()) consumed_ = history.first();
   if (consumed_ == history.end()) return;
-  const auto& channels = shownChannels(connection_);
   std::array<std::vector<TracePoint>, channelCount> points;
   for (; consumed_ < history.end(); ++consumed_) {
     const Sample& sample = history.at(consumed_);
     for (size_t channel = 0; channel < traces_.size(); ++channel) {
-      traces_[channel].envelope.add(sample.time_s, channels[channel].scale * (sample.*channels[channel].value),
-                                    points[channel]);
+      traces_[channel].envelope.add(sample.time_s, channels_[channel].of(sample), points[channel]);
     }
   }
   const double oldest_s = history.at(history.first()).time_s;
@@ -252,20 +248,42 @@ void LivePlots::consume() {
   }
 }
 
+/// The same board after a lost link goes on where its history does, with a gap.
+void LivePlots::meetBoard() {
+  if (!live_.lost_s()) return startOver();
+  showConnection();
+}
+
 void LivePlots::startOver() {
   consumed_ = live_.history().first();
+  channels_ = liveChannels(live_.board().axis == Axis::linear);
   const double period_s = connection_.connected() ? 1.0 / std::max(1.0, connection_.identity().loopRate_Hz) : 0.001;
   for (size_t channel = 0; channel < traces_.size(); ++channel) {
     Trace& trace = traces_[channel];
-    trace.title->setText(tr(shownChannels(connection_)[channel].title));
+    trace.title->setText(channels_[channel].title());
     trace.graph->data()->clear();
     trace.envelope = Envelope(0.002, 3.5 * period_s);
   }
   setPaused(false);
-  setAvailable(record_, connection_.connected(), tr("Record every sample at the full rate (R)"),
-               tr("No board is connected"));
-  setAvailable(export_, connection_.connected(), tr("Write the visible stretch as CSV, every sample of it"),
-               tr("No board is connected"));
+  showConnection();
+}
+
+/// What can be done now; and where the link was lost, over the samples that stay.
+void LivePlots::showConnection() {
+  setAvailable(record_, connection_.connected(),
+               tr("Record every sample at the full rate, on the disk (R in the plot)"), tr("No board is connected"));
+  setAvailable(export_, connection_.connected() || live_.history().newest(),
+               tr("Write the visible stretch as CSV, every sample of it"), tr("No sample has come yet"));
+  setAvailable(save_, !live_.lastRecording().isEmpty(), tr("Write the last recording as CSV"),
+               tr("Nothing was recorded yet"));
+  const auto lost_s = live_.lost_s();
+  for (const Trace& trace : traces_) {
+    trace.loss->setVisible(lost_s.has_value());
+    trace.loss->point1->setCoords(lost_s.value_or(0.0), 0.0);
+    trace.loss->point2->setCoords(lost_s.value_or(0.0), 1.0);
+  }
+  lossText_->setVisible(lost_s.has_value());
+  lossText_->position->setCoords(lost_s.value_or(0.0), 0.5);
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
@@ -285,7 +303,7 @@ void LivePlots::scaleValues(Trace& trace) const {
   bool found = false;
   QCPRange values = trace.graph->getValueRange(found, QCP::sdBoth, trace.rect->axis(QCPAxis::atBottom)->range());
   if (!found) return;
-  const double least = shownChannels(connection_)[static_cast<size_t>(&trace - traces_.data())].leastSpan;
+  const double least = channels_[static_cast<size_t>(&trace - traces_.data())].leastSpan;
   const double span = std::max(least, values.size()) * 1.15;
   trace.rect->axis(QCPAxis::atLeft)->setRange(values.center() - 0.5 * span, values.center() + 0.62 * span);
 }
@@ -309,9 +327,9 @@ void LivePlots::writeReadouts() {
   difference_->setText(
       tr("A %1 s   B %2 s   Δt %3 s").arg(a->time_s, 0, 'f', 4).arg(b->time_s, 0, 'f', 4).arg(delta_s, 0, 'f', 4));
   for (size_t channel = 0; channel < traces_.size(); ++channel) {
-    const LiveChannel& shownAs = shownChannels(connection_)[channel];
-    const double atA = shownAs.scale * ((*a).*shownAs.value);
-    const double atB = shownAs.scale * ((*b).*shownAs.value);
+    const LiveChannel& shownAs = channels_[channel];
+    const double atA = shownAs.of(*a);
+    const double atB = shownAs.of(*b);
     const auto text = [&](double value) { return QString::number(value, 'f', shownAs.decimals); };
     traces_[channel].readout->setText(tr("A %1   B %2   Δy %3").arg(text(atA), text(atB), text(atB - atA)));
   }
@@ -368,11 +386,6 @@ bool LivePlots::eventFilter(QObject* watched, QEvent* event) {
   }
 }
 
-void LivePlots::changeEvent(QEvent* event) {
-  QWidget::changeEvent(event);
-  if (plot_ != nullptr && (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)) applyLook();
-}
-
 void LivePlots::exportVisible() {
   const auto recording = live_.stretch(from_s(), to_s());
   if (!recording) {
@@ -386,8 +399,15 @@ void LivePlots::exportVisible() {
              });
 }
 
+void LivePlots::saveRecording() {
+  files_.ask(this, {tr("Save the last recording"), tr("Recording (*.csv)"), "recording.csv", true},
+             [this](const QString& path) { live_.saveLast(path); });
+}
+
 void LivePlots::showRecording() {
-  record_->setText(live_.recording() ? tr("Finish recording (%1 s)").arg(connection_.link().recorded_s, 0, 'f', 0)
+  setAvailable(save_, !live_.lastRecording().isEmpty(), tr("Write the last recording as CSV"),
+               tr("Nothing was recorded yet"));
+  record_->setText(live_.recording() ? tr("Finish (%1 s)").arg(connection_.link().recorded_s, 0, 'f', 0)
                                      : tr("Record"));
 }
 

@@ -1,4 +1,4 @@
-// The dock below every page: angle, velocity, current and disturbance over one shared axis of time.
+// What comes from the board, below the page: angle, velocity, current and disturbance over one shared axis of time.
 #pragma once
 
 #include <QTimer>
@@ -8,10 +8,12 @@
 
 #include "widgets/envelope.h"
 #include "widgets/file_chooser.h"
+#include "widgets/live_channels.h"
 
 class QCPAxisRect;
 class QCPGraph;
 class QCPItemStraightLine;
+class QCPItemText;
 class QCPTextElement;
 class QCustomPlot;
 class QComboBox;
@@ -42,7 +44,6 @@ class LivePlots : public QWidget {
   void refresh();
 
  protected:
-  void changeEvent(QEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
@@ -53,6 +54,7 @@ class LivePlots : public QWidget {
     QCPTextElement* title = nullptr;
     QCPTextElement* readout = nullptr;
     std::array<QCPItemStraightLine*, 2> cursors{};
+    QCPItemStraightLine* loss = nullptr;  ///< of the link
     Envelope envelope{0.002, 0.01};
   };
 
@@ -62,6 +64,7 @@ class LivePlots : public QWidget {
   void linkTimeAxes();
   void applyLook();
   void consume();
+  void meetBoard();
   void startOver();
   void follow();
   void scaleValues(Trace& trace) const;
@@ -69,7 +72,9 @@ class LivePlots : public QWidget {
   void writeReadouts();
   bool cursorMouse(QEvent* event);
   bool cursorKey(int key, bool shift);
+  void showConnection();
   void exportVisible();
+  void saveRecording();
   void showRecording();
 
   Connection& connection_;
@@ -80,13 +85,17 @@ class LivePlots : public QWidget {
   QToolButton* pause_ = nullptr;
   QToolButton* cursorButton_ = nullptr;
   QToolButton* record_ = nullptr;
+  QToolButton* save_ = nullptr;
   QToolButton* export_ = nullptr;
   QComboBox* span_ = nullptr;
   QLabel* difference_ = nullptr;
+  QCPItemText* lossText_ = nullptr;
+  std::array<LiveChannel, channelCount> channels_ = liveChannels(false);
   std::array<Trace, channelCount> traces_;
   std::array<double, 2> cursor_s_{};
   int dragged_ = -1;
   bool paused_ = false;
+  bool stale_ = true;  ///< the picture isn't of what is chosen
   uint64_t consumed_ = 0;
   QTimer timer_;
 };

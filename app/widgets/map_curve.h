@@ -13,12 +13,18 @@ struct MapPoint {
   bool outlier = false;
 };
 
+/// What a curve is of: what is shown, an earlier map beneath it, or how they differ, drawn outside around where they
+/// don't.
+enum class MapPart { shown, earlier, difference, noDifference };
+
 struct MapCurve {
   QString name;
   int colour = 0;  ///< of Look::curve
   bool dashed = false;
   bool closed = false;           ///< complete: around a rotor the last point joins the first
   std::vector<MapPoint> points;  ///< by growing place
+  MapPart part = MapPart::shown;
+  double lifted = 0.0;  ///< how much higher its values are drawn than they are
 };
 
 /// "20.1 ± 0.12 mNm (95 %), outlier": the value and its doubt as a hovering hand reads them.

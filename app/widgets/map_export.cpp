@@ -7,7 +7,6 @@
 #include "base/atomic_file.h"
 #include "friction/breakaway_table.h"
 #include "friction/map_export.h"
-#include "session/bench_runs.h"
 #include "session/messages.h"
 #include "widgets/controls.h"
 #include "widgets/map_panel.h"
@@ -34,31 +33,37 @@ constexpr ExportFormat formats[] = {
 
 }  // namespace
 
-MapExport::MapExport(const BenchRuns& bench, Messages& messages, FileChooser& files, MapPanel& picture, QWidget* parent)
-    : QWidget(parent), bench_(bench), messages_(messages), files_(files), picture_(picture) {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
+MapExport::MapExport(Messages& messages, FileChooser& files, MapPanel& picture, QWidget* parent)
+    : QWidget(parent), messages_(messages), files_(files), picture_(picture) {
+  auto* row = rowIn(this);
   format_ = new QComboBox(this);
   format_->setObjectName("exportFormat");
+  format_->setToolTip(tr("What is written, and as what"));
   format_->setAccessibleName(tr("Form of the export"));
+  format_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  format_->setMinimumContentsLength(14);  // the column is as wide as every page's
   for (const ExportFormat& format : formats) format_->addItem(tr(format.title), QString(format.name));
   export_ = pushButton(this, "exportMapButton", tr("Export…"));
   row->addWidget(format_, 1);
   row->addWidget(export_);
   connect(format_, &QComboBox::currentIndexChanged, this, &MapExport::showExport);
   connect(export_, &QPushButton::clicked, this, &MapExport::exportChosen);
-  connect(&bench_, &BenchRuns::knownChanged, this, &MapExport::showExport);
+  showExport();
+}
+
+void MapExport::show(const Commission& known) {
+  known_ = known;
   showExport();
 }
 
 void MapExport::showExport() {
-  const Commission& known = bench_.known();
   const QString format = format_->currentData().toString();
   const bool needsMap = format != "png" && format != "svg" && format != "breakaways";
   QString obstacle;
-  if (needsMap && !known.knows(Known::map)) obstacle = tr("There is no map yet: run the breakaway sweep to its end");
-  const bool drawn = known.identity.axis == Axis::linear && known.knows(Known::runs) && format != "breakaways";
-  const bool nothing = known.breakaways.empty() && !drawn;
+  if (needsMap && !known_.knows(Known::map)) obstacle = tr("There is no map yet: run the breakaway sweep to its end");
+  const bool moving = known_.identity.axis == Axis::linear && known_.knows(Known::runs);
+  const bool drawn = (moving || known_.knows(Known::map)) && format != "breakaways";
+  const bool nothing = known_.breakaways.empty() && !drawn;
   if (!needsMap && nothing) obstacle = tr("Nothing was measured yet");
   setAvailable(export_, tr("Write the file"), obstacle);
 }
@@ -74,13 +79,12 @@ void MapExport::exportChosen() {
 
 void MapExport::writeExport(const QString& format, const QString& path) {
   Result<void> written;
-  const Commission& known = bench_.known();
   if (format == "png" || format == "svg") {
     if (!picture_.savePicture(path, format == "svg")) written = Error{path.toStdString(), "cannot be written"};
   } else if (format == "breakaways") {
-    written = writeFile(path.toStdString(), breakawayTable(known.breakaways, known.identity.axis));
-  } else if (known.knows(Known::map)) {
-    written = exportMap(known.map, format.toStdString(), path.toStdString());
+    written = writeFile(path.toStdString(), breakawayTable(known_.breakaways, known_.identity.axis));
+  } else if (known_.knows(Known::map)) {
+    written = exportMap(known_.map, format.toStdString(), path.toStdString());
   }
   messages_.say(written, tr("Written: %1").arg(path));
 }

@@ -3,6 +3,7 @@
 
 #include <QWidget>
 
+#include "commission/known.h"
 #include "widgets/file_chooser.h"
 
 class QComboBox;
@@ -10,7 +11,6 @@ class QPushButton;
 
 namespace breakaway {
 
-class BenchRuns;
 class MapPanel;
 class Messages;
 
@@ -19,15 +19,17 @@ class MapExport : public QWidget {
 
  public:
   /// `picture`: what is saved as a picture.
-  MapExport(const BenchRuns& bench, Messages& messages, FileChooser& files, MapPanel& picture,
-            QWidget* parent = nullptr);
+  MapExport(Messages& messages, FileChooser& files, MapPanel& picture, QWidget* parent = nullptr);
+  /// What is written.
+  void show(const Commission& known);
+  using QWidget::show;
 
  private:
   void showExport();
   void exportChosen();
   void writeExport(const QString& format, const QString& path);
 
-  const BenchRuns& bench_;
+  Commission known_;
   Messages& messages_;
   FileChooser& files_;
   MapPanel& picture_;

@@ -1,18 +1,22 @@
 #include "widgets/map_panel.h"
 
-#include <QCheckBox>
-#include <QComboBox>
-#include <QEvent>
+#include <QButtonGroup>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QSignalBlocker>
+#include <QPushButton>
 #include <QStackedWidget>
-#include <QStandardItemModel>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
+#include "widgets/axis_units.h"
+#include "widgets/controls.h"
+#include "widgets/elided_label.h"
+#include "widgets/harmonics_plot.h"
 #include "widgets/look.h"
-#include "widgets/map_views.h"
+#include "widgets/map_ghost.h"
+#include "widgets/number_text.h"
 #include "widgets/polar_plot.h"
 #include "widgets/travel_plot.h"
 
@@ -20,120 +24,249 @@ namespace breakaway {
 
 namespace {
 
-constexpr MapView views[] = {MapView::turns,   MapView::staticMean, MapView::coulomb,
-                             MapView::viscous, MapView::total,      MapView::positionTorque};
+struct ViewChip {
+  MapView view;
+  const char* name;
+};
+
+constexpr ViewChip views[] = {{MapView::turns, "viewTurns"},     {MapView::staticMean, "viewStatic"},
+                              {MapView::coulomb, "viewCoulomb"}, {MapView::viscous, "viewViscous"},
+                              {MapView::total, "viewTotal"},     {MapView::positionTorque, "viewPosition"}};
+
+constexpr int twinWidth = 264, leastPolar = 240;
+
+QFrame* plotCard(QWidget* parent) {
+  auto* frame = card(parent);
+  columnOf(frame)->setContentsMargins(12, 6, 6, 6);
+  columnOf(frame)->setSpacing(2);
+  return frame;
+}
+
+QLabel* legendIn(QWidget* parent, const char* objectName) {
+  auto* legend = new QLabel(parent);
+  legend->setObjectName(objectName);
+  legend->setTextFormat(Qt::RichText);
+  legend->setFont(typed(Type::caption));
+  return legend;
+}
 
 }  // namespace
 
 MapPanel::MapPanel(QWidget* parent) : QWidget(parent) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(4);
-  auto* strip = new QHBoxLayout;
-  view_ = new QComboBox(this);
-  view_->setObjectName("polarView");
-  view_->setAccessibleName(tr("What the map's plot shows"));
-  for (const MapView view : views) view_->addItem(nameOf(view), static_cast<int>(view));
-  fromZero_ = new QCheckBox(this);
-  fromZero_->setObjectName("radiusFromZero");
-  fromZero_->setChecked(true);
-  quantity_ = new QLabel(this);
-  quantity_->setObjectName("polarQuantity");
-  strip->addWidget(view_);
-  strip->addWidget(fromZero_);
-  strip->addStretch(1);
-  strip->addWidget(quantity_);
-  column->addLayout(strip);
+  auto* column = columnIn(this, 8);
+  column->addWidget(buildChips());
   plots_ = new QStackedWidget(this);
-  plots_->addWidget(new PolarPlot("polarPlot", plots_));
-  plots_->addWidget(new TravelPlot("travelPlot", plots_));
+  plots_->addWidget(buildRotor());
+  auto* straight = plotCard(plots_);
+  travelQuantity_ = new ElidedLabel("travelQuantity", straight);
+  travel_ = new TravelPlot("travelPlot", TravelPlot::Places::travel, straight);
+  travelLegend_ = legendIn(straight, "travelLegend");
+  auto* head = new QHBoxLayout;
+  head->addWidget(travelQuantity_, 1);
+  head->addWidget(travelLegend_);
+  columnOf(straight)->addLayout(head);
+  columnOf(straight)->addWidget(travel_, 1);
+  plots_->addWidget(straight);
   column->addWidget(plots_, 1);
-  legend_ = new QLabel(this);
-  legend_->setObjectName("polarLegend");
-  reading_ = new QLabel(this);
-  reading_->setObjectName("polarReading");
-  for (QLabel* line : {legend_, reading_}) {
-    line->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    column->addWidget(line);
+  for (MapPlot* one : std::initializer_list<MapPlot*>{polar_, twin_, travel_}) {
+    connect(fromZero_, &QPushButton::toggled, one, &MapPlot::setFromZero);
+    connect(one, &MapPlot::reading, this, &MapPanel::reading);
   }
-  connect(view_, &QComboBox::currentIndexChanged, this, [this] {
-    chosen_ = true;
-    showMap();
-  });
-  for (int k = 0; k < plots_->count(); ++k) {
-    auto* one = static_cast<MapPlot*>(plots_->widget(k));
-    connect(fromZero_, &QCheckBox::toggled, one, &MapPlot::setFromZero);
-    connect(one, &MapPlot::reading, reading_, &QLabel::setText);
+  onNewLook(this, [this] { showMap(); });
+}
+
+QWidget* MapPanel::buildChips() {
+  auto* group = new QWidget(this);
+  auto* row = rowIn(group, 4);
+  auto* kinds = new QButtonGroup(group);
+  for (const ViewChip& one : views) {
+    auto* chip = chipButton(group, one.name, shortNameOf(one.view), {});
+    kinds->addButton(chip);
+    views_.push_back(chip);
+    row->addWidget(chip);
+    connect(chip, &QPushButton::clicked, this, [this, view = one.view] {
+      chosen_ = true;
+      view_ = view;
+      showMap();
+    });
   }
+  row->addSpacing(12);
+  for (const Way way : {Way::ccw, Way::cw}) {
+    auto* chip = chipButton(group, way == Way::ccw ? "showCcw" : "showCw", {}, {});
+    chip->setChecked(true);
+    chip->setFixedWidth(56);
+    ways_[way == Way::ccw ? 0 : 1] = chip;
+    row->addWidget(chip);
+    connect(chip, &QPushButton::toggled, this, &MapPanel::showMap);
+  }
+  row->addStretch(1);
+  fromZero_ = chipButton(group, "radiusFromZero", tr("From zero"), {});
+  fromZero_->setChecked(true);
+  row->addWidget(fromZero_);
+  return group;
+}
+
+QWidget* MapPanel::buildRotor() {
+  auto* group = new QWidget(this);
+  auto* row = rowIn(group, 12);
+  auto* around = plotCard(group);
+  columnOf(around)->setContentsMargins(8, 4, 8, 4);
+  columnOf(around)->setSpacing(0);
+  // The words stand in the corners that a circle leaves free.
+  auto* corners = new QGridLayout;
+  polar_ = new PolarPlot("polarPlot", around);
+  polar_->setMinimumSize(leastPolar, leastPolar);
+  quantity_ = new ElidedLabel("polarQuantity", around);
+  legend_ = legendIn(around, "polarLegend");
+  legend_->setAlignment(Qt::AlignRight | Qt::AlignTop);
+  corners->addWidget(polar_, 0, 0, 1, 2);
+  corners->addWidget(quantity_, 0, 0, Qt::AlignTop);
+  corners->addWidget(legend_, 0, 1, Qt::AlignTop | Qt::AlignRight);
+  corners->setColumnStretch(0, 1);
+  for (QWidget* words : {static_cast<QWidget*>(quantity_), static_cast<QWidget*>(legend_)})
+    words->setAttribute(Qt::WA_TransparentForMouseEvents);
+  columnOf(around)->addLayout(corners, 1);
+  row->addWidget(around, 1);
+  auto* side = new QWidget(group);
+  side->setFixedWidth(twinWidth);
+  auto* column = columnIn(side, 12);
+  auto* twin = plotCard(side);
+  twinQuantity_ = new ElidedLabel("twinQuantity", twin);
+  twin_ = new TravelPlot("twinPlot", TravelPlot::Places::turn, twin);
+  columnOf(twin)->addWidget(twinQuantity_);
+  columnOf(twin)->addWidget(twin_, 1);
+  auto* orders = plotCard(side);
+  columnOf(orders)->addWidget(new QLabel(tr("Harmonics"), orders));
+  harmonics_ = new HarmonicsPlot(orders);
+  columnOf(orders)->addWidget(harmonics_, 1);
+  column->addWidget(twin, 1);
+  column->addWidget(orders, 1);
+  row->addWidget(side);
+  return group;
 }
 
 MapPlot& MapPanel::plot() const {
-  return *static_cast<MapPlot*>(plots_->currentWidget());
+  return plots_->currentIndex() == 0 ? static_cast<MapPlot&>(*polar_) : *travel_;
 }
 
 void MapPanel::show(const Commission& known) {
   known_ = known;
   const bool linear = known.identity.axis == Axis::linear;
   plots_->setCurrentIndex(linear ? 1 : 0);
-  static_cast<TravelPlot*>(plots_->widget(1))->setTravel(known.travel);
-  fromZero_->setText(linear ? tr("Scale from zero") : tr("Radius from zero"));
-  fromZero_->setToolTip(linear
-                            ? tr("Off: the scale begins below the least value, so that variation is easier to see")
-                            : tr("Off: the radius begins below the least value, so that variation is easier to see"));
+  travel_->setTravel(known.travel);
+  fromZero_->setToolTip(
+      linear ? tr("Whether the scale begins at zero, or below the least value, so that variation is easier to see")
+             : tr("Whether the radius begins at zero, or below the least value, so that variation is easier to see"));
+  for (const Way way : {Way::ccw, Way::cw}) {
+    QPushButton* chip = ways_[way == Way::ccw ? 0 : 1];
+    chip->setText(shortWayName(way, known.identity.axis));
+    chip->setAccessibleName(wayName(way, known.identity.axis));
+    chip->setToolTip(tr("Whether the curves %1 are shown").arg(wayName(way, known.identity.axis)));
+  }
   showViews();
   showMap();
 }
 
 /// A view that somebody chose stays; otherwise the first one that has something to show.
 void MapPanel::showViews() {
-  const QSignalBlocker ours(view_);
-  const auto* items = qobject_cast<QStandardItemModel*>(view_->model());
-  if (!obstacleTo(views[view_->currentIndex()], known_).isEmpty()) chosen_ = false;
-  int first = -1;
-  for (int k = 0; k < view_->count(); ++k) {
-    const QString obstacle = obstacleTo(views[k], known_);
-    view_->setItemText(k, nameOf(views[k], known_.identity.axis));
-    items->item(k)->setEnabled(obstacle.isEmpty());
-    items->item(k)->setToolTip(obstacle);
-    if (first < 0 && obstacle.isEmpty()) first = k;
+  if (!obstacleTo(view_, known_).isEmpty()) chosen_ = false;
+  bool found = chosen_;
+  for (size_t k = 0; k < views_.size(); ++k) {
+    const QString obstacle = obstacleTo(views[k].view, known_);
+    setAvailable(views_[k], nameOf(views[k].view, known_.identity.axis), obstacle);
+    if (found || !obstacle.isEmpty()) continue;
+    found = true;
+    view_ = views[k].view;
   }
-  if (!chosen_) view_->setCurrentIndex(std::max(first, 0));
+  if (!found) view_ = MapView::turns;
 }
 
 void MapPanel::showMap() {
-  const MapPicture picture = pictureOf(views[view_->currentIndex()], known_);
+  for (size_t k = 0; k < views_.size(); ++k) views_[k]->setChecked(views[k].view == view_);
+  MapPicture picture = pictureOf(view_, known_);
+  if (earlier_ && earlier_->axis == known_.identity.axis)
+    breakaway::layBeneath(*earlier_, known_.knows(Known::map) ? &known_.map : nullptr, view_, picture);
+  const bool ofWays = view_ != MapView::positionTorque;
+  if (ofWays)
+    std::erase_if(picture.curves,
+                  [this](const MapCurve& curve) { return curve.colour < 2 && !ways_[curve.colour]->isChecked(); });
+  const bool linear = known_.identity.axis == Axis::linear;
   plot().show(picture.curves, picture.quantity, picture.unit);
-  quantity_->setText(known_.identity.axis == Axis::linear ? QString() : tr("Radius: %1").arg(picture.quantity));
-  reading_->setText(picture.curves.empty() ? QString()
-                                           : tr("Point at the plot, or use its arrow keys, to read a value"));
-  showLegend();
+  const QString quantity = picture.quantity.left(1).toUpper() + picture.quantity.mid(1);
+  quantity_->setText(picture.curves.empty() ? tr("Nothing measured yet") : quantity);
+  travelQuantity_->setText(picture.curves.empty() ? tr("Nothing measured yet")
+                                                  : tr("%1 over the travel").arg(quantity));
+  twinQuantity_->setText(tr("Over rotor angle (%1)").arg(picture.unit));
+  if (!linear) showBeside(picture);
+  showFigure(picture);
+  showLegend(picture.curves);
+  emit reading(picture.curves.empty() ? tr("A sweep homes first; then the map grows here")
+                                      : tr("Point at the plot, or use its arrow keys, to read a value"));
 }
 
-void MapPanel::showLegend() {
-  const Look look = Look::of(palette());
-  QStringList parts;
-  bool outliers = false, bands = false;
-  for (const MapCurve& curve : plot().curves()) {
-    parts << QString("<span style='color:%1; font-weight:bold'>%2</span> %3")
-                 .arg(look.curve(curve.colour).name(), curve.dashed ? "╌╌" : "──", curve.name.toHtmlEscaped());
+/// The twin has no room for a ring, the harmonics are of what is shown.
+void MapPanel::showBeside(const MapPicture& picture) {
+  std::vector<MapCurve> curves = picture.curves;
+  std::erase_if(curves, [](const MapCurve& curve) { return curve.lifted != 0.0; });
+  twin_->show(curves, {}, picture.unit);
+  std::erase_if(curves, [](const MapCurve& curve) { return curve.part != MapPart::shown; });
+  harmonics_->show(curves);
+}
+
+void MapPanel::layBeneath(const std::optional<FrictionMap>& earlier) {
+  earlier_ = earlier;
+  showMap();
+}
+
+/// The one number of the page: the mean over the whole turn and both ways.
+void MapPanel::showFigure(const MapPicture& picture) {
+  double sum = 0.0, squares = 0.0;
+  size_t count = 0;
+  for (const MapCurve& curve : picture.curves) {
+    if (curve.part != MapPart::shown) continue;
     for (const MapPoint& point : curve.points) {
-      outliers = outliers || point.outlier;
-      bands = bands || point.standardError > 0.0;
+      if (point.outlier) continue;
+      sum += point.value;
+      squares += point.standardError * point.standardError;
+      ++count;
     }
   }
-  if (bands && known_.identity.axis == Axis::linear) parts << tr("band: 95 % interval");
+  if (count == 0 || view_ == MapView::positionTorque) {
+    polar_->setFigure({}, {}, {});
+    return;
+  }
+  const double mean = sum / static_cast<double>(count), error = std::sqrt(squares) / static_cast<double>(count);
+  const bool both = ways_[0]->isChecked() && ways_[1]->isChecked();
+  polar_->setFigure(both ? tr("mean, both ways") : tr("mean"), numberText(mean),
+                    error > 0.0 ? intervalText(error) + " " + picture.unit : picture.unit);
+}
+
+void MapPanel::showLegend(const std::vector<MapCurve>& curves) {
+  const Look& look = Look::of(palette());
+  QStringList parts;
+  const auto line = [&parts](const QColor& colour, bool dashed, const QString& name) {
+    parts << QString("<span style='color:%1; font-weight:600'>%2 %3</span>")
+                 .arg(colour.name(), dashed ? "╌" : "─", name.toHtmlEscaped());
+  };
+  bool outliers = false, earlier = false;
+  for (const MapCurve& curve : curves) {
+    if (curve.part == MapPart::noDifference) continue;
+    // Of the earlier map one line is enough: its curves have the colours of those above them.
+    if (curve.part == MapPart::earlier && earlier) continue;
+    earlier = earlier || curve.part == MapPart::earlier;
+    curve.part == MapPart::earlier ? line(look.muted, true, tr("earlier"))
+                                   : line(look.curve(curve.colour), curve.dashed, curve.name);
+    outliers = outliers || std::any_of(curve.points.begin(), curve.points.end(),
+                                       [](const MapPoint& point) { return point.outlier; });
+  }
   if (outliers)
-    parts << QString("<span style='color:%1; font-weight:bold'>✕</span> %2").arg(look.trouble.name(), tr("outlier"));
-  legend_->setText(parts.isEmpty() ? tr("Nothing measured yet: home, then run a sweep") : parts.join(" &nbsp; "));
+    parts << QString("<span style='color:%1; font-weight:600'>✕ %2</span>").arg(look.trouble.name(), tr("outlier"));
+  legend_->setText(parts.join("<br>"));
+  travelLegend_->setText(parts.join(" &nbsp; "));
 }
 
 bool MapPanel::savePicture(const QString& path, bool svg) {
   return svg ? plot().saveSvg(path) : plot().savePng(path);
-}
-
-void MapPanel::changeEvent(QEvent* event) {
-  QWidget::changeEvent(event);
-  if (legend_ != nullptr && event->type() == QEvent::PaletteChange) showLegend();
 }
 
 }  // namespace breakaway

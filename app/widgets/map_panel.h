@@ -1,47 +1,70 @@
-// The friction map as it grows, in one of its views: around the rotor or over the travel, with legend and reading.
+// The friction map as it grows: around the rotor with its Cartesian twin and its harmonics, or over the travel; with
+// chips for what is shown.
 #pragma once
 
 #include <QWidget>
+#include <array>
+#include <optional>
+#include <vector>
 
 #include "commission/known.h"
+#include "widgets/map_curve.h"
+#include "widgets/map_views.h"
 
-class QCheckBox;
-class QComboBox;
+class QAbstractButton;
 class QLabel;
+class QPushButton;
 class QStackedWidget;
 
 namespace breakaway {
 
+class HarmonicsPlot;
 class MapPlot;
+class PolarPlot;
+class TravelPlot;
 
 class MapPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit MapPanel(QWidget* parent = nullptr);
-
   void show(const Commission& known);
   using QWidget::show;
+  /// Lies beneath what is shown, dashed, as long as it is of the same kind of axis; nothing takes it away.
+  void layBeneath(const std::optional<FrictionMap>& earlier);
   /// The picture of the chosen view; whether it could be written.
   bool savePicture(const QString& path, bool svg);
 
- protected:
-  void changeEvent(QEvent* event) override;
+ signals:
+  void reading(const QString& text);
 
  private:
+  QWidget* buildChips();
+  QWidget* buildRotor();
   void showViews();
   void showMap();
-  void showLegend();
+  void showBeside(const MapPicture& picture);
+  void showLegend(const std::vector<MapCurve>& curves);
+  void showFigure(const MapPicture& picture);
   MapPlot& plot() const;
 
   Commission known_;
+  std::optional<FrictionMap> earlier_;
+  MapView view_ = MapView::turns;
   bool chosen_ = false;  ///< the view, by somebody
-  QComboBox* view_ = nullptr;
-  QCheckBox* fromZero_ = nullptr;
+  std::vector<QPushButton*> views_;
+  std::array<QPushButton*, 2> ways_{};  ///< ccw, cw
+  QPushButton* fromZero_ = nullptr;
   QStackedWidget* plots_ = nullptr;
-  QLabel* legend_ = nullptr;
-  QLabel* reading_ = nullptr;
+  PolarPlot* polar_ = nullptr;
+  TravelPlot* twin_ = nullptr;
+  TravelPlot* travel_ = nullptr;
+  HarmonicsPlot* harmonics_ = nullptr;
   QLabel* quantity_ = nullptr;
+  QLabel* twinQuantity_ = nullptr;
+  QLabel* travelQuantity_ = nullptr;
+  QLabel* legend_ = nullptr;
+  QLabel* travelLegend_ = nullptr;
 };
 
 }  // namespace breakaway

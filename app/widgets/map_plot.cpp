@@ -32,15 +32,21 @@ MapPlot::MapPlot(const char* objectName, const QString& accessibleName, QSize pi
   plot_->setObjectName(QString(objectName) + "Canvas");
   plot_->setAccessibleName(accessibleName);
   plot_->setFocusPolicy(Qt::StrongFocus);
+  plot_->setToolTip(tr("Point at it, or use the arrow keys, to read a value"));
   plot_->setMouseTracking(true);
   plot_->setMinimumSize(200, 200);
   plot_->installEventFilter(this);
+  onNewLook(this, [this] { redraw(); });
 }
 
 void MapPlot::show(const std::vector<MapCurve>& curves, const QString& quantity, const QString& unit) {
   curves_ = curves;
   quantity_ = quantity;
   unit_ = unit;
+  redraw();
+}
+
+void MapPlot::redraw() {
   draw(Look::of(palette()));
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
@@ -51,7 +57,7 @@ void MapPlot::setFromZero(bool fromZero) {
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
-std::pair<double, double> MapPlot::valueRange(double doubt) const {
+std::pair<double, double> MapPlot::valueRange(double doubt, double below) const {
   double least = std::numeric_limits<double>::max();
   double most = std::numeric_limits<double>::lowest();
   for (const MapCurve& curve : curves_) {
@@ -63,12 +69,34 @@ std::pair<double, double> MapPlot::valueRange(double doubt) const {
   }
   if (least > most) return {0.0, 1.0};
   const double span = std::max(most - least, 1e-9 + 0.01 * std::abs(most));
-  const double lower = fromZero_ ? std::min(0.0, least - 0.05 * span) : least - 0.35 * span;
+  const double lower = fromZero_ ? std::min(0.0, least - 0.05 * span) : least - below * span;
   return {lower, most + 0.06 * (most - lower)};
 }
 
 QString MapPlot::textOf(const MapCurve& curve, const MapPoint& point) const {
-  return tr("%1 at %2: %3").arg(curve.name, placeOf(point), readingOf(point, unit_));
+  MapPoint read = point;
+  read.value -= curve.lifted;
+  return tr("%1 at %2: %3").arg(curve.name, placeOf(point), readingOf(read, unit_));
+}
+
+QPen MapPlot::penOf(const MapCurve& curve, const Look& look, double width_px) {
+  switch (curve.part) {
+    case MapPart::earlier:
+      return {look.measured(curve.colour), 1.6, Qt::DashLine};
+    case MapPart::noDifference:
+      return {look.border, 1.0, Qt::DashLine};
+    case MapPart::difference:
+    case MapPart::shown:
+      break;
+  }
+  return {look.curve(curve.colour), curve.dashed ? 0.8 * width_px : width_px,
+          curve.dashed ? Qt::DashLine : Qt::SolidLine};
+}
+
+bool MapPlot::hasBand(const MapCurve& curve) {
+  const bool known = std::any_of(curve.points.begin(), curve.points.end(),
+                                 [](const MapPoint& point) { return point.standardError > 0.0; });
+  return known && (curve.part == MapPart::shown || curve.part == MapPart::difference);
 }
 
 QString MapPlot::readingAt(const QPointF& pixel) {
@@ -122,15 +150,9 @@ bool MapPlot::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
-void MapPlot::changeEvent(QEvent* event) {
-  QWidget::changeEvent(event);
-  if (plot_ == nullptr || (event->type() != QEvent::PaletteChange && event->type() != QEvent::FontChange)) return;
-  draw(Look::of(palette()));
-  plot_->replot(QCustomPlot::rpQueuedReplot);
-}
-
 bool MapPlot::savePicture(const QString& path, bool svg) {
-  draw(Look::of(lightPalette()));  // a picture for paper, whatever the screen shows
+  inFile_ = true;
+  draw(Look::light());  // a picture for paper, whatever the screen shows
   bool saved = true;
   if (svg) {
     QBuffer drawn;
@@ -154,8 +176,8 @@ bool MapPlot::savePicture(const QString& path, bool svg) {
     drawn.setText("made", QString::fromStdString(madeJson()));
     saved = drawn.save(path, "PNG");
   }
-  draw(Look::of(palette()));
-  plot_->replot(QCustomPlot::rpQueuedReplot);
+  inFile_ = false;
+  redraw();
   return saved;
 }
 

@@ -1,6 +1,7 @@
 // What a polar plot around a rotor and a plot over a travel share: curves, reading by hover and arrow keys, pictures.
 #pragma once
 
+#include <QPen>
 #include <QSize>
 #include <QString>
 #include <QWidget>
@@ -39,7 +40,6 @@ class MapPlot : public QWidget {
  protected:
   /// `picture`: in pixels, of what is saved.
   MapPlot(const char* objectName, const QString& accessibleName, QSize picture, QWidget* parent);
-  void changeEvent(QEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
   virtual void draw(const Look& look) = 0;
@@ -48,12 +48,19 @@ class MapPlot : public QWidget {
   /// "123.4°"
   virtual QString placeOf(const MapPoint& point) const = 0;
 
-  /// Least and highest value to show, of `doubt` times the standard errors, too.
-  std::pair<double, double> valueRange(double doubt) const;
-  const QString& quantity() const { return quantity_; }
+  /// Least and highest value to show, of `doubt` times the standard errors, too. Where the scale doesn't begin at zero,
+  /// `below` of the values' span stays free beneath them.
+  std::pair<double, double> valueRange(double doubt, double below) const;
+  /// What its axis of values has to say by itself: nothing on the page, whose heading does.
+  QString axisTitle() const { return inFile_ ? quantity_ : QString(); }
   QCustomPlot& canvas() const { return *plot_; }
+  /// Of a curve's line; `width_px` where it is what is shown.
+  static QPen penOf(const MapCurve& curve, const Look& look, double width_px);
+  /// Whether the curve's interval is drawn.
+  static bool hasBand(const MapCurve& curve);
 
  private:
+  void redraw();
   void read(size_t curve, size_t point);
   void stepReading(int by);
   bool savePicture(const QString& path, bool svg);
@@ -64,7 +71,7 @@ class MapPlot : public QWidget {
   std::vector<MapCurve> curves_;
   QString quantity_;
   QString unit_;
-  bool fromZero_ = true;
+  bool fromZero_ = true, inFile_ = false;
   size_t readCurve_ = 0;
   size_t readPoint_ = 0;
 };

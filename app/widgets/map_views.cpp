@@ -27,8 +27,11 @@ std::vector<MapCurve> turnCurves(const Commission& known) {
   std::vector<MapCurve> curves;
   for (const Way way : {Way::ccw, Way::cw}) {
     for (size_t turn = 0; turn < known.sweeps.turns; ++turn) {
-      MapCurve curve{
-          translated(name).arg(wayName(way, known.identity.axis)).arg(turn + 1), colourOf(way), turn > 0, false, {}};
+      MapCurve curve{translated(name).arg(shortWayName(way, known.identity.axis)).arg(turn + 1),
+                     colourOf(way),
+                     turn > 0,
+                     false,
+                     {}};
       for (const BreakawayEvent& event : events) {
         if (event.way == way && event.turn == turn)
           curve.points.push_back(
@@ -49,7 +52,7 @@ using Read = std::function<Estimate(const WayBin&)>;
 std::vector<MapCurve> wayCurves(const FrictionMap& map, double scale, const Read& read) {
   std::vector<MapCurve> curves;
   for (const Way way : {Way::ccw, Way::cw}) {
-    MapCurve curve{wayName(way, map.axis), colourOf(way), false, true, {}};
+    MapCurve curve{shortWayName(way, map.axis), colourOf(way), false, true, {}};
     for (const MapBin& bin : map.bins) {
       const WayBin& one = bin.way[static_cast<size_t>(way)];
       const Estimate estimate = read(one);
@@ -66,7 +69,7 @@ std::vector<MapCurve> movingCurves(const Commission& known, double scale, std::v
   const TravelBins places{known.travel->first_m(), known.travel->last_m(), known.sweeps.bins};
   std::vector<MapCurve> curves;
   for (const Way way : {Way::ccw, Way::cw}) {
-    MapCurve curve{wayName(way, known.identity.axis), colourOf(way), false, true, {}};
+    MapCurve curve{shortWayName(way, known.identity.axis), colourOf(way), false, true, {}};
     const std::vector<Estimate>& values = known.moving[static_cast<size_t>(way)].*read;
     for (size_t k = 0; k < values.size(); ++k)
       curve.points.push_back({places.centre_m(k), scale * values[k].value, scale * values[k].standardError, false});
@@ -104,6 +107,24 @@ QString nameOf(MapView view, Axis axis) {
   return {};
 }
 
+QString shortNameOf(MapView view) {
+  switch (view) {
+    case MapView::turns:
+      return translated("Breakaway");
+    case MapView::staticMean:
+      return translated("Static");
+    case MapView::coulomb:
+      return translated("Coulomb");
+    case MapView::viscous:
+      return translated("Viscous");
+    case MapView::total:
+      return translated("Total");
+    case MapView::positionTorque:
+      return translated("Position");
+  }
+  return {};
+}
+
 QString obstacleTo(MapView view, const Commission& known) {
   if (view == MapView::turns) return known.breakaways.empty() ? translated("Run the breakaway sweep first") : QString();
   const bool moving = view == MapView::coulomb || view == MapView::viscous || view == MapView::total;
@@ -114,30 +135,41 @@ QString obstacleTo(MapView view, const Commission& known) {
   return moving && !known.knows(Known::runs) ? translated("Run the velocity sweep first") : QString();
 }
 
-MapPicture pictureOf(MapView view, const Commission& known) {
-  const AxisUnits units = unitsOf(known.identity.axis);
-  const bool linear = known.identity.axis == Axis::linear;
-  const auto titled = [](const char* quantity, const QString& unit) { return translated(quantity).arg(unit); };
-  const QString breakaway = linear ? titled(QT_TRANSLATE_NOOP("MapView", "breakaway force (%1)"), units.torque)
-                                   : titled(QT_TRANSLATE_NOOP("MapView", "breakaway torque (%1)"), units.torque);
-  if (view == MapView::turns) return {turnCurves(known), breakaway, units.torque};
-  const bool moves = view == MapView::coulomb || view == MapView::viscous;
-  if (!known.knows(Known::map) && !(linear && known.knows(Known::runs) && moves)) return {{}, breakaway, units.torque};
-  const FrictionMap& map = known.map;
+namespace {
+
+QString titled(const char* quantity, const QString& unit) {
+  return translated(quantity).arg(unit);
+}
+
+QString breakawayTitle(Axis axis) {
+  return titled(axis == Axis::linear ? QT_TRANSLATE_NOOP("MapView", "breakaway force (%1)")
+                                     : QT_TRANSLATE_NOOP("MapView", "breakaway torque (%1)"),
+                unitsOf(axis).torque);
+}
+
+QString coulombTitle(Axis axis) {
+  return titled(QT_TRANSLATE_NOOP("MapView", "Coulomb friction (%1)"), unitsOf(axis).torque);
+}
+
+QString viscousTitle(Axis axis) {
+  return titled(QT_TRANSLATE_NOOP("MapView", "viscous coefficient (%1)"), unitsOf(axis).viscous);
+}
+
+}  // namespace
+
+MapPicture pictureOf(MapView view, const FrictionMap& map) {
+  const AxisUnits units = unitsOf(map.axis);
   switch (view) {
+    case MapView::turns:
     case MapView::staticMean:
       return {wayCurves(map, units.torqueScale, [](const WayBin& bin) { return bin.static_Nm; }),
               titled(QT_TRANSLATE_NOOP("MapView", "static friction (%1)"), units.torque), units.torque};
     case MapView::coulomb:
-      return {known.knows(Known::map)
-                  ? wayCurves(map, units.torqueScale, [](const WayBin& bin) { return bin.coulomb_Nm; })
-                  : movingCurves(known, units.torqueScale, &MovingFriction::coulomb_Nm),
-              titled(QT_TRANSLATE_NOOP("MapView", "Coulomb friction (%1)"), units.torque), units.torque};
+      return {wayCurves(map, units.torqueScale, [](const WayBin& bin) { return bin.coulomb_Nm; }),
+              coulombTitle(map.axis), units.torque};
     case MapView::viscous:
-      return {known.knows(Known::map)
-                  ? wayCurves(map, units.viscousScale, [](const WayBin& bin) { return bin.viscous_Nm_s_per_rad; })
-                  : movingCurves(known, units.viscousScale, &MovingFriction::viscous_Nm_s_per_rad),
-              titled(QT_TRANSLATE_NOOP("MapView", "viscous coefficient (%1)"), units.viscous), units.viscous};
+      return {wayCurves(map, units.viscousScale, [](const WayBin& bin) { return bin.viscous_Nm_s_per_rad; }),
+              viscousTitle(map.axis), units.viscous};
     case MapView::total:
       return {
           wayCurves(map, units.torqueScale,
@@ -148,13 +180,24 @@ MapPicture pictureOf(MapView view, const Commission& known) {
           units.torque};
     case MapView::positionTorque:
       return {{positionCurve(map)},
-              linear ? titled(QT_TRANSLATE_NOOP("MapView", "position force (%1)"), units.torque)
-                     : titled(QT_TRANSLATE_NOOP("MapView", "position torque (%1)"), units.torque),
+              map.axis == Axis::linear ? titled(QT_TRANSLATE_NOOP("MapView", "position force (%1)"), units.torque)
+                                       : titled(QT_TRANSLATE_NOOP("MapView", "position torque (%1)"), units.torque),
               units.torque};
-    case MapView::turns:
-      break;
   }
   return {};
+}
+
+MapPicture pictureOf(MapView view, const Commission& known) {
+  const Axis axis = known.identity.axis;
+  const AxisUnits units = unitsOf(axis);
+  if (view == MapView::turns) return {turnCurves(known), breakawayTitle(axis), units.torque};
+  if (known.knows(Known::map)) return pictureOf(view, known.map);
+  if (axis == Axis::linear && known.knows(Known::runs) && view == MapView::coulomb)
+    return {movingCurves(known, units.torqueScale, &MovingFriction::coulomb_Nm), coulombTitle(axis), units.torque};
+  if (axis == Axis::linear && known.knows(Known::runs) && view == MapView::viscous)
+    return {movingCurves(known, units.viscousScale, &MovingFriction::viscous_Nm_s_per_rad), viscousTitle(axis),
+            units.viscous};
+  return {{}, breakawayTitle(axis), units.torque};
 }
 
 }  // namespace breakaway

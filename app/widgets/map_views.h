@@ -18,8 +18,12 @@ struct MapPicture {
 };
 
 QString nameOf(MapView view, Axis axis = Axis::rotary);
+/// In one word, for a chip.
+QString shortNameOf(MapView view);
 /// Why the view has nothing to show yet; empty when it has.
 QString obstacleTo(MapView view, const Commission& known);
+/// Of a whole map, whatever else is known; turn by turn a map has the mean alone.
+MapPicture pictureOf(MapView view, const FrictionMap& map);
 /// Torques in mNm, viscous friction in µNm s/rad; N and N s/m over a linear axis' travel.
 MapPicture pictureOf(MapView view, const Commission& known);
 

@@ -2,8 +2,10 @@
 
 #include <qcustomplot.h>
 
+#include <algorithm>
 #include <numbers>
 
+#include "base/numbers.h"
 #include "widgets/look.h"
 
 namespace breakaway {
@@ -19,6 +21,41 @@ class DegreeTicker : public QCPAxisTickerFixed {
   }
 };
 
+constexpr int figureGap_px = 26;
+constexpr double roomForFigure = 0.6;  // of what the values span, in the middle where the radius begins above zero
+
+/// The stretch between two curves around the rotor.
+class Band : public QCPAbstractItem {
+ public:
+  Band(QCustomPlot* plot, QCPPolarAxisRadial* axis, const MapCurve& curve, const QColor& fill)
+      : QCPAbstractItem(plot), axis_(axis), curve_(curve), fill_(fill) {}
+  double selectTest(const QPointF&, bool, QVariant*) const override { return -1.0; }
+
+ protected:
+  void draw(QCPPainter* painter) override {
+    QPolygonF outer, inner;
+    for (const MapPoint& point : curve_.points) {
+      const double half = normal95 * point.standardError, angle = point.at * 180.0 / std::numbers::pi;
+      outer << axis_->coordToPixel(angle, point.value + half);
+      inner << axis_->coordToPixel(angle, point.value - half);
+    }
+    QPainterPath path;
+    path.addPolygon(outer);
+    path.closeSubpath();
+    path.addPolygon(inner);
+    path.closeSubpath();
+    path.setFillRule(Qt::OddEvenFill);
+    painter->setPen(Qt::NoPen);
+    painter->setBrush(fill_);
+    painter->drawPath(path);
+  }
+
+ private:
+  QCPPolarAxisRadial* axis_;
+  MapCurve curve_;
+  QColor fill_;
+};
+
 double degrees(double angle_rad) {
   return angle_rad * 180.0 / std::numbers::pi;
 }
@@ -28,6 +65,8 @@ double degrees(double angle_rad) {
 PolarPlot::PolarPlot(const char* objectName, QWidget* parent)
     : MapPlot(objectName, tr("Polar plot around the rotor; arrow keys read the points"), {800, 800}, parent) {
   QCustomPlot* const plot = &canvas();
+  // An item asks for the plot's first axis rectangle, which the polar axis is none of.
+  for (QCPItemText*& text : figure_) text = new QCPItemText(plot);
   plot->plotLayout()->clear();
   axis_ = new QCPPolarAxisAngular(plot);
   axis_->setRangeDrag(false);
@@ -48,6 +87,33 @@ PolarPlot::PolarPlot(const char* objectName, QWidget* parent)
   radius->ticker()->setTickCount(4);
   radius->setNumberFormat("gb");
   plot->plotLayout()->addElement(0, 0, axis_);
+  for (size_t k = 0; k < figure_.size(); ++k) {
+    figure_[k]->setLayer("overlay");  // over the axis of the radius
+    figure_[k]->setPadding(QMargins(6, 3, 6, 3));
+    figure_[k]->position->setType(QCPItemPosition::ptAbsolute);
+    figure_[k]->setPositionAlignment(Qt::AlignCenter);
+    figure_[k]->setClipToAxisRect(false);
+    figure_[k]->setVisible(false);
+  }
+  // The middle is known once the layout is.
+  QObject::connect(plot, &QCustomPlot::afterLayout, this, [this] {
+    for (size_t k = 0; k < figure_.size(); ++k)
+      figure_[k]->position->setCoords(axis_->center() + QPointF(0.0, figureGap_px * (static_cast<double>(k) - 1.0)));
+  });
+}
+
+void PolarPlot::setFigure(const QString& what, const QString& value, const QString& doubt) {
+  const QString texts[] = {what, value, doubt};
+  for (size_t k = 0; k < figure_.size(); ++k) {
+    figure_[k]->setText(texts[k]);
+    figure_[k]->setVisible(!value.isEmpty());
+  }
+  canvas().replot(QCustomPlot::rpQueuedReplot);
+}
+
+void PolarPlot::drawBand(const MapCurve& curve, const Look& look) {
+  if (!hasBand(curve) || !curve.closed) return;
+  bands_.push_back(new Band(&canvas(), axis_->radialAxis(), curve, look.band(curve.colour)));
 }
 
 void PolarPlot::draw(const Look& look) {
@@ -55,7 +121,16 @@ void PolarPlot::draw(const Look& look) {
   dress(*axis_, look);
   for (QCPPolarGraph* graph : graphs_) axis_->removeGraph(graph);
   graphs_.clear();
+  for (QCPAbstractItem* band : bands_) canvas().removeItem(band);
+  bands_.clear();
+  for (const MapCurve& curve : curves()) drawBand(curve, look);
   for (const MapCurve& curve : curves()) drawCurve(curve, look);
+  for (size_t k = 0; k < figure_.size(); ++k) {
+    figure_[k]->setFont(typed(k == 1 ? Type::figure : Type::caption));
+    figure_[k]->setColor(k == 1 ? look.ink : look.muted);
+    figure_[k]->setBrush(look.surface);
+  }
+  axis_->radialAxis()->setVisible(!curves().empty());
   mark_ = addGraph();
   mark_->setLineStyle(QCPPolarGraph::lsNone);
   mark_->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(look.ink, 2), Qt::NoBrush, 11));
@@ -83,7 +158,7 @@ void PolarPlot::drawCurve(const MapCurve& curve, const Look& look) {
   }
   QCPPolarGraph* line = addGraph();
   line->setData(angle_deg, value, true);
-  line->setPen(QPen(look.curve(curve.colour), curve.dashed ? 1.2 : 1.6, curve.dashed ? Qt::DashLine : Qt::SolidLine));
+  line->setPen(penOf(curve, look, 1.8));
   if (!curve.closed) line->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, look.curve(curve.colour), 3));
   if (outlierAngle_deg.isEmpty()) return;
   QCPPolarGraph* crosses = addGraph();
@@ -93,7 +168,7 @@ void PolarPlot::drawCurve(const MapCurve& curve, const Look& look) {
 }
 
 void PolarPlot::rescale() {
-  const auto [lower, upper] = valueRange(0.0);
+  const auto [lower, upper] = valueRange(0.0, roomForFigure);
   axis_->radialAxis()->setRange(lower, upper);
 }
 

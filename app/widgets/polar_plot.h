@@ -1,12 +1,15 @@
 // Curves around the rotor: angle from the index in degrees, a quantity outwards; hover or arrow keys read a point.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "widgets/map_plot.h"
 
 class QCPPolarAxisAngular;
 class QCPPolarGraph;
+class QCPAbstractItem;
+class QCPItemText;
 
 namespace breakaway {
 
@@ -15,6 +18,8 @@ class PolarPlot : public MapPlot {
 
  public:
   explicit PolarPlot(const char* objectName, QWidget* parent = nullptr);
+  /// The one number, in the middle: what it is, its value, its doubt and unit. Without a value there is none.
+  void setFigure(const QString& what, const QString& value, const QString& doubt);
   QPointF pixelOf(const MapPoint& point) const override;
 
  protected:
@@ -25,11 +30,14 @@ class PolarPlot : public MapPlot {
 
  private:
   void drawCurve(const MapCurve& curve, const Look& look);
+  void drawBand(const MapCurve& curve, const Look& look);
   QCPPolarGraph* addGraph();
 
   QCPPolarAxisAngular* axis_ = nullptr;
   QCPPolarGraph* mark_ = nullptr;
   std::vector<QCPPolarGraph*> graphs_;
+  std::vector<QCPAbstractItem*> bands_;
+  std::array<QCPItemText*, 3> figure_{};
 };
 
 }  // namespace breakaway

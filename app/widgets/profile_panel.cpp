@@ -1,24 +1,70 @@
 #include "widgets/profile_panel.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <iterator>
 
 #include "widgets/controls.h"
-#include "widgets/look.h"
+#include "widgets/number_text.h"
 #include "widgets/table.h"
 
 namespace breakaway {
+
+namespace {
+
+constexpr int nameRole = Qt::UserRole;  ///< of the file
+constexpr int usualDigits = 4, mostDigits = 9;
+
+struct Words {
+  const char* name;
+  const char* words;
+};
+
+constexpr Words parameters[] = {
+    {"velocity_kp_A_s_per_rad", QT_TRANSLATE_NOOP("ProfilePanel", "Velocity Kp (A s/rad)")},
+    {"velocity_ki_A_per_rad", QT_TRANSLATE_NOOP("ProfilePanel", "Velocity Ki (A/rad)")},
+    {"velocity_kd_A_s2_per_rad", QT_TRANSLATE_NOOP("ProfilePanel", "Velocity Kd (A s²/rad)")},
+    {"position_kp_A_per_rad", QT_TRANSLATE_NOOP("ProfilePanel", "Position Kp (A/rad)")},
+    {"position_ki_A_per_rad_s", QT_TRANSLATE_NOOP("ProfilePanel", "Position Ki (A/(rad s))")},
+    {"position_kd_A_s_per_rad", QT_TRANSLATE_NOOP("ProfilePanel", "Position Kd (A s/rad)")},
+    {"observer_cutoff_rad_per_s", QT_TRANSLATE_NOOP("ProfilePanel", "Observer cutoff (rad/s)")},
+    {"nominal_inertia_kg_m2", QT_TRANSLATE_NOOP("ProfilePanel", "Nominal inertia (kg m²)")},
+    {"nominal_torque_constant_Nm_per_A", QT_TRANSLATE_NOOP("ProfilePanel", "Nominal torque constant (Nm/A)")},
+    {"current_limit_A", QT_TRANSLATE_NOOP("ProfilePanel", "Current limit (A)")},
+    {"velocity_limit_rad_per_s", QT_TRANSLATE_NOOP("ProfilePanel", "Velocity limit (rad/s)")},
+    {frictionTableName, QT_TRANSLATE_NOOP("ProfilePanel", "Friction table")}};
+
+QString wordsOf(const std::string& name) {
+  const auto* found =
+      std::find_if(std::begin(parameters), std::end(parameters), [&](const Words& one) { return name == one.name; });
+  return found == std::end(parameters) ? QString::fromStdString(name) : ProfilePanel::tr(found->words);
+}
+
+QString shortText(const QString& text, int digits) {
+  bool number = false;
+  const double value = text.toDouble(&number);
+  return number ? numberText(value, digits) : text;
+}
+
+/// As many digits as tell the two apart.
+int digitsFor(const QString& one, const QString& other) {
+  int digits = usualDigits;
+  while (digits < mostDigits && shortText(one, digits) == shortText(other, digits)) ++digits;
+  return digits;
+}
+
+}  // namespace
 
 ProfilePanel::ProfilePanel(Connection& connection, const BenchRuns& bench, Messages& messages, FileChooser& files,
                            QWidget* parent)
     : QWidget(parent), files_(files), profile_(connection, bench, messages) {
   auto* column = columnIn(this, 8);
-  column->addWidget(heading(this, tr("Profile")));
+  column->addWidget(section(this, tr("Profile")));
   auto* buttons = new QHBoxLayout;
   save_ = pushButton(this, "saveProfileButton", tr("Save…"));
   open_ = pushButton(this, "openProfileButton", tr("Compare with…"));
@@ -48,22 +94,7 @@ ProfilePanel::ProfilePanel(Connection& connection, const BenchRuns& bench, Messa
   });
   connect(table_, &QTableWidget::itemChanged, this, &ProfilePanel::showAvailable);
   connect(&connection, &Connection::changed, this, &ProfilePanel::showAvailable);
-  frameTicks();
   fill();
-}
-
-/// The style draws the frame of a tick box a little darker than this colour, which in a dark theme
-/// nobody could see.
-void ProfilePanel::frameTicks() {
-  QPalette visible = palette();
-  const Look look = Look::of(visible);
-  if (look.dark) visible.setColor(QPalette::Window, look.muted);
-  table_->setPalette(visible);
-}
-
-void ProfilePanel::changeEvent(QEvent* event) {
-  QWidget::changeEvent(event);
-  if (table_ != nullptr && event->type() == QEvent::PaletteChange) frameTicks();
 }
 
 void ProfilePanel::fill() {
@@ -73,10 +104,14 @@ void ProfilePanel::fill() {
   for (const ProfileComparison::Row& one : profile_.rows()) {
     if (one.values.same && one.accepted.isEmpty()) continue;
     table_->setRowCount(row + 1);
-    fillRow(*table_, row,
-            {QString::fromStdString(one.values.name), QString::fromStdString(one.values.here),
-             QString::fromStdString(one.values.there), one.accepted});
+    const QString here = QString::fromStdString(one.values.here), there = QString::fromStdString(one.values.there);
+    const int digits = one.values.same ? usualDigits : digitsFor(here, there);
+    fillRow(
+        *table_, row,
+        {wordsOf(one.values.name), shortText(here, digits), shortText(there, digits), shortText(one.accepted, digits)});
     auto* name = table_->item(row, 0);
+    name->setData(nameRole, QString::fromStdString(one.values.name));
+    name->setToolTip(tr("%1 in the file").arg(QString::fromStdString(one.values.name)));
     name->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     name->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsSelectable);
     name->setCheckState(one.values.same ? Qt::Unchecked : Qt::Checked);
@@ -93,7 +128,7 @@ QStringList ProfilePanel::ticked() const {
   QStringList names;
   for (int row = 0; row < table_->rowCount(); ++row) {
     const auto* name = table_->item(row, 0);
-    if (name != nullptr && name->checkState() == Qt::Checked) names << name->text();
+    if (name != nullptr && name->checkState() == Qt::Checked) names << name->data(nameRole).toString();
   }
   return names;
 }

@@ -19,11 +19,7 @@ class ProfilePanel : public QWidget {
   ProfilePanel(Connection& connection, const BenchRuns& bench, Messages& messages, FileChooser& files,
                QWidget* parent = nullptr);
 
- protected:
-  void changeEvent(QEvent* event) override;
-
  private:
-  void frameTicks();
   void fill();
   void showAvailable();
   QStringList ticked() const;

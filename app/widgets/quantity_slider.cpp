@@ -8,11 +8,31 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/controls.h"
+#include "widgets/elided_label.h"
+#include "widgets/look.h"
+#include "widgets/number_text.h"
+
 namespace breakaway {
 
 namespace {
-constexpr int travel = 1000;
+constexpr int travel = 1000, boxWidth = 136;
 constexpr double decades = 3.0;  ///< of a logarithmic slider
+
+/// Shows no zeros behind the last digit that says something.
+class ShortBox : public QDoubleSpinBox {
+ public:
+  using QDoubleSpinBox::QDoubleSpinBox;
+  QString textFromValue(double value) const override {
+    QString text = QDoubleSpinBox::textFromValue(value);
+    const QString point = locale().decimalPoint(), zero = locale().zeroDigit();
+    if (!text.contains(point)) return text;
+    while (text.endsWith(zero)) text.chop(1);
+    if (text.endsWith(point)) text.chop(point.size());
+    return text;
+  }
+};
+
 }  // namespace
 
 QuantitySlider::QuantitySlider(const QString& objectName, const QString& title, const QString& unit,
@@ -21,26 +41,30 @@ QuantitySlider::QuantitySlider(const QString& objectName, const QString& title, 
   setObjectName(objectName);
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
-  grid->setVerticalSpacing(1);
-  auto* label = new QLabel(title, this);
-  label->setToolTip(help);
+  grid->setVerticalSpacing(2);
+  title_ = new QLabel(title, this);
+  title_->setToolTip(help);
+  onBoard_ = new ElidedLabel("", this);
+  onBoard_->setFont(typed(Type::caption));
+  onBoard_->setProperty("tone", "muted");
   slider_ = new QSlider(Qt::Horizontal, this);
   slider_->setObjectName(objectName + "Slider");
   slider_->setAccessibleName(title);
   slider_->setRange(0, travel);
   slider_->setPageStep(travel / 20);
-  box_ = new QDoubleSpinBox(this);
+  box_ = new ShortBox(this);
   box_->setObjectName(objectName + "Box");
   box_->setAccessibleName(title);
   box_->setSuffix(" " + unit);
   box_->setKeyboardTracking(false);
-  box_->setFixedWidth(150);
+  box_->setFixedSize(boxWidth, 28);
   box_->setAlignment(Qt::AlignRight);
   box_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-  label->setBuddy(box_);
-  grid->addWidget(label, 0, 0);
-  grid->addWidget(box_, 0, 1);
-  grid->addWidget(slider_, 1, 0, 1, 2);
+  title_->setBuddy(box_);
+  grid->addWidget(title_, 0, 0);
+  grid->addWidget(onBoard_, 1, 0);
+  grid->addWidget(box_, 0, 1, 2, 1);
+  grid->addWidget(slider_, 2, 0, 1, 2);
   setRange(range_);
   setAvailable(true, {});
   connect(slider_, &QSlider::valueChanged, this, &QuantitySlider::takeSlider);
@@ -57,6 +81,21 @@ void QuantitySlider::setRange(const QuantityRange& range) {
   box_->setDecimals(range.decimals);
   box_->setRange(range.least, range.most);
   slider_->setValue(positionOf(box_->value()));
+}
+
+void QuantitySlider::setOnBoard(std::optional<double> value) {
+  board_ = value;
+  showEdit();
+}
+
+void QuantitySlider::showEdit() {
+  // What the box can't show isn't an edit.
+  const bool edited = board_ && std::abs(*board_ - box_->value()) > 0.6 * std::pow(10.0, -box_->decimals());
+  onBoard_->setText(!board_  ? QString()
+                    : edited ? tr("edited; on board %1").arg(numberText(*board_))
+                             : tr("as on board"));
+  dressAs(onBoard_, "tone", edited ? "warning" : "muted");
+  dressAs(box_, "edited", edited ? "true" : "false");
 }
 
 void QuantitySlider::setUnit(const QString& unit) {
@@ -79,6 +118,7 @@ void QuantitySlider::show(double value) {
   const QSignalBlocker quietBox(box_), quietSlider(slider_);
   box_->setValue(value);
   if (!slider_->isSliderDown()) slider_->setValue(positionOf(value));
+  showEdit();
 }
 
 int QuantitySlider::positionOf(double value) const {
@@ -98,12 +138,14 @@ double QuantitySlider::valueOf(int position) const {
 void QuantitySlider::takeSlider(int position) {
   const QSignalBlocker quiet(box_);
   box_->setValue(valueOf(position));
+  showEdit();
   emit chosen(box_->value());
 }
 
 void QuantitySlider::takeBox(double value) {
   const QSignalBlocker quiet(slider_);
   slider_->setValue(positionOf(value));
+  showEdit();
   emit chosen(value);
 }
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
 
 class QDoubleSpinBox;
+class QLabel;
 class QSlider;
 
 namespace breakaway {
@@ -29,6 +31,8 @@ class QuantitySlider : public QWidget {
   void show(double value);
   using QWidget::show;
   void setRange(const QuantityRange& range);
+  /// What the board has: shown beneath the title, and as an edit where it is another than value().
+  void setOnBoard(std::optional<double> value);
   void setUnit(const QString& unit);
   void setAvailable(bool available, const QString& reason);
 
@@ -41,11 +45,15 @@ class QuantitySlider : public QWidget {
   double valueOf(int position) const;
   void takeSlider(int position);
   void takeBox(double value);
+  void showEdit();
 
   QString help_;
   QuantityRange range_;
   QSlider* slider_ = nullptr;
   QDoubleSpinBox* box_ = nullptr;
+  QLabel* title_ = nullptr;
+  QLabel* onBoard_ = nullptr;
+  std::optional<double> board_;
 };
 
 }  // namespace breakaway

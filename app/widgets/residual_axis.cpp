@@ -3,6 +3,8 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numbers>
 
 #include "base/numbers.h"
 #include "recording/columns.h"
@@ -11,24 +13,12 @@ namespace breakaway {
 
 namespace {
 
-struct Named {
-  const char* axis;
-  const char* rotary;
-  const char* linear;
-};
+constexpr const char* names[] = {"time", "angle", "velocity", "acceleration", "current", "reversal"};
+constexpr double degree = 180.0 / std::numbers::pi;
 
-constexpr Named names[] = {
-    {"time", QT_TRANSLATE_NOOP("ResidualAxis", "time (s)"), QT_TRANSLATE_NOOP("ResidualAxis", "time (s)")},
-    {"angle", QT_TRANSLATE_NOOP("ResidualAxis", "angle (rad)"), QT_TRANSLATE_NOOP("ResidualAxis", "position (m)")},
-    {"velocity", QT_TRANSLATE_NOOP("ResidualAxis", "velocity (rad/s)"),
-     QT_TRANSLATE_NOOP("ResidualAxis", "velocity (m/s)")},
-    {"acceleration", QT_TRANSLATE_NOOP("ResidualAxis", "acceleration (rad/s²)"),
-     QT_TRANSLATE_NOOP("ResidualAxis", "acceleration (m/s²)")},
-    {"current", QT_TRANSLATE_NOOP("ResidualAxis", "motor torque (Nm)"),
-     QT_TRANSLATE_NOOP("ResidualAxis", "motor force (N)")},
-    {"reversal", QT_TRANSLATE_NOOP("ResidualAxis", "travel since reversal (rad)"),
-     QT_TRANSLATE_NOOP("ResidualAxis", "travel since reversal (m)")},
-};
+QString words(const char* text) {
+  return QCoreApplication::translate("ResidualAxis", text);
+}
 
 std::vector<double> copy(std::span<const double> values) {
   return {values.begin(), values.end()};
@@ -74,16 +64,27 @@ std::vector<double> motorTorque(const Model& model, const Recording& recording, 
 }  // namespace
 
 QStringList residualAxes() {
-  QStringList axes;
-  for (const Named& one : names) axes << one.axis;
-  return axes;
+  return {std::begin(names), std::end(names)};
 }
 
-QString axisLabel(const QString& axis, bool linear) {
-  for (const Named& one : names) {
-    if (axis == one.axis) return QCoreApplication::translate("ResidualAxis", linear ? one.linear : one.rotary);
-  }
-  return axis;
+QString ShownAxis::label() const {
+  return unit.isEmpty() ? name : QString("%1 (%2)").arg(name, unit);
+}
+
+ShownAxis shownAxis(const QString& axis, bool linear) {
+  if (axis == "time") return {words("time"), "s", 1.0};
+  if (axis == "angle")
+    return linear ? ShownAxis{words("position"), "mm", 1e3} : ShownAxis{words("rotor angle"), "°", degree};
+  if (axis == "velocity")
+    return linear ? ShownAxis{words("speed"), "mm/s", 1e3} : ShownAxis{words("speed"), "rad/s", 1.0};
+  if (axis == "acceleration") return {words("acceleration"), linear ? "m/s²" : "rad/s²", 1.0};
+  if (axis == "current")
+    return linear ? ShownAxis{words("motor force"), "N", 1.0} : ShownAxis{words("motor torque"), "mNm", 1e3};
+  if (axis == "reversal")
+    return linear ? ShownAxis{words("travel since the reversal"), "mm", 1e3}
+                  : ShownAxis{words("angle since the reversal"), "°", degree};
+  if (axis == "temperature") return {words("temperature"), "°C", 1.0};
+  return {axis, {}, 1.0};
 }
 
 std::vector<double> residualAxis(const QString& axis, const Model& model, const Recording& recording,

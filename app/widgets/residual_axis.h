@@ -14,8 +14,17 @@ namespace breakaway {
 /// Names as in Place::axis: time, angle, velocity, acceleration, current, reversal.
 QStringList residualAxes();
 
-/// "velocity (rad/s)"; on a linear axis with its own units.
-QString axisLabel(const QString& axis, bool linear);
+/// An axis as people read it.
+struct ShownAxis {
+  QString name, unit;
+  double scale = 1.0;  ///< shown = scale · SI
+
+  /// "motor torque (mNm)".
+  QString label() const;
+};
+
+/// Of residualAxes(), and of temperature; any other keeps its name, without a unit.
+ShownAxis shownAxis(const QString& axis, bool linear);
 
 /// time_s as recorded; position as measured, taken into one turn where a rotor makes more than one; the motor's torque
 /// or force from the drive; velocity, acceleration and travel since the last reversal from the simulation, which has no

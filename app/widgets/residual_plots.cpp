@@ -13,21 +13,27 @@
 
 namespace breakaway {
 
+namespace {
+constexpr int measuredWidth_px = 3;  // of its line; more points than such widths can't be told apart
+}
+
 ResidualPlots::ResidualPlots(Comparison& comparison, QWidget* parent) : QWidget(parent), comparison_(comparison) {
   setObjectName("residualPlots");
   auto* layout = columnIn(this);
   buildPlot();
   layout->addWidget(plot_);
   connect(&comparison_, &Comparison::inputsChanged, this, &ResidualPlots::showAll);
+  connect(&comparison_, &Comparison::overviewChanged, this, &ResidualPlots::draw);
   connect(&comparison_, &Comparison::tracesChanged, this, &ResidualPlots::draw);
   applyLook();
+  onNewLook(this, [this] { applyLook(); });
 }
 
 void ResidualPlots::buildPlot() {
   plot_ = new QCustomPlot(this);
   plot_->setObjectName("residualPlot");
   plot_->setAccessibleName(tr("Measurement over simulation, and the residual beneath"));
-  plot_->setMinimumSize(200, 150);
+  plot_->setMinimumSize(200, 120);
   plot_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
   plot_->setNotAntialiasedElements(QCP::aePlottables);
   plot_->plotLayout()->clear();
@@ -58,6 +64,10 @@ void ResidualPlots::buildPlot() {
   };
   follow(above_->axis(QCPAxis::atBottom), below_->axis(QCPAxis::atBottom));
   follow(below_->axis(QCPAxis::atBottom), above_->axis(QCPAxis::atBottom));
+  connect(above_->axis(QCPAxis::atBottom), qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this, [this] {
+    drawMeasured();
+    emit visibleChanged();
+  });
   const auto name = [this](QCPAxisRect* rect, Qt::Alignment where) {
     auto* text = new QCPTextElement(plot_);
     text->setMargins(QMargins(3, 0, 3, 0));
@@ -69,17 +79,22 @@ void ResidualPlots::buildPlot() {
             name(above_, Qt::AlignCenter)};
 }
 
+std::pair<double, double> ResidualPlots::visible_s() const {
+  const QCPRange range = above_->axis(QCPAxis::atBottom)->range();
+  return {range.lower, range.upper};
+}
+
 void ResidualPlots::applyLook() {
-  const Look look = Look::of(palette());
+  const Look& look = Look::of(palette());
   dress(*plot_, look);
-  measured_->setPen(QPen(look.muted, 3));
+  measured_->setPen(QPen(look.muted, measuredWidth_px));
   simulated_->setPen(QPen(look.curve(0), 1));
   residual_[0]->setPen(QPen(look.curve(1), 1));
   residual_[1]->setPen(QPen(look.curve(0), 1));
   const std::array<QColor, 5> inks{look.muted, look.curve(0), look.curve(1), look.curve(0), look.muted};
   for (size_t k = 0; k < names_.size(); ++k) {
     names_[k]->setTextColor(inks[k]);
-    names_[k]->setFont(sized(font(), 0.9, k < 4));
+    names_[k]->setFont(typed(Type::caption, k < 4));
   }
   draw();
 }
@@ -122,15 +137,30 @@ void ResidualPlots::draw() {
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
+bool ResidualPlots::linear() const {
+  const auto& recording = comparison_.recording();
+  return recording && recording->has("position_m");
+}
+
+double ResidualPlots::scale() const {
+  return shownAxis("angle", linear()).scale;
+}
+
+/// No axis stands there before there is something to draw on it.
 void ResidualPlots::nameParts() {
-  const auto& bench = comparison_.bench();
-  const bool linear = bench && bench->axis == Axis::linear;
   const bool diagnosed = !comparison_.shownTrace().position.empty();
-  above_->axis(QCPAxis::atLeft)->setLabel(linear ? tr("position (m)") : tr("angle (rad)"));
+  for (QCPAxisRect* rect : {above_, below_}) {
+    const bool drawn = rect == above_ ? comparison_.recording().has_value() : diagnosed;
+    for (QCPAxis* axis : {rect->axis(QCPAxis::atLeft), rect->axis(QCPAxis::atBottom)}) {
+      axis->setVisible(drawn);
+      axis->grid()->setVisible(drawn);
+    }
+  }
+  above_->axis(QCPAxis::atLeft)->setLabel(linear() ? tr("position (mm)") : tr("angle (°)"));
   above_->axis(QCPAxis::atBottom)->setLabel(axis_ == "time" ? QString() : tr("time (s)"));
   above_->axis(QCPAxis::atBottom)->setTickLabels(axis_ != "time");
-  below_->axis(QCPAxis::atLeft)->setLabel(linear ? tr("residual (mm)") : tr("residual (mrad)"));
-  below_->axis(QCPAxis::atBottom)->setLabel(axisLabel(axis_, linear));
+  below_->axis(QCPAxis::atLeft)->setLabel(linear() ? tr("residual (mm)") : tr("residual (°)"));
+  below_->axis(QCPAxis::atBottom)->setLabel(shownAxis(axis_, linear()).label());
   names_[0]->setText(comparison_.recording() ? tr("measured") : QString());
   names_[1]->setText(diagnosed ? tr("simulated with findings") : QString());
   names_[2]->setText(diagnosed ? tr("base model") : QString());
@@ -138,31 +168,47 @@ void ResidualPlots::nameParts() {
   names_[4]->setText(comparison_.recording() ? QString() : tr("Open or drop a recording and its bench file"));
 }
 
+/// As many points as the picture is wide, however long the recording is.
+void ResidualPlots::drawMeasured() {
+  const auto& overview = comparison_.overview();
+  if (!overview) return;
+  const auto [from_s, to_s] = visible_s();
+  QVector<QCPGraphData> points;
+  for (const Overview::Point& point :
+       overview->between(from_s, to_s, static_cast<size_t>(std::max(200, above_->width() / measuredWidth_px))))
+    points.append(QCPGraphData(point.time_s, scale() * point.value));
+  measured_->data()->set(points, true);
+}
+
 void ResidualPlots::drawMeasurement(const Recording& recording) {
-  const auto measured = recording.channel(recording.has("position_m") ? "position_m" : "angle_rad");
+  drawMeasured();
   const auto time = recording.time();
   const auto& simulated = comparison_.shownTrace().position;
-  QVector<QCPGraphData> measuredPoints, simulatedPoints;
-  for (size_t row = 0; row < measured.size(); ++row) {
-    measuredPoints.append(QCPGraphData(time[row], measured[row]));
-    if (row < simulated.size()) simulatedPoints.append(QCPGraphData(time[row], simulated[row]));
-  }
-  measured_->data()->set(measuredPoints, true);
-  simulated_->data()->set(simulatedPoints, true);
-  above_->axis(QCPAxis::atLeft)->rescale();
-  const QCPRange range = above_->axis(QCPAxis::atLeft)->range();
-  above_->axis(QCPAxis::atLeft)->setRange(range.lower - 0.08 * range.size(), range.upper + 0.3 * range.size());
+  QVector<QCPGraphData> points;
+  points.reserve(static_cast<qsizetype>(simulated.size()));
+  for (size_t row = 0; row < std::min(simulated.size(), time.size()); ++row)
+    points.append(QCPGraphData(time[row], scale() * simulated[row]));
+  simulated_->data()->set(points, true);
+  QCPRange range;
+  if (const auto& overview = comparison_.overview())
+    range = QCPRange(scale() * overview->range().first, scale() * overview->range().second);
+  bool found = false;
+  const QCPRange alsoSimulated = simulated_->getValueRange(found);
+  if (found) range.expand(alsoSimulated);
+  const double span = std::max(range.size(), 1e-9);
+  above_->axis(QCPAxis::atLeft)->setRange(range.lower - 0.08 * span, range.upper + 0.3 * span);
 }
 
 void ResidualPlots::drawResiduals(const Recording& recording) {
   const auto abscissa = residualAxis(axis_, comparison_.diagnosis()->base, recording, comparison_.shownTrace());
-  const auto measured = recording.channel(recording.has("position_m") ? "position_m" : "angle_rad");
+  const auto measured = recording.channel(linear() ? "position_m" : "angle_rad");
+  const double across = shownAxis(axis_, linear()).scale;
   const bool line = axis_ == "time";
   const auto draw = [&](QCPGraph& graph, const std::vector<double>& position) {
     QVector<QCPGraphData> points;
     const size_t every = line ? 1 : std::max<size_t>(1, position.size() / 4000);
     for (size_t row = 0; row < std::min(position.size(), abscissa.size()); row += every) {
-      points.append(QCPGraphData(abscissa[row], 1e3 * (position[row] - measured[row])));
+      points.append(QCPGraphData(across * abscissa[row], scale() * (position[row] - measured[row])));
     }
     graph.setLineStyle(line ? QCPGraph::lsLine : QCPGraph::lsNone);
     graph.setScatterStyle(line ? QCPScatterStyle() : QCPScatterStyle(QCPScatterStyle::ssDisc, graph.pen().color(), 2));
@@ -178,7 +224,7 @@ void ResidualPlots::drawResiduals(const Recording& recording) {
 void ResidualPlots::drawBands() {
   const auto& diagnosis = comparison_.diagnosis();
   if (!diagnosis) return;
-  const Look look = Look::of(palette());
+  const Look& look = Look::of(palette());
   const auto add = [&](QCPAxisRect* rect, double from, double to, double top, const QColor& ink) {
     auto* band = new QCPItemRect(plot_);
     for (QCPItemPosition* position : band->positions()) {
@@ -197,19 +243,15 @@ void ResidualPlots::drawBands() {
   };
   for (const Place& place : diagnosis->where) {
     if (QString::fromStdString(place.axis) != axis_) continue;
-    add(below_, place.from, place.to, 0.0, look.band);
-    if (axis_ == "time") add(above_, place.from, place.to, 0.0, look.band);
+    const double across = shownAxis(axis_, linear()).scale;
+    add(below_, across * place.from, across * place.to, 0.0, look.band(4));
+    if (axis_ == "time") add(above_, place.from, place.to, 0.0, look.band(4));
   }
   QColor heldout = look.curve(2);
   heldout.setAlpha(120);
   const auto time = comparison_.recording()->time();
   for (const auto& [first, last] : diagnosis->heldoutRows)
     add(above_, time[first], time[std::min(last, time.size()) - 1], 0.955, heldout);
-}
-
-void ResidualPlots::changeEvent(QEvent* event) {
-  QWidget::changeEvent(event);
-  if (plot_ != nullptr && (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)) applyLook();
 }
 
 }  // namespace breakaway

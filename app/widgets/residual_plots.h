@@ -4,6 +4,7 @@
 #include <QString>
 #include <QWidget>
 #include <array>
+#include <utility>
 #include <vector>
 
 class QCPAxisRect;
@@ -26,11 +27,13 @@ class ResidualPlots : public QWidget {
   /// The residual's horizontal axis, named as in Place::axis.
   void setAxis(const QString& axis);
   const QString& axis() const { return axis_; }
+  /// From when to when the measurement is shown, in s.
+  std::pair<double, double> visible_s() const;
   /// Highlighted stretches that are drawn now.
   size_t bands() const { return bands_.size(); }
 
- protected:
-  void changeEvent(QEvent* event) override;
+ signals:
+  void visibleChanged();
 
  private:
   void buildPlot();
@@ -38,7 +41,10 @@ class ResidualPlots : public QWidget {
   void draw();
   void showAll();
   void showAllOf(QCPAxisRect& rect);
+  bool linear() const;
+  double scale() const;  ///< shown position = scale · SI
   void nameParts();
+  void drawMeasured();
   void drawMeasurement(const Recording& recording);
   void drawResiduals(const Recording& recording);
   void drawBands();

@@ -10,6 +10,8 @@ namespace breakaway {
 
 namespace {
 
+constexpr double figureRadius = 72.0;  // within it stands the angle
+
 /// Zero to the right, growing counter-clockwise, as angles are drawn in textbooks and on the polar plot.
 QPointF onCircle(double angle_rad, double radius) {
   return {radius * std::cos(angle_rad), -radius * std::sin(angle_rad)};
@@ -39,15 +41,15 @@ void RotorDial::paintEvent(QPaintEvent*) {
 }
 
 void RotorDial::paintScale(QPainter& painter, double radius) const {
-  const Look look = Look::of(palette());
-  painter.setPen(QPen(look.line, 1));
-  painter.setBrush(look.page);
+  const Look& look = Look::of(palette());
+  painter.setPen(QPen(look.border, 1));
+  painter.setBrush(look.surface);
   painter.drawEllipse(QPointF(0, 0), radius, radius);
-  painter.setFont(sized(font(), 0.88));
+  painter.setFont(typed(Type::caption));
   for (int degrees = 0; degrees < 360; degrees += 10) {
     const double angle_rad = degrees * std::numbers::pi / 180.0;
     const bool named = degrees % 30 == 0;
-    painter.setPen(QPen(named ? look.muted : look.line, 1));
+    painter.setPen(QPen(named ? look.muted : look.border, 1));
     painter.drawLine(onCircle(angle_rad, radius), onCircle(angle_rad, radius - (named ? 10 : 5)));
     if (!named) continue;
     const QPointF at = onCircle(angle_rad, radius + 17);
@@ -61,21 +63,20 @@ void RotorDial::paintScale(QPainter& painter, double radius) const {
 }
 
 void RotorDial::paintHand(QPainter& painter, double radius) const {
-  const Look look = Look::of(palette());
+  const Look& look = Look::of(palette());
   const double shown_rad = *angle_rad_ - index_rad_.value_or(0.0);
   painter.setPen(QPen(look.curve(0), 2.5, Qt::SolidLine, Qt::RoundCap));
-  painter.drawLine(QPointF(0, 0), onCircle(shown_rad, radius - 24));
+  painter.drawLine(onCircle(shown_rad, figureRadius), onCircle(shown_rad, radius - 24));
   painter.setBrush(look.curve(0));
-  painter.drawEllipse(QPointF(0, 0), 4, 4);
+  painter.drawEllipse(onCircle(shown_rad, radius - 24), 5, 5);
   const double turn_deg = 360.0;
   const double degrees = std::fmod(std::fmod(shown_rad * 180.0 / std::numbers::pi, turn_deg) + turn_deg, turn_deg);
   painter.setPen(look.ink);
-  painter.setFont(sized(font(), 1.25, true));
-  painter.drawText(QRectF(-80, 0.32 * radius, 160, 26), Qt::AlignCenter, tr("%1°").arg(degrees, 0, 'f', 2));
+  painter.setFont(typed(Type::figure));
+  painter.drawText(QRectF(-80, -18, 160, 36), Qt::AlignCenter, tr("%1°").arg(degrees, 0, 'f', 1));
   painter.setPen(look.muted);
-  painter.setFont(sized(font(), 0.88));
-  painter.drawText(QRectF(-80, 0.32 * radius + 24, 160, 20), Qt::AlignCenter,
-                   index_rad_ ? tr("from the index") : tr("from power-up"));
+  painter.setFont(typed(Type::caption));
+  painter.drawText(QRectF(-80, 18, 160, 20), Qt::AlignCenter, index_rad_ ? tr("from the index") : tr("from power-up"));
 }
 
 }  // namespace breakaway

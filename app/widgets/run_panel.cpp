@@ -42,9 +42,7 @@ void RunPanel::show(const RunSnapshot& snapshot) {
   const QString failure = QString::fromStdString(status.failure);
   switch (status.state) {
     case Procedure::State::running:
-      activity_->setText(tr("%1 %, %2 left\n%3")
-                             .arg(100.0 * status.progress, 0, 'f', 0)
-                             .arg(durationText(status.remaining_s), activity));
+      activity_->setText(tr("%1 %: %2").arg(100.0 * status.progress, 0, 'f', 0).arg(activity));
       break;
     case Procedure::State::finished:
       activity_->setText(tr("Done"));
@@ -56,12 +54,6 @@ void RunPanel::show(const RunSnapshot& snapshot) {
       activity_->setText(tr("Stopped: %1. What was measured is kept.").arg(failure));
       break;
   }
-}
-
-QString durationText(double duration_s) {
-  const auto whole = static_cast<long>(std::lround(std::max(0.0, duration_s)));
-  if (whole < 60) return RunPanel::tr("%1 s").arg(whole);
-  return RunPanel::tr("%1 min %2 s").arg(whole / 60).arg(whole % 60);
 }
 
 }  // namespace breakaway

@@ -27,7 +27,4 @@ class RunPanel : public QWidget {
   QLabel* activity_ = nullptr;
 };
 
-/// "3 min 20 s" or "12 s".
-QString durationText(double duration_s);
-
 }  // namespace breakaway

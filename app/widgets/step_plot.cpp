@@ -3,6 +3,7 @@
 #include <qcustomplot.h>
 
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "widgets/controls.h"
 #include "widgets/look.h"
@@ -11,7 +12,9 @@ namespace breakaway {
 
 namespace {
 
-constexpr size_t ghosts = 5;
+constexpr size_t mostDrawn = 4;
+constexpr double longest_ms = 400.0, beforeShare = 0.06;
+constexpr double pastSettling = 2.0;  // of the time axis, per time of settling
 
 QVector<double> list(const std::vector<double>& values, double scale = 1.0) {
   QVector<double> scaled;
@@ -20,31 +23,58 @@ QVector<double> list(const std::vector<double>& values, double scale = 1.0) {
   return scaled;
 }
 
+/// When the speed has come near its end for good, in ms.
+double settled_ms(const StepCurve& curve) {
+  if (curve.time_s.empty()) return 0.0;
+  const double end = curve.reference_rad_per_s.back(), band = 0.05 * std::abs(end);
+  double last_s = 0.0;
+  for (size_t k = 0; k < curve.time_s.size(); ++k)
+    if (curve.time_s[k] > 0.0 && std::abs(curve.velocity_rad_per_s[k] - end) > band) last_s = curve.time_s[k];
+  return 1e3 * last_s;
+}
+
 }  // namespace
+
+int StepPlot::colourOf(size_t step) {
+  constexpr int colours[] = {4, 2, 3, 1};
+  return colours[step % std::size(colours)];
+}
+
+size_t StepPlot::firstDrawn(size_t steps) {
+  return steps > mostDrawn ? steps - mostDrawn : 0;
+}
 
 StepPlot::StepPlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)) {
   setObjectName("stepPlot");
-  auto* layout = columnIn(this);
-  layout->addWidget(plot_);
-  plot_->setAccessibleName(tr("Measured velocity step and its current over time"));
-  plot_->setMinimumSize(200, 150);
+  columnIn(this)->addWidget(plot_);
+  plot_->setAccessibleName(tr("Velocity steps and their current over time, measured and foretold"));
+  plot_->setMinimumSize(200, 120);
   plot_->plotLayout()->clear();
   plot_->plotLayout()->setRowSpacing(2);
   velocity_ = new QCPAxisRect(plot_);
   current_ = new QCPAxisRect(plot_);
-  plot_->plotLayout()->addElement(0, 0, velocity_);
-  plot_->plotLayout()->addElement(1, 0, current_);
-  plot_->plotLayout()->setRowStretchFactors({1.5, 1.0});
+  const auto title = [this](int row) {
+    auto* text = new QCPTextElement(plot_);
+    text->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);
+    text->setMargins(QMargins(4, 4, 4, 0));
+    plot_->plotLayout()->addElement(row, 0, text);
+    return text;
+  };
+  titles_[0] = title(0);
+  plot_->plotLayout()->addElement(1, 0, velocity_);
+  titles_[1] = title(2);
+  titles_[1]->setText(tr("Current (A)"));
+  plot_->plotLayout()->addElement(3, 0, current_);
+  plot_->plotLayout()->setRowStretchFactors({0.001, 1.5, 0.001, 1.0});
   auto* left = new QCPMarginGroup(plot_);
   for (QCPAxisRect* rect : {velocity_, current_}) {
     rect->setMarginGroup(QCP::msLeft, left);
-    rect->setMinimumMargins(QMargins(44, 6, 12, 4));
+    rect->setMinimumMargins(QMargins(44, 4, 12, 4));
     rect->setRangeZoom(Qt::Horizontal);
     rect->setRangeDrag(Qt::Horizontal);
   }
   plot_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
   velocity_->axis(QCPAxis::atBottom)->setTickLabels(false);
-  current_->axis(QCPAxis::atLeft)->setLabel(tr("current (A)"));
   current_->axis(QCPAxis::atLeft)->ticker()->setTickCount(3);
   current_->axis(QCPAxis::atBottom)->setLabel(tr("time from the step (ms)"));
   const auto follow = [](QCPAxis* from, QCPAxis* to) {
@@ -53,14 +83,15 @@ StepPlot::StepPlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(thi
   };
   follow(velocity_->axis(QCPAxis::atBottom), current_->axis(QCPAxis::atBottom));
   follow(current_->axis(QCPAxis::atBottom), velocity_->axis(QCPAxis::atBottom));
-  hint_ = new QCPTextElement(plot_, tr("No step measured yet"));
+  hint_ = new QCPTextElement(plot_, tr("Connect a board: the step that its settings make is foretold here"));
   velocity_->insetLayout()->addElement(hint_, Qt::AlignCenter);
   setSpeedUnit(tr("rad/s"));
   draw();
+  onNewLook(this, [this] { draw(); });
 }
 
 void StepPlot::setSpeedUnit(const QString& unit) {
-  velocity_->axis(QCPAxis::atLeft)->setLabel(tr("velocity (%1)").arg(unit));
+  titles_[0]->setText(tr("Speed (%1)").arg(unit));
 }
 
 void StepPlot::show(const std::vector<StepResult>& steps) {
@@ -68,50 +99,59 @@ void StepPlot::show(const std::vector<StepResult>& steps) {
   draw();
 }
 
+void StepPlot::foretell(const StepCurve& curve) {
+  foretold_ = curve;
+  draw();
+}
+
 void StepPlot::draw() {
-  const Look look = Look::of(palette());
+  const Look& look = Look::of(palette());
   dress(*plot_, look);
   hint_->setTextColor(look.muted);
-  hint_->setFont(font());
-  hint_->setVisible(steps_.empty());
+  hint_->setFont(typed(Type::body));
+  const bool some = !steps_.empty() || !foretold_.time_s.empty();
+  hint_->setVisible(!some);
+  for (QCPTextElement* title : titles_) {
+    title->setTextColor(look.ink);
+    title->setFont(typed(Type::body));
+    title->setVisible(some);
+  }
+  for (QCPAxisRect* rect : {velocity_, current_}) {
+    for (QCPAxis* axis : rect->axes()) {
+      axis->setVisible(some && (axis->axisType() == QCPAxis::atLeft || axis->axisType() == QCPAxis::atBottom));
+      axis->grid()->setVisible(some);
+    }
+  }
   plot_->clearGraphs();
-  const size_t first = steps_.size() > ghosts + 1 ? steps_.size() - ghosts - 1 : 0;
-  for (size_t k = first; k < steps_.size(); ++k) drawStep(steps_[k], k + 1 == steps_.size());
-  if (!steps_.empty()) {
+  double settled = settled_ms(foretold_);
+  for (size_t k = firstDrawn(steps_.size()); k < steps_.size(); ++k) {
+    drawCurve(steps_[k].curve, QPen(look.measured(colourOf(k)), 3.0));
+    settled = std::max(settled, settled_ms(steps_[k].curve));
+  }
+  drawCurve(foretold_, QPen(look.curve(0), 1.8));
+  if (some) {
     for (QCPAxisRect* rect : {velocity_, current_}) {
       QCPAxis* values = rect->axis(QCPAxis::atLeft);
       values->rescale();
       values->scaleRange(1.12);
     }
-    const StepResult& newest = steps_.back();
-    if (!newest.curve.time_s.empty()) {
-      velocity_->axis(QCPAxis::atBottom)->setRange(-20.0, std::min(1e3 * newest.curve.time_s.back(), 400.0));
-    }
+    const double end_ms = std::clamp(pastSettling * settled, 20.0, longest_ms);
+    velocity_->axis(QCPAxis::atBottom)->setRange(-beforeShare * end_ms, end_ms);
   }
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
-void StepPlot::drawStep(const StepResult& step, bool newest) {
-  const Look look = Look::of(palette());
-  const auto time_ms = list(step.curve.time_s, 1e3);
-  const auto add = [&](QCPAxisRect* rect, const std::vector<double>& values, const QPen& pen) {
+void StepPlot::drawCurve(const StepCurve& curve, const QPen& pen) {
+  const auto time_ms = list(curve.time_s, 1e3);
+  const auto add = [&](QCPAxisRect* rect, const std::vector<double>& values, const QPen& with) {
     QCPGraph* graph = plot_->addGraph(rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atLeft));
     graph->setData(time_ms, list(values), true);
-    graph->setPen(pen);
+    graph->setPen(with);
   };
-  const auto ghostly = [](QColor ink) {
-    ink.setAlpha(80);
-    return ink;
-  };
-  if (newest) add(velocity_, step.curve.reference_rad_per_s, QPen(look.muted, 1, Qt::DashLine));
-  add(velocity_, step.curve.velocity_rad_per_s,
-      QPen(newest ? look.curve(1) : ghostly(look.curve(1)), newest ? 1.6 : 1.0));
-  add(current_, step.curve.current_A, QPen(newest ? look.curve(2) : ghostly(look.curve(2)), newest ? 1.3 : 1.0));
-}
-
-void StepPlot::changeEvent(QEvent* event) {
-  QWidget::changeEvent(event);
-  if (hint_ != nullptr && (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)) draw();
+  if (&curve == &foretold_ || (foretold_.time_s.empty() && &curve == &steps_.back().curve))
+    add(velocity_, curve.reference_rad_per_s, QPen(Look::of(palette()).muted, 1, Qt::DashLine));
+  add(velocity_, curve.velocity_rad_per_s, pen);
+  add(current_, curve.current_A, pen);
 }
 
 }  // namespace breakaway

@@ -1,13 +1,14 @@
-// A measured velocity step over time, earlier ones behind it as ghosts, and the current that it took beneath.
+// Velocity steps over time, and the current that each takes beneath: measured ones thick and pale, the one that is
+// foretold thin and full.
 #pragma once
 
+#include <QString>
 #include <QWidget>
 #include <vector>
 
 #include "session/run.h"
 
 class QCPAxisRect;
-class QCPGraph;
 class QCPTextElement;
 class QCustomPlot;
 
@@ -18,24 +19,30 @@ class StepPlot : public QWidget {
 
  public:
   explicit StepPlot(QWidget* parent = nullptr);
-
-  /// The last step is drawn in full, those before it as ghosts.
   void show(const std::vector<StepResult>& steps);
   using QWidget::show;
+  /// What the settings on the page would make; empty: nothing is foretold.
+  void foretell(const StepCurve& curve);
   void setSpeedUnit(const QString& unit);
+  const StepCurve& foretold() const { return foretold_; }
 
- protected:
-  void changeEvent(QEvent* event) override;
+  /// The colour in which a measured step is drawn, its number counted from 0.
+  static int colourOf(size_t step);
+  /// The first of so many that is still drawn.
+  static size_t firstDrawn(size_t steps);
 
  private:
   void draw();
-  void drawStep(const StepResult& step, bool newest);
+  void drawCurve(const StepCurve& curve, const QPen& pen);
 
   QCustomPlot* plot_ = nullptr;
   QCPAxisRect* velocity_ = nullptr;
   QCPAxisRect* current_ = nullptr;
   QCPTextElement* hint_ = nullptr;
+  QCPTextElement* titles_[2]{};
+  QString speedUnit_;
   std::vector<StepResult> steps_;
+  StepCurve foretold_;
 };
 
 }  // namespace breakaway

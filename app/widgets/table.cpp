@@ -5,6 +5,10 @@
 
 namespace breakaway {
 
+namespace {
+constexpr int rowHeight = 24;
+}  // namespace
+
 QTableWidget* readTable(QWidget* parent, const char* objectName, const QString& accessibleName,
                         const QStringList& columns) {
   auto* table = new QTableWidget(0, static_cast<int>(columns.size()), parent);
@@ -17,7 +21,7 @@ QTableWidget* readTable(QWidget* parent, const char* objectName, const QString& 
   table->setCornerButtonEnabled(false);
   table->setTabKeyNavigation(false);
   table->verticalHeader()->hide();
-  table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().height() + 6);
+  table->verticalHeader()->setDefaultSectionSize(rowHeight);
   table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   table->horizontalHeader()->setHighlightSections(false);
   return table;

@@ -3,6 +3,8 @@
 #include <qcustomplot.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "base/numbers.h"
 #include "widgets/look.h"
@@ -12,20 +14,37 @@ namespace breakaway {
 namespace {
 
 constexpr double mm = 1e3;
-constexpr double bandOpacity = 0.22;
 constexpr double unknown_mm = 100.0;  // either way from the index, before the travel is known
 
 }  // namespace
 
-TravelPlot::TravelPlot(const char* objectName, QWidget* parent)
-    : MapPlot(objectName, tr("Plot over the travel; arrow keys read the points"), {1000, 560}, parent) {
-  canvas().xAxis->setLabel(tr("position from the index (mm)"));
+TravelPlot::TravelPlot(const char* objectName, Places places, QWidget* parent)
+    : MapPlot(objectName,
+              places == Places::travel ? tr("Plot over the travel; arrow keys read the points")
+                                       : tr("Plot over the rotor's angle; arrow keys read the points"),
+              {1000, 560}, parent),
+      places_(places) {
+  if (places == Places::travel) {
+    canvas().xAxis->setLabel(tr("position from the index (mm)"));
+    return;
+  }
+  canvas().setMinimumSize(120, 90);
+  QSharedPointer<QCPAxisTickerFixed> ticker(new QCPAxisTickerFixed);
+  ticker->setTickStep(90.0);
+  canvas().xAxis->setTicker(ticker);
+  canvas().yAxis->ticker()->setTickCount(4);
+}
+
+double TravelPlot::shown(double at) const {
+  if (places_ == Places::travel) return mm * at;
+  const double angle = std::fmod(at * 180.0 / std::numbers::pi, 360.0);
+  return angle < 0.0 ? angle + 360.0 : angle;
 }
 
 void TravelPlot::draw(const Look& look) {
   canvas().clearGraphs();
   dress(canvas(), look);
-  canvas().yAxis->setLabel(quantity());
+  canvas().yAxis->setLabel(axisTitle());
   for (const MapCurve& curve : curves()) drawBand(curve, look);
   for (const MapCurve& curve : curves()) drawCurve(curve, look);
   mark_ = canvas().addGraph();
@@ -35,18 +54,14 @@ void TravelPlot::draw(const Look& look) {
 }
 
 void TravelPlot::drawBand(const MapCurve& curve, const Look& look) {
-  const bool known = std::any_of(curve.points.begin(), curve.points.end(),
-                                 [](const MapPoint& point) { return point.standardError > 0.0; });
-  if (!known) return;
+  if (!hasBand(curve)) return;
   QCPGraph *low = canvas().addGraph(), *high = canvas().addGraph();
   for (const MapPoint& point : curve.points) {
-    low->addData(mm * point.at, point.value - normal95 * point.standardError);
-    high->addData(mm * point.at, point.value + normal95 * point.standardError);
+    low->addData(shown(point.at), point.value - normal95 * point.standardError);
+    high->addData(shown(point.at), point.value + normal95 * point.standardError);
   }
-  QColor fill = look.curve(curve.colour);
-  fill.setAlphaF(static_cast<float>(bandOpacity));
   for (QCPGraph* edge : {low, high}) edge->setPen(Qt::NoPen);
-  high->setBrush(fill);
+  high->setBrush(look.band(curve.colour));
   high->setChannelFillGraph(low);
 }
 
@@ -54,12 +69,12 @@ void TravelPlot::drawCurve(const MapCurve& curve, const Look& look) {
   QCPGraph* line = canvas().addGraph();
   QCPGraph* crosses = nullptr;
   for (const MapPoint& point : curve.points) {
-    line->addData(mm * point.at, point.value);
+    line->addData(shown(point.at), point.value);
     if (!point.outlier) continue;
     if (crosses == nullptr) crosses = canvas().addGraph();
-    crosses->addData(mm * point.at, point.value);
+    crosses->addData(shown(point.at), point.value);
   }
-  line->setPen(QPen(look.curve(curve.colour), curve.dashed ? 1.2 : 1.6, curve.dashed ? Qt::DashLine : Qt::SolidLine));
+  line->setPen(penOf(curve, look, 1.6));
   if (!curve.closed) line->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, look.curve(curve.colour), 3));
   if (crosses == nullptr) return;
   crosses->setLineStyle(QCPGraph::lsNone);
@@ -67,8 +82,16 @@ void TravelPlot::drawCurve(const MapCurve& curve, const Look& look) {
 }
 
 void TravelPlot::rescale() {
-  const auto [lower, upper] = valueRange(normal95);
+  const auto [lower, upper] = valueRange(normal95, 0.08);
   canvas().yAxis->setRange(lower, upper);
+  for (QCPAxis* axis : {canvas().xAxis, canvas().yAxis}) {
+    axis->setVisible(!curves().empty());
+    axis->grid()->setVisible(!curves().empty());
+  }
+  if (places_ == Places::turn) {
+    canvas().xAxis->setRange(0.0, 360.0);
+    return;
+  }
   double from = -unknown_mm, to = unknown_mm;
   if (travel_) {
     from = mm * travel_->low_m;
@@ -78,16 +101,16 @@ void TravelPlot::rescale() {
 }
 
 QPointF TravelPlot::pixelOf(const MapPoint& point) const {
-  return {canvas().xAxis->coordToPixel(mm * point.at), canvas().yAxis->coordToPixel(point.value)};
+  return {canvas().xAxis->coordToPixel(shown(point.at)), canvas().yAxis->coordToPixel(point.value)};
 }
 
 void TravelPlot::mark(const MapPoint& point) {
   mark_->data()->clear();
-  mark_->addData(mm * point.at, point.value);
+  mark_->addData(shown(point.at), point.value);
 }
 
 QString TravelPlot::placeOf(const MapPoint& point) const {
-  return tr("%1 mm").arg(mm * point.at, 0, 'f', 1);
+  return (places_ == Places::travel ? tr("%1 mm") : tr("%1°")).arg(shown(point.at), 0, 'f', 1);
 }
 
 }  // namespace breakaway

@@ -1,5 +1,5 @@
-// Curves over a linear axis' travel: position from the index in mm, a quantity upwards with its 95 % band; hover or
-// arrow keys read a point.
+// Curves over a linear axis' travel, or over a turn laid flat: the place from the index, a quantity upwards with its 95
+// % band; hover or arrow keys read a point.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,9 @@ class TravelPlot : public MapPlot {
   Q_OBJECT
 
  public:
-  explicit TravelPlot(const char* objectName, QWidget* parent = nullptr);
+  enum class Places { travel, turn };
+  /// `places`: over an axis' travel in mm, or over one turn in degrees.
+  TravelPlot(const char* objectName, Places places, QWidget* parent = nullptr);
   /// What the axis of places shows, counted from the index.
   void setTravel(const std::optional<Travel>& travel) { travel_ = travel; }
   QPointF pixelOf(const MapPoint& point) const override;
@@ -30,6 +32,9 @@ class TravelPlot : public MapPlot {
   void drawBand(const MapCurve& curve, const Look& look);
   void drawCurve(const MapCurve& curve, const Look& look);
 
+  double shown(double at) const;
+
+  Places places_;
   std::optional<Travel> travel_;
   QCPGraph* mark_ = nullptr;
 };

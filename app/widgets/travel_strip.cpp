@@ -64,10 +64,10 @@ void TravelStrip::paintEvent(QPaintEvent*) {
 }
 
 void TravelStrip::paintRail(QPainter& painter, const Scale& at, double y) const {
-  const Look look = Look::of(palette());
+  const Look& look = Look::of(palette());
   const QRectF rail(at.left_px, y - 0.5 * rail_px, at.width_px, rail_px);
-  painter.setPen(QPen(look.line, 1));
-  painter.setBrush(look.page);
+  painter.setPen(QPen(look.border, 1));
+  painter.setBrush(look.surface);
   painter.drawRect(rail);
   if (!travel_) return;
   painter.setPen(Qt::NoPen);
@@ -81,13 +81,13 @@ void TravelStrip::paintRail(QPainter& painter, const Scale& at, double y) const 
 }
 
 void TravelStrip::paintTicks(QPainter& painter, const Scale& at, double y) const {
-  const Look look = Look::of(palette());
+  const Look& look = Look::of(palette());
   const double zero_m = index_m_.value_or(0.0), bottom = y + 0.5 * rail_px;
   const double step_m = roundStep(at.high_m - at.low_m);
-  painter.setFont(sized(font(), 0.88));
+  painter.setFont(typed(Type::caption));
   for (double tick = std::ceil((at.low_m - zero_m) / step_m); tick * step_m + zero_m <= at.high_m; ++tick) {
     const double x = at.x(tick * step_m + zero_m);
-    painter.setPen(QPen(look.line, 1));
+    painter.setPen(QPen(look.border, 1));
     painter.drawLine(QPointF(x, bottom), QPointF(x, bottom + 7.0));
     painter.setPen(look.muted);
     painter.drawText(QRectF(x - 40.0, bottom + 9.0, 80.0, 18.0), Qt::AlignCenter,
@@ -105,7 +105,7 @@ void TravelStrip::paintTicks(QPainter& painter, const Scale& at, double y) const
 }
 
 void TravelStrip::paintCarriage(QPainter& painter, const Scale& at, double y) const {
-  const Look look = Look::of(palette());
+  const Look& look = Look::of(palette());
   const double x = std::clamp(at.x(*position_m_), at.left_px, at.left_px + at.width_px);
   painter.setPen(QPen(look.curve(0), 2));
   painter.drawLine(QPointF(x, y - 0.5 * rail_px - 8.0), QPointF(x, y + 0.5 * rail_px));
@@ -113,7 +113,7 @@ void TravelStrip::paintCarriage(QPainter& painter, const Scale& at, double y) co
   painter.setBrush(look.curve(0));
   painter.drawRoundedRect(QRectF(x - 0.5 * carriage_px, y - 0.5 * rail_px - 16.0, carriage_px, 14.0), 2.0, 2.0);
   painter.setPen(look.ink);
-  painter.setFont(sized(font(), 1.25, true));
+  painter.setFont(typed(Type::section));
   const double shown_mm = mm * (*position_m_ - index_m_.value_or(0.0));
   const double textX = std::clamp(x - 70.0, 0.0, std::max(0.0, width() - 140.0));
   painter.drawText(QRectF(textX, y - 0.5 * rail_px - 48.0, 140.0, 26.0), Qt::AlignCenter,

@@ -12,7 +12,9 @@
 #include <filesystem>
 #include <optional>
 #include <system_error>
+#include <utility>
 
+#include "base/file_in_pieces.h"
 #include "base/made.h"
 
 namespace breakaway {
@@ -69,17 +71,27 @@ void syncFolder(const fs::path& folder) {
   ::close(file);
 }
 
-Result<void> writeThrough(const std::string& path, std::string_view content) {
+using Pieces = std::function<Result<std::string>()>;
+
+Result<void> writePieces(int file, const std::string& path, const Pieces& next) {
+  for (;;) {
+    const auto piece = next();
+    if (!piece) return piece.error();
+    if (piece->empty()) return {};
+    if (const int failed = writeAll(file, *piece); failed != 0) return systemError(path, "cannot be written", failed);
+  }
+}
+
+Result<void> writeThrough(const std::string& path, const Pieces& next) {
   if (isStandardOutput(path)) {
     std::fflush(stdout);
-    const int failed = writeAll(STDOUT_FILENO, content);
-    return failed == 0 ? Result<void>() : systemError(path, "cannot be written", failed);
+    return writePieces(STDOUT_FILENO, path, next);
   }
   const int file = ::open(path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC);
   if (file < 0) return systemError(path, "cannot be written", errno);
-  int failed = writeAll(file, content);
-  if (::close(file) != 0 && failed == 0) failed = errno;
-  return failed == 0 ? Result<void>() : systemError(path, "cannot be written", failed);
+  auto done = writePieces(file, path, next);
+  if (::close(file) != 0 && done) return systemError(path, "cannot be written", errno);
+  return done;
 }
 
 /// A new file in the target's folder: without a name as long as it isn't whole, where the file system has such.
@@ -103,17 +115,17 @@ class NewFile {
 
   bool open() const { return file_ >= 0; }
   /// These return 0, or the system's reason.
-  int fill(std::string_view content, const std::optional<struct stat>& earlier) {
+  int takeAfter(const std::optional<struct stat>& earlier) {
     if (earlier) {
       if (::fchown(file_, earlier->st_uid, earlier->st_gid) != 0 && ::fchown(file_, uid_t(-1), earlier->st_gid) != 0) {
         // another's file in a shared folder: it becomes ours
       }
       if (::fchmod(file_, earlier->st_mode & 07777) != 0) return errno;
     }
-    const int failed = writeAll(file_, content);
-    if (failed != 0) return failed;
-    return ::fsync(file_) == 0 || errno == EINVAL ? 0 : errno;
+    return 0;
   }
+  int descriptor() const { return file_; }
+  int sync() { return ::fsync(file_) == 0 || errno == EINVAL ? 0 : errno; }
   int take(const fs::path& target) {
     if (!named_) {
       const std::string self = "/proc/self/fd/" + std::to_string(file_);
@@ -174,15 +186,25 @@ Result<void> checkOutput(const std::string& path, const std::vector<std::string>
 }
 
 Result<void> writeFile(const std::string& path, std::string_view content) {
+  bool given = false;
+  return writeFileInPieces(
+      path, [&]() -> Result<std::string> { return std::exchange(given, true) ? std::string() : std::string(content); });
+}
+
+Result<void> writeFileInPieces(const std::string& path, const std::function<Result<std::string>()>& next) {
   if (auto good = checkOutput(path); !good) return good;
   const auto earlier = statusOf(path);
-  if (isStandardOutput(path) || (earlier && !S_ISREG(earlier->st_mode))) return writeThrough(path, content);
+  if (isStandardOutput(path) || (earlier && !S_ISREG(earlier->st_mode))) return writeThrough(path, next);
   const fs::path target = targetOf(path);
   NewFile file(target);
   if (!file.open()) return systemError(path, "cannot be written", errno);
-  if (const int failed = file.fill(content, earlier); failed != 0)
-    return systemError(path, "cannot be written", failed);
-  if (const int failed = file.take(target); failed != 0) return systemError(path, "cannot be replaced", failed);
+  int failed = file.takeAfter(earlier);
+  if (failed == 0) {
+    if (auto written = writePieces(file.descriptor(), path, next); !written) return written;
+    failed = file.sync();
+  }
+  if (failed != 0) return systemError(path, "cannot be written", failed);
+  if (failed = file.take(target); failed != 0) return systemError(path, "cannot be replaced", failed);
   return {};
 }
 

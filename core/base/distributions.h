@@ -9,6 +9,9 @@ namespace breakaway {
 /// errors that rest on few independent pieces.
 double student95(double freedom);
 
+/// Standard deviations of a normal distribution that are exceeded, either way, with this chance, in (0, 1).
+double deviationsOf(double chance);
+
 /// One-sided 95 % upper bound of a probability after `hits` of `runs` (C. Clopper, E. Pearson, Biometrika 26(4), 1934):
 /// the largest one at which so few hits still come up in 5 % of cases; 1 for no runs.
 double upperBound95(std::size_t hits, std::size_t runs);

@@ -250,6 +250,11 @@ void JsonObject::fault(std::string_view name, const std::string& fact) {
   node_->fault(place(name), fact);
 }
 
+Result<void> JsonObject::finishPart() const {
+  if (node_->faults->first) return *node_->faults->first;
+  return {};
+}
+
 Result<void> JsonObject::finish() {
   for (const auto& [name, value] : node_->json.items()) {
     const bool known = std::find(node_->known.begin(), node_->known.end(), name) != node_->known.end();
@@ -263,8 +268,7 @@ Result<void> JsonObject::finish() {
   for (const auto& child : node_->children) {
     if (const auto done = JsonObject(child).finish(); !done) break;
   }
-  if (node_->faults->first) return *node_->faults->first;
-  return {};
+  return finishPart();
 }
 
 std::optional<std::string> nearestName(std::string_view name, const std::vector<std::string>& candidates) {

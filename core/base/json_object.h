@@ -48,6 +48,8 @@ class JsonObject {
   void fault(std::string_view name, const std::string& fact);
   /// The first fault of this object and of all that were taken from it; unknown fields are faults.
   Result<void> finish();
+  /// The same for a reader that takes only a part of the file: what nobody asked for is left alone.
+  Result<void> finishPart() const;
   /// The place of field `name`, as it stands in errors.
   std::string place(std::string_view name) const;
 

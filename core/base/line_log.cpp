@@ -2,11 +2,13 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "base/atomic_file.h"
 
@@ -38,6 +40,32 @@ bool writeWhole(int file, std::string_view text) {
   return true;
 }
 
+Error notWritten(const std::string& path, int number) {
+  return {path, "cannot be written: " + std::error_code(number, std::generic_category()).message()};
+}
+
+bool isStream(const std::string& path) {
+  std::error_code code;
+  return isStandardOutput(path) ||
+         (std::filesystem::exists(path, code) && !std::filesystem::is_regular_file(path, code));
+}
+
+/// Appends to the open file; a disk that is full leaves no half line.
+Result<void> appendTo(int file, const std::string& path, std::string_view text) {
+  if (cutAfterLastEnd(file) && writeWhole(file, text) && ::fsync(file) == 0) return {};
+  const Error failed = notWritten(path, errno);
+  cutAfterLastEnd(file);
+  return failed;
+}
+
+/// Whether the open file is still the one at `path`.
+bool standsAt(int file, const std::string& path) {
+  struct stat mine {
+  }, there{};
+  return ::fstat(file, &mine) == 0 && ::stat(path.c_str(), &there) == 0 && mine.st_ino == there.st_ino &&
+         mine.st_dev == there.st_dev;
+}
+
 }  // namespace
 
 Result<std::vector<std::string>> readWholeLines(const std::string& path) {
@@ -57,23 +85,55 @@ Result<std::vector<std::string>> readWholeLines(const std::string& path) {
   return lines;
 }
 
-Result<void> appendLine(const std::string& path, std::string_view line) {
-  std::string text(line);
-  text += '\n';
-  std::error_code code;
-  const bool stream = std::filesystem::exists(path, code) && !std::filesystem::is_regular_file(path, code);
-  if (stream || isStandardOutput(path)) return writeFile(path, text);
-  const auto failed = [&path](int number) {
-    return Error{path, "cannot be written: " + std::error_code(number, std::generic_category()).message()};
-  };
-  const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  if (file < 0) return failed(errno);
-  Result<void> done;
-  if (::flock(file, LOCK_EX) != 0 || !cutAfterLastEnd(file) || !writeWhole(file, text) || ::fsync(file) != 0) {
-    done = failed(errno);
-    cutAfterLastEnd(file);  // a disk that is full leaves no half line
+Result<OwnLineLog> OwnLineLog::open(const std::string& path) {
+  OwnLineLog log(path);
+  if (isStream(path)) return log;
+  if (auto taken = log.take(); !taken) return taken.error();
+  return log;
+}
+
+OwnLineLog::OwnLineLog(OwnLineLog&& other) noexcept
+    : path_(std::move(other.path_)), file_(std::exchange(other.file_, -1)) {
+}
+
+OwnLineLog::~OwnLineLog() {
+  if (file_ >= 0) ::close(file_);
+}
+
+Result<void> OwnLineLog::take() {
+  const int file = ::open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  if (file < 0) return notWritten(path_, errno);
+  const bool locked = ::flock(file, LOCK_EX | LOCK_NB) == 0;
+  const int why = errno;
+  if (locked && standsAt(file, path_)) {
+    if (file_ >= 0) ::close(file_);
+    file_ = file;
+    return {};
   }
-  if (::close(file) != 0 && done) done = failed(errno);
+  ::close(file);
+  if (!locked && why != EWOULDBLOCK) return notWritten(path_, why);
+  return Error{path_, "is written by another process, expected a file that is not"};
+}
+
+Result<void> OwnLineLog::append(std::string_view line) const {
+  const std::string text = std::string(line) + "\n";
+  return file_ < 0 ? writeFile(path_, text) : appendTo(file_, path_, text);
+}
+
+Result<void> OwnLineLog::replace(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  if (auto written = writeFile(path_, text); !written) return written;
+  return file_ < 0 ? Result<void>() : take();
+}
+
+Result<void> appendLine(const std::string& path, std::string_view line) {
+  const std::string text = std::string(line) + "\n";
+  if (isStream(path)) return writeFile(path, text);
+  const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  if (file < 0) return notWritten(path, errno);
+  Result<void> done = ::flock(file, LOCK_EX) == 0 ? appendTo(file, path, text) : notWritten(path, errno);
+  if (::close(file) != 0 && done) done = notWritten(path, errno);
   return done;
 }
 

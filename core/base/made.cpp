@@ -1,13 +1,12 @@
 #include "base/made.h"
 
-#include <openssl/evp.h>
-
 #include <algorithm>
-#include <array>
-#include <ctime>
 #include <mutex>
 #include <nlohmann/json.hpp>
-#include <random>
+
+#include "base/made_input.h"
+#include "base/sha256.h"
+#include "base/uuid.h"
 
 namespace breakaway {
 
@@ -21,32 +20,12 @@ struct Run {
   std::string folder, folderName;  ///< of nameFolder()
 };
 
-std::string utcNow() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  gmtime_r(&now, &parts);
-  std::array<char, 32> text{};
-  return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts)};
-}
-
-/// A random UUID (RFC 4122, version 4).
-std::string freshRun() {
-  std::random_device random;
-  std::uniform_int_distribution<int> digit(0, 15);
-  std::string text = "xxxxxxxx-xxxx-4xxx-yxxx-xxxxxxxxxxxx";
-  for (char& c : text) {
-    if (c == 'x') c = "0123456789abcdef"[digit(random)];
-    if (c == 'y') c = "89ab"[digit(random) % 4];
-  }
-  return text;
-}
-
 Run& theRun() {
   static Run run;
   static const bool made = [] {
     run.made.at = utcNow();
     run.made.by = "breakaway";
-    run.made.run = freshRun();
+    run.made.run = freshUuid();
     return true;
   }();
   static_cast<void>(made);
@@ -86,7 +65,7 @@ bool isPlain(char c) {
 void beginRun(std::string by, std::string command, std::optional<std::uint64_t> seed) {
   Run& run = theRun();
   const std::scoped_lock lock(run.mutex);
-  run.made = {utcNow(), std::move(by), std::move(command), seed, {}, {}, {}, freshRun()};
+  run.made = {utcNow(), std::move(by), std::move(command), seed, {}, {}, {}, freshUuid()};
   run.begun = true;
 }
 
@@ -104,8 +83,14 @@ void noteInput(const std::string& path, std::string_view content) {
     const std::scoped_lock lock(run.mutex);
     if (!run.begun) return;
   }
-  InputFile input{path, sha256Of(content)};
+  noteInputFile({path, sha256Of(content)});
+}
+
+void noteInputFile(InputFile input) {
+  Run& run = theRun();
   const std::scoped_lock lock(run.mutex);
+  if (!run.begun) return;
+  const std::string path = input.path;
   if (!run.folder.empty() && path.starts_with(run.folder + "/"))
     input.path = run.folderName + path.substr(run.folder.size());
   std::vector<InputFile>& inputs = ownInputs != nullptr ? *ownInputs : run.made.inputs;
@@ -140,15 +125,9 @@ OwnInputs::~OwnInputs() {
 }
 
 std::string sha256Of(std::string_view content) {
-  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-  unsigned size = 0;
-  if (EVP_Digest(content.data(), content.size(), digest.data(), &size, EVP_sha256(), nullptr) != 1) return {};
-  std::string text;
-  for (unsigned k = 0; k < size; ++k) {
-    text += "0123456789abcdef"[digest[k] >> 4U];
-    text += "0123456789abcdef"[digest[k] & 15U];
-  }
-  return text;
+  Sha256 hash;
+  hash.add(content);
+  return hash.text();
 }
 
 std::string madeJson() {

@@ -4,10 +4,20 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 
 namespace breakaway {
 
-MemoryFile::MemoryFile() : file_(::memfd_create("breakaway", MFD_CLOEXEC)) {
+MemoryFile::MemoryFile() : file_(::memfd_create("breakaway", MFD_CLOEXEC)), good_(file_ >= 0) {
+}
+
+MemoryFile::MemoryFile(std::string_view content) : MemoryFile() {
+  while (good_ && !content.empty()) {
+    const ssize_t written = ::write(file_, content.data(), content.size());
+    if (written < 0 && errno == EINTR) continue;
+    good_ = written > 0;
+    if (good_) content.remove_prefix(static_cast<size_t>(written));
+  }
 }
 
 MemoryFile::~MemoryFile() {

@@ -146,6 +146,7 @@ struct OutputFolder::State {
   fs::path place, stage;
   FolderLock lock;
   Names earlier;                  ///< files of this command's earlier run
+  Names put;                      ///< in place, of this run
   std::vector<fs::path> parents;  ///< that were made, the deepest first
   bool replaces = false;          ///< an earlier run's files
   bool filled = true;             ///< nothing is left to be cleared away
@@ -295,6 +296,7 @@ Result<void> OutputFolder::State::putInPlace(const std::vector<std::string>& lef
   const bool stoodIn = fs::equivalent(fs::current_path(code), place, code);
   Result<void> done = alone && beside && !stoodIn ? inOneStep(files, left) : fileByFile(files, left);
   syncTree(place.string());
+  if (done) put = files;
   return done;
 }
 
@@ -333,6 +335,10 @@ Result<OutputFolder> OutputFolder::open(OutputPlan plan) {
 
 std::string OutputFolder::inWords() const {
   return state_->replaces ? state_->plan.folder + ": what an earlier run left there is replaced\n" : std::string();
+}
+
+std::vector<std::string> OutputFolder::files() const {
+  return {state_->put.begin(), state_->put.end()};
 }
 
 Result<void> OutputFolder::fill(const std::function<Result<void>(const std::string& folder)>& write,

@@ -33,6 +33,8 @@ class OutputFolder {
 
   /// A line, when an earlier run's files were there and are replaced; else nothing.
   std::string inWords() const;
+  /// The names of the run's files below the folder, once it is filled.
+  std::vector<std::string> files() const;
   /// Calls `write` with the folder to write into, and puts that in place. `left`: names in the output folder that the
   /// run itself has put there and that go then. An error names files as if they were in place; nothing has changed
   /// then.

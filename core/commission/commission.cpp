@@ -8,6 +8,11 @@ namespace {
 
 constexpr double slice_s = 0.25;
 
+Facts wantedBy(const CommissionOptions& options) {
+  if (options.wiringOnly) return {Known::wiring};
+  return options.motorOnly ? Facts{Known::motor} : Facts{Known::comparison};
+}
+
 }  // namespace
 
 std::optional<double> trustedConstant(const CommissionOptions& options) {
@@ -16,7 +21,7 @@ std::optional<double> trustedConstant(const CommissionOptions& options) {
 }
 
 Result<Commission> commission(Drive& drive, const CommissionOptions& options) {
-  Job job(options, options.motorOnly ? Facts{Known::motor} : Facts{Known::comparison});
+  Job job(options, wantedBy(options));
   std::vector<Sample> samples;
   job.begin(drive);
   while (job.running()) {

@@ -19,6 +19,7 @@ struct CommissionOptions {
       bench;  ///< the technician's belief; its trusted torque constant is taken, nothing else is needed
   Estimate addedInertia_kg_m2;         ///< of a disc of known inertia that is mounted, with its tolerance; 0: none
   std::optional<MotorRecord> against;  ///< the motor identified before with another added inertia, for the scale
+  bool wiringOnly = false;             ///< ends after the wiring check
   bool motorOnly = false;              ///< ends once the motor is identified
   SweepSettings sweeps;
   double recordingRate_Hz = 1000.0;  ///< steps that are longer than shortStep_s are decimated to about this rate

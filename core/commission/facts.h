@@ -7,6 +7,7 @@ namespace breakaway {
 
 enum class Known : unsigned {
   sensorZero,    ///< of the current sensor, with its noise
+  wiring,        ///< whether motor, encoder and sensors belong together, by a few pulses
   ends,          ///< of a linear axis, as the encoder counts
   windingTest,   ///< resistance, dead zone, time constant of the standing motor
   roughMotor,    ///< constants and inertia by the first test that moves it: enough for careful gains

@@ -1,5 +1,6 @@
 #include "commission/held_beliefs.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -19,6 +20,22 @@ class Held {
   void bench(BeliefOf of, const char* field, const std::optional<double>& believed, const Estimate& measured,
              const std::string& from) {
     if (believed) hold({of, "the bench's", field, *believed, options_.bench->trusted.contains(field), measured, from});
+  }
+  /// What an interrupted job knew of the motor, against what is measured now.
+  void earlier(BeliefOf of, const char* field, double before, const Estimate& now) {
+    const Belief belief{of, "the interrupted job's", field, before, true, now, "but the wiring check's pulses say"};
+    if (before > 0.0 && now.value > 0.0) {
+      if (const auto parted = contradictionOf(belief, known_.identity.axis))
+        take(*parted + "; is another motor mounted?");
+    }
+  }
+  /// What the same pulses said at the beginning. What the bridge hides is the same in both, and most of the doubt with
+  /// it.
+  void still(BeliefOf of, const char* field, const Estimate& before, const Estimate& now) {
+    constexpr double shared = 0.5;  // of both's doubt that isn't
+    const double error = shared * std::hypot(now.standardError, now.value * before.standardError / before.value);
+    const Belief belief{of, "at the beginning", field, before.value, true, {now.value, error}, "but at the end"};
+    if (before.value > 0.0 && now.value > 0.0) take(contradictionOf(belief, known_.identity.axis));
   }
   void take(const std::optional<std::string>& contradiction) {
     if (contradiction) found_.push_back(*contradiction);
@@ -44,6 +61,18 @@ class Held {
   std::vector<std::string> found_;
 };
 
+/// Every voltage, and with it resistance and back-EMF constant, rides on the supply's reading.
+std::optional<std::string> wrongSupply(double declared_V, double reads_V) {
+  constexpr double tolerance = 0.06;  // of a supply's setting
+  const double ratio = reads_V / declared_V;
+  if (!(declared_V > 0.0) || std::abs(ratio - 1.0) < tolerance) return {};
+  return fmt::format(
+      "the supply reads {:.4g} V where {:.4g} V belong, {:.3g} times as much: measure it; if it is {:.4g} V, the "
+      "board's "
+      "divider or its reference is off by that factor, and all voltages with it",
+      reads_V, declared_V, ratio, declared_V);
+}
+
 }  // namespace
 
 Result<void> holdDeclarations(const CommissionOptions& options, Commission& known) {
@@ -53,6 +82,36 @@ Result<void> holdDeclarations(const CommissionOptions& options, Commission& know
   held.bench(BeliefOf::counts, motorNames(bench.axis).counts, bench.countsPerUnit, {known.identity.countsPerRev, 0.0},
              "but the board says");
   held.bench(BeliefOf::supply, "supply_V", bench.supply_V, {known.identity.supply_V, 0.0}, "but the board says");
+  return held.conclude();
+}
+
+Result<void> holdWiring(const CommissionOptions& options, Commission& known) {
+  const WiringFit& fit = *known.wiring;
+  const MotorNames& names = motorNames(known.identity.axis);
+  const std::string pulses = "but the wiring check's pulses say";
+  Held held(options, known);
+  held.take(wrongSupply(known.identity.supply_V, fit.supply_V));
+  if (known.knows(Known::motor)) {
+    held.earlier(BeliefOf::resistance, names.resistance, known.shownResistance_ohm, fit.resistance_ohm);
+    held.earlier(BeliefOf::backEmfConstant, names.backEmfConstant, known.identified.backEmfConstant_V_s_per_rad.value,
+                 fit.backEmf_V_s_per_rad);
+  }
+  if (!options.bench) return held.conclude();
+  const MotorBelief& belief = options.bench->motor;
+  held.bench(BeliefOf::resistance, names.resistance, belief.resistance_ohm, fit.resistance_ohm, pulses);
+  held.bench(BeliefOf::backEmfConstant, names.backEmfConstant, belief.backEmfConstant, fit.backEmf_V_s_per_rad, pulses);
+  held.bench(BeliefOf::torqueConstant, names.torqueConstant, belief.torqueConstant, fit.backEmf_V_s_per_rad,
+             "but by the wiring check's pulses the back-EMF constant is");
+  return held.conclude();
+}
+
+Result<void> holdWiringStill(const WiringFit& now, const CommissionOptions& options, Commission& known) {
+  const MotorNames& names = motorNames(known.identity.axis);
+  Held held(options, known);
+  held.take(wrongSupply(known.identity.supply_V, now.supply_V));
+  held.still(BeliefOf::resistance, names.resistance, known.wiring->resistance_ohm, now.resistance_ohm);
+  held.still(BeliefOf::backEmfConstant, names.backEmfConstant, known.wiring->backEmf_V_s_per_rad,
+             now.backEmf_V_s_per_rad);
   return held.conclude();
 }
 

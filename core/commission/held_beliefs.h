@@ -13,6 +13,11 @@ inline constexpr const char* contradictionPlace = "contradiction";
 
 /// Before anything is energised: the bench's counts and supply against the board's.
 Result<void> holdDeclarations(const CommissionOptions& options, Commission& known);
+/// After the wiring check, by what its few pulses tell: the supply's reading, and the motor as the bench or an
+/// interrupted job knew it.
+Result<void> holdWiring(const CommissionOptions& options, Commission& known);
+/// At the end, `now` against the wiring check at the beginning.
+Result<void> holdWiringStill(const WiringFit& now, const CommissionOptions& options, Commission& known);
 /// After the first test that moves the motor, whose `motor` carries the current as the sensor shows it.
 Result<void> holdMotor(const IdentifiedMotor& motor, const CommissionOptions& options, Commission& known);
 

@@ -87,7 +87,8 @@ void Commission::forgetOtherThan(const SweepSettings& asked) {
 }
 
 void Commission::forgetBoard() {
-  facts.remove({Known::sensorZero, Known::ends, Known::straight, Known::carefulGains, Known::index, Known::gainsInUse});
+  facts.remove({Known::sensorZero, Known::wiring, Known::ends, Known::straight, Known::carefulGains, Known::index,
+                Known::gainsInUse});
   if (!knows(Known::motor)) forget({Known::windingTest});
 }
 

@@ -16,6 +16,7 @@
 #include "friction/measurements.h"
 #include "identify/motor_identification.h"
 #include "identify/velocity_friction.h"
+#include "identify/wiring_fit.h"
 #include "motor/bench.h"
 #include "recording/recording.h"
 
@@ -63,6 +64,7 @@ struct Commission {
   // The motor.
   double noiseRms_A = 0.0;  ///< of the current sensor, per sample
   Estimate sensorZero_A;
+  std::optional<WiringFit> wiring;     ///< by its check
   std::array<double, 2> expected_A{};  ///< first look at the breakaway current, by Way
   std::shared_ptr<MotorTests> tests;   ///< that it was identified from, here
   IdentifiedMotor identified;          ///< as its own tests leave it

@@ -9,6 +9,7 @@ namespace {
 std::vector<StepPtr> stepsOfRotor(const Identity& board) {
   std::vector<StepPtr> steps;
   steps.push_back(currentZeroStep());
+  steps.push_back(wiringStep());
   steps.push_back(windingStep());
   steps.push_back(spinStep());
   steps.push_back(carefulGainsStep(Axis::rotary));
@@ -18,7 +19,7 @@ std::vector<StepPtr> stepsOfRotor(const Identity& board) {
   steps.push_back(currentScaleStep());
   steps.push_back(homingStep(board));
   steps.push_back(velocitySweepStep());
-  steps.push_back(breakawaySweepStep());
+  steps.push_back(breakawaySweepStep(Axis::rotary));
   steps.push_back(mapStep());
   steps.push_back(slowTurnsStep());
   steps.push_back(tuneForUseStep());
@@ -29,6 +30,7 @@ std::vector<StepPtr> stepsOfRotor(const Identity& board) {
 std::vector<StepPtr> stepsOfAxis() {
   std::vector<StepPtr> steps;
   steps.push_back(currentZeroStep());
+  steps.push_back(wiringStep());
   steps.push_back(travelEndsStep());
   steps.push_back(windingStep());
   steps.push_back(travelMotorStep());
@@ -37,7 +39,7 @@ std::vector<StepPtr> stepsOfAxis() {
   steps.push_back(carefulGainsStep(Axis::linear));
   steps.push_back(travelHomingStep());
   steps.push_back(travelStrokesStep());
-  steps.push_back(travelBreakawaysStep());
+  steps.push_back(breakawaySweepStep(Axis::linear));
   steps.push_back(travelMapStep());
   steps.push_back(tuneForUseStep());
   steps.push_back(compensatedRunStep());

@@ -11,6 +11,7 @@ namespace breakaway {
 using StepPtr = std::unique_ptr<Step>;
 
 StepPtr currentZeroStep();
+StepPtr wiringStep();
 StepPtr windingStep();
 StepPtr spinStep();         ///< of a rotor: what strokes are to an axis
 StepPtr travelEndsStep();   ///< of a linear axis
@@ -24,8 +25,7 @@ StepPtr homingStep(const Identity& board);
 StepPtr travelHomingStep();
 StepPtr velocitySweepStep();
 StepPtr travelStrokesStep();
-StepPtr breakawaySweepStep();
-StepPtr travelBreakawaysStep();
+StepPtr breakawaySweepStep(Axis axis);
 StepPtr mapStep();
 StepPtr travelMapStep();
 StepPtr slowTurnsStep();

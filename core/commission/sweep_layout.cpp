@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "identify/shaft_load.h"
+
 namespace breakaway {
 
 double sensorZeroing_s(const Commission& known) {
@@ -31,12 +33,27 @@ VelocityFrictionOptions frictionOptions(const Commission& known) {
   VelocityFrictionOptions options;
   options.torqueConstant_Nm_per_A = known.torquePerAmpere_Nm();
   options.inertia_kg_m2 = known.motor.inertia_kg_m2.value;
+  options.inertiaError_kg_m2 = known.motor.inertia_kg_m2.standardError;
   const Estimate& Kt = known.motor.torqueConstant_Nm_per_A;
   options.scaleError = Kt.value > 0.0 ? Kt.standardError / Kt.value : 0.0;
   options.noiseRms_A = known.noiseRms_A;
   options.zeroError_A = known.runsZeroError_A;
+  options.angleError_rad = known.indexAngle_rad.standardError;
   options.bins = known.sweeps.bins;
   return options;
+}
+
+size_t binsOfWholeCounts(double countsPerRev, size_t wanted) {
+  const auto counts = static_cast<size_t>(std::max(0.0, countsPerRev));
+  const auto off = [wanted](size_t bins) {
+    return std::abs(std::log(static_cast<double>(bins) / static_cast<double>(wanted)));
+  };
+  if (counts > 0 && counts < wanted) return counts;
+  size_t best = 0;
+  for (size_t bins = wanted / 2; bins <= std::min(2 * wanted, counts); ++bins) {
+    if (counts % bins == 0 && (best == 0 || off(bins) < off(best))) best = bins;
+  }
+  return best > 0 ? best : wanted;
 }
 
 MapOptions mapOptions(const Commission& known, const std::string& rig) {
@@ -54,6 +71,16 @@ void remarkMissed(Commission& known) {
   if (known.missed == 0) return;
   known.remark(std::to_string(known.missed) +
                " breakaways could not be measured; their bins rest on their neighbours.");
+}
+
+void remarkMap(Commission& known) {
+  known.map.remarks = known.contradictions;
+  const double zero_Nm = known.torquePerAmpere_Nm() * known.eventsZeroError_A;
+  const double scale = known.motor.currentGain.standardError / known.motor.currentGain.value;
+  for (const std::string& words : wordsOf(shaftLoad(known.map, zero_Nm, scale), known.map.axis)) {
+    known.remark(words);
+    known.map.remarks.push_back(words);
+  }
 }
 
 void takeAverages(Commission& known) {

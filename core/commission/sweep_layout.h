@@ -31,8 +31,16 @@ void countFresh(const std::vector<ZeroReading>& zeros, double noiseRms_A, size_t
   countFrom(ZeroTrack(zeros, noiseRms_A), std::span(all).subspan(before));
 }
 
+/// As many bins around the rotor as wanted, between half and twice of it so that each holds a whole number of counts: a
+/// count more in every few bins would be a wave of its own. A coarse encoder's counts, where they are fewer.
+size_t binsOfWholeCounts(double countsPerRev, size_t wanted);
+
 /// Breakaways that are missing, as a remark.
 void remarkMissed(Commission& known);
+
+/// What the map's file says beside its numbers: contradictions that the job went on in spite of, and loads on the
+/// shaft.
+void remarkMap(Commission& known);
 /// The map's averages become the motor's, with the current's doubt.
 void takeAverages(Commission& known);
 

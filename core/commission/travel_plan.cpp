@@ -90,38 +90,22 @@ TravelBreakawayOptions breakawaySweepOver(const Commission& axis, const std::arr
   options.travel = axis.counted;
   options.bins = binsOver(axis);
   options.passes = axis.sweeps.turns;
-  options.forceConstant_N_per_A = axis.torquePerAmpere_Nm();
+  options.torqueConstant_Nm_per_A = axis.torquePerAmpere_Nm();
   options.resistance_ohm = axis.shownResistance_ohm;
   options.deadZone_V = axis.linearised ? 0.0 : motor.deadZone_V.value;
-  options.mass_kg = motor.inertia_kg_m2.value;
-  options.backEmfConstant_V_s_per_m = motor.backEmfConstant_V_s_per_rad.value;
+  options.inertia_kg_m2 = motor.inertia_kg_m2.value;
+  options.backEmfConstant_V_s_per_rad = motor.backEmfConstant_V_s_per_rad.value;
   options.moving_A = moving_A;
   options.current_limit_A = axis.settings.current_limit_A;
   options.speed_m_per_s = 0.3 * axis.pace.speed_m_per_s;
   options.acceleration_m_per_s2 = axis.pace.acceleration_m_per_s2;
   options.count_m = count_m(axis);
-  options.motionVelocity_m_per_s = std::max(3e-4, 300.0 * count_m(axis));
+  options.motionVelocity_rad_per_s = std::max(3e-4, 300.0 * count_m(axis));
   options.zeroing_s = sensorZeroing_s(axis);
   options.zeroEvery_s = 20.0 * std::max(0.5, options.zeroing_s);
   options.index_m = axis.indexAngle_rad.value;
   options.indexTolerance_m = toleranceOf(axis);
   return options;
-}
-
-std::vector<std::pair<std::string, double>> settingsOf(const TravelBreakawayOptions& measured, const Commission& axis) {
-  return {{"force_constant_N_per_A", measured.forceConstant_N_per_A},
-          {"resistance_ohm", measured.resistance_ohm},
-          {"dead_zone_V", measured.deadZone_V},
-          {"mass_kg", measured.mass_kg},
-          {"dwell_s", measured.dwell_s},
-          {"settle_s", measured.settle_s},
-          {"ramp_s", measured.ramp_s},
-          {"motion_velocity_m_per_s", measured.motionVelocity_m_per_s},
-          {"motion_counts", static_cast<double>(measured.motionCounts)},
-          {"travel_m", measured.travel.high_m - measured.travel.low_m},
-          {"margin_m", measured.travel.margin_m},
-          {"highest_speed_m_per_s", axis.pace.speed_m_per_s},
-          {"missed", static_cast<double>(axis.missed)}};
 }
 
 TravelFrictionOptions frictionOver(const Commission& axis) {

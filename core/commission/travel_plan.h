@@ -3,8 +3,6 @@
 
 #include <array>
 #include <span>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "commission/known.h"
@@ -39,8 +37,6 @@ TravelBins binsOver(const Commission& axis);
 TravelSweepOptions velocitySweepOver(const Commission& axis, std::span<const double> parts);
 /// `moving_A` as of movingCurrent_A().
 TravelBreakawayOptions breakawaySweepOver(const Commission& axis, const std::array<std::vector<double>, 2>& moving_A);
-/// How the breakaways were measured, for the map's file.
-std::vector<std::pair<std::string, double>> settingsOf(const TravelBreakawayOptions& measured, const Commission& axis);
 TravelFrictionOptions frictionOver(const Commission& axis);
 
 }  // namespace breakaway

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <optional>
 
 #include "diagnose/effects/catalogue.h"
 #include "diagnose/fit/preparation.h"
 #include "diagnose/fit/shared_rows.h"
 #include "diagnose/fit/windowed_fit.h"
+#include "diagnose/screen/linear_rig.h"
 #include "diagnose/search/search.h"
 #include "diagnose/simulate/physics.h"
 #include "diagnose/verdict/judge.h"
@@ -29,6 +31,11 @@ std::string heldoutRemark(size_t far, size_t windows) {
 
 using Clock = std::chrono::steady_clock;
 
+/// Of all threads of the process.
+double processorTime_s() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
 struct Attempt {
   Diagnosis diagnosis;
   /// Held-out windows that are far off, where the other parts of the same recordings show nothing, or what happens
@@ -36,88 +43,184 @@ struct Attempt {
   size_t farOff = 0;
 };
 
-Result<Attempt> diagnoseParts(const Bench& bench, const std::vector<Recording>& recordings,
-                              const std::vector<Recording>& heldout, const DiagnoseOptions& options, HeldOut part,
-                              Clock::time_point begin) {
-  const auto elapsed = [begin] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
-  const auto prepared = prepare(bench, recordings, heldout, options.window_s, part);
-  if (!prepared) return prepared.error();
-  std::optional<double> named_s;
-  std::vector<std::string> firstNames;
-  const auto named = [&](const std::vector<const Effect*>& effects) {
-    named_s = elapsed();
-    for (const Effect* effect : effects) firstNames.emplace_back(effect->name());
-  };
-  SearchInput input(*prepared, options.seed);
-  input.stop = options.stop;
-  input.progress = options.progress;
-  input.named = named;
-  const auto found = searchEffects(input, prepared->starts);
-  if (!found) return found.error();
+/// One diagnosis, with its clocks running.
+class Diagnoser {
+ public:
+  Diagnoser(const Bench& bench, const std::vector<Recording>& recordings, const std::vector<Recording>& heldout,
+            const DiagnoseOptions& options)
+      : bench_(bench), recordings_(recordings), heldout_(heldout), options_(options) {}
 
-  Attempt attempt;
-  Diagnosis& diagnosis = attempt.diagnosis;
-  diagnosis.remarks = prepared->remarks;
-  if (options.progress) options.progress(0.92, "proving on held-out data");
-  Judgement judged = judge(bench, *prepared, input, *found);
-  diagnosis.base = std::move(judged.base);
-  diagnosis.model = std::move(judged.model);
-  diagnosis.findings = std::move(judged.findings);
-  diagnosis.fit = judged.fit;
-  diagnosis.fit.window_s = options.window_s;
-  diagnosis.proof = std::move(judged.proof);
-  diagnosis.heldoutRows = prepared->split.heldoutRows;
-  Remainder& rest = judged.rest;
-  const TorqueNoise& left = judged.left;
-  if (!named_s) {
-    for (const Finding& finding : diagnosis.findings) firstNames.push_back(finding.effect);
+  Result<Attempt> attempt(HeldOut part) const { return attempt(part, options_.window_s, true); }
+
+  /// `mayShorten` the windows, where the motion can't be foreseen over their length.
+  Result<Attempt> attempt(HeldOut part, double window_s, bool mayShorten) const {
+    const auto prepared = prepare(bench_, recordings_, heldout_, window_s, part);
+    if (!prepared) return prepared.error();
+    std::optional<double> named_s;
+    std::vector<std::string> firstNames;
+    SearchInput input = inputFor(*prepared);
+    input.mayShorten = mayShorten;
+    input.named = [&](const std::vector<const Effect*>& effects) {
+      named_s = elapsed_s();
+      for (const Effect* effect : effects) firstNames.emplace_back(effect->name());
+    };
+    const auto found = searchEffects(input, prepared->starts);
+    if (!found) return found.error();
+    if (found->foreseen_s) return attempt(part, *found->foreseen_s, false);
+
+    Attempt made;
+    Diagnosis& diagnosis = made.diagnosis;
+    input.say(0.92, "proving on held-out data");
+    Remainder rest = take(diagnosis, judge(bench_, *prepared, input, *found), *prepared);
+    if (!named_s) {
+      for (const Finding& finding : diagnosis.findings) firstNames.push_back(finding.effect);
+    }
+    diagnosis.firstNames = std::move(firstNames);
+    diagnosis.named_s = named_s ? *named_s : elapsed_s();
+    findPlaces(rest, diagnosis.model, *prepared, options_.seed);
+    diagnosis.verdict = verdictOf(diagnosis.findings, rest.outside());
+    addPlaces(diagnosis, rest, *prepared);
+    made.farOff = farOff(diagnosis, *prepared);
+    NextExperiment next =
+        nextExperiment(diagnosis.verdict, diagnosis.findings, diagnosis.where, bench_, prepared->seen);
+    diagnosis.nextSentence = std::move(next.sentence);
+    diagnosis.nextSeparates = std::move(next.separates);
+    stop(diagnosis);
+    return made;
   }
-  diagnosis.firstNames = std::move(firstNames);
-  diagnosis.named_s = named_s ? *named_s : elapsed();
-  const std::vector<Track>& training = prepared->training;
-  if (rest.material) findPlaces(rest, diagnosis.model, *prepared, options.seed);
-  const bool outside = rest.material;
-  const bool nothing = diagnosis.findings.empty() && !outside;
-  if (nothing || (!diagnosis.findings.empty() && allHappenOnce(diagnosis.findings))) {
-    const size_t far = farOffWindows(diagnosis.model, *prepared, prepared->split.heldoutScore, options.seed, left);
-    if (nothing && far > 0) diagnosis.remarks.push_back(heldoutRemark(far, prepared->split.heldoutScore.size()));
-    if (prepared->split.blocks) attempt.farOff = far;
+
+  /// The base model fitted to all there is, for recordings of which nothing can be held out.
+  Result<Diagnosis> undecided(const std::vector<std::string>& why) const {
+    auto prepared = prepare(bench_, recordings_, {}, options_.window_s, HeldOut::none);
+    if (!prepared) return prepared.error();
+    prepared->split.heldoutScore = prepared->split.trainScore;
+    const SearchInput input = inputFor(*prepared);
+    SearchResult found;
+    found.base = fitBase(input, prepared->starts);
+    found.base = polishModel(input, found.base.model, polishWeights(input, found.base.model, found.base.model));
+    found.best = found.base;
+    found.left = found.leftByBase =
+        LinearRig(found.base.model, input.tracks, input.split.train, Torque::wandering).noise();
+    Diagnosis diagnosis;
+    take(diagnosis, judge(bench_, *prepared, input, found), *prepared);
+    diagnosis.verdict = Verdict::undecided;
+    diagnosis.remarks.insert(diagnosis.remarks.begin(), why.begin(), why.end());
+    diagnosis.nextSentence = mostInformative(prepared->seen);
+    diagnosis.named_s = elapsed_s();
+    stop(diagnosis);
+    return diagnosis;
   }
-  diagnosis.unexplainedShare = rest.share;
-  diagnosis.unexplainedPValue = rest.pValue;
-  if (!diagnosis.findings.empty() || outside) {
-    diagnosis.where = places(residualMaps(diagnosis.base, training, options.seed), diagnosis.base);
-    if (!diagnosis.findings.empty())
-      preferAxis(diagnosis.where, findEffect(diagnosis.findings.front().effect)->drawnOver());
+
+ private:
+  double elapsed_s() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
+  void stop(Diagnosis& diagnosis) const {
+    diagnosis.elapsed_s = elapsed_s();
+    diagnosis.cpu_s = processorTime_s() - cpuBegin_s_;
   }
-  diagnosis.verdict = verdictOf(diagnosis.findings, outside);
-  if (outside) diagnosis.where.insert(diagnosis.where.begin(), rest.where.begin(), rest.where.end());
-  if (nothing) diagnosis.unexplainedShare = 0.0;  // whatever is left has no place of its own
-  if ((outside || rest.wanders) && left.rms > 0.0 && left.rms < prepared->seen.peakTorque)
-    diagnosis.remarks.push_back(wanderRemark(left, physicsOf(diagnosis.model).coulomb, prepared->seen));
-  NextExperiment next = nextExperiment(diagnosis.verdict, diagnosis.findings, diagnosis.where, bench, prepared->seen);
-  diagnosis.nextSentence = std::move(next.sentence);
-  diagnosis.nextSeparates = std::move(next.separates);
-  diagnosis.elapsed_s = elapsed();
-  return attempt;
+
+  SearchInput inputFor(const Preparation& prepared) const {
+    SearchInput input(prepared, options_.seed);
+    input.stop = options_.stop;
+    input.progress = options_.progress;
+    return input;
+  }
+
+  Remainder take(Diagnosis& diagnosis, Judgement judged, const Preparation& prepared) const {
+    diagnosis.remarks = prepared.remarks;
+    diagnosis.base = std::move(judged.base);
+    diagnosis.model = std::move(judged.model);
+    diagnosis.findings = std::move(judged.findings);
+    diagnosis.fit = judged.fit;
+    diagnosis.fit.window_s = prepared.split.window_s;
+    diagnosis.proof = std::move(judged.proof);
+    diagnosis.heldoutRows = prepared.split.heldoutRows;
+    diagnosis.wander = judged.rest.wander;
+    if (judged.rest.wander.rms > 0.0 && judged.rest.wander.rms < prepared.seen.peakTorque)
+      diagnosis.remarks.push_back(wanderRemark(judged.rest.wander, physicsOf(diagnosis.model).coulomb, prepared.seen));
+    return std::move(judged.rest);
+  }
+
+  void addPlaces(Diagnosis& diagnosis, const Remainder& rest, const Preparation& prepared) const {
+    if (rest.outside()) {
+      diagnosis.unexplainedShare = rest.part;
+      diagnosis.unexplainedPValue = rest.pValue;
+    }
+    if (!diagnosis.findings.empty() || rest.outside()) {
+      diagnosis.where = places(residualMaps(diagnosis.base, prepared.training, options_.seed, heldoutTracks(prepared)),
+                               diagnosis.base);
+      if (!diagnosis.findings.empty())
+        preferAxis(diagnosis.where, findEffect(diagnosis.findings.front().effect)->drawnOver());
+    }
+    // Beside findings that leave hardly anything, what they lack comes last.
+    const auto at = rest.outside() ? diagnosis.where.begin() : diagnosis.where.end();
+    diagnosis.where.insert(at, rest.where.begin(), rest.where.end());
+  }
+
+  /// Attempt::farOff; says so where nothing was found. Of windows that train, as many may be far off.
+  size_t farOff(Diagnosis& diagnosis, const Preparation& prepared) const {
+    const bool nothing = diagnosis.verdict == Verdict::nothingMissing;
+    if (!nothing && (diagnosis.findings.empty() || !allHappenOnce(diagnosis.findings))) return 0;
+    const auto far = [&](const std::vector<Window>& windows) {
+      return farOffWindows(diagnosis.model, prepared, windows, options_.seed, diagnosis.wander);
+    };
+    const std::vector<Window>&heldout = prepared.split.heldoutScore, &train = prepared.split.trainScore;
+    const size_t kept = far(heldout);
+    if (kept == 0 || far(train) * heldout.size() >= kept * train.size()) return 0;
+    if (nothing) diagnosis.remarks.push_back(heldoutRemark(kept, heldout.size()));
+    return prepared.split.blocks ? kept : 0;
+  }
+
+  const Bench& bench_;
+  const std::vector<Recording>&recordings_, &heldout_;
+  const DiagnoseOptions& options_;
+  Clock::time_point begin_ = Clock::now();
+  double cpuBegin_s_ = processorTime_s();
+};
+
+/// Recordings whose columns hold what they say.
+Result<Diagnosis> diagnoseAsRead(const Bench& bench, const std::vector<Recording>& recordings,
+                                 const std::vector<Recording>& heldout, const DiagnoseOptions& options) {
+  const Diagnoser diagnoser(bench, recordings, heldout, options);
+  auto usual = diagnoser.attempt(HeldOut::last);
+  if (!usual) {
+    // What can be fitted, but not proved, is worth its base parameters.
+    auto fitted = diagnoser.undecided({usual.error().message()});
+    return fitted ? std::move(fitted) : usual.error();
+  }
+  if (usual->farOff < fewestFarOff) return std::move(usual->diagnosis);
+  // What happens once may lie in the very part that is kept for the proof.
+  auto other = diagnoser.attempt(HeldOut::middle);
+  if (!other || other->diagnosis.verdict == Verdict::nothingMissing || other->farOff >= usual->farOff)
+    return std::move(usual->diagnosis);
+  other->diagnosis.remarks.emplace_back(
+      "the part that is usually kept for the proof shows something that the others don't: another part was kept");
+  return std::move(other->diagnosis);
+}
+
+/// The base model of the recordings with what was misread put right.
+Result<Diagnosis> misread(const Bench& bench, const std::vector<Recording>& recordings, const DiagnoseOptions& options,
+                          const Misreading& what) {
+  const Bench right = mended(bench, what);
+  const std::vector<Recording> read = mended(recordings, std::optional(what));
+  const Diagnoser diagnoser(right, read, {}, options);
+  auto diagnosis = diagnoser.undecided(
+      {what.sentence, "base and model are of " + what.mended + ": put it right, and diagnose again"});
+  if (!diagnosis) return Error{"", what.sentence + " (" + diagnosis.error().message() + ")"};
+  diagnosis->misread = what;
+  return diagnosis;
 }
 
 }  // namespace
 
 Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& recordings,
                            const std::vector<Recording>& heldout, const DiagnoseOptions& options) {
-  const Clock::time_point begin = Clock::now();
   if (const auto apart = checkSharedRows(bench, recordings, heldout); !apart) return apart.error();
-  auto usual = diagnoseParts(bench, recordings, heldout, options, HeldOut::last, begin);
-  if (!usual) return usual.error();
-  if (usual->farOff < fewestFarOff) return std::move(usual->diagnosis);
-  // What happens once may lie in the very part that is kept for the proof.
-  auto other = diagnoseParts(bench, recordings, heldout, options, HeldOut::middle, begin);
-  if (!other || other->diagnosis.verdict == Verdict::nothingMissing || other->farOff >= usual->farOff)
-    return std::move(usual->diagnosis);
-  other->diagnosis.remarks.emplace_back(
-      "the part that is usually kept for the proof shows something that the others don't: another part was kept");
-  return std::move(other->diagnosis);
+  const auto scales = checkScales(bench, recordings);
+  if (!scales) return scales.error();
+  if (scales->misread) return misread(bench, recordings, options, *scales->misread);
+  auto diagnosis = diagnoseAsRead(bench, recordings, heldout, options);
+  if (diagnosis) diagnosis->remarks.insert(diagnosis->remarks.begin(), scales->remarks.begin(), scales->remarks.end());
+  return diagnosis;
 }
 
 }  // namespace breakaway

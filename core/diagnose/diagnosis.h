@@ -2,11 +2,14 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 #include "base/result.h"
+#include "diagnose/fit/scale_check.h"
+#include "diagnose/fit/torque_noise.h"
 #include "diagnose/model/model.h"
 #include "diagnose/verdict/finding.h"
 #include "diagnose/verdict/fit_score.h"
@@ -24,6 +27,7 @@ struct Diagnosis {
   std::vector<Place> where;
   FitScore fit;
   Proof proof;
+  TorqueNoise wander;  ///< torque that changes at random and has no place
   double unexplainedShare = 0.0;
   double unexplainedPValue = 1.0;
   std::string nextSentence;
@@ -31,12 +35,16 @@ struct Diagnosis {
   double named_s = 0.0;
   std::vector<std::string> firstNames;  ///< what the screen named, if it was sure; else the findings
   double elapsed_s = 0.0;
+  double cpu_s = 0.0;  ///< of all threads
 
   Model base;
   Model model;
   /// Held-out stretches of the first recording as [first row, last row + 1); empty with separate held-out recordings.
   std::vector<std::pair<size_t, size_t>> heldoutRows;
   std::vector<std::string> remarks;  ///< statements on the input ("12 rows were left out: …")
+  /// A column of the wrong scale or sign: then nothing is looked for, and the models are those of the recordings with
+  /// that put right.
+  std::optional<Misreading> misread;
 };
 
 struct DiagnoseOptions {
@@ -47,9 +55,9 @@ struct DiagnoseOptions {
 };
 
 /// Where simulation and recordings part, which physics was left out, and the proof. Without `heldout`, blocks of the
-/// recordings themselves are held out, at least 1 s away from any training sample. A pure function of its arguments,
-/// apart from the two times. Errors: a channel that the bench needs is missing, a recording too short to fit, values
-/// that are all missing.
+/// recordings themselves are held out, at least 1 s away from any training sample. Recordings of a wrong scale or sign
+/// are undecided (fit/scale_check.h). A pure function of its arguments, apart from the times. Errors: a channel that
+/// the bench needs is missing, a recording too short to fit, values that are all missing.
 Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& recordings,
                            const std::vector<Recording>& heldout, const DiagnoseOptions& options);
 

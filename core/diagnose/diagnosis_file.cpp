@@ -9,6 +9,7 @@
 #include "diagnose/diagnosis.h"
 #include "diagnose/effects/catalogue.h"
 #include "diagnose/effects/wording.h"
+#include "diagnose/simulate/physics.h"
 
 namespace breakaway {
 
@@ -36,6 +37,7 @@ std::string joined(const std::vector<std::string>& names, const std::string& wor
 
 /// The verdict in one line.
 std::string headline(const Diagnosis& d) {
+  if (d.misread) return "Misread: " + d.misread->sentence + ".";
   std::vector<std::string> names;
   for (const Finding& finding : d.findings) {
     std::vector<std::string> one{finding.effect};
@@ -45,10 +47,13 @@ std::string headline(const Diagnosis& d) {
   }
   switch (d.verdict) {
     case Verdict::nothingMissing:
-      if (d.fit.heldoutBefore > farFromFloor * d.fit.floor)
-        return "Nothing was found missing that has a place or a name, though the model errs by more than its sensors "
-               "explain.";
-      return "Nothing is missing: the base model explains the recording as far as its sensors can tell.";
+      if (d.fit.heldoutBefore <= farFromFloor * d.fit.floor)
+        return "Nothing is missing: the base model explains the recording as far as its sensors can tell.";
+      if (d.fit.heldoutBefore <= farFromFloor * d.fit.floorWithWander)
+        return "Nothing is missing: what the base model leaves is " + torqueWord(d.model.axis) +
+               " that changes at random, as on any rig.";
+      return "Nothing was found missing that has a place or a name, though the model errs by more than its sensors "
+             "explain.";
     case Verdict::named:
       return "The model lacks " + joined(names, "and") + ".";
     case Verdict::ambiguous:
@@ -57,15 +62,33 @@ std::string headline(const Diagnosis& d) {
       return names.empty() ? "The model lacks something that has no name in the catalogue."
                            : "The model lacks " + joined(names, "and") +
                                  ", and something more that has no name in the catalogue.";
+    case Verdict::undecided:
+      return "Undecided: too little was recorded to hold anything out; the base model fits what there is.";
   }
   return {};
 }
 
+/// Each with its interval, one a line.
+std::string inLines(const std::vector<Parameter>& parameters) {
+  std::string out;
+  for (const Parameter& one : parameters)
+    out += fmt::format("    {} = {:.4g}  [{:.4g}, {:.4g}]\n", one.name, one.value, one.low95, one.high95);
+  return out;
+}
+
+nlohmann::ordered_json parametersJson(const std::vector<Parameter>& parameters) {
+  auto json = nlohmann::ordered_json::object();
+  for (const Parameter& one : parameters) json[one.name] = {{"value", one.value}, {"ci95", {one.low95, one.high95}}};
+  return json;
+}
+
 /// What held-out data says of it.
 std::string proofText(const Diagnosis& d) {
+  if (d.verdict == Verdict::undecided) return {};
   const Axis axis = d.model.axis;
   const FitScore& fit = d.fit;
-  const std::string floor = "a perfect model would show " + errorText(fit.floor, axis, fit);
+  const std::string floor = "a perfect model would show " + errorText(fit.floor, axis, fit) +
+                            ", with this rig's wander " + errorText(fit.floorWithWander, axis, fit);
   const std::string source = fit.separateRecording
                                  ? "separate recordings"
                                  : "parts of the recordings, at least 1 s away from any training sample";
@@ -85,11 +108,11 @@ std::string proofText(const Diagnosis& d) {
 
 std::string inWords(const Diagnosis& d) {
   std::string out = headline(d) + "\n";
+  if (d.misread) out += "With " + d.misread->mended + ":\n";
+  out += inLines(d.model.base);
   for (const Finding& finding : d.findings) {
     out += "- " + finding.effect + ": " + finding.sentence + "\n";
-    for (const Parameter& one : finding.parameters) {
-      out += fmt::format("    {} = {:.4g}  [{:.4g}, {:.4g}]\n", one.name, one.value, one.low95, one.high95);
-    }
+    out += inLines(finding.parameters);
     out += "    takes away " + percentText(finding.share) + " of the excess error (p = " + digitsText(finding.pValue) +
            ")\n";
     if (!finding.ambiguousWith.empty()) out += "    can't be told from " + joined(finding.ambiguousWith, "or") + "\n";
@@ -97,7 +120,9 @@ std::string inWords(const Diagnosis& d) {
   if (!d.where.empty()) out += "Where: " + d.where.front().sentence + "\n";
   out += proofText(d);
   if (!d.nextSentence.empty()) out += "Next: " + d.nextSentence + "\n";
-  for (const std::string& remark : d.remarks) out += "Note: " + remark + ".\n";
+  for (const std::string& remark : d.remarks) {
+    if (!d.misread || remark != d.misread->sentence) out += "Note: " + remark + ".\n";
+  }
   return out;
 }
 
@@ -106,27 +131,31 @@ std::string diagnosisJson(const Diagnosis& d, bool oneLine) {
   Json json{{"schema", "breakaway.diagnosis/1"}, {"verdict", nameOf(d.verdict)}};
   json["findings"] = Json::array();
   for (const Finding& finding : d.findings) {
-    Json parameters = Json::object();
-    for (const Parameter& one : finding.parameters)
-      parameters[one.name] = {{"value", one.value}, {"ci95", {one.low95, one.high95}}};
     json["findings"].push_back({{"effect", finding.effect},
                                 {"share", finding.share},
                                 {"p_value", finding.pValue},
                                 {"ambiguous_with", finding.ambiguousWith},
-                                {"parameters", parameters},
+                                {"parameters", parametersJson(finding.parameters)},
                                 {"sentence", finding.sentence}});
   }
+  json["base"] = parametersJson(d.model.base);
+  const double friction = physicsOf(d.model).coulomb;
+  json["wander"] = {{d.model.axis == Axis::linear ? "rms_N" : "rms_Nm", d.wander.rms},
+                    {"share_of_friction", friction > 0.0 ? d.wander.rms / friction : 0.0},
+                    {"correlation_s", d.wander.rms > 0.0 ? d.wander.time_s : 0.0}};
   json["where"] = Json::array();
   for (const Place& place : d.where) {
-    json["where"].push_back({{"axis", place.axis},
-                             {"from", place.from},
-                             {"to", place.to},
-                             {"unit", place.unit},
-                             {"share", place.share},
-                             {"p_value", place.pValue},
-                             {"size", place.size},
-                             {"size_unit", place.sizeUnit},
-                             {"sentence", place.sentence}});
+    json["where"].push_back(
+        {{"axis", place.axis},
+         {"from", place.from},
+         {"to", place.to},
+         {"unit", place.unit},
+         {"share", place.share},
+         {"p_value", place.pValue},
+         {"foretells", {{"value", place.foretells.value}, {"ci95", {place.foretells.low95, place.foretells.high95}}}},
+         {"size", place.size},
+         {"size_unit", place.sizeUnit},
+         {"sentence", place.sentence}});
   }
   json["fit"] = {{"channel", d.fit.channel},
                  {"metric", "rmse"},
@@ -138,6 +167,7 @@ std::string diagnosisJson(const Diagnosis& d, bool oneLine) {
                    {"improvement_ci95", {d.fit.improvementLow95, d.fit.improvementHigh95}},
                    {"separate_recording", d.fit.separateRecording}}},
                  {"floor", d.fit.floor},
+                 {"floor_with_wander", d.fit.floorWithWander},
                  {"achieved", d.proof.achieved},
                  {"whiteness", {{"lag1", d.proof.lag1}, {"p_value", d.proof.whitenessPValue}}},
                  {"worst_block",
@@ -147,9 +177,16 @@ std::string diagnosisJson(const Diagnosis& d, bool oneLine) {
                    {"after", d.proof.worst.after}}}};
   json["unexplained"] = {{"share", d.unexplainedShare}, {"p_value", d.unexplainedPValue}};
   json["next_experiment"] = {{"sentence", d.nextSentence}, {"separates", d.nextSeparates}};
+  json["misread"] = d.misread ? Json{{"what", d.misread->what},
+                                     {"of", d.misread->ofBench ? "bench" : "recording"},
+                                     {"factor", d.misread->factor},
+                                     {"sentence", d.misread->sentence},
+                                     {"mended", d.misread->mended}}
+                              : Json();
   json["remarks"] = d.remarks;
   json["named_s"] = d.named_s;
   json["elapsed_s"] = d.elapsed_s;
+  json["cpu_s"] = d.cpu_s;
   return json.dump(oneLine ? -1 : 2, ' ', false, Json::error_handler_t::replace);
 }
 

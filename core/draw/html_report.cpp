@@ -108,6 +108,10 @@ void HtmlReport::svg(std::string_view svg, const std::string& caption) {
   body_ += "</figure>\n";
 }
 
+void HtmlReport::raw(std::string_view html) {
+  body_ += html;
+}
+
 void HtmlReport::details(const std::string& summary, const std::vector<std::string>& paragraphs) {
   body_ += "<details><summary>" + escaped(summary) + "</summary>\n";
   for (const auto& text : paragraphs) paragraph(text);

@@ -30,6 +30,8 @@ class HtmlReport {
   void figure(const Figure& figure, const std::string& caption = {}, int width_px = 860, int height_px = 380);
   /// A figure that is SVG already, e.g. from toSvg().
   void svg(std::string_view svg, const std::string& caption = {});
+  /// HTML as it is, for what a report has of its own; texts in it must be escaped already.
+  void raw(std::string_view html);
   /// Small print behind a "details" fold, open on paper.
   void details(const std::string& summary, const std::vector<std::string>& paragraphs);
 

@@ -1,6 +1,5 @@
 #include "experiment/breakaway_sweep.h"
 
-#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -13,11 +12,6 @@ namespace {
 
 constexpr double beyondIndex_rad = 0.1;
 constexpr double indexMove_s = 3.0;
-constexpr double shortRamp = 0.15;  // of ramp_s: a breakaway this soon says little about its current
-
-std::string noBreakaway(double most_A) {
-  return fmt::format(" at up to {:.2f} A, three times in a row; is the shaft held?", most_A);
-}
 
 double inTurn(double angle_rad) {
   return angle_rad - turn_rad * std::floor(angle_rad / turn_rad);
@@ -26,13 +20,9 @@ double inTurn(double angle_rad) {
 }  // namespace
 
 BreakawaySweep::BreakawaySweep(BreakawaySweepOptions options, const std::vector<BreakawayEvent>& earlier)
-    : options_(std::move(options)),
-      tour_(options_.bins, options_.turns, earlier),
-      zeroing_(options_.zeroing_s),
+    : BreakawayProcedure(Axis::rotary, options, options.bins, options.turns, earlier),
+      options_(std::move(options)),
       index_(options_.indexAngle_rad, options_.indexTolerance_rad) {
-  if (options_.bins < 8 || options_.turns == 0) fail("at least 8 bins and one turn are needed");
-  if (!(options_.resistance_ohm > 0.0)) fail("the winding's resistance is not known");
-  if (!(options_.torqueConstant_Nm_per_A > 0.0)) fail("the torque constant is not known");
   if (!(options_.countsPerRev > 0.0)) fail("the encoder's counts are not known");
   if (state() == State::running && tour_.ended()) finish();
 }
@@ -41,16 +31,19 @@ double BreakawaySweep::binAngle_rad() const {
   return (static_cast<double>(tour_.bin()) + 0.5) * turn_rad / static_cast<double>(options_.bins);
 }
 
-double BreakawaySweep::moving_A(Way way, double angle_rad) const {
+double BreakawaySweep::moving_A(Way way) const {
   const auto& table = options_.moving_A[static_cast<size_t>(way)];
   if (table.empty()) return 0.0;
-  const double place = inTurn(angle_rad) / turn_rad * static_cast<double>(table.size());
+  const double place = inTurn(binAngle_rad()) / turn_rad * static_cast<double>(table.size());
   return table[std::min(static_cast<size_t>(place), table.size() - 1)];
 }
 
-/// The current that holds the rotor in the middle of what friction allows, towards growing angle.
-double BreakawaySweep::hold_A() const {
-  return 0.5 * (moving_A(Way::ccw, binAngle_rad()) - moving_A(Way::cw, binAngle_rad()));
+/// Beyond what holds it; 0: nothing is known yet.
+double BreakawaySweep::expected_A() const {
+  const auto w = static_cast<size_t>(way());
+  const double moving = movingOverHold_A();
+  if (moving > 0.0) return recentOverMoving_[w].value_or(1.0) * moving;
+  return recent_A_[w].value_or(options_.expected_A[w]);
 }
 
 void BreakawaySweep::enter(Stage stage, const Sample& sample) {
@@ -78,7 +71,7 @@ void BreakawaySweep::begin(const Sample& sample) {
   plan.hold_A = sign() * hold_A();
   plan.resistance_ohm = options_.resistance_ohm;
   plan.deadZone_V = options_.deadZone_V;
-  plan.ramp = planned_ = planRamp();
+  plan.ramp = planned_ = planRamp(expected_A());
   plan.motionCounts = static_cast<std::uint16_t>(std::min<size_t>(options_.motionCounts, 10'000));
   plan.motionSpeed_rad_per_s = options_.motionVelocity_rad_per_s;
   commanded_A_ = plan.hold_A;
@@ -89,9 +82,9 @@ void BreakawaySweep::begin(const Sample& sample) {
 
 Command BreakawaySweep::run(const Sample& sample) {
   now_s_ = sample.time_s;
+  zeroing_.see(sample);
   boardAngle_rad_ = sample.angle_rad;
-  if (!begun_) {
-    begun_ = true;
+  if (isFirst()) {
     first_s_ = sample.time_s;
     enter(Stage::zero, sample);
   }
@@ -125,41 +118,22 @@ void BreakawaySweep::follow(const Sample& sample) {
 
 void BreakawaySweep::end(const Sample& sample) {
   endLeg();
-  switch (seen_) {
-    case Machine::broke: {
-      const double part_s = sample.time_s - rampStart_s_;
-      const bool tooSoon = !ramp_.plan().learning && part_s < shortRamp * options_.ramp_s;
-      if (ramp_.empty() || !rampSeen_) {  // samples of it were lost on the way: once more
-        begin(sample);
-      } else if (tooSoon && attempt_ < 2) {
-        ++attempt_;  // the start was too high: come back and begin lower
-        begin(sample);
-      } else {
-        takeEvent();
-        advanceStep(sample);
-      }
-      return;
-    }
-    case Machine::restless:
-      ++missed_;
-      advanceStep(sample);
-      return;
-    default:
-      missed(sample);
+  if (seen_ == Machine::broke) {
+    // Samples of it may have been lost on the way.
+    if (ramp_.empty() || !rampSeen_ || cameTooSoon(sample.time_s - rampStart_s_)) return begin(sample);
+    takeEvent();
+  } else if (seen_ == Machine::restless) {
+    ++missed_;
+  } else {
+    // What was expected may have been wrong.
+    recent_A_[static_cast<size_t>(way())].reset();
+    recentOverMoving_[static_cast<size_t>(way())].reset();
+    miss();
   }
-}
-
-void BreakawaySweep::missed(const Sample& sample) {
-  ++missed_;
-  // What was expected may have been wrong.
-  recent_A_[static_cast<size_t>(way())].reset();
-  recentOverMoving_[static_cast<size_t>(way())].reset();
-  if (++missedInARow_ >= 3)
-    fail("the rotor does not break away " + wayText(sign() > 0.0) + noBreakaway(ramp_.plan().top_A));
   advanceStep(sample);
 }
 
-void BreakawaySweep::approach(const Sample& sample) {
+void BreakawaySweep::goToPlace(const Sample& sample) {
   const size_t pass = tour_.oneWay();
   const bool passes = options_.indexTolerance_rad > 0.0 && indexPass_ != pass;
   indexPass_ = pass;
@@ -175,73 +149,21 @@ Command BreakawaySweep::passIndex(const Sample& sample) {
   return {Command::Mode::position, target_rad_, options_.current_limit_A, false};
 }
 
-Command BreakawaySweep::zero(const Sample& sample) {
-  bool done = false;
-  const Command command = zeroing_.step(sample, stageStart_s_, done);
-  if (!done) return command;
-  zeroed_s_ = sample.time_s;
-  if (const std::string moved = zeroing_.moved(options_.mostDrift_A); !moved.empty()) fail(moved);
-  if (tour_.ended()) {
-    finish();
-  } else {
-    approach(sample);
-  }
-  return command;
-}
-
-RampPlan BreakawaySweep::planRamp() const {
-  const auto w = static_cast<size_t>(way());
-  const double hold = sign() * hold_A();
-  const double limit = options_.current_limit_A > 0.0 ? options_.current_limit_A : 1e3;
-  const double moving = moving_A(way(), binAngle_rad()) - hold;
-  double expected = recent_A_[w].value_or(options_.expected_A[w]);
-  if (moving > 0.0) expected = recentOverMoving_[w].value_or(1.0) * moving;
-  if (expected <= 0.0) return {hold, 0.0, limit, true};
-  const double starts[] = {options_.rampStart, 0.5 * options_.rampStart, 0.0};
-  const double from = starts[std::min(attempt_, 2)];
-  return {hold + from * expected, (1.0 - options_.rampStart) * expected / options_.ramp_s,
-          std::min(limit, hold + options_.mostOverExpected * expected), false};
-}
-
 void BreakawaySweep::takeEvent() {
-  const BreakawayLag motor{options_.inertia_kg_m2, options_.torqueConstant_Nm_per_A,
-                           options_.backEmfConstant_V_s_per_rad, options_.resistance_ohm};
-  BreakawayEvent event = ramp_.event(motor, tick_s());
-  event.time_s += rampStart_s_;
-  event.zero_A = zeroing_.zero_A();
+  BreakawayEvent event = ended(rampStart_s_);
   event.angle_rad = inTurn(ramp_.standing_rad() - options_.indexAngle_rad);
-  event.torque_Nm = options_.torqueConstant_Nm_per_A * event.current_A;
   const auto w = static_cast<size_t>(way());
-  const double moving = moving_A(way(), binAngle_rad()) - sign() * hold_A();
+  const double moving = movingOverHold_A();
   recent_A_[w] = event.commanded_A - sign() * hold_A();
   if (moving > 0.0) recentOverMoving_[w] = *recent_A_[w] / moving;
-  missedInARow_ = 0;
-  tour_.take(event);
-}
-
-void BreakawaySweep::advanceStep(const Sample& sample) {
-  tour_.advance();
-  attempt_ = 0;
-  if (tour_.ended() || sample.time_s - zeroed_s_ > options_.zeroEvery_s) {
-    enter(Stage::zero, sample);
-  } else {
-    approach(sample);
-  }
-}
-
-double BreakawaySweep::progress() const {
-  return tour_.progress();
-}
-
-double BreakawaySweep::remaining_s() const {
-  return tour_.remaining_s(now_s_ - first_s_, options_.settle_s + options_.dwell_s + options_.ramp_s + 0.2);
+  take(event);
 }
 
 std::string BreakawaySweep::activity() const {
   const std::string where = wayText(sign() > 0.0) + " at " + degreesText(boardAngle_rad_ - options_.indexAngle_rad);
   switch (stage_) {
     case Stage::zero:
-      return "zeroing the current sensor";
+      return zeroingText;
     case Stage::index:
       return "passing the index";
     case Stage::angle:

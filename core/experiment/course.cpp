@@ -39,13 +39,4 @@ double Course::velocityBefore_rad_per_s() const {
   return beforeStart_s_ < 0.0 || span_s <= 0.0 ? 0.0 : (beforeEnd_rad_ - beforeStart_rad_) / span_s;
 }
 
-double Course::progress() const {
-  const double all_s = options_.zeroing_s + options_.before_s + options_.duration_s;
-  return all_s > 0.0 ? std::min(1.0, elapsed_s_ / all_s) : 1.0;
-}
-
-double Course::remaining_s() const {
-  return std::max(0.0, options_.zeroing_s + options_.before_s + options_.duration_s - elapsed_s_);
-}
-
 }  // namespace breakaway

@@ -30,9 +30,9 @@ class Course : public TimedProcedure {
 
  protected:
   Command run(const Sample& sample) override;
-  double progress() const override;
-  double remaining_s() const override;
-  std::string activity() const override { return options_.activity; }
+  Progress progress() const override {
+    return timed(elapsed_s_, options_.zeroing_s + options_.before_s + options_.duration_s, options_.activity);
+  }
 
  private:
   CourseOptions options_;

@@ -7,8 +7,7 @@ namespace breakaway {
 
 Command CurrentZeroing::run(const Sample& sample) {
   elapsed_s_ = elapsed_s(sample);
-  if (elapsed_s_ < options_.settle_s || !begun_) first_rad_ = sample.angle_rad;
-  begun_ = true;
+  if (elapsed_s_ < options_.settle_s || isFirst()) first_rad_ = sample.angle_rad;
   if (const double moved_rad = sample.angle_rad - first_rad_; std::abs(moved_rad) > options_.turns_rad) {
     fail(bodyText(options_.axis) + " moves " + wayText(moved_rad > 0.0, options_.axis) +
          " by itself with the windings open: a load pulls it; hold or balance the load, or take it off");
@@ -45,14 +44,6 @@ double CurrentZeroing::noiseRms_A() const {
   if (count_ < 2) return 0.0;
   const auto n = static_cast<double>(count_);
   return std::sqrt(std::max(0.0, (squares_ - sum_ * sum_ / n) / (n - 1.0)));
-}
-
-double CurrentZeroing::progress() const {
-  return std::min(1.0, elapsed_s_ / (options_.settle_s + options_.duration_s));
-}
-
-double CurrentZeroing::remaining_s() const {
-  return std::max(0.0, options_.settle_s + options_.duration_s - elapsed_s_);
 }
 
 }  // namespace breakaway

@@ -28,16 +28,15 @@ class CurrentZeroing : public TimedProcedure {
 
  protected:
   Command run(const Sample& sample) override;
-  double progress() const override;
-  double remaining_s() const override;
-  std::string activity() const override { return "zeroing the current sensor"; }
+  Progress progress() const override {
+    return timed(elapsed_s_, options_.settle_s + options_.duration_s, "zeroing the current sensor");
+  }
 
  private:
   CurrentZeroingOptions options_;
   double elapsed_s_ = 0.0, sum_ = 0.0, squares_ = 0.0;
   size_t count_ = 0;
   double first_rad_ = 0.0;
-  bool begun_ = false;
   OpenCurrent half_A_;
   bool second_ = false;
 };

@@ -28,8 +28,7 @@ Leg Homing::plan() const {
 }
 
 Command Homing::run(const Sample& sample) {
-  if (!begun_) {
-    begun_ = true;
+  if (isFirst()) {
     lastAngle_rad_ = stageAngle_rad_ = sample.angle_rad;
     beginLeg(plan(), options_.countsPerRev);
   } else {
@@ -114,23 +113,17 @@ Estimate Homing::indexAngle_rad() const {
   return {sum / n, std::hypot(rounding, n > 1.0 ? std::sqrt(squares / (n - 1.0) / n) : 0.0)};
 }
 
-double Homing::progress() const {
+TimedProcedure::Progress Homing::progress() const {
   const bool searches = stage_ <= Machine::search;
-  const double found = searches ? 0.0 : 0.5;
-  const double searched = searches ? std::clamp((lastAngle_rad_ - stageAngle_rad_) / turn_rad, 0.0, 1.0) * 0.5 : 0.0;
-  return std::max(found, searched) +
-         0.5 * static_cast<double>(edges_.size()) / static_cast<double>(options_.approaches);
-}
-
-double Homing::remaining_s() const {
-  const double pass = options_.backOff_rad / options_.approachSpeed_rad_per_s + 0.5;
   const double since_rad = lastAngle_rad_ - stageAngle_rad_;
-  const double turns_rad = stage_ <= Machine::search   ? 2.0 * turn_rad - since_rad
+  const double found = searches ? std::clamp(since_rad / turn_rad, 0.0, 1.0) : 1.0;
+  const auto all = static_cast<double>(options_.approaches), done = static_cast<double>(edges_.size());
+  const double pass_s = options_.backOff_rad / options_.approachSpeed_rad_per_s + 0.5;
+  const double turns_rad = searches                    ? 2.0 * turn_rad - since_rad
                            : stage_ == Machine::verify ? turn_rad - since_rad
                                                        : 0.0;
-  const double search = turns_rad / options_.searchSpeed_rad_per_s;
-  return std::max(0.0, search) +
-         pass * static_cast<double>(options_.approaches - std::min(options_.approaches, edges_.size()));
+  return {0.5 * found + 0.5 * done / all,
+          std::max(0.0, turns_rad / options_.searchSpeed_rad_per_s) + pass_s * std::max(0.0, all - done), activity()};
 }
 
 std::string Homing::activity() const {

@@ -35,12 +35,11 @@ class Homing : public TimedProcedure {
 
  protected:
   Command run(const Sample& sample) override;
-  double progress() const override;
-  double remaining_s() const override;
-  std::string activity() const override;
+  Progress progress() const override;
 
  private:
   using Machine = HomingLeg<double>;
+  std::string activity() const;
   Leg plan() const;
   void follow(const Sample& sample);
   std::string failureOf(LegPhase phase, double since_rad) const;
@@ -53,7 +52,6 @@ class Homing : public TimedProcedure {
   std::vector<double> edges_;
   size_t rows_ = 0, indexRows_ = 0;  ///< samples, and those that show the index
   double stageAngle_rad_ = 0.0, lastAngle_rad_ = 0.0, leastTick_s_ = 0.0;
-  bool begun_ = false;
 };
 
 }  // namespace breakaway

@@ -70,6 +70,14 @@ std::span<const ProfileParameter> profileParameters() {
   return parameters;
 }
 
+Result<void> checkSettings(const ControllerSettings& settings) {
+  const auto good = [&](const ProfileParameter& one) {
+    return std::isfinite(settings.*one.value) && settings.*one.value >= 0.0;
+  };
+  if (std::all_of(parameters.begin(), parameters.end(), good)) return {};
+  return Error{"settings", "hold a value that is negative or not finite"};
+}
+
 Result<Profile> profileOf(Drive& board) {
   Profile profile{board.identity().device, board.identity().firmware, board.settings(), {}};
   if (!board.identity().can.compensates) return profile;

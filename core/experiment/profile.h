@@ -26,6 +26,8 @@ struct ProfileParameter {
   double ControllerSettings::*value;
 };
 std::span<const ProfileParameter> profileParameters();
+/// Error: one of them is negative or not finite.
+Result<void> checkSettings(const ControllerSettings& settings);
 
 /// What the friction table is called among the parameters.
 constexpr const char* frictionTableName = "friction_table";

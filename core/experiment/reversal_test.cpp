@@ -27,13 +27,10 @@ Command ReversalTest::run(const Sample& sample) {
   return {Command::Mode::current, way_ * options_.current_A, 0.0, false};
 }
 
-double ReversalTest::progress() const {
-  return std::min(1.0, static_cast<double>(done_) / static_cast<double>(options_.reversals + 1));
-}
-
-double ReversalTest::remaining_s() const {
+TimedProcedure::Progress ReversalTest::progress() const {
+  const auto all = static_cast<double>(options_.reversals + 1), done = std::min(all, static_cast<double>(done_));
   const double each_s = done_ > 0 ? now_s_ / static_cast<double>(done_) : 0.5;
-  return each_s * static_cast<double>(options_.reversals + 1 - std::min(done_, options_.reversals + 1));
+  return {done / all, each_s * (all - done), "turning the rotor round by constant current"};
 }
 
 }  // namespace breakaway

@@ -24,9 +24,7 @@ class ReversalTest : public TimedProcedure {
 
  protected:
   Command run(const Sample& sample) override;
-  double progress() const override;
-  double remaining_s() const override;
-  std::string activity() const override { return "turning the rotor round by constant current"; }
+  Progress progress() const override;
 
  private:
   ReversalTestOptions options_;

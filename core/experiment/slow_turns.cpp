@@ -57,15 +57,11 @@ Command SlowTurns::run(const Sample& sample) {
   return {Command::Mode::velocity, target(), options_.current_limit_A, false};
 }
 
-double SlowTurns::progress() const {
-  return std::min(1.0, static_cast<double>(number_) / (2.0 * static_cast<double>(options_.speeds_rad_per_s.size())));
-}
-
-double SlowTurns::remaining_s() const {
+TimedProcedure::Progress SlowTurns::progress() const {
+  const size_t all = 2 * options_.speeds_rad_per_s.size();
   double left_s = 0.0;
-  for (size_t k = number_; k < 2 * options_.speeds_rad_per_s.size(); ++k)
-    left_s += options_.settle_s + turn_rad / options_.speeds_rad_per_s[k / 2];
-  return left_s;
+  for (size_t k = number_; k < all; ++k) left_s += options_.settle_s + turn_rad / options_.speeds_rad_per_s[k / 2];
+  return {std::min(1.0, static_cast<double>(number_) / static_cast<double>(all)), left_s, "turning slowly"};
 }
 
 }  // namespace breakaway

@@ -31,9 +31,7 @@ class SlowTurns : public TimedProcedure {
 
  protected:
   Command run(const Sample& sample) override;
-  double progress() const override;
-  double remaining_s() const override;
-  std::string activity() const override { return "turning slowly"; }
+  Progress progress() const override;
 
  private:
   double target() const;

@@ -61,12 +61,4 @@ void SpinTest::watchMotion(const Sample& sample) {
                    wayText(commanded_V_ > 0.0), std::abs(commanded_V_)));
 }
 
-double SpinTest::progress() const {
-  return std::clamp(elapsed_s_ / whole_s(), 0.0, 1.0);
-}
-
-double SpinTest::remaining_s() const {
-  return std::max(0.0, whole_s() - elapsed_s_);
-}
-
 }  // namespace breakaway

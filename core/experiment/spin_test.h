@@ -45,9 +45,7 @@ class SpinTest : public TimedProcedure {
 
  protected:
   Command run(const Sample& sample) override;
-  double progress() const override;
-  double remaining_s() const override;
-  std::string activity() const override { return "spinning both ways by voltage"; }
+  Progress progress() const override { return timed(elapsed_s_, whole_s(), "spinning both ways by voltage"); }
 
  private:
   Command rest(const Sample& sample, bool last);

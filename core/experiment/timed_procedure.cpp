@@ -1,14 +1,16 @@
 #include "experiment/timed_procedure.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace breakaway {
 
 Command TimedProcedure::step(const Sample& sample) {
   if (state_ != State::running) return {};
-  if (!begun_) {
-    begun_ = true;
+  first_ = !std::exchange(begun_, true);
+  if (first_) {
     start_s_ = sample.time_s;
   } else {
     tick_s_ = sample.time_s - last_s_;
@@ -32,9 +34,14 @@ void TimedProcedure::beginLeg(const Leg& leg, double countsPerRev) {
 }
 
 Procedure::Status TimedProcedure::status() const {
-  const bool done = state_ == State::finished;
-  return {state_, done ? 1.0 : progress(), state_ == State::running ? remaining_s() : 0.0,
-          state_ == State::running ? activity() : std::string(), failure_};
+  if (state_ == State::finished) return {state_, 1.0, 0.0, {}, failure_};
+  if (state_ != State::running) return {state_, begun_ ? progress().part : 0.0, 0.0, {}, failure_};
+  Progress now = progress();
+  return {state_, now.part, now.remaining_s, std::move(now.activity), failure_};
+}
+
+TimedProcedure::Progress TimedProcedure::timed(double gone_s, double whole_s, const std::string& activity) {
+  return {whole_s > 0.0 ? std::clamp(gone_s / whole_s, 0.0, 1.0) : 1.0, std::max(0.0, whole_s - gone_s), activity};
 }
 
 void TimedProcedure::stop(const std::string& reason) {

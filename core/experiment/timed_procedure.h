@@ -24,10 +24,15 @@ class TimedProcedure : public Procedure {
  protected:
   /// One tick while running.
   virtual Command run(const Sample& sample) = 0;
-  /// 0 … 1.
-  virtual double progress() const = 0;
-  virtual double remaining_s() const = 0;
-  virtual std::string activity() const = 0;
+  /// What status() says of it.
+  struct Progress {
+    double part = 0.0;  ///< 0 … 1
+    double remaining_s = 0.0;
+    std::string activity;
+  };
+  virtual Progress progress() const = 0;
+  /// Of a procedure whose whole time is known before.
+  static Progress timed(double gone_s, double whole_s, const std::string& activity);
 
   /// From now on this leg commands, whatever run() returns, until another one or endLeg(). `countsPerRev` of the
   /// encoder; 0: unknown.
@@ -38,9 +43,10 @@ class TimedProcedure : public Procedure {
 
   void finish();
   void fail(const std::string& reason);
-  /// Time since the first sample, or since restartClock().
+  /// Whether this is the first sample.
+  bool isFirst() const { return first_; }
+  /// Time since the first sample.
   double elapsed_s(const Sample& sample) const { return sample.time_s - start_s_; }
-  void restartClock(const Sample& sample) { start_s_ = sample.time_s; }
   /// Duration of a tick; 0 in the first one.
   double tick_s() const { return tick_s_; }
 
@@ -48,7 +54,7 @@ class TimedProcedure : public Procedure {
   State state_ = State::running;
   std::string failure_;
   double start_s_ = 0.0, last_s_ = 0.0, tick_s_ = 0.0;
-  bool begun_ = false, legsElsewhere_ = false;
+  bool begun_ = false, first_ = false, legsElsewhere_ = false;
   std::optional<Leg> leg_;
   std::optional<LegRunner> runner_;
   LegPhase phase_ = notBegun;

@@ -1,6 +1,5 @@
 #include "experiment/travel_breakaway.h"
 
-#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -8,29 +7,20 @@
 namespace breakaway {
 
 namespace {
-constexpr double shortRamp = 0.15;       // of ramp_s: a breakaway this soon says little about its current
 constexpr double usualOverMoving = 1.2;  // breakaway over moving force, before one was measured
 constexpr double patience_s = 1.0;       // for it to come to rest
 }  // namespace
 
 TravelBreakaway::TravelBreakaway(TravelBreakawayOptions options, const std::vector<BreakawayEvent>& earlier)
-    : options_(std::move(options)),
-      tour_(options_.bins.count, options_.passes, earlier),
-      zeroing_(options_.zeroing_s),
+    : BreakawayProcedure(Axis::linear, options, options.bins.count, options.passes, earlier),
+      options_(std::move(options)),
       watch_(options_.travel, options_.index_m, options_.indexTolerance_m),
       glide_(options_.speed_m_per_s, options_.acceleration_m_per_s2) {
-  if (options_.bins.count < 8 || options_.passes == 0) fail("at least 8 bins and one pass are needed");
-  if (!(options_.resistance_ohm > 0.0)) fail("the winding's resistance is not known");
-  if (!(options_.forceConstant_N_per_A > 0.0)) fail("the force constant is not known");
   if (!(options_.count_m > 0.0)) fail("the encoder's counts are not known");
   for (const auto& way : options_.moving_A) {
     if (way.size() != options_.bins.count) fail("what keeps the axis moving is not known for each bin");
   }
   if (state() == State::running && tour_.ended()) finish();
-}
-
-double TravelBreakaway::moving_A(Way way) const {
-  return options_.moving_A[static_cast<size_t>(way)][tour_.bin()];
 }
 
 Command TravelBreakaway::current(double inWay_A) {
@@ -51,9 +41,9 @@ void TravelBreakaway::enter(Stage stage, const Sample& sample) {
 
 Command TravelBreakaway::run(const Sample& sample) {
   now_s_ = sample.time_s;
+  zeroing_.see(sample);
   now_m_ = sample.angle_rad;
-  if (!begun_) {
-    begun_ = true;
+  if (isFirst()) {
     first_s_ = sample.time_s;
     enter(Stage::zero, sample);
   }
@@ -71,25 +61,12 @@ Command TravelBreakaway::run(const Sample& sample) {
   return {};
 }
 
-Command TravelBreakaway::zero(const Sample& sample) {
-  bool done = false;
-  const Command command = zeroing_.step(sample, stageStart_s_, done);
-  if (!done) return command;
-  zeroed_s_ = sample.time_s;
-  if (const std::string moved = zeroing_.moved(options_.mostDrift_A); !moved.empty()) fail(moved);
-  if (tour_.ended()) {
-    finish();
-  } else {
-    enter(Stage::move, sample);
-  }
-  return command;
-}
-
 /// Gliding until it is near, by the position loop from there.
 Command TravelBreakaway::move(const Sample& sample) {
   const double target_m = options_.bins.centre_m(tour_.bin()), off_m = std::abs(sample.angle_rad - target_m);
   const double tolerance_m = std::max(0.15 * options_.bins.width_m(), 2.0 * options_.count_m);
-  const bool near = off_m < tolerance_m && std::abs(sample.velocity_rad_per_s) < 2.0 * options_.motionVelocity_m_per_s;
+  const bool near =
+      off_m < tolerance_m && std::abs(sample.velocity_rad_per_s) < 2.0 * options_.motionVelocity_rad_per_s;
   if (!near) near_s_ = sample.time_s;
   if (sample.time_s - near_s_ > 0.03 || sample.time_s - stageStart_s_ > allowed_s_) {
     enter(Stage::dwell, sample);
@@ -104,9 +81,9 @@ Command TravelBreakaway::move(const Sample& sample) {
 Command TravelBreakaway::dwell(const Sample& sample) {
   const double inStage_s = sample.time_s - stageStart_s_;
   if (inStage_s > options_.settle_s + options_.dwell_s &&
-      std::abs(sample.velocity_rad_per_s) < 0.5 * options_.motionVelocity_m_per_s) {
+      std::abs(sample.velocity_rad_per_s) < 0.5 * options_.motionVelocity_rad_per_s) {
     enter(Stage::ramp, sample);
-    ramp_ = BreakawayRamp(planRamp(), sign(), sample.angle_rad, options_.count_m, options_.motionCounts);
+    ramp_ = BreakawayRamp(planRamp(expected_A()), sign(), sample.angle_rad, options_.count_m, options_.motionCounts);
   } else if (inStage_s > patience_s) {
     ++missed_;
     advanceStep(sample);
@@ -114,29 +91,23 @@ Command TravelBreakaway::dwell(const Sample& sample) {
   return current(sign() * hold_A());
 }
 
-RampPlan TravelBreakaway::planRamp() const {
-  const double hold = sign() * hold_A();
-  const double limit = options_.current_limit_A > 0.0 ? options_.current_limit_A : 1e3;
-  const double moving = moving_A(way()) - hold;
-  if (moving <= 0.0) return {hold, 0.0, limit, true};
-  const double expected = overMoving_[static_cast<size_t>(way())].value_or(usualOverMoving) * moving;
-  const double starts[] = {options_.rampStart, 0.5 * options_.rampStart, 0.0};
-  return {hold + starts[std::min(attempt_, 2)] * expected, (1.0 - options_.rampStart) * expected / options_.ramp_s,
-          std::min(limit, hold + options_.mostOverExpected * expected), false};
+/// Beyond what holds it; 0: nothing is known.
+double TravelBreakaway::expected_A() const {
+  const double moving = movingOverHold_A();
+  return moving > 0.0 ? overMoving_[static_cast<size_t>(way())].value_or(usualOverMoving) * moving : 0.0;
 }
 
 bool TravelBreakaway::moves(const Sample& sample) const {
   const double counts = sign() * (sample.angle_rad - ramp_.standing_rad()) / options_.count_m;
   return counts > static_cast<double>(options_.motionCounts) - 0.5 &&
-         sign() * sample.velocity_rad_per_s > options_.motionVelocity_m_per_s;
+         sign() * sample.velocity_rad_per_s > options_.motionVelocity_rad_per_s;
 }
 
 Command TravelBreakaway::ramp(const Sample& sample) {
   const double part_s = sample.time_s - stageStart_s_;
   ramp_.add({part_s, commanded_A_, sign() * sample.current_A, sample.angle_rad});
   if (moves(sample)) {
-    if (!ramp_.plan().learning && part_s < shortRamp * options_.ramp_s && attempt_ < 2) {
-      ++attempt_;  // the start was too high: come back and begin lower
+    if (cameTooSoon(part_s)) {
       enter(Stage::move, sample);
     } else {
       takeEvent();
@@ -144,52 +115,28 @@ Command TravelBreakaway::ramp(const Sample& sample) {
     }
     return {};
   }
-  const double next = ramp_.commandedAt(part_s), most = ramp_.plan().top_A;
+  const double next = ramp_.commandedAt(part_s);
   const bool saturated = std::abs(next) * options_.resistance_ohm + options_.deadZone_V > sample.supply_V;
-  if (next <= most && !saturated) return current(next);
-  ++missed_;
+  if (next <= ramp_.plan().top_A && !saturated) return current(next);
   overMoving_[static_cast<size_t>(way())].reset();
-  if (++missedInARow_ >= 3) {
-    fail(fmt::format("the axis does not break away {} at up to {:.2f} A, three times in a row; is it held?",
-                     wayText(sign() > 0.0, Axis::linear), most));
-  }
+  miss();
   advanceStep(sample);
   return {};
 }
 
 void TravelBreakaway::takeEvent() {
-  const BreakawayLag motor{options_.mass_kg, options_.forceConstant_N_per_A, options_.backEmfConstant_V_s_per_m,
-                           options_.resistance_ohm};
-  BreakawayEvent event = ramp_.event(motor, tick_s());
-  event.time_s += stageStart_s_;
-  event.zero_A = zeroing_.zero_A();
+  BreakawayEvent event = ended(stageStart_s_);
   event.angle_rad = ramp_.standing_rad();
-  event.torque_Nm = options_.forceConstant_N_per_A * event.current_A;
-  const double moving = moving_A(way()) - sign() * hold_A();
+  const double moving = movingOverHold_A();
   if (moving > 0.0) overMoving_[static_cast<size_t>(way())] = (event.commanded_A - sign() * hold_A()) / moving;
-  missedInARow_ = 0;
-  tour_.take(event);
-}
-
-void TravelBreakaway::advanceStep(const Sample& sample) {
-  tour_.advance();
-  attempt_ = 0;
-  enter(tour_.ended() || sample.time_s - zeroed_s_ > options_.zeroEvery_s ? Stage::zero : Stage::move, sample);
-}
-
-double TravelBreakaway::progress() const {
-  return tour_.progress();
-}
-
-double TravelBreakaway::remaining_s() const {
-  return tour_.remaining_s(now_s_ - first_s_, options_.settle_s + options_.dwell_s + options_.ramp_s + 0.3);
+  take(event);
 }
 
 std::string TravelBreakaway::activity() const {
   const std::string where = "at " + millimetresText(now_m_ - options_.travel.low_m) + " from the lower end";
   switch (stage_) {
     case Stage::zero:
-      return "zeroing the current sensor";
+      return zeroingText;
     case Stage::move:
       return "moving " + where;
     case Stage::dwell:

@@ -43,8 +43,7 @@ Command TravelHoming::glideTo(double target_m, const Sample& sample, Stage next)
 }
 
 Command TravelHoming::run(const Sample& sample) {
-  if (!begun_) {
-    begun_ = true;
+  if (isFirst()) {
     before_m_ = sample.angle_rad;
     enter(Stage::lower, sample);
   }
@@ -92,29 +91,17 @@ Estimate TravelHoming::index_m() const {
   return {sum / n, std::hypot(options_.count_m / std::sqrt(12.0), n > 1.0 ? std::sqrt(squares / (n - 1.0) / n) : 0.0)};
 }
 
-double TravelHoming::progress() const {
-  constexpr double done[] = {0.0, 0.2, 0.6, 0.8, 0.8};
+TimedProcedure::Progress TravelHoming::progress() const {
+  const std::string passing = "passing the index slowly, pass " + std::to_string(edges_m_.size() + 1);
+  const std::pair<double, std::string> stages[] = {{0.0, "going to the lower end"},
+                                                   {0.2, "searching the index over the travel"},
+                                                   {0.6, "backing off"},
+                                                   {0.8, "backing off"},
+                                                   {0.8, passing}};
+  const auto& [done, activity] = stages[static_cast<size_t>(stage_)];
   const double passes = static_cast<double>(edges_m_.size()) / static_cast<double>(options_.approaches);
-  return std::min(1.0, done[static_cast<size_t>(stage_)] + 0.2 * passes);
-}
-
-double TravelHoming::remaining_s() const {
-  return (1.0 - progress()) * 2.0 * options_.travel.usable_m() / options_.searchSpeed_m_per_s;
-}
-
-std::string TravelHoming::activity() const {
-  switch (stage_) {
-    case Stage::lower:
-      return "going to the lower end";
-    case Stage::search:
-      return "searching the index over the travel";
-    case Stage::down:
-    case Stage::backOff:
-      return "backing off";
-    case Stage::approach:
-      return "passing the index slowly, pass " + std::to_string(edges_m_.size() + 1);
-  }
-  return {};
+  const double part = std::min(1.0, done + 0.2 * passes);
+  return {part, (1.0 - part) * 2.0 * options_.travel.usable_m() / options_.searchSpeed_m_per_s, activity};
 }
 
 }  // namespace breakaway

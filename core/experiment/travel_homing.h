@@ -32,9 +32,7 @@ class TravelHoming : public TimedProcedure {
 
  protected:
   Command run(const Sample& sample) override;
-  double progress() const override;
-  double remaining_s() const override;
-  std::string activity() const override;
+  Progress progress() const override;
 
  private:
   enum class Stage { lower, search, down, backOff, approach };
@@ -50,7 +48,6 @@ class TravelHoming : public TimedProcedure {
   std::vector<double> sights_m_, edges_m_;
   size_t rows_ = 0;  ///< samples seen
   double before_m_ = 0.0, stageStart_m_ = 0.0, moved_m_ = 0.0, moved_s_ = 0.0;
-  bool begun_ = false;
 };
 
 }  // namespace breakaway

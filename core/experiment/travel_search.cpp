@@ -41,11 +41,7 @@ bool TravelSearch::stalled(const Sample& sample) {
 }
 
 Command TravelSearch::run(const Sample& sample) {
-  now_m_ = sample.angle_rad;
-  if (!begun_) {
-    begun_ = true;
-    enter(Stage::feel, sample);
-  }
+  if (isFirst()) enter(Stage::feel, sample);
   if (elapsed_s(sample) > options_.timeout_s)
     fail("no end was felt within " + std::to_string(std::lround(options_.timeout_s)) + " s");
   if (sample.time_s < pauseEnd_s_) return {};
@@ -109,20 +105,13 @@ Command TravelSearch::toMiddle(const Sample& sample) {
           false};
 }
 
-double TravelSearch::progress() const {
-  constexpr double done[] = {0.0, 0.1, 0.4, 0.8};
-  return done[static_cast<size_t>(stage_)];
-}
-
-double TravelSearch::remaining_s() const {
+TimedProcedure::Progress TravelSearch::progress() const {
   constexpr double usual_m = 0.5;
-  return (1.0 - progress()) * 2.5 * usual_m / options_.speed_m_per_s;
-}
-
-std::string TravelSearch::activity() const {
-  if (stage_ == Stage::feel) return "feeling which way the axis can move";
-  if (stage_ == Stage::middle) return "going to the middle";
-  return "going " + wayText(way_ > 0.0, Axis::linear) + " to the end";
+  const std::string onwards = "going " + wayText(way_ > 0.0, Axis::linear) + " to the end";
+  const std::pair<double, std::string> stages[] = {
+      {0.0, "feeling which way the axis can move"}, {0.1, onwards}, {0.4, onwards}, {0.8, "going to the middle"}};
+  const auto& [done, activity] = stages[static_cast<size_t>(stage_)];
+  return {done, (1.0 - done) * 2.5 * usual_m / options_.speed_m_per_s, activity};
 }
 
 }  // namespace breakaway

@@ -35,9 +35,7 @@ class TravelSearch : public TimedProcedure {
 
  protected:
   Command run(const Sample& sample) override;
-  double progress() const override;
-  double remaining_s() const override;
-  std::string activity() const override;
+  Progress progress() const override;
 
  private:
   enum class Stage { feel, onwards, back, middle };
@@ -55,8 +53,8 @@ class TravelSearch : public TimedProcedure {
   Glide glide_;
   double motion_m_ = 0.0, limit_A_ = 0.0, moving_A_ = 0.0, way_ = 1.0;
   double pauseEnd_s_ = 0.0;
-  double anchor_m_ = 0.0, anchor_s_ = 0.0, stageStart_m_ = 0.0, firstEnd_m_ = 0.0, now_m_ = 0.0;
-  bool begun_ = false, left_ = false;
+  double anchor_m_ = 0.0, anchor_s_ = 0.0, stageStart_m_ = 0.0, firstEnd_m_ = 0.0;
+  bool left_ = false;
 };
 
 }  // namespace breakaway

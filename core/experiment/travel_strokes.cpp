@@ -21,8 +21,7 @@ TravelStrokes::TravelStrokes(TravelStrokesOptions options)
 }
 
 Command TravelStrokes::run(const Sample& sample) {
-  if (!begun_) {
-    begun_ = true;
+  if (isFirst()) {
     phase_s_ = sample.time_s;
     furthest_m_ = sample.angle_rad;
     way_ = sample.angle_rad > options_.travel.middle_m() ? -1.0 : 1.0;
@@ -101,13 +100,10 @@ Command TravelStrokes::towards(double wanted_V) {
   return {Command::Mode::voltage, now_V_, 0.0, false};
 }
 
-double TravelStrokes::progress() const {
-  return static_cast<double>(done_) / static_cast<double>(std::max<size_t>(1, all()));
-}
-
-double TravelStrokes::remaining_s() const {
+TimedProcedure::Progress TravelStrokes::progress() const {
   constexpr double usual_s = 0.5;
-  return usual_s * static_cast<double>(all() - std::min(all(), done_));
+  return {static_cast<double>(done_) / static_cast<double>(std::max<size_t>(1, all())),
+          usual_s * static_cast<double>(all() - std::min(all(), done_)), "going to and fro by voltage"};
 }
 
 }  // namespace breakaway

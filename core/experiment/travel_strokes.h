@@ -38,9 +38,7 @@ class TravelStrokes : public TimedProcedure {
 
  protected:
   Command run(const Sample& sample) override;
-  double progress() const override;
-  double remaining_s() const override;
-  std::string activity() const override { return "going to and fro by voltage"; }
+  Progress progress() const override;
 
  private:
   Command rest(const Sample& sample);
@@ -60,7 +58,7 @@ class TravelStrokes : public TimedProcedure {
   double now_V_ = 0.0;
   double moved_m_ = 0.0, moved_s_ = 0.0, phase_s_ = 0.0;
   size_t done_ = 0;
-  bool begun_ = false, braking_ = false, resting_ = true;
+  bool braking_ = false, resting_ = true;
 };
 
 }  // namespace breakaway

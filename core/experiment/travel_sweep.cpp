@@ -40,11 +40,8 @@ void TravelSweep::enter(Stage stage, const Sample& sample) {
 }
 
 Command TravelSweep::run(const Sample& sample) {
-  now_s_ = sample.time_s;
-  if (!begun_) {
-    begun_ = true;
-    enter(Stage::zero, sample);
-  }
+  zeroing_.see(sample);
+  if (isFirst()) enter(Stage::zero, sample);
   if (const std::string wrong = watch_.step(sample); !wrong.empty()) fail(wrong);
   return stage_ == Stage::zero ? zero(sample) : stroke(sample);
 }
@@ -120,21 +117,14 @@ void TravelSweep::endStroke(const Sample& sample) {
   enter(Stage::zero, sample);
 }
 
-double TravelSweep::progress() const {
-  return std::min(1.0, static_cast<double>(number_) / static_cast<double>(options_.speeds_m_per_s.size()));
-}
-
-double TravelSweep::remaining_s() const {
+TimedProcedure::Progress TravelSweep::progress() const {
+  const size_t all = options_.speeds_m_per_s.size();
   double left_s = 0.0;
-  for (size_t k = number_; k < options_.speeds_m_per_s.size(); ++k)
+  for (size_t k = number_; k < all; ++k)
     left_s +=
         options_.zeroing_s + std::max(options_.run_s, 2.0 * options_.travel.usable_m() / options_.speeds_m_per_s[k]);
-  return left_s;
-}
-
-std::string TravelSweep::activity() const {
-  if (stage_ == Stage::zero) return "zeroing the current sensor";
-  return fmt::format("going to and fro at {:.3g} m/s", speed());
+  return {std::min(1.0, static_cast<double>(number_) / static_cast<double>(all)), left_s,
+          stage_ == Stage::zero ? zeroingText : fmt::format("going to and fro at {:.3g} m/s", speed())};
 }
 
 }  // namespace breakaway

@@ -36,9 +36,7 @@ class TravelSweep : public TimedProcedure {
 
  protected:
   Command run(const Sample& sample) override;
-  double progress() const override;
-  double remaining_s() const override;
-  std::string activity() const override;
+  Progress progress() const override;
 
  private:
   enum class Stage { zero, approach, forth, back };
@@ -60,8 +58,7 @@ class TravelSweep : public TimedProcedure {
   TravelRun now_;
   StrokeTrace trace_;
   size_t number_ = 0;
-  double stageStart_s_ = 0.0, runStart_s_ = 0.0, moved_m_ = 0.0, moved_s_ = 0.0, now_s_ = 0.0;
-  bool begun_ = false;
+  double stageStart_s_ = 0.0, runStart_s_ = 0.0, moved_m_ = 0.0, moved_s_ = 0.0;
 };
 
 }  // namespace breakaway

@@ -44,31 +44,23 @@ void VelocityStep::watchMotion(const Sample& sample, double target_rad_per_s) {
                          target_rad_per_s));
 }
 
-StepFigures VelocityStep::figures() const {
+StepFigures figuresOf(const StepCurve& curve, const VelocityStepOptions& options) {
   const double missing = std::numeric_limits<double>::quiet_NaN();
-  const double size = options_.to_rad_per_s - options_.from_rad_per_s;
+  const double size = options.to_rad_per_s - options.from_rad_per_s;
   StepFigures figures{missing, 0.0, missing, 0.0};
   double tenth_s = missing, ninetieth_s = missing, outside_s = 0.0;
-  for (size_t k = 0; k < curve_.time_s.size(); ++k) {
-    if (curve_.time_s[k] < 0.0) continue;
-    const double part = (curve_.velocity_rad_per_s[k] - options_.from_rad_per_s) / size;
-    if (std::isnan(tenth_s) && part >= 0.1) tenth_s = curve_.time_s[k];
-    if (std::isnan(ninetieth_s) && part >= 0.9) ninetieth_s = curve_.time_s[k];
+  for (size_t k = 0; k < curve.time_s.size(); ++k) {
+    if (curve.time_s[k] < 0.0) continue;
+    const double part = (curve.velocity_rad_per_s[k] - options.from_rad_per_s) / size;
+    if (std::isnan(tenth_s) && part >= 0.1) tenth_s = curve.time_s[k];
+    if (std::isnan(ninetieth_s) && part >= 0.9) ninetieth_s = curve.time_s[k];
     figures.overshoot = std::max(figures.overshoot, part - 1.0);
-    figures.peakCurrent_A = std::max(figures.peakCurrent_A, std::abs(curve_.current_A[k]));
-    if (std::abs(part - 1.0) > options_.settleBand) outside_s = curve_.time_s[k];
+    figures.peakCurrent_A = std::max(figures.peakCurrent_A, std::abs(curve.current_A[k]));
+    if (std::abs(part - 1.0) > options.settleBand) outside_s = curve.time_s[k];
   }
   figures.rise_s = ninetieth_s - tenth_s;
-  if (!curve_.time_s.empty() && outside_s < curve_.time_s.back()) figures.settling_s = outside_s;
+  if (!curve.time_s.empty() && outside_s < curve.time_s.back()) figures.settling_s = outside_s;
   return figures;
-}
-
-double VelocityStep::progress() const {
-  return std::min(1.0, elapsed_s_ / (options_.before_s + options_.after_s));
-}
-
-double VelocityStep::remaining_s() const {
-  return std::max(0.0, options_.before_s + options_.after_s - elapsed_s_);
 }
 
 }  // namespace breakaway

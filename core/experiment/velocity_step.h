@@ -30,18 +30,21 @@ struct StepCurve {
   std::vector<double> time_s, velocity_rad_per_s, reference_rad_per_s, current_A;
 };
 
+/// Of a curve that holds the step: measured, or foretold.
+StepFigures figuresOf(const StepCurve& curve, const VelocityStepOptions& options);
+
 /// Fails in words when the rotor or the axis doesn't move, or stands at the end though it should.
 class VelocityStep : public TimedProcedure {
  public:
   explicit VelocityStep(const VelocityStepOptions& options = {}) : options_(options) {}
   const StepCurve& curve() const { return curve_; }
-  StepFigures figures() const;
+  StepFigures figures() const { return figuresOf(curve_, options_); }
 
  protected:
   Command run(const Sample& sample) override;
-  double progress() const override;
-  double remaining_s() const override;
-  std::string activity() const override { return "measuring a velocity step"; }
+  Progress progress() const override {
+    return timed(elapsed_s_, options_.before_s + options_.after_s, "measuring a velocity step");
+  }
 
  private:
   VelocityStepOptions options_;

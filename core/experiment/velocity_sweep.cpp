@@ -10,7 +10,7 @@
 namespace breakaway {
 
 namespace {
-constexpr double spanAngle_rad = 1.0 / 30.0;      // half the span of a speed; order 40 is then shown by sin(1.3)/1.3
+constexpr double spanAngle_rad = 1.0 / 40.0;      // half the span of a speed; order 45 is then shown by sin(1.1)/1.1
 constexpr double fastSpanAngle_rad = 1.0 / 12.0;  // where the inertia hides the finest harmonics anyway
 constexpr double smoothing_s = 0.15;
 }  // namespace
@@ -78,10 +78,8 @@ void VelocitySweep::begin() {
 
 Command VelocitySweep::run(const Sample& sample) {
   now_s_ = sample.time_s;
-  if (!begun_) {
-    begun_ = true;
-    enter(options_.zeroing_s > 0.0 ? Stage::zero : Stage::speed, sample);
-  }
+  zeroing_.see(sample);
+  if (isFirst()) enter(options_.zeroing_s > 0.0 ? Stage::zero : Stage::speed, sample);
   mean_rad_per_s_ += (sample.velocity_rad_per_s - mean_rad_per_s_) * std::min(1.0, tick_s() / smoothing_s);
   if (const std::string wrong = index_.step(sample); !wrong.empty()) fail(wrong);
   if (stage_ == Stage::zero) return zero(sample);
@@ -223,21 +221,15 @@ void VelocitySweep::endRun(const Sample& sample) {
   enter(options_.zeroing_s > 0.0 ? Stage::zero : Stage::speed, sample);
 }
 
-double VelocitySweep::progress() const {
-  if (next_ >= 2 * options_.speeds_rad_per_s.size()) return 1.0;
-  const double part = seen_ == Machine::hold ? std::min(1.0, (now_s_ - runStart_s_) / options_.run_s) : 0.0;
-  return (static_cast<double>(next_) + part) / (2.0 * static_cast<double>(options_.speeds_rad_per_s.size()));
-}
-
-double VelocitySweep::remaining_s() const {
-  const double one = options_.settle_s + options_.zeroing_s + options_.run_s;
-  return (1.0 - progress()) * one * 2.0 * static_cast<double>(options_.speeds_rad_per_s.size());
-}
-
-std::string VelocitySweep::activity() const {
-  if (stage_ == Stage::zero) return "zeroing the current sensor";
-  return fmt::format("{} {} at {:.1f} rad/s", seen_ == Machine::hold ? "measuring" : "settling",
-                     wayText(target() > 0.0), std::abs(target()));
+TimedProcedure::Progress VelocitySweep::progress() const {
+  const double all = 2.0 * static_cast<double>(options_.speeds_rad_per_s.size()), done = static_cast<double>(next_);
+  const bool holds = seen_ == Machine::hold;
+  const double running = holds ? std::min(1.0, (now_s_ - runStart_s_) / options_.run_s) : 0.0;
+  const double part = done >= all ? 1.0 : (done + running) / all;
+  return {part, (1.0 - part) * all * (options_.settle_s + options_.zeroing_s + options_.run_s),
+          stage_ == Stage::zero ? zeroingText
+                                : fmt::format("{} {} at {:.1f} rad/s", holds ? "measuring" : "settling",
+                                              wayText(target() > 0.0), std::abs(target()))};
 }
 
 }  // namespace breakaway

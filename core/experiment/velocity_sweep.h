@@ -41,9 +41,7 @@ class VelocitySweep : public TimedProcedure {
 
  protected:
   Command run(const Sample& sample) override;
-  double progress() const override;
-  double remaining_s() const override;
-  std::string activity() const override;
+  Progress progress() const override;
 
  private:
   enum class Stage { zero, speed };
@@ -78,7 +76,6 @@ class VelocitySweep : public TimedProcedure {
   double mean_rad_per_s_ = 0.0;  ///< smoothed speed
   LegPhase seen_ = notBegun;     ///< of the speed's leg
   IndexWatch index_;
-  bool begun_ = false;
 };
 
 }  // namespace breakaway

@@ -9,11 +9,12 @@ namespace breakaway {
 namespace {
 constexpr double rest_s = 0.4;
 constexpr size_t bothWays = 2;  // ramps
+constexpr double sure = 8.0;    // standard errors of a block
+constexpr double raised = 1.2;  // of the voltage, at which the current of a standing motor is higher
 }  // namespace
 
 Command WindingTest::run(const Sample& sample) {
-  if (!begun_) stageStart_s_ = sample.time_s;
-  begun_ = true;
+  if (isFirst()) stageStart_s_ = sample.time_s;
   now_s_ = elapsed_s(sample);
   switch (stage_) {
     case Stage::rest:
@@ -52,6 +53,9 @@ void WindingTest::takePoint(const Sample& sample) {
   if (sample.time_s - blockStart_s_ < options_.block_s) return;
   const auto n = static_cast<double>(blockCount_);
   blocks_.push_back({blockVoltage_ / n, blockCurrent_ / n});
+  blockNoise_A_ = options_.noise_A / std::sqrt(n);
+  const WindingPoint now{way() * blocks_.back().voltage_V, way() * blocks_.back().current_A};
+  if (now.current_A > peak_.current_A) peak_ = now;
   blockTimes_s_.push_back(sample.time_s);
   blockVoltage_ = blockCurrent_ = 0.0;
   blockCount_ = 0;
@@ -68,10 +72,12 @@ void WindingTest::endRamp(const Sample& sample) {
     standing_V = std::max(standing_V, way() * blocks_[k].voltage_V);
   }
   breakaway_A_[way() > 0.0 ? 1 : 0].push_back(highest);
+  if (const std::string wrong = wrongCurrent(sample); !wrong.empty()) fail(wrong);
   if (way() * (sample.angle_rad - standing_rad_) < 0.0) ++against_;
   if (!blocks_.empty()) along_A_ += way() * blocks_.back().current_A;
   standing_V_ = ramp_ == 0 ? standing_V : std::min(standing_V_, standing_V);
   blocks_.clear();
+  peak_ = {};
   blockTimes_s_.clear();
   blockVoltage_ = blockCurrent_ = 0.0;
   blockCount_ = 0;
@@ -93,8 +99,34 @@ std::string WindingTest::wrongSigns() const {
   return {};
 }
 
+/// A current that stands out against the voltage is no load's doing.
+std::string WindingTest::wrongCurrent(const Sample& sample) const {
+  if (blocks_.empty() || !(blockNoise_A_ > 0.0) || way() * blocks_.back().current_A > -sure * blockNoise_A_) return {};
+  const bool along = way() * (sample.angle_rad - standing_rad_) > 0.0;
+  return bodyText(options_.axis) +
+         (along ? " moves with the voltage, but the current falls as the voltage rises: the current sensor is "
+                  "reversed; swap its leads, or the sign in the board"
+                : " and the current both go against the voltage: the bridge is reversed; swap its two inputs, or the "
+                  "sign in the board");
+}
+
+/// A standing motor's current rises with the voltage; one that turns takes what friction takes.
+bool WindingTest::runsUnseen() const {
+  constexpr size_t enough = 3;  // blocks
+  if (blocks_.size() < enough || !(blockNoise_A_ > 0.0) || peak_.current_A < 2.0 * sure * blockNoise_A_) return false;
+  return std::all_of(blocks_.end() - enough, blocks_.end(), [this](const WindingPoint& one) {
+    return way() * one.voltage_V > raised * peak_.voltage_V && way() * one.current_A < peak_.current_A;
+  });
+}
+
 Command WindingTest::ramp(const Sample& sample) {
   takePoint(sample);
+  if (sample.angle_rad == standing_rad_ && runsUnseen()) {
+    fail(
+        "the encoder stands while the current says that the motor turns; check the encoder's cable and supply, and "
+        "the coupling");
+    return {};
+  }
   if (sample.angle_rad == standing_rad_) still_s_ = sample.time_s;
   if (std::abs(sample.angle_rad - standing_rad_) > options_.motion_rad) {
     endRamp(sample);
@@ -125,22 +157,16 @@ Command WindingTest::square(const Sample& sample) {
   return voltage(phase < half ? level : -level);
 }
 
-double WindingTest::progress() const {
-  const double ramps = static_cast<double>(ramp_) / static_cast<double>(options_.ramps);
-  const double square =
-      stage_ == Stage::square ? static_cast<double>(squareTicks_) * squareTick_s_ / options_.square_s : 0.0;
-  return std::min(1.0, 0.8 * ramps + 0.2 * square);
-}
-
-double WindingTest::remaining_s() const {
-  if (now_s_ < 1.0) return 6.0 * static_cast<double>(options_.ramps) + options_.square_s;
-  const double done = std::max(progress(), 0.05);
-  return now_s_ * (1.0 - done) / done;
-}
-
-std::string WindingTest::activity() const {
-  if (stage_ == Stage::square) return "measuring the winding's time constant";
-  return "raising the voltage " + wayText(way() > 0.0, options_.axis) + " until " + bodyText(options_.axis) + " moves";
+TimedProcedure::Progress WindingTest::progress() const {
+  const auto ramps = static_cast<double>(options_.ramps);
+  const bool squares = stage_ == Stage::square;
+  const double square = squares ? static_cast<double>(squareTicks_) * squareTick_s_ / options_.square_s : 0.0;
+  const double part = std::min(1.0, 0.8 * static_cast<double>(ramp_) / ramps + 0.2 * square);
+  const double done = std::max(part, 0.05);
+  return {part, now_s_ < 1.0 ? 6.0 * ramps + options_.square_s : now_s_ * (1.0 - done) / done,
+          squares ? "measuring the winding's time constant"
+                  : "raising the voltage " + wayText(way() > 0.0, options_.axis) + " until " + bodyText(options_.axis) +
+                        " moves"};
 }
 
 }  // namespace breakaway

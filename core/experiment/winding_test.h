@@ -24,13 +24,14 @@ struct WindingTestOptions {
   double squareHalfPeriod_s = 0.008;
   double current_limit_A = 0.0;  ///< 0: the controller's own
   double mostDrift_A = 0.1;      ///< of the current sensor's zero, from one rest to the next
+  double noise_A = 0.0;          ///< rms, of the current sensor; 0: unknown
   Axis axis = Axis::rotary;
 };
 
 /// Raises the voltage slowly until the rotor moves, both ways, for the steady line; then a square wave below that level
 /// for the time constant. Fails in words when the rotor doesn't move up to the supply or the current limit's plateau,
-/// when the current sensor drifts, when there is play between motor and encoder, and when motion or current go against
-/// the voltage: which wires to swap.
+/// when the current sensor drifts, when there is play between motor and encoder, when the current says that the motor
+/// turns while the encoder stands, and when motion or current go against the voltage: which wires to swap.
 class WindingTest : public TimedProcedure {
  public:
   explicit WindingTest(const WindingTestOptions& options = {}) : options_(options), swing_(options.axis) {}
@@ -43,9 +44,7 @@ class WindingTest : public TimedProcedure {
 
  protected:
   Command run(const Sample& sample) override;
-  double progress() const override;
-  double remaining_s() const override;
-  std::string activity() const override;
+  Progress progress() const override;
 
  private:
   enum class Stage { rest, ramp, square };
@@ -55,6 +54,8 @@ class WindingTest : public TimedProcedure {
   void takePoint(const Sample& sample);
   void endRamp(const Sample& sample);
   std::string wrongSigns() const;
+  std::string wrongCurrent(const Sample& sample) const;
+  bool runsUnseen() const;
   double way() const { return ramp_ % 2 == 0 ? 1.0 : -1.0; }
   Command voltage(double voltage_V) const {
     return {Command::Mode::voltage, voltage_V, options_.current_limit_A, false};
@@ -62,10 +63,11 @@ class WindingTest : public TimedProcedure {
 
   WindingTestOptions options_;
   Stage stage_ = Stage::rest;
-  bool begun_ = false;
   size_t ramp_ = 0;
   std::vector<WindingPoint> points_, blocks_;
   std::vector<double> blockTimes_s_;
+  double blockNoise_A_ = 0.0;  ///< of a block's mean
+  WindingPoint peak_;          ///< of the ramp's current, both in its way
   std::array<std::vector<double>, 2> breakaway_A_;
   double stageStart_s_ = 0.0, standing_rad_ = 0.0, target_V_ = 0.0, now_s_ = 0.0;
   double blockVoltage_ = 0.0, blockCurrent_ = 0.0, blockStart_s_ = 0.0;

@@ -4,11 +4,15 @@
 #include <string>
 #include <vector>
 
+#include "base/code_counts.h"
 #include "experiment/drive.h"
 #include "experiment/open_current.h"
 #include "friction/measurements.h"
 
 namespace breakaway {
+
+/// What a procedure says that it does meanwhile.
+inline const std::string zeroingText = "zeroing the current sensor";
 
 /// Opens the windings, waits until their current has died, and has the board take a new zero; what the samples show
 /// meanwhile is how far the zero has moved since the one before.
@@ -16,11 +20,17 @@ class Zeroing {
  public:
   explicit Zeroing(double duration_s) : duration_s_(duration_s) {}
 
+  /// Every sample of the sweep: powered ones, whose zero stays, show the converter's step.
+  void see(const Sample& sample) {
+    if (!sample.enabled) return steps_.interrupt();
+    steps_.add(sample.current_A);
+  }
+
   /// One tick of a zeroing that began at `start_s`. `done` tells whether this was the last one.
   Command step(const Sample& sample, double start_s, bool& done) {
     constexpr double dying_s = 0.05;
     done = sample.time_s - start_s > dying_s + duration_s_;
-    if (asked_) sum_A_ += sample.current_A, ++count_;
+    if (asked_) shown_.add(sample.current_A);
     if (done) take(sample);
     asked_ = !done && sample.time_s - start_s > dying_s;
     Command command;
@@ -41,14 +51,17 @@ class Zeroing {
 
  private:
   void take(const Sample& sample) {
-    if (count_ > 0)
-      readings_.push_back({sample.time_s - 0.5 * duration_s_, zero_A() + sum_A_ / static_cast<double>(count_), count_});
-    sum_A_ = 0.0;
-    count_ = 0;
+    if (const size_t count = shown_.samples(); count > 0) {
+      const Estimate beyond = shown_.beyondMean(steps_.step());
+      readings_.push_back({sample.time_s - 0.5 * duration_s_, zero_A() + shown_.shownMean(), count, beyond.value,
+                           beyond.standardError});
+    }
+    shown_ = {};
   }
 
-  double duration_s_, sum_A_ = 0.0;
-  size_t count_ = 0;
+  double duration_s_;
+  CodeCounts shown_;
+  SmallestStep steps_;
   bool asked_ = false;
   std::vector<ZeroReading> readings_;
 };

@@ -3,9 +3,11 @@
 #include <utility>
 
 #include "base/numbers.h"
+#include "figures/chain_figures.h"
 #include "figures/commissioned_bench.h"
 #include "figures/compensation_figures.h"
 #include "figures/friction_figures.h"
+#include "figures/homing_figures.h"
 #include "figures/motion_figures.h"
 #include "figures/observer_figures.h"
 #include "figures/stability_figures.h"
@@ -34,15 +36,23 @@ ObserverFigureOptions observersOf(const CommissionedBench& bench, unsigned seed)
 }
 
 /// All that one commissioned board shows, in the reader's order.
-Result<Figures> ofBench(CommissionedBench& bench, const AllFiguresOptions& options) {
+Result<Figures> ofBench(CommissionedBench& bench, const OpenPushed& pushed, const AllFiguresOptions& options) {
   const std::vector<std::function<Result<Figures>()>> chapters{
+      [&] { return alone(bridgeFigure(bench.measured)); },
+      [&] { return alone(currentSensorFigure(bench.measured)); },
+      [&] { return alone(currentStepFigure(bench)); },
+      [&] { return alone(indexPassesFigure(bench)); },
       [&] { return alone(constantVelocityFigure(bench.measured)); },
-      [&] { return alone(rootLocusOfBench(bench)); },
+      [&] { return constantVelocityOverTimeFigures(bench); },
+      [&] { return rootLociOfBench(bench); },
       [&] { return alone(onePulseFigure(bench, options.pulses)); },
       [&] { return twoWayPulseFigures(bench, options.pulses); },
+      [&] { return externalTorqueFigures(bench, pushed); },
+      [&] { return alone(methodsFigure(bench)); },
       [&] { return alone(positionStepFigure(bench)); },
       [&] { return alone(velocityRampFigure(bench)); },
       [&] { return Result<Figures>(staticFrictionFigures(bench.measured)); },
+      [&] { return Result<Figures>(Figures{breakawayMapFigure(bench.measured)}); },
       [&] { return Result<Figures>(viscousFigures(bench.measured)); },
       [&] { return alone(totalViscousFigure(bench.measured)); },
       [&] { return alone(overallFrictionFigure(bench.measured)); },
@@ -77,10 +87,10 @@ CommissionOptions commissioning(const AllFiguresOptions& options, double from, d
 }  // namespace
 
 Result<std::vector<BenchFigure>> measureFigures(std::unique_ptr<Drive> bench, std::unique_ptr<Drive> uneven,
-                                                const AllFiguresOptions& options) {
+                                                const OpenPushed& pushed, const AllFiguresOptions& options) {
   auto even = commissionBench(std::move(bench), commissioning(options, 0.0, 0.5));
   if (!even) return even.error();
-  auto figures = ofBench(*even, options);
+  auto figures = ofBench(*even, pushed, options);
   if (!figures) return figures.error();
   auto other = commissionBench(std::move(uneven), commissioning(options, 0.7, 0.28));
   if (!other) return other.error();

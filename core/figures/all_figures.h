@@ -9,6 +9,7 @@
 #include "base/result.h"
 #include "experiment/drive.h"
 #include "figures/bench_figure.h"
+#include "figures/external_torque_figures.h"
 #include "figures/pulse_figures.h"
 
 namespace breakaway {
@@ -23,8 +24,9 @@ struct AllFiguresOptions {
 };
 
 /// Commissions both boards and measures every figure on them: `uneven`, whose friction varies strongly around the
-/// rotor, those of slow motion, `bench` all others. Errors: the first that a step met.
+/// rotor, those of slow motion, `bench` all others. `pushed` opens the board of `bench` anew, with a torque from
+/// outside to come. Errors: the first that a step met.
 Result<std::vector<BenchFigure>> measureFigures(std::unique_ptr<Drive> bench, std::unique_ptr<Drive> uneven,
-                                                const AllFiguresOptions& options = {});
+                                                const OpenPushed& pushed, const AllFiguresOptions& options = {});
 
 }  // namespace breakaway

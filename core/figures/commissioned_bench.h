@@ -1,6 +1,7 @@
 // A bench on which figures are measured: a drive that has been commissioned.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -20,6 +21,8 @@ struct CommissionedBench {
 
   double inertia_kg_m2() const { return measured.motor.inertia_kg_m2.value; }
   double torqueConstant_Nm_per_A() const { return measured.motor.torqueConstant_Nm_per_A.value; }
+  /// Of the velocity sweep.
+  double highestSpeed_rad_per_s() const;
 };
 
 /// Commissions the drive. Errors: those of commission().
@@ -38,8 +41,16 @@ struct Compensated {
   const char* label;
 };
 
+constexpr std::array<Compensated, 4> fromNoneToMap{{{CompensatedFriction::none, "none", "none"},
+                                                    {CompensatedFriction::coulomb, "f", "F"},
+                                                    {CompensatedFriction::coulombAndViscous, "f_and_b", "F + Bω"},
+                                                    {CompensatedFriction::map, "map", "map"}}};
+
 /// Runs a course with this part of the measured friction compensated; afterwards nothing is. Errors: the drive's, the
 /// course's.
 Result<RanCourse> runCourse(CommissionedBench& bench, const CourseOptions& course, CompensatedFriction part);
+
+/// The angle at which the rotor, brought to a stand, is now, as the encoder counts it. Errors: the drive's.
+Result<double> angleNow(CommissionedBench& bench);
 
 }  // namespace breakaway

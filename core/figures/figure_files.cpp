@@ -52,6 +52,7 @@ std::string indexHtml(const std::vector<BenchFigure>& figures) {
     const Size size = sizeOf(one.figure);
     report.figure(one.figure, one.says, size.width_px, size.height_px);
     std::vector<std::pair<std::string, std::string>> facts;
+    facts.reserve(one.keyNumbers.size());
     for (const auto& [name, value] : one.keyNumbers) facts.emplace_back(name, numberText(value));
     report.facts(facts);
     report.paragraph("Files: " + one.name + ".svg, " + one.name + ".png, " + one.name + ".csv");

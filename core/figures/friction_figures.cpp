@@ -142,6 +142,40 @@ std::vector<BenchFigure> staticFrictionFigures(const Commission& measured) {
   return figures;
 }
 
+BenchFigure breakawayMapFigure(const Commission& measured) {
+  const FrictionMap& map = measured.map;
+  BenchFigure figure{"breakaway-map",
+                     "The motor torque that starts motion from standstill at each angle, the mean over the turns, and "
+                     "the 95 % interval of each bin as a band. The centre isn't zero: else the bands couldn't be seen.",
+                     {"Breakaway torque around the rotor", "", "torque / mNm"},
+                     {angles(map)}};
+  figure.figure.polar = true;
+  double least_mNm = 1e300, most_mNm = 0.0;
+  for (size_t w = 0; w < 2; ++w) {
+    const std::string way = ways[w];
+    const auto of = [&](const std::string& ending, double (*get)(const Estimate&)) {
+      figure.columns.push_back(
+          aroundTurn(map, way + ending + "_Nm", [w, get](const MapBin& bin) { return get(bin.way[w].static_Nm); }));
+    };
+    of("", [](const Estimate& one) { return one.value; });
+    of("_low95", [](const Estimate& one) { return one.low95(); });
+    of("_high95", [](const Estimate& one) { return one.high95(); });
+    Curve curve = drawn(figure, wayLabels[w], "angle_rad", way + "_Nm", 1e3);
+    curve.low = drawn(figure, "", "angle_rad", way + "_low95_Nm", 1e3).y;
+    curve.high = drawn(figure, "", "angle_rad", way + "_high95_Nm", 1e3).y;
+    least_mNm = std::min(least_mNm, *std::min_element(curve.low.begin(), curve.low.end()));
+    most_mNm = std::max(most_mNm, *std::max_element(curve.high.begin(), curve.high.end()));
+    const auto& values = columnOf(figure, way + "_Nm");
+    figure.keyNumbers.emplace_back("mean_" + way + "_Nm", mean(values));
+    figure.keyNumbers.emplace_back("half_width_" + way + "_Nm",
+                                   mean(columnOf(figure, way + "_high95_Nm")) - mean(values));
+    figure.keyNumbers.emplace_back("variation_" + way, relativeScatter(values));
+    figure.figure.curves.push_back(std::move(curve));
+  }
+  figure.figure.yRange = std::pair(std::max(0.0, 0.8 * least_mNm), 1.03 * most_mNm);  // or the bands couldn't be seen
+  return figure;
+}
+
 std::vector<BenchFigure> viscousFigures(const Commission& measured) {
   const FrictionMap& map = measured.map;
   std::vector<BenchFigure> figures;

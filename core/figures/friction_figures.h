@@ -16,6 +16,10 @@ BenchFigure constantVelocityFigure(const Commission& measured);
 /// consecutive turns repeat.
 std::vector<BenchFigure> staticFrictionFigures(const Commission& measured);
 
+/// Breakaway torque around the rotor, both ways, with the 95 % interval of each bin as a band, polar. Key numbers: the
+/// means, the mean half width of the intervals, and how much the torque varies around the rotor.
+BenchFigure breakawayMapFigure(const Commission& measured);
+
 /// The viscous coefficient around the rotor: raw, the slope over the speeds of each bin's own mean torque
 /// Kt·i − J·½·dω²/dθ, and filtered to the harmonics that stand out of the noise. One figure per way.
 std::vector<BenchFigure> viscousFigures(const Commission& measured);

@@ -89,6 +89,7 @@ std::vector<double> disturbances(const std::vector<ObservedTick>& ticks, const O
   observer.configure({cutoff, rotor.inertia_kg_m2, rotor.torqueConstant_Nm_per_A}, rotor.tick_s);
   observer.reset(velocity.front());
   std::vector<double> load_Nm;
+  load_Nm.reserve(ticks.size());
   for (size_t k = 0; k < ticks.size(); ++k) load_Nm.push_back(observer.step(ticks[k].current_A, velocity[k]));
   return load_Nm;
 }

@@ -12,10 +12,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr std::array<Compensated, 4> parts{{{CompensatedFriction::none, "none", "none"},
-                                            {CompensatedFriction::coulomb, "f", "F"},
-                                            {CompensatedFriction::coulombAndViscous, "f_and_b", "F + Bω"},
-                                            {CompensatedFriction::map, "map", "map"}}};
+constexpr auto& parts = fromNoneToMap;
 
 struct Pulses {
   double current_A = 0.0, width_s = 0.0;
@@ -30,12 +27,6 @@ struct Pulses {
     return pulse == 0 || pulse == 3 ? current_A : -current_A;
   }
 };
-
-double highestSpeed(const Commission& measured) {
-  double highest = 0.0;
-  for (const VelocityRun& run : measured.runs) highest = std::max(highest, std::abs(run.target_rad_per_s));
-  return highest;
-}
 
 Pulses pulsesFor(const CommissionedBench& bench, const PulseFigureOptions& options, size_t pairs) {
   const double friction_A = bench.measured.map.coulombAverage_Nm.value / bench.torqueConstant_Nm_per_A();
@@ -90,19 +81,6 @@ struct Beginning {
   }
 };
 
-/// Where the rotor is now.
-Result<double> angleOf(CommissionedBench& bench) {
-  CourseOptions course;
-  course.activity = "looking where it stands";
-  course.before = {Command::Mode::velocity, 0.0, 0.0, false};
-  course.before_s = 0.5;
-  course.duration_s = 0.1;
-  course.command = [](double, const Sample&) { return Command{Command::Mode::velocity, 0.0, 0.0, false}; };
-  const auto ran = runCourse(bench, course, CompensatedFriction::none);
-  if (!ran) return ran.error();
-  return ran->samples.back().angle_rad;
-}
-
 Result<PulseRun> pulseRun(CommissionedBench& bench, const Pulses& pulses, const Beginning& beginning) {
   PulseRun run;
   BenchFigure& figure = run.figure;
@@ -110,7 +88,7 @@ Result<PulseRun> pulseRun(CommissionedBench& bench, const Pulses& pulses, const 
   for (size_t k = 0; k < parts.size(); ++k) {
     std::vector<double> time_s, pulse_A, velocity, ideal, error;
     for (size_t start = 0; start < beginning.series(); ++start) {
-      const auto here_rad = beginning.starts > 0 ? angleOf(bench) : Result<double>(0.0);
+      const auto here_rad = beginning.starts > 0 ? angleNow(bench) : Result<double>(0.0);
       if (!here_rad) return here_rad.error();
       const Command before = beginning.command(start, *here_rad, bench.measured.indexAngle_rad.value);
       const auto ran = runCourse(bench, courseOf(pulses, before), parts[k].part);
@@ -135,6 +113,7 @@ Result<PulseRun> pulseRun(CommissionedBench& bench, const Pulses& pulses, const 
     figure.columns.push_back({std::string(parts[k].column) + "_rad_per_s", velocity});
     figure.keyNumbers.emplace_back(std::string("velocity_error_") + parts[k].column + "_rad_per_s",
                                    run.error_rad_per_s[k]);
+    figure.keyNumbers.emplace_back(std::string("mean_error_") + parts[k].column + "_rad_per_s", mean(error));
   }
   figure.figure.xLabel = "time / ms";
   figure.figure.yLabel = "speed / rad/s";
@@ -161,7 +140,7 @@ std::string pulseWords(const Pulses& pulses) {
 
 Result<BenchFigure> onePulseFigure(CommissionedBench& bench, const PulseFigureOptions& options) {
   const Pulses pulses = pulsesFor(bench, options, 0);
-  auto run = pulseRun(bench, pulses, {options.onePulseSpeed * highestSpeed(bench.measured)});
+  auto run = pulseRun(bench, pulses, {options.onePulseSpeed * bench.highestSpeed_rad_per_s()});
   if (!run) return run.error();
   run->figure.name = "one-pulse";
   run->figure.figure.title = "Response to one torque pulse";
@@ -176,7 +155,7 @@ Result<std::vector<BenchFigure>> twoWayPulseFigures(CommissionedBench& bench, co
   for (const Compensated& one : parts) summary.columns.push_back({std::string(one.column) + "_rad_per_s", {}});
   double leastGain = 0.0;
   for (const double part : options.speeds) {
-    const double speed = part * highestSpeed(bench.measured);
+    const double speed = part * bench.highestSpeed_rad_per_s();
     auto run = pulseRun(bench, pulses, {speed, speed == 0.0 ? options.starts : 0});
     if (!run) return run.error();
     run->figure.name = "two-way-pulses-" + std::to_string(figures.size() + 1);

@@ -58,7 +58,7 @@ struct FrictionMap {
   Estimate viscousAverage_Nm_s_per_rad;
   Estimate stribeckVelocity_rad_per_s;  ///< over which friction falls from static to Coulomb; 0: not known
   std::vector<std::pair<std::string, double>> settings;  ///< name with unit and value: how it was measured
-  std::vector<std::string> remarks;                      ///< contradictions that it was measured in spite of
+  std::vector<std::string> remarks;                      ///< contradictions that it was measured in spite of, loads
 };
 
 }  // namespace breakaway

@@ -1,5 +1,6 @@
 #include "friction/map_export.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -8,6 +9,7 @@
 #include "base/atomic_file.h"
 #include "base/exact_text.h"
 #include "base/made.h"
+#include "base/numbers.h"
 #include "friction/map_json.h"
 #include "friction/map_mat.h"
 #include "friction/map_table.h"
@@ -59,6 +61,40 @@ bool isFloat(double value) {
   return std::abs(value) <= std::numeric_limits<float>::max();
 }
 
+/// Whether a program that uses the map wants a column: not doubts, counts and places.
+bool worthTabling(const std::string& column, Axis axis) {
+  return column.find("_std_") == std::string::npos && column.rfind("samples", 0) != 0 &&
+         column.rfind("outlier", 0) != 0 && column != nameOn(axis, "angle_rad");
+}
+
+/// Functions on the tables: between the bins' centres by straight lines, without a library.
+std::string tableFunctions(const FrictionMap& map) {
+  const bool rotary = map.axis == Axis::rotary;
+  const double first = map.bins.empty() ? 0.0 : map.bins.front().angle_rad;
+  const auto count = static_cast<double>(std::max<size_t>(map.bins.size(), 1));
+  const double width = rotary ? turn_rad / count : map.bins.size() > 1 ? map.bins[1].angle_rad - first : 1.0;
+  const auto on = [&map](const char* name) { return "breakaway_map_" + nameOn(map.axis, name); };
+  const std::string place = nameOn(map.axis, "angle_rad"), speed = nameOn(map.axis, "velocity_rad_per_s");
+  const std::string ends = rotary ? "  k %= BREAKAWAY_MAP_BINS;\n  if (k < 0) k += BREAKAWAY_MAP_BINS;\n"
+                                    "  next = k + 1 < BREAKAWAY_MAP_BINS ? k + 1 : 0;\n"
+                                  : "  if (k < 0) { k = 0; part = 0.0f; }\n"
+                                    "  if (k > BREAKAWAY_MAP_BINS - 1) { k = BREAKAWAY_MAP_BINS - 1; part = 0.0f; }\n"
+                                    "  next = k + 1 < BREAKAWAY_MAP_BINS ? k + 1 : k;\n";
+  return "/* A table's value at a place, by a straight line between neighbours" +
+         std::string(rotary ? "; any number of turns away. */\n" : ", beyond the ends as there. */\n") +
+         "static inline float breakaway_map_at(const float *table, float " + place + ") {\n  float part = (" + place +
+         " - " + floatLiteral(static_cast<float>(first)) + ") / " + floatLiteral(static_cast<float>(width)) +
+         ";\n  long k = (long)part, next;\n  if (part < (float)k) k -= 1;\n  part -= (float)k;\n" + ends +
+         "  return table[k] + part * (table[next] - table[k]);\n}\n\n"
+         "/* What keeps it moving at a place and velocity, friction and position " +
+         std::string(rotary ? "torque in Nm" : "force in N") + "; 0 at standstill. */\nstatic inline float " +
+         on("moving_Nm") + "(float " + place + ", float " + speed + ") {\n  if (" + speed +
+         " > 0.0f)\n    return breakaway_map_at(" + on("coulomb_ccw_Nm") + ", " + place + ") + " + speed +
+         " * breakaway_map_at(" + on("viscous_ccw_Nm_s_per_rad") + ", " + place + ");\n  if (" + speed +
+         " < 0.0f)\n    return " + speed + " * breakaway_map_at(" + on("viscous_cw_Nm_s_per_rad") + ", " + place +
+         ") - breakaway_map_at(" + on("coulomb_cw_Nm") + ", " + place + ");\n  return 0.0f;\n}\n\n";
+}
+
 /// Errors: a value that no float holds, with its bin and column.
 Result<std::string> headerText(const FrictionMap& map) {
   std::string out = "/* Friction map of " + commentText(map.rig) + ": " + whatEntriesHold(map) + " */\n" +
@@ -67,9 +103,7 @@ Result<std::string> headerText(const FrictionMap& map) {
                     "#define BREAKAWAY_MAP_TOTAL_VELOCITY_" + std::string(map.axis == Axis::rotary ? "RAD" : "M") +
                     "_PER_S " + exactText(map.totalVelocity_rad_per_s) + "\n\n";
   for (const MapColumn& column : mapTable(map)) {
-    const bool wanted = column.name.find("_std_") == std::string::npos && column.name.rfind("samples", 0) != 0 &&
-                        column.name.rfind("outlier", 0) != 0 && column.name != nameOn(map.axis, "angle_rad");
-    if (!wanted) continue;
+    if (!worthTabling(column.name, map.axis)) continue;
     out += "static const float breakaway_map_" + column.name + "[BREAKAWAY_MAP_BINS] = {";
     for (size_t k = 0; k < column.values.size(); ++k) {
       if (!isFloat(column.values[k]))
@@ -80,10 +114,33 @@ Result<std::string> headerText(const FrictionMap& map) {
     }
     out += "\n};\n\n";
   }
-  return out + "#endif\n";
+  return out + tableFunctions(map) + "#endif\n";
+}
+
+/// A package of constants, each a table of two columns as Modelica.Blocks.Tables.CombiTable1Ds takes it.
+std::string modelicaText(const FrictionMap& map) {
+  const std::string place = nameOn(map.axis, "angle_rad");
+  std::string out =
+      "// Friction map of " + commentText(map.rig) + ", by " + thisRun().by + ". Each table's first column is " +
+      place + ",\n// the second what its name says; for Modelica.Blocks.Tables.CombiTable1Ds" +
+      (map.axis == Axis::rotary ? ", with Extrapolation.Periodic.\n" : ".\n") + "package BreakawayFrictionMap\n";
+  const auto columns = mapTable(map);
+  for (const MapColumn& column : columns) {
+    if (!worthTabling(column.name, map.axis)) continue;
+    out += "  constant Real " + column.name + "[" + std::to_string(column.values.size()) + ", 2] = [";
+    for (size_t k = 0; k < column.values.size(); ++k)
+      out += (k == 0 ? "" : "; ") + exactText(map.bins[k].angle_rad) + ", " + exactText(column.values[k]);
+    out += "];\n";
+  }
+  return out + "end BreakawayFrictionMap;\n";
 }
 
 }  // namespace
+
+const std::vector<std::string>& mapForms() {
+  static const std::vector<std::string> forms{"csv", "json", "c-header", "mat", "modelica"};
+  return forms;
+}
 
 Result<void> exportMap(const FrictionMap& map, const std::string& format, const std::string& path) {
   if (format == "csv") return writeFile(path, csvText(map));
@@ -93,7 +150,8 @@ Result<void> exportMap(const FrictionMap& map, const std::string& format, const 
     return header ? writeFile(path, *header) : header.error();
   }
   if (format == "mat") return writeMapMat(map, path);
-  return Error{"format " + format, "is unknown, expected csv, json, c-header or mat"};
+  if (format == "modelica") return writeFile(path, modelicaText(map));
+  return Error{"format " + format, "is unknown, expected csv, json, c-header, mat or modelica"};
 }
 
 Result<FrictionMap> readMap(const std::string& path) {

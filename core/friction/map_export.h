@@ -2,14 +2,18 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "base/result.h"
 #include "friction/friction_map.h"
 
 namespace breakaway {
 
-/// Writes the map as `format`: csv, json, c-header or mat. Errors: an unknown format (the known ones are named), the
-/// file.
+/// What exportMap() knows.
+const std::vector<std::string>& mapForms();
+
+/// Writes the map as `format`: csv, json, c-header, mat or modelica. Errors: an unknown format (the known ones are
+/// named), the file.
 Result<void> exportMap(const FrictionMap& map, const std::string& format, const std::string& path);
 
 /// Reads `breakaway.map/1`. Errors name the file and the field, or the bin.

@@ -8,11 +8,14 @@
 
 namespace breakaway {
 
-/// One zeroing of the current sensor: the zero counted from the one before a sweep's first, in A.
+/// One zeroing of the current sensor: the zero as the board takes it, counted from the one before a sweep's first, in
+/// A.
 struct ZeroReading {
   double time_s = 0.0;
   double zero_A = 0.0;
   size_t samples = 0;
+  double beyondMean_A = 0.0;  ///< by which the zero lies off the mean of what a coarse converter shows of it
+  double hidden_A = 0.0;      ///< standard error of that; the noise's is apart
 };
 
 /// One breakaway: a current ramp from standstill until sustained motion, dated back to the last standing sample.

@@ -31,6 +31,7 @@ struct Row {
 
 std::vector<Row> rowsOf(const BridgeTests& tests) {
   std::vector<Row> rows;
+  rows.reserve(tests.standing.size());
   for (const WindingPoint& point : tests.standing)
     rows.push_back({point.current_A, point.voltage_V, 0.0, tests.standingBlock_s, 0});
   for (size_t t = 0; t < tests.moving.size(); ++t) {

@@ -17,7 +17,11 @@ bool shows(const RunSpectrum& run) {
 
 }  // namespace
 
-void takeOffEncoderSwing(std::array<WayRuns, 2>& ways) {
+bool EncoderSwing::clear() const {
+  return std::norm(wave) > surelyThere * variance;
+}
+
+std::optional<EncoderSwing> swingOf(const std::array<WayRuns, 2>& ways) {
   using Normal = Eigen::Matrix<double, 5, 5>;  // C and B of each way, E
   Normal normal = Normal::Zero();
   Eigen::Matrix<Complex, 5, 1> right = Eigen::Matrix<Complex, 5, 1>::Zero();
@@ -36,20 +40,23 @@ void takeOffEncoderSwing(std::array<WayRuns, 2>& ways) {
       right += (weight * run.torque_Nm[1]) * row.cast<Complex>();
       ++speeds;
     }
-    if (speeds < 3) return;
+    if (speeds < 3) return {};
   }
   const Eigen::Matrix<double, 5, 1> scale = normal.diagonal().cwiseSqrt().cwiseInverse();
   const Normal inverse =
       scale.asDiagonal() * Normal(scale.asDiagonal() * normal * scale.asDiagonal()).inverse() * scale.asDiagonal();
-  const Complex swing = inverse.row(4).cast<Complex>() * right;
-  const double variance = inverse(4, 4);
-  if (!(std::norm(swing) > surelyThere * variance)) return;
+  return EncoderSwing{inverse.row(4).cast<Complex>() * right, inverse(4, 4)};
+}
+
+void takeOffEncoderSwing(std::array<WayRuns, 2>& ways, bool certain) {
+  const auto swing = swingOf(ways);
+  if (!swing || !(certain || swing->clear())) return;
   for (size_t w = 0; w < 2; ++w) {
     for (RunSpectrum& run : ways[w].spectra) {
       if (!shows(run)) continue;
       const double squared = run.speed_rad_per_s * run.speed_rad_per_s;
-      run.torque_Nm[1] -= signOf(Way(w)) * squared * swing;
-      run.variance_Nm2[1] += squared * squared * variance;
+      run.torque_Nm[1] -= signOf(Way(w)) * squared * swing->wave;
+      run.variance_Nm2[1] += squared * squared * swing->variance;
     }
   }
 }

@@ -16,7 +16,7 @@ constexpr double leftOutErrors = 3.0;   // standard errors off the line through 
 /// C + B·|ω| for one order. Where friction still falls, S·g is taken off and the row is (1 − g, ω); the fall's doubt
 /// then counts as noise, measured by the Coulomb value `guess`.
 FrictionLine fitLine(const WayRuns& runs, size_t order, bool withSlope, Complex guess) {
-  Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
+  Eigen::Matrix2d normal = Eigen::Matrix2d::Zero(), squared = normal;
   Eigen::Matrix<Complex, 2, 1> right = Eigen::Matrix<Complex, 2, 1>::Zero();
   const Complex still = order < runs.static_Nm.size() ? runs.static_Nm[order] : Complex(0.0);
   const auto eachRun = [&](auto use) {
@@ -28,11 +28,13 @@ FrictionLine fitLine(const WayRuns& runs, size_t order, bool withSlope, Complex 
       use(Eigen::Vector2d(1.0 - g, one.speed_rad_per_s), one.torque_Nm[order] - g * still, 1.0 / variance);
     }
   };
+  FrictionLine line;
   eachRun([&](const Eigen::Vector2d& row, Complex torque, double weight) {
     normal += weight * row * row.transpose();
+    squared += weight * weight * row * row.transpose();
+    line.squaresPerExtra += 2.0 * weight;
     right += (weight * torque) * row.cast<Complex>();
   });
-  FrictionLine line;
   if (normal(0, 0) == 0.0) return line;
   const bool slope = withSlope && normal.determinant() > 1e-12 * normal(0, 0) * normal(1, 1);
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
@@ -44,6 +46,7 @@ FrictionLine fitLine(const WayRuns& runs, size_t order, bool withSlope, Complex 
   line.coulombVariance = covariance(0, 0);
   line.viscousVariance = slope ? covariance(1, 1) : std::numeric_limits<double>::infinity();
   line.covariance = covariance(0, 1);
+  line.squaresPerExtra -= 2.0 * (covariance * squared).trace();
   eachRun([&](const Eigen::Vector2d& row, Complex torque, double weight) {
     line.squares += weight * std::norm(torque - line.coulomb * row[0] - line.viscous * row[1]);
   });
@@ -107,6 +110,51 @@ void widen(WayRuns& runs) {
     (squaresWith(middle) > spare ? low : high) = middle;
   }
   squaresWith(high);
+}
+
+namespace {
+
+constexpr size_t reach = 2;       // orders on either side that residuals are pooled over
+constexpr double byChance = 2.0;  // deviations of χ² that residuals may exceed their mean by
+constexpr size_t leastRuns = 4;   // that an order must show in
+
+size_t runsShowing(const WayRuns& runs, size_t order) {
+  size_t count = 0;
+  for (const RunSpectrum& one : runs.spectra)
+    count += order < one.variance_Nm2.size() && !std::isinf(one.variance_Nm2[order]) ? 1 : 0;
+  return count;
+}
+
+/// The variance that explains what the residuals of these orders are beyond their own, by their mean: where slow runs
+/// are exact and fast ones aren't, what is odd about a fast one says little of the slow ones (DerSimonian and Laird,
+/// "Meta-analysis in clinical trials", 1986, equation 8, for a line). 0 where chance may be all.
+double excess_Nm2(const WayRuns& runs, size_t first, size_t last, size_t highestSlope) {
+  double squares = 0.0, spare = 0.0, perExtra = 0.0;
+  for (size_t k = first; k <= last; ++k) {
+    const size_t shown = runsShowing(runs, k);
+    if (shown < leastRuns) continue;
+    const FrictionLine line = fitOrder(runs, k, k <= highestSlope);
+    spare += 2.0 * static_cast<double>(shown - (std::isinf(line.viscousVariance) ? 1 : 2));
+    squares += line.squares;
+    perExtra += line.squaresPerExtra;
+  }
+  if (!(perExtra > 0.0) || squares <= spare + byChance * std::sqrt(2.0 * spare)) return 0.0;
+  return (squares - spare) / perExtra;
+}
+
+}  // namespace
+
+void widenHarmonics(WayRuns& runs, size_t highestSlope) {
+  size_t highest = 0;
+  for (const RunSpectrum& one : runs.spectra) highest = std::max(highest, one.variance_Nm2.size() - 1);
+  std::vector<double> extra(highest + 1, 0.0);
+  for (size_t k = 1; k <= highest; ++k) {
+    const size_t first = k > reach ? k - reach : 1, last = std::min(k + reach, highest);
+    extra[k] = std::max(excess_Nm2(runs, k, k, highestSlope), excess_Nm2(runs, first, last, highestSlope));
+  }
+  for (RunSpectrum& one : runs.spectra) {
+    for (size_t k = 1; k < one.variance_Nm2.size(); ++k) one.variance_Nm2[k] += extra[k];
+  }
 }
 
 size_t leaveOutStribeck(WayRuns& runs) {

@@ -31,6 +31,8 @@ struct FrictionLine {
          viscousVariance = std::numeric_limits<double>::infinity(), covariance = 0.0;
   double lean = 0.0;     ///< by how much of a viscous value that isn't fitted the Coulomb value is off
   double squares = 0.0;  ///< of the residuals, each over its variance
+  /// By how much these grow per variance that the runs have in truth beyond their own, in both parts.
+  double squaresPerExtra = 0.0;
 
   /// What the runs say of the Coulomb value once the viscous one is known otherwise.
   HarmonicEvidence coulombGiven(const WeighedHarmonic& known) const;
@@ -48,6 +50,11 @@ double findFall(std::array<WayRuns, 2> ways);
 
 /// Widens the means' variances to what the residuals over the speeds say: runs differ by more than their own scatter.
 void widen(WayRuns& runs);
+
+/// The same of the harmonics, whose variances hold it then: what a run's blocks have in common (a converter's steps, an
+/// inertia that is off) isn't in their scatter, but differs from speed to speed. Told by each order's residuals, or
+/// those of its neighbours, where they are beyond chance. Orders above `highestSlope` have no slope.
+void widenHarmonics(WayRuns& runs, size_t highestSlope);
 
 /// Leaves out the slowest speeds while they lie off the line through the faster ones; returns how many.
 size_t leaveOutStribeck(WayRuns& runs);

@@ -86,6 +86,7 @@ void fillStatic(FrictionMap& map, Way way, const std::vector<BreakawayEvent>& ev
   map.repeatability[w] = repeatabilityOf(turns);
   const size_t reach = std::max(leastPooled, map.bins.size() / 12);
   std::vector<double> means;
+  means.reserve(map.bins.size());
   for (size_t k = 0; k < map.bins.size(); ++k) means.push_back(meanOverTurns(turns, k));
   const double finest = finestNoise(means, map.axis == Axis::rotary);
   for (size_t k = 0; k < map.bins.size(); ++k) {

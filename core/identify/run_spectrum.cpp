@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "base/numbers.h"
 
@@ -34,6 +35,48 @@ std::vector<double> filled(const std::vector<AngleBinSums>& bins, double AngleBi
   }
   return means;
 }
+
+/// The rotor's angle at each bin's middle.
+std::vector<double> anglesOf(size_t bins, const EncoderDisc& disc) {
+  std::vector<double> angles(bins);
+  for (size_t k = 0; k < bins; ++k) {
+    angles[k] = turn_rad * (static_cast<double>(k) + 0.5) / static_cast<double>(bins);
+    if (disc.known()) angles[k] = disc.angleOf(angles[k]);
+  }
+  return angles;
+}
+
+/// With the rotor's speeds for those that the encoder shows.
+std::vector<AngleBinSums> freedOf(const EncoderDisc& disc, std::vector<AngleBinSums> bins,
+                                  const std::vector<double>& angles) {
+  for (size_t k = 0; disc.known() && k < bins.size(); ++k) bins[k].velocity_rad_per_s *= disc.gainAt(angles[k]);
+  return bins;
+}
+
+/// e^{−jkθ} at the bins' angles, by order.
+class Waves {
+ public:
+  Waves(const std::vector<double>& angles, size_t highest)
+      : waves_(highest + 1, std::vector<Complex>(angles.size(), 1.0)) {
+    for (size_t b = 0; b < angles.size(); ++b) {
+      const Complex step = std::polar(1.0, -angles[b]);
+      for (size_t k = 1; k <= highest; ++k) waves_[k][b] = step * waves_[k - 1][b];
+    }
+  }
+  /// Harmonic around the mean of values that are each a mean over their bin.
+  Complex harmonicOf(const std::vector<double>& values, size_t order) const {
+    const auto n = static_cast<double>(values.size());
+    double mean = 0.0;
+    for (const double value : values) mean += value / n;
+    Complex sum = 0.0;
+    for (size_t k = 0; k < values.size(); ++k) sum += (values[k] - mean) * waves_[order][k];
+    const double x = static_cast<double>(order) * std::numbers::pi / n;
+    return sum * (2.0 / n * x / std::sin(x));
+  }
+
+ private:
+  std::vector<std::vector<Complex>> waves_;
+};
 
 /// Speed per bin of the whole run; the angle that a sample stands for is its share.
 using Speeds = std::vector<double>;
@@ -71,31 +114,39 @@ struct Stretch {
   double beyondWobble;  ///< the same without the wobble, which the bins' speeds are freed of
 };
 
+/// In the way's direction.
+struct Harmonics {
+  std::vector<Complex> torque_Nm, ripple_rad_per_s, acceleration_rad_per_s2;
+};
+
 /// Kt·i_k − J·(½ω²)'_k from bin means of current and speed; orders that aren't seen are left zero. Over N turns from
 /// θ_s on the derivative's harmonic is jk·(½ω²)_k + [½ω²]·e^{−jkθ_s}/(πN), half of the last term for order 0.
-std::vector<Complex> torqueHarmonics(const std::vector<double>& current, const std::vector<double>& velocity,
-                                     const Stretch& stretch, const VelocityRun& run, size_t highest,
-                                     const VelocityFrictionOptions& options) {
+Harmonics harmonicsOf(const std::vector<AngleBinSums>& bins, const Speeds& speeds, const Waves& waves,
+                      const Stretch& stretch, const VelocityRun& run, size_t highest,
+                      const VelocityFrictionOptions& options) {
+  const auto current = covered(bins, &AngleBinSums::current_A, speeds);
+  const auto velocity = covered(bins, &AngleBinSums::velocity_rad_per_s, speeds);
   const double sign = signOf(run.way()), speed = std::abs(harmonicOf(velocity, 0).real());
   std::vector<double> halfSquare(velocity.size());
   for (size_t k = 0; k < velocity.size(); ++k) halfSquare[k] = 0.5 * velocity[k] * velocity[k];
+  const double start_rad = options.disc.known() ? options.disc.angleOf(run.start_rad) : run.start_rad;
   const double perTurn = stretch.turns > 0.0 ? sign / (std::numbers::pi * stretch.turns) : 0.0;
-  std::vector<Complex> torque;
-  for (size_t k = 0; k <= highest; ++k) {
+  const std::vector<Complex> none(highest + 1, 0.0);
+  Harmonics harmonics{none, none, none};
+  harmonics.torque_Nm[0] = sign * (options.torqueConstant_Nm_per_A * harmonicOf(current, 0) -
+                                   options.inertia_kg_m2 * 0.5 * perTurn * stretch.gained);
+  for (size_t k = 1; k <= highest; ++k) {
     const double phase = static_cast<double>(k) * speed * run.halfSpan_s;
-    if (phase >= mostPhase) {
-      torque.push_back(0.0);
-      continue;
-    }
-    const Complex ends =
-        k == 0 ? Complex(0.5 * perTurn * stretch.gained)
-               : perTurn * stretch.beyondWobble * std::polar(1.0, -static_cast<double>(k) * run.start_rad);
+    if (phase >= mostPhase) break;
+    const Complex ends = perTurn * stretch.beyondWobble * std::polar(1.0, -static_cast<double>(k) * start_rad);
     const Complex acceleration =
-        Complex(0.0, static_cast<double>(k)) * harmonicOf(halfSquare, k) / shownPart(phase) + ends;
-    torque.push_back(sign *
-                     (options.torqueConstant_Nm_per_A * harmonicOf(current, k) - options.inertia_kg_m2 * acceleration));
+        Complex(0.0, static_cast<double>(k)) * waves.harmonicOf(halfSquare, k) / shownPart(phase) + ends;
+    harmonics.ripple_rad_per_s[k] = sign * waves.harmonicOf(velocity, k) / shownPart(phase);
+    harmonics.acceleration_rad_per_s2[k] = sign * acceleration;
+    harmonics.torque_Nm[k] = sign * options.torqueConstant_Nm_per_A * waves.harmonicOf(current, k) -
+                             options.inertia_kg_m2 * harmonics.acceleration_rad_per_s2[k];
   }
-  return torque;
+  return harmonics;
 }
 
 /// Variance of the real and the imaginary part of each harmonic's mean, from the scatter between blocks.
@@ -174,22 +225,26 @@ double meanAround(const std::vector<AngleBinSums>& bins, double AngleBinSums::*s
 }
 
 RunSpectrum spectrumOf(const VelocityRun& run, const VelocityFrictionOptions& options) {
-  const size_t highest = std::min(options.highestOrder, run.bins.size() / 6);
-  const Speeds speeds = filled(run.bins, &AngleBinSums::velocity_rad_per_s);
-  const auto current = covered(run.bins, &AngleBinSums::current_A, speeds);
-  const auto velocity = covered(run.bins, &AngleBinSums::velocity_rad_per_s, speeds);
+  const size_t highest = std::min(options.highestOrder, run.bins.size() / 3);
+  const auto angles = anglesOf(run.bins.size(), options.disc);
+  const Waves waves(angles, highest);
+  const auto bins = freedOf(options.disc, run.bins, angles);
+  const Speeds speeds = filled(bins, &AngleBinSums::velocity_rad_per_s);
   const RunBlock none;
   const Stretch whole(static_cast<double>(run.turns), run.blocks.empty() ? none : run.blocks.front(),
                       run.blocks.empty() ? none : run.blocks.back());
   RunSpectrum spectrum;
-  spectrum.speed_rad_per_s = std::abs(harmonicOf(velocity, 0).real());
-  spectrum.torque_Nm = torqueHarmonics(current, velocity, whole, run, highest, options);
+  spectrum.speed_rad_per_s = std::abs(harmonicOf(covered(bins, &AngleBinSums::velocity_rad_per_s, speeds), 0).real());
+  Harmonics harmonics = harmonicsOf(bins, speeds, waves, whole, run, highest, options);
+  spectrum.torque_Nm = std::move(harmonics.torque_Nm);
+  spectrum.ripple_rad_per_s = std::move(harmonics.ripple_rad_per_s);
+  spectrum.acceleration_rad_per_s2 = std::move(harmonics.acceleration_rad_per_s2);
   std::vector<std::vector<Complex>> blocks;
   for (const RunBlock& block : run.blocks) {
     const Stretch stretch(static_cast<double>(block.turns), block, block);
-    blocks.push_back(torqueHarmonics(covered(block.bins, &AngleBinSums::current_A, speeds),
-                                     covered(block.bins, &AngleBinSums::velocity_rad_per_s, speeds), stretch, run,
-                                     highest, options));
+    blocks.push_back(
+        harmonicsOf(freedOf(options.disc, block.bins, angles), speeds, waves, stretch, run, highest, options)
+            .torque_Nm);
   }
   const auto between = scatterBetween(blocks, highest + 1);
   const double noise_Nm = options.torqueConstant_Nm_per_A * options.noiseRms_A;

@@ -13,6 +13,8 @@ namespace breakaway {
 struct RunSpectrum {
   double speed_rad_per_s = 0.0;
   std::vector<std::complex<double>> torque_Nm;
+  std::vector<std::complex<double>> ripple_rad_per_s;         ///< of the speed, from order 1 on
+  std::vector<std::complex<double>> acceleration_rad_per_s2;  ///< that the inertia's share was taken off by
   std::vector<double> variance_Nm2;  ///< of real and imaginary part each; of the mean for order 0; infinite: not seen
 };
 

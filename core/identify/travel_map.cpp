@@ -38,6 +38,7 @@ Result<FrictionMap> estimateTravelMap(const std::vector<BreakawayEvent>& measure
   for (const Way way : {Way::cw, Way::ccw}) {
     const auto w = static_cast<size_t>(way);
     std::vector<std::pair<double, double>> trend;
+    trend.reserve(bins.count);
     for (size_t k = 0; k < bins.count; ++k) trend.emplace_back(bins.centre_m(k), moving[w].coulomb_Nm[k].value);
     for (size_t turn = 0; turn < options.turns; ++turn) {
       std::vector<std::pair<double, double>> over;

@@ -7,7 +7,9 @@
 #include "identify/encoder_swing.h"
 #include "identify/friction_line.h"
 #include "identify/harmonic_evidence.h"
+#include "identify/inertia_share.h"
 #include "identify/run_spectrum.h"
+#include "identify/way_runs.h"
 
 namespace breakaway {
 
@@ -15,11 +17,10 @@ namespace {
 
 using Complex = std::complex<double>;
 constexpr double leastFall = 0.02;  // part of the fall above which a run counts as slow
-// How friction varies before the map itself has said it: share of the orders that are there, their rms amplitude as
-// part of the mean, and how many orders that guess counts for.
+// How viscous friction varies before the map itself has said it: share of the orders that are there, their rms
+// amplitude as part of the mean, and how many orders that guess counts for.
 constexpr double coarseOrder = 6.0;
 constexpr double viscousShare = 0.25, viscousPart = 0.08, viscousOrders = 3.0;
-constexpr double coulombShare = 0.1, coulombPart = 0.06, coulombOrders = 3.0;
 
 void addHarmonic(std::vector<Estimate>& bins, size_t order, Complex value) {
   const auto n = static_cast<double>(bins.size());
@@ -47,17 +48,14 @@ class Curve {
   double variance_ = 0.0;
 };
 
-HarmonicPrior startPrior(double share, double part, Complex mean) {
-  return {share, 0.5 * part * part * std::norm(mean)};
-}
-
 /// The viscous harmonics from 1 on, by what the runs say of them and what their like are.
 std::vector<WeighedHarmonic> weighViscous(const std::vector<FrictionLine>& lines, Complex mean,
                                           const VelocityFrictionOptions& options) {
   std::vector<HarmonicEvidence> evidence;
   for (size_t k = 1; k <= options.highestViscousOrder && k < lines.size(); ++k)
     evidence.push_back({lines[k].viscous, lines[k].viscousVariance, 0.0, 0.0, chanceOf(k, coarseOrder)});
-  const HarmonicPrior prior = learnt(evidence, startPrior(viscousShare, viscousPart, mean), viscousOrders);
+  const HarmonicPrior prior =
+      learnt(evidence, {viscousShare, 0.5 * viscousPart * viscousPart * std::norm(mean)}, viscousOrders);
   std::vector<WeighedHarmonic> harmonics(1);
   for (const HarmonicEvidence& one : evidence) harmonics.push_back(weighed(one, prior));
   harmonics.resize(lines.size());
@@ -78,10 +76,15 @@ std::vector<WeighedHarmonic> weighCoulomb(const std::vector<FrictionLine>& lines
     }
     evidence.push_back(one);
   }
-  const HarmonicPrior prior = learnt(evidence, startPrior(coulombShare, coulombPart, mean), coulombOrders);
+  const HarmonicPrior prior = learnt(evidence, coulombPrior(mean), coulombOrders);
   std::vector<WeighedHarmonic> harmonics(1);
   for (const HarmonicEvidence& one : evidence) harmonics.push_back(weighed(one, prior));
   return harmonics;
+}
+
+/// Variance of each part of a harmonic, from where its angle is counted from.
+double turned(size_t order, Complex value, const VelocityFrictionOptions& options) {
+  return 0.5 * std::norm(static_cast<double>(order) * options.angleError_rad * value);
 }
 
 MovingFriction fitWay(WayRuns runs, const VelocityFrictionOptions& options) {
@@ -92,6 +95,7 @@ MovingFriction fitWay(WayRuns runs, const VelocityFrictionOptions& options) {
   const auto slow = std::count_if(runs.fall.begin(), runs.fall.end(), [](double g) { return g > leastFall; });
   friction.leftOut = runs.static_Nm.empty() ? leaveOutStribeck(runs) : static_cast<size_t>(slow);
   widen(runs);
+  widenHarmonics(runs, options.highestViscousOrder);
   const FrictionLine mean = fitOrder(runs, 0, true);
   const double zero_Nm = options.torqueConstant_Nm_per_A * options.zeroError_A;
   friction.coulombMean_Nm = {mean.coulomb.real(), std::hypot(std::sqrt(mean.coulombVariance), zero_Nm,
@@ -114,53 +118,12 @@ MovingFriction fitWay(WayRuns runs, const VelocityFrictionOptions& options) {
   coulombCurve.add(0, mean.coulomb, std::pow(friction.coulombMean_Nm.standardError, 2));
   viscousCurve.add(0, mean.viscous, std::pow(friction.viscousMean_Nm_s_per_rad.standardError, 2));
   for (size_t k = 1; k < lines.size(); ++k) {
-    coulombCurve.add(k, coulomb[k].value, coulomb[k].variance);
-    viscousCurve.add(k, viscous[k].value, viscous[k].variance);
+    coulombCurve.add(k, coulomb[k].value, coulomb[k].variance + turned(k, coulomb[k].value, options));
+    viscousCurve.add(k, viscous[k].value, viscous[k].variance + turned(k, viscous[k].value, options));
   }
   coulombCurve.finish();
   viscousCurve.finish();
   return friction;
-}
-
-/// What stands out of harmonics that all have this variance.
-std::vector<WeighedHarmonic> weighAll(const std::vector<Complex>& harmonics, double variance, Complex mean) {
-  std::vector<HarmonicEvidence> evidence;
-  evidence.reserve(harmonics.size());
-  for (const Complex& one : harmonics) evidence.push_back({one, variance});
-  const HarmonicPrior prior = learnt(evidence, startPrior(coulombShare, coulombPart, mean), coulombOrders);
-  std::vector<WeighedHarmonic> known;
-  known.reserve(evidence.size());
-  for (const HarmonicEvidence& one : evidence) known.push_back(weighed(one, prior));
-  return known;
-}
-
-/// Breakaway torque that is equal and opposite both ways is position torque, and holds the moving rotor alike. Friction
-/// at an order, which has one sign both ways, is the doubt about it. The noise is told by the map's finest orders.
-void expectPosition(std::array<WayRuns, 2>& ways, const std::array<std::vector<double>, 2>& static_Nm, size_t highest) {
-  const size_t bins = static_Nm[0].size();
-  if (bins == 0 || static_Nm[1].size() != bins) return;
-  double noise = 0.0, count = 0.0;
-  for (size_t k = bins / 4; k <= bins / 3; ++k) {
-    for (const auto& way : static_Nm) noise += 0.5 * std::norm(harmonicOf(way, k)), count += 1.0;
-  }
-  noise *= 0.5 / std::max(1.0, count);  // of half a sum or difference of both ways
-  std::vector<Complex> position, friction;
-  for (size_t k = 1; k <= std::min(highest, bins / 6); ++k) {
-    const Complex cw = harmonicOf(static_Nm[0], k), ccw = harmonicOf(static_Nm[1], k);
-    position.push_back(0.5 * (ccw - cw));
-    friction.push_back(0.5 * (ccw + cw));
-  }
-  const Complex mean = 0.5 * (harmonicOf(static_Nm[0], 0) + harmonicOf(static_Nm[1], 0));
-  const auto positions = weighAll(position, noise, mean), frictions = weighAll(friction, noise, mean);
-  for (size_t w = 0; w < 2; ++w) {
-    ways[w].position_Nm.assign(1, 0.0);
-    ways[w].positionVariance_Nm2.assign(1, 0.0);
-    for (size_t k = 0; k < positions.size(); ++k) {
-      ways[w].position_Nm.push_back(signOf(Way(w)) * positions[k].value);
-      ways[w].positionVariance_Nm2.push_back(positions[k].variance + frictions[k].variance +
-                                             std::norm(frictions[k].value));
-    }
-  }
 }
 
 }  // namespace
@@ -178,28 +141,11 @@ Estimate meanCurrent_A(const VelocityRun& run) {
 
 Result<std::array<MovingFriction, 2>> fitMovingFriction(const std::vector<VelocityRun>& runs,
                                                         const VelocityFrictionOptions& options) {
-  std::array<WayRuns, 2> ways;
-  for (const VelocityRun& run : runs) ways[static_cast<size_t>(run.way())].spectra.push_back(spectrumOf(run, options));
-  for (size_t w = 0; w < 2; ++w) {
-    WayRuns& way = ways[w];
-    if (way.spectra.size() < 2) {
-      return Error{std::string("velocity sweep, ") + (w == 0 ? "cw" : "ccw"),
-                   "has " + std::to_string(way.spectra.size()) + " speeds, expected at least two"};
-    }
-    std::sort(way.spectra.begin(), way.spectra.end(),
-              [](const auto& a, const auto& b) { return a.speed_rad_per_s < b.speed_rad_per_s; });
-    way.fall.assign(way.spectra.size(), 0.0);
-    way.widened_Nm2 = way.fall;
-    const auto& still = options.static_Nm[w];
-    for (size_t k = 0; !still.empty() && k <= std::min(options.highestOrder, still.size() / 3); ++k)
-      way.static_Nm.push_back(harmonicOf(still, k));
-  }
-  if (!ways[0].static_Nm.empty() && !ways[1].static_Nm.empty()) {
-    expectPosition(ways, options.static_Nm, options.highestOrder);
-    const double speed = findFall(ways);
-    for (WayRuns& way : ways) setFall(way, speed);
-  }
-  takeOffEncoderSwing(ways);
+  auto found = wayRunsOf(runs, options);
+  if (!found) return found.error();
+  auto& ways = *found;
+  freeOfInertia(ways, options.inertia_kg_m2, options.inertiaError_kg_m2);
+  takeOffEncoderSwing(ways, options.disc.known());
   return std::array<MovingFriction, 2>{fitWay(std::move(ways[0]), options), fitWay(std::move(ways[1]), options)};
 }
 

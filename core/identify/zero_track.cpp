@@ -28,6 +28,10 @@ void shift(AngleBinSums& bin, double by_A) {
 ZeroTrack::ZeroTrack(std::vector<ZeroReading> readings, double noiseRms_A)
     : readings_(std::move(readings)), noiseRms_A_(noiseRms_A) {
   if (readings_.empty()) return;
+  for (ZeroReading& one : readings_) {
+    one.zero_A += one.beyondMean_A;
+    common_A_ += one.hidden_A / static_cast<double>(readings_.size());
+  }
   middle_s_ = 0.5 * (readings_.front().time_s + readings_.back().time_s);
   span_s_ = std::max(1e-9, 0.5 * (readings_.back().time_s - readings_.front().time_s));
   const auto n = static_cast<Eigen::Index>(readings_.size());
@@ -69,7 +73,7 @@ Estimate ZeroTrack::at(double time_s) const {
     for (Eigen::Index k = 0; k < count; ++k)
       variance += row[j] * row[k] * covariance_[static_cast<size_t>(j)][static_cast<size_t>(k)];
   }
-  return {value, std::sqrt(std::max(0.0, variance))};
+  return {value, std::sqrt(std::max(0.0, variance) + common_A_ * common_A_)};
 }
 
 Estimate ZeroTrack::between(double time_s) const {
@@ -83,7 +87,8 @@ Estimate ZeroTrack::between(double time_s) const {
   const auto error = [this](const ZeroReading& one) {
     return noiseRms_A_ / std::sqrt(static_cast<double>(std::max<size_t>(1, one.samples)));
   };
-  return {low.zero_A + part * (high.zero_A - low.zero_A), std::hypot((1.0 - part) * error(low), part * error(high))};
+  return {low.zero_A + part * (high.zero_A - low.zero_A),
+          std::hypot((1.0 - part) * error(low), part * error(high), common_A_)};
 }
 
 void countFrom(const ZeroTrack& track, std::span<VelocityRun> runs) {

@@ -15,7 +15,8 @@ class ZeroTrack {
  public:
   /// The polynomial of least degree (up to 2, and with a reading to spare) that the readings allow within their noise,
   /// by weighted least squares; where none does, straight lines between neighbouring readings. `noiseRms_A`: of one
-  /// sample. No reading: a zero of 0 without error.
+  /// sample. What a coarse converter hides of the zero is common to all readings. No reading: a zero of 0 without
+  /// error.
   ZeroTrack(std::vector<ZeroReading> readings, double noiseRms_A);
 
   /// The zero at a time within the readings, in A, counted like ZeroReading::zero_A, with its standard error.
@@ -26,6 +27,7 @@ class ZeroTrack {
 
   std::vector<ZeroReading> readings_;
   double noiseRms_A_ = 0.0, middle_s_ = 0.0, span_s_ = 1.0;
+  double common_A_ = 0.0;                        ///< error of all readings together
   std::vector<double> coefficients_;             ///< in powers of (t − middle)/span; empty: lines between neighbours
   std::vector<std::vector<double>> covariance_;  ///< of the coefficients
 };

@@ -10,7 +10,6 @@ namespace breakaway {
 
 namespace {
 
-constexpr double nearly = 0.15;         // of a mistake's ratio, by which the belief may be off besides
 constexpr double standardErrors = 3.0;  // of the measured value, at which a difference isn't its noise
 constexpr double perDegree = 180.0 / std::numbers::pi, perRpm = 30.0 / std::numbers::pi;
 constexpr double exactly = 1.001;
@@ -63,6 +62,29 @@ constexpr Mistake ofSupply[] = {{1e3, "as in mV"},
                                 {2.0, "as with another supply, or another divider"},
                                 {0.5, "as with another supply, or another divider"}};
 
+// Columns of a recording, recorded over true.
+constexpr Mistake ofAngleColumn[] = {{perDegree, "as in degrees"},
+                                     {0.5 / std::numbers::pi, "as in turns"},
+                                     {4.0, "as with the encoder's lines taken for its counts, four edges a line"},
+                                     {0.25, "as with the encoder's edges taken for its lines, four a line"},
+                                     {2.0, "as with two edges counted for one line of the encoder"},
+                                     {0.5, "as with one edge counted where two were declared"},
+                                     {perRpm, "as from a speed in rpm"},
+                                     {1e3, "as in mrad"}};
+constexpr Mistake ofPositionColumn[] = {{1e3, "as in mm"},
+                                        {100.0, "as in cm"},
+                                        {1e6, "as in um"},
+                                        {39.37, "as in inches"},
+                                        {4.0, "as with the encoder's lines taken for its counts, four edges a line"},
+                                        {0.25, "as with the encoder's edges taken for its lines, four a line"},
+                                        {2.0, "as with two edges counted for one line of the encoder"},
+                                        {0.5, "as with one edge counted where two were declared"}};
+constexpr Mistake ofCurrentColumn[] = {{1e3, "as in mA"}, {1e-3, "as in kA"}};
+constexpr Mistake ofVoltageColumn[] = {{1e3, "as in mV"}, {1e-3, "as in kV"}};
+constexpr Mistake ofTorqueColumn[] = {
+    {1e3, "as in mNm"}, {100.0, "as in Ncm"}, {10.197, "as in kg cm"}, {141.6, "as in oz in"}, {1e-3, "as in kNm"}};
+constexpr Mistake ofForceColumn[] = {{1e3, "as in mN"}, {0.10197, "as in kg"}, {1e-3, "as in kN"}};
+
 template <size_t N>
 void append(const Mistake (&more)[N], std::vector<Mistake>& all) {
   all.insert(all.end(), std::begin(more), std::end(more));
@@ -102,6 +124,28 @@ std::vector<Mistake> mistakesOf(BeliefOf of, Axis axis) {
   return all;
 }
 
+std::vector<Mistake> mistakesOf(ScaledColumn column, Axis axis) {
+  const bool linear = axis == Axis::linear;
+  std::vector<Mistake> all;
+  switch (column) {
+    case ScaledColumn::angle:
+      if (linear) append(ofPositionColumn, all);
+      if (!linear) append(ofAngleColumn, all);
+      break;
+    case ScaledColumn::current:
+      append(ofCurrentColumn, all);
+      break;
+    case ScaledColumn::voltage:
+      append(ofVoltageColumn, all);
+      break;
+    case ScaledColumn::torque:
+      if (linear) append(ofForceColumn, all);
+      if (!linear) append(ofTorqueColumn, all);
+      break;
+  }
+  return all;
+}
+
 const char* unitOf(BeliefOf of, Axis axis) {
   const bool linear = axis == Axis::linear;
   switch (of) {
@@ -125,6 +169,14 @@ const char* unitOf(BeliefOf of, Axis axis) {
 
 double apart(double ratio, double from) {
   return std::abs(std::log(ratio / from));
+}
+
+/// The mistake that a ratio looks like; nullptr when none is near.
+const Mistake* nearestOf(const std::vector<Mistake>& mistakes, double ratio, double doubt) {
+  const auto nearest = std::min_element(mistakes.begin(), mistakes.end(), [ratio](const Mistake& a, const Mistake& b) {
+    return apart(ratio, a.ratio) < apart(ratio, b.ratio);
+  });
+  return nearest != mistakes.end() && apart(ratio, nearest->ratio) < doubt ? &*nearest : nullptr;
 }
 
 double relativeError(const Estimate& of) {
@@ -158,10 +210,16 @@ double ratioOf(const Belief& belief) {
 std::string suggestionOf(BeliefOf of, Axis axis, double ratio) {
   if (!(ratio > 0.0)) return "the sign is wrong";
   const auto mistakes = mistakesOf(of, axis);
-  const auto nearest = std::min_element(mistakes.begin(), mistakes.end(), [ratio](const Mistake& a, const Mistake& b) {
-    return apart(ratio, a.ratio) < apart(ratio, b.ratio);
-  });
-  return nearest != mistakes.end() && apart(ratio, nearest->ratio) < nearly ? nearest->words : "";
+  const Mistake* nearest = nearestOf(mistakes, ratio, nearMistake);
+  return nearest != nullptr ? nearest->words : "";
+}
+
+std::optional<ScaleMistake> scaleMistakeOf(ScaledColumn column, Axis axis, double ratio, double doubt) {
+  if (!(ratio > 0.0) || !std::isfinite(ratio)) return {};
+  const auto mistakes = mistakesOf(column, axis);
+  const Mistake* nearest = nearestOf(mistakes, ratio, doubt);
+  if (nearest == nullptr) return {};
+  return ScaleMistake{nearest->ratio, nearest->words};
 }
 
 std::optional<std::string> contradictionOf(const Belief& belief, Axis axis) {

@@ -41,6 +41,23 @@ std::string suggestionOf(BeliefOf of, Axis axis, double ratio);
 /// of the measured value; else nothing. Values must be positive; others contradict as well.
 std::optional<std::string> contradictionOf(const Belief& belief, Axis axis);
 
+/// What a recording may hold in another unit than its column says; on a linear axis read position for the angle and
+/// force for the torque.
+enum class ScaledColumn { angle, current, voltage, torque };
+
+/// A way to get a column wrong by a factor.
+struct ScaleMistake {
+  double ratio = 1.0;  ///< what stands there over what is true
+  std::string words;   ///< "as in degrees"
+};
+
+/// How far a ratio may be from a mistake's own to suggest it: 15 %.
+inline constexpr double nearMistake = 0.15;
+
+/// The mistake that `ratio`, recorded over true, looks like, within the relative `doubt` about it; nothing when none is
+/// known.
+std::optional<ScaleMistake> scaleMistakeOf(ScaledColumn column, Axis axis, double ratio, double doubt = nearMistake);
+
 /// What a bench file contradicts itself by, with the field: torque and back-EMF constant are one quantity in SI, and a
 /// motor's time constant J·R/(Kt·Ke), of which servos have 1 ms to 10 s, isn't hours. Nothing when it doesn't.
 std::optional<Error> selfContradictionOf(const Bench& bench);

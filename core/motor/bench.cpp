@@ -62,10 +62,23 @@ void readMotor(JsonObject motor, const MotorNames& names, MotorBelief& belief) {
   belief.coulomb = motor.optionalNumber(names.coulomb, Allowed::nonNegative);
 }
 
-void readTrusted(JsonObject& root, const MotorNames& names, std::set<std::string>& trusted) {
-  const std::vector<std::string> allowed{names.torqueConstant, names.backEmfConstant, names.resistance,
-                                         names.inductance,     names.inertia,         names.viscous,
-                                         names.coulomb};
+constexpr const char* ofController = "controller.";
+
+/// Which of a law's values may be trusted, as `trusted` names them.
+std::vector<std::string> trustable(const ServoNames& law) {
+  std::vector<std::string> names;
+  for (const char* name : {law.kp, law.kd, law.limit, servoDelayName})
+    names.push_back(std::string(ofController) + name);
+  return names;
+}
+
+void readTrusted(JsonObject& root, const Bench& bench, std::set<std::string>& trusted) {
+  const MotorNames& names = motorNames(bench.axis);
+  std::vector<std::string> allowed{names.torqueConstant, names.backEmfConstant, names.resistance, names.inductance,
+                                   names.inertia,        names.viscous,         names.coulomb};
+  if (bench.servo) {
+    for (std::string& name : trustable(servoNames(bench.input, bench.axis))) allowed.push_back(std::move(name));
+  }
   for (const std::string& name : root.texts("trusted")) {
     if (std::find(allowed.begin(), allowed.end(), name) == allowed.end()) {
       const auto suggestion = nearestName(name, allowed);
@@ -98,15 +111,41 @@ void readController(JsonObject object, BenchController& controller) {
   controller.currentLimit_A = object.number("current_limit_A", 0.0, Allowed::nonNegative);
 }
 
+/// A servo's law, and what it gives out by the unit of its gains or limit; torque where neither is there.
+void readServo(JsonObject object, Bench& bench) {
+  const std::string mode = object.text("mode", "position");
+  if (mode != "position")
+    object.fault("mode", "is \"" + mode + "\", expected position: " +
+                             columnName(Quantity::positionReference, bench.axis) + " drives a position loop");
+  ServoLaw law;
+  bench.input = DriveInput::torque;
+  std::string first;
+  for (const ServoNames& names : servoNamesOf(bench.axis)) {
+    for (const auto& [name, value] : {std::pair{names.kp, &law.kp}, {names.kd, &law.kd}, {names.limit, &law.limit}}) {
+      if (!object.has(name)) continue;
+      *value = object.number(name, value == &law.kd ? Allowed::nonNegative : Allowed::positive);
+      if (!first.empty() && bench.input != names.output)
+        object.fault(name, "counts in another quantity than " + first + ", expected one for all of the controller");
+      bench.input = names.output;
+      first = name;
+    }
+  }
+  law.rate_Hz = object.optionalNumber("rate_Hz", Allowed::positive);
+  law.delay_s = object.optionalNumber(servoDelayName, Allowed::any);
+  bench.servo = law;
+}
+
 Result<Bench> readBench(JsonObject root) {
   Bench bench;
   const std::string found = root.text("schema");
   if (found != schema) root.fault("schema", "is \"" + found + "\", expected \"" + schema + "\"");
   bench.name = root.text("name", "");
+  bench.motorSerial = root.text("motor_serial", "");
   const std::string axis = root.text("axis", "rotary");
   if (axis != "rotary" && axis != "linear") root.fault("axis", "is \"" + axis + "\", expected rotary or linear");
   bench.axis = axis == "linear" ? Axis::linear : Axis::rotary;
   const MotorNames& names = motorNames(bench.axis);
+  const std::string reference = columnName(Quantity::positionReference, bench.axis);
 
   JsonObject encoder = root.object("encoder", false);
   bench.countsPerUnit = encoder.optionalNumber(names.counts, Allowed::positive);
@@ -114,9 +153,11 @@ Result<Bench> readBench(JsonObject root) {
   JsonObject drive = root.object("drive");
   const std::string input = drive.text("input");
   const auto known = driveInputNamed(input, bench.axis);
-  if (!known) {
-    drive.fault("input", "is \"" + input + "\", expected voltage_V, duty, current_A or " +
-                             columnName(Quantity::torque, bench.axis));
+  if (input == reference) {
+    readServo(root.object("controller", false), bench);
+  } else if (!known) {
+    drive.fault("input", "is \"" + input + "\", expected voltage_V, duty, current_A, " +
+                             columnName(Quantity::torque, bench.axis) + " or " + reference);
   } else {
     bench.input = *known;
   }
@@ -135,7 +176,7 @@ Result<Bench> readBench(JsonObject root) {
   bench.polePairs = motor.optionalNumber("pole_pairs", Allowed::positive);
   if (bench.polePairs && *bench.polePairs != std::floor(*bench.polePairs))
     motor.fault("pole_pairs", "is no whole number");
-  readTrusted(root, names, bench.trusted);
+  readTrusted(root, bench, bench.trusted);
   if (root.has("load")) {
     JsonObject load = root.object("load");
     if (load.has("pendulum")) {
@@ -146,7 +187,7 @@ Result<Bench> readBench(JsonObject root) {
                    pendulum.number("arm_mass_kg", 0.0, Allowed::nonNegative), pendulum.number("down_angle_rad", 0.0)};
     }
   }
-  if (root.has("controller")) readController(root.object("controller"), bench.controller);
+  if (root.has("controller") && !bench.servo) readController(root.object("controller"), bench.controller);
   bench.remarks = root.texts("remarks");
   if (const auto done = root.finish(); !done) return done.error();
   return bench;
@@ -179,6 +220,7 @@ std::string Bench::velocityChannel() const {
 }
 
 std::string Bench::inputChannel() const {
+  if (servo) return columnName(Quantity::positionReference, axis);
   for (const InputQuantity& one : inputs) {
     if (one.input == input) return columnName(one.quantity, axis);
   }
@@ -200,7 +242,9 @@ Result<Bench> readBenchText(const std::string& text, const std::string& place) {
 Result<void> writeBench(const Bench& bench, const std::string& path) {
   using Json = nlohmann::ordered_json;
   const MotorNames& names = motorNames(bench.axis);
-  Json json{{"schema", schema}, {"name", bench.name}, {"axis", bench.axis == Axis::rotary ? "rotary" : "linear"}};
+  Json json{{"schema", schema}, {"name", bench.name}};
+  if (!bench.motorSerial.empty()) json["motor_serial"] = bench.motorSerial;
+  json["axis"] = bench.axis == Axis::rotary ? "rotary" : "linear";
   if (bench.countsPerUnit) json["encoder"][names.counts] = *bench.countsPerUnit;
   json["drive"]["input"] = bench.inputChannel();
   if (bench.supply_V) json["drive"]["supply_V"] = *bench.supply_V;
@@ -225,6 +269,18 @@ Result<void> writeBench(const Bench& bench, const std::string& path) {
                                     {"length_m", bench.pendulum->length_m},
                                     {"arm_mass_kg", bench.pendulum->armMass_kg},
                                     {"down_angle_rad", bench.pendulum->downAngle_rad}};
+  }
+  if (bench.servo) {
+    const ServoNames& law = servoNames(bench.input, bench.axis);
+    const auto add = [&json](const char* name, const std::optional<double>& value) {
+      if (value) json["controller"][name] = *value;
+    };
+    json["controller"]["mode"] = "position";
+    add(law.kp, bench.servo->kp);
+    add(law.kd, bench.servo->kd);
+    add(law.limit, bench.servo->limit);
+    add("rate_Hz", bench.servo->rate_Hz);
+    add(servoDelayName, bench.servo->delay_s);
   }
   const BenchController& controller = bench.controller;
   for (const GainNames& one : gainNames) {

@@ -9,10 +9,10 @@
 #include "base/axis.h"
 #include "base/result.h"
 #include "motor/duty_curve.h"
+#include "motor/servo_law.h"
 
 namespace breakaway {
 
-enum class DriveInput { voltage, duty, current, torque };  ///< `torque` is force on a linear axis
 enum class ControlMode { openLoop, velocity, position };
 
 /// The bench file's names of the motor's quantities on one axis.
@@ -50,15 +50,17 @@ struct BenchController {
 
 struct Bench {
   std::string name;
+  std::string motorSerial;  ///< which motor this is; empty: unknown
   Axis axis = Axis::rotary;
-  DriveInput input = DriveInput::torque;
+  DriveInput input = DriveInput::torque;  ///< what acts; with `servo`, what its law gives out
+  std::optional<ServoLaw> servo;          ///< where the recording holds the reference of the servo's own loop
   std::optional<double> supply_V;
   std::optional<double> currentGainInterval;  ///< relative half width of the current sensor's 95 % interval
   DutyCurve dutyCurve;                        ///< of the bridge, as commissioning found it; unknown: straight
   std::optional<double> countsPerUnit;        ///< per rev or per m, as in the file
   std::optional<double> polePairs;            ///< of a rotary motor; for boards that speak of electrical turns
   MotorBelief motor;
-  std::set<std::string> trusted;  ///< contract names, e.g. "torque_constant_Nm_per_A"
+  std::set<std::string> trusted;  ///< contract names, e.g. "torque_constant_Nm_per_A", "controller.kp_Nm_per_rad"
   std::optional<Pendulum> pendulum;
   BenchController controller;
   std::vector<std::string> remarks;  ///< contradictions that whoever wrote it went on in spite of
@@ -68,7 +70,7 @@ struct Bench {
   bool electrical() const { return input == DriveInput::voltage || input == DriveInput::duty; }
   std::string positionChannel() const;  ///< angle_rad or position_m
   std::string velocityChannel() const;
-  std::string inputChannel() const;  ///< voltage_V, duty, current_A, torque_Nm or force_N
+  std::string inputChannel() const;  ///< voltage_V, duty, current_A, torque_Nm or force_N, or the reference
 };
 
 /// The drive input called `name` in the contract, or nothing when there is none of that name on this axis.

@@ -9,6 +9,7 @@
 #include "base/atomic_file.h"
 #include "base/exact_text.h"
 #include "recording/columns.h"
+#include "recording/csv_rows.h"
 
 namespace breakaway {
 
@@ -203,27 +204,41 @@ Result<Recording> readCsv(const std::string& path) {
   return readCsvText(*content, path);
 }
 
-Result<void> writeCsv(const Recording& recording, const std::string& path) {
+std::string csvHead(const std::vector<std::pair<std::string, std::string>>& notes,
+                    const std::vector<std::string>& columns) {
   std::string out;
-  for (const auto& [key, value] : recording.notes()) {
+  for (const auto& [key, value] : notes) {
     std::string note = key + ": " + value;
     std::replace_if(
         note.begin(), note.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
     out += "# " + note + "\n";
   }
-  const auto& channels = recording.channels();
-  out.reserve(out.size() + recording.rows() * channels.size() * 12);
-  for (size_t c = 0; c < channels.size(); ++c) {
+  for (size_t c = 0; c < columns.size(); ++c) {
     out += c == 0 ? "" : ",";
-    out += quotedWhereNeeded(channels[c].name);
+    out += quotedWhereNeeded(columns[c]);
   }
-  out += '\n';
+  return out + '\n';
+}
+
+void appendCsvRow(std::string& text, std::span<const double> row) {
+  for (size_t c = 0; c < row.size(); ++c) {
+    if (c > 0) text += ',';
+    if (!std::isnan(row[c])) appendExact(text, row[c]);
+  }
+  text += '\n';
+}
+
+Result<void> writeCsv(const Recording& recording, const std::string& path) {
+  const auto& channels = recording.channels();
+  std::vector<std::string> names;
+  names.reserve(channels.size());
+  for (const Channel& one : channels) names.push_back(one.name);
+  std::string out = csvHead(recording.notes(), names);
+  out.reserve(out.size() + recording.rows() * channels.size() * 12);
+  std::vector<double> cells(channels.size());
   for (size_t row = 0; row < recording.rows(); ++row) {
-    for (size_t c = 0; c < channels.size(); ++c) {
-      if (c > 0) out += ',';
-      if (const double value = channels[c].values[row]; !std::isnan(value)) appendExact(out, value);
-    }
-    out += '\n';
+    for (size_t c = 0; c < channels.size(); ++c) cells[c] = channels[c].values[row];
+    appendCsvRow(out, cells);
   }
   return writeFile(path, out);
 }

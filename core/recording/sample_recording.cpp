@@ -30,6 +30,17 @@ constexpr auto sources = std::to_array<Source>({
 
 }  // namespace
 
+std::vector<std::string> sampleColumns(Axis axis) {
+  std::vector<std::string> names;
+  names.reserve(sources.size());
+  for (const Source& source : sources) names.emplace_back(columnName(source.quantity, axis));
+  return names;
+}
+
+void appendRow(const Sample& sample, std::vector<double>& rows) {
+  for (const Source& source : sources) rows.push_back(source.of(sample));
+}
+
 Result<Recording> sealSamples(const std::string& name, std::span<const Sample> samples,
                               std::vector<std::pair<std::string, std::string>> notes, Axis axis) {
   if (samples.empty()) return Error{name, "holds no sample"};

@@ -40,7 +40,8 @@ std::vector<Replay> replays(const Diagnosis& d, const std::vector<Recording>& re
   std::vector<Replay> out;
   for (const auto* group : {&recordings, &heldout}) {
     for (const Recording& recording : *group) {
-      auto track = makeTrack(recording, d.model.axis, d.model.input, d.model.supply_V, d.model.count);
+      auto track =
+          makeTrack(recording, d.model.axis, d.model.input, d.model.supply_V, d.model.count, d.model.servo.has_value());
       if (!track) return {};
       track->motion = motionOf(*track);
       out.push_back({std::move(*track), {}, {}});
@@ -223,6 +224,7 @@ std::vector<NamedFigure> diagnosisFigures(const Diagnosis& d, const std::vector<
   std::vector<Replay> all = replays(d, recordings, heldout);
   if (all.empty()) return figures;
   std::vector<Track> training;
+  training.reserve(recordings.size());
   for (size_t k = 0; k < recordings.size(); ++k) training.push_back(all[k].track);
   addWhereFigures(figures, d, training);
   for (NamedFigure& term : termFigures(d, training)) figures.push_back(std::move(term));

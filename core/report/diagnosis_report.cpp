@@ -57,6 +57,7 @@ void addFindings(HtmlReport& report, const Diagnosis& d, const std::vector<Named
     report.paragraph(finding.sentence);
     addFigures(report, figures, {("term_" + finding.effect).c_str()});
     std::vector<std::vector<std::string>> rows;
+    rows.reserve(finding.parameters.size());
     for (const Parameter& one : finding.parameters)
       rows.push_back({one.name, numberText(one.value), numberText(one.low95), numberText(one.high95)});
     report.table({"parameter", "value", "95 % from", "95 % to"}, rows);
@@ -101,6 +102,7 @@ HtmlReport buildReport(const Diagnosis& d, const Bench& bench, const std::vector
   if (!d.where.empty()) {
     report.heading("Where it shows");
     std::vector<std::string> items;
+    items.reserve(d.where.size());
     for (const Place& place : d.where)
       items.push_back(place.sentence + " (" + percent(place.share) +
                       " of the unexplained square, p = " + numberText(place.pValue, 2) + ")");
@@ -132,8 +134,9 @@ HtmlReport buildReport(const Diagnosis& d, const Bench& bench, const std::vector
 
 }  // namespace
 
-Result<void> writeDiagnosisFolder(const Diagnosis& d, const Bench& bench, const std::vector<Recording>& recordings,
-                                  const std::vector<Recording>& heldout, const std::string& folder) {
+Result<void> writeDiagnosisFolder(const Diagnosis& d, const Bench& bench, const std::vector<Recording>& asGiven,
+                                  const std::vector<Recording>& heldoutAsGiven, const std::string& folder) {
+  const std::vector<Recording> recordings = mended(asGiven, d.misread), heldout = mended(heldoutAsGiven, d.misread);
   if (auto done = makeFolder(folder + "/figures"); !done) return done;
   if (auto done = writeModel(d.base, folder + "/base_model.json"); !done) return done;
   if (auto done = writeModel(d.model, folder + "/model.json"); !done) return done;

@@ -18,9 +18,20 @@ std::string begun(std::string text) {
 }  // namespace
 
 const MapUnits& mapUnitsOf(Axis axis) {
-  static const MapUnits rotor{
-      {"clockwise", "counter-clockwise"}, "angle / °", 180.0 / std::numbers::pi, "torque", "mNm", 1e3, "turn"};
-  static const MapUnits travel{{"backwards", "forwards"}, "position / mm", 1e3, "force", "N", 1.0, "pass"};
+  static const MapUnits rotor{{"clockwise", "counter-clockwise"},
+                              "angle / °",
+                              180.0 / std::numbers::pi,
+                              "torque",
+                              "mNm",
+                              1e3,
+                              "turn",
+                              "µNm s/rad",
+                              1e6,
+                              "rad/s",
+                              " around the rotor"};
+  static const MapUnits travel{
+      {"backwards", "forwards"}, "position / mm", 1e3, "force", "N", 1.0, "pass", "N s/m", 1.0, "m/s",
+      " over the travel"};
   return axis == Axis::linear ? travel : rotor;
 }
 
@@ -31,10 +42,10 @@ double staticMean(const FrictionMap& map, size_t way) {
 }
 
 std::string repeatWords(const FrictionMap& map) {
-  const char* pass = mapUnitsOf(map.axis).pass;
-  if (map.turns < 2) return fmt::format("one {} tells nothing of how well it repeats", pass);
-  return fmt::format("consecutive {}{} correlate by {:.3f} and {:.3f}", pass, map.axis == Axis::linear ? "es" : "s",
-                     map.repeatability[0].correlation, map.repeatability[1].correlation);
+  const MapUnits& units = mapUnitsOf(map.axis);
+  if (map.turns < 2) return fmt::format("one {} tells nothing of how well it repeats", units.pass);
+  return fmt::format("consecutive {} correlate by {:.3f} and {:.3f}", units.passes(), map.repeatability[0].correlation,
+                     map.repeatability[1].correlation);
 }
 
 std::array<std::string, 2> repeatCells(const FrictionMap& map, size_t way) {

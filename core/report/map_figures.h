@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 
 #include "commission/known.h"
 #include "draw/html_report.h"
@@ -19,7 +20,12 @@ struct MapUnits {
   const char* torqueUnit;  ///< "mNm" or "N"
   double torqueScale;
   const char* pass;  ///< "turn" or "pass"
+  const char* viscousUnit;
+  double viscousScale;
+  const char* speedUnit;
+  const char* where;  ///< " around the rotor" or " over the travel"
 
+  std::string passes() const { return std::string(pass) + (std::string_view(pass).ends_with('s') ? "es" : "s"); }
   std::string torqueTitle() const { return std::string(torque) + " / " + torqueUnit; }
 };
 const MapUnits& mapUnitsOf(Axis axis);

@@ -55,6 +55,35 @@ std::vector<Complex> slow(std::vector<Complex> all, double tick_s) {
   return all;
 }
 
+/// Arrow heads along a branch, `size` long and so far apart at least, within the window; one curve with gaps.
+Curve arrowsAlong(const Curve& branch, double size, const std::pair<double, double>& xRange,
+                  const std::pair<double, double>& yRange) {
+  constexpr double apart = 7.0, opening = 2.6;  // of their size; rad between shaft and barb
+  Curve arrows{{}, {}, {}};
+  const auto point = [&arrows](double x, double y) {
+    arrows.x.push_back(x);
+    arrows.y.push_back(y);
+  };
+  double gone = 0.5 * apart * size;
+  for (size_t k = 1; k < branch.x.size(); ++k) {
+    const double x = branch.x[k], y = branch.y[k], dx = x - branch.x[k - 1], dy = y - branch.y[k - 1];
+    const double step = std::hypot(dx, dy);
+    if (!(step > 0.0) || step > apart * size) continue;  // a gap, or a pole that jumps over the window
+    gone += step;
+    const bool within = x > xRange.first && x < xRange.second && y > yRange.first && y < yRange.second;
+    if (gone < apart * size || !within) continue;
+    gone = 0.0;
+    const double way = std::atan2(dy, dx);
+    point(x + size * std::cos(way + opening), y + size * std::sin(way + opening));
+    point(x, y);
+    point(x + size * std::cos(way - opening), y + size * std::sin(way - opening));
+    point(NAN, NAN);
+  }
+  arrows.colour = branch.colour;
+  arrows.width_px = 2.0;
+  return arrows;
+}
+
 Curve magnitude(const std::string& label, const LoopResponse& response, const std::vector<Complex>& values) {
   Curve curve{label, response.frequency_rad_per_s, {}};
   for (const Complex& one : values) curve.y.push_back(std::abs(one));
@@ -114,7 +143,9 @@ Figure slowPolesFigure(const ServoLoop& loop, const RootLocus& locus) {
       append(curve, s.imag() > -3.1 / T ? s : Complex(NAN, NAN));
     }
     curve.colour = 0;
+    Curve arrows = arrowsAlong(curve, 0.045 * reach, *figure.xRange, *figure.yRange);
     figure.curves.push_back(std::move(curve));
+    if (!arrows.x.empty()) figure.curves.push_back(std::move(arrows));
   }
   figure.curves.push_back(marked(atCutoff(loop), slow(poles(closedLoop(loop)), T), 1));
   return figure;

@@ -9,7 +9,8 @@ namespace breakaway {
 /// Poles over the cutoff in the z plane with the unit circle, the line of ζ = 0.707 and the poles at the loop's own
 /// cutoff.
 Figure rootLocusFigure(const ServoLoop& loop, const RootLocus& locus);
-/// The same as s = ln(z)/T in rad/s, near the origin: how fast and how damped what one sees at the shaft is.
+/// The same as s = ln(z)/T in rad/s, near the origin: how fast and how damped what one sees at the shaft is. Arrows
+/// point to where the poles go as g grows.
 Figure slowPolesFigure(const ServoLoop& loop, const RootLocus& locus);
 Figure gainFigure(const TuningStudy& study);
 Figure phaseFigure(const TuningStudy& study);

@@ -199,6 +199,10 @@ std::string tuningJson(const TuningStudy& study, const std::string& name) {
   json["held_by"] = tuning.heldBy;
   json["motor"] = {{inertia, estimateJson(study.inertia_kg_m2)},
                    {constant, estimateJson(study.torqueConstant_Nm_per_A)}};
+  if (study.loop.current == CurrentPath::winding) {
+    json["motor"]["resistance_ohm"] = study.loop.motor.resistance_ohm;
+    json["motor"]["inductance_H"] = study.loop.motor.inductance_H;
+  }
   json["loop"] = loopJson(study.loop);
   json["wanted"] = {{"gain_margin", tuning.wanted.gainMargin},
                     {"phase_margin_rad", tuning.wanted.phaseMargin_rad},

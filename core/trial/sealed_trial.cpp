@@ -9,6 +9,7 @@
 #include "recording/csv.h"
 #include "trial/trial_course.h"
 #include "trial/trial_effects.h"
+#include "trial/trial_imperfections.h"
 #include "trial/trial_recorder.h"
 #include "trial/trial_rig.h"
 #include "trial/trial_sizing.h"
@@ -21,7 +22,8 @@ using Names = std::vector<std::string>;
 
 /// The families beyond single effects, with their share in percent of what `breakaway trial` draws.
 const std::vector<std::pair<std::string, unsigned>> furtherFamilies{
-    {"combination", 10}, {"masked", 5}, {"noisy", 5}, {"weak", 5}, {"low", 5}, {"outside", 8}, {"clean", 8}};
+    {"combination", 10}, {"masked", 5}, {"noisy", 5},     {"weak", 5}, {"low", 5},
+    {"outside", 8},      {"clean", 8},  {"imperfect", 5}, {"rough", 5}};
 
 /// What is drawn from when any one effect will do.
 const Names commonEffects{"constant_load",   "viscous_asymmetry", "stribeck",
@@ -66,11 +68,12 @@ const T& oneOf(const std::vector<T>& all, Random& random) {
 }
 
 std::vector<const TrialEffect*> drawEffects(const std::string& family, Random& random) {
-  if (family == "clean") return {};
+  if (family == "clean" || family == "imperfect") return {};
   if (family == "outside") return {&oneOf(outsideEffects(), random)};
   Names names{family};
   if (family == "combination") names = oneOf(combinations, random);
-  if (family == "masked" || family == "noisy" || family == "weak") names = {oneOf(commonEffects, random)};
+  if (family == "masked" || family == "noisy" || family == "weak" || family == "rough")
+    names = {oneOf(commonEffects, random)};
   if (family == "low") names = {oneOf(hiddenEffects, random)};
   std::vector<const TrialEffect*> effects;
   for (const std::string& name : names) effects.push_back(&trialEffectNamed(name));
@@ -116,6 +119,7 @@ void addTrifles(TrialRig& rig, Random& random) {
 
 /// How many floors it shall cost to leave one effect out.
 double drawCost(const std::string& family, Random& random) {
+  if (family == "rough") return drawnLog(random, 10.0, 30.0);
   return family == "weak" ? drawnLog(random, 1.8, 3.0) : drawnLog(random, 4.0, 12.0);
 }
 
@@ -192,6 +196,13 @@ SealedTrial makeTrial(const std::string& family, std::uint64_t seed, const Trial
 
   const auto effects = drawEffects(family, random);
   TrialRig rig = drawTrialRig(needsOf(family, effects), random);
+  const bool imperfect = family == "imperfect" || family == "rough";
+  TrialLogger logger;
+  if (imperfect) {
+    logger = drawImperfections(rig, random);
+    trial.wanderShare = rig.physics.outside.wander / rig.coulomb();
+    trial.wander_s = rig.physics.outside.wanderTime_s;
+  }
   if (form.row_s > 0.0) rig.sensors.row_s = form.row_s;
   double duration_s = drawn(random, 30.0, 36.0);
   for (const TrialEffect* effect : effects) duration_s = std::max(duration_s, effect->shortest_s);
@@ -199,7 +210,7 @@ SealedTrial makeTrial(const std::string& family, std::uint64_t seed, const Trial
   std::vector<TrialMove> moves = movesFor(effects);
   const TrialCourse course = drawCourse(rig, moves, duration_s, random);
   const TrialRig plain = rig;
-  addTrifles(rig, random);
+  if (!imperfect) addTrifles(rig, random);
   const double smallest = family == "weak" ? smallestWeakSize : smallestSize;
   for (const TrialEffect* effect : effects) {
     const std::uint64_t own = random.bits();
@@ -214,20 +225,24 @@ SealedTrial makeTrial(const std::string& family, std::uint64_t seed, const Trial
   if (described && rig.input != DriveInput::torque && rig.loop.mode != ControlMode::openLoop)
     trial.bench.controller = describedLoop(rig);
   const bool hardlyShown = family == "low";
+  const auto record = [&](const TrialCourse& way, const char* name) {
+    const Recording all = recordTrial(rig, way, name, random.bits());
+    return imperfect ? logged(all, rig, logger, random) : all;
+  };
   const TrialCourse poor =
       hardlyShown
           ? drawCourse(rig, {TrialMove::idle, moves.front(), TrialMove::idle, TrialMove::idle}, duration_s, random)
           : course;
-  trial.recordings.push_back(recordTrial(rig, poor, "recording.csv", random.bits()));
+  trial.recordings.push_back(record(poor, "recording.csv"));
   rig.physics.pulse.torque = 0.0;  // what happened once doesn't come again
   if (random.uniform() < 0.15) {
     const auto repeat = secondCourse(rig, moves, course, random);
-    if (repeat) trial.recordings.push_back(recordTrial(rig, *repeat, "recording2.csv", random.bits()));
+    if (repeat) trial.recordings.push_back(record(*repeat, "recording2.csv"));
   }
   if (random.uniform() < 0.5) {
     std::reverse(moves.begin(), moves.end());
     const auto second = secondCourse(rig, moves, course, random);
-    if (second) trial.heldout.push_back(recordTrial(rig, *second, "heldout.csv", random.bits()));
+    if (second) trial.heldout.push_back(record(*second, "heldout.csv"));
   }
   return trial;
 }

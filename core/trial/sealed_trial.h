@@ -20,6 +20,8 @@ namespace breakaway {
 ///   low          one effect under an excitation that hardly shows it
 ///   outside      physics that the catalogue doesn't hold
 ///   clean        nothing concealed, but a plant that is imperfect in small immaterial ways
+///   imperfect    nothing concealed, on a sound rig as they are: torque that wanders, line error, few bits, lost rows
+///   rough        one effect on such a rig
 std::vector<std::string> trialFamilies();
 
 /// A concealed effect and the plant's own values of it, named as the catalogue names its parameters where they mean the
@@ -38,6 +40,8 @@ struct SealedTrial {
   // Sealed until the answer is in:
   std::vector<Concealed> truth;  ///< empty for clean; for outside the plant's own name of the physics
   std::string outside;           ///< what an outside trial conceals; else empty
+  double wanderShare = 0.0;      ///< of the Coulomb friction: rms of a torque that changes at random, as any rig's does
+  double wander_s = 0.0;         ///< its correlation time
 };
 
 /// What of a trial isn't left to chance; 0: drawn.

@@ -1,14 +1,21 @@
 #include "firmware_link/transport/serial_ports.h"
 
-#include <QSerialPortInfo>
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 
 namespace breakaway {
 
 namespace {
 
 namespace fs = std::filesystem;
+
+/// The first line of one of the kernel's small files; empty where there is none.
+std::string lineOf(const fs::path& file) {
+  std::string line;
+  std::getline(std::ifstream(file), line);
+  return line;
+}
 
 /// The link below /dev/serial/by-id that leads to `device`; the device itself when there is none.
 std::string lastingName(const std::string& device) {
@@ -20,6 +27,15 @@ std::string lastingName(const std::string& device) {
   return device;
 }
 
+/// The folder of the USB device that `interface` belongs to: the nearest one above with a vendor. Empty: none.
+fs::path usbDevice(fs::path interface) {
+  std::error_code code;
+  for (; interface.has_relative_path(); interface = interface.parent_path()) {
+    if (fs::exists(interface / "idVendor", code)) return interface;
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string SerialPort::words() const {
@@ -27,16 +43,23 @@ std::string SerialPort::words() const {
   return product.empty() ? name : product + " (" + name + ")";
 }
 
-std::vector<SerialPort> serialPorts() {
+std::vector<SerialPort> serialPorts(const std::string& kernel) {
   std::vector<SerialPort> ports;
-  for (const QSerialPortInfo& one : QSerialPortInfo::availablePorts()) {
+  std::error_code code;
+  for (const auto& terminal : fs::directory_iterator(fs::path(kernel) / "class" / "tty", code)) {
+    std::error_code none;
+    const fs::path hardware = fs::canonical(terminal.path() / "device", none);
+    if (none) continue;                                     // a console or a pseudo terminal
+    if (lineOf(terminal.path() / "type") == "0") continue;  // a socket on the mainboard that no chip answers from
     SerialPort port;
-    port.device = one.systemLocation().toStdString();
+    port.device = "/dev/" + terminal.path().filename().string();
     port.lasting = lastingName(port.device);
-    port.product = one.description().toStdString();
-    port.maker = one.manufacturer().toStdString();
-    port.serialNumber = one.serialNumber().toStdString();
-    port.usb = one.hasVendorIdentifier();
+    if (const fs::path usb = usbDevice(hardware); !usb.empty()) {
+      port.product = lineOf(usb / "product");
+      port.maker = lineOf(usb / "manufacturer");
+      port.serialNumber = lineOf(usb / "serial");
+      port.usb = true;
+    }
     ports.push_back(std::move(port));
   }
   std::sort(ports.begin(), ports.end(),

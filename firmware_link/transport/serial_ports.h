@@ -18,7 +18,7 @@ struct SerialPort {
   std::string words() const;
 };
 
-/// Those with a product name first, then by device.
-std::vector<SerialPort> serialPorts();
+/// Those on USB first, then by device, as the kernel's folder tells.
+std::vector<SerialPort> serialPorts(const std::string& kernel = "/sys");
 
 }  // namespace breakaway

@@ -38,9 +38,6 @@ class Taker {
     bytes_ = bytes_.subspan(count);
     return value;
   }
-  double int16(double scale) { return static_cast<std::int16_t>(unsignedOf(2)) / scale; }
-  std::int32_t int32() { return static_cast<std::int32_t>(unsignedOf(4)); }
-  double int32(double scale) { return int32() / scale; }
   std::span<const std::uint8_t> rest() const { return bytes_; }
 
  private:
@@ -48,44 +45,43 @@ class Taker {
   bool good_ = true;
 };
 
-/// Bytes of each field, in the order of the mask's bits.
-constexpr std::array<std::uint8_t, 22> fieldBytes{2, 2, 4, 4, 4, 4, 2, 4, 2, 4, 4, 4, 4, 4, 4, 1, 4, 1, 6, 4, 4, 1};
+/// A field's bytes; where its value goes, and what of it the wire holds one of. Null: it is passed over.
+struct Field {
+  std::uint8_t bytes;
+  double VescValues::*value = nullptr;
+  double perUnit = 1.0;
+};
 
-void takeField(std::uint32_t field, Taker& taker, VescValues& values) {
-  switch (field) {
-    case vescField::bridgeTemperature:
-      values.bridge_degC = taker.int16(10.0);
-      break;
-    case vescField::motorTemperature:
-      values.motor_degC = taker.int16(10.0);
-      break;
-    case vescField::motorCurrent:
-      values.motorCurrent_A = taker.int32(100.0);
-      break;
-    case vescField::iq:
-      values.iq_A = taker.int32(100.0);
-      break;
-    case vescField::duty:
-      values.duty = taker.int16(1000.0);
-      break;
-    case vescField::speed:
-      values.electricalSpeed_rpm = taker.int32(1.0);
-      break;
-    case vescField::supply:
-      values.supply_V = taker.int16(10.0);
-      break;
-    case vescField::tachometer:
-      values.tachometer = taker.int32();
-      break;
-    case vescField::fault:
-      values.fault = static_cast<int>(taker.unsignedOf(1));
-      break;
-    case vescField::position:
-      values.position_deg = taker.int32(1e6);
-      break;
-    default:
-      break;
-  }
+/// In the order of the mask's bits.
+constexpr std::array<Field, 22> fieldsInOrder{{{2, &VescValues::bridge_degC, 10.0},
+                                               {2, &VescValues::motor_degC, 10.0},
+                                               {4, &VescValues::motorCurrent_A, 100.0},
+                                               {4},
+                                               {4},
+                                               {4, &VescValues::iq_A, 100.0},
+                                               {2, &VescValues::duty, 1000.0},
+                                               {4, &VescValues::electricalSpeed_rpm},
+                                               {2, &VescValues::supply_V, 10.0},
+                                               {4},
+                                               {4},
+                                               {4},
+                                               {4},
+                                               {4},
+                                               {4},
+                                               {1},
+                                               {4, &VescValues::position_deg, 1e6},
+                                               {1},
+                                               {6},
+                                               {4},
+                                               {4},
+                                               {1}}};
+
+void takeField(std::uint32_t mask, const Field& field, std::uint32_t raw, VescValues& values) {
+  const auto number = field.bytes == 2 ? static_cast<std::int16_t>(raw) : static_cast<std::int32_t>(raw);
+  if (field.value != nullptr) values.*field.value = number / field.perUnit;
+  if (mask == vescField::tachometer) values.tachometer = number;
+  if (mask == vescField::fault) values.fault = number;
+  values.fields |= mask;
 }
 
 }  // namespace
@@ -139,26 +135,23 @@ std::optional<VescValues> readVescValues(std::span<const std::uint8_t> payload) 
   const auto message = static_cast<VescMessage>(taker.unsignedOf(1));
   const bool selected = message == VescMessage::selectedValues;
   if (!taker.good() || (!selected && message != VescMessage::values)) return {};
-  const std::uint32_t coming = selected ? taker.unsignedOf(4) : (1u << fieldBytes.size()) - 1;
-  if (coming >> fieldBytes.size() != 0) return {};  // fields of a length that isn't known here
+  const std::uint32_t coming = selected ? taker.unsignedOf(4) : (1u << fieldsInOrder.size()) - 1;
+  if (coming >> fieldsInOrder.size() != 0) return {};  // fields of a length that isn't known here
   VescValues values;
-  for (size_t bit = 0; bit < fieldBytes.size(); ++bit) {
-    const std::uint32_t field = 1u << bit;
-    if ((coming & field) == 0) continue;
-    if (!taker.enough(fieldBytes[bit])) {
+  for (size_t bit = 0; bit < fieldsInOrder.size(); ++bit) {
+    const Field& field = fieldsInOrder[bit];
+    if ((coming & 1u << bit) == 0) continue;
+    if (!taker.enough(field.bytes)) {
       if (selected) return {};
       break;
     }
-    Taker one(taker.rest().first(fieldBytes[bit]));
-    takeField(field, one, values);
-    taker = Taker(taker.rest().subspan(fieldBytes[bit]));
-    values.fields |= field;
+    takeField(1u << bit, field, taker.unsignedOf(field.bytes), values);
   }
   return taker.good() ? std::optional(values) : std::nullopt;
 }
 
 std::string vescFaultWords(int fault) {
-  static constexpr std::array<const char*, 29> words{
+  static constexpr std::array<const char*, 34> words{
       "",
       "the supply voltage is too high; a braking motor may feed it, check the supply",
       "the supply voltage is too low; check the supply and its current limit",
@@ -187,7 +180,12 @@ std::string vescFaultWords(int fault) {
       "the encoder's magnet is missing",
       "the encoder's magnet is too strong",
       "the phase filter fails",
-      "the encoder fails"};
+      "the encoder fails",
+      "its low-voltage output fails; check what it feeds for a short",
+      "the encoder slips: its angle has left the one that the windings' voltage tells; check coupling and magnet",
+      "the motor turns forwards faster than its speed limit",
+      "the motor turns backwards faster than its speed limit",
+      "the motor turns faster than the higher of its two speed limits"};
   if (fault == 0) return {};
   if (fault > 0 && fault < static_cast<int>(words.size())) return words[static_cast<size_t>(fault)];
   return fmt::format("fault {}, which is not known here; its maker's tool names it", fault);

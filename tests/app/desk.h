@@ -7,12 +7,14 @@
 #include <QSpinBox>
 
 #include "app/window_support.h"
+#include "support/sanitized.h"
 
 namespace breakaway::test {
 
 constexpr int patience_ms = 120'000;
-constexpr double hurried = 60.0;    ///< board seconds per wall second
-constexpr double unhurried = 10.0;  ///< pace of what is to be stopped: a busy machine must not miss the whole of it
+constexpr double hurried = 60.0;  ///< board seconds per wall second
+/// Pace of what is to be stopped: a busy machine must not miss the whole of it.
+constexpr double unhurried = sanitized ? 5.0 : 10.0;
 
 /// Fast, and without a watchdog that would watch the test machine instead of the window.
 struct Desk {

@@ -4,6 +4,7 @@
 #include <QFile>
 #include <QImage>
 #include <QListWidget>
+#include <QPushButton>
 #include <QSlider>
 #include <QSpinBox>
 #include <QSvgRenderer>
@@ -12,6 +13,8 @@
 #include "app/desk.h"
 #include "base/atomic_file.h"
 #include "friction/map_export.h"
+#include "pages/tune_page.h"
+#include "widgets/figure_chip.h"
 #include "widgets/polar_plot.h"
 
 using namespace breakaway;
@@ -22,11 +25,13 @@ class TestBenchJourney : public QObject {
  private slots:
   void initTestCase();
   void connectHomeSweepExport();
+  void wiringCheck_saysWhatBelongsTogether();
   void stopDuringSweep_keepsWhatWasMeasured_data();
   void stopDuringSweep_keepsWhatWasMeasured();
   void stoppedSweep_goesOnWhereItEnded();
   void slider_changesTheBoardAndTheStep();
-  void stiffnessButton_tunesTheBoardAndSaysItsMargins();
+  void measuredImprovement_wasForetold();
+  void stiffnessButton_tunesAndSaysItsMargins();
   void everyControl_hasAName();
   void disabledControls_sayWhy();
 };
@@ -38,7 +43,7 @@ void TestBenchJourney::initTestCase() {
 
 void TestBenchJourney::connectHomeSweepExport() {
   Desk desk;
-  QCOMPARE(named<QListWidget>(desk.window, "boardList")->currentItem()->text(), QString("Simulated board: servo"));
+  QCOMPARE(named<QListWidget>(desk.window, "boardList")->currentItem()->text(), QString("servo"));
   QVERIFY(desk.connected());
   QVERIFY(named<QWidget>(desk.window, "simulatedLabel")->isVisible());
   QVERIFY(named<QLabel>(desk.window, "deviceLabel")->text().contains("servo"));
@@ -80,9 +85,22 @@ void TestBenchJourney::connectHomeSweepExport() {
   desk.answers.byTitle["Write the friction report"] = folder.filePath("friction.html");
   desk.window.showPage("reportPage");
   press(desk.window, "writeFrictionReportButton");
-  QVERIFY(QFile(folder.filePath("friction.html")).size() > 5000);
+  QTRY_VERIFY(QFile(folder.filePath("friction.html")).size() > 5000);
   const auto csv = readFile(folder.filePath("map.csv").toStdString());
   QVERIFY(csv && csv->starts_with("angle_rad,"));
+}
+
+void TestBenchJourney::wiringCheck_saysWhatBelongsTogether() {
+  Desk desk;
+  QVERIFY(desk.connected());
+  desk.window.showPage("identifyPage");
+  press(desk.window, "wiringButton");
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.bench.known().knows(Known::wiring); }, patience_ms));
+  QVERIFY(named<QLabel>(desk.window, "identifyRunActivity")->text().contains("Done"));
+  QStringList shown;
+  for (const QLabel* label : named<QWidget>(desk.window, "wiringFacts")->findChildren<QLabel*>())
+    shown << label->text();
+  QVERIFY2(shown.filter("count the same way").size() == 1, qPrintable(shown.join(" | ")));
 }
 
 void TestBenchJourney::stopDuringSweep_keepsWhatWasMeasured_data() {
@@ -105,7 +123,7 @@ void TestBenchJourney::stopDuringSweep_keepsWhatWasMeasured() {
   if (key == 0) {
     press(desk.window, "stopButton");
   } else {
-    QTest::keyClick(named<QWidget>(desk.window, "polarView"), static_cast<Qt::Key>(key));
+    QTest::keyClick(named<QWidget>(desk.window, "viewTurns"), static_cast<Qt::Key>(key));
   }
   QVERIFY(QTest::qWaitFor([&] { return desk.session.connection.run().status.state == Procedure::State::stopped; },
                           patience_ms));
@@ -154,18 +172,69 @@ void TestBenchJourney::slider_changesTheBoardAndTheStep() {
     return QTest::qWaitFor([&] { return desk.session.bench.steps().size() == count; }, patience_ms);
   };
   QVERIFY(measure(1));
+  const auto* page = named<TunePage>(desk.window, "tunePage");
   const double kp = desk.session.connection.settings().velocity_kp_A_s_per_rad;
+  const double foretoldBefore_s = page->preview().figures.rise_s;
   auto* slider = named<QSlider>(desk.window, "kpSlider");
   slider->setValue(slider->value() - 200);  // a fifth of the way: a quarter of the gain
+  QVERIFY(QTest::qWaitFor([&] { return page->preview().figures.rise_s > 1.5 * foretoldBefore_s; }, patience_ms));
+  QTest::qWait(100);
+  QCOMPARE(desk.session.connection.settings().velocity_kp_A_s_per_rad, kp);  // nothing is sent before Apply
+  QCOMPARE(named<QPushButton>(desk.window, "applyButton")->text(), QString("Apply 1 edit"));
+  press(desk.window, "undoButton");
+  QVERIFY(!named<QWidget>(desk.window, "applyButton")->isEnabled());
+  press(desk.window, "redoButton");
+  press(desk.window, "applyButton");
   QVERIFY(QTest::qWaitFor([&] { return desk.session.connection.settings().velocity_kp_A_s_per_rad < 0.5 * kp; },
                           patience_ms));
   QVERIFY(measure(2));
   const auto& steps = desk.session.bench.steps();
   QVERIFY2(steps[1].figures.rise_s > 1.5 * steps[0].figures.rise_s, "a quarter of the gain must rise more slowly");
-  QCOMPARE(named<QTableWidget>(desk.window, "stepTable")->rowCount(), 2);
+  QCOMPARE(named<QTableWidget>(desk.window, "stepTable")->rowCount(), 3);  // what is foretold, and both
 }
 
-void TestBenchJourney::stiffnessButton_tunesTheBoardAndSaysItsMargins() {
+void TestBenchJourney::measuredImprovement_wasForetold() {
+  Desk desk;
+  QVERIFY(desk.connected());
+  desk.window.showPage("identifyPage");
+  press(desk.window, "identifyButton");
+  QVERIFY(QTest::qWaitFor(
+      [&] { return desk.session.bench.known().knows(Known::motor) && !desk.session.connection.run().running(); },
+      patience_ms));
+  desk.window.showPage("tunePage");
+  const auto* page = named<TunePage>(desk.window, "tunePage");
+  const auto measure = [&](size_t count) {
+    press(desk.window, "measureStepButton");
+    return QTest::qWaitFor([&] { return desk.session.bench.steps().size() == count; }, patience_ms);
+  };
+  const auto tuned = [&](const char* button) {
+    press(desk.window, button);
+    auto* apply = named<QPushButton>(desk.window, "applyButton");
+    if (!QTest::qWaitFor([&] { return apply->isEnabled(); }, patience_ms)) return false;
+    QTest::qWait(100);
+    press(desk.window, "applyButton");
+    return QTest::qWaitFor([&] { return !apply->isEnabled(); }, patience_ms);
+  };
+  QVERIFY(tuned("tuneSoftButton"));
+  QTest::qWait(100);
+  const double foretoldSoft_s = page->preview().figures.rise_s;
+  QVERIFY(measure(1));
+  QVERIFY(tuned("tuneMediumButton"));
+  QTest::qWait(100);
+  const double foretoldMedium_s = page->preview().figures.rise_s;
+  QVERIFY(measure(2));
+  const auto& steps = desk.session.bench.steps();
+  const double foretold = foretoldMedium_s / foretoldSoft_s,
+               measured = steps[1].figures.rise_s / steps[0].figures.rise_s;
+  qInfo("rise: soft %.2f ms (foretold %.2f), medium %.2f ms (foretold %.2f)", 1e3 * steps[0].figures.rise_s,
+        1e3 * foretoldSoft_s, 1e3 * steps[1].figures.rise_s, 1e3 * foretoldMedium_s);
+  QVERIFY(measured < 0.9);
+  QVERIFY2(foretold > 0.8 * measured && foretold < 1.2 * measured,
+           qPrintable(QString("foretold %1, measured %2").arg(foretold).arg(measured)));
+  QVERIFY(foretoldMedium_s > 0.8 * steps[1].figures.rise_s && foretoldMedium_s < 1.2 * steps[1].figures.rise_s);
+}
+
+void TestBenchJourney::stiffnessButton_tunesAndSaysItsMargins() {
   Desk desk;
   desk.window.showPage("tunePage");
   auto* button = named<QWidget>(desk.window, "tuneStiffButton");
@@ -173,16 +242,23 @@ void TestBenchJourney::stiffnessButton_tunesTheBoardAndSaysItsMargins() {
   desk.window.showPage("connectPage");
   QVERIFY(desk.connected());
   desk.window.showPage("tunePage");
-  const auto* line = named<QLabel>(desk.window, "marginLine");
+  const auto* phase = named<FigureChip>(desk.window, "phaseMarginChip");
+  const auto* page = named<TunePage>(desk.window, "tunePage");
   double last_rad_per_s = 0.0;
   for (const char* name : {"tuneSoftButton", "tuneMediumButton", "tuneStiffButton"}) {
     const ControllerSettings before = desk.session.connection.settings();
     press(desk.window, name);
+    auto* apply = named<QPushButton>(desk.window, "applyButton");
+    QVERIFY(QTest::qWaitFor([&] { return apply->isEnabled() && button->isEnabled(); }, patience_ms));
+    QCOMPARE(desk.session.connection.settings(), before);
+    press(desk.window, "applyButton");
     QVERIFY(QTest::qWaitFor([&] { return desk.session.connection.settings() != before; }, patience_ms));
     QVERIFY(desk.session.connection.settings().observer_cutoff_rad_per_s > last_rad_per_s);
     last_rad_per_s = desk.session.connection.settings().observer_cutoff_rad_per_s;
-    QVERIFY(QTest::qWaitFor([&] { return line->text().startsWith("Phase margin") && button->isEnabled(); }, 5000));
-    QCOMPARE(line->text(), desk.session.bench.marginLine());
+    QTest::qWait(100);
+    const double margin_deg = page->preview().margins.phaseMargin_rad * 180.0 / M_PI;
+    QCOMPARE(phase->value(), QString("%1°").arg(margin_deg, 0, 'f', 1));
+    QCOMPARE(phase->tone(), QString(margin_deg >= 45.0 ? "good" : margin_deg >= 30.0 ? "warning" : "trouble"));
   }
 }
 

@@ -1,7 +1,9 @@
-// The Tune page's logic without the page: what is known of the motor, the margins' line, tuned settings.
+// The Tune page's logic without the page: what is known of the motor, what settings would make of it, tuned settings.
 #include <QTest>
+#include <cmath>
 
 #include "session/board_tuning.h"
+#include "session/tuning_preview.h"
 #include "stability/margins.h"
 
 using namespace breakaway;
@@ -10,9 +12,10 @@ class TestBoardTuning : public QObject {
   Q_OBJECT
  private slots:
   void motor_isTheBestKnown();
-  void marginLine_saysMarginsAndTheRule();
-  void marginLine_saysWhenTheLoopIsUnstable();
-  void marginLine_saysWhatIsMissing();
+  void preview_hasMarginsStepAndTheRule();
+  void preview_ofAnUnstableLoopHasNoStep();
+  void preview_saysWhatIsMissing();
+  void grades_followTheRules();
   void tunedSettings_keepTheirMarginsOnTheBoard();
   void knowingLess_tunesSlower();
 };
@@ -68,27 +71,42 @@ void TestBoardTuning::motor_isTheBestKnown() {
   QVERIFY(std::abs(file.torqueConstant_Nm_per_A.low95() / 0.07 - 0.973) < 1e-6);
 }
 
-void TestBoardTuning::marginLine_saysMarginsAndTheRule() {
-  const ServoLoop loop = boardLoop(board(), namePlate(), knownMotor(namePlate(), {}, identification()));
-  const LoopMargins found = margins(loop);
-  const QString line = marginWords(loop);
-  QVERIFY2(line.contains(QString("Phase margin %1°").arg(found.phaseMargin_rad * 180.0 / M_PI, 0, 'f', 0)),
-           qPrintable(line));
-  QVERIFY2(line.contains(QString("gain margin %1").arg(found.gainMargin, 0, 'f', 1)), qPrintable(line));
-  QVERIFY2(line.contains("αgT 0.04"), qPrintable(line));
+void TestBoardTuning::preview_hasMarginsStepAndTheRule() {
+  const KnownMotor motor = knownMotor(namePlate(), {}, identification());
+  const TuningPreview preview = previewOf({board(), namePlate(), motor, 0.0, {}});
+  QVERIFY2(preview.trouble.isEmpty(), qPrintable(preview.trouble));
+  QVERIFY(preview.margins.stable);
+  QCOMPARE(preview.margins.phaseMargin_rad, margins(boardLoop(board(), namePlate(), motor)).phaseMargin_rad);
+  QVERIFY2(std::abs(preview.alphaGT - 0.04) < 0.005, qPrintable(QString::number(preview.alphaGT)));
+  const double last_rad_per_s = preview.step.velocity_rad_per_s.back();
+  QVERIFY2(std::abs(last_rad_per_s - 20.0) < 1.0, qPrintable(QString::number(last_rad_per_s)));
 }
 
-void TestBoardTuning::marginLine_saysWhenTheLoopIsUnstable() {
+void TestBoardTuning::preview_ofAnUnstableLoopHasNoStep() {
   ControllerSettings settings = namePlate();
   settings.nominal_inertia_kg_m2 *= 8.0;
-  QVERIFY(marginWords(boardLoop(board(), settings, knownMotor(settings, {}, identification()))).startsWith("Unstable"));
+  const TuningPreview preview = previewOf({board(), settings, knownMotor(settings, {}, identification()), 0.0, {}});
+  QVERIFY(!preview.margins.stable && preview.step.time_s.empty());
+  QCOMPARE(gradeOfPhase(preview.margins), Grade::trouble);
 }
 
-void TestBoardTuning::marginLine_saysWhatIsMissing() {
+void TestBoardTuning::preview_saysWhatIsMissing() {
   Identity identity = board();
   identity.loopRate_Hz = 0.0;
-  const QString line = marginWords(boardLoop(identity, namePlate(), knownMotor(namePlate(), bench(), {})));
-  QVERIFY2(line.contains("tick_s"), qPrintable(line));
+  const TuningPreview preview = previewOf({identity, namePlate(), knownMotor(namePlate(), bench(), {}), 0.0, {}});
+  QVERIFY2(preview.trouble.contains("tick_s"), qPrintable(preview.trouble));
+}
+
+void TestBoardTuning::grades_followTheRules() {
+  LoopMargins found;
+  found.stable = true;
+  const auto phase = [&found](double degrees) {
+    found.phaseMargin_rad = degrees * M_PI / 180.0;
+    return gradeOfPhase(found);
+  };
+  QVERIFY(phase(46.0) == Grade::good && phase(44.0) == Grade::warning && phase(29.0) == Grade::trouble);
+  QVERIFY(gradeOfAlphaGT(0.29) == Grade::good && gradeOfAlphaGT(0.31) == Grade::warning);
+  QVERIFY(gradeOfNoise(0.019, 1.0) == Grade::good && gradeOfNoise(0.06, 1.0) == Grade::trouble);
 }
 
 void TestBoardTuning::tunedSettings_keepTheirMarginsOnTheBoard() {

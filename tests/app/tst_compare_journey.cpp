@@ -1,11 +1,15 @@
 // Compare through the window: open, diagnose, before and after, leave a finding out.
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLineEdit>
+#include <QTableWidget>
 #include <cmath>
 
 #include "app/window_support.h"
 #include "support/real_recordings.h"
+#include "support/sanitized.h"
 #include "widgets/facts_table.h"
+#include "widgets/log_panel.h"
 #include "widgets/residual_plots.h"
 
 using namespace breakaway;
@@ -19,6 +23,11 @@ class TestCompareJourney : public QObject {
   void emps_isDiagnosed();
   void cancel_endsTheDiagnosis();
   void badRecording_isSaidInOneLine();
+  void log_isShownAsUnderstoodAndCorrectedByAClick();
+  void whatNoLogSays_isAskedForAndRemembered();
+
+ private:
+  const QTemporaryDir settings_;
 };
 
 namespace {
@@ -49,27 +58,21 @@ struct Desk {
         },
         patience_ms);
   }
-  QString proof(const char* name) { return named<FactsTable>(window, "proof")->value(name); }
+  QString text(const char* name) { return named<QLabel>(window, name)->text(); }
 
   Answers answers;
   Session session;
   MainWindow window;
 };
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr bool sanitized = true;
-#else
-constexpr bool sanitized = false;
-#endif
-
-/// The first ten seconds of a recording as a file of its own: under sanitizers, where a diagnosis takes ten times as
+/// The first six seconds of a recording as a file of its own: under sanitizers, where a diagnosis takes ten times as
 /// long, the journey is what is tested, not what it finds.
 QString shortened(const QString& path, const QTemporaryDir& folder) {
   QFile in(path);
   if (!in.open(QIODevice::ReadOnly)) return path;
   QFile out(folder.filePath("short.csv"));
   if (!out.open(QIODevice::WriteOnly)) return path;
-  for (int line = 0; line < 10000 && !in.atEnd(); ++line) out.write(in.readLine());
+  for (int line = 0; line < 6000 && !in.atEnd(); ++line) out.write(in.readLine());
   return out.fileName();
 }
 
@@ -81,7 +84,10 @@ void checkDiagnosis(Desk& desk) {
     QVERIFY(!diagnosis.findings.empty());
     QVERIFY(diagnosis.fit.heldoutAfter < diagnosis.fit.heldoutBefore);
   }
-  QVERIFY2(desk.proof("Held-out error").contains("→"), qPrintable(desk.proof("Held-out error")));
+  QVERIFY2(desk.text("verdictFigure").contains("→"), qPrintable(desk.text("verdictFigure")));
+  QVERIFY(!named<FactsTable>(desk.window, "baseParameters")->value("Wander of the friction").isEmpty());
+  if (!diagnosis.findings.empty())
+    QVERIFY(QTest::qWaitFor([&] { return desk.session.comparison.evidence().has_value(); }, patience_ms));
   const double drawn = desk.session.comparison.shownRmse();
   QVERIFY2(sanitized || (drawn > 0.7 * diagnosis.fit.heldoutAfter && drawn < 1.4 * diagnosis.fit.heldoutAfter),
            qPrintable(QString::number(drawn)));
@@ -98,6 +104,7 @@ void checkDiagnosis(Desk& desk) {
 }  // namespace
 
 void TestCompareJourney::initTestCase() {
+  qputenv("XDG_CONFIG_HOME", settings_.path().toUtf8());
   if (qEnvironmentVariableIsEmpty("BREAKAWAY_RESOURCES"))
     qputenv("BREAKAWAY_RESOURCES", qgetenv("BREAKAWAY_SOURCE_DIR") + "/resources");
 }
@@ -117,9 +124,9 @@ void TestCompareJourney::example_isDiagnosed() {
   desk.answers.byTitle["Write the comparison's report into a folder"] = folder.path();
   desk.window.showPage("reportPage");
   press(desk.window, "writeComparisonReportButton");
+  QTRY_VERIFY_WITH_TIMEOUT(named<QWidget>(desk.window, "openReportButton")->isEnabled(), patience_ms);
   QVERIFY(QFile(folder.filePath("report.html")).size() > 5000);
   QVERIFY(QFile(folder.filePath("diagnosis.json")).size() > 500);
-  QVERIFY(named<QWidget>(desk.window, "openReportButton")->isEnabled());
 }
 
 void TestCompareJourney::emps_isDiagnosed() {
@@ -168,6 +175,83 @@ void TestCompareJourney::badRecording_isSaidInOneLine() {
   QVERIFY(QTest::qWaitFor([&] { return line->text().contains("row 2"); }, 5000));
   QVERIFY(!line->text().contains('\n'));
   QVERIFY(!desk.session.comparison.recording().has_value());
+}
+
+/// Chooses as a person does who types the first letters.
+static void choose(QWidget& window, const QString& objectName, const QString& item) {
+  auto* box = named<QComboBox>(window, qPrintable(objectName));
+  const int index = box->findText(item);
+  if (index < 0) qFatal("%s doesn't offer %s", qPrintable(objectName), qPrintable(item));
+  box->setFocus();
+  while (box->currentIndex() != index) QTest::keyClick(box, box->currentIndex() < index ? Qt::Key_Down : Qt::Key_Up);
+}
+
+static QString written(const QTemporaryDir& folder, const QByteArray& text) {
+  QFile file(folder.filePath("log.csv"));
+  if (!file.open(QIODevice::WriteOnly) || file.write(text) < 0) qFatal("no log");
+  return file.fileName();
+}
+
+void TestCompareJourney::log_isShownAsUnderstoodAndCorrectedByAClick() {
+  const QTemporaryDir folder;
+  QByteArray text = "t [ms];Winkel [deg];u;x\n";
+  for (int k = 0; k < 50; ++k)
+    text += QByteArray::number(10 * k) + ";" + QByteArray::number(k * k) + ";" + QByteArray::number(k % 5) + ";" +
+            QByteArray::number(0.5 * k) + "\n";
+  Desk desk;
+  desk.answers.byTitle["Open a recording"] = written(folder, text);
+  press(desk.window, "openRecordingButton");
+  LogOpening& log = desk.session.comparison.log();
+  const auto settled = [&log] { return log.isOpen() && !log.settling(); };
+  QVERIFY(QTest::qWaitFor(settled, patience_ms));
+  QVERIFY(named<LogPanel>(desk.window, "logPanel")->isVisible());
+  QVERIFY(!named<QWidget>(desk.window, "residualPlots")->isVisible());
+  const auto* table = named<QTableWidget>(desk.window, "logColumns");
+  QCOMPARE(table->rowCount(), 4);
+  QCOMPARE(table->item(1, 0)->text(), QString("Winkel [deg]"));
+  QCOMPARE(named<QComboBox>(desk.window, "logTakenAs1")->currentText(), QString("angle_rad"));
+  QCOMPARE(named<QComboBox>(desk.window, "logUnit1")->currentText(), QString("deg"));
+  QVERIFY(table->item(1, 4)->text().startsWith("0   1   4"));
+  choose(desk.window, "logUnit1", "rev");
+  QVERIFY(QTest::qWaitFor([&] { return settled() && log.columns()[1].unit == "rev"; }, patience_ms));
+  choose(desk.window, "logTakenAs3", "current_A");
+  QVERIFY(QTest::qWaitFor([&] { return settled() && log.columns()[3].to == "current_A"; }, patience_ms));
+  choose(desk.window, "logUnit3", "mA");
+  QVERIFY(QTest::qWaitFor([&] { return settled() && log.columns()[3].unit == "mA"; }, patience_ms));
+  press(desk.window, "logOpenButton");
+  const auto& recording = desk.session.comparison.recording();
+  QVERIFY(recording.has_value());
+  QVERIFY(std::abs(recording->channel("angle_rad")[3] - 9.0 * 2.0 * M_PI) < 1e-9);
+  QVERIFY(std::abs(recording->channel("current_A")[10] - 5e-3) < 1e-12);
+  QVERIFY(!named<LogPanel>(desk.window, "logPanel")->isVisible());
+}
+
+void TestCompareJourney::whatNoLogSays_isAskedForAndRemembered() {
+  const QTemporaryDir folder;
+  QByteArray text = "voltage,angle_deg\n";
+  for (int k = 0; k < 50; ++k) text += QByteArray::number(k % 3) + "," + QByteArray::number(k * k) + "\n";
+  const QString path = written(folder, text);
+  for (const bool again : {false, true}) {
+    Desk desk;
+    desk.answers.byTitle["Open a recording"] = path;
+    press(desk.window, "openRecordingButton");
+    LogOpening& log = desk.session.comparison.log();
+    const auto settled = [&log] { return log.isOpen() && !log.settling(); };
+    QVERIFY(QTest::qWaitFor(settled, patience_ms));
+    QCOMPARE(log.fault().contains("sample_time_s"), !again);
+    QCOMPARE(named<QWidget>(desk.window, "logOpenButton")->isEnabled(), again);
+    auto* apart = named<QLineEdit>(desk.window, "logSampleTime");
+    if (!again) {
+      QTest::keyClicks(apart, "0.02");
+      QTest::keyClick(apart, Qt::Key_Return);
+      QVERIFY(QTest::qWaitFor([&] { return settled() && log.fault().isEmpty(); }, patience_ms));
+    }
+    QCOMPARE(apart->text(), QString("0.02"));
+    press(desk.window, "logOpenButton");
+    QVERIFY(desk.session.comparison.recording().has_value());
+    QVERIFY(std::abs(desk.session.comparison.recording()->time().back() - 0.98) < 1e-12);
+  }
+  QCOMPARE(QDir(LogOpening::memory()).entryList({"*.map.json"}).size(), 2);
 }
 
 JOURNEY_MAIN(TestCompareJourney)

@@ -222,7 +222,7 @@ void TestConnection::profile_isSavedComparedAndRestoredInPart() {
   press(desk.window, "openProfileButton");
   auto* table = named<QTableWidget>(desk.window, "profileTable");
   QTRY_COMPARE(table->rowCount(), 2);
-  QCOMPARE(table->item(0, 0)->text(), QString("velocity_kp_A_s_per_rad"));
+  QCOMPARE(table->item(0, 0)->text(), QString("Velocity Kp (A s/rad)"));
   QVERIFY(table->item(0, 3)->text().isEmpty());
   table->item(1, 0)->setCheckState(Qt::Unchecked);
   QVERIFY(desk.session.connection.settings() == other);  // nothing is written unasked

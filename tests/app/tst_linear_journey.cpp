@@ -33,7 +33,7 @@ class TestLinearJourney : public QObject {
 
 namespace {
 
-constexpr int places = 24;
+constexpr int placesOfTravel = 24;
 constexpr size_t breakaways = 96;   // at each place, each way, two passes
 constexpr double axisPace = 120.0;  ///< board seconds per wall second
 const std::string uri = "simulated:linear";
@@ -43,7 +43,7 @@ struct LinearDesk : Desk {
   LinearDesk() : Desk(axisPace) {}
   bool connected() {
     auto* list = named<QListWidget>(window, "boardList");
-    const auto found = list->findItems("Simulated board: linear", Qt::MatchExactly);
+    const auto found = list->findItems("linear", Qt::MatchExactly);
     if (found.isEmpty()) return false;
     window.showPage("connectPage");
     list->setCurrentItem(found.front());
@@ -51,7 +51,7 @@ struct LinearDesk : Desk {
   }
   void sweepVelocity() {
     window.showPage("frictionPage");
-    named<QSpinBox>(window, "bins")->setValue(places);
+    named<QSpinBox>(window, "bins")->setValue(placesOfTravel);
     named<QSpinBox>(window, "speedCount")->setValue(6);
     named<QDoubleSpinBox>(window, "speedDuration")->setValue(6.0);
     press(window, "velocitySweepButton");
@@ -125,14 +125,13 @@ void TestLinearJourney::connectHomeSweepExport_mapHoldsTheTruth() {
   QCOMPARE(plot->curves().size(), size_t{2});  // Coulomb friction both ways, before there is a breakaway
   QVERIFY(plot->readingAt(plot->pixelOf(plot->curves()[0].points[3])).contains("(95 %)"));
 
-  named<QSpinBox>(desk.window, "bins")->setValue(places + 1);
+  named<QSpinBox>(desk.window, "bins")->setValue(placesOfTravel + 1);
   QVERIFY(desk.beginsWith("breakawaySweepButton", "velocity sweep"));  // strokes were taken apart into other places
-  named<QSpinBox>(desk.window, "bins")->setValue(places);
+  named<QSpinBox>(desk.window, "bins")->setValue(placesOfTravel);
   QVERIFY(!desk.beginsWith("breakawaySweepButton", "velocity sweep"));
-  desk.sweep(places, 2);
+  desk.sweep(placesOfTravel, 2);
   QVERIFY2(desk.mapGrows(), "the map did not grow while the sweep ran");
-  auto* view = named<QComboBox>(desk.window, "polarView");
-  view->setCurrentIndex(view->findText("Breakaway, pass by pass"));
+  press(desk.window, "viewTurns");
   QCOMPARE(plot->curves().size(), size_t{4});
   const QString reading = plot->readingAt(plot->pixelOf(plot->curves()[0].points[3]));
   QVERIFY2(reading.contains(" mm: ") && reading.contains(" N"), qPrintable(reading));
@@ -152,13 +151,14 @@ void TestLinearJourney::connectHomeSweepExport_mapHoldsTheTruth() {
   desk.answers.byTitle["Write the friction report"] = folder.filePath("friction.html");
   desk.window.showPage("reportPage");
   press(desk.window, "writeFrictionReportButton");
+  QTRY_VERIFY(QFile::exists(folder.filePath("friction.html")));
   const auto report = readFile(folder.filePath("friction.html").toStdString());
   QVERIFY(report && report->find("over the travel") != std::string::npos && report->find("mNm") == std::string::npos);
 
   const auto map = readMap(folder.filePath("map.json").toStdString());
   QVERIFY2(map.ok(), map.ok() ? "" : map.error().message().c_str());
   QVERIFY(map->axis == Axis::linear);
-  QCOMPARE(map->bins.size(), size_t{places});
+  QCOMPARE(map->bins.size(), size_t{placesOfTravel});
   const auto truth = trueMap(uri, *map);
   QVERIFY(truth.ok());
   const double breakaway = errorOf(*map, *truth, &WayBin::static_Nm),
@@ -179,6 +179,8 @@ void TestLinearJourney::tunePage_tunesTheAxisAndStepsWithinItsTravel() {
   desk.window.showPage("tunePage");
   const ControllerSettings before = desk.session.connection.settings();
   press(desk.window, "tuneMediumButton");
+  QVERIFY(QTest::qWaitFor([&] { return named<QWidget>(desk.window, "applyButton")->isEnabled(); }, patience_ms));
+  press(desk.window, "applyButton");
   QVERIFY(QTest::qWaitFor([&] { return desk.session.connection.settings() != before; }, patience_ms));
   const double bandwidth = desk.session.connection.settings().velocity_kp_A_s_per_rad * 14.0 / 1.8;
   QVERIFY2(bandwidth > 20.0 && bandwidth < 200.0, qPrintable(QString::number(bandwidth)));
@@ -246,7 +248,7 @@ void TestLinearJourney::stoppedSweep_goesOnAfterReconnectingAndHomingAnew() {
   QVERIFY(desk.homed());
   QVERIFY(desk.sweptVelocity());
   desk.session.connection.setPace(unhurried);
-  desk.sweep(places, 2);
+  desk.sweep(placesOfTravel, 2);
   QVERIFY(QTest::qWaitFor([&] { return desk.session.bench.known().breakaways.size() >= 6; }, patience_ms));
   press(desk.window, "stopButton");
   QVERIFY(QTest::qWaitFor([&] { return desk.session.connection.run().status.state == Procedure::State::stopped; },
@@ -258,7 +260,7 @@ void TestLinearJourney::stoppedSweep_goesOnAfterReconnectingAndHomingAnew() {
   desk.session.connection.setPace(axisPace);
   QVERIFY(desk.connected());
   QVERIFY(desk.homed());
-  desk.sweep(places, 2);
+  desk.sweep(placesOfTravel, 2);
   QVERIFY(QTest::qWaitFor([&] { return desk.session.bench.known().knows(Known::map); }, patience_ms));
   const auto& events = desk.session.bench.known().breakaways;
   QCOMPARE(events.size() + desk.session.bench.known().missed, breakaways);

@@ -4,11 +4,16 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTableWidget>
+#include <algorithm>
+#include <atomic>
 
 #include "app/small_drive.h"
 #include "app/window_support.h"
 #include "pages/home_page.h"
 #include "pages/tune_page.h"
+#include "recording/block_file.h"
+#include "recording/csv.h"
+#include "recording/sample_recording.h"
 #include "session/live_samples.h"
 #include "support/temporary.h"
 
@@ -27,10 +32,13 @@ class TestSession : public QObject {
   void liveSamples_keepTheLastMinuteOfTheirBatches();
   void emptyStretch_isAnError();
   void recording_holdsEverySampleFromItsStart();
-  void lostBoard_endsItsRecording();
+  void lostSamples_areGapsOfTheRecording();
+  void lostBoard_leavesItsRecordingAndSamples();
+  void fullDisk_endsARecordingInOrder();
+  void almostFullDisk_isAnnounced();
   void runs_sayWhyTheyCannotStart();
-  void measuredSteps_areKeptUntilTheBoardLeaves();
-  void surveyOfAnotherBoard_isForgotten();
+  void measuredSteps_areKeptUntilAnotherBoardComes();
+  void surveyOfAnotherBoard_waitsForIt();
   void bridgesCurve_isGivenToTheBoard_andARefusalSaid();
   void page_worksWithItsPartsAlone();
 };
@@ -48,6 +56,16 @@ struct Parts {
   QSignalSpy said{&messages, &Messages::said};
   std::shared_ptr<DriveWitness> witness = std::make_shared<DriveWitness>();
   Connection connection{messages, {1.0, 0.005, 600.0}};
+  TemporaryFolder folder;
+  BenchProject project{messages};
+
+  Parts() { project.open(QString::fromStdString(folder.path("p"))); }
+  /// As the command would find it.
+  std::vector<ProjectRun> kept() const {
+    auto there = Project::open(folder.path("p"));
+    if (!there) qFatal("%s", there.error().message().c_str());
+    return there->index().list({}).value();
+  }
 };
 
 /// Refuses what is asked of it.
@@ -149,7 +167,7 @@ void TestSession::lateReports_ofAnEarlierBoard_areNotTaken() {
 
 void TestSession::liveSamples_keepTheLastMinuteOfTheirBatches() {
   Parts parts;
-  LiveSamples live(parts.connection, parts.messages);
+  LiveSamples live(parts.connection, parts.project, parts.messages);
   live.take(batchOf(0.0, 1000));
   live.take(batchOf(1.0, 1000));
   QCOMPARE(live.history().end(), uint64_t{2000});
@@ -164,7 +182,7 @@ void TestSession::liveSamples_keepTheLastMinuteOfTheirBatches() {
 
 void TestSession::emptyStretch_isAnError() {
   Parts parts;
-  LiveSamples live(parts.connection, parts.messages);
+  LiveSamples live(parts.connection, parts.project, parts.messages);
   QVERIFY(!live.stretch(0.0, 1.0).ok());
   live.startRecording();
   QVERIFY(!live.recording());  // there is no board to record
@@ -172,29 +190,112 @@ void TestSession::emptyStretch_isAnError() {
 
 void TestSession::recording_holdsEverySampleFromItsStart() {
   Parts parts;
-  LiveSamples live(parts.connection, parts.messages);
+  LiveSamples live(parts.connection, parts.project, parts.messages);
   parts.connection.adopt(std::make_unique<SmallDrive>(parts.witness), "small");
   live.startRecording();
-  QVERIFY(live.recording() && !live.lastRecording());
-  QTest::qWait(300);
+  QVERIFY(live.recording() && live.lastRecording().isEmpty());
+  QTest::qWait(500);
   live.finishRecording();
   QTRY_VERIFY(!live.recording());
-  QVERIFY(live.lastRecording().has_value());
-  const auto time = live.lastRecording()->channel("time_s");
+  const auto recording = readRecording(live.lastRecording().toStdString());
+  VERIFY_OK(recording);
+  const auto time = recording->time();
   QVERIFY2(time.size() > 100, qPrintable(QString::number(time.size())));
   for (size_t k = 1; k < time.size(); ++k) QVERIFY(std::abs(time[k] - time[k - 1] - 1e-3) < 1e-9);
-  QCOMPARE(parts.lines().back(), QString("Recorded %1 samples").arg(time.size()));
+  QVERIFY(parts.lines().contains(QString("Recorded %1 samples").arg(time.size())));
+  QTRY_COMPARE(parts.kept().size(), size_t{1});
+  QTRY_COMPARE(parts.kept().front().state, RunState::whole);
+  const QString csv = QString::fromStdString(parts.folder.path("r.csv"));
+  live.saveLast(csv);
+  QTRY_VERIFY(QFile::exists(csv));
+  QCOMPARE(readCsv(csv.toStdString())->rows(), time.size());
 }
 
-void TestSession::lostBoard_endsItsRecording() {
+void TestSession::lostSamples_areGapsOfTheRecording() {
   Parts parts;
-  LiveSamples live(parts.connection, parts.messages);
+  LiveSamples live(parts.connection, parts.project, parts.messages);
   parts.connection.adopt(std::make_unique<SmallDrive>(parts.witness), "small");
   live.startRecording();
-  QTRY_VERIFY(live.history().newest().has_value());
+  QTRY_VERIFY(parts.connection.link().recorded_s > 0.0);
+  parts.witness->lose = 3;
+  QTRY_COMPARE(parts.witness->lose.load(), size_t{0});
+  QTest::qWait(50);
+  live.finishRecording();
+  QTRY_VERIFY(!live.recording());
+  const auto survey = surveyBlocks(live.lastRecording().toStdString());
+  VERIFY_OK(survey);
+  QCOMPARE(survey->lost(), uint64_t{3});
+  QCOMPARE(survey->gaps.size(), size_t{1});
+}
+
+void TestSession::lostBoard_leavesItsRecordingAndSamples() {
+  Parts parts;
+  LiveSamples live(parts.connection, parts.project, parts.messages);
+  parts.connection.adopt(std::make_unique<SmallDrive>(parts.witness), "small");
+  live.startRecording();
+  QTRY_VERIFY(parts.connection.link().recorded_s > 0.2);
   parts.witness->cableCut = true;
   QTRY_VERIFY(!live.recording());
-  QVERIFY(!live.history().newest() && !live.lastRecording());
+  QVERIFY(live.history().newest() && live.lost_s().has_value());
+  QCOMPARE(*live.lost_s(), live.history().newest()->time_s);
+  QVERIFY2(live.stretch(0.0, 1e9).ok(), "the samples can still be exported");
+  const auto recording = readRecording(live.lastRecording().toStdString());
+  VERIFY_OK(recording);
+  QVERIFY(recording->rows() > 150);
+  const std::pair<std::string, std::string> why{"ended_by", "the link was lost"};
+  QVERIFY(std::count(recording->notes().begin(), recording->notes().end(), why) == 1);
+  QTRY_COMPARE(parts.kept().front().state, RunState::cut);
+  const auto said = parts.lines();
+  QVERIFY(std::any_of(said.begin(), said.end(), [](const QString& line) { return line.contains("is kept as run"); }));
+  parts.witness->cableCut = false;
+  const double lost_s = *live.lost_s();
+  const uint64_t before = live.history().end();
+  parts.connection.adopt(std::make_unique<SmallDrive>(parts.witness), "small");
+  QVERIFY2(!live.current(), "what the lost board said last is not what this one says");
+  QTRY_VERIFY(live.history().end() > before);
+  QVERIFY2(live.history().at(before).time_s > lost_s, "the board's clock began anew, the history's goes on");
+  QVERIFY(live.current() && live.lost_s() == lost_s);
+  VERIFY_OK(live.stretch(0.0, 1e9));
+}
+
+void TestSession::fullDisk_endsARecordingInOrder() {
+  Parts parts;
+  const std::string path = parts.folder.path("r.blocks");
+  auto writer = BlockWriter::create(path, {sampleColumns(Axis::rotary), {}});
+  VERIFY_OK(writer);
+  QString why, warned;
+  std::atomic<bool> ended{false};
+  RecorderOptions options;
+  options.reserve_bytes = std::uint64_t{1} << 62U;  // more than any disk has free
+  Recorder recorder(std::move(*writer),
+                    {[&](const RecordingEnd& end) {
+                       why = QString::fromStdString(end.why);
+                       ended = true;
+                     },
+                     {}},
+                    options);
+  const SampleBatch batch = batchOf(0.0, 500);
+  recorder.append(batch.samples, 0);
+  QTRY_VERIFY(ended.load());
+  QCOMPARE(why, QString("the disk is full"));
+  const auto survey = surveyBlocks(path);
+  VERIFY_OK(survey);
+  QVERIFY(survey->ended && survey->rows == 500);
+}
+
+void TestSession::almostFullDisk_isAnnounced() {
+  Parts parts;
+  auto writer = BlockWriter::create(parts.folder.path("r.blocks"), {sampleColumns(Axis::rotary), {}});
+  VERIFY_OK(writer);
+  std::atomic<int> warnings{0};
+  RecorderOptions options;
+  options.warnBefore_s = 1e18;
+  Recorder recorder(std::move(*writer), {{}, [&](const std::string&) { ++warnings; }}, options);
+  for (int k = 0; k < 6; ++k) {
+    recorder.append(batchOf(0.5 * k, 500).samples, 0);
+    QTest::qWait(400);
+  }
+  QCOMPARE(warnings.load(), 1);  // once
 }
 
 void TestSession::runs_sayWhyTheyCannotStart() {
@@ -203,18 +304,18 @@ void TestSession::runs_sayWhyTheyCannotStart() {
   for (const QString& why : {bench.turningObstacle(), bench.stepObstacle(), bench.obstacleToMake(RunKind::homing),
                              bench.obstacleToMake(RunKind::breakaway), bench.gainsObstacle(), bench.tuningObstacle()})
     QCOMPARE(why, QString("No board is connected"));
-  QVERIFY(bench.marginLine().isEmpty());
   parts.connection.adopt(std::make_unique<SmallDrive>(parts.witness), "small");
   QVERIFY(bench.obstacleToMake(RunKind::homing).isEmpty() && bench.stepObstacle().isEmpty());
   QVERIFY(bench.obstacleToMake(RunKind::breakaway).isEmpty());
   QCOMPARE(bench.missingFor(RunKind::breakaway),
-           QString("First: current sensor's zero, winding test, spin test, reversal test, homing, velocity sweep"));
+           QString("First: current sensor's zero, wiring check, winding test, spin test, reversal test, homing, "
+                   "velocity sweep"));
   bench.make(RunKind::homing);
   QTRY_VERIFY(parts.connection.runs(RunKind::homing));
   QVERIFY2(bench.stepObstacle().startsWith("Busy: "), qPrintable(bench.stepObstacle()));
 }
 
-void TestSession::measuredSteps_areKeptUntilTheBoardLeaves() {
+void TestSession::measuredSteps_areKeptUntilAnotherBoardComes() {
   Parts parts;
   BenchRuns bench(parts.connection, parts.messages);
   parts.connection.adopt(std::make_unique<SmallDrive>(parts.witness), "small");
@@ -228,10 +329,12 @@ void TestSession::measuredSteps_areKeptUntilTheBoardLeaves() {
   QTRY_COMPARE(parts.connection.stateWords(), QString("stopped"));
   QCOMPARE(bench.steps().size(), size_t{1});  // a report of the same run is no new step
   parts.connection.close();
+  QCOMPARE(bench.steps().size(), size_t{1});
+  parts.connection.open("simulated:servo");
   QVERIFY(bench.steps().empty());
 }
 
-void TestSession::surveyOfAnotherBoard_isForgotten() {
+void TestSession::surveyOfAnotherBoard_waitsForIt() {
   Parts parts;
   BenchRuns bench(parts.connection, parts.messages);
   parts.connection.adopt(std::make_unique<SmallDrive>(parts.witness), "small");
@@ -252,7 +355,11 @@ void TestSession::surveyOfAnotherBoard_isForgotten() {
   parts.connection.open("simulated:servo");
   QVERIFY(parts.connection.connected());
   QVERIFY(bench.known().runs.empty() && bench.bench().has_value());
-  QVERIFY(parts.lines().contains("This is another board: what was measured on small drive is forgotten"));
+  QVERIFY(
+      parts.lines().contains("This is another board: what was measured on small drive is kept until it comes back"));
+  parts.connection.adopt(std::make_unique<SmallDrive>(parts.witness), "small");
+  QCOMPARE(bench.known().runs.size(), size_t{3});
+  QVERIFY(bench.known().knows(Known::motor));
 }
 
 void TestSession::bridgesCurve_isGivenToTheBoard_andARefusalSaid() {
@@ -274,7 +381,7 @@ void TestSession::bridgesCurve_isGivenToTheBoard_andARefusalSaid() {
 void TestSession::page_worksWithItsPartsAlone() {
   Parts parts;
   BenchRuns bench(parts.connection, parts.messages);
-  LiveSamples live(parts.connection, parts.messages);
+  LiveSamples live(parts.connection, parts.project, parts.messages);
   TunePage tune(parts.connection, bench);
   HomePage home(parts.connection, bench, live);
   QVERIFY(!named<QPushButton>(tune, "measureStepButton")->isEnabled());

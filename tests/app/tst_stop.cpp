@@ -36,6 +36,7 @@ namespace {
 struct Desk {
   explicit Desk(double watchdog_s = 5.0) : session({1.0, 0.005, watchdog_s}), window(session, answers) {
     window.show();
+    window.showLive(true);
     session.connection.adopt(std::make_unique<SmallDrive>(witness), "small");
   }
   bool turning() {
@@ -115,6 +116,12 @@ void TestStop::returnPressesAButton() {
 void TestStop::blockedWindow_stopsTheMotor() {
   Desk desk(0.25);
   QVERIFY(desk.turning());
+  // A stall of the machine's own just before counts as well: begin where the window has answered in time.
+  for (int prompt = 0; prompt < 3;) {
+    const auto asked = std::chrono::steady_clock::now();
+    QTest::qWait(20);
+    prompt = std::chrono::steady_clock::now() - asked < std::chrono::milliseconds(50) ? prompt + 1 : 0;
+  }
   const auto start = std::chrono::steady_clock::now();
   while (desk.witness->powered && std::chrono::steady_clock::now() - start < std::chrono::seconds(5)) {
   }  // this thread is the window's: it answers nothing
@@ -184,7 +191,7 @@ void TestStop::pulledCable_isSaid() {
   QTRY_VERIFY(!desk.session.connection.connected());
   QVERIFY(!desk.witness->powered);
   QVERIFY(named<QLabel>(desk.window, "messageLine")->text().contains("the cable was pulled"));
-  QCOMPARE(named<QLabel>(desk.window, "deviceLabel")->text(), QString("none"));
+  QCOMPARE(named<QLabel>(desk.window, "deviceLabel")->text(), QString("No board"));
   QVERIFY(!named<QWidget>(desk.window, "turnButton")->isEnabled());
   QCOMPARE(named<QWidget>(desk.window, "turnButton")->toolTip(), QString("No board is connected"));
 }
@@ -192,7 +199,7 @@ void TestStop::pulledCable_isSaid() {
 void TestStop::lostSamples_areCounted() {
   Desk desk;
   desk.witness->lose = 3;
-  QTRY_COMPARE(named<QLabel>(desk.window, "lostLabel")->text(), QString("3"));
+  QTRY_VERIFY(named<QLabel>(desk.window, "linkLabel")->text().endsWith(", 3 lost"));
 }
 
 void TestStop::visibleStretch_isExportedWithEverySample() {

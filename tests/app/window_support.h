@@ -13,6 +13,7 @@
 #include "main_window.h"
 #include "session/session.h"
 #include "widgets/file_chooser.h"
+#include "widgets/look.h"
 
 namespace breakaway::test {
 
@@ -57,7 +58,11 @@ inline void press(QWidget& window, const char* objectName) {
     qInstallMessageHandler(breakaway::test::failOnWarning); \
     const QTemporaryDir runtime;                            \
     qputenv("XDG_RUNTIME_DIR", runtime.path().toUtf8());    \
+    const QTemporaryDir kept;                               \
+    qputenv("XDG_DATA_HOME", kept.path().toUtf8());         \
+    qputenv("XDG_CONFIG_HOME", kept.path().toUtf8());       \
     QApplication application(argc, argv);                   \
+    breakaway::wear(breakaway::Theme::light);               \
     TestClass test;                                         \
     return QTest::qExec(&test, argc, argv);                 \
   }

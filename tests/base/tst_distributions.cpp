@@ -12,6 +12,7 @@ class TestDistributions : public QObject {
   Q_OBJECT
  private slots:
   void student_isExactFromOneDegreeOn();
+  void deviations_areTheNormalsBothWays();
   void bound_isClopperAndPearsons();
   void chiSquare_isExactInItsTail();
 };
@@ -31,6 +32,12 @@ void TestDistributions::student_isExactFromOneDegreeOn() {
     QVERIFY2(near(student95(freedom), wanted, 1e-8), qPrintable(QString::number(student95(freedom), 'g', 12)));
   }
   QCOMPARE(student95(0.0), student95(1.0));
+}
+
+void TestDistributions::deviations_areTheNormalsBothWays() {
+  QVERIFY(near(deviationsOf(0.05), 1.95996398, 1e-8));
+  QVERIFY(near(deviationsOf(0.0027), 2.99997699, 1e-6));
+  QVERIFY(near(deviationsOf(1e-6), 4.89163848, 1e-8));
 }
 
 void TestDistributions::bound_isClopperAndPearsons() {

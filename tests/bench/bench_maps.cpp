@@ -1,4 +1,6 @@
 // Friction maps against the truth: every rotary preset and rigs at random. Resumable: one line per rig in --results.
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
@@ -27,7 +29,7 @@ namespace {
 struct Job {
   std::string name, uri;
   unsigned seed = 1;
-  size_t turns = 2;
+  size_t turns = 2, bins = SweepSettings{}.bins;
 };
 
 /// The gain is trusted: the rigs' gain error is zero, and torques rest on the measured back-EMF constant.
@@ -44,6 +46,7 @@ MapScore scored(const Job& job) {
   CommissionOptions options;
   options.rig = job.name;
   options.sweeps.turns = job.turns;
+  options.sweeps.bins = job.bins;
   options.keepRecordings = false;
   const ProcessorTime time(ProcessorTime::Of::thread);
   const auto done = commission(**drive, options);
@@ -176,7 +179,7 @@ class Study {
   explicit Study(const Wanted& wanted) : wanted_(wanted) {}
 
   Result<void> begin() {
-    folder_ = std::filesystem::temp_directory_path() / ("breakaway-maps-" + std::to_string(wanted_.first));
+    folder_ = std::filesystem::temp_directory_path() / ("breakaway-maps-" + std::to_string(getpid()));
     if (auto made = makeFolder(folder_.string()); !made) return made;
     if (wanted_.results.empty()) return {};
     const auto lines = readWholeLines(wanted_.results);
@@ -252,7 +255,8 @@ int families(Study& study, const Wanted& wanted) {
     std::vector<Job> jobs;
     for (unsigned seed = wanted.first; seed < wanted.first + wanted.count; ++seed) {
       const std::string name = family.name + " " + std::to_string(seed);
-      jobs.push_back({name, "simulated:" + study.rigFile(name, familyRig(family.name, seed)), seed, family.turns});
+      jobs.push_back({name, "simulated:" + study.rigFile(name, familyRig(family.name, seed)), seed, family.turns,
+                      familyBins(family.name, seed)});
     }
     done.emplace_back(family, study.scores(jobs));
   }

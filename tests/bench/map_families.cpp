@@ -1,5 +1,6 @@
 #include "bench/map_families.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -80,6 +81,11 @@ std::string familyRig(const std::string& family, unsigned seed) {
   if (family == "load") change.load();
   if (family == "disc") change.disc();
   return rig.dump(1);
+}
+
+size_t familyBins(const std::string& family, unsigned seed) {
+  const double counts = Json::parse(familyRig(family, seed))["encoder"]["counts_per_rev"];
+  return static_cast<size_t>(std::clamp(0.5 * counts, 16.0, 180.0));
 }
 
 }  // namespace breakaway::test

@@ -16,5 +16,7 @@ const std::vector<MapFamily>& mapFamilies();
 
 /// A rig file at random (random_rig.h) of that family.
 std::string familyRig(const std::string& family, unsigned seed);
+/// As many bins as its encoder can fill, at most as many as usual.
+size_t familyBins(const std::string& family, unsigned seed);
 
 }  // namespace breakaway::test

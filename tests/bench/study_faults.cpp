@@ -1,205 +1,205 @@
-// What is left of outputs when a command is killed at random moments, when its files may not grow, and when two work on
-// one folder. ./dev bench faults [KILLS [SIZES]]
+// What is left of outputs when a command is killed at random moments, when its disk is full, when its files may not
+// grow, and when two work on one folder; and of a project, by kills. ./dev bench faults [KILLS [SIZES [COMMAND]]],
+// where COMMAND may be project.
 #include <sys/resource.h>
 
 #include <QCoreApplication>
 #include <QDir>
-#include <QDirIterator>
-#include <QElapsedTimer>
 #include <QFile>
-#include <QProcess>
 #include <QTemporaryDir>
-#include <csignal>
+#include <algorithm>
 #include <cstdio>
 #include <random>
+#include <vector>
 
+#include "bench/window_kills.h"
 #include "firmware_link/presets.h"
+#include "house/pushed_mass.h"
+#include "support/disturbed_output.h"
+#include "support/small_disk.h"
 
 using namespace breakaway;
+using namespace breakaway::test;
 
 namespace {
 
-/// A command, with OUT in its words for what it writes.
-struct Job {
-  QString name;
-  QStringList words;
-  bool folder = true;
-  bool appends = false;
-  qint64 took_ms = 0;
-  QStringList whole = {};  ///< the files of a run that nothing disturbed
-  QByteArray content = {};
-};
-
-QString program() {
-  return QCoreApplication::applicationDirPath() + "/breakaway";
-}
-
-QStringList wordsFor(const Job& job, const QString& out) {
-  QStringList words = job.words;
-  words.replaceInStrings("OUT", out);
-  return words;
-}
-
-/// The files below a folder, those of a job under way (progress/) aside.
-QStringList filesIn(const QString& folder) {
-  QStringList names;
-  QDirIterator one(folder, QDir::Files, QDirIterator::Subdirectories);
-  while (one.hasNext()) {
-    const QString name = QDir(folder).relativeFilePath(one.next());
-    if (!name.startsWith("progress/")) names << name;
-  }
-  names.sort();
-  return names;
-}
-
-QByteArray contentOf(const QString& path) {
-  QFile file(path);
-  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-enum class Left { whole, absent, half };
-
-Left leftOf(const Job& job, const QString& out) {
-  if (job.folder) {
-    const QStringList files = filesIn(out);
-    return files.isEmpty() ? Left::absent : files == job.whole ? Left::whole : Left::half;
-  }
-  if (!QFile::exists(out)) return Left::absent;
-  const QByteArray content = contentOf(out);
-  if (job.appends) return content.isEmpty() ? Left::absent : content.endsWith('\n') ? Left::whole : Left::half;
-  return content == job.content ? Left::whole : Left::half;
-}
-
 struct Counts {
-  int whole = 0, absent = 0, half = 0;
-  void add(Left left) { ++(left == Left::whole ? whole : left == Left::absent ? absent : half); }
+  int whole = 0, before = 0, half = 0;
+  int silent = 0;  ///< ended neither whole nor with a status and one line
+
+  void add(Left left) { ++(left == Left::whole ? whole : left == Left::before ? before : half); }
+  void add(Left left, const Ended& ended) {
+    add(left);
+    const bool told = ended.status > 0 && ended.said.count('\n') == 1;
+    if (ended.status != 0 ? !told : left != Left::whole) ++silent;
+  }
 };
 
-void start(QProcess& process, const Job& job, const QString& out) {
-  process.setStandardOutputFile(QProcess::nullDevice());
-  process.start(program(), wordsFor(job, out));
-  process.waitForStarted();
-}
+struct Tested {
+  Counts killed, full, limited;
+  int next = 0, nextWhole = 0;  ///< runs after a kill
+  bool two = true;
 
-/// The run that the others are held against, and how long it takes.
-bool measure(Job& job, const QTemporaryDir& place) {
-  const QString out = place.filePath("reference-" + job.name);
-  QElapsedTimer clock;
-  clock.start();
-  QProcess process;
-  start(process, job, out);
-  if (!process.waitForFinished(600000) || process.exitCode() != 0) {
-    std::fprintf(stderr, "faults: %s: %s\n", qPrintable(job.name), process.readAllStandardError().constData());
-    return false;
+  bool good() const {
+    return killed.half + full.half + limited.half + full.silent + limited.silent == 0 && next == nextWhole && two;
   }
-  job.took_ms = clock.elapsed();
-  job.whole = filesIn(out);
-  job.content = contentOf(out);
-  return true;
-}
+};
 
-Counts killed(const Job& job, int kills, std::mt19937& random) {
-  Counts counts;
-  std::uniform_real_distribution<double> moment(0.0, 1.05 * static_cast<double>(job.took_ms));
+/// Every second time over an earlier run's output; every second pair in the last fifth, where files are put in place.
+void killed(const DisturbedOutput& output, bool replaces, int kills, std::mt19937& random, Tested& tested) {
+  std::uniform_real_distribution<double> part(0.0, 1.0);
   for (int k = 0; k < kills; ++k) {
     const QTemporaryDir place;
-    const QString out = place.filePath("out");
-    QProcess process;
-    start(process, job, out);
-    process.waitForFinished(static_cast<int>(moment(random)));
-    process.kill();
-    process.waitForFinished();
-    counts.add(leftOf(job, out));
+    const bool over = replaces && k % 2 == 1;
+    if (over) output.lay(place.path());
+    const double at = k / 2 % 2 == 0 ? 1.05 * part(random) : 0.8 + 0.25 * part(random);
+    output.kill(place.path(), static_cast<int>(at * static_cast<double>(output.took_ms())));
+    tested.killed.add(output.left(place.path(), over));
+    if (k % 20 != 0) continue;
+    ++tested.next;
+    output.run(place.path(), true);
+    if (output.onlyWhole(place.path())) {
+      ++tested.nextWhole;
+    } else {
+      std::fprintf(stderr, "after a kill differs: %s\n", qPrintable(output.difference(place.path())));
+    }
   }
-  return counts;
 }
 
-/// Files that may not grow beyond a size, as on a disk that is full: errors, not signals.
-Counts limited(const Job& job, int sizes, int& silent) {
-  Counts counts;
+/// Disks of sizes up to what the output takes, and somewhat more.
+void onFullDisks(const DisturbedOutput& output, bool replaces, int sizes, Tested& tested) {
   for (int k = 0; k < sizes; ++k) {
     const QTemporaryDir place;
-    const QString out = place.filePath("out");
-    QProcess process;
-    const rlim_t most = static_cast<rlim_t>(64) << static_cast<unsigned>(k % 20);
-    process.setChildProcessModifier([most] {
-      const rlimit limit{most, most};
-      ::setrlimit(RLIMIT_FSIZE, &limit);
-    });
-    start(process, job, out);
-    process.waitForFinished(600000);
-    const Left left = leftOf(job, out);
-    counts.add(left);
-    const QByteArray said = process.readAllStandardError();
-    const bool told = process.exitStatus() == QProcess::NormalExit && process.exitCode() != 0 && said.count('\n') == 1;
-    if (left != Left::whole && !told) ++silent;
+    const QString folder = place.filePath("disk");
+    QDir().mkpath(folder);
+    const bool over = replaces && k % 2 == 1;
+    const qint64 room = 4096 + output.bytes() * 11 * k / (10LL * std::max(1, sizes - 1));
+    const SmallDisk disk(folder.toStdString(), static_cast<size_t>(room + (over ? output.bytes() : 0)));
+    if (!disk.mounted()) return;
+    if (over) output.lay(folder);
+    const Ended ended = output.run(folder);
+    const Left left = output.left(folder, over);
+    tested.full.add(over && ended.status == 0 && left == Left::before ? Left::whole : left, ended);  // the same again
   }
-  return counts;
 }
 
-/// Two at once: one does it, the other is refused in one line.
-bool oneOfTwo(const Job& job) {
+/// Files that may not grow beyond a size: errors, not signals.
+void limited(const DisturbedOutput& output, int sizes, Tested& tested) {
+  for (int k = 0; k < sizes; ++k) {
+    const QTemporaryDir place;
+    rlimit before{};
+    ::getrlimit(RLIMIT_FSIZE, &before);
+    const rlimit limit{static_cast<rlim_t>(64) << static_cast<unsigned>(k % 20), before.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    const Ended ended = output.run(place.path());
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    tested.limited.add(output.left(place.path(), false), ended);
+  }
+}
+
+bool aloneOfTwo(const DisturbedOutput& output, OutputJob::Kind kind) {
   const QTemporaryDir place;
-  const QString out = place.filePath("out");
-  QProcess first, second;
-  start(first, job, out);
-  start(second, job, out);
-  first.waitForFinished(600000);
-  second.waitForFinished(600000);
-  const bool refused = first.exitCode() + second.exitCode() == 2 &&
-                       (first.readAllStandardError() + second.readAllStandardError()).count("another process") == 1;
-  return refused && leftOf(job, out) == Left::whole;
+  const bool ended = output.runTwo(place.path());
+  return ended && (kind == OutputJob::Kind::lines ? output.left(place.path(), false) == Left::whole
+                                                  : output.onlyWhole(place.path()));
 }
 
-std::vector<Job> jobsIn(const QTemporaryDir& place) {
-  const QString resources = QString::fromStdString(resourcesFolder()), example = resources + "/examples/example";
-  QFile manifest(place.filePath("m.jsonl"));
-  if (!manifest.open(QIODevice::WriteOnly)) return {};
-  for (const char* id : {"a", "b"}) {
-    manifest.write(QString(R"({"id": "%1", "bench": "%2.bench.json", "recordings": ["%2.csv"]})"
-                           "\n")
-                       .arg(id, example)
-                       .toUtf8());
+void write(const QString& path, const QByteArray& content) {
+  QFile file(path);
+  if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size()) qFatal("%s", qPrintable(path));
+}
+
+std::vector<OutputJob> jobsIn(const QTemporaryDir& place) {
+  using Kind = OutputJob::Kind;
+  const QString bench = place.filePath("b.json"), recording = place.filePath("r.csv");
+  write(bench, pushedMassBench());
+  write(recording, pushedMassRecording(200, {}, "time_s,position_m,force_N", 4e-2));
+  QByteArray list;
+  for (const char* id : {"a", "b", "c", "d"})
+    list += QByteArray("{\"id\": \"") + id + "\", \"bench\": \"b.json\", \"recordings\": [\"r.csv\"]}\n";
+  write(place.filePath("l.jsonl"), list);
+  const QString log = QString::fromStdString(resourcesFolder()) + "/examples/example.csv";
+  return {{"diagnose", {"diagnose", "--bench", bench, "--recording", recording, "--out", "out"}},
+          {"commission",
+           {"commission", "--bins", "36", "--turns", "1", "--run-s", "2", "--out", "out"},
+           Kind::folder,
+           {"--anew"}},
+          {"batch", {"batch", place.filePath("l.jsonl"), "--out", "out"}, Kind::lines},
+          {"trial", {"trial", "--family", "clean", "--seed", "3", "--out", "out"}},
+          {"import", {"import", log, "--out", "out"}, Kind::file}};
+}
+
+/// A project, killed while runs are put in and while it records.
+bool projectOutlives(int kills, std::mt19937& random) {
+  const QTemporaryDir place;
+  const std::string folder = place.path().toStdString();
+  const std::pair<const char*, ProjectKills> tested[] = {
+      {"putting runs in", killsWhileAdding(folder + "/a", kills, random)},
+      {"recording 10 kHz × 12 channels", killsWhileRecording(folder + "/r", kills, random)}};
+  std::vector<std::pair<std::string, ProjectKills>> all(std::begin(tested), std::end(tested));
+  const QString window = QString::fromStdString(BREAKAWAY_WINDOW_AT_WORK);
+  for (const char* work : windowWorks)
+    all.emplace_back(std::string("the window, ") + work,
+                     killsOfTheWindow(window, work, place.filePath(work), kills, random));
+  std::printf("\n| project, killed while | kills | opens | whole | cut short | said | most lost, s |\n");
+  std::printf("|---|---|---|---|---|---|---|\n");
+  bool good = true;
+  for (const auto& [what, left] : all) {
+    std::printf("| %s | %d | %d | %d | %d | %d | %.2f |\n", what.c_str(), left.kills, left.opened, left.whole, left.cut,
+                left.said, left.worst_s);
+    for (const std::string& fault : left.faults) std::fprintf(stderr, "%s\n", fault.c_str());
+    good = good && left.good();
   }
-  manifest.close();
-  return {
-      {"diagnose", {"diagnose", "--bench", example + ".bench.json", "--recording", example + ".csv", "--out", "OUT"}},
-      {"commission", {"commission", "--bins", "36", "--turns", "1", "--run-s", "2", "--out", "OUT"}},
-      {"batch", {"batch", manifest.fileName(), "--out", "OUT"}, false, true},
-      {"trial", {"trial", "--seed", "3", "--out", "OUT"}},
-      {"import", {"import", example + ".csv", "--out", "OUT"}, false},
-  };
+  std::fflush(stdout);
+  return good;
+}
+
+QString cells(const Counts& counts) {
+  return QString("%1 | %2 | %3").arg(counts.whole).arg(counts.before).arg(counts.half);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  const bool disks = takeOwnMounts();
   const QCoreApplication application(argc, argv);
   const int kills = argc > 1 ? QByteArray(argv[1]).toInt() : 200, sizes = argc > 2 ? QByteArray(argv[2]).toInt() : 20;
-  if (kills < 1 || sizes < 1 || argc > 3) {
-    std::fprintf(stderr, "faults: expected [KILLS [SIZES]], whole numbers above 0\n");
+  if (kills < 1 || sizes < 1 || argc > 4) {
+    std::fprintf(stderr, "faults: expected [KILLS [SIZES [COMMAND]]], whole numbers above 0\n");
     return 2;
   }
   const QTemporaryDir place;
   std::mt19937 random(1);
-  int half = 0, silent = 0;
-  bool alone = true;
-  std::printf("%d kills (-9) at random moments; files limited to %d sizes from 64 B on (RLIMIT_FSIZE)\n", kills, sizes);
-  std::printf("| command | killed: whole | absent | half | limited: whole | absent | half | two at once |\n");
-  std::printf("|---|---|---|---|---|---|---|---|\n");
-  for (Job& job : jobsIn(place)) {
-    if (!measure(job, place)) return 1;
-    const Counts after = killed(job, kills, random), small = limited(job, sizes, silent);
-    const bool one = !job.folder || oneOfTwo(job);
-    std::printf("| `%s` | %d | %d | %d | %d | %d | %d | %s |\n", qPrintable(job.name), after.whole, after.absent,
-                after.half, small.whole, small.absent, small.half,
-                !job.folder ? "–"
-                : one       ? "one refused"
-                            : "MIXED");
+  bool good = true;
+  std::printf(
+      "%d kills (-9) at random moments, %d sizes of disks %s, %d limits of a file from 64 B on (RLIMIT_FSIZE)\n", kills,
+      disks ? sizes : 0, disks ? "(tmpfs)" : "(no mounts allowed here)", sizes);
+  std::printf(
+      "| command | killed: whole | as before | half | next run whole | disk full: whole | as before | half "
+      "| file limited: whole | as before | half | untold | two at once |\n");
+  std::printf("|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+  for (const OutputJob& job : jobsIn(place)) {
+    if (argc == 4 && job.name != argv[3]) continue;
+    DisturbedOutput output(QCoreApplication::applicationDirPath() + "/breakaway", job);
+    if (const QString fault = output.measure(); !fault.isEmpty()) {
+      std::fprintf(stderr, "faults: %s\n", qPrintable(fault));
+      return 1;
+    }
+    const bool replaces = job.kind != OutputJob::Kind::lines;
+    Tested tested;
+    killed(output, replaces, kills, random, tested);
+    if (disks) onFullDisks(output, replaces, sizes, tested);
+    limited(output, sizes, tested);
+    tested.two = aloneOfTwo(output, job.kind);
+    std::printf("| `%s` | %s | %d of %d | %s | %s | %d | %s |\n", qPrintable(job.name),
+                qPrintable(cells(tested.killed)), tested.nextWhole, tested.next, qPrintable(cells(tested.full)),
+                qPrintable(cells(tested.limited)), tested.full.silent + tested.limited.silent,
+                !tested.two                         ? "MIXED"
+                : job.kind != OutputJob::Kind::file ? "one refused"
+                                                    : "both whole");
     std::fflush(stdout);
-    half += after.half + small.half;
-    alone = alone && one;
+    good = good && tested.good();
   }
-  if (silent > 0) std::printf("%d limited runs ended without one line and a status\n", silent);
-  return half == 0 && silent == 0 && alone ? 0 : 1;
+  if (argc < 4 || std::string(argv[3]) == "project") good = projectOutlives(kills, random) && good;
+  return good ? 0 : 1;
 }

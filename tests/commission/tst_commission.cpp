@@ -8,6 +8,7 @@
 #include "report/commission_report.h"
 #include "support/map_accuracy.h"
 #include "support/random_rig.h"
+#include "support/sanitized.h"
 #include "support/temporary.h"
 
 using namespace breakaway;
@@ -119,7 +120,7 @@ void TestCommission::files_areAllThereAndReadBack() {
   const auto bench = readBench(folder.path("out/bench.json"));
   QVERIFY2(bench.ok(), bench.ok() ? "" : bench.error().message().c_str());
   QVERIFY(bench->trusted.contains("torque_constant_Nm_per_A"));
-  QCOMPARE(servo_->recordings.size(), size_t{10});
+  QCOMPARE(servo_->recordings.size(), size_t{12});
   const auto recording = readCsv(folder.path("out/recordings/05-velocity-sweep.csv"));
   QVERIFY(recording.ok());
   QVERIFY(recording->has("current_A") && recording->rows() > 10000 && recording->rows() < 200000);
@@ -131,7 +132,10 @@ void TestCommission::files_areAllThereAndReadBack() {
 
 void TestCommission::randomRigs_areMappedWithinFivePercent_data() {
   QTest::addColumn<unsigned>("seed");
-  for (const unsigned seed : {9001u, 9002u, 9003u, 9004u}) QTest::newRow(std::to_string(seed).c_str()) << seed;
+  for (const unsigned seed : {9001u, 9002u, 9003u, 9004u}) {
+    QTest::newRow(std::to_string(seed).c_str()) << seed;
+    if (test::sanitized) return;  // another seed runs no other code
+  }
 }
 
 void TestCommission::randomRigs_areMappedWithinFivePercent() {
@@ -178,7 +182,7 @@ void TestCommission::everyRotaryPreset_commissions_data() {
   for (const std::string& name : presetNames()) {
     const auto bench = readBench(benchFileBeside(*rigFileOf("simulated:" + name)));
     if (!bench.ok() || bench->axis != Axis::rotary) continue;
-    for (const unsigned seed : {1u, 2u, 3u})
+    for (unsigned seed = 1; seed <= (test::sanitized ? 1 : 3); ++seed)
       QTest::addRow("%s, seed %u", name.c_str(), seed) << QString::fromStdString(name) << seed;
   }
 }

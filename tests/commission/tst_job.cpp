@@ -96,8 +96,9 @@ void TestJob::everyNeed_isLeftByAnEarlierStep() {
 
 void TestJob::planOfTheMap_isMadeInOrder() {
   const std::vector<std::string> expected{
-      "current sensor's zero", "winding test",    "spin test", "careful gains",  "reversal test",   "bridge",
-      "straightened bridge",   "current's scale", "homing",    "velocity sweep", "breakaway sweep", "friction map"};
+      "current sensor's zero", "wiring check",    "winding test",        "spin test",       "careful gains",
+      "reversal test",         "bridge",          "straightened bridge", "current's scale", "homing",
+      "velocity sweep",        "breakaway sweep", "friction map"};
   QCOMPARE(words(plan(board(Axis::rotary), {}, {Known::map})), expected);
 }
 

@@ -81,6 +81,7 @@ class TestChannelChecks : public QObject {
   void motionSampledAtIrregularTimes_keepsThem();
   void velocityOfTheWrongSign_isSaid();
   void clippedDrive_isSaid();
+  void driveInSteps_isNotCalledClipped();
   void driveThatNeverChanges_isSaid();
   void driveAgainstTheMotion_isSaid();
   void angleThatWrapsOrLeaps_isSaid();
@@ -176,6 +177,17 @@ void TestChannelChecks::clippedDrive_isSaid() {
                  for (double& one : channels[2].values) one = std::clamp(one, -0.02, 0.02);
                })),
                "of the rows stand at exactly -0.02 or 0.02"));
+}
+
+void TestChannelChecks::driveInSteps_isNotCalledClipped() {
+  const auto remarks = remarksOf(changed([](std::vector<Channel>& channels) {
+    for (size_t k = 0; k < channels[2].values.size(); ++k) {
+      const double levels[] = {0.02, 0.01, -0.015, -0.02, 0.005};
+      channels[2].values[k] = levels[k / 400 % 5];
+    }
+  }));
+  const auto clipped = [](const std::string& one) { return one.find("stand at exactly") != std::string::npos; };
+  QVERIFY(std::none_of(remarks.begin(), remarks.end(), clipped));
 }
 
 void TestChannelChecks::driveThatNeverChanges_isSaid() {

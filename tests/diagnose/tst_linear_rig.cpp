@@ -32,6 +32,7 @@ class TestLinearRig : public QObject {
   void rows_belongToTheirWindows();
   void wanderingTorque_isMeasured_data();
   void wanderingTorque_isMeasured();
+  void rowsThatAreMissing_areNoWander();
   void wanderThatConceals_isTakenOut();
 };
 
@@ -283,6 +284,31 @@ void TestLinearRig::wanderingTorque_isMeasured() {
   for (Eigen::Index r = 0; r + 1 < left.size(); ++r) products += left[r] * left[r + 1];
   const double correlation = products / left.squaredNorm();
   QVERIFY2(std::abs(correlation) < 0.25, qPrintable(QString::number(correlation)));
+}
+
+/// The drive changes in every row, so that nobody knows what it did in the missing ones.
+void TestLinearRig::rowsThatAreMissing_areNoWander() {
+  Model truth = servoModel(DriveInput::torque);
+  truth.count = 2.0 * std::numbers::pi / 8192.0;
+  const Recording whole = drivenRecording(truth, {.seconds = 40.0, .hold_s = 1e-3});
+  std::vector<Channel> kept;
+  for (const Channel& channel : whole.channels()) {
+    kept.push_back({channel.name, {}});
+    for (size_t k = 0; k < whole.rows(); ++k) {
+      if (k % 211 != 100) kept.back().values.push_back(channel.values[k]);
+    }
+  }
+  Prepared data;
+  data.tracks.push_back(*makeTrack(*Recording::seal("lossy.csv", kept), truth.axis, truth.input, {}, truth.count));
+  data.tracks.front().motion = motionOf(data.tracks.front());
+  data.windows = windowsOf(data.tracks, 0, 0, data.tracks.front().rows(), 1.0);
+  const auto noiseOf = [&] { return LinearRig(truth, data.tracks, data.windows, Torque::wandering).noise(); };
+  const double rms = 2.4e-4;
+  const TorqueNoise none = noiseOf();
+  QVERIFY2(none.rms < 0.2 * rms, qPrintable(QString::number(none.rms)));
+  addWander(data.tracks.front(), rms, 0.05);
+  const TorqueNoise found = noiseOf();
+  QVERIFY2(found.rms > 0.5 * rms && found.rms < 2.0 * rms, qPrintable(QString::number(found.rms)));
 }
 
 void TestLinearRig::wanderThatConceals_isTakenOut() {

@@ -23,6 +23,7 @@ class TestSplit : public QObject {
   void middleFifth_canBeHeldOutInPlaceOfTheLast();
   void pushThatEndsUnseen_endsWithTheTrainingData();
   void pauseOfDays_costsNothingAndIsNoMotion();
+  void pauseOfAges_isSteppedOver();
   void tooCoarseRows_areOneClearLine();
 };
 
@@ -137,6 +138,19 @@ void TestSplit::pauseOfDays_costsNothingAndIsNoMotion() {
   }
   QCOMPARE(motionOf(track).velocity.size(), track.rows());
   QVERIFY(restartRows(track, 0.5).size() < 100);
+}
+
+void TestSplit::pauseOfAges_isSteppedOver() {
+  const std::vector<Track> whole{swinging(always, always)};
+  std::vector<Track> parted = whole;
+  for (const double age_s : {1e3, 1e12, 1e300}) {
+    for (size_t k = 15000; k < parted[0].rows(); ++k) parted[0].time[k] = whole[0].time[k] + age_s;
+    const auto split = splitTracks(parted, 1, 0.5, HeldOut::none), before = splitTracks(whole, 1, 0.5, HeldOut::none);
+    VERIFY_OK(before);
+    if (!split) continue;  // where the stamps have no digits left
+    QVERIFY(split->polish.size() <= before->polish.size());
+    QVERIFY(age_s > 1e6 || split->polish.size() + 8 > before->polish.size());
+  }
 }
 
 void TestSplit::tooCoarseRows_areOneClearLine() {

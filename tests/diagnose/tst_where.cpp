@@ -4,11 +4,15 @@
 
 #include "base/statistics.h"
 #include "diagnose/verdict/block_maps.h"
+#include "diagnose/verdict/foretelling.h"
 #include "diagnose/verdict/next_experiment.h"
 #include "diagnose/verdict/proof.h"
 #include "diagnose/verdict/where.h"
+#include "diagnose/verdict/worth_saying.h"
+#include "support/known_servo.h"
 
 using namespace breakaway;
+using namespace breakaway::test;
 
 namespace {
 
@@ -72,6 +76,9 @@ class TestWhere : public QObject {
   void stretchOverZero_isOnePlace();
   void insignificantMap_isNoPlace();
   void strongerMapByChance_givesWayToASureOne();
+  void mapOfWhatComesAgain_foretellsIt();
+  void mapOfChance_foretellsNothing();
+  void whatItsIntervalsRefute_isNotWorthSaying();
   void whiteSeries_isWhite_andADriftIsNot();
   void rivals_getOneExperimentThatTellsThemApart();
   void nothingMissing_namesWhatThisRecordingCouldNotShow();
@@ -131,6 +138,58 @@ void TestWhere::strongerMapByChance_givesWayToASureOne() {
   QCOMPARE(found.size(), size_t(1));
   QVERIFY(found.front().shows == Unknown::torque);  // which a picture of the place draws
   QVERIFY(std::abs(found.front().size - 1.8e-3) < 1e-9);
+}
+
+/// Twenty seconds of turns at 3 rad/s, with friction that is `shift` Nm higher between 40° and 95°, and noise.
+Instants turnsWith(double shift, double noise, unsigned seed) {
+  Random random(seed);
+  Instants instants;
+  for (size_t k = 0; k < 2000; ++k) {
+    const double time = 0.01 * static_cast<double>(k), angle = std::fmod(3.0 * time, 360.0 * degree);
+    const double torque = angle >= 40.0 * degree && angle < 95.0 * degree ? shift : 0.0;
+    instants.value.push_back(torque + noise * random.normal());
+    instants.way.push_back(1.0);
+    instants.block.push_back(k / 100);
+    for (auto& along : instants.along) along.push_back(0.0);
+    instants.along[byAngle].back() = angle;
+    instants.along[byVelocity].back() = 3.0;
+  }
+  return instants;
+}
+
+void TestWhere::mapOfWhatComesAgain_foretellsIt() {
+  const Foretold found = foretold(frictionOverAngle(1.8), byAngle, turnsWith(1.8e-3, 5e-4, 1), 1);
+  QVERIFY2(found.low95 > 0.3 && found.value < 0.9, qPrintable(QString::number(found.value)));
+  QVERIFY(found.low95 <= found.value && found.value <= found.high95);
+}
+
+void TestWhere::mapOfChance_foretellsNothing() {
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    const Foretold found = foretold(frictionOverAngle(0.3), byAngle, turnsWith(0.0, 1e-3, seed), seed);
+    QVERIFY2(found.low95 <= 0.0, qPrintable(QString::number(found.low95)));
+  }
+  QCOMPARE(foretold(frictionOverAngle(1.8), byAngle, {}, 1).high95, 0.0);  // nothing was held out
+}
+
+void TestWhere::whatItsIntervalsRefute_isNotWorthSaying() {
+  Model model = servoModel(DriveInput::torque);
+  Excitation seen = rotaryMotion();
+  seen.peakInput = 0.1;
+  const TorqueNoise none, wander{.time_s = 0.1, .rms = 3e-4};
+  const auto load = [](double value, double low, double high) {
+    return EffectTerm{.effect = "constant_load", .parameters = {{"load_Nm", value, low, high}}};
+  };
+  QVERIFY(worthSaying(load(1e-3, 8e-4, 1.2e-3), model, seen, none));
+  QVERIFY(!worthSaying(load(1e-3, -8e-4, 3e-3), model, seen, none));  // may be zero
+  QVERIFY(!worthSaying(load(5e-4, 4e-4, 6e-4), model, seen, wander));
+  QVERIFY(!worthSaying(load(0.2, 0.19, 0.21), model, seen, none));  // the drive gives 0.1 Nm
+  // A limit between nothing and anything, alone and beside a slope that is known.
+  EffectTerm clipped{.effect = "command_saturation",
+                     .parameters = {{"limit", 3.4, 0.003, 3e3}, {"slew_per_s", 3.2, 3.2, 3.2}}};
+  QVERIFY(!worthSaying(clipped, model, seen, none));
+  clipped.parameters[1] = {"slew_per_s", 3.2, 2.3, 4.5};
+  QVERIFY(worthSaying(clipped, model, seen, none) && !isKnown(clipped, 0, model.axis) &&
+          isKnown(clipped, 1, model.axis));
 }
 
 void TestWhere::whiteSeries_isWhite_andADriftIsNot() {

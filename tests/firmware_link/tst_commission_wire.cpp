@@ -13,6 +13,7 @@
 #include "house/program.h"
 #include "support/firmware_stream.h"
 #include "support/map_accuracy.h"
+#include "support/sanitized.h"
 #include "support/temporary.h"
 
 using namespace breakaway;
@@ -93,11 +94,7 @@ void TestCommissionWire::initTestCase() {
   qputenv("BREAKAWAY_RESOURCES", qgetenv("BREAKAWAY_SOURCE_DIR") + "/resources");
 }
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr unsigned seeds = 2;  // many times as slow: the same code runs
-#else
-constexpr unsigned seeds = 12;  // fewer leave the ratio of two errors to chance
-#endif
+constexpr unsigned seeds = sanitized ? 2 : 12;  // fewer than 12 leave the ratio of two errors to chance
 
 void TestCommissionWire::rig_isCommissionedOverTheWireAndInProcess_data() {
   QTest::addColumn<unsigned>("seed");

@@ -51,7 +51,7 @@ class AlteredStream final : public ByteStream {
 };
 
 template <typename Message>
-Alter changing(wire::Type of, std::function<void(Message&)> change) {
+Alter changing(wire::Type of, const std::function<void(Message&)>& change) {
   return [of, change](std::uint8_t type, std::vector<std::uint8_t>& body) {
     Message message;
     if (type != static_cast<std::uint8_t>(of) || !wire::readMessage(std::span(body).subspan(1), message)) return;

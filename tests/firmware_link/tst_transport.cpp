@@ -109,6 +109,7 @@ class TestTransport : public QObject {
   void tcp_handsOverAllThatCame_beforeItIsGone();
   void tcp_refused_saysSo();
   void tcp_halfOpen_isSilent();
+  void ports_areReadFromTheKernel();
   void ports_haveOneNameEach();
 };
 
@@ -357,6 +358,35 @@ void TestTransport::tcp_halfOpen_isSilent() {
   VERIFY_OK((*stream)->write(numbered(100)));
   VERIFY_OK((*stream)->read(bytes, 0.1));
   QVERIFY(bytes.empty());
+}
+
+/// A folder as the kernel's: an adapter on USB, a chip on the mainboard, a socket without one, and a console.
+void TestTransport::ports_areReadFromTheKernel() {
+  const TemporaryFolder kernel;
+  const QDir folder(QString::fromStdString(kernel.path()));
+  for (const char* made : {"devices/usb1/1-2/1-2:1.0", "devices/serial8250", "class/tty/ttyS0", "class/tty/ttyS1",
+                           "class/tty/ttyACM0", "class/tty/tty0"})
+    QVERIFY(folder.mkpath(made));
+  const auto link = [&](const char* port, const char* hardware) {
+    return QFile::link(folder.filePath(hardware), folder.filePath(QString("class/tty/") + port + "/device"));
+  };
+  QVERIFY(link("ttyS0", "devices/serial8250") && link("ttyS1", "devices/serial8250"));
+  QVERIFY(link("ttyACM0", "devices/usb1/1-2/1-2:1.0"));
+  kernel.write("class/tty/ttyS0/type", "4\n");
+  kernel.write("class/tty/ttyS1/type", "0\n");
+  kernel.write("devices/usb1/1-2/idVendor", "0483\n");
+  kernel.write("devices/usb1/1-2/product", "ChibiOS/RT Virtual COM Port\n");
+  kernel.write("devices/usb1/1-2/manufacturer", "STMicroelectronics\n");
+  kernel.write("devices/usb1/1-2/serial", "304\n");
+
+  const auto ports = serialPorts(kernel.path());
+  QCOMPARE(ports.size(), size_t{2});
+  QCOMPARE(ports[0].words(), std::string("ChibiOS/RT Virtual COM Port (ttyACM0)"));
+  QCOMPARE(ports[0].maker, std::string("STMicroelectronics"));
+  QCOMPARE(ports[0].serialNumber, std::string("304"));
+  QVERIFY(ports[0].usb);
+  QCOMPARE(ports[1].device, std::string("/dev/ttyS0"));
+  QVERIFY(!ports[1].usb && ports[1].product.empty());
 }
 
 void TestTransport::ports_haveOneNameEach() {

@@ -198,8 +198,17 @@ void TestVescMessages::commands_areHeldWithinTheWire() {
 
 void TestVescMessages::faults_haveWords() {
   QVERIFY(vescFaultWords(0).empty());
-  for (int fault = 1; fault < 29; ++fault) QVERIFY(vescFaultWords(fault).size() > 10);
+  for (int fault = 1; fault < 34; ++fault) {
+    const QString words = QString::fromStdString(vescFaultWords(fault));
+    QVERIFY2(words.size() > 10 && !words.contains("not known here"), qPrintable(words));
+  }
   QVERIFY(QString::fromStdString(vescFaultWords(2)).contains("too low"));
+  QVERIFY(QString::fromStdString(vescFaultWords(29)).contains("low-voltage output"));
+  QVERIFY(QString::fromStdString(vescFaultWords(30)).contains("slips"));
+  QVERIFY(QString::fromStdString(vescFaultWords(31)).contains("forwards"));
+  QVERIFY(QString::fromStdString(vescFaultWords(32)).contains("backwards"));
+  QVERIFY(QString::fromStdString(vescFaultWords(33)).contains("speed limit"));
+  QVERIFY(QString::fromStdString(vescFaultWords(34)).contains("fault 34"));
   QVERIFY(QString::fromStdString(vescFaultWords(77)).contains("fault 77"));
 }
 

@@ -1,5 +1,6 @@
 #include <matio.h>
 
+#include <QRegularExpression>
 #include <QTest>
 
 #include "friction/map_export.h"
@@ -13,6 +14,8 @@ class TestMapExport : public QObject {
   void json_isReadBack();
   void csv_hasTheManualsColumns();
   void cHeader_compilesAsC();
+  void cHeader_tellsTheTorqueBetweenBins();
+  void modelica_holdsATableOfEach();
   void mat_holdsTheColumns();
   void unknownFormat_namesTheKnownOnes();
   void missingField_isNamed();
@@ -102,6 +105,37 @@ void TestMapExport::cHeader_compilesAsC() {
   QCOMPARE(std::system(command.c_str()), 0);
 }
 
+/// Half way between the first two bins, a turn away, and from the last over to the first.
+void TestMapExport::cHeader_tellsTheTorqueBetweenBins() {
+  test::TemporaryFolder folder;
+  QVERIFY(exportMap(someMap(), "c-header", folder.path("map.h")).ok());
+  folder.write("use.c",
+               "#include <stdio.h>\n#include \"map.h\"\nint main(void) {\n  const float bin = 6.2831853f / 12.0f;\n"
+               "  printf(\"%.7g %.7g %.7g %.7g\\n\", breakaway_map_moving_Nm(0.1f + 0.5f * bin, 10.0f),\n"
+               "         breakaway_map_moving_Nm(0.1f + 0.5f * bin - 6.2831853f, -10.0f),\n"
+               "         breakaway_map_moving_Nm(0.1f + 11.5f * bin, 10.0f), breakaway_map_moving_Nm(1.0f, 0.0f));\n"
+               "  return 0;\n}\n");
+  const std::string command = "cc -std=c99 -Wall -Werror -Wno-unused-const-variable -o " + folder.path("use") + " " +
+                              folder.path("use.c") + " && " + folder.path("use") + " > " + folder.path("said");
+  QCOMPARE(std::system(command.c_str()), 0);
+  const QStringList said = QString::fromStdString(*readFile(folder.path("said"))).simplified().split(' ');
+  const auto coulomb = [](double bin, int way) { return 0.8 * (0.02 + 1e-3 * (bin + 3.0 * way)); };
+  const double expected[] = {coulomb(0.5, 1) + 2e-4, -coulomb(0.5, 0) - 2e-4, coulomb(5.5, 1) + 2e-4, 0.0};
+  for (qsizetype k = 0; k < 4; ++k) QVERIFY2(std::abs(said[k].toDouble() - expected[k]) < 1e-6, qPrintable(said[k]));
+}
+
+void TestMapExport::modelica_holdsATableOfEach() {
+  test::TemporaryFolder folder;
+  const QString text = QString::fromStdString(written(folder, "modelica"));
+  const auto table = QRegularExpression("constant Real static_ccw_Nm\\[12, 2\\] = \\[([^\\]]*)\\];").match(text);
+  const QStringList rows = table.captured(1).split("; ");
+  QCOMPARE(rows.size(), qsizetype{12});
+  QCOMPARE(rows[11].split(", ")[0].toDouble(), someMap().bins[11].angle_rad);
+  QCOMPARE(rows[11].split(", ")[1].toDouble(), someMap().bins[11].way[1].static_Nm.value);
+  QVERIFY(text.contains("package BreakawayFrictionMap\n") && text.endsWith("end BreakawayFrictionMap;\n"));
+  QVERIFY(!text.contains("_std_") && !text.contains("*/"));
+}
+
 void TestMapExport::mat_holdsTheColumns() {
   test::TemporaryFolder folder;
   written(folder, "mat");
@@ -119,7 +153,8 @@ void TestMapExport::mat_holdsTheColumns() {
 void TestMapExport::unknownFormat_namesTheKnownOnes() {
   const auto done = exportMap(someMap(), "xml", "nowhere");
   QVERIFY(!done.ok());
-  QCOMPARE(done.error().message(), std::string("format xml: is unknown, expected csv, json, c-header or mat"));
+  QCOMPARE(done.error().message(),
+           std::string("format xml: is unknown, expected csv, json, c-header, mat or modelica"));
 }
 
 void TestMapExport::missingField_isNamed() {

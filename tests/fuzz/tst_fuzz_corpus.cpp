@@ -29,7 +29,7 @@ void TestFuzzCorpus::everyInput_isReadOrRefused_data() {
 void TestFuzzCorpus::everyInput_isReadOrRefused() {
   QFETCH(QString, reader);
   const FuzzedReader read = fuzzedReaders().at(reader.toStdString());
-  const bool slow = reader == "mat" || reader == "board_host";  // a process, or waiting, each
+  const bool slow = reader == "mat" || reader == "hdf5" || reader == "board_host";  // a process, or waiting, each
   unsigned state = 1;
   const auto random = [&state] { return (state = state * 1664525U + 1013904223U) >> 8; };
   QDirIterator files(qEnvironmentVariable("BREAKAWAY_SOURCE_DIR") + "/tests/fuzz/corpus/" + reader, QDir::Files);

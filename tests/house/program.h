@@ -16,7 +16,7 @@ inline Outcome run(const QString& program, const QStringList& words, const QStri
   QProcess process;
   if (!folder.isEmpty()) process.setWorkingDirectory(folder);
   process.start(program, words);
-  if (!process.waitForStarted() || !process.waitForFinished(60000)) {
+  if (!process.waitForStarted() || !process.waitForFinished(300000)) {
     process.kill();
     process.waitForFinished();
     return {};
@@ -31,6 +31,15 @@ inline Outcome run(const QString& program, const QStringList& words, const QStri
 /// build/…/bin/NAME
 inline QString builtProgram(const QString& name) {
   return qEnvironmentVariable("BREAKAWAY_BIN_DIR") + "/" + name;
+}
+
+/// The names of the program's commands, from its help.
+inline QStringList commands() {
+  const Outcome help = run(builtProgram("breakaway"), {"--help"});
+  QStringList names;
+  for (const QString& line : help.out.section("Subcommands:", 1).section("\n\n", 0, 0).split('\n', Qt::SkipEmptyParts))
+    names << line.trimmed().section(' ', 0, 0);
+  return names;
 }
 
 }  // namespace breakaway::test

@@ -40,14 +40,6 @@ QJsonObject objectIn(const QString& text) {
   return QJsonDocument::fromJson(text.toUtf8()).object();
 }
 
-QStringList commands() {
-  const Outcome help = run(builtProgram("breakaway"), {"--help"});
-  QStringList names;
-  for (const QString& line : help.out.section("Subcommands:", 1).section("\n\n", 0, 0).split('\n', Qt::SkipEmptyParts))
-    names << line.trimmed().section(' ', 0, 0);
-  return names;
-}
-
 /// Without a display to be found, whatever this machine has.
 Outcome withoutDisplay(const QStringList& words) {
   QProcess process;
@@ -55,7 +47,7 @@ Outcome withoutDisplay(const QStringList& words) {
   for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) environment.remove(name);
   process.setProcessEnvironment(environment);
   process.start(builtProgram("breakaway-gui"), words);
-  if (!process.waitForFinished(60000) || process.exitStatus() != QProcess::NormalExit) return {};
+  if (!process.waitForFinished(300000) || process.exitStatus() != QProcess::NormalExit) return {};
   return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
           QString::fromUtf8(process.readAllStandardError())};
 }
@@ -68,7 +60,7 @@ Outcome TestCommandLine::breakaway(const QString& words, const QByteArray& input
   process.start(builtProgram("breakaway"), words.split(' ', Qt::SkipEmptyParts));
   process.write(input);
   process.closeWriteChannel();
-  if (!process.waitForFinished(60000) || process.exitStatus() != QProcess::NormalExit) return {};
+  if (!process.waitForFinished(300000) || process.exitStatus() != QProcess::NormalExit) return {};
   return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
           QString::fromUtf8(process.readAllStandardError())};
 }
@@ -125,7 +117,8 @@ void TestCommandLine::wrongLine_namesTheRightHelp_data() {
   row("fit --bench=b.json --methd=inverse", "fit knows no option --methd (did you mean --method?)");
   row("tune --bench b.json", "--out is required; see breakaway tune --help");
   row("tune --bench b.json --out t --stiffness hard", "hard not in {soft,medium,stiff}; see breakaway tune --help");
-  row("export --map m.json --as yaml --out m", "yaml not in {csv,json,c-header,mat}; see breakaway export --help");
+  row("export --map m.json --as yaml --out m",
+      "yaml not in {csv,json,c-header,mat,modelica}; see breakaway export --help");
   row("list effect", "effect not in {effects,presets,columns}; see breakaway list --help");
   row("batch l.jsonl --out r.jsonl --jobs 0", "--jobs");
   row("diagnose --bench - --recording - --out d", "-: is named twice, but standard input can be read once only");

@@ -76,8 +76,8 @@ void TestLayering::plantedBreach_isFound_data() {
   row("core/report/planted.cpp", "\"plant/rig.h\"", "nobody sees the plant");
   row("firmware_link/planted.cpp", "\"plant/plant.h\"", "only simulated boards see the plant");
   row("firmware_link/planted.cpp", "\"diagnose/model/model.h\"", "the link stands beside diagnose");
-  row("firmware_link/planted.cpp", "<QSerialPortInfo>", "Qt only in its transports");
-  row("firmware_link/transport/planted.cpp", "<QTcpSocket>", "Qt only in its transports");
+  row("firmware_link/planted.cpp", "<QSerialPortInfo>", "the link knows no Qt");
+  row("firmware_link/transport/planted.cpp", "<QTcpSocket>", "the link knows no Qt");
   row("firmware_link/planted.cpp", "\"firmware_link/transport/serial_line.h\"", "transports stand above the link");
   row("firmware_link/planted.cpp", "\"session/connection.h\"", "the link stands beside");
   row("firmware_link/wire/planted.h", "<string>", "a board has no <string>");
@@ -128,7 +128,7 @@ void TestLayering::effects_areNamedInTheirOwnFilesOnly() {
   for (const auto& one : namedEffects(sources, names)) all += one + "\n";
   QVERIFY2(all.empty(), all.c_str());
   for (const char* path : {"core/diagnose/search/planted.cpp", "core/diagnose/planted.h", "core/report/planted.cpp",
-                           "core/score/planted.cpp", "app/pages/planted.cpp"}) {
+                           "app/pages/planted.cpp"}) {
     sources[path] = "// \"stribeck\"\nif (finding.effect == \"cogging\") return;\n";
     QCOMPARE(namedEffects(sources, names), std::vector<std::string>{std::string(path) + " names cogging"});
     sources.erase(path);

@@ -45,9 +45,11 @@ struct Row {
 // In this order: later ones read what earlier ones wrote.
 const Row rows[] = {
     {"diagnose --bench b.json --recording r.csv --out out/d --seed 3 --json", 5},
+    {"check --bench b.json --recording r.csv --json", 0},
     {"fit --bench b.json --recording r.csv --out out/fit.json --json", 1},
     {"simulate --model out/fit.json --recording r.csv --out out/s.csv --json", 0},
     {"batch l.jsonl --out out/results.jsonl --json", 1},
+    {"summary out/results.jsonl --out out/fleet.html --json", 1},
     {"trial --seed 1 --family clean --out out/t --json", 7},
     {"import r.csv --out out/i.csv --json", 0},
     {"commission --turns 1 --bins 36 --run-s 2 --out out/c --json", 4},
@@ -59,6 +61,8 @@ const Row rows[] = {
     {"list effects --json", 0},
     {"list presets --json", 0},
     {"list columns --json", 0},
+    {"project add p out/c --json", 0},
+    {"project list p --json", 0},
 };
 
 QByteArray contentOf(const QString& path) {

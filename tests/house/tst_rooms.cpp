@@ -83,7 +83,7 @@ void TestRooms::includeFromAbove_doesNotCompile_data() {
   row("core/diagnose/verdict/judge.cpp", "diagnose/fit/window.h", "diagnose/diagnosis.h");
   row("core/diagnose/diagnosis.cpp", "diagnose/fit/window.h", "trial/sealed_trial.h");
   row("core/trial/trial_rig.cpp", "recording/recording.h", "diagnose/model/model.h");
-  row("core/score/scoring.cpp", "base/result.h", "report/tuning_report.h");
+  row("tests/support/score/scoring.cpp", "base/result.h", "report/tuning_report.h");
   row("core/draw/svg_path.cpp", "base/result.h", "recording/recording.h");
   row("core/report/map_figures.cpp", "draw/svg_path.h", "figures/bench_figure.h");
   row("breakaway_wire_verify_interface_header_sets/firmware_link/wire/bytes.h.cxx", "firmware_link/wire/bytes.h",

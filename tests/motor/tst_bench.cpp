@@ -1,13 +1,17 @@
 #include <QTest>
 
 #include "motor/bench.h"
+#include "support/temporary.h"
 
 using namespace breakaway;
+using namespace breakaway::test;
 
 class TestBench : public QObject {
   Q_OBJECT
  private slots:
   void fullBench_isReadBack();
+  void motorSerial_isKeptByWriting();
+  void motorSerialAsANumber_isRefused();
   void negativeInertia_isNamed();
   void unknownField_getsASuggestion();
   void unitOfTheOtherAxis_getsASuggestion();
@@ -27,6 +31,26 @@ void TestBench::fullBench_isReadBack() {
   QCOMPARE(bench->controller.kp, 0.02);
   QCOMPARE(bench->inputChannel(), std::string("current_A"));
   QVERIFY(!bench->motor.coulomb.has_value());
+}
+
+void TestBench::motorSerial_isKeptByWriting() {
+  const TemporaryFolder folder;
+  const auto bench = readBenchText(std::string(head) + R"({}, "motor_serial": "0117 / B"})", "b");
+  VERIFY_OK(bench);
+  QCOMPARE(bench->motorSerial, std::string("0117 / B"));
+  VERIFY_OK(writeBench(*bench, folder.path("b.json")));
+  QCOMPARE(readBench(folder.path("b.json"))->motorSerial, std::string("0117 / B"));
+  const auto unknown = readBenchText(std::string(head) + "{}}", "b");
+  VERIFY_OK(unknown);
+  VERIFY_OK(writeBench(*unknown, folder.path("u.json")));
+  const auto text = readFile(folder.path("u.json"));
+  VERIFY_OK(text);
+  QVERIFY2(text->find("motor_serial") == std::string::npos, "an unknown motor has no field");
+}
+
+void TestBench::motorSerialAsANumber_isRefused() {
+  VERIFY_ERROR(readBenchText(std::string(head) + R"({}, "motor_serial": 117})", "b.bench.json"),
+               std::string("b.bench.json, field motor_serial: expected a text, found the number 117"));
 }
 
 void TestBench::negativeInertia_isNamed() {

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "recording/import/mat.h"
+#include "recording/import/read_table.h"
 #include "support/temporary.h"
 
 using namespace breakaway;
@@ -54,6 +55,8 @@ class TestMat : public QObject {
  private slots:
   void arraysOfEveryKind_areRead_data() { versions(); }
   void arraysOfEveryKind_areRead();
+  void fromAStream_isATableToo_data() { versions(); }
+  void fromAStream_isATableToo();
   void fileCutAnywhere_isOneErrorAndNoCrash_data() { versions(); }
   void fileCutAnywhere_isOneErrorAndNoCrash();
   void changedBytes_neverCrash_data() { versions(); }
@@ -79,7 +82,7 @@ class TestMat : public QObject {
 };
 
 void TestMat::arraysOfEveryKind_areRead() {
-  const auto channels = readMat(sample());
+  const auto channels = readMat(*readFile(sample()), "s.mat");
   VERIFY_OK(channels);
   const auto values = [&channels](const std::string& name) {
     for (const Channel& one : *channels) {
@@ -97,15 +100,24 @@ void TestMat::arraysOfEveryKind_areRead() {
   QCOMPARE(channels->size(), size_t(6));
 }
 
+/// As from standard input: there is no path to read again.
+void TestMat::fromAStream_isATableToo() {
+  const auto read = readTableBytes(std::string(*readFile(sample())), "-");
+  VERIFY_OK(read);
+  QCOMPARE(read->table.columns.size(), size_t(1));
+  QCOMPARE(read->table.columns.front().channel.name, std::string("t"));
+  QCOMPARE(read->table.rows(), size_t(1000));
+}
+
 void TestMat::fileCutAnywhere_isOneErrorAndNoCrash() {
   const std::string whole = *readFile(sample());
   for (const double part : {0.0, 0.004, 0.02, 0.1, 0.3, 0.5, 0.8, 0.95, 0.999}) {
     const auto size = static_cast<size_t>(part * static_cast<double>(whole.size()));
-    const auto read = readMat(folder_.write("cut.mat", whole.substr(0, size)));
+    const auto read = readMat(whole.substr(0, size), "cut.mat");
     const bool nothingYet = size == 128;  // a header and no variable
     QVERIFY2(!read.ok(), qPrintable(QString("cut to %1 of %2 bytes").arg(size).arg(whole.size())));
     QVERIFY(read.error().message().find('\n') == std::string::npos);
-    QVERIFY2(nothingYet || read.error().place == folder_.path("cut.mat"), read.error().message().c_str());
+    QVERIFY2(nothingYet || read.error().place == "cut.mat", read.error().message().c_str());
   }
 }
 
@@ -118,17 +130,14 @@ void TestMat::changedBytes_neverCrash() {
       state = state * 1664525U + 1013904223U;
       bytes[(state >> 8) % bytes.size()] = static_cast<char>(state >> 3);
     }
-    const auto read = readMat(folder_.write("changed.mat", bytes));
+    const auto read = readMat(bytes, "changed.mat");
     if (!read) QVERIFY(read.error().message().find('\n') == std::string::npos);
   }
 }
 
 void TestMat::otherFiles_areRefused() {
-  VERIFY_ERROR(readMat(folder_.write("a.mat", "time_s,angle_rad\n0,1\n")),
-               folder_.path("a.mat") + ": is no MATLAB file of version 5 or 7.3");
-  VERIFY_ERROR(readMat(folder_.write("a.mat", "")), folder_.path("a.mat") + ": is empty, expected a MATLAB file");
-  VERIFY_ERROR(readMat(folder_.path("none.mat")),
-               folder_.path("none.mat") + ": cannot be read: No such file or directory");
+  VERIFY_ERROR(readMat("time_s,angle_rad\n0,1\n", "a.mat"), "a.mat: is no MATLAB file of version 5 or 7.3");
+  VERIFY_ERROR(readMat("", "a.mat"), "a.mat: is empty, expected a MATLAB file");
 }
 
 QTEST_APPLESS_MAIN(TestMat)

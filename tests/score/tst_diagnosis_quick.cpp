@@ -4,9 +4,11 @@
 
 #include "score/scored_seeds.h"
 #include "score/scoring.h"
+#include "support/sanitized.h"
 #include "trial/sealed_trial.h"
 
 using namespace breakaway;
+using namespace breakaway::test;
 
 /// A few sealed trials on tuning seeds, with bounds that a broken search breaks. The full table is
 /// `./dev bench diagnosis`.
@@ -17,7 +19,7 @@ class TestDiagnosisQuick : public QObject {
   void cleanPlants_raiseNoAlarm();
   void physicsOutsideTheCatalogue_getsNoName();
   void torqueWithAPlaceOfItsOwn_isNotTakenForOneThatWanders();
-  void frictionThatBursts_isNotTakenForScatter();
+  void frictionThatBursts_getsNoName();
   void windingThatLags_isNotCalledADelay();
   void slightPushThatExplainsMuch_isNamed();
   void pushThatExplainsLittle_isNot();
@@ -37,7 +39,8 @@ constexpr Quick easy[]{
     {"imbalance", 1},     {"cogging", 1},           {"friction_warmup", 1}, {"position_dependent_friction", 1}};
 constexpr size_t leastRight = 6;
 constexpr size_t mostWrongExtras = 4;
-constexpr Quick clean[]{{"clean", 1}, {"clean", 2}, {"clean", 7245}};  // the last seems to be pushed, hardly
+constexpr Quick clean[]{
+    {"clean", 1}, {"clean", 2}, {"imperfect", 3}, {"clean", 7245}};  // the last seems to be pushed, hardly
 constexpr Quick outside[]{{"outside", 1}, {"outside", 2}};
 constexpr size_t mostNamedOutside = 1;
 
@@ -52,12 +55,6 @@ static ScoredTrial diagnosed(const Quick& quick) {
         scored.error.c_str(), scored.before, scored.after, scored.floor);
   return scored;
 }
-
-#ifdef __SANITIZE_ADDRESS__
-constexpr bool sanitized = true;  // many times as slow: one trial shows what there is to show
-#else
-constexpr bool sanitized = false;
-#endif
 
 static Score scored(std::span<const Quick> quicks) {
   std::vector<ScoredTrial> trials;
@@ -104,11 +101,10 @@ void TestDiagnosisQuick::torqueWithAPlaceOfItsOwn_isNotTakenForOneThatWanders() 
   QVERIFY(scored.answer.empty());
 }
 
-void TestDiagnosisQuick::frictionThatBursts_isNotTakenForScatter() {
+void TestDiagnosisQuick::frictionThatBursts_getsNoName() {
   if (sanitized) QSKIP("takes too long under sanitizers");
-  // Most windows see nothing of it, a few err by five times what is tolerated.
+  // Most windows see nothing of it, a few err by far. It has no place, and is no more than 2 % of the friction in all.
   const ScoredTrial scored = diagnosed({"outside", 6311});
-  QCOMPARE(scored.verdict, nameOf(Verdict::outsideCatalogue));
   QVERIFY(scored.answer.empty());
 }
 

@@ -7,6 +7,7 @@
 
 #include "stability/auto_tuning.h"
 #include "stability/simulated_loop.h"
+#include "support/sanitized.h"
 
 using namespace breakaway;
 using namespace breakaway::test;
@@ -61,6 +62,7 @@ void addTicks() {
     for (const double tick_s : {2e-4, 1e-3})
       QTest::newRow(qPrintable(QString("%1, T %2 ms").arg(nameOf(one).data()).arg(1e3 * tick_s)))
           << static_cast<int>(one) << tick_s;
+    if (sanitized) return;  // another stiffness runs no other code
   }
 }
 

@@ -1,28 +1,35 @@
 // The controller that measurements run with; on a linear axis with how fast it may go between its ends.
+#include "base/numbers.h"
 #include "commission/motor_tests.h"
 #include "commission/steps.h"
 #include "commission/travel_plan.h"
 #include "control/tuning.h"
+#include "experiment/servo_settings.h"
 
 namespace breakaway {
 
 namespace {
 
-/// `inertia` in kg m² or kg, `perAmpere` in Nm/A or N/A.
-ControllerSettings carefullyTuned(double inertia, double perAmpere, double tick_s, const ControllerSettings& present) {
-  const double filter = boardVelocityBandwidth_rad_per_s(tick_s);
-  const auto gains = tuneMotion(inertia, perAmpere, 0.15 * filter, 0.1 * filter);
-  ControllerSettings settings = present;
-  settings.velocity_kp_A_s_per_rad = gains.velocity_kp_A_s_per_rad;
-  settings.velocity_ki_A_per_rad = gains.velocity_ki_A_per_rad;
-  settings.velocity_kd_A_s2_per_rad = 0.0;
-  settings.position_kp_A_per_rad = gains.position_kp_A_per_rad;
-  settings.position_ki_A_per_rad_s = 0.0;
-  settings.position_kd_A_s_per_rad = gains.position_kd_A_s_per_rad;
-  settings.observer_cutoff_rad_per_s = tuneObserver(tick_s, filter);
-  settings.nominal_inertia_kg_m2 = inertia;
-  settings.nominal_torque_constant_Nm_per_A = perAmpere;
-  return settings;
+constexpr double velocityPart = 0.15, positionPart = 0.1;  // of the speed filter's bandwidth
+
+/// What gains are made from; with m for rad, kg for kg m² and N for Nm on a linear axis.
+struct Movable {
+  double inertia = 0.0, perAmpere = 0.0, count = 0.0;
+};
+
+/// How much slower than the filter alone allows, 1 or less: a coarse encoder's count is a leap of the speed by the
+/// count times the filter's bandwidth, and gains that answer it with more than the current's limit swing to and fro.
+double slowedBy(const Movable& what, double filter, double cutoff, double limit_A) {
+  const double answer_A = what.inertia * (velocityPart * filter + cutoff) * what.count * filter / what.perAmpere;
+  return answer_A > limit_A && limit_A > 0.0 ? limit_A / answer_A : 1.0;
+}
+
+ControllerSettings carefullyTuned(const Movable& what, double tick_s, const ControllerSettings& present) {
+  const double filter = boardVelocityBandwidth_rad_per_s(tick_s), cutoff = tuneObserver(tick_s, filter);
+  const double slowed = slowedBy(what, filter, cutoff, present.current_limit_A);
+  const double velocity = slowed * velocityPart * filter, position = slowed * positionPart * filter;
+  return withTuning(present, {tuneMotion(what.inertia, what.perAmpere, velocity, position), slowed * cutoff,
+                              what.inertia, what.perAmpere});
 }
 
 class CarefulGains : public Step {
@@ -38,8 +45,10 @@ class CarefulGains : public Step {
     // A rotor's are the same each time they are set: from the spin test, as long as that is remembered.
     const bool spun = !known.linear() && known.tests;
     const IdentifiedMotor& motor = spun ? known.tests->rough : known.identified;
-    ControllerSettings careful = carefullyTuned(motor.inertia_kg_m2.value, motor.torquePerShownAmpere_Nm(),
-                                                1.0 / known.identity.loopRate_Hz, on.drive.settings());
+    const double counts = known.identity.countsPerRev;
+    const Movable what{motor.inertia_kg_m2.value, motor.torquePerShownAmpere_Nm(),
+                       counts > 0.0 ? (known.linear() ? 1.0 : turn_rad) / counts : 0.0};
+    ControllerSettings careful = carefullyTuned(what, 1.0 / known.identity.loopRate_Hz, on.drive.settings());
     if (known.linear()) {
       known.pace = paceOf(known);
       careful.velocity_limit_rad_per_s = 0.3 * known.pace.speed_m_per_s;

@@ -1,11 +1,14 @@
 // The same slow to and fro with and without the measured friction compensated: what the map is good for on this bench.
+// Then the wiring once more.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "base/numbers.h"
 #include "base/statistics.h"
+#include "commission/held_beliefs.h"
 #include "commission/steps.h"
+#include "commission/steps/wiring_pulses.h"
 #include "experiment/central_difference.h"
 #include "experiment/compensation.h"
 #include "experiment/course.h"
@@ -50,6 +53,7 @@ CourseOptions courseOn(const Commission& known, double amplitude_rad_per_s) {
 double velocityError(const std::vector<Sample>& samples, double amplitude_rad_per_s) {
   const SpeedCurve speed = centralDifference(samples, halfSpan_s);
   std::vector<double> error;
+  error.reserve(speed.time_s.size());
   for (size_t k = 0; k < speed.time_s.size(); ++k)
     error.push_back(speed.velocity_rad_per_s[k] - reference(speed.time_s[k], amplitude_rad_per_s));
   return rms(error);
@@ -58,11 +62,15 @@ double velocityError(const std::vector<Sample>& samples, double amplitude_rad_pe
 class Compensated : public Step {
  public:
   Compensated()
-      : Step("run with and without the map", {Known::map, Known::stribeck, Known::index, Known::gainsInUse},
-             {Known::comparison}) {}
-  double expected_s(const SweepSettings&) const override { return 20.0; }
+      : Step("run with and without the map",
+             {Known::wiring, Known::map, Known::stribeck, Known::index, Known::gainsInUse}, {Known::comparison}) {}
+  double expected_s(const SweepSettings&) const override { return 26.0; }
 
   Result<StepRun> begin(OnBench& on) override {
+    if (closing_) {
+      check_ = wiringCheckOn(on);
+      return StepRun{"10-wiring", check_};
+    }
     result_.amplitude_rad_per_s = amplitudeOn(on.known);
     result_.period_s = period_s;
     const auto map = compensationOf(on.known.map, CompensatedFriction::map, on.known.indexAngle_rad.value);
@@ -74,11 +82,18 @@ class Compensated : public Step {
 
   Result<void> leave(Drive& drive) override { return taken_ ? drive.compensate({}) : Result<void>(); }
 
-  /// A board that takes no compensation, or a run that fails, leaves a remark.
+  /// A board that takes no compensation, or a run that fails, leaves a remark. What failed in the last parts and lasts
+  /// is told by the wiring check, before anything becomes a result.
   Result<StepEnd> end(OnBench& on, const Result<void>& ran) override {
+    if (closing_) {
+      if (!ran) return ran.error();
+      if (auto held = holdWiringStill(fitWiring(*check_), on.options, on.known); !held) return held.error();
+      return StepEnd::over;
+    }
     if (const Result<void>& failed = taken_ ? ran : taken_; !failed) {
       on.known.remark("The map wasn't tried out: " + failed.error().message() + ".");
-      return StepEnd::over;
+      closing_ = true;
+      return StepEnd::again;
     }
     (withMap_ ? result_.with_rad_per_s : result_.without_rad_per_s) =
         velocityError(course_->samples(), result_.amplitude_rad_per_s);
@@ -87,14 +102,16 @@ class Compensated : public Step {
       return StepEnd::again;
     }
     on.known.compensatedRun = result_;
-    return StepEnd::over;
+    closing_ = true;
+    return StepEnd::again;
   }
 
  private:
   CompensatedRun result_;
-  bool withMap_ = false;
+  bool withMap_ = false, closing_ = false;
   Result<void> taken_;
   std::shared_ptr<Course> course_;
+  std::shared_ptr<WiringCheck> check_;
 };
 
 }  // namespace

@@ -1,5 +1,7 @@
 // The friction map of a rotor, from its breakaways and its runs at constant speed.
+#include <fmt/core.h>
 #include <algorithm>
+#include <cmath>
 
 #include "commission/held_beliefs.h"
 #include "commission/steps.h"
@@ -9,11 +11,15 @@ namespace breakaway {
 
 namespace {
 
+constexpr double worthSaying_rad = 2e-3;
+
 /// Once the breakaway torques are known, slow runs can be freed of what friction falls by with speed.
-Result<void> refitMoving(Commission& known, const MapOptions& options) {
-  const auto still = estimateMap(known.breakaways, nullptr, options);
+Result<void> refitMoving(Commission& known, const std::vector<BreakawayEvent>& breakaways, const EncoderDisc& disc,
+                         const MapOptions& options) {
+  const auto still = estimateMap(breakaways, nullptr, options);
   if (!still) return still.error();
   VelocityFrictionOptions friction = frictionOptions(known);
+  friction.disc = disc;
   for (const MapBin& bin : still->bins) {
     for (size_t w = 0; w < 2; ++w) friction.static_Nm[w].push_back(bin.way[w].static_Nm.value);
   }
@@ -28,6 +34,15 @@ Result<void> refitMoving(Commission& known, const MapOptions& options) {
   return {};
 }
 
+void remarkDisc(Commission& known, const EncoderDisc& disc) {
+  const double off_rad = std::abs(disc.off_rad);
+  if (off_rad < worthSaying_rad) return;
+  known.remark(fmt::format(
+      "The encoder's disc sits off its centre: it shows angles that are off by up to {:.2g} rad, once per turn. The "
+      "map's angles are freed of that; others (a recording's, the board's) aren't.",
+      off_rad));
+}
+
 class Map : public Step {
  public:
   Map() : Step("friction map", {Known::motor, Known::runs, Known::breakaways}, {Known::map}) {}
@@ -35,14 +50,18 @@ class Map : public Step {
   Result<StepEnd> end(OnBench& on, const Result<void>&) override {
     Commission& known = on.known;
     const MapOptions options = mapOptions(known, on.options.rig);
-    known.events = calibrated(known.breakaways, options);
-    if (auto refitted = refitMoving(known, options); !refitted) return refitted.error();
-    auto map = estimateMap(known.breakaways, &known.moving, options);
+    const EncoderDisc disc = fitDisc(known.runs, frictionOptions(known));
+    remarkDisc(known, disc);
+    std::vector<BreakawayEvent> breakaways = known.breakaways;
+    placeBy(disc, breakaways);
+    known.events = calibrated(breakaways, options);
+    if (auto refitted = refitMoving(known, breakaways, disc, options); !refitted) return refitted.error();
+    auto map = estimateMap(breakaways, &known.moving, options);
     if (!map) return map.error();
     if (auto held = holdMap(*map, on.options, known); !held) return held.error();
     known.map = std::move(*map);
     known.map.settings = known.howMeasured;
-    known.map.remarks = known.contradictions;
+    remarkMap(known);
     takeAverages(known);
     return StepEnd::over;
   }

@@ -17,7 +17,7 @@ TravelSearchOptions searchOn(const Identity& board, const ControllerSettings& se
 
 class TravelEnds : public Step {
  public:
-  TravelEnds() : Step("ends of the travel", {Known::sensorZero}, {Known::ends}) {}
+  TravelEnds() : Step("ends of the travel", {Known::sensorZero, Known::wiring}, {Known::ends}) {}
   double expected_s(const SweepSettings&) const override { return 20.0; }
 
   Result<StepRun> begin(OnBench& on) override {

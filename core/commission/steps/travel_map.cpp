@@ -25,7 +25,7 @@ class TravelMap : public Step {
     takeTravelFriction(survey->friction, on.options.bench, known);
     known.map = std::move(survey->map);
     known.map.settings = known.howMeasured;
-    known.map.remarks = known.contradictions;
+    remarkMap(known);
     if (!(known.map.stribeckVelocity_rad_per_s.value > 0.0))
       known.remark(
           "Slow strokes don't show over which speed friction falls from static to Coulomb; compensation goes without "

@@ -1,6 +1,7 @@
 // The controller that the board is left with: of medium stiffness, for the motor as it is known now.
 #include "commission/measured_bench.h"
 #include "commission/steps.h"
+#include "experiment/servo_settings.h"
 #include "stability/auto_tuning.h"
 #include "stability/bench_loop.h"
 
@@ -25,18 +26,7 @@ Result<ControllerSettings> mediumSettings(const Commission& done, const Controll
   options.noise = {roundingRms_rad(bench.count()), done.noiseRms_A};
   const auto tuning = autoTune(*loop, done.motor.inertia_kg_m2, constant, options);
   if (!tuning) return tuning.error();
-  ControllerSettings settings = present;
-  const MotionGains<double>& gains = tuning->settings.gains;
-  settings.velocity_kp_A_s_per_rad = gains.velocity_kp_A_s_per_rad;
-  settings.velocity_ki_A_per_rad = gains.velocity_ki_A_per_rad;
-  settings.velocity_kd_A_s2_per_rad = gains.velocity_kd_A_s2_per_rad;
-  settings.position_kp_A_per_rad = gains.position_kp_A_per_rad;
-  settings.position_ki_A_per_rad_s = gains.position_ki_A_per_rad_s;
-  settings.position_kd_A_s_per_rad = gains.position_kd_A_s_per_rad;
-  settings.observer_cutoff_rad_per_s = tuning->settings.observer_cutoff_rad_per_s;
-  settings.nominal_inertia_kg_m2 = tuning->settings.inertia_kg_m2;
-  settings.nominal_torque_constant_Nm_per_A = tuning->settings.torqueConstant_Nm_per_A;
-  return settings;
+  return withTuning(present, tuning->settings);
 }
 
 class TuneForUse : public Step {

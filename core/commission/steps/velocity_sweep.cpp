@@ -1,6 +1,7 @@
 // A rotor at constant speeds both ways: Coulomb and viscous friction.
 #include <algorithm>
 
+#include "base/numbers.h"
 #include "commission/steps.h"
 #include "commission/sweep_layout.h"
 #include "experiment/velocity_sweep.h"
@@ -11,6 +12,7 @@ namespace {
 
 // In an order in which speed and time have nothing to do with each other: a zero that drifts is no viscous friction.
 constexpr double ownParts[] = {0.2, 0.6, 0.1, 1.0, 0.05, 0.35};
+constexpr double leastCounts_per_s = 300.0;
 
 /// From V = V0 + R·i + Ke·ω with friction's current and a third more, and 0.6 of it to leave room for control.
 double highestSpeed(const Commission& known) {
@@ -23,6 +25,15 @@ double highestSpeed(const Commission& known) {
   const double slope_A = std::max(0.0, motor.viscous_Nm_s_per_rad.value) / motor.torquePerShownAmpere_Nm();
   const double usable_V = supply_V - lost_V - perAmp_V * friction_A;
   return std::max(1.0, 0.6 * usable_V / (motor.backEmfConstant_V_s_per_rad.value + perAmp_V * slope_A));
+}
+
+/// Parts of the highest speed, whose slowest passes counts often enough to be controlled by them.
+std::vector<double> partsFor(const Commission& known, double highest) {
+  const double counts = known.identity.countsPerRev;
+  const double slowest = counts > 0.0 ? std::min(0.4, leastCounts_per_s * turn_rad / counts / highest) : 0.0;
+  if (slowest <= *std::min_element(std::begin(ownParts), std::end(ownParts)))
+    return speedParts(ownParts, known.sweeps.speeds, 0.06);
+  return speedParts({}, known.sweeps.speeds > 0 ? known.sweeps.speeds : std::size(ownParts), slowest);
 }
 
 class Velocities : public Step {
@@ -39,11 +50,11 @@ class Velocities : public Step {
     Commission& known = on.known;
     const double asked = known.sweeps.highest_rad_per_s, highest = asked > 0.0 ? asked : highestSpeed(known);
     VelocitySweepOptions options;
-    for (const double part : speedParts(ownParts, known.sweeps.speeds, 0.06))
-      options.speeds_rad_per_s.push_back(part * highest);
+    for (const double part : partsFor(known, highest)) options.speeds_rad_per_s.push_back(part * highest);
     options.indexAngle_rad = known.indexAngle_rad.value;
     options.countsPerRev = known.identity.countsPerRev;
     options.indexTolerance_rad = indexTolerance_rad(options.countsPerRev);
+    options.bins = binsOfWholeCounts(options.countsPerRev, options.bins);
     options.run_s = known.sweeps.speedRun_s;
     options.zeroing_s = sensorZeroing_s(known);
     sweep_ = std::make_shared<VelocitySweep>(options, known.runs);
@@ -63,7 +74,9 @@ class Velocities : public Step {
     Commission& known = on.known;
     const ZeroTrack zeros(sweep_->zeros(), known.noiseRms_A);
     if (!known.runs.empty()) known.runsZeroError_A = zeros.at(known.runs[known.runs.size() / 2].middle_s).standardError;
-    auto moving = fitMovingFriction(known.runs, frictionOptions(known));
+    VelocityFrictionOptions friction = frictionOptions(known);
+    friction.disc = fitDisc(known.runs, friction);
+    auto moving = fitMovingFriction(known.runs, friction);
     if (!moving) return moving.error();
     known.moving = std::move(*moving);
     return StepEnd::over;

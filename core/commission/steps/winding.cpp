@@ -20,13 +20,15 @@ WindingTestOptions optionsOnAxis(const Identity& board) {
 
 class Winding : public Step {
  public:
-  Winding() : Step("winding test", {Known::sensorZero}, {Known::windingTest}) {}
+  Winding() : Step("winding test", {Known::sensorZero, Known::wiring}, {Known::windingTest}) {}
   double expected_s(const SweepSettings&) const override { return 30.0; }
 
   Result<StepRun> begin(OnBench& on) override {
     const bool linear = on.known.linear();
     name_ = linear ? "03-winding" : "02-winding";
-    test_ = std::make_shared<WindingTest>(linear ? optionsOnAxis(on.known.identity) : WindingTestOptions{});
+    auto options = linear ? optionsOnAxis(on.known.identity) : WindingTestOptions{};
+    options.noise_A = on.known.noiseRms_A;
+    test_ = std::make_shared<WindingTest>(options);
     return StepRun{name_, test_};
   }
 

@@ -69,6 +69,7 @@ class Backlash final : public TwoMassEffect {
   std::string_view drawnOver() const override { return "travel"; }
 
  private:
+  std::string loadWritten() const override { return "min(sqrt(max(p2 / p0, 1)), 5000), p3, 0.5 * p1, 0"; }
   TwoMass loadOf(std::span<const double> p) const override {
     const double frequency = std::sqrt(std::max(p[2] / p[0], 1.0));
     return {p[0], std::min(frequency, highestFrequency), p[3], 0.5 * p[1]};

@@ -45,6 +45,12 @@ const Effect* findEffect(std::string_view name) {
   return it == all.end() ? nullptr : *it;
 }
 
+std::string countedAs(const std::string& effect) {
+  const Effect* known = findEffect(effect);
+  if (known == nullptr || known->twin().empty()) return effect;
+  return std::min(effect, std::string(known->twin()));
+}
+
 std::vector<Parameter> presentParameters(const EffectTerm& term, Axis axis) {
   std::vector<Parameter> present;
   const Effect* effect = findEffect(term.effect);

@@ -21,6 +21,9 @@ class ChannelSkew final : public Effect, private InputPart, private CurrentSenso
   std::vector<ParameterSpec> parameters(Axis) const override { return {{"skew_s", -1.0, 1.0}}; }
   const CurrentSensorPart* currentSensor() const override { return this; }
   const InputPart* input(DriveInput drive) const override { return drive == DriveInput::current ? this : nullptr; }
+  Written written(std::span<const double>, Axis) const override {
+    return {.lacking = "it says when the current was recorded, not what the motor does"};
+  }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     if (seen.step_s <= 0.0) return {};
     if (seen.electrical && seen.currentSeen) return {Shape{{seen.step_s}}};

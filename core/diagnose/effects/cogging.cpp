@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <cmath>
 
 #include "diagnose/effects/all.h"
@@ -19,6 +21,9 @@ class Cogging final : public WaveEffect {
            "Trans. Energy Conversion 15(4), 2000";
   }
   Term term(std::span<const double> p, const Situation& at) const override { return {-waveValue(p, at), 0.0}; }
+  Written written(std::span<const double>, Axis axis) const override {
+    return {.load = "-" + waveWritten(axis), .functions = waveFunctions};
+  }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     return waveShapes(seen, 2, 96, 0.1 * seen.peakTorque);
   }
@@ -26,12 +31,14 @@ class Cogging final : public WaveEffect {
     return wavePlausible(p, seen, seen.peakTorque, 1.0);  // a longer wave is any spring's
   }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
-    return std::string(seen.axis == Axis::rotary ? "The rotor" : "The slide") + " is pulled back and forth by ±" +
-           torqueText(std::abs(p[0]), seen.axis) + ", " + waveText(p[2], seen.axis) +
-           ", the same whichever way it moves (strongest forward pull first at " +
-           wavePeakText(p, seen.axis, seen.lowest) + "): cogging between magnets and teeth. " +
-           (seen.axis == Axis::rotary ? "Compare with the motor: a multiple of its poles or of its slots."
-                                      : "Compare with the pitch of its magnets or of its slots.");
+    const bool turns = seen.axis == Axis::rotary;
+    return fmt::format(
+        "{} is pulled back and forth by ±{}, {}, the same whichever way it moves (strongest forward pull first at {}): "
+        "cogging between magnets and teeth. {}",
+        turns ? "The rotor" : "The slide", torqueText(std::abs(p[0]), seen.axis), waveText(p[2], seen.axis),
+        wavePeakText(p, seen.axis, seen.lowest),
+        turns ? "Compare with the motor: a multiple of its poles or of its slots."
+              : "Compare with the pitch of its magnets or of its slots.");
   }
   std::vector<std::string_view> lookAlikes() const override { return {"position_dependent_friction", "imbalance"}; }
   std::vector<Tell> tells() const override {

@@ -23,9 +23,23 @@ class CommandSaturation final : public Effect, private InputPart {
     return {{"limit", 1e-9, 1e9}, {"slew_per_s", 1e-9, 1e12}};
   }
   const InputPart* input(DriveInput) const override { return this; }
+  Written written(std::span<const double>, Axis) const override {
+    return {.memory = {"reached", "has_begun"},
+            .input =
+                "drive_input = clamp(drive_input, -p0, p0);"
+                "if (m1 == 0) { m0 = drive_input; m1 = 1; }"
+                "furthest = p1 * dt_s;"
+                "done = clamp(drive_input - m0, -furthest, furthest);"
+                "drive_input = m0 + done - 0.5 * done * abs(done) / furthest;"
+                "m0 = m0 + done;"};
+  }
+  std::optional<JointShare> joint(std::span<const double> p) const override {
+    return JointShare{.inputLimit = p[0], .rest = "how fast the input may change"};
+  }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     std::vector<Shape> shapes;
-    if (seen.peakInput <= 0.0 || seen.step_s <= 0.0) return shapes;
+    if (seen.driveMeasured) return shapes;  // what was measured is what the drive gave
+    if (seen.byReference || seen.peakInput <= 0.0 || seen.step_s <= 0.0) return shapes;
     const double noRate = 10.0 * seen.peakInput / seen.step_s;
     for (const double share : {0.35, 0.42, 0.5, 0.6, 0.72, 0.85, 0.95})
       shapes.push_back({{share * seen.peakInput, noRate}});

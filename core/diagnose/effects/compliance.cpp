@@ -69,6 +69,7 @@ class Compliance final : public TwoMassEffect {
   std::string_view drawnOver() const override { return "frequency"; }
 
  private:
+  std::string loadWritten() const override { return "clamp(p1, 0.001, 5000), p2, 0, p3 / p0"; }
   TwoMass loadOf(std::span<const double> p) const override {
     return {p[0], std::clamp(p[1], 1e-3, highestFrequency), p[2], 0.0, p[3]};
   }

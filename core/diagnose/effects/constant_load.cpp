@@ -18,6 +18,8 @@ class ConstantLoad final : public Effect {
   }
   std::vector<ParameterSpec> parameters(Axis axis) const override { return {{torqueName("load", axis), -1e9, 1e9}}; }
   Term term(std::span<const double> p, const Situation&) const override { return {.load_Nm = p[0]}; }
+  Written written(std::span<const double>, Axis) const override { return {.load = "p0"}; }
+  std::optional<JointShare> joint(std::span<const double> p) const override { return JointShare{.constantLoad = p[0]}; }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     // One way only, it is one and the same as the base model's dry friction.
     if (!seen.bothWays || seen.peakTorque <= 0.0) return {};

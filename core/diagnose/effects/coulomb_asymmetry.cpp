@@ -20,6 +20,7 @@ class CoulombAsymmetry final : public Effect {
     return {{torqueName("difference", axis), -1e9, 1e9}};
   }
   Term term(std::span<const double> p, const Situation& at) const override { return {0.0, 0.5 * at.direction * p[0]}; }
+  Written written(std::span<const double>, Axis) const override { return {.friction = "0.5 * direction * p0"}; }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     return seen.bothWays ? std::vector<Shape>{{{0.1 * seen.peakTorque}}} : std::vector<Shape>{};
   }

@@ -21,6 +21,10 @@ class CurrentSensorOffset final : public Effect, private InputPart, private Curr
   std::vector<ParameterSpec> parameters(Axis) const override { return {{"offset_A", -1e9, 1e9}}; }
   const CurrentSensorPart* currentSensor() const override { return this; }
   const InputPart* input(DriveInput drive) const override { return drive == DriveInput::current ? this : nullptr; }
+  Written written(std::span<const double>, Axis) const override {
+    return {.input = "drive_input = drive_input - p0;", .sensed = "current + p0"};
+  }
+  std::optional<JointShare> joint(std::span<const double> p) const override { return JointShare{.inputOffset = p[0]}; }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     if (!seen.electrical || !seen.currentSeen || seen.peakCurrent <= 0.0) return {};
     return {Shape{{0.02 * seen.peakCurrent}}};

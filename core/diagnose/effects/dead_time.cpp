@@ -24,6 +24,7 @@ class DeadTime final : public Effect {
   Term term(std::span<const double> p, const Situation& at) const override {
     return {.voltage_V = p[0] * std::tanh(at.current / p[1])};
   }
+  Written written(std::span<const double>, Axis) const override { return {.voltage = "p0 * tanh(current / p1)"}; }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     std::vector<Shape> shapes;
     if (!seen.electrical || seen.peakCurrent <= 0.0) return shapes;

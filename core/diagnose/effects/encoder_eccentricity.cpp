@@ -24,6 +24,9 @@ class EncoderEccentricity final : public Effect, private EncoderPart {
     return {{"amplitude_rad", -1e9, 1e9}, {"phase_rad", -1e3, 1e3}};
   }
   const EncoderPart* encoder() const override { return this; }
+  Written written(std::span<const double>, Axis) const override {
+    return {.shown = "position + p0 * cos(position - p1)"};
+  }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     if (seen.axis != Axis::rotary || seen.travel < 1.9 * std::numbers::pi) return {};
     return {Shape{{typical_rad, 0.0}, {typical_rad, 0.5 * std::numbers::pi}}};

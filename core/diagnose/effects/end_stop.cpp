@@ -33,6 +33,14 @@ class EndStop final : public Effect {
   }
   double longestStep_s(std::span<const double>) const override { return 5e-4; }
   bool mayRepeat(const Excitation&) const override { return true; }
+  Written written(std::span<const double>, Axis) const override {
+    return {.load =
+                "(p2 * (position - p1) > 0 ? "
+                "p2 * max(0, p0 * p2 * (position - p1) + p3 * p2 * velocity) : 0)"};
+  }
+  std::optional<JointShare> joint(std::span<const double> p) const override {
+    return JointShare{.stop = JointShare::Stop{p[1], p[2]}, .rest = "its stiffness and damping"};
+  }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     std::vector<Shape> shapes;
     if (seen.peakTorque <= 0.0 || seen.travel <= 0.0) return shapes;

@@ -27,6 +27,9 @@ class ExternalDisturbance final : public Effect {
     const double fromEdge = 0.5 * p[2] - std::abs(at.time_s - p[1] - 0.5 * p[2]);  // s, positive inside
     return {.load_Nm = -p[0] * std::clamp(0.5 + fromEdge / (0.02 * p[2]), 0.0, 1.0)};
   }
+  Written written(std::span<const double>, Axis) const override {
+    return {.lacking = "it happened once, in one recording"};
+  }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     std::vector<Shape> shapes;
     if (seen.peakTorque <= 0.0) return shapes;

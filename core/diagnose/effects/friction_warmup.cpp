@@ -25,6 +25,7 @@ class FrictionWarmup final : public Effect {
   Term term(std::span<const double> p, const Situation& at) const override {
     return {0.0, p[0] * std::exp(-at.time_s / p[1])};
   }
+  Written written(std::span<const double>, Axis) const override { return {.friction = "p0 * exp(-time_s / p1)"}; }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     std::vector<Shape> shapes;
     if (seen.duration_s < leastDuration_s) return shapes;

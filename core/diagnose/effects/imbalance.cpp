@@ -18,6 +18,9 @@ class Imbalance final : public WaveEffect {
   }
   Term term(std::span<const double> p, const Situation& at) const override { return {-waveValue(p, at), 0.0}; }
   bool mayRepeat(const Excitation&) const override { return false; }  // it has one order
+  Written written(std::span<const double>, Axis axis) const override {
+    return {.load = "-" + waveWritten(axis), .functions = waveFunctions};
+  }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     return seen.axis == Axis::rotary ? waveShapes(seen, 1, 1, 0.1 * seen.peakTorque) : std::vector<Shape>{};
   }

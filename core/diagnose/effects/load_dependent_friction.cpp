@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <cmath>
 
 #include "diagnose/effects/all.h"
@@ -25,6 +27,9 @@ class LoadDependentFriction final : public Effect {
   Term term(std::span<const double> p, const Situation& at) const override {
     return {0.0, p[0] * std::abs((1.0 - p[1]) * at.driveTorque + p[1] * at.knownLoad)};
   }
+  Written written(std::span<const double>, Axis) const override {
+    return {.friction = "p0 * abs((1 - p1) * drive + p1 * known_load)"};
+  }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     // Where the torque hardly exceeds dry friction, there is no load whose change could show.
     std::vector<Shape> shapes;
@@ -43,13 +48,13 @@ class LoadDependentFriction final : public Effect {
   bool plausible(std::span<const double> p, const Excitation&) const override { return p[0] > 0.0 && p[0] < 0.95; }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
     const bool ofKnown = p[1] > 0.5;
-    return std::string("Friction ") + (p[0] > 0.0 ? "grows" : "falls") + " with the " +
-           (ofKnown ? "known load's " : "transmitted ") + torqueWord(seen.axis) + ", by " +
-           percentText(std::abs(p[0])) + " of it (" +
-           torqueText(std::abs(p[0]) * (ofKnown ? seen.knownLoad : seen.peakTorque), seen.axis) +
-           (ofKnown ? " at its largest" : " at the recording's peak") + "): losses in the " +
-           (seen.axis == Axis::rotary ? "gear or the loaded bearing; look at mesh, alignment and grease."
-                                      : "screw or gear; look at nut, alignment and grease.");
+    const double most = std::abs(p[0]) * (ofKnown ? seen.knownLoad : seen.peakTorque);
+    return fmt::format("Friction {} with the {}{}, by {} of it ({} at {}): losses in the {}",
+                       p[0] > 0.0 ? "grows" : "falls", ofKnown ? "known load's " : "transmitted ",
+                       torqueWord(seen.axis), percentText(std::abs(p[0])), torqueText(most, seen.axis),
+                       ofKnown ? "its largest" : "the recording's peak",
+                       seen.axis == Axis::rotary ? "gear or the loaded bearing; look at mesh, alignment and grease."
+                                                 : "screw or gear; look at nut, alignment and grease.");
   }
   std::vector<std::string_view> lookAlikes() const override {
     return {"torque_saturation", "position_dependent_friction"};

@@ -19,6 +19,9 @@ class PositionDependentFriction final : public WaveEffect {
            "doi:10.1109/ROBOT.1988.12259";
   }
   Term term(std::span<const double> p, const Situation& at) const override { return {0.0, waveValue(p, at)}; }
+  Written written(std::span<const double>, Axis axis) const override {
+    return {.friction = waveWritten(axis), .functions = waveFunctions};
+  }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     return seen.bothWays ? waveShapes(seen, 1, 12, 0.1 * seen.peakTorque) : std::vector<Shape>{};
   }

@@ -23,6 +23,9 @@ class PositionDependentViscous final : public WaveEffect {
   Term term(std::span<const double> p, const Situation& at) const override {
     return {0.0, waveValue(p, at) * std::abs(at.velocity)};
   }
+  Written written(std::span<const double>, Axis axis) const override {
+    return {.friction = waveWritten(axis) + " * abs(velocity)", .functions = waveFunctions};
+  }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     if (seen.highSpeed <= 1.3 * seen.lowSpeed) return {};
     return waveShapes(seen, 1, 12, 0.1 * seen.peakTorque / seen.highSpeed);

@@ -27,6 +27,9 @@ class Presliding final : public Effect, private ElasticFriction {
     return {{stiffnessName("stiffness", axis), 1e-9, 1e12}, {"damping_ratio", 0.02, 3.0, true, true}};
   }
   const ElasticFriction* elastic() const override { return this; }
+  Written written(std::span<const double>, Axis) const override {
+    return {};  // the simulation builds up the whole friction by elastic()
+  }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     std::vector<Shape> shapes;
     if (seen.reversals + seen.starts < 2 || seen.travel <= 0.0) return shapes;

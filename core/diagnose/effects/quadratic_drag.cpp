@@ -21,6 +21,7 @@ class QuadraticDrag final : public Effect {
   Term term(std::span<const double> p, const Situation& at) const override {
     return {0.0, p[0] * at.velocity * at.velocity};
   }
+  Written written(std::span<const double>, Axis) const override { return {.friction = "p0 * velocity * velocity"}; }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     if (seen.highSpeed <= 2.0 * seen.lowSpeed) return {};
     return {{{0.1 * seen.peakTorque / (seen.highSpeed * seen.highSpeed)}}};

@@ -31,6 +31,9 @@ class RisingStiction final : public Effect {
     const double ratio = at.velocity / p[2];
     return {0.0, p[0] * -std::expm1(-at.rest_s / p[1]) * std::exp(-ratio * ratio)};
   }
+  Written written(std::span<const double>, Axis) const override {
+    return {.friction = "p0 * (1 - exp(-rest_s / p1)) * exp(-(velocity / p2) * (velocity / p2))"};
+  }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     std::vector<Shape> shapes;
     if (seen.starts < leastStarts || seen.longestRest_s < leastRest_rows * seen.step_s || seen.highSpeed <= 0.0)

@@ -30,6 +30,15 @@ class Stribeck final : public Effect {
   Term term(std::span<const double> p, const Situation& at) const override {
     return {0.0, p[0] * decay(at.velocity, p[1], p[2])};
   }
+  Written written(std::span<const double> p, Axis) const override {
+    if (p[2] == 2.0) return {.friction = "p0 * exp(-(velocity / p1) * (velocity / p1))"};
+    if (p[2] == 1.0) return {.friction = "p0 * exp(-abs(velocity) / p1)"};
+    return {.friction = "p0 * exp(-pow(abs(velocity) / p1, p2))"};
+  }
+  std::optional<JointShare> joint(std::span<const double> p) const override {
+    if (p[0] <= 0.0) return {};
+    return JointShare{.breakaway = p[0], .rest = "over which speed it fades"};
+  }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     std::vector<Shape> shapes;
     if (seen.highSpeed <= 0.0) return shapes;

@@ -28,6 +28,11 @@ class SupplySag final : public Effect {
     const double duty = at.input / (at.supply_V > 0.0 ? at.supply_V : p[1]);
     return {.voltage_V = p[0] * duty * duty * at.current};
   }
+  Written written(std::span<const double>, Axis) const override {
+    return {.voltage =
+                "(drive_input * current > 0 ? p0 * (drive_input / (supply_V > 0 ? supply_V : p1)) * "
+                "(drive_input / (supply_V > 0 ? supply_V : p1)) * current : 0)"};
+  }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     if (!seen.electrical || seen.peakCurrent <= 0.0 || seen.peakInput <= 0.0) return {};
     const double supply_V = seen.supply_V > 0.0 ? seen.supply_V : seen.peakInput;

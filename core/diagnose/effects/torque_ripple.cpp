@@ -27,6 +27,11 @@ class TorqueRipple final : public WaveEffect {
     const double torqueConstant = at.current != 0.0 ? at.driveTorque / at.current : 0.0;
     return {.load_Nm = -wave * at.driveTorque, .voltage_V = wave * torqueConstant * at.velocity};
   }
+  Written written(std::span<const double>, Axis axis) const override {
+    return {.load = "-" + waveWritten(axis) + " * drive",
+            .voltage = waveWritten(axis) + " * torque_constant * velocity",
+            .functions = waveFunctions};
+  }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     return seen.axis == Axis::rotary ? waveShapes(seen, 1, 48, 0.03) : std::vector<Shape>{};
   }

@@ -21,6 +21,9 @@ class TorqueSaturation final : public Effect {
   Term term(std::span<const double> p, const Situation& at) const override {
     return {.load_Nm = std::min(p[0] * at.current * at.current, 1.0) * at.driveTorque};
   }
+  Written written(std::span<const double>, Axis) const override {
+    return {.load = "min(p0 * current * current, 1) * drive"};
+  }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     if (seen.peakCurrent <= 0.0) return {};  // where torque drives, it is given
     return {Shape{{0.1 / (seen.peakCurrent * seen.peakCurrent)}}};

@@ -7,7 +7,10 @@ namespace breakaway {
 
 namespace {
 
-/// The command acts later than the recording says; each row's share of what came before is exact for a held command.
+constexpr double leastLate = -0.7, mostLate = -3.5;  ///< rows by which a log may stamp its commands late
+
+/// The command acts later than the recording says, or was stamped late and acts earlier (T below 0); each row's share
+/// of what comes before or after is exact for a held command.
 class TransportDelay final : public Effect, private InputPart {
  public:
   std::string_view name() const override { return "transport_delay"; }
@@ -16,21 +19,34 @@ class TransportDelay final : public Effect, private InputPart {
     return "K. J. Åström, B. Wittenmark, 'Computer-Controlled Systems', Prentice Hall 1997, chapter 2: sampling a "
            "system with time delay";
   }
-  std::vector<ParameterSpec> parameters(Axis) const override { return {{"delay_s", 1e-6, 10.0}}; }
+  std::vector<ParameterSpec> parameters(Axis) const override { return {{"delay_s", -1.0, 10.0}}; }
   const InputPart* input(DriveInput) const override { return this; }
+  Written written(std::span<const double> p, Axis) const override {
+    if (p[0] < 0.0) return {.lacking = "it would act before it is commanded"};
+    return {.delay = "p0"};
+  }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     std::vector<Shape> shapes;
-    if (seen.step_s <= 0.0) return shapes;
+    if (seen.byReference || seen.step_s <= 0.0) return shapes;
+    for (const double rows : {-1.0, -2.0}) shapes.push_back({{rows * seen.step_s}});
     for (double rows = 0.5; rows < 21.0; rows *= 1.7) shapes.push_back({{rows * seen.step_s}});
     return shapes;
   }
   std::vector<double> scaled(const Shape& shape, std::span<const double> amplitude) const override {
-    return {shape[0][0] * std::clamp(amplitude[0], 0.05, 3.0)};
+    const bool late = shape[0][0] < 0.0;
+    return {shape[0][0] * std::clamp(amplitude[0], late ? 0.75 : 0.05, late ? 1.6 : 3.0)};
   }
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
+    // Within a row nobody knows when a logged command acted.
+    if (p[0] < 0.0) return p[0] < leastLate * seen.step_s && p[0] > mostLate * seen.step_s;
     return p[0] > 0.02 * seen.step_s && p[0] < std::min(0.2, 0.05 * seen.duration_s);
   }
   std::string sentence(std::span<const double> p, const Excitation& seen) const override {
+    if (p[0] < 0.0) {
+      return "What is commanded acted " + timeText(-p[0]) + " earlier than the recording says (" +
+             digitsText(-p[0] / seen.step_s) +
+             " rows): the log stamps its commands late. Look at when rows get their time.";
+    }
     return "What is commanded acts " + timeText(p[0]) + " later than the recording says (" +
            digitsText(p[0] / seen.step_s) +
            " rows): communication, the drive's own cycle or a filter. Look at when rows get their time, and at the "
@@ -45,7 +61,7 @@ class TransportDelay final : public Effect, private InputPart {
   std::string_view drawnOver() const override { return "frequency"; }
 
  private:
-  double delay_s(std::span<const double> p) const override { return p[0]; }
+  double delay_s(std::span<const double> p) const override { return std::max(p[0], 0.0); }
   void shape(std::span<const double> p, std::span<const double> time_s, std::span<double> input) const override {
     const std::vector<double> held(input.begin(), input.end());
     const size_t rows = held.size();
@@ -54,10 +70,10 @@ class TransportDelay final : public Effect, private InputPart {
     for (size_t k = 0; k + 1 < rows; ++k) {
       double from = time_s[k] - p[0];
       const double to = time_s[k + 1] - p[0];
-      while (row < k && time_s[row + 1] <= from) ++row;
+      while (row + 1 < rows && time_s[row + 1] <= from) ++row;
       double sum = 0.0;
       for (size_t part = row; from < to; ++part) {
-        const double end = part < k ? std::min(time_s[part + 1], to) : to;
+        const double end = part + 1 < rows ? std::min(time_s[part + 1], to) : to;
         if (end <= from) continue;
         sum += held[part] * (end - from);
         from = end;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/exact_text.h"
+
 namespace breakaway {
 
 namespace {
@@ -114,6 +116,106 @@ double stepOf(const TwoMass& load) {
   return std::min(2e-3, (load.halfGap > 0.0 ? 0.2 : 0.3) / load.frequency);  // impacts need finer steps
 }
 
+/// The above written down. A load is known by ω_a, ζ, half its gap and F_load/J_load.
+const char* const twoMassFunctions = R"(
+/// What spring or teeth give the load, per inertia.
+function load_pull(deflection, rate, frequency, damping_ratio, half_gap) -> pull {
+  stiffness = frequency * frequency;
+  damping = 2 * damping_ratio * frequency;
+  pull = stiffness * deflection + damping * rate;
+  if (half_gap > 0) {
+    side = deflection > 0 ? 1 : -1;
+    depth = side * deflection - half_gap;
+    pull = 0;
+    if (depth > 0) { pull = side * max(0, stiffness * depth + damping * side * rate); }
+  }
+}
+/// 1 where teeth stay apart all the way over dt_s.
+function load_flies(deflection, rate, acceleration, half_gap, dt_s) -> apart {
+  apart = 0;
+  landing = deflection + dt_s * (rate + 0.5 * dt_s * acceleration);
+  if (abs(deflection) < half_gap && abs(landing) < half_gap) {
+    apart = 1;
+    turning_s = -1;
+    if (acceleration != 0) { turning_s = -rate / acceleration; }
+    if (turning_s > 0 && turning_s < dt_s) {
+      if (abs(deflection + turning_s * (rate + 0.5 * turning_s * acceleration)) >= half_gap) { apart = 0; }
+    }
+  }
+}
+/// The load's way over h, short beside its swinging: a step of Runge and Kutta's fourth order, or rest.
+function load_contact(deflection, rate, motor, acceleration, h, frequency, damping_ratio, half_gap, braking) ->
+    next_deflection, next_rate, lost {
+  own = motor - rate;
+  way = 0;
+  pulled = load_pull(deflection, rate, frequency, damping_ratio, half_gap);
+  if (braking > 0) {
+    if (abs(own) > 0.000001 * braking * h) { way = own > 0 ? 1 : -1; }
+    else if (abs(pulled) > braking) { way = pulled > 0 ? 1 : -1; }
+  }
+  if (braking > 0 && way == 0) {
+    next_deflection = deflection + h * (rate + 0.5 * h * acceleration);
+    next_rate = motor + h * acceleration;
+    lost = 0.5 * h * (pulled + load_pull(next_deflection, next_rate, frequency, damping_ratio, half_gap));
+  } else {
+    braked = acceleration + way * braking;
+    a = braked - pulled;
+    rate_b = rate + 0.5 * h * a;
+    b = braked - load_pull(deflection + 0.5 * h * rate, rate_b, frequency, damping_ratio, half_gap);
+    rate_c = rate + 0.5 * h * b;
+    c = braked - load_pull(deflection + 0.5 * h * rate_b, rate_c, frequency, damping_ratio, half_gap);
+    rate_d = rate + h * c;
+    d = braked - load_pull(deflection + h * rate_c, rate_d, frequency, damping_ratio, half_gap);
+    next_deflection = deflection + h / 6 * (rate + 2 * (rate_b + rate_c) + rate_d);
+    next_rate = rate + h / 6 * (a + 2 * (b + c) + d);
+    lost = way * braking * h;
+    own = motor + h * acceleration - next_rate;
+    if (way * own < 0) {
+      lost = lost + own;
+      next_rate = motor + h * acceleration;
+    }
+  }
+}
+/// The load's way over dt_s while the motor changes its velocity evenly; what friction took from its velocity.
+function load_course(deflection, rate, motor, acceleration, dt_s, frequency, damping_ratio, half_gap, braking) ->
+    last_deflection, last_rate, lost {
+  last_deflection = deflection;
+  last_rate = rate;
+  if (load_flies(deflection, rate, acceleration, half_gap, dt_s) > 0) {
+    last_deflection = deflection + dt_s * (rate + 0.5 * dt_s * acceleration);
+    last_rate = rate + dt_s * acceleration;
+  } else {
+    parts = clamp(ceil(dt_s * frequency * max(1, 2 * damping_ratio) / 0.2), 1, 10000);
+    h = dt_s / parts;
+    part = 0;
+    while (part < parts) {
+      (next_deflection, next_rate, taken) = load_contact(last_deflection, last_rate, motor + part * h * acceleration,
+        acceleration, h, frequency, damping_ratio, half_gap, braking);
+      last_deflection = next_deflection;
+      last_rate = next_rate;
+      lost = lost + taken;
+      part = part + 1;
+    }
+  }
+}
+/// What the load gives the motor, the mean around time_s; the memory may be older.
+function load_reaction(deflection, rate, motor, remembered_s, time_s, velocity, inertia, longest_s, frequency,
+                       damping_ratio, half_gap, braking) -> torque {
+  torque = 0;
+  if (remembered_s != 0) {
+    since_s = min(time_s - remembered_s, longest_s);
+    if (since_s <= 0) {
+      torque = inertia * load_pull(deflection, rate, frequency, damping_ratio, half_gap);
+    } else {
+      acceleration = (velocity - motor) / since_s;
+      (last_deflection, last_rate, lost) = load_course(deflection, rate, motor, acceleration, 2 * since_s, frequency,
+        damping_ratio, half_gap, braking);
+      torque = inertia * (acceleration + (lost - (last_rate - rate)) / (2 * since_s));
+    }
+  }
+}
+)";
+
 }  // namespace
 
 Term TwoMassEffect::term(std::span<const double> p, const Situation& at) const {
@@ -154,6 +256,22 @@ void TwoMassEffect::place(double place, double speed, double velocity, double ti
 
 double TwoMassEffect::longestStep_s(std::span<const double> p) const {
   return stepOf(loadOf(p));
+}
+
+Written TwoMassEffect::written(std::span<const double> p, Axis axis) const {
+  const bool rotary = axis == Axis::rotary;
+  const std::string of = loadWritten();
+  return {
+      .load = "load_reaction(m0, m1, m2, m3, time_s, velocity, p0, " + exactText(stepOf(loadOf(p))) + ", " + of + ")",
+      .memory = {rotary ? "deflection_rad" : "deflection_m",
+                 rotary ? "deflection_rate_rad_per_s" : "deflection_rate_m_per_s",
+                 rotary ? "motor_velocity_rad_per_s" : "motor_velocity_m_per_s", "remembered_at_s"},
+      .remember =
+          "evenly = acceleration;"
+          "if (m3 != 0 && abs(time_s - dt_s - m3) < 0.5 * dt_s) { evenly = (velocity - m2) / dt_s; }"
+          "(deflection, rate, lost) = load_course(m0, m1, velocity - dt_s * evenly, evenly, dt_s, " +
+          of + "); m0 = deflection; m1 = rate; m2 = velocity; m3 = time_s;",
+      .functions = twoMassFunctions};
 }
 
 bool plausibleLoad(double inertia, const Excitation& seen) {

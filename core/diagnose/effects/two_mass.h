@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include "diagnose/model/effect.h"
 
@@ -22,8 +23,11 @@ class TwoMassEffect : public Effect, private LoadPart {
   Term term(std::span<const double> p, const Situation& at) const final;
   /// A step that two inertias of any share up to 90 % take without a visible error.
   double longestStep_s(std::span<const double> p) const final;
+  Written written(std::span<const double> p, Axis axis) const final;
 
  private:
+  /// ω_a, ζ, half the gap and F_load/J_load of loadOf(), written down and separated by commas; J_load is p0.
+  virtual std::string loadWritten() const = 0;
   size_t size() const final { return 4; }
   /// The motor's velocity changes evenly meanwhile. Stable for any dt_s.
   void remember(std::span<const double> p, const Situation& at, double dt_s, std::span<double> memory) const final;

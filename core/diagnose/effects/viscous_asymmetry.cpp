@@ -24,6 +24,7 @@ class ViscousAsymmetry final : public Effect {
   Term term(std::span<const double> p, const Situation& at) const override {
     return {0.5 * p[0] * std::abs(at.velocity), 0.0};
   }
+  Written written(std::span<const double>, Axis) const override { return {.drag = "0.5 * p0 * abs(velocity)"}; }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     return seen.bothWays && seen.highSpeed > 1.3 * seen.lowSpeed
                ? std::vector<Shape>{{{0.1 * seen.peakTorque / seen.highSpeed}}}

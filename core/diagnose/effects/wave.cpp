@@ -63,6 +63,23 @@ double waveValue(std::span<const double> p, const Situation& at) {
   return p[0] * meanCosine(half) * std::cos(k * at.position - p[1]);
 }
 
+std::string waveWritten(Axis axis) {
+  return std::string("wave(p0, ") + (axis == Axis::rotary ? "p2" : "6.283185307179586 / p2") + ", p1, position, span)";
+}
+
+const char* const waveFunctions = R"(
+/// sin(x) / x.
+function mean_cosine(x) -> value {
+  square = x * x;
+  value = 1 - square / 6 * (1 - square / 20 * (1 - square / 42));
+  if (square > 0.25) { value = sin(x) / x; }
+}
+/// The mean of a wave over a span around a place.
+function wave(amplitude, number, phase, position, span) -> value {
+  value = amplitude * mean_cosine(0.5 * number * span) * cos(number * position - phase);
+}
+)";
+
 std::vector<Shape> waveShapes(const Excitation& seen, int lowest, int highest, double amplitude) {
   std::vector<Shape> shapes;
   if (seen.travel <= 0.0) return shapes;

@@ -30,6 +30,9 @@ class WaveEffect : public Effect {
 
 /// The mean of A·cos(kθ − φ) over the situation's span; `p` as waveParameters() has it.
 double waveValue(std::span<const double> p, const Situation& at);
+/// The same written down, with waveFunctions (written.h).
+std::string waveWritten(Axis axis);
+extern const char* const waveFunctions;
 /// Cosine {A₀, 0, k} and sine {A₀, π/2, k} at the size A₀ = `amplitude`, for what the travel and the encoder can show:
 /// orders from `lowest` to `highest` (rotary; a whole turn, or two waves of it), or `lowest` to 50 waves over the
 /// travel (linear, where a screw's lead repeats often).

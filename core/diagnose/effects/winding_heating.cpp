@@ -27,6 +27,13 @@ class WindingHeating final : public Effect, private HiddenState {
     return {.voltage_V = at.memory.empty() ? 0.0 : p[0] * at.memory[0] * at.current};
   }
   const HiddenState* hidden() const override { return this; }
+  Written written(std::span<const double>, Axis) const override {
+    return {.voltage = "p0 * m0 * current",
+            .memory = {"heat_A2"},
+            .remember =
+                "loss = current * current * max(0, 1 + p0 * m0 / resistance);"
+                "m0 = m0 + (loss - m0) * (1 - exp(-dt_s / p1));"};
+  }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     std::vector<Shape> shapes;
     if (!seen.electrical || seen.peakCurrent <= 0.0 || seen.duration_s < 4.0) return shapes;

@@ -6,6 +6,7 @@
 
 #include "base/numbers.h"
 #include "base/statistics.h"
+#include "diagnose/simulate/recorded_input.h"
 
 namespace breakaway {
 
@@ -66,13 +67,14 @@ void sayLeaps(std::vector<std::string>& out, const Bench& bench, const Track& tr
 }
 
 void sayDrive(std::vector<std::string>& out, const Bench& bench, const Recording& recording, const Track& track) {
+  const std::string input = recordedInput(recording, bench);
   std::vector<double> values;
-  for (const double value : recording.channel(bench.inputChannel())) {
+  for (const double value : recording.channel(input)) {
     if (std::isfinite(value)) values.push_back(value);
   }
   if (values.empty()) return;
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  const std::string column = ", column " + bench.inputChannel();
+  const std::string column = ", column " + input;
   if (*low == *high) {
     out.push_back(track.name + column +
                   fmt::format(": never changes ({:.4g} throughout): what it does to the axis can't be told", *low));
@@ -82,9 +84,15 @@ void sayDrive(std::vector<std::string>& out, const Bench& bench, const Recording
     return static_cast<double>(std::count(values.begin(), values.end(), value)) / static_cast<double>(values.size());
   };
   const double atHigh = *high != 0.0 ? partAt(*high) : 0.0, atLow = *low != 0.0 ? partAt(*low) : 0.0;
-  // A command that goes between two levels stands at them by intention.
-  const double between = 1.0 - partAt(*high) - partAt(*low) - partAt(0.0);
-  if (std::max(atHigh, atLow) > clippedPart && between > 0.2) {
+  // A command that goes between two levels, or in steps, stands at its levels by intention.
+  size_t between = 0, changing = 0;
+  for (size_t k = 1; k < values.size(); ++k) {
+    if (values[k] == *high || values[k] == *low || values[k] == 0.0) continue;
+    ++between;
+    changing += values[k] != values[k - 1] ? 1 : 0;
+  }
+  const bool moves = 5 * between > values.size() && 10 * changing > between;
+  if (std::max(atHigh, atLow) > clippedPart && moves) {
     out.push_back(
         track.name + column +
         fmt::format(

@@ -16,8 +16,11 @@ Excitation excitationOf(const std::vector<Track>& tracks, const Model& model) {
   const Physics physics = physicsOf(model);
   seen.inertia = physics.inertia;
   seen.coulomb = physics.coulomb;
+  seen.byReference = model.servo.has_value();
   seen.electrical = physics.electrical;
-  seen.currentDrive = model.input == DriveInput::current;
+  seen.currentDrive = model.input == DriveInput::current && !seen.byReference;
+  seen.driveMeasured = seen.currentDrive && std::all_of(tracks.begin(), tracks.end(),
+                                                        [](const Track& track) { return track.inputNoise > 0.0; });
   seen.currentSeen = physics.electrical && std::all_of(tracks.begin(), tracks.end(),
                                                        [](const Track& track) { return !track.current.empty(); });
   seen.supply_V = tracks.front().supplyAt(0);

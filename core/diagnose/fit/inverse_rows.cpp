@@ -113,6 +113,7 @@ InverseRows inverseRows(const Track& track, const InverseFilter& filter) {
   const double speed = quantile(
       [&] {
         std::vector<double> speeds;
+        speeds.reserve(rows.velocity.size());
         for (const double v : rows.velocity) speeds.push_back(std::abs(v));
         return speeds;
       }(),

@@ -47,8 +47,9 @@ Model scattered(Model model, const FrictionScatter& scatter, Random& random) {
 
 void addWander(Track& driven, const FrictionScatter& scatter, double gain, Random& random) {
   double wander = scatter.wander * random.normal();
+  std::vector<double>& acting = driven.push.empty() ? driven.input : driven.push;
   for (size_t k = 0; k < driven.rows(); ++k) {
-    driven.input[k] += wander / gain;
+    acting[k] += wander / gain;
     const double dt = k + 1 < driven.rows() ? driven.time[k + 1] - driven.time[k] : 0.0;
     const double keep = std::exp(-dt / scatter.wander_s);
     wander = keep * wander + scatter.wander * std::sqrt(1.0 - keep * keep) * random.normal();
@@ -57,12 +58,11 @@ void addWander(Track& driven, const FrictionScatter& scatter, double gain, Rando
 
 }  // namespace
 
-FrictionScatter usualScatter(double highSpeed, double coulomb, const TorqueNoise& left) {
-  FrictionScatter scatter{.relative = 0.01, .speed = 0.1 * highSpeed};
-  if (!left.usual(coulomb)) return scatter;
-  scatter.wander = left.rms;
-  scatter.wander_s = left.time_s;
-  return scatter;
+FrictionScatter usualScatter(const Excitation& seen, double coulomb, const TorqueNoise& left) {
+  return {.relative = 0.01,
+          .speed = 0.1 * seen.highSpeed,
+          .wander = std::min(left.rms, mostWander(coulomb, seen.peakTorque)),
+          .wander_s = left.time_s};
 }
 
 namespace {
@@ -84,7 +84,12 @@ std::vector<double> replayedSquares(const Model& model, const std::vector<Track>
       --first;
     Track replay = recorded.rowsFrom(first, window.last);
     Track driven = recorded.rowsFrom(first, window.last);  // what acted, if what was recorded is a noisy measurement
-    for (double& one : driven.input) one += recorded.inputNoise * random.normal();
+    if (model.servo) driven.push.assign(driven.rows(), 0.0);
+    for (size_t k = 0; k < driven.rows(); ++k) {
+      driven.input[k] += recorded.inputNoise * random.normal();
+      if (const double missing = driven.missingInput(k); missing > 0.0)
+        driven.input[k] += std::sqrt(missing) / (driven.time[k + 1] - driven.time[k]) * random.normal();
+    }
     if (scatter.wander > 0.0) addWander(driven, scatter, physicsOf(model).torquePerInput(), random);
     Simulator rig(scattered(model, scatter, random), driven, 0, driven.rows() - 1);
     MotionState state = Simulator(model, recorded, first, window.last).restart(first, hidden[w]);

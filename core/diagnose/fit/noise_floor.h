@@ -5,6 +5,7 @@
 
 #include "diagnose/fit/torque_noise.h"
 #include "diagnose/fit/window_residual.h"
+#include "diagnose/model/excitation.h"
 #include "diagnose/model/model.h"
 
 namespace breakaway {
@@ -17,9 +18,9 @@ struct FrictionScatter {
   double wander_s = 0.1;  ///< its correlation time
 };
 
-/// As any rig's does: by 1 % up to a tenth of its higher speeds, and as much as `left`, what a model of this Coulomb
-/// friction leaves of the torque, if that is no more than a little.
-FrictionScatter usualScatter(double highSpeed, double coulomb, const TorqueNoise& left);
+/// As on a sound rig: near standstill by 1 % up to a tenth of its higher speeds, and a torque that wanders as `left`,
+/// what a model of this Coulomb friction leaves, but no more than mostWander().
+FrictionScatter usualScatter(const Excitation& seen, double coulomb, const TorqueNoise& left);
 
 /// RMSE over `windows` of a model against itself: each window's motion is simulated, read through the sensor (quantised
 /// where the encoder is declared, with the reading noise otherwise), and then predicted from a restart on those

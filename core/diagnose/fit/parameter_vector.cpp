@@ -9,7 +9,8 @@ namespace breakaway {
 
 namespace {
 
-constexpr double farthest = 7.0;  ///< of the logarithm of a base parameter
+constexpr double delaySize_s = 1e-3, mostDelay_s = 0.2, mostEarly_s = 0.02;  ///< of a servo's law
+constexpr double farthest = 7.0;                                             ///< of the logarithm of a base parameter
 
 bool endsWith(const std::string& text, std::string_view end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
@@ -34,11 +35,16 @@ ParameterVector::ParameterVector(const Model& model, const Freedom& freedom, dou
   const MotorNames& names = motorNames(model.axis);
   const auto kt = model.baseValue(names.torqueConstant), ke = model.baseValue(names.backEmfConstant);
   if (kt && ke && !freedom.holds(names.torqueConstant) && !freedom.holds(names.backEmfConstant)) emfRatio_ = *ke / *kt;
+  const std::string lawsDamping = model.servo ? servoNames(model.input, model.axis).kd : "";
   for (size_t k = 0; k < model_.base.size(); ++k) {
     const Parameter& one = model_.base[k];
     if (freedom.holds(one.name) || (emfRatio_ > 0.0 && one.name == names.backEmfConstant)) continue;
     Slot slot{one.name, 0, k};
-    if (one.name == names.viscous || one.name == names.coulomb) {
+    if (one.name == servoDelayName) {
+      slot.scale = delaySize_s;
+      slot.lower = -mostEarly_s / delaySize_s;
+      slot.upper = mostDelay_s / delaySize_s;
+    } else if (one.name == names.viscous || one.name == names.coulomb || one.name == lawsDamping) {
       slot.scale = std::max(typicalSize(one.name, torqueSize, speedSize), 1e-300);
       slot.lower = 0.0;
     } else if (one.name == "down_angle_rad") {

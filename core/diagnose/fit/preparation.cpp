@@ -8,7 +8,8 @@
 #include "diagnose/effects/catalogue.h"
 #include "diagnose/fit/channel_checks.h"
 #include "diagnose/fit/excitation_seen.h"
-#include "diagnose/fit/motion.h"
+#include "diagnose/fit/read_track.h"
+#include "diagnose/fit/servo_start.h"
 #include "diagnose/fit/start_models.h"
 #include "diagnose/fit/winding_start.h"
 #include "diagnose/simulate/simulator.h"
@@ -17,7 +18,6 @@ namespace breakaway {
 
 namespace {
 
-constexpr double bridged_s = 0.02;       ///< from reading to reading, over which a line is near enough
 constexpr double inductanceReach = 1.5;  ///< a factor up and down
 
 /// The shortest look back that knows the velocity to a thousandth of the higher speeds; a longer one lets the model's
@@ -53,6 +53,24 @@ std::vector<std::string> gauge(const Bench& bench, const std::vector<Track>& tra
   return {names.resistance, names.torqueConstant};
 }
 
+/// What a servo's law has to be held at besides, as it stands in the base.
+std::vector<std::string> heldOfLaw(const Bench& bench, const std::vector<Track>& tracks) {
+  const ServoNames& names = servoNames(bench.input, bench.axis);
+  const MotorNames& motor = motorNames(bench.axis);
+  const auto trusts = [&bench](const std::string& name) { return bench.trusted.count(name) > 0; };
+  std::vector<std::string> held;
+  for (const char* name : {names.kp, names.kd, names.limit, servoDelayName}) {
+    if (trusts(std::string("controller.") + name)) held.emplace_back(name);
+  }
+  // Without what the reference's speed adds, the axis' own damping is the same as the law's.
+  const bool speeds =
+      std::all_of(tracks.begin(), tracks.end(), [](const Track& one) { return !one.referenceSpeed.empty(); });
+  if (!speeds || !bench.servo->kd) held.emplace_back(names.kd);
+  const bool scaled = bench.pendulum.has_value() || trusts(motor.inertia);
+  if (!scaled || (bench.input != DriveInput::torque && !trusts(motor.torqueConstant))) held.emplace_back(names.kp);
+  return held;
+}
+
 /// What the scale of all torques rests on, in words.
 std::string scaleText(const std::vector<std::string>& held, const std::string& assumedFor) {
   std::string text;
@@ -75,24 +93,18 @@ void limitInductance(Preparation& prepared, std::optional<double> believed, std:
   prepared.freedom.mostInductance_H = *most * inductanceReach;
 }
 
-/// Copies of the first `count` tracks whose rows outside all training windows count as disconnected, so that no inverse
-/// model sees them.
-std::vector<Track> maskedTracks(const std::vector<Track>& tracks, size_t count, const Split& split) {
-  std::vector<Track> masked(tracks.begin(), tracks.begin() + static_cast<std::ptrdiff_t>(count));
-  std::vector<std::vector<char>> inside(count);
-  for (size_t k = 0; k < count; ++k) inside[k].assign(masked[k].rows(), 0);
-  for (const auto* windows : {&split.train, &split.polish}) {
+/// A copy whose rows outside all of the windows count as disconnected, so that no inverse model sees them.
+Track masked(const Track& whole, size_t index, const std::vector<const std::vector<Window>*>& sets) {
+  Track track = whole;
+  std::vector<char> inside(track.rows(), 0);
+  for (const auto* windows : sets) {
     for (const Window& window : *windows) {
-      if (window.track < count)
-        std::fill_n(inside[window.track].begin() + static_cast<std::ptrdiff_t>(window.first),
-                    window.last - window.first + 1, 1);
+      if (window.track != index) continue;
+      std::fill_n(inside.begin() + static_cast<std::ptrdiff_t>(window.first), window.last - window.first + 1, 1);
     }
   }
-  for (size_t k = 0; k < count; ++k) {
-    for (size_t row = 0; row < masked[k].rows(); ++row)
-      masked[k].connected[row] = masked[k].connected[row] != 0 && inside[k][row] != 0;
-  }
-  return masked;
+  for (size_t row = 0; row < track.rows(); ++row) track.connected[row] = track.connected[row] != 0 && inside[row] != 0;
+  return track;
 }
 
 constexpr double largeDoubt = 0.1;   ///< beyond it, an interval is a factor up and down
@@ -118,6 +130,16 @@ void widenByFactor(Parameter& one, double doubt95) {
 }
 
 }  // namespace
+
+std::vector<Track> heldoutTracks(const Preparation& prepared) {
+  const std::vector<Window>& windows = prepared.split.heldoutScore;
+  std::vector<Track> tracks;
+  for (size_t k = 0; k < prepared.tracks.size(); ++k) {
+    if (std::any_of(windows.begin(), windows.end(), [k](const Window& one) { return one.track == k; }))
+      tracks.push_back(masked(prepared.tracks[k], k, {&windows}));
+  }
+  return tracks;
+}
 
 Model withDoubts(Model model, const Preparation& prepared) {
   const auto carry = [&prepared](Parameter& one, double doubt) {
@@ -148,16 +170,12 @@ Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& re
   Preparation out;
   for (const auto* group : {&recordings, &heldout}) {
     for (const Recording& recording : *group) {
-      auto track = makeTrack(recording, bench.axis, bench.input, bench.supply_V, bench.count());
+      auto track = readTrack(bench, recording);
       if (!track) return track.error();
       if (!out.tracks.empty() && out.tracks.front().speedAlone() != track->speedAlone())
         return Error{recording.name(), "measures another channel than " + out.tracks.front().name + ": expected " +
                                            bench.positionChannel() + " in all recordings or in none"};
       out.remarks.insert(out.remarks.end(), track->remarks.begin(), track->remarks.end());
-      track->leaps = leapsOf(*track);
-      if (auto unwrapped = checkUnwrapped(bench, *track); !unwrapped) return unwrapped.error();
-      bridgePositions(*track, bridged_s);
-      track->motion = motionOf(*track);
       for (std::string& remark : channelRemarks(bench, recording, *track)) out.remarks.push_back(std::move(remark));
       out.tracks.push_back(std::move(*track));
     }
@@ -166,7 +184,8 @@ Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& re
   auto split = splitTracks(out.tracks, recordings.size(), window_s, part);
   if (!split) return split.error();
   out.split = std::move(*split);
-  out.training = maskedTracks(out.tracks, recordings.size(), out.split);
+  for (size_t k = 0; k < out.recordings; ++k)
+    out.training.push_back(masked(out.tracks[k], k, {&out.split.train, &out.split.polish}));
   const std::vector<Track>& training = out.training;
   Bench known = bench;
   std::string assumedFor;
@@ -176,6 +195,13 @@ Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& re
       assumedFor = assumed->scale;
       // The inverse model's inertia is only roughly what windows make of it.
       if (assumedFor == motorNames(bench.axis).inertia) known.trusted.insert(assumedFor);
+    }
+  }
+  if (bench.servo) {
+    known.servo = startingLaw(known, training);
+    const Model law = believedDrive(known);
+    for (auto* tracks : {&out.tracks, &out.training}) {
+      for (Track& track : *tracks) track.input = reconstructedInput(law, track);
     }
   }
   const StartingWindings windings = startingWindings(known, training);
@@ -190,6 +216,13 @@ Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& re
   std::vector<std::string> held = gauge(known, training);
   std::erase_if(held, [&bench](const std::string& name) { return bench.trusted.count(name) > 0; });
   out.freedom.held.insert(out.freedom.held.end(), held.begin(), held.end());
+  if (bench.servo) {
+    const std::vector<std::string> law = heldOfLaw(bench, training);
+    out.freedom.held.insert(out.freedom.held.end(), law.begin(), law.end());
+    const std::string kp = servoNames(bench.input, bench.axis).kp;
+    const bool doubted = bench.trusted.count("controller." + kp) == 0;
+    if (doubted && out.freedom.holds(kp)) held.push_back(kp);
+  }
   out.scaleDoubted = !held.empty() || !assumedFor.empty();
   if (out.scaleDoubted) {
     out.remarks.push_back("the scale of all torques rests on " + scaleText(held, assumedFor) +

@@ -32,6 +32,9 @@ struct Preparation {
 Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& recordings,
                             const std::vector<Recording>& heldout, double window_s, HeldOut part = HeldOut::last);
 
+/// Copies of the tracks that hold held-out windows, rows outside these masked: for inverse models.
+std::vector<Track> heldoutTracks(const Preparation& prepared);
+
 /// The model with intervals that also carry what least squares can't know: each effect's own doubt
 /// (ParameterSpec::doubt), and the doubt of 10 % about an untrusted value that sets the scale (torques and inertias).
 Model withDoubts(Model model, const Preparation& prepared);

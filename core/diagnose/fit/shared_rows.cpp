@@ -7,6 +7,8 @@
 #include <span>
 #include <unordered_map>
 
+#include "diagnose/simulate/recorded_input.h"
+
 namespace breakaway {
 
 namespace {
@@ -36,7 +38,7 @@ struct Trace {
 Trace traceOf(const Recording& recording, const Bench& bench) {
   auto measured = recording.channel(bench.positionChannel());
   if (measured.empty()) measured = recording.channel(bench.velocityChannel());
-  const auto drive = recording.channel(bench.inputChannel());
+  const auto drive = recording.channel(recordedInput(recording, bench));
   if (drive.empty() || measured.empty()) return {};
   return {measured, drive};
 }

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "diagnose/fit/channel_checks.h"
 
@@ -13,6 +14,9 @@ namespace {
 constexpr double gap_s = 1.0;
 constexpr size_t fewestWindows = 6;
 constexpr size_t mostTrainRows = 90'000, fewestThinned = 60;
+constexpr double comfortableWindows = 9.0;  ///< the first is lost, and those with missing rows
+constexpr size_t fewestRows = 12;           ///< of a window
+constexpr double shortestWindow_s = 0.04;
 constexpr double lookBack_s = 0.2;  ///< before a window, which a restart reads
 constexpr double longestUnread_s = 0.1;
 
@@ -60,15 +64,35 @@ Error tooShort(const Track& track, double length, double needed, size_t windows,
                                   length, needed)};
 }
 
-/// Windows of `window_s` that begin every half of it within rows [from, to).
+/// Windows of `window_s` that begin every half of it within rows [from, to). A pause costs one step, however long it
+/// is.
 void appendOverlapping(std::vector<Window>& windows, const Track& track, size_t index, size_t from, size_t to,
                        double window_s) {
   if (from >= to) return;
   const double end = to < track.rows() ? track.time[to] : track.time.back();
-  for (double t = track.time[from]; t + window_s <= end + 1e-9; t += 0.5 * window_s) {
+  const double step_s = 0.5 * window_s;
+  double t = track.time[from], next = t;
+  for (; t + window_s <= end + 1e-9; t = next) {
     const size_t first = rowAt(track, t), past = std::min(rowAt(track, t + window_s), to);
+    if (first >= to) return;
     if (past > first + 8) windows.push_back({index, first, past - 1});  // within a gap there is none
+    next = t + step_s;
+    if (past == first) next = t + step_s * std::max(1.0, std::floor((track.time[first] - t) / step_s) - 2.0);
+    if (next <= t) return;  // stamps so large that a window is none of their digits
   }
+}
+
+/// Leaves out windows with a missing row, in which a restless drive may have done anything, where most have none.
+void preferComplete(std::vector<Window>& windows, const std::vector<Track>& tracks) {
+  std::vector<Window> complete;
+  std::copy_if(windows.begin(), windows.end(), std::back_inserter(complete), [&tracks](const Window& window) {
+    const Track& track = tracks[window.track];
+    for (size_t row = window.first; row < window.last; ++row) {
+      if (track.missingInput(row) > 0.0) return false;
+    }
+    return true;
+  });
+  if (2 * complete.size() > windows.size()) windows = std::move(complete);
 }
 
 /// Before a recording's first row nothing is known, its speed least of all, and nobody knows what acted while rows are
@@ -88,8 +112,10 @@ void dropUnknown(Split& split, const std::vector<Track>& tracks) {
     }
     return false;
   };
-  for (auto* windows : {&split.train, &split.polish, &split.trainScore, &split.heldoutScore})
+  for (auto* windows : {&split.train, &split.polish, &split.trainScore, &split.heldoutScore}) {
     std::erase_if(*windows, unknown);
+    preferComplete(*windows, tracks);
+  }
 }
 
 /// Evenly spread windows with at most `rows` rows in all, but not fewer than `fewest`: what is known well enough need
@@ -116,10 +142,18 @@ void assignFolds(Split& split) {
   for (size_t k = 0; k < n; ++k) split.fold.push_back(static_cast<int>(k / length) % folds);
 }
 
-Result<Split> wholeTracks(const std::vector<Track>& tracks, double window_s) {
+/// Fits see longer windows than the figures where there is enough to see.
+double fitLength(double total, double window_s) {
+  return total >= 15.0 ? std::max(std::min(1.0, 2.0 * window_s), window_s) : window_s;
+}
+
+Result<Split> wholeTracks(const std::vector<Track>& tracks, double longest_s) {
   Split split;
   const double total = totalTime(tracks, tracks.size());
-  const double fitWindow = total >= 15.0 ? std::max(1.0, window_s) : window_s;
+  const double shortest_s = std::max(static_cast<double>(fewestRows) * tracks.front().usualStep_s, shortestWindow_s);
+  const double window_s = std::clamp(total / comfortableWindows, std::min(shortest_s, longest_s), longest_s);
+  split.window_s = window_s;
+  const double fitWindow = fitLength(total, window_s);
   for (size_t k = 0; k < tracks.size(); ++k) {
     append(split.train, windowsOf(tracks, k, 0, tracks[k].rows(), fitWindow));
     appendOverlapping(split.polish, tracks[k], k, 0, tracks[k].rows(), fitWindow);
@@ -127,8 +161,7 @@ Result<Split> wholeTracks(const std::vector<Track>& tracks, double window_s) {
   }
   dropUnknown(split, tracks);
   if (split.train.size() < fewestWindows)
-    return tooShort(tracks.front(), total, static_cast<double>(fewestWindows) * fitWindow, split.train.size(),
-                    fitWindow);
+    return tooShort(tracks.front(), total, comfortableWindows * fitWindow, split.train.size(), fitWindow);
   thinTraining(split);
   assignFolds(split);
   return split;
@@ -139,9 +172,10 @@ Result<Split> wholeTracks(const std::vector<Track>& tracks, double window_s) {
 Result<Split> splitTracks(const std::vector<Track>& tracks, size_t recordings, double window_s, HeldOut part) {
   if (part == HeldOut::none) return wholeTracks(tracks, window_s);
   Split split;
+  split.window_s = window_s;
   split.separateRecording = recordings < tracks.size();
   const double total = totalTime(tracks, recordings);
-  const double fitWindow = total >= 15.0 ? std::max(1.0, window_s) : window_s;
+  const double fitWindow = fitLength(total, window_s);
   const bool wholeOnes = !split.separateRecording && recordings >= 4 && total / static_cast<double>(recordings) < 8.0;
   for (size_t k = 0; k < tracks.size(); ++k) {
     const Track& track = tracks[k];

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double usualWinding_s = 1e-3;  ///< a winding's time constant
 
-/// The bench's motor before anything is known of its motion: constants, winding and down angle.
+}  // namespace
+
 Model believedDrive(const Bench& bench) {
   const MotorNames& names = motorNames(bench.axis);
   Model model;
@@ -33,8 +34,18 @@ Model believedDrive(const Bench& bench) {
     if (belief.inductance_H) add(names.inductance, *belief.inductance_H);
   }
   if (bench.pendulum) add("down_angle_rad", bench.pendulum->downAngle_rad);
+  if (bench.servo) {
+    model.servo = ServoLaw{.rate_Hz = bench.servo->rate_Hz};
+    const ServoNames& law = servoNames(bench.input, bench.axis);
+    add(law.kp, bench.servo->kp.value_or(1.0));
+    add(law.kd, bench.servo->kd.value_or(0.0));
+    if (bench.servo->limit) add(law.limit, *bench.servo->limit);
+    add(servoDelayName, bench.servo->delay_s.value_or(0.0));
+  }
   return model;
 }
+
+namespace {
 
 /// input = a·(J/k) + ω·(B/k) + s·(F/k) + gravity/k (+ Ke ω): ratios to the drive's gain k, Kt or Kt/R, come out
 /// linearly.

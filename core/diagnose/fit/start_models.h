@@ -12,6 +12,9 @@
 
 namespace breakaway {
 
+/// The bench's motor before anything is known of its motion: constants, winding, down angle, and the law of a servo.
+Model believedDrive(const Bench& bench);
+
 /// A winding's resistance, assumed where voltage alone drives and the bench names none, and what it was assumed for.
 struct AssumedResistance {
   double value_ohm = 0.0;

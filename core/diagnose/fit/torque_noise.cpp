@@ -5,18 +5,25 @@
 
 namespace breakaway {
 
-bool TorqueNoise::usual(double coulomb) const {
-  constexpr double most = 0.015, quick_s = 0.3;
-  return rms <= most * coulomb / std::sqrt(std::max(1.0, time_s / quick_s));
+double mostWander(double coulomb, double peakTorque) {
+  constexpr double part = 0.05;
+  return part * (coulomb > 0.0 ? coulomb : peakTorque);
 }
 
-double whiten(const TorqueNoise& noise, double spacing_s, Eigen::Ref<Eigen::MatrixXd> rows) {
-  if (noise.ratio <= 0.0) return 0.0;
-  const double dt = spacing_s, keep = std::exp(-dt / noise.time_s);
+double whiten(const TorqueNoise& noise, const Eigen::VectorXd& times, Eigen::Ref<Eigen::MatrixXd> rows,
+              const Eigen::VectorXd& impulses) {
+  const bool kicked = impulses.size() > 0 && impulses.maxCoeff() > 0.0;
+  if (noise.ratio <= 0.0 && !kicked) return 0.0;
   const double variance = noise.ratio * noise.ratio;
+  double dt = 0.0, keep = 1.0;
+  Eigen::Matrix3d step = Eigen::Matrix3d::Identity();
   // Integral, momentum, torque; the torque is taken as constant for one row.
-  Eigen::Matrix3d step;
-  step << 1.0, dt, 0.5 * dt * dt, 0.0, 1.0, dt, 0.0, 0.0, keep;
+  const auto stepOver = [&](double length) {
+    if (std::abs(length - dt) < 1e-6 * length) return;
+    dt = length;
+    keep = std::exp(-dt / noise.time_s);
+    step << 1.0, dt, 0.5 * dt * dt, 0.0, 1.0, dt, 0.0, 0.0, keep;
+  };
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   covariance(2, 2) = variance;
   Eigen::Matrix3Xd state = Eigen::Matrix3Xd::Zero(3, rows.cols());
@@ -29,6 +36,9 @@ double whiten(const TorqueNoise& noise, double spacing_s, Eigen::Ref<Eigen::Matr
     covariance -= gain * covariance.row(0).eval();
     rows.row(r) = off / std::sqrt(innovation);
     logarithms += 0.5 * std::log(innovation);
+    if (r + 1 == rows.rows()) break;
+    stepOver(times[r + 1] - times[r]);
+    if (kicked) covariance(1, 1) += impulses[r + 1];
     state = (step * state).eval();
     covariance = (step * covariance * step.transpose()).eval();
     covariance(2, 2) += variance * (1.0 - keep * keep);

@@ -10,16 +10,18 @@ struct TorqueNoise {
   double ratio = 0.0;   ///< rms torque, integrated twice over one second, in units of one reading's noise; 0: none
   double time_s = 0.1;  ///< correlation time
   double rms = 0.0;     ///< Nm or N
-
-  /// Whether it is no more than any rig's, beside so much Coulomb friction: small, and smaller where it changes slowly,
-  /// which moves the axis further and is more likely to have a cause of its own.
-  bool usual(double coulomb) const;
 };
 
-/// Makes rows of one stretch, `spacing_s` apart, independent and of equal variance: the innovations of a Kalman filter
+/// How much torque may wander on a sound rig, Nm or N: a twentieth of the friction, or of the drive's peak where there
+/// is no friction.
+double mostWander(double coulomb, double peakTorque);
+
+/// Makes rows of one stretch, at `times` in s, independent and of equal variance: the innovations of a Kalman filter
 /// for torque, momentum and its integral, each over its standard deviation (B. D. O. Anderson and J. B. Moore, 'Optimal
 /// filtering', 1979, chapter 9). Where the stretch begins, momentum and its integral are taken as known: free lines are
-/// for the caller. Returns the sum of the logarithms of the standard deviations.
-double whiten(const TorqueNoise& noise, double spacing_s, Eigen::Ref<Eigen::MatrixXd> rows);
+/// for the caller. `impulses`: variances of momentum that comes in before each row besides, in squared units of one
+/// reading's noise per second; empty: none. Returns the sum of the logarithms of the standard deviations.
+double whiten(const TorqueNoise& noise, const Eigen::VectorXd& times, Eigen::Ref<Eigen::MatrixXd> rows,
+              const Eigen::VectorXd& impulses = {});
 
 }  // namespace breakaway

@@ -100,6 +100,7 @@ MotionState WindowResidual::startAt(const Eigen::VectorXd& start, const MotionSt
   state.velocity = start[1];
   state.current = observed_.current;  // what the voltages before the window have left
   state.acceleration = 0.0;
+  state.past.clear();
   for (Eigen::Index k = 0; k < loadRows_; k += 2) {
     const auto& load = simulator_->loads()[static_cast<size_t>(k / 2)];
     Simulator::place(load, start[2 + k], start[3 + k], track_.time[window_.first], state);
@@ -178,7 +179,8 @@ WindowResidual::Passage WindowResidual::torquesAt(Simulator& simulator, size_t r
   const Stepper& stepper = simulator.stepperAt(row);
   const Physics& p = stepper.physics();
   Passage at;
-  const double u = simulator.input(row);
+  const double u = simulator.input(row, x, 0.5 * (from.velocity + to.velocity));
+  at.input = u;
   at.drive = track_.connected[row] ? p.torqueConstant * u : 0.0;
   if (p.electrical && track_.connected[row]) {
     if (stepper.losesVoltage())
@@ -243,6 +245,10 @@ void WindowResidual::linearise() {
       damping += std::max((resistance(0.0, dv) - now) / dv, -0.9 * damping);
       at.stiffness = (resistance(std::min(dx, 1e-4), 0.0) - now) / std::min(dx, 1e-4);
     }
+    if (const auto& servo = simulator_->servo(); servo && track_.connected[row]) {
+      at.stiffness += p.torquePerInput() * servo->stiffness(track_, row, at.input);
+      damping += p.torquePerInput() * servo->damping(track_, row, at.input);
+    }
     if (from.velocity == 0.0 && to.velocity == 0.0) {
       at.velocity = at.gain = 0.0;
       continue;
@@ -277,7 +283,9 @@ double WindowResidual::startGain(size_t k) const {
   const double after =
       way * (states_[k + 2].velocity - states_[k + 1].velocity) / (track_.time[row + 2] - track_.time[row + 1]);
   const auto driveAt = [&](size_t j) {
-    return p.torqueConstant * (p.electrical ? states_[j].current : simulator_->input(window_.first + j));
+    return p.torqueConstant * (p.electrical
+                                   ? states_[j].current
+                                   : simulator_->input(window_.first + j, states_[j].position, states_[j].velocity));
   };
   const double slope = way * (driveAt(k + 1) - driveAt(k - 1)) / (track_.time[row + 1] - track_.time[row - 1]);
   // A push that hardly rises may come at any time: no later than this.
@@ -335,6 +343,7 @@ Eigen::VectorXd WindowResidual::linearColumn(const Model& variant, double step) 
   if (sensors) {  // what sensors show changes at once
     Eigen::Index at = 0, currentAt = positions_;
     std::vector<double> currents;
+    currents.reserve(states_.size());
     for (const MotionState& state : states_) currents.push_back(state.current);
     for (size_t k = 0; k < states_.size(); ++k) {
       const MotionState& state = states_[k];

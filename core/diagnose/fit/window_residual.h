@@ -57,6 +57,7 @@ class WindowResidual {
     double net = 0.0;         ///< drive less all resistance, Nm
     double resistance = 0.0;  ///< of load and dry friction, Nm
     double drive = 0.0;       ///< Nm
+    double input = 0.0;       ///< V, A or Nm
     double current = 0.0;     ///< A
     double lost = 0.0;        ///< V
   };

@@ -14,6 +14,7 @@
 #include "diagnose/model/once_part.h"
 #include "diagnose/model/sensor_parts.h"
 #include "diagnose/model/situation.h"
+#include "diagnose/model/written.h"
 #include "motor/bench.h"
 
 namespace breakaway {
@@ -75,6 +76,13 @@ class Effect {
   virtual const CurrentSensorPart* currentSensor() const { return nullptr; }
   virtual const OncePart* once() const { return nullptr; }
   bool happensOnce() const { return once() != nullptr; }
+
+  // What other programs get.
+
+  /// The same as term() and the parts, for programs that are written out.
+  virtual Written written(std::span<const double> /*p*/, Axis) const { return {.lacking = "it is not written down"}; }
+  /// What a joint of a robot simulator holds of it: of most effects nothing. LoadPart says the rest.
+  virtual std::optional<JointShare> joint(std::span<const double> /*p*/) const { return {}; }
 
   // What the search asks.
 

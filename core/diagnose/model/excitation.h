@@ -8,8 +8,10 @@ namespace breakaway {
 /// What the search needs to know of the data to offer shapes: ranges seen in the recordings.
 struct Excitation {
   Axis axis = Axis::rotary;
+  bool byReference = false;       ///< a servo's own law drives: its limit and delay are the base's
   bool electrical = false;        ///< voltage or duty drives
   bool currentDrive = false;      ///< current drives
+  bool driveMeasured = false;     ///< what drives was measured where it acts, not commanded
   bool currentSeen = false;       ///< voltage or duty drives, and the current was recorded, too
   bool supplySeen = false;        ///< the bridge's supply is known
   double supply_V = 0.0;          ///< of the bench, or the recorded one at the first row; 0: not known

@@ -34,7 +34,10 @@ struct Model {
   Axis axis = Axis::rotary;
   DriveInput input = DriveInput::torque;
   std::optional<double> supply_V;
-  double count = 0.0;                ///< one encoder count in rad or m; 0: not declared
+  double count = 0.0;  ///< one encoder count in rad or m; 0: not declared
+  /// Where a reference drives it, through a law whose gains, limit and delay are base parameters (servoNames()); only
+  /// the rate is held here.
+  std::optional<ServoLaw> servo;
   std::optional<Pendulum> pendulum;  ///< masses and lengths; its down angle is a base parameter
   double restartHorizon_s = 0.05;    ///< how far a restart looks back, see Simulator::restart()
   std::vector<Parameter> base;

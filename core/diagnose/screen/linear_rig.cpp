@@ -15,7 +15,7 @@ constexpr size_t mostRows = 5000;
 constexpr size_t fewestSamples = 10;
 constexpr double inductanceDoubt = 0.5;  ///< relative
 constexpr double partOfResidual = 0.09;
-constexpr double mostWander = 1e7, coarseFactor = 8.0;  ///< of wander, in units of a reading's noise
+constexpr double mostRatio = 1e7, coarseFactor = 8.0;  ///< of wander, in units of a reading's noise
 constexpr double startDoubt_s = 0.01, longestStart_s = 0.1;
 constexpr double shownReadings = 12.0;  ///< of noise: motion that shows
 constexpr size_t turnMargin = 2;        ///< samples left out on each side of a reversal
@@ -90,7 +90,7 @@ LinearRig::LinearRig(const Model& base, const std::vector<Track>& tracks, const 
     all.col(0).head(rows) *= -1.0;
     all.col(baseColumns).head(rows) *= -physics_.inertia;
     raw_ = all;
-    noise_ = wander(Eigen::MatrixXd(rows_, 0));
+    noise_ = likeliest(raw_.topRows(rows), rows);
   }
   weights_ = Eigen::VectorXd::Ones(rows_);
   weigh(all);
@@ -121,6 +121,32 @@ LinearRig::LinearRig(const Model& base, const std::vector<Track>& tracks, const 
   response_ = all.col(baseColumns);
   base_ = all.leftCols(baseColumns);
   if (physics_.electrical && physics_.inductance > 0.0) freeInductance();
+}
+
+/// When in its row a drive acts isn't known: ∫drive, to first order what a shift by a second changes of ∬drive.
+Eigen::VectorXd LinearRig::driveShift() const {
+  Eigen::VectorXd column = Eigen::VectorXd::Zero(rows_);
+  for (size_t t = 0; t < tracks_.size(); ++t) {
+    const Track& track = tracks_[t];
+    std::vector<double> momentum(track.rows(), 0.0);
+    for (size_t k = 0; k + 1 < momentum.size(); ++k) {
+      const double drive = track.connected[k] != 0 ? gain_ * track.input[k] : 0.0;
+      momentum[k + 1] = momentum[k] + drive * (track.time[k + 1] - track.time[k]);
+    }
+    addMechanical(momentum, t, 0, 1.0, column);
+  }
+  return column;
+}
+
+/// That the shift is about 0, give or take half a row: a row of the least squares beside the stretches', in units of a
+/// reading's noise.
+double LinearRig::knownShift() const {
+  double noise = 0.0, step_s = 0.0;
+  for (const Stretch& one : stretches_) {
+    noise = std::max(noise, physics_.inertia * tracks_[one.track].noise);
+    step_s = std::max(step_s, tracks_[one.track].usualStep_s);
+  }
+  return noise / std::max(0.5 * step_s, 1e-300);
 }
 
 Eigen::Index LinearRig::mechanicalRows() const {
@@ -199,6 +225,10 @@ void LinearRig::cut(const std::vector<Window>& windows) {
       rows_ += one.rows;
       window_.insert(window_.end(), static_cast<size_t>(one.rows), one.window);
     }
+  }
+  for (Stretch& one : stretches_) {
+    one.times = timesOf(one);
+    one.impulses = impulsesOf(one);
   }
   for (Start& one : starts_) {
     one.at = rows_++;
@@ -335,18 +365,44 @@ std::vector<double> LinearRig::lagged(size_t track, const std::vector<double>& v
   return out;
 }
 
-double LinearRig::spacingOf(const Stretch& one) const {
+Eigen::VectorXd LinearRig::timesOf(const Stretch& one) const {
   const std::vector<double>& time = tracks_[one.track].time;
-  const double step = (time[one.last] - time[one.first]) / static_cast<double>(one.last - one.first);
-  return step * static_cast<double>(one.samplesPerRow);
+  Eigen::VectorXd times(one.rows);
+  for (Eigen::Index r = 0; r < one.rows; ++r) {
+    const size_t from = one.first + static_cast<size_t>(r) * one.samplesPerRow;
+    double sum = 0.0;
+    for (size_t k = from; k < from + one.samplesTaken; ++k) sum += time[k] - time[one.first];
+    times[r] = sum / static_cast<double>(one.samplesTaken);
+  }
+  return times;
+}
+
+Eigen::VectorXd LinearRig::impulsesOf(const Stretch& one) const {
+  const Track& track = tracks_[one.track];
+  const double reading = physics_.inertia * track.noise;
+  if (!(reading > 0.0)) return {};
+  Eigen::VectorXd out = Eigen::VectorXd::Zero(one.rows);
+  const double part = gain_ * gain_ * static_cast<double>(one.samplesTaken) / (reading * reading);
+  for (size_t k = one.first; k < one.last; ++k) {
+    const auto row = static_cast<Eigen::Index>((k + 1 - one.first) / one.samplesPerRow);
+    if (row >= one.rows) break;
+    double variance = track.missingInput(k);
+    if (torque_ == Torque::wandering) variance += std::pow(track.inputNoise * (track.time[k + 1] - track.time[k]), 2);
+    out[row] += part * variance;
+  }
+  return out;
 }
 
 TorqueNoise LinearRig::wander(const Eigen::MatrixXd& more) const {
   const Eigen::Index rows = mechanicalRows();
-  Eigen::MatrixXd all(rows, raw_.cols() + more.cols());  // the response comes last
-  if (rows < 2 * all.cols()) return {};                  // hardly ever moves
-  all.leftCols(more.cols()) = more.topRows(rows);
-  all.rightCols(raw_.cols()) = raw_.topRows(rows);
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(rows + 1, more.cols() + 1 + raw_.cols());
+  all.topRows(rows) << more.topRows(rows), driveShift().head(rows), raw_.topRows(rows);
+  all(rows, more.cols()) = knownShift();
+  return likeliest(all, rows);
+}
+
+TorqueNoise LinearRig::likeliest(const Eigen::MatrixXd& all, Eigen::Index rows) const {
+  if (rows < 2 * all.cols()) return {};                     // hardly ever moves
   const auto consider = [&](double ratio, double time_s) {  // its improbability
     Eigen::MatrixXd white = all;
     double logarithms = 0.0;
@@ -357,23 +413,28 @@ TorqueNoise LinearRig::wander(const Eigen::MatrixXd& more) const {
     white.leftCols(width) *= scale.asDiagonal();
     const Eigen::HouseholderQR<Eigen::MatrixXd> qr(white);
     const double left = qr.matrixQR()(width, width);  // what the columns leave of the response
-    const double free = static_cast<double>(rows - width) - 2.0 * static_cast<double>(stretches_.size());
+    const double free = static_cast<double>(white.rows() - width) - 2.0 * static_cast<double>(stretches_.size());
     const double unlikely = logarithms + 0.5 * free * std::log(left * left / free);
     return std::pair{unlikely, TorqueNoise{ratio, time_s, ratio * std::abs(left) / std::sqrt(free)}};
   };
   auto best = consider(0.0, 1.0);
-  for (const double time_s : {0.03, 0.1, 0.3, 1.0}) {
+  const auto tryTime = [&](double time_s) {
     auto own = consider(1.0, time_s);
     const auto tryRatio = [&](double ratio) {
       if (const auto other = consider(ratio, time_s); other.first < own.first) own = other;
     };
-    for (double ratio = coarseFactor; ratio < mostWander; ratio *= coarseFactor) tryRatio(ratio);
+    for (double ratio = coarseFactor; ratio < mostRatio; ratio *= coarseFactor) tryRatio(ratio);
     for (double factor = std::sqrt(coarseFactor); factor > 1.2; factor = std::sqrt(factor)) {
       const double about = own.second.ratio;
       tryRatio(about * factor);
       tryRatio(about / factor);
     }
     if (own.first < best.first) best = own;
+  };
+  for (const double time_s : {0.003, 0.03, 0.3, 3.0}) tryTime(time_s);
+  const double about_s = best.second.time_s;
+  if (best.second.ratio > 0.0) {
+    for (const double factor : {1.0 / 3.0, 3.0}) tryTime(factor * about_s);
   }
   return best.second;
 }
@@ -381,9 +442,10 @@ TorqueNoise LinearRig::wander(const Eigen::MatrixXd& more) const {
 double LinearRig::whitenStretch(const TorqueNoise& noise, const Stretch& one, Eigen::Ref<Eigen::MatrixXd> rows) const {
   Eigen::MatrixXd line(one.rows, 2);
   line.col(0).setOnes();
-  line.col(1).setLinSpaced(-1.0, 1.0);
-  whiten(noise, spacingOf(one), line);
-  const double logarithms = whiten(noise, spacingOf(one), rows);
+  line.col(1) = one.times.array() - one.times.mean();
+  line.col(1) /= std::max(line.col(1).cwiseAbs().maxCoeff(), 1e-300);
+  whiten(noise, one.times, line, one.impulses);
+  const double logarithms = whiten(noise, one.times, rows, one.impulses);
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(line);
   const Eigen::MatrixXd basis = qr.householderQ() * Eigen::MatrixXd::Identity(one.rows, 2);
   rows -= (basis * (basis.transpose() * rows)).eval();

@@ -74,6 +74,8 @@ class LinearRig {
     size_t track = 0, first = 0, last = 0, window = 0;
     size_t samplesPerRow = 1, samplesTaken = 1;
     Eigen::Index at = 0, rows = 0;  ///< in the regression
+    Eigen::VectorXd times = {};     ///< of the rows, s; of mechanical ones only
+    Eigen::VectorXd impulses = {};  ///< as whiten() takes them
   };
   /// The end of a standstill: the last row at rest.
   struct Start {
@@ -96,7 +98,16 @@ class LinearRig {
                      Eigen::Ref<Eigen::VectorXd> out) const;
   void addElectrical(const std::vector<double>& values, size_t track, double factor,
                      Eigen::Ref<Eigen::VectorXd> out) const;
-  double spacingOf(const Stretch& one) const;
+  /// What wanders most likely beside the columns, of which the last is the response; rows beyond the first `rows` are
+  /// known beforehand, in units of a reading's noise.
+  TorqueNoise likeliest(const Eigen::MatrixXd& all, Eigen::Index rows) const;
+  Eigen::VectorXd driveShift() const;
+  double knownShift() const;
+  /// When each row was, s: the mean of its samples.
+  Eigen::VectorXd timesOf(const Stretch& one) const;
+  /// What the drive may have done that isn't known, as whiten() takes it: in missing rows and, where the torque is
+  /// noisy, by its sensor.
+  Eigen::VectorXd impulsesOf(const Stretch& one) const;
   /// Makes rows independent and takes out α and β.
   double whitenStretch(const TorqueNoise& noise, const Stretch& one, Eigen::Ref<Eigen::MatrixXd> rows) const;
 

@@ -51,8 +51,8 @@ const Screening* Adoption::adopt(SearchResult& result, const Screening& steady) 
   if (!named) adoptSet(set, screen, noteworthy(found));
   const Screening* again = lookAgain(set);
   const bool explained =
-      again != nullptr &&
-      wanderBeside(wanderingRig_, picksOf(set.best.model, again->screen)).usual(physicsOf(result.base.model).coulomb);
+      again != nullptr && wanderBeside(wanderingRig_, picksOf(set.best.model, again->screen)).rms <=
+                              mostWander(physicsOf(result.base.model).coulomb, input_.seen.peakTorque);
   if (openToLoads && !explained && mean(set.best.windowSquares) > nearlyNothing * mean(result.base.windowSquares)) {
     SearchResult loaded = result;
     adoptLoad(loaded, screen);

@@ -29,12 +29,14 @@ constexpr double leastLoadSteps = 1e8, loadStepsPerRow = 600.0;
 
 /// Of the drive: every rig is inexact by so much, so that a smaller effect is no finding.
 constexpr double leastTorque = 5e-4;
+constexpr double leastOfFriction = 0.01;  ///< smaller ones matter to nobody
 
 bool endsWith(const std::string& text, std::string_view end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-/// What an amplitude makes in Nm or N at the most; nothing where it is no torque.
+}  // namespace
+
 std::optional<double> torqueOf(const std::string& name, double value, const Excitation& seen) {
   const double size = std::abs(value), speed = seen.highSpeed;
   if (endsWith(name, "_Nm") || endsWith(name, "_N")) return size;
@@ -42,8 +44,6 @@ std::optional<double> torqueOf(const std::string& name, double value, const Exci
   if (endsWith(name, "_Nm_s2_per_rad2") || endsWith(name, "_N_s2_per_m2")) return size * speed * speed;
   return std::nullopt;
 }
-
-}  // namespace
 
 SearchInput::SearchInput(const Preparation& prepared, std::uint64_t anySeed)
     : tracks(prepared.tracks), split(prepared.split), freedom(prepared.freedom), seen(prepared.seen), seed(anySeed) {
@@ -62,7 +62,7 @@ Model with(const SearchInput& input, const Model& model, const Pick& pick) {
 bool plausible(const Effect& effect, const std::vector<double>& parameters, const Excitation& seen) {
   if (!effect.plausible(parameters, seen)) return false;
   const auto torque = torqueOf(effect.parameters(seen.axis).front().name, parameters.front(), seen);
-  return !torque || *torque >= leastTorque * seen.peakTorque;
+  return !torque || *torque >= std::max(leastTorque * seen.peakTorque, leastOfFriction * seen.coulomb);
 }
 
 bool plausible(const EffectTerm& term, const Excitation& seen) {

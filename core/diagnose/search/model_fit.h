@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -42,7 +43,8 @@ struct SearchInput {
   std::function<void(double, const std::string&)> progress;
   std::function<void(const std::vector<const Effect*>&)> named;  ///< called once, when the names are likely to stay
   std::vector<double> windowWeights;                             ///< of split.train; empty: all 1
-  std::shared_ptr<StepBudget> loadSteps;                         ///< of the whole search
+  bool mayShorten = false;                ///< the windows, where the motion can't be foreseen over their length
+  std::shared_ptr<StepBudget> loadSteps;  ///< of the whole search
 
   SearchInput(const Preparation& prepared, std::uint64_t seed);
   void say(double part, const std::string& activity) const {
@@ -58,6 +60,9 @@ Model withScreenedBase(const SearchInput& input, Model model, const Eigen::Vecto
 
 /// The model with one effect at a time at another variant.
 std::vector<Model> variantsOf(const SearchInput& input, const Model& model);
+
+/// What an amplitude of that name makes in Nm or N at the most; nothing where it is no torque.
+std::optional<double> torqueOf(const std::string& name, double value, const Excitation& seen);
 
 /// Whether an effect, or every one of a model, is of a sign and size that it can have, and large enough to be told from
 /// what every rig does besides.

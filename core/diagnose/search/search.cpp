@@ -9,6 +9,7 @@
 #include "diagnose/effects/catalogue.h"
 #include "diagnose/fit/cross_validation.h"
 #include "diagnose/search/adoption.h"
+#include "diagnose/search/foresight.h"
 #include "diagnose/search/further.h"
 #include "diagnose/search/rivals.h"
 #include "diagnose/search/set_fits.h"
@@ -43,6 +44,13 @@ class Search {
     const auto motions = recordedMotions(result.base.model, input_.tracks);
     const LinearRig steadyRig(result.base.model, input_.tracks, input_.split.train, Torque::steady, motions);
     const Screening steady(input_, steadyRig, {catalogue().begin(), catalogue().end()});
+    if (input_.mayShorten) {
+      const double length_s = foreseenOver(steady, result.base.model);
+      if (length_s < input_.split.window_s) {
+        result.foreseen_s = length_s;
+        return result;
+      }
+    }
     fits_.emplace(input_, result.base);
     if (sure(steady.found)) announce(important(steady.found));  // or else what simulation makes of it
     const LinearRig wanderingRig(result.base.model, input_.tracks, input_.split.train, Torque::wandering, motions);
@@ -92,6 +100,15 @@ class Search {
   const Worth& worth() const { return fits_->worth(); }
   double physicsInertia(const Model& model) const {
     return model.baseValue(motorNames(model.axis).inertia).value_or(input_.seen.inertia);
+  }
+  /// The windows' length over which the motion can be foreseen if the effect is there that explains most alone.
+  double foreseenOver(const Screening& steady, const Model& base) const {
+    const std::vector<Pick> picks = bestAlone(steady.screen);
+    if (picks.empty() || steady.found.leftSquares > (1.0 - importantPart) * steady.found.baseSquares)
+      return input_.split.window_s;
+    const Pick& most = picks.front();
+    return foreseeable(input_, base,
+                       with(input_, withScreenedBase(input_, base, steady.screen.baseCoefficients({most})), most));
   }
   /// The screen's effects whose part of the residual a simulation is likely to confirm.
   std::vector<Pick> important(const ScreenResult& found) const {

@@ -29,9 +29,15 @@ SetFits::SetFits(const SearchInput& input, const FitResult& base)
 }
 
 void SetFits::weighRestarts(const TorqueNoise& left) {
-  const FrictionScatter scatter = usualScatter(input_.seen.highSpeed, physicsOf(base_.model).coulomb, left);
+  const double coulomb = physicsOf(base_.model).coulomb;
+  if (left.rms > mostWander(coulomb, input_.seen.peakTorque)) {
+    loadsMayShow_ = true;
+    return;
+  }
+  const FrictionScatter scatter = usualScatter(input_.seen, coulomb, left);
   const double tolerated = noiseFloor(base_.model, input_.tracks, input_.split.trainScore, input_.seed, scatter);
-  loadsMayShow_ = restarts_ > std::pow(loadFloors * tolerated, 2);
+  const double typical = typicalSquare(scoreWindows(base_.model, input_.tracks, input_.split.trainScore));
+  loadsMayShow_ = typical > std::pow(loadFloors * tolerated, 2);
 }
 
 bool SetFits::helps(const FitResult& without, const FitResult& with) const {

@@ -32,6 +32,7 @@ constexpr double plainlyFits = 2.0;  ///< squared error, in squared floors, belo
 constexpr int mostContinuations = 2;
 /// Runs of a window: the nominal one and one for each number of its start; and a fit's iterations.
 constexpr double runsPerStart = 5.0, runsPerFit = 5.0;
+constexpr double effortOfLaw = 3.0, stepOfLaw_s = 1e-3;    ///< of a servo that answers to the motion
 constexpr double effortOfTerm = 0.25, effortOfLoss = 3.0;  ///< of a step without any
 constexpr double restart_s = 2.0, restartInPlay_s = 10.0;  ///< simulated for a window's restart
 
@@ -101,7 +102,8 @@ SwingingLoads::View SwingingLoads::viewOf(double window_s, size_t most) const {
 }
 
 double SwingingLoads::stepsOf(const std::vector<Window>& windows, const Pick& pick, double runs) const {
-  const double longest_s = pick.effect->longestStep_s(pick.parameters);
+  const double ofEffect_s = pick.effect->longestStep_s(pick.parameters);
+  const double longest_s = model_.servo ? std::min(ofEffect_s, stepOfLaw_s) : ofEffect_s;
   const double sought_s = inPlay(pick) ? restartInPlay_s : restart_s;
   double steps = 0.0;
   for (const Window& window : windows) {
@@ -112,7 +114,7 @@ double SwingingLoads::stepsOf(const std::vector<Window>& windows, const Pick& pi
   }
   // The model's other effects take time, too: most of all lost voltages, which are iterated, and hidden states, which
   // follow the tracks from their beginning.
-  double effort = 1.0;
+  double effort = model_.servo ? effortOfLaw : 1.0;
   for (const EffectTerm& term : model_.effects)
     effort += findEffect(term.effect)->losesVoltage() ? effortOfLoss : effortOfTerm;
   if (remembers(model_)) {

@@ -73,6 +73,19 @@ bool Worth::material(const FitResult& without, const FitResult& with) const {
          (currentBack > clearOfCurrent * without.currentSquares && currentBack > leastFloors * noise * noise);
 }
 
+double Worth::leastBack(bool inFew) const {
+  const double unit = floor_ * floor_;
+  const double unseen = std::max(0.0, baseFloors * baseFloors * unit - std::max(base_, restarts_));
+  return std::max(
+      {unseen, (inFew ? fewWindowsFloors : leastFloors) * unit, std::max(leastShare, leastImprovement) * base_});
+}
+
+std::optional<double> Worth::leastCurrentBack() const {
+  if (!input_.seen.currentSeen) return {};
+  // A part of what errs with the effect in it.
+  return std::max(clearOfCurrent / (1.0 - clearOfCurrent) * baseCurrent_, leastFloors * std::pow(currentNoise(), 2));
+}
+
 double Worth::currentNoise() const {
   double noise = 0.0;
   for (const Track& track : input_.tracks) noise = std::max(noise, track.currentNoise);

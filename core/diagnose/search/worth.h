@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 #include <vector>
 
 #include "diagnose/search/model_fit.h"
@@ -25,6 +26,11 @@ class Worth {
   bool helps(const FitResult& without, const FitResult& with) const;
   /// Whether what the effect takes away is large enough beside the sensors' noise.
   bool material(const FitResult& without, const FitResult& with) const;
+  /// Squared error by which windows have to be worse without an effect that is no more than material, rad² or m²: the
+  /// base model has to err by more than sensors explain. `inFew`: nearly all of it lies in a tenth of the windows.
+  double leastBack(bool inFew) const;
+  /// The same of the current, A²; nothing where none was recorded beside the voltage.
+  std::optional<double> leastCurrentBack() const;
   /// Whether the base model errs by hardly more than a perfect one.
   bool baseAtFloor() const;
   /// Whether a recorded current shows much that neither its sensor's noise nor the model explains.

@@ -63,8 +63,14 @@ Result<Model> readModel(const std::string& path) {
   if (axis != "rotary" && axis != "linear") root->fault("axis", "is \"" + axis + "\", expected rotary or linear");
   model.axis = axis == "linear" ? Axis::linear : Axis::rotary;
   const std::string inputName = root->text("input");
-  const auto input = driveInputNamed(inputName, model.axis);
-  if (!input) root->fault("input", "is \"" + inputName + "\", expected a drive input of this axis");
+  auto input = driveInputNamed(inputName, model.axis);
+  Bench byReference;
+  byReference.axis = model.axis;
+  byReference.servo = ServoLaw{};
+  if (inputName == byReference.inputChannel())
+    model.servo = ServoLaw{.rate_Hz = root->object("controller", false).optionalNumber("rate_Hz", Allowed::positive)};
+  else if (!input)
+    root->fault("input", "is \"" + inputName + "\", expected a drive input of this axis");
   model.input = input.value_or(DriveInput::torque);
   model.supply_V = root->optionalNumber("supply_V", Allowed::positive);
   model.count = root->number("count", 0.0, Allowed::nonNegative);
@@ -76,6 +82,11 @@ Result<Model> readModel(const std::string& path) {
                  pendulum.number("arm_mass_kg", 0.0, Allowed::nonNegative), 0.0};
   }
   model.base = readParameters(root->object("base"));
+  if (model.servo) {
+    for (const ServoNames& names : servoNamesOf(model.axis)) {
+      if (model.baseValue(names.kp)) model.input = names.output;
+    }
+  }
   for (JsonObject& effect : root->objects("effects")) {
     EffectTerm term{effect.text("effect"), readParameters(effect.object("parameters"))};
     term.recording = effect.text("recording", "");
@@ -98,8 +109,10 @@ std::string modelText(const Model& model) {
   Bench names;
   names.axis = model.axis;
   names.input = model.input;
+  names.servo = model.servo;
   Json json{
       {"schema", schema}, {"axis", model.axis == Axis::rotary ? "rotary" : "linear"}, {"input", names.inputChannel()}};
+  if (model.servo && model.servo->rate_Hz) json["controller"]["rate_Hz"] = *model.servo->rate_Hz;
   if (model.supply_V) json["supply_V"] = *model.supply_V;
   json["count"] = model.count;
   json["restart_horizon_s"] = model.restartHorizon_s;

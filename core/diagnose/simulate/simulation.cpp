@@ -29,7 +29,8 @@ Trace simulate(const Model& model, const Track& track, double restartEvery_s) {
 }
 
 Result<Trace> simulate(const Model& model, const Recording& recording, const SimulateOptions& options) {
-  const auto track = makeTrack(recording, model.axis, model.input, model.supply_V, model.count);
+  const auto track =
+      makeTrack(recording, model.axis, model.input, model.supply_V, model.count, model.servo.has_value());
   if (!track) return track.error();
   const auto terms = termsOf(model);
   if (!terms) return terms.error();

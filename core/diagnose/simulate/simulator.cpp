@@ -61,12 +61,13 @@ double restartNoise(const Track& track, size_t first, size_t last) {
 }  // namespace
 
 Simulator::Simulator(const Model& model, const Track& track, size_t from, size_t to)
-    : Simulator(physicsOf(model), *termsOf(model, track.name), model.restartHorizon_s, track, from, to) {
+    : Simulator(physicsOf(model), *termsOf(model, track.name), model.restartHorizon_s, track, from, to,
+                ServoDrive::of(model)) {
 }
 
 Simulator::Simulator(const Physics& physics, std::vector<CompiledTerm> terms, double horizon_s, const Track& track,
-                     size_t from, size_t to)
-    : stepper_(physics, std::move(terms)), track_(track), horizon_(horizon_s) {
+                     size_t from, size_t to, std::optional<ServoDrive> servo)
+    : stepper_(physics, std::move(terms)), servo_(servo), track_(track), horizon_(horizon_s) {
   size_t memory = 0;
   for (const CompiledTerm& term : stepper_.terms()) {
     const HiddenState* hidden = term.effect->hidden();
@@ -83,7 +84,7 @@ Simulator::Simulator(const Physics& physics, std::vector<CompiledTerm> terms, do
   size_t shaping = 0;
   for (const CompiledTerm& term : stepper_.terms()) {
     const InputPart* input = term.effect->input(track.drive);
-    if (input == nullptr) continue;
+    if (input == nullptr || servo_) continue;
     if (shaped_.empty()) {
       const auto rowAt = [&track](double t) {
         return static_cast<size_t>(std::lower_bound(track.time.begin(), track.time.end(), t) - track.time.begin());
@@ -130,17 +131,63 @@ double Simulator::sensorLag_s() const {
 
 double Simulator::settledCurrent(size_t row, double velocity) const {
   if (!physics().electrical || !track_.connected[row]) return 0.0;
-  return (input(row) - physics().backEmf * velocity) / physics().resistance;
+  return (input(row, track_.position[row], velocity) - physics().backEmf * velocity) / physics().resistance;
 }
 
 void Simulator::run(MotionState& state, size_t from, size_t to) {
   for (size_t k = from; k < to; ++k) {
     stepper_.setSupply(track_.supplyAt(k));
+    if (servo_) {
+      runServo(state, k);
+      continue;
+    }
     if (delay_s_ > 0.0) {
       runLate(state, k);
       continue;
     }
-    stepper_.advance(state, input(k), track_.time[k + 1] - track_.time[k], track_.time[k], track_.connected[k] != 0);
+    stepper_.advance(state, shaped_.empty() ? track_.input[k] : shaped_[k - shapedFrom_],
+                     track_.time[k + 1] - track_.time[k], track_.time[k], track_.connected[k] != 0);
+  }
+}
+
+double Simulator::input(size_t row, double position, double velocity) const {
+  if (!servo_) return shaped_.empty() ? track_.input[row] : shaped_[row - shapedFrom_];
+  const double from = track_.time[row], to = row + 1 < track_.rows() ? track_.time[row + 1] : from;
+  return servo_->input(track_, row, from, to, position - servo_->late_s() * velocity, velocity);
+}
+
+/// The motion at t, at `now_s` or earlier: simulated, or, before the run began, recorded.
+PastMotion Simulator::motionAt(double t, const MotionState& state, double now_s, size_t row) const {
+  PastMotion after{now_s, state.position, state.velocity};
+  for (auto before = state.past.rbegin(); before != state.past.rend(); after = *before++) {
+    if (before->time_s > t) continue;
+    const double part = (t - before->time_s) / (after.time_s - before->time_s);
+    return {t, before->position + part * (after.position - before->position),
+            before->velocity + part * (after.velocity - before->velocity)};
+  }
+  while (row > 0 && track_.time[row] > t) --row;
+  const size_t next = std::min(row + 1, track_.rows() - 1);
+  if (next == row || track_.time[row] > t || t >= after.time_s) return after;
+  const double slope = (track_.position[next] - track_.position[row]) / (track_.time[next] - track_.time[row]);
+  return {t, truePosition(track_.position[row]) + (t - track_.time[row]) * slope, slope};
+}
+
+/// One row in the steps of a servo's law.
+void Simulator::runServo(MotionState& state, size_t row) {
+  const double from = track_.time[row], dt = track_.time[row + 1] - from;
+  const size_t times = servo_->times(dt, physics().inertia, physics().torquePerInput());
+  const double step = dt / static_cast<double>(times);
+  for (size_t k = 0; k < times; ++k) {
+    const double now = from + static_cast<double>(k) * step;
+    const double seen_s = now + 0.5 * step - servo_->late_s();
+    PastMotion seen{now, state.position, state.velocity};  // half a step late at least: looking ahead may swing
+    if (seen_s < now) {
+      while (state.past.size() > 1 && state.past[1].time_s < seen_s) state.past.erase(state.past.begin());
+      seen = motionAt(seen_s, state, now, row);
+      state.past.push_back({now, state.position, state.velocity});
+    }
+    stepper_.advance(state, servo_->input(track_, row, now, now + step, seen.position, seen.velocity), step, now,
+                     track_.connected[row] != 0);
   }
 }
 
@@ -211,6 +258,7 @@ MotionState Simulator::restartOver(double horizon_s, size_t row, const MotionSta
     state.velocity = velocity;
     state.current = current;
     state.acceleration = 0.0;
+    state.past.clear();
     return state;
   };
   if (row - first < 3) {

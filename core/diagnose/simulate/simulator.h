@@ -2,9 +2,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "diagnose/model/model.h"
+#include "diagnose/simulate/servo_drive.h"
 #include "diagnose/simulate/stepper.h"
 #include "diagnose/simulate/track.h"
 
@@ -17,7 +19,7 @@ class Simulator {
   /// Precondition: termsOf(model) succeeds; `track` outlives the simulator.
   Simulator(const Model& model, const Track& track, size_t from, size_t to);
   Simulator(const Physics& physics, std::vector<CompiledTerm> terms, double horizon_s, const Track& track, size_t from,
-            size_t to);
+            size_t to, std::optional<ServoDrive> servo = {});
 
   const Physics& physics() const { return stepper_.physics(); }
   const Stepper& stepper() const { return stepper_; }
@@ -50,8 +52,11 @@ class Simulator {
   /// Runs the state from one row to another.
   void run(MotionState& state, size_t from, size_t to);
 
-  /// The drive input that acts from `row` on.
-  double input(size_t row) const { return shaped_.empty() ? track_.input[row] : shaped_[row - shapedFrom_]; }
+  /// The drive input that acts from `row` on; where a servo's law answers to the motion, for this one in the middle of
+  /// the row, as if it had been steady before.
+  double input(size_t row, double position = 0.0, double velocity = 0.0) const;
+  /// The law of a servo that a reference drives.
+  const std::optional<ServoDrive>& servo() const { return servo_; }
   /// What the encoder shows at a state, and the true position behind what it shows.
   double shown(double position) const;
   /// What the track's sensor shows of a state: its position as `shown`, or its velocity where that alone was measured.
@@ -74,8 +79,11 @@ class Simulator {
   size_t horizonBegin(double horizon_s, size_t row) const;
   double settledCurrent(size_t row, double velocity) const;
   void runLate(MotionState& state, size_t row);
+  void runServo(MotionState& state, size_t row);
+  PastMotion motionAt(double t, const MotionState& state, double now_s, size_t row) const;
 
   Stepper stepper_;
+  std::optional<ServoDrive> servo_;
   std::vector<SwingingLoad> loads_;
   const Track& track_;
   double horizon_;

@@ -153,8 +153,7 @@ Stepper::Forces Stepper::forcesDuring(const MotionState& state, double direction
     const double slip = slipAfter(state.slip, 0.5 * dt * state.velocity, stiffness_, forces.friction);
     // LuGre's σ₁ dz/dt (C. Canudas de Wit et al., 'A new model for control of systems with friction', IEEE Trans.
     // Automatic Control 40(3), 1995).
-    const double bristles = 2.0 * dampingRatio_ * std::sqrt(stiffness_ * physics_.inertia);
-    forces.load += forces.friction * slip + bristles * (middle - std::abs(middle) * slip);
+    forces.load += forces.friction * slip + slipDamping() * (middle - std::abs(middle) * slip);
     forces.friction = 0.0;
   }
   return forces;

@@ -37,17 +37,22 @@ struct CompiledTerm {
   std::vector<double> parameters;
 };
 
+struct PastMotion {
+  double time_s = 0.0, position = 0.0, velocity = 0.0;
+};
+
 struct MotionState {
   double position = 0.0;
   double velocity = 0.0;
   double current = 0.0;       ///< A; meaningful with an electrical side only
   double acceleration = 0.0;  ///< of the step before: predicts the middle of the next
   // History that some effects depend on; kept up only where the model has effects.
-  double rest_s = 0.0;             ///< how long the last standstill lasted, or lasts by now
-  double turned = 0.0;             ///< position of the last reversal
-  double way = 0.0;                ///< ±1: direction of the last motion
-  double slip = 0.0;               ///< elastic friction as a part of the full one, −1 … 1
-  std::array<double, 8> memory{};  ///< the effects' hidden states, one after the other
+  double rest_s = 0.0;                ///< how long the last standstill lasted, or lasts by now
+  double turned = 0.0;                ///< position of the last reversal
+  double way = 0.0;                   ///< ±1: direction of the last motion
+  double slip = 0.0;                  ///< elastic friction as a part of the full one, −1 … 1
+  std::vector<PastMotion> past = {};  ///< the newest last; only where a servo's law answers late
+  std::array<double, 8> memory{};     ///< the effects' hidden states, one after the other
 };
 
 /// Advances a state under a constant drive input. Between events the motion is the exact solution of the linear
@@ -86,6 +91,13 @@ class Stepper {
   double lostVoltage(const MotionState& state, double u, double position, double velocity, double time_s) const;
   bool losesVoltage() const { return losesVoltage_; }
   bool elastic() const { return stiffness_ > 0.0; }
+  double slipStiffness() const { return stiffness_; }  ///< of elastic friction, Nm/rad
+  /// Of elastic friction while it deflects, Nm s/rad.
+  double slipDamping() const { return 2.0 * dampingRatio_ * std::sqrt(stiffness_ * physics_.inertia); }
+  /// Into which a row is divided at least, s.
+  double longestStep_s() const { return longestStep_; }
+  /// Whether forces depend on more than the direction of motion.
+  bool stateDependent() const { return stateDependent_; }
   /// Whether effects carry hidden state, so that forcesAt() doesn't tell all of a parameter's influence.
   bool remembers() const { return memorySize_ > 0 || stiffness_ > 0.0; }
   /// Whether any of that outlives a restart: a load that swings is found anew at each.

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "base/statistics.h"
+#include "diagnose/simulate/recorded_input.h"
+#include "recording/columns.h"
 
 namespace breakaway {
 
@@ -131,7 +133,15 @@ Result<void> takeReadings(Track& track, const Recording& recording, const std::s
   return {};
 }
 
-Result<std::vector<double>> inputOf(const Recording& recording, const Bench& names, const std::string& channel) {
+/// Robust standard deviation of the input's changes from row to row: single steps don't count.
+double usualChange(const std::vector<double>& input) {
+  std::vector<double> changes(input.size() - 1);
+  for (size_t k = 0; k < changes.size(); ++k) changes[k] = std::abs(input[k + 1] - input[k]);
+  return quantile(std::move(changes), 0.5) / 0.6745;
+}
+
+Result<std::vector<double>> inputOf(const Recording& recording, const Bench& names) {
+  const std::string channel = recordedInput(recording, names);
   const auto values = recording.channel(channel);
   if (values.empty()) return Error{recording.name(), "has no column " + channel + ", which drives this bench"};
   std::vector<double> input(values.begin(), values.end());
@@ -145,7 +155,7 @@ Result<std::vector<double>> inputOf(const Recording& recording, const Bench& nam
   if (!std::isfinite(last)) return Error{recording.name() + ", column " + channel, "has no value at all"};
   const auto first = std::find_if(input.begin(), input.end(), [](double value) { return std::isfinite(value); });
   std::fill(input.begin(), first, *first);
-  if (names.input != DriveInput::duty) return input;
+  if (channel != "duty") return input;
   const auto supply = recording.channel("supply_V");
   double volts = names.supply_V.value_or(std::nan(""));
   for (size_t k = 0; k < input.size(); ++k) {
@@ -175,6 +185,9 @@ Track Track::rowsFrom(size_t first, size_t last) const {
   out.position = part(position);
   out.speed = part(speed);
   out.input = part(input);
+  out.reference = part(reference);
+  out.referenceSpeed = part(referenceSpeed);
+  out.push = part(push);
   out.seen = part(seen);
   out.bridged = part(bridged);
   out.connected = part(connected);
@@ -191,15 +204,17 @@ Track Track::rowsFrom(size_t first, size_t last) const {
   out.speedNoise = speedNoise;
   out.speedCount = speedCount;
   out.inputNoise = inputNoise;
+  out.inputChange = inputChange;
   out.currentNoise = currentNoise;
   return out;
 }
 
 Result<Track> makeTrack(const Recording& recording, Axis axis, DriveInput driveInput, std::optional<double> supply_V,
-                        double count) {
+                        double count, bool byReference) {
   Bench names;
   names.axis = axis;
   names.input = driveInput;
+  if (byReference) names.servo = ServoLaw{};
   names.supply_V = supply_V;
   Track track;
   track.name = recording.name();
@@ -208,10 +223,21 @@ Result<Track> makeTrack(const Recording& recording, Axis axis, DriveInput driveI
   if (speedAlone && !recording.has(names.velocityChannel()))
     return Error{recording.name(), "has no column " + names.positionChannel() + " and no " + names.velocityChannel()};
   if (speedAlone) count = 0.0;
-  auto input = inputOf(recording, names, names.inputChannel());
+  auto input = inputOf(recording, names);
   if (!input) return input.error();
-  track.input = std::move(*input);
+  if (byReference) {
+    track.reference = std::move(*input);
+    track.input.assign(recording.rows(), 0.0);
+    if (const char* speeds = columnName(Quantity::velocityReference, axis); speeds != nullptr) {
+      const auto speed = recording.channel(speeds);
+      if (std::all_of(speed.begin(), speed.end(), [](double one) { return std::isfinite(one); }))
+        track.referenceSpeed.assign(speed.begin(), speed.end());
+    }
+  } else {
+    track.input = std::move(*input);
+  }
 
+  track.inputChange = usualChange(track.input);
   const size_t rows = recording.rows();
   const auto time = recording.time();
   track.origin_s = time[0];
@@ -244,7 +270,7 @@ Result<Track> makeTrack(const Recording& recording, Axis axis, DriveInput driveI
     for (size_t k = 0; k < rows; ++k) known[k] = std::isfinite(track.current[k]) ? 1 : 0;
     track.currentNoise = readingNoise(track.time, track.current, known);
   }
-  if (driveInput == DriveInput::current)
+  if (driveInput == DriveInput::current && !byReference)
     track.inputNoise = readingNoise(track.time, track.input, std::vector<char>(rows, 1));
   if (speedAlone) {
     track.speedCount = countOf(track.speed);

@@ -1,6 +1,8 @@
 // One recording as the fit and the simulation see it: SI arrays, gaps filled, what can't be used masked.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -27,13 +29,18 @@ struct Track {
   std::vector<double> position;  ///< rad, the middle of the recorded count; rows without one hold the last value and
                                  ///< are not `seen`
   std::vector<double> speed;     ///< rad/s, as recorded, where that alone was: positions are its integral; else empty
-  std::vector<double> input;     ///< volts, amperes or torque that act from the row to the next
-  std::vector<char> seen;        ///< the row has a position
-  std::vector<char> bridged;     ///< its position lies on the line between two readings that are near; empty: none
-  std::vector<char> connected;   ///< windings not open
-  std::vector<double> current;   ///< measured current in A where voltage or duty drives and it was recorded; else empty
-  std::vector<double> voltage;   ///< recorded one in V where current drives; else empty
-  std::vector<double> supply;    ///< recorded supply in V; empty: not recorded
+  /// Volts, amperes or torque that act from the row to the next; where a reference drives, what the law makes of the
+  /// recorded motion, once reconstructInput() ran.
+  std::vector<double> input;
+  std::vector<double> reference;       ///< rad, what a servo was asked for from the row to the next, where that drives
+  std::vector<double> referenceSpeed;  ///< rad/s, the same; empty: not recorded
+  std::vector<double> push;     ///< added to what the law of a servo makes, in units of the input; empty: nothing
+  std::vector<char> seen;       ///< the row has a position
+  std::vector<char> bridged;    ///< its position lies on the line between two readings that are near; empty: none
+  std::vector<char> connected;  ///< windings not open
+  std::vector<double> current;  ///< measured current in A where voltage or duty drives and it was recorded; else empty
+  std::vector<double> voltage;  ///< recorded one in V where current drives; else empty
+  std::vector<double> supply;   ///< recorded supply in V; empty: not recorded
   std::vector<double> temperature;  ///< recorded temperature in °C; empty: not recorded
   double supply_V = 0.0;            ///< of the bench; 0: not known
   DriveInput drive = DriveInput::torque;
@@ -43,7 +50,8 @@ struct Track {
   double quantisation = 0.0;  ///< standard deviation of what the encoder's count hides
   double speedNoise = 0.0;    ///< as `noise`, of a reading of `speed`, rad/s
   double speedCount = 0.0;    ///< step of the readings of `speed`, rad/s; 0: none is seen
-  double inputNoise = 0.0;    ///< the same of a measured drive current, A; 0 where the input is a command
+  double inputNoise = 0.0;    ///< the same of a measured drive, A or V; 0 where the input is a command
+  double inputChange = 0.0;   ///< of the input from row to row, usually: what a missing row may have had more or less
   double currentNoise = 0.0;  ///< the same of a current reading, A; 0 where there is none
   std::vector<std::string> remarks;
 
@@ -52,6 +60,17 @@ struct Track {
   Motion motion;
 
   size_t rows() const { return time.size(); }
+  /// How many rows are missing after `row`.
+  size_t missingAfter(size_t row) const {
+    return row + 1 < rows()
+               ? static_cast<size_t>(std::max(0.0, std::round((time[row + 1] - time[row]) / usualStep_s) - 1.0))
+               : 0;
+  }
+  /// Variance of the input's integral over the step after `row`: by what acted in missing rows, which nobody knows.
+  double missingInput(size_t row) const {
+    const double step_s = inputChange * usualStep_s;
+    return step_s * step_s * static_cast<double>(missingAfter(row));
+  }
   bool speedAlone() const { return !speed.empty(); }
   /// What was measured in a row: the position, in a recording of speed alone the speed.
   double reading(size_t row) const { return speedAlone() ? speed[row] : position[row]; }
@@ -66,8 +85,9 @@ struct Track {
 /// Reads what `input` and `axis` need from the recording. `count` is one encoder count in rad or m (0: unknown).
 /// Without a position column
 /// the velocity's is what was measured. Errors: a needed column is missing or has no value at all; fewer than two rows.
+/// `byReference`: the recording holds what a servo was asked for, and `input` is what its law gives out.
 Result<Track> makeTrack(const Recording& recording, Axis axis, DriveInput input, std::optional<double> supply_V,
-                        double count);
+                        double count, bool byReference = false);
 
 /// The positions of a track of speed alone, from 0 on by trapezoids.
 void integrateSpeed(Track& track);

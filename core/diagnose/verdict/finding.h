@@ -15,6 +15,7 @@ struct Finding {
   std::vector<std::string> ambiguousWith;
   std::vector<Parameter> parameters;
   std::string sentence;
+  bool saysSomething = true;  ///< its own size can't be nothing, nor what wanders anyway, nor more than the drive gives
 };
 
 /// The first of its rivals that isn't the twin which no recording tells from it; null: it has no such rival.

@@ -14,7 +14,8 @@ struct FitScore {
   double heldoutBefore = 0.0, heldoutAfter = 0.0;
   double improvementLow95 = 0.0, improvementHigh95 = 0.0;
   bool separateRecording = false;
-  double floor = 0.0;
+  double floor = 0.0;            ///< of a perfect model, given sensors and restarts
+  double floorWithWander = 0.0;  ///< the same where the torque wanders as it does here
 };
 
 }  // namespace breakaway

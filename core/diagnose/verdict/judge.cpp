@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include "base/statistics.h"
@@ -12,6 +13,7 @@
 #include "diagnose/search/swinging_load.h"
 #include "diagnose/simulate/physics.h"
 #include "diagnose/verdict/proof.h"
+#include "diagnose/verdict/worth_saying.h"
 
 namespace breakaway {
 
@@ -26,6 +28,7 @@ constexpr double worseOnHeldout = 1.02;  ///< times the base model's error: what
 constexpr double muchWorseOnHeldout = 1.25, clearFallOnHeldout = 0.9;
 constexpr double hardlyLessOnHeldout = 0.95;
 constexpr double muchFloors = 1.6, muchFloorsForOnce = 2.5;  ///< of held-out data that show something themselves
+constexpr double beyondRestarts = 1.6;                       ///< times the error that restarts make: what shows
 constexpr double leastFall = 0.98;                           ///< of the error over the training windows: less is none
 constexpr double nearFloors = 2.0, scatteredPart = 0.03;  ///< of the friction: three times what any rig's scatters by
 
@@ -33,8 +36,10 @@ double meanSquare(const Model& model, const std::vector<Track>& tracks, const st
   return mean(scoreWindows(model, tracks, windows));
 }
 
-FitScore scoreFit(const Bench& bench, const Model& base, const Model& best, const std::vector<Track>& tracks,
-                  const Split& split, std::uint64_t seed, Proof& proof) {
+FitScore scoreFit(const Bench& bench, const Model& base, const Model& best, const Preparation& prepared,
+                  const TorqueNoise& left, std::uint64_t seed, Proof& proof) {
+  const std::vector<Track>& tracks = prepared.tracks;
+  const Split& split = prepared.split;
   FitScore fit;
   fit.channel = tracks.front().speedAlone() ? bench.velocityChannel() : bench.positionChannel();
   fit.separateRecording = split.separateRecording;
@@ -54,7 +59,9 @@ FitScore scoreFit(const Bench& bench, const Model& base, const Model& best, cons
   });
   fit.improvementLow95 = interval.low;
   fit.improvementHigh95 = interval.high;
-  fit.floor = noiseFloor(best, tracks, split.heldoutScore, seed);
+  const Floors floors = floorsOf(best, prepared, split.heldoutScore, seed, left);
+  fit.floor = floors.perfect;
+  fit.floorWithWander = floors.withWander;
   proof = proofOf(best, tracks, split.heldoutScore, before, after, fit);
   return fit;
 }
@@ -78,9 +85,20 @@ Parameter numbered(Parameter parameter, size_t number) {
   return parameter;
 }
 
+/// Those that are there, and whose interval says something.
+std::vector<Parameter> knownParameters(const EffectTerm& term, Axis axis) {
+  std::vector<Parameter> known = presentParameters(term, axis);
+  std::erase_if(known, [&](const Parameter& one) {
+    const auto place = std::find_if(term.parameters.begin(), term.parameters.end(),
+                                    [&one](const Parameter& other) { return other.name == one.name; });
+    return place != term.parameters.end() && !isKnown(term, static_cast<size_t>(place - term.parameters.begin()), axis);
+  });
+  return known;
+}
+
 /// The findings, with shares of the excess that add up to what the extended model takes away.
 std::vector<Finding> findingsOf(const SearchResult& result, const Model& model, const SearchInput& input,
-                                double explained) {
+                                double explained, const std::function<bool(const EffectTerm&)>& worth) {
   double marginals = 0.0;
   for (const Chosen& chosen : result.chosen) marginals += chosen.marginal;
   std::vector<Finding> findings;
@@ -90,8 +108,11 @@ std::vector<Finding> findingsOf(const SearchResult& result, const Model& model, 
     finding.share = marginals > 0.0 ? std::clamp(explained * chosen.marginal / marginals, 0.0, 1.0) : 0.0;
     finding.pValue = chosen.pValue;
     for (const Effect* rival : chosen.rivals) finding.ambiguousWith.emplace_back(rival->name());
-    const std::vector<EffectTerm> terms = largestTerms(model, finding.effect);
+    std::vector<EffectTerm> terms = largestTerms(model, finding.effect);
     if (!terms.empty()) {
+      terms.erase(std::remove_if(terms.begin() + 1, terms.end(), [&](const EffectTerm& one) { return !worth(one); }),
+                  terms.end());
+      finding.saysSomething = worth(terms.front());
       const EffectTerm& first = terms.front();
       std::vector<std::vector<double>> further;
       for (size_t k = 1; k < terms.size(); ++k) further.push_back(valuesOf(terms[k]));
@@ -102,8 +123,8 @@ std::vector<Finding> findingsOf(const SearchResult& result, const Model& model, 
       finding.sentence += chosen.effect->furtherSentence(largest, further, input.seen);
     }
     for (size_t k = 0; k < terms.size(); ++k) {
-      for (const Parameter& one : presentParameters(terms[k], model.axis))
-        finding.parameters.push_back(numbered(one, k + 1));
+      const auto shown = finding.saysSomething ? knownParameters : presentParameters;
+      for (const Parameter& one : shown(terms[k], model.axis)) finding.parameters.push_back(numbered(one, k + 1));
     }
     findings.push_back(std::move(finding));
   }
@@ -161,16 +182,26 @@ class Judge {
 
   Judgement judged() {
     SearchResult candidate = found_;
+    bool refused = false;
     while (!candidate.chosen.empty()) {
       Judgement judgement;
-      const Opinion opinion = judge(candidate, judgement);
+      Opinion opinion = judge(candidate, judgement);
+      // What held-out data refused with more waves, they have to show with fewer.
+      if (refused && opinion == Opinion::stands &&
+          judgement.fit.heldoutAfter > hardlyLessOnHeldout * judgement.fit.heldoutBefore)
+        opinion = Opinion::heldoutRefuses;
       if (const auto idle = superfluous(candidate, judgement)) {
         if (candidate.chosen.size() == 1) break;
         drop(candidate, candidate.chosen.begin() + *idle);
         continue;
       }
       if (opinion == Opinion::stands) return judgement;
-      if (opinion == Opinion::falls || candidate.chosen.size() == 1) break;
+      if (opinion == Opinion::falls) break;
+      if (dropSmallestWave(candidate)) {
+        refused = true;
+        continue;
+      }
+      if (candidate.chosen.size() == 1) break;
       drop(candidate, leastOf(candidate));
     }
     return nothing();
@@ -189,7 +220,8 @@ class Judge {
     const double coulomb = physicsOf(judged.model).coulomb;
     const auto& all = judged.findings;
     const auto one = std::find_if(all.begin(), all.end(), [&](const Finding& finding) {
-      return (all.size() > 1 && isIdle(finding, coulomb)) || (near && isFaint(finding, coulomb));
+      return !finding.saysSomething || (all.size() > 1 && isIdle(finding, coulomb)) ||
+             (near && isFaint(finding, coulomb));
     });
     if (one == all.end()) return std::nullopt;
     return one - all.begin();
@@ -198,18 +230,16 @@ class Judge {
   Judgement nothing() const {
     Judgement out;
     out.base = out.model = base_;
-    out.left = found_.leftByBase;
-    out.rest = remainderOf(base_, false, prepared_, {errorsBefore_, errorsBefore_}, out.left, input_.seed);
-    out.fit = scoreFit(bench_, base_, base_, prepared_.tracks, prepared_.split, input_.seed, out.proof);
+    out.rest = remainderOf(base_, prepared_, {errorsBefore_, errorsBefore_}, found_.leftByBase, input_.seed);
+    out.fit = scoreFit(bench_, base_, base_, prepared_, out.rest.wander, input_.seed, out.proof);
     return out;
   }
 
   Opinion judge(const SearchResult& candidate, Judgement& out) const {
     out.base = base_;
     out.model = withDoubts(withinSeen(candidate.best.model, prepared_.tracks, prepared_.split), prepared_);
-    out.left = candidate.left;
     const auto errorsAfter = scoreWindows(out.model, prepared_.tracks, prepared_.split.trainScore);
-    out.rest = remainderOf(out.model, true, prepared_, {errorsBefore_, errorsAfter}, out.left, input_.seed);
+    out.rest = remainderOf(out.model, prepared_, {errorsBefore_, errorsAfter}, candidate.left, input_.seed);
     const double excess = std::max(before() - out.rest.floors.perfect * out.rest.floors.perfect, 1e-300);
     double explained = (before() - typicalSquare(errorsAfter)) / excess;
     // The typical error leaves out the worst windows. If an effect acts in few windows, only the plain mean shows it.
@@ -224,8 +254,13 @@ class Judge {
     if (out.rest.share > muchIsLeft && std::max(explained, fitted) < mostIsExplained &&
         !(currentToo && changesReadings(out.model)))
       return Opinion::falls;
-    out.findings = findingsOf(candidate, out.model, input_, explained);
-    out.fit = scoreFit(bench_, base_, out.model, prepared_.tracks, prepared_.split, input_.seed, out.proof);
+    out.findings = findingsOf(candidate, out.model, input_, explained, [&](const EffectTerm& term) {
+      // A few pushes would explain any wander: they are held against what there is without them.
+      const bool once = findEffect(term.effect)->happensOnce();
+      return worthSaying(term, out.model, input_.seen, once ? candidate.leftByBase : candidate.left) &&
+             (!once || isSeen(term));
+    });
+    out.fit = scoreFit(bench_, base_, out.model, prepared_, out.rest.wander, input_.seed, out.proof);
     // If held-out data get worse, the effect isn't there. If it acts only where the training data are, as a push in one
     // recording does, held-out data may get somewhat worse.
     const double inAll = out.fit.heldoutAfter / out.fit.heldoutBefore;
@@ -248,6 +283,24 @@ class Judge {
     return idle || stray || isVague(out.findings) ? Opinion::falls : Opinion::stands;
   }
 
+  /// Whether the windows in which something happens once err more without it than such windows do by their restarts.
+  bool isSeen(const EffectTerm& term) const {
+    const OncePart& once = *findEffect(term.effect)->once();
+    const double from = term.parameters[once.start].value, to = from + term.parameters[once.duration].value;
+    std::vector<Window> windows;
+    double errs = 0.0;
+    for (size_t w = 0; w < errorsBefore_.size(); ++w) {
+      const Window& window = prepared_.split.trainScore[w];
+      const Track& track = prepared_.tracks[window.track];
+      const bool here = term.recording.empty() || term.recording == fileNameOf(track.name);
+      if (!here || track.time[window.last] <= from || track.time[window.first] >= to) continue;
+      windows.push_back(window);
+      errs += errorsBefore_[w];
+    }
+    const auto usual = usualSquares(base_, prepared_.tracks, windows, input_.seed, {});
+    return errs > std::pow(beyondRestarts, 2) * mean(usual) * static_cast<double>(windows.size());
+  }
+
   /// The part of the held-out error that is left, without the worst tenth of the windows: if an axis breaks away a
   /// moment too late, or a load runs away, a whole window is off.
   double typicallyHeld(const Model& model) const {
@@ -261,11 +314,35 @@ class Judge {
                             [](const Chosen& a, const Chosen& b) { return a.marginal < b.marginal; });
   }
 
-  /// The rest of the set is refined.
   void drop(SearchResult& candidate, Members::iterator one) const {
-    const Model rest = without(candidate.best.model, *one->effect);
-    candidate.best = polishModel(input_, rest, polishWeights(input_, candidate.base.model, rest));
+    refine(candidate, without(candidate.best.model, *one->effect));
     candidate.chosen.erase(one);
+  }
+
+  /// The smallest of waves beside a larger one of the same effect: too many of them follow the training data where they
+  /// are, and lead astray elsewhere. Whether there was one.
+  bool dropSmallestWave(SearchResult& candidate) const {
+    Model rest = candidate.best.model;
+    std::vector<EffectTerm>& terms = rest.effects;
+    const auto size = [](const EffectTerm& term) { return std::abs(term.parameters.front().value); };
+    const auto ofLargest = [&](const EffectTerm& term) {
+      double largest = 0.0;
+      for (const EffectTerm& other : terms) {
+        if (other.effect == term.effect && other.recording == term.recording) largest = std::max(largest, size(other));
+      }
+      return size(term) / largest;
+    };
+    const auto smallest = std::min_element(terms.begin(), terms.end(), [&](const EffectTerm& a, const EffectTerm& b) {
+      return ofLargest(a) < ofLargest(b);
+    });
+    if (smallest == terms.end() || ofLargest(*smallest) >= 1.0) return false;
+    terms.erase(smallest);
+    refine(candidate, rest);
+    return true;
+  }
+
+  void refine(SearchResult& candidate, const Model& rest) const {
+    candidate.best = polishModel(input_, rest, polishWeights(input_, candidate.base.model, rest));
   }
 
   const Bench& bench_;

@@ -19,7 +19,6 @@ struct Judgement {
   FitScore fit;
   Proof proof;
   Remainder rest;
-  TorqueNoise left;  ///< what the model leaves, taken for a torque that wanders
 };
 
 /// Decisions rest on training windows; the worst tenth, which a restart at the edge of standstill may rule, is left

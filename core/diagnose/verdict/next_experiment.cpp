@@ -162,6 +162,8 @@ std::string closerLook(const Place& place, const Excitation& seen) {
          ", free and with a known load: what follows the drive is in motor or electronics.";
 }
 
+}  // namespace
+
 std::string mostInformative(const Excitation& seen) {
   const std::vector<Change> possible = changes(seen);
   const std::vector<const Effect*> unseen = unseenOnes(seen, possible);
@@ -176,8 +178,6 @@ std::string mostInformative(const Excitation& seen) {
               ? ""
               : " That would show " + std::to_string(newlyShown(unseen, best->seen)) + " of them.");
 }
-
-}  // namespace
 
 std::vector<std::string> unseenEffects(const Excitation& seen) {
   std::vector<std::string> names;

@@ -22,6 +22,9 @@ struct NextExperiment {
 NextExperiment nextExperiment(Verdict verdict, const std::vector<Finding>& findings, const std::vector<Place>& where,
                               const Bench& bench, const Excitation& seen);
 
+/// The experiment that would show the most of what recordings like these can't; empty if they show all.
+std::string mostInformative(const Excitation& seen);
+
 /// Effects that recordings like these can't show, though others of the same rig could.
 std::vector<std::string> unseenEffects(const Excitation& seen);
 

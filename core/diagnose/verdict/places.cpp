@@ -194,6 +194,7 @@ Place placeOf(const ResidualMap& whole, const Model& model) {
   place.size = std::abs(at.mean);
   place.shows = map.shows;
   place.ofSomeSpeeds = map.ofSomeSpeeds();
+  place.foretells = map.foretells;
   if (model.axis == Axis::linear) place.sizeUnit = "N";
   if (map.shows == Unknown::voltage) place.sizeUnit = "V";
   return place;

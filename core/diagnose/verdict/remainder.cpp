@@ -8,31 +8,32 @@
 #include "diagnose/fit/noise_floor.h"
 #include "diagnose/fit/windowed_fit.h"
 #include "diagnose/simulate/physics.h"
+#include "diagnose/verdict/foretelling.h"
 #include "diagnose/verdict/where.h"
 
 namespace breakaway {
 
 namespace {
 
-/// What is left is material if it is `materialFloors` times what sensors and scattering friction explain, and more than
-/// the part `share` of the excess error. It is also material if several windows err by more than `farOff` times that:
-/// restarts at the edge of standstill don't explain so many or so large errors. Beside a finding more may be left than
-/// beside none.
-struct Limits {
-  double share, farOff;
-};
-constexpr Limits alone{0.25, 5.0}, besideFindings{0.4, 8.0};
+/// Times the floor: what errs by less is a perfect model as far as sensors can tell.
+constexpr double clearFloors = 1.6;
+/// Times the floor with wander: what errs by less lacks nothing that a sound rig hasn't.
 constexpr double materialFloors = 2.5;
-/// If the error is so many times what they explain, a smaller share is material, too: such a name is borrowed.
-constexpr double glaringFloors = 6.0, glaringShare = 0.05;
+/// Of the base model's excess: what findings leave of it is no more than their own inexactness.
+constexpr double leastPart = 0.05;
+/// Several windows that err by so many times what sensors and scattering friction explain: restarts at the edge of
+/// standstill don't explain so many or so large errors.
+constexpr double farOffFloors = 8.0;
 /// So large a part of the windows, and at least five of them, isn't far off by accident.
 constexpr double farOffPart = 0.05, fewestFarOff = 5.0;
-/// Of the drive's peak, or of the friction: less than this doesn't count as a place.
-constexpr double immaterialPart = 0.01;
-/// Shares of what is unexplained, and the p-value: with less, or more often by chance, it doesn't count as a place.
-constexpr double leastInPlace = 0.1, largelyInPlace = 0.25, likeliestByChance = 0.02;
-/// If a larger share lies in one place, it isn't scattering friction.
-constexpr double mostByScatter = 0.4;
+/// Of the held-out windows' squared error a place surely takes away so much, as much as any rig may lack: what pays
+/// less doesn't count.
+constexpr double leastTaken = 0.05;
+/// A place more often by chance doesn't count.
+constexpr double likeliestByChance = 0.02;
+/// A place in the voltage moves nothing, so that windows don't show it: its part of what is unexplained, and its size
+/// as a part of the drive's peak.
+constexpr double leastInPlace = 0.1, immaterialPart = 0.01;
 
 /// Times the error of the window's own replay: less may come from scatter that grows, as near a pendulum's top.
 constexpr double farBeyondUsual = 2.0;
@@ -50,21 +51,10 @@ std::vector<Window> halfLater(const std::vector<Window>& windows) {
   return later;
 }
 
-bool holds(const Place& place) {
-  return place.share >= leastInPlace && place.pValue <= likeliestByChance;
-}
-
-/// Whether it is larger than the inaccuracy that every rig has, as a part of its drive. If a large share lies in one
-/// place, it may be smaller, but not smaller than the scatter of the friction.
-bool notable(const Place& place, const Preparation& prepared, double friction) {
-  const Excitation& seen = prepared.seen;
-  const bool voltage = place.sizeUnit == "V";
-  return (place.share >= largelyInPlace && (voltage || place.size >= immaterialPart * friction)) ||
-         place.size >= immaterialPart * (voltage ? seen.peakInput : seen.peakTorque);
-}
-
-std::vector<Place> placesOf(const Model& model, const Preparation& prepared, std::uint64_t seed) {
-  return places(residualMaps(model, prepared.training, seed), model);
+/// Whether a place in the voltage is more than the inaccuracy that every rig has.
+bool showsInVoltage(const Place& place, const Excitation& seen) {
+  const double foretold = std::clamp(place.foretells.value / place.share, 0.0, 1.0);
+  return place.share >= leastInPlace && place.size * std::sqrt(foretold) >= immaterialPart * seen.peakInput;
 }
 
 /// One model's restarts, in the windows that are scored and between them.
@@ -74,7 +64,7 @@ class Restarts {
       : model_(model),
         prepared_(prepared),
         seed_(seed),
-        scatter_(usualScatter(prepared.seen.highSpeed, physicsOf(model).coulomb, left)) {}
+        scatter_(usualScatter(prepared.seen, physicsOf(model).coulomb, left)) {}
 
   const std::vector<double>& squaresLater() {
     if (squaresLater_.empty()) {
@@ -119,76 +109,80 @@ class Restarts {
   std::vector<double> squaresLater_;
 };
 
-Remainder beside(const WindowErrors& errors, const Floors& floors, const Limits& limits, Restarts& restarts) {
-  Remainder rest;
-  rest.floors = floors;
-  const double before = typicalSquare(errors.before), after = typicalSquare(errors.after);
-  const double unit = floors.perfect * floors.perfect;
-  const double most = std::pow(materialFloors * floors.tolerated, 2);
-  if (after > most && typicalSquare(restarts.squaresLater()) > most)
-    rest.share = std::clamp((after - unit) / std::max(before - unit, 1e-300), 0.0, 1.0);
-  const bool glares = rest.share > glaringShare && after > std::pow(glaringFloors * floors.tolerated, 2);
-  rest.material = rest.share > limits.share || glares;
-  const double ofAll = mean(errors.after) / std::max(mean(errors.before), 1e-300);
-  if (!rest.material && ofAll > limits.share && restarts.oftenFarOff(errors.after, limits.farOff * floors.tolerated)) {
-    rest.material = true;
-    rest.share = std::min(ofAll, 1.0);
-  }
-  rest.wanders = !rest.material && after > std::pow(materialFloors * floors.perfect, 2);
-  return rest;
-}
-
 }  // namespace
 
 size_t farOffWindows(const Model& model, const Preparation& prepared, const std::vector<Window>& windows,
                      std::uint64_t seed, const TorqueNoise& left) {
   const Floors floors = floorsOf(model, prepared, windows, seed, left);
   return Restarts(model, prepared, seed, left)
-      .farOff(windows, scoreWindows(model, prepared.tracks, windows), besideFindings.farOff * floors.tolerated);
+      .farOff(windows, scoreWindows(model, prepared.tracks, windows), farOffFloors * floors.withWander);
 }
 
 std::string farOffText() {
-  return std::to_string(std::lround(besideFindings.farOff)) + " times";
+  return std::to_string(std::lround(farOffFloors)) + " times";
+}
+
+/// `left` with no more torque than a mean squared error of `shown` over the training windows has room for: a torque
+/// that wandered as `left` would make them err by itself.
+static TorqueNoise asWindowsShow(TorqueNoise left, const Model& model, const Preparation& prepared, double shown,
+                                 double perfect, std::uint64_t seed) {
+  if (!(left.rms > 0.0)) return left;
+  const double wandering = noiseFloor(model, prepared.tracks, prepared.split.trainScore, seed,
+                                      {.wander = left.rms, .wander_s = left.time_s});
+  const double own = wandering * wandering - perfect * perfect;
+  if (own <= shown) return left;
+  const double part = std::sqrt(shown / own);
+  left.rms *= part;
+  left.ratio *= part;
+  return left;
 }
 
 Floors floorsOf(const Model& model, const Preparation& prepared, const std::vector<Window>& windows, std::uint64_t seed,
                 const TorqueNoise& left) {
-  const FrictionScatter scatter = usualScatter(prepared.seen.highSpeed, physicsOf(model).coulomb, left);
+  const FrictionScatter scatter = usualScatter(prepared.seen, physicsOf(model).coulomb, left);
   return {noiseFloor(model, prepared.tracks, windows, seed),
           noiseFloor(model, prepared.tracks, windows, seed, scatter)};
 }
 
-Remainder remainderOf(const Model& model, bool named, const Preparation& prepared, const WindowErrors& errors,
+Remainder remainderOf(const Model& model, const Preparation& prepared, const WindowErrors& errors,
                       const TorqueNoise& left, std::uint64_t seed) {
+  Remainder rest;
+  const double before = typicalSquare(errors.before), after = typicalSquare(errors.after);
   const std::vector<Window>& windows = prepared.split.trainScore;
-  const Limits& limits = named ? besideFindings : alone;
-  Restarts restarts(model, prepared, seed, left);
-  Remainder rest = beside(errors, floorsOf(model, prepared, windows, seed, left), limits, restarts);
-  if (!rest.wanders) return rest;
-  const auto found = placesOf(model, prepared, seed);
-  const auto stands = [&, friction = physicsOf(model).coulomb](const Place& place) {
-    return holds(place) && notable(place, prepared, friction);
+  rest.floors.perfect = noiseFloor(model, prepared.tracks, windows, seed);
+  rest.wander = asWindowsShow(left, model, prepared, after, rest.floors.perfect, seed);
+  rest.floors.withWander = noiseFloor(model, prepared.tracks, windows, seed,
+                                      usualScatter(prepared.seen, physicsOf(model).coulomb, rest.wander));
+  Restarts restarts(model, prepared, seed, rest.wander);
+  const double unit = rest.floors.perfect * rest.floors.perfect;
+  const auto exceeds = [&](double floors, double floor) {
+    const double most = std::pow(floors * floor, 2);
+    return after > most && typicalSquare(restarts.squaresLater()) > most;
   };
-  if (std::none_of(found.begin(), found.end(), stands)) return rest;
-  const Floors floors = floorsOf(model, prepared, windows, seed, {});
-  const bool clear = std::any_of(found.begin(), found.end(), [&stands](const Place& place) {
-    return stands(place) && place.share > mostByScatter;
-  });
-  const Floors strict{floors.perfect, floors.perfect};
-  Restarts placed(model, prepared, seed, {});
-  return clear ? beside(errors, strict, {alone.share, besideFindings.farOff}, placed)
-               : beside(errors, floors, limits, placed);
+  rest.part = std::clamp((after - unit) / std::max(before - unit, 1e-300), 0.0, 1.0);
+  if (exceeds(materialFloors, rest.floors.withWander)) rest.share = rest.part;
+  const bool typically = exceeds(clearFloors, rest.floors.perfect);
+  rest.aboveFloor = typically || restarts.oftenFarOff(errors.after, farOffFloors * rest.floors.withWander);
+  rest.wanders = typically && rest.wander.rms > mostWander(physicsOf(model).coulomb, prepared.seen.peakTorque);
+  return rest;
+}
+
+bool Remainder::outside() const {
+  return part > leastPart && (wanders || !where.empty());
 }
 
 void findPlaces(Remainder& rest, const Model& model, const Preparation& prepared, std::uint64_t seed) {
-  auto left = placesOf(model, prepared, seed);
-  std::erase_if(left, [&, friction = physicsOf(model).coulomb](const Place& place) {
-    return !notable(place, prepared, friction);
+  if (!rest.aboveFloor) return;
+  std::vector<ResidualMap> maps = residualMaps(model, prepared.training, seed, heldoutTracks(prepared));
+  const ForetoldWindows windows(model, prepared);
+  std::erase_if(maps, [&](const ResidualMap& map) {
+    if (map.foretells.low95 <= 0.0) return true;
+    return map.shows != Unknown::voltage && windows.foretold(map, seed).low95 < leastTaken;
   });
-  if (left.empty()) return;
-  rest.pValue = left.front().pValue;
-  if (!holds(left.front())) return;
-  for (Place place : left) {
+  for (Place& place : places(maps, model)) {
+    if (place.pValue > likeliestByChance) continue;
+    if (place.shows == Unknown::voltage && !showsInVoltage(place, prepared.seen)) continue;
+    if (rest.where.empty()) rest.pValue = place.pValue;
     place.sentence = "Not explained by any known effect. " + place.sentence;
     rest.where.push_back(std::move(place));
   }
@@ -196,13 +190,12 @@ void findPlaces(Remainder& rest, const Model& model, const Preparation& prepared
 
 std::string wanderRemark(const TorqueNoise& left, double friction, const Excitation& seen) {
   const bool small = left.rms < friction;
-  const std::string size = torqueText(left.rms, seen.axis) + " rms (" +
-                           digitsText(100.0 * left.rms / (small ? friction : seen.peakTorque)) + " % of the " +
-                           (small ? "friction" : "drive's peak") + ")";
-  const std::string torque = torqueWord(seen.axis);
-  if (!left.usual(friction)) return "taken for a " + torque + " that wanders at random, what is left is " + size;
-  return "what is left is no more than a " + torque + " that wanders at random by " + size +
-         ", as brushes and bearings make it";
+  const double part = left.rms / (small ? friction : seen.peakTorque);
+  const std::string size = torqueText(left.rms, seen.axis) + " rms, " + digitsText(100.0 * part) + " % of the " +
+                           (small ? "friction" : "drive's peak");
+  const bool sound = left.rms <= mostWander(friction, seen.peakTorque);
+  return torqueWord(seen.axis) + " changes at random by " + size +
+         (sound ? ": usual for brushes and bearings" : ": more than brushes and bearings do");
 }
 
 }  // namespace breakaway

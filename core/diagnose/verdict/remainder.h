@@ -13,11 +13,11 @@ namespace breakaway {
 
 /// What windows may show if the model is right, rms.
 struct Floors {
-  double perfect = 0.0;
-  double tolerated = 0.0;  ///< the same where friction scatters, and what is left wanders a little
+  double perfect = 0.0;     ///< of sensors and restarts
+  double withWander = 0.0;  ///< the same where friction scatters, and a torque wanders as it does on sound rigs
 };
 
-/// `left`: what the model leaves, taken for a torque that wanders: a little of that is tolerated.
+/// `left`: what the model leaves, taken for a torque that wanders.
 Floors floorsOf(const Model& model, const Preparation& prepared, const std::vector<Window>& windows, std::uint64_t seed,
                 const TorqueNoise& left);
 
@@ -26,24 +26,30 @@ struct WindowErrors {
   std::vector<double> before, after;  ///< of the base model, and of the one in question
 };
 
+/// What is left when the findings are taken away.
 struct Remainder {
   Floors floors;
-  double share = 0.0;  ///< of the base model's excess
-  double pValue = 1.0;
-  bool material = false;
-  bool wanders = false;  ///< not material, but more than sensors do
-  std::vector<Place> where;
+  TorqueNoise wander;        ///< of what the model leaves, as much as the windows' error has room for
+  double share = 0.0;        ///< of the base model's excess, where it is more than a sound rig's
+  double pValue = 1.0;       ///< of the place that shows most
+  bool aboveFloor = false;   ///< more than sensors do, in the typical window or in several
+  bool wanders = false;      ///< it is above the floor, and wanders by more than a sound rig does
+  std::vector<Place> where;  ///< that foretell what was held out
+
+  double part = 1.0;  ///< what is left of the base model's excess, whatever is usual
+
+  /// Whether something is missing that the model doesn't have: there is evidence, and findings leave enough of it.
+  bool outside() const;
 };
 
-/// `model` is the one of `errors.after`, which are of `prepared.split.trainScore`; `named`: it holds findings. A torque
-/// that wanders is tolerated only where it has no place of its own.
-Remainder remainderOf(const Model& model, bool named, const Preparation& prepared, const WindowErrors& errors,
+/// `model` is the one of `errors.after`, which are of `prepared.split.trainScore`.
+Remainder remainderOf(const Model& model, const Preparation& prepared, const WindowErrors& errors,
                       const TorqueNoise& left, std::uint64_t seed);
 
-/// Where the remainder shows: the places that hold on held-out data, too.
+/// Adds where the remainder shows: the places that are large enough to matter and foretell held-out data.
 void findPlaces(Remainder& rest, const Model& model, const Preparation& prepared, std::uint64_t seed);
 
-/// How much torque is left, in words.
+/// How much the torque wanders, in words.
 std::string wanderRemark(const TorqueNoise& left, double friction, const Excitation& seen);
 
 /// How many of `windows` err so much that neither sensors nor scattering friction can be the cause.

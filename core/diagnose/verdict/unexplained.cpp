@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "diagnose/fit/inverse_rows.h"
+#include "diagnose/fit/servo_start.h"
 #include "diagnose/simulate/simulator.h"
 
 namespace breakaway {
@@ -11,12 +12,13 @@ namespace breakaway {
 namespace {
 
 /// The track as it was before encoder and drive changed it, if the model says that they did.
-Track actualTrack(const Simulator& simulator, const Track& track) {
+Track actualTrack(const Model& model, const Simulator& simulator, const Track& track) {
   Track actual = track.rowsFrom(0, track.rows() - 1);
+  if (model.servo) actual.input = reconstructedInput(model, track);
   if (simulator.stepper().terms().empty()) return actual;
   for (size_t k = 0; k < track.rows(); ++k) {
     actual.position[k] = simulator.truePosition(track.position[k]);
-    actual.input[k] = simulator.input(k);
+    if (!model.servo) actual.input[k] = simulator.input(k);
   }
   return actual;
 }
@@ -40,7 +42,7 @@ Unexplained unexplainedAlong(const Model& model, const Track& track) {
   Simulator simulator(model, track, 0, track.rows() - 1);
   const Stepper& stepper = simulator.stepper();
   const Physics& p = stepper.physics();
-  const InverseRows rows = inverseRows(actualTrack(simulator, track));
+  const InverseRows rows = inverseRows(actualTrack(model, simulator, track));
   const size_t n = rows.time.size();
   Unexplained out;
   out.step_s = rows.step_s;

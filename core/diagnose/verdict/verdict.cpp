@@ -22,6 +22,8 @@ std::string nameOf(Verdict verdict) {
       return "ambiguous";
     case Verdict::outsideCatalogue:
       return "outside_catalogue";
+    case Verdict::undecided:
+      return "undecided";
   }
   return {};
 }

@@ -8,11 +8,10 @@
 
 #include "base/numbers.h"
 #include "base/statistics.h"
-#include "diagnose/fit/inverse_rows.h"
 #include "diagnose/simulate/physics.h"
 #include "diagnose/verdict/block_maps.h"
-#include "diagnose/verdict/residual_spectrum.h"
-#include "diagnose/verdict/unexplained.h"
+#include "diagnose/verdict/foretelling.h"
+#include "diagnose/verdict/instants.h"
 
 namespace breakaway {
 
@@ -21,9 +20,7 @@ namespace {
 constexpr size_t coarse = 24, fine = 72;  ///< cells of an axis, and of the turn
 constexpr int highestOrder = 100;
 constexpr size_t speedsEachWay = 3;  ///< classes of speed, equally often seen
-constexpr double smoothing_Hz = 25.0;
 
-enum Along { byTime, byAngle, byVelocity, byAcceleration, byTorque, byReversal, byTemperature, byCurrent, alongs };
 struct AxisName {
   const char *name, *rotaryUnit, *linearUnit;
 };
@@ -36,73 +33,24 @@ constexpr std::array<AxisName, alongs> axes{{{"time", "s", "s"},
                                              {"temperature", "°C", "°C"},
                                              {"current", "A", "A"}}};
 
-/// Unexplained torque or voltage at single instants, with what it may depend on.
-struct Instants {
-  std::vector<double> value, way;
-  std::vector<size_t> block;  ///< stretches of one second, across tracks
-  std::array<std::vector<double>, alongs> along;
-};
-
-struct Everything {
-  Instants mechanical, electrical;
-  ResidualSpectrum spectrum;
-  size_t blocks = 0;
-  bool turns = false;  ///< a whole turn or more was seen: angles are taken within the turn
-  bool temperature = false;
-};
-
-void addTrack(Everything& all, const Model& model, const Track& track) {
-  Unexplained u = unexplainedAlong(model, track);
-  const size_t n = u.time.size();
-  if (n < 2) return;
-  const size_t firstBlock = all.blocks;
-  all.spectrum.add(u, track.noise, firstBlock);
-  // Pauses, which the rows leave out, hold no block.
-  all.blocks += static_cast<size_t>(static_cast<double>(n) * u.step_s) + 1;
-  const double cutoff = std::min(smoothing_Hz, 0.05 / u.step_s);
-  for (auto* values : {&u.torque, &u.voltage, &u.acceleration}) {
-    if (!values->empty()) lowPass(*values, u.step_s, cutoff);
-  }
-  const auto every = std::max<size_t>(1, static_cast<size_t>(1.0 / (4.0 * cutoff * u.step_s)));
-  for (size_t k = 0; k < n; k += every) {
-    const double angle = all.turns ? u.position[k] - turn_rad * std::floor(u.position[k] / turn_rad) : u.position[k];
-    const std::array<double, alongs> values{track.origin_s + u.time[k],
-                                            angle,
-                                            u.velocity[k],
-                                            u.acceleration[k],
-                                            u.drive[k],
-                                            u.travel[k],
-                                            all.temperature ? track.temperature[u.row[k]] : 0.0,
-                                            u.current[k]};
-    const auto add = [&](Instants& instants, double value, double way) {
-      instants.value.push_back(value);
-      instants.way.push_back(way);
-      instants.block.push_back(firstBlock + static_cast<size_t>(static_cast<double>(k) * u.step_s));
-      for (size_t a = 0; a < alongs; ++a) instants.along[a].push_back(values[a]);
-    };
-    if (u.usable[k] != 0) add(all.mechanical, u.torque[k], u.velocity[k] > 0.0 ? 1.0 : -1.0);
-    if (!u.voltage.empty() && u.driven[k] != 0) add(all.electrical, u.voltage[k], u.velocity[k] > 0.0 ? 1.0 : -1.0);
-  }
-}
-
 /// A map with the sums that its significance is found from.
 struct Candidate {
   ResidualMap map;
+  Along axis = alongs;         ///< alongs: the frequency
   std::vector<BlockMap> sums;  ///< any of them may show it
   double total = 0.0;          ///< squares, in the sums' unit
 };
 
-double valueOf(const Instants& all, size_t k, Unknown shows) {
-  return shows == Unknown::friction ? all.way[k] * all.value[k] : all.value[k];
-}
-
-Candidate mapOver(const Instants& all, Along axis, Unknown shows, const Everything& context, Axis rig) {
+Candidate mapOver(const Instants& all, Along axis, Unknown shows, const AllInstants& context, Axis rig) {
   Candidate out;
+  out.axis = axis;
   out.map.axis = axes[axis].name;
+  out.map.along = axis;
   out.map.unit = rig == Axis::rotary ? axes[axis].rotaryUnit : axes[axis].linearUnit;
   out.map.shows = shows;
   const std::vector<double>& along = all.along[axis];
   const bool round = axis == byAngle && context.turns;
+  out.map.withinTurn = context.turns;
   std::vector<double> known;
   std::copy_if(along.begin(), along.end(), std::back_inserter(known), [](double x) { return std::isfinite(x); });
   if (known.size() < 50) return out;
@@ -129,7 +77,7 @@ Candidate mapOver(const Instants& all, Along axis, Unknown shows, const Everythi
     if (!std::isfinite(along[k])) continue;
     const auto cell =
         static_cast<size_t>(std::clamp((squeezed(along[k]) - low) / width, 0.0, static_cast<double>(cells) - 0.5));
-    const double value = valueOf(all, k, shows);
+    const double value = all.shown(k, shows);
     sums.sums[cell][all.block[k]] += value;
     sums.count[cell] += 1.0;
     (all.way[k] > 0.0 ? up : down)[cell] += value;
@@ -164,7 +112,7 @@ BlockMap wavesPerTurn(const Instants& all, Unknown shows, size_t blocks, const s
   BlockMap waves{std::vector<std::vector<double>>(perOrder * highestOrder, std::vector<double>(blocks, 0.0)),
                  std::vector<double>(perOrder * highestOrder, 0.0), perOrder};
   for (size_t k = 0; k < n; ++k) {
-    const double value = valueOf(all, k, shows);
+    const double value = all.shown(k, shows);
     const double c = std::cos(all.along[byAngle][k]), s = std::sin(all.along[byAngle][k]);
     double re = 1.0, im = 0.0;
     for (size_t cell = 2 * classOf[k]; cell < waves.sums.size(); cell += perOrder) {
@@ -196,7 +144,7 @@ void addOrders(Candidate& candidate, const Instants& all, size_t blocks) {
 
 /// Torque over the angle that isn't the same at every speed: waves by classes of speed, and the map of the class that
 /// shows most.
-Candidate overAngleBySpeed(const Instants& all, const Everything& context, Axis rig) {
+Candidate overAngleBySpeed(const Instants& all, const AllInstants& context, Axis rig) {
   const std::vector<double>& speed = all.along[byVelocity];
   std::vector<double> limits;  // from the fastest backwards to the fastest forwards
   for (const double way : {-1.0, 1.0}) {
@@ -257,6 +205,7 @@ Candidate overFrequency(const ResidualSpectrum& spectrum, size_t blocks) {
     out.map.count.push_back(band.count);
   }
   out.map.rising = out.map.falling = std::vector<double>(out.map.centre.size(), std::nan(""));
+  out.map.answer = spectrum.answer();
   out.sums.push_back(spectrum.map(blocks));
   out.total = spectrum.total();
   return out;
@@ -264,18 +213,21 @@ Candidate overFrequency(const ResidualSpectrum& spectrum, size_t blocks) {
 
 }  // namespace
 
-std::vector<ResidualMap> residualMaps(const Model& model, const std::vector<Track>& tracks, std::uint64_t seed) {
-  Everything all;
-  all.temperature = true;
-  for (const Track& track : tracks) {
-    const auto [low, high] = std::minmax_element(track.position.begin(), track.position.end());
-    all.turns = all.turns || (model.axis == Axis::rotary && *high - *low > turn_rad);
-    all.temperature = all.temperature && !track.temperature.empty();
-  }
-  for (const Track& track : tracks) addTrack(all, model, track);
+double ResidualMap::at(double place) const {
+  if (centre.empty()) return 0.0;
+  // Cells follow one another.
+  auto cell = static_cast<size_t>(std::lower_bound(centre.begin(), centre.end(), place) - centre.begin());
+  if (cell == centre.size() || (cell > 0 && place < centre[cell] - 0.5 * width[cell])) --cell;
+  const bool inside = std::abs(place - centre[cell]) <= 0.5 * width[cell] * (1.0 + 1e-9);
+  return inside && std::isfinite(mean[cell]) ? mean[cell] : 0.0;
+}
+
+std::vector<ResidualMap> residualMaps(const Model& model, const std::vector<Track>& tracks, std::uint64_t seed,
+                                      const std::vector<Track>& heldout) {
+  const AllInstants all = instantsOf(model, tracks), kept = instantsOf(model, heldout, &all);
   std::vector<Candidate> candidates;
   const auto add = [&](Along axis, Unknown shows) {
-    const Instants& instants = shows == Unknown::voltage ? all.electrical : all.mechanical;
+    const Instants& instants = all.of(shows);
     Candidate candidate = mapOver(instants, axis, shows, all, model.axis);
     if (candidate.map.centre.empty()) return;
     if (axis == byAngle && all.turns) addOrders(candidate, instants, all.blocks);
@@ -310,6 +262,10 @@ std::vector<ResidualMap> residualMaps(const Model& model, const std::vector<Trac
     }
     one.map.share = one.total > 0.0 ? std::clamp(energy / one.total, 0.0, 1.0) : 0.0;
     if (one.map.shows == Unknown::voltage) one.map.share *= weight;
+    if (!heldout.empty()) {
+      one.map.foretells = one.axis == alongs ? foretold(all.spectrum, kept.spectrum, seed)
+                                             : foretold(one.map, one.axis, kept.of(one.map.shows), seed);
+    }
     maps.push_back(std::move(one.map));
   }
   return maps;

@@ -1,6 +1,8 @@
 // Where simulation and recording part: what the model can't explain, mapped over time, angle, velocity and more.
 #pragma once
 
+#include <complex>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -32,14 +34,22 @@ struct ResidualMap {
   std::vector<Order> orders = {};                               ///< over whole turns: the strongest, at most three
   double fromSpeed = -std::numeric_limits<double>::infinity();  ///< the map is of these speeds only
   double toSpeed = std::numeric_limits<double>::infinity();
+  Along along = alongs;
+  bool withinTurn = false;                   ///< angles are taken within the turn
+  std::vector<std::complex<double>> answer;  ///< over frequency: what is missing per torque of the drive, by cell
   double share = 0.0;  ///< part of the unexplained square that lies in these means, chance taken off
   double pValue = 1.0;
+  Foretold foretells;
 
   bool ofSomeSpeeds() const { return fromSpeed > -std::numeric_limits<double>::infinity(); }
+  /// What the map expects at a place on its axis; 0 where it knows nothing. Precondition: not over frequency.
+  double at(double place) const;
 };
 
 /// Maps over every axis that the tracks show. Significance by sign flips of whole seconds, maximum over all maps.
-std::vector<ResidualMap> residualMaps(const Model& model, const std::vector<Track>& tracks, std::uint64_t seed);
+/// `heldout`: what the maps foretell of these.
+std::vector<ResidualMap> residualMaps(const Model& model, const std::vector<Track>& tracks, std::uint64_t seed,
+                                      const std::vector<Track>& heldout = {});
 
 /// Of two maps over the same axis: whether the first is the one to look at. What is alike at all speeds is simpler.
 bool showsMore(const ResidualMap& map, const ResidualMap& other);

@@ -138,8 +138,10 @@ Result<void> takeOneEach(const RawTable& table, std::vector<Choice>& choices, co
 
 Result<void> checkMap(const RawTable& table, const ImportMap& map, const std::string& place) {
   std::vector<std::string> names;
+  names.reserve(table.columns.size());
   for (const RawColumn& column : table.columns) names.push_back(column.channel.name);
   std::vector<std::string> wanted;
+  wanted.reserve(map.columns.size());
   for (const auto& [name, rule] : map.columns) wanted.push_back(name);
   for (const std::string& name : {map.integrate, map.differentiate, map.split}) {
     if (!name.empty()) wanted.push_back(name);

@@ -9,7 +9,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr size_t mostBytes = size_t{2} << 30;
+constexpr size_t mostBytes = size_t{1} << 30;
 
 /// Ends the stream whatever happens.
 struct Stream : z_stream {
@@ -37,7 +37,7 @@ Result<std::string> unpackGzip(std::string_view bytes, const std::string& name) 
     while (state == Z_OK) {
       if (used == content.size()) content.resize(std::min(mostBytes, used + std::max<size_t>(65536, used)));
       const size_t room = content.size() - used;
-      if (room == 0) return Error{name, "unpacks to more than 2 GB"};
+      if (room == 0) return Error{name, "unpacks to more than 1 GB; unpack it first"};
       stream.next_out = reinterpret_cast<Bytef*>(content.data() + used);
       stream.avail_out = static_cast<uInt>(std::min<size_t>(room, UINT_MAX));
       state = inflate(&stream, Z_NO_FLUSH);

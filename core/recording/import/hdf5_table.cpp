@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
+#include <initializer_list>
 #include <vector>
 
 #include "base/contained.h"
@@ -36,10 +36,12 @@ class Handle {
 
 struct Found {
   std::vector<RawColumn> columns;
+  bool matlab = false;  ///< names and matrices as MATLAB 7.3 puts them
 };
 
-std::string unitOf(hid_t set) {
-  for (const char* name : {"units", "unit", "Units", "Unit"}) {
+/// The text of the first of these attributes that is there.
+std::string textAt(hid_t set, std::initializer_list<const char*> names) {
+  for (const char* name : names) {
     if (H5Aexists(set, name) <= 0) continue;
     const Handle attribute(H5Aopen(set, name, H5P_DEFAULT), H5Aclose);
     const Handle type(H5Aget_type(attribute), H5Tclose);
@@ -50,9 +52,9 @@ std::string unitOf(hid_t set) {
       H5Tset_size(memory, H5T_VARIABLE);
       H5Tset_cset(memory, H5Tget_cset(type));
       if (H5Aread(attribute, memory, static_cast<void*>(&text)) < 0 || text == nullptr) continue;
-      std::string unit(text);
+      std::string copied(text);
       H5free_memory(text);
-      return unit;
+      return copied;
     }
     std::string text(std::min<size_t>(H5Tget_size(type), 200), '\0');
     if (H5Tget_size(type) > 200 || H5Aread(attribute, type, text.data()) < 0) continue;
@@ -100,6 +102,19 @@ void add(Found& found, std::string name, std::vector<double> values, const std::
   found.columns.push_back(std::move(column));
 }
 
+/// A variable's values lie column by column, so that HDF5 tells its columns first; texts and references are none.
+void addVariable(Found& found, hid_t set, std::string path, const hsize_t* size) {
+  const std::string kind = textAt(set, {"MATLAB_class"});
+  if (path.starts_with("#") || kind == "char" || kind == "cell" || H5Aexists(set, "MATLAB_empty") > 0) return;
+  std::replace(path.begin(), path.end(), '/', '.');
+  std::vector<double> values = valuesOf(set, size[0] * size[1], nullptr);
+  if (size[0] == 1 || size[1] == 1) return add(found, std::move(path), std::move(values), {});
+  for (hsize_t c = 0; c < size[0] && c < 1000 && !values.empty(); ++c) {
+    const auto start = values.begin() + static_cast<std::ptrdiff_t>(c * size[1]);
+    add(found, path + "_" + std::to_string(c + 1), {start, start + static_cast<std::ptrdiff_t>(size[1])}, {});
+  }
+}
+
 herr_t visit(hid_t file, const char* path, const H5O_info_t* info, void* data) {
   auto& found = *static_cast<Found*>(data);
   if (info->type != H5O_TYPE_DATASET || found.columns.size() > 5000) return 0;
@@ -112,7 +127,11 @@ herr_t visit(hid_t file, const char* path, const H5O_info_t* info, void* data) {
   H5Sget_simple_extent_dims(space, size, nullptr);
   if (size[0] == 0 || size[1] == 0 || size[0] > mostValues / size[1]) return 0;
   const hsize_t count = size[0] * size[1];
-  const std::string unit = unitOf(set);
+  if (found.matlab) {
+    if (isNumber(type)) addVariable(found, set, path, size);
+    return 0;
+  }
+  const std::string unit = textAt(set, {"units", "unit", "Units", "Unit"});
   if (H5Tget_class(type) == H5T_COMPOUND && rank == 1) {
     for (int k = 0; k < H5Tget_nmembers(type) && k < 1000; ++k) {
       const Handle field(H5Tget_member_type(type, static_cast<unsigned>(k)), H5Tclose);
@@ -153,12 +172,16 @@ void putText(std::string& bytes, const std::string& text) {
 }
 
 /// Runs in the contained process: each column as name, unit, origin, count, values.
-std::string readSets(const std::string& path) {
+std::string readSets(std::string_view content, bool matlab) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   std::string bytes;
-  const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  const Handle inMemory(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_fapl_core(inMemory, 1U << 16U, 0);
+  H5Pset_file_image(inMemory, const_cast<char*>(content.data()), content.size());  // which copies it
+  const Handle file(H5Fopen("log", H5F_ACC_RDONLY, inMemory), H5Fclose);
   if (file < 0) return bytes;
   Found found;
+  found.matlab = matlab;
   H5Ovisit(file, H5_INDEX_NAME, H5_ITER_INC, visit, &found);
   for (const RawColumn& column : found.columns) {
     putText(bytes, column.channel.name);
@@ -188,13 +211,16 @@ std::string takeText(const std::string& bytes, size_t& at) {
 
 }  // namespace
 
-Result<RawTable> readHdf5(const std::string& path) {
-  std::error_code code;
-  const auto fileSize = static_cast<size_t>(std::filesystem::file_size(path, code));
-  const ContainedLimits limits{20 + static_cast<unsigned>(fileSize >> 20), (size_t{512} << 20) + 64 * fileSize};
-  const auto bytes = runContained([&path] { return readSets(path); }, path, limits);
+bool isHdf5(std::string_view bytes) {
+  return bytes.starts_with("\x89HDF");
+}
+
+Result<std::vector<RawColumn>> readHdf5Columns(std::string_view content, const std::string& name, bool matlab) {
+  // Room for what the file can honestly unpack to, so that a damaged size fails at once.
+  const ContainedLimits limits{20 + static_cast<unsigned>(content.size() >> 20),
+                               (size_t{512} << 20) + 64 * content.size()};
+  const auto bytes = runContained([&] { return readSets(content, matlab); }, name, limits);
   if (!bytes) return bytes.error();
-  if (bytes->empty()) return Error{path, "is an HDF5 file that is damaged or holds no vector of numbers"};
   std::vector<RawColumn> columns;
   for (size_t at = 0; at < bytes->size();) {
     RawColumn column;
@@ -206,7 +232,14 @@ Result<RawTable> readHdf5(const std::string& path) {
     at += column.channel.values.size() * sizeof(double);
     columns.push_back(std::move(column));
   }
-  return tableOfColumns(std::move(columns), path);
+  return columns;
+}
+
+Result<RawTable> readHdf5(std::string_view content, const std::string& name) {
+  auto columns = readHdf5Columns(content, name, false);
+  if (!columns) return columns.error();
+  if (columns->empty()) return Error{name, "is an HDF5 file that is damaged or holds no vector of numbers"};
+  return tableOfColumns(std::move(*columns), name);
 }
 
 }  // namespace breakaway

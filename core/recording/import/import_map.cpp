@@ -1,5 +1,7 @@
 #include "recording/import/import_map.h"
 
+#include <nlohmann/json.hpp>
+
 #include "base/json_object.h"
 #include "recording/import/units.h"
 
@@ -43,6 +45,33 @@ Result<ImportMap> readMap(JsonObject& root) {
 bool ImportMap::empty() const {
   return columns.empty() && !sample_time_s && !counts_per_rev && !pole_pairs && !gear_ratio && integrate.empty() &&
          differentiate.empty() && join.empty() && split.empty() && sign.empty();
+}
+
+std::string importMapText(const ImportMap& map) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  for (const auto& [name, rule] : map.columns) {
+    auto& written = json["columns"][name];
+    written["to"] = rule.to;
+    if (!rule.unit.empty()) {
+      written["unit"] = rule.unit;
+      continue;
+    }
+    if (rule.scale != 1.0) written["scale"] = rule.scale;
+    if (rule.offset != 0.0) written["offset"] = rule.offset;
+  }
+  const auto put = [&json](const char* name, const std::optional<double>& value) {
+    if (value) json[name] = *value;
+  };
+  put("sample_time_s", map.sample_time_s);
+  put("counts_per_rev", map.counts_per_rev);
+  put("pole_pairs", map.pole_pairs);
+  put("gear_ratio", map.gear_ratio);
+  if (!map.integrate.empty()) json["integrate"] = map.integrate;
+  if (!map.differentiate.empty()) json["differentiate"] = map.differentiate;
+  if (!map.join.empty()) json["join"] = map.join;
+  if (!map.split.empty()) json["split"] = map.split;
+  for (const auto& [name, sign] : map.sign) json["sign"][name] = sign;
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 Result<ImportMap> readImportMap(const std::string& path) {

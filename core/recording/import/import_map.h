@@ -33,6 +33,9 @@ struct ImportMap {
   bool empty() const;
 };
 
+/// The map as readImportMapText() reads it.
+std::string importMapText(const ImportMap& map);
+
 Result<ImportMap> readImportMap(const std::string& path);
 Result<ImportMap> readImportMapText(const std::string& text, const std::string& place);
 

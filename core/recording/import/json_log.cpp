@@ -4,7 +4,9 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "base/json_text.h"
 #include "recording/import/clock_time.h"
@@ -14,7 +16,18 @@ namespace breakaway {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+/// Fields in their order. A new one is appended without a look at all the others: texts are checked before for fields
+/// that stand twice.
+template <typename Key, typename T, typename Ignored = std::less<Key>,
+          typename Allocator = std::allocator<std::pair<const Key, T>>>
+struct FieldsInOrder : nlohmann::ordered_map<Key, T, Ignored, Allocator> {
+  using Base = nlohmann::ordered_map<Key, T, Ignored, Allocator>;
+  using Base::Base;
+
+  T& operator[](const Key& key) { return this->Base::Container::emplace_back(key, T{}).second; }
+};
+
+using Json = nlohmann::basic_json<FieldsInOrder>;
 
 constexpr size_t mostFields = 5000;
 

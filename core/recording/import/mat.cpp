@@ -6,11 +6,11 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
 #include <memory>
 
-#include "base/atomic_file.h"
 #include "base/contained.h"
+#include "base/memory_file.h"
+#include "recording/import/hdf5_table.h"
 
 namespace breakaway {
 
@@ -19,40 +19,41 @@ namespace {
 constexpr size_t headerSize = 128;
 constexpr size_t mostValues = size_t{1} << 30;
 
-uint32_t word(const std::string& bytes, size_t at, bool swapped) {
+uint32_t word(std::string_view bytes, size_t at, bool swapped) {
   uint32_t value = 0;
   std::memcpy(&value, bytes.data() + at, sizeof value);
   return swapped ? __builtin_bswap32(value) : value;
 }
 
 /// A version 5 file is a header and elements that tell their sizes; the last one must end where the file ends.
-Result<void> checkElements(const std::string& bytes, const std::string& path) {
+Result<void> checkElements(std::string_view bytes, const std::string& name) {
   const bool swapped = bytes[126] == 'M';  // "MI" written by a machine of the other byte order
   size_t at = headerSize;
   while (at < bytes.size()) {
     const size_t size = at + 8 <= bytes.size() ? word(bytes, at + 4, swapped) : 0;
     if (at + 8 > bytes.size() || size > bytes.size() - at - 8) {
-      return Error{path, "is cut short: its last variable ends beyond byte " + std::to_string(bytes.size())};
+      return Error{name, "is cut short: its last variable ends beyond byte " + std::to_string(bytes.size())};
     }
     at += 8 + size;
   }
   return {};
 }
 
-/// Whether this is a whole MATLAB file, as far as that shows without reading the variables.
-Result<void> checkFile(const std::string& path) {
-  const auto bytes = readFile(path);
-  if (!bytes) return bytes.error();
-  if (bytes->empty()) return Error{path, "is empty, expected a MATLAB file"};
-  const bool named = bytes->starts_with("MATLAB ");
-  if (named && bytes->size() < headerSize) return Error{path, "is cut short within its header"};
-  const bool five = named && (bytes->compare(126, 2, "IM") == 0 || bytes->compare(126, 2, "MI") == 0);
-  const size_t hdf = named ? 512 : 0;
-  const bool seven = bytes->size() > hdf + 8 && bytes->compare(hdf, 4, "\x89HDF") == 0;
-  if (seven) return {};  // HDF5 itself refuses files that end before they say they do
-  if (bytes->starts_with("MATLAB 7.3")) return Error{path, "is cut short within its header"};
-  if (!five) return Error{path, "is no MATLAB file of version 5 or 7.3"};
-  return checkElements(*bytes, path);
+/// A file of version 7.3 is HDF5 behind a page of text, or without it.
+bool isVersion73(std::string_view bytes) {
+  const size_t hdf = bytes.starts_with("MATLAB ") ? 512 : 0;
+  return bytes.size() > hdf + 8 && bytes.compare(hdf, 4, "\x89HDF") == 0;
+}
+
+/// Whether this is a whole MATLAB file of version 5, as far as that shows without reading the variables.
+Result<void> checkVersion5(std::string_view bytes, const std::string& name) {
+  if (bytes.empty()) return Error{name, "is empty, expected a MATLAB file"};
+  const bool named = bytes.starts_with("MATLAB ");
+  if (named && bytes.size() < headerSize) return Error{name, "is cut short within its header"};
+  const bool five = named && (bytes.compare(126, 2, "IM") == 0 || bytes.compare(126, 2, "MI") == 0);
+  if (bytes.starts_with("MATLAB 7.3")) return Error{name, "is cut short within its header"};
+  if (!five) return Error{name, "is no MATLAB file of version 5 or 7.3"};
+  return checkElements(bytes, name);
 }
 
 template <typename T>
@@ -141,6 +142,16 @@ std::string readVariables(const std::string& path) {
   return bytes;
 }
 
+/// HDF5 itself refuses files that end before they say they do.
+Result<std::vector<Channel>> readVersion73(std::string_view content, const std::string& name) {
+  auto columns = readHdf5Columns(content, name, true);
+  if (!columns) return columns.error();
+  if (columns->empty()) return Error{name, "is damaged or holds no numeric array"};
+  std::vector<Channel> channels;
+  for (RawColumn& column : *columns) channels.push_back(std::move(column.channel));
+  return channels;
+}
+
 uint64_t takeCount(const std::string& bytes, size_t& at) {
   uint64_t count = 0;
   std::memcpy(&count, bytes.data() + at, sizeof count);
@@ -150,15 +161,17 @@ uint64_t takeCount(const std::string& bytes, size_t& at) {
 
 }  // namespace
 
-Result<std::vector<Channel>> readMat(const std::string& path) {
-  if (const auto whole = checkFile(path); !whole) return whole.error();
-  std::error_code code;
-  const auto fileSize = static_cast<size_t>(std::filesystem::file_size(path, code));
+Result<std::vector<Channel>> readMat(std::string_view content, const std::string& name) {
+  if (isVersion73(content)) return readVersion73(content, name);
+  if (const auto whole = checkVersion5(content, name); !whole) return whole.error();
+  const MemoryFile file(content);
+  if (!file.good()) return Error{name, "cannot be held in memory"};
   // Room for what the file can honestly unpack to, so that a damaged size fails at once.
-  const ContainedLimits limits{20 + static_cast<unsigned>(fileSize >> 20), (size_t{512} << 20) + 64 * fileSize};
-  const auto bytes = runContained([&path] { return readVariables(path); }, path, limits);
+  const ContainedLimits limits{20 + static_cast<unsigned>(content.size() >> 20),
+                               (size_t{512} << 20) + 64 * content.size()};
+  const auto bytes = runContained([&file] { return readVariables(file.path()); }, name, limits);
   if (!bytes) return bytes.error();
-  if (bytes->empty()) return Error{path, "is damaged or holds no numeric array"};
+  if (bytes->empty()) return Error{name, "is damaged or holds no numeric array"};
   std::vector<Channel> channels;
   for (size_t at = 0; at < bytes->size();) {
     const uint64_t nameSize = takeCount(*bytes, at);

@@ -39,8 +39,16 @@ Result<ReadTable> readZip(const std::string& bytes, const std::string& name) {
                  "is a zip archive of " + std::to_string(members.size()) + " files; unpack it and import one of them"};
   auto content = archive->read(members.front());
   if (!content) return content.error();
-  if (isZip(*content)) return Error{name, "is a zip archive within a zip archive; unpack it first"};
+  if (isZip(*content) || isGzip(*content)) return Error{name, "is a packed file within a zip archive; unpack it first"};
   return readTableBytes(std::move(*content), name);
+}
+
+Result<RawTable> readMatTable(std::string_view bytes, const std::string& name) {
+  auto channels = readMat(bytes, name);
+  if (!channels) return channels.error();
+  std::vector<RawColumn> columns;
+  for (Channel& channel : *channels) columns.push_back({std::move(channel), {}});
+  return tableOfColumns(std::move(columns), name);
 }
 
 /// A brace, or a bracket that holds a value and not a stamp or mark as terminals put it ("[ID:001] …", "[12.5] 1,2").
@@ -73,6 +81,8 @@ Result<ReadTable> readTableBytes(std::string&& bytes, const std::string& name) {
     if (!columns) return columns.error();
     return whole(tableOfColumns(std::move(*columns), name));
   }
+  if (isHdf5(bytes)) return whole(readHdf5(bytes, name));
+  if (bytes.starts_with("MATLAB ") || name.ends_with(".mat")) return whole(readMatTable(bytes, name));
   if (isWpilog(bytes)) return whole(readWpilog(bytes, name));
   if (const auto kind = unreadKind(bytes, name)) return Error{name, *kind};
   if (beginsAsJson(bytes)) return readJsonLog(bytes, name);
@@ -82,15 +92,7 @@ Result<ReadTable> readTableBytes(std::string&& bytes, const std::string& name) {
 Result<ReadTable> readTable(const std::string& path) {
   auto content = readFile(path);
   if (!content) return content.error();
-  if (content->starts_with("\x89HDF")) return whole(readHdf5(path));
-  const bool mat = content->starts_with("MATLAB ") || path.ends_with(".mat");
-  if (!mat) return readTableBytes(std::move(*content), path);
-  content->clear();
-  auto channels = readMat(path);
-  if (!channels) return channels.error();
-  std::vector<RawColumn> columns;
-  for (Channel& channel : *channels) columns.push_back({std::move(channel), {}});
-  return whole(tableOfColumns(std::move(columns), path));
+  return readTableBytes(std::move(*content), path);
 }
 
 }  // namespace breakaway

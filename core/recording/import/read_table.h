@@ -18,7 +18,7 @@ struct ReadTable {
 /// that isn't read, with what converts it.
 Result<ReadTable> readTable(const std::string& path);
 
-/// The same from memory; `name` stands in errors. MATLAB and HDF5 files are read by their path only.
+/// The same from memory; `name` stands in errors.
 Result<ReadTable> readTableBytes(std::string&& bytes, const std::string& name);
 
 }  // namespace breakaway

@@ -9,7 +9,7 @@ namespace breakaway {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 
 constexpr auto tests = std::to_array<const char*>({"slow-forward", "slow-backward", "fast-forward", "fast-backward"});
 

@@ -16,6 +16,8 @@ namespace {
 
 constexpr size_t mostColumns = 16384;
 constexpr size_t mostCells = 100'000'000;
+constexpr size_t mostXml = size_t{256} << 20;  ///< bytes of one part; as a tree it takes ten times as much
+constexpr int deepestText = 20;
 
 /// The element's name without its namespace.
 std::string_view localName(const pugi::xml_node& node) {
@@ -35,6 +37,7 @@ Result<void> load(const ZipArchive& archive, const std::string& member, const st
                   pugi::xml_document& document) {
   auto text = archive.read(member);
   if (!text) return text.error();
+  if (text->size() > mostXml) return Error{name + ", " + member, "is more than 256 MB of XML; save the sheet as CSV"};
   const auto parsed =
       document.load_buffer(text->data(), text->size(), pugi::parse_default | pugi::parse_ws_pcdata_single);
   if (!parsed) return Error{name + ", " + member, "is no well-formed XML"};
@@ -42,13 +45,14 @@ Result<void> load(const ZipArchive& archive, const std::string& member, const st
 }
 
 /// All texts within an element, one after the other.
-void appendText(const pugi::xml_node& node, std::string& text) {
+void appendText(const pugi::xml_node& node, std::string& text, int depth = 0) {
+  if (depth > deepestText) return;
   for (const pugi::xml_node& child : node.children()) {
     if (localName(child) == "rPh") continue;  // how it is pronounced
     if (localName(child) == "t") {
       text += child.text().get();
     } else if (localName(child) == "r" || localName(child) == "is") {
-      appendText(child, text);
+      appendText(child, text, depth + 1);
     }
   }
 }
@@ -134,12 +138,15 @@ void appendCell(std::string_view cell, std::string& out) {
 struct Sheet {
   std::string text;  ///< cells parted by tabs
   size_t rows = 0, width = 0, numbers = 0;
+
+  bool tooWide() const { return rows * width > mostCells; }
 };
 
 Sheet sheetOf(const pugi::xml_node& worksheet, const std::vector<std::string>& shared,
               const std::set<unsigned>& dates) {
   Sheet sheet;
   for (const pugi::xml_node& row : childOf(worksheet, "sheetData").children()) {
+    if (sheet.tooWide()) return sheet;
     size_t next = 0;
     std::string line;
     for (const pugi::xml_node& cell : row.children()) {
@@ -205,7 +212,7 @@ Result<RawTable> readWorkbook(const ZipArchive& archive, const std::string& name
     }
   }
   if (best.numbers < 2) return Error{name, "is an Excel workbook without a table of numbers"};
-  if (best.rows * best.width > mostCells) return Error{name, "has a sheet of more than 100 million cells"};
+  if (best.tooWide()) return Error{name, "has a sheet of more than 100 million cells"};
   // Rows that end earlier than others are filled up, so that all have the same number of cells.
   std::string filled;
   filled.reserve(best.text.size() + 64);

@@ -24,13 +24,14 @@ class ZipArchive {
 
   std::vector<std::string> members() const;
   bool has(const std::string& member) const;
-  /// Errors: no such member, damaged, encrypted, more than 2 GB.
+  /// Errors: no such member, damaged, encrypted, more than 1 GB with all that was read before.
   Result<std::string> read(const std::string& member) const;
 
  private:
   ZipArchive(void* archive, std::string name) : archive_(archive), name_(std::move(name)) {}
   void* archive_;
   std::string name_;
+  mutable size_t unpacked_ = 0;  ///< bytes so far
 };
 
 }  // namespace breakaway

@@ -1,0 +1,231 @@
+#include "pages/hand_page.h"
+
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include "pages/run_state.h"
+#include "session/bench_runs.h"
+#include "session/connection.h"
+#include "session/live_samples.h"
+#include "widgets/axis_units.h"
+#include "widgets/controls.h"
+#include "widgets/live_channels.h"
+#include "widgets/look.h"
+#include "widgets/number_text.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr int boxWidth = 144, shown_ms = 100;
+
+QDoubleSpinBox* numberBox(QWidget* parent, const char* objectName, const QString& name, const QString& tip) {
+  auto* box = new QDoubleSpinBox(parent);
+  box->setObjectName(objectName);
+  box->setAccessibleName(name);
+  box->setToolTip(tip);
+  box->setAlignment(Qt::AlignRight);
+  box->setFixedWidth(boxWidth);
+  return box;
+}
+
+}  // namespace
+
+HandPage::HandPage(Connection& connection, BenchRuns& bench, const LiveSamples& live, QWidget* parent)
+    : Page("handPage", tr("Drive by hand"), parent), connection_(connection), bench_(bench), live_(live) {
+  setFocusPolicy(Qt::ClickFocus);
+  setHead(tr("Drive by hand"), tr("The motor runs while a button is held, and its windings open when it is let go."));
+  settings()->addWidget(buildSettings());
+  settings()->addStretch(1);
+  picture()->addWidget(buildNumbers());
+  picture()->addWidget(buildButtons());
+  picture()->addStretch(1);
+  addReading("handReading");
+  connect(&connection_, &Connection::changed, this, &HandPage::showState);
+  connect(&connection_, &Connection::runChanged, this, &HandPage::showState);
+  connect(&bench_, &BenchRuns::measured, this, &HandPage::showState);
+  auto* timer = new QTimer(this);
+  connect(timer, &QTimer::timeout, this, [this] {
+    if (isVisible()) showNumbers();
+  });
+  timer->start(shown_ms);
+  wordForAxis();
+  choose(HandMode::speed);
+  showState();
+}
+
+QWidget* HandPage::buildSettings() {
+  auto* group = card(this);
+  columnOf(group)->addWidget(section(group, tr("What is held")));
+  auto* row = new QHBoxLayout;
+  row->setSpacing(4);
+  const std::pair<const char*, QString> names[] = {
+      {"handVoltage", tr("Voltage")}, {"handCurrent", tr("Current")}, {"handSpeed", tr("Speed")}};
+  for (size_t k = 0; k < modes_.size(); ++k) {
+    modes_[k] = chipButton(group, names[k].first, names[k].second, tr("Hold this at the value below"));
+    row->addWidget(modes_[k], 1);
+    connect(modes_[k], &QPushButton::clicked, this, [this, k] { choose(static_cast<HandMode>(k)); });
+  }
+  columnOf(group)->addLayout(row);
+  target_ = numberBox(group, "handTarget", tr("Value"), tr("What is held, either way"));
+  mostSpeed_ = numberBox(group, "handMostSpeed", tr("Highest speed"), tr("Faster than this, the motor is let go"));
+  most_A_ = numberBox(group, "handMostCurrent", tr("Highest current"), tr("The current is held within this"));
+  auto* grid = new QGridLayout;
+  grid->setColumnStretch(0, 1);
+  grid->setVerticalSpacing(4);
+  int at = 0;
+  for (QDoubleSpinBox* box : {target_, mostSpeed_, most_A_}) {
+    auto* name = new QLabel(box->accessibleName(), group);
+    name->setBuddy(box);
+    grid->addWidget(name, at, 0);
+    grid->addWidget(box, at++, 1);
+  }
+  columnOf(group)->addLayout(grid);
+  most_A_->setRange(0.05, 100.0);
+  most_A_->setSuffix(tr(" A"));
+  most_A_->setValue(1.0);
+  connect(target_, &QDoubleSpinBox::valueChanged, this,
+          [this](double value) { targets_[static_cast<size_t>(mode_)] = value; });
+  return group;
+}
+
+QPushButton* HandPage::holdButton(QWidget* parent, const char* objectName, double way) {
+  auto* button = pushButton(parent, objectName, {});
+  button->setProperty("role", "hold");
+  button->setFont(typed(Type::section));
+  connect(button, &QPushButton::pressed, this, [this, way] { hold(way); });
+  connect(button, &QPushButton::released, this, &HandPage::letGo);
+  return button;
+}
+
+QWidget* HandPage::buildButtons() {
+  auto* group = card(this);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(16);
+  buttons_ = {holdButton(group, "handBack", -1.0), holdButton(group, "handOn", 1.0)};
+  for (QPushButton* button : buttons_) row->addWidget(button, 1);
+  columnOf(group)->addLayout(row);
+  return group;
+}
+
+QWidget* HandPage::buildNumbers() {
+  auto* group = card(this);
+  auto* row = new QHBoxLayout;
+  for (size_t k = 0; k < numbers_.size(); ++k) {
+    auto* column = new QVBoxLayout;
+    units_[k] = caption(group, {});
+    numbers_[k] = new QLabel(group);
+    numbers_[k]->setFont(typed(Type::figure));
+    column->addWidget(units_[k]);
+    column->addWidget(numbers_[k]);
+    row->addLayout(column, 1);
+  }
+  columnOf(group)->addLayout(row);
+  return group;
+}
+
+void HandPage::choose(HandMode mode) {
+  mode_ = mode;
+  for (size_t k = 0; k < modes_.size(); ++k) modes_[k]->setChecked(k == static_cast<size_t>(mode));
+  const double value = targets_[static_cast<size_t>(mode)];
+  const bool linear = connection_.linear();
+  switch (mode) {
+    case HandMode::voltage:
+      target_->setSuffix(tr(" V"));
+      target_->setRange(0.0, connection_.connected() ? connection_.identity().supply_V : 100.0);
+      break;
+    case HandMode::current:
+      target_->setSuffix(tr(" A"));
+      target_->setRange(0.0, connection_.connected() ? connection_.settings().current_limit_A : 100.0);
+      break;
+    case HandMode::speed:
+      target_->setSuffix(linear ? tr(" mm/s") : tr(" rad/s"));
+      target_->setRange(0.0, linear ? 200.0 : 500.0);
+      break;
+  }
+  target_->setValue(value);
+}
+
+void HandPage::wordForAxis() {
+  const bool linear = connection_.linear();
+  if (worded_ == linear) return;
+  worded_ = linear;
+  mostSpeed_->setSuffix(linear ? tr(" mm/s") : tr(" rad/s"));
+  mostSpeed_->setRange(1.0, 2000.0);
+  mostSpeed_->setValue(linear ? 100.0 : 60.0);
+  targets_[static_cast<size_t>(HandMode::speed)] = linear ? 20.0 : 5.0;
+  const Axis axis = linear ? Axis::linear : Axis::rotary;
+  buttons_[0]->setText(tr("◀  hold: %1").arg(wayName(Way::cw, axis)));
+  buttons_[1]->setText(tr("hold: %1  ▶").arg(wayName(Way::ccw, axis)));
+  for (size_t k = 0; k < buttons_.size(); ++k) buttons_[k]->setAccessibleName(buttons_[k]->text());
+  const auto channels = liveChannels(linear);
+  for (size_t k = 0; k < units_.size(); ++k) units_[k]->setText(channels[k].title());
+  choose(mode_);
+}
+
+void HandPage::hold(double way) {
+  if (!bench_.handObstacle().isEmpty()) return;
+  const double metre = connection_.linear() ? 1e-3 : 1.0;
+  HandOptions options;
+  options.mode = mode_;
+  options.target = way * target_->value() * (mode_ == HandMode::speed ? metre : 1.0);
+  options.mostSpeed_rad_per_s = metre * mostSpeed_->value();
+  options.most_A = most_A_->value();
+  grip_ = bench_.driveByHand(options);
+}
+
+void HandPage::letGo() {
+  if (grip_) grip_->held = false;
+  grip_.reset();
+}
+
+void HandPage::keyPressEvent(QKeyEvent* event) {
+  const bool arrow = event->key() == Qt::Key_Left || event->key() == Qt::Key_Right;
+  if (!arrow) return Page::keyPressEvent(event);
+  if (!event->isAutoRepeat()) hold(event->key() == Qt::Key_Left ? -1.0 : 1.0);
+}
+
+void HandPage::keyReleaseEvent(QKeyEvent* event) {
+  if (!event->isAutoRepeat()) letGo();
+}
+
+/// A key that is let go while another window has the keyboard is never heard of.
+void HandPage::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::ActivationChange && !isActiveWindow()) letGo();
+  Page::changeEvent(event);
+}
+
+void HandPage::hideEvent(QHideEvent* event) {
+  letGo();
+  Page::hideEvent(event);
+}
+
+void HandPage::showState() {
+  wordForAxis();
+  const QString obstacle = bench_.handObstacle();
+  for (QPushButton* button : buttons_)
+    if (!button->isDown()) setAvailable(button, tr("Runs while it is held; the arrow keys do the same"), obstacle);
+  StepState state = stateOf(connection_, {RunKind::hand});
+  if (state.mark == StepMark::running) state.words = tr("held");
+  if (state.words.isEmpty()) state.words = obstacle.isEmpty() ? tr("runs while held") : tr("not now");
+  setState(state);
+  const RunSnapshot& run = connection_.run();
+  const bool failed = run.kind == RunKind::hand && run.status.state == Procedure::State::failed;
+  read(failed               ? QString::fromStdString(run.status.failure)
+       : obstacle.isEmpty() ? tr("Hold a button, or an arrow key after a click on the page")
+                            : obstacle);
+}
+
+void HandPage::showNumbers() {
+  const auto newest = live_.current();
+  const auto channels = liveChannels(live_.board().axis == Axis::linear);
+  for (size_t k = 0; k < numbers_.size(); ++k)
+    numbers_[k]->setText(newest ? steadyNumber(channels[k].of(*newest), channels[k].leastSpan) : tr("–"));
+}
+
+}  // namespace breakaway

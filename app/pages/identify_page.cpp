@@ -1,0 +1,198 @@
+#include "pages/identify_page.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "pages/run_state.h"
+#include "session/bench_runs.h"
+#include "session/connection.h"
+#include "widgets/axis_units.h"
+#include "widgets/controls.h"
+#include "widgets/elided_label.h"
+#include "widgets/facts_table.h"
+#include "widgets/look.h"
+#include "widgets/number_text.h"
+#include "widgets/run_panel.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr size_t mostSteps = 7;
+constexpr int cardHeight = 76;
+
+QString resultText(const IdentifyStep& step) {
+  if (step.state == IdentifyStep::State::failed) return step.trouble;
+  QStringList parts;
+  for (const Measured& one : step.results) parts << one.name + " " + estimateText(one.value, one.scale, one.unit);
+  return parts.join("   ");
+}
+
+}  // namespace
+
+IdentifyPage::IdentifyPage(Connection& connection, BenchRuns& bench, QWidget* parent)
+    : Page("identifyPage", tr("Identify"), parent), connection_(connection), bench_(bench) {
+  setHead(tr("Identify the motor"),
+          tr("Each step says what it moves. Together they measure what tuning and maps need; nothing is written to the "
+             "board."));
+  identify_ = addPrimary("identifyButton", tr("Identify the motor"));
+  wiring_ = addSecondary("wiringButton", tr("Check the wiring"));
+  for (size_t k = 0; k < mostSteps; ++k) cards_.push_back(addCard(*settings()));
+  settings()->setSpacing(8);
+  settings()->addStretch(1);
+  picture()->addWidget(buildMotor(), 1);
+  connect(identify_, &QPushButton::clicked, this, [this] { bench_.make(RunKind::identification); });
+  connect(wiring_, &QPushButton::clicked, this, [this] { bench_.make(RunKind::wiring); });
+  connect(&connection_, &Connection::changed, this, &IdentifyPage::showSteps);
+  connect(&connection_, &Connection::runChanged, this, &IdentifyPage::showSteps);
+  connect(&bench_, &BenchRuns::knownChanged, this, &IdentifyPage::showSteps);
+  showSteps();
+}
+
+IdentifyPage::Card IdentifyPage::addCard(QVBoxLayout& column) {
+  auto* frame = card(this);
+  frame->setFixedHeight(cardHeight);
+  columnOf(frame)->setContentsMargins(16, 6, 12, 6);
+  columnOf(frame)->setSpacing(2);
+  auto* head = new QHBoxLayout;
+  auto* title = section(frame, {});
+  auto* badge = new QLabel(frame);
+  badge->setFont(typed(Type::caption));
+  head->addWidget(title, 1);
+  head->addWidget(badge);
+  auto* moves = new ElidedLabel("", frame);
+  moves->setFont(typed(Type::caption));
+  moves->setProperty("tone", "muted");
+  auto* result = new ElidedLabel("", frame);
+  result->setFont(typed(Type::caption));
+  columnOf(frame)->addLayout(head);
+  columnOf(frame)->addWidget(moves);
+  columnOf(frame)->addWidget(result);
+  column.addWidget(frame);
+  return {frame, title, badge, moves, result};
+}
+
+QWidget* IdentifyPage::buildMotor() {
+  auto* area = new QScrollArea(this);
+  area->setObjectName("identifyFacts");
+  area->setFocusPolicy(Qt::NoFocus);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setWidgetResizable(true);
+  auto* group = new QWidget(area);
+  group->setProperty("role", "column");
+  auto* column = columnIn(group, 16);
+  auto* motor = card(group);
+  columnOf(motor)->addWidget(section(motor, tr("Motor")));
+  motor_ = new FactsTable("motorFacts", motor);
+  columnOf(motor)->addWidget(motor_);
+  auto* wires = card(group);
+  columnOf(wires)->addWidget(section(wires, tr("Wiring")));
+  wires_ = new FactsTable("wiringFacts", wires);
+  columnOf(wires)->addWidget(wires_);
+  run_ = new RunPanel("identifyRun", {RunKind::wiring, RunKind::identification}, group);
+  column->addWidget(run_);
+  column->addWidget(motor);
+  column->addWidget(wires);
+  column->addStretch(1);
+  area->setWidget(group);
+  area->viewport()->setAutoFillBackground(false);
+  group->setAutoFillBackground(false);
+  return area;
+}
+
+void IdentifyPage::showCard(const Card& card, int number, const IdentifyStep& step) {
+  card.title->setText(QString("%1  %2").arg(number).arg(step.title));
+  card.moves->setText(step.moves);
+  card.result->setText(resultText(step));
+  card.result->setToolTip(resultText(step));
+  switch (step.state) {
+    case IdentifyStep::State::open:
+      card.badge->setText({});
+      dressAs(card.badge, "badge", "open");
+      dressAs(card.frame, "tone", {});
+      break;
+    case IdentifyStep::State::running:
+      card.badge->setText(tr("running"));
+      dressAs(card.badge, "badge", "running");
+      dressAs(card.frame, "tone", "running");
+      break;
+    case IdentifyStep::State::passed:
+      card.badge->setText(tr("pass"));
+      dressAs(card.badge, "badge", "good");
+      dressAs(card.frame, "tone", {});
+      break;
+    case IdentifyStep::State::failed:
+      card.badge->setText(tr("fail"));
+      dressAs(card.badge, "badge", "trouble");
+      dressAs(card.frame, "tone", "trouble");
+      break;
+  }
+  dressAs(card.result, "tone", step.state == IdentifyStep::State::failed ? "trouble" : QString());
+}
+
+void IdentifyPage::showSteps() {
+  const auto steps = identifySteps(bench_.known(), connection_.run());
+  size_t passed = 0;
+  for (size_t k = 0; k < cards_.size(); ++k) {
+    cards_[k].frame->setVisible(k < steps.size());
+    if (k >= steps.size()) continue;
+    showCard(cards_[k], static_cast<int>(k) + 1, steps[k]);
+    if (steps[k].state == IdentifyStep::State::passed) ++passed;
+  }
+  run_->show(connection_.run());
+  showFacts();
+  showButtons();
+  StepState state = stateOf(connection_, {RunKind::wiring, RunKind::identification});
+  if (state.mark == StepMark::open && passed == steps.size()) state.mark = StepMark::done;
+  if (state.words.isEmpty() && passed > 0) state.words = tr("%1 of %2 passed").arg(passed).arg(steps.size());
+  setState(state);
+}
+
+void IdentifyPage::showFacts() {
+  const Commission& known = bench_.known();
+  const AxisUnits units = unitsOf(known.identity.axis);
+  const bool linear = known.linear();
+  if (!known.knows(Known::motor)) {
+    motor_->show({{tr("Not identified yet"), {}, {}}});
+  } else {
+    const IdentifiedMotor& motor = known.motor;
+    const QString scale = QString::fromStdString(motor.gauge);
+    motor_->show(
+        {{linear ? tr("Force constant") : tr("Torque constant"),
+          estimateText(motor.torqueConstant_Nm_per_A, 1.0, units.constant), scale},
+         {tr("Resistance"), estimateText(motor.resistance_ohm, 1.0, tr("Ω")), {}},
+         {tr("Inductance"), estimateText(motor.inductance_H, 1e3, tr("mH")), {}},
+         {linear ? tr("Mass") : tr("Inertia"), estimateText(motor.inertia_kg_m2, units.inertiaScale, units.inertia),
+          scale},
+         {tr("Coulomb friction"), estimateText(motor.coulomb_Nm, units.torqueScale, units.torque),
+          tr("Mean of both ways")},
+         {tr("Viscous friction"), estimateText(motor.viscous_Nm_s_per_rad, units.viscousScale, units.viscous), {}},
+         {tr("Dead zone of the bridge"), estimateText(motor.deadZone_V, 1e3, tr("mV")), {}}});
+  }
+  std::vector<Fact> wires;
+  if (known.knows(Known::wiring) && known.wiring) {
+    for (const std::string& sentence :
+         inWords(*known.wiring, known.sensorZero_A, known.noiseRms_A, known.identity.supply_V, known.identity.axis)) {
+      const QString whole = QString::fromStdString(sentence);
+      wires.push_back({whole.section(": ", 0, 0), whole.section(": ", 1), {}});
+    }
+  } else {
+    wires.push_back({tr("Not checked yet"), {}, {}});
+  }
+  wires_->show(wires);
+}
+
+void IdentifyPage::showButtons() {
+  setAvailable(identify_,
+               tr("Measure the motor's constants, its inertia, and what the current sensor's scale is worth"),
+               bench_.obstacleToMake(RunKind::identification));
+  setAvailable(wiring_,
+               tr("A few small pulses tell whether motor, encoder and current sensor belong together; the shaft moves "
+                  "by a tenth of a turn at most"),
+               bench_.obstacleToMake(RunKind::wiring));
+}
+
+}  // namespace breakaway

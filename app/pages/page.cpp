@@ -1,0 +1,109 @@
+#include "pages/page.h"
+
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QVBoxLayout>
+
+#include "widgets/controls.h"
+#include "widgets/elided_label.h"
+#include "widgets/look.h"
+
+namespace breakaway {
+
+namespace {
+constexpr int margin = 16, gutter = 24, headButtonHeight = 32, primaryWidth = 224, readingHeight = 28;
+}  // namespace
+
+Page::Page(const char* objectName, const QString& title, QWidget* parent) : QWidget(parent), title_(title) {
+  setObjectName(objectName);
+  setAccessibleName(title);
+  auto* column = columnIn(this, 12, {margin, 8, margin, 12});
+  auto* top = new QHBoxLayout;
+  top->setSpacing(8);
+  auto* words = new QVBoxLayout;
+  words->setSpacing(0);
+  head_ = new ElidedLabel("pageTitle", this);
+  head_->setFont(typed(Type::title));
+  sentence_ = new ElidedLabel("pageSentence", this);
+  sentence_->setProperty("tone", "muted");
+  words->addWidget(head_);
+  words->addWidget(sentence_);
+  top->addLayout(words, 1);
+  top->addSpacing(gutter - 8);
+  buttons_ = new QHBoxLayout;
+  buttons_->setSpacing(8);
+  top->addLayout(buttons_);
+  column->addLayout(top);
+  body_ = new QHBoxLayout;
+  body_->setSpacing(gutter);
+  picture_ = new QVBoxLayout;
+  picture_->setSpacing(8);
+  body_->addLayout(picture_, 1);
+  column->addLayout(body_, 1);
+}
+
+void Page::setHead(const QString& title, const QString& sentence) {
+  head_->setText(title);
+  sentence_->setText(sentence);
+}
+
+QPushButton* Page::addPrimary(const char* objectName, const QString& text) {
+  auto* button = pushButton(this, objectName, text);
+  button->setProperty("role", "primary");
+  button->setFixedSize(primaryWidth, headButtonHeight);
+  buttons_->addWidget(button);
+  return button;
+}
+
+QPushButton* Page::addSecondary(const char* objectName, const QString& text, int width) {
+  auto* button = pushButton(this, objectName, text);
+  button->setFixedSize(width, headButtonHeight);
+  buttons_->insertWidget(0, button);
+  return button;
+}
+
+QVBoxLayout* Page::settings() {
+  if (settings_ != nullptr) return settings_;
+  auto* area = new QScrollArea(this);
+  area->setObjectName(objectName() + "Settings");
+  area->setFocusPolicy(Qt::NoFocus);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setWidgetResizable(true);
+  area->setFixedWidth(settingsWidth);
+  auto* content = new QWidget(area);
+  content->setProperty("role", "column");
+  settings_ = columnIn(content, 12);
+  area->setWidget(content);
+  area->viewport()->setAutoFillBackground(false);
+  content->setAutoFillBackground(false);
+  body_->insertWidget(0, area);
+  return settings_;
+}
+
+void Page::addReading(const char* objectName) {
+  auto* frame = new QFrame(this);
+  frame->setProperty("role", "card");
+  frame->setFixedHeight(readingHeight);
+  auto* row = rowIn(frame, 0, {12, 0, 12, 0});
+  reading_ = new ElidedLabel(objectName, frame);
+  reading_->setAccessibleName(tr("Reading"));
+  reading_->setAlignment(Qt::AlignVCenter | Qt::AlignLeft);
+  row->addWidget(reading_);
+  picture_->addWidget(frame);
+}
+
+void Page::read(const QString& text) {
+  reading_->setText(text);
+}
+
+void Page::setState(const StepState& state) {
+  if (state_ == state) return;
+  state_ = state;
+  emit stateChanged();
+}
+
+}  // namespace breakaway

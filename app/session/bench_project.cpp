@@ -1,0 +1,73 @@
+#include "session/bench_project.h"
+
+#include <QStandardPaths>
+#include <QTemporaryDir>
+
+namespace breakaway {
+
+BenchProject::BenchProject(Messages& messages, QObject* parent)
+    : QObject(parent), messages_(messages), project_(std::make_shared<std::unique_ptr<Project>>()) {
+  pool_.setMaxThreadCount(1);
+  writers_.setMaxThreadCount(1);
+}
+
+BenchProject::~BenchProject() {
+  writers_.waitForDone();
+  pool_.waitForDone();
+}
+
+QString BenchProject::defaultFolder() {
+  return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + "/breakaway/project";
+}
+
+void BenchProject::open(const QString& folder) {
+  folder_ = folder;
+  pool_.start([this, folder, project = project_] {
+    auto opened = Project::open(folder.toStdString(), Project::Missing::isMade);
+    *project = opened ? std::make_unique<Project>(std::move(*opened)) : nullptr;
+    const std::vector<std::string> said = *project ? (**project).said() : std::vector<std::string>();
+    const QString why = opened ? QString() : QString::fromStdString(opened.error().message());
+    QMetaObject::invokeMethod(
+        this,
+        [this, said, why] {
+          for (const std::string& line : said) messages_.say(QString::fromStdString(line));
+          if (!why.isEmpty()) messages_.warn(tr("Nothing can be kept: %1").arg(why));
+          emit changed();
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void BenchProject::inProject(Work work) {
+  if (folder_.isEmpty()) open(defaultFolder());
+  queue(std::move(work));
+}
+
+void BenchProject::queue(Work work) {
+  pool_.start([this, project = project_, work = std::move(work)] {
+    const std::function<void()> then = work(project->get());
+    if (then) QMetaObject::invokeMethod(this, then, Qt::QueuedConnection);
+  });
+}
+
+void BenchProject::put(const NewRun& run, const QString& what) {
+  if (folder_.isEmpty()) open(defaultFolder());
+  writers_.start([this, run, what] {
+    const auto place = std::make_shared<QTemporaryDir>();
+    NewRun whole = run;
+    whole.write = {};
+    whole.sources.push_back(place->path().toStdString());
+    const auto written = run.write ? run.write(place->path().toStdString()) : Result<void>();
+    queue([this, place, whole, written, what](Project* project) -> std::function<void()> {
+      if (project == nullptr) return {};
+      const auto put = written ? project->add(whole) : Result<ProjectRun>(written.error());
+      return [this, put, what] {
+        if (!put) return messages_.warn(put.error());
+        messages_.say(tr("%1 is in the project, as run %2").arg(what, QString::fromStdString(put->id)));
+        emit changed();
+      };
+    });
+  });
+}
+
+}  // namespace breakaway

@@ -1,0 +1,51 @@
+#include "session/kept_results.h"
+
+#include "base/uuid.h"
+#include "report/commission_report.h"
+#include "report/diagnosis_report.h"
+
+namespace breakaway {
+
+KeptResults::KeptResults(Connection& connection, BenchRuns& bench, Comparison& comparison, BenchProject& project,
+                         QObject* parent)
+    : QObject(parent), bench_(bench), comparison_(comparison), project_(project) {
+  connect(&connection, &Connection::runReported, this, &KeptResults::keepRun);
+  connect(&comparison, &Comparison::diagnosisChanged, this, &KeptResults::keepDiagnosis);
+}
+
+void KeptResults::keepRun(const RunSnapshot& snapshot) {
+  const auto* known = std::get_if<KnownPtr>(&snapshot.result);
+  if (known == nullptr || *known == nullptr || snapshot.status.state != Procedure::State::finished) return;
+  const bool map =
+      snapshot.kind == RunKind::breakaway || snapshot.kind == RunKind::velocitySweep || snapshot.kind == RunKind::trial;
+  NewRun run;
+  run.at = utcNow();
+  const KnownPtr done = *known;
+  if (map && done->knows(Known::map)) {
+    run.kind = "commission";
+    run.write = [done](const std::string& folder) { return writeCommission(*done, {}, folder); };
+    project_.put(run, tr("The friction map"));
+  } else if (snapshot.kind == RunKind::identification && done->knows(Known::motor)) {
+    run.kind = "identification";
+    run.write = [done](const std::string& folder) { return writeIdentification(*done, folder); };
+    project_.put(run, tr("The motor"));
+  }
+}
+
+void KeptResults::keepDiagnosis() {
+  const auto& diagnosis = comparison_.diagnosis();
+  const auto& bench = comparison_.bench();
+  const auto& recording = comparison_.recording();
+  if (!diagnosis || !bench || !recording) return;
+  std::vector<Recording> heldout;
+  if (comparison_.heldout()) heldout.push_back(*comparison_.heldout());
+  NewRun run;
+  run.at = utcNow();
+  run.motor = bench->motorSerial;
+  run.write = [diagnosis = *diagnosis, bench = *bench, recording = *recording, heldout](const std::string& folder) {
+    return writeDiagnosisFolder(diagnosis, bench, {recording}, heldout, folder);
+  };
+  project_.put(run, tr("The diagnosis"));
+}
+
+}  // namespace breakaway

@@ -1,0 +1,53 @@
+// What settings would make of the motor as it is known, before anything is sent to the board.
+#pragma once
+
+#include <QString>
+#include <vector>
+
+#include "experiment/velocity_step.h"
+#include "session/board_tuning.h"
+#include "stability/loop_noise.h"
+#include "stability/margins.h"
+#include "stability/root_locus.h"
+
+namespace breakaway {
+
+struct TuningPreview {
+  QString trouble;  ///< why nothing can be foretold; all else is empty then
+  LoopMargins margins;
+  double alphaGT = 0.0;
+  double currentNoise_A = 0.0;  ///< rms of the current reference; 0 where the loop is unstable
+  StepCurve step;               ///< empty where the loop is unstable
+  StepFigures figures;
+  LoopResponse response;
+  RootLocus locus;  ///< in the z plane, over the cutoff
+  double tick_s = 0.0;
+  double ruleOfThumb_rad_per_s = 0.0;  ///< cutoff where αgT is 0.3
+};
+
+struct PreviewQuestion {
+  Identity identity;
+  ControllerSettings settings;
+  KnownMotor motor;
+  double coulomb_Nm = 0.0;
+  VelocityStepOptions step;
+};
+
+/// Some milliseconds of computing; a pure function.
+TuningPreview previewOf(const PreviewQuestion& question);
+
+/// The friction that a step has to overcome, as far as it is known: by identification, else by the bench file.
+double knownCoulomb_Nm(const std::optional<Bench>& bench, const Commission& known);
+
+/// How a figure stands against what is asked of it.
+enum class Grade { good, warning, trouble };
+/// 45° or more is good, 30° or more still holds.
+Grade gradeOfPhase(const LoopMargins& margins);
+/// 2.5 or more is good, 2 or more still holds.
+Grade gradeOfGain(const LoopMargins& margins);
+/// Up to 0.3 is the rule of thumb; from 1 on the observer follows faster than the tick allows.
+Grade gradeOfAlphaGT(double alphaGT);
+/// Up to 2 % of the current limit is good, up to 5 % still holds.
+Grade gradeOfNoise(double noise_A, double limit_A);
+
+}  // namespace breakaway

@@ -1,0 +1,121 @@
+#include "widgets/bode_plot.h"
+
+#include <qcustomplot.h>
+
+#include <QVBoxLayout>
+#include <cmath>
+#include <numbers>
+
+#include "widgets/controls.h"
+#include "widgets/look.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr double degree = 180.0 / std::numbers::pi;
+
+/// Without jumps from one side to the other, beginning between −360° and 0.
+QVector<double> unwrapped(const std::vector<std::complex<double>>& loop) {
+  QVector<double> phase;
+  double last = 0.0;
+  for (const auto& one : loop) {
+    double now = degree * std::arg(one);
+    if (phase.isEmpty()) {
+      while (now > 0.0) now -= 360.0;
+    } else {
+      now -= 360.0 * std::round((now - last) / 360.0);
+    }
+    phase << now;
+    last = now;
+  }
+  return phase;
+}
+
+}  // namespace
+
+BodePlot::BodePlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)) {
+  setObjectName("bodePlot");
+  columnIn(this)->addWidget(plot_);
+  plot_->setAccessibleName(tr("Gain and phase of the open loop over frequency"));
+  plot_->setMinimumSize(160, 84);
+  plot_->plotLayout()->clear();
+  plot_->plotLayout()->setRowSpacing(0);
+  gain_ = new QCPAxisRect(plot_);
+  phase_ = new QCPAxisRect(plot_);
+  plot_->plotLayout()->addElement(0, 0, gain_);
+  plot_->plotLayout()->addElement(1, 0, phase_);
+  auto* left = new QCPMarginGroup(plot_);
+  for (QCPAxisRect* rect : {gain_, phase_}) {
+    rect->setMarginGroup(QCP::msLeft, left);
+    rect->setMinimumMargins(QMargins(40, 4, 12, 4));
+    QCPAxis* frequency = rect->axis(QCPAxis::atBottom);
+    frequency->setScaleType(QCPAxis::stLogarithmic);
+    frequency->setTicker(QSharedPointer<QCPAxisTickerLog>(new QCPAxisTickerLog));
+    frequency->setNumberFormat("f");
+    frequency->setNumberPrecision(0);
+    rect->axis(QCPAxis::atLeft)->ticker()->setTickCount(3);
+  }
+  gain_->axis(QCPAxis::atBottom)->setTickLabels(false);
+  phase_->axis(QCPAxis::atBottom)->setLabel(tr("rad/s"));
+  onNewLook(this, [this] { draw(); });
+  draw();
+}
+
+void BodePlot::show(const LoopResponse& edited, const LoopMargins& margins, const LoopResponse& onBoard) {
+  edited_ = edited;
+  margins_ = margins;
+  onBoard_ = onBoard;
+  draw();
+}
+
+void BodePlot::draw() {
+  const Look& look = Look::of(palette());
+  dress(*plot_, look);
+  plot_->clearGraphs();
+  plot_->clearItems();
+  const bool some = !edited_.frequency_rad_per_s.empty();
+  for (QCPAxisRect* rect : {gain_, phase_}) rect->setVisible(some);
+  if (some) {
+    drawResponse(onBoard_, QPen(look.curve(3), 1.2, Qt::DashLine));
+    drawResponse(edited_, QPen(look.curve(0), 1.8));
+    drawMargins();
+    for (QCPAxisRect* rect : {gain_, phase_})
+      rect->axis(QCPAxis::atBottom)->setRange(edited_.frequency_rad_per_s.front(), edited_.frequency_rad_per_s.back());
+    gain_->axis(QCPAxis::atLeft)->setRange(-40.0, 50.0);
+    phase_->axis(QCPAxis::atLeft)->setRange(-300.0, -60.0);
+  }
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void BodePlot::drawResponse(const LoopResponse& response, const QPen& pen) {
+  QVector<double> frequency(response.frequency_rad_per_s.begin(), response.frequency_rad_per_s.end()), gain_dB;
+  for (const auto& one : response.loop) gain_dB << 20.0 * std::log10(std::max(1e-12, std::abs(one)));
+  const auto add = [&](QCPAxisRect* rect, const QVector<double>& values) {
+    QCPGraph* graph = plot_->addGraph(rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atLeft));
+    graph->setData(frequency, values, true);
+    graph->setPen(pen);
+  };
+  add(gain_, gain_dB);
+  add(phase_, unwrapped(response.loop));
+}
+
+void BodePlot::drawMargins() {
+  if (!margins_.stable) return;
+  const Look& look = Look::of(palette());
+  const auto mark = [&](QCPAxisRect* rect, double frequency, double from, double to) {
+    auto* line = new QCPItemLine(plot_);
+    for (QCPItemPosition* position : line->positions())
+      position->setAxes(rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atLeft));
+    line->setClipAxisRect(rect);
+    line->start->setCoords(frequency, from);
+    line->end->setCoords(frequency, to);
+    line->setPen(QPen(look.good, 2.4));
+  };
+  if (margins_.phaseCrossover_rad_per_s > 0.0 && std::isfinite(margins_.gainMargin))
+    mark(gain_, margins_.phaseCrossover_rad_per_s, -20.0 * std::log10(margins_.gainMargin), 0.0);
+  if (margins_.gainCrossover_rad_per_s > 0.0 && std::isfinite(margins_.phaseMargin_rad))
+    mark(phase_, margins_.gainCrossover_rad_per_s, -180.0, -180.0 + degree * margins_.phaseMargin_rad);
+}
+
+}  // namespace breakaway

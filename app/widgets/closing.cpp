@@ -1,0 +1,46 @@
+#include "widgets/closing.h"
+
+#include <QMainWindow>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSettings>
+
+#include "session/connection.h"
+
+namespace breakaway {
+
+namespace {
+constexpr const char* geometryKey = "window/geometry";
+}
+
+bool mayClose(QWidget& window, Connection& connection) {
+  if (!connection.powered() && !connection.run().running()) return true;
+  if (auto* asked = window.findChild<QMessageBox*>("closeQuestion"); asked != nullptr) {
+    asked->raise();
+    return false;
+  }
+  auto* question = new QMessageBox(QMessageBox::Question, QObject::tr("Close Breakaway"),
+                                   QObject::tr("The motor turns. Stop it and close?"), QMessageBox::NoButton, &window);
+  question->setObjectName("closeQuestion");
+  question->setAttribute(Qt::WA_DeleteOnClose);
+  question->setWindowModality(Qt::NonModal);
+  auto* stop = question->addButton(QObject::tr("Stop and close"), QMessageBox::AcceptRole);
+  stop->setObjectName("stopAndCloseButton");
+  question->setDefaultButton(question->addButton(QObject::tr("Stay"), QMessageBox::RejectRole));
+  QObject::connect(stop, &QPushButton::clicked, &window, [&window, &connection] {
+    connection.close();  // stops the motor first
+    window.close();
+  });
+  question->show();
+  return false;
+}
+
+bool restoreLayout(QMainWindow& window) {
+  return window.restoreGeometry(QSettings("breakaway", "breakaway").value(geometryKey).toByteArray());
+}
+
+void keepLayout(const QMainWindow& window) {
+  QSettings("breakaway", "breakaway").setValue(geometryKey, window.saveGeometry());
+}
+
+}  // namespace breakaway

@@ -1,0 +1,19 @@
+// What closing the window asks and keeps: it asks only while the motor turns, and size and place are there again.
+#pragma once
+
+class QMainWindow;
+class QWidget;
+
+namespace breakaway {
+
+class Connection;
+
+/// Whether the window may close now. Where the motor is powered, a question is put over `window`, which blocks nothing,
+/// and the answer stops the motor and closes.
+bool mayClose(QWidget& window, Connection& connection);
+
+/// Size and place as they were when keepLayout() was called last; false: they were never kept.
+bool restoreLayout(QMainWindow& window);
+void keepLayout(const QMainWindow& window);
+
+}  // namespace breakaway

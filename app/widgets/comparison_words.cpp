@@ -1,0 +1,120 @@
+#include "widgets/comparison_words.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include "widgets/axis_units.h"
+#include "widgets/number_text.h"
+#include "widgets/parameter_words.h"
+#include "widgets/run_words.h"
+
+namespace breakaway {
+
+namespace {
+
+QString translated(const char* text) {
+  return QCoreApplication::translate("ComparisonWords", text);
+}
+
+QString row(const QStringList& cells, bool bold) {
+  QString line;
+  for (const QString& cell : cells)
+    line += QString("<td style='padding: 2px 16px 2px 0'>%1</td>")
+                .arg(bold ? "<b>" + cell.toHtmlEscaped() + "</b>" : cell.toHtmlEscaped());
+  return "<tr>" + line + "</tr>";
+}
+
+QString table(const QStringList& heads, const QString& rows) {
+  QString line;
+  for (const QString& head : heads)
+    line += "<th align='left' style='padding: 2px 16px 2px 0'>" + head.toHtmlEscaped() + "</th>";
+  return rows.isEmpty() ? QString() : "<table><tr>" + line + "</tr>" + rows + "</table>";
+}
+
+QString valueText(const RunValue& value) {
+  const ParameterWords words = wordsOf(Parameter{value.name, value.value, value.low, value.high});
+  const QString with = QString("%1 %2").arg(words.value, words.unit).trimmed();
+  return words.interval.isEmpty() ? with : QString("%1 (%2)").arg(with, words.interval);
+}
+
+QString percent(const ValueChange& change) {
+  if (change.before.value == 0.0) return {};
+  const double share = 100.0 * (change.after.value / change.before.value - 1.0);
+  return QString("%1%2 %").arg(share < 0.0 ? "" : "+", numberText(share, 2));
+}
+
+QString valueRows(const RunComparison& comparison, bool beyond) {
+  QString rows;
+  for (const ValueChange& one : comparison.values) {
+    if (one.beyond != beyond) continue;
+    const QString name = wordsOf(Parameter{one.before.name, one.before.value, 0.0, 0.0}).name;
+    rows += row({name, valueText(one.before), valueText(one.after), percent(one)}, beyond);
+  }
+  return rows;
+}
+
+QString mapRows(const RunComparison& comparison, bool beyond) {
+  QString rows;
+  for (const MapChange& one : comparison.maps) {
+    if (one.isBeyond() != beyond) continue;
+    const AxisUnits units = unitsOf(comparison.mapAfter->axis);
+    const auto torque = [&](double value) {
+      return QString("%1%2 %3").arg(value < 0.0 ? "" : "+", numberText(units.torqueScale * value), units.torque);
+    };
+    rows += row({QString::fromStdString(one.quantity), torque(one.meanDifference),
+                 "± " + numberText(units.torqueScale * one.meanHalfWidth, 2) + " " + units.torque,
+                 translated(QT_TRANSLATE_NOOP("ComparisonWords", "%1 of %2, by chance %3"))
+                     .arg(one.beyond)
+                     .arg(one.bins)
+                     .arg(numberText(one.byChance, 2)),
+                 torque(one.largest)},
+                beyond);
+  }
+  return rows;
+}
+
+QString findings(const std::vector<std::string>& list, const char* form) {
+  QString lines;
+  for (const std::string& one : list)
+    lines += "<p>" + translated(form).arg(QString::fromStdString(one)).toHtmlEscaped() + "</p>";
+  return lines;
+}
+
+QString part(const RunComparison& comparison, bool beyond) {
+  return table({translated(QT_TRANSLATE_NOOP("ComparisonWords", "Result")),
+                translated(QT_TRANSLATE_NOOP("ComparisonWords", "Before")),
+                translated(QT_TRANSLATE_NOOP("ComparisonWords", "After")),
+                translated(QT_TRANSLATE_NOOP("ComparisonWords", "Change"))},
+               valueRows(comparison, beyond)) +
+         table({translated(QT_TRANSLATE_NOOP("ComparisonWords", "Map")),
+                translated(QT_TRANSLATE_NOOP("ComparisonWords", "Mean change")),
+                translated(QT_TRANSLATE_NOOP("ComparisonWords", "95 %")),
+                translated(QT_TRANSLATE_NOOP("ComparisonWords", "Bins beyond")),
+                translated(QT_TRANSLATE_NOOP("ComparisonWords", "Largest"))},
+               mapRows(comparison, beyond));
+}
+
+}  // namespace
+
+QString titleOf(const RunComparison& comparison) {
+  return QString("%1 → %2").arg(titleOf(comparison.before), titleOf(comparison.after));
+}
+
+QString pageOf(const RunComparison& comparison) {
+  QString beyond = part(comparison, true);
+  beyond += findings(comparison.findingsNew, QT_TRANSLATE_NOOP("ComparisonWords", "New: %1"));
+  beyond += findings(comparison.findingsGone, QT_TRANSLATE_NOOP("ComparisonWords", "No longer found: %1"));
+  const QString within = part(comparison, false);
+  QString page;
+  if (comparison.before.motor != comparison.after.motor)
+    page += "<p>" + translated(QT_TRANSLATE_NOOP("ComparisonWords", "The runs are of two motors.")) + "</p>";
+  const auto heading = [](const QString& text) { return "<h3>" + text + "</h3>"; };
+  page +=
+      beyond.isEmpty()
+          ? heading(translated(QT_TRANSLATE_NOOP("ComparisonWords", "Nothing has changed beyond the 95 % intervals")))
+          : heading(translated(QT_TRANSLATE_NOOP("ComparisonWords", "Changed beyond the 95 % intervals"))) + beyond;
+  if (!within.isEmpty()) page += heading(translated(QT_TRANSLATE_NOOP("ComparisonWords", "Within them"))) + within;
+  return page;
+}
+
+}  // namespace breakaway

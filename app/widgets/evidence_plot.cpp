@@ -1,0 +1,122 @@
+#include "widgets/evidence_plot.h"
+
+#include <qcustomplot.h>
+
+#include <QMouseEvent>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "base/numbers.h"
+#include "session/comparison.h"
+#include "widgets/controls.h"
+#include "widgets/look.h"
+#include "widgets/number_text.h"
+#include "widgets/residual_axis.h"
+
+namespace breakaway {
+
+EvidencePlot::EvidencePlot(Comparison& comparison, QWidget* parent)
+    : QWidget(parent), comparison_(comparison), plot_(new QCustomPlot(this)) {
+  setObjectName("evidencePlot");
+  columnIn(this)->addWidget(plot_);
+  plot_->setAccessibleName(tr("Residual torque over the finding's axis, before and after"));
+  plot_->setMinimumSize(200, 90);
+  plot_->setMouseTracking(true);
+  plot_->plotLayout()->insertRow(0);
+  plot_->plotLayout()->setRowSpacing(0);
+  title_ = new QCPTextElement(plot_);
+  title_->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);
+  title_->setMargins(QMargins(4, 2, 4, 2));
+  plot_->plotLayout()->addElement(0, 0, title_);
+  plot_->axisRect()->setMinimumMargins(QMargins(44, 4, 12, 4));
+  plot_->yAxis->ticker()->setTickCount(4);
+  hint_ = new QCPTextElement(plot_);
+  plot_->axisRect()->insetLayout()->addElement(hint_, Qt::AlignCenter);
+  plot_->installEventFilter(this);
+  connect(&comparison_, &Comparison::evidenceChanged, this, &EvidencePlot::draw);
+  connect(&comparison_, &Comparison::diagnosisChanged, this, &EvidencePlot::draw);
+  onNewLook(this, [this] { draw(); });
+  draw();
+}
+
+void EvidencePlot::draw() {
+  const Look& look = Look::of(palette());
+  dress(*plot_, look);
+  plot_->clearGraphs();
+  plot_->clearItems();
+  const auto& evidence = comparison_.evidence();
+  for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) {
+    axis->setVisible(evidence.has_value());
+    axis->grid()->setVisible(evidence.has_value());
+  }
+  hint_->setVisible(!evidence);
+  hint_->setFont(typed(Type::body));
+  hint_->setTextColor(look.muted);
+  const bool nothing = comparison_.diagnosis() && comparison_.diagnosis()->findings.empty();
+  hint_->setText(nothing ? tr("No place stands out on unseen data")
+                         : tr("The residual torque over the finding's own axis comes with the diagnosis"));
+  title_->setTextColor(look.ink);
+  title_->setFont(typed(Type::body));
+  title_->setVisible(evidence.has_value());
+  if (evidence) {
+    const ShownAxis axis = shownAxis(evidence->axis, evidence->linear);
+    title_->setText((evidence->linear ? tr("Residual force (N) over %1, unseen data, bands 95 %")
+                                      : tr("Residual torque (mNm) over %1, unseen data, bands 95 %"))
+                        .arg(axis.name));
+    plot_->xAxis->setLabel(axis.label());
+    drawMap(evidence->before, 1);
+    drawMap(evidence->after, 0);
+    plot_->xAxis->rescale();
+    plot_->yAxis->rescale();
+    plot_->yAxis->scaleRange(1.15);
+  }
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void EvidencePlot::drawMap(const ResidualMap& map, int colour) {
+  const Look& look = Look::of(palette());
+  const auto& evidence = *comparison_.evidence();
+  const double x = shownAxis(evidence.axis, evidence.linear).scale, y = evidence.linear ? 1.0 : 1e3;
+  QCPGraph *low = plot_->addGraph(), *high = plot_->addGraph(), *line = plot_->addGraph();
+  for (size_t k = 0; k < map.centre.size(); ++k) {
+    if (!std::isfinite(map.mean[k])) continue;
+    const double half = std::isfinite(map.error[k]) ? normal95 * map.error[k] : 0.0;
+    low->addData(x * map.centre[k], y * (map.mean[k] - half));
+    high->addData(x * map.centre[k], y * (map.mean[k] + half));
+    line->addData(x * map.centre[k], y * map.mean[k]);
+  }
+  for (QCPGraph* edge : {low, high}) edge->setPen(Qt::NoPen);
+  high->setBrush(look.band(colour));
+  high->setChannelFillGraph(low);
+  line->setPen(QPen(look.curve(colour), 1.8));
+  line->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, look.curve(colour), 5));
+}
+
+void EvidencePlot::read(double at) {
+  const auto& evidence = *comparison_.evidence();
+  const ShownAxis axis = shownAxis(evidence.axis, evidence.linear);
+  const double y = evidence.linear ? 1.0 : 1e3;
+  const auto near = [&](const ResidualMap& map) {
+    size_t best = 0;
+    for (size_t k = 0; k < map.centre.size(); ++k)
+      if (std::abs(axis.scale * map.centre[k] - at) < std::abs(axis.scale * map.centre[best] - at)) best = k;
+    return best;
+  };
+  if (evidence.before.centre.empty() || evidence.after.centre.empty()) return;
+  const auto value = [&](const ResidualMap& map, size_t k) {
+    return std::isfinite(map.mean[k]) ? estimateText({map.mean[k], map.error[k]}, y, evidence.linear ? "N" : "mNm")
+                                      : tr("too little data");
+  };
+  const size_t before = near(evidence.before), after = near(evidence.after);
+  emit reading(tr("%1 %2    before %3    after %4")
+                   .arg(numberText(axis.scale * evidence.before.centre[before]), axis.unit,
+                        value(evidence.before, before), value(evidence.after, after)));
+}
+
+bool EvidencePlot::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == plot_ && event->type() == QEvent::MouseMove && comparison_.evidence())
+    read(plot_->xAxis->pixelToCoord(static_cast<QMouseEvent*>(event)->position().x()));
+  return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace breakaway

@@ -1,0 +1,37 @@
+// The residual torque over the finding's own axis, before and after the finding is in, with 95 % bands.
+#pragma once
+
+#include <QWidget>
+
+class QCPTextElement;
+class QCustomPlot;
+
+namespace breakaway {
+
+class Comparison;
+struct ResidualMap;
+
+class EvidencePlot : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit EvidencePlot(Comparison& comparison, QWidget* parent = nullptr);
+
+ signals:
+  void reading(const QString& text);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void draw();
+  void drawMap(const ResidualMap& map, int colour);
+  void read(double x);
+
+  Comparison& comparison_;
+  QCustomPlot* plot_ = nullptr;
+  QCPTextElement* title_ = nullptr;
+  QCPTextElement* hint_ = nullptr;
+};
+
+}  // namespace breakaway

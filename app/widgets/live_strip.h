@@ -1,0 +1,60 @@
+// The strip below everything: four live numbers with what they did in the last seconds, the way to the plots, and the
+// way to the log.
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+#include <array>
+
+#include "widgets/live_channels.h"
+
+class QLabel;
+class QPushButton;
+class QToolButton;
+
+namespace breakaway {
+
+class Connection;
+class LiveSamples;
+class LogDrawer;
+
+class LiveStrip : public QWidget {
+  Q_OBJECT
+
+ public:
+  static constexpr int height_px = 32;
+
+  LiveStrip(const Connection& connection, const LiveSamples& live, QWidget* parent = nullptr);
+  /// Counts what the log has that nobody has read.
+  void countUnread(const LogDrawer& log);
+  void showOpen(bool open);
+  void refresh();
+
+ signals:
+  void plotsAsked(bool open);
+  void logAsked();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  class Sparkline;
+  struct Number {
+    QLabel* name = nullptr;
+    QLabel* value = nullptr;
+    QLabel* unit = nullptr;
+    Sparkline* line = nullptr;
+  };
+
+  void nameChannels();
+
+  const Connection& connection_;
+  const LiveSamples& live_;
+  std::array<LiveChannel, 4> channels_;
+  std::array<Number, 4> numbers_;
+  QToolButton* open_ = nullptr;
+  QPushButton* log_ = nullptr;
+  QTimer timer_;
+};
+
+}  // namespace breakaway

@@ -1,0 +1,29 @@
+// Where the closed loop's poles go as the observer's cutoff grows, and where they are now.
+#pragma once
+
+#include <QWidget>
+
+#include "stability/root_locus.h"
+
+class QCustomPlot;
+
+namespace breakaway {
+
+class LocusPlot : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit LocusPlot(QWidget* parent = nullptr);
+  /// `cutoff_rad_per_s` is where the poles are now; `tick_s` takes them from the z plane to the s plane.
+  void show(const RootLocus& locus, double cutoff_rad_per_s, double tick_s);
+  using QWidget::show;
+
+ private:
+  void draw();
+
+  QCustomPlot* plot_ = nullptr;
+  RootLocus locus_;
+  double cutoff_rad_per_s_ = 0.0, tick_s_ = 0.0;
+};
+
+}  // namespace breakaway

@@ -1,0 +1,101 @@
+#include "widgets/log_drawer.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QTime>
+#include <QVBoxLayout>
+
+#include "session/messages.h"
+#include "widgets/controls.h"
+#include "widgets/look.h"
+
+namespace breakaway {
+
+namespace {
+constexpr int height_px = 168;
+constexpr size_t mostLines = 1000;
+}  // namespace
+
+LogDrawer::LogDrawer(Messages& messages, QWidget* parent) : QWidget(parent) {
+  setObjectName("logDrawer");
+  setFixedHeight(height_px);
+  auto* column = columnIn(this, 8, {16, 8, 16, 8});
+  auto* row = new QHBoxLayout;
+  row->addWidget(section(this, tr("Log")));
+  row->addStretch(1);
+  troubleOnly_ = chipButton(this, "logTroubleOnly", tr("Trouble only"), tr("Show only what failed"));
+  auto* copyAll = pushButton(this, "logCopy", tr("Copy"), tr("Copy the lines that are shown, with their times"));
+  auto* close = pushButton(this, "logClose", tr("Close"), tr("Close the log"));
+  for (QWidget* button : std::initializer_list<QWidget*>{troubleOnly_, copyAll, close}) row->addWidget(button);
+  column->addLayout(row);
+  table_ = new QTableWidget(0, 2, this);
+  table_->setObjectName("logTable");
+  table_->setAccessibleName(tr("What was said so far"));
+  table_->setToolTip(tr("What was said so far, the newest on top"));
+  table_->horizontalHeader()->hide();
+  table_->horizontalHeader()->setStretchLastSection(true);
+  table_->setColumnWidth(0, 80);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(24);
+  table_->setShowGrid(false);
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setTabKeyNavigation(false);
+  column->addWidget(table_, 1);
+  connect(troubleOnly_, &QPushButton::toggled, this, &LogDrawer::fill);
+  connect(copyAll, &QPushButton::clicked, this, &LogDrawer::copy);
+  connect(close, &QPushButton::clicked, this, &LogDrawer::closed);
+  connect(&messages, &Messages::said, this, &LogDrawer::take);
+  onNewLook(this, [this] { fill(); });
+}
+
+void LogDrawer::take(const QString& text, bool trouble) {
+  lines_.push_back({QTime::currentTime().toString("HH:mm:ss"), text, trouble});
+  if (lines_.size() > mostLines) lines_.pop_front();
+  if (!isVisible()) {
+    ++unread_;
+    unreadTrouble_ = unreadTrouble_ || trouble;
+  }
+  addOnTop(lines_.back());
+  emit changed();
+}
+
+void LogDrawer::addOnTop(const Line& line) {
+  if (troubleOnly_->isChecked() && !line.trouble) return;
+  const Look& look = Look::of(palette());
+  table_->insertRow(0);
+  auto* time = new QTableWidgetItem(line.time);
+  auto* text = new QTableWidgetItem(line.text);
+  time->setForeground(look.muted);
+  text->setForeground(line.trouble ? look.trouble : look.ink);
+  text->setToolTip(line.text);
+  table_->setItem(0, 0, time);
+  table_->setItem(0, 1, text);
+  if (table_->rowCount() > static_cast<int>(mostLines)) table_->removeRow(table_->rowCount() - 1);
+}
+
+void LogDrawer::fill() {
+  table_->setRowCount(0);
+  for (const Line& line : lines_) addOnTop(line);
+}
+
+void LogDrawer::copy() const {
+  QStringList text;
+  for (int row = 0; row < table_->rowCount(); ++row)
+    text << table_->item(row, 0)->text() + "  " + table_->item(row, 1)->text();
+  QApplication::clipboard()->setText(text.join('\n'));
+}
+
+void LogDrawer::showEvent(QShowEvent* event) {
+  unread_ = 0;
+  unreadTrouble_ = false;
+  QWidget::showEvent(event);
+  emit changed();
+}
+
+}  // namespace breakaway

@@ -1,0 +1,54 @@
+#include "widgets/theme_button.h"
+
+#include <QActionGroup>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+
+#include "widgets/controls.h"
+#include "widgets/look.h"
+#include "widgets/rail.h"
+
+namespace breakaway {
+
+namespace {
+
+QString nameOf(Theme theme) {
+  return theme == Theme::light  ? ThemeButton::tr("Light")
+         : theme == Theme::dark ? ThemeButton::tr("Dark")
+                                : ThemeButton::tr("System");
+}
+
+}  // namespace
+
+ThemeButton::ThemeButton(QWidget* parent) : QPushButton(parent) {
+  setObjectName("themeButton");
+  setAccessibleName(tr("Colours of the window"));
+  setToolTip(tr("Colours of the window: light, dark, or as the desktop has them"));
+  setProperty("role", "bare");
+  setFixedSize(Rail::width_px, 32);
+  text_ = new QLabel(this);
+  text_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  rowIn(this, 0, {14, 0, 24, 0})->addWidget(text_);
+  auto* menu = new QMenu(this);
+  auto* group = new QActionGroup(menu);
+  for (const Theme theme : {Theme::system, Theme::light, Theme::dark}) {
+    QAction* action = menu->addAction(nameOf(theme));
+    action->setCheckable(true);
+    action->setChecked(theme == keptTheme());
+    group->addAction(action);
+    connect(action, &QAction::triggered, this, [this, theme] {
+      keepTheme(theme);
+      wear(theme);
+      showTheme();
+    });
+  }
+  setMenu(menu);
+  showTheme();
+}
+
+void ThemeButton::showTheme() {
+  text_->setText(tr("Colours: %1").arg(nameOf(keptTheme()).toLower()));
+}
+
+}  // namespace breakaway

@@ -1,0 +1,39 @@
+// The last thing that was said, for a few seconds; what failed stays until it is clicked. It lies over the page's
+// reading line, so that nothing moves and no curve is hidden, and is as wide as its words.
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+
+namespace breakaway {
+
+class ElidedLabel;
+class Messages;
+
+class Toast : public QWidget {
+  Q_OBJECT
+
+ public:
+  Toast(Messages& messages, QWidget* parent);
+  /// To its place in the parent.
+  void place();
+  /// How much of the parent, at its lower edge, isn't the page's.
+  void keepAbove(int below_px);
+
+ signals:
+  void clicked();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+
+ private:
+  void take(const QString& text, bool trouble);
+
+  ElidedLabel* text_ = nullptr;
+  bool trouble_ = false;
+  int below_px_ = 0;
+  QTimer timer_;
+};
+
+}  // namespace breakaway

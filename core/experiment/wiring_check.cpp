@@ -1,0 +1,371 @@
+#include "experiment/wiring_check.h"
+
+#include <fmt/core.h>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace breakaway {
+
+namespace {
+
+constexpr double sure = 8.0;          // standard errors, beyond which a sign is no noise
+constexpr double fallen = 0.1;        // of a pulse's current, that only a turning motor takes off
+constexpr size_t enoughFalls = 3;     // that play between motor and encoder doesn't make
+constexpr double still_s = 0.02;      // without a count is at rest
+constexpr double given = 0.9;         // of the voltage asked for: less is the current limit's doing
+constexpr size_t kicksEachWay = 2;    // the second one of twice the voltage where no current was seen
+constexpr double roomPart = 0.7;      // of the current limit: the bridge's dead zone makes it more than in proportion
+constexpr double steady = 0.98;       // of the voltage asked for, on average
+constexpr size_t enoughUnslowed = 2;  // that cogging doesn't make
+constexpr double windowCounts = 3.0;  // that a turning shaft passes at least, while it is watched
+constexpr size_t fewestSamples = 10;  // of a mean
+constexpr double usual_s = 6.0;       // that it takes
+constexpr double indexCounts = 20.0;  // wider is no index
+constexpr double mostIndex = 0.5;     // of all ticks
+
+double perMean(double noise_A, size_t samples) {
+  return noise_A / std::sqrt(static_cast<double>(std::max<size_t>(1, samples)));
+}
+
+}  // namespace
+
+Command WiringCheck::run(const Sample& sample) {
+  if (isFirst()) {
+    level_V_ = options_.start_V;
+    way_ = -1.0;
+    begin(Stage::brake, sample);  // what went before may have left it turning
+  }
+  last_s_ = elapsed_s(sample);
+  mostSupply_V_ = std::max(mostSupply_V_, sample.supply_V);
+  watchIndex(sample);
+  switch (stage_) {
+    case Stage::rest:
+      return rest(sample);
+    case Stage::pulse:
+      return pulse(sample);
+    case Stage::kick:
+      return kick(sample);
+    case Stage::brake:
+      return brake(sample);
+  }
+  return {};
+}
+
+void WiringCheck::begin(Stage stage, const Sample& sample) {
+  stage_ = stage;
+  stageStart_s_ = anchor_s_ = sample.time_s;
+  anchor_rad_ = sample.angle_rad;
+  thirds_ = {};
+  energised_s_.reset();
+  windowStart_s_ = sample.time_s;
+  windowStart_rad_ = sample.angle_rad;
+  lastTravel_rad_ = std::numeric_limits<double>::infinity();
+  unslowed_ = 0;
+  brakeStart_rad_ = sample.angle_rad;
+  furthest_rad_ = 0.0;
+  turnedRound_ = false;
+}
+
+/// Seen over more of the turn than an index is wide, and in most ticks.
+void WiringCheck::watchIndex(const Sample& sample) {
+  ++ticks_;
+  if (!sample.index) return;
+  ++indexSeen_;
+  indexLow_rad_ = std::min(indexLow_rad_.value_or(sample.angle_rad), sample.angle_rad);
+  indexHigh_rad_ = std::max(indexHigh_rad_.value_or(sample.angle_rad), sample.angle_rad);
+}
+
+Command WiringCheck::rest(const Sample& sample) {
+  supplySum_V_ += sample.supply_V;
+  ++supplyCount_;
+  if (const double by_rad = sample.angle_rad - anchor_rad_; std::abs(by_rad) > options_.own_rad) {
+    fail(loadWords(by_rad));
+    return {};
+  }
+  if (sample.time_s - stageStart_s_ < options_.rest_s) return {};
+  if (const std::string wrong = contradiction(); !wrong.empty()) {
+    fail(wrong);
+    return {};
+  }
+  const bool pulses = chooseNext(sample.supply_V);
+  if (!pulses && state() != State::running) return {};
+  if (!pulses && !chooseKick(sample.supply_V)) {
+    finish();
+    return {};
+  }
+  begin(pulses ? Stage::pulse : Stage::kick, sample);
+  return drive();
+}
+
+/// The way and voltage of the next pulse; false when there is none, or none that could help.
+bool WiringCheck::chooseNext(double supply_V) {
+  for (const size_t next : {size_t{1}, size_t{0}}) {
+    const size_t other = 1 - next;
+    if (loose_V_[next]) continue;
+    // Alternately, while neither is loose.
+    if (!loose_V_[other] && next == side()) continue;
+    const bool last = limited_ || level_V_ >= supply_V;
+    if (loose_V_[other] && (last || level_V_ > options_.oneSided * *loose_V_[other])) return false;
+    if (next == 1 || loose_V_[other]) level_V_ = std::min(supply_V, level_V_ * options_.growth);
+    const bool unseen = currentSign() == 0 && level_V_ > options_.seenPart * supply_V;
+    if (next == 1 && !loose_V_[other] && (last || unseen)) {
+      fail(standstill(supply_V));
+      return false;
+    }
+    way_ = next == 1 ? 1.0 : -1.0;
+    return true;
+  }
+  return false;
+}
+
+bool WiringCheck::chooseKick(double supply_V) {
+  for (size_t round = 0; round < kicksEachWay; ++round) {
+    for (const size_t next : {size_t{1}, size_t{0}}) {
+      if (!loose_V_[next] || kicked_[next] > round) continue;
+      ++kicked_[next];
+      way_ = next == 1 ? 1.0 : -1.0;
+      level_V_ = kickVoltage(supply_V) * (round > 0 && currentSign() == 0 ? options_.kickRatio : 1.0);
+      return true;
+    }
+  }
+  return false;
+}
+
+double WiringCheck::kickVoltage(double supply_V) const {
+  const double loose_A = breakaway_A_[side()] ? breakaway_A_[side()]->value : 0.0;
+  const double room =
+      options_.most_A > 0.0 && loose_A > 0.0 ? roomPart * options_.most_A / loose_A : options_.kickRatio;
+  return std::min(supply_V, std::clamp(room, 1.0, options_.kickRatio) * *loose_V_[side()]);
+}
+
+/// Of every driven tick.
+void WiringCheck::weigh(const Sample& sample) {
+  sums_.power_W += sample.voltage_V * sample.current_A;
+  sums_.square_V2 += sample.voltage_V * sample.voltage_V;
+  sums_.voltage_V += sample.voltage_V;
+  sums_.current_A += sample.current_A;
+  sums_.count += 1.0;
+  if (!constant_A_) constant_A_ = sample.current_A;
+  changes_ = changes_ || sample.current_A != *constant_A_;
+}
+
+Command WiringCheck::pulse(const Sample& sample) {
+  if (!sample.enabled) return drive();
+  if (!energised_s_) energised_s_ = sample.time_s;
+  weigh(sample);
+  const double by_rad = sample.angle_rad - anchor_rad_, inPulse_s = sample.time_s - *energised_s_;
+  if (std::abs(by_rad) > options_.motion_rad) {
+    loose_V_[side()] = level_V_;
+    breakaway_A_[side()] = looseCurrent();
+    moved(by_rad);
+    begin(Stage::brake, sample);
+    return brake(sample);
+  }
+  if (inPulse_s >= options_.settle_s) {
+    const double part = (inPulse_s - options_.settle_s) / (options_.pulse_s - options_.settle_s);
+    Sum& sum = thirds_[std::min<size_t>(2, static_cast<size_t>(3.0 * part))];
+    sum.voltage_V += sample.voltage_V;
+    sum.current_A += sample.current_A;
+    ++sum.count;
+  }
+  if (inPulse_s < options_.pulse_s) return drive();
+  const bool stood = std::abs(by_rad) <= 1.5 * options_.count_rad;
+  if (stood) takeStanding();
+  begin(stood ? Stage::rest : Stage::brake, sample);
+  return {};
+}
+
+/// Before the motion that ends a pulse; where that came at once, between the last level and this one.
+Estimate WiringCheck::looseCurrent() const {
+  double current_A = 0.0;
+  size_t count = 0;
+  for (const Sum& one : thirds_) {
+    current_A += one.current_A;
+    count += one.count;
+  }
+  if (count >= fewestSamples) return {way_ * current_A / static_cast<double>(count), perMean(options_.noise_A, count)};
+  const Level last = standing_[side()].value_or(Level{});
+  const double step_A = (options_.growth - 1.0) * std::abs(last.current_A);
+  return {way_ * last.current_A + 0.5 * step_A, std::hypot(perMean(options_.noise_A, fewestSamples), 0.5 * step_A)};
+}
+
+/// Of a pulse that the encoder stood through.
+void WiringCheck::takeStanding() {
+  Level all;
+  size_t count = 0;
+  for (const Sum& one : thirds_) {
+    all.voltage_V += one.voltage_V;
+    all.current_A += one.current_A;
+    count += one.count;
+  }
+  if (count == 0) return;
+  const auto n = static_cast<double>(count);
+  all = {all.voltage_V / n, all.current_A / n, perMean(options_.noise_A, count)};
+  standing_[side()] = all;
+  limited_ = way_ * all.voltage_V < given * level_V_ - 1e-3;
+  const double first_A = thirds_[0].meanCurrent_A(), fall_A = first_A - thirds_[2].meanCurrent_A();
+  const double error_A = perMean(options_.noise_A, std::min(thirds_[0].count, thirds_[2].count)) * std::sqrt(2.0);
+  if (fall_A * first_A > 0.0 && std::abs(fall_A) > std::max(sure * error_A, fallen * std::abs(first_A))) ++falls_;
+}
+
+void WiringCheck::moved(double by_rad) {
+  ++(way_ * by_rad > 0.0 ? along_ : against_);
+  falls_ = 0;
+}
+
+Command WiringCheck::kick(const Sample& sample) {
+  if (!sample.enabled) return drive();
+  if (!energised_s_) {
+    energised_s_ = sample.time_s;
+    anchor_rad_ = sample.angle_rad;
+    kicks_.emplace_back();
+    kickSum_V_ = 0.0;
+  }
+  weigh(sample);
+  const double by_rad = sample.angle_rad - anchor_rad_, inKick_s = sample.time_s - *energised_s_;
+  kicks_.back().moments.push_back({inKick_s, sample.current_A, by_rad});
+  kickSum_V_ += way_ * sample.voltage_V;
+  if (std::abs(by_rad) < options_.kick_rad && inKick_s < options_.kick_s) return drive();
+  endKick(by_rad);
+  begin(Stage::brake, sample);
+  return brake(sample);
+}
+
+void WiringCheck::endKick(double by_rad) {
+  if (std::abs(by_rad) < options_.motion_rad) {
+    kicks_.pop_back();
+    return;
+  }
+  Kick& kick = kicks_.back();
+  const double voltage_V = kickSum_V_ / static_cast<double>(kick.moments.size());
+  kick.voltage_V = way_ * voltage_V;
+  kick.far = std::abs(by_rad) >= options_.kick_rad;
+  kick.steady = voltage_V > steady * level_V_;
+  moved(by_rad);
+}
+
+Command WiringCheck::brake(const Sample& sample) {
+  if (std::abs(sample.angle_rad - anchor_rad_) > 1.5 * options_.count_rad) {
+    anchor_rad_ = sample.angle_rad;
+    anchor_s_ = sample.time_s;
+  }
+  if (sample.time_s - anchor_s_ > still_s) {
+    begin(Stage::rest, sample);
+    return {};
+  }
+  if (!slows(sample)) fail(loadWords(sample.velocity_rad_per_s));
+  return {Command::Mode::voltage, brakeVoltage(sample), 0.0, false};
+}
+
+/// Once it is known what breaks the shaft loose the other way, somewhat less brakes a kick, until it turns round.
+double WiringCheck::brakeVoltage(const Sample& sample) {
+  const auto& other = loose_V_[1 - side()];
+  if (!loose_V_[side()] || !other) return 0.0;
+  const double by_rad = way_ * (sample.angle_rad - brakeStart_rad_);
+  furthest_rad_ = std::max(furthest_rad_, by_rad);
+  turnedRound_ = turnedRound_ || by_rad < furthest_rad_ - 1.5 * options_.count_rad;
+  return turnedRound_ ? 0.0 : -way_ * options_.brakePart * *other;
+}
+
+bool WiringCheck::slows(const Sample& sample) {
+  if (sample.time_s - windowStart_s_ < options_.brake_s) return true;
+  const double travel_rad = std::abs(sample.angle_rad - windowStart_rad_);
+  const bool turns = travel_rad >= lastTravel_rad_ && travel_rad > windowCounts * options_.count_rad;
+  unslowed_ = turns ? unslowed_ + 1 : 0;
+  lastTravel_rad_ = travel_rad;
+  windowStart_rad_ = sample.angle_rad;
+  windowStart_s_ = sample.time_s;
+  return unslowed_ < enoughUnslowed;
+}
+
+/// Of the slope of current over voltage; a zero that has moved, as a sensor's that died, has none.
+int WiringCheck::currentSign() const {
+  const double n = std::max(1.0, sums_.count);
+  const double power_W = sums_.power_W - sums_.voltage_V * sums_.current_A / n;
+  const double square_V2 = sums_.square_V2 - sums_.voltage_V * sums_.voltage_V / n;
+  if (!changes_ || std::abs(power_W) <= sure * options_.noise_A * std::sqrt(std::max(0.0, square_V2))) return 0;
+  return power_W > 0.0 ? 1 : -1;
+}
+
+/// Why nothing moves, as far as the pulses go.
+std::string WiringCheck::standstill(double supply_V) const {
+  const std::string body = bodyText(options_.axis);
+  const double most_V = std::min(level_V_, supply_V);
+  if (!changes_ && constant_A_)
+    return fmt::format(
+        "the current sensor is dead: it reads exactly {:.3g} A up to {:.1f} V, and {} doesn't move; check the sensor's "
+        "supply and its wire, then the motor's leads",
+        *constant_A_, most_V, body);
+  const int sign = currentSign();
+  if (sign == 0)
+    return fmt::format(
+        "no current is seen up to {:.1f} V: a lead of the motor is off, or the current sensor's wire; check the "
+        "motor's terminals",
+        most_V);
+  const auto& level = standing_[side()];
+  const double most_A = level ? std::abs(level->current_A) : 0.0;
+  if (sign < 0)
+    return fmt::format(
+        "the current goes against the voltage ({:.2f} A at {:.1f} V), and {} doesn't move: the current sensor or the "
+        "bridge is reversed; swap the sensor's leads or the bridge's inputs",
+        most_A, most_V, body);
+  return fmt::format(
+      "{} doesn't move at {:.2f} A: it is held (a brake, a clamp), or the encoder stands; free it, and check the "
+      "encoder's cable, supply and coupling",
+      body, most_A);
+}
+
+/// What is wrong beyond doubt; a load may spoil one motion, not two.
+std::string WiringCheck::contradiction() const {
+  const std::string body = bodyText(options_.axis);
+  if (indexLow_rad_ && *indexHigh_rad_ - *indexLow_rad_ > indexCounts * options_.count_rad &&
+      static_cast<double>(indexSeen_) > mostIndex * static_cast<double>(ticks_))
+    return "the encoder's index is seen everywhere: it is inverted; swap its two wires, or the polarity in the board";
+  if (falls_ >= enoughFalls && along_ + against_ == 0)
+    return fmt::format(
+        "the encoder stands, but the current falls in each pulse as it does when the motor turns ({:.1f} V); check the "
+        "encoder's cable and supply, and the coupling",
+        level_V_);
+  const int sign = currentSign();
+  if (along_ + against_ < 2) return {};
+  if (sign == 0 && !changes_ && kicked_[0] + kicked_[1] >= 2 * kicksEachWay)
+    return fmt::format(
+        "the current sensor is dead, or too coarse for this motor: it reads exactly {:.3g} A while {:.1f} V move {}; "
+        "check its supply and its wire",
+        *constant_A_, level_V_, body);
+  if (sign == 0 || (along_ > 0 && against_ > 0)) return {};
+  const std::string moves = body + " moves " + wayText(false, options_.axis) + " at positive voltage";
+  if (against_ > 0 && sign > 0)
+    return moves +
+           ", with the current: the encoder counts against the motor; swap the encoder's A and B, or the "
+           "motor's leads";
+  if (against_ > 0)
+    return moves +
+           ", and the current flows that way, too: the bridge is reversed; swap its two inputs, or the sign in the "
+           "board";
+  if (sign < 0)
+    return body +
+           " moves with the voltage, but the current falls as the voltage rises: the current sensor is reversed; swap "
+           "its leads, or the sign in the board";
+  return {};
+}
+
+std::string WiringCheck::loadWords(double moved_rad) const {
+  return bodyText(options_.axis) + " keeps moving " + wayText(moved_rad > 0.0, options_.axis) +
+         " once it is loose, driven by nothing: a load heavier than its friction pulls it; hold or balance the load, "
+         "or take it off";
+}
+
+double WiringCheck::supply_V() const {
+  return supplyCount_ > 0 ? supplySum_V_ / static_cast<double>(supplyCount_) : 0.0;
+}
+
+WiringCheck::Progress WiringCheck::progress() const {
+  const double all = std::log(std::max(2.0, mostSupply_V_ / options_.start_V));
+  const double pulses = std::log(std::max(1.0, level_V_ / options_.start_V)) / all;
+  return {kicks_.empty() ? std::clamp(pulses, 0.0, 0.9) : 0.9, std::max(0.5, usual_s - last_s_),
+          "checking the wiring by small pulses"};
+}
+
+}  // namespace breakaway

@@ -1,0 +1,59 @@
+#include "identify/encoder_disc.h"
+
+#include <cmath>
+
+#include "base/numbers.h"
+#include "identify/encoder_swing.h"
+#include "identify/inertia_share.h"
+#include "identify/velocity_friction.h"
+#include "identify/way_runs.h"
+
+namespace breakaway {
+
+namespace {
+
+using Complex = std::complex<double>;
+constexpr int rounds = 4;  // each leaves about D of the error
+constexpr double mostOff_rad = 0.3;
+constexpr double leastSettled = 0.02;  // of D, that the last round may still add
+
+}  // namespace
+
+double EncoderDisc::angleOf(double shown_rad) const {
+  double angle = shown_rad;
+  for (int k = 0; k < 8; ++k) angle = shown_rad + off_rad.real() - (off_rad * std::polar(1.0, angle)).real();
+  return angle;
+}
+
+double EncoderDisc::gainAt(double angle_rad) const {
+  return 1.0 / (1.0 - (off_rad * std::polar(1.0, angle_rad)).imag());
+}
+
+EncoderDisc fitDisc(const std::vector<VelocityRun>& runs, const VelocityFrictionOptions& given) {
+  VelocityFrictionOptions options = given;
+  options.disc = {};
+  if (!(options.inertia_kg_m2 > 0.0)) return {};
+  for (int round = 0; round < rounds; ++round) {
+    auto ways = wayRunsOf(runs, options);
+    if (!ways) return {};
+    freeOfInertia(*ways, options.inertia_kg_m2, options.inertiaError_kg_m2);
+    const auto swing = swingOf(*ways);
+    if (!swing || (round == 0 && !swing->clear())) return {};
+    const Complex further = swing->wave / options.inertia_kg_m2;
+    options.disc.off_rad += further;
+    options.disc.variance_rad2 = swing->variance / (options.inertia_kg_m2 * options.inertia_kg_m2);
+    const bool settled = std::abs(further) < leastSettled * std::abs(options.disc.off_rad);
+    if (std::abs(options.disc.off_rad) > mostOff_rad || (round + 1 == rounds && !settled)) return {};
+  }
+  return options.disc;
+}
+
+void placeBy(const EncoderDisc& disc, std::span<BreakawayEvent> events) {
+  if (!disc.known()) return;
+  for (BreakawayEvent& event : events) {
+    const double angle = disc.angleOf(event.angle_rad);
+    event.angle_rad = angle - turn_rad * std::floor(angle / turn_rad);
+  }
+}
+
+}  // namespace breakaway

@@ -1,0 +1,33 @@
+// An encoder's disc that sits off its shaft's centre.
+#pragma once
+
+#include <complex>
+#include <span>
+#include <vector>
+
+#include "friction/measurements.h"
+
+namespace breakaway {
+
+struct VelocityFrictionOptions;
+
+/// Shows a rotor that stands at θ at θ + Re(D·e^{jθ}) − Re(D), both from the index.
+struct EncoderDisc {
+  std::complex<double> off_rad;  ///< D
+  double variance_rad2 = 0.0;    ///< of D's real and imaginary part each
+
+  bool known() const { return off_rad != 0.0; }
+  double angleOf(double shown_rad) const;
+  /// dθ/dshown at the rotor's angle.
+  double gainAt(double angle_rad) const;
+};
+
+/// A speed that is shown as constant swings once per turn, and the rotor's inertia with it, by J·D·ω² whichever way it
+/// turns (encoder_swing.h): D from that wave in runs at constant speed, by going on from what the last D leaves of it.
+/// None where the wave doesn't clearly show, or a way has fewer than three speeds.
+EncoderDisc fitDisc(const std::vector<VelocityRun>& runs, const VelocityFrictionOptions& options);
+
+/// The breakaways at the angles where the rotor really stood.
+void placeBy(const EncoderDisc& disc, std::span<BreakawayEvent> events);
+
+}  // namespace breakaway

@@ -1,0 +1,87 @@
+// Runs whose recording grows on disk: how they begin, how they end, and what is made of those that a kill ended.
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <system_error>
+
+#include "base/atomic_file.h"
+#include "base/uuid.h"
+#include "project/project.h"
+#include "project/project_lock.h"
+#include "project/run_contents.h"
+
+namespace breakaway {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// "12.3 s, 61500 samples, 12 lost".
+std::string lengthOf(const BlockSurvey& survey) {
+  std::string words = fmt::format("{:.1f} s, {} samples", survey.last_s - survey.first_s, survey.rows);
+  if (survey.lost() > 0) words += fmt::format(", {} lost", survey.lost());
+  return words;
+}
+
+}  // namespace
+
+Result<ProjectRun> Project::beginRecording(ProjectRun run, const BlockHead& head, std::optional<BlockWriter>& blocks) {
+  const ProjectLock lock(folder_, ProjectLock::Way::shared);  // not taken for a recording that a kill has left
+  run.kind = "recording";
+  run.at = utcNow();
+  run.id = freshUuid().substr(0, 8);
+  run.state = RunState::recording;
+  run.folder = folderFor(run);
+  run.files = {{recordingFile, "recording", 0, ""}};
+  const std::string folder = folder_ + "/" + run.folder;
+  if (auto made = makeFolder(folder); !made) return made.error();
+  auto written = writeRunFile(run, folder);
+  auto opened =
+      written ? BlockWriter::create(folder + "/" + recordingFile, head) : Result<BlockWriter>(written.error());
+  if (!opened) {
+    std::error_code code;
+    fs::remove_all(folder, code);
+    return opened.error();
+  }
+  blocks.emplace(std::move(*opened));
+  static_cast<void>(index_->follow(said_));  // it follows at the next opening, else
+  return run;
+}
+
+Result<ProjectRun> Project::endRecording(const ProjectRun& begun, const std::string& why) {
+  const std::string folder = folder_ + "/" + begun.folder;
+  ProjectRun run = begun;
+  if (const auto noted = index_->find(begun.folder)) run = *noted;  // a name may have come since
+  const auto survey = surveyBlocks(folder + "/" + recordingFile);
+  const auto contents = contentsOf(folder);
+  if (!contents) return contents.error();
+  run.files = contents->files;
+  run.state = why.empty() ? RunState::whole : RunState::cut;
+  run.verdict = survey ? lengthOf(*survey) : "nothing was recorded";
+  if (!why.empty()) run.verdict += "; ended by: " + why;
+  if (auto written = writeRunFile(run, folder); !written) return written.error();
+  if (auto followed = index_->follow(said_); !followed) return followed.error();
+  return run;
+}
+
+/// Recordings that nobody writes any more, though they haven't ended.
+Result<void> Project::mendRecordings() {
+  const auto runs = index_->list({.kind = "recording"});
+  if (!runs) return runs.error();
+  for (const ProjectRun& run : *runs) {
+    const std::string file = pathOf(run, recordingFile);
+    if (run.state != RunState::recording || isBeingWritten(file)) continue;
+    const auto mended = mendBlocks(file, "a kill or a loss of power: the last second may be missing");
+    const std::string why = mended ? mended->why : "a kill or a loss of power, before anything was recorded";
+    const auto ended = endRecording(run, why);
+    if (!ended) {  // the disk may be full, or another's: the project can be read all the same
+      said_.push_back(ended.error().message() + "; the recording " + run.id + " was cut short and is not mended yet");
+      continue;
+    }
+    said_.push_back(
+        fmt::format("{}: the recording {} was cut short and is mended: {}", folder_, run.id, ended->verdict));
+  }
+  return {};
+}
+
+}  // namespace breakaway

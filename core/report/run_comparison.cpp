@@ -1,0 +1,199 @@
+#include "report/run_comparison.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/atomic_file.h"
+#include "base/made.h"
+#include "draw/html_report.h"
+#include "draw/svg_polar.h"
+#include "friction/map_export.h"
+#include "report/map_figures.h"
+
+namespace breakaway {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double halfWidth(const RunValue& value) {
+  return 0.5 * (value.high - value.low);
+}
+
+ValueChange changeOf(const RunValue& before, const RunValue& after) {
+  const double allowed = std::hypot(halfWidth(before), halfWidth(after));
+  return {before, after, allowed > 0.0 && std::abs(after.value - before.value) > allowed};
+}
+
+std::string numberAndInterval(const RunValue& value) {
+  return fmt::format("{} ({} to {})", numberText(value.value, 3), numberText(value.low, 3), numberText(value.high, 3));
+}
+
+std::string percent(const ValueChange& change) {
+  if (change.before.value == 0.0) return "";
+  return fmt::format("{:+.3g} %", 100.0 * (change.after.value / change.before.value - 1.0));
+}
+
+/// "commission of 2026-03-02, 8b504e58 (before greasing)".
+std::string nameOf(const ProjectRun& run) {
+  return run.kind + " of " + run.at.substr(0, 10) + ", " + run.id + (run.name.empty() ? "" : " (" + run.name + ")");
+}
+
+/// Those of `all` whose effect, the part before the colon, `others` don't have.
+std::vector<std::string> without(const std::vector<std::string>& all, const std::vector<std::string>& others) {
+  const auto effect = [](const std::string& finding) { return finding.substr(0, finding.find(':')); };
+  std::vector<std::string> rest;
+  for (const std::string& one : all) {
+    const bool there = std::any_of(others.begin(), others.end(),
+                                   [&](const std::string& other) { return effect(other) == effect(one); });
+    if (!there) rest.push_back(one);
+  }
+  return rest;
+}
+
+Result<std::optional<FrictionMap>> mapOf(const Project& project, const ProjectRun& run) {
+  const RunFile* file = run.file("map");
+  if (file == nullptr) return std::optional<FrictionMap>();
+  auto map = readMap(project.pathOf(run, file->path));
+  if (!map) return map.error();
+  return std::optional<FrictionMap>(std::move(*map));
+}
+
+std::string placeText(double place, Axis axis) {
+  const MapUnits& units = mapUnitsOf(axis);
+  return axis == Axis::rotary ? numberText(units.placeScale * place, 3) + "°" : numberText(1e3 * place, 3) + " mm";
+}
+
+std::string sentenceOf(const MapChange& change, Axis axis) {
+  const MapUnits& units = mapUnitsOf(axis);
+  const double scale = units.torqueScale;
+  return fmt::format(
+      "{}: {:+.3g} {} on average (±{:.2g}); {} of {} bins beyond their intervals, by chance {:.0f}; the largest "
+      "difference is {:+.3g} {} at {}.",
+      change.quantity, scale * change.meanDifference, units.torqueUnit, scale * change.meanHalfWidth, change.beyond,
+      change.bins, change.byChance, scale * change.largest, units.torqueUnit, placeText(change.largestAt, axis));
+}
+
+}  // namespace
+
+Result<RunComparison> compareRuns(const Project& project, const ProjectRun& one, const ProjectRun& other) {
+  const bool inOrder = one.at <= other.at;
+  RunComparison comparison{inOrder ? one : other, inOrder ? other : one, {}, {}, {}, {}, {}, {}};
+  if (one.id == other.id) return Error{project.folder(), "run " + one.id + " is compared with itself, expected two"};
+  for (const RunValue& before : comparison.before.values) {
+    if (const RunValue* after = comparison.after.value(before.name); after != nullptr)
+      comparison.values.push_back(changeOf(before, *after));
+  }
+  auto before = mapOf(project, comparison.before), after = mapOf(project, comparison.after);
+  if (!before) return before.error();
+  if (!after) return after.error();
+  if (*before && *after && (**before).axis == (**after).axis) {
+    comparison.maps = compareMaps(**before, **after);
+    comparison.mapBefore = std::move(*before);
+    comparison.mapAfter = std::move(*after);
+  }
+  comparison.findingsGone = without(comparison.before.findings, comparison.after.findings);
+  comparison.findingsNew = without(comparison.after.findings, comparison.before.findings);
+  const bool bothDiagnoses = !comparison.before.verdict.empty() && !comparison.after.verdict.empty();
+  if (comparison.values.empty() && comparison.maps.empty() && !bothDiagnoses)
+    return Error{project.folder(), "runs " + one.id + " and " + other.id + " have no result in common"};
+  return comparison;
+}
+
+std::string inWords(const RunComparison& comparison) {
+  std::string beyond, within;
+  for (const ValueChange& change : comparison.values) {
+    const std::string line =
+        fmt::format("{}: {} → {}{}", change.before.name, numberAndInterval(change.before),
+                    numberAndInterval(change.after), percent(change).empty() ? "" : ", " + percent(change));
+    (change.beyond ? beyond : within) += "  " + line + "\n";
+  }
+  for (const MapChange& change : comparison.maps)
+    (change.isBeyond() ? beyond : within) += "  " + sentenceOf(change, comparison.mapAfter->axis) + "\n";
+  for (const std::string& one : comparison.findingsNew) beyond += "  new finding: " + one + "\n";
+  for (const std::string& one : comparison.findingsGone) beyond += "  no longer found: " + one + "\n";
+  std::string words = nameOf(comparison.before) + " → " + nameOf(comparison.after) + "\n";
+  if (comparison.before.motor != comparison.after.motor)
+    words += fmt::format("Of two motors: {} and {}.\n",
+                         comparison.before.motor.empty() ? "one without serial number" : comparison.before.motor,
+                         comparison.after.motor.empty() ? "one without serial number" : comparison.after.motor);
+  words += beyond.empty() ? "Nothing has changed beyond the 95 % intervals.\n"
+                          : "Changed beyond the 95 % intervals:\n" + beyond;
+  if (!within.empty()) words += "Within them:\n" + within;
+  return words;
+}
+
+std::string comparisonJson(const RunComparison& comparison) {
+  const auto side = [](const ProjectRun& run) {
+    return Json{{"run", run.id}, {"kind", run.kind}, {"at", run.at}, {"name", run.name}, {"motor", run.motor}};
+  };
+  const auto interval = [](const RunValue& value) {
+    return Json{{"value", value.value}, {"ci95", {value.low, value.high}}};
+  };
+  Json json{{"schema", "breakaway.comparison/1"},
+            {"before", side(comparison.before)},
+            {"after", side(comparison.after)},
+            {"values", Json::array()},
+            {"map", Json::array()}};
+  for (const ValueChange& one : comparison.values)
+    json["values"].push_back({{"name", one.before.name},
+                              {"before", interval(one.before)},
+                              {"after", interval(one.after)},
+                              {"beyond_intervals", one.beyond}});
+  const bool linear = comparison.mapAfter && comparison.mapAfter->axis == Axis::linear;
+  const std::string unit = linear ? "_N" : "_Nm";
+  for (const MapChange& one : comparison.maps)
+    json["map"].push_back({{"quantity", one.quantity},
+                           {"bins", one.bins},
+                           {"bins_beyond_intervals", one.beyond},
+                           {"by_chance", one.byChance},
+                           {"mean_difference" + unit, one.meanDifference},
+                           {"mean_difference_ci95" + unit,
+                            {one.meanDifference - one.meanHalfWidth, one.meanDifference + one.meanHalfWidth}},
+                           {"largest_difference" + unit, one.largest},
+                           {linear ? "largest_at_m" : "largest_at_rad", one.largestAt},
+                           {"beyond_intervals", one.isBeyond()}});
+  json["findings_new"] = comparison.findingsNew;
+  json["findings_gone"] = comparison.findingsGone;
+  json["words"] = inWords(comparison);
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Result<void> writeComparison(const RunComparison& comparison, const std::string& folder) {
+  if (auto made = makeFolder(folder + "/figures"); !made) return made;
+  HtmlReport report("What has changed", nameOf(comparison.before) + " → " + nameOf(comparison.after));
+  const std::string words = inWords(comparison);
+  report.verdict(words.substr(words.find('\n') + 1, words.find("Within them:") - words.find('\n') - 1));
+  if (comparison.mapBefore && comparison.mapAfter) {
+    const Figure ghost = ghostFigure(*comparison.mapBefore, *comparison.mapAfter);
+    const Figure over = differenceFigure(*comparison.mapBefore, *comparison.mapAfter);
+    const std::string map = ghost.polar ? toPolarSvg(ghost, 720, 760) : toSvg(ghost);
+    report.heading("The maps");
+    report.svg(map, "Bands are 95 % intervals.");
+    report.figure(over);
+    if (auto done = writeFile(folder + "/figures/map.svg", svgWithMade(map)); !done) return done;
+    if (auto done = writeSvg(over, folder + "/figures/difference.svg"); !done) return done;
+    report.list([&] {
+      std::vector<std::string> lines;
+      lines.reserve(comparison.maps.size());
+      for (const MapChange& one : comparison.maps) lines.push_back(sentenceOf(one, comparison.mapAfter->axis));
+      return lines;
+    }());
+  }
+  if (!comparison.values.empty()) {
+    std::vector<std::vector<std::string>> rows;
+    rows.reserve(comparison.values.size());
+    for (const ValueChange& one : comparison.values)
+      rows.push_back({one.before.name, numberAndInterval(one.before), numberAndInterval(one.after), percent(one),
+                      one.beyond ? "yes" : ""});
+    report.heading("The results");
+    report.table({"result", "before", "after", "change", "beyond the intervals"}, rows);
+  }
+  if (auto done = report.write(folder + "/report.html"); !done) return done;
+  return writeFile(folder + "/comparison.json", withMade(comparisonJson(comparison)));
+}
+
+}  // namespace breakaway

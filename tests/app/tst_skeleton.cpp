@@ -1,0 +1,253 @@
+// The window's skeleton: STOP is never cut off, nothing moves when a label changes, nothing is cut off at any size, all
+// that takes the focus has a name, and the wheel changes nothing by hovering.
+#include <QDoubleSpinBox>
+#include <QPushButton>
+#include <QSlider>
+#include <QTableWidget>
+#include <QWheelEvent>
+
+#include "app/desk.h"
+#include "app/rendered_tree.h"
+#include "widgets/log_drawer.h"
+#include "widgets/rail.h"
+
+using namespace breakaway;
+using namespace breakaway::test;
+
+class TestSkeleton : public QObject {
+  Q_OBJECT
+ private slots:
+  void initTestCase();
+  void stop_isWholeFromTheFirstFrame();
+  void window_fitsASmallScreen();
+  void nothing_turnsAtTheStart();
+  void nothing_movesWhenTheStateChanges();
+  void nothing_isCutOffOrOverlaps_data();
+  void nothing_isCutOffOrOverlaps();
+  void focusable_hasNameAndTooltip();
+  void tab_goesDownThePage();
+  void wheel_changesNothingWithoutFocus();
+  void rail_saysHowFarAStepIs();
+  void log_keepsEveryLineWithItsTime();
+};
+
+namespace {
+
+const QStringList pages{"connectPage", "identifyPage", "tunePage", "homePage", "frictionPage",
+                        "comparePage", "reportPage",   "handPage", "runsPage"};
+
+}  // namespace
+
+void TestSkeleton::initTestCase() {
+  if (qEnvironmentVariableIsEmpty("BREAKAWAY_RESOURCES"))
+    qputenv("BREAKAWAY_RESOURCES", qgetenv("BREAKAWAY_SOURCE_DIR") + "/resources");
+}
+
+void TestSkeleton::stop_isWholeFromTheFirstFrame() {
+  Answers answers;
+  Session session;
+  MainWindow window(session, answers);
+  window.resize(1280, 720);
+  window.show();
+  const auto* stop = named<QPushButton>(window, "stopButton");
+  QCOMPARE(stop->size(), QSize(160, 36));
+  QVERIFY(window.rect().contains(placeIn(stop, window)));
+  const QImage drawn = window.grab(placeIn(stop, window)).toImage();
+  int red = 0;
+  for (int x = 0; x < drawn.width(); ++x) red += drawn.pixelColor(x, 6) == Look::light().stop ? 1 : 0;
+  QVERIFY(red > 150);
+}
+
+void TestSkeleton::window_fitsASmallScreen() {
+  Desk desk;
+  for (const bool live : {false, true}) {
+    desk.window.showLive(live);
+    for (const QString& page : pages) {
+      desk.window.showPage(page);
+      QTest::qWait(1);
+      const QSize least = desk.window.minimumSizeHint();
+      QVERIFY2(least.width() <= 1280 && least.height() <= 720,
+               qPrintable(QString("%1: %2×%3").arg(page).arg(least.width()).arg(least.height())));
+    }
+  }
+}
+
+void TestSkeleton::nothing_turnsAtTheStart() {
+  Desk desk;
+  QVERIFY(desk.connected());
+  QTest::qWait(300);
+  QVERIFY(!desk.session.connection.powered());
+  QVERIFY(!desk.session.connection.run().running());
+}
+
+void TestSkeleton::nothing_movesWhenTheStateChanges() {
+  Desk desk(4.0);
+  QMap<QString, QMap<QString, QRect>> first;
+  const auto look = [&](const char* state) {
+    for (const QString& page : pages) {
+      desk.window.showPage(page);
+      QTest::qWait(1);
+      const auto now = places(desk.window);
+      if (!first.contains(page)) first[page] = now;
+      for (auto one = now.cbegin(); one != now.cend(); ++one) {
+        const QRect before = first[page].value(one.key(), one.value());
+        if (before != one.value())
+          qFatal("%s on %s: %s went from %d,%d to %d,%d (%d×%d to %d×%d)", state, qPrintable(page),
+                 qPrintable(one.key()), before.x(), before.y(), one.value().x(), one.value().y(), before.width(),
+                 before.height(), one.value().width(), one.value().height());
+      }
+    }
+  };
+  look("not connected");
+  desk.session.connection.open("simulated:servo");
+  look("connected");
+  desk.session.bench.turnSlowly();
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.connection.run().running(); }, 5000));
+  look("turning");
+  desk.session.bench.make(RunKind::homing);
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.connection.runs(RunKind::homing); }, 5000));
+  look("homing");
+  desk.session.connection.stop();
+  QVERIFY(QTest::qWaitFor([&] { return !desk.session.connection.run().running(); }, 5000));
+  look("stopped");
+  desk.session.messages.warn("Something failed, and it takes a long sentence to say what it was and where to look");
+  look("failed");
+  desk.session.connection.close();
+  look("disconnected");
+}
+
+void TestSkeleton::nothing_isCutOffOrOverlaps_data() {
+  QTest::addColumn<QSize>("size");
+  QTest::addColumn<bool>("live");
+  for (const QSize size : {QSize(1280, 720), QSize(1366, 768), QSize(1920, 1080)}) {
+    for (const bool live : {false, true})
+      QTest::addRow("%d×%d%s", size.width(), size.height(), live ? ", live" : "") << size << live;
+  }
+}
+
+void TestSkeleton::nothing_isCutOffOrOverlaps() {
+  QFETCH(QSize, size);
+  QFETCH(bool, live);
+  Desk desk;
+  desk.window.resize(size);
+  desk.window.showLive(live);
+  for (const char* board : {"", "simulated:servo", "simulated:linear"}) {
+    if (*board != 0) desk.session.connection.open(board);
+    QVERIFY(desk.session.connection.connected() || *board == 0);
+    for (const QString& page : pages) {
+      desk.window.showPage(page);
+      QTest::qWait(1);
+      QVERIFY2(desk.window.size() == size,
+               qPrintable(QString("%1 %2: %3×%4").arg(board, page).arg(desk.window.width()).arg(desk.window.height())));
+      const QStringList cut = clipped(desk.window), on = overlapping(desk.window);
+      QVERIFY2(cut.isEmpty(), qPrintable(board + page + ": " + cut.join("; ")));
+      QVERIFY2(on.isEmpty(), qPrintable(board + page + ": " + on.join("; ")));
+      desk.window.showPage("connectPage");
+    }
+  }
+}
+
+void TestSkeleton::focusable_hasNameAndTooltip() {
+  Desk desk;
+  desk.window.showLive(true);
+  named<QWidget>(desk.window, "logDrawer")->show();
+  QStringList silent;
+  for (const QString& page : pages) {
+    desk.window.showPage(page);
+    for (const QWidget* widget : desk.window.findChildren<QWidget*>()) {
+      if (!widget->isVisible() || !(widget->focusPolicy() & Qt::TabFocus)) continue;
+      if (widget->objectName().startsWith("qt_") || qobject_cast<const QAbstractSpinBox*>(widget->parentWidget()))
+        continue;
+      const auto* button = qobject_cast<const QAbstractButton*>(widget);
+      const bool spoken = !widget->accessibleName().isEmpty() || (button && !button->text().isEmpty());
+      const QString name = QString("%1 (%2)").arg(widget->objectName(), widget->metaObject()->className());
+      if (!spoken) silent << name + " has no name";
+      if (widget->toolTip().isEmpty()) silent << name + " has no tooltip";
+    }
+  }
+  silent.removeDuplicates();
+  QVERIFY2(silent.isEmpty(), qPrintable(silent.join(", ")));
+}
+
+void TestSkeleton::tab_goesDownThePage() {
+  Desk desk;
+  QVERIFY(desk.connected());
+  desk.window.activateWindow();
+  QVERIFY(QTest::qWaitForWindowActive(&desk.window));
+  for (const QString& page : pages) {
+    desk.window.showPage(page);
+    auto* content = named<QWidget>(desk.window, page.toLatin1().constData());
+    QSet<const QWidget*> reached;
+    QWidget* focused = named<QWidget>(desk.window, "steps");
+    focused->setFocus();
+    for (int k = 0; k < 200; ++k) {
+      QTest::keyClick(focused, Qt::Key_Tab);
+      focused = QApplication::focusWidget();
+      QVERIFY(focused != nullptr);
+      if (reached.contains(focused)) break;
+      reached << focused;
+    }
+    for (const QWidget* control : visibleControls(*content)) {
+      if (control->isEnabled())
+        QVERIFY2(reached.contains(control), qPrintable(page + ": Tab doesn't reach " + control->objectName()));
+    }
+  }
+}
+
+void TestSkeleton::wheel_changesNothingWithoutFocus() {
+  Desk desk;
+  QVERIFY(desk.connected());
+  desk.window.showPage("tunePage");
+  auto* slider = named<QSlider>(desk.window, "kpSlider");
+  auto* box = named<QDoubleSpinBox>(desk.window, "kpBox");
+  const auto turn = [](QWidget* widget) {
+    QWheelEvent event(QPointF(5, 5), widget->mapToGlobal(QPointF(5, 5)), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(widget, &event);
+  };
+  named<QWidget>(desk.window, "steps")->setFocus();
+  const int before = slider->value();
+  const double value = box->value();
+  turn(slider);
+  turn(box);
+  QCOMPARE(slider->value(), before);
+  QCOMPARE(box->value(), value);
+  desk.window.activateWindow();
+  QVERIFY(QTest::qWaitForWindowActive(&desk.window));
+  slider->setFocus();
+  turn(slider);
+  QVERIFY(slider->value() != before);
+}
+
+void TestSkeleton::rail_saysHowFarAStepIs() {
+  Desk desk;
+  const auto* rail = named<Rail>(desk.window, "steps");
+  const auto words = [rail](int row) { return rail->item(row)->data(Qt::AccessibleDescriptionRole).toString(); };
+  QCOMPARE(words(0), QString("no board"));
+  QCOMPARE(words(3), QString("needs a board"));
+  QVERIFY(desk.connected());
+  QVERIFY2(words(0).contains("kHz"), qPrintable(words(0)));
+  QVERIFY(desk.homed());
+  QVERIFY2(words(3).startsWith("index ± ") && words(3).endsWith("°"), qPrintable(words(3)));
+}
+
+void TestSkeleton::log_keepsEveryLineWithItsTime() {
+  Desk desk;
+  const auto* log = named<LogDrawer>(desk.window, "logDrawer");
+  const size_t before = log->lines().size();
+  desk.session.messages.say("first");
+  desk.session.messages.warn("second");
+  QCOMPARE(log->lines().size(), before + 2);
+  QVERIFY(log->unreadTrouble());
+  QVERIFY(named<QPushButton>(desk.window, "logButton")->text().contains("new"));
+  press(desk.window, "logButton");
+  QCOMPARE(log->unread(), size_t{0});
+  const auto* table = named<QTableWidget>(desk.window, "logTable");
+  QCOMPARE(table->item(0, 1)->text(), QString("second"));
+  QVERIFY(QTime::fromString(table->item(0, 0)->text(), "HH:mm:ss").isValid());
+  press(desk.window, "logTroubleOnly");
+  QCOMPARE(table->rowCount(), 1);
+}
+
+JOURNEY_MAIN(TestSkeleton)
+#include "tst_skeleton.moc"

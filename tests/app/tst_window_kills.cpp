@@ -1,0 +1,110 @@
+// The window killed at random moments: what was recorded up to the last second is there, the project opens, and what is
+// missing is said. Called with --at-work WORK FOLDER, it is the window that is killed.
+#include <QTemporaryDir>
+#include <QTest>
+#include <cstdio>
+#include <random>
+
+#include "app/desk.h"
+#include "app/streaming_drive.h"
+#include "bench/window_kills.h"
+#include "friction/map_export.h"
+#include "support/noisy_map.h"
+
+using namespace breakaway;
+using namespace breakaway::test;
+
+class TestWindowKills : public QObject {
+  Q_OBJECT
+ private slots:
+  void killedWindow_losesLessThanASecond_data();
+  void killedWindow_losesLessThanASecond();
+};
+
+namespace {
+
+constexpr double rate_Hz = 10'000.0;
+
+void begun() {
+  std::puts("at work");
+  std::fflush(stdout);
+}
+
+/// Maps go in one after the other, and recordings of a tenth of a second are written as CSV.
+void saveForEver(Desk& desk, const QString& folder) {
+  begun();
+  for (int k = 0;; ++k) {
+    NewRun run;
+    run.write = [](const std::string& into) { return exportMap(noisyMap(0.02, 1), "json", into + "/map.json"); };
+    desk.session.project.put(run, "A map");
+    desk.session.live.startRecording();
+    QTest::qWait(100);
+    desk.session.live.finishRecording();
+    QTest::qWait(20);
+    desk.session.live.saveLast(folder + "/../saved.csv");
+  }
+}
+
+int work(const QString& what, const QString& folder) {
+  Desk desk(what == "sweeping" ? hurried : 1.0);
+  desk.session.project.open(folder);
+  if (what == "sweeping") {
+    if (!desk.connected()) return 1;
+    desk.quickSpeeds();
+    desk.sweep(36, 1);
+    if (!QTest::qWaitFor([&] { return desk.session.connection.run().running(); }, 5000)) return 1;
+    begun();
+    QTest::qWait(60'000);
+    return 1;
+  }
+  desk.session.connection.adopt(std::make_unique<StreamingDrive>(rate_Hz), "streaming");
+  if (what == "saving") saveForEver(desk, folder);
+  desk.window.showLive(true);
+  press(desk.window, "recordButton");
+  if (!QTest::qWaitFor([&] { return desk.session.connection.link().recorded_s > 0.0; }, 5000)) return 1;
+  begun();
+  QTest::qWait(60'000);
+  return 1;
+}
+
+}  // namespace
+
+void TestWindowKills::killedWindow_losesLessThanASecond_data() {
+  QTest::addColumn<QString>("what");
+  for (const char* what : windowWorks) QTest::addRow("%s", what) << QString(what);
+}
+
+void TestWindowKills::killedWindow_losesLessThanASecond() {
+  QFETCH(QString, what);
+  const QTemporaryDir place;
+  const auto seed = std::random_device{}();
+  std::mt19937 random(seed);
+  const ProjectKills left =
+      killsOfTheWindow(QCoreApplication::applicationFilePath(), what, place.filePath("p"), 3, random);
+  QStringList faults;
+  for (const std::string& fault : left.faults) faults << QString::fromStdString(fault);
+  QVERIFY2(left.faults.empty(), qPrintable(QString("seed %1: %2").arg(seed).arg(faults.join("; "))));
+  QVERIFY2(left.good(), qPrintable(QString("seed %1: %2 of %3 open, %4 whole, %5 of %6 said, %7 s lost")
+                                       .arg(seed)
+                                       .arg(left.opened)
+                                       .arg(left.kills)
+                                       .arg(left.whole)
+                                       .arg(left.said)
+                                       .arg(left.cut)
+                                       .arg(left.worst_s)));
+  if (what == "recording") QCOMPARE(left.cut, 3);
+}
+
+int main(int argc, char** argv) {
+  const QTemporaryDir kept;
+  for (const char* name : {"XDG_RUNTIME_DIR", "XDG_DATA_HOME", "XDG_CONFIG_HOME"}) qputenv(name, kept.path().toUtf8());
+  if (argc == 4 && QByteArray(argv[1]) == "--at-work") {
+    QApplication application(argc, argv);
+    wear(Theme::light);
+    return work(argv[2], argv[3]);
+  }
+  QCoreApplication application(argc, argv);
+  TestWindowKills test;
+  return QTest::qExec(&test, argc, argv);
+}
+#include "tst_window_kills.moc"

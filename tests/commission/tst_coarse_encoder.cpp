@@ -1,0 +1,49 @@
+#include <QTest>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/atomic_file.h"
+#include "commission/commission.h"
+#include "commission/sweep_layout.h"
+#include "firmware_link/simulated_board.h"
+#include "support/temporary.h"
+
+using namespace breakaway;
+
+class TestCoarseEncoder : public QObject {
+  Q_OBJECT
+ private slots:
+  void bins_holdWholeCounts();
+  void fewCounts_areHomedAndHeld();
+};
+
+void TestCoarseEncoder::bins_holdWholeCounts() {
+  QCOMPARE(binsOfWholeCounts(14400, 360), size_t{360});
+  QCOMPARE(binsOfWholeCounts(4000, 360), size_t{400});
+  QCOMPARE(binsOfWholeCounts(4096, 360), size_t{256});
+  QCOMPARE(binsOfWholeCounts(64, 360), size_t{64});
+  QCOMPARE(binsOfWholeCounts(4099, 360), size_t{360});  // a prime
+  QCOMPARE(binsOfWholeCounts(0, 360), size_t{360});
+}
+
+/// With gains and speeds of a fine encoder the loop swings between its limits and never comes home.
+void TestCoarseEncoder::fewCounts_areHomedAndHeld() {
+  const auto text = readFile(qgetenv("BREAKAWAY_SOURCE_DIR").toStdString() + "/resources/presets/servo.rig.json");
+  QVERIFY(text.ok());
+  auto rig = nlohmann::json::parse(*text);
+  rig["encoder"]["counts_per_rev"] = 256;
+  test::TemporaryFolder folder;
+  auto drive = openDrive("simulated:" + folder.write("coarse.rig.json", rig.dump()), 1);
+  QVERIFY(drive.ok());
+  CommissionOptions options;
+  options.keepRecordings = false;
+  options.sweeps.bins = 32;
+  options.sweeps.speedRun_s = 4.0;
+  const auto done = commission(**drive, options);
+  QVERIFY2(done.ok(), done.ok() ? "" : done.error().message().c_str());
+  QCOMPARE(done->runs.size(), size_t{12});
+  QVERIFY(std::abs(done->map.coulombAverage_Nm.value - 0.017) < 0.03 * 0.017);
+}
+
+QTEST_APPLESS_MAIN(TestCoarseEncoder)
+#include "tst_coarse_encoder.moc"

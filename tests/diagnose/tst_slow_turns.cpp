@@ -1,0 +1,45 @@
+// A rotor that falls from one cogging well into the next, with nothing but a measured current to replay it from.
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+
+#include "diagnose/diagnosis.h"
+#include "motor/bench.h"
+#include "recording/csv.h"
+
+using namespace breakaway;
+
+/// The plant, made by another program than ours: cogging of 4.3 mNm, 12 per turn, friction of 1.1 mNm; a speed loop
+/// turns it slowly both ways.
+class TestSlowTurns : public QObject {
+  Q_OBJECT
+ private slots:
+  void coggingBeyondFriction_isNamed();
+};
+
+void TestSlowTurns::coggingBeyondFriction_isNamed() {
+  const std::string file =
+      (qEnvironmentVariable("BREAKAWAY_SOURCE_DIR") + "/tests/data/diagnose/slow_turns_in_cogging").toStdString();
+  const auto bench = readBench(file + ".bench.json");
+  const auto recording = readCsv(file + ".csv");
+  if (!bench || !recording) qFatal("no data");
+  const auto diagnosis = diagnose(*bench, {*recording}, {}, {});
+  if (!diagnosis) qFatal("%s", diagnosis.error().message().c_str());
+  const std::string words = inWords(*diagnosis);
+  // Over half a second no model can foresee which well the rotor falls into.
+  QVERIFY2(diagnosis->fit.window_s < 0.1, words.c_str());
+  QVERIFY2(diagnosis->verdict == Verdict::named || diagnosis->verdict == Verdict::ambiguous, words.c_str());
+  QVERIFY2(!diagnosis->findings.empty() && diagnosis->findings.front().effect == "cogging", words.c_str());
+  for (const Parameter& one : diagnosis->findings.front().parameters) {
+    if (one.name == "order") QCOMPARE(one.value, 12.0);
+    if (one.name == "amplitude_Nm") QVERIFY2(std::abs(one.value / 4.3e-3 - 1.0) < 0.2, words.c_str());
+  }
+  // What was measured is what the drive gave.
+  QVERIFY2(std::none_of(diagnosis->findings.begin(), diagnosis->findings.end(),
+                        [](const Finding& one) { return one.effect == "command_saturation"; }),
+           words.c_str());
+  QVERIFY2(*diagnosis->base.baseValue("viscous_Nm_s_per_rad") < 1e-4, words.c_str());
+}
+
+QTEST_APPLESS_MAIN(TestSlowTurns)
+#include "tst_slow_turns.moc"

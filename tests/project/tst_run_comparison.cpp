@@ -1,0 +1,119 @@
+// Two runs side by side: what has changed is said, and what hasn't is not.
+#include <QTest>
+#include <cmath>
+
+#include "friction/map_export.h"
+#include "report/run_comparison.h"
+#include "support/noisy_map.h"
+#include "support/temporary.h"
+
+using namespace breakaway;
+using namespace breakaway::test;
+
+class TestRunComparison : public QObject {
+  Q_OBJECT
+ private slots:
+  void sameMotorTwice_hasNotChanged();
+  void higherFriction_isBeyondTheIntervals();
+  void placeThatHasChanged_isFound();
+  void otherNumberOfBins_isCompared();
+  void runsWithNothingInCommon_areAnError();
+  void comparison_isWrittenWhole();
+};
+
+namespace {
+
+ProjectRun put(Project& project, const FrictionMap& map, const std::string& at) {
+  NewRun run;
+  run.write = [&map](const std::string& folder) { return exportMap(map, "json", folder + "/map.json"); };
+  run.at = at;
+  auto put = project.add(run);
+  if (!put) qFatal("%s", put.error().message().c_str());
+  return *put;
+}
+
+struct Two {
+  TemporaryFolder folder;
+  Project project;
+  ProjectRun before, after;
+  Two(const FrictionMap& first, const FrictionMap& second)
+      : project(std::move(*Project::open(folder.path("p"), Project::Missing::isMade))),
+        before(put(project, first, "2026-01-01T00:00:00Z")),
+        after(put(project, second, "2026-02-01T00:00:00Z")) {}
+  RunComparison comparison() const {
+    auto comparison = compareRuns(project, after, before);  // in any order
+    if (!comparison) qFatal("%s", comparison.error().message().c_str());
+    return *comparison;
+  }
+};
+
+size_t changed(const RunComparison& comparison) {
+  size_t count = 0;
+  for (const ValueChange& one : comparison.values) count += one.beyond ? 1 : 0;
+  for (const MapChange& one : comparison.maps) count += one.isBeyond() ? 1 : 0;
+  return count;
+}
+
+}  // namespace
+
+void TestRunComparison::sameMotorTwice_hasNotChanged() {
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    const auto changes = compareMaps(noisyMap(0.02, seed), noisyMap(0.02, 100 + seed));
+    QCOMPARE(changes.size(), size_t{4});
+    size_t beyond = 0;
+    for (const MapChange& one : changes) beyond += one.isBeyond() ? 1 : 0;
+    QVERIFY2(beyond <= 1, qPrintable(QString::number(seed)));
+  }
+  const Two same(noisyMap(0.02, 1), noisyMap(0.02, 2));
+  const std::string words = inWords(same.comparison());
+  QVERIFY2(words.find("Nothing has changed beyond the 95 % intervals.") != std::string::npos, words.c_str());
+}
+
+void TestRunComparison::higherFriction_isBeyondTheIntervals() {
+  const Two two(noisyMap(0.02, 1), noisyMap(0.024, 2));
+  const RunComparison comparison = two.comparison();
+  QCOMPARE(comparison.before.id, two.before.id);
+  QVERIFY(changed(comparison) >= 5);  // four quantities of the map, and the Coulomb average
+  for (const ValueChange& one : comparison.values)
+    QCOMPARE(one.beyond, one.before.name.find("viscous") == std::string::npos);
+  QVERIFY(std::abs(comparison.maps.front().meanDifference - 0.004) < 2e-4);
+  const std::string words = inWords(comparison);
+  QVERIFY2(words.find("coulomb_average_Nm: 0.016") != std::string::npos && words.find("+20 %") != std::string::npos,
+           words.c_str());
+}
+
+void TestRunComparison::placeThatHasChanged_isFound() {
+  const auto changes = compareMaps(noisyMap(0.02, 1), noisyMap(0.02, 2, 90, 0.005));
+  QVERIFY(changes[0].largestAt > 1.9 && changes[0].largestAt < 2.5);
+  QVERIFY(std::abs(changes[0].largest - 0.005) < 1.5e-3);
+}
+
+void TestRunComparison::otherNumberOfBins_isCompared() {
+  const auto changes = compareMaps(noisyMap(0.02, 1, 60), noisyMap(0.024, 2, 180));
+  QCOMPARE(changes.front().bins, size_t{180});
+  QVERIFY(std::abs(changes.front().meanDifference - 0.004) < 3e-4);
+}
+
+void TestRunComparison::runsWithNothingInCommon_areAnError() {
+  const TemporaryFolder folder;
+  auto project = Project::open(folder.path("p"), Project::Missing::isMade);
+  VERIFY_OK(project);
+  const auto map = put(*project, noisyMap(0.02, 1), "2026-01-01T00:00:00Z");
+  const auto text = project->add({.sources = {folder.write("note.txt", "a note")}});
+  VERIFY_OK(text);
+  QVERIFY(compareRuns(*project, map, *text).error().fact.find("no result in common") != std::string::npos);
+  QVERIFY(compareRuns(*project, map, map).error().fact.find("itself") != std::string::npos);
+}
+
+void TestRunComparison::comparison_isWrittenWhole() {
+  const Two two(noisyMap(0.02, 1), noisyMap(0.024, 2));
+  VERIFY_OK(writeComparison(two.comparison(), two.folder.path("c")));
+  for (const char* name : {"comparison.json", "report.html", "figures/map.svg", "figures/difference.svg"}) {
+    const auto text = readFile(two.folder.path(std::string("c/") + name));
+    VERIFY_OK(text);
+    QVERIFY2(text->size() > 500 && text->find("\"run\":") != std::string::npos, name);
+  }
+}
+
+QTEST_APPLESS_MAIN(TestRunComparison)
+#include "tst_run_comparison.moc"
