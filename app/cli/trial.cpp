@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -10,7 +9,7 @@
 #include "cli/command.h"
 #include "cli/diagnose_files.h"
 #include "cli/inputs.h"
-#include "diagnose/effects/catalogue.h"
+#include "diagnose/verdict/unsealed.h"
 #include "trial/sealed_trial.h"
 
 namespace breakaway::cli {
@@ -24,18 +23,21 @@ struct TrialLine {
 
 using Names = std::vector<std::string>;
 
-/// Sorted, inseparable twins under one name.
-Names compared(Names names) {
-  for (std::string& name : names) name = countedAs(name);
-  std::sort(names.begin(), names.end());
-  return names;
+std::string listed(const Names& names) {
+  std::string words;
+  for (const std::string& name : names) words += (words.empty() ? "" : ", ") + name;
+  return words;
 }
 
-/// Outside the catalogue the only right answer is to give no name and to say so.
-bool isRight(const SealedTrial& trial, const Names& truth, const Names& answer, Verdict verdict) {
-  if (!trial.outside.empty()) return verdict == Verdict::outsideCatalogue && answer.empty();
-  if (truth.empty()) return verdict == Verdict::nothingMissing && answer.empty();
-  return compared(truth) == compared(answer);
+/// What was concealed beside what was named.
+std::string truthInWords(const Names& truth, const Unsealed& unsealed) {
+  std::string words = "Concealed was: " + (truth.empty() ? "nothing" : listed(truth)) + ". The answer is " +
+                      (unsealed.isRight ? "right" : "wrong") + ".";
+  if (unsealed.isRight) return words;
+  if (!unsealed.right.empty()) words += " Right: " + listed(unsealed.right) + ".";
+  if (!unsealed.missed.empty()) words += " Missed: " + listed(unsealed.missed) + ".";
+  if (!unsealed.wrong.empty()) words += " Wrong: " + listed(unsealed.wrong) + ".";
+  return words;
 }
 
 /// Where writeTrial() put the trial, and where its diagnosis goes.
@@ -47,8 +49,8 @@ DiagnosedFiles filesOf(const SealedTrial& trial, const std::string& folder) {
 }
 
 /// `out`: where `folder` is put in place.
-Result<Answer> unseal(const SealedTrial& trial, const Diagnosis& diagnosis, const std::string& folder,
-                      const std::string& out) {
+Result<Answer> answerOf(const SealedTrial& trial, const Diagnosis& diagnosis, const std::string& folder,
+                        const std::string& out) {
   using Json = nlohmann::ordered_json;
   Names answer, truth;
   for (const Finding& finding : diagnosis.findings) answer.push_back(finding.effect);
@@ -59,14 +61,14 @@ Result<Answer> unseal(const SealedTrial& trial, const Diagnosis& diagnosis, cons
     for (const auto& [name, value] : one.parameters) values[name] = value;
     concealed.push_back({{"effect", one.effect}, {"parameters", values}});
   }
-  const bool right = isRight(trial, truth, answer, diagnosis.verdict);
+  const Unsealed unsealed = unseal(truth, !trial.outside.empty(), answer, diagnosis.verdict);
   const Json json{
       {"schema", "breakaway.trial/1"},
       {"family", trial.family},
       {"seed", trial.seed},
       {"answer", answer},
       {"truth", truth},
-      {"right", right},
+      {"right", unsealed.isRight},
       {"verdict", nameOf(diagnosis.verdict)},
       {"outside", trial.outside},
       {"concealed", concealed},
@@ -76,10 +78,7 @@ Result<Answer> unseal(const SealedTrial& trial, const Diagnosis& diagnosis, cons
           writeFile(folder + "/trial.json", withMade(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"));
       !done)
     return done.error();
-  std::string words = truth.empty() ? "nothing" : truth.front();
-  for (size_t k = 1; k < truth.size(); ++k) words += ", " + truth[k];
-  return Answer{inWords(diagnosis) + "Concealed was: " + words + ". The answer is " + (right ? "right" : "wrong") +
-                    ".\nReport: " + out + "/diagnosis/report.html\n",
+  return Answer{inWords(diagnosis) + truthInWords(truth, unsealed) + "\nReport: " + out + "/diagnosis/report.html\n",
                 asText(json)};
 }
 
@@ -89,10 +88,10 @@ Result<Answer> runTrial(const TrialLine& line) {
   const SealedTrial trial = makeTrial(line.family.empty() ? familyOf(line.seed) : line.family, line.seed);
   Answer answer;
   const auto done = out->fill([&](const std::string& folder) -> Result<void> {
-    if (auto written = writeTrial(trial, folder); !written) return written;
+    if (auto put = writeTrial(trial, folder); !put) return put;
     const auto diagnosis = diagnoseFiles(filesOf(trial, folder));
     if (!diagnosis) return diagnosis.error();
-    auto unsealed = unseal(trial, *diagnosis, folder, line.out);
+    auto unsealed = answerOf(trial, *diagnosis, folder, line.out);
     if (!unsealed) return unsealed.error();
     answer = std::move(*unsealed);
     return {};

@@ -100,7 +100,7 @@ class Diagnoser {
     found.base = polishModel(input, found.base.model, polishWeights(input, found.base.model, found.base.model));
     found.best = found.base;
     found.left = found.leftByBase =
-        LinearRig(found.base.model, input.tracks, input.split.train, Torque::wandering).noise();
+        LinearRig(found.base.model, input.tracks, input.split.train, Torque::wandering).wander();
     Diagnosis diagnosis;
     take(diagnosis, judge(bench_, *prepared, input, found), *prepared);
     diagnosis.verdict = Verdict::undecided;

@@ -1,2 +1,2 @@
-target_sources(${name} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/plain_motor.cpp)
+target_sources(${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests/support/plain_motor.cpp)
 target_link_libraries(${name} PRIVATE fmt::fmt)

@@ -6,17 +6,17 @@
 #include <map>
 #include <string>
 
-#include "bench/plain_motor.h"
 #include "diagnose/diagnosis.h"
+#include "support/plain_motor.h"
 
 using namespace breakaway;
 
 namespace {
 
-void study(const char* kind, bool imperfect, std::uint64_t rigs) {
+void study(const char* words, test::LogKind kind, std::uint64_t rigs) {
   std::map<std::string, int> verdicts;
   for (std::uint64_t seed = 1; seed <= rigs; ++seed) {
-    const test::PlainMotorLog log = test::plainMotorLog(seed, imperfect);
+    const test::PlainMotorLog log = test::plainMotorLog(seed, kind);
     const auto diagnosis = diagnose(log.bench, {log.recording}, {}, {});
     const std::string verdict = diagnosis ? nameOf(diagnosis->verdict) : "refused";
     ++verdicts[verdict];
@@ -32,7 +32,7 @@ void study(const char* kind, bool imperfect, std::uint64_t rigs) {
       std::printf("    %s: %s\n", finding.effect.c_str(), finding.sentence.c_str());
     std::fflush(stdout);
   }
-  std::printf("%s:", kind);
+  std::printf("%s:", words);
   for (const auto& [verdict, count] : verdicts) std::printf(" %d %s", count, verdict.c_str());
   std::printf(" of %llu\n", static_cast<unsigned long long>(rigs));
 }
@@ -48,7 +48,8 @@ int main(int argc, char** argv) {
       return 2;
     }
   }
-  study("sound rigs, sound logs", false, rigs);
-  study("sound rigs, imperfect logs", true, rigs);
+  study("sound rigs, sound logs", test::LogKind::sound, rigs);
+  study("sound rigs, imperfect logs", test::LogKind::imperfect, rigs);
+  study("sound rigs, current measured", test::LogKind::measured, rigs);
   return 0;
 }

@@ -4,6 +4,7 @@
 #include "diagnose/diagnosis.h"
 #include "motor/bench.h"
 #include "recording/csv.h"
+#include "support/plain_motor.h"
 
 using namespace breakaway;
 
@@ -22,6 +23,8 @@ class TestSoundLogs : public QObject {
  private slots:
   void plainMotor_lacksNothing_data();
   void plainMotor_lacksNothing();
+  void drivenInSteps_wandersAsItDoes();
+  void measuredCurrent_wasReadAtItsInstant();
 };
 
 void TestSoundLogs::plainMotor_lacksNothing_data() {
@@ -47,6 +50,31 @@ void TestSoundLogs::plainMotor_lacksNothing() {
                        [part](const std::string& one) { return one.find(part) != std::string::npos; });
   };
   QVERIFY2(!says("of the rows stand at exactly"), words.c_str());
+}
+
+/// How late the winding is after a step must not be taken for torque.
+void TestSoundLogs::drivenInSteps_wandersAsItDoes() {
+  const test::PlainMotorLog log = test::plainMotorLog(27, test::LogKind::imperfect);
+  const auto diagnosis = diagnose(log.bench, {log.recording}, {}, {});
+  if (!diagnosis) qFatal("%s", diagnosis.error().message().c_str());
+  const std::string words = log.words + "\n" + inWords(*diagnosis);
+  QVERIFY2(diagnosis->verdict == Verdict::nothingMissing, words.c_str());
+  const double share = diagnosis->wander.rms / *diagnosis->base.baseValue("coulomb_Nm");
+  QVERIFY2(share > 0.7 * log.faults.wander && share < 1.3 * log.faults.wander, words.c_str());
+}
+
+/// A current that runs on between its readings is no late sensor.
+void TestSoundLogs::measuredCurrent_wasReadAtItsInstant() {
+  // Slow enough that it matters.
+  std::uint64_t seed = 1;
+  test::PlainMotorLog log = test::plainMotorLog(seed, test::LogKind::measured);
+  while (log.recording.medianStep_s() < 0.009) log = test::plainMotorLog(++seed, test::LogKind::measured);
+  const auto diagnosis = diagnose(log.bench, {log.recording}, {}, {});
+  if (!diagnosis) qFatal("%s", diagnosis.error().message().c_str());
+  const std::string words = log.words + "\n" + inWords(*diagnosis);
+  QVERIFY2(diagnosis->verdict == Verdict::nothingMissing, words.c_str());
+  const double rows = *diagnosis->base.baseValue("drive_late_s") / log.recording.medianStep_s();
+  QVERIFY2(rows > 0.4 && rows < 0.6, words.c_str());
 }
 
 QTEST_APPLESS_MAIN(TestSoundLogs)

@@ -4,6 +4,7 @@
 
 #include "base/statistics.h"
 #include "diagnose/effects/catalogue.h"
+#include "diagnose/verdict/unsealed.h"
 #include "score/scored_seeds.h"
 #include "score/scoring.h"
 #include "support/temporary.h"
@@ -15,6 +16,8 @@ class TestScoring : public QObject {
  private slots:
   void rightName_countsWhereIdentifiable();
   void twins_countAsOne();
+  void unsealed_tellsRightMissedAndWrong();
+  void unsealed_outsideIsRightWithoutAName();
   void rivalIsRight_countsAsTopTwo();
   void combination_givesF1();
   void cleanTrial_countsFalseAlarms();
@@ -78,6 +81,29 @@ void TestScoring::twins_countAsOne() {
       score({trial("coulomb_asymmetry", {"coulomb_asymmetry"}, {{"constant_load", {"coulomb_asymmetry"}}})});
   verifyShare(got.firstName, 1, 1);
   QCOMPARE(got.wrongExtras, size_t(0));
+}
+
+void TestScoring::unsealed_tellsRightMissedAndWrong() {
+  using Names = std::vector<std::string>;
+  const Unsealed some = unseal({"stribeck", "constant_load"}, false, {"coulomb_asymmetry", "backlash"}, Verdict::named);
+  QCOMPARE(some.right, Names{"constant_load"});
+  QCOMPARE(some.missed, Names{"stribeck"});
+  QCOMPARE(some.wrong, Names{"backlash"});
+  QVERIFY(!some.isRight);
+  QVERIFY(unseal({"constant_load"}, false, {"coulomb_asymmetry"}, Verdict::named).isRight);
+  const Unsealed twice = unseal({"constant_load"}, false, {"constant_load", "coulomb_asymmetry"}, Verdict::ambiguous);
+  QCOMPARE(twice.wrong, Names{"coulomb_asymmetry"});
+  QVERIFY(unseal({}, false, {}, Verdict::nothingMissing).isRight);
+  QVERIFY(!unseal({}, false, {}, Verdict::undecided).isRight);
+  QVERIFY(!unseal({}, false, {"backlash"}, Verdict::named).isRight);
+}
+
+void TestScoring::unsealed_outsideIsRightWithoutAName() {
+  QVERIFY(unseal({"foreign"}, true, {}, Verdict::outsideCatalogue).isRight);
+  QVERIFY(!unseal({"foreign"}, true, {"backlash"}, Verdict::outsideCatalogue).isRight);
+  const Unsealed overlooked = unseal({"foreign"}, true, {}, Verdict::nothingMissing);
+  QVERIFY(!overlooked.isRight);
+  QCOMPARE(overlooked.missed, std::vector<std::string>{"foreign"});
 }
 
 void TestScoring::rivalIsRight_countsAsTopTwo() {

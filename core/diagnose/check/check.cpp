@@ -53,7 +53,7 @@ Result<Check> check(const Bench& asGiven, const std::vector<Recording>& recordin
   out.floor = noiseFloor(base.model, input.tracks, windows, anySeed);
   const double restarts = mean(scoreWindows(base.model, input.tracks, windows));
   out.error = std::sqrt(restarts);
-  out.wander = LinearRig(base.model, input.tracks, input.split.train, Torque::wandering).noise();
+  out.wander = LinearRig(base.model, input.tracks, input.split.train, Torque::wandering).wander();
   out.base = withDoubts(base.model, *data);
   out.effects = sightOf(input, base, Worth(input, base, restarts, out.floor), out.wander);
   out.next = mostInformative(input.seen);

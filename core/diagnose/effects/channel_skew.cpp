@@ -54,6 +54,7 @@ class ChannelSkew final : public Effect, private InputPart, private CurrentSenso
     return current - p[0] * slope;
   }
   double lag_s(std::span<const double> p) const override { return p[0]; }
+  std::optional<double> otherwiseLate_rows() const override { return 0.5; }  // read at the row's instant
   void shape(std::span<const double> p, std::span<const double> time_s, std::span<double> input) const override {
     if (input.size() < 2) return;
     const std::vector<double> recorded(input.begin(), input.end());

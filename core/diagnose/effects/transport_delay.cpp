@@ -62,6 +62,7 @@ class TransportDelay final : public Effect, private InputPart {
 
  private:
   double delay_s(std::span<const double> p) const override { return std::max(p[0], 0.0); }
+  std::optional<double> otherwiseLate_rows() const override { return 0.0; }  // a command acts from its row on
   void shape(std::span<const double> p, std::span<const double> time_s, std::span<double> input) const override {
     const std::vector<double> held(input.begin(), input.end());
     const size_t rows = held.size();

@@ -16,6 +16,15 @@ bool endsWith(const std::string& text, std::string_view end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
+/// How late, in rows, the drive is read beside an effect that moves it.
+std::optional<double> lateBesides(const Model& model) {
+  for (const EffectTerm& term : model.effects) {
+    const InputPart* input = findEffect(term.effect)->input(model.input);
+    if (const auto rows = input != nullptr ? input->otherwiseLate_rows() : std::nullopt) return rows;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 double typicalSize(const std::string& name, double torqueSize, double speedSize) {
@@ -40,7 +49,17 @@ ParameterVector::ParameterVector(const Model& model, const Freedom& freedom, dou
     const Parameter& one = model_.base[k];
     if (freedom.holds(one.name) || (emfRatio_ > 0.0 && one.name == names.backEmfConstant)) continue;
     Slot slot{one.name, 0, k};
-    if (one.name == servoDelayName) {
+    if (one.name == driveLateName) {
+      if (const auto rows = lateBesides(model)) {
+        const double late_s = *rows * freedom.row_s;
+        model_.base[k] = {driveLateName, late_s, late_s, late_s};
+        continue;
+      }
+      slot.scale = freedom.row_s;
+      slot.lower = 0.0;
+      slot.upper = 1.0;
+      slot.bounded = true;
+    } else if (one.name == servoDelayName) {
       slot.scale = delaySize_s;
       slot.lower = -mostEarly_s / delaySize_s;
       slot.upper = mostDelay_s / delaySize_s;
@@ -128,7 +147,8 @@ Model ParameterVector::withIntervals(const Eigen::VectorXd& x, const Eigen::Matr
             std::exp(slot.bounded ? std::min(high, slot.upper) : high));
     } else {
       const double low = slot.bounded ? std::max(x[k] - half, slot.lower) : x[k] - half;
-      place(parameter(model, slot), x[k] * slot.scale, low * slot.scale, (x[k] + half) * slot.scale);
+      const double high = slot.bounded ? std::min(x[k] + half, slot.upper) : x[k] + half;
+      place(parameter(model, slot), x[k] * slot.scale, low * slot.scale, high * slot.scale);
     }
   }
   if (emfRatio_ > 0.0) {

@@ -16,6 +16,7 @@ struct Freedom {
   std::vector<std::string> held;   ///< trusted, and those that set the scale
   double leastInductance_H = 0.0;  ///< beyond these, something else is late
   double mostInductance_H = std::numeric_limits<double>::infinity();
+  double row_s = 0.0;  ///< of measured drives, which may be so late
 
   bool holds(const std::string& name) const;
 };

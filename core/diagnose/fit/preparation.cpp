@@ -93,6 +93,17 @@ void limitInductance(Preparation& prepared, std::optional<double> believed, std:
   prepared.freedom.mostInductance_H = *most * inductanceReach;
 }
 
+/// The length of a row of measured currents; 0 where another drive was recorded. (How late a voltage acts is the
+/// inductance's.)
+double rowOfReadings(const std::vector<Track>& tracks) {
+  double row_s = 0.0;
+  for (const Track& track : tracks) {
+    if (track.drive != DriveInput::current || !(track.inputNoise > 0.0)) return 0.0;
+    row_s = std::max(row_s, track.usualStep_s);
+  }
+  return row_s;
+}
+
 /// A copy whose rows outside all of the windows count as disconnected, so that no inverse model sees them.
 Track masked(const Track& whole, size_t index, const std::vector<const std::vector<Window>*>& sets) {
   Track track = whole;
@@ -210,6 +221,7 @@ Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& re
     if (!starts) return starts.error();
     out.starts.insert(out.starts.end(), starts->begin(), starts->end());
   }
+  if (!bench.servo) out.freedom.row_s = rowOfReadings(out.tracks);
   out.seen = excitationOf(training, out.starts.front());
   out.freedom.held.assign(known.trusted.begin(), known.trusted.end());
   limitInductance(out, bench.motor.inductance_H, windings.shownInductance_H);

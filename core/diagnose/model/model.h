@@ -27,6 +27,11 @@ struct EffectTerm {
   bool operator==(const EffectTerm&) const = default;
 };
 
+/// A base parameter of measured drives: how much later than it acted a reading shows it, 0 to one row: from its row on,
+/// at the row's instant (half a row), as the mean since the row before (a whole one), or between. Nobody writes it
+/// down.
+constexpr const char* driveLateName = "drive_late_s";
+
 /// The parameters' values, in the effect's order.
 std::vector<double> valuesOf(const EffectTerm& term);
 /// Base and effects, `breakaway.model/1`.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "diagnose/simulate/drive_reading.h"
 #include "diagnose/simulate/physics.h"
 
 namespace breakaway {
@@ -48,16 +49,20 @@ LinearRig::LinearRig(const Model& base, const std::vector<Track>& tracks, const 
   for (size_t t = 0; t < tracks_.size(); ++t) {
     const Track& track = tracks_[t];
     const size_t n = track.rows();
-    std::vector<double> drive(n), way(n), sine(n), cosine(n), speed(n);
+    const DriveReading reading(track, physics_.driveLate_s.value_or(0.0));
+    const std::vector<double> means = reading.means(0, n);
+    std::vector<double> drive(n), way(n), sine(n), cosine(n), speed(n), lag(n, 0.0);
     for (size_t k = 0; k < n; ++k) {
       const Situation& at = recorded_[t].at(k);
-      drive[k] = track.connected[k] ? gain_ * track.input[k] : 0.0;
+      drive[k] = track.connected[k] ? gain_ * means[k] : 0.0;
+      if (k + 1 < n) lag[k + 1] = lag[k] + (track.connected[k] ? gain_ * reading.lag(k) : 0.0);
       way[k] = at.direction;
       sine[k] = std::sin(at.position);
       cosine[k] = std::cos(at.position);
       speed[k] = at.velocity;
     }
     addMechanical(lagged(t, drive, true), t, 2, 1.0, all.col(baseColumns));
+    addMechanical(lag, t, 0, -1.0, all.col(baseColumns));
     addMechanical(track.position, t, 0, 1.0, all.col(0));
     addMechanical(track.position, t, 1, 1.0, all.col(1));
     addMechanical(way, t, 2, 1.0, all.col(2));
@@ -138,15 +143,18 @@ Eigen::VectorXd LinearRig::driveShift() const {
   return column;
 }
 
-/// That the shift is about 0, give or take half a row: a row of the least squares beside the stretches', in units of a
+/// That such a change is about 0, give or take `doubt`: a row of the least squares beside the stretches', in units of a
 /// reading's noise.
-double LinearRig::knownShift() const {
-  double noise = 0.0, step_s = 0.0;
-  for (const Stretch& one : stretches_) {
-    noise = std::max(noise, physics_.inertia * tracks_[one.track].noise);
-    step_s = std::max(step_s, tracks_[one.track].usualStep_s);
-  }
-  return noise / std::max(0.5 * step_s, 1e-300);
+double LinearRig::knownTo(double doubt) const {
+  double noise = 0.0;
+  for (const Stretch& one : stretches_) noise = std::max(noise, physics_.inertia * tracks_[one.track].noise);
+  return noise / std::max(doubt, 1e-300);
+}
+
+double LinearRig::longestRow_s() const {
+  double step_s = 0.0;
+  for (const Stretch& one : stretches_) step_s = std::max(step_s, tracks_[one.track].usualStep_s);
+  return step_s;
 }
 
 Eigen::Index LinearRig::mechanicalRows() const {
@@ -161,8 +169,7 @@ Eigen::VectorXd LinearRig::physical(Eigen::VectorXd coefficients) const {
   return coefficients;
 }
 
-void LinearRig::freeInductance() {
-  // What a slightly larger inductance would change.
+Eigen::VectorXd LinearRig::byInductance() const {
   constexpr double step = 0.02;
   Eigen::VectorXd change = Eigen::VectorXd::Zero(rows_);
   for (size_t t = 0; t < tracks_.size(); ++t) {
@@ -171,14 +178,17 @@ void LinearRig::freeInductance() {
     for (size_t k = 0; k < drive.size(); ++k)
       drive[k] = track.connected[k] ? track.input[k] - physics_.backEmf * recorded_[t].at(k).velocity : 0.0;
     for (const double sign : {1.0, -1.0}) {
-      Physics nudged = physics_;
-      nudged.inductance *= 1.0 + sign * step;
-      std::swap(physics_, nudged);
-      addMechanical(lagged(t, drive, true), t, 2, sign * gain_ / (2.0 * step), change);
-      if (currentSeen_) addElectrical(lagged(t, drive, false), t, -sign / (physics_.resistance * 2.0 * step), change);
-      std::swap(physics_, nudged);
+      const double inductance = physics_.inductance * (1.0 + sign * step);
+      addMechanical(lagged(t, drive, true, inductance), t, 2, sign * gain_ / (2.0 * step), change);
+      if (currentSeen_)
+        addElectrical(lagged(t, drive, false, inductance), t, -sign / (physics_.resistance * 2.0 * step), change);
     }
   }
+  return change;
+}
+
+void LinearRig::freeInductance() {
+  Eigen::VectorXd change = byInductance();
   weigh(change);
   Eigen::MatrixXd more(rows_, base_.cols() + 1);
   more << base_, change;
@@ -350,9 +360,14 @@ void LinearRig::addElectrical(const std::vector<double>& values, size_t track, d
 }
 
 std::vector<double> LinearRig::lagged(size_t track, const std::vector<double>& values, bool mean) const {
-  if (values.empty() || physics_.inductance <= 0.0) return values;
+  return lagged(track, values, mean, physics_.inductance);
+}
+
+std::vector<double> LinearRig::lagged(size_t track, const std::vector<double>& values, bool mean,
+                                      double inductance) const {
+  if (values.empty() || inductance <= 0.0) return values;
   const std::vector<double>& time = tracks_[track].time;
-  const double rate = physics_.resistance / physics_.inductance;
+  const double rate = physics_.resistance / inductance;
   std::vector<double> out(values.size());
   double state = values.front(), dt = -1.0, keep = 1.0;
   for (size_t k = 0; k < values.size(); ++k) {
@@ -394,10 +409,14 @@ Eigen::VectorXd LinearRig::impulsesOf(const Stretch& one) const {
 }
 
 TorqueNoise LinearRig::wander(const Eigen::MatrixXd& more) const {
-  const Eigen::Index rows = mechanicalRows();
-  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(rows + 1, more.cols() + 1 + raw_.cols());
-  all.topRows(rows) << more.topRows(rows), driveShift().head(rows), raw_.topRows(rows);
-  all(rows, more.cols()) = knownShift();
+  const Eigen::Index rows = mechanicalRows(), at = more.cols();
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(rows + 1, at + 1 + raw_.cols());
+  // How late the drive acts isn't known: by the winding's lag, which changes more after a step than a shift does, or
+  // within its row. Both at once would take what wanders for themselves.
+  const bool winds = physics_.electrical && physics_.inductance > 0.0;
+  const Eigen::VectorXd late = winds ? byInductance() : driveShift();
+  all.topRows(rows) << more.topRows(rows), late.head(rows), raw_.topRows(rows);
+  all(rows, at) = knownTo(winds ? inductanceDoubt : 0.5 * longestRow_s());
   return likeliest(all, rows);
 }
 

@@ -60,6 +60,7 @@ class LinearRig {
   const TorqueNoise& noise() const { return noise_; }
   /// Where the torque wanders: its likeliest noise beside the base and `more`, raw columns of effects.
   TorqueNoise wander(const Eigen::MatrixXd& more) const;
+  TorqueNoise wander() const { return wander(Eigen::MatrixXd(rows_, 0)); }  ///< beside the base alone
   /// The tracks that the windows lie in.
   std::vector<size_t> tracksSeen() const;
   /// The window, by its number in the constructor's list, that a row belongs to.
@@ -88,11 +89,14 @@ class LinearRig {
   void addStarts(const std::vector<double>& values, size_t track, double factor, Eigen::Ref<Eigen::VectorXd> out) const;
   double startDoubt(const Start& one) const;  ///< Nm
   Eigen::Index mechanicalRows() const;        ///< they come first
+  /// What a slightly larger inductance would change, per relative change of it.
+  Eigen::VectorXd byInductance() const;
   void freeInductance();
   void cut(const std::vector<Window>& windows);
   std::vector<RecordedStart> startsOf(size_t track) const;
   /// The first-order lag L/R of values that each act for one row: at the row's instant, or its mean over the row.
   std::vector<double> lagged(size_t track, const std::vector<double>& values, bool mean) const;
+  std::vector<double> lagged(size_t track, const std::vector<double>& values, bool mean, double inductance) const;
   /// Mechanical rows of twice (`times` = 2), once or not at all integrated values; adds to `out`.
   void addMechanical(const std::vector<double>& values, size_t track, int times, double factor,
                      Eigen::Ref<Eigen::VectorXd> out) const;
@@ -102,7 +106,8 @@ class LinearRig {
   /// known beforehand, in units of a reading's noise.
   TorqueNoise likeliest(const Eigen::MatrixXd& all, Eigen::Index rows) const;
   Eigen::VectorXd driveShift() const;
-  double knownShift() const;
+  double knownTo(double doubt) const;
+  double longestRow_s() const;
   /// When each row was, s: the mean of its samples.
   Eigen::VectorXd timesOf(const Stretch& one) const;
   /// What the drive may have done that isn't known, as whiten() takes it: in missing rows and, where the torque is

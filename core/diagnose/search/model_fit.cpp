@@ -8,6 +8,7 @@
 
 #include "base/statistics.h"
 #include "diagnose/effects/catalogue.h"
+#include "diagnose/fit/cross_validation.h"
 #include "diagnose/simulate/physics.h"
 
 namespace breakaway {
@@ -24,7 +25,8 @@ EffectTerm termOf(const Effect& effect, Axis axis, const std::vector<double>& va
   return term;
 }
 
-constexpr double farBelow = 0.5;  ///< of the start's error
+constexpr double farBelow = 0.5;    ///< of the start's error
+constexpr double leastGain = 0.03;  ///< of the error of windows that weren't seen, for what else isn't known of a drive
 constexpr double leastLoadSteps = 1e8, loadStepsPerRow = 600.0;
 
 /// Of the drive: every rig is inexact by so much, so that a smaller effect is no finding.
@@ -160,13 +162,29 @@ Model fitShort(const SearchInput& input, const Model& model, double tolerance) {
       .model;
 }
 
+/// The base model with the time at which a measured drive was read, where windows that a fit didn't see show that it
+/// matters.
+static FitResult withReadingTime(const SearchInput& input, FitResult base) {
+  const double middle_s = 0.5 * input.freedom.row_s;
+  Model model = base.model;
+  model.base.push_back({driveLateName, middle_s, middle_s, middle_s});
+  FitResult timed = fitModel(input, model, 8);
+  if (!timed.usable) return base;
+  const auto unseen = [&](const FitResult& fit) {
+    return crossValidated(fit, vectorOf(input, fit.model), input.tracks, input.split.train, input.windowWeights,
+                          input.split.fold, folds, base.weights);
+  };
+  const Comparison gain = compare(unseen(base), unseen(timed), input.seed);
+  return gain.relative > leastGain && gain.interval.low > 0.0 ? timed : base;
+}
+
 FitResult fitBase(const SearchInput& input, const std::vector<Model>& starts) {
   FitResult best;
   for (const Model& start : starts) {
     FitResult fit = fitModel(input, start, 8);
     if (best.windows.empty() || (fit.usable && fit.rmse < best.rmse)) best = std::move(fit);
   }
-  return best;
+  return input.freedom.row_s > 0.0 && best.usable ? withReadingTime(input, std::move(best)) : best;
 }
 
 bool happensOnce(const Model& model) {

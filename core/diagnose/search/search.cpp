@@ -54,7 +54,7 @@ class Search {
     fits_.emplace(input_, result.base);
     if (sure(steady.found)) announce(important(steady.found));  // or else what simulation makes of it
     const LinearRig wanderingRig(result.base.model, input_.tracks, input_.split.train, Torque::wandering, motions);
-    result.leftByBase = wanderingRig.noise();
+    result.leftByBase = wanderingRig.wander();
     fits_->weighRestarts(result.leftByBase);
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
     input_.say(0.35, "simulating what was found");

@@ -29,6 +29,7 @@ Physics physicsOf(const Model& model) {
     physics.resistance = value(names.resistance, 1.0);
     physics.inductance = value(names.inductance, 0.0);
   }
+  physics.driveLate_s = model.baseValue(driveLateName);
   if (model.pendulum) {
     physics.inertia += pendulumInertia(*model.pendulum);
     physics.gravity = pendulumTorque(*model.pendulum);

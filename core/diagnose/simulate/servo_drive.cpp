@@ -11,20 +11,6 @@ constexpr double shortestStep_s = 1e-3, longestStep_s = 2.5e-3;
 constexpr double mostDamped = 0.25;   ///< of a step's velocity that the law may take away
 constexpr double mostTimes = 1000.0;  ///< within a row
 
-/// Mean over [from_s, to_s] of values that each hold from their row to the next; `near` is a row close by.
-double heldMean(const std::vector<double>& time, const std::vector<double>& values, double from_s, double to_s,
-                size_t near) {
-  size_t row = near;
-  while (row > 0 && time[row] > from_s) --row;
-  while (row + 1 < time.size() && time[row + 1] <= from_s) ++row;
-  double sum = 0.0, at = from_s;
-  while (row + 1 < time.size() && time[row + 1] < to_s) {
-    sum += values[row] * (time[row + 1] - at);
-    at = time[++row];
-  }
-  return to_s > from_s ? (sum + values[row] * (to_s - at)) / (to_s - from_s) : values[row];
-}
-
 }  // namespace
 
 std::optional<ServoDrive> ServoDrive::of(const Model& model) {

@@ -81,24 +81,35 @@ Simulator::Simulator(const Physics& physics, std::vector<CompiledTerm> terms, do
     const double periods = one.load.play() > 0.0 ? periodsSeenInPlay : periodsSeen;
     horizon_ = std::max(horizon_, std::min(periods * one.load.period_s(), longestHorizon_s));
   }
-  size_t shaping = 0;
+  if (!servo_) shapeInput(from, to);
+}
+
+void Simulator::shapeInput(size_t from, size_t to) {
+  double late_s = physics().driveLate_s.value_or(0.0);
+  std::vector<std::pair<const InputPart*, std::span<const double>>> parts;
   for (const CompiledTerm& term : stepper_.terms()) {
-    const InputPart* input = term.effect->input(track.drive);
-    if (input == nullptr || servo_) continue;
-    if (shaped_.empty()) {
-      const auto rowAt = [&track](double t) {
-        return static_cast<size_t>(std::lower_bound(track.time.begin(), track.time.end(), t) - track.time.begin());
-      };
-      shapedFrom_ = rowAt(track.time[from] - horizon_s - margin_s);
-      const size_t end = rowAt(track.time[to] + margin_s);
-      shaped_.assign(track.input.begin() + static_cast<std::ptrdiff_t>(shapedFrom_),
-                     track.input.begin() + static_cast<std::ptrdiff_t>(end));
-    }
-    input->shape(term.parameters, std::span(track.time).subspan(shapedFrom_, shaped_.size()), shaped_);
-    delay_s_ = input->delay_s(term.parameters);
-    ++shaping;
+    const InputPart* part = term.effect->input(track_.drive);
+    if (part == nullptr) continue;
+    parts.emplace_back(part, term.parameters);
+    if (const auto rows = part->otherwiseLate_rows(); rows && physics().driveLate_s)
+      late_s = *rows * track_.usualStep_s;
   }
-  if (shaping > 1 || !physics.electrical || physics.inductance <= 0.0) delay_s_ = 0.0;  // rows' means will do
+  if (parts.empty() && late_s <= 0.0) return;
+  const std::vector<double>& time = track_.time;
+  const auto rowAt = [&time](double t) {
+    return static_cast<size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin());
+  };
+  shapedFrom_ = rowAt(time[from] - horizon_ - margin_s);
+  const size_t end = rowAt(time[to] + margin_s);
+  const DriveReading reading(track_, late_s);
+  shaped_ = reading.means(shapedFrom_, end - shapedFrom_);
+  if (late_s > 0.0) reading_.emplace(reading);
+  for (const auto& [part, parameters] : parts) {
+    part->shape(parameters, std::span(time).subspan(shapedFrom_, shaped_.size()), shaped_);
+    delay_s_ = part->delay_s(parameters);
+  }
+  const bool rowsWillDo = parts.size() > 1 || late_s > 0.0 || !physics().electrical || physics().inductance <= 0.0;
+  if (rowsWillDo) delay_s_ = 0.0;
 }
 
 double Simulator::shown(double position) const {
@@ -145,8 +156,11 @@ void Simulator::run(MotionState& state, size_t from, size_t to) {
       runLate(state, k);
       continue;
     }
-    stepper_.advance(state, shaped_.empty() ? track_.input[k] : shaped_[k - shapedFrom_],
-                     track_.time[k + 1] - track_.time[k], track_.time[k], track_.connected[k] != 0);
+    const double dt = track_.time[k + 1] - track_.time[k];
+    stepper_.advance(state, shaped_.empty() ? track_.input[k] : shaped_[k - shapedFrom_], dt, track_.time[k],
+                     track_.connected[k] != 0);
+    if (reading_ && state.velocity != 0.0 && track_.connected[k] != 0)
+      state.position -= physics().torquePerInput() / physics().inertia * reading_->lag(k);
   }
 }
 

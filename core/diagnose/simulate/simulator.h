@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "diagnose/model/model.h"
+#include "diagnose/simulate/drive_reading.h"
 #include "diagnose/simulate/servo_drive.h"
 #include "diagnose/simulate/stepper.h"
 #include "diagnose/simulate/track.h"
@@ -55,6 +56,8 @@ class Simulator {
   /// The drive input that acts from `row` on; where a servo's law answers to the motion, for this one in the middle of
   /// the row, as if it had been steady before.
   double input(size_t row, double position = 0.0, double velocity = 0.0) const;
+  /// Whether that may be another than the recorded one.
+  bool changesInput() const { return servo_ || !shaped_.empty(); }
   /// The law of a servo that a reference drives.
   const std::optional<ServoDrive>& servo() const { return servo_; }
   /// What the encoder shows at a state, and the true position behind what it shows.
@@ -78,6 +81,7 @@ class Simulator {
   Eigen::Vector2d followed(const SwingingLoad& load, size_t row) const;
   size_t horizonBegin(double horizon_s, size_t row) const;
   double settledCurrent(size_t row, double velocity) const;
+  void shapeInput(size_t from, size_t to);
   void runLate(MotionState& state, size_t row);
   void runServo(MotionState& state, size_t row);
   PastMotion motionAt(double t, const MotionState& state, double now_s, size_t row) const;
@@ -89,7 +93,8 @@ class Simulator {
   double horizon_;
   size_t shapedFrom_ = 0;
   std::vector<double> shaped_;  ///< empty: as recorded
-  double delay_s_ = 0.0;        ///< with which the recorded input reaches a winding
+  std::optional<DriveReading> reading_;
+  double delay_s_ = 0.0;  ///< with which the recorded input reaches a winding
 };
 
 /// Standard deviation of the velocity that restart() finds, from the track's reading noise alone: the end of a parabola

@@ -14,16 +14,17 @@ namespace breakaway {
 /// Without an electrical side the drive is Kt u, with Kt = 1 where u is already a torque.
 struct Physics {
   Axis axis = Axis::rotary;
-  double inertia = 1.0;         ///< J with the pendulum's share, kg m²
-  double viscous = 0.0;         ///< B, Nm s/rad
-  double coulomb = 0.0;         ///< F, Nm
-  double gravity = 0.0;         ///< G, Nm
-  double downAngle = 0.0;       ///< θ_down, rad
-  bool electrical = false;      ///< u is a voltage; otherwise u is a current or a torque
-  double torqueConstant = 1.0;  ///< Kt, Nm/A
-  double backEmf = 0.0;         ///< Ke, V s/rad
-  double resistance = 1.0;      ///< R, Ω
-  double inductance = 0.0;      ///< L, H; 0: the current follows at once
+  double inertia = 1.0;               ///< J with the pendulum's share, kg m²
+  double viscous = 0.0;               ///< B, Nm s/rad
+  double coulomb = 0.0;               ///< F, Nm
+  double gravity = 0.0;               ///< G, Nm
+  double downAngle = 0.0;             ///< θ_down, rad
+  bool electrical = false;            ///< u is a voltage; otherwise u is a current or a torque
+  double torqueConstant = 1.0;        ///< Kt, Nm/A
+  double backEmf = 0.0;               ///< Ke, V s/rad
+  double resistance = 1.0;            ///< R, Ω
+  double inductance = 0.0;            ///< L, H; 0: the current follows at once
+  std::optional<double> driveLate_s;  ///< what is recorded of a measured drive acted earlier by this
   double load = 0.0;  ///< a further constant load, Nm; the restart's observer uses it for what the model lacks
 
   /// Of a standing axis, once the current has followed: Nm per unit of u.

@@ -286,6 +286,19 @@ Result<Track> makeTrack(const Recording& recording, Axis axis, DriveInput driveI
   return track;
 }
 
+double heldMean(const std::vector<double>& time, const std::vector<double>& values, double from_s, double to_s,
+                size_t near) {
+  size_t row = near;
+  while (row > 0 && time[row] > from_s) --row;
+  while (row + 1 < time.size() && time[row + 1] <= from_s) ++row;
+  double sum = 0.0, at = from_s;
+  while (row + 1 < time.size() && time[row + 1] < to_s) {
+    sum += values[row] * (time[row + 1] - at);
+    at = time[++row];
+  }
+  return to_s > from_s ? (sum + values[row] * (to_s - at)) / (to_s - from_s) : values[row];
+}
+
 void integrateSpeed(Track& track) {
   track.position.assign(track.rows(), 0.0);
   for (size_t k = 1; k < track.rows(); ++k)

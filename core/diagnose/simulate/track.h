@@ -89,6 +89,11 @@ struct Track {
 Result<Track> makeTrack(const Recording& recording, Axis axis, DriveInput input, std::optional<double> supply_V,
                         double count, bool byReference = false);
 
+/// The mean over [from_s, to_s] of values that each hold from their row's time until the next; `near` is a row near the
+/// beginning.
+double heldMean(const std::vector<double>& time, const std::vector<double>& values, double from_s, double to_s,
+                size_t near);
+
 /// The positions of a track of speed alone, from 0 on by trapezoids.
 void integrateSpeed(Track& track);
 

@@ -15,7 +15,7 @@ namespace {
 Track actualTrack(const Model& model, const Simulator& simulator, const Track& track) {
   Track actual = track.rowsFrom(0, track.rows() - 1);
   if (model.servo) actual.input = reconstructedInput(model, track);
-  if (simulator.stepper().terms().empty()) return actual;
+  if (simulator.stepper().terms().empty() && !simulator.changesInput()) return actual;
   for (size_t k = 0; k < track.rows(); ++k) {
     actual.position[k] = simulator.truePosition(track.position[k]);
     if (!model.servo) actual.input[k] = simulator.input(k);

@@ -21,15 +21,21 @@ struct LogFaults {
   double detent = 0.0;          ///< torque seven times per turn, of the Coulomb friction
 };
 
+enum class LogKind {
+  sound,
+  imperfect,  ///< with a draw of faults that sound rigs have
+  measured    ///< of a current that runs smoothly and is read, with noise, at the rows' instants; its torque wanders
+};
+
 struct PlainMotorLog {
   Bench bench;
   Recording recording;
+  LogFaults faults;
   std::string words;  ///< rate, length, drive, what the log adds
 };
 
 /// 15 to 40 s at 50 to 1000 Hz of a motor of 15 to 400 ms, driven by voltage, duty or current in steps, sines or a
-/// chirp; the bench knows nothing, rough values or resistance and torque constant. With `imperfect`, a draw of faults
-/// that sound rigs have.
-PlainMotorLog plainMotorLog(std::uint64_t seed, bool imperfect);
+/// chirp; the bench knows nothing, rough values or resistance and torque constant.
+PlainMotorLog plainMotorLog(std::uint64_t seed, LogKind kind);
 
 }  // namespace breakaway::test

@@ -1,4 +1,4 @@
-#include "bench/plain_motor.h"
+#include "support/plain_motor.h"
 
 #include <fmt/core.h>
 
@@ -75,10 +75,15 @@ std::vector<double> driveOf(Draw& draw, Shape shape, double row_s, size_t rows) 
   return out;
 }
 
-LogFaults faultsFrom(Draw& draw) {
+LogFaults faultsFrom(Draw& draw, LogKind kind) {
   LogFaults faults;
+  if (kind == LogKind::sound) return faults;
   faults.wander = draw.between(0.0, 0.04);
   faults.correlation_s = draw.evenly(0.02, 1.0);
+  if (kind == LogKind::measured) {
+    faults.driveNoise = draw.oneOf(std::array{0.0, 0.002, 0.005, 0.01});
+    return faults;
+  }
   faults.driveNoise = draw.oneOf(std::array{0.0, 1.0}) * draw.between(0.001, 0.006);
   faults.missingRows = draw.oneOf(std::array{0.0, 0.0, 0.005});
   faults.stampJitter = draw.oneOf(std::array{0.0, 0.0, 0.01});
@@ -145,28 +150,36 @@ Bench benchFor(const Motor& motor, DriveInput input, double counts, Draw& draw) 
 
 }  // namespace
 
-PlainMotorLog plainMotorLog(std::uint64_t seed, bool imperfect) {
+PlainMotorLog plainMotorLog(std::uint64_t seed, LogKind kind) {
   Draw draw(seed);
+  const bool runs = kind == LogKind::measured;  // on between two rows
   const Motor motor = motorFrom(draw);
   const double rate_Hz = draw.oneOf(std::array{50.0, 100.0, 200.0, 250.0, 500.0, 1000.0}), row_s = 1.0 / rate_Hz;
   const auto rows = static_cast<size_t>(draw.between(15.0, 40.0) * rate_Hz);
   const double counts = draw.oneOf(std::array{0.0, 400.0, 1024.0, 2000.0, 4096.0, 8192.0, 16384.0});
-  const DriveInput input = draw.oneOf(std::array{DriveInput::voltage, DriveInput::duty, DriveInput::current});
-  const auto shape = draw.oneOf(std::array{Shape::levels, Shape::sines, Shape::stairs, Shape::reversals, Shape::chirp});
-  const std::vector<double> drive = driveOf(draw, shape, row_s, rows);
+  const DriveInput input =
+      runs ? DriveInput::current : draw.oneOf(std::array{DriveInput::voltage, DriveInput::duty, DriveInput::current});
+  const auto shape =
+      runs ? draw.oneOf(std::array{Shape::sines, Shape::chirp})
+           : draw.oneOf(std::array{Shape::levels, Shape::sines, Shape::stairs, Shape::reversals, Shape::chirp});
+  const auto parts = static_cast<size_t>(std::ceil(row_s / 1e-5));
+  const size_t often = runs ? parts : 1;  // a new drive so often within a row
+  const std::vector<double> drive = driveOf(draw, shape, row_s / static_cast<double>(often), often * rows);
   const Bench bench = benchFor(motor, input, counts, draw);
-  const LogFaults faults = imperfect ? faultsFrom(draw) : LogFaults{};
+  const LogFaults faults = faultsFrom(draw, kind);
   const bool current = input == DriveInput::current;
   // A third of the stall's current turns any of them.
   const double range = input == DriveInput::duty ? 1.0
                        : current                 ? 0.33 * motor.supply_V / motor.resistance
                                                  : motor.supply_V;
   const double reading_rad = counts > 0.0 ? 0.0 : draw.evenly(1e-4, 2e-3);
-  const auto parts = static_cast<size_t>(std::ceil(row_s / 1e-5));
+  const auto actsAt = [&](size_t at) {
+    return input == DriveInput::duty ? std::round(255.0 * drive[at]) / 255.0 : range * drive[at];
+  };
   Moving moving(motor, faults, current, draw);
   std::vector<double> time, shown, angle;
   for (size_t k = 0; k < rows; ++k) {
-    const double acts = input == DriveInput::duty ? std::round(255.0 * drive[k]) / 255.0 : range * drive[k];
+    const double acts = actsAt(often * k);
     const double there = moving.angle() + faults.discOffset_rad * std::sin(moving.angle() + 1.0);
     if (k == 0 || draw.between(0.0, 1.0) >= faults.missingRows) {
       time.push_back(row_s * (static_cast<double>(k) + faults.stampJitter * draw.normal()));
@@ -174,13 +187,15 @@ PlainMotorLog plainMotorLog(std::uint64_t seed, bool imperfect) {
       angle.push_back(counts > 0.0 ? turn / counts * std::floor(there * counts / turn)
                                    : there + reading_rad * draw.normal());
     }
-    const double volts = input == DriveInput::duty ? acts * motor.supply_V : acts;
-    for (size_t part = 0; part < parts; ++part) moving.go(volts, row_s / static_cast<double>(parts));
+    for (size_t part = 0; part < parts; ++part) {
+      const double now = runs ? actsAt(often * k + part) : acts;
+      moving.go(input == DriveInput::duty ? now * motor.supply_V : now, row_s / static_cast<double>(parts));
+    }
   }
   auto sealed = Recording::seal("plain.csv", {{"time_s", time}, {"angle_rad", angle}, {bench.inputChannel(), shown}});
   constexpr std::array shapes{"levels", "sines", "stairs", "reversals", "chirp"};
   return {
-      bench, std::move(*sealed),
+      bench, std::move(*sealed), faults,
       fmt::format("{:4.0f} Hz, {:2.0f} s, {:5.0f} counts, {} in {}; wander {:.1f} %, drive's noise {:.1f} %, jitter "
                   "{:.0f} %, {:.1f} % missing",
                   rate_Hz, static_cast<double>(rows) * row_s, counts, bench.inputChannel(),
