@@ -305,11 +305,12 @@ Result<BlockSurvey> surveyBlocks(const std::string& path) {
 }
 
 bool isBlockFile(const std::string& path) {
-  const OpenFile file(path, O_RDONLY | O_NONBLOCK);
+  // A FIFO is opened once, by who reads it: one that opens and closes it before ends who writes into it.
   struct stat status {};
+  if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return false;
+  const OpenFile file(path, O_RDONLY | O_NONBLOCK);
   std::uint32_t found = 0;
-  return file.get() >= 0 && ::fstat(file.get(), &status) == 0 && S_ISREG(status.st_mode) &&
-         readAll(file.get(), reinterpret_cast<char*>(&found), sizeof found) && found == mark;
+  return file.get() >= 0 && readAll(file.get(), reinterpret_cast<char*>(&found), sizeof found) && found == mark;
 }
 
 bool isBeingWritten(const std::string& path) {

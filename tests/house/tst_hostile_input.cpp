@@ -1,5 +1,7 @@
+#include <sys/inotify.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <unistd.h>
 #include <zip.h>
 #include <zlib.h>
 
@@ -7,6 +9,7 @@
 #include <QProcess>
 #include <QTest>
 #include <array>
+#include <cstring>
 #include <functional>
 #include <vector>
 
@@ -25,6 +28,8 @@ class TestHostileInput : public QObject {
   void input_isRefusedInOneLine();
   void endlessInput_isRefused_data();
   void endlessInput_isRefused();
+  void pipe_isOpenedOnce_data();
+  void pipe_isOpenedOnce();
   void fullDevice_isSaid_data();
   void fullDevice_isSaid();
   void oddInput_isRead_data();
@@ -218,6 +223,39 @@ void TestHostileInput::endlessInput_isRefused() {
   QVERIFY(!folder.names().contains("o.csv"));
   writer.kill();
   writer.waitForFinished();
+}
+
+void TestHostileInput::pipe_isOpenedOnce_data() {
+  QTest::addColumn<QString>("command");
+  QTest::newRow("import") << "import pipe --out o.csv";
+  QTest::newRow("check") << "check --bench b.json --recording pipe";
+}
+
+/// Who writes into a pipe ends when a first reader closes it, and a second one waits without end.
+void TestHostileInput::pipe_isOpenedOnce() {
+  QFETCH(QString, command);
+  const TemporaryFolder folder;
+  folder.write("l.csv", pushedMassRecording().toStdString());
+  folder.write("b.json", pushedMassBench().toStdString());
+  QVERIFY(::mkfifo(folder.path("pipe").c_str(), 0600) == 0);
+  const int watch = ::inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
+  QVERIFY(watch >= 0 && ::inotify_add_watch(watch, folder.path("pipe").c_str(), IN_OPEN | IN_CLOSE_NOWRITE) >= 0);
+  QProcess writer;
+  writer.setWorkingDirectory(QString::fromStdString(folder.path()));
+  writer.start("sh", {"-c", "cat l.csv > pipe"});
+  const Outcome outcome = bounded(command.split(' '), QString::fromStdString(folder.path()));
+  QVERIFY(writer.waitForFinished(patience_ms));
+  alignas(inotify_event) std::array<char, 4096> events{};
+  const ssize_t bytes = ::read(watch, events.data(), events.size());
+  ::close(watch);
+  QVERIFY2(outcome.status == 0, qPrintable(outcome.err));
+  int closedByReaders = 0;
+  for (ssize_t at = 0; at < bytes; at += ssize_t{sizeof(inotify_event)}) {
+    inotify_event event{};
+    std::memcpy(&event, &events.at(static_cast<size_t>(at)), sizeof event);
+    closedByReaders += (event.mask & IN_CLOSE_NOWRITE) != 0 ? 1 : 0;
+  }
+  QCOMPARE(closedByReaders, 1);
 }
 
 void TestHostileInput::fullDevice_isSaid_data() {
