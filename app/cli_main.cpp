@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <sstream>
@@ -7,6 +6,7 @@
 #include <vector>
 
 #include "base/made.h"
+#include "base/process.h"
 #include "cli/command.h"
 #include "cli/command_line.h"
 #include "cli/inputs.h"
@@ -96,7 +96,7 @@ int main(int argc, char** argv) {
   std::vector<std::string> line{"breakaway"};
   line.insert(line.end(), words.begin(), words.end());
   beginRun(program, asCommand(line), cli::seedOf(command));
-  std::signal(SIGXFSZ, SIG_IGN);  // a size limit is a write error like a full disk
+  takeSizeLimitAsError();
   const cli::Outcome outcome = outcomeOf(job);
   if (!outcome.line.empty()) fail(outcome.status, outcome.line);
   return outcome.status != 0 ? outcome.status : answer(outcome.answer, manner, cli::writesToStandardOutput(command));

@@ -1,7 +1,6 @@
 #include "cli/inputs.h"
 
-#include <unistd.h>
-
+#include "base/process.h"
 #include "recording/block_file.h"
 
 namespace breakaway::cli {
@@ -32,7 +31,7 @@ bool quiet = false;
 }
 
 bool progressIsWatched() {
-  return !quiet && ::isatty(STDERR_FILENO) == 1;
+  return !quiet && errorsGoToTerminal();
 }
 
 void beQuiet() {

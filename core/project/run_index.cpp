@@ -1,13 +1,12 @@
 #include "project/run_index.h"
 
 #include <fmt/core.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <map>
 
 #include "base/atomic_file.h"
+#include "base/file_status.h"
 #include "base/made.h"
 #include "base/uuid.h"
 #include "project/sqlite.h"
@@ -35,20 +34,13 @@ constexpr const char* tables = R"sql(
   CREATE INDEX files_sha256 ON files (sha256);
 )sql";
 
-/// A run.json as it was when it was read: its size and time of change.
-std::string stampOf(const std::string& file) {
-  struct stat status {};
-  if (::stat(file.c_str(), &status) != 0) return {};
-  return fmt::format("{}.{:09} {} {}", status.st_mtim.tv_sec, status.st_mtim.tv_nsec, status.st_size, status.st_ino);
-}
-
 /// The stamps of all runs on disk, by folder ("runs/…").
 Result<std::map<std::string, std::string>> runsOnDisk(const std::string& project) {
   std::map<std::string, std::string> found;
   std::error_code code;
   for (const auto& one : fs::directory_iterator(project + "/runs", code)) {
     const std::string name = "runs/" + one.path().filename().string();
-    const std::string stamp = stampOf(project + "/" + name + "/run.json");
+    const std::string stamp = stampOfFile(project + "/" + name + "/run.json");
     if (!stamp.empty()) found.emplace(name, stamp);
   }
   if (code) return Error{project + "/runs", "cannot be read: " + code.message()};
@@ -115,16 +107,20 @@ Result<void> RunIndex::State::fill(const std::string& path, std::vector<std::str
 /// Beside the place of the old one, and then in it; in memory where nothing can be written.
 Result<void> RunIndex::State::make(std::vector<std::string>& said, const std::string& why) {
   fresh = true;
-  const std::string part = project + "/.index-" + std::to_string(::getpid()) + "-" + freshUuid().substr(0, 8);
+  const std::string part = project + "/.index-" + freshUuid();
   std::vector<std::string> told;
-  bool onDisk = ::access(project.c_str(), W_OK | X_OK) == 0 && fill(part, told).ok();
+  bool onDisk = mayBeWritten(project) && fill(part, told).ok();
   database = Database();
+  std::error_code code;
   for (const char* rest : {"-journal", "-wal", "-shm"}) {
-    if (onDisk) ::unlink((file() + rest).c_str());
+    if (onDisk) fs::remove(file() + rest, code);
   }
-  onDisk = onDisk && ::rename(part.c_str(), file().c_str()) == 0;
-  ::unlink(part.c_str());
-  ::unlink((part + "-journal").c_str());
+  if (onDisk) {
+    fs::rename(part, file(), code);
+    onDisk = !code;
+  }
+  fs::remove(part, code);
+  fs::remove(part + "-journal", code);
   if (onDisk) {
     auto opened = Database::open(file());
     if (!opened) return opened.error();
@@ -142,7 +138,7 @@ Result<void> RunIndex::State::make(std::vector<std::string>& said, const std::st
 Result<void> RunIndex::State::openThere(std::vector<std::string>& said) {
   std::error_code code;
   if (!fs::exists(file(), code)) return make(said, "was missing");
-  if (::access(file().c_str(), W_OK) != 0) return make(said, "");
+  if (!mayBeWritten(file())) return make(said, "");
   auto opened = Database::open(file());
   if (!opened) return make(said, "was damaged");
   database = std::move(*opened);

@@ -1,18 +1,16 @@
 #include "recording/block_file.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <system_error>
+
+#include "base/open_file.h"
 
 namespace breakaway {
 
@@ -75,45 +73,18 @@ BlockHead headOf(const std::string& text) {
   return head;
 }
 
-/// An open file that closes itself.
-class OpenFile {
- public:
-  OpenFile(const std::string& path, int flags) : file_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
-  ~OpenFile() {
-    if (file_ >= 0) ::close(file_);
-  }
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-  int get() const { return file_; }
-
- private:
-  int file_;
-};
-
-/// True: all of them. False: the file ends before, or can't be read.
-bool readAll(int file, char* into, size_t bytes) {
-  while (bytes > 0) {
-    const ssize_t got = ::read(file, into, bytes);
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return false;
-    into += got;
-    bytes -= static_cast<size_t>(got);
-  }
-  return true;
-}
-
 struct Block {
   Kind kind = Kind::head;
   std::vector<char> content;
 };
 
 /// The next block, whole and with the right checksum; false at the end of what is sound.
-bool nextBlock(int file, std::uint64_t left, Block& block) {
+bool nextBlock(const OpenFile& file, std::uint64_t left, Block& block) {
   Frame frame;
-  if (left < sizeof frame || !readAll(file, reinterpret_cast<char*>(&frame), sizeof frame)) return false;
+  if (left < sizeof frame || !file.read(reinterpret_cast<char*>(&frame), sizeof frame)) return false;
   if (frame.mark != mark || frame.bytes > mostPayload || frame.bytes > left - sizeof frame) return false;
   block.content.resize(frame.bytes);
-  if (!readAll(file, block.content.data(), frame.bytes)) return false;
+  if (!file.read(block.content.data(), frame.bytes)) return false;
   block.kind = static_cast<Kind>(frame.kind);
   return frame.checksum == checksumOf(frame, block.content.data());
 }
@@ -143,8 +114,10 @@ void takeRows(const Block& block, BlockSurvey& survey, std::vector<double>& rows
 }  // namespace
 
 struct BlockWriter::State {
+  explicit State(const std::string& at) : path(at), file(at, OpenFile::Purpose::making) {}
+
   std::string path;
-  int file = -1;
+  OpenFile file;
   size_t width = 0;
   std::uint64_t bytes = 0;
 
@@ -154,16 +127,9 @@ struct BlockWriter::State {
 /// All of it or, as far as the system lets it, nothing.
 Result<void> BlockWriter::State::put(Kind kind, const char* content, size_t size) {
   const std::string block = framed(kind, content, size);
-  size_t done = 0;
-  while (done < block.size()) {
-    const ssize_t written = ::write(file, block.data() + done, block.size() - done);
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) {
-      const int failed = written < 0 ? errno : EIO;
-      if (::ftruncate(file, static_cast<off_t>(bytes)) == 0) ::lseek(file, static_cast<off_t>(bytes), SEEK_SET);
-      return systemError(path, "cannot be written", failed);
-    }
-    done += static_cast<size_t>(written);
+  if (const int failed = file.write(block); failed != 0) {
+    file.cut(bytes);
+    return systemError(path, "cannot be written", failed);
   }
   bytes += block.size();
   return {};
@@ -174,20 +140,16 @@ BlockWriter::BlockWriter(std::unique_ptr<State> state) : state_(std::move(state)
 BlockWriter::BlockWriter(BlockWriter&&) noexcept = default;
 BlockWriter& BlockWriter::operator=(BlockWriter&&) noexcept = default;
 
-BlockWriter::~BlockWriter() {
-  if (state_ && state_->file >= 0) ::close(state_->file);
-}
+BlockWriter::~BlockWriter() = default;
 
 Result<BlockWriter> BlockWriter::create(const std::string& path, const BlockHead& head) {
   if (head.columns.empty() || head.columns.front() != "time_s")
     return Error{path, "a recording's first column is not time_s"};
-  auto state = std::make_unique<State>();
-  state->path = path;
+  auto state = std::make_unique<State>(path);
   state->width = head.columns.size();
-  state->file = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (state->file < 0) return systemError(path, "cannot be written", errno);
+  if (!state->file.good()) return systemError(path, "cannot be written", state->file.failed());
   BlockWriter writer(std::move(state));
-  if (::flock(writer.state_->file, LOCK_EX | LOCK_NB) != 0) return systemError(path, "cannot be locked", errno);
+  if (const int failed = writer.state_->file.lock(); failed != 0) return systemError(path, "cannot be locked", failed);
   const std::string text = headText(head);
   if (auto put = writer.state_->put(Kind::head, text.data(), text.size()); !put) return put.error();
   if (auto synced = writer.sync(); !synced) return synced.error();
@@ -211,7 +173,8 @@ Result<void> BlockWriter::appendGap(const BlockGap& gap) {
 }
 
 Result<void> BlockWriter::sync() {
-  if (::fdatasync(state_->file) != 0 && errno != EINVAL) return systemError(state_->path, "cannot be written", errno);
+  if (const int failed = state_->file.sync(); failed != 0)
+    return systemError(state_->path, "cannot be written", failed);
   return {};
 }
 
@@ -235,7 +198,7 @@ std::uint64_t BlockSurvey::lost() const {
 }
 
 struct BlockReader::State {
-  explicit State(const std::string& path) : file(path, O_RDONLY) {}
+  explicit State(const std::string& path) : file(path, OpenFile::Purpose::reading) {}
 
   OpenFile file;
   std::uint64_t size = 0;
@@ -243,7 +206,7 @@ struct BlockReader::State {
   BlockSurvey survey;
 
   bool step() {
-    if (survey.ended || !nextBlock(file.get(), size - survey.sound, block)) return false;
+    if (survey.ended || !nextBlock(file, size - survey.sound, block)) return false;
     survey.sound += sizeof(Frame) + block.content.size();
     survey.damaged = size - survey.sound;
     return true;
@@ -265,10 +228,10 @@ BlockReader::~BlockReader() = default;
 
 Result<BlockReader> BlockReader::open(const std::string& path) {
   auto state = std::make_unique<State>(path);
-  if (state->file.get() < 0) return systemError(path, "cannot be read", errno);
-  struct stat status {};
-  if (::fstat(state->file.get(), &status) != 0 || !S_ISREG(status.st_mode)) return Error{path, "is no file"};
-  state->size = static_cast<std::uint64_t>(status.st_size);
+  if (!state->file.good()) return systemError(path, "cannot be read", state->file.failed());
+  const auto size = state->file.size();
+  if (!size) return Error{path, "is no file"};
+  state->size = *size;
   if (!state->step() || state->block.kind != Kind::head) return Error{path, "doesn't begin as a recording of blocks"};
   state->survey.head = headOf({state->block.content.begin(), state->block.content.end()});
   const auto& columns = state->survey.head.columns;
@@ -306,31 +269,28 @@ Result<BlockSurvey> surveyBlocks(const std::string& path) {
 
 bool isBlockFile(const std::string& path) {
   // A FIFO is opened once, by who reads it: one that opens and closes it before ends who writes into it.
-  struct stat status {};
-  if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return false;
-  const OpenFile file(path, O_RDONLY | O_NONBLOCK);
+  std::error_code code;
+  if (!std::filesystem::is_regular_file(path, code)) return false;
+  const OpenFile file(path, OpenFile::Purpose::reading);
   std::uint32_t found = 0;
-  return file.get() >= 0 && readAll(file.get(), reinterpret_cast<char*>(&found), sizeof found) && found == mark;
+  return file.good() && file.read(reinterpret_cast<char*>(&found), sizeof found) && found == mark;
 }
 
 bool isBeingWritten(const std::string& path) {
-  const OpenFile file(path, O_RDONLY);
-  return file.get() >= 0 && ::flock(file.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  const OpenFile file(path, OpenFile::Purpose::reading);
+  return file.good() && file.isLocked();
 }
 
 Result<BlockSurvey> mendBlocks(const std::string& path, const std::string& why) {
-  const OpenFile file(path, O_RDWR);
-  if (file.get() < 0) return systemError(path, "cannot be mended", errno);
-  if (::flock(file.get(), LOCK_EX | LOCK_NB) != 0) return Error{path, "is being written"};
+  const OpenFile file(path, OpenFile::Purpose::mending);
+  if (!file.good()) return systemError(path, "cannot be mended", file.failed());
+  if (file.lock() != 0) return Error{path, "is being written"};
   auto survey = surveyBlocks(path);
   if (!survey || survey->ended) return survey;
-  if (::ftruncate(file.get(), static_cast<off_t>(survey->sound)) != 0)
-    return systemError(path, "cannot be mended", errno);
-  const std::string last = framed(Kind::end, why.data(), why.size());
-  if (::pwrite(file.get(), last.data(), last.size(), static_cast<off_t>(survey->sound)) !=
-          static_cast<ssize_t>(last.size()) ||
-      ::fsync(file.get()) != 0)
-    return systemError(path, "cannot be mended", errno);
+  int failed = file.cut(survey->sound);
+  if (failed == 0) failed = file.write(framed(Kind::end, why.data(), why.size()));
+  if (failed == 0) failed = file.sync();
+  if (failed != 0) return systemError(path, "cannot be mended", failed);
   survey->why = why;
   return survey;
 }

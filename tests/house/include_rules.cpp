@@ -112,6 +112,23 @@ std::map<std::string, std::string> closure(const Sources& sources, const std::st
   return reached;
 }
 
+/// What belongs to one kind of system only.
+bool isPosix(const Include& one) {
+  static const std::set<std::string> headers{"dirent.h", "dlfcn.h", "fcntl.h",   "glob.h",  "grp.h", "langinfo.h",
+                                             "netdb.h",  "poll.h",  "pthread.h", "pty.h",   "pwd.h", "sched.h",
+                                             "signal.h", "spawn.h", "termios.h", "unistd.h"};
+  if (!one.angled) return false;
+  return one.what.starts_with("sys/") || one.what.starts_with("netinet/") || one.what.starts_with("arpa/") ||
+         one.what.starts_with("linux/") || headers.contains(one.what);
+}
+
+/// Core and commands know the system by headers that name nothing of it.
+bool isForEverySystem(const std::string& path) {
+  const bool ours = path.starts_with("core/") || path.starts_with("app/cli/") || path.starts_with("app/line/") ||
+                    path == "app/cli_main.cpp";
+  return ours && !path.ends_with("_posix.cpp");
+}
+
 std::string whyNotInCore(const std::string& path, const Include& one) {
   if (isQt(one.what)) return "core knows no Qt";
   if (path.ends_with(".h") && one.what.starts_with("nlohmann/")) return "JSON stays inside readers and writers";
@@ -196,9 +213,10 @@ std::vector<std::string> breaches(const Sources& sources) {
   for (const auto& [path, text] : sources) {
     const std::string layer = firstPart(path);
     for (const Include& one : includesOf(text)) {
-      const std::string why = layer == "core"  ? whyNotInCore(path, one)
-                              : layer == "app" ? whyNotInApp(path, one)
-                                               : whyNotInLink(path, one);
+      const std::string why = isForEverySystem(path) && isPosix(one) ? "the system's own stands in *_posix.cpp"
+                              : layer == "core"                      ? whyNotInCore(path, one)
+                              : layer == "app"                       ? whyNotInApp(path, one)
+                                                                     : whyNotInLink(path, one);
       if (!why.empty()) found.push_back(path + " includes " + one.what + ": " + why);
     }
     const bool search = path.starts_with("core/diagnose/"), report = path.starts_with("core/report/");

@@ -1,6 +1,11 @@
 #include <QDir>
 #include <QDirIterator>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QProcess>
+#include <QRegularExpression>
+#include <QSet>
 #include <QTest>
 
 #include "house/program.h"
@@ -19,6 +24,7 @@ class TestInstall : public QObject {
   void simulatedBoard_isChecked();
   void board_startsOnItsOwnPreset();
   void everyResource_isThere();
+  void vcpkg_namesTheLibrariesThatCmakeFinds();
 
  private:
   QString program(const QString& name) const { return prefix_ + "/bin/" + name; }
@@ -94,6 +100,50 @@ void TestInstall::everyResource_isThere() {
     }
   }
   QVERIFY(found > 40);
+}
+
+static QByteArray sourceFile(const QString& name) {
+  QFile file(qEnvironmentVariable("BREAKAWAY_SOURCE_DIR") + "/" + name);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// As vcpkg calls them. Threads are the compiler's own.
+static QSet<QString> librariesOfCmake() {
+  const QMap<QString, QString> otherwise{{"boost", "boost-math"},
+                                         {"pkgconfig", "pkgconf"},
+                                         {"qt6", "qtbase"},
+                                         {"qcustomplotqt6", "qcustomplot"},
+                                         {"threads", ""}};
+  const QString text = sourceFile("CMakeLists.txt");
+  const QRegularExpression call(R"((?:find_package|pkg_check_modules)\((\w+)([^)]*)\))");
+  QSet<QString> found;
+  for (auto it = call.globalMatch(text); it.hasNext();) {
+    const auto match = it.next();
+    const QString name = match.captured(1).toLower().replace('_', '-');
+    found << otherwise.value(name, name);
+    if (name == "qt6" && match.captured(2).contains(" Svg ")) found << "qtsvg";
+  }
+  found.remove("");
+  return found;
+}
+
+static QSet<QString> namesIn(const QJsonValue& dependencies) {
+  QSet<QString> names;
+  for (const auto& one : dependencies.toArray())
+    names << (one.isObject() ? one.toObject()["name"].toString() : one.toString());
+  return names;
+}
+
+/// No library in one and not in the other; Qt's are those of the window.
+void TestInstall::vcpkg_namesTheLibrariesThatCmakeFinds() {
+  const QJsonObject manifest = QJsonDocument::fromJson(sourceFile("vcpkg.json")).object();
+  const QSet<QString> always = namesIn(manifest["dependencies"]);
+  const QSet<QString> window = namesIn(manifest["features"].toObject()["window"].toObject()["dependencies"]);
+  const QSet<QString> found = librariesOfCmake();
+  QVERIFY(found.size() > 10);
+  QCOMPARE(QStringList((always + window - found).values()), QStringList());
+  QCOMPARE(QStringList((found - always - window).values()), QStringList());
+  QCOMPARE(window, (QSet<QString>{"qcustomplot", "qtbase", "qtsvg"}));
 }
 
 QTEST_APPLESS_MAIN(TestInstall)

@@ -50,6 +50,9 @@ void TestLayering::plantedBreach_isFound_data() {
   row("core/report/planted.cpp", "\"figures/all_figures.h\"", "report stands below figures");
   row("core/motor/planted.cpp", "<QString>", "core knows no Qt");
   row("core/motor/planted.cpp", "<QtCore/QString>", "core knows no Qt");
+  row("core/motor/planted.cpp", "<unistd.h>", "the system's own stands in *_posix.cpp");
+  row("core/base/planted.h", "<sys/stat.h>", "the system's own stands in *_posix.cpp");
+  row("app/cli/planted.cpp", "<termios.h>", "the system's own stands in *_posix.cpp");
   row("core/motor/planted.h", "<nlohmann/json.hpp>", "JSON stays inside");
   row("core/motor/planted.h", "\"bench.h\"", "written from the layer's folder");
   row("core/motor/planted.cpp", "\"cli/command.h\"", "core stands on itself only");
