@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "commission/unfinished_job.h"
 #include "pages/run_state.h"
 #include "session/bench_runs.h"
 #include "session/connection.h"
@@ -75,6 +76,7 @@ FrictionPage::FrictionPage(Connection& connection, BenchRuns& bench, ShownMaps& 
   connect(&connection_, &Connection::runChanged, this, &FrictionPage::showMotion);
   connect(&bench_, &BenchRuns::measured, this, &FrictionPage::showMotion);
   connect(&bench_, &BenchRuns::knownChanged, this, &FrictionPage::showKnown);
+  connect(&bench_, &BenchRuns::tookUp, this, [this] { setSweeps(bench_.known().sweeps); });
   connect(&maps_, &ShownMaps::changed, this, &FrictionPage::showMaps);
   showConnection();
   showKnown();
@@ -137,6 +139,9 @@ QWidget* FrictionPage::buildSweep() {
   columnOf(group)->addLayout(grid);
   run_ = new RunPanel("frictionRun", {RunKind::velocitySweep, RunKind::breakaway, RunKind::trial}, group);
   columnOf(group)->addWidget(run_);
+  anew_ = pushButton(group, "startAnewButton", tr("Start anew"));
+  columnOf(group)->addWidget(anew_);
+  connect(anew_, &QPushButton::clicked, this, [this] { bench_.forgetSweeps(); });
   for (const QSpinBox* box : {bins_, turns_, speeds_})
     connect(box, &QSpinBox::valueChanged, this, &FrictionPage::showMotion);
   for (const QDoubleSpinBox* box : {highest_, duration_})
@@ -194,6 +199,14 @@ SweepSettings FrictionPage::sweeps() const {
   return sweeps;
 }
 
+void FrictionPage::setSweeps(const SweepSettings& sweeps) {
+  bins_->setValue(static_cast<int>(sweeps.bins));
+  turns_->setValue(static_cast<int>(sweeps.turns));
+  duration_->setValue(sweeps.speedRun_s);
+  speeds_->setValue(static_cast<int>(sweeps.speeds));
+  highest_->setValue(sweeps.highest_rad_per_s);
+}
+
 void FrictionPage::showMotion() {
   run_->show(connection_.run());
   const bool sweeping = connection_.runs(RunKind::velocitySweep) || connection_.runs(RunKind::breakaway);
@@ -217,6 +230,8 @@ void FrictionPage::showMotion() {
   const size_t whole = 2 * sweeps().bins * sweeps().turns, done = known.breakaways.size() + known.missed;
   const bool goesOn = done > 0 && !known.knows(Known::breakaways);
   breakaway_->setText(goesOn ? tr("Continue (%1 of %2)").arg(done).arg(whole) : tr("Run breakaway sweep"));
+  setAvailable(anew_, tr("Forgets what the interrupted sweeps have measured; the motor stays known."),
+               connection_.connected() && !isUnfinished(known) ? tr("No sweep is unfinished") : connection_.obstacle());
   showState();
 }
 

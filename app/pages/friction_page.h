@@ -35,6 +35,7 @@ class FrictionPage : public Page {
   void buildSettings();
   QWidget* buildSweep();
   SweepSettings sweeps() const;
+  void setSweeps(const SweepSettings& sweeps);
   void showConnection();
   void wordFor(Axis axis);
   void showHead();
@@ -57,6 +58,7 @@ class FrictionPage : public Page {
   QSpinBox* turns_ = nullptr;
   QPushButton* velocity_ = nullptr;
   QPushButton* breakaway_ = nullptr;
+  QPushButton* anew_ = nullptr;
   QPushButton* trial_ = nullptr;
   RunPanel* run_ = nullptr;
   FactsTable* averages_ = nullptr;

@@ -29,8 +29,9 @@ class BenchProject : public QObject {
   void open(const QString& folder);
   const QString& folder() const { return folder_; }
 
-  /// Puts a run in; `what` is what the person is told is in the project then, e.g. "The friction map".
-  void put(const NewRun& run, const QString& what);
+  /// Puts a run in; `what` is what the person is told is in the project then, e.g. "The friction map"; and then does
+  /// `then`.
+  void put(const NewRun& run, const QString& what, std::function<void()> then = {});
   /// Does `work` with the project in its thread, one after the other, and then what that gave in this one. There is no
   /// project where none could be opened.
   void inProject(Work work);

@@ -29,6 +29,7 @@ void BenchRuns::meetBoard() {
     messages_.say(tr("This is another board: what was measured on %1 is kept until it comes back")
                       .arg(QString::fromStdString(before)));
     otherBoards_[before] = std::exchange(known_, {});
+    tookUp_ = false;
     if (const auto earlier = otherBoards_.find(identity.device); earlier != otherBoards_.end()) {
       known_ = std::move(earlier->second);
       otherBoards_.erase(earlier);
@@ -58,6 +59,21 @@ void BenchRuns::leaveBoard() {
 void BenchRuns::forgetSteps() {
   steps_.clear();
   emit measured();
+}
+
+void BenchRuns::takeUp(const Commission& earlier) {
+  known_ = earlier;
+  known_.identity = connection_.identity();
+  known_.settings = connection_.settings();
+  tookUp_ = true;
+  emit tookUp();
+  emit knownChanged();
+}
+
+void BenchRuns::forgetSweeps() {
+  known_.forget({Known::runs, Known::breakaways});
+  emit sweepsForgotten(known_.identity.device);
+  emit knownChanged();
 }
 
 void BenchRuns::keepResult(const RunSnapshot& snapshot) {

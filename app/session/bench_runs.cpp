@@ -1,6 +1,8 @@
 // What is started at the bench, and why it can't be.
 #include "session/bench_runs.h"
 
+#include <utility>
+
 #include "commission/steps.h"
 #include "experiment/abilities.h"
 #include "session/slow_motion.h"
@@ -113,7 +115,9 @@ void BenchRuns::make(RunKind kind, const SweepSettings& sweeps) {
   if (kind == RunKind::velocitySweep && before.knows(Known::breakaways)) wanted.add({Known::map});
   if (kind == RunKind::breakaway && !before.breakaways.empty() && !before.knows(Known::breakaways))
     messages_.say(tr("The sweep goes on after %1 breakaways").arg(before.breakaways.size()));
-  connection_.start(runOf(kind, std::make_shared<Job>(optionsWith(sweeps), wanted, std::move(before))));
+  CommissionOptions options = optionsWith(sweeps);
+  if (std::exchange(tookUp_, false)) options.earlier = std::exchange(before, {});
+  connection_.start(runOf(kind, std::make_shared<Job>(std::move(options), wanted, std::move(before))));
 }
 
 QString BenchRuns::missingFor(RunKind kind, const SweepSettings& sweeps) const {

@@ -58,6 +58,10 @@ class BenchRuns : public QObject {
   /// Every measured step on this board, the newest last.
   const std::vector<StepResult>& steps() const { return steps_; }
   void forgetSteps();
+  /// What an earlier program measured on this board before it was ended: the next run goes on from it.
+  void takeUp(const Commission& earlier);
+  /// What the sweeps have measured so far, so that the next ones begin anew.
+  void forgetSweeps();
 
   /// The bench file that lies beside a simulated board's rig file, if any.
   const std::optional<Bench>& bench() const { return bench_; }
@@ -72,6 +76,8 @@ class BenchRuns : public QObject {
  signals:
   void measured();  ///< index or steps
   void knownChanged();
+  void tookUp();  ///< with what an earlier program had measured, and its sweeps' settings
+  void sweepsForgotten(const std::string& device);
   void tuningChanged();
   void tuned(const breakaway::ControllerSettings& settings);
 
@@ -93,6 +99,7 @@ class BenchRuns : public QObject {
   Commission known_;
   std::map<std::string, Commission> otherBoards_;  ///< what is known of those that were here before, by device
   KnownPtr last_;                                  ///< that was taken
+  bool tookUp_ = false;                            ///< what is known has not been gone on with
   bool tuning_ = false;
   QThreadPool pool_;
 };

@@ -24,7 +24,7 @@ void KeptResults::keepRun(const RunSnapshot& snapshot) {
   if (map && done->knows(Known::map)) {
     run.kind = "commission";
     run.write = [done](const std::string& folder) { return writeCommission(*done, {}, folder); };
-    project_.put(run, tr("The friction map"));
+    project_.put(run, tr("The friction map"), [this, device = done->identity.device] { emit mapKept(device); });
   } else if (snapshot.kind == RunKind::identification && done->knows(Known::motor)) {
     run.kind = "identification";
     run.write = [done](const std::string& folder) { return writeIdentification(*done, folder); };

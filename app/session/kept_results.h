@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <string>
 
 #include "session/bench_project.h"
 #include "session/bench_runs.h"
@@ -16,6 +17,10 @@ class KeptResults : public QObject {
  public:
   KeptResults(Connection& connection, BenchRuns& bench, Comparison& comparison, BenchProject& project,
               QObject* parent = nullptr);
+
+ signals:
+  /// The friction map of this board's sweeps is in the project.
+  void mapKept(const std::string& device);
 
  private:
   void keepRun(const RunSnapshot& snapshot);

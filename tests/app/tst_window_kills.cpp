@@ -1,5 +1,7 @@
 // The window killed at random moments: what was recorded up to the last second is there, the project opens, and what is
 // missing is said. Called with --at-work WORK FOLDER, it is the window that is killed.
+#include <QDir>
+#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 #include <cstdio>
@@ -8,8 +10,11 @@
 #include "app/desk.h"
 #include "app/streaming_drive.h"
 #include "bench/window_kills.h"
+#include "commission/commission_progress.h"
 #include "friction/map_export.h"
+#include "project/project.h"
 #include "support/noisy_map.h"
+#include "support/temporary.h"
 
 using namespace breakaway;
 using namespace breakaway::test;
@@ -19,6 +24,7 @@ class TestWindowKills : public QObject {
  private slots:
   void killedWindow_losesLessThanASecond_data();
   void killedWindow_losesLessThanASecond();
+  void killedSweep_goesOnInTheNextWindow();
 };
 
 namespace {
@@ -45,7 +51,25 @@ void saveForEver(Desk& desk, const QString& folder) {
   }
 }
 
+/// The next window after one that was killed in its sweep: says what it took up, goes on, and says how it ended.
+int goOn(const QString& folder) {
+  Desk desk;
+  desk.session.project.open(folder);
+  const BenchRuns& bench = desk.session.bench;
+  if (!desk.connected()) return 1;
+  if (!QTest::qWaitFor([&] { return !bench.known().breakaways.empty(); }, 5000)) return 1;
+  std::printf("took up %zu\n", bench.known().breakaways.size());
+  desk.window.showPage("frictionPage");
+  press(desk.window, "breakawaySweepButton");
+  if (!QTest::qWaitFor([&] { return bench.known().knows(Known::map) && !desk.session.connection.run().running(); },
+                       patience_ms))
+    return 1;
+  std::printf("ended in part %zu with %zu\n", bench.known().part, bench.known().breakaways.size());
+  return QTest::qWaitFor([&] { return QDir(folder + "/unfinished").isEmpty(); }, 20'000) ? 0 : 1;
+}
+
 int work(const QString& what, const QString& folder) {
+  if (what == "going on") return goOn(folder);
   Desk desk(what == "sweeping" ? hurried : 1.0);
   desk.session.project.open(folder);
   if (what == "sweeping") {
@@ -93,6 +117,42 @@ void TestWindowKills::killedWindow_losesLessThanASecond() {
                                        .arg(left.cut)
                                        .arg(left.worst_s)));
   if (what == "recording") QCOMPARE(left.cut, 3);
+}
+
+void TestWindowKills::killedSweep_goesOnInTheNextWindow() {
+  const QTemporaryDir place;
+  const QString folder = place.filePath("p");
+  const auto window = [&folder](QProcess& process, const QString& what) {
+    auto environment = QProcessEnvironment::systemEnvironment();
+    environment.insert("QT_QPA_PLATFORM", "offscreen");
+    process.setProcessEnvironment(environment);
+    process.start(QCoreApplication::applicationFilePath(), {"--at-work", what, folder});
+    return process.waitForStarted();
+  };
+  const auto kept = [&folder]() -> size_t {
+    const QStringList jobs = QDir(folder + "/unfinished").entryList(QDir::Dirs | QDir::NoDotAndDotDot);
+    const auto progress =
+        jobs.isEmpty() ? Result<Commission>(Error{}) : readProgress((folder + "/unfinished/" + jobs[0]).toStdString());
+    return progress ? progress->breakaways.size() : 0;
+  };
+  QProcess killed, next;
+  QVERIFY(window(killed, "sweeping"));
+  QVERIFY(QTest::qWaitFor([&] { return kept() >= 5; }, patience_ms));
+  killed.kill();
+  QVERIFY(killed.waitForFinished());
+  const size_t left = kept();
+  QVERIFY2(left >= 5 && left < 72, qPrintable(QString("%1 of 72 breakaways").arg(left)));
+  QVERIFY(window(next, "going on"));
+  QVERIFY(next.waitForFinished(2 * patience_ms));
+  const QString said = next.readAllStandardOutput();
+  QVERIFY2(next.exitStatus() == QProcess::NormalExit && next.exitCode() == 0, qPrintable(said));
+  QVERIFY2(said.contains(QString("took up %1\n").arg(left)), qPrintable(said));
+  QVERIFY2(said.contains("ended in part 2 with 7"), qPrintable(said));
+  const auto project = Project::open(folder.toStdString());
+  VERIFY_OK(project);
+  const auto maps = project->index().list({.kind = "commission"});
+  VERIFY_OK(maps);
+  QCOMPARE(maps->size(), size_t{1});
 }
 
 int main(int argc, char** argv) {

@@ -1,0 +1,99 @@
+#include "session/unfinished_runs.h"
+
+#include <QDateTime>
+#include <QLocale>
+#include <utility>
+
+namespace breakaway {
+
+namespace {
+
+constexpr qint64 writtenEvery_ms = 400;
+
+std::string placeIn(const Project& project) {
+  return project.folder() + "/unfinished";
+}
+
+}  // namespace
+
+UnfinishedRuns::UnfinishedRuns(Connection& connection, BenchRuns& bench, KeptResults& kept, BenchProject& project,
+                               Messages& messages, QObject* parent)
+    : QObject(parent), connection_(connection), bench_(bench), project_(project), messages_(messages) {
+  connect(&connection_, &Connection::came, this, &UnfinishedRuns::lookForOne);
+  connect(&connection_, &Connection::runReported, this, &UnfinishedRuns::follow);
+  connect(&kept, &KeptResults::mapKept, this, &UnfinishedRuns::remove);
+  connect(&bench_, &BenchRuns::sweepsForgotten, this, &UnfinishedRuns::remove);
+}
+
+void UnfinishedRuns::lookForOne() {
+  const std::string device = connection_.identity().device;
+  if (isUnfinished(bench_.known()) || bench_.known().knows(Known::motor)) return;
+  project_.inProject([this, jobs = jobs_, device](Project* project) -> std::function<void()> {
+    if (project == nullptr || jobs->count(device) > 0) return {};
+    auto found = UnfinishedJob::find(placeIn(*project), device);
+    if (!found) return {};
+    const auto job = jobs->emplace(device, std::move(*found)).first;
+    return [this, device, known = job->second.known(), since_s = job->second.since_s()] {
+      takeUp(device, known, since_s);
+    };
+  });
+}
+
+void UnfinishedRuns::takeUp(const std::string& device, const Commission& known, double since_s) {
+  const bool still = connection_.connected() && connection_.identity().device == device &&
+                     !connection_.run().running() && !bench_.known().knows(Known::motor);
+  if (!still) {
+    // It stays on disk for another time.
+    project_.inProject([jobs = jobs_, device](Project*) -> std::function<void()> {
+      jobs->erase(device);
+      return {};
+    });
+    return;
+  }
+  bench_.takeUp(known);
+  const QDateTime since = QDateTime::fromMSecsSinceEpoch(static_cast<qint64>(since_s * 1e3));
+  messages_.say(tr("The sweeps of %1 were not finished: %2 speeds and %3 of %4 breakaways are there, and Friction goes "
+                   "on with them")
+                    .arg(QLocale().toString(since, QLocale::ShortFormat))
+                    .arg(known.runs.size() + known.strokes.size())
+                    .arg(known.breakaways.size())
+                    .arg(2 * known.sweeps.bins * known.sweeps.turns));
+}
+
+void UnfinishedRuns::follow(const RunSnapshot& snapshot) {
+  const auto* known = std::get_if<KnownPtr>(&snapshot.result);
+  if (known == nullptr || *known == nullptr || *known == written_ || !isUnfinished(**known)) return;
+  // What the last one to be written doesn't hold comes with the next, at the latest when the run ends.
+  if (snapshot.running() && (*writing_ || (sinceWritten_.isValid() && sinceWritten_.elapsed() < writtenEvery_ms)))
+    return;
+  write(*known);
+}
+
+void UnfinishedRuns::write(const KnownPtr& known) {
+  written_ = known;
+  sinceWritten_.start();
+  *writing_ = true;
+  project_.inProject([this, jobs = jobs_, writing = writing_, known](Project* project) -> std::function<void()> {
+    Result<void> kept;
+    if (project != nullptr) {
+      auto& job = jobs->try_emplace(known->identity.device, placeIn(*project)).first->second;
+      kept = job.keep(*known);
+    }
+    return [this, writing, kept] {
+      *writing = false;
+      if (!kept) messages_.warn(kept.error());
+    };
+  });
+}
+
+void UnfinishedRuns::remove(const std::string& device) {
+  project_.inProject([jobs = jobs_, device](Project*) -> std::function<void()> {
+    if (const auto job = jobs->find(device); job != jobs->end()) {
+      job->second.remove();
+      jobs->erase(job);
+    }
+    return {};
+  });
+}
+
+}  // namespace breakaway

@@ -1,0 +1,122 @@
+// What sweeps have measured lies on disk until it is a map, one folder per job, and each is one process' own.
+#include <QDateTime>
+#include <QTest>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "commission/unfinished_job.h"
+#include "support/temporary.h"
+
+using namespace breakaway;
+
+class TestUnfinishedJob : public QObject {
+  Q_OBJECT
+ private slots:
+  void whatIsKept_isFoundAgain();
+  void whatGrows_staysInItsFolder();
+  void otherSweeps_replaceWhatWasThere();
+  void whatIsHeld_isNotFound();
+  void damagedOne_isPassedOver();
+  void whatIsComplete_isGone();
+};
+
+namespace {
+
+Commission swept(size_t breakaways, size_t bins = 36) {
+  Commission known;
+  known.identity.device = "board";
+  known.sweeps.bins = bins;
+  for (size_t k = 0; k < breakaways; ++k) {
+    BreakawayEvent event;
+    event.bin = k % bins;
+    event.angle_rad = 0.1 + 0.001 * static_cast<double>(k);
+    known.breakaways.push_back(event);
+  }
+  return known;
+}
+
+std::vector<std::string> jobsIn(const std::string& place) {
+  std::vector<std::string> jobs;
+  std::error_code code;
+  for (const auto& one : std::filesystem::directory_iterator(place, code)) jobs.push_back(one.path().string());
+  return jobs;
+}
+
+}  // namespace
+
+void TestUnfinishedJob::whatIsKept_isFoundAgain() {
+  const test::TemporaryFolder folder;
+  const std::string place = folder.path("unfinished");
+  QVERIFY(!UnfinishedJob::find(place, "board"));
+  VERIFY_OK(UnfinishedJob(place).keep(swept(7)));
+  QVERIFY(!UnfinishedJob::find(place, "another board"));
+  const auto found = UnfinishedJob::find(place, "board");
+  QVERIFY(found && found->known().breakaways.size() == 7);
+  QVERIFY(found->known().sweeps == swept(7).sweeps);
+  QVERIFY(std::abs(found->since_s() - static_cast<double>(QDateTime::currentSecsSinceEpoch())) < 60.0);
+}
+
+void TestUnfinishedJob::whatGrows_staysInItsFolder() {
+  const test::TemporaryFolder folder;
+  const std::string place = folder.path("unfinished");
+  UnfinishedJob job(place);
+  VERIFY_OK(job.keep(swept(3)));
+  const auto before = jobsIn(place);
+  VERIFY_OK(job.keep(swept(5)));
+  QCOMPARE(jobsIn(place), before);
+}
+
+void TestUnfinishedJob::otherSweeps_replaceWhatWasThere() {
+  const test::TemporaryFolder folder;
+  const std::string place = folder.path("unfinished");
+  {
+    UnfinishedJob job(place);
+    VERIFY_OK(job.keep(swept(30)));
+    const auto before = jobsIn(place);
+    VERIFY_OK(job.keep(swept(4, 18)));
+    QCOMPARE(jobsIn(place).size(), size_t{1});
+    QVERIFY(jobsIn(place) != before);
+  }
+  const auto found = UnfinishedJob::find(place, "board");
+  QVERIFY(found && found->known().breakaways.size() == 4 && found->known().sweeps.bins == 18);
+}
+
+void TestUnfinishedJob::whatIsHeld_isNotFound() {
+  const test::TemporaryFolder folder;
+  const std::string place = folder.path("unfinished");
+  auto first = std::make_unique<UnfinishedJob>(place);
+  VERIFY_OK(first->keep(swept(3)));
+  QVERIFY(!UnfinishedJob::find(place, "board"));
+  first.reset();
+  const auto taken = UnfinishedJob::find(place, "board");
+  QVERIFY(taken && !UnfinishedJob::find(place, "board"));
+}
+
+void TestUnfinishedJob::damagedOne_isPassedOver() {
+  const test::TemporaryFolder folder;
+  const std::string place = folder.path("unfinished");
+  VERIFY_OK(UnfinishedJob(place).keep(swept(3)));
+  const std::string damaged = jobsIn(place)[0];
+  std::filesystem::resize_file(damaged + "/progress/breakaways.json", 20);
+  QVERIFY(!UnfinishedJob::find(place, "board"));
+  QVERIFY(std::filesystem::exists(damaged));  // a person may still want it
+}
+
+void TestUnfinishedJob::whatIsComplete_isGone() {
+  const test::TemporaryFolder folder;
+  const std::string place = folder.path("unfinished");
+  UnfinishedJob job(place);
+  VERIFY_OK(job.keep(swept(3)));
+  job.remove();
+  QVERIFY(jobsIn(place).empty());
+  VERIFY_OK(job.keep(swept(1)));
+  QCOMPARE(jobsIn(place).size(), size_t{1});
+  Commission complete = swept(3);
+  QVERIFY(isUnfinished(complete));
+  complete.facts.add({Known::map});
+  QVERIFY(!isUnfinished(complete) && !isUnfinished({}));
+}
+
+QTEST_APPLESS_MAIN(TestUnfinishedJob)
+#include "tst_unfinished_job.moc"
