@@ -5,7 +5,6 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
-#include <QTimer>
 #include <QVBoxLayout>
 
 #include "pages/run_state.h"
@@ -17,12 +16,16 @@
 #include "widgets/live_channels.h"
 #include "widgets/look.h"
 #include "widgets/number_text.h"
+#include "widgets/while_shown.h"
+
+using namespace std::chrono_literals;
 
 namespace breakaway {
 
 namespace {
 
-constexpr int boxWidth = 144, shown_ms = 100;
+constexpr int boxWidth = 144;
+constexpr auto shownEvery = 100ms;
 
 QDoubleSpinBox* numberBox(QWidget* parent, const char* objectName, const QString& name, const QString& tip) {
   auto* box = new QDoubleSpinBox(parent);
@@ -49,11 +52,7 @@ HandPage::HandPage(Connection& connection, BenchRuns& bench, const LiveSamples& 
   connect(&connection_, &Connection::changed, this, &HandPage::showState);
   connect(&connection_, &Connection::runChanged, this, &HandPage::showState);
   connect(&bench_, &BenchRuns::measured, this, &HandPage::showState);
-  auto* timer = new QTimer(this);
-  connect(timer, &QTimer::timeout, this, [this] {
-    if (isVisible()) showNumbers();
-  });
-  timer->start(shown_ms);
+  new WhileShown(this, shownEvery, [this] { showNumbers(); });
   wordForAxis();
   choose(HandMode::speed);
   showState();

@@ -20,6 +20,9 @@
 #include "widgets/rotor_dial.h"
 #include "widgets/run_panel.h"
 #include "widgets/travel_strip.h"
+#include "widgets/while_shown.h"
+
+using namespace std::chrono_literals;
 
 namespace breakaway {
 
@@ -48,8 +51,7 @@ HomePage::HomePage(Connection& connection, BenchRuns& bench, const LiveSamples& 
   connect(&bench_, &BenchRuns::knownChanged, this, &HomePage::showConnection);
   connect(&bench_, &BenchRuns::measured, this, &HomePage::showResult);
   connect(&connection_, &Connection::runChanged, this, &HomePage::showMotion);
-  connect(&timer_, &QTimer::timeout, this, &HomePage::showAngle);
-  timer_.start(33);
+  new WhileShown(this, 33ms, [this] { showAngle(); });
   showConnection();
 }
 

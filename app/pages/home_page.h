@@ -1,7 +1,6 @@
 // Home: find the encoder's index, so that every angle counts from the same mark on the rotor.
 #pragma once
 
-#include <QTimer>
 #include <vector>
 
 #include "pages/page.h"
@@ -48,7 +47,6 @@ class HomePage : public Page {
   QStackedWidget* pictures_ = nullptr;
   RotorDial* dial_ = nullptr;
   TravelStrip* strip_ = nullptr;
-  QTimer timer_;
 };
 
 }  // namespace breakaway

@@ -18,7 +18,6 @@ Connection::Connection(Messages& messages, const DriveLoopOptions& options, QObj
   connect(&heartbeat_, &QTimer::timeout, this, [this] {
     if (loop_) loop_->beat();
   });
-  heartbeat_.start(40ms);
 }
 
 void Connection::open(const QString& uri, unsigned seed) {
@@ -47,6 +46,7 @@ void Connection::begin(std::unique_ptr<Drive> drive) {
   loop_ = std::make_unique<DriveLoop>(std::move(drive), options_);
   loop_->setPace(pace_);
   listenToLoop();
+  heartbeat_.start(40ms);
   emit came();
   emit changed();
   emit settingsChanged();
@@ -86,6 +86,7 @@ void Connection::loseBoard(const QString& why) {
 
 void Connection::letGo() {
   if (!loop_) return;
+  heartbeat_.stop();
   loop_.reset();
   identity_ = {};
   link_ = {};

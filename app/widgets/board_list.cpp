@@ -5,6 +5,7 @@
 #include "firmware_link/presets.h"
 #include "firmware_link/transport/byte_address.h"
 #include "widgets/look.h"
+#include "widgets/while_shown.h"
 
 namespace breakaway {
 
@@ -32,10 +33,7 @@ BoardList::BoardList(QWidget* parent) : QListWidget(parent) {
   addTitle(tr("On the network"));
   add(count(), tr("TCP address…"), "tcp:127.0.0.1:2000",
       tr("A board behind a network adapter, or breakaway-board on this machine: write its address below"));
-  connect(&watch_, &QTimer::timeout, this, [this] {
-    if (isVisible()) showPorts(serialPorts());
-  });
-  watch_.start(1s);
+  new WhileShown(this, 1s, [this] { showPorts(serialPorts()); });
   shown_ = {"nothing yet"};
   showPorts(serialPorts());
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QListWidget>
-#include <QTimer>
 #include <vector>
 
 #include "firmware_link/transport/serial_ports.h"
@@ -26,7 +25,6 @@ class BoardList : public QListWidget {
   void addTitle(const QString& text);
   int rowBelowRigs() const;
 
-  QTimer watch_;
   std::vector<QString> shown_;  ///< addresses of the ports in the list
 };
 

@@ -17,6 +17,9 @@
 #include "session/messages.h"
 #include "widgets/controls.h"
 #include "widgets/look.h"
+#include "widgets/while_shown.h"
+
+using namespace std::chrono_literals;
 
 namespace breakaway {
 
@@ -40,10 +43,7 @@ LivePlots::LivePlots(Connection& connection, LiveSamples& live, Messages& messag
   connect(&connection_, &Connection::changed, this, &LivePlots::showConnection);
   connect(&live_, &LiveSamples::recordingChanged, this, &LivePlots::showRecording);
   connect(&connection_, &Connection::linkChanged, this, &LivePlots::showRecording);
-  connect(&timer_, &QTimer::timeout, this, [this] {
-    if (isVisible()) refresh();
-  });
-  timer_.start(33);
+  new WhileShown(this, 33ms, [this] { refresh(); });
   startOver();
 }
 

@@ -1,7 +1,6 @@
 // What comes from the board, below the page: angle, velocity, current and disturbance over one shared axis of time.
 #pragma once
 
-#include <QTimer>
 #include <QWidget>
 #include <array>
 #include <vector>
@@ -97,7 +96,6 @@ class LivePlots : public QWidget {
   bool paused_ = false;
   bool stale_ = true;  ///< the picture isn't of what is chosen
   uint64_t consumed_ = 0;
-  QTimer timer_;
 };
 
 }  // namespace breakaway

@@ -13,6 +13,9 @@
 #include "widgets/log_drawer.h"
 #include "widgets/look.h"
 #include "widgets/number_text.h"
+#include "widgets/while_shown.h"
+
+using namespace std::chrono_literals;
 
 namespace breakaway {
 
@@ -91,10 +94,7 @@ LiveStrip::LiveStrip(const Connection& connection, const LiveSamples& live, QWid
   connect(log_, &QPushButton::clicked, this, &LiveStrip::logAsked);
   row->addWidget(log_);
   connect(&connection_, &Connection::changed, this, &LiveStrip::nameChannels);
-  connect(&timer_, &QTimer::timeout, this, [this] {
-    if (isVisible()) refresh();
-  });
-  timer_.start(100);
+  new WhileShown(this, 100ms, [this] { refresh(); });
   nameChannels();
   showOpen(false);
   onNewLook(this, [this] { showOpen(open_->isChecked()); });

@@ -2,7 +2,6 @@
 // way to the log.
 #pragma once
 
-#include <QTimer>
 #include <QWidget>
 #include <array>
 
@@ -54,7 +53,6 @@ class LiveStrip : public QWidget {
   std::array<Number, 4> numbers_;
   QToolButton* open_ = nullptr;
   QPushButton* log_ = nullptr;
-  QTimer timer_;
 };
 
 }  // namespace breakaway

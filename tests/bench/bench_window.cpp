@@ -107,10 +107,11 @@ void live(const QString& project, int seconds) {
                              .arg(watched().ownTotal_s() / elapsed_s, 0, 'f', 2));
   bench.session.live.finishRecording();
   bench.session.connection.close();
+  rest(2000);  // the recording is sealed
   watched().forget();
   const ProcessorTime idle;
   clock.restart();
-  rest(3000);
+  rest(5000);
   row("disconnected",
       QString("%1 % of a core").arg(1e5 * idle.elapsed_s() / static_cast<double>(clock.elapsed()), 0, 'f', 1));
 }
