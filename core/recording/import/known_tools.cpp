@@ -1,9 +1,11 @@
 #include "recording/import/known_tools.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <utility>
 
 #include "base/numbers.h"
 #include "recording/import/known_scopes.h"
@@ -297,6 +299,37 @@ bool isDynamixel(const RawTable& table) {
   return count >= 1 && most > 50.0;
 }
 
+/// Servo drives that call their loops by letters: position, velocity and current loop, feedback and command.
+constexpr auto loopNames = std::to_array<std::pair<const char*, const char*>>({{"PL.FB", "position"},
+                                                                               {"PL.CMD", "position command"},
+                                                                               {"VL.FB", "velocity"},
+                                                                               {"VL.CMD", "velocity command"},
+                                                                               {"IL.FB", "current"},
+                                                                               {"IL.CMD", "current command"},
+                                                                               {"VBUS.VALUE", "supply voltage"}});
+
+bool isAkd(const RawTable& table) {
+  return std::any_of(table.columns.begin(), table.columns.end(), [](const RawColumn& column) {
+    const std::string& name = column.channel.name;
+    return name.starts_with("IL.FB") || name.starts_with("PL.FB") || name.starts_with("VL.FB");
+  });
+}
+
+ToolColumns akd(RawTable& table) {
+  ToolColumns columns;
+  for (const RawColumn& column : table.columns) {
+    const std::string& name = column.channel.name;
+    for (const auto& [loop, words] : loopNames) {
+      const std::string_view rest = std::string_view(name).substr(std::min(name.size(), std::string_view(loop).size()));
+      if (name.starts_with(loop) && (rest.empty() || rest.front() == ' '))
+        columns[name] = understandName(words + std::string(rest), column.unit);
+    }
+  }
+  table.remarks.emplace_back(
+      "recognised an AKD drive's log: PL, VL and IL are its position, velocity and current loop");
+  return columns;
+}
+
 /// Stamps in two columns, seconds and nanoseconds, become one.
 void joinStamps(RawTable& table) {
   const auto endsIn = [](const std::string& name, std::initializer_list<const char*> words) {
@@ -330,6 +363,7 @@ ToolColumns recogniseTool(RawTable& table, double countsPerRev) {
   if (isOdrive(table)) return odrive(table);
   if (isDynamixel(table)) return dynamixel(table, countsPerRev);
   if (isThrustStand(table)) return thrustStand(table);
+  if (isAkd(table)) return akd(table);
   if (isSimpleFoc(table)) return simpleFoc(table);
   if (isNamedSimpleFoc(table)) return namedSimpleFoc(table);
   return {};

@@ -96,6 +96,17 @@ bool readNumber(std::string_view cell, bool comma, bool unitMayFollow, TextNumbe
   return true;
 }
 
+/// "0x1F"; eight digits are 32 bits with a sign, as counters have.
+bool readHexadecimal(std::string_view cell, TextNumber& number) {
+  if (cell.size() < 3 || cell.size() > 10 || cell[0] != '0' || (cell[1] | 0x20) != 'x') return false;
+  uint32_t bits = 0;
+  const auto [stop, code] = std::from_chars(cell.data() + 2, cell.data() + cell.size(), bits, 16);
+  if (code != std::errc() || stop != cell.data() + cell.size()) return false;
+  number.value = cell.size() == 10 ? static_cast<double>(static_cast<int32_t>(bits)) : static_cast<double>(bits);
+  number.hexadecimal = true;
+  return true;
+}
+
 /// "1.5 sec", "12.3°".
 bool readNumberWithUnit(std::string_view cell, bool comma, TextNumber& number) {
   if (cell.size() > 40) return false;
@@ -263,6 +274,7 @@ TextCell readCell(std::string_view cell, const TextLayout& layout, TextNumber& n
   }
   if (readNumber(cell, layout.decimalComma, layout.labelled, number)) return TextCell::number;
   number = {missing, 0, 0.0, false};
+  if (readHexadecimal(cell, number)) return TextCell::number;
   if (isDigit(cell.front()) || cell.front() == '[') {
     const auto clock = readClock(cell);
     if (!clock && readNumberWithUnit(cell, layout.decimalComma, number)) return TextCell::number;

@@ -28,6 +28,7 @@ struct TextNumber {
   double rest = 0.0;
   bool large = false;
   std::string_view unit = {};  ///< that stands behind the number in the cell: "1.5 sec"
+  bool hexadecimal = false;
 };
 
 std::string_view withoutBlanks(std::string_view text);

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "recording/import/list_cells.h"
+#include "recording/import/stamped_lines.h"
 #include "recording/import/text_encoding.h"
 #include "recording/import/text_layout.h"
 #include "recording/import/text_names.h"
+#include "recording/import/text_signals.h"
 #include "recording/import/units.h"
 
 namespace breakaway {
@@ -105,6 +108,8 @@ class Rows {
       if (kinds_[c] == TextCell::number) ++counts_[c].numbers;
       if (kinds_[c] == TextCell::text) noteText(c, row);
       if (!number.unit.empty()) noteUnit(c, row);
+      if (number.hexadecimal && !std::exchange(counts_[c].hexadecimal, true))
+        table.remarks.push_back(column.channel.name + ": hexadecimal; eight digits are taken as 32 bits with a sign");
       double value = number.value;
       if (origins_ && column.origin != 0.0) {
         const auto origin = static_cast<int64_t>(column.origin);
@@ -156,6 +161,7 @@ class Rows {
  private:
   struct Counts {
     size_t clocks = 0, numbers = 0;
+    bool hexadecimal = false;
   };
   struct SeenText {
     size_t count = 0;
@@ -331,9 +337,11 @@ Result<void> readRows(std::string_view rest, char lineEnd, const TextLayout& lay
 Result<RawTable> readTextTable(std::string_view text, const std::string& name) {
   std::string buffer;
   std::string_view utf8 = inUtf8(text, buffer);
-  const auto flat = withListsInCells(utf8);
+  auto flat = withListsInCells(utf8);
+  if (!flat) flat = withStampsAsCells(utf8);
   if (flat) utf8 = *flat;
   const char lineEnd = lineEndOf(utf8);
+  if (auto signals = readLineProtocol(utf8, lineEnd, name)) return std::move(*signals);
   const auto sample = sampleOf(utf8, lineEnd);
   if (withoutBlanks(utf8.substr(0, 1000)).find_first_not_of("\r\n \t") == std::string_view::npos && sample.empty())
     return Error{name, "is empty, expected a table"};
@@ -350,6 +358,7 @@ Result<RawTable> readTextTable(std::string_view text, const std::string& name) {
   if (!start.found) return none;
   std::string_view first = start.rest;
   const TextNames names = namesBefore(start.before, takeLine(first, lineEnd), layout);
+  if (auto signals = readLongTable(start.rest, lineEnd, layout, names, name)) return std::move(*signals);
   for (size_t c = 0; c < layout.cells; ++c) {
     rows.table.columns[c].channel.name = names.names[c];
     rows.table.columns[c].unit = names.units[c];

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <map>
 
-#include "recording/import/column_name.h"
+#include "recording/import/signal_log.h"
 
 namespace breakaway {
 
@@ -23,8 +23,8 @@ uint64_t numberOf(std::string_view bytes) {
 }
 
 struct Entry {
-  std::string name, type, unit;
-  std::vector<double> time_us, values;
+  std::string name, type;
+  Signal signal;
   std::map<std::string, double> texts;  ///< numbers of the texts seen
 };
 
@@ -86,7 +86,8 @@ void start(std::string_view payload, std::map<uint64_t, Entry>& entries) {
   Entry entry;
   entry.name = quantityLast(takeText(payload));
   entry.type = takeText(payload);
-  entry.unit = unitIn(takeText(payload));
+  entry.signal.name = entry.name;
+  entry.signal.unit = unitIn(takeText(payload));
   entries.try_emplace(id, std::move(entry));
 }
 
@@ -108,19 +109,8 @@ void add(const Record& record, Entry& entry) {
   } else {
     return;
   }
-  entry.time_us.push_back(static_cast<double>(record.time_us));
-  entry.values.push_back(std::isfinite(value) ? value : NAN);
-}
-
-/// The entry whose stamps the recording has.
-const Entry* baseOf(const std::map<uint64_t, Entry>& entries) {
-  const Entry *longest = nullptr, *position = nullptr;
-  for (const auto& [id, entry] : entries) {
-    if (longest == nullptr || entry.values.size() > longest->values.size()) longest = &entry;
-    const bool angle = understandName(entry.name, entry.unit).to == "angle_rad" && entry.values.size() > 1;
-    if (angle && (position == nullptr || entry.values.size() > position->values.size())) position = &entry;
-  }
-  return position != nullptr ? position : longest;
+  entry.signal.stamps.push_back({static_cast<int64_t>(record.time_us), 0.0});
+  entry.signal.values.push_back(std::isfinite(value) ? value : NAN);
 }
 
 }  // namespace
@@ -143,29 +133,15 @@ Result<RawTable> readWpilog(std::string_view bytes, const std::string& name) {
       add(record, it->second);
     }
   }
-  const Entry* base = baseOf(entries);
-  if (base == nullptr || base->values.size() < 2) return Error{name, "is a WPILOG without numbers over time"};
-  RawTable table;
-  if (!rest.empty()) table.remarks.emplace_back("the log's last record is cut short and was left out");
-  RawColumn time{{"time", base->time_us}, {}};
-  time.unit = "us";
-  table.columns.push_back(std::move(time));
+  std::vector<Signal> signals;
+  for (auto& [id, entry] : entries) signals.push_back(std::move(entry.signal));
+  auto table = tableOfSignals(signals, {"time", "us"}, "a WPILOG", name);
+  if (!table) return table.error();
+  if (!rest.empty()) table->remarks.emplace_back("the log's last record is cut short and was left out");
   for (const auto& [id, entry] : entries) {
-    if (entry.values.empty()) continue;
-    RawColumn column{{entry.name, {}}, {}};
-    column.unit = entry.unit;
-    size_t next = 0;
-    double held = NAN;
-    for (const double now_us : base->time_us) {
-      while (next < entry.time_us.size() && entry.time_us[next] <= now_us) held = entry.values[next++];
-      column.channel.values.push_back(held);
-    }
-    table.columns.push_back(std::move(column));
     for (const auto& [text, number] : entry.texts)
-      table.remarks.push_back(entry.name + ": " + std::to_string(static_cast<int>(number)) + " is \"" + text + "\"");
+      table->remarks.push_back(entry.name + ": " + std::to_string(static_cast<int>(number)) + " is \"" + text + "\"");
   }
-  table.remarks.push_back("a WPILOG of " + std::to_string(table.columns.size() - 1) + " entries, over the stamps of " +
-                          base->name + "; the others hold their last value");
   return table;
 }
 

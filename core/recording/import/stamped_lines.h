@@ -1,0 +1,14 @@
+// Lines that begin with a stamp in brackets, as loggers put it: "[12.345] angle=0.3", "I (12345) motor: angle=0.3".
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace breakaway {
+
+/// The text with each line's stamp as its first labelled cell, "time:12.345, angle=0.3", and without the tag behind it;
+/// lines that have none are left out. Nothing: most lines don't begin so, or have no labels behind it.
+std::optional<std::string> withStampsAsCells(std::string_view text);
+
+}  // namespace breakaway
