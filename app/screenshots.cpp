@@ -81,6 +81,7 @@ class Tour {
   void layBeneath();
   void compare();
   void openLog();
+  void sealedTrial();
   void linear();
 
   QString folder_, theme_;
@@ -161,6 +162,7 @@ Result<void> Tour::run() {
   compare();
   report("report-ready");
   linear();
+  sealedTrial();
   if (!trouble_.isEmpty()) return Error{"screenshots", trouble_.toStdString()};
   return {};
 }
@@ -368,6 +370,27 @@ void Tour::compare() {
   axis->setCurrentIndex(
       std::max(0, axis->findData(QString::fromStdString(session_.comparison.diagnosis()->where.front().axis))));
   shoot("compare-where");
+}
+
+/// Where the command that conceals is beside this one.
+void Tour::sealedTrial() {
+  constexpr unsigned seed = 34;
+  TrialRun& trial = session_.trial;
+  if (!trial.obstacle().isEmpty()) return;
+  window_.showPage("comparePage");
+  trial.conceal(seed);
+  if (!wait([&] { return trial.isOpen() && session_.comparison.recording(); })) {
+    trouble_ = "the trial was not recorded";
+    return;
+  }
+  shoot("compare-sealed");
+  press("diagnoseButton");
+  if (!wait([&] { return trial.sealObstacle().isEmpty() && !session_.comparison.shownTrace().position.empty(); })) {
+    trouble_ = "the trial's diagnosis did not end";
+    return;
+  }
+  press("unsealButton");
+  shoot("compare-unsealed");
 }
 
 /// Another tool's log, as it is understood before it is opened.

@@ -20,6 +20,7 @@
 #include "session/comparison.h"
 #include "session/live_samples.h"
 #include "session/resource_folder.h"
+#include "session/trial_run.h"
 #include "widgets/controls.h"
 #include "widgets/evidence_plot.h"
 #include "widgets/facts_table.h"
@@ -30,6 +31,7 @@
 #include "widgets/parameter_words.h"
 #include "widgets/residual_axis.h"
 #include "widgets/residual_plots.h"
+#include "widgets/trial_strip.h"
 #include "widgets/verdict_card.h"
 
 namespace breakaway {
@@ -44,13 +46,14 @@ QString fileName(const std::string& path) {
 
 }  // namespace
 
-ComparePage::ComparePage(const BenchRuns& bench, const LiveSamples& live, Comparison& comparison, BenchProject& project,
-                         FileChooser& files, QWidget* parent)
+ComparePage::ComparePage(const BenchRuns& bench, const LiveSamples& live, Comparison& comparison, TrialRun& trial,
+                         BenchProject& project, FileChooser& files, QWidget* parent)
     : Page("comparePage", tr("Compare"), parent),
       bench_(bench),
       project_(project),
       live_(live),
       comparison_(comparison),
+      trial_(trial),
       files_(files) {
   setAcceptDrops(true);
   setHead(tr("Compare"),
@@ -63,6 +66,7 @@ ComparePage::ComparePage(const BenchRuns& bench, const LiveSamples& live, Compar
   compared_ = new QWidget(this);
   auto* column = columnIn(compared_, 8);
   column->addWidget(new VerdictCard(comparison_, compared_));
+  column->addWidget(new TrialStrip(trial_, compared_));
   column->addWidget(buildEvidence(), 2);
   column->addWidget(buildPlots(), 3);
   log_ = new LogPanel(comparison_.log(), this);
@@ -102,6 +106,8 @@ void ComparePage::buildInputs() {
   row->addWidget(takeLive_, 1);
   row->addWidget(openExample_, 1);
   column->addLayout(row);
+  sealedTrial_ = pushButton(group, "sealedTrialButton", tr("Sealed trial"));
+  column->addWidget(sealedTrial_);
   progress_ = new QProgressBar(group);
   progress_->setObjectName("diagnoseProgress");
   progress_->setAccessibleName(tr("Progress of the diagnosis"));
@@ -123,6 +129,8 @@ void ComparePage::buildInputs() {
   });
   connect(takeLive_, &QPushButton::clicked, this, &ComparePage::takeLive);
   connect(openExample_, &QPushButton::clicked, this, &ComparePage::openExample);
+  connect(sealedTrial_, &QPushButton::clicked, this, [this] { trial_.conceal(); });
+  connect(&trial_, &TrialRun::changed, this, &ComparePage::showTrial);
   connect(diagnose_, &QPushButton::clicked, &comparison_, &Comparison::diagnose);
   connect(cancel_, &QPushButton::clicked, &comparison_, &Comparison::cancel);
 }
@@ -254,12 +262,16 @@ void ComparePage::showInputs() {
     return tr("%1 s").arg(numberText(recording.time().back() - recording.time().front()));
   };
   const auto& recording = comparison_.recording();
-  openRecording_->show(recording ? fileName(recording->name()) : QString(), recording ? about(*recording) : QString());
+  const auto beside = [](const QString& first, size_t all) {
+    return all > 1 ? tr("%1, %2 more").arg(first).arg(all - 1) : first;
+  };
+  openRecording_->show(recording ? fileName(recording->name()) : QString(),
+                       recording ? beside(about(*recording), comparison_.recordings().size()) : QString());
   const auto& heldout = comparison_.heldout();
   openHeldout_->show(heldout     ? fileName(heldout->name())
                      : recording ? tr("parts of the recording")
                                  : QString(),
-                     heldout ? about(*heldout) : QString());
+                     heldout ? beside(about(*heldout), comparison_.allHeldout().size()) : QString());
   setAvailable(takeLive_, !live_.lastRecording().isEmpty(),
                tr("Take the last recording that was made in the live plots"),
                tr("Nothing was recorded yet: Record, below the page, begins one"));
@@ -267,6 +279,14 @@ void ComparePage::showInputs() {
                tr("A recording of a simulated rig with concealed physics"), tr("The examples are not installed"));
   showProgress();
   showKeep();
+  showTrial();
+}
+
+void ComparePage::showTrial() {
+  setAvailable(sealedTrial_,
+               tr("Conceals physics in a simulated rig and records it; whoever diagnoses sees bench and recordings "
+                  "alone. Unseal says whether the answer is right."),
+               trial_.obstacle());
 }
 
 void ComparePage::showProgress() {

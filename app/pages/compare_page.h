@@ -26,13 +26,14 @@ class FindingsList;
 class LiveSamples;
 class LogPanel;
 class ResidualPlots;
+class TrialRun;
 
 class ComparePage : public Page {
   Q_OBJECT
 
  public:
-  ComparePage(const BenchRuns& bench, const LiveSamples& live, Comparison& comparison, BenchProject& project,
-              FileChooser& files, QWidget* parent = nullptr);
+  ComparePage(const BenchRuns& bench, const LiveSamples& live, Comparison& comparison, TrialRun& trial,
+              BenchProject& project, FileChooser& files, QWidget* parent = nullptr);
 
   bool wantsLive() const override { return false; }
 
@@ -51,6 +52,7 @@ class ComparePage : public Page {
   void openExample();
   void takeLive();
   void showInputs();
+  void showTrial();
   void showProgress();
   void showProof();
   void showLog();
@@ -63,11 +65,13 @@ class ComparePage : public Page {
   BenchProject& project_;
   const LiveSamples& live_;
   Comparison& comparison_;
+  TrialRun& trial_;
   FileChooser& files_;
   FileSlot* openBench_ = nullptr;
   FileSlot* openRecording_ = nullptr;
   FileSlot* openHeldout_ = nullptr;
   QPushButton* openExample_ = nullptr;
+  QPushButton* sealedTrial_ = nullptr;
   QPushButton* takeLive_ = nullptr;
   QPushButton* diagnose_ = nullptr;
   QPushButton* cancel_ = nullptr;

@@ -272,10 +272,10 @@ void FrictionPage::showAverages(const Commission& known) {
   const auto viscous =
       opened ? std::optional(opened->map.viscousAverage_Nm_s_per_rad) : known.viscousAverage_Nm_s_per_rad();
   const AxisUnits units = unitsOf(known.identity.axis);
-  std::vector<Fact> facts{{tr("Coulomb average"), withInterval(coulomb, units.torqueScale, units.torque),
-                           tr("Mean of both ways at zero speed, 95 % interval")},
-                          {tr("Viscous average"), withInterval(viscous, units.viscousScale, units.viscous),
-                           tr("Slope with speed, 95 % interval")}};
+  std::vector<Fact> facts{
+      {tr("Coulomb"), withInterval(coulomb, units.torqueScale, units.torque),
+       tr("Mean of both ways at zero speed, 95 % interval")},
+      {tr("Viscous"), withInterval(viscous, units.viscousScale, units.viscous), tr("Slope with speed, 95 % interval")}};
   if (known.knows(Known::map)) {
     const auto mean = [&known, &units](Way way) {
       double sum_Nm = 0.0;

@@ -11,7 +11,7 @@ namespace breakaway {
 Comparison::Comparison(Messages& messages, QObject* parent) : QObject(parent), messages_(messages), log_(messages) {
   pool_.setMaxThreadCount(2);
   connect(&log_, &LogOpening::accepted, this, [this](const Recording& recording) {
-    this->*logged_ = recording;
+    take(logged_, recording);
     forgetDiagnosis();
   });
 }
@@ -48,13 +48,57 @@ void Comparison::openHeldout(const QString& path) {
 }
 
 void Comparison::takeRecording(const Recording& recording) {
-  recording_ = recording;
+  take(&Comparison::recording_, recording);
   forgetDiagnosis();
 }
 
 void Comparison::takeBench(const Bench& bench) {
   bench_ = bench;
   forgetDiagnosis();
+}
+
+std::vector<Recording> Comparison::together(const std::optional<Recording>& first,
+                                            const std::vector<Recording>& others) {
+  std::vector<Recording> all;
+  if (first) all.push_back(*first);
+  all.insert(all.end(), others.begin(), others.end());
+  return all;
+}
+
+/// One that is opened alone replaces all of its kind.
+void Comparison::take(std::optional<Recording> Comparison::*into, const Recording& recording) {
+  this->*into = recording;
+  (into == &Comparison::heldout_ ? heldoutBeside_ : beside_).clear();
+}
+
+void Comparison::openTogether(const ComparedFiles& files) {
+  log_.close();
+  inPool([this, files]() -> std::function<void()> {
+    const auto readAll = [](const QStringList& paths) -> Result<std::vector<Recording>> {
+      std::vector<Recording> all;
+      for (const QString& path : paths) {
+        auto recording = readRecording(path.toStdString());
+        if (!recording) return recording.error();
+        all.push_back(std::move(*recording));
+      }
+      return all;
+    };
+    const auto bench = readBench(files.bench.toStdString());
+    const auto recordings = readAll(files.recordings), heldout = readAll(files.heldout);
+    return [this, bench, recordings, heldout] {
+      if (!bench) return messages_.warn(bench.error());
+      if (!recordings) return messages_.warn(recordings.error());
+      if (!heldout) return messages_.warn(heldout.error());
+      const auto split = [](const std::vector<Recording>& all, std::optional<Recording>& first) {
+        first = all.empty() ? std::nullopt : std::optional(all.front());
+        return all.empty() ? all : std::vector<Recording>(all.begin() + 1, all.end());
+      };
+      bench_ = *bench;
+      beside_ = split(*recordings, recording_);
+      heldoutBeside_ = split(*heldout, heldout_);
+      forgetDiagnosis();
+    };
+  });
 }
 
 void Comparison::read(const QString& path, std::optional<Recording> Comparison::*into) {
@@ -71,7 +115,7 @@ void Comparison::read(const QString& path, std::optional<Recording> Comparison::
         messages_.warn(recording.error());
         return;
       }
-      this->*into = *recording;
+      take(into, *recording);
       messages_.say(tr("%1: %2 rows").arg(QFileInfo(path).fileName()).arg(recording->rows()));
       forgetDiagnosis();
     };
@@ -137,10 +181,9 @@ void Comparison::diagnose() {
         },
         Qt::QueuedConnection);
   };
-  std::vector<Recording> heldout;
-  if (heldout_) heldout.push_back(*heldout_);
-  inPool([this, mine, options, heldout, bench = *bench_, recording = *recording_]() -> std::function<void()> {
-    const auto diagnosis = breakaway::diagnose(bench, {recording}, heldout, options);
+  inPool([this, mine, options, bench = *bench_, recordings = together(recording_, beside_),
+          heldout = allHeldout()]() -> std::function<void()> {
+    const auto diagnosis = breakaway::diagnose(bench, recordings, heldout, options);
     return [this, mine, diagnosis] {
       if (mine == wanted_) takeDiagnosis(diagnosis);
     };

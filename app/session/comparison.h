@@ -4,6 +4,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
 #include <QThreadPool>
 #include <functional>
 #include <memory>
@@ -24,6 +25,12 @@
 
 namespace breakaway {
 
+/// What is opened at once: several recordings are fitted together, the first is shown.
+struct ComparedFiles {
+  QString bench;
+  QStringList recordings, heldout;
+};
+
 class Comparison : public QObject {
   Q_OBJECT
 
@@ -36,6 +43,8 @@ class Comparison : public QObject {
   /// the recording itself are held out.
   void openRecording(const QString& path);
   void openHeldout(const QString& path);
+  /// All of them or none.
+  void openTogether(const ComparedFiles& files);
   void takeRecording(const Recording& recording);
   void takeBench(const Bench& bench);
   /// A bench if the name ends in .json, a recording otherwise.
@@ -55,6 +64,9 @@ class Comparison : public QObject {
   /// The position in recording(), ready to be drawn at any zoom; it comes a little after the recording.
   const std::shared_ptr<const Overview>& overview() const { return overview_; }
   const std::optional<Recording>& heldout() const { return heldout_; }
+  /// All that a diagnosis takes, the first of each as above.
+  std::vector<Recording> recordings() const { return together(recording(), beside_); }
+  std::vector<Recording> allHeldout() const { return together(heldout_, heldoutBeside_); }
   const std::optional<Diagnosis>& diagnosis() const { return diagnosis_; }
   bool diagnosing() const { return diagnosing_; }
   double progress() const { return progress_; }
@@ -81,7 +93,9 @@ class Comparison : public QObject {
   void evidenceChanged();
 
  private:
+  static std::vector<Recording> together(const std::optional<Recording>& first, const std::vector<Recording>& others);
   void inPool(std::function<std::function<void()>()> work);
+  void take(std::optional<Recording> Comparison::*into, const Recording& recording);
   void read(const QString& path, std::optional<Recording> Comparison::*into);
   void forgetDiagnosis();
   void prepareOverview();
@@ -98,6 +112,7 @@ class Comparison : public QObject {
   std::optional<Bench> bench_;
   std::optional<Recording> recording_, mended_;
   std::optional<Recording> heldout_;
+  std::vector<Recording> beside_, heldoutBeside_;  ///< further ones that were opened together
   std::optional<Diagnosis> diagnosis_;
   std::set<std::string> leftOut_;
   std::shared_ptr<const Overview> overview_;

@@ -37,13 +37,12 @@ void KeptResults::keepDiagnosis() {
   const auto& bench = comparison_.bench();
   const auto& recording = comparison_.recording();
   if (!diagnosis || !bench || !recording) return;
-  std::vector<Recording> heldout;
-  if (comparison_.heldout()) heldout.push_back(*comparison_.heldout());
   NewRun run;
   run.at = utcNow();
   run.motor = bench->motorSerial;
-  run.write = [diagnosis = *diagnosis, bench = *bench, recording = *recording, heldout](const std::string& folder) {
-    return writeDiagnosisFolder(diagnosis, bench, {recording}, heldout, folder);
+  run.write = [diagnosis = *diagnosis, bench = *bench, recordings = comparison_.recordings(),
+               heldout = comparison_.allHeldout()](const std::string& folder) {
+    return writeDiagnosisFolder(diagnosis, bench, recordings, heldout, folder);
   };
   project_.put(run, tr("The diagnosis"));
 }

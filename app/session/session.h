@@ -10,6 +10,7 @@
 #include "session/messages.h"
 #include "session/project_runs.h"
 #include "session/shown_maps.h"
+#include "session/trial_run.h"
 #include "session/unfinished_runs.h"
 
 namespace breakaway {
@@ -23,6 +24,7 @@ struct Session {
   BenchRuns bench{connection, messages};
   LiveSamples live{connection, project, messages};
   Comparison comparison{messages};
+  TrialRun trial{comparison, messages};
   KeptResults kept{connection, bench, comparison, project};
   UnfinishedRuns unfinished{connection, bench, kept, project, messages};
   ProjectRuns runs{project, messages};

@@ -35,7 +35,7 @@ QString verdictSentence(const Diagnosis& diagnosis) {
       return VerdictCard::tr("%1: the data allow another name, too").arg(list);
     case Verdict::outsideCatalogue:
       return list.isEmpty() ? VerdictCard::tr("Something is missing that has no name in the catalogue")
-                            : VerdictCard::tr("%1, and something without a name").arg(list);
+                            : VerdictCard::tr("%1, and something unnamed").arg(list);
     case Verdict::undecided:
       return VerdictCard::tr("Too little was recorded to tell");
   }

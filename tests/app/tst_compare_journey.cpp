@@ -1,11 +1,17 @@
 // Compare through the window: open, diagnose, before and after, leave a finding out.
 #include <QCheckBox>
 #include <QComboBox>
+#include <QFileInfo>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QTableWidget>
 #include <cmath>
 
 #include "app/window_support.h"
+#include "house/program.h"
 #include "support/real_recordings.h"
 #include "support/sanitized.h"
 #include "widgets/facts_table.h"
@@ -21,6 +27,7 @@ class TestCompareJourney : public QObject {
   void initTestCase();
   void example_isDiagnosed();
   void emps_isDiagnosed();
+  void sealedTrial_isDiagnosedAndUnsealed();
   void cancel_endsTheDiagnosis();
   void badRecording_isSaidInOneLine();
   void log_isShownAsUnderstoodAndCorrectedByAClick();
@@ -148,6 +155,35 @@ void TestCompareJourney::emps_isDiagnosed() {
   QVERIFY(QTest::qWaitFor([&] { return desk.session.comparison.shownRmse() > 1.5 * with; }, patience_ms));
   QTest::keyClick(box, Qt::Key_Return);
   QVERIFY(QTest::qWaitFor([&] { return std::abs(desk.session.comparison.shownRmse() - with) < 1e-12; }, patience_ms));
+}
+
+/// The window sees files alone; what they conceal it says only when the answer is in, and as the command has it.
+void TestCompareJourney::sealedTrial_isDiagnosedAndUnsealed() {
+  Desk desk;
+  TrialRun& trial = desk.session.trial;
+  trial.setProgram(builtProgram("breakaway"));
+  QVERIFY(named<QPushButton>(desk.window, "sealedTrialButton")->isEnabled());
+  trial.conceal(34);
+  QVERIFY(trial.preparing() && !trial.obstacle().isEmpty());
+  QVERIFY(desk.ready());
+  QVERIFY(trial.isOpen());
+  auto* unseal = named<QPushButton>(desk.window, "unsealButton");
+  QVERIFY2(!unseal->isEnabled() && unseal->toolTip().startsWith("Diagnose first"), qPrintable(unseal->toolTip()));
+  QVERIFY(desk.diagnosed());
+  press(desk.window, "unsealButton");
+  QVERIFY(trial.truth());
+  const QString said = named<QLabel>(desk.window, "trialWords")->text();
+  QVERIFY2(said.contains("Concealed was") || said.contains("Nothing was concealed"), qPrintable(said));
+  QFile file(QFileInfo(QString::fromStdString(desk.session.comparison.recording()->name())).path() + "/trial.json");
+  QVERIFY(file.open(QIODevice::ReadOnly));
+  const QJsonObject command = QJsonDocument::fromJson(file.readAll()).object();
+  QCOMPARE(trial.truth()->answer.isRight, command["right"].toBool());
+  QCOMPARE(said.contains("The answer is right"), command["right"].toBool());
+  QCOMPARE(desk.session.comparison.recordings().size(), size_t{2});
+  // Another recording ends it.
+  press(desk.window, "openExampleButton");
+  QVERIFY(QTest::qWaitFor([&] { return !trial.isOpen(); }, patience_ms));
+  QCOMPARE(desk.session.comparison.recordings().size(), size_t{1});
 }
 
 void TestCompareJourney::cancel_endsTheDiagnosis() {

@@ -226,8 +226,7 @@ void TestRuns::map_isOpenedOnFriction() {
   QCOMPARE(polar->curves().size(), size_t{2});
   QCOMPARE(polar->curves()[0].points.size(), size_t{90});
   QVERIFY(std::abs(polar->curves()[0].points[0].value - 27.5) < 1.0);
-  QCOMPARE(named<FactsTable>(archive.desk.window, "frictionAverages")->value("Coulomb average").left(4),
-           QString("20.0"));
+  QCOMPARE(named<FactsTable>(archive.desk.window, "frictionAverages")->value("Coulomb").left(4), QString("20.0"));
   const QString csv = archive.place.filePath("again.csv");
   QVERIFY(archive.desk.exported("csv", csv));
   press(archive.desk.window, "todaysMapButton");
