@@ -64,13 +64,13 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::buildPages(Session& session, FileChooser& files) {
-  auto& [messages, connection, project, bench, live, comparison, trial, kept, unfinished, runs, maps] = session;
+  auto& [messages, connection, project, bench, live, comparison, experiment, trial, kept, unfinished, runs, maps] = session;
   pages_ = {new ConnectPage(connection, bench, messages, files, this),
             new IdentifyPage(connection, bench, this),
             new TunePage(connection, bench, this),
             new HomePage(connection, bench, live, this),
             new FrictionPage(connection, bench, maps, messages, files, this),
-            new ComparePage(bench, live, comparison, trial, project, files, this),
+            new ComparePage(bench, live, comparison, experiment, trial, project, files, this),
             new ReportPage(bench, comparison, messages, files, this),
             new HandPage(connection, bench, live, this),
             new RunsPage(project, runs, maps, comparison, files, this)};

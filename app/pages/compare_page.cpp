@@ -18,6 +18,7 @@
 #include "session/bench_project.h"
 #include "session/bench_runs.h"
 #include "session/comparison.h"
+#include "session/experiment_run.h"
 #include "session/live_samples.h"
 #include "session/resource_folder.h"
 #include "session/trial_run.h"
@@ -46,13 +47,15 @@ QString fileName(const std::string& path) {
 
 }  // namespace
 
-ComparePage::ComparePage(const BenchRuns& bench, const LiveSamples& live, Comparison& comparison, TrialRun& trial,
-                         BenchProject& project, FileChooser& files, QWidget* parent)
+ComparePage::ComparePage(const BenchRuns& bench, const LiveSamples& live, Comparison& comparison,
+                         ExperimentRun& experiment, TrialRun& trial, BenchProject& project, FileChooser& files,
+                         QWidget* parent)
     : Page("comparePage", tr("Compare"), parent),
       bench_(bench),
       project_(project),
       live_(live),
       comparison_(comparison),
+      experiment_(experiment),
       trial_(trial),
       files_(files) {
   setAcceptDrops(true);
@@ -151,6 +154,11 @@ void ComparePage::buildFindings() {
   findings_ = new FindingsList(comparison_, group);
   findings_->setMinimumHeight(leastFindings);
   columnOf(group)->addWidget(findings_, 1);
+  runExperiment_ = pushButton(group, "runExperimentButton", tr("Run the next experiment"));
+  columnOf(group)->addWidget(runExperiment_);
+  connect(runExperiment_, &QPushButton::clicked, &experiment_, &ExperimentRun::start);
+  connect(&experiment_, &ExperimentRun::changed, this, &ComparePage::showExperiment);
+  showExperiment();
   settings()->addWidget(group, 1);
   connect(findings_, &FindingsList::axisChosen, this,
           [this](const QString& axis) { axis_->setCurrentIndex(axis_->findData(axis)); });
@@ -287,6 +295,10 @@ void ComparePage::showTrial() {
                tr("Conceals physics in a simulated rig and records it; whoever diagnoses sees bench and recordings "
                   "alone. Unseal says whether the answer is right."),
                trial_.obstacle());
+}
+
+void ComparePage::showExperiment() {
+  setAvailable(runExperiment_, experiment_.plan(), experiment_.obstacle());
 }
 
 void ComparePage::showProgress() {

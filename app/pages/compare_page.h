@@ -18,6 +18,7 @@ namespace breakaway {
 class BenchProject;
 class BenchRuns;
 class Comparison;
+class ExperimentRun;
 class FactsTable;
 class FileSlot;
 struct Diagnosis;
@@ -32,8 +33,8 @@ class ComparePage : public Page {
   Q_OBJECT
 
  public:
-  ComparePage(const BenchRuns& bench, const LiveSamples& live, Comparison& comparison, TrialRun& trial,
-              BenchProject& project, FileChooser& files, QWidget* parent = nullptr);
+  ComparePage(const BenchRuns& bench, const LiveSamples& live, Comparison& comparison, ExperimentRun& experiment,
+              TrialRun& trial, BenchProject& project, FileChooser& files, QWidget* parent = nullptr);
 
   bool wantsLive() const override { return false; }
 
@@ -53,6 +54,7 @@ class ComparePage : public Page {
   void takeLive();
   void showInputs();
   void showTrial();
+  void showExperiment();
   void showProgress();
   void showProof();
   void showLog();
@@ -65,6 +67,7 @@ class ComparePage : public Page {
   BenchProject& project_;
   const LiveSamples& live_;
   Comparison& comparison_;
+  ExperimentRun& experiment_;
   TrialRun& trial_;
   FileChooser& files_;
   FileSlot* openBench_ = nullptr;
@@ -72,6 +75,7 @@ class ComparePage : public Page {
   FileSlot* openHeldout_ = nullptr;
   QPushButton* openExample_ = nullptr;
   QPushButton* sealedTrial_ = nullptr;
+  QPushButton* runExperiment_ = nullptr;
   QPushButton* takeLive_ = nullptr;
   QPushButton* diagnose_ = nullptr;
   QPushButton* cancel_ = nullptr;

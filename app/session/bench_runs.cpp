@@ -5,6 +5,7 @@
 
 #include "commission/steps.h"
 #include "experiment/abilities.h"
+#include "experiment/maneuver_run.h"
 #include "session/slow_motion.h"
 #include "session/step_over_travel.h"
 
@@ -80,6 +81,15 @@ void BenchRuns::measureStep(const VelocityStepOptions& wanted) {
                      }});
 }
 
+void BenchRuns::runManeuver(const Maneuver& motion) {
+  const Identity& board = connection_.identity();
+  const ControllerSettings& settings = connection_.settings();
+  ManeuverLimits limits{settings.velocity_limit_rad_per_s, settings.current_limit_A, {}};
+  if (axisIsHomed()) limits.travel = known_.counted;
+  connection_.start(
+      {RunKind::experiment, std::make_shared<ManeuverRun>(motion, limits, board.can.zeroesSensor, board.axis), {}});
+}
+
 std::shared_ptr<HandGrip> BenchRuns::driveByHand(const HandOptions& options) {
   auto grip = std::make_shared<HandGrip>();
   HandOptions within = options;
@@ -143,6 +153,12 @@ QString BenchRuns::obstacleToMake(RunKind kind) const {
 }
 
 QString BenchRuns::turningObstacle() const {
+  if (QString busy = connection_.obstacle(); !busy.isEmpty()) return busy;
+  return connection_.linear() && !axisIsHomed() ? tr("Home first: the ends of the travel are not known yet")
+                                                : QString();
+}
+
+QString BenchRuns::maneuverObstacle() const {
   if (QString busy = connection_.obstacle(); !busy.isEmpty()) return busy;
   return connection_.linear() && !axisIsHomed() ? tr("Home first: the ends of the travel are not known yet")
                                                 : QString();

@@ -11,6 +11,7 @@
 #include "commission/known.h"
 #include "experiment/velocity_step.h"
 #include "motor/bench.h"
+#include "motor/maneuver.h"
 #include "session/board_tuning.h"
 #include "session/connection.h"
 #include "session/hand_drive.h"
@@ -27,6 +28,8 @@ class BenchRuns : public QObject {
 
   // Each replaces what runs; see the obstacles.
   void turnSlowly();
+  /// An experiment's, within the board's limits; on a linear axis between its margins.
+  void runManeuver(const Maneuver& motion);
   void measureStep(const VelocityStepOptions& wanted);
   /// Runs until the grip is let go.
   std::shared_ptr<HandGrip> driveByHand(const HandOptions& options);
@@ -44,6 +47,7 @@ class BenchRuns : public QObject {
   // Why it can't be started now; empty when it can.
   QString turningObstacle() const;
   QString stepObstacle() const;
+  QString maneuverObstacle() const;
   QString handObstacle() const;
   QString obstacleToMake(RunKind kind) const;
   QString gainsObstacle() const;

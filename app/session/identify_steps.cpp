@@ -81,7 +81,8 @@ std::vector<Measured> resultsOf(Known fact, const Commission& known) {
 }
 
 bool identifies(RunKind kind) {
-  return kind != RunKind::none && kind != RunKind::turning && kind != RunKind::hand && kind != RunKind::step;
+  return kind != RunKind::none && kind != RunKind::turning && kind != RunKind::hand && kind != RunKind::step &&
+         kind != RunKind::experiment;
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 
 namespace breakaway {
 
-enum class RunKind { none, turning, hand, step, wiring, identification, homing, velocitySweep, breakaway, trial };
+enum class RunKind { none, turning, hand, step, wiring, identification, homing, velocitySweep, breakaway, trial, experiment };
 
 /// A measured step with the settings it was measured with.
 struct StepResult {

@@ -5,6 +5,7 @@
 #include "session/bench_runs.h"
 #include "session/comparison.h"
 #include "session/connection.h"
+#include "session/experiment_run.h"
 #include "session/kept_results.h"
 #include "session/live_samples.h"
 #include "session/messages.h"
@@ -24,6 +25,7 @@ struct Session {
   BenchRuns bench{connection, messages};
   LiveSamples live{connection, project, messages};
   Comparison comparison{messages};
+  ExperimentRun experiment{connection, bench, live, comparison, messages};
   TrialRun trial{comparison, messages};
   KeptResults kept{connection, bench, comparison, project};
   UnfinishedRuns unfinished{connection, bench, kept, project, messages};

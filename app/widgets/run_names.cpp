@@ -25,6 +25,8 @@ QString nameOf(RunKind kind) {
       return translated("Breakaway sweep");
     case RunKind::trial:
       return translated("Trial of the map");
+    case RunKind::experiment:
+      return translated("Experiment");
     case RunKind::none:
       break;
   }

@@ -85,6 +85,7 @@ class Diagnoser {
         nextExperiment(diagnosis.verdict, diagnosis.findings, diagnosis.where, bench_, prepared->seen);
     diagnosis.nextSentence = std::move(next.sentence);
     diagnosis.nextSeparates = std::move(next.separates);
+    diagnosis.nextManeuver = std::move(next.maneuver);
     stop(diagnosis);
     return made;
   }
@@ -105,7 +106,9 @@ class Diagnoser {
     take(diagnosis, judge(bench_, *prepared, input, found), *prepared);
     diagnosis.verdict = Verdict::undecided;
     diagnosis.remarks.insert(diagnosis.remarks.begin(), why.begin(), why.end());
-    diagnosis.nextSentence = mostInformative(prepared->seen);
+    NextExperiment next = mostInformative(prepared->seen);
+    diagnosis.nextSentence = std::move(next.sentence);
+    diagnosis.nextManeuver = std::move(next.maneuver);
     diagnosis.named_s = elapsed_s();
     stop(diagnosis);
     return diagnosis;

@@ -17,6 +17,7 @@
 #include "diagnose/verdict/proof.h"
 #include "diagnose/verdict/verdict.h"
 #include "motor/bench.h"
+#include "motor/maneuver.h"
 #include "recording/recording.h"
 
 namespace breakaway {
@@ -32,6 +33,7 @@ struct Diagnosis {
   double unexplainedPValue = 1.0;
   std::string nextSentence;
   std::vector<std::string> nextSeparates;
+  Maneuver nextManeuver;  ///< the next experiment as a board can make it; empty where it takes hands
   double named_s = 0.0;
   std::vector<std::string> firstNames;  ///< what the screen named, if it was sure; else the findings
   double elapsed_s = 0.0;

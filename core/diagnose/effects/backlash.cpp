@@ -66,6 +66,9 @@ class Backlash final : public TwoMassEffect {
            ", and ±" + digitsText(0.15 * seen.peakInput) + " for reversals at speeds around " +
            speedText(0.1 * seen.highSpeed, seen.axis) + ".";
   }
+  Maneuver neededManeuver(const Excitation& seen) const override {
+    return reversals(0.5 * seen.highSpeed, 20, 0.4) + reversals(0.1 * seen.highSpeed, 10, 1.0);
+  }
   std::string_view drawnOver() const override { return "travel"; }
 
  private:

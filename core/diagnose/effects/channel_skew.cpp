@@ -47,6 +47,12 @@ class ChannelSkew final : public Effect, private InputPart, private CurrentSenso
     return "Give short pulses of " + quantityText(0.7 * seen.peakCurrent, "A") + ", " + timeText(10.0 * seen.step_s) +
            " long and well apart: each marks its time on both channels.";
   }
+  Maneuver neededManeuver(const Excitation& seen) const override {
+    if (!(seen.peakCurrent > 0.0)) return {};
+    Maneuver pulses;
+    for (int k = 0; k < 10; ++k) pulses = pulses + currentPulses({0.7 * seen.peakCurrent}, 10.0 * seen.step_s, 0.5);
+    return pulses;
+  }
   std::string_view drawnOver() const override { return "frequency"; }
 
  private:

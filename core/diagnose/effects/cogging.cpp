@@ -49,6 +49,9 @@ class Cogging final : public WaveEffect {
     return std::string("Run slowly over ") + (seen.axis == Axis::rotary ? "two whole turns" : "the whole travel") +
            " both ways at two speeds, the slower at most " + speedText(0.3 * seen.highSpeed, seen.axis) + ".";
   }
+  Maneuver neededManeuver(const Excitation& seen) const override {
+    return speedsBothWays({0.3 * seen.highSpeed, seen.highSpeed}, twoTurns(seen));
+  }
 };
 
 }  // namespace

@@ -72,6 +72,12 @@ class CommandSaturation final : public Effect, private InputPart {
     return "Step the command to 25, 50, 75 and 100 % of " + digitsText(seen.peakInput) +
            ", both ways, and record what the drive gives out.";
   }
+  Maneuver neededManeuver(const Excitation& seen) const override {
+    if (!(seen.peakCurrent > 0.0)) return {};
+    const double most = seen.peakCurrent;
+    const Maneuver once = currentPulses({0.25 * most, 0.5 * most, 0.75 * most, most}, 0.1, 0.5);
+    return once + once + once;
+  }
   std::string_view drawnOver() const override { return "time"; }
 
  private:

@@ -66,6 +66,9 @@ class Compliance final : public TwoMassEffect {
     return "Chirp the command with ±" + digitsText(0.3 * seen.peakInput) + " from " + hertzText(5.0) + " to " +
            hertzText(highest) + " within 20 s.";
   }
+  Maneuver neededManeuver(const Excitation& seen) const override {
+    return seen.peakCurrent > 0.0 ? currentChirp(0.3 * seen.peakCurrent, 5.0, 100.0, 20.0) : Maneuver{};
+  }
   std::string_view drawnOver() const override { return "frequency"; }
 
  private:

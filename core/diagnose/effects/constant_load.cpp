@@ -42,6 +42,9 @@ class ConstantLoad final : public Effect {
   std::string neededExcitation(const Excitation&) const override {
     return "Move both ways at the same speeds, and zero the current sensor with the drive off.";
   }
+  Maneuver neededManeuver(const Excitation& seen) const override {
+    return speedsBothWays({0.5 * seen.highSpeed}, twoTurns(seen));
+  }
   std::string_view drawnOver() const override { return "velocity"; }
 };
 

@@ -38,6 +38,9 @@ class CoulombAsymmetry final : public Effect {
     return "Move both ways at " + speedText(0.5 * seen.highSpeed, seen.axis) +
            ", and zero the current sensor with the drive off.";
   }
+  Maneuver neededManeuver(const Excitation& seen) const override {
+    return speedsBothWays({0.5 * seen.highSpeed}, twoTurns(seen));
+  }
   std::string_view drawnOver() const override { return "velocity"; }
 };
 

@@ -47,6 +47,9 @@ class DeadTime final : public Effect {
     return "Reverse slowly through zero at currents below " + quantityText(0.2 * seen.peakCurrent, "A") +
            ", with the current recorded.";
   }
+  Maneuver neededManeuver(const Excitation& seen) const override {
+    return throughStandstill(0.1 * seen.highSpeed, 10, 2.0);
+  }
   std::string_view drawnOver() const override { return "current"; }
 };
 

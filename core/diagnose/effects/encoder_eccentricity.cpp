@@ -51,6 +51,9 @@ class EncoderEccentricity final : public Effect, private EncoderPart {
            ": the error stays the same, what it takes for acceleration grows "
            "with the speed's square.";
   }
+  Maneuver neededManeuver(const Excitation& seen) const override {
+    return speedsBothWays({0.3 * seen.highSpeed, seen.highSpeed}, twoTurns(seen));
+  }
   std::string_view drawnOver() const override { return "angle"; }
 
  private:

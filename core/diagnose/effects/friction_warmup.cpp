@@ -50,6 +50,9 @@ class FrictionWarmup final : public Effect {
     return "Let the axis cool down, then run it to and fro at " + speedText(0.5 * seen.highSpeed, seen.axis) + " for " +
            timeText(std::max(2.0 * seen.duration_s, 60.0)) + ", and repeat the same at once while it is warm.";
   }
+  Maneuver neededManeuver(const Excitation& seen) const override {
+    return reversals(0.5 * seen.highSpeed, static_cast<int>(std::clamp(2.0 * seen.duration_s, 60.0, 600.0)), 1.0);
+  }
   std::string_view drawnOver() const override { return "time"; }
 };
 

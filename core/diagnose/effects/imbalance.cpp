@@ -42,6 +42,9 @@ class Imbalance final : public WaveEffect {
   std::string neededExcitation(const Excitation& seen) const override {
     return "Turn slowly over two whole turns, both ways, at " + speedText(0.3 * seen.highSpeed, seen.axis) + ".";
   }
+  Maneuver neededManeuver(const Excitation& seen) const override {
+    return speedsBothWays({0.3 * seen.highSpeed}, twoTurns(seen));
+  }
 };
 
 }  // namespace

@@ -45,6 +45,9 @@ class PositionDependentFriction final : public WaveEffect {
     return std::string("Run slowly over ") + (seen.axis == Axis::rotary ? "two whole turns" : "the whole travel") +
            " at " + speedText(0.3 * seen.highSpeed, seen.axis) + ", both ways.";
   }
+  Maneuver neededManeuver(const Excitation& seen) const override {
+    return speedsBothWays({0.3 * seen.highSpeed}, twoTurns(seen));
+  }
 };
 
 }  // namespace

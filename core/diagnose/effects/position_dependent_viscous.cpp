@@ -50,6 +50,9 @@ class PositionDependentViscous final : public WaveEffect {
            " both ways at two constant speeds, " + speedText(0.3 * seen.highSpeed, seen.axis) + " and " +
            speedText(seen.highSpeed, seen.axis) + ".";
   }
+  Maneuver neededManeuver(const Excitation& seen) const override {
+    return speedsBothWays({0.3 * seen.highSpeed, seen.highSpeed}, 5.0 * twoTurns(seen));
+  }
 };
 
 }  // namespace

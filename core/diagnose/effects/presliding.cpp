@@ -58,6 +58,11 @@ class Presliding final : public Effect, private ElasticFriction {
            torqueText(std::min(1.5 * slidingFriction(seen), seen.peakTorque), seen.axis) + " over ways of up to " +
            travelText(std::max(30.0 * seen.count, widestWay(seen)), seen.axis) + ".";
   }
+  Maneuver neededManeuver(const Excitation& seen) const override {
+    if (!(seen.peakCurrent > 0.0 && seen.peakTorque > 0.0)) return {};
+    const double sliding = std::min(1.5 * slidingFriction(seen) / seen.peakTorque, 1.0);
+    return currentRamps(sliding * seen.peakCurrent, 12, 2.0);
+  }
   std::string_view drawnOver() const override { return "travel"; }
 
  private:

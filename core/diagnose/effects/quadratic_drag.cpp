@@ -45,6 +45,9 @@ class QuadraticDrag final : public Effect {
            speedText(seen.highSpeed * 2.0 / 3.0, seen.axis) + " and " + speedText(seen.highSpeed, seen.axis) +
            " both ways, and let the axis coast down once.";
   }
+  Maneuver neededManeuver(const Excitation& seen) const override {
+    return speedsBothWays({seen.highSpeed / 3.0, seen.highSpeed * 2.0 / 3.0, seen.highSpeed}, twoTurns(seen));
+  }
   std::string_view drawnOver() const override { return "velocity"; }
 };
 

@@ -64,6 +64,10 @@ class RisingStiction final : public Effect {
            timeText(2.0 * rest_s) + " in turn, and ramp the " + torqueWord(seen.axis) + " slowly up to at most " +
            torqueText(seen.peakTorque, seen.axis) + " until it moves.";
   }
+  Maneuver neededManeuver(const Excitation& seen) const override {
+    const double rest_s = std::clamp(seen.longestRest_s, 1.0, 5.0);
+    return startsFromRest(0.2 * seen.highSpeed, {0.05 * rest_s, 0.3 * rest_s, 2.0 * rest_s}, 12);
+  }
 };
 
 }  // namespace

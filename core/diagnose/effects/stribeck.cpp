@@ -67,6 +67,9 @@ class Stribeck final : public Effect {
     return "Ramp slowly through zero speed, both ways, from " + speedText(seen.highSpeed / 3.0, seen.axis) +
            " down to " + speedText(seen.highSpeed / 100.0, seen.axis) + ".";
   }
+  Maneuver neededManeuver(const Excitation& seen) const override {
+    return throughStandstill(seen.highSpeed / 3.0, 10, 4.0);
+  }
   std::string_view drawnOver() const override { return "velocity"; }
 };
 

@@ -46,6 +46,11 @@ class TorqueSaturation final : public Effect {
     return "Accelerate hard and short, both ways, at " + quantityText(0.3 * seen.peakCurrent, "A") + ", " +
            quantityText(0.6 * seen.peakCurrent, "A") + " and " + quantityText(seen.peakCurrent, "A") + ".";
   }
+  Maneuver neededManeuver(const Excitation& seen) const override {
+    if (!(seen.peakCurrent > 0.0)) return {};
+    const Maneuver once = currentPulses({0.3 * seen.peakCurrent, 0.6 * seen.peakCurrent, seen.peakCurrent}, 0.1, 0.5);
+    return once + once + once;
+  }
   std::string_view drawnOver() const override { return "current"; }
 };
 

@@ -58,6 +58,13 @@ class TransportDelay final : public Effect, private InputPart {
     return "Step the command between ±" + digitsText(0.5 * seen.peakInput) + " at random times, at least " +
            timeText(20.0 * seen.step_s) + " apart.";
   }
+  Maneuver neededManeuver(const Excitation& seen) const override {
+    if (!(seen.peakCurrent > 0.0)) return {};
+    Maneuver steps;
+    for (const double rows : {31.0, 20.0, 43.0, 26.0, 37.0})
+      steps = steps + currentPulses({0.5 * seen.peakCurrent}, rows * seen.step_s, 20.0 * seen.step_s);
+    return steps + steps + steps + steps;
+  }
   std::string_view drawnOver() const override { return "frequency"; }
 
  private:

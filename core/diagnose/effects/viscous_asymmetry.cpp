@@ -47,6 +47,10 @@ class ViscousAsymmetry final : public Effect {
            speedText(std::min(seen.lowSpeed, seen.highSpeed / 3.0), seen.axis) + " to " +
            speedText(seen.highSpeed, seen.axis) + ".";
   }
+  Maneuver neededManeuver(const Excitation& seen) const override {
+    const double low = std::min(seen.lowSpeed, seen.highSpeed / 3.0);
+    return speedsBothWays({low, 0.5 * (low + seen.highSpeed), seen.highSpeed}, twoTurns(seen));
+  }
   std::string_view drawnOver() const override { return "velocity"; }
 };
 

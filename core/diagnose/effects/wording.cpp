@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/numbers.h"
+
 namespace breakaway {
 
 namespace {
@@ -86,6 +88,10 @@ std::string inertiaText(double value, Axis axis) {
 }
 std::string quantityText(double value, const char* unit) {
   return withPrefix(value, unit);
+}
+
+double twoTurns(const Excitation& seen) {
+  return seen.axis == Axis::rotary ? 2.0 * turn_rad : 2.0 * seen.travel;
 }
 
 }  // namespace breakaway

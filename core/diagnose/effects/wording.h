@@ -42,4 +42,7 @@ std::string inertiaText(double value, Axis axis);
 /// Three significant digits with SI prefix and the unit given: "0.2 V".
 std::string quantityText(double value, const char* unit);
 
+/// The way of an experiment that is to pass each place twice, rad or m.
+double twoTurns(const Excitation& seen);
+
 }  // namespace breakaway

@@ -16,6 +16,7 @@
 #include "diagnose/model/situation.h"
 #include "diagnose/model/written.h"
 #include "motor/bench.h"
+#include "motor/maneuver.h"
 
 namespace breakaway {
 
@@ -120,6 +121,9 @@ class Effect {
   virtual std::vector<Tell> tells() const { return {}; }
   /// The experiment that makes the effect visible, with speeds and amplitudes within what was seen.
   virtual std::string neededExcitation(const Excitation& seen) const = 0;
+  /// The same as a motion that a board can follow; empty where it takes hands: a load, a cooled motor, a drive's own
+  /// recording.
+  virtual Maneuver neededManeuver(const Excitation&) const { return {}; }
   /// The axis over which the report draws the term: velocity, angle, time, current, travel, frequency; empty: no curve.
   virtual std::string_view drawnOver() const { return {}; }
 };

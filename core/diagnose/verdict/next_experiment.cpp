@@ -1,6 +1,7 @@
 #include "diagnose/verdict/next_experiment.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "diagnose/effects/catalogue.h"
@@ -53,23 +54,26 @@ std::string limits(const Bench& bench) {
 struct Change {
   std::string sentence;
   Excitation seen;
+  Maneuver maneuver = {};
 };
 
 std::vector<Change> changes(const Excitation& seen) {
   std::vector<Change> out;
   const bool rotary = seen.axis == Axis::rotary;
-  const auto add = [&](std::string sentence) -> Excitation& {
-    out.push_back({std::move(sentence), seen});
+  const auto add = [&](std::string sentence, Maneuver maneuver = {}) -> Excitation& {
+    out.push_back({std::move(sentence), seen, std::move(maneuver)});
     return out.back().seen;
   };
   Excitation* more = &add("Reverse at least twenty times at speeds up to " + speedText(seen.highSpeed, seen.axis) +
-                          ", as long one way as the other.");
+                              ", as long one way as the other.",
+                          reversals(seen.highSpeed, static_cast<int>(fewRepeats), 1.0));
   more->bothWays = true;
   more->reversals = std::max(seen.reversals, static_cast<int>(fewRepeats));
   more->starts = std::max(seen.starts, static_cast<int>(fewRepeats));
   if (rotary) {
     more = &add("Turn over two whole turns, both ways, at " + speedText(0.3 * seen.highSpeed, seen.axis) + " and at " +
-                speedText(seen.highSpeed, seen.axis) + ".");
+                    speedText(seen.highSpeed, seen.axis) + ".",
+                speedsBothWays({0.3 * seen.highSpeed, seen.highSpeed}, twoTurns(seen)));
     more->highest = std::max(seen.highest, seen.lowest + 4.0 * std::numbers::pi);
     more->travel = more->highest - more->lowest;
     more->bothWays = true;
@@ -77,13 +81,15 @@ std::vector<Change> changes(const Excitation& seen) {
     more->reversals = std::max(seen.reversals, 4);
   }
   more = &add("Hold constant speeds of " + speedText(0.1 * seen.highSpeed, seen.axis) + ", " +
-              speedText(0.3 * seen.highSpeed, seen.axis) + " and " + speedText(seen.highSpeed, seen.axis) +
-              ", both ways.");
+                  speedText(0.3 * seen.highSpeed, seen.axis) + " and " + speedText(seen.highSpeed, seen.axis) +
+                  ", both ways.",
+              speedsBothWays({0.1 * seen.highSpeed, 0.3 * seen.highSpeed, seen.highSpeed}, twoTurns(seen)));
   more->bothWays = true;
   more->lowSpeed = std::min(seen.lowSpeed, 0.1 * seen.highSpeed);
   more = &add("Stop at least " + digitsText(fewRepeats) +
-              " times, rest between 0.5 s and 10 s, and start slowly again, up to " +
-              torqueText(seen.peakTorque, seen.axis) + ".");
+                  " times, rest between 0.5 s and 10 s, and start slowly again, up to " +
+                  torqueText(seen.peakTorque, seen.axis) + ".",
+              startsFromRest(0.2 * seen.highSpeed, {0.5, 2.0, 10.0}, static_cast<int>(fewRepeats)));
   more->starts = std::max(seen.starts, static_cast<int>(fewRepeats));
   more->longestRest_s = std::max(seen.longestRest_s, 10.0);
   more->reversals = std::max(seen.reversals, 4);
@@ -128,6 +134,7 @@ NextExperiment separating(const Finding& finding, const Bench& bench, const Exci
   next.separates.insert(next.separates.end(), finding.ambiguousWith.begin(), finding.ambiguousWith.end());
   next.sentence = "To tell " + finding.effect + " from " + name + ": " + other.neededExcitation(seen) +
                   pairText(one, other) + limits(bench);
+  next.maneuver = other.neededManeuver(seen);
   return next;
 }
 
@@ -162,9 +169,21 @@ std::string closerLook(const Place& place, const Excitation& seen) {
          ", free and with a known load: what follows the drive is in motor or electronics.";
 }
 
+/// The same as a motion, where a board can make it.
+Maneuver maneuverAt(const Place& place, const Excitation& seen) {
+  const double slow = 0.3 * seen.highSpeed, fast = seen.highSpeed;
+  if (place.axis == "angle") return speedsBothWays({slow, fast}, twoTurns(seen));
+  if (place.axis == "reversal") return reversals(slow, 20, 0.5) + reversals(fast, 20, 0.5);
+  if (place.axis == "velocity") {
+    const double from = std::abs(place.from), to = std::abs(place.to), step = 0.25 * (to - from);
+    return speedsBothWays({from, from + step, from + 2.0 * step, from + 3.0 * step, to}, twoTurns(seen));
+  }
+  return {};
+}
+
 }  // namespace
 
-std::string mostInformative(const Excitation& seen) {
+NextExperiment mostInformative(const Excitation& seen) {
   const std::vector<Change> possible = changes(seen);
   const std::vector<const Effect*> unseen = unseenOnes(seen, possible);
   if (unseen.empty()) return {};
@@ -173,10 +192,12 @@ std::string mostInformative(const Excitation& seen) {
   });
   std::string names;
   for (const Effect* effect : unseen) names += (names.empty() ? "" : ", ") + std::string(effect->name());
-  return "This recording could not show " + names + ". " + best->sentence +
-         (newlyShown(unseen, best->seen) == unseen.size()
-              ? ""
-              : " That would show " + std::to_string(newlyShown(unseen, best->seen)) + " of them.");
+  return {"This recording could not show " + names + ". " + best->sentence +
+              (newlyShown(unseen, best->seen) == unseen.size()
+                   ? ""
+                   : " That would show " + std::to_string(newlyShown(unseen, best->seen)) + " of them."),
+          {},
+          best->maneuver};
 }
 
 std::vector<std::string> unseenEffects(const Excitation& seen) {
@@ -194,14 +215,17 @@ NextExperiment nextExperiment(Verdict verdict, const std::vector<Finding>& findi
     if (verdict != Verdict::ambiguous && twin == nullptr) twin = &finding;
   }
   if (verdict == Verdict::outsideCatalogue && !where.empty())
-    return {closerLook(where.front(), seen) + limits(bench), {}};
+    return {closerLook(where.front(), seen) + limits(bench), {}, maneuverAt(where.front(), seen)};
   if (twin != nullptr) return separating(*twin, bench, seen);
   if (!findings.empty()) {
     const Effect& effect = *findEffect(findings.front().effect);
-    return {"To confirm " + std::string(effect.name()) + ": " + effect.neededExcitation(seen) + limits(bench), {}};
+    return {"To confirm " + std::string(effect.name()) + ": " + effect.neededExcitation(seen) + limits(bench),
+            {},
+            effect.neededManeuver(seen)};
   }
-  const std::string more = mostInformative(seen);
-  return {more.empty() ? more : more + limits(bench), {}};
+  NextExperiment more = mostInformative(seen);
+  if (!more.sentence.empty()) more.sentence += limits(bench);
+  return more;
 }
 
 }  // namespace breakaway
