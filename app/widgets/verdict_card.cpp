@@ -37,7 +37,7 @@ QString verdictSentence(const Diagnosis& diagnosis) {
       return list.isEmpty() ? VerdictCard::tr("Something is missing that has no name in the catalogue")
                             : VerdictCard::tr("%1, and something unnamed").arg(list);
     case Verdict::undecided:
-      return VerdictCard::tr("Too little was recorded to tell");
+      return VerdictCard::tr("These recordings can't tell");
   }
   return {};
 }

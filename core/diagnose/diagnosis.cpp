@@ -6,6 +6,8 @@
 #include <optional>
 
 #include "diagnose/effects/catalogue.h"
+#include "diagnose/effects/wording.h"
+#include "diagnose/fit/inverse_fit.h"
 #include "diagnose/fit/preparation.h"
 #include "diagnose/fit/shared_rows.h"
 #include "diagnose/fit/windowed_fit.h"
@@ -29,6 +31,27 @@ std::string heldoutRemark(size_t far, size_t windows) {
          "a recording that moves like these";
 }
 
+constexpr double runAwayFactor = 5.0;  ///< more than a torque constant may be off by
+
+/// Where friction changes along the way by more than the base model knows, and the motion is slow, a body too heavy to
+/// be moved by it errs least over a window: why the base model isn't to be believed, or nothing.
+std::optional<std::string> runAway(const Model& base, const Preparation& prepared) {
+  const Model& inverse = prepared.starts.front();
+  if (base.servo || base.pendulum || physicsOf(base).electrical) return std::nullopt;
+  const std::string name = motorNames(base.axis).inertia;
+  for (const Parameter& one : inverse.base) {
+    const bool shown = one.name == name && one.low95 > 0.0 && one.low95 < one.value;
+    const double ratio = shown ? base.baseValue(name).value_or(one.value) / one.value : 1.0;
+    if (ratio < runAwayFactor && ratio > 1.0 / runAwayFactor) continue;
+    return "friction changes along the way by more than the base model knows, and the motion is too slow to be "
+           "foreseen "
+           "beside that: fitted to windows of it, the inertia would be " +
+           digitsText(ratio) + " times the " + inertiaText(one.value, base.axis) +
+           " that torque and acceleration show. The base parameters are by these; reverse harder to see more";
+  }
+  return std::nullopt;
+}
+
 using Clock = std::chrono::steady_clock;
 
 /// Of all threads of the process.
@@ -41,6 +64,7 @@ struct Attempt {
   /// Held-out windows that are far off, where the other parts of the same recordings show nothing, or what happens
   /// once.
   size_t farOff = 0;
+  std::optional<std::string> runAway;  ///< the base model did, and nothing was found
 };
 
 /// One diagnosis, with its clocks running.
@@ -81,6 +105,8 @@ class Diagnoser {
     diagnosis.verdict = verdictOf(diagnosis.findings, rest.outside());
     addPlaces(diagnosis, rest, *prepared);
     made.farOff = farOff(diagnosis, *prepared);
+    if (diagnosis.verdict == Verdict::outsideCatalogue && diagnosis.findings.empty())
+      made.runAway = runAway(diagnosis.base, *prepared);
     NextExperiment next =
         nextExperiment(diagnosis.verdict, diagnosis.findings, diagnosis.where, bench_, prepared->seen);
     diagnosis.nextSentence = std::move(next.sentence);
@@ -90,15 +116,28 @@ class Diagnoser {
     return made;
   }
 
-  /// The base model fitted to all there is, for recordings of which nothing can be held out.
-  Result<Diagnosis> undecided(const std::vector<std::string>& why) const {
+  /// The base model fitted to all there is, for recordings of which nothing can be held out; or by torque and
+  /// acceleration, where no window of them can be foreseen.
+  Result<Diagnosis> undecided(const std::vector<std::string>& why, bool foreseeable = true) const {
     auto prepared = prepare(bench_, recordings_, {}, options_.window_s, HeldOut::none);
     if (!prepared) return prepared.error();
     prepared->split.heldoutScore = prepared->split.trainScore;
     const SearchInput input = inputFor(*prepared);
     SearchResult found;
-    found.base = fitBase(input, prepared->starts);
-    found.base = polishModel(input, found.base.model, polishWeights(input, found.base.model, found.base.model));
+    if (foreseeable) {
+      found.base = fitBase(input, prepared->starts);
+      found.base = polishModel(input, found.base.model, polishWeights(input, found.base.model, found.base.model));
+    } else {
+      const auto inverse = fitInverse(prepared->starts.front(), prepared->training);
+      if (!inverse) return inverse.error();
+      found.base = fitModel(input, inverse->model, 0);
+      found.base.model = inverse->model;
+      // Friction that falls with speed looks like a negative one, beside which no motion is stable.
+      for (Parameter& one : found.base.model.base) {
+        if (one.name == motorNames(bench_.axis).viscous)
+          one = {one.name, std::max(one.value, 0.0), std::max(one.low95, 0.0), std::max(one.high95, 0.0)};
+      }
+    }
     found.best = found.base;
     found.left = found.leftByBase =
         LinearRig(found.base.model, input.tracks, input.split.train, Torque::wandering).wander();
@@ -109,6 +148,12 @@ class Diagnoser {
     NextExperiment next = mostInformative(prepared->seen);
     diagnosis.nextSentence = std::move(next.sentence);
     diagnosis.nextManeuver = std::move(next.maneuver);
+    if (!foreseeable && diagnosis.nextSentence.empty()) {
+      const double speed = 2.0 * prepared->seen.highSpeed;
+      diagnosis.nextSentence =
+          "Reverse at least twenty times at " + speedText(speed, bench_.axis) + ", as hard as the drive can.";
+      diagnosis.nextManeuver = reversals(speed, 20, 0.5);
+    }
     diagnosis.named_s = elapsed_s();
     stop(diagnosis);
     return diagnosis;
@@ -189,6 +234,10 @@ Result<Diagnosis> diagnoseAsRead(const Bench& bench, const std::vector<Recording
     // What can be fitted, but not proved, is worth its base parameters.
     auto fitted = diagnoser.undecided({usual.error().message()});
     return fitted ? std::move(fitted) : usual.error();
+  }
+  if (usual->runAway) {
+    auto fitted = diagnoser.undecided({*usual->runAway}, false);
+    return fitted ? std::move(fitted) : std::move(usual->diagnosis);
   }
   if (usual->farOff < fewestFarOff) return std::move(usual->diagnosis);
   // What happens once may lie in the very part that is kept for the proof.

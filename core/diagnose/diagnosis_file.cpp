@@ -63,7 +63,7 @@ std::string headline(const Diagnosis& d) {
                            : "The model lacks " + joined(names, "and") +
                                  ", and something more that has no name in the catalogue.";
     case Verdict::undecided:
-      return "Undecided: too little was recorded to hold anything out; the base model fits what there is.";
+      return "Undecided: these recordings can't tell what is missing; the base model fits what there is.";
   }
   return {};
 }

@@ -51,7 +51,8 @@ namespace {
 /// linearly.
 struct GainRatios {
   double inertia = 0.0, viscous = 0.0, coulomb = 0.0;
-  double gravity = 0.0;  ///< 1/k; 0 without a pendulum
+  double gravity = 0.0;       ///< 1/k; 0 without a pendulum
+  double inertiaError = 0.0;  ///< standard error
 };
 
 Result<GainRatios> gainRatios(const Model& model, const std::vector<Track>& tracks) {
@@ -64,7 +65,8 @@ Result<GainRatios> gainRatios(const Model& model, const std::vector<Track>& trac
   const auto got = regress(
       tracks, columns, [](const InverseRows& rows, size_t k) { return rows.input[k]; }, false);
   if (!got) return got.error();
-  return GainRatios{got->value[0], got->value[1], got->value[2], hangs ? got->value[3] : 0.0};
+  return GainRatios{got->value[0], got->value[1], got->value[2], hangs ? got->value[3] : 0.0,
+                    std::sqrt(got->covariance(0, 0))};
 }
 
 }  // namespace
@@ -87,6 +89,7 @@ std::optional<AssumedResistance> assumedResistance(const Bench& bench, const std
 }
 
 Result<std::vector<Model>> startModels(const Bench& bench, const std::vector<Track>& tracks) {
+  constexpr double errors95 = 1.96;
   const MotorNames& names = motorNames(bench.axis);
   Model model = believedDrive(bench);
   const MotorBelief& belief = bench.motor;
@@ -95,6 +98,7 @@ Result<std::vector<Model>> startModels(const Bench& bench, const std::vector<Tra
   const double hanging = bench.pendulum ? pendulumInertia(*bench.pendulum) : 0.0;
   const auto ratios = gainRatios(model, tracks);
   double gain = physicsOf(model).torquePerInput();
+  double inertiaError = 0.0;
   double inertia = belief.inertia.value_or(0.0), viscous = belief.viscous.value_or(0.0),
          coulomb = belief.coulomb.value_or(0.0);
   if (ratios) {
@@ -115,7 +119,10 @@ Result<std::vector<Model>> startModels(const Bench& bench, const std::vector<Tra
     }
     const double emf = physicsOf(model).electrical ? physicsOf(model).backEmf * gain : 0.0;
     const double foundInertia = ratios->inertia * gain - (physicsOf(model).gravity > 0.0 ? 0.0 : hanging);
-    if (!trusts(names.inertia) && foundInertia > 0.0) inertia = foundInertia;
+    if (!trusts(names.inertia) && foundInertia > 0.0) {
+      inertia = foundInertia;
+      inertiaError = ratios->inertiaError * gain;
+    }
     if (!trusts(names.viscous)) viscous = std::max(0.0, ratios->viscous * gain - emf);
     if (!trusts(names.coulomb)) coulomb = std::max(0.0, ratios->coulomb * gain);
   }
@@ -123,13 +130,13 @@ Result<std::vector<Model>> startModels(const Bench& bench, const std::vector<Tra
     if (!ratios) return ratios.error();
     return Error{tracks.front().name, "doesn't show the inertia, and the bench doesn't say it"};
   }
-  const auto finish = [&names](Model start, double j, double b, double f) {
-    start.base.push_back({names.inertia, j, j, j});
+  const auto finish = [&names](Model start, double j, double b, double f, double error = 0.0) {
+    start.base.push_back({names.inertia, j, j - errors95 * error, j + errors95 * error});
     start.base.push_back({names.viscous, b, b, b});
     start.base.push_back({names.coulomb, f, f, f});
     return start;
   };
-  std::vector<Model> starts{finish(model, inertia, viscous, coulomb)};
+  std::vector<Model> starts{finish(model, inertia, viscous, coulomb, inertiaError)};
   if (belief.inertia) {
     starts.push_back(
         finish(believed, *belief.inertia, belief.viscous.value_or(0.1 * viscous), belief.coulomb.value_or(coulomb)));
