@@ -64,7 +64,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::buildPages(Session& session, FileChooser& files) {
-  auto& [messages, connection, project, bench, live, comparison, experiment, trial, kept, unfinished, runs, maps] = session;
+  auto& [messages, connection, project, bench, live, comparison, experiment, trial, kept, unfinished, runs, maps] =
+      session;
   pages_ = {new ConnectPage(connection, bench, messages, files, this),
             new IdentifyPage(connection, bench, this),
             new TunePage(connection, bench, this),
