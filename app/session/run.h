@@ -13,7 +13,19 @@
 
 namespace breakaway {
 
-enum class RunKind { none, turning, hand, step, wiring, identification, homing, velocitySweep, breakaway, trial, experiment };
+enum class RunKind {
+  none,
+  turning,
+  hand,
+  step,
+  wiring,
+  identification,
+  homing,
+  velocitySweep,
+  breakaway,
+  trial,
+  experiment
+};
 
 /// A measured step with the settings it was measured with.
 struct StepResult {
