@@ -153,9 +153,9 @@ void ComparePage::buildFindings() {
   columnOf(group)->addWidget(ticked_);
   findings_ = new FindingsList(comparison_, group);
   findings_->setMinimumHeight(leastFindings);
-  columnOf(group)->addWidget(findings_, 1);
   runExperiment_ = pushButton(group, "runExperimentButton", tr("Run the next experiment"));
-  columnOf(group)->addWidget(runExperiment_);
+  columnOf(group)->addWidget(runExperiment_);  // above the list, which is long
+  columnOf(group)->addWidget(findings_, 1);
   connect(runExperiment_, &QPushButton::clicked, &experiment_, &ExperimentRun::start);
   connect(&experiment_, &ExperimentRun::changed, this, &ComparePage::showExperiment);
   showExperiment();
