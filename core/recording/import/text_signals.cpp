@@ -46,7 +46,7 @@ class Signals {
   std::vector<Signal> all_;
 };
 
-std::optional<TextNumber> numberIn(std::string_view cell, TextLayout layout = {}) {
+std::optional<TextNumber> numberIn(std::string_view cell, const TextLayout& layout = {}) {
   TextNumber number;
   const TextCell kind = readCell(withoutBlanks(cell), layout, number);
   return kind == TextCell::number || kind == TextCell::clock ? std::optional(number) : std::nullopt;

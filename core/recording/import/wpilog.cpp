@@ -134,6 +134,7 @@ Result<RawTable> readWpilog(std::string_view bytes, const std::string& name) {
     }
   }
   std::vector<Signal> signals;
+  signals.reserve(entries.size());
   for (auto& [id, entry] : entries) signals.push_back(std::move(entry.signal));
   auto table = tableOfSignals(signals, {"time", "us"}, "a WPILOG", name);
   if (!table) return table.error();
