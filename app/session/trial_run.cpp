@@ -32,7 +32,9 @@ TrialTruth truthIn(const QJsonObject& trial) {
   TrialTruth truth;
   truth.outside = trial["outside"].toString().toStdString();
   truth.wanderShare = trial["wander"].toObject()["share_of_friction"].toDouble();
-  for (const auto& one : trial["concealed"].toArray()) {
+  const QJsonArray concealed = trial["concealed"].toArray();
+  for (const auto& value : concealed) {
+    const QJsonObject one = value.toObject();
     TrialTruth::Effect effect{one["effect"].toString().toStdString(), {}};
     const QJsonObject values = one["parameters"].toObject();
     for (auto value = values.begin(); value != values.end(); ++value)
