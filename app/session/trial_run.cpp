@@ -33,8 +33,8 @@ TrialTruth truthIn(const QJsonObject& trial) {
   truth.outside = trial["outside"].toString().toStdString();
   truth.wanderShare = trial["wander"].toObject()["share_of_friction"].toDouble();
   const QJsonArray concealed = trial["concealed"].toArray();
-  for (const auto& value : concealed) {
-    const QJsonObject one = value.toObject();
+  for (const auto& each : concealed) {
+    const QJsonObject one = each.toObject();
     TrialTruth::Effect effect{one["effect"].toString().toStdString(), {}};
     const QJsonObject values = one["parameters"].toObject();
     for (auto value = values.begin(); value != values.end(); ++value)
