@@ -41,6 +41,7 @@ void Connection::close() {
 
 void Connection::begin(std::unique_ptr<Drive> drive) {
   loss_.clear();
+  hasRun_ = false;
   identity_ = drive->identity();
   settings_ = drive->settings();
   loop_ = std::make_unique<DriveLoop>(std::move(drive), options_);
@@ -121,6 +122,7 @@ void Connection::stop() {
 void Connection::start(Run run) {
   if (!loop_) return;
   lastStop_.clear();
+  hasRun_ = true;
   loop_->start(std::move(run));
 }
 

@@ -48,6 +48,8 @@ class Connection : public QObject {
   /// Replaces what runs. Nothing without a board.
   void start(Run run);
   const RunSnapshot& run() const { return run_; }
+  /// Something was started since the board came.
+  bool hasRun() const { return hasRun_; }
   bool runs(RunKind kind) const { return run_.kind == kind && run_.running(); }
   /// Windings powered in the newest sample.
   bool powered() const { return powered_; }
@@ -101,6 +103,7 @@ class Connection : public QObject {
   ControllerSettings settings_;
   LinkStatus link_;
   RunSnapshot run_;
+  bool hasRun_ = false;
   QString lastStop_, loss_;
   bool powered_ = false;
   double pace_;

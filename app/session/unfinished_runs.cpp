@@ -40,8 +40,8 @@ void UnfinishedRuns::lookForOne() {
 }
 
 void UnfinishedRuns::takeUp(const std::string& device, const Commission& known, double since_s) {
-  const bool still = connection_.connected() && connection_.identity().device == device &&
-                     !connection_.run().running() && !bench_.known().knows(Known::motor);
+  // What was started meanwhile may have ended, too, and would be forgotten.
+  const bool still = connection_.connected() && connection_.identity().device == device && !connection_.hasRun();
   if (!still) {
     // It stays on disk for another time.
     project_.inProject([jobs = jobs_, device](Project*) -> std::function<void()> {
