@@ -13,6 +13,8 @@ namespace breakaway {
 
 namespace {
 
+constexpr double partOfBraking = 0.5;  ///< of the strokes' acceleration: friction and loop leave so much
+
 /// A clause as a tooltip shows it.
 QString sentence(const std::string& clause) {
   QString text = QString::fromStdString(clause);
@@ -85,7 +87,11 @@ void BenchRuns::runManeuver(const Maneuver& motion) {
   const Identity& board = connection_.identity();
   const ControllerSettings& settings = connection_.settings();
   ManeuverLimits limits{settings.velocity_limit_rad_per_s, settings.current_limit_A, {}};
-  if (axisIsHomed()) limits.travel = known_.counted;
+  if (axisIsHomed()) {
+    limits.travel = known_.counted;
+    limits.speed = known_.pace.speed_m_per_s;
+    limits.braking = partOfBraking * known_.pace.acceleration_m_per_s2;
+  }
   connection_.start(
       {RunKind::experiment, std::make_shared<ManeuverRun>(motion, limits, board.can.zeroesSensor, board.axis), {}});
 }
@@ -153,12 +159,6 @@ QString BenchRuns::obstacleToMake(RunKind kind) const {
 }
 
 QString BenchRuns::turningObstacle() const {
-  if (QString busy = connection_.obstacle(); !busy.isEmpty()) return busy;
-  return connection_.linear() && !axisIsHomed() ? tr("Home first: the ends of the travel are not known yet")
-                                                : QString();
-}
-
-QString BenchRuns::maneuverObstacle() const {
   if (QString busy = connection_.obstacle(); !busy.isEmpty()) return busy;
   return connection_.linear() && !axisIsHomed() ? tr("Home first: the ends of the travel are not known yet")
                                                 : QString();

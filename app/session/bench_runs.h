@@ -47,7 +47,6 @@ class BenchRuns : public QObject {
   // Why it can't be started now; empty when it can.
   QString turningObstacle() const;
   QString stepObstacle() const;
-  QString maneuverObstacle() const;
   QString handObstacle() const;
   QString obstacleToMake(RunKind kind) const;
   QString gainsObstacle() const;

@@ -35,7 +35,7 @@ QString ExperimentRun::obstacle() const {
   if (!connection_.connected()) return tr("Connect the board of this rig first");
   if (connection_.identity().axis != diagnosis->base.axis) return tr("The board has another kind of axis");
   if (live_.recording()) return tr("A recording is running");
-  return bench_.maneuverObstacle();
+  return bench_.turningObstacle();
 }
 
 void ExperimentRun::start() {

@@ -31,7 +31,6 @@ QStringList filesOf(const QString& folder, const QString& name) {
 TrialTruth truthIn(const QJsonObject& trial) {
   TrialTruth truth;
   truth.outside = trial["outside"].toString().toStdString();
-  truth.wanderShare = trial["wander"].toObject()["share_of_friction"].toDouble();
   const QJsonArray concealed = trial["concealed"].toArray();
   for (const auto& each : concealed) {
     const QJsonObject one = each.toObject();

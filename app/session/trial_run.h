@@ -26,7 +26,6 @@ struct TrialTruth {
   };
   std::vector<Effect> concealed;
   std::string outside;  ///< the plant's name of physics that the catalogue doesn't hold; else empty
-  double wanderShare = 0.0;
   Unsealed answer;
 };
 

@@ -53,9 +53,13 @@ Command ManeuverRun::run(const Sample& sample) {
 Command ManeuverRun::follow(const ManeuverStretch& stretch, double time_s, const Sample& sample) {
   double wanted = way_ * stretch.at(time_s);
   if (const auto& travel = limits_.travel) {
-    const bool outward =
-        (wanted > 0.0 && sample.angle_rad > travel->last_m()) || (wanted < 0.0 && sample.angle_rad < travel->first_m());
-    if (outward) way_ = -way_, wanted = -wanted;
+    const double speed = sample.velocity_rad_per_s;
+    const double way = limits_.braking > 0.0 ? 0.5 * speed * std::abs(speed) / limits_.braking : 0.0;
+    const double stops = sample.angle_rad + way;
+    const double beyond = stops > travel->last_m() ? 1.0 : stops < travel->first_m() ? -1.0 : 0.0;
+    if (beyond * wanted > 0.0) way_ = -way_, wanted = -wanted;
+    // A current might not brake enough.
+    if (beyond * speed > 0.0 && stretch.of == ManeuverStretch::Of::current) return {Command::Mode::velocity, 0.0};
   }
   if (stretch.of == ManeuverStretch::Of::speed) return {Command::Mode::velocity, limited(wanted, limits_.speed)};
   const bool faster = limits_.speed > 0.0 && std::abs(sample.velocity_rad_per_s) > limits_.speed &&

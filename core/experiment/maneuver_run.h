@@ -12,7 +12,8 @@ namespace breakaway {
 struct ManeuverLimits {
   double speed = 0.0;                 ///< rad/s or m/s: speeds are cut there, and no current drives beyond it; 0: none
   double current_A = 0.0;             ///< likewise
-  std::optional<Travel> travel = {};  ///< of a linear axis, as the encoder counts it: at its margins the way turns
+  std::optional<Travel> travel = {};  ///< of a linear axis, as the encoder counts it: before its margins the way turns
+  double braking = 0.0;               ///< m/s² that it surely stops with there; 0: at once
 };
 
 /// Zeroes the current sensor first, where the board does. Fails in words when nothing moves though it should.

@@ -17,6 +17,7 @@ class TestManeuver : public QObject {
   void chirp_growsInFrequency();
   void limits_holdSpeedAndCurrent();
   void margins_turnTheWay();
+  void fastAxis_brakesBeforeItsMargins();
   void axisThatDoesNotMove_isSaid();
   void nothingToDo_isAnError();
 };
@@ -108,6 +109,28 @@ void TestManeuver::margins_turnTheWay() {
          [&](const Sample& s) { lowest = std::min(lowest, s.angle_rad), highest = std::max(highest, s.angle_rad); });
   QCOMPARE(run.state(), Procedure::State::finished);
   QVERIFY2(lowest > -0.0805 && highest < 0.0805 && highest > 0.075, qPrintable(QString::number(highest)));
+}
+
+/// An axis that speeds up and brakes by 4 m/s² at most; currents push it by 3.
+void TestManeuver::fastAxis_brakesBeforeItsMargins() {
+  const Travel travel{-0.1, 0.1, 0.02};
+  for (const Maneuver& maneuver : {speedsBothWays({0.5}, 1.0), currentRamps(1.0, 6, 2.0)}) {
+    ManeuverRun run(maneuver, {0.6, 0.0, travel, 2.0}, false, Axis::linear);
+    Sample sample;
+    double farthest = 0.0;
+    while (run.state() == Procedure::State::running) {
+      const Command command = run.step(sample);
+      const double most = 4.0 * tick_s;
+      sample.velocity_rad_per_s += command.mode == Command::Mode::current
+                                       ? 3.0 * command.target * tick_s
+                                       : std::clamp(command.target - sample.velocity_rad_per_s, -most, most);
+      sample.angle_rad += sample.velocity_rad_per_s * tick_s;
+      sample.time_s += tick_s;
+      farthest = std::max(farthest, std::abs(sample.angle_rad));
+    }
+    QCOMPARE(run.state(), Procedure::State::finished);
+    QVERIFY2(farthest > 0.05 && farthest < 0.09, qPrintable(QString::number(farthest)));
+  }
 }
 
 void TestManeuver::axisThatDoesNotMove_isSaid() {
