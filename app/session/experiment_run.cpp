@@ -49,7 +49,7 @@ void ExperimentRun::start() {
 
 /// The recording begins a little before the motion, and ends behind it.
 void ExperimentRun::follow() {
-  if (stage_ == Stage::recording && live_.recording()) {
+  if (stage_ == Stage::recording && live_.filing()) {
     stage_ = Stage::moving;
     bench_.runManeuver(motion_);
   } else if (stage_ == Stage::sealing && !live_.recording() && live_.lastRecording() != before_) {
@@ -65,7 +65,8 @@ void ExperimentRun::follow() {
       messages_.say(tr("The experiment is recorded and open: Diagnose says what it shows"));
     }
   }
-  if (stage_ == Stage::moving && !live_.recording()) stage_ = Stage::none;  // the link was lost
+  // No file could be opened, or the link was lost.
+  if (!live_.recording() && (stage_ == Stage::recording || stage_ == Stage::moving)) stage_ = Stage::none;
   emit changed();
 }
 

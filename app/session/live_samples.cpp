@@ -97,6 +97,7 @@ void LiveSamples::begin(const Result<ProjectRun>& run, BlockWriter* blocks) {
                                              }});
   if (endWanted_ || !connection_.connected()) return recorder_->finish(endWanted_ ? "" : "the link was lost");
   connection_.startRecording(recorder_);
+  emit recordingChanged();
 }
 
 void LiveSamples::finishRecording() {

@@ -43,6 +43,8 @@ class LiveSamples : public QObject {
   void startRecording();
   void finishRecording();
   bool recording() const { return recording_; }
+  /// Every sample from now on goes into the file; recording() holds from before it was opened.
+  bool filing() const { return recording_ && recorder_ != nullptr; }
   /// The file of the newest recording that has ended; empty before.
   const QString& lastRecording() const { return last_; }
   /// Writes it as CSV, in the project's thread.

@@ -8,6 +8,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTableWidget>
+#include <QThread>
 #include <cmath>
 
 #include "app/window_support.h"
@@ -203,6 +204,11 @@ void TestCompareJourney::nextExperiment_isRunOnTheBoardAndOpened() {
   const double planned_s = durationOf(desk.session.comparison.diagnosis()->nextManeuver);
   QVERIFY(planned_s > 5.0 && button->toolTip().contains(QString::number(std::ceil(planned_s))));
   const std::string before = desk.session.comparison.recording()->name();
+  // A slow disk: what moves before the file is open would be lost.
+  desk.session.project.inProject([](Project*) -> std::function<void()> {
+    QThread::msleep(500);
+    return {};
+  });
   press(desk.window, "runExperimentButton");
   QVERIFY(QTest::qWaitFor([&] { return desk.session.comparison.recording()->name() != before; }, patience_ms));
   const Recording recording = *desk.session.comparison.recording();
