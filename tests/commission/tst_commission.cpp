@@ -1,6 +1,7 @@
 #include <QTest>
 
 #include "commission/commission.h"
+#include "diagnose/fit/scale_check.h"
 #include "firmware_link/presets.h"
 #include "firmware_link/simulated_board.h"
 #include "firmware_link/simulated_truth.h"
@@ -24,6 +25,7 @@ class TestCommission : public QObject {
   void presetServo_isLeftWithTheControllerOfItsBenchFile();
   void presetServo_staysWithinTwentyMinutes();
   void files_areAllThereAndReadBack();
+  void ownRecordings_contradictTheirBenchNowhere();
   void randomRigs_areMappedWithinFivePercent_data();
   void randomRigs_areMappedWithinFivePercent();
   void gainErrorOfTheSensor_isCarriedByAllTorques();
@@ -128,6 +130,21 @@ void TestCommission::files_areAllThereAndReadBack() {
     QVERIFY2(readFile(folder.path(file)).ok(), file);
   }
   QVERIFY(!readFile(folder.path("out/truth.csv")).ok());
+}
+
+/// What a job recorded says nothing against the bench that it left: currents as good as their own sign, too.
+void TestCommission::ownRecordings_contradictTheirBenchNowhere() {
+  size_t checked = 0;
+  for (const auto& [step, recording] : servo_->recordings) {
+    const auto scales = checkScales(servo_->bench, {recording});
+    if (!scales) continue;  // a wiring check hardly moves
+    ++checked;
+    const std::string said = scales->misread           ? scales->misread->sentence
+                             : scales->remarks.empty() ? std::string()
+                                                       : scales->remarks.front();
+    QVERIFY2(said.empty(), (step + ": " + said).c_str());
+  }
+  QVERIFY2(checked >= 8, qPrintable(QString::number(checked)));
 }
 
 void TestCommission::randomRigs_areMappedWithinFivePercent_data() {

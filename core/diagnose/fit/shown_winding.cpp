@@ -12,8 +12,9 @@ constexpr double shortest_s = 2e-5, lag = 1.3;  ///< of the time constants that 
 constexpr int lags = 32;                        ///< up to 70 ms
 constexpr size_t mostRows = 40'000;
 constexpr double cluster_s = 1.0;
-constexpr double clearlyLess = 0.8;   ///< of what another lag, or what fewer columns leave
-constexpr double clearOfNoise = 3.0;  ///< currents whose sign is known, in standard deviations of their noise
+constexpr double clearlyLess = 0.8;     ///< of what another lag, or what fewer columns leave
+constexpr double standardErrors = 3.0;  ///< an interval, on each side
+constexpr double clearOfNoise = 3.0;    ///< currents whose sign is known, in standard deviations of their noise
 
 /// The two electrical channels of a track, whichever of them drives; empty where one was not recorded.
 struct Channels {
@@ -58,6 +59,13 @@ struct Balance {
   }
   Eigen::VectorXd solution(Eigen::Index width) const {
     return products.topLeftCorner(width, width).ldlt().solve(products.col(response).head(width));
+  }
+  /// The resistance by voltages that currents foretell, by the same columns but for the one that is exchanged.
+  double direct_ohm(Eigen::Index width) const {
+    Eigen::Matrix<double, columns, columns> exchanged = products;
+    exchanged.row(volts).swap(exchanged.row(response));
+    exchanged.col(volts).swap(exchanged.col(response));
+    return exchanged.topLeftCorner(width, width).ldlt().solve(exchanged.col(response).head(width))[volts];
   }
   double left(Eigen::Index width) const {
     return products(response, response) - solution(width).dot(products.col(response).head(width));
@@ -109,6 +117,11 @@ std::optional<ShownWinding> shownWinding(const std::vector<Track>& tracks) {
   ShownWinding shown;
   const double ohm = 1.0 / perVolt[volts];
   shown.resistance_ohm = {ohm, std::sqrt(std::max(0.0, covariance(volts, volts))) * ohm * ohm};
+  // Both channels are noisy, and a current that is as good as its own sign needs no voltage: the truth lies between the
+  // regressions of the one on the other (R. Frisch, 'Statistical confluence analysis', 1934).
+  if (const double ratio = best->direct_ohm(width) / ohm; ratio > 0.0)
+    shown.resistance_ohm.standardError =
+        std::max(shown.resistance_ohm.standardError, std::abs(std::log(ratio) * ohm) / standardErrors);
   const Eigen::Vector2d slopes(perVolt[speed] * ohm * ohm, -ohm);
   const double variance = slopes.dot(covariance.topLeftCorner<plain, plain>() * slopes);
   shown.backEmf = {-perVolt[speed] * ohm, std::sqrt(std::max(0.0, variance))};
