@@ -10,8 +10,9 @@ namespace breakaway {
 namespace {
 
 constexpr double mostCutoff_Hz = 50.0, partOfRate = 0.05;
-constexpr double perPeriod = 5.0;      ///< rows that are kept
-constexpr double marginPeriods = 2.0;  ///< of the cutoff, over which a filter forgets
+constexpr double rowsPerPeriod = 20.0;  ///< that are evaluated
+constexpr double perPeriod = 5.0;       ///< rows that are kept
+constexpr double marginPeriods = 2.0;   ///< of the cutoff, over which a filter forgets
 
 double cutoffOf(const Track& track) {
   return std::min(mostCutoff_Hz, partOfRate / track.usualStep_s);
@@ -25,10 +26,32 @@ Track around(const Track& track, const Window& window) {
   return track.rowsFrom(first, last);
 }
 
+/// Rows as far apart as the cutoff needs, the model's terms along them cost what they do.
+InverseRows thinned(const Track& part, double cutoff_Hz) {
+  InverseRows rows = inverseRows(part);
+  const auto every = static_cast<size_t>(1.0 / (rowsPerPeriod * cutoff_Hz * rows.step_s));
+  if (every < 2) return rows;
+  // The drive is held from row to row: half a new step on, so that the mean of two rows is the value between them.
+  std::vector<double> input = rows.input;
+  for (size_t k = input.size(); k-- > 1;) input[k] = 0.5 * (input[k - 1] + input[k]);
+  lowPass(input, rows.step_s, 0.25 * rowsPerPeriod * cutoff_Hz);
+  for (size_t k = 0; k < input.size(); ++k) rows.input[k] = input[std::min(k + every / 2, input.size() - 1)];
+  const auto thin = [every](auto& values) {
+    size_t kept = 0;
+    for (size_t k = 0; k < values.size(); k += every) values[kept++] = values[k];
+    values.resize(kept);
+  };
+  for (auto* values : {&rows.time, &rows.position, &rows.velocity, &rows.acceleration, &rows.input}) thin(*values);
+  thin(rows.moving);
+  thin(rows.usable);
+  rows.step_s *= static_cast<double>(every);
+  return rows;
+}
+
 }  // namespace
 
 TorqueResidual::TorqueResidual(const Track& track, const Window& window)
-    : part_(around(track, window)), along_(inverseRows(part_)), cutoff_Hz_(cutoffOf(track)) {
+    : part_(around(track, window)), cutoff_Hz_(cutoffOf(track)), along_(thinned(part_, cutoff_Hz_)) {
   const double from_s = track.time[window.first], to_s = track.time[window.last];
   const auto every = static_cast<size_t>(std::max(1.0, std::round(1.0 / (perPeriod * cutoff_Hz_ * along_.step_s))));
   for (size_t k = 0; k < along_.time.size(); k += every) {
@@ -47,7 +70,7 @@ Eigen::VectorXd TorqueResidual::of(const Model& model) const {
 TorqueResidual TorqueResidual::changed(const std::function<void(Track&)>& change) const {
   TorqueResidual other = *this;
   change(other.part_);
-  other.along_ = inverseRows(other.part_);
+  other.along_ = thinned(other.part_, cutoff_Hz_);
   return other;
 }
 

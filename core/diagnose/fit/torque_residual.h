@@ -27,8 +27,8 @@ class TorqueResidual {
 
  private:
   Track part_;  ///< the window and a little before and behind it
-  InverseRows along_;
   double cutoff_Hz_ = 0.0;
+  InverseRows along_;
   std::vector<size_t> kept_;
 };
 
