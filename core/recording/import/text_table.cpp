@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "recording/import/controldesk.h"
 #include "recording/import/list_cells.h"
 #include "recording/import/stamped_lines.h"
 #include "recording/import/text_encoding.h"
@@ -11,6 +12,7 @@
 #include "recording/import/text_names.h"
 #include "recording/import/text_signals.h"
 #include "recording/import/units.h"
+#include "recording/import/yaml_messages.h"
 
 namespace breakaway {
 
@@ -337,6 +339,8 @@ Result<void> readRows(std::string_view rest, char lineEnd, const TextLayout& lay
 Result<RawTable> readTextTable(std::string_view text, const std::string& name) {
   std::string buffer;
   std::string_view utf8 = inUtf8(text, buffer);
+  if (auto messages = readYamlMessages(utf8, name)) return std::move(*messages);
+  if (auto signals = readControlDeskText(utf8, lineEndOf(utf8), name)) return std::move(*signals);
   auto flat = withListsInCells(utf8);
   if (!flat) flat = withStampsAsCells(utf8);
   if (flat) utf8 = *flat;
