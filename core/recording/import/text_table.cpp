@@ -121,14 +121,17 @@ class Rows {
     }
   }
 
-  /// A column without a name that holds the same unit in each row tells the one of the column before it: "12.3 deg".
+  /// A column without a name, or called a unit, that holds the same unit in each row tells the one of the column before
+  /// it: "12.3 deg".
   void takeUnitColumns() {
     for (size_t c = 1; c < layout_.cells; ++c) {
       const SeenText& seen = texts_[c];
       const bool unit = seen.same && seen.count > 0 && seen.count + 1 >= table.rows() && isUnit(seen.first);
       RawColumn& before = table.columns[c - 1];
-      if (unit && before.unit.empty() && !before.fault && table.columns[c].channel.name.starts_with("column_"))
-        before.unit = seen.first;
+      const std::string& name = table.columns[c].channel.name;
+      const bool tellsUnit = name.starts_with("column_") || name.ends_with("unit") || name.ends_with("units") ||
+                             name.ends_with("Unit") || name.ends_with("Units") || name.ends_with("Einheit");
+      if (unit && before.unit.empty() && !before.fault && tellsUnit) before.unit = seen.first;
     }
   }
 
