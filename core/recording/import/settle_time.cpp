@@ -178,7 +178,7 @@ Result<std::vector<size_t>> increasingRows(const std::vector<double>& values, do
       rows.push_back(k);
     }
   }
-  if (rows.size() < 2 && values.size() > 1 && falling == 0) return Error{place, "holds no times"};
+  if (rows.empty() || (rows.size() < 2 && values.size() > 1 && falling == 0)) return Error{place, "holds no times"};
   if (100 * falling > values.size()) {
     const double base = origin * unit_s;
     return Error{place + ", row " + std::to_string(firstFalling + 1) + ", column time_s",
