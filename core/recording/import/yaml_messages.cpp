@@ -17,7 +17,7 @@ namespace {
 
 constexpr int deepest = 50;
 constexpr size_t mostColumns = 10000, longestDocument = 10'000'000;
-constexpr size_t mostValues = size_t{1} << 28;
+constexpr size_t fewValues = 1'000'000;
 
 struct Node {
   enum class Kind { number, text, list, mapping } kind = Kind::text;
@@ -293,6 +293,7 @@ std::string inWords(size_t count) {
 
 std::optional<Result<RawTable>> readYamlMessages(std::string_view text, const std::string& name) {
   if (!beginsWithMessages(text)) return std::nullopt;
+  const size_t size = text.size();
   Rows rows;
   RawTable table;
   size_t others = 0, before = 0;
@@ -318,7 +319,8 @@ std::optional<Result<RawTable>> readYamlMessages(std::string_view text, const st
   if (rows.cutLists())
     table.remarks.emplace_back("lists end in \"...\": `ros2 topic echo --full-length` prints them whole");
   if (rows.rows() < 2) return Error{name, "holds one message only, expected several over time"};
-  if (rows.columns() > mostValues / rows.rows())
+  // Each number takes a byte at least: a table that is larger is mostly empty.
+  if (rows.columns() > std::max(fewValues, size) / rows.rows())
     return Error{name, "holds messages of too many kinds: " + std::to_string(rows.columns()) + " numbers over " +
                            std::to_string(rows.rows()) + " messages"};
   table.columns = rows.take();
