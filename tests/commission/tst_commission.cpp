@@ -1,6 +1,7 @@
 #include <QTest>
 
 #include "commission/commission.h"
+#include "diagnose/diagnosis.h"
 #include "diagnose/fit/scale_check.h"
 #include "firmware_link/presets.h"
 #include "firmware_link/simulated_board.h"
@@ -26,6 +27,7 @@ class TestCommission : public QObject {
   void presetServo_staysWithinTwentyMinutes();
   void files_areAllThereAndReadBack();
   void ownRecordings_contradictTheirBenchNowhere();
+  void ownSlowTurns_showTheFrictionAroundTheRotor();
   void randomRigs_areMappedWithinFivePercent_data();
   void randomRigs_areMappedWithinFivePercent();
   void gainErrorOfTheSensor_isCarriedByAllTorques();
@@ -145,6 +147,24 @@ void TestCommission::ownRecordings_contradictTheirBenchNowhere() {
     QVERIFY2(said.empty(), (step + ": " + said).c_str());
   }
   QVERIFY2(checked >= 8, qPrintable(QString::number(checked)));
+}
+
+/// Slow turns whose friction changes along the way, held up by a controller: in motion, a body of twenty times the
+/// inertia would err least.
+void TestCommission::ownSlowTurns_showTheFrictionAroundTheRotor() {
+  if (test::sanitized) QSKIP("takes too long under sanitizers: a diagnosis like others");
+  const auto turns = std::find_if(servo_->recordings.begin(), servo_->recordings.end(),
+                                  [](const auto& one) { return one.first.starts_with("07"); });
+  QVERIFY(turns != servo_->recordings.end());
+  const auto diagnosis = diagnose(servo_->bench, {turns->second}, {}, {});
+  QVERIFY2(diagnosis.ok(), diagnosis.ok() ? "" : diagnosis.error().message().c_str());
+  const std::string words = inWords(*diagnosis);
+  QCOMPARE(diagnosis->fit.channel, std::string("torque_Nm"));
+  QVERIFY2(!diagnosis->findings.empty() && diagnosis->findings.front().effect == "position_dependent_friction",
+           words.c_str());
+  QVERIFY2(diagnosis->fit.improvementLow95 > 0.3, words.c_str());
+  const double inertia = *diagnosis->model.baseValue("inertia_kg_m2");
+  QVERIFY2(std::abs(inertia / 6e-5 - 1.0) < 0.15, words.c_str());
 }
 
 void TestCommission::randomRigs_areMappedWithinFivePercent_data() {

@@ -35,9 +35,9 @@ void TestSlowTurns::coggingBeyondFriction_isNamed() {
     if (one.name == "order") QCOMPARE(one.value, 12.0);
     if (one.name == "amplitude_Nm") QVERIFY2(std::abs(one.value / 4.3e-3 - 1.0) < 0.15, words.c_str());
   }
-  const double coulomb = *diagnosis->base.baseValue("coulomb_Nm");
+  const double coulomb = *diagnosis->model.baseValue("coulomb_Nm");
   QVERIFY2(std::abs(coulomb / 1.1e-3 - 1.0) < 0.15, words.c_str());
-  QVERIFY2(*diagnosis->base.baseValue("viscous_Nm_s_per_rad") < 1e-4, words.c_str());
+  QVERIFY2(*diagnosis->model.baseValue("viscous_Nm_s_per_rad") < 1e-4, words.c_str());
 }
 
 QTEST_APPLESS_MAIN(TestSlowTurns)
