@@ -170,6 +170,11 @@ void TestHostileInput::input_isRefusedInOneLine_data() {
   QByteArray fields = "{\"k\":1";
   for (int k = 0; k < 300'000; ++k) fields += ",\"k" + QByteArray::number(k) + "\":1";
   log("an object of many fields", fields + "}", "f: holds no log");
+  log("a message of lists in lists", "a: 1\n---\na: 2\n---\na: " + QByteArray(1'000'000, '[') + "\n---\n",
+      "f: no column could be taken for the time");
+  QByteArray messages = "a: 1\n---\na: 2\n---\n";
+  for (int k = 0; k < 20'000; ++k) messages += "k" + QByteArray::number(k) + ": 1\n---\n";
+  log("messages of many kinds", messages, "f: holds messages of too many kinds");
   const auto diagnosed = [](const char* name, const QByteArray& text, const char* line) {
     QTest::newRow(name) << "diagnose --bench b.json --recording r.csv --out d"
                         << Files{{"b.json", pushedMassBench()}, {"r.csv", text}} << line;

@@ -119,6 +119,25 @@ std::vector<Form> forms() {
                      r.velocity_rad_per_s);
        },
        "", 0.0, 1e-9, 1e-7, 1e-6, 0.0, 0.0},
+      {"ros2 topic echo", "",
+       [](const Row& r) {
+         const long long ns = 1714558810123456789LL + std::llround(r.time_s * 1e9);
+         return text(
+             "header:\n  stamp:\n    sec: %lld\n    nanosec: %lld\n  frame_id: ''\nname:\n- motor\n- arm\nposition:\n- "
+             "%.9f\n- "
+             "0.5\nvelocity:\n- %.7f\n- 0.0\neffort: []\n---\n",
+             ns / 1000000000, ns % 1000000000, r.angle_rad, r.velocity_rad_per_s);
+       },
+       "", 0.0, 1e-9, 1e-9, 1e-7, 0.0, 0.0},
+      {"ControlDesk",
+       "raster,HostService\ntrace_names,Time,Out1,Speed,Current,Out1\npath,,Model Root/Shaft angle,Model Root,Model "
+       "Root,Model "
+       "Root/Voltage\nunit,s,deg,rpm,mA,V\ntrace_values\n",
+       [](const Row& r) {
+         return text(",%.4f,%.4f,%.3f,%.2f,%.3f\n", r.time_s, r.angle_rad * 360.0 / turn,
+                     r.velocity_rad_per_s * 60.0 / turn, r.current_A * 1e3, r.voltage_V);
+       },
+       "", 0.0, 1e-9, turn / 360e4, turn / 60e3, 1e-5, 1e-3},
       {"Dynamixel", "Time_ms,Present_Position,Present_Velocity,Present_Current\n",
        [](const Row& r) {
          const auto current = std::llround(r.current_A * 1e3 / 2.69);

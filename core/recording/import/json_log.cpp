@@ -4,13 +4,17 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 
 #include "base/json_text.h"
 #include "recording/import/clock_time.h"
 #include "recording/import/sysid_json.h"
+#include "recording/import/text_signals.h"
+#include "recording/import/text_table.h"
 
 namespace breakaway {
 
@@ -55,6 +59,56 @@ const Json* longest(const Json& json, bool (*fits)(const Json&)) {
   };
   look(json);
   return best;
+}
+
+/// Units by the field that has them.
+using UnitTexts = std::map<std::string, std::string>;
+
+/// What "pos_unit" or "posUnits" tells the unit of, "" of "unit"; nothing for other keys.
+std::optional<std::string> toldUnitOf(const std::string& key) {
+  for (const std::string_view end : {"units", "unit", "Units", "Unit"}) {
+    if (!key.ends_with(end)) continue;
+    std::string base = key.substr(0, key.size() - end.size());
+    const bool parted = base.empty() || base.back() == '_' || base.back() == '.' || end.front() == 'U';
+    while (!base.empty() && (base.back() == '_' || base.back() == '.')) base.pop_back();
+    if (parted) return base;
+  }
+  return std::nullopt;
+}
+
+std::string within(const std::string& prefix, const std::string& key) {
+  return prefix.empty() || key.empty() ? prefix + key : prefix + "." + key;
+}
+
+/// Units that stand in fields of their own: {"value": 1, "unit": "deg"}, {"pos": 1, "pos_unit": "deg"}, and
+/// {"units": {"pos": "deg"}}.
+void collectUnits(const Json& json, const std::string& prefix, UnitTexts& units) {
+  if (!json.is_object()) return;
+  for (const auto& [key, value] : json.items()) {
+    const auto told = toldUnitOf(key);
+    if (told && value.is_string()) units[within(prefix, *told)] = value.get<std::string>();
+    if (told && value.is_object()) {
+      for (const auto& [name, unit] : value.items()) {
+        if (unit.is_string()) units[name] = unit.get<std::string>();
+      }
+    } else {
+      collectUnits(value, within(prefix, key), units);
+    }
+  }
+}
+
+void giveUnits(const UnitTexts& units, RawTable& table) {
+  for (RawColumn& column : table.columns) {
+    const std::string& name = column.channel.name;
+    const size_t dot = name.rfind('.');
+    const std::string last = dot == std::string::npos ? name : name.substr(dot + 1);
+    const bool unsaid = last == "value" || last == "val" || last == "values" || last == "data";
+    const std::string outer = !unsaid ? name : dot == std::string::npos ? std::string() : name.substr(0, dot);
+    for (const std::string& key : {name, outer}) {
+      const auto told = units.find(key);
+      if (told != units.end() && column.unit.empty()) column.unit = told->second;
+    }
+  }
 }
 
 bool isArrayOfObjects(const Json& array) {
@@ -108,7 +162,43 @@ void flatten(const Json& sample, const std::string& prefix, std::vector<std::pai
   }
 }
 
+/// Entries of one signal each, {"time": 1, "name": "angle", "value": 2}: as the table of text that they would be.
+bool areOfOneSignalEach(const Json& sample) {
+  if (!sample.is_object()) return false;
+  bool signal = false, value = false;
+  for (const auto& [key, one] : sample.items()) {
+    signal = signal || (one.is_string() && tellsSignal(key));
+    value = value || (one.is_number() && tellsValue(key));
+  }
+  return signal && value;
+}
+
+std::string longTableOf(const std::vector<const Json*>& samples) {
+  std::vector<std::string> keys;
+  for (const auto& [key, one] : samples.front()->items()) {
+    if (one.is_primitive()) keys.push_back(key);
+  }
+  std::string text;
+  const auto add = [&text](std::string cell, bool last) {
+    std::replace_if(
+        cell.begin(), cell.end(), [](char c) { return c == '\t' || c == '\n' || c == '\r' || c == '"'; }, ' ');
+    text += cell + (last ? "\n" : "\t");
+  };
+  for (const std::string& key : keys) add(key, &key == &keys.back());
+  for (const Json* sample : samples) {
+    for (const std::string& key : keys) {
+      const auto one = sample->is_object() ? sample->find(key) : sample->end();
+      const bool missing = one == sample->end() || one->is_null() || one->is_structured();
+      add(missing ? std::string() : plainText(*one), &key == &keys.back());
+    }
+  }
+  return text;
+}
+
 Result<RawTable> samplesOf(const std::vector<const Json*>& samples, const std::string& name) {
+  if (areOfOneSignalEach(*samples.front())) {
+    if (auto table = readTextTable(longTableOf(samples), name)) return table;
+  }
   RawTable table;
   std::vector<std::pair<std::string, const Json*>> fields;
   flatten(*samples.front(), "", fields);
@@ -120,9 +210,17 @@ Result<RawTable> samplesOf(const std::vector<const Json*>& samples, const std::s
     }
   }
   if (table.columns.empty()) return Error{name, "holds a log without any number"};
+  UnitTexts units;
+  collectUnits(*samples.front(), "", units);
+  giveUnits(units, table);
   size_t without = 0;
   for (size_t k = 0; k < samples.size(); ++k) {
     const std::string place = name + ", entry " + std::to_string(k + 1);
+    if (!units.empty()) {
+      UnitTexts these;
+      collectUnits(*samples[k], "", these);
+      if (these != units && !these.empty()) return Error{place, "has other units than the first entry"};
+    }
     fields.clear();
     if (samples[k]->is_object()) flatten(*samples[k], "", fields);
     size_t next = 0;
@@ -246,6 +344,9 @@ Result<RawTable> plainLog(const Json& json, const std::string& name) {
     return Error{name, "holds no log: expected \"entries\": an array of objects, one per sample, or arrays by name"};
   }
   addNotes(json, *table);
+  UnitTexts units;
+  collectUnits(json, "", units);
+  giveUnits(units, *table);
   return table;
 }
 

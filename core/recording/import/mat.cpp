@@ -4,13 +4,17 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <initializer_list>
 #include <memory>
 
 #include "base/contained.h"
 #include "base/memory_file.h"
+#include "recording/import/controldesk.h"
 #include "recording/import/hdf5_table.h"
+#include "recording/import/text_encoding.h"
 
 namespace breakaway {
 
@@ -94,14 +98,140 @@ std::vector<double> valuesOf(const matvar_t& variable) {
   return values;
 }
 
+/// What the characters say, in UTF-8.
+std::string textOf(const matvar_t& variable) {
+  constexpr size_t longest = 1000;
+  if (variable.class_type != MAT_C_CHAR || variable.data == nullptr || variable.data_size <= 0) return {};
+  const size_t size = static_cast<size_t>(variable.data_size);
+  const size_t count = std::min(longest, variable.nbytes / size);
+  std::string text;
+  const auto* bytes = static_cast<const unsigned char*>(variable.data);
+  for (size_t k = 0; k < count; ++k) {
+    const unsigned code = size == 1 ? bytes[k] : bytes[k * size] | static_cast<unsigned>(bytes[k * size + 1]) << 8U;
+    if (size == 1 || code < 0x80) {
+      text += static_cast<char>(code);
+    } else if (code < 0x800) {
+      text += {static_cast<char>(0xC0U | code >> 6U), static_cast<char>(0x80U | (code & 0x3FU))};
+    }
+  }
+  std::string buffer;
+  return std::string(inUtf8(text, buffer));
+}
+
+/// One element of an array of structures.
+struct Element {
+  matvar_t& array;
+  size_t place = 0;
+
+  static size_t countOf(const matvar_t& array) {
+    size_t count = 1;
+    for (int k = 0; k < array.rank; ++k) count = std::min(mostValues, count * std::min(array.dims[k], mostValues));
+    return count;
+  }
+  matvar_t* field(const char* name) const {
+    return array.class_type == MAT_C_STRUCT && place < countOf(array) ? Mat_VarGetStructFieldByName(&array, name, place)
+                                                                      : nullptr;
+  }
+  matvar_t* firstField(std::initializer_list<const char*> names) const {
+    for (const char* name : names) {
+      if (matvar_t* found = field(name)) return found;
+    }
+    return nullptr;
+  }
+  std::string text(std::initializer_list<const char*> names) const {
+    const matvar_t* found = firstField(names);
+    return found == nullptr ? std::string() : textOf(*found);
+  }
+  /// The signal that it holds beside its name and unit, if it is one.
+  matvar_t* signal() const { return firstField({"Data", "data", "values", "Values"}); }
+};
+
+std::string withUnit(const std::string& name, const Element& element) {
+  const std::string unit = element.text({"Unit", "unit", "Units", "units"});
+  return unit.empty() || unit == "-" ? name : name + " [" + unit + "]";
+}
+
+/// What each of the stamps saw last.
+std::vector<double> heldAt(const std::vector<double>& stamps, const std::vector<double>& of,
+                           const std::vector<double>& values) {
+  std::vector<double> held;
+  size_t next = 0;
+  for (const double now : stamps) {
+    while (next < of.size() && of[next] <= now) ++next;
+    held.push_back(next == 0 ? NAN : values[next - 1]);
+  }
+  return held;
+}
+
+/// ControlDesk's structure: stamps in X, one element a raster, signals in Y, whose XIndex names theirs. Those of other
+/// rasters than the first signal's hold their last value, and are called so. False: it is none.
+bool addControlDesk(const Element& structure, const std::string& name, std::vector<Channel>& channels) {
+  matvar_t *stamps = structure.field("X"), *signals = structure.field("Y");
+  if (stamps == nullptr || signals == nullptr) return false;
+  std::vector<std::vector<double>> rasters;
+  for (size_t k = 0; k < std::min<size_t>(1000, Element::countOf(*stamps)); ++k) {
+    const matvar_t* data = Element{*stamps, k}.signal();
+    rasters.push_back(data == nullptr ? std::vector<double>() : valuesOf(*data));
+  }
+  const size_t count = std::min<size_t>(5000, Element::countOf(*signals));
+  const auto rasterOf = [&](size_t k) {
+    const matvar_t* index = Element{*signals, k}.field("XIndex");
+    const std::vector<double> said = index == nullptr ? std::vector<double>() : valuesOf(*index);
+    return said.size() == 1 && said[0] >= 1.0 && said[0] <= static_cast<double>(rasters.size())
+               ? static_cast<size_t>(said[0]) - 1
+               : size_t{0};
+  };
+  if (count == 0 || rasters.empty() || rasters[rasterOf(0)].size() < 2) return false;
+  size_t main = rasterOf(0);
+  for (size_t k = 0; k < count; ++k) {
+    if (rasters[rasterOf(k)].size() > rasters[main].size()) main = rasterOf(k);
+  }
+  const std::string prefix = channels.empty() ? "" : name + ".";  // numbers in it would be taken for those of axes
+  channels.push_back({withUnit(prefix + "time", {*stamps, main}), rasters[main]});
+  for (size_t k = 0; k < count; ++k) {
+    const Element signal{*signals, k};
+    const matvar_t* data = signal.signal();
+    if (data == nullptr) continue;
+    const size_t raster = rasterOf(k);
+    std::vector<double> values = valuesOf(*data);
+    if (values.empty()) continue;
+    std::string called = nameInModel(signal.text({"Name", "name"}), signal.text({"Path", "path"}));
+    if (called.empty()) called = "signal " + std::to_string(k + 1);
+    const bool held = raster != main && values.size() == rasters[raster].size();
+    if (held) values = heldAt(rasters[main], rasters[raster], values);
+    channels.push_back({withUnit(prefix + (held ? "held." : "") + called, signal), std::move(values)});
+  }
+  return true;
+}
+
+void addVariable(matvar_t& variable, const std::string& name, int depth, std::vector<Channel>& channels);
+
+/// The fields of each element; a signal is called by the name that it has, if it has one.
+void addStructure(matvar_t& variable, const std::string& name, int depth, std::vector<Channel>& channels) {
+  const unsigned fields = Mat_VarGetNumberOfFields(&variable);
+  char* const* names = Mat_VarGetStructFieldnames(&variable);
+  const size_t count = std::min<size_t>(1000, Element::countOf(variable));
+  for (size_t place = 0; place < count && names != nullptr; ++place) {
+    const Element element{variable, place};
+    if (addControlDesk(element, name, channels)) continue;
+    const matvar_t* signal = element.signal();
+    const std::string called =
+        signal == nullptr ? std::string() : element.text({"Name", "name", "label", "Label", "title"});
+    std::string path = name;
+    if (count > 1 && called.empty()) path += "(" + std::to_string(place + 1) + ")";
+    if (!called.empty()) path += "." + called;
+    for (unsigned k = 0; k < fields; ++k) {
+      matvar_t* field = Mat_VarGetStructFieldByIndex(&variable, k, place);
+      if (field == nullptr) continue;
+      const bool said = field == signal && !called.empty();
+      addVariable(*field, said ? withUnit(path, element) : path + "." + names[k], depth + 1, channels);
+    }
+  }
+}
+
 void addVariable(matvar_t& variable, const std::string& name, int depth, std::vector<Channel>& channels) {
   if (variable.class_type == MAT_C_STRUCT && depth < 4) {
-    const unsigned fields = Mat_VarGetNumberOfFields(&variable);
-    char* const* names = Mat_VarGetStructFieldnames(&variable);
-    for (unsigned k = 0; k < fields; ++k) {
-      matvar_t* field = Mat_VarGetStructFieldByIndex(&variable, k, 0);
-      if (field != nullptr && names != nullptr) addVariable(*field, name + "." + names[k], depth + 1, channels);
-    }
+    addStructure(variable, name, depth, channels);
     return;
   }
   std::vector<double> values = valuesOf(variable);

@@ -157,7 +157,8 @@ class Settling {
   }
 
   static std::string unitNameOf(double unit_s) {
-    return unit_s > 0.5 ? "s" : unit_s > 0.5e-3 ? "ms" : unit_s > 0.5e-6 ? "µs" : "ns";
+    if (unit_s > 1e4) return "days";
+    return unit_s > 0.5 ? "s" : unit_s > 0.5e-3 ? "ms" : unit_s > 0.5e-6 ? "µs" : unit_s > 0.5e-7 ? "100 ns" : "ns";
   }
 
   /// Keeps the rows that have a time, in all columns but `time`.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "base/exact_text.h"
 #include "recording/import/number_text.h"
@@ -36,7 +37,19 @@ struct UnitGuess {
   double unit_s = 1.0;
   const char* name = "s";
   bool sure = false;  ///< by the size of the stamps
+  const char* since = "1970";
 };
+
+/// Clocks that count otherwise than from 1970, by the stamps that they have between 2000 and 2050: Windows' and .NET's
+/// in 100 ns, Excel's in days, whose steps are fractions.
+std::optional<UnitGuess> otherClock(double start, double step) {
+  constexpr double slowest_d = 2e-5;
+  if (start > 1.25e17 && start < 1.42e17) return UnitGuess{1e-7, "100 ns", true, "1601"};
+  if (start > 6.3e17 && start < 6.47e17) return UnitGuess{1e-7, "100 ns", true, "the year 1"};
+  if (start > 36526.0 && start < 54789.0 && step > 0.0 && step < slowest_d)
+    return UnitGuess{86400.0, "days", true, "1900"};
+  return std::nullopt;
+}
 
 UnitGuess guessUnit(const RawTime& raw, double step) {
   constexpr std::array<UnitGuess, 4> some{
@@ -47,6 +60,7 @@ UnitGuess guessUnit(const RawTime& raw, double step) {
     const double since1970_s = start * one.unit_s, step_s = step * one.unit_s;
     if (since1970_s > firstStamp_s && since1970_s < lastStamp_s && step_s > 1e-7 && step_s < 3600.0) return one;
   }
+  if (const auto other = otherClock(start, step)) return *other;
   if (step < 0.5) return {};
   if (!isWhole(raw.values))
     return step < 10.0 ? UnitGuess{} : step < 250.0 ? UnitGuess{1e-3, "ms", false} : UnitGuess{1e-6, "µs", false};
@@ -164,7 +178,7 @@ Result<std::vector<size_t>> increasingRows(const std::vector<double>& values, do
       rows.push_back(k);
     }
   }
-  if (rows.size() < 2 && values.size() > 1 && falling == 0) return Error{place, "holds no times"};
+  if (rows.empty() || (rows.size() < 2 && values.size() > 1 && falling == 0)) return Error{place, "holds no times"};
   if (100 * falling > values.size()) {
     const double base = origin * unit_s;
     return Error{place + ", row " + std::to_string(firstFalling + 1) + ", column time_s",
@@ -211,7 +225,7 @@ Result<SettledTime> settleTime(RawTime raw, const std::string& place) {
     settled.unitGuessed = !guess.sure;
     if (guess.unit_s != 1.0 || guess.sure)
       settled.remarks.push_back("the time has no unit; " +
-                                (guess.sure ? std::string("its stamps are ") + guess.name + " since 1970"
+                                (guess.sure ? std::string("its stamps are ") + guess.name + " since " + guess.since
                                             : "steps of " + shortText(step) + " were taken for " + guess.name));
   } else {
     settled.unit_s = raw.unit_s.value_or(1.0);

@@ -26,7 +26,8 @@ struct SettledTime {
   std::vector<std::string> remarks;
 };
 
-/// - Unit: ns, µs, ms or s since 1970 by the size of the stamps; else whole numbers are ns from steps of a million on,
+/// - Unit: ns, µs, ms or s since 1970, 100 ns since 1601 or the year 1, days since 1900 by the size of the stamps; else
+/// whole numbers are ns from steps of a million on,
 ///   µs from 250 on, ms from 0.5 on; with decimals they are s, from steps of 10 on ms, from 250 on µs.
 /// - A counter of 16, 24 or 32 bits that starts anew, and a clock at midnight, go on counting.
 /// - Stamps that repeat are spread evenly up to the next one.

@@ -40,6 +40,10 @@ Result<RawTable> tableOfSignals(const std::vector<Signal>& signals, const StampC
                                 const std::string& name) {
   const Signal* base = baseOf(signals);
   if (base == nullptr || base->values.size() < 2) return Error{name, "is " + what + " without numbers over time"};
+  constexpr size_t mostValues = size_t{1} << 28;
+  if (signals.size() > mostValues / base->values.size())
+    return Error{name, "has too many signals: " + std::to_string(signals.size()) + " over " +
+                           std::to_string(base->values.size()) + " stamps"};
   RawTable table;
   RawColumn stamps{{time.name, {}}, {}};
   stamps.unit = time.unit;

@@ -1,8 +1,14 @@
 #include "recording/import/stamped_lines.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <string>
 
+#include "recording/import/clock_time.h"
 #include "recording/import/text_layout.h"
 
 namespace breakaway {
@@ -11,11 +17,42 @@ namespace {
 
 struct StampedLine {
   std::string_view stamp, rest;
-  bool millis = false;  ///< as ESP-IDF's logger has it: the level's letter, milliseconds in round brackets
+  std::string since1970 = {};  ///< s, where the stamp is a date
+  bool millis = false;         ///< as ESP-IDF's logger has it: the level's letter, milliseconds in round brackets
 };
+
+/// "2024-05-01 10:00:00,123 - INFO - motor: angle=1.5 …": a date, a time, and what the logger says before the first
+/// value.
+std::optional<StampedLine> partedAtDate(std::string_view line) {
+  constexpr std::string_view form = "0000-00-00 00:00:00";
+  if (line.size() < form.size()) return std::nullopt;
+  for (size_t k = 0; k < form.size(); ++k) {
+    const bool digit = std::isdigit(static_cast<unsigned char>(line[k])) != 0;
+    const bool same = form[k] == '0' ? digit : line[k] == form[k] || (form[k] == ' ' && line[k] == 'T');
+    if (!same) return std::nullopt;
+  }
+  size_t end = form.size();
+  if (end + 1 < line.size() && (line[end] == '.' || line[end] == ','))
+    end = std::min(line.find_first_not_of("0123456789", end + 1), line.size());
+  const size_t equals = line.find('=', end);
+  if (equals == std::string_view::npos) return std::nullopt;
+  const size_t before = line.find_last_of(" \t,;", equals);
+  std::string stamp(line.substr(0, end));
+  std::replace(stamp.begin(), stamp.end(), ',', '.');
+  const auto clock = readClock(stamp);
+  if (before == std::string_view::npos || before < end || !clock) return std::nullopt;
+  StampedLine out;
+  std::array<char, 48> seconds{};
+  const int size = std::snprintf(seconds.data(), seconds.size(), "%lld.%06.0f", static_cast<long long>(clock->whole_s),
+                                 std::min(999999.0, std::floor(clock->fraction_s * 1e6 + 0.5)));
+  out.since1970 = std::string(seconds.data(), static_cast<size_t>(size));
+  out.rest = line.substr(before + 1);
+  return out;
+}
 
 std::optional<StampedLine> parted(std::string_view line) {
   line = withoutBlanks(line);
+  if (auto dated = partedAtDate(line)) return dated;
   StampedLine out;
   if (line.size() > 3 && std::string_view("EWIDV").find(line[0]) != std::string_view::npos && line[1] == ' ' &&
       line[2] == '(') {
@@ -62,7 +99,7 @@ std::optional<std::string> withStampsAsCells(std::string_view text) {
     const auto one = parted(takeLine(text, lineEnd));
     if (!one) continue;
     out += one->millis ? "time_ms:" : "time:";
-    out += one->stamp;
+    out += one->since1970.empty() ? one->stamp : one->since1970;
     out += between;
     out += one->rest;
     out += '\n';

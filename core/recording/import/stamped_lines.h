@@ -1,4 +1,5 @@
-// Lines that begin with a stamp in brackets, as loggers put it: "[12.345] angle=0.3", "I (12345) motor: angle=0.3".
+// Lines that begin with a stamp, as loggers put it: "[12.345] angle=0.3", "I (12345) motor: angle=0.3",
+// "2024-05-01 10:20:10,123 - INFO - angle=0.3".
 #pragma once
 
 #include <optional>

@@ -207,4 +207,12 @@ std::optional<Result<RawTable>> readLongTable(std::string_view rows, char lineEn
   return table;
 }
 
+bool tellsSignal(std::string_view column) {
+  return isOneOf(column, nameWords);
+}
+
+bool tellsValue(std::string_view column) {
+  return isOneOf(column, valueWords);
+}
+
 }  // namespace breakaway

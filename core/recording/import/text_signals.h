@@ -20,4 +20,8 @@ std::optional<Result<RawTable>> readLineProtocol(std::string_view text, char lin
 std::optional<Result<RawTable>> readLongTable(std::string_view rows, char lineEnd, const TextLayout& layout,
                                               const TextNames& names, const std::string& name);
 
+/// Whether a column of this name tells a signal's name, or its value.
+bool tellsSignal(std::string_view column);
+bool tellsValue(std::string_view column);
+
 }  // namespace breakaway

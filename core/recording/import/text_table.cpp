@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "recording/import/controldesk.h"
 #include "recording/import/list_cells.h"
 #include "recording/import/stamped_lines.h"
 #include "recording/import/text_encoding.h"
@@ -11,6 +12,7 @@
 #include "recording/import/text_names.h"
 #include "recording/import/text_signals.h"
 #include "recording/import/units.h"
+#include "recording/import/yaml_messages.h"
 
 namespace breakaway {
 
@@ -119,14 +121,17 @@ class Rows {
     }
   }
 
-  /// A column without a name that holds the same unit in each row tells the one of the column before it: "12.3 deg".
+  /// A column without a name, or called a unit, that holds the same unit in each row tells the one of the column before
+  /// it: "12.3 deg".
   void takeUnitColumns() {
     for (size_t c = 1; c < layout_.cells; ++c) {
       const SeenText& seen = texts_[c];
       const bool unit = seen.same && seen.count > 0 && seen.count + 1 >= table.rows() && isUnit(seen.first);
       RawColumn& before = table.columns[c - 1];
-      if (unit && before.unit.empty() && !before.fault && table.columns[c].channel.name.starts_with("column_"))
-        before.unit = seen.first;
+      const std::string& name = table.columns[c].channel.name;
+      const bool tellsUnit = name.starts_with("column_") || name.ends_with("unit") || name.ends_with("units") ||
+                             name.ends_with("Unit") || name.ends_with("Units") || name.ends_with("Einheit");
+      if (unit && before.unit.empty() && !before.fault && tellsUnit) before.unit = seen.first;
     }
   }
 
@@ -337,6 +342,8 @@ Result<void> readRows(std::string_view rest, char lineEnd, const TextLayout& lay
 Result<RawTable> readTextTable(std::string_view text, const std::string& name) {
   std::string buffer;
   std::string_view utf8 = inUtf8(text, buffer);
+  if (auto messages = readYamlMessages(utf8, name)) return std::move(*messages);
+  if (auto signals = readControlDeskText(utf8, lineEndOf(utf8), name)) return std::move(*signals);
   auto flat = withListsInCells(utf8);
   if (!flat) flat = withStampsAsCells(utf8);
   if (flat) utf8 = *flat;
