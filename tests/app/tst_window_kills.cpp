@@ -52,6 +52,27 @@ void saveForEver(Desk& desk, const QString& folder) {
   }
 }
 
+/// Two maps of the project, of which one is put in each time, as words and as report.
+int compareForEver(Desk& desk, const QString& folder) {
+  ProjectRuns& runs = desk.session.runs;
+  desk.window.showPage("runsPage");
+  for (unsigned k = 1;; ++k) {
+    NewRun run;
+    run.write = [k](const std::string& into) { return exportMap(noisyMap(0.02, k), "json", into + "/map.json"); };
+    const size_t before = runs.all();
+    desk.session.project.put(run, "A map");
+    if (!QTest::qWaitFor([&] { return runs.all() > before; }, patience_ms)) return 1;
+    if (runs.runs().size() < 2) continue;
+    bool compared = false;
+    runs.compare(runs.runs()[0].id, runs.runs()[1].id, [&](const RunComparison& comparison) {
+      runs.writeReport(comparison, folder + "/../compared");
+      compared = true;
+    });
+    if (!QTest::qWaitFor([&] { return compared; }, patience_ms)) return 1;
+    if (k == 2) begun();
+  }
+}
+
 /// The next window after one that was killed in its sweep: says what it took up, goes on, and says how it ended.
 int goOn(const QString& folder) {
   Desk desk;
@@ -107,6 +128,7 @@ int work(const QString& what, const QString& folder) {
   }
   desk.session.connection.adopt(std::make_unique<StreamingDrive>(rate_Hz), "streaming");
   if (what == "saving") saveForEver(desk, folder);
+  if (what == "comparing") return compareForEver(desk, folder);
   desk.window.showLive(true);
   press(desk.window, "recordButton");
   if (!QTest::qWaitFor([&] { return desk.session.connection.link().recorded_s > 0.0; }, 5000)) return 1;
