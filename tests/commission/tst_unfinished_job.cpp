@@ -5,6 +5,8 @@
 #include <memory>
 #include <vector>
 
+#include "commission/commission_progress.h"
+#include "commission/progress_writer.h"
 #include "commission/unfinished_job.h"
 #include "support/temporary.h"
 
@@ -21,6 +23,8 @@ class TestUnfinishedJob : public QObject {
   void whatIsComplete_isGone();
   void brokenOffSpeed_growsInItsFolder();
   void allOfThem_areListed();
+  void writer_hasTheLastInTheEnd();
+  void writer_saysWhatFailed();
 };
 
 namespace {
@@ -164,6 +168,31 @@ void TestUnfinishedJob::allOfThem_areListed() {
   QCOMPARE(howFar(swept(7)), std::string("0 speeds and 7 of 144 breakaways"));
   other.runs.resize(1);
   QCOMPARE(howFar(other), std::string("1 speed and 1 of 144 breakaways"));
+}
+
+void TestUnfinishedJob::writer_hasTheLastInTheEnd() {
+  const test::TemporaryFolder folder;
+  ProgressWriter writer(folder.path("out"));
+  QVERIFY(!writer.wrote());
+  for (size_t k = 1; k <= 40; ++k) VERIFY_OK(writer.keep(swept(100 * k)));
+  VERIFY_OK(writer.finish());
+  const auto kept = readProgress(folder.path("out"));
+  VERIFY_OK(kept);
+  QVERIFY(writer.wrote() && kept->breakaways.size() == 4000);
+}
+
+void TestUnfinishedJob::writer_saysWhatFailed() {
+  const test::TemporaryFolder folder;
+  folder.write("out", "a file, where a folder is to be made");
+  ProgressWriter writer(folder.path("out"));
+  VERIFY_OK(writer.keep(swept(3)));
+  QVERIFY(!writer.finish());
+  bool failed = false;
+  for (int k = 0; k < 2000 && !failed; ++k) {
+    failed = !writer.keep(swept(3));
+    QTest::qSleep(1);
+  }
+  QVERIFY(failed);
 }
 
 QTEST_APPLESS_MAIN(TestUnfinishedJob)
