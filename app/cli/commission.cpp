@@ -15,6 +15,7 @@
 #include "commission/commission_progress.h"
 #include "commission/held_beliefs.h"
 #include "commission/motor_file.h"
+#include "commission/progress_writer.h"
 #include "experiment/abilities.h"
 #include "firmware_link/presets.h"
 #include "firmware_link/simulated_truth.h"
@@ -228,15 +229,14 @@ Outcome runCommission(const CommissionLine& line) {
   auto out = OutputFolder::open(outputOf(line));
   if (!out) return Result<Answer>(out.error());
   if (auto begun = beginFolder(line, options); !begun) return Result<Answer>(begun.error());
-  bool kept = false;
-  options.keepProgress = [&](const Commission& progress) {
-    kept = true;
-    return writeProgress(progress, line.out);
-  };
+  ProgressWriter progress(line.out);
+  options.keepProgress = [&](const Commission& known) { return progress.keep(known); };
   options.keepRecording = [&](const std::string& step, const Recording& recording) {
     return writeStep(step, recording, line.out + "/progress");
   };
-  const auto done = commission(**drive, options);
+  auto done = commission(**drive, options);
+  if (const auto written = progress.finish(); !written && done) done = written.error();
+  const bool kept = progress.wrote();
   if (progressIsWatched()) std::fprintf(stderr, "\r\033[K");
   if (!done && !kept && !line.resume) clearAway(line.out);
   if (!done && !kept) return Result<Answer>(done.error());

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -11,6 +12,7 @@
 #include "cli/command.h"
 #include "cli/inputs.h"
 #include "cli/into_project.h"
+#include "commission/unfinished_job.h"
 #include "draw/html_report.h"
 #include "report/run_comparison.h"
 
@@ -51,6 +53,41 @@ Json lineOf(const Project& project, const ProjectRun& run) {
   return json;
 }
 
+/// What the project's sweeps have measured that is no map yet.
+struct Unfinished {
+  std::string words;
+  Json json = Json::array();
+  std::vector<std::string> faults;
+};
+
+/// Of a board with this name, or of all.
+Unfinished unfinishedOf(const Project& project, const std::string& device = {}) {
+  Unfinished all;
+  for (const UnfinishedEntry& one : unfinishedIn(unfinishedPlace(project.folder()))) {
+    if (!one.known) {
+      all.faults.push_back(one.known.error().message());
+      continue;
+    }
+    const Commission& known = *one.known;
+    if (!device.empty() && known.identity.device != device) continue;
+    const auto broken =
+        std::count_if(known.runs.begin(), known.runs.end(), [](const VelocityRun& run) { return run.brokenOff; });
+    all.words += fmt::format("{}  {:<20}  {:<15} {}: {}{}\n", "unfinished", one.at, "commission", known.identity.device,
+                             howFar(known), one.held ? "; under way" : "");
+    all.json.push_back({{"folder", one.folder},
+                        {"at", one.at},
+                        {"kind", "commission"},
+                        {"device", known.identity.device},
+                        {"part", known.part},
+                        {"speeds", known.runs.size() + known.strokes.size()},
+                        {"speeds_broken_off", broken},
+                        {"breakaways", known.breakaways.size()},
+                        {"breakaways_asked", 2 * known.sweeps.bins * known.sweeps.turns},
+                        {"under_way", one.held}});
+  }
+  return all;
+}
+
 std::string valueText(const RunValue& value) {
   return fmt::format("{} ({} to {})", numberText(value.value), numberText(value.low), numberText(value.high));
 }
@@ -86,6 +123,9 @@ Result<Answer> list(const Project& project, const ProjectLine& line) {
     json["runs"].push_back(lineOf(project, run));
   }
   for (const auto& [motor, count] : *motors) json["motors"].push_back({{"motor", motor}, {"runs", count}});
+  const Unfinished unfinished = unfinishedOf(project, line.filter.device);
+  words += unfinished.words;
+  json["unfinished"] = unfinished.json;
   words += fmt::format("{}: {} runs, {} motors\n", project.folder(), runs->size(), motors->size());
   return Answer{words, asText(json)};
 }
@@ -100,7 +140,10 @@ Result<Answer> show(const Project& project, const ProjectLine& line) {
   for (const RunValue& one : run->values) words += one.name + ": " + valueText(one) + "\n";
   for (const std::string& one : run->findings) words += "found: " + one + "\n";
   for (const RunFile& one : run->files) words += fmt::format("{:<12} {}\n", one.kind, project.pathOf(*run, one.path));
-  return Answer{words, asText(jsonOf(project, *run))};
+  const Unfinished unfinished = run->device.empty() ? Unfinished{} : unfinishedOf(project, run->device);
+  Json json = jsonOf(project, *run);
+  json["unfinished"] = unfinished.json;
+  return Answer{words + unfinished.words, asText(json)};
 }
 
 Result<Answer> add(Project& project, const ProjectLine& line) {
@@ -150,9 +193,11 @@ Result<Answer> rebuild(Project& project) {
 }
 
 Result<Answer> check(const Project& project) {
-  const auto faults = project.check();
+  auto faults = project.check();
   if (!faults) return faults.error();
-  std::string words = saidBy(project);
+  const Unfinished unfinished = unfinishedOf(project);
+  faults->lines.insert(faults->lines.end(), unfinished.faults.begin(), unfinished.faults.end());
+  std::string words = saidBy(project) + unfinished.words;
   for (const std::string& one : faults->lines) words += one + "\n";
   words +=
       fmt::format("{}: {} runs, {} files, {}\n", project.folder(), faults->runs, faults->files,
@@ -161,6 +206,7 @@ Result<Answer> check(const Project& project) {
                                    {"runs", faults->runs},
                                    {"files", faults->files},
                                    {"faults", faults->lines},
+                                   {"unfinished", unfinished.json},
                                    {"said", project.said()}})};
 }
 

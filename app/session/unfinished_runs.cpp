@@ -11,7 +11,7 @@ namespace {
 constexpr qint64 writtenEvery_ms = 400;
 
 std::string placeIn(const Project& project) {
-  return project.folder() + "/unfinished";
+  return unfinishedPlace(project.folder());
 }
 
 }  // namespace
@@ -52,12 +52,8 @@ void UnfinishedRuns::takeUp(const std::string& device, const Commission& known, 
   }
   bench_.takeUp(known);
   const QDateTime since = QDateTime::fromMSecsSinceEpoch(static_cast<qint64>(since_s * 1e3));
-  messages_.say(tr("The sweeps of %1 were not finished: %2 speeds and %3 of %4 breakaways are there, and Friction goes "
-                   "on with them")
-                    .arg(QLocale().toString(since, QLocale::ShortFormat))
-                    .arg(known.runs.size() + known.strokes.size())
-                    .arg(known.breakaways.size())
-                    .arg(2 * known.sweeps.bins * known.sweeps.turns));
+  messages_.say(tr("The sweeps of %1 were not finished: %2 are there, and Friction goes on with them")
+                    .arg(QLocale().toString(since, QLocale::ShortFormat), QString::fromStdString(howFar(known))));
 }
 
 void UnfinishedRuns::follow(const RunSnapshot& snapshot) {

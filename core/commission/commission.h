@@ -38,7 +38,8 @@ struct CommissionOptions {
   /// What an interrupted job had: its motor is taken, its runs and breakaways are not measured again. The current
   /// sensor is zeroed and the rotor homed anew, because the board may have been without power.
   std::optional<Commission> earlier;
-  /// Called when a step has ended, however it ended, and about every half minute of rig time within a sweep.
+  /// Called when a step has ended, however it ended, and within a sweep about every half second in which it measured
+  /// something.
   std::function<Result<void>(const Commission&)> keepProgress;
   /// Takes each step's recording, that of an interrupted step too; without it they are gathered in the result.
   std::function<Result<void>(const std::string& step, const Recording&)> keepRecording;

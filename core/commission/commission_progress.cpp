@@ -33,6 +33,11 @@ std::string runFile(const std::string& folder, size_t number) {
   return fmt::format("{}/progress/run-{:02}.json", folder, number + 1);
 }
 
+/// Of a run that was broken off, which still grows if it is the last.
+std::string brokenRunFile(const std::string& folder, size_t number) {
+  return fmt::format("{}/progress/run-{:02}-broken-off.json", folder, number + 1);
+}
+
 Json rowOf(const AngleBinSums& sums) {
   return {sums.samples, sums.current_A, sums.currentSquared_A2, sums.velocity_rad_per_s, sums.velocitySquared};
 }
@@ -62,6 +67,7 @@ std::string runText(const VelocityRun& run) {
                   {"half_span_s", run.halfSpan_s},
                   {"start_rad", run.start_rad},
                   {"bins", rowsOf(run.bins)},
+                  {"broken_off", run.brokenOff},
                   {"blocks", blocks}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -139,7 +145,8 @@ Result<VelocityRun> readRun(const std::string& path) {
   VelocityRun run{
       root->number("target_rad_per_s"), countOf(*root, "turns"), root->number("duration_s", Allowed::positive),
       root->number("middle_s"),         root->number("zero_A"),  root->number("half_span_s", Allowed::positive),
-      root->number("start_rad"),        sumsIn(*root),           {}};
+      root->number("start_rad"),        sumsIn(*root),           {},
+      root->flag("broken_off", false)};
   for (JsonObject& block : root->objects("blocks")) {
     run.blocks.push_back({countOf(block, "turns"), block.number("start_speed_rad_per_s"),
                           block.number("end_speed_rad_per_s"), block.number("start_wobble_rad_per_s"),
@@ -203,14 +210,31 @@ void takeMotor(JsonObject object, Commission& progress) {
   progress.facts.add({Known::windingTest, Known::roughMotor, Known::reversal, Known::bridge, Known::motor});
 }
 
+/// What is written of a run stays, but for the one under way.
+Result<void> writeRun(const std::vector<VelocityRun>& runs, size_t number, const std::string& folder) {
+  const VelocityRun& run = runs[number];
+  const std::string file = run.brokenOff ? brokenRunFile(folder, number) : runFile(folder, number);
+  const bool grows = run.brokenOff && number + 1 == runs.size();
+  std::error_code code;
+  if (!grows && fs::exists(file, code)) return {};
+  return writeFile(file, withMade(runText(run)));
+}
+
+/// A run that is complete by now, or whose turns were thrown away.
+void removeGoneRuns(const std::vector<VelocityRun>& runs, const std::string& folder) {
+  std::error_code code;
+  for (size_t k = 0; k <= runs.size(); ++k) {
+    if (k == runs.size() || !runs[k].brokenOff) fs::remove(brokenRunFile(folder, k), code);
+  }
+}
+
 }  // namespace
 
 Result<void> writeProgress(const Commission& progress, const std::string& folder) {
   if (auto made = makeFolder(folder + "/progress"); !made) return made;
   std::error_code code;
   for (size_t k = 0; k < progress.runs.size(); ++k) {
-    if (fs::exists(runFile(folder, k), code)) continue;
-    if (auto written = writeFile(runFile(folder, k), withMade(runText(progress.runs[k]))); !written) return written;
+    if (auto written = writeRun(progress.runs, k, folder); !written) return written;
   }
   for (size_t k = 0; k < progress.strokes.size(); ++k) {
     const std::string file = strokesFile(folder, k);
@@ -220,7 +244,9 @@ Result<void> writeProgress(const Commission& progress, const std::string& folder
   if (!progress.breakaways.empty()) {
     if (auto written = writeFile(eventsFile(folder), eventsText(progress.breakaways)); !written) return written;
   }
-  return writeFile(stateFile(folder), withMade(stateText(progress)));
+  if (auto written = writeFile(stateFile(folder), withMade(stateText(progress))); !written) return written;
+  removeGoneRuns(progress.runs, folder);
+  return {};
 }
 
 Result<Commission> readProgress(const std::string& folder) {
@@ -252,7 +278,8 @@ Result<Commission> readProgress(const std::string& folder) {
   if (root->has("motor")) takeMotor(root->object("motor"), progress);
   if (const auto done = root->finish(); !done) return done.error();
   for (size_t k = 0; k < runs; ++k) {
-    auto run = readRun(runFile(folder, k));
+    const bool whole = fs::exists(runFile(folder, k), code);
+    auto run = readRun(whole ? runFile(folder, k) : brokenRunFile(folder, k));
     if (!run) return run.error();
     progress.runs.push_back(std::move(*run));
   }

@@ -1,6 +1,7 @@
 #include "commission/job.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "base/made.h"
@@ -12,7 +13,8 @@ namespace breakaway {
 namespace {
 
 constexpr double wholeSlice_s = 0.25;  // of the board's time, after which the job looks
-constexpr double tellEvery_s = 0.5, keepEvery_s = 30.0;
+constexpr double tellEvery_s = 0.5;
+constexpr auto keepEvery = std::chrono::milliseconds(400);  // by the wall's clock: a simulated board's is faster
 constexpr double rounding_s = 1e-9;
 
 }  // namespace
@@ -129,7 +131,7 @@ bool Job::start(Drive& drive) {
   if (!run_.procedure) return false;
   recorder_.emplace(run_.name, decimation(run_.procedure->status().remaining_s), known_.identity.axis);
   lost_ = 0;
-  slice_s_ = told_s_ = kept_s_ = 0.0;
+  slice_s_ = told_s_ = 0.0;
   if (run_.procedure->state() != Procedure::State::running) return false;
   drive.start(run_.procedure);
   return true;
@@ -149,13 +151,7 @@ void Job::take(Drive& drive, double passed_s, const std::vector<Sample>& samples
     const auto now = status();
     options_.progress(now.progress, now.activity);
   }
-  if ((kept_s_ += wholeSlice_s) >= keepEvery_s) {
-    kept_s_ = 0.0;
-    if (const auto kept = keep(); !kept) {
-      end(drive, Procedure::State::failed, kept.error());
-      return;
-    }
-  }
+  if (const auto kept = keepNow(); !kept) return end(drive, Procedure::State::failed, kept.error());
   if (run_.procedure->state() == Procedure::State::running) return;
   concludeRun(drive);
   next(drive);
@@ -204,6 +200,14 @@ Result<void> Job::keepRun(Drive& drive) {
   if (options_.keepRecording) return options_.keepRecording(name, *recording);
   known_.recordings.emplace_back(name, std::move(*recording));
   return {};
+}
+
+/// Not in every slice, and only what is new.
+Result<void> Job::keepNow() {
+  const auto now = std::chrono::steady_clock::now();
+  if (!options_.keepProgress || now - kept_ < keepEvery) return {};
+  kept_ = now;
+  return steps_[at_]->gather(known_) ? keep() : Result<void>{};
 }
 
 Result<void> Job::keep() {

@@ -1,6 +1,7 @@
 // The bench job while it runs: one step after the other, slice by slice, on whatever thread has the drive.
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -45,6 +46,7 @@ class Job {
   bool start(Drive& drive);
   void concludeRun(Drive& drive);
   Result<void> keepRun(Drive& drive);
+  Result<void> keepNow();
   Result<void> keep();
   void end(Drive& drive, Procedure::State state, const Error& failure);
   void giveBack(Drive& drive);
@@ -59,7 +61,8 @@ class Job {
   StepRun run_;
   std::optional<StepRecorder> recorder_;
   std::optional<ControllerSettings> found_;
-  double slice_s_ = 0.0, told_s_ = 0.0, kept_s_ = 0.0;
+  double slice_s_ = 0.0, told_s_ = 0.0;
+  std::chrono::steady_clock::time_point kept_;
   size_t lost_ = 0;  ///< samples, in the procedure that runs
   unsigned revision_ = 0;
   Procedure::State state_ = Procedure::State::running;

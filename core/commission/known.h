@@ -81,7 +81,7 @@ struct Commission {
   TravelPace pace;
 
   // Friction. Angles and positions count from the index.
-  std::vector<VelocityRun> runs;   ///< complete ones, in the order they were run
+  std::vector<VelocityRun> runs;   ///< in the order they were run; the last one may still be under way
   std::vector<TravelRun> strokes;  ///< of a linear axis, instead of runs
   double runsZeroError_A = 0.0;    ///< standard error of the current sensor's zero over them
   std::array<MovingFriction, 2> moving;

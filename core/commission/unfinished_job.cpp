@@ -1,7 +1,10 @@
 #include "commission/unfinished_job.h"
 
+#include <fmt/chrono.h>
+#include <fmt/core.h>
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <filesystem>
 #include <utility>
 #include <vector>
@@ -20,11 +23,19 @@ std::string lockOf(const std::string& folder) {
   return folder + "/held";
 }
 
-/// Runs never change, so what is written of them stays; anything else is another job's.
+/// Whether this is a run that was under way and has gone on.
+bool grown(const VelocityRun& was, const VelocityRun& is) {
+  return was.brokenOff && was.isAt(is.target_rad_per_s) && was.duration_s <= is.duration_s;
+}
+bool grown(const TravelRun& /*was*/, const TravelRun& /*is*/) {
+  return false;
+}
+
+/// Runs don't change, but for the one under way, so what is written of them stays; anything else is another job's.
 bool goesOn(const Commission& before, const Commission& now) {
   const auto begins = [](const auto& was, const auto& is) {
     return was.size() <= is.size() && std::equal(was.begin(), was.end(), is.begin(), [](const auto& a, const auto& b) {
-             return a.duration_s == b.duration_s && a.middle_s == b.middle_s && a.zero_A == b.zero_A;
+             return (a.duration_s == b.duration_s && a.middle_s == b.middle_s && a.zero_A == b.zero_A) || grown(a, b);
            });
   };
   return before.identity.device == now.identity.device && before.sweeps == now.sweeps &&
@@ -58,6 +69,30 @@ std::vector<Candidate> candidatesIn(const std::string& place) {
 
 bool isUnfinished(const Commission& known) {
   return !known.knows(Known::map) && !(known.runs.empty() && known.strokes.empty() && known.breakaways.empty());
+}
+
+std::vector<UnfinishedEntry> unfinishedIn(const std::string& place) {
+  std::vector<UnfinishedEntry> all;
+  for (const Candidate& one : candidatesIn(place)) {
+    const OpenFile lock(lockOf(one.folder), OpenFile::Purpose::reading);
+    const auto at = static_cast<std::time_t>(secondsSince1970(one.written));
+    all.push_back({one.folder, fmt::format("{:%FT%TZ}", fmt::gmtime(at)), lock.good() && lock.isLocked(),
+                   readProgress(one.folder)});
+  }
+  return all;
+}
+
+std::string howFar(const Commission& known) {
+  const size_t speeds = known.runs.size() + known.strokes.size();
+  const auto broken =
+      std::count_if(known.runs.begin(), known.runs.end(), [](const VelocityRun& run) { return run.brokenOff; });
+  const std::string of = broken > 0 ? fmt::format(", {} of them broken off,", broken) : std::string();
+  return fmt::format("{} {}{} and {} of {} breakaways", speeds, speeds == 1 ? "speed" : "speeds", of,
+                     known.breakaways.size(), 2 * known.sweeps.bins * known.sweeps.turns);
+}
+
+std::string unfinishedPlace(const std::string& projectFolder) {
+  return projectFolder + "/unfinished";
 }
 
 UnfinishedJob::UnfinishedJob(std::string place) : place_(std::move(place)) {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/open_file.h"
 #include "base/result.h"
@@ -36,6 +37,22 @@ class UnfinishedJob {
   Commission known_;
   double since_s_ = 0.0;
 };
+
+/// What one of them has, for people.
+struct UnfinishedEntry {
+  std::string folder;
+  std::string at;     ///< when it was written last: UTC, ISO 8601, to the second
+  bool held = false;  ///< by a program that is at work on it
+  Result<Commission> known = Error{};
+};
+
+/// All below `place`, the newest first. Nothing is held meanwhile, nor changed.
+std::vector<UnfinishedEntry> unfinishedIn(const std::string& place);
+/// "3 speeds, 1 of them broken off, and 12 of 720 breakaways".
+std::string howFar(const Commission& known);
+
+/// Where a project keeps them.
+std::string unfinishedPlace(const std::string& projectFolder);
 
 /// Whether sweeps have measured what is no map yet.
 bool isUnfinished(const Commission& known);

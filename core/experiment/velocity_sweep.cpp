@@ -13,6 +13,9 @@ namespace {
 constexpr double spanAngle_rad = 1.0 / 40.0;      // half the span of a speed; order 45 is then shown by sin(1.1)/1.1
 constexpr double fastSpanAngle_rad = 1.0 / 12.0;  // where the inertia hides the finest harmonics anyway
 constexpr double smoothing_s = 0.15;
+constexpr double keepEvery_s = 0.25;  // whole turns of the run under way
+constexpr double leastPart = 0.1;     // of a run, that is made of what was broken off near its end
+
 }  // namespace
 
 VelocitySweep::VelocitySweep(VelocitySweepOptions options, const std::vector<VelocityRun>& earlier)
@@ -24,21 +27,28 @@ VelocitySweep::VelocitySweep(VelocitySweepOptions options, const std::vector<Vel
     return;
   }
   for (size_t k = 0; k < 2 * options_.speeds_rad_per_s.size(); ++k) {
-    const auto same = [&](const VelocityRun& run) {
-      return std::abs(run.target_rad_per_s - targetOf(k)) <= 1e-6 * std::abs(targetOf(k)) &&
-             run.bins.size() == options_.bins;
-    };
-    const auto found = std::find_if(earlier.begin(), earlier.end(), same);
-    if (found != earlier.end() && !isDone(targetOf(k))) runs_.push_back(*found);
+    const auto same = [&](const VelocityRun& run) { return run.isAt(targetOf(k)) && run.bins.size() == options_.bins; };
+    if (isDone(targetOf(k))) continue;
+    for (const VelocityRun& run : earlier) {
+      if (same(run) && !isDone(targetOf(k))) runs_.push_back(run);
+    }
   }
   skipDone();
   if (next_ >= 2 * options_.speeds_rad_per_s.size()) finish();
 }
 
 bool VelocitySweep::isDone(double target_rad_per_s) const {
-  return std::any_of(runs_.begin(), runs_.end(), [&](const VelocityRun& run) {
-    return std::abs(run.target_rad_per_s - target_rad_per_s) <= 1e-6 * std::abs(target_rad_per_s);
-  });
+  return std::any_of(runs_.begin(), runs_.end(),
+                     [&](const VelocityRun& run) { return !run.brokenOff && run.isAt(target_rad_per_s); });
+}
+
+/// Of the run at the next speed, without what was measured before it was broken off.
+double VelocitySweep::left_s() const {
+  double left_s = options_.run_s;
+  for (const VelocityRun& run : runs_) {
+    if (run.isAt(target())) left_s -= run.duration_s;
+  }
+  return std::max(left_s, leastPart * options_.run_s);
 }
 
 void VelocitySweep::skipDone() {
@@ -55,7 +65,7 @@ double VelocitySweep::target() const {
 }
 
 double VelocitySweep::wobbleAt(double time_s) const {
-  const double phase = (time_s - runStart_s_) / options_.run_s;
+  const double phase = (time_s - runStart_s_) / thisRun_s_;
   return options_.wobble * triangle(phase - std::floor(phase));
 }
 
@@ -66,11 +76,12 @@ void VelocitySweep::enter(Stage stage, const Sample& sample) {
 }
 
 void VelocitySweep::begin() {
+  thisRun_s_ = left_s();
   SpeedPlan<double> plan;
   plan.target_rad_per_s = target();
   plan.wobble = options_.wobble;
   plan.settle_s = options_.settle_s;
-  plan.run_s = options_.run_s;
+  plan.run_s = thisRun_s_;
   plan.leastTurns = static_cast<std::uint16_t>(std::min<size_t>(options_.leastTurns, 60'000));
   seen_ = notBegun;
   beginLeg({plan, 0.0, options_.current_limit_A}, options_.countsPerRev);
@@ -128,7 +139,7 @@ Command VelocitySweep::zero(const Sample& sample) {
 }
 
 void VelocitySweep::beginRun(const Sample& sample) {
-  runStart_s_ = sample.time_s;
+  runStart_s_ = kept_s_ = sample.time_s;
   startAngle_rad_ = sample.angle_rad;
   // As long a span as the finest harmonics allow: it divides the encoder's rounding.
   const double slowest = *std::min_element(options_.speeds_rad_per_s.begin(), options_.speeds_rad_per_s.end());
@@ -162,6 +173,7 @@ void VelocitySweep::sum(const Sample& sample) {
     turnAngle_rad_ = sample.angle_rad;
     turnStart_s_ = sample.time_s;
     if (seen_ == Machine::done) return;
+    keepTurns(sample.time_s);
   }
   const size_t size = angles_rad_.size(), newest = taken_ % size;
   angles_rad_[newest] = sample.angle_rad;
@@ -183,14 +195,8 @@ void VelocitySweep::sum(const Sample& sample) {
   open_.blocks.back().bins[bin].add(currents_A_[middle], velocity);
 }
 
-void VelocitySweep::mergeLastBlock() {
-  const auto rest = std::move(open_.blocks.back());
-  open_.blocks.pop_back();
-  for (size_t k = 0; k < rest.bins.size(); ++k) open_.blocks.back().bins[k].add(rest.bins[k]);
-}
-
 /// Between two turns the speed is the mean of theirs; before the first and after the last it goes on as it did.
-void VelocitySweep::dateBlocks() {
+void VelocitySweep::dateBlocks(VelocityRun& run) const {
   const auto& speeds = turnSpeeds_rad_per_s_;
   const auto between = [&speeds](size_t after) {
     if (speeds.size() < 2) return speeds[0];
@@ -198,9 +204,9 @@ void VelocitySweep::dateBlocks() {
     if (after >= speeds.size()) return 1.5 * speeds.back() - 0.5 * speeds[speeds.size() - 2];
     return 0.5 * (speeds[after - 1] + speeds[after]);
   };
-  for (size_t k = 0; k < open_.blocks.size(); ++k) {
-    RunBlock& block = open_.blocks[k];
-    const size_t first = k * turnsPerBlock_, end = k + 1 < open_.blocks.size() ? first + turnsPerBlock_ : open_.turns;
+  for (size_t k = 0; k < run.blocks.size(); ++k) {
+    RunBlock& block = run.blocks[k];
+    const size_t first = k * turnsPerBlock_, end = k + 1 < run.blocks.size() ? first + turnsPerBlock_ : run.turns;
     block.turns = end - first;
     block.startSpeed_rad_per_s = between(first);
     block.endSpeed_rad_per_s = between(end);
@@ -209,13 +215,32 @@ void VelocitySweep::dateBlocks() {
   }
 }
 
-void VelocitySweep::endRun(const Sample& sample) {
-  open_.duration_s = sample.time_s - runStart_s_;
-  open_.middle_s = 0.5 * (sample.time_s + runStart_s_);
+/// The open run, of the turns that are complete at this time.
+VelocityRun VelocitySweep::closed(double time_s) const {
+  VelocityRun run = open_;
+  run.duration_s = time_s - runStart_s_;
+  run.middle_s = 0.5 * (time_s + runStart_s_);
   // What is left over after the last whole block goes into it.
-  if (open_.blocks.size() > 2 && open_.turns % turnsPerBlock_ != 0) mergeLastBlock();
-  dateBlocks();
-  runs_.push_back(open_);
+  if (run.blocks.size() > 2 && run.turns % turnsPerBlock_ != 0) {
+    const auto rest = std::move(run.blocks.back());
+    run.blocks.pop_back();
+    for (size_t k = 0; k < rest.bins.size(); ++k) run.blocks.back().bins[k].add(rest.bins[k]);
+  }
+  dateBlocks(run);
+  return run;
+}
+
+/// Now and then: a fast run has many turns a second.
+void VelocitySweep::keepTurns(double time_s) {
+  if (open_.blocks.empty() || time_s - kept_s_ < keepEvery_s) return;
+  kept_s_ = time_s;
+  underWay_ = closed(time_s);
+  underWay_->brokenOff = true;
+}
+
+void VelocitySweep::endRun(const Sample& sample) {
+  runs_.push_back(closed(sample.time_s));
+  underWay_.reset();
   skipDone();
   if (next_ >= 2 * options_.speeds_rad_per_s.size() && options_.zeroing_s <= 0.0) finish();
   enter(options_.zeroing_s > 0.0 ? Stage::zero : Stage::speed, sample);
@@ -224,7 +249,7 @@ void VelocitySweep::endRun(const Sample& sample) {
 TimedProcedure::Progress VelocitySweep::progress() const {
   const double all = 2.0 * static_cast<double>(options_.speeds_rad_per_s.size()), done = static_cast<double>(next_);
   const bool holds = seen_ == Machine::hold;
-  const double running = holds ? std::min(1.0, (now_s_ - runStart_s_) / options_.run_s) : 0.0;
+  const double running = holds ? std::min(1.0, (now_s_ - runStart_s_) / thisRun_s_) : 0.0;
   const double part = done >= all ? 1.0 : (done + running) / all;
   return {part, (1.0 - part) * all * (options_.settle_s + options_.zeroing_s + options_.run_s),
           stage_ == Stage::zero ? zeroingText

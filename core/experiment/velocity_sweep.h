@@ -1,6 +1,7 @@
 // Constant speeds both ways: average Coulomb and viscous friction, and both around the rotor.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "experiment/index_watch.h"
@@ -31,11 +32,14 @@ struct VelocitySweepOptions {
 /// a speed isn't reached or not held, when the index comes elsewhere or not at all, and when the current sensor drifts.
 class VelocitySweep : public TimedProcedure {
  public:
-  /// `earlier` are complete runs of an interrupted sweep; those with the options' speeds and bins are kept and not run
-  /// again.
+  /// `earlier` are runs of an interrupted sweep; those with the options' speeds and bins are kept. Of a speed that was
+  /// broken off only what is left is run.
   explicit VelocitySweep(VelocitySweepOptions options, const std::vector<VelocityRun>& earlier = {});
-  /// The runs that are complete.
+  /// Those that are complete, and those that were broken off before.
   const std::vector<VelocityRun>& runs() const { return runs_; }
+  /// What is complete of the one under way: its whole turns, as if it were broken off now. Nothing before the first,
+  /// and of a run that failed.
+  const VelocityRun* underWay() const { return underWay_ && state() != State::failed ? &*underWay_ : nullptr; }
   /// The sensor's zeros on the way.
   const std::vector<ZeroReading>& zeros() const { return zeroing_.readings(); }
 
@@ -57,9 +61,11 @@ class VelocitySweep : public TimedProcedure {
   void follow(const Sample& sample);
   void beginRun(const Sample& sample);
   void sum(const Sample& sample);
-  void mergeLastBlock();
-  void dateBlocks();
+  void keepTurns(double time_s);
+  VelocityRun closed(double time_s) const;
+  void dateBlocks(VelocityRun& run) const;
   void endRun(const Sample& sample);
+  double left_s() const;
 
   VelocitySweepOptions options_;
   Zeroing zeroing_;
@@ -67,6 +73,9 @@ class VelocitySweep : public TimedProcedure {
   size_t next_ = 0, turnsPerBlock_ = 1;
   std::vector<VelocityRun> runs_;
   VelocityRun open_;
+  std::optional<VelocityRun> underWay_;
+  double kept_s_ = 0.0;     ///< when that was taken
+  double thisRun_s_ = 0.0;  ///< for so long this run goes on
   double stageStart_s_ = 0.0, now_s_ = 0.0, runStart_s_ = 0.0, startAngle_rad_ = 0.0;
   std::vector<double> angles_rad_, currents_A_;  ///< of the last 2·span_ + 1 samples, in a ring
   std::vector<double> turnEnds_s_;

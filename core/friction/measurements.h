@@ -1,6 +1,7 @@
 // What sweeps measure around the rotor, before it becomes a map.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -84,8 +85,12 @@ struct VelocityRun {
   double start_rad = 0.0;   ///< angle from the index at which the first turn began, and all others
   std::vector<AngleBinSums> bins;
   std::vector<RunBlock> blocks;  ///< the same by stretches of whole turns, for the scatter between them
+  bool brokenOff = false;        ///< another run at this speed measures what is left
 
   Way way() const { return target_rad_per_s < 0.0 ? Way::cw : Way::ccw; }
+  bool isAt(double speed_rad_per_s) const {
+    return std::abs(target_rad_per_s - speed_rad_per_s) <= 1e-6 * std::abs(speed_rad_per_s);
+  }
 };
 
 /// Sums over all samples of one way of a linear axis that fell into one bin of its travel; signs as the board gives

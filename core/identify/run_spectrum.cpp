@@ -199,6 +199,14 @@ double beyondLaw(const std::vector<double>& scatter, const NoiseLaw& law, size_t
   return count > 0.0 ? sum / count : 1.0;
 }
 
+void addShare(const Harmonics& part, double share, RunSpectrum& sum) {
+  for (size_t k = 0; k < sum.torque_Nm.size(); ++k) {
+    sum.torque_Nm[k] += share * part.torque_Nm[k];
+    sum.ripple_rad_per_s[k] += share * part.ripple_rad_per_s[k];
+    sum.acceleration_rad_per_s2[k] += share * part.acceleration_rad_per_s2[k];
+  }
+}
+
 size_t samplesOf(const VelocityRun& run) {
   size_t count = 0;
   for (const AngleBinSums& bin : run.bins) count += bin.samples;
@@ -224,33 +232,39 @@ double meanAround(const std::vector<AngleBinSums>& bins, double AngleBinSums::*s
   return harmonicOf(filled(bins, sum), 0).real();
 }
 
-RunSpectrum spectrumOf(const VelocityRun& run, const VelocityFrictionOptions& options) {
-  const size_t highest = std::min(options.highestOrder, run.bins.size() / 3);
-  const auto angles = anglesOf(run.bins.size(), options.disc);
+RunSpectrum spectrumOf(std::span<const VelocityRun> parts, const VelocityFrictionOptions& options) {
+  const VelocityRun& first = parts.front();
+  const size_t highest = std::min(options.highestOrder, first.bins.size() / 3);
+  const auto angles = anglesOf(first.bins.size(), options.disc);
   const Waves waves(angles, highest);
-  const auto bins = freedOf(options.disc, run.bins, angles);
-  const Speeds speeds = filled(bins, &AngleBinSums::velocity_rad_per_s);
-  const RunBlock none;
-  const Stretch whole(static_cast<double>(run.turns), run.blocks.empty() ? none : run.blocks.front(),
-                      run.blocks.empty() ? none : run.blocks.back());
-  RunSpectrum spectrum;
-  spectrum.speed_rad_per_s = std::abs(harmonicOf(covered(bins, &AngleBinSums::velocity_rad_per_s, speeds), 0).real());
-  Harmonics harmonics = harmonicsOf(bins, speeds, waves, whole, run, highest, options);
-  spectrum.torque_Nm = std::move(harmonics.torque_Nm);
-  spectrum.ripple_rad_per_s = std::move(harmonics.ripple_rad_per_s);
-  spectrum.acceleration_rad_per_s2 = std::move(harmonics.acceleration_rad_per_s2);
+  double turns = 0.0;
+  size_t samples = 0;
+  for (const VelocityRun& part : parts) turns += static_cast<double>(part.turns), samples += samplesOf(part);
+  const std::vector<Complex> none(highest + 1, 0.0);
+  RunSpectrum spectrum{0.0, none, none, none, {}};
   std::vector<std::vector<Complex>> blocks;
-  for (const RunBlock& block : run.blocks) {
-    const Stretch stretch(static_cast<double>(block.turns), block, block);
-    blocks.push_back(
-        harmonicsOf(freedOf(options.disc, block.bins, angles), speeds, waves, stretch, run, highest, options)
-            .torque_Nm);
+  for (const VelocityRun& part : parts) {
+    const auto bins = freedOf(options.disc, part.bins, angles);
+    const Speeds speeds = filled(bins, &AngleBinSums::velocity_rad_per_s);
+    const RunBlock nothing;
+    const Stretch whole(static_cast<double>(part.turns), part.blocks.empty() ? nothing : part.blocks.front(),
+                        part.blocks.empty() ? nothing : part.blocks.back());
+    const double share = parts.size() > 1 ? static_cast<double>(part.turns) / turns : 1.0;
+    spectrum.speed_rad_per_s +=
+        share * std::abs(harmonicOf(covered(bins, &AngleBinSums::velocity_rad_per_s, speeds), 0).real());
+    addShare(harmonicsOf(bins, speeds, waves, whole, part, highest, options), share, spectrum);
+    for (const RunBlock& block : part.blocks) {
+      const Stretch stretch(static_cast<double>(block.turns), block, block);
+      blocks.push_back(
+          harmonicsOf(freedOf(options.disc, block.bins, angles), speeds, waves, stretch, part, highest, options)
+              .torque_Nm);
+    }
   }
   const auto between = scatterBetween(blocks, highest + 1);
   const double noise_Nm = options.torqueConstant_Nm_per_A * options.noiseRms_A;
-  const double white = noise_Nm * noise_Nm / static_cast<double>(std::max<size_t>(1, samplesOf(run)));
+  const double white = noise_Nm * noise_Nm / static_cast<double>(std::max<size_t>(1, samples));
   size_t seen = 0;
-  while (seen < highest && static_cast<double>(seen + 1) * spectrum.speed_rad_per_s * run.halfSpan_s < mostPhase)
+  while (seen < highest && static_cast<double>(seen + 1) * spectrum.speed_rad_per_s * first.halfSpan_s < mostPhase)
     ++seen;
   const NoiseLaw law = noiseLaw(between, seen, 2.0 * white);
   spectrum.variance_Nm2.push_back(std::max(white, between[0]) + 1e-24);
@@ -259,6 +273,21 @@ RunSpectrum spectrumOf(const VelocityRun& run, const VelocityFrictionOptions& op
     spectrum.variance_Nm2.push_back(k <= seen ? variance + 1e-24 : std::numeric_limits<double>::infinity());
   }
   return spectrum;
+}
+
+std::vector<std::vector<VelocityRun>> bySpeed(const std::vector<VelocityRun>& runs) {
+  std::vector<std::vector<VelocityRun>> speeds;
+  for (const VelocityRun& run : runs) {
+    const auto begun = std::find_if(speeds.begin(), speeds.end(), [&run](const std::vector<VelocityRun>& parts) {
+      return parts.front().brokenOff && parts.front().isAt(run.target_rad_per_s);
+    });
+    if (begun != speeds.end()) {
+      begun->push_back(run);
+    } else {
+      speeds.push_back({run});
+    }
+  }
+  return speeds;
 }
 
 }  // namespace breakaway

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <complex>
+#include <span>
 #include <vector>
 
 #include "friction/measurements.h"
@@ -19,8 +20,12 @@ struct RunSpectrum {
 };
 
 /// Kt·i_k − J·(½ω²)'_k from the bin means of current and speed. The variances are the scatter between the run's blocks
-/// of whole turns, averaged over neighbouring orders, and at least what the sensor's noise leaves.
-RunSpectrum spectrumOf(const VelocityRun& run, const VelocityFrictionOptions& options);
+/// of whole turns, averaged over neighbouring orders, and at least what the sensor's noise leaves. `parts`: at one
+/// speed, each counts by its turns; the blocks of all of them scatter around their common mean.
+RunSpectrum spectrumOf(std::span<const VelocityRun> parts, const VelocityFrictionOptions& options);
+
+/// The runs at each speed: what was broken off, and what went on with it.
+std::vector<std::vector<VelocityRun>> bySpeed(const std::vector<VelocityRun>& runs);
 
 /// Mean over the turn of the bin means of `sum`; an empty bin takes the mean of its filled neighbours.
 double meanAround(const std::vector<AngleBinSums>& bins, double AngleBinSums::*sum);

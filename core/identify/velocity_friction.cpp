@@ -151,14 +151,15 @@ Result<std::array<MovingFriction, 2>> fitMovingFriction(const std::vector<Veloci
 
 std::vector<double> movingCurrent_A(const std::vector<VelocityRun>& runs, Way way,
                                     const VelocityFrictionOptions& options) {
-  const VelocityRun* slowest = nullptr;
-  for (const VelocityRun& run : runs) {
-    if (run.way() != way) continue;
-    if (slowest == nullptr || std::abs(run.target_rad_per_s) < std::abs(slowest->target_rad_per_s)) slowest = &run;
+  std::vector<VelocityRun> slowest;
+  for (auto& parts : bySpeed(runs)) {
+    if (parts.front().way() != way) continue;
+    if (slowest.empty() || std::abs(parts[0].target_rad_per_s) < std::abs(slowest[0].target_rad_per_s))
+      slowest = std::move(parts);
   }
-  if (slowest == nullptr) return {};
-  const RunSpectrum spectrum = spectrumOf(*slowest, options);
-  std::vector<Estimate> bins(slowest->bins.size());
+  if (slowest.empty()) return {};
+  const RunSpectrum spectrum = spectrumOf(slowest, options);
+  std::vector<Estimate> bins(slowest[0].bins.size());
   for (size_t k = 0; k < spectrum.torque_Nm.size(); ++k) {
     const double variance = spectrum.variance_Nm2[k];
     const bool blurred = variance > options.mostError * options.mostError * std::norm(spectrum.torque_Nm[0]);

@@ -70,7 +70,8 @@ HarmonicPrior coulombPrior(Complex mean) {
 
 Result<std::array<WayRuns, 2>> wayRunsOf(const std::vector<VelocityRun>& runs, const VelocityFrictionOptions& options) {
   std::array<WayRuns, 2> ways;
-  for (const VelocityRun& run : runs) ways[static_cast<size_t>(run.way())].spectra.push_back(spectrumOf(run, options));
+  for (const auto& parts : bySpeed(runs))
+    ways[static_cast<size_t>(parts.front().way())].spectra.push_back(spectrumOf(parts, options));
   for (size_t w = 0; w < 2; ++w) {
     WayRuns& way = ways[w];
     if (way.spectra.size() < 2) {

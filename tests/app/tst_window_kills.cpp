@@ -25,6 +25,7 @@ class TestWindowKills : public QObject {
   void killedWindow_losesLessThanASecond_data();
   void killedWindow_losesLessThanASecond();
   void killedSweep_goesOnInTheNextWindow();
+  void killedInASpeed_losesLessThanASecondOfIt();
 };
 
 namespace {
@@ -51,6 +52,27 @@ void saveForEver(Desk& desk, const QString& folder) {
   }
 }
 
+/// Two maps of the project, of which one is put in each time, as words and as report.
+int compareForEver(Desk& desk, const QString& folder) {
+  ProjectRuns& runs = desk.session.runs;
+  desk.window.showPage("runsPage");
+  for (unsigned k = 1;; ++k) {
+    NewRun run;
+    run.write = [k](const std::string& into) { return exportMap(noisyMap(0.02, k), "json", into + "/map.json"); };
+    const size_t before = runs.all();
+    desk.session.project.put(run, "A map");
+    if (!QTest::qWaitFor([&] { return runs.all() > before; }, patience_ms)) return 1;
+    if (runs.runs().size() < 2) continue;
+    bool compared = false;
+    runs.compare(runs.runs()[0].id, runs.runs()[1].id, [&](const RunComparison& comparison) {
+      runs.writeReport(comparison, folder + "/../compared");
+      compared = true;
+    });
+    if (!QTest::qWaitFor([&] { return compared; }, patience_ms)) return 1;
+    if (k == 2) begun();
+  }
+}
+
 /// The next window after one that was killed in its sweep: says what it took up, goes on, and says how it ended.
 int goOn(const QString& folder) {
   Desk desk;
@@ -68,6 +90,17 @@ int goOn(const QString& folder) {
   return QTest::qWaitFor([&] { return QDir(folder + "/unfinished").isEmpty(); }, 20'000) ? 0 : 1;
 }
 
+/// How many turns of which run were measured when, for ever.
+void sayTurns(const BenchRuns& bench) {
+  for (;;) {
+    QTest::qWait(20);
+    const auto& runs = bench.known().runs;
+    if (runs.empty()) continue;
+    std::printf("%zu %.3f\n", runs.size(), runs.back().duration_s);
+    std::fflush(stdout);
+  }
+}
+
 int work(const QString& what, const QString& folder) {
   if (what == "going on") return goOn(folder);
   const bool sweeping = what.startsWith("sweeping");
@@ -76,9 +109,16 @@ int work(const QString& what, const QString& folder) {
   if (sweeping) {
     if (!desk.connected()) return 1;
     desk.quickSpeeds();
+    if (what == "sweeping at real pace") named<QDoubleSpinBox>(desk.window, "speedDuration")->setValue(30.0);
     desk.sweep(36, 1);
     if (!QTest::qWaitFor([&] { return desk.session.connection.run().running(); }, 5000)) return 1;
     begun();
+    if (what == "sweeping at real pace") {
+      if (!QTest::qWaitFor([&] { return desk.session.bench.known().knows(Known::index); }, patience_ms)) return 1;
+      desk.session.connection.setPace(1.0);
+      QTest::qWait(500);  // until the board's thread has heard of it
+      sayTurns(desk.session.bench);
+    }
     // A busy machine must not miss the whole of it.
     const bool slow = what == "sweeping slowly" &&
                       QTest::qWaitFor([&] { return desk.session.bench.known().knows(Known::runs); }, patience_ms);
@@ -88,6 +128,7 @@ int work(const QString& what, const QString& folder) {
   }
   desk.session.connection.adopt(std::make_unique<StreamingDrive>(rate_Hz), "streaming");
   if (what == "saving") saveForEver(desk, folder);
+  if (what == "comparing") return compareForEver(desk, folder);
   desk.window.showLive(true);
   press(desk.window, "recordButton");
   if (!QTest::qWaitFor([&] { return desk.session.connection.link().recorded_s > 0.0; }, 5000)) return 1;
@@ -158,6 +199,42 @@ void TestWindowKills::killedSweep_goesOnInTheNextWindow() {
   const auto maps = project->index().list({.kind = "commission"});
   VERIFY_OK(maps);
   QCOMPARE(maps->size(), size_t{1});
+}
+
+/// The last that the window showed of a speed is nearly all there, and the next window begins with it.
+void TestWindowKills::killedInASpeed_losesLessThanASecondOfIt() {
+  const QTemporaryDir place;
+  const QString folder = place.filePath("p");
+  QProcess killed;
+  auto environment = QProcessEnvironment::systemEnvironment();
+  environment.insert("QT_QPA_PLATFORM", "offscreen");
+  killed.setProcessEnvironment(environment);
+  killed.start(QCoreApplication::applicationFilePath(), {"--at-work", "sweeping at real pace", folder});
+  QVERIFY(killed.waitForStarted());
+  QByteArray said;
+  const auto last = [&said] { return said.trimmed().split('\n').last().split(' '); };
+  double first_s = -1.0;
+  const bool far = QTest::qWaitFor(
+      [&] {
+        killed.waitForReadyRead(10);
+        said += killed.readAllStandardOutput();
+        if (!said.endsWith('\n') || last().size() != 2 || last()[0] == "at") return false;
+        const double now_s = last()[1].toDouble();
+        if (first_s < 0.0) first_s = now_s;
+        return now_s > first_s + 1.2;
+      },
+      patience_ms);
+  killed.kill();
+  QVERIFY(killed.waitForFinished());
+  said += killed.readAllStandardOutput();
+  QVERIFY2(far, said.constData());
+  const QStringList jobs = QDir(folder + "/unfinished").entryList(QDir::Dirs | QDir::NoDotAndDotDot);
+  QCOMPARE(jobs.size(), 1);
+  const auto kept = readProgress((folder + "/unfinished/" + jobs[0]).toStdString());
+  VERIFY_OK(kept);
+  QCOMPARE(kept->runs.size(), last()[0].toULong());
+  const double lost_s = last()[1].toDouble() - kept->runs.back().duration_s;
+  QVERIFY2(lost_s < 1.0, qPrintable(QString("%1 s of\n%2").arg(lost_s).arg(QString(said))));
 }
 
 int main(int argc, char** argv) {

@@ -1,4 +1,4 @@
-// What kills of the window leave of its project: while it records, sweeps, and saves.
+// What kills of the window leave of its project: while it records, sweeps, saves, and compares.
 #pragma once
 
 #include <QString>
@@ -9,7 +9,7 @@
 namespace breakaway::test {
 
 /// What the window is at when it is killed, as the program that is killed takes it.
-inline constexpr const char* windowWorks[] = {"recording", "sweeping", "saving"};
+inline constexpr const char* windowWorks[] = {"recording", "sweeping", "saving", "comparing"};
 
 /// Starts `program --at-work WORK FOLDER`, which drives the real window, and kills it at random moments, always on the
 /// same project.

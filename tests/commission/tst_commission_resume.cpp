@@ -1,9 +1,14 @@
 // A commissioning that is interrupted keeps what it has, and goes on from there.
 #include <signal.h>
 
+#include <QDateTime>
+#include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QTest>
+#include <algorithm>
 
+#include "base/numbers.h"
 #include "commission/commission.h"
 #include "commission/commission_progress.h"
 #include "firmware_link/simulated_board.h"
@@ -24,6 +29,7 @@ class TestCommissionResume : public QObject {
   void soundRigs_areNeverInterrupted_data();
   void soundRigs_areNeverInterrupted();
   void progress_readsBackAsItWas();
+  void brokenOffRun_growsUntilItIsComplete();
   void damagedProgress_isNamed();
   void lostLink_keepsWhatItHasAndGoesOn_data();
   void lostLink_keepsWhatItHasAndGoesOn();
@@ -32,6 +38,7 @@ class TestCommissionResume : public QObject {
   void otherBins_areRefused();
   void resumingNothing_isWrongInput();
   void theCommand_goesOnWhereItWasCut();
+  void killedCommand_keepsTheTurnsOfTheSpeedUnderWay();
   void controlC_endsTheCommandInOrder();
 };
 
@@ -114,6 +121,7 @@ void TestCommissionResume::progress_readsBackAsItWas() {
   VelocityRun run{-10.0 / 3.0, 2, 4.5, 7.5, 0.05, 0.01, 0.3, {{3, 0.1, 0.2, -3.0, 9.1}, {0, 0.0, 0.0, 0.0, 0.0}}, {}};
   run.blocks.assign(2, RunBlock{1, 0.1, 0.2, 0.3, 0.4, run.bins});
   progress.runs = {run, run};
+  progress.runs.front().brokenOff = true;
   TravelRun strokes{0.1, 25.0, 40.0, -0.02, 0.003, {}};
   for (auto& way : strokes.bins) way = {{1200, -3.5, 1.0 / 7.0, 2.0}, {0, 0.0, 0.0, 0.0}};
   progress.strokes = {strokes};
@@ -138,6 +146,7 @@ void TestCommissionResume::progress_readsBackAsItWas() {
   QVERIFY(back->motor.torqueConstantTrusted);
   QCOMPARE(back->expected_A, progress.expected_A);
   QCOMPARE(back->runs.size(), size_t{2});
+  QVERIFY(back->runs[0].brokenOff && !back->runs[1].brokenOff);
   QCOMPARE(back->runs[1].target_rad_per_s, run.target_rad_per_s);
   QCOMPARE(back->runs[1].blocks[1].bins[0].velocitySquared, 9.1);
   QVERIFY(back->runs[1].zero_A == 0.05 && back->runs[1].start_rad == 0.3 && back->runs[1].middle_s == 7.5);
@@ -154,6 +163,31 @@ void TestCommissionResume::progress_readsBackAsItWas() {
   QCOMPARE(back->strokes[0].bins[1].size(), size_t{2});
   QCOMPARE(back->strokes[0].bins[1][0].velocity_m_per_s, 1.0 / 7.0);
   QVERIFY(back->travel && back->travel->margin_m == 1.0 / 90.0);
+}
+
+void TestCommissionResume::brokenOffRun_growsUntilItIsComplete() {
+  test::TemporaryFolder folder;
+  Commission progress = begunOn("a board", bins);
+  VelocityRun run{10.0, 2, 1.5, 0.75, 0.05, 0.01, 0.3, {{3, 0.1, 0.2, -3.0, 9.1}}, {}, true};
+  progress.runs = {run};
+  const auto back = [&folder] { return readProgress(folder.path("out"))->runs; };
+  const std::string begun = folder.path("out/progress/run-01-broken-off.json");
+  for (const size_t turns : {2, 5}) {
+    progress.runs.back().turns = turns;
+    VERIFY_OK(writeProgress(progress, folder.path("out")));
+    QCOMPARE(back().size(), size_t{1});
+    QVERIFY(back()[0].brokenOff && back()[0].turns == turns);
+  }
+  progress.runs.back().brokenOff = false;
+  VERIFY_OK(writeProgress(progress, folder.path("out")));
+  QVERIFY(back().size() == 1 && !back()[0].brokenOff && !QFile::exists(QString::fromStdString(begun)));
+  progress.runs.push_back(run);
+  VERIFY_OK(writeProgress(progress, folder.path("out")));
+  QVERIFY(back().size() == 2 && back()[1].brokenOff);
+  progress.runs.pop_back();  // thrown away: the shaft was held
+  VERIFY_OK(writeProgress(progress, folder.path("out")));
+  QCOMPARE(back().size(), size_t{1});
+  QVERIFY(QDir(QString::fromStdString(folder.path("out/progress"))).entryList({"*broken*"}).isEmpty());
 }
 
 void TestCommissionResume::damagedProgress_isNamed() {
@@ -208,13 +242,28 @@ void TestCommissionResume::lostLink_keepsWhatItHasAndGoesOn() {
   QCOMPARE(!kept->breakaways.empty(), hasEvents);
   const size_t runs = kept->runs.size(), events = kept->breakaways.size();
   QVERIFY2(!hasRuns || hasEvents || runs < 12, "lost in the middle of the sweep");
+  const auto brokenOff = [](const Commission& known) {
+    return static_cast<size_t>(
+        std::count_if(known.runs.begin(), known.runs.end(), [](const VelocityRun& run) { return run.brokenOff; }));
+  };
+  const bool inASpeed = hasRuns && !hasEvents;
+  QCOMPARE(brokenOff(*kept), size_t{inASpeed ? 1u : 0u});
 
   const std::string sound = rigFile(folder, "sound", "");
   CommissionOptions options = quick(folder);
   options.earlier = *kept;
   const auto done = commissioned(sound, options);
   VERIFY_OK(done);
-  QCOMPARE(done->runs.size(), size_t{12});
+  QCOMPARE(done->runs.size(), 12 + brokenOff(*done));
+  QCOMPARE(brokenOff(*done), brokenOff(*kept));
+  if (inASpeed) {  // only what was left of it was run
+    const VelocityRun &before = kept->runs.back(), &after = done->runs[kept->runs.size()];
+    QVERIFY(after.isAt(before.target_rad_per_s) && !after.brokenOff && before.turns > 0);
+    const double longest_s = std::max(options.sweeps.speedRun_s - before.duration_s, 0.1 * options.sweeps.speedRun_s) +
+                             2.5 * turn_rad / std::abs(before.target_rad_per_s);
+    QVERIFY2(after.duration_s < longest_s, qPrintable(QString::number(after.duration_s)));
+    QVERIFY(before.duration_s + after.duration_s >= options.sweeps.speedRun_s);
+  }
   QCOMPARE(done->events.size() + done->missed, 4 * bins);
   if (hasRuns) QCOMPARE(done->runs.front().bins.front().current_A, kept->runs.front().bins.front().current_A);
   if (hasEvents) QCOMPARE(done->events.front().angle_rad, kept->breakaways.front().angle_rad);
@@ -285,6 +334,34 @@ void TestCommissionResume::theCommand_goesOnWhereItWasCut() {
   QVERIFY(QFile::exists(out + "/map.json") && QFile::exists(out + "/recordings/02-winding.csv"));
   QVERIFY(QFile::exists(out + "/recordings/05-velocity-sweep-part2.csv"));
   QVERIFY(!QFile::exists(out + "/progress"));
+}
+
+/// Killed at once after it was seen to write, it may not have written for half a second and what that takes.
+void TestCommissionResume::killedCommand_keepsTheTurnsOfTheSpeedUnderWay() {
+  test::TemporaryFolder folder;
+  const QString out = QString::fromStdString(folder.path("out"));
+  QProcess process;
+  process.start(test::builtProgram("breakaway"),
+                {"commission", "--bins", "36", "--turns", "1", "--run-s", "60", "--out", out});
+  QVERIFY(process.waitForStarted());
+  const auto begun = [&out] { return QDir(out + "/progress").entryList({"run-*-broken-off.json"}); };
+  for (int k = 0; k < 6000 && begun().isEmpty(); ++k) QTest::qSleep(10);
+  QVERIFY(!begun().isEmpty());
+  const QDateTime written = QFileInfo(out + "/progress/state.json").lastModified();
+  bool writtenAgain = false;
+  for (int k = 0; k < 200 && !writtenAgain; ++k) {
+    QTest::qSleep(5);
+    writtenAgain = QFileInfo(out + "/progress/state.json").lastModified() > written;
+  }
+  QVERIFY2(writtenAgain, "within a second");
+  process.kill();
+  QVERIFY(process.waitForFinished(30000));
+  const auto kept = readProgress(folder.path("out"));
+  VERIFY_OK(kept);
+  QVERIFY(!kept->runs.empty());
+  const auto done = test::run(test::builtProgram("breakaway"), {"commission", "--resume", "--out", out});
+  QVERIFY2(done.status == 0, qPrintable(done.err));
+  QVERIFY2(done.out.contains("went on: part 2"), qPrintable(done.out));
 }
 
 void TestCommissionResume::controlC_endsTheCommandInOrder() {

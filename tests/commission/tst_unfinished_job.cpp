@@ -5,6 +5,8 @@
 #include <memory>
 #include <vector>
 
+#include "commission/commission_progress.h"
+#include "commission/progress_writer.h"
 #include "commission/unfinished_job.h"
 #include "support/temporary.h"
 
@@ -19,6 +21,10 @@ class TestUnfinishedJob : public QObject {
   void whatIsHeld_isNotFound();
   void damagedOne_isPassedOver();
   void whatIsComplete_isGone();
+  void brokenOffSpeed_growsInItsFolder();
+  void allOfThem_areListed();
+  void writer_hasTheLastInTheEnd();
+  void writer_saysWhatFailed();
 };
 
 namespace {
@@ -116,6 +122,77 @@ void TestUnfinishedJob::whatIsComplete_isGone() {
   QVERIFY(isUnfinished(complete));
   complete.facts.add({Known::map});
   QVERIFY(!isUnfinished(complete) && !isUnfinished({}));
+}
+
+void TestUnfinishedJob::brokenOffSpeed_growsInItsFolder() {
+  const test::TemporaryFolder folder;
+  const std::string place = folder.path("unfinished");
+  Commission known = swept(0);
+  VelocityRun run{10.0, 2, 1.5, 0.75, 0.0, 0.01, 0.0, {{3, 0.1, 0.2, -3.0, 9.1}}, {}, true};
+  std::vector<std::string> before;
+  {
+    UnfinishedJob job(place);
+    for (const double duration_s : {1.5, 2.5, 25.0}) {
+      run.duration_s = duration_s;
+      run.middle_s = 0.5 * duration_s;
+      run.brokenOff = duration_s < 25.0;
+      known.runs = {run};
+      VERIFY_OK(job.keep(known));
+      if (before.empty()) before = jobsIn(place);
+      QCOMPARE(jobsIn(place), before);
+      const auto kept = unfinishedIn(place);
+      QVERIFY(kept.size() == 1 && kept[0].known.ok() && kept[0].known->runs.size() == 1);
+      QCOMPARE(kept[0].known->runs[0].duration_s, duration_s);
+    }
+  }
+  const auto found = UnfinishedJob::find(place, "board");
+  QVERIFY(found && found->known().runs.size() == 1 && !found->known().runs[0].brokenOff);
+}
+
+void TestUnfinishedJob::allOfThem_areListed() {
+  const test::TemporaryFolder folder;
+  const std::string place = folder.path("unfinished");
+  QVERIFY(unfinishedIn(place).empty());
+  Commission other = swept(1);
+  other.identity.device = "another board";
+  VERIFY_OK(UnfinishedJob(place).keep(other));
+  UnfinishedJob job(place);
+  VERIFY_OK(job.keep(swept(7)));
+  const auto all = unfinishedIn(place);
+  QCOMPARE(all.size(), size_t{2});
+  for (const UnfinishedEntry& one : all) {
+    VERIFY_OK(one.known);
+    QCOMPARE(one.held, one.known->identity.device == "board");
+    QVERIFY(QDateTime::fromString(QString::fromStdString(one.at), Qt::ISODate).isValid());
+  }
+  QCOMPARE(howFar(swept(7)), std::string("0 speeds and 7 of 144 breakaways"));
+  other.runs.resize(1);
+  QCOMPARE(howFar(other), std::string("1 speed and 1 of 144 breakaways"));
+}
+
+void TestUnfinishedJob::writer_hasTheLastInTheEnd() {
+  const test::TemporaryFolder folder;
+  ProgressWriter writer(folder.path("out"));
+  QVERIFY(!writer.wrote());
+  for (size_t k = 1; k <= 40; ++k) VERIFY_OK(writer.keep(swept(100 * k)));
+  VERIFY_OK(writer.finish());
+  const auto kept = readProgress(folder.path("out"));
+  VERIFY_OK(kept);
+  QVERIFY(writer.wrote() && kept->breakaways.size() == 4000);
+}
+
+void TestUnfinishedJob::writer_saysWhatFailed() {
+  const test::TemporaryFolder folder;
+  folder.write("out", "a file, where a folder is to be made");
+  ProgressWriter writer(folder.path("out"));
+  VERIFY_OK(writer.keep(swept(3)));
+  QVERIFY(!writer.finish());
+  bool failed = false;
+  for (int k = 0; k < 2000 && !failed; ++k) {
+    failed = !writer.keep(swept(3));
+    QTest::qSleep(1);
+  }
+  QVERIFY(failed);
 }
 
 QTEST_APPLESS_MAIN(TestUnfinishedJob)

@@ -1,4 +1,4 @@
-// What README and manual print to be typed works as it is printed.
+// What README and manual print to be typed works as it is printed, and says what they print below it.
 #include <matio.h>
 
 #include <QDir>
@@ -6,11 +6,14 @@
 #include <QProcess>
 #include <QRegularExpression>
 #include <QTest>
+#include <algorithm>
+#include <iterator>
 #include <memory>
 
 #include "base/atomic_file.h"
 #include "house/program.h"
 #include "recording/csv.h"
+#include "support/printed_output.h"
 #include "support/sanitized.h"
 #include "support/temporary.h"
 
@@ -23,7 +26,10 @@ class TestPrintedCommands : public QObject {
   void initTestCase();
   void page_data();
   void page();
+  void printedOutput_isOfACommandThatIsRun();
   void plantedCommand_fails();
+  void plantedOutput_fails_data();
+  void plantedOutput_fails();
   void cleanupTestCase();
 
  private:
@@ -41,19 +47,6 @@ static QString inSource(const QString& path) {
 
 static QString contentOf(const QString& file) {
   return QString::fromStdString(*breakaway::readFile(inSource(file).toStdString()));
-}
-
-/// The lines of a page's blocks that call the program, without what they say of themselves.
-static QStringList commandsOf(const QString& page) {
-  QStringList commands;
-  const QStringList parts = page.split("\n```");
-  for (qsizetype k = 1; k < parts.size(); k += 2) {
-    for (QString line : parts[k].split('\n')) {
-      line = line.section(" #", 0, 0).trimmed();
-      if (line.startsWith("breakaway ")) commands << line;
-    }
-  }
-  return commands;
 }
 
 /// A log as a lab keeps it: each signal a variable.
@@ -90,6 +83,8 @@ void TestPrintedCommands::initTestCase() {
     QVERIFY(QFile::copy(inSource("resources/examples/example.csv"), folder + "/" + recording));
   const auto example = breakaway::readCsv(inSource("resources/examples/example.csv").toStdString());
   VERIFY_OK(example);
+  for (const char* end : {".csv", ".bench.json"})
+    QVERIFY(QFile::copy(inSource("tests/data/scale/angle_times_four") + end, folder + "/march" + end));
   writeMat(*example, files_.path("begin/log.mat"));
   files_.write("begin/list.jsonl", R"({"id": "one", "bench":"rig.bench.json","recordings":["r.csv"]})"
                                    "\n");
@@ -121,15 +116,29 @@ void TestPrintedCommands::initTestCase() {
   earlierRun_ = lines[1].section(' ', 0, 0);
 }
 
+struct Page {
+  const char* file;
+  int atLeast;  ///< commands
+};
+
+constexpr Page pages[] = {{"README.md", 18},
+                          {"resources/help/tutorial.md", 7},
+                          {"resources/help/index.md", 1},
+                          {"resources/help/commands.md", 8},
+                          {"resources/help/connect.md", 3},
+                          {"resources/help/diagnosis.md", 1},
+                          {"resources/help/simulators.md", 4}};
+
 void TestPrintedCommands::page_data() {
   QTest::addColumn<QString>("file");
   QTest::addColumn<int>("atLeast");
-  QTest::newRow("README") << "README.md" << 18;
-  QTest::newRow("tutorial") << "resources/help/tutorial.md" << 7;
-  QTest::newRow("first page") << "resources/help/index.md" << 1;
-  QTest::newRow("commands") << "resources/help/commands.md" << 8;
-  QTest::newRow("connect") << "resources/help/connect.md" << 3;
-  QTest::newRow("simulators") << "resources/help/simulators.md" << 4;
+  for (const Page& page : pages) QTest::newRow(page.file) << page.file << page.atLeast;
+}
+
+/// The folder that the pages begin in has outputs already.
+static QString withoutEarlier(const QString& said) {
+  const QString first = said.section('\n', 0, 0);
+  return first.endsWith(": what an earlier run left there is replaced") ? said.section('\n', 1) : said;
 }
 
 void TestPrintedCommands::page() {
@@ -137,20 +146,67 @@ void TestPrintedCommands::page() {
   QFETCH(int, atLeast);
   const QString folder = QString::fromStdString(files_.path(QFileInfo(file).baseName().toStdString()));
   QCOMPARE(run("cp", {"-r", QString::fromStdString(files_.path("begin")), folder}).status, 0);
-  const QStringList commands = commandsOf(contentOf(file));
-  QVERIFY2(commands.size() >= atLeast, qPrintable(QString::number(commands.size())));
-  for (const QString& line : commands) {
+  const auto commands = commandsOf(contentOf(file));
+  QVERIFY2(commands.size() >= static_cast<size_t>(atLeast), qPrintable(QString::number(commands.size())));
+  QStringList wrong;  // all of them at once: a run takes long
+  for (const auto& [line, output] : commands) {
     const Outcome done = typed(line, folder);
-    QVERIFY2(done.status == 0, qPrintable(line + ": " + done.err));
+    if (done.status != 0) wrong << line + ": " + done.err;
+    const QString fault = output.isEmpty() ? QString() : notSaid(output, withoutEarlier(done.out));
+    if (!fault.isEmpty()) wrong << line + "\n" + fault;
+  }
+  QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join('\n')));
+}
+
+/// On every page, so that no output stands below what nobody runs.
+void TestPrintedCommands::printedOutput_isOfACommandThatIsRun() {
+  for (const QString& name : QDir(inSource("resources/help")).entryList({"*.md"})) {
+    const QString page = "resources/help/" + name, text = contentOf(page);
+    if (text.count("\n```output\n") == 0) continue;
+    QVERIFY2(std::any_of(std::begin(pages), std::end(pages), [&](const Page& one) { return page == one.file; }),
+             qPrintable(page));
+    const auto commands = commandsOf(text);
+    QCOMPARE(std::count_if(commands.begin(), commands.end(), [](const auto& one) { return !one.output.isEmpty(); }),
+             text.count("\n```output\n"));
   }
 }
 
 void TestPrintedCommands::plantedCommand_fails() {
-  const QStringList commands = commandsOf(
+  const auto commands = commandsOf(
       "text\n```\nbreakaway export --model d/model.json --as nothing --out x # says\n"
-      "```\nbreakaway isn't one\n```\nbreakaway exports\n```\n");
-  QCOMPARE(commands, (QStringList{"breakaway export --model d/model.json --as nothing --out x", "breakaway exports"}));
-  for (const QString& line : commands) QCOMPARE(typed(line, QString::fromStdString(files_.path("begin"))).status, 2);
+      "```\nbreakaway isn't one\n```output\nno form\n```\n```\nbreakaway exports\n```\n");
+  QCOMPARE(commands.size(), size_t{2});
+  QCOMPARE(commands[0].line, QString("breakaway export --model d/model.json --as nothing --out x"));
+  QCOMPARE(commands[0].output, QStringList{"no form"});
+  QVERIFY(commands[1].line == "breakaway exports" && commands[1].output.isEmpty());
+  for (const auto& one : commands) QCOMPARE(typed(one.line, QString::fromStdString(files_.path("begin"))).status, 2);
+}
+
+void TestPrintedCommands::plantedOutput_fails_data() {
+  QTest::addColumn<QString>("printed");
+  QTest::addColumn<bool>("good");
+  QTest::newRow("as it is") << "The gain is 1.142 A, by 3.83 ms.\nkp = 12  [11, 13]\nReport: d/report.html" << true;
+  QTest::newRow("a figure that moved") << "The gain is 1.15 A, by 3.8 ms.\nkp = 12 [11, 13]\nReport: d/report.html"
+                                       << true;
+  QTest::newRow("left out in the line") << "The gain … ms.\nkp = 12 [11, 13]\nReport: d/report.html" << true;
+  QTest::newRow("lines left out") << "The gain is 1.142 A, by 3.83 ms.\n…\nReport: d/report.html" << true;
+  QTest::newRow("the rest left out") << "The gain is 1.142 A, by 3.83 ms.\n…" << true;
+  QTest::newRow("another word") << "The gains is 1.142 A, by 3.83 ms.\n…" << false;
+  QTest::newRow("another unit") << "The gain is 1.142 A, by 3.83 s.\n…" << false;
+  QTest::newRow("far off") << "The gain is 1.25 A, by 3.83 ms.\n…" << false;
+  QTest::newRow("another count") << "…\nkp = 13 [11, 13]\n…" << false;
+  QTest::newRow("another sign") << "The gain is -1.142 A, by 3.83 ms.\n…" << false;
+  QTest::newRow("another name") << "…\nki = 12 [11, 13]\nReport: d/report.html" << false;
+  QTest::newRow("a line too few") << "The gain is 1.142 A, by 3.83 ms.\nReport: d/report.html" << false;
+  QTest::newRow("a line too many") << "…\nReport: d/report.html\nDone" << false;
+  QTest::newRow("without the end") << "The gain is 1.142 A, by 3.83 ms.\nkp = 12 [11, 13]" << false;
+}
+
+void TestPrintedCommands::plantedOutput_fails() {
+  QFETCH(QString, printed);
+  QFETCH(bool, good);
+  const QString said = "The gain is 1.142 A, by 3.83 ms.\n    kp = 12  [11, 13]\nReport: d/report.html\n";
+  QCOMPARE(notSaid(printed.split('\n'), said).isEmpty(), good);
 }
 
 void TestPrintedCommands::cleanupTestCase() {

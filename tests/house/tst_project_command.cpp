@@ -4,12 +4,15 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "commission/unfinished_job.h"
 #include "house/program.h"
 #include "house/pushed_mass.h"
 
+using namespace breakaway;
 using namespace breakaway::test;
 
 class TestProjectCommand : public QObject {
@@ -23,6 +26,7 @@ class TestProjectCommand : public QObject {
   void note_namesARun();
   void wrongWords_areOneLine();
   void noProject_isRefusedBeforeTheWork();
+  void unfinishedSweeps_areNamed();
 
  private:
   Outcome breakaway(const QStringList& words) const { return run(builtProgram("breakaway"), words, place_.path()); }
@@ -147,6 +151,42 @@ void TestProjectCommand::noProject_isRefusedBeforeTheWork() {
   QCOMPARE(tuned.status, 2);
   QVERIFY2(tuned.err.contains("r.csv: is a file"), qPrintable(tuned.err));
   QVERIFY(!QDir(place_.filePath("never")).exists());
+}
+
+void TestProjectCommand::unfinishedSweeps_areNamed() {
+  QVERIFY(breakaway({"project", "add", "u", "r.csv"}).status == 0);
+  QVERIFY(!breakaway({"project", "list", "u"}).out.contains("unfinished"));
+  QVERIFY(json({"project", "list", "u"})["unfinished"].isArray());
+  Commission known;
+  known.identity.device = "a board";
+  known.sweeps.bins = 90;
+  known.runs.resize(3, VelocityRun{10.0, 2, 1.5, 0.75, 0.0, 0.01, 0.0, {{3, 0.1, 0.2, -3.0, 9.1}}, {}, false});
+  known.runs.back().brokenOff = true;
+  known.breakaways.resize(12);
+  UnfinishedJob job(unfinishedPlace(place_.filePath("u").toStdString()));
+  QVERIFY(job.keep(known).ok());
+  const QString words =
+      "commission      a board: 3 speeds, 1 of them broken off, and 12 of 360 breakaways; under way\n";
+  for (const char* action : {"list", "check"}) {
+    const QString said = breakaway({"project", action, "u"}).out;
+    QVERIFY2(said.contains(QRegularExpression("^unfinished  20\\d\\d-\\d\\d-\\d\\dT[\\d:]{8}Z  " + words,
+                                              QRegularExpression::MultilineOption)),
+             qPrintable(said));
+    const QJsonArray all = json({"project", action, "u"})["unfinished"].toArray();
+    QCOMPARE(all.size(), 1);
+    QCOMPARE(all[0]["speeds_broken_off"].toInt(), 1);
+    QCOMPARE(all[0]["breakaways_asked"].toInt(), 360);
+    QVERIFY(all[0]["under_way"].toBool() && all[0]["device"] == "a board");
+  }
+  QVERIFY(json({"project", "list", "u", "--device", "another"})["unfinished"].toArray().isEmpty());
+  QVERIFY(json({"project", "show", "u", "last"})["unfinished"].toArray().isEmpty());  // no board's
+  QVERIFY(breakaway({"project", "check", "u"}).out.contains("all as they should be"));
+  const QString folder = json({"project", "list", "u"})["unfinished"][0]["folder"].toString();
+  QVERIFY(QFile::resize(place_.filePath(folder) + "/progress/breakaways.json", 20));
+  const Outcome damaged = breakaway({"project", "check", "u"});
+  QVERIFY2(damaged.out.contains("breakaways.json") && damaged.out.contains("1 faults"), qPrintable(damaged.out));
+  job.remove();
+  QVERIFY(!breakaway({"project", "list", "u"}).out.contains("unfinished"));
 }
 
 QTEST_GUILESS_MAIN(TestProjectCommand)

@@ -14,6 +14,7 @@ class TestVelocityFriction : public QObject {
   void harmonicsOfBoth_areFoundThroughTheRipple();
   void noiseAlone_leavesFlatFriction();
   void stribeckSpeed_isLeftOut();
+  void brokenOffRuns_countAsOneWithWhatWentOn();
   void oneSpeedOnly_isReportedAsUnobservable();
   void coggingThatTheRotorHides_isTakenFromTheBreakaways();
 };
@@ -116,6 +117,48 @@ void TestVelocityFriction::stribeckSpeed_isLeftOut() {
   QVERIFY(friction.ok());
   QCOMPARE((*friction)[0].leftOut, size_t{1});
   QVERIFY(std::abs((*friction)[0].coulombMean_Nm.value - 0.017) < 1e-4);
+}
+
+/// The first `blocks` of a run, or the others, which another start went on with.
+static VelocityRun partOf(const VelocityRun& run, size_t blocks, bool first) {
+  VelocityRun part = run;
+  const auto at = part.blocks.begin() + static_cast<std::ptrdiff_t>(blocks);
+  part.blocks.erase(first ? at : part.blocks.begin(), first ? part.blocks.end() : at);
+  part.brokenOff = first;
+  part.turns = 0;
+  part.bins.assign(run.bins.size(), {});
+  for (const RunBlock& block : part.blocks) {
+    part.turns += block.turns;
+    for (size_t k = 0; k < part.bins.size(); ++k) part.bins[k].add(block.bins[k]);
+  }
+  return part;
+}
+
+void TestVelocityFriction::brokenOffRuns_countAsOneWithWhatWentOn() {
+  const auto whole = runs(true, 0.002);
+  const auto expected = fitMovingFriction(whole, options());
+  QVERIFY(expected.ok());
+  for (const size_t blocks : {1, 4, 7}) {
+    std::vector<VelocityRun> parts;
+    for (size_t k = 0; k < whole.size(); ++k) {
+      const bool isBroken = k % 3 == 0;
+      if (isBroken) parts.push_back(partOf(whole[k], blocks, true));
+      parts.push_back(isBroken ? partOf(whole[k], blocks, false) : whole[k]);
+    }
+    const auto found = fitMovingFriction(parts, options());
+    QVERIFY(found.ok());
+    for (size_t way = 0; way < 2; ++way) {
+      const MovingFriction &one = (*found)[way], &other = (*expected)[way];
+      QCOMPARE(one.leftOut, other.leftOut);
+      const auto near = [](const Estimate& a, const Estimate& b) {
+        return std::abs(a.value - b.value) < 0.3 * b.standardError && a.standardError > 0.8 * b.standardError &&
+               a.standardError < 1.25 * b.standardError;
+      };
+      QVERIFY2(near(one.coulombMean_Nm, other.coulombMean_Nm), qPrintable(QString::number(blocks)));
+      QVERIFY2(near(one.viscousMean_Nm_s_per_rad, other.viscousMean_Nm_s_per_rad), qPrintable(QString::number(blocks)));
+      for (size_t k = 0; k < one.coulomb_Nm.size(); ++k) QVERIFY(near(one.coulomb_Nm[k], other.coulomb_Nm[k]));
+    }
+  }
 }
 
 void TestVelocityFriction::oneSpeedOnly_isReportedAsUnobservable() {

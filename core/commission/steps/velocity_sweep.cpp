@@ -63,8 +63,11 @@ class Velocities : public Step {
   }
 
   bool gather(Commission& known) override {
-    const bool more = known.runs.size() != sweep_->runs().size();
-    known.runs = sweep_->runs();
+    std::vector<VelocityRun> runs = sweep_->runs();
+    if (const VelocityRun* now = sweep_->underWay()) runs.push_back(*now);
+    const bool more =
+        known.runs.size() != runs.size() || (!runs.empty() && known.runs.back().duration_s != runs.back().duration_s);
+    known.runs = std::move(runs);
     countFresh(sweep_->zeros(), known.noiseRms_A, before_, known.runs);
     return more;
   }
