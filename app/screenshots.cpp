@@ -196,6 +196,13 @@ void Tour::live() {
   shoot("hand-live");
   plots->showCursors(false);
   plots->setPaused(false);
+  auto* mode = window_.findChild<QComboBox*>("triggerMode");
+  window_.findChild<QComboBox*>("triggerChannel")->setCurrentIndex(1);
+  mode->setCurrentIndex(2);
+  if (!wait([&] { return plots->paused(); }, 30'000)) trouble_ = "the trigger finds no edge";
+  shoot("hand-trigger");
+  mode->setCurrentIndex(0);
+  plots->setPaused(false);
   window_.showLive(false);
   press("logButton");
   shoot("hand-log");
