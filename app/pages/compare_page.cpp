@@ -361,7 +361,7 @@ void ComparePage::showProof() {
   }
   ticked_->setText(
       diagnosis && !comparison_.shownTrace().position.empty()
-          ? tr("As ticked, the error is %1").arg(channelText(comparison_.shownRmse(), diagnosis->fit.channel))
+          ? tr("As ticked, the error is %1").arg(channelText(comparison_.shownRmse(), comparison_.shownChannel()))
           : tr("Untick one to see the fit without it"));
   read(diagnosis ? tr("Point at a plot to read it") : QString());
   showState();

@@ -272,7 +272,12 @@ void Comparison::simulateShown() {
 
 double Comparison::shownRmse() const {
   if (!diagnosis_ || !recording_) return 0.0;
-  return positionRmse(shown_, *recording(), diagnosis_->fit.channel, diagnosis_->heldoutRows);
+  return positionRmse(shown_, *recording(), shownChannel(), diagnosis_->heldoutRows);
+}
+
+std::string Comparison::shownChannel() const {
+  if (!diagnosis_ || !bench_) return {};
+  return diagnosis_->fit.inTorque() ? bench_->positionChannel() : diagnosis_->fit.channel;
 }
 
 double positionRmse(const Trace& trace, const Recording& recording, const std::string& channel,

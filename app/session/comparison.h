@@ -83,6 +83,7 @@ class Comparison : public QObject {
   /// RMS of the shown simulation's position error over the held-out rows, or over all rows if those held out are of
   /// another recording.
   double shownRmse() const;
+  std::string shownChannel() const;  ///< in which; empty without a diagnosis
 
  signals:
   void inputsChanged();

@@ -94,6 +94,8 @@ ParameterWords wordsOf(const Parameter& parameter) {
 }
 
 QString channelText(double value, const std::string& channel) {
+  if (channel == "torque_Nm") return numberText(1e3 * value) + " mNm";
+  if (channel == "force_N") return numberText(value) + " N";
   const bool linear = channel.ends_with("_m") || channel.ends_with("_m_per_s");
   const bool speed = channel.ends_with("_per_s");
   if (!linear) return speed ? numberText(value) + " rad/s" : numberText(degree * value) + "°";

@@ -12,6 +12,7 @@
 #include "diagnose/fit/shared_rows.h"
 #include "diagnose/fit/windowed_fit.h"
 #include "diagnose/screen/linear_rig.h"
+#include "diagnose/search/foresight.h"
 #include "diagnose/search/search.h"
 #include "diagnose/simulate/physics.h"
 #include "diagnose/verdict/judge.h"
@@ -31,25 +32,22 @@ std::string heldoutRemark(size_t far, size_t windows) {
          "a recording that moves like these";
 }
 
-constexpr double runAwayFactor = 5.0;  ///< more than a torque constant may be off by
+/// Why a base model that ran away isn't to be believed, or nothing.
+std::optional<std::string> runAwayText(const Model& base, const Model& inverse) {
+  const auto ratio = runAway(base, inverse);
+  if (!ratio) return std::nullopt;
+  const double shown = inverse.baseValue(motorNames(base.axis).inertia).value_or(0.0);
+  return "friction changes along the way by more than the base model knows, and the motion is too slow to be "
+         "foreseen beside that: fitted to windows of it, the inertia would be " +
+         digitsText(*ratio) + " times the " + inertiaText(shown, base.axis) +
+         " that torque and acceleration show. The base parameters are by these; reverse harder to see more";
+}
 
-/// Where friction changes along the way by more than the base model knows, and the motion is slow, a body too heavy to
-/// be moved by it errs least over a window: why the base model isn't to be believed, or nothing.
-std::optional<std::string> runAway(const Model& base, const Preparation& prepared) {
-  const Model& inverse = prepared.starts.front();
-  if (base.servo || base.pendulum || physicsOf(base).electrical) return std::nullopt;
-  const std::string name = motorNames(base.axis).inertia;
-  for (const Parameter& one : inverse.base) {
-    const bool shown = one.name == name && one.low95 > 0.0 && one.low95 < one.value;
-    const double ratio = shown ? base.baseValue(name).value_or(one.value) / one.value : 1.0;
-    if (ratio < runAwayFactor && ratio > 1.0 / runAwayFactor) continue;
-    return "friction changes along the way by more than the base model knows, and the motion is too slow to be "
-           "foreseen "
-           "beside that: fitted to windows of it, the inertia would be " +
-           digitsText(ratio) + " times the " + inertiaText(one.value, base.axis) +
-           " that torque and acceleration show. The base parameters are by these; reverse harder to see more";
-  }
-  return std::nullopt;
+std::string inTorqueRemark(Axis axis) {
+  const std::string torque = torqueWord(axis);
+  return "the motion can't be foreseen from what drove it: errors are counted in the " + torque +
+         " that it took, along the recorded motion. What the drive's own " + torque +
+         " changes, what is late, and what happens at standstill can't be told so";
 }
 
 using Clock = std::chrono::steady_clock;
@@ -74,23 +72,27 @@ class Diagnoser {
             const DiagnoseOptions& options)
       : bench_(bench), recordings_(recordings), heldout_(heldout), options_(options) {}
 
-  Result<Attempt> attempt(HeldOut part) const { return attempt(part, options_.window_s, true); }
+  /// By errors in motion, or in torque where these would lead astray.
+  Result<Attempt> attempt(HeldOut part) const { return attempt(part, ErrorIn::motion, true); }
 
-  /// `mayShorten` the windows, where the motion can't be foreseen over their length.
-  Result<Attempt> attempt(HeldOut part, double window_s, bool mayShorten) const {
-    const auto prepared = prepare(bench_, recordings_, heldout_, window_s, part);
+  Result<Attempt> attempt(HeldOut part, ErrorIn errorIn, bool mayTurnToTorque) const {
+    const auto prepared = prepare(bench_, recordings_, heldout_, options_.window_s, part, errorIn);
     if (!prepared) return prepared.error();
     std::optional<double> named_s;
     std::vector<std::string> firstNames;
     SearchInput input = inputFor(*prepared);
-    input.mayShorten = mayShorten;
+    input.mayTurnToTorque =
+        mayTurnToTorque && !prepared->tracks.front().speedAlone() && !bench_.servo && !bench_.electrical();
     input.named = [&](const std::vector<const Effect*>& effects) {
       named_s = elapsed_s();
       for (const Effect* effect : effects) firstNames.emplace_back(effect->name());
     };
     const auto found = searchEffects(input, prepared->starts);
     if (!found) return found.error();
-    if (found->foreseen_s) return attempt(part, *found->foreseen_s, false);
+    if (found->unforeseeable) {
+      auto inTorque = attempt(part, ErrorIn::torque, false);
+      return inTorque ? std::move(inTorque) : attempt(part, ErrorIn::motion, false);
+    }
 
     Attempt made;
     Diagnosis& diagnosis = made.diagnosis;
@@ -106,7 +108,7 @@ class Diagnoser {
     addPlaces(diagnosis, rest, *prepared);
     made.farOff = farOff(diagnosis, *prepared);
     if (diagnosis.verdict == Verdict::outsideCatalogue && diagnosis.findings.empty())
-      made.runAway = runAway(diagnosis.base, *prepared);
+      made.runAway = runAwayText(diagnosis.base, prepared->starts.front());
     NextExperiment next =
         nextExperiment(diagnosis.verdict, diagnosis.findings, diagnosis.where, bench_, prepared->seen);
     diagnosis.nextSentence = std::move(next.sentence);
@@ -183,6 +185,7 @@ class Diagnoser {
     diagnosis.proof = std::move(judged.proof);
     diagnosis.heldoutRows = prepared.split.heldoutRows;
     diagnosis.wander = judged.rest.wander;
+    if (diagnosis.fit.inTorque()) diagnosis.remarks.push_back(inTorqueRemark(bench_.axis));
     if (judged.rest.wander.rms > 0.0 && judged.rest.wander.rms < prepared.seen.peakTorque)
       diagnosis.remarks.push_back(wanderRemark(judged.rest.wander, physicsOf(diagnosis.model).coulomb, prepared.seen));
     return std::move(judged.rest);

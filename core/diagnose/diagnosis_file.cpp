@@ -24,6 +24,7 @@ std::string sizeText(double value, Axis axis) {
 
 /// An error in the channel that was scored.
 std::string errorText(double value, Axis axis, const FitScore& fit) {
+  if (fit.inTorque()) return torqueText(value, axis);
   return sizeText(value, axis) + (fit.channel.starts_with("velocity") ? "/s" : "");
 }
 

@@ -215,6 +215,10 @@ std::string Bench::positionChannel() const {
   return columnName(Quantity::position, axis);
 }
 
+std::string Bench::torqueChannel() const {
+  return columnName(Quantity::torque, axis);
+}
+
 std::string Bench::velocityChannel() const {
   return columnName(Quantity::velocity, axis);
 }

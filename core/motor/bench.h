@@ -70,7 +70,8 @@ struct Bench {
   bool electrical() const { return input == DriveInput::voltage || input == DriveInput::duty; }
   std::string positionChannel() const;  ///< angle_rad or position_m
   std::string velocityChannel() const;
-  std::string inputChannel() const;  ///< voltage_V, duty, current_A, torque_Nm or force_N, or the reference
+  std::string torqueChannel() const;  ///< torque_Nm or force_N
+  std::string inputChannel() const;   ///< voltage_V, duty, current_A, torque_Nm or force_N, or the reference
 };
 
 /// The drive input called `name` in the contract, or nothing when there is none of that name on this axis.

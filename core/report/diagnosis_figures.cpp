@@ -241,7 +241,8 @@ std::vector<NamedFigure> diagnosisFigures(const Diagnosis& d, const std::vector<
 std::string gainSvg(const Diagnosis& d) {
   constexpr int width = 860;
   constexpr double left = 250.0, right = 740.0, row = 30.0, top = 52.0;
-  const Shown shown = shownIn(d.model.axis);
+  const bool rotary = d.model.axis == Axis::rotary;
+  const Shown shown = !d.fit.inTorque() ? shownIn(d.model.axis) : rotary ? Shown{1e3, "mNm"} : Shown{1.0, "N"};
   struct Bar {
     std::string label;
     double value;

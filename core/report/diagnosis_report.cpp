@@ -73,7 +73,8 @@ void addFindings(HtmlReport& report, const Diagnosis& d, const std::vector<Named
 void addProof(HtmlReport& report, const Diagnosis& d, const std::vector<NamedFigure>& figures,
               const std::string& unit) {
   report.heading("How much better, on data it never saw");
-  report.svg(gainSvg(d), "Position error of a simulation that knows the drive alone.");
+  report.svg(gainSvg(d), d.fit.inTorque() ? "What the model leaves of the drive along the recorded motion."
+                                          : "Position error of a simulation that knows the drive alone.");
   const FitScore& fit = d.fit;
   std::vector<std::pair<std::string, std::string>> facts{
       {"Held-out error", numberText(fit.heldoutBefore) + unit + " before, " + numberText(fit.heldoutAfter) + unit +
@@ -110,7 +111,8 @@ HtmlReport buildReport(const Diagnosis& d, const Bench& bench, const std::vector
     addFigures(report, figures, {("where_" + d.where.front().axis).c_str()});
   }
   addFindings(report, d, figures);
-  addProof(report, d, figures, bench.axis == Axis::rotary ? " rad" : " m");
+  const bool rotary = bench.axis == Axis::rotary;
+  addProof(report, d, figures, d.fit.inTorque() ? (rotary ? " Nm" : " N") : rotary ? " rad" : " m");
   if (d.where.size() > 1) {
     report.heading("The same, seen over other axes");
     for (const NamedFigure& one : figures) {

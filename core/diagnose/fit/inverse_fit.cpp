@@ -19,12 +19,6 @@ void place(Model& model, const std::string& name, double value, double error) {
   }
 }
 
-/// Whether an effect is a torque at every instant, so that the inverse model can hold it.
-bool instantTorque(const Effect& effect, DriveInput drive) {
-  return effect.hidden() == nullptr && !effect.losesVoltage() && effect.input(drive) == nullptr &&
-         effect.elastic() == nullptr && effect.encoder() == nullptr;
-}
-
 /// The columns of one effect at a shape.
 void addEffect(std::vector<Column>& columns, const Effect& effect, const Shape& shape, const Column& torque,
                const Physics& physics) {
@@ -88,7 +82,7 @@ Result<InverseFit> fitInverse(const Model& model, const std::vector<Track>& trac
     if (effect == nullptr) return Error{"effect " + term.effect, "is not in the catalogue"};
     double best = 1e300;
     Shape bestShape;
-    const bool linear = instantTorque(*effect, model.input);
+    const bool linear = effect->isTorqueAlone(model.input);
     for (const Shape& shape : linear ? effect->shapes(seen) : std::vector<Shape>{}) {
       auto trial = columns;
       addEffect(trial, *effect, shape, torque, physics);

@@ -6,6 +6,7 @@
 #include "base/statistics.h"
 #include "diagnose/effects/all.h"
 #include "diagnose/fit/motion.h"
+#include "diagnose/fit/torque_residual.h"
 #include "diagnose/fit/windowed_fit.h"
 #include "diagnose/simulate/physics.h"
 #include "diagnose/simulate/simulator.h"
@@ -67,6 +68,21 @@ FrictionScatter usualScatter(const Excitation& seen, double coulomb, const Torqu
 
 namespace {
 
+/// What noise of sensors and drive, and what scatters, change of the torque that is left along a window's motion.
+double noisyTorque(const Model& model, const Track& recorded, const Window& window, const FrictionScatter& scatter,
+                   Random& random) {
+  const TorqueResidual exact(recorded, window);
+  const TorqueResidual read = exact.changed([&](Track& track) {
+    for (size_t k = 0; k < track.rows(); ++k) {
+      track.position[k] += recorded.noise * random.normal();
+      track.input[k] += recorded.inputNoise * random.normal();
+    }
+    if (scatter.wander > 0.0) addWander(track, scatter, physicsOf(model).torquePerInput(), random);
+  });
+  const Eigen::VectorXd change = read.of(scattered(model, scatter, random)) - exact.of(model);
+  return change.squaredNorm() / static_cast<double>(change.size());
+}
+
 std::vector<double> replayedSquares(const Model& model, const std::vector<Track>& tracks,
                                     const std::vector<Window>& windows, std::uint64_t seed,
                                     const FrictionScatter& scatter) {
@@ -76,6 +92,10 @@ std::vector<double> replayedSquares(const Model& model, const std::vector<Track>
   for (size_t w = 0; w < windows.size(); ++w) {
     const Window& window = windows[w];
     const Track& recorded = tracks[window.track];
+    if (window.errorIn == ErrorIn::torque) {
+      floors.push_back(noisyTorque(model, recorded, window, scatter, random));
+      continue;
+    }
     // From one horizon before the window to its end, as if the model were the rig.
     const double horizon_s = Simulator(model, recorded, window.first, window.last).horizon_s();
     size_t first = window.first;

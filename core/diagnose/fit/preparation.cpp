@@ -177,7 +177,7 @@ Model withDoubts(Model model, const Preparation& prepared) {
 }
 
 Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& recordings,
-                            const std::vector<Recording>& heldout, double window_s, HeldOut part) {
+                            const std::vector<Recording>& heldout, double window_s, HeldOut part, ErrorIn errorIn) {
   Preparation out;
   for (const auto* group : {&recordings, &heldout}) {
     for (const Recording& recording : *group) {
@@ -192,7 +192,7 @@ Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& re
     }
   }
   out.recordings = recordings.size();
-  auto split = splitTracks(out.tracks, recordings.size(), window_s, part);
+  auto split = splitTracks(out.tracks, recordings.size(), window_s, part, errorIn);
   if (!split) return split.error();
   out.split = std::move(*split);
   for (size_t k = 0; k < out.recordings; ++k)
@@ -221,7 +221,7 @@ Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& re
     if (!starts) return starts.error();
     out.starts.insert(out.starts.end(), starts->begin(), starts->end());
   }
-  if (!bench.servo) out.freedom.row_s = rowOfReadings(out.tracks);
+  if (!bench.servo && errorIn == ErrorIn::motion) out.freedom.row_s = rowOfReadings(out.tracks);
   out.seen = excitationOf(training, out.starts.front());
   out.freedom.held.assign(known.trusted.begin(), known.trusted.end());
   limitInductance(out, bench.motor.inductance_H, windings.shownInductance_H);

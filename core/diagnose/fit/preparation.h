@@ -30,7 +30,8 @@ struct Preparation {
 /// Checks the channels, splits, and finds start values. Errors name the recording and what it lacks: a channel, any
 /// value, length, motion.
 Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& recordings,
-                            const std::vector<Recording>& heldout, double window_s, HeldOut part = HeldOut::last);
+                            const std::vector<Recording>& heldout, double window_s, HeldOut part = HeldOut::last,
+                            ErrorIn errorIn = ErrorIn::motion);
 
 /// Copies of the tracks that hold held-out windows, rows outside these masked: for inverse models.
 std::vector<Track> heldoutTracks(const Preparation& prepared);

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "diagnose/fit/channel_checks.h"
+#include "diagnose/fit/torque_residual.h"
 
 namespace breakaway {
 
@@ -16,6 +17,7 @@ constexpr size_t fewestWindows = 6;
 constexpr size_t mostTrainRows = 90'000, fewestThinned = 60;
 constexpr double comfortableWindows = 9.0;  ///< the first is lost, and those with missing rows
 constexpr size_t fewestRows = 12;           ///< of a window
+constexpr Eigen::Index fewestInTorque = 8;  ///< instants of a window
 constexpr double shortestWindow_s = 0.04;
 constexpr double lookBack_s = 0.2;  ///< before a window, which a restart reads
 constexpr double longestUnread_s = 0.1;
@@ -131,6 +133,17 @@ void thin(std::vector<Window>& windows, size_t rows, size_t fewest) {
   windows = std::move(kept);
 }
 
+/// Errors in torque are known in clear motion only.
+void countErrorsIn(ErrorIn errorIn, Split& split, const std::vector<Track>& tracks) {
+  if (errorIn == ErrorIn::motion) return;
+  for (auto* windows : {&split.train, &split.polish, &split.trainScore, &split.heldoutScore}) {
+    for (Window& window : *windows) window.errorIn = errorIn;
+    std::erase_if(*windows, [&tracks](const Window& window) {
+      return TorqueResidual(tracks[window.track], window).rows() < fewestInTorque;
+    });
+  }
+}
+
 void thinTraining(Split& split) {
   thin(split.train, mostTrainRows, fewestThinned);
   thin(split.polish, 2 * mostTrainRows, 2 * fewestThinned);
@@ -147,7 +160,7 @@ double fitLength(double total, double window_s) {
   return total >= 15.0 ? std::max(std::min(1.0, 2.0 * window_s), window_s) : window_s;
 }
 
-Result<Split> wholeTracks(const std::vector<Track>& tracks, double longest_s) {
+Result<Split> wholeTracks(const std::vector<Track>& tracks, double longest_s, ErrorIn errorIn) {
   Split split;
   const double total = totalTime(tracks, tracks.size());
   const double shortest_s = std::max(static_cast<double>(fewestRows) * tracks.front().usualStep_s, shortestWindow_s);
@@ -160,6 +173,7 @@ Result<Split> wholeTracks(const std::vector<Track>& tracks, double longest_s) {
     append(split.trainScore, windowsOf(tracks, k, 0, tracks[k].rows(), window_s));
   }
   dropUnknown(split, tracks);
+  countErrorsIn(errorIn, split, tracks);
   if (split.train.size() < fewestWindows)
     return tooShort(tracks.front(), total, comfortableWindows * fitWindow, split.train.size(), fitWindow);
   thinTraining(split);
@@ -169,8 +183,9 @@ Result<Split> wholeTracks(const std::vector<Track>& tracks, double longest_s) {
 
 }  // namespace
 
-Result<Split> splitTracks(const std::vector<Track>& tracks, size_t recordings, double window_s, HeldOut part) {
-  if (part == HeldOut::none) return wholeTracks(tracks, window_s);
+Result<Split> splitTracks(const std::vector<Track>& tracks, size_t recordings, double window_s, HeldOut part,
+                          ErrorIn errorIn) {
+  if (part == HeldOut::none) return wholeTracks(tracks, window_s, errorIn);
   Split split;
   split.window_s = window_s;
   split.separateRecording = recordings < tracks.size();
@@ -204,6 +219,7 @@ Result<Split> splitTracks(const std::vector<Track>& tracks, size_t recordings, d
     if (from < track.time.back()) train(rowAt(track, from), track.rows());
   }
   dropUnknown(split, tracks);
+  countErrorsIn(errorIn, split, tracks);
   const double needed = (static_cast<double>(fewestWindows) * fitWindow + gap_s) / 0.8;
   if (split.train.size() < fewestWindows || split.heldoutScore.size() < 2)
     return tooShort(tracks.front(), total, needed, split.train.size(), fitWindow);

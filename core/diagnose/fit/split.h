@@ -33,6 +33,6 @@ enum class HeldOut { none, last, middle };
 /// proof. Training windows last twice window_s, up to 1 s, when there are 15 s or more, else window_s; where all
 /// trains, all windows are as short as nine of them need. Errors: too short to fit.
 Result<Split> splitTracks(const std::vector<Track>& tracks, size_t recordings, double window_s,
-                          HeldOut part = HeldOut::last);
+                          HeldOut part = HeldOut::last, ErrorIn errorIn = ErrorIn::motion);
 
 }  // namespace breakaway

@@ -8,11 +8,15 @@
 
 namespace breakaway {
 
+/// In what a window's errors are counted: in its motion, restarted and simulated, or in the torque along it.
+enum class ErrorIn : char { motion, torque };
+
 /// Rows [first, last] of one track.
 struct Window {
   size_t track = 0;
   size_t first = 0;
   size_t last = 0;
+  ErrorIn errorIn = ErrorIn::motion;
   bool operator==(const Window&) const = default;
 };
 

@@ -49,6 +49,11 @@ bool losesAnew(const Stepper& variant, std::span<const char> changed) {
 
 WindowResidual::WindowResidual(const Track& track, const Window& window, Weights weights)
     : track_(track), window_(window), weights_(weights), length_(track.time[window.last] - track.time[window.first]) {
+  if (window.errorIn == ErrorIn::torque) {
+    torque_.emplace(track, window);
+    positions_ = torque_->rows();
+    return;
+  }
   for (size_t k = window.first; k <= window.last; ++k) {
     positions_ += track.seen[k] ? 1 : 0;
     currents_ += weights.current > 0.0 && k > window.first && useCurrent(k) ? 1 : 0;
@@ -127,6 +132,10 @@ Eigen::MatrixXd WindowResidual::startColumns(const MotionState& hidden) {
 }
 
 void WindowResidual::fit(const Model& model, const MotionState& hidden) {
+  if (torque_) {
+    residual_ = weights_.position * torque_->of(model);
+    return;
+  }
   simulator_.emplace(model, track_, window_.first, window_.last);
   if (!observedYet_) {
     observed_ = simulator_->restart(window_.first, hidden);
@@ -321,6 +330,7 @@ Eigen::VectorXd WindowResidual::respond(double position, double velocity, const 
 }
 
 Eigen::VectorXd WindowResidual::column(const Model& variant, const MotionState& hidden, double step) const {
+  if (torque_) return torqueColumn(variant, step);
   Simulator simulator(variant, track_, window_.first, window_.last);
   Eigen::VectorXd moved(rows());
   evaluate(simulator, startAt(start_, hidden), moved);
@@ -328,6 +338,7 @@ Eigen::VectorXd WindowResidual::column(const Model& variant, const MotionState& 
 }
 
 Eigen::VectorXd WindowResidual::linearColumn(const Model& variant, double step) const {
+  if (torque_) return torqueColumn(variant, step);
   Simulator simulator(variant, track_, window_.first, window_.last);
   const std::vector<char> changed = changedTerms(simulator.stepper());
   const bool sensors = std::any_of(changed.begin(), changed.end(), [](char one) { return one != 0; });
@@ -370,7 +381,7 @@ Weights weightsOf(const std::vector<WindowResidual>& residuals, const std::vecto
     current += residual.residual().segment(residual.positions(), residual.currents()).squaredNorm();
     positions += static_cast<double>(residual.positions());
     currents += static_cast<double>(residual.currents());
-    noise = std::max(noise, tracks[windows[w].track].readingNoise());
+    if (windows[w].errorIn == ErrorIn::motion) noise = std::max(noise, tracks[windows[w].track].readingNoise());
   }
   Weights weights;
   weights.position = 1.0 / std::max(std::sqrt(position / std::max(positions, 1.0)), noise);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "diagnose/fit/torque_residual.h"
 #include "diagnose/fit/window.h"
 #include "diagnose/simulate/simulator.h"
 
@@ -16,7 +17,8 @@ struct Weights {
   double current = 0.0;
 };
 
-/// Residuals of positions, or of speeds where they alone were measured (and of currents where the track has them). The
+/// Of a window whose errors are in torque: what TorqueResidual says, in the place of positions, and no state. Else
+/// residuals of positions, or of speeds where they alone were measured (and of currents where the track has them). The
 /// window's initial position and velocity (and those of a load that swings) are free, held to what the restart's
 /// observer saw as firmly as its noise allows, and eliminated by variable projection (G. Golub, V. Pereyra, SIAM J.
 /// Numer. Anal. 10(2), 1973).
@@ -26,7 +28,7 @@ class WindowResidual {
 
   /// Positions first, then currents, then rows for the state: two, and two for each load that swings (known once fit()
   /// ran).
-  Eigen::Index rows() const { return positions_ + currents_ + 2 + loadRows_; }
+  Eigen::Index rows() const { return positions_ + (torque_ ? 0 : currents_ + 2 + loadRows_); }
   Eigen::Index positions() const { return positions_; }
   Eigen::Index currents() const { return currents_; }
 
@@ -44,9 +46,9 @@ class WindowResidual {
   /// The variant differs in one parameter.
   Eigen::VectorXd linearColumn(const Model& variant, double step) const;
   /// Whether linearColumn() leaves out hidden states.
-  bool remembers() const { return simulator_->stepper().remembers(); }
+  bool remembers() const { return !torque_ && simulator_->stepper().remembers(); }
   /// Whether impacts may make the residual rough.
-  bool swings() const { return simulator_->stepper().swings(); }
+  bool swings() const { return !torque_ && simulator_->stepper().swings(); }
 
  private:
   /// How a small change passes through one row, and what the model's torques are there.
@@ -88,8 +90,13 @@ class WindowResidual {
     return change - basis_ * (basis_.transpose() * change);
   }
 
+  Eigen::VectorXd torqueColumn(const Model& variant, double step) const {
+    return (weights_.position * torque_->of(variant) - residual_) / step;
+  }
+
   const Track& track_;
   Window window_;
+  std::optional<TorqueResidual> torque_;
   Weights weights_;
   double length_ = 0.0;
   Eigen::Index positions_ = 0, currents_ = 0, loadRows_ = 0;

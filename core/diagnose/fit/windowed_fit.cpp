@@ -292,6 +292,11 @@ std::vector<double> scoreWindows(const Model& model, const std::vector<Track>& t
   for (size_t w = 0; w < windows.size(); ++w) {
     const Window& window = windows[w];
     const Track& track = tracks[window.track];
+    if (window.errorIn == ErrorIn::torque) {
+      const Eigen::VectorXd left = TorqueResidual(track, window).of(model);
+      squares.push_back(left.squaredNorm() / static_cast<double>(left.size()));
+      continue;
+    }
     Simulator simulator(model, track, window.first, window.last);
     MotionState state = simulator.restart(window.first, hidden[w]);
     double sum = 0.0, n = 0.0;

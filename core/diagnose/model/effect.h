@@ -77,6 +77,11 @@ class Effect {
   virtual const CurrentSensorPart* currentSensor() const { return nullptr; }
   virtual const OncePart* once() const { return nullptr; }
   bool happensOnce() const { return once() != nullptr; }
+  /// Whether it is a torque at every instant and nothing else, so that an inverse model can hold it.
+  bool isTorqueAlone(DriveInput drive) const {
+    return hidden() == nullptr && !losesVoltage() && input(drive) == nullptr && elastic() == nullptr &&
+           encoder() == nullptr;
+  }
 
   // What other programs get.
 

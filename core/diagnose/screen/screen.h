@@ -52,6 +52,7 @@ class Screen {
          const std::vector<int>& fold, int folds, std::uint64_t seed);
 
   ScreenResult run() const;
+  const std::vector<const Effect*>& effects() const { return effects_; }
   /// The effect's best shape and amplitude on top of the base and `others`; no parameters where it can't help.
   Pick best(const Effect& effect, const std::vector<Pick>& others) const;
   /// The base's physics, fitted together with `chosen`: J, B with the back-EMF's share, F …

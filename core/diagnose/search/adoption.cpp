@@ -171,7 +171,7 @@ const Screening* Adoption::lookAgain(SearchResult& set) {
 
 const Adoption::Wandering& Adoption::wandering(const SearchResult& base) {
   if (!wandering_) {
-    wandering_.emplace(Wandering{Screening(input_, wanderingRig_, withoutLoads(input_.seen)), base});
+    wandering_.emplace(Wandering{Screening(input_, wanderingRig_, withoutLoads(input_)), base});
     SearchResult& set = wandering_->set;
     set.best = set.base;
     set.chosen.clear();

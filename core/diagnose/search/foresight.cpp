@@ -6,52 +6,45 @@
 
 #include "base/statistics.h"
 #include "diagnose/fit/noise_floor.h"
+#include "diagnose/simulate/physics.h"
 
 namespace breakaway {
 
 namespace {
 
-constexpr size_t mostLooked = 60;    ///< windows
-constexpr size_t fewestRows = 10;    ///< of a window
-constexpr double shorter = 0.7;      ///< from one length tried to the next
-constexpr double shortest_s = 0.02;  ///< of a window
+constexpr size_t mostLooked = 60;      ///< windows
+constexpr size_t fewestRows = 10;      ///< of a window
+constexpr double runAwayFactor = 5.0;  ///< more than a torque constant may be off by
 
-/// Of windows of the split evenly spread, the first `length_s`.
-std::vector<Window> beginnings(const SearchInput& input, double length_s) {
+/// Of the split's windows, evenly spread.
+std::vector<Window> someWindows(const SearchInput& input) {
   const auto& whole = input.split.trainScore;
   const size_t keep = std::min(mostLooked, whole.size());
   std::vector<Window> windows;
   for (size_t k = 0; k < keep; ++k) {
-    Window window = whole[k * whole.size() / keep];
-    const auto& time = input.tracks[window.track].time;
-    const double end = time[window.first] + length_s + 1e-9;
-    while (window.last > window.first && time[window.last] > end) --window.last;
+    const Window& window = whole[k * whole.size() / keep];
     if (window.last - window.first + 1 >= fewestRows) windows.push_back(window);
   }
   return windows;
 }
 
-/// The rms error, the worst windows included, of a perfect model beside that of `base`.
-double perfectBeside(const SearchInput& input, const Model& base, const Model& proposed, double length_s) {
-  const auto windows = beginnings(input, length_s);
-  if (windows.empty()) return HUGE_VAL;
-  const double errs = mean(scoreWindows(base, input.tracks, windows));
-  return errs > 0.0 ? std::sqrt(mean(usualSquares(proposed, input.tracks, windows, input.seed, {})) / errs) : HUGE_VAL;
-}
-
 }  // namespace
 
-double foreseeable(const SearchInput& input, const Model& base, const Model& proposed) {
-  double best_s = input.split.window_s, best = perfectBeside(input, base, proposed, best_s);
-  if (best < 1.0) return best_s;
-  for (double length_s = shorter * best_s; length_s >= shortest_s; length_s *= shorter) {
-    const double ratio = perfectBeside(input, base, proposed, length_s);
-    if (ratio < best) {
-      best = ratio;
-      best_s = length_s;
-    }
+bool isForeseeable(const SearchInput& input, const Model& base, const Model& proposed) {
+  const auto windows = someWindows(input);
+  return windows.empty() || mean(usualSquares(proposed, input.tracks, windows, input.seed, {})) <
+                                mean(scoreWindows(base, input.tracks, windows));
+}
+
+std::optional<double> runAway(const Model& base, const Model& inverse) {
+  if (base.servo || base.pendulum || physicsOf(base).electrical) return std::nullopt;
+  const std::string name = motorNames(base.axis).inertia;
+  for (const Parameter& one : inverse.base) {
+    const bool shown = one.name == name && one.low95 > 0.0 && one.low95 < one.value;
+    const double ratio = shown ? base.baseValue(name).value_or(one.value) / one.value : 1.0;
+    if (ratio > runAwayFactor || ratio < 1.0 / runAwayFactor) return ratio;
   }
-  return best < 1.0 ? best_s : input.split.window_s;
+  return std::nullopt;
 }
 
 }  // namespace breakaway

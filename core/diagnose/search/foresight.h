@@ -1,15 +1,21 @@
-// How long windows may be in which a model's motion can still be foreseen from a noisy drive.
+// Whether a model's motion can be foreseen from the recorded drive, or its errors have to be counted in torque.
 #pragma once
 
-#include "diagnose/screen/screen.h"
+#include <optional>
+
+#include "diagnose/model/model.h"
 #include "diagnose/search/model_fit.h"
 
 namespace breakaway {
 
 /// A rotor that falls from one well into the next can't be replayed for long from a measured current: noise grows, and
-/// a perfect model errs by as much as one that lacks the wells. The length in s, from `split.window_s` downwards, at
-/// which a perfect model's error is the smallest beside that of `base`, if `proposed`, base and what the
-/// screen finds, were the rig; `split.window_s` itself as long as a perfect model errs less than `base` there.
-double foreseeable(const SearchInput& input, const Model& base, const Model& proposed);
+/// a perfect model errs by as much as one that lacks the wells. Whether a perfect model errs less than `base` over the
+/// windows of the split, if `proposed`, base and what the screen finds, were the rig.
+bool isForeseeable(const SearchInput& input, const Model& base, const Model& proposed);
+
+/// Where friction changes along the way by more than the base model knows, and a controller holds the motion up, a body
+/// too heavy (or too light) to be moved by it errs least over a window. By how many times the inertia of `base` is that
+/// which torque and acceleration show, if that is beyond what any bench is wrong by; `inverse` is by these.
+std::optional<double> runAway(const Model& base, const Model& inverse);
 
 }  // namespace breakaway

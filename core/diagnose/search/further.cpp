@@ -71,7 +71,7 @@ FitResult Further::withoutImplausible(FitResult fit) const {
 /// base is far off, the regression is misled and may find no plausible size for an effect.
 std::vector<Pick> Further::sloped(const SearchResult& result) const {
   std::vector<SlopePick> found;
-  for (const Effect* effect : catalogue()) {
+  for (const Effect* effect : input_.effects) {
     if (contains(result.chosen, effect) && !effect->mayRepeat(input_.seen)) continue;
     SlopePick one = slopePick(input_, result.best, *effect);
     if (one.part > clearGain) found.push_back(std::move(one));
@@ -136,7 +136,7 @@ bool Further::find(SearchResult& result, std::vector<Pick> picks) const {
   const double left = mean(result.best.windowSquares);
   std::vector<Pick> candidates;
   const bool loaded = swings(result.best.model);
-  for (const Effect* effect : catalogue()) {
+  for (const Effect* effect : input_.effects) {
     if (contains(result.chosen, effect) && !effect->mayRepeat(input_.seen)) continue;
     Pick pick = screen_.best(*effect, picks);
     if (effect->growsAtRest()) pick = simulatedBest(*effect, result.best.model, pick);

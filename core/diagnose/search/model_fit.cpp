@@ -47,8 +47,37 @@ std::optional<double> torqueOf(const std::string& name, double value, const Exci
   return std::nullopt;
 }
 
+/// Whether errors in torque can show an effect: it is a torque, and none that follows from the drive, which would
+/// explain the drive's torque by itself.
+static bool showsInTorque(const Effect& effect, DriveInput drive, const Excitation& seen) {
+  if (!effect.isTorqueAlone(drive)) return false;
+  const auto shapes = effect.shapes(seen);
+  if (shapes.empty()) return true;
+  Situation at;
+  at.axis = seen.axis;
+  at.position = 0.5 * (seen.lowest + seen.highest);
+  at.velocity = seen.highSpeed;
+  at.direction = 1.0;
+  const auto torqueAt = [&](double part) {
+    at.driveTorque = part * seen.peakTorque;
+    at.current = part * seen.peakCurrent;
+    at.input = part * seen.peakInput;
+    const Term term = effect.term(shapes.front().front(), at);
+    return term.load_Nm + term.friction_Nm;
+  };
+  return torqueAt(0.0) == torqueAt(1.0);
+}
+
 SearchInput::SearchInput(const Preparation& prepared, std::uint64_t anySeed)
-    : tracks(prepared.tracks), split(prepared.split), freedom(prepared.freedom), seen(prepared.seen), seed(anySeed) {
+    : tracks(prepared.tracks),
+      split(prepared.split),
+      effects(catalogue().begin(), catalogue().end()),
+      freedom(prepared.freedom),
+      seen(prepared.seen),
+      seed(anySeed) {
+  const bool inTorque = !split.train.empty() && split.train.front().errorIn == ErrorIn::torque;
+  if (inTorque)
+    std::erase_if(effects, [this](const Effect* one) { return !showsInTorque(*one, tracks.front().drive, seen); });
   double rows = 0.0;
   for (const Window& window : split.train) rows += static_cast<double>(window.last - window.first);
   loadSteps = std::make_shared<StepBudget>(leastLoadSteps + loadStepsPerRow * rows);

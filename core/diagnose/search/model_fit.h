@@ -36,6 +36,7 @@ class StepBudget {
 struct SearchInput {
   const std::vector<Track>& tracks;
   const Split& split;
+  std::vector<const Effect*> effects;  ///< that are looked for: the catalogue, or what of it the errors can show
   Freedom freedom;
   Excitation seen;
   std::uint64_t seed = 1;
@@ -43,7 +44,7 @@ struct SearchInput {
   std::function<void(double, const std::string&)> progress;
   std::function<void(const std::vector<const Effect*>&)> named;  ///< called once, when the names are likely to stay
   std::vector<double> windowWeights;                             ///< of split.train; empty: all 1
-  bool mayShorten = false;                ///< the windows, where the motion can't be foreseen over their length
+  bool mayTurnToTorque = false;           ///< to errors in torque, where the motion can't be foreseen
   std::shared_ptr<StepBudget> loadSteps;  ///< of the whole search
 
   SearchInput(const Preparation& prepared, std::uint64_t seed);

@@ -68,7 +68,7 @@ std::vector<Pick> Rivals::nearlyAsGood(const SearchResult& result, size_t k) con
   const auto listed = [&alike](const Effect* effect) {
     return std::find(alike.begin(), alike.end(), effect->name()) != alike.end();
   };
-  for (const Effect* effect : catalogue()) {
+  for (const Effect* effect : input_.effects) {
     if (contains(result.chosen, effect)) continue;
     Pick pick = screen_.best(*effect, others);
     if (pick.parameters.empty() || pick.gain < (listed(effect) ? alikePart : unlistedPart) * own) continue;
@@ -95,7 +95,7 @@ std::vector<Pick> Rivals::whateverTheScreen(const SearchResult& result, size_t k
     const auto alike = one.lookAlikes();
     return std::find(alike.begin(), alike.end(), other.name()) != alike.end();
   };
-  for (const Effect* effect : catalogue()) {
+  for (const Effect* effect : input_.effects) {
     if (contains(result.chosen, effect) || !(names(chosen, *effect) || names(*effect, chosen))) continue;
     for (const auto& parameters : effect->asRival(input_.seen)) {
       picks.emplace_back();
@@ -207,7 +207,7 @@ void Rivals::weighAlone(SearchResult& result) const {
 /// that was recorded, too, tells: it knows the sensor's offset and nothing of the motion's torque.
 void Rivals::askVoltage(SearchResult& result, size_t k) const {
   if (!input_.seen.currentDrive) return;
-  for (const Effect* effect : catalogue()) {
+  for (const Effect* effect : input_.effects) {
     const CurrentSensorPart* sensor = effect->currentSensor();
     const Effect* alike = sensor != nullptr ? findEffect(sensor->sameForMotion()) : nullptr;
     if (alike != nullptr && same(result.chosen[k].effect, alike)) askVoltage(result, k, *effect);

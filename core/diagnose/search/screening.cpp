@@ -17,10 +17,10 @@ constexpr size_t mostAlone = 4;
 
 }  // namespace
 
-std::vector<const Effect*> withoutLoads(const Excitation& seen) {
-  std::vector<const Effect*> effects(catalogue().begin(), catalogue().end());
-  std::erase_if(effects, [&seen](const Effect* one) {
-    const auto shapes = one->shapes(seen);
+std::vector<const Effect*> withoutLoads(const SearchInput& input) {
+  std::vector<const Effect*> effects = input.effects;
+  std::erase_if(effects, [&input](const Effect* one) {
+    const auto shapes = one->shapes(input.seen);
     return !shapes.empty() && one->load() != nullptr;
   });
   return effects;
@@ -61,7 +61,7 @@ std::vector<Pick> withOneLoad(std::vector<Pick> picks) {
 
 std::vector<Pick> bestAlone(const Screen& screen) {
   std::vector<Pick> best;
-  for (const Effect* effect : catalogue()) {
+  for (const Effect* effect : screen.effects()) {
     Pick pick = screen.best(*effect, {});
     pick.pValue = largestPValue;
     if (!pick.parameters.empty()) best.push_back(std::move(pick));

@@ -16,8 +16,8 @@ struct Screening {
   ScreenResult found;
 };
 
-/// The catalogue without loads: their own motion can follow any noise of the torque.
-std::vector<const Effect*> withoutLoads(const Excitation& seen);
+/// The effects without loads: their own motion can follow any noise of the torque.
+std::vector<const Effect*> withoutLoads(const SearchInput& input);
 
 /// One pick of each effect, with the gains of all its waves; the largest first.
 std::vector<Pick> asEffects(const std::vector<Pick>& picks);

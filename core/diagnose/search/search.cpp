@@ -39,17 +39,18 @@ class Search {
     input_.windowWeights = robustWeights(result.base.windowSquares);
     result.base = fitModel(input_, result.base.model, 10);
     result.best = result.base;
+    if (input_.mayTurnToTorque && runAway(result.base.model, starts.front())) {
+      result.unforeseeable = true;
+      return result;
+    }
     input_.say(0.2, "looking for what is missing");
     input_.seen.inertia = physicsInertia(result.base.model);
     const auto motions = recordedMotions(result.base.model, input_.tracks);
     const LinearRig steadyRig(result.base.model, input_.tracks, input_.split.train, Torque::steady, motions);
-    const Screening steady(input_, steadyRig, {catalogue().begin(), catalogue().end()});
-    if (input_.mayShorten) {
-      const double length_s = foreseenOver(steady, result.base.model);
-      if (length_s < input_.split.window_s) {
-        result.foreseen_s = length_s;
-        return result;
-      }
+    const Screening steady(input_, steadyRig, input_.effects);
+    if (input_.mayTurnToTorque && !isForeseen(steady, result.base.model)) {
+      result.unforeseeable = true;
+      return result;
     }
     fits_.emplace(input_, result.base);
     if (sure(steady.found)) announce(important(steady.found));  // or else what simulation makes of it
@@ -101,14 +102,13 @@ class Search {
   double physicsInertia(const Model& model) const {
     return model.baseValue(motorNames(model.axis).inertia).value_or(input_.seen.inertia);
   }
-  /// The windows' length over which the motion can be foreseen if the effect is there that explains most alone.
-  double foreseenOver(const Screening& steady, const Model& base) const {
+  /// Whether the motion can be foreseen if the effect is there that explains most alone.
+  bool isForeseen(const Screening& steady, const Model& base) const {
     const std::vector<Pick> picks = bestAlone(steady.screen);
-    if (picks.empty() || steady.found.leftSquares > (1.0 - importantPart) * steady.found.baseSquares)
-      return input_.split.window_s;
+    if (picks.empty() || steady.found.leftSquares > (1.0 - importantPart) * steady.found.baseSquares) return true;
     const Pick& most = picks.front();
-    return foreseeable(input_, base,
-                       with(input_, withScreenedBase(input_, base, steady.screen.baseCoefficients({most})), most));
+    return isForeseeable(input_, base,
+                         with(input_, withScreenedBase(input_, base, steady.screen.baseCoefficients({most})), most));
   }
   /// The screen's effects whose part of the residual a simulation is likely to confirm.
   std::vector<Pick> important(const ScreenResult& found) const {

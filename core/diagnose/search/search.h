@@ -1,7 +1,6 @@
 // Which effects are missing: the linear screen proposes, simulated windows decide.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "base/result.h"
@@ -20,8 +19,8 @@ struct Chosen {
 bool contains(const std::vector<Chosen>& chosen, const Effect* effect);
 
 struct SearchResult {
-  /// If given, no more than the base was fitted: over longer windows than this no model could foresee the motion.
-  std::optional<double> foreseen_s;
+  /// No more than the base was fitted: errors in motion would lead astray, and have to be counted in torque.
+  bool unforeseeable = false;
   FitResult base;
   FitResult best;
   std::vector<Chosen> chosen;  ///< in order of importance

@@ -69,7 +69,7 @@ SwingingLoads::SwingingLoads(const SearchInput& input, const Worth& worth, const
 
 std::vector<Pick> SwingingLoads::offered(const SearchInput& input, const Screen& screen) {
   std::vector<Pick> picks;
-  for (const Effect* effect : catalogue()) {
+  for (const Effect* effect : input.effects) {
     const auto shapes = effect->shapes(input.seen);
     if (shapes.empty() || effect->load() == nullptr) continue;
     Pick pick = screen.best(*effect, {});

@@ -6,9 +6,10 @@
 namespace breakaway {
 
 /// RMSE of the position, or of the speed where that alone was measured, over windows that restart every window_s, as
-/// simulate() does it.
+/// simulate() does it; or of the torque along the motion, where that can't be foreseen (ErrorIn::torque).
 struct FitScore {
   std::string channel;
+  bool inTorque() const { return channel.starts_with("torque") || channel.starts_with("force"); }
   double window_s = 0.5;
   double trainBefore = 0.0, trainAfter = 0.0;
   double heldoutBefore = 0.0, heldoutAfter = 0.0;

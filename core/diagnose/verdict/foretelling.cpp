@@ -5,9 +5,9 @@
 #include <span>
 
 #include "base/statistics.h"
+#include "diagnose/fit/unexplained.h"
 #include "diagnose/fit/windowed_fit.h"
 #include "diagnose/simulate/physics.h"
-#include "diagnose/verdict/unexplained.h"
 
 namespace breakaway {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "diagnose/fit/preparation.h"
+#include "diagnose/fit/unexplained.h"
 #include "diagnose/verdict/instants.h"
-#include "diagnose/verdict/unexplained.h"
 #include "diagnose/verdict/where.h"
 
 namespace breakaway {

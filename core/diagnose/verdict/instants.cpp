@@ -5,7 +5,7 @@
 
 #include "base/numbers.h"
 #include "diagnose/fit/inverse_rows.h"
-#include "diagnose/verdict/unexplained.h"
+#include "diagnose/fit/unexplained.h"
 
 namespace breakaway {
 

@@ -41,7 +41,9 @@ FitScore scoreFit(const Bench& bench, const Model& base, const Model& best, cons
   const std::vector<Track>& tracks = prepared.tracks;
   const Split& split = prepared.split;
   FitScore fit;
-  fit.channel = tracks.front().speedAlone() ? bench.velocityChannel() : bench.positionChannel();
+  fit.channel = split.heldoutScore.front().errorIn == ErrorIn::torque ? bench.torqueChannel()
+                : tracks.front().speedAlone()                         ? bench.velocityChannel()
+                                                                      : bench.positionChannel();
   fit.separateRecording = split.separateRecording;
   fit.trainBefore = std::sqrt(meanSquare(base, tracks, split.trainScore));
   fit.trainAfter = std::sqrt(meanSquare(best, tracks, split.trainScore));

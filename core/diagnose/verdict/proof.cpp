@@ -5,6 +5,7 @@
 
 #include "base/distributions.h"
 #include "base/statistics.h"
+#include "diagnose/fit/torque_residual.h"
 #include "diagnose/simulate/simulation.h"
 
 namespace breakaway {
@@ -89,10 +90,16 @@ Proof proofOf(const Model& best, const std::vector<Track>& tracks, const std::ve
   for (size_t w = 0; w < heldout.size(); ++w) {
     const Window& window = heldout[w];
     const Track& track = tracks[window.track];
+    const bool apart = w == 0 || heldout[w - 1].track != window.track || heldout[w - 1].last + 1 < window.first;
+    if (window.errorIn == ErrorIn::torque) {
+      if (apart) ends.insert(ends.end(), mostLags, std::nan(""));
+      const Eigen::VectorXd left = TorqueResidual(track, window).of(best);
+      ends.push_back(left[left.size() - 1]);
+      continue;
+    }
     const bool otherTrack = w == 0 || heldout[w - 1].track != window.track;
     if (otherTrack) trace = simulate(best, track, fit.window_s);
-    if (otherTrack || heldout[w - 1].last + 1 < window.first)
-      ends.insert(ends.end(), mostLags, std::nan(""));  // what lies apart isn't compared
+    if (apart) ends.insert(ends.end(), mostLags, std::nan(""));  // what lies apart isn't compared
     const double shown = track.speedAlone() ? trace.velocity[window.last] : trace.position[window.last];
     ends.push_back(track.seen[window.last] != 0 ? track.reading(window.last) - shown : std::nan(""));
   }

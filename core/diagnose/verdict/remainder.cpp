@@ -46,7 +46,7 @@ std::vector<Window> halfLater(const std::vector<Window>& windows) {
     const Window &one = windows[k], &next = windows[k + 1];
     if (next.track != one.track || next.first > one.last + 1 || next.first <= one.first) continue;
     const auto half = [](const Window& window) { return window.first + (window.last - window.first) / 2; };
-    later.push_back({one.track, half(one), half(next)});
+    later.push_back({one.track, half(one), half(next), one.errorIn});
   }
   return later;
 }

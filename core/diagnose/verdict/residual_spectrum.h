@@ -4,8 +4,8 @@
 #include <complex>
 #include <vector>
 
+#include "diagnose/fit/unexplained.h"
 #include "diagnose/verdict/block_maps.h"
-#include "diagnose/verdict/unexplained.h"
 
 namespace breakaway {
 

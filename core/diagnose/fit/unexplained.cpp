@@ -1,4 +1,4 @@
-#include "diagnose/verdict/unexplained.h"
+#include "diagnose/fit/unexplained.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,13 +36,10 @@ struct Winding {
   }
 };
 
-}  // namespace
-
-Unexplained unexplainedAlong(const Model& model, const Track& track) {
-  Simulator simulator(model, track, 0, track.rows() - 1);
+/// With the torque in every row.
+Unexplained along(const Model& model, const Track& track, Simulator& simulator, const InverseRows& rows) {
   const Stepper& stepper = simulator.stepper();
   const Physics& p = stepper.physics();
-  const InverseRows rows = inverseRows(actualTrack(model, simulator, track));
   const size_t n = rows.time.size();
   Unexplained out;
   out.step_s = rows.step_s;
@@ -103,7 +100,7 @@ Unexplained unexplainedAlong(const Model& model, const Track& track) {
     out.current[k] = current;
     out.travel[k] = std::abs(rows.position[k] - turned);
     out.acceleration[k] = (drive - resistance) / p.inertia;
-    if (out.usable[k] != 0) out.torque[k] = drive - resistance - p.inertia * rows.acceleration[k];
+    out.torque[k] = drive - resistance - p.inertia * rows.acceleration[k];
     if (!stepper.remembers() || k + 1 == n) continue;
     MotionState next = state;
     next.position = rows.position[k + 1];
@@ -114,6 +111,22 @@ Unexplained unexplainedAlong(const Model& model, const Track& track) {
     state = next;
   }
   return out;
+}
+
+}  // namespace
+
+Unexplained unexplainedAlong(const Model& model, const Track& track) {
+  Simulator simulator(model, track, 0, track.rows() - 1);
+  Unexplained out = along(model, track, simulator, inverseRows(actualTrack(model, simulator, track)));
+  for (size_t k = 0; k < out.torque.size(); ++k) {
+    if (out.usable[k] == 0) out.torque[k] = 0.0;
+  }
+  return out;
+}
+
+std::vector<double> torqueAlong(const Model& model, const Track& track, const InverseRows& rows) {
+  Simulator simulator(model, track, 0, track.rows() - 1);
+  return along(model, track, simulator, rows).torque;
 }
 
 }  // namespace breakaway

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "diagnose/fit/inverse_rows.h"
 #include "diagnose/model/model.h"
 #include "diagnose/simulate/track.h"
 
@@ -29,5 +30,9 @@ struct Unexplained {
 /// Runs the model's terms, with their hidden states, along the motion that the track shows. Precondition: as for
 /// Simulator.
 Unexplained unexplainedAlong(const Model& model, const Track& track);
+
+/// The torque alone, in every row of the track's even grid: what is no clear motion is for the caller to leave out. For
+/// models that change neither what the encoder shows nor what drives.
+std::vector<double> torqueAlong(const Model& model, const Track& track, const InverseRows& rows);
 
 }  // namespace breakaway
