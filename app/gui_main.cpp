@@ -123,6 +123,7 @@ int show(const QString& board, const QString& project) {
   session.project.open(project.isEmpty() ? BenchProject::defaultFolder() : project);
   MainWindow window(session, files);
   restoreLayout(window);
+  window.showParameters(parametersKeptOpen());
   window.show();
   QObject::connect(&session.connection, &Connection::came, &window,
                    [&session] { QSettings("breakaway", "breakaway").setValue(boardKey, session.connection.uri()); });

@@ -18,6 +18,7 @@
 #include "pages/runs_page.h"
 #include "pages/tune_page.h"
 #include "session/session.h"
+#include "session/settings_edits.h"
 #include "widgets/board_bar.h"
 #include "widgets/closing.h"
 #include "widgets/controls.h"
@@ -26,6 +27,8 @@
 #include "widgets/log_drawer.h"
 #include "widgets/look.h"
 #include "widgets/manual.h"
+#include "widgets/page_room.h"
+#include "widgets/parameters_dock.h"
 #include "widgets/rail.h"
 #include "widgets/stop_keys.h"
 #include "widgets/theme_button.h"
@@ -46,6 +49,7 @@ MainWindow::MainWindow(Session& session, FileChooser& files, QWidget* parent)
   buildPages(session, files);
   buildRail();
   buildBelow(session, files);
+  buildParameters(session, files);
   layOut(new BoardBar(session.connection, this));
   toast_ = new Toast(session.messages, this);
   connect(toast_, &Toast::clicked, this, [this] { showLog(true); });
@@ -64,11 +68,11 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::buildPages(Session& session, FileChooser& files) {
-  auto& [messages, connection, project, bench, live, comparison, experiment, trial, kept, unfinished, runs, maps] =
-      session;
+  auto& [messages, connection, edits, project, bench, live, comparison, experiment, trial, kept, unfinished, runs,
+         maps] = session;
   pages_ = {new ConnectPage(connection, bench, messages, files, this),
             new IdentifyPage(connection, bench, this),
-            new TunePage(connection, bench, this),
+            new TunePage(connection, bench, edits, this),
             new HomePage(connection, bench, live, this),
             new FrictionPage(connection, bench, maps, messages, files, this),
             new ComparePage(bench, live, comparison, experiment, trial, project, files, this),
@@ -127,6 +131,36 @@ void MainWindow::buildBelow(Session& session, FileChooser& files) {
   connect(log_, &LogDrawer::changed, this, [this] { strip_->countUnread(*log_); });
 }
 
+void MainWindow::buildParameters(Session& session, FileChooser& files) {
+  parameters_ = new ParametersDock(session.connection, session.edits, files, this);
+  parameters_->hide();
+  connect(parameters_, &ParametersDock::closed, this, [this] { showParameters(false); });
+  parametersButton_ = pushButton(this, "parametersButton", tr("Parameters"),
+                                 tr("The board's settings beside the page: compare, edit, apply (Ctrl+P)"));
+  parametersButton_->setProperty("role", "bare");
+  parametersButton_->setFixedSize(Rail::width_px, 32);
+  parametersButton_->setStyleSheet("padding-left: 12px;");
+  const auto turn = [this] { showParameters(parameters_->isHidden()); };
+  connect(parametersButton_, &QPushButton::clicked, this, turn);
+  auto* action = new QAction(this);
+  action->setShortcut(QKeySequence("Ctrl+P"));
+  connect(action, &QAction::triggered, this, turn);
+  addAction(action);
+  connect(&session.edits, &SettingsEdits::changed, this, [this, &edits = session.edits] { countEdits(edits); });
+}
+
+void MainWindow::countEdits(const SettingsEdits& edits) {
+  const size_t count = edits.count();
+  parametersButton_->setText(count == 0 ? tr("Parameters") : tr("Parameters: %1 edited").arg(count));
+}
+
+void MainWindow::showParameters(bool open) {
+  keepParametersOpen(open);
+  room_->setScrolls(open);
+  parameters_->setVisible(open);
+  fitLive();
+}
+
 void MainWindow::layOut(QWidget* bar) {
   auto* centre = new QWidget(this);
   auto* column = columnIn(centre, 0);
@@ -137,6 +171,7 @@ void MainWindow::layOut(QWidget* bar) {
   side->setAttribute(Qt::WA_StyledBackground);
   auto* left = columnIn(side, 0);
   left->addWidget(rail_, 1);
+  left->addWidget(parametersButton_);
   auto* help =
       pushButton(side, "helpButton", tr("Manual (F1)"), tr("The manual on this page; F1 on what is under the cursor"));
   help->setProperty("role", "bare");
@@ -147,7 +182,12 @@ void MainWindow::layOut(QWidget* bar) {
   left->addWidget(new ThemeButton(this));
   auto* right = new QVBoxLayout;
   right->setSpacing(0);
-  right->addWidget(stack_, 1);
+  room_ = new PageRoom(stack_, centre);
+  auto* above = new QHBoxLayout;
+  above->setSpacing(0);
+  above->addWidget(room_, 1);
+  above->addWidget(parameters_);
+  right->addLayout(above, 1);
   right->addWidget(log_);
   right->addWidget(live_);
   row->addWidget(side);

@@ -6,6 +6,7 @@
 
 #include "widgets/file_chooser.h"
 
+class QPushButton;
 class QStackedWidget;
 
 namespace breakaway {
@@ -16,7 +17,10 @@ class LiveStrip;
 class LogDrawer;
 class Manual;
 class Page;
+class PageRoom;
+class ParametersDock;
 class Rail;
+class SettingsEdits;
 class Toast;
 struct Session;
 
@@ -30,6 +34,8 @@ class MainWindow : public QMainWindow {
   void showPage(const QString& objectName);
   /// Opens or closes the plots below the page.
   void showLive(bool open);
+  /// Opens or closes the board's settings beside the page.
+  void showParameters(bool open);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -42,6 +48,8 @@ class MainWindow : public QMainWindow {
   void buildRail();
   void buildBelow(Session& session, FileChooser& files);
   void buildHelp();
+  void buildParameters(Session& session, FileChooser& files);
+  void countEdits(const SettingsEdits& edits);
   void layOut(QWidget* bar);
   void goTo(int row);
   void showStates();
@@ -52,6 +60,9 @@ class MainWindow : public QMainWindow {
   Connection& connection_;
   Rail* rail_ = nullptr;
   QStackedWidget* stack_ = nullptr;
+  PageRoom* room_ = nullptr;
+  ParametersDock* parameters_ = nullptr;
+  QPushButton* parametersButton_ = nullptr;
   LogDrawer* log_ = nullptr;
   LivePlots* live_ = nullptr;
   LiveStrip* strip_ = nullptr;

@@ -73,6 +73,7 @@ class Tour {
   void connectBoard();
   void loseLink();
   void compareProfile();
+  void parameters(const QString& profile);
   void live();
   void identify();
   void tune();
@@ -195,6 +196,13 @@ void Tour::live() {
   shoot("hand-live");
   plots->showCursors(false);
   plots->setPaused(false);
+  auto* mode = window_.findChild<QComboBox*>("triggerMode");
+  window_.findChild<QComboBox*>("triggerChannel")->setCurrentIndex(1);
+  mode->setCurrentIndex(2);
+  if (!wait([&] { return plots->paused(); }, 30'000)) trouble_ = "the trigger finds no edge";
+  shoot("hand-trigger");
+  mode->setCurrentIndex(0);
+  plots->setPaused(false);
   window_.showLive(false);
   press("logButton");
   shoot("hand-log");
@@ -255,9 +263,29 @@ void Tour::compareProfile() {
   press("restoreProfileButton");
   wait([&] { return !table->item(2, 3)->text().isEmpty(); }, 5000);
   shoot("connect-profile");
+  parameters(files_.path);
   files_.path.clear();
   session_.connection.configure(before);
   wait([&] { return session_.connection.settings() == before; }, 5000);
+}
+
+/// The board's settings beside Tune: two edits, one of them unticked, and a profile.
+void Tour::parameters(const QString& profile) {
+  window_.showPage("tunePage");
+  window_.showParameters(true);
+  shoot("parameters-ready");
+  session_.edits.openProfile(profile);
+  auto* table = window_.findChild<QTableWidget*>("parametersTable");
+  table->item(1, 3)->setText("0.5");
+  table->item(9, 3)->setText("2.5");
+  table->item(9, 0)->setCheckState(Qt::Unchecked);
+  table->setCurrentCell(9, 3);
+  shoot("parameters-edited");
+  table->item(9, 3)->setText("1000");
+  shoot("parameters-refused");
+  session_.edits.revertAll();
+  window_.showParameters(false);
+  window_.showPage("connectPage");
 }
 
 void Tour::tune() {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -26,6 +27,7 @@ using Clock = BoardLink::Clock;
 constexpr double beatEvery_s = 0.05;    // of the lease's 0.25 s
 constexpr double longSlice_s = 0.05;    // granted while nothing has to react
 constexpr double resendAfter_s = 0.02;  // on a local link an answer takes far less
+constexpr double unbounded = 1e9;       // what a board names as a parameter's most that has none
 constexpr double patience_s = 3.0;      // for a granted slice, however slow its emulator
 
 ControllerSettings settingsOf(const std::vector<double>& values) {
@@ -40,6 +42,7 @@ class BoardDrive final : public Drive {
 
   const Identity& identity() const override { return identity_; }
   ControllerSettings settings() const override { return settings_; }
+  std::vector<SettingRange> settingRanges() const override;
   Result<ControllerSettings> configure(const ControllerSettings& wanted) override;
   Result<void> compensate(const FrictionCompensation& friction) override;
   Result<FrictionCompensation> compensation() override;
@@ -153,6 +156,17 @@ Error BoardDrive::broken(const Error& error) {
   endProcedure(error.fact);
   broken_ = error;
   return error;
+}
+
+std::vector<SettingRange> BoardDrive::settingRanges() const {
+  std::vector<SettingRange> ranges;
+  for (const auto& [name, member] : profileParameters()) {
+    const BoardParameter* entry = dictionary_.find(name);
+    const bool offered = entry != nullptr && entry->writable;
+    ranges.push_back({offered, offered ? entry->least : 0.0,
+                      offered && entry->most < unbounded ? entry->most : std::numeric_limits<double>::infinity()});
+  }
+  return ranges;
 }
 
 Result<ControllerSettings> BoardDrive::configure(const ControllerSettings& wanted) {

@@ -35,6 +35,7 @@ class SimulatedBoard final : public Drive {
 
   const Identity& identity() const override { return identity_; }
   ControllerSettings settings() const override { return settings_; }
+  std::vector<SettingRange> settingRanges() const override;
   Result<ControllerSettings> configure(const ControllerSettings& wanted) override;
   Result<void> compensate(const FrictionCompensation& friction) override;
   Result<void> linearise(const DutyCurve& curve) override;
@@ -92,12 +93,24 @@ class SimulatedBoard final : public Drive {
   size_t lostTicks_ = 0, silentTicks_ = 0;  ///< not carried by the link: since the host was told, and in a row
 };
 
+std::vector<SettingRange> SimulatedBoard::settingRanges() const {
+  std::vector<SettingRange> ranges(profileParameters().size());
+  for (size_t k = 0; k < ranges.size(); ++k) {
+    const auto member = profileParameters()[k].value;
+    if (member == &ControllerSettings::observer_cutoff_rad_per_s) ranges[k].most = 0.5 / ticks_s_;
+    if (member == &ControllerSettings::current_limit_A) ranges[k].most = mostCurrent_A_;
+    if (member == &ControllerSettings::velocity_limit_rad_per_s) ranges[k].most = mostVelocity_rad_per_s_;
+  }
+  return ranges;
+}
+
 Result<ControllerSettings> SimulatedBoard::configure(const ControllerSettings& wanted) {
   if (auto good = checkSettings(wanted); !good) return good.error();
-  settings_ = wanted;
-  settings_.observer_cutoff_rad_per_s = std::min(wanted.observer_cutoff_rad_per_s, 0.5 / ticks_s_);
-  settings_.current_limit_A = std::min(wanted.current_limit_A, mostCurrent_A_);
-  settings_.velocity_limit_rad_per_s = std::min(wanted.velocity_limit_rad_per_s, mostVelocity_rad_per_s_);
+  const auto ranges = settingRanges();
+  for (size_t k = 0; k < ranges.size(); ++k) {
+    const auto member = profileParameters()[k].value;
+    settings_.*member = std::min(wanted.*member, ranges[k].most);
+  }
   controller_.configure(servoSettings(settings_));
   return settings_;
 }

@@ -12,13 +12,13 @@
 #include "session/bench_runs.h"
 #include "session/connection.h"
 #include "session/messages.h"
-#include "widgets/axis_units.h"
 #include "widgets/board_list.h"
 #include "widgets/controls.h"
 #include "widgets/facts_table.h"
 #include "widgets/look.h"
 #include "widgets/number_text.h"
 #include "widgets/profile_panel.h"
+#include "widgets/setting_words.h"
 
 namespace breakaway {
 
@@ -243,19 +243,16 @@ void ConnectPage::showIdentity() {
                                           : tr("once per turn"),
                    {}},
                   {tr("Supply"), tr("%1 V").arg(number(identity.supply_V)), {}}});
-    const AxisUnits units = unitsOf(identity.axis);
-    const auto with = [&number](double value, const QString& unit) { return number(value) + " " + unit; };
-    controller_->show({{tr("Velocity Kp"), with(settings.velocity_kp_A_s_per_rad, units.gain), {}},
-                       {tr("Velocity Ki"), with(settings.velocity_ki_A_per_rad, units.integral), {}},
-                       {tr("Velocity Kd"), with(settings.velocity_kd_A_s2_per_rad, units.derivative), {}},
-                       {tr("Observer cutoff"), with(settings.observer_cutoff_rad_per_s, tr("rad/s")), {}},
-                       {connection_.linear() ? tr("Nominal mass") : tr("Nominal inertia"),
-                        with(units.inertiaScale * settings.nominal_inertia_kg_m2, units.inertia),
-                        {}},
-                       {connection_.linear() ? tr("Nominal force constant") : tr("Nominal torque constant"),
-                        with(settings.nominal_torque_constant_Nm_per_A, units.constant),
-                        {}},
-                       {tr("Current limit"), tr("%1 A").arg(number(settings.current_limit_A)), {}}});
+    std::vector<Fact> rows;
+    for (double ControllerSettings::*setting :
+         {&ControllerSettings::velocity_kp_A_s_per_rad, &ControllerSettings::velocity_ki_A_per_rad,
+          &ControllerSettings::velocity_kd_A_s2_per_rad, &ControllerSettings::observer_cutoff_rad_per_s,
+          &ControllerSettings::nominal_inertia_kg_m2, &ControllerSettings::nominal_torque_constant_Nm_per_A,
+          &ControllerSettings::current_limit_A}) {
+      const SettingWords words = settingWords(setting, identity.axis);
+      rows.push_back({words.title, number(words.scale * settings.*setting) + " " + words.unit, words.meaning});
+    }
+    controller_->show(rows);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "base/numbers.h"
 #include "pages/run_state.h"
 #include "session/bench_runs.h"
 #include "session/connection.h"
@@ -44,6 +45,7 @@ HandPage::HandPage(Connection& connection, BenchRuns& bench, const LiveSamples& 
   setFocusPolicy(Qt::ClickFocus);
   setHead(tr("Drive by hand"), tr("The motor runs while a button is held, and its windings open when it is let go."));
   settings()->addWidget(buildSettings());
+  settings()->addWidget(buildStep());
   settings()->addStretch(1);
   picture()->addWidget(buildNumbers());
   picture()->addWidget(buildButtons());
@@ -90,6 +92,33 @@ QWidget* HandPage::buildSettings() {
   most_A_->setValue(1.0);
   connect(target_, &QDoubleSpinBox::valueChanged, this,
           [this](double value) { targets_[static_cast<size_t>(mode_)] = value; });
+  return group;
+}
+
+QWidget* HandPage::buildStep() {
+  auto* group = card(this);
+  columnOf(group)->addWidget(section(group, tr("One step")));
+  step_ = numberBox(group, "handStep", tr("Step"), tr("How far one press of a step button goes"));
+  stepSpeed_ = numberBox(group, "handStepSpeed", tr("Speed of a step"), tr("How fast it goes there"));
+  auto* grid = new QGridLayout;
+  grid->setColumnStretch(0, 1);
+  grid->setVerticalSpacing(4);
+  int at = 0;
+  for (QDoubleSpinBox* box : {step_, stepSpeed_}) {
+    auto* name = new QLabel(box->accessibleName(), group);
+    name->setBuddy(box);
+    grid->addWidget(name, at, 0);
+    grid->addWidget(box, at++, 1);
+  }
+  columnOf(group)->addLayout(grid);
+  jogs_ = {pushButton(group, "jogBack", {}), pushButton(group, "jogOn", {})};
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  for (size_t k = 0; k < jogs_.size(); ++k) {
+    row->addWidget(jogs_[k], 1);
+    connect(jogs_[k], &QPushButton::clicked, this, [this, k] { jog(k == 0 ? -1.0 : 1.0); });
+  }
+  columnOf(group)->addLayout(row);
   return group;
 }
 
@@ -162,6 +191,18 @@ void HandPage::wordForAxis() {
   buttons_[0]->setText(tr("◀  hold: %1").arg(wayName(Way::cw, axis)));
   buttons_[1]->setText(tr("hold: %1  ▶").arg(wayName(Way::ccw, axis)));
   for (size_t k = 0; k < buttons_.size(); ++k) buttons_[k]->setAccessibleName(buttons_[k]->text());
+  step_->setSuffix(linear ? tr(" mm") : tr("°"));
+  step_->setRange(linear ? 0.01 : 0.1, linear ? 1000.0 : 3600.0);
+  step_->setValue(linear ? 5.0 : 10.0);
+  stepSpeed_->setSuffix(linear ? tr(" mm/s") : tr(" rad/s"));
+  stepSpeed_->setRange(0.1, linear ? 200.0 : 50.0);
+  stepSpeed_->setValue(linear ? 20.0 : 2.0);
+  const std::array<QString, 2> jogTexts{tr("◀  %1").arg(wayName(Way::cw, axis)),
+                                        tr("%1  ▶").arg(wayName(Way::ccw, axis))};
+  for (size_t k = 0; k < jogs_.size(); ++k) {
+    jogs_[k]->setText(jogTexts[k]);
+    jogs_[k]->setAccessibleName(tr("One step %1").arg(wayName(k == 0 ? Way::cw : Way::ccw, axis)));
+  }
   const auto channels = liveChannels(linear);
   for (size_t k = 0; k < units_.size(); ++k) units_[k]->setText(channels[k].title());
   choose(mode_);
@@ -173,9 +214,24 @@ void HandPage::hold(double way) {
   HandOptions options;
   options.mode = mode_;
   options.target = way * target_->value() * (mode_ == HandMode::speed ? metre : 1.0);
-  options.mostSpeed_rad_per_s = metre * mostSpeed_->value();
+  options.mostSpeed_rad_per_s = speedLimit();
   options.most_A = most_A_->value();
   grip_ = bench_.driveByHand(options);
+}
+
+double HandPage::speedLimit() const {
+  return (connection_.linear() ? 1e-3 : 1.0) * mostSpeed_->value();
+}
+
+void HandPage::jog(double way) {
+  if (!bench_.handObstacle().isEmpty()) return;
+  const bool linear = connection_.linear();
+  JogOptions options;
+  options.by_rad = way * step_->value() * (linear ? 1e-3 : turn_rad / 360.0);
+  options.speed_rad_per_s = (linear ? 1e-3 : 1.0) * stepSpeed_->value();
+  options.mostSpeed_rad_per_s = speedLimit();
+  options.most_A = most_A_->value();
+  jogGrip_ = bench_.jog(options);
 }
 
 void HandPage::letGo() {
@@ -183,10 +239,22 @@ void HandPage::letGo() {
   grip_.reset();
 }
 
+void HandPage::leave() {
+  letGo();
+  if (jogGrip_) jogGrip_->held = false;
+  jogGrip_.reset();
+}
+
 void HandPage::keyPressEvent(QKeyEvent* event) {
   const bool arrow = event->key() == Qt::Key_Left || event->key() == Qt::Key_Right;
   if (!arrow) return Page::keyPressEvent(event);
-  if (!event->isAutoRepeat()) hold(event->key() == Qt::Key_Left ? -1.0 : 1.0);
+  if (event->isAutoRepeat()) return;
+  const double way = event->key() == Qt::Key_Left ? -1.0 : 1.0;
+  if (event->modifiers() & Qt::ShiftModifier) {
+    jog(way);
+  } else {
+    hold(way);
+  }
 }
 
 void HandPage::keyReleaseEvent(QKeyEvent* event) {
@@ -195,12 +263,12 @@ void HandPage::keyReleaseEvent(QKeyEvent* event) {
 
 /// A key that is let go while another window has the keyboard is never heard of.
 void HandPage::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::ActivationChange && !isActiveWindow()) letGo();
+  if (event->type() == QEvent::ActivationChange && !isActiveWindow()) leave();
   Page::changeEvent(event);
 }
 
 void HandPage::hideEvent(QHideEvent* event) {
-  letGo();
+  leave();
   Page::hideEvent(event);
 }
 
@@ -209,8 +277,10 @@ void HandPage::showState() {
   const QString obstacle = bench_.handObstacle();
   for (QPushButton* button : buttons_)
     if (!button->isDown()) setAvailable(button, tr("Runs while it is held; the arrow keys do the same"), obstacle);
+  for (QPushButton* button : jogs_)
+    setAvailable(button, tr("Goes one step and stops; Shift with an arrow key does the same"), obstacle);
   StepState state = stateOf(connection_, {RunKind::hand});
-  if (state.mark == StepMark::running) state.words = tr("held");
+  if (state.mark == StepMark::running) state.words = tr("moving");
   if (state.words.isEmpty()) state.words = obstacle.isEmpty() ? tr("runs while held") : tr("not now");
   setState(state);
   const RunSnapshot& run = connection_.run();

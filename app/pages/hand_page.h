@@ -35,11 +35,16 @@ class HandPage : public Page {
   QWidget* buildSettings();
   QWidget* buildButtons();
   QWidget* buildNumbers();
+  QWidget* buildStep();
   QPushButton* holdButton(QWidget* parent, const char* objectName, double way);
   void choose(HandMode mode);
   void wordForAxis();
   void hold(double way);
+  void jog(double way);
+  double speedLimit() const;
   void letGo();
+  /// Nothing moves on while nobody looks at the page.
+  void leave();
   void showState();
   void showNumbers();
 
@@ -47,13 +52,16 @@ class HandPage : public Page {
   BenchRuns& bench_;
   const LiveSamples& live_;
   HandMode mode_ = HandMode::speed;
-  std::shared_ptr<HandGrip> grip_;
+  std::shared_ptr<HandGrip> grip_, jogGrip_;
   std::optional<bool> worded_;  ///< for a linear axis, or a rotor
   std::array<QPushButton*, 3> modes_{};
   std::array<double, 3> targets_{1.0, 0.2, 5.0};  ///< by mode, as shown
   QDoubleSpinBox* target_ = nullptr;
   QDoubleSpinBox* mostSpeed_ = nullptr;
   QDoubleSpinBox* most_A_ = nullptr;
+  QDoubleSpinBox* step_ = nullptr;
+  QDoubleSpinBox* stepSpeed_ = nullptr;
+  std::array<QPushButton*, 2> jogs_{};     ///< one step, ways as buttons_
   std::array<QPushButton*, 2> buttons_{};  ///< against growing angle, towards it
   std::array<QLabel*, 4> numbers_{};
   std::array<QLabel*, 4> units_{};

@@ -14,6 +14,7 @@
 #include "pages/run_state.h"
 #include "session/bench_runs.h"
 #include "session/connection.h"
+#include "session/settings_edits.h"
 #include "widgets/axis_units.h"
 #include "widgets/bode_plot.h"
 #include "widgets/controls.h"
@@ -22,6 +23,7 @@
 #include "widgets/look.h"
 #include "widgets/number_text.h"
 #include "widgets/quantity_slider.h"
+#include "widgets/setting_words.h"
 #include "widgets/step_plot.h"
 #include "widgets/table.h"
 
@@ -58,8 +60,8 @@ QWidget* titled(QWidget* parent, const QString& title, QWidget* plot) {
 
 }  // namespace
 
-TunePage::TunePage(Connection& connection, BenchRuns& bench, QWidget* parent)
-    : Page("tunePage", tr("Tune"), parent), connection_(connection), bench_(bench) {
+TunePage::TunePage(Connection& connection, BenchRuns& bench, SettingsEdits& edits, QWidget* parent)
+    : Page("tunePage", tr("Tune"), parent), connection_(connection), bench_(bench), edits_(edits) {
   setHead(tr("Tune"), tr("The step moves with the sliders; the board keeps its values until Apply."));
   apply_ = addPrimary("applyButton", tr("Apply"));
   measure_ = addSecondary("measureStepButton", tr("Measure a step"));
@@ -72,29 +74,29 @@ TunePage::TunePage(Connection& connection, BenchRuns& bench, QWidget* parent)
   soon_.setSingleShot(true);
   soon_.setInterval(soon_ms);
   connect(&soon_, &QTimer::timeout, this, &TunePage::foretell);
-  connect(apply_, &QPushButton::clicked, this, [this] { connection_.configure(edited_); });
+  connect(apply_, &QPushButton::clicked, this, [this] { edits_.apply(); });
   connect(measure_, &QPushButton::clicked, this, &TunePage::measure);
   connect(forget_, &QPushButton::clicked, &bench_, &BenchRuns::forgetSteps);
   connect(&connection_, &Connection::changed, this, &TunePage::meetBoard);
-  connect(&connection_, &Connection::settingsChanged, this, &TunePage::takeAccepted);
+  connect(&edits_, &SettingsEdits::changed, this, &TunePage::showSliders);
   connect(&connection_, &Connection::runChanged, this, &TunePage::showMotion);
   connect(&bench_, &BenchRuns::knownChanged, &soon_, qOverload<>(&QTimer::start));
   connect(&bench_, &BenchRuns::tuningChanged, this, &TunePage::showEdits);
-  connect(&bench_, &BenchRuns::tuned, this, &TunePage::edit);
+  connect(&bench_, &BenchRuns::tuned, &edits_, &SettingsEdits::edit);
   connect(&bench_, &BenchRuns::measured, this, &TunePage::showSteps);
   connect(&bench_, &BenchRuns::measured, this, &TunePage::showMotion);
   meetBoard();
   showSteps();
 }
 
-QuantitySlider* TunePage::addSlider(const QString& objectName, const QString& title, const QString& unit,
-                                    const QString& help, double ControllerSettings::*field) {
-  auto* slider = new QuantitySlider(objectName, title, unit, help, this);
+QuantitySlider* TunePage::addSlider(const QString& objectName, double ControllerSettings::*field) {
+  const SettingWords words = settingWords(field, Axis::rotary);
+  auto* slider = new QuantitySlider(objectName, words.title, words.unit, words.meaning, this);
   sliders_.push_back({slider, field});
   connect(slider, &QuantitySlider::chosen, this, [this, field](double value) {
-    ControllerSettings wanted = edited_;
+    ControllerSettings wanted = edits_.edited();
     wanted.*field = value;
-    edit(wanted);
+    edits_.edit(wanted);
   });
   return slider;
 }
@@ -110,7 +112,8 @@ QWidget* TunePage::buildTuning() {
       {"tuneSoftButton", tr("Soft")}, {"tuneMediumButton", tr("Medium")}, {"tuneStiffButton", tr("Stiff")}};
   for (size_t k = 0; k < std::size(names); ++k) {
     auto* button = pushButton(group, names[k].first, names[k].second);
-    connect(button, &QPushButton::clicked, this, [this, k] { bench_.tune(static_cast<Stiffness>(k), edited_); });
+    connect(button, &QPushButton::clicked, this,
+            [this, k] { bench_.tune(static_cast<Stiffness>(k), edits_.edited()); });
     row->addWidget(button, 1);
     stiffness_.push_back(button);
   }
@@ -125,9 +128,9 @@ QWidget* TunePage::buildUndo() {
   redo_ = pushButton(group, "redoButton", tr("Redo"));
   revert_ = pushButton(group, "revertButton", tr("Revert"));
   for (QPushButton* button : {undo_, redo_, revert_}) row->addWidget(button, 1);
-  connect(undo_, &QPushButton::clicked, this, [this] { goBack(-1); });
-  connect(redo_, &QPushButton::clicked, this, [this] { goBack(1); });
-  connect(revert_, &QPushButton::clicked, this, [this] { edit(accepted_); });
+  connect(undo_, &QPushButton::clicked, &edits_, &SettingsEdits::undo);
+  connect(redo_, &QPushButton::clicked, &edits_, &SettingsEdits::redo);
+  connect(revert_, &QPushButton::clicked, &edits_, &SettingsEdits::revertAll);
   return group;
 }
 
@@ -137,16 +140,10 @@ QWidget* TunePage::buildControls() {
   column->setSpacing(10);
   column->addWidget(section(side, tr("Velocity loop")));
   column->addWidget(buildTuning());
-  column->addWidget(addSlider("kp", tr("Proportional gain Kp"), tr("A s/rad"), tr("Current per velocity error"),
-                              &ControllerSettings::velocity_kp_A_s_per_rad));
-  column->addWidget(addSlider("ki", tr("Integral gain Ki"), tr("A/rad"), tr("Current per accumulated velocity error"),
-                              &ControllerSettings::velocity_ki_A_per_rad));
-  column->addWidget(addSlider("kd", tr("Derivative gain Kd"), tr("A s²/rad"),
-                              tr("Current per change of the velocity error"),
-                              &ControllerSettings::velocity_kd_A_s2_per_rad));
-  column->addWidget(addSlider("cutoff", tr("Observer cutoff g"), tr("rad/s"),
-                              tr("Bandwidth of the disturbance observer's feedback; 0 switches the feedback off"),
-                              &ControllerSettings::observer_cutoff_rad_per_s));
+  column->addWidget(addSlider("kp", &ControllerSettings::velocity_kp_A_s_per_rad));
+  column->addWidget(addSlider("ki", &ControllerSettings::velocity_ki_A_per_rad));
+  column->addWidget(addSlider("kd", &ControllerSettings::velocity_kd_A_s2_per_rad));
+  column->addWidget(addSlider("cutoff", &ControllerSettings::observer_cutoff_rad_per_s));
   auto* row = new QHBoxLayout;
   auto* name = new QLabel(tr("Step from 0 to"), side);
   height_ = new QDoubleSpinBox(side);
@@ -209,11 +206,7 @@ void TunePage::wordForAxis() {
   if (axis == worded_) return;
   worded_ = axis;
   const AxisUnits units = unitsOf(axis);
-  for (const Slider& slider : sliders_) {
-    if (slider.field == &ControllerSettings::velocity_kp_A_s_per_rad) slider.widget->setUnit(units.gain);
-    if (slider.field == &ControllerSettings::velocity_ki_A_per_rad) slider.widget->setUnit(units.integral);
-    if (slider.field == &ControllerSettings::velocity_kd_A_s2_per_rad) slider.widget->setUnit(units.derivative);
-  }
+  for (const Slider& slider : sliders_) slider.widget->setUnit(settingWords(slider.field, axis).unit);
   const bool linear = axis == Axis::linear;
   height_->setDecimals(linear ? 3 : 1);
   height_->setRange(linear ? 0.01 : 1.0, linear ? 10.0 : 300.0);
@@ -227,65 +220,23 @@ void TunePage::wordForAxis() {
 
 void TunePage::meetBoard() {
   wordForAxis();
-  accepted_ = edited_ = connection_.settings();
-  history_ = {edited_};
-  at_ = 0;
-  const double kp = edited_.velocity_kp_A_s_per_rad;
+  const ControllerSettings& now = edits_.edited();
+  const double kp = now.velocity_kp_A_s_per_rad;
   for (const Slider& slider : sliders_) {
     const bool cutoff = slider.field == &ControllerSettings::observer_cutoff_rad_per_s;
     const bool derivative = slider.field == &ControllerSettings::velocity_kd_A_s2_per_rad;
     const double otherwise = cutoff ? 2000.0 : derivative ? 0.01 * kp : 10.0 * kp;
-    slider.widget->setRange(roomFor(edited_.*slider.field, std::max(otherwise, 1e-6)));
+    slider.widget->setRange(roomFor(now.*slider.field, std::max(otherwise, 1e-6)));
   }
   showSliders();
   showMotion();
 }
 
-/// What was edited on the page and isn't sent yet stays.
-void TunePage::takeAccepted() {
-  const ControllerSettings now = connection_.settings();
-  if (edits() == 0 || now == edited_ || at_ == 0) edited_ = now;
-  accepted_ = now;
-  if (history_.empty() || history_[at_] != edited_) {
-    history_.resize(at_ + 1);
-    history_.push_back(edited_);
-    at_ = history_.size() - 1;
-  }
-  showSliders();
-}
-
-void TunePage::edit(const ControllerSettings& settings) {
-  if (settings == edited_) return;
-  edited_ = settings;
-  history_.resize(at_ + 1);
-  history_.push_back(settings);
-  at_ = history_.size() - 1;
-  showSliders();
-}
-
-void TunePage::goBack(int by) {
-  at_ = static_cast<size_t>(std::clamp(static_cast<int>(at_) + by, 0, static_cast<int>(history_.size()) - 1));
-  edited_ = history_[at_];
-  showSliders();
-}
-
-size_t TunePage::edits() const {
-  size_t count = 0;
-  for (double ControllerSettings::*field :
-       {&ControllerSettings::velocity_kp_A_s_per_rad, &ControllerSettings::velocity_ki_A_per_rad,
-        &ControllerSettings::velocity_kd_A_s2_per_rad, &ControllerSettings::position_kp_A_per_rad,
-        &ControllerSettings::position_ki_A_per_rad_s, &ControllerSettings::position_kd_A_s_per_rad,
-        &ControllerSettings::observer_cutoff_rad_per_s, &ControllerSettings::nominal_inertia_kg_m2,
-        &ControllerSettings::nominal_torque_constant_Nm_per_A})
-    if (edited_.*field != accepted_.*field) ++count;
-  return count;
-}
-
 void TunePage::showSliders() {
   const QString obstacle = bench_.gainsObstacle();
   for (const Slider& slider : sliders_) {
-    slider.widget->show(edited_.*slider.field);
-    slider.widget->setOnBoard(connection_.connected() ? std::optional(accepted_.*slider.field) : std::nullopt);
+    slider.widget->show(edits_.edited().*slider.field);
+    slider.widget->setOnBoard(connection_.connected() ? std::optional(edits_.accepted().*slider.field) : std::nullopt);
     slider.widget->setAvailable(obstacle.isEmpty(), obstacle);
   }
   showEdits();
@@ -293,16 +244,15 @@ void TunePage::showSliders() {
 }
 
 void TunePage::showEdits() {
-  const size_t count = edits();
+  const size_t count = edits_.count();
   const QString obstacle = bench_.gainsObstacle();
   apply_->setText(count == 0 ? tr("Apply") : count == 1 ? tr("Apply 1 edit") : tr("Apply %1 edits").arg(count));
-  setAvailable(apply_, tr("Send what is set here to the board; what it accepts is shown"),
+  setAvailable(apply_, tr("Send all edits to the board, those in Parameters too; what it accepts is shown"),
                !obstacle.isEmpty() ? obstacle
                : count == 0        ? tr("Nothing is edited: the board has what is shown")
                                    : QString());
-  setAvailable(undo_, at_ > 0, tr("Take the last edit back"), tr("There is no edit to take back"));
-  setAvailable(redo_, at_ + 1 < history_.size(), tr("Make the edit again that was taken back"),
-               tr("No edit was taken back"));
+  setAvailable(undo_, edits_.canUndo(), tr("Take the last edit back"), tr("There is no edit to take back"));
+  setAvailable(redo_, edits_.canRedo(), tr("Make the edit again that was taken back"), tr("No edit was taken back"));
   setAvailable(revert_, count > 0, tr("Back to what the board has"), tr("Nothing is edited"));
   source_->setText(connection_.connected() ? tr("Automatically, from the motor as by its %1").arg(bench_.motor().source)
                                            : tr("Automatically"));
@@ -326,15 +276,15 @@ VelocityStepOptions TunePage::step() const {
 void TunePage::foretell() {
   preview_ = onBoard_ = {};
   if (connection_.connected() && bench_.gainsObstacle().isEmpty()) {
-    PreviewQuestion question{connection_.identity(), edited_, bench_.motor(),
+    PreviewQuestion question{connection_.identity(), edits_.edited(), bench_.motor(),
                              knownCoulomb_Nm(bench_.bench(), bench_.known()), step()};
     preview_ = previewOf(question);
-    question.settings = accepted_;
-    if (edits() > 0) onBoard_ = previewOf(question);
+    question.settings = edits_.accepted();
+    if (edits_.count() > 0) onBoard_ = previewOf(question);
   }
   plot_->foretell(preview_.step);
   bode_->show(preview_.response, preview_.margins, onBoard_.response);
-  locus_->show(preview_.locus, edited_.observer_cutoff_rad_per_s, preview_.tick_s);
+  locus_->show(preview_.locus, edits_.edited().observer_cutoff_rad_per_s, preview_.tick_s);
   showChips();
   showSteps();
 }
@@ -356,8 +306,8 @@ void TunePage::showChips() {
               stable ? tr("2.5 and more") : tr("unstable"), toneOf(gradeOfGain(now.margins)));
   rule_->show(numberText(now.alphaGT, 2), tr("up to 0.3"), toneOf(gradeOfAlphaGT(now.alphaGT)));
   noise_->show(stable ? tr("%1 mA").arg(numberText(1e3 * now.currentNoise_A)) : tr("–"),
-               tr("up to %1 mA").arg(numberText(20.0 * edited_.current_limit_A, 2)),
-               stable ? toneOf(gradeOfNoise(now.currentNoise_A, edited_.current_limit_A)) : "trouble");
+               tr("up to %1 mA").arg(numberText(20.0 * edits_.edited().current_limit_A, 2)),
+               stable ? toneOf(gradeOfNoise(now.currentNoise_A, edits_.edited().current_limit_A)) : "trouble");
   if (!stable) {
     read(tr("Unstable: the loop would swing up by itself. Lower the gain or the cutoff."));
   } else if (gradeOfAlphaGT(now.alphaGT) != Grade::good) {
@@ -403,7 +353,7 @@ void TunePage::showSteps() {
     table_->item(at, 0)->setFont(typed(Type::caption, true));
   };
   int at = 0;
-  if (foretold) row(at++, tr("Foretold"), edited_, preview_.figures, look.curve(0));
+  if (foretold) row(at++, tr("Foretold"), edits_.edited(), preview_.figures, look.curve(0));
   for (size_t k = steps.size(); k-- > 0;)  // the newest on top
     row(at++, tr("Step %1").arg(k + 1), steps[k].settings, steps[k].figures,
         k >= StepPlot::firstDrawn(steps.size()) ? look.curve(StepPlot::colourOf(k)) : look.ink);

@@ -23,13 +23,14 @@ class Connection;
 class FigureChip;
 class LocusPlot;
 class QuantitySlider;
+class SettingsEdits;
 class StepPlot;
 
 class TunePage : public Page {
   Q_OBJECT
 
  public:
-  TunePage(Connection& connection, BenchRuns& bench, QWidget* parent = nullptr);
+  TunePage(Connection& connection, BenchRuns& bench, SettingsEdits& edits, QWidget* parent = nullptr);
   /// Of what is set on the page, as far as it was computed.
   const TuningPreview& preview() const { return preview_; }
 
@@ -44,14 +45,9 @@ class TunePage : public Page {
   QWidget* buildUndo();
   QWidget* buildChips();
   QWidget* buildPlots();
-  QuantitySlider* addSlider(const QString& objectName, const QString& title, const QString& unit, const QString& help,
-                            double ControllerSettings::*field);
+  QuantitySlider* addSlider(const QString& objectName, double ControllerSettings::*field);
   void wordForAxis();
   void meetBoard();
-  void takeAccepted();
-  void edit(const ControllerSettings& settings);
-  void goBack(int by);
-  size_t edits() const;
   void showSliders();
   void showEdits();
   void foretell();
@@ -63,9 +59,7 @@ class TunePage : public Page {
 
   Connection& connection_;
   BenchRuns& bench_;
-  ControllerSettings edited_, accepted_;
-  std::vector<ControllerSettings> history_;  ///< what was set on the page, `at_` is now
-  size_t at_ = 0;
+  SettingsEdits& edits_;
   TuningPreview preview_, onBoard_;
   std::vector<Slider> sliders_;
   std::vector<QPushButton*> stiffness_;

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "base/numbers.h"
 #include "commission/steps.h"
 #include "experiment/abilities.h"
 #include "experiment/maneuver_run.h"
@@ -101,6 +102,16 @@ std::shared_ptr<HandGrip> BenchRuns::driveByHand(const HandOptions& options) {
   HandOptions within = options;
   if (axisIsHomed()) within.travel = known_.counted;
   connection_.start({RunKind::hand, std::make_shared<HandDrive>(within, grip), {}});
+  return grip;
+}
+
+std::shared_ptr<HandGrip> BenchRuns::jog(const JogOptions& options) {
+  auto grip = std::make_shared<HandGrip>();
+  JogOptions within = options;
+  if (axisIsHomed()) within.travel = known_.counted;
+  const double counts = connection_.identity().countsPerRev;
+  if (counts > 0.0) within.count_rad = (connection_.linear() ? 1.0 : turn_rad) / counts;
+  connection_.start({RunKind::hand, std::make_shared<Jog>(within, grip), {}});
   return grip;
 }
 

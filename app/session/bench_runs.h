@@ -15,6 +15,7 @@
 #include "session/board_tuning.h"
 #include "session/connection.h"
 #include "session/hand_drive.h"
+#include "session/jog.h"
 #include "session/messages.h"
 
 namespace breakaway {
@@ -33,6 +34,8 @@ class BenchRuns : public QObject {
   void measureStep(const VelocityStepOptions& wanted);
   /// Runs until the grip is let go.
   std::shared_ptr<HandGrip> driveByHand(const HandOptions& options);
+  /// One step, as long as the grip is held.
+  std::shared_ptr<HandGrip> jog(const JogOptions& options);
   /// Makes what the kind stands for, and before it whatever that needs and isn't known yet: identification, homing,
   /// either sweep (with the breakaway sweep all that the map takes), or a trial: tuning for use and a run with and
   /// without the map. What was interrupted goes on where it ended, unless `sweeps` are others now; what was complete is

@@ -3,6 +3,8 @@
 #include <chrono>
 #include <utility>
 
+#include "experiment/profile.h"
+
 namespace breakaway {
 
 using namespace std::chrono_literals;
@@ -44,6 +46,7 @@ void Connection::begin(std::unique_ptr<Drive> drive) {
   hasRun_ = false;
   identity_ = drive->identity();
   settings_ = drive->settings();
+  ranges_ = drive->settingRanges();
   loop_ = std::make_unique<DriveLoop>(std::move(drive), options_);
   loop_->setPace(pace_);
   listenToLoop();
@@ -168,6 +171,14 @@ void Connection::takeSettings(const ControllerSettings& settings) {
   if (!loop_) return;
   settings_ = settings;
   emit settingsChanged();
+}
+
+SettingRange Connection::rangeOf(double ControllerSettings::*setting) const {
+  if (!connected()) return {false};
+  for (size_t k = 0; k < ranges_.size(); ++k) {
+    if (profileParameters()[k].value == setting) return ranges_[k];
+  }
+  return {};
 }
 
 void Connection::onBoard(std::function<void(Drive&)> job) {

@@ -63,6 +63,8 @@ class Connection : public QObject {
   /// What somebody else has set the board to.
   void takeSettings(const ControllerSettings& settings);
   const ControllerSettings& settings() const { return settings_; }
+  /// What the board lets one be; without a bound where it names none, nothing offered without a board.
+  SettingRange rangeOf(double ControllerSettings::*setting) const;
   /// Does `job`, which moves nothing, on the board in the I/O thread. Nothing without a board.
   void onBoard(std::function<void(Drive&)> job);
 
@@ -101,6 +103,7 @@ class Connection : public QObject {
   unsigned number_ = 0;  ///< of boards that came
   Identity identity_;
   ControllerSettings settings_;
+  std::vector<SettingRange> ranges_;
   LinkStatus link_;
   RunSnapshot run_;
   bool hasRun_ = false;

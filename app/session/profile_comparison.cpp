@@ -12,9 +12,11 @@ ProfileComparison::ProfileComparison(Connection& connection, const BenchRuns& be
   connect(&connection_, &Connection::settingsChanged, this, &ProfileComparison::compare);
 }
 
-QString ProfileComparison::obstacle() const {
-  if (!connection_.connected()) return tr("No board is connected");
-  return connection_.linear() ? tr("Profiles are for boards with a rotor; this one moves a linear axis") : QString();
+QString profileObstacle(const Connection& connection) {
+  if (!connection.connected()) return ProfileComparison::tr("No board is connected");
+  return connection.linear()
+             ? ProfileComparison::tr("Profiles are for boards with a rotor; this one moves a linear axis")
+             : QString();
 }
 
 QString ProfileComparison::source() const {

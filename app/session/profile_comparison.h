@@ -14,6 +14,9 @@
 
 namespace breakaway {
 
+/// Why a profile can't be saved or opened now; empty when it can.
+QString profileObstacle(const Connection& connection);
+
 class ProfileComparison : public QObject {
   Q_OBJECT
 
@@ -35,8 +38,6 @@ class ProfileComparison : public QObject {
   const std::vector<Row>& rows() const { return rows_; }
   /// Where the profile came from: file, board and firmware.
   QString source() const;
-  /// Why a profile can't be saved or opened now; empty when it can.
-  QString obstacle() const;
 
  signals:
   void changed();

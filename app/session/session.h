@@ -10,6 +10,7 @@
 #include "session/live_samples.h"
 #include "session/messages.h"
 #include "session/project_runs.h"
+#include "session/settings_edits.h"
 #include "session/shown_maps.h"
 #include "session/trial_run.h"
 #include "session/unfinished_runs.h"
@@ -21,6 +22,7 @@ struct Session {
 
   Messages messages;
   Connection connection;
+  SettingsEdits edits{connection, messages};
   BenchProject project{messages};
   BenchRuns bench{connection, messages};
   LiveSamples live{connection, project, messages};

@@ -11,7 +11,8 @@ namespace breakaway {
 
 namespace {
 constexpr const char* geometryKey = "window/geometry";
-}
+constexpr const char* parametersKey = "window/parameters";
+}  // namespace
 
 bool mayClose(QWidget& window, Connection& connection) {
   if (!connection.powered() && !connection.run().running()) return true;
@@ -37,6 +38,14 @@ bool mayClose(QWidget& window, Connection& connection) {
 
 bool restoreLayout(QMainWindow& window) {
   return window.restoreGeometry(QSettings("breakaway", "breakaway").value(geometryKey).toByteArray());
+}
+
+bool parametersKeptOpen() {
+  return QSettings("breakaway", "breakaway").value(parametersKey, false).toBool();
+}
+
+void keepParametersOpen(bool open) {
+  QSettings("breakaway", "breakaway").setValue(parametersKey, open);
 }
 
 void keepLayout(const QMainWindow& window) {

@@ -16,4 +16,8 @@ bool mayClose(QWidget& window, Connection& connection);
 bool restoreLayout(QMainWindow& window);
 void keepLayout(const QMainWindow& window);
 
+/// Whether the board's settings stood beside the page when the window was closed.
+bool parametersKeptOpen();
+void keepParametersOpen(bool open);
+
 }  // namespace breakaway

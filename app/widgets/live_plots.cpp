@@ -3,6 +3,7 @@
 #include <qcustomplot.h>
 
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -25,7 +26,12 @@ namespace breakaway {
 
 namespace {
 
-constexpr int recordWidth = 112;  // of "Finish (600 s)"
+constexpr int levelWidth = 112;
+constexpr int recordWidth = 112;        // of "Finish (600 s)"
+constexpr double beforePart = 0.25;     // of the view lies before the trigger's edge
+constexpr double hysteresisPart = 0.5;  // of the least span of a channel
+constexpr double patience = 2.0;        // views without an edge, then the picture runs on
+enum TriggerMode { triggerOff, triggerAuto, triggerSingle };
 constexpr std::array<double, 5> spans_s{2.0, 5.0, 10.0, 20.0, 60.0};
 
 }  // namespace
@@ -35,6 +41,7 @@ LivePlots::LivePlots(Connection& connection, LiveSamples& live, Messages& messag
   setObjectName("livePlots");
   auto* layout = columnIn(this, 4, {16, 4, 16, 4});
   buildStrip();
+  buildTrigger();
   buildPlot();
   layout->addWidget(plot_, 1);
   applyLook();
@@ -65,7 +72,14 @@ void LivePlots::buildStrip() {
   span_->setToolTip(tr("Visible time span; while the picture is paused, the wheel zooms"));
   for (const double span : spans_s) span_->addItem(tr("%1 s").arg(span), span);
   span_->setCurrentIndex(2);
-  connect(span_, &QComboBox::currentIndexChanged, this, [this] { stale_ = true; });
+  connect(span_, &QComboBox::currentIndexChanged, this, [this] { armTrigger(); });
+  triggerMode_ = new QComboBox(this);
+  triggerMode_->setObjectName("triggerMode");
+  triggerMode_->setAccessibleName(tr("Trigger"));
+  triggerMode_->setToolTip(
+      tr("Auto: the picture stands at the newest edge and runs on without one. Single: it waits for "
+         "one edge and pauses there; Pause arms it again"));
+  triggerMode_->addItems({tr("Free run"), tr("Trigger: auto"), tr("Trigger: single")});
   record_ = toolButton(this, "recordButton", tr("Record"), {});
   record_->setFixedWidth(recordWidth);
   connect(record_, &QToolButton::clicked, &live_,
@@ -78,11 +92,104 @@ void LivePlots::buildStrip() {
   difference_ = new QLabel(this);
   difference_->setObjectName("cursorDifference");
   difference_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  for (QWidget* widget : std::initializer_list<QWidget*>{pause_, cursorButton_, span_, record_, save_, export_})
+  for (QWidget* widget :
+       std::initializer_list<QWidget*>{pause_, cursorButton_, span_, triggerMode_, record_, save_, export_})
     strip->addWidget(widget);
   strip->addStretch(1);
   strip->addWidget(difference_);
   static_cast<QVBoxLayout*>(layout())->addLayout(strip);
+}
+
+void LivePlots::buildTrigger() {
+  triggerRow_ = new QWidget(this);
+  auto* row = rowIn(triggerRow_, 4);
+  const auto box = [&](const char* objectName, const QString& name, const QString& tip) {
+    auto* made = new QComboBox(triggerRow_);
+    made->setObjectName(objectName);
+    made->setAccessibleName(name);
+    made->setToolTip(tip);
+    row->addWidget(made);
+    return made;
+  };
+  triggerChannel_ = box("triggerChannel", tr("Channel of the trigger"), tr("What the trigger watches"));
+  triggerEdge_ = box("triggerEdge", tr("Edge of the trigger"), tr("Which way the channel crosses the level"));
+  triggerEdge_->addItems({tr("rising"), tr("falling")});
+  auto* name = new QLabel(tr("through"), triggerRow_);
+  triggerLevel_ = new QDoubleSpinBox(triggerRow_);
+  triggerLevel_->setObjectName("triggerLevel");
+  triggerLevel_->setAccessibleName(tr("Level of the trigger"));
+  triggerLevel_->setToolTip(tr("The level that the channel crosses, drawn over its plot"));
+  triggerLevel_->setRange(-1e6, 1e6);
+  triggerLevel_->setAlignment(Qt::AlignRight);
+  triggerLevel_->setFixedWidth(levelWidth);
+  triggerState_ = caption(triggerRow_, {});
+  triggerState_->setObjectName("triggerState");
+  row->addWidget(name);
+  row->addWidget(triggerLevel_);
+  row->addSpacing(8);
+  row->addWidget(triggerState_);
+  row->addStretch(1);
+  static_cast<QVBoxLayout*>(layout())->addWidget(triggerRow_);
+  triggerRow_->hide();
+  connect(triggerMode_, &QComboBox::currentIndexChanged, this, &LivePlots::armTrigger);
+  connect(triggerChannel_, &QComboBox::currentIndexChanged, this, &LivePlots::armTrigger);
+  connect(triggerEdge_, &QComboBox::currentIndexChanged, this, &LivePlots::armTrigger);
+  connect(triggerLevel_, &QDoubleSpinBox::valueChanged, this, &LivePlots::armTrigger);
+}
+
+void LivePlots::wordTrigger() {
+  const QSignalBlocker quiet(triggerChannel_);
+  const int chosen = std::max(0, triggerChannel_->currentIndex());
+  triggerChannel_->clear();
+  for (const LiveChannel& channel : channels_) triggerChannel_->addItem(channel.name);
+  triggerChannel_->setCurrentIndex(chosen);
+}
+
+void LivePlots::armTrigger() {
+  stale_ = true;
+  const int mode = triggerMode_->currentIndex();
+  triggerRow_->setVisible(mode != triggerOff);
+  const auto at = static_cast<size_t>(std::max(0, triggerChannel_->currentIndex()));
+  triggerLevel_->setSuffix(" " + channels_[at].unit);
+  trigger_.reset();
+  for (const Trace& trace : traces_) trace.edge->setVisible(false);
+  levelLine_->setVisible(mode != triggerOff);
+  if (mode == triggerOff) return triggerState_->clear();
+  TriggerOptions options;
+  options.level = triggerLevel_->value();
+  options.rising = triggerEdge_->currentIndex() == 0;
+  options.hysteresis = hysteresisPart * channels_[at].leastSpan;
+  options.after_s = (1.0 - beforePart) * span_->currentData().toDouble();
+  options.once = mode == triggerSingle;
+  trigger_.emplace(options);
+  triggerState_->setText(tr("waits for an edge"));
+  QCPAxisRect* rect = traces_[at].rect;
+  levelLine_->setClipAxisRect(rect);
+  for (QCPItemPosition* position : levelLine_->positions()) {
+    position->setAxisRect(rect);
+    position->setAxes(rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atLeft));
+    position->setTypeX(QCPItemPosition::ptAxisRectRatio);
+    position->setTypeY(QCPItemPosition::ptPlotCoords);
+  }
+  levelLine_->point1->setCoords(0.0, options.level);
+  levelLine_->point2->setCoords(1.0, options.level);
+  if (paused_) setPaused(false);
+}
+
+/// The newest sample, or so much after the trigger's edge that this stands at its place in the view.
+double LivePlots::viewEnd_s(double span_s) {
+  const auto newest = live_.history().newest();
+  const double newest_s = newest ? newest->time_s : 0.0;
+  const bool found = trigger_ && trigger_->shown_s().has_value();
+  const double edge_s = found ? *trigger_->shown_s() : 0.0;
+  const bool stands = found && (trigger_->done() || newest_s - edge_s < (1.0 + patience) * span_s);
+  for (const Trace& trace : traces_) {
+    trace.edge->setVisible(stands);
+    trace.edge->point1->setCoords(edge_s, 0.0);
+    trace.edge->point2->setCoords(edge_s, 1.0);
+  }
+  if (trigger_) triggerState_->setText(stands ? tr("edge at %1 s").arg(edge_s, 0, 'f', 4) : tr("waits for an edge"));
+  return stands ? edge_s + (1.0 - beforePart) * span_s : newest_s;
 }
 
 void LivePlots::buildPlot() {
@@ -143,8 +250,11 @@ void LivePlots::addTrace(int channel) {
     item->setVisible(false);
   };
   for (QCPItemStraightLine*& cursor : trace.cursors) overTime(cursor = new QCPItemStraightLine(plot_));
+  overTime(trace.edge = new QCPItemStraightLine(plot_));
   overTime(trace.loss = new QCPItemStraightLine(plot_));
   if (channel != 0) return;
+  levelLine_ = new QCPItemStraightLine(plot_);
+  levelLine_->setVisible(false);
   overTime(lossText_ = new QCPItemText(plot_));
   lossText_->setObjectName("linkLost");
   lossText_->setText(tr("link lost"));
@@ -182,8 +292,10 @@ void LivePlots::applyLook() {
     trace.readout->setFont(typed(Type::caption));
     trace.cursors[0]->setPen(QPen(look.ink, 1));
     trace.cursors[1]->setPen(QPen(look.ink, 1, Qt::DashLine));
+    trace.edge->setPen(QPen(look.accentLine, 1, Qt::DashDotLine));
     trace.loss->setPen(QPen(look.trouble, 2));
   }
+  levelLine_->setPen(QPen(look.accentLine, 1, Qt::DashDotLine));
   lossText_->setColor(look.trouble);
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
@@ -200,7 +312,9 @@ void LivePlots::setPaused(bool paused) {
   pause_->setChecked(paused);
   plot_->setInteractions(paused ? QCP::iRangeDrag | QCP::iRangeZoom : QCP::Interactions());
   stale_ = true;
-  if (!paused) follow();
+  if (paused) return;
+  if (trigger_ && trigger_->done()) armTrigger();
+  follow();
 }
 
 void LivePlots::showCursors(bool shown) {
@@ -224,6 +338,7 @@ void LivePlots::refresh() {
   if (paused_ || (consumed_ == before && !stale_)) return;
   stale_ = false;
   follow();
+  if (trigger_ && trigger_->done()) setPaused(true);
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
@@ -232,8 +347,10 @@ void LivePlots::consume() {
   if (consumed_ < history.first()) consumed_ = history.first();
   if (consumed_ == history.end()) return;
   std::array<std::vector<TracePoint>, channelCount> points;
+  const auto watched = static_cast<size_t>(std::max(0, triggerChannel_->currentIndex()));
   for (; consumed_ < history.end(); ++consumed_) {
     const Sample& sample = history.at(consumed_);
+    if (trigger_) trigger_->take(sample.time_s, channels_[watched].of(sample));
     for (size_t channel = 0; channel < traces_.size(); ++channel) {
       traces_[channel].envelope.add(sample.time_s, channels_[channel].of(sample), points[channel]);
     }
@@ -264,6 +381,8 @@ void LivePlots::startOver() {
     trace.graph->data()->clear();
     trace.envelope = Envelope(0.002, 3.5 * period_s);
   }
+  wordTrigger();
+  armTrigger();
   setPaused(false);
   showConnection();
 }
@@ -288,9 +407,8 @@ void LivePlots::showConnection() {
 }
 
 void LivePlots::follow() {
-  const auto newest = live_.history().newest();
-  const double end_s = newest ? newest->time_s : 0.0;
   const double span_s = span_->currentData().toDouble();
+  const double end_s = viewEnd_s(span_s);
   const double shift_s = end_s - to_s();
   traces_[0].rect->axis(QCPAxis::atBottom)->setRange(end_s - span_s, end_s);
   for (double& cursor : cursor_s_) cursor += shift_s;

@@ -3,8 +3,10 @@
 
 #include <QWidget>
 #include <array>
+#include <optional>
 #include <vector>
 
+#include "session/trigger.h"
 #include "widgets/envelope.h"
 #include "widgets/file_chooser.h"
 #include "widgets/live_channels.h"
@@ -16,6 +18,7 @@ class QCPItemText;
 class QCPTextElement;
 class QCustomPlot;
 class QComboBox;
+class QDoubleSpinBox;
 class QLabel;
 class QToolButton;
 
@@ -53,11 +56,13 @@ class LivePlots : public QWidget {
     QCPTextElement* title = nullptr;
     QCPTextElement* readout = nullptr;
     std::array<QCPItemStraightLine*, 2> cursors{};
+    QCPItemStraightLine* edge = nullptr;  ///< of the trigger
     QCPItemStraightLine* loss = nullptr;  ///< of the link
     Envelope envelope{0.002, 0.01};
   };
 
   void buildStrip();
+  void buildTrigger();
   void buildPlot();
   void addTrace(int channel);
   void linkTimeAxes();
@@ -66,6 +71,10 @@ class LivePlots : public QWidget {
   void meetBoard();
   void startOver();
   void follow();
+  /// By what the trigger's controls say; a picture that stands at an edge is let go.
+  void armTrigger();
+  void wordTrigger();
+  double viewEnd_s(double span_s);
   void scaleValues(Trace& trace) const;
   void placeCursors();
   void writeReadouts();
@@ -88,6 +97,14 @@ class LivePlots : public QWidget {
   QToolButton* export_ = nullptr;
   QComboBox* span_ = nullptr;
   QLabel* difference_ = nullptr;
+  QComboBox* triggerMode_ = nullptr;
+  QComboBox* triggerChannel_ = nullptr;
+  QComboBox* triggerEdge_ = nullptr;
+  QDoubleSpinBox* triggerLevel_ = nullptr;
+  QLabel* triggerState_ = nullptr;
+  QWidget* triggerRow_ = nullptr;
+  QCPItemStraightLine* levelLine_ = nullptr;
+  std::optional<Trigger> trigger_;
   QCPItemText* lossText_ = nullptr;
   std::array<LiveChannel, channelCount> channels_ = liveChannels(false);
   std::array<Trace, channelCount> traces_;

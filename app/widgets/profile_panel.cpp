@@ -6,11 +6,10 @@
 #include <QPushButton>
 #include <QTableWidget>
 #include <QVBoxLayout>
-#include <algorithm>
-#include <iterator>
 
 #include "widgets/controls.h"
 #include "widgets/number_text.h"
+#include "widgets/setting_words.h"
 #include "widgets/table.h"
 
 namespace breakaway {
@@ -20,35 +19,18 @@ namespace {
 constexpr int nameRole = Qt::UserRole;  ///< of the file
 constexpr int usualDigits = 4, mostDigits = 9;
 
-struct Words {
-  const char* name;
-  const char* words;
-};
-
-constexpr Words parameters[] = {
-    {"velocity_kp_A_s_per_rad", QT_TRANSLATE_NOOP("ProfilePanel", "Velocity Kp (A s/rad)")},
-    {"velocity_ki_A_per_rad", QT_TRANSLATE_NOOP("ProfilePanel", "Velocity Ki (A/rad)")},
-    {"velocity_kd_A_s2_per_rad", QT_TRANSLATE_NOOP("ProfilePanel", "Velocity Kd (A s²/rad)")},
-    {"position_kp_A_per_rad", QT_TRANSLATE_NOOP("ProfilePanel", "Position Kp (A/rad)")},
-    {"position_ki_A_per_rad_s", QT_TRANSLATE_NOOP("ProfilePanel", "Position Ki (A/(rad s))")},
-    {"position_kd_A_s_per_rad", QT_TRANSLATE_NOOP("ProfilePanel", "Position Kd (A s/rad)")},
-    {"observer_cutoff_rad_per_s", QT_TRANSLATE_NOOP("ProfilePanel", "Observer cutoff (rad/s)")},
-    {"nominal_inertia_kg_m2", QT_TRANSLATE_NOOP("ProfilePanel", "Nominal inertia (kg m²)")},
-    {"nominal_torque_constant_Nm_per_A", QT_TRANSLATE_NOOP("ProfilePanel", "Nominal torque constant (Nm/A)")},
-    {"current_limit_A", QT_TRANSLATE_NOOP("ProfilePanel", "Current limit (A)")},
-    {"velocity_limit_rad_per_s", QT_TRANSLATE_NOOP("ProfilePanel", "Velocity limit (rad/s)")},
-    {frictionTableName, QT_TRANSLATE_NOOP("ProfilePanel", "Friction table")}};
-
-QString wordsOf(const std::string& name) {
-  const auto* found =
-      std::find_if(std::begin(parameters), std::end(parameters), [&](const Words& one) { return name == one.name; });
-  return found == std::end(parameters) ? QString::fromStdString(name) : ProfilePanel::tr(found->words);
+/// Of a parameter by its name in the file, or of the friction table, which has neither unit nor scale.
+SettingWords wordsFor(const std::string& name) {
+  for (const auto& [known, setting] : profileParameters()) {
+    if (name == known) return settingWords(setting, Axis::rotary);
+  }
+  return {name == frictionTableName ? ProfilePanel::tr("Friction table") : QString::fromStdString(name), {}, 1.0, {}};
 }
 
-QString shortText(const QString& text, int digits) {
+QString shortText(const QString& text, int digits, double scale = 1.0) {
   bool number = false;
   const double value = text.toDouble(&number);
-  return number ? numberText(value, digits) : text;
+  return number ? numberText(scale * value, digits) : text;
 }
 
 /// As many digits as tell the two apart.
@@ -62,7 +44,7 @@ int digitsFor(const QString& one, const QString& other) {
 
 ProfilePanel::ProfilePanel(Connection& connection, const BenchRuns& bench, Messages& messages, FileChooser& files,
                            QWidget* parent)
-    : QWidget(parent), files_(files), profile_(connection, bench, messages) {
+    : QWidget(parent), connection_(connection), files_(files), profile_(connection, bench, messages) {
   auto* column = columnIn(this, 8);
   column->addWidget(section(this, tr("Profile")));
   auto* buttons = new QHBoxLayout;
@@ -106,9 +88,11 @@ void ProfilePanel::fill() {
     table_->setRowCount(row + 1);
     const QString here = QString::fromStdString(one.values.here), there = QString::fromStdString(one.values.there);
     const int digits = one.values.same ? usualDigits : digitsFor(here, there);
+    const SettingWords words = wordsFor(one.values.name);
+    const auto shown = [&](const QString& text) { return shortText(text, digits, words.scale); };
     fillRow(
         *table_, row,
-        {wordsOf(one.values.name), shortText(here, digits), shortText(there, digits), shortText(one.accepted, digits)});
+        {words.unit.isEmpty() ? words.title : words.titleWithUnit(), shown(here), shown(there), shown(one.accepted)});
     auto* name = table_->item(row, 0);
     name->setData(nameRole, QString::fromStdString(one.values.name));
     name->setToolTip(tr("%1 in the file").arg(QString::fromStdString(one.values.name)));
@@ -134,9 +118,11 @@ QStringList ProfilePanel::ticked() const {
 }
 
 void ProfilePanel::showAvailable() {
-  setAvailable(save_, tr("Write gains, limits and the friction table of this board to a file"), profile_.obstacle());
-  setAvailable(open_, tr("Show where a saved profile differs from the board; nothing is written"), profile_.obstacle());
-  QString nothing = profile_.obstacle();
+  setAvailable(save_, tr("Write gains, limits and the friction table of this board to a file"),
+               profileObstacle(connection_));
+  setAvailable(open_, tr("Show where a saved profile differs from the board; nothing is written"),
+               profileObstacle(connection_));
+  QString nothing = profileObstacle(connection_);
   if (nothing.isEmpty() && profile_.source().isEmpty()) nothing = tr("No profile is open: compare with one first");
   if (nothing.isEmpty() && ticked().isEmpty()) nothing = tr("No parameter is ticked");
   setAvailable(restore_, tr("Ask the board for the profile's values of the ticked parameters"), nothing);

@@ -24,6 +24,7 @@ class ProfilePanel : public QWidget {
   void showAvailable();
   QStringList ticked() const;
 
+  const Connection& connection_;
   FileChooser& files_;
   ProfileComparison profile_;
   QPushButton* save_ = nullptr;

@@ -9,6 +9,7 @@
 
 #include "base/result.h"
 #include "experiment/identity.h"
+#include "experiment/setting_range.h"
 #include "motor/duty_curve.h"
 #include "recording/sample.h"
 
@@ -80,6 +81,8 @@ class Drive {
   virtual ~Drive() = default;
   virtual const Identity& identity() const = 0;
   virtual ControllerSettings settings() const = 0;
+  /// What the board lets each setting be, in the order of profileParameters(); empty: it doesn't say.
+  virtual std::vector<SettingRange> settingRanges() const { return {}; }
   /// Asks for settings; returns those that were accepted (clamped to the board's limits), or why not.
   virtual Result<ControllerSettings> configure(const ControllerSettings& wanted) = 0;
   /// From now on current, velocity and position commands add this friction's torque, until another one comes. Errors:

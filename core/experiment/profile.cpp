@@ -29,13 +29,8 @@ std::string numberText(double value) {
   return fmt::format("{:.9g}", value);
 }
 
-/// Boards keep single precision.
-bool alike(double a, double b) {
-  return std::abs(a - b) <= 2e-7 * std::max(std::abs(a), std::abs(b));
-}
-
 bool alike(const std::vector<double>& a, const std::vector<double>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](double x, double y) { return alike(x, y); });
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](double x, double y) { return sameSetting(x, y); });
 }
 
 bool alike(const FrictionCompensation& a, const FrictionCompensation& b) {
@@ -44,7 +39,7 @@ bool alike(const FrictionCompensation& a, const FrictionCompensation& b) {
         !alike(a.viscous_Nm_s_per_rad[way], b.viscous_Nm_s_per_rad[way]))
       return false;
   }
-  return alike(a.blend_rad_per_s, b.blend_rad_per_s) && alike(a.cutoff_rad_per_s, b.cutoff_rad_per_s);
+  return sameSetting(a.blend_rad_per_s, b.blend_rad_per_s) && sameSetting(a.cutoff_rad_per_s, b.cutoff_rad_per_s);
 }
 
 std::string frictionText(const std::optional<FrictionCompensation>& friction) {
@@ -70,6 +65,10 @@ std::span<const ProfileParameter> profileParameters() {
   return parameters;
 }
 
+bool sameSetting(double a, double b) {
+  return std::abs(a - b) <= 2e-7 * std::max(std::abs(a), std::abs(b));
+}
+
 Result<void> checkSettings(const ControllerSettings& settings) {
   const auto good = [&](const ProfileParameter& one) {
     return std::isfinite(settings.*one.value) && settings.*one.value >= 0.0;
@@ -91,7 +90,7 @@ std::vector<ProfileRow> compareProfiles(const Profile& here, const Profile& ther
   std::vector<ProfileRow> rows;
   for (const auto& [name, value] : parameters) {
     const double a = here.settings.*value, b = there.settings.*value;
-    rows.push_back({name, numberText(a), numberText(b), alike(a, b)});
+    rows.push_back({name, numberText(a), numberText(b), sameSetting(a, b)});
   }
   rows.push_back({frictionTableName, frictionText(here.friction), frictionText(there.friction),
                   sameFriction(here.friction, there.friction)});
@@ -155,8 +154,8 @@ Result<std::vector<RestoredRow>> restoreProfile(Drive& board, const Profile& pro
   std::vector<RestoredRow> rows;
   for (const auto& [name, value] : parameters) {
     if (!chosen(name)) continue;
-    rows.push_back(
-        {name, numberText(wanted.*value), numberText((*accepted).*value), alike(wanted.*value, (*accepted).*value)});
+    rows.push_back({name, numberText(wanted.*value), numberText((*accepted).*value),
+                    sameSetting(wanted.*value, (*accepted).*value)});
   }
   if (chosen(frictionTableName)) {
     const auto after = profileOf(board);

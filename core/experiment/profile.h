@@ -29,6 +29,9 @@ std::span<const ProfileParameter> profileParameters();
 /// Error: one of them is negative or not finite.
 Result<void> checkSettings(const ControllerSettings& settings);
 
+/// Whether a board can tell them apart: it keeps single precision.
+bool sameSetting(double a, double b);
+
 /// What the friction table is called among the parameters.
 constexpr const char* frictionTableName = "friction_table";
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/json_text.h"
+#include "experiment/profile.h"
 #include "firmware_link/vesc/vesc_angle.h"
 #include "firmware_link/vesc/vesc_line.h"
 
@@ -51,6 +52,7 @@ class VescDrive final : public Drive {
 
   const Identity& identity() const override { return identity_; }
   ControllerSettings settings() const override { return settings_; }
+  std::vector<SettingRange> settingRanges() const override;
   Result<ControllerSettings> configure(const ControllerSettings& wanted) override;
   void command(const Command& command) override;
   void start(std::shared_ptr<Procedure> procedure) override;
@@ -86,6 +88,16 @@ class VescDrive final : public Drive {
   size_t lost_ = 0;
   Clock::time_point start_, nextQuestion_, askedAt_, heard_, alive_, stopSaidUntil_;
 };
+
+std::vector<SettingRange> VescDrive::settingRanges() const {
+  std::vector<SettingRange> ranges;
+  for (const auto& [name, member] : profileParameters()) {
+    const bool offered =
+        member == &ControllerSettings::current_limit_A || member == &ControllerSettings::velocity_limit_rad_per_s;
+    ranges.push_back({offered});
+  }
+  return ranges;
+}
 
 /// A VESC keeps its gains to itself; what this side watches over is all that can be set.
 Result<ControllerSettings> VescDrive::configure(const ControllerSettings& wanted) {

@@ -39,7 +39,11 @@ inline QList<QWidget*> visibleControls(const QWidget& window) {
 /// The scroll area or view that it moves in, if any: what is outside of that comes by scrolling.
 inline const QAbstractScrollArea* scrolledBy(const QWidget* widget) {
   for (const QWidget* up = widget->parentWidget(); up != nullptr; up = up->parentWidget()) {
-    if (const auto* area = qobject_cast<const QAbstractScrollArea*>(up)) return area;
+    const auto* area = qobject_cast<const QAbstractScrollArea*>(up);
+    if (area == nullptr) continue;
+    const bool fixed = area->horizontalScrollBarPolicy() == Qt::ScrollBarAlwaysOff &&
+                       area->verticalScrollBarPolicy() == Qt::ScrollBarAlwaysOff;
+    if (!fixed) return area;
   }
   return nullptr;
 }

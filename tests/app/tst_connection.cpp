@@ -12,6 +12,7 @@
 #include "support/temporary.h"
 #include "support/vesc_fake.h"
 #include "widgets/board_list.h"
+#include "widgets/closing.h"
 
 using namespace breakaway;
 using namespace breakaway::test;
@@ -69,6 +70,8 @@ class TestConnection : public QObject {
   void lostBoard_comesBack_withItsMotorOff();
   void givingUp_endsTheTrying();
   void profile_isSavedComparedAndRestoredInPart();
+  void parameters_areEditedBesideThePageAndSentInPart();
+  void parameters_refuseWhatTheBoardDoesNotOffer();
 };
 
 void TestConnection::initTestCase() {
@@ -233,6 +236,88 @@ void TestConnection::profile_isSavedComparedAndRestoredInPart() {
   QCOMPARE(table->item(0, 3)->text(), table->item(0, 2)->text());
   desk.session.connection.close();
   QTRY_COMPARE(table->rowCount(), 0);
+}
+
+void TestConnection::parameters_areEditedBesideThePageAndSentInPart() {
+  Desk desk;
+  desk.connectTo("simulated");
+  QVERIFY(desk.session.connection.connected());
+  desk.window.showPage("tunePage");
+  press(desk.window, "parametersButton");
+  auto* table = named<QTableWidget>(desk.window, "parametersTable");
+  const auto row = [&](const QString& title) {
+    const auto found = table->findItems(title, Qt::MatchExactly);
+    if (found.size() != 1) qFatal("no setting is called %s", qPrintable(title));
+    return found.front()->row();
+  };
+  constexpr int board = 2, edited = 3, before = 4, profile = 5;
+  const int kp = row("Velocity Kp (A s/rad)"), limit = row("Current limit (A)");
+  const ControllerSettings had = desk.session.connection.settings();
+  const QString kpText = table->item(kp, board)->text();
+
+  table->item(kp, edited)->setText("0.0123");
+  table->item(limit, edited)->setText("2,5");
+  QCOMPARE(desk.session.edits.count(), size_t{2});
+  QVERIFY(desk.session.connection.settings() == had);  // nothing is written unasked
+  QCOMPARE(named<QPushButton>(desk.window, "applyButton")->text(), QString("Apply 2 edits"));  // Tune has them, too
+  table->item(limit, edited)->setText("1000");
+  QVERIFY(named<QLabel>(desk.window, "parametersNote")->text().contains("is not within 0 to"));
+  QCOMPARE(table->item(limit, edited)->text(), QString("2.500"));
+  press(desk.window, "parametersUndo");
+  QCOMPARE(desk.session.edits.count(), size_t{1});
+  press(desk.window, "parametersRedo");
+  QCOMPARE(desk.session.edits.count(), size_t{2});
+
+  table->item(limit, 0)->setCheckState(Qt::Unchecked);
+  press(desk.window, "parametersApply");
+  QTRY_COMPARE(desk.session.edits.count(), size_t{1});
+  ControllerSettings wanted = had;
+  wanted.velocity_kp_A_s_per_rad = 0.0123;
+  QVERIFY(desk.session.connection.settings() == wanted);
+  QCOMPARE(table->item(kp, board)->text(), QString("0.01230"));
+  QCOMPARE(table->item(kp, before)->text(), kpText);
+  QCOMPARE(table->item(limit, edited)->text(), QString("2.500"));
+
+  const TemporaryFolder folder;
+  const QString file = QString::fromStdString(folder.path("a.profile.json"));
+  Profile saved{desk.session.connection.identity().device, "test", had, {}};
+  saved.settings.observer_cutoff_rad_per_s *= 0.5;
+  QVERIFY(writeProfile(saved, file.toStdString()).ok());
+  desk.answers.byTitle["Lay a profile beside the board"] = file;
+  press(desk.window, "parametersOpenProfile");
+  QCOMPARE(table->item(kp, profile)->text(), kpText);
+  QVERIFY(desk.session.connection.settings() == wanted);
+  press(desk.window, "parametersTakeProfile");
+  QVERIFY(desk.session.edits.edited().observer_cutoff_rad_per_s == saved.settings.observer_cutoff_rad_per_s);
+  QVERIFY(desk.session.edits.edited().velocity_kp_A_s_per_rad == had.velocity_kp_A_s_per_rad);
+  table->setCurrentCell(kp, edited);
+  press(desk.window, "parametersRevert");
+  QVERIFY(!desk.session.edits.isEdited(&ControllerSettings::velocity_kp_A_s_per_rad));
+  press(desk.window, "parametersRevertAll");
+  QCOMPARE(desk.session.edits.count(), size_t{0});
+  QVERIFY(desk.session.connection.settings() == wanted);
+  QVERIFY(parametersKeptOpen());
+  press(desk.window, "parametersClose");
+  QVERIFY(!table->isVisible());
+  QVERIFY(!parametersKeptOpen());
+}
+
+void TestConnection::parameters_refuseWhatTheBoardDoesNotOffer() {
+  Desk desk;
+  const VescFake vesc(servo());
+  const Socket socket;
+  socket.plug(vesc);
+  desk.connectTo(socket.address());
+  QTRY_VERIFY2(desk.session.connection.connected(), qPrintable(desk.state()));
+  desk.window.showParameters(true);
+  const auto* table = named<QTableWidget>(desk.window, "parametersTable");
+  QCOMPARE(table->item(0, 2)->text(), QString("not offered"));
+  QVERIFY(!(table->item(0, 3)->flags() & Qt::ItemIsEditable));
+  QVERIFY(!desk.session.edits.set(&ControllerSettings::velocity_kp_A_s_per_rad, 0.1));
+  QVERIFY(desk.session.edits.set(&ControllerSettings::current_limit_A, 1.5));
+  named<QPushButton>(desk.window, "parametersApply")->click();
+  QTRY_COMPARE(desk.session.connection.settings().current_limit_A, 1.5);
+  desk.window.showParameters(false);
 }
 
 JOURNEY_MAIN(TestConnection)

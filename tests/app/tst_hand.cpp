@@ -4,6 +4,8 @@
 #include <QPushButton>
 
 #include "app/desk.h"
+#include "base/numbers.h"
+#include "session/jog.h"
 
 using namespace breakaway;
 using namespace breakaway::test;
@@ -16,7 +18,10 @@ class TestHand : public QObject {
   void motor_runsWhileAnArrowIsHeld();
   void motor_isLetGoWithThePage();
   void motor_isLetGoBeyondThePagesLimit();
+  void step_goesAsFarAsSaidAndStops();
+  void step_endsWithThePage();
   void axis_isNotDrivenBeforeItsEndsAreKnown();
+  void step_ofAnAxisEndsBeforeItsMargin();
 };
 
 namespace {
@@ -92,6 +97,38 @@ void TestHand::motor_isLetGoBeyondThePagesLimit() {
   QVERIFY2(said.contains("faster than the limit"), qPrintable(said));
 }
 
+void TestHand::step_goesAsFarAsSaidAndStops() {
+  Hand hand;
+  QVERIFY(hand.isFree());
+  const auto angle_deg = [&] { return hand.session.live.history().newest()->angle_rad * 360.0 / turn_rad; };
+  named<QDoubleSpinBox>(hand.window, "handStep")->setValue(90.0);
+  const auto step = [&](auto&& begin, double wanted_deg) {
+    QTest::qWait(50);
+    const double before_deg = angle_deg();
+    begin();
+    QVERIFY(QTest::qWaitFor([&] { return hand.session.connection.run().running(); }, patience_ms));
+    QVERIFY(hand.isFree());
+    QCOMPARE(hand.session.connection.run().status.state, Procedure::State::finished);
+    QTest::qWait(100);
+    const double went_deg = angle_deg() - before_deg;
+    QVERIFY2(std::abs(went_deg - wanted_deg) < 3.0, qPrintable(QString::number(went_deg)));
+  };
+  step([&] { press(hand.window, "jogOn"); }, 90.0);
+  step([&] { press(hand.window, "jogBack"); }, -90.0);
+  auto* page = named<QWidget>(hand.window, "handPage");
+  step([&] { QTest::keyClick(page, Qt::Key_Right, Qt::ShiftModifier); }, 90.0);
+}
+
+void TestHand::step_endsWithThePage() {
+  Hand hand;
+  QVERIFY(hand.isFree());
+  named<QDoubleSpinBox>(hand.window, "handStep")->setValue(3600.0);
+  press(hand.window, "jogOn");
+  QVERIFY(hand.turnsAt(1.0, 3.0));
+  hand.window.showPage("connectPage");
+  QVERIFY(hand.isFree());
+}
+
 void TestHand::axis_isNotDrivenBeforeItsEndsAreKnown() {
   Desk desk(unhurried);
   desk.session.connection.open("simulated:linear");
@@ -100,6 +137,24 @@ void TestHand::axis_isNotDrivenBeforeItsEndsAreKnown() {
   const auto* button = named<QPushButton>(desk.window, "handOn");
   QVERIFY(!button->isEnabled());
   QVERIFY2(button->toolTip().startsWith("Home first"), qPrintable(button->toolTip()));
+  QVERIFY(!named<QPushButton>(desk.window, "jogOn")->isEnabled());
+}
+
+void TestHand::step_ofAnAxisEndsBeforeItsMargin() {
+  const Travel travel{0.0, 0.5, 0.02};
+  Jog jog({10.0, 0.2, 0.0, 0.0, travel, 1e-6}, std::make_shared<HandGrip>());
+  Sample sample;  // an axis that does what it is told
+  sample.angle_rad = 0.4;
+  constexpr double tick_s = 1e-3;
+  for (int k = 0; k < 10'000 && jog.state() == Procedure::State::running; ++k) {
+    const Command command = jog.step(sample);
+    sample.velocity_rad_per_s = command.mode == Command::Mode::velocity ? command.target : 0.0;
+    sample.angle_rad += sample.velocity_rad_per_s * tick_s;
+    sample.time_s += tick_s;
+    QVERIFY(sample.angle_rad <= travel.last_m());
+  }
+  QCOMPARE(jog.state(), Procedure::State::finished);
+  QVERIFY2(sample.angle_rad > travel.last_m() - 0.11, qPrintable(QString::number(sample.angle_rad)));
 }
 
 JOURNEY_MAIN(TestHand)

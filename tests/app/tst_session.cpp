@@ -15,6 +15,7 @@
 #include "recording/csv.h"
 #include "recording/sample_recording.h"
 #include "session/live_samples.h"
+#include "session/settings_edits.h"
 #include "support/temporary.h"
 
 using namespace breakaway;
@@ -382,7 +383,8 @@ void TestSession::page_worksWithItsPartsAlone() {
   Parts parts;
   BenchRuns bench(parts.connection, parts.messages);
   LiveSamples live(parts.connection, parts.project, parts.messages);
-  TunePage tune(parts.connection, bench);
+  SettingsEdits edits(parts.connection, parts.messages);
+  TunePage tune(parts.connection, bench, edits);
   HomePage home(parts.connection, bench, live);
   QVERIFY(!named<QPushButton>(tune, "measureStepButton")->isEnabled());
   parts.connection.adopt(std::make_unique<SmallDrive>(parts.witness), "small");

@@ -119,18 +119,23 @@ void TestSkeleton::nothing_movesWhenTheStateChanges() {
 void TestSkeleton::nothing_isCutOffOrOverlaps_data() {
   QTest::addColumn<QSize>("size");
   QTest::addColumn<bool>("live");
+  QTest::addColumn<bool>("parameters");
   for (const QSize size : {QSize(1280, 720), QSize(1366, 768), QSize(1920, 1080)}) {
     for (const bool live : {false, true})
-      QTest::addRow("%d×%d%s", size.width(), size.height(), live ? ", live" : "") << size << live;
+      QTest::addRow("%d×%d%s", size.width(), size.height(), live ? ", live" : "") << size << live << false;
+    for (const bool live : {false, true})
+      QTest::addRow("%d×%d%s, parameters", size.width(), size.height(), live ? ", live" : "") << size << live << true;
   }
 }
 
 void TestSkeleton::nothing_isCutOffOrOverlaps() {
   QFETCH(QSize, size);
   QFETCH(bool, live);
+  QFETCH(bool, parameters);
   Desk desk;
   desk.window.resize(size);
   desk.window.showLive(live);
+  if (parameters) desk.window.showParameters(true);
   for (const char* board : {"", "simulated:servo", "simulated:linear"}) {
     if (*board != 0) desk.session.connection.open(board);
     QVERIFY(desk.session.connection.connected() || *board == 0);
@@ -142,6 +147,7 @@ void TestSkeleton::nothing_isCutOffOrOverlaps() {
       const QStringList cut = clipped(desk.window), on = overlapping(desk.window);
       QVERIFY2(cut.isEmpty(), qPrintable(board + page + ": " + cut.join("; ")));
       QVERIFY2(on.isEmpty(), qPrintable(board + page + ": " + on.join("; ")));
+      QVERIFY(desk.window.rect().contains(placeIn(named<QWidget>(desk.window, "stopButton"), desk.window)));
       desk.window.showPage("connectPage");
     }
   }
@@ -150,6 +156,7 @@ void TestSkeleton::nothing_isCutOffOrOverlaps() {
 void TestSkeleton::focusable_hasNameAndTooltip() {
   Desk desk;
   desk.window.showLive(true);
+  desk.window.showParameters(true);
   named<QWidget>(desk.window, "logDrawer")->show();
   QStringList silent;
   for (const QString& page : pages) {

@@ -1,5 +1,6 @@
 // Whatever the window does or fails to do, the motor stops.
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QSignalSpy>
@@ -7,6 +8,7 @@
 #include "app/small_drive.h"
 #include "app/window_support.h"
 #include "recording/csv.h"
+#include "session/trigger.h"
 #include "widgets/live_plots.h"
 
 using namespace breakaway;
@@ -29,6 +31,8 @@ class TestStop : public QObject {
   void boardsOwnStop_isSaidInItsWords();
   void lostSamples_areCounted();
   void visibleStretch_isExportedWithEverySample();
+  void view_standsAtTheTriggersEdge();
+  void trigger_takesNoNoiseForAnEdge();
 };
 
 namespace {
@@ -218,6 +222,47 @@ void TestStop::visibleStretch_isExportedWithEverySample() {
   const double length_s = recording->time().back() - recording->time().front();
   QVERIFY(length_s > 0.3);
   QCOMPARE(static_cast<double>(recording->rows()), std::round(length_s * 1000.0) + 1.0);
+}
+
+void TestStop::view_standsAtTheTriggersEdge() {
+  Desk desk;
+  QVERIFY(desk.turning());
+  auto* plots = named<LivePlots>(desk.window, "livePlots");
+  named<QComboBox>(desk.window, "spanBox")->setCurrentIndex(0);  // 2 s
+  QVERIFY(!named<QWidget>(desk.window, "triggerLevel")->isVisible());
+  named<QComboBox>(desk.window, "triggerMode")->setCurrentIndex(2);
+  named<QComboBox>(desk.window, "triggerChannel")->setCurrentIndex(1);
+  named<QComboBox>(desk.window, "triggerEdge")->setCurrentIndex(1);
+  constexpr double level_rad_per_s = 2.0;
+  named<QDoubleSpinBox>(desk.window, "triggerLevel")->setValue(level_rad_per_s);
+  QVERIFY(QTest::qWaitFor([&] { return plots->paused(); }, 20'000));
+  const double edge_s = plots->from_s() + 0.25 * (plots->to_s() - plots->from_s());
+  const LiveHistory& history = desk.session.live.history();
+  QVERIFY(history.newest()->time_s >= plots->to_s());  // all that follows the edge has come
+  QVERIFY(history.nearest(edge_s - 0.01)->velocity_rad_per_s > level_rad_per_s);
+  QVERIFY(history.nearest(edge_s + 0.01)->velocity_rad_per_s < level_rad_per_s);
+  const double stands_s = plots->from_s();
+  QTest::qWait(100);
+  QCOMPARE(plots->from_s(), stands_s);
+  press(desk.window, "pauseButton");  // arms it again
+  QVERIFY(!plots->paused());
+  QVERIFY(QTest::qWaitFor([&] { return plots->paused() && plots->from_s() > stands_s + 1.0; }, 20'000));
+}
+
+void TestStop::trigger_takesNoNoiseForAnEdge() {
+  Trigger trigger({1.0, true, 0.5, 0.1, false});
+  const auto take = [&trigger](double from_s, std::initializer_list<double> values) {
+    for (const double value : values) trigger.take(from_s += 0.01, value);
+  };
+  take(0.0, {2.0, 0.9, 1.1, 0.8, 1.2});  // above at first, and never far enough below
+  take(0.1, {1.2, 1.2, 1.2, 1.2, 1.2, 1.2, 1.2, 1.2, 1.2, 1.2, 1.2, 1.2});
+  QVERIFY(!trigger.shown_s());
+  take(0.3, {0.4, 0.8, 1.2, 0.9, 1.1});
+  QVERIFY(!trigger.shown_s());  // what follows hasn't come yet
+  take(0.5, {1.2});
+  QVERIFY(trigger.shown_s().has_value());
+  QVERIFY(std::abs(*trigger.shown_s() - 0.325) < 1e-9);
+  QVERIFY(!trigger.done());
 }
 
 JOURNEY_MAIN(TestStop)

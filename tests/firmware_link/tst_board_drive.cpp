@@ -3,6 +3,7 @@
 
 #include "experiment/current_zeroing.h"
 #include "experiment/homing.h"
+#include "experiment/profile.h"
 #include "firmware_link/board_drive.h"
 #include "firmware_link/simulated_board.h"
 #include "support/firmware_stream.h"
@@ -80,6 +81,14 @@ void TestBoardDrive::configure_givesWhatTheBoardAccepted() {
   VERIFY_OK(accepted);
   QVERIFY(accepted->current_limit_A < 20.0);
   QCOMPARE(accepted->observer_cutoff_rad_per_s, 2500.0);
+  const auto ranges = board.drive->settingRanges();
+  QCOMPARE(ranges.size(), profileParameters().size());
+  for (size_t k = 0; k < ranges.size(); ++k) {
+    const auto setting = profileParameters()[k].value;
+    QVERIFY(ranges[k].offered && (*accepted).*setting >= ranges[k].least && (*accepted).*setting <= ranges[k].most);
+    if (setting == &ControllerSettings::current_limit_A) QCOMPARE(ranges[k].most, accepted->current_limit_A);
+    if (setting == &ControllerSettings::velocity_kp_A_s_per_rad) QVERIFY(std::isinf(ranges[k].most));
+  }
   settings.velocity_kp_A_s_per_rad = -1.0;
   VERIFY_ERROR(board.drive->configure(settings), "settings: hold a value that is negative or not finite");
   QCOMPARE(board.drive->settings(), *accepted);

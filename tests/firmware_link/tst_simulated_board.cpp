@@ -5,6 +5,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "experiment/profile.h"
 #include "firmware_link/presets.h"
 #include "firmware_link/simulated_board.h"
 #include "firmware_link/simulated_truth.h"
@@ -157,6 +158,13 @@ void TestSimulatedBoard::configure_clampsAndRefuses() {
   QVERIFY(accepted.ok());
   QVERIFY(accepted->current_limit_A < 20.0);
   QCOMPARE(accepted->observer_cutoff_rad_per_s, 2500.0);
+  const auto ranges = drive->settingRanges();
+  QCOMPARE(ranges.size(), profileParameters().size());
+  for (size_t k = 0; k < ranges.size(); ++k) {
+    const double value = (*accepted).*profileParameters()[k].value;
+    QVERIFY(ranges[k].offered && value >= ranges[k].least && value <= ranges[k].most);
+    if (profileParameters()[k].value == &ControllerSettings::current_limit_A) QCOMPARE(ranges[k].most, value);
+  }
   settings.velocity_kp_A_s_per_rad = -1.0;
   QVERIFY(!drive->configure(settings).ok());
   QCOMPARE(drive->settings(), *accepted);

@@ -1,4 +1,5 @@
 #include <QTest>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -111,6 +112,8 @@ void TestVescDrive::identity_saysWhoItIs_andWhatItCannotDo() {
   VERIFY_OK(accepted);
   QCOMPARE(accepted->velocity_kp_A_s_per_rad, 0.0);  // its gains are its own
   QCOMPARE(accepted->current_limit_A, 3.0);
+  const auto ranges = (*board)->settingRanges();
+  QCOMPARE(std::count_if(ranges.begin(), ranges.end(), [](const SettingRange& one) { return one.offered; }), 2);
 }
 
 void TestVescDrive::withoutPolePairs_isRefusedInOneLine() {
