@@ -72,26 +72,27 @@ class Diagnoser {
             const DiagnoseOptions& options)
       : bench_(bench), recordings_(recordings), heldout_(heldout), options_(options) {}
 
-  /// By errors in motion, or in torque where these would lead astray.
-  Result<Attempt> attempt(HeldOut part) const { return attempt(part, ErrorIn::motion, true); }
+  /// By errors in motion, unless these would lead astray.
+  Result<Attempt> attempt(HeldOut part) const { return attempt(part, {ErrorIn::motion, options_.window_s}, true); }
 
-  Result<Attempt> attempt(HeldOut part, ErrorIn errorIn, bool mayTurnToTorque) const {
-    const auto prepared = prepare(bench_, recordings_, heldout_, options_.window_s, part, errorIn);
+  Result<Attempt> attempt(HeldOut part, const Counting& counting, bool mayChange) const {
+    const auto prepared = prepare(bench_, recordings_, heldout_, counting.window_s, part, counting.errorIn);
     if (!prepared) return prepared.error();
     std::optional<double> named_s;
     std::vector<std::string> firstNames;
     SearchInput input = inputFor(*prepared);
+    input.mayShorten = mayChange;
     input.mayTurnToTorque =
-        mayTurnToTorque && !prepared->tracks.front().speedAlone() && !bench_.servo && !bench_.electrical();
+        mayChange && !prepared->tracks.front().speedAlone() && !bench_.servo && !bench_.electrical();
     input.named = [&](const std::vector<const Effect*>& effects) {
       named_s = elapsed_s();
       for (const Effect* effect : effects) firstNames.emplace_back(effect->name());
     };
     const auto found = searchEffects(input, prepared->starts);
     if (!found) return found.error();
-    if (found->unforeseeable) {
-      auto inTorque = attempt(part, ErrorIn::torque, false);
-      return inTorque ? std::move(inTorque) : attempt(part, ErrorIn::motion, false);
+    if (found->counting) {
+      auto otherwise = attempt(part, *found->counting, false);
+      return otherwise ? std::move(otherwise) : attempt(part, counting, false);
     }
 
     Attempt made;

@@ -17,7 +17,7 @@ constexpr size_t fewestWindows = 6;
 constexpr size_t mostTrainRows = 90'000, fewestThinned = 60;
 constexpr double comfortableWindows = 9.0;  ///< the first is lost, and those with missing rows
 constexpr size_t fewestRows = 12;           ///< of a window
-constexpr Eigen::Index fewestInTorque = 8;  ///< instants of a window
+constexpr size_t fewestInTorque = 8;        ///< instants of a window
 constexpr double shortestWindow_s = 0.04;
 constexpr double lookBack_s = 0.2;  ///< before a window, which a restart reads
 constexpr double longestUnread_s = 0.1;
@@ -139,7 +139,7 @@ void countErrorsIn(ErrorIn errorIn, Split& split, const std::vector<Track>& trac
   for (auto* windows : {&split.train, &split.polish, &split.trainScore, &split.heldoutScore}) {
     for (Window& window : *windows) window.errorIn = errorIn;
     std::erase_if(*windows, [&tracks](const Window& window) {
-      return TorqueResidual(tracks[window.track], window).rows() < fewestInTorque;
+      return !isLongEnough(tracks[window.track], window, fewestInTorque);
     });
   }
 }

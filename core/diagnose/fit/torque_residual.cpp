@@ -67,6 +67,11 @@ Eigen::VectorXd TorqueResidual::of(const Model& model) const {
   return out;
 }
 
+bool isLongEnough(const Track& track, const Window& window, size_t rows) {
+  return window.last - window.first + 1 >= rows &&
+         (window.errorIn == ErrorIn::motion || static_cast<size_t>(TorqueResidual(track, window).rows()) >= rows);
+}
+
 TorqueResidual TorqueResidual::changed(const std::function<void(Track&)>& change) const {
   TorqueResidual other = *this;
   change(other.part_);

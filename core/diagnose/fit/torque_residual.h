@@ -32,4 +32,7 @@ class TorqueResidual {
   std::vector<size_t> kept_;
 };
 
+/// Whether a window holds at least so many rows, and of errors in torque so many instants.
+bool isLongEnough(const Track& track, const Window& window, size_t rows);
+
 }  // namespace breakaway

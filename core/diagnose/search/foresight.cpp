@@ -14,26 +14,52 @@ namespace {
 
 constexpr size_t mostLooked = 60;      ///< windows
 constexpr size_t fewestRows = 10;      ///< of a window
+constexpr double shorter = 0.7;        ///< from one length tried to the next
+constexpr double shortest_s = 0.02;    ///< of a window
 constexpr double runAwayFactor = 5.0;  ///< more than a torque constant may be off by
 
-/// Of the split's windows, evenly spread.
-std::vector<Window> someWindows(const SearchInput& input) {
+/// Of windows of the split evenly spread, the first part.
+std::vector<Window> beginnings(const SearchInput& input, const Counting& counting) {
   const auto& whole = input.split.trainScore;
   const size_t keep = std::min(mostLooked, whole.size());
   std::vector<Window> windows;
   for (size_t k = 0; k < keep; ++k) {
-    const Window& window = whole[k * whole.size() / keep];
-    if (window.last - window.first + 1 >= fewestRows) windows.push_back(window);
+    Window window = whole[k * whole.size() / keep];
+    const Track& track = input.tracks[window.track];
+    const double end = track.time[window.first] + counting.window_s + 1e-9;
+    while (window.last > window.first && track.time[window.last] > end) --window.last;
+    window.errorIn = counting.errorIn;
+    if (isLongEnough(track, window, fewestRows)) windows.push_back(window);
   }
   return windows;
 }
 
+/// The rms error, the worst windows included, of a perfect model beside that of `base`.
+double perfectBeside(const SearchInput& input, const Model& base, const Model& proposed, const Counting& counting) {
+  const auto windows = beginnings(input, counting);
+  if (windows.empty()) return HUGE_VAL;
+  const double errs = mean(scoreWindows(base, input.tracks, windows));
+  return errs > 0.0 ? std::sqrt(mean(usualSquares(proposed, input.tracks, windows, input.seed, {})) / errs) : HUGE_VAL;
+}
+
 }  // namespace
 
-bool isForeseeable(const SearchInput& input, const Model& base, const Model& proposed) {
-  const auto windows = someWindows(input);
-  return windows.empty() || mean(usualSquares(proposed, input.tracks, windows, input.seed, {})) <
-                                mean(scoreWindows(base, input.tracks, windows));
+std::optional<Counting> betterCounting(const SearchInput& input, const Model& base, const Model& proposed) {
+  const double window_s = input.split.window_s;
+  double least = perfectBeside(input, base, proposed, {ErrorIn::motion, window_s});
+  if (least < 1.0) return std::nullopt;
+  std::vector<Counting> others;
+  if (input.mayTurnToTorque) others.push_back({ErrorIn::torque, window_s});
+  for (double length_s = shorter * window_s; length_s >= shortest_s; length_s *= shorter)
+    others.push_back({ErrorIn::motion, length_s});
+  std::optional<Counting> best;
+  for (const Counting& one : others) {
+    const double ratio = perfectBeside(input, base, proposed, one);
+    if (ratio >= least) continue;
+    least = ratio;
+    best = one;
+  }
+  return least < 1.0 ? best : std::nullopt;
 }
 
 std::optional<double> runAway(const Model& base, const Model& inverse) {

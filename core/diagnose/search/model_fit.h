@@ -44,7 +44,8 @@ struct SearchInput {
   std::function<void(double, const std::string&)> progress;
   std::function<void(const std::vector<const Effect*>&)> named;  ///< called once, when the names are likely to stay
   std::vector<double> windowWeights;                             ///< of split.train; empty: all 1
-  bool mayTurnToTorque = false;           ///< to errors in torque, where the motion can't be foreseen
+  bool mayShorten = false;                ///< the windows, where the motion can't be foreseen over their length
+  bool mayTurnToTorque = false;           ///< the same, to errors in torque
   std::shared_ptr<StepBudget> loadSteps;  ///< of the whole search
 
   SearchInput(const Preparation& prepared, std::uint64_t seed);

@@ -40,7 +40,7 @@ class Search {
     result.base = fitModel(input_, result.base.model, 10);
     result.best = result.base;
     if (input_.mayTurnToTorque && runAway(result.base.model, starts.front())) {
-      result.unforeseeable = true;
+      result.counting = {ErrorIn::torque, input_.split.window_s};
       return result;
     }
     input_.say(0.2, "looking for what is missing");
@@ -48,9 +48,9 @@ class Search {
     const auto motions = recordedMotions(result.base.model, input_.tracks);
     const LinearRig steadyRig(result.base.model, input_.tracks, input_.split.train, Torque::steady, motions);
     const Screening steady(input_, steadyRig, input_.effects);
-    if (input_.mayTurnToTorque && !isForeseen(steady, result.base.model)) {
-      result.unforeseeable = true;
-      return result;
+    if (input_.mayShorten) {
+      result.counting = betterFor(steady, result.base.model);
+      if (result.counting) return result;
     }
     fits_.emplace(input_, result.base);
     if (sure(steady.found)) announce(important(steady.found));  // or else what simulation makes of it
@@ -102,13 +102,14 @@ class Search {
   double physicsInertia(const Model& model) const {
     return model.baseValue(motorNames(model.axis).inertia).value_or(input_.seen.inertia);
   }
-  /// Whether the motion can be foreseen if the effect is there that explains most alone.
-  bool isForeseen(const Screening& steady, const Model& base) const {
+  /// How errors are counted better, if the effect is there that explains most alone.
+  std::optional<Counting> betterFor(const Screening& steady, const Model& base) const {
     const std::vector<Pick> picks = bestAlone(steady.screen);
-    if (picks.empty() || steady.found.leftSquares > (1.0 - importantPart) * steady.found.baseSquares) return true;
+    if (picks.empty() || steady.found.leftSquares > (1.0 - importantPart) * steady.found.baseSquares)
+      return std::nullopt;
     const Pick& most = picks.front();
-    return isForeseeable(input_, base,
-                         with(input_, withScreenedBase(input_, base, steady.screen.baseCoefficients({most})), most));
+    const Model rig = withScreenedBase(input_, base, steady.screen.baseCoefficients({most}));
+    return betterCounting(input_, base, with(input_, rig, most));
   }
   /// The screen's effects whose part of the residual a simulation is likely to confirm.
   std::vector<Pick> important(const ScreenResult& found) const {

@@ -1,9 +1,11 @@
 // Which effects are missing: the linear screen proposes, simulated windows decide.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "base/result.h"
+#include "diagnose/search/foresight.h"
 #include "diagnose/search/model_fit.h"
 
 namespace breakaway {
@@ -19,8 +21,8 @@ struct Chosen {
 bool contains(const std::vector<Chosen>& chosen, const Effect* effect);
 
 struct SearchResult {
-  /// No more than the base was fitted: errors in motion would lead astray, and have to be counted in torque.
-  bool unforeseeable = false;
+  /// If given, no more than the base was fitted: errors have to be counted so.
+  std::optional<Counting> counting;
   FitResult base;
   FitResult best;
   std::vector<Chosen> chosen;  ///< in order of importance
