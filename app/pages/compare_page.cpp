@@ -334,14 +334,14 @@ void ComparePage::showState() {
 
 std::vector<Fact> ComparePage::baseFacts(const Diagnosis& diagnosis) {
   std::vector<Fact> facts;
-  for (const Parameter& parameter : diagnosis.base.base) {
+  for (const Parameter& parameter : diagnosis.model.base) {  // as the command says them: beside the findings
     const ParameterWords words = wordsOf(parameter);
     facts.push_back({words.name, QString("%1 %2").arg(words.value, words.unit),
                      words.interval.isEmpty() ? tr("Held as declared")
                                               : tr("%1 %2 with 95 % confidence").arg(words.interval, words.unit)});
   }
   const bool linear = diagnosis.base.axis == Axis::linear;
-  const auto coulomb = diagnosis.base.baseValue(linear ? "coulomb_N" : "coulomb_Nm");
+  const auto coulomb = diagnosis.model.baseValue(linear ? "coulomb_N" : "coulomb_Nm");
   const QString size = linear ? tr("%1 N").arg(numberText(diagnosis.wander.rms, 2))
                               : tr("%1 mNm").arg(numberText(1e3 * diagnosis.wander.rms, 2));
   facts.push_back(
@@ -359,10 +359,12 @@ void ComparePage::showProof() {
   } else {
     base_->show({{tr("Not fitted yet"), {}, {}}});
   }
-  ticked_->setText(
-      diagnosis && !comparison_.shownTrace().position.empty()
-          ? tr("As ticked, the error is %1").arg(channelText(comparison_.shownRmse(), comparison_.shownChannel()))
-          : tr("Untick one to see the fit without it"));
+  const bool drawn = diagnosis && !comparison_.shownTrace().position.empty();
+  const QString off = drawn ? channelText(comparison_.shownRmse(), comparison_.shownChannel()) : QString();
+  ticked_->setText(!drawn ? tr("Untick one to see the fit without it")
+                   : diagnosis->fit.inTorque()
+                       ? tr("This motion can't be foreseen (%1 off): the torque counts").arg(off)
+                       : tr("As ticked, the error is %1").arg(off));
   read(diagnosis ? tr("Point at a plot to read it") : QString());
   showState();
 }

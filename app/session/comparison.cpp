@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "recording/block_file.h"
+#include "recording/columns.h"
 
 namespace breakaway {
 
@@ -276,8 +277,8 @@ double Comparison::shownRmse() const {
 }
 
 std::string Comparison::shownChannel() const {
-  if (!diagnosis_ || !bench_) return {};
-  return diagnosis_->fit.inTorque() ? bench_->positionChannel() : diagnosis_->fit.channel;
+  if (!diagnosis_) return {};
+  return diagnosis_->fit.inTorque() ? columnName(Quantity::position, diagnosis_->model.axis) : diagnosis_->fit.channel;
 }
 
 double positionRmse(const Trace& trace, const Recording& recording, const std::string& channel,

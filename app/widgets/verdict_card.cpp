@@ -163,8 +163,12 @@ void VerdictCard::show() {
   }
   const FitScore& fit = diagnosis->fit;
   title_->setText(verdictSentence(*diagnosis));
-  figure_->setText(
-      tr("%1 → %2").arg(channelText(fit.heldoutBefore, fit.channel), channelText(fit.heldoutAfter, fit.channel)));
+  // A unit that both have is said once.
+  QString before = channelText(fit.heldoutBefore, fit.channel);
+  const QString after = channelText(fit.heldoutAfter, fit.channel);
+  if (const QString unit = after.section(' ', 1); !unit.isEmpty() && before.section(' ', 1) == unit)
+    before.chop(unit.size() + 1);
+  figure_->setText(tr("%1 → %2").arg(before, after));
   const double better = 100.0 * (1.0 - fit.heldoutAfter / std::max(fit.heldoutBefore, 1e-300));
   change_->setText(better >= 0.5 ? tr("−%1 %").arg(better, 0, 'f', 0) : tr("unchanged"));
   dressAs(change_, "badge", better >= 0.5 ? "good" : "open");

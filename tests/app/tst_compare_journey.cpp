@@ -30,6 +30,7 @@ class TestCompareJourney : public QObject {
   void emps_isDiagnosed();
   void sealedTrial_isDiagnosedAndUnsealed();
   void nextExperiment_isRunOnTheBoardAndOpened();
+  void slowTurns_areShownInTorque();
   void cancel_endsTheDiagnosis();
   void badRecording_isSaidInOneLine();
   void log_isShownAsUnderstoodAndCorrectedByAClick();
@@ -218,6 +219,18 @@ void TestCompareJourney::nextExperiment_isRunOnTheBoardAndOpened() {
   QVERIFY(*high - *low > 1.0);
   // The bench is the board's own, so that it can be diagnosed at once.
   QCOMPARE(desk.session.comparison.obstacle(), QString());
+}
+
+/// What can't be foreseen is shown in torque; what is drawn is the motion, and says so.
+void TestCompareJourney::slowTurns_areShownInTorque() {
+  Desk desk;
+  const QString turns = qEnvironmentVariable("BREAKAWAY_SOURCE_DIR") + "/tests/data/diagnose/slow_turns_in_cogging";
+  QVERIFY(desk.opened(turns + ".bench.json", turns + ".csv"));
+  QVERIFY(desk.diagnosed());
+  QCOMPARE(desk.session.comparison.diagnosis()->fit.channel, std::string("torque_Nm"));
+  QVERIFY2(desk.text("verdictFigure").contains("mNm"), qPrintable(desk.text("verdictFigure")));
+  QVERIFY(desk.session.comparison.shownRmse() > 0.0);
+  QCOMPARE(desk.session.comparison.shownChannel(), std::string("angle_rad"));
 }
 
 void TestCompareJourney::cancel_endsTheDiagnosis() {

@@ -6,6 +6,7 @@
 #include "base/statistics.h"
 #include "diagnose/effects/wording.h"
 #include "diagnose/fit/noise_floor.h"
+#include "diagnose/fit/torque_residual.h"
 #include "diagnose/fit/windowed_fit.h"
 #include "diagnose/simulate/physics.h"
 #include "diagnose/verdict/foretelling.h"
@@ -40,13 +41,14 @@ constexpr double farBeyondUsual = 2.0;
 
 /// The windows shifted by half their length, where the next one follows directly. If a drive reverses as often as
 /// windows begin, all restarts lie at the edge of standstill; shifted windows begin elsewhere.
-std::vector<Window> halfLater(const std::vector<Window>& windows) {
+std::vector<Window> halfLater(const std::vector<Window>& windows, const std::vector<Track>& tracks) {
   std::vector<Window> later;
   for (size_t k = 0; k + 1 < windows.size(); ++k) {
     const Window &one = windows[k], &next = windows[k + 1];
     if (next.track != one.track || next.first > one.last + 1 || next.first <= one.first) continue;
     const auto half = [](const Window& window) { return window.first + (window.last - window.first) / 2; };
-    later.push_back({one.track, half(one), half(next), one.errorIn});
+    const Window between{one.track, half(one), half(next), one.errorIn};
+    if (isLongEnough(tracks[one.track], between, 1)) later.push_back(between);  // it may lie where nothing moves
   }
   return later;
 }
@@ -68,7 +70,7 @@ class Restarts {
 
   const std::vector<double>& squaresLater() {
     if (squaresLater_.empty()) {
-      windowsLater_ = halfLater(prepared_.split.trainScore);
+      windowsLater_ = halfLater(prepared_.split.trainScore, prepared_.tracks);
       squaresLater_ = scoreWindows(model_, prepared_.tracks, windowsLater_);
     }
     return squaresLater_;
