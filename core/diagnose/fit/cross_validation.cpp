@@ -3,7 +3,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "base/parallel.h"
 #include "diagnose/fit/motion.h"
 
 namespace breakaway {
@@ -28,14 +30,19 @@ struct Validation {
   void simulate(const Eigen::VectorXd& x, int one, bool inside, Weights unit, Act act) const {
     const Model model = parameters.at(x);
     const std::vector<MotionState> hidden = hiddenStates(model, tracks, windows);
+    std::vector<size_t> here;
     for (size_t w = 0; w < windows.size(); ++w) {
-      if ((fold[w] == one) != inside) continue;
-      const double factor = windowWeights.empty() ? 1.0 : windowWeights[w];
-      WindowResidual window(tracks[windows[w].track], windows[w],
-                            Weights{factor * unit.position, factor * unit.current});
-      window.fit(model, hidden[w]);
-      act(w, window);
+      if ((fold[w] == one) == inside) here.push_back(w);
     }
+    std::vector<std::optional<WindowResidual>> simulated(here.size());
+    inParallel(here.size(), [&](size_t k) {
+      const size_t w = here[k];
+      const double factor = windowWeights.empty() ? 1.0 : windowWeights[w];
+      simulated[k].emplace(tracks[windows[w].track], windows[w],
+                           Weights{factor * unit.position, factor * unit.current});
+      simulated[k]->fit(model, hidden[w]);
+    });
+    for (size_t k = 0; k < here.size(); ++k) act(here[k], *simulated[k]);
   }
   double costOfOthers(const Eigen::VectorXd& x, int one) const {
     double cost = 0.0;

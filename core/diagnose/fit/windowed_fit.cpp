@@ -9,6 +9,7 @@
 #include <map>
 
 #include "base/distributions.h"
+#include "base/parallel.h"
 #include "base/statistics.h"
 #include "diagnose/fit/motion.h"
 #include "diagnose/simulate/physics.h"
@@ -38,15 +39,19 @@ class HiddenStates {
   HiddenStates(const ParameterVector& parameters, const std::vector<Track>& tracks, const std::vector<Window>& windows)
       : parameters_(parameters), tracks_(tracks), windows_(windows) {}
 
-  /// Of `window` at x, `nudged` −1 for x itself or the number of the nudged parameter.
-  const MotionState& at(const Eigen::VectorXd& x, Eigen::Index nudged, size_t window) {
-    if (states_.empty() || (nudged < 0 && (x_.size() != x.size() || x_ != x))) {
+  /// Makes what at() gives: at x, and where `nudged` isn't empty, at each of these, one per parameter.
+  void prepare(const Eigen::VectorXd& x, const std::vector<Eigen::VectorXd>& nudged) {
+    if (states_.empty() || x_.size() != x.size() || x_ != x) {
       x_ = x;
       states_.assign(static_cast<size_t>(x.size()) + 1, {});
     }
-    auto& states = states_[static_cast<size_t>(nudged + 1)];
-    if (states.empty()) states = hiddenStates(parameters_.at(x), tracks_, windows_);
-    return states[window];
+    inParallel(nudged.size() + 1, [&](size_t k) {
+      if (states_[k].empty()) states_[k] = hiddenStates(parameters_.at(k == 0 ? x : nudged[k - 1]), tracks_, windows_);
+    });
+  }
+  /// Of `window` at the prepared x, `nudged` −1 for x itself or the number of the nudged parameter.
+  const MotionState& at(Eigen::Index nudged, size_t window) const {
+    return states_[static_cast<size_t>(nudged + 1)][window];
   }
 
  private:
@@ -57,59 +62,98 @@ class HiddenStates {
   std::vector<std::vector<MotionState>> states_;
 };
 
-/// Residual and Jacobian of one window at x.
-WindowDerivative derive(const ParameterVector& parameters, WindowResidual& window, HiddenStates& hidden, size_t index,
-                        const Eigen::VectorXd& x, bool jacobian, bool exact, bool fitted = false) {
-  WindowDerivative out;
-  if (!fitted) window.fit(parameters.at(x), hidden.at(x, -1, index));
-  out.residual = window.residual();
-  out.positions = window.positions();
-  if (!jacobian) return out;
-  out.jacobian.resize(window.rows(), x.size());
-  const bool simulated = exact || window.remembers();
-  const double far = window.swings() ? swingingNudge : nudge;
-  for (Eigen::Index p = 0; p < x.size(); ++p) {
-    Eigen::VectorXd near = x;
-    const double step = x[p] + far > parameters.upper(p) ? -far : far;
-    near[p] += step;
-    out.jacobian.col(p) = simulated ? window.column(parameters.at(near), hidden.at(near, p, index), step)
-                                    : window.linearColumn(parameters.at(near), step);
+/// All windows at one x after the other: a window's start moves on with each.
+class Evaluation final : public ceres::EvaluationCallback {
+ public:
+  Evaluation(const ParameterVector& parameters, const std::vector<Track>& tracks, const std::vector<Window>& windows,
+             bool exact)
+      : parameters_(parameters), hidden_(parameters, tracks, windows), exact_(exact) {
+    const Eigen::VectorXd start = parameters.start();
+    for (const Window& window : windows) windows_.emplace_back(tracks[window.track], window, Weights{1.0, 1.0});
+    hidden_.prepare(start, {});
+    inParallel(windows_.size(), [&](size_t w) { windows_[w].fit(parameters.at(start), hidden_.at(-1, w)); });
+    derived_.resize(windows_.size());
   }
-  return out;
-}
+  std::vector<WindowResidual>& windows() { return windows_; }
+  const WindowDerivative& of(size_t window) const { return derived_[window]; }
+  std::vector<WindowDerivative>& all() { return derived_; }
 
+  /// `asked`: where Ceres keeps what it asks for.
+  void follow(const double* asked) { asked_ = asked; }
+  void PrepareForEvaluation(bool jacobian, bool) override {
+    at(clamped(parameters_, Eigen::Map<const Eigen::VectorXd>(asked_, parameters_.size())), jacobian);
+  }
+  /// Residuals, and Jacobians if they are wanted. `refit`: also if x is the last one.
+  void at(const Eigen::VectorXd& x, bool jacobian, bool refit = false) {
+    const bool fitted = !refit && last_.size() == x.size() && last_ == x;
+    last_ = x;
+    const bool simulated = exact_ || std::any_of(windows_.begin(), windows_.end(),
+                                                 [](const WindowResidual& one) { return one.remembers(); });
+    std::vector<Eigen::VectorXd> near;  // x with one parameter nudged
+    for (Eigen::Index p = 0; jacobian && p < x.size(); ++p) {
+      near.push_back(x);
+      near.back()[p] += step(x, p);
+    }
+    hidden_.prepare(x, simulated ? near : std::vector<Eigen::VectorXd>{});
+    inParallel(windows_.size(), [&](size_t w) {
+      WindowResidual& window = windows_[w];
+      if (!fitted) window.fit(parameters_.at(x), hidden_.at(-1, w));
+      WindowDerivative& out = derived_[w];
+      out.residual = window.residual();
+      out.positions = window.positions();
+      if (!jacobian) return;
+      out.jacobian.resize(window.rows(), x.size());
+      for (Eigen::Index p = 0; p < x.size(); ++p) {
+        const Model model = parameters_.at(near[static_cast<size_t>(p)]);
+        out.jacobian.col(p) = exact_ || window.remembers() ? window.column(model, hidden_.at(p, w), step(x, p))
+                                                           : window.linearColumn(model, step(x, p));
+      }
+    });
+  }
+
+ private:
+  double step(const Eigen::VectorXd& x, Eigen::Index p) const {
+    const double far = windows_.front().swings() ? swingingNudge : nudge;
+    return x[p] + far > parameters_.upper(p) ? -far : far;
+  }
+
+  const ParameterVector& parameters_;
+  HiddenStates hidden_;
+  bool exact_;
+  std::vector<WindowResidual> windows_;
+  std::vector<WindowDerivative> derived_;
+  Eigen::VectorXd last_;
+  const double* asked_ = nullptr;
+};
+
+/// One window of an evaluation.
 class WindowCost final : public ceres::CostFunction {
  public:
-  WindowCost(const ParameterVector& parameters, WindowResidual& window, HiddenStates& hidden, size_t index, bool exact)
-      : parameters_(parameters), window_(window), hidden_(hidden), index_(index), exact_(exact) {
-    set_num_residuals(static_cast<int>(window.rows()));
+  WindowCost(const ParameterVector& parameters, Evaluation& evaluation, size_t window)
+      : parameters_(parameters), evaluation_(evaluation), window_(window) {
+    set_num_residuals(static_cast<int>(evaluation.windows()[window].rows()));
     mutable_parameter_block_sizes()->push_back(static_cast<int>(parameters.size()));
   }
   bool Evaluate(double const* const* at, double* residuals, double** jacobians) const override {
-    const Eigen::Index size = parameters_.size();
+    const WindowDerivative& got = evaluation_.of(window_);
     const bool wanted = jacobians != nullptr && jacobians[0] != nullptr;
-    const Eigen::Map<const Eigen::VectorXd> asked(at[0], size);
-    const Eigen::VectorXd x = clamped(parameters_, asked);
-    const bool known = last_.size() == size && last_ == x;
-    WindowDerivative got = derive(parameters_, window_, hidden_, index_, x, wanted, exact_, known);
-    last_ = x;
     if (!got.residual.allFinite() || (wanted && !got.jacobian.allFinite())) return false;
-    for (Eigen::Index k = 0; wanted && k < size; ++k) {
-      if (x[k] != asked[k]) got.jacobian.col(k).setZero();
-    }
     Eigen::Map<Eigen::VectorXd>(residuals, got.residual.size()) = got.residual;
+    if (!wanted) return true;
     using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    if (wanted) Eigen::Map<RowMajor>(jacobians[0], got.residual.size(), size) = got.jacobian;
+    Eigen::Map<RowMajor> jacobian(jacobians[0], got.jacobian.rows(), got.jacobian.cols());
+    jacobian = got.jacobian;
+    for (Eigen::Index k = 0; k < parameters_.size(); ++k) {
+      const bool held = at[0][k] < parameters_.lower(k) || at[0][k] > parameters_.upper(k);
+      if (held) jacobian.col(k).setZero();
+    }
     return true;
   }
 
  private:
   const ParameterVector& parameters_;
-  WindowResidual& window_;
-  HiddenStates& hidden_;
-  size_t index_;
-  bool exact_;
-  mutable Eigen::VectorXd last_;
+  Evaluation& evaluation_;
+  size_t window_;
 };
 
 /// Holds start values of positive quantities that no data reach, and draws back to the bounds.
@@ -173,22 +217,19 @@ FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>
   FitResult result;
   const Eigen::VectorXd start = parameters.start();
   Eigen::VectorXd x = start;
-  HiddenStates hidden(parameters, tracks, windows);
-  std::vector<WindowResidual> residuals;
-  residuals.reserve(windows.size());
-  for (size_t w = 0; w < windows.size(); ++w) {
-    residuals.emplace_back(tracks[windows[w].track], windows[w], Weights{1.0, 1.0});
-    residuals.back().fit(parameters.at(start), hidden.at(start, -1, w));
-  }
+  Evaluation evaluation(parameters, tracks, windows, options.exact);
+  std::vector<WindowResidual>& residuals = evaluation.windows();
   result.weights = weightsOf(residuals, tracks, windows);
-  ceres::Problem problem;
+  evaluation.follow(x.data());
+  ceres::Problem::Options shared;
+  shared.evaluation_callback = &evaluation;
+  ceres::Problem problem(shared);
   double count = 0.0;
   for (size_t w = 0; w < windows.size(); ++w) {
     const double factor = options.windowWeights.empty() ? 1.0 : options.windowWeights[w];
     residuals[w].reweigh({factor * result.weights.position, factor * result.weights.current});
     count += static_cast<double>(residuals[w].rows());
-    if (x.size() > 0)
-      problem.AddResidualBlock(new WindowCost(parameters, residuals[w], hidden, w, options.exact), nullptr, x.data());
+    if (x.size() > 0) problem.AddResidualBlock(new WindowCost(parameters, evaluation, w), nullptr, x.data());
   }
   const double priorWeight = 0.1 * std::sqrt(count / static_cast<double>(windows.size()));
   if (x.size() > 0) problem.AddResidualBlock(new PriorCost(parameters, start, priorWeight), nullptr, x.data());
@@ -214,10 +255,11 @@ FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>
   std::map<std::pair<size_t, long>, Eigen::VectorXd>
       clusters;  // windows of one second of one track, which overlap or adjoin
   double squares = 0.0, positions = 0.0, currentSquares = 0.0, currents = 0.0;
+  evaluation.at(x, true, true);
+  result.windows = std::move(evaluation.all());
   for (size_t w = 0; w < residuals.size(); ++w) {
-    WindowResidual& residual = residuals[w];
-    result.windows.push_back(derive(parameters, residual, hidden, w, x, true, options.exact));
-    const WindowDerivative& window = result.windows.back();
+    const WindowResidual& residual = residuals[w];
+    const WindowDerivative& window = result.windows[w];
     const Eigen::VectorXd score = window.jacobian.transpose() * window.residual;
     normal += window.jacobian.transpose() * window.jacobian;
     const Track& track = tracks[windows[w].track];
@@ -266,13 +308,13 @@ FitResult fitWindows(const ParameterVector& parameters, const std::vector<Track>
 std::vector<double> residualSquares(const Model& model, const std::vector<Track>& tracks,
                                     const std::vector<Window>& windows) {
   const std::vector<MotionState> hidden = hiddenStates(model, tracks, windows);
-  std::vector<double> squares;
-  for (size_t w = 0; w < windows.size(); ++w) {
+  std::vector<double> squares(windows.size());
+  inParallel(windows.size(), [&](size_t w) {
     WindowResidual residual(tracks[windows[w].track], windows[w], {1.0, 0.0});
     residual.fit(model, hidden[w]);
-    squares.push_back(residual.residual().head(residual.positions()).squaredNorm() /
-                      static_cast<double>(residual.positions()));
-  }
+    squares[w] =
+        residual.residual().head(residual.positions()).squaredNorm() / static_cast<double>(residual.positions());
+  });
   return squares;
 }
 
@@ -288,14 +330,14 @@ std::vector<double> robustWeights(const std::vector<double>& windowSquares) {
 std::vector<double> scoreWindows(const Model& model, const std::vector<Track>& tracks,
                                  const std::vector<Window>& windows) {
   const std::vector<MotionState> hidden = hiddenStates(model, tracks, windows);
-  std::vector<double> squares;
-  for (size_t w = 0; w < windows.size(); ++w) {
+  std::vector<double> squares(windows.size());
+  inParallel(windows.size(), [&](size_t w) {
     const Window& window = windows[w];
     const Track& track = tracks[window.track];
     if (window.errorIn == ErrorIn::torque) {
       const Eigen::VectorXd left = TorqueResidual(track, window).of(model);
-      squares.push_back(left.squaredNorm() / static_cast<double>(left.size()));
-      continue;
+      squares[w] = left.squaredNorm() / static_cast<double>(left.size());
+      return;
     }
     Simulator simulator(model, track, window.first, window.last);
     MotionState state = simulator.restart(window.first, hidden[w]);
@@ -309,8 +351,8 @@ std::vector<double> scoreWindows(const Model& model, const std::vector<Track>& t
       if (k == window.last) break;
       simulator.run(state, k, k + 1);
     }
-    squares.push_back(sum / std::max(n, 1.0));
-  }
+    squares[w] = sum / std::max(n, 1.0);
+  });
   return squares;
 }
 
