@@ -175,13 +175,16 @@ void TestWhere::whatItsIntervalsRefute_isNotWorthSaying() {
   Model model = servoModel(DriveInput::torque);
   Excitation seen = rotaryMotion();
   seen.peakInput = 0.1;
-  const TorqueNoise none, wander{.time_s = 0.1, .rms = 3e-4};
+  seen.duration_s = 60.0;
+  const TorqueNoise none, quick{.time_s = 0.1, .rms = 3e-4}, slow{.time_s = 10.0, .rms = 3e-4};
   const auto load = [](double value, double low, double high) {
     return EffectTerm{.effect = "constant_load", .parameters = {{"load_Nm", value, low, high}}};
   };
   QVERIFY(worthSaying(load(1e-3, 8e-4, 1.2e-3), model, seen, none));
   QVERIFY(!worthSaying(load(1e-3, -8e-4, 3e-3), model, seen, none));  // may be zero
-  QVERIFY(!worthSaying(load(5e-4, 4e-4, 6e-4), model, seen, wander));
+  // Over a minute a quick wander averages out, a slow one may well look like that.
+  QVERIFY(worthSaying(load(4e-4, 3e-4, 5e-4), model, seen, quick));
+  QVERIFY(!worthSaying(load(4e-4, 3e-4, 5e-4), model, seen, slow));
   QVERIFY(!worthSaying(load(0.2, 0.19, 0.21), model, seen, none));  // the drive gives 0.1 Nm
   // A limit between nothing and anything, alone and beside a slope that is known.
   EffectTerm clipped{.effect = "command_saturation",

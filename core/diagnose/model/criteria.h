@@ -41,7 +41,6 @@ struct Criteria {
   double soundPart = 0.05;
   double immaterial = 0.01;
   double immaterialDrive = 5e-4;
-  double beyondWander = 2.0;
   double runAway = 5.0;
   double energyBack = 0.3;
   double fewestFarOff = 5.0;

@@ -12,17 +12,21 @@ namespace breakaway {
 
 namespace {
 
-/// What a torque that wanders makes of something that happens once: the rms of its mean over as long as that lasts, as
-/// often as the largest of all places where it may be sought exceeds it by chance. Starts are half a duration apart,
-/// and all longer durations together have as many places again.
+/// What a torque that wanders makes of an effect: the rms of its mean over as long as that acts, as often as the
+/// largest of all forms in which it may be sought exceeds it by chance. What is always there is sought in each of its
+/// shapes. What happens once is sought everywhere: starts are half a duration apart, and all longer durations together
+/// have as many places again.
 double largestOfWander(const EffectTerm& term, const TorqueNoise& left, double rms, const Excitation& seen,
                        const Criteria& criteria) {
+  const Effect& effect = *findEffect(term.effect);
   const double alike_s = 2.0 * left.time_s;
-  const auto parameter = std::find_if(term.parameters.begin(), term.parameters.end(),
-                                      [](const Parameter& one) { return one.name == "duration_s"; });
-  const double lasts_s = std::max(parameter == term.parameters.end() ? 0.0 : parameter->value, alike_s);
-  const double places = std::max(4.0 * seen.duration_s / lasts_s, 1.0);
-  return deviationsOf(criteria.likeliestByChance / places) * rms * std::sqrt(alike_s / lasts_s);
+  double acts_s = seen.duration_s, forms = static_cast<double>(effect.shapes(seen).size());
+  if (const OncePart* once = effect.once()) {
+    acts_s = std::max(term.parameters[once->duration].value, alike_s);
+    forms = 4.0 * seen.duration_s / acts_s;
+  }
+  return deviationsOf(criteria.likeliestByChance / std::max(forms, 1.0)) * rms *
+         std::sqrt(std::min(alike_s / acts_s, 1.0));
 }
 
 /// Whether a fitted figure beside the amplitude is known.
@@ -45,9 +49,7 @@ bool worthSaying(const EffectTerm& term, const Model& model, const Excitation& s
   const Physics physics = physicsOf(model);
   const double wander = std::min(left.rms, mostWander(physics.coulomb, seen.peakTorque, criteria));
   const double most = std::abs(physics.torquePerInput()) * seen.peakInput;
-  const double least = findEffect(term.effect)->happensOnce() ? largestOfWander(term, left, wander, seen, criteria)
-                                                              : criteria.beyondWander * wander;
-  return *torque > least && *torque <= std::max(most, seen.peakTorque);
+  return *torque > largestOfWander(term, left, wander, seen, criteria) && *torque <= std::max(most, seen.peakTorque);
 }
 
 bool isKnown(const EffectTerm& term, size_t number, Axis axis, const Criteria& criteria) {
