@@ -18,6 +18,7 @@
 #include "line/help_as.h"
 #include "main_window.h"
 #include "screenshots.h"
+#include "session/language.h"
 #include "session/session.h"
 #include "version.h"
 #include "widgets/closing.h"
@@ -79,7 +80,7 @@ int wrong(const std::string& why) {
 }
 
 struct Line {
-  std::string board, project, screenshots;
+  std::string board, project, screenshots, language;
   CLI::App app{"Breakaway: the bench instrument for a servo motor's friction", "breakaway-gui"};
 
   explicit Line(const std::string& version) {
@@ -89,6 +90,10 @@ struct Line {
     app.add_option("--project", project, "keep everything in this project, made where there is none")->type_name("DIR");
     app.add_option("--screenshots", screenshots, "render every page in each of its states into DIR, without a display")
         ->type_name("DIR");
+    app.add_option("--language", language,
+                   "the window in English (en) or German (de), this time; without it as chosen in it")
+        ->type_name("CODE")
+        ->check(CLI::IsMember({"en", "de"}));
     app.set_version_flag("-v,--version", version);
     app.footer("Examples:\n  breakaway-gui\n  breakaway-gui --board serial:ttyACM0");
   }
@@ -169,6 +174,8 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return wrong(error.what());
   }
+  breakaway::speak(line.language.empty() ? breakaway::keptLanguage()
+                                         : breakaway::languageOf(QString::fromStdString(line.language)));
   if (line.screenshots.empty()) return show(QString::fromStdString(line.board), QString::fromStdString(line.project));
   const auto taken = breakaway::takeScreenshots(QString::fromStdString(line.screenshots));
   return taken ? 0 : fail(QString::fromStdString(taken.error().message()));

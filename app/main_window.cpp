@@ -51,6 +51,8 @@ MainWindow::MainWindow(Session& session, FileChooser& files, QWidget* parent)
   buildBelow(session, files);
   buildParameters(session, files);
   layOut(new BoardBar(session.connection, this));
+  connect(findChild<ThemeButton*>(), &ThemeButton::languageKept, &session.messages,
+          qOverload<const QString&>(&Messages::say));
   toast_ = new Toast(session.messages, this);
   connect(toast_, &Toast::clicked, this, [this] { showLog(true); });
   buildHelp();

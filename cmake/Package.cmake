@@ -41,7 +41,7 @@ set(CPACK_DEBIAN_BREAKAWAY_DESCRIPTION "bench instrument for a servo motor's fri
 set(CPACK_DEBIAN_BREAKAWAY-GUI_PACKAGE_NAME breakaway-gui)
 set(CPACK_DEBIAN_BREAKAWAY-GUI_PACKAGE_DEPENDS
   "breakaway (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}), libqt6svg6, qt6-qpa-plugins, hicolor-icon-theme")
-set(CPACK_DEBIAN_BREAKAWAY-GUI_PACKAGE_RECOMMENDS fonts-dejavu-core)
+set(CPACK_DEBIAN_BREAKAWAY-GUI_PACKAGE_RECOMMENDS "fonts-dejavu-core, qt6-translations-l10n")
 set(CPACK_DEBIAN_BREAKAWAY-GUI_DESCRIPTION "bench instrument for a servo motor's friction - window
  Measures what it takes to start a motor and to keep it moving at every angle,
  and says which physics a simulation of a recorded rig leaves out. This is the

@@ -67,7 +67,7 @@ Result<BoardDictionary> BoardDictionary::read(BoardLink& link) {
     first += page->count;
   }
   if (hash.value() != hello->dictionaryHash)
-    return Error{link.place(), "gave a dictionary that is not the one it announced; connect again"};
+    return Error{link.place(), message("gave a dictionary that is not the one it announced; connect again")};
   if (auto checked = dictionary.checkValues(link); !checked) return checked.error();
   return dictionary;
 }
@@ -77,7 +77,7 @@ Result<void> BoardDictionary::checkValues(BoardLink& link) const {
   for (std::size_t k = 0; k < wire::channelCount; ++k) {
     const wire::ChannelForm& form = wire::channelForms[k];
     if (form.format == wire::Format::int16 && (wire::usualChannels >> k & 1u) != 0 && scale_[k] == 0.0)
-      return Error{link.place(), std::string("says nothing of the channel ") + form.name};
+      return Error{link.place(), message("says nothing of the channel {}", form.name)};
   }
   std::vector<std::string> names;
   names.reserve(parameters_.size());
@@ -116,12 +116,13 @@ Result<std::vector<double>> BoardDictionary::exchange(BoardLink& link, wire::Typ
     wire::ParameterList list;
     for (std::size_t k = from; k < values.size() && list.count < wire::ParameterList::mostValues; ++k) {
       const BoardParameter* parameter = find(values[k].first);
-      if (parameter == nullptr) return Error{link.place(), "has no parameter " + values[k].first};
+      if (parameter == nullptr) return Error{link.place(), message("has no parameter {}", values[k].first)};
       list.value[list.count++] = {parameter->id, wordOf(*parameter, values[k].second)};
     }
     const auto answer = link.ask<wire::ParameterList>(type, list);
     if (!answer) return answer.error();
-    if (answer->count != list.count) return Error{link.place(), "answered with other parameters than were asked for"};
+    if (answer->count != list.count)
+      return Error{link.place(), message("answered with other parameters than were asked for")};
     for (std::size_t k = 0; k < list.count; ++k) {
       const std::string& name = values[from + k].first;
       answered.push_back(valueOf(*find(name), answer->value[k].word));

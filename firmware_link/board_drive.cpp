@@ -49,7 +49,7 @@ class BoardDrive final : public Drive {
   Result<void> linearise(const DutyCurve& curve) override;
   void command(const Command& command) override;
   void start(std::shared_ptr<Procedure> procedure) override;
-  void stop(const std::string& reason) override;
+  void stop(const Saying& reason) override;
   Result<size_t> advance(double duration_s, std::vector<Sample>& samples) override;
 
  private:
@@ -77,7 +77,7 @@ class BoardDrive final : public Drive {
   void take(std::span<const std::uint8_t> body);
   void followZeroing();
   void runProcedure(const Sample& sample);
-  void endProcedure(const std::string& reason);
+  void endProcedure(const Saying& reason);
   void faultCame(const wire::Fault& fault);
   Result<void> askForFault();
   Error broken(const Error& error);
@@ -180,23 +180,23 @@ Result<ControllerSettings> BoardDrive::configure(const ControllerSettings& wante
 }
 
 Result<void> BoardDrive::compensate(const FrictionCompensation& friction) {
-  if (!dictionary_.can(wire::Hello::friction)) return Error{options_.place, "takes no friction compensation"};
+  if (!dictionary_.can(wire::Hello::friction)) return Error{options_.place, message("takes no friction compensation")};
   return uploadFriction(link_, friction,
                         {dictionary_.hello().frictionBins, dictionary_.can(wire::Hello::staticFriction)});
 }
 
 Result<FrictionCompensation> BoardDrive::compensation() {
-  if (!dictionary_.can(wire::Hello::friction)) return Error{options_.place, "takes no friction compensation"};
+  if (!dictionary_.can(wire::Hello::friction)) return Error{options_.place, message("takes no friction compensation")};
   return downloadFriction(link_, dictionary_.can(wire::Hello::staticFriction));
 }
 
 Result<void> BoardDrive::linearise(const DutyCurve& curve) {
-  if (!dictionary_.can(wire::Hello::bridgeCurve)) return Error{options_.place, "takes no curve of its bridge"};
+  if (!dictionary_.can(wire::Hello::bridgeCurve)) return Error{options_.place, message("takes no curve of its bridge")};
   return uploadBridge(link_, curve);
 }
 
 void BoardDrive::begin(const Command& command, std::shared_ptr<Procedure> procedure) {
-  endProcedure("another command came");
+  endProcedure(message("another command came"));
   procedure_ = std::move(procedure);
   legOfProcedure_ = 0;
   if (procedure_ != nullptr && identity_.can.runsLegs) procedure_->leaveLegsToDrive();
@@ -214,12 +214,12 @@ void BoardDrive::start(std::shared_ptr<Procedure> procedure) {
   begin({}, std::move(procedure));
 }
 
-void BoardDrive::endProcedure(const std::string& reason) {
+void BoardDrive::endProcedure(const Saying& reason) {
   if (procedure_ != nullptr && procedure_->state() == Procedure::State::running) procedure_->stop(reason);
   procedure_.reset();
 }
 
-void BoardDrive::stop(const std::string& reason) {
+void BoardDrive::stop(const Saying& reason) {
   endProcedure(reason);
   wish_.rest();
   if (broken_) return;
@@ -241,7 +241,7 @@ void BoardDrive::wishAnswered(const wire::Frame& frame) {
   if (*refused == wire::Code::latched) {
     faultUnknown_ = true;
   } else {
-    endProcedure("the board refused a command");
+    endProcedure(message("the board refused a command"));
     wish_.want(Command{});
   }
 }
@@ -249,9 +249,10 @@ void BoardDrive::wishAnswered(const wire::Frame& frame) {
 /// An answer to a heartbeat or a stop.
 void BoardDrive::alive(const wire::Alive& alive) {
   if (alive.boot != boot_) {
-    broken({options_.place,
-            "was powered up anew in the middle: its motor is off and it has forgotten what it was told; check its "
-            "supply, then connect and home again"});
+    broken(
+        {options_.place,
+         message("was powered up anew in the middle: its motor is off and it has forgotten what it was told; check its "
+                 "supply, then connect and home again")});
     return;
   }
   stands_ = alive.tick;
@@ -285,7 +286,7 @@ Result<void> BoardDrive::askForFault() {
   if (!told) return broken(told.error());
   if (told->latch != latch_) {
     latch_ = told->latch;
-    endProcedure("somebody else stopped the motor");
+    endProcedure(message("somebody else stopped the motor"));
     wish_.rest();
   }
   faultUnknown_ = false;

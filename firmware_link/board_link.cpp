@@ -118,14 +118,14 @@ Result<BoardLink::Bytes> BoardLink::ask(wire::Type type, std::span<const std::ui
       if (auto took = take(left_s); !took) return ended(took.error());
     }
     if (!awaited.body) continue;
-    if (awaited.body->empty()) return ended(Error{place_, "gave an empty answer"});
+    if (awaited.body->empty()) return ended(Error{place_, message("gave an empty answer")});
     const std::uint8_t code = awaited.body->front();
     if (code != static_cast<std::uint8_t>(wire::Code::ok)) return ended(refusal(type, code));
     awaited.body->erase(awaited.body->begin());
     return ended(std::move(*awaited.body));
   }
-  return ended(Error{place_, fmt::format("does not answer ({}, asked {} times in {:.1f} s)", nameOf(type),
-                                         patience.tries, patience.tries * patience.perTry_s)});
+  return ended(Error{place_, message("does not answer ({}, asked {} times in {:.1f} s)", nameOf(type), patience.tries,
+                                     patience.tries * patience.perTry_s)});
 }
 
 }  // namespace breakaway

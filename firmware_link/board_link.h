@@ -92,7 +92,8 @@ template <typename Answer>
 Result<Answer> BoardLink::answerIn(const Result<Bytes>& body) const {
   if (!body) return body.error();
   Answer answer;
-  if (!wire::readMessage(*body, answer)) return Error{place_, "gave an answer that is too short for what was asked"};
+  if (!wire::readMessage(*body, answer))
+    return Error{place_, message("gave an answer that is too short for what was asked")};
   return answer;
 }
 

@@ -27,7 +27,7 @@ class BurstJob {
 
  private:
   Result<void> begin(const BurstRequest& request) {
-    if (!board_.can(wire::Hello::capture)) return Error{link_.place(), "takes no burst"};
+    if (!board_.can(wire::Hello::capture)) return Error{link_.place(), message("takes no burst")};
     const auto stopped = link_.ask<wire::Alive>(wire::Type::stop);
     if (!stopped) return stopped.error();
     const bool acts = request.mode != wire::MotorCommand::Mode::off;
@@ -38,7 +38,7 @@ class BurstJob {
     wanted.samples = request.samples;
     const auto accepted = link_.ask<wire::Capture>(wire::Type::startCapture, wanted);
     if (!accepted) return accepted.error();
-    if (accepted->samples == 0) return Error{link_.place(), "has no room for a burst"};
+    if (accepted->samples == 0) return Error{link_.place(), message("has no room for a burst")};
     accepted_ = *accepted;
     if (!acts) return {};
     wire::MotorCommand command;
@@ -66,7 +66,7 @@ class BurstJob {
       if (page->taken >= accepted_.samples) return {};
       if (auto taken = link_.take(std::min(beatEvery_s, length_s)); !taken) return taken.error();
     }
-    return Error{link_.place(), "did not come to the end of the burst"};
+    return Error{link_.place(), message("did not come to the end of the burst")};
   }
 
   Result<CapturedBurst> read() {
@@ -83,9 +83,9 @@ class BurstJob {
       const std::size_t before = burst.samples.size();
       if (in.ok() && page.first == asked.first) lost = decoder.take(in.rest(), burst.samples);
       if (burst.samples.size() == before)
-        return Error{link_.place(), "gave another part of the burst than was asked for"};
+        return Error{link_.place(), message("gave another part of the burst than was asked for")};
     }
-    if (lost > 0) return Error{link_.place(), "gave a burst with a gap"};
+    if (lost > 0) return Error{link_.place(), message("gave a burst with a gap")};
     const auto values = board_.values(link_, {"current_zero_A", "current_trip_A", "blocked_for_s", "lease_s"});
     if (!values) return values.error();
     for (Sample& sample : burst.samples) sample.current_A -= decoder.unzeroed() ? (*values)[0] : 0.0;

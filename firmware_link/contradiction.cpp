@@ -57,56 +57,55 @@ WiringCause causeOf(const MotorFigures& m) {
   return motionAlong == speedsUp ? WiringCause::sensorReversed : WiringCause::bridgeReversed;
 }
 
-std::string contradictionWords(const MotorFigures& m) {
+Message contradictionWords(const MotorFigures& m) {
   const double turns = electricalSpeed(m);
   const std::string driven = shaftSpeedText(turns, m.axis), shown = shaftSpeedText(m.velocity_rad_per_s, m.axis);
   switch (causeOf(m)) {
     case WiringCause::encoderReversed:
-      return fmt::format(
+      return message(
           "the encoder counts against the motor: {:.1f} V drive it at {}, the encoder shows {}; swap the encoder's A "
-          "and "
-          "B, or the motor's leads",
+          "and B, or the motor's leads",
           m.voltage_V, driven, shown);
     case WiringCause::encoderStands:
-      return fmt::format(
+      return message(
           "the encoder stands while voltage and current say that the motor runs at {} ({:.1f} V, {:.2f} A); check "
           "coupling, encoder cable and the encoder's supply",
           driven, m.voltage_V, m.current_A);
     case WiringCause::countsFactor:
-      return fmt::format(
+      return message(
           "the encoder shows {} where {:.1f} V and {:.2f} A say {}, {} as much; check the encoder's counts (four edges "
           "for a line), the coupling, and the supply's reading",
           shown, m.voltage_V, m.current_A, driven, factorText(m.velocity_rad_per_s / turns));
     case WiringCause::sensorReversed:
-      return fmt::format(
+      return message(
           "the current reads {:.2f} A where {:.1f} V at {} drive {:.2f} A: the current sensor is reversed (swap its "
           "leads), or its zero has moved",
           m.current_A, m.voltage_V, shown, foretoldCurrent(m));
     case WiringCause::bridgeReversed:
-      return fmt::format(
+      return message(
           "{:.1f} V drive {:.2f} A and {}, both the other way round: the bridge is reversed; swap its two inputs, or "
           "the sign in the board",
           m.voltage_V, m.current_A, shown);
     case WiringCause::sensorOrBridgeReversed:
-      return fmt::format(
+      return message(
           "{:.1f} V drive {:.2f} A, the other way round: the current sensor or the bridge is reversed (swap the "
           "sensor's leads or the bridge's inputs), or the sensor's zero has moved",
           m.voltage_V, m.current_A);
     case WiringCause::sensorDead:
-      return fmt::format(
+      return message(
           "the current sensor reads {:.2f} A while {:.1f} V drive the motor at {}, where {:.1f} A are to be expected: "
           "it is dead; check its supply and its wire",
           m.current_A, m.voltage_V, shown, foretoldCurrent(m));
     case WiringCause::leadOff:
-      return fmt::format(
+      return message(
           "no current is seen at {:.1f} V: a lead of the motor is off, or the current sensor is dead (or the encoder, "
-          "where "
-          "friction is small); check the motor's terminals and the sensor's supply",
+          "where friction is small); check the motor's terminals and the sensor's supply",
           m.voltage_V);
     case WiringCause::unknown:
       break;
   }
-  return "voltage, current and motion don't belong to one motor; check the wiring of motor, encoder and current sensor";
+  return message(
+      "voltage, current and motion don't belong to one motor; check the wiring of motor, encoder and current sensor");
 }
 
 }  // namespace breakaway

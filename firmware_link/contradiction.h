@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/axis.h"
+#include "base/message.h"
 
 namespace breakaway {
 
@@ -35,6 +36,6 @@ std::string shaftSpeedText(double speed, Axis axis);
 /// neither.
 WiringCause causeOf(const MotorFigures& motor);
 /// What it is, with its figures, and what to do about it.
-std::string contradictionWords(const MotorFigures& motor);
+Message contradictionWords(const MotorFigures& motor);
 
 }  // namespace breakaway

@@ -1,15 +1,14 @@
 #include "firmware_link/fault_words.h"
 
-#include <fmt/core.h>
 #include <cmath>
 
 namespace breakaway {
 
-std::string faultWords(const wire::Fault& fault, const FaultLimits& limits) {
+Message faultWords(const wire::Fault& fault, const FaultLimits& limits) {
   using wire::FaultCode;
   switch (fault.code) {
     case FaultCode::none:
-      return "the board stopped the motor and does not say why";
+      return message("the board stopped the motor and does not say why");
     case FaultCode::overCurrent:
     case FaultCode::openSensor:
     case FaultCode::supplyLow:
@@ -32,15 +31,15 @@ std::string faultWords(const wire::Fault& fault, const FaultLimits& limits) {
                          static_cast<double>(fault.meanVelocity_rad_per_s), static_cast<double>(fault.resistance_ohm),
                          static_cast<double>(fault.backEmf_V_s_per_rad), limits.trip_A, limits.axis}});
     case FaultCode::travel:
-      return "the rotor went beyond the travel that the board allows; widen travel_limit_rad, or ask for less";
+      return message("the rotor went beyond the travel that the board allows; widen travel_limit_rad, or ask for less");
     case FaultCode::overTemperature:
-      return fmt::format("over-temperature: {:.0f} degrees Celsius; let the motor cool, then go on",
-                         static_cast<double>(fault.temperature_degC));
+      return message("over-temperature: {:.0f} degrees Celsius; let the motor cool, then go on",
+                     static_cast<double>(fault.temperature_degC));
     case FaultCode::leaseExpired:
       return linkLossWords(limits.lease_s);
   }
-  return "the board stopped the motor for a reason that this program does not know (code " +
-         std::to_string(static_cast<int>(fault.code)) + ")";
+  return message("the board stopped the motor for a reason that this program does not know (code {})",
+                 static_cast<int>(fault.code));
 }
 
 }  // namespace breakaway

@@ -15,6 +15,6 @@ struct FaultLimits {
 };
 
 /// What happened and what to do about it.
-std::string faultWords(const wire::Fault& fault, const FaultLimits& limits);
+Message faultWords(const wire::Fault& fault, const FaultLimits& limits);
 
 }  // namespace breakaway

@@ -18,9 +18,9 @@ using Curve = std::vector<float>;
 Result<std::vector<Curve>> curvesOf(const FrictionCompensation& friction, std::size_t mostBins, bool withStatic) {
   const std::string place = "friction compensation";
   const std::size_t bins = friction.coulomb_Nm[0].size();
-  if (friction.span_rad != 0.0) return Error{place, "is of a linear axis, the board knows rotors only"};
+  if (friction.span_rad != 0.0) return Error{place, message("is of a linear axis, the board knows rotors only")};
   if (bins > mostBins) {
-    return Error{place, "has " + std::to_string(bins) + " bins, the board holds at most " + std::to_string(mostBins)};
+    return Error{place, message("has {} bins, the board holds at most {}", bins, mostBins)};
   }
   bool finite = std::isfinite(friction.indexAngle_rad + friction.blend_rad_per_s + friction.cutoff_rad_per_s) &&
                 friction.blend_rad_per_s >= 0.0 && friction.cutoff_rad_per_s >= 0.0 &&
@@ -30,14 +30,14 @@ Result<std::vector<Curve>> curvesOf(const FrictionCompensation& friction, std::s
   if (withStatic) sources.insert(sources.end(), {&friction.static_Nm[0], &friction.static_Nm[1]});
   std::vector<Curve> curves;
   for (const auto* values : sources) {
-    if (values->size() != bins) return Error{place, "has not as many bins each way"};
+    if (values->size() != bins) return Error{place, message("has not as many bins each way")};
     Curve& curve = curves.emplace_back();
     for (const double value : *values) {
       curve.push_back(static_cast<float>(value));
       finite = finite && std::isfinite(curve.back());
     }
   }
-  if (!finite) return Error{place, "holds a value that is negative or not finite"};
+  if (!finite) return Error{place, message("holds a value that is negative or not finite")};
   return curves;
 }
 
@@ -65,7 +65,7 @@ Result<void> upload(BoardLink& link, const Curve& curve, std::size_t which) {
     const auto back = link.ask<wire::FrictionChunk>(wire::Type::readFriction, chunk);
     if (!back) return back.error();
     if (!std::equal(chunk.value, chunk.value + chunk.count, back->value))
-      return Error{link.place(), "holds another friction table than was written"};
+      return Error{link.place(), message("holds another friction table than was written")};
   }
   return {};
 }
@@ -109,7 +109,8 @@ Result<void> download(BoardLink& link, std::size_t which, std::size_t bins, std:
     wanted.count = static_cast<std::uint8_t>(std::min(wire::FrictionChunk::mostValues, bins - values.size()));
     const auto chunk = link.ask<wire::FrictionChunk>(wire::Type::readFriction, wanted);
     if (!chunk) return chunk.error();
-    if (chunk->count != wanted.count) return Error{link.place(), "answered with another part of the friction table"};
+    if (chunk->count != wanted.count)
+      return Error{link.place(), message("answered with another part of the friction table")};
     for (std::size_t n = 0; n < chunk->count; ++n) {
       addTo(sum, chunk->value[n]);
       values.push_back(static_cast<double>(chunk->value[n]));
@@ -142,7 +143,8 @@ Result<FrictionCompensation> downloadFriction(BoardLink& link, bool holdsStatic)
     if (auto read = download(link, k, use->bins, *places[k], sum); !read) return read.error();
   }
   if (sum.value() != use->checksum)
-    return Error{link.place(), "is being given another friction table; the one in use can't be read meanwhile"};
+    return Error{link.place(),
+                 message("is being given another friction table; the one in use can't be read meanwhile")};
   return friction;
 }
 

@@ -55,12 +55,13 @@ bool isSimulated(const std::string& uri) {
 }
 
 Result<std::string> rigFileOf(const std::string& uri) {
-  if (!isSimulated(uri)) return Error{"board " + uri, "is not a simulated board"};
+  if (!isSimulated(uri)) return Error{"board " + uri, message("is not a simulated board")};
   const std::string named = uri == scheme ? "servo" : uri.substr(std::string(scheme).size() + 1);
-  if (named.empty()) return Error{"board " + uri, "names no rig, expected simulated:PRESET or simulated:FILE.rig.json"};
+  if (named.empty())
+    return Error{"board " + uri, message("names no rig, expected simulated:PRESET or simulated:FILE.rig.json")};
   std::error_code code;
   if (endsWith(named, ".json") || named.find('/') != std::string::npos) {
-    if (!fs::exists(named, code)) return Error{named, "cannot be read: no such rig file"};
+    if (!fs::exists(named, code)) return Error{named, message("cannot be read: no such rig file")};
     return named;
   }
   const std::vector<std::string> names = presetNames();

@@ -42,7 +42,7 @@ class SimulatedBoard final : public Drive {
   Result<FrictionCompensation> compensation() override { return friction_; }
   void command(const Command& command) override;
   void start(std::shared_ptr<Procedure> procedure) override;
-  void stop(const std::string& reason) override;
+  void stop(const Saying& reason) override;
   Result<size_t> advance(double duration_s, std::vector<Sample>& samples) override;
 
  private:
@@ -120,8 +120,7 @@ Result<void> SimulatedBoard::compensate(const FrictionCompensation& friction) {
   Table table;
   const size_t bins = friction.coulomb_Nm[0].size();
   if (bins > Table::mostBins)
-    return Error{"friction compensation",
-                 "has " + std::to_string(bins) + " bins, the board holds at most " + std::to_string(Table::mostBins)};
+    return Error{"friction compensation", message("has {} bins, the board holds at most {}", bins, Table::mostBins)};
   bool finite = std::isfinite(friction.span_rad) && friction.span_rad >= 0.0 &&
                 std::isfinite(friction.indexAngle_rad + friction.blend_rad_per_s + friction.cutoff_rad_per_s) &&
                 friction.blend_rad_per_s >= 0.0 && friction.cutoff_rad_per_s >= 0.0 &&
@@ -130,7 +129,7 @@ Result<void> SimulatedBoard::compensate(const FrictionCompensation& friction) {
   for (size_t way = 0; way < 2; ++way) {
     if (friction.coulomb_Nm[way].size() != bins || friction.viscous_Nm_s_per_rad[way].size() != bins ||
         (hasStatic && friction.static_Nm[way].size() != bins))
-      return Error{"friction compensation", "has not as many bins each way"};
+      return Error{"friction compensation", message("has not as many bins each way")};
     for (size_t k = 0; k < bins; ++k) {
       table.coulomb_Nm[way][k] = friction.coulomb_Nm[way][k];
       table.viscous_Nm_s_per_rad[way][k] = friction.viscous_Nm_s_per_rad[way][k];
@@ -139,7 +138,7 @@ Result<void> SimulatedBoard::compensate(const FrictionCompensation& friction) {
                std::isfinite(table.static_Nm[way][k]);
     }
   }
-  if (!finite) return Error{"friction compensation", "holds a value that is negative or not finite"};
+  if (!finite) return Error{"friction compensation", message("holds a value that is negative or not finite")};
   table.bins = static_cast<int>(bins);
   table.index_rad = friction.indexAngle_rad;
   if (friction.span_rad > 0.0) table.perRad = 1.0 / friction.span_rad;
@@ -153,9 +152,9 @@ Result<void> SimulatedBoard::compensate(const FrictionCompensation& friction) {
 Result<void> SimulatedBoard::linearise(const DutyCurve& curve) {
   DutyTable<double> table;
   if (curve.points.size() > DutyTable<double>::mostPoints)
-    return Error{"bridge's curve", "has " + std::to_string(curve.points.size()) + " points, the board holds at most " +
-                                       std::to_string(DutyTable<double>::mostPoints)};
-  if (!curve.rises()) return Error{"bridge's curve", "doesn't rise, expected a strictly rising one"};
+    return Error{"bridge's curve", message("has {} points, the board holds at most {}", curve.points.size(),
+                                           DutyTable<double>::mostPoints)};
+  if (!curve.rises()) return Error{"bridge's curve", message("doesn't rise, expected a strictly rising one")};
   for (const DutyPoint& point : curve.points) {
     table.input[table.points] = point.input;
     table.output[table.points++] = point.output.value;
@@ -174,7 +173,7 @@ void SimulatedBoard::obey(const Command& command) {
 
 void SimulatedBoard::command(const Command& command) {
   if (procedure_ != nullptr && procedure_->state() == Procedure::State::running)
-    procedure_->stop("another command came");
+    procedure_->stop(message("another command came"));
   procedure_.reset();
   watch_.restart();
   obey(command);
@@ -185,7 +184,7 @@ void SimulatedBoard::start(std::shared_ptr<Procedure> procedure) {
   procedure_ = std::move(procedure);
 }
 
-void SimulatedBoard::stop(const std::string& reason) {
+void SimulatedBoard::stop(const Saying& reason) {
   if (procedure_ != nullptr && procedure_->state() == Procedure::State::running) procedure_->stop(reason);
   procedure_.reset();
   obey({});
@@ -282,7 +281,8 @@ namespace {
 
 Result<Rig> rigAt(const std::string& uri) {
   if (!isSimulated(uri)) {
-    return Error{"board " + uri, "is no known board, expected simulated, simulated:PRESET or simulated:FILE.rig.json"};
+    return Error{"board " + uri,
+                 message("is no known board, expected simulated, simulated:PRESET or simulated:FILE.rig.json")};
   }
   const auto file = rigFileOf(uri);
   if (!file) return file.error();
@@ -300,7 +300,8 @@ Result<std::unique_ptr<Drive>> openWatched(const std::string& uri, unsigned seed
 Result<std::unique_ptr<Drive>> openPushed(const std::string& uri, unsigned seed, const ShaftPush& push) {
   auto rig = rigAt(uri);
   if (!rig) return rig.error();
-  if (rig->axis != Axis::rotary) return Error{"board " + uri, "moves a linear axis, expected a rotor to be pushed"};
+  if (rig->axis != Axis::rotary)
+    return Error{"board " + uri, message("moves a linear axis, expected a rotor to be pushed")};
   rig->effects.push_back({"external_disturbance",
                           {{"torque_Nm", push.torque_Nm}, {"start_s", push.start_s}, {"duration_s", push.duration_s}}});
   return std::unique_ptr<Drive>(std::make_unique<SimulatedBoard>(*rig, seed, ShaftWatch{}));

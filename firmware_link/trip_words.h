@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "base/message.h"
 #include "control/board_watch.h"
 #include "firmware_link/contradiction.h"
 
@@ -17,9 +18,9 @@ struct TripFigures {
 };
 
 /// What happened and what to do about it.
-std::string tripWords(Trip trip, const TripFigures& figures);
+Message tripWords(Trip trip, const TripFigures& figures);
 
 /// The same for a link that is gone; `silent_s` is how long nothing has come.
-std::string linkLossWords(double silent_s);
+Message linkLossWords(double silent_s);
 
 }  // namespace breakaway

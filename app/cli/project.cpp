@@ -73,7 +73,7 @@ Unfinished unfinishedOf(const Project& project, const std::string& device = {}) 
     const auto broken =
         std::count_if(known.runs.begin(), known.runs.end(), [](const VelocityRun& run) { return run.brokenOff; });
     all.words += fmt::format("{}  {:<20}  {:<15} {}: {}{}\n", "unfinished", one.at, "commission", known.identity.device,
-                             howFar(known), one.held ? "; under way" : "");
+                             howFar(known).english(), one.held ? "; under way" : "");
     all.json.push_back({{"folder", one.folder},
                         {"at", one.at},
                         {"kind", "commission"},

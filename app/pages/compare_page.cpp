@@ -185,9 +185,13 @@ QWidget* ComparePage::buildPlots() {
   axis_->setToolTip(tr("Over what the residual is drawn. Drag and wheel zoom in time."));
   for (const QString& axis : residualAxes())
     axis_->addItem(tr("Residual over %1")
-                       .arg(axis == "current"    ? tr("motor torque or force")
-                            : axis == "reversal" ? tr("travel since reversal")
-                                                 : axis),
+                       .arg(axis == "current"        ? tr("motor torque or force")
+                            : axis == "reversal"     ? tr("travel since reversal")
+                            : axis == "time"         ? tr("time")
+                            : axis == "angle"        ? tr("angle")
+                            : axis == "velocity"     ? tr("velocity")
+                            : axis == "acceleration" ? tr("acceleration")
+                                                     : axis),
                    axis);
   column->addWidget(plots_, 1);
   auto* row = new QHBoxLayout;

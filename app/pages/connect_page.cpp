@@ -11,6 +11,7 @@
 #include "experiment/abilities.h"
 #include "session/bench_runs.h"
 #include "session/connection.h"
+#include "session/language.h"
 #include "session/messages.h"
 #include "widgets/board_list.h"
 #include "widgets/controls.h"
@@ -38,8 +39,8 @@ QString cannotWords(const Identity& board) {
                                             {Task::compensation, ConnectPage::tr("Friction compensation")}};
   QStringList lines;
   for (const auto& [task, name] : tasks) {
-    const std::string why = obstacleTo(task, board);
-    if (!why.empty()) lines << "• " + name + ": " + QString::fromStdString(why);
+    const Message why = obstacleTo(task, board);
+    if (!why.empty()) lines << "• " + name + ": " + inLanguage(why);
   }
   return lines.isEmpty() ? QString() : ConnectPage::tr("Not possible with this board:") + "\n" + lines.join('\n');
 }

@@ -11,6 +11,7 @@
 #include "pages/run_state.h"
 #include "session/bench_runs.h"
 #include "session/connection.h"
+#include "session/language.h"
 #include "session/live_samples.h"
 #include "widgets/axis_units.h"
 #include "widgets/controls.h"
@@ -285,7 +286,7 @@ void HandPage::showState() {
   setState(state);
   const RunSnapshot& run = connection_.run();
   const bool failed = run.kind == RunKind::hand && run.status.state == Procedure::State::failed;
-  read(failed               ? QString::fromStdString(run.status.failure)
+  read(failed               ? inLanguage(run.status.failure)
        : obstacle.isEmpty() ? tr("Hold a button, or an arrow key after a click on the page")
                             : obstacle);
 }

@@ -9,6 +9,7 @@
 #include "pages/run_state.h"
 #include "session/bench_runs.h"
 #include "session/connection.h"
+#include "session/language.h"
 #include "widgets/axis_units.h"
 #include "widgets/controls.h"
 #include "widgets/elided_label.h"
@@ -159,7 +160,7 @@ void IdentifyPage::showFacts() {
     motor_->show({{tr("Not identified yet"), {}, {}}});
   } else {
     const IdentifiedMotor& motor = known.motor;
-    const QString scale = QString::fromStdString(motor.gauge);
+    const QString scale = inLanguage(motor.gauge);
     motor_->show(
         {{linear ? tr("Force constant") : tr("Torque constant"),
           estimateText(motor.torqueConstant_Nm_per_A, 1.0, units.constant), scale},
@@ -174,9 +175,9 @@ void IdentifyPage::showFacts() {
   }
   std::vector<Fact> wires;
   if (known.knows(Known::wiring) && known.wiring) {
-    for (const std::string& sentence :
+    for (const Message& sentence :
          inWords(*known.wiring, known.sensorZero_A, known.noiseRms_A, known.identity.supply_V, known.identity.axis)) {
-      const QString whole = QString::fromStdString(sentence);
+      const QString whole = inLanguage(sentence);
       wires.push_back({whole.section(": ", 0, 0), whole.section(": ", 1), {}});
     }
   } else {

@@ -18,6 +18,7 @@
 #include "report/diagnosis_report.h"
 #include "session/bench_runs.h"
 #include "session/comparison.h"
+#include "session/language.h"
 #include "session/messages.h"
 #include "widgets/controls.h"
 
@@ -201,7 +202,7 @@ void ReportPage::preview() {
 
 void ReportPage::showPreview(unsigned number, const Result<DrawnReport>& report) {
   if (number != wanted_) return;
-  if (!report) return text_->setPlainText(QString::fromStdString(report.error().message()));
+  if (!report) return text_->setPlainText(inLanguage(report.error().said()));
   const int at = text_->verticalScrollBar()->value();
   fill(*text_->document(), *report);
   text_->verticalScrollBar()->setValue(at);

@@ -3,6 +3,8 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 
+#include "session/language.h"
+
 namespace breakaway {
 
 BenchProject::BenchProject(Messages& messages, QObject* parent)
@@ -26,7 +28,7 @@ void BenchProject::open(const QString& folder) {
     auto opened = Project::open(folder.toStdString(), Project::Missing::isMade);
     *project = opened ? std::make_unique<Project>(std::move(*opened)) : nullptr;
     const std::vector<std::string> said = *project ? (**project).said() : std::vector<std::string>();
-    const QString why = opened ? QString() : QString::fromStdString(opened.error().message());
+    const QString why = opened ? QString() : inLanguage(opened.error().said());
     QMetaObject::invokeMethod(
         this,
         [this, said, why] {

@@ -3,6 +3,7 @@
 
 #include "firmware_link/presets.h"
 #include "session/bench_runs.h"
+#include "session/language.h"
 
 namespace breakaway {
 
@@ -89,8 +90,7 @@ void BenchRuns::keepKnown(const KnownPtr& now) {
   last_ = now;
   const Commission& known = *now;
   if (known.settings != connection_.settings()) connection_.takeSettings(known.settings);
-  for (size_t k = known_.remarks.size(); k < known.remarks.size(); ++k)
-    messages_.say(QString::fromStdString(known.remarks[k]));
+  for (size_t k = known_.remarks.size(); k < known.remarks.size(); ++k) messages_.say(inLanguage(known.remarks[k]));
   known_ = known;
   emit knownChanged();
 }

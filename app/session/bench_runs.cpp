@@ -7,6 +7,7 @@
 #include "commission/steps.h"
 #include "experiment/abilities.h"
 #include "experiment/maneuver_run.h"
+#include "session/language.h"
 #include "session/slow_motion.h"
 #include "session/step_over_travel.h"
 
@@ -17,8 +18,8 @@ namespace {
 constexpr double partOfBraking = 0.5;  ///< of the strokes' acceleration: friction and loop leave so much
 
 /// A clause as a tooltip shows it.
-QString sentence(const std::string& clause) {
-  QString text = QString::fromStdString(clause);
+QString sentence(const Message& clause) {
+  QString text = inLanguage(clause);
   return text.left(1).toUpper() + text.mid(1);
 }
 
@@ -156,15 +157,14 @@ QString BenchRuns::missingFor(RunKind kind, const SweepSettings& sweeps) const {
   known.remove(forgottenFor(kind, sweeps));
   for (const StepPtr& step : plan(connection_.identity(), known, wanted.facts)) {
     // What is worth a word takes time.
-    if (step->expected_s(sweeps) > 0.0 && !step->leaves().hasAny(own)) steps << QString::fromStdString(step->words());
+    if (step->expected_s(sweeps) > 0.0 && !step->leaves().hasAny(own)) steps << inLanguage(step->words());
   }
   return steps.isEmpty() ? QString() : tr("First: %1").arg(steps.join(", "));
 }
 
 QString BenchRuns::obstacleToMake(RunKind kind) const {
   if (connection_.connected()) {
-    if (const std::string never = obstacleTo(taskOf(kind), connection_.identity()); !never.empty())
-      return sentence(never);
+    if (const Message never = obstacleTo(taskOf(kind), connection_.identity()); !never.empty()) return sentence(never);
   }
   return connection_.obstacle();
 }

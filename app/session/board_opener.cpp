@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "firmware_link/presets.h"
+#include "session/language.h"
 
 namespace breakaway {
 
@@ -52,10 +53,10 @@ void BoardOpener::take(unsigned number, Result<std::unique_ptr<Drive>>& opened) 
     taker_(std::move(*opened));
     emit changed();
   } else if (state_ == ConnectionState::reconnecting) {
-    enter(state_, QString::fromStdString(opened.error().message()));
+    enter(state_, inLanguage(opened.error().said()));
     retry_.start();
   } else {
-    enter(ConnectionState::failed, QString::fromStdString(opened.error().message()));
+    enter(ConnectionState::failed, inLanguage(opened.error().said()));
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "recording/block_file.h"
 #include "recording/columns.h"
+#include "session/language.h"
 
 namespace breakaway {
 
@@ -171,13 +172,13 @@ void Comparison::diagnose() {
   const unsigned mine = wanted_;
   DiagnoseOptions options;
   options.stop = stop_.get_token();
-  options.progress = [this, mine](double progress, const std::string& activity) {
+  options.progress = [this, mine](double progress, const Message& activity) {
     QMetaObject::invokeMethod(
         this,
         [this, mine, progress, activity] {
           if (mine != wanted_ || !diagnosing_) return;
           progress_ = progress;
-          activity_ = QString::fromStdString(activity);
+          activity_ = inLanguage(activity);
           emit progressChanged();
         },
         Qt::QueuedConnection);

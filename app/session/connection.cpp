@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "experiment/profile.h"
+#include "session/language.h"
 
 namespace breakaway {
 
@@ -106,7 +107,7 @@ QString Connection::stateWords() const {
   if (state() == ConnectionState::connecting) return tr("connecting");
   if (state() == ConnectionState::reconnecting) return tr("link lost, connecting again");
   if (!connected()) return tr("not connected");
-  if (run_.running()) return QString::fromStdString(run_.status.activity);
+  if (run_.running()) return inLanguage(run_.status.activity);
   if (powered_) return tr("powered");
   return lastStop_.isEmpty() ? tr("idle, windings open") : lastStop_;
 }
@@ -114,7 +115,7 @@ QString Connection::stateWords() const {
 QString Connection::obstacle() const {
   if (!connected()) return tr("No board is connected");
   if (run_.running() && run_.kind != RunKind::turning)
-    return tr("Busy: %1. STOP ends it.").arg(QString::fromStdString(run_.status.activity));
+    return tr("Busy: %1. STOP ends it.").arg(inLanguage(run_.status.activity));
   return {};
 }
 
@@ -134,7 +135,7 @@ void Connection::takeRun(const RunSnapshot& snapshot) {
   const Procedure::State state = snapshot.status.state;
   const bool tripped = state == Procedure::State::stopped && snapshot.endedByBoard;
   if (tripped) lastStop_ = tr("stopped by the board");
-  if (tripped || state == Procedure::State::failed) messages_.warn(QString::fromStdString(snapshot.status.failure));
+  if (tripped || state == Procedure::State::failed) messages_.warn(inLanguage(snapshot.status.failure));
   emit runReported(snapshot);
   emit runChanged();
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "session/language.h"
+
 namespace breakaway {
 
 namespace {
@@ -13,18 +15,18 @@ constexpr auto runEvery = 40ms;
 constexpr auto statusEvery = 500ms;
 constexpr size_t pendingLimit = 200'000;  ///< samples kept for a window that doesn't fetch them; then the oldest go
 
-const char* wordsOf(DriveLoop::StopCause cause) {
+Message wordsOf(DriveLoop::StopCause cause) {
   switch (cause) {
     case DriveLoop::StopCause::pressed:
-      return "STOP was pressed";
+      return message("STOP was pressed");
     case DriveLoop::StopCause::watchdog:
-      return "the window did not answer";
+      return message("the window did not answer");
     case DriveLoop::StopCause::closing:
-      return "the connection was closed";
+      return message("the connection was closed");
     case DriveLoop::StopCause::none:
       break;
   }
-  return "";
+  return {};
 }
 
 double seconds(std::chrono::steady_clock::duration duration) {
@@ -58,7 +60,7 @@ void DriveLoop::start(Run run) {
   post(
       [this, run = std::move(run)](Drive& drive) {
         if (run_.something() && run_.status().state == Procedure::State::running) {
-          const char* const why = "another procedure was started";
+          const Message why = message("another procedure was started");
           run_.job ? stopRun(why) : run_.procedure->stop(why);
           sendRun();
         }
@@ -125,7 +127,7 @@ void DriveLoop::halt(StopCause cause) {
 }
 
 /// The motor first, whatever there is to end.
-void DriveLoop::stopRun(const std::string& reason) {
+void DriveLoop::stopRun(const Saying& reason) {
   drive_->stop(reason);
   if (run_.job) run_.job->stop(*drive_, reason);
 }
@@ -135,7 +137,7 @@ bool DriveLoop::advance() {
   const auto lost = drive_->advance(options_.slice_s, slice_);
   if (!lost) {
     halt(StopCause::closing);
-    emit failed(QString::fromStdString(lost.error().message()));
+    emit failed(inLanguage(lost.error().said()));
     return false;
   }
   if (recorder_) recorder_->append(slice_, *lost);

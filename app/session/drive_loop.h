@@ -77,7 +77,7 @@ class DriveLoop : public QObject {
   void obeyStops();
   void runJobs();
   void halt(StopCause cause);
-  void stopRun(const std::string& reason);
+  void stopRun(const Saying& reason);
   bool advance();
   void publish();
   void sendBatch(Clock::time_point time);

@@ -32,7 +32,7 @@ class HandDrive : public Procedure {
   HandDrive(const HandOptions& options, std::shared_ptr<HandGrip> grip);
   Command step(const Sample& sample) override;
   Status status() const override { return status_; }
-  void stop(const std::string& reason) override;
+  void stop(const Saying& reason) override;
 
  private:
   bool intoMargin(double position_m) const;

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 
 #include "commission/motor_tests.h"
+#include "session/language.h"
 
 namespace breakaway {
 
@@ -53,28 +54,43 @@ std::vector<Measured> resultsOf(Known fact, const Commission& known) {
   const double torque = linear ? 1.0 : 1e3;
   // Until the scale is on, the figures are those of the tests so far.
   const IdentifiedMotor& motor = known.motor;
-  const auto resistance = [&](const Estimate& value) { return Measured{words("R"), value, 1.0, words("Ω")}; };
-  const Measured constant{linear ? words("Kf") : words("Kt"), motor.torqueConstant_Nm_per_A, torque,
-                          linear ? words("N/A") : words("mNm/A")};
-  const Measured inertia{linear ? words("m") : words("J"), motor.inertia_kg_m2, linear ? 1.0 : 1e7,
-                         linear ? words("kg") : words("g cm²")};
+  const auto resistance = [&](const Estimate& value) {
+    return Measured{words(QT_TRANSLATE_NOOP("IdentifyStep", "R")), value, 1.0,
+                    words(QT_TRANSLATE_NOOP("IdentifyStep", "Ω"))};
+  };
+  const Measured constant{
+      linear ? words(QT_TRANSLATE_NOOP("IdentifyStep", "Kf")) : words(QT_TRANSLATE_NOOP("IdentifyStep", "Kt")),
+      motor.torqueConstant_Nm_per_A, torque,
+      linear ? words(QT_TRANSLATE_NOOP("IdentifyStep", "N/A")) : words(QT_TRANSLATE_NOOP("IdentifyStep", "mNm/A"))};
+  const Measured inertia{
+      linear ? words(QT_TRANSLATE_NOOP("IdentifyStep", "m")) : words(QT_TRANSLATE_NOOP("IdentifyStep", "J")),
+      motor.inertia_kg_m2, linear ? 1.0 : 1e7,
+      linear ? words(QT_TRANSLATE_NOOP("IdentifyStep", "kg")) : words(QT_TRANSLATE_NOOP("IdentifyStep", "g cm²"))};
   switch (fact) {
     case Known::sensorZero:
-      return {{words("offset"), known.sensorZero_A, 1e3, words("mA")}};
+      return {{words(QT_TRANSLATE_NOOP("IdentifyStep", "offset")), known.sensorZero_A, 1e3,
+               words(QT_TRANSLATE_NOOP("IdentifyStep", "mA"))}};
     case Known::windingTest:
       if (!known.tests) return {};
       return {resistance(known.tests->winding.line.resistance_ohm),
-              {words("L/R"), known.tests->winding.timeConstant_s, 1e3, words("ms")}};
+              {words(QT_TRANSLATE_NOOP("IdentifyStep", "L/R")), known.tests->winding.timeConstant_s, 1e3,
+               words(QT_TRANSLATE_NOOP("IdentifyStep", "ms"))}};
     case Known::roughMotor:
-      return {constant, {words("F"), motor.coulomb_Nm, torque, linear ? words("N") : words("mNm")}};
+      return {
+          constant,
+          {words(QT_TRANSLATE_NOOP("IdentifyStep", "F")), motor.coulomb_Nm, torque,
+           linear ? words(QT_TRANSLATE_NOOP("IdentifyStep", "N")) : words(QT_TRANSLATE_NOOP("IdentifyStep", "mNm"))}};
     case Known::reversal:
       return {inertia};
     case Known::bridge:
-      return {resistance(motor.resistance_ohm), {words("dead zone"), motor.deadZone_V, 1e3, words("mV")}};
+      return {resistance(motor.resistance_ohm),
+              {words(QT_TRANSLATE_NOOP("IdentifyStep", "dead zone")), motor.deadZone_V, 1e3,
+               words(QT_TRANSLATE_NOOP("IdentifyStep", "mV"))}};
     case Known::motor:
-      return {
-          constant,
-          {words("B"), motor.viscous_Nm_s_per_rad, linear ? 1.0 : 1e6, linear ? words("N s/m") : words("µNm s/rad")}};
+      return {constant,
+              {words(QT_TRANSLATE_NOOP("IdentifyStep", "B")), motor.viscous_Nm_s_per_rad, linear ? 1.0 : 1e6,
+               linear ? words(QT_TRANSLATE_NOOP("IdentifyStep", "N s/m"))
+                      : words(QT_TRANSLATE_NOOP("IdentifyStep", "µNm s/rad"))}};
     default:
       return {};
   }
@@ -102,7 +118,7 @@ std::vector<IdentifyStep> identifySteps(const Commission& known, const RunSnapsh
       if (run.running()) step.state = IdentifyStep::State::running;
       if (run.status.state == Procedure::State::failed) {
         step.state = IdentifyStep::State::failed;
-        step.trouble = QString::fromStdString(run.status.failure);
+        step.trouble = inLanguage(run.status.failure);
       }
     }
     steps.push_back(std::move(step));

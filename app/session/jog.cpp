@@ -31,16 +31,16 @@ Command Jog::run(const Sample& sample) {
   if (!grip_->held || left_rad_ <= near_rad) {
     finish();
   } else if (options_.mostSpeed_rad_per_s > 0.0 && std::abs(sample.velocity_rad_per_s) > options_.mostSpeed_rad_per_s) {
-    fail("faster than the limit on the page: let go");
+    fail(message("faster than the limit on the page: let go"));
   } else if (elapsed_s(sample) > allowed_s_) {
-    fail("the step does not arrive; is the shaft held, or the current limit too low?");
+    fail(message("the step does not arrive; is the shaft held, or the current limit too low?"));
   }
   return {Command::Mode::velocity, glide_.next(sample.angle_rad, target_rad_, tick_s()), options_.most_A, false};
 }
 
 TimedProcedure::Progress Jog::progress() const {
   return {way_rad_ > 0.0 ? 1.0 - std::min(1.0, left_rad_ / way_rad_) : 1.0, left_rad_ / options_.speed_rad_per_s,
-          "one step by hand"};
+          message("one step by hand")};
 }
 
 }  // namespace breakaway

@@ -2,6 +2,7 @@
 
 #include "base/made.h"
 #include "recording/sample_recording.h"
+#include "session/language.h"
 
 namespace breakaway {
 
@@ -25,7 +26,7 @@ LiveSamples::LiveSamples(Connection& connection, BenchProject& project, Messages
 
 LiveSamples::~LiveSamples() {
   if (!recorder_) return;
-  recorder_->finish("the window was closed");
+  recorder_->finish(message("the window was closed"));
   recorder_->wait();
   endInProject(run_, recorder_->end());
 }
@@ -68,8 +69,9 @@ void LiveSamples::startRecording() {
   const BlockHead head{sampleColumns(board_.axis), {{"device", board_.device}, {"firmware", board_.firmware}}};
   project_.inProject([this, run, head](Project* project) -> std::function<void()> {
     const auto blocks = std::make_shared<std::optional<BlockWriter>>();
-    const auto begun = project != nullptr ? project->beginRecording(run, head, *blocks)
-                                          : Result<ProjectRun>(Error{"recording", "there is no project to keep it in"});
+    const auto begun = project != nullptr
+                           ? project->beginRecording(run, head, *blocks)
+                           : Result<ProjectRun>(Error{"recording", message("there is no project to keep it in")});
     return [this, begun, blocks] { begin(begun, *blocks ? &**blocks : nullptr); };
   });
   emit recordingChanged();
@@ -89,13 +91,13 @@ void LiveSamples::begin(const Result<ProjectRun>& run, BlockWriter* blocks) {
                                                QMetaObject::invokeMethod(
                                                    this, [this, end] { takeEnd(end); }, Qt::QueuedConnection);
                                              },
-                                             [this](const std::string& warning) {
+                                             [this](const Message& warning) {
                                                QMetaObject::invokeMethod(
-                                                   this,
-                                                   [this, warning] { messages_.warn(QString::fromStdString(warning)); },
+                                                   this, [this, warning] { messages_.warn(inLanguage(warning)); },
                                                    Qt::QueuedConnection);
                                              }});
-  if (endWanted_ || !connection_.connected()) return recorder_->finish(endWanted_ ? "" : "the link was lost");
+  if (endWanted_ || !connection_.connected())
+    return recorder_->finish(endWanted_ ? Message() : message("the link was lost"));
   connection_.startRecording(recorder_);
   emit recordingChanged();
 }
@@ -117,7 +119,7 @@ void LiveSamples::takeEnd(const RecordingEnd& end) {
     messages_.say(what);
   } else {
     messages_.warn(tr("%1, then %2; the recording is kept as run %3")
-                       .arg(what, QString::fromStdString(end.why), QString::fromStdString(run_.id)));
+                       .arg(what, inLanguage(Message(end.why)), QString::fromStdString(run_.id)));
   }
   emit recordingChanged();
 }
@@ -160,7 +162,8 @@ void LiveSamples::leaveBoard() {
     lost_s_ = newest->time_s;
     sinceLoss_.start();
   }
-  if (recorder_) recorder_->finish(connection_.loss().isEmpty() ? "the board was let go" : "the link was lost");
+  if (recorder_)
+    recorder_->finish(connection_.loss().isEmpty() ? message("the board was let go") : message("the link was lost"));
 }
 
 }  // namespace breakaway

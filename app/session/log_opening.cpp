@@ -11,6 +11,7 @@
 #include "recording/block_file.h"
 #include "recording/columns.h"
 #include "recording/import/known_logs.h"
+#include "session/language.h"
 
 namespace breakaway {
 
@@ -148,7 +149,7 @@ void LogOpening::show(const Result<Imported>& imported) {
   fault_.clear();
   columns_ = bareColumns(table_->table);
   if (!imported) {
-    fault_ = QString::fromStdString(imported.error().message());
+    fault_ = inLanguage(imported.error().said());
     for (LogColumn& column : columns_) {
       const auto rule = map_.columns.find(column.name.toStdString());
       if (rule == map_.columns.end() || columnNamed(rule->second.to) == nullptr) continue;

@@ -5,6 +5,7 @@
 #include <QString>
 
 #include "base/result.h"
+#include "session/language.h"
 
 namespace breakaway {
 
@@ -15,7 +16,7 @@ class Messages : public QObject {
   void say(const QString& line) { emit said(line, false); }
   /// Something failed.
   void warn(const QString& line) { emit said(line, true); }
-  void warn(const Error& error) { warn(QString::fromStdString(error.message())); }
+  void warn(const Error& error) { warn(inLanguage(error.said())); }
   /// `line` where it was done, else why not.
   void say(const Result<void>& done, const QString& line) { done ? say(line) : warn(done.error()); }
 

@@ -14,7 +14,7 @@ namespace breakaway {
 namespace {
 
 Error noProject() {
-  return {"project", "could not be opened"};
+  return {"project", message("could not be opened")};
 }
 
 /// Each run with what it measured, which the index keeps apart.
@@ -122,7 +122,7 @@ void ProjectRuns::readMap(const std::string& id, std::function<void(const KeptMa
         const auto run = project.index().find(id);
         if (!run) return run.error();
         const RunFile* file = run->file("map");
-        if (file == nullptr) return Error{"run " + run->id, "has no friction map"};
+        if (file == nullptr) return Error{"run " + run->id, message("has no friction map")};
         const auto map = breakaway::readMap(project.pathOf(*run, file->path));
         if (!map) return map.error();
         return KeptMap{*run, *map};
@@ -160,7 +160,7 @@ void ProjectRuns::saveCsv(const std::string& id, const QString& csv) {
         const auto run = project.index().find(id);
         if (!run) return run.error();
         const RunFile* file = run->file("recording");
-        if (file == nullptr) return Error{"run " + run->id, "has no recording"};
+        if (file == nullptr) return Error{"run " + run->id, message("has no recording")};
         const std::string path = project.pathOf(*run, file->path);
         if (isBlockFile(path)) {
           if (auto written = writeBlocksAsCsv(path, csv.toStdString()); !written) return written.error();

@@ -38,7 +38,7 @@ void Recorder::append(std::span<const Sample> samples, size_t lost) {
   taken_ += samples.size();
   if (waiting_.samples.size() <= options_.mostWaiting) return;
   closed_ = waiting_.finished = true;
-  waiting_.why = "the disk was too slow";
+  waiting_.why = message("the disk was too slow");
   wake_.notify_one();
 }
 
@@ -105,15 +105,14 @@ Result<void> Recorder::watchDisk() {
   std::error_code code;
   const auto free = std::filesystem::space(std::filesystem::path(writer_.path()).parent_path(), code).available;
   if (code) return {};
-  if (free < options_.reserve_bytes) return Error{writer_.path(), "the disk is full"};
+  if (free < options_.reserve_bytes) return Error{writer_.path(), message("the disk is full")};
   const double recorded_s = last_s_ - first_s_;
   if (warned_ || recorded_s <= 0.0 || !listener_.warned) return {};
   const double left_s =
       static_cast<double>(free - options_.reserve_bytes) * recorded_s / static_cast<double>(writer_.bytes());
   if (left_s > options_.warnBefore_s) return {};
   warned_ = true;
-  listener_.warned("the disk has room for about " + std::to_string(static_cast<int>(left_s)) +
-                   " s more; then the recording ends");
+  listener_.warned(message("the disk has room for about {} s more; then the recording ends", static_cast<int>(left_s)));
   return {};
 }
 

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/message.h"
 #include "recording/block_file.h"
 #include "recording/sample.h"
 
@@ -36,7 +37,7 @@ class Recorder {
   /// Either is called in the recorder's thread: `ended` once, at the end; `warned` when the disk will soon be full.
   struct Listener {
     std::function<void(const RecordingEnd&)> ended;
-    std::function<void(const std::string&)> warned;
+    std::function<void(const Message&)> warned;
   };
 
   Recorder(BlockWriter writer, Listener listener, const RecorderOptions& options = {});

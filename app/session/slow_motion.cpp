@@ -20,7 +20,7 @@ constexpr double near = 0.01;  // of the travel
 class Endless : public Procedure {
  public:
   using Next = std::function<double(double time_s, double angle_rad)>;
-  Endless(const std::string& activity, Next next)
+  Endless(const Message& activity, Next next)
       : status_{State::running, 0.0, 0.0, activity, ""}, next_(std::move(next)) {}
 
   Command step(const Sample& sample) override {
@@ -29,8 +29,8 @@ class Endless : public Procedure {
     return {Command::Mode::velocity, next_(sample.time_s - *start_s_, sample.angle_rad)};
   }
   Status status() const override { return status_; }
-  void stop(const std::string& reason) override {
-    if (status_.state == State::running) status_ = {State::stopped, 0.0, 0.0, "stopped", reason};
+  void stop(const Saying& reason) override {
+    if (status_.state == State::running) status_ = {State::stopped, 0.0, 0.0, message("stopped"), reason};
   }
 
  private:
@@ -42,14 +42,14 @@ class Endless : public Procedure {
 }  // namespace
 
 std::shared_ptr<Procedure> slowTurning() {
-  return std::make_shared<Endless>("turning slowly to and fro", [](double time_s, double) {
+  return std::make_shared<Endless>(message("turning slowly to and fro"), [](double time_s, double) {
     return amplitude_rad_per_s * std::sin(turn_rad * time_s / period_s);
   });
 }
 
 std::shared_ptr<Procedure> slowStrokes(const Travel& travel, double tick_s) {
   const double speed_m_per_s = std::min(most_m_per_s, 0.5 * travel.usable_m() / stroke_s);
-  return std::make_shared<Endless>("going to and fro slowly",
+  return std::make_shared<Endless>(message("going to and fro slowly"),
                                    [travel, tick_s, way = 1.0, glide = Glide(speed_m_per_s, speed_m_per_s / speedUp_s)](
                                        double, double at_m) mutable {
                                      const double target_m = travel.middle_m() + way * 0.25 * travel.usable_m();

@@ -30,7 +30,7 @@ Procedure::Status StepOverTravel::status() const {
   return status;
 }
 
-void StepOverTravel::stop(const std::string& reason) {
+void StepOverTravel::stop(const Saying& reason) {
   way_.stop(reason);
   if (there()) step_->stop(reason);
 }

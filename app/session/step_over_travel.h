@@ -17,7 +17,7 @@ class StepOverTravel : public Procedure {
 
   Command step(const Sample& sample) override;
   Status status() const override;
-  void stop(const std::string& reason) override;
+  void stop(const Saying& reason) override;
 
  private:
   bool there() const { return way_.state() == State::finished; }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "session/language.h"
 #include "stability/predicted_step.h"
 
 namespace breakaway {
@@ -38,7 +39,7 @@ TuningPreview previewOf(const PreviewQuestion& question) {
   TuningPreview preview;
   const ServoLoop loop = boardLoop(question.identity, question.settings, question.motor);
   if (const auto fine = check(loop); !fine) {
-    preview.trouble = QString::fromStdString(fine.error().message());
+    preview.trouble = inLanguage(fine.error().said());
     return preview;
   }
   preview.tick_s = loop.board.tick_s;

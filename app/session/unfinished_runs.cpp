@@ -4,6 +4,8 @@
 #include <QLocale>
 #include <utility>
 
+#include "session/language.h"
+
 namespace breakaway {
 
 namespace {
@@ -53,7 +55,7 @@ void UnfinishedRuns::takeUp(const std::string& device, const Commission& known, 
   bench_.takeUp(known);
   const QDateTime since = QDateTime::fromMSecsSinceEpoch(static_cast<qint64>(since_s * 1e3));
   messages_.say(tr("The sweeps of %1 were not finished: %2 are there, and Friction goes on with them")
-                    .arg(QLocale().toString(since, QLocale::ShortFormat), QString::fromStdString(howFar(known))));
+                    .arg(QLocale().toString(since, QLocale::ShortFormat), inLanguage(howFar(known))));
 }
 
 void UnfinishedRuns::follow(const RunSnapshot& snapshot) {

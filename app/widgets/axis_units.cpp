@@ -14,41 +14,47 @@ QString translated(const char* text) {
 
 AxisUnits unitsOf(Axis axis) {
   if (axis == Axis::linear) {
-    return {translated("N"),
+    return {translated(QT_TRANSLATE_NOOP("AxisUnits", "N")),
             1.0,
-            translated("N s/m"),
+            translated(QT_TRANSLATE_NOOP("AxisUnits", "N s/m")),
             1.0,
-            translated("N/A"),
-            translated("kg"),
+            translated(QT_TRANSLATE_NOOP("AxisUnits", "N/A")),
+            translated(QT_TRANSLATE_NOOP("AxisUnits", "kg")),
             1.0,
-            translated("m/s"),
-            translated("V s/m"),
-            translated("A s/m"),
-            translated("A/m"),
-            translated("A s²/m")};
+            translated(QT_TRANSLATE_NOOP("AxisUnits", "m/s")),
+            translated(QT_TRANSLATE_NOOP("AxisUnits", "V s/m")),
+            translated(QT_TRANSLATE_NOOP("AxisUnits", "A s/m")),
+            translated(QT_TRANSLATE_NOOP("AxisUnits", "A/m")),
+            translated(QT_TRANSLATE_NOOP("AxisUnits", "A s²/m"))};
   }
-  return {translated("mNm"),
+  return {translated(QT_TRANSLATE_NOOP("AxisUnits", "mNm")),
           1e3,
-          translated("µNm s/rad"),
+          translated(QT_TRANSLATE_NOOP("AxisUnits", "µNm s/rad")),
           1e6,
-          translated("Nm/A"),
-          translated("g cm²"),
+          translated(QT_TRANSLATE_NOOP("AxisUnits", "Nm/A")),
+          translated(QT_TRANSLATE_NOOP("AxisUnits", "g cm²")),
           1e7,
-          translated("rad/s"),
-          translated("V s/rad"),
-          translated("A s/rad"),
-          translated("A/rad"),
-          translated("A s²/rad")};
+          translated(QT_TRANSLATE_NOOP("AxisUnits", "rad/s")),
+          translated(QT_TRANSLATE_NOOP("AxisUnits", "V s/rad")),
+          translated(QT_TRANSLATE_NOOP("AxisUnits", "A s/rad")),
+          translated(QT_TRANSLATE_NOOP("AxisUnits", "A/rad")),
+          translated(QT_TRANSLATE_NOOP("AxisUnits", "A s²/rad"))};
 }
 
 QString wayName(Way way, Axis axis) {
-  if (axis == Axis::linear) return way == Way::cw ? translated("backwards") : translated("forwards");
-  return way == Way::cw ? translated("clockwise") : translated("counter-clockwise");
+  if (axis == Axis::linear)
+    return way == Way::cw ? translated(QT_TRANSLATE_NOOP("AxisUnits", "backwards"))
+                          : translated(QT_TRANSLATE_NOOP("AxisUnits", "forwards"));
+  return way == Way::cw ? translated(QT_TRANSLATE_NOOP("AxisUnits", "clockwise"))
+                        : translated(QT_TRANSLATE_NOOP("AxisUnits", "counter-clockwise"));
 }
 
 QString shortWayName(Way way, Axis axis) {
-  if (axis == Axis::linear) return way == Way::cw ? translated("back") : translated("fwd");
-  return way == Way::cw ? translated("cw") : translated("ccw");
+  if (axis == Axis::linear)
+    return way == Way::cw ? translated(QT_TRANSLATE_NOOP("AxisUnits", "back"))
+                          : translated(QT_TRANSLATE_NOOP("AxisUnits", "fwd"));
+  return way == Way::cw ? translated(QT_TRANSLATE_NOOP("AxisUnits", "cw"))
+                        : translated(QT_TRANSLATE_NOOP("AxisUnits", "ccw"));
 }
 
 }  // namespace breakaway

@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "session/connection.h"
+#include "session/language.h"
 #include "widgets/controls.h"
 #include "widgets/duration_text.h"
 #include "widgets/elided_label.h"
@@ -220,7 +221,7 @@ void BoardBar::showRun() {
   }
   progress_->setVisible(endsByItself(run.kind));
   run_->setText(nameOf(run.kind));
-  activity_->setText(QString::fromStdString(run.status.activity));
+  activity_->setText(inLanguage(run.status.activity));
   progress_->setValue(static_cast<int>(std::lround(1000.0 * std::clamp(run.status.progress, 0.0, 1.0))));
   const double factor = connection_.identity().simulated ? connection_.link().realTimeFactor : 1.0;
   if (!endsByItself(run.kind) || factor <= 0.0) {

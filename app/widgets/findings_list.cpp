@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "session/comparison.h"
+#include "session/language.h"
 #include "widgets/controls.h"
 #include "widgets/look.h"
 #include "widgets/number_text.h"
@@ -35,8 +36,7 @@ QString names(const std::vector<std::string>& effects) {
 }  // namespace
 
 QString effectTitle(const std::string& effect) {
-  const QString words = QString::fromStdString(effect).replace('_', ' ');
-  return words.left(1).toUpper() + words.mid(1);
+  return nameInLanguage(effect);
 }
 
 FindingsList::FindingsList(Comparison& comparison, QWidget* parent) : QScrollArea(parent), comparison_(comparison) {
@@ -61,9 +61,9 @@ void FindingsList::rebuild() {
     addPlaces(*column);
     if (!diagnosis->nextSentence.empty()) {
       column->addWidget(heading(content, tr("Next experiment")));
-      addText(*column, QString::fromStdString(diagnosis->nextSentence), "nextExperiment");
+      addText(*column, inLanguage(diagnosis->nextSentence), "nextExperiment");
     }
-    for (const std::string& remark : diagnosis->remarks) addText(*column, QString::fromStdString(remark));
+    for (const Message& remark : diagnosis->remarks) addText(*column, inLanguage(remark));
   } else {
     addText(*column, tr("Diagnose says where the recording departs from what its bench file declares, which physics "
                         "was left out, how big it "
@@ -87,7 +87,7 @@ void FindingsList::addFinding(QVBoxLayout& column, const Finding& finding) {
   column.addWidget(wrapped(caption(parent, tr("%1 % of what the base model leaves; chance would do so in %2 % of cases")
                                                .arg(100.0 * finding.share, 0, 'f', 0)
                                                .arg(numberText(100.0 * finding.pValue, 2)))));
-  addText(column, QString::fromStdString(finding.sentence));
+  addText(column, inLanguage(finding.sentence));
   for (const Parameter& parameter : finding.parameters)
     column.addWidget(wrapped(caption(parent, wordsOf(parameter).line())));
   if (!finding.ambiguousWith.empty()) addText(column, tr("Could also be: %1.").arg(names(finding.ambiguousWith)));
@@ -99,7 +99,7 @@ void FindingsList::addPlaces(QVBoxLayout& column) {
   column.addWidget(heading(column.parentWidget(), tr("Where")));
   for (const Place& place : places) {
     const QString axis = QString::fromStdString(place.axis);
-    QString text = QString::fromStdString(place.sentence).toHtmlEscaped();
+    QString text = inLanguage(place.sentence).toHtmlEscaped();
     if (residualAxes().contains(axis)) text += QString(" <a href='%1'>%2</a>").arg(axis, tr("Show"));
     auto* sentence = explanation(column.parentWidget(), text);
     sentence->setObjectName("place_" + axis);

@@ -9,10 +9,11 @@ namespace breakaway {
 QString readingOf(const MapPoint& point, const QString& unit) {
   const auto translated = [](const char* text) { return QCoreApplication::translate("MapCurve", text); };
   QString text = QString::number(point.value, 'g', 4);
-  if (point.standardError > 0.0) text += translated(" ± %1").arg(normal95 * point.standardError, 0, 'g', 2);
+  if (point.standardError > 0.0)
+    text += translated(QT_TRANSLATE_NOOP("MapCurve", " ± %1")).arg(normal95 * point.standardError, 0, 'g', 2);
   text += " " + unit;
-  if (point.standardError > 0.0) text += translated(" (95 %)");
-  if (point.outlier) text += translated(", outlier");
+  if (point.standardError > 0.0) text += translated(QT_TRANSLATE_NOOP("MapCurve", " (95 %)"));
+  if (point.outlier) text += translated(QT_TRANSLATE_NOOP("MapCurve", ", outlier"));
   return text;
 }
 

@@ -22,13 +22,13 @@ struct ExportFormat {
 };
 
 constexpr ExportFormat formats[] = {
-    {"csv", QT_TRANSLATE_NOOP("MapExport", "Map as CSV"), ".csv"},
-    {"json", QT_TRANSLATE_NOOP("MapExport", "Map as JSON"), ".json"},
-    {"c-header", QT_TRANSLATE_NOOP("MapExport", "Map as C header"), ".h"},
-    {"mat", QT_TRANSLATE_NOOP("MapExport", "Map as MATLAB file"), ".mat"},
-    {"png", QT_TRANSLATE_NOOP("MapExport", "Picture as PNG"), ".png"},
-    {"svg", QT_TRANSLATE_NOOP("MapExport", "Picture as SVG"), ".svg"},
-    {"breakaways", QT_TRANSLATE_NOOP("MapExport", "All breakaways as CSV"), ".csv"},
+    {"csv", QT_TRANSLATE_NOOP("breakaway::MapExport", "Map as CSV"), ".csv"},
+    {"json", QT_TRANSLATE_NOOP("breakaway::MapExport", "Map as JSON"), ".json"},
+    {"c-header", QT_TRANSLATE_NOOP("breakaway::MapExport", "Map as C header"), ".h"},
+    {"mat", QT_TRANSLATE_NOOP("breakaway::MapExport", "Map as MATLAB file"), ".mat"},
+    {"png", QT_TRANSLATE_NOOP("breakaway::MapExport", "Picture as PNG"), ".png"},
+    {"svg", QT_TRANSLATE_NOOP("breakaway::MapExport", "Picture as SVG"), ".svg"},
+    {"breakaways", QT_TRANSLATE_NOOP("breakaway::MapExport", "All breakaways as CSV"), ".csv"},
 };
 
 }  // namespace

@@ -80,7 +80,12 @@ std::vector<MapCurve> movingCurves(const Commission& known, double scale, std::v
 
 MapCurve positionCurve(const FrictionMap& map) {
   const bool linear = map.axis == Axis::linear;
-  MapCurve curve{linear ? translated("position force") : translated("position torque"), 3, false, true, {}};
+  MapCurve curve{linear ? translated(QT_TRANSLATE_NOOP("MapView", "position force"))
+                        : translated(QT_TRANSLATE_NOOP("MapView", "position torque")),
+                 3,
+                 false,
+                 true,
+                 {}};
   for (const MapBin& bin : map.bins)
     curve.points.push_back({bin.angle_rad, unitsOf(map.axis).torqueScale * bin.positionTorque_Nm(), 0.0, false});
   return curve;
@@ -92,17 +97,19 @@ QString nameOf(MapView view, Axis axis) {
   const bool linear = axis == Axis::linear;
   switch (view) {
     case MapView::turns:
-      return linear ? translated("Breakaway, pass by pass") : translated("Breakaway, turn by turn");
+      return linear ? translated(QT_TRANSLATE_NOOP("MapView", "Breakaway, pass by pass"))
+                    : translated(QT_TRANSLATE_NOOP("MapView", "Breakaway, turn by turn"));
     case MapView::staticMean:
-      return translated("Static friction, mean");
+      return translated(QT_TRANSLATE_NOOP("MapView", "Static friction, mean"));
     case MapView::coulomb:
-      return translated("Coulomb friction");
+      return translated(QT_TRANSLATE_NOOP("MapView", "Coulomb friction"));
     case MapView::viscous:
-      return translated("Viscous coefficient");
+      return translated(QT_TRANSLATE_NOOP("MapView", "Viscous coefficient"));
     case MapView::total:
-      return translated("Total at the map's speed");
+      return translated(QT_TRANSLATE_NOOP("MapView", "Total at the map's speed"));
     case MapView::positionTorque:
-      return linear ? translated("Position force") : translated("Position torque");
+      return linear ? translated(QT_TRANSLATE_NOOP("MapView", "Position force"))
+                    : translated(QT_TRANSLATE_NOOP("MapView", "Position torque"));
   }
   return {};
 }
@@ -110,29 +117,34 @@ QString nameOf(MapView view, Axis axis) {
 QString shortNameOf(MapView view) {
   switch (view) {
     case MapView::turns:
-      return translated("Breakaway");
+      return translated(QT_TRANSLATE_NOOP("MapView", "Breakaway"));
     case MapView::staticMean:
-      return translated("Static");
+      return translated(QT_TRANSLATE_NOOP("MapView", "Static"));
     case MapView::coulomb:
-      return translated("Coulomb");
+      return translated(QT_TRANSLATE_NOOP("MapView", "Coulomb"));
     case MapView::viscous:
-      return translated("Viscous");
+      return translated(QT_TRANSLATE_NOOP("MapView", "Viscous"));
     case MapView::total:
-      return translated("Total");
+      return translated(QT_TRANSLATE_NOOP("MapView", "Total"));
     case MapView::positionTorque:
-      return translated("Position");
+      return translated(QT_TRANSLATE_NOOP("MapView", "Position"));
   }
   return {};
 }
 
 QString obstacleTo(MapView view, const Commission& known) {
-  if (view == MapView::turns) return known.breakaways.empty() ? translated("Run the breakaway sweep first") : QString();
+  if (view == MapView::turns)
+    return known.breakaways.empty() ? translated(QT_TRANSLATE_NOOP("MapView", "Run the breakaway sweep first"))
+                                    : QString();
   const bool moving = view == MapView::coulomb || view == MapView::viscous || view == MapView::total;
   // A linear axis has moving friction over its travel before it has breakaways.
   if (known.identity.axis == Axis::linear && (view == MapView::coulomb || view == MapView::viscous))
-    return known.knows(Known::runs) ? QString() : translated("Run the velocity sweep first");
-  if (!known.knows(Known::map)) return translated("Run the breakaway sweep to its end first");
-  return moving && !known.knows(Known::runs) ? translated("Run the velocity sweep first") : QString();
+    return known.knows(Known::runs) ? QString()
+                                    : translated(QT_TRANSLATE_NOOP("MapView", "Run the velocity sweep first"));
+  if (!known.knows(Known::map))
+    return translated(QT_TRANSLATE_NOOP("MapView", "Run the breakaway sweep to its end first"));
+  return moving && !known.knows(Known::runs) ? translated(QT_TRANSLATE_NOOP("MapView", "Run the velocity sweep first"))
+                                             : QString();
 }
 
 namespace {
@@ -171,13 +183,14 @@ MapPicture pictureOf(MapView view, const FrictionMap& map) {
       return {wayCurves(map, units.viscousScale, [](const WayBin& bin) { return bin.viscous_Nm_s_per_rad; }),
               viscousTitle(map.axis), units.viscous};
     case MapView::total:
-      return {
-          wayCurves(map, units.torqueScale,
-                    [](const WayBin& bin) {
-                      return Estimate{bin.total_Nm, 0.0};
-                    }),
-          translated("total at %1 %2 (%3)").arg(map.totalVelocity_rad_per_s, 0, 'f', 2).arg(units.speed, units.torque),
-          units.torque};
+      return {wayCurves(map, units.torqueScale,
+                        [](const WayBin& bin) {
+                          return Estimate{bin.total_Nm, 0.0};
+                        }),
+              translated(QT_TRANSLATE_NOOP("MapView", "total at %1 %2 (%3)"))
+                  .arg(map.totalVelocity_rad_per_s, 0, 'f', 2)
+                  .arg(units.speed, units.torque),
+              units.torque};
     case MapView::positionTorque:
       return {{positionCurve(map)},
               map.axis == Axis::linear ? titled(QT_TRANSLATE_NOOP("MapView", "position force (%1)"), units.torque)

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "session/language.h"
 #include "widgets/number_text.h"
 
 namespace breakaway {
@@ -58,10 +59,6 @@ constexpr Ending endings[] = {{"_Nm_s2_per_rad2", "µNm s²/rad²", 1e6},
                               {"_K", "K", 1.0},
                               {"_W", "W", 1.0}};
 
-QString capital(const QString& text) {
-  return text.left(1).toUpper() + text.mid(1);
-}
-
 }  // namespace
 
 QString ParameterWords::line() const {
@@ -85,7 +82,7 @@ ParameterWords wordsOf(const Parameter& parameter) {
     words.unit = QStringLiteral("s");
     scale = 1.0;
   }
-  words.name = capital(name.replace('_', ' '));
+  words.name = nameInLanguage(name.toStdString());
   words.value = numberText(scale * parameter.value);
   if (parameter.low95 != parameter.high95)
     words.interval = QCoreApplication::translate("ParameterWords", "%1 to %2")

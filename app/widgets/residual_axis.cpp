@@ -72,18 +72,22 @@ QString ShownAxis::label() const {
 }
 
 ShownAxis shownAxis(const QString& axis, bool linear) {
-  if (axis == "time") return {words("time"), "s", 1.0};
+  if (axis == "time") return {words(QT_TRANSLATE_NOOP("ResidualAxis", "time")), "s", 1.0};
   if (axis == "angle")
-    return linear ? ShownAxis{words("position"), "mm", 1e3} : ShownAxis{words("rotor angle"), "°", degree};
+    return linear ? ShownAxis{words(QT_TRANSLATE_NOOP("ResidualAxis", "position")), "mm", 1e3}
+                  : ShownAxis{words(QT_TRANSLATE_NOOP("ResidualAxis", "rotor angle")), "°", degree};
   if (axis == "velocity")
-    return linear ? ShownAxis{words("speed"), "mm/s", 1e3} : ShownAxis{words("speed"), "rad/s", 1.0};
-  if (axis == "acceleration") return {words("acceleration"), linear ? "m/s²" : "rad/s²", 1.0};
+    return linear ? ShownAxis{words(QT_TRANSLATE_NOOP("ResidualAxis", "speed")), "mm/s", 1e3}
+                  : ShownAxis{words(QT_TRANSLATE_NOOP("ResidualAxis", "speed")), "rad/s", 1.0};
+  if (axis == "acceleration")
+    return {words(QT_TRANSLATE_NOOP("ResidualAxis", "acceleration")), linear ? "m/s²" : "rad/s²", 1.0};
   if (axis == "current")
-    return linear ? ShownAxis{words("motor force"), "N", 1.0} : ShownAxis{words("motor torque"), "mNm", 1e3};
+    return linear ? ShownAxis{words(QT_TRANSLATE_NOOP("ResidualAxis", "motor force")), "N", 1.0}
+                  : ShownAxis{words(QT_TRANSLATE_NOOP("ResidualAxis", "motor torque")), "mNm", 1e3};
   if (axis == "reversal")
-    return linear ? ShownAxis{words("travel since the reversal"), "mm", 1e3}
-                  : ShownAxis{words("angle since the reversal"), "°", degree};
-  if (axis == "temperature") return {words("temperature"), "°C", 1.0};
+    return linear ? ShownAxis{words(QT_TRANSLATE_NOOP("ResidualAxis", "travel since the reversal")), "mm", 1e3}
+                  : ShownAxis{words(QT_TRANSLATE_NOOP("ResidualAxis", "angle since the reversal")), "°", degree};
+  if (axis == "temperature") return {words(QT_TRANSLATE_NOOP("ResidualAxis", "temperature")), "°C", 1.0};
   return {axis, {}, 1.0};
 }
 

@@ -8,25 +8,25 @@ QString nameOf(RunKind kind) {
   const auto translated = [](const char* text) { return QCoreApplication::translate("RunName", text); };
   switch (kind) {
     case RunKind::turning:
-      return translated("Moving slowly");
+      return translated(QT_TRANSLATE_NOOP("RunName", "Moving slowly"));
     case RunKind::hand:
-      return translated("Driven by hand");
+      return translated(QT_TRANSLATE_NOOP("RunName", "Driven by hand"));
     case RunKind::step:
-      return translated("Velocity step");
+      return translated(QT_TRANSLATE_NOOP("RunName", "Velocity step"));
     case RunKind::wiring:
-      return translated("Wiring check");
+      return translated(QT_TRANSLATE_NOOP("RunName", "Wiring check"));
     case RunKind::identification:
-      return translated("Identification");
+      return translated(QT_TRANSLATE_NOOP("RunName", "Identification"));
     case RunKind::homing:
-      return translated("Homing");
+      return translated(QT_TRANSLATE_NOOP("RunName", "Homing"));
     case RunKind::velocitySweep:
-      return translated("Velocity sweep");
+      return translated(QT_TRANSLATE_NOOP("RunName", "Velocity sweep"));
     case RunKind::breakaway:
-      return translated("Breakaway sweep");
+      return translated(QT_TRANSLATE_NOOP("RunName", "Breakaway sweep"));
     case RunKind::trial:
-      return translated("Trial of the map");
+      return translated(QT_TRANSLATE_NOOP("RunName", "Trial of the map"));
     case RunKind::experiment:
-      return translated("Experiment");
+      return translated(QT_TRANSLATE_NOOP("RunName", "Experiment"));
     case RunKind::none:
       break;
   }

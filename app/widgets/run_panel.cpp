@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "session/language.h"
 #include "widgets/controls.h"
 
 namespace breakaway {
@@ -38,8 +39,8 @@ void RunPanel::show(const RunSnapshot& snapshot) {
   if (std::find(kinds_.begin(), kinds_.end(), snapshot.kind) == kinds_.end()) return;
   const Procedure::Status& status = snapshot.status;
   bar_->setValue(static_cast<int>(std::lround(1000.0 * std::clamp(status.progress, 0.0, 1.0))));
-  const QString activity = QString::fromStdString(status.activity);
-  const QString failure = QString::fromStdString(status.failure);
+  const QString activity = inLanguage(status.activity);
+  const QString failure = inLanguage(status.failure);
   switch (status.state) {
     case Procedure::State::running:
       activity_->setText(tr("%1 %: %2").arg(100.0 * status.progress, 0, 'f', 0).arg(activity));

@@ -23,10 +23,10 @@ struct Heading {
 };
 
 constexpr Heading headings[] = {
-    {QT_TRANSLATE_NOOP("RunsTable", "When"), 128},  {QT_TRANSLATE_NOOP("RunsTable", "What"), 92},
-    {QT_TRANSLATE_NOOP("RunsTable", "Motor"), 72},  {QT_TRANSLATE_NOOP("RunsTable", "Board"), 84},
-    {QT_TRANSLATE_NOOP("RunsTable", "Name"), 116},  {QT_TRANSLATE_NOOP("RunsTable", "Result"), 200},
-    {QT_TRANSLATE_NOOP("RunsTable", "Remark"), 110}};
+    {QT_TRANSLATE_NOOP("breakaway::RunsTable", "When"), 128},  {QT_TRANSLATE_NOOP("RunsTable", "What"), 92},
+    {QT_TRANSLATE_NOOP("breakaway::RunsTable", "Motor"), 72},  {QT_TRANSLATE_NOOP("RunsTable", "Board"), 84},
+    {QT_TRANSLATE_NOOP("breakaway::RunsTable", "Name"), 116},  {QT_TRANSLATE_NOOP("RunsTable", "Result"), 200},
+    {QT_TRANSLATE_NOOP("breakaway::RunsTable", "Remark"), 110}};
 
 bool isWritten(int column) {
   return column == RunsTable::nameColumn || column == RunsTable::remarkColumn;

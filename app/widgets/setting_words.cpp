@@ -64,15 +64,16 @@ QString unitText(Unit unit, Axis axis) {
     case Unit::derivative:
       return units.derivative;
     case Unit::integralPerTime:
-      return axis == Axis::linear ? translated("A/(m s)") : translated("A/(rad s)");
+      return axis == Axis::linear ? translated(QT_TRANSLATE_NOOP("SettingWords", "A/(m s)"))
+                                  : translated(QT_TRANSLATE_NOOP("SettingWords", "A/(rad s)"));
     case Unit::perTime:
-      return translated("rad/s");
+      return translated(QT_TRANSLATE_NOOP("SettingWords", "rad/s"));
     case Unit::inertia:
       return units.inertia;
     case Unit::constant:
       return units.constant;
     case Unit::current:
-      return translated("A");
+      return translated(QT_TRANSLATE_NOOP("SettingWords", "A"));
     case Unit::speed:
       return units.speed;
   }
@@ -83,8 +84,9 @@ QString unitText(Unit unit, Axis axis) {
 
 QString SettingWords::rangeText(const SettingRange& range) const {
   const QString least = numberText(scale * range.least, 4);
-  return std::isfinite(range.most) ? translated("%1 to %2").arg(least, numberText(scale * range.most, 4))
-                                   : translated("%1 and more").arg(least);
+  return std::isfinite(range.most)
+             ? translated(QT_TRANSLATE_NOOP("SettingWords", "%1 to %2")).arg(least, numberText(scale * range.most, 4))
+             : translated(QT_TRANSLATE_NOOP("SettingWords", "%1 and more")).arg(least);
 }
 
 SettingWords settingWords(double ControllerSettings::*setting, Axis axis) {

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QMenu>
 
+#include "session/language.h"
 #include "widgets/controls.h"
 #include "widgets/look.h"
 #include "widgets/rail.h"
@@ -19,12 +20,19 @@ QString nameOf(Theme theme) {
                                 : ThemeButton::tr("System");
 }
 
+/// Each in its own words, so that whoever reads no other finds it.
+QString nameOf(Language language) {
+  return language == Language::english  ? QStringLiteral("English")
+         : language == Language::german ? QStringLiteral("Deutsch")
+                                        : ThemeButton::tr("System's language");
+}
+
 }  // namespace
 
 ThemeButton::ThemeButton(QWidget* parent) : QPushButton(parent) {
   setObjectName("themeButton");
-  setAccessibleName(tr("Colours of the window"));
-  setToolTip(tr("Colours of the window: light, dark, or as the desktop has them"));
+  setAccessibleName(tr("Colours and language of the window"));
+  setToolTip(tr("Colours of the window: light, dark, or as the desktop has them; and its language"));
   setProperty("role", "bare");
   setFixedSize(Rail::width_px, 32);
   text_ = new QLabel(this);
@@ -41,6 +49,18 @@ ThemeButton::ThemeButton(QWidget* parent) : QPushButton(parent) {
       keepTheme(theme);
       wear(theme);
       showTheme();
+    });
+  }
+  menu->addSeparator();
+  auto* languages = new QActionGroup(menu);
+  for (const Language language : {Language::system, Language::english, Language::german}) {
+    QAction* action = menu->addAction(nameOf(language));
+    action->setCheckable(true);
+    action->setChecked(language == keptLanguage());
+    languages->addAction(action);
+    connect(action, &QAction::triggered, this, [this, language] {
+      keepLanguage(language);
+      emit languageKept(tr("Language from the next start of the window: %1").arg(nameOf(language)));
     });
   }
   setMenu(menu);

@@ -1,4 +1,4 @@
-// Light, dark, or as the desktop has it; the choice is kept.
+// Light, dark, or as the desktop has it; and the language from the next start on. The choices are kept.
 #pragma once
 
 #include <QPushButton>
@@ -12,6 +12,10 @@ class ThemeButton : public QPushButton {
 
  public:
   explicit ThemeButton(QWidget* parent = nullptr);
+
+ signals:
+  /// Says from when on which language is spoken.
+  void languageKept(const QString& line);
 
  private:
   void showTheme();

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "session/comparison.h"
+#include "session/language.h"
 #include "widgets/controls.h"
 #include "widgets/elided_label.h"
 #include "widgets/findings_list.h"
@@ -173,7 +174,7 @@ void VerdictCard::show() {
   change_->setText(better >= 0.5 ? tr("−%1 %").arg(better, 0, 'f', 0) : tr("unchanged"));
   dressAs(change_, "badge", better >= 0.5 ? "good" : "open");
   if (diagnosis->misread) {
-    proof_->setText(tr("RMS error of the base model with %1").arg(QString::fromStdString(diagnosis->misread->mended)));
+    proof_->setText(tr("RMS error of the base model with %1").arg(inLanguage(diagnosis->misread->mended)));
     return;
   }
   proof_->setText(tr("RMS error on %1 in windows of %2 s; it falls by %3 to %4 % (95 % interval)")

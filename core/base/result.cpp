@@ -24,7 +24,13 @@ std::string spelledOut(const std::string& text) {
 }  // namespace
 
 std::string Error::message() const {
-  return spelledOut(place.empty() ? fact : place + ": " + fact);
+  return said();
+}
+
+Message Error::said() const {
+  const Message whole = place.empty() ? Message(fact) : place + ": " + fact;
+  const std::string line = spelledOut(whole);
+  return line == whole.english() ? whole : Message(line);
 }
 
 }  // namespace breakaway

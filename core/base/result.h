@@ -7,16 +7,20 @@
 #include <utility>
 #include <variant>
 
+#include "base/message.h"
+
 namespace breakaway {
 
 /// What went wrong, as a fact, and where: `place` names the file, line, field or port ("emps.csv, row 12, column
 /// force_N").
 struct Error {
   std::string place;
-  std::string fact;
+  Saying fact;
 
   /// One line: place and fact. What would begin another line, or tell a terminal something, is spelled out.
   std::string message() const;
+  /// The same for whoever says it in another language; English where something had to be spelled out.
+  Message said() const;
   bool operator==(const Error&) const = default;
 };
 

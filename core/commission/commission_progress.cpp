@@ -252,7 +252,7 @@ Result<void> writeProgress(const Commission& progress, const std::string& folder
 Result<Commission> readProgress(const std::string& folder) {
   std::error_code code;
   if (!fs::exists(stateFile(folder), code))
-    return Error{folder, "holds no interrupted commissioning to go on from, expected progress/state.json"};
+    return Error{folder, message("holds no interrupted commissioning to go on from, expected progress/state.json")};
   auto root = JsonObject::fromFile(stateFile(folder));
   if (!root) return root.error();
   checkSchema(*root);
@@ -267,8 +267,8 @@ Result<Commission> readProgress(const std::string& folder) {
   progress.addedInertia_kg_m2.value = root->number("added_inertia_kg_m2", 0.0, Allowed::nonNegative);
   progress.part = countOf(*root, "part");
   progress.rigTime_s = root->number("rig_time_s", Allowed::nonNegative);
-  progress.remarks = root->texts("remarks");
-  progress.contradictions = root->texts("contradictions");
+  for (const std::string& remark : root->texts("remarks")) progress.remarks.emplace_back(remark);
+  for (const std::string& one : root->texts("contradictions")) progress.contradictions.emplace_back(one);
   const size_t runs = countOf(*root, "runs", mostFiles);
   const size_t strokes = root->has("strokes") ? countOf(*root, "strokes", mostFiles) : 0;
   if (root->has("travel")) {

@@ -1,6 +1,5 @@
 #include "commission/held_beliefs.h"
 
-#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -18,15 +17,17 @@ class Held {
   Held(const CommissionOptions& options, Commission& known) : options_(options), known_(known) {}
 
   void bench(BeliefOf of, const char* field, const std::optional<double>& believed, const Estimate& measured,
-             const std::string& from) {
-    if (believed) hold({of, "the bench's", field, *believed, options_.bench->trusted.contains(field), measured, from});
+             const Message& from) {
+    if (believed)
+      hold({of, message("the bench's"), field, *believed, options_.bench->trusted.contains(field), measured, from});
   }
   /// What an interrupted job knew of the motor, against what is measured now.
   void earlier(BeliefOf of, const char* field, double before, const Estimate& now) {
-    const Belief belief{of, "the interrupted job's", field, before, true, now, "but the wiring check's pulses say"};
+    const Belief belief{
+        of, message("the interrupted job's"), field, before, true, now, message("but the wiring check's pulses say")};
     if (before > 0.0 && now.value > 0.0) {
       if (const auto parted = contradictionOf(belief, known_.identity.axis))
-        take(*parted + "; is another motor mounted?");
+        take(message("{}; is another motor mounted?", *parted));
     }
   }
   /// What the same pulses said at the beginning. What the bridge hides is the same in both, and most of the doubt with
@@ -34,10 +35,11 @@ class Held {
   void still(BeliefOf of, const char* field, const Estimate& before, const Estimate& now) {
     constexpr double shared = 0.5;  // of both's doubt that isn't
     const double error = shared * std::hypot(now.standardError, now.value * before.standardError / before.value);
-    const Belief belief{of, "at the beginning", field, before.value, true, {now.value, error}, "but at the end"};
+    const Belief belief{
+        of, message("at the beginning"), field, before.value, true, {now.value, error}, message("but at the end")};
     if (before.value > 0.0 && now.value > 0.0) take(contradictionOf(belief, known_.identity.axis));
   }
-  void take(const std::optional<std::string>& contradiction) {
+  void take(const std::optional<Message>& contradiction) {
     if (contradiction) found_.push_back(*contradiction);
   }
   bool none() const { return found_.empty(); }
@@ -46,9 +48,9 @@ class Held {
     if (belief.measured.value > 0.0) take(contradictionOf(belief, known_.identity.axis));
   }
   Result<void> conclude() {
-    std::string all;
-    for (const std::string& one : found_) {
-      all += (all.empty() ? "" : "; ") + one;
+    Message all;
+    for (const Message& one : found_) {
+      all = all + (all.empty() ? "" : "; ") + one;
       if (options_.anyway) known_.contradict(one);
     }
     if (all.empty() || options_.anyway) return {};
@@ -58,18 +60,17 @@ class Held {
  private:
   const CommissionOptions& options_;
   Commission& known_;
-  std::vector<std::string> found_;
+  std::vector<Message> found_;
 };
 
 /// Every voltage, and with it resistance and back-EMF constant, rides on the supply's reading.
-std::optional<std::string> wrongSupply(double declared_V, double reads_V) {
+std::optional<Message> wrongSupply(double declared_V, double reads_V) {
   constexpr double tolerance = 0.06;  // of a supply's setting
   const double ratio = reads_V / declared_V;
   if (!(declared_V > 0.0) || std::abs(ratio - 1.0) < tolerance) return {};
-  return fmt::format(
+  return message(
       "the supply reads {:.4g} V where {:.4g} V belong, {:.3g} times as much: measure it; if it is {:.4g} V, the "
-      "board's "
-      "divider or its reference is off by that factor, and all voltages with it",
+      "board's divider or its reference is off by that factor, and all voltages with it",
       reads_V, declared_V, ratio, declared_V);
 }
 
@@ -80,15 +81,16 @@ Result<void> holdDeclarations(const CommissionOptions& options, Commission& know
   const Bench& bench = *options.bench;
   Held held(options, known);
   held.bench(BeliefOf::counts, motorNames(bench.axis).counts, bench.countsPerUnit, {known.identity.countsPerRev, 0.0},
-             "but the board says");
-  held.bench(BeliefOf::supply, "supply_V", bench.supply_V, {known.identity.supply_V, 0.0}, "but the board says");
+             message("but the board says"));
+  held.bench(BeliefOf::supply, "supply_V", bench.supply_V, {known.identity.supply_V, 0.0},
+             message("but the board says"));
   return held.conclude();
 }
 
 Result<void> holdWiring(const CommissionOptions& options, Commission& known) {
   const WiringFit& fit = *known.wiring;
   const MotorNames& names = motorNames(known.identity.axis);
-  const std::string pulses = "but the wiring check's pulses say";
+  const Message pulses = message("but the wiring check's pulses say");
   Held held(options, known);
   held.take(wrongSupply(known.identity.supply_V, fit.supply_V));
   if (known.knows(Known::motor)) {
@@ -101,7 +103,7 @@ Result<void> holdWiring(const CommissionOptions& options, Commission& known) {
   held.bench(BeliefOf::resistance, names.resistance, belief.resistance_ohm, fit.resistance_ohm, pulses);
   held.bench(BeliefOf::backEmfConstant, names.backEmfConstant, belief.backEmfConstant, fit.backEmf_V_s_per_rad, pulses);
   held.bench(BeliefOf::torqueConstant, names.torqueConstant, belief.torqueConstant, fit.backEmf_V_s_per_rad,
-             "but by the wiring check's pulses the back-EMF constant is");
+             message("but by the wiring check's pulses the back-EMF constant is"));
   return held.conclude();
 }
 
@@ -120,13 +122,13 @@ Result<void> holdMotor(const IdentifiedMotor& motor, const CommissionOptions& op
   const MotorNames& names = motorNames(options.bench->axis);
   const MotorBelief& belief = options.bench->motor;
   Held held(options, known);
-  const std::string measured = "but measured is";
+  const Message measured = message("but measured is");
   held.bench(BeliefOf::resistance, names.resistance, belief.resistance_ohm, motor.resistance_ohm, measured);
   held.bench(BeliefOf::inductance, names.inductance, belief.inductance_H, motor.inductance_H, measured);
   held.bench(BeliefOf::backEmfConstant, names.backEmfConstant, belief.backEmfConstant,
              motor.backEmfConstant_V_s_per_rad, measured);
   held.bench(BeliefOf::torqueConstant, names.torqueConstant, belief.torqueConstant, motor.backEmfConstant_V_s_per_rad,
-             "but measured as the back-EMF constant is");
+             message("but measured as the back-EMF constant is"));
   // An inertia by a constant that contradicts tells nothing.
   const double scale = motor.backEmfConstant_V_s_per_rad.value / motor.torqueConstant_Nm_per_A.value;
   if (held.none())
@@ -137,7 +139,7 @@ Result<void> holdMotor(const IdentifiedMotor& motor, const CommissionOptions& op
 
 Result<void> holdMap(const FrictionMap& map, const CommissionOptions& options, Commission& known) {
   Held held(options, known);
-  for (const std::string& why : unsoundness(map)) held.take("this is no friction map: " + why);
+  for (const Message& why : unsoundness(map)) held.take(message("this is no friction map: {}", why));
   return held.conclude();
 }
 

@@ -39,10 +39,10 @@ void Job::begin(Drive& drive) {
 
 Result<void> Job::prepare(Drive& drive) {
   const Identity identity = drive.identity();
-  if (!(identity.countsPerRev > 0.0)) return Error{"board", "has no encoder, which everything here rests on"};
+  if (!(identity.countsPerRev > 0.0)) return Error{"board", message("has no encoder, which everything here rests on")};
   if (options_.against && options_.against->addedInertia_kg_m2.value == options_.addedInertia_kg_m2.value)
     return Error{identity.axis == Axis::linear ? "added mass" : "added inertia",
-                 "is the same as in the motor's file that it is held against, expected another one"};
+                 message("is the same as in the motor's file that it is held against, expected another one")};
   Commission asked;
   asked.identity = identity;
   asked.sweeps = options_.sweeps;
@@ -53,9 +53,8 @@ Result<void> Job::prepare(Drive& drive) {
     known_.forgetBoard();
     if (auto fits = goOn(asked); !fits) return fits;
     ++known_.part;
-    known_.remark("The job was interrupted and went on: part " + std::to_string(known_.part) + " began after " +
-                  std::to_string(known_.runs.size() + known_.strokes.size()) + " runs and " +
-                  std::to_string(known_.breakaways.size()) + " breakaways.");
+    known_.remark(message("The job was interrupted and went on: part {} began after {} runs and {} breakaways.",
+                          known_.part, known_.runs.size() + known_.strokes.size(), known_.breakaways.size()));
   } else if (auto fits = goOn(asked); !fits) {
     return fits;
   }
@@ -86,20 +85,22 @@ Result<void> Job::goOn(const Commission& asked) {
   }
   const SweepSettings &before = known_.sweeps, &now = asked.sweeps;
   if (known_.identity.device != asked.identity.device)
-    return Error{"board",
-                 "is " + asked.identity.device + ", but the interrupted job was begun on " + known_.identity.device};
+    return Error{"board", message("is {}, but the interrupted job was begun on {}", asked.identity.device,
+                                  known_.identity.device)};
   if (before.bins != now.bins || before.turns != now.turns)
-    return Error{"bins and turns", "are " + std::to_string(now.bins) + " and " + std::to_string(now.turns) +
-                                       ", but the interrupted job was begun with " + std::to_string(before.bins) +
-                                       " and " + std::to_string(before.turns)};
+    return Error{"bins and turns", message("are {} and {}, but the interrupted job was begun with {} and {}", now.bins,
+                                           now.turns, before.bins, before.turns)};
   if (!before.sameSpeeds(now))
-    return Error{"seconds at each speed", "are others than the interrupted job was begun with, expected the same"};
+    return Error{"seconds at each speed",
+                 message("are others than the interrupted job was begun with, expected the same")};
   if (known_.trustedTorqueConstant_Nm_per_A != asked.trustedTorqueConstant_Nm_per_A)
     return Error{
         "bench",
-        "trusts another torque constant than the interrupted job was begun with, expected the same bench file"};
+        message(
+            "trusts another torque constant than the interrupted job was begun with, expected the same bench file")};
   if (known_.addedInertia_kg_m2.value != asked.addedInertia_kg_m2.value)
-    return Error{"added inertia", "is another one than the interrupted job was begun with, expected the same disc"};
+    return Error{"added inertia",
+                 message("is another one than the interrupted job was begun with, expected the same disc")};
   return {};
 }
 
@@ -157,7 +158,7 @@ void Job::take(Drive& drive, double passed_s, const std::vector<Sample>& samples
   next(drive);
 }
 
-void Job::stop(Drive& drive, const std::string& reason) {
+void Job::stop(Drive& drive, const Saying& reason) {
   if (!running()) return;
   if (!run_.procedure) {
     end(drive, Procedure::State::stopped, {"job", reason});
@@ -191,7 +192,7 @@ void Job::concludeRun(Drive& drive) {
 }
 
 Result<void> Job::keepRun(Drive& drive) {
-  if (lost_ > 0) known_.remark(run_.name + ": " + std::to_string(lost_) + " samples were lost on the way.");
+  if (lost_ > 0) known_.remark(message("{}: {} samples were lost on the way.", run_.name, lost_));
   if (auto kept = keep(); !kept) return kept;
   if (!options_.keepRecordings || recorder_->empty()) return {};
   auto recording = recorder_->seal({{"device", drive.identity().device}, {"firmware", drive.identity().firmware}});
@@ -218,7 +219,7 @@ Result<void> Job::keep() {
 void Job::end(Drive& drive, Procedure::State state, const Error& failure) {
   state_ = state;
   failure_ = failure;
-  drive.stop(state == Procedure::State::finished ? "the job is done" : failure.message());
+  drive.stop(state == Procedure::State::finished ? message("the job is done") : failure.said());
   if (known_.knows(Known::motor)) known_.bench = measuredBench(known_, options_);
   if (options_.givesGainsBack && found_ && !known_.knows(Known::gainsInUse) && *found_ != known_.settings)
     giveBack(drive);
@@ -254,7 +255,7 @@ Procedure::Status Job::status() const {
     whole.progress = 1.0;
     return whole;
   }
-  whole.failure = failure_.place == run_.name ? failure_.fact : failure_.message();
+  whole.failure = failure_.place == run_.name ? failure_.fact : Saying(failure_.said());
   if (at_ >= steps_.size()) return whole;
   double past_s = expected_s(0, at_), length_s = expected_s(at_, at_ + 1);
   const auto now = run_.procedure ? run_.procedure->status() : Procedure::Status{};

@@ -28,7 +28,7 @@ class Job {
   /// What came of Drive::advance(): `passed_s` of the board's time with its samples, and how many were lost.
   void take(Drive& drive, double passed_s, const std::vector<Sample>& samples, size_t lost);
   /// Ends it; what was measured is kept. The drive must have been stopped.
-  void stop(Drive& drive, const std::string& reason);
+  void stop(Drive& drive, const Saying& reason);
 
   Procedure::Status status() const;
   bool running() const { return state_ == Procedure::State::running; }

@@ -46,14 +46,14 @@ std::optional<Estimate> Commission::viscousAverage_Nm_s_per_rad() const {
   return meanOfWays(moving[0].viscousMean_Nm_s_per_rad, moving[1].viscousMean_Nm_s_per_rad);
 }
 
-void Commission::remark(const std::string& text) {
-  if (std::find(remarks.begin(), remarks.end(), text) == remarks.end()) remarks.push_back(text);
+void Commission::remark(const Message& text) {
+  if (std::find(remarks.begin(), remarks.end(), text.english()) == remarks.end()) remarks.push_back(text);
 }
 
-void Commission::contradict(const std::string& text) {
-  const std::string whole = "In spite of a contradiction: " + text + ".";
+void Commission::contradict(const Message& text) {
+  const Message whole = message("In spite of a contradiction: {}.", text);
   remark(whole);
-  if (std::find(contradictions.begin(), contradictions.end(), whole) == contradictions.end())
+  if (std::find(contradictions.begin(), contradictions.end(), whole.english()) == contradictions.end())
     contradictions.push_back(whole);
 }
 

@@ -57,8 +57,8 @@ struct Commission {
   Estimate addedInertia_kg_m2;                           ///< part of the motor's inertia
   size_t part = 1;                                       ///< 1 for the first start, one more for each resumption
   double rigTime_s = 0.0;
-  std::vector<std::string> remarks;
-  std::vector<std::string> contradictions;  ///< of beliefs and measurements, that the job went on in spite of
+  std::vector<Message> remarks;
+  std::vector<Message> contradictions;  ///< of beliefs and measurements, that the job went on in spite of
   std::vector<std::pair<std::string, Recording>> recordings;  ///< by step, in order, where nobody else took them
 
   // The motor.
@@ -108,9 +108,9 @@ struct Commission {
   std::optional<Estimate> viscousAverage_Nm_s_per_rad() const;
 
   /// What the person at the bench should hear, once.
-  void remark(const std::string& text);
+  void remark(const Message& text);
   /// The same of a contradiction that the job goes on in spite of.
-  void contradict(const std::string& text);
+  void contradict(const Message& text);
 
   /// These are no longer known, nor what is computed from them; measurements stay unless they are named.
   void forget(const Facts& facts);

@@ -38,7 +38,8 @@ Bench measuredBench(const Commission& done, const CommissionOptions& options) {
   bench.countsPerUnit = done.identity.countsPerRev;
   bench.motor.torqueConstant = motor.torquePerShownAmpere_Nm();
   withdrawTrust(bench);
-  bench.remarks = done.knows(Known::map) ? done.map.remarks : done.contradictions;
+  bench.remarks = done.map.remarks;
+  if (!done.knows(Known::map)) bench.remarks.assign(done.contradictions.begin(), done.contradictions.end());
   bench.motor.backEmfConstant = motor.backEmfConstant_V_s_per_rad.value;
   bench.motor.resistance_ohm = done.shownResistance_ohm;
   if (motor.inductance_H.value > 0.0) bench.motor.inductance_H = motor.inductance_H.value / motor.currentGain.value;

@@ -62,7 +62,7 @@ IdentifiedMotor motorIn(JsonObject& object, Axis axis) {
   for (const MotorField& field : motorFields) motor.*field.estimate = pairIn(object.object(nameOn(axis, field.name)));
   for (const auto& row : object.rows("duty_curve", 3)) motor.dutyCurve.points.push_back({row[0], {row[1], row[2]}});
   if (!motor.dutyCurve.rises()) object.fault("duty_curve", "doesn't rise, expected a rising one");
-  motor.gauge = object.text("gauge", "");
+  motor.gauge = Message(object.text("gauge", ""));
   return motor;
 }
 

@@ -29,14 +29,14 @@ enum class StepEnd { over, again };
 
 class Step {
  public:
-  Step(std::string words, const Facts& needs, const Facts& leaves)
-      : words_(std::move(words)), needs_(needs), leaves_(leaves) {}
+  Step(MessageText<0> words, const Facts& needs, const Facts& leaves)
+      : words_(message(words)), needs_(needs), leaves_(leaves) {}
   virtual ~Step() = default;
   Step(const Step&) = delete;
   Step& operator=(const Step&) = delete;
 
   /// What it is, for people: "velocity sweep".
-  const std::string& words() const { return words_; }
+  const Message& words() const { return words_; }
   const Facts& needs() const { return needs_; }
   const Facts& leaves() const { return leaves_; }
   /// First look at how long it takes.
@@ -52,7 +52,7 @@ class Step {
   virtual Result<StepEnd> end(OnBench& on, const Result<void>& ran) = 0;
 
  private:
-  std::string words_;
+  Message words_;
   Facts needs_, leaves_;
 };
 

@@ -69,15 +69,14 @@ MapOptions mapOptions(const Commission& known, const std::string& rig) {
 
 void remarkMissed(Commission& known) {
   if (known.missed == 0) return;
-  known.remark(std::to_string(known.missed) +
-               " breakaways could not be measured; their bins rest on their neighbours.");
+  known.remark(message("{} breakaways could not be measured; their bins rest on their neighbours.", known.missed));
 }
 
 void remarkMap(Commission& known) {
-  known.map.remarks = known.contradictions;
+  known.map.remarks.assign(known.contradictions.begin(), known.contradictions.end());
   const double zero_Nm = known.torquePerAmpere_Nm() * known.eventsZeroError_A;
   const double scale = known.motor.currentGain.standardError / known.motor.currentGain.value;
-  for (const std::string& words : wordsOf(shaftLoad(known.map, zero_Nm, scale), known.map.axis)) {
+  for (const Message& words : wordsOf(shaftLoad(known.map, zero_Nm, scale), known.map.axis)) {
     known.remark(words);
     known.map.remarks.push_back(words);
   }

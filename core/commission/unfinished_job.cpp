@@ -82,13 +82,13 @@ std::vector<UnfinishedEntry> unfinishedIn(const std::string& place) {
   return all;
 }
 
-std::string howFar(const Commission& known) {
+Message howFar(const Commission& known) {
   const size_t speeds = known.runs.size() + known.strokes.size();
   const auto broken =
       std::count_if(known.runs.begin(), known.runs.end(), [](const VelocityRun& run) { return run.brokenOff; });
-  const std::string of = broken > 0 ? fmt::format(", {} of them broken off,", broken) : std::string();
-  return fmt::format("{} {}{} and {} of {} breakaways", speeds, speeds == 1 ? "speed" : "speeds", of,
-                     known.breakaways.size(), 2 * known.sweeps.bins * known.sweeps.turns);
+  const Message of = broken > 0 ? message(", {} of them broken off,", broken) : Message();
+  return message("{}{} and {} of {} breakaways", speeds == 1 ? message("1 speed") : message("{} speeds", speeds), of,
+                 known.breakaways.size(), 2 * known.sweeps.bins * known.sweeps.turns);
 }
 
 std::string unfinishedPlace(const std::string& projectFolder) {
@@ -119,7 +119,7 @@ Result<void> UnfinishedJob::begin() {
   folder_ = place_ + "/" + freshUuid();
   if (auto made = makeFolder(folder_); !made) return made;
   held_ = std::make_unique<OpenFile>(lockOf(folder_), OpenFile::Purpose::making);
-  if (!held_->good()) return Error{folder_, "can't be written into"};
+  if (!held_->good()) return Error{folder_, message("can't be written into")};
   held_->lock();
   return {};
 }

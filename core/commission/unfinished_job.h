@@ -49,7 +49,7 @@ struct UnfinishedEntry {
 /// All below `place`, the newest first. Nothing is held meanwhile, nor changed.
 std::vector<UnfinishedEntry> unfinishedIn(const std::string& place);
 /// "3 speeds, 1 of them broken off, and 12 of 720 breakaways".
-std::string howFar(const Commission& known);
+Message howFar(const Commission& known);
 
 /// Where a project keeps them.
 std::string unfinishedPlace(const std::string& projectFolder);

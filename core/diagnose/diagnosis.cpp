@@ -26,29 +26,30 @@ namespace {
 
 constexpr size_t fewestFarOff = 2;  ///< held-out windows that tell of something that the others don't show
 
-std::string heldoutRemark(size_t far, size_t windows, const Criteria& criteria) {
-  return std::to_string(far) + " of " + std::to_string(windows) + " held-out windows err more than " +
-         farOffText(criteria) +
-         " as much as sensors and friction explain. They show something that the data to learn from don't: learn from "
-         "a recording that moves like these";
+Message heldoutRemark(size_t far, size_t windows, const Criteria& criteria) {
+  return message(
+      "{} of {} held-out windows err more than {} as much as sensors and friction explain. They show something that "
+      "the data to learn from don't: learn from a recording that moves like these",
+      std::to_string(far), std::to_string(windows), farOffText(criteria));
 }
 
 /// Why a base model that ran away isn't to be believed, or nothing.
-std::optional<std::string> runAwayText(const Model& base, const Model& inverse, const Criteria& criteria) {
+std::optional<Message> runAwayText(const Model& base, const Model& inverse, const Criteria& criteria) {
   const auto ratio = runAway(base, inverse, criteria);
   if (!ratio) return std::nullopt;
   const double shown = inverse.baseValue(motorNames(base.axis).inertia).value_or(0.0);
-  return "friction changes along the way by more than the base model knows, and the motion is too slow to be "
-         "foreseen beside that: fitted to windows of it, the inertia would be " +
-         digitsText(*ratio) + " times the " + inertiaText(shown, base.axis) +
-         " that torque and acceleration show. The base parameters are by these; reverse harder to see more";
+  return message(
+      "friction changes along the way by more than the base model knows, and the motion is too slow to be foreseen "
+      "beside that: fitted to windows of it, the inertia would be {} times the {} that torque and acceleration show. "
+      "The base parameters are by these; reverse harder to see more",
+      digitsText(*ratio), inertiaText(shown, base.axis));
 }
 
-std::string inTorqueRemark(Axis axis) {
-  const std::string torque = torqueWord(axis);
-  return "the motion can't be foreseen from what drove it: errors are counted in the " + torque +
-         " that it took, along the recorded motion. What the drive's own " + torque +
-         " changes, what is late, and what happens at standstill can't be told so";
+Message inTorqueRemark(Axis axis) {
+  return message(
+      "the motion can't be foreseen from what drove it: errors are counted in the {} that it took, along the recorded "
+      "motion. What the drive's own {} changes, what is late, and what happens at standstill can't be told so",
+      torqueWord(axis), torqueWord(axis));
 }
 
 using Clock = std::chrono::steady_clock;
@@ -63,7 +64,7 @@ struct Attempt {
   /// Held-out windows that are far off, where the other parts of the same recordings show nothing, or what happens
   /// once.
   size_t farOff = 0;
-  std::optional<std::string> runAway;  ///< the base model did, and nothing was found
+  std::optional<Message> runAway;  ///< the base model did, and nothing was found
 };
 
 /// One diagnosis, with its clocks running.
@@ -99,7 +100,7 @@ class Diagnoser {
 
     Attempt made;
     Diagnosis& diagnosis = made.diagnosis;
-    input.say(0.92, "proving on held-out data");
+    input.say(0.92, message("proving on held-out data"));
     Remainder rest = take(diagnosis, judge(bench_, *prepared, input, *found), *prepared);
     if (!named_s) {
       for (const Finding& finding : diagnosis.findings) firstNames.push_back(finding.effect);
@@ -123,7 +124,7 @@ class Diagnoser {
 
   /// The base model fitted to all there is, for recordings of which nothing can be held out; or by torque and
   /// acceleration, where no window of them can be foreseen.
-  Result<Diagnosis> undecided(const std::vector<std::string>& why, bool foreseeable = true) const {
+  Result<Diagnosis> undecided(const std::vector<Message>& why, bool foreseeable = true) const {
     auto prepared =
         prepare(bench_, recordings_, {}, options_.window_s, HeldOut::none, ErrorIn::motion, options_.criteria);
     if (!prepared) return prepared.error();
@@ -157,7 +158,7 @@ class Diagnoser {
     if (!foreseeable && diagnosis.nextSentence.empty()) {
       const double speed = 2.0 * prepared->seen.highSpeed;
       diagnosis.nextSentence =
-          "Reverse at least twenty times at " + speedText(speed, bench_.axis) + ", as hard as the drive can.";
+          message("Reverse at least twenty times at {}, as hard as the drive can.", speedText(speed, bench_.axis));
       diagnosis.nextManeuver = reversals(speed, 20, 0.5);
     }
     diagnosis.named_s = elapsed_s();
@@ -241,7 +242,7 @@ Result<Diagnosis> diagnoseAsRead(const Bench& bench, const std::vector<Recording
   auto usual = diagnoser.attempt(HeldOut::last);
   if (!usual) {
     // What can be fitted, but not proved, is worth its base parameters.
-    auto fitted = diagnoser.undecided({usual.error().message()});
+    auto fitted = diagnoser.undecided({usual.error().said()});
     return fitted ? std::move(fitted) : usual.error();
   }
   if (usual->runAway) {
@@ -253,8 +254,8 @@ Result<Diagnosis> diagnoseAsRead(const Bench& bench, const std::vector<Recording
   auto other = diagnoser.attempt(HeldOut::middle);
   if (!other || other->diagnosis.verdict == Verdict::nothingMissing || other->farOff >= usual->farOff)
     return std::move(usual->diagnosis);
-  other->diagnosis.remarks.emplace_back(
-      "the part that is usually kept for the proof shows something that the others don't: another part was kept");
+  other->diagnosis.remarks.push_back(message(
+      "the part that is usually kept for the proof shows something that the others don't: another part was kept"));
   return std::move(other->diagnosis);
 }
 
@@ -265,8 +266,8 @@ Result<Diagnosis> misread(const Bench& bench, const std::vector<Recording>& reco
   const std::vector<Recording> read = mended(recordings, std::optional(what));
   const Diagnoser diagnoser(right, read, {}, options);
   auto diagnosis = diagnoser.undecided(
-      {what.sentence, "base and model are of " + what.mended + ": put it right, and diagnose again"});
-  if (!diagnosis) return Error{"", what.sentence + " (" + diagnosis.error().message() + ")"};
+      {what.sentence, message("base and model are of {}: put it right, and diagnose again", what.mended)});
+  if (!diagnosis) return Error{"", what.sentence + " (" + diagnosis.error().said() + ")"};
   diagnosis->misread = what;
   return diagnosis;
 }

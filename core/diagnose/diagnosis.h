@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "base/result.h"
 #include "diagnose/fit/scale_check.h"
 #include "diagnose/fit/torque_noise.h"
@@ -32,7 +33,7 @@ struct Diagnosis {
   TorqueNoise wander;  ///< torque that changes at random and has no place
   double unexplainedShare = 0.0;
   double unexplainedPValue = 1.0;
-  std::string nextSentence;
+  Message nextSentence;
   std::vector<std::string> nextSeparates;
   Maneuver nextManeuver;  ///< the next experiment as a board can make it; empty where it takes hands
   double named_s = 0.0;
@@ -44,7 +45,7 @@ struct Diagnosis {
   Model model;
   /// Held-out stretches of the first recording as [first row, last row + 1); empty with separate held-out recordings.
   std::vector<std::pair<size_t, size_t>> heldoutRows;
-  std::vector<std::string> remarks;  ///< statements on the input ("12 rows were left out: …")
+  std::vector<Message> remarks;  ///< statements on the input ("12 rows were left out: …")
   /// A column of the wrong scale or sign: then nothing is looked for, and the models are those of the recordings with
   /// that put right.
   std::optional<Misreading> misread;
@@ -56,7 +57,7 @@ struct DiagnoseOptions {
   double window_s = 0.5;
   Criteria criteria;  ///< by which it decides
   std::stop_token stop;
-  std::function<void(double progress, const std::string& activity)> progress;
+  std::function<void(double progress, const Message& activity)> progress;
 };
 
 /// Where simulation and recordings part, which physics was left out, and the proof. Without `heldout`, blocks of the

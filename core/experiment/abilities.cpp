@@ -1,33 +1,36 @@
 #include "experiment/abilities.h"
 
-#include <fmt/core.h>
-
 namespace breakaway {
 
 namespace {
 
-std::string joined(const std::string& first, const std::string& second) {
+Message joined(const Message& first, const Message& second) {
   return first.empty() || second.empty() ? first + second : first + "; " + second;
 }
 
-std::string toHoming(const Identity& board) {
-  return board.hasIndex ? "" : "the board reports no index: homing needs one";
+Message toHoming(const Identity& board) {
+  return board.hasIndex ? Message() : message("the board reports no index: homing needs one");
 }
 
-std::string toIdentification(const Identity& board) {
-  std::string why;
+Message toGains(const Identity& board) {
+  return board.can.takesGains ? Message() : message("the board keeps its own gains: set them with its maker's tool");
+}
+
+Message toIdentification(const Identity& board) {
+  Message why;
   if (!board.can.everyTick) {
-    why = fmt::format("the board is asked {:.0f} times a second: the winding test needs a sample of every control tick",
-                      board.loopRate_Hz);
+    why = message("the board is asked {:.0f} times a second: the winding test needs a sample of every control tick",
+                  board.loopRate_Hz);
   }
   if (!board.can.zeroesSensor)
-    why = joined(why, "the board zeroes its current sensor by itself: identification and sweeps need it zeroed anew");
+    why = joined(
+        why, message("the board zeroes its current sensor by itself: identification and sweeps need it zeroed anew"));
   return why;
 }
 
 }  // namespace
 
-std::string obstacleTo(Task task, const Identity& board) {
+Message obstacleTo(Task task, const Identity& board) {
   const bool linear = board.axis == Axis::linear;
   switch (task) {
     case Task::homing:
@@ -36,14 +39,13 @@ std::string obstacleTo(Task task, const Identity& board) {
     case Task::identification:
       return toIdentification(board);
     case Task::sweep:
-      return joined(linear ? std::string() : toHoming(board), toIdentification(board));
+      return joined(linear ? Message() : toHoming(board), toIdentification(board));
     case Task::tuning:
-      return board.can.takesGains ? "" : "the board keeps its own gains: set them with its maker's tool";
+      return toGains(board);
     case Task::compensation:
-      return board.can.compensates ? "" : "the board takes no friction table";
+      return board.can.compensates ? Message() : message("the board takes no friction table");
     case Task::commissioning:
-      return joined(linear ? toIdentification(board) : obstacleTo(Task::sweep, board),
-                    board.can.takesGains ? "" : "the board keeps its own gains: set them with its maker's tool");
+      return joined(linear ? toIdentification(board) : obstacleTo(Task::sweep, board), toGains(board));
   }
   return {};
 }

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "base/message.h"
 #include "experiment/drive.h"
 
 namespace breakaway {
@@ -10,6 +11,6 @@ namespace breakaway {
 enum class Task { homing, identification, sweep, tuning, compensation, commissioning };
 
 /// Why this board can't do it, in one line; empty when it can.
-std::string obstacleTo(Task task, const Identity& board);
+Message obstacleTo(Task task, const Identity& board);
 
 }  // namespace breakaway

@@ -1,6 +1,5 @@
 #include "experiment/breakaway_procedure.h"
 
-#include <fmt/core.h>
 #include <algorithm>
 #include <iterator>
 
@@ -16,9 +15,11 @@ constexpr double rampStarts[] = {1.0, 0.5, 0.0};  // of rampStart, attempt by at
 BreakawayProcedure::BreakawayProcedure(Axis axis, const BreakawayOptions& options, size_t places, size_t passes,
                                        const std::vector<BreakawayEvent>& earlier)
     : tour_(places, passes, earlier), zeroing_(options.zeroing_s), axis_(axis), shared_(options) {
-  if (places < 8 || passes == 0) fail("at least 8 bins and one pass are needed");
-  if (!(options.resistance_ohm > 0.0)) fail("the winding's resistance is not known");
-  if (!(options.torqueConstant_Nm_per_A > 0.0)) fail(nameOn(axis, "the torque constant is not known"));
+  if (places < 8 || passes == 0) fail(message("at least 8 bins and one pass are needed"));
+  if (!(options.resistance_ohm > 0.0)) fail(message("the winding's resistance is not known"));
+  if (!(options.torqueConstant_Nm_per_A > 0.0))
+    fail(axis == Axis::linear ? message("the force constant is not known")
+                              : message("the torque constant is not known"));
 }
 
 Command BreakawayProcedure::zero(const Sample& sample) {
@@ -26,7 +27,7 @@ Command BreakawayProcedure::zero(const Sample& sample) {
   const Command command = zeroing_.step(sample, stageStart_s_, done);
   if (!done) return command;
   zeroed_s_ = sample.time_s;
-  if (const std::string moved = zeroing_.moved(shared_.mostDrift_A); !moved.empty()) fail(moved);
+  if (const Message moved = zeroing_.moved(shared_.mostDrift_A); !moved.empty()) fail(moved);
   if (tour_.ended()) {
     finish();
   } else {
@@ -69,8 +70,9 @@ void BreakawayProcedure::take(const BreakawayEvent& event) {
 void BreakawayProcedure::miss() {
   ++missed_;
   if (++missedInARow_ < 3) return;
-  fail(fmt::format("{} does not break away {} at up to {:.2f} A, three times in a row; is {} held?", bodyText(axis_),
-                   wayText(sign() > 0.0, axis_), ramp_.plan().top_A, axis_ == Axis::linear ? "it" : "the shaft"));
+  fail(message("{} does not break away {} at up to {:.2f} A, three times in a row; is {} held?", bodyText(axis_),
+               wayText(sign() > 0.0, axis_), ramp_.plan().top_A,
+               axis_ == Axis::linear ? message("it") : message("the shaft")));
 }
 
 void BreakawayProcedure::advanceStep(const Sample& sample) {
@@ -83,7 +85,7 @@ void BreakawayProcedure::advanceStep(const Sample& sample) {
   }
 }
 
-TimedProcedure::Progress BreakawayProcedure::progressWith(const std::string& activity, double way_s) const {
+TimedProcedure::Progress BreakawayProcedure::progressWith(const Saying& activity, double way_s) const {
   const double usual_s = shared_.settle_s + shared_.dwell_s + shared_.ramp_s + way_s;
   return {tour_.progress(), tour_.remaining_s(now_s_ - first_s_, usual_s), activity};
 }

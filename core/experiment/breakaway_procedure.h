@@ -81,7 +81,7 @@ class BreakawayProcedure : public TimedProcedure {
   void advanceStep(const Sample& sample);
 
   /// `way_s`: that going to a place takes, roughly.
-  Progress progressWith(const std::string& activity, double way_s) const;
+  Progress progressWith(const Saying& activity, double way_s) const;
 
   BreakawayTour tour_;
   Zeroing zeroing_;

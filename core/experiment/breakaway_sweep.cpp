@@ -23,7 +23,7 @@ BreakawaySweep::BreakawaySweep(BreakawaySweepOptions options, const std::vector<
     : BreakawayProcedure(Axis::rotary, options, options.bins, options.turns, earlier),
       options_(std::move(options)),
       index_(options_.indexAngle_rad, options_.indexTolerance_rad) {
-  if (!(options_.countsPerRev > 0.0)) fail("the encoder's counts are not known");
+  if (!(options_.countsPerRev > 0.0)) fail(message("the encoder's counts are not known"));
   if (state() == State::running && tour_.ended()) finish();
 }
 
@@ -88,7 +88,7 @@ Command BreakawaySweep::run(const Sample& sample) {
     first_s_ = sample.time_s;
     enter(Stage::zero, sample);
   }
-  if (const std::string wrong = index_.step(sample); !wrong.empty()) fail(wrong);
+  if (const Message wrong = index_.step(sample); !wrong.empty()) fail(wrong);
   switch (stage_) {
     case Stage::zero:
       return zero(sample);
@@ -159,23 +159,23 @@ void BreakawaySweep::takeEvent() {
   take(event);
 }
 
-std::string BreakawaySweep::activity() const {
-  const std::string where = wayText(sign() > 0.0) + " at " + degreesText(boardAngle_rad_ - options_.indexAngle_rad);
+Message BreakawaySweep::activity() const {
+  const std::string angle = degreesText(boardAngle_rad_ - options_.indexAngle_rad);
   switch (stage_) {
     case Stage::zero:
       return zeroingText;
     case Stage::index:
-      return "passing the index";
+      return message("passing the index");
     case Stage::angle:
       break;
   }
   switch (seen_) {
     case Machine::stand:
-      return "standing at " + degreesText(boardAngle_rad_ - options_.indexAngle_rad);
+      return message("standing at {}", angle);
     case Machine::ramp:
-      return "ramping " + where + ", turn " + std::to_string(tour_.pass() + 1);
+      return message("ramping {} at {}, turn {}", wayText(sign() > 0.0), angle, tour_.pass() + 1);
     default:
-      return "moving " + where;
+      return message("moving {} at {}", wayText(sign() > 0.0), angle);
   }
 }
 

@@ -47,7 +47,7 @@ class BreakawaySweep : public BreakawayProcedure {
   void follow(const Sample& sample);
   void end(const Sample& sample);
   void takeEvent();
-  std::string activity() const;
+  Message activity() const;
 
   BreakawaySweepOptions options_;
   Stage stage_ = Stage::zero;

@@ -6,7 +6,7 @@
 namespace breakaway {
 
 Course::Course(CourseOptions options) : options_(std::move(options)) {
-  if (!options_.command || !(options_.duration_s > 0.0)) fail("no course is given");
+  if (!options_.command || !(options_.duration_s > 0.0)) fail(message("no course is given"));
 }
 
 Command Course::run(const Sample& sample) {

@@ -5,12 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "experiment/timed_procedure.h"
 
 namespace breakaway {
 
 struct CourseOptions {
-  std::string activity = "running a course";
+  Saying activity = message("running a course");
   double zeroing_s = 0.5;  ///< the current sensor is zeroed first, windings open; 0: never
   Command before;          ///< held for before_s, to come to a speed or an angle
   double before_s = 1.0;

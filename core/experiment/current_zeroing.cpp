@@ -9,8 +9,9 @@ Command CurrentZeroing::run(const Sample& sample) {
   elapsed_s_ = elapsed_s(sample);
   if (elapsed_s_ < options_.settle_s || isFirst()) first_rad_ = sample.angle_rad;
   if (const double moved_rad = sample.angle_rad - first_rad_; std::abs(moved_rad) > options_.turns_rad) {
-    fail(bodyText(options_.axis) + " moves " + wayText(moved_rad > 0.0, options_.axis) +
-         " by itself with the windings open: a load pulls it; hold or balance the load, or take it off");
+    fail(message(
+        "{} moves {} by itself with the windings open: a load pulls it; hold or balance the load, or take it off",
+        bodyText(options_.axis), wayText(moved_rad > 0.0, options_.axis)));
     return {};
   }
   if (elapsed_s_ < options_.settle_s) return {};
@@ -25,7 +26,7 @@ Command CurrentZeroing::run(const Sample& sample) {
     half_A_.moved(options_.mostDrift_A);
   }
   if (elapsed_s_ >= options_.settle_s + options_.duration_s) {
-    if (const std::string moved = half_A_.moved(options_.mostDrift_A); !moved.empty()) fail(moved);
+    if (const Message moved = half_A_.moved(options_.mostDrift_A); !moved.empty()) fail(moved);
     finish();
     return {};
   }

@@ -29,7 +29,7 @@ class CurrentZeroing : public TimedProcedure {
  protected:
   Command run(const Sample& sample) override;
   Progress progress() const override {
-    return timed(elapsed_s_, options_.settle_s + options_.duration_s, "zeroing the current sensor");
+    return timed(elapsed_s_, options_.settle_s + options_.duration_s, message("zeroing the current sensor"));
   }
 
  private:

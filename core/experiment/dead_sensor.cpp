@@ -1,6 +1,5 @@
 #include "experiment/dead_sensor.h"
 
-#include <fmt/core.h>
 #include <algorithm>
 
 namespace breakaway {
@@ -12,7 +11,7 @@ constexpr double widely_V = 0.3;      // moves any motor's current by more than 
 
 }  // namespace
 
-std::string DeadSensor::step(const Sample& sample) {
+Message DeadSensor::step(const Sample& sample) {
   const double passed_s = begun_ ? sample.time_s - before_s_ : 0.0;
   before_s_ = sample.time_s;
   if (!begun_ || sample.current_A != shown_A_) {
@@ -27,7 +26,7 @@ std::string DeadSensor::step(const Sample& sample) {
   low_V_ = std::min(low_V_, sample.voltage_V);
   high_V_ = std::max(high_V_, sample.voltage_V);
   if (energised_s_ < longEnough_s || high_V_ - low_V_ < widely_V) return {};
-  return fmt::format(
+  return message(
       "the current sensor is dead, or too coarse for this motor: it reads exactly {:.3g} A from {:.2f} V to {:.2f} V; "
       "check its supply and its wire",
       shown_A_, low_V_, high_V_);

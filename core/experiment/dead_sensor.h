@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "base/message.h"
 #include "recording/sample.h"
 
 namespace breakaway {
@@ -12,7 +13,7 @@ namespace breakaway {
 class DeadSensor {
  public:
   /// Takes every sample; what is wrong in words, empty as long as nothing is.
-  std::string step(const Sample& sample);
+  Message step(const Sample& sample);
 
  private:
   double shown_A_ = 0.0, energised_s_ = 0.0, before_s_ = 0.0;

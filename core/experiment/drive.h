@@ -54,8 +54,8 @@ class Procedure {
     State state = State::running;
     double progress = 0.0;     ///< 0 … 1
     double remaining_s = 0.0;  ///< estimate of the time still needed
-    std::string activity;      ///< what it does now, in words ("ramping counter-clockwise at 123°")
-    std::string failure;       ///< why it ended early, in words; empty otherwise
+    Saying activity;           ///< what it does now, in words ("ramping counter-clockwise at 123°")
+    Saying failure;            ///< why it ended early, in words; empty otherwise
   };
 
   virtual ~Procedure() = default;
@@ -65,7 +65,7 @@ class Procedure {
   /// The status' state alone; cheap enough for every tick.
   virtual State state() const { return status().state; }
   /// Ends the procedure; what it has measured stays.
-  virtual void stop(const std::string& reason) = 0;
+  virtual void stop(const Saying& reason) = 0;
 
   /// The drive runs legs itself: from now on it looks after each step() whether there is one, and its samples tell how
   /// far it is. Otherwise step() runs them.
@@ -101,7 +101,7 @@ class Drive {
   /// Runs a procedure, on the board where it can. It stays readable from the thread that calls advance().
   virtual void start(std::shared_ptr<Procedure> procedure) = 0;
   /// Stops the motor at once, whatever runs: windings open, procedure stopped, latched until the next command or start.
-  virtual void stop(const std::string& reason) = 0;
+  virtual void stop(const Saying& reason) = 0;
   /// Lets `duration_s` of board time pass (a simulated board computes it; a real one waits) and appends the samples of
   /// every control tick. Returns the count of samples that were lost on the way.
   virtual Result<size_t> advance(double duration_s, std::vector<Sample>& samples) = 0;

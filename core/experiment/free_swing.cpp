@@ -41,16 +41,15 @@ void FreeSwing::take(const Sample& sample) {
   way_ = -way_;
 }
 
-std::string FreeSwing::words() const {
+Message FreeSwing::words() const {
   if (swings_.size() < leastSwings + 1) return {};
   const auto [least, most] = std::minmax_element(swings_.begin() + 1, swings_.begin() + 1 + leastSwings);
   if (*least < leastCounts * count_ || *most - *least > std::max(alikeCounts * count_, alikePart * *most)) return {};
   const std::string gap = axis_ == Axis::linear ? fmt::format("{:.2g} mm", 1e3 * *most)
                                                 : fmt::format("{:.2g}°", *most * 180.0 / std::numbers::pi);
-  return fmt::format(
+  return message(
       "with the windings open the encoder swings to and fro by {} between fixed ends: there is play, or something "
-      "soft, "
-      "between motor and encoder; tighten or replace the coupling",
+      "soft, between motor and encoder; tighten or replace the coupling",
       gap);
 }
 

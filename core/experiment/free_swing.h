@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "experiment/drive.h"
 
 namespace breakaway {
@@ -19,7 +20,7 @@ class FreeSwing {
   void begin();
   void take(const Sample& sample);
   /// What it means, in words, once it has swung four times by the same; empty otherwise.
-  std::string words() const;
+  Message words() const;
 
  private:
   Axis axis_;

@@ -1,6 +1,5 @@
 #include "experiment/homing.h"
 
-#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -53,52 +52,51 @@ void Homing::follow(const Sample& sample) {
   if (!legHasEnded(stage_)) return;
   endLeg();
   if (stage_ != Machine::done) fail(failureOf(stage_, since_rad));
-  if (edges_.empty()) fail("the samples in which the index came were lost on the way; home again");
+  if (edges_.empty()) fail(message("the samples in which the index came were lost on the way; home again"));
   finish();
 }
 
 /// The counts per turn that the board was told of, in words.
-std::string Homing::declared(const std::string& before) const {
+Message Homing::declared() const {
   if (!(options_.countsPerRev > 0.0)) return {};
-  return fmt::format("{} whether a turn has {:.0f} counts", before, options_.countsPerRev);
+  return message(", and whether a turn has {:.0f} counts", options_.countsPerRev);
 }
 
-std::string Homing::seenTwice(double since_rad) const {
+Message Homing::seenTwice(double since_rad) const {
   if (2 * indexRows_ > rows_) return invertedIndexText;
   // Lines for edges, one channel for two, or a disc that isn't the one declared: the index comes once in a true turn.
   const double part = since_rad / turn_rad;
   for (const double usual : {0.25, 0.5, 1.0}) {
     if (options_.countsPerRev > 0.0 && std::abs(part / usual - 1.0) < (usual < 1.0 ? 0.01 : 0.1))
-      return fmt::format(
+      return message(
           "the index comes every {}: a turn has {:.0f} counts, not {:.0f}; check the counts per turn that the board "
-          "was "
-          "told, and, if they are right, the index wire's shield",
+          "was told, and, if they are right, the index wire's shield",
           degreesText(since_rad), part * options_.countsPerRev, options_.countsPerRev);
   }
-  return "the index was seen twice within a turn, " + degreesText(since_rad) +
-         " apart; check the encoder's index wire and shield";
+  return message("the index was seen twice within a turn, {} apart; check the encoder's index wire and shield",
+                 degreesText(since_rad));
 }
 
-std::string Homing::failureOf(LegPhase phase, double since_rad) const {
+Message Homing::failureOf(LegPhase phase, double since_rad) const {
   switch (phase) {
     case Machine::still:
-      return "the rotor does not move; is the current limit too low, or the shaft held?";
+      return message("the rotor does not move; is the current limit too low, or the shaft held?");
     case Machine::timedOut:
-      return "not done after " + std::to_string(static_cast<int>(options_.timeout_s)) + " s";
+      return message("not done after {} s", static_cast<int>(options_.timeout_s));
     case Machine::noIndex:
-      return "no index within " + std::to_string(options_.mostTurns).substr(0, 3) +
-             " turns; check the encoder's index wire";
+      return message("no index within {} turns; check the encoder's index wire",
+                     std::to_string(options_.mostTurns).substr(0, 3));
     case Machine::notAgain:
-      return "the index was seen once, but not again after a whole turn; check the encoder's index wire" +
-             declared(", and");
+      return message("the index was seen once, but not again after a whole turn; check the encoder's index wire{}",
+                     declared());
     case Machine::twice:
       return seenTwice(since_rad);
     case Machine::lost:
-      return "the index was seen once, but not again; check the encoder's index wire";
+      return message("the index was seen once, but not again; check the encoder's index wire");
     default: {
-      const std::string apart = edges_.empty() ? "" : degreesText(std::abs(lastAngle_rad_ - edges_.front())) + " apart";
-      return "the index was seen at two places" + (apart.empty() ? "" : ", " + apart) +
-             "; check the encoder's index wire and shield";
+      if (edges_.empty()) return message("the index was seen at two places; check the encoder's index wire and shield");
+      return message("the index was seen at two places, {} apart; check the encoder's index wire and shield",
+                     degreesText(std::abs(lastAngle_rad_ - edges_.front())));
     }
   }
 }
@@ -126,16 +124,16 @@ TimedProcedure::Progress Homing::progress() const {
           std::max(0.0, turns_rad / options_.searchSpeed_rad_per_s) + pass_s * std::max(0.0, all - done), activity()};
 }
 
-std::string Homing::activity() const {
+Message Homing::activity() const {
   switch (stage_) {
     case Machine::verify:
-      return "turning once more to the index";
+      return message("turning once more to the index");
     case Machine::backOff:
-      return "backing off";
+      return message("backing off");
     case Machine::approach:
-      return "passing the index slowly, pass " + std::to_string(edges_.size() + 1);
+      return message("passing the index slowly, pass {}", edges_.size() + 1);
     default:
-      return "searching the index counter-clockwise";
+      return message("searching the index counter-clockwise");
   }
 }
 

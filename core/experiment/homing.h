@@ -39,12 +39,12 @@ class Homing : public TimedProcedure {
 
  private:
   using Machine = HomingLeg<double>;
-  std::string activity() const;
+  Message activity() const;
   Leg plan() const;
   void follow(const Sample& sample);
-  std::string failureOf(LegPhase phase, double since_rad) const;
-  std::string seenTwice(double since_rad) const;
-  std::string declared(const std::string& before) const;
+  Message failureOf(LegPhase phase, double since_rad) const;
+  Message seenTwice(double since_rad) const;
+  Message declared() const;
   double tolerance_rad() const;
 
   HomingOptions options_;

@@ -24,7 +24,7 @@ double IndexWatch::sideOf(double angle_rad) const {
   return axis_ == Axis::linear ? (off_rad < 0.0 ? -1.0 : 0.0) : std::floor(off_rad / turn_rad);
 }
 
-std::string IndexWatch::step(const Sample& sample) {
+Message IndexWatch::step(const Sample& sample) {
   if (!(tolerance_rad_ > 0.0)) return {};
   if (!begun_) before_rad_ = sample.angle_rad;
   begun_ = true;
@@ -37,7 +37,8 @@ std::string IndexWatch::step(const Sample& sample) {
     if (std::abs(off_rad) <= room_rad) return {};
     const std::string off = axis_ == Axis::linear ? fmt::format("{:.2f} mm", 1e3 * off_rad)
                                                   : fmt::format("{:.1f}°", off_rad * (360.0 / turn_rad));
-    return "the index came " + off + " from where homing found it: the encoder lost counts; home again, then go on";
+    return message("the index came {} from where homing found it: the encoder lost counts; home again, then go on",
+                   off);
   }
   if (std::abs(fromIndex(sample.angle_rad)) <= tolerance_rad_) return {};
   const double side = sideOf(sample.angle_rad);
@@ -46,7 +47,8 @@ std::string IndexWatch::step(const Sample& sample) {
   besideOnce_ = true;
   seen_ = false;
   if (!missed) return {};
-  return "the index did not come where homing found it; check the encoder's index wire, home again, then go on";
+  return message(
+      "the index did not come where homing found it; check the encoder's index wire, home again, then go on");
 }
 
 }  // namespace breakaway

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/axis.h"
+#include "base/message.h"
 #include "recording/sample.h"
 
 namespace breakaway {
@@ -19,7 +20,7 @@ class IndexWatch {
 
   /// Takes every sample; what is wrong in words, empty as long as nothing is: the index seen elsewhere, or its place
   /// passed without it.
-  std::string step(const Sample& sample);
+  Message step(const Sample& sample);
 
  private:
   double fromIndex(double angle_rad) const;
@@ -32,8 +33,8 @@ class IndexWatch {
   bool begun_ = false, besideOnce_ = false, seen_ = false;
 };
 
-inline constexpr const char* invertedIndexText =
-    "the index is seen nearly everywhere: its signal is inverted; swap its two wires, or the polarity in the board";
+inline const Message invertedIndexText = message(
+    "the index is seen nearly everywhere: its signal is inverted; swap its two wires, or the polarity in the board");
 
 /// Tolerance for an encoder of that many counts: its index' width and rounding, and half a degree.
 double indexTolerance_rad(double countsPerRev);

@@ -26,7 +26,7 @@ ManeuverRun::ManeuverRun(Maneuver motion, const ManeuverLimits& limits, bool zer
       whole_s_(zeroing_s_ + durationOf(motion_)),
       begun_s_(zeroing_s_) {
   limits_.speed *= partOfLimit;
-  if (motion_.empty()) fail("the experiment holds no motion");
+  if (motion_.empty()) fail(message("the experiment holds no motion"));
 }
 
 Command ManeuverRun::run(const Sample& sample) {
@@ -73,7 +73,7 @@ void ManeuverRun::watchMotion(const Command& command, const Sample& sample) {
     stalled_s_ = 0.0;
     return;
   }
-  if ((stalled_s_ += tick_s()) > mostStalled_s) fail(bodyText(axis_) + " does not move, though it should");
+  if ((stalled_s_ += tick_s()) > mostStalled_s) fail(message("{} does not move, though it should", bodyText(axis_)));
 }
 
 }  // namespace breakaway

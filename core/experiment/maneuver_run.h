@@ -23,7 +23,7 @@ class ManeuverRun : public TimedProcedure {
 
  protected:
   Command run(const Sample& sample) override;
-  Progress progress() const override { return timed(elapsed_s_, whole_s_, "running the experiment"); }
+  Progress progress() const override { return timed(elapsed_s_, whole_s_, message("running the experiment")); }
 
  private:
   Command follow(const ManeuverStretch& stretch, double time_s, const Sample& sample);

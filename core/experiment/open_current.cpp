@@ -1,6 +1,5 @@
 #include "experiment/open_current.h"
 
-#include <fmt/core.h>
 #include <cmath>
 
 namespace breakaway {
@@ -17,7 +16,7 @@ void OpenCurrent::take(const Sample& sample) {
   ++samples_;
 }
 
-std::string OpenCurrent::moved(double most_A) {
+Message OpenCurrent::moved(double most_A) {
   if (samples_ == 0) return {};
   const double mean_A = sum_A_ / static_cast<double>(samples_);
   const double move_A = known_ ? mean_A - before_A_ : 0.0, passed_s = start_s_ - before_s_;
@@ -28,11 +27,11 @@ std::string OpenCurrent::moved(double most_A) {
   return zeroMoved(move_A, passed_s, most_A);
 }
 
-std::string zeroMoved(double move_A, double passed_s, double most_A) {
+Message zeroMoved(double move_A, double passed_s, double most_A) {
   if (std::abs(move_A) <= most_A) return {};
-  return fmt::format(
-      "the current sensor's zero moved by {:.3f} A within {:.1f} s, more than {:.2f} A; let the bench come to a "
-      "steady temperature, or check the sensor, then go on",
+  return message(
+      "the current sensor's zero moved by {:.3f} A within {:.1f} s, more than {:.2f} A; let the bench come to a steady "
+      "temperature, or check the sensor, then go on",
       move_A, passed_s, most_A);
 }
 

@@ -3,12 +3,13 @@
 
 #include <string>
 
+#include "base/message.h"
 #include "experiment/drive.h"
 
 namespace breakaway {
 
 /// In words that the sensor's zero moved by `move_A` within `passed_s`, if that is more than `most_A`; empty otherwise.
-std::string zeroMoved(double move_A, double passed_s, double most_A);
+Message zeroMoved(double move_A, double passed_s, double most_A);
 
 /// The mean of one stretch with open windings, and the way it moved against the one before.
 class OpenCurrent {
@@ -18,7 +19,7 @@ class OpenCurrent {
   /// One sample of it; powered ones are left out.
   void take(const Sample& sample);
   /// Ends the stretch; zeroMoved() since the one before, between which the board took no new zero.
-  std::string moved(double most_A);
+  Message moved(double most_A);
 
  private:
   double sum_A_ = 0.0, before_A_ = 0.0, start_s_ = 0.0, before_s_ = 0.0;

@@ -74,7 +74,7 @@ Result<void> checkSettings(const ControllerSettings& settings) {
     return std::isfinite(settings.*one.value) && settings.*one.value >= 0.0;
   };
   if (std::all_of(parameters.begin(), parameters.end(), good)) return {};
-  return Error{"settings", "hold a value that is negative or not finite"};
+  return Error{"settings", message("hold a value that is negative or not finite")};
 }
 
 Result<Profile> profileOf(Drive& board) {
@@ -118,8 +118,8 @@ Result<void> knownNames(const std::vector<std::string>& only) {
 Result<std::vector<RestoredRow>> restoreProfile(Drive& board, const Profile& profile, const RestoreOptions& options) {
   if (auto known = knownNames(options.only); !known) return known.error();
   if (!options.anyBoard && profile.device != board.identity().device) {
-    return Error{"profile", "was saved from " + profile.device + ", but this is " + board.identity().device +
-                                "; say so if it shall be restored all the same"};
+    return Error{"profile", message("was saved from {}, but this is {}; say so if it shall be restored all the same",
+                                    profile.device, board.identity().device)};
   }
   const auto chosen = [&options](const char* name) {
     return options.only.empty() || std::find(options.only.begin(), options.only.end(), name) != options.only.end();
@@ -129,13 +129,13 @@ Result<std::vector<RestoredRow>> restoreProfile(Drive& board, const Profile& pro
   const bool named = !options.only.empty() && chosen(frictionTableName);
   std::optional<FrictionCompensation> friction;
   if (chosen(frictionTableName) && !sameFriction(before->friction, profile.friction)) friction = profile.friction;
-  if (named && profile.friction && !board.identity().can.compensates) return Error{"board", "takes no friction table"};
+  if (named && profile.friction && !board.identity().can.compensates)
+    return Error{"board", message("takes no friction table")};
   if (friction && !board.identity().can.compensates) friction.reset();
   if (friction && friction->coulomb_Nm[0].size() > 1) {
     if (!options.index_rad) {
-      return Error{frictionTableName,
-                   "belongs to angles from the index, which the board counts anew after each power-up; home first and "
-                   "give the index, or leave the table out"};
+      return Error{frictionTableName, message("belongs to angles from the index, which the board counts anew after "
+                                              "each power-up; home first and give the index, or leave the table out")};
     }
     friction->indexAngle_rad = *options.index_rad;
   }

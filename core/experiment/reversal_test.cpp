@@ -1,14 +1,13 @@
 #include "experiment/reversal_test.h"
 
-#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 
 namespace breakaway {
 
 ReversalTest::ReversalTest(const ReversalTestOptions& options) : options_(options), means_(options.block_s) {
-  if (!(options.current_A > 0.0)) fail("no current is given to turn the rotor round with");
-  if (!(options.highest_rad_per_s > 0.0)) fail("no speed is given at which to turn round");
+  if (!(options.current_A > 0.0)) fail(message("no current is given to turn the rotor round with"));
+  if (!(options.highest_rad_per_s > 0.0)) fail(message("no speed is given at which to turn round"));
 }
 
 Command ReversalTest::run(const Sample& sample) {
@@ -21,8 +20,8 @@ Command ReversalTest::run(const Sample& sample) {
     turned_s_ = now_s_;
     if (++done_ > options_.reversals) finish();
   } else if (now_s_ - turned_s_ > options_.most_s) {
-    fail(fmt::format("{:.3g} A bring the rotor to {:.3g} rad/s only, not to {:.3g}", options_.current_A,
-                     std::abs(sample.velocity_rad_per_s), options_.highest_rad_per_s));
+    fail(message("{:.3g} A bring the rotor to {:.3g} rad/s only, not to {:.3g}", options_.current_A,
+                 std::abs(sample.velocity_rad_per_s), options_.highest_rad_per_s));
   }
   return {Command::Mode::current, way_ * options_.current_A, 0.0, false};
 }
@@ -30,7 +29,7 @@ Command ReversalTest::run(const Sample& sample) {
 TimedProcedure::Progress ReversalTest::progress() const {
   const auto all = static_cast<double>(options_.reversals + 1), done = std::min(all, static_cast<double>(done_));
   const double each_s = done_ > 0 ? now_s_ / static_cast<double>(done_) : 0.5;
-  return {done / all, each_s * (all - done), "turning the rotor round by constant current"};
+  return {done / all, each_s * (all - done), message("turning the rotor round by constant current")};
 }
 
 }  // namespace breakaway

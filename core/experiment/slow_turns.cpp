@@ -12,7 +12,7 @@ SlowTurns::SlowTurns(SlowTurnsOptions options) : options_(std::move(options)), z
   const auto good = [](double speed) { return speed > 0.0; };
   if (options_.speeds_rad_per_s.empty() ||
       !std::all_of(options_.speeds_rad_per_s.begin(), options_.speeds_rad_per_s.end(), good))
-    fail("no slow speed is asked for");
+    fail(message("no slow speed is asked for"));
 }
 
 double SlowTurns::target() const {
@@ -61,7 +61,7 @@ TimedProcedure::Progress SlowTurns::progress() const {
   const size_t all = 2 * options_.speeds_rad_per_s.size();
   double left_s = 0.0;
   for (size_t k = number_; k < all; ++k) left_s += options_.settle_s + turn_rad / options_.speeds_rad_per_s[k / 2];
-  return {std::min(1.0, static_cast<double>(number_) / static_cast<double>(all)), left_s, "turning slowly"};
+  return {std::min(1.0, static_cast<double>(number_) / static_cast<double>(all)), left_s, message("turning slowly")};
 }
 
 }  // namespace breakaway

@@ -1,6 +1,5 @@
 #include "experiment/spin_test.h"
 
-#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 
@@ -47,7 +46,7 @@ Command SpinTest::run(const Sample& sample) {
 Command SpinTest::rest(const Sample& sample, bool last) {
   open_A_.take(sample);
   if (!last || elapsed_s_ < whole_s() + options_.rest_s) return {};
-  if (const std::string moved = open_A_.moved(options_.mostDrift_A); !moved.empty()) fail(moved);
+  if (const Message moved = open_A_.moved(options_.mostDrift_A); !moved.empty()) fail(moved);
   finish();
   return {};
 }
@@ -57,8 +56,8 @@ void SpinTest::watchMotion(const Sample& sample) {
   if (moved) movedAngle_rad_ = sample.angle_rad;
   stalled_s_ = moved ? 0.0 : stalled_s_ + tick_s();
   if (stalled_s_ <= options_.stall_s) return;
-  fail(fmt::format("the rotor does not move {} at {:.1f} V; is the shaft held, or the current limit too low?",
-                   wayText(commanded_V_ > 0.0), std::abs(commanded_V_)));
+  fail(message("the rotor does not move {} at {:.1f} V; is the shaft held, or the current limit too low?",
+               wayText(commanded_V_ > 0.0), std::abs(commanded_V_)));
 }
 
 }  // namespace breakaway

@@ -45,7 +45,7 @@ class SpinTest : public TimedProcedure {
 
  protected:
   Command run(const Sample& sample) override;
-  Progress progress() const override { return timed(elapsed_s_, whole_s(), "spinning both ways by voltage"); }
+  Progress progress() const override { return timed(elapsed_s_, whole_s(), message("spinning both ways by voltage")); }
 
  private:
   Command rest(const Sample& sample, bool last);

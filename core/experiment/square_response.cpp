@@ -46,7 +46,8 @@ std::vector<double> SquareResponse::current_A() const {
 Result<Estimate> fitTimeConstant(const SquareResponse& square) {
   const std::vector<double> response = square.current_A();
   const double tick_s = square.tick_s(), half_s = square.halfPeriod_s();
-  if (response.size() < 4 || half_s <= 0.0) return Error{"winding", "has fewer than 4 ticks in half a square wave"};
+  if (response.size() < 4 || half_s <= 0.0)
+    return Error{"winding", message("has fewer than 4 ticks in half a square wave")};
   double scale = 0.0;
   const auto shape = [half_s](double t, double tau) {
     return 1.0 - 2.0 * std::exp(-t / tau) / (1.0 + std::exp(-half_s / tau));
@@ -76,7 +77,7 @@ Result<Estimate> fitTimeConstant(const SquareResponse& square) {
   bestSquares = squaresFor(tau);
   const double amplitude = scale, variance = bestSquares / static_cast<double>(response.size() - 2);
   if (!(std::abs(amplitude) > 3.0 * std::sqrt(variance)))
-    return Error{"winding", "shows no step response above the noise"};
+    return Error{"winding", message("shows no step response above the noise")};
   double information = 0.0;
   for (size_t k = 0; k < response.size(); ++k) {
     const double t = static_cast<double>(k) * tick_s;

@@ -17,7 +17,7 @@ Command TimedProcedure::step(const Sample& sample) {
   }
   last_s_ = sample.time_s;
   phase_ = !leg_ ? notBegun : runner_ ? runner_->step(sample) : sample.legPhase;
-  if (const std::string dead = sensor_.step(sample); !dead.empty()) fail(dead);
+  if (const Message dead = sensor_.step(sample); !dead.empty()) fail(dead);
   if (state_ != State::running) return {};
   const Command command = run(sample);
   if (state_ != State::running) return {};
@@ -40,11 +40,11 @@ Procedure::Status TimedProcedure::status() const {
   return {state_, now.part, now.remaining_s, std::move(now.activity), failure_};
 }
 
-TimedProcedure::Progress TimedProcedure::timed(double gone_s, double whole_s, const std::string& activity) {
+TimedProcedure::Progress TimedProcedure::timed(double gone_s, double whole_s, const Saying& activity) {
   return {whole_s > 0.0 ? std::clamp(gone_s / whole_s, 0.0, 1.0) : 1.0, std::max(0.0, whole_s - gone_s), activity};
 }
 
-void TimedProcedure::stop(const std::string& reason) {
+void TimedProcedure::stop(const Saying& reason) {
   if (state_ != State::running) return;
   state_ = State::stopped;
   failure_ = reason;
@@ -54,7 +54,7 @@ void TimedProcedure::finish() {
   if (state_ == State::running) state_ = State::finished;
 }
 
-void TimedProcedure::fail(const std::string& reason) {
+void TimedProcedure::fail(const Saying& reason) {
   if (state_ != State::running) return;
   state_ = State::failed;
   failure_ = reason;
@@ -65,13 +65,13 @@ std::string degreesText(double angle_rad) {
   return std::to_string(static_cast<int>(std::floor(degrees - 360.0 * std::floor(degrees / 360.0)))) + "°";
 }
 
-std::string bodyText(Axis axis) {
-  return axis == Axis::linear ? "the axis" : "the rotor";
+Message bodyText(Axis axis) {
+  return axis == Axis::linear ? message("the axis") : message("the rotor");
 }
 
-std::string wayText(bool ccw, Axis axis) {
-  if (axis == Axis::linear) return ccw ? "forwards" : "backwards";
-  return ccw ? "counter-clockwise" : "clockwise";
+Message wayText(bool ccw, Axis axis) {
+  if (axis == Axis::linear) return ccw ? message("forwards") : message("backwards");
+  return ccw ? message("counter-clockwise") : message("clockwise");
 }
 
 }  // namespace breakaway

@@ -16,7 +16,7 @@ class TimedProcedure : public Procedure {
   Command step(const Sample& sample) final;
   Status status() const final;
   State state() const final { return state_; }
-  void stop(const std::string& reason) final;
+  void stop(const Saying& reason) final;
   void leaveLegsToDrive() final { legsElsewhere_ = true; }
   const Leg* leg() const final { return leg_ && state_ == State::running ? &*leg_ : nullptr; }
   unsigned legNumber() const final { return legNumber_; }
@@ -28,11 +28,11 @@ class TimedProcedure : public Procedure {
   struct Progress {
     double part = 0.0;  ///< 0 … 1
     double remaining_s = 0.0;
-    std::string activity;
+    Saying activity;
   };
   virtual Progress progress() const = 0;
   /// Of a procedure whose whole time is known before.
-  static Progress timed(double gone_s, double whole_s, const std::string& activity);
+  static Progress timed(double gone_s, double whole_s, const Saying& activity);
 
   /// From now on this leg commands, whatever run() returns, until another one or endLeg(). `countsPerRev` of the
   /// encoder; 0: unknown.
@@ -42,7 +42,7 @@ class TimedProcedure : public Procedure {
   LegPhase legPhase() const { return phase_; }
 
   void finish();
-  void fail(const std::string& reason);
+  void fail(const Saying& reason);
   /// Whether this is the first sample.
   bool isFirst() const { return first_; }
   /// Time since the first sample.
@@ -52,7 +52,7 @@ class TimedProcedure : public Procedure {
 
  private:
   State state_ = State::running;
-  std::string failure_;
+  Saying failure_;
   double start_s_ = 0.0, last_s_ = 0.0, tick_s_ = 0.0;
   bool begun_ = false, first_ = false, legsElsewhere_ = false;
   std::optional<Leg> leg_;
@@ -65,8 +65,8 @@ class TimedProcedure : public Procedure {
 /// "123°" of an angle in rad, taken into one turn.
 std::string degreesText(double angle_rad);
 /// "counter-clockwise" for growing angle, "forwards" for growing position.
-std::string wayText(bool ccw, Axis axis = Axis::rotary);
+Message wayText(bool ccw, Axis axis = Axis::rotary);
 /// "the rotor", or "the axis" where it is a linear one.
-std::string bodyText(Axis axis);
+Message bodyText(Axis axis);
 
 }  // namespace breakaway

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/message.h"
 #include "experiment/index_watch.h"
 
 namespace breakaway {
@@ -51,10 +52,11 @@ class TravelWatch {
       : travel_(travel), index_(index_m, tolerance_m, Axis::linear) {}
 
   /// Takes every sample; what is wrong in words, empty as long as nothing is.
-  std::string step(const Sample& sample) {
+  Message step(const Sample& sample) {
     const double beyond_m = std::max(travel_.low_m - sample.angle_rad, sample.angle_rad - travel_.high_m);
     if (beyond_m > 0.5 * travel_.margin_m)
-      return "the axis is beyond the ends that were felt: the encoder lost counts; search the ends again, then go on";
+      return message(
+          "the axis is beyond the ends that were felt: the encoder lost counts; search the ends again, then go on");
     return index_.step(sample);
   }
 

@@ -16,9 +16,9 @@ TravelBreakaway::TravelBreakaway(TravelBreakawayOptions options, const std::vect
       options_(std::move(options)),
       watch_(options_.travel, options_.index_m, options_.indexTolerance_m),
       glide_(options_.speed_m_per_s, options_.acceleration_m_per_s2) {
-  if (!(options_.count_m > 0.0)) fail("the encoder's counts are not known");
+  if (!(options_.count_m > 0.0)) fail(message("the encoder's counts are not known"));
   for (const auto& way : options_.moving_A) {
-    if (way.size() != options_.bins.count) fail("what keeps the axis moving is not known for each bin");
+    if (way.size() != options_.bins.count) fail(message("what keeps the axis moving is not known for each bin"));
   }
   if (state() == State::running && tour_.ended()) finish();
 }
@@ -47,7 +47,7 @@ Command TravelBreakaway::run(const Sample& sample) {
     first_s_ = sample.time_s;
     enter(Stage::zero, sample);
   }
-  if (const std::string wrong = watch_.step(sample); !wrong.empty()) fail(wrong);
+  if (const Message wrong = watch_.step(sample); !wrong.empty()) fail(wrong);
   switch (stage_) {
     case Stage::zero:
       return zero(sample);
@@ -132,17 +132,17 @@ void TravelBreakaway::takeEvent() {
   take(event);
 }
 
-std::string TravelBreakaway::activity() const {
-  const std::string where = "at " + millimetresText(now_m_ - options_.travel.low_m) + " from the lower end";
+Message TravelBreakaway::activity() const {
+  const std::string place = millimetresText(now_m_ - options_.travel.low_m);
   switch (stage_) {
     case Stage::zero:
       return zeroingText;
     case Stage::move:
-      return "moving " + where;
+      return message("moving at {} from the lower end", place);
     case Stage::dwell:
-      return "standing " + where;
+      return message("standing at {} from the lower end", place);
     case Stage::ramp:
-      return "ramping " + wayText(sign() > 0.0, Axis::linear) + " " + where;
+      return message("ramping {} at {} from the lower end", wayText(sign() > 0.0, Axis::linear), place);
   }
   return {};
 }

@@ -45,7 +45,7 @@ class TravelBreakaway : public BreakawayProcedure {
   bool moves(const Sample& sample) const;
   double expected_A() const;
   void takeEvent();
-  std::string activity() const;
+  Message activity() const;
 
   TravelBreakawayOptions options_;
   TravelWatch watch_;

@@ -28,9 +28,9 @@ void TravelHoming::see(const Sample& sample, double before_m) {
   const double here_m = 0.5 * (before_m + sample.angle_rad), tolerance_m = indexTolerance_m(options_.count_m);
   if (!sights_m_.empty() && std::abs(here_m - sights_m_.front()) > tolerance_m) {
     fail(2 * sights_m_.size() > rows_
-             ? std::string(invertedIndexText)
-             : "the index was seen at two places, " + millimetresText(std::abs(here_m - sights_m_.front())) +
-                   " apart; check the encoder's index wire and shield");
+             ? invertedIndexText
+             : message("the index was seen at two places, {} apart; check the encoder's index wire and shield",
+                       millimetresText(std::abs(here_m - sights_m_.front()))));
   }
   sights_m_.push_back(here_m);
 }
@@ -50,7 +50,7 @@ Command TravelHoming::run(const Sample& sample) {
   const double before_m = before_m_;
   before_m_ = sample.angle_rad;
   see(sample, before_m);
-  if (stalled(sample)) fail("the axis does not move; is the current limit too low, or is it held?");
+  if (stalled(sample)) fail(message("the axis does not move; is the current limit too low, or is it held?"));
   const Travel& travel = options_.travel;
   switch (stage_) {
     case Stage::lower:
@@ -58,7 +58,7 @@ Command TravelHoming::run(const Sample& sample) {
     case Stage::search: {
       const Command command = glideTo(travel.last_m(), sample, Stage::down);
       if (stage_ == Stage::down && sights_m_.empty())
-        fail("no index within the travel; check the encoder's index wire");
+        fail(message("no index within the travel; check the encoder's index wire"));
       return command;
     }
     case Stage::down:
@@ -73,7 +73,7 @@ Command TravelHoming::run(const Sample& sample) {
 
 Command TravelHoming::approach(const Sample& sample, double before_m) {
   if (sample.angle_rad - stageStart_m_ > 4.0 * options_.backOff_m)
-    fail("the index was seen once, but not again; check the encoder's index wire");
+    fail(message("the index was seen once, but not again; check the encoder's index wire"));
   if (sample.index && sample.angle_rad >= before_m) {
     edges_m_.push_back(0.5 * (before_m + sample.angle_rad));
     if (edges_m_.size() >= options_.approaches) finish();
@@ -92,12 +92,12 @@ Estimate TravelHoming::index_m() const {
 }
 
 TimedProcedure::Progress TravelHoming::progress() const {
-  const std::string passing = "passing the index slowly, pass " + std::to_string(edges_m_.size() + 1);
-  const std::pair<double, std::string> stages[] = {{0.0, "going to the lower end"},
-                                                   {0.2, "searching the index over the travel"},
-                                                   {0.6, "backing off"},
-                                                   {0.8, "backing off"},
-                                                   {0.8, passing}};
+  const std::pair<double, Message> stages[] = {
+      {0.0, message("going to the lower end")},
+      {0.2, message("searching the index over the travel")},
+      {0.6, message("backing off")},
+      {0.8, message("backing off")},
+      {0.8, message("passing the index slowly, pass {}", edges_m_.size() + 1)}};
   const auto& [done, activity] = stages[static_cast<size_t>(stage_)];
   const double passes = static_cast<double>(edges_m_.size()) / static_cast<double>(options_.approaches);
   const double part = std::min(1.0, done + 0.2 * passes);

@@ -17,7 +17,7 @@ TravelSearch::TravelSearch(const TravelSearchOptions& options)
       motion_m_(std::max(leastMotion_m, 8.0 * options.count_m)),
       limit_A_(options.firstLimit_A) {
   if (!(options_.firstLimit_A > 0.0) || !(options_.mostLimit_A >= options_.firstLimit_A))
-    fail("no current limit to begin with is known");
+    fail(message("no current limit to begin with is known"));
 }
 
 void TravelSearch::enter(Stage stage, const Sample& sample) {
@@ -43,7 +43,7 @@ bool TravelSearch::stalled(const Sample& sample) {
 Command TravelSearch::run(const Sample& sample) {
   if (isFirst()) enter(Stage::feel, sample);
   if (elapsed_s(sample) > options_.timeout_s)
-    fail("no end was felt within " + std::to_string(std::lround(options_.timeout_s)) + " s");
+    fail(message("no end was felt within {} s", std::lround(options_.timeout_s)));
   if (sample.time_s < pauseEnd_s_) return {};
   if (stage_ == Stage::feel) return feel(sample);
   return stage_ == Stage::middle ? toMiddle(sample) : towardsEnd(sample);
@@ -61,7 +61,7 @@ Command TravelSearch::feel(const Sample& sample) {
     pause(sample);
     way_ = -way_;
     if (way_ > 0.0 && limit_A_ >= options_.mostLimit_A)
-      fail("the axis moves neither way within the current limit; is it clamped?");
+      fail(message("the axis moves neither way within the current limit; is it clamped?"));
     if (way_ > 0.0) limit_A_ = std::min(options_.mostLimit_A, options_.growth * limit_A_);
     return {};
   }
@@ -72,7 +72,7 @@ Command TravelSearch::towardsEnd(const Sample& sample) {
   if (!stalled(sample)) return move(way_);
   if (!left_) {
     // Friction may be higher here than where it began to move.
-    if (limit_A_ >= options_.mostLimit_A) fail("the axis doesn't leave its end again; is it clamped?");
+    if (limit_A_ >= options_.mostLimit_A) fail(message("the axis doesn't leave its end again; is it clamped?"));
     limit_A_ = std::min(options_.mostLimit_A, options_.growth * limit_A_);
     pause(sample);
     return {};
@@ -87,7 +87,7 @@ Command TravelSearch::towardsEnd(const Sample& sample) {
   const double low_m = std::min(firstEnd_m_, sample.angle_rad), high_m = std::max(firstEnd_m_, sample.angle_rad);
   travel_ = {low_m, high_m, std::max(options_.margin * (high_m - low_m), 4.0 * motion_m_)};
   if (high_m - low_m < std::max(options_.leastTravel_m, 16.0 * motion_m_))
-    fail("the axis moves by " + millimetresText(high_m - low_m) + " only; is something in its way?");
+    fail(message("the axis moves by {} only; is something in its way?", millimetresText(high_m - low_m)));
   enter(Stage::middle, sample);
   return {};
 }
@@ -97,8 +97,8 @@ Command TravelSearch::toMiddle(const Sample& sample) {
     if (std::abs(sample.angle_rad - travel_.middle_m()) < travel_.margin_m) {
       finish();
     } else {
-      fail("the axis stopped at " + millimetresText(sample.angle_rad - travel_.low_m) +
-           " from its lower end on the way to the middle; is something in its way?");
+      fail(message("the axis stopped at {} from its lower end on the way to the middle; is something in its way?",
+                   millimetresText(sample.angle_rad - travel_.low_m)));
     }
   }
   return {Command::Mode::velocity, glide_.next(sample.angle_rad, travel_.middle_m(), tick_s()), options_.mostLimit_A,
@@ -107,9 +107,11 @@ Command TravelSearch::toMiddle(const Sample& sample) {
 
 TimedProcedure::Progress TravelSearch::progress() const {
   constexpr double usual_m = 0.5;
-  const std::string onwards = "going " + wayText(way_ > 0.0, Axis::linear) + " to the end";
-  const std::pair<double, std::string> stages[] = {
-      {0.0, "feeling which way the axis can move"}, {0.1, onwards}, {0.4, onwards}, {0.8, "going to the middle"}};
+  const Message onwards = message("going {} to the end", wayText(way_ > 0.0, Axis::linear));
+  const std::pair<double, Message> stages[] = {{0.0, message("feeling which way the axis can move")},
+                                               {0.1, onwards},
+                                               {0.4, onwards},
+                                               {0.8, message("going to the middle")}};
   const auto& [done, activity] = stages[static_cast<size_t>(stage_)];
   return {done, (1.0 - done) * 2.5 * usual_m / options_.speed_m_per_s, activity};
 }

@@ -17,7 +17,7 @@ constexpr double useful = 0.9;           // of the travel between the margins, t
 
 TravelStrokes::TravelStrokes(TravelStrokesOptions options)
     : options_(std::move(options)), means_(options_.block_s, true) {
-  if (options_.voltages_V.empty() || options_.strokes == 0) fail("no voltage is asked for");
+  if (options_.voltages_V.empty() || options_.strokes == 0) fail(message("no voltage is asked for"));
 }
 
 Command TravelStrokes::run(const Sample& sample) {
@@ -34,7 +34,7 @@ Command TravelStrokes::rest(const Sample& sample) {
   // It coasts into the last rest.
   if (inRest_s > 0.05) open_A_.take(sample);
   if (inRest_s < options_.rest_s) return {};
-  if (const std::string moved = open_A_.moved(options_.mostDrift_A); !moved.empty()) fail(moved);
+  if (const Message moved = open_A_.moved(options_.mostDrift_A); !moved.empty()) fail(moved);
   if (done_ >= all()) {
     finish();
     return {};
@@ -64,8 +64,8 @@ Command TravelStrokes::stroke(const Sample& sample) {
     moved_s_ = sample.time_s;
   }
   if (sample.time_s - moved_s_ > options_.stall_s)
-    fail("the axis does not move " + wayText(way_ > 0.0, Axis::linear) +
-         " by voltage; is it held, or the current limit too low?");
+    fail(message("the axis does not move {} by voltage; is it held, or the current limit too low?",
+                 wayText(way_ > 0.0, Axis::linear)));
   const bool fast = options_.highest_m_per_s > 0.0 && way_ * sample.velocity_rad_per_s > options_.highest_m_per_s;
   if (!braking_ && (fast || way_ * (sample.angle_rad - switch_m_) >= 0.0)) {
     braking_ = true;
@@ -103,7 +103,7 @@ Command TravelStrokes::towards(double wanted_V) {
 TimedProcedure::Progress TravelStrokes::progress() const {
   constexpr double usual_s = 0.5;
   return {static_cast<double>(done_) / static_cast<double>(std::max<size_t>(1, all())),
-          usual_s * static_cast<double>(all() - std::min(all(), done_)), "going to and fro by voltage"};
+          usual_s * static_cast<double>(all() - std::min(all(), done_)), message("going to and fro by voltage")};
 }
 
 }  // namespace breakaway

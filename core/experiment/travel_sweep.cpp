@@ -1,6 +1,5 @@
 #include "experiment/travel_sweep.h"
 
-#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -19,9 +18,9 @@ TravelSweep::TravelSweep(TravelSweepOptions options, const std::vector<TravelRun
   const auto good = [](double speed) { return speed > 0.0; };
   if (options_.speeds_m_per_s.size() < 2 ||
       !std::all_of(options_.speeds_m_per_s.begin(), options_.speeds_m_per_s.end(), good))
-    fail("at least two speeds are needed");
+    fail(message("at least two speeds are needed"));
   if (!(options_.acceleration_m_per_s2 > 0.0) || options_.bins.count < 8)
-    fail("an acceleration and at least 8 bins are needed");
+    fail(message("an acceleration and at least 8 bins are needed"));
   number_ = runs_.size();
   if (number_ >= options_.speeds_m_per_s.size()) finish();
 }
@@ -42,7 +41,7 @@ void TravelSweep::enter(Stage stage, const Sample& sample) {
 Command TravelSweep::run(const Sample& sample) {
   zeroing_.see(sample);
   if (isFirst()) enter(Stage::zero, sample);
-  if (const std::string wrong = watch_.step(sample); !wrong.empty()) fail(wrong);
+  if (const Message wrong = watch_.step(sample); !wrong.empty()) fail(wrong);
   return stage_ == Stage::zero ? zero(sample) : stroke(sample);
 }
 
@@ -50,7 +49,7 @@ Command TravelSweep::zero(const Sample& sample) {
   bool done = false;
   const Command command = zeroing_.step(sample, stageStart_s_, done);
   if (!done) return command;
-  if (const std::string moved = zeroing_.moved(options_.mostDrift_A); !moved.empty()) fail(moved);
+  if (const Message moved = zeroing_.moved(options_.mostDrift_A); !moved.empty()) fail(moved);
   if (number_ >= options_.speeds_m_per_s.size()) {
     finish();
     return command;
@@ -86,7 +85,7 @@ Command TravelSweep::stroke(const Sample& sample) {
     trace_.current_A.push_back(sample.current_A);
   }
   if (stalled(sample)) {
-    fail(fmt::format("the axis does not move at {:.3g} m/s; is it held, or the current limit too low?", speed()));
+    fail(message("the axis does not move at {:.3g} m/s; is it held, or the current limit too low?", speed()));
   }
   if (std::abs(sample.angle_rad - target_m) < 0.05 * options_.bins.width_m()) endStroke(sample);
   if (stage_ == Stage::zero) return {};
@@ -124,7 +123,7 @@ TimedProcedure::Progress TravelSweep::progress() const {
     left_s +=
         options_.zeroing_s + std::max(options_.run_s, 2.0 * options_.travel.usable_m() / options_.speeds_m_per_s[k]);
   return {std::min(1.0, static_cast<double>(number_) / static_cast<double>(all)), left_s,
-          stage_ == Stage::zero ? zeroingText : fmt::format("going to and fro at {:.3g} m/s", speed())};
+          stage_ == Stage::zero ? zeroingText : message("going to and fro at {:.3g} m/s", speed())};
 }
 
 }  // namespace breakaway

@@ -1,6 +1,5 @@
 #include "experiment/velocity_step.h"
 
-#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -36,12 +35,12 @@ void VelocityStep::watchMotion(const Sample& sample, double target_rad_per_s) {
   const bool atEnd = elapsed_s_ >= options_.before_s + options_.after_s;
   if (stalled_s_ <= (atEnd ? endStall * options_.stall_s : options_.stall_s)) return;
   fail(options_.axis == Axis::linear
-           ? fmt::format("the axis does not move though {:.3f} m/s are asked for; is it held, or the current limit too "
-                         "low?",
-                         target_rad_per_s)
-           : fmt::format("the rotor does not move though {:.1f} rad/s are asked for; is the shaft held, or the current "
-                         "limit too low?",
-                         target_rad_per_s));
+           ? message("the axis does not move though {:.3f} m/s are asked for; is it held, or the current limit too "
+                     "low?",
+                     target_rad_per_s)
+           : message("the rotor does not move though {:.1f} rad/s are asked for; is the shaft held, or the current "
+                     "limit too low?",
+                     target_rad_per_s));
 }
 
 StepFigures figuresOf(const StepCurve& curve, const VelocityStepOptions& options) {

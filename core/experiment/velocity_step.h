@@ -43,7 +43,7 @@ class VelocityStep : public TimedProcedure {
  protected:
   Command run(const Sample& sample) override;
   Progress progress() const override {
-    return timed(elapsed_s_, options_.before_s + options_.after_s, "measuring a velocity step");
+    return timed(elapsed_s_, options_.before_s + options_.after_s, message("measuring a velocity step"));
   }
 
  private:

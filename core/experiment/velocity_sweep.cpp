@@ -1,6 +1,5 @@
 #include "experiment/velocity_sweep.h"
 
-#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -23,7 +22,7 @@ VelocitySweep::VelocitySweep(VelocitySweepOptions options, const std::vector<Vel
       zeroing_(options_.zeroing_s),
       index_(options_.indexAngle_rad, options_.indexTolerance_rad) {
   if (options_.speeds_rad_per_s.empty() || options_.bins == 0) {
-    fail("no speed or no bin is asked for");
+    fail(message("no speed or no bin is asked for"));
     return;
   }
   for (size_t k = 0; k < 2 * options_.speeds_rad_per_s.size(); ++k) {
@@ -92,7 +91,7 @@ Command VelocitySweep::run(const Sample& sample) {
   zeroing_.see(sample);
   if (isFirst()) enter(options_.zeroing_s > 0.0 ? Stage::zero : Stage::speed, sample);
   mean_rad_per_s_ += (sample.velocity_rad_per_s - mean_rad_per_s_) * std::min(1.0, tick_s() / smoothing_s);
-  if (const std::string wrong = index_.step(sample); !wrong.empty()) fail(wrong);
+  if (const Message wrong = index_.step(sample); !wrong.empty()) fail(wrong);
   if (stage_ == Stage::zero) return zero(sample);
   follow(sample);
   return {};
@@ -115,9 +114,9 @@ void VelocitySweep::follow(const Sample& sample) {
       endRun(sample);
       return;
     case Machine::notReached:
-      return fail(fmt::format("the speed {:.1f} rad/s was not reached, only {:.1f} rad/s", target(), mean_rad_per_s_));
+      return fail(message("the speed {:.1f} rad/s was not reached, only {:.1f} rad/s", target(), mean_rad_per_s_));
     case Machine::lost:
-      return fail(fmt::format(
+      return fail(message(
           "the speed {:.1f} rad/s was lost at {}, only {:.1f} rad/s are left; is the shaft held, or the limit too low?",
           target(), degreesText(sample.angle_rad - options_.indexAngle_rad), mean_rad_per_s_));
     default:
@@ -129,7 +128,7 @@ Command VelocitySweep::zero(const Sample& sample) {
   bool done = false;
   const Command command = zeroing_.step(sample, stageStart_s_, done);
   if (!done) return command;
-  if (const std::string moved = zeroing_.moved(options_.mostDrift_A); !moved.empty()) fail(moved);
+  if (const Message moved = zeroing_.moved(options_.mostDrift_A); !moved.empty()) fail(moved);
   if (next_ >= 2 * options_.speeds_rad_per_s.size()) {
     finish();
   } else {
@@ -253,8 +252,8 @@ TimedProcedure::Progress VelocitySweep::progress() const {
   const double part = done >= all ? 1.0 : (done + running) / all;
   return {part, (1.0 - part) * all * (options_.settle_s + options_.zeroing_s + options_.run_s),
           stage_ == Stage::zero ? zeroingText
-                                : fmt::format("{} {} at {:.1f} rad/s", holds ? "measuring" : "settling",
-                                              wayText(target() > 0.0), std::abs(target()))};
+                                : message("{} {} at {:.1f} rad/s", holds ? message("measuring") : message("settling"),
+                                          wayText(target() > 0.0), std::abs(target()))};
 }
 
 }  // namespace breakaway

@@ -32,8 +32,8 @@ Command WindingTest::rest(const Sample& sample) {
   if (inStage_s > 0.05) open_A_.take(sample);
   if (!sample.enabled) swing_.take(sample);
   if (inStage_s < rest_s) return {};
-  if (const std::string moved = open_A_.moved(options_.mostDrift_A); !moved.empty()) fail(moved);
-  if (const std::string play = swing_.words(); !play.empty()) fail(play);
+  if (const Message moved = open_A_.moved(options_.mostDrift_A); !moved.empty()) fail(moved);
+  if (const Message play = swing_.words(); !play.empty()) fail(play);
   if (ramp_ == options_.ramps) {
     stage_ = Stage::square;
   } else {
@@ -72,7 +72,7 @@ void WindingTest::endRamp(const Sample& sample) {
     standing_V = std::max(standing_V, way() * blocks_[k].voltage_V);
   }
   breakaway_A_[way() > 0.0 ? 1 : 0].push_back(highest);
-  if (const std::string wrong = wrongCurrent(sample); !wrong.empty()) fail(wrong);
+  if (const Message wrong = wrongCurrent(sample); !wrong.empty()) fail(wrong);
   if (way() * (sample.angle_rad - standing_rad_) < 0.0) ++against_;
   if (!blocks_.empty()) along_A_ += way() * blocks_.back().current_A;
   standing_V_ = ramp_ == 0 ? standing_V : std::min(standing_V_, standing_V);
@@ -85,29 +85,35 @@ void WindingTest::endRamp(const Sample& sample) {
   swing_.begin();
   stage_ = Stage::rest;
   stageStart_s_ = sample.time_s;
-  if (const std::string wrong = ramp_ == bothWays ? wrongSigns() : std::string(); !wrong.empty()) fail(wrong);
+  if (const Message wrong = ramp_ == bothWays ? wrongSigns() : Message(); !wrong.empty()) fail(wrong);
 }
 
 /// Open loop, the first motion each way tells the signs of encoder and current; a load may spoil one way, not both.
-std::string WindingTest::wrongSigns() const {
-  const std::string moves = bodyText(options_.axis) + " moves " + wayText(false, options_.axis);
+Message WindingTest::wrongSigns() const {
+  const Message body = bodyText(options_.axis), way = wayText(false, options_.axis);
   if (against_ == bothWays && along_A_ > 0.0)
-    return moves + " at positive voltage and current: swap the encoder's A and B, or the motor's leads";
+    return message("{} moves {} at positive voltage and current: swap the encoder's A and B, or the motor's leads",
+                   body, way);
   if (against_ == bothWays)
-    return moves + " at positive voltage, and the current flows that way, too: the bridge is reversed; swap its two " +
-           "inputs, or the sign in the board";
+    return message(
+        "{} moves {} at positive voltage, and the current flows that way, too: the bridge is reversed; swap its two "
+        "inputs, or the sign in the board",
+        body, way);
   return {};
 }
 
 /// A current that stands out against the voltage is no load's doing.
-std::string WindingTest::wrongCurrent(const Sample& sample) const {
+Message WindingTest::wrongCurrent(const Sample& sample) const {
   if (blocks_.empty() || !(blockNoise_A_ > 0.0) || way() * blocks_.back().current_A > -sure * blockNoise_A_) return {};
   const bool along = way() * (sample.angle_rad - standing_rad_) > 0.0;
-  return bodyText(options_.axis) +
-         (along ? " moves with the voltage, but the current falls as the voltage rises: the current sensor is "
-                  "reversed; swap its leads, or the sign in the board"
-                : " and the current both go against the voltage: the bridge is reversed; swap its two inputs, or the "
-                  "sign in the board");
+  return along ? message(
+                     "{} moves with the voltage, but the current falls as the voltage rises: the current sensor is "
+                     "reversed; swap its leads, or the sign in the board",
+                     bodyText(options_.axis))
+               : message(
+                     "{} and the current both go against the voltage: the bridge is reversed; swap its two inputs, or "
+                     "the sign in the board",
+                     bodyText(options_.axis));
 }
 
 /// A standing motor's current rises with the voltage; one that turns takes what friction takes.
@@ -122,9 +128,9 @@ bool WindingTest::runsUnseen() const {
 Command WindingTest::ramp(const Sample& sample) {
   takePoint(sample);
   if (sample.angle_rad == standing_rad_ && runsUnseen()) {
-    fail(
-        "the encoder stands while the current says that the motor turns; check the encoder's cable and supply, and "
-        "the coupling");
+    fail(message(
+        "the encoder stands while the current says that the motor turns; check the encoder's cable and supply, and the "
+        "coupling"));
     return {};
   }
   if (sample.angle_rad == standing_rad_) still_s_ = sample.time_s;
@@ -133,8 +139,8 @@ Command WindingTest::ramp(const Sample& sample) {
     return {};
   }
   if (target_V_ >= sample.supply_V) {
-    fail(bodyText(options_.axis) + " does not move " + wayText(way() > 0.0, options_.axis) +
-         " at full supply within the current limit");
+    fail(message("{} does not move {} at full supply within the current limit", bodyText(options_.axis),
+                 wayText(way() > 0.0, options_.axis)));
     return {};
   }
   target_V_ =
@@ -164,9 +170,9 @@ TimedProcedure::Progress WindingTest::progress() const {
   const double part = std::min(1.0, 0.8 * static_cast<double>(ramp_) / ramps + 0.2 * square);
   const double done = std::max(part, 0.05);
   return {part, now_s_ < 1.0 ? 6.0 * ramps + options_.square_s : now_s_ * (1.0 - done) / done,
-          squares ? "measuring the winding's time constant"
-                  : "raising the voltage " + wayText(way() > 0.0, options_.axis) + " until " + bodyText(options_.axis) +
-                        " moves"};
+          squares ? message("measuring the winding's time constant")
+                  : message("raising the voltage {} until {} moves", wayText(way() > 0.0, options_.axis),
+                            bodyText(options_.axis))};
 }
 
 }  // namespace breakaway

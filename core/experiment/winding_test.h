@@ -53,8 +53,8 @@ class WindingTest : public TimedProcedure {
   Command square(const Sample& sample);
   void takePoint(const Sample& sample);
   void endRamp(const Sample& sample);
-  std::string wrongSigns() const;
-  std::string wrongCurrent(const Sample& sample) const;
+  Message wrongSigns() const;
+  Message wrongCurrent(const Sample& sample) const;
   bool runsUnseen() const;
   double way() const { return ramp_ % 2 == 0 ? 1.0 : -1.0; }
   Command voltage(double voltage_V) const {

@@ -1,6 +1,5 @@
 #include "experiment/wiring_check.h"
 
-#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -84,7 +83,7 @@ Command WiringCheck::rest(const Sample& sample) {
     return {};
   }
   if (sample.time_s - stageStart_s_ < options_.rest_s) return {};
-  if (const std::string wrong = contradiction(); !wrong.empty()) {
+  if (const Message wrong = contradiction(); !wrong.empty()) {
     fail(wrong);
     return {};
   }
@@ -289,72 +288,77 @@ int WiringCheck::currentSign() const {
 }
 
 /// Why nothing moves, as far as the pulses go.
-std::string WiringCheck::standstill(double supply_V) const {
-  const std::string body = bodyText(options_.axis);
+Message WiringCheck::standstill(double supply_V) const {
+  const Message body = bodyText(options_.axis);
   const double most_V = std::min(level_V_, supply_V);
   if (!changes_ && constant_A_)
-    return fmt::format(
+    return message(
         "the current sensor is dead: it reads exactly {:.3g} A up to {:.1f} V, and {} doesn't move; check the sensor's "
         "supply and its wire, then the motor's leads",
         *constant_A_, most_V, body);
   const int sign = currentSign();
   if (sign == 0)
-    return fmt::format(
+    return message(
         "no current is seen up to {:.1f} V: a lead of the motor is off, or the current sensor's wire; check the "
         "motor's terminals",
         most_V);
   const auto& level = standing_[side()];
   const double most_A = level ? std::abs(level->current_A) : 0.0;
   if (sign < 0)
-    return fmt::format(
+    return message(
         "the current goes against the voltage ({:.2f} A at {:.1f} V), and {} doesn't move: the current sensor or the "
         "bridge is reversed; swap the sensor's leads or the bridge's inputs",
         most_A, most_V, body);
-  return fmt::format(
+  return message(
       "{} doesn't move at {:.2f} A: it is held (a brake, a clamp), or the encoder stands; free it, and check the "
       "encoder's cable, supply and coupling",
       body, most_A);
 }
 
 /// What is wrong beyond doubt; a load may spoil one motion, not two.
-std::string WiringCheck::contradiction() const {
-  const std::string body = bodyText(options_.axis);
+Message WiringCheck::contradiction() const {
+  const Message body = bodyText(options_.axis);
   if (indexLow_rad_ && *indexHigh_rad_ - *indexLow_rad_ > indexCounts * options_.count_rad &&
       static_cast<double>(indexSeen_) > mostIndex * static_cast<double>(ticks_))
-    return "the encoder's index is seen everywhere: it is inverted; swap its two wires, or the polarity in the board";
+    return message(
+        "the encoder's index is seen everywhere: it is inverted; swap its two wires, or the polarity in the board");
   if (falls_ >= enoughFalls && along_ + against_ == 0)
-    return fmt::format(
+    return message(
         "the encoder stands, but the current falls in each pulse as it does when the motor turns ({:.1f} V); check the "
         "encoder's cable and supply, and the coupling",
         level_V_);
   const int sign = currentSign();
   if (along_ + against_ < 2) return {};
   if (sign == 0 && !changes_ && kicked_[0] + kicked_[1] >= 2 * kicksEachWay)
-    return fmt::format(
+    return message(
         "the current sensor is dead, or too coarse for this motor: it reads exactly {:.3g} A while {:.1f} V move {}; "
         "check its supply and its wire",
         *constant_A_, level_V_, body);
   if (sign == 0 || (along_ > 0 && against_ > 0)) return {};
-  const std::string moves = body + " moves " + wayText(false, options_.axis) + " at positive voltage";
+  const Message way = wayText(false, options_.axis);
   if (against_ > 0 && sign > 0)
-    return moves +
-           ", with the current: the encoder counts against the motor; swap the encoder's A and B, or the "
-           "motor's leads";
+    return message(
+        "{} moves {} at positive voltage, with the current: the encoder counts against the motor; swap the encoder's A "
+        "and B, or the motor's leads",
+        body, way);
   if (against_ > 0)
-    return moves +
-           ", and the current flows that way, too: the bridge is reversed; swap its two inputs, or the sign in the "
-           "board";
+    return message(
+        "{} moves {} at positive voltage, and the current flows that way, too: the bridge is reversed; swap its two "
+        "inputs, or the sign in the board",
+        body, way);
   if (sign < 0)
-    return body +
-           " moves with the voltage, but the current falls as the voltage rises: the current sensor is reversed; swap "
-           "its leads, or the sign in the board";
+    return message(
+        "{} moves with the voltage, but the current falls as the voltage rises: the current sensor is reversed; swap "
+        "its leads, or the sign in the board",
+        body);
   return {};
 }
 
-std::string WiringCheck::loadWords(double moved_rad) const {
-  return bodyText(options_.axis) + " keeps moving " + wayText(moved_rad > 0.0, options_.axis) +
-         " once it is loose, driven by nothing: a load heavier than its friction pulls it; hold or balance the load, "
-         "or take it off";
+Message WiringCheck::loadWords(double moved_rad) const {
+  return message(
+      "{} keeps moving {} once it is loose, driven by nothing: a load heavier than its friction pulls it; hold or "
+      "balance the load, or take it off",
+      bodyText(options_.axis), wayText(moved_rad > 0.0, options_.axis));
 }
 
 double WiringCheck::supply_V() const {
@@ -365,7 +369,7 @@ WiringCheck::Progress WiringCheck::progress() const {
   const double all = std::log(std::max(2.0, mostSupply_V_ / options_.start_V));
   const double pulses = std::log(std::max(1.0, level_V_ / options_.start_V)) / all;
   return {kicks_.empty() ? std::clamp(pulses, 0.0, 0.9) : 0.9, std::max(0.5, usual_s - last_s_),
-          "checking the wiring by small pulses"};
+          message("checking the wiring by small pulses")};
 }
 
 }  // namespace breakaway

@@ -91,9 +91,9 @@ class WiringCheck : public TimedProcedure {
   bool chooseNext(double supply_V);
   bool chooseKick(double supply_V);
   int currentSign() const;
-  std::string standstill(double supply_V) const;
-  std::string contradiction() const;
-  std::string loadWords(double moved_rad) const;
+  Message standstill(double supply_V) const;
+  Message contradiction() const;
+  Message loadWords(double moved_rad) const;
 
   WiringCheckOptions options_;
   Stage stage_ = Stage::rest;

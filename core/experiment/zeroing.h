@@ -12,7 +12,7 @@
 namespace breakaway {
 
 /// What a procedure says that it does meanwhile.
-inline const std::string zeroingText = "zeroing the current sensor";
+inline const Message zeroingText = message("zeroing the current sensor");
 
 /// Opens the windings, waits until their current has died, and has the board take a new zero; what the samples show
 /// meanwhile is how far the zero has moved since the one before.
@@ -39,7 +39,7 @@ class Zeroing {
   }
 
   /// zeroMoved() from the last zeroing but one to the last.
-  std::string moved(double most_A) const {
+  Message moved(double most_A) const {
     if (readings_.size() < 2) return {};
     const ZeroReading &before = readings_[readings_.size() - 2], &last = readings_.back();
     return zeroMoved(last.zero_A - before.zero_A, last.time_s - before.time_s, most_A);

@@ -226,8 +226,7 @@ bool bends(const Fit& fit, const std::vector<double>& knots_V) {
 Result<BridgeFit> fitBridge(const BridgeTests& tests) {
   const char* place = "bridge's curve";
   const std::vector<Row> rows = rowsOf(tests);
-  if (rows.size() < leastRows)
-    return Error{place, "has " + std::to_string(rows.size()) + " blocks only, expected at least 200"};
+  if (rows.size() < leastRows) return Error{place, message("has {} blocks only, expected at least 200", rows.size())};
   double highest_V = 0.0, standing_V = 0.0;
   for (const Row& row : rows) highest_V = std::max(highest_V, std::abs(row.voltage_V));
   for (const WindingPoint& point : tests.standing) standing_V = std::max(standing_V, std::abs(point.voltage_V));
@@ -239,7 +238,7 @@ Result<BridgeFit> fitBridge(const BridgeTests& tests) {
   if (highest_V < reach_V) {
     return Error{
         place,
-        fmt::format(
+        message(
             "can't be told: the tests reach {:.3g} V only, expected {:.3g} V, from where on it is taken as straight",
             highest_V, reach_V)};
   }
@@ -249,7 +248,8 @@ Result<BridgeFit> fitBridge(const BridgeTests& tests) {
   gradient.head(slopes).setOnes();
   const Estimate conductance = estimateOf(far, gradient, fit);
   if (!(far > 0.0) || conductance.standardError > mostError * far)
-    return Error{place, "can't be told from the winding's resistance: the currents hardly differ at the same voltage"};
+    return Error{
+        place, message("can't be told from the winding's resistance: the currents hardly differ at the same voltage")};
   BridgeFit found;
   DutyCurve curve = curveOf(fit, knots_V, tests.supply_V);
   const bool bent = bends(fit, knots_V) && mostLost(curve) >= leastLost_duty;
@@ -264,7 +264,7 @@ Result<BridgeFit> fitBridge(const BridgeTests& tests) {
   found.deadZone_V = {knots_V.front(), line.errorOfFirst(knots_V, 5e-4 * tests.supply_V)};
   if (!bent) return found;
   found.curve = std::move(curve);
-  if (!found.curve.rises()) return Error{place, "doesn't rise with the duty everywhere, as the tests show it"};
+  if (!found.curve.rises()) return Error{place, message("doesn't rise with the duty everywhere, as the tests show it")};
   return found;
 }
 

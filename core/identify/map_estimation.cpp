@@ -163,7 +163,7 @@ Result<FrictionMap> estimateMap(const std::vector<BreakawayEvent>& measured,
     map.turnStatic_Nm[w] = turnsOf(events, way, options);
     if (map.turnStatic_Nm[w].empty()) {
       return Error{std::string("breakaway sweep, ") + (way == Way::cw ? "cw" : "ccw"),
-                   "has fewer than 8 breakaways in each turn"};
+                   message("has fewer than 8 breakaways in each turn")};
     }
     const auto binOf = [&map](const BreakawayEvent& event) {
       return static_cast<size_t>(event.angle_rad / turn_rad * static_cast<double>(map.bins.size()));

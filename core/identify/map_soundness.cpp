@@ -1,6 +1,5 @@
 #include "identify/map_soundness.h"
 
-#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 
@@ -14,26 +13,29 @@ constexpr double leastOverCoulomb = 0.9;  // breakaway falls to Coulomb friction
 constexpr double largeVariation = 0.1, leastCorrelation = 0.5, mostEmpty = 0.2;
 
 struct Words {
-  const char *torque, *unit, *pass, *ways[2];
+  Message torque;
+  const char* unit;
+  Message pass, ways[2];
   double scale;
 };
 
 const Words& wordsOf(Axis axis) {
-  static const Words rotor{"torque", "mNm", "turns", {"clockwise", "counter-clockwise"}, 1e3};
-  static const Words travel{"force", "N", "passes", {"backwards", "forwards"}, 1.0};
+  static const Words rotor{
+      message("torque"), "mNm", message("turns"), {message("clockwise"), message("counter-clockwise")}, 1e3};
+  static const Words travel{message("force"), "N", message("passes"), {message("backwards"), message("forwards")}, 1.0};
   return axis == Axis::linear ? travel : rotor;
 }
 
-void belowCoulomb(const FrictionMap& map, std::vector<std::string>& why) {
+void belowCoulomb(const FrictionMap& map, std::vector<Message>& why) {
   double still = 0.0;
   for (const MapBin& bin : map.bins) still += bin.staticFriction_Nm() / static_cast<double>(map.bins.size());
   const Estimate& moving = map.coulombAverage_Nm;
   if (still > leastOverCoulomb * moving.value - 2.0 * moving.standardError) return;
   const Words& words = wordsOf(map.axis);
   why.push_back(
-      fmt::format("what starts motion ({:.3g} {}) is less than what keeps it up ({:.3g} {}): play, a "
-                  "slipping coupling or a shaft that is pushed",
-                  words.scale * still, words.unit, words.scale * moving.value, words.unit));
+      message("what starts motion ({:.3g} {}) is less than what keeps it up ({:.3g} {}): play, a "
+              "slipping coupling or a shaft that is pushed",
+              words.scale * still, words.unit, words.scale * moving.value, words.unit));
 }
 
 /// Of one turn's curve around its mean, part of that.
@@ -44,30 +46,29 @@ double variationOf(const std::vector<double>& curve) {
   return middle != 0.0 ? std::sqrt(squares / static_cast<double>(curve.size())) / std::abs(middle) : 0.0;
 }
 
-void unlike(const FrictionMap& map, size_t way, std::vector<std::string>& why) {
+void unlike(const FrictionMap& map, size_t way, std::vector<Message>& why) {
   if (map.turnStatic_Nm[way].size() < 2 || map.repeatability[way].correlation >= leastCorrelation) return;
   double variation = 0.0;
   for (const auto& turn : map.turnStatic_Nm[way]) variation = std::max(variation, variationOf(turn));
   if (variation < largeVariation) return;
   const Words& words = wordsOf(map.axis);
-  why.push_back(fmt::format("{} {} correlate by {:.2f} only, though the breakaway {} varies by {:.0f} %",
-                            words.ways[way], words.pass, map.repeatability[way].correlation, words.torque,
-                            100.0 * variation));
+  why.push_back(message("{} {} correlate by {:.2f} only, though the breakaway {} varies by {:.0f} %", words.ways[way],
+                        words.pass, map.repeatability[way].correlation, words.torque, 100.0 * variation));
 }
 
-void empty(const FrictionMap& map, size_t way, std::vector<std::string>& why) {
+void empty(const FrictionMap& map, size_t way, std::vector<Message>& why) {
   size_t none = 0;
   for (const MapBin& bin : map.bins) none += bin.way[way].samples == 0 ? 1 : 0;
   const auto all = static_cast<double>(map.bins.size());
   if (static_cast<double>(none) <= mostEmpty * all) return;
-  why.push_back(fmt::format("{} of {} bins {} have no breakaway of their own: fewer bins (--bins) would have", none,
-                            map.bins.size(), wordsOf(map.axis).ways[way]));
+  why.push_back(message("{} of {} bins {} have no breakaway of their own: fewer bins (--bins) would have", none,
+                        map.bins.size(), wordsOf(map.axis).ways[way]));
 }
 
 }  // namespace
 
-std::vector<std::string> unsoundness(const FrictionMap& map) {
-  std::vector<std::string> why;
+std::vector<Message> unsoundness(const FrictionMap& map) {
+  std::vector<Message> why;
   if (map.bins.empty()) return why;
   belowCoulomb(map, why);
   for (size_t way = 0; way < 2; ++way) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "friction/friction_map.h"
 
 namespace breakaway {
@@ -11,6 +12,6 @@ namespace breakaway {
 /// Why it isn't, each a part of a sentence with its figures; empty for a sound map. Breakaway below Coulomb friction on
 /// average, by more than a tenth and its doubt; turns that correlate by less than a half where the torque varies by
 /// more than a tenth; more than a fifth of a way's bins without a breakaway.
-std::vector<std::string> unsoundness(const FrictionMap& map);
+std::vector<Message> unsoundness(const FrictionMap& map);
 
 }  // namespace breakaway

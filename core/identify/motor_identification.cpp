@@ -1,6 +1,5 @@
 #include "identify/motor_identification.h"
 
-#include <fmt/core.h>
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -52,7 +51,7 @@ Result<LeastSquares> fitBackEmf(const std::vector<SpinBlock>& blocks, const std:
     right.push_back(blocks[k].voltage_V - R * blocks[k].current_A);
   }
   if (rows.size() < leastRows)
-    return Error{"motor", "turns in " + std::to_string(rows.size()) + " blocks only, expected at least 20"};
+    return Error{"motor", message("turns in {} blocks only, expected at least 20", rows.size())};
   return solve(rows, right);
 }
 
@@ -98,7 +97,7 @@ Result<LeastSquares> fitMomentum(const std::vector<SpinBlock>& blocks, const std
     right.push_back(impulse);
   }
   if (rows.size() < leastRows)
-    return Error{"motor", "turns one way in " + std::to_string(rows.size()) + " windows only, expected at least 20"};
+    return Error{"motor", message("turns one way in {} windows only, expected at least 20", rows.size())};
   return solve(rows, right);
 }
 
@@ -107,7 +106,7 @@ Result<LeastSquares> fitMomentum(const std::vector<SpinBlock>& blocks, const std
 Result<IdentifiedMotor> identifyMotor(const std::vector<SpinBlock>& blocks, const WindingLine& winding,
                                       const Estimate& timeConstant_s, const MotorIdentificationOptions& options) {
   if (blocks.size() < 2 * leastRows)
-    return Error{"motor", "has " + std::to_string(blocks.size()) + " blocks only, expected at least 40"};
+    return Error{"motor", message("has {} blocks only, expected at least 40", blocks.size())};
   const std::vector<double> speed = speeds(blocks);
   double highest = 0.0;
   for (const double one : speed) highest = std::max(highest, std::abs(one));
@@ -139,7 +138,7 @@ Result<IdentifiedMotor> identifyMotor(const std::vector<SpinBlock>& blocks, cons
   motor.rampInertia_kg_m2 = motor.inertia_kg_m2;
   motor.coulomb_Nm = {momentum->x[1], momentum->error[1]};
   motor.viscous_Nm_s_per_rad = {momentum->x[2], momentum->error[2]};
-  if (!(motor.inertia_kg_m2.value > 0.0)) return Error{"motor", "shows no inertia, expected a positive one"};
+  if (!(motor.inertia_kg_m2.value > 0.0)) return Error{"motor", message("shows no inertia, expected a positive one")};
   return motor;
 }
 
@@ -198,6 +197,7 @@ Estimate inertiaByAdded(const Estimate& shown, const AddedInertia& added) {
 }  // namespace
 
 void setCurrentScale(IdentifiedMotor& motor, const CurrentScaleOptions& options) {
+  const bool linear = options.axis == Axis::linear;
   motor.shownInertia_kg_m2 = motor.inertia_kg_m2;
   const double Kt = relative(motor.torqueConstant_Nm_per_A);
   Estimate gain{1.0, options.gainInterval / normal95};
@@ -207,23 +207,42 @@ void setCurrentScale(IdentifiedMotor& motor, const CurrentScaleOptions& options)
     gain.value = motor.inertia_kg_m2.value / *options.trustedInertia_kg_m2;
     gain.standardError = gain.value * std::hypot(relative(motor.inertia_kg_m2), Kt);
     inertia = Estimate{*options.trustedInertia_kg_m2, 0.0};
-    motor.gauge = fmt::format(
-        "The scale of all torques rests on the trusted inertia: by it the current sensor shows {:.4g} ({:.4g} to "
-        "{:.4g}) of the true current.",
-        gain.value, gain.low95(), gain.high95());
+    motor.gauge =
+        linear ? message(
+                     "The scale of all forces rests on the trusted mass: by it the current sensor shows {:.4g} ({:.4g} "
+                     "to {:.4g}) of the true current.",
+                     gain.value, gain.low95(), gain.high95())
+               : message(
+                     "The scale of all torques rests on the trusted inertia: by it the current sensor shows {:.4g} "
+                     "({:.4g} to {:.4g}) of the true current.",
+                     gain.value, gain.low95(), gain.high95());
   } else if (byAdded) {
     gain = {byAdded->value, byAdded->value * std::hypot(relative(*byAdded), Kt)};
     inertia = inertiaByAdded(motor.inertia_kg_m2, *options.added);
-    motor.gauge = fmt::format(
-        "The scale of all torques rests on the disc of known inertia: by it the current sensor shows {:.4g} "
-        "({:.4g} to {:.4g}) of the true current.",
-        gain.value, gain.low95(), gain.high95());
+    motor.gauge =
+        linear ? message(
+                     "The scale of all forces rests on the known added mass: by it the current sensor shows {:.4g} "
+                     "({:.4g} to {:.4g}) of the true current.",
+                     gain.value, gain.low95(), gain.high95())
+               : message(
+                     "The scale of all torques rests on the disc of known inertia: by it the current sensor shows "
+                     "{:.4g} ({:.4g} to {:.4g}) of the true current.",
+                     gain.value, gain.low95(), gain.high95());
   } else {
-    motor.gauge = fmt::format(
-        "{}The scale of all torques rests on the current sensor's gain, taken as right within ±{:.3g} %: "
-        "resistance, inductance, inertia and friction share that doubt, their ratios are free of it.",
-        options.added ? "The added inertia doesn't stand out of the inertia's doubt and measures nothing. " : "",
-        100.0 * options.gainInterval);
+    const Message added =
+        !options.added ? Message()
+        : linear       ? message("The added mass doesn't stand out of the mass's doubt and measures nothing. ")
+                       : message("The added inertia doesn't stand out of the inertia's doubt and measures nothing. ");
+    const double percent = 100.0 * options.gainInterval;
+    motor.gauge =
+        added + (linear ? message("The scale of all forces rests on the current sensor's gain, taken as right "
+                                  "within ±{:.3g} %: resistance, inductance, mass and friction share that doubt, their "
+                                  "ratios are free of it.",
+                                  percent)
+                        : message("The scale of all torques rests on the current sensor's gain, taken as right "
+                                  "within ±{:.3g} %: resistance, inductance, inertia and friction share that doubt, "
+                                  "their ratios are free of it.",
+                                  percent));
   }
   motor.currentGain = gain;
   const double doubt = relative(gain);

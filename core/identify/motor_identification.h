@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/axis.h"
 #include "base/estimate.h"
 #include "base/result.h"
 #include "experiment/spin_block.h"
@@ -29,7 +30,7 @@ struct IdentifiedMotor {
   /// Shown over true current. All that is counted in amperes hangs on it: R and L grow with it, J, F and B shrink.
   Estimate currentGain{1.0, 0.0};
   DutyCurve dutyCurve;  ///< of the bridge, where it bends; else unknown, and the dead zone says it all
-  std::string gauge;    ///< what the scale of all torques rests on, in words
+  Message gauge;        ///< what the scale of all torques rests on, in words
 
   /// Of the current as the sensor shows it.
   double torquePerShownAmpere_Nm() const { return torqueConstant_Nm_per_A.value / currentGain.value; }
@@ -47,6 +48,7 @@ struct AddedInertia {
 };
 
 struct CurrentScaleOptions {
+  Axis axis = Axis::rotary;
   double gainInterval =
       0.027;  ///< half width of the 95 % interval of the sensor's gain, relative; ACS712: 180–190 mV/A
   std::optional<double> trustedInertia_kg_m2;  ///< known, with all that turns: then the gain is measured

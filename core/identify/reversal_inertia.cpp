@@ -67,8 +67,8 @@ Result<Estimate> reversalInertia(const std::vector<SpinBlock>& blocks, const Rev
   Estimate inertia;
   for (const auto& one : inertias) {
     if (one.size() < leastReversals)
-      return Error{"inertia by reversal", "saw the rotor turn round " + std::to_string(one.size()) +
-                                              " times one way, expected at least " + std::to_string(leastReversals)};
+      return Error{"inertia by reversal", message("saw the rotor turn round {} times one way, expected at least {}",
+                                                  one.size(), leastReversals)};
     double sum = 0.0, squares = 0.0;
     const auto n = static_cast<double>(one.size());
     for (const double value : one) sum += value / n;
@@ -78,8 +78,8 @@ Result<Estimate> reversalInertia(const std::vector<SpinBlock>& blocks, const Rev
   }
   if (current < 0.8 * options.commanded_A) {
     return Error{"inertia by reversal",
-                 fmt::format("was asked for with {:.3g} A, but the current reached {:.3g} A only: it is saturated",
-                             options.commanded_A, current)};
+                 message("was asked for with {:.3g} A, but the current reached {:.3g} A only: it is saturated",
+                         options.commanded_A, current)};
   }
   return inertia;
 }

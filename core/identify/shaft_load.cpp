@@ -1,6 +1,5 @@
 #include "identify/shaft_load.h"
 
-#include <fmt/core.h>
 #include <cmath>
 #include <complex>
 
@@ -40,10 +39,10 @@ double meanError(const FrictionMap& map) {
   return std::sqrt(squares) / static_cast<double>(map.bins.size());
 }
 
-std::string sized(const Estimate& one, Axis axis) {
+Message sized(const Estimate& one, Axis axis) {
   const double scale = axis == Axis::linear ? 1.0 : 1e3;
-  return fmt::format("{:.3g} ({:.3g} to {:.3g}) {}", scale * one.value, scale * one.low95(), scale * one.high95(),
-                     axis == Axis::linear ? "N" : "mNm");
+  return message("{:.3g} ({:.3g} to {:.3g}) {}", scale * one.value, scale * one.low95(), scale * one.high95(),
+                 axis == Axis::linear ? "N" : "mNm");
 }
 
 }  // namespace
@@ -70,22 +69,22 @@ ShaftLoad shaftLoad(const FrictionMap& map, double zeroError_Nm, double scaleErr
   return load;
 }
 
-std::vector<std::string> wordsOf(const ShaftLoad& load, Axis axis) {
-  std::vector<std::string> words;
+std::vector<Message> wordsOf(const ShaftLoad& load, Axis axis) {
+  std::vector<Message> words;
   if (load.constant_Nm) {
     const Estimate size{std::abs(load.constant_Nm->value), load.constant_Nm->standardError};
     words.push_back(
-        fmt::format("A constant load of {} pulls {} {}, or friction differs by twice that from way to way. The map's "
-                    "static friction is free of it, position {} shows it.",
-                    sized(size, axis), bodyText(axis), wayText(load.constant_Nm->value > 0.0, axis),
-                    axis == Axis::linear ? "force" : "torque"));
+        message("A constant load of {} pulls {} {}, or friction differs by twice that from way to way. The map's "
+                "static friction is free of it, position {} shows it.",
+                sized(size, axis), bodyText(axis), wayText(load.constant_Nm->value > 0.0, axis),
+                axis == Axis::linear ? message("force") : message("torque")));
   }
   if (load.arm)
     words.push_back(
-        fmt::format("Once per turn ±{} act on the shaft, the same both ways: an arm or an imbalance that hangs down at "
-                    "{} from the index. The map's static friction is free of it, position torque shows it; take it "
-                    "off, or declare it as the bench's load.",
-                    sized(load.arm->amplitude_Nm, axis), degreesText(load.arm->down_rad)));
+        message("Once per turn ±{} act on the shaft, the same both ways: an arm or an imbalance that hangs down at "
+                "{} from the index. The map's static friction is free of it, position torque shows it; take it off, or "
+                "declare it as the bench's load.",
+                sized(load.arm->amplitude_Nm, axis), degreesText(load.arm->down_rad)));
   return words;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/estimate.h"
+#include "base/message.h"
 #include "friction/friction_map.h"
 
 namespace breakaway {
@@ -28,6 +29,6 @@ struct ShaftLoad {
 ShaftLoad shaftLoad(const FrictionMap& map, double zeroError_Nm, double scaleError = 0.0);
 
 /// One sentence each, with size, interval and direction.
-std::vector<std::string> wordsOf(const ShaftLoad& load, Axis axis);
+std::vector<Message> wordsOf(const ShaftLoad& load, Axis axis);
 
 }  // namespace breakaway

@@ -215,7 +215,7 @@ Result<TravelFriction> fitTravelFriction(const std::vector<TravelRun>& runs, con
   for (const auto& bins : ways) {
     size_t most = 0;
     for (const Bin& bin : bins) most = std::max(most, bin.size());
-    if (most < 3) return Error{"strokes", "crossed no bin at three speeds, expected at least that"};
+    if (most < 3) return Error{"strokes", message("crossed no bin at three speeds, expected at least that")};
   }
   TravelFriction friction;
   double mass_kg = options.mass_kg;
@@ -238,7 +238,7 @@ Result<TravelFriction> fitTravelFriction(const std::vector<TravelRun>& runs, con
 }
 
 Result<std::array<std::vector<double>, 2>> movingCurrent_A(const std::vector<TravelRun>& runs) {
-  if (runs.empty()) return Error{"strokes", "were none, expected at least one"};
+  if (runs.empty()) return Error{"strokes", message("were none, expected at least one")};
   const auto slowest = std::min_element(runs.begin(), runs.end(), [](const TravelRun& a, const TravelRun& b) {
     return a.target_m_per_s < b.target_m_per_s;
   });
@@ -248,7 +248,7 @@ Result<std::array<std::vector<double>, 2>> movingCurrent_A(const std::vector<Tra
     const double sign = signOf(Way(way));
     const auto crossed = [](const TravelBinSums& sum) { return sum.samples > 0; };
     const auto first = std::find_if(bins.begin(), bins.end(), crossed);
-    if (first == bins.end()) return Error{"strokes", "crossed no bin at the slowest speed"};
+    if (first == bins.end()) return Error{"strokes", message("crossed no bin at the slowest speed")};
     double last = sign * first->current_A / static_cast<double>(first->samples);
     for (const TravelBinSums& sum : bins) {
       if (sum.samples > 0) last = sign * sum.current_A / static_cast<double>(sum.samples);

@@ -48,7 +48,7 @@ Result<FrictionMap> estimateTravelMap(const std::vector<BreakawayEvent>& measure
       }
       if (over.size() < leastEvents)
         return Error{std::string("breakaway sweep, ") + (way == Way::cw ? "backwards" : "forwards"),
-                     "has fewer than 8 breakaways in each pass"};
+                     message("has fewer than 8 breakaways in each pass")};
       std::sort(over.begin(), over.end());
       std::vector<double> values;
       values.reserve(trend.size());

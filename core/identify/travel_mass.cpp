@@ -61,11 +61,11 @@ WindowGroups windowsOf(const std::vector<SpinBlock>& blocks, double forceConstan
 }  // namespace
 
 Result<Estimate> massByStrokes(const std::vector<SpinBlock>& blocks, double forceConstant_N_per_A) {
-  if (blocks.size() < 2 * leastWindows) return Error{"strokes", "left too few blocks to tell the mass"};
+  if (blocks.size() < 2 * leastWindows) return Error{"strokes", message("left too few blocks to tell the mass")};
   const WindowGroups groups = windowsOf(blocks, forceConstant_N_per_A);
   size_t windows = 0;
   for (const auto& group : groups) windows += group.size();
-  if (windows < leastWindows) return Error{"strokes", "went one way in too few windows to tell the mass"};
+  if (windows < leastWindows) return Error{"strokes", message("went one way in too few windows to tell the mass")};
   // Friction over a window is C·Δt + B·Δx, with C of each place and way its own and one B.
   Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
   Eigen::Vector2d right = Eigen::Vector2d::Zero();
@@ -89,7 +89,7 @@ Result<Estimate> massByStrokes(const std::vector<SpinBlock>& blocks, double forc
   const Eigen::Vector2d x = normal.ldlt().solve(right);
   const double scale = std::max(0.0, squares - right.dot(x)) / std::max(1.0, freedom);
   const double error = std::sqrt(scale * normal.inverse()(0, 0));
-  if (!(x[0] > 0.0) || !std::isfinite(error)) return Error{"strokes", "show no mass, expected a positive one"};
+  if (!(x[0] > 0.0) || !std::isfinite(error)) return Error{"strokes", message("show no mass, expected a positive one")};
   return Estimate{x[0], std::hypot(error, 1.5e-3 * x[0])};
 }
 

@@ -76,7 +76,7 @@ Result<std::array<WayRuns, 2>> wayRunsOf(const std::vector<VelocityRun>& runs, c
     WayRuns& way = ways[w];
     if (way.spectra.size() < 2) {
       return Error{std::string("velocity sweep, ") + (w == 0 ? "cw" : "ccw"),
-                   "has " + std::to_string(way.spectra.size()) + " speeds, expected at least two"};
+                   message("has {} speeds, expected at least two", way.spectra.size())};
     }
     std::sort(way.spectra.begin(), way.spectra.end(),
               [](const auto& a, const auto& b) { return a.speed_rad_per_s < b.speed_rad_per_s; });

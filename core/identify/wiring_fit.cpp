@@ -91,29 +91,30 @@ std::string currentText(double current_A) {
   return std::abs(current_A) < 0.995 ? fmt::format("{:.0f} mA", 1e3 * current_A) : fmt::format("{:.2f} A", current_A);
 }
 
-std::string shaftWords(const WiringFit& fit, Axis axis) {
-  const std::string body = axis == Axis::rotary ? "Shaft" : "Axis";
+Message shaftWords(const WiringFit& fit, Axis axis) {
+  const Message body = axis == Axis::rotary ? message("Shaft") : message("Axis");
   const auto &down = fit.breakaway_A[0], &up = fit.breakaway_A[1];
   if (!down || !up)
-    return body + ": moves " + wayText(up.has_value(), axis) + " only; a stop, or a load, holds it the other way.";
+    return message("{}: moves {} only; a stop, or a load, holds it the other way.", body,
+                   wayText(up.has_value(), axis));
   if (fit.stopped[0] || fit.stopped[1])
-    return body + ": moves a little " + wayText(fit.stopped[1], axis) +
-           " and is stopped there; a stop, or a hard spot.";
-  const std::string ways = fmt::format("{}: breaks loose {} at {} and {} at {}", body, wayText(false, axis),
-                                       currentText(down->value), wayText(true, axis), currentText(up->value));
+    return message("{}: moves a little {} and is stopped there; a stop, or a hard spot.", body,
+                   wayText(fit.stopped[1], axis));
+  const Message ways = message("{}: breaks loose {} at {} and {} at {}", body, wayText(false, axis),
+                               currentText(down->value), wayText(true, axis), currentText(up->value));
   const double mean = 0.5 * (down->value + up->value), load = 0.5 * (down->value - up->value);
   const double error = 0.5 * std::hypot(down->standardError, up->standardError);
-  if (std::abs(load) < std::max(unequal * mean, seen * error)) return ways + "; no load is seen.";
-  return fmt::format("{}; a load of about {} (or position torque as large) acts {} here.", ways,
-                     currentText(std::abs(load)), wayText(load > 0.0, axis));
+  if (std::abs(load) < std::max(unequal * mean, seen * error)) return message("{}; no load is seen.", ways);
+  return message("{}; a load of about {} (or position torque as large) acts {} here.", ways,
+                 currentText(std::abs(load)), wayText(load > 0.0, axis));
 }
 
-std::string sensorWords(const WiringFit& fit, const Estimate& zero_A, double noiseRms_A) {
-  const std::string rest =
-      fmt::format("its zero was off by {}, its noise is {} rms.", currentText(zero_A.value), currentText(noiseRms_A));
-  if (!fit.currentSeen) return "Current sensor: sees nothing of so small a current; " + rest;
-  if (!(fit.resistance_ohm.standardError > 0.0)) return "Current sensor: rises with the voltage; " + rest;
-  return fmt::format("Current sensor: rises with the voltage, by 1 A for {:.2g} V; ", fit.resistance_ohm.value) + rest;
+Message sensorWords(const WiringFit& fit, const Estimate& zero_A, double noiseRms_A) {
+  const Message rest =
+      message("its zero was off by {}, its noise is {} rms.", currentText(zero_A.value), currentText(noiseRms_A));
+  if (!fit.currentSeen) return message("Current sensor: sees nothing of so small a current; {}", rest);
+  if (!(fit.resistance_ohm.standardError > 0.0)) return message("Current sensor: rises with the voltage; {}", rest);
+  return message("Current sensor: rises with the voltage, by 1 A for {:.2g} V; {}", fit.resistance_ohm.value, rest);
 }
 
 }  // namespace
@@ -147,18 +148,18 @@ WiringFit fitWiring(const WiringCheck& check) {
   return fit;
 }
 
-std::vector<std::string> inWords(const WiringFit& fit, const Estimate& zero_A, double noiseRms_A, double supply_V,
-                                 Axis axis) {
-  std::vector<std::string> words{"Motor and encoder: count the same way.", sensorWords(fit, zero_A, noiseRms_A)};
+std::vector<Message> inWords(const WiringFit& fit, const Estimate& zero_A, double noiseRms_A, double supply_V,
+                             Axis axis) {
+  std::vector<Message> words{message("Motor and encoder: count the same way."), sensorWords(fit, zero_A, noiseRms_A)};
   const bool right = std::abs(fit.supply_V / supply_V - 1.0) < supplyPart;
-  words.push_back(fmt::format("Supply: reads {:.1f} V where {:.1f} V belong{}.", fit.supply_V, supply_V,
-                              right ? "" : "; measure it, and look at its divider"));
+  words.push_back(message("Supply: reads {:.1f} V where {:.1f} V belong{}.", fit.supply_V, supply_V,
+                          right ? Message() : message("; measure it, and look at its divider")));
   const Estimate& Ke = fit.backEmf_V_s_per_rad;
   words.push_back(Ke.standardError > 0.0
-                      ? fmt::format("Counts: as the encoder counts, the back-EMF constant is {:.2g} {} (give or take "
-                                    "{:.1g}).",
-                                    Ke.value, axis == Axis::rotary ? "V s/rad" : "V s/m", 2.0 * Ke.standardError)
-                      : "Counts: so small a motion doesn't tell the back-EMF constant.");
+                      ? message("Counts: as the encoder counts, the back-EMF constant is {:.2g} {} (give or take "
+                                "{:.1g}).",
+                                Ke.value, axis == Axis::rotary ? "V s/rad" : "V s/m", 2.0 * Ke.standardError)
+                      : message("Counts: so small a motion doesn't tell the back-EMF constant."));
   words.push_back(shaftWords(fit, axis));
   return words;
 }

@@ -8,6 +8,7 @@
 
 #include "base/axis.h"
 #include "base/estimate.h"
+#include "base/message.h"
 
 namespace breakaway {
 
@@ -30,7 +31,7 @@ WiringFit fitWiring(const WiringCheck& check);
 
 /// One sentence each: motor and encoder, current sensor, supply, counts, shaft and load. `zero_A` was taken off the
 /// sensor before; `supply_V` is what belongs.
-std::vector<std::string> inWords(const WiringFit& fit, const Estimate& zero_A, double noiseRms_A, double supply_V,
-                                 Axis axis);
+std::vector<Message> inWords(const WiringFit& fit, const Estimate& zero_A, double noiseRms_A, double supply_V,
+                             Axis axis);
 
 }  // namespace breakaway

@@ -1,10 +1,11 @@
 #include "motor/beliefs.h"
 
-#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
+
+#include "base/marked_text.h"
 
 namespace breakaway {
 
@@ -16,74 +17,82 @@ constexpr double exactly = 1.001;
 
 struct Mistake {
   double ratio;  ///< believed over measured
-  const char* words;
+  MessageText<0> words;
 };
 
 /// Whatever constant hangs on the angle.
 constexpr Mistake ofAngle[] = {
-    {perDegree, "as with degrees for radians"},
-    {1.0 / perDegree, "as with degrees for radians"},
-    {4.0, "as with four edges counted for one line of the encoder"},
-    {0.25, "as with four edges counted for one line of the encoder"},
-    {2.0, "as with two edges counted for one line of the encoder, or pole pairs for poles"},
-    {0.5, "as with two edges counted for one line of the encoder, or pole pairs for poles"},
-    {std::numbers::sqrt3, "as between two leads for one phase"},
-    {1.0 / std::numbers::sqrt3, "as for one phase between two leads"},
+    {perDegree, marked("as with degrees for radians")},
+    {1.0 / perDegree, marked("as with degrees for radians")},
+    {4.0, marked("as with four edges counted for one line of the encoder")},
+    {0.25, marked("as with four edges counted for one line of the encoder")},
+    {2.0, marked("as with two edges counted for one line of the encoder, or pole pairs for poles")},
+    {0.5, marked("as with two edges counted for one line of the encoder, or pole pairs for poles")},
+    {std::numbers::sqrt3, marked("as between two leads for one phase")},
+    {1.0 / std::numbers::sqrt3, marked("as for one phase between two leads")},
 };
 
-constexpr Mistake ofTorqueConstant[] = {
-    {1e3, "as in mNm/A"},       {1e-3, "as with mA for A"},        {100.0, "as in Ncm/A"},
-    {10.197, "as in kg cm/A"},  {141.6, "as in oz in/A"},          {0.10197, "as in kg m/A"},
-    {0.73756, "as in lb ft/A"}, {perRpm, "as with rpm for rad/s"}, {1.0 / perRpm, "as in V/rpm"}};
+constexpr Mistake ofTorqueConstant[] = {{1e3, marked("as in mNm/A")},         {1e-3, marked("as with mA for A")},
+                                        {100.0, marked("as in Ncm/A")},       {10.197, marked("as in kg cm/A")},
+                                        {141.6, marked("as in oz in/A")},     {0.10197, marked("as in kg m/A")},
+                                        {0.73756, marked("as in lb ft/A")},   {perRpm, marked("as with rpm for rad/s")},
+                                        {1.0 / perRpm, marked("as in V/rpm")}};
 constexpr Mistake ofForceConstant[] = {
-    {1e3, "as in mN/A"}, {1e-3, "as in kN/A, or with mA for A"}, {0.10197, "as in kg/A"}};
-constexpr Mistake ofBackEmf[] = {{1e3, "as in mV s/rad"},
-                                 {1e-3, "as with V per 1000"},
-                                 {1.0 / perRpm, "as in rpm for rad/s: V/rpm"},
-                                 {perRpm, "as with rpm for rad/s"},
-                                 {1e3 / perRpm, "as in V per 1000 rpm"}};
-constexpr Mistake ofResistance[] = {{1e3, "as in milliohms"},
-                                    {2.0, "as between two leads for one phase"},
-                                    {0.5, "as for one phase between two leads"},
-                                    {1e-3, "as in kilohms"}};
-constexpr Mistake ofInductance[] = {{1e3, "as in mH"}, {1e6, "as in uH"}, {2.0, "as between two leads for one phase"}};
-constexpr Mistake ofInertia[] = {{1e7, "as in g cm2"},        {1e6, "as in kg mm2"},
-                                 {1e4, "as in kg cm2"},       {1e3, "as in g m2"},
-                                 {1e-3, "as in t m2"},        {9.80665, "as in kgf m s2 or by a gear"},
-                                 {141612.0, "as in oz in s2"}};
-constexpr Mistake ofMass[] = {{1e3, "as in g"}, {1e-3, "as in t"}, {2.2046, "as in lb"}};
-constexpr Mistake ofCounts[] = {{4.0, "as with edges for lines"},
-                                {0.25, "as with lines for edges"},
-                                {2.0, "as with the edges of both channels for those of one"},
-                                {0.5, "as with the edges of one channel for those of both"},
-                                {1e3, "as per m for per mm"},
-                                {1e-3, "as per mm for per m"}};
-constexpr Mistake ofSupply[] = {{1e3, "as in mV"},
-                                {2.0, "as with another supply, or another divider"},
-                                {0.5, "as with another supply, or another divider"}};
+    {1e3, marked("as in mN/A")}, {1e-3, marked("as in kN/A, or with mA for A")}, {0.10197, marked("as in kg/A")}};
+constexpr Mistake ofBackEmf[] = {{1e3, marked("as in mV s/rad")},
+                                 {1e-3, marked("as with V per 1000")},
+                                 {1.0 / perRpm, marked("as in rpm for rad/s: V/rpm")},
+                                 {perRpm, marked("as with rpm for rad/s")},
+                                 {1e3 / perRpm, marked("as in V per 1000 rpm")}};
+constexpr Mistake ofResistance[] = {{1e3, marked("as in milliohms")},
+                                    {2.0, marked("as between two leads for one phase")},
+                                    {0.5, marked("as for one phase between two leads")},
+                                    {1e-3, marked("as in kilohms")}};
+constexpr Mistake ofInductance[] = {
+    {1e3, marked("as in mH")}, {1e6, marked("as in uH")}, {2.0, marked("as between two leads for one phase")}};
+constexpr Mistake ofInertia[] = {{1e7, marked("as in g cm2")},        {1e6, marked("as in kg mm2")},
+                                 {1e4, marked("as in kg cm2")},       {1e3, marked("as in g m2")},
+                                 {1e-3, marked("as in t m2")},        {9.80665, marked("as in kgf m s2 or by a gear")},
+                                 {141612.0, marked("as in oz in s2")}};
+constexpr Mistake ofMass[] = {{1e3, marked("as in g")}, {1e-3, marked("as in t")}, {2.2046, marked("as in lb")}};
+constexpr Mistake ofCounts[] = {{4.0, marked("as with edges for lines")},
+                                {0.25, marked("as with lines for edges")},
+                                {2.0, marked("as with the edges of both channels for those of one")},
+                                {0.5, marked("as with the edges of one channel for those of both")},
+                                {1e3, marked("as per m for per mm")},
+                                {1e-3, marked("as per mm for per m")}};
+constexpr Mistake ofSupply[] = {{1e3, marked("as in mV")},
+                                {2.0, marked("as with another supply, or another divider")},
+                                {0.5, marked("as with another supply, or another divider")}};
 
 // Columns of a recording, recorded over true.
-constexpr Mistake ofAngleColumn[] = {{perDegree, "as in degrees"},
-                                     {0.5 / std::numbers::pi, "as in turns"},
-                                     {4.0, "as with the encoder's lines taken for its counts, four edges a line"},
-                                     {0.25, "as with the encoder's edges taken for its lines, four a line"},
-                                     {2.0, "as with two edges counted for one line of the encoder"},
-                                     {0.5, "as with one edge counted where two were declared"},
-                                     {perRpm, "as from a speed in rpm"},
-                                     {1e3, "as in mrad"}};
-constexpr Mistake ofPositionColumn[] = {{1e3, "as in mm"},
-                                        {100.0, "as in cm"},
-                                        {1e6, "as in um"},
-                                        {39.37, "as in inches"},
-                                        {4.0, "as with the encoder's lines taken for its counts, four edges a line"},
-                                        {0.25, "as with the encoder's edges taken for its lines, four a line"},
-                                        {2.0, "as with two edges counted for one line of the encoder"},
-                                        {0.5, "as with one edge counted where two were declared"}};
-constexpr Mistake ofCurrentColumn[] = {{1e3, "as in mA"}, {1e-3, "as in kA"}};
-constexpr Mistake ofVoltageColumn[] = {{1e3, "as in mV"}, {1e-3, "as in kV"}};
-constexpr Mistake ofTorqueColumn[] = {
-    {1e3, "as in mNm"}, {100.0, "as in Ncm"}, {10.197, "as in kg cm"}, {141.6, "as in oz in"}, {1e-3, "as in kNm"}};
-constexpr Mistake ofForceColumn[] = {{1e3, "as in mN"}, {0.10197, "as in kg"}, {1e-3, "as in kN"}};
+constexpr Mistake ofAngleColumn[] = {
+    {perDegree, marked("as in degrees")},
+    {0.5 / std::numbers::pi, marked("as in turns")},
+    {4.0, marked("as with the encoder's lines taken for its counts, four edges a line")},
+    {0.25, marked("as with the encoder's edges taken for its lines, four a line")},
+    {2.0, marked("as with two edges counted for one line of the encoder")},
+    {0.5, marked("as with one edge counted where two were declared")},
+    {perRpm, marked("as from a speed in rpm")},
+    {1e3, marked("as in mrad")}};
+constexpr Mistake ofPositionColumn[] = {
+    {1e3, marked("as in mm")},
+    {100.0, marked("as in cm")},
+    {1e6, marked("as in um")},
+    {39.37, marked("as in inches")},
+    {4.0, marked("as with the encoder's lines taken for its counts, four edges a line")},
+    {0.25, marked("as with the encoder's edges taken for its lines, four a line")},
+    {2.0, marked("as with two edges counted for one line of the encoder")},
+    {0.5, marked("as with one edge counted where two were declared")}};
+constexpr Mistake ofCurrentColumn[] = {{1e3, marked("as in mA")}, {1e-3, marked("as in kA")}};
+constexpr Mistake ofVoltageColumn[] = {{1e3, marked("as in mV")}, {1e-3, marked("as in kV")}};
+constexpr Mistake ofTorqueColumn[] = {{1e3, marked("as in mNm")},
+                                      {100.0, marked("as in Ncm")},
+                                      {10.197, marked("as in kg cm")},
+                                      {141.6, marked("as in oz in")},
+                                      {1e-3, marked("as in kNm")}};
+constexpr Mistake ofForceColumn[] = {
+    {1e3, marked("as in mN")}, {0.10197, marked("as in kg")}, {1e-3, marked("as in kN")}};
 
 template <size_t N>
 void append(const Mistake (&more)[N], std::vector<Mistake>& all) {
@@ -146,25 +155,25 @@ std::vector<Mistake> mistakesOf(ScaledColumn column, Axis axis) {
   return all;
 }
 
-const char* unitOf(BeliefOf of, Axis axis) {
+Message unitOf(BeliefOf of, Axis axis) {
   const bool linear = axis == Axis::linear;
   switch (of) {
     case BeliefOf::counts:
-      return linear ? "counts per m" : "counts per turn";
+      return linear ? message("counts per m") : message("counts per turn");
     case BeliefOf::supply:
-      return "V";
+      return Message("V");
     case BeliefOf::torqueConstant:
-      return linear ? "N/A" : "Nm/A";
+      return Message(linear ? "N/A" : "Nm/A");
     case BeliefOf::backEmfConstant:
-      return linear ? "V s/m" : "V s/rad";
+      return Message(linear ? "V s/m" : "V s/rad");
     case BeliefOf::resistance:
-      return "ohm";
+      return Message("ohm");
     case BeliefOf::inductance:
-      return "H";
+      return Message("H");
     case BeliefOf::inertia:
-      return linear ? "kg" : "kg m2";
+      return Message(linear ? "kg" : "kg m2");
   }
-  return "";
+  return {};
 }
 
 double apart(double ratio, double from) {
@@ -207,11 +216,11 @@ double ratioOf(const Belief& belief) {
   return belief.believed / belief.measured.value;
 }
 
-std::string suggestionOf(BeliefOf of, Axis axis, double ratio) {
-  if (!(ratio > 0.0)) return "the sign is wrong";
+Message suggestionOf(BeliefOf of, Axis axis, double ratio) {
+  if (!(ratio > 0.0)) return message("the sign is wrong");
   const auto mistakes = mistakesOf(of, axis);
   const Mistake* nearest = nearestOf(mistakes, ratio, nearMistake);
-  return nearest != nullptr ? nearest->words : "";
+  return nearest != nullptr ? message(nearest->words) : Message();
 }
 
 std::optional<ScaleMistake> scaleMistakeOf(ScaledColumn column, Axis axis, double ratio, double doubt) {
@@ -219,33 +228,32 @@ std::optional<ScaleMistake> scaleMistakeOf(ScaledColumn column, Axis axis, doubl
   const auto mistakes = mistakesOf(column, axis);
   const Mistake* nearest = nearestOf(mistakes, ratio, doubt);
   if (nearest == nullptr) return {};
-  return ScaleMistake{nearest->ratio, nearest->words};
+  return ScaleMistake{nearest->ratio, message(nearest->words)};
 }
 
-std::optional<std::string> contradictionOf(const Belief& belief, Axis axis) {
+std::optional<Message> contradictionOf(const Belief& belief, Axis axis) {
   const double ratio = ratioOf(belief);
   const bool positive = ratio > 0.0 && std::isfinite(ratio);
   if (positive && apart(ratio, 1.0) <= std::log(honestFactor(belief.of, belief.trusted)) +
                                            standardErrors * relativeError(belief.measured))
     return {};
-  const std::string hint = suggestionOf(belief.of, axis, ratio);
-  return fmt::format("{} {} is {:.5g}, {} {:.5g} {}: {:.4g} times as much{}", belief.source, belief.name,
-                     belief.believed, belief.from, belief.measured.value, unitOf(belief.of, axis), ratio,
-                     hint.empty() ? "" : ", " + hint);
+  const Message hint = suggestionOf(belief.of, axis, ratio);
+  return message("{} {} is {:.5g}, {} {:.5g} {}: {:.4g} times as much{}", belief.source, belief.name, belief.believed,
+                 belief.from, belief.measured.value, unitOf(belief.of, axis), ratio, hint.empty() ? hint : ", " + hint);
 }
 
 std::optional<Error> selfContradictionOf(const Bench& bench) {
   const MotorNames& names = motorNames(bench.axis);
   const MotorBelief& motor = bench.motor;
   if (motor.torqueConstant && motor.backEmfConstant) {
-    const Belief constants{BeliefOf::torqueConstant,      "is", "", *motor.torqueConstant, true,
-                           {*motor.backEmfConstant, 0.0}, ""};
+    const Belief constants{BeliefOf::torqueConstant, {},   "",
+                           *motor.torqueConstant,    true, {*motor.backEmfConstant, 0.0}};
     if (const double ratio = ratioOf(constants); apart(ratio, 1.0) > std::log(honestFactor(constants.of, true))) {
-      const std::string hint = suggestionOf(constants.of, bench.axis, ratio);
+      const Message hint = suggestionOf(constants.of, bench.axis, ratio);
       return Error{names.torqueConstant,
-                   fmt::format("is {:.5g}, but {} is {:.5g}: {:.4g} times as much{}; in SI they are the same quantity",
-                               *motor.torqueConstant, names.backEmfConstant, *motor.backEmfConstant, ratio,
-                               hint.empty() ? "" : ", " + hint)};
+                   message("is {:.5g}, but {} is {:.5g}: {:.4g} times as much{}; in SI they are the same quantity",
+                           *motor.torqueConstant, names.backEmfConstant, *motor.backEmfConstant, ratio,
+                           hint.empty() ? hint : ", " + hint)};
     }
   }
   const std::optional<double> K = motor.torqueConstant ? motor.torqueConstant : motor.backEmfConstant;
@@ -255,10 +263,10 @@ std::optional<Error> selfContradictionOf(const Bench& bench) {
   if (time_s >= least_s && time_s <= most_s) return {};
   return Error{
       names.inertia,
-      fmt::format("is {:.5g}: with {} {:.5g} and {} {:.5g} the motor's time constant would be {:.3g} s, expected "
-                  "1e-5 to 100 s; check the units{}",
-                  *motor.inertia, names.resistance, *motor.resistance_ohm, names.torqueConstant, *K, time_s,
-                  bench.axis == Axis::linear ? "" : " (1 g cm2 is 1e-7 kg m2)")};
+      message("is {:.5g}: with {} {:.5g} and {} {:.5g} the motor's time constant would be {:.3g} s, expected 1e-5 to "
+              "100 s; check the units{}",
+              *motor.inertia, names.resistance, *motor.resistance_ohm, names.torqueConstant, *K, time_s,
+              bench.axis == Axis::linear ? "" : " (1 g cm2 is 1e-7 kg m2)")};
 }
 
 }  // namespace breakaway

@@ -16,12 +16,12 @@ enum class BeliefOf { counts, supply, torqueConstant, backEmfConstant, resistanc
 /// A value that somebody gave, and what came of measuring it; both in SI.
 struct Belief {
   BeliefOf of = BeliefOf::counts;
-  std::string source;  ///< "the bench's"
-  std::string name;    ///< of the field that holds it
+  Message source;    ///< "the bench's"
+  std::string name;  ///< of the field that holds it
   double believed = 0.0;
   bool trusted = false;
-  Estimate measured;                     ///< error 0: exact
-  std::string from = "but measured is";  ///< what stands before the other value
+  Estimate measured;                          ///< error 0: exact
+  Message from = message("but measured is");  ///< what stands before the other value
 };
 
 /// The factor by which an honest belief may be off, either way. Beliefs are start values: a magnet's strength is within
@@ -35,11 +35,11 @@ double ratioOf(const Belief& belief);
 
 /// What `ratio`, believed over measured, looks like: "as mNm/A would be". Empty when no mistake is known that makes it.
 /// Ratios of up to 15 % beside the mistake's own still suggest it: the belief is a start value besides.
-std::string suggestionOf(BeliefOf of, Axis axis, double ratio);
+Message suggestionOf(BeliefOf of, Axis axis, double ratio);
 
 /// Both values, their ratio and what it suggests, where they part by more than honestFactor() and three standard errors
 /// of the measured value; else nothing. Values must be positive; others contradict as well.
-std::optional<std::string> contradictionOf(const Belief& belief, Axis axis);
+std::optional<Message> contradictionOf(const Belief& belief, Axis axis);
 
 /// What a recording may hold in another unit than its column says; on a linear axis read position for the angle and
 /// force for the torque.
@@ -48,7 +48,7 @@ enum class ScaledColumn { angle, current, voltage, torque };
 /// A way to get a column wrong by a factor.
 struct ScaleMistake {
   double ratio = 1.0;  ///< what stands there over what is true
-  std::string words;   ///< "as in degrees"
+  Message words;       ///< "as in degrees"
 };
 
 /// How far a ratio may be from a mistake's own to suggest it: 15 %.

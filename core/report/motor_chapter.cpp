@@ -87,8 +87,8 @@ void motorChapter(HtmlReport& report, const Commission& done) {
   if (!motor.dutyCurve.known()) return;
   report.figure(
       dutyFigure(motor.dutyCurve),
-      "Both as part of the supply; the band is the 95 % interval. Further out the bridge is taken to give a volt "
-      "more for each volt more: a common factor can't be seen, and would be part of R, L and Ke.");
+      "Both as part of the supply; the band is the 95 % interval. Further out the bridge is taken to give a volt more "
+      "for each volt more: a common factor can't be seen, and would be part of R, L and Ke.");
 }
 
 void useChapter(HtmlReport& report, const Commission& done) {
@@ -120,7 +120,7 @@ void useChapter(HtmlReport& report, const Commission& done) {
 }
 
 void closingChapter(HtmlReport& report, const Commission& done, bool hasTruth) {
-  if (!done.remarks.empty()) report.list(done.remarks);
+  if (!done.remarks.empty()) report.list({done.remarks.begin(), done.remarks.end()});
   if (!done.identity.simulated) return;
   report.paragraph(std::string("The board is simulated.") +
                    (hasTruth ? " Its true map lies beside the measured one in truth.csv." : ""));

@@ -143,11 +143,12 @@ Result<Tuning> Tuner::tune() {
   const auto velocity =
       farthest(1e-4 / T, 1.0 / T, [this](double w) { return loss(tuned(w, 0.0, ServoMode::velocity)); });
   if (!(velocity.bandwidth > 0.0))
-    return Error{"tuning", "finds no gains that hold at every corner: the " + velocity.heldBy + " is lost"};
+    return Error{"tuning", message("finds no gains that hold at every corner: the {} is lost", velocity.heldBy)};
   const double w = velocity.bandwidth;
   const auto position = farthest(1e-3 * w, w, [this, w](double wp) { return loss(tuned(w, wp, ServoMode::position)); });
   if (!(position.bandwidth > 0.0))
-    return Error{"tuning", "finds no position gains that hold at every corner: the " + position.heldBy + " is lost"};
+    return Error{"tuning",
+                 message("finds no position gains that hold at every corner: the {} is lost", position.heldBy)};
   Tuning tuning;
   tuning.stiffness = options_.stiffness;
   tuning.wanted = wanted_;
@@ -196,9 +197,9 @@ WantedMargins wantedMargins(Stiffness stiffness) {
 
 Result<Tuning> autoTune(const ServoLoop& loop, const Estimate& inertia_kg_m2, const Estimate& torqueConstant_Nm_per_A,
                         const AutoTuningOptions& options) {
-  if (!(inertia_kg_m2.low95() > 0.0)) return Error{"inertia_kg_m2", "has an interval that reaches zero"};
+  if (!(inertia_kg_m2.low95() > 0.0)) return Error{"inertia_kg_m2", message("has an interval that reaches zero")};
   if (!(torqueConstant_Nm_per_A.low95() > 0.0))
-    return Error{"torque_constant_Nm_per_A", "has an interval that reaches zero"};
+    return Error{"torque_constant_Nm_per_A", message("has an interval that reaches zero")};
   return Tuner(loop, inertia_kg_m2, torqueConstant_Nm_per_A, options).tune();
 }
 

@@ -9,7 +9,7 @@ Result<ServoLoop> loopOfBench(const Bench& bench, const BoardTiming& timing) {
   const auto torqueConstant = motor.torqueConstant ? motor.torqueConstant : motor.backEmfConstant;
   const MotorNames& names = motorNames(bench.axis);
   const auto missing = [](const char* name) {
-    return Error{std::string("field motor.") + name, "is missing, expected the identified one"};
+    return Error{std::string("field motor.") + name, message("is missing, expected the identified one")};
   };
   if (!torqueConstant) return missing(names.torqueConstant);
   if (!motor.inertia) return missing(names.inertia);

@@ -223,7 +223,7 @@ Result<void> check(const ServoLoop& loop) {
   const bool wound = loop.current == CurrentPath::winding, observed = loop.speed == SpeedSource::observer;
   const auto positive = [](const std::vector<Needed>& all) -> Result<void> {
     for (const Needed& one : all) {
-      if (!(one.value > 0.0) || !std::isfinite(one.value)) return Error{one.field, "must be positive"};
+      if (!(one.value > 0.0) || !std::isfinite(one.value)) return Error{one.field, message("must be positive")};
     }
     return {};
   };
@@ -241,10 +241,10 @@ Result<void> check(const ServoLoop& loop) {
       return fine;
   }
   if (observed && !(loop.board.velocityBandwidth_rad_per_s > 0.0))
-    return Error{"velocity_bandwidth_rad_per_s", "must be positive"};
-  if (loop.delay_ticks < 0 || loop.delay_ticks > 20) return Error{"delay_ticks", "must be from 0 to 20"};
+    return Error{"velocity_bandwidth_rad_per_s", message("must be positive")};
+  if (loop.delay_ticks < 0 || loop.delay_ticks > 20) return Error{"delay_ticks", message("must be from 0 to 20")};
   if (loop.mode != ServoMode::velocity && loop.mode != ServoMode::position)
-    return Error{"mode", "must be velocity or position"};
+    return Error{"mode", message("must be velocity or position")};
   return {};
 }
 

@@ -22,14 +22,14 @@ Result<ByteAddress> serialAddress(const std::string& uri, const std::string& res
   ByteAddress address;
   const size_t at = rest.rfind('@');
   const std::string name = rest.substr(0, at);
-  if (name.empty()) return Error{"board " + uri, "names no port, expected serial:PORT or serial:PORT@BAUD"};
+  if (name.empty()) return Error{"board " + uri, message("names no port, expected serial:PORT or serial:PORT@BAUD")};
   address.device = name.find('/') == std::string::npos ? "/dev/" + name : name;
   if (at == std::string::npos) return address;
   const std::string rate = rest.substr(at + 1);
   const auto baud = wholeNumber(rate, 1, mostBaud);
   if (!baud) {
     return Error{"board " + uri,
-                 "has the baud rate \"" + rate + "\", expected a whole number of bits per second such as 921600"};
+                 message("has the baud rate \"{}\", expected a whole number of bits per second such as 921600", rate)};
   }
   address.baud = *baud;
   return address;
@@ -45,7 +45,8 @@ Result<ByteAddress> tcpAddress(const std::string& uri, const std::string& rest) 
     address.host = address.host.substr(1, address.host.size() - 2);
   if (address.host.empty()) address.host = "127.0.0.1";
   const auto number = wholeNumber(port, 1, 65535);
-  if (!number) return Error{"board " + uri, "has the port \"" + port + "\", expected tcp:HOST:PORT with 1 to 65535"};
+  if (!number)
+    return Error{"board " + uri, message("has the port \"{}\", expected tcp:HOST:PORT with 1 to 65535", port)};
   address.port = static_cast<std::uint16_t>(*number);
   return address;
 }
@@ -65,7 +66,7 @@ Result<ByteAddress> byteAddressOf(const std::string& uri) {
   const auto rest = [&uri](const char* scheme) { return uri.substr(std::string(scheme).size()); };
   if (uri.starts_with(serialScheme)) return serialAddress(uri, rest(serialScheme));
   if (uri.starts_with(tcpScheme)) return tcpAddress(uri, rest(tcpScheme));
-  return Error{"board " + uri, "is no known board, expected simulated, serial:PORT[@BAUD] or tcp:HOST:PORT"};
+  return Error{"board " + uri, message("is no known board, expected simulated, serial:PORT[@BAUD] or tcp:HOST:PORT")};
 }
 
 }  // namespace breakaway

@@ -60,7 +60,8 @@ Result<void> DescriptorStream::write(std::span<const std::uint8_t> bytes) {
     if (taken > 0) {
       bytes = bytes.subspan(static_cast<size_t>(taken));
     } else if (taken < 0 && errno == EAGAIN) {
-      if (!waitFor(descriptor_.number(), POLLOUT, patience_s)) return Error{name_, "took nothing for a second"};
+      if (!waitFor(descriptor_.number(), POLLOUT, patience_s))
+        return Error{name_, message("took nothing for a second")};
     } else if (taken == 0 || errno != EINTR) {
       return gone(taken == 0 ? 0 : errno);
     }

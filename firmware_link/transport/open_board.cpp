@@ -38,12 +38,12 @@ Result<void> takeOptions(const std::string& options, BoardRequest& request) {
       double value = 0.0;
       const auto [rest, code] = std::from_chars(text.data(), text.data() + text.size(), value);
       if (code != std::errc() || rest != text.data() + text.size() || !(value > 0.0 && value < 1e9))
-        return Error{"board " + request.uri, "has " + name + "=\"" + text + "\", expected a positive number"};
+        return Error{"board " + request.uri, message("has {}=\"{}\", expected a positive number", name, text)};
       request.*member = value;
     }
     if (!found) {
       return Error{"board " + request.uri,
-                   "knows no option \"" + name + "\", expected pole_pairs, counts_per_rev or current_limit_A"};
+                   message("knows no option \"{}\", expected pole_pairs, counts_per_rev or current_limit_A", name)};
     }
   }
   return {};

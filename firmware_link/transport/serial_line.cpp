@@ -48,7 +48,7 @@ Result<Descriptor> openSerialLine(const std::string& device, unsigned baud) {
   const std::string place = "serial port " + device;
   Descriptor line(::open(device.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
   if (!line.open()) return notOpened(device, place, errno);
-  if (::isatty(line.number()) == 0) return Error{place, "is no serial port"};
+  if (::isatty(line.number()) == 0) return Error{place, message("is no serial port")};
   // The lock keeps out a second one of us even where exclusive mode doesn't: for root.
   if (::flock(line.number(), LOCK_EX | LOCK_NB) != 0 || ::ioctl(line.number(), TIOCEXCL) != 0)
     return notOpened(device, place, EBUSY);

@@ -68,7 +68,7 @@ Result<Descriptor> connectTcp(const std::string& host, std::uint16_t port, doubl
   hints.ai_socktype = SOCK_STREAM;
   addrinfo* found = nullptr;
   const int unknown = ::getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &found);
-  if (unknown != 0) return Error{named.words(), std::string("is no known host: ") + ::gai_strerror(unknown)};
+  if (unknown != 0) return Error{named.words(), message("is no known host: {}", ::gai_strerror(unknown))};
   const std::unique_ptr<addrinfo, FreeAddresses> addresses(found);
   int reason = EHOSTUNREACH;
   for (const addrinfo* one = found; one != nullptr; one = one->ai_next) {

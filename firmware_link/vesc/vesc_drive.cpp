@@ -56,7 +56,7 @@ class VescDrive final : public Drive {
   Result<ControllerSettings> configure(const ControllerSettings& wanted) override;
   void command(const Command& command) override;
   void start(std::shared_ptr<Procedure> procedure) override;
-  void stop(const std::string& reason) override;
+  void stop(const Saying& reason) override;
   Result<size_t> advance(double duration_s, std::vector<Sample>& samples) override;
 
  private:
@@ -102,7 +102,8 @@ std::vector<SettingRange> VescDrive::settingRanges() const {
 /// A VESC keeps its gains to itself; what this side watches over is all that can be set.
 Result<ControllerSettings> VescDrive::configure(const ControllerSettings& wanted) {
   for (const double value : {wanted.current_limit_A, wanted.velocity_limit_rad_per_s}) {
-    if (!std::isfinite(value) || value < 0.0) return Error{"settings", "hold a value that is negative or not finite"};
+    if (!std::isfinite(value) || value < 0.0)
+      return Error{"settings", message("hold a value that is negative or not finite")};
   }
   settings_.current_limit_A = wanted.current_limit_A;
   settings_.velocity_limit_rad_per_s = wanted.velocity_limit_rad_per_s;
@@ -146,7 +147,7 @@ void VescDrive::obey(const Command& command) {
 
 void VescDrive::command(const Command& command) {
   if (procedure_ != nullptr && procedure_->state() == Procedure::State::running)
-    procedure_->stop("another command came");
+    procedure_->stop(message("another command came"));
   procedure_.reset();
   obey(command);
 }
@@ -156,7 +157,7 @@ void VescDrive::start(std::shared_ptr<Procedure> procedure) {
   procedure_ = std::move(procedure);
 }
 
-void VescDrive::stop(const std::string& reason) {
+void VescDrive::stop(const Saying& reason) {
   command_ = {};
   line_.say(vescSetCurrent(0.0));
   stopSaidUntil_ = Clock::now() + seconds(stopRepeats_s);
@@ -209,11 +210,11 @@ void VescDrive::watch(const Sample& sample, const VescValues& values) {
   if (values.fault != 0) return stop(vescFaultWords(values.fault));
   const double speedLimit = settings_.velocity_limit_rad_per_s;
   if (speedLimit > 0.0 && std::abs(sample.velocity_rad_per_s) > tripShare * speedLimit) {
-    return stop(fmt::format("over-speed: {:.1f} rad/s with a limit of {:.1f} rad/s; ask for less, or raise the limit",
-                            std::abs(sample.velocity_rad_per_s), speedLimit));
+    return stop(message("over-speed: {:.1f} rad/s with a limit of {:.1f} rad/s; ask for less, or raise the limit",
+                        std::abs(sample.velocity_rad_per_s), speedLimit));
   }
   if (std::abs(sample.current_A) <= tripShare * limit_A()) return;
-  stop(fmt::format(
+  stop(message(
       "over-current: {:.1f} A measured with a limit of {:.1f} A; raise the limit, or set the same one in the VESC",
       std::abs(sample.current_A), limit_A()));
 }
@@ -248,7 +249,7 @@ void VescDrive::heldUp(Clock::time_point now) {
   heard_ = nextQuestion_ = now;
   asked_ = false;
   if (procedure_ == nullptr && command_.mode == Command::Mode::off) return;
-  stop(fmt::format("this program was held up for {:.1f} s, so the motor was stopped", late_s));
+  stop(message("this program was held up for {:.1f} s, so the motor was stopped", late_s));
 }
 
 Result<size_t> VescDrive::advance(double duration_s, std::vector<Sample>& samples) {
@@ -267,13 +268,13 @@ Result<size_t> VescDrive::advance(double duration_s, std::vector<Sample>& sample
     if (const auto payload = line_.hear(std::min(end, nextQuestion_))) hear(*payload, samples);
     now = Clock::now();
     if (line_.broken()) {
-      stop(line_.broken()->message());
+      stop(line_.broken()->said());
       return *line_.broken();
     }
     if (secondsBetween(heard_, now) > silence_s) {
-      const std::string words =
-          "the link to the VESC is lost: no answer for 0.5 s; without a word from here it releases "
-          "the motor after its own time-out. Check cable and power, then connect again";
+      const Message words = message(
+          "the link to the VESC is lost: no answer for 0.5 s; without a word from here it releases the motor after its "
+          "own time-out. Check cable and power, then connect again");
       stop(words);
       return Error{identity_.device, words};
     }
@@ -334,10 +335,8 @@ Result<std::unique_ptr<Drive>> openVesc(std::unique_ptr<ByteStream>& stream, con
   identity.device = asUtf8(deviceName(*version));
   identity.firmware = asUtf8(firmwareName(*version));
   if (!options.polePairs) {
-    return Error{
-        identity.device,
-        "tells electrical speed only, so the motor's pole pairs are needed: ?pole_pairs=N behind the address, or "
-        "motor.pole_pairs in the bench file"};
+    return Error{identity.device, message("tells electrical speed only, so the motor's pole pairs are needed: "
+                                          "?pole_pairs=N behind the address, or motor.pole_pairs in the bench file")};
   }
   line.say(vescSetCurrent(0.0));  // whatever it was doing for somebody else
   VescPayload question = vescSelectValues(vescField::wanted);
@@ -349,7 +348,7 @@ Result<std::unique_ptr<Drive>> openVesc(std::unique_ptr<ByteStream>& stream, con
   const auto values = first ? readVescValues(*first) : std::nullopt;
   if (!values || !values->has(neededFields(options)))
     return Error{identity.device,
-                 "does not answer with the values that are needed; its firmware is " + identity.firmware};
+                 message("does not answer with the values that are needed; its firmware is {}", identity.firmware)};
   identity.supply_V = values->supply_V;
   identity.countsPerRev = options.countsPerRev.value_or(6.0 * *options.polePairs);
   identity.can = {false, false, false, false, options.countsPerRev.has_value()};

@@ -1,10 +1,11 @@
 #include "firmware_link/vesc/vesc_messages.h"
 
-#include <fmt/core.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+
+#include "base/marked_text.h"
 
 namespace breakaway {
 
@@ -150,45 +151,46 @@ std::optional<VescValues> readVescValues(std::span<const std::uint8_t> payload) 
   return taker.good() ? std::optional(values) : std::nullopt;
 }
 
-std::string vescFaultWords(int fault) {
-  static constexpr std::array<const char*, 34> words{
+Message vescFaultWords(int fault) {
+  static constexpr std::array<MessageText<0>, 34> words{
       "",
-      "the supply voltage is too high; a braking motor may feed it, check the supply",
-      "the supply voltage is too low; check the supply and its current limit",
-      "the gate driver objects; check the bridge for a short",
-      "over-current; check motor leads and bridge for a short, and the motor's current limit",
-      "the bridge is too hot; let it cool",
-      "the motor is too hot; let it cool",
-      "the gate driver's supply is too high",
-      "the gate driver's supply is too low",
-      "the processor's supply is too low",
-      "its watchdog has restarted it",
-      "the encoder's SPI bus is disturbed; check encoder cable and shield",
-      "the encoder's sine and cosine are too weak",
-      "the encoder's sine and cosine are too strong",
-      "its flash memory is damaged",
-      "the first current sensor's offset is too large",
-      "the second current sensor's offset is too large",
-      "the third current sensor's offset is too large",
-      "the phase currents don't add up to zero; check the current sensors",
-      "the brake resistor is too hot or fails",
-      "the resolver has lost track",
-      "the resolver's signal is weak",
-      "the resolver has lost its signal",
-      "its flash memory holds a damaged application's settings",
-      "its flash memory holds a damaged motor's settings",
-      "the encoder's magnet is missing",
-      "the encoder's magnet is too strong",
-      "the phase filter fails",
-      "the encoder fails",
-      "its low-voltage output fails; check what it feeds for a short",
-      "the encoder slips: its angle has left the one that the windings' voltage tells; check coupling and magnet",
-      "the motor turns forwards faster than its speed limit",
-      "the motor turns backwards faster than its speed limit",
-      "the motor turns faster than the higher of its two speed limits"};
+      marked("the supply voltage is too high; a braking motor may feed it, check the supply"),
+      marked("the supply voltage is too low; check the supply and its current limit"),
+      marked("the gate driver objects; check the bridge for a short"),
+      marked("over-current; check motor leads and bridge for a short, and the motor's current limit"),
+      marked("the bridge is too hot; let it cool"),
+      marked("the motor is too hot; let it cool"),
+      marked("the gate driver's supply is too high"),
+      marked("the gate driver's supply is too low"),
+      marked("the processor's supply is too low"),
+      marked("its watchdog has restarted it"),
+      marked("the encoder's SPI bus is disturbed; check encoder cable and shield"),
+      marked("the encoder's sine and cosine are too weak"),
+      marked("the encoder's sine and cosine are too strong"),
+      marked("its flash memory is damaged"),
+      marked("the first current sensor's offset is too large"),
+      marked("the second current sensor's offset is too large"),
+      marked("the third current sensor's offset is too large"),
+      marked("the phase currents don't add up to zero; check the current sensors"),
+      marked("the brake resistor is too hot or fails"),
+      marked("the resolver has lost track"),
+      marked("the resolver's signal is weak"),
+      marked("the resolver has lost its signal"),
+      marked("its flash memory holds a damaged application's settings"),
+      marked("its flash memory holds a damaged motor's settings"),
+      marked("the encoder's magnet is missing"),
+      marked("the encoder's magnet is too strong"),
+      marked("the phase filter fails"),
+      marked("the encoder fails"),
+      marked("its low-voltage output fails; check what it feeds for a short"),
+      marked(
+          "the encoder slips: its angle has left the one that the windings' voltage tells; check coupling and magnet"),
+      marked("the motor turns forwards faster than its speed limit"),
+      marked("the motor turns backwards faster than its speed limit"),
+      marked("the motor turns faster than the higher of its two speed limits")};
   if (fault == 0) return {};
-  if (fault > 0 && fault < static_cast<int>(words.size())) return words[static_cast<size_t>(fault)];
-  return fmt::format("fault {}, which is not known here; its maker's tool names it", fault);
+  if (fault > 0 && fault < static_cast<int>(words.size())) return message(words[static_cast<size_t>(fault)]);
+  return message("fault {}, which is not known here; its maker's tool names it", fault);
 }
 
 }  // namespace breakaway

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
+
 namespace breakaway {
 
 using VescPayload = std::vector<std::uint8_t>;
@@ -69,6 +71,6 @@ std::optional<VescVersion> readVescVersion(std::span<const std::uint8_t> payload
 std::optional<VescValues> readVescValues(std::span<const std::uint8_t> payload);
 
 /// A fault code in words; empty for 0, no fault.
-std::string vescFaultWords(int fault);
+Message vescFaultWords(int fault);
 
 }  // namespace breakaway

@@ -40,7 +40,7 @@ class SmallDrive : public Drive {
     command_ = command;
   }
   void start(std::shared_ptr<Procedure> procedure) override { procedure_ = std::move(procedure); }
-  void stop(const std::string& reason) override {
+  void stop(const Saying& reason) override {
     if (procedure_) procedure_->stop(reason);
     procedure_.reset();
     command_ = {};

@@ -24,7 +24,7 @@ class StreamingDrive : public Drive {
   Result<ControllerSettings> configure(const ControllerSettings& wanted) override { return wanted; }
   void command(const Command&) override {}
   void start(std::shared_ptr<Procedure>) override {}
-  void stop(const std::string&) override {}
+  void stop(const Saying&) override {}
   Result<size_t> advance(double, std::vector<Sample>& samples) override {
     for (const double until_s = steadyNow_s(); next_s_ < until_s; next_s_ += 1.0 / identity_.loopRate_Hz)
       samples.push_back(at(next_s_));

@@ -1,13 +1,17 @@
 // The window's skeleton: STOP is never cut off, nothing moves when a label changes, nothing is cut off at any size, all
 // that takes the focus has a name, and the wheel changes nothing by hovering.
+#include <QAction>
 #include <QDoubleSpinBox>
+#include <QMenu>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSlider>
 #include <QTableWidget>
 #include <QWheelEvent>
 
 #include "app/desk.h"
 #include "app/rendered_tree.h"
+#include "session/language.h"
 #include "widgets/log_drawer.h"
 #include "widgets/rail.h"
 
@@ -29,9 +33,19 @@ class TestSkeleton : public QObject {
   void wheel_changesNothingWithoutFocus();
   void rail_saysHowFarAStepIs();
   void log_keepsEveryLineWithItsTime();
+  void german_leavesNothingInEnglish();
+  void language_isKeptForTheNextStart();
 };
 
 namespace {
+
+/// As long as it lives, windows that are made speak it.
+class Spoken {
+ public:
+  explicit Spoken(Language language) { speak(language); }
+  Spoken(const Spoken&) = delete;
+  ~Spoken() { speak(Language::english); }
+};
 
 const QStringList pages{"connectPage", "identifyPage", "tunePage", "homePage", "frictionPage",
                         "comparePage", "reportPage",   "handPage", "runsPage"};
@@ -120,11 +134,16 @@ void TestSkeleton::nothing_isCutOffOrOverlaps_data() {
   QTest::addColumn<QSize>("size");
   QTest::addColumn<bool>("live");
   QTest::addColumn<bool>("parameters");
+  QTest::addColumn<bool>("german");
+  // The last one is 3840 × 2160 at 200 %.
   for (const QSize size : {QSize(1280, 720), QSize(1366, 768), QSize(1920, 1080)}) {
     for (const bool live : {false, true})
-      QTest::addRow("%d×%d%s", size.width(), size.height(), live ? ", live" : "") << size << live << false;
+      QTest::addRow("%d×%d%s", size.width(), size.height(), live ? ", live" : "") << size << live << false << false;
     for (const bool live : {false, true})
-      QTest::addRow("%d×%d%s, parameters", size.width(), size.height(), live ? ", live" : "") << size << live << true;
+      QTest::addRow("%d×%d%s, parameters", size.width(), size.height(), live ? ", live" : "")
+          << size << live << true << false;
+    QTest::addRow("%d×%d, live, parameters, in German", size.width(), size.height()) << size << true << true << true;
+    QTest::addRow("%d×%d, in German", size.width(), size.height()) << size << false << false << true;
   }
 }
 
@@ -132,6 +151,8 @@ void TestSkeleton::nothing_isCutOffOrOverlaps() {
   QFETCH(QSize, size);
   QFETCH(bool, live);
   QFETCH(bool, parameters);
+  QFETCH(bool, german);
+  const Spoken language(german ? Language::german : Language::english);
   Desk desk;
   desk.window.resize(size);
   desk.window.showLive(live);
@@ -254,6 +275,69 @@ void TestSkeleton::log_keepsEveryLineWithItsTime() {
   QVERIFY(QTime::fromString(table->item(0, 0)->text(), "HH:mm:ss").isValid());
   press(desk.window, "logTroubleOnly");
   QCOMPARE(table->rowCount(), 1);
+}
+
+/// Every text that can be read on the pages of a window with this board, with its tooltips and names.
+static QSet<QString> textsIn(Desk& desk, const char* board) {
+  QSet<QString> texts;
+  if (*board != 0) desk.session.connection.open(board);
+  desk.window.showLive(true);
+  desk.window.showParameters(true);
+  for (const QString& page : pages) {
+    desk.window.showPage(page);
+    QTest::qWait(1);
+    for (const QWidget* widget : desk.window.findChildren<QWidget*>()) {
+      texts << widget->toolTip() << widget->accessibleName();
+      if (const auto* label = qobject_cast<const QLabel*>(widget)) texts << label->text();
+      if (const auto* button = qobject_cast<const QAbstractButton*>(widget)) texts << button->text();
+      if (const auto* line = qobject_cast<const QLineEdit*>(widget)) texts << line->placeholderText();
+      const auto* box = qobject_cast<const QComboBox*>(widget);
+      for (int k = 0; box != nullptr && k < box->count(); ++k) texts << box->itemText(k);
+    }
+  }
+  return texts;
+}
+
+/// What both languages have in common holds no English word.
+void TestSkeleton::german_leavesNothingInEnglish() {
+  static const QRegularExpression english(
+      "\\b(the|of|and|is|are|to|with|what|not|no|from|nothing|step|speed|run|open|turn|write|save)\\b",
+      QRegularExpression::CaseInsensitiveOption);
+  for (const char* board : {"", "simulated:servo", "simulated:linear"}) {
+    QSet<QString> here, there;
+    {
+      Desk desk;
+      here = textsIn(desk, board);
+    }
+    {
+      const Spoken german(Language::german);
+      Desk desk;
+      there = textsIn(desk, board);
+    }
+    QVERIFY(here.size() > 100 && there.size() > 100);
+    QStringList left;
+    for (const QString& text : here.intersect(there)) {
+      if (text.contains(english)) left << text;
+    }
+    QVERIFY2(left.isEmpty(), qPrintable(QString(board) + ": " + left.join("\n")));
+  }
+}
+
+void TestSkeleton::language_isKeptForTheNextStart() {
+  const Language before = keptLanguage();
+  Desk desk;
+  QStringList said;
+  QObject::connect(&desk.session.messages, &Messages::said, &desk.window,
+                   [&said](const QString& line) { said << line; });
+  const auto* button = named<QPushButton>(desk.window, "themeButton");
+  QAction* german = nullptr;
+  for (QAction* action : button->menu()->actions()) german = action->text() == "Deutsch" ? action : german;
+  QVERIFY(german != nullptr);
+  german->trigger();
+  QCOMPARE(keptLanguage(), Language::german);
+  QVERIFY2(said.join("").contains("Deutsch"), qPrintable(said.join("; ")));
+  QCOMPARE(named<QPushButton>(desk.window, "connectButton")->text(), QString("Connect"));  // until then
+  keepLanguage(before);
 }
 
 JOURNEY_MAIN(TestSkeleton)

@@ -8,6 +8,7 @@
 #include "firmware_link/simulated_board.h"
 #include "friction/map_export.h"
 #include "session/bench_runs.h"
+#include "session/language.h"
 #include "support/temporary.h"
 
 using namespace breakaway;
@@ -44,7 +45,7 @@ class PausedDrive : public Drive {
     passes_ = true;
     board_->start(std::move(procedure));
   }
-  void stop(const std::string& reason) override {
+  void stop(const Saying& reason) override {
     passes_ = false;
     board_->stop(reason);
   }
@@ -114,6 +115,7 @@ std::array<std::string, 3> files(const Commission& known) {
 }  // namespace
 
 void TestWindowAgainstCommand::initTestCase() {
+  speak(Language::german);  // files stay English
   if (qEnvironmentVariableIsEmpty("BREAKAWAY_RESOURCES"))
     qputenv("BREAKAWAY_RESOURCES", qgetenv("BREAKAWAY_SOURCE_DIR") + "/resources");
 }

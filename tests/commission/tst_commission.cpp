@@ -141,9 +141,9 @@ void TestCommission::ownRecordings_contradictTheirBenchNowhere() {
     const auto scales = checkScales(servo_->bench, {recording});
     if (!scales) continue;  // a wiring check hardly moves
     ++checked;
-    const std::string said = scales->misread           ? scales->misread->sentence
+    const std::string said = scales->misread           ? scales->misread->sentence.english()
                              : scales->remarks.empty() ? std::string()
-                                                       : scales->remarks.front();
+                                                       : scales->remarks.front().english();
     QVERIFY2(said.empty(), (step + ": " + said).c_str());
   }
   QVERIFY2(checked >= 8, qPrintable(QString::number(checked)));

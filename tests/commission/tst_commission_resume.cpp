@@ -112,7 +112,7 @@ void TestCommissionResume::progress_readsBackAsItWas() {
   progress.trustedTorqueConstant_Nm_per_A = 0.07;
   progress.part = 3;
   progress.rigTime_s = 123.25;
-  progress.remarks = {"a remark"};
+  progress.remarks = {Message("a remark")};
   progress.facts.add({Known::motor});
   progress.expected_A = {0.25, 1.0 / 3.0};
   progress.shownResistance_ohm = 1.25;

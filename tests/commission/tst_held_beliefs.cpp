@@ -115,12 +115,12 @@ void TestHeldBeliefs::contradiction_isGoneOnWithAndStaysInTheFiles() {
   const auto done = identifiedWith("simulated:servo", wrong, 3, true);
   VERIFY_OK(done);
   QVERIFY(!done->contradictions.empty());
-  QCOMPARE(done->bench.remarks, done->contradictions);
+  QCOMPARE(done->bench.remarks, std::vector<std::string>(done->contradictions.begin(), done->contradictions.end()));
   TemporaryFolder folder;
   VERIFY_OK(writeBench(done->bench, folder.path("b.json")));
   const auto read = readBench(folder.path("b.json"));
   VERIFY_OK(read);
-  QCOMPARE(read->remarks, done->contradictions);
+  QCOMPARE(read->remarks, std::vector<std::string>(done->contradictions.begin(), done->contradictions.end()));
 }
 
 void TestHeldBeliefs::trustThatWasMeasuredAnew_isWithdrawn() {

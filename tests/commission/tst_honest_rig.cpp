@@ -78,7 +78,7 @@ class PlainBoard : public Drive {
   Result<ControllerSettings> configure(const ControllerSettings& wanted) override { return board_->configure(wanted); }
   void command(const Command& command) override { board_->command(command); }
   void start(std::shared_ptr<Procedure> procedure) override { board_->start(std::move(procedure)); }
-  void stop(const std::string& reason) override { board_->stop(reason); }
+  void stop(const Saying& reason) override { board_->stop(reason); }
   Result<size_t> advance(double duration_s, std::vector<Sample>& samples) override {
     return board_->advance(duration_s, samples);
   }
@@ -199,7 +199,7 @@ void TestHonestRig::motorFile_readsBackAsItWas() {
   record.motor.resistance_ohm = {1.0 / 7.0, 1e-3};
   record.motor.shownInertia_kg_m2 = {1.0 / 3.0, 1e-5};
   record.motor.torqueConstantTrusted = true;
-  record.motor.gauge = "by words";
+  record.motor.gauge = Message("by words");
   record.motor.dutyCurve.points = {{0.01, {}}, {0.03, {0.015, 1e-4}}};
   VERIFY_OK(writeMotor(record, folder.path("motor.json")));
   const auto back = readMotor(folder.path("motor.json"));

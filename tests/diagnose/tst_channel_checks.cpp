@@ -47,16 +47,16 @@ Preparation prepared(const Recording& recording) {
   return std::move(*out);
 }
 
-std::vector<std::string> remarksOf(const Recording& recording) {
+std::vector<Message> remarksOf(const Recording& recording) {
   Track track = *makeTrack(recording, Axis::rotary, DriveInput::torque, {}, 0.0015);
   track.leaps = leapsOf(track);
   track.motion = motionOf(track);
-  std::vector<std::string> remarks = channelRemarks(benchOf(torqueDriven()), recording, track);
+  std::vector<Message> remarks = channelRemarks(benchOf(torqueDriven()), recording, track);
   remarks.insert(remarks.end(), track.remarks.begin(), track.remarks.end());
   return remarks;
 }
 
-bool says(const std::vector<std::string>& remarks, const char* words) {
+bool says(const std::vector<Message>& remarks, const char* words) {
   return remarks.size() == 1 && remarks.front().find(words) != std::string::npos;
 }
 

@@ -268,7 +268,7 @@ void TestScaleCheck::soundTrials_getNoHeadline() {
     QVERIFY2(!check->misread,
              qPrintable(QString("seed %1: %2")
                             .arg(seed)
-                            .arg(QString::fromStdString(check->misread ? check->misread->sentence : ""))));
+                            .arg(QString::fromStdString(check->misread ? check->misread->sentence.english() : ""))));
     for (const std::string& one : check->remarks) qInfo("seed %u: %s", static_cast<unsigned>(seed), one.c_str());
   }
 }

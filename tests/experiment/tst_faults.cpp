@@ -183,7 +183,8 @@ Outcome expected(const std::string& procedure, const std::string& state, const s
 /// The activity without its figures.
 std::string stateOf(const Procedure& procedure) {
   std::string state;
-  for (const char letter : procedure.status().activity) {
+  const std::string activity = procedure.status().activity;
+  for (const char letter : activity) {
     if (std::isalpha(static_cast<unsigned char>(letter)) || letter == ' ' || letter == '-') state += letter;
   }
   return state;

@@ -85,7 +85,8 @@ class Host {
   /// commands.
   std::string state() const {
     std::string words;
-    for (const char c : procedure_->status().activity) {
+    const std::string activity = procedure_->status().activity;
+    for (const char c : activity) {
       if (std::isdigit(static_cast<unsigned char>(c)) == 0 && c != '.') words += c;
     }
     const char* way = wanted_.target > 0.0 ? "+" : wanted_.target < 0.0 ? "-" : "0";

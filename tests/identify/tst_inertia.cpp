@@ -121,7 +121,7 @@ void TestInertia::addedInertia_measuresTheGain() {
     IdentifiedMotor one = motor();
     if (way > 0.0) one.inertia_kg_m2 = {J + 1.03 * disc, 0.002 * J};
     const AddedInertia added{{way > 0.0 ? J : J + 1.03 * disc, 0.002 * J}, {way * disc, 0.0}};
-    setCurrentScale(one, {0.027, {}, added});
+    setCurrentScale(one, {Axis::rotary, 0.027, {}, added});
     QVERIFY(std::abs(one.currentGain.value - 1.03) < 1e-9);
     QVERIFY(one.currentGain.standardError > 0.0015 && one.currentGain.standardError < 0.0025);
     const double truth = way > 0.0 ? J / 1.03 + disc : J / 1.03;
@@ -133,15 +133,15 @@ void TestInertia::addedInertia_measuresTheGain() {
 
 void TestInertia::addedInertia_carriesItsTolerance() {
   IdentifiedMotor sharp = motor(), rough = motor();
-  setCurrentScale(sharp, {0.027, {}, AddedInertia{{2.0 * J, 1e-5 * J}, {-J, 0.0}}});
-  setCurrentScale(rough, {0.027, {}, AddedInertia{{2.0 * J, 1e-5 * J}, {-J, 0.01 * J}}});
+  setCurrentScale(sharp, {Axis::rotary, 0.027, {}, AddedInertia{{2.0 * J, 1e-5 * J}, {-J, 0.0}}});
+  setCurrentScale(rough, {Axis::rotary, 0.027, {}, AddedInertia{{2.0 * J, 1e-5 * J}, {-J, 0.01 * J}}});
   QVERIFY(rough.currentGain.standardError > 0.0099 && sharp.currentGain.standardError < 0.003);
   QVERIFY(rough.inertia_kg_m2.standardError > 0.0099 * J && rough.coulomb_Nm.standardError > 0.0099 * 0.017);
 }
 
 void TestInertia::addedInertiaThatDrowns_measuresNothingAndSaysSo() {
   IdentifiedMotor one = motor();
-  setCurrentScale(one, {0.027, {}, AddedInertia{{1.005 * J, 0.002 * J}, {-0.005 * J, 0.0}}});
+  setCurrentScale(one, {Axis::rotary, 0.027, {}, AddedInertia{{1.005 * J, 0.002 * J}, {-0.005 * J, 0.0}}});
   QCOMPARE(one.currentGain.value, 1.0);
   QVERIFY(one.gauge.find("doesn't stand out") != std::string::npos && one.gauge.find("±2.7 %") != std::string::npos);
 }

@@ -21,7 +21,7 @@ class TestBeliefs : public QObject {
 namespace {
 
 Belief belief(BeliefOf of, double ratio, bool trusted, double error = 0.01) {
-  return {of, "the bench's", "field", 0.07 * ratio, trusted, {0.07, 0.07 * error}};
+  return {of, message("the bench's"), "field", 0.07 * ratio, trusted, {0.07, 0.07 * error}};
 }
 
 struct Named {

@@ -27,12 +27,14 @@ class Straighten : public Step {
     if (!known.motor.dutyCurve.known()) return StepEnd::over;
     const auto taken = on.drive.linearise(known.motor.dutyCurve);
     known.linearised = taken.ok();
-    const char* otherwise = known.linear() ? "breakaway ramps are made along a straight line."
-                                           : "breakaway ramps follow its tangent at the breakaway current.";
-    known.remark(known.linearised ? "The bridge bends its duty: the board takes its voltages through the measured "
-                                    "curve's inverse."
-                                  : "The bridge bends its duty, and the board can't straighten it (" +
-                                        taken.error().fact + "): " + otherwise);
+    if (known.linearised) {
+      known.remark(
+          message("The bridge bends its duty: the board takes its voltages through the measured curve's inverse."));
+      return StepEnd::over;
+    }
+    known.remark(message("The bridge bends its duty, and the board can't straighten it ({}): {}", taken.error().fact,
+                         known.linear() ? message("breakaway ramps are made along a straight line.")
+                                        : message("breakaway ramps follow its tangent at the breakaway current.")));
     return StepEnd::over;
   }
 };
@@ -44,8 +46,8 @@ void takeBridge(const MotorTests& tests, IdentifiedMotor& motor, Commission& kno
   if (bridge) {
     takeBridge(motor, *bridge, tests.winding.timeConstant_s);
   } else {
-    known.remark(bridge.error().message() +
-                 "; resistance and back-EMF constant rest on a straight line beyond the dead zone.");
+    known.remark(message("{}; resistance and back-EMF constant rest on a straight line beyond the dead zone.",
+                         bridge.error().said()));
   }
 }
 

@@ -35,7 +35,7 @@ double amplitudeOn(const Commission& known) {
 
 CourseOptions courseOn(const Commission& known, double amplitude_rad_per_s) {
   CourseOptions course;
-  course.activity = "going to and fro slowly";
+  course.activity = message("going to and fro slowly");
   course.before = {Command::Mode::velocity, 0.0, 0.0, false};
   course.before_s = 0.5;
   if (known.linear()) {
@@ -91,7 +91,7 @@ class Compensated : public Step {
       return StepEnd::over;
     }
     if (const Result<void>& failed = taken_ ? ran : taken_; !failed) {
-      on.known.remark("The map wasn't tried out: " + failed.error().message() + ".");
+      on.known.remark(message("The map wasn't tried out: {}.", failed.error().said()));
       closing_ = true;
       return StepEnd::again;
     }

@@ -1,8 +1,6 @@
 // The current's scale, with its doubt, on the motor: from here on torques are of true amperes, while the windings'
 // voltage still follows the current as it is shown.
 #include <cmath>
-#include <string>
-#include <utility>
 
 #include "commission/steps.h"
 
@@ -10,19 +8,9 @@ namespace breakaway {
 
 namespace {
 
-/// As setCurrentScale() says it of a rotor.
-std::string onAnAxis(std::string text) {
-  constexpr std::pair<const char*, const char*> words[] = {
-      {"torques", "forces"}, {"disc of known inertia", "known added mass"}, {"inertia", "mass"}};
-  for (const auto& [rotors, linear] : words) {
-    for (size_t at = text.find(rotors); at != std::string::npos; at = text.find(rotors, at))
-      text.replace(at, std::string(rotors).size(), linear);
-  }
-  return text;
-}
-
 CurrentScaleOptions scaleOptions(const CommissionOptions& options, Axis axis) {
   CurrentScaleOptions scale;
+  scale.axis = axis;
   if (options.bench) {
     const Bench& bench = *options.bench;
     if (bench.currentGainInterval) scale.gainInterval = *bench.currentGainInterval;
@@ -45,7 +33,6 @@ class CurrentScale : public Step {
     const auto options = scaleOptions(on.options, known.identity.axis);
     known.shownResistance_ohm = known.motor.resistance_ohm.value;
     setCurrentScale(known.motor, options);
-    if (known.linear()) known.motor.gauge = onAnAxis(known.motor.gauge);
     known.remark(known.motor.gauge);
     known.identified = known.motor;
     return StepEnd::over;

@@ -1,5 +1,4 @@
 // The friction map of a rotor, from its breakaways and its runs at constant speed.
-#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 
@@ -28,16 +27,17 @@ Result<void> refitMoving(Commission& known, const std::vector<BreakawayEvent>& b
   known.moving = std::move(*moving);
   const size_t slow = std::max(known.moving[0].leftOut, known.moving[1].leftOut);
   if (slow > 0)
-    known.remark("At the slowest " + std::to_string(slow) +
-                 " speeds friction still falls with speed; what it has to fall from the breakaway torque was taken off "
-                 "before Coulomb and viscous friction were fitted.");
+    known.remark(message(
+        "At the slowest {} speeds friction still falls with speed; what it has to fall from the breakaway torque was "
+        "taken off before Coulomb and viscous friction were fitted.",
+        slow));
   return {};
 }
 
 void remarkDisc(Commission& known, const EncoderDisc& disc) {
   const double off_rad = std::abs(disc.off_rad);
   if (off_rad < worthSaying_rad) return;
-  known.remark(fmt::format(
+  known.remark(message(
       "The encoder's disc sits off its centre: it shows angles that are off by up to {:.2g} rad, once per turn. The "
       "map's angles are freed of that; others (a recording's, the board's) aren't.",
       off_rad));

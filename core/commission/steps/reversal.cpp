@@ -42,14 +42,14 @@ class Reversal : public Step {
     const auto inertia = ran ? reversalInertia(test_->blocks(), {known.motor.torqueConstant_Nm_per_A.value, current_A_})
                              : Result<Estimate>(ran.error());
     if (!inertia) {
-      known.remark(inertia.error().message() + "; the inertia rests on the spin test alone.");
+      known.remark(message("{}; the inertia rests on the spin test alone.", inertia.error().said()));
       return StepEnd::over;
     }
     known.tests->bridge.moving.push_back(test_->blocks());
     if (joinInertia(known.motor, *inertia) > 3.0)
-      known.remark(
+      known.remark(message(
           "The inertia by speeding up and slowing down and the one by turning round differ by more than three standard "
-          "errors; the interval given covers both.");
+          "errors; the interval given covers both."));
     return StepEnd::over;
   }
 

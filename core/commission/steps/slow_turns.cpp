@@ -33,9 +33,9 @@ class Slow : public Step {
     if (ran)
       known.map.stribeckVelocity_rad_per_s = stribeckVelocity(slow_->turns(), known.map, known.torquePerAmpere_Nm());
     if (!(known.map.stribeckVelocity_rad_per_s.value > 0.0))
-      known.remark(
+      known.remark(message(
           "Slow turns don't show over which speed friction falls from static to Coulomb; compensation goes without "
-          "static friction.");
+          "static friction."));
     return StepEnd::over;
   }
 

@@ -56,9 +56,9 @@ class Spin : public Step {
     tests.bridge.moving = {spin_->blocks()};
     const double Kt = motor->torqueConstant_Nm_per_A.value, Ke = motor->backEmfConstant_V_s_per_rad.value;
     if (std::abs(Kt - Ke) > 0.05 * Ke)
-      known.remark(
+      known.remark(message(
           "The trusted torque constant and the measured back-EMF constant differ by more than 5 %; in SI they are the "
-          "same quantity. All torques rest on the trusted one.");
+          "same quantity. All torques rest on the trusted one."));
     return StepEnd::over;
   }
 

@@ -16,9 +16,9 @@ Result<void> layBins(OnBench& on) {
     if (sameEnds(before, known.counted)) {
       known.counted = before;
     } else if (!on.options.measuresAnew) {
-      return Error{"travel", "ends elsewhere than when the interrupted job was begun, expected the same axis"};
+      return Error{"travel", message("ends elsewhere than when the interrupted job was begun, expected the same axis")};
     } else if (!known.strokes.empty()) {
-      known.remark("The ends lie elsewhere than before: what was measured over the travel is forgotten.");
+      known.remark(message("The ends lie elsewhere than before: what was measured over the travel is forgotten."));
       known.forget({Known::runs, Known::breakaways});
     }
   }
@@ -40,7 +40,7 @@ class TravelHome : public Step {
   Result<StepEnd> end(OnBench& on, const Result<void>& ran) override {
     if (!ran) return ran.error();
     on.known.indexAngle_rad = homing_ ? homing_->index_m() : lowerEnd(on.known);
-    if (!homing_) on.known.remark("The encoder has no index: positions are counted from the lower end.");
+    if (!homing_) on.known.remark(message("The encoder has no index: positions are counted from the lower end."));
     if (auto laid = layBins(on); !laid) return laid.error();
     return StepEnd::over;
   }

@@ -27,9 +27,9 @@ class TravelMap : public Step {
     known.map.settings = known.howMeasured;
     remarkMap(known);
     if (!(known.map.stribeckVelocity_rad_per_s.value > 0.0))
-      known.remark(
+      known.remark(message(
           "Slow strokes don't show over which speed friction falls from static to Coulomb; compensation goes without "
-          "static friction.");
+          "static friction."));
     takeAverages(known);
     return StepEnd::over;
   }

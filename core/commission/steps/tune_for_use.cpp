@@ -44,7 +44,7 @@ class TuneForUse : public Step {
       known.settings = *accepted;
       known.facts.remove({Known::carefulGains});
     } else {
-      known.remark("The controller is left as it was for the measurements: " + accepted.error().message() + ".");
+      known.remark(message("The controller is left as it was for the measurements: {}.", accepted.error().said()));
     }
     return StepEnd::over;
   }

@@ -15,7 +15,7 @@ namespace breakaway {
 struct Check {
   Axis axis = Axis::rotary;
   std::optional<Misreading> misread;  ///< what follows is of the recordings with that put right
-  std::vector<std::string> remarks;
+  std::vector<Message> remarks;
   std::vector<ChannelQuality> channels;
   std::vector<std::string> channelWords;
   Model base;                  ///< fitted to all that a diagnosis would learn from

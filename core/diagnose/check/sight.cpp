@@ -149,7 +149,7 @@ class Looker {
       sight.why = "no recording of this drive does";
       return sight;
     }
-    sight.experiment = effect.neededExcitation(input_.seen);
+    sight.experiment = effect.neededExcitation(input_.seen).english();
     if (shapes.empty()) {
       sight.why = "these recordings don't hold what it takes";
       return sight;

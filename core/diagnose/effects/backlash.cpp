@@ -52,19 +52,23 @@ class Backlash final : public TwoMassEffect {
   std::vector<std::vector<double>> variants(std::span<const double> p, const Excitation&) const override {
     return {{p[0], p[1], 4.0 * p[2], p[3]}, {p[0], 0.75 * p[1], 10.0 * p[2], p[3]}};
   }
-  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
-    return "Behind the motor there is play of " + travelText(p[1], seen.axis) +
-           (seen.count > 0.0 ? " (" + digitsText(p[1] / seen.count) + " counts)" : "") +
-           ": after each reversal it moves alone that far, then a load of " + inertiaText(p[0], seen.axis) + " (" +
-           percentText(p[0] / seen.inertia) +
-           " of the inertia) hits. Look at gear, key, coupling or nut: hold the load and turn the motor by hand.";
+  Message sentence(std::span<const double> p, const Excitation& seen) const override {
+    const Message counts = seen.count > 0.0 ? message(" ({} counts)", digitsText(p[1] / seen.count)) : Message();
+    return message(
+        "Behind the motor there is play of {}{}: after each reversal it moves alone that far, then a load of {} ({} of "
+        "the inertia) hits. Look at gear, key, coupling or nut: hold the load and turn the motor by hand.",
+        travelText(p[1], seen.axis), counts, inertiaText(p[0], seen.axis), percentText(p[0] / seen.inertia));
   }
   std::vector<std::string_view> lookAlikes() const override { return {"presliding", "compliance", "stribeck"}; }
-  std::vector<Tell> tells() const override { return {{"presliding", "leaves the motor free before the load hits"}}; }
-  std::string neededExcitation(const Excitation& seen) const override {
-    return "Reverse the load at least 20 times: command back and forth with ±" + digitsText(0.5 * seen.peakInput) +
-           ", and ±" + digitsText(0.15 * seen.peakInput) + " for reversals at speeds around " +
-           speedText(0.1 * seen.highSpeed, seen.axis) + ".";
+  std::vector<Tell> tells() const override {
+    return {{"presliding", message("leaves the motor free before the load hits")}};
+  }
+  Message neededExcitation(const Excitation& seen) const override {
+    return message(
+        "Reverse the load at least 20 times: command back and forth with ±{}, and ±{} for reversals at speeds around "
+        "{}.",
+        digitsText(0.5 * seen.peakInput), digitsText(0.15 * seen.peakInput),
+        speedText(0.1 * seen.highSpeed, seen.axis));
   }
   Maneuver neededManeuver(const Excitation& seen) const override {
     return reversals(0.5 * seen.highSpeed, 20, 0.4) + reversals(0.1 * seen.highSpeed, 10, 1.0);

@@ -37,15 +37,17 @@ class ChannelSkew final : public Effect, private InputPart, private CurrentSenso
     if (seen.currentDrive && p[0] <= 0.0) return false;
     return std::abs(p[0]) < std::min(0.1, 30.0 * seen.step_s);
   }
-  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
-    return "The current is recorded " + timeText(std::abs(p[0])) + (p[0] > 0.0 ? " later" : " earlier") +
-           " than the position (" + digitsText(std::abs(p[0]) / seen.step_s) +
-           " rows). Look at the current's filter, and at when each channel is sampled.";
+  Message sentence(std::span<const double> p, const Excitation& seen) const override {
+    return message(
+        "The current is recorded {} {} than the position ({} rows). Look at the current's filter, and at when each "
+        "channel is sampled.",
+        timeText(std::abs(p[0])), p[0] > 0.0 ? message("later") : message("earlier"),
+        digitsText(std::abs(p[0]) / seen.step_s));
   }
   std::vector<std::string_view> lookAlikes() const override { return {"transport_delay"}; }
-  std::string neededExcitation(const Excitation& seen) const override {
-    return "Give short pulses of " + quantityText(0.7 * seen.peakCurrent, "A") + ", " + timeText(10.0 * seen.step_s) +
-           " long and well apart: each marks its time on both channels.";
+  Message neededExcitation(const Excitation& seen) const override {
+    return message("Give short pulses of {}, {} long and well apart: each marks its time on both channels.",
+                   quantityText(0.7 * seen.peakCurrent, "A"), timeText(10.0 * seen.step_s));
   }
   Maneuver neededManeuver(const Excitation& seen) const override {
     if (!(seen.peakCurrent > 0.0)) return {};

@@ -1,4 +1,3 @@
-#include <fmt/core.h>
 
 #include <cmath>
 
@@ -30,24 +29,25 @@ class Cogging final : public WaveEffect {
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
     return wavePlausible(p, seen, seen.peakTorque, 1.0);  // a longer wave is any spring's
   }
-  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
+  Message sentence(std::span<const double> p, const Excitation& seen) const override {
     const bool turns = seen.axis == Axis::rotary;
-    return fmt::format(
+    return message(
         "{} is pulled back and forth by ±{}, {}, the same whichever way it moves (strongest forward pull first at {}): "
         "cogging between magnets and teeth. {}",
-        turns ? "The rotor" : "The slide", torqueText(std::abs(p[0]), seen.axis), waveText(p[2], seen.axis),
-        wavePeakText(p, seen.axis, seen.lowest),
-        turns ? "Compare with the motor: a multiple of its poles or of its slots."
-              : "Compare with the pitch of its magnets or of its slots.");
+        turns ? message("The rotor") : message("The slide"), torqueText(std::abs(p[0]), seen.axis),
+        waveText(p[2], seen.axis), wavePeakText(p, seen.axis, seen.lowest),
+        turns ? message("Compare with the motor: a multiple of its poles or of its slots.")
+              : message("Compare with the pitch of its magnets or of its slots."));
   }
   std::vector<std::string_view> lookAlikes() const override { return {"position_dependent_friction", "imbalance"}; }
   std::vector<Tell> tells() const override {
-    return {{"torque_ripple", "stays the same when the load changes"},
-            {"position_dependent_friction", "pushes the same way in both directions"}};
+    return {{"torque_ripple", message("stays the same when the load changes")},
+            {"position_dependent_friction", message("pushes the same way in both directions")}};
   }
-  std::string neededExcitation(const Excitation& seen) const override {
-    return std::string("Run slowly over ") + (seen.axis == Axis::rotary ? "two whole turns" : "the whole travel") +
-           " both ways at two speeds, the slower at most " + speedText(0.3 * seen.highSpeed, seen.axis) + ".";
+  Message neededExcitation(const Excitation& seen) const override {
+    return message("Run slowly over {} both ways at two speeds, the slower at most {}.",
+                   seen.axis == Axis::rotary ? message("two whole turns") : message("the whole travel"),
+                   speedText(0.3 * seen.highSpeed, seen.axis));
   }
   Maneuver neededManeuver(const Excitation& seen) const override {
     return speedsBothWays({0.3 * seen.highSpeed, seen.highSpeed}, twoTurns(seen));

@@ -26,12 +26,9 @@ class CommandSaturation final : public Effect, private InputPart {
   Written written(std::span<const double>, Axis) const override {
     return {.memory = {"reached", "has_begun"},
             .input =
-                "drive_input = clamp(drive_input, -p0, p0);"
-                "if (m1 == 0) { m0 = drive_input; m1 = 1; }"
-                "furthest = p1 * dt_s;"
-                "done = clamp(drive_input - m0, -furthest, furthest);"
-                "drive_input = m0 + done - 0.5 * done * abs(done) / furthest;"
-                "m0 = m0 + done;"};
+                "drive_input = clamp(drive_input, -p0, p0);if (m1 == 0) { m0 = drive_input; m1 = 1; }furthest = p1 * "
+                "dt_s;done = clamp(drive_input - m0, -furthest, furthest);drive_input = m0 + done - 0.5 * done * "
+                "abs(done) / furthest;m0 = m0 + done;"};
   }
   std::optional<JointShare> joint(std::span<const double> p) const override {
     return JointShare{.inputLimit = p[0], .rest = "how fast the input may change"};
@@ -55,22 +52,21 @@ class CommandSaturation final : public Effect, private InputPart {
     if (!seen.electrical && torque < std::min(seen.coulomb, leastPart * seen.peakTorque)) return false;
     return p[0] > 0.0 && p[1] > 0.0 && (p[0] < seen.peakInput || p[1] * seen.step_s < 2.0 * seen.peakInput);
   }
-  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
+  Message sentence(std::span<const double> p, const Excitation& seen) const override {
     const char* unit = seen.electrical ? "V" : seen.currentDrive ? "A" : seen.axis == Axis::rotary ? "Nm" : "N";
-    std::string text = "The drive gives less than it is told:";
+    Message text = message("The drive gives less than it is told:");
     if (p[0] < seen.peakInput)
-      text += " it clips at " + quantityText(p[0], unit) + ", " + percentText(p[0] / seen.peakInput) +
-              " of the largest command. Look at the amplifier's limits.";
+      text = text + message(" it clips at {}, {} of the largest command. Look at the amplifier's limits.",
+                            quantityText(p[0], unit), percentText(p[0] / seen.peakInput));
     if (p[1] * seen.step_s < 2.0 * seen.peakInput)
-      text += " it takes " + timeText(seen.peakInput / p[1]) +
-              " from nothing to the largest command. Look at its ramp "
-              "or filter setting.";
+      text = text + message(" it takes {} from nothing to the largest command. Look at its ramp or filter setting.",
+                            timeText(seen.peakInput / p[1]));
     return text;
   }
   std::vector<std::string_view> lookAlikes() const override { return {"torque_saturation", "transport_delay"}; }
-  std::string neededExcitation(const Excitation& seen) const override {
-    return "Step the command to 25, 50, 75 and 100 % of " + digitsText(seen.peakInput) +
-           ", both ways, and record what the drive gives out.";
+  Message neededExcitation(const Excitation& seen) const override {
+    return message("Step the command to 25, 50, 75 and 100 % of {}, both ways, and record what the drive gives out.",
+                   digitsText(seen.peakInput));
   }
   Maneuver neededManeuver(const Excitation& seen) const override {
     if (!(seen.peakCurrent > 0.0)) return {};

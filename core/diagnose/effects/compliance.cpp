@@ -51,20 +51,22 @@ class Compliance final : public TwoMassEffect {
     if (seen.coulomb > 0.0 && p[3] > mostFriction * seen.coulomb) return false;
     return plausibleLoad(p[0], seen) && p[1] * seen.step_s < 1.5 && p[1] * seen.duration_s > 6.0;
   }
-  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
+  Message sentence(std::span<const double> p, const Excitation& seen) const override {
     const double motor = std::max(seen.inertia - p[0], 0.05 * seen.inertia);
-    return "A load of " + inertiaText(p[0], seen.axis) + " (" + percentText(p[0] / seen.inertia) +
-           " of the inertia) hangs on a spring: the motor hardly moves at " + hertzText(p[1]) + " and rings at " +
-           hertzText(p[1] * std::sqrt(seen.inertia / motor)) +
-           (p[3] > 0.0 ? "; " + torqueText(p[3], seen.axis) + " of the friction is on the load's side" : "") +
-           ". Look at the coupling, the belt or a long shaft, and for a loose clamp.";
+    const Message friction =
+        p[3] > 0.0 ? message("; {} of the friction is on the load's side", torqueText(p[3], seen.axis)) : Message();
+    return message(
+        "A load of {} ({} of the inertia) hangs on a spring: the motor hardly moves at {} and rings at {}{}. Look at "
+        "the coupling, the belt or a long shaft, and for a loose clamp.",
+        inertiaText(p[0], seen.axis), percentText(p[0] / seen.inertia), hertzText(p[1]),
+        hertzText(p[1] * std::sqrt(seen.inertia / motor)), friction);
   }
   std::vector<std::string_view> lookAlikes() const override { return {"backlash", "transport_delay", "presliding"}; }
-  std::vector<Tell> tells() const override { return {{"transport_delay", "rings at one frequency"}}; }
-  std::string neededExcitation(const Excitation& seen) const override {
+  std::vector<Tell> tells() const override { return {{"transport_delay", message("rings at one frequency")}}; }
+  Message neededExcitation(const Excitation& seen) const override {
     const double highest = seen.step_s > 0.0 ? 1.0 / seen.step_s : 1e3;
-    return "Chirp the command with ±" + digitsText(0.3 * seen.peakInput) + " from " + hertzText(5.0) + " to " +
-           hertzText(highest) + " within 20 s.";
+    return message("Chirp the command with ±{} from {} to {} within 20 s.", digitsText(0.3 * seen.peakInput),
+                   hertzText(5.0), hertzText(highest));
   }
   Maneuver neededManeuver(const Excitation& seen) const override {
     return seen.peakCurrent > 0.0 ? currentChirp(0.3 * seen.peakCurrent, 5.0, 100.0, 20.0) : Maneuver{};

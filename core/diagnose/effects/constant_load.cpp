@@ -13,8 +13,7 @@ class ConstantLoad final : public Effect {
   std::string_view formula() const override { return "load = c"; }
   std::string_view source() const override {
     return "A. Janot, M. Gautier, M. Brunot, 'Data Set and Reference Models of EMPS', Nonlinear System Identification "
-           "Benchmarks, 2019: "
-           "the offset of the inverse model";
+           "Benchmarks, 2019: the offset of the inverse model";
   }
   std::vector<ParameterSpec> parameters(Axis axis) const override { return {{torqueName("load", axis), -1e9, 1e9}}; }
   Term term(std::span<const double> p, const Situation&) const override { return {.load_Nm = p[0]}; }
@@ -28,19 +27,18 @@ class ConstantLoad final : public Effect {
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
     return std::abs(p[0]) < 1.5 * seen.peakTorque;
   }
-  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
-    return "A constant " + torqueText(std::abs(p[0]), seen.axis) +
-           (seen.axis == Axis::rotary ? " of torque" : " of force") + " pushes " + wayText(-p[0], seen.axis) +
-           ", whichever way the axis moves: a tilted or loaded axis, a spring, or an offset of the current sensor or "
-           "amplifier. Friction that "
-           "differs between the two ways looks the same in a recording.";
+  Message sentence(std::span<const double> p, const Excitation& seen) const override {
+    return message(
+        "A constant {} of {} pushes {}, whichever way the axis moves: a tilted or loaded axis, a spring, or an offset "
+        "of the current sensor or amplifier. Friction that differs between the two ways looks the same in a recording.",
+        torqueText(std::abs(p[0]), seen.axis), torqueWord(seen.axis), wayText(-p[0], seen.axis));
   }
   std::vector<std::string_view> lookAlikes() const override {
     return {"coulomb_asymmetry", "viscous_asymmetry", "imbalance"};
   }
   std::string_view twin() const override { return "coulomb_asymmetry"; }
-  std::string neededExcitation(const Excitation&) const override {
-    return "Move both ways at the same speeds, and zero the current sensor with the drive off.";
+  Message neededExcitation(const Excitation&) const override {
+    return message("Move both ways at the same speeds, and zero the current sensor with the drive off.");
   }
   Maneuver neededManeuver(const Excitation& seen) const override {
     return speedsBothWays({0.5 * seen.highSpeed}, twoTurns(seen));

@@ -27,16 +27,17 @@ class CoulombAsymmetry final : public Effect {
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
     return 0.5 * std::abs(p[0]) <= seen.peakTorque;
   }
-  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
-    return "Dry friction is " + frictionText(std::abs(p[0]), seen) + " larger " + wayText(p[0], seen.axis) +
-           " than the other way: look at brushes, seals or a preloaded bearing. A constant load or a current offset "
-           "looks the same in a recording.";
+  Message sentence(std::span<const double> p, const Excitation& seen) const override {
+    return message(
+        "Dry friction is {} larger {} than the other way: look at brushes, seals or a preloaded bearing. A constant "
+        "load or a current offset looks the same in a recording.",
+        frictionText(std::abs(p[0]), seen), wayText(p[0], seen.axis));
   }
   std::vector<std::string_view> lookAlikes() const override { return {"constant_load", "viscous_asymmetry"}; }
   std::string_view twin() const override { return "constant_load"; }
-  std::string neededExcitation(const Excitation& seen) const override {
-    return "Move both ways at " + speedText(0.5 * seen.highSpeed, seen.axis) +
-           ", and zero the current sensor with the drive off.";
+  Message neededExcitation(const Excitation& seen) const override {
+    return message("Move both ways at {}, and zero the current sensor with the drive off.",
+                   speedText(0.5 * seen.highSpeed, seen.axis));
   }
   Maneuver neededManeuver(const Excitation& seen) const override {
     return speedsBothWays({0.5 * seen.highSpeed}, twoTurns(seen));

@@ -33,18 +33,20 @@ class CurrentSensorOffset final : public Effect, private InputPart, private Curr
     // Zeroing leaves most sensors off by some tenths of a percent.
     return std::abs(p[0]) > 0.008 * seen.peakCurrent && std::abs(p[0]) < 0.5 * seen.peakCurrent;
   }
-  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
-    return "The current sensor shows " + quantityText(std::abs(p[0]), "A") +
-           (p[0] > 0.0 ? " too much" : " too little") + " at every current (" +
-           percentText(std::abs(p[0]) / seen.peakCurrent) + " of the peak); " +
-           (seen.currentDrive
-                ? "the recorded voltage says so, and a motor driven by it is pushed " + wayText(-p[0], seen.axis)
-                : "the motion knows nothing of it") +
-           ". Zero the sensor with the drive off, and look at its reference and temperature.";
+  Message sentence(std::span<const double> p, const Excitation& seen) const override {
+    const Message shows =
+        seen.currentDrive
+            ? message("the recorded voltage says so, and a motor driven by it is pushed {}", wayText(-p[0], seen.axis))
+            : message("the motion knows nothing of it");
+    return message(
+        "The current sensor shows {} {} at every current ({} of the peak); {}. Zero the sensor with the drive off, and "
+        "look at its reference and temperature.",
+        quantityText(std::abs(p[0]), "A"), p[0] > 0.0 ? message("too much") : message("too little"),
+        percentText(std::abs(p[0]) / seen.peakCurrent), shows);
   }
   std::vector<std::string_view> lookAlikes() const override { return {"constant_load", "coulomb_asymmetry"}; }
-  std::string neededExcitation(const Excitation&) const override {
-    return "Record one second with the drive off, then move both ways with voltage and current recorded.";
+  Message neededExcitation(const Excitation&) const override {
+    return message("Record one second with the drive off, then move both ways with voltage and current recorded.");
   }
 
  private:

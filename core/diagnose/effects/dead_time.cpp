@@ -35,17 +35,16 @@ class DeadTime final : public Effect {
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
     return p[0] > 0.0 && p[0] < 0.3 * seen.peakInput && p[1] < seen.peakCurrent;
   }
-  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
-    return "The bridge loses " + quantityText(p[0], "V") + " against the current's direction (" +
-           percentText(p[0] / seen.peakInput) + " of the largest voltage), whole from about " +
-           quantityText(2.0 * p[1], "A") +
-           " on: its dead time or its switches' drop. Look at the dead-time setting, and compensate it by the sign of "
-           "the current.";
+  Message sentence(std::span<const double> p, const Excitation& seen) const override {
+    return message(
+        "The bridge loses {} against the current's direction ({} of the largest voltage), whole from about {} on: its "
+        "dead time or its switches' drop. Look at the dead-time setting, and compensate it by the sign of the current.",
+        quantityText(p[0], "V"), percentText(p[0] / seen.peakInput), quantityText(2.0 * p[1], "A"));
   }
   std::vector<std::string_view> lookAlikes() const override { return {"supply_sag", "stribeck"}; }
-  std::string neededExcitation(const Excitation& seen) const override {
-    return "Reverse slowly through zero at currents below " + quantityText(0.2 * seen.peakCurrent, "A") +
-           ", with the current recorded.";
+  Message neededExcitation(const Excitation& seen) const override {
+    return message("Reverse slowly through zero at currents below {}, with the current recorded.",
+                   quantityText(0.2 * seen.peakCurrent, "A"));
   }
   Maneuver neededManeuver(const Excitation& seen) const override {
     return throughStandstill(0.1 * seen.highSpeed, 10, 2.0);

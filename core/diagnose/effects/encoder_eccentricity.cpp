@@ -35,21 +35,22 @@ class EncoderEccentricity final : public Effect, private EncoderPart {
     return {shape[0][0] * std::hypot(amplitude[0], amplitude[1]), std::atan2(amplitude[1], amplitude[0])};
   }
   bool plausible(std::span<const double> p, const Excitation&) const override { return std::abs(p[0]) < 0.1; }
-  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
+  Message sentence(std::span<const double> p, const Excitation& seen) const override {
     const double peak = p[0] < 0.0 ? p[1] + std::numbers::pi : p[1];
-    return "Once per turn the encoder shows up to " + travelText(std::abs(p[0]), Axis::rotary) +
-           (seen.count > 0.0 ? " (" + digitsText(std::abs(p[0]) / seen.count) + " counts)" : "") + " too much around " +
-           angleText(peak - turn_rad * std::floor(peak / turn_rad)) +
-           " and as much too little opposite: its disc or its shaft is off centre. Look at the encoder's seat and the "
-           "shaft's run-out.";
+    const Message counts =
+        seen.count > 0.0 ? message(" ({} counts)", digitsText(std::abs(p[0]) / seen.count)) : Message();
+    return message(
+        "Once per turn the encoder shows up to {}{} too much around {} and as much too little opposite: its disc or "
+        "its shaft is off centre. Look at the encoder's seat and the shaft's run-out.",
+        travelText(std::abs(p[0]), Axis::rotary), counts, angleText(peak - turn_rad * std::floor(peak / turn_rad)));
   }
   std::vector<std::string_view> lookAlikes() const override { return {"imbalance", "torque_ripple"}; }
-  std::vector<Tell> tells() const override { return {{"imbalance", "grows with the speed's square"}}; }
-  std::string neededExcitation(const Excitation& seen) const override {
-    return "Turn several turns at constant " + speedText(0.3 * seen.highSpeed, seen.axis) + " and at " +
-           speedText(seen.highSpeed, seen.axis) +
-           ": the error stays the same, what it takes for acceleration grows "
-           "with the speed's square.";
+  std::vector<Tell> tells() const override { return {{"imbalance", message("grows with the speed's square")}}; }
+  Message neededExcitation(const Excitation& seen) const override {
+    return message(
+        "Turn several turns at constant {} and at {}: the error stays the same, what it takes for acceleration grows "
+        "with the speed's square.",
+        speedText(0.3 * seen.highSpeed, seen.axis), speedText(seen.highSpeed, seen.axis));
   }
   Maneuver neededManeuver(const Excitation& seen) const override {
     return speedsBothWays({0.3 * seen.highSpeed, seen.highSpeed}, twoTurns(seen));

@@ -34,9 +34,7 @@ class EndStop final : public Effect {
   double longestStep_s(std::span<const double>) const override { return 5e-4; }
   bool mayRepeat(const Excitation&) const override { return true; }
   Written written(std::span<const double>, Axis) const override {
-    return {.load =
-                "(p2 * (position - p1) > 0 ? "
-                "p2 * max(0, p0 * p2 * (position - p1) + p3 * p2 * velocity) : 0)"};
+    return {.load = "(p2 * (position - p1) > 0 ? p2 * max(0, p0 * p2 * (position - p1) + p3 * p2 * velocity) : 0)"};
   }
   std::optional<JointShare> joint(std::span<const double> p) const override {
     return JointShare{.stop = JointShare::Stop{p[1], p[2]}, .rest = "its stiffness and damping"};
@@ -58,18 +56,19 @@ class EndStop final : public Effect {
     const double depth = p[2] > 0.0 ? seen.highest - p[1] : p[1] - seen.lowest;
     return p[0] > 0.0 && depth > 0.0 && depth < deepest * seen.travel;
   }
-  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
+  Message sentence(std::span<const double> p, const Excitation& seen) const override {
     const double depth = p[2] > 0.0 ? seen.highest - p[1] : p[1] - seen.lowest;
-    return "From " + travelText(p[1], seen.axis) + " on, " + wayText(p[2], seen.axis) +
-           ", the axis runs into something springy: " + stiffnessText(p[0], seen.axis) + ", " +
-           torqueText(p[0] * depth, seen.axis) + " at the furthest point seen, " + travelText(depth, seen.axis) +
-           " further. Look at that end for a stop, a buffer, a taut cable or a chip in the guide.";
+    return message(
+        "From {} on, {}, the axis runs into something springy: {}, {} at the furthest point seen, {} further. Look at "
+        "that end for a stop, a buffer, a taut cable or a chip in the guide.",
+        travelText(p[1], seen.axis), wayText(p[2], seen.axis), stiffnessText(p[0], seen.axis),
+        torqueText(p[0] * depth, seen.axis), travelText(depth, seen.axis));
   }
   std::vector<std::string_view> lookAlikes() const override { return {"imbalance", "position_dependent_friction"}; }
-  std::string neededExcitation(const Excitation& seen) const override {
-    return "Move slowly, at most " + speedText(0.2 * seen.highSpeed, seen.axis) + ", to " +
-           travelText(seen.lowest, seen.axis) + " and " + travelText(seen.highest, seen.axis) +
-           " several times, and stay there for a second.";
+  Message neededExcitation(const Excitation& seen) const override {
+    return message("Move slowly, at most {}, to {} and {} several times, and stay there for a second.",
+                   speedText(0.2 * seen.highSpeed, seen.axis), travelText(seen.lowest, seen.axis),
+                   travelText(seen.highest, seen.axis));
   }
   std::string_view drawnOver() const override { return "angle"; }
 };

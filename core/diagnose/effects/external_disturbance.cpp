@@ -44,17 +44,18 @@ class ExternalDisturbance final : public Effect {
     return std::abs(p[0]) < 3.0 * seen.peakTorque && p[2] < 0.8 * seen.duration_s && p[1] < seen.duration_s &&
            p[1] + p[2] > 0.0;
   }
-  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
-    return "From " + timeText(p[1]) + " to " + timeText(p[1] + p[2]) +
-           " after the recording's begin something pushed " + wayText(p[0], seen.axis) + " with " +
-           torqueText(std::abs(p[0]), seen.axis) +
-           ": a hand, a cable, a load put on. Look at what happened then, and repeat the recording without it.";
+  Message sentence(std::span<const double> p, const Excitation& seen) const override {
+    return message(
+        "From {} to {} after the recording's begin something pushed {} with {}: a hand, a cable, a load put on. Look "
+        "at what happened then, and repeat the recording without it.",
+        timeText(p[1]), timeText(p[1] + p[2]), wayText(p[0], seen.axis), torqueText(std::abs(p[0]), seen.axis));
   }
   std::vector<std::string_view> lookAlikes() const override { return {"constant_load", "friction_warmup"}; }
-  std::vector<Tell> tells() const override { return {{"friction_warmup", "doesn't come again"}}; }
-  std::string neededExcitation(const Excitation& seen) const override {
-    return "Repeat the same motion of " + timeText(seen.duration_s) +
-           " untouched: what came from outside doesn't come again at the same time.";
+  std::vector<Tell> tells() const override { return {{"friction_warmup", message("doesn't come again")}}; }
+  Message neededExcitation(const Excitation& seen) const override {
+    return message(
+        "Repeat the same motion of {} untouched: what came from outside doesn't come again at the same time.",
+        timeText(seen.duration_s));
   }
   const OncePart* once() const override {
     static constexpr OncePart when{.start = 1, .duration = 2};

@@ -36,19 +36,24 @@ class FrictionWarmup final : public Effect {
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
     return p[0] > 0.0 && p[0] <= seen.peakTorque;
   }
-  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
-    return "At the recording's start friction is " + frictionText(std::abs(p[0]), seen) +
-           (p[0] > 0.0 ? " higher" : " lower") + " than later and settles with a time constant of " + timeText(p[1]) +
-           (p[0] > 0.0 ? ": grease and bearings that warm up. Run the axis warm before measuring, or check the grease."
-                       : ": something tightens as it warms up. Look at the fit and preload of the bearings.");
+  Message sentence(std::span<const double> p, const Excitation& seen) const override {
+    return message(
+        "At the recording's start friction is {} {} than later and settles with a time constant of {}: {}",
+        frictionText(std::abs(p[0]), seen), p[0] > 0.0 ? message("higher") : message("lower"), timeText(p[1]),
+        p[0] > 0.0
+            ? message("grease and bearings that warm up. Run the axis warm before measuring, or check the grease.")
+            : message("something tightens as it warms up. Look at the fit and preload of the bearings."));
   }
   std::vector<std::string_view> lookAlikes() const override {
     return {"winding_heating", "external_disturbance", "stribeck"};
   }
-  std::vector<Tell> tells() const override { return {{"external_disturbance", "comes again after a cold start"}}; }
-  std::string neededExcitation(const Excitation& seen) const override {
-    return "Let the axis cool down, then run it to and fro at " + speedText(0.5 * seen.highSpeed, seen.axis) + " for " +
-           timeText(std::max(2.0 * seen.duration_s, 60.0)) + ", and repeat the same at once while it is warm.";
+  std::vector<Tell> tells() const override {
+    return {{"external_disturbance", message("comes again after a cold start")}};
+  }
+  Message neededExcitation(const Excitation& seen) const override {
+    return message(
+        "Let the axis cool down, then run it to and fro at {} for {}, and repeat the same at once while it is warm.",
+        speedText(0.5 * seen.highSpeed, seen.axis), timeText(std::max(2.0 * seen.duration_s, 60.0)));
   }
   Maneuver neededManeuver(const Excitation& seen) const override {
     return reversals(0.5 * seen.highSpeed, static_cast<int>(std::clamp(2.0 * seen.duration_s, 60.0, 600.0)), 1.0);

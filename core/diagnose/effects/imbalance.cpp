@@ -27,20 +27,20 @@ class Imbalance final : public WaveEffect {
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
     return wavePlausible(p, seen, seen.peakTorque);
   }
-  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
-    return "Once per turn a torque of ±" + torqueText(std::abs(p[0]), seen.axis) +
-           " helps and then hinders, the same whichever way it turns (strongest forward push at " +
-           wavePeakText(p, seen.axis) +
-           "): a mass off the axis, or a magnet or core that is out of centre. Balance the load or turn the shaft "
-           "upright to tell.";
+  Message sentence(std::span<const double> p, const Excitation& seen) const override {
+    return message(
+        "Once per turn a torque of ±{} helps and then hinders, the same whichever way it turns (strongest forward push "
+        "at {}): a mass off the axis, or a magnet or core that is out of centre. Balance the load or turn the shaft "
+        "upright to tell.",
+        torqueText(std::abs(p[0]), seen.axis), wavePeakText(p, seen.axis));
   }
   std::vector<std::string_view> lookAlikes() const override { return {"cogging", "position_dependent_friction"}; }
   std::vector<Tell> tells() const override {
-    return {{"encoder_eccentricity", "stays the same at every speed"},
-            {"position_dependent_friction", "pushes the same way in both directions"}};
+    return {{"encoder_eccentricity", message("stays the same at every speed")},
+            {"position_dependent_friction", message("pushes the same way in both directions")}};
   }
-  std::string neededExcitation(const Excitation& seen) const override {
-    return "Turn slowly over two whole turns, both ways, at " + speedText(0.3 * seen.highSpeed, seen.axis) + ".";
+  Message neededExcitation(const Excitation& seen) const override {
+    return message("Turn slowly over two whole turns, both ways, at {}.", speedText(0.3 * seen.highSpeed, seen.axis));
   }
   Maneuver neededManeuver(const Excitation& seen) const override {
     return speedsBothWays({0.3 * seen.highSpeed}, twoTurns(seen));

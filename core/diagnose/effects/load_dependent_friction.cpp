@@ -1,4 +1,3 @@
-#include <fmt/core.h>
 
 #include <cmath>
 
@@ -46,23 +45,25 @@ class LoadDependentFriction final : public Effect {
                                 : std::vector<std::vector<double>>{};
   }
   bool plausible(std::span<const double> p, const Excitation&) const override { return p[0] > 0.0 && p[0] < 0.95; }
-  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
-    const bool ofKnown = p[1] > 0.5;
+  Message sentence(std::span<const double> p, const Excitation& seen) const override {
+    const bool ofKnown = p[1] > 0.5, turns = seen.axis == Axis::rotary;
     const double most = std::abs(p[0]) * (ofKnown ? seen.knownLoad : seen.peakTorque);
-    return fmt::format("Friction {} with the {}{}, by {} of it ({} at {}): losses in the {}",
-                       p[0] > 0.0 ? "grows" : "falls", ofKnown ? "known load's " : "transmitted ",
-                       torqueWord(seen.axis), percentText(std::abs(p[0])), torqueText(most, seen.axis),
-                       ofKnown ? "its largest" : "the recording's peak",
-                       seen.axis == Axis::rotary ? "gear or the loaded bearing; look at mesh, alignment and grease."
-                                                 : "screw or gear; look at nut, alignment and grease.");
+    const Message load = ofKnown ? turns ? message("known load's torque") : message("known load's force")
+                         : turns ? message("transmitted torque")
+                                 : message("transmitted force");
+    return message("Friction {} with the {}, by {} of it ({} at {}): losses in the {}",
+                   p[0] > 0.0 ? message("grows") : message("falls"), load, percentText(std::abs(p[0])),
+                   torqueText(most, seen.axis), ofKnown ? message("its largest") : message("the recording's peak"),
+                   turns ? message("gear or the loaded bearing; look at mesh, alignment and grease.")
+                         : message("screw or gear; look at nut, alignment and grease."));
   }
   std::vector<std::string_view> lookAlikes() const override {
     return {"torque_saturation", "position_dependent_friction"};
   }
-  std::vector<Tell> tells() const override { return {{"torque_saturation", "only ever resists the motion"}}; }
-  std::string neededExcitation(const Excitation& seen) const override {
-    return "Repeat the same motion with a known load that asks for at least " +
-           torqueText(0.5 * seen.peakTorque, seen.axis) + ".";
+  std::vector<Tell> tells() const override { return {{"torque_saturation", message("only ever resists the motion")}}; }
+  Message neededExcitation(const Excitation& seen) const override {
+    return message("Repeat the same motion with a known load that asks for at least {}.",
+                   torqueText(0.5 * seen.peakTorque, seen.axis));
   }
   std::string_view drawnOver() const override { return "current"; }
 };

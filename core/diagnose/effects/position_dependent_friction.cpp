@@ -29,21 +29,22 @@ class PositionDependentFriction final : public WaveEffect {
     // More than the whole dry friction would push somewhere; the base model may see too little of it.
     return wavePlausible(p, seen, std::max(1.5 * seen.coulomb, 0.2 * seen.peakTorque));
   }
-  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
-    return "Friction is " + frictionText(std::abs(p[0]), seen) + " higher around " +
-           wavePeakText(p, seen.axis, seen.lowest) + " and as much lower half a wave on, " + waveText(p[2], seen.axis) +
-           " and both ways: look there for a worn or tight place in the bearing, seal, brush track or screw, or a bent "
-           "shaft.";
+  Message sentence(std::span<const double> p, const Excitation& seen) const override {
+    return message(
+        "Friction is {} higher around {} and as much lower half a wave on, {} and both ways: look there for a worn or "
+        "tight place in the bearing, seal, brush track or screw, or a bent shaft.",
+        frictionText(std::abs(p[0]), seen), wavePeakText(p, seen.axis, seen.lowest), waveText(p[2], seen.axis));
   }
   std::vector<std::string_view> lookAlikes() const override { return {"cogging", "imbalance"}; }
   std::vector<Tell> tells() const override {
-    return {{"cogging", "changes sign with direction"},
-            {"imbalance", "changes sign with direction"},
-            {"position_dependent_viscous", "stays the same at every speed"}};
+    return {{"cogging", message("changes sign with direction")},
+            {"imbalance", message("changes sign with direction")},
+            {"position_dependent_viscous", message("stays the same at every speed")}};
   }
-  std::string neededExcitation(const Excitation& seen) const override {
-    return std::string("Run slowly over ") + (seen.axis == Axis::rotary ? "two whole turns" : "the whole travel") +
-           " at " + speedText(0.3 * seen.highSpeed, seen.axis) + ", both ways.";
+  Message neededExcitation(const Excitation& seen) const override {
+    return message("Run slowly over {} at {}, both ways.",
+                   seen.axis == Axis::rotary ? message("two whole turns") : message("the whole travel"),
+                   speedText(0.3 * seen.highSpeed, seen.axis));
   }
   Maneuver neededManeuver(const Excitation& seen) const override {
     return speedsBothWays({0.3 * seen.highSpeed}, twoTurns(seen));

@@ -33,22 +33,24 @@ class PositionDependentViscous final : public WaveEffect {
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
     return wavePlausible(p, seen, seen.peakTorque / seen.highSpeed);
   }
-  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
-    return "Friction grows faster with speed around " + wavePeakText(p, seen.axis, seen.lowest) + ", " +
-           waveText(p[2], seen.axis) + " and both ways: by ±" + viscousText(std::abs(p[0]), seen.axis) +
-           ", which is ±" + torqueText(std::abs(p[0]) * seen.highSpeed, seen.axis) + " at " +
-           speedText(seen.highSpeed, seen.axis) + ". Look for a lubricated fit, seal or guide that is tighter there.";
+  Message sentence(std::span<const double> p, const Excitation& seen) const override {
+    return message(
+        "Friction grows faster with speed around {}, {} and both ways: by ±{}, which is ±{} at {}. Look for a "
+        "lubricated fit, seal or guide that is tighter there.",
+        wavePeakText(p, seen.axis, seen.lowest), waveText(p[2], seen.axis), viscousText(std::abs(p[0]), seen.axis),
+        torqueText(std::abs(p[0]) * seen.highSpeed, seen.axis), speedText(seen.highSpeed, seen.axis));
   }
   std::vector<std::string_view> lookAlikes() const override {
     return {"position_dependent_friction", "torque_ripple", "encoder_eccentricity"};
   }
   std::vector<Tell> tells() const override {
-    return {{"position_dependent_friction", "grows with the speed"}, {"torque_ripple", "grows with the speed"}};
+    return {{"position_dependent_friction", message("grows with the speed")},
+            {"torque_ripple", message("grows with the speed")}};
   }
-  std::string neededExcitation(const Excitation& seen) const override {
-    return std::string("Run over ") + (seen.axis == Axis::rotary ? "ten whole turns" : "the whole travel") +
-           " both ways at two constant speeds, " + speedText(0.3 * seen.highSpeed, seen.axis) + " and " +
-           speedText(seen.highSpeed, seen.axis) + ".";
+  Message neededExcitation(const Excitation& seen) const override {
+    return message("Run over {} both ways at two constant speeds, {} and {}.",
+                   seen.axis == Axis::rotary ? message("ten whole turns") : message("the whole travel"),
+                   speedText(0.3 * seen.highSpeed, seen.axis), speedText(seen.highSpeed, seen.axis));
   }
   Maneuver neededManeuver(const Excitation& seen) const override {
     return speedsBothWays({0.3 * seen.highSpeed, seen.highSpeed}, 5.0 * twoTurns(seen));

@@ -20,8 +20,7 @@ class Presliding final : public Effect, private ElasticFriction {
   std::string_view source() const override {
     return "P. R. Dahl, 'Solid friction damping of mechanical vibrations', AIAA Journal 14(12), 1976; damping as in C. "
            "Canudas de Wit, H. Olsson, K. J. Åström, P. Lischinsky, 'A new model for control of systems with "
-           "friction', "
-           "IEEE Trans. Automatic Control 40(3), 1995";
+           "friction', IEEE Trans. Automatic Control 40(3), 1995";
   }
   std::vector<ParameterSpec> parameters(Axis axis) const override {
     return {{stiffnessName("stiffness", axis), 1e-9, 1e12}, {"damping_ratio", 0.02, 3.0, true, true}};
@@ -44,19 +43,22 @@ class Presliding final : public Effect, private ElasticFriction {
     const double way = slidingFriction(seen) / p[0];
     return way > 0.3 * seen.count && way < 3.0 * widestWay(seen);
   }
-  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
-    return "After each reversal friction first gives like a spring of " + stiffnessText(p[0], seen.axis) +
-           " and reaches its full size only after about " + travelText(3.0 * slidingFriction(seen) / p[0], seen.axis) +
-           ": contacts that yield before they slide. Look at seals, brushes and preloaded bearings, and expect creep "
-           "and hysteresis when positioning finely.";
+  Message sentence(std::span<const double> p, const Excitation& seen) const override {
+    return message(
+        "After each reversal friction first gives like a spring of {} and reaches its full size only after about {}: "
+        "contacts that yield before they slide. Look at seals, brushes and preloaded bearings, and expect creep and "
+        "hysteresis when positioning finely.",
+        stiffnessText(p[0], seen.axis), travelText(3.0 * slidingFriction(seen) / p[0], seen.axis));
   }
   std::vector<std::string_view> lookAlikes() const override { return {"stribeck", "backlash", "compliance"}; }
-  std::vector<Tell> tells() const override { return {{"backlash", "builds up like a spring against friction"}}; }
-  std::string neededExcitation(const Excitation& seen) const override {
-    return "Reverse slowly at least ten times, with the " + torqueWord(seen.axis) +
-           " rising and falling in ramps up to " +
-           torqueText(std::min(1.5 * slidingFriction(seen), seen.peakTorque), seen.axis) + " over ways of up to " +
-           travelText(std::max(30.0 * seen.count, widestWay(seen)), seen.axis) + ".";
+  std::vector<Tell> tells() const override {
+    return {{"backlash", message("builds up like a spring against friction")}};
+  }
+  Message neededExcitation(const Excitation& seen) const override {
+    return message(
+        "Reverse slowly at least ten times, with the {} rising and falling in ramps up to {} over ways of up to {}.",
+        torqueWord(seen.axis), torqueText(std::min(1.5 * slidingFriction(seen), seen.peakTorque), seen.axis),
+        travelText(std::max(30.0 * seen.count, widestWay(seen)), seen.axis));
   }
   Maneuver neededManeuver(const Excitation& seen) const override {
     if (!(seen.peakCurrent > 0.0 && seen.peakTorque > 0.0)) return {};

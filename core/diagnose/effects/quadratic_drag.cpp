@@ -29,21 +29,23 @@ class QuadraticDrag final : public Effect {
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
     return p[0] > 0.0 && p[0] * seen.highSpeed * seen.highSpeed <= seen.peakTorque;
   }
-  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
+  Message sentence(std::span<const double> p, const Excitation& seen) const override {
     const double drag = p[0] * seen.highSpeed * seen.highSpeed;
-    return "Drag " + std::string(drag < 0.0 ? "falls" : "grows") + " with the square of speed and makes " +
-           torqueText(std::abs(drag), seen.axis) + " at " + speedText(seen.highSpeed, seen.axis) +
-           ", a quarter of that at " + speedText(0.5 * seen.highSpeed, seen.axis) +
-           ": air or oil that is churned. Look at a fan, an open rotor or carriage, or the oil level.";
+    return message(
+        "Drag {} with the square of speed and makes {} at {}, a quarter of that at {}: air or oil that is churned. "
+        "Look at a fan, an open rotor or carriage, or the oil level.",
+        drag < 0.0 ? message("falls") : message("grows"), torqueText(std::abs(drag), seen.axis),
+        speedText(seen.highSpeed, seen.axis), speedText(0.5 * seen.highSpeed, seen.axis));
   }
   std::vector<std::string_view> lookAlikes() const override { return {"torque_saturation", "viscous_asymmetry"}; }
   std::vector<Tell> tells() const override {
-    return {{"viscous_asymmetry", "bends upwards with speed, both ways alike"}, {"stribeck", "grows at high speed"}};
+    return {{"viscous_asymmetry", message("bends upwards with speed, both ways alike")},
+            {"stribeck", message("grows at high speed")}};
   }
-  std::string neededExcitation(const Excitation& seen) const override {
-    return "Hold constant speeds of " + speedText(seen.highSpeed / 3.0, seen.axis) + ", " +
-           speedText(seen.highSpeed * 2.0 / 3.0, seen.axis) + " and " + speedText(seen.highSpeed, seen.axis) +
-           " both ways, and let the axis coast down once.";
+  Message neededExcitation(const Excitation& seen) const override {
+    return message("Hold constant speeds of {}, {} and {} both ways, and let the axis coast down once.",
+                   speedText(seen.highSpeed / 3.0, seen.axis), speedText(seen.highSpeed * 2.0 / 3.0, seen.axis),
+                   speedText(seen.highSpeed, seen.axis));
   }
   Maneuver neededManeuver(const Excitation& seen) const override {
     return speedsBothWays({seen.highSpeed / 3.0, seen.highSpeed * 2.0 / 3.0, seen.highSpeed}, twoTurns(seen));

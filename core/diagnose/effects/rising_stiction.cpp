@@ -47,22 +47,24 @@ class RisingStiction final : public Effect {
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
     return p[0] > 0.0 && p[0] <= seen.peakTorque && p[1] >= shortestTime * seen.longestRest_s;
   }
-  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
-    return "The longer the axis has stood, the " + std::string(p[0] < 0.0 ? "less" : "more") + " " +
-           torqueWord(seen.axis) + " it takes to break away: by up to " + frictionText(std::abs(p[0]), seen) +
-           ", with a time constant of " + timeText(p[1]) + ", gone above " + speedText(2.0 * p[2], seen.axis) +
-           ": a lubricant film that is squeezed out, or a seal that sticks. Look at the seals and the grease, and "
-           "expect a jerk after a pause.";
+  Message sentence(std::span<const double> p, const Excitation& seen) const override {
+    return message(
+        "The longer the axis has stood, the {} {} it takes to break away: by up to {}, with a time constant of {}, "
+        "gone above {}: a lubricant film that is squeezed out, or a seal that sticks. Look at the seals and the "
+        "grease, and expect a jerk after a pause.",
+        p[0] < 0.0 ? message("less") : message("more"), torqueWord(seen.axis), frictionText(std::abs(p[0]), seen),
+        timeText(p[1]), speedText(2.0 * p[2], seen.axis));
   }
   std::vector<std::string_view> lookAlikes() const override {
     return {"stribeck", "presliding", "position_dependent_friction"};
   }
-  std::string neededExcitation(const Excitation& seen) const override {
+  Message neededExcitation(const Excitation& seen) const override {
     const double rest_s = std::max(seen.longestRest_s, 1.0);
-    return "Stop at one and the same " + std::string(seen.axis == Axis::rotary ? "angle" : "position") +
-           " at least nine times, rest for " + timeText(0.05 * rest_s) + ", " + timeText(0.3 * rest_s) + " or " +
-           timeText(2.0 * rest_s) + " in turn, and ramp the " + torqueWord(seen.axis) + " slowly up to at most " +
-           torqueText(seen.peakTorque, seen.axis) + " until it moves.";
+    return message(
+        "Stop at one and the same {} at least nine times, rest for {}, {} or {} in turn, and ramp the {} slowly up to "
+        "at most {} until it moves.",
+        seen.axis == Axis::rotary ? message("angle") : message("position"), timeText(0.05 * rest_s),
+        timeText(0.3 * rest_s), timeText(2.0 * rest_s), torqueWord(seen.axis), torqueText(seen.peakTorque, seen.axis));
   }
   Maneuver neededManeuver(const Excitation& seen) const override {
     const double rest_s = std::clamp(seen.longestRest_s, 1.0, 5.0);

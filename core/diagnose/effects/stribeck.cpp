@@ -54,18 +54,20 @@ class Stribeck final : public Effect {
   std::vector<std::vector<double>> variants(std::span<const double> p, const Excitation&) const override {
     return {{p[0], p[1], p[2] == 2.0 ? 1.0 : 2.0}};
   }
-  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
-    return "Near standstill friction is " + frictionText(std::abs(p[0]), seen) + (p[0] > 0.0 ? " higher" : " lower") +
-           " than in motion and settles over about " + speedText(p[1], seen.axis) +
-           (p[0] > 0.0 ? ": the Stribeck effect of a lubricated contact. Look at the grease and the preload, and "
-                         "expect stick-slip below that speed."
-                       : ": friction that rises from standstill, as in a full-film or creeping contact.");
+  Message sentence(std::span<const double> p, const Excitation& seen) const override {
+    return message("Near standstill friction is {} {} than in motion and settles over about {}: {}",
+                   frictionText(std::abs(p[0]), seen), p[0] > 0.0 ? message("higher") : message("lower"),
+                   speedText(p[1], seen.axis),
+                   p[0] > 0.0
+                       ? message("the Stribeck effect of a lubricated contact. Look at the grease and the preload, and "
+                                 "expect stick-slip below that speed.")
+                       : message("friction that rises from standstill, as in a full-film or creeping contact."));
   }
   std::vector<std::string_view> lookAlikes() const override { return {"presliding", "backlash", "rising_stiction"}; }
-  std::vector<Tell> tells() const override { return {{"quadratic_drag", "falls with speed near zero"}}; }
-  std::string neededExcitation(const Excitation& seen) const override {
-    return "Ramp slowly through zero speed, both ways, from " + speedText(seen.highSpeed / 3.0, seen.axis) +
-           " down to " + speedText(seen.highSpeed / 100.0, seen.axis) + ".";
+  std::vector<Tell> tells() const override { return {{"quadratic_drag", message("falls with speed near zero")}}; }
+  Message neededExcitation(const Excitation& seen) const override {
+    return message("Ramp slowly through zero speed, both ways, from {} down to {}.",
+                   speedText(seen.highSpeed / 3.0, seen.axis), speedText(seen.highSpeed / 100.0, seen.axis));
   }
   Maneuver neededManeuver(const Excitation& seen) const override {
     return throughStandstill(seen.highSpeed / 3.0, 10, 4.0);

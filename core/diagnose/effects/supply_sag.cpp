@@ -30,8 +30,8 @@ class SupplySag final : public Effect {
   }
   Written written(std::span<const double>, Axis) const override {
     return {.voltage =
-                "(drive_input * current > 0 ? p0 * (drive_input / (supply_V > 0 ? supply_V : p1)) * "
-                "(drive_input / (supply_V > 0 ? supply_V : p1)) * current : 0)"};
+                "(drive_input * current > 0 ? p0 * (drive_input / (supply_V > 0 ? supply_V : p1)) * (drive_input / "
+                "(supply_V > 0 ? supply_V : p1)) * current : 0)"};
   }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     if (!seen.electrical || seen.peakCurrent <= 0.0 || seen.peakInput <= 0.0) return {};
@@ -43,17 +43,17 @@ class SupplySag final : public Effect {
     // At the peak current that a stiff supply would give; a soft one gives less.
     return p[0] > 0.0 && p[0] * duty * duty * seen.peakCurrent < softest * seen.peakInput;
   }
-  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
+  Message sentence(std::span<const double> p, const Excitation& seen) const override {
     const double beside = p[0] * seen.peakCurrent / seen.peakInput;  // of the winding's resistance
-    return "The supply gives way under load as if it had " + quantityText(p[0], "Ω") +
-           " inside: at full voltage and the largest current it lacks about " +
-           quantityText(seen.peakInput * beside / (1.0 + beside), "V") +
-           ". Look at the supply's current limit, its cable and the bridge's capacitors.";
+    return message(
+        "The supply gives way under load as if it had {} inside: at full voltage and the largest current it lacks "
+        "about {}. Look at the supply's current limit, its cable and the bridge's capacitors.",
+        quantityText(p[0], "Ω"), quantityText(seen.peakInput * beside / (1.0 + beside), "V"));
   }
   std::vector<std::string_view> lookAlikes() const override { return {"dead_time", "winding_heating"}; }
-  std::string neededExcitation(const Excitation& seen) const override {
-    return "Step from " + quantityText(0.5 * seen.peakInput, "V") + " to " + quantityText(seen.peakInput, "V") +
-           " and back under load, with the supply's voltage recorded.";
+  Message neededExcitation(const Excitation& seen) const override {
+    return message("Step from {} to {} and back under load, with the supply's voltage recorded.",
+                   quantityText(0.5 * seen.peakInput, "V"), quantityText(seen.peakInput, "V"));
   }
 };
 

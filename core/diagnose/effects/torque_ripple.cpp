@@ -36,20 +36,23 @@ class TorqueRipple final : public WaveEffect {
     return seen.axis == Axis::rotary ? waveShapes(seen, 1, 48, 0.03) : std::vector<Shape>{};
   }
   bool plausible(std::span<const double> p, const Excitation&) const override { return std::abs(p[0]) < 0.6; }
-  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
-    return "The motor's torque per ampere rises and falls by ±" + percentText(std::abs(p[0])) + ", " +
-           waveText(p[2], seen.axis) + " (largest first at " + wavePeakText(p, seen.axis) + "): ±" +
-           torqueText(std::abs(p[0]) * seen.peakTorque, seen.axis) +
-           " at the recording's peak, nothing without current. Look at commutation: the angle of the rotor sensor, a "
-           "worn brush or commutator, unequal phases.";
+  Message sentence(std::span<const double> p, const Excitation& seen) const override {
+    return message(
+        "The motor's torque per ampere rises and falls by ±{}, {} (largest first at {}): ±{} at the recording's peak, "
+        "nothing without current. Look at commutation: the angle of the rotor sensor, a worn brush or commutator, "
+        "unequal phases.",
+        percentText(std::abs(p[0])), waveText(p[2], seen.axis), wavePeakText(p, seen.axis),
+        torqueText(std::abs(p[0]) * seen.peakTorque, seen.axis));
   }
   std::vector<std::string_view> lookAlikes() const override { return {"cogging", "position_dependent_friction"}; }
   std::vector<Tell> tells() const override {
-    return {{"cogging", "grows with the load"}, {"position_dependent_viscous", "grows with the load"}};
+    return {{"cogging", message("grows with the load")},
+            {"position_dependent_viscous", message("grows with the load")}};
   }
-  std::string neededExcitation(const Excitation& seen) const override {
-    return "Turn two whole turns both ways at " + speedText(0.3 * seen.highSpeed, seen.axis) + ", once free and once " +
-           "against a load of " + torqueText(0.5 * seen.peakTorque, seen.axis) + ": ripple grows with it.";
+  Message neededExcitation(const Excitation& seen) const override {
+    return message(
+        "Turn two whole turns both ways at {}, once free and once against a load of {}: ripple grows with it.",
+        speedText(0.3 * seen.highSpeed, seen.axis), torqueText(0.5 * seen.peakTorque, seen.axis));
   }
 };
 

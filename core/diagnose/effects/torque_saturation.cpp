@@ -31,20 +31,20 @@ class TorqueSaturation final : public Effect {
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
     return p[0] > 0.0 && p[0] * seen.peakCurrent * seen.peakCurrent < 0.7;
   }
-  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
-    return std::string(seen.axis == Axis::rotary ? "Torque" : "Force") +
-           " falls behind the current when it is high: at " + quantityText(seen.peakCurrent, "A") + " by " +
-           percentText(p[0] * seen.peakCurrent * seen.peakCurrent) +
-           ". The motor's iron saturates there, or the amplifier's current scale bends: compare with the data sheet's "
-           "peak current.";
+  Message sentence(std::span<const double> p, const Excitation& seen) const override {
+    return message(
+        "{} falls behind the current when it is high: at {} by {}. The motor's iron saturates there, or the "
+        "amplifier's current scale bends: compare with the data sheet's peak current.",
+        seen.axis == Axis::rotary ? message("Torque") : message("Force"), quantityText(seen.peakCurrent, "A"),
+        percentText(p[0] * seen.peakCurrent * seen.peakCurrent));
   }
   std::vector<std::string_view> lookAlikes() const override { return {"load_dependent_friction", "quadratic_drag"}; }
   std::vector<Tell> tells() const override {
-    return {{"load_dependent_friction", "takes torque away whether it drives or brakes"}};
+    return {{"load_dependent_friction", message("takes torque away whether it drives or brakes")}};
   }
-  std::string neededExcitation(const Excitation& seen) const override {
-    return "Accelerate hard and short, both ways, at " + quantityText(0.3 * seen.peakCurrent, "A") + ", " +
-           quantityText(0.6 * seen.peakCurrent, "A") + " and " + quantityText(seen.peakCurrent, "A") + ".";
+  Message neededExcitation(const Excitation& seen) const override {
+    return message("Accelerate hard and short, both ways, at {}, {} and {}.", quantityText(0.3 * seen.peakCurrent, "A"),
+                   quantityText(0.6 * seen.peakCurrent, "A"), quantityText(seen.peakCurrent, "A"));
   }
   Maneuver neededManeuver(const Excitation& seen) const override {
     if (!(seen.peakCurrent > 0.0)) return {};

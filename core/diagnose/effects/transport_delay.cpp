@@ -41,22 +41,23 @@ class TransportDelay final : public Effect, private InputPart {
     if (p[0] < 0.0) return p[0] < leastLate * seen.step_s && p[0] > mostLate * seen.step_s;
     return p[0] > 0.02 * seen.step_s && p[0] < std::min(0.2, 0.05 * seen.duration_s);
   }
-  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
+  Message sentence(std::span<const double> p, const Excitation& seen) const override {
     if (p[0] < 0.0) {
-      return "What is commanded acted " + timeText(-p[0]) + " earlier than the recording says (" +
-             digitsText(-p[0] / seen.step_s) +
-             " rows): the log stamps its commands late. Look at when rows get their time.";
+      return message(
+          "What is commanded acted {} earlier than the recording says ({} rows): the log stamps its commands late. "
+          "Look at when rows get their time.",
+          timeText(-p[0]), digitsText(-p[0] / seen.step_s));
     }
-    return "What is commanded acts " + timeText(p[0]) + " later than the recording says (" +
-           digitsText(p[0] / seen.step_s) +
-           " rows): communication, the drive's own cycle or a filter. Look at when rows get their time, and at the "
-           "drive's cycle time.";
+    return message(
+        "What is commanded acts {} later than the recording says ({} rows): communication, the drive's own cycle or a "
+        "filter. Look at when rows get their time, and at the drive's cycle time.",
+        timeText(p[0]), digitsText(p[0] / seen.step_s));
   }
   std::vector<std::string_view> lookAlikes() const override { return {"channel_skew", "compliance"}; }
-  std::vector<Tell> tells() const override { return {{"compliance", "delays all frequencies alike"}}; }
-  std::string neededExcitation(const Excitation& seen) const override {
-    return "Step the command between ±" + digitsText(0.5 * seen.peakInput) + " at random times, at least " +
-           timeText(20.0 * seen.step_s) + " apart.";
+  std::vector<Tell> tells() const override { return {{"compliance", message("delays all frequencies alike")}}; }
+  Message neededExcitation(const Excitation& seen) const override {
+    return message("Step the command between ±{} at random times, at least {} apart.", digitsText(0.5 * seen.peakInput),
+                   timeText(20.0 * seen.step_s));
   }
   Maneuver neededManeuver(const Excitation& seen) const override {
     if (!(seen.peakCurrent > 0.0)) return {};

@@ -33,19 +33,21 @@ class ViscousAsymmetry final : public Effect {
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
     return 0.5 * std::abs(p[0]) * seen.highSpeed <= seen.peakTorque;
   }
-  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
-    return "Friction grows faster with speed " + wayText(p[0], seen.axis) + " than the other way, by " +
-           viscousText(std::abs(p[0]), seen.axis) + ": at " + speedText(seen.highSpeed, seen.axis) + " that is " +
-           torqueText(std::abs(p[0]) * seen.highSpeed, seen.axis) + ". Look at lip seals, lubricant flow or a fan.";
+  Message sentence(std::span<const double> p, const Excitation& seen) const override {
+    return message(
+        "Friction grows faster with speed {} than the other way, by {}: at {} that is {}. Look at lip seals, lubricant "
+        "flow or a fan.",
+        wayText(p[0], seen.axis), viscousText(std::abs(p[0]), seen.axis), speedText(seen.highSpeed, seen.axis),
+        torqueText(std::abs(p[0]) * seen.highSpeed, seen.axis));
   }
   std::vector<std::string_view> lookAlikes() const override {
     return {"constant_load", "coulomb_asymmetry", "stribeck"};
   }
-  std::vector<Tell> tells() const override { return {{"quadratic_drag", "differs between the ways"}}; }
-  std::string neededExcitation(const Excitation& seen) const override {
-    return "Move both ways at several constant speeds from " +
-           speedText(std::min(seen.lowSpeed, seen.highSpeed / 3.0), seen.axis) + " to " +
-           speedText(seen.highSpeed, seen.axis) + ".";
+  std::vector<Tell> tells() const override { return {{"quadratic_drag", message("differs between the ways")}}; }
+  Message neededExcitation(const Excitation& seen) const override {
+    return message("Move both ways at several constant speeds from {} to {}.",
+                   speedText(std::min(seen.lowSpeed, seen.highSpeed / 3.0), seen.axis),
+                   speedText(seen.highSpeed, seen.axis));
   }
   Maneuver neededManeuver(const Excitation& seen) const override {
     const double low = std::min(seen.lowSpeed, seen.highSpeed / 3.0);

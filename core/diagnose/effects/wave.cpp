@@ -48,14 +48,14 @@ std::vector<double> WaveEffect::scaled(const Shape& shape, std::span<const doubl
   return {cosine[0] * std::hypot(amplitude[0], amplitude[1]), std::atan2(amplitude[1], amplitude[0]), cosine[2]};
 }
 
-std::string WaveEffect::furtherSentence(std::span<const double> largest, std::span<const std::vector<double>> further,
-                                        const Excitation& seen) const {
+Message WaveEffect::furtherSentence(std::span<const double> largest, std::span<const std::vector<double>> further,
+                                    const Excitation& seen) const {
   if (further.empty()) return {};
-  std::string text;
+  Message text;
   for (const std::vector<double>& p : further)
-    text += (text.empty() ? "" : ", ") + waveText(p[2], seen.axis) + " (" + percentText(std::abs(p[0] / largest[0])) +
-            " of that)";
-  return " With it, weaker: " + text + ".";
+    text = text + (text.empty() ? "" : ", ") +
+           message("{} ({} of that)", waveText(p[2], seen.axis), percentText(std::abs(p[0] / largest[0])));
+  return message(" With it, weaker: {}.", text);
 }
 
 double waveValue(std::span<const double> p, const Situation& at) {
@@ -104,9 +104,9 @@ bool wavePlausible(std::span<const double> p, const Excitation& seen, double lar
   return std::abs(p[0]) <= largest && seenWhole;
 }
 
-std::string waveText(double orderOrPeriod, Axis axis) {
-  if (axis == Axis::linear) return "every " + lengthText(orderOrPeriod);
-  return orderOrPeriod == 1.0 ? "once per turn" : digitsText(orderOrPeriod) + " times per turn";
+Message waveText(double orderOrPeriod, Axis axis) {
+  if (axis == Axis::linear) return message("every {}", lengthText(orderOrPeriod));
+  return orderOrPeriod == 1.0 ? message("once per turn") : message("{} times per turn", digitsText(orderOrPeriod));
 }
 
 std::string wavePeakText(std::span<const double> p, Axis axis, double lowest) {

@@ -23,8 +23,8 @@ class WaveEffect : public Effect {
   /// Parameters of a·cosine + b·sine: {A₀·hypot(a, b), atan2(b, a), k}.
   std::vector<double> scaled(const Shape& shape, std::span<const double> amplitude) const final;
   /// " With it, weaker: 14 times per turn (22 % of that)."
-  std::string furtherSentence(std::span<const double> largest, std::span<const std::vector<double>> further,
-                              const Excitation& seen) const final;
+  Message furtherSentence(std::span<const double> largest, std::span<const std::vector<double>> further,
+                          const Excitation& seen) const final;
   std::string_view drawnOver() const final { return "angle"; }
 };
 
@@ -41,7 +41,7 @@ std::vector<Shape> waveShapes(const Excitation& seen, int lowest, int highest, d
 bool wavePlausible(std::span<const double> p, const Excitation& seen, double largest, double longest = 1.5);
 
 /// "12 times per turn", "every 5 mm".
-std::string waveText(double orderOrPeriod, Axis axis);
+Message waveText(double orderOrPeriod, Axis axis);
 /// The angle within the turn, or the position above `lowest`, at which the wave peaks first.
 std::string wavePeakText(std::span<const double> p, Axis axis, double lowest = 0.0);
 

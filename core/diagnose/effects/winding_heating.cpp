@@ -31,8 +31,8 @@ class WindingHeating final : public Effect, private HiddenState {
     return {.voltage = "p0 * m0 * current",
             .memory = {"heat_A2"},
             .remember =
-                "loss = current * current * max(0, 1 + p0 * m0 / resistance);"
-                "m0 = m0 + (loss - m0) * (1 - exp(-dt_s / p1));"};
+                "loss = current * current * max(0, 1 + p0 * m0 / resistance);m0 = m0 + (loss - m0) * (1 - exp(-dt_s / "
+                "p1));"};
   }
   std::vector<Shape> shapes(const Excitation& seen) const override {
     std::vector<Shape> shapes;
@@ -45,16 +45,17 @@ class WindingHeating final : public Effect, private HiddenState {
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
     return p[0] > 0.0 && p[0] * std::pow(seen.usualCurrent, 3) < seen.peakInput;
   }
-  std::string sentence(std::span<const double> p, const Excitation& seen) const override {
+  Message sentence(std::span<const double> p, const Excitation& seen) const override {
     const double current = 0.5 * seen.peakCurrent;
-    return "The winding warms up and its resistance with it: " + quantityText(current, "A") + " held for long adds " +
-           quantityText(p[0] * current * current, "Ω") + ", over about " + timeText(p[1]) +
-           ". Compare the resistance cold and warm; a high rise means poor cooling or too much current.";
+    return message(
+        "The winding warms up and its resistance with it: {} held for long adds {}, over about {}. Compare the "
+        "resistance cold and warm; a high rise means poor cooling or too much current.",
+        quantityText(current, "A"), quantityText(p[0] * current * current, "Ω"), timeText(p[1]));
   }
   std::vector<std::string_view> lookAlikes() const override { return {"friction_warmup", "supply_sag"}; }
-  std::string neededExcitation(const Excitation& seen) const override {
-    return "From cold, hold " + quantityText(0.5 * seen.peakCurrent, "A") + " for " +
-           timeText(std::max(30.0, 0.5 * seen.duration_s)) + ", then rest as long, and repeat.";
+  Message neededExcitation(const Excitation& seen) const override {
+    return message("From cold, hold {} for {}, then rest as long, and repeat.",
+                   quantityText(0.5 * seen.peakCurrent, "A"), timeText(std::max(30.0, 0.5 * seen.duration_s)));
   }
   std::string_view drawnOver() const override { return "time"; }
 

@@ -50,13 +50,16 @@ std::string percentText(double fraction) {
 std::string digitsText(double value) {
   return fmt::format("{:.3g}", value);
 }
-std::string wayText(double sign, Axis axis) {
-  if (axis == Axis::rotary) return sign > 0.0 ? "counter-clockwise" : "clockwise";
-  return sign > 0.0 ? "towards growing position" : "towards falling position";
+Message wayText(double sign, Axis axis) {
+  if (axis == Axis::rotary) return sign > 0.0 ? message("counter-clockwise") : message("clockwise");
+  return sign > 0.0 ? message("towards growing position") : message("towards falling position");
 }
 
-std::string torqueWord(Axis axis) {
-  return axis == Axis::rotary ? "torque" : "force";
+Message effectName(const Effect& effect) {
+  return Message(effect.name(), {});
+}
+Message torqueWord(Axis axis) {
+  return axis == Axis::rotary ? message("torque") : message("force");
 }
 std::string stiffnessName(const std::string& stem, Axis axis) {
   return stem + (axis == Axis::rotary ? "_Nm_per_rad" : "_N_per_m");

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "base/message.h"
 #include "diagnose/model/effect.h"
 
 namespace breakaway {
@@ -22,10 +23,12 @@ std::string lengthText(double value_m);
 std::string percentText(double fraction);
 std::string digitsText(double value);
 /// "growing angle" or "growing position", and their opposites.
-std::string wayText(double sign, Axis axis);
+Message wayText(double sign, Axis axis);
 
+/// As files have it, and by its words where another language is spoken.
+Message effectName(const Effect& effect);
 /// "torque" or "force".
-std::string torqueWord(Axis axis);
+Message torqueWord(Axis axis);
 /// Stiffness: "_Nm_per_rad" or "_N_per_m".
 std::string stiffnessName(const std::string& stem, Axis axis);
 std::string stiffnessText(double value, Axis axis);

@@ -33,7 +33,11 @@ double wayAfter(const Track& track, size_t row) {
   return std::abs(track.position[row + 1] - track.position[row]);
 }
 
-void sayGaps(std::vector<std::string>& out, const Track& track) {
+Message placesText(size_t count) {
+  return count == 1 ? message("1 place") : message("{} places", std::to_string(count));
+}
+
+void sayGaps(std::vector<Message>& out, const Track& track) {
   const double usual = track.usualStep_s;
   size_t gaps = 0;
   double longest = 0.0;
@@ -44,26 +48,23 @@ void sayGaps(std::vector<std::string>& out, const Track& track) {
     longest = std::max(longest, step);
   }
   if (gaps > 0) {
-    out.push_back(
-        track.name +
-        fmt::format(": rows are missing in {} place{}, for up to {:.3g} s; windows that hold such a place are left out",
-                    gaps, gaps == 1 ? "" : "s", longest));
+    out.push_back(message("{}: rows are missing in {}, for up to {} s; windows that hold such a place are left out",
+                          track.name, placesText(gaps), fmt::format("{:.3g}", longest)));
   }
 }
 
-void sayLeaps(std::vector<std::string>& out, const Bench& bench, const Track& track) {
+void sayLeaps(std::vector<Message>& out, const Bench& bench, const Track& track) {
   if (track.leaps.empty()) return;
   double largest = 0.0;
   for (const size_t row : track.leaps) largest = std::max(largest, wayAfter(track, row));
-  out.push_back(
-      track.name + ", column " + bench.positionChannel() +
-      fmt::format(": leaps by up to {:.4g} {} within a row in {} place{}: bad readings or lost counts; windows that "
-                  "hold such a place are left out",
-                  largest, bench.axis == Axis::rotary ? "rad" : "m", track.leaps.size(),
-                  track.leaps.size() == 1 ? "" : "s"));
+  out.push_back(message(
+      "{}, column {}: leaps by up to {} within a row in {}: bad readings or lost counts; windows that hold such a "
+      "place are left out",
+      track.name, bench.positionChannel(), fmt::format("{:.4g} {}", largest, bench.axis == Axis::rotary ? "rad" : "m"),
+      placesText(track.leaps.size())));
 }
 
-void sayDrive(std::vector<std::string>& out, const Bench& bench, const Recording& recording, const Track& track,
+void sayDrive(std::vector<Message>& out, const Bench& bench, const Recording& recording, const Track& track,
               const Criteria& criteria) {
   const std::string input = recordedInput(recording, bench);
   std::vector<double> values;
@@ -72,10 +73,9 @@ void sayDrive(std::vector<std::string>& out, const Bench& bench, const Recording
   }
   if (values.empty()) return;
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  const std::string column = ", column " + input;
   if (*low == *high) {
-    out.push_back(track.name + column +
-                  fmt::format(": never changes ({:.4g} throughout): what it does to the axis can't be told", *low));
+    out.push_back(message("{}, column {}: never changes ({} throughout): what it does to the axis can't be told",
+                          track.name, input, fmt::format("{:.4g}", *low)));
     return;
   }
   const auto partAt = [&values](double value) {
@@ -91,16 +91,15 @@ void sayDrive(std::vector<std::string>& out, const Bench& bench, const Recording
   }
   const bool moves = 5 * between > values.size() && 10 * changing > between;
   if (std::max(atHigh, atLow) > criteria.soundPart && moves) {
-    out.push_back(
-        track.name + column +
-        fmt::format(
-            ": {:.0f} % of the rows stand at exactly {:.4g} or {:.4g}: if the recording clips what really acted, "
-            "the model errs there",
-            100.0 * (atHigh + atLow), *low, *high));
+    out.push_back(message(
+        "{}, column {}: {} of the rows stand at exactly {} or {}: if the recording clips what really acted, the model "
+        "errs there",
+        track.name, input, fmt::format("{:.0f} %", 100.0 * (atHigh + atLow)), fmt::format("{:.4g}", *low),
+        fmt::format("{:.4g}", *high)));
   }
 }
 
-void sayVelocity(std::vector<std::string>& out, const Bench& bench, const Recording& recording, const Track& track,
+void sayVelocity(std::vector<Message>& out, const Bench& bench, const Recording& recording, const Track& track,
                  const Criteria& criteria) {
   const std::string column = bench.velocityChannel();
   const auto values = recording.channel(column);
@@ -113,15 +112,17 @@ void sayVelocity(std::vector<std::string>& out, const Bench& bench, const Record
   }
   const double same = correlation(recorded, slope);
   if (same < -criteria.half) {
-    out.push_back(track.name + ", column " + column +
-                  ": has the opposite sign of the angle's slope; the angle is believed, the column is not used");
+    out.push_back(message(
+        "{}, column {}: has the opposite sign of the angle's slope; the angle is believed, the column is not used",
+        track.name, column));
   } else if (same < criteria.half && rms(slope) > criteria.farApart * track.motion.velocityNoise) {
-    out.push_back(track.name + ", column " + column +
-                  ": does not follow the angle's slope; the angle is believed, the column is not used");
+    out.push_back(
+        message("{}, column {}: does not follow the angle's slope; the angle is believed, the column is not used",
+                track.name, column));
   }
 }
 
-void sayDirection(std::vector<std::string>& out, const Bench& bench, const Track& track, const Criteria& criteria) {
+void sayDirection(std::vector<Message>& out, const Bench& bench, const Track& track, const Criteria& criteria) {
   if (bench.pendulum) return;  // gravity may well drive the motor
   std::vector<double> drive, velocity;
   for (size_t k = 0; k < track.rows(); ++k) {
@@ -130,8 +131,9 @@ void sayDirection(std::vector<std::string>& out, const Bench& bench, const Track
     velocity.push_back(track.motion.velocity[k]);
   }
   if (correlation(drive, velocity) < -criteria.energyBack) {
-    out.push_back(track.name + ": the axis moves against " + bench.inputChannel() +
-                  " most of the time: one of the two has the wrong sign, or something else drives");
+    out.push_back(message(
+        "{}: the axis moves against {} most of the time: one of the two has the wrong sign, or something else drives",
+        track.name, bench.inputChannel()));
   }
 }
 
@@ -170,9 +172,9 @@ Result<void> checkUnwrapped(const Bench& bench, const Track& track) {
                   track.leaps.size())};
 }
 
-std::vector<std::string> channelRemarks(const Bench& bench, const Recording& recording, const Track& track,
-                                        const Criteria& criteria) {
-  std::vector<std::string> out;
+std::vector<Message> channelRemarks(const Bench& bench, const Recording& recording, const Track& track,
+                                    const Criteria& criteria) {
+  std::vector<Message> out;
   sayGaps(out, track);
   sayLeaps(out, bench, track);
   sayDrive(out, bench, recording, track, criteria);

@@ -72,10 +72,11 @@ std::vector<std::string> heldOfLaw(const Bench& bench, const std::vector<Track>&
 }
 
 /// What the scale of all torques rests on, in words.
-std::string scaleText(const std::vector<std::string>& held, const std::string& assumedFor) {
+Message scaleText(const std::vector<std::string>& held, const std::string& assumedFor) {
   std::string text;
   for (const std::string& one : held) text += (text.empty() ? "" : ", ") + one;
-  return "the bench's " + (assumedFor.empty() ? text : assumedFor + " (it doesn't say the resistance)");
+  return assumedFor.empty() ? message("the bench's {}", text)
+                            : message("the bench's {} (it doesn't say the resistance)", assumedFor);
 }
 
 /// The fits' inductance stays near what the bench says, what the current shows and what the starts have, or between.
@@ -189,7 +190,7 @@ Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& re
         return Error{recording.name(), "measures another channel than " + out.tracks.front().name + ": expected " +
                                            bench.positionChannel() + " in all recordings or in none"};
       out.remarks.insert(out.remarks.end(), track->remarks.begin(), track->remarks.end());
-      for (std::string& remark : channelRemarks(bench, recording, *track, criteria))
+      for (Message& remark : channelRemarks(bench, recording, *track, criteria))
         out.remarks.push_back(std::move(remark));
       out.tracks.push_back(std::move(*track));
     }
@@ -242,8 +243,9 @@ Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& re
   }
   out.scaleDoubted = !held.empty() || !assumedFor.empty();
   if (out.scaleDoubted) {
-    out.remarks.push_back("the scale of all torques rests on " + scaleText(held, assumedFor) +
-                          ", which these recordings can't check: trust only ratios");
+    out.remarks.push_back(
+        message("the scale of all torques rests on {}, which these recordings can't check: trust only ratios",
+                scaleText(held, assumedFor)));
   }
   for (Model& start : out.starts) start.restartHorizon_s = restartHorizonFor(out.tracks, out.seen.highSpeed);
   if (out.seen.highSpeed <= 0.0) return Error{recordings.front().name(), "never moves, so there is nothing to fit"};

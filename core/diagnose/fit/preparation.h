@@ -26,7 +26,7 @@ struct Preparation {
   Freedom freedom;
   Criteria criteria;
   bool scaleDoubted = false;  ///< the scale of all torques rests on a value that nobody trusts
-  std::vector<std::string> remarks;
+  std::vector<Message> remarks;
 };
 
 /// Checks the channels, splits, and finds start values. Errors name the recording and what it lacks: a channel, any

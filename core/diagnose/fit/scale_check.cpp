@@ -1,6 +1,5 @@
 #include "diagnose/fit/scale_check.h"
 
-#include <fmt/core.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -92,12 +91,12 @@ class Scales {
     std::vector<Evidence> all;
     const MotorBelief& motor = bench_.motor;
     const std::optional<double> K = motor.torqueConstant ? motor.torqueConstant : motor.backEmfConstant;
-    const auto add = [&](BeliefOf of, const char* name, double believed, const Estimate& measured, const char* from,
+    const auto add = [&](BeliefOf of, const char* name, double believed, const Estimate& measured, const Message& from,
                          std::array<double, causes> by) -> Evidence* {
       if (!(believed > 0.0) || !(measured.value > 0.0)) return nullptr;
       const bool trusted = of != BeliefOf::inertia && bench_.trusted.contains(name);  // a load may give way or play
       Evidence one;
-      one.belief = Belief{of, "the bench's", name, believed, trusted, measured, from};
+      one.belief = Belief{of, message("the bench's"), name, believed, trusted, measured, from};
       one.ratio = measured.value / believed;
       one.below = one.above =
           std::log(honestFactor(of, trusted)) + limits_.farApart * measured.standardError / measured.value;
@@ -106,7 +105,7 @@ class Scales {
       return &all.back();
     };
     if (winding_) {
-      const char* from = "but voltage, current and motion show a back-EMF constant of";
+      const Message from = message("but voltage, current and motion show a back-EMF constant of");
       if (motor.backEmfConstant)
         add(BeliefOf::backEmfConstant, names_.backEmfConstant, *motor.backEmfConstant, winding_->backEmf, from,
             {-1, 0, 1, 0, -1, 0, 0});
@@ -114,11 +113,11 @@ class Scales {
         add(BeliefOf::torqueConstant, names_.torqueConstant, *K, winding_->backEmf, from, {-1, 0, 1, 0, -1, 0, 0});
       if (motor.resistance_ohm)
         add(BeliefOf::resistance, names_.resistance, *motor.resistance_ohm, winding_->resistance_ohm,
-            "but voltage and current show", {0, -1, 1, 0, 0, -1, 0});
+            message("but voltage and current show"), {0, -1, 1, 0, 0, -1, 0});
     } else if (bench_.electrical() && K && mechanics_ && isKnown(mechanics_->viscous)) {
       if (Evidence* one =
               add(BeliefOf::backEmfConstant, motor.backEmfConstant ? names_.backEmfConstant : names_.torqueConstant, *K,
-                  mechanics_->viscous, "but voltage and motion show a back-EMF constant of at most",
+                  mechanics_->viscous, message("but voltage and motion show a back-EMF constant of at most"),
                   {-1, 0, 1, 0, -1, 0, 0})) {
         one->above += std::log(voltageUpwards);
         one->below += std::log(voltageDownwards);
@@ -142,11 +141,11 @@ class Scales {
     }
     const auto scaled = [unit](const Estimate& one) { return Estimate{unit * one.value, unit * one.standardError}; };
     if (motor.inertia && unit > 0.0)
-      add(BeliefOf::inertia, names_.inertia, *motor.inertia, scaled(mechanics_->inertia), "but the motion shows",
-          byInertia);
+      add(BeliefOf::inertia, names_.inertia, *motor.inertia, scaled(mechanics_->inertia),
+          message("but the motion shows"), byInertia);
     if (motor.coulomb && unit > 0.0 && isKnown(mechanics_->coulomb)) {
       if (Evidence* one =
-              add(BeliefOf::inertia, names_.coulomb, *motor.coulomb, scaled(mechanics_->coulomb), "", byFriction)) {
+              add(BeliefOf::inertia, names_.coulomb, *motor.coulomb, scaled(mechanics_->coulomb), {}, byFriction)) {
         one->belief.reset();
         one->below = one->above = std::log(frictionDoubt);
       }
@@ -268,32 +267,30 @@ std::optional<ScaleMistake> mistakeOf(const Explanation& one, Axis axis) {
     case torque:
       return scaleMistakeOf(ScaledColumn::torque, axis, one.factor, resistanceDoubt);
     default: {
-      const std::string words = suggestionOf(BeliefOf::torqueConstant, axis, one.factor);
+      const Message words = suggestionOf(BeliefOf::torqueConstant, axis, one.factor);
       return words.empty() ? std::nullopt : std::optional(ScaleMistake{one.factor, words});
     }
   }
 }
 
-std::string timesText(double factor) {
-  return factor >= 1.0 ? fmt::format("{:.4g} times too large", factor)
-                       : fmt::format("{:.4g} times too small", 1.0 / factor);
+Message timesText(double factor) {
+  return factor >= 1.0 ? message("{:.4g} times too large", factor) : message("{:.4g} times too small", 1.0 / factor);
 }
 
-std::string mendedText(const std::string& what, double factor) {
-  if (factor < 0.0) return what + " turned";
-  return factor >= 1.0 ? fmt::format("{} divided by {:.4g}", what, factor)
-                       : fmt::format("{} times {:.4g}", what, 1.0 / factor);
+Message mendedText(const std::string& what, double factor) {
+  if (factor < 0.0) return message("{} turned", what);
+  return factor >= 1.0 ? message("{} divided by {:.4g}", what, factor) : message("{} times {:.4g}", what, 1.0 / factor);
 }
 
 /// The evidence that doesn't fit an honest bench, in words.
-std::string contradictionsIn(const std::vector<Evidence>& all) {
-  std::string text;
+Message contradictionsIn(const std::vector<Evidence>& all) {
+  Message text;
   for (const Evidence& one : all) {
     if (!one.belief || one.strain(0.0) <= 1.0) continue;
     const Belief& belief = *one.belief;
-    text +=
-        (text.empty() ? "" : "; ") + fmt::format("{} {} is {:.4g}, {} {:.4g}, {:.3g} of it", belief.source, belief.name,
-                                                 belief.believed, belief.from, belief.measured.value, one.ratio);
+    text = text + (text.empty() ? "" : "; ") +
+           message("{} {} is {:.4g}, {} {:.4g}, {:.3g} of it", belief.source, belief.name, belief.believed, belief.from,
+                   belief.measured.value, one.ratio);
   }
   return text;
 }
@@ -318,12 +315,12 @@ Misreading turned(Cause cause, const Bench& bench, bool electrical, const Record
   out.factor = -1.0;
   out.mended = mendedText(out.what, -1.0);
   if (electrical) {
-    const char* others = cause == angle     ? "voltage and current"
-                         : cause == voltage ? "current and angle"
-                                            : "voltage and angle";
-    out.sentence = fmt::format("{}: {} has the other sign than {}: turn it", recording.name(), out.what, others);
+    const Message others = cause == angle     ? message("voltage and current")
+                           : cause == voltage ? message("current and angle")
+                                              : message("voltage and angle");
+    out.sentence = message("{}: {} has the other sign than {}: turn it", recording.name(), out.what, others);
   } else {
-    out.sentence = fmt::format(
+    out.sentence = message(
         "{}: {} has the other sign than the angle: as recorded, the motion would drive the motor, and friction would "
         "drive the motion; turn one of the two",
         recording.name(), out.what);
@@ -340,7 +337,7 @@ std::optional<Misreading> againstItself(const Bench& bench, const std::optional<
   const auto apart = [](double a, double b) { return std::abs(std::log(a / b)); };
   if (winding && winding->backEmf.value > 0.0 && apart(winding->backEmf.value, kt) < apart(winding->backEmf.value, ke))
     return {};
-  return Misreading{names.torqueConstant, true, kt / ke, "the bench: " + own->message(),
+  return Misreading{names.torqueConstant, true, kt / ke, message("the bench: {}", own->said()),
                     mendedText(names.torqueConstant, kt / ke)};
 }
 
@@ -396,17 +393,18 @@ Result<ScaleCheck> checkScales(const Bench& bench, const std::vector<Recording>&
   misread.ofBench = best->cause == constant;
   misread.factor = mistake ? mistake->ratio : best->factor;
   misread.mended = mendedText(misread.what, misread.factor);
-  std::string others;
+  Message others;
   for (const Explanation& one : good) {
     if (one.cause == best->cause || one.cause > constant || one.cost > best->cost + nearlyAsGood) continue;
-    others += fmt::format(", or {} is {}", columnOf(one.cause, bench, recordings.front()), timesText(one.factor));
+    others = others + message(", or {} is {}", columnOf(one.cause, bench, recordings.front()), timesText(one.factor));
   }
-  misread.sentence = fmt::format("{}: {} is {}{}: {}{}", misread.ofBench ? "the bench" : recordings.front().name(),
-                                 misread.what, timesText(misread.factor),
-                                 mistake                ? ", " + mistake->words
-                                 : best->cause == angle ? ", as behind a gear of that ratio"
-                                                        : "",
-                                 contradictionsIn(all), others);
+  misread.sentence =
+      message("{}: {} is {}{}: {}{}", misread.ofBench ? message("the bench") : Message(recordings.front().name()),
+              misread.what, timesText(misread.factor),
+              mistake                ? ", " + mistake->words
+              : best->cause == angle ? message(", as behind a gear of that ratio")
+                                     : Message(),
+              contradictionsIn(all), others);
   out.misread = misread;
   return out;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "base/result.h"
 #include "diagnose/model/criteria.h"
 #include "motor/bench.h"
@@ -18,14 +19,14 @@ struct Misreading {
   std::string what;      ///< "angle_rad", or the bench's field
   bool ofBench = false;  ///< `what` is the bench's
   double factor = 1.0;   ///< what stands there over what is true; −1: the sign
-  std::string sentence;  ///< with the evidence, and the mistake that it looks like
-  std::string mended;    ///< "angle_rad divided by 4"
+  Message sentence;      ///< with the evidence, and the mistake that it looks like
+  Message mended;        ///< "angle_rad divided by 4"
   bool operator==(const Misreading&) const = default;
 };
 
 struct ScaleCheck {
   std::optional<Misreading> misread;  ///< beyond its doubt and beyond what a bench may be wrong by
-  std::vector<std::string> remarks;   ///< beliefs of the bench that contradict the recordings without such a name
+  std::vector<Message> remarks;       ///< beliefs of the bench that contradict the recordings without such a name
 };
 
 /// In SI a torque constant is the back-EMF constant, so that voltage, current and motion together tell a wrong scale by

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/message.h"
 #include "diagnose/model/elastic_friction.h"
 #include "diagnose/model/excitation.h"
 #include "diagnose/model/hidden_state.h"
@@ -40,7 +41,7 @@ using Shape = std::vector<std::vector<double>>;
 /// What tells an effect from another that shows along the same axis.
 struct Tell {
   std::string_view beside;  ///< the other effect's name
-  std::string_view sign;    ///< what this one does then, for "what … is this effect"
+  Message sign;             ///< what this one does then, for "what … is this effect"
 };
 
 /// What every effect has stands here; what only some have are parts, null for all others.
@@ -110,12 +111,12 @@ class Effect {
   // What people read.
 
   /// What is missing, where it shows and how big it is, in a technician's words, with what to look at.
-  virtual std::string sentence(std::span<const double> p, const Excitation& seen) const = 0;
+  virtual Message sentence(std::span<const double> p, const Excitation& seen) const = 0;
   /// What further terms of the same effect, smaller ones, add to that sentence: theirs, unless there is a shorter way.
-  virtual std::string furtherSentence(std::span<const double> /*largest*/, std::span<const std::vector<double>> further,
-                                      const Excitation& seen) const {
-    std::string text;
-    for (const std::vector<double>& p : further) text += " " + sentence(p, seen);
+  virtual Message furtherSentence(std::span<const double> /*largest*/, std::span<const std::vector<double>> further,
+                                  const Excitation& seen) const {
+    Message text;
+    for (const std::vector<double>& p : further) text = text + " " + sentence(p, seen);
     return text;
   }
   /// Effects that look the same on poor data.
@@ -125,7 +126,7 @@ class Effect {
   /// What tells it from others that show along the same axis; each of the two has its own side of it.
   virtual std::vector<Tell> tells() const { return {}; }
   /// The experiment that makes the effect visible, with speeds and amplitudes within what was seen.
-  virtual std::string neededExcitation(const Excitation& seen) const = 0;
+  virtual Message neededExcitation(const Excitation& seen) const = 0;
   /// The same as a motion that a board can follow; empty where it takes hands: a load, a cooled motor, a drive's own
   /// recording.
   virtual Maneuver neededManeuver(const Excitation&) const { return {}; }

@@ -8,6 +8,7 @@
 
 #include "base/statistics.h"
 #include "diagnose/effects/catalogue.h"
+#include "diagnose/effects/wording.h"
 #include "diagnose/fit/cross_validation.h"
 #include "diagnose/simulate/physics.h"
 
@@ -254,8 +255,8 @@ Result<FitResult> fitNamed(const SearchInput& input, const std::vector<Model>& s
         picks.back().parameters = shapes.front().front();
       }
       if (picks.back().parameters.empty()) {
-        return Error{input.tracks.front().name, "can't show the effect " + std::string(effect->name()) + ": " +
-                                                    effect->neededExcitation(input.seen)};
+        return Error{input.tracks.front().name, message("can't show the effect {}: {}", effectName(*effect),
+                                                        effect->neededExcitation(input.seen))};
       }
       model = with(input, model, picks.back());
       coefficients = screen.baseCoefficients(picks);

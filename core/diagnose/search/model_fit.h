@@ -42,7 +42,7 @@ struct SearchInput {
   Criteria criteria;
   std::uint64_t seed = 1;
   std::stop_token stop;
-  std::function<void(double, const std::string&)> progress;
+  std::function<void(double, const Message&)> progress;
   std::function<void(const std::vector<const Effect*>&)> named;  ///< called once, when the names are likely to stay
   std::vector<double> windowWeights;                             ///< of split.train; empty: all 1
   bool mayShorten = false;                ///< the windows, where the motion can't be foreseen over their length
@@ -50,7 +50,7 @@ struct SearchInput {
   std::shared_ptr<StepBudget> loadSteps;  ///< of the whole search
 
   SearchInput(const Preparation& prepared, std::uint64_t seed);
-  void say(double part, const std::string& activity) const {
+  void say(double part, const Message& activity) const {
     if (progress) progress(part, activity);
   }
 };

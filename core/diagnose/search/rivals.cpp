@@ -245,7 +245,8 @@ void Rivals::weigh(SearchResult& result, std::vector<FitResult> left) const {
   auto best = fits_.worth().validated(result.best);
   for (size_t k = 0; k < result.chosen.size(); ++k) {
     if (input_.stop.stop_requested()) return;
-    input_.say(0.5 + 0.3 * static_cast<double>(k) / static_cast<double>(result.chosen.size()), "weighing rivals");
+    input_.say(0.5 + 0.3 * static_cast<double>(k) / static_cast<double>(result.chosen.size()),
+               message("weighing rivals"));
     for (const Pick& rival : nearlyAsGood(result, k)) tryInPlace(result, k, left[k], rival, best);
     for (const Pick& rival : whateverTheScreen(result, k)) tryInPlace(result, k, left[k], rival, best);
     askVoltage(result, k);

@@ -32,7 +32,7 @@ class Search {
 
   Result<SearchResult> run(const std::vector<Model>& starts) {
     SearchResult result;
-    input_.say(0.05, "fitting the base model");
+    input_.say(0.05, message("fitting the base model"));
     result.base = fitBase(input_, starts);
     input_.windowWeights = robustWeights(result.base.windowSquares);
     result.base = fitModel(input_, result.base.model, 10);
@@ -41,7 +41,7 @@ class Search {
       result.counting = {ErrorIn::torque, input_.split.window_s};
       return result;
     }
-    input_.say(0.2, "looking for what is missing");
+    input_.say(0.2, message("looking for what is missing"));
     input_.seen.inertia = physicsInertia(result.base.model);
     const auto motions = recordedMotions(result.base.model, input_.tracks);
     const LinearRig steadyRig(result.base.model, input_.tracks, input_.split.train, Torque::steady, motions);
@@ -56,7 +56,7 @@ class Search {
     result.leftByBase = wanderingRig.wander();
     fits_->weighRestarts(result.leftByBase);
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
-    input_.say(0.35, "simulating what was found");
+    input_.say(0.35, message("simulating what was found"));
     Adoption adoption(input_, *fits_, wanderingRig);
     const Screening* wandering = adoption.adopt(result, steady);
     const Screen& first = wandering != nullptr ? wandering->screen : steady.screen;
@@ -81,7 +81,7 @@ class Search {
     adoption.listOtherLoads(result);
     if (input_.stop.stop_requested()) return Error{"diagnosis", "was cancelled"};
     result.left = wanderBeside(wanderingRig, picksOf(result.best.model, screen));
-    input_.say(0.85, "refining");
+    input_.say(0.85, message("refining"));
     const Model& base = result.base.model;
     const std::vector<double> weights = polishWeights(input_, base, result.best.model);
     result.base = polishModel(input_, base, polishWeights(input_, base, base));

@@ -80,10 +80,9 @@ void straighten(Track& track) {
     return squares.empty() ? 0.0 : mean(squares);
   };
   if (typical(grid) > 0.5 * typical(track.time)) return;
-  track.remarks.push_back(fmt::format(
-      "{}: its times jitter by up to {:.3g} ms against regular ones, at which the motion is smoother: taken as "
-      "regular",
-      track.name, 1e3 * jitter));
+  track.remarks.push_back(message(
+      "{}: its times jitter by up to {} ms against regular ones, at which the motion is smoother: taken as regular",
+      track.name, fmt::format("{:.3g}", 1e3 * jitter)));
   track.time = grid;
 }
 
@@ -127,8 +126,9 @@ Result<void> takeReadings(Track& track, const Recording& recording, const std::s
     if (!std::isfinite(held[k - 1])) held[k - 1] = held[k];
   }
   if (missing > 0)
-    track.remarks.push_back(recording.name() + ": " + std::to_string(missing) + " rows have no " +
-                            (track.speedAlone() ? "speed" : "position") + " and are left out");
+    track.remarks.push_back(message("{}: {} rows have no {} and are left out", recording.name(),
+                                    std::to_string(missing),
+                                    track.speedAlone() ? message("speed") : message("position")));
   (track.speedAlone() ? track.speed : track.position) = std::move(held);
   return {};
 }
@@ -276,9 +276,10 @@ Result<Track> makeTrack(const Recording& recording, Axis axis, DriveInput driveI
     track.speedCount = countOf(track.speed);
     track.speedNoise = std::max(readingNoise(track.time, track.speed, track.seen), track.speedCount / std::sqrt(12.0));
     track.noise = track.speedNoise * std::sqrt(track.usualStep_s * speedsTogether_s);
-    track.remarks.push_back(recording.name() +
-                            ": only the speed was measured; angles are its integral, and what goes "
-                            "with the angle is known from there on");
+    track.remarks.push_back(
+        message("{}: only the speed was measured; angles are its integral, and what goes with the angle is known from "
+                "there on",
+                recording.name()));
     return track;
   }
   track.quantisation = count / std::sqrt(12.0);

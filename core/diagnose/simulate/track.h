@@ -53,7 +53,7 @@ struct Track {
   double inputNoise = 0.0;    ///< the same of a measured drive, A or V; 0 where the input is a command
   double inputChange = 0.0;   ///< of the input from row to row, usually: what a missing row may have had more or less
   double currentNoise = 0.0;  ///< the same of a current reading, A; 0 where there is none
-  std::vector<std::string> remarks;
+  std::vector<Message> remarks;
 
   // Filled in by prepare(); empty otherwise.
   std::vector<size_t> leaps;  ///< rows after which the position leaps

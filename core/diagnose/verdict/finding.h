@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "diagnose/model/model.h"
 
 namespace breakaway {
@@ -14,7 +15,7 @@ struct Finding {
   double pValue = 1.0;
   std::vector<std::string> ambiguousWith;
   std::vector<Parameter> parameters;
-  std::string sentence;
+  Message sentence;
   bool saysSomething = true;  ///< its own size can't be nothing, nor what wanders anyway, nor more than the drive gives
 };
 

@@ -108,8 +108,8 @@ std::vector<Finding> findingsOf(const SearchResult& result, const Model& model, 
       const std::vector<double> largest = valuesOf(first);
       finding.sentence = chosen.effect->sentence(largest, input.seen);
       if (!first.recording.empty() && input.tracks.size() > 1)
-        finding.sentence = "In " + first.recording + ": " + finding.sentence;
-      finding.sentence += chosen.effect->furtherSentence(largest, further, input.seen);
+        finding.sentence = message("In {}: {}", first.recording, finding.sentence);
+      finding.sentence = finding.sentence + chosen.effect->furtherSentence(largest, further, input.seen);
     }
     for (size_t k = 0; k < terms.size(); ++k) {
       const auto shown = finding.saysSomething ? knownParameters : presentParameters;

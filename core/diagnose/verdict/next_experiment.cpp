@@ -15,44 +15,42 @@ constexpr double enoughTime_s = 60.0;
 constexpr double fewRepeats = 20;
 
 /// How an effect gives itself away, by the axis it is drawn over.
-std::string signOf(const Effect& effect) {
+Message signOf(const Effect& effect) {
   const std::string_view over = effect.drawnOver();
-  if (over == "velocity") return "follows the speed";
-  if (over == "angle") return "comes back at the same place";
-  if (over == "time") return "comes with time, whatever the motion";
-  if (over == "current") return "grows with what the motor gives";
-  if (over == "travel") return "shows right after each reversal";
-  if (over == "frequency") return "grows with how fast the command changes";
+  if (over == "velocity") return message("follows the speed");
+  if (over == "angle") return message("comes back at the same place");
+  if (over == "time") return message("comes with time, whatever the motion");
+  if (over == "current") return message("grows with what the motor gives");
+  if (over == "travel") return message("shows right after each reversal");
+  if (over == "frequency") return message("grows with how fast the command changes");
   return {};
 }
 
 /// How an effect gives itself away beside another: as the two say of each other, or else by its axis.
-std::string signBeside(const Effect& effect, const Effect& other) {
+Message signBeside(const Effect& effect, const Effect& other) {
   for (const Tell& tell : effect.tells()) {
-    if (tell.beside == other.name()) return std::string(tell.sign);
+    if (tell.beside == other.name()) return tell.sign;
   }
   return signOf(effect);
 }
 
-std::string pairText(const Effect& one, const Effect& other) {
-  const std::string first = signBeside(one, other), second = signBeside(other, one);
+Message pairText(const Effect& one, const Effect& other) {
+  const Message first = signBeside(one, other), second = signBeside(other, one);
   if (first.empty() || second.empty() || first == second) return {};
-  return " What " + first + " is " + std::string(one.name()) + "; what " + second + " is " + std::string(other.name()) +
-         ".";
+  return message(" What {} is {}; what {} is {}.", first, effectName(one), second, effectName(other));
 }
 
 /// What must not be exceeded, where the bench says so.
-std::string limits(const Bench& bench) {
-  std::string out;
-  if (bench.controller.currentLimit_A > 0.0) out = quantityText(bench.controller.currentLimit_A, "A");
-  if (bench.electrical() && bench.supply_V.value_or(0.0) > 0.0)
-    out += (out.empty() ? "" : " and ") + quantityText(*bench.supply_V, "V");
-  return out.empty() ? out : " Stay within " + out + ".";
+Message limits(const Bench& bench) {
+  std::vector<Message> limits;
+  if (bench.controller.currentLimit_A > 0.0) limits.emplace_back(quantityText(bench.controller.currentLimit_A, "A"));
+  if (bench.electrical() && bench.supply_V.value_or(0.0) > 0.0) limits.emplace_back(quantityText(*bench.supply_V, "V"));
+  return limits.empty() ? Message() : message(" Stay within {}.", listed(limits, message(" and ")));
 }
 
 /// A change of the experiment, and what the recording would then have seen.
 struct Change {
-  std::string sentence;
+  Message sentence;
   Excitation seen;
   Maneuver maneuver = {};
 };
@@ -60,19 +58,19 @@ struct Change {
 std::vector<Change> changes(const Excitation& seen) {
   std::vector<Change> out;
   const bool rotary = seen.axis == Axis::rotary;
-  const auto add = [&](std::string sentence, Maneuver maneuver = {}) -> Excitation& {
+  const auto add = [&](Message sentence, Maneuver maneuver = {}) -> Excitation& {
     out.push_back({std::move(sentence), seen, std::move(maneuver)});
     return out.back().seen;
   };
-  Excitation* more = &add("Reverse at least twenty times at speeds up to " + speedText(seen.highSpeed, seen.axis) +
-                              ", as long one way as the other.",
+  Excitation* more = &add(message("Reverse at least twenty times at speeds up to {}, as long one way as the other.",
+                                  speedText(seen.highSpeed, seen.axis)),
                           reversals(seen.highSpeed, static_cast<int>(fewRepeats), 1.0));
   more->bothWays = true;
   more->reversals = std::max(seen.reversals, static_cast<int>(fewRepeats));
   more->starts = std::max(seen.starts, static_cast<int>(fewRepeats));
   if (rotary) {
-    more = &add("Turn over two whole turns, both ways, at " + speedText(0.3 * seen.highSpeed, seen.axis) + " and at " +
-                    speedText(seen.highSpeed, seen.axis) + ".",
+    more = &add(message("Turn over two whole turns, both ways, at {} and at {}.",
+                        speedText(0.3 * seen.highSpeed, seen.axis), speedText(seen.highSpeed, seen.axis)),
                 speedsBothWays({0.3 * seen.highSpeed, seen.highSpeed}, twoTurns(seen)));
     more->highest = std::max(seen.highest, seen.lowest + 4.0 * std::numbers::pi);
     more->travel = more->highest - more->lowest;
@@ -80,28 +78,26 @@ std::vector<Change> changes(const Excitation& seen) {
     more->lowSpeed = std::min(seen.lowSpeed, 0.3 * seen.highSpeed);
     more->reversals = std::max(seen.reversals, 4);
   }
-  more = &add("Hold constant speeds of " + speedText(0.1 * seen.highSpeed, seen.axis) + ", " +
-                  speedText(0.3 * seen.highSpeed, seen.axis) + " and " + speedText(seen.highSpeed, seen.axis) +
-                  ", both ways.",
+  more = &add(message("Hold constant speeds of {}, {} and {}, both ways.", speedText(0.1 * seen.highSpeed, seen.axis),
+                      speedText(0.3 * seen.highSpeed, seen.axis), speedText(seen.highSpeed, seen.axis)),
               speedsBothWays({0.1 * seen.highSpeed, 0.3 * seen.highSpeed, seen.highSpeed}, twoTurns(seen)));
   more->bothWays = true;
   more->lowSpeed = std::min(seen.lowSpeed, 0.1 * seen.highSpeed);
-  more = &add("Stop at least " + digitsText(fewRepeats) +
-                  " times, rest between 0.5 s and 10 s, and start slowly again, up to " +
-                  torqueText(seen.peakTorque, seen.axis) + ".",
+  more = &add(message("Stop at least {} times, rest between 0.5 s and 10 s, and start slowly again, up to {}.",
+                      digitsText(fewRepeats), torqueText(seen.peakTorque, seen.axis)),
               startsFromRest(0.2 * seen.highSpeed, {0.5, 2.0, 10.0}, static_cast<int>(fewRepeats)));
   more->starts = std::max(seen.starts, static_cast<int>(fewRepeats));
   more->longestRest_s = std::max(seen.longestRest_s, 10.0);
   more->reversals = std::max(seen.reversals, 4);
-  more = &add("Start cold and record the same motion for " + timeText(std::max(enoughTime_s, 2.0 * seen.duration_s)) +
-              ".");
+  more = &add(message("Start cold and record the same motion for {}.",
+                      timeText(std::max(enoughTime_s, 2.0 * seen.duration_s))));
   more->duration_s = std::max(enoughTime_s, 2.0 * seen.duration_s);
   if (seen.electrical && !seen.currentSeen) {
-    more = &add("Record the same motion with the current beside the voltage.");
+    more = &add(message("Record the same motion with the current beside the voltage."));
     more->currentSeen = true;
   }
   if (seen.electrical && !seen.supplySeen) {
-    more = &add("Record the same motion with the supply's voltage.");
+    more = &add(message("Record the same motion with the supply's voltage."));
     more->supplySeen = true;
   }
   return out;
@@ -132,41 +128,43 @@ NextExperiment separating(const Finding& finding, const Bench& bench, const Exci
   NextExperiment next;
   next.separates = {finding.effect};
   next.separates.insert(next.separates.end(), finding.ambiguousWith.begin(), finding.ambiguousWith.end());
-  next.sentence = "To tell " + finding.effect + " from " + name + ": " + other.neededExcitation(seen) +
-                  pairText(one, other) + limits(bench);
+  next.sentence = message("To tell {} from {}: {}{}{}", effectName(one), effectName(other),
+                          other.neededExcitation(seen), pairText(one, other), limits(bench));
   next.maneuver = other.neededManeuver(seen);
   return next;
 }
 
 /// A closer look at the place that nothing in the catalogue explains.
-std::string closerLook(const Place& place, const Excitation& seen) {
+Message closerLook(const Place& place, const Excitation& seen) {
   const std::string slow = speedText(0.3 * seen.highSpeed, seen.axis), fast = speedText(seen.highSpeed, seen.axis);
-  const std::string twice = "slowly at " + slow + " and again at " + fast;
+  const Message twice = message("slowly at {} and again at {}", slow, fast);
   const auto way = [&](double x) { return travelText(x, seen.axis); };
   if (place.axis == "angle") {
-    return "Move to and fro between " + way(place.from) + " and " + way(place.to) + ", " + twice +
-           ", ten times each: what stays at its place belongs to the rig.";
+    return message("Move to and fro between {} and {}, {}, ten times each: what stays at its place belongs to the rig.",
+                   way(place.from), way(place.to), twice);
   }
   if (place.axis == "velocity") {
-    return "Hold five constant speeds from " + speedText(place.from, seen.axis) + " to " +
-           speedText(place.to, seen.axis) + ", each over the same place and both ways.";
+    return message("Hold five constant speeds from {} to {}, each over the same place and both ways.",
+                   speedText(place.from, seen.axis), speedText(place.to, seen.axis));
   }
   if (place.axis == "time" || place.axis == "temperature") {
-    return "Repeat the very same motion of " + timeText(seen.duration_s) +
-           " twice, once cold and once warm: what comes at the same time again belongs to the rig, the rest came from "
-           "outside.";
+    return message(
+        "Repeat the very same motion of {} twice, once cold and once warm: what comes at the same time again belongs "
+        "to the rig, the rest came from outside.",
+        timeText(seen.duration_s));
   }
   if (place.axis == "reversal") {
-    return "Reverse at least twenty times over ways of " + way(0.5 * place.to) + " and " + way(3.0 * place.to) + ", " +
-           twice + ".";
+    return message("Reverse at least twenty times over ways of {} and {}, {}.", way(0.5 * place.to),
+                   way(3.0 * place.to), twice);
   }
   if (place.axis == "frequency") {
-    return "Chirp the command with ±" + digitsText(0.3 * seen.peakInput) + " from " + digitsText(0.5 * place.from) +
-           " Hz to " + digitsText(2.0 * place.to) + " Hz within 20 s, and again with half of it.";
+    return message("Chirp the command with ±{} from {} Hz to {} Hz within 20 s, and again with half of it.",
+                   digitsText(0.3 * seen.peakInput), digitsText(0.5 * place.from), digitsText(2.0 * place.to));
   }
-  return "Repeat the motion at half and at full drive, ±" + digitsText(0.5 * seen.peakInput) + " and ±" +
-         digitsText(seen.peakInput) +
-         ", free and with a known load: what follows the drive is in motor or electronics.";
+  return message(
+      "Repeat the motion at half and at full drive, ±{} and ±{}, free and with a known load: what follows the drive is "
+      "in motor or electronics.",
+      digitsText(0.5 * seen.peakInput), digitsText(seen.peakInput));
 }
 
 /// The same as a motion, where a board can make it.
@@ -190,12 +188,12 @@ NextExperiment mostInformative(const Excitation& seen) {
   const auto best = std::max_element(possible.begin(), possible.end(), [&](const Change& a, const Change& b) {
     return newlyShown(unseen, a.seen) < newlyShown(unseen, b.seen);
   });
-  std::string names;
-  for (const Effect* effect : unseen) names += (names.empty() ? "" : ", ") + std::string(effect->name());
-  return {"This recording could not show " + names + ". " + best->sentence +
-              (newlyShown(unseen, best->seen) == unseen.size()
-                   ? ""
-                   : " That would show " + std::to_string(newlyShown(unseen, best->seen)) + " of them."),
+  std::vector<Message> names;
+  for (const Effect* effect : unseen) names.push_back(effectName(*effect));
+  const size_t shown = newlyShown(unseen, best->seen);
+  const Message part =
+      shown == unseen.size() ? Message() : message(" That would show {} of them.", std::to_string(shown));
+  return {message("This recording could not show {}. {}{}", listed(names, Message(", ")), best->sentence, part),
           {},
           best->maneuver};
 }
@@ -219,12 +217,12 @@ NextExperiment nextExperiment(Verdict verdict, const std::vector<Finding>& findi
   if (twin != nullptr) return separating(*twin, bench, seen);
   if (!findings.empty()) {
     const Effect& effect = *findEffect(findings.front().effect);
-    return {"To confirm " + std::string(effect.name()) + ": " + effect.neededExcitation(seen) + limits(bench),
+    return {message("To confirm {}: {}{}", effectName(effect), effect.neededExcitation(seen), limits(bench)),
             {},
             effect.neededManeuver(seen)};
   }
   NextExperiment more = mostInformative(seen);
-  if (!more.sentence.empty()) more.sentence += limits(bench);
+  if (!more.sentence.empty()) more.sentence = more.sentence + limits(bench);
   return more;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "diagnose/model/excitation.h"
 #include "diagnose/verdict/finding.h"
 #include "diagnose/verdict/place.h"
@@ -14,7 +15,7 @@
 namespace breakaway {
 
 struct NextExperiment {
-  std::string sentence;  ///< with speeds, angles and amplitudes within the bench's limits and what was seen
+  Message sentence;  ///< with speeds, angles and amplitudes within the bench's limits and what was seen
   std::vector<std::string> separates;
   Maneuver maneuver = {};  ///< the same for a board; empty where it takes hands
 };

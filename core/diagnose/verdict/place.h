@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "base/message.h"
+
 namespace breakaway {
 
 /// What a map of the unexplained goes along; `alongs`: the drive's frequency.
@@ -26,7 +28,7 @@ struct Place {
   std::string unit;
   double share = 0.0;
   double pValue = 1.0;
-  std::string sentence;
+  Message sentence;
   double size = 0.0;            ///< mean of the unexplained there, as an absolute value
   std::string sizeUnit = "Nm";  ///< or N, or V
   Unknown shows = Unknown::torque;

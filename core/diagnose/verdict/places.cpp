@@ -62,58 +62,60 @@ double mirrored(const ResidualMap& map, double from, double to) {
   return count > 0.0 ? sum / count : 0.0;
 }
 
-std::string moreOrLess(double value, Axis axis) {
-  return torqueText(std::abs(value), axis) + (value > 0.0 ? " more" : " less");
+Message moreOrLess(double value, Axis axis) {
+  const std::string size = torqueText(std::abs(value), axis);
+  return value > 0.0 ? message("{} more", size) : message("{} less", size);
 }
 
 /// "both ways", or the way on which it shows more.
-std::string waysText(const Stretch& at, Axis axis, const Criteria& criteria) {
-  if (!std::isfinite(at.rising) || !std::isfinite(at.falling)) {
-    return std::isfinite(at.rising) ? "seen " + wayText(1.0, axis) + " only" : "seen " + wayText(-1.0, axis) + " only";
-  }
+Message waysText(const Stretch& at, Axis axis, const Criteria& criteria) {
+  if (!std::isfinite(at.rising) || !std::isfinite(at.falling))
+    return message("seen {} only", wayText(std::isfinite(at.rising) ? 1.0 : -1.0, axis));
   const double ratio = std::abs(at.rising) > std::abs(at.falling) ? at.falling / at.rising : at.rising / at.falling;
-  if (ratio > criteria.half) return "both ways";
-  return "mostly " + wayText(std::abs(at.rising) - std::abs(at.falling), axis);
+  if (ratio > criteria.half) return message("both ways");
+  return message("mostly {}", wayText(std::abs(at.rising) - std::abs(at.falling), axis));
 }
 
-std::string rangeText(const Place& place, const std::function<std::string(double)>& text) {
-  return "between " + text(place.from) + " and " + text(place.to);
+Message rangeText(const Place& place, const std::function<std::string(double)>& text) {
+  return message("between {} and {}", text(place.from), text(place.to));
 }
 
-std::string angleSentence(const ResidualMap& map, const Stretch& at, const Place& place, Axis axis,
-                          const Criteria& criteria) {
-  const std::string range =
+Message angleSentence(const ResidualMap& map, const Stretch& at, const Place& place, Axis axis,
+                      const Criteria& criteria) {
+  const Message range =
       rangeText(place, [axis](double x) { return axis == Axis::rotary ? angleText(x) : lengthText(x); });
-  std::string out = map.shows == Unknown::friction
-                        ? "The axis needs " + moreOrLess(at.mean, axis) + " than the model " + range + ", " +
-                              waysText(at, axis, criteria)
-                        : "Something pushes the axis " + wayText(-at.mean, axis) + " with " +
-                              torqueText(std::abs(at.mean), axis) + " " + range +
-                              (map.ofSomeSpeeds() ? " at speeds between " + speedText(map.fromSpeed, axis) + " and " +
-                                                        speedText(map.toSpeed, axis)
-                               : waysText(at, axis, criteria) == "both ways" ? ", whichever way it turns"
-                                                                             : ", " + waysText(at, axis, criteria));
+  const Message ways = waysText(at, axis, criteria);
+  const Message when = map.ofSomeSpeeds() ? message(" at speeds between {} and {}", speedText(map.fromSpeed, axis),
+                                                    speedText(map.toSpeed, axis))
+                       : ways == message("both ways") ? message(", whichever way it turns")
+                                                      : ", " + ways;
+  Message out = map.shows == Unknown::friction
+                    ? message("The axis needs {} than the model {}, {}", moreOrLess(at.mean, axis), range, ways)
+                    : message("Something pushes the axis {} with {} {}{}", wayText(-at.mean, axis),
+                              torqueText(std::abs(at.mean), axis), range, when);
   if (!map.orders.empty() && map.orders[0].amplitude > criteria.clearlyMore() * map.orders[1].amplitude) {
     const int number = map.orders[0].number;
-    out += std::string(". It comes ") + (number == 1 ? "once" : std::to_string(number) + " times") +
-           " per turn with ±" + torqueText(map.orders[0].amplitude, axis);
+    const std::string amplitude = torqueText(map.orders[0].amplitude, axis);
+    out = out + (number == 1 ? message(". It comes once per turn with ±{}", amplitude)
+                             : message(". It comes {} times per turn with ±{}", std::to_string(number), amplitude));
   }
-  if (map.ofSomeSpeeds()) out += ". At other speeds it isn't the same";
+  if (map.ofSomeSpeeds()) out = out + message(". At other speeds it isn't the same");
   return out + ".";
 }
 
 /// Where the axis runs through zero: velocity, acceleration, motor torque, current.
-std::string signedSentence(const ResidualMap& map, const Stretch& at, const Place& place, Axis axis,
-                           const Criteria& criteria) {
+Message signedSentence(const ResidualMap& map, const Stretch& at, const Place& place, Axis axis,
+                       const Criteria& criteria) {
   const double middle = 0.5 * (place.from + place.to), s = middle > 0.0 ? 1.0 : -1.0;
   const double other = mirrored(map, place.from, place.to);
   const bool odd =
       place.from * place.to > 0.0 && (map.shows == Unknown::friction ? 1.0 : -1.0) * other / at.mean > criteria.half;
   const bool torqueAxis = map.axis == "current";
   if (map.shows == Unknown::voltage) {
-    const std::string range = rangeText(place, [](double x) { return quantityText(x, "A"); });
-    return "At currents " + range + " the drive loses " + quantityText(std::abs(at.mean), "V") +
-           (s * at.mean > 0.0 ? " more" : " less") + " than the model" + (odd ? ", and as much the other way." : ".");
+    const Message range = rangeText(place, [](double x) { return quantityText(x, "A"); });
+    return message("At currents {} the drive loses {} {} than the model{}", range, quantityText(std::abs(at.mean), "V"),
+                   s * at.mean > 0.0 ? message("more") : message("less"),
+                   odd ? message(", and as much the other way.") : Message("."));
   }
   const auto text = [&](double x) {
     return torqueAxis               ? torqueText(x, axis)
@@ -121,43 +123,42 @@ std::string signedSentence(const ResidualMap& map, const Stretch& at, const Plac
                                     : digitsText(x) + (axis == Axis::rotary ? " rad/s²" : " m/s²");
   };
   if (torqueAxis && map.shows == Unknown::torque) {
-    return "When the motor should give " + rangeText(place, text) + ", it gives " + moreOrLess(-s * at.mean, axis) +
-           (odd ? ", and the same the other way." : ".");
+    return message("When the motor should give {}, it gives {}{}", rangeText(place, text),
+                   moreOrLess(-s * at.mean, axis), odd ? message(", and the same the other way.") : Message("."));
   }
-  const std::string head = map.axis == "velocity"       ? "At speeds "
-                           : map.axis == "acceleration" ? "At accelerations "
-                                                        : "When the motor gives ";
+  const Message range = rangeText(place, text);
+  const Message when = map.axis == "velocity"       ? message("At speeds {}", range)
+                       : map.axis == "acceleration" ? message("At accelerations {}", range)
+                                                    : message("When the motor gives {}", range);
   const double more = map.shows == Unknown::friction ? at.mean : s * at.mean;
-  return head + rangeText(place, text) + " the axis needs " + moreOrLess(more, axis) + " than the model" +
-         (odd ? ", and as much the other way." : ".");
+  return message("{} the axis needs {} than the model{}", when, moreOrLess(more, axis),
+                 odd ? message(", and as much the other way.") : Message("."));
 }
 
-std::string sentenceOf(const ResidualMap& map, const Stretch& at, const Place& place, Axis axis,
-                       const Criteria& criteria) {
+Message sentenceOf(const ResidualMap& map, const Stretch& at, const Place& place, Axis axis, const Criteria& criteria) {
   if (map.axis == "angle") return angleSentence(map, at, place, axis, criteria);
   if (map.axis == "velocity" || map.axis == "acceleration" || map.axis == "current")
     return signedSentence(map, at, place, axis, criteria);
   if (map.axis == "frequency") {
-    return "Changes between " + digitsText(place.from) + " and " + digitsText(place.to) +
-           " Hz come out otherwise than in the model, by " + torqueText(at.mean, axis) +
-           " rms: the axis answers its drive late, weakly or in resonance.";
+    return message(
+        "Changes between {} and {} Hz come out otherwise than in the model, by {} rms: the axis answers its drive "
+        "late, weakly or in resonance.",
+        digitsText(place.from), digitsText(place.to), torqueText(at.mean, axis));
   }
   const bool resists = map.shows == Unknown::friction;
-  const std::string size =
-      resists ? "friction is " + torqueText(std::abs(at.mean), axis) + (at.mean > 0.0 ? " higher" : " lower") +
-                    " than in the model"
-              : "something pushes the axis " + wayText(-at.mean, axis) + " with " + torqueText(std::abs(at.mean), axis);
+  const std::string mean = torqueText(std::abs(at.mean), axis);
+  const Message size = resists ? message("friction is {} {} than in the model", mean,
+                                         at.mean > 0.0 ? message("higher") : message("lower"))
+                               : message("something pushes the axis {} with {}", wayText(-at.mean, axis), mean);
   if (map.axis == "reversal") {
     const auto text = [axis](double x) { return travelText(x, axis); };
     const bool atOnce = at.first == 0;
-    return (atOnce ? "Over the first " + text(place.to) + " after a reversal "
-                   : "From " + text(place.from) + " to " + text(place.to) + " after a reversal ") +
-           size + ".";
+    return atOnce ? message("Over the first {} after a reversal {}.", text(place.to), size)
+                  : message("From {} to {} after a reversal {}.", text(place.from), text(place.to), size);
   }
   const std::string unit = map.axis == "time" ? " s" : " °C";
-  std::string out = "Between " + digitsText(place.from) + " and " + digitsText(place.to) + unit + " " + size;
-  if (resists) out += ", " + waysText(at, axis, criteria);
-  return out + ".";
+  return message("Between {} and {}{} {}{}.", digitsText(place.from), digitsText(place.to), unit, size,
+                 resists ? ", " + waysText(at, axis, criteria) : Message());
 }
 
 /// The turn cut open half a turn on, for a stretch that runs over 0°.

@@ -99,8 +99,8 @@ size_t farOffWindows(const Model& model, const Preparation& prepared, const std:
       .farOff(windows, scoreWindows(model, prepared.tracks, windows), prepared.criteria.farOff * floors.withWander);
 }
 
-std::string farOffText(const Criteria& criteria) {
-  return digitsText(criteria.farOff) + " times";
+Message farOffText(const Criteria& criteria) {
+  return message("{} times", digitsText(criteria.farOff));
 }
 
 /// `left` with no more torque than a mean squared error of `shown` over the training windows has room for: a torque
@@ -169,19 +169,19 @@ void findPlaces(Remainder& rest, const Model& model, const Preparation& prepared
     if (place.pValue > criteria.likeliestByChance) continue;
     if (place.shows == Unknown::voltage && !showsInVoltage(place, prepared.seen, criteria)) continue;
     if (rest.where.empty()) rest.pValue = place.pValue;
-    place.sentence = "Not explained by any known effect. " + place.sentence;
+    place.sentence = message("Not explained by any known effect. {}", place.sentence);
     rest.where.push_back(std::move(place));
   }
 }
 
-std::string wanderRemark(const TorqueNoise& left, double friction, const Excitation& seen, const Criteria& criteria) {
+Message wanderRemark(const TorqueNoise& left, double friction, const Excitation& seen, const Criteria& criteria) {
   const bool small = left.rms < friction;
   const double part = left.rms / (small ? friction : seen.peakTorque);
-  const std::string size = torqueText(left.rms, seen.axis) + " rms, " + digitsText(100.0 * part) + " % of the " +
-                           (small ? "friction" : "drive's peak");
   const bool sound = left.rms <= mostWander(friction, seen.peakTorque, criteria);
-  return torqueWord(seen.axis) + " changes at random by " + size +
-         (sound ? ": usual for brushes and bearings" : ": more than brushes and bearings do");
+  return message("{} changes at random by {} rms, {} % of the {}: {}", torqueWord(seen.axis),
+                 torqueText(left.rms, seen.axis), digitsText(100.0 * part),
+                 small ? message("friction") : message("drive's peak"),
+                 sound ? message("usual for brushes and bearings") : message("more than brushes and bearings do"));
 }
 
 }  // namespace breakaway

@@ -51,12 +51,12 @@ Remainder remainderOf(const Model& model, const Preparation& prepared, const Win
 void findPlaces(Remainder& rest, const Model& model, const Preparation& prepared, std::uint64_t seed);
 
 /// How much the torque wanders, in words.
-std::string wanderRemark(const TorqueNoise& left, double friction, const Excitation& seen, const Criteria& criteria);
+Message wanderRemark(const TorqueNoise& left, double friction, const Excitation& seen, const Criteria& criteria);
 
 /// How many of `windows` err so much that neither sensors nor scattering friction can be the cause.
 size_t farOffWindows(const Model& model, const Preparation& prepared, const std::vector<Window>& windows,
                      std::uint64_t seed, const TorqueNoise& left);
 /// "8 times", in words of farOffWindows().
-std::string farOffText(const Criteria& criteria);
+Message farOffText(const Criteria& criteria);
 
 }  // namespace breakaway
