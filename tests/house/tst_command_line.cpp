@@ -119,7 +119,7 @@ void TestCommandLine::wrongLine_namesTheRightHelp_data() {
   row("tune --bench b.json --out t --stiffness hard", "hard not in {soft,medium,stiff}; see breakaway tune --help");
   row("export --map m.json --as yaml --out m",
       "yaml not in {csv,json,c-header,mat,modelica}; see breakaway export --help");
-  row("list effect", "effect not in {effects,presets,columns}; see breakaway list --help");
+  row("list effect", "effect not in {effects,criteria,presets,columns}; see breakaway list --help");
   row("batch l.jsonl --out r.jsonl --jobs 0", "--jobs");
   row("diagnose --bench - --recording - --out d", "-: is named twice, but standard input can be read once only");
   row("import r.csv --out - --json", "--json: has no place where --out - has standard output for itself");
