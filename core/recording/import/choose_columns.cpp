@@ -1,6 +1,8 @@
 #include "recording/import/choose_columns.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 #include <set>
 
@@ -34,15 +36,49 @@ void setAside(Choice& choice, const std::string& why) {
   choice.name.aside = why;
 }
 
-/// "current_a" beside "current_b" is one phase's, and no current in A.
+/// Whether the name, with its letter at `at` exchanged for the two others of a phase, is there, too.
+bool hasPhasesBeside(const std::set<std::string>& names, const std::string& name, size_t at) {
+  static constexpr auto phases = std::to_array<std::string_view>({"abc", "ABC", "uvw", "UVW"});
+  return std::any_of(phases.begin(), phases.end(), [&](std::string_view letters) {
+    if (letters.find(name[at]) == std::string_view::npos) return false;
+    size_t beside = 0;
+    for (const char letter : letters) {
+      std::string other = name;
+      other[at] = letter;
+      beside += names.count(other);
+    }
+    return beside >= 2;
+  });
+}
+
+/// "current_a" beside "current_b" is one phase's, and no current in A; so is "dutyA" beside "dutyB".
 void setPhasesAside(const RawTable& table, std::vector<Choice>& choices) {
+  std::set<std::string> names;
+  for (const RawColumn& column : table.columns) names.insert(column.channel.name);
   for (size_t c = 0; c < choices.size(); ++c) {
-    std::string name = table.columns[c].channel.name;
-    if (choices[c].byMap || choices[c].name.unit != "a" || name.empty()) continue;
-    name.back() = name.back() == 'A' ? 'B' : 'b';
-    const bool sibling = std::any_of(table.columns.begin(), table.columns.end(),
-                                     [&name](const RawColumn& one) { return one.channel.name == name; });
-    if (sibling) setAside(choices[c], "is one phase's");
+    const std::string& name = table.columns[c].channel.name;
+    const std::string& to = choices[c].name.to;
+    const bool electrical =
+        to == "duty" || to == "voltage_V" || to == "current_A" || to == "current_reference_A" || to == "supply_V";
+    if (choices[c].byMap || choices[c].byTool || !electrical) continue;
+    for (size_t at = 1; at < name.size(); ++at) {
+      const bool endsWord = at + 1 == name.size() || std::isalnum(static_cast<unsigned char>(name[at + 1])) == 0;
+      if (endsWord && hasPhasesBeside(names, name, at)) {
+        setAside(choices[c], "is one phase's");
+        break;
+      }
+    }
+  }
+}
+
+/// A column without a single number tells nothing, whatever it is called.
+void setEmptyAside(const RawTable& table, std::vector<Choice>& choices) {
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const RawColumn& column = table.columns[c];
+    const auto& values = column.channel.values;
+    const bool empty = std::none_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+    if (empty && !values.empty() && choices[c].name.understood() && !choices[c].byMap && !column.fault)
+      setAside(choices[c], "holds no number");
   }
 }
 
@@ -84,6 +120,26 @@ void takeTicks(const RawTable& table, std::vector<Choice>& choices) {
     choices[c].name = ColumnName{};
     choices[c].name.to = "time_s";
     choices[c].name.rank = 3;
+    return;
+  }
+}
+
+/// Where nothing else is the time, the first column, without a name of its own, that counts since 1970 is.
+void takeNamelessStamps(const RawTable& table, std::vector<Choice>& choices) {
+  if (choices.empty() || choices.front().name.understood()) return;
+  if (std::any_of(choices.begin(), choices.end(), [](const Choice& one) { return one.name.to == "time_s"; })) return;
+  const RawColumn& first = table.columns.front();
+  const auto& values = first.channel.values;
+  const std::string& name = first.channel.name;
+  const bool nameless = name.starts_with("column_") || name.find_first_not_of("0123456789.") == std::string::npos;
+  if (!nameless || first.fault || values.size() < 2 || !std::is_sorted(values.begin(), values.end())) return;
+  constexpr double year2001_s = 1e9, year2065_s = 3e9;
+  for (const double unit_s : {1.0, 1e-3, 1e-6, 1e-9}) {
+    const double begin_s = (first.origin + values.front()) * unit_s, end_s = (first.origin + values.back()) * unit_s;
+    if (begin_s < year2001_s || end_s > year2065_s || !(end_s > begin_s)) continue;
+    choices.front().name = ColumnName{};
+    choices.front().name.to = "time_s";
+    choices.front().name.rank = 6;
     return;
   }
 }
@@ -201,7 +257,9 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
   }
   checkTimes(table, choices);
   if (!map.sample_time_s) takeTicks(table, choices);
+  if (!map.sample_time_s) takeNamelessStamps(table, choices);
   setPhasesAside(table, choices);
+  setEmptyAside(table, choices);
   const std::string axis = axisOf(choices);
   for (Choice& choice : choices) {
     if (!choice.name.understood() || choice.byMap || choice.name.to == "time_s") continue;

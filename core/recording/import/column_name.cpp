@@ -270,6 +270,7 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
   const bool turns = kind == UnitKind::angle || kind == UnitKind::angularVelocity;
   if (moves && (electrical || firstIn(parts.words, drivenWords) != nullptr)) ++rank;
   ColumnName understood = taken(parts, to, rank);
+  if (parts.unit == nullptr) understood.usual = found.word->usual;
   if (electrical && turns) {
     if (understood.needs != UnitNeeds::nothing && understood.needs != UnitNeeds::polePairs)
       return aside("is in counts of electrical turns", parts);

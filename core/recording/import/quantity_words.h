@@ -13,16 +13,21 @@ struct Word {
   std::string_view text;
   UnitKind kind;
   bool weak = false;
+  std::string_view usual = {};  ///< the unit in which people count it where none is told: a Drehzahl is in rpm
 };
 
 /// The quantity that the word names, also as the end of a German compound ("Motorstrom"); nullptr when it names none.
 const Word* quantityNamed(std::string_view word);
 
+/// Where the quantity begins at the end of a word that is written without gaps (Chinese, Japanese); 0 when it doesn't.
+size_t quantityAtEnd(std::string_view word);
+
 inline constexpr auto referenceWords = std::to_array<std::string_view>(
     {"ref", "reference", "target", "goal", "setpoint", "sp", "cmd", "command", "commanded", "desired", "des", "demand",
-     "demanded", "soll", "set", "sollwert", "request", "requested"});
+     "demanded", "soll", "set", "sollwert", "request", "requested", "目标", "目標", "设定", "設定", "给定", "指令",
+     "期望"});
 inline constexpr auto supplyWords = std::to_array<std::string_view>(
-    {"supply", "bus", "vbus", "vdc", "dc", "battery", "batt", "bat", "vbat", "vbatt", "vin", "dclink", "input"});
+    {"supply", "bus", "vbus", "vdc", "dc", "battery", "batt", "bat", "vbat", "vbatt", "vin", "dclink", "input", "bms", "pack"});
 /// May stand behind the quantity and change nothing.
 inline constexpr auto decorations = std::to_array<std::string_view>(
     {"actual", "act",        "measured",  "meas",     "measurement", "present",   "motor",    "mot",
