@@ -16,9 +16,9 @@ namespace {
 constexpr size_t mostAxes = 64;
 constexpr auto axisWords = std::to_array<std::string_view>(
     {"motor", "joint", "axis", "servo", "actuator", "dof", "leg", "side", "motors", "achse", "moteur"});
-constexpr auto numberWords = std::to_array<std::string_view>(
-    {"id", "ids", "name", "node", "device", "can", "address", "addr", "channel", "nr", "no", "index", "idx", "num",
-     "number", "label"});
+constexpr auto numberWords =
+    std::to_array<std::string_view>({"id", "ids", "name", "node", "device", "can", "address", "addr", "channel", "nr",
+                                     "no", "index", "idx", "num", "number", "label"});
 
 bool hasWordOf(const std::string& name, bool axesOnly) {
   const auto words = wordsOf(name, true);

@@ -9,17 +9,17 @@
 
 namespace breakaway {
 
-/// Which axis each row speaks of, by a column's texts or whole numbers: 0 where it tells nothing, else from 1 on, in the
-/// order of `names`. Nothing when there are more than 64 of them.
+/// Which axis each row speaks of, by a column's texts or whole numbers: 0 where it tells nothing, else from 1 on, in
+/// the order of `names`. Nothing when there are more than 64 of them.
 struct RowKinds {
   std::vector<std::string> names;
   std::vector<size_t> of;
 };
 std::optional<RowKinds> rowKinds(const RawColumn& column);
 
-/// The column that tells which of several axes a row speaks of: within each of its values `motion`, an angle or a speed,
-/// goes on far more smoothly than from row to row; or `time` begins anew with each. Numbers count only where their name
-/// tells that they number axes. `free`: the columns that may be it.
+/// The column that tells which of several axes a row speaks of: within each of its values `motion`, an angle or a
+/// speed, goes on far more smoothly than from row to row; or `time` begins anew with each. Numbers count only where
+/// their name tells that they number axes. `free`: the columns that may be it.
 struct AxesInTurn {
   size_t column = 0;
   std::vector<std::string> names;

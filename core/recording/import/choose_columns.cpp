@@ -157,16 +157,21 @@ std::string axisOf(const std::vector<Choice>& choices) {
   return {};
 }
 
-/// Of several columns for one thing, one that never changes is the last to be taken.
-int rankOf(const RawColumn& column, const Choice& choice) {
+/// Of several columns for one thing, one that never changes is the last to be taken; one in counts or electrical turns
+/// stands behind one that needs no telling.
+int rankOf(const RawColumn& column, const Choice& choice, const ImportMap& map) {
+  const UnitNeeds needs = choice.name.needs;
+  const bool lacks =
+      (needs == UnitNeeds::countsPerRev && !map.counts_per_rev) || (needs == UnitNeeds::polePairs && !map.pole_pairs);
   const auto& values = column.channel.values;
   const bool changes = std::adjacent_find(values.begin(), values.end(), [](double a, double b) {
                          return std::isfinite(a) && std::isfinite(b) && a != b;
                        }) != values.end();
-  return choice.name.rank + (changes ? 0 : 10);
+  return choice.name.rank + (changes ? 0 : 10) + (lacks ? 1 : 0);
 }
 
-Result<void> takeOneEach(const RawTable& table, std::vector<Choice>& choices, const std::string& place) {
+Result<void> takeOneEach(const RawTable& table, const ImportMap& map, std::vector<Choice>& choices,
+                         const std::string& place) {
   std::set<std::string> targets;
   for (const Choice& choice : choices) {
     if (choice.name.understood()) targets.insert(choice.name.to);
@@ -181,7 +186,7 @@ Result<void> takeOneEach(const RawTable& table, std::vector<Choice>& choices, co
                      "two columns become " + to + "; name another one for \"" + table.columns[c].channel.name + "\""};
       const bool better = best == choices.size() || (choice.byMap && !choices[best].byMap) ||
                           (choice.byMap == choices[best].byMap &&
-                           rankOf(table.columns[c], choice) < rankOf(table.columns[best], choices[best]));
+                           rankOf(table.columns[c], choice, map) < rankOf(table.columns[best], choices[best], map));
       if (better) best = c;
     }
     for (size_t c = 0; c < choices.size(); ++c) {
@@ -266,7 +271,7 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
     if (!axis.empty() && !choice.name.group.empty() && choice.name.group != axis)
       setAside(choice, "belongs to another axis (" + choice.name.group + ") than the one taken (" + axis + ")");
   }
-  if (const auto one = takeOneEach(table, choices, place); !one) return one.error();
+  if (const auto one = takeOneEach(table, map, choices, place); !one) return one.error();
   for (size_t c = 0; c < choices.size(); ++c) {
     const auto& fault = table.columns[c].fault;
     if (!fault) continue;

@@ -152,7 +152,9 @@ ColumnName byUnitAlone(const NameParts& parts) {
   const bool enough = kind == UnitKind::time || kind == UnitKind::angularVelocity || (kind == UnitKind::angle && plain);
   const std::string to = contractName(kind, reference);
   if (!enough || to.empty()) return aside("its name says nothing that is known", parts);
-  return taken(parts, to, 3);
+  ColumnName name = taken(parts, to, 3);
+  name.byUnit = !plain && kind != UnitKind::time;
+  return name;
 }
 
 /// A name that is nothing but a unit: "rpm", "millis".
@@ -194,6 +196,7 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
   NameParts parts = partsOfName(name, unit);
   const bool electrical =
       std::erase_if(parts.words, [](const std::string& word) { return isIn(electricalWords, word); }) > 0;
+  if (parts.words.empty() && parts.unitFirst) return taken(parts, contractName(parts.unit->kind, false), 2);
   if (parts.words.empty()) return aside("it has no name", parts);
   if (isMultiplied(name)) return aside("a factor stands in its name", parts);
   if (const std::string* other = firstIn(parts.words, otherThings)) {
@@ -214,6 +217,9 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
     return byUnitAlone(parts);
   }
   UnitKind kind = found.word->kind;
+  const bool present = kind == UnitKind::current && parts.unit == nullptr && found.at + 1 < parts.words.size();
+  if (present && (parts.words[found.at + 1] == "state" || parts.words[found.at + 1] == "status"))
+    return aside("is a state", parts);
   if (parts.unknownUnit) return aside("its unit \"" + parts.unitText + "\" is unknown", parts);
   if (parts.unit != nullptr && !fits(parts.unit->kind, kind)) {
     const bool inWinding = parts.unit->kind == UnitKind::current || parts.unit->kind == UnitKind::voltage;

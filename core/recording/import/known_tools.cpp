@@ -349,8 +349,9 @@ ToolColumns cia402(RawTable& table) {
           setAside("counts thousandths of the drive's rated value, which no file says: map it with \"scale\"");
   }
   if (!columns.empty())
-    table.remarks.emplace_back("recognised a drive's CiA 402 objects by its status word: torque and current in "
-                               "thousandths of the rated ones");
+    table.remarks.emplace_back(
+        "recognised a drive's CiA 402 objects by its status word: torque and current in "
+        "thousandths of the rated ones");
   return columns;
 }
 

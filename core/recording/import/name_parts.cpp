@@ -84,17 +84,22 @@ std::string takeBrackets(std::string_view name, NameParts& parts) {
   return rest + std::string(name);
 }
 
+bool isSide(std::string_view word) {
+  return word == "left" || word == "right" || word == "l" || word == "r";
+}
+
 void takeGroup(Words& words, std::string& group) {
   Words kept;
   const bool model = std::any_of(words.begin(), words.end(), [](const std::string& word) {
     return isNumber(word) && word.size() > 2;  // "trs605-5": a sensor's name, not an axis
   });
-  for (std::string& word : words) {
+  for (size_t k = 0; k < words.size(); ++k) {
+    std::string& word = words[k];
     const size_t digit = word.find_first_of("0123456789");
     const bool letterAndNumber = digit == 1 && isNumber(word.substr(1));
     const bool parameter = letterAndNumber && word.size() > 2 && (word[0] == 'r' || word[0] == 'p');  // a drive's "r63"
     const bool axis = letterAndNumber && !parameter;                                                  // "m0"
-    const bool side = word == "left" || word == "right";
+    const bool side = isSide(word) && (word.size() > 1 || (k > 0 && k + 1 == words.size()));          // "rpm_l"
     if (!model && (isNumber(word) || axis || side)) group += (group.empty() ? "" : ".") + word;
     if (!isNumber(word) && !axis && !side && !parameter) kept.push_back(std::move(word));
   }
@@ -126,9 +131,11 @@ std::string_view firstWords(std::string_view text, size_t count) {
 bool takeUnitBeforeWords(const std::string& text, NameParts& parts) {
   const Words plain = wordsOf(text, false);
   size_t end = plain.size();
-  while (end > 0 && (isIn(decorations, plain[end - 1]) || isIn(referenceWords, plain[end - 1])) &&
-         plain[end - 1].size() > 2)
-    --end;
+  const auto changesNothing = [](const std::string& word) {
+    const bool told = word.size() > 2 && (isIn(decorations, word) || isIn(referenceWords, word));
+    return told || isSide(word) || (word.size() > 1 && isNumber(word.substr(1)));  // "m1"
+  };
+  while (end > 0 && changesNothing(plain[end - 1])) --end;
   if (end == 0 || end == plain.size()) return false;
   const Words head(plain.begin(), plain.begin() + static_cast<std::ptrdiff_t>(end));
   for (size_t from = 0; from < head.size(); ++from) {
@@ -136,6 +143,7 @@ bool takeUnitBeforeWords(const std::string& text, NameParts& parts) {
     const bool longEnough = head[from].size() > 2 || (from > 0 && head[from].size() > 1 && head[from] != "in");
     if (unit == nullptr || !longEnough || quantityNamed(head[from]) != nullptr) continue;
     parts.unit = unit;
+    parts.unitFirst = from == 0;
     for (size_t k = from; k < end; ++k) parts.unitText += (k == from ? "" : "_") + head[k];
     parts.words = wordsOf(firstWords(text, from), true);
     parts.words.insert(parts.words.end(), plain.begin() + static_cast<std::ptrdiff_t>(end), plain.end());

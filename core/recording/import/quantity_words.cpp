@@ -53,6 +53,8 @@ constexpr auto quantities = std::to_array<Word>({
     {"enc", UnitKind::angle, true},
     {"torque", UnitKind::torque},
     {"trq", UnitKind::torque},
+    {"torq", UnitKind::torque},
+    {"tor", UnitKind::torque},
     {"tau", UnitKind::torque},
     {"effort", UnitKind::torque},
     {"drehmoment", UnitKind::torque},

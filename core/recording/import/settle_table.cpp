@@ -93,11 +93,12 @@ class Settling {
     fate.scale = choice.name.scale;
     fate.offset = choice.name.offset;
     fate.unit = choice.name.unit;
-    fate.why = choice.name.understood() ? (choice.byMap    ? "the map says so"
-                                           : choice.byTool ? "as that tool has it"
-                                                           : "by its name")
+    fate.why = choice.name.understood() ? (choice.byMap         ? "the map says so"
+                                           : choice.byTool      ? "as that tool has it"
+                                           : choice.name.byUnit ? "by its unit alone"
+                                                                : "by its name")
                                         : choice.name.aside;
-    fate.guessed = choice.name.understood() && choice.name.unit.empty();
+    fate.guessed = choice.name.understood() && (choice.name.unit.empty() || choice.name.byUnit);
     return fate;
   }
 
@@ -143,10 +144,9 @@ class Settling {
     std::string list;
     for (size_t k = 0; k < turn->names.size() && k < 4; ++k) list += (k == 0 ? "" : ", ") + turn->names[k];
     const std::string& column = table_.columns[turn->column].channel.name;
-    return Error{path_ + ", column " + column, "rows of " + std::to_string(turn->names.size()) +
-                                                   " axes stand in one table (" + list +
-                                                   (turn->names.size() > 4 ? ", …" : "") +
-                                                   "); part them with --map {\"split\": \"" + column + "\"}"};
+    return Error{path_ + ", column " + column,
+                 "rows of " + std::to_string(turn->names.size()) + " axes stand in one table (" + list +
+                     (turn->names.size() > 4 ? ", …" : "") + "); part them with --map {\"split\": \"" + column + "\"}"};
   }
 
   Result<void> takeTime() {
@@ -568,8 +568,9 @@ class Settling {
     const auto duty = columnOf("duty");
     const bool driven = duty && rangeOf(values(*duty)) > 0.2 * largest(values(*duty));
     if (!driven && !turnsBothWays()) return;
-    const std::string why = driven ? "it hardly changes while the duty does" : "it hardly changes while the axis turns "
-                                                                                "both ways";
+    const std::string why = driven ? "it hardly changes while the duty does"
+                                   : "it hardly changes while the axis turns "
+                                     "both ways";
     if (columnOf("supply_V")) return keep(*c, why + ", so it is no motor's voltage");
     fates_[*c].to = "supply_V";
     fates_[*c].why = why;
