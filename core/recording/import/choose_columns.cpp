@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "base/json_object.h"
@@ -29,6 +30,34 @@ Choice guess(const RawColumn& column) {
   }
   choice.name = understandName(name, column.unit);
   return choice;
+}
+
+/// The name without its last word that reads so.
+std::string withoutWord(std::string name, const std::string& word) {
+  std::string lower = name;
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const size_t at = lower.rfind(word);
+  return at == std::string::npos ? name : name.replace(at, word.size(), " ");
+}
+
+/// An unknown word behind two different quantities is an axis' name: "pos_slew" beside "vel_slew".
+void takeNamedAxes(const RawTable& table, std::vector<Choice>& choices) {
+  std::map<std::string, std::set<std::string>> behind;
+  std::vector<ColumnName> names(choices.size());
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const std::string word = choices[c].name.unknownWord;
+    if (word.size() < 2 || choices[c].byMap) continue;
+    names[c] = understandName(withoutWord(table.columns[c].channel.name, word), table.columns[c].unit);
+    if (names[c].understood()) behind[word].insert(names[c].to);
+  }
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const std::string word = choices[c].name.unknownWord;
+    if (!names[c].understood() || behind[word].size() < 2) continue;
+    names[c].group += (names[c].group.empty() ? "" : ".") + word;
+    ++names[c].rank;
+    choices[c].name = names[c];
+  }
 }
 
 void setAside(Choice& choice, const std::string& why) {
@@ -260,6 +289,7 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
     }
     choices.push_back(std::move(choice));
   }
+  takeNamedAxes(table, choices);
   checkTimes(table, choices);
   if (!map.sample_time_s) takeTicks(table, choices);
   if (!map.sample_time_s) takeNamelessStamps(table, choices);

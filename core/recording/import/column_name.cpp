@@ -224,7 +224,8 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
   if (parts.unit != nullptr && !fits(parts.unit->kind, kind)) {
     const bool inWinding = parts.unit->kind == UnitKind::current || parts.unit->kind == UnitKind::voltage;
     const bool strongElectrical = kind == UnitKind::current || kind == UnitKind::voltage;
-    if (found.word->weak || (inWinding && !strongElectrical && supplyWord)) return byUnitAlone(parts);
+    const bool adjective = parts.words[found.at] == "current" || parts.words[found.at] == "curr";  // "current_rpm"
+    if (found.word->weak || adjective || (inWinding && !strongElectrical && supplyWord)) return byUnitAlone(parts);
     if (isSingleLetter(parts.unitText, "abcuvw") && strongElectrical) return aside("is one phase's", parts);
     return aside("its unit \"" + parts.unitText + "\" is none of " + nounOf(kind), parts);
   }
@@ -237,7 +238,9 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
       reference = true;
     } else if (k > found.at && !isIn(decorations, word) && quantityNamed(word) == nullptr && !isIn(supplyWords, word) &&
                !isSingleLetter(word, "abcduvwxyz")) {
-      return aside("what \"" + word + "\" makes of it is unknown", parts);
+      ColumnName unknown = aside("what \"" + word + "\" makes of it is unknown", parts);
+      unknown.unknownWord = word;
+      return unknown;
     } else if (k < found.at && !isIn(decorations, word)) {
       ++unknownBefore;
     }

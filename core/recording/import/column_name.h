@@ -12,6 +12,7 @@ namespace breakaway {
 struct ColumnName {
   std::string to;     ///< the contract's name, with its unit; empty when the column isn't understood
   std::string aside;  ///< then: why
+  std::string unknownWord = {};  ///< then: the word behind the quantity that may change everything
   double scale = 1.0;
   double offset = 0.0;
   std::string unit;        ///< as written; empty when the name tells none, and SI is assumed

@@ -58,7 +58,10 @@ inline constexpr auto otherThings =
                                      "abs",          "dt",         "delay",     "duration",     "regelabweichung",
                                      "bandwidth",    "sin",        "cos",       "tan",          "predicted",
                                      "prediction",   "predict",    "simulated", "sim",          "modeled",
-                                     "modelled",     "ideal",      "expected",  "theoretical",  "wind"});
+                                     "modelled",     "ideal",      "expected",  "theoretical",  "wind",
+                                     "pred",         "nominal",    "prev",      "previous",     "old",
+                                     "initial",      "init",       "final",     "home",         "bias",
+                                     "noise"});
 inline constexpr auto loadWords = std::to_array<std::string_view>(
     {"load", "external", "friction", "disturbance", "gravity", "cogging", "brake", "feedforward", "ff"});
 inline constexpr auto driverWords =
