@@ -100,6 +100,17 @@ void setPhasesAside(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
+/// "i" beside "p" and "d" is a controller's integral term, and no current.
+void setPidTermsAside(const RawTable& table, std::vector<Choice>& choices) {
+  size_t terms = 0;
+  for (const RawColumn& column : table.columns)
+    terms += isSameWord(column.channel.name, "p") || isSameWord(column.channel.name, "d") ? 1 : 0;
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const bool term = terms >= 2 && isSameWord(table.columns[c].channel.name, "i") && table.columns[c].unit.empty();
+    if (term && !choices[c].byMap) setAside(choices[c], "is a controller's integral term");
+  }
+}
+
 /// A column without a single number tells nothing, whatever it is called.
 void setEmptyAside(const RawTable& table, std::vector<Choice>& choices) {
   for (size_t c = 0; c < choices.size(); ++c) {
@@ -295,6 +306,7 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
   if (!map.sample_time_s) takeNamelessStamps(table, choices);
   setPhasesAside(table, choices);
   setEmptyAside(table, choices);
+  setPidTermsAside(table, choices);
   const std::string axis = axisOf(choices);
   for (Choice& choice : choices) {
     if (!choice.name.understood() || choice.byMap || choice.name.to == "time_s") continue;

@@ -196,7 +196,9 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
   NameParts parts = partsOfName(name, unit);
   const bool electrical =
       std::erase_if(parts.words, [](const std::string& word) { return isIn(electricalWords, word); }) > 0;
-  if (parts.words.empty() && parts.unitFirst) return taken(parts, contractName(parts.unit->kind, false), 2);
+  const bool sideAndUnit = parts.unit != nullptr && unit.empty() && parts.unitText.size() > 2;  // "left_ticks"
+  if (parts.words.empty() && (parts.unitFirst || (sideAndUnit && !parts.group.empty())))
+    return taken(parts, contractName(parts.unit->kind, false), 2);
   if (parts.words.empty()) return aside("it has no name", parts);
   if (isMultiplied(name)) return aside("a factor stands in its name", parts);
   if (const std::string* other = firstIn(parts.words, otherThings)) {

@@ -10,8 +10,8 @@ namespace breakaway {
 
 /// What a name and its unit tell: value in the contract's unit = scale × value + offset, divided by what is needed.
 struct ColumnName {
-  std::string to;     ///< the contract's name, with its unit; empty when the column isn't understood
-  std::string aside;  ///< then: why
+  std::string to;                ///< the contract's name, with its unit; empty when the column isn't understood
+  std::string aside;             ///< then: why
   std::string unknownWord = {};  ///< then: the word behind the quantity that may change everything
   double scale = 1.0;
   double offset = 0.0;

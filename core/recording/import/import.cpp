@@ -15,7 +15,9 @@ namespace {
 
 /// Texts of further rows, counted as those of the first.
 void appendTexts(RawColumn& column, const RawColumn& more) {
-  if (column.texts.empty() && more.texts.empty()) return;
+  column.manyTexts = column.manyTexts || more.manyTexts;
+  if (column.manyTexts) column.texts.clear();
+  if (column.manyTexts || (column.texts.empty() && more.texts.empty())) return;
   column.textOf.resize(column.channel.values.size());
   for (size_t k = 0; k < more.channel.values.size(); ++k) {
     const size_t kind = k < more.textOf.size() && !more.texts.empty() ? more.textOf[k] : 0;

@@ -61,7 +61,8 @@ inline constexpr auto otherThings =
                                      "modelled",     "ideal",      "expected",  "theoretical",  "wind",
                                      "pred",         "nominal",    "prev",      "previous",     "old",
                                      "initial",      "init",       "final",     "home",         "bias",
-                                     "noise"});
+                                     "noise",        "fan",        "pump",      "injector",     "heater",
+                                     "led"});
 inline constexpr auto loadWords = std::to_array<std::string_view>(
     {"load", "external", "friction", "disturbance", "gravity", "cogging", "brake", "feedforward", "ff"});
 inline constexpr auto driverWords =

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -20,7 +21,11 @@ struct RawColumn {
   bool clock = false;                   ///< values are s that were read from times of day or dates
   std::vector<std::string> texts = {};  ///< the texts that stand there; empty when there are too many to be kinds
   std::vector<uint16_t> textOf = {};    ///< per row the place in `texts`, from 1 on, 0 for a number or none
+  bool manyTexts = false;               ///< more than 64, or long ones
 };
+
+/// Notes that in this row a text stands; those that return are kinds of rows: names of joints, states.
+void noteText(RawColumn& column, size_t row, std::string_view text);
 
 struct RawTable {
   std::vector<RawColumn> columns;  ///< all of the same length

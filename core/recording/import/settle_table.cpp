@@ -474,11 +474,22 @@ class Settling {
     }
   }
 
+  /// 1000 to 2000 µs, as radio control has them.
+  static bool arePulseWidths(const std::vector<double>& values) {
+    constexpr double shortest_us = 700.0, longest_us = 2300.0, middle_us = 1000.0;
+    return areWhole(values) && largest(values) > middle_us && largest(values) < longest_us &&
+           std::none_of(values.begin(), values.end(), [](double v) { return v < shortest_us; });
+  }
+
   Result<void> takeDuty() {
     const auto c = columnOf("duty");
     if (!c || settled_.contains(*c)) return {};
     ColumnFate& fate = fates_[*c];
     auto& duty = values(*c);
+    if (fate.unit.empty() && arePulseWidths(duty)) {
+      keep(*c, "holds the pulse widths of a servo or a speed controller in µs, whose stop no file says");
+      return {};
+    }
     if (fate.unit.empty() || fate.unit == "1") {
       const auto words = wordsOf(fate.from, true);
       const bool pwm = std::find(words.begin(), words.end(), "pwm") != words.end();

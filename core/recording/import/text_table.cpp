@@ -179,7 +179,6 @@ class Rows {
     size_t count = 0;
     std::string first;
     bool same = true;
-    bool many = false;
   };
 
   LineKind judgeOther() {
@@ -198,30 +197,10 @@ class Rows {
     SeenText& seen = texts_[c];
     if (seen.count++ == 0) seen.first = cells_[c].substr(0, 40);
     seen.same = seen.same && cells_[c] == seen.first;
-    noteKind(c, row);
+    breakaway::noteText(column, row, cells_[c]);
     if (column.fault) return;
     column.fault = Error{name_ + ", row " + std::to_string(row + 1) + ", column " + column.channel.name,
                          "expected a number, found \"" + std::string(cells_[c].substr(0, 40)) + "\""};
-  }
-
-  /// Texts that return from row to row are kinds of rows: names of joints, states.
-  void noteKind(size_t c, size_t row) {
-    constexpr size_t mostKinds = 64, longestKind = 100;
-    RawColumn& column = table.columns[c];
-    SeenText& seen = texts_[c];
-    if (seen.many) return;
-    auto at = std::find(column.texts.begin(), column.texts.end(), cells_[c]);
-    if (at == column.texts.end()) {
-      seen.many = column.texts.size() >= mostKinds || cells_[c].size() > longestKind;
-      if (seen.many) {
-        column.texts.clear();
-        column.textOf.clear();
-        return;
-      }
-      at = column.texts.emplace(column.texts.end(), cells_[c]);
-    }
-    column.textOf.resize(row);
-    column.textOf.push_back(static_cast<uint16_t>(at - column.texts.begin() + 1));
   }
 
   /// All cells of a column have one unit.
