@@ -141,7 +141,7 @@ bool takeUnitBeforeWords(const std::string& text, NameParts& parts) {
   for (size_t from = 0; from < head.size(); ++from) {
     const Unit* unit = unitOfWords(head, from);
     const bool longEnough = head[from].size() > 2 || (from > 0 && head[from].size() > 1 && head[from] != "in");
-    if (unit == nullptr || !longEnough || quantityNamed(head[from]) != nullptr) continue;
+    if (unit == nullptr || !longEnough || head[from] == "min" || quantityNamed(head[from]) != nullptr) continue;
     parts.unit = unit;
     parts.unitFirst = from == 0;
     for (size_t k = from; k < end; ++k) parts.unitText += (k == from ? "" : "_") + head[k];
