@@ -40,7 +40,7 @@ double wayOf(const std::vector<double>& values, const RowKinds* kinds) {
 }
 
 /// Rows at which the kind changes.
-std::vector<size_t> changesOf(const RowKinds& kinds) {
+std::vector<size_t> bordersOf(const RowKinds& kinds) {
   std::vector<size_t> changes;
   for (size_t k = 1; k < kinds.of.size(); ++k) {
     if (kinds.of[k] != kinds.of[k - 1]) changes.push_back(k);
@@ -89,7 +89,7 @@ std::optional<AxesInTurn> axesInTurn(const RawTable& table, const std::vector<bo
     if (!free[c] || (column.texts.empty() && !hasWordOf(column.channel.name, false))) continue;
     const auto kinds = rowKinds(column);
     if (!kinds || kinds->names.size() < 2 || !eachHasRows(*kinds, fewestRows)) continue;
-    const auto changes = changesOf(*kinds);
+    const auto changes = bordersOf(*kinds);
     if (static_cast<double>(changes.size()) > oftenChanges * static_cast<double>(values.size())) {
       if (!whole) whole = wayOf(values, nullptr);
       if (wayOf(values, &*kinds) < smoother * *whole) return AxesInTurn{c, kinds->names};

@@ -33,7 +33,7 @@ Choice guess(const RawColumn& column) {
 }
 
 /// The name without its last word that reads so.
-std::string withoutWord(std::string name, const std::string& word) {
+std::string nameWithout(std::string name, const std::string& word) {
   std::string lower = name;
   std::transform(lower.begin(), lower.end(), lower.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -48,7 +48,7 @@ void takeNamedAxes(const RawTable& table, std::vector<Choice>& choices) {
   for (size_t c = 0; c < choices.size(); ++c) {
     const std::string word = choices[c].name.unknownWord;
     if (word.size() < 2 || choices[c].byMap) continue;
-    names[c] = understandName(withoutWord(table.columns[c].channel.name, word), table.columns[c].unit);
+    names[c] = understandName(nameWithout(table.columns[c].channel.name, word), table.columns[c].unit);
     if (names[c].understood()) behind[word].insert(names[c].to);
   }
   for (size_t c = 0; c < choices.size(); ++c) {

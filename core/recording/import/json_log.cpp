@@ -140,7 +140,7 @@ void put(const Json& value, RawColumn& column, const std::string& place, bool fi
       return;
     }
   }
-  if (value.is_string()) noteText(column, values.size(), value.get_ref<const std::string&>());
+  if (value.is_string()) rememberText(column, values.size(), value.get_ref<const std::string&>());
   values.push_back(std::isfinite(number) ? number : NAN);
   if (!isPlain(value) && !column.fault)
     column.fault =

@@ -4,7 +4,7 @@
 
 namespace breakaway {
 
-void noteText(RawColumn& column, size_t row, std::string_view text) {
+void rememberText(RawColumn& column, size_t row, std::string_view text) {
   constexpr size_t mostKinds = 64, longestKind = 100;
   if (column.manyTexts) return;
   auto at = std::find(column.texts.begin(), column.texts.end(), text);

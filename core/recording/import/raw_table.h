@@ -25,7 +25,7 @@ struct RawColumn {
 };
 
 /// Notes that in this row a text stands; those that return are kinds of rows: names of joints, states.
-void noteText(RawColumn& column, size_t row, std::string_view text);
+void rememberText(RawColumn& column, size_t row, std::string_view text);
 
 struct RawTable {
   std::vector<RawColumn> columns;  ///< all of the same length

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <set>
 
 #include "base/numbers.h"
@@ -138,6 +137,7 @@ class Settling {
     }
     if (!motion) return {};
     std::vector<bool> free;
+    free.reserve(choices_.size());
     for (const Choice& choice : choices_) free.push_back(!choice.name.understood() && !choice.byMap && !choice.byTool);
     const auto turn = axesInTurn(table_, free, *motion, columnOf("time_s"));
     if (!turn) return {};
@@ -370,29 +370,18 @@ class Settling {
     if (!v || !fates_[*v].unit.empty() || choices_[*v].name.needs != UnitNeeds::nothing) return false;
     const auto motion = motionOf(c, *v);
     if (!motion || motion->correlation < 0.95) return false;
-    struct Pair {
-      const char *angle, *speed;
-      double angle_rad, speed_rad_per_s;
+    const auto pair = unitsByFactor(motion->factor);
+    if (!pair) return false;
+    const auto set = [this](size_t column, const char* unit, double scale, const std::string& why) {
+      fates_[column].unit = unit;
+      fates_[column].scale = scale;
+      fates_[column].why = why;
+      fates_[column].guessed = true;
     };
-    constexpr double degree = turn_rad / 360.0, rpm = turn_rad / 60.0;
-    for (const Pair& one : {Pair{"deg", "rpm", degree, rpm},
-                            {"rad", "rpm", 1.0, rpm},
-                            {"turns", "rpm", turn_rad, rpm},
-                            {"deg", "rad/s", degree, 1.0},
-                            {"turns", "rad/s", turn_rad, 1.0}}) {
-      if (std::abs(std::log(motion->factor * one.angle_rad / one.speed_rad_per_s)) > std::log(1.02)) continue;
-      const auto set = [this](size_t column, const char* unit, double scale, const std::string& why) {
-        fates_[column].unit = unit;
-        fates_[column].scale = scale;
-        fates_[column].why = why;
-        fates_[column].guessed = true;
-      };
-      set(c, one.angle, one.angle_rad, std::string("only so it agrees with ") + fates_[*v].from + " in " + one.speed);
-      set(*v, one.speed, one.speed_rad_per_s,
-          std::string("only so it agrees with ") + fates_[c].from + " in " + one.angle);
-      return true;
-    }
-    return false;
+    const std::string only = "only so it agrees with ";
+    set(c, pair->angle, pair->angle_rad, only + fates_[*v].from + " in " + pair->speed);
+    set(*v, pair->speed, pair->speed_rad_per_s, only + fates_[c].from + " in " + pair->angle);
+    return true;
   }
 
   Result<void> takeSpeed() {
@@ -472,13 +461,6 @@ class Settling {
                          ", with which the speed agrees with the angle");
       return;
     }
-  }
-
-  /// 1000 to 2000 µs, as radio control has them.
-  static bool arePulseWidths(const std::vector<double>& values) {
-    constexpr double shortest_us = 700.0, longest_us = 2300.0, middle_us = 1000.0;
-    return areWhole(values) && largest(values) > middle_us && largest(values) < longest_us &&
-           std::none_of(values.begin(), values.end(), [](double v) { return v < shortest_us; });
   }
 
   Result<void> takeDuty() {
@@ -568,14 +550,7 @@ class Settling {
     for (const std::string& word : wordsOf(fates_[*c].from, true)) {
       if (word == "motor" || word == "mot" || word == "q" || word == "uq" || word == "vq" || word == "vm") return;
     }
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const double value : values(*c)) {
-      if (!std::isfinite(value)) continue;
-      low = std::min(low, value);
-      high = std::max(high, value);
-    }
-    constexpr double sags = 0.25;
-    if (!(low > 0.0) || high - low > sags * high) return;
+    if (!hardlyChanges(values(*c))) return;
     const auto duty = columnOf("duty");
     const bool driven = duty && rangeOf(values(*duty)) > 0.2 * largest(values(*duty));
     if (!driven && !turnsBothWays()) return;
@@ -591,16 +566,7 @@ class Settling {
 
   bool turnsBothWays() {
     const auto speed = columnOf("velocity_rad_per_s"), angle = columnOf("angle_rad");
-    if (!speed && !angle) return false;
-    double forward = 0.0, backward = 0.0, last = std::numeric_limits<double>::quiet_NaN();
-    for (const double value : values(speed ? *speed : *angle)) {
-      const double way = speed ? value : value - last;
-      last = value;
-      if (!std::isfinite(way)) continue;
-      (way > 0.0 ? forward : backward) += std::abs(way);
-    }
-    constexpr double oneWay = 0.2;
-    return std::min(forward, backward) > oneWay * (forward + backward);
+    return speed ? goesBothWays(values(*speed)) : angle && goesBothWays(changesOf(values(*angle)));
   }
 
   Result<void> takeIntegral() {

@@ -197,7 +197,7 @@ class Rows {
     SeenText& seen = texts_[c];
     if (seen.count++ == 0) seen.first = cells_[c].substr(0, 40);
     seen.same = seen.same && cells_[c] == seen.first;
-    breakaway::noteText(column, row, cells_[c]);
+    rememberText(column, row, cells_[c]);
     if (column.fault) return;
     column.fault = Error{name_ + ", row " + std::to_string(row + 1) + ", column " + column.channel.name,
                          "expected a number, found \"" + std::string(cells_[c].substr(0, 40)) + "\""};
