@@ -110,9 +110,11 @@ void TestImport::names_areUnderstood_data() {
   row("trs605-5 torque [Nm]", "torque_Nm");
   row("time (millisec)", "time_s", 1e-3);
   row("bms_voltage_V", "supply_V");
+  row("vel_rads", "velocity_rad_per_s");
+  row("speed_mps", "velocity_m_per_s");
   for (const char* unknown : {"", "velocity error", "current [foo]", "angle [A]", "status", "disturbance", "input",
                               "torque_x1000", "angle*10", "sin_theta", "predicted angle [deg]", "joint_3deg",
-                              "curr_state", "fan_rpm", "home_position", "rpm_error"})
+                              "curr_state", "fan_rpm", "home_position", "rpm_error", "Actual_Speed_Kmh"})
     row(unknown, "");
 }
 
@@ -430,6 +432,9 @@ void TestImport::columnsThatAreNotTheMotors_areKeptUnused_data() {
   QTest::newRow("thousandths of the rated torque") << "statusword,actual_torque"
                                                    << "0x1237,312"
                                                    << "thousandths of the drive's";
+  QTest::newRow("a vehicle's speed") << "speed_mps,speed (km/h)"
+                                     << "1.5,5.4"
+                                     << "beside a motor that turns";
   QTest::newRow("pulses of radio control") << "mark,servo_pwm"
                                            << "7,1512"
                                            << "pulse widths";

@@ -49,7 +49,8 @@ void takeNamedAxes(const RawTable& table, std::vector<Choice>& choices) {
     const std::string word = choices[c].name.unknownWord;
     if (word.size() < 2 || choices[c].byMap) continue;
     names[c] = understandName(nameWithout(table.columns[c].channel.name, word), table.columns[c].unit);
-    if (names[c].understood()) behind[word].insert(names[c].to);
+    const size_t reference = names[c].to.find("_reference");  // of the same quantity
+    if (names[c].understood()) behind[word].insert(names[c].to.substr(0, std::min(reference, names[c].to.find('_'))));
   }
   for (size_t c = 0; c < choices.size(); ++c) {
     const std::string word = choices[c].name.unknownWord;
@@ -97,6 +98,18 @@ void setPhasesAside(const RawTable& table, std::vector<Choice>& choices) {
         break;
       }
     }
+  }
+}
+
+/// Beside a rotary motion a linear speed is that of a vehicle or of what the motor drives.
+void setVehiclesAside(std::vector<Choice>& choices) {
+  const auto has = [&choices](const char* to) {
+    return std::any_of(choices.begin(), choices.end(), [to](const Choice& one) { return one.name.to == to; });
+  };
+  if (has("position_m") || (!has("angle_rad") && !has("velocity_rad_per_s"))) return;
+  for (Choice& choice : choices) {
+    const bool linear = choice.name.to == "velocity_m_per_s" || choice.name.to == "velocity_reference_m_per_s";
+    if (linear && !choice.byMap) setAside(choice, "is a linear speed, beside a motor that turns");
   }
 }
 
@@ -307,6 +320,7 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
   setPhasesAside(table, choices);
   setEmptyAside(table, choices);
   setPidTermsAside(table, choices);
+  setVehiclesAside(choices);
   const std::string axis = axisOf(choices);
   for (Choice& choice : choices) {
     if (!choice.name.understood() || choice.byMap || choice.name.to == "time_s") continue;

@@ -223,6 +223,8 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
   if (present && (parts.words[found.at + 1] == "state" || parts.words[found.at + 1] == "status"))
     return aside("is a state", parts);
   if (parts.unknownUnit) return aside("its unit \"" + parts.unitText + "\" is unknown", parts);
+  if (kind == UnitKind::angularVelocity && parts.unitText == "rads") parts.unit = unitNamed("rad/s");  // "vel_rads"
+  if (kind == UnitKind::angularVelocity && parts.unitText == "degs") parts.unit = unitNamed("deg/s");
   if (parts.unit != nullptr && !fits(parts.unit->kind, kind)) {
     const bool inWinding = parts.unit->kind == UnitKind::current || parts.unit->kind == UnitKind::voltage;
     const bool strongElectrical = kind == UnitKind::current || kind == UnitKind::voltage;

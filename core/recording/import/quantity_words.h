@@ -62,7 +62,7 @@ inline constexpr auto otherThings =
                                      "pred",         "nominal",    "prev",      "previous",     "old",
                                      "initial",      "init",       "final",     "home",         "bias",
                                      "noise",        "fan",        "pump",      "injector",     "heater",
-                                     "led"});
+                                     "led",          "kmh",        "kph",       "kmph",         "mph"});
 inline constexpr auto loadWords = std::to_array<std::string_view>(
     {"load", "external", "friction", "disturbance", "gravity", "cogging", "brake", "feedforward", "ff"});
 inline constexpr auto driverWords =

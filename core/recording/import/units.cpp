@@ -141,6 +141,7 @@ constexpr auto units = std::to_array<Unit>({
     {"cm_per_s", linearVelocity, 1e-2},
     {"mm_per_s", linearVelocity, 1e-3},
     {"um_per_s", linearVelocity, 1e-6},
+    {"mps", linearVelocity, 1},
     {"m_per_min", linearVelocity, 1.0 / 60},
     {"mm_per_min", linearVelocity, 1e-3 / 60},
     {"inch_per_s", linearVelocity, inch_m},
