@@ -1,4 +1,4 @@
-// What there is: effects, presets, columns.
+// What there is: effects, criteria, presets, columns.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
@@ -8,6 +8,7 @@
 #include "cli/command.h"
 #include "cli/inputs.h"
 #include "diagnose/effects/catalogue.h"
+#include "diagnose/model/criteria.h"
 #include "firmware_link/presets.h"
 #include "recording/columns.h"
 
@@ -30,6 +31,19 @@ Answer effects() {
     }
     one["look_alikes"] = effect->lookAlikes();
     json["effects"].push_back(std::move(one));
+  }
+  answer.json = asText(json);
+  return answer;
+}
+
+Answer criteria() {
+  Answer answer;
+  Json json{{"criteria", Json::array()}};
+  for (const Criterion& one : criteriaTable()) {
+    const double value = Criteria{}.*one.value;
+    answer.words += fmt::format("{:<20} {:<8g} of {}: {}\n", one.name, value, one.of, one.asks);
+    json["criteria"].push_back(
+        {{"name", one.name}, {"value", value}, {"of", one.of}, {"asks", one.asks}, {"set_by", one.setBy}});
   }
   answer.json = asText(json);
   return answer;
@@ -71,14 +85,16 @@ Answer columnsOfRecordings() {
 
 void addList(CLI::App& app, Job& chosen) {
   auto what = std::make_shared<std::string>();
-  auto* command = app.add_subcommand("list", "List the effects, the simulated presets or the recordings' columns");
+  auto* command = app.add_subcommand(
+      "list", "List the effects, what a diagnosis decides by, the simulated presets or the recordings' columns");
   command->add_option("WHAT", *what, "what to list")
       ->required()
-      ->check(CLI::IsMember({"effects", "presets", "columns"}));
-  command->footer("Examples:\n  breakaway list effects\n  breakaway list columns --json");
+      ->check(CLI::IsMember({"effects", "criteria", "presets", "columns"}));
+  command->footer("Examples:\n  breakaway list effects\n  breakaway list criteria\n  breakaway list columns --json");
   command->callback([what, &chosen] {
     chosen = [what]() -> Outcome {
       if (*what == "effects") return Result<Answer>(effects());
+      if (*what == "criteria") return Result<Answer>(criteria());
       return Result<Answer>(*what == "presets" ? presets() : columnsOfRecordings());
     };
   });

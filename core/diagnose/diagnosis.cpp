@@ -26,15 +26,16 @@ namespace {
 
 constexpr size_t fewestFarOff = 2;  ///< held-out windows that tell of something that the others don't show
 
-std::string heldoutRemark(size_t far, size_t windows) {
-  return std::to_string(far) + " of " + std::to_string(windows) + " held-out windows err more than " + farOffText() +
+std::string heldoutRemark(size_t far, size_t windows, const Criteria& criteria) {
+  return std::to_string(far) + " of " + std::to_string(windows) + " held-out windows err more than " +
+         farOffText(criteria) +
          " as much as sensors and friction explain. They show something that the data to learn from don't: learn from "
          "a recording that moves like these";
 }
 
 /// Why a base model that ran away isn't to be believed, or nothing.
-std::optional<std::string> runAwayText(const Model& base, const Model& inverse) {
-  const auto ratio = runAway(base, inverse);
+std::optional<std::string> runAwayText(const Model& base, const Model& inverse, const Criteria& criteria) {
+  const auto ratio = runAway(base, inverse, criteria);
   if (!ratio) return std::nullopt;
   const double shown = inverse.baseValue(motorNames(base.axis).inertia).value_or(0.0);
   return "friction changes along the way by more than the base model knows, and the motion is too slow to be "
@@ -76,7 +77,8 @@ class Diagnoser {
   Result<Attempt> attempt(HeldOut part) const { return attempt(part, {ErrorIn::motion, options_.window_s}, true); }
 
   Result<Attempt> attempt(HeldOut part, const Counting& counting, bool mayChange) const {
-    const auto prepared = prepare(bench_, recordings_, heldout_, counting.window_s, part, counting.errorIn);
+    const auto prepared =
+        prepare(bench_, recordings_, heldout_, counting.window_s, part, counting.errorIn, options_.criteria);
     if (!prepared) return prepared.error();
     std::optional<double> named_s;
     std::vector<std::string> firstNames;
@@ -109,7 +111,7 @@ class Diagnoser {
     addPlaces(diagnosis, rest, *prepared);
     made.farOff = farOff(diagnosis, *prepared);
     if (diagnosis.verdict == Verdict::outsideCatalogue && diagnosis.findings.empty())
-      made.runAway = runAwayText(diagnosis.base, prepared->starts.front());
+      made.runAway = runAwayText(diagnosis.base, prepared->starts.front(), options_.criteria);
     NextExperiment next =
         nextExperiment(diagnosis.verdict, diagnosis.findings, diagnosis.where, bench_, prepared->seen);
     diagnosis.nextSentence = std::move(next.sentence);
@@ -122,7 +124,8 @@ class Diagnoser {
   /// The base model fitted to all there is, for recordings of which nothing can be held out; or by torque and
   /// acceleration, where no window of them can be foreseen.
   Result<Diagnosis> undecided(const std::vector<std::string>& why, bool foreseeable = true) const {
-    auto prepared = prepare(bench_, recordings_, {}, options_.window_s, HeldOut::none);
+    auto prepared =
+        prepare(bench_, recordings_, {}, options_.window_s, HeldOut::none, ErrorIn::motion, options_.criteria);
     if (!prepared) return prepared.error();
     prepared->split.heldoutScore = prepared->split.trainScore;
     const SearchInput input = inputFor(*prepared);
@@ -178,6 +181,7 @@ class Diagnoser {
 
   Remainder take(Diagnosis& diagnosis, Judgement judged, const Preparation& prepared) const {
     diagnosis.remarks = prepared.remarks;
+    diagnosis.criteria = options_.criteria;
     diagnosis.base = std::move(judged.base);
     diagnosis.model = std::move(judged.model);
     diagnosis.findings = std::move(judged.findings);
@@ -188,7 +192,8 @@ class Diagnoser {
     diagnosis.wander = judged.rest.wander;
     if (diagnosis.fit.inTorque()) diagnosis.remarks.push_back(inTorqueRemark(bench_.axis));
     if (judged.rest.wander.rms > 0.0 && judged.rest.wander.rms < prepared.seen.peakTorque)
-      diagnosis.remarks.push_back(wanderRemark(judged.rest.wander, physicsOf(diagnosis.model).coulomb, prepared.seen));
+      diagnosis.remarks.push_back(
+          wanderRemark(judged.rest.wander, physicsOf(diagnosis.model).coulomb, prepared.seen, options_.criteria));
     return std::move(judged.rest);
   }
 
@@ -199,9 +204,9 @@ class Diagnoser {
     }
     if (!diagnosis.findings.empty() || rest.outside()) {
       diagnosis.where = places(residualMaps(diagnosis.base, prepared.training, options_.seed, heldoutTracks(prepared)),
-                               diagnosis.base);
+                               diagnosis.base, options_.criteria);
       if (!diagnosis.findings.empty())
-        preferAxis(diagnosis.where, findEffect(diagnosis.findings.front().effect)->drawnOver());
+        preferAxis(diagnosis.where, findEffect(diagnosis.findings.front().effect)->drawnOver(), options_.criteria);
     }
     // Beside findings that leave hardly anything, what they lack comes last.
     const auto at = rest.outside() ? diagnosis.where.begin() : diagnosis.where.end();
@@ -218,7 +223,7 @@ class Diagnoser {
     const std::vector<Window>&heldout = prepared.split.heldoutScore, &train = prepared.split.trainScore;
     const size_t kept = far(heldout);
     if (kept == 0 || far(train) * heldout.size() >= kept * train.size()) return 0;
-    if (nothing) diagnosis.remarks.push_back(heldoutRemark(kept, heldout.size()));
+    if (nothing) diagnosis.remarks.push_back(heldoutRemark(kept, heldout.size(), options_.criteria));
     return prepared.split.blocks ? kept : 0;
   }
 
@@ -271,7 +276,7 @@ Result<Diagnosis> misread(const Bench& bench, const std::vector<Recording>& reco
 Result<Diagnosis> diagnose(const Bench& bench, const std::vector<Recording>& recordings,
                            const std::vector<Recording>& heldout, const DiagnoseOptions& options) {
   if (const auto apart = checkSharedRows(bench, recordings, heldout); !apart) return apart.error();
-  const auto scales = checkScales(bench, recordings);
+  const auto scales = checkScales(bench, recordings, options.criteria);
   if (!scales) return scales.error();
   if (scales->misread) return misread(bench, recordings, options, *scales->misread);
   auto diagnosis = diagnoseAsRead(bench, recordings, heldout, options);

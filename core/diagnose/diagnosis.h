@@ -10,6 +10,7 @@
 #include "base/result.h"
 #include "diagnose/fit/scale_check.h"
 #include "diagnose/fit/torque_noise.h"
+#include "diagnose/model/criteria.h"
 #include "diagnose/model/model.h"
 #include "diagnose/verdict/finding.h"
 #include "diagnose/verdict/fit_score.h"
@@ -47,11 +48,13 @@ struct Diagnosis {
   /// A column of the wrong scale or sign: then nothing is looked for, and the models are those of the recordings with
   /// that put right.
   std::optional<Misreading> misread;
+  Criteria criteria;  ///< by which it was decided
 };
 
 struct DiagnoseOptions {
   unsigned seed = 1;
   double window_s = 0.5;
+  Criteria criteria;  ///< by which it decides
   std::stop_token stop;
   std::function<void(double progress, const std::string& activity)> progress;
 };

@@ -15,8 +15,6 @@ namespace breakaway {
 
 namespace {
 
-constexpr double farFromFloor = 1.6;
-
 std::string sizeText(double value, Axis axis) {
   if (axis == Axis::linear) return lengthText(value);
   return value < 1.0 ? fmt::format("{:.3g} mrad", value * 1e3) : fmt::format("{:.3g} rad", value);
@@ -48,9 +46,9 @@ std::string headline(const Diagnosis& d) {
   }
   switch (d.verdict) {
     case Verdict::nothingMissing:
-      if (d.fit.heldoutBefore <= farFromFloor * d.fit.floor)
+      if (d.fit.heldoutBefore <= d.criteria.atFloor * d.fit.floor)
         return "Nothing is missing: the base model explains the recording as far as its sensors can tell.";
-      if (d.fit.heldoutBefore <= farFromFloor * d.fit.floorWithWander)
+      if (d.fit.heldoutBefore <= d.criteria.atFloor * d.fit.floorWithWander)
         return "Nothing is missing: what the base model leaves is " + torqueWord(d.model.axis) +
                " that changes at random, as on any rig.";
       return "Nothing was found missing that has a place or a name, though the model errs by more than its sensors "

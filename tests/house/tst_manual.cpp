@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "diagnose/effects/catalogue.h"
+#include "diagnose/model/criteria.h"
 #include "house/program.h"
 
 using namespace breakaway;
@@ -20,6 +21,8 @@ class TestManual : public QObject {
   void everyEntry_isAnEffect();
   void poorEntry_isFound();
   void everyCommand_isInTheManual();
+  void everyCriterion_isInTheAppendix();
+  void criteria_areAFewAndWhole();
   void everyPlaceInTheArchitecture_isThere();
   void plantedPlace_isMissed();
   void everyLink_leadsSomewhere();
@@ -106,6 +109,39 @@ void TestManual::everyCommand_isInTheManual() {
     QVERIFY2(manual.contains("\n| `" + command + " "), qPrintable(command));
   }
   QVERIFY(!manual.contains("\n| `unheard-of "));
+}
+
+/// `./dev bench diagnosis --criteria` prints the table that belongs there.
+void TestManual::everyCriterion_isInTheAppendix() {
+  const QString appendix = contentOf(helpFolder() + "/criteria.md");
+  const QString table = textOf(criteriaMarkdown());
+  QVERIFY(table.count('\n') > 20);
+  QVERIFY2(appendix.endsWith("\n\n" + table), qPrintable(table));
+  const QString method = contentOf(helpFolder() + "/method.md");
+  for (const Criterion& one : criteriaTable()) {
+    // A word of several parts is written as one, or as the words it is made of.
+    QString spaced = textOf(one.name);
+    spaced.replace(QRegularExpression("([A-Z])"), " \\1");
+    QVERIFY2(method.contains('*' + textOf(one.name) + '*') || method.contains('*' + spaced.toLower() + '*') ||
+                 method.contains('*' + spaced.toLower().replace(" floor", " the floor") + '*'),
+             qPrintable("the method doesn't ask for " + textOf(one.name)));
+  }
+}
+
+void TestManual::criteria_areAFewAndWhole() {
+  QVERIFY(criteriaTable().size() <= 40);
+  QCOMPARE(criteriaTable().size() * sizeof(double), sizeof(Criteria));  // each is in the table
+  for (const Criterion& one : criteriaTable()) {
+    const std::string name(one.name);
+    QVERIFY2(Criteria{}.*one.value > 0.0 && !one.asks.empty() && !one.setBy.empty(), name.c_str());
+    const auto larger = varied({}, one.name, 1.3);
+    QVERIFY(larger);
+    QCOMPARE((*larger).*one.value, 1.3 * Criteria{}.*one.value);
+    QVERIFY(*larger != Criteria{});
+  }
+  const auto unknown = varied({}, "guesswork", 1.3);
+  QVERIFY(!unknown);
+  QVERIFY(unknown.error().message().find("guesswork: is no criterion; there are: negligible, ") == 0);
 }
 
 /// The anchors that headings make: small letters, blanks as dashes, no punctuation.

@@ -7,6 +7,7 @@
 #include "diagnose/verdict/unsealed.h"
 #include "score/scored_seeds.h"
 #include "score/scoring.h"
+#include "score/sensitivity.h"
 #include "support/temporary.h"
 
 using namespace breakaway;
@@ -32,6 +33,8 @@ class TestScoring : public QObject {
   void foreignLine_isOneClearLine();
   void seeds_areApart();
   void tables_holdEveryFamilyAndMethod();
+  void variedLine_readsBackTheSame();
+  void sensitivity_countsWhatChangesAndForWhichSide();
 };
 
 namespace {
@@ -259,6 +262,34 @@ void TestScoring::tables_holdEveryFamilyAndMethod() {
   const QString totals = QString::fromStdString(totalsTable({first, scoreOf(trials, Method::stepwise)}));
   for (const QString& line : totals.split('\n', Qt::SkipEmptyParts)) QCOMPARE(line.count('|'), 4);
   QVERIFY2(totals.contains("100.0 % (1 of 1)"), qPrintable(totals));
+}
+
+void TestScoring::variedLine_readsBackTheSame() {
+  const VariedTrial varied{"half", 0.7, trial("cogging", {"cogging"}, {{"cogging", {"torque_ripple"}}})};
+  const auto read = parseVariedLine(variedLine(varied), "r.jsonl, line 1");
+  QVERIFY(read);
+  QCOMPARE(read->criterion, varied.criterion);
+  QCOMPARE(read->factor, 0.7);
+  QVERIFY(read->trial == varied.trial);
+  const auto plain = parseVariedLine(scoredLine(varied.trial), "r.jsonl, line 2");
+  QVERIFY(!plain);
+  QCOMPARE(plain.error().message(), std::string("r.jsonl, line 2: doesn't say which criterion was varied"));
+}
+
+void TestScoring::sensitivity_countsWhatChangesAndForWhichSide() {
+  const auto found = trial("cogging", {"cogging"}, {{"cogging", {}}});
+  const auto missed = trial("cogging", {"cogging"}, {});
+  const auto clean = trial("clean", {}, {});
+  const auto alarm = trial("clean", {}, {{"stribeck", {}}});
+  const std::string table = sensitivityTable({{"", 1.0, found},
+                                              {"", 1.0, alarm},
+                                              {"half", 0.7, missed},  // spoilt
+                                              {"half", 0.7, clean},   // mended
+                                              {"half", 1.3, found},
+                                              {"settled", 1.3, trial("clean", {}, {{"cogging", {}}})}});  // as wrong
+  QVERIFY2(table.find("| `half` | 2 of 2 | 1 | 1 | 0 of 1 | 0 | 0 |\n") != std::string::npos, table.c_str());
+  QVERIFY2(table.find("| `settled` | 0 of 0 | 0 | 0 | 1 of 1 | 0 | 0 |\n") != std::string::npos, table.c_str());
+  QVERIFY(isRight(trial("clean", {}, {})) && !isRight(alarm) && !isRight(missed) && isRight(found));
 }
 
 QTEST_APPLESS_MAIN(TestScoring)

@@ -18,9 +18,6 @@ constexpr double usualWays = 0.95;  ///< quantile of the ways from row to row
 constexpr double leapWays = 20.0;   ///< times that, which no axis moves in a row
 constexpr size_t fewestWays = 100;
 constexpr size_t fewestWraps = 2;
-constexpr double clippedPart = 0.05;    ///< of the rows, at exactly the largest or smallest value
-constexpr double agreement = 0.5;       ///< least correlation of a velocity column with the angle's slope
-constexpr double contradiction = -0.3;  ///< correlation of drive and velocity beyond which energy would flow back
 
 double correlation(const std::vector<double>& a, const std::vector<double>& b) {
   double ab = 0.0, aa = 0.0, bb = 0.0;
@@ -66,7 +63,8 @@ void sayLeaps(std::vector<std::string>& out, const Bench& bench, const Track& tr
                   track.leaps.size() == 1 ? "" : "s"));
 }
 
-void sayDrive(std::vector<std::string>& out, const Bench& bench, const Recording& recording, const Track& track) {
+void sayDrive(std::vector<std::string>& out, const Bench& bench, const Recording& recording, const Track& track,
+              const Criteria& criteria) {
   const std::string input = recordedInput(recording, bench);
   std::vector<double> values;
   for (const double value : recording.channel(input)) {
@@ -92,7 +90,7 @@ void sayDrive(std::vector<std::string>& out, const Bench& bench, const Recording
     changing += values[k] != values[k - 1] ? 1 : 0;
   }
   const bool moves = 5 * between > values.size() && 10 * changing > between;
-  if (std::max(atHigh, atLow) > clippedPart && moves) {
+  if (std::max(atHigh, atLow) > criteria.soundPart && moves) {
     out.push_back(
         track.name + column +
         fmt::format(
@@ -102,7 +100,8 @@ void sayDrive(std::vector<std::string>& out, const Bench& bench, const Recording
   }
 }
 
-void sayVelocity(std::vector<std::string>& out, const Bench& bench, const Recording& recording, const Track& track) {
+void sayVelocity(std::vector<std::string>& out, const Bench& bench, const Recording& recording, const Track& track,
+                 const Criteria& criteria) {
   const std::string column = bench.velocityChannel();
   const auto values = recording.channel(column);
   if (values.empty()) return;
@@ -113,16 +112,16 @@ void sayVelocity(std::vector<std::string>& out, const Bench& bench, const Record
     slope.push_back(track.motion.velocity[k]);
   }
   const double same = correlation(recorded, slope);
-  if (same < -agreement) {
+  if (same < -criteria.half) {
     out.push_back(track.name + ", column " + column +
                   ": has the opposite sign of the angle's slope; the angle is believed, the column is not used");
-  } else if (same < agreement && rms(slope) > 3.0 * track.motion.velocityNoise) {
+  } else if (same < criteria.half && rms(slope) > criteria.farApart * track.motion.velocityNoise) {
     out.push_back(track.name + ", column " + column +
                   ": does not follow the angle's slope; the angle is believed, the column is not used");
   }
 }
 
-void sayDirection(std::vector<std::string>& out, const Bench& bench, const Track& track) {
+void sayDirection(std::vector<std::string>& out, const Bench& bench, const Track& track, const Criteria& criteria) {
   if (bench.pendulum) return;  // gravity may well drive the motor
   std::vector<double> drive, velocity;
   for (size_t k = 0; k < track.rows(); ++k) {
@@ -130,7 +129,7 @@ void sayDirection(std::vector<std::string>& out, const Bench& bench, const Track
     drive.push_back(track.input[k]);
     velocity.push_back(track.motion.velocity[k]);
   }
-  if (correlation(drive, velocity) < contradiction) {
+  if (correlation(drive, velocity) < -criteria.energyBack) {
     out.push_back(track.name + ": the axis moves against " + bench.inputChannel() +
                   " most of the time: one of the two has the wrong sign, or something else drives");
   }
@@ -171,13 +170,14 @@ Result<void> checkUnwrapped(const Bench& bench, const Track& track) {
                   track.leaps.size())};
 }
 
-std::vector<std::string> channelRemarks(const Bench& bench, const Recording& recording, const Track& track) {
+std::vector<std::string> channelRemarks(const Bench& bench, const Recording& recording, const Track& track,
+                                        const Criteria& criteria) {
   std::vector<std::string> out;
   sayGaps(out, track);
   sayLeaps(out, bench, track);
-  sayDrive(out, bench, recording, track);
-  sayVelocity(out, bench, recording, track);
-  sayDirection(out, bench, track);
+  sayDrive(out, bench, recording, track, criteria);
+  sayVelocity(out, bench, recording, track, criteria);
+  sayDirection(out, bench, track, criteria);
   return out;
 }
 

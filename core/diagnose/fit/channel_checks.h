@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnose/model/criteria.h"
 #include "diagnose/simulate/track.h"
 #include "motor/bench.h"
 #include "recording/recording.h"
@@ -21,6 +22,7 @@ Result<void> checkUnwrapped(const Bench& bench, const Track& track);
 
 /// Sentences on rows that are missing, positions that leap, a drive that is clipped or never changes, a velocity that
 /// contradicts the angle, and a drive that contradicts the motion. `track` carries its leaps and its smoothed motion.
-std::vector<std::string> channelRemarks(const Bench& bench, const Recording& recording, const Track& track);
+std::vector<std::string> channelRemarks(const Bench& bench, const Recording& recording, const Track& track,
+                                        const Criteria& criteria = {});
 
 }  // namespace breakaway

@@ -59,10 +59,11 @@ void addWander(Track& driven, const FrictionScatter& scatter, double gain, Rando
 
 }  // namespace
 
-FrictionScatter usualScatter(const Excitation& seen, double coulomb, const TorqueNoise& left) {
-  return {.relative = 0.01,
+FrictionScatter usualScatter(const Excitation& seen, double coulomb, const TorqueNoise& left,
+                             const Criteria& criteria) {
+  return {.relative = criteria.immaterial,
           .speed = 0.1 * seen.highSpeed,
-          .wander = std::min(left.rms, mostWander(coulomb, seen.peakTorque)),
+          .wander = std::min(left.rms, mostWander(coulomb, seen.peakTorque, criteria)),
           .wander_s = left.time_s};
 }
 

@@ -20,7 +20,7 @@ struct FrictionScatter {
 
 /// As on a sound rig: near standstill by 1 % up to a tenth of its higher speeds, and a torque that wanders as `left`,
 /// what a model of this Coulomb friction leaves, but no more than mostWander().
-FrictionScatter usualScatter(const Excitation& seen, double coulomb, const TorqueNoise& left);
+FrictionScatter usualScatter(const Excitation& seen, double coulomb, const TorqueNoise& left, const Criteria& criteria);
 
 /// RMSE over `windows` of a model against itself: each window's motion is simulated, read through the sensor (quantised
 /// where the encoder is declared, with the reading noise otherwise), and then predicted from a restart on those

@@ -177,8 +177,10 @@ Model withDoubts(Model model, const Preparation& prepared) {
 }
 
 Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& recordings,
-                            const std::vector<Recording>& heldout, double window_s, HeldOut part, ErrorIn errorIn) {
+                            const std::vector<Recording>& heldout, double window_s, HeldOut part, ErrorIn errorIn,
+                            const Criteria& criteria) {
   Preparation out;
+  out.criteria = criteria;
   for (const auto* group : {&recordings, &heldout}) {
     for (const Recording& recording : *group) {
       auto track = readTrack(bench, recording);
@@ -187,7 +189,8 @@ Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& re
         return Error{recording.name(), "measures another channel than " + out.tracks.front().name + ": expected " +
                                            bench.positionChannel() + " in all recordings or in none"};
       out.remarks.insert(out.remarks.end(), track->remarks.begin(), track->remarks.end());
-      for (std::string& remark : channelRemarks(bench, recording, *track)) out.remarks.push_back(std::move(remark));
+      for (std::string& remark : channelRemarks(bench, recording, *track, criteria))
+        out.remarks.push_back(std::move(remark));
       out.tracks.push_back(std::move(*track));
     }
   }
@@ -223,6 +226,8 @@ Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& re
   }
   if (!bench.servo && errorIn == ErrorIn::motion) out.freedom.row_s = rowOfReadings(out.tracks);
   out.seen = excitationOf(training, out.starts.front());
+  out.seen.immaterial = criteria.immaterial;
+  out.seen.immaterialDrive = criteria.immaterialDrive;
   out.freedom.held.assign(known.trusted.begin(), known.trusted.end());
   limitInductance(out, bench.motor.inductance_H, windings.shownInductance_H);
   std::vector<std::string> held = gauge(known, training);

@@ -7,6 +7,7 @@
 #include "base/result.h"
 #include "diagnose/fit/parameter_vector.h"
 #include "diagnose/fit/split.h"
+#include "diagnose/model/criteria.h"
 #include "diagnose/model/effect.h"
 #include "diagnose/model/model.h"
 #include "motor/bench.h"
@@ -23,6 +24,7 @@ struct Preparation {
   std::vector<Model> starts;  ///< base models with start values and the restart's horizon, the inverse model's first
   Excitation seen;
   Freedom freedom;
+  Criteria criteria;
   bool scaleDoubted = false;  ///< the scale of all torques rests on a value that nobody trusts
   std::vector<std::string> remarks;
 };
@@ -31,7 +33,7 @@ struct Preparation {
 /// value, length, motion.
 Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& recordings,
                             const std::vector<Recording>& heldout, double window_s, HeldOut part = HeldOut::last,
-                            ErrorIn errorIn = ErrorIn::motion);
+                            ErrorIn errorIn = ErrorIn::motion, const Criteria& criteria = {});
 
 /// Copies of the tracks that hold held-out windows, rows outside these masked: for inverse models.
 std::vector<Track> heldoutTracks(const Preparation& prepared);

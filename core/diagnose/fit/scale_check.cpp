@@ -16,10 +16,6 @@ namespace breakaway {
 
 namespace {
 
-constexpr double standardErrors = 3.0;
-constexpr double mostLeft = 0.5;        ///< of a squared response: a regression that leaves more shows nothing
-constexpr double mostLeftRms = 0.6;     ///< the same of a response
-constexpr double energyBack = -0.3;     ///< of the energy that goes to and fro, from which on the axis drives the drive
 constexpr double frictionDoubt = 10.0;  ///< a factor; friction is the least of what a bench knows
 // Voltage alone shows back-EMF and viscous friction as one; friction that falls with speed takes off from it.
 constexpr double voltageUpwards = 30.0, voltageDownwards = 4.0;  ///< factors
@@ -61,9 +57,13 @@ struct Mechanics {
 /// What is known of a set of recordings before any model is fitted.
 class Scales {
  public:
-  Scales(const Bench& bench, const std::vector<Track>& tracks)
-      : bench_(bench), tracks_(tracks), names_(motorNames(bench.axis)), winding_(shownWinding(tracks)) {
-    if (winding_ && winding_->left > mostLeft) winding_.reset();
+  Scales(const Bench& bench, const std::vector<Track>& tracks, const Criteria& criteria)
+      : bench_(bench),
+        tracks_(tracks),
+        limits_(criteria),
+        names_(motorNames(bench.axis)),
+        winding_(shownWinding(tracks)) {
+    if (winding_ && winding_->left > limits_.half) winding_.reset();
     byCurrent_ = bench.input == DriveInput::current || winding_;
     mechanics_ = mechanicsOf(byCurrent_ ? tracksByCurrent() : tracks);
   }
@@ -80,11 +80,11 @@ class Scales {
       if (k) return angle;
       return {};
     }
-    if (!mechanics_ || energyGone() > energyBack) return {};
+    if (!mechanics_ || energyGone() > -limits_.energyBack) return {};
     const Estimate& f = mechanics_->coulomb;
     const Estimate& j = mechanics_->inertia;
-    const bool friction = f.value + standardErrors * f.standardError < 0.0;
-    if (!friction || j.value - standardErrors * j.standardError > 0.0) return {};
+    const bool friction = f.value + limits_.farApart * f.standardError < 0.0;
+    if (!friction || j.value - limits_.farApart * j.standardError > 0.0) return {};
     return bench_.input == DriveInput::torque ? torque : bench_.input == DriveInput::current ? current : voltage;
   }
 
@@ -100,7 +100,7 @@ class Scales {
       one.belief = Belief{of, "the bench's", name, believed, trusted, measured, from};
       one.ratio = measured.value / believed;
       one.below = one.above =
-          std::log(honestFactor(of, trusted)) + standardErrors * measured.standardError / measured.value;
+          std::log(honestFactor(of, trusted)) + limits_.farApart * measured.standardError / measured.value;
       one.by = by;
       all.push_back(one);
       return &all.back();
@@ -156,7 +156,7 @@ class Scales {
 
  private:
   static bool isNegative(const Estimate& one) { return one.value < 0.0; }
-  static bool isKnown(const Estimate& one) { return std::abs(one.value) > 5.0 * one.standardError; }
+  bool isKnown(const Estimate& one) const { return std::abs(one.value) > limits_.farApart * one.standardError; }
 
   std::vector<Track> tracksByCurrent() const {
     std::vector<Track> out = tracks_;
@@ -180,7 +180,7 @@ class Scales {
     }
     const auto got = regress(
         tracks, columns, [](const InverseRows& rows, size_t k) { return rows.input[k]; }, false);
-    if (!got || got->relativeError > mostLeftRms) return {};
+    if (!got || std::pow(got->relativeError, 2) > limits_.half) return {};
     const auto at = [&](Eigen::Index k) {
       return Estimate{got->value[k], std::sqrt(std::max(0.0, got->covariance(k, k)))};
     };
@@ -203,6 +203,7 @@ class Scales {
 
   const Bench& bench_;
   const std::vector<Track>& tracks_;
+  const Criteria& limits_;
   const MotorNames& names_;
   std::optional<ShownWinding> winding_;
   bool byCurrent_ = false;
@@ -345,7 +346,7 @@ std::optional<Misreading> againstItself(const Bench& bench, const std::optional<
 
 }  // namespace
 
-Result<ScaleCheck> checkScales(const Bench& bench, const std::vector<Recording>& recordings) {
+Result<ScaleCheck> checkScales(const Bench& bench, const std::vector<Recording>& recordings, const Criteria& criteria) {
   std::vector<Track> tracks;
   for (const Recording& recording : recordings) {
     auto track = readTrack(bench, recording);
@@ -354,7 +355,7 @@ Result<ScaleCheck> checkScales(const Bench& bench, const std::vector<Recording>&
   }
   ScaleCheck out;
   if (bench.servo) return out;  // what acted was not recorded
-  const Scales scales(bench, tracks);
+  const Scales scales(bench, tracks, criteria);
   if (const auto sign = scales.wrongSign()) {
     out.misread = turned(*sign, bench, scales.electrical(), recordings.front());
     return out;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "diagnose/model/criteria.h"
 #include "motor/bench.h"
 #include "recording/recording.h"
 
@@ -31,7 +32,8 @@ struct ScaleCheck {
 /// the one constant that the bench says; resistance and inertia tell more, each as far as the bench can be trusted
 /// (motor/beliefs.h). One column may be wrong, in all recordings alike. Energy tells signs: over a recording friction
 /// takes what the drive gives. Errors: as prepare() of unusable recordings.
-Result<ScaleCheck> checkScales(const Bench& bench, const std::vector<Recording>& recordings);
+Result<ScaleCheck> checkScales(const Bench& bench, const std::vector<Recording>& recordings,
+                               const Criteria& criteria = {});
 
 /// The recording, or the bench, with what was misread put right.
 Recording mended(const Recording& recording, const Misreading& misread);

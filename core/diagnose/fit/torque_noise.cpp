@@ -5,9 +5,8 @@
 
 namespace breakaway {
 
-double mostWander(double coulomb, double peakTorque) {
-  constexpr double part = 0.05;
-  return part * (coulomb > 0.0 ? coulomb : peakTorque);
+double mostWander(double coulomb, double peakTorque, const Criteria& criteria) {
+  return criteria.soundPart * (coulomb > 0.0 ? coulomb : peakTorque);
 }
 
 double whiten(const TorqueNoise& noise, const Eigen::VectorXd& times, Eigen::Ref<Eigen::MatrixXd> rows,

@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 
+#include "diagnose/model/criteria.h"
+
 namespace breakaway {
 
 /// An Ornstein-Uhlenbeck process beside white noise of each row.
@@ -12,9 +14,9 @@ struct TorqueNoise {
   double rms = 0.0;     ///< Nm or N
 };
 
-/// How much torque may wander on a sound rig, Nm or N: a twentieth of the friction, or of the drive's peak where there
+/// How much torque may wander on a sound rig, Nm or N: a part of the friction, or of the drive's peak where there
 /// is no friction.
-double mostWander(double coulomb, double peakTorque);
+double mostWander(double coulomb, double peakTorque, const Criteria& criteria);
 
 /// Makes rows of one stretch, at `times` in s, independent and of equal variance: the innovations of a Kalman filter
 /// for torque, momentum and its integral, each over its standard deviation (B. D. O. Anderson and J. B. Moore, 'Optimal

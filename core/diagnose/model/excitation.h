@@ -1,6 +1,8 @@
 // What recordings have seen of a rig: the ranges that decide which effects they can show.
 #pragma once
 
+#include <algorithm>
+
 #include "motor/bench.h"
 
 namespace breakaway {
@@ -33,8 +35,12 @@ struct Excitation {
   double longestRest_s = 0.0;     ///< standstill
   int starts = 0;                 ///< from standstill
   int reversals = 0;
-  double inertia = 0.0;  ///< of the base model, kg m²
-  double coulomb = 0.0;  ///< of the base model, Nm
+  double inertia = 0.0;                              ///< of the base model, kg m²
+  double coulomb = 0.0;                              ///< of the base model, Nm
+  double immaterial = 0.01, immaterialDrive = 5e-4;  ///< of friction and of the drive's peak: as Criteria has them
+
+  /// A smaller torque matters to nobody, Nm.
+  double immaterialTorque() const { return std::max(immaterialDrive * peakTorque, immaterial * coulomb); }
 };
 
 }  // namespace breakaway

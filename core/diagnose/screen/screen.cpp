@@ -11,11 +11,6 @@ namespace breakaway {
 namespace {
 
 constexpr size_t flips = 199;
-constexpr double beyondChance = 1.2;     ///< times the most that chance gave
-constexpr double leastPart = 0.03;       ///< of what is left
-constexpr double leastOfBase = 0.005;    ///< of what the base leaves
-constexpr double leastAgreement = 0.01;  ///< fall of the held-out error
-constexpr double fewWindows = 0.12;
 constexpr size_t mostEffects = 6, mostWaves = 5;  ///< waves beyond the first of each effect
 constexpr size_t beamWidth = 3;
 
@@ -57,8 +52,8 @@ void sortByGain(std::vector<Pick>& picks) {
 }
 
 Screen::Screen(const LinearRig& rig, const std::vector<const Effect*>& effects, const Excitation& seen,
-               const std::vector<int>& fold, int folds, std::uint64_t seed)
-    : rig_(rig), seen_(seen), fold_(fold), folds_(folds), seed_(seed) {
+               const std::vector<int>& fold, int folds, std::uint64_t seed, const Criteria& criteria)
+    : rig_(rig), seen_(seen), fold_(fold), folds_(folds), seed_(seed), limits_(criteria) {
   Eigen::Index width = 0;
   for (const Effect* effect : effects) {
     const bool twinListed =
@@ -365,10 +360,11 @@ std::vector<Pick> Screen::grow(std::vector<Pick> chosen) const {
     for (size_t k = 0; k < std::min<size_t>(3, best.size()); ++k) best[k] = refined(best[k], left);
     sortByGain(best);
     Pick& first = best.front();
-    if (first.gain < leastPart * left.response.squaredNorm() || first.gain < leastOfBase * baseSquares) break;
+    if (first.gain < limits_.hardlyAny * left.response.squaredNorm() || first.gain < limits_.negligible * baseSquares)
+      break;
     double chance = 0.0;
     first.pValue = pValueOf(first, left, chance);
-    if (first.pValue > largestPValue || first.gain < beyondChance * chance) break;
+    if (first.pValue > limits_.largestPValue || first.gain < limits_.beyondChance * chance) break;
     chosen.push_back(first);
     settle(chosen);
   }
@@ -383,7 +379,7 @@ std::vector<Pick> Screen::exchange(std::vector<Pick> chosen) const {
     std::vector<Pick> best = bestOfEach(left, others);
     for (size_t j = 0; j < std::min<size_t>(3, best.size()); ++j) {
       best[j] = refined(best[j], left);
-      if (best[j].gain <= 1.02 * chosen[k].gain) continue;
+      if (best[j].gain <= limits_.hardlyMore() * chosen[k].gain) continue;
       best[j].pValue = chosen[k].pValue;
       chosen[k] = best[j];
     }
@@ -401,7 +397,7 @@ std::vector<Pick> Screen::prune(std::vector<Pick> chosen) const {
       others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
       const auto without = validated(others);
       const double sumWith = mean(with), sumWithout = mean(without);
-      if (sumWithout > (1.0 + leastAgreement) * sumWith) continue;
+      if (sumWithout > (1.0 + limits_.negligible) * sumWith) continue;
       // An effect that lives in a few windows can't be confirmed by others.
       std::vector<double> gains(with.size());
       const Left left = leave(others);
@@ -411,9 +407,9 @@ std::vector<Pick> Screen::prune(std::vector<Pick> chosen) const {
         gains[rig_.window()[static_cast<size_t>(r)]] += own.row(r).squaredNorm();
       for (const double gain : gains) all += gain;
       std::sort(gains.begin(), gains.end(), std::greater<>());
-      const auto few = std::max<size_t>(2, static_cast<size_t>(fewWindows * static_cast<double>(gains.size())));
+      const auto few = std::max<size_t>(2, static_cast<size_t>(limits_.little * static_cast<double>(gains.size())));
       for (size_t g = 0; g < std::min(few, gains.size()); ++g) local += gains[g];
-      if (local > 0.9 * all) continue;
+      if (local > (1.0 - limits_.little) * all) continue;
       chosen = others;
       settle(chosen);
       changed = true;
@@ -429,7 +425,7 @@ void Screen::findRivals(std::vector<Pick>& chosen) const {
     const Left left = leave(others);
     const auto own = validated(chosen);
     for (Pick& rival : bestOfEach(left, chosen)) {
-      if (rival.gain < 0.6 * chosen[k].gain) break;
+      if (rival.gain < limits_.half * chosen[k].gain) break;
       if (contains(chosen, rival.effect)) continue;
       rival = refined(std::move(rival), left);
       std::vector<Pick> swapped = chosen;
@@ -440,7 +436,7 @@ void Screen::findRivals(std::vector<Pick>& chosen) const {
       const double middle = sum / static_cast<double>(own.size());
       for (size_t w = 0; w < own.size(); ++w) squares += std::pow(other[w] - own[w] - middle, 2);
       const double error = std::sqrt(squares) / static_cast<double>(own.size());
-      if (middle < 2.0 * error) chosen[k].rivals.push_back(rival.effect);
+      if (middle < limits_.apart * error) chosen[k].rivals.push_back(rival.effect);
     }
   }
 }
@@ -453,19 +449,19 @@ ScreenResult Screen::run() const {
   std::vector<Pick> starts = bestOfEach(left, {});
   double least = mean(validated({}));
   for (size_t k = 0; k < std::min(beamWidth, starts.size()); ++k) {
-    if (starts[k].gain < 0.5 * starts.front().gain) break;
+    if (starts[k].gain < limits_.half * starts.front().gain) break;
     std::vector<Pick> chosen;
     if (k > 0) {
       Pick first = refined(starts[k], left);
       double chance = 0.0;
       first.pValue = pValueOf(first, left, chance);
-      if (first.pValue > largestPValue || first.gain < beyondChance * chance) continue;
+      if (first.pValue > limits_.largestPValue || first.gain < limits_.beyondChance * chance) continue;
       chosen.push_back(first);
     }
     chosen = prune(exchange(grow(std::move(chosen))));
     if (chosen.empty()) continue;
     // A further effect has to pay for itself.
-    const double error = mean(validated(chosen)) * (1.0 + 0.02 * static_cast<double>(chosen.size()));
+    const double error = mean(validated(chosen)) * (1.0 + limits_.hardlyAny * static_cast<double>(chosen.size()));
     if (error >= least && !result.chosen.empty()) continue;
     least = std::min(least, error);
     result.chosen = std::move(chosen);

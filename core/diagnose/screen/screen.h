@@ -7,12 +7,11 @@
 #include <set>
 #include <vector>
 
+#include "diagnose/model/criteria.h"
 #include "diagnose/screen/column_memo.h"
 #include "diagnose/screen/linear_rig.h"
 
 namespace breakaway {
-
-constexpr double largestPValue = 0.01;  ///< family-wise
 
 /// One effect as the screen found it.
 struct Pick {
@@ -49,7 +48,7 @@ class Screen {
  public:
   /// `fold` is the window's fold, 0 … folds − 1.
   Screen(const LinearRig& rig, const std::vector<const Effect*>& effects, const Excitation& seen,
-         const std::vector<int>& fold, int folds, std::uint64_t seed);
+         const std::vector<int>& fold, int folds, std::uint64_t seed, const Criteria& criteria);
 
   ScreenResult run() const;
   const std::vector<const Effect*>& effects() const { return effects_; }
@@ -98,6 +97,7 @@ class Screen {
   std::vector<int> fold_;
   int folds_;
   std::uint64_t seed_;
+  Criteria limits_;
   std::vector<const Effect*> effects_;
   std::vector<Candidate> candidates_;
   Eigen::MatrixXd free_;              ///< the candidates' columns without what the base explains

@@ -11,11 +11,6 @@ namespace breakaway {
 
 namespace {
 
-constexpr double halfOfAll = 0.5, mostOfAll = 0.6, noticeable = 0.02;  ///< of the screen's squared residual
-constexpr double clearlyLess = 0.8, nearlyAlike = 3.0;                 ///< of a squared error
-constexpr double wellExplained = 4.0;  ///< squared error, in squared floors, below which no exchange is tried
-constexpr double farBetter = 0.7;      ///< of a squared error: by exchange
-
 void dropLeast(std::vector<Pick>& picks) {
   const auto nonsense = std::find_if(picks.begin(), picks.end(), [](const Pick& one) { return one.gain <= 0.0; });
   picks.erase(nonsense != picks.end() ? nonsense : picks.end() - 1);
@@ -43,17 +38,17 @@ const Screening* Adoption::adopt(SearchResult& result, const Screening& steady) 
   bool named = false;
   for (const Pick& one : found.chosen) {
     part += one.gain;
-    named = named || (swings(one) && one.gain > noticeable * found.baseSquares);
-    if (swings(one) && one.gain > halfOfAll * found.baseSquares) fits_.expectLoads();
+    named = named || (swings(one) && one.gain > limits_.hardlyAny * found.baseSquares);
+    if (swings(one) && one.gain > limits_.half * found.baseSquares) fits_.expectLoads();
   }
-  const bool openToLoads = !worth.baseAtFloor() && (named || part <= mostOfAll * found.baseSquares);
+  const bool openToLoads = !worth.baseAtFloor() && (named || part <= limits_.half * found.baseSquares);
   SearchResult set = result;
-  if (!named) adoptSet(set, screen, noteworthy(found));
+  if (!named) adoptSet(set, screen, noteworthy(found, limits_));
   const Screening* again = lookAgain(set);
   const bool explained =
       again != nullptr && wanderBeside(wanderingRig_, picksOf(set.best.model, again->screen)).rms <=
-                              mostWander(physicsOf(result.base.model).coulomb, input_.seen.peakTorque);
-  if (openToLoads && !explained && mean(set.best.windowSquares) > nearlyNothing * mean(result.base.windowSquares)) {
+                              mostWander(physicsOf(result.base.model).coulomb, input_.seen.peakTorque, limits_);
+  if (openToLoads && !explained && mean(set.best.windowSquares) > limits_.farLess * mean(result.base.windowSquares)) {
     SearchResult loaded = result;
     adoptLoad(loaded, screen);
     // A load is free at each window's start: beside a set that explains much it has to do better from restarts, too.
@@ -69,7 +64,7 @@ const Screening* Adoption::adopt(SearchResult& result, const Screening& steady) 
 }
 
 void Adoption::adoptAlone(SearchResult& result, const Screen& screen) const {
-  for (const Pick& pick : bestAlone(screen)) {
+  for (const Pick& pick : bestAlone(screen, limits_)) {
     if (!result.chosen.empty()) return;
     adoptSet(result, screen, {pick});
     // An effect with two ends may fit only with both. Of waves the screen has already taken as many as it wants.
@@ -80,11 +75,12 @@ void Adoption::adoptAlone(SearchResult& result, const Screen& screen) const {
 }
 
 const Screening* Adoption::extend(SearchResult& result) {
-  if (result.chosen.empty() || swings(result.best.model) || fits_.worth().floors(result.best) <= settledFloors)
+  if (result.chosen.empty() || swings(result.best.model) || fits_.worth().floors(result.best) <= limits_.settled)
     return nullptr;
   const auto& [screening, other] = wandering(result);
   const bool goesOn = contains(other.chosen, result.chosen.front().effect);
-  if (!goesOn || mean(other.best.windowSquares) >= clearlyLess * mean(result.best.windowSquares)) return nullptr;
+  if (!goesOn || mean(other.best.windowSquares) >= limits_.clearlyLess * mean(result.best.windowSquares))
+    return nullptr;
   result = other;
   return &screening;
 }
@@ -108,12 +104,12 @@ void Adoption::listOtherLoads(SearchResult& result) const {
 void Adoption::adoptSet(SearchResult& result, const Screen& screen, std::vector<Pick> picks) const {
   while (!picks.empty()) {
     FitResult fit = fits_.together(screen, picks);
-    if (fits_.worth().floors(fit) > wellExplained) {
+    if (fits_.worth().floors(fit) > limits_.nearFloor) {
       std::vector<std::vector<Pick>> others = exchanged(screen, picks);
       if (picks.size() > 1) others.push_back({picks.front()});  // the others may have led the fit astray
       for (std::vector<Pick>& other : others) {
         FitResult rival = fits_.together(screen, other);
-        if (!rival.usable || mean(rival.windowSquares) > farBetter * mean(fit.windowSquares)) continue;
+        if (!rival.usable || mean(rival.windowSquares) > limits_.clearlyLess * mean(fit.windowSquares)) continue;
         fit = std::move(rival);
         picks = std::move(other);
       }
@@ -124,7 +120,7 @@ void Adoption::adoptSet(SearchResult& result, const Screen& screen, std::vector<
       }
       // If a set explains nearly all and only one wave or end is implausible, the others stay.
       const auto nonsense = std::find_if(picks.begin(), picks.end(), [](const Pick& one) { return one.gain <= 0.0; });
-      if (nonsense != picks.end() && mean(fit.windowSquares) < nearlyNothing * mean(result.base.windowSquares)) {
+      if (nonsense != picks.end() && mean(fit.windowSquares) < limits_.farLess * mean(result.base.windowSquares)) {
         picks.erase(nonsense);
       } else {
         dropWavesOrLeast(picks);
@@ -149,22 +145,22 @@ void Adoption::adoptLoad(SearchResult& result, const Screen& screen) {
     left.emplace_back(pick.effect, own);
     if (own >= mean(result.best.windowSquares)) continue;
     result.best = std::move(fit);
-    result.chosen = {{pick.effect, largestPValue, 0.0, {}}};
+    result.chosen = {{pick.effect, limits_.largestPValue, 0.0, {}}};
   }
   for (const auto& [effect, own] : left) {
-    if (own < nearlyAlike * mean(result.best.windowSquares)) likelyLoads_.push_back(effect);
+    if (limits_.farLess * own < mean(result.best.windowSquares)) likelyLoads_.push_back(effect);
   }
 }
 
 /// Where a set leaves much, what the screen finds if the torque wanders, in its place; null if that is no better.
 const Screening* Adoption::lookAgain(SearchResult& set) {
   const double left = mean(set.best.windowSquares);
-  if (fits_.worth().baseAtFloor() || fits_.worth().floors(set.best) <= settledFloors ||
-      left <= halfOfAll * mean(set.base.windowSquares))
+  if (fits_.worth().baseAtFloor() || fits_.worth().floors(set.best) <= limits_.settled ||
+      left <= limits_.half * mean(set.base.windowSquares))
     return nullptr;
   const auto& [screening, other] = wandering(set);
-  const bool current = other.best.currentSquares < clearlyLess * set.best.currentSquares;
-  if (mean(other.best.windowSquares) >= (current ? 1.0 : clearlyLess) * left) return nullptr;
+  const bool current = other.best.currentSquares < limits_.clearlyLess * set.best.currentSquares;
+  if (mean(other.best.windowSquares) >= (current ? 1.0 : limits_.clearlyLess) * left) return nullptr;
   set = other;
   return &screening;
 }
@@ -175,7 +171,7 @@ const Adoption::Wandering& Adoption::wandering(const SearchResult& base) {
     SearchResult& set = wandering_->set;
     set.best = set.base;
     set.chosen.clear();
-    adoptSet(set, wandering_->screening.screen, noteworthy(wandering_->screening.found));
+    adoptSet(set, wandering_->screening.screen, noteworthy(wandering_->screening.found, limits_));
   }
   return *wandering_;
 }

@@ -15,7 +15,7 @@ class Adoption {
  public:
   /// `wandering`: the rig whose torque is taken for noisy.
   Adoption(const SearchInput& input, SetFits& fits, const LinearRig& wandering)
-      : input_(input), fits_(fits), wanderingRig_(wandering) {}
+      : input_(input), limits_(input.criteria), fits_(fits), wanderingRig_(wandering) {}
 
   /// The screen's set, or a load whose motion explains more than a set that leaves much open. Returns the screening
   /// that takes the torque for noisy, where that has led further, else null.
@@ -45,6 +45,7 @@ class Adoption {
   bool isLikely(const Effect* load) const;
 
   const SearchInput& input_;
+  const Criteria& limits_;
   SetFits& fits_;
   const LinearRig& wanderingRig_;
   std::optional<Wandering> wandering_;      ///< once asked for

@@ -12,11 +12,10 @@ namespace breakaway {
 
 namespace {
 
-constexpr size_t mostLooked = 60;      ///< windows
-constexpr size_t fewestRows = 10;      ///< of a window
-constexpr double shorter = 0.7;        ///< from one length tried to the next
-constexpr double shortest_s = 0.02;    ///< of a window
-constexpr double runAwayFactor = 5.0;  ///< more than a torque constant may be off by
+constexpr size_t mostLooked = 60;    ///< windows
+constexpr size_t fewestRows = 10;    ///< of a window
+constexpr double shorter = 0.7;      ///< from one length tried to the next
+constexpr double shortest_s = 0.02;  ///< of a window
 
 /// Of windows of the split evenly spread, the first part.
 std::vector<Window> beginnings(const SearchInput& input, const Counting& counting) {
@@ -62,13 +61,13 @@ std::optional<Counting> betterCounting(const SearchInput& input, const Model& ba
   return least < 1.0 ? best : std::nullopt;
 }
 
-std::optional<double> runAway(const Model& base, const Model& inverse) {
+std::optional<double> runAway(const Model& base, const Model& inverse, const Criteria& criteria) {
   if (base.servo || base.pendulum || physicsOf(base).electrical) return std::nullopt;
   const std::string name = motorNames(base.axis).inertia;
   for (const Parameter& one : inverse.base) {
     const bool shown = one.name == name && one.low95 > 0.0 && one.low95 < one.value;
     const double ratio = shown ? base.baseValue(name).value_or(one.value) / one.value : 1.0;
-    if (ratio > runAwayFactor || ratio < 1.0 / runAwayFactor) return ratio;
+    if (ratio > criteria.runAway || ratio < 1.0 / criteria.runAway) return ratio;
   }
   return std::nullopt;
 }

@@ -25,6 +25,6 @@ std::optional<Counting> betterCounting(const SearchInput& input, const Model& ba
 /// Where friction changes along the way by more than the base model knows, and a controller holds the motion up, a body
 /// too heavy (or too light) to be moved by it errs least over a window. By how many times the inertia of `base` is that
 /// which torque and acceleration show, if that is beyond what any bench is wrong by; `inverse` is by these.
-std::optional<double> runAway(const Model& base, const Model& inverse);
+std::optional<double> runAway(const Model& base, const Model& inverse, const Criteria& criteria);
 
 }  // namespace breakaway

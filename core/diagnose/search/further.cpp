@@ -15,12 +15,6 @@ namespace breakaway {
 
 namespace {
 
-constexpr double hardlyAny = 0.02;          ///< of a squared error
-constexpr double clearlyLess = 0.95;        ///< of a squared error, typically, before any fit
-constexpr double wellSettledFloors = 25.0;  ///< squared error, in squared floors, up to which `hardlyAny` will do
-constexpr double hardlyLeft = 0.05, halfLeft = 0.5;
-constexpr double muchLess = 0.35, less = 0.7;  ///< of a squared error: by a push, and by one more
-constexpr double clearlyHelped = 0.8;          ///< of a squared error
 constexpr size_t mostTrials = 4, fewTrials = 2, mostBySlope = 2;
 
 bool holds(const Model& model, const Effect& effect) {
@@ -42,7 +36,7 @@ Pick Further::simulatedBest(const Effect& effect, const Model& model, const Pick
     other.parameters = parameters;
     if (parameters.empty() || !plausible(effect, parameters, input_.seen)) return;
     const auto squares = residualSquares(with(input_, model, other), input_.tracks, input_.split.train);
-    const double left = typicalPart(squares, own, insignificant);
+    const double left = typicalPart(squares, own, limits_.little);
     if (!(left < least)) return;
     least = left;
     best = std::move(other);
@@ -55,7 +49,7 @@ Pick Further::simulatedBest(const Effect& effect, const Model& model, const Pick
       consider(parameters);
     }
   }
-  return least < clearlyLess ? best : screened;
+  return least < limits_.hardlyLess ? best : screened;
 }
 
 /// An effect that was found earlier may have stood for the one found now. If it is too small beside that, it is
@@ -74,7 +68,7 @@ std::vector<Pick> Further::sloped(const SearchResult& result) const {
   for (const Effect* effect : input_.effects) {
     if (contains(result.chosen, effect) && !effect->mayRepeat(input_.seen)) continue;
     SlopePick one = slopePick(input_, result.best, *effect);
-    if (one.part > clearGain) found.push_back(std::move(one));
+    if (one.part > limits_.clearGain()) found.push_back(std::move(one));
   }
   std::stable_sort(found.begin(), found.end(), [](const SlopePick& a, const SlopePick& b) { return a.part > b.part; });
   // A push explains a part of whatever happened at its time, so it doesn't use up the places of other effects.
@@ -92,19 +86,19 @@ std::vector<Pick> Further::sloped(const SearchResult& result) const {
 bool Further::leavesNothing(const FitResult& without, const FitResult& with) const {
   if (swings(with.model) || happensOnce(with.model)) return false;
   const auto &before = without.windowSquares, &after = with.windowSquares;
-  return mean(after) < hardlyLeft * mean(before) && typicalPart(after, before, insignificant) < halfLeft &&
-         fits_.worth().chance(before, after) <= largestPValue;
+  return mean(after) < limits_.hardlyAny * mean(before) && typicalPart(after, before, limits_.little) < limits_.half &&
+         fits_.worth().chance(before, after) <= limits_.largestPValue;
 }
 
 /// If an effect has two ends, it may show only with both.
 FitResult Further::withOtherEnd(FitResult fit, const Pick& one, double left) const {
   const Effect& effect = *one.effect;
   const bool ends = one.shape.size() == 1 && effect.mayRepeat(input_.seen) && !effect.happensOnce();
-  if (!ends || !fit.usable || mean(fit.windowSquares) > clearlyHelped * left) return fit;
+  if (!ends || !fit.usable || mean(fit.windowSquares) > limits_.clearlyLess * left) return fit;
   const SlopePick other = slopePick(input_, fit, effect);
   if (other.pick.parameters.empty()) return fit;
   FitResult both = fits_.fresh(with(input_, fit.model, other.pick));
-  return both.usable && mean(both.windowSquares) < halfLeft * mean(fit.windowSquares) ? both : fit;
+  return both.usable && mean(both.windowSquares) < limits_.half * mean(fit.windowSquares) ? both : fit;
 }
 
 /// Whether a push takes much away; folds can't foretell what happens once.
@@ -113,7 +107,8 @@ bool Further::pushes(const SearchResult& before, const FitResult& fit, const Eff
   if (!effect.happensOnce() || last.effect != effect.name()) return false;
   const Parameter& size = last.parameters.front();
   const double part = mean(fit.windowSquares) / mean(before.best.windowSquares);
-  return size.low95 * size.high95 > 0.0 && part < (contains(before.chosen, &effect) ? less : muchLess);
+  return size.low95 * size.high95 > 0.0 &&
+         part < (contains(before.chosen, &effect) ? limits_.clearlyLess : limits_.farLess);
 }
 
 bool Further::find(SearchResult& result, std::vector<Pick> picks) const {
@@ -123,7 +118,8 @@ bool Further::find(SearchResult& result, std::vector<Pick> picks) const {
     const double left = mean(result.best.windowSquares);
     const double floors = worth.floors(result.best);
     if (worth.currentErrs(result.best)) return false;
-    return floors < settledFloors || (floors < wellSettledFloors && left < hardlyAny * mean(result.base.windowSquares));
+    return floors < limits_.settled ||
+           (floors < limits_.farOff && left < limits_.hardlyAny * mean(result.base.windowSquares));
   };
   if (settled()) return false;
   if (!remembers(result.best.model)) {  // far from the answer, a fit may have come to no end yet
@@ -164,9 +160,9 @@ bool Further::find(SearchResult& result, std::vector<Pick> picks) const {
   candidates.insert(candidates.begin(), bySlope.begin(), bySlope.end());
   std::optional<FitResult> winner;
   Chosen chosen;
-  double best = 2.0 * sureGain;
+  double best = limits_.clearGain();
   for (const Pick& candidate : candidates) {
-    if (swings(candidate) && winner && worth.floors(*winner) < settledFloors) break;
+    if (swings(candidate) && winner && worth.floors(*winner) < limits_.settled) break;
     std::vector<Pick> together = picks;
     together.push_back(candidate);
     FitResult fit = fits_.beside(result.best.model, screen_, together, left);
@@ -177,7 +173,7 @@ bool Further::find(SearchResult& result, std::vector<Pick> picks) const {
     const Comparison gain = compare(before, after, input_.seed);
     const double pValue = worth.chance(before, after);
     if (swings(fit.model) && !fits_.helps(result.best, fit)) continue;
-    const bool sure = gain.interval.low > sureGain && pValue <= largestPValue;
+    const bool sure = gain.interval.low > limits_.sureGain && pValue <= limits_.largestPValue;
     const bool asFitted = fits_.breaksAwayBetter(result.best, fit) || leavesNothing(result.best, fit) ||
                           pushes(result, fit, *candidate.effect);
     const double part = asFitted ? 1.0 - mean(fit.windowSquares) / left : sure ? gain.relative : 0.0;

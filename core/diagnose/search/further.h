@@ -13,7 +13,7 @@ namespace breakaway {
 class Further {
  public:
   Further(const SearchInput& input, const SetFits& fits, const Screen& screen, const Adoption& adoption)
-      : input_(input), fits_(fits), screen_(screen), adoption_(adoption) {}
+      : input_(input), limits_(input.criteria), fits_(fits), screen_(screen), adoption_(adoption) {}
 
   /// The effect that takes away most beside those of the result, in which a fit far from the answer goes on first.
   /// `picks`: what the screen found. Returns whether there is one.
@@ -28,6 +28,7 @@ class Further {
   FitResult withoutImplausible(FitResult fit) const;
 
   const SearchInput& input_;
+  const Criteria& limits_;
   const SetFits& fits_;
   const Screen& screen_;
   const Adoption& adoption_;

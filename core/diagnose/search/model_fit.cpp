@@ -25,13 +25,7 @@ EffectTerm termOf(const Effect& effect, Axis axis, const std::vector<double>& va
   return term;
 }
 
-constexpr double farBelow = 0.5;    ///< of the start's error
-constexpr double leastGain = 0.03;  ///< of the error of windows that weren't seen, for what else isn't known of a drive
 constexpr double leastLoadSteps = 1e8, loadStepsPerRow = 600.0;
-
-/// Of the drive: every rig is inexact by so much, so that a smaller effect is no finding.
-constexpr double leastTorque = 5e-4;
-constexpr double leastOfFriction = 0.01;  ///< smaller ones matter to nobody
 
 bool endsWith(const std::string& text, std::string_view end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
@@ -74,6 +68,7 @@ SearchInput::SearchInput(const Preparation& prepared, std::uint64_t anySeed)
       effects(catalogue().begin(), catalogue().end()),
       freedom(prepared.freedom),
       seen(prepared.seen),
+      criteria(prepared.criteria),
       seed(anySeed) {
   const bool inTorque = !split.train.empty() && split.train.front().errorIn == ErrorIn::torque;
   if (inTorque)
@@ -93,7 +88,7 @@ Model with(const SearchInput& input, const Model& model, const Pick& pick) {
 bool plausible(const Effect& effect, const std::vector<double>& parameters, const Excitation& seen) {
   if (!effect.plausible(parameters, seen)) return false;
   const auto torque = torqueOf(effect.parameters(seen.axis).front().name, parameters.front(), seen);
-  return !torque || *torque >= std::max(leastTorque * seen.peakTorque, leastOfFriction * seen.coulomb);
+  return !torque || *torque >= seen.immaterialTorque();
 }
 
 bool plausible(const EffectTerm& term, const Excitation& seen) {
@@ -180,7 +175,7 @@ FitResult fitModel(const SearchInput& input, const Model& model, int iterations)
   };
   FitResult fit = fitted(model);
   // The worse a start was, the more it holds its fit back: if the fit has come far below it, it goes on from there.
-  if (!fit.usable || remembers(model) || fit.rmse * fit.weights.position > farBelow) return fit;
+  if (!fit.usable || remembers(model) || fit.rmse * fit.weights.position > input.criteria.half) return fit;
   FitResult further = fitted(fit.model);
   return further.usable && further.rmse < fit.rmse ? further : fit;
 }
@@ -204,7 +199,7 @@ static FitResult withReadingTime(const SearchInput& input, FitResult base) {
                           input.split.fold, folds, base.weights);
   };
   const Comparison gain = compare(unseen(base), unseen(timed), input.seed);
-  return gain.relative > leastGain && gain.interval.low > 0.0 ? timed : base;
+  return gain.relative > input.criteria.hardlyAny && gain.interval.low > 0.0 ? timed : base;
 }
 
 FitResult fitBase(const SearchInput& input, const std::vector<Model>& starts) {
@@ -251,7 +246,7 @@ Result<FitResult> fitNamed(const SearchInput& input, const std::vector<Model>& s
     const Model base = model;
     Eigen::VectorXd coefficients;  // of the base, beside all effects
     for (const Effect* effect : effects) {
-      const Screen screen(rig, {effect}, input.seen, input.split.fold, folds, input.seed);
+      const Screen screen(rig, {effect}, input.seen, input.split.fold, folds, input.seed, input.criteria);
       picks.push_back(screen.best(*effect, picks));
       const auto shapes = effect->shapes(input.seen);
       if (picks.back().parameters.empty() && !shapes.empty()) {  // only the regression sees none of it

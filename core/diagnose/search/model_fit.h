@@ -39,6 +39,7 @@ struct SearchInput {
   std::vector<const Effect*> effects;  ///< that are looked for: the catalogue, or what of it the errors can show
   Freedom freedom;
   Excitation seen;
+  Criteria criteria;
   std::uint64_t seed = 1;
   std::stop_token stop;
   std::function<void(double, const std::string&)> progress;

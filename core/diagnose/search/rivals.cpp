@@ -16,13 +16,8 @@ namespace breakaway {
 namespace {
 
 constexpr size_t mostRivals = 3;
-constexpr double alikePart = 0.7, unlistedPart = 0.8;  ///< of the chosen one's gain, for look-alikes and others
-constexpr double halfOfAll = 0.5;
 
-constexpr double hardlyMore = 1.15, notMuchMore = 1.5, farLess = 0.7;  ///< of a squared error
-constexpr double unlikely = 3.0;                                       ///< standard deviations
-constexpr double roundFigure = 0.05;                                   ///< to which a rig and its model agree
-constexpr double farMore = 10.0, typicallyMore = 2.0;  ///< of a squared error, whatever single folds say
+constexpr double roundFigure = 0.05;  ///< to which a rig and its model agree
 
 size_t wavesOf(const Model& model, const Effect& effect) {
   return static_cast<size_t>(std::count_if(model.effects.begin(), model.effects.end(),
@@ -71,7 +66,7 @@ std::vector<Pick> Rivals::nearlyAsGood(const SearchResult& result, size_t k) con
   for (const Effect* effect : input_.effects) {
     if (contains(result.chosen, effect)) continue;
     Pick pick = screen_.best(*effect, others);
-    if (pick.parameters.empty() || pick.gain < (listed(effect) ? alikePart : unlistedPart) * own) continue;
+    if (pick.parameters.empty() || pick.gain < limits_.clearlyLess * own) continue;
     candidates.push_back(std::move(pick));
   }
   sortByGain(candidates);
@@ -134,33 +129,36 @@ void Rivals::tryInPlace(SearchResult& result, size_t k, const FitResult& left, c
   if (!std::isfinite(mean(errors))) return;
   const Comparison ahead = compare(errors, best, input_.seed);
   // If errors are skewed, the t-value misses a clear difference; the sign-flip test sees it.
-  const bool clearlyWorse = (ahead.relative > 0.25 && signFlipPValue(errors, best, input_.seed) <= 0.02) ||
-                            (ahead.relative > 0.5 && quantile(errors, 0.5) > 1.5 * quantile(best, 0.5));
+  const bool clearlyWorse =
+      (ahead.relative > limits_.clearGain() &&
+       signFlipPValue(errors, best, input_.seed) <= limits_.likeliestByChance) ||
+      (ahead.relative > limits_.half && quantile(errors, 0.5) > limits_.clearlyMore() * quantile(best, 0.5));
   const bool freer = swings(fit.model) && !swings(result.best.model);
   // If a form isn't quite right, folds mislead: halving the error of all windows counts as clearly better, too.
   const bool clearlyBetter =
-      ahead.inErrors < -2.0 || (mean(fit.windowSquares) < halfOfAll * mean(result.best.windowSquares) &&
-                                quantile(errors, 0.5) < 0.9 * quantile(best, 0.5));
+      ahead.inErrors < -limits_.apart || (mean(fit.windowSquares) < limits_.half * mean(result.best.windowSquares) &&
+                                          quantile(errors, 0.5) < limits_.hardlyLess * quantile(best, 0.5));
   // If the rival's size may be zero and the chosen one's isn't, the rival borrows from friction: no better name.
   const bool vaguer = vanishes(fit.model, *rival.effect) && !vanishes(result.best.model, *chosen.effect);
   const size_t freedom = freedomOf(fit.model, *rival.effect), own = freedomOf(result.best.model, *chosen.effect);
   // If the rival has more free numbers and still leaves more error, it is no better name, whatever the folds say.
   const double leaves = mean(fit.windowSquares) / mean(result.best.windowSquares);
-  const bool better = clearlyBetter && !vaguer && mean(errors) < 0.9 * mean(best) &&
-                      leaves < (freedom > own ? 1.0 : 1.5) &&
+  const bool better = clearlyBetter && !vaguer && mean(errors) < limits_.hardlyLess * mean(best) &&
+                      leaves < (freedom > own ? 1.0 : limits_.clearlyMore()) &&
                       (!freer || fits_.clearlyBetterFromRestarts(fit, result.best));
-  const bool simpler = freedom < own && leaves < hardlyMore;
+  const bool simpler = freedom < own && leaves < limits_.hardlyMore();
   // If the chosen effect stands, something is there: a rival that does better may be of any size.
   if (!better && !plausible(fit.model, input_.seen)) return;
-  const bool leavesFarMore =
-      leaves > farMore && typicalPart(fit.windowSquares, result.best.windowSquares, insignificant) > typicallyMore;
-  if (!better && !simpler && (ahead.inErrors >= 2.0 || clearlyWorse || leavesFarMore)) return;
+  const bool leavesFarMore = leaves > limits_.farMore() && typicalPart(fit.windowSquares, result.best.windowSquares,
+                                                                       limits_.little) > 1.0 / limits_.half;
+  if (!better && !simpler && (ahead.inErrors >= limits_.apart || clearlyWorse || leavesFarMore)) return;
   // A push at a time of its own explains whatever happened then: if physics does as well, it is the better name. Folds
   // can't foretell a push and so favour its rivals: one that leaves much more error is dropped.
   const bool push = chosen.effect->happensOnce() && !rival.effect->happensOnce();
-  if (!better && push && leaves > notMuchMore) return;
+  if (!better && push && leaves > limits_.clearlyMore()) return;
   // If the chosen size may be zero and the rival does as well with fewer free numbers, the rival takes its place.
-  const bool firmer = simpler && (vanishes(result.best.model, *chosen.effect) || (unscreened && leaves < farLess)) &&
+  const bool firmer = simpler &&
+                      (vanishes(result.best.model, *chosen.effect) || (unscreened && leaves < limits_.clearlyLess)) &&
                       !vanishes(fit.model, *rival.effect);
   if (!better && !push && !firmer) {
     chosen.rivals.push_back(rival.effect);
@@ -190,7 +188,7 @@ void Rivals::weighAlone(SearchResult& result) const {
     const Effect* alike = findEffect(name);
     if (lists(first, alike) || contains(result.chosen, alike) || alike->hidden() != nullptr) continue;
     const Pick pick = screen_.best(*alike, {});
-    if (pick.gain < halfOfAll * ownPick.gain) continue;
+    if (pick.gain < limits_.half * ownPick.gain) continue;
     if (!own) {
       const FitResult fit = aloneWith(ownPick);
       if (!fit.usable || !fits_.worth().helps(result.base, fit)) return;
@@ -230,9 +228,11 @@ void Rivals::askVoltage(SearchResult& result, size_t k, const Effect& offset) co
   const double deviation =
       std::hypot(shown->deviation_A, (needed.high95 - needed.low95) / 3.92, roundFigure * needed.value);
   const double apart = std::abs(shown->value_A - needed.value) / deviation;
-  const bool there = std::abs(shown->value_A) > unlikely * shown->deviation_A;
-  if (leaves > hardlyMore || (apart > unlikely && !(there && shown->value_A / needed.value > halfOfAll))) return;
-  if (there && apart <= unlikely) {
+  const bool there = std::abs(shown->value_A) > limits_.farApart * shown->deviation_A;
+  if (leaves > limits_.hardlyMore() ||
+      (apart > limits_.farApart && !(there && shown->value_A / needed.value > limits_.half)))
+    return;
+  if (there && apart <= limits_.farApart) {
     chosen.effect = &offset;
     chosen.rivals.clear();
     result.best = std::move(fit);

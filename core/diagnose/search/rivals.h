@@ -10,7 +10,7 @@ namespace breakaway {
 class Rivals {
  public:
   Rivals(const SearchInput& input, const SetFits& fits, const Screen& screen)
-      : input_(input), fits_(fits), screen_(screen) {}
+      : input_(input), limits_(input.criteria), fits_(fits), screen_(screen) {}
 
   /// Others in the place of each chosen effect: one that does better takes it, one that does as well is listed. `left`:
   /// fits without each chosen effect. The most important effect comes first afterwards.
@@ -28,6 +28,7 @@ class Rivals {
   void askVoltage(SearchResult& result, size_t k, const Effect& offset) const;
 
   const SearchInput& input_;
+  const Criteria& limits_;
   const SetFits& fits_;
   const Screen& screen_;
 };

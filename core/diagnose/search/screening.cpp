@@ -11,8 +11,6 @@ namespace breakaway {
 
 namespace {
 
-constexpr double negligible = 0.005;  ///< of the screen's squared residual
-constexpr double nearlyMost = 0.5;    ///< of the largest gain
 constexpr size_t mostAlone = 4;
 
 }  // namespace
@@ -41,9 +39,9 @@ std::vector<Pick> asEffects(const std::vector<Pick>& picks) {
   return effects;
 }
 
-std::vector<Pick> noteworthy(const ScreenResult& found) {
+std::vector<Pick> noteworthy(const ScreenResult& found, const Criteria& criteria) {
   std::vector<Pick> picks = found.chosen;
-  const double least = negligible * found.baseSquares;
+  const double least = criteria.negligible * found.baseSquares;
   std::vector<Pick> effects = asEffects(picks);
   std::erase_if(effects, [least](const Pick& one) { return one.gain < least; });
   std::erase_if(picks, [&](const Pick& one) { return swings(one) || !contains(effects, one.effect); });
@@ -59,15 +57,15 @@ std::vector<Pick> withOneLoad(std::vector<Pick> picks) {
   return picks;
 }
 
-std::vector<Pick> bestAlone(const Screen& screen) {
+std::vector<Pick> bestAlone(const Screen& screen, const Criteria& criteria) {
   std::vector<Pick> best;
   for (const Effect* effect : screen.effects()) {
     Pick pick = screen.best(*effect, {});
-    pick.pValue = largestPValue;
+    pick.pValue = criteria.largestPValue;
     if (!pick.parameters.empty()) best.push_back(std::move(pick));
   }
   sortByGain(best);
-  const double least = best.empty() ? 0.0 : nearlyMost * best.front().gain;
+  const double least = best.empty() ? 0.0 : criteria.half * best.front().gain;
   std::erase_if(best, [least](const Pick& one) { return one.gain < least; });
   if (best.size() > mostAlone) best.resize(mostAlone);
   return best;

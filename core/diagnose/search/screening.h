@@ -10,7 +10,7 @@ namespace breakaway {
 
 struct Screening {
   Screening(const SearchInput& input, const LinearRig& rig, const std::vector<const Effect*>& effects)
-      : screen(rig, effects, input.seen, input.split.fold, folds, input.seed), found(screen.run()) {}
+      : screen(rig, effects, input.seen, input.split.fold, folds, input.seed, input.criteria), found(screen.run()) {}
 
   Screen screen;
   ScreenResult found;
@@ -23,13 +23,13 @@ std::vector<const Effect*> withoutLoads(const SearchInput& input);
 std::vector<Pick> asEffects(const std::vector<Pick>& picks);
 
 /// The screen's set without loads and without what hardly takes anything away: simulation may still ask for it.
-std::vector<Pick> noteworthy(const ScreenResult& found);
+std::vector<Pick> noteworthy(const ScreenResult& found, const Criteria& criteria);
 
 /// An axis has one load side: of effects that each bring one along, the most important stays.
 std::vector<Pick> withOneLoad(std::vector<Pick> picks);
 
 /// The effects that explain most alone, at most four.
-std::vector<Pick> bestAlone(const Screen& screen);
+std::vector<Pick> bestAlone(const Screen& screen, const Criteria& criteria);
 
 /// The set with one member at a time exchanged for its first rival.
 std::vector<std::vector<Pick>> exchanged(const Screen& screen, const std::vector<Pick>& picks);

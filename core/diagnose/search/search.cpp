@@ -24,8 +24,6 @@ bool contains(const std::vector<Chosen>& chosen, const Effect* effect) {
 
 namespace {
 
-constexpr double importantPart = 0.2, halfOfAll = 0.5, mostOfAll = 0.6;  ///< of a squared residual or error
-constexpr double hardlyMore = 1.03;                                      ///< of a squared error
 constexpr int mostFurther = 3;
 
 class Search {
@@ -39,7 +37,7 @@ class Search {
     input_.windowWeights = robustWeights(result.base.windowSquares);
     result.base = fitModel(input_, result.base.model, 10);
     result.best = result.base;
-    if (input_.mayTurnToTorque && runAway(result.base.model, starts.front())) {
+    if (input_.mayTurnToTorque && runAway(result.base.model, starts.front(), limits())) {
       result.counting = {ErrorIn::torque, input_.split.window_s};
       return result;
     }
@@ -99,13 +97,14 @@ class Search {
 
  private:
   const Worth& worth() const { return fits_->worth(); }
+  const Criteria& limits() const { return input_.criteria; }
   double physicsInertia(const Model& model) const {
     return model.baseValue(motorNames(model.axis).inertia).value_or(input_.seen.inertia);
   }
   /// How errors are counted better, if the effect is there that explains most alone.
   std::optional<Counting> betterFor(const Screening& steady, const Model& base) const {
-    const std::vector<Pick> picks = bestAlone(steady.screen);
-    if (picks.empty() || steady.found.leftSquares > (1.0 - importantPart) * steady.found.baseSquares)
+    const std::vector<Pick> picks = bestAlone(steady.screen, limits());
+    if (picks.empty() || steady.found.leftSquares > (1.0 - limits().farLess) * steady.found.baseSquares)
       return std::nullopt;
     const Pick& most = picks.front();
     const Model rig = withScreenedBase(input_, base, steady.screen.baseCoefficients({most}));
@@ -116,7 +115,7 @@ class Search {
     std::vector<Pick> picks = asEffects(found.chosen);
     const bool atFloor = worth().baseAtFloor();
     // If the position is at its floor, a current may still show an effect, if that makes up most of the residual.
-    const double least = (atFloor ? halfOfAll : importantPart) * found.baseSquares;
+    const double least = (atFloor ? limits().half : limits().farLess) * found.baseSquares;
     if (atFloor && !input_.seen.currentSeen) return {};
     std::erase_if(picks, [&](const Pick& one) {
       return one.gain < least || !plausible(*one.effect, one.parameters, input_.seen);
@@ -128,11 +127,11 @@ class Search {
   bool sure(const ScreenResult& found) const {
     const std::vector<Pick> picks = important(found);
     if (picks.empty()) {
-      return worth().baseAtFloor() && std::all_of(found.chosen.begin(), found.chosen.end(), [&found](const Pick& one) {
-               return one.gain < importantPart * found.baseSquares;
+      return worth().baseAtFloor() && std::all_of(found.chosen.begin(), found.chosen.end(), [&](const Pick& one) {
+               return one.gain < limits().farLess * found.baseSquares;
              });
     }
-    if (picks.size() > 1 || picks.front().gain < mostOfAll * found.baseSquares || !picks.front().rivals.empty())
+    if (picks.size() > 1 || picks.front().gain < limits().half * found.baseSquares || !picks.front().rivals.empty())
       return false;
     // Only the simulation tells of effects at standstill and of loads with a motion of their own.
     const Effect& one = *picks.front().effect;
@@ -143,8 +142,9 @@ class Search {
   }
   /// Whether later steps will hardly change the names: there are none, or they explain most and leave little.
   bool settledOn(const SearchResult& result) const {
-    return result.chosen.empty() || (worth().floors(result.best) < settledFloors &&
-                                     mean(result.best.windowSquares) < nearlyNothing * mean(result.base.windowSquares));
+    return result.chosen.empty() ||
+           (worth().floors(result.best) < limits().settled &&
+            mean(result.best.windowSquares) < limits().farLess * mean(result.base.windowSquares));
   }
   template <typename One>
   void announce(const std::vector<One>& those) {
@@ -191,8 +191,8 @@ class Search {
 
   /// Whether most of the error comes back without the effect. If it happens once, this doesn't count: it may stand for
   /// a single window's start, and its size has to differ from zero.
-  static bool isClear(const FitResult& without, const FitResult& with, const Effect& effect) {
-    return mean(with.windowSquares) < halfOfAll * mean(without.windowSquares) && !effect.happensOnce();
+  bool isClear(const FitResult& without, const FitResult& with, const Effect& effect) const {
+    return mean(with.windowSquares) < limits().half * mean(without.windowSquares) && !effect.happensOnce();
   }
 
   /// Drops effects beside others if the last refinement leaves them a size that may be zero, and if hardly any error
@@ -220,7 +220,7 @@ class Search {
       Model less = result.best.model;
       less.effects.erase(less.effects.begin() + static_cast<std::ptrdiff_t>(e));
       FitResult fit = polishModel(input_, less, weights);
-      if (fit.usable && mean(fit.windowSquares) < hardlyMore * mean(result.best.windowSquares))
+      if (fit.usable && mean(fit.windowSquares) < limits().hardlyMore() * mean(result.best.windowSquares))
         result.best = std::move(fit);
     }
   }

@@ -12,17 +12,11 @@
 
 namespace breakaway {
 
-namespace {
-
-constexpr double somewhatLess = 0.8, clearlyLess = 0.65, farLess = 0.2;  ///< of a squared error, typically
-constexpr double clearlyLessInAll = 0.35;                                ///< of the mean squared error
-constexpr double goodStart = 0.6;   ///< of the base model's squared error: no other start is tried
-constexpr double loadFloors = 2.0;  ///< rms error of restarts, in tolerated ones, from which a load is looked for
-
-}  // namespace
+namespace {}  // namespace
 
 SetFits::SetFits(const SearchInput& input, const FitResult& base)
     : input_(input),
+      limits_(input.criteria),
       base_(base),
       restarts_(mean(scoreWindows(base.model, input.tracks, input.split.trainScore))),
       worth_(input, base, restarts_, noiseFloor(base.model, input.tracks, input.split.trainScore, input.seed)) {
@@ -30,14 +24,14 @@ SetFits::SetFits(const SearchInput& input, const FitResult& base)
 
 void SetFits::weighRestarts(const TorqueNoise& left) {
   const double coulomb = physicsOf(base_.model).coulomb;
-  if (left.rms > mostWander(coulomb, input_.seen.peakTorque)) {
+  if (left.rms > mostWander(coulomb, input_.seen.peakTorque, limits_)) {
     loadsMayShow_ = true;
     return;
   }
-  const FrictionScatter scatter = usualScatter(input_.seen, coulomb, left);
+  const FrictionScatter scatter = usualScatter(input_.seen, coulomb, left, limits_);
   const double tolerated = noiseFloor(base_.model, input_.tracks, input_.split.trainScore, input_.seed, scatter);
   const double typical = typicalSquare(scoreWindows(base_.model, input_.tracks, input_.split.trainScore));
-  loadsMayShow_ = typical > std::pow(loadFloors * tolerated, 2);
+  loadsMayShow_ = typical > std::pow(limits_.nearFloor * tolerated, 2);
 }
 
 bool SetFits::helps(const FitResult& without, const FitResult& with) const {
@@ -50,8 +44,9 @@ bool SetFits::breaksAwayBetter(const FitResult& without, const FitResult& with) 
   if (!with.usable || !growsAtRest(with.model) || growsAtRest(without.model) || !plausible(with.model, input_.seen))
     return false;
   const auto &before = without.windowSquares, &after = with.windowSquares;
-  return mean(after) < clearlyLess * mean(before) && typicalPart(after, before, insignificant) < clearlyLess &&
-         worth_.chance(before, after) <= largestPValue;
+  return mean(after) < limits_.clearlyLess * mean(before) &&
+         typicalPart(after, before, limits_.little) < limits_.clearlyLess &&
+         worth_.chance(before, after) <= limits_.largestPValue;
 }
 
 bool SetFits::clearlyBetterFromRestarts(const FitResult& fit, const FitResult& other) const {
@@ -61,7 +56,7 @@ bool SetFits::clearlyBetterFromRestarts(const FitResult& fit, const FitResult& o
   const auto compareWith = [&](const Model& model) {
     const auto before = scoreWindows(model, input_.tracks, windows);
     // In single windows a load may run away although the model is right; in windows at rest it shows nothing.
-    part = std::max(part, std::min(typicalPart(now, before, 0.0), typicalPart(now, before, insignificant)));
+    part = std::max(part, std::min(typicalPart(now, before, 0.0), typicalPart(now, before, limits_.little)));
     // A restart just after a breakaway may put a whole window off, whatever the model: the worst tenth is left out.
     ofAll = std::max(ofAll, typicalSquare(now) / std::max(typicalSquare(before), 1e-300));
   };
@@ -71,9 +66,10 @@ bool SetFits::clearlyBetterFromRestarts(const FitResult& fit, const FitResult& o
   const Window& any = windows.front();
   lookingBack.restartHorizon_s = Simulator(fit.model, input_.tracks[any.track], any.first, any.last).horizon_s();
   if (lookingBack.restartHorizon_s > other.model.restartHorizon_s) compareWith(lookingBack);
-  if (loadFollowsAll(fit, other)) return part < somewhatLess || ofAll < clearlyLess;
-  if (loadsMayShow_ || !swings(fit.model) || swings(other.model)) return part < clearlyLess || ofAll < clearlyLessInAll;
-  return std::min(part, ofAll) < farLess;
+  if (loadFollowsAll(fit, other, limits_)) return part < limits_.clearlyLess || ofAll < limits_.clearlyLess;
+  if (loadsMayShow_ || !swings(fit.model) || swings(other.model))
+    return part < limits_.clearlyLess || ofAll < limits_.half;
+  return std::min(part, ofAll) < limits_.farLess;
 }
 
 FitResult SetFits::fresh(const Model& start) const {
@@ -93,7 +89,7 @@ FitResult SetFits::together(const Screen& screen, const std::vector<Pick>& picks
   Model start = withScreenedBase(input_, base_.model, screen.baseCoefficients(picks));
   for (const Pick& pick : picks) start = with(input_, start, pick);
   FitResult fit = fresh(start);
-  if (fit.usable && mean(fit.windowSquares) < goodStart * mean(base_.windowSquares)) return fit;
+  if (fit.usable && mean(fit.windowSquares) < limits_.half * mean(base_.windowSquares)) return fit;
   // Hidden states are slow to fit: several effects at once get one more start only.
   std::vector<Model> starts = picks.size() > 1 && remembers(start) ? std::vector<Model>{} : variantsOf(input_, start);
   starts.push_back(fitShort(input_, start));
@@ -109,7 +105,7 @@ FitResult SetFits::beside(const Model& model, const Screen& screen, const std::v
   if (swings(pick)) return SwingingLoads(input_, worth_, model).fitted(pick);
   const Model start = with(input_, model, pick);
   FitResult fit = fresh(start);
-  if (fit.usable && mean(fit.windowSquares) <= (1.0 - clearGain) * left) return fit;
+  if (fit.usable && mean(fit.windowSquares) <= limits_.clearlyLess * left) return fit;
   // A base model fitted without friction that grows at rest has too much friction in motion: start from the screen's.
   return fresh(pick.effect->growsAtRest() ? withScreenedBase(input_, start, screen.baseCoefficients(picks))
                                           : fitShort(input_, start));

@@ -41,6 +41,7 @@ class SetFits {
 
  private:
   const SearchInput& input_;
+  const Criteria& limits_;
   const FitResult& base_;
   double restarts_;  ///< mean squared error of the base model's
   Worth worth_;

@@ -21,14 +21,6 @@ constexpr std::array<Viewed, 2> ofSpread{{{0.2, 16, 5, 3}, {0.5, 12, 3, 2}}};
 constexpr int shapesSpread = 80;
 constexpr double lightest = 0.2, heaviest = 2.1;  ///< of a shape's load
 constexpr size_t fewestRows = 8;
-constexpr double ranAway = 4.0;       ///< of a squared error: beyond it, how far says no more
-constexpr double hardlyLess = 0.8;    ///< of a squared error
-constexpr double stillFalling = 0.9;  ///< of a squared error, from one fit to its continuation
-/// Of the model's squared error: a shape that leaves more is dropped. Behind a gap a load can follow a part of any
-/// motion, because each window fits its start anew, and its fits take long.
-constexpr double promising = 0.5, promisingInPlay = 0.2;
-constexpr double nearlyAll = 0.03, hardlyAny = 0.02, somewhatLess = 0.7;  ///< of a squared error
-constexpr double plainlyFits = 2.0;  ///< squared error, in squared floors, below which no friction is looked for
 constexpr int mostContinuations = 2;
 /// Runs of a window: the nominal one and one for each number of its start; and a fit's iterations.
 constexpr double runsPerStart = 5.0, runsPerFit = 5.0;
@@ -51,9 +43,9 @@ bool swings(const Model& model) {
                      [](const EffectTerm& term) { return findEffect(term.effect)->load() != nullptr; });
 }
 
-bool loadFollowsAll(const FitResult& loaded, const FitResult& other) {
+bool loadFollowsAll(const FitResult& loaded, const FitResult& other, const Criteria& criteria) {
   return swings(loaded.model) && !swings(other.model) &&
-         typicalSquare(loaded.windowSquares) < hardlyAny * typicalSquare(other.windowSquares);
+         typicalSquare(loaded.windowSquares) < criteria.hardlyAny * typicalSquare(other.windowSquares);
 }
 
 double typicalPart(const std::vector<double>& squares, const std::vector<double>& ofSquares, double hardly) {
@@ -64,7 +56,7 @@ double typicalPart(const std::vector<double>& squares, const std::vector<double>
 }
 
 SwingingLoads::SwingingLoads(const SearchInput& input, const Worth& worth, const Model& model)
-    : input_(input), worth_(worth), model_(model) {
+    : input_(input), limits_(input.criteria), worth_(worth), model_(model) {
 }
 
 std::vector<Pick> SwingingLoads::offered(const SearchInput& input, const Screen& screen) {
@@ -97,7 +89,7 @@ SwingingLoads::View SwingingLoads::viewOf(double window_s, size_t most) const {
     view.windows.push_back(window);
   }
   view.own = residualSquares(model_, input_.tracks, view.windows);
-  view.unit = std::max(insignificant * mean(view.own), 1e-300);
+  view.unit = std::max(limits_.little * mean(view.own), 1e-300);
   return view;
 }
 
@@ -127,10 +119,10 @@ double SwingingLoads::leftBy(const Pick& pick, const View& view) const {
   const std::vector<double>& own = view.own;
   std::vector<double> squares = residualSquares(with(input_, model_, pick), input_.tracks, view.windows);
   for (size_t w = 0; w < squares.size(); ++w) {
-    const double most = ranAway * (own[w] + view.unit) - view.unit;
+    const double most = (own[w] + view.unit) / limits_.farLess - view.unit;
     squares[w] = std::isfinite(squares[w]) ? std::min(squares[w], most) : most;
   }
-  return typicalPart(squares, own, insignificant);
+  return typicalPart(squares, own, limits_.little);
 }
 
 std::vector<std::vector<double>> SwingingLoads::grid(const Pick& pick) const {
@@ -237,7 +229,7 @@ FitResult SwingingLoads::fitted(const Pick& pick) const {
   FitResult best;
   const double own = mean(residualSquares(model_, input_.tracks, input_.split.train));
   double least = own;
-  const double followed = (inPlay(pick) ? promisingInPlay : promising) * own;
+  const double followed = (inPlay(pick) ? limits_.farLess : limits_.half) * own;
   const auto fitFrom = [&](const Model& start, const Pick& shaped) {
     const auto columns = static_cast<double>(vectorOf(input_, start).size());
     if (!input_.loadSteps->take(stepsOf(input_.split.train, shaped, runsPerFit * (runsPerStart + columns))))
@@ -247,7 +239,7 @@ FitResult SwingingLoads::fitted(const Pick& pick) const {
     if (!fit.usable || !(mean(fit.windowSquares) < before)) return false;
     least = mean(fit.windowSquares);
     best = std::move(fit);
-    return least < stillFalling * before;
+    return least < limits_.hardlyLess * before;
   };
   const auto lookFrom = [&](const std::vector<std::vector<double>>& candidates, const Viewed& viewed) {
     const View view = viewOf(viewed.window_s, viewed.windows);
@@ -256,7 +248,7 @@ FitResult SwingingLoads::fitted(const Pick& pick) const {
     sortByLeft(shapes);
     if (shapes.size() > viewed.fits) shapes.resize(viewed.fits);
     for (Shaped& shaped : shapes) {
-      if (shaped.left > hardlyLess || input_.stop.stop_requested()) break;
+      if (shaped.left > limits_.clearlyLess || input_.stop.stop_requested()) break;
       Pick walked = pick;
       walked.parameters = std::move(shaped.parameters);
       fitFrom(with(input_, model_, walked), walked);
@@ -267,16 +259,16 @@ FitResult SwingingLoads::fitted(const Pick& pick) const {
     lookFrom(grid(pick), viewed);
     if (!play || (best.usable && least > followed)) break;  // only what flies takes long
   }
-  if (play && best.usable && least <= promising * own) {
+  if (play && best.usable && least <= limits_.half * own) {
     for (const Viewed& viewed : ofSpread) {
-      if (least > nearlyAll * own) lookFrom(spread(pick), viewed);
+      if (least > limits_.hardlyAny * own) lookFrom(spread(pick), viewed);
     }
   }
-  if (!play && best.usable && worth_.floors(best) > plainlyFits) {
+  if (!play && best.usable && worth_.floors(best) > limits_.atFloor) {
     FitResult plain = best;
     const double plainLeast = least;
     lookFrom(variants(grid(pick), pick), ofGrid.front());
-    if (least > somewhatLess * plainLeast) {  // no sign of more than the plain load
+    if (least > limits_.clearlyLess * plainLeast) {  // no sign of more than the plain load
       best = std::move(plain);
       least = plainLeast;
     }

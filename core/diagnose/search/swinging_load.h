@@ -14,10 +14,10 @@ bool swings(const Model& model);
 /// Whether its load hangs behind a gap.
 bool inPlay(const Pick& pick);
 
-/// Whether a load takes away all but a fiftieth of another model's squared error, in windows at whose start its place
+/// Whether a load leaves hardly any of another model's squared error, in windows at whose start its place
 /// is fitted. A load can follow a part of other physics, but not so much of it. After restarts, where its place is
 /// guessed and it may run away, such a load need not do as clearly better.
-bool loadFollowsAll(const FitResult& loaded, const FitResult& other);
+bool loadFollowsAll(const FitResult& loaded, const FitResult& other, const Criteria& criteria);
 
 /// Looks for loads beside one model. Impacts make the error of whole windows a wilderness; in windows so short that
 /// they hold few impacts, and in longer ones for wide gaps, the best of a grid of shapes leads to the right valley.
@@ -59,12 +59,10 @@ class SwingingLoads {
   void walk(Shaped& best, const Pick& pick, const View& view) const;
 
   const SearchInput& input_;
+  const Criteria& limits_;
   const Worth& worth_;
   const Model model_;
 };
-
-/// Windows that err by less than this part of the mean hardly count, where that is asked for.
-inline constexpr double insignificant = 0.1;
 
 /// Geometric mean of what the first leaves of the second, window by window. Windows that err by less than `hardly` of
 /// the second's mean, as those at rest do, hardly count.

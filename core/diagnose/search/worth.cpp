@@ -11,20 +11,13 @@ namespace breakaway {
 
 namespace {
 
-constexpr double leastImprovement = 0.03;
-constexpr double clearOfCurrent = 0.35, muchOfCurrent = 0.25;  ///< of its squared error
-constexpr double baseFloors = 1.6;   ///< a base model that errs by less lacks nothing that its position shows
-constexpr double leastShare = 0.01;  ///< of the base model's squared error
-constexpr double clearFloors = 9.0, hardlyAny = 0.1;  ///< of the squared floor, of a squared error
-constexpr double spreadFloors = 0.3;
-constexpr double fewWindowsFloors = 4.0;
-constexpr double leastFloors = 0.8;  ///< of the squared floor
-constexpr size_t mostKept = 8;       ///< validated errors
+constexpr size_t mostKept = 8;  ///< validated errors
 
 }  // namespace
 
 Worth::Worth(const SearchInput& input, const FitResult& base, double restarts, double floor)
     : input_(input),
+      limits_(input.criteria),
       unit_(base.weights),
       base_(mean(base.windowSquares)),
       baseCurrent_(base.currentSquares),
@@ -50,8 +43,9 @@ double Worth::chance(const std::vector<double>& before, const std::vector<double
 bool Worth::helps(const FitResult& without, const FitResult& with) const {
   if (!with.usable || !plausible(with.model, input_.seen)) return false;
   const Comparison gain = compare(validated(without), validated(with), input_.seed);
-  const bool everywhere = gain.relative > leastImprovement && gain.interval.low > 0.0;
-  return everywhere || gain.relative > clearGain || mean(with.windowSquares) < 0.5 * mean(without.windowSquares);
+  const bool everywhere = gain.relative > limits_.hardlyAny && gain.interval.low > 0.0;
+  return everywhere || gain.relative > limits_.clearGain() ||
+         mean(with.windowSquares) < limits_.half * mean(without.windowSquares);
 }
 
 bool Worth::material(const FitResult& without, const FitResult& with) const {
@@ -61,29 +55,28 @@ bool Worth::material(const FitResult& without, const FitResult& with) const {
   std::sort(gains.begin(), gains.end());
   gains.resize(gains.size() - gains.size() / 10);
   // If few windows make up the gain, it has to be larger: single windows err by more than sensors explain.
-  const bool spread = mean(gains) > spreadFloors * unit || back > fewWindowsFloors * unit;
+  const bool spread = mean(gains) > limits_.half * unit || back > std::pow(limits_.nearFloor, 2) * unit;
   // A fitted start takes up some of what a model lacks, and all that a restart's noise adds: restarts count, too.
-  const bool seen = !baseAtFloor() || restarts_ > baseFloors * baseFloors * unit;
+  const bool seen = !baseAtFloor() || restarts_ > std::pow(limits_.atFloor, 2) * unit;
   // Beside a much larger effect an effect needs no share of the base's error if it takes nearly all away that is left.
-  const bool clears = back > clearFloors * unit && mean(with.windowSquares) < hardlyAny * mean(without.windowSquares);
-  const bool position = seen && spread && back > leastFloors * unit && (back > leastShare * base_ || clears);
+  const bool clears = back > std::pow(limits_.settled, 2) * unit &&
+                      mean(with.windowSquares) < limits_.little * mean(without.windowSquares);
+  const bool position = seen && spread && back > unit && (back > limits_.negligible * base_ || clears);
   const double noise = currentNoise();
   const double currentBack = without.currentSquares - with.currentSquares;
-  return position ||
-         (currentBack > clearOfCurrent * without.currentSquares && currentBack > leastFloors * noise * noise);
+  return position || (currentBack > limits_.half * without.currentSquares && currentBack > noise * noise);
 }
 
 double Worth::leastBack(bool inFew) const {
   const double unit = floor_ * floor_;
-  const double unseen = std::max(0.0, baseFloors * baseFloors * unit - std::max(base_, restarts_));
-  return std::max(
-      {unseen, (inFew ? fewWindowsFloors : leastFloors) * unit, std::max(leastShare, leastImprovement) * base_});
+  const double unseen = std::max(0.0, std::pow(limits_.atFloor, 2) * unit - std::max(base_, restarts_));
+  return std::max({unseen, (inFew ? std::pow(limits_.nearFloor, 2) : 1.0) * unit, limits_.hardlyAny * base_});
 }
 
 std::optional<double> Worth::leastCurrentBack() const {
   if (!input_.seen.currentSeen) return {};
   // A part of what errs with the effect in it.
-  return std::max(clearOfCurrent / (1.0 - clearOfCurrent) * baseCurrent_, leastFloors * std::pow(currentNoise(), 2));
+  return std::max(limits_.half / (1.0 - limits_.half) * baseCurrent_, std::pow(currentNoise(), 2));
 }
 
 double Worth::currentNoise() const {
@@ -93,16 +86,16 @@ double Worth::currentNoise() const {
 }
 
 bool Worth::currentErrs(const FitResult& fit) const {
-  return input_.seen.currentSeen && fit.currentSquares > muchOfCurrent * baseCurrent_ &&
-         fit.currentSquares > settledFloors * std::pow(currentNoise(), 2);
+  return input_.seen.currentSeen && fit.currentSquares > limits_.farLess * baseCurrent_ &&
+         fit.currentSquares > std::pow(limits_.settled * currentNoise(), 2);
 }
 
 bool Worth::baseAtFloor() const {
-  return base_ < baseFloors * baseFloors * floor_ * floor_;
+  return base_ < std::pow(limits_.atFloor * floor_, 2);
 }
 
 double Worth::floors(const FitResult& fit) const {
-  return mean(fit.windowSquares) / (floor_ * floor_);
+  return std::sqrt(mean(fit.windowSquares)) / floor_;
 }
 
 }  // namespace breakaway

@@ -35,7 +35,7 @@ class Worth {
   bool baseAtFloor() const;
   /// Whether a recorded current shows much that neither its sensor's noise nor the model explains.
   bool currentErrs(const FitResult& fit) const;
-  /// The mean square error of a fit in units of a perfect model's.
+  /// The error of a fit (rms) in units of a perfect model's.
   double floors(const FitResult& fit) const;
 
  private:
@@ -48,17 +48,11 @@ class Worth {
   };
 
   const SearchInput& input_;
+  const Criteria& limits_;
   Weights unit_;                           ///< of errors: what the base model leaves
   double base_ = 0.0, baseCurrent_ = 0.0;  ///< its mean square errors
   double restarts_ = 0.0, floor_ = 0.0;
   mutable std::deque<Validated> known_;  ///< the latest first
 };
-
-/// Gains by which an effect is called clear, and sure.
-constexpr double clearGain = 0.2;
-constexpr double sureGain = 0.15;  ///< by the interval's lower end
-
-constexpr double settledFloors = 9.0;  ///< squared error, in squared floors, below which no more is looked for
-constexpr double nearlyNothing = 0.2;  ///< of the base model's squared error
 
 }  // namespace breakaway

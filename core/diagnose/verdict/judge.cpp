@@ -19,19 +19,6 @@ namespace breakaway {
 
 namespace {
 
-constexpr double leastShare = 0.03, littleShare = 0.1;
-constexpr double muchIsLeft = 0.4;  ///< of the base model's excess error
-constexpr double mostIsExplained = 0.5;
-constexpr double glaringShare = 0.8;
-constexpr double leastOfCurrent = 0.2;   ///< of the current's squared error
-constexpr double worseOnHeldout = 1.02;  ///< times the base model's error: what does worse is refused
-constexpr double muchWorseOnHeldout = 1.25, clearFallOnHeldout = 0.9;
-constexpr double hardlyLessOnHeldout = 0.95;
-constexpr double muchFloors = 1.6, muchFloorsForOnce = 2.5;  ///< of held-out data that show something themselves
-constexpr double beyondRestarts = 1.6;                       ///< times the error that restarts make: what shows
-constexpr double leastFall = 0.98;                           ///< of the error over the training windows: less is none
-constexpr double nearFloors = 2.0, scatteredPart = 0.03;  ///< of the friction: three times what any rig's scatters by
-
 double meanSquare(const Model& model, const std::vector<Track>& tracks, const std::vector<Window>& windows) {
   return mean(scoreWindows(model, tracks, windows));
 }
@@ -139,8 +126,13 @@ bool changesReadings(const Model& model) {
                      [](const EffectTerm& term) { return findEffect(term.effect)->currentSensor() != nullptr; });
 }
 
-bool showsInCurrent(const SearchResult& result) {
-  return result.best.currentSquares < (1.0 - leastOfCurrent) * result.base.currentSquares;
+bool showsInCurrent(const SearchResult& result, const Criteria& limits) {
+  return result.best.currentSquares < limits.clearlyLess * result.base.currentSquares;
+}
+
+/// The part of the squared held-out error that is left.
+double squaredPart(const FitScore& fit) {
+  return std::pow(fit.heldoutAfter / fit.heldoutBefore, 2);
 }
 
 /// Whether the interval of its amplitude includes zero.
@@ -150,26 +142,26 @@ bool mayBeNothing(const Finding& finding) {
 }
 
 /// Whether the only finding explains less than half of the error and may be zero.
-bool isVague(const std::vector<Finding>& findings) {
-  return findings.size() == 1 && findings.front().share <= mostIsExplained && mayBeNothing(findings.front());
+bool isVague(const std::vector<Finding>& findings, const Criteria& limits) {
+  return findings.size() == 1 && findings.front().share <= limits.half && mayBeNothing(findings.front());
 }
 
 /// Whether it happens once and is no larger than the scatter of the friction.
-bool isScatter(const Finding& finding, double coulomb) {
-  const bool small = std::abs(finding.parameters.front().value) < scatteredPart * coulomb;
+bool isScatter(const Finding& finding, double coulomb, const Criteria& limits) {
+  const bool small = std::abs(finding.parameters.front().value) < limits.farApart * limits.immaterial * coulomb;
   return small && findEffect(finding.effect)->happensOnce();
 }
 
 /// Whether a finding beside others takes hardly anything away and may be zero, or takes little away and may be the
 /// friction's scatter.
-bool isIdle(const Finding& finding, double coulomb) {
-  return (finding.share < leastShare && mayBeNothing(finding)) ||
-         (finding.share < littleShare && isScatter(finding, coulomb));
+bool isIdle(const Finding& finding, double coulomb, const Criteria& limits) {
+  return (finding.share < limits.hardlyAny && mayBeNothing(finding)) ||
+         (finding.share < limits.little && isScatter(finding, coulomb, limits));
 }
 
 /// Whether a rig that lacks nothing might seem to have it, if the base model errs by little more than its sensors.
-bool isFaint(const Finding& finding, double coulomb) {
-  return mayBeNothing(finding) || isScatter(finding, coulomb);
+bool isFaint(const Finding& finding, double coulomb, const Criteria& limits) {
+  return mayBeNothing(finding) || isScatter(finding, coulomb, limits);
 }
 
 class Judge {
@@ -178,6 +170,7 @@ class Judge {
       : bench_(bench),
         prepared_(prepared),
         input_(input),
+        limits_(input.criteria),
         found_(found),
         base_(withDoubts(found.base.model, prepared)),
         errorsBefore_(scoreWindows(base_, prepared.tracks, prepared.split.trainScore)) {}
@@ -189,8 +182,7 @@ class Judge {
       Judgement judgement;
       Opinion opinion = judge(candidate, judgement);
       // What held-out data refused with more waves, they have to show with fewer.
-      if (refused && opinion == Opinion::stands &&
-          judgement.fit.heldoutAfter > hardlyLessOnHeldout * judgement.fit.heldoutBefore)
+      if (refused && opinion == Opinion::stands && squaredPart(judgement.fit) > limits_.hardlyLess)
         opinion = Opinion::heldoutRefuses;
       if (const auto idle = superfluous(candidate, judgement)) {
         if (candidate.chosen.size() == 1) break;
@@ -217,13 +209,13 @@ class Judge {
 
   /// A finding that is idle beside others, or faint where the base model is near the floor; nothing if there is none.
   std::optional<std::ptrdiff_t> superfluous(const SearchResult& candidate, const Judgement& judged) const {
-    const bool near =
-        mean(errorsBefore_) < std::pow(nearFloors * judged.rest.floors.perfect, 2) && !showsInCurrent(candidate);
+    const bool near = mean(errorsBefore_) < std::pow(limits_.nearFloor * judged.rest.floors.perfect, 2) &&
+                      !showsInCurrent(candidate, limits_);
     const double coulomb = physicsOf(judged.model).coulomb;
     const auto& all = judged.findings;
     const auto one = std::find_if(all.begin(), all.end(), [&](const Finding& finding) {
-      return !finding.saysSomething || (all.size() > 1 && isIdle(finding, coulomb)) ||
-             (near && isFaint(finding, coulomb));
+      return !finding.saysSomething || (all.size() > 1 && isIdle(finding, coulomb, limits_)) ||
+             (near && isFaint(finding, coulomb, limits_));
     });
     if (one == all.end()) return std::nullopt;
     return one - all.begin();
@@ -246,43 +238,44 @@ class Judge {
     double explained = (before() - typicalSquare(errorsAfter)) / excess;
     // The typical error leaves out the worst windows. If an effect acts in few windows, only the plain mean shows it.
     const double ofAll = 1.0 - mean(errorsAfter) / std::max(mean(errorsBefore_), 1e-300);
-    if (ofAll > glaringShare) explained = std::max(explained, ofAll);
+    if (ofAll > limits_.clearlyLess) explained = std::max(explained, ofAll);
     explained = std::clamp(explained, 0.0, 1.0);
-    const bool currentToo = showsInCurrent(candidate);
-    if (explained < leastShare && !currentToo) return Opinion::falls;
+    const bool currentToo = showsInCurrent(candidate, limits_);
+    if (explained < limits_.hardlyAny && !currentToo) return Opinion::falls;
     const double fitted =
         1.0 - mean(candidate.best.windowSquares) / std::max(mean(candidate.base.windowSquares), 1e-300);
     // If much is left and the findings explain less than half, something unknown borrows their names.
-    if (out.rest.share > muchIsLeft && std::max(explained, fitted) < mostIsExplained &&
+    if (out.rest.share > limits_.half && std::max(explained, fitted) < limits_.half &&
         !(currentToo && changesReadings(out.model)))
       return Opinion::falls;
     out.findings = findingsOf(candidate, out.model, input_, explained, [&](const EffectTerm& term) {
       // A few pushes would explain any wander: they are held against what there is without them.
       const bool once = findEffect(term.effect)->happensOnce();
-      return worthSaying(term, out.model, input_.seen, once ? candidate.leftByBase : candidate.left) &&
+      return worthSaying(term, out.model, input_.seen, once ? candidate.leftByBase : out.rest.wander, limits_) &&
              (!once || isSeen(term));
     });
     out.fit = scoreFit(bench_, base_, out.model, prepared_, out.rest.wander, input_.seed, out.proof);
     // If held-out data get worse, the effect isn't there. If it acts only where the training data are, as a push in one
     // recording does, held-out data may get somewhat worse.
-    const double inAll = out.fit.heldoutAfter / out.fit.heldoutBefore;
+    const double inAll = squaredPart(out.fit);
     const bool singly = growsAtRest(out.model) || swings(out.model);
     const double held = singly ? std::min(inAll, typicallyHeld(out.model)) : inAll;
     // If held-out data err by much and the findings take hardly any of it away, they explain something else.
     const bool once = allHappenOnce(out.findings);
-    const bool muchHeld = out.fit.heldoutBefore > (once ? muchFloorsForOnce : muchFloors) * out.fit.floor;
+    const bool muchHeld = out.fit.heldoutBefore > (once ? limits_.material : limits_.atFloor) * out.fit.floor;
     // It acts elsewhere: in few windows, or in a current's reading, which moves nothing. A load swings in all windows.
-    const bool inFew = ofAll >= glaringShare && !swings(out.model);
+    const bool inFew = ofAll >= limits_.clearlyLess && !swings(out.model);
     const bool elsewhere = currentToo || (inFew && (!muchHeld || once));
-    if (held > (elsewhere ? muchWorseOnHeldout : muchHeld ? hardlyLessOnHeldout : worseOnHeldout))
+    if (held > (elsewhere ? limits_.clearlyMore() : muchHeld ? limits_.hardlyLess : limits_.hardlyMore()))
       return Opinion::heldoutRefuses;
     // After a restart a load that swings may run away in single windows, although the model is right. Then the typical
     // window decides, and held-out data have to show the gain.
-    const bool usually = typicalSquare(errorsAfter) <= std::pow(leastFall, 2) * before() && held < clearFallOnHeldout;
-    const bool idle = !currentToo && out.fit.trainAfter > leastFall * out.fit.trainBefore && !usually;
+    const bool usually = typicalSquare(errorsAfter) <= limits_.hardlyLess * before() && held < limits_.clearlyLess;
+    const bool idle =
+        !currentToo && std::pow(out.fit.trainAfter / out.fit.trainBefore, 2) > limits_.hardlyLess && !usually;
     // A push can take up whatever a few windows err by. It counts only if it takes most of all error away.
-    const bool stray = once && ofAll < mostIsExplained;
-    return idle || stray || isVague(out.findings) ? Opinion::falls : Opinion::stands;
+    const bool stray = once && ofAll < limits_.half;
+    return idle || stray || isVague(out.findings, limits_) ? Opinion::falls : Opinion::stands;
   }
 
   /// Whether the windows in which something happens once err more without it than such windows do by their restarts.
@@ -300,15 +293,15 @@ class Judge {
       errs += errorsBefore_[w];
     }
     const auto usual = usualSquares(base_, prepared_.tracks, windows, input_.seed, {});
-    return errs > std::pow(beyondRestarts, 2) * mean(usual) * static_cast<double>(windows.size());
+    return errs > std::pow(limits_.atFloor, 2) * mean(usual) * static_cast<double>(windows.size());
   }
 
-  /// The part of the held-out error that is left, without the worst tenth of the windows: if an axis breaks away a
-  /// moment too late, or a load runs away, a whole window is off.
+  /// The part of the squared held-out error that is left, without the worst tenth of the windows: if an axis breaks
+  /// away a moment too late, or a load runs away, a whole window is off.
   double typicallyHeld(const Model& model) const {
     const auto& windows = prepared_.split.heldoutScore;
     const double before = typicalSquare(scoreWindows(base_, prepared_.tracks, windows));
-    return std::sqrt(typicalSquare(scoreWindows(model, prepared_.tracks, windows)) / std::max(before, 1e-300));
+    return typicalSquare(scoreWindows(model, prepared_.tracks, windows)) / std::max(before, 1e-300);
   }
 
   static Members::iterator leastOf(SearchResult& candidate) {
@@ -350,6 +343,7 @@ class Judge {
   const Bench& bench_;
   const Preparation& prepared_;
   const SearchInput& input_;
+  const Criteria& limits_;
   const SearchResult& found_;
   Model base_;
   std::vector<double> errorsBefore_;

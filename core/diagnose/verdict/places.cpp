@@ -12,14 +12,6 @@ namespace breakaway {
 
 namespace {
 
-constexpr double significant = 0.05;
-constexpr double leastShare = 0.01;    ///< a smaller one is no place to look at
-constexpr double belongs = 0.5;        ///< a neighbour belongs to the place from this part of the worst cell on
-constexpr double nearly = 0.4;         ///< of the largest share
-constexpr double strongOrder = 1.5;    ///< times the next one: the turn has one order
-constexpr double worthSpeeds = 1.25;   ///< times the share at all speeds: the angle alone doesn't tell it
-constexpr double ratioBothWays = 0.4;  ///< of the smaller to the larger
-
 struct Stretch {
   size_t first = 0, last = 0;
   double mean = 0.0, rising = 0.0, falling = 0.0;
@@ -41,14 +33,14 @@ double meanOver(const ResidualMap& map, const std::vector<double>& values, size_
 }
 
 /// The stretch of one sign around the cell with the most energy.
-Stretch worstStretch(const ResidualMap& map) {
+Stretch worstStretch(const ResidualMap& map, const Criteria& criteria) {
   size_t worst = 0;
   double all = 0.0;
   for (size_t cell = 0; cell < map.centre.size(); ++cell) {
     all += energyOf(map, cell);
     if (energyOf(map, cell) > energyOf(map, worst)) worst = cell;
   }
-  const auto part = [&](size_t cell) { return map.mean[cell] / map.mean[worst] > belongs; };
+  const auto part = [&](size_t cell) { return map.mean[cell] / map.mean[worst] > criteria.half; };
   Stretch out{worst, worst};
   while (out.first > 0 && part(out.first - 1)) --out.first;
   while (out.last + 1 < map.centre.size() && part(out.last + 1)) ++out.last;
@@ -75,12 +67,12 @@ std::string moreOrLess(double value, Axis axis) {
 }
 
 /// "both ways", or the way on which it shows more.
-std::string waysText(const Stretch& at, Axis axis) {
+std::string waysText(const Stretch& at, Axis axis, const Criteria& criteria) {
   if (!std::isfinite(at.rising) || !std::isfinite(at.falling)) {
     return std::isfinite(at.rising) ? "seen " + wayText(1.0, axis) + " only" : "seen " + wayText(-1.0, axis) + " only";
   }
   const double ratio = std::abs(at.rising) > std::abs(at.falling) ? at.falling / at.rising : at.rising / at.falling;
-  if (ratio > ratioBothWays) return "both ways";
+  if (ratio > criteria.half) return "both ways";
   return "mostly " + wayText(std::abs(at.rising) - std::abs(at.falling), axis);
 }
 
@@ -88,19 +80,20 @@ std::string rangeText(const Place& place, const std::function<std::string(double
   return "between " + text(place.from) + " and " + text(place.to);
 }
 
-std::string angleSentence(const ResidualMap& map, const Stretch& at, const Place& place, Axis axis) {
+std::string angleSentence(const ResidualMap& map, const Stretch& at, const Place& place, Axis axis,
+                          const Criteria& criteria) {
   const std::string range =
       rangeText(place, [axis](double x) { return axis == Axis::rotary ? angleText(x) : lengthText(x); });
-  std::string out =
-      map.shows == Unknown::friction
-          ? "The axis needs " + moreOrLess(at.mean, axis) + " than the model " + range + ", " + waysText(at, axis)
-          : "Something pushes the axis " + wayText(-at.mean, axis) + " with " + torqueText(std::abs(at.mean), axis) +
-                " " + range +
-                (map.ofSomeSpeeds()
-                     ? " at speeds between " + speedText(map.fromSpeed, axis) + " and " + speedText(map.toSpeed, axis)
-                 : waysText(at, axis) == "both ways" ? ", whichever way it turns"
-                                                     : ", " + waysText(at, axis));
-  if (!map.orders.empty() && map.orders[0].amplitude > strongOrder * map.orders[1].amplitude) {
+  std::string out = map.shows == Unknown::friction
+                        ? "The axis needs " + moreOrLess(at.mean, axis) + " than the model " + range + ", " +
+                              waysText(at, axis, criteria)
+                        : "Something pushes the axis " + wayText(-at.mean, axis) + " with " +
+                              torqueText(std::abs(at.mean), axis) + " " + range +
+                              (map.ofSomeSpeeds() ? " at speeds between " + speedText(map.fromSpeed, axis) + " and " +
+                                                        speedText(map.toSpeed, axis)
+                               : waysText(at, axis, criteria) == "both ways" ? ", whichever way it turns"
+                                                                             : ", " + waysText(at, axis, criteria));
+  if (!map.orders.empty() && map.orders[0].amplitude > criteria.clearlyMore() * map.orders[1].amplitude) {
     const int number = map.orders[0].number;
     out += std::string(". It comes ") + (number == 1 ? "once" : std::to_string(number) + " times") +
            " per turn with ±" + torqueText(map.orders[0].amplitude, axis);
@@ -110,11 +103,12 @@ std::string angleSentence(const ResidualMap& map, const Stretch& at, const Place
 }
 
 /// Where the axis runs through zero: velocity, acceleration, motor torque, current.
-std::string signedSentence(const ResidualMap& map, const Stretch& at, const Place& place, Axis axis) {
+std::string signedSentence(const ResidualMap& map, const Stretch& at, const Place& place, Axis axis,
+                           const Criteria& criteria) {
   const double middle = 0.5 * (place.from + place.to), s = middle > 0.0 ? 1.0 : -1.0;
   const double other = mirrored(map, place.from, place.to);
   const bool odd =
-      place.from * place.to > 0.0 && (map.shows == Unknown::friction ? 1.0 : -1.0) * other / at.mean > ratioBothWays;
+      place.from * place.to > 0.0 && (map.shows == Unknown::friction ? 1.0 : -1.0) * other / at.mean > criteria.half;
   const bool torqueAxis = map.axis == "current";
   if (map.shows == Unknown::voltage) {
     const std::string range = rangeText(place, [](double x) { return quantityText(x, "A"); });
@@ -138,10 +132,11 @@ std::string signedSentence(const ResidualMap& map, const Stretch& at, const Plac
          (odd ? ", and as much the other way." : ".");
 }
 
-std::string sentenceOf(const ResidualMap& map, const Stretch& at, const Place& place, Axis axis) {
-  if (map.axis == "angle") return angleSentence(map, at, place, axis);
+std::string sentenceOf(const ResidualMap& map, const Stretch& at, const Place& place, Axis axis,
+                       const Criteria& criteria) {
+  if (map.axis == "angle") return angleSentence(map, at, place, axis, criteria);
   if (map.axis == "velocity" || map.axis == "acceleration" || map.axis == "current")
-    return signedSentence(map, at, place, axis);
+    return signedSentence(map, at, place, axis, criteria);
   if (map.axis == "frequency") {
     return "Changes between " + digitsText(place.from) + " and " + digitsText(place.to) +
            " Hz come out otherwise than in the model, by " + torqueText(at.mean, axis) +
@@ -161,7 +156,7 @@ std::string sentenceOf(const ResidualMap& map, const Stretch& at, const Place& p
   }
   const std::string unit = map.axis == "time" ? " s" : " °C";
   std::string out = "Between " + digitsText(place.from) + " and " + digitsText(place.to) + unit + " " + size;
-  if (resists) out += ", " + waysText(at, axis);
+  if (resists) out += ", " + waysText(at, axis, criteria);
   return out + ".";
 }
 
@@ -174,12 +169,12 @@ ResidualMap cutElsewhere(ResidualMap map) {
   return map;
 }
 
-Place placeOf(const ResidualMap& whole, const Model& model) {
-  const Stretch uncut = worstStretch(whole);
+Place placeOf(const ResidualMap& whole, const Model& model, const Criteria& criteria) {
+  const Stretch uncut = worstStretch(whole, criteria);
   const bool round = !whole.orders.empty();
   const bool atTheCut = round && (uncut.first == 0 || uncut.last + 1 == whole.centre.size());
   const ResidualMap map = atTheCut ? cutElsewhere(whole) : whole;
-  const Stretch at = worstStretch(map);
+  const Stretch at = worstStretch(map, criteria);
   Place place;
   place.axis = map.axis;
   place.from = map.centre[at.first] - 0.5 * map.width[at.first];
@@ -188,9 +183,10 @@ Place placeOf(const ResidualMap& whole, const Model& model) {
   place.share = map.share * at.share;
   place.pValue = map.pValue;
   // A wave of the turn is as long as all of it, even where one of its hills is the highest.
-  if (!map.orders.empty() && map.orders[0].amplitude > strongOrder * map.orders[1].amplitude) place.share = map.share;
+  if (!map.orders.empty() && map.orders[0].amplitude > criteria.clearlyMore() * map.orders[1].amplitude)
+    place.share = map.share;
   if (map.axis == "reversal") place.from = std::max(0.0, place.from);
-  place.sentence = sentenceOf(map, at, place, model.axis);
+  place.sentence = sentenceOf(map, at, place, model.axis, criteria);
   place.size = std::abs(at.mean);
   place.shows = map.shows;
   place.ofSomeSpeeds = map.ofSomeSpeeds();
@@ -202,35 +198,38 @@ Place placeOf(const ResidualMap& whole, const Model& model) {
 
 }  // namespace
 
-bool showsMore(const ResidualMap& map, const ResidualMap& other) {
-  const auto counts = [](const ResidualMap& one) { return one.share / (one.ofSomeSpeeds() ? worthSpeeds : 1.0); };
+bool showsMore(const ResidualMap& map, const ResidualMap& other, const Criteria& criteria) {
+  const auto counts = [&criteria](const ResidualMap& one) {
+    return one.share / (one.ofSomeSpeeds() ? criteria.clearlyMore() : 1.0);
+  };
   return counts(map) > counts(other);
 }
 
-std::vector<Place> places(const std::vector<ResidualMap>& maps, const Model& model) {
+std::vector<Place> places(const std::vector<ResidualMap>& maps, const Model& model, const Criteria& criteria) {
   std::vector<const ResidualMap*> strongest;  // one per axis and side
   for (const ResidualMap& map : maps) {
     const bool seen = std::any_of(map.mean.begin(), map.mean.end(), [](double x) { return std::isfinite(x); });
-    if (!seen || map.pValue > significant || map.share < leastShare) continue;
+    if (!seen || map.pValue > criteria.likeliestByChance || map.share < criteria.negligible) continue;
     const auto same = std::find_if(strongest.begin(), strongest.end(), [&map](const ResidualMap* one) {
       return one->axis == map.axis && (one->shows == Unknown::voltage) == (map.shows == Unknown::voltage);
     });
     if (same == strongest.end())
       strongest.push_back(&map);
-    else if (showsMore(map, **same))
+    else if (showsMore(map, **same, criteria))
       *same = &map;
   }
   std::vector<Place> found;
   found.reserve(strongest.size());
-  for (const ResidualMap* map : strongest) found.push_back(placeOf(*map, model));
+  for (const ResidualMap* map : strongest) found.push_back(placeOf(*map, model, criteria));
   std::stable_sort(found.begin(), found.end(), [](const Place& a, const Place& b) { return a.share > b.share; });
   return found;
 }
 
-void preferAxis(std::vector<Place>& places, std::string_view axis) {
+void preferAxis(std::vector<Place>& places, std::string_view axis, const Criteria& criteria) {
   if (axis == "travel") axis = "reversal";
   const auto own = std::find_if(places.begin(), places.end(), [axis](const Place& one) { return one.axis == axis; });
-  if (own != places.end() && own->share > nearly * places.front().share) std::rotate(places.begin(), own, own + 1);
+  if (own != places.end() && own->share > criteria.half * places.front().share)
+    std::rotate(places.begin(), own, own + 1);
 }
 
 }  // namespace breakaway

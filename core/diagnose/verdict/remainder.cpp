@@ -16,29 +16,6 @@ namespace breakaway {
 
 namespace {
 
-/// Times the floor: what errs by less is a perfect model as far as sensors can tell.
-constexpr double clearFloors = 1.6;
-/// Times the floor with wander: what errs by less lacks nothing that a sound rig hasn't.
-constexpr double materialFloors = 2.5;
-/// Of the base model's excess: what findings leave of it is no more than their own inexactness.
-constexpr double leastPart = 0.05;
-/// Several windows that err by so many times what sensors and scattering friction explain: restarts at the edge of
-/// standstill don't explain so many or so large errors.
-constexpr double farOffFloors = 8.0;
-/// So large a part of the windows, and at least five of them, isn't far off by accident.
-constexpr double farOffPart = 0.05, fewestFarOff = 5.0;
-/// Of the held-out windows' squared error a place surely takes away so much, as much as any rig may lack: what pays
-/// less doesn't count.
-constexpr double leastTaken = 0.05;
-/// A place more often by chance doesn't count.
-constexpr double likeliestByChance = 0.02;
-/// A place in the voltage moves nothing, so that windows don't show it: its part of what is unexplained, and its size
-/// as a part of the drive's peak.
-constexpr double leastInPlace = 0.1, immaterialPart = 0.01;
-
-/// Times the error of the window's own replay: less may come from scatter that grows, as near a pendulum's top.
-constexpr double farBeyondUsual = 2.0;
-
 /// The windows shifted by half their length, where the next one follows directly. If a drive reverses as often as
 /// windows begin, all restarts lie at the edge of standstill; shifted windows begin elsewhere.
 std::vector<Window> halfLater(const std::vector<Window>& windows, const std::vector<Track>& tracks) {
@@ -54,9 +31,9 @@ std::vector<Window> halfLater(const std::vector<Window>& windows, const std::vec
 }
 
 /// Whether a place in the voltage is more than the inaccuracy that every rig has.
-bool showsInVoltage(const Place& place, const Excitation& seen) {
+bool showsInVoltage(const Place& place, const Excitation& seen, const Criteria& criteria) {
   const double foretold = std::clamp(place.foretells.value / place.share, 0.0, 1.0);
-  return place.share >= leastInPlace && place.size * std::sqrt(foretold) >= immaterialPart * seen.peakInput;
+  return place.share >= criteria.little && place.size * std::sqrt(foretold) >= criteria.immaterial * seen.peakInput;
 }
 
 /// One model's restarts, in the windows that are scored and between them.
@@ -66,7 +43,7 @@ class Restarts {
       : model_(model),
         prepared_(prepared),
         seed_(seed),
-        scatter_(usualScatter(prepared.seen, physicsOf(model).coulomb, left)) {}
+        scatter_(usualScatter(prepared.seen, physicsOf(model).coulomb, left, prepared.criteria)) {}
 
   const std::vector<double>& squaresLater() {
     if (squaresLater_.empty()) {
@@ -88,7 +65,8 @@ class Restarts {
     if (beyond.empty()) return 0;
     const auto usual = usualSquares(model_, prepared_.tracks, beyond, seed_, scatter_);
     size_t count = 0;
-    for (size_t w = 0; w < beyond.size(); ++w) count += errors[w] > farBeyondUsual * farBeyondUsual * usual[w] ? 1 : 0;
+    for (size_t w = 0; w < beyond.size(); ++w)
+      count += errors[w] > std::pow(prepared_.criteria.nearFloor, 2) * usual[w] ? 1 : 0;
     return count;
   }
   /// Whether so many windows are far off that it isn't accidental, in both sets of windows.
@@ -98,7 +76,8 @@ class Restarts {
 
  private:
   bool often(const std::vector<Window>& windows, const std::vector<double>& squares, double limit) const {
-    const double enough = std::max(fewestFarOff, farOffPart * static_cast<double>(windows.size()));
+    const double enough =
+        std::max(prepared_.criteria.fewestFarOff, prepared_.criteria.soundPart * static_cast<double>(windows.size()));
     const auto far = std::count_if(squares.begin(), squares.end(), [limit](double one) { return one > limit * limit; });
     return static_cast<double>(far) >= enough && static_cast<double>(farOff(windows, squares, limit)) >= enough;
   }
@@ -117,11 +96,11 @@ size_t farOffWindows(const Model& model, const Preparation& prepared, const std:
                      std::uint64_t seed, const TorqueNoise& left) {
   const Floors floors = floorsOf(model, prepared, windows, seed, left);
   return Restarts(model, prepared, seed, left)
-      .farOff(windows, scoreWindows(model, prepared.tracks, windows), farOffFloors * floors.withWander);
+      .farOff(windows, scoreWindows(model, prepared.tracks, windows), prepared.criteria.farOff * floors.withWander);
 }
 
-std::string farOffText() {
-  return std::to_string(std::lround(farOffFloors)) + " times";
+std::string farOffText(const Criteria& criteria) {
+  return digitsText(criteria.farOff) + " times";
 }
 
 /// `left` with no more torque than a mean squared error of `shown` over the training windows has room for: a torque
@@ -141,20 +120,22 @@ static TorqueNoise asWindowsShow(TorqueNoise left, const Model& model, const Pre
 
 Floors floorsOf(const Model& model, const Preparation& prepared, const std::vector<Window>& windows, std::uint64_t seed,
                 const TorqueNoise& left) {
-  const FrictionScatter scatter = usualScatter(prepared.seen, physicsOf(model).coulomb, left);
+  const FrictionScatter scatter = usualScatter(prepared.seen, physicsOf(model).coulomb, left, prepared.criteria);
   return {noiseFloor(model, prepared.tracks, windows, seed),
           noiseFloor(model, prepared.tracks, windows, seed, scatter)};
 }
 
 Remainder remainderOf(const Model& model, const Preparation& prepared, const WindowErrors& errors,
                       const TorqueNoise& left, std::uint64_t seed) {
+  const Criteria& criteria = prepared.criteria;
   Remainder rest;
   const double before = typicalSquare(errors.before), after = typicalSquare(errors.after);
   const std::vector<Window>& windows = prepared.split.trainScore;
   rest.floors.perfect = noiseFloor(model, prepared.tracks, windows, seed);
   rest.wander = asWindowsShow(left, model, prepared, after, rest.floors.perfect, seed);
-  rest.floors.withWander = noiseFloor(model, prepared.tracks, windows, seed,
-                                      usualScatter(prepared.seen, physicsOf(model).coulomb, rest.wander));
+  rest.floors.withWander =
+      noiseFloor(model, prepared.tracks, windows, seed,
+                 usualScatter(prepared.seen, physicsOf(model).coulomb, rest.wander, prepared.criteria));
   Restarts restarts(model, prepared, seed, rest.wander);
   const double unit = rest.floors.perfect * rest.floors.perfect;
   const auto exceeds = [&](double floors, double floor) {
@@ -162,40 +143,43 @@ Remainder remainderOf(const Model& model, const Preparation& prepared, const Win
     return after > most && typicalSquare(restarts.squaresLater()) > most;
   };
   rest.part = std::clamp((after - unit) / std::max(before - unit, 1e-300), 0.0, 1.0);
-  if (exceeds(materialFloors, rest.floors.withWander)) rest.share = rest.part;
-  const bool typically = exceeds(clearFloors, rest.floors.perfect);
-  rest.aboveFloor = typically || restarts.oftenFarOff(errors.after, farOffFloors * rest.floors.withWander);
-  rest.wanders = typically && rest.wander.rms > mostWander(physicsOf(model).coulomb, prepared.seen.peakTorque);
+  if (exceeds(criteria.material, rest.floors.withWander)) rest.share = rest.part;
+  const bool typically = exceeds(criteria.atFloor, rest.floors.perfect);
+  rest.aboveFloor = typically || restarts.oftenFarOff(errors.after, criteria.farOff * rest.floors.withWander);
+  rest.wanders =
+      typically && rest.wander.rms > mostWander(physicsOf(model).coulomb, prepared.seen.peakTorque, criteria);
+  rest.muchIsLeft = rest.part > criteria.soundPart;
   return rest;
 }
 
 bool Remainder::outside() const {
-  return part > leastPart && (wanders || !where.empty());
+  return muchIsLeft && (wanders || !where.empty());
 }
 
 void findPlaces(Remainder& rest, const Model& model, const Preparation& prepared, std::uint64_t seed) {
   if (!rest.aboveFloor) return;
   std::vector<ResidualMap> maps = residualMaps(model, prepared.training, seed, heldoutTracks(prepared));
+  const Criteria& criteria = prepared.criteria;
   const ForetoldWindows windows(model, prepared);
   std::erase_if(maps, [&](const ResidualMap& map) {
     if (map.foretells.low95 <= 0.0) return true;
-    return map.shows != Unknown::voltage && windows.foretold(map, seed).low95 < leastTaken;
+    return map.shows != Unknown::voltage && windows.foretold(map, seed).low95 < criteria.soundPart;
   });
-  for (Place& place : places(maps, model)) {
-    if (place.pValue > likeliestByChance) continue;
-    if (place.shows == Unknown::voltage && !showsInVoltage(place, prepared.seen)) continue;
+  for (Place& place : places(maps, model, criteria)) {
+    if (place.pValue > criteria.likeliestByChance) continue;
+    if (place.shows == Unknown::voltage && !showsInVoltage(place, prepared.seen, criteria)) continue;
     if (rest.where.empty()) rest.pValue = place.pValue;
     place.sentence = "Not explained by any known effect. " + place.sentence;
     rest.where.push_back(std::move(place));
   }
 }
 
-std::string wanderRemark(const TorqueNoise& left, double friction, const Excitation& seen) {
+std::string wanderRemark(const TorqueNoise& left, double friction, const Excitation& seen, const Criteria& criteria) {
   const bool small = left.rms < friction;
   const double part = left.rms / (small ? friction : seen.peakTorque);
   const std::string size = torqueText(left.rms, seen.axis) + " rms, " + digitsText(100.0 * part) + " % of the " +
                            (small ? "friction" : "drive's peak");
-  const bool sound = left.rms <= mostWander(friction, seen.peakTorque);
+  const bool sound = left.rms <= mostWander(friction, seen.peakTorque, criteria);
   return torqueWord(seen.axis) + " changes at random by " + size +
          (sound ? ": usual for brushes and bearings" : ": more than brushes and bearings do");
 }

@@ -36,7 +36,8 @@ struct Remainder {
   bool wanders = false;      ///< it is above the floor, and wanders by more than a sound rig does
   std::vector<Place> where;  ///< that foretell what was held out
 
-  double part = 1.0;  ///< what is left of the base model's excess, whatever is usual
+  double part = 1.0;       ///< what is left of the base model's excess, whatever is usual
+  bool muchIsLeft = true;  ///< more of it than any rig may lack
 
   /// Whether something is missing that the model doesn't have: there is evidence, and findings leave enough of it.
   bool outside() const;
@@ -50,12 +51,12 @@ Remainder remainderOf(const Model& model, const Preparation& prepared, const Win
 void findPlaces(Remainder& rest, const Model& model, const Preparation& prepared, std::uint64_t seed);
 
 /// How much the torque wanders, in words.
-std::string wanderRemark(const TorqueNoise& left, double friction, const Excitation& seen);
+std::string wanderRemark(const TorqueNoise& left, double friction, const Excitation& seen, const Criteria& criteria);
 
 /// How many of `windows` err so much that neither sensors nor scattering friction can be the cause.
 size_t farOffWindows(const Model& model, const Preparation& prepared, const std::vector<Window>& windows,
                      std::uint64_t seed, const TorqueNoise& left);
 /// "8 times", in words of farOffWindows().
-std::string farOffText();
+std::string farOffText(const Criteria& criteria);
 
 }  // namespace breakaway

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "diagnose/model/criteria.h"
 #include "diagnose/model/model.h"
 #include "diagnose/simulate/track.h"
 #include "diagnose/verdict/place.h"
@@ -52,13 +53,13 @@ std::vector<ResidualMap> residualMaps(const Model& model, const std::vector<Trac
                                       const std::vector<Track>& heldout = {});
 
 /// Of two maps over the same axis: whether the first is the one to look at. What is alike at all speeds is simpler.
-bool showsMore(const ResidualMap& map, const ResidualMap& other);
+bool showsMore(const ResidualMap& map, const ResidualMap& other, const Criteria& criteria = {});
 
 /// The stretches of the significant maps where it is worst, at most one per axis for the mechanics and one for the
 /// electrical side, the largest share first.
-std::vector<Place> places(const std::vector<ResidualMap>& maps, const Model& model);
+std::vector<Place> places(const std::vector<ResidualMap>& maps, const Model& model, const Criteria& criteria = {});
 
 /// Puts the place on that axis (Effect::drawnOver()) first where it shows nearly as much as the first one.
-void preferAxis(std::vector<Place>& places, std::string_view axis);
+void preferAxis(std::vector<Place>& places, std::string_view axis, const Criteria& criteria);
 
 }  // namespace breakaway

@@ -15,7 +15,9 @@ struct SeedRange {
 constexpr SeedRange tuningSeeds{1, 9999};
 /// For the table in the manual alone.
 constexpr SeedRange scoredSeeds{1000000, 1009999};
+/// For one scoring at each release: nobody looks at single ones of them before.
+constexpr SeedRange releaseSeeds{2000000, 2009999};
 
-static_assert(tuningSeeds.last < scoredSeeds.first);
+static_assert(tuningSeeds.last < scoredSeeds.first && scoredSeeds.last < releaseSeeds.first);
 
 }  // namespace breakaway
