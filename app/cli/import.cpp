@@ -3,8 +3,10 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <cctype>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "base/atomic_file.h"
 #include "cli/command.h"
@@ -43,7 +45,13 @@ std::string firstRows(const Recording& recording) {
 }
 
 /// "log.csv" and "3" make "log.3.csv".
-std::string partPath(const std::string& out, const std::string& part) {
+std::string partPath(const std::string& out, std::string part) {
+  // Texts of a log become a file's name here, and may hold what no name should.
+  for (char& c : part) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_' || c == '.' ||
+                       static_cast<unsigned char>(c) >= 0x80U;
+    if (!plain) c = '_';
+  }
   const size_t dot = out.find_last_of('.');
   const size_t slash = out.find_last_of('/');
   const bool extension = dot != std::string::npos && (slash == std::string::npos || dot > slash);
@@ -81,7 +89,10 @@ std::string outOf(const Imported& part, const Options& options, const ImportMap&
 Result<void> checkOutputs(const std::vector<Imported>& parts, const Options& options, const ImportMap& map) {
   if (!map.split.empty() && isStandardOutput(options.out))
     return Error{options.map, "splits into several files, expected --out to name a file"};
+  std::set<std::string> names;
   for (const Imported& part : parts) {
+    if (!names.insert(outOf(part, options, map)).second)
+      return Error{options.map, "splits into two files of the same name, " + outOf(part, options, map)};
     if (auto good = checkOutput(outOf(part, options, map), {options.in, options.map}); !good) return good;
   }
   return {};

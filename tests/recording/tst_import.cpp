@@ -32,6 +32,18 @@ class TestImport : public QObject {
   void angleThatLeapsElsewhere_staysAsItIs();
   void unusedText_isLeftOut_usedText_isAnError();
   void lineCutShortAtTheEnd_isLeftOut();
+  void severalAxesInOneTable_areAskedToBeParted_data();
+  void severalAxesInOneTable_areAskedToBeParted();
+  void oneAxis_isNotAskedToBeParted_data();
+  void oneAxis_isNotAskedToBeParted();
+  void columnsThatAreNotTheMotors_areKeptUnused_data();
+  void columnsThatAreNotTheMotors_areKeptUnused();
+  void voltageThatStandsStill_isTheSupplys_data();
+  void voltageThatStandsStill_isTheSupplys();
+  void namesAbove_eventsBetween_areFound();
+  void stampsWithoutName_areTheTime();
+  void wholeSpeedAlone_isAskedAbout();
+  void drehzahl_isInRpm();
   void registerThatWraps_isReadAsSigned();
   void registerInterpolatedAcrossItsWrap_isRefused();
 
@@ -84,8 +96,25 @@ void TestImport::names_areUnderstood_data() {
   row("u_cmd", "voltage_V");
   row("Vitesse (tr/min)", "velocity_rad_per_s", std::numbers::pi / 30.0);
   row("r78 Current actual value torque-generating [Arms]", "current_A");
+  row("rpm_filtered", "velocity_rad_per_s", std::numbers::pi / 30.0);
+  row("rpm_left", "velocity_rad_per_s", std::numbers::pi / 30.0);
+  row("actual_rpm", "velocity_rad_per_s", std::numbers::pi / 30.0);
+  row("current_rpm", "velocity_rad_per_s", std::numbers::pi / 30.0);
+  row("rpm_setpoint", "velocity_reference_rad_per_s", std::numbers::pi / 30.0);
+  row("pos_deg_target", "angle_reference_rad", degree);
+  row("Vitesse mesurée (tr/min)", "velocity_rad_per_s", std::numbers::pi / 30.0);
+  row("Consigne (tr/min)", "velocity_reference_rad_per_s", std::numbers::pi / 30.0);
+  row("时间(ms)", "time_s", 1e-3);
+  row("目标转速", "velocity_reference_rad_per_s");
+  row("电机电流(mA)", "current_A", 1e-3);
+  row("trs605-5 torque [Nm]", "torque_Nm");
+  row("time (millisec)", "time_s", 1e-3);
+  row("bms_voltage_V", "supply_V");
+  row("vel_rads", "velocity_rad_per_s");
+  row("speed_mps", "velocity_m_per_s");
   for (const char* unknown : {"", "velocity error", "current [foo]", "angle [A]", "status", "disturbance", "input",
-                              "torque_x1000", "angle*10", "sin_theta", "predicted angle [deg]", "joint_3deg"})
+                              "torque_x1000", "angle*10", "sin_theta", "predicted angle [deg]", "joint_3deg",
+                              "curr_state", "fan_rpm", "home_position", "rpm_error", "Actual_Speed_Kmh"})
     row(unknown, "");
 }
 
@@ -289,6 +318,212 @@ void TestImport::lineCutShortAtTheEnd_isLeftOut() {
   VERIFY_OK(imported);
   QCOMPARE(imported->recording.rows(), size_t(2));
   QVERIFY(imported->remarks.front().find("cut short") != std::string::npos);
+}
+
+/// A motion to and fro of one axis, another of the second; in SI.
+static double angleOf(int axis, int k) {
+  return axis == 1 ? 5.0 * std::sin(0.04 * k) : 40.0 + 0.3 * k;
+}
+static double speedOf(int axis, int k) {
+  return axis == 1 ? 20.0 * std::cos(0.04 * k) : 30.0;
+}
+
+void TestImport::severalAxesInOneTable_areAskedToBeParted_data() {
+  QTest::addColumn<QString>("column");
+  QTest::addColumn<QString>("first");
+  QTest::addColumn<QString>("second");
+  QTest::addColumn<bool>("inTurn");
+  QTest::newRow("numbers in turn") << "motor_id"
+                                   << "1"
+                                   << "2" << true;
+  QTest::newRow("texts in turn") << "joint_name"
+                                 << "hip/left"
+                                 << "hip/right" << true;
+  QTest::newRow("texts of any name in turn") << "topic"
+                                             << "a"
+                                             << "b" << true;
+  QTest::newRow("JSON") << "joint"
+                        << "a"
+                        << "b" << true;
+  QTest::newRow("one after the other") << "motor"
+                                       << "1"
+                                       << "2" << false;
+}
+
+void TestImport::severalAxesInOneTable_areAskedToBeParted() {
+  QFETCH(QString, column);
+  QFETCH(QString, first);
+  QFETCH(QString, second);
+  QFETCH(bool, inTurn);
+  const bool json = QString(QTest::currentDataTag()) == "JSON";
+  const QString row =
+      json ? R"({"time_s": %1, "joint": "%2", "angle_rad": %3, "velocity_rad_per_s": %4})" : QString("%1,%2,%3,%4");
+  QString text = json ? QString() : "time_s," + column + ",angle_rad,velocity_rad_per_s\n";
+  for (int line = 0; line < 200; ++line) {
+    const int axis = inTurn ? 1 + line % 2 : 1 + line / 100, k = inTurn ? line / 2 : line % 100;
+    text += (row + "\n")
+                .arg(0.01 * k)
+                .arg(axis == 1 ? first : second)
+                .arg(angleOf(axis, k), 0, 'g', 12)
+                .arg(speedOf(axis, k), 0, 'g', 12);
+  }
+  const std::string file = folder_.write("log.csv", text.toStdString());
+  const auto whole = importRecordings(file);
+  QVERIFY(!whole.ok());
+  const QString asked = QString::fromStdString(whole.error().message());
+  QVERIFY2(asked.contains("rows of 2 axes") && asked.contains(R"({"split": ")" + column + "\"}"), qPrintable(asked));
+  ImportMap map;
+  map.split = column.toStdString();
+  const auto parts = importRecordings(file, map);
+  VERIFY_OK(parts);
+  QCOMPARE(parts->size(), size_t(2));
+  for (int axis = 1; axis <= 2; ++axis) {
+    const Recording& part = (*parts)[size_t(axis - 1)].recording;
+    QCOMPARE(part.rows(), size_t(100));
+    for (int k = 0; k < 100; ++k) {
+      QVERIFY(std::abs(part.time()[size_t(k)] - 0.01 * k) < 1e-12);
+      QVERIFY(std::abs(part.channel("angle_rad")[size_t(k)] - angleOf(axis, k)) < 1e-9);
+    }
+  }
+}
+
+void TestImport::oneAxis_isNotAskedToBeParted_data() {
+  QTest::addColumn<QString>("column");
+  QTest::addColumn<int>("period");
+  QTest::newRow("a state that changes") << "state" << 50;
+  QTest::newRow("a count that goes round") << "frame_id" << 4;
+  QTest::newRow("a flag that toggles") << "led" << 2;
+  QTest::newRow("one motor") << "motor_id" << 1000;
+}
+
+void TestImport::oneAxis_isNotAskedToBeParted() {
+  QFETCH(QString, column);
+  QFETCH(int, period);
+  QString text = "time_s," + column + ",angle_rad\n";
+  for (int k = 0; k < 200; ++k) {
+    const int kind = period > 4 ? k / period : k % period;
+    text += QString("%1,%2,%3\n")
+                .arg(0.01 * k)
+                .arg(column == "state" ? "s" + QString::number(kind) : QString::number(kind))
+                .arg(angleOf(1, k), 0, 'g', 12);
+  }
+  VERIFY_OK(importRecording(folder_.write("log.csv", text.toStdString())));
+}
+
+void TestImport::columnsThatAreNotTheMotors_areKeptUnused_data() {
+  QTest::addColumn<QString>("head");
+  QTest::addColumn<QString>("cells");
+  QTest::addColumn<QString>("why");
+  QTest::newRow("duties of phases") << "dutyA,dutyB,dutyC"
+                                    << "0.5,0.6,0.4"
+                                    << "is one phase's";
+  QTest::newRow("currents of phases") << "i_u_mA,i_v_mA,i_w_mA"
+                                      << "500,-200,-300"
+                                      << "is one phase's";
+  QTest::newRow("a controller's terms") << "p,i,d"
+                                        << "1.5,0.5,0.1"
+                                        << "integral term";
+  QTest::newRow("nothing in it") << "torque_x,current"
+                                 << ",n/a"
+                                 << "holds no number";
+  QTest::newRow("a load cell's counts") << "flag,force_raw"
+                                        << "1,8345120"
+                                        << "a converter's counts";
+  QTest::newRow("thousandths of the rated torque") << "statusword,actual_torque"
+                                                   << "0x1237,312"
+                                                   << "thousandths of the drive's";
+  QTest::newRow("a vehicle's speed") << "speed_mps,speed (km/h)"
+                                     << "1.5,5.4"
+                                     << "beside a motor that turns";
+  QTest::newRow("pulses of radio control") << "mark,servo_pwm"
+                                           << "7,1512"
+                                           << "pulse widths";
+}
+
+void TestImport::columnsThatAreNotTheMotors_areKeptUnused() {
+  QFETCH(QString, head);
+  QFETCH(QString, cells);
+  QFETCH(QString, why);
+  QString text = "time_s,angle_rad," + head + "\n";
+  for (int k = 0; k < 60; ++k) text += QString("%1,%2,").arg(0.01 * k).arg(angleOf(1, k), 0, 'g', 12) + cells + "\n";
+  const auto imported = importRecording(folder_.write("log.csv", text.toStdString()));
+  VERIFY_OK(imported);
+  size_t said = 0;
+  for (const ColumnFate& column : imported->columns) {
+    if (column.from == "time_s" || column.from == "angle_rad") continue;
+    QVERIFY2(column.kind != ColumnFate::Kind::used, column.inWords().c_str());
+    said += column.why.find(why.toStdString()) != std::string::npos ? 1 : 0;
+  }
+  QVERIFY2(said > 0, imported->columns.back().inWords().c_str());
+}
+
+void TestImport::voltageThatStandsStill_isTheSupplys_data() {
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<bool>("bothWays");
+  QTest::addColumn<bool>("duty");
+  QTest::addColumn<QString>("taken");
+  QTest::newRow("turning both ways") << "voltage" << true << false << "supply_V";
+  QTest::newRow("under a duty that changes") << "Voltage (V)" << false << true << "supply_V";
+  QTest::newRow("a step of the motor's") << "voltage" << false << false << "voltage_V";
+  QTest::newRow("the motor's by its name") << "motor_voltage" << true << false << "voltage_V";
+}
+
+void TestImport::voltageThatStandsStill_isTheSupplys() {
+  QFETCH(QString, name);
+  QFETCH(bool, bothWays);
+  QFETCH(bool, duty);
+  QFETCH(QString, taken);
+  QString text = "time_s,velocity_rad_per_s," + name + (duty ? ",duty\n" : "\n");
+  for (int k = 0; k < 200; ++k) {
+    text += QString("%1,%2,%3").arg(0.01 * k).arg(bothWays ? speedOf(1, k) : 10.0 + 0.01 * k).arg(24.0 - 0.1 * (k % 3));
+    text += duty ? QString(",%1\n").arg(0.2 + 0.003 * k) : QString("\n");
+  }
+  const auto imported = importRecording(folder_.write("log.csv", text.toStdString()));
+  VERIFY_OK(imported);
+  const ColumnFate& fate = imported->columns[2];
+  QCOMPARE(QString::fromStdString(fate.to), taken);
+  QCOMPARE(fate.guessed, taken == "supply_V" || fate.unit.empty());
+}
+
+void TestImport::namesAbove_eventsBetween_areFound() {
+  QString text = "S,trial,t_us,rpm_left\nready\nE,1,start,1000,120,0\n";
+  for (int k = 0; k < 50; ++k) text += QString("S,1,%1,%2\n").arg(1000 + 5000 * k).arg(30.0 + k);
+  const auto imported = importRecording(folder_.write("log.txt", text.toStdString()));
+  VERIFY_OK(imported);
+  QCOMPARE(imported->recording.rows(), size_t(50));
+  QVERIFY(std::abs(imported->recording.channel("velocity_rad_per_s")[49] - 79.0 * std::numbers::pi / 30.0) < 1e-9);
+}
+
+void TestImport::stampsWithoutName_areTheTime() {
+  QString text = "1750000000.123,POSITION_FB,SPEED_FB\n";
+  for (int k = 0; k < 50; ++k)
+    text += QString("%1,%2,%3\n").arg(1750000000.25 + 0.01 * k, 0, 'f', 3).arg(angleOf(1, k)).arg(speedOf(1, k));
+  const auto imported = importRecording(folder_.write("log.csv", text.toStdString()));
+  VERIFY_OK(imported);
+  QVERIFY(std::abs(imported->recording.time()[49] - 0.49) < 1e-6);
+}
+
+void TestImport::wholeSpeedAlone_isAskedAbout() {
+  QString whole = "time_s,speed\n", parts = whole, beside = "time_s,angle_rad,speed\n";
+  for (int k = 0; k < 60; ++k) {
+    whole += QString("%1,%2\n").arg(0.01 * k).arg(100 + k);
+    parts += QString("%1,%2\n").arg(0.01 * k).arg(10.25 + 0.5 * k);
+    beside += QString("%1,%2,%3\n").arg(0.01 * k).arg(0.01 * k * (100 + 0.5 * k)).arg(100 + k);
+  }
+  const auto asked = importRecording(folder_.write("log.csv", whole.toStdString()));
+  QVERIFY(!asked.ok());
+  QVERIFY2(asked.error().message().find("\"unit\": \"rpm\"") != std::string::npos, asked.error().message().c_str());
+  VERIFY_OK(importRecording(folder_.write("log.csv", parts.toStdString())));
+  VERIFY_OK(importRecording(folder_.write("log.csv", beside.toStdString())));
+}
+
+void TestImport::drehzahl_isInRpm() {
+  QString text = "Zeit [s];Motordrehzahl\n";
+  for (int k = 0; k < 60; ++k) text += QString("%1;%2\n").arg(0.01 * k).arg(100 + k);
+  const auto imported = importRecording(folder_.write("log.csv", text.toStdString()));
+  VERIFY_OK(imported);
+  QVERIFY(imported->columns[1].guessed);
+  QVERIFY(std::abs(imported->recording.channel("velocity_rad_per_s")[0] - 100.0 * std::numbers::pi / 30.0) < 1e-9);
 }
 
 static std::string xl330(const std::string& first, const std::string& second, const std::string& third) {

@@ -1,7 +1,10 @@
 #include "recording/import/choose_columns.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "base/json_object.h"
@@ -29,20 +32,106 @@ Choice guess(const RawColumn& column) {
   return choice;
 }
 
+/// The name without its last word that reads so.
+std::string nameWithout(std::string name, const std::string& word) {
+  std::string lower = name;
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const size_t at = lower.rfind(word);
+  return at == std::string::npos ? name : name.replace(at, word.size(), " ");
+}
+
+/// An unknown word behind two different quantities is an axis' name: "pos_slew" beside "vel_slew".
+void takeNamedAxes(const RawTable& table, std::vector<Choice>& choices) {
+  std::map<std::string, std::set<std::string>> behind;
+  std::vector<ColumnName> names(choices.size());
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const std::string word = choices[c].name.unknownWord;
+    if (word.size() < 2 || choices[c].byMap) continue;
+    names[c] = understandName(nameWithout(table.columns[c].channel.name, word), table.columns[c].unit);
+    const size_t reference = names[c].to.find("_reference");  // of the same quantity
+    if (names[c].understood()) behind[word].insert(names[c].to.substr(0, std::min(reference, names[c].to.find('_'))));
+  }
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const std::string word = choices[c].name.unknownWord;
+    if (!names[c].understood() || behind[word].size() < 2) continue;
+    names[c].group += (names[c].group.empty() ? "" : ".") + word;
+    ++names[c].rank;
+    choices[c].name = names[c];
+  }
+}
+
 void setAside(Choice& choice, const std::string& why) {
   choice.name = ColumnName{};
   choice.name.aside = why;
 }
 
-/// "current_a" beside "current_b" is one phase's, and no current in A.
+/// Whether the name, with its letter at `at` exchanged for the two others of a phase, is there, too.
+bool hasPhasesBeside(const std::set<std::string>& names, const std::string& name, size_t at) {
+  static constexpr auto phases = std::to_array<std::string_view>({"abc", "ABC", "uvw", "UVW"});
+  return std::any_of(phases.begin(), phases.end(), [&](std::string_view letters) {
+    if (letters.find(name[at]) == std::string_view::npos) return false;
+    size_t beside = 0;
+    for (const char letter : letters) {
+      std::string other = name;
+      other[at] = letter;
+      beside += names.count(other);
+    }
+    return beside >= 2;
+  });
+}
+
+/// "current_a" beside "current_b" is one phase's, and no current in A; so is "dutyA" beside "dutyB".
 void setPhasesAside(const RawTable& table, std::vector<Choice>& choices) {
+  std::set<std::string> names;
+  for (const RawColumn& column : table.columns) names.insert(column.channel.name);
   for (size_t c = 0; c < choices.size(); ++c) {
-    std::string name = table.columns[c].channel.name;
-    if (choices[c].byMap || choices[c].name.unit != "a" || name.empty()) continue;
-    name.back() = name.back() == 'A' ? 'B' : 'b';
-    const bool sibling = std::any_of(table.columns.begin(), table.columns.end(),
-                                     [&name](const RawColumn& one) { return one.channel.name == name; });
-    if (sibling) setAside(choices[c], "is one phase's");
+    const std::string& name = table.columns[c].channel.name;
+    const std::string& to = choices[c].name.to;
+    const bool electrical =
+        to == "duty" || to == "voltage_V" || to == "current_A" || to == "current_reference_A" || to == "supply_V";
+    if (choices[c].byMap || choices[c].byTool || !electrical) continue;
+    for (size_t at = 1; at < name.size(); ++at) {
+      const bool endsWord = at + 1 == name.size() || std::isalnum(static_cast<unsigned char>(name[at + 1])) == 0;
+      if (endsWord && hasPhasesBeside(names, name, at)) {
+        setAside(choices[c], "is one phase's");
+        break;
+      }
+    }
+  }
+}
+
+/// Beside a rotary motion a linear speed is that of a vehicle or of what the motor drives.
+void setVehiclesAside(std::vector<Choice>& choices) {
+  const auto has = [&choices](const char* to) {
+    return std::any_of(choices.begin(), choices.end(), [to](const Choice& one) { return one.name.to == to; });
+  };
+  if (has("position_m") || (!has("angle_rad") && !has("velocity_rad_per_s"))) return;
+  for (Choice& choice : choices) {
+    const bool linear = choice.name.to == "velocity_m_per_s" || choice.name.to == "velocity_reference_m_per_s";
+    if (linear && !choice.byMap) setAside(choice, "is a linear speed, beside a motor that turns");
+  }
+}
+
+/// "i" beside "p" and "d" is a controller's integral term, and no current.
+void setPidTermsAside(const RawTable& table, std::vector<Choice>& choices) {
+  size_t terms = 0;
+  for (const RawColumn& column : table.columns)
+    terms += isSameWord(column.channel.name, "p") || isSameWord(column.channel.name, "d") ? 1 : 0;
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const bool term = terms >= 2 && isSameWord(table.columns[c].channel.name, "i") && table.columns[c].unit.empty();
+    if (term && !choices[c].byMap) setAside(choices[c], "is a controller's integral term");
+  }
+}
+
+/// A column without a single number tells nothing, whatever it is called.
+void setEmptyAside(const RawTable& table, std::vector<Choice>& choices) {
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const RawColumn& column = table.columns[c];
+    const auto& values = column.channel.values;
+    const bool empty = std::none_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+    if (empty && !values.empty() && choices[c].name.understood() && !choices[c].byMap && !column.fault)
+      setAside(choices[c], "holds no number");
   }
 }
 
@@ -88,6 +177,26 @@ void takeTicks(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
+/// Where nothing else is the time, the first column, without a name of its own, that counts since 1970 is.
+void takeNamelessStamps(const RawTable& table, std::vector<Choice>& choices) {
+  if (choices.empty() || choices.front().name.understood()) return;
+  if (std::any_of(choices.begin(), choices.end(), [](const Choice& one) { return one.name.to == "time_s"; })) return;
+  const RawColumn& first = table.columns.front();
+  const auto& values = first.channel.values;
+  const std::string& name = first.channel.name;
+  const bool nameless = name.starts_with("column_") || name.find_first_not_of("0123456789.") == std::string::npos;
+  if (!nameless || first.fault || values.size() < 2 || !std::is_sorted(values.begin(), values.end())) return;
+  constexpr double year2001_s = 1e9, year2065_s = 3e9;
+  for (const double unit_s : {1.0, 1e-3, 1e-6, 1e-9}) {
+    const double begin_s = (first.origin + values.front()) * unit_s, end_s = (first.origin + values.back()) * unit_s;
+    if (begin_s < year2001_s || end_s > year2065_s || !(end_s > begin_s)) continue;
+    choices.front().name = ColumnName{};
+    choices.front().name.to = "time_s";
+    choices.front().name.rank = 6;
+    return;
+  }
+}
+
 /// The axis of the angle, or of the speed; empty when names tell none.
 std::string axisOf(const std::vector<Choice>& choices) {
   for (const char* to : {"angle_rad", "position_m", "velocity_rad_per_s", "velocity_m_per_s"}) {
@@ -101,16 +210,21 @@ std::string axisOf(const std::vector<Choice>& choices) {
   return {};
 }
 
-/// Of several columns for one thing, one that never changes is the last to be taken.
-int rankOf(const RawColumn& column, const Choice& choice) {
+/// Of several columns for one thing, one that never changes is the last to be taken; one in counts or electrical turns
+/// stands behind one that needs no telling.
+int rankOf(const RawColumn& column, const Choice& choice, const ImportMap& map) {
+  const UnitNeeds needs = choice.name.needs;
+  const bool lacks =
+      (needs == UnitNeeds::countsPerRev && !map.counts_per_rev) || (needs == UnitNeeds::polePairs && !map.pole_pairs);
   const auto& values = column.channel.values;
   const bool changes = std::adjacent_find(values.begin(), values.end(), [](double a, double b) {
                          return std::isfinite(a) && std::isfinite(b) && a != b;
                        }) != values.end();
-  return choice.name.rank + (changes ? 0 : 10);
+  return choice.name.rank + (changes ? 0 : 10) + (lacks ? 1 : 0);
 }
 
-Result<void> takeOneEach(const RawTable& table, std::vector<Choice>& choices, const std::string& place) {
+Result<void> takeOneEach(const RawTable& table, const ImportMap& map, std::vector<Choice>& choices,
+                         const std::string& place) {
   std::set<std::string> targets;
   for (const Choice& choice : choices) {
     if (choice.name.understood()) targets.insert(choice.name.to);
@@ -125,7 +239,7 @@ Result<void> takeOneEach(const RawTable& table, std::vector<Choice>& choices, co
                      "two columns become " + to + "; name another one for \"" + table.columns[c].channel.name + "\""};
       const bool better = best == choices.size() || (choice.byMap && !choices[best].byMap) ||
                           (choice.byMap == choices[best].byMap &&
-                           rankOf(table.columns[c], choice) < rankOf(table.columns[best], choices[best]));
+                           rankOf(table.columns[c], choice, map) < rankOf(table.columns[best], choices[best], map));
       if (better) best = c;
     }
     for (size_t c = 0; c < choices.size(); ++c) {
@@ -199,16 +313,21 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
     }
     choices.push_back(std::move(choice));
   }
+  takeNamedAxes(table, choices);
   checkTimes(table, choices);
   if (!map.sample_time_s) takeTicks(table, choices);
+  if (!map.sample_time_s) takeNamelessStamps(table, choices);
   setPhasesAside(table, choices);
+  setEmptyAside(table, choices);
+  setPidTermsAside(table, choices);
+  setVehiclesAside(choices);
   const std::string axis = axisOf(choices);
   for (Choice& choice : choices) {
     if (!choice.name.understood() || choice.byMap || choice.name.to == "time_s") continue;
     if (!axis.empty() && !choice.name.group.empty() && choice.name.group != axis)
       setAside(choice, "belongs to another axis (" + choice.name.group + ") than the one taken (" + axis + ")");
   }
-  if (const auto one = takeOneEach(table, choices, place); !one) return one.error();
+  if (const auto one = takeOneEach(table, map, choices, place); !one) return one.error();
   for (size_t c = 0; c < choices.size(); ++c) {
     const auto& fault = table.columns[c].fault;
     if (!fault) continue;

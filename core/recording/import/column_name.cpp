@@ -152,7 +152,9 @@ ColumnName byUnitAlone(const NameParts& parts) {
   const bool enough = kind == UnitKind::time || kind == UnitKind::angularVelocity || (kind == UnitKind::angle && plain);
   const std::string to = contractName(kind, reference);
   if (!enough || to.empty()) return aside("its name says nothing that is known", parts);
-  return taken(parts, to, 3);
+  ColumnName name = taken(parts, to, 3);
+  name.byUnit = !plain && kind != UnitKind::time;
+  return name;
 }
 
 /// A name that is nothing but a unit: "rpm", "millis".
@@ -194,6 +196,9 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
   NameParts parts = partsOfName(name, unit);
   const bool electrical =
       std::erase_if(parts.words, [](const std::string& word) { return isIn(electricalWords, word); }) > 0;
+  const bool sideAndUnit = parts.unit != nullptr && unit.empty() && parts.unitText.size() > 2;  // "left_ticks"
+  if (parts.words.empty() && (parts.unitFirst || (sideAndUnit && !parts.group.empty())))
+    return taken(parts, contractName(parts.unit->kind, false), 2);
   if (parts.words.empty()) return aside("it has no name", parts);
   if (isMultiplied(name)) return aside("a factor stands in its name", parts);
   if (const std::string* other = firstIn(parts.words, otherThings)) {
@@ -214,11 +219,17 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
     return byUnitAlone(parts);
   }
   UnitKind kind = found.word->kind;
+  const bool present = kind == UnitKind::current && parts.unit == nullptr && found.at + 1 < parts.words.size();
+  if (present && (parts.words[found.at + 1] == "state" || parts.words[found.at + 1] == "status"))
+    return aside("is a state", parts);
   if (parts.unknownUnit) return aside("its unit \"" + parts.unitText + "\" is unknown", parts);
+  if (kind == UnitKind::angularVelocity && parts.unitText == "rads") parts.unit = unitNamed("rad/s");  // "vel_rads"
+  if (kind == UnitKind::angularVelocity && parts.unitText == "degs") parts.unit = unitNamed("deg/s");
   if (parts.unit != nullptr && !fits(parts.unit->kind, kind)) {
     const bool inWinding = parts.unit->kind == UnitKind::current || parts.unit->kind == UnitKind::voltage;
     const bool strongElectrical = kind == UnitKind::current || kind == UnitKind::voltage;
-    if (found.word->weak || (inWinding && !strongElectrical && supplyWord)) return byUnitAlone(parts);
+    const bool adjective = parts.words[found.at] == "current" || parts.words[found.at] == "curr";  // "current_rpm"
+    if (found.word->weak || adjective || (inWinding && !strongElectrical && supplyWord)) return byUnitAlone(parts);
     if (isSingleLetter(parts.unitText, "abcuvw") && strongElectrical) return aside("is one phase's", parts);
     return aside("its unit \"" + parts.unitText + "\" is none of " + nounOf(kind), parts);
   }
@@ -231,7 +242,9 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
       reference = true;
     } else if (k > found.at && !isIn(decorations, word) && quantityNamed(word) == nullptr && !isIn(supplyWords, word) &&
                !isSingleLetter(word, "abcduvwxyz")) {
-      return aside("what \"" + word + "\" makes of it is unknown", parts);
+      ColumnName unknown = aside("what \"" + word + "\" makes of it is unknown", parts);
+      unknown.unknownWord = word;
+      return unknown;
     } else if (k < found.at && !isIn(decorations, word)) {
       ++unknownBefore;
     }
@@ -270,6 +283,7 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
   const bool turns = kind == UnitKind::angle || kind == UnitKind::angularVelocity;
   if (moves && (electrical || firstIn(parts.words, drivenWords) != nullptr)) ++rank;
   ColumnName understood = taken(parts, to, rank);
+  if (parts.unit == nullptr) understood.usual = found.word->usual;
   if (electrical && turns) {
     if (understood.needs != UnitNeeds::nothing && understood.needs != UnitNeeds::polePairs)
       return aside("is in counts of electrical turns", parts);

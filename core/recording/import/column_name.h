@@ -10,14 +10,17 @@ namespace breakaway {
 
 /// What a name and its unit tell: value in the contract's unit = scale × value + offset, divided by what is needed.
 struct ColumnName {
-  std::string to;     ///< the contract's name, with its unit; empty when the column isn't understood
-  std::string aside;  ///< then: why
+  std::string to;                ///< the contract's name, with its unit; empty when the column isn't understood
+  std::string aside;             ///< then: why
+  std::string unknownWord = {};  ///< then: the word behind the quantity that may change everything
   double scale = 1.0;
   double offset = 0.0;
-  std::string unit;  ///< as written; empty when the name tells none, and SI is assumed
+  std::string unit;        ///< as written; empty when the name tells none, and SI is assumed
+  std::string usual = {};  ///< then: the unit in which people count such a thing, if its word tells one
   UnitNeeds needs = UnitNeeds::nothing;
-  std::string group;  ///< which of several axes: the numbers in the name; empty for all or none
-  int rank = 0;       ///< of several columns for the same thing the lowest is taken
+  std::string group;    ///< which of several axes: the numbers in the name; empty for all or none
+  bool byUnit = false;  ///< no word tells what it is, its unit alone does
+  int rank = 0;         ///< of several columns for the same thing the lowest is taken
 
   bool understood() const { return !to.empty(); }
   bool operator==(const ColumnName&) const = default;

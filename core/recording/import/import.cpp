@@ -5,12 +5,31 @@
 #include <filesystem>
 
 #include "base/exact_text.h"
+#include "recording/import/axes_in_turn.h"
 #include "recording/import/known_logs.h"
 #include "recording/import/read_table.h"
 
 namespace breakaway {
 
 namespace {
+
+/// Texts of further rows, counted as those of the first.
+void appendTexts(RawColumn& column, const RawColumn& more) {
+  column.manyTexts = column.manyTexts || more.manyTexts;
+  if (column.manyTexts) column.texts.clear();
+  if (column.manyTexts || (column.texts.empty() && more.texts.empty())) return;
+  column.textOf.resize(column.channel.values.size());
+  for (size_t k = 0; k < more.channel.values.size(); ++k) {
+    const size_t kind = k < more.textOf.size() && !more.texts.empty() ? more.textOf[k] : 0;
+    if (kind == 0) {
+      column.textOf.push_back(0);
+      continue;
+    }
+    auto at = std::find(column.texts.begin(), column.texts.end(), more.texts[kind - 1]);
+    if (at == column.texts.end()) at = column.texts.insert(at, more.texts[kind - 1]);
+    column.textOf.push_back(static_cast<uint16_t>(at - column.texts.begin() + 1));
+  }
+}
 
 /// Puts the rows of `more` behind those of `table`; both have the same columns.
 Result<void> append(RawTable& table, RawTable more, const std::string& name) {
@@ -20,6 +39,7 @@ Result<void> append(RawTable& table, RawTable more, const std::string& name) {
     if (it == more.columns.end())
       return Error{name, "has no column " + column.channel.name + ", as the first file has"};
     const double shift = it->origin - column.origin;
+    appendTexts(column, *it);
     for (const double value : it->channel.values) column.channel.values.push_back(value + shift);
     if (!column.fault) column.fault = it->fault;
   }
@@ -40,28 +60,43 @@ Result<ReadTable> readAll(const std::string& path, const ImportMap& map) {
   return first;
 }
 
+/// Its values, as kinds of rows.
+Result<RowKinds> kindsOf(const RawColumn& column, const std::string& path) {
+  if (!column.texts.empty()) return *rowKinds(column);
+  constexpr size_t mostParts = 1000;
+  RowKinds kinds;
+  std::vector<double> seen;
+  for (const double value : column.channel.values) {
+    const auto at = std::find(seen.begin(), seen.end(), value);
+    kinds.of.push_back(std::isfinite(value) ? static_cast<size_t>(at - seen.begin()) + 1 : 0);
+    if (!std::isfinite(value) || at != seen.end()) continue;
+    seen.push_back(value);
+    kinds.names.push_back(exactText(value));
+    if (seen.size() > mostParts)
+      return Error{path + ", column " + column.channel.name, "holds more than 1000 values to split by"};
+  }
+  return kinds;
+}
+
 /// One table per value of the column.
 Result<std::vector<RawTable>> partsOf(const RawTable& table, const std::string& column, const std::string& path) {
   const auto by = std::find_if(table.columns.begin(), table.columns.end(),
                                [&](const RawColumn& one) { return one.channel.name == column; });
   if (by == table.columns.end()) return Error{path, "has no column \"" + column + "\", by which the map splits"};
-  constexpr size_t mostParts = 1000;
-  std::vector<double> kinds;
-  for (const double value : by->channel.values) {
-    if (std::isfinite(value) && std::find(kinds.begin(), kinds.end(), value) == kinds.end()) kinds.push_back(value);
-    if (kinds.size() > mostParts) return Error{path + ", column " + column, "holds more than 1000 values to split by"};
-  }
+  const auto kinds = kindsOf(*by, path);
+  if (!kinds) return kinds.error();
   std::vector<RawTable> parts;
-  for (const double kind : kinds) {
+  for (size_t kind = 1; kind <= kinds->names.size(); ++kind) {
     RawTable part = table;
     for (size_t c = 0; c < table.columns.size(); ++c) {
       auto& values = part.columns[c].channel.values;
       values.clear();
-      for (size_t k = 0; k < by->channel.values.size(); ++k) {
-        if (by->channel.values[k] == kind) values.push_back(table.columns[c].channel.values[k]);
+      part.columns[c].texts.clear();
+      for (size_t k = 0; k < kinds->of.size(); ++k) {
+        if (kinds->of[k] == kind) values.push_back(table.columns[c].channel.values[k]);
       }
     }
-    part.notes.emplace_back(column, exactText(kind));
+    part.notes.emplace_back(column, kinds->names[kind - 1]);
     parts.push_back(std::move(part));
   }
   return parts;

@@ -15,6 +15,7 @@
 #include "recording/import/sysid_json.h"
 #include "recording/import/text_signals.h"
 #include "recording/import/text_table.h"
+#include "recording/import/units.h"
 
 namespace breakaway {
 
@@ -139,6 +140,7 @@ void put(const Json& value, RawColumn& column, const std::string& place, bool fi
       return;
     }
   }
+  if (value.is_string()) rememberText(column, values.size(), value.get_ref<const std::string&>());
   values.push_back(std::isfinite(number) ? number : NAN);
   if (!isPlain(value) && !column.fault)
     column.fault =
@@ -195,6 +197,11 @@ std::string longTableOf(const std::vector<const Json*>& samples) {
   return text;
 }
 
+bool tellsUnit(const std::string& key) {
+  const auto words = wordsOf(key, true);
+  return !words.empty() && (words.back() == "unit" || words.back() == "units" || words.back() == "einheit");
+}
+
 Result<RawTable> samplesOf(const std::vector<const Json*>& samples, const std::string& name) {
   if (areOfOneSignalEach(*samples.front())) {
     if (auto table = readTextTable(longTableOf(samples), name)) return table;
@@ -203,13 +210,19 @@ Result<RawTable> samplesOf(const std::vector<const Json*>& samples, const std::s
   std::vector<std::pair<std::string, const Json*>> fields;
   flatten(*samples.front(), "", fields);
   for (const auto& [key, value] : fields) {
-    if (isPlain(*value) || (value->is_string() && readClock(value->get_ref<const std::string&>()))) {
+    // Texts may tell which motor an entry is about; those that are units are heeded elsewhere.
+    if (isPlain(*value) || (value->is_string() && !tellsUnit(key))) {
       table.columns.push_back({{key, {}}, {}});
     } else {
       table.remarks.push_back("the field " + key + " holds no numbers and was left out");
     }
   }
-  if (table.columns.empty()) return Error{name, "holds a log without any number"};
+  const bool anyNumber =
+      std::any_of(fields.begin(), fields.end(), [](const std::pair<std::string, const Json*>& field) {
+        const Json& value = *field.second;
+        return isPlain(value) || (value.is_string() && readClock(value.get_ref<const std::string&>()));
+      });
+  if (!anyNumber) return Error{name, "holds a log without any number"};
   UnitTexts units;
   collectUnits(*samples.front(), "", units);
   giveUnits(units, table);
@@ -229,6 +242,10 @@ Result<RawTable> samplesOf(const std::vector<const Json*>& samples, const std::s
                        ? fields.begin() + static_cast<std::ptrdiff_t>(next)
                        : std::find_if(fields.begin(), fields.end(),
                                       [&](const auto& one) { return one.first == column.channel.name; });
+      if (field == fields.end() && column.fault) {
+        column.channel.values.push_back(NAN);
+        continue;
+      }
       if (field == fields.end()) {
         if (++without > samples.size() / 50 * table.columns.size())
           return Error{place, "lacks the field " + column.channel.name};

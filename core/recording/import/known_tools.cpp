@@ -330,6 +330,31 @@ ToolColumns akd(RawTable& table) {
   return columns;
 }
 
+/// CiA 402, by which EtherCAT and CANopen drives speak, counts torque and current in thousandths of the rated ones.
+bool isCia402(const RawTable& table) {
+  return std::any_of(table.columns.begin(), table.columns.end(), [](const RawColumn& column) {
+    std::string name;
+    for (const std::string& word : wordsOf(column.channel.name, true)) name += word;
+    return name.find("statusword") != std::string::npos || name.find("controlword") != std::string::npos;
+  });
+}
+
+ToolColumns cia402(RawTable& table) {
+  ToolColumns columns;
+  for (const RawColumn& column : table.columns) {
+    const ColumnName name = understandName(column.channel.name, column.unit);
+    const bool rated = name.to == "torque_Nm" || name.to == "current_A" || name.to == "current_reference_A";
+    if (rated && name.unit.empty() && !column.fault && areWhole(column.channel.values))
+      columns[column.channel.name] =
+          setAside("counts thousandths of the drive's rated value, which no file says: map it with \"scale\"");
+  }
+  if (!columns.empty())
+    table.remarks.emplace_back(
+        "recognised a drive's CiA 402 objects by its status word: torque and current in "
+        "thousandths of the rated ones");
+  return columns;
+}
+
 using ColumnPlace = std::vector<RawColumn>::iterator;
 
 /// Stamps in two columns, seconds and nanoseconds, become one.
@@ -394,6 +419,7 @@ ToolColumns recogniseTool(RawTable& table, double countsPerRev) {
   if (isDynamixel(table)) return dynamixel(table, countsPerRev);
   if (isThrustStand(table)) return thrustStand(table);
   if (isAkd(table)) return akd(table);
+  if (isCia402(table)) return cia402(table);
   if (isSimpleFoc(table)) return simpleFoc(table);
   if (isNamedSimpleFoc(table)) return namedSimpleFoc(table);
   return {};

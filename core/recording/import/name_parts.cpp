@@ -84,15 +84,23 @@ std::string takeBrackets(std::string_view name, NameParts& parts) {
   return rest + std::string(name);
 }
 
+bool isSide(std::string_view word) {
+  return word == "left" || word == "right" || word == "l" || word == "r";
+}
+
 void takeGroup(Words& words, std::string& group) {
   Words kept;
-  for (std::string& word : words) {
+  const bool model = std::any_of(words.begin(), words.end(), [](const std::string& word) {
+    return isNumber(word) && word.size() > 2;  // "trs605-5": a sensor's name, not an axis
+  });
+  for (size_t k = 0; k < words.size(); ++k) {
+    std::string& word = words[k];
     const size_t digit = word.find_first_of("0123456789");
     const bool letterAndNumber = digit == 1 && isNumber(word.substr(1));
     const bool parameter = letterAndNumber && word.size() > 2 && (word[0] == 'r' || word[0] == 'p');  // a drive's "r63"
     const bool axis = letterAndNumber && !parameter;                                                  // "m0"
-    const bool side = word == "left" || word == "right";
-    if (isNumber(word) || axis || side) group += (group.empty() ? "" : ".") + word;
+    const bool side = isSide(word) && (word.size() > 1 || (k > 0 && k + 1 == words.size()));          // "rpm_l"
+    if (!model && (isNumber(word) || axis || side)) group += (group.empty() ? "" : ".") + word;
     if (!isNumber(word) && !axis && !side && !parameter) kept.push_back(std::move(word));
   }
   words = std::move(kept);
@@ -118,6 +126,32 @@ std::string_view firstWords(std::string_view text, size_t count) {
   return text.substr(0, end);
 }
 
+/// A unit before words that say how it was come by: "rpm_filtered", "pos_deg_target". In short ones letters mean too
+/// much.
+bool takeUnitBeforeWords(const std::string& text, NameParts& parts) {
+  const Words plain = wordsOf(text, false);
+  size_t end = plain.size();
+  const auto changesNothing = [](const std::string& word) {
+    const bool told = word.size() > 2 && (isIn(decorations, word) || isIn(referenceWords, word));
+    return told || isSide(word) || (word.size() > 1 && isNumber(word.substr(1)));  // "m1"
+  };
+  while (end > 0 && changesNothing(plain[end - 1])) --end;
+  if (end == 0 || end == plain.size()) return false;
+  const Words head(plain.begin(), plain.begin() + static_cast<std::ptrdiff_t>(end));
+  for (size_t from = 0; from < head.size(); ++from) {
+    const Unit* unit = unitOfWords(head, from);
+    const bool longEnough = head[from].size() > 2 || (from > 0 && head[from].size() > 1 && head[from] != "in");
+    if (unit == nullptr || !longEnough || head[from] == "min" || quantityNamed(head[from]) != nullptr) continue;
+    parts.unit = unit;
+    parts.unitFirst = from == 0;
+    for (size_t k = from; k < end; ++k) parts.unitText += (k == from ? "" : "_") + head[k];
+    parts.words = wordsOf(firstWords(text, from), true);
+    parts.words.insert(parts.words.end(), plain.begin() + static_cast<std::ptrdiff_t>(end), plain.end());
+    return true;
+  }
+  return false;
+}
+
 /// A unit as the last words; the longest that is one.
 void takeUnitWords(const std::string& text, NameParts& parts) {
   Words plain = wordsOf(text, false);
@@ -139,7 +173,7 @@ void takeUnitWords(const std::string& text, NameParts& parts) {
       return;
     }
   }
-  parts.words = wordsOf(text, true);
+  if (!takeUnitBeforeWords(text, parts)) parts.words = wordsOf(text, true);
 }
 
 /// "theta dot" and "dot theta" are a speed, "i q" the current of the q axis.
@@ -156,6 +190,17 @@ void joinWords(Words& words) {
     if ((!behind && words[k] != "dot") || word == nullptr || word->kind != UnitKind::angle) continue;
     words[k] = "omega";
     words.erase(words.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+  }
+}
+
+/// "目标转速" is two words, of which the last names the quantity.
+void partGapless(Words& words) {
+  for (size_t k = 0; k < words.size(); ++k) {
+    const size_t begin = quantityAtEnd(words[k]);
+    if (begin == 0) continue;
+    std::string quantity = words[k].substr(begin);
+    words[k].resize(begin);
+    words.insert(words.begin() + static_cast<std::ptrdiff_t>(k) + 1, std::move(quantity));
   }
 }
 
@@ -187,6 +232,7 @@ NameParts partsOfName(std::string_view name, std::string_view unit) {
     parts.words = wordsOf(text, true);
   }
   parts.plain = wordsOf(text, false);
+  partGapless(parts.words);
   takeGroup(parts.words, parts.group);
   std::erase_if(parts.words, [](const std::string& word) { return word == "per"; });
   joinWords(parts.words);

@@ -20,6 +20,7 @@ struct NameParts {
   const Unit* unit = nullptr;
   double factor = 1.0;  ///< of a unit like "0.1 rpm"
   std::string unitText;
+  bool unitFirst = false;    ///< the unit is what the name begins with: "rpm_left"
   bool unknownUnit = false;  ///< a unit stands there, but none that is understood
 };
 

@@ -26,7 +26,7 @@ constexpr auto quantities = std::to_array<Word>({
     {"speed", UnitKind::angularVelocity},
     {"spd", UnitKind::angularVelocity},
     {"omega", UnitKind::angularVelocity},
-    {"drehzahl", UnitKind::angularVelocity},
+    {"drehzahl", UnitKind::angularVelocity, false, "rpm"},
     {"geschwindigkeit", UnitKind::angularVelocity},
     {"winkelgeschwindigkeit", UnitKind::angularVelocity},
     {"thetadot", UnitKind::angularVelocity},
@@ -53,6 +53,8 @@ constexpr auto quantities = std::to_array<Word>({
     {"enc", UnitKind::angle, true},
     {"torque", UnitKind::torque},
     {"trq", UnitKind::torque},
+    {"torq", UnitKind::torque},
+    {"tor", UnitKind::torque},
     {"tau", UnitKind::torque},
     {"effort", UnitKind::torque},
     {"drehmoment", UnitKind::torque},
@@ -120,6 +122,53 @@ constexpr auto quantities = std::to_array<Word>({
     {"ts", UnitKind::time},
     {"epoch", UnitKind::time},
     {"unixtime", UnitKind::time},
+    {"czas", UnitKind::time},
+    {"время", UnitKind::time},
+    {"Время", UnitKind::time},
+    {"predkosc", UnitKind::angularVelocity},
+    {"prędkość", UnitKind::angularVelocity},
+    {"скорость", UnitKind::angularVelocity},
+    {"Скорость", UnitKind::angularVelocity},
+    {"pozycja", UnitKind::angle},
+    {"kat", UnitKind::angle},
+    {"kąt", UnitKind::angle},
+    {"угол", UnitKind::angle},
+    {"Угол", UnitKind::angle},
+    {"prad", UnitKind::current},
+    {"prąd", UnitKind::current},
+    {"ток", UnitKind::current},
+    {"Ток", UnitKind::current},
+    {"napiecie", UnitKind::voltage},
+    {"napięcie", UnitKind::voltage},
+    {"напряжение", UnitKind::voltage},
+    {"Напряжение", UnitKind::voltage},
+    {"момент", UnitKind::torque},
+    {"Момент", UnitKind::torque},
+});
+
+/// Written without gaps, so they stand at the end of a word.
+constexpr auto gapless = std::to_array<Word>({
+    {"时间", UnitKind::time},
+    {"時間", UnitKind::time},
+    {"时间戳", UnitKind::time},
+    {"转速", UnitKind::angularVelocity, false, "rpm"},
+    {"轉速", UnitKind::angularVelocity, false, "rpm"},
+    {"回転数", UnitKind::angularVelocity, false, "rpm"},
+    {"角速度", UnitKind::angularVelocity},
+    {"速度", UnitKind::angularVelocity},
+    {"位置", UnitKind::angle},
+    {"角度", UnitKind::angle},
+    {"转角", UnitKind::angle},
+    {"电流", UnitKind::current},
+    {"電流", UnitKind::current},
+    {"电压", UnitKind::voltage},
+    {"電圧", UnitKind::voltage},
+    {"電壓", UnitKind::voltage},
+    {"扭矩", UnitKind::torque},
+    {"转矩", UnitKind::torque},
+    {"力矩", UnitKind::torque},
+    {"トルク", UnitKind::torque},
+    {"温度", UnitKind::temperature},
 });
 
 }  // namespace
@@ -134,7 +183,17 @@ const Word* quantityNamed(std::string_view word) {
   for (const std::string_view end : germanEnds) {
     if (word.size() > end.size() + 2 && word.ends_with(end)) return quantityNamed(end);
   }
-  return nullptr;
+  const auto whole = std::find_if(gapless.begin(), gapless.end(), [word](const Word& one) { return one.text == word; });
+  return whole == gapless.end() ? nullptr : &*whole;
+}
+
+size_t quantityAtEnd(std::string_view word) {
+  size_t begin = 0;
+  for (const Word& one : gapless) {
+    const bool ends = word.size() > one.text.size() && word.ends_with(one.text);
+    if (ends && (begin == 0 || word.size() - one.text.size() < begin)) begin = word.size() - one.text.size();
+  }
+  return begin;
 }
 
 }  // namespace breakaway

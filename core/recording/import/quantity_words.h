@@ -13,27 +13,37 @@ struct Word {
   std::string_view text;
   UnitKind kind;
   bool weak = false;
+  std::string_view usual = {};  ///< the unit in which people count it where none is told: a Drehzahl is in rpm
 };
 
 /// The quantity that the word names, also as the end of a German compound ("Motorstrom"); nullptr when it names none.
 const Word* quantityNamed(std::string_view word);
 
+/// Where the quantity begins at the end of a word that is written without gaps (Chinese, Japanese); 0 when it doesn't.
+size_t quantityAtEnd(std::string_view word);
+
 inline constexpr auto referenceWords = std::to_array<std::string_view>(
-    {"ref", "reference", "target", "goal", "setpoint", "sp", "cmd", "command", "commanded", "desired", "des", "demand",
-     "demanded", "soll", "set", "sollwert", "request", "requested"});
-inline constexpr auto supplyWords = std::to_array<std::string_view>(
-    {"supply", "bus", "vbus", "vdc", "dc", "battery", "batt", "bat", "vbat", "vbatt", "vin", "dclink", "input"});
+    {"ref",        "reference",   "target",   "goal",     "setpoint", "sp",     "cmd",      "command",  "commanded",
+     "desired",    "des",         "demand",   "demanded", "soll",     "set",    "sollwert", "request",  "requested",
+     "目标",       "目標",        "设定",     "設定",     "给定",     "指令",   "期望",     "consigne", "consigna",
+     "referencia", "riferimento", "objetivo", "alvo",     "cible",    "zadana", "vorgabe"});
+inline constexpr auto supplyWords =
+    std::to_array<std::string_view>({"supply", "bus", "vbus", "vdc", "dc", "battery", "batt", "bat", "vbat", "vbatt",
+                                     "vin", "dclink", "input", "bms", "pack"});
 /// May stand behind the quantity and change nothing.
 inline constexpr auto decorations = std::to_array<std::string_view>(
-    {"actual", "act",        "measured",  "meas",     "measurement", "present",   "motor",    "mot",
-     "shaft",  "rotor",      "encoder",   "enc",      "joint",       "axis",      "value",    "val",
-     "values", "ist",        "istwert",   "feedback", "fb",          "stamp",     "cycle",    "estimate",
-     "est",    "estimated",  "estimator", "filtered", "filt",        "lpf",       "now",      "data",
-     "output", "out",        "raw",       "state",    "states",      "q",         "mech",     "m",
-     "r",      "mechanical", "today",     "shadow",   "total",       "latest",    "per",      "of",
-     "the",    "link",       "angular",   "in",       "since",       "start",     "averaged", "average",
-     "avg",    "smoothed",   "smooth",    "rel",      "generating",  "producing", "voltage",  "current",
-     "sensor", "reading",    "channel",   "ch",       "sec"});
+    {"actual", "act",        "measured",  "meas",     "measurement", "present",   "motor",     "mot",
+     "shaft",  "rotor",      "encoder",   "enc",      "joint",       "axis",      "value",     "val",
+     "values", "ist",        "istwert",   "feedback", "fb",          "stamp",     "cycle",     "estimate",
+     "est",    "estimated",  "estimator", "filtered", "filt",        "lpf",       "now",       "data",
+     "output", "out",        "raw",       "state",    "states",      "q",         "mech",      "m",
+     "r",      "mechanical", "today",     "shadow",   "total",       "latest",    "per",       "of",
+     "the",    "link",       "angular",   "in",       "since",       "start",     "averaged",  "average",
+     "avg",    "smoothed",   "smooth",    "rel",      "generating",  "producing", "voltage",   "current",
+     "sensor", "reading",    "channel",   "ch",       "sec",         "msr",       "measure",   "real",
+     "true",   "mesuré",     "mesurée",   "mesure",   "réel",        "réelle",    "moteur",    "medido",
+     "medida", "misurata",   "misurato",  "atual",    "actuelle",    "gemessen",  "gemessene", "aktuell",
+     "实际",   "測定",       "实测",      "反馈"});
 /// Wherever they stand, the column is something else.
 inline constexpr auto otherThings =
     std::to_array<std::string_view>({"error",        "err",        "limit",     "lim",          "max",
@@ -48,7 +58,11 @@ inline constexpr auto otherThings =
                                      "abs",          "dt",         "delay",     "duration",     "regelabweichung",
                                      "bandwidth",    "sin",        "cos",       "tan",          "predicted",
                                      "prediction",   "predict",    "simulated", "sim",          "modeled",
-                                     "modelled",     "ideal",      "expected",  "theoretical",  "wind"});
+                                     "modelled",     "ideal",      "expected",  "theoretical",  "wind",
+                                     "pred",         "nominal",    "prev",      "previous",     "old",
+                                     "initial",      "init",       "final",     "home",         "bias",
+                                     "noise",        "fan",        "pump",      "injector",     "heater",
+                                     "led",          "kmh",        "kph",       "kmph",         "mph"});
 inline constexpr auto loadWords = std::to_array<std::string_view>(
     {"load", "external", "friction", "disturbance", "gravity", "cogging", "brake", "feedforward", "ff"});
 inline constexpr auto driverWords =

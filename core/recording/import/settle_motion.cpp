@@ -135,6 +135,46 @@ std::optional<MotionFactor> compareMotion(const std::vector<double>& time_s, con
   return MotionFactor{both / speeds, both / std::sqrt(speeds * angles)};
 }
 
+std::optional<UnitPair> unitsByFactor(double factor) {
+  constexpr double degree = turn_rad / 360.0, rpm = turn_rad / 60.0, within = 1.02;
+  static constexpr auto pairs = std::to_array<UnitPair>({{"deg", "rpm", degree, rpm},
+                                                         {"rad", "rpm", 1.0, rpm},
+                                                         {"turns", "rpm", turn_rad, rpm},
+                                                         {"deg", "rad/s", degree, 1.0},
+                                                         {"turns", "rad/s", turn_rad, 1.0}});
+  const auto it = std::find_if(pairs.begin(), pairs.end(), [factor](const UnitPair& one) {
+    return std::abs(std::log(factor * one.angle_rad / one.speed_rad_per_s)) < std::log(within);
+  });
+  return it == pairs.end() ? std::nullopt : std::optional(*it);
+}
+
+bool hardlyChanges(const std::vector<double>& values) {
+  constexpr double sags = 0.25;
+  const auto [low, high] = extremes(values);
+  return low > 0.0 && high - low <= sags * high;
+}
+
+bool goesBothWays(const std::vector<double>& speeds) {
+  constexpr double leastShare = 0.2;
+  double forward = 0.0, backward = 0.0;
+  for (const double speed : speeds) {
+    if (std::isfinite(speed)) (speed > 0.0 ? forward : backward) += std::abs(speed);
+  }
+  return std::min(forward, backward) > leastShare * (forward + backward);
+}
+
+std::vector<double> changesOf(const std::vector<double>& values) {
+  std::vector<double> changes(values.size(), std::numeric_limits<double>::quiet_NaN());
+  for (size_t k = 1; k < values.size(); ++k) changes[k] = values[k] - values[k - 1];
+  return changes;
+}
+
+bool arePulseWidths(const std::vector<double>& values) {
+  constexpr double shortest_us = 700.0, longest_us = 2300.0, middle_us = 1000.0;
+  const auto [low, high] = extremes(values);
+  return areWhole(values) && low >= shortest_us && high > middle_us && high < longest_us;
+}
+
 std::optional<double> fullDutyOf(const std::vector<double>& values, bool namedPwm) {
   const double most = largest(values);
   if (most <= 1.0 + 1e-6) return 1.0;

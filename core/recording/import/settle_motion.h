@@ -29,6 +29,23 @@ struct MotionFactor {
 std::optional<MotionFactor> compareMotion(const std::vector<double>& time_s, const std::vector<double>& angle,
                                           const std::vector<double>& speed, const std::vector<size_t>& pauses);
 
+/// Units of an angle and a speed that neither tells, by the factor between them: 6 is that of degrees and rpm. Nothing
+/// when it is that of several pairs, as 1 is, or of none.
+struct UnitPair {
+  const char *angle, *speed;
+  double angle_rad, speed_rad_per_s;
+};
+std::optional<UnitPair> unitsByFactor(double factor);
+
+/// Above 0, and within a quarter of the largest, as a supply's voltage under load.
+bool hardlyChanges(const std::vector<double>& values);
+/// At least a fifth of the way has each sign.
+bool goesBothWays(const std::vector<double>& speeds);
+/// From row to row; as many as values, the first is missing.
+std::vector<double> changesOf(const std::vector<double>& values);
+/// Whole numbers from 1000 to 2000 or little beyond, as radio control's pulses in µs.
+bool arePulseWidths(const std::vector<double>& values);
+
 /// Whole numbers throughout, but for missing values.
 bool areWhole(const std::vector<double>& values);
 /// Largest magnitude; 0 when all are missing.

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "base/numbers.h"
+#include "recording/import/axes_in_turn.h"
 #include "recording/import/choose_columns.h"
 #include "recording/import/import.h"
 #include "recording/import/known_tools.h"
@@ -58,6 +59,7 @@ class Settling {
     if (!choices) return choices.error();
     choices_ = std::move(*choices);
     for (size_t c = 0; c < choices_.size(); ++c) fates_.push_back(fateOf(c));
+    if (const auto one = needOneAxis(); !one) return one.error();
     if (const auto done = takeTime(); !done) return done.error();
     if (const auto done = sparseRows(); !done) return done.error();
     if (const auto done = takeIntegral(); !done) return done.error();
@@ -65,6 +67,7 @@ class Settling {
     if (const auto done = takeSpeed(); !done) return done.error();
     settleTimeByMotion();
     if (const auto done = takeDuty(); !done) return done.error();
+    settleVoltage();
     for (size_t c = 0; c < choices_.size(); ++c) {
       if (isOpen(c)) {
         if (const auto done = takeOther(c); !done) return done.error();
@@ -89,11 +92,12 @@ class Settling {
     fate.scale = choice.name.scale;
     fate.offset = choice.name.offset;
     fate.unit = choice.name.unit;
-    fate.why = choice.name.understood() ? (choice.byMap    ? "the map says so"
-                                           : choice.byTool ? "as that tool has it"
-                                                           : "by its name")
+    fate.why = choice.name.understood() ? (choice.byMap         ? "the map says so"
+                                           : choice.byTool      ? "as that tool has it"
+                                           : choice.name.byUnit ? "by its unit alone"
+                                                                : "by its name")
                                         : choice.name.aside;
-    fate.guessed = choice.name.understood() && choice.name.unit.empty();
+    fate.guessed = choice.name.understood() && (choice.name.unit.empty() || choice.name.byUnit);
     return fate;
   }
 
@@ -122,6 +126,27 @@ class Settling {
       if (text.size() > 300) return text + ", …";
     }
     return text;
+  }
+
+  /// Rows of several motors in turn are no motion of one.
+  Result<void> needOneAxis() {
+    if (!map_.split.empty()) return {};
+    std::optional<size_t> motion;
+    for (const char* name : {"angle_rad", "position_m", "velocity_rad_per_s", "velocity_m_per_s"}) {
+      if (!motion) motion = columnOf(name);
+    }
+    if (!motion) return {};
+    std::vector<bool> free;
+    free.reserve(choices_.size());
+    for (const Choice& choice : choices_) free.push_back(!choice.name.understood() && !choice.byMap && !choice.byTool);
+    const auto turn = axesInTurn(table_, free, *motion, columnOf("time_s"));
+    if (!turn) return {};
+    std::string list;
+    for (size_t k = 0; k < turn->names.size() && k < 4; ++k) list += (k == 0 ? "" : ", ") + turn->names[k];
+    const std::string& column = table_.columns[turn->column].channel.name;
+    return Error{path_ + ", column " + column,
+                 "rows of " + std::to_string(turn->names.size()) + " axes stand in one table (" + list +
+                     (turn->names.size() > 4 ? ", …" : "") + "); part them with --map {\"split\": \"" + column + "\"}"};
   }
 
   Result<void> takeTime() {
@@ -291,6 +316,13 @@ class Settling {
     }
     if (period && *period == 360.0) return set(turn_rad / 360.0, "deg", "it starts anew after 360"), Result<void>{};
     if (period && *period == 1.0) return set(turn_rad, "turns", "it starts anew after 1"), Result<void>{};
+    if (isCountedAsSpeed(c)) {
+      choices_[c].name.needs = UnitNeeds::countsPerRev;
+      set(turn_rad, "counts", "so it agrees with the speed, which is in counts");
+      const auto filled = fillNeed(c, true);
+      return filled ? Result<void>{} : filled.error();
+    }
+    if (unitsByEachOther(c)) return {};
     if (const auto scale = scaleBySpeed(c)) {
       set(*scale, *scale == 1.0 ? "rad" : *scale == turn_rad ? "turns" : "deg", "so it agrees with the speed");
       return {};
@@ -320,6 +352,38 @@ class Settling {
     return std::nullopt;
   }
 
+  std::optional<MotionFactor> motionOf(size_t angle, size_t speed) {
+    return compareMotion(time_.time_s, values(angle), values(speed), time_.pauses);
+  }
+
+  /// Beside a speed in counts per second an angle that goes on as fast is in counts.
+  bool isCountedAsSpeed(size_t c) {
+    const auto v = columnOf("velocity_rad_per_s");
+    if (!v || choices_[*v].name.needs != UnitNeeds::countsPerRev) return false;
+    const auto motion = motionOf(c, *v);
+    return motion && motion->correlation > 0.9 && std::abs(std::log(motion->factor)) < std::log(1.15);
+  }
+
+  /// Where neither angle nor speed tells a unit, the factor between them may: 6 is that of degrees and rpm.
+  bool unitsByEachOther(size_t c) {
+    const auto v = columnOf("velocity_rad_per_s");
+    if (!v || !fates_[*v].unit.empty() || choices_[*v].name.needs != UnitNeeds::nothing) return false;
+    const auto motion = motionOf(c, *v);
+    if (!motion || motion->correlation < 0.95) return false;
+    const auto pair = unitsByFactor(motion->factor);
+    if (!pair) return false;
+    const auto set = [this](size_t column, const char* unit, double scale, const std::string& why) {
+      fates_[column].unit = unit;
+      fates_[column].scale = scale;
+      fates_[column].why = why;
+      fates_[column].guessed = true;
+    };
+    const std::string only = "only so it agrees with ";
+    set(c, pair->angle, pair->angle_rad, only + fates_[*v].from + " in " + pair->speed);
+    set(*v, pair->speed, pair->speed_rad_per_s, only + fates_[c].from + " in " + pair->angle);
+    return true;
+  }
+
   Result<void> takeSpeed() {
     const auto c = columnOf("velocity_rad_per_s");
     if (!c || settled_.contains(*c)) return {};
@@ -329,8 +393,28 @@ class Settling {
     if (!filled) return filled.error();
     if (!*filled) return {};
     if (fates_[*c].unit.empty() && angle && !fates_[*angle].unit.empty()) speedByAngle(*c, *angle);
+    if (fates_[*c].unit.empty() && is(*c, "velocity_rad_per_s")) {
+      if (const auto known = nameSpeedUnit(*c, alone); !known) return known.error();
+    }
     if (is(*c, "velocity_rad_per_s")) apply(*c);
     return {};
+  }
+
+  /// A unit for a speed that nothing else tells.
+  Result<void> nameSpeedUnit(size_t c, bool alone) {
+    ColumnFate& fate = fates_[c];
+    if (const Unit* usual = unitNamed(choices_[c].name.usual); usual != nullptr) {
+      fate.scale = usual->scale;
+      fate.unit = choices_[c].name.usual;
+      fate.why = "such a speed is counted so";
+      fate.guessed = true;
+      return {};
+    }
+    constexpr double manyRadians_per_s = 30.0;
+    if (!alone || choices_[c].byMap || !areWhole(values(c)) || largest(values(c)) < manyRadians_per_s) return {};
+    return Error{path_ + ", column " + fate.from,
+                 "holds whole numbers and no unit; say it with --map {\"columns\": {\"" + fate.from +
+                     "\": {\"to\": \"velocity_rad_per_s\", \"unit\": \"rpm\"}}}"};
   }
 
   void speedByAngle(size_t c, size_t angle) {
@@ -338,10 +422,14 @@ class Settling {
     if (!motion || std::abs(motion->correlation) < 0.9) return;
     struct Candidate {
       double scale;
-      const char* unit;
+      std::string unit;
     };
-    for (const Candidate& one :
-         {Candidate{1.0, "rad/s"}, {turn_rad / 360.0, "deg/s"}, {turn_rad / 60.0, "rpm"}, {turn_rad, "turns/s"}}) {
+    const Candidate sameUnit{fates_[angle].scale / gear(fates_[angle].to), fates_[angle].unit + "/s"};
+    for (const Candidate& one : {Candidate{1.0, "rad/s"},
+                                 {turn_rad / 360.0, "deg/s"},
+                                 {turn_rad / 60.0, "rpm"},
+                                 {turn_rad, "turns/s"},
+                                 sameUnit}) {
       if (std::abs(std::log(std::abs(motion->factor) / one.scale)) > std::log(1.15)) continue;
       fates_[c].scale = one.scale;
       fates_[c].unit = one.unit;
@@ -380,6 +468,10 @@ class Settling {
     if (!c || settled_.contains(*c)) return {};
     ColumnFate& fate = fates_[*c];
     auto& duty = values(*c);
+    if (fate.unit.empty() && arePulseWidths(duty)) {
+      keep(*c, "holds the pulse widths of a servo or a speed controller in µs, whose stop no file says");
+      return {};
+    }
     if (fate.unit.empty() || fate.unit == "1") {
       const auto words = wordsOf(fate.from, true);
       const bool pwm = std::find(words.begin(), words.end(), "pwm") != words.end();
@@ -419,6 +511,7 @@ class Settling {
     if (!filled) return filled.error();
     if (!*filled) return {};
     std::string& to = fates_[c].to;
+    if (setCountsAside(c)) return {};
     const bool torque = to == "force_N" && fates_[c].unit.empty() && columnOf("angle_rad") && !columnOf("torque_Nm");
     if (torque) {
       to = "torque_Nm";
@@ -432,20 +525,48 @@ class Settling {
       fates_[c].unit = fates_[*measured].unit;
       fates_[c].why = "in the unit of " + fates_[*measured].from;
     }
-    sayLargeWholeNumbers(c);
     apply(c);
     return {};
   }
 
   /// Electrical values without a unit that look like a converter's counts or like mA.
-  void sayLargeWholeNumbers(size_t c) {
+  bool setCountsAside(size_t c) {
     const std::string& to = fates_[c].to;
-    const double most = to == "current_A" || to == "torque_Nm"  ? 60.0
-                        : to == "voltage_V" || to == "supply_V" ? 120.0
-                                                                : 0.0;
-    if (most == 0.0 || !fates_[c].guessed || !areWhole(values(c)) || largest(values(c)) <= most) return;
-    remarks_.push_back("implausible: " + fates_[c].from + " holds whole numbers up to " +
-                       shortText(largest(values(c))) + " and no unit; they may be thousandths or a converter's counts");
+    const bool drive = to == "current_A" || to == "torque_Nm" || to == "force_N" || to == "current_reference_A";
+    const double most = drive ? 60.0 : to == "voltage_V" || to == "supply_V" ? 120.0 : 0.0;
+    const bool guessed = fates_[c].guessed && fates_[c].unit.empty() && !choices_[c].byMap;
+    if (most == 0.0 || !guessed || !areWhole(values(c)) || largest(values(c)) <= most) return false;
+    const std::string what = "whole numbers up to " + shortText(largest(values(c))) +
+                             " and no unit; they may be thousandths or a converter's counts";
+    remarks_.push_back("implausible: " + fates_[c].from + " holds " + what);
+    keep(c, "holds " + what + ": say which with --map");
+    return true;
+  }
+
+  /// A voltage that hardly changes while the axis turns both ways, or while a duty drives it, is the supply's.
+  void settleVoltage() {
+    const auto c = columnOf("voltage_V");
+    if (!c || choices_[*c].byMap || choices_[*c].byTool) return;
+    for (const std::string& word : wordsOf(fates_[*c].from, true)) {
+      if (word == "motor" || word == "mot" || word == "q" || word == "uq" || word == "vq" || word == "vm") return;
+    }
+    if (!hardlyChanges(values(*c))) return;
+    const auto duty = columnOf("duty");
+    const bool driven = duty && rangeOf(values(*duty)) > 0.2 * largest(values(*duty));
+    if (!driven && !turnsBothWays()) return;
+    const std::string why = driven ? "it hardly changes while the duty does"
+                                   : "it hardly changes while the axis turns "
+                                     "both ways";
+    if (columnOf("supply_V")) return keep(*c, why + ", so it is no motor's voltage");
+    fates_[*c].to = "supply_V";
+    fates_[*c].why = why;
+    fates_[*c].guessed = true;
+    if (fates_[*c].unit.empty()) fates_[*c].unit = "V";
+  }
+
+  bool turnsBothWays() {
+    const auto speed = columnOf("velocity_rad_per_s"), angle = columnOf("angle_rad");
+    return speed ? goesBothWays(values(*speed)) : angle && goesBothWays(changesOf(values(*angle)));
   }
 
   Result<void> takeIntegral() {

@@ -50,6 +50,21 @@ std::optional<StampedLine> partedAtDate(std::string_view line) {
   return out;
 }
 
+/// "[12.5] …" and "[INFO] [1712345678.125] [node]: …": the first brackets that hold a number, others around them aside.
+bool takeStamp(std::string_view& line, StampedLine& out) {
+  while (!line.empty() && (line.front() == '[' || (line.front() == '(' && out.millis))) {
+    const size_t close = line.find(line.front() == '[' ? ']' : ')');
+    if (close == std::string_view::npos) return false;
+    const std::string_view inner = withoutBlanks(line.substr(1, close - 1));
+    double value = 0.0;
+    const auto [end, code] = std::from_chars(inner.data(), inner.data() + inner.size(), value);
+    if (out.stamp.empty() && code == std::errc() && end == inner.data() + inner.size()) out.stamp = inner;
+    line.remove_prefix(close + 1);
+    while (!line.empty() && (line.front() == ':' || line.front() == ' ' || line.front() == '\t')) line.remove_prefix(1);
+  }
+  return !out.stamp.empty();
+}
+
 std::optional<StampedLine> parted(std::string_view line) {
   line = withoutBlanks(line);
   if (auto dated = partedAtDate(line)) return dated;
@@ -59,15 +74,8 @@ std::optional<StampedLine> parted(std::string_view line) {
     out.millis = true;
     line.remove_prefix(2);
   }
-  const char open = line.empty() ? '\0' : line.front();
-  if (open != '[' && !(open == '(' && out.millis)) return std::nullopt;
-  const size_t close = line.find(open == '[' ? ']' : ')');
-  if (close == std::string_view::npos) return std::nullopt;
-  out.stamp = withoutBlanks(line.substr(1, close - 1));
-  double value = 0.0;
-  const auto [end, code] = std::from_chars(out.stamp.data(), out.stamp.data() + out.stamp.size(), value);
-  if (code != std::errc() || end != out.stamp.data() + out.stamp.size()) return std::nullopt;
-  out.rest = withoutBlanks(line.substr(close + 1));
+  if (!takeStamp(line, out)) return std::nullopt;
+  out.rest = line;
   // A tag: "motor: angle=0.3".
   const size_t colon = out.rest.find(": "), label = out.rest.find('=');
   if (colon != std::string_view::npos && label != std::string_view::npos && colon < label)

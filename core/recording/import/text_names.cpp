@@ -150,7 +150,16 @@ void readLabels(std::string_view row, const TextLayout& layout, TextNames& found
 void readLines(const std::vector<std::string_view>& lines, const TextLayout& layout, const EmptyEnds& rows,
                TextNames& found) {
   const Cells last = lines.empty() ? Cells{} : fitting(lines.back(), layout, rows);
-  if (last.empty()) return;
+  if (last.empty()) {
+    // Events and greetings may stand between the names and the rows.
+    for (size_t k = lines.size(); k-- > 0;) {
+      const Cells earlier = fitting(lines[k], layout, rows);
+      if (earlier.empty() || numbersIn(earlier, layout) > 0 || countOf(earlier, knownName) < 2) continue;
+      fill(earlier, found);
+      return;
+    }
+    return;
+  }
   const Cells above = lines.size() < 2 ? Cells{} : fitting(lines[lines.size() - 2], layout, rows);
   const size_t numbers = numbersIn(last, layout);
   const bool aboveIsText = !above.empty() && numbersIn(above, layout) == 0;

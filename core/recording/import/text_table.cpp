@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "recording/import/codesys_trace.h"
 #include "recording/import/controldesk.h"
 #include "recording/import/list_cells.h"
 #include "recording/import/stamped_lines.h"
@@ -144,14 +145,20 @@ class Rows {
       flawed_.pop_back();
       ++after;
     }
-    for (RawColumn& column : table.columns) column.channel.values.resize(lastGoodRow + 1);
+    for (RawColumn& column : table.columns) {
+      column.channel.values.resize(lastGoodRow + 1);
+      if (!column.texts.empty()) column.textOf.resize(lastGoodRow + 1);
+    }
     if (100 * flawed_.size() <= table.rows() && !flawed_.empty()) {
       table.remarks.push_back(std::to_string(flawed_.size()) +
                               (flawed_.size() == 1 ? " row with text among its numbers was"
                                                    : " rows with text among "
                                                      "their numbers were") +
                               " left out, the first is row " + std::to_string(flawed_.front() + 1));
-      for (RawColumn& column : table.columns) dropRows(column.channel.values);
+      for (RawColumn& column : table.columns) {
+        dropRows(column.channel.values);
+        if (!column.texts.empty()) dropRows(column.textOf);
+      }
       for (size_t c = 0; c < layout_.cells; ++c) {
         if (layout_.numeric[c]) table.columns[c].fault.reset();
       }
@@ -190,6 +197,7 @@ class Rows {
     SeenText& seen = texts_[c];
     if (seen.count++ == 0) seen.first = cells_[c].substr(0, 40);
     seen.same = seen.same && cells_[c] == seen.first;
+    rememberText(column, row, cells_[c]);
     if (column.fault) return;
     column.fault = Error{name_ + ", row " + std::to_string(row + 1) + ", column " + column.channel.name,
                          "expected a number, found \"" + std::string(cells_[c].substr(0, 40)) + "\""};
@@ -205,7 +213,8 @@ class Rows {
                          "is in " + std::string(unit) + ", others in " + column.unit};
   }
 
-  void dropRows(std::vector<double>& values) const {
+  template <typename Value>
+  void dropRows(std::vector<Value>& values) const {
     size_t to = 0, next = 0;
     for (size_t k = 0; k < values.size(); ++k) {
       if (next < flawed_.size() && flawed_[next] == k) {
@@ -344,6 +353,7 @@ Result<RawTable> readTextTable(std::string_view text, const std::string& name) {
   std::string_view utf8 = inUtf8(text, buffer);
   if (auto messages = readYamlMessages(utf8, name)) return std::move(*messages);
   if (auto signals = readControlDeskText(utf8, lineEndOf(utf8), name)) return std::move(*signals);
+  if (auto signals = readCodesysTrace(utf8, lineEndOf(utf8), name)) return std::move(*signals);
   auto flat = withListsInCells(utf8);
   if (!flat) flat = withStampsAsCells(utf8);
   if (flat) utf8 = *flat;

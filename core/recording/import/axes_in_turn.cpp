@@ -1,0 +1,105 @@
+#include "recording/import/axes_in_turn.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "base/exact_text.h"
+#include "recording/import/name_parts.h"
+#include "recording/import/units.h"
+
+namespace breakaway {
+
+namespace {
+
+constexpr size_t mostAxes = 64;
+constexpr auto axisWords = std::to_array<std::string_view>(
+    {"motor", "joint", "axis", "servo", "actuator", "dof", "leg", "side", "motors", "achse", "moteur"});
+constexpr auto numberWords =
+    std::to_array<std::string_view>({"id", "ids", "name", "node", "device", "can", "address", "addr", "channel", "nr",
+                                     "no", "index", "idx", "num", "number", "label"});
+
+bool hasWordOf(const std::string& name, bool axesOnly) {
+  const auto words = wordsOf(name, true);
+  const bool axis = firstIn(words, axisWords) != nullptr;
+  return axis || (!axesOnly && firstIn(words, numberWords) != nullptr);
+}
+
+/// How far the values go in all, from row to row or within each kind.
+double wayOf(const std::vector<double>& values, const RowKinds* kinds) {
+  std::vector<double> last(kinds == nullptr ? 1 : kinds->names.size() + 1, NAN);
+  double way = 0.0;
+  for (size_t k = 0; k < values.size(); ++k) {
+    if (!std::isfinite(values[k])) continue;
+    double& before = last[kinds == nullptr ? 0 : kinds->of[k]];
+    if (std::isfinite(before)) way += std::abs(values[k] - before);
+    before = values[k];
+  }
+  return way;
+}
+
+/// Rows at which the kind changes.
+std::vector<size_t> bordersOf(const RowKinds& kinds) {
+  std::vector<size_t> changes;
+  for (size_t k = 1; k < kinds.of.size(); ++k) {
+    if (kinds.of[k] != kinds.of[k - 1]) changes.push_back(k);
+  }
+  return changes;
+}
+
+bool eachHasRows(const RowKinds& kinds, size_t fewest) {
+  std::vector<size_t> counts(kinds.names.size() + 1);
+  for (const size_t kind : kinds.of) ++counts[kind];
+  return std::all_of(counts.begin() + 1, counts.end(), [fewest](size_t count) { return count >= fewest; });
+}
+
+}  // namespace
+
+std::optional<RowKinds> rowKinds(const RawColumn& column) {
+  RowKinds kinds;
+  if (!column.texts.empty()) {
+    kinds.names = column.texts;
+    kinds.of.assign(column.textOf.begin(), column.textOf.end());
+    kinds.of.resize(column.channel.values.size());
+    return kinds.names.size() > mostAxes ? std::nullopt : std::optional(std::move(kinds));
+  }
+  if (column.fault) return std::nullopt;
+  std::vector<double> seen;
+  kinds.of.reserve(column.channel.values.size());
+  for (const double value : column.channel.values) {
+    if (!std::isfinite(value) || value != std::floor(value)) return std::nullopt;
+    const auto at = std::find(seen.begin(), seen.end(), value);
+    kinds.of.push_back(static_cast<size_t>(at - seen.begin()) + 1);
+    if (at == seen.end()) seen.push_back(value);
+    if (seen.size() > mostAxes) return std::nullopt;
+  }
+  for (const double value : seen) kinds.names.push_back(exactText(value + column.origin));
+  return kinds;
+}
+
+std::optional<AxesInTurn> axesInTurn(const RawTable& table, const std::vector<bool>& free, size_t motion,
+                                     std::optional<size_t> time) {
+  constexpr double oftenChanges = 0.2, smoother = 0.35;
+  constexpr size_t fewestRows = 4;
+  const auto& values = table.columns[motion].channel.values;
+  std::optional<double> whole;
+  for (size_t c = 0; c < table.columns.size(); ++c) {
+    const RawColumn& column = table.columns[c];
+    if (!free[c] || (column.texts.empty() && !hasWordOf(column.channel.name, false))) continue;
+    const auto kinds = rowKinds(column);
+    if (!kinds || kinds->names.size() < 2 || !eachHasRows(*kinds, fewestRows)) continue;
+    const auto changes = bordersOf(*kinds);
+    if (static_cast<double>(changes.size()) > oftenChanges * static_cast<double>(values.size())) {
+      if (!whole) whole = wayOf(values, nullptr);
+      if (wayOf(values, &*kinds) < smoother * *whole) return AxesInTurn{c, kinds->names};
+    } else if (time && hasWordOf(column.channel.name, true)) {
+      const auto& stamps = table.columns[*time].channel.values;
+      if (std::all_of(changes.begin(), changes.end(), [&](size_t k) { return stamps[k] < stamps[k - 1]; }))
+        return AxesInTurn{c, kinds->names};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace breakaway
