@@ -1,0 +1,264 @@
+// A log's motion: angle, speed, what follows from one for the other, and whether it can be.
+#include <algorithm>
+#include <cmath>
+
+#include "base/numbers.h"
+#include "recording/import/number_text.h"
+#include "recording/import/settling.h"
+
+namespace breakaway {
+
+Result<void> Settling::takeAngle() {
+  const auto c = columnOf("angle_rad");
+  if (!c || settled_.contains(*c)) return {};
+  ColumnFate& fate = fates_[*c];
+  auto& angle = values(*c);
+  if (const auto filled = fillNeed(*c, true); !filled) return filled.error();
+  const bool counted = choices_[*c].name.needs == UnitNeeds::countsPerRev;
+  const double perTurn = choices_[*c].name.needs == UnitNeeds::polePairs ? map_.pole_pairs.value_or(1.0) : 1.0;
+  std::optional<double> expected;
+  if (!fate.unit.empty()) expected = turn_rad / (fate.scale * perTurn);
+  const auto period = periodOf(angle, time_.pauses, expected);
+  if (fate.unit.empty()) {
+    if (const auto known = nameUnit(*c, period); !known) return known.error();
+    if (fate.scale != 1.0 / perTurn) fate.scale /= perTurn;
+  }
+  const double turns = period ? *period * fate.scale * perTurn / turn_rad : 0.0;
+  const bool whole = std::abs(turns - 1.0) < 1e-3;
+  const bool overflow = period && areWhole(angle) && (*period == 65536.0 || counted) && turns > 1.5;
+  if (period && (whole || overflow)) unwindBy(angle, *period, whole);
+  apply(*c);
+  return {};
+}
+
+void Settling::unwindBy(std::vector<double>& angle, double period, bool whole) {
+  const Unwound unwound = unwind(angle, period, time_.pauses);
+  remarks_.push_back(std::string("the angle ") + (whole ? "starts anew with each turn" : "overflows its register") +
+                     ", in " + std::to_string(unwound.places) + (unwound.places == 1 ? " place" : " places") +
+                     "; it goes on counting now");
+  if (!time_.pauses.empty())
+    remarks_.emplace_back("turns made during a pause are unknown: over it the angle may be wrong by whole turns");
+  if (unwound.largestStep > 0.4)
+    remarks_.push_back("it moves up to " + shortText(unwound.largestStep) +
+                       " turns from row to row; from half a turn on nobody can tell which way, so check the result");
+}
+
+Result<void> Settling::nameUnit(size_t c, const std::optional<double>& period) {
+  ColumnFate& fate = fates_[c];
+  const auto& angle = values(c);
+  const auto set = [&fate](double scale, const char* unit, const std::string& why) {
+    fate.scale = scale;
+    fate.unit = unit;
+    fate.why = why;
+    fate.guessed = true;
+  };
+  if (map_.counts_per_rev && areWhole(angle)) {
+    set(turn_rad / *map_.counts_per_rev, "counts", "whole numbers, with the map's counts per turn");
+    return {};
+  }
+  if (period && *period == 360.0) return set(turn_rad / 360.0, "deg", "it starts anew after 360"), Result<void>{};
+  if (period && *period == 1.0) return set(turn_rad, "turns", "it starts anew after 1"), Result<void>{};
+  if (isCountedAsSpeed(c)) {
+    choices_[c].name.needs = UnitNeeds::countsPerRev;
+    set(turn_rad, "counts", "so it agrees with the speed, which is in counts");
+    const auto filled = fillNeed(c, true);
+    return filled ? Result<void>{} : filled.error();
+  }
+  if (unitsByEachOther(c)) return {};
+  if (const auto scale = scaleBySpeed(c)) {
+    set(*scale, *scale == 1.0 ? "rad" : *scale == turn_rad ? "turns" : "deg", "so it agrees with the speed");
+    return {};
+  }
+  constexpr double manyTurns = 30.0;
+  if (areWhole(angle) && rangeOf(angle) >= manyTurns) {
+    const std::string hint = period ? ", perhaps " + shortText(*period) + ", after which it starts anew" : "";
+    return Error{path_ + ", column " + fate.from, "holds whole numbers and no unit; say how many are one turn" + hint +
+                                                      ", with --map {\"counts_per_rev\": " +
+                                                      (period ? shortText(*period) : "4096") + "}, or name its unit"};
+  }
+  fate.why = "by its name, which tells no unit";
+  return {};
+}
+
+std::optional<double> Settling::scaleBySpeed(size_t c) {
+  const auto v = columnOf("velocity_rad_per_s");
+  if (!v || fates_[*v].unit.empty() || choices_[*v].name.needs != UnitNeeds::nothing) return std::nullopt;
+  std::vector<double> speed = values(*v);
+  convert(speed, fates_[*v].scale, fates_[*v].offset);
+  const auto motion = compareMotion(time_.time_s, values(c), speed, time_.pauses);
+  if (!motion || motion->correlation < 0.9) return std::nullopt;
+  for (const double scale : {1.0, turn_rad / 360.0, turn_rad}) {
+    if (std::abs(std::log(motion->factor * scale)) < std::log(1.15)) return scale;
+  }
+  return std::nullopt;
+}
+
+std::optional<MotionFactor> Settling::motionOf(size_t angle, size_t speed) {
+  return compareMotion(time_.time_s, values(angle), values(speed), time_.pauses);
+}
+
+bool Settling::isCountedAsSpeed(size_t c) {
+  const auto v = columnOf("velocity_rad_per_s");
+  if (!v || choices_[*v].name.needs != UnitNeeds::countsPerRev) return false;
+  const auto motion = motionOf(c, *v);
+  return motion && motion->correlation > 0.9 && std::abs(std::log(motion->factor)) < std::log(1.15);
+}
+
+bool Settling::unitsByEachOther(size_t c) {
+  const auto v = columnOf("velocity_rad_per_s");
+  if (!v || !fates_[*v].unit.empty() || choices_[*v].name.needs != UnitNeeds::nothing) return false;
+  const auto motion = motionOf(c, *v);
+  if (!motion || motion->correlation < 0.95) return false;
+  const auto pair = unitsByFactor(motion->factor);
+  if (!pair) return false;
+  const auto set = [this](size_t column, const char* unit, double scale, const std::string& why) {
+    fates_[column].unit = unit;
+    fates_[column].scale = scale;
+    fates_[column].why = why;
+    fates_[column].guessed = true;
+  };
+  const std::string only = "only so it agrees with ";
+  set(c, pair->angle, pair->angle_rad, only + fates_[*v].from + " in " + pair->speed);
+  set(*v, pair->speed, pair->speed_rad_per_s, only + fates_[c].from + " in " + pair->angle);
+  return true;
+}
+
+Result<void> Settling::takeSpeed() {
+  const auto c = columnOf("velocity_rad_per_s");
+  if (!c || settled_.contains(*c)) return {};
+  const auto angle = columnOf("angle_rad");
+  const bool alone = !angle && !columnOf("position_m");
+  const auto filled = fillNeed(*c, alone);
+  if (!filled) return filled.error();
+  if (!*filled) return {};
+  if (fates_[*c].unit.empty() && angle && !fates_[*angle].unit.empty()) speedByAngle(*c, *angle);
+  if (fates_[*c].unit.empty() && is(*c, "velocity_rad_per_s")) {
+    if (const auto known = nameSpeedUnit(*c, alone); !known) return known.error();
+  }
+  if (is(*c, "velocity_rad_per_s")) apply(*c);
+  return {};
+}
+
+Result<void> Settling::nameSpeedUnit(size_t c, bool alone) {
+  ColumnFate& fate = fates_[c];
+  if (const Unit* usual = unitNamed(choices_[c].name.usual); usual != nullptr) {
+    fate.scale = usual->scale;
+    fate.unit = choices_[c].name.usual;
+    fate.why = "such a speed is counted so";
+    fate.guessed = true;
+    return {};
+  }
+  constexpr double manyRadians_per_s = 30.0;
+  if (!alone || choices_[c].byMap || !areWhole(values(c)) || largest(values(c)) < manyRadians_per_s) return {};
+  return Error{path_ + ", column " + fate.from, "holds whole numbers and no unit; say it with --map {\"columns\": {\"" +
+                                                    fate.from +
+                                                    "\": {\"to\": \"velocity_rad_per_s\", \"unit\": \"rpm\"}}}"};
+}
+
+void Settling::speedByAngle(size_t c, size_t angle) {
+  const auto motion = compareMotion(time_.time_s, values(angle), values(c), time_.pauses);
+  if (!motion || std::abs(motion->correlation) < 0.9) return;
+  struct Candidate {
+    double scale;
+    std::string unit;
+  };
+  const Candidate sameUnit{fates_[angle].scale / gear(fates_[angle].to), fates_[angle].unit + "/s"};
+  for (const Candidate& one : {Candidate{1.0, "rad/s"},
+                               {turn_rad / 360.0, "deg/s"},
+                               {turn_rad / 60.0, "rpm"},
+                               {turn_rad, "turns/s"},
+                               sameUnit}) {
+    if (std::abs(std::log(std::abs(motion->factor) / one.scale)) > std::log(1.15)) continue;
+    fates_[c].scale = one.scale;
+    fates_[c].unit = one.unit;
+    fates_[c].why = "so it agrees with the angle";
+    fates_[c].guessed = true;
+    return;
+  }
+  keep(c, "its name tells no unit, and in none that is usual it agrees with the angle (factor " +
+              shortText(motion->factor) + ")");
+}
+
+Result<void> Settling::takeIntegral() {
+  if (map_.integrate.empty()) return {};
+  if (columnOf("angle_rad") || columnOf("position_m"))
+    return Error{path_, "has an angle already, so nothing is to be integrated"};
+  for (size_t c = 0; c < fates_.size(); ++c) {
+    if (fates_[c].from != map_.integrate || fates_[c].kind == ColumnFate::Kind::leftOut) continue;
+    const bool linear = fates_[c].to == "velocity_m_per_s";
+    if (is(c, "velocity_rad_per_s")) {
+      if (const auto filled = fillNeed(c, true); !filled) return filled.error();
+      apply(c);
+    } else if (is(c, "velocity_m_per_s")) {
+      apply(c);
+    }
+    const auto& speed = values(c);
+    Channel made{linear ? "position_m" : "angle_rad", {0.0}};
+    for (size_t k = 1; k < speed.size(); ++k) {
+      const double way = 0.5 * (speed[k] + speed[k - 1]) * (time_.time_s[k] - time_.time_s[k - 1]);
+      made.values.push_back(made.values.back() + (std::isfinite(way) ? way : 0.0));
+    }
+    made_.push_back(std::move(made));
+    remarks_.push_back(made_.back().name + " is " + map_.integrate + ", integrated by trapezoids from 0");
+  }
+  return {};
+}
+
+void Settling::differentiate() {
+  if (map_.differentiate.empty()) return;
+  for (size_t c = 0; c < fates_.size(); ++c) {
+    if (fates_[c].from != map_.differentiate || fates_[c].kind == ColumnFate::Kind::leftOut) continue;
+    const auto& angle = values(c);
+    Channel made{fates_[c].to == "position_m" ? "velocity_m_per_s" : "velocity_rad_per_s", {}};
+    const size_t last = angle.size() - 1;
+    for (size_t k = 0; k <= last; ++k) {
+      const size_t a = k == 0 ? 0 : k - 1, b = std::min(k + 1, last);
+      made.values.push_back(a == b ? 0.0 : (angle[b] - angle[a]) / (time_.time_s[b] - time_.time_s[a]));
+    }
+    if (const auto measured = columnOf(made.name)) keep(*measured, "the map's derivative takes its place");
+    made_.push_back(std::move(made));
+    remarks_.push_back(made_.back().name + " is " + map_.differentiate + ", differentiated over two rows");
+  }
+}
+
+Result<void> Settling::needMotion() {
+  const auto made = [this](const char* name) {
+    return std::any_of(made_.begin(), made_.end(), [name](const Channel& one) { return one.name == name; });
+  };
+  for (const char* name : {"angle_rad", "position_m", "velocity_rad_per_s", "velocity_m_per_s"}) {
+    if (columnOf(name) || made(name)) return {};
+  }
+  return Error{path_,
+               "no column could be taken for the angle, position or speed; there are: " + names() +
+                   "; say which with --map {\"columns\": {\"NAME\": {\"to\": \"angle_rad\", \"unit\": \"deg\"}}}"};
+}
+
+void Settling::checkMotion() {
+  const auto angle = columnOf("angle_rad"), speed = columnOf("velocity_rad_per_s");
+  if (angle) {
+    const Leaps leaps = leapsIn(time_.time_s, values(*angle), time_.pauses);
+    if (leaps.count > 0)
+      remarks_.push_back("implausible: the angle leaps in " + std::to_string(leaps.count) +
+                         (leaps.count == 1 ? " place" : " places") + ", first by " + shortText(leaps.size) +
+                         " rad at row " + std::to_string(time_.rows[leaps.first] + 1));
+  }
+  if (!angle || !speed) return;
+  const auto motion = compareMotion(time_.time_s, values(*angle), values(*speed), time_.pauses);
+  if (!motion) return;
+  const double factor = motion->factor;
+  const bool unsignedSpeed =
+      std::all_of(values(*speed).begin(), values(*speed).end(), [](double v) { return !(v < 0.0); });
+  if (unsignedSpeed && std::abs(motion->correlation) < 0.9) {
+    remarks_.emplace_back(
+        "implausible: the speed is never negative although the angle falls, too; it seems to have lost its sign");
+  } else if (std::abs(motion->correlation) < 0.6) {
+    remarks_.emplace_back("implausible: the speed and the angle's changes have little in common");
+  } else if (factor < 0.0) {
+    remarks_.emplace_back("implausible: the speed has the other sign than the angle's changes");
+  } else if (std::abs(std::log(factor)) > std::log(1.2)) {
+    remarks_.push_back("implausible: the angle changes " + shortText(factor) +
+                       " times as much as the speed says; a unit of theirs or the time's is wrong");
+  }
+}
+
+}  // namespace breakaway

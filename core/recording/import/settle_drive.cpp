@@ -1,0 +1,134 @@
+// What drives a log: duty, voltage, and all else that has a unit; signs.
+#include <algorithm>
+#include <cmath>
+
+#include "recording/import/number_text.h"
+#include "recording/import/settling.h"
+
+namespace breakaway {
+
+Result<void> Settling::takeDuty() {
+  const auto c = columnOf("duty");
+  if (!c || settled_.contains(*c)) return {};
+  ColumnFate& fate = fates_[*c];
+  auto& duty = values(*c);
+  if (fate.unit.empty() && arePulseWidths(duty)) {
+    keep(*c, "holds the pulse widths of a servo or a speed controller in µs, whose stop no file says");
+    return {};
+  }
+  if (fate.unit.empty() || fate.unit == "1") {
+    const auto words = wordsOf(fate.from, true);
+    const bool pwm = std::find(words.begin(), words.end(), "pwm") != words.end();
+    const auto full = fullDutyOf(duty, pwm);
+    if (!full)
+      return dutyBeyond(*c, "can be the whole of it; say it with --map, e.g. {\"columns\": {\"" + fate.from +
+                                "\": {\"to\": \"duty\", \"scale\": 0.001}}}");
+    if (*full != 1.0) {
+      fate.scale = 1.0 / *full;
+      fate.unit = *full == 100.0 ? "%" : "1/" + shortText(*full);
+      fate.why = "its values go up to " + shortText(largest(duty)) + ", so " + shortText(*full) + " was taken for full";
+      fate.guessed = true;
+    }
+  }
+  apply(*c);
+  if (largest(duty) > 1.0 + 1e-6 && largest(duty) < 1.02) {
+    for (double& value : duty) value = std::clamp(value, -1.0, 1.0);
+    remarks_.emplace_back("the duty exceeds 1 by less than 2 % and was limited");
+  }
+  if (largest(duty) > 1.0 + 1e-6) return dutyBeyond(*c, "is a duty, which ends at 1");
+  return {};
+}
+
+Result<void> Settling::dutyBeyond(size_t c, const std::string& what) {
+  const auto& duty = values(c);
+  const auto at = std::max_element(duty.begin(), duty.end(), [](double a, double b) {
+    return (std::isfinite(a) ? std::abs(a) : -1.0) < (std::isfinite(b) ? std::abs(b) : -1.0);
+  });
+  return Error{path_ + ", row " + std::to_string(time_.rows[static_cast<size_t>(at - duty.begin())] + 1) + ", column " +
+                   fates_[c].from,
+               shortText(*at) + ", the largest value: nothing tells which one " + what};
+}
+
+Result<void> Settling::takeOther(size_t c) {
+  const auto filled = fillNeed(c, false);
+  if (!filled) return filled.error();
+  if (!*filled) return {};
+  std::string& to = fates_[c].to;
+  if (setCountsAside(c)) return {};
+  const bool torque = to == "force_N" && fates_[c].unit.empty() && columnOf("angle_rad") && !columnOf("torque_Nm");
+  if (torque) {
+    to = "torque_Nm";
+    fates_[c].unit = "Nm";
+    fates_[c].why = "what turns is driven by a torque";
+  }
+  // References are counted as what was measured is.
+  const auto measured = columnOf(to == "angle_reference_rad" ? "angle_rad" : "velocity_rad_per_s");
+  if ((to == "angle_reference_rad" || to == "velocity_reference_rad_per_s") && fates_[c].unit.empty() && measured) {
+    fates_[c].scale = fates_[*measured].scale / gear(to);
+    fates_[c].unit = fates_[*measured].unit;
+    fates_[c].why = "in the unit of " + fates_[*measured].from;
+  }
+  apply(c);
+  return {};
+}
+
+bool Settling::setCountsAside(size_t c) {
+  const std::string& to = fates_[c].to;
+  const bool drive = to == "current_A" || to == "torque_Nm" || to == "force_N" || to == "current_reference_A";
+  const double most = drive ? 60.0 : to == "voltage_V" || to == "supply_V" ? 120.0 : 0.0;
+  const bool guessed = fates_[c].guessed && fates_[c].unit.empty() && !choices_[c].byMap;
+  if (most == 0.0 || !guessed || !areWhole(values(c)) || largest(values(c)) <= most) return false;
+  const std::string what = "whole numbers up to " + shortText(largest(values(c))) +
+                           " and no unit; they may be thousandths or a converter's counts";
+  remarks_.push_back("implausible: " + fates_[c].from + " holds " + what);
+  keep(c, "holds " + what + ": say which with --map");
+  return true;
+}
+
+void Settling::settleVoltage() {
+  const auto c = columnOf("voltage_V");
+  if (!c || choices_[*c].byMap || choices_[*c].byTool) return;
+  for (const std::string& word : wordsOf(fates_[*c].from, true)) {
+    if (word == "motor" || word == "mot" || word == "q" || word == "uq" || word == "vq" || word == "vm") return;
+  }
+  if (!hardlyChanges(values(*c))) return;
+  const auto duty = columnOf("duty");
+  const bool driven = duty && rangeOf(values(*duty)) > 0.2 * largest(values(*duty));
+  if (!driven && !turnsBothWays()) return;
+  const std::string why = driven ? "it hardly changes while the duty does"
+                                 : "it hardly changes while the axis turns "
+                                   "both ways";
+  if (columnOf("supply_V")) return keep(*c, why + ", so it is no motor's voltage");
+  fates_[*c].to = "supply_V";
+  fates_[*c].why = why;
+  fates_[*c].guessed = true;
+  if (fates_[*c].unit.empty()) fates_[*c].unit = "V";
+}
+
+bool Settling::turnsBothWays() {
+  const auto speed = columnOf("velocity_rad_per_s"), angle = columnOf("angle_rad");
+  return speed ? goesBothWays(values(*speed)) : angle && goesBothWays(changesOf(values(*angle)));
+}
+
+Result<void> Settling::turnSigns() {
+  for (const auto& [name, sign] : map_.sign) {
+    bool found = false;
+    for (size_t c = 0; c < fates_.size(); ++c) {
+      if ((fates_[c].from != name && fates_[c].to != name) || fates_[c].kind == ColumnFate::Kind::leftOut) continue;
+      found = true;
+      if (is(c, "time_s") || sign > 0.0) continue;
+      convert(values(c), -1.0, 0.0);
+      fates_[c].scale = -fates_[c].scale;
+      fates_[c].offset = -fates_[c].offset;
+    }
+    for (Channel& channel : made_) {
+      if (channel.name != name) continue;
+      found = true;
+      if (sign < 0.0) convert(channel.values, -1.0, 0.0);
+    }
+    if (!found) return Error{path_, "has no column \"" + name + "\", whose sign the map turns; there are: " + names()};
+  }
+  return {};
+}
+
+}  // namespace breakaway

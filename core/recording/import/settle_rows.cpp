@@ -1,0 +1,108 @@
+// Which rows a log has, and when they were.
+#include <algorithm>
+#include <cmath>
+
+#include "recording/import/settling.h"
+
+namespace breakaway {
+
+Result<void> Settling::takeTime() {
+  const auto c = columnOf("time_s");
+  RawTime raw;
+  if (map_.sample_time_s) {
+    for (size_t k = 0; k < table_.rows(); ++k) raw.values.push_back(static_cast<double>(k) * *map_.sample_time_s);
+    raw.unit_s = 1.0;
+  } else if (!c) {
+    return Error{path_, "no column could be taken for the time; there are: " + names() +
+                            "; say which with --map, or how far the rows are apart: {\"sample_time_s\": 0.01}"};
+  } else {
+    raw.values = std::move(values(*c));
+    raw.origin = table_.columns[*c].origin;
+    raw.clock = table_.columns[*c].clock;
+    if (!fates_[*c].unit.empty() && !raw.clock) raw.unit_s = fates_[*c].scale;
+    convert(raw.values, 1.0, fates_[*c].offset / (fates_[*c].scale == 0.0 ? 1.0 : fates_[*c].scale));
+    settled_.insert(*c);
+    raw.newFile = newFile_;
+  }
+  auto time = settleTime(std::move(raw), path_);
+  if (!time) return time.error();
+  time_ = std::move(*time);
+  remarks_.insert(remarks_.end(), time_.remarks.begin(), time_.remarks.end());
+  if (c && !map_.sample_time_s) {
+    fates_[*c].scale = time_.unit_s;
+    fates_[*c].guessed = time_.unitGuessed;
+    if (time_.unitGuessed) fates_[*c].why = "judged by its steps";
+    if (fates_[*c].unit.empty()) fates_[*c].unit = table_.columns[*c].clock ? "clock" : unitNameOf(time_.unit_s);
+  }
+  takeRows(c.value_or(choices_.size()));
+  return {};
+}
+
+std::string Settling::unitNameOf(double unit_s) {
+  if (unit_s > 1e4) return "days";
+  return unit_s > 0.5 ? "s" : unit_s > 0.5e-3 ? "ms" : unit_s > 0.5e-6 ? "µs" : unit_s > 0.5e-7 ? "100 ns" : "ns";
+}
+
+void Settling::takeRows(size_t time) {
+  for (size_t c = 0; c < choices_.size(); ++c) {
+    if (c == time && !map_.sample_time_s) continue;
+    RawColumn& column = table_.columns[c];
+    if (time_.rows.size() != column.channel.values.size())
+      column.channel.values = rowsOf(column.channel.values, time_.rows);
+    if (column.origin != 0.0) convert(column.channel.values, 1.0, column.origin);
+  }
+}
+
+Result<void> Settling::sparseRows() {
+  auto motion = columnOf("angle_rad");
+  if (!motion) motion = columnOf("position_m");
+  if (!motion) motion = columnOf("velocity_rad_per_s");
+  if (!motion) return {};
+  std::vector<size_t> rows;
+  for (size_t k = 0; k < time_.time_s.size(); ++k) {
+    if (std::isfinite(values(*motion)[k])) rows.push_back(k);
+  }
+  const size_t all = time_.time_s.size();
+  if (rows.empty()) return Error{path_ + ", column " + fates_[*motion].from, "holds no number"};
+  if (5 * rows.size() > 4 * all) return {};
+  const auto time = columnOf("time_s");
+  for (size_t c = 0; c < choices_.size(); ++c) {
+    if (fates_[c].kind == ColumnFate::Kind::leftOut || (time && c == *time && !map_.sample_time_s)) continue;
+    double held = NAN;
+    if (c != *motion) {
+      for (double& value : values(c)) held = value = std::isfinite(value) ? value : held;
+    }
+    values(c) = rowsOf(values(c), rows);
+  }
+  time_.time_s = rowsOf(time_.time_s, rows);
+  std::vector<size_t> before = std::move(time_.rows);
+  time_.rows.clear();
+  for (const size_t row : rows) time_.rows.push_back(before[row]);
+  time_.pauses = pausesIn(time_.time_s);
+  remarks_.push_back(std::to_string(rows.size()) + " of " + std::to_string(all) + " rows have " + fates_[*motion].from +
+                     " and stay; the other columns hold their last value there");
+  return {};
+}
+
+void Settling::settleTimeByMotion() {
+  const auto time = columnOf("time_s"), angle = columnOf("angle_rad"), speed = columnOf("velocity_rad_per_s");
+  if (!time || !time_.unitGuessed || !angle || !speed || fates_[*angle].unit.empty() || fates_[*speed].unit.empty())
+    return;
+  const auto motion = compareMotion(time_.time_s, values(*angle), values(*speed), time_.pauses);
+  if (!motion || motion->correlation < 0.9) return;
+  for (const double factor : {1e-6, 1e-3, 1e3, 1e6}) {
+    const double unit_s = time_.unit_s * factor;
+    if (std::abs(std::log(motion->factor / factor)) > std::log(1.15) || unit_s < 0.5e-9 || unit_s > 1.5) continue;
+    convert(time_.time_s, factor, 0.0);
+    time_.unit_s = unit_s;
+    fates_[*time].scale = unit_s;
+    fates_[*time].unit = unitNameOf(unit_s);
+    fates_[*time].why = "so the speed agrees with the angle";
+    std::erase_if(remarks_, [](const std::string& one) { return one.starts_with("the time has no unit"); });
+    remarks_.push_back("the time has no unit; it was taken for " + fates_[*time].unit +
+                       ", with which the speed agrees with the angle");
+    return;
+  }
+}
+
+}  // namespace breakaway

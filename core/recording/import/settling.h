@@ -1,0 +1,95 @@
+// A log on its way to a recording: the steps that importing takes, in the order of run().
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "recording/import/choose_columns.h"
+#include "recording/import/import.h"
+#include "recording/import/raw_table.h"
+#include "recording/import/settle_motion.h"
+#include "recording/import/settle_time.h"
+
+namespace breakaway {
+
+bool isAngle(const std::string& to);
+bool isSpeed(const std::string& to);
+void convert(std::vector<double>& values, double scale, double offset);
+/// The rows asked for, in that order.
+std::vector<double> rowsOf(const std::vector<double>& values, const std::vector<size_t>& rows);
+
+/// Settles one table; used once.
+class Settling {
+ public:
+  Settling(RawTable table, const ImportMap& map, std::string path, std::vector<size_t> newFile);
+  Result<Imported> run();
+
+ private:
+  ColumnFate fateOf(size_t c) const;
+  bool is(size_t c, const std::string& to) const;
+  std::optional<size_t> columnOf(const std::string& to) const;
+  std::vector<double>& values(size_t c) { return table_.columns[c].channel.values; }
+  bool isOpen(size_t c) const { return fates_[c].kind == ColumnFate::Kind::used && !settled_.contains(c); }
+  void keep(size_t c, const std::string& why);
+  std::string names() const;
+  /// Rows of several motors in turn are no motion of one.
+  Result<void> needOneAxis();
+  Result<void> takeTime();
+  static std::string unitNameOf(double unit_s);
+  /// Keeps the rows that have a time, in all columns but `time`.
+  void takeRows(size_t time);
+  /// Logs that put each topic in rows of its own: the rows with an angle stay, the others' values are held.
+  Result<void> sparseRows();
+  /// What the factor still lacks: from the map, or an error that asks for it when `needed`.
+  Result<bool> fillNeed(size_t c, bool needed);
+  double gear(const std::string& to) const;
+  void apply(size_t c);
+  bool hasMeasuredSpeed() const { return columnOf("velocity_rad_per_s").has_value(); }
+  Result<void> takeAngle();
+  void unwindBy(std::vector<double>& angle, double period, bool whole);
+  /// A unit for an angle whose name tells none.
+  Result<void> nameUnit(size_t c, const std::optional<double>& period);
+  /// By the speed, if that tells its unit: an angle in rad, deg or turns.
+  std::optional<double> scaleBySpeed(size_t c);
+  std::optional<MotionFactor> motionOf(size_t angle, size_t speed);
+  /// Beside a speed in counts per second an angle that goes on as fast is in counts.
+  bool isCountedAsSpeed(size_t c);
+  /// Where neither angle nor speed tells a unit, the factor between them may: 6 is that of degrees and rpm.
+  bool unitsByEachOther(size_t c);
+  Result<void> takeSpeed();
+  /// A unit for a speed that nothing else tells.
+  Result<void> nameSpeedUnit(size_t c, bool alone);
+  void speedByAngle(size_t c, size_t angle);
+  /// Angle and speed tell the unit of the time where nothing else does.
+  void settleTimeByMotion();
+  Result<void> takeDuty();
+  Result<void> dutyBeyond(size_t c, const std::string& what);
+  Result<void> takeOther(size_t c);
+  /// Electrical values without a unit that look like a converter's counts or like mA.
+  bool setCountsAside(size_t c);
+  /// A voltage that hardly changes while the axis turns both ways, or while a duty drives it, is the supply's.
+  void settleVoltage();
+  bool turnsBothWays();
+  Result<void> takeIntegral();
+  void differentiate();
+  Result<void> turnSigns();
+  Result<void> needMotion();
+  /// Says what can't be: an angle that leaps, a speed that contradicts it.
+  void checkMotion();
+  Result<Imported> seal();
+
+  RawTable table_;
+  const ImportMap& map_;
+  std::string path_;
+  std::vector<size_t> newFile_;
+  std::vector<Choice> choices_;
+  std::vector<ColumnFate> fates_;
+  std::vector<std::string> remarks_;
+  std::set<size_t> settled_;
+  std::vector<Channel> made_;
+  SettledTime time_;
+};
+
+}  // namespace breakaway
