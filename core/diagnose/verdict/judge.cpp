@@ -268,8 +268,9 @@ class Judge {
     const bool elsewhere = currentToo || (inFew && (!muchHeld || once));
     if (held > (elsewhere ? limits_.clearlyMore() : muchHeld ? limits_.hardlyLess : limits_.hardlyMore()))
       return Opinion::heldoutRefuses;
-    // A gain that may be none proves nothing, but where held-out data need not show one.
-    if (!elsewhere && out.fit.improvementLow95 <= 0.0) return Opinion::heldoutRefuses;
+    // A gain that may be none proves nothing, but where held-out data need not show one, or single windows that run
+    // away make its interval.
+    if (!elsewhere && !singly && out.fit.improvementLow95 <= 0.0) return Opinion::heldoutRefuses;
     // After a restart a load that swings may run away in single windows, although the model is right. Then the typical
     // window decides, and held-out data have to show the gain.
     const bool usually = typicalSquare(errorsAfter) <= limits_.hardlyLess * before() && held < limits_.clearlyLess;
