@@ -95,7 +95,7 @@ void TestHelpAs::bash_completes_data() {
   row({"li"}, "list");
   row({"co"}, "commission");
   row({"--ver"}, "--version");
-  row({"list", ""}, "effects presets columns");
+  row({"list", ""}, "effects criteria presets columns");
   row({"list", "p"}, "presets");
   row({"diagnose", "--rec"}, "--recording");
   row({"tune", "--stiffness", "s"}, "soft stiff");

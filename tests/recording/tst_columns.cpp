@@ -48,7 +48,8 @@ void TestColumns::text_isRefusedInEachColumnByCsvAndImport() {
     const std::string expected = column.cell == Cell::flag ? "0 or 1" : "a finite number";
     VERIFY_ERROR(readCsvText("time_s," + name + "\n0,1\n1,off\n", "r.csv"),
                  "r.csv, row 2, column " + name + ": expected " + expected + ", found \"off\"");
-    const std::string place = column.quantity == Quantity::position ? "" : ",angle_rad";
+    const char* motion = column.axis == Axis::linear ? ",position_m" : ",angle_rad";  // of the same axis
+    const std::string place = column.quantity == Quantity::position ? "" : motion;
     const std::string cells = place.empty() ? "" : ",0";
     const std::string path = folder_.write(
         "log.csv", "time_s," + name + place + "\n0,1" + cells + "\n1,off" + cells + "\n2,1" + cells + "\n");
