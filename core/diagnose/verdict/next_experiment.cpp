@@ -189,6 +189,7 @@ NextExperiment mostInformative(const Excitation& seen) {
     return newlyShown(unseen, a.seen) < newlyShown(unseen, b.seen);
   });
   std::vector<Message> names;
+  names.reserve(unseen.size());
   for (const Effect* effect : unseen) names.push_back(effectName(*effect));
   const size_t shown = newlyShown(unseen, best->seen);
   const Message part =
