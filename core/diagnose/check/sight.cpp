@@ -191,7 +191,7 @@ class Looker {
   }
   bool possible(const Effect& effect, const std::vector<double>& p) const { return plausible(effect, p, input_.seen); }
   bool saying(const Effect& effect, const std::vector<double>& p) const {
-    return worthSaying(termAt(effect, p), base_.model, input_.seen, wander_);
+    return worthSaying(termAt(effect, p), base_.model, input_.seen, wander_, input_.criteria);
   }
 
   /// `own` stays true only while the base does all that shapes do.

@@ -75,12 +75,13 @@ Parameter numbered(Parameter parameter, size_t number) {
 }
 
 /// Those that are there, and whose interval says something.
-std::vector<Parameter> knownParameters(const EffectTerm& term, Axis axis) {
+std::vector<Parameter> knownParameters(const EffectTerm& term, Axis axis, const Criteria& limits) {
   std::vector<Parameter> known = presentParameters(term, axis);
   std::erase_if(known, [&](const Parameter& one) {
     const auto place = std::find_if(term.parameters.begin(), term.parameters.end(),
                                     [&one](const Parameter& other) { return other.name == one.name; });
-    return place != term.parameters.end() && !isKnown(term, static_cast<size_t>(place - term.parameters.begin()), axis);
+    return place != term.parameters.end() &&
+           !isKnown(term, static_cast<size_t>(place - term.parameters.begin()), axis, limits);
   });
   return known;
 }
@@ -112,8 +113,9 @@ std::vector<Finding> findingsOf(const SearchResult& result, const Model& model, 
       finding.sentence = finding.sentence + chosen.effect->furtherSentence(largest, further, input.seen);
     }
     for (size_t k = 0; k < terms.size(); ++k) {
-      const auto shown = finding.saysSomething ? knownParameters : presentParameters;
-      for (const Parameter& one : shown(terms[k], model.axis)) finding.parameters.push_back(numbered(one, k + 1));
+      const auto shown = finding.saysSomething ? knownParameters(terms[k], model.axis, input.criteria)
+                                               : presentParameters(terms[k], model.axis);
+      for (const Parameter& one : shown) finding.parameters.push_back(numbered(one, k + 1));
     }
     findings.push_back(std::move(finding));
   }
