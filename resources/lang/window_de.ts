@@ -2062,7 +2062,7 @@
     </message>
     <message>
         <source>Turns correlate</source>
-        <translation>Umdr. korrelieren</translation>
+        <translation>Korrelation</translation>
     </message>
     <message>
         <source>%1 %2, %3 %4</source>
