@@ -1,21 +1,26 @@
 // What README and manual print to be typed works as it is printed, and says what they print below it.
+#include <fmt/core.h>
 #include <matio.h>
 
 #include <QDir>
 #include <QFile>
+#include <QJsonDocument>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QTest>
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <memory>
 
 #include "base/atomic_file.h"
 #include "house/program.h"
+#include "plant/rig.h"
 #include "recording/csv.h"
 #include "support/printed_output.h"
 #include "support/sanitized.h"
 #include "support/temporary.h"
+#include "support/vesc_fake.h"
 
 using namespace breakaway::test;
 
@@ -26,7 +31,7 @@ class TestPrintedCommands : public QObject {
   void initTestCase();
   void page_data();
   void page();
-  void printedOutput_isOfACommandThatIsRun();
+  void everyBlock_isHeld();
   void plantedCommand_fails();
   void plantedOutput_fails_data();
   void plantedOutput_fails();
@@ -34,11 +39,13 @@ class TestPrintedCommands : public QObject {
 
  private:
   Outcome typed(const QString& line, const QString& folder) const;
+  void servesAs(const QString& line);
   QString asHere(QString line) const;
 
   TemporaryFolder files_;
-  QProcess board_;
-  QString port_, earlierRun_;
+  QProcess board_, served_;
+  std::unique_ptr<VescFake> vesc_;
+  QString port_, earlierRun_, address_;
 };
 
 static QString inSource(const QString& path) {
@@ -61,16 +68,66 @@ static void writeMat(const breakaway::Recording& recording, const std::string& p
   }
 }
 
+/// The same as another tool's log: counts of an encoder, and a converter's steps of a current that counts the other
+/// way.
+static std::string logOfAnother(const breakaway::Recording& recording) {
+  const auto angle = recording.channel("angle_rad"), current = recording.channel("current_A");
+  std::string text = "time_s,enc1,adc3\n";
+  for (size_t row = 0; row < recording.rows(); ++row)
+    text += fmt::format("{},{},{}\n", recording.time()[row], std::lround(angle[row] / 0.0015339807878856412),
+                        std::lround((10.0 - current[row]) / 0.0049));
+  return text;
+}
+
 /// In a shell, with the programs in its path.
 Outcome TestPrintedCommands::typed(const QString& line, const QString& folder) const {
   return run("/bin/sh", {"-c", "PATH=\"$BREAKAWAY_BIN_DIR:$PATH\"; " + asHere(line)}, folder);
 }
 
-/// With this machine's board and run, and without what is no program of ours.
+/// A board in the background, at any free port of this machine.
+void TestPrintedCommands::servesAs(const QString& line) {
+  QString words = line;
+  served_.start(builtProgram("breakaway-board"),
+                words.replace(QRegularExpression("--tcp \\d+"), "--tcp 0").split(' ').mid(1));
+  QVERIFY(served_.waitForReadyRead(10000));
+  address_ = QString::fromUtf8(served_.readLine()).trimmed();
+}
+
+/// With this machine's boards and run, and without what is no program of ours. Only a simulated board can be given a
+/// disc here.
 QString TestPrintedCommands::asHere(QString line) const {
-  return line.replace("serial:ttyACM0", port_)
+  return line.replace("serial:ttyACM0 --out disc", "simulated:disc.rig.json --out disc")
+      .replace("serial:ttyACM0 --out bare", "simulated:bare.rig.json --out bare")
+      .replace("serial:ttyACM0?pole_pairs", "serial:" + QString::fromStdString(vesc_->path()) + "?pole_pairs")
+      .replace("serial:ttyACM0", port_)
+      .replace("tcp:127.0.0.1:7000", address_)
       .replace("8b504e58", earlierRun_)
       .remove(QRegularExpression(" \\| jq .*"));
+}
+
+/// The page's own map of columns, for the log that it tells of.
+static void leaveMap(const QString& page, const QString& folder) {
+  for (const Block& block : blocksOf(page)) {
+    QFile file(folder + "/columns.json");
+    if (block.language == "json" && block.lines.join(' ').contains("\"columns\"") && file.open(QIODevice::WriteOnly))
+      file.write(block.lines.join('\n').toUtf8());
+  }
+}
+
+/// Empty, or why the lines don't compile and run behind what they include.
+static QString compiled(const Block& block, const QString& folder) {
+  QFile file(folder + "/printed.c");
+  if (!file.open(QIODevice::WriteOnly)) return "no place for " + file.fileName();
+  const auto includes = [](const QString& line) { return line.startsWith('#'); };
+  const QStringList& lines = block.lines;
+  const auto body = std::find_if_not(lines.begin(), lines.end(), includes);
+  QString text = QStringList(lines.begin(), body).join('\n') + "\nint main(void) {\n";
+  text += QStringList(body, lines.end()).join('\n') + "\nreturn 0;\n}\n";
+  file.write(text.toUtf8());
+  file.close();
+  const Outcome done =
+      run("/bin/sh", {"-c", "gcc -std=c99 -Wall -Wextra printed.c -o printed -lm && ./printed"}, folder);
+  return done.status == 0 ? QString() : "printed.c: " + done.err;
 }
 
 void TestPrintedCommands::initTestCase() {
@@ -86,6 +143,18 @@ void TestPrintedCommands::initTestCase() {
   for (const char* end : {".csv", ".bench.json"})
     QVERIFY(QFile::copy(inSource("tests/data/scale/angle_times_four") + end, folder + "/march" + end));
   writeMat(*example, files_.path("begin/log.mat"));
+  files_.write("begin/log.csv", logOfAnother(*example));
+  QCOMPARE(run("/bin/sh", {"-c", "gzip -c r.csv > march.log.gz"}, folder).status, 0);
+  QVERIFY(QFile::link(inSource("resources"), folder + "/resources"));
+  const QString rig = contentOf("resources/presets/servo.rig.json");
+  files_.write("begin/bare.rig.json", rig.toStdString());
+  QString disc = rig;
+  files_.write("begin/disc.rig.json",
+               disc.replace("\"motor\": {", R"("motor": { "added_inertia_kg_m2": 9e-5,)").toStdString());
+  QVERIFY(disc != rig);
+  const auto servo = breakaway::readRig(inSource("resources/presets/servo.rig.json").toStdString());
+  VERIFY_OK(servo);
+  vesc_ = std::make_unique<VescFake>(*servo);
   files_.write("begin/list.jsonl", R"({"id": "one", "bench":"rig.bench.json","recordings":["r.csv"]})"
                                    "\n");
   QString motor = contentOf("resources/presets/servo.bench.json");
@@ -116,23 +185,22 @@ void TestPrintedCommands::initTestCase() {
   earlierRun_ = lines[1].section(' ', 0, 0);
 }
 
-struct Page {
-  const char* file;
-  int atLeast;  ///< commands
-};
-
-constexpr Page pages[] = {{"README.md", 18},
-                          {"resources/help/tutorial.md", 7},
-                          {"resources/help/index.md", 1},
-                          {"resources/help/commands.md", 8},
-                          {"resources/help/connect.md", 3},
-                          {"resources/help/diagnosis.md", 1},
-                          {"resources/help/simulators.md", 4}};
+/// README and the manual's pages.
+static QStringList pages() {
+  QStringList names = {"README.md"};
+  for (const QString& name : QDir(inSource("resources/help")).entryList({"*.md"})) names << "resources/help/" + name;
+  return names;
+}
 
 void TestPrintedCommands::page_data() {
   QTest::addColumn<QString>("file");
-  QTest::addColumn<int>("atLeast");
-  for (const Page& page : pages) QTest::newRow(page.file) << page.file << page.atLeast;
+  size_t all = 0;
+  for (const QString& page : pages()) {
+    const size_t here = commandsOf(contentOf(page)).size();
+    if (here > 0) QTest::newRow(qPrintable(page)) << page;
+    all += here;
+  }
+  QVERIFY2(all > 50, qPrintable(QString::number(all)));
 }
 
 /// The folder that the pages begin in has outputs already.
@@ -143,32 +211,73 @@ static QString withoutEarlier(const QString& said) {
 
 void TestPrintedCommands::page() {
   QFETCH(QString, file);
-  QFETCH(int, atLeast);
   const QString folder = QString::fromStdString(files_.path(QFileInfo(file).baseName().toStdString()));
   QCOMPARE(run("cp", {"-r", QString::fromStdString(files_.path("begin")), folder}).status, 0);
   const auto commands = commandsOf(contentOf(file));
-  QVERIFY2(commands.size() >= static_cast<size_t>(atLeast), qPrintable(QString::number(commands.size())));
+  leaveMap(contentOf(file), folder);
   QStringList wrong;  // all of them at once: a run takes long
   for (const auto& [line, output] : commands) {
+    if (line.startsWith("breakaway-board ")) {
+      servesAs(line);
+      continue;
+    }
     const Outcome done = typed(line, folder);
     if (done.status != 0) wrong << line + ": " + done.err;
     const QString fault = output.isEmpty() ? QString() : notSaid(output, withoutEarlier(done.out));
     if (!fault.isEmpty()) wrong << line + "\n" + fault;
   }
+  for (const Block& block : blocksOf(contentOf(file)))
+    if (block.language == "c") wrong << compiled(block, folder);
+  wrong.removeAll(QString());
   QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join('\n')));
 }
 
-/// On every page, so that no output stands below what nobody runs.
-void TestPrintedCommands::printedOutput_isOfACommandThatIsRun() {
-  for (const QString& name : QDir(inSource("resources/help")).entryList({"*.md"})) {
-    const QString page = "resources/help/" + name, text = contentOf(page);
-    if (text.count("\n```output\n") == 0) continue;
-    QVERIFY2(std::any_of(std::begin(pages), std::end(pages), [&](const Page& one) { return page == one.file; }),
-             qPrintable(page));
-    const auto commands = commandsOf(text);
-    QCOMPARE(std::count_if(commands.begin(), commands.end(), [](const auto& one) { return !one.output.isEmpty(); }),
-             text.count("\n```output\n"));
+/// Lines that other tests run.
+static const char* const elsewhere[] = {
+    "./dev ",                                                            // .ci/run
+    "qemu-system-arm ",                                                  // tests/firmware, with the same options
+    "arm-none-eabi-objcopy ",                                            // ./dev test firmware
+    "build/release/bin/breakaway commission --board serial:/dev/pts/N",  // tests/firmware
+    "sudo apt install ./build/package/",                                 // tests/package
+    "cmake --preset package",                                            // ./dev package
+    "cmake --build --preset package",                                    // the same
+    "cmake --install build/package --prefix",                            // tst_install
+};
+
+/// What is wrong with a block; empty: it is run, compared, read, compiled, or run elsewhere.
+static QString faultOf(const Block& block) {
+  if (block.language == "output" || block.language == "c") return {};
+  if (block.language == "json") {
+    QString text = block.lines.join('\n').trimmed();
+    if (text.startsWith('"')) text = "{" + text + "}";
+    QJsonParseError error{};
+    QJsonDocument::fromJson(text.toUtf8(), &error);
+    return error.error == QJsonParseError::NoError ? QString() : error.errorString() + ": " + text;
   }
+  if (!block.language.isEmpty()) return "a language that nobody reads: " + block.language;
+  if (block.lines.contains("rule fleet:")) return {};  // tests/fleet/on_many_machines
+  for (const QString& line : block.lines) {
+    if (isRunHere(line) || line.isEmpty()) continue;
+    if (!std::any_of(std::begin(elsewhere), std::end(elsewhere), [&](const char* one) { return line.startsWith(one); }))
+      return "nobody runs " + line;
+  }
+  return {};
+}
+
+void TestPrintedCommands::everyBlock_isHeld() {
+  QStringList wrong;
+  for (const QString& page : pages()) {
+    const QString text = contentOf(page);
+    for (const Block& block : blocksOf(text))
+      if (const QString fault = faultOf(block); !fault.isEmpty()) wrong << page + ": " + fault;
+    const auto commands = commandsOf(text);
+    if (std::count_if(commands.begin(), commands.end(), [](const auto& one) { return !one.output.isEmpty(); }) !=
+        text.count("\n```output\n"))
+      wrong << page + ": an output of no command";
+  }
+  QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join('\n')));
+  for (const Block& planted : {Block{"json", {"{"}}, Block{"basic", {"10"}}, Block{"", {"format it"}}})
+    QVERIFY(!faultOf(planted).isEmpty());
 }
 
 void TestPrintedCommands::plantedCommand_fails() {
@@ -210,8 +319,10 @@ void TestPrintedCommands::plantedOutput_fails() {
 }
 
 void TestPrintedCommands::cleanupTestCase() {
-  board_.terminate();
-  if (board_.state() != QProcess::NotRunning) QVERIFY(board_.waitForFinished(10000));
+  for (QProcess* board : {&board_, &served_}) {
+    board->terminate();
+    if (board->state() != QProcess::NotRunning) QVERIFY(board->waitForFinished(10000));
+  }
 }
 
 QTEST_GUILESS_MAIN(TestPrintedCommands)

@@ -20,21 +20,43 @@ struct PrintedCommand {
   QStringList output;
 };
 
-/// The lines of a page's blocks that call the program, without what they say of themselves. A block that begins with
-/// ```output is what the command before it says.
+/// What stands between two ``` of a page.
+struct Block {
+  QString language;   ///< the word after the first ```
+  QStringList lines;  ///< one that ends with a backslash is joined with the next
+};
+
+inline std::vector<Block> blocksOf(const QString& page) {
+  std::vector<Block> blocks;
+  const QStringList parts = ("\n" + page).split("\n```");
+  for (qsizetype k = 1; k < parts.size(); k += 2) {
+    QString text = parts[k];
+    QStringList lines = text.replace(QRegularExpression(" *\\\\\n *"), " ").split('\n');
+    const QString language = lines.takeFirst();
+    blocks.push_back({language, lines});
+  }
+  return blocks;
+}
+
+/// What is typed of a line of a block without a language: without what the line says of itself.
+inline QString typedOf(const QString& line) {
+  return line.section(" #", 0, 0).trimmed();
+}
+
+inline bool isRunHere(const QString& line) {
+  static const QRegularExpression known("^(breakaway|breakaway-board|zcat|python3) ");
+  return known.match(line).hasMatch();
+}
+
+/// The lines of a page's blocks that call the program, or others on its files. A block that begins with ```output is
+/// what the command before it says.
 inline std::vector<PrintedCommand> commandsOf(const QString& page) {
   std::vector<PrintedCommand> commands;
-  const QStringList parts = page.split("\n```");
-  for (qsizetype k = 1; k < parts.size(); k += 2) {
-    QStringList lines = parts[k].split('\n');
-    if (lines.takeFirst() == "output") {
-      if (!commands.empty()) commands.back().output = lines;
-      continue;
-    }
-    for (const QString& line : lines) {
-      const QString typed = line.section(" #", 0, 0).trimmed();
-      if (typed.startsWith("breakaway ")) commands.push_back({typed, {}});
-    }
+  for (const Block& block : blocksOf(page)) {
+    if (block.language == "output" && !commands.empty()) commands.back().output = block.lines;
+    if (!block.language.isEmpty()) continue;
+    for (const QString& line : block.lines)
+      if (isRunHere(line)) commands.push_back({typedOf(line), {}});
   }
   return commands;
 }
