@@ -12,6 +12,8 @@ constexpr double sure = 8.0;          // standard errors, beyond which a sign is
 constexpr double fallen = 0.1;        // of a pulse's current, that only a turning motor takes off
 constexpr size_t enoughFalls = 3;     // that play between motor and encoder doesn't make
 constexpr double still_s = 0.02;      // without a count is at rest
+constexpr double stands_s = 0.5;      // likewise, of what coasts
+constexpr double mostCoast_s = 20.0;  // a load drives what still turns
 constexpr double given = 0.9;         // of the voltage asked for: less is the current limit's doing
 constexpr size_t kicksEachWay = 2;    // the second one of twice the voltage where no current was seen
 constexpr double roomPart = 0.7;      // of the current limit: the bridge's dead zone makes it more than in proportion
@@ -33,12 +35,14 @@ Command WiringCheck::run(const Sample& sample) {
   if (isFirst()) {
     level_V_ = options_.start_V;
     way_ = -1.0;
-    begin(Stage::brake, sample);  // what went before may have left it turning
+    begin(options_.coast_s > 0.0 ? Stage::coast : Stage::brake, sample);  // what went before may have left it turning
   }
   last_s_ = elapsed_s(sample);
   mostSupply_V_ = std::max(mostSupply_V_, sample.supply_V);
   watchIndex(sample);
   switch (stage_) {
+    case Stage::coast:
+      return coast(sample);
     case Stage::rest:
       return rest(sample);
     case Stage::pulse:
@@ -73,6 +77,17 @@ void WiringCheck::watchIndex(const Sample& sample) {
   ++indexSeen_;
   indexLow_rad_ = std::min(indexLow_rad_.value_or(sample.angle_rad), sample.angle_rad);
   indexHigh_rad_ = std::max(indexHigh_rad_.value_or(sample.angle_rad), sample.angle_rad);
+}
+
+Command WiringCheck::coast(const Sample& sample) {
+  const double gone_s = elapsed_s(sample);
+  if (std::abs(sample.angle_rad - anchor_rad_) > 1.5 * options_.count_rad) {
+    anchor_rad_ = sample.angle_rad;
+    anchor_s_ = sample.time_s;
+  }
+  const bool over = gone_s > options_.coast_s && sample.time_s - anchor_s_ > stands_s;
+  if (over || gone_s > mostCoast_s) begin(Stage::brake, sample);
+  return {};
 }
 
 Command WiringCheck::rest(const Sample& sample) {
@@ -288,7 +303,7 @@ int WiringCheck::currentSign() const {
 }
 
 /// Why nothing moves, as far as the pulses go.
-Message WiringCheck::standstill(double supply_V) const {
+Message WiringCheck::standstill(double supply_V) {
   const Message body = bodyText(options_.axis);
   const double most_V = std::min(level_V_, supply_V);
   if (!changes_ && constant_A_)
@@ -309,6 +324,7 @@ Message WiringCheck::standstill(double supply_V) const {
         "the current goes against the voltage ({:.2f} A at {:.1f} V), and {} doesn't move: the current sensor or the "
         "bridge is reversed; swap the sensor's leads or the bridge's inputs",
         most_A, most_V, body);
+  held_ = true;
   return message(
       "{} doesn't move at {:.2f} A: it is held (a brake, a clamp), or the encoder stands; free it, and check the "
       "encoder's cable, supply and coupling",
