@@ -96,6 +96,7 @@ class WiringCheck : public TimedProcedure {
   bool chooseNext(double supply_V);
   bool chooseKick(double supply_V);
   int currentSign() const;
+  bool hasDied() const;
   Message standstill(double supply_V);
   Message contradiction() const;
   Message loadWords(double moved_rad) const;
@@ -131,6 +132,11 @@ class WiringCheck : public TimedProcedure {
   };
   Moments sums_;                      ///< over all driven ticks: v·i, v², v, i
   std::optional<double> constant_A_;  ///< the current's only reading while driven
+  /// What it reads by now without a change, and the voltages of those driven ticks.
+  struct Unchanged {
+    double shown_A = 0.0, low_V = 0.0, high_V = 0.0;
+  };
+  Unchanged unchanged_;
   bool changes_ = false;
   size_t indexSeen_ = 0, ticks_ = 0;
   std::optional<double> indexLow_rad_, indexHigh_rad_;
