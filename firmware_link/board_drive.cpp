@@ -50,6 +50,7 @@ class BoardDrive final : public Drive {
   void command(const Command& command) override;
   void start(std::shared_ptr<Procedure> procedure) override;
   void stop(const Saying& reason) override;
+  Trip tripped() const override { return tripped_; }
   Result<size_t> advance(double duration_s, std::vector<Sample>& samples) override;
 
  private:
@@ -106,6 +107,7 @@ class BoardDrive final : public Drive {
   double owed_s_ = 0.0;
   std::optional<std::uint32_t> stands_;  ///< the tick at which the board last said that it stands
   bool faultUnknown_ = false;
+  Trip tripped_ = Trip::none;
   std::optional<Error> broken_;
 };
 
@@ -197,6 +199,7 @@ Result<void> BoardDrive::linearise(const DutyCurve& curve) {
 
 void BoardDrive::begin(const Command& command, std::shared_ptr<Procedure> procedure) {
   endProcedure(message("another command came"));
+  tripped_ = Trip::none;
   procedure_ = std::move(procedure);
   legOfProcedure_ = 0;
   if (procedure_ != nullptr && identity_.can.runsLegs) procedure_->leaveLegsToDrive();
@@ -270,6 +273,7 @@ void BoardDrive::faultCame(const wire::Fault& fault) {
   latch_ = fault.latch;
   faultUnknown_ = false;
   if (known) return;
+  tripped_ = tripOf(fault.code);
   endProcedure(faultWords(fault, limits_));
   wish_.rest();
 }

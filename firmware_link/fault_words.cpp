@@ -4,6 +4,19 @@
 
 namespace breakaway {
 
+Trip tripOf(wire::FaultCode code) {
+  using wire::FaultCode;
+  switch (code) {
+    case FaultCode::none:
+    case FaultCode::travel:
+    case FaultCode::overTemperature:
+    case FaultCode::leaseExpired:
+      return Trip::none;
+    default:
+      return static_cast<Trip>(code);
+  }
+}
+
 Message faultWords(const wire::Fault& fault, const FaultLimits& limits) {
   using wire::FaultCode;
   switch (fault.code) {

@@ -14,6 +14,9 @@ struct FaultLimits {
   Axis axis = Axis::rotary;
 };
 
+/// The watch's own; none where something else stopped the motor: travel, heat, a lease that ran out.
+Trip tripOf(wire::FaultCode code);
+
 /// What happened and what to do about it.
 Message faultWords(const wire::Fault& fault, const FaultLimits& limits);
 

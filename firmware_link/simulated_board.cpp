@@ -43,6 +43,7 @@ class SimulatedBoard final : public Drive {
   void command(const Command& command) override;
   void start(std::shared_ptr<Procedure> procedure) override;
   void stop(const Saying& reason) override;
+  Trip tripped() const override { return tripped_; }
   Result<size_t> advance(double duration_s, std::vector<Sample>& samples) override;
 
  private:
@@ -87,6 +88,7 @@ class SimulatedBoard final : public Drive {
   ShaftWatch shaft_;
   double unitPerRad_;
   std::shared_ptr<Procedure> procedure_;
+  Trip tripped_ = Trip::none;
   uint64_t tickCount_ = 0;
   double owed_s_ = 0.0, commandLimit_A_ = 0.0;
   bool follows_ = false;                    ///< a speed was commanded
@@ -175,6 +177,7 @@ void SimulatedBoard::command(const Command& command) {
   if (procedure_ != nullptr && procedure_->state() == Procedure::State::running)
     procedure_->stop(message("another command came"));
   procedure_.reset();
+  tripped_ = Trip::none;
   watch_.restart();
   obey(command);
 }
@@ -222,6 +225,7 @@ void SimulatedBoard::watch(const Sample& sample) {
   if (trip == Trip::none || !runs) return;
   const auto& limits = watch_.limits();
   const auto& motor = watch_.motor();
+  tripped_ = trip;
   stop(tripWords(trip, {seen.current_A,
                         limits.trip_A,
                         limit_A,

@@ -11,6 +11,17 @@ namespace breakaway {
 
 namespace {
 
+/// Every voltage, and with it resistance and back-EMF constant, rides on the supply's reading.
+std::optional<Message> wrongSupply(double declared_V, double reads_V) {
+  constexpr double tolerance = 0.06;  // of a supply's setting
+  const double ratio = reads_V / declared_V;
+  if (!(declared_V > 0.0) || std::abs(ratio - 1.0) < tolerance) return {};
+  return message(
+      "the supply reads {:.4g} V where {:.4g} V belong, {:.3g} times as much: measure it; if it is {:.4g} V, the "
+      "board's divider or its reference is off by that factor, and all voltages with it",
+      reads_V, declared_V, ratio, declared_V);
+}
+
 /// Beliefs, held one after the other.
 class Held {
  public:
@@ -32,12 +43,18 @@ class Held {
   }
   /// What the same pulses said at the beginning. What the bridge hides is the same in both, and most of the doubt with
   /// it.
-  void still(BeliefOf of, const char* field, const Estimate& before, const Estimate& now) {
+  void still(BeliefOf of, const char* field, const Estimate& before, const Estimate& now, const Message& from) {
     constexpr double shared = 0.5;  // of both's doubt that isn't
     const double error = shared * std::hypot(now.standardError, now.value * before.standardError / before.value);
-    const Belief belief{
-        of, message("at the beginning"), field, before.value, true, {now.value, error}, message("but at the end")};
+    const Belief belief{of, message("at the beginning"), field, before.value, true, {now.value, error}, from};
     if (before.value > 0.0 && now.value > 0.0) take(contradictionOf(belief, known_.identity.axis));
+  }
+  void still(const WiringFit& now, const Message& from) {
+    const MotorNames& names = motorNames(known_.identity.axis);
+    const WiringFit& before = *known_.wiring;
+    take(wrongSupply(known_.identity.supply_V, now.supply_V));
+    still(BeliefOf::resistance, names.resistance, before.resistance_ohm, now.resistance_ohm, from);
+    still(BeliefOf::backEmfConstant, names.backEmfConstant, before.backEmf_V_s_per_rad, now.backEmf_V_s_per_rad, from);
   }
   void take(const std::optional<Message>& contradiction) {
     if (contradiction) found_.push_back(*contradiction);
@@ -62,17 +79,6 @@ class Held {
   Commission& known_;
   std::vector<Message> found_;
 };
-
-/// Every voltage, and with it resistance and back-EMF constant, rides on the supply's reading.
-std::optional<Message> wrongSupply(double declared_V, double reads_V) {
-  constexpr double tolerance = 0.06;  // of a supply's setting
-  const double ratio = reads_V / declared_V;
-  if (!(declared_V > 0.0) || std::abs(ratio - 1.0) < tolerance) return {};
-  return message(
-      "the supply reads {:.4g} V where {:.4g} V belong, {:.3g} times as much: measure it; if it is {:.4g} V, the "
-      "board's divider or its reference is off by that factor, and all voltages with it",
-      reads_V, declared_V, ratio, declared_V);
-}
 
 }  // namespace
 
@@ -108,13 +114,18 @@ Result<void> holdWiring(const CommissionOptions& options, Commission& known) {
 }
 
 Result<void> holdWiringStill(const WiringFit& now, const CommissionOptions& options, Commission& known) {
-  const MotorNames& names = motorNames(known.identity.axis);
   Held held(options, known);
-  held.take(wrongSupply(known.identity.supply_V, now.supply_V));
-  held.still(BeliefOf::resistance, names.resistance, known.wiring->resistance_ohm, now.resistance_ohm);
-  held.still(BeliefOf::backEmfConstant, names.backEmfConstant, known.wiring->backEmf_V_s_per_rad,
-             now.backEmf_V_s_per_rad);
+  held.still(now, message("but at the end"));
   return held.conclude();
+}
+
+Message wiringChange(const WiringFit& now, Commission& known) {
+  const CommissionOptions strict;
+  Held held(strict, known);
+  held.still(now, message("but now"));
+  const auto same = held.conclude();
+  if (same) return {};
+  return same.error().fact;
 }
 
 Result<void> holdMotor(const IdentifiedMotor& motor, const CommissionOptions& options, Commission& known) {

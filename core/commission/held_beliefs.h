@@ -18,6 +18,8 @@ Result<void> holdDeclarations(const CommissionOptions& options, Commission& know
 Result<void> holdWiring(const CommissionOptions& options, Commission& known);
 /// At the end, `now` against the wiring check at the beginning.
 Result<void> holdWiringStill(const WiringFit& now, const CommissionOptions& options, Commission& known);
+/// The same of a job that ended early, whatever goes on in spite of it: what contradicts, empty where nothing does.
+Message wiringChange(const WiringFit& now, Commission& known);
 /// After the first test that moves the motor, whose `motor` carries the current as the sensor shows it.
 Result<void> holdMotor(const IdentifiedMotor& motor, const CommissionOptions& options, Commission& known);
 

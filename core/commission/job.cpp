@@ -113,11 +113,11 @@ size_t Job::decimation(double expected_s) const {
 
 /// Begins steps until one moves something, or all are made.
 void Job::next(Drive& drive) {
-  while (running() && at_ < steps_.size()) {
+  while (running() && !cause_ && at_ < steps_.size()) {
     if (start(drive)) return;
     if (running()) concludeRun(drive);
   }
-  if (running()) end(drive, Procedure::State::finished, {});
+  if (running() && !cause_) end(drive, Procedure::State::finished, {});
 }
 
 /// Whether a procedure runs now. One that has nothing left to do isn't started.
@@ -130,12 +130,16 @@ bool Job::start(Drive& drive) {
   }
   run_ = std::move(*run);
   if (!run_.procedure) return false;
-  recorder_.emplace(run_.name, decimation(run_.procedure->status().remaining_s), known_.identity.axis);
-  lost_ = 0;
-  slice_s_ = told_s_ = 0.0;
+  record();
   if (run_.procedure->state() != Procedure::State::running) return false;
   drive.start(run_.procedure);
   return true;
+}
+
+void Job::record() {
+  recorder_.emplace(run_.name, decimation(run_.procedure->status().remaining_s), known_.identity.axis);
+  lost_ = 0;
+  slice_s_ = told_s_ = 0.0;
 }
 
 void Job::take(Drive& drive, double passed_s, const std::vector<Sample>& samples, size_t lost) {
@@ -154,6 +158,7 @@ void Job::take(Drive& drive, double passed_s, const std::vector<Sample>& samples
   }
   if (const auto kept = keepNow(); !kept) return end(drive, Procedure::State::failed, kept.error());
   if (run_.procedure->state() == Procedure::State::running) return;
+  if (cause_) return concludeCause(drive);
   concludeRun(drive);
   next(drive);
 }
@@ -165,6 +170,7 @@ void Job::stop(Drive& drive, const Saying& reason) {
     return;
   }
   run_.procedure->stop(reason);
+  if (cause_) return concludeCause(drive);
   concludeRun(drive);
   if (running()) end(drive, Procedure::State::stopped, {run_.name, reason});
 }
@@ -178,17 +184,34 @@ void Job::concludeRun(Drive& drive) {
     if (const auto kept = keepRun(drive); !kept) return end(drive, Procedure::State::failed, kept.error());
     const auto status = run_.procedure->status();
     if (status.state != Procedure::State::finished) ran = Error{run_.name, status.failure};
-    if (status.state == Procedure::State::stopped) return end(drive, Procedure::State::stopped, ran.error());
+    if (status.state == Procedure::State::stopped)
+      return endEarly(drive, {Procedure::State::stopped, drive.tripped(), ran.error()});
   }
   OnBench on{drive, options_, known_};
   const auto ended = step.end(on, ran);
   run_.procedure.reset();
-  if (!ended) return end(drive, Procedure::State::failed, ended.error());
+  if (!ended) return endEarly(drive, {Procedure::State::failed, Trip::none, ended.error()});
   ++revision_;
   if (*ended == StepEnd::again) return;
   known_.facts.add(step.leaves());
   ++at_;
   if (const auto kept = keep(); !kept) end(drive, Procedure::State::failed, kept.error());
+}
+
+/// At once, unless small pulses may tell what is the cause.
+void Job::endEarly(Drive& drive, const EarlyEnd& how) {
+  if (!leavesCauseOpen(how, known_)) return end(drive, how.state, how.failure);
+  const OnBench on{drive, options_, known_};
+  cause_.emplace(how, on);
+  run_ = cause_->run();
+  record();
+  drive.start(run_.procedure);
+}
+
+void Job::concludeCause(Drive& drive) {
+  const Error failure = cause_->conclude(drive.tripped(), known_);
+  const auto kept = keepRun(drive);
+  end(drive, cause_->end().state, kept ? failure : kept.error());
 }
 
 Result<void> Job::keepRun(Drive& drive) {
@@ -208,11 +231,11 @@ Result<void> Job::keepNow() {
   const auto now = std::chrono::steady_clock::now();
   if (!options_.keepProgress || now - kept_ < keepEvery) return {};
   kept_ = now;
-  return steps_[at_]->gather(known_) ? keep() : Result<void>{};
+  return !cause_ && steps_[at_]->gather(known_) ? keep() : Result<void>{};
 }
 
 Result<void> Job::keep() {
-  if (run_.procedure) steps_[at_]->gather(known_);
+  if (run_.procedure && !cause_) steps_[at_]->gather(known_);
   return options_.keepProgress ? options_.keepProgress(known_) : Result<void>{};
 }
 
@@ -234,7 +257,7 @@ void Job::giveBack(Drive& drive) {
 }
 
 const Commission& Job::known() {
-  if (running() && run_.procedure && steps_[at_]->gather(known_)) ++revision_;
+  if (running() && run_.procedure && !cause_ && steps_[at_]->gather(known_)) ++revision_;
   return known_;
 }
 

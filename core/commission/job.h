@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "commission/cause_search.h"
 #include "commission/commission.h"
 #include "commission/step_recorder.h"
 #include "commission/steps.h"
@@ -32,6 +33,8 @@ class Job {
 
   Procedure::Status status() const;
   bool running() const { return state_ == Procedure::State::running; }
+  /// Whether a step has ended early, and it makes sure whether a wire is the cause.
+  bool seeksCause() const { return cause_.has_value(); }
   /// Why it ended early, with the step's name.
   const Error& failure() const { return failure_; }
   /// What is known so far, from a sweep under way too.
@@ -44,7 +47,10 @@ class Job {
   Result<void> goOn(const Commission& earlier);
   void next(Drive& drive);
   bool start(Drive& drive);
+  void record();
   void concludeRun(Drive& drive);
+  void endEarly(Drive& drive, const EarlyEnd& how);
+  void concludeCause(Drive& drive);
   Result<void> keepRun(Drive& drive);
   Result<void> keepNow();
   Result<void> keep();
@@ -59,6 +65,7 @@ class Job {
   std::vector<StepPtr> steps_;
   size_t at_ = 0;  ///< the step that runs
   StepRun run_;
+  std::optional<CauseSearch> cause_;
   std::optional<StepRecorder> recorder_;
   std::optional<ControllerSettings> found_;
   double slice_s_ = 0.0, told_s_ = 0.0;

@@ -155,7 +155,8 @@ class BoardWatch {
       acting_V_ = 0;
       roundStart_rad_ = seen.angle_rad;
       roundStart_A_ = seen.current_A;
-      allowed_rad_per_s_ = magnitude(seen.velocity_rad_per_s) + aside_rad_per_s_;
+      coasting_rad_per_s_ = seen.velocity_rad_per_s;
+      allowed_rad_per_s_ = magnitude(coasting_rad_per_s_) + aside_rad_per_s_;
       heat_ -= cooling_ * heat_;
       return Trip::none;
     }
@@ -184,6 +185,7 @@ class BoardWatch {
         break;
       case 2:
         smooth(motor_.velocity_rad_per_s, perRound_ * last_.turned_rad);
+        smooth(coasting_rad_per_s_, Scalar(0));
         break;
       case 3:
         smooth(inductive_V_, inductance_ * last_.rise_A);
@@ -211,7 +213,7 @@ class BoardWatch {
   /// Beyond the motor's limit; or faster than was asked for, but what slows down after a change of the reference is
   /// given the time for it.
   bool tooFast(const Seen& seen) {
-    const Scalar size = magnitude(motor_.velocity_rad_per_s);
+    const Scalar size = magnitude(motor_.velocity_rad_per_s + coasting_rad_per_s_);
     if (isPositive(mostVelocity_rad_per_s_) && exceeds(size, mostVelocity_rad_per_s_)) return true;
     const Scalar present = size + aside_rad_per_s_;
     if (!seen.follows) {
@@ -254,6 +256,9 @@ class BoardWatch {
   Round last_, sum_;
   Scalar resistive_V_ = 0, induced_V_ = 0, inductive_V_ = 0, usual_V_ = 0;
   Scalar heat_ = 0, allowed_rad_per_s_ = 0;
+  // What voltage, current and speed are smoothed from is nothing; so much of the speed at which the windings were
+  // energised is not yet in the smoothed one.
+  Scalar coasting_rad_per_s_ = 0;
   Scalar roundStart_rad_ = 0, roundStart_A_ = 0;
   Scalar acting_V_ = 0;  ///< since the last tick
   int step_ = 0;         ///< of the round

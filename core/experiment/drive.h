@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "control/board_watch.h"
 #include "experiment/identity.h"
 #include "experiment/setting_range.h"
 #include "motor/duty_curve.h"
@@ -102,6 +103,9 @@ class Drive {
   virtual void start(std::shared_ptr<Procedure> procedure) = 0;
   /// Stops the motor at once, whatever runs: windings open, procedure stopped, latched until the next command or start.
   virtual void stop(const Saying& reason) = 0;
+  /// For what the board's watch opened the windings and ended the last procedure; none: that ended otherwise, or the
+  /// board doesn't say.
+  virtual Trip tripped() const { return Trip::none; }
   /// Lets `duration_s` of board time pass (a simulated board computes it; a real one waits) and appends the samples of
   /// every control tick. Returns the count of samples that were lost on the way.
   virtual Result<size_t> advance(double duration_s, std::vector<Sample>& samples) = 0;

@@ -12,9 +12,12 @@ constexpr double sure = 8.0;          // standard errors, beyond which a sign is
 constexpr double fallen = 0.1;        // of a pulse's current, that only a turning motor takes off
 constexpr size_t enoughFalls = 3;     // that play between motor and encoder doesn't make
 constexpr double still_s = 0.02;      // without a count is at rest
+constexpr double stands_s = 0.5;      // likewise, of what coasts
+constexpr double mostCoast_s = 20.0;  // a load drives what still turns
 constexpr double given = 0.9;         // of the voltage asked for: less is the current limit's doing
 constexpr size_t kicksEachWay = 2;    // the second one of twice the voltage where no current was seen
 constexpr double roomPart = 0.7;      // of the current limit: the bridge's dead zone makes it more than in proportion
+constexpr double reachPart = 0.8;     // of the present voltage, over which a sensor that lives changes
 constexpr double steady = 0.98;       // of the voltage asked for, on average
 constexpr size_t enoughUnslowed = 2;  // that cogging doesn't make
 constexpr double windowCounts = 3.0;  // that a turning shaft passes at least, while it is watched
@@ -33,12 +36,14 @@ Command WiringCheck::run(const Sample& sample) {
   if (isFirst()) {
     level_V_ = options_.start_V;
     way_ = -1.0;
-    begin(Stage::brake, sample);  // what went before may have left it turning
+    begin(options_.coast_s > 0.0 ? Stage::coast : Stage::brake, sample);  // what went before may have left it turning
   }
   last_s_ = elapsed_s(sample);
   mostSupply_V_ = std::max(mostSupply_V_, sample.supply_V);
   watchIndex(sample);
   switch (stage_) {
+    case Stage::coast:
+      return coast(sample);
     case Stage::rest:
       return rest(sample);
     case Stage::pulse:
@@ -73,6 +78,17 @@ void WiringCheck::watchIndex(const Sample& sample) {
   ++indexSeen_;
   indexLow_rad_ = std::min(indexLow_rad_.value_or(sample.angle_rad), sample.angle_rad);
   indexHigh_rad_ = std::max(indexHigh_rad_.value_or(sample.angle_rad), sample.angle_rad);
+}
+
+Command WiringCheck::coast(const Sample& sample) {
+  const double gone_s = elapsed_s(sample);
+  if (std::abs(sample.angle_rad - anchor_rad_) > 1.5 * options_.count_rad) {
+    anchor_rad_ = sample.angle_rad;
+    anchor_s_ = sample.time_s;
+  }
+  const bool over = gone_s > options_.coast_s && sample.time_s - anchor_s_ > stands_s;
+  if (over || gone_s > mostCoast_s) begin(Stage::brake, sample);
+  return {};
 }
 
 Command WiringCheck::rest(const Sample& sample) {
@@ -147,6 +163,10 @@ void WiringCheck::weigh(const Sample& sample) {
   sums_.count += 1.0;
   if (!constant_A_) constant_A_ = sample.current_A;
   changes_ = changes_ || sample.current_A != *constant_A_;
+  if (sums_.count == 1.0 || sample.current_A != unchanged_.shown_A)
+    unchanged_ = {sample.current_A, sample.voltage_V, sample.voltage_V};
+  unchanged_.low_V = std::min(unchanged_.low_V, sample.voltage_V);
+  unchanged_.high_V = std::max(unchanged_.high_V, sample.voltage_V);
 }
 
 Command WiringCheck::pulse(const Sample& sample) {
@@ -287,8 +307,23 @@ int WiringCheck::currentSign() const {
   return power_W > 0.0 ? 1 : -1;
 }
 
+/// A sensor that went with the voltage, or seemed to, and now reads the same from as much one way as the other; or all
+/// through the latest kick, where a smaller voltage of that way had been seen to drive another current.
+bool WiringCheck::hasDied() const {
+  if (currentSign() == 0) return false;
+  const double reach_V = reachPart * level_V_;
+  if (unchanged_.low_V < -reach_V && unchanged_.high_V > reach_V) return true;
+  if (kicks_.empty() || kicks_.back().moments.size() < fewestSamples) return false;
+  const auto& moments = kicks_.back().moments;
+  const auto& before = standing_[side()];
+  return before && std::abs(before->current_A - moments.front().current_A) > sure * before->error_A &&
+         std::abs(before->current_A) > sure * before->error_A &&
+         std::all_of(moments.begin(), moments.end(),
+                     [&](const Moment& one) { return one.current_A == moments.front().current_A; });
+}
+
 /// Why nothing moves, as far as the pulses go.
-Message WiringCheck::standstill(double supply_V) const {
+Message WiringCheck::standstill(double supply_V) {
   const Message body = bodyText(options_.axis);
   const double most_V = std::min(level_V_, supply_V);
   if (!changes_ && constant_A_)
@@ -309,6 +344,7 @@ Message WiringCheck::standstill(double supply_V) const {
         "the current goes against the voltage ({:.2f} A at {:.1f} V), and {} doesn't move: the current sensor or the "
         "bridge is reversed; swap the sensor's leads or the bridge's inputs",
         most_A, most_V, body);
+  held_ = true;
   return message(
       "{} doesn't move at {:.2f} A: it is held (a brake, a clamp), or the encoder stands; free it, and check the "
       "encoder's cable, supply and coupling",
@@ -327,6 +363,11 @@ Message WiringCheck::contradiction() const {
         "the encoder stands, but the current falls in each pulse as it does when the motor turns ({:.1f} V); check the "
         "encoder's cable and supply, and the coupling",
         level_V_);
+  if (hasDied())
+    return message(
+        "the current sensor has died in between: it reads exactly {:.3g} A whatever the voltage; it is dead, check its "
+        "supply and its wire",
+        unchanged_.shown_A);
   const int sign = currentSign();
   if (along_ + against_ < 2) return {};
   if (sign == 0 && !changes_ && kicked_[0] + kicked_[1] >= 2 * kicksEachWay)

@@ -13,6 +13,7 @@
 namespace breakaway {
 
 struct WiringCheckOptions {
+  double coast_s = 0.0;  ///< at least, before the first pulse: until what turns has come to rest with open windings
   double start_V = 0.02;
   double growth = 1.19;  ///< of the voltage, from one pair of pulses to the next
   double pulse_s = 0.06, settle_s = 0.02, rest_s = 0.04;
@@ -62,6 +63,9 @@ class WiringCheck : public TimedProcedure {
   const std::vector<Kick>& kicks() const { return kicks_; }
   /// Whether a current was seen that goes with the voltage.
   bool currentSeen() const { return currentSign() > 0; }
+  /// Whether what it failed with says which wire it is; not so where nothing moves and the current goes with the
+  /// voltage.
+  bool names() const { return state() == State::failed && !held_; }
   /// Mean of the supply's reading, windings open.
   double supply_V() const;
   const WiringCheckOptions& options() const { return options_; }
@@ -71,8 +75,9 @@ class WiringCheck : public TimedProcedure {
   Progress progress() const override;
 
  private:
-  enum class Stage { rest, pulse, kick, brake };
+  enum class Stage { coast, rest, pulse, kick, brake };
   size_t side() const { return way_ > 0.0 ? 1 : 0; }
+  Command coast(const Sample& sample);
   Command rest(const Sample& sample);
   Command pulse(const Sample& sample);
   Command kick(const Sample& sample);
@@ -91,7 +96,8 @@ class WiringCheck : public TimedProcedure {
   bool chooseNext(double supply_V);
   bool chooseKick(double supply_V);
   int currentSign() const;
-  Message standstill(double supply_V) const;
+  bool hasDied() const;
+  Message standstill(double supply_V);
   Message contradiction() const;
   Message loadWords(double moved_rad) const;
 
@@ -113,6 +119,7 @@ class WiringCheck : public TimedProcedure {
     double meanCurrent_A() const { return count > 0 ? current_A / static_cast<double>(count) : 0.0; }
   };
   std::array<Sum, 3> thirds_;  ///< of the pulse after settling
+  bool held_ = false;          ///< it doesn't move, and nothing says why
   bool limited_ = false;       ///< the last pulse got less voltage than it asked for
   double lastTravel_rad_ = 0.0, windowStart_rad_ = 0.0, windowStart_s_ = 0.0, kickSum_V_ = 0.0;
   double brakeStart_rad_ = 0.0, furthest_rad_ = 0.0;  ///< of what is braked, in its way
@@ -125,6 +132,11 @@ class WiringCheck : public TimedProcedure {
   };
   Moments sums_;                      ///< over all driven ticks: v·i, v², v, i
   std::optional<double> constant_A_;  ///< the current's only reading while driven
+  /// What it reads by now without a change, and the voltages of those driven ticks.
+  struct Unchanged {
+    double shown_A = 0.0, low_V = 0.0, high_V = 0.0;
+  };
+  Unchanged unchanged_;
   bool changes_ = false;
   size_t indexSeen_ = 0, ticks_ = 0;
   std::optional<double> indexLow_rad_, indexHigh_rad_;

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>
 #include <QCoreApplication>
+#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -18,14 +19,20 @@ using namespace breakaway::test;
 
 namespace {
 
-constexpr unsigned rigSeed = 3;
 constexpr double inStep = 0.4;  // of its time, at which the fault comes
 
 struct Options {
   std::vector<std::string> presets{"servo", "geared", "linear"};
+  std::vector<std::string> faults;  ///< their names; empty: all
   std::string results = "build/wiring.jsonl";
-  unsigned sound = 200;
-  bool faults = true;
+  unsigned seed = 3;  ///< of the noise on the presets' rigs
+  unsigned sound = 200, soundFrom = 1;
+
+  bool tries(const WiringFault& fault) const {
+    return faults.empty() || std::find(faults.begin(), faults.end(), fault.name) != faults.end();
+  }
+  /// Of a run of that seed; the usual one's isn't told.
+  std::string key(std::string text) const { return seed == 3 ? text : text + fmt::format(", seed {}", seed); }
 };
 
 /// What is known of a run already, by its key; appended to as runs are made.
@@ -93,11 +100,12 @@ void studyFaults(const Options& options, Log& log) {
   std::vector<std::string> odd;
   for (const std::string& preset : options.presets) {
     const double tenth = preset == "linear" ? 0.008 : 0.628;
-    const std::vector<StepSpan> steps = soundSteps(preset, rigSeed);
+    const std::vector<StepSpan> steps = soundSteps(preset, options.seed);
     for (const WiringFault& fault : wiringFaults(preset)) {
+      if (!options.tries(fault)) continue;
       const auto at = [&](double from_s) {
-        return log.once(fmt::format("{}, {}, {:.2f}", preset, fault.text(), from_s),
-                        [&] { return asJson(runWith(fault, preset, from_s, steps, rigSeed)); });
+        return log.once(options.key(fmt::format("{}, {}, {:.2f}", preset, fault.text(), from_s)),
+                        [&] { return asJson(runWith(fault, preset, from_s, steps, options.seed)); });
       };
       Worst first, middle, last;
       for (size_t k = 0; k <= (fault.atStartOnly ? 0 : steps.size()); ++k) {
@@ -125,13 +133,14 @@ void studyFaults(const Options& options, Log& log) {
 }
 
 /// At the start, over a pseudo terminal.
-void studyTerminal(Log& log) {
+void studyTerminal(const Options& options, Log& log) {
   const std::string preset = "servo";
   std::printf("| fault, over a pseudo terminal | time to the trip | status | words |\n|---|---|---|---|\n");
   for (const WiringFault& fault : wiringFaults(preset)) {
+    if (!options.tries(fault)) continue;
     if (fault.may && !fault.atStartOnly) continue;  // the whole job would be made
-    const auto run =
-        log.once("terminal, " + fault.text(), [&] { return asJson(runOverTerminal(fault, preset, 0.0, rigSeed)); });
+    const auto run = log.once(options.key("terminal, " + fault.text()),
+                              [&] { return asJson(runOverTerminal(fault, preset, 0.0, options.seed)); });
     std::printf("| %s | %.2f s | %d | %s%s |\n", fault.text().c_str(), run["tripped_s"].get<double>(),
                 run["status"].get<int>(), run["named"].get<bool>() ? "" : "(another cause) ",
                 run["words"].get<std::string>().c_str());
@@ -142,7 +151,7 @@ void studyTerminal(Log& log) {
 /// Whole short jobs on sound rigs.
 void studySound(const Options& options, Log& log) {
   unsigned refused = 0;
-  for (unsigned seed = 1; seed <= options.sound; ++seed) {
+  for (unsigned seed = options.soundFrom; seed < options.soundFrom + options.sound; ++seed) {
     const auto run = log.once(fmt::format("sound, {}", seed), [seed] {
       const TemporaryFolder folder;
       auto drive = openDrive("simulated:" + folder.write("r.rig.json", RandomRig(seed).text(seed % 2 == 0)), seed);
@@ -166,14 +175,17 @@ int main(int count, char** words) {
   bool soundOnly = false, terminal = false;
   CLI::App app("Faults of a rig's wiring, and sound rigs", "wiring");
   app.add_option("--preset", options.presets, "presets to try");
+  app.add_option("--fault", options.faults, "faults to try, by their names; otherwise all");
+  app.add_option("--seed", options.seed, "of the noise on the presets' rigs")->capture_default_str();
   app.add_option("--results", options.results, "where runs are kept, and gone on from")->capture_default_str();
   app.add_option("--sound", options.sound, "sound rigs at random")->capture_default_str();
+  app.add_option("--sound-from", options.soundFrom, "seed of the first of them")->capture_default_str();
   app.add_flag("--sound-only", soundOnly, "no faults");
   app.add_flag("--terminal", terminal, "the preset servo over a pseudo terminal, only");
   CLI11_PARSE(app, count, words);
   Log log(options.results);
   if (terminal) {
-    studyTerminal(log);
+    studyTerminal(options, log);
     return 0;
   }
   if (!soundOnly) studyFaults(options, log);

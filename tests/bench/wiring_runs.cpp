@@ -60,7 +60,7 @@ void driveTo(Job& job, Drive& drive, const Each& each) {
       job.stop(drive, lost.error().fact);
       return;
     }
-    each(samples);
+    if (!job.seeksCause()) each(samples);
     job.take(drive, slice_s, samples, *lost);
   }
 }
@@ -122,7 +122,9 @@ WiringRun outcomeOf(Job& job, const WiringFault& fault) {
   const bool done = job.status().state == Procedure::State::finished;
   run.status = done ? 0 : 1;
   run.words = done ? said(job.known()) : job.failure().message();
-  run.named = (run.status != 0 || fault.may) && holdsAny(run.words, fault.words);
+  // A cause that the wiring check has found counts alone: its symptom stands behind it.
+  const std::string cause = run.words.substr(0, run.words.find("(found by a wiring check"));
+  run.named = (run.status != 0 || fault.may) && holdsAny(cause, fault.words);
   return run;
 }
 

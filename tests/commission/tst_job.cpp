@@ -5,6 +5,7 @@
 #include "firmware_link/simulated_board.h"
 #include "support/linear_rig.h"
 #include "support/temporary.h"
+#include "support/wired_rig.h"
 
 using namespace breakaway;
 
@@ -23,6 +24,8 @@ class TestJob : public QObject {
   void gains_areGivenBack();
   void otherSettings_forgetWhatWasMeasuredWithThem();
   void endsFoundElsewhere_forgetTheSweeps();
+  void earlyEnd_isTracedToItsWire_data();
+  void earlyEnd_isTracedToItsWire();
 };
 
 namespace {
@@ -217,6 +220,42 @@ void TestJob::endsFoundElsewhere_forgetTheSweeps() {
     run(strict, *drive);
     QCOMPARE(strict.status().state == Procedure::State::finished, same);
   }
+}
+
+void TestJob::earlyEnd_isTracedToItsWire_data() {
+  QTest::addColumn<QString>("trouble");
+  QTest::addColumn<QString>("begins");
+  QTest::addColumn<bool>("traced");
+  QTest::newRow("counts that change in motion look like a jump, and stay changed")
+      << R"("wiring": [{"fault": "counts_factor", "value": 4, "from_s": 45.8}])"
+      << "03-spin: at the beginning back_emf_constant_V_s_per_rad is" << true;
+  QTest::newRow("a jump is a jump") << R"("faults": [{"fault": "encoder_jump", "start_s": 45.8, "counts": 1000}])"
+                                    << "03-spin: the encoder jumped by about" << false;
+  QTest::newRow("a sensor that turns round in motion fits to no motor")
+      << R"("wiring": [{"fault": "current_sensor_reversed", "from_s": 45.8}])"
+      << "03-spin: the rotor moves with the voltage, but the current falls as the voltage rises" << true;
+  QTest::newRow("a shaft that is held is no wire's doing") << R"("faults": [{"fault": "blocked", "start_s": 45.8}])"
+                                                           << "03-spin: " << false;
+}
+
+void TestJob::earlyEnd_isTracedToItsWire() {
+  QFETCH(QString, trouble);
+  QFETCH(QString, begins);
+  QFETCH(bool, traced);
+  const test::TemporaryFolder folder;
+  const std::string rig = test::replaced(test::wiredRig("servo", ""), "\"wiring\": []", trouble.toStdString());
+  const auto drive = opened("simulated:" + folder.write("servo.rig.json", rig));
+  Job job(quick(), {Known::motor});
+  bool sought = false;
+  run(job, *drive, 0.25, [&] {
+    sought = sought || job.seeksCause();
+    return false;
+  });
+  QCOMPARE(job.status().state == Procedure::State::finished, false);
+  QVERIFY(sought);
+  const QString words = QString::fromStdString(job.failure().message());
+  QVERIFY2(words.startsWith(begins), qPrintable(words));
+  QVERIFY2(words.contains("(found by a wiring check after this: ") == traced, qPrintable(words));
 }
 
 QTEST_APPLESS_MAIN(TestJob)

@@ -20,6 +20,7 @@ class TestBoardWatch : public QObject {
   void fasterThanAsked_tripsSoon();
   void slowingDown_isLeftAlone_data();
   void slowingDown_isLeftAlone();
+  void coasting_isGivenTimeToSlowDown();
   void heat_tripsWhenTheWindingHasIt();
   void ripple_isNoContradiction_data();
   void ripple_isNoContradiction();
@@ -148,12 +149,13 @@ struct Turning {
     return own;
   }
   Turning() : watch(motorLimits()) {}
-  Trip tick(double velocity, bool follows, double asked, double ripple_V = 0.0) {
+  Trip tick(double velocity, bool follows, double asked, double ripple_V = 0.0, bool enabled = true) {
     angle_rad += velocity * tick_s;
     Watch::Seen seen = sound(angle_rad);
     seen.current_A = seen.wanted_A = current_A;
     seen.voltage_V = 1.2 * current_A + 0.07 * velocity + ripple_V;
     seen.velocity_rad_per_s = velocity;
+    seen.enabled = enabled;
     seen.follows = follows;
     seen.asked_rad_per_s = asked;
     return watch.step(seen);
@@ -180,6 +182,19 @@ void TestBoardWatch::fasterThanAsked_tripsSoon() {
   Trip trip = Trip::none;
   for (int k = 0; k < 500 && trip == Trip::none; ++k) trip = motor.tick(speed * std::min(1.0, k / 250.0), true, asked);
   QVERIFY(trip == Trip::overSpeed);
+}
+
+/// With open windings between two speeds, as a zeroing has it; one that is driven on is too fast all the same.
+void TestBoardWatch::coasting_isGivenTimeToSlowDown() {
+  for (const double slowing : {20.0, 200.0, -2000.0}) {
+    Turning motor;
+    double speed = -250.0;
+    for (int k = 0; k < 500; ++k) QVERIFY(motor.tick(speed, false, 0.0, 0.0, false) == Trip::none);
+    Trip trip = Trip::none;
+    for (int k = 0; k < 2500 && trip == Trip::none && speed > -310.0; ++k)
+      trip = motor.tick(speed = std::min(0.0, speed + slowing * tick_s), true, 5.0);
+    QCOMPARE(trip == Trip::overSpeed, slowing < 0.0);
+  }
 }
 
 void TestBoardWatch::slowingDown_isLeftAlone_data() {

@@ -150,6 +150,9 @@ void TestWiringCheck::fault_isNamed_data() {
   for (const char* preset : {"servo", "geared", "uneven", "published-0134"})
     QTest::addRow("%s, hoist", preset) << preset << R"({"fault": "load_Nm", "value": 0.2})"
                                        << "a load pulls it";
+  for (const auto& [preset, from] : {std::pair{"servo", "3.05"}, {"geared", "3.45"}, {"linear", "3.35"}})
+    QTest::addRow("%s, a sensor that dies within the check", preset)
+        << preset << QString(R"({"fault": "current_sensor_dead", "from_s": %1})").arg(from) << "dead";
   QTest::newRow("linear, hoist") << "linear"
                                  << R"({"fault": "load_N", "value": 30})"
                                  << "a load pulls it";

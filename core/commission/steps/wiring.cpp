@@ -35,8 +35,10 @@ WiringCheckOptions optionsOn(const OnBench& on) {
 
 }  // namespace
 
-std::shared_ptr<WiringCheck> wiringCheckOn(const OnBench& on) {
-  return std::make_shared<WiringCheck>(optionsOn(on));
+std::shared_ptr<WiringCheck> wiringCheckOn(const OnBench& on, double coast_s) {
+  WiringCheckOptions options = optionsOn(on);
+  options.coast_s = coast_s;
+  return std::make_shared<WiringCheck>(options);
 }
 
 namespace {

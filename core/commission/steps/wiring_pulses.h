@@ -1,4 +1,4 @@
-// The wiring check as the bench job makes it, at its beginning and at its end.
+// The wiring check as the bench job makes it, at its beginning, at its end and when it ends early.
 #pragma once
 
 #include <memory>
@@ -9,6 +9,8 @@
 namespace breakaway {
 
 /// For the axis, the encoder's counts, the sensor's noise and the current limit at the bench.
-std::shared_ptr<WiringCheck> wiringCheckOn(const OnBench& on);
+/// `coast_s`: what turns is left to
+/// come to rest that long before, at least.
+std::shared_ptr<WiringCheck> wiringCheckOn(const OnBench& on, double coast_s = 0.0);
 
 }  // namespace breakaway
