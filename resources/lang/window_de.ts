@@ -2584,119 +2584,18 @@
     </message>
 </context>
 <context>
+    <name>breakaway::LiveCursors</name>
+    <message>
+        <source>A %1 s   B %2 s   Δt %3 s</source>
+        <translation>A %1 s   B %2 s   Δt %3 s</translation>
+    </message>
+    <message>
+        <source>A %1   B %2   Δy %3</source>
+        <translation>A %1   B %2   Δy %3</translation>
+    </message>
+</context>
+<context>
     <name>breakaway::LivePlots</name>
-    <message>
-        <source>Pause</source>
-        <translation>Pause</translation>
-    </message>
-    <message>
-        <source>Hold the picture still; samples keep coming in (P in the plot)</source>
-        <translation>Das Bild stillhalten; Messwerte kommen weiter herein (P im Bild)</translation>
-    </message>
-    <message>
-        <source>Cursors</source>
-        <translation>Marken</translation>
-    </message>
-    <message>
-        <source>Two cursors A and B over all plots (C in the plot): drag them, or move A with the arrow keys and B with Shift</source>
-        <translation>Zwei Marken A und B über allen Kurven (C im Bild): mit der Maus ziehen, oder A mit den Pfeiltasten und B mit Umschalt bewegen</translation>
-    </message>
-    <message>
-        <source>Visible time span</source>
-        <translation>Sichtbare Zeitspanne</translation>
-    </message>
-    <message>
-        <source>Visible time span; while the picture is paused, the wheel zooms</source>
-        <translation>Sichtbare Zeitspanne; steht das Bild, zoomt das Mausrad</translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
-    </message>
-    <message>
-        <source>Trigger</source>
-        <translation>Auslöser</translation>
-    </message>
-    <message>
-        <source>Auto: the picture stands at the newest edge and runs on without one. Single: it waits for one edge and pauses there; Pause arms it again</source>
-        <translation>Auto: das Bild steht bei der neuesten Flanke und läuft ohne sie weiter. Einzeln: es wartet auf eine Flanke und hält dort an; Pause schärft neu</translation>
-    </message>
-    <message>
-        <source>Free run</source>
-        <translation>Freilauf</translation>
-    </message>
-    <message>
-        <source>Trigger: auto</source>
-        <translation>Auslöser: auto</translation>
-    </message>
-    <message>
-        <source>Trigger: single</source>
-        <translation>Auslöser: einzeln</translation>
-    </message>
-    <message>
-        <source>Record</source>
-        <translation>Aufzeichnen</translation>
-    </message>
-    <message>
-        <source>Export visible…</source>
-        <translation>Bild als CSV…</translation>
-    </message>
-    <message>
-        <source>Write the visible stretch as CSV, every sample of it</source>
-        <translation>Den sichtbaren Abschnitt als CSV schreiben, jeden seiner Messwerte</translation>
-    </message>
-    <message>
-        <source>Save recording…</source>
-        <translation>Aufz. speichern…</translation>
-    </message>
-    <message>
-        <source>Write the last recording as CSV</source>
-        <translation>Die letzte Aufzeichnung als CSV schreiben</translation>
-    </message>
-    <message>
-        <source>Channel of the trigger</source>
-        <translation>Kanal des Auslösers</translation>
-    </message>
-    <message>
-        <source>What the trigger watches</source>
-        <translation>Was der Auslöser beobachtet</translation>
-    </message>
-    <message>
-        <source>Edge of the trigger</source>
-        <translation>Flanke des Auslösers</translation>
-    </message>
-    <message>
-        <source>Which way the channel crosses the level</source>
-        <translation>In welcher Richtung der Kanal den Pegel kreuzt</translation>
-    </message>
-    <message>
-        <source>rising</source>
-        <translation>steigend</translation>
-    </message>
-    <message>
-        <source>falling</source>
-        <translation>fallend</translation>
-    </message>
-    <message>
-        <source>through</source>
-        <translation>durch</translation>
-    </message>
-    <message>
-        <source>Level of the trigger</source>
-        <translation>Pegel des Auslösers</translation>
-    </message>
-    <message>
-        <source>The level that the channel crosses, drawn over its plot</source>
-        <translation>Der Pegel, den der Kanal kreuzt, über seine Kurve gezeichnet</translation>
-    </message>
-    <message>
-        <source>waits for an edge</source>
-        <translation>wartet auf Flanke</translation>
-    </message>
-    <message>
-        <source>edge at %1 s</source>
-        <translation>Flanke bei %1 s</translation>
-    </message>
     <message>
         <source>Live plots of angle, velocity, current and estimated disturbance over time</source>
         <translation>Live-Kurven von Winkel, Geschwindigkeit, Strom und geschätzter Störgröße über der Zeit</translation>
@@ -2714,30 +2613,6 @@
         <translation>Verbindung verloren</translation>
     </message>
     <message>
-        <source>Record every sample at the full rate, on the disk (R in the plot)</source>
-        <translation>Jeden Messwert in voller Rate aufzeichnen, auf die Platte (R im Bild)</translation>
-    </message>
-    <message>
-        <source>No board is connected</source>
-        <translation>Kein Board ist verbunden</translation>
-    </message>
-    <message>
-        <source>No sample has come yet</source>
-        <translation>Noch ist kein Messwert gekommen</translation>
-    </message>
-    <message>
-        <source>Nothing was recorded yet</source>
-        <translation>Noch wurde nichts aufgezeichnet</translation>
-    </message>
-    <message>
-        <source>A %1 s   B %2 s   Δt %3 s</source>
-        <translation>A %1 s   B %2 s   Δt %3 s</translation>
-    </message>
-    <message>
-        <source>A %1   B %2   Δy %3</source>
-        <translation>A %1   B %2   Δy %3</translation>
-    </message>
-    <message>
         <source>Nothing to export: no sample is visible</source>
         <translation>Nichts auszugeben: kein Messwert ist sichtbar</translation>
     </message>
@@ -2752,14 +2627,6 @@
     <message>
         <source>%1 samples written to %2</source>
         <translation>%1 Messwerte nach %2 geschrieben</translation>
-    </message>
-    <message>
-        <source>Save the last recording</source>
-        <translation>Die letzte Aufzeichnung speichern</translation>
-    </message>
-    <message>
-        <source>Finish (%1 s)</source>
-        <translation>Beenden (%1 s)</translation>
     </message>
 </context>
 <context>
@@ -2802,6 +2669,152 @@
     <message>
         <source>Log: %1 new</source>
         <translation>Log: %1 neu</translation>
+    </message>
+</context>
+<context>
+    <name>breakaway::LiveToolbar</name>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Hold the picture still; samples keep coming in (P in the plot)</source>
+        <translation>Das Bild stillhalten; Messwerte kommen weiter herein (P im Bild)</translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation>Marken</translation>
+    </message>
+    <message>
+        <source>Two cursors A and B over all plots (C in the plot): drag them, or move A with the arrow keys and B with Shift</source>
+        <translation>Zwei Marken A und B über allen Kurven (C im Bild): mit der Maus ziehen, oder A mit den Pfeiltasten und B mit Umschalt bewegen</translation>
+    </message>
+    <message>
+        <source>Visible time span</source>
+        <translation>Sichtbare Zeitspanne</translation>
+    </message>
+    <message>
+        <source>Visible time span; while the picture is paused, the wheel zooms</source>
+        <translation>Sichtbare Zeitspanne; steht das Bild, zoomt das Mausrad</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Export visible…</source>
+        <translation>Bild als CSV…</translation>
+    </message>
+    <message>
+        <source>Write the visible stretch as CSV, every sample of it</source>
+        <translation>Den sichtbaren Abschnitt als CSV schreiben, jeden seiner Messwerte</translation>
+    </message>
+    <message>
+        <source>Save recording…</source>
+        <translation>Aufz. speichern…</translation>
+    </message>
+    <message>
+        <source>Write the last recording as CSV</source>
+        <translation>Die letzte Aufzeichnung als CSV schreiben</translation>
+    </message>
+    <message>
+        <source>Record every sample at the full rate, on the disk (R in the plot)</source>
+        <translation>Jeden Messwert in voller Rate aufzeichnen, auf die Platte (R im Bild)</translation>
+    </message>
+    <message>
+        <source>No board is connected</source>
+        <translation>Kein Board ist verbunden</translation>
+    </message>
+    <message>
+        <source>No sample has come yet</source>
+        <translation>Noch ist kein Messwert gekommen</translation>
+    </message>
+    <message>
+        <source>Nothing was recorded yet</source>
+        <translation>Noch wurde nichts aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Finish (%1 s)</source>
+        <translation>Beenden (%1 s)</translation>
+    </message>
+    <message>
+        <source>Save the last recording</source>
+        <translation>Die letzte Aufzeichnung speichern</translation>
+    </message>
+    <message>
+        <source>Recording (*.csv)</source>
+        <translation>Aufzeichnung (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>breakaway::LiveTrigger</name>
+    <message>
+        <source>Trigger</source>
+        <translation>Auslöser</translation>
+    </message>
+    <message>
+        <source>Auto: the picture stands at the newest edge and runs on without one. Single: it waits for one edge and pauses there; Pause arms it again</source>
+        <translation>Auto: das Bild steht bei der neuesten Flanke und läuft ohne sie weiter. Einzeln: es wartet auf eine Flanke und hält dort an; Pause schärft neu</translation>
+    </message>
+    <message>
+        <source>Free run</source>
+        <translation>Freilauf</translation>
+    </message>
+    <message>
+        <source>Trigger: auto</source>
+        <translation>Auslöser: auto</translation>
+    </message>
+    <message>
+        <source>Trigger: single</source>
+        <translation>Auslöser: einzeln</translation>
+    </message>
+    <message>
+        <source>Channel of the trigger</source>
+        <translation>Kanal des Auslösers</translation>
+    </message>
+    <message>
+        <source>What the trigger watches</source>
+        <translation>Was der Auslöser beobachtet</translation>
+    </message>
+    <message>
+        <source>Edge of the trigger</source>
+        <translation>Flanke des Auslösers</translation>
+    </message>
+    <message>
+        <source>Which way the channel crosses the level</source>
+        <translation>In welcher Richtung der Kanal den Pegel kreuzt</translation>
+    </message>
+    <message>
+        <source>rising</source>
+        <translation>steigend</translation>
+    </message>
+    <message>
+        <source>falling</source>
+        <translation>fallend</translation>
+    </message>
+    <message>
+        <source>Level of the trigger</source>
+        <translation>Pegel des Auslösers</translation>
+    </message>
+    <message>
+        <source>The level that the channel crosses, drawn over its plot</source>
+        <translation>Der Pegel, den der Kanal kreuzt, über seine Kurve gezeichnet</translation>
+    </message>
+    <message>
+        <source>through</source>
+        <translation>durch</translation>
+    </message>
+    <message>
+        <source>waits for an edge</source>
+        <translation>wartet auf Flanke</translation>
+    </message>
+    <message>
+        <source>edge at %1 s</source>
+        <translation>Flanke bei %1 s</translation>
     </message>
 </context>
 <context>
