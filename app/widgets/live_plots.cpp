@@ -12,6 +12,7 @@
 #include "session/messages.h"
 #include "widgets/controls.h"
 #include "widgets/live_cursors.h"
+#include "widgets/live_spectrum.h"
 #include "widgets/live_toolbar.h"
 #include "widgets/live_trigger.h"
 #include "widgets/look.h"
@@ -28,11 +29,25 @@ LivePlots::LivePlots(Connection& connection, LiveSamples& live, Messages& messag
   trigger_ = new LiveTrigger(this);
   bar_ = new LiveToolbar(connection_, live_, files_, trigger_->modeBox(), this);
   buildPlot();
+  spectrum_ = new LiveSpectrum(live_.history(), this);
   layout->addWidget(bar_);
-  layout->addWidget(trigger_);
-  layout->addWidget(plot_, 1);
+  auto* settings = new QHBoxLayout;
+  settings->setSpacing(24);
+  settings->addWidget(trigger_);
+  settings->addWidget(spectrum_->controls(), 1);
+  layout->addLayout(settings);
+  auto* pictures = new QHBoxLayout;
+  pictures->setSpacing(8);
+  pictures->addWidget(plot_, 5);
+  pictures->addWidget(spectrum_, 4);
+  layout->addLayout(pictures, 1);
+  showSpectrum(false);
   connect(bar_->pauseButton(), &QToolButton::toggled, this, &LivePlots::setPaused);
   connect(bar_->cursorsButton(), &QToolButton::toggled, this, &LivePlots::showCursors);
+  connect(bar_->spectrumButton(), &QToolButton::toggled, this, &LivePlots::showSpectrum);
+  connect(bar_->largeButton(), &QToolButton::toggled, this, &LivePlots::largeAsked);
+  connect(traces_[0].rect->axis(QCPAxis::atBottom), qOverload<const QCPRange&>(&QCPAxis::rangeChanged), spectrum_,
+          [this] { spectrum_->show(from_s(), to_s()); });
   connect(bar_, &LiveToolbar::spanChanged, this, &LivePlots::armTrigger);
   connect(bar_, &LiveToolbar::exportAsked, this, &LivePlots::exportVisible);
   connect(trigger_, &LiveTrigger::changed, this, &LivePlots::armTrigger);
@@ -53,7 +68,7 @@ void LivePlots::buildPlot() {
   plot_ = new QCustomPlot(this);
   plot_->setObjectName("livePlot");
   plot_->setAccessibleName(tr("Live plots of angle, velocity, current and estimated disturbance over time"));
-  plot_->setToolTip(tr("P holds the picture still, C shows the cursors, R records"));
+  plot_->setToolTip(tr("P holds the picture still, C shows the cursors, S the spectrum, L enlarges, R records"));
   plot_->setFocusPolicy(Qt::StrongFocus);
   plot_->setMinimumSize(200, 120);
   plot_->setNoAntialiasingOnDrag(true);
@@ -67,6 +82,8 @@ void LivePlots::buildPlot() {
   plot_->plotLayout()->setRowStretchFactors({1.0, 1.45});  // the lower row also carries the labels of time
   for (const auto& [key, button] : {std::pair{Qt::Key_P, bar_->pauseButton()},
                                     {Qt::Key_C, bar_->cursorsButton()},
+                                    {Qt::Key_S, bar_->spectrumButton()},
+                                    {Qt::Key_L, bar_->largeButton()},
                                     {Qt::Key_R, bar_->recordButton()}}) {
     auto* shortcut = new QShortcut(key, plot_);
     shortcut->setContext(Qt::WidgetShortcut);
@@ -164,6 +181,19 @@ void LivePlots::showCursors(bool shown) {
   cursors_->show(shown);
 }
 
+void LivePlots::setLarge(bool large) {
+  bar_->largeButton()->setChecked(large);
+}
+
+void LivePlots::showSpectrum(bool shown) {
+  bar_->spectrumButton()->setChecked(shown);
+  spectrum_->setVisible(shown);
+  spectrum_->controls()->setVisible(shown);
+  for (const Trace& trace : traces_) trace.rect->axis(QCPAxis::atBottom)->ticker()->setTickCount(shown ? 4 : 8);
+  if (shown) spectrum_->show(from_s(), to_s());
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
 /// A picture in which nothing would move isn't drawn again.
 void LivePlots::refresh() {
   const uint64_t before = consumed_;
@@ -216,6 +246,7 @@ void LivePlots::startOver() {
   const std::vector<LiveChannel> shown(channels_.begin(), channels_.end());
   trigger_->nameChannels(shown);
   cursors_->nameChannels(shown);
+  spectrum_->nameChannels(live_.board().axis == Axis::linear);
   armTrigger();
   setPaused(false);
   showLoss();

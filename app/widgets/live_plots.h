@@ -21,6 +21,7 @@ namespace breakaway {
 class Connection;
 class LiveCursors;
 class LiveSamples;
+class LiveSpectrum;
 class LiveToolbar;
 class LiveTrigger;
 class Messages;
@@ -36,9 +37,16 @@ class LivePlots : public QWidget {
   double from_s() const;
   double to_s() const;
 
+ signals:
+  /// Whether it takes the page's place.
+  void largeAsked(bool large);
+
  public slots:
   void setPaused(bool paused);
   void showCursors(bool shown);
+  void showSpectrum(bool shown);
+  /// Says so alone: the window makes the room.
+  void setLarge(bool large);
   /// Takes the new samples over and draws; called by a timer, and by whoever wants a picture at once.
   void refresh();
 
@@ -73,6 +81,7 @@ class LivePlots : public QWidget {
   LiveToolbar* bar_ = nullptr;
   LiveTrigger* trigger_ = nullptr;
   LiveCursors* cursors_ = nullptr;
+  LiveSpectrum* spectrum_ = nullptr;
   TimeMark loss_;  ///< of the link
   QCPItemText* lossText_ = nullptr;
   std::array<LiveChannel, channelCount> channels_ = liveChannels(false);

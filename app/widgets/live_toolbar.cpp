@@ -28,7 +28,11 @@ LiveToolbar::LiveToolbar(Connection& connection, LiveSamples& live, FileChooser&
   cursors_ = toolButton(this, "cursorsButton", tr("Cursors"),
                         tr("Two cursors A and B over all plots (C in the plot): drag them, or move A with the "
                            "arrow keys and B with Shift"));
-  cursors_->setCheckable(true);
+  spectrum_ = toolButton(this, "spectrumButton", tr("Spectrum"),
+                         tr("The frequencies of what is visible, of any channel (S in the plot)"));
+  large_ = toolButton(this, "largeLiveButton", tr("Large"),
+                      tr("The plots take the page's place, until this is pressed again (L in the plot)"));
+  for (QToolButton* button : {cursors_, spectrum_, large_}) button->setCheckable(true);
   span_ = new QComboBox(this);
   span_->setObjectName("spanBox");
   span_->setAccessibleName(tr("Visible time span"));
@@ -49,7 +53,8 @@ LiveToolbar::LiveToolbar(Connection& connection, LiveSamples& live, FileChooser&
   difference_->setObjectName("cursorDifference");
   difference_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* row = rowIn(this, 4);
-  for (QWidget* widget : std::initializer_list<QWidget*>{pause_, cursors_, span_, trigger, record_, save_, export_})
+  for (QWidget* widget :
+       std::initializer_list<QWidget*>{pause_, large_, cursors_, spectrum_, span_, trigger, record_, save_, export_})
     row->addWidget(widget);
   row->addStretch(1);
   row->addWidget(difference_);

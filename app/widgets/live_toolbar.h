@@ -22,9 +22,11 @@ class LiveToolbar : public QWidget {
   LiveToolbar(Connection& connection, LiveSamples& live, FileChooser& files, QComboBox* trigger,
               QWidget* parent = nullptr);
 
-  /// Checkable.
+  /// The first four are checkable.
   QToolButton* pauseButton() const { return pause_; }
   QToolButton* cursorsButton() const { return cursors_; }
+  QToolButton* spectrumButton() const { return spectrum_; }
+  QToolButton* largeButton() const { return large_; }
   QToolButton* recordButton() const { return record_; }
   /// The times of the cursors, at the right end.
   QLabel& difference() const { return *difference_; }
@@ -44,6 +46,8 @@ class LiveToolbar : public QWidget {
   FileChooser& files_;
   QToolButton* pause_ = nullptr;
   QToolButton* cursors_ = nullptr;
+  QToolButton* spectrum_ = nullptr;
+  QToolButton* large_ = nullptr;
   QToolButton* record_ = nullptr;
   QToolButton* save_ = nullptr;
   QToolButton* export_ = nullptr;

@@ -13,6 +13,7 @@ namespace breakaway {
 namespace {
 
 constexpr size_t leastValues = 16;
+constexpr double rounding = 1e-11;  // of the greatest value
 
 /// w(k) = Σ terms[j] cos(2πjk/n). F. J. Harris, Proc. IEEE 66(1), 1978; flat top: ISO 18431-2.
 std::span<const double> termsOf(SpectrumWindow window) {
@@ -60,7 +61,7 @@ size_t quickLength(size_t most) {
   return most;
 }
 
-/// Without the least-squares line.
+/// Without the least-squares line; what rounding leaves of a line is 0.
 std::vector<double> level(std::span<const double> values) {
   const auto n = static_cast<double>(values.size());
   const double middle = 0.5 * (n - 1.0);
@@ -71,7 +72,13 @@ std::vector<double> level(std::span<const double> values) {
   }
   tilt *= 12.0 / (n * (n * n - 1.0));
   std::vector<double> left(values.size());
-  for (size_t k = 0; k < values.size(); ++k) left[k] = values[k] - mean - tilt * (static_cast<double>(k) - middle);
+  double most = 0.0, mostLeft = 0.0;
+  for (size_t k = 0; k < values.size(); ++k) {
+    left[k] = values[k] - mean - tilt * (static_cast<double>(k) - middle);
+    most = std::max(most, std::abs(values[k]));
+    mostLeft = std::max(mostLeft, std::abs(left[k]));
+  }
+  if (mostLeft < rounding * most) std::fill(left.begin(), left.end(), 0.0);
   return left;
 }
 

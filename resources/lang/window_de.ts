@@ -422,6 +422,34 @@
         <source>mNm</source>
         <translation>mNm</translation>
     </message>
+    <message>
+        <source>V</source>
+        <translation>V</translation>
+    </message>
+    <message>
+        <source>Voltage</source>
+        <translation>Spannung</translation>
+    </message>
+    <message>
+        <source>Supply</source>
+        <translation>Versorgung</translation>
+    </message>
+    <message>
+        <source>Position asked for</source>
+        <translation>Verlangte Position</translation>
+    </message>
+    <message>
+        <source>Angle asked for</source>
+        <translation>Verlangter Winkel</translation>
+    </message>
+    <message>
+        <source>Speed asked for</source>
+        <translation>Verlangte Drehzahl</translation>
+    </message>
+    <message>
+        <source>Current asked for</source>
+        <translation>Verlangter Strom</translation>
+    </message>
 </context>
 <context>
     <name>MapCurve</name>
@@ -2601,10 +2629,6 @@
         <translation>Live-Kurven von Winkel, Geschwindigkeit, Strom und geschätzter Störgröße über der Zeit</translation>
     </message>
     <message>
-        <source>P holds the picture still, C shows the cursors, R records</source>
-        <translation>P hält das Bild still, C zeigt die Marken, R zeichnet auf</translation>
-    </message>
-    <message>
         <source>time (s)</source>
         <translation>Zeit (s)</translation>
     </message>
@@ -2628,6 +2652,10 @@
         <source>%1 samples written to %2</source>
         <translation>%1 Messwerte nach %2 geschrieben</translation>
     </message>
+    <message>
+        <source>P holds the picture still, C shows the cursors, S the spectrum, L enlarges, R records</source>
+        <translation>P hält das Bild still, C zeigt die Marken, S das Spektrum, L vergrößert, R zeichnet auf</translation>
+    </message>
 </context>
 <context>
     <name>breakaway::LiveSamples</name>
@@ -2642,6 +2670,77 @@
     <message>
         <source>The recording is written to %1</source>
         <translation>Die Aufzeichnung ist nach %1 geschrieben</translation>
+    </message>
+</context>
+<context>
+    <name>breakaway::LiveSpectrum</name>
+    <message>
+        <source>Hann</source>
+        <translation>Hann</translation>
+    </message>
+    <message>
+        <source>Blackman-Harris</source>
+        <translation>Blackman-Harris</translation>
+    </message>
+    <message>
+        <source>Flat top</source>
+        <translation>Flat-Top</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>Channel of the spectrum</source>
+        <translation>Kanal des Spektrums</translation>
+    </message>
+    <message>
+        <source>Of which channel the spectrum is</source>
+        <translation>Von welchem Kanal das Spektrum ist</translation>
+    </message>
+    <message>
+        <source>Window function of the spectrum</source>
+        <translation>Fensterfunktion des Spektrums</translation>
+    </message>
+    <message>
+        <source>Hann: for most. Blackman-Harris: weak lines beside strong ones. Flat top: heights as they are without reading between lines. Rectangle: lines as narrow as they can be, with much beside them</source>
+        <translation>Hann: für das meiste. Blackman-Harris: schwache Linien neben starken. Flat-Top: Höhen, wie sie sind, ohne zwischen Linien zu lesen. Rechteck: so schmale Linien wie möglich, mit viel daneben</translation>
+    </message>
+    <message>
+        <source>Highest line of the spectrum</source>
+        <translation>Höchste Linie des Spektrums</translation>
+    </message>
+    <message>
+        <source>Amplitude spectrum of what the live plots show</source>
+        <translation>Amplitudenspektrum dessen, was die Live-Bilder zeigen</translation>
+    </message>
+    <message>
+        <source>Wheel and mouse choose the frequencies, a double click shows all of them</source>
+        <translation>Rad und Maus wählen die Frequenzen, ein Doppelklick zeigt alle</translation>
+    </message>
+    <message>
+        <source>frequency (Hz)</source>
+        <translation>Frequenz (Hz)</translation>
+    </message>
+    <message>
+        <source>amplitude (%1)</source>
+        <translation>Amplitude (%1)</translation>
+    </message>
+    <message>
+        <source>Waits for samples</source>
+        <translation>Wartet auf Messwerte</translation>
+    </message>
+    <message>
+        <source>Nothing but zero in %1 s</source>
+        <translation>Nichts als null in %1 s</translation>
+    </message>
+    <message>
+        <source>Highest %1 Hz: %2 %3</source>
+        <translation>Höchste %1 Hz: %2 %3</translation>
+    </message>
+    <message>
+        <source>, order %1 of the rotor at %2 turns/s</source>
+        <translation>, Ordnung %1 des Rotors bei %2 U/s</translation>
     </message>
 </context>
 <context>
@@ -2748,6 +2847,22 @@
     <message>
         <source>Recording (*.csv)</source>
         <translation>Aufzeichnung (*.csv)</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>The frequencies of what is visible, of any channel (S in the plot)</source>
+        <translation>Die Frequenzen dessen, was sichtbar ist, von jedem Kanal (S im Bild)</translation>
+    </message>
+    <message>
+        <source>Large</source>
+        <translation>Groß</translation>
+    </message>
+    <message>
+        <source>The plots take the page&apos;s place, until this is pressed again (L in the plot)</source>
+        <translation>Die Bilder nehmen den Platz der Seite ein, bis hier wieder gedrückt wird (L im Bild)</translation>
     </message>
 </context>
 <context>
