@@ -3821,6 +3821,22 @@
         <source>Open or drop a recording and its bench file</source>
         <translation>Eine Aufzeichnung und ihre Prüfstandsdatei öffnen oder hier ablegen</translation>
     </message>
+    <message>
+        <source>force left (N)</source>
+        <translation>übrige Kraft (N)</translation>
+    </message>
+    <message>
+        <source>torque left (mNm)</source>
+        <translation>übriges Moment (mNm)</translation>
+    </message>
+    <message>
+        <source>this motion can&apos;t be foreseen: the torque counts</source>
+        <translation>diese Bewegung ist nicht vorhersagbar: das Moment zählt</translation>
+    </message>
+    <message>
+        <source>95 % of what a perfect model leaves</source>
+        <translation>95 % dessen, was ein vollkommenes Modell übrig lässt</translation>
+    </message>
 </context>
 <context>
     <name>breakaway::RotorDial</name>
