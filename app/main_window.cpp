@@ -124,6 +124,7 @@ void MainWindow::buildBelow(Session& session, FileChooser& files) {
   log_ = new LogDrawer(session.messages, this);
   log_->hide();
   live_ = new LivePlots(session.connection, session.live, session.messages, files, this);
+  live_->setFixedHeight(openLive_px);
   live_->hide();
   connect(live_, &LivePlots::largeAsked, this, &MainWindow::showLiveLarge);
   strip_ = new LiveStrip(session.connection, session.live, this);
@@ -249,11 +250,12 @@ void MainWindow::showLog(bool open) {
 void MainWindow::fitLive() {
   const bool open = liveOpen_ && log_->isHidden() && pages_[static_cast<size_t>(stack_->currentIndex())]->wantsLive();
   const bool large = open && liveLarge_;
-  room_->setVisible(!large);
-  live_->setMinimumHeight(openLive_px);
-  live_->setMaximumHeight(large ? QWIDGETSIZE_MAX : openLive_px);
-  below_->setStretch(0, large ? 0 : 1);  // an empty row takes its share, too
-  below_->setStretchFactor(live_, large ? 1 : 0);
+  if (large == room_->isVisibleTo(this)) {
+    room_->setVisible(!large);
+    live_->setMaximumHeight(large ? QWIDGETSIZE_MAX : openLive_px);
+    below_->setStretch(0, large ? 0 : 1);  // an empty row takes its share, too
+    below_->setStretchFactor(live_, large ? 1 : 0);
+  }
   live_->setVisible(open);
   if (toast_ == nullptr) return;
   const int drawer_px = live_->isHidden() || large ? 0 : openLive_px;
