@@ -10,7 +10,8 @@ namespace breakaway {
 namespace {
 
 constexpr uint64_t fewest = 64;  // samples
-constexpr double gap = 1.5;      // usual steps
+constexpr size_t mostSamples = 200'000;
+constexpr double gap = 1.5;  // usual steps
 constexpr size_t parts = 8;
 constexpr double steadiness = 0.05;
 
@@ -34,16 +35,20 @@ EvenStretch evenStretch(const LiveHistory& history, double from_s, double to_s,
   if (last < history.first() + fewest) return stretch;
   --last;
   const double step_s = usualStep_s(history, last);
-  uint64_t first = last;
-  while (first > history.first() && history.at(first - 1).time_s >= from_s &&
-         history.at(first).time_s - history.at(first - 1).time_s < gap * step_s)
-    --first;
-  if (last - first + 1 < fewest) return stretch;
-  for (uint64_t k = first; k <= last; ++k) {
-    stretch.values.push_back(value(history.at(k)));
-    stretch.angle_rad.push_back(history.at(k).angle_rad);
+  // Once through the samples, which fill no cache: this runs in the window's thread.
+  double next_s = history.at(last).time_s;
+  const double end_s = next_s;
+  for (uint64_t k = last + 1; k-- > history.first() && stretch.values.size() < mostSamples;) {
+    const Sample& sample = history.at(k);
+    if (sample.time_s < from_s || next_s - sample.time_s >= gap * step_s) break;
+    next_s = sample.time_s;
+    stretch.values.push_back(value(sample));
+    stretch.angle_rad.push_back(sample.angle_rad);
   }
-  stretch.rate_Hz = static_cast<double>(last - first) / (history.at(last).time_s - history.at(first).time_s);
+  if (stretch.values.size() < fewest) return {};
+  std::reverse(stretch.values.begin(), stretch.values.end());
+  std::reverse(stretch.angle_rad.begin(), stretch.angle_rad.end());
+  stretch.rate_Hz = static_cast<double>(stretch.values.size() - 1) / (end_s - next_s);
   return stretch;
 }
 

@@ -9,7 +9,7 @@
 
 namespace breakaway {
 
-/// The newest part of what is visible in which no sample is missing.
+/// The newest part of what is visible in which no sample is missing, 200,000 samples at most.
 struct EvenStretch {
   std::vector<double> values, angle_rad;
   double rate_Hz = 0.0;  ///< 0 where there are too few
@@ -29,7 +29,7 @@ struct VisibleSpectrum {
   double turns_Hz = 0.0;  ///< 0 where the speed isn't steady
 };
 
-/// Takes as long as its transform: of a minute at 10 kHz some tens of milliseconds.
+/// Takes as long as its transform: of 200,000 samples some tens of milliseconds.
 VisibleSpectrum spectrumOf(const EvenStretch& stretch, SpectrumWindow window);
 
 struct SpectrumPoint {
