@@ -126,6 +126,7 @@ void MainWindow::buildBelow(Session& session, FileChooser& files) {
   live_ = new LivePlots(session.connection, session.live, session.messages, files, this);
   live_->setFixedHeight(openLive_px);
   live_->hide();
+  connect(live_, &LivePlots::largeAsked, this, &MainWindow::showLiveLarge);
   strip_ = new LiveStrip(session.connection, session.live, this);
   connect(strip_, &LiveStrip::plotsAsked, this, &MainWindow::showLive);
   connect(strip_, &LiveStrip::logAsked, this, [this] { showLog(!log_->isVisible()); });
@@ -158,6 +159,7 @@ void MainWindow::countEdits(const SettingsEdits& edits) {
 
 void MainWindow::showParameters(bool open) {
   keepParametersOpen(open);
+  if (open) showLiveLarge(false);
   room_->setScrolls(open);
   parameters_->setVisible(open);
   fitLive();
@@ -182,7 +184,7 @@ void MainWindow::layOut(QWidget* bar) {
   connect(help, &QPushButton::clicked, this, [this] { showHelp(nullptr); });
   left->addWidget(help);
   left->addWidget(new ThemeButton(this));
-  auto* right = new QVBoxLayout;
+  auto* right = below_ = new QVBoxLayout;
   right->setSpacing(0);
   room_ = new PageRoom(stack_, centre);
   auto* above = new QHBoxLayout;
@@ -201,6 +203,7 @@ void MainWindow::layOut(QWidget* bar) {
 }
 
 void MainWindow::goTo(int row) {
+  showLiveLarge(false);
   // Together they may ask for more room than there is, and the window would grow.
   if (!pages_[static_cast<size_t>(row)]->wantsLive()) live_->hide();
   // Only the page that is shown says how much room the window needs.
@@ -229,6 +232,14 @@ void MainWindow::showLive(bool open) {
   fitLive();
 }
 
+void MainWindow::showLiveLarge(bool large) {
+  if (liveLarge_ == large) return;
+  liveLarge_ = large;
+  live_->setLarge(large);
+  if (large && !parameters_->isHidden()) showParameters(false);
+  fitLive();
+}
+
 void MainWindow::showLog(bool open) {
   if (open) live_->hide();
   log_->setVisible(open);
@@ -237,9 +248,17 @@ void MainWindow::showLog(bool open) {
 
 /// Open only where the page leaves room for it, and the log doesn't take it.
 void MainWindow::fitLive() {
-  live_->setVisible(liveOpen_ && log_->isHidden() && pages_[static_cast<size_t>(stack_->currentIndex())]->wantsLive());
+  const bool open = liveOpen_ && log_->isHidden() && pages_[static_cast<size_t>(stack_->currentIndex())]->wantsLive();
+  const bool large = open && liveLarge_;
+  if (large == room_->isVisibleTo(this)) {
+    room_->setVisible(!large);
+    live_->setMaximumHeight(large ? QWIDGETSIZE_MAX : openLive_px);
+    below_->setStretch(0, large ? 0 : 1);  // an empty row takes its share, too
+    below_->setStretchFactor(live_, large ? 1 : 0);
+  }
+  live_->setVisible(open);
   if (toast_ == nullptr) return;
-  const int drawer_px = live_->isHidden() ? 0 : openLive_px;
+  const int drawer_px = live_->isHidden() || large ? 0 : openLive_px;
   toast_->keepAbove(LiveStrip::height_px + (log_->isHidden() ? drawer_px : log_->height()));
 }
 

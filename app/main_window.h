@@ -8,6 +8,7 @@
 
 class QPushButton;
 class QStackedWidget;
+class QVBoxLayout;
 
 namespace breakaway {
 
@@ -34,6 +35,8 @@ class MainWindow : public QMainWindow {
   void showPage(const QString& objectName);
   /// Opens or closes the plots below the page.
   void showLive(bool open);
+  /// The plots in the page's place, where they have the room for all of their curves.
+  void showLiveLarge(bool large);
   /// Opens or closes the board's settings beside the page.
   void showParameters(bool open);
 
@@ -66,9 +69,10 @@ class MainWindow : public QMainWindow {
   LogDrawer* log_ = nullptr;
   LivePlots* live_ = nullptr;
   LiveStrip* strip_ = nullptr;
+  QVBoxLayout* below_ = nullptr;  ///< the page, and what stands below it
   Toast* toast_ = nullptr;
   Manual* manual_ = nullptr;
-  bool liveOpen_ = false;
+  bool liveOpen_ = false, liveLarge_ = false;
   std::vector<Page*> pages_;
 };
 

@@ -9,6 +9,7 @@
 #include <QElapsedTimer>
 #include <QEventLoop>
 #include <QFile>
+#include <QLabel>
 #include <QListWidget>
 #include <QPixmap>
 #include <QProcess>
@@ -201,6 +202,16 @@ void Tour::live() {
   mode->setCurrentIndex(2);
   if (!wait([&] { return plots->paused(); }, 30'000)) trouble_ = "the trigger finds no edge";
   shoot("hand-trigger");
+  plots->showSpectrum(true);
+  auto* reading = window_.findChild<QLabel*>("spectrumReading");
+  const auto read = [reading] { return reading->text().contains("Hz"); };
+  if (!wait(read, 10'000)) trouble_ = "the spectrum has no peak";
+  shoot("hand-spectrum");
+  press("largeLiveButton");
+  settle(400);
+  shoot("hand-live-large");
+  press("largeLiveButton");
+  plots->showSpectrum(false);
   mode->setCurrentIndex(0);
   plots->setPaused(false);
   window_.showLive(false);

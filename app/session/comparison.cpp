@@ -131,6 +131,7 @@ void Comparison::forgetDiagnosis() {
   mended_.reset();
   leftOut_.clear();
   base_ = shown_ = {};
+  torque_.reset();
   evidence_.reset();
   prepareOverview();
   emit inputsChanged();
@@ -257,16 +258,18 @@ void Comparison::simulateShown() {
   if (!diagnosis_) return;
   Model model = diagnosis_->model;
   std::erase_if(model.effects, [this](const EffectTerm& term) { return !includes(term.effect); });
-  inPool([this, mine = wanted_, leftOut = leftOut_, window_s = diagnosis_->fit.window_s, model,
+  inPool([this, mine = wanted_, leftOut = leftOut_, diagnosis = *diagnosis_, model,
           recording = *recording()]() -> std::function<void()> {
-    const auto trace = simulate(model, recording, {window_s});
-    return [this, mine, leftOut, trace] {
+    const auto trace = simulate(model, recording, {diagnosis.fit.window_s});
+    const auto torque = torqueViewOf(diagnosis, model, recording);
+    return [this, mine, leftOut, trace, torque] {
       if (mine != wanted_ || leftOut != leftOut_) return;
       if (!trace) {
         messages_.warn(trace.error());
         return;
       }
       shown_ = *trace;
+      torque_ = torque;
       emit tracesChanged();
     };
   });

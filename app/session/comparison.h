@@ -22,6 +22,7 @@
 #include "session/log_opening.h"
 #include "session/messages.h"
 #include "session/overview.h"
+#include "session/torque_view.h"
 
 namespace breakaway {
 
@@ -78,6 +79,8 @@ class Comparison : public QObject {
   /// diagnosis.
   const Trace& baseTrace() const { return base_; }
   const Trace& shownTrace() const { return shown_; }
+  /// What both leave of the torque, where that counts; it comes with shownTrace().
+  const std::optional<TorqueView>& torque() const { return torque_; }
   /// Of the first finding; it comes a little after the diagnosis.
   const std::optional<Evidence>& evidence() const { return evidence_; }
   /// RMS of the shown simulation's position error over the held-out rows, or over all rows if those held out are of
@@ -119,6 +122,7 @@ class Comparison : public QObject {
   std::shared_ptr<const Overview> overview_;
   unsigned wantedOverview_ = 0;  ///< number of the newest
   Trace base_, shown_;
+  std::optional<TorqueView> torque_;
   std::optional<Evidence> evidence_;
   unsigned wanted_ = 0;  ///< number of the newest simulation or diagnosis asked for; older answers are not shown
   bool diagnosing_ = false;

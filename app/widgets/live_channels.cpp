@@ -5,9 +5,17 @@
 
 namespace breakaway {
 
+namespace {
+
+constexpr double degree = 180.0 / std::numbers::pi;
+
+QString translated(const char* text) {
+  return QCoreApplication::translate("LiveChannel", text);
+}
+
+}  // namespace
+
 std::array<LiveChannel, 4> liveChannels(bool linear) {
-  const auto translated = [](const char* text) { return QCoreApplication::translate("LiveChannel", text); };
-  constexpr double degree = 180.0 / std::numbers::pi;
   if (linear)
     return {{{translated(QT_TRANSLATE_NOOP("LiveChannel", "Position")),
               translated(QT_TRANSLATE_NOOP("LiveChannel", "mm")), 1e3, 1.0, 3, &Sample::angle_rad},
@@ -25,6 +33,25 @@ std::array<LiveChannel, 4> liveChannels(bool linear) {
             1.0, 0.2, 3, &Sample::current_A},
            {translated(QT_TRANSLATE_NOOP("LiveChannel", "Disturbance")),
             translated(QT_TRANSLATE_NOOP("LiveChannel", "mNm")), 1e3, 10.0, 2, &Sample::disturbance_estimate_Nm}}};
+}
+
+std::vector<LiveChannel> boardChannels(bool linear) {
+  const auto shown = liveChannels(linear);
+  std::vector<LiveChannel> all(shown.begin(), shown.end());
+  const auto add = [&](const char* name, const LiveChannel& like, double Sample::*value) {
+    all.push_back(like);
+    all.back().name = translated(name);
+    all.back().value = value;
+  };
+  const LiveChannel volts{{}, translated(QT_TRANSLATE_NOOP("LiveChannel", "V")), 1.0, 0.5, 2, nullptr};
+  add(QT_TRANSLATE_NOOP("LiveChannel", "Voltage"), volts, &Sample::voltage_V);
+  add(QT_TRANSLATE_NOOP("LiveChannel", "Supply"), volts, &Sample::supply_V);
+  add(linear ? QT_TRANSLATE_NOOP("LiveChannel", "Position asked for")
+             : QT_TRANSLATE_NOOP("LiveChannel", "Angle asked for"),
+      shown[0], &Sample::angle_reference_rad);
+  add(QT_TRANSLATE_NOOP("LiveChannel", "Speed asked for"), shown[1], &Sample::velocity_reference_rad_per_s);
+  add(QT_TRANSLATE_NOOP("LiveChannel", "Current asked for"), shown[2], &Sample::current_reference_A);
+  return all;
 }
 
 }  // namespace breakaway

@@ -1,8 +1,9 @@
-// What is shown of the samples as they come: four channels, each with its name, unit and scale.
+// What is shown of the samples as they come: channels, each with its name, unit and scale.
 #pragma once
 
 #include <QString>
 #include <array>
+#include <vector>
 
 #include "recording/sample.h"
 
@@ -19,6 +20,9 @@ struct LiveChannel {
   QString title() const { return QString("%1 (%2)").arg(name, unit); }
 };
 
+/// Those that the live plots show.
 std::array<LiveChannel, 4> liveChannels(bool linear);
+/// All that a board sends: these four first, then voltages and references.
+std::vector<LiveChannel> boardChannels(bool linear);
 
 }  // namespace breakaway

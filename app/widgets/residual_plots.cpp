@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/numbers.h"
 #include "session/comparison.h"
 #include "widgets/controls.h"
 #include "widgets/look.h"
@@ -14,8 +15,9 @@
 namespace breakaway {
 
 namespace {
+constexpr size_t mostDots = 4000;
 constexpr int measuredWidth_px = 3;  // of its line; more points than such widths can't be told apart
-}
+}  // namespace
 
 ResidualPlots::ResidualPlots(Comparison& comparison, QWidget* parent) : QWidget(parent), comparison_(comparison) {
   setObjectName("residualPlots");
@@ -57,6 +59,16 @@ void ResidualPlots::buildPlot() {
   simulated_ = plot_->addGraph(above_->axis(QCPAxis::atBottom), above_->axis(QCPAxis::atLeft));
   for (QCPGraph*& graph : residual_)
     graph = plot_->addGraph(below_->axis(QCPAxis::atBottom), below_->axis(QCPAxis::atLeft));
+  wander_ = new QCPItemRect(plot_);
+  for (QCPItemPosition* position : wander_->positions()) {
+    position->setAxes(below_->axis(QCPAxis::atBottom), below_->axis(QCPAxis::atLeft));
+    position->setAxisRect(below_);
+    position->setTypeX(QCPItemPosition::ptAxisRectRatio);
+    position->setTypeY(QCPItemPosition::ptPlotCoords);
+  }
+  wander_->setClipAxisRect(below_);
+  wander_->setPen(Qt::NoPen);
+  wander_->setLayer("grid");
   const auto follow = [this](QCPAxis* from, QCPAxis* to) {
     connect(from, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this, [this, to](const QCPRange& range) {
       if (axis_ == "time") to->setRange(range);
@@ -74,9 +86,12 @@ void ResidualPlots::buildPlot() {
     rect->insetLayout()->addElement(text, where);
     return text;
   };
-  names_ = {name(above_, Qt::AlignTop | Qt::AlignLeft), name(above_, Qt::AlignTop | Qt::AlignRight),
-            name(below_, Qt::AlignTop | Qt::AlignLeft), name(below_, Qt::AlignTop | Qt::AlignRight),
-            name(above_, Qt::AlignCenter)};
+  names_ = {name(above_, Qt::AlignTop | Qt::AlignLeft),
+            name(above_, Qt::AlignTop | Qt::AlignRight),
+            name(below_, Qt::AlignTop | Qt::AlignLeft),
+            name(below_, Qt::AlignTop | Qt::AlignRight),
+            name(above_, Qt::AlignCenter),
+            name(below_, Qt::AlignBottom | Qt::AlignRight)};
 }
 
 std::pair<double, double> ResidualPlots::visible_s() const {
@@ -91,10 +106,11 @@ void ResidualPlots::applyLook() {
   simulated_->setPen(QPen(look.curve(0), 1));
   residual_[0]->setPen(QPen(look.curve(1), 1));
   residual_[1]->setPen(QPen(look.curve(0), 1));
-  const std::array<QColor, 5> inks{look.muted, look.curve(0), look.curve(1), look.curve(0), look.muted};
+  wander_->setBrush(look.band(2));
+  const std::array<QColor, 6> inks{look.muted, look.curve(0), look.curve(1), look.curve(0), look.muted, look.curve(2)};
   for (size_t k = 0; k < names_.size(); ++k) {
     names_[k]->setTextColor(inks[k]);
-    names_[k]->setFont(typed(Type::caption, k < 4));
+    names_[k]->setFont(typed(Type::caption, k != 4));
   }
   draw();
 }
@@ -127,14 +143,23 @@ void ResidualPlots::draw() {
   for (QCPItemRect* band : bands_) plot_->removeItem(band);
   bands_.clear();
   for (QCPGraph* graph : {measured_, simulated_, residual_[0], residual_[1]}) graph->data()->clear();
+  wander_->setVisible(inTorque());
   const auto& recording = comparison_.recording();
   nameParts();
   if (recording) {
     drawMeasurement(*recording);
-    if (!comparison_.shownTrace().position.empty()) drawResiduals(*recording);
+    if (inTorque()) {
+      drawTorques(*recording);
+    } else if (!comparison_.shownTrace().position.empty()) {
+      drawResiduals(*recording);
+    }
     drawBands();
   }
   plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+bool ResidualPlots::inTorque() const {
+  return comparison_.torque().has_value();
 }
 
 bool ResidualPlots::linear() const {
@@ -159,10 +184,16 @@ void ResidualPlots::nameParts() {
   above_->axis(QCPAxis::atLeft)->setLabel(linear() ? tr("position (mm)") : tr("angle (°)"));
   above_->axis(QCPAxis::atBottom)->setLabel(axis_ == "time" ? QString() : tr("time (s)"));
   above_->axis(QCPAxis::atBottom)->setTickLabels(axis_ != "time");
-  below_->axis(QCPAxis::atLeft)->setLabel(linear() ? tr("residual (mm)") : tr("residual (°)"));
+  below_->axis(QCPAxis::atLeft)
+      ->setLabel(inTorque() ? (linear() ? tr("force left (N)") : tr("torque left (mNm)"))
+                 : linear() ? tr("residual (mm)")
+                            : tr("residual (°)"));
   below_->axis(QCPAxis::atBottom)->setLabel(shownAxis(axis_, linear()).label());
   names_[0]->setText(comparison_.recording() ? tr("measured") : QString());
-  names_[1]->setText(diagnosed ? tr("simulated with findings") : QString());
+  names_[1]->setText(inTorque()  ? tr("this motion can't be foreseen: the torque counts")
+                     : diagnosed ? tr("simulated with findings")
+                                 : QString());
+  names_[5]->setText(inTorque() ? tr("95 % of what a perfect model leaves") : QString());
   names_[2]->setText(diagnosed ? tr("base model") : QString());
   names_[3]->setText(diagnosed ? tr("with findings") : QString());
   names_[4]->setText(comparison_.recording() ? QString() : tr("Open or drop a recording and its bench file"));
@@ -183,7 +214,8 @@ void ResidualPlots::drawMeasured() {
 void ResidualPlots::drawMeasurement(const Recording& recording) {
   drawMeasured();
   const auto time = recording.time();
-  const auto& simulated = comparison_.shownTrace().position;
+  // Simulated motion that can't be foreseen runs away, and says nothing of the model.
+  const auto& simulated = inTorque() ? std::vector<double>() : comparison_.shownTrace().position;
   QVector<QCPGraphData> points;
   points.reserve(static_cast<qsizetype>(simulated.size()));
   for (size_t row = 0; row < std::min(simulated.size(), time.size()); ++row)
@@ -203,20 +235,53 @@ void ResidualPlots::drawResiduals(const Recording& recording) {
   const auto abscissa = residualAxis(axis_, comparison_.diagnosis()->base, recording, comparison_.shownTrace());
   const auto measured = recording.channel(linear() ? "position_m" : "angle_rad");
   const double across = shownAxis(axis_, linear()).scale;
-  const bool line = axis_ == "time";
   const auto draw = [&](QCPGraph& graph, const std::vector<double>& position) {
     QVector<QCPGraphData> points;
-    const size_t every = line ? 1 : std::max<size_t>(1, position.size() / 4000);
+    const size_t every = axis_ == "time" ? 1 : std::max<size_t>(1, position.size() / mostDots);
     for (size_t row = 0; row < std::min(position.size(), abscissa.size()); row += every) {
       points.append(QCPGraphData(across * abscissa[row], scale() * (position[row] - measured[row])));
     }
-    graph.setLineStyle(line ? QCPGraph::lsLine : QCPGraph::lsNone);
-    graph.setScatterStyle(line ? QCPScatterStyle() : QCPScatterStyle(QCPScatterStyle::ssDisc, graph.pen().color(), 2));
-    graph.setAdaptiveSampling(line);
-    graph.data()->set(points, line);
+    drawPoints(graph, points);
   };
   draw(*residual_[0], comparison_.baseTrace().position);
   draw(*residual_[1], comparison_.shownTrace().position);
+  scaleResiduals();
+}
+
+/// What each model leaves of the torque, over time or over the same axes along the motion that was measured.
+void ResidualPlots::drawTorques(const Recording& recording) {
+  const TorqueView& view = *comparison_.torque();
+  const auto abscissa = residualAxis(axis_, comparison_.diagnosis()->base, recording, view.along);
+  const double across = shownAxis(axis_, linear()).scale;
+  const double shown = shownAxis("current", linear()).scale;
+  const double begin_s = recording.time().front();
+  const bool line = axis_ == "time";
+  const auto draw = [&](QCPGraph& graph, const TorqueTrace& trace) {
+    QVector<QCPGraphData> points;
+    const size_t every = line ? 1 : std::max<size_t>(1, trace.torque.size() / mostDots);
+    for (size_t k = 0; k < trace.torque.size(); k += every) {
+      if (!line && trace.row[k] >= abscissa.size()) continue;
+      points.append(
+          QCPGraphData(line ? begin_s + trace.time_s[k] : across * abscissa[trace.row[k]], shown * trace.torque[k]));
+    }
+    drawPoints(graph, points);
+  };
+  draw(*residual_[0], view.base);
+  draw(*residual_[1], view.shown);
+  scaleResiduals();
+  wander_->topLeft->setCoords(0.0, shown * normal95 * view.wander);
+  wander_->bottomRight->setCoords(1.0, -shown * normal95 * view.wander);
+}
+
+void ResidualPlots::drawPoints(QCPGraph& graph, const QVector<QCPGraphData>& points) {
+  const bool line = axis_ == "time";
+  graph.setLineStyle(line ? QCPGraph::lsLine : QCPGraph::lsNone);
+  graph.setScatterStyle(line ? QCPScatterStyle() : QCPScatterStyle(QCPScatterStyle::ssDisc, graph.pen().color(), 2));
+  graph.setAdaptiveSampling(line);
+  graph.data()->set(points, line);
+}
+
+void ResidualPlots::scaleResiduals() {
   below_->axis(QCPAxis::atLeft)->rescale();
   below_->axis(QCPAxis::atLeft)->scaleRange(1.3);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <QVector>
 #include <QWidget>
 #include <array>
 #include <utility>
@@ -9,6 +10,7 @@
 
 class QCPAxisRect;
 class QCPGraph;
+class QCPGraphData;
 class QCPItemRect;
 class QCPTextElement;
 class QCustomPlot;
@@ -31,6 +33,8 @@ class ResidualPlots : public QWidget {
   std::pair<double, double> visible_s() const;
   /// Highlighted stretches that are drawn now.
   size_t bands() const { return bands_.size(); }
+  /// Whether what is drawn beneath is torque.
+  bool inTorque() const;
 
  signals:
   void visibleChanged();
@@ -47,6 +51,9 @@ class ResidualPlots : public QWidget {
   void drawMeasured();
   void drawMeasurement(const Recording& recording);
   void drawResiduals(const Recording& recording);
+  void drawTorques(const Recording& recording);
+  void drawPoints(QCPGraph& graph, const QVector<QCPGraphData>& points);
+  void scaleResiduals();
   void drawBands();
 
   Comparison& comparison_;
@@ -57,7 +64,8 @@ class ResidualPlots : public QWidget {
   QCPGraph* measured_ = nullptr;
   QCPGraph* simulated_ = nullptr;
   std::array<QCPGraph*, 2> residual_{};     ///< base, with findings
-  std::array<QCPTextElement*, 5> names_{};  ///< measured, simulated, base, with findings, hint
+  std::array<QCPTextElement*, 6> names_{};  ///< measured, simulated, base, with findings, hint, wander
+  QCPItemRect* wander_ = nullptr;           ///< within which a perfect model's torque would stay
   std::vector<QCPItemRect*> bands_;
 };
 

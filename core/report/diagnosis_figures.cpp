@@ -6,6 +6,7 @@
 
 #include "base/numbers.h"
 #include "diagnose/fit/motion.h"
+#include "diagnose/fit/torque_residual.h"
 #include "diagnose/simulate/simulation.h"
 #include "diagnose/verdict/where.h"
 #include "draw/html_report.h"
@@ -16,7 +17,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr int beforeColour = 1, afterColour = 0, measuredColour = 6;
+constexpr int beforeColour = 1, afterColour = 0, wanderColour = 2, measuredColour = 6;
 constexpr const char* beforeLabel = "base model";
 constexpr const char* afterLabel = "with what was missing";
 
@@ -29,10 +30,16 @@ Shown shownIn(Axis axis) {
   return axis == Axis::rotary ? Shown{180.0 / std::numbers::pi, "°"} : Shown{1e3, "mm"};
 }
 
-/// A track with what both models make of it.
+/// … and what is left of torque or force.
+Shown leftIn(Axis axis) {
+  return axis == Axis::rotary ? Shown{1e3, "mNm"} : Shown{1.0, "N"};
+}
+
+/// A track with what both models make of it: of its motion, or of its torque where that alone can be foreseen.
 struct Replay {
   Track track;
   Trace before, after;
+  TorqueTrace torqueBefore, torqueAfter;
 };
 
 std::vector<Replay> replays(const Diagnosis& d, const std::vector<Recording>& recordings,
@@ -44,13 +51,19 @@ std::vector<Replay> replays(const Diagnosis& d, const std::vector<Recording>& re
           makeTrack(recording, d.model.axis, d.model.input, d.model.supply_V, d.model.count, d.model.servo.has_value());
       if (!track) return {};
       track->motion = motionOf(*track);
-      out.push_back({std::move(*track), {}, {}});
+      out.push_back({std::move(*track), {}, {}, {}, {}});
     }
   }
   return out;
 }
 
 void simulateBoth(const Diagnosis& d, Replay& replay) {
+  if (d.fit.inTorque()) {
+    if (!replay.torqueBefore.torque.empty()) return;
+    replay.torqueBefore = torqueTrace(d.base, replay.track);
+    replay.torqueAfter = torqueTrace(d.model, replay.track);
+    return;
+  }
   if (!replay.before.position.empty()) return;
   replay.before = simulate(d.base, replay.track, d.fit.window_s);
   replay.after = simulate(d.model, replay.track, d.fit.window_s);
@@ -83,6 +96,35 @@ void addModels(Figure& figure, const Diagnosis& d, const Replay& replay, size_t 
   figure.curves.push_back(std::move(after));
 }
 
+/// What both models leave of the torque from one row to another, with the band in which a perfect one's would stay.
+void addTorques(Figure& figure, const Diagnosis& d, const Replay& replay, size_t first, size_t last) {
+  const Shown shown = leftIn(d.model.axis);
+  const double from_s = replay.track.time[first], to_s = replay.track.time[last];
+  const double wander = shown.scale * normal95 * std::max(d.fit.floor, d.fit.floorWithWander);
+  figure.curves.push_back({.label = "95 % of what a perfect model leaves",
+                           .x = {replay.track.origin_s + from_s, replay.track.origin_s + to_s},
+                           .y = {0.0, 0.0},
+                           .low = {-wander, -wander},
+                           .high = {wander, wander},
+                           .colour = wanderColour});
+  const auto add = [&](const TorqueTrace& trace, const char* label, int colour) {
+    Curve curve{.label = label, .x = {}, .y = {}, .colour = colour};
+    for (size_t k = 0; k < trace.torque.size(); ++k) {
+      if (trace.time_s[k] < from_s || trace.time_s[k] > to_s) continue;
+      curve.x.push_back(replay.track.origin_s + trace.time_s[k]);
+      curve.y.push_back(shown.scale * trace.torque[k]);
+    }
+    figure.curves.push_back(std::move(curve));
+  };
+  add(replay.torqueBefore, beforeLabel, beforeColour);
+  if (!d.findings.empty()) add(replay.torqueAfter, afterLabel, afterColour);
+}
+
+std::string errorLabel(const Diagnosis& d) {
+  if (!d.fit.inTorque()) return std::string("measured − simulated / ") + shownIn(d.model.axis).unit;
+  return d.model.axis == Axis::rotary ? "torque left / mNm" : "force left / N";
+}
+
 /// One held-out window between its neighbours: the motion and, beneath, the error.
 void addWindow(std::vector<NamedFigure>& figures, const Diagnosis& d, const Replay& replay, const Block& block,
                const std::string& which) {
@@ -94,8 +136,9 @@ void addWindow(std::vector<NamedFigure>& figures, const Diagnosis& d, const Repl
   };
   const size_t first = rowAt(begin - length), last = rowAt(begin + 2.0 * length);
   const Shown shown = shownIn(d.model.axis);
+  const Shown counted = d.fit.inTorque() ? leftIn(d.model.axis) : shown;
   const std::string position = d.model.axis == Axis::rotary ? "angle" : "position";
-  Figure motion{.title = "Measured and simulated, " + which + " held-out window",
+  Figure motion{.title = (d.fit.inTorque() ? "Measured, " : "Measured and simulated, ") + which + " held-out window",
                 .xLabel = "time / s",
                 .yLabel = position + " / " + shown.unit};
   motion.highlights.push_back({block.start_s, block.start_s + length, which});
@@ -104,37 +147,55 @@ void addWindow(std::vector<NamedFigure>& figures, const Diagnosis& d, const Repl
     measured.x.push_back(track.origin_s + track.time[k]);
     measured.y.push_back(track.seen[k] != 0 ? shown.scale * track.position[k] : std::nan(""));
   }
-  Figure error{.title = "What the simulation misses there",
-               .xLabel = "time / s",
-               .yLabel = std::string("measured − simulated / ") + shown.unit,
-               .highlights = motion.highlights};
+  Figure error{
+      .title = d.fit.inTorque() ? "What the model leaves of the drive there" : "What the simulation misses there",
+      .xLabel = "time / s",
+      .yLabel = errorLabel(d),
+      .highlights = motion.highlights};
   motion.curves.push_back(std::move(measured));
-  addModels(motion, d, replay, first, last, false);
-  addModels(error, d, replay, first, last, true);
+  if (d.fit.inTorque()) {
+    addTorques(error, d, replay, first, last);
+  } else {
+    addModels(motion, d, replay, first, last, false);
+    addModels(error, d, replay, first, last, true);
+  }
   const std::string place = block.recording + ", from " + numberText(block.start_s) + " s";
-  figures.push_back({which + "_motion",
-                     place + ". The simulation knows the drive alone and starts again from the measurement every " +
-                         numberText(length, 2) + " s.",
-                     motion});
+  const std::string space = d.fit.inTorque() ? " " : "";
+  figures.push_back(
+      {which + "_motion",
+       place + (d.fit.inTorque()
+                    ? ". This motion can't be foreseen from the drive: what is compared is the torque along it."
+                    : ". The simulation knows the drive alone and starts again from the measurement every " +
+                          numberText(length, 2) + " s."),
+       motion});
   figures.push_back({which + "_error",
-                     "In this window " + numberText(shown.scale * block.before, 3) + shown.unit + " rms before, " +
-                         numberText(shown.scale * block.after, 3) + shown.unit + " after.",
+                     "In this window " + numberText(counted.scale * block.before, 3) + space + counted.unit +
+                         " rms before, " + numberText(counted.scale * block.after, 3) + space + counted.unit +
+                         " after.",
                      error});
 }
 
 void addWholeResidual(std::vector<NamedFigure>& figures, const Diagnosis& d, const Replay& replay) {
-  Figure figure{.title = "What the simulation misses, whole recording",
+  const bool inTorque = d.fit.inTorque();
+  Figure figure{.title = inTorque ? "What the model leaves of the drive, whole recording"
+                                  : "What the simulation misses, whole recording",
                 .xLabel = "time / s",
-                .yLabel = std::string("measured − simulated / ") + shownIn(d.model.axis).unit};
-  addModels(figure, d, replay, 0, replay.track.rows() - 1, true);
+                .yLabel = errorLabel(d)};
+  if (inTorque) {
+    addTorques(figure, d, replay, 0, replay.track.rows() - 1);
+  } else {
+    addModels(figure, d, replay, 0, replay.track.rows() - 1, true);
+  }
   for (const auto& [first, last] : d.heldoutRows) {
     const double from = replay.track.time[first];
     const double to = replay.track.time[std::min(last, replay.track.rows()) - 1];
     figure.highlights.push_back({replay.track.origin_s + from, replay.track.origin_s + to, "held out"});
   }
-  figures.push_back({"training_residual",
-                     replay.track.name + ". The smaller, the better the model; restarts set it back to nearly zero.",
-                     figure});
+  figures.push_back(
+      {"training_residual",
+       replay.track.name + (inTorque ? ". The smaller, the better the model; gaps: no clear motion."
+                                     : ". The smaller, the better the model; restarts set it back to nearly zero."),
+       figure});
 }
 
 /// Scale and label of a map's axis and of its values, as people read them.
@@ -241,8 +302,7 @@ std::vector<NamedFigure> diagnosisFigures(const Diagnosis& d, const std::vector<
 std::string gainSvg(const Diagnosis& d) {
   constexpr int width = 860;
   constexpr double left = 250.0, right = 740.0, row = 30.0, top = 52.0;
-  const bool rotary = d.model.axis == Axis::rotary;
-  const Shown shown = !d.fit.inTorque() ? shownIn(d.model.axis) : rotary ? Shown{1e3, "mNm"} : Shown{1.0, "N"};
+  const Shown shown = d.fit.inTorque() ? leftIn(d.model.axis) : shownIn(d.model.axis);
   struct Bar {
     std::string label;
     double value;

@@ -422,6 +422,34 @@
         <source>mNm</source>
         <translation>mNm</translation>
     </message>
+    <message>
+        <source>V</source>
+        <translation>V</translation>
+    </message>
+    <message>
+        <source>Voltage</source>
+        <translation>Spannung</translation>
+    </message>
+    <message>
+        <source>Supply</source>
+        <translation>Versorgung</translation>
+    </message>
+    <message>
+        <source>Position asked for</source>
+        <translation>Verlangte Position</translation>
+    </message>
+    <message>
+        <source>Angle asked for</source>
+        <translation>Verlangter Winkel</translation>
+    </message>
+    <message>
+        <source>Speed asked for</source>
+        <translation>Verlangte Drehzahl</translation>
+    </message>
+    <message>
+        <source>Current asked for</source>
+        <translation>Verlangter Strom</translation>
+    </message>
 </context>
 <context>
     <name>MapCurve</name>
@@ -2584,7 +2612,166 @@
     </message>
 </context>
 <context>
+    <name>breakaway::LiveCursors</name>
+    <message>
+        <source>A %1 s   B %2 s   Δt %3 s</source>
+        <translation>A %1 s   B %2 s   Δt %3 s</translation>
+    </message>
+    <message>
+        <source>A %1   B %2   Δy %3</source>
+        <translation>A %1   B %2   Δy %3</translation>
+    </message>
+</context>
+<context>
     <name>breakaway::LivePlots</name>
+    <message>
+        <source>Live plots of angle, velocity, current and estimated disturbance over time</source>
+        <translation>Live-Kurven von Winkel, Geschwindigkeit, Strom und geschätzter Störgröße über der Zeit</translation>
+    </message>
+    <message>
+        <source>time (s)</source>
+        <translation>Zeit (s)</translation>
+    </message>
+    <message>
+        <source>link lost</source>
+        <translation>Verbindung verloren</translation>
+    </message>
+    <message>
+        <source>Nothing to export: no sample is visible</source>
+        <translation>Nichts auszugeben: kein Messwert ist sichtbar</translation>
+    </message>
+    <message>
+        <source>Export the visible stretch</source>
+        <translation>Den sichtbaren Abschnitt ausgeben</translation>
+    </message>
+    <message>
+        <source>Recording (*.csv)</source>
+        <translation>Aufzeichnung (*.csv)</translation>
+    </message>
+    <message>
+        <source>%1 samples written to %2</source>
+        <translation>%1 Messwerte nach %2 geschrieben</translation>
+    </message>
+    <message>
+        <source>P holds the picture still, C shows the cursors, S the spectrum, L enlarges, R records</source>
+        <translation>P hält das Bild still, C zeigt die Marken, S das Spektrum, L vergrößert, R zeichnet auf</translation>
+    </message>
+</context>
+<context>
+    <name>breakaway::LiveSamples</name>
+    <message>
+        <source>Recorded %1 samples</source>
+        <translation>%1 Messwerte aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>%1, then %2; the recording is kept as run %3</source>
+        <translation>%1, dann %2; die Aufzeichnung bleibt als Lauf %3 erhalten</translation>
+    </message>
+    <message>
+        <source>The recording is written to %1</source>
+        <translation>Die Aufzeichnung ist nach %1 geschrieben</translation>
+    </message>
+</context>
+<context>
+    <name>breakaway::LiveSpectrum</name>
+    <message>
+        <source>Hann</source>
+        <translation>Hann</translation>
+    </message>
+    <message>
+        <source>Blackman-Harris</source>
+        <translation>Blackman-Harris</translation>
+    </message>
+    <message>
+        <source>Flat top</source>
+        <translation>Flat-Top</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>Channel of the spectrum</source>
+        <translation>Kanal des Spektrums</translation>
+    </message>
+    <message>
+        <source>Of which channel the spectrum is</source>
+        <translation>Von welchem Kanal das Spektrum ist</translation>
+    </message>
+    <message>
+        <source>Window function of the spectrum</source>
+        <translation>Fensterfunktion des Spektrums</translation>
+    </message>
+    <message>
+        <source>Hann: for most. Blackman-Harris: weak lines beside strong ones. Flat top: heights as they are without reading between lines. Rectangle: lines as narrow as they can be, with much beside them</source>
+        <translation>Hann: für das meiste. Blackman-Harris: schwache Linien neben starken. Flat-Top: Höhen, wie sie sind, ohne zwischen Linien zu lesen. Rechteck: so schmale Linien wie möglich, mit viel daneben</translation>
+    </message>
+    <message>
+        <source>Highest line of the spectrum</source>
+        <translation>Höchste Linie des Spektrums</translation>
+    </message>
+    <message>
+        <source>Amplitude spectrum of what the live plots show</source>
+        <translation>Amplitudenspektrum dessen, was die Live-Bilder zeigen</translation>
+    </message>
+    <message>
+        <source>Wheel and mouse choose the frequencies, a double click shows all of them</source>
+        <translation>Rad und Maus wählen die Frequenzen, ein Doppelklick zeigt alle</translation>
+    </message>
+    <message>
+        <source>frequency (Hz)</source>
+        <translation>Frequenz (Hz)</translation>
+    </message>
+    <message>
+        <source>amplitude (%1)</source>
+        <translation>Amplitude (%1)</translation>
+    </message>
+    <message>
+        <source>Waits for samples</source>
+        <translation>Wartet auf Messwerte</translation>
+    </message>
+    <message>
+        <source>Nothing but zero in %1 s</source>
+        <translation>Nichts als null in %1 s</translation>
+    </message>
+    <message>
+        <source>Highest %1 Hz: %2 %3</source>
+        <translation>Höchste %1 Hz: %2 %3</translation>
+    </message>
+    <message>
+        <source>, order %1 of the rotor at %2 turns/s</source>
+        <translation>, Ordnung %1 des Rotors bei %2 U/s</translation>
+    </message>
+</context>
+<context>
+    <name>breakaway::LiveStrip</name>
+    <message>
+        <source>Live</source>
+        <translation>Live</translation>
+    </message>
+    <message>
+        <source>Plots of what comes from the board, below the page (Ctrl+L)</source>
+        <translation>Kurven dessen, was vom Board kommt, unter der Seite (Strg+L)</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Log</translation>
+    </message>
+    <message>
+        <source>What was said so far</source>
+        <translation>Was bisher gesagt wurde</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>Log: %1 new</source>
+        <translation>Log: %1 neu</translation>
+    </message>
+</context>
+<context>
+    <name>breakaway::LiveToolbar</name>
     <message>
         <source>Pause</source>
         <translation>Pause</translation>
@@ -2614,26 +2801,6 @@
         <translation>%1 s</translation>
     </message>
     <message>
-        <source>Trigger</source>
-        <translation>Auslöser</translation>
-    </message>
-    <message>
-        <source>Auto: the picture stands at the newest edge and runs on without one. Single: it waits for one edge and pauses there; Pause arms it again</source>
-        <translation>Auto: das Bild steht bei der neuesten Flanke und läuft ohne sie weiter. Einzeln: es wartet auf eine Flanke und hält dort an; Pause schärft neu</translation>
-    </message>
-    <message>
-        <source>Free run</source>
-        <translation>Freilauf</translation>
-    </message>
-    <message>
-        <source>Trigger: auto</source>
-        <translation>Auslöser: auto</translation>
-    </message>
-    <message>
-        <source>Trigger: single</source>
-        <translation>Auslöser: einzeln</translation>
-    </message>
-    <message>
         <source>Record</source>
         <translation>Aufzeichnen</translation>
     </message>
@@ -2652,6 +2819,73 @@
     <message>
         <source>Write the last recording as CSV</source>
         <translation>Die letzte Aufzeichnung als CSV schreiben</translation>
+    </message>
+    <message>
+        <source>Record every sample at the full rate, on the disk (R in the plot)</source>
+        <translation>Jeden Messwert in voller Rate aufzeichnen, auf die Platte (R im Bild)</translation>
+    </message>
+    <message>
+        <source>No board is connected</source>
+        <translation>Kein Board ist verbunden</translation>
+    </message>
+    <message>
+        <source>No sample has come yet</source>
+        <translation>Noch ist kein Messwert gekommen</translation>
+    </message>
+    <message>
+        <source>Nothing was recorded yet</source>
+        <translation>Noch wurde nichts aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Finish (%1 s)</source>
+        <translation>Beenden (%1 s)</translation>
+    </message>
+    <message>
+        <source>Save the last recording</source>
+        <translation>Die letzte Aufzeichnung speichern</translation>
+    </message>
+    <message>
+        <source>Recording (*.csv)</source>
+        <translation>Aufzeichnung (*.csv)</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>The frequencies of what is visible, of any channel (S in the plot)</source>
+        <translation>Die Frequenzen dessen, was sichtbar ist, von jedem Kanal (S im Bild)</translation>
+    </message>
+    <message>
+        <source>Large</source>
+        <translation>Groß</translation>
+    </message>
+    <message>
+        <source>The plots take the page&apos;s place, until this is pressed again (L in the plot)</source>
+        <translation>Die Bilder nehmen den Platz der Seite ein, bis hier wieder gedrückt wird (L im Bild)</translation>
+    </message>
+</context>
+<context>
+    <name>breakaway::LiveTrigger</name>
+    <message>
+        <source>Trigger</source>
+        <translation>Auslöser</translation>
+    </message>
+    <message>
+        <source>Auto: the picture stands at the newest edge and runs on without one. Single: it waits for one edge and pauses there; Pause arms it again</source>
+        <translation>Auto: das Bild steht bei der neuesten Flanke und läuft ohne sie weiter. Einzeln: es wartet auf eine Flanke und hält dort an; Pause schärft neu</translation>
+    </message>
+    <message>
+        <source>Free run</source>
+        <translation>Freilauf</translation>
+    </message>
+    <message>
+        <source>Trigger: auto</source>
+        <translation>Auslöser: auto</translation>
+    </message>
+    <message>
+        <source>Trigger: single</source>
+        <translation>Auslöser: einzeln</translation>
     </message>
     <message>
         <source>Channel of the trigger</source>
@@ -2678,10 +2912,6 @@
         <translation>fallend</translation>
     </message>
     <message>
-        <source>through</source>
-        <translation>durch</translation>
-    </message>
-    <message>
         <source>Level of the trigger</source>
         <translation>Pegel des Auslösers</translation>
     </message>
@@ -2690,118 +2920,16 @@
         <translation>Der Pegel, den der Kanal kreuzt, über seine Kurve gezeichnet</translation>
     </message>
     <message>
+        <source>through</source>
+        <translation>durch</translation>
+    </message>
+    <message>
         <source>waits for an edge</source>
         <translation>wartet auf Flanke</translation>
     </message>
     <message>
         <source>edge at %1 s</source>
         <translation>Flanke bei %1 s</translation>
-    </message>
-    <message>
-        <source>Live plots of angle, velocity, current and estimated disturbance over time</source>
-        <translation>Live-Kurven von Winkel, Geschwindigkeit, Strom und geschätzter Störgröße über der Zeit</translation>
-    </message>
-    <message>
-        <source>P holds the picture still, C shows the cursors, R records</source>
-        <translation>P hält das Bild still, C zeigt die Marken, R zeichnet auf</translation>
-    </message>
-    <message>
-        <source>time (s)</source>
-        <translation>Zeit (s)</translation>
-    </message>
-    <message>
-        <source>link lost</source>
-        <translation>Verbindung verloren</translation>
-    </message>
-    <message>
-        <source>Record every sample at the full rate, on the disk (R in the plot)</source>
-        <translation>Jeden Messwert in voller Rate aufzeichnen, auf die Platte (R im Bild)</translation>
-    </message>
-    <message>
-        <source>No board is connected</source>
-        <translation>Kein Board ist verbunden</translation>
-    </message>
-    <message>
-        <source>No sample has come yet</source>
-        <translation>Noch ist kein Messwert gekommen</translation>
-    </message>
-    <message>
-        <source>Nothing was recorded yet</source>
-        <translation>Noch wurde nichts aufgezeichnet</translation>
-    </message>
-    <message>
-        <source>A %1 s   B %2 s   Δt %3 s</source>
-        <translation>A %1 s   B %2 s   Δt %3 s</translation>
-    </message>
-    <message>
-        <source>A %1   B %2   Δy %3</source>
-        <translation>A %1   B %2   Δy %3</translation>
-    </message>
-    <message>
-        <source>Nothing to export: no sample is visible</source>
-        <translation>Nichts auszugeben: kein Messwert ist sichtbar</translation>
-    </message>
-    <message>
-        <source>Export the visible stretch</source>
-        <translation>Den sichtbaren Abschnitt ausgeben</translation>
-    </message>
-    <message>
-        <source>Recording (*.csv)</source>
-        <translation>Aufzeichnung (*.csv)</translation>
-    </message>
-    <message>
-        <source>%1 samples written to %2</source>
-        <translation>%1 Messwerte nach %2 geschrieben</translation>
-    </message>
-    <message>
-        <source>Save the last recording</source>
-        <translation>Die letzte Aufzeichnung speichern</translation>
-    </message>
-    <message>
-        <source>Finish (%1 s)</source>
-        <translation>Beenden (%1 s)</translation>
-    </message>
-</context>
-<context>
-    <name>breakaway::LiveSamples</name>
-    <message>
-        <source>Recorded %1 samples</source>
-        <translation>%1 Messwerte aufgezeichnet</translation>
-    </message>
-    <message>
-        <source>%1, then %2; the recording is kept as run %3</source>
-        <translation>%1, dann %2; die Aufzeichnung bleibt als Lauf %3 erhalten</translation>
-    </message>
-    <message>
-        <source>The recording is written to %1</source>
-        <translation>Die Aufzeichnung ist nach %1 geschrieben</translation>
-    </message>
-</context>
-<context>
-    <name>breakaway::LiveStrip</name>
-    <message>
-        <source>Live</source>
-        <translation>Live</translation>
-    </message>
-    <message>
-        <source>Plots of what comes from the board, below the page (Ctrl+L)</source>
-        <translation>Kurven dessen, was vom Board kommt, unter der Seite (Strg+L)</translation>
-    </message>
-    <message>
-        <source>Log</source>
-        <translation>Log</translation>
-    </message>
-    <message>
-        <source>What was said so far</source>
-        <translation>Was bisher gesagt wurde</translation>
-    </message>
-    <message>
-        <source>–</source>
-        <translation>–</translation>
-    </message>
-    <message>
-        <source>Log: %1 new</source>
-        <translation>Log: %1 neu</translation>
     </message>
 </context>
 <context>
@@ -3692,6 +3820,22 @@
     <message>
         <source>Open or drop a recording and its bench file</source>
         <translation>Eine Aufzeichnung und ihre Prüfstandsdatei öffnen oder hier ablegen</translation>
+    </message>
+    <message>
+        <source>force left (N)</source>
+        <translation>übrige Kraft (N)</translation>
+    </message>
+    <message>
+        <source>torque left (mNm)</source>
+        <translation>übriges Moment (mNm)</translation>
+    </message>
+    <message>
+        <source>this motion can&apos;t be foreseen: the torque counts</source>
+        <translation>diese Bewegung ist nicht vorhersagbar: das Moment zählt</translation>
+    </message>
+    <message>
+        <source>95 % of what a perfect model leaves</source>
+        <translation>95 % dessen, was ein vollkommenes Modell übrig lässt</translation>
     </message>
 </context>
 <context>

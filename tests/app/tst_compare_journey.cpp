@@ -1,4 +1,6 @@
 // Compare through the window: open, diagnose, before and after, leave a finding out.
+#include <qcustomplot.h>
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFileInfo>
@@ -221,7 +223,7 @@ void TestCompareJourney::nextExperiment_isRunOnTheBoardAndOpened() {
   QCOMPARE(desk.session.comparison.obstacle(), QString());
 }
 
-/// What can't be foreseen is shown in torque; what is drawn is the motion, and says so.
+/// What can't be foreseen is counted and drawn in torque.
 void TestCompareJourney::slowTurns_areShownInTorque() {
   Desk desk;
   const QString turns = qEnvironmentVariable("BREAKAWAY_SOURCE_DIR") + "/tests/data/diagnose/slow_turns_in_cogging";
@@ -231,6 +233,15 @@ void TestCompareJourney::slowTurns_areShownInTorque() {
   QVERIFY2(desk.text("verdictFigure").contains("mNm"), qPrintable(desk.text("verdictFigure")));
   QVERIFY(desk.session.comparison.shownRmse() > 0.0);
   QCOMPARE(desk.session.comparison.shownChannel(), std::string("angle_rad"));
+  QVERIFY(named<ResidualPlots>(desk.window, "residualPlots")->inTorque());
+  const auto* plot = named<QCustomPlot>(desk.window, "residualPlot");
+  QVERIFY(plot->graph(1)->data()->isEmpty());  // no motion that runs away
+  const double most_mNm = 1e3 * desk.session.comparison.diagnosis()->fit.heldoutBefore;
+  for (const int residual : {2, 3}) {
+    bool found = false;
+    const QCPRange drawn = plot->graph(residual)->getValueRange(found);
+    QVERIFY(found && drawn.upper < 10.0 * most_mNm && drawn.lower > -10.0 * most_mNm);
+  }
 }
 
 void TestCompareJourney::cancel_endsTheDiagnosis() {

@@ -7,8 +7,10 @@
 
 #include "app/small_drive.h"
 #include "app/window_support.h"
+#include "base/numbers.h"
 #include "recording/csv.h"
 #include "session/trigger.h"
+#include "session/visible_spectrum.h"
 #include "widgets/live_plots.h"
 
 using namespace breakaway;
@@ -33,6 +35,10 @@ class TestStop : public QObject {
   void visibleStretch_isExportedWithEverySample();
   void view_standsAtTheTriggersEdge();
   void trigger_takesNoNoiseForAnEdge();
+  void spectrum_namesWhatTheRotorDoes();
+  void spectrum_leavesOutWhatLiesBeforeAGap();
+  void spectrum_followsWhatIsVisible();
+  void livePlots_takeThePagesPlace();
 };
 
 namespace {
@@ -263,6 +269,100 @@ void TestStop::trigger_takesNoNoiseForAnEdge() {
   QVERIFY(trigger.shown_s().has_value());
   QVERIFY(std::abs(*trigger.shown_s() - 0.325) < 1e-9);
   QVERIFY(!trigger.done());
+}
+
+namespace {
+
+/// Rows of 1 ms: a rotor at 4.1 turns/s, and three times per turn a current.
+std::vector<Sample> rotorSamples(double from_s, size_t rows, double current_A) {
+  std::vector<Sample> samples(rows);
+  for (size_t k = 0; k < rows; ++k) {
+    samples[k].time_s = from_s + 1e-3 * static_cast<double>(k);
+    samples[k].angle_rad = turn_rad * 4.1 * samples[k].time_s;
+    samples[k].current_A = 0.5 + current_A * std::sin(3.0 * samples[k].angle_rad);
+  }
+  return samples;
+}
+
+double currentOf(const Sample& sample) {
+  return sample.current_A;
+}
+
+}  // namespace
+
+void TestStop::spectrum_namesWhatTheRotorDoes() {
+  LiveHistory history;
+  history.append(rotorSamples(0.0, 5000, 0.3));
+  const auto spectrum = spectrumOf(evenStretch(history, 1.0, 4.0, currentOf), SpectrumWindow::hann);
+  QVERIFY(std::abs(spectrum.length_s - 3.0) < 0.01);
+  QVERIFY(std::abs(spectrum.turns_Hz - 4.1) < 0.001);
+  const auto peak = highestPeak(spectrum.lines, 1.0, 500.0);
+  QVERIFY(peak.has_value());
+  QVERIFY2(std::abs(peak->frequency_Hz - 12.3) < 0.01, qPrintable(QString::number(peak->frequency_Hz)));
+  QVERIFY2(std::abs(peak->amplitude - 0.3) < 0.003, qPrintable(QString::number(peak->amplitude)));
+  const auto drawn = drawnLines(spectrum.lines, 1.0, 500.0, 40);
+  QVERIFY(drawn.size() <= 40);
+  double highest = 0.0;
+  for (const SpectrumPoint& point : drawn) highest = std::max(highest, point.amplitude);
+  QVERIFY(highest > 0.25);  // the peak is on the screen
+  std::vector<Sample> faster = rotorSamples(5.0, 3000, 0.3);
+  for (Sample& sample : faster) sample.angle_rad = turn_rad * (20.5 + 6.0 * (sample.time_s - 5.0));
+  history.append(faster);
+  QCOMPARE(steadyTurns_Hz(evenStretch(history, 3.0, 8.0, currentOf)), 0.0);
+}
+
+void TestStop::spectrum_leavesOutWhatLiesBeforeAGap() {
+  LiveHistory history;
+  history.append(rotorSamples(0.0, 2000, 5.0));
+  history.append(rotorSamples(2.5, 1000, 0.3));
+  const auto stretch = evenStretch(history, 0.0, 10.0, currentOf);
+  QCOMPARE(stretch.values.size(), size_t{1000});
+  QVERIFY(std::abs(stretch.rate_Hz - 1000.0) < 0.01);
+  QVERIFY(evenStretch(history, 3.49, 10.0, currentOf).values.empty());  // too few
+}
+
+void TestStop::spectrum_followsWhatIsVisible() {
+  Desk desk;
+  QVERIFY(desk.turning());
+  press(desk.window, "spectrumButton");
+  auto* channel = named<QComboBox>(desk.window, "spectrumChannel");
+  QCOMPARE(channel->count(), 9);
+  channel->setCurrentIndex(1);
+  const auto* reading = named<QLabel>(desk.window, "spectrumReading");
+  QVERIFY2(QTest::qWaitFor([&] { return reading->text().startsWith("Highest ") && reading->text().contains(" rad/s"); },
+                           10'000),
+           qPrintable(reading->text()));
+  channel->setCurrentIndex(channel->findText("Supply"));
+  QVERIFY2(QTest::qWaitFor([&] { return !reading->text().contains(" rad/s") && !reading->text().contains("Waits"); },
+                           10'000),
+           qPrintable(reading->text()));
+  press(desk.window, "spectrumButton");
+  QVERIFY(!channel->isVisible());
+}
+
+void TestStop::livePlots_takeThePagesPlace() {
+  Desk desk;
+  desk.window.resize(1280, 720);
+  desk.window.showPage("handPage");
+  desk.window.showLive(true);
+  auto* plots = named<LivePlots>(desk.window, "livePlots");
+  const auto* page = named<QWidget>(desk.window, "handPage");
+  const int small = plots->height();
+  press(desk.window, "largeLiveButton");
+  QTest::qWait(50);
+  QVERIFY(!page->isVisible());
+  QVERIFY2(plots->height() > 500, qPrintable(QString::number(plots->height())));
+  QCOMPARE(desk.window.size(), QSize(1280, 720));
+  QVERIFY(named<QWidget>(desk.window, "stopButton")->isVisible());
+  press(desk.window, "largeLiveButton");
+  QTest::qWait(50);
+  QVERIFY(page->isVisible());
+  QCOMPARE(plots->height(), small);
+  press(desk.window, "largeLiveButton");
+  desk.window.showPage("tunePage");  // whoever goes to a page sees it
+  QTest::qWait(1);
+  QVERIFY(named<QWidget>(desk.window, "tunePage")->isVisible());
+  QVERIFY(!named<QAbstractButton>(desk.window, "largeLiveButton")->isChecked());
 }
 
 JOURNEY_MAIN(TestStop)

@@ -67,6 +67,33 @@ Eigen::VectorXd TorqueResidual::of(const Model& model) const {
   return out;
 }
 
+std::vector<double> TorqueResidual::times_s() const {
+  std::vector<double> times;
+  times.reserve(kept_.size());
+  for (const size_t k : kept_) times.push_back(along_.time[k]);
+  return times;
+}
+
+TorqueTrace torqueTrace(const Model& model, const Track& track) {
+  TorqueTrace trace;
+  if (track.rows() < 2) return trace;
+  const TorqueResidual residual(track, {.last = track.rows() - 1, .errorIn = ErrorIn::torque});
+  const std::vector<double> times = residual.times_s();
+  const Eigen::VectorXd torque = residual.of(model);
+  const double apart_s = 2.5 / (perPeriod * cutoffOf(track));  // instants between which others are left out
+  const auto add = [&](double time_s, double value) {
+    const auto after = std::upper_bound(track.time.begin(), track.time.end(), time_s);
+    trace.time_s.push_back(time_s);
+    trace.torque.push_back(value);
+    trace.row.push_back(static_cast<size_t>(std::max<std::ptrdiff_t>(1, after - track.time.begin()) - 1));
+  };
+  for (size_t k = 0; k < times.size(); ++k) {
+    if (k > 0 && times[k] - times[k - 1] > apart_s) add(0.5 * (times[k - 1] + times[k]), std::nan(""));
+    add(times[k], torque[static_cast<Eigen::Index>(k)]);
+  }
+  return trace;
+}
+
 bool isLongEnough(const Track& track, const Window& window, size_t rows) {
   return window.last - window.first + 1 >= rows &&
          (window.errorIn == ErrorIn::motion || static_cast<size_t>(TorqueResidual(track, window).rows()) >= rows);

@@ -22,6 +22,8 @@ class TorqueResidual {
   Eigen::Index rows() const { return static_cast<Eigen::Index>(kept_.size()); }
   /// One per instant, Nm (N). For models whose effects are torques at every instant.
   Eigen::VectorXd of(const Model& model) const;
+  /// When they are, s since the track's first row.
+  std::vector<double> times_s() const;
   /// The same instants as if something else had been recorded.
   TorqueResidual changed(const std::function<void(Track&)>& change) const;
 
@@ -31,6 +33,15 @@ class TorqueResidual {
   InverseRows along_;
   std::vector<size_t> kept_;
 };
+
+/// What a model leaves of the torque over a whole recording, for pictures.
+struct TorqueTrace {
+  std::vector<double> time_s;  ///< since the track's first row
+  std::vector<double> torque;  ///< Nm (N); one NaN wherever the motion isn't clear for a while
+  std::vector<size_t> row;     ///< of the track, at or before that time
+};
+
+TorqueTrace torqueTrace(const Model& model, const Track& track);
 
 /// Whether a window holds at least so many rows, and of errors in torque so many instants.
 bool isLongEnough(const Track& track, const Window& window, size_t rows);
