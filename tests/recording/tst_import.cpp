@@ -63,6 +63,17 @@ void TestImport::names_areUnderstood_data() {
   row("t", "time_s");
   row("Timestamp", "time_s");
   row("Zeit [ms]", "time_s", 1e-3);
+  row("Zeit 1 - Standardmessrate [s]", "time_s");
+  row("Solldrehzahl [1/min]", "velocity_reference_rad_per_s", std::numbers::pi / 30.0);
+  row("Lastmoment [Nm]", "");
+  row("Reibmoment [Nm]", "");
+  row("Nennstrom [A]", "");
+  row("Stromistwert feldbildend [A]", "");
+  row("Torque (a)", "");
+  row("Max 3 speed [rpm]", "");
+  row("Im (A)", "current_A");
+  row("AppliedVolts", "voltage_V");
+  row("Actual current (mA rms)", "current_A", 1e-3);
   row("time_us", "time_s", 1e-6);
   row("t / µs", "time_s", 1e-6);
   row("angle_rad", "angle_rad");

@@ -70,6 +70,8 @@ constexpr auto quantities = std::to_array<Word>({
     {"pwm", UnitKind::ratio},
     {"voltage", UnitKind::voltage},
     {"spannung", UnitKind::voltage},
+    {"apos", UnitKind::angle},
+    {"aspd", UnitKind::angularVelocity},
     {"uq", UnitKind::voltage},
     {"vq", UnitKind::voltage},
     {"vm", UnitKind::voltage},
