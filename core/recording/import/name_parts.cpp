@@ -166,10 +166,18 @@ void takeGroup(Words& words, std::string& group) {
     std::string& word = words[k];
     const size_t digit = word.find_first_of("0123456789");
     const bool letterAndNumber = digit == 1 && isNumber(word.substr(1));
-    const bool parameter = letterAndNumber && word.size() > 2 && (word[0] == 'r' || word[0] == 'p');  // a drive's "r63"
-    const bool axis = letterAndNumber && !parameter;                                                  // "m0"
-    const bool side = isSide(word) && (word.size() > 1 || (k > 0 && k + 1 == words.size()));          // "rpm_l"
-    if (!model && (isNumber(word) || axis || side)) group += (group.empty() ? "" : ".") + word;
+    // A drive's "r63", "I80"; not a tenth motor or joint.
+    const bool drives =
+        word[0] == 'r' || word[0] == 'p' ||
+        (k == 0 && words.size() > 1 && std::string_view("majsxyz").find(word[0]) == std::string_view::npos);
+    const bool parameter = letterAndNumber && word.size() > 2 && drives;
+    const bool axis = letterAndNumber && !parameter;                                          // "m0"
+    const bool side = isSide(word) && (word.size() > 1 || (k > 0 && k + 1 == words.size()));  // "rpm_l"
+    const bool joint = axis && word[0] == 'j';                       // "tau_J1" is of the axis of "dq1"
+    const bool angle = axis && word[0] == 'q' && words.size() == 1;  // "q1"
+    if (!model && (isNumber(word) || axis || side))
+      group += (group.empty() ? "" : ".") + (joint || angle ? word.substr(1) : word);
+    if (angle) kept.emplace_back("q");
     if (!isNumber(word) && !axis && !side && !parameter) kept.push_back(std::move(word));
   }
   words = std::move(kept);

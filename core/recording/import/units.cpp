@@ -65,6 +65,19 @@ constexpr auto units = std::to_array<Unit>({
     {"degree", angle, degree},
     {"degrees", angle, degree},
     {"grad", angle, degree},
+    {"gradi", angle, degree},
+    {"grados", angle, degree},
+    {"graden", angle, degree},
+    {"grader", angle, degree},
+    {"graus", angle, degree},
+    {"degré", angle, degree},
+    {"degrés", angle, degree},
+    {"degres", angle, degree},
+    {"stopni", angle, degree},
+    {"derece", angle, degree},
+    {"stupně", angle, degree},
+    {"stupňů", angle, degree},
+    {"fok", angle, degree},
     {"cdeg", angle, 1e-2 * degree},
     {"mdeg", angle, 1e-3 * degree},
     {"gon", angle, 0.9 * degree},
@@ -249,21 +262,24 @@ const Unit* exactly(std::string_view name) {
 /// What moves, in the one word that stands in front of "per".
 std::string_view oneWord(std::string_view word) {
   static constexpr auto same = std::to_array<std::pair<std::string_view, std::string_view>>(
-      {{"rads", "rad"},     {"radian", "rad"}, {"radians", "rad"},  {"degs", "deg"},       {"degree", "deg"},
-       {"degrees", "deg"},  {"grad", "deg"},   {"revs", "rev"},     {"revolution", "rev"}, {"revolutions", "rev"},
-       {"turn", "rev"},     {"turns", "rev"},  {"rot", "rev"},      {"rotation", "rev"},   {"rotations", "rev"},
-       {"u", "rev"},        {"r", "rev"},      {"umdr", "rev"},     {"tr", "rev"},         {"giri", "rev"},
-       {"counts", "count"}, {"cnt", "count"},  {"cts", "count"},    {"tick", "count"},     {"ticks", "count"},
-       {"inc", "count"},    {"ink", "count"},  {"pulses", "count"}, {"lsb", "count"},      {"meter", "m"},
-       {"meters", "m"},     {"metre", "m"},    {"metres", "m"},     {"millimeters", "mm"}, {"in", "inch"},
-       {"inches", "inch"},  {"ft", "feet"},    {"foot", "feet"}});
+      {{"rads", "rad"},       {"radian", "rad"},  {"radians", "rad"},  {"degs", "deg"},       {"degree", "deg"},
+       {"degrees", "deg"},    {"grad", "deg"},    {"revs", "rev"},     {"revolution", "rev"}, {"revolutions", "rev"},
+       {"turn", "rev"},       {"turns", "rev"},   {"rot", "rev"},      {"rotation", "rev"},   {"rotations", "rev"},
+       {"u", "rev"},          {"r", "rev"},       {"umdr", "rev"},     {"tr", "rev"},         {"giri", "rev"},
+       {"obr", "rev"},        {"ot", "rev"},      {"omw", "rev"},      {"toer", "rev"},       {"varv", "rev"},
+       {"об", "rev"},         {"dev", "rev"},     {"gradi", "deg"},    {"grados", "deg"},     {"graden", "deg"},
+       {"degrés", "deg"},     {"derece", "deg"},  {"counts", "count"}, {"cnt", "count"},      {"cts", "count"},
+       {"tick", "count"},     {"ticks", "count"}, {"inc", "count"},    {"ink", "count"},      {"pulses", "count"},
+       {"lsb", "count"},      {"meter", "m"},     {"meters", "m"},     {"metre", "m"},        {"metres", "m"},
+       {"millimeters", "mm"}, {"in", "inch"},     {"inches", "inch"},  {"ft", "feet"},        {"foot", "feet"}});
   const auto it = std::find_if(same.begin(), same.end(), [word](const auto& one) { return one.first == word; });
   return it == same.end() ? word : it->second;
 }
 
 std::string_view oneTime(std::string_view word) {
   if (word == "sec" || word == "second" || word == "seconds" || word == "sekunde") return "s";
-  if (word == "minute" || word == "minutes") return "min";
+  if (word == "minute" || word == "minutes" || word == "мин" || word == "dak" || word == "dk") return "min";
+  if (word == "сек" || word == "с" || word == "sn") return "s";
   return word;
 }
 
