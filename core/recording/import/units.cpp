@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <optional>
 #include <utility>
 
 #include "base/numbers.h"
@@ -276,6 +277,19 @@ std::string_view oneWord(std::string_view word) {
   return it == same.end() ? word : it->second;
 }
 
+/// The small letter of a capital one with two bytes of UTF-8, Latin with an accent or Cyrillic.
+std::optional<std::string> lowerLetter(std::string_view text) {
+  if (text.size() < 2) return std::nullopt;
+  const auto lead = static_cast<unsigned char>(text[0]), tail = static_cast<unsigned char>(text[1]);
+  const auto letter = [](unsigned first, unsigned second) {
+    return std::string{static_cast<char>(first), static_cast<char>(second)};
+  };
+  if (lead == 0xC3U && tail >= 0x80U && tail <= 0x9EU && tail != 0x97U) return letter(lead, tail + 0x20U);
+  if (lead == 0xD0U && tail >= 0x90U && tail <= 0x9FU) return letter(lead, tail + 0x20U);
+  if (lead == 0xD0U && tail >= 0xA0U && tail <= 0xAFU) return letter(0xD1U, tail - 0x20U);
+  return std::nullopt;
+}
+
 std::string_view oneTime(std::string_view word) {
   if (word == "sec" || word == "second" || word == "seconds" || word == "sekunde") return "s";
   if (word == "minute" || word == "minutes" || word == "мин" || word == "dak" || word == "dk") return "min";
@@ -316,6 +330,9 @@ std::vector<std::string> wordsOf(std::string_view text, bool splitCamel) {
     } else if (c == '/') {
       close();
       words.emplace_back("per");
+    } else if (const auto lower = lowerLetter(rest)) {
+      word += *lower;
+      ++k;
     } else if (std::isalnum(c) != 0 || c == '%' || c >= 0x80U) {
       const bool hump = splitCamel && k > 0 && !word.empty() && isUpper(k) && isLower(k - 1);
       const bool lastOfCapitals = splitCamel && word.size() > 2 && isUpper(k) && isUpper(k - 1) && isLower(k + 1) &&
