@@ -188,6 +188,10 @@ void TestImport::badFiles_getOneLine_data() {
     QTest::newRow(name) << text << QString::fromUtf8(line);
   };
   row("empty", "", "is empty, expected a table");
+  row("a text that looks like Python", "[\"{'\"]",
+      "holds no log: expected \"entries\": an array of objects, one per sample, or arrays by name");
+  row("a range without end", "# name: t\n# type: range\n# base, limit, increment\n0 1e300 1e-3\n",
+      "the range t has more values than a log");
   row("prose", "Dear colleague,\nthe log is on the other disk.\n",
       "holds no table: expected rows of at least two numbers, separated by commas, semicolons, tabs or blanks");
   row("no time", "angle,current\n0,0\n1,1\n",

@@ -472,9 +472,11 @@ std::string pythonAsJson(std::string_view text) {
   return json;
 }
 
+/// Begins with a dict's first key in single quotes, so that none of it stands within a text of JSON.
 bool isPython(std::string_view text) {
-  const size_t brace = text.find('{');
-  const size_t first = brace == std::string_view::npos ? brace : text.find_first_not_of(" \t\r\n", brace + 1);
+  const size_t brace = text.find_first_not_of("[ \t\r\n");
+  if (brace == std::string_view::npos || text[brace] != '{') return false;
+  const size_t first = text.find_first_not_of(" \t\r\n", brace + 1);
   return first != std::string_view::npos && text[first] == '\'';
 }
 

@@ -12,7 +12,7 @@ namespace breakaway {
 namespace {
 
 constexpr size_t mostColumns = 5000;
-constexpr double mostRows = 1e8;
+constexpr size_t mostOfRanges = 10000000;  ///< values of all ranges: a line makes as many as it likes
 
 /// What stands behind "# key: "; empty when the line is of another key.
 std::string_view valueOf(std::string_view line, std::string_view key) {
@@ -41,14 +41,17 @@ std::vector<double> numbersOf(std::string_view line) {
 struct Variable {
   std::string name, type;
   std::vector<RawColumn> columns;
+  size_t room = mostOfRanges;  ///< left for values of ranges
 };
 
 /// Base, limit and increment, as "t = 0:0.01:2" is kept.
 Result<void> addRange(const std::vector<double>& range, Variable& variable, const std::string& place) {
   if (range.size() < 3) return {};
   const double steps = (range[1] - range[0]) / range[2];
-  if (!(steps >= 0.0) || steps > mostRows) return Error{place, "the range " + variable.name + " has no end"};
+  if (!(steps >= 0.0) || steps >= static_cast<double>(variable.room))
+    return Error{place, "the range " + variable.name + " has more values than a log"};
   const auto count = static_cast<size_t>(std::floor(steps * (1.0 + 1e-12) + 1e-9)) + 1;
+  variable.room -= std::min(variable.room, count);
   RawColumn column{{variable.name, {}}, {}};
   for (size_t k = 0; k < count; ++k) column.channel.values.push_back(range[0] + static_cast<double>(k) * range[2]);
   variable.columns.push_back(std::move(column));
@@ -105,7 +108,7 @@ std::optional<Result<RawTable>> readOctaveText(std::string_view text, char lineE
     const std::string_view line = withoutBlanks(takeLine(rest, lineEnd));
     if (const auto named = valueOf(line, "name"); !named.empty()) {
       finish(variable, columns);
-      variable = {std::string(named), {}, {}};
+      variable = {std::string(named), {}, {}, variable.room};
     } else if (const auto type = valueOf(line, "type"); !type.empty()) {
       variable.type = std::string(type);
     } else if (!line.empty() && line.front() != '#') {
