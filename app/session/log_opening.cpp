@@ -42,6 +42,19 @@ std::vector<LogColumn> bareColumns(const RawTable& table) {
   return columns;
 }
 
+/// The table as a recording; of one that the map parts, its part of that number, with the values of all in `parts`.
+Result<Imported> settled(const ReadTable& read, const ImportMap& map, const std::string& path, int part,
+                         QStringList& parts) {
+  if (map.split.empty()) return settleTable(RawTable(read.table), map, path, read.newPart);
+  auto tables = partsByColumn(read.table, map.split, path);
+  if (!tables) return tables.error();
+  for (const RawTable& one : *tables) parts << QString::fromStdString(one.notes.back().second);
+  if (tables->empty()) return Error{path, "has no value in the column \"" + map.split + "\" to split by"};
+  const size_t taken = std::min(static_cast<size_t>(std::max(part, 0)), tables->size() - 1);
+  return settleTable(std::move((*tables)[taken]), map,
+                     path + " (" + map.split + " " + parts[static_cast<int>(taken)].toStdString() + ")");
+}
+
 }  // namespace
 
 LogOpening::LogOpening(Messages& messages, QObject* parent) : QObject(parent), messages_(messages) {
@@ -102,6 +115,8 @@ void LogOpening::close() {
   settling_ = false;
   table_.reset();
   map_ = {};
+  parts_.clear();
+  part_ = 0;
   recording_.reset();
   columns_.clear();
   remarks_.clear();
@@ -124,10 +139,24 @@ void LogOpening::say(std::optional<double> ImportMap::*number, std::optional<dou
   settle();
 }
 
+void LogOpening::splitBy(const QString& column) {
+  if (map_.split == column.toStdString()) return;
+  map_.split = column.toStdString();
+  part_ = 0;
+  settle();
+}
+
+void LogOpening::takePart(int part) {
+  if (part_ == part) return;
+  part_ = part;
+  settle();
+}
+
 void LogOpening::guessAgain() {
   if (!isOpen()) return;
   QFile::remove(memoryFile());
   map_ = {};
+  part_ = 0;
   settle();
 }
 
@@ -135,15 +164,18 @@ void LogOpening::settle() {
   ++wanted_;
   settling_ = true;
   emit changed();
-  pool_.start([this, mine = wanted_, table = table_, map = map_, path = path_.toStdString()] {
-    const auto imported = settleTable(RawTable(table->table), map, path, table->newPart);
+  pool_.start([this, mine = wanted_, table = table_, map = map_, path = path_.toStdString(), part = part_] {
+    QStringList parts;
+    const auto imported = settled(*table, map, path, part, parts);
     QMetaObject::invokeMethod(
-        this, [this, mine, imported] { mine == wanted_ ? show(imported) : void(); }, Qt::QueuedConnection);
+        this, [this, mine, imported, parts] { mine == wanted_ ? show(imported, parts) : void(); },
+        Qt::QueuedConnection);
   });
 }
 
-void LogOpening::show(const Result<Imported>& imported) {
+void LogOpening::show(const Result<Imported>& imported, const QStringList& parts) {
   settling_ = false;
+  parts_ = parts;
   recording_.reset();
   remarks_.clear();
   fault_.clear();

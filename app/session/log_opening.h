@@ -45,6 +45,10 @@ class LogOpening : public QObject {
   void take(const QString& column, const QString& to, const QString& unit);
   /// What no file says: sample time, counts, pole pairs, gear ratio.
   void say(std::optional<double> ImportMap::*number, std::optional<double> value);
+  /// Parts rows by the values of a column, as of several motors; an empty one doesn't. The first part is shown.
+  void splitBy(const QString& column);
+  /// Shows and opens another part.
+  void takePart(int part);
   /// Forgets all corrections of such logs.
   void guessAgain();
   /// Remembers the corrections and hands the recording on. Precondition: fault() is empty.
@@ -55,6 +59,9 @@ class LogOpening : public QObject {
   const QString& path() const { return path_; }
   const std::vector<LogColumn>& columns() const { return columns_; }
   const ImportMap& map() const { return map_; }
+  /// The values by which the rows are parted; empty when they aren't.
+  const QStringList& parts() const { return parts_; }
+  int part() const { return part_; }
   const QStringList& remarks() const { return remarks_; }
   /// Why it is no recording yet, in one line.
   const QString& fault() const { return fault_; }
@@ -65,7 +72,7 @@ class LogOpening : public QObject {
 
  private:
   void settle();
-  void show(const Result<Imported>& imported);
+  void show(const Result<Imported>& imported, const QStringList& parts);
   QString memoryFile() const;
 
   Messages& messages_;
@@ -76,6 +83,8 @@ class LogOpening : public QObject {
   std::optional<Recording> recording_;
   std::vector<LogColumn> columns_;
   QStringList remarks_;
+  QStringList parts_;
+  int part_ = 0;
   QString fault_;
   unsigned wanted_ = 0;  ///< number of the newest reading or settling; older answers are not shown
   bool settling_ = false;

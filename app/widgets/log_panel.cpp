@@ -23,7 +23,7 @@ namespace {
 
 enum Cell { name, takenAs, unit, why, first };
 constexpr size_t mostRows = 500;
-constexpr int choiceHeight = 32, numberWidth = 92;
+constexpr int choiceHeight = 32, numberWidth = 92, shortestChoice = 8;
 
 /// What a technician chooses from, by the unit of the recording's column.
 QStringList unitsOf(const QString& column) {
@@ -92,8 +92,44 @@ QWidget* LogPanel::buildNumbers() {
   add("logCounts", tr("Counts a turn"), &ImportMap::counts_per_rev);
   add("logPolePairs", tr("Pole pairs"), &ImportMap::pole_pairs);
   add("logGear", tr("Gear ratio"), &ImportMap::gear_ratio);
+  addSplit(strip);
   row->addStretch(1);
   return strip;
+}
+
+void LogPanel::addSplit(QWidget* strip) {
+  const auto add = [strip](const char* objectName, const QString& label) {
+    auto* box = new QComboBox(strip);
+    box->setObjectName(objectName);
+    box->setAccessibleName(label);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(shortestChoice);
+    strip->layout()->addWidget(new QLabel(label, strip));
+    strip->layout()->addWidget(box);
+    return box;
+  };
+  split_ = add("logSplit", tr("Parted by"));
+  part_ = add("logPart", tr("Part"));
+  connect(split_, &QComboBox::activated, this,
+          [this](int index) { log_.splitBy(index <= 0 ? QString() : split_->currentText()); });
+  connect(part_, &QComboBox::activated, &log_, &LogOpening::takePart);
+}
+
+void LogPanel::fillSplit() {
+  QStringList names{tr("–")};
+  for (const LogColumn& one : log_.columns()) {
+    if (names.size() <= static_cast<qsizetype>(mostRows)) names << one.name;
+  }
+  const QString by = QString::fromStdString(log_.map().split);
+  if (!by.isEmpty() && !names.contains(by)) names << by;
+  split_->clear();
+  split_->addItems(names);
+  split_->setCurrentIndex(by.isEmpty() ? 0 : static_cast<int>(names.indexOf(by, 1)));
+  part_->clear();
+  part_->addItems(log_.parts());
+  part_->setCurrentIndex(log_.parts().isEmpty() ? -1
+                                                : std::min(log_.part(), static_cast<int>(log_.parts().size()) - 1));
+  part_->setEnabled(!log_.parts().isEmpty());
 }
 
 QWidget* LogPanel::buildButtons() {
@@ -123,6 +159,7 @@ void LogPanel::fill() {
     const auto& value = log_.map().*one.number;
     one.edit->setText(value ? QLocale::c().toString(*value, 'g', 10) : QString());
   }
+  fillSplit();
   setAvailable(open_, tr("Opens it, and remembers what was corrected for logs with these column names"),
                log_.settling() ? tr("It is being read") : log_.fault());
 }

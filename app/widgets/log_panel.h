@@ -27,6 +27,8 @@ class LogPanel : public QWidget {
   };
 
   QWidget* buildNumbers();
+  void addSplit(QWidget* strip);
+  void fillSplit();
   QWidget* buildButtons();
   void fill();
   void showRow(int row, const LogColumn& column);
@@ -38,6 +40,8 @@ class LogPanel : public QWidget {
   QLabel* state_ = nullptr;
   QTableWidget* table_ = nullptr;
   std::vector<Number> numbers_;
+  QComboBox* split_ = nullptr;
+  QComboBox* part_ = nullptr;
   QPushButton* open_ = nullptr;
 };
 

@@ -3009,6 +3009,14 @@
         <translation>aus Datei</translation>
     </message>
     <message>
+        <source>Parted by</source>
+        <translation>Geteilt nach</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
         <source>Rows apart, s</source>
         <translation>Zeilen alle, s</translation>
     </message>

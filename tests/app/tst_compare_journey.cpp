@@ -37,6 +37,7 @@ class TestCompareJourney : public QObject {
   void badRecording_isSaidInOneLine();
   void log_isShownAsUnderstoodAndCorrectedByAClick();
   void whatNoLogSays_isAskedForAndRemembered();
+  void logOfSeveralMotors_isPartedByAClick();
 
  private:
   const QTemporaryDir settings_;
@@ -318,6 +319,34 @@ void TestCompareJourney::log_isShownAsUnderstoodAndCorrectedByAClick() {
   QVERIFY(std::abs(recording->channel("angle_rad")[3] - 9.0 * 2.0 * M_PI) < 1e-9);
   QVERIFY(std::abs(recording->channel("current_A")[10] - 5e-3) < 1e-12);
   QVERIFY(!named<LogPanel>(desk.window, "logPanel")->isVisible());
+}
+
+void TestCompareJourney::logOfSeveralMotors_isPartedByAClick() {
+  const QTemporaryDir folder;
+  QByteArray text = "t_ms,motor,angle_deg\n";
+  for (int k = 0; k < 50; ++k) {
+    for (const char* motor : {"left", "right"})
+      text += QByteArray::number(10 * k) + "," + motor + "," + QByteArray::number(*motor == 'l' ? k * k : 7 * k) + "\n";
+  }
+  Desk desk;
+  desk.answers.byTitle["Open a recording"] = written(folder, text);
+  press(desk.window, "openRecordingButton");
+  LogOpening& log = desk.session.comparison.log();
+  const auto settled = [&log] { return log.isOpen() && !log.settling(); };
+  QVERIFY(QTest::qWaitFor(settled, patience_ms));
+  QVERIFY2(log.fault().contains("split"), qPrintable(log.fault()));
+  QVERIFY(!named<QComboBox>(desk.window, "logPart")->isEnabled());
+  choose(desk.window, "logSplit", "motor");
+  QVERIFY(QTest::qWaitFor([&] { return settled() && log.fault().isEmpty(); }, patience_ms));
+  QCOMPARE(log.parts(), QStringList({"left", "right"}));
+  choose(desk.window, "logPart", "right");
+  QVERIFY(QTest::qWaitFor([&] { return settled() && log.part() == 1; }, patience_ms));
+  QCOMPARE(named<QComboBox>(desk.window, "logPart")->currentText(), QString("right"));
+  press(desk.window, "logOpenButton");
+  const auto& recording = desk.session.comparison.recording();
+  QVERIFY(recording.has_value());
+  QCOMPARE(recording->rows(), size_t{50});
+  QVERIFY(std::abs(recording->channel("angle_rad")[10] - 70.0 * M_PI / 180.0) < 1e-9);
 }
 
 void TestCompareJourney::whatNoLogSays_isAskedForAndRemembered() {

@@ -63,6 +63,17 @@ void TestImport::names_areUnderstood_data() {
   row("t", "time_s");
   row("Timestamp", "time_s");
   row("Zeit [ms]", "time_s", 1e-3);
+  row("Zeit 1 - Standardmessrate [s]", "time_s");
+  row("Solldrehzahl [1/min]", "velocity_reference_rad_per_s", std::numbers::pi / 30.0);
+  row("Lastmoment [Nm]", "");
+  row("Reibmoment [Nm]", "");
+  row("Nennstrom [A]", "");
+  row("Stromistwert feldbildend [A]", "");
+  row("Torque (a)", "");
+  row("Max 3 speed [rpm]", "");
+  row("Im (A)", "current_A");
+  row("AppliedVolts", "voltage_V");
+  row("Actual current (mA rms)", "current_A", 1e-3);
   row("time_us", "time_s", 1e-6);
   row("t / µs", "time_s", 1e-6);
   row("angle_rad", "angle_rad");
@@ -177,6 +188,10 @@ void TestImport::badFiles_getOneLine_data() {
     QTest::newRow(name) << text << QString::fromUtf8(line);
   };
   row("empty", "", "is empty, expected a table");
+  row("a text that looks like Python", "[\"{'\"]",
+      "holds no log: expected \"entries\": an array of objects, one per sample, or arrays by name");
+  row("a range without end", "# name: t\n# type: range\n# base, limit, increment\n0 1e300 1e-3\n",
+      "the range t has more values than a log");
   row("prose", "Dear colleague,\nthe log is on the other disk.\n",
       "holds no table: expected rows of at least two numbers, separated by commas, semicolons, tabs or blanks");
   row("no time", "angle,current\n0,0\n1,1\n",

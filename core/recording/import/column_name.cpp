@@ -139,13 +139,14 @@ ColumnName byUnitAlone(const NameParts& parts) {
   for (const std::string& word : parts.words) {
     reference = reference || isIn(referenceWords, word);
     plain = plain && (isIn(decorations, word) || isIn(referenceWords, word));
-    motors = motors || word == "q" || word == "iq" || word == "motor";
+    motors = motors || word == "q" || word == "iq" || word == "motor" || word == "applied";
   }
   const bool supply = firstIn(parts.words, supplyWords) != nullptr;
   if (kind == UnitKind::voltage && supply) return taken(parts, columnName(Quantity::supply, Axis::rotary), 1);
   if (kind == UnitKind::current || kind == UnitKind::voltage) {
     if (const auto why = notTheMotors(kind, parts.words, supply); !why.empty()) return aside(why, parts);
-    const bool letter = parts.words.size() == 1 && (parts.words[0] == "i" || parts.words[0] == "m");
+    const bool letter =
+        parts.words.size() == 1 && (parts.words[0] == "i" || parts.words[0] == "m" || parts.words[0] == "im");
     if (motors || letter) return taken(parts, contractName(kind, reference), 2);
     return aside("its name says nothing that is known", parts);
   }
@@ -225,6 +226,10 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
   if (parts.unknownUnit) return aside("its unit \"" + parts.unitText + "\" is unknown", parts);
   if (kind == UnitKind::angularVelocity && parts.unitText == "rads") parts.unit = unitNamed("rad/s");  // "vel_rads"
   if (kind == UnitKind::angularVelocity && parts.unitText == "degs") parts.unit = unitNamed("deg/s");
+  // Drives tell the current that makes torque by the torque's name: "Actual torque [mA]".
+  const bool torqueMaking = kind == UnitKind::torque && parts.unit != nullptr &&
+                            parts.unit->kind == UnitKind::current && !isSingleLetter(parts.unitText, "abcuvw");
+  if (torqueMaking) kind = UnitKind::current;
   if (parts.unit != nullptr && !fits(parts.unit->kind, kind)) {
     const bool inWinding = parts.unit->kind == UnitKind::current || parts.unit->kind == UnitKind::voltage;
     const bool strongElectrical = kind == UnitKind::current || kind == UnitKind::voltage;
@@ -235,6 +240,8 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
   }
   if (parts.unit != nullptr) kind = parts.unit->kind;
   bool reference = false;
+  // "Zeit 1 - Standardmessrate" in s: which clock it is matters only beside another one.
+  const bool clock = kind == UnitKind::time && parts.unit != nullptr && found.at == 0;
   int unknownBefore = 0;
   for (size_t k = 0; k < parts.words.size(); ++k) {
     const std::string& word = parts.words[k];
@@ -242,6 +249,10 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
       reference = true;
     } else if (k > found.at && !isIn(decorations, word) && quantityNamed(word) == nullptr && !isIn(supplyWords, word) &&
                !isSingleLetter(word, "abcduvwxyz")) {
+      if (clock) {
+        ++unknownBefore;
+        continue;
+      }
       ColumnName unknown = aside("what \"" + word + "\" makes of it is unknown", parts);
       unknown.unknownWord = word;
       return unknown;

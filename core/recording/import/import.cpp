@@ -78,8 +78,9 @@ Result<RowKinds> kindsOf(const RawColumn& column, const std::string& path) {
   return kinds;
 }
 
-/// One table per value of the column.
-Result<std::vector<RawTable>> partsOf(const RawTable& table, const std::string& column, const std::string& path) {
+}  // namespace
+
+Result<std::vector<RawTable>> partsByColumn(const RawTable& table, const std::string& column, const std::string& path) {
   const auto by = std::find_if(table.columns.begin(), table.columns.end(),
                                [&](const RawColumn& one) { return one.channel.name == column; });
   if (by == table.columns.end()) return Error{path, "has no column \"" + column + "\", by which the map splits"};
@@ -102,8 +103,6 @@ Result<std::vector<RawTable>> partsOf(const RawTable& table, const std::string& 
   return parts;
 }
 
-}  // namespace
-
 Result<std::vector<Imported>> importRecordings(const std::string& path, const ImportMap& map) {
   auto read = readAll(path, map);
   if (!read) return read.error();
@@ -117,7 +116,7 @@ Result<std::vector<Imported>> importRecordings(const std::string& path, const Im
     recordings.push_back(std::move(*one));
     return recordings;
   }
-  auto parts = partsOf(read->table, map.split, path);
+  auto parts = partsByColumn(read->table, map.split, path);
   if (!parts) return parts.error();
   for (RawTable& part : *parts) {
     const std::string name = path + " (" + map.split + " " + part.notes.back().second + ")";

@@ -43,6 +43,9 @@ Result<std::vector<Imported>> importRecordings(const std::string& path, const Im
 /// The same for a log without `split`.
 Result<Imported> importRecording(const std::string& path, const ImportMap& map = {});
 
+/// One table per value of the column, which stands in its last note. Errors: no such column, more than 1000 values.
+Result<std::vector<RawTable>> partsByColumn(const RawTable& table, const std::string& column, const std::string& path);
+
 /// From a table that was read to a recording, called `path`.
 Result<Imported> settleTable(RawTable table, const ImportMap& map, const std::string& path,
                              const std::vector<size_t>& newFile = {});

@@ -1,6 +1,7 @@
 #include "recording/import/json_log.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -296,6 +297,37 @@ bool isByIndex(const Json& json) {
          });
 }
 
+/// {"0": {"time": 0.1, …}, "1": {…}, …}: samples by their number, stamp or key.
+bool areSamplesByKey(const Json& json) {
+  constexpr size_t fewest = 3;
+  if (!json.is_object() || json.size() < fewest) return false;
+  const Json& first = *json.begin();
+  if (!first.is_object() || first.empty()) return false;
+  return std::all_of(json.begin(), json.end(), [&first](const Json& one) {
+    return one.is_object() && one.size() == first.size() && one.begin().key() == first.begin().key() &&
+           std::all_of(one.begin(), one.end(), [](const Json& field) { return field.is_primitive(); });
+  });
+}
+
+/// Keys that are stamps are a column of their own: numbers other than the samples' own, or dates.
+Json withKeys(const Json& json) {
+  Json samples = Json::array();
+  for (const auto& [key, sample] : json.items()) {
+    Json one = Json::object();
+    double number = 0.0;
+    const auto [stop, code] = std::from_chars(key.data(), key.data() + key.size(), number);
+    const bool isNumber = code == std::errc() && stop == key.data() + key.size();
+    const bool counts = isNumber && number < static_cast<double>(json.size()) + 1.0 && number == std::floor(number);
+    if (!sample.contains("timestamp")) {
+      if (isNumber && !counts) one["timestamp"] = number;
+      if (!isNumber && readClock(key)) one["timestamp"] = key;
+    }
+    for (const auto& [name, value] : sample.items()) one[name] = value;
+    samples.push_back(std::move(one));
+  }
+  return samples;
+}
+
 Result<RawTable> byIndex(const Json& json, const std::string& name) {
   Json arrays = Json::object();
   for (const auto& [key, column] : json.items()) {
@@ -351,6 +383,11 @@ Result<RawTable> plainLog(const Json& json, const std::string& name) {
     table = samplesOf(each, name);
   } else if (isByIndex(json)) {
     table = byIndex(json, name);
+  } else if (areSamplesByKey(json)) {
+    const Json keyed = withKeys(json);
+    std::vector<const Json*> each;
+    for (const Json& one : keyed) each.push_back(&one);
+    table = samplesOf(each, name);
   } else if (const Json* rows = longest(json, isArrayOfRows)) {
     table = rowsOf(json, *rows, name);
   } else if (json.is_object()) {
@@ -401,11 +438,54 @@ Result<ReadTable> linesOf(const std::string& text, const std::string& name) {
   return ReadTable{std::move(*table), {}};
 }
 
+/// Python's print of dicts and lists, {'t': 0.1, 'on': True, 'x': None}, as JSON.
+std::string pythonAsJson(std::string_view text) {
+  static constexpr auto words = std::to_array<std::pair<std::string_view, std::string_view>>(
+      {{"True", "true"}, {"False", "false"}, {"None", "null"}, {"nan", "null"}, {"inf", "null"}, {"-inf", "null"}});
+  std::string json;
+  json.reserve(text.size());
+  char quote = 0;
+  for (size_t k = 0; k < text.size(); ++k) {
+    const char c = text[k];
+    if (quote != 0) {
+      if (c == '\\' && k + 1 < text.size()) {
+        if (text[k + 1] != '\'') json += c;
+        json += text[++k];
+      } else if (c == quote) {
+        json += '"';
+        quote = 0;
+      } else {
+        json += c == '"' ? "\\\"" : std::string(1, c);
+      }
+      continue;
+    }
+    if (c == '\'' || c == '"') {
+      quote = c;
+      json += '"';
+      continue;
+    }
+    const auto word = std::find_if(words.begin(), words.end(),
+                                   [&](const auto& one) { return text.substr(k).starts_with(one.first); });
+    json += word == words.end() ? std::string(1, c) : std::string(word->second);
+    if (word != words.end()) k += word->first.size() - 1;
+  }
+  return json;
+}
+
+/// Begins with a dict's first key in single quotes, so that none of it stands within a text of JSON.
+bool isPython(std::string_view text) {
+  const size_t brace = text.find_first_not_of("[ \t\r\n");
+  if (brace == std::string_view::npos || text[brace] != '{') return false;
+  const size_t first = text.find_first_not_of(" \t\r\n", brace + 1);
+  return first != std::string_view::npos && text[first] == '\'';
+}
+
 }  // namespace
 
 Result<ReadTable> readJsonLog(const std::string& text, const std::string& name) {
   if (nestsTooDeep(text))
     return Error{name, "nests deeper than " + std::to_string(deepestJson) + " levels, as no log does"};
+  if (isPython(text)) return readJsonLog(pythonAsJson(text), name);
   const auto fault = jsonFault(text, name);
   if (fault && fault->fact.ends_with("twice in one object")) return *fault;
   try {

@@ -121,6 +121,16 @@ ToolColumns odrive(RawTable& table) {
   return columns;
 }
 
+/// CTRE's motors, by the names that their logs give devices.
+bool isPhoenix(const std::string& name) {
+  return name.find("TalonFX") != std::string::npos || name.find("Phoenix6/") != std::string::npos;
+}
+
+ToolColumns phoenix(RawTable& table) {
+  table.remarks.emplace_back("recognised a Phoenix 6 log: positions in turns, speeds in turns per second");
+  return inTurns(table, isPhoenix);
+}
+
 bool isMoteus(const RawTable& table) {
   const bool stats = std::any_of(table.columns.begin(), table.columns.end(), [](const RawColumn& column) {
     return column.channel.name.starts_with("servo_stats.");
@@ -321,8 +331,8 @@ ToolColumns akd(RawTable& table) {
     const std::string& name = column.channel.name;
     for (const auto& [loop, words] : loopNames) {
       const std::string_view rest = std::string_view(name).substr(std::min(name.size(), std::string_view(loop).size()));
-      if (name.starts_with(loop) && (rest.empty() || rest.front() == ' '))
-        columns[name] = understandName(words + std::string(rest), column.unit);
+      if (name.starts_with(loop) && (rest.empty() || rest.front() == ' ' || rest.front() == '('))
+        columns[name] = understandName(std::string(words) + " " + std::string(rest), column.unit);
     }
   }
   table.remarks.emplace_back(
@@ -352,6 +362,50 @@ ToolColumns cia402(RawTable& table) {
     table.remarks.emplace_back(
         "recognised a drive's CiA 402 objects by its status word: torque and current in "
         "thousandths of the rated ones");
+  return columns;
+}
+
+/// ST's motor control counts speeds in rpm; currents are in A, or in steps of its converter where they are whole.
+bool isStMotorControl(const RawTable& table) {
+  return std::any_of(table.columns.begin(), table.columns.end(),
+                     [](const RawColumn& column) { return column.channel.name.starts_with("SPEED_MEAS"); });
+}
+
+ToolColumns stMotorControl(RawTable& table) {
+  ToolColumns columns;
+  for (const RawColumn& column : table.columns) {
+    const ColumnName name = understandName(column.channel.name, column.unit);
+    const bool speed = name.to == "velocity_rad_per_s" || name.to == "velocity_reference_rad_per_s";
+    const bool electrical = name.to.starts_with("current_") || name.to == "voltage_V";
+    if (!name.understood() || !name.unit.empty()) continue;
+    if (speed) columns[column.channel.name] = in(name.to, turn_rad / 60.0, "rpm", name.rank);
+    if (electrical && areWhole(column.channel.values) && largest(column.channel.values) > 1.0)
+      columns[column.channel.name] =
+          setAside("counts steps of the converter, which no file says: map it with \"scale\"");
+  }
+  table.remarks.emplace_back("recognised ST's motor control by its registers: speeds in rpm");
+  return columns;
+}
+
+constexpr auto armJoints = std::to_array<const char*>({"shoulder", "elbow", "wrist", "gripper"});
+
+/// LeRobot keeps joints in degrees or in hundredths of their range, by the robot's settings.
+bool isLerobot(const RawTable& table) {
+  return std::count_if(table.columns.begin(), table.columns.end(), [](const RawColumn& column) {
+           const std::string& name = column.channel.name;
+           const bool joint = std::any_of(armJoints.begin(), armJoints.end(),
+                                          [&name](const char* part) { return name.find(part) != std::string::npos; });
+           return joint && name.ends_with(".pos");
+         }) > 1;
+}
+
+ToolColumns lerobot(const RawTable& table) {
+  ToolColumns columns;
+  for (const RawColumn& column : table.columns) {
+    if (column.channel.name.ends_with(".pos"))
+      columns[column.channel.name] =
+          setAside("is in degrees or in hundredths of the joint's range: name its unit in a map");
+  }
   return columns;
 }
 
@@ -414,12 +468,17 @@ ToolColumns recogniseTool(RawTable& table, double countsPerRev) {
   if (auto scope = recogniseScope(table)) return std::move(*scope);
   if (isVesc(table)) return vesc(table);
   if (find(table, "loopIteration") != nullptr || find(table, "loopiteration") != nullptr) return betaflight(table);
+  if (std::any_of(table.columns.begin(), table.columns.end(),
+                  [](const RawColumn& column) { return isPhoenix(column.channel.name); }))
+    return phoenix(table);
   if (isMoteus(table)) return moteus(table);
   if (isOdrive(table)) return odrive(table);
   if (isDynamixel(table)) return dynamixel(table, countsPerRev);
   if (isThrustStand(table)) return thrustStand(table);
   if (isAkd(table)) return akd(table);
   if (isCia402(table)) return cia402(table);
+  if (isStMotorControl(table)) return stMotorControl(table);
+  if (isLerobot(table)) return lerobot(table);
   if (isSimpleFoc(table)) return simpleFoc(table);
   if (isNamedSimpleFoc(table)) return namedSimpleFoc(table);
   return {};

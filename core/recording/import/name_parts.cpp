@@ -58,25 +58,94 @@ std::string takeMultipliedUnit(const std::string& text, NameParts& parts) {
   return text.substr(0, from);
 }
 
+/// "Drehzahlistwert" and "Istdrehzahl" are two words; "Lastmoment" is a load's.
+void partCompounds(Words& words) {
+  static constexpr auto ends = std::to_array<std::string_view>({"istwert", "sollwert"});
+  static constexpr auto begins =
+      std::to_array<std::pair<std::string_view, std::string_view>>({{"ist", "ist"},
+                                                                    {"soll", "soll"},
+                                                                    {"motor", "motor"},
+                                                                    {"antriebs", "motor"},
+                                                                    {"last", "load"},
+                                                                    {"reib", "friction"},
+                                                                    {"nenn", "nominal"},
+                                                                    {"grenz", "limit"},
+                                                                    {"zwischenkreis", "dclink"},
+                                                                    {"batterie", "battery"},
+                                                                    {"versorgungs", "supply"}});
+  static constexpr auto same =
+      std::to_array<std::pair<std::string_view, std::string_view>>({{"momentenbildend", "producing"},
+                                                                    {"drehmomentbildend", "producing"},
+                                                                    {"motorgeber", "sensor"},
+                                                                    {"geber", "sensor"},
+                                                                    {"filter", "filtered"}});
+  for (std::string& word : words) {
+    for (const auto& [own, meaning] : same) {
+      if (word == own) word = meaning;
+    }
+  }
+  for (size_t k = 0; k < words.size(); ++k) {
+    const auto part = [&](std::string first, std::string second) {
+      words[k] = std::move(first);
+      words.insert(words.begin() + static_cast<std::ptrdiff_t>(k) + 1, std::move(second));
+    };
+    for (const std::string_view end : ends) {
+      if (words[k].size() <= end.size() + 2 || !words[k].ends_with(end)) continue;
+      const std::string quantity = words[k].substr(0, words[k].size() - end.size());
+      if (quantityNamed(quantity) != nullptr) part(quantity, std::string(end));
+    }
+    for (const auto& [begin, meaning] : begins) {
+      if (words[k].size() <= begin.size() + 2 || !words[k].starts_with(begin)) continue;
+      const std::string quantity = words[k].substr(begin.size());
+      if (quantityNamed(quantity) != nullptr) part(std::string(meaning), quantity);
+    }
+  }
+}
+
+/// Where the bracket at `open` is closed; brackets of the other kind may stand between.
+size_t closeOf(std::string_view name, size_t open) {
+  const char mark = name[open], end = mark == '(' ? ')' : ']';
+  size_t depth = 0;
+  for (size_t k = open; k < name.size(); ++k) {
+    if (name[k] == mark) ++depth;
+    if (name[k] == end && --depth == 0) return k;
+  }
+  return std::string_view::npos;
+}
+
+/// "Position feedback" of "[Axis1] Position feedback".
+std::string withoutInnerBrackets(std::string_view inner) {
+  std::string text;
+  for (size_t open = inner.find_first_of("[("); open != std::string_view::npos; open = inner.find_first_of("[(")) {
+    const size_t close = closeOf(inner, open);
+    if (close == std::string_view::npos) break;
+    text += inner.substr(0, open);
+    inner.remove_prefix(close + 1);
+  }
+  return text + std::string(inner);
+}
+
 /// Takes bracketed units and indices off the name.
 std::string takeBrackets(std::string_view name, NameParts& parts) {
   std::string rest;
   while (!name.empty()) {
     const size_t open = name.find_first_of("[(");
-    const size_t close = open == std::string_view::npos ? open : name.find_first_of("])", open);
+    const size_t close = open == std::string_view::npos ? open : closeOf(name, open);
     if (close == std::string_view::npos || (open == 0 && close + 1 == name.size() && rest.empty())) break;
     rest += name.substr(0, open);
-    const std::string_view inner = name.substr(open + 1, close - open - 1);
+    const std::string inner = withoutInnerBrackets(name.substr(open + 1, close - open - 1));
     name.remove_prefix(close + 1);
-    const Words words = wordsOf(inner, true);
+    Words words = wordsOf(inner, true);
+    partCompounds(words);
     const bool plainWords = std::all_of(words.begin(), words.end(), [](const std::string& word) {
       return isIn(decorations, word) || isIn(referenceWords, word) || quantityNamed(word) != nullptr;
     });
     if (const Unit* unit = unitNamed(inner); unit != nullptr && !isNumber(inner)) {
       parts.unit = unit;
-      parts.unitText = std::string(inner);
+      parts.unitText = inner;
+      parts.unknownUnit = false;
     } else if (isNumber(inner) || (plainWords && !words.empty())) {
-      rest += " " + std::string(inner) + " ";
+      rest += " " + inner + " ";
     } else if (!words.empty()) {
       setUnit(inner, parts);
     }
@@ -97,10 +166,18 @@ void takeGroup(Words& words, std::string& group) {
     std::string& word = words[k];
     const size_t digit = word.find_first_of("0123456789");
     const bool letterAndNumber = digit == 1 && isNumber(word.substr(1));
-    const bool parameter = letterAndNumber && word.size() > 2 && (word[0] == 'r' || word[0] == 'p');  // a drive's "r63"
-    const bool axis = letterAndNumber && !parameter;                                                  // "m0"
-    const bool side = isSide(word) && (word.size() > 1 || (k > 0 && k + 1 == words.size()));          // "rpm_l"
-    if (!model && (isNumber(word) || axis || side)) group += (group.empty() ? "" : ".") + word;
+    // A drive's "r63", "I80"; not a tenth motor or joint.
+    const bool drives =
+        word[0] == 'r' || word[0] == 'p' ||
+        (k == 0 && words.size() > 1 && std::string_view("majsxyz").find(word[0]) == std::string_view::npos);
+    const bool parameter = letterAndNumber && word.size() > 2 && drives;
+    const bool axis = letterAndNumber && !parameter;                                          // "m0"
+    const bool side = isSide(word) && (word.size() > 1 || (k > 0 && k + 1 == words.size()));  // "rpm_l"
+    const bool joint = axis && word[0] == 'j';                       // "tau_J1" is of the axis of "dq1"
+    const bool angle = axis && word[0] == 'q' && words.size() == 1;  // "q1"
+    if (!model && (isNumber(word) || axis || side))
+      group += (group.empty() ? "" : ".") + (joint || angle ? word.substr(1) : word);
+    if (angle) kept.emplace_back("q");
     if (!isNumber(word) && !axis && !side && !parameter) kept.push_back(std::move(word));
   }
   words = std::move(kept);
@@ -204,11 +281,23 @@ void partGapless(Words& words) {
   }
 }
 
+/// "3 Velocity (RPM)" of "SPARK MAX 3: Velocity (RPM)": what stands before is a device's name, whatever its words mean.
+std::string withoutDevice(std::string_view name) {
+  const size_t colon = name.find(": ");
+  if (colon == std::string_view::npos || colon == 0) return std::string(name);
+  const Words device = wordsOf(name.substr(0, colon), false);
+  if (device.size() < 2 || !isNumber(device.back())) return std::string(name);
+  const Words behind = wordsOf(name.substr(colon + 2), true);
+  const bool quantity =
+      std::any_of(behind.begin(), behind.end(), [](const std::string& word) { return quantityNamed(word) != nullptr; });
+  return quantity ? device.back() + " " + std::string(name.substr(colon + 2)) : std::string(name);
+}
+
 }  // namespace
 
 NameParts partsOfName(std::string_view name, std::string_view unit) {
   NameParts parts;
-  std::string text = takeBrackets(name, parts);
+  std::string text = takeBrackets(withoutDevice(name), parts);
   if (!unit.empty()) {
     parts.unknownUnit = false;
     parts.factor = 1.0;
@@ -233,6 +322,7 @@ NameParts partsOfName(std::string_view name, std::string_view unit) {
   }
   parts.plain = wordsOf(text, false);
   partGapless(parts.words);
+  partCompounds(parts.words);
   takeGroup(parts.words, parts.group);
   std::erase_if(parts.words, [](const std::string& word) { return word == "per"; });
   joinWords(parts.words);

@@ -59,10 +59,10 @@ bool beginsAsJson(std::string_view text) {
   const size_t first = text.find_first_not_of(" \t\r\n", start + 1);
   if (first == std::string_view::npos || std::string_view("{[\"]").find(text[first]) != std::string_view::npos)
     return true;
+  if (std::string_view("-0123456789tfnN").find(text[first]) == std::string_view::npos) return false;  // "[ms],…"
   const size_t lineEnd = std::min(text.find('\n', first), text.size());
   const size_t close = text.substr(0, lineEnd).find(']', first);
-  if (close == std::string_view::npos)
-    return std::string_view("-0123456789tfnN").find(text[first]) != std::string_view::npos;
+  if (close == std::string_view::npos) return true;
   const size_t behind = text.find_first_not_of(" \t\r", close + 1);
   return behind == std::string_view::npos || text[behind] == '\n' || text[behind] == ',' || text[behind] == ']';
 }

@@ -7,6 +7,7 @@
 #include "recording/import/codesys_trace.h"
 #include "recording/import/controldesk.h"
 #include "recording/import/list_cells.h"
+#include "recording/import/octave_text.h"
 #include "recording/import/stamped_lines.h"
 #include "recording/import/text_encoding.h"
 #include "recording/import/text_layout.h"
@@ -354,6 +355,7 @@ Result<RawTable> readTextTable(std::string_view text, const std::string& name) {
   if (auto messages = readYamlMessages(utf8, name)) return std::move(*messages);
   if (auto signals = readControlDeskText(utf8, lineEndOf(utf8), name)) return std::move(*signals);
   if (auto signals = readCodesysTrace(utf8, lineEndOf(utf8), name)) return std::move(*signals);
+  if (auto variables = readOctaveText(utf8, lineEndOf(utf8), name)) return std::move(*variables);
   auto flat = withListsInCells(utf8);
   if (!flat) flat = withStampsAsCells(utf8);
   if (flat) utf8 = *flat;

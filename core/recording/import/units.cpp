@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <optional>
 #include <utility>
 
 #include "base/numbers.h"
@@ -65,6 +66,19 @@ constexpr auto units = std::to_array<Unit>({
     {"degree", angle, degree},
     {"degrees", angle, degree},
     {"grad", angle, degree},
+    {"gradi", angle, degree},
+    {"grados", angle, degree},
+    {"graden", angle, degree},
+    {"grader", angle, degree},
+    {"graus", angle, degree},
+    {"degré", angle, degree},
+    {"degrés", angle, degree},
+    {"degres", angle, degree},
+    {"stopni", angle, degree},
+    {"derece", angle, degree},
+    {"stupně", angle, degree},
+    {"stupňů", angle, degree},
+    {"fok", angle, degree},
     {"cdeg", angle, 1e-2 * degree},
     {"mdeg", angle, 1e-3 * degree},
     {"gon", angle, 0.9 * degree},
@@ -157,6 +171,9 @@ constexpr auto units = std::to_array<Unit>({
     {"aeff", current, 1},
     {"a_eff", current, 1},
     {"ma", current, 1e-3},
+    {"marms", current, 1e-3},
+    {"ma_rms", current, 1e-3},
+    {"ma_eff", current, 1e-3},
     {"milliamp", current, 1e-3},
     {"milliamps", current, 1e-3},
     {"ua", current, 1e-6},
@@ -246,21 +263,37 @@ const Unit* exactly(std::string_view name) {
 /// What moves, in the one word that stands in front of "per".
 std::string_view oneWord(std::string_view word) {
   static constexpr auto same = std::to_array<std::pair<std::string_view, std::string_view>>(
-      {{"rads", "rad"},     {"radian", "rad"}, {"radians", "rad"},  {"degs", "deg"},       {"degree", "deg"},
-       {"degrees", "deg"},  {"grad", "deg"},   {"revs", "rev"},     {"revolution", "rev"}, {"revolutions", "rev"},
-       {"turn", "rev"},     {"turns", "rev"},  {"rot", "rev"},      {"rotation", "rev"},   {"rotations", "rev"},
-       {"u", "rev"},        {"r", "rev"},      {"umdr", "rev"},     {"tr", "rev"},         {"giri", "rev"},
-       {"counts", "count"}, {"cnt", "count"},  {"cts", "count"},    {"tick", "count"},     {"ticks", "count"},
-       {"inc", "count"},    {"ink", "count"},  {"pulses", "count"}, {"lsb", "count"},      {"meter", "m"},
-       {"meters", "m"},     {"metre", "m"},    {"metres", "m"},     {"millimeters", "mm"}, {"in", "inch"},
-       {"inches", "inch"},  {"ft", "feet"},    {"foot", "feet"}});
+      {{"rads", "rad"},       {"radian", "rad"},  {"radians", "rad"},  {"degs", "deg"},       {"degree", "deg"},
+       {"degrees", "deg"},    {"grad", "deg"},    {"revs", "rev"},     {"revolution", "rev"}, {"revolutions", "rev"},
+       {"turn", "rev"},       {"turns", "rev"},   {"rot", "rev"},      {"rotation", "rev"},   {"rotations", "rev"},
+       {"u", "rev"},          {"r", "rev"},       {"umdr", "rev"},     {"tr", "rev"},         {"giri", "rev"},
+       {"obr", "rev"},        {"ot", "rev"},      {"omw", "rev"},      {"toer", "rev"},       {"varv", "rev"},
+       {"об", "rev"},         {"dev", "rev"},     {"gradi", "deg"},    {"grados", "deg"},     {"graden", "deg"},
+       {"degrés", "deg"},     {"derece", "deg"},  {"counts", "count"}, {"cnt", "count"},      {"cts", "count"},
+       {"tick", "count"},     {"ticks", "count"}, {"inc", "count"},    {"ink", "count"},      {"pulses", "count"},
+       {"lsb", "count"},      {"meter", "m"},     {"meters", "m"},     {"metre", "m"},        {"metres", "m"},
+       {"millimeters", "mm"}, {"in", "inch"},     {"inches", "inch"},  {"ft", "feet"},        {"foot", "feet"}});
   const auto it = std::find_if(same.begin(), same.end(), [word](const auto& one) { return one.first == word; });
   return it == same.end() ? word : it->second;
 }
 
+/// The small letter of a capital one with two bytes of UTF-8, Latin with an accent or Cyrillic.
+std::optional<std::string> lowerLetter(std::string_view text) {
+  if (text.size() < 2) return std::nullopt;
+  const auto lead = static_cast<unsigned char>(text[0]), tail = static_cast<unsigned char>(text[1]);
+  const auto letter = [](unsigned first, unsigned second) {
+    return std::string{static_cast<char>(first), static_cast<char>(second)};
+  };
+  if (lead == 0xC3U && tail >= 0x80U && tail <= 0x9EU && tail != 0x97U) return letter(lead, tail + 0x20U);
+  if (lead == 0xD0U && tail >= 0x90U && tail <= 0x9FU) return letter(lead, tail + 0x20U);
+  if (lead == 0xD0U && tail >= 0xA0U && tail <= 0xAFU) return letter(0xD1U, tail - 0x20U);
+  return std::nullopt;
+}
+
 std::string_view oneTime(std::string_view word) {
   if (word == "sec" || word == "second" || word == "seconds" || word == "sekunde") return "s";
-  if (word == "minute" || word == "minutes") return "min";
+  if (word == "minute" || word == "minutes" || word == "мин" || word == "dak" || word == "dk") return "min";
+  if (word == "сек" || word == "с" || word == "sn") return "s";
   return word;
 }
 
@@ -297,6 +330,9 @@ std::vector<std::string> wordsOf(std::string_view text, bool splitCamel) {
     } else if (c == '/') {
       close();
       words.emplace_back("per");
+    } else if (const auto lower = lowerLetter(rest)) {
+      word += *lower;
+      ++k;
     } else if (std::isalnum(c) != 0 || c == '%' || c >= 0x80U) {
       const bool hump = splitCamel && k > 0 && !word.empty() && isUpper(k) && isLower(k - 1);
       const bool lastOfCapitals = splitCamel && word.size() > 2 && isUpper(k) && isUpper(k - 1) && isLower(k + 1) &&
