@@ -64,6 +64,7 @@ LogPanel::LogPanel(LogOpening& log, QWidget* parent) : QWidget(parent), log_(log
   column->addWidget(state_);
   column->addWidget(table_, 1);
   column->addWidget(buildNumbers());
+  column->addWidget(buildSplit());
   column->addWidget(buildButtons());
   connect(&log_, &LogOpening::changed, this, &LogPanel::fill);
   fill();
@@ -92,20 +93,21 @@ QWidget* LogPanel::buildNumbers() {
   add("logCounts", tr("Counts a turn"), &ImportMap::counts_per_rev);
   add("logPolePairs", tr("Pole pairs"), &ImportMap::pole_pairs);
   add("logGear", tr("Gear ratio"), &ImportMap::gear_ratio);
-  addSplit(strip);
   row->addStretch(1);
   return strip;
 }
 
-void LogPanel::addSplit(QWidget* strip) {
-  const auto add = [strip](const char* objectName, const QString& label) {
+QWidget* LogPanel::buildSplit() {
+  auto* strip = new QWidget(this);
+  auto* row = rowIn(strip, 6);
+  const auto add = [strip, row](const char* objectName, const QString& label) {
     auto* box = new QComboBox(strip);
     box->setObjectName(objectName);
     box->setAccessibleName(label);
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(shortestChoice);
-    strip->layout()->addWidget(new QLabel(label, strip));
-    strip->layout()->addWidget(box);
+    row->addWidget(new QLabel(label, strip));
+    row->addWidget(box);
     return box;
   };
   split_ = add("logSplit", tr("Parted by"));
@@ -113,6 +115,8 @@ void LogPanel::addSplit(QWidget* strip) {
   connect(split_, &QComboBox::activated, this,
           [this](int index) { log_.splitBy(index <= 0 ? QString() : split_->currentText()); });
   connect(part_, &QComboBox::activated, &log_, &LogOpening::takePart);
+  row->addStretch(1);
+  return strip;
 }
 
 void LogPanel::fillSplit() {

@@ -27,7 +27,7 @@ class LogPanel : public QWidget {
   };
 
   QWidget* buildNumbers();
-  void addSplit(QWidget* strip);
+  QWidget* buildSplit();
   void fillSplit();
   QWidget* buildButtons();
   void fill();

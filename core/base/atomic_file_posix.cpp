@@ -1,6 +1,7 @@
 #include "base/atomic_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -94,17 +95,37 @@ Result<void> writeThrough(const std::string& path, const Pieces& next) {
   return done;
 }
 
-/// A new file in the target's folder: without a name as long as it isn't whole, where the file system has such.
+constexpr std::string_view partBegins = ".breakaway-", partEnds = ".part";
+
+/// What writers that were killed amidst replacing a file left in its folder. Of a living one's the lock isn't to be
+/// had.
+void removeLeftParts(const fs::path& folder) {
+  std::error_code code;
+  for (const auto& entry : fs::directory_iterator(folder, code)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(partBegins) || !name.ends_with(partEnds)) continue;
+    const int file = ::open(entry.path().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (file < 0) continue;
+    if (::flock(file, LOCK_EX | LOCK_NB) == 0) ::unlink(entry.path().c_str());
+    ::close(file);
+  }
+}
+
+/// A new file in the target's folder: without a name as long as it isn't whole, where the file system has such. Locked
+/// until it is in its place.
 class NewFile {
  public:
   explicit NewFile(const fs::path& target) {
     static std::atomic<unsigned> count{0};
     const fs::path folder = folderOf(target);
-    name_ = folder / (".breakaway-" + std::to_string(::getpid()) + "-" + std::to_string(count++) + ".part");
+    name_ = folder / (std::string(partBegins) + std::to_string(::getpid()) + "-" + std::to_string(count++) +
+                      std::string(partEnds));
     file_ = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
-    if (file_ >= 0) return;
-    file_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    named_ = file_ >= 0;
+    if (file_ < 0) {
+      file_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      named_ = file_ >= 0;
+    }
+    if (file_ >= 0) ::flock(file_, LOCK_EX | LOCK_NB);
   }
   ~NewFile() {
     if (file_ >= 0) ::close(file_);
@@ -127,13 +148,18 @@ class NewFile {
   int descriptor() const { return file_; }
   int sync() { return ::fsync(file_) == 0 || errno == EINVAL ? 0 : errno; }
   int take(const fs::path& target) {
+    const std::string self = "/proc/self/fd/" + std::to_string(file_);
+    if (!named_ && ::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, target.c_str(), AT_SYMLINK_FOLLOW) == 0) {
+      syncFolder(folderOf(target));  // there was none before: it has never had another name
+      return 0;
+    }
     if (!named_) {
-      const std::string self = "/proc/self/fd/" + std::to_string(file_);
       if (::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name_.c_str(), AT_SYMLINK_FOLLOW) != 0) return errno;
       named_ = true;
     }
     if (::rename(name_.c_str(), target.c_str()) != 0) return errno;
     named_ = false;
+    removeLeftParts(folderOf(target));
     syncFolder(folderOf(target));
     return 0;
   }

@@ -12,6 +12,7 @@
 #include "app/desk.h"
 #include "app/rendered_tree.h"
 #include "session/language.h"
+#include "support/temporary.h"
 #include "widgets/log_drawer.h"
 #include "widgets/rail.h"
 
@@ -28,6 +29,8 @@ class TestSkeleton : public QObject {
   void nothing_movesWhenTheStateChanges();
   void nothing_isCutOffOrOverlaps_data();
   void nothing_isCutOffOrOverlaps();
+  void tableOfALog_leavesStopInPlace_data();
+  void tableOfALog_leavesStopInPlace();
   void focusable_hasNameAndTooltip();
   void tab_goesDownThePage();
   void wheel_changesNothingWithoutFocus();
@@ -172,6 +175,32 @@ void TestSkeleton::nothing_isCutOffOrOverlaps() {
       desk.window.showPage("connectPage");
     }
   }
+}
+
+void TestSkeleton::tableOfALog_leavesStopInPlace_data() {
+  QTest::addColumn<bool>("german");
+  QTest::newRow("in English") << false;
+  QTest::newRow("in German") << true;
+}
+
+void TestSkeleton::tableOfALog_leavesStopInPlace() {
+  QFETCH(bool, german);
+  const TemporaryFolder folder;
+  const std::string log = folder.write("log.csv",
+                                       "t_ms,motor,a_long_name_of_an_angle_deg,noise\n0,left,1,2\n"
+                                       "10,left,2,2\n20,right,3,1\n30,right,4,1\n");
+  const Spoken language(german ? Language::german : Language::english);
+  Desk desk;
+  desk.window.resize(1280, 720);
+  desk.window.showPage("comparePage");
+  desk.session.comparison.open(QString::fromStdString(log));
+  const LogOpening& opening = desk.session.comparison.log();
+  QVERIFY(QTest::qWaitFor([&] { return opening.isOpen() && !opening.settling(); }, 20000));
+  QTest::qWait(1);
+  QCOMPARE(desk.window.size(), QSize(1280, 720));
+  QVERIFY(named<QWidget>(desk.window, "logPanel")->isVisible());
+  for (const char* whole : {"stopButton", "logOpenButton", "logSplit", "logPart", "logGear"})
+    QVERIFY2(desk.window.rect().contains(placeIn(named<QWidget>(desk.window, whole), desk.window)), whole);
 }
 
 void TestSkeleton::focusable_hasNameAndTooltip() {

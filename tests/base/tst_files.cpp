@@ -1,4 +1,5 @@
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -18,6 +19,7 @@ class TestFiles : public QObject {
   Q_OBJECT
  private slots:
   void writtenFile_replacesTheOldOneWhole();
+  void partOfAKilledWriter_goes_andOfALivingOneStays();
   void linkIsFollowed_andModeIsKept();
   void devicesAndFifos_areWrittenToAsSuch();
   void outputThatWouldDestroy_isRefusedBeforehand();
@@ -42,6 +44,18 @@ void TestFiles::writtenFile_replacesTheOldOneWhole() {
   VERIFY_OK(writeFile(folder.path("a"), "short"));
   QCOMPARE(*readFile(folder.path("a")), std::string("short"));
   QCOMPARE(folder.names(), QStringList{"a"});
+}
+
+void TestFiles::partOfAKilledWriter_goes_andOfALivingOneStays() {
+  const TemporaryFolder folder;
+  const std::string left = folder.write(".breakaway-1-0.part", "killed"), of = folder.write(".breakaway-2-0.part", "l");
+  const int living = ::open(of.c_str(), O_WRONLY | O_CLOEXEC);
+  QCOMPARE(::flock(living, LOCK_EX | LOCK_NB), 0);
+  VERIFY_OK(writeFile(folder.path("a"), "first"));
+  VERIFY_OK(writeFile(folder.path("a"), "second"));
+  ::close(living);
+  QVERIFY(::access(left.c_str(), F_OK) != 0 && ::access(of.c_str(), F_OK) == 0);
+  QCOMPARE(*readFile(folder.path("a")), std::string("second"));
 }
 
 void TestFiles::linkIsFollowed_andModeIsKept() {
