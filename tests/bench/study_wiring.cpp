@@ -32,7 +32,7 @@ struct Options {
     return faults.empty() || std::find(faults.begin(), faults.end(), fault.name) != faults.end();
   }
   /// Of a run of that seed; the usual one's isn't told.
-  std::string key(std::string text) const { return seed == 3 ? text : text + fmt::format(", seed {}", seed); }
+  std::string key(const std::string& text) const { return seed == 3 ? text : text + fmt::format(", seed {}", seed); }
 };
 
 /// What is known of a run already, by its key; appended to as runs are made.
