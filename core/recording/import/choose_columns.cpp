@@ -9,6 +9,8 @@
 
 #include "base/json_object.h"
 #include "recording/columns.h"
+#include "recording/import/name_parts.h"
+#include "recording/import/quantity_words.h"
 
 namespace breakaway {
 
@@ -121,6 +123,22 @@ void setPidTermsAside(const RawTable& table, std::vector<Choice>& choices) {
   for (size_t c = 0; c < choices.size(); ++c) {
     const bool term = terms >= 2 && isSameWord(table.columns[c].channel.name, "i") && table.columns[c].unit.empty();
     if (term && !choices[c].byMap) setAside(choices[c], "is a controller's integral term");
+  }
+}
+
+/// "CurrX" beside "TargetX" is where something is now, and no current.
+void setPresentAside(const RawTable& table, std::vector<Choice>& choices) {
+  std::set<std::string> wanted;  // the words behind "target"
+  for (const RawColumn& column : table.columns) {
+    const auto words = wordsOf(column.channel.name, true);
+    if (words.size() > 1 && isIn(referenceWords, words.front())) wanted.insert(words[1]);
+  }
+  for (size_t c = 0; c < choices.size(); ++c) {
+    if (choices[c].name.to != "current_A" || choices[c].byMap || !choices[c].name.unit.empty()) continue;
+    const auto words = wordsOf(table.columns[c].channel.name, true);
+    const bool place = words.size() == 2 && words[0].starts_with("cur") && words[1].size() == 1 &&
+                       std::string_view("xyz").find(words[1]) != std::string_view::npos;
+    if (place && wanted.contains(words[1])) setAside(choices[c], "is where it is now, beside where it shall be");
   }
 }
 
@@ -320,6 +338,7 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
   setPhasesAside(table, choices);
   setEmptyAside(table, choices);
   setPidTermsAside(table, choices);
+  setPresentAside(table, choices);
   setVehiclesAside(choices);
   const std::string axis = axisOf(choices);
   for (Choice& choice : choices) {

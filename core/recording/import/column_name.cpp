@@ -136,9 +136,12 @@ ColumnName byUnitAlone(const NameParts& parts) {
   if (parts.unit == nullptr) return aside("its name says nothing that is known", parts);
   const UnitKind kind = parts.unit->kind;
   bool reference = false, plain = true, motors = false;
+  if (std::string_view(parts.unit->name) == "hz") return aside("is a frequency", parts);
+  const bool counts = parts.unit->needs == UnitNeeds::countsPerRev;
   for (const std::string& word : parts.words) {
     reference = reference || isIn(referenceWords, word);
-    plain = plain && (isIn(decorations, word) || isIn(referenceWords, word));
+    const bool counted = counts && (word == "pulse" || word == "pulses" || word == "hall" || word == "edge");
+    plain = plain && (counted || isIn(decorations, word) || isIn(referenceWords, word));
     motors = motors || word == "q" || word == "iq" || word == "motor" || word == "applied";
   }
   const bool supply = firstIn(parts.words, supplyWords) != nullptr;
@@ -172,7 +175,8 @@ std::optional<ColumnName> unitAsName(std::string_view name) {
     parts.words.pop_back();
   }
   if (parts.words.size() != 1 || parts.words[0].size() < 2) return std::nullopt;
-  static constexpr auto tooShort = std::to_array<std::string_view>({"min", "pu", "mn", "kn", "gf", "um", "ua", "cm"});
+  static constexpr auto tooShort =
+      std::to_array<std::string_view>({"min", "pu", "mn", "kn", "gf", "um", "ua", "cm", "hz"});
   if (isIn(tooShort, parts.words[0]) || quantityNamed(parts.words[0]) != nullptr) return std::nullopt;
   parts.unit = unitOfWords(parts.words, 0);
   if (parts.unit == nullptr) return std::nullopt;
@@ -206,6 +210,12 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
     const bool clock = *other == "sim" && isIn(parts.words, "time");
     if (!clock && (*other != "sum" || parts.words.size() > 1))
       return aside("the word \"" + *other + "\" makes it something else", parts);
+  }
+  if (const std::string* heading = firstIn(parts.words, headings)) {
+    if (firstIn(parts.words, jointWords) == nullptr)
+      return aside("the word \"" + *heading + "\" makes it something else", parts);
+    parts.group += (parts.group.empty() ? "" : ".") + *heading;
+    std::erase(parts.words, std::string(*heading));
   }
   Found found = quantityIn(parts.words);
   if (found.word != nullptr && parts.unit != nullptr && !fits(parts.unit->kind, found.word->kind))
@@ -295,6 +305,9 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
   if (moves && (electrical || firstIn(parts.words, drivenWords) != nullptr)) ++rank;
   ColumnName understood = taken(parts, to, rank);
   if (parts.unit == nullptr) understood.usual = found.word->usual;
+  if (parts.unit != nullptr && std::string_view(parts.unit->name) == "hz")
+    understood.guess = "a motor's turns per second, not those of its field";
+  if (command && kind == UnitKind::torque) understood.guess = "it is what was commanded, not measured";
   if (electrical && turns) {
     if (understood.needs != UnitNeeds::nothing && understood.needs != UnitNeeds::polePairs)
       return aside("is in counts of electrical turns", parts);

@@ -20,6 +20,7 @@ struct ColumnName {
   UnitNeeds needs = UnitNeeds::nothing;
   std::string group;    ///< which of several axes: the numbers in the name; empty for all or none
   bool byUnit = false;  ///< no word tells what it is, its unit alone does
+  std::string guess = {};  ///< why it may be otherwise; empty when nothing says so
   int rank = 0;         ///< of several columns for the same thing the lowest is taken
 
   bool understood() const { return !to.empty(); }

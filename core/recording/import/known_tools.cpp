@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "base/numbers.h"
@@ -67,6 +69,71 @@ ToolColumns vesc(RawTable& table) {
           {"q_axis_voltage", in("voltage_V", 1.0, "V", 1)},
           {"temp_motor", in("temperature_degC", 1.0, "°C")},
           {"speed_meters_per_sec", setAside("is the vehicle's speed, by VESC Tool's settings")}};
+}
+
+/// "dutycyclenow" of "vesc.dutyCycleNow" and "duty_cycle_now".
+std::string lastName(const std::string& name) {
+  std::string text;
+  const size_t from = name.find_last_of("./");
+  for (const char c : name.substr(from == std::string::npos ? 0 : from + 1)) {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0)
+      text += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  return text;
+}
+
+/// What libraries and ROS' driver call a VESC's values; their rpm and speed count electrical turns.
+ToolColumns vescNames() {
+  const ColumnName erpm = in("velocity_rad_per_s", turn_rad / 60.0, "erpm", 0, UnitNeeds::polePairs);
+  const ColumnName tachometer =
+      in("angle_rad", turn_rad / 6.0, "steps of 1/6 electrical turn", 0, UnitNeeds::polePairs);
+  const ColumnName ofSupply = setAside("is the supply's current, not the motor's");
+  const ColumnName current = in("current_A", 1.0, "A", 1), duty = in("duty", 1.0, "1"),
+                   supply = in("supply_V", 1.0, "V");
+  return {{"rpm", erpm},
+          {"erpm", erpm},
+          {"speed", erpm},
+          {"tachometer", tachometer},
+          {"displacement", tachometer},
+          {"tachometerabs", setAside("counts both ways up")},
+          {"distancetraveled", setAside("counts both ways up")},
+          {"avgmotorcurrent", current},
+          {"currentmotor", current},
+          {"motorcurrent", current},
+          {"avgiq", in("current_A", 1.0, "A")},
+          {"avgid", setAside("is the d axis, which makes no torque")},
+          {"avginputcurrent", ofSupply},
+          {"currentinput", ofSupply},
+          {"inputcurrent", ofSupply},
+          {"dutycyclenow", duty},
+          {"dutynow", duty},
+          {"dutycycle", duty},
+          {"inpvoltage", supply},
+          {"vin", supply},
+          {"voltageinput", supply},
+          {"inputvoltage", supply},
+          {"tempmotor", in("temperature_degC", 1.0, "°C")}};
+}
+
+bool isVescValues(const RawTable& table) {
+  std::set<std::string> names;
+  for (const RawColumn& column : table.columns) names.insert(lastName(column.channel.name));
+  const auto has = [&names](const char* name) { return names.contains(name); };
+  const bool library = (has("avgmotorcurrent") || has("dutycyclenow") || has("dutynow") || has("avginputcurrent")) &&
+                       (has("rpm") || has("tachometer"));
+  const bool ros = has("currentmotor") && has("currentinput") && has("dutycycle") && has("speed");
+  return library || ros;
+}
+
+ToolColumns vescValues(RawTable& table) {
+  table.remarks.emplace_back("recognised a VESC's values by their names: rpm and speed count electrical turns");
+  const ToolColumns known = vescNames();
+  ToolColumns columns;
+  for (const RawColumn& column : table.columns) {
+    const auto it = known.find(lastName(column.channel.name));
+    if (it != known.end()) columns[column.channel.name] = it->second;
+  }
+  return columns;
 }
 
 /// Turns for all that moves in this table and whose name tells no unit.
@@ -467,6 +534,7 @@ ToolColumns recogniseTool(RawTable& table, double countsPerRev) {
   joinStamps(table);
   if (auto scope = recogniseScope(table)) return std::move(*scope);
   if (isVesc(table)) return vesc(table);
+  if (isVescValues(table)) return vescValues(table);
   if (find(table, "loopIteration") != nullptr || find(table, "loopiteration") != nullptr) return betaflight(table);
   if (std::any_of(table.columns.begin(), table.columns.end(),
                   [](const RawColumn& column) { return isPhoenix(column.channel.name); }))

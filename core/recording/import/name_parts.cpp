@@ -253,6 +253,18 @@ void takeUnitWords(const std::string& text, NameParts& parts) {
   if (!takeUnitBeforeWords(text, parts)) parts.words = wordsOf(text, true);
 }
 
+/// "PWM Percent" in %: the unit stands in the name, too.
+void dropUnitTwice(NameParts& parts) {
+  if (parts.unit == nullptr) return;
+  for (size_t from = 1; from < parts.words.size(); ++from) {
+    const Unit* named = unitOfWords(parts.words, from);
+    const bool same = named != nullptr && named->kind == parts.unit->kind && named->scale == parts.unit->scale &&
+                      named->needs == parts.unit->needs;
+    if (!same || parts.words[from].size() < 2 || quantityNamed(parts.words[from]) != nullptr) continue;
+    parts.words.resize(from);
+  }
+}
+
 /// "theta dot" and "dot theta" are a speed, "i q" the current of the q axis.
 void joinWords(Words& words) {
   for (size_t k = 0; k + 1 < words.size(); ++k) {
@@ -319,6 +331,7 @@ NameParts partsOfName(std::string_view name, std::string_view unit) {
     takeUnitWords(text, parts);
   } else {
     parts.words = wordsOf(text, true);
+    dropUnitTwice(parts);
   }
   parts.plain = wordsOf(text, false);
   partGapless(parts.words);

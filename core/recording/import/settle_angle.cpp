@@ -26,9 +26,29 @@ Result<void> Settling::takeAngle() {
   const double turns = period ? *period * fate.scale * perTurn / turn_rad : 0.0;
   const bool whole = std::abs(turns - 1.0) < 1e-3;
   const bool overflow = period && areWhole(angle) && (*period == 65536.0 || counted) && turns > 1.5;
-  if (period && (whole || overflow)) unwindBy(angle, *period, whole);
+  if (period && (whole || overflow)) {
+    unwindBy(angle, *period, whole);
+  } else if (fate.scale != 0.0) {
+    sayIfAmbiguous(angle, turn_rad / (fate.scale * perTurn));
+  }
   apply(*c);
   return {};
+}
+
+void Settling::sayIfAmbiguous(const std::vector<double>& angle, double turn) {
+  const double range = rangeOf(angle);
+  if (!(range > 0.75 * turn) || range > 1.001 * turn) return;
+  size_t places = 0;
+  double most = 0.0;
+  for (const double change : changesOf(angle)) {
+    if (!(std::abs(change) > 0.4 * turn)) continue;
+    ++places;
+    most = std::max(most, std::abs(change) / turn);
+  }
+  if (places < 2) return;
+  remarks_.push_back("implausible: the angle stays within one turn and moves up to " + shortText(most) +
+                     " turns from row to row, in " + std::to_string(places) +
+                     " places; if it starts anew with each turn, nobody can tell which way it went");
 }
 
 void Settling::unwindBy(std::vector<double>& angle, double period, bool whole) {

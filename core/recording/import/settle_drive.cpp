@@ -13,6 +13,7 @@ Result<void> Settling::takeDuty() {
   ColumnFate& fate = fates_[*c];
   auto& duty = values(*c);
   if (fate.unit.empty() && arePulseWidths(duty)) {
+    pulseWidths_ = *c;
     keep(*c, "holds the pulse widths of a servo or a speed controller in µs, whose stop no file says");
     return {};
   }
@@ -93,7 +94,8 @@ void Settling::settleVoltage() {
   }
   if (!hardlyChanges(values(*c))) return;
   const auto duty = columnOf("duty");
-  const bool driven = duty && rangeOf(values(*duty)) > 0.2 * largest(values(*duty));
+  const auto varies = [this](size_t column) { return rangeOf(values(column)) > 0.2 * largest(values(column)); };
+  const bool driven = (duty && varies(*duty)) || (pulseWidths_ && varies(*pulseWidths_));
   if (!driven && !turnsBothWays()) return;
   const std::string why = driven ? "it hardly changes while the duty does"
                                  : "it hardly changes while the axis turns "

@@ -1,13 +1,46 @@
 // Which rows a log has, and when they were.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
+#include "recording/import/name_parts.h"
 #include "recording/import/settling.h"
 
 namespace breakaway {
 
+std::optional<size_t> Settling::sumSteps() {
+  static constexpr auto names = std::to_array<std::string_view>(
+      {"dt", "delta_t", "deltat", "delta_time", "deltatime", "time_delta", "time_diff", "time_difference", "t_diff"});
+  for (size_t c = 0; c < fates_.size(); ++c) {
+    if (fates_[c].kind != ColumnFate::Kind::kept || table_.columns[c].clock) continue;
+    const NameParts parts = partsOfName(fates_[c].from, table_.columns[c].unit);
+    std::string name;
+    for (const std::string& word : parts.words) name += (name.empty() ? "" : "_") + word;
+    std::vector<double>& steps = values(c);
+    const bool known = isIn(names, name) && (parts.unit == nullptr || parts.unit->kind == UnitKind::time);
+    const bool goOn = std::all_of(steps.begin(), steps.end(), [](double step) { return step >= 0.0; });
+    if (!known || parts.unknownUnit || !goOn || steps.size() < 2) continue;
+    std::vector<double> sorted(steps.begin() + 1, steps.end());
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    constexpr double fewestMicroseconds = 250.0;
+    const bool micros = *middle >= fewestMicroseconds;
+    const char* unit = micros ? "us" : *middle >= 1.0 ? "ms" : "s";
+    fates_[c].unit = parts.unit != nullptr ? parts.unitText : unit;
+    fates_[c].scale = parts.unit != nullptr ? parts.unit->scale * parts.factor : unitNamed(unit)->scale;
+    fates_[c].kind = ColumnFate::Kind::used;
+    fates_[c].to = "time_s";
+    steps.front() = 0.0;
+    std::partial_sum(steps.begin(), steps.end(), steps.begin());
+    return c;
+  }
+  return std::nullopt;
+}
+
 Result<void> Settling::takeTime() {
-  const auto c = columnOf("time_s");
+  auto c = columnOf("time_s");
+  const bool steps = !c && !map_.sample_time_s && (c = sumSteps());
   RawTime raw;
   if (map_.sample_time_s) {
     for (size_t k = 0; k < table_.rows(); ++k) raw.values.push_back(static_cast<double>(k) * *map_.sample_time_s);
@@ -32,6 +65,10 @@ Result<void> Settling::takeTime() {
     fates_[*c].scale = time_.unit_s;
     fates_[*c].guessed = time_.unitGuessed;
     if (time_.unitGuessed) fates_[*c].why = "judged by its steps";
+    if (steps) {
+      fates_[*c].guessed = true;
+      fates_[*c].why = "each row's time since the row before, summed";
+    }
     if (fates_[*c].unit.empty()) fates_[*c].unit = table_.columns[*c].clock ? "clock" : unitNameOf(time_.unit_s);
   }
   takeRows(c.value_or(choices_.size()));

@@ -89,12 +89,14 @@ ColumnFate Settling::fateOf(size_t c) const {
   fate.scale = choice.name.scale;
   fate.offset = choice.name.offset;
   fate.unit = choice.name.unit;
-  fate.why = choice.name.understood() ? (choice.byMap         ? "the map says so"
-                                         : choice.byTool      ? "as that tool has it"
-                                         : choice.name.byUnit ? "by its unit alone"
-                                                              : "by its name")
+  fate.why = choice.name.understood() ? (choice.byMap                 ? "the map says so"
+                                         : choice.byTool              ? "as that tool has it"
+                                         : choice.name.byUnit         ? "by its unit alone"
+                                         : !choice.name.guess.empty() ? choice.name.guess
+                                                                      : "by its name")
                                       : choice.name.aside;
-  fate.guessed = choice.name.understood() && (choice.name.unit.empty() || choice.name.byUnit);
+  fate.guessed =
+      choice.name.understood() && (choice.name.unit.empty() || choice.name.byUnit || !choice.name.guess.empty());
   return fate;
 }
 

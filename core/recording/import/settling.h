@@ -38,6 +38,8 @@ class Settling {
   Result<void> needOneAxis();
   Result<void> takeTime();
   static std::string unitNameOf(double unit_s);
+  /// Where no column is the time, one that tells how long each row came after the one before makes it.
+  std::optional<size_t> sumSteps();
   /// Keeps the rows that have a time, in all columns but `time`.
   void takeRows(size_t time);
   /// Logs that put each topic in rows of its own: the rows with an angle stay, the others' values are held.
@@ -48,6 +50,8 @@ class Settling {
   void apply(size_t c);
   bool hasMeasuredSpeed() const { return columnOf("velocity_rad_per_s").has_value(); }
   Result<void> takeAngle();
+  /// Within one turn and with leaps nobody can tell which way it went.
+  void sayIfAmbiguous(const std::vector<double>& angle, double turn);
   void unwindBy(std::vector<double>& angle, double period, bool whole);
   /// A unit for an angle whose name tells none.
   Result<void> nameUnit(size_t c, const std::optional<double>& period);
@@ -90,6 +94,7 @@ class Settling {
   std::set<size_t> settled_;
   std::vector<Channel> made_;
   SettledTime time_;
+  std::optional<size_t> pulseWidths_;  ///< what a speed controller or a servo was told
 };
 
 }  // namespace breakaway

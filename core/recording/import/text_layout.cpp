@@ -193,6 +193,27 @@ Trial tryLayout(const std::vector<std::string_view>& lines, TextLayout layout) {
   return trial;
 }
 
+/// A number in each line; no cells if it isn't so.
+TextLayout oneColumn(const std::vector<std::string_view>& lines) {
+  constexpr size_t fewestLines = 20;
+  TextLayout layout;
+  layout.separator = ';';
+  TextNumber number;
+  const auto numbers = [&] {
+    return static_cast<size_t>(std::count_if(lines.begin(), lines.end(), [&](std::string_view line) {
+      return readNumber(withoutBlanks(line), layout.decimalComma, false, number);
+    }));
+  };
+  if (lines.size() < fewestLines) return layout;
+  for (const bool comma : {false, true}) {
+    layout.decimalComma = comma;
+    if (10 * numbers() < 9 * lines.size()) continue;
+    layout.cells = 1;
+    break;
+  }
+  return layout;
+}
+
 void findNumericColumns(const std::vector<std::string_view>& lines, TextLayout& layout) {
   std::vector<size_t> numbers(layout.cells), texts(layout.cells);
   std::vector<std::string_view> cells;
@@ -311,7 +332,8 @@ TextLayout layoutOf(const std::vector<std::string_view>& lines) {
       if (trial.score > best.score) best = trial;
     }
   }
-  if (best.layout.cells >= 2) findNumericColumns(lines, best.layout);
+  if (best.layout.cells < 2) best.layout = oneColumn(lines);
+  if (best.layout.cells > 0) findNumericColumns(lines, best.layout);
   return best.layout;
 }
 

@@ -1,6 +1,7 @@
 #include "recording/import/text_names.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstring>
 #include <map>
 
@@ -54,6 +55,15 @@ bool fillUp(Cells& cells, const TextLayout& layout, bool endsEmpty) {
 struct EmptyEnds {
   bool begin = false, end = false;
 };
+
+/// "Total samples: 3000, Time: 30000 ms": a sentence that tells values, no names.
+bool tellsValues(std::string_view line) {
+  for (size_t at = line.find(": "); at != std::string_view::npos; at = line.find(": ", at + 2)) {
+    const size_t value = line.find_first_not_of(' ', at + 2);
+    if (value != std::string_view::npos && std::isdigit(static_cast<unsigned char>(line[value])) != 0) return true;
+  }
+  return false;
+}
 
 /// The line's cells if they are as many as a row's, a few empty ones at the end aside.
 Cells fitting(std::string_view line, const TextLayout& layout, const EmptyEnds& rows) {
@@ -147,8 +157,9 @@ void readLabels(std::string_view row, const TextLayout& layout, TextNames& found
 }
 
 /// Names and units from the last lines that are no comments.
-void readLines(const std::vector<std::string_view>& lines, const TextLayout& layout, const EmptyEnds& rows,
-               TextNames& found) {
+void readLines(std::vector<std::string_view> lines, const TextLayout& layout, const EmptyEnds& rows, TextNames& found) {
+  if (lines.size() > 1 && tellsValues(lines.back()) && !fitting(lines[lines.size() - 2], layout, rows).empty())
+    lines.pop_back();
   const Cells last = lines.empty() ? Cells{} : fitting(lines.back(), layout, rows);
   if (last.empty()) {
     // Events and greetings may stand between the names and the rows.
@@ -166,7 +177,11 @@ void readLines(const std::vector<std::string_view>& lines, const TextLayout& lay
   const size_t units = countOf(last, isUnitCell), names = countOf(last, knownName);
   if (numbers > 0) {
     // Channels by number with no line of units; else what stands there is a row of other values.
-    if (2 * numbers <= last.size() && names > 0) fill(last, found);
+    if (2 * numbers <= last.size() && names > 0) {
+      fill(last, found);
+    } else if (aboveIsText && countOf(above, knownName) > 1) {
+      fill(above, found);  // the first row is spoilt, as by "#VALUE!"
+    }
     return;
   }
   const auto filled = last.size() - static_cast<size_t>(std::count(last.begin(), last.end(), std::string_view{}));

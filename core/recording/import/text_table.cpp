@@ -367,7 +367,7 @@ Result<RawTable> readTextTable(std::string_view text, const std::string& name) {
   const TextLayout layout = layoutOf(sample);
   const Error none{
       name, "holds no table: expected rows of at least two numbers, separated by commas, semicolons, tabs or blanks"};
-  if (layout.cells < 2 || layout.cells > mostCells) return none;
+  if (layout.cells == 0 || layout.cells > mostCells) return none;
   size_t sampled = 0;
   for (const std::string_view line : sample) sampled += line.size() + 1;
   const size_t lineSize = std::max<size_t>(4, sampled / std::max<size_t>(1, sample.size()));
