@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <cstring>
 #include <map>
 #include <set>
 
@@ -11,6 +12,7 @@
 #include "recording/columns.h"
 #include "recording/import/name_parts.h"
 #include "recording/import/quantity_words.h"
+#include "recording/import/settling.h"
 
 namespace breakaway {
 
@@ -139,6 +141,77 @@ void setPresentAside(const RawTable& table, std::vector<Choice>& choices) {
     const bool place = words.size() == 2 && words[0].starts_with("cur") && words[1].size() == 1 &&
                        std::string_view("xyz").find(words[1]) != std::string_view::npos;
     if (place && wanted.contains(words[1])) setAside(choices[c], "is where it is now, beside where it shall be");
+  }
+}
+
+/// "i" that counts the rows is no current.
+void setRowNumbersAside(const RawTable& table, std::vector<Choice>& choices) {
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const auto& values = table.columns[c].channel.values;
+    const bool letter = table.columns[c].channel.name.size() == 1 && choices[c].name.unit.empty();
+    if (!letter || !choices[c].name.understood() || choices[c].byMap || choices[c].byTool) continue;
+    const bool counts = values.size() > 2 && std::adjacent_find(values.begin(), values.end(), [](double a, double b) {
+                                               return b != a + 1.0;
+                                             }) == values.end();
+    if (counts && choices[c].name.to != "time_s") setAside(choices[c], "counts the rows");
+  }
+}
+
+/// "PosZ" beside a motor's rpm is a place in space.
+void setPlacesAside(const RawTable& table, std::vector<Choice>& choices) {
+  const auto letterOf = [&table](size_t c) {
+    const auto words = wordsOf(table.columns[c].channel.name, true);
+    const bool letter = words.size() > 1 && words.back().size() == 1 && std::strchr("xyz", words.back()[0]) != nullptr;
+    return letter ? words.back()[0] : ' ';
+  };
+  bool turns = false;
+  for (size_t c = 0; c < choices.size(); ++c)
+    turns =
+        turns || (choices[c].name.to == "velocity_rad_per_s" && !choices[c].name.unit.empty() && letterOf(c) == ' ');
+  if (!turns) return;
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const bool moves = choices[c].name.to == "angle_rad" || choices[c].name.to == "velocity_rad_per_s";
+    if (moves && choices[c].name.unit.empty() && !choices[c].byMap && letterOf(c) != ' ')
+      setAside(choices[c], "is a place in space, beside a motor that turns");
+  }
+}
+
+/// A position beside a force is a linear axis' where no unit says otherwise.
+void takeLinear(const RawTable& table, std::vector<Choice>& choices) {
+  const auto namesForce = [&table](size_t c) {
+    const auto words = wordsOf(table.columns[c].channel.name, true);
+    return isIn(words, "force") || isIn(words, "kraft");
+  };
+  bool force = false, turns = false;
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const ColumnName& name = choices[c].name;
+    const bool moves = isAngle(name.to) || isSpeed(name.to);
+    const auto words = wordsOf(table.columns[c].channel.name, true);
+    const bool turning = moves && isAngle(name.to) && !isIn(words, "position") && !isIn(words, "pos");
+    force = force || (name.to == "force_N" && namesForce(c));
+    turns = turns || name.to == "torque_Nm" || turning || choices[c].byTool || (moves && !name.unit.empty());
+  }
+  if (!force || turns) return;
+  for (Choice& choice : choices) {
+    std::string& to = choice.name.to;
+    if (choice.byMap) continue;
+    if (to == "angle_rad") to = "position_m";
+    if (to == "angle_reference_rad") to = "position_reference_m";
+    if (to == "velocity_rad_per_s") to = "velocity_m_per_s";
+    if (to == "velocity_reference_rad_per_s") to = "velocity_reference_m_per_s";
+  }
+}
+
+/// "encA" that is only ever 0 or 1 is one of an encoder's lines, and no count.
+void setLinesAside(const RawTable& table, std::vector<Choice>& choices) {
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const auto words = wordsOf(table.columns[c].channel.name, true);
+    const bool encoder =
+        std::any_of(words.begin(), words.end(), [](const auto& one) { return one.starts_with("enc"); });
+    const auto& values = table.columns[c].channel.values;
+    const bool line = std::all_of(values.begin(), values.end(), [](double v) { return v == 0.0 || v == 1.0; });
+    if (encoder && line && choices[c].name.to == "angle_rad" && !choices[c].byMap && values.size() > 1)
+      setAside(choices[c], "is only ever 0 or 1: one of an encoder's lines");
   }
 }
 
@@ -339,6 +412,10 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
   setEmptyAside(table, choices);
   setPidTermsAside(table, choices);
   setPresentAside(table, choices);
+  setLinesAside(table, choices);
+  setRowNumbersAside(table, choices);
+  setPlacesAside(table, choices);
+  takeLinear(table, choices);
   setVehiclesAside(choices);
   const std::string axis = axisOf(choices);
   for (Choice& choice : choices) {

@@ -156,7 +156,7 @@ ColumnName byUnitAlone(const NameParts& parts) {
   const bool enough = kind == UnitKind::time || kind == UnitKind::angularVelocity || (kind == UnitKind::angle && plain);
   const std::string to = contractName(kind, reference);
   if (!enough || to.empty()) return aside("its name says nothing that is known", parts);
-  ColumnName name = taken(parts, to, 3);
+  ColumnName name = taken(parts, to, plain && kind == UnitKind::angularVelocity ? 0 : 3);
   name.byUnit = !plain && kind != UnitKind::time;
   return name;
 }
@@ -174,6 +174,14 @@ std::optional<ColumnName> unitAsName(std::string_view name) {
     parts.group = parts.words.back();
     parts.words.pop_back();
   }
+  if (parts.words.size() == 1) {  // "rpm0"
+    std::string& word = parts.words[0];
+    const size_t letters = word.find_last_not_of("0123456789") + 1;
+    if (letters > 2 && letters < word.size() && unitNamed(word.substr(0, letters)) != nullptr) {
+      parts.group = word.substr(letters);
+      word.resize(letters);
+    }
+  }
   if (parts.words.size() != 1 || parts.words[0].size() < 2) return std::nullopt;
   static constexpr auto tooShort =
       std::to_array<std::string_view>({"min", "pu", "mn", "kn", "gf", "um", "ua", "cm", "hz"});
@@ -182,7 +190,9 @@ std::optional<ColumnName> unitAsName(std::string_view name) {
   if (parts.unit == nullptr) return std::nullopt;
   const std::string to = contractName(parts.unit->kind, false);
   parts.unitText = parts.words[0];
-  return taken(parts, to, 2);
+  static constexpr auto sent = std::to_array<std::string_view>({"pulse", "pulses", "steps", "microsteps"});
+  // Steps are sent to a stepper; beside an encoder it is that which tells. "rpm" tells more than "speed" does.
+  return taken(parts, to, isIn(sent, parts.words[0]) ? 4 : parts.unit->kind == UnitKind::angularVelocity ? 0 : 2);
 }
 
 }  // namespace
@@ -253,9 +263,12 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
   // "Zeit 1 - Standardmessrate" in s: which clock it is matters only beside another one.
   const bool clock = kind == UnitKind::time && parts.unit != nullptr && found.at == 0;
   int unknownBefore = 0;
+  const bool turns = kind == UnitKind::angle || kind == UnitKind::angularVelocity;
   for (size_t k = 0; k < parts.words.size(); ++k) {
     const std::string& word = parts.words[k];
-    if (isIn(referenceWords, word)) {
+    const bool desired = word == "d" && k == found.at + 1 && k + 1 == parts.words.size() &&
+                         (turns || kind == UnitKind::torque);  // "theta_d"
+    if (isIn(referenceWords, word) || desired) {
       reference = true;
     } else if (k > found.at && !isIn(decorations, word) && quantityNamed(word) == nullptr && !isIn(supplyWords, word) &&
                !isSingleLetter(word, "abcduvwxyz")) {
@@ -269,7 +282,11 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
     } else if (k < found.at && !isIn(decorations, word)) {
       ++unknownBefore;
     }
-    if (found.word->weak && k != found.at && !isIn(decorations, word) && !isIn(referenceWords, word) &&
+    if (turns && k == found.at + 1 && isSingleLetter(word, "abxyz")) {  // "encoderA"
+      parts.group += (parts.group.empty() ? "" : ".") + word;
+      continue;
+    }
+    if (found.word->weak && k != found.at && !desired && !isIn(decorations, word) && !isIn(referenceWords, word) &&
         quantityNamed(word) == nullptr && kind != UnitKind::time)
       return aside("its name says nothing that is known", parts);
   }
@@ -282,6 +299,12 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
                                       supply || (kind == UnitKind::current && isIn(parts.words, "in")));
         !why.empty())
       return aside(why, parts);
+  }
+  static constexpr auto durations = std::to_array<std::string_view>(
+      {"pwm", "duty", "pulse", "rise", "settling", "response", "reaction", "execution", "charge", "charging"});
+  if (kind == UnitKind::time) {
+    if (const std::string* word = firstIn(parts.words, durations))
+      return aside("\"" + *word + "\" is how long something takes", parts);
   }
   if (kind == UnitKind::torque || kind == UnitKind::force) {
     if (const std::string* word = firstIn(parts.words, loadWords))
@@ -301,7 +324,6 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
   int rank = (parts.unit == nullptr ? 1 : 0) + (found.word->weak ? 2 : 0) + (command ? 4 : 0);
   if (kind == UnitKind::current && !q) ++rank;
   if (kind == UnitKind::time && unknownBefore > 0) rank += 2;  // "loop_time" after "time"
-  const bool turns = kind == UnitKind::angle || kind == UnitKind::angularVelocity;
   if (moves && (electrical || firstIn(parts.words, drivenWords) != nullptr)) ++rank;
   ColumnName understood = taken(parts, to, rank);
   if (parts.unit == nullptr) understood.usual = found.word->usual;

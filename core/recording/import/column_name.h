@@ -18,10 +18,10 @@ struct ColumnName {
   std::string unit;        ///< as written; empty when the name tells none, and SI is assumed
   std::string usual = {};  ///< then: the unit in which people count such a thing, if its word tells one
   UnitNeeds needs = UnitNeeds::nothing;
-  std::string group;    ///< which of several axes: the numbers in the name; empty for all or none
-  bool byUnit = false;  ///< no word tells what it is, its unit alone does
+  std::string group;       ///< which of several axes: the numbers in the name; empty for all or none
+  bool byUnit = false;     ///< no word tells what it is, its unit alone does
   std::string guess = {};  ///< why it may be otherwise; empty when nothing says so
-  int rank = 0;         ///< of several columns for the same thing the lowest is taken
+  int rank = 0;            ///< of several columns for the same thing the lowest is taken
 
   bool understood() const { return !to.empty(); }
   bool operator==(const ColumnName&) const = default;

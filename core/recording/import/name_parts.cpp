@@ -191,7 +191,9 @@ bool isIndexLetter(const Words& words, const Unit& unit) {
     const Word* word = quantityNamed(words[k]);
     if (word == nullptr) continue;
     const bool length = unit.kind == UnitKind::length && word->kind == UnitKind::angle && words[k].starts_with("pos");
-    return unit.kind != word->kind && !length && (last == "m" || last == "c");
+    const bool moves = word->kind == UnitKind::angle || word->kind == UnitKind::angularVelocity;
+    const bool motor = last == "a" && (moves || word->kind == UnitKind::ratio);  // "encoderA", "pwmA"
+    return unit.kind != word->kind && !length && (last == "m" || last == "c" || motor);
   }
   return false;
 }

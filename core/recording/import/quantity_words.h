@@ -139,7 +139,7 @@ inline constexpr auto loadWords = std::to_array<std::string_view>(
     {"load", "external", "friction", "disturbance", "gravity", "cogging", "brake", "feedforward", "ff"});
 inline constexpr auto driverWords =
     std::to_array<std::string_view>({"fet", "mos", "mosfet", "driver", "controller", "mcu", "board", "ambient", "esc",
-                                     "inverter", "cpu", "bridge", "encoder", "pcb", "baro", "imu"});
+                                     "ctrl", "drv", "inverter", "cpu", "bridge", "encoder", "pcb", "baro", "imu"});
 /// Motion counted in electrical turns.
 inline constexpr auto electricalWords =
     std::to_array<std::string_view>({"electrical", "electric", "elec", "elektrisch"});

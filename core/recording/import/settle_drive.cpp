@@ -95,11 +95,19 @@ void Settling::settleVoltage() {
   if (!hardlyChanges(values(*c))) return;
   const auto duty = columnOf("duty");
   const auto varies = [this](size_t column) { return rangeOf(values(column)) > 0.2 * largest(values(column)); };
-  const bool driven = (duty && varies(*duty)) || (pulseWidths_ && varies(*pulseWidths_));
+  bool battery = false;  // a state of charge, or a throttle that varies, is told beside it
+  for (size_t k = 0; k < fates_.size(); ++k) {
+    if (fates_[k].kind == ColumnFate::Kind::leftOut) continue;
+    const auto words = wordsOf(fates_[k].from, true);
+    const auto has = [&words](const char* word) { return std::find(words.begin(), words.end(), word) != words.end(); };
+    battery = battery || has("soc") || (has("throttle") && varies(k));
+  }
+  const bool driven = battery || (duty && varies(*duty)) || (pulseWidths_ && varies(*pulseWidths_));
   if (!driven && !turnsBothWays()) return;
-  const std::string why = driven ? "it hardly changes while the duty does"
-                                 : "it hardly changes while the axis turns "
-                                   "both ways";
+  const std::string why = battery  ? "it hardly changes, and a battery's charge or a throttle stands beside it"
+                          : driven ? "it hardly changes while the duty does"
+                                   : "it hardly changes while the axis turns "
+                                     "both ways";
   if (columnOf("supply_V")) return keep(*c, why + ", so it is no motor's voltage");
   fates_[*c].to = "supply_V";
   fates_[*c].why = why;

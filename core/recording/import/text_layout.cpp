@@ -174,6 +174,11 @@ Trial tryLayout(const std::vector<std::string_view>& lines, TextLayout layout) {
   std::map<size_t, double> scores;
   for (const std::string_view line : lines) {
     splitCells(line, layout, cells);
+    const bool parted =
+        layout.separator == runsOfBlanks && std::any_of(cells.begin(), cells.end(), [](std::string_view cell) {
+          return std::count(cell.begin(), cell.end(), ',') + std::count(cell.begin(), cell.end(), ';') > 2;
+        });
+    if (parted) continue;  // blanks within cells: "…,1,ok,01 64 00"
     size_t numbers = 0, filled = 0;
     for (const std::string_view cell : cells) {
       const TextCell kind = readCell(cell, layout, number);
