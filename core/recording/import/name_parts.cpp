@@ -192,7 +192,8 @@ bool isIndexLetter(const Words& words, const Unit& unit) {
     if (word == nullptr) continue;
     const bool length = unit.kind == UnitKind::length && word->kind == UnitKind::angle && words[k].starts_with("pos");
     const bool moves = word->kind == UnitKind::angle || word->kind == UnitKind::angularVelocity;
-    const bool motor = last == "a" && (moves || word->kind == UnitKind::ratio);  // "encoderA", "pwmA"
+    const bool sure = !word->weak || word->text.starts_with("enc");                      // "q_A" is a current
+    const bool motor = last == "a" && sure && (moves || word->kind == UnitKind::ratio);  // "encoderA", "pwmA"
     return unit.kind != word->kind && !length && (last == "m" || last == "c" || motor);
   }
   return false;
