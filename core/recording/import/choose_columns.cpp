@@ -161,6 +161,7 @@ void setRowNumbersAside(const RawTable& table, std::vector<Choice>& choices) {
 void setPlacesAside(const RawTable& table, std::vector<Choice>& choices) {
   const auto letterOf = [&table](size_t c) {
     const auto words = wordsOf(table.columns[c].channel.name, true);
+    if (isIn(words, "steering") || isIn(words, "steer")) return 's';
     const bool letter = words.size() > 1 && words.back().size() == 1 && std::strchr("xyz", words.back()[0]) != nullptr;
     return letter ? words.back()[0] : ' ';
   };
@@ -171,8 +172,10 @@ void setPlacesAside(const RawTable& table, std::vector<Choice>& choices) {
   if (!turns) return;
   for (size_t c = 0; c < choices.size(); ++c) {
     const bool moves = choices[c].name.to == "angle_rad" || choices[c].name.to == "velocity_rad_per_s";
-    if (moves && choices[c].name.unit.empty() && !choices[c].byMap && letterOf(c) != ' ')
-      setAside(choices[c], "is a place in space, beside a motor that turns");
+    const bool told = letterOf(c) != 's' && !choices[c].name.unit.empty();
+    if (moves && !told && !choices[c].byMap && letterOf(c) != ' ')
+      setAside(choices[c], letterOf(c) == 's' ? "is a vehicle's steering, beside a motor that turns"
+                                              : "is a place in space, beside a motor that turns");
   }
 }
 

@@ -137,9 +137,11 @@ inline constexpr auto jointWords = std::to_array<std::string_view>(
      "knee", "ankle", "waist", "gimbal", "encoder"});
 inline constexpr auto loadWords = std::to_array<std::string_view>(
     {"load", "external", "friction", "disturbance", "gravity", "cogging", "brake", "feedforward", "ff"});
-inline constexpr auto driverWords =
-    std::to_array<std::string_view>({"fet", "mos", "mosfet", "driver", "controller", "mcu", "board", "ambient", "esc",
-                                     "ctrl", "drv", "inverter", "cpu", "bridge", "encoder", "pcb", "baro", "imu"});
+inline constexpr auto driverWords = std::to_array<std::string_view>(
+    {"fet",     "mos",      "mosfet", "driver", "controller", "mcu",     "board",  "ambient",
+     "esc",     "ctrl",     "drv",    "inv",    "bms",        "pack",    "cell",   "battery",
+     "coolant", "oil",      "water",  "air",    "intake",     "exhaust", "engine", "room",
+     "charger", "inverter", "cpu",    "bridge", "encoder",    "pcb",     "baro",   "imu"});
 /// Motion counted in electrical turns.
 inline constexpr auto electricalWords =
     std::to_array<std::string_view>({"electrical", "electric", "elec", "elektrisch"});

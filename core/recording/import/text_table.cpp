@@ -123,12 +123,37 @@ class Rows {
     }
   }
 
+  /// "RPM:" in each row, before a number, is its name, with the words before it: "Angular Velocity: 1.5".
+  void takeLabelColumns() {
+    const auto label = [this](size_t c) {
+      const SeenText& seen = texts_[c];
+      const bool same = seen.same && seen.count > 0 && seen.count + 1 >= table.rows();
+      return same ? std::string_view(seen.first) : std::string_view{};
+    };
+    for (size_t c = 0; c + 1 < layout_.cells; ++c) {
+      std::string_view text = label(c);
+      if (text.size() < 2 || !endsLabel(text) || !layout_.numeric[c + 1]) continue;
+      text.remove_suffix(1);
+      std::string name(text);
+      for (size_t k = c; k-- > 0;) {
+        const std::string_view before = label(k);
+        if (before.empty() || endsLabel(before) || isUnit(before)) break;
+        name = std::string(before) + " " + name;
+      }
+      std::string& own = table.columns[c + 1].channel.name;
+      if (own.starts_with("column_")) own = name;
+    }
+  }
+
+  static bool endsLabel(std::string_view text) { return text.back() == ':' || text.back() == '='; }
+
   /// A column without a name, or called a unit, that holds the same unit in each row tells the one of the column before
   /// it: "12.3 deg".
   void takeUnitColumns() {
     for (size_t c = 1; c < layout_.cells; ++c) {
       const SeenText& seen = texts_[c];
-      const bool unit = seen.same && seen.count > 0 && seen.count + 1 >= table.rows() && isUnit(seen.first);
+      const bool unit =
+          seen.same && seen.count > 0 && seen.count + 1 >= table.rows() && isUnit(seen.first) && !endsLabel(seen.first);
       RawColumn& before = table.columns[c - 1];
       const std::string& name = table.columns[c].channel.name;
       const bool tellsUnit = name.starts_with("column_") || name.ends_with("unit") || name.ends_with("units") ||
@@ -384,6 +409,7 @@ Result<RawTable> readTextTable(std::string_view text, const std::string& name) {
   }
   rows.table.notes = std::move(notes.notes);
   if (const auto done = readRows(start.rest, lineEnd, layout, name, rows); !done) return done.error();
+  rows.takeLabelColumns();
   rows.takeUnitColumns();
   RawTable table = std::move(rows.table);
   for (const std::string_view line : start.before) table.preamble.emplace_back(withoutBlanks(line));
