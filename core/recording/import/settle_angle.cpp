@@ -13,6 +13,12 @@ Result<void> Settling::takeAngle() {
   if (!c || settled_.contains(*c)) return {};
   ColumnFate& fate = fates_[*c];
   auto& angle = values(*c);
+  const auto speed = columnOf("velocity_rad_per_s");
+  const bool counts = choices_[*c].name.needs == UnitNeeds::countsPerRev && !choices_[*c].byMap;
+  if (counts && rangeOf(angle) == 0.0 && speed && rangeOf(values(*speed)) > 0.0) {
+    keep(*c, "never changes although the speed does");
+    return {};
+  }
   if (const auto filled = fillNeed(*c, true); !filled) return filled.error();
   const bool counted = choices_[*c].name.needs == UnitNeeds::countsPerRev;
   const double perTurn = choices_[*c].name.needs == UnitNeeds::polePairs ? map_.pole_pairs.value_or(1.0) : 1.0;
