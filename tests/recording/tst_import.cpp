@@ -38,6 +38,10 @@ class TestImport : public QObject {
   void oneAxis_isNotAskedToBeParted();
   void columnsThatAreNotTheMotors_areKeptUnused_data();
   void columnsThatAreNotTheMotors_areKeptUnused();
+  void numbersOfRows_areNoCurrent();
+  void counterThatStandsStill_isNoAngle();
+  void leapsWithinOneTurn_areCalledImplausible();
+  void timeOfSteps_isMarkedAsAGuess();
   void voltageThatStandsStill_isTheSupplys_data();
   void voltageThatStandsStill_isTheSupplys();
   void namesAbove_eventsBetween_areFound();
@@ -123,9 +127,40 @@ void TestImport::names_areUnderstood_data() {
   row("bms_voltage_V", "supply_V");
   row("vel_rads", "velocity_rad_per_s");
   row("speed_mps", "velocity_m_per_s");
-  for (const char* unknown : {"", "velocity error", "current [foo]", "angle [A]", "status", "disturbance", "input",
-                              "torque_x1000", "angle*10", "sin_theta", "predicted angle [deg]", "joint_3deg",
-                              "curr_state", "fan_rpm", "home_position", "rpm_error", "Actual_Speed_Kmh"})
+  row("vel_revolute_4_degps", "velocity_rad_per_s", degree);
+  row("velocity measured [Hz]", "velocity_rad_per_s", 2.0 * std::numbers::pi);
+  row("rpm0", "velocity_rad_per_s", std::numbers::pi / 30.0);
+  row("theta_d", "angle_reference_rad");
+  row("tgt_rpm", "velocity_reference_rad_per_s", std::numbers::pi / 30.0);
+  row("wrist_joint/roll/position", "angle_rad");
+  row("encoderA", "angle_rad");
+  row("q_A", "current_A");
+  for (const char* unknown : {"",
+                              "velocity error",
+                              "current [foo]",
+                              "angle [A]",
+                              "status",
+                              "disturbance",
+                              "input",
+                              "torque_x1000",
+                              "angle*10",
+                              "sin_theta",
+                              "predicted angle [deg]",
+                              "joint_3deg",
+                              "curr_state",
+                              "fan_rpm",
+                              "home_position",
+                              "rpm_error",
+                              "Actual_Speed_Kmh",
+                              "PWM_Time",
+                              "rise time (s)",
+                              "sample_rate [Hz]",
+                              "hz",
+                              "roll",
+                              "roll_rate_dps",
+                              "COOLANT_TEMP",
+                              "ctrlTemp",
+                              "wattHours"})
     row(unknown, "");
 }
 
@@ -450,6 +485,15 @@ void TestImport::columnsThatAreNotTheMotors_areKeptUnused_data() {
   QTest::newRow("a vehicle's speed") << "speed_mps,speed (km/h)"
                                      << "1.5,5.4"
                                      << "beside a motor that turns";
+  QTest::newRow("a coordinate that is there beside its target") << "TargetX,CurrX"
+                                                                << "3.5,3.2"
+                                                                << "where it is now";
+  QTest::newRow("a line of an encoder") << "mark,encA"
+                                        << "7,1"
+                                        << "one of an encoder's lines";
+  QTest::newRow("what counts on while the motor stands still in it") << "mark,pwm_time"
+                                                                     << "7,1512"
+                                                                     << "how long something takes";
   QTest::newRow("pulses of radio control") << "mark,servo_pwm"
                                            << "7,1512"
                                            << "pulse widths";
@@ -470,6 +514,56 @@ void TestImport::columnsThatAreNotTheMotors_areKeptUnused() {
     said += column.why.find(why.toStdString()) != std::string::npos ? 1 : 0;
   }
   QVERIFY2(said > 0, imported->columns.back().inWords().c_str());
+}
+
+void TestImport::numbersOfRows_areNoCurrent() {
+  QString text = "i,time_s,theta (deg)\n";
+  for (int k = 0; k < 60; ++k) text += QString("%1,%2,%3\n").arg(k).arg(0.01 * k).arg(30.0 * std::sin(0.1 * k));
+  const auto imported = importRecording(folder_.write("log.csv", text.toStdString()));
+  VERIFY_OK(imported);
+  QVERIFY(!imported->recording.has("current_A"));
+  QVERIFY2(imported->columns[0].why.find("counts the rows") != std::string::npos, imported->columns[0].why.c_str());
+}
+
+void TestImport::counterThatStandsStill_isNoAngle() {
+  QString text = "time_s,steps,rpm\n";
+  for (int k = 0; k < 60; ++k) text += QString("%1,2048,%2\n").arg(0.01 * k).arg(30.0 + k);
+  const auto imported = importRecording(folder_.write("log.csv", text.toStdString()));
+  VERIFY_OK(imported);
+  QVERIFY(!imported->recording.has("angle_rad") && imported->recording.has("velocity_rad_per_s"));
+}
+
+/// Nobody can tell which way an axis went that leaps within its turn.
+void TestImport::leapsWithinOneTurn_areCalledImplausible() {
+  for (const double reach : {300.0, 100.0}) {
+    QString text = "time_s,angle_deg\n";
+    for (int k = 0; k < 30; ++k) text += QString("%1,%2\n").arg(3.0 * k).arg(10.0 + reach * ((k * 7) % 10) / 9.0);
+    const auto imported = importRecording(folder_.write("log.csv", text.toStdString()));
+    VERIFY_OK(imported);
+    const bool said = std::any_of(imported->remarks.begin(), imported->remarks.end(), [](const std::string& one) {
+      return one.starts_with("implausible") && one.find("which way") != std::string::npos;
+    });
+    QCOMPARE(said, reach > 200.0);
+  }
+}
+
+void TestImport::timeOfSteps_isMarkedAsAGuess() {
+  struct Form {
+    const char* name;
+    double step, step_s;
+  };
+  for (const Form& form :
+       {Form{"dt", 0.01, 0.01}, {"deltaT", 10.0, 0.01}, {"delta_t", 5000.0, 0.005}, {"dt_ms", 4.0, 0.004}}) {
+    QString text = QString("rpm,%1\n").arg(form.name);
+    for (int k = 0; k < 60; ++k) text += QString("%1,%2\n").arg(30.0 + k).arg(form.step);
+    const auto imported = importRecording(folder_.write("log.csv", text.toStdString()));
+    VERIFY_OK(imported);
+    const double last = imported->recording.time().back();
+    QVERIFY2(std::abs(last - 59.0 * form.step_s) < 1e-9, qPrintable(QString("%1: %2").arg(form.name).arg(last)));
+    QVERIFY(imported->columns[1].guessed);
+  }
+  const auto backwards = importRecording(folder_.write("log.csv", "rpm,dt\n1,0.1\n2,-0.1\n3,0.1\n"));
+  QVERIFY(!backwards.ok());
 }
 
 void TestImport::voltageThatStandsStill_isTheSupplys_data() {
