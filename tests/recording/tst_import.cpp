@@ -34,6 +34,7 @@ class TestImport : public QObject {
   void lineCutShortAtTheEnd_isLeftOut();
   void severalAxesInOneTable_areAskedToBeParted_data();
   void severalAxesInOneTable_areAskedToBeParted();
+  void motorsThatMoveAlike_areAskedToBeParted();
   void oneAxis_isNotAskedToBeParted_data();
   void oneAxis_isNotAskedToBeParted();
   void columnsThatAreNotTheMotors_areKeptUnused_data();
@@ -135,6 +136,7 @@ void TestImport::names_areUnderstood_data() {
   row("wrist_joint/roll/position", "angle_rad");
   row("encoderA", "angle_rad");
   row("q_A", "current_A");
+  row("Torque(in-lbs)", "torque_Nm", 0.45359237 * 9.80665 * 0.0254);
   for (const char* unknown : {"",
                               "velocity error",
                               "current [foo]",
@@ -160,7 +162,8 @@ void TestImport::names_areUnderstood_data() {
                               "roll_rate_dps",
                               "COOLANT_TEMP",
                               "ctrlTemp",
-                              "wattHours"})
+                              "wattHours",
+                              "tau_f"})
     row(unknown, "");
 }
 
@@ -435,6 +438,22 @@ void TestImport::severalAxesInOneTable_areAskedToBeParted() {
       QVERIFY(std::abs(part.channel("angle_rad")[size_t(k)] - angleOf(axis, k)) < 1e-9);
     }
   }
+}
+
+/// By its name alone, even where the motors move nearly alike at the same stamps.
+void TestImport::motorsThatMoveAlike_areAskedToBeParted() {
+  QString text = "timestamp,motor_name,velocity_rpm\n";
+  for (int k = 0; k < 100; ++k) {
+    for (const double share : {1.0, 0.95})
+      text += QString("%1,%2,%3\n")
+                  .arg(0.02 * k)
+                  .arg(share == 1.0 ? "left" : "right")
+                  .arg(share * 90.0 * std::sin(0.1 * k));
+  }
+  const auto imported = importRecording(folder_.write("log.csv", text.toStdString()));
+  QVERIFY(!imported.ok());
+  QVERIFY2(imported.error().message().find("\"split\": \"motor_name\"") != std::string::npos,
+           imported.error().message().c_str());
 }
 
 void TestImport::oneAxis_isNotAskedToBeParted_data() {

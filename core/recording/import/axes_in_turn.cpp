@@ -26,6 +26,14 @@ bool hasWordOf(const std::string& name, bool axesOnly) {
   return axis || (!axesOnly && firstIn(words, numberWords) != nullptr);
 }
 
+/// "motor_name", "joint": nothing but which axis a row is of.
+bool namesAxes(const std::string& name) {
+  const auto words = wordsOf(name, true);
+  return firstIn(words, axisWords) != nullptr && std::all_of(words.begin(), words.end(), [](const std::string& word) {
+           return isIn(axisWords, word) || isIn(numberWords, word);
+         });
+}
+
 /// How far the values go in all, from row to row or within each kind.
 double wayOf(const std::vector<double>& values, const RowKinds* kinds) {
   std::vector<double> last(kinds == nullptr ? 1 : kinds->names.size() + 1, NAN);
@@ -91,6 +99,7 @@ std::optional<AxesInTurn> axesInTurn(const RawTable& table, const std::vector<bo
     if (!kinds || kinds->names.size() < 2 || !eachHasRows(*kinds, fewestRows)) continue;
     const auto changes = bordersOf(*kinds);
     if (static_cast<double>(changes.size()) > oftenChanges * static_cast<double>(values.size())) {
+      if (namesAxes(column.channel.name)) return AxesInTurn{c, kinds->names};
       if (!whole) whole = wayOf(values, nullptr);
       if (wayOf(values, &*kinds) < smoother * *whole) return AxesInTurn{c, kinds->names};
     } else if (time && hasWordOf(column.channel.name, true)) {

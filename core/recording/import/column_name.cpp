@@ -309,6 +309,9 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
   if (kind == UnitKind::torque || kind == UnitKind::force) {
     if (const std::string* word = firstIn(parts.words, loadWords))
       return aside("\"" + *word + "\" is not what the motor gives", parts);
+    const bool part = found.at + 1 < parts.words.size() && isSingleLetter(parts.words[found.at + 1], "fg");
+    if (part && kind == UnitKind::torque)
+      return aside("is friction's or gravity's part of a torque", parts);  // "tau_f"
   }
   if (kind == UnitKind::temperature) {
     if (const std::string* word = firstIn(parts.words, driverWords))
