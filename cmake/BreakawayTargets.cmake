@@ -7,7 +7,8 @@ if(BREAKAWAY_SANITIZE)
   target_compile_options(breakaway_options INTERFACE
     -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer -Wno-maybe-uninitialized
     -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
-  target_link_options(breakaway_options INTERFACE -fsanitize=address,undefined)
+  # At a fixed address: the many places that the sanitizers name in reports needn't be moved, in the file or at each start.
+  target_link_options(breakaway_options INTERFACE -fsanitize=address,undefined -no-pie)
 endif()
 
 # breakaway_room(NAME [FOLDER FOLDER] [SPELT FROM] [KIND KIND] [ALONE] [MOC] [USES ROOM…] [PUBLIC LIBRARY…] [PRIVATE LIBRARY…]):

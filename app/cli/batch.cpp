@@ -157,7 +157,10 @@ void addBatch(CLI::App& app, Job& chosen) {
       ->required();
   command->add_option("--shard", line->shard, "I/N: only every N-th entry, beginning with the I-th");
   addProjectOption(*command, line->project);
-  command->add_option("--jobs", line->jobs, "entries that are done at the same time, each on a core of its own")
+  command
+      ->add_option(
+          "--jobs", line->jobs,
+          "entries that are done at the same time, each on a core of its own; the last ones have the cores of all")
       ->capture_default_str()
       ->check(CLI::Range(1, 256));
   command->add_option("--reports", line->reports,

@@ -7,10 +7,10 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <thread>
 
 #include "base/made.h"
 #include "base/output_folder.h"
+#include "base/parallel.h"
 #include "base/sha256.h"
 #include "cli/inputs.h"
 #include "cli/thrown.h"
@@ -161,11 +161,7 @@ Result<void> doEntries(const BatchPlan& plan, const OwnLineLog& results) {
       if (end) end = line ? results.append(*line) : Result<void>(line.error());
     }
   };
-  {
-    std::vector<std::jthread> further;
-    for (size_t k = 1; k < std::min(plan.jobs, plan.todo.size()); ++k) further.emplace_back(work);
-    work();
-  }
+  onThreads(plan.jobs, work);
   if (progressIsWatched()) std::fprintf(stderr, "\r\033[K");
   return end;
 }

@@ -52,16 +52,18 @@ static const char* const manifest =
 {"id": 3, "bench": "rigs/b.json", "recordings": ["rigs/r.csv"], "heldout": ["rigs/h.csv"], "comment": "ours"}
 )";
 
-/// As short as a diagnosis takes, and soon done.
-static QByteArray coarseRecording(double step_s) {
-  return pushedMassRecording(640, {}, "time_s,position_m,force_N", step_s);
+/// With 640 rows of 8 ms as short as a search takes; with 100 of 20 ms a diagnosis is soon done.
+static std::string coarseRecording(int rows, double step_s) {
+  return pushedMassRecording(rows, {}, "time_s,position_m,force_N", step_s).toStdString();
 }
 
 void TestBatch::initTestCase() {
   QVERIFY(breakaway::makeFolder(folder_.path("lists/rigs")));
   folder_.write("lists/rigs/b.json", pushedMassBench().toStdString());
-  folder_.write("lists/rigs/r.csv", coarseRecording(8e-3).toStdString());
-  folder_.write("lists/rigs/h.csv", coarseRecording(7.9e-3).toStdString());
+  folder_.write("lists/rigs/r.csv", coarseRecording(100, 2e-2));
+  folder_.write("lists/rigs/h.csv", coarseRecording(100, 1.95e-2));
+  folder_.write("lists/rigs/long.csv", coarseRecording(640, 8e-3));
+  folder_.write("lists/rigs/longer.csv", coarseRecording(640, 7.9e-3));
   folder_.write("lists/l.jsonl", manifest);
 }
 
@@ -85,6 +87,18 @@ QStringList TestBatch::ids(const QByteArray& results) {
     ids << (good ? object["id"].toVariant().toString() : QString("?"));
   }
   return ids;
+}
+
+/// Short words for a batch of its own in `folder`, mostly of entries that end in errors, at once.
+static Outcome batchIn(const TemporaryFolder& folder, const QString& words = "l.jsonl --out r.jsonl") {
+  return run(builtProgram("breakaway"), QString("batch " + words).split(' '), QString::fromStdString(folder.path()));
+}
+
+static QList<QJsonObject> resultsIn(const TemporaryFolder& folder, const std::string& name = "r.jsonl") {
+  QList<QJsonObject> results;
+  const auto lines = breakaway::readWholeLines(folder.path(name));
+  for (const std::string& line : *lines) results << QJsonDocument::fromJson(QByteArray::fromStdString(line)).object();
+  return results;
 }
 
 void TestBatch::finishedEntries_areNotDoneAgain() {
@@ -125,11 +139,13 @@ void TestBatch::shardWithoutEntries_leavesEmptyResults() {
 }
 
 void TestBatch::diagnosis_isTheOneOfDiagnose() {
-  QFile::remove(QString::fromStdString(folder_.path("results.jsonl")));
-  QCOMPARE(batch({"--shard", "1/3"}).status, 0);
-  QJsonObject got = QJsonDocument::fromJson(results()).object()["diagnosis"].toObject();
+  folder_.write(
+      "lists/long.jsonl",
+      R"({"id": 1, "bench": "rigs/b.json", "recordings": ["rigs/long.csv"], "heldout": ["rigs/longer.csv"]})");
+  QCOMPARE(batchIn(folder_, "lists/long.jsonl --out long.jsonl").status, 0);
+  QJsonObject got = resultsIn(folder_, "long.jsonl")[0]["diagnosis"].toObject();
   const QString words =
-      "diagnose --bench lists/rigs/b.json --recording lists/rigs/r.csv --heldout lists/rigs/h.csv --out d";
+      "diagnose --bench lists/rigs/b.json --recording lists/rigs/long.csv --heldout lists/rigs/longer.csv --out d";
   QCOMPARE(run(builtProgram("breakaway"), words.split(' '), QString::fromStdString(folder_.path())).status, 0);
   const auto text = breakaway::readFile(folder_.path("d/diagnosis.json"));
   VERIFY_OK(text);
@@ -140,18 +156,6 @@ void TestBatch::diagnosis_isTheOneOfDiagnose() {
     expected.remove(time);
   }
   QCOMPARE(got, expected);
-}
-
-/// Short words for a batch of its own in `folder`, whose entries end in errors, at once.
-static Outcome batchIn(const TemporaryFolder& folder, const QString& words = "l.jsonl --out r.jsonl") {
-  return run(builtProgram("breakaway"), QString("batch " + words).split(' '), QString::fromStdString(folder.path()));
-}
-
-static QList<QJsonObject> resultsIn(const TemporaryFolder& folder, const std::string& name = "r.jsonl") {
-  QList<QJsonObject> results;
-  const auto lines = breakaway::readWholeLines(folder.path(name));
-  for (const std::string& line : *lines) results << QJsonDocument::fromJson(QByteArray::fromStdString(line)).object();
-  return results;
 }
 
 /// A result as if it had been diagnosed from files with these contents.
@@ -270,7 +274,7 @@ static void writeLongList(const TemporaryFolder& folder, int entries) {
 }
 
 void TestBatch::killedOften_endsAsUndisturbed() {
-  constexpr int entries = 2000;
+  constexpr int entries = 800;
   const TemporaryFolder folder;
   writeLongList(folder, entries);
   QElapsedTimer clock;

@@ -155,7 +155,7 @@ void TestPrintedCommands::initTestCase() {
   const auto servo = breakaway::readRig(inSource("resources/presets/servo.rig.json").toStdString());
   VERIFY_OK(servo);
   vesc_ = std::make_unique<VescFake>(*servo);
-  files_.write("begin/list.jsonl", R"({"id": "one", "bench":"rig.bench.json","recordings":["r.csv"]})"
+  files_.write("begin/list.jsonl", R"({"id": "one", "bench":"march.bench.json","recordings":["march.csv"]})"
                                    "\n");
   QString motor = contentOf("resources/presets/servo.bench.json");
   files_.write("begin/servo.bench.json",

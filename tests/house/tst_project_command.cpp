@@ -44,10 +44,12 @@ void TestProjectCommand::initTestCase() {
   QByteArray bench = pushedMassBench();
   bench.replace(bench.indexOf('{'), 1, "{\"motor_serial\": \"0117\", ");
   write("b.json", bench);
-  write("r.csv", pushedMassRecording(200, {}, "time_s,position_m,force_N", 4e-2));
+  // Too short to search in, so that a diagnosis is soon done.
+  write("r.csv", pushedMassRecording(100, {}, "time_s,position_m,force_N", 4e-2));
+  write("s.csv", pushedMassRecording(110, {}, "time_s,position_m,force_N", 4e-2));
   write("l.jsonl",
         "{\"id\": \"a\", \"bench\": \"b.json\", \"recordings\": [\"r.csv\"]}\n"
-        "{\"id\": \"b\", \"bench\": \"b.json\", \"recordings\": [\"r.csv\"]}\n"
+        "{\"id\": \"b\", \"bench\": \"b.json\", \"recordings\": [\"s.csv\"]}\n"
         "{\"id\": \"c\", \"bench\": \"none.json\", \"recordings\": [\"r.csv\"]}\n");
 }
 

@@ -50,7 +50,7 @@ const Row rows[] = {
     {"simulate --model out/fit.json --recording r.csv --out out/s.csv --json", 0},
     {"batch l.jsonl --out out/results.jsonl --json", 1},
     {"summary out/results.jsonl --out out/fleet.html --json", 1},
-    {"trial --seed 1 --family clean --out out/t --json", 7},
+    {"trial --seed 3 --family clean --out out/t --json", 7},
     {"import r.csv --out out/i.csv --json", 0},
     {"commission --turns 1 --bins 36 --run-s 2 --out out/c --json", 4},
     {"export --map out/c/map.json --as json --out out/map.json --json", 1},

@@ -24,25 +24,34 @@ class TestWholeOutputs : public QObject {
   void killed_leavesTheWholeOrWhatWasThere();
   void fullDisk_leavesWhatWasThereAndIsSaid_data() { outputs(); }
   void fullDisk_leavesWhatWasThereAndIsSaid();
-  void twoAtOnce_areNeverMixed_data() { outputs(); }
+  void killedWhileItSearches_leavesWhatWasThere();
+  void twoAtOnce_areNeverMixed_data();
   void twoAtOnce_areNeverMixed();
   void damagedOutput_isSeen();
 
  private:
   void outputs() const;
   const DisturbedOutput& fetched() const;
+  DisturbedOutput searching() const;
   TemporaryFolder files_;
   std::map<QString, DisturbedOutput> outputs_;
+  OutputJob search_;
 };
 
 void TestWholeOutputs::initTestCase() {
   const auto file = [this](const char* name, const QByteArray& content) {
     return QString::fromStdString(files_.write(name, content.toStdString()));
   };
-  const QString recording = file("r.csv", pushedMassRecording(200, {}, "time_s,position_m,force_N", 4e-2));
+  const auto diagnosed = [bench = file("b.json", pushedMassBench())](const QString& recording) {
+    return QStringList{"diagnose", "--bench", bench, "--recording", recording, "--out", "out"};
+  };
+  const auto recording = [&file](const char* name, int rows) {
+    return file(name, pushedMassRecording(rows, {}, "time_s,position_m,force_N", 4e-2));
+  };
+  // Too short to search in: what it takes is reading and writing, and there the kills are to come.
+  search_ = {"diagnose", diagnosed(recording("long.csv", 200))};
   const OutputJob all[] = {
-      {"diagnose",
-       {"diagnose", "--bench", file("b.json", pushedMassBench()), "--recording", recording, "--out", "out"}},
+      {"diagnose", diagnosed(recording("r.csv", 100))},
       {"import", {"import", file("log.csv", pushedMassRecording(20000)), "--out", "out"}, OutputJob::Kind::file}};
   for (const OutputJob& job : all) {
     DisturbedOutput output(builtProgram("breakaway"), job);
@@ -50,6 +59,14 @@ void TestWholeOutputs::initTestCase() {
     QVERIFY2(fault.isEmpty(), qPrintable(fault));
     outputs_.emplace(job.name, output);
   }
+}
+
+/// A diagnosis of a few seconds, most of which is search.
+DisturbedOutput TestWholeOutputs::searching() const {
+  DisturbedOutput output(builtProgram("breakaway"), search_);
+  const QString fault = output.measure();
+  if (!fault.isEmpty()) qFatal("%s", qPrintable(fault));
+  return output;
 }
 
 void TestWholeOutputs::outputs() const {
@@ -102,8 +119,25 @@ void TestWholeOutputs::fullDisk_leavesWhatWasThereAndIsSaid() {
   }
 }
 
+void TestWholeOutputs::killedWhileItSearches_leavesWhatWasThere() {
+  const DisturbedOutput output = searching();
+  for (const bool over : {false, true}) {
+    const QTemporaryDir place;
+    if (over) output.lay(place.path());
+    output.kill(place.path(), static_cast<int>(0.6 * static_cast<double>(output.took_ms())));
+    QVERIFY2(output.left(place.path(), over) == Left::before, qPrintable(output.difference(place.path())));
+  }
+}
+
+void TestWholeOutputs::twoAtOnce_areNeverMixed_data() {
+  QTest::addColumn<bool>("searches");
+  QTest::newRow("diagnose") << true;
+  QTest::newRow("import") << false;
+}
+
 void TestWholeOutputs::twoAtOnce_areNeverMixed() {
-  const DisturbedOutput& output = fetched();
+  QFETCH(bool, searches);
+  const DisturbedOutput output = searches ? searching() : outputs_.at("import");
   const QTemporaryDir place;
   QVERIFY(output.runTwo(place.path()));
   QVERIFY2(output.onlyWhole(place.path()), qPrintable(output.difference(place.path())));
