@@ -11,6 +11,7 @@
 #include <QTableWidget>
 
 #include "app/desk.h"
+#include "app/technician.h"
 #include "base/atomic_file.h"
 #include "friction/map_export.h"
 #include "pages/tune_page.h"
@@ -31,6 +32,7 @@ class TestBenchJourney : public QObject {
   void stoppedSweep_goesOnWhereItEnded();
   void slider_changesTheBoardAndTheStep();
   void measuredImprovement_wasForetold();
+  void clicks_areAsTheManualCounts();
   void stiffnessButton_tunesAndSaysItsMargins();
   void everyControl_hasAName();
   void disabledControls_sayWhy();
@@ -232,6 +234,50 @@ void TestBenchJourney::measuredImprovement_wasForetold() {
   QVERIFY2(foretold > 0.8 * measured && foretold < 1.2 * measured,
            qPrintable(QString("foretold %1, measured %2").arg(foretold).arg(measured)));
   QVERIFY(foretoldMedium_s > 0.8 * steps[1].figures.rise_s && foretoldMedium_s < 1.2 * steps[1].figures.rise_s);
+}
+
+void TestBenchJourney::clicks_areAsTheManualCounts() {
+  if (sanitized)
+    QSKIP("the whole sweep takes minutes under sanitizers; what is clicked is tested by the other journeys");
+  const auto until = [](Desk& desk, const std::function<bool()>& so) {
+    return QTest::qWaitFor([&] { return so() && !desk.session.connection.run().running(); }, patience_ms);
+  };
+  const auto boardTime_s = [](const Desk& desk) { return desk.session.live.history().newest()->time_s; };
+  {
+    Desk desk;
+    Technician hand{desk.window};
+    hand.click("connectButton");
+    hand.goTo("Home");
+    hand.click("homeButton");
+    QVERIFY(until(desk, [&] { return desk.session.bench.index_rad().has_value(); }));
+    hand.goTo("Friction");
+    hand.click("breakawaySweepButton");
+    QVERIFY(until(desk, [&] { return desk.session.bench.known().knows(Known::map); }));
+    const QTemporaryDir folder;
+    desk.answers.byTitle["Export the friction map"] = folder.filePath("map.csv");
+    hand.click("exportMapButton");
+    QVERIFY(QFile(folder.filePath("map.csv")).size() > 0);
+    qInfo("map: %d clicks, %.0f s", hand.clicks, boardTime_s(desk));
+    QCOMPARE(hand.clicks, clicksSaid("an exported friction map"));
+  }
+  Desk desk;
+  Technician hand{desk.window};
+  hand.click("connectButton");
+  hand.goTo("Identify");
+  hand.click("identifyButton");
+  QVERIFY(until(desk, [&] { return desk.session.bench.known().knows(Known::motor); }));
+  hand.goTo("Tune");
+  const ControllerSettings before = desk.session.connection.settings();
+  hand.click("tuneMediumButton");
+  auto* apply = named<QPushButton>(desk.window, "applyButton");
+  QVERIFY(until(desk, [&] { return apply->isEnabled(); }));
+  QTest::qWait(100);
+  hand.click("applyButton");
+  QVERIFY(until(desk, [&] { return desk.session.connection.settings() != before; }));
+  hand.click("measureStepButton");
+  QVERIFY(until(desk, [&] { return desk.session.bench.steps().size() == 1; }));
+  qInfo("loop: %d clicks, %.0f s", hand.clicks, boardTime_s(desk));
+  QCOMPARE(hand.clicks, clicksSaid("a tuned loop, and its step measured"));
 }
 
 void TestBenchJourney::stiffnessButton_tunesAndSaysItsMargins() {

@@ -13,6 +13,7 @@
 #include <QThread>
 #include <cmath>
 
+#include "app/technician.h"
 #include "app/window_support.h"
 #include "house/program.h"
 #include "support/real_recordings.h"
@@ -29,6 +30,7 @@ class TestCompareJourney : public QObject {
  private slots:
   void initTestCase();
   void example_isDiagnosed();
+  void clicks_areAsTheManualCounts();
   void emps_isDiagnosed();
   void sealedTrial_isDiagnosedAndUnsealed();
   void nextExperiment_isRunOnTheBoardAndOpened();
@@ -141,6 +143,24 @@ void TestCompareJourney::example_isDiagnosed() {
   QTRY_VERIFY_WITH_TIMEOUT(named<QWidget>(desk.window, "openReportButton")->isEnabled(), patience_ms);
   QVERIFY(QFile(folder.filePath("report.html")).size() > 5000);
   QVERIFY(QFile(folder.filePath("diagnosis.json")).size() > 500);
+}
+
+void TestCompareJourney::clicks_areAsTheManualCounts() {
+  if (sanitized) QSKIP("a diagnosis takes ten times as long; its clicks are the same");
+  const QString example = qEnvironmentVariable("BREAKAWAY_RESOURCES") + "/examples/example";
+  Desk desk;
+  desk.window.showPage("connectPage");
+  Technician hand{desk.window};
+  hand.goTo("Compare");
+  desk.answers.byTitle["Open a bench"] = example + ".bench.json";
+  hand.click("openBenchButton");
+  desk.answers.byTitle["Open a recording"] = example + ".csv";
+  hand.click("openRecordingButton");
+  QVERIFY(desk.ready());
+  hand.click("diagnoseButton");
+  QVERIFY(QTest::qWaitFor([&] { return !desk.session.comparison.shownTrace().position.empty(); }, patience_ms));
+  QCOMPARE(desk.session.comparison.diagnosis()->findings.front().effect, std::string("stribeck"));
+  QCOMPARE(hand.clicks, clicksSaid("a cause named, and proved"));
 }
 
 void TestCompareJourney::emps_isDiagnosed() {
