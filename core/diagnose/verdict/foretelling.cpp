@@ -44,8 +44,8 @@ Foretold shareOf(std::vector<double> before, std::vector<double> after, std::uin
 /// What the map foretells at an instant, Nm (N).
 double torqueAt(const ResidualMap& map, const Unexplained& u, size_t k, const Track& track) {
   const double speed = u.velocity[k];
-  if (u.usable[k] == 0 || speed < map.fromSpeed || speed > map.toSpeed) return 0.0;
-  const double expected = map.at(placesAt(u, k, track, map.withinTurn)[map.along]);
+  if (u.usable[k] == 0) return 0.0;
+  const double expected = map.at(placesAt(u, k, track, map.withinTurn)[map.along], speed);
   return map.shows == Unknown::friction && speed < 0.0 ? -expected : expected;
 }
 
@@ -74,8 +74,7 @@ Foretold foretold(const ResidualMap& map, Along axis, const Instants& heldout, s
       after.resize(block + 1, 0.0);
     }
     const double shown = heldout.shown(k, map.shows), speed = heldout.along[byVelocity][k];
-    const bool mapped = std::isfinite(along[k]) && speed >= map.fromSpeed && speed <= map.toSpeed;
-    const double expected = mapped ? map.at(along[k]) : 0.0;
+    const double expected = std::isfinite(along[k]) ? map.at(along[k], speed) : 0.0;
     before[block] += shown * shown;
     after[block] += (shown - expected) * (shown - expected);
   }

@@ -19,7 +19,7 @@ namespace {
 
 constexpr size_t coarse = 24, fine = 72;  ///< cells of an axis, and of the turn
 constexpr int highestOrder = 100;
-constexpr size_t speedsEachWay = 3;  ///< classes of speed, equally often seen
+constexpr size_t speedsEachWay = 5;  ///< classes of speed, equally often seen
 
 struct AxisName {
   const char *name, *rotaryUnit, *linearUnit;
@@ -161,14 +161,20 @@ Candidate overAngleBySpeed(const Instants& all, const AllInstants& context, Axis
     classOf.push_back(static_cast<size_t>(std::max<std::ptrdiff_t>(above - 1, 0)));
   }
   BlockMap waves = wavesPerTurn(all, Unknown::torque, context.blocks, classOf, limits.size());
-  size_t worst = 0;
-  double most = 0.0;
+  size_t worst = 0, order = 0;
+  double most = 0.0, mostOfOrder = 0.0, ofOrder = 0.0;
   for (size_t cell = 0; cell + 1 < waves.sums.size(); cell += 2) {
     const double energy =
         std::pow(std::hypot(waves.sum(cell), waves.sum(cell + 1)), 2) / std::max(waves.count[cell], 1.0);
+    if (cell % waves.together == 0) ofOrder = 0.0;
+    ofOrder += energy;
     if (energy > most) {
       most = energy;
       worst = cell / 2 % limits.size();
+    }
+    if (ofOrder > mostOfOrder) {
+      mostOfOrder = ofOrder;
+      order = cell / waves.together;
     }
   }
   Instants one;
@@ -187,6 +193,12 @@ Candidate overAngleBySpeed(const Instants& all, const AllInstants& context, Axis
   addOrders(out, one, context.blocks);
   out.map.fromSpeed = slowest;
   out.map.toSpeed = fastest;
+  out.map.waveOrder = static_cast<int>(order) + 1;
+  for (size_t speeds = 0; speeds < limits.size(); ++speeds) {
+    const size_t cell = order * waves.together + 2 * speeds;
+    const double count = std::max(waves.count[cell], 1.0);
+    out.map.waves.push_back({limits[speeds], waves.sum(cell) / count, waves.sum(cell + 1) / count});
+  }
   out.sums = {std::move(waves)};
   out.total = std::inner_product(all.value.begin(), all.value.end(), all.value.begin(), 0.0);
   return out;
@@ -220,6 +232,14 @@ double ResidualMap::at(double place) const {
   if (cell == centre.size() || (cell > 0 && place < centre[cell] - 0.5 * width[cell])) --cell;
   const bool inside = std::abs(place - centre[cell]) <= 0.5 * width[cell] * (1.0 + 1e-9);
   return inside && std::isfinite(mean[cell]) ? mean[cell] : 0.0;
+}
+
+double ResidualMap::at(double place, double speed) const {
+  if (waves.empty()) return at(place);
+  auto next = std::upper_bound(waves.begin(), waves.end(), speed,
+                               [](double v, const WaveFrom& wave) { return v < wave.speed; });
+  if (next != waves.begin()) --next;  // slower than any that was seen: as the slowest
+  return next->cosine * std::cos(waveOrder * place) + next->sine * std::sin(waveOrder * place);
 }
 
 std::vector<ResidualMap> residualMaps(const Model& model, const std::vector<Track>& tracks, std::uint64_t seed,
