@@ -31,7 +31,8 @@ constexpr std::array<AxisName, alongs> axes{{{"time", "s", "s"},
                                              {"current", "Nm", "N"},
                                              {"reversal", "rad", "m"},
                                              {"temperature", "°C", "°C"},
-                                             {"current", "A", "A"}}};
+                                             {"current", "A", "A"},
+                                             {"acceleration", "rad/s²", "m/s²"}}};
 
 /// A map with the sums that its significance is found from.
 struct Candidate {
@@ -48,14 +49,16 @@ Candidate mapOver(const Instants& all, Along axis, Unknown shows, const AllInsta
   out.map.along = axis;
   out.map.unit = rig == Axis::rotary ? axes[axis].rotaryUnit : axes[axis].linearUnit;
   out.map.shows = shows;
-  const std::vector<double>& along = all.along[axis];
+  std::vector<double> along(all.value.size());
+  for (size_t k = 0; k < along.size(); ++k) along[k] = all.place(k, axis, shows);
   const bool round = axis == byAngle && context.turns;
   out.map.withinTurn = context.turns;
   std::vector<double> known;
   std::copy_if(along.begin(), along.end(), std::back_inserter(known), [](double x) { return std::isfinite(x); });
   if (known.size() < 50) return out;
   const bool fromZero = axis == byReversal;
-  const bool signedAxis = axis == byVelocity || axis == byAcceleration || axis == byTorque || axis == byCurrent;
+  const bool signedAxis =
+      axis == byVelocity || axis == byAcceleration || axis == byTorque || axis == byCurrent || axis == bySpeedingUp;
   const bool narrowNearZero = axis == byVelocity || fromZero;
   double low = round || fromZero ? 0.0 : quantile(known, 0.005), high = round ? turn_rad : quantile(known, 0.995);
   if (signedAxis && low < 0.0 && high > 0.0) {  // no cell has both signs
@@ -257,7 +260,7 @@ std::vector<ResidualMap> residualMaps(const Model& model, const std::vector<Trac
     if (!bySpeed.map.centre.empty()) candidates.push_back(std::move(bySpeed));
   };
   for (const Along axis : {byTime, byAngle, byVelocity, byAcceleration, byTorque}) add(axis, Unknown::torque);
-  for (const Along axis : {byTime, byAngle, byTorque, byReversal}) add(axis, Unknown::friction);
+  for (const Along axis : {byTime, byAngle, byTorque, byReversal, bySpeedingUp}) add(axis, Unknown::friction);
   if (all.temperature) add(byTemperature, Unknown::friction);
   if (!all.electrical.value.empty()) add(byCurrent, Unknown::voltage);
   if (!candidates.empty()) {
