@@ -78,13 +78,13 @@ std::vector<TrialEffect> driveEffects() {
   TrialNeeds any, electrical, seen, rotary;
   electrical.electrical = seen.currentSeen = rotary.rotary = rotary.noPendulum = true;
   return {{"dead_time", electrical, {ramps, reversals, multisine}, 30.0, deadTime},
-          {"current_sensor_offset", seen, {multisine, turns, rests}, 30.0, currentOffset},
+          {"current_sensor_offset", seen, {multisine, turns, rests}, 30.0, currentOffset, false},
           {"winding_heating", electrical, {heavy, heavy, multisine, heavy, idle}, 60.0, windingHeating},
           {"supply_sag", electrical, {heavy, turns, steps, multisine}, 30.0, supplySag},
           {"encoder_eccentricity", rotary, {turns, multisine, turns}, 30.0, eccentricity},
           {"command_saturation", any, {heavy, multisine, steps}, 30.0, commandSaturation},
           {"transport_delay", any, {steps, reversals, chirp}, 30.0, transportDelay},
-          {"channel_skew", seen, {reversals, steps, chirp}, 30.0, channelSkew}};
+          {"channel_skew", seen, {reversals, steps, chirp}, 30.0, channelSkew, false}};
 }
 
 }  // namespace breakaway

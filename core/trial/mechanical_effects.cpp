@@ -84,7 +84,7 @@ std::vector<TrialEffect> mechanicalEffects() {
   position.positionLoop = position.noPendulum = shaft.noPendulum = true;
   return {{"backlash", shaft, {reversals, steps, multisine}, 30.0, backlash},
           {"compliance", shaft, {chirp, steps, reversals}, 30.0, compliance},
-          {"end_stop", position, {multisine, steps}, 30.0, endStop},
+          {"end_stop", position, {multisine, steps}, 30.0, endStop, false},
           {"external_disturbance", any, {multisine, turns, steps}, 30.0, disturbance}};
 }
 

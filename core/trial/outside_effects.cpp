@@ -17,10 +17,15 @@ Concealed frictionLag(TrialRig& rig, const TrialCourse&, double size, Random& ra
   return {"friction_lag", {{viscousNamed("slope", rig), o.lag}, {"time_constant_s", o.lagTime_s}}};
 }
 
+/// Rms of a torque at random that is more than any rig's own, of which there is up to a twentieth of the friction.
+double drawnAtRandom(const TrialRig& rig, double size, Random& random) {
+  return size * drawn(random, 0.08, 0.25) * rig.coulomb();
+}
+
 /// A torque that wanders at random (Ornstein and Uhlenbeck's process).
 Concealed wanderingTorque(TrialRig& rig, const TrialCourse&, double size, Random& random) {
   OutsidePhysics& o = rig.physics.outside;
-  o.wander = size * drawn(random, 0.2, 0.5) * rig.coulomb();
+  o.wander = drawnAtRandom(rig, size, random);
   o.wanderTime_s = drawnLog(random, 0.05, 0.4);
   return {"wandering_torque", {{torqueNamed("rms", rig), o.wander}, {"correlation_time_s", o.wanderTime_s}}};
 }
@@ -41,9 +46,10 @@ Concealed torqueDeadBand(TrialRig& rig, const TrialCourse&, double size, Random&
 
 Concealed frictionBursts(TrialRig& rig, const TrialCourse&, double size, Random& random) {
   OutsidePhysics& o = rig.physics.outside;
-  o.bursts = size * drawn(random, 0.6, 1.4) * rig.coulomb();
   o.burstEvery_s = drawn(random, 1.0, 2.5);
   o.burstLength_s = drawn(random, 0.2, 0.6);
+  const double part = o.burstLength_s / (o.burstEvery_s + o.burstLength_s);  // of the time
+  o.bursts = drawnAtRandom(rig, size, random) / std::sqrt(part * (1.0 - part));
   return {"friction_bursts",
           {{torqueNamed("height", rig), o.bursts}, {"every_s", o.burstEvery_s}, {"length_s", o.burstLength_s}}};
 }
@@ -73,10 +79,10 @@ const std::vector<TrialEffect>& outsideEffects() {
     TrialNeeds any, rotary, held;
     rotary.rotary = held.heldTorque = true;
     return std::vector<TrialEffect>{{"friction_lag", any, {multisine, steps, reversals}, 30.0, frictionLag},
-                                    {"wandering_torque", any, {multisine, turns}, 30.0, wanderingTorque},
+                                    {"wandering_torque", any, {multisine, turns}, 30.0, wanderingTorque, false},
                                     {"breathing_friction", any, {multisine, reversals, turns}, 30.0, breathingFriction},
                                     {"torque_dead_band", held, {multisine, turns, chirp}, 30.0, torqueDeadBand},
-                                    {"friction_bursts", any, {multisine, turns}, 30.0, frictionBursts},
+                                    {"friction_bursts", any, {multisine, turns}, 30.0, frictionBursts, false},
                                     {"whirl", rotary, {turns, multisine}, 30.0, whirl},
                                     {"slipping_detent", rotary, {turns, multisine, ramps}, 30.0, slippingDetent}};
   }();

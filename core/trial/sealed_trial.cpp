@@ -123,16 +123,11 @@ double drawCost(const std::string& family, Random& random) {
   return family == "weak" ? drawnLog(random, 1.8, 3.0) : drawnLog(random, 4.0, 12.0);
 }
 
-/// Not sized: what merely shows in the current, and a stop, which is in the way or isn't.
-bool isSized(const TrialEffect& effect) {
-  return effect.name != "current_sensor_offset" && effect.name != "channel_skew" && effect.name != "end_stop";
-}
-
 /// The size at which leaving the effect out costs `cost` floors, tried out on the rig and course; the same draws follow
 /// for every size.
 double sizeFor(const TrialEffect& effect, const TrialRig& rig, const TrialCourse& course, double cost, double smallest,
                std::uint64_t seed) {
-  if (!isSized(effect)) return 1.0;
+  if (!effect.sized) return 1.0;
   double size = 1.0, lastSize = 0.0, lastCost = 0.0, power = 1.0;  // cost grows as size to this power
   for (int round = 0; round < 3; ++round) {
     TrialRig tried = rig;
@@ -198,11 +193,7 @@ SealedTrial makeTrial(const std::string& family, std::uint64_t seed, const Trial
   TrialRig rig = drawTrialRig(needsOf(family, effects), random);
   const bool imperfect = family == "imperfect" || family == "rough";
   TrialLogger logger;
-  if (imperfect) {
-    logger = drawImperfections(rig, random);
-    trial.wanderShare = rig.physics.outside.wander / rig.coulomb();
-    trial.wander_s = rig.physics.outside.wanderTime_s;
-  }
+  if (imperfect) logger = drawImperfections(rig, random);
   if (form.row_s > 0.0) rig.sensors.row_s = form.row_s;
   double duration_s = drawn(random, 30.0, 36.0);
   for (const TrialEffect* effect : effects) duration_s = std::max(duration_s, effect->shortest_s);
@@ -218,6 +209,8 @@ SealedTrial makeTrial(const std::string& family, std::uint64_t seed, const Trial
     Random same(own);
     trial.truth.push_back(effect->conceal(rig, course, size, same));
   }
+  trial.wanderShare = rig.physics.outside.wander / rig.coulomb();
+  if (trial.wanderShare > 0.0) trial.wander_s = rig.physics.outside.wanderTime_s;
   if (family == "outside") trial.outside = effects.front()->name;
 
   trial.bench = believedBench(rig, random);

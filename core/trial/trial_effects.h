@@ -19,6 +19,9 @@ struct TrialEffect {
   double shortest_s = 30.0;      ///< of a recording that shows it
   /// Puts it into the rig, `size` times as large as it typically is, and says what was put there.
   Concealed (*conceal)(TrialRig& rig, const TrialCourse& course, double size, Random& random) = nullptr;
+  /// By what leaving it out costs. Else as it is drawn: what merely shows in the current, a stop, which is in the way
+  /// or isn't, and torque at random, which is any rig's own where there is little of it.
+  bool sized = true;
 };
 
 /// The catalogue's 27 effects, by its names.

@@ -78,6 +78,8 @@ class TestWhere : public QObject {
   void strongerMapByChance_givesWayToASureOne();
   void mapOfWhatComesAgain_foretellsIt();
   void mapOfChance_foretellsNothing();
+  void frictionWhileBraking_isTheSameBothWays();
+  void frictionAlongTheMotion_isSaidAsWhatTheMotorOrTheSpeedDoes();
   void whatItsIntervalsRefute_isNotWorthSaying();
   void whiteSeries_isWhite_andADriftIsNot();
   void rivals_getOneExperimentThatTellsThemApart();
@@ -169,6 +171,45 @@ void TestWhere::mapOfChance_foretellsNothing() {
     QVERIFY2(found.low95 <= 0.0, qPrintable(QString::number(found.low95)));
   }
   QCOMPARE(foretold(frictionOverAngle(1.8), byAngle, {}, 1).high95, 0.0);  // nothing was held out
+}
+
+/// Friction that is 2 mNm higher while the motor brakes, over the drive's torque along the motion.
+ResidualMap frictionWhileBraking() {
+  ResidualMap map = frictionOverAngle(0.0);
+  map.axis = "current";
+  map.unit = "Nm";
+  map.along = byTorque;
+  for (size_t cell = 0; cell < map.centre.size(); ++cell) {
+    map.width[cell] = 1e-3;
+    map.centre[cell] = 1e-3 * (static_cast<double>(cell) - 35.5);
+    if (map.centre[cell] > 0.0) continue;
+    for (auto* values : {&map.mean, &map.rising, &map.falling}) (*values)[cell] = 2e-3;
+  }
+  return map;
+}
+
+void TestWhere::frictionWhileBraking_isTheSameBothWays() {
+  Instants instants;
+  for (size_t k = 0; k < 2000; ++k) {
+    const double way = k / 150 % 2 == 0 ? 1.0 : -1.0, torque = k / 70 % 2 == 0 ? 0.02 : -0.02;
+    instants.value.push_back(way * torque < 0.0 ? way * 2e-3 : 0.0);
+    instants.way.push_back(way);
+    instants.block.push_back(k / 100);
+    for (auto& along : instants.along) along.push_back(0.0);
+    instants.along[byTorque].back() = torque;
+  }
+  QVERIFY(foretold(frictionWhileBraking(), byTorque, instants, 1).low95 > 0.99);
+}
+
+void TestWhere::frictionAlongTheMotion_isSaidAsWhatTheMotorOrTheSpeedDoes() {
+  const auto said = [](const ResidualMap& map) {
+    return QString::fromStdString(places({map}, Model{}).front().sentence.english());
+  };
+  ResidualMap map = frictionWhileBraking();
+  QCOMPARE(said(map), "While the motor brakes with 0 Nm to 36 mNm the axis needs 2 mNm more than the model.");
+  map.axis = "acceleration";
+  map.along = bySpeedingUp;
+  QVERIFY2(said(map).startsWith("While it slows down by 0 rad/s² to 0.036 rad/s²"), qPrintable(said(map)));
 }
 
 void TestWhere::whatItsIntervalsRefute_isNotWorthSaying() {

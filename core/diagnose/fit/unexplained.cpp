@@ -11,6 +11,8 @@ namespace breakaway {
 
 namespace {
 
+constexpr double memory_s = 0.3;  ///< over which a gain in speed is told
+
 /// The track as it was before encoder and drive changed it, if the model says that they did.
 Track actualTrack(const Model& model, const Simulator& simulator, const Track& track) {
   Track actual = track.rowsFrom(0, track.rows() - 1);
@@ -47,7 +49,8 @@ Unexplained along(const Model& model, const Track& track, Simulator& simulator, 
   out.time = rows.time;
   out.position = rows.position;
   out.velocity = rows.velocity;
-  for (auto* values : {&out.acceleration, &out.drive, &out.current, &out.travel, &out.torque}) values->assign(n, 0.0);
+  for (auto* values : {&out.acceleration, &out.drive, &out.current, &out.speedingUp, &out.travel, &out.torque})
+    values->assign(n, 0.0);
   if (p.electrical && !track.current.empty()) out.voltage.assign(n, 0.0);
   out.usable = rows.moving;
   out.driven.assign(n, 0);
@@ -55,6 +58,7 @@ Unexplained along(const Model& model, const Track& track, Simulator& simulator, 
   MotionState state;
   Winding winding;
   size_t row = 0;
+  double usualSpeed = n > 0 ? std::abs(rows.velocity[0]) : 0.0;
   double way = 0.0, turned = n > 0 ? rows.position[0] : 0.0;
   for (size_t k = 0; k < n; ++k) {
     while (row + 1 < track.rows() && track.time[row + 1] <= rows.time[k] + 1e-9) ++row;
@@ -98,6 +102,8 @@ Unexplained along(const Model& model, const Track& track, Simulator& simulator, 
     const double resistance = p.viscous * v + forces.load + s * forces.friction;
     out.drive[k] = drive;
     out.current[k] = current;
+    usualSpeed += -std::expm1(-rows.step_s / memory_s) * (std::abs(v) - usualSpeed);
+    out.speedingUp[k] = (std::abs(v) - usualSpeed) / memory_s;
     out.travel[k] = std::abs(rows.position[k] - turned);
     out.acceleration[k] = (drive - resistance) / p.inertia;
     out.torque[k] = drive - resistance - p.inertia * rows.acceleration[k];

@@ -20,6 +20,7 @@ struct Unexplained {
   std::vector<double> acceleration;  ///< that the model expects of its drive, rad/s²: free of the encoder's noise
   std::vector<double> drive;         ///< the model's motor torque, Nm
   std::vector<double> current;       ///< the model's, A; 0 where torque drives
+  std::vector<double> speedingUp;    ///< mean acceleration along the motion over the last 0.3 s or so, rad/s²
   std::vector<double> travel;        ///< since the last reversal, rad
   std::vector<double> torque;        ///< that the drive gives beyond what the model needs, Nm; 0 where not `usable`
   std::vector<double> voltage;       ///< that the drive loses beyond the model, V; empty: no current was recorded

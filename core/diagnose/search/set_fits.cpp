@@ -12,8 +12,6 @@
 
 namespace breakaway {
 
-namespace {}  // namespace
-
 SetFits::SetFits(const SearchInput& input, const FitResult& base)
     : input_(input),
       limits_(input.criteria),

@@ -44,8 +44,9 @@ Foretold shareOf(std::vector<double> before, std::vector<double> after, std::uin
 /// What the map foretells at an instant, Nm (N).
 double torqueAt(const ResidualMap& map, const Unexplained& u, size_t k, const Track& track) {
   const double speed = u.velocity[k];
-  if (u.usable[k] == 0 || speed < map.fromSpeed || speed > map.toSpeed) return 0.0;
-  const double expected = map.at(placesAt(u, k, track, map.withinTurn)[map.along]);
+  if (u.usable[k] == 0) return 0.0;
+  const double place = placesAt(u, k, track, map.withinTurn)[map.along];
+  const double expected = map.at(placeFor(map.shows, map.along, place, speed < 0.0 ? -1.0 : 1.0), speed);
   return map.shows == Unknown::friction && speed < 0.0 ? -expected : expected;
 }
 
@@ -66,7 +67,6 @@ Track withTorque(const ResidualMap& map, const Model& model, const Unexplained& 
 
 Foretold foretold(const ResidualMap& map, Along axis, const Instants& heldout, std::uint64_t seed) {
   std::vector<double> before, after;
-  const std::vector<double>& along = heldout.along[axis];
   for (size_t k = 0; k < heldout.value.size(); ++k) {
     const size_t block = heldout.block[k];
     if (block >= before.size()) {
@@ -74,8 +74,8 @@ Foretold foretold(const ResidualMap& map, Along axis, const Instants& heldout, s
       after.resize(block + 1, 0.0);
     }
     const double shown = heldout.shown(k, map.shows), speed = heldout.along[byVelocity][k];
-    const bool mapped = std::isfinite(along[k]) && speed >= map.fromSpeed && speed <= map.toSpeed;
-    const double expected = mapped ? map.at(along[k]) : 0.0;
+    const double place = heldout.place(k, axis, map.shows);
+    const double expected = std::isfinite(place) ? map.at(place, speed) : 0.0;
     before[block] += shown * shown;
     after[block] += (shown - expected) * (shown - expected);
   }

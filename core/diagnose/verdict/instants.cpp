@@ -50,7 +50,8 @@ std::array<double, alongs> placesAt(const Unexplained& u, size_t instant, const 
           u.drive[instant],
           u.travel[instant],
           track.temperature.empty() ? 0.0 : track.temperature[u.row[instant]],
-          u.current[instant]};
+          u.current[instant],
+          u.speedingUp[instant]};
 }
 
 AllInstants instantsOf(const Model& model, const std::vector<Track>& tracks, const AllInstants* like) {

@@ -12,6 +12,11 @@
 
 namespace breakaway {
 
+/// A place on an axis as it counts for what a map shows: for friction the drive's torque is counted along the motion.
+inline double placeFor(Unknown shows, Along axis, double place, double way) {
+  return shows == Unknown::friction && axis == byTorque ? way * place : place;
+}
+
 /// Unexplained torque (Nm, N) or voltage (V) at single instants.
 struct Instants {
   std::vector<double> value, way;
@@ -20,6 +25,8 @@ struct Instants {
 
   /// Counted along the motion for friction.
   double shown(size_t k, Unknown shows) const { return shows == Unknown::friction ? way[k] * value[k] : value[k]; }
+  /// On that axis; the drive's torque is counted along the motion for friction, too.
+  double place(size_t k, Along axis, Unknown shows) const { return placeFor(shows, axis, along[axis][k], way[k]); }
 };
 
 struct AllInstants {

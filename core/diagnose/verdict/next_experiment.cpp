@@ -147,6 +147,12 @@ Message closerLook(const Place& place, const Excitation& seen) {
     return message("Hold five constant speeds from {} to {}, each over the same place and both ways.",
                    speedText(place.from, seen.axis), speedText(place.to, seen.axis));
   }
+  if (place.axis == "acceleration") {
+    return message(
+        "Go from {} to {} and back, ten times within 0.1 s and ten times within 2 s: what differs depends on how fast "
+        "the speed changes.",
+        slow, fast);
+  }
   if (place.axis == "time" || place.axis == "temperature") {
     return message(
         "Repeat the very same motion of {} twice, once cold and once warm: what comes at the same time again belongs "

@@ -8,7 +8,18 @@
 namespace breakaway {
 
 /// What a map of the unexplained goes along; `alongs`: the drive's frequency.
-enum Along { byTime, byAngle, byVelocity, byAcceleration, byTorque, byReversal, byTemperature, byCurrent, alongs };
+enum Along {
+  byTime,
+  byAngle,
+  byVelocity,
+  byAcceleration,
+  byTorque,
+  byReversal,
+  byTemperature,
+  byCurrent,
+  bySpeedingUp,
+  alongs
+};
 
 /// What a map of the unexplained shows. `friction` is the same torque counted along the motion: what resists whichever
 /// way it goes.

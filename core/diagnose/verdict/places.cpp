@@ -76,6 +76,10 @@ Message waysText(const Stretch& at, Axis axis, const Criteria& criteria) {
   return message("mostly {}", wayText(std::abs(at.rising) - std::abs(at.falling), axis));
 }
 
+std::string accelerationText(double value, Axis axis) {
+  return digitsText(value) + (axis == Axis::rotary ? " rad/s²" : " m/s²");
+}
+
 Message rangeText(const Place& place, const std::function<std::string(double)>& text) {
   return message("between {} and {}", text(place.from), text(place.to));
 }
@@ -103,35 +107,44 @@ Message angleSentence(const ResidualMap& map, const Stretch& at, const Place& pl
   return out + ".";
 }
 
+/// Friction over an axis along the motion: the drive's torque, or the gain in speed.
+Message alongMotionSentence(const ResidualMap& map, const Stretch& at, const Place& place, Axis axis) {
+  const bool torqueAxis = map.axis == "current";
+  const bool against = place.to <= 0.0, both = place.from < 0.0 && place.to > 0.0;
+  const auto text = [&](double x) { return torqueAxis ? torqueText(x, axis) : accelerationText(x, axis); };
+  const std::string least = text(against ? 0.0 - place.to : place.from), most = text(against ? -place.from : place.to);
+  const Message when = torqueAxis ? (both      ? message("While the motor gives {} to {} along the motion", least, most)
+                                     : against ? message("While the motor brakes with {} to {}", least, most)
+                                               : message("While the motor drives with {} to {}", least, most))
+                       : both     ? message("While the speed changes by {} to {}", least, most)
+                       : against  ? message("While it slows down by {} to {}", least, most)
+                                  : message("While it speeds up by {} to {}", least, most);
+  return message("{} the axis needs {} than the model{}", when, moreOrLess(at.mean, axis), ".");
+}
+
 /// Where the axis runs through zero: velocity, acceleration, motor torque, current.
 Message signedSentence(const ResidualMap& map, const Stretch& at, const Place& place, Axis axis,
                        const Criteria& criteria) {
+  if (map.shows == Unknown::friction) return alongMotionSentence(map, at, place, axis);
   const double middle = 0.5 * (place.from + place.to), s = middle > 0.0 ? 1.0 : -1.0;
   const double other = mirrored(map, place.from, place.to);
-  const bool odd =
-      place.from * place.to > 0.0 && (map.shows == Unknown::friction ? 1.0 : -1.0) * other / at.mean > criteria.half;
-  const bool torqueAxis = map.axis == "current";
+  const bool odd = place.from * place.to > 0.0 && -other / at.mean > criteria.half;
   if (map.shows == Unknown::voltage) {
     const Message range = rangeText(place, [](double x) { return quantityText(x, "A"); });
     return message("At currents {} the drive loses {} {} than the model{}", range, quantityText(std::abs(at.mean), "V"),
                    s * at.mean > 0.0 ? message("more") : message("less"),
                    odd ? message(", and as much the other way.") : Message("."));
   }
-  const auto text = [&](double x) {
-    return torqueAxis               ? torqueText(x, axis)
-           : map.axis == "velocity" ? speedText(x, axis)
-                                    : digitsText(x) + (axis == Axis::rotary ? " rad/s²" : " m/s²");
-  };
-  if (torqueAxis && map.shows == Unknown::torque) {
-    return message("When the motor should give {}, it gives {}{}", rangeText(place, text),
-                   moreOrLess(-s * at.mean, axis), odd ? message(", and the same the other way.") : Message("."));
+  if (map.axis == "current") {
+    return message("When the motor should give {}, it gives {}{}",
+                   rangeText(place, [&](double x) { return torqueText(x, axis); }), moreOrLess(-s * at.mean, axis),
+                   odd ? message(", and the same the other way.") : Message("."));
   }
-  const Message range = rangeText(place, text);
-  const Message when = map.axis == "velocity"       ? message("At speeds {}", range)
-                       : map.axis == "acceleration" ? message("At accelerations {}", range)
-                                                    : message("When the motor gives {}", range);
-  const double more = map.shows == Unknown::friction ? at.mean : s * at.mean;
-  return message("{} the axis needs {} than the model{}", when, moreOrLess(more, axis),
+  const Message when =
+      map.axis == "velocity"
+          ? message("At speeds {}", rangeText(place, [&](double x) { return speedText(x, axis); }))
+          : message("At accelerations {}", rangeText(place, [&](double x) { return accelerationText(x, axis); }));
+  return message("{} the axis needs {} than the model{}", when, moreOrLess(s * at.mean, axis),
                  odd ? message(", and as much the other way.") : Message("."));
 }
 

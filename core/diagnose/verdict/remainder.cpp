@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "base/statistics.h"
 #include "diagnose/effects/wording.h"
@@ -103,16 +104,28 @@ Message farOffText(const Criteria& criteria) {
   return message("{} times", digitsText(criteria.farOff));
 }
 
-/// `left` with no more torque than a mean squared error of `shown` over the training windows has room for: a torque
-/// that wandered as `left` would make them err by itself.
-static TorqueNoise asWindowsShow(TorqueNoise left, const Model& model, const Preparation& prepared, double shown,
-                                 double perfect, std::uint64_t seed) {
+/// `left` with no more torque than the training windows' squared errors, `squares`, have room for: a torque that
+/// wandered as `left` would make them err by itself. Only windows in which a small cause doesn't grow tell.
+static TorqueNoise asWindowsShow(TorqueNoise left, const Model& model, const Preparation& prepared,
+                                 const std::vector<double>& squares, double perfect, std::uint64_t seed) {
   if (!(left.rms > 0.0)) return left;
-  const double wandering = noiseFloor(model, prepared.tracks, prepared.split.trainScore, seed,
-                                      {.wander = left.rms, .wander_s = left.time_s});
-  const double own = wandering * wandering - perfect * perfect;
+  const std::vector<Window>& windows = prepared.split.trainScore;
+  FrictionScatter scatter = usualScatter(prepared.seen, physicsOf(model).coulomb, {}, prepared.criteria);
+  const auto usual = usualSquares(model, prepared.tracks, windows, seed, scatter);
+  std::vector<Window> calm;
+  double shown = 0.0, usually = 0.0;
+  for (size_t w = 0; w < windows.size(); ++w) {
+    if (usual[w] > std::pow(prepared.criteria.nearFloor * perfect, 2)) continue;
+    calm.push_back(windows[w]);
+    shown += squares[w];
+    usually += usual[w];
+  }
+  scatter.wander = left.rms;
+  scatter.wander_s = left.time_s;
+  const auto wandering = usualSquares(model, prepared.tracks, calm, seed, scatter);
+  const double own = std::accumulate(wandering.begin(), wandering.end(), 0.0);
   if (own <= shown) return left;
-  const double part = std::sqrt(shown / own);
+  const double part = std::sqrt(std::max(shown - usually, 0.0) / (own - usually));
   left.rms *= part;
   left.ratio *= part;
   return left;
@@ -132,7 +145,7 @@ Remainder remainderOf(const Model& model, const Preparation& prepared, const Win
   const double before = typicalSquare(errors.before), after = typicalSquare(errors.after);
   const std::vector<Window>& windows = prepared.split.trainScore;
   rest.floors.perfect = noiseFloor(model, prepared.tracks, windows, seed);
-  rest.wander = asWindowsShow(left, model, prepared, after, rest.floors.perfect, seed);
+  rest.wander = asWindowsShow(left, model, prepared, errors.after, rest.floors.perfect, seed);
   rest.floors.withWander =
       noiseFloor(model, prepared.tracks, windows, seed,
                  usualScatter(prepared.seen, physicsOf(model).coulomb, rest.wander, prepared.criteria));

@@ -19,7 +19,7 @@ namespace {
 
 constexpr size_t coarse = 24, fine = 72;  ///< cells of an axis, and of the turn
 constexpr int highestOrder = 100;
-constexpr size_t speedsEachWay = 3;  ///< classes of speed, equally often seen
+constexpr size_t speedsEachWay = 5;  ///< classes of speed, equally often seen
 
 struct AxisName {
   const char *name, *rotaryUnit, *linearUnit;
@@ -31,7 +31,8 @@ constexpr std::array<AxisName, alongs> axes{{{"time", "s", "s"},
                                              {"current", "Nm", "N"},
                                              {"reversal", "rad", "m"},
                                              {"temperature", "°C", "°C"},
-                                             {"current", "A", "A"}}};
+                                             {"current", "A", "A"},
+                                             {"acceleration", "rad/s²", "m/s²"}}};
 
 /// A map with the sums that its significance is found from.
 struct Candidate {
@@ -48,14 +49,16 @@ Candidate mapOver(const Instants& all, Along axis, Unknown shows, const AllInsta
   out.map.along = axis;
   out.map.unit = rig == Axis::rotary ? axes[axis].rotaryUnit : axes[axis].linearUnit;
   out.map.shows = shows;
-  const std::vector<double>& along = all.along[axis];
+  std::vector<double> along(all.value.size());
+  for (size_t k = 0; k < along.size(); ++k) along[k] = all.place(k, axis, shows);
   const bool round = axis == byAngle && context.turns;
   out.map.withinTurn = context.turns;
   std::vector<double> known;
   std::copy_if(along.begin(), along.end(), std::back_inserter(known), [](double x) { return std::isfinite(x); });
   if (known.size() < 50) return out;
   const bool fromZero = axis == byReversal;
-  const bool signedAxis = axis == byVelocity || axis == byAcceleration || axis == byTorque || axis == byCurrent;
+  const bool signedAxis =
+      axis == byVelocity || axis == byAcceleration || axis == byTorque || axis == byCurrent || axis == bySpeedingUp;
   const bool narrowNearZero = axis == byVelocity || fromZero;
   double low = round || fromZero ? 0.0 : quantile(known, 0.005), high = round ? turn_rad : quantile(known, 0.995);
   if (signedAxis && low < 0.0 && high > 0.0) {  // no cell has both signs
@@ -161,14 +164,20 @@ Candidate overAngleBySpeed(const Instants& all, const AllInstants& context, Axis
     classOf.push_back(static_cast<size_t>(std::max<std::ptrdiff_t>(above - 1, 0)));
   }
   BlockMap waves = wavesPerTurn(all, Unknown::torque, context.blocks, classOf, limits.size());
-  size_t worst = 0;
-  double most = 0.0;
+  size_t worst = 0, order = 0;
+  double most = 0.0, mostOfOrder = 0.0, ofOrder = 0.0;
   for (size_t cell = 0; cell + 1 < waves.sums.size(); cell += 2) {
     const double energy =
         std::pow(std::hypot(waves.sum(cell), waves.sum(cell + 1)), 2) / std::max(waves.count[cell], 1.0);
+    if (cell % waves.together == 0) ofOrder = 0.0;
+    ofOrder += energy;
     if (energy > most) {
       most = energy;
       worst = cell / 2 % limits.size();
+    }
+    if (ofOrder > mostOfOrder) {
+      mostOfOrder = ofOrder;
+      order = cell / waves.together;
     }
   }
   Instants one;
@@ -187,6 +196,12 @@ Candidate overAngleBySpeed(const Instants& all, const AllInstants& context, Axis
   addOrders(out, one, context.blocks);
   out.map.fromSpeed = slowest;
   out.map.toSpeed = fastest;
+  out.map.waveOrder = static_cast<int>(order) + 1;
+  for (size_t speeds = 0; speeds < limits.size(); ++speeds) {
+    const size_t cell = order * waves.together + 2 * speeds;
+    const double count = std::max(waves.count[cell], 1.0);
+    out.map.waves.push_back({limits[speeds], waves.sum(cell) / count, waves.sum(cell + 1) / count});
+  }
   out.sums = {std::move(waves)};
   out.total = std::inner_product(all.value.begin(), all.value.end(), all.value.begin(), 0.0);
   return out;
@@ -222,6 +237,14 @@ double ResidualMap::at(double place) const {
   return inside && std::isfinite(mean[cell]) ? mean[cell] : 0.0;
 }
 
+double ResidualMap::at(double place, double speed) const {
+  if (waves.empty()) return at(place);
+  auto next = std::upper_bound(waves.begin(), waves.end(), speed,
+                               [](double v, const WaveFrom& wave) { return v < wave.speed; });
+  if (next != waves.begin()) --next;  // slower than any that was seen: as the slowest
+  return next->cosine * std::cos(waveOrder * place) + next->sine * std::sin(waveOrder * place);
+}
+
 std::vector<ResidualMap> residualMaps(const Model& model, const std::vector<Track>& tracks, std::uint64_t seed,
                                       const std::vector<Track>& heldout) {
   const AllInstants all = instantsOf(model, tracks), kept = instantsOf(model, heldout, &all);
@@ -237,7 +260,7 @@ std::vector<ResidualMap> residualMaps(const Model& model, const std::vector<Trac
     if (!bySpeed.map.centre.empty()) candidates.push_back(std::move(bySpeed));
   };
   for (const Along axis : {byTime, byAngle, byVelocity, byAcceleration, byTorque}) add(axis, Unknown::torque);
-  for (const Along axis : {byTime, byAngle, byTorque, byReversal}) add(axis, Unknown::friction);
+  for (const Along axis : {byTime, byAngle, byTorque, byReversal, bySpeedingUp}) add(axis, Unknown::friction);
   if (all.temperature) add(byTemperature, Unknown::friction);
   if (!all.electrical.value.empty()) add(byCurrent, Unknown::voltage);
   if (!candidates.empty()) {

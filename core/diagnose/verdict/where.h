@@ -21,6 +21,12 @@ struct Order {
   double amplitude = 0.0;
 };
 
+/// The strongest order of the turn as it is from a speed on, up to where the next class begins.
+struct WaveFrom {
+  double speed = 0.0;
+  double cosine = 0.0, sine = 0.0;  ///< Nm
+};
+
 /// Mean of the unexplained over one axis; cells with little data are NaN.
 struct ResidualMap {
   std::string axis;  ///< as Place has it
@@ -35,6 +41,8 @@ struct ResidualMap {
   std::vector<Order> orders = {};                               ///< over whole turns: the strongest, at most three
   double fromSpeed = -std::numeric_limits<double>::infinity();  ///< the map is of these speeds only
   double toSpeed = std::numeric_limits<double>::infinity();
+  int waveOrder = 0;
+  std::vector<WaveFrom> waves = {};  ///< where not all speeds are alike: of each class of speeds, the slowest first
   Along along = alongs;
   bool withinTurn = false;                   ///< angles are taken within the turn
   std::vector<std::complex<double>> answer;  ///< over frequency: what is missing per torque of the drive, by cell
@@ -45,6 +53,8 @@ struct ResidualMap {
   bool ofSomeSpeeds() const { return fromSpeed > -std::numeric_limits<double>::infinity(); }
   /// What the map expects at a place on its axis; 0 where it knows nothing. Precondition: not over frequency.
   double at(double place) const;
+  /// The same with all that was learned of other speeds than those that the map shows.
+  double at(double place, double speed) const;
 };
 
 /// Maps over every axis that the tracks show. Significance by sign flips of whole seconds, maximum over all maps.
