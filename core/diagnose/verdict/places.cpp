@@ -116,7 +116,6 @@ Message alongMotionSentence(const ResidualMap& map, const Stretch& at, const Pla
   const Message when = torqueAxis ? (both      ? message("While the motor gives {} to {} along the motion", least, most)
                                      : against ? message("While the motor brakes with {} to {}", least, most)
                                                : message("While the motor drives with {} to {}", least, most))
-                       : both     ? message("While the speed changes by {} to {}", least, most)
                        : against  ? message("While it slows down by {} to {}", least, most)
                                   : message("While it speeds up by {} to {}", least, most);
   return message("{} the axis needs {} than the model{}", when, moreOrLess(at.mean, axis), ".");

@@ -42,6 +42,20 @@ struct Candidate {
   double total = 0.0;          ///< squares, in the sums' unit
 };
 
+/// Leaves of each mean what has the other sign at the mirrored place; where either is unknown, nothing.
+void keepOdd(BlockMap& map, double fewest) {
+  for (size_t one = 0, other = map.count.size() - 1; one < other; ++one, --other) {
+    double &here = map.count[one], &there = map.count[other];
+    if (here <= fewest || there <= fewest) here = there = 0.0;
+    if (here == 0.0) continue;
+    for (size_t block = 0; block < map.sums[one].size(); ++block) {
+      const double odd = 0.5 * (map.sums[one][block] / here - map.sums[other][block] / there);
+      map.sums[one][block] = odd * here;
+      map.sums[other][block] = -odd * there;
+    }
+  }
+}
+
 Candidate mapOver(const Instants& all, Along axis, Unknown shows, const AllInstants& context, Axis rig) {
   Candidate out;
   out.axis = axis;
@@ -89,6 +103,11 @@ Candidate mapOver(const Instants& all, Along axis, Unknown shows, const AllInsta
   }
   const double fewest =
       std::max(3.0, (narrowNearZero ? 0.01 : 0.05) * static_cast<double>(known.size()) / static_cast<double>(cells));
+  // A drive's time error shows alike in gain and loss of speed, friction that lags the other way round.
+  if (axis == bySpeedingUp) {
+    if (low != -high) return out;
+    keepOdd(sums, fewest);
+  }
   for (size_t cell = 0; cell < cells; ++cell) {
     const double count = sums.count[cell];
     const auto part = [](double sum, double n) { return n > 2.0 ? sum / n : std::nan(""); };
