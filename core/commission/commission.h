@@ -38,9 +38,10 @@ struct CommissionOptions {
   /// What an interrupted job had: its motor is taken, its runs and breakaways are not measured again. The current
   /// sensor is zeroed and the rotor homed anew, because the board may have been without power.
   std::optional<Commission> earlier;
-  /// Called when a step has ended, however it ended, and within a sweep about every half second in which it measured
+  /// Called when a step has ended, however it ended, and within a sweep every keepEvery_s in which it measured
   /// something.
   std::function<Result<void>(const Commission&)> keepProgress;
+  double keepEvery_s = 0.4;  ///< by the wall's clock: a simulated board's is faster
   /// Takes each step's recording, that of an interrupted step too; without it they are gathered in the result.
   std::function<Result<void>(const std::string& step, const Recording&)> keepRecording;
   std::function<bool()> interrupted;  ///< asked often; true stops the motor and ends the job

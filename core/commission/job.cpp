@@ -14,7 +14,6 @@ namespace {
 
 constexpr double wholeSlice_s = 0.25;  // of the board's time, after which the job looks
 constexpr double tellEvery_s = 0.5;
-constexpr auto keepEvery = std::chrono::milliseconds(400);  // by the wall's clock: a simulated board's is faster
 constexpr double rounding_s = 1e-9;
 
 }  // namespace
@@ -229,7 +228,7 @@ Result<void> Job::keepRun(Drive& drive) {
 /// Not in every slice, and only what is new.
 Result<void> Job::keepNow() {
   const auto now = std::chrono::steady_clock::now();
-  if (!options_.keepProgress || now - kept_ < keepEvery) return {};
+  if (!options_.keepProgress || std::chrono::duration<double>(now - kept_).count() < options_.keepEvery_s) return {};
   kept_ = now;
   return !cause_ && steps_[at_]->gather(known_) ? keep() : Result<void>{};
 }

@@ -174,6 +174,7 @@ void TestTravel::anInterruptedJob_goesOnWhereItWas() {
     kept = progress;
     return Result<void>();
   };
+  options.keepEvery_s = 0.0;
   options.interrupted = [&] { return kept && kept->breakaways.size() >= 10; };
   const auto first = commission(*board.drive, options);
   QVERIFY(!first);
