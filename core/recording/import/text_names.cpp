@@ -156,6 +156,16 @@ void readLabels(std::string_view row, const TextLayout& layout, TextNames& found
   found.found = true;
 }
 
+/// Units of which some are numbers: "s,1,mm,N".
+bool areUnitsWithOnes(const Cells& cells, const TextLayout& layout) {
+  size_t units = 0;
+  for (const std::string_view cell : cells) {
+    if (isNumber(cell, layout) && cell != "1") return false;
+    units += cell != "1" && isUnitCell(cell) ? 1 : 0;
+  }
+  return units > 1;
+}
+
 /// Names and units from the last lines that are no comments.
 void readLines(std::vector<std::string_view> lines, const TextLayout& layout, const EmptyEnds& rows, TextNames& found) {
   if (lines.size() > 1 && tellsValues(lines.back()) && !fitting(lines[lines.size() - 2], layout, rows).empty())
@@ -175,7 +185,8 @@ void readLines(std::vector<std::string_view> lines, const TextLayout& layout, co
   const size_t numbers = numbersIn(last, layout);
   const bool aboveIsText = !above.empty() && numbersIn(above, layout) == 0;
   const size_t units = countOf(last, isUnitCell), names = countOf(last, knownName);
-  if (numbers > 0) {
+  const bool withOnes = aboveIsText && countOf(above, knownName) > 1 && areUnitsWithOnes(last, layout);
+  if (numbers > 0 && !withOnes) {
     // Channels by number with no line of units; else what stands there is a row of other values.
     if (2 * numbers <= last.size() && names > 0) {
       fill(last, found);
@@ -185,7 +196,7 @@ void readLines(std::vector<std::string_view> lines, const TextLayout& layout, co
     return;
   }
   const auto filled = last.size() - static_cast<size_t>(std::count(last.begin(), last.end(), std::string_view{}));
-  const bool areUnits = !above.empty() && (units > names || units == filled || (aboveIsText && names == 0));
+  const bool areUnits = !above.empty() && (withOnes || units > names || units == filled || (aboveIsText && names == 0));
   if (areUnits) {
     fill(above, found);
     for (size_t c = 0; c < last.size(); ++c) found.units[c] = std::string(withoutBrackets(withoutUnitWord(last[c])));

@@ -332,25 +332,47 @@ std::string inFewWords(size_t count, std::string_view first) {
          (count == 1 ? "is no row and was" : "are no rows and were") + " left out, the first: \"" + shown + "\"";
 }
 
-Result<void> readRows(std::string_view rest, char lineEnd, const TextLayout& layout, const std::string& name,
-                      Rows& rows) {
+/// A line of names other than the table's, and that didn't stand above it: a further table begins.
+bool beginsFurtherTable(std::string_view line, const TextLayout& layout, const TextNames& names,
+                        const std::vector<std::string_view>& before) {
+  if (!names.found || layout.labelled || !isNamesLine(line, layout)) return false;
+  if (std::find(before.begin(), before.end(), line) != before.end()) return false;
+  std::vector<std::string_view> cells;
+  splitCells(line, layout, cells);
+  size_t other = 0;
+  for (const std::string_view cell : cells)
+    other += std::find(names.names.begin(), names.names.end(), cell) == names.names.end() ? 1 : 0;
+  return other > 0 && 2 * other >= cells.size();
+}
+
+Result<void> readRows(std::string_view rest, char lineEnd, const TextLayout& layout, const TextNames& names,
+                      const std::vector<std::string_view>& before, const std::string& name, Rows& rows) {
   size_t others = 0, texts = 0, otherAt = 0, otherCells = 0, lastGood = 0;
   std::string_view firstText;
   bool cut = false;
+  size_t further = 0;   // rows of a table below that has other cells
+  bool parted = false;  // a line that is no row stands before
   const char* textEnd = rest.data() + rest.size();
   while (!rest.empty()) {
     const std::string_view line = takeLine(rest, lineEnd);
     const bool lastWithoutEnd = line.data() + line.size() == textEnd;
     const std::string_view trimmed = withoutBlanks(line);
-    if (trimmed.empty()) continue;
-    if (isComment(trimmed)) {
-      addNote(trimmed, rows.table);
+    const bool comment = isComment(trimmed);
+    if (comment) addNote(trimmed, rows.table);
+    if (comment || trimmed.empty()) {
+      parted = true;
       continue;
     }
     const LineKind kind = rows.judge(line);
     if (kind == LineKind::row || kind == LineKind::flawedRow) {
+      further = 0;
+      parted = false;
       rows.append(kind == LineKind::flawedRow);
       if (kind == LineKind::row) lastGood = rows.table.rows() - 1;
+    } else if (kind == LineKind::text && rows.table.rows() > 1 && beginsFurtherTable(line, layout, names, before)) {
+      rows.table.remarks.push_back("a table with other names begins below row " + std::to_string(rows.table.rows()) +
+                                   " and was left out");
+      break;
     } else if (lastWithoutEnd && rows.cellsOfLast() < layout.cells &&
                (kind == LineKind::otherRow || layout.cells <= 3)) {
       cut = true;
@@ -359,10 +381,12 @@ Result<void> readRows(std::string_view rest, char lineEnd, const TextLayout& lay
         otherAt = rows.table.rows() + 1;
         otherCells = rows.cellsOfLast();
       }
+      if (kind == LineKind::otherRow && (parted || further > 0)) ++further;
+      parted = kind == LineKind::text;
       if (texts++ == 0) firstText = trimmed;
     }
   }
-  if (50 * others > rows.table.rows() + others) {
+  if (50 * others > rows.table.rows() + others && further < others) {
     return Error{name + ", row " + std::to_string(otherAt),
                  "has " + std::to_string(otherCells) + " cells, expected " + std::to_string(layout.cells)};
   }
@@ -408,7 +432,8 @@ Result<RawTable> readTextTable(std::string_view text, const std::string& name) {
     rows.table.columns[c].unit = names.units[c];
   }
   rows.table.notes = std::move(notes.notes);
-  if (const auto done = readRows(start.rest, lineEnd, layout, name, rows); !done) return done.error();
+  if (const auto done = readRows(start.rest, lineEnd, layout, names, start.before, name, rows); !done)
+    return done.error();
   rows.takeLabelColumns();
   rows.takeUnitColumns();
   RawTable table = std::move(rows.table);
