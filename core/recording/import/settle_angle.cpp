@@ -19,6 +19,7 @@ Result<void> Settling::takeAngle() {
     keep(*c, "never changes although the speed does");
     return {};
   }
+  if (counts && !map_.counts_per_rev) countsBySpeed(*c);
   if (const auto filled = fillNeed(*c, true); !filled) return filled.error();
   const bool counted = choices_[*c].name.needs == UnitNeeds::countsPerRev;
   const double perTurn = choices_[*c].name.needs == UnitNeeds::polePairs ? map_.pole_pairs.value_or(1.0) : 1.0;
@@ -97,6 +98,11 @@ Result<void> Settling::nameUnit(size_t c, const std::optional<double>& period) {
   }
   constexpr double manyTurns = 30.0;
   if (areWhole(angle) && rangeOf(angle) >= manyTurns) {
+    if (countsBySpeed(c)) {
+      choices_[c].name.needs = UnitNeeds::countsPerRev;
+      set(turn_rad / *counts_per_rev_, "counts", "whole numbers, of which the speed tells how many are one turn");
+      return {};
+    }
     const std::string hint = period ? ", perhaps " + shortText(*period) + ", after which it starts anew" : "";
     return Error{path_ + ", column " + fate.from, "holds whole numbers and no unit; say how many are one turn" + hint +
                                                       ", with --map {\"counts_per_rev\": " +
@@ -117,6 +123,22 @@ std::optional<double> Settling::scaleBySpeed(size_t c) {
     if (std::abs(std::log(motion->factor * scale)) < std::log(1.15)) return scale;
   }
   return std::nullopt;
+}
+
+bool Settling::countsBySpeed(size_t c) {
+  const auto v = columnOf("velocity_rad_per_s");
+  if (!v || fates_[*v].unit.empty() || choices_[*v].name.needs != UnitNeeds::nothing) return false;
+  const auto motion = motionOf(c, *v);
+  constexpr double fewest = 8.0;
+  if (!motion || motion->correlation < 0.95) return false;
+  const double measured = motion->factor / fates_[*v].scale * turn_rad;
+  if (measured < fewest || rangeOf(values(c)) < measured) return false;
+  counts_per_rev_ = usualCounts(measured);
+  remarks_.push_back(fates_[c].from + " is in counts, of which " + shortText(*counts_per_rev_) +
+                     " were taken for one turn, a guess: beside " + fates_[*v].from + " it makes " +
+                     shortText(std::round(measured * 10.0) / 10.0) +
+                     " a turn; say it with --map {\"counts_per_rev\": " + shortText(*counts_per_rev_) + "}");
+  return true;
 }
 
 std::optional<MotionFactor> Settling::motionOf(size_t angle, size_t speed) {

@@ -93,6 +93,9 @@ void Settling::settleVoltage() {
     if (word == "motor" || word == "mot" || word == "q" || word == "uq" || word == "vq" || word == "vm") return;
   }
   if (!hardlyChanges(values(*c))) return;
+  const auto speed = columnOf("velocity_rad_per_s");
+  if (columnOf("supply_V") && speed && rangeOf(values(*speed)) > 0.5 * largest(values(*speed)))
+    return keep(*c, "it hardly changes while the speed does, beside the supply's, so it is no motor's voltage");
   const auto duty = columnOf("duty");
   const auto varies = [this](size_t column) { return rangeOf(values(column)) > 0.2 * largest(values(column)); };
   bool battery = false;  // a state of charge, or a throttle that varies, is told beside it
@@ -102,7 +105,7 @@ void Settling::settleVoltage() {
     const auto has = [&words](const char* word) { return std::find(words.begin(), words.end(), word) != words.end(); };
     battery = battery || has("soc") || (has("throttle") && varies(k));
   }
-  const bool driven = battery || (duty && varies(*duty)) || (pulseWidths_ && varies(*pulseWidths_));
+  const bool driven = battery || (duty && varies(*duty)) || pulseWidths_.has_value();
   if (!driven && !turnsBothWays()) return;
   const std::string why = battery  ? "it hardly changes, and a battery's charge or a throttle stands beside it"
                           : driven ? "it hardly changes while the duty does"

@@ -148,6 +148,16 @@ std::optional<UnitPair> unitsByFactor(double factor) {
   return it == pairs.end() ? std::nullopt : std::optional(*it);
 }
 
+double usualCounts(double measured) {
+  constexpr double within = 1.015;
+  for (const double usual : {360.0,   400.0,   500.0,   512.0,   1000.0,  1024.0,   2000.0,   2048.0,   2400.0,
+                             2500.0,  3600.0,  4000.0,  4096.0,  5000.0,  8000.0,   8192.0,   10000.0,  16384.0,
+                             20000.0, 32768.0, 36000.0, 40000.0, 65536.0, 131072.0, 262144.0, 1048576.0}) {
+    if (std::abs(std::log(measured / usual)) < std::log(within)) return usual;
+  }
+  return std::round(measured);
+}
+
 bool hardlyChanges(const std::vector<double>& values) {
   constexpr double sags = 0.25;
   const auto [low, high] = extremes(values);

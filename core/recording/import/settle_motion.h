@@ -37,6 +37,9 @@ struct UnitPair {
 };
 std::optional<UnitPair> unitsByFactor(double factor);
 
+/// Counts per turn: the usual number within 1.5 % of the measured one, or that one as a whole number.
+double usualCounts(double measured);
+
 /// Above 0, and within a quarter of the largest, as a supply's voltage under load.
 bool hardlyChanges(const std::vector<double>& values);
 /// At least a fifth of the way has each sign.

@@ -64,7 +64,10 @@ Result<void> Settling::takeTime() {
   if (c && !map_.sample_time_s) {
     fates_[*c].scale = time_.unit_s;
     fates_[*c].guessed = time_.unitGuessed;
-    if (time_.unitGuessed) fates_[*c].why = "judged by its steps";
+    if (time_.unitGuessed) {
+      fates_[*c].unit.clear();
+      fates_[*c].why = "judged by its steps";
+    }
     if (steps) {
       fates_[*c].guessed = true;
       fates_[*c].why = "each row's time since the row before, summed";

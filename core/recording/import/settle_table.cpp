@@ -153,7 +153,7 @@ Result<bool> Settling::fillNeed(size_t c, bool needed) {
   const UnitNeeds needs = choices_[c].name.needs;
   if (needs == UnitNeeds::nothing) return true;
   const bool counts = needs == UnitNeeds::countsPerRev;
-  const auto& given = counts ? map_.counts_per_rev : map_.pole_pairs;
+  const auto& given = !counts ? map_.pole_pairs : map_.counts_per_rev ? map_.counts_per_rev : counts_per_rev_;
   if (given) {
     fate.scale /= *given;
     return true;

@@ -68,6 +68,23 @@ UnitGuess guessUnit(const RawTime& raw, double step) {
   return step >= 250.0 ? UnitGuess{1e-6, "µs", false} : UnitGuess{1e-3, "ms", false};
 }
 
+/// A log of a motor that would last less than 0.1 ms, with decimals: its clock is called µs and tells seconds.
+void doubtUnit(const RawTime& raw, SettledTime& settled) {
+  constexpr double shortest_s = 1e-4, asSeconds_s = 0.05;
+  double low = INFINITY, high = -INFINITY;
+  for (const double value : raw.values) {
+    if (!std::isfinite(value)) continue;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  const double range = high - low;
+  if (raw.clock || !(range > asSeconds_s) || !(range * settled.unit_s < shortest_s) || isWhole(raw.values)) return;
+  settled.remarks.push_back("implausible: with the unit of its name the log would last " +
+                            shortText(range * settled.unit_s) + " s; its time was taken for s");
+  settled.unit_s = 1.0;
+  settled.unitGuessed = true;
+}
+
 /// What a counter that falls like this has lost, or 0.
 double wrapBetween(double last, double now, double step, const std::vector<double>& periods) {
   for (const double period : periods) {
@@ -229,6 +246,7 @@ Result<SettledTime> settleTime(RawTime raw, const std::string& place) {
                                             : "steps of " + shortText(step) + " were taken for " + guess.name));
   } else {
     settled.unit_s = raw.unit_s.value_or(1.0);
+    doubtUnit(raw, settled);
   }
   followOn(raw, step, pauseWhenUnknown_s / settled.unit_s, settled.remarks);
   spreadRepeats(raw.values, step, settled.remarks);

@@ -58,6 +58,8 @@ class Settling {
   /// By the speed, if that tells its unit: an angle in rad, deg or turns.
   std::optional<double> scaleBySpeed(size_t c);
   std::optional<MotionFactor> motionOf(size_t angle, size_t speed);
+  /// Beside a speed whose unit is told, counts tell how many of them are one turn.
+  bool countsBySpeed(size_t c);
   /// Beside a speed in counts per second an angle that goes on as fast is in counts.
   bool isCountedAsSpeed(size_t c);
   /// Where neither angle nor speed tells a unit, the factor between them may: 6 is that of degrees and rpm.
@@ -94,7 +96,8 @@ class Settling {
   std::set<size_t> settled_;
   std::vector<Channel> made_;
   SettledTime time_;
-  std::optional<size_t> pulseWidths_;  ///< what a speed controller or a servo was told
+  std::optional<double> counts_per_rev_;  ///< where the map tells none, as angle and speed have it
+  std::optional<size_t> pulseWidths_;     ///< what a speed controller or a servo was told
 };
 
 }  // namespace breakaway
