@@ -153,7 +153,9 @@ ColumnName byUnitAlone(const NameParts& parts) {
     if (motors || letter) return taken(parts, contractName(kind, reference), 2);
     return aside("its name says nothing that is known", parts);
   }
-  const bool enough = kind == UnitKind::time || kind == UnitKind::angularVelocity || (kind == UnitKind::angle && plain);
+  const bool letter = parts.words.size() == 1 && isSingleLetter(parts.words[0], "mt");  // "M [Nm]"
+  const bool enough = kind == UnitKind::time || kind == UnitKind::angularVelocity ||
+                      (kind == UnitKind::angle && plain) || (kind == UnitKind::torque && letter);
   const std::string to = contractName(kind, reference);
   if (!enough || to.empty()) return aside("its name says nothing that is known", parts);
   ColumnName name = taken(parts, to, plain && kind == UnitKind::angularVelocity ? 0 : 3);
@@ -184,7 +186,7 @@ std::optional<ColumnName> unitAsName(std::string_view name) {
   }
   if (parts.words.size() != 1 || parts.words[0].size() < 2) return std::nullopt;
   static constexpr auto tooShort =
-      std::to_array<std::string_view>({"min", "pu", "mn", "kn", "gf", "um", "ua", "cm", "hz"});
+      std::to_array<std::string_view>({"min", "pu", "mn", "kn", "gf", "um", "ua", "cm", "hz", "kv", "ka"});
   if (isIn(tooShort, parts.words[0]) || quantityNamed(parts.words[0]) != nullptr) return std::nullopt;
   parts.unit = unitOfWords(parts.words, 0);
   if (parts.unit == nullptr) return std::nullopt;
@@ -212,8 +214,8 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
   const bool electrical =
       std::erase_if(parts.words, [](const std::string& word) { return isIn(electricalWords, word); }) > 0;
   const bool sideAndUnit = parts.unit != nullptr && unit.empty() && parts.unitText.size() > 2;  // "left_ticks"
-  if (parts.words.empty() && (parts.unitFirst || (sideAndUnit && !parts.group.empty())))
-    return taken(parts, contractName(parts.unit->kind, false), 2);
+  if (parts.words.empty() && (parts.unitFirst || (sideAndUnit && !parts.group.empty())))        // "left_rpm" as "rpm"
+    return taken(parts, contractName(parts.unit->kind, false), parts.unit->kind == UnitKind::angularVelocity ? 0 : 2);
   if (parts.words.empty()) return aside("it has no name", parts);
   if (isMultiplied(name)) return aside("a factor stands in its name", parts);
   if (const std::string* other = firstIn(parts.words, otherThings)) {
@@ -231,9 +233,19 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
   if (found.word != nullptr && parts.unit != nullptr && !fits(parts.unit->kind, found.word->kind))
     found = quantityOfUnit(parts.words, parts.unit->kind, found);
   const bool supplyWord = firstIn(parts.words, supplyWords) != nullptr;
+  if (parts.unit == nullptr && found.word != nullptr && found.word->kind == UnitKind::temperature &&
+      parts.words.back() == "f") {  // "temp_F"
+    parts.unit = unitNamed("degF");
+    parts.unitText = parts.words.back();
+    parts.words.pop_back();
+  }
   if (found.word == nullptr) {
-    const bool bare = parts.unit == nullptr && !parts.unknownUnit && supplyWord && !isIn(parts.words, "input") &&
-                      !isIn(parts.words, "bus");
+    // "battery", "vbat raw"; a level, a state, an identity of a battery is no voltage.
+    const bool told = std::all_of(parts.words.begin(), parts.words.end(), [](const std::string& word) {
+      return isIn(supplyWords, word) || (isIn(decorations, word) && !word.starts_with("state"));
+    });
+    const bool bare = parts.unit == nullptr && !parts.unknownUnit && supplyWord && told &&
+                      !isIn(parts.words, "input") && !isIn(parts.words, "bus") && !isIn(parts.words, "esc");
     const bool volts = isIn(parts.words, "v") && supplyWord;  // "v_bus"
     if (bare || volts) return taken(parts, columnName(Quantity::supply, Axis::rotary), 1);
     if (parts.unknownUnit) return aside("its unit \"" + parts.unitText + "\" is unknown", parts);
@@ -243,6 +255,13 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
   const bool present = kind == UnitKind::current && parts.unit == nullptr && found.at + 1 < parts.words.size();
   if (present && (parts.words[found.at + 1] == "state" || parts.words[found.at + 1] == "status"))
     return aside("is a state", parts);
+  const std::string& named = parts.words[found.at];
+  const bool perSecond = parts.unknownUnit && (parts.unitText == "1/s" || parts.unitText == "s^-1") &&
+                         (named == "omega" || named == "w" || named == "ω" || named == "winkelgeschwindigkeit");
+  if (perSecond) {  // an "omega" in 1/s is in rad/s; an "n" would be in turns
+    parts.unit = unitNamed("rad/s");
+    parts.unknownUnit = false;
+  }
   if (parts.unknownUnit) return aside("its unit \"" + parts.unitText + "\" is unknown", parts);
   if (kind == UnitKind::angularVelocity && parts.unitText == "rads") parts.unit = unitNamed("rad/s");  // "vel_rads"
   if (kind == UnitKind::angularVelocity && parts.unitText == "degs") parts.unit = unitNamed("deg/s");
@@ -329,10 +348,12 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
   if (kind == UnitKind::time && unknownBefore > 0) rank += 2;  // "loop_time" after "time"
   if (moves && (electrical || firstIn(parts.words, drivenWords) != nullptr)) ++rank;
   ColumnName understood = taken(parts, to, rank);
+  understood.qualified = unknownBefore > 0 && kind != UnitKind::time;
   if (parts.unit == nullptr) understood.usual = found.word->usual;
   if (parts.unit != nullptr && std::string_view(parts.unit->name) == "hz")
     understood.guess = "a motor's turns per second, not those of its field";
-  if (command && kind == UnitKind::torque) understood.guess = "it is what was commanded, not measured";
+  const bool controls = isIn(parts.words, "control") || isIn(parts.words, "controller");
+  if ((command || controls) && kind == UnitKind::torque) understood.guess = "it is what was commanded, not measured";
   if (electrical && turns) {
     if (understood.needs != UnitNeeds::nothing && understood.needs != UnitNeeds::polePairs)
       return aside("is in counts of electrical turns", parts);

@@ -22,6 +22,7 @@ struct ColumnName {
   bool byUnit = false;     ///< no word tells what it is, its unit alone does
   std::string guess = {};  ///< why it may be otherwise; empty when nothing says so
   int rank = 0;            ///< of several columns for the same thing the lowest is taken
+  bool qualified = false;  ///< an unknown word stands before: "hand_torque" comes after "torque"
 
   bool understood() const { return !to.empty(); }
   bool operator==(const ColumnName&) const = default;

@@ -102,6 +102,28 @@ void partCompounds(Words& words) {
   }
 }
 
+/// "motorspeed" and "targetposition" are two words, "timems" a time and its unit.
+void partEnglish(Words& words) {
+  static constexpr auto ends = std::to_array<std::string_view>(
+      {"speed", "velocity", "position", "angle", "torque", "current", "voltage", "temperature"});
+  static constexpr auto begins = std::to_array<std::string_view>(
+      {"motor", "rotor",  "shaft",   "joint",      "encoder", "axis",     "servo",   "actual", "measured",
+       "mean",  "target", "desired", "reference",  "command", "setpoint", "set",     "ref",    "cmd",
+       "act",   "left",   "right",   "battery",    "supply",  "bus",      "load",    "output", "input",
+       "phase", "wheel",  "angular", "rotational", "rot",     "winding",  "ambient", "driver", "board"});
+  for (size_t k = 0; k < words.size(); ++k) {
+    if (quantityNamed(words[k]) != nullptr) continue;
+    for (const std::string_view end : ends) {
+      if (words[k].size() <= end.size() || !words[k].ends_with(end)) continue;
+      const std::string begin = words[k].substr(0, words[k].size() - end.size());
+      if (!isIn(begins, begin)) continue;
+      words[k] = begin;
+      words.insert(words.begin() + static_cast<std::ptrdiff_t>(k) + 1, std::string(end));
+      break;
+    }
+  }
+}
+
 /// Where the bracket at `open` is closed; brackets of the other kind may stand between.
 size_t closeOf(std::string_view name, size_t open) {
   const char mark = name[open], end = mark == '(' ? ')' : ']';
@@ -268,12 +290,17 @@ void dropUnitTwice(NameParts& parts) {
   }
 }
 
-/// "theta dot" and "dot theta" are a speed, "i q" the current of the q axis.
+/// "theta dot" and "dot theta" are a speed, "i q" the current of the q axis, "v in" the supply.
 void joinWords(Words& words) {
   for (size_t k = 0; k + 1 < words.size(); ++k) {
     const bool axis = words[k + 1] == "q" || words[k + 1] == "d";
     if (axis && (words[k] == "i" || words[k] == "u" || words[k] == "v")) {
       words[k] += words[k + 1];
+      words.erase(words.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+      continue;
+    }
+    if (words[k] == "v" && words[k + 1] == "in") {
+      words[k] = "vin";
       words.erase(words.begin() + static_cast<std::ptrdiff_t>(k) + 1);
       continue;
     }
@@ -339,6 +366,7 @@ NameParts partsOfName(std::string_view name, std::string_view unit) {
   parts.plain = wordsOf(text, false);
   partGapless(parts.words);
   partCompounds(parts.words);
+  partEnglish(parts.words);
   takeGroup(parts.words, parts.group);
   std::erase_if(parts.words, [](const std::string& word) { return word == "per"; });
   joinWords(parts.words);

@@ -29,21 +29,23 @@ inline constexpr auto referenceWords = std::to_array<std::string_view>(
      "consigne", "consigna",  "referencia", "riferimento", "objetivo", "alvo", "cible",    "zadana",  "vorgabe"});
 inline constexpr auto supplyWords =
     std::to_array<std::string_view>({"supply", "bus", "vbus", "vdc", "dc", "battery", "batt", "bat", "vbat", "vbatt",
-                                     "vin", "dclink", "input", "bms", "pack"});
+                                     "vin", "dclink", "input", "bms", "pack", "esc"});
 /// May stand behind the quantity and change nothing.
 inline constexpr auto decorations = std::to_array<std::string_view>(
-    {"actual", "act",        "measured",  "meas",     "measurement", "present",   "motor",     "mot",
-     "shaft",  "rotor",      "encoder",   "enc",      "joint",       "axis",      "value",     "val",
-     "values", "ist",        "istwert",   "feedback", "fb",          "stamp",     "cycle",     "estimate",
-     "est",    "estimated",  "estimator", "filtered", "filt",        "lpf",       "now",       "data",
-     "output", "out",        "raw",       "state",    "states",      "q",         "mech",      "m",
-     "r",      "mechanical", "today",     "shadow",   "total",       "latest",    "per",       "of",
-     "the",    "link",       "angular",   "in",       "since",       "start",     "averaged",  "average",
-     "avg",    "smoothed",   "smooth",    "rel",      "generating",  "producing", "voltage",   "current",
-     "sensor", "reading",    "channel",   "ch",       "sec",         "msr",       "measure",   "real",
-     "true",   "mesuré",     "mesurée",   "mesure",   "réel",        "réelle",    "moteur",    "medido",
-     "medida", "misurata",   "misurato",  "atual",    "actuelle",    "gemessen",  "gemessene", "aktuell",
-     "实际",   "測定",       "实测",      "反馈",     "revolute",    "prismatic", "telemetry"});
+    {"actual",     "act",        "measured",  "meas",     "measurement", "present",   "motor",     "mot",
+     "shaft",      "rotor",      "encoder",   "enc",      "joint",       "axis",      "value",     "val",
+     "values",     "ist",        "istwert",   "feedback", "fb",          "stamp",     "cycle",     "estimate",
+     "est",        "estimated",  "estimator", "filtered", "filt",        "lpf",       "now",       "data",
+     "output",     "out",        "raw",       "state",    "states",      "q",         "mech",      "m",
+     "r",          "mechanical", "today",     "shadow",   "total",       "latest",    "per",       "of",
+     "the",        "link",       "angular",   "in",       "since",       "start",     "averaged",  "average",
+     "avg",        "smoothed",   "smooth",    "rel",      "generating",  "producing", "voltage",   "current",
+     "sensor",     "reading",    "channel",   "ch",       "sec",         "msr",       "measure",   "real",
+     "true",       "mesuré",     "mesurée",   "mesure",   "réel",        "réelle",    "moteur",    "medido",
+     "medida",     "misurata",   "misurato",  "atual",    "actuelle",    "gemessen",  "gemessene", "aktuell",
+     "实际",       "測定",       "实测",      "反馈",     "revolute",    "prismatic", "telemetry", "pll",
+     "observer",   "observed",   "obs",       "hat",      "kf",          "ekf",       "kalman",    "smo",
+     "sensorless", "fdb",        "fbk",       "fdk"});
 /// Wherever they stand, the column is something else.
 inline constexpr auto otherThings = std::to_array<std::string_view>({"error",
                                                                      "err",

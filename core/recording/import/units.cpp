@@ -34,6 +34,9 @@ constexpr auto units = std::to_array<Unit>({
     {"millisecond", time, 1e-3},
     {"milliseconds", time, 1e-3},
     {"millisec", time, 1e-3},
+    {"milisec", time, 1e-3},
+    {"milliseg", time, 1e-3},
+    {"milisegundos", time, 1e-3},
     {"millisecs", time, 1e-3},
     {"us", time, 1e-6},
     {"usec", time, 1e-6},
@@ -273,16 +276,17 @@ const Unit* exactly(std::string_view name) {
 /// What moves, in the one word that stands in front of "per".
 std::string_view oneWord(std::string_view word) {
   static constexpr auto same = std::to_array<std::pair<std::string_view, std::string_view>>(
-      {{"rads", "rad"},       {"radian", "rad"},  {"radians", "rad"},  {"degs", "deg"},       {"degree", "deg"},
-       {"degrees", "deg"},    {"grad", "deg"},    {"revs", "rev"},     {"revolution", "rev"}, {"revolutions", "rev"},
-       {"turn", "rev"},       {"turns", "rev"},   {"rot", "rev"},      {"rotation", "rev"},   {"rotations", "rev"},
-       {"u", "rev"},          {"r", "rev"},       {"umdr", "rev"},     {"tr", "rev"},         {"giri", "rev"},
-       {"obr", "rev"},        {"ot", "rev"},      {"omw", "rev"},      {"toer", "rev"},       {"varv", "rev"},
-       {"об", "rev"},         {"dev", "rev"},     {"gradi", "deg"},    {"grados", "deg"},     {"graden", "deg"},
-       {"degrés", "deg"},     {"derece", "deg"},  {"counts", "count"}, {"cnt", "count"},      {"cts", "count"},
-       {"tick", "count"},     {"ticks", "count"}, {"inc", "count"},    {"ink", "count"},      {"pulses", "count"},
-       {"lsb", "count"},      {"meter", "m"},     {"meters", "m"},     {"metre", "m"},        {"metres", "m"},
-       {"millimeters", "mm"}, {"in", "inch"},     {"inches", "inch"},  {"ft", "feet"},        {"foot", "feet"}});
+      {{"rads", "rad"},    {"radian", "rad"},  {"radians", "rad"},  {"degs", "deg"},       {"degree", "deg"},
+       {"degrees", "deg"}, {"grad", "deg"},    {"revs", "rev"},     {"revolution", "rev"}, {"revolutions", "rev"},
+       {"turn", "rev"},    {"turns", "rev"},   {"rot", "rev"},      {"rotation", "rev"},   {"rotations", "rev"},
+       {"u", "rev"},       {"r", "rev"},       {"umdr", "rev"},     {"tr", "rev"},         {"giri", "rev"},
+       {"obr", "rev"},     {"ot", "rev"},      {"omw", "rev"},      {"toer", "rev"},       {"varv", "rev"},
+       {"об", "rev"},      {"dev", "rev"},     {"gradi", "deg"},    {"grados", "deg"},     {"graden", "deg"},
+       {"degrés", "deg"},  {"derece", "deg"},  {"counts", "count"}, {"cnt", "count"},      {"cts", "count"},
+       {"tick", "count"},  {"steps", "count"}, {"step", "count"},   {"pulse", "count"},    {"ticks", "count"},
+       {"inc", "count"},   {"ink", "count"},   {"pulses", "count"}, {"lsb", "count"},      {"meter", "m"},
+       {"meters", "m"},    {"metre", "m"},     {"metres", "m"},     {"millimeters", "mm"}, {"in", "inch"},
+       {"inches", "inch"}, {"ft", "feet"},     {"foot", "feet"}});
   const auto it = std::find_if(same.begin(), same.end(), [word](const auto& one) { return one.first == word; });
   return it == same.end() ? word : it->second;
 }
