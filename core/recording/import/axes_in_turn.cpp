@@ -56,6 +56,15 @@ std::vector<size_t> bordersOf(const RowKinds& kinds) {
   return changes;
 }
 
+/// 0, 1, 2 … or 1, 2, 3 …, or texts: what axes are told apart by, and no command is.
+bool numberedOn(const RawColumn& column, const RowKinds& kinds) {
+  if (!column.texts.empty()) return true;
+  for (size_t k = 0; k < kinds.names.size(); ++k) {
+    if (kinds.names[k] != std::to_string(k) && kinds.names[k] != std::to_string(k + 1)) return false;
+  }
+  return true;
+}
+
 bool eachHasRows(const RowKinds& kinds, size_t fewest) {
   std::vector<size_t> counts(kinds.names.size() + 1);
   for (const size_t kind : kinds.of) ++counts[kind];
@@ -106,6 +115,9 @@ std::optional<AxesInTurn> axesInTurn(const RawTable& table, const std::vector<bo
       const auto& stamps = table.columns[*time].channel.values;
       if (std::all_of(changes.begin(), changes.end(), [&](size_t k) { return stamps[k] < stamps[k - 1]; }))
         return AxesInTurn{c, kinds->names};
+    } else if (!time && namesAxes(column.channel.name) && changes.size() + 1 == kinds->names.size() &&
+               numberedOn(column, *kinds)) {
+      return AxesInTurn{c, kinds->names};
     }
   }
   return std::nullopt;

@@ -1,15 +1,14 @@
 #include "recording/import/choose_columns.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
-#include <cstring>
 #include <map>
 #include <set>
 
 #include "base/json_object.h"
 #include "recording/columns.h"
+#include "recording/import/columns_beside.h"
 #include "recording/import/name_parts.h"
 #include "recording/import/quantity_words.h"
 #include "recording/import/settling.h"
@@ -56,176 +55,22 @@ void takeNamedAxes(const RawTable& table, std::vector<Choice>& choices) {
     const size_t reference = names[c].to.find("_reference");  // of the same quantity
     if (names[c].understood()) behind[word].insert(names[c].to.substr(0, std::min(reference, names[c].to.find('_'))));
   }
+  std::set<std::string> plain;  // quantities that a column has without such a word
+  for (const Choice& choice : choices) {
+    const std::string& to = choice.name.to;
+    if (choice.name.understood() && !choice.name.qualified && to.find("_reference") == std::string::npos)
+      plain.insert(to.substr(0, to.find('_')));
+  }
   for (size_t c = 0; c < choices.size(); ++c) {
     const std::string word = choices[c].name.unknownWord;
     if (!names[c].understood() || behind[word].size() < 2) continue;
+    const bool other = std::any_of(behind[word].begin(), behind[word].end(), [&](const std::string& quantity) {
+      return (quantity == "angle" || quantity == "velocity") && plain.contains(quantity);
+    });
+    if (other) continue;  // "omega_column" beside "omega_motor"
     names[c].group += (names[c].group.empty() ? "" : ".") + word;
     ++names[c].rank;
     choices[c].name = names[c];
-  }
-}
-
-void setAside(Choice& choice, const std::string& why) {
-  choice.name = ColumnName{};
-  choice.name.aside = why;
-}
-
-/// Whether the name, with its letter at `at` exchanged for the two others of a phase, is there, too.
-bool hasPhasesBeside(const std::set<std::string>& names, const std::string& name, size_t at) {
-  static constexpr auto phases = std::to_array<std::string_view>({"abc", "ABC", "uvw", "UVW"});
-  return std::any_of(phases.begin(), phases.end(), [&](std::string_view letters) {
-    if (letters.find(name[at]) == std::string_view::npos) return false;
-    size_t beside = 0;
-    for (const char letter : letters) {
-      std::string other = name;
-      other[at] = letter;
-      beside += names.count(other);
-    }
-    return beside >= 2;
-  });
-}
-
-/// "current_a" beside "current_b" is one phase's, and no current in A; so is "dutyA" beside "dutyB".
-void setPhasesAside(const RawTable& table, std::vector<Choice>& choices) {
-  std::set<std::string> names;
-  for (const RawColumn& column : table.columns) names.insert(column.channel.name);
-  for (size_t c = 0; c < choices.size(); ++c) {
-    const std::string& name = table.columns[c].channel.name;
-    const std::string& to = choices[c].name.to;
-    const bool electrical =
-        to == "duty" || to == "voltage_V" || to == "current_A" || to == "current_reference_A" || to == "supply_V";
-    if (choices[c].byMap || choices[c].byTool || !electrical) continue;
-    for (size_t at = 1; at < name.size(); ++at) {
-      const bool endsWord = at + 1 == name.size() || std::isalnum(static_cast<unsigned char>(name[at + 1])) == 0;
-      if (endsWord && hasPhasesBeside(names, name, at)) {
-        setAside(choices[c], "is one phase's");
-        break;
-      }
-    }
-  }
-}
-
-/// Beside a rotary motion a linear speed is that of a vehicle or of what the motor drives.
-void setVehiclesAside(std::vector<Choice>& choices) {
-  const auto has = [&choices](const char* to) {
-    return std::any_of(choices.begin(), choices.end(), [to](const Choice& one) { return one.name.to == to; });
-  };
-  if (has("position_m") || (!has("angle_rad") && !has("velocity_rad_per_s"))) return;
-  for (Choice& choice : choices) {
-    const bool linear = choice.name.to == "velocity_m_per_s" || choice.name.to == "velocity_reference_m_per_s";
-    if (linear && !choice.byMap) setAside(choice, "is a linear speed, beside a motor that turns");
-  }
-}
-
-/// "i" beside "p" and "d" is a controller's integral term, and no current.
-void setPidTermsAside(const RawTable& table, std::vector<Choice>& choices) {
-  size_t terms = 0;
-  for (const RawColumn& column : table.columns)
-    terms += isSameWord(column.channel.name, "p") || isSameWord(column.channel.name, "d") ? 1 : 0;
-  for (size_t c = 0; c < choices.size(); ++c) {
-    const bool term = terms >= 2 && isSameWord(table.columns[c].channel.name, "i") && table.columns[c].unit.empty();
-    if (term && !choices[c].byMap) setAside(choices[c], "is a controller's integral term");
-  }
-}
-
-/// "CurrX" beside "TargetX" is where something is now, and no current.
-void setPresentAside(const RawTable& table, std::vector<Choice>& choices) {
-  std::set<std::string> wanted;  // the words behind "target"
-  for (const RawColumn& column : table.columns) {
-    const auto words = wordsOf(column.channel.name, true);
-    if (words.size() > 1 && isIn(referenceWords, words.front())) wanted.insert(words[1]);
-  }
-  for (size_t c = 0; c < choices.size(); ++c) {
-    if (choices[c].name.to != "current_A" || choices[c].byMap || !choices[c].name.unit.empty()) continue;
-    const auto words = wordsOf(table.columns[c].channel.name, true);
-    const bool place = words.size() == 2 && words[0].starts_with("cur") && words[1].size() == 1 &&
-                       std::string_view("xyz").find(words[1]) != std::string_view::npos;
-    if (place && wanted.contains(words[1])) setAside(choices[c], "is where it is now, beside where it shall be");
-  }
-}
-
-/// "i" that counts the rows is no current.
-void setRowNumbersAside(const RawTable& table, std::vector<Choice>& choices) {
-  for (size_t c = 0; c < choices.size(); ++c) {
-    const auto& values = table.columns[c].channel.values;
-    const bool letter = table.columns[c].channel.name.size() == 1 && choices[c].name.unit.empty();
-    if (!letter || !choices[c].name.understood() || choices[c].byMap || choices[c].byTool) continue;
-    const bool counts = values.size() > 2 && std::adjacent_find(values.begin(), values.end(), [](double a, double b) {
-                                               return b != a + 1.0;
-                                             }) == values.end();
-    if (counts && choices[c].name.to != "time_s") setAside(choices[c], "counts the rows");
-  }
-}
-
-/// "PosZ" beside a motor's rpm is a place in space.
-void setPlacesAside(const RawTable& table, std::vector<Choice>& choices) {
-  const auto letterOf = [&table](size_t c) {
-    const auto words = wordsOf(table.columns[c].channel.name, true);
-    if (isIn(words, "steering") || isIn(words, "steer")) return 's';
-    const bool letter = words.size() > 1 && words.back().size() == 1 && std::strchr("xyz", words.back()[0]) != nullptr;
-    return letter ? words.back()[0] : ' ';
-  };
-  bool turns = false;
-  for (size_t c = 0; c < choices.size(); ++c)
-    turns =
-        turns || (choices[c].name.to == "velocity_rad_per_s" && !choices[c].name.unit.empty() && letterOf(c) == ' ');
-  if (!turns) return;
-  for (size_t c = 0; c < choices.size(); ++c) {
-    const bool moves = choices[c].name.to == "angle_rad" || choices[c].name.to == "velocity_rad_per_s";
-    const bool told = letterOf(c) != 's' && !choices[c].name.unit.empty();
-    if (moves && !told && !choices[c].byMap && letterOf(c) != ' ')
-      setAside(choices[c], letterOf(c) == 's' ? "is a vehicle's steering, beside a motor that turns"
-                                              : "is a place in space, beside a motor that turns");
-  }
-}
-
-/// A position beside a force is a linear axis' where no unit says otherwise.
-void takeLinear(const RawTable& table, std::vector<Choice>& choices) {
-  const auto namesForce = [&table](size_t c) {
-    const auto words = wordsOf(table.columns[c].channel.name, true);
-    return isIn(words, "force") || isIn(words, "kraft");
-  };
-  bool force = false, turns = false;
-  for (size_t c = 0; c < choices.size(); ++c) {
-    const ColumnName& name = choices[c].name;
-    const bool moves = isAngle(name.to) || isSpeed(name.to);
-    const auto words = wordsOf(table.columns[c].channel.name, true);
-    const bool turning = moves && isAngle(name.to) && !isIn(words, "position") && !isIn(words, "pos");
-    force = force || (name.to == "force_N" && namesForce(c));
-    turns = turns || name.to == "torque_Nm" || turning || choices[c].byTool || (moves && !name.unit.empty());
-  }
-  if (!force || turns) return;
-  for (Choice& choice : choices) {
-    std::string& to = choice.name.to;
-    if (choice.byMap) continue;
-    if (to == "angle_rad") to = "position_m";
-    if (to == "angle_reference_rad") to = "position_reference_m";
-    if (to == "velocity_rad_per_s") to = "velocity_m_per_s";
-    if (to == "velocity_reference_rad_per_s") to = "velocity_reference_m_per_s";
-  }
-}
-
-/// "encA" that is only ever 0 or 1 is one of an encoder's lines, and no count.
-void setLinesAside(const RawTable& table, std::vector<Choice>& choices) {
-  for (size_t c = 0; c < choices.size(); ++c) {
-    const auto words = wordsOf(table.columns[c].channel.name, true);
-    const bool encoder =
-        std::any_of(words.begin(), words.end(), [](const auto& one) { return one.starts_with("enc"); });
-    const auto& values = table.columns[c].channel.values;
-    const bool line = std::all_of(values.begin(), values.end(), [](double v) { return v == 0.0 || v == 1.0; });
-    if (encoder && line && choices[c].name.to == "angle_rad" && !choices[c].byMap && values.size() > 1)
-      setAside(choices[c], "is only ever 0 or 1: one of an encoder's lines");
-  }
-}
-
-/// A column without a single number tells nothing, whatever it is called.
-void setEmptyAside(const RawTable& table, std::vector<Choice>& choices) {
-  for (size_t c = 0; c < choices.size(); ++c) {
-    const RawColumn& column = table.columns[c];
-    const auto& values = column.channel.values;
-    const bool empty = std::none_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
-    if (empty && !values.empty() && choices[c].name.understood() && !choices[c].byMap && !column.fault)
-      setAside(choices[c], "holds no number");
   }
 }
 
@@ -291,13 +136,18 @@ void takeNamelessStamps(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
+/// The lower, the sooner a column is taken: of two alike the one whose name has no unknown word.
+int standing(const Choice& choice) {
+  return 2 * choice.name.rank + (choice.name.qualified ? 1 : 0);
+}
+
 /// The axis of the angle, or of the speed; empty when names tell none.
 std::string axisOf(const std::vector<Choice>& choices) {
   for (const char* to : {"angle_rad", "position_m", "velocity_rad_per_s", "velocity_m_per_s"}) {
     const Choice* best = nullptr;
     for (const Choice& choice : choices) {
       if (choice.name.to != to || choice.byMap) continue;
-      if (best == nullptr || choice.name.rank < best->name.rank) best = &choice;
+      if (best == nullptr || standing(choice) < standing(*best)) best = &choice;
     }
     if (best != nullptr) return best->name.group;
   }
@@ -314,7 +164,7 @@ int rankOf(const RawColumn& column, const Choice& choice, const ImportMap& map) 
   const bool changes = std::adjacent_find(values.begin(), values.end(), [](double a, double b) {
                          return std::isfinite(a) && std::isfinite(b) && a != b;
                        }) != values.end();
-  return choice.name.rank + (changes ? 0 : 10) + (lacks ? 1 : 0);
+  return standing(choice) + (changes ? 0 : 20) + (lacks ? 2 : 0);
 }
 
 Result<void> takeOneEach(const RawTable& table, const ImportMap& map, std::vector<Choice>& choices,
@@ -411,15 +261,7 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
   checkTimes(table, choices);
   if (!map.sample_time_s) takeTicks(table, choices);
   if (!map.sample_time_s) takeNamelessStamps(table, choices);
-  setPhasesAside(table, choices);
-  setEmptyAside(table, choices);
-  setPidTermsAside(table, choices);
-  setPresentAside(table, choices);
-  setLinesAside(table, choices);
-  setRowNumbersAside(table, choices);
-  setPlacesAside(table, choices);
-  takeLinear(table, choices);
-  setVehiclesAside(choices);
+  judgeByNeighbours(table, choices);
   const std::string axis = axisOf(choices);
   for (Choice& choice : choices) {
     if (!choice.name.understood() || choice.byMap || choice.name.to == "time_s") continue;

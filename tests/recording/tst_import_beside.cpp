@@ -1,0 +1,178 @@
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "recording/import/import.h"
+#include "support/temporary.h"
+
+using namespace breakaway;
+using breakaway::test::TemporaryFolder;
+
+/// What a column is, and how it is counted, by the columns beside it.
+class TestImportBeside : public QObject {
+  Q_OBJECT
+ private slots:
+  void countsBesideASpeed_tellHowManyAreOneTurn_data();
+  void countsBesideASpeed_tellHowManyAreOneTurn();
+  void countsBesideAnotherMotion_areAskedAbout();
+  void clockThatCannotBe_isTakenForSeconds_data();
+  void clockThatCannotBe_isTakenForSeconds();
+  void angleBesideGyro_isNoMotors_data();
+  void angleBesideGyro_isNoMotors();
+  void voltageThatStandsStillBesideTheSupplys_isNoMotors();
+  void tableWithOtherNames_endsTheFirst();
+  void rowsThatLoseACell_areAnError();
+  void axesInBlocks_areAskedToBeParted();
+
+ private:
+  Result<Imported> imported(const QString& text) {
+    return importRecording(folder_.write("log.csv", text.toStdString()));
+  }
+  TemporaryFolder folder_;
+};
+
+constexpr double step_s = 0.01;
+
+static double speedAt(int row) {
+  return 60.0 * std::sin(0.05 * row);
+}
+
+static double angleAt(int row) {
+  return 60.0 / 0.05 * step_s * (1.0 - std::cos(0.05 * row));
+}
+
+static const ColumnFate& fateOf(const Imported& imported, const std::string& from) {
+  const auto it = std::find_if(imported.columns.begin(), imported.columns.end(),
+                               [&](const ColumnFate& one) { return one.from == from; });
+  return it == imported.columns.end() ? imported.columns.front() : *it;
+}
+
+static bool says(const Imported& imported, const std::string& words) {
+  return std::any_of(imported.remarks.begin(), imported.remarks.end(),
+                     [&](const auto& remark) { return remark.find(words) != std::string::npos; });
+}
+
+void TestImportBeside::countsBesideASpeed_tellHowManyAreOneTurn_data() {
+  QTest::addColumn<double>("counts");
+  QTest::addColumn<double>("taken");
+  QTest::newRow("a usual number") << 4096.0 << 4096.0;
+  QTest::newRow("nearly a usual number, as a speed of few digits has it") << 1010.0 << 1000.0;
+  QTest::newRow("behind a gear") << 1632.0 << 1632.0;
+}
+
+void TestImportBeside::countsBesideASpeed_tellHowManyAreOneTurn() {
+  QFETCH(double, counts);
+  QFETCH(double, taken);
+  QString text = "time_s,ticks,rpm\n";
+  for (int k = 0; k < 200; ++k)
+    text += QString("%1,%2,%3\n")
+                .arg(step_s * k)
+                .arg(std::floor(angleAt(k) / (2.0 * std::numbers::pi) * counts))
+                .arg(speedAt(k) * 30.0 / std::numbers::pi, 0, 'f', 3);
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  const double scale = fateOf(*log, "ticks").scale;
+  QVERIFY2(std::abs(2.0 * std::numbers::pi / scale / taken - 1.0) < 2e-3, qPrintable(QString::number(scale)));
+  QVERIFY(says(*log, "a guess"));
+}
+
+void TestImportBeside::countsBesideAnotherMotion_areAskedAbout() {
+  QString text = "time_s,ticks,rpm\n";
+  for (int k = 0; k < 200; ++k) text += QString("%1,%2,%3\n").arg(step_s * k).arg(40 * k).arg(speedAt(k), 0, 'f', 3);
+  const auto log = imported(text);
+  QVERIFY(!log.ok());
+  QVERIFY(log.error().message().find("counts_per_rev") != std::string::npos);
+}
+
+void TestImportBeside::clockThatCannotBe_isTakenForSeconds_data() {
+  QTest::addColumn<double>("step");
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<double>("step_s");
+  QTest::newRow("called µs, and in s") << 0.005 << "time_us" << 0.005;
+  QTest::newRow("in µs") << 250.5 << "time_us" << 250.5e-6;
+  QTest::newRow("whole µs, however short") << 1.0 << "time_us" << 1e-6;
+  QTest::newRow("a fast capture in ms") << 0.02 << "time_ms" << 0.02e-3;
+}
+
+void TestImportBeside::clockThatCannotBe_isTakenForSeconds() {
+  QFETCH(double, step);
+  QFETCH(QString, name);
+  QFETCH(double, step_s);
+  QString text = name + ",rpm\n";
+  for (int k = 0; k < 80; ++k) text += QString("%1,%2\n").arg(step * k).arg(10 * k);
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  const double last = log->recording.time().back();
+  QVERIFY2(std::abs(last / (79.0 * step_s) - 1.0) < 1e-6, qPrintable(QString::number(last)));
+  const bool doubted = name == "time_us" && step < 1.0;
+  QCOMPARE(says(*log, "its time was taken for s"), doubted);
+  QCOMPARE(fateOf(*log, name.toStdString()).guessed, doubted);
+}
+
+void TestImportBeside::angleBesideGyro_isNoMotors_data() {
+  QTest::addColumn<QString>("others");
+  QTest::addColumn<bool>("taken");
+  QTest::newRow("a robot's lean, with a motor's speed") << "accel,gyro,motor_rpm" << false;
+  QTest::newRow("no gyro") << "accel,foo,motor_rpm" << true;
+  QTest::newRow("no other motion") << "accel,gyro,foo" << true;
+}
+
+void TestImportBeside::angleBesideGyro_isNoMotors() {
+  QFETCH(QString, others);
+  QFETCH(bool, taken);
+  QString text = "time_s,angle," + others + "\n";
+  for (int k = 0; k < 80; ++k)
+    text += QString("%1,%2,0.5,%3,%4\n").arg(step_s * k).arg(0.1 * std::sin(0.2 * k)).arg(k % 7).arg(10.5 * k);
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  QCOMPARE(log->recording.has("angle_rad"), taken);
+}
+
+void TestImportBeside::voltageThatStandsStillBesideTheSupplys_isNoMotors() {
+  for (const bool steady : {true, false}) {
+    QString text = "time_s,rpm,battery_voltage,aux_voltage\n";
+    for (int k = 0; k < 80; ++k)
+      text += QString("%1,%2,24.5,%3\n").arg(step_s * k).arg(20 * k).arg(steady ? 12.5 : 0.1 * k);
+    const auto log = imported(text);
+    VERIFY_OK(log);
+    QCOMPARE(log->recording.has("voltage_V"), !steady);
+  }
+}
+
+void TestImportBeside::tableWithOtherNames_endsTheFirst() {
+  QString text = "time_s,angle_rad,current_A\n";
+  for (int k = 0; k < 60; ++k) text += QString("%1,%2,0.5\n").arg(step_s * k).arg(angleAt(k));
+  for (const bool other : {true, false}) {  // a board that resets says the same names again
+    QString below = other ? "time_s,torque_Nm,temperature_degC\n" : "time_s,angle_rad,current_A\n";
+    for (int k = 60; k < 80; ++k) below += QString("%1,%2,0.5\n").arg(step_s * k).arg(angleAt(k));
+    const auto log = imported(text + below);
+    VERIFY_OK(log);
+    QCOMPARE(log->recording.rows(), size_t(other ? 60 : 80));
+    QCOMPARE(says(*log, "a table with other names begins below row 60"), other);
+  }
+}
+
+void TestImportBeside::rowsThatLoseACell_areAnError() {
+  QString text = "time_s,angle_rad,current_A\n", fewer;
+  for (int k = 0; k < 60; ++k) text += QString("%1,%2,0.5\n").arg(step_s * k).arg(angleAt(k));
+  for (int k = 60; k < 80; ++k) fewer += QString("%1,%2\n").arg(step_s * k).arg(angleAt(k));
+  QVERIFY(!imported(text + fewer).ok());
+  const auto parted = imported(text + "\ntime_s,temperature_degC\n" + fewer);  // a table of its own
+  VERIFY_OK(parted);
+  QCOMPARE(parted->recording.rows(), size_t(60));
+}
+
+void TestImportBeside::axesInBlocks_areAskedToBeParted() {
+  const auto log = [&](const QString& name, int first, int second) {
+    QString text = "q,dq," + name + "\n";
+    for (int k = 0; k < 120; ++k)
+      text += QString("%1,%2,%3\n").arg(angleAt(k)).arg(speedAt(k)).arg(k < 60 ? first : second);
+    return imported(text).error().message();
+  };
+  QVERIFY(log("joint", 0, 1).find("{\"split\": \"joint\"}") != std::string::npos);
+  QVERIFY(log("motor", 0, 200).find("sample_time_s") != std::string::npos);  // what a motor was told, not which one
+}
+
+QTEST_APPLESS_MAIN(TestImportBeside)
+#include "tst_import_beside.moc"
