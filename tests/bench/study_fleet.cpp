@@ -23,7 +23,7 @@ using namespace breakaway;
 namespace {
 
 constexpr double recording_s = 6.0;
-constexpr int timedEntries = 24, timedParts = 4, pageEntries = 10000;
+constexpr int timedEntries = 24, rounds = 2, pageEntries = 10000;
 constexpr double wantedGain = 1.8;  ///< two cores over one
 constexpr double idleLoad = 0.5;    ///< of a machine on which that can be judged: processes that want a core
 
@@ -81,23 +81,25 @@ struct Timed {
   double clock_s = 0.0, processor_s = 0.0;
 };
 
-/// One core against two on the same entries: `--jobs N` keeps to N cores. Part by part in turn, so that whoever else
-/// wants the cores takes from both; the results are put together.
+/// One core against two on the same entries: `--jobs N` keeps to N cores. Every other round begins with the other one,
+/// so that whoever else wants the cores takes from both.
 struct Cores {
   Timed one, two;
   double gain() const { return one.clock_s / two.clock_s; }
 };
 
+QString resultsOf(int jobs, int round) {
+  return QString("jobs%1-%2.jsonl").arg(QString::number(jobs), QString::number(round));
+}
+
 Cores oneAgainstTwo(const QString& folder) {
   Cores timed;
-  for (int part = 1; part <= timedParts; ++part) {
-    for (const int jobs : {1, 2}) {
-      const Used before = usedSoFar();
-      Timed& sum = jobs == 1 ? timed.one : timed.two;
-      sum.clock_s += run(folder, QString("batch few.jsonl --out jobs%1-%2.jsonl --jobs %1 --shard %2/%3")
-                                     .arg(QString::number(jobs), QString::number(part), QString::number(timedParts)));
-      sum.processor_s += usedSoFar().processor_s - before.processor_s;
-    }
+  for (int k = 0; k < 2 * rounds; ++k) {
+    const int round = k / 2, jobs = 1 + (k + round) % 2;
+    const Used before = usedSoFar();
+    Timed& sum = jobs == 1 ? timed.one : timed.two;
+    sum.clock_s += run(folder, QString("batch few.jsonl --out %1 --jobs %2").arg(resultsOf(jobs, round)).arg(jobs));
+    sum.processor_s += usedSoFar().processor_s - before.processor_s;
   }
   return timed;
 }
@@ -131,10 +133,10 @@ QList<QByteArray> lasting(const QString& path) {
 }
 
 bool sameByEach(const QString& folder) {
-  for (int part = 1; part <= timedParts; ++part) {
-    const QString name = QString("-%1.jsonl").arg(part);
-    if (lasting(folder + "/jobs1" + name) != lasting(folder + "/jobs2" + name)) return false;
-  }
+  const QList<QByteArray> first = lasting(folder + "/" + resultsOf(1, 0));
+  for (int round = 0; round < rounds; ++round)
+    for (const int jobs : {1, 2})
+      if (lasting(folder + "/" + resultsOf(jobs, round)) != first) return false;
   return true;
 }
 
@@ -142,9 +144,11 @@ bool sameByEach(const QString& folder) {
 bool gains(const QString& folder) {
   const double others = load();
   const Cores timed = oneAgainstTwo(folder);
-  std::printf("two cores over one, %d entries: %.2f times as fast (%.1f s, %.1f s; of a processor %.1f s, %.1f s), ",
-              timedEntries, timed.gain(), timed.one.clock_s, timed.two.clock_s, timed.one.processor_s,
-              timed.two.processor_s);
+  std::printf(
+      "two cores over one, %d entries in %d rounds: %.2f times as fast (%.1f s, %.1f s; of a processor %.1f s, %.1f "
+      "s), ",
+      timedEntries, rounds, timed.gain(), timed.one.clock_s, timed.two.clock_s, timed.one.processor_s,
+      timed.two.processor_s);
   const bool busy = others > idleLoad;
   const bool enough = timed.gain() >= wantedGain;
   std::printf("aim %.1f: %s\n", wantedGain, enough ? "met" : busy ? "not judged, others had the cores" : "MISSED");

@@ -1,5 +1,6 @@
 // What diagnose says of plain motors that lack nothing, on logs of a plant that it shares nothing with.
-// ./dev bench sound [RIGS]
+// ./dev bench sound [RIGS [sound|imperfect|measured]]
+#include <array>
 #include <charconv>
 #include <cstdio>
 #include <cstring>
@@ -13,10 +14,17 @@ using namespace breakaway;
 
 namespace {
 
-void study(const char* words, test::LogKind kind, std::uint64_t rigs) {
+struct Kind {
+  const char* name;
+  test::LogKind kind;
+};
+constexpr std::array<Kind, 3> kinds{
+    {{"sound", test::LogKind::sound}, {"imperfect", test::LogKind::imperfect}, {"measured", test::LogKind::measured}}};
+
+void study(const Kind& asked, std::uint64_t rigs) {
   std::map<std::string, int> verdicts;
   for (std::uint64_t seed = 1; seed <= rigs; ++seed) {
-    const test::PlainMotorLog log = test::plainMotorLog(seed, kind);
+    const test::PlainMotorLog log = test::plainMotorLog(seed, asked.kind);
     const auto diagnosis = diagnose(log.bench, {log.recording}, {}, {});
     const std::string verdict = diagnosis ? nameOf(diagnosis->verdict) : "refused";
     ++verdicts[verdict];
@@ -32,7 +40,7 @@ void study(const char* words, test::LogKind kind, std::uint64_t rigs) {
       std::printf("    %s: %s\n", finding.effect.c_str(), finding.sentence.c_str());
     std::fflush(stdout);
   }
-  std::printf("%s:", words);
+  std::printf("sound rigs, logs %s:", asked.name);
   for (const auto& [verdict, count] : verdicts) std::printf(" %d %s", count, verdict.c_str());
   std::printf(" of %llu\n", static_cast<unsigned long long>(rigs));
 }
@@ -48,8 +56,12 @@ int main(int argc, char** argv) {
       return 2;
     }
   }
-  study("sound rigs, sound logs", test::LogKind::sound, rigs);
-  study("sound rigs, imperfect logs", test::LogKind::imperfect, rigs);
-  study("sound rigs, current measured", test::LogKind::measured, rigs);
-  return 0;
+  bool any = false;
+  for (const Kind& kind : kinds) {
+    if (argc > 2 && std::strcmp(argv[2], kind.name) != 0) continue;
+    study(kind, rigs);
+    any = true;
+  }
+  if (!any) std::fprintf(stderr, "sound: expected sound, imperfect or measured, found \"%s\"\n", argv[2]);
+  return any ? 0 : 2;
 }
