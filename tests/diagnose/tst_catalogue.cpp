@@ -46,6 +46,7 @@ class TestCatalogue : public QObject {
   void words_areWholeAndFinite();
   void wrongSign_isNotPlausible();
   void whatTheTravelDoesNotShow_isNotPlausible();
+  void aReadingWithinItsRow_isNoSkew();
   void heatOfTheUsualCurrent_isWhatCounts();
 
  private:
@@ -359,6 +360,16 @@ void TestCatalogue::whatTheTravelDoesNotShow_isNotPlausible() {
   const std::vector<double> middle{stiffness, seen.highest - 0.5 * seen.travel, 1.0, 0.0};
   QVERIFY(findEffect("end_stop")->plausible(end, seen));
   QVERIFY(!findEffect("end_stop")->plausible(middle, seen));
+}
+
+/// When within its row a measured current was read is the base's; a commanded one has no such freedom.
+void TestCatalogue::aReadingWithinItsRow_isNoSkew() {
+  Excitation seen = richExcitation(DriveInput::current);
+  const std::vector<double> half{0.5 * seen.step_s}, two{2.0 * seen.step_s};
+  const Effect& skew = *findEffect("channel_skew");
+  QVERIFY(skew.plausible(half, seen) && skew.plausible(two, seen));
+  seen.driveMeasured = true;
+  QVERIFY(!skew.plausible(half, seen) && skew.plausible(two, seen));
 }
 
 /// Reversals under voltage give short peaks, which heat nothing.

@@ -33,8 +33,9 @@ class ChannelSkew final : public Effect, private InputPart, private CurrentSenso
     return shapes;
   }
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
-    // A current that drives and is recorded before it acts is a delay by another name.
-    if (seen.currentDrive && p[0] <= 0.0) return false;
+    // A current that drives and is recorded before it acts is a delay by another name; how late within its row a
+    // measured one was read is the base's (driveLateName).
+    if (seen.currentDrive && p[0] <= (seen.driveMeasured ? seen.step_s : 0.0)) return false;
     return std::abs(p[0]) < std::min(0.1, 30.0 * seen.step_s);
   }
   Message sentence(std::span<const double> p, const Excitation& seen) const override {
