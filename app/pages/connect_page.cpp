@@ -177,7 +177,7 @@ void ConnectPage::showConnection() {
 }
 
 void ConnectPage::showState() {
-  dressAs(state_, "tone", connection_.trouble().isEmpty() ? QString() : "trouble");
+  dressAs(state_, "tone", connection_.trouble().empty() ? QString() : "trouble");
   setState(railState());
   switch (connection_.state()) {
     case ConnectionState::none:
@@ -190,11 +190,11 @@ void ConnectPage::showState() {
       state_->setText(tr("Connected."));
       break;
     case ConnectionState::failed:
-      state_->setText(tr("Not connected: %1").arg(connection_.trouble()));
+      state_->setText(tr("Not connected: %1").arg(inLanguage(connection_.trouble())));
       break;
     case ConnectionState::reconnecting:
       state_->setText(tr("Link lost: %1. Trying again every second; the motor stays off when the board comes back.")
-                          .arg(connection_.trouble()));
+                          .arg(inLanguage(connection_.trouble())));
       break;
   }
 }
