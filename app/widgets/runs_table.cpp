@@ -23,9 +23,9 @@ struct Heading {
 };
 
 constexpr Heading headings[] = {
-    {QT_TRANSLATE_NOOP("breakaway::RunsTable", "When"), 128},  {QT_TRANSLATE_NOOP("RunsTable", "What"), 92},
-    {QT_TRANSLATE_NOOP("breakaway::RunsTable", "Motor"), 72},  {QT_TRANSLATE_NOOP("RunsTable", "Board"), 84},
-    {QT_TRANSLATE_NOOP("breakaway::RunsTable", "Name"), 116},  {QT_TRANSLATE_NOOP("RunsTable", "Result"), 200},
+    {QT_TRANSLATE_NOOP("breakaway::RunsTable", "When"), 128},  {QT_TRANSLATE_NOOP("breakaway::RunsTable", "What"), 92},
+    {QT_TRANSLATE_NOOP("breakaway::RunsTable", "Motor"), 72},  {QT_TRANSLATE_NOOP("breakaway::RunsTable", "Board"), 84},
+    {QT_TRANSLATE_NOOP("breakaway::RunsTable", "Name"), 116},  {QT_TRANSLATE_NOOP("breakaway::RunsTable", "Result"), 200},
     {QT_TRANSLATE_NOOP("breakaway::RunsTable", "Remark"), 110}};
 
 bool isWritten(int column) {

@@ -807,21 +807,6 @@
     </message>
 </context>
 <context>
-    <name>RunsTable</name>
-    <message>
-        <source>What</source>
-        <translation>Was</translation>
-    </message>
-    <message>
-        <source>Board</source>
-        <translation>Board</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>Ergebnis</translation>
-    </message>
-</context>
-<context>
     <name>SettingWords</name>
     <message>
         <source>Velocity Kp</source>
@@ -942,13 +927,6 @@
     <message>
         <source>%1 and more</source>
         <translation>ab %1</translation>
-    </message>
-</context>
-<context>
-    <name>breakaway</name>
-    <message>
-        <source>position from the index (mm)</source>
-        <translation>Lage vom Index aus (mm)</translation>
     </message>
 </context>
 <context>
@@ -4142,6 +4120,18 @@ Doppelklick oder F2 zum Schreiben</translation>
         <source>Remark</source>
         <translation>Bemerkung</translation>
     </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>Board</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
 </context>
 <context>
     <name>breakaway::SettingsEdits</name>
@@ -4250,6 +4240,10 @@ Opens the log</source>
     <message>
         <source>%1°</source>
         <translation>%1°</translation>
+    </message>
+    <message>
+        <source>position from the index (mm)</source>
+        <translation>Lage vom Index aus (mm)</translation>
     </message>
 </context>
 <context>
