@@ -43,6 +43,11 @@ void LiveCursors::show(bool shown) {
   changed();
 }
 
+void LiveCursors::moveTo(const std::array<double, 2>& times_s) {
+  for (size_t which = 0; which < marks_.size(); ++which) marks_[which].moveTo(times_s[which]);
+  changed();
+}
+
 void LiveCursors::shift(double by_s) {
   for (TimeMark& mark : marks_) mark.moveTo(mark.time_s() + by_s);
   write();

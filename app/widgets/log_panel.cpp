@@ -14,6 +14,7 @@
 
 #include "recording/columns.h"
 #include "recording/import/units.h"
+#include "session/language.h"
 #include "widgets/controls.h"
 #include "widgets/table.h"
 

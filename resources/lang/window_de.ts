@@ -3066,32 +3066,12 @@
 <context>
     <name>breakaway::MainWindow</name>
     <message>
-        <source>Breakaway</source>
-        <translation>Breakaway</translation>
+        <source>The language changes once the motor stands</source>
+        <translation>Die Sprache wechselt, sobald der Motor steht</translation>
     </message>
     <message>
-        <source>Ctrl+%1</source>
-        <translation>Strg+%1</translation>
-    </message>
-    <message>
-        <source>Parameters</source>
-        <translation>Parameter</translation>
-    </message>
-    <message>
-        <source>The board&apos;s settings beside the page: compare, edit, apply (Ctrl+P)</source>
-        <translation>Die Einstellungen des Boards neben der Seite: vergleichen, ändern, übernehmen (Strg+P)</translation>
-    </message>
-    <message>
-        <source>Parameters: %1 edited</source>
-        <translation>Parameter: %1 neu</translation>
-    </message>
-    <message>
-        <source>Manual (F1)</source>
-        <translation>Handbuch (F1)</translation>
-    </message>
-    <message>
-        <source>The manual on this page; F1 on what is under the cursor</source>
-        <translation>Das Handbuch zu dieser Seite; F1 zu dem, was unter dem Mauszeiger ist</translation>
+        <source>The language changes once the open question is answered</source>
+        <translation>Die Sprache wechselt, sobald die offene Frage beantwortet ist</translation>
     </message>
 </context>
 <context>
@@ -4198,10 +4178,6 @@ Doppelklick oder F2 zum Schreiben</translation>
         <translation>Farben des Fensters: hell, dunkel, oder wie der Desktop sie hat; und seine Sprache</translation>
     </message>
     <message>
-        <source>Language from the next start of the window: %1</source>
-        <translation>Sprache ab dem nächsten Start des Fensters: %1</translation>
-    </message>
-    <message>
         <source>Colours: %1</source>
         <translation>Farben: %1</translation>
     </message>
@@ -4726,6 +4702,33 @@ A</translation>
     <message>
         <source>unseen parts</source>
         <translation>ungesehene Teile</translation>
+    </message>
+</context>
+<context>
+    <name>breakaway::WindowContents</name>
+    <message>
+        <source>Ctrl+%1</source>
+        <translation>Strg+%1</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>The board&apos;s settings beside the page: compare, edit, apply (Ctrl+P)</source>
+        <translation>Die Einstellungen des Boards neben der Seite: vergleichen, ändern, übernehmen (Strg+P)</translation>
+    </message>
+    <message>
+        <source>Parameters: %1 edited</source>
+        <translation>Parameter: %1 neu</translation>
+    </message>
+    <message>
+        <source>Manual (F1)</source>
+        <translation>Handbuch (F1)</translation>
+    </message>
+    <message>
+        <source>The manual on this page; F1 on what is under the cursor</source>
+        <translation>Das Handbuch zu dieser Seite; F1 zu dem, was unter dem Mauszeiger ist</translation>
     </message>
 </context>
 </TS>
