@@ -2592,8 +2592,8 @@
 <context>
     <name>breakaway::LiveCursors</name>
     <message>
-        <source>A %1 s   B %2 s   Δt %3 s</source>
-        <translation>A %1 s   B %2 s   Δt %3 s</translation>
+        <source>Δt %1 s   A %2 s   B %3 s</source>
+        <translation>Δt %1 s   A %2 s   B %3 s</translation>
     </message>
     <message>
         <source>A %1   B %2   Δy %3</source>

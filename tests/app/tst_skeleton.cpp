@@ -1,5 +1,6 @@
 // The window's skeleton: STOP is never cut off, nothing moves when a label changes, nothing is cut off at any size, all
 // that takes the focus has a name, and the wheel changes nothing by hovering.
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QPushButton>
 #include <QSlider>
@@ -34,6 +35,8 @@ class TestSkeleton : public QObject {
   void rail_saysHowFarAStepIs();
   void log_keepsEveryLineWithItsTime();
   void german_leavesNothingInEnglish();
+  void live_hasRoomForTriggerAndSpectrum_data();
+  void live_hasRoomForTriggerAndSpectrum();
 };
 
 namespace {
@@ -166,6 +169,55 @@ void TestSkeleton::nothing_isCutOffOrOverlaps() {
       QVERIFY2(on.isEmpty(), qPrintable(board + page + ": " + on.join("; ")));
       QVERIFY(desk.window.rect().contains(placeIn(named<QWidget>(desk.window, "stopButton"), desk.window)));
       desk.window.showPage("connectPage");
+    }
+  }
+}
+
+void TestSkeleton::live_hasRoomForTriggerAndSpectrum_data() {
+  QTest::addColumn<QSize>("size");
+  QTest::addColumn<bool>("german");
+  QTest::addColumn<QString>("board");
+  for (const QSize size : {QSize(1280, 720), QSize(1366, 768)}) {
+    for (const bool german : {false, true}) {
+      for (const char* board : {"servo", "linear"})
+        QTest::addRow("%d×%d, %s, in %s", size.width(), size.height(), board, german ? "German" : "English")
+            << size << german << "simulated:" + QString(board);
+    }
+  }
+}
+
+/// Both at once, with the longest of what each can say.
+void TestSkeleton::live_hasRoomForTriggerAndSpectrum() {
+  QFETCH(QSize, size);
+  QFETCH(bool, german);
+  QFETCH(QString, board);
+  const Spoken language(german ? Language::german : Language::english);
+  Desk desk;
+  desk.window.resize(size);
+  desk.session.connection.open(board);
+  desk.window.showPage("handPage");
+  desk.window.showLive(true);
+  press(desk.window, "spectrumButton");
+  press(desk.window, "cursorsButton");
+  for (const char* box : {"triggerChannel", "triggerEdge", "spectrumChannel", "spectrumWindow"}) {
+    auto* choices = named<QComboBox>(desk.window, box);
+    int longest = 0;
+    for (int k = 1; k < choices->count(); ++k)
+      longest = choices->itemText(k).size() > choices->itemText(longest).size() ? k : longest;
+    choices->setCurrentIndex(longest);
+  }
+  named<QDoubleSpinBox>(desk.window, "triggerLevel")->setValue(-1234.56);
+  for (const int mode : {1, 2}) {
+    named<QComboBox>(desk.window, "triggerMode")->setCurrentIndex(mode);
+    for (const bool large : {false, true}) {
+      desk.window.showLiveLarge(large);
+      QTest::qWait(50);
+      QCOMPARE(desk.window.size(), size);
+      for (const char* part : {"triggerChannel", "triggerLevel", "triggerState", "spectrumChannel", "spectrumPlot"})
+        QVERIFY2(named<QWidget>(desk.window, part)->isVisible(), part);
+      const QStringList cut = clipped(desk.window), on = overlapping(desk.window);
+      QVERIFY2(cut.isEmpty(), qPrintable(cut.join("; ")));
+      QVERIFY2(on.isEmpty(), qPrintable(on.join("; ")));
     }
   }
 }
