@@ -58,6 +58,7 @@ ProfilePanel::ProfilePanel(const Connection& connection, ProfileComparison& prof
   column->addWidget(source_);
   table_ = readTable(this, "profileTable", tr("Parameters that differ"),
                      {tr("Parameter"), tr("Board"), tr("Profile"), tr("Accepted")});
+  table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
   column->addWidget(table_, 100);
   column->addStretch(1);
   connect(save_, &QPushButton::clicked, this, [this] {

@@ -1412,7 +1412,7 @@
     </message>
     <message>
         <source>As ticked, the error is %1</source>
-        <translation>Mit der jetzigen Auswahl beträgt der Fehler %1</translation>
+        <translation>Wie angekreuzt ist der Fehler %1</translation>
     </message>
     <message>
         <source>Point at a plot to read it</source>
@@ -2289,7 +2289,7 @@
     </message>
     <message>
         <source>From there on everything keeps 3 % of the travel, at least 2.4 mm, away from the ends.</source>
-        <translation>Von da an hält alles 3 % des Wegs, mindestens 2,4 mm, Abstand von den Enden.</translation>
+        <translation>Von da an hält alles 3 % des Wegs, mindestens 2.4 mm, Abstand von den Enden.</translation>
     </message>
     <message>
         <source>Feel for the ends, home to the index</source>
@@ -4555,11 +4555,11 @@ A</translation>
     </message>
     <message>
         <source>2.5 and more</source>
-        <translation>ab 2,5</translation>
+        <translation>ab 2.5</translation>
     </message>
     <message>
         <source>up to 0.3</source>
-        <translation>bis 0,3</translation>
+        <translation>bis 0.3</translation>
     </message>
     <message>
         <source>%1 mA</source>
