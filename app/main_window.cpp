@@ -3,104 +3,44 @@
 #include <QAction>
 #include <QApplication>
 #include <QCloseEvent>
-#include <QHBoxLayout>
-#include <QPushButton>
-#include <QStackedWidget>
-#include <QVBoxLayout>
+#include <QDialog>
+#include <algorithm>
+#include <chrono>
 
-#include "pages/compare_page.h"
-#include "pages/connect_page.h"
-#include "pages/friction_page.h"
-#include "pages/hand_page.h"
-#include "pages/home_page.h"
-#include "pages/identify_page.h"
-#include "pages/report_page.h"
-#include "pages/runs_page.h"
-#include "pages/tune_page.h"
 #include "session/session.h"
-#include "session/settings_edits.h"
-#include "widgets/board_bar.h"
 #include "widgets/closing.h"
-#include "widgets/controls.h"
-#include "widgets/live_plots.h"
-#include "widgets/live_strip.h"
-#include "widgets/log_drawer.h"
-#include "widgets/look.h"
+#include "widgets/fields.h"
 #include "widgets/manual.h"
-#include "widgets/page_room.h"
-#include "widgets/parameters_dock.h"
-#include "widgets/rail.h"
 #include "widgets/stop_keys.h"
-#include "widgets/theme_button.h"
-#include "widgets/toast.h"
 #include "widgets/wheel_guard.h"
+
+using namespace std::chrono_literals;
 
 namespace breakaway {
 
 namespace {
-constexpr int openLive_px = 208;  // with the strip below it, 240
-}  // namespace
+constexpr auto soon = 50ms;
+}
 
 MainWindow::MainWindow(Session& session, FileChooser& files, QWidget* parent)
-    : QMainWindow(parent), connection_(session.connection) {
+    : QMainWindow(parent), session_(session), files_(files) {
   setObjectName("mainWindow");
-  setWindowTitle(tr("Breakaway"));
+  setWindowTitle("Breakaway");
   setWindowIcon(QIcon(":/icons/breakaway.svg"));
-  buildPages(session, files);
-  buildRail();
-  buildBelow(session, files);
-  buildParameters(session, files);
-  layOut(new BoardBar(session.connection, this));
-  connect(findChild<ThemeButton*>(), &ThemeButton::languageKept, &session.messages,
-          qOverload<const QString&>(&Messages::say));
-  toast_ = new Toast(session.messages, this);
-  connect(toast_, &Toast::clicked, this, [this] { showLog(true); });
+  resize(1366, 768);
+  makeContents();
   buildHelp();
   new StopKeys([&connection = session.connection] { connection.stop(); }, this);
   new WheelGuard(this);
-  goTo(0);
-  rail_->setFocus();
-  resize(1366, 768);
+  next_.setInterval(soon);
+  connect(&next_, &QTimer::timeout, this, &MainWindow::speakWhenItMay);
+  contents_->findChild<QWidget*>("steps")->setFocus();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!mayClose(*this, connection_)) return event->ignore();
+  if (!mayClose(*this, session_.connection)) return event->ignore();
   keepLayout(*this);
   QMainWindow::closeEvent(event);
-}
-
-void MainWindow::buildPages(Session& session, FileChooser& files) {
-  auto& [messages, connection, edits, project, bench, live, comparison, experiment, trial, kept, unfinished, runs,
-         maps] = session;
-  pages_ = {new ConnectPage(connection, bench, messages, files, this),
-            new IdentifyPage(connection, bench, this),
-            new TunePage(connection, bench, edits, this),
-            new HomePage(connection, bench, live, this),
-            new FrictionPage(connection, bench, maps, messages, files, this),
-            new ComparePage(bench, live, comparison, experiment, trial, project, files, this),
-            new ReportPage(bench, comparison, messages, files, this),
-            new HandPage(connection, bench, live, this),
-            new RunsPage(project, runs, maps, comparison, files, this)};
-  stack_ = new QStackedWidget(this);
-  for (Page* page : pages_) {
-    stack_->addWidget(page);
-    connect(page, &Page::stateChanged, this, &MainWindow::showStates);
-    connect(page, &Page::pageAsked, this, &MainWindow::showPage);
-  }
-}
-
-void MainWindow::buildRail() {
-  rail_ = new Rail(this);
-  for (size_t k = 0; k < pages_.size(); ++k) {
-    const int row = static_cast<int>(k);
-    rail_->add(pages_[k]->title(), tr("Ctrl+%1").arg(row + 1), pages_[k]->isTool());
-    auto* action = new QAction(this);
-    action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + row)));
-    connect(action, &QAction::triggered, this, [this, row] { rail_->setCurrentRow(row); });
-    addAction(action);
-  }
-  connect(rail_, &Rail::currentRowChanged, this, &MainWindow::goTo);
-  showStates();
 }
 
 /// F1 and "?" anywhere but in a text: the manual on what is under the cursor, or has the focus where it is on nothing.
@@ -117,154 +57,54 @@ void MainWindow::buildHelp() {
 
 void MainWindow::showHelp(const QWidget* about) {
   if (manual_ == nullptr) manual_ = new Manual(this);
-  manual_->open(Manual::topicOf(about != nullptr ? about : stack_->currentWidget()));
+  manual_->open(Manual::topicOf(about));
 }
 
-void MainWindow::buildBelow(Session& session, FileChooser& files) {
-  log_ = new LogDrawer(session.messages, this);
-  log_->hide();
-  live_ = new LivePlots(session.connection, session.live, session.messages, files, this);
-  live_->setFixedHeight(openLive_px);
-  live_->hide();
-  connect(live_, &LivePlots::largeAsked, this, &MainWindow::showLiveLarge);
-  strip_ = new LiveStrip(session.connection, session.live, this);
-  connect(strip_, &LiveStrip::plotsAsked, this, &MainWindow::showLive);
-  connect(strip_, &LiveStrip::logAsked, this, [this] { showLog(!log_->isVisible()); });
-  connect(log_, &LogDrawer::closed, this, [this] { showLog(false); });
-  connect(log_, &LogDrawer::changed, this, [this] { strip_->countUnread(*log_); });
+void MainWindow::makeContents() {
+  setCentralWidget(contents_ = new WindowContents(session_, files_, this));
+  connect(contents_, &WindowContents::languageChosen, this, &MainWindow::chooseLanguage);
+  connect(contents_, &WindowContents::helpAsked, this, &MainWindow::showHelp);
 }
 
-void MainWindow::buildParameters(Session& session, FileChooser& files) {
-  parameters_ = new ParametersDock(session.connection, session.edits, files, this);
-  parameters_->hide();
-  connect(parameters_, &ParametersDock::closed, this, [this] { showParameters(false); });
-  parametersButton_ = pushButton(this, "parametersButton", tr("Parameters"),
-                                 tr("The board's settings beside the page: compare, edit, apply (Ctrl+P)"));
-  parametersButton_->setProperty("role", "bare");
-  parametersButton_->setFixedSize(Rail::width_px, 32);
-  parametersButton_->setStyleSheet("padding-left: 12px;");
-  const auto turn = [this] { showParameters(parameters_->isHidden()); };
-  connect(parametersButton_, &QPushButton::clicked, this, turn);
-  auto* action = new QAction(this);
-  action->setShortcut(QKeySequence("Ctrl+P"));
-  connect(action, &QAction::triggered, this, turn);
-  addAction(action);
-  connect(&session.edits, &SettingsEdits::changed, this, [this, &edits = session.edits] { countEdits(edits); });
+void MainWindow::chooseLanguage(Language language) {
+  keepLanguage(language);
+  wanted_ = spokenAs(language);
+  told_.clear();
+  next_.start();  // not at once: what it was chosen in goes, too
 }
 
-void MainWindow::countEdits(const SettingsEdits& edits) {
-  const size_t count = edits.count();
-  parametersButton_->setText(count == 0 ? tr("Parameters") : tr("Parameters: %1 edited").arg(count));
+std::optional<QString> MainWindow::obstacle() const {
+  const Connection& connection = session_.connection;
+  if (connection.powered() || connection.run().running()) return tr("The language changes once the motor stands");
+  const auto questions = findChildren<QDialog*>();
+  if (std::any_of(questions.begin(), questions.end(), [](const QDialog* one) { return one->isVisible(); }))
+    return tr("The language changes once the open question is answered");
+  const bool inHand = QApplication::activePopupWidget() != nullptr || QApplication::mouseButtons() != Qt::NoButton;
+  return inHand || contents_->busy() ? std::optional(QString()) : std::nullopt;
 }
 
-void MainWindow::showParameters(bool open) {
-  keepParametersOpen(open);
-  if (open) showLiveLarge(false);
-  room_->setScrolls(open);
-  parameters_->setVisible(open);
-  fitLive();
-}
-
-void MainWindow::layOut(QWidget* bar) {
-  auto* centre = new QWidget(this);
-  auto* column = columnIn(centre, 0);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(0);
-  auto* side = new QWidget(centre);
-  side->setProperty("role", "rail");
-  side->setAttribute(Qt::WA_StyledBackground);
-  auto* left = columnIn(side, 0);
-  left->addWidget(rail_, 1);
-  left->addWidget(parametersButton_);
-  auto* help =
-      pushButton(side, "helpButton", tr("Manual (F1)"), tr("The manual on this page; F1 on what is under the cursor"));
-  help->setProperty("role", "bare");
-  help->setFixedSize(Rail::width_px, 32);
-  help->setStyleSheet("padding-left: 12px;");
-  connect(help, &QPushButton::clicked, this, [this] { showHelp(nullptr); });
-  left->addWidget(help);
-  left->addWidget(new ThemeButton(this));
-  auto* right = below_ = new QVBoxLayout;
-  right->setSpacing(0);
-  room_ = new PageRoom(stack_, centre);
-  auto* above = new QHBoxLayout;
-  above->setSpacing(0);
-  above->addWidget(room_, 1);
-  above->addWidget(parameters_);
-  right->addLayout(above, 1);
-  right->addWidget(log_);
-  right->addWidget(live_);
-  row->addWidget(side);
-  row->addLayout(right, 1);
-  column->addWidget(bar);
-  column->addLayout(row, 1);
-  column->addWidget(strip_);
-  setCentralWidget(centre);
-}
-
-void MainWindow::goTo(int row) {
-  showLiveLarge(false);
-  // Together they may ask for more room than there is, and the window would grow.
-  if (!pages_[static_cast<size_t>(row)]->wantsLive()) live_->hide();
-  // Only the page that is shown says how much room the window needs.
-  for (Page* page : pages_) {
-    const auto policy = page == pages_[static_cast<size_t>(row)] ? QSizePolicy::Preferred : QSizePolicy::Ignored;
-    page->setSizePolicy(policy, policy);
+void MainWindow::speakWhenItMay() {
+  if (wanted_ == spokenLanguage()) return next_.stop();
+  if (const auto why = obstacle()) {
+    if (told_ != *why && !why->isEmpty()) session_.messages.say(told_ = *why);
+    return;
   }
-  stack_->setCurrentIndex(row);
-  if (rail_->currentRow() != row) rail_->setCurrentRow(row);
-  fitLive();
+  next_.stop();
+  speak(wanted_);
+  makeContentsAnew();
 }
 
-void MainWindow::showStates() {
-  for (size_t k = 0; k < pages_.size(); ++k) rail_->setState(static_cast<int>(k), pages_[k]->state());
-}
-
-void MainWindow::showPage(const QString& objectName) {
-  for (size_t k = 0; k < pages_.size(); ++k) {
-    if (pages_[k]->objectName() == objectName) goTo(static_cast<int>(k));
-  }
-}
-
-void MainWindow::showLive(bool open) {
-  liveOpen_ = open;
-  strip_->showOpen(open);
-  fitLive();
-}
-
-void MainWindow::showLiveLarge(bool large) {
-  if (liveLarge_ == large) return;
-  liveLarge_ = large;
-  live_->setLarge(large);
-  if (large && !parameters_->isHidden()) showParameters(false);
-  fitLive();
-}
-
-void MainWindow::showLog(bool open) {
-  if (open) live_->hide();
-  log_->setVisible(open);
-  fitLive();
-}
-
-/// Open only where the page leaves room for it, and the log doesn't take it.
-void MainWindow::fitLive() {
-  const bool open = liveOpen_ && log_->isHidden() && pages_[static_cast<size_t>(stack_->currentIndex())]->wantsLive();
-  const bool large = open && liveLarge_;
-  if (large == room_->isVisibleTo(this)) {
-    room_->setVisible(!large);
-    live_->setMaximumHeight(large ? QWIDGETSIZE_MAX : openLive_px);
-    below_->setStretch(0, large ? 0 : 1);  // an empty row takes its share, too
-    below_->setStretchFactor(live_, large ? 1 : 0);
-  }
-  live_->setVisible(open);
-  if (toast_ == nullptr) return;
-  const int drawer_px = live_->isHidden() || large ? 0 : openLive_px;
-  toast_->keepAbove(LiveStrip::height_px + (log_->isHidden() ? drawer_px : log_->height()));
-}
-
-void MainWindow::resizeEvent(QResizeEvent* event) {
-  QMainWindow::resizeEvent(event);
-  fitLive();
+void MainWindow::makeContentsAnew() {
+  const Fields fields = fieldsIn(*contents_);
+  const QString focused = focusWidget() != nullptr ? focusWidget()->objectName() : QString();
+  setUpdatesEnabled(false);
+  contents_->hide();  // whoever holds a motor by a button lets go
+  delete takeCentralWidget();
+  makeContents();
+  setFields(*contents_, fields);
+  contents_->show();
+  if (auto* widget = focused.isEmpty() ? nullptr : contents_->findChild<QWidget*>(focused)) widget->setFocus();
+  setUpdatesEnabled(true);
 }
 
 }  // namespace breakaway

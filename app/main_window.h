@@ -1,28 +1,17 @@
-// The window: the bar above, the steps of the job on the left, the page between, and the live strip below.
+// The window, whatever language it speaks: its title, its place, the keys that stop the motor, and what is in it.
 #pragma once
 
 #include <QMainWindow>
-#include <vector>
+#include <QTimer>
+#include <optional>
 
+#include "session/language.h"
 #include "widgets/file_chooser.h"
-
-class QPushButton;
-class QStackedWidget;
-class QVBoxLayout;
+#include "window_contents.h"
 
 namespace breakaway {
 
-class Connection;
-class LivePlots;
-class LiveStrip;
-class LogDrawer;
 class Manual;
-class Page;
-class PageRoom;
-class ParametersDock;
-class Rail;
-class SettingsEdits;
-class Toast;
 struct Session;
 
 class MainWindow : public QMainWindow {
@@ -31,49 +20,34 @@ class MainWindow : public QMainWindow {
  public:
   MainWindow(Session& session, FileChooser& files, QWidget* parent = nullptr);
 
-  /// Brings the page with this object name to the front.
-  void showPage(const QString& objectName);
-  /// Opens or closes the plots below the page.
-  void showLive(bool open);
-  /// The plots in the page's place, where they have the room for all of their curves.
-  void showLiveLarge(bool large);
-  /// Opens or closes the board's settings beside the page.
-  void showParameters(bool open);
-
- protected:
-  void resizeEvent(QResizeEvent* event) override;
+  void showPage(const QString& objectName) { contents_->showPage(objectName); }
+  void showLive(bool open) { contents_->showLive(open); }
+  void showLiveLarge(bool large) { contents_->showLiveLarge(large); }
+  void showParameters(bool open) { contents_->showParameters(open); }
+  /// Speaks it from now on, and at later starts: what is in the window is made anew, and what was set in it set again.
+  /// That waits while the motor turns, for then STOP is never away, and while a question or a written report would be
+  /// lost; one line says so.
+  void chooseLanguage(Language language);
 
  protected:
   void closeEvent(QCloseEvent* event) override;
 
  private:
-  void buildPages(Session& session, FileChooser& files);
-  void buildRail();
-  void buildBelow(Session& session, FileChooser& files);
   void buildHelp();
-  void buildParameters(Session& session, FileChooser& files);
-  void countEdits(const SettingsEdits& edits);
-  void layOut(QWidget* bar);
-  void goTo(int row);
-  void showStates();
-  void showLog(bool open);
   void showHelp(const QWidget* about);
-  void fitLive();
+  void makeContents();
+  void speakWhenItMay();
+  /// Why what is in the window can't be made anew now: in words, empty where it takes but a moment; nothing if it can.
+  std::optional<QString> obstacle() const;
+  void makeContentsAnew();
 
-  Connection& connection_;
-  Rail* rail_ = nullptr;
-  QStackedWidget* stack_ = nullptr;
-  PageRoom* room_ = nullptr;
-  ParametersDock* parameters_ = nullptr;
-  QPushButton* parametersButton_ = nullptr;
-  LogDrawer* log_ = nullptr;
-  LivePlots* live_ = nullptr;
-  LiveStrip* strip_ = nullptr;
-  QVBoxLayout* below_ = nullptr;  ///< the page, and what stands below it
-  Toast* toast_ = nullptr;
+  Session& session_;
+  FileChooser& files_;
+  WindowContents* contents_ = nullptr;
   Manual* manual_ = nullptr;
-  bool liveOpen_ = false, liveLarge_ = false;
-  std::vector<Page*> pages_;
+  Language wanted_ = spokenLanguage();
+  QString told_;  ///< why it waits
+  QTimer next_;
 };
 
 }  // namespace breakaway

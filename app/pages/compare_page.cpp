@@ -23,11 +23,13 @@
 #include "session/resource_folder.h"
 #include "session/trial_run.h"
 #include "widgets/controls.h"
+#include "widgets/elided_label.h"
 #include "widgets/evidence_plot.h"
 #include "widgets/facts_table.h"
 #include "widgets/file_slot.h"
 #include "widgets/findings_list.h"
 #include "widgets/log_panel.h"
+#include "widgets/look.h"
 #include "widgets/number_text.h"
 #include "widgets/parameter_words.h"
 #include "widgets/residual_axis.h"
@@ -149,7 +151,9 @@ void ComparePage::buildBase() {
 void ComparePage::buildFindings() {
   auto* group = card(this);
   columnOf(group)->addWidget(section(group, tr("Findings")));
-  ticked_ = caption(group, {});
+  ticked_ = new ElidedLabel("tickedLine", group);
+  ticked_->setFont(typed(Type::caption));
+  ticked_->setProperty("tone", "muted");
   columnOf(group)->addWidget(ticked_);
   findings_ = new FindingsList(comparison_, group);
   findings_->setMinimumHeight(leastFindings);

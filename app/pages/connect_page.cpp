@@ -12,7 +12,6 @@
 #include "session/bench_runs.h"
 #include "session/connection.h"
 #include "session/language.h"
-#include "session/messages.h"
 #include "widgets/board_list.h"
 #include "widgets/controls.h"
 #include "widgets/facts_table.h"
@@ -46,12 +45,12 @@ QString cannotWords(const Identity& board) {
 }
 }  // namespace
 
-ConnectPage::ConnectPage(Connection& connection, BenchRuns& bench, Messages& messages, FileChooser& files,
+ConnectPage::ConnectPage(Connection& connection, BenchRuns& bench, ProfileComparison& profile, FileChooser& files,
                          QWidget* parent)
     : Page("connectPage", tr("Connect"), parent),
       connection_(connection),
       bench_(bench),
-      messages_(messages),
+      profile_(profile),
       files_(files) {
   setHead(tr("Connect"), tr("Choose a board and connect. Nothing moves, and nothing is written to it."));
   connect_ = addPrimary("connectButton", tr("Connect"));
@@ -126,7 +125,7 @@ QWidget* ConnectPage::buildIdentity() {
 
 QWidget* ConnectPage::buildProfile() {
   auto* side = card(this);
-  columnOf(side)->addWidget(new ProfilePanel(connection_, bench_, messages_, files_, side), 1);
+  columnOf(side)->addWidget(new ProfilePanel(connection_, profile_, files_, side), 1);
   return side;
 }
 
@@ -177,7 +176,7 @@ void ConnectPage::showConnection() {
 }
 
 void ConnectPage::showState() {
-  dressAs(state_, "tone", connection_.trouble().isEmpty() ? QString() : "trouble");
+  dressAs(state_, "tone", connection_.trouble().empty() ? QString() : "trouble");
   setState(railState());
   switch (connection_.state()) {
     case ConnectionState::none:
@@ -190,11 +189,11 @@ void ConnectPage::showState() {
       state_->setText(tr("Connected."));
       break;
     case ConnectionState::failed:
-      state_->setText(tr("Not connected: %1").arg(connection_.trouble()));
+      state_->setText(tr("Not connected: %1").arg(inLanguage(connection_.trouble())));
       break;
     case ConnectionState::reconnecting:
       state_->setText(tr("Link lost: %1. Trying again every second; the motor stays off when the board comes back.")
-                          .arg(connection_.trouble()));
+                          .arg(inLanguage(connection_.trouble())));
       break;
   }
 }

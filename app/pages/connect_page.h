@@ -15,13 +15,13 @@ class BenchRuns;
 class BoardList;
 class Connection;
 class FactsTable;
-class Messages;
+class ProfileComparison;
 
 class ConnectPage : public Page {
   Q_OBJECT
 
  public:
-  ConnectPage(Connection& connection, BenchRuns& bench, Messages& messages, FileChooser& files,
+  ConnectPage(Connection& connection, BenchRuns& bench, ProfileComparison& profile, FileChooser& files,
               QWidget* parent = nullptr);
 
  private:
@@ -39,7 +39,7 @@ class ConnectPage : public Page {
 
   Connection& connection_;
   BenchRuns& bench_;
-  Messages& messages_;
+  ProfileComparison& profile_;
   FileChooser& files_;
   BoardList* boards_ = nullptr;
   QLineEdit* address_ = nullptr;

@@ -79,7 +79,7 @@ FrictionPage::FrictionPage(Connection& connection, BenchRuns& bench, ShownMaps& 
   connect(&bench_, &BenchRuns::tookUp, this, [this] { setSweeps(bench_.known().sweeps); });
   connect(&maps_, &ShownMaps::changed, this, &FrictionPage::showMaps);
   showConnection();
-  showKnown();
+  showMaps();
 }
 
 void FrictionPage::buildSettings() {

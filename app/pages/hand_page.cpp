@@ -180,6 +180,16 @@ void HandPage::choose(HandMode mode) {
   target_->setValue(value);
 }
 
+QVariant HandPage::kept() const {
+  return QVariantList{targets_[0], targets_[1], targets_[2]};
+}
+
+void HandPage::take(const QVariant& kept) {
+  const QVariantList values = kept.toList();
+  for (size_t k = 0; k < targets_.size(); ++k) targets_[k] = values.value(static_cast<qsizetype>(k)).toDouble();
+  choose(mode_);
+}
+
 void HandPage::wordForAxis() {
   const bool linear = connection_.linear();
   if (worded_ == linear) return;

@@ -20,10 +20,15 @@ class LiveSamples;
 
 class HandPage : public Page {
   Q_OBJECT
+  Q_PROPERTY(QVariant kept READ kept WRITE take USER true)
 
  public:
   HandPage(Connection& connection, BenchRuns& bench, const LiveSamples& live, QWidget* parent = nullptr);
   bool isTool() const override { return true; }
+
+  /// What is held in each mode.
+  QVariant kept() const;
+  void take(const QVariant& kept);
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QString>
+#include <QVariant>
 #include <QWidget>
 
 #include "widgets/step_state.h"
@@ -28,6 +29,8 @@ class Page : public QWidget {
   virtual bool isTool() const { return false; }
   /// Whether plots of what comes from the board have room below it.
   virtual bool wantsLive() const { return true; }
+  /// Whether something is under way whose end it waits for, so that it can't go now.
+  virtual bool busy() const { return false; }
 
  signals:
   void stateChanged();

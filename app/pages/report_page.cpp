@@ -237,6 +237,7 @@ void ReportPage::writeComparison() {
   files_.ask(this, question, [this](const QString& folder) {
     const Draft whole = draft();
     if (!whole) return;
+    ++writing_;
     pool_.start([this, whole, folder, edit = edit()] {
       auto done = whole(folder.toStdString());
       const std::string report = folder.toStdString() + "/report.html";
@@ -256,6 +257,7 @@ void ReportPage::writePaper() {
 /// As PDF where the name says so, else as HTML.
 void ReportPage::write(const Draft& draft, const QString& path) {
   if (!draft) return;
+  ++writing_;
   pool_.start([this, draft, path, edit = edit()] {
     const auto html = htmlOf(draft);
     Result<void> done = html ? Result<void>() : Result<void>(html.error());
@@ -270,14 +272,39 @@ void ReportPage::write(const Draft& draft, const QString& path) {
 }
 
 void ReportPage::written(const Result<void>& result, const QString& report) {
+  --writing_;
   if (!result) {
     messages_.warn(result.error());
     return;
   }
+  messages_.say(tr("Written: %1").arg(report));
+  offerToOpen(report);
+}
+
+void ReportPage::offerToOpen(const QString& report) {
   last_ = report;
   setAvailable(open_, true, tr("Open %1").arg(report), {});
-  messages_.say(tr("Written: %1").arg(report));
   showAvailable();
+}
+
+QVariant ReportPage::kept() const {
+  QStringList chapters, ticked;
+  for (int row = 0; row < chapters_->count(); ++row) {
+    chapters << chapters_->item(row)->text();
+    if (chapters_->item(row)->checkState() == Qt::Checked) ticked << chapters.back();
+  }
+  return QVariantList{last_, chapters, ticked};
+}
+
+void ReportPage::take(const QVariant& kept) {
+  const QVariantList parts = kept.toList();
+  const QStringList ticked = parts.value(2).toStringList();
+  showChapters(parts.value(1).toStringList());
+  for (int row = 0; row < chapters_->count(); ++row) {
+    QListWidgetItem* item = chapters_->item(row);
+    item->setCheckState(ticked.contains(item->text()) ? Qt::Checked : Qt::Unchecked);
+  }
+  if (const QString last = parts.value(0).toString(); !last.isEmpty()) offerToOpen(last);
 }
 
 }  // namespace breakaway

@@ -27,12 +27,18 @@ class Messages;
 
 class ReportPage : public Page {
   Q_OBJECT
+  Q_PROPERTY(QVariant kept READ kept WRITE take USER true)
 
  public:
   ReportPage(const BenchRuns& bench, const Comparison& comparison, Messages& messages, FileChooser& files,
              QWidget* parent = nullptr);
   ~ReportPage() override;
   bool wantsLive() const override { return false; }
+  bool busy() const override { return writing_ > 0; }
+
+  /// Which report was written last, and which chapters are ticked.
+  QVariant kept() const;
+  void take(const QVariant& kept);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -56,6 +62,7 @@ class ReportPage : public Page {
   void writePaper();
   void write(const Draft& draft, const QString& path);
   void written(const Result<void>& result, const QString& report);
+  void offerToOpen(const QString& report);
 
   const BenchRuns& bench_;
   const Comparison& comparison_;
@@ -72,6 +79,7 @@ class ReportPage : public Page {
   QPushButton* paper_ = nullptr;
   QPushButton* open_ = nullptr;
   QString last_;
+  int writing_ = 0;  ///< reports that are being written
   Of of_ = Of::friction;
   QTimer soon_;
   std::atomic<unsigned> wanted_ = 0;  ///< number of the newest preview

@@ -67,7 +67,6 @@ RunsPage::RunsPage(BenchProject& project, ProjectRuns& runs, ShownMaps& maps, Co
   connect(open_, &QPushButton::clicked, this, &RunsPage::open);
   connect(compare_, &QPushButton::clicked, this, &RunsPage::compareChosen);
   connect(&runs_, &ProjectRuns::listed, this, &RunsPage::showList);
-  connect(&project_, &BenchProject::changed, &runs_, &ProjectRuns::refresh);
   showList();
   showChosen();
 }
@@ -176,7 +175,7 @@ void RunsPage::showChosen() {
                                         : tr("%1 runs").arg(chosen_.size()));
   read(chosen_.empty() ? tr("Folder of the project: %1").arg(project_.folder()) : QString());
   showButtons();
-  if (chosen_.size() == 1) runs_.read(chosen_[0].id, [this](const KeptRun& kept) { showRun(kept); });
+  if (chosen_.size() == 1) runs_.read(chosen_[0].id, this, [this](const KeptRun& kept) { showRun(kept); });
 }
 
 void RunsPage::showRun(const KeptRun& kept) {
@@ -228,13 +227,13 @@ void RunsPage::showButtons() {
 void RunsPage::open() {
   if (!open_->isEnabled()) return;
   if (chosen_[0].file("map") != nullptr) {
-    runs_.readMap(chosen_[0].id, [this](const KeptMap& map) {
+    runs_.readMap(chosen_[0].id, this, [this](const KeptMap& map) {
       maps_.open(map);
       emit pageAsked("frictionPage");
     });
     return;
   }
-  runs_.read(chosen_[0].id, [this](const KeptRun& kept) {
+  runs_.read(chosen_[0].id, this, [this](const KeptRun& kept) {
     if (kept.run.file("recording") == nullptr) return openReport();
     comparison_.openRecording(kept.pathOf("recording"));
     emit pageAsked("comparePage");
@@ -242,14 +241,14 @@ void RunsPage::open() {
 }
 
 void RunsPage::layBeneath() {
-  runs_.readMap(chosen_[0].id, [this](const KeptMap& map) {
+  runs_.readMap(chosen_[0].id, this, [this](const KeptMap& map) {
     maps_.layBeneath(map);
     emit pageAsked("frictionPage");
   });
 }
 
 void RunsPage::openReport() {
-  runs_.read(chosen_[0].id, [](const KeptRun& kept) {
+  runs_.read(chosen_[0].id, this, [](const KeptRun& kept) {
     if (kept.run.file("report") != nullptr) QDesktopServices::openUrl(QUrl::fromLocalFile(kept.pathOf("report")));
   });
 }
@@ -260,11 +259,22 @@ void RunsPage::saveCsv() {
 }
 
 void RunsPage::compareChosen() {
-  runs_.compare(chosen_[0].id, chosen_[1].id, [this](const RunComparison& comparison) {
-    compared_->show(comparison);
-    table_->hide();
-    compared_->QWidget::show();
-  });
+  runs_.compare(chosen_[0].id, chosen_[1].id, this,
+                [this](const RunComparison& comparison) { showComparison(comparison); });
+}
+
+void RunsPage::showComparison(const RunComparison& comparison) {
+  compared_->show(comparison);
+  table_->hide();
+  compared_->QWidget::show();
+}
+
+QVariant RunsPage::kept() const {
+  return compared_->isHidden() ? QVariant() : QVariant::fromValue(*compared_->comparison());
+}
+
+void RunsPage::take(const QVariant& kept) {
+  showComparison(kept.value<RunComparison>());
 }
 
 }  // namespace breakaway

@@ -23,15 +23,21 @@ class RunComparisonPanel;
 class RunsTable;
 class ShownMaps;
 struct KeptRun;
+struct RunComparison;
 
 class RunsPage : public Page {
   Q_OBJECT
+  Q_PROPERTY(QVariant kept READ kept WRITE take USER true)
 
  public:
   RunsPage(BenchProject& project, ProjectRuns& runs, ShownMaps& maps, Comparison& comparison, FileChooser& files,
            QWidget* parent = nullptr);
   bool isTool() const override { return true; }
   bool wantsLive() const override { return false; }
+
+  /// The comparison that is shown, if one is.
+  QVariant kept() const;
+  void take(const QVariant& kept);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -50,6 +56,7 @@ class RunsPage : public Page {
   void layBeneath();
   void saveCsv();
   void compareChosen();
+  void showComparison(const RunComparison& comparison);
 
   BenchProject& project_;
   ProjectRuns& runs_;

@@ -82,7 +82,6 @@ TunePage::TunePage(Connection& connection, BenchRuns& bench, SettingsEdits& edit
   connect(&connection_, &Connection::runChanged, this, &TunePage::showMotion);
   connect(&bench_, &BenchRuns::knownChanged, &soon_, qOverload<>(&QTimer::start));
   connect(&bench_, &BenchRuns::tuningChanged, this, &TunePage::showEdits);
-  connect(&bench_, &BenchRuns::tuned, &edits_, &SettingsEdits::edit);
   connect(&bench_, &BenchRuns::measured, this, &TunePage::showSteps);
   connect(&bench_, &BenchRuns::measured, this, &TunePage::showMotion);
   meetBoard();
@@ -220,7 +219,7 @@ void TunePage::wordForAxis() {
 
 void TunePage::meetBoard() {
   wordForAxis();
-  const ControllerSettings& now = edits_.edited();
+  const ControllerSettings& now = edits_.before();
   const double kp = now.velocity_kp_A_s_per_rad;
   for (const Slider& slider : sliders_) {
     const bool cutoff = slider.field == &ControllerSettings::observer_cutoff_rad_per_s;

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "firmware_link/presets.h"
-#include "session/language.h"
 
 namespace breakaway {
 
@@ -20,7 +19,7 @@ BoardOpener::~BoardOpener() {
   pool_.waitForDone();
 }
 
-void BoardOpener::enter(ConnectionState state, const QString& trouble) {
+void BoardOpener::enter(ConnectionState state, const Message& trouble) {
   state_ = state;
   trouble_ = trouble;
   emit changed();
@@ -49,18 +48,18 @@ void BoardOpener::take(unsigned number, Result<std::unique_ptr<Drive>>& opened) 
   if (number != number_) return;  // nobody waits for it any more
   if (opened) {
     state_ = ConnectionState::connected;
-    trouble_.clear();
+    trouble_ = {};
     taker_(std::move(*opened));
     emit changed();
   } else if (state_ == ConnectionState::reconnecting) {
-    enter(state_, inLanguage(opened.error().said()));
+    enter(state_, opened.error().said());
     retry_.start();
   } else {
-    enter(ConnectionState::failed, inLanguage(opened.error().said()));
+    enter(ConnectionState::failed, opened.error().said());
   }
 }
 
-void BoardOpener::lost(const QString& why) {
+void BoardOpener::lost(const Message& why) {
   if (request_.uri.empty() || isSimulated(request_.uri)) return enter(ConnectionState::failed, why);
   ++number_;
   enter(ConnectionState::reconnecting, why);

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <QObject>
-#include <QString>
 #include <QThreadPool>
 #include <QTimer>
 #include <functional>
 #include <memory>
 
+#include "base/message.h"
 #include "experiment/drive.h"
 #include "firmware_link/transport/open_board.h"
 
@@ -29,7 +29,7 @@ class BoardOpener : public QObject {
   /// Opens a simulated board at once, any other in a thread of its own. Gives up an attempt that is under way.
   void open(const BoardRequest& request);
   /// The board that was opened is lost: tries again until it comes back or close() is called.
-  void lost(const QString& why);
+  void lost(const Message& why);
   /// Gives up an attempt that is under way; a drive that was handed over is not touched.
   void close();
   /// Somebody has a drive that was opened elsewhere: that counts as connected.
@@ -37,7 +37,7 @@ class BoardOpener : public QObject {
 
   ConnectionState state() const { return state_; }
   /// Why it failed or was lost, in one line; empty otherwise.
-  const QString& trouble() const { return trouble_; }
+  const Message& trouble() const { return trouble_; }
 
  signals:
   void changed();
@@ -45,12 +45,12 @@ class BoardOpener : public QObject {
  private:
   void attempt();
   void take(unsigned number, Result<std::unique_ptr<Drive>>& opened);
-  void enter(ConnectionState state, const QString& trouble);
+  void enter(ConnectionState state, const Message& trouble);
 
   Taker taker_;
   BoardRequest request_;
   ConnectionState state_ = ConnectionState::none;
-  QString trouble_;
+  Message trouble_;
   unsigned number_ = 0;  ///< of the attempt that still counts
   QTimer retry_;
   QThreadPool pool_;

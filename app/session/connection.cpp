@@ -27,7 +27,7 @@ void Connection::open(const QString& uri, unsigned seed) {
   letGo();
   uri_ = uri;
   opener_.open({uri.toStdString(), seed});
-  if (state() == ConnectionState::failed) messages_.warn(trouble());
+  if (state() == ConnectionState::failed) messages_.warn(inLanguage(trouble()));
 }
 
 void Connection::adopt(std::unique_ptr<Drive> drive, const QString& uri) {
@@ -43,7 +43,7 @@ void Connection::close() {
 }
 
 void Connection::begin(std::unique_ptr<Drive> drive) {
-  loss_.clear();
+  loss_ = {};
   hasRun_ = false;
   identity_ = drive->identity();
   settings_ = drive->settings();
@@ -79,14 +79,14 @@ void Connection::listenToLoop() {
   });
   listen(&DriveLoop::runChanged, [this](const RunSnapshot& snapshot) { takeRun(snapshot); });
   listen(&DriveLoop::stopped, [this](DriveLoop::StopCause cause) { takeStop(cause); });
-  listen(&DriveLoop::failed, [this](const QString& reason) { loseBoard(reason); });
+  listen(&DriveLoop::failed, [this](const Message& reason) { loseBoard(reason); });
 }
 
-void Connection::loseBoard(const QString& why) {
+void Connection::loseBoard(const Message& why) {
   loss_ = why;
   letGo();
   opener_.lost(why);
-  messages_.warn(why);
+  messages_.warn(inLanguage(why));
 }
 
 void Connection::letGo() {
@@ -96,7 +96,7 @@ void Connection::letGo() {
   identity_ = {};
   link_ = {};
   run_ = {};
-  lastStop_.clear();
+  lastStop_ = nullptr;
   powered_ = false;
   emit left();
   emit changed();
@@ -109,7 +109,7 @@ QString Connection::stateWords() const {
   if (!connected()) return tr("not connected");
   if (run_.running()) return inLanguage(run_.status.activity);
   if (powered_) return tr("powered");
-  return lastStop_.isEmpty() ? tr("idle, windings open") : lastStop_;
+  return lastStop_ == nullptr ? tr("idle, windings open") : tr(lastStop_);
 }
 
 QString Connection::obstacle() const {
@@ -125,7 +125,7 @@ void Connection::stop() {
 
 void Connection::start(Run run) {
   if (!loop_) return;
-  lastStop_.clear();
+  lastStop_ = nullptr;
   hasRun_ = true;
   loop_->start(std::move(run));
 }
@@ -134,7 +134,7 @@ void Connection::takeRun(const RunSnapshot& snapshot) {
   run_ = snapshot;
   const Procedure::State state = snapshot.status.state;
   const bool tripped = state == Procedure::State::stopped && snapshot.endedByBoard;
-  if (tripped) lastStop_ = tr("stopped by the board");
+  if (tripped) lastStop_ = QT_TR_NOOP("stopped by the board");
   if (tripped || state == Procedure::State::failed) messages_.warn(inLanguage(snapshot.status.failure));
   emit runReported(snapshot);
   emit runChanged();
@@ -142,10 +142,10 @@ void Connection::takeRun(const RunSnapshot& snapshot) {
 
 void Connection::takeStop(DriveLoop::StopCause cause) {
   if (cause == DriveLoop::StopCause::pressed) {
-    lastStop_ = tr("stopped");
+    lastStop_ = QT_TR_NOOP("stopped");
     messages_.say(tr("STOP: the motor is off"));
   } else if (cause == DriveLoop::StopCause::watchdog) {
-    lastStop_ = tr("stopped by watchdog");
+    lastStop_ = QT_TR_NOOP("stopped by watchdog");
     messages_.warn(tr("The window did not answer for %1 ms, so the motor was stopped").arg(options_.watchdog_s * 1e3));
   }
   emit runChanged();

@@ -33,13 +33,13 @@ class Connection : public QObject {
   bool connected() const { return loop_ != nullptr; }
   ConnectionState state() const { return opener_.state(); }
   /// Why it failed or was lost, in one line; empty otherwise.
-  const QString& trouble() const { return opener_.trouble(); }
+  const Message& trouble() const { return opener_.trouble(); }
   /// Of the board that was asked for last.
   const QString& uri() const { return uri_; }
   /// Of the connected board; a default one without.
   const Identity& identity() const { return identity_; }
   /// Why the last board's link was lost, while that is so; empty where it was let go, or another one has come.
-  const QString& loss() const { return loss_; }
+  const Message& loss() const { return loss_; }
   bool linear() const { return identity_.axis == Axis::linear; }
   const LinkStatus& link() const { return link_; }
 
@@ -91,7 +91,7 @@ class Connection : public QObject {
   void begin(std::unique_ptr<Drive> drive);
   void listenToLoop();
   void letGo();
-  void loseBoard(const QString& why);
+  void loseBoard(const Message& why);
   void takeRun(const RunSnapshot& snapshot);
   void takeStop(DriveLoop::StopCause cause);
 
@@ -107,7 +107,8 @@ class Connection : public QObject {
   LinkStatus link_;
   RunSnapshot run_;
   bool hasRun_ = false;
-  QString lastStop_, loss_;
+  const char* lastStop_ = nullptr;  ///< for tr(): how it ended, if it was stopped
+  Message loss_;
   bool powered_ = false;
   double pace_;
   std::unique_ptr<DriveLoop> loop_;  // last: it ends before what it reports to

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "session/language.h"
-
 namespace breakaway {
 
 namespace {
@@ -41,6 +39,7 @@ DriveLoop::DriveLoop(std::unique_ptr<Drive> drive, const DriveLoopOptions& optio
   qRegisterMetaType<LinkStatus>();
   qRegisterMetaType<RunSnapshot>();
   qRegisterMetaType<DriveLoop::StopCause>();
+  qRegisterMetaType<Message>();
   link_.rate_Hz = drive_->identity().loopRate_Hz;
   nextTurn_ = lastBatch_ = lastStatus_ = lastRun_ = Clock::now();
   thread_ = std::jthread([this](const std::stop_token& ending) { work(ending); });
@@ -137,7 +136,7 @@ bool DriveLoop::advance() {
   const auto lost = drive_->advance(options_.slice_s, slice_);
   if (!lost) {
     halt(StopCause::closing);
-    emit failed(inLanguage(lost.error().said()));
+    emit failed(lost.error().said());
     return false;
   }
   if (recorder_) recorder_->append(slice_, *lost);

@@ -12,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "base/message.h"
 #include "experiment/drive.h"
 #include "session/recorder.h"
 #include "session/run.h"
@@ -62,7 +63,7 @@ class DriveLoop : public QObject {
   void linkChanged(const breakaway::LinkStatus& status);
   void runChanged(const breakaway::RunSnapshot& snapshot);
   void stopped(breakaway::DriveLoop::StopCause cause);
-  void failed(const QString& reason);
+  void failed(const breakaway::Message& reason);
 
  private:
   using Clock = std::chrono::steady_clock;

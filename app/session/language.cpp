@@ -14,8 +14,8 @@ namespace {
 
 constexpr const char* languageKey = "language";
 
-/// The window's own: it speaks one language from its start to its end.
 struct Spoken {
+  Language language = Language::english;
   Catalogue catalogue;
   QTranslator window, qt;
 };
@@ -48,10 +48,18 @@ Result<Catalogue> catalogueOf(Language language) {
   return Catalogue::read(file.readAll().toStdString());
 }
 
+Language spokenAs(Language language) {
+  if (language != Language::system) return language;
+  return QLocale::system().language() == QLocale::German ? Language::german : Language::english;
+}
+
+Language spokenLanguage() {
+  return spoken().language;
+}
+
 void speak(Language language) {
-  if (language == Language::system)
-    language = QLocale::system().language() == QLocale::German ? Language::german : Language::english;
   Spoken& now = spoken();
+  now.language = language = spokenAs(language);
   QCoreApplication::removeTranslator(&now.window);
   QCoreApplication::removeTranslator(&now.qt);
   now.catalogue = {};

@@ -13,14 +13,18 @@ enum class Language { system, english, german };
 
 /// The one that was chosen in the window; at first the system's.
 Language keptLanguage();
-/// For the next start: what is shown already doesn't change.
+/// For this start and later ones; speak() is what lets it be heard.
 void keepLanguage(Language language);
 /// By "en" or "de"; anything else: the system's.
 Language languageOf(const QString& code);
 
-/// From now on tr() and inLanguage() give this one; the system's, if it is neither, is English. Called before there is
-/// a window.
+/// From now on tr() and inLanguage() give this one; the system's, if it is neither, is English. A window that stands
+/// already is made anew for it, see MainWindow::chooseLanguage().
 void speak(Language language);
+/// English or German.
+Language spokenLanguage();
+/// Which of the two this is here.
+Language spokenAs(Language language);
 
 /// What core says, in the language that the window speaks.
 QString inLanguage(const Message& message);

@@ -158,12 +158,12 @@ void LiveSamples::leaveBoard() {
   const auto newest = history_.newest();
   flowing_ = false;
   lost_s_.reset();
-  if (!connection_.loss().isEmpty() && newest) {
+  if (!connection_.loss().empty() && newest) {
     lost_s_ = newest->time_s;
     sinceLoss_.start();
   }
   if (recorder_)
-    recorder_->finish(connection_.loss().isEmpty() ? message("the board was let go") : message("the link was lost"));
+    recorder_->finish(connection_.loss().empty() ? message("the board was let go") : message("the link was lost"));
 }
 
 }  // namespace breakaway

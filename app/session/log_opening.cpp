@@ -11,7 +11,6 @@
 #include "recording/block_file.h"
 #include "recording/columns.h"
 #include "recording/import/known_logs.h"
-#include "session/language.h"
 
 namespace breakaway {
 
@@ -120,7 +119,7 @@ void LogOpening::close() {
   recording_.reset();
   columns_.clear();
   remarks_.clear();
-  fault_.clear();
+  fault_ = {};
   emit changed();
 }
 
@@ -178,10 +177,10 @@ void LogOpening::show(const Result<Imported>& imported, const QStringList& parts
   parts_ = parts;
   recording_.reset();
   remarks_.clear();
-  fault_.clear();
+  fault_ = {};
   columns_ = bareColumns(table_->table);
   if (!imported) {
-    fault_ = inLanguage(imported.error().said());
+    fault_ = imported.error().said();
     for (LogColumn& column : columns_) {
       const auto rule = map_.columns.find(column.name.toStdString());
       if (rule == map_.columns.end() || columnNamed(rule->second.to) == nullptr) continue;

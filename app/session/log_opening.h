@@ -64,7 +64,7 @@ class LogOpening : public QObject {
   int part() const { return part_; }
   const QStringList& remarks() const { return remarks_; }
   /// Why it is no recording yet, in one line.
-  const QString& fault() const { return fault_; }
+  const Message& fault() const { return fault_; }
 
  signals:
   void changed();
@@ -85,7 +85,7 @@ class LogOpening : public QObject {
   QStringList remarks_;
   QStringList parts_;
   int part_ = 0;
-  QString fault_;
+  Message fault_;
   unsigned wanted_ = 0;  ///< number of the newest reading or settling; older answers are not shown
   bool settling_ = false;
 };

@@ -1,5 +1,6 @@
 #include "session/project_runs.h"
 
+#include <QPointer>
 #include <map>
 #include <set>
 #include <utility>
@@ -39,6 +40,7 @@ QString KeptRun::pathOf(std::string_view fileKind) const {
 
 ProjectRuns::ProjectRuns(BenchProject& project, Messages& messages, QObject* parent)
     : QObject(parent), project_(project), messages_(messages) {
+  connect(&project_, &BenchProject::changed, this, &ProjectRuns::refresh);
 }
 
 void ProjectRuns::filter(const RunFilter& filter) {
@@ -93,30 +95,34 @@ Result<ProjectRuns::List> ProjectRuns::listOf(Project& project, const RunFilter&
 }
 
 template <class T>
-void ProjectRuns::ask(std::function<Result<T>(Project&)> question, std::function<void(const T&)> then) {
-  project_.inProject(
-      [this, question = std::move(question), then = std::move(then)](Project* project) -> std::function<void()> {
-        const Result<T> answer = project == nullptr ? Result<T>(noProject()) : question(*project);
-        return [this, answer, then] { answer ? then(*answer) : messages_.warn(answer.error()); };
-      });
+void ProjectRuns::ask(std::function<Result<T>(Project&)> question, const QObject* asker,
+                      std::function<void(const T&)> then) {
+  project_.inProject([this, question = std::move(question), asker = QPointer(asker),
+                      then = std::move(then)](Project* project) -> std::function<void()> {
+    const Result<T> answer = project == nullptr ? Result<T>(noProject()) : question(*project);
+    return [this, answer, asker, then] {
+      if (!answer) return messages_.warn(answer.error());
+      if (asker) then(*answer);
+    };
+  });
 }
 
 void ProjectRuns::note(const std::string& id, const RunNote& note) {
-  ask<ProjectRun>([id, note](Project& project) { return project.annotate(id, note); },
+  ask<ProjectRun>([id, note](Project& project) { return project.annotate(id, note); }, this,
                   [this](const ProjectRun&) { emit project_.changed(); });
 }
 
-void ProjectRuns::read(const std::string& id, std::function<void(const KeptRun&)> then) {
+void ProjectRuns::read(const std::string& id, const QObject* asker, std::function<void(const KeptRun&)> then) {
   ask<KeptRun>(
       [id](Project& project) -> Result<KeptRun> {
         const auto run = project.index().find(id);
         if (!run) return run.error();
         return KeptRun{*run, project.folder() + "/" + run->folder};
       },
-      std::move(then));
+      asker, std::move(then));
 }
 
-void ProjectRuns::readMap(const std::string& id, std::function<void(const KeptMap&)> then) {
+void ProjectRuns::readMap(const std::string& id, const QObject* asker, std::function<void(const KeptMap&)> then) {
   ask<KeptMap>(
       [id](Project& project) -> Result<KeptMap> {
         const auto run = project.index().find(id);
@@ -127,10 +133,10 @@ void ProjectRuns::readMap(const std::string& id, std::function<void(const KeptMa
         if (!map) return map.error();
         return KeptMap{*run, *map};
       },
-      std::move(then));
+      asker, std::move(then));
 }
 
-void ProjectRuns::compare(const std::string& one, const std::string& other,
+void ProjectRuns::compare(const std::string& one, const std::string& other, const QObject* asker,
                           std::function<void(const RunComparison&)> then) {
   ask<RunComparison>(
       [one, other](Project& project) -> Result<RunComparison> {
@@ -139,7 +145,7 @@ void ProjectRuns::compare(const std::string& one, const std::string& other,
         if (!second) return second.error();
         return compareRuns(project, *first, *second);
       },
-      std::move(then));
+      asker, std::move(then));
 }
 
 void ProjectRuns::writeReport(const RunComparison& comparison, const QString& folder) {
@@ -151,6 +157,7 @@ void ProjectRuns::writeReport(const RunComparison& comparison, const QString& fo
         if (!written) return written.error();
         return folder + "/report.html";
       },
+      this,
       [this](const std::string& report) { messages_.say(tr("Written: %1").arg(QString::fromStdString(report))); });
 }
 
@@ -171,6 +178,7 @@ void ProjectRuns::saveCsv(const std::string& id, const QString& csv) {
         }
         return csv.toStdString();
       },
+      this,
       [this](const std::string& path) {
         messages_.say(tr("The recording is written to %1").arg(QString::fromStdString(path)));
       });

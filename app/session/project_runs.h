@@ -45,12 +45,13 @@ class ProjectRuns : public QObject {
   const std::vector<std::string>& kinds() const { return list_.kinds; }
 
   void note(const std::string& id, const RunNote& note);
-  /// Reads the whole of a run, and then does `then`; what goes wrong is said.
-  void read(const std::string& id, std::function<void(const KeptRun&)> then);
+  /// Reads the whole of a run, and then does `then`, if `asker` is still there; what goes wrong is said.
+  void read(const std::string& id, const QObject* asker, std::function<void(const KeptRun&)> then);
   /// The friction map that a run left.
-  void readMap(const std::string& id, std::function<void(const KeptMap&)> then);
+  void readMap(const std::string& id, const QObject* asker, std::function<void(const KeptMap&)> then);
   /// The older one comes first, whichever is named first.
-  void compare(const std::string& one, const std::string& other, std::function<void(const RunComparison&)> then);
+  void compare(const std::string& one, const std::string& other, const QObject* asker,
+               std::function<void(const RunComparison&)> then);
   /// report.html, comparison.json and figures into a folder, as `breakaway project compare --out` does.
   void writeReport(const RunComparison& comparison, const QString& folder);
   /// Writes a run's recording as CSV.
@@ -69,7 +70,7 @@ class ProjectRuns : public QObject {
   void list(bool follow);
   static Result<List> listOf(Project& project, const RunFilter& filter, bool follow, std::vector<std::string>& said);
   template <class T>
-  void ask(std::function<Result<T>(Project&)> question, std::function<void(const T&)> then);
+  void ask(std::function<Result<T>(Project&)> question, const QObject* asker, std::function<void(const T&)> then);
 
   BenchProject& project_;
   Messages& messages_;

@@ -9,6 +9,7 @@
 #include "session/kept_results.h"
 #include "session/live_samples.h"
 #include "session/messages.h"
+#include "session/profile_comparison.h"
 #include "session/project_runs.h"
 #include "session/settings_edits.h"
 #include "session/shown_maps.h"
@@ -18,7 +19,9 @@
 namespace breakaway {
 
 struct Session {
-  explicit Session(const DriveLoopOptions& options = {}) : connection(messages, options) {}
+  explicit Session(const DriveLoopOptions& options = {}) : connection(messages, options) {
+    QObject::connect(&bench, &BenchRuns::tuned, &edits, &SettingsEdits::edit);
+  }
 
   Messages messages;
   Connection connection;
@@ -33,6 +36,7 @@ struct Session {
   UnfinishedRuns unfinished{connection, bench, kept, project, messages};
   ProjectRuns runs{project, messages};
   ShownMaps maps;
+  ProfileComparison profile{connection, bench, messages};
 };
 
 }  // namespace breakaway

@@ -70,6 +70,19 @@ void BoardList::addRig(const QString& name, const QString& uri) {
   auto* item = add(rowBelowRigs(), name, uri, uri);
   item->setData(kindRole, rigKind);
   setCurrentItem(item);
+  ownRigs_[name] = uri;
+}
+
+QVariant BoardList::kept() const {
+  return QVariantList{ownRigs_, address()};
+}
+
+void BoardList::take(const QVariant& kept) {
+  const QVariantMap rigs = kept.toList().value(0).toMap();
+  for (auto rig = rigs.cbegin(); rig != rigs.cend(); ++rig) addRig(rig.key(), rig.value().toString());
+  for (int row = 0; row < count(); ++row) {
+    if (item(row)->data(uriRole) == kept.toList().value(1)) setCurrentRow(row);
+  }
 }
 
 void BoardList::showPorts(const std::vector<SerialPort>& ports) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QListWidget>
+#include <QVariant>
 #include <vector>
 
 #include "firmware_link/transport/serial_ports.h"
@@ -11,6 +12,7 @@ namespace breakaway {
 /// Looks for ports once a second while it is shown; the choice stays where it is.
 class BoardList : public QListWidget {
   Q_OBJECT
+  Q_PROPERTY(QVariant kept READ kept WRITE take USER true)
 
  public:
   explicit BoardList(QWidget* parent = nullptr);
@@ -20,11 +22,16 @@ class BoardList : public QListWidget {
   void addRig(const QString& name, const QString& uri);
   void showPorts(const std::vector<SerialPort>& ports);
 
+  /// One's own rigs, and which board is chosen.
+  QVariant kept() const;
+  void take(const QVariant& kept);
+
  private:
   QListWidgetItem* add(int row, const QString& text, const QString& uri, const QString& tip);
   void addTitle(const QString& text);
   int rowBelowRigs() const;
 
+  QVariantMap ownRigs_;         ///< their addresses, by name
   std::vector<QString> shown_;  ///< addresses of the ports in the list
 };
 

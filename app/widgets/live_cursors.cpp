@@ -43,6 +43,11 @@ void LiveCursors::show(bool shown) {
   changed();
 }
 
+void LiveCursors::moveTo(const std::array<double, 2>& times_s) {
+  for (size_t which = 0; which < marks_.size(); ++which) marks_[which].moveTo(times_s[which]);
+  changed();
+}
+
 void LiveCursors::shift(double by_s) {
   for (TimeMark& mark : marks_) mark.moveTo(mark.time_s() + by_s);
   write();
@@ -67,10 +72,10 @@ void LiveCursors::write() {
   const auto b = history_.nearest(marks_[1].time_s());
   difference_.setVisible(shown_ && a && b);
   if (!shown_ || !a || !b) return;
-  difference_.setText(tr("A %1 s   B %2 s   Δt %3 s")
+  difference_.setText(tr("Δt %1 s   A %2 s   B %3 s")
+                          .arg(b->time_s - a->time_s, 0, 'f', 4)
                           .arg(a->time_s, 0, 'f', 4)
-                          .arg(b->time_s, 0, 'f', 4)
-                          .arg(b->time_s - a->time_s, 0, 'f', 4));
+                          .arg(b->time_s, 0, 'f', 4));
   for (size_t k = 0; k < std::min(readouts_.size(), channels_.size()); ++k) {
     const auto text = [&](double value) { return QString::number(value, 'f', channels_[k].decimals); };
     const double atA = channels_[k].of(*a), atB = channels_[k].of(*b);

@@ -32,6 +32,8 @@ class LiveCursors : public QObject {
   void nameChannels(const std::vector<LiveChannel>& channels) { channels_ = channels; }
   void show(bool shown);
   bool shown() const { return shown_; }
+  std::array<double, 2> times_s() const { return {marks_[0].time_s(), marks_[1].time_s()}; }
+  void moveTo(const std::array<double, 2>& times_s);
   /// They stay at their places in the picture while it moves on.
   void shift(double by_s);
   void dress(const Look& look);

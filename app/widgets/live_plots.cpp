@@ -212,7 +212,7 @@ void LivePlots::consume() {
   std::array<std::vector<TracePoint>, channelCount> points;
   for (; consumed_ < history.end(); ++consumed_) {
     const Sample& sample = history.at(consumed_);
-    trigger_->take(sample);
+    if (consumed_ >= watchedFrom_) trigger_->take(sample);
     for (size_t channel = 0; channel < traces_.size(); ++channel) {
       traces_[channel].envelope.add(sample.time_s, channels_[channel].of(sample), points[channel]);
     }
@@ -235,6 +235,7 @@ void LivePlots::meetBoard() {
 
 void LivePlots::startOver() {
   consumed_ = live_.history().first();
+  watchedFrom_ = 0;
   channels_ = liveChannels(live_.board().axis == Axis::linear);
   const double period_s = connection_.connected() ? 1.0 / std::max(1.0, connection_.identity().loopRate_Hz) : 0.001;
   for (size_t channel = 0; channel < traces_.size(); ++channel) {
@@ -260,6 +261,22 @@ void LivePlots::showLoss() {
   lossText_->setVisible(lost_s.has_value());
   lossText_->position->setCoords(lost_s.value_or(0.0), 0.5);
   plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+QVariant LivePlots::kept() const {
+  return QVariant::fromValue(View{from_s(), to_s(), cursors_->times_s(), trigger_->state(), consumed_});
+}
+
+void LivePlots::take(const QVariant& kept) {
+  const View view = kept.value<View>();
+  trigger_->goOnFrom(view.trigger);
+  watchedFrom_ = view.consumed;
+  traces_[0].rect->axis(QCPAxis::atBottom)->setRange(view.from_s, view.to_s);
+  cursors_->moveTo(view.cursors_s);
+  if (!paused_) return;
+  consume();
+  trigger_->viewEnd_s(bar_->span_s(), view.to_s);
+  for (Trace& trace : traces_) scaleValues(trace);
 }
 
 void LivePlots::follow() {

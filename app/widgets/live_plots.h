@@ -1,10 +1,13 @@
 // What comes from the board, below the page: angle, velocity, current and disturbance over one shared axis of time.
 #pragma once
 
+#include <QVariant>
 #include <QWidget>
 #include <array>
+#include <optional>
 #include <vector>
 
+#include "session/trigger.h"
 #include "widgets/envelope.h"
 #include "widgets/file_chooser.h"
 #include "widgets/live_channels.h"
@@ -28,6 +31,7 @@ class Messages;
 
 class LivePlots : public QWidget {
   Q_OBJECT
+  Q_PROPERTY(QVariant kept READ kept WRITE take USER true)
 
  public:
   LivePlots(Connection& connection, LiveSamples& live, Messages& messages, FileChooser& files,
@@ -36,6 +40,10 @@ class LivePlots : public QWidget {
   bool paused() const { return paused_; }
   double from_s() const;
   double to_s() const;
+
+  /// Where the picture stands, its cursors, and how far the trigger has come.
+  QVariant kept() const;
+  void take(const QVariant& kept);
 
  signals:
   /// Whether it takes the page's place.
@@ -57,6 +65,13 @@ class LivePlots : public QWidget {
     QCPGraph* graph = nullptr;
     QCPTextElement* title = nullptr;
     Envelope envelope{0.002, 0.01};
+  };
+
+  struct View {
+    double from_s = 0.0, to_s = 0.0;
+    std::array<double, 2> cursors_s{};
+    std::optional<Trigger> trigger;
+    uint64_t consumed = 0;
   };
 
   void buildPlot();
@@ -89,6 +104,7 @@ class LivePlots : public QWidget {
   bool paused_ = false;
   bool stale_ = true;  ///< the picture isn't of what is chosen
   uint64_t consumed_ = 0;
+  uint64_t watchedFrom_ = 0;  ///< the trigger has seen the samples before
 };
 
 }  // namespace breakaway

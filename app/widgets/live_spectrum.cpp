@@ -222,6 +222,16 @@ void LiveSpectrum::draw() {
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
+QVariant LiveSpectrum::kept() const {
+  if (!zoomed_) return {};
+  return QVariantList{plot_->xAxis->range().lower, plot_->xAxis->range().upper};
+}
+
+void LiveSpectrum::take(const QVariant& kept) {
+  zoomed_ = true;
+  plot_->xAxis->setRange(kept.toList().value(0).toDouble(), kept.toList().value(1).toDouble());
+}
+
 std::optional<SpectrumPeak> LiveSpectrum::peak() const {
   if (!spectrum_) return {};
   return highestPeak(spectrum_->lines, plot_->xAxis->range().lower, plot_->xAxis->range().upper);

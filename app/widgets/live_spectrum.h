@@ -22,6 +22,7 @@ class ElidedLabel;
 
 class LiveSpectrum : public QWidget {
   Q_OBJECT
+  Q_PROPERTY(QVariant kept READ kept WRITE take USER true)
 
  public:
   explicit LiveSpectrum(const LiveHistory& history, QWidget* parent = nullptr);
@@ -35,6 +36,10 @@ class LiveSpectrum : public QWidget {
   /// The highest line within what the axis of frequency shows.
   std::optional<SpectrumPeak> peak() const;
   QString reading() const;
+
+  /// The frequencies that somebody chose.
+  QVariant kept() const;
+  void take(const QVariant& kept);
 
  private:
   void buildControls();

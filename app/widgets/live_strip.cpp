@@ -9,8 +9,8 @@
 
 #include "session/connection.h"
 #include "session/live_samples.h"
+#include "session/messages.h"
 #include "widgets/controls.h"
-#include "widgets/log_drawer.h"
 #include "widgets/look.h"
 #include "widgets/number_text.h"
 #include "widgets/while_shown.h"
@@ -56,8 +56,8 @@ class LiveStrip::Sparkline : public QWidget {
   double leastSpan_ = 1.0;
 };
 
-LiveStrip::LiveStrip(const Connection& connection, const LiveSamples& live, QWidget* parent)
-    : QWidget(parent), connection_(connection), live_(live), channels_(liveChannels(false)) {
+LiveStrip::LiveStrip(const Connection& connection, const LiveSamples& live, const Messages& messages, QWidget* parent)
+    : QWidget(parent), connection_(connection), live_(live), messages_(messages), channels_(liveChannels(false)) {
   setObjectName("liveStrip");
   setFixedHeight(height_px);
   auto* row = rowIn(this, 4, {8, 0, 16, 0});
@@ -94,8 +94,11 @@ LiveStrip::LiveStrip(const Connection& connection, const LiveSamples& live, QWid
   connect(log_, &QPushButton::clicked, this, &LiveStrip::logAsked);
   row->addWidget(log_);
   connect(&connection_, &Connection::changed, this, &LiveStrip::nameChannels);
+  connect(&messages_, &Messages::said, this, &LiveStrip::countUnread);
+  connect(&messages_, &Messages::read, this, &LiveStrip::countUnread);
   new WhileShown(this, 100ms, [this] { refresh(); });
   nameChannels();
+  countUnread();
   showOpen(false);
   onNewLook(this, [this] { showOpen(open_->isChecked()); });
 }
@@ -128,9 +131,9 @@ void LiveStrip::refresh() {
   }
 }
 
-void LiveStrip::countUnread(const LogDrawer& log) {
-  log_->setText(log.unread() == 0 ? tr("Log") : tr("Log: %1 new").arg(log.unread()));
-  dressAs(log_, "tone", log.unreadTrouble() ? "trouble" : QString());
+void LiveStrip::countUnread() {
+  log_->setText(messages_.unread() == 0 ? tr("Log") : tr("Log: %1 new").arg(messages_.unread()));
+  dressAs(log_, "tone", messages_.unreadTrouble() != nullptr ? "trouble" : QString());
 }
 
 void LiveStrip::showOpen(bool open) {

@@ -15,7 +15,7 @@ namespace breakaway {
 
 class Connection;
 class LiveSamples;
-class LogDrawer;
+class Messages;
 
 class LiveStrip : public QWidget {
   Q_OBJECT
@@ -23,9 +23,7 @@ class LiveStrip : public QWidget {
  public:
   static constexpr int height_px = 32;
 
-  LiveStrip(const Connection& connection, const LiveSamples& live, QWidget* parent = nullptr);
-  /// Counts what the log has that nobody has read.
-  void countUnread(const LogDrawer& log);
+  LiveStrip(const Connection& connection, const LiveSamples& live, const Messages& messages, QWidget* parent = nullptr);
   void showOpen(bool open);
   void refresh();
 
@@ -46,9 +44,11 @@ class LiveStrip : public QWidget {
   };
 
   void nameChannels();
+  void countUnread();
 
   const Connection& connection_;
   const LiveSamples& live_;
+  const Messages& messages_;
   std::array<LiveChannel, 4> channels_;
   std::array<Number, 4> numbers_;
   QToolButton* open_ = nullptr;

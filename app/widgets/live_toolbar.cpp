@@ -9,6 +9,8 @@
 #include "session/connection.h"
 #include "session/live_samples.h"
 #include "widgets/controls.h"
+#include "widgets/elided_label.h"
+#include "widgets/look.h"
 
 namespace breakaway {
 
@@ -49,15 +51,15 @@ LiveToolbar::LiveToolbar(Connection& connection, LiveSamples& live, FileChooser&
   connect(export_, &QToolButton::clicked, this, &LiveToolbar::exportAsked);
   save_ = toolButton(this, "saveRecordingButton", tr("Save recording…"), tr("Write the last recording as CSV"));
   connect(save_, &QToolButton::clicked, this, &LiveToolbar::saveRecording);
-  difference_ = new QLabel(this);
-  difference_->setObjectName("cursorDifference");
-  difference_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  difference_ = new ElidedLabel("cursorDifference", this);
+  difference_->setFont(typed(Type::caption));
+  difference_->setAlignment(Qt::AlignVCenter | Qt::AlignRight);
   auto* row = rowIn(this, 4);
   for (QWidget* widget :
        std::initializer_list<QWidget*>{pause_, large_, cursors_, spectrum_, span_, trigger, record_, save_, export_})
     row->addWidget(widget);
+  row->addWidget(difference_, 100);  // all that is left; where it is hidden, nothing else grows
   row->addStretch(1);
-  row->addWidget(difference_);
   connect(&connection_, &Connection::changed, this, &LiveToolbar::showAvailable);
   connect(&connection_, &Connection::linkChanged, this, &LiveToolbar::showAvailable);
   connect(&live_, &LiveSamples::recordingChanged, this, &LiveToolbar::showAvailable);

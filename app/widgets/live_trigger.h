@@ -34,6 +34,9 @@ class LiveTrigger : public QWidget {
   /// By what the controls say; `span_s` of time are seen at once. False where it is off.
   bool arm(double span_s);
   void take(const Sample& sample);
+  /// What it has seen so far; nothing while it is off.
+  const std::optional<Trigger>& state() const { return trigger_; }
+  void goOnFrom(const std::optional<Trigger>& state) { trigger_ = state; }
   /// The one edge that was asked for is shown.
   bool done() const { return trigger_ && trigger_->done(); }
   /// The newest sample, or so much after the edge that this stands at its place in the view.

@@ -7,10 +7,8 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QTableWidget>
-#include <QTime>
 #include <QVBoxLayout>
 
-#include "session/messages.h"
 #include "widgets/controls.h"
 #include "widgets/look.h"
 
@@ -18,10 +16,9 @@ namespace breakaway {
 
 namespace {
 constexpr int height_px = 168;
-constexpr size_t mostLines = 1000;
 }  // namespace
 
-LogDrawer::LogDrawer(Messages& messages, QWidget* parent) : QWidget(parent) {
+LogDrawer::LogDrawer(Messages& messages, QWidget* parent) : QWidget(parent), messages_(messages) {
   setObjectName("logDrawer");
   setFixedHeight(height_px);
   auto* column = columnIn(this, 8, {16, 8, 16, 8});
@@ -50,22 +47,17 @@ LogDrawer::LogDrawer(Messages& messages, QWidget* parent) : QWidget(parent) {
   connect(troubleOnly_, &QPushButton::toggled, this, &LogDrawer::fill);
   connect(copyAll, &QPushButton::clicked, this, &LogDrawer::copy);
   connect(close, &QPushButton::clicked, this, &LogDrawer::closed);
-  connect(&messages, &Messages::said, this, &LogDrawer::take);
+  connect(&messages_, &Messages::said, this, &LogDrawer::take);
   onNewLook(this, [this] { fill(); });
+  fill();
 }
 
-void LogDrawer::take(const QString& text, bool trouble) {
-  lines_.push_back({QTime::currentTime().toString("HH:mm:ss"), text, trouble});
-  if (lines_.size() > mostLines) lines_.pop_front();
-  if (!isVisible()) {
-    ++unread_;
-    unreadTrouble_ = unreadTrouble_ || trouble;
-  }
-  addOnTop(lines_.back());
-  emit changed();
+void LogDrawer::take() {
+  addOnTop(messages_.lines().back());
+  if (isVisible()) messages_.markRead();
 }
 
-void LogDrawer::addOnTop(const Line& line) {
+void LogDrawer::addOnTop(const Messages::Line& line) {
   if (troubleOnly_->isChecked() && !line.trouble) return;
   const Look& look = Look::of(palette());
   table_->insertRow(0);
@@ -76,12 +68,12 @@ void LogDrawer::addOnTop(const Line& line) {
   text->setToolTip(line.text);
   table_->setItem(0, 0, time);
   table_->setItem(0, 1, text);
-  if (table_->rowCount() > static_cast<int>(mostLines)) table_->removeRow(table_->rowCount() - 1);
+  if (table_->rowCount() > static_cast<int>(Messages::mostLines)) table_->removeRow(table_->rowCount() - 1);
 }
 
 void LogDrawer::fill() {
   table_->setRowCount(0);
-  for (const Line& line : lines_) addOnTop(line);
+  for (const Messages::Line& line : messages_.lines()) addOnTop(line);
 }
 
 void LogDrawer::copy() const {
@@ -92,10 +84,8 @@ void LogDrawer::copy() const {
 }
 
 void LogDrawer::showEvent(QShowEvent* event) {
-  unread_ = 0;
-  unreadTrouble_ = false;
+  messages_.markRead();
   QWidget::showEvent(event);
-  emit changed();
 }
 
 }  // namespace breakaway

@@ -14,6 +14,7 @@
 
 #include "recording/columns.h"
 #include "recording/import/units.h"
+#include "session/language.h"
 #include "widgets/controls.h"
 #include "widgets/table.h"
 
@@ -153,9 +154,9 @@ QWidget* LogPanel::buildButtons() {
 
 void LogPanel::fill() {
   title_->setText(tr("%1, as it is understood").arg(QFileInfo(log_.path()).fileName()));
-  state_->setText(log_.settling()           ? tr("Reading…")
-                  : !log_.fault().isEmpty() ? log_.fault()
-                                            : log_.remarks().join("; "));
+  state_->setText(log_.settling()         ? tr("Reading…")
+                  : !log_.fault().empty() ? inLanguage(log_.fault())
+                                          : log_.remarks().join("; "));
   const auto rows = static_cast<int>(std::min(log_.columns().size(), mostRows));
   if (table_->rowCount() != rows) table_->setRowCount(rows);
   for (int row = 0; row < rows; ++row) showRow(row, log_.columns()[static_cast<size_t>(row)]);
@@ -165,7 +166,7 @@ void LogPanel::fill() {
   }
   fillSplit();
   setAvailable(open_, tr("Opens it, and remembers what was corrected for logs with these column names"),
-               log_.settling() ? tr("It is being read") : log_.fault());
+               log_.settling() ? tr("It is being read") : inLanguage(log_.fault()));
 }
 
 QComboBox* LogPanel::choice(int row, int cell, const char* what, const QStringList& choices) {

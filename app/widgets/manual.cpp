@@ -2,6 +2,7 @@
 
 #include <QAbstractTextDocumentLayout>
 #include <QDesktopServices>
+#include <QEvent>
 #include <QFile>
 #include <QHBoxLayout>
 #include <QPushButton>
@@ -64,25 +65,41 @@ QString anchorOf(const QString& heading) {
 
 Manual::Manual(QWidget* parent) : QWidget(parent, Qt::Window) {
   setObjectName("manual");
-  setWindowTitle(tr("The manual"));
   auto* column = columnIn(this, 8, {16, 12, 16, 12});
   text_ = new QTextBrowser(this);
   text_->setObjectName("manualText");
-  text_->setAccessibleName(tr("The manual"));
-  text_->setToolTip(tr("Links lead to other pages"));
   text_->setOpenLinks(false);
   auto* row = new QHBoxLayout;
-  auto* contents = pushButton(this, "manualContentsButton", tr("Contents"), tr("The manual's first page"));
-  auto* back = pushButton(this, "manualBackButton", tr("Close"), tr("Closes the manual"));
-  row->addWidget(contents);
+  contents_ = pushButton(this, "manualContentsButton", {});
+  back_ = pushButton(this, "manualBackButton", {});
+  row->addWidget(contents_);
   row->addStretch(1);
-  row->addWidget(back);
+  row->addWidget(back_);
   column->addLayout(row);
   column->addWidget(text_, 1);
-  connect(contents, &QPushButton::clicked, this, [this] { open(firstPage); });
-  connect(back, &QPushButton::clicked, this, &QWidget::close);
+  connect(contents_, &QPushButton::clicked, this, [this] { open(firstPage); });
+  connect(back_, &QPushButton::clicked, this, &QWidget::close);
   connect(text_, &QTextBrowser::anchorClicked, this, &Manual::follow);
+  nameParts();
   resize(860, 680);
+}
+
+void Manual::nameParts() {
+  setWindowTitle(tr("The manual"));
+  text_->setAccessibleName(tr("The manual"));
+  text_->setToolTip(tr("Links lead to other pages"));
+  const auto name = [](QPushButton& button, const QString& text, const QString& tip) {
+    button.setText(text);
+    button.setAccessibleName(text);
+    button.setToolTip(tip);
+  };
+  name(*contents_, tr("Contents"), tr("The manual's first page"));
+  name(*back_, tr("Close"), tr("Closes the manual"));
+}
+
+void Manual::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange) nameParts();
+  QWidget::changeEvent(event);
 }
 
 QString Manual::topicOf(const QWidget* widget) {

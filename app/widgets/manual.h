@@ -4,6 +4,7 @@
 #include <QString>
 #include <QWidget>
 
+class QPushButton;
 class QTextBrowser;
 
 namespace breakaway {
@@ -19,10 +20,16 @@ class Manual : public QWidget {
   /// Of the widget, or of the nearest one around it that has one; the manual's first page where none does.
   static QString topicOf(const QWidget* widget);
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
+  void nameParts();
   void follow(const QUrl& link);
 
   QTextBrowser* text_ = nullptr;
+  QPushButton* contents_ = nullptr;
+  QPushButton* back_ = nullptr;
   QString page_;
 };
 

@@ -42,9 +42,9 @@ int digitsFor(const QString& one, const QString& other) {
 
 }  // namespace
 
-ProfilePanel::ProfilePanel(Connection& connection, const BenchRuns& bench, Messages& messages, FileChooser& files,
+ProfilePanel::ProfilePanel(const Connection& connection, ProfileComparison& profile, FileChooser& files,
                            QWidget* parent)
-    : QWidget(parent), connection_(connection), files_(files), profile_(connection, bench, messages) {
+    : QWidget(parent), connection_(connection), profile_(profile), files_(files) {
   auto* column = columnIn(this, 8);
   column->addWidget(section(this, tr("Profile")));
   auto* buttons = new QHBoxLayout;
@@ -58,6 +58,7 @@ ProfilePanel::ProfilePanel(Connection& connection, const BenchRuns& bench, Messa
   column->addWidget(source_);
   table_ = readTable(this, "profileTable", tr("Parameters that differ"),
                      {tr("Parameter"), tr("Board"), tr("Profile"), tr("Accepted")});
+  table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
   column->addWidget(table_, 100);
   column->addStretch(1);
   connect(save_, &QPushButton::clicked, this, [this] {

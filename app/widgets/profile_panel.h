@@ -16,8 +16,7 @@ class ProfilePanel : public QWidget {
   Q_OBJECT
 
  public:
-  ProfilePanel(Connection& connection, const BenchRuns& bench, Messages& messages, FileChooser& files,
-               QWidget* parent = nullptr);
+  ProfilePanel(const Connection& connection, ProfileComparison& profile, FileChooser& files, QWidget* parent = nullptr);
 
  private:
   void fill();
@@ -25,8 +24,8 @@ class ProfilePanel : public QWidget {
   QStringList ticked() const;
 
   const Connection& connection_;
+  ProfileComparison& profile_;
   FileChooser& files_;
-  ProfileComparison profile_;
   QPushButton* save_ = nullptr;
   QPushButton* open_ = nullptr;
   QPushButton* restore_ = nullptr;

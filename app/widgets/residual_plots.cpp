@@ -139,6 +139,20 @@ void ResidualPlots::showAllOf(QCPAxisRect& rect) {
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
+QVariant ResidualPlots::kept() const {
+  QVariantList parts{axis_};
+  for (const QCPAxisRect* rect : {above_, below_})
+    parts << rect->axis(QCPAxis::atBottom)->range().lower << rect->axis(QCPAxis::atBottom)->range().upper;
+  return parts;
+}
+
+void ResidualPlots::take(const QVariant& kept) {
+  const QVariantList parts = kept.toList();
+  setAxis(parts.value(0).toString());
+  above_->axis(QCPAxis::atBottom)->setRange(parts.value(1).toDouble(), parts.value(2).toDouble());
+  below_->axis(QCPAxis::atBottom)->setRange(parts.value(3).toDouble(), parts.value(4).toDouble());
+}
+
 void ResidualPlots::draw() {
   for (QCPItemRect* band : bands_) plot_->removeItem(band);
   bands_.clear();

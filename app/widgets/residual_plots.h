@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <QVariant>
 #include <QVector>
 #include <QWidget>
 #include <array>
@@ -22,6 +23,7 @@ class Recording;
 
 class ResidualPlots : public QWidget {
   Q_OBJECT
+  Q_PROPERTY(QVariant kept READ kept WRITE take USER true)
 
  public:
   explicit ResidualPlots(Comparison& comparison, QWidget* parent = nullptr);
@@ -35,6 +37,10 @@ class ResidualPlots : public QWidget {
   size_t bands() const { return bands_.size(); }
   /// Whether what is drawn beneath is torque.
   bool inTorque() const;
+
+  /// Which axis is chosen, and the parts that are visible.
+  QVariant kept() const;
+  void take(const QVariant& kept);
 
  signals:
   void visibleChanged();

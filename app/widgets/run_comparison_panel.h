@@ -22,6 +22,8 @@ class RunComparisonPanel : public QWidget {
   RunComparisonPanel(FileChooser& files, QWidget* parent = nullptr);
   void show(const RunComparison& comparison);
   using QWidget::show;
+  /// What is shown.
+  const std::optional<RunComparison>& comparison() const { return comparison_; }
 
  signals:
   void closed();

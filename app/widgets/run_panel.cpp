@@ -32,12 +32,14 @@ RunPanel::RunPanel(const char* objectName, std::vector<RunKind> kinds, QWidget* 
 
 void RunPanel::show(const RunSnapshot& snapshot) {
   if (snapshot.kind == RunKind::none) {  // another board, or none: what the last one did is over
+    shown_ = {};
     bar_->setValue(0);
     activity_->clear();
     return;
   }
   if (std::find(kinds_.begin(), kinds_.end(), snapshot.kind) == kinds_.end()) return;
   const Procedure::Status& status = snapshot.status;
+  shown_ = {snapshot.kind, status, {}, snapshot.endedByBoard};
   bar_->setValue(static_cast<int>(std::lround(1000.0 * std::clamp(status.progress, 0.0, 1.0))));
   const QString activity = inLanguage(status.activity);
   const QString failure = inLanguage(status.failure);

@@ -1,6 +1,7 @@
 // How far a procedure is: progress, remaining time, what it does now, and how it ended, in words.
 #pragma once
 
+#include <QVariant>
 #include <QWidget>
 #include <vector>
 
@@ -13,6 +14,7 @@ namespace breakaway {
 
 class RunPanel : public QWidget {
   Q_OBJECT
+  Q_PROPERTY(QVariant kept READ kept WRITE take USER true)
 
  public:
   /// Shows runs of these kinds only; others leave it as it is.
@@ -21,8 +23,13 @@ class RunPanel : public QWidget {
   void show(const RunSnapshot& snapshot);
   using QWidget::show;
 
+  /// How far what is shown has come.
+  QVariant kept() const { return QVariant::fromValue(shown_); }
+  void take(const QVariant& kept) { show(kept.value<RunSnapshot>()); }
+
  private:
   std::vector<RunKind> kinds_;
+  RunSnapshot shown_;  ///< without its result
   QProgressBar* bar_ = nullptr;
   QLabel* activity_ = nullptr;
 };

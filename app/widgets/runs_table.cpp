@@ -6,7 +6,6 @@
 #include <QPainter>
 #include <algorithm>
 #include <functional>
-#include <set>
 
 #include "widgets/look.h"
 #include "widgets/run_words.h"
@@ -22,11 +21,13 @@ struct Heading {
   int width_px;
 };
 
-constexpr Heading headings[] = {
-    {QT_TRANSLATE_NOOP("breakaway::RunsTable", "When"), 128},  {QT_TRANSLATE_NOOP("RunsTable", "What"), 92},
-    {QT_TRANSLATE_NOOP("breakaway::RunsTable", "Motor"), 72},  {QT_TRANSLATE_NOOP("RunsTable", "Board"), 84},
-    {QT_TRANSLATE_NOOP("breakaway::RunsTable", "Name"), 116},  {QT_TRANSLATE_NOOP("RunsTable", "Result"), 200},
-    {QT_TRANSLATE_NOOP("breakaway::RunsTable", "Remark"), 110}};
+constexpr Heading headings[] = {{QT_TRANSLATE_NOOP("breakaway::RunsTable", "When"), 128},
+                                {QT_TRANSLATE_NOOP("breakaway::RunsTable", "What"), 92},
+                                {QT_TRANSLATE_NOOP("breakaway::RunsTable", "Motor"), 72},
+                                {QT_TRANSLATE_NOOP("breakaway::RunsTable", "Board"), 84},
+                                {QT_TRANSLATE_NOOP("breakaway::RunsTable", "Name"), 116},
+                                {QT_TRANSLATE_NOOP("breakaway::RunsTable", "Result"), 200},
+                                {QT_TRANSLATE_NOOP("breakaway::RunsTable", "Remark"), 110}};
 
 bool isWritten(int column) {
   return column == RunsTable::nameColumn || column == RunsTable::remarkColumn;
@@ -140,18 +141,33 @@ RunsTable::~RunsTable() = default;
 void RunsTable::show(const std::vector<ProjectRun>& runs, const QString& instead) {
   instead_ = instead;
   if (runs == model_->runs() || state() == EditingState) return;
-  std::set<std::string> before;
-  for (const ProjectRun& run : chosen()) before.insert(run.id);
+  const QStringList before = kept().toStringList();
   filling_ = true;
   model_->show(runs);
+  filling_ = false;
+  select(before);
+}
+
+void RunsTable::select(const QStringList& ids) {
+  filling_ = true;
   QItemSelection again;
-  for (int row = 0; row < static_cast<int>(runs.size()); ++row) {
-    if (!before.contains(runs[static_cast<size_t>(row)].id)) continue;
+  for (int row = 0; row < model_->rowCount({}); ++row) {
+    if (!ids.contains(QString::fromStdString(model_->runs()[static_cast<size_t>(row)].id))) continue;
     again.select(model_->index(row, 0), model_->index(row, model_->columnCount({}) - 1));
   }
   selectionModel()->select(again, QItemSelectionModel::ClearAndSelect);
   filling_ = false;
   emit chosenChanged();
+}
+
+QVariant RunsTable::kept() const {
+  QStringList ids;
+  for (const ProjectRun& run : chosen()) ids << QString::fromStdString(run.id);
+  return ids;
+}
+
+void RunsTable::take(const QVariant& kept) {
+  select(kept.toStringList());
 }
 
 void RunsTable::paintEvent(QPaintEvent* event) {

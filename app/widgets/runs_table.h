@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QTableView>
+#include <QVariant>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@ namespace breakaway {
 
 class RunsTable : public QTableView {
   Q_OBJECT
+  Q_PROPERTY(QVariant kept READ kept WRITE take USER true)
 
  public:
   enum Column { atColumn, kindColumn, motorColumn, deviceColumn, nameColumn, resultColumn, remarkColumn };
@@ -26,6 +28,10 @@ class RunsTable : public QTableView {
   /// Chooses the run with this identifier alone, if it is listed.
   void choose(const std::string& id);
 
+  /// Which runs are chosen.
+  QVariant kept() const;
+  void take(const QVariant& kept);
+
  signals:
   void chosenChanged();
   /// By Enter or a double click on what isn't written in place.
@@ -39,6 +45,8 @@ class RunsTable : public QTableView {
 
  private:
   class Model;
+  void select(const QStringList& ids);
+
   Model* model_ = nullptr;
   QString instead_;
   bool filling_ = false;

@@ -5,7 +5,6 @@
 #include <QLabel>
 #include <QMenu>
 
-#include "session/language.h"
 #include "widgets/controls.h"
 #include "widgets/look.h"
 #include "widgets/rail.h"
@@ -58,10 +57,7 @@ ThemeButton::ThemeButton(QWidget* parent) : QPushButton(parent) {
     action->setCheckable(true);
     action->setChecked(language == keptLanguage());
     languages->addAction(action);
-    connect(action, &QAction::triggered, this, [this, language] {
-      keepLanguage(language);
-      emit languageKept(tr("Language from the next start of the window: %1").arg(nameOf(language)));
-    });
+    connect(action, &QAction::triggered, this, [this, language] { emit languageChosen(language); });
   }
   setMenu(menu);
   showTheme();

@@ -1,7 +1,9 @@
-// Light, dark, or as the desktop has it; and the language from the next start on. The choices are kept.
+// Light, dark, or as the desktop has it; and which language is spoken. The choices are kept.
 #pragma once
 
 #include <QPushButton>
+
+#include "session/language.h"
 
 class QLabel;
 
@@ -14,8 +16,7 @@ class ThemeButton : public QPushButton {
   explicit ThemeButton(QWidget* parent = nullptr);
 
  signals:
-  /// Says from when on which language is spoken.
-  void languageKept(const QString& line);
+  void languageChosen(breakaway::Language language);
 
  private:
   void showTheme();

@@ -30,6 +30,7 @@ Toast::Toast(Messages& messages, QWidget* parent) : QWidget(parent) {
   timer_.setSingleShot(true);
   connect(&timer_, &QTimer::timeout, this, &QWidget::hide);
   connect(&messages, &Messages::said, this, &Toast::take);
+  if (const Messages::Line* trouble = messages.unreadTrouble(); trouble != nullptr) take(trouble->text, true);
 }
 
 void Toast::take(const QString& text, bool trouble) {

@@ -25,7 +25,7 @@ TravelPlot::TravelPlot(const char* objectName, Places places, QWidget* parent)
               {1000, 560}, parent),
       places_(places) {
   if (places == Places::travel) {
-    canvas().xAxis->setLabel(tr("position from the index (mm)"));
+    canvas().xAxis->setLabel(TravelPlot::tr("position from the index (mm)"));
     return;
   }
   canvas().setMinimumSize(120, 90);

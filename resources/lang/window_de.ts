@@ -807,21 +807,6 @@
     </message>
 </context>
 <context>
-    <name>RunsTable</name>
-    <message>
-        <source>What</source>
-        <translation>Was</translation>
-    </message>
-    <message>
-        <source>Board</source>
-        <translation>Board</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>Ergebnis</translation>
-    </message>
-</context>
-<context>
     <name>SettingWords</name>
     <message>
         <source>Velocity Kp</source>
@@ -942,13 +927,6 @@
     <message>
         <source>%1 and more</source>
         <translation>ab %1</translation>
-    </message>
-</context>
-<context>
-    <name>breakaway</name>
-    <message>
-        <source>position from the index (mm)</source>
-        <translation>Lage vom Index aus (mm)</translation>
     </message>
 </context>
 <context>
@@ -1434,7 +1412,7 @@
     </message>
     <message>
         <source>As ticked, the error is %1</source>
-        <translation>Mit der jetzigen Auswahl beträgt der Fehler %1</translation>
+        <translation>Wie angekreuzt ist der Fehler %1</translation>
     </message>
     <message>
         <source>Point at a plot to read it</source>
@@ -2311,7 +2289,7 @@
     </message>
     <message>
         <source>From there on everything keeps 3 % of the travel, at least 2.4 mm, away from the ends.</source>
-        <translation>Von da an hält alles 3 % des Wegs, mindestens 2,4 mm, Abstand von den Enden.</translation>
+        <translation>Von da an hält alles 3 % des Wegs, mindestens 2.4 mm, Abstand von den Enden.</translation>
     </message>
     <message>
         <source>Feel for the ends, home to the index</source>
@@ -2614,8 +2592,8 @@
 <context>
     <name>breakaway::LiveCursors</name>
     <message>
-        <source>A %1 s   B %2 s   Δt %3 s</source>
-        <translation>A %1 s   B %2 s   Δt %3 s</translation>
+        <source>Δt %1 s   A %2 s   B %3 s</source>
+        <translation>Δt %1 s   A %2 s   B %3 s</translation>
     </message>
     <message>
         <source>A %1   B %2   Δy %3</source>
@@ -3088,32 +3066,12 @@
 <context>
     <name>breakaway::MainWindow</name>
     <message>
-        <source>Breakaway</source>
-        <translation>Breakaway</translation>
+        <source>The language changes once the motor stands</source>
+        <translation>Die Sprache wechselt, sobald der Motor steht</translation>
     </message>
     <message>
-        <source>Ctrl+%1</source>
-        <translation>Strg+%1</translation>
-    </message>
-    <message>
-        <source>Parameters</source>
-        <translation>Parameter</translation>
-    </message>
-    <message>
-        <source>The board&apos;s settings beside the page: compare, edit, apply (Ctrl+P)</source>
-        <translation>Die Einstellungen des Boards neben der Seite: vergleichen, ändern, übernehmen (Strg+P)</translation>
-    </message>
-    <message>
-        <source>Parameters: %1 edited</source>
-        <translation>Parameter: %1 neu</translation>
-    </message>
-    <message>
-        <source>Manual (F1)</source>
-        <translation>Handbuch (F1)</translation>
-    </message>
-    <message>
-        <source>The manual on this page; F1 on what is under the cursor</source>
-        <translation>Das Handbuch zu dieser Seite; F1 zu dem, was unter dem Mauszeiger ist</translation>
+        <source>The language changes once the open question is answered</source>
+        <translation>Die Sprache wechselt, sobald die offene Frage beantwortet ist</translation>
     </message>
 </context>
 <context>
@@ -4142,6 +4100,18 @@ Doppelklick oder F2 zum Schreiben</translation>
         <source>Remark</source>
         <translation>Bemerkung</translation>
     </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>Board</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
 </context>
 <context>
     <name>breakaway::SettingsEdits</name>
@@ -4208,10 +4178,6 @@ Doppelklick oder F2 zum Schreiben</translation>
         <translation>Farben des Fensters: hell, dunkel, oder wie der Desktop sie hat; und seine Sprache</translation>
     </message>
     <message>
-        <source>Language from the next start of the window: %1</source>
-        <translation>Sprache ab dem nächsten Start des Fensters: %1</translation>
-    </message>
-    <message>
         <source>Colours: %1</source>
         <translation>Farben: %1</translation>
     </message>
@@ -4250,6 +4216,10 @@ Opens the log</source>
     <message>
         <source>%1°</source>
         <translation>%1°</translation>
+    </message>
+    <message>
+        <source>position from the index (mm)</source>
+        <translation>Lage vom Index aus (mm)</translation>
     </message>
 </context>
 <context>
@@ -4585,11 +4555,11 @@ A</translation>
     </message>
     <message>
         <source>2.5 and more</source>
-        <translation>ab 2,5</translation>
+        <translation>ab 2.5</translation>
     </message>
     <message>
         <source>up to 0.3</source>
-        <translation>bis 0,3</translation>
+        <translation>bis 0.3</translation>
     </message>
     <message>
         <source>%1 mA</source>
@@ -4732,6 +4702,33 @@ A</translation>
     <message>
         <source>unseen parts</source>
         <translation>ungesehene Teile</translation>
+    </message>
+</context>
+<context>
+    <name>breakaway::WindowContents</name>
+    <message>
+        <source>Ctrl+%1</source>
+        <translation>Strg+%1</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>The board&apos;s settings beside the page: compare, edit, apply (Ctrl+P)</source>
+        <translation>Die Einstellungen des Boards neben der Seite: vergleichen, ändern, übernehmen (Strg+P)</translation>
+    </message>
+    <message>
+        <source>Parameters: %1 edited</source>
+        <translation>Parameter: %1 neu</translation>
+    </message>
+    <message>
+        <source>Manual (F1)</source>
+        <translation>Handbuch (F1)</translation>
+    </message>
+    <message>
+        <source>The manual on this page; F1 on what is under the cursor</source>
+        <translation>Das Handbuch zu dieser Seite; F1 zu dem, was unter dem Mauszeiger ist</translation>
     </message>
 </context>
 </TS>

@@ -233,7 +233,8 @@ void TestRuns::map_isOpenedOnFriction() {
   QVERIFY(title->text().startsWith("Friction around"));
   QVERIFY(polar->curves().empty());
   // A sweep that begins shows what it measures.
-  archive.desk.session.runs.readMap(archive.later.id, [&](const KeptMap& map) { archive.desk.session.maps.open(map); });
+  archive.desk.session.runs.readMap(archive.later.id, &archive.desk.window,
+                                    [&](const KeptMap& map) { archive.desk.session.maps.open(map); });
   QTRY_VERIFY(archive.desk.session.maps.opened().has_value());
   archive.desk.session.connection.open("simulated");
   archive.desk.window.showPage("frictionPage");
@@ -251,7 +252,8 @@ void TestRuns::earlierMap_liesBeneathWithTheRingOfDifferences() {
   const auto* polar = named<PolarPlot>(archive.desk.window, "polarPlot");
   QCOMPARE(polar->curves().size(), size_t{2});  // alone, as long as nothing else is measured
   QVERIFY(polar->curves()[0].part == MapPart::earlier);
-  archive.desk.session.runs.readMap(archive.later.id, [&](const KeptMap& map) { archive.desk.session.maps.open(map); });
+  archive.desk.session.runs.readMap(archive.later.id, &archive.desk.window,
+                                    [&](const KeptMap& map) { archive.desk.session.maps.open(map); });
   QTRY_COMPARE(polar->curves().size(), size_t{6});
   const auto ring = std::find_if(polar->curves().begin(), polar->curves().end(),
                                  [](const MapCurve& curve) { return curve.part == MapPart::difference; });

@@ -122,8 +122,8 @@ void TestSession::failedOpening_isSaidAndLeavesNoBoard() {
   Parts parts;
   parts.connection.open("simulated:no such preset");
   QCOMPARE(parts.connection.state(), ConnectionState::failed);
-  QVERIFY(!parts.connection.connected() && !parts.connection.trouble().isEmpty());
-  QCOMPARE(parts.lines(), QStringList(parts.connection.trouble()));
+  QVERIFY(!parts.connection.connected() && !parts.connection.trouble().empty());
+  QCOMPARE(parts.lines(), QStringList(inLanguage(parts.connection.trouble())));
   QVERIFY(parts.said.front().at(1).toBool());
   parts.connection.stop();  // nothing to stop is nothing wrong
   QCOMPARE(parts.connection.obstacle(), QString("No board is connected"));

@@ -1,19 +1,17 @@
 // The window's skeleton: STOP is never cut off, nothing moves when a label changes, nothing is cut off at any size, all
 // that takes the focus has a name, and the wheel changes nothing by hovering.
-#include <QAction>
+#include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QMenu>
 #include <QPushButton>
-#include <QRegularExpression>
 #include <QSlider>
 #include <QTableWidget>
 #include <QWheelEvent>
 
 #include "app/desk.h"
 #include "app/rendered_tree.h"
+#include "app/visible_texts.h"
 #include "session/language.h"
 #include "support/temporary.h"
-#include "widgets/log_drawer.h"
 #include "widgets/rail.h"
 
 using namespace breakaway;
@@ -37,7 +35,8 @@ class TestSkeleton : public QObject {
   void rail_saysHowFarAStepIs();
   void log_keepsEveryLineWithItsTime();
   void german_leavesNothingInEnglish();
-  void language_isKeptForTheNextStart();
+  void live_hasRoomForTriggerAndSpectrum_data();
+  void live_hasRoomForTriggerAndSpectrum();
 };
 
 namespace {
@@ -49,9 +48,6 @@ class Spoken {
   Spoken(const Spoken&) = delete;
   ~Spoken() { speak(Language::english); }
 };
-
-const QStringList pages{"connectPage", "identifyPage", "tunePage", "homePage", "frictionPage",
-                        "comparePage", "reportPage",   "handPage", "runsPage"};
 
 }  // namespace
 
@@ -177,6 +173,55 @@ void TestSkeleton::nothing_isCutOffOrOverlaps() {
   }
 }
 
+void TestSkeleton::live_hasRoomForTriggerAndSpectrum_data() {
+  QTest::addColumn<QSize>("size");
+  QTest::addColumn<bool>("german");
+  QTest::addColumn<QString>("board");
+  for (const QSize size : {QSize(1280, 720), QSize(1366, 768)}) {
+    for (const bool german : {false, true}) {
+      for (const char* board : {"servo", "linear"})
+        QTest::addRow("%d×%d, %s, in %s", size.width(), size.height(), board, german ? "German" : "English")
+            << size << german << "simulated:" + QString(board);
+    }
+  }
+}
+
+/// Both at once, with the longest of what each can say.
+void TestSkeleton::live_hasRoomForTriggerAndSpectrum() {
+  QFETCH(QSize, size);
+  QFETCH(bool, german);
+  QFETCH(QString, board);
+  const Spoken language(german ? Language::german : Language::english);
+  Desk desk;
+  desk.window.resize(size);
+  desk.session.connection.open(board);
+  desk.window.showPage("handPage");
+  desk.window.showLive(true);
+  press(desk.window, "spectrumButton");
+  press(desk.window, "cursorsButton");
+  for (const char* box : {"triggerChannel", "triggerEdge", "spectrumChannel", "spectrumWindow"}) {
+    auto* choices = named<QComboBox>(desk.window, box);
+    int longest = 0;
+    for (int k = 1; k < choices->count(); ++k)
+      longest = choices->itemText(k).size() > choices->itemText(longest).size() ? k : longest;
+    choices->setCurrentIndex(longest);
+  }
+  named<QDoubleSpinBox>(desk.window, "triggerLevel")->setValue(-1234.56);
+  for (const int mode : {1, 2}) {
+    named<QComboBox>(desk.window, "triggerMode")->setCurrentIndex(mode);
+    for (const bool large : {false, true}) {
+      desk.window.showLiveLarge(large);
+      QTest::qWait(50);
+      QCOMPARE(desk.window.size(), size);
+      for (const char* part : {"triggerChannel", "triggerLevel", "triggerState", "spectrumChannel", "spectrumPlot"})
+        QVERIFY2(named<QWidget>(desk.window, part)->isVisible(), part);
+      const QStringList cut = clipped(desk.window), on = overlapping(desk.window);
+      QVERIFY2(cut.isEmpty(), qPrintable(cut.join("; ")));
+      QVERIFY2(on.isEmpty(), qPrintable(on.join("; ")));
+    }
+  }
+}
+
 void TestSkeleton::tableOfALog_leavesStopInPlace_data() {
   QTest::addColumn<bool>("german");
   QTest::newRow("in English") << false;
@@ -290,15 +335,15 @@ void TestSkeleton::rail_saysHowFarAStepIs() {
 
 void TestSkeleton::log_keepsEveryLineWithItsTime() {
   Desk desk;
-  const auto* log = named<LogDrawer>(desk.window, "logDrawer");
-  const size_t before = log->lines().size();
+  const Messages& log = desk.session.messages;
+  const size_t before = log.lines().size();
   desk.session.messages.say("first");
   desk.session.messages.warn("second");
-  QCOMPARE(log->lines().size(), before + 2);
-  QVERIFY(log->unreadTrouble());
+  QCOMPARE(log.lines().size(), before + 2);
+  QVERIFY(log.unreadTrouble() != nullptr);
   QVERIFY(named<QPushButton>(desk.window, "logButton")->text().contains("new"));
   press(desk.window, "logButton");
-  QCOMPARE(log->unread(), size_t{0});
+  QCOMPARE(log.unread(), size_t{0});
   const auto* table = named<QTableWidget>(desk.window, "logTable");
   QCOMPARE(table->item(0, 1)->text(), QString("second"));
   QVERIFY(QTime::fromString(table->item(0, 0)->text(), "HH:mm:ss").isValid());
@@ -307,33 +352,23 @@ void TestSkeleton::log_keepsEveryLineWithItsTime() {
 }
 
 /// Every text that can be read on the pages of a window with this board, with its tooltips and names.
-static QSet<QString> textsIn(Desk& desk, const char* board) {
-  QSet<QString> texts;
+static Texts textsIn(Desk& desk, const char* board) {
+  Texts texts;
   if (*board != 0) desk.session.connection.open(board);
   desk.window.showLive(true);
   desk.window.showParameters(true);
   for (const QString& page : pages) {
     desk.window.showPage(page);
     QTest::qWait(1);
-    for (const QWidget* widget : desk.window.findChildren<QWidget*>()) {
-      texts << widget->toolTip() << widget->accessibleName();
-      if (const auto* label = qobject_cast<const QLabel*>(widget)) texts << label->text();
-      if (const auto* button = qobject_cast<const QAbstractButton*>(widget)) texts << button->text();
-      if (const auto* line = qobject_cast<const QLineEdit*>(widget)) texts << line->placeholderText();
-      const auto* box = qobject_cast<const QComboBox*>(widget);
-      for (int k = 0; box != nullptr && k < box->count(); ++k) texts << box->itemText(k);
-    }
+    for (QWidget* widget : desk.window.findChildren<QWidget*>()) texts += textsOf(*widget);
   }
   return texts;
 }
 
 /// What both languages have in common holds no English word.
 void TestSkeleton::german_leavesNothingInEnglish() {
-  static const QRegularExpression english(
-      "\\b(the|of|and|is|are|to|with|what|not|no|from|nothing|step|speed|run|open|turn|write|save)\\b",
-      QRegularExpression::CaseInsensitiveOption);
   for (const char* board : {"", "simulated:servo", "simulated:linear"}) {
-    QSet<QString> here, there;
+    Texts here, there;
     {
       Desk desk;
       here = textsIn(desk, board);
@@ -344,29 +379,9 @@ void TestSkeleton::german_leavesNothingInEnglish() {
       there = textsIn(desk, board);
     }
     QVERIFY(here.size() > 100 && there.size() > 100);
-    QStringList left;
-    for (const QString& text : here.intersect(there)) {
-      if (text.contains(english)) left << text;
-    }
+    const QStringList left = englishIn(there, here);
     QVERIFY2(left.isEmpty(), qPrintable(QString(board) + ": " + left.join("\n")));
   }
-}
-
-void TestSkeleton::language_isKeptForTheNextStart() {
-  const Language before = keptLanguage();
-  Desk desk;
-  QStringList said;
-  QObject::connect(&desk.session.messages, &Messages::said, &desk.window,
-                   [&said](const QString& line) { said << line; });
-  const auto* button = named<QPushButton>(desk.window, "themeButton");
-  QAction* german = nullptr;
-  for (QAction* action : button->menu()->actions()) german = action->text() == "Deutsch" ? action : german;
-  QVERIFY(german != nullptr);
-  german->trigger();
-  QCOMPARE(keptLanguage(), Language::german);
-  QVERIFY2(said.join("").contains("Deutsch"), qPrintable(said.join("; ")));
-  QCOMPARE(named<QPushButton>(desk.window, "connectButton")->text(), QString("Connect"));  // until then
-  keepLanguage(before);
 }
 
 JOURNEY_MAIN(TestSkeleton)

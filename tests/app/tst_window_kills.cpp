@@ -64,7 +64,7 @@ int compareForEver(Desk& desk, const QString& folder) {
     if (!QTest::qWaitFor([&] { return runs.all() > before; }, patience_ms)) return 1;
     if (runs.runs().size() < 2) continue;
     bool compared = false;
-    runs.compare(runs.runs()[0].id, runs.runs()[1].id, [&](const RunComparison& comparison) {
+    runs.compare(runs.runs()[0].id, runs.runs()[1].id, &runs, [&](const RunComparison& comparison) {
       runs.writeReport(comparison, folder + "/../compared");
       compared = true;
     });
