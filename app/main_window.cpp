@@ -1,9 +1,11 @@
 #include "main_window.h"
 
+#include <QAbstractItemView>
 #include <QAction>
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDialog>
+#include <QLineEdit>
 #include <algorithm>
 #include <chrono>
 
@@ -19,8 +21,17 @@ using namespace std::chrono_literals;
 namespace breakaway {
 
 namespace {
+
 constexpr auto soon = 50ms;
+
+/// Somebody writes in a cell of a table: that isn't taken before it is left.
+bool isCell(const QWidget* focused) {
+  const QWidget* view =
+      focused != nullptr && focused->parentWidget() ? focused->parentWidget()->parentWidget() : nullptr;
+  return qobject_cast<const QLineEdit*>(focused) != nullptr && qobject_cast<const QAbstractItemView*>(view) != nullptr;
 }
+
+}  // namespace
 
 MainWindow::MainWindow(Session& session, FileChooser& files, QWidget* parent)
     : QMainWindow(parent), session_(session), files_(files) {
@@ -80,7 +91,7 @@ std::optional<QString> MainWindow::obstacle() const {
   if (std::any_of(questions.begin(), questions.end(), [](const QDialog* one) { return one->isVisible(); }))
     return tr("The language changes once the open question is answered");
   const bool inHand = QApplication::activePopupWidget() != nullptr || QApplication::mouseButtons() != Qt::NoButton;
-  return inHand || contents_->busy() ? std::optional(QString()) : std::nullopt;
+  return inHand || isCell(focusWidget()) || contents_->busy() ? std::optional(QString()) : std::nullopt;
 }
 
 void MainWindow::speakWhenItMay() {

@@ -75,6 +75,7 @@ void set(QWidget& widget, const QVariant& value) {
     set(*table, value.toList());
   } else {
     widget.metaObject()->userProperty().write(&widget, value);
+    if (auto* text = qobject_cast<QPlainTextEdit*>(&widget)) text->moveCursor(QTextCursor::End);
   }
 }
 

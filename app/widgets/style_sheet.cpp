@@ -112,6 +112,9 @@ QMenu::item { padding: 4px 16px; border-radius: 4px; }
 QMenu::item:selected { background: @accent; color: #ffffff; }
 QMenu::item:disabled { color: @disabled; }
 QTextBrowser { background: @surface; }
+QTextBrowser#reportPreview { background: @paper; color: @paperInk; }
+QPlainTextEdit { background: @surface; color: @ink; border: 1px solid @border; border-radius: 4px; padding: 2px 4px; }
+QPlainTextEdit:focus { border: 2px solid @accentLine; padding: 1px 3px; }
 )";
 
 }  // namespace
@@ -122,6 +125,8 @@ QString styleSheet(const Look& look) {
       {"surface", look.surface},
       {"ink", look.ink},
       {"muted", look.muted},
+      {"paper", Look::light().surface},  // as it is printed
+      {"paperInk", Look::light().ink},
       {"disabled", look.disabled},
       {"border", look.border},
       {"hairline", look.hairline},

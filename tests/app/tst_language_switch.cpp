@@ -34,6 +34,7 @@ class TestLanguageSwitch : public QObject {
   void everyField_staysAsItWas();
   void turningMotor_isLeftAlone();
   void openQuestion_isWaitedFor();
+  void openCell_isWaitedFor();
   void pausedPicture_stays();
 };
 
@@ -241,6 +242,26 @@ void TestLanguageSwitch::openQuestion_isWaitedFor() {
   QCOMPARE(spokenLanguage(), Language::english);
   question->close();
   QVERIFY(spoken(Language::german));
+}
+
+void TestLanguageSwitch::openCell_isWaitedFor() {
+  Desk desk;
+  QVERIFY(desk.connected());
+  desk.window.showParameters(true);
+  auto* table = named<QTableWidget>(desk.window, "parametersTable");
+  desk.window.activateWindow();
+  QVERIFY(QTest::qWaitForWindowActive(&desk.window));
+  table->setFocus();
+  table->setCurrentCell(1, 3);
+  table->editItem(table->item(1, 3));
+  QTRY_VERIFY(qobject_cast<QLineEdit*>(QApplication::focusWidget()) != nullptr);
+  QTest::keyClicks(QApplication::focusWidget(), "0.5");
+  choose(desk.window, "Deutsch");
+  QTest::qWait(200);
+  QCOMPARE(spokenLanguage(), Language::english);
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+  QVERIFY(spoken(Language::german));
+  QCOMPARE(desk.session.edits.count(), size_t{1});
 }
 
 void TestLanguageSwitch::pausedPicture_stays() {

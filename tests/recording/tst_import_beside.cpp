@@ -88,7 +88,7 @@ void TestImportBeside::countsBesideAnotherMotion_areAskedAbout() {
 void TestImportBeside::clockThatCannotBe_isTakenForSeconds_data() {
   QTest::addColumn<double>("step");
   QTest::addColumn<QString>("name");
-  QTest::addColumn<double>("step_s");
+  QTest::addColumn<double>("trueStep_s");
   QTest::newRow("called µs, and in s") << 0.005 << "time_us" << 0.005;
   QTest::newRow("in µs") << 250.5 << "time_us" << 250.5e-6;
   QTest::newRow("whole µs, however short") << 1.0 << "time_us" << 1e-6;
@@ -98,13 +98,13 @@ void TestImportBeside::clockThatCannotBe_isTakenForSeconds_data() {
 void TestImportBeside::clockThatCannotBe_isTakenForSeconds() {
   QFETCH(double, step);
   QFETCH(QString, name);
-  QFETCH(double, step_s);
+  QFETCH(double, trueStep_s);
   QString text = name + ",rpm\n";
   for (int k = 0; k < 80; ++k) text += QString("%1,%2\n").arg(step * k).arg(10 * k);
   const auto log = imported(text);
   VERIFY_OK(log);
   const double last = log->recording.time().back();
-  QVERIFY2(std::abs(last / (79.0 * step_s) - 1.0) < 1e-6, qPrintable(QString::number(last)));
+  QVERIFY2(std::abs(last / (79.0 * trueStep_s) - 1.0) < 1e-6, qPrintable(QString::number(last)));
   const bool doubted = name == "time_us" && step < 1.0;
   QCOMPARE(says(*log, "its time was taken for s"), doubted);
   QCOMPARE(fateOf(*log, name.toStdString()).guessed, doubted);
