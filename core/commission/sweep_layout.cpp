@@ -37,6 +37,10 @@ VelocityFrictionOptions frictionOptions(const Commission& known) {
   const Estimate& Kt = known.motor.torqueConstant_Nm_per_A;
   options.scaleError = Kt.value > 0.0 ? Kt.standardError / Kt.value : 0.0;
   options.noiseRms_A = known.noiseRms_A;
+  options.tick_s =
+      known.identity.can.everyTick && known.identity.loopRate_Hz > 0.0 ? 1.0 / known.identity.loopRate_Hz : 0.0;
+  const double resistance_ohm = known.motor.resistance_ohm.value;
+  options.windingTime_s = resistance_ohm > 0.0 ? known.motor.inductance_H.value / resistance_ohm : 0.0;
   options.zeroError_A = known.runsZeroError_A;
   options.angleError_rad = known.indexAngle_rad.standardError;
   options.bins = known.sweeps.bins;

@@ -179,9 +179,9 @@ void VelocitySweep::sum(const Sample& sample) {
   currents_A_[newest] = sample.current_A;
   if (++taken_ < size) return;
   const size_t oldest = (newest + 1) % size, middle = (newest + size - span_) % size;
-  // Freed of the wobble, which each bin meets at other moments.
-  const double velocity = (sample.angle_rad - angles_rad_[oldest]) / (2.0 * open_.halfSpan_s) -
-                          target() * wobbleAt(sample.time_s - open_.halfSpan_s);
+  // Freed of the wobble, which each bin meets at other moments; the swing of an eccentric encoder goes with the speed.
+  const double velocity = (sample.angle_rad - angles_rad_[oldest]) / (2.0 * open_.halfSpan_s) /
+                          (1.0 + wobbleAt(sample.time_s - open_.halfSpan_s));
   const double place = (angles_rad_[middle] - options_.indexAngle_rad) / turn_rad;
   const auto bin =
       static_cast<size_t>((place - std::floor(place)) * static_cast<double>(options_.bins)) % options_.bins;

@@ -20,6 +20,9 @@ struct EncoderDisc {
   double angleOf(double shown_rad) const;
   /// dθ/dshown at the rotor's angle.
   double gainAt(double angle_rad) const;
+  /// The rotor's speed around this angle, both as central differences over ± this time: over a span the disc's swing is
+  /// flatter than at an instant.
+  double speedOf(double shown_rad_per_s, double angle_rad, double halfSpan_s) const;
 };
 
 /// A speed that is shown as constant swings once per turn, and the rotor's inertia with it, by J·D·ω² whichever way it

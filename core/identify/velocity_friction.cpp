@@ -84,18 +84,26 @@ std::vector<WeighedHarmonic> weighCoulomb(const std::vector<FrictionLine>& lines
 
 /// Variance of each part of a harmonic, from where its angle is counted from.
 double turned(size_t order, Complex value, const VelocityFrictionOptions& options) {
-  return 0.5 * std::norm(static_cast<double>(order) * options.angleError_rad * value);
+  const double variance = options.angleError_rad * options.angleError_rad + 2.0 * options.disc.variance_rad2;
+  return 0.5 * variance * std::norm(static_cast<double>(order) * value);
 }
 
-MovingFriction fitWay(WayRuns runs, const VelocityFrictionOptions& options) {
+/// Without the runs that still show how friction falls, or freed of that; with variances that the residuals bear out.
+/// Returns how many slow ones there are.
+size_t prepare(WayRuns& runs, const VelocityFrictionOptions& options) {
+  const auto slow = std::count_if(runs.fall.begin(), runs.fall.end(), [](double g) { return g > leastFall; });
+  const size_t leftOut = runs.static_Nm.empty() ? leaveOutStribeck(runs) : static_cast<size_t>(slow);
+  widen(runs);
+  widenHarmonics(runs, options.highestViscousOrder);
+  return leftOut;
+}
+
+/// `all`: the way's runs before they were prepared; `first`: its line of order 1 beside an encoder's swing, or none.
+MovingFriction fitWay(const WayRuns& runs, const WayRuns& all, const FrictionLine* first,
+                      const VelocityFrictionOptions& options) {
   MovingFriction friction;
   friction.coulomb_Nm.resize(options.bins);
   friction.viscous_Nm_s_per_rad.resize(options.bins);
-  const WayRuns all = runs;
-  const auto slow = std::count_if(runs.fall.begin(), runs.fall.end(), [](double g) { return g > leastFall; });
-  friction.leftOut = runs.static_Nm.empty() ? leaveOutStribeck(runs) : static_cast<size_t>(slow);
-  widen(runs);
-  widenHarmonics(runs, options.highestViscousOrder);
   const FrictionLine mean = fitOrder(runs, 0, true);
   const double zero_Nm = options.torqueConstant_Nm_per_A * options.zeroError_A;
   friction.coulombMean_Nm = {mean.coulomb.real(), std::hypot(std::sqrt(mean.coulombVariance), zero_Nm,
@@ -107,7 +115,8 @@ MovingFriction fitWay(WayRuns runs, const VelocityFrictionOptions& options) {
   size_t highest = 0;  // finer ones than any run's bins show are no part of the map
   for (const RunSpectrum& one : all.spectra) highest = std::max(highest, one.torque_Nm.size() - 1);
   for (size_t k = 1; k <= highest; ++k) {
-    lines.push_back(fitOrder(runs, k, k <= options.highestViscousOrder));
+    lines.push_back(k == 1 && first ? *first : fitOrder(runs, k, k <= options.highestViscousOrder));
+    if (k == 1 && first) continue;
     // What fast runs blur the slowest may still show: position torque is the same at any speed.
     if (runs.spectra.size() < all.spectra.size() && lines[k].coulombVariance > mostVariance)
       lines[k] = fitOrder(all, k, false);
@@ -144,9 +153,19 @@ Result<std::array<MovingFriction, 2>> fitMovingFriction(const std::vector<Veloci
   auto found = wayRunsOf(runs, options);
   if (!found) return found.error();
   auto& ways = *found;
+  if (options.disc.known()) widenBySwing(ways, options.inertia_kg_m2, options.disc);
   freeOfInertia(ways, options.inertia_kg_m2, options.inertiaError_kg_m2);
-  takeOffEncoderSwing(ways, options.disc.known());
-  return std::array<MovingFriction, 2>{fitWay(std::move(ways[0]), options), fitWay(std::move(ways[1]), options)};
+  const bool swung = takeOffEncoderSwing(ways, options.disc.known());
+  const auto all = ways;
+  size_t leftOut[2];
+  for (size_t w = 0; w < 2; ++w) leftOut[w] = prepare(ways[w], options);
+  const auto swing = swung ? swingOf(ways) : std::nullopt;
+  std::array<MovingFriction, 2> friction;
+  for (size_t w = 0; w < 2; ++w) {
+    friction[w] = fitWay(ways[w], all[w], swing ? &swing->lines[w] : nullptr, options);
+    friction[w].leftOut = leftOut[w];
+  }
+  return friction;
 }
 
 std::vector<double> movingCurrent_A(const std::vector<VelocityRun>& runs, Way way,

@@ -16,9 +16,11 @@ struct VelocityFrictionOptions {
   double scaleError = 0.0;  ///< relative standard error of the torque constant, common to all torques
   double inertia_kg_m2 = 0.0, inertiaError_kg_m2 = 0.0;  ///< with its standard error
   double noiseRms_A = 0.0;                               ///< of one sample of the current
-  double zeroError_A = 0.0;  ///< standard error of the current sensor's zero over the sweep, common to its runs
-  size_t bins = 180;         ///< of the result
-  size_t highestOrder = 45;  ///< harmonics of Coulomb friction that are looked at
+  double tick_s = 0.0;         ///< of the board, at whose beginning a current is sampled; 0: any time
+  double windingTime_s = 0.0;  ///< L/R, by which the current follows a tick's voltage
+  double zeroError_A = 0.0;    ///< standard error of the current sensor's zero over the sweep, common to its runs
+  size_t bins = 180;           ///< of the result
+  size_t highestOrder = 45;    ///< harmonics of Coulomb friction that are looked at
   size_t highestViscousOrder = 12;
   /// Standard error of a harmonic, part of the mean torque, above which it says nothing of its own: of the current that
   /// keeps the rotor moving, and of the slowest runs that were left out of the line.
