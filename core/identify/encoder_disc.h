@@ -1,6 +1,7 @@
 // An encoder's disc that sits off its shaft's centre.
 #pragma once
 
+#include <cmath>
 #include <complex>
 #include <span>
 #include <vector>
@@ -17,6 +18,8 @@ struct EncoderDisc {
   double variance_rad2 = 0.0;    ///< of D's real and imaginary part each
 
   bool known() const { return off_rad != 0.0; }
+  /// Standard error of angles from the index, on average around the turn.
+  double angleError_rad() const { return std::sqrt(2.0 * variance_rad2); }
   double angleOf(double shown_rad) const;
   /// dθ/dshown at the rotor's angle.
   double gainAt(double angle_rad) const;

@@ -36,12 +36,12 @@ std::vector<double> filled(const std::vector<AngleBinSums>& bins, double AngleBi
   return means;
 }
 
-/// The rotor's angle at each bin's middle.
-std::vector<double> anglesOf(size_t bins, const EncoderDisc& disc) {
+/// The rotor's angle where each bin's samples lie.
+std::vector<double> anglesOf(size_t bins, const VelocityFrictionOptions& options) {
   std::vector<double> angles(bins);
   for (size_t k = 0; k < bins; ++k) {
-    angles[k] = turn_rad * (static_cast<double>(k) + 0.5) / static_cast<double>(bins);
-    if (disc.known()) angles[k] = disc.angleOf(angles[k]);
+    angles[k] = turn_rad * (static_cast<double>(k) + 0.5) / static_cast<double>(bins) + options.beyondBins_rad;
+    if (options.disc.known()) angles[k] = options.disc.angleOf(angles[k]);
   }
   return angles;
 }
@@ -276,7 +276,7 @@ double meanAround(const std::vector<AngleBinSums>& bins, double AngleBinSums::*s
 RunSpectrum spectrumOf(std::span<const VelocityRun> parts, const VelocityFrictionOptions& options) {
   const VelocityRun& first = parts.front();
   const size_t highest = std::min(options.highestOrder, first.bins.size() / 3);
-  const auto angles = anglesOf(first.bins.size(), options.disc);
+  const auto angles = anglesOf(first.bins.size(), options);
   const Waves waves(angles, highest);
   double turns = 0.0;
   size_t samples = 0;

@@ -30,21 +30,25 @@ void addHarmonic(std::vector<Estimate>& bins, size_t order, Complex value) {
   }
 }
 
-/// A curve put together from its harmonics, with the doubt that is the same in all bins.
+/// A curve put together from its harmonics, with the doubt that is the same in all bins, and that of the angle, which
+/// counts where the curve is steep.
 class Curve {
  public:
-  explicit Curve(std::vector<Estimate>& bins) : bins_(bins) {}
+  explicit Curve(std::vector<Estimate>& bins) : bins_(bins), slopes_(bins.size()) {}
 
   void add(size_t order, Complex value, double variance) {
     addHarmonic(bins_, order, value);
+    addHarmonic(slopes_, order, Complex(0.0, static_cast<double>(order)) * value);
     variance_ += variance;
   }
-  void finish() {
-    for (Estimate& bin : bins_) bin.standardError = std::sqrt(variance_);
+  void finish(double angleError_rad) {
+    for (size_t k = 0; k < bins_.size(); ++k)
+      bins_[k].standardError = std::hypot(std::sqrt(variance_), angleError_rad * slopes_[k].value);
   }
 
  private:
   std::vector<Estimate>& bins_;
+  std::vector<Estimate> slopes_;
   double variance_ = 0.0;
 };
 
@@ -80,12 +84,6 @@ std::vector<WeighedHarmonic> weighCoulomb(const std::vector<FrictionLine>& lines
   std::vector<WeighedHarmonic> harmonics(1);
   for (const HarmonicEvidence& one : evidence) harmonics.push_back(weighed(one, prior));
   return harmonics;
-}
-
-/// Variance of each part of a harmonic, from where its angle is counted from.
-double turned(size_t order, Complex value, const VelocityFrictionOptions& options) {
-  const double variance = options.angleError_rad * options.angleError_rad + 2.0 * options.disc.variance_rad2;
-  return 0.5 * variance * std::norm(static_cast<double>(order) * value);
 }
 
 /// Without the runs that still show how friction falls, or freed of that; with variances that the residuals bear out.
@@ -127,11 +125,12 @@ MovingFriction fitWay(const WayRuns& runs, const WayRuns& all, const FrictionLin
   coulombCurve.add(0, mean.coulomb, std::pow(friction.coulombMean_Nm.standardError, 2));
   viscousCurve.add(0, mean.viscous, std::pow(friction.viscousMean_Nm_s_per_rad.standardError, 2));
   for (size_t k = 1; k < lines.size(); ++k) {
-    coulombCurve.add(k, coulomb[k].value, coulomb[k].variance + turned(k, coulomb[k].value, options));
-    viscousCurve.add(k, viscous[k].value, viscous[k].variance + turned(k, viscous[k].value, options));
+    coulombCurve.add(k, coulomb[k].value, coulomb[k].variance);
+    viscousCurve.add(k, viscous[k].value, viscous[k].variance);
   }
-  coulombCurve.finish();
-  viscousCurve.finish();
+  const double angleError_rad = std::hypot(options.angleError_rad, options.disc.angleError_rad());
+  coulombCurve.finish(angleError_rad);
+  viscousCurve.finish(angleError_rad);
   return friction;
 }
 

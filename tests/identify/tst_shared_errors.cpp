@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/random.h"
+#include "experiment/velocity_sweep.h"
 #include "identify/encoder_swing.h"
 #include "identify/velocity_friction.h"
 
@@ -23,6 +24,7 @@ class TestSharedErrors : public QObject {
   void inertiaThatIsOff_isNoViscousFriction();
   void whatDiffersFromSpeedToSpeed_isInTheInterval();
   void breakaways_standWhereTheRotorStood();
+  void samplesOfWholeCounts_lieBesideTheirBinsMiddles();
 };
 
 namespace {
@@ -270,6 +272,27 @@ void TestSharedErrors::breakaways_standWhereTheRotorStood() {
     events[k].angle_rad = angles[k] + (disc.off_rad * std::polar(1.0, angles[k])).real() - disc.off_rad.real();
   placeBy(disc, events);
   for (size_t k = 0; k < 3; ++k) QVERIFY(std::abs(events[k].angle_rad - angles[k]) < 1e-9);
+}
+
+/// Against the mean place of the counts that fall into each bin.
+void TestSharedErrors::samplesOfWholeCounts_lieBesideTheirBinsMiddles() {
+  for (const size_t bins : {100u, 50u}) {
+    constexpr size_t counts = 100;
+    const double count = turn / counts;
+    for (const double index : {7.0 * count, 7.25 * count, -3.5 * count}) {
+      std::vector<double> sums(bins), numbers(bins);
+      for (int n = 0; n < static_cast<int>(counts); ++n) {
+        double place = (n * count - index) / turn;
+        place -= std::floor(place + 1e-9);
+        const auto bin = static_cast<size_t>(place * static_cast<double>(bins) + 1e-6) % bins;
+        sums[bin] += place * turn - (static_cast<double>(bin) + 0.5) * turn / static_cast<double>(bins);
+        numbers[bin] += 1.0;
+      }
+      for (size_t k = 0; k < bins; ++k)
+        QVERIFY(std::abs(sums[k] / numbers[k] - beyondBins_rad(counts, bins, index)) < 1e-3 * count);
+    }
+  }
+  QCOMPARE(beyondBins_rad(100.0, 60, 0.1), 0.0);
 }
 
 QTEST_APPLESS_MAIN(TestSharedErrors)
