@@ -29,8 +29,8 @@ namespace {
 
 constexpr double Kt = 0.07, J = 6e-5;
 
-/// A rotor with Coulomb and viscous friction to and fro under ±`amps`, turned round at 60 rad/s or another speed; blocks
-/// of 2 ms.
+/// A rotor with Coulomb and viscous friction to and fro under ±`amps`, turned round at 60 rad/s or another speed;
+/// blocks of 2 ms.
 std::vector<SpinBlock> toAndFro(double amps, double coulomb_Nm, double viscous, unsigned seed, double highest = 60.0) {
   Noise noise(seed);
   std::vector<SpinBlock> blocks;
