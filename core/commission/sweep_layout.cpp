@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/numbers.h"
+#include "experiment/velocity_sweep.h"
 #include "identify/shaft_load.h"
 
 namespace breakaway {
@@ -37,8 +39,15 @@ VelocityFrictionOptions frictionOptions(const Commission& known) {
   const Estimate& Kt = known.motor.torqueConstant_Nm_per_A;
   options.scaleError = Kt.value > 0.0 ? Kt.standardError / Kt.value : 0.0;
   options.noiseRms_A = known.noiseRms_A;
+  options.tick_s =
+      known.identity.can.everyTick && known.identity.loopRate_Hz > 0.0 ? 1.0 / known.identity.loopRate_Hz : 0.0;
+  const double resistance_ohm = known.motor.resistance_ohm.value;
+  options.windingTime_s = resistance_ohm > 0.0 ? known.motor.inductance_H.value / resistance_ohm : 0.0;
   options.zeroError_A = known.runsZeroError_A;
   options.angleError_rad = known.indexAngle_rad.standardError;
+  if (!known.runs.empty())
+    options.beyondBins_rad =
+        beyondBins_rad(known.identity.countsPerRev, known.runs.front().bins.size(), known.indexAngle_rad.value);
   options.bins = known.sweeps.bins;
   return options;
 }
@@ -64,6 +73,10 @@ MapOptions mapOptions(const Commission& known, const std::string& rig) {
   options.torqueConstant_Nm_per_A = known.torquePerAmpere_Nm();
   options.noiseRms_A = known.noiseRms_A;
   options.zeroError_A = known.eventsZeroError_A;
+  // A position loop leaves the rotor at the same place of its count turn after turn.
+  const double counts = known.identity.countsPerRev;
+  const double count_rad = counts > 0.0 ? turn_rad / counts : 0.0;
+  options.angleError_rad = std::hypot(known.indexAngle_rad.standardError, count_rad / std::sqrt(12.0));
   return options;
 }
 

@@ -14,8 +14,16 @@ constexpr double fastSpanAngle_rad = 1.0 / 12.0;  // where the inertia hides the
 constexpr double smoothing_s = 0.15;
 constexpr double keepEvery_s = 0.25;  // whole turns of the run under way
 constexpr double leastPart = 0.1;     // of a run, that is made of what was broken off near its end
+constexpr double ofBin = 1e-6;        // a count that begins with its bin belongs to it, whatever rounding makes of both
 
 }  // namespace
+
+double beyondBins_rad(double countsPerRev, size_t bins, double indexAngle_rad) {
+  if (!(countsPerRev > 0.0) || bins == 0 || std::fmod(countsPerRev, static_cast<double>(bins)) != 0.0) return 0.0;
+  const double count_rad = turn_rad / countsPerRev;
+  const double first = -indexAngle_rad / count_rad + ofBin * countsPerRev / static_cast<double>(bins);
+  return (first - std::floor(first) - 0.5) * count_rad;
+}
 
 VelocitySweep::VelocitySweep(VelocitySweepOptions options, const std::vector<VelocityRun>& earlier)
     : options_(std::move(options)),
@@ -179,12 +187,12 @@ void VelocitySweep::sum(const Sample& sample) {
   currents_A_[newest] = sample.current_A;
   if (++taken_ < size) return;
   const size_t oldest = (newest + 1) % size, middle = (newest + size - span_) % size;
-  // Freed of the wobble, which each bin meets at other moments.
-  const double velocity = (sample.angle_rad - angles_rad_[oldest]) / (2.0 * open_.halfSpan_s) -
-                          target() * wobbleAt(sample.time_s - open_.halfSpan_s);
+  // Freed of the wobble, which each bin meets at other moments; the swing of an eccentric encoder goes with the speed.
+  const double velocity = (sample.angle_rad - angles_rad_[oldest]) / (2.0 * open_.halfSpan_s) /
+                          (1.0 + wobbleAt(sample.time_s - open_.halfSpan_s));
   const double place = (angles_rad_[middle] - options_.indexAngle_rad) / turn_rad;
   const auto bin =
-      static_cast<size_t>((place - std::floor(place)) * static_cast<double>(options_.bins)) % options_.bins;
+      static_cast<size_t>((place - std::floor(place)) * static_cast<double>(options_.bins) + ofBin) % options_.bins;
   const size_t block = open_.turns / turnsPerBlock_;
   if (block >= open_.blocks.size()) {
     open_.blocks.emplace_back();

@@ -28,6 +28,10 @@ struct VelocitySweepOptions {
   double mostDrift_A = 0.1;         ///< of the current sensor's zero, from one zeroing to the next
 };
 
+/// By how much the samples of a bin lie beyond its middle, where a bin holds whole counts: angles are whole counts,
+/// those of the index too where all approaches saw it on the same one.
+double beyondBins_rad(double countsPerRev, size_t bins, double indexAngle_rad);
+
 /// Runs each speed over whole turns, as one leg, and sums current and speed per bin of rotor angle. Fails in words when
 /// a speed isn't reached or not held, when the index comes elsewhere or not at all, and when the current sensor drifts.
 class VelocitySweep : public TimedProcedure {

@@ -13,9 +13,10 @@ namespace breakaway {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr int rounds = 4;  // each leaves about D of the error
+constexpr int rounds = 8;  // each leaves about D of the error
 constexpr double mostOff_rad = 0.3;
 constexpr double leastSettled = 0.02;  // of D, that the last round may still add
+constexpr double settledEnough = 1e-4;
 
 }  // namespace
 
@@ -29,6 +30,15 @@ double EncoderDisc::gainAt(double angle_rad) const {
   return 1.0 / (1.0 - (off_rad * std::polar(1.0, angle_rad)).imag());
 }
 
+/// Shown over ± x around θ: 2x − 2·sin x·Im(D·e^{jθ}).
+double EncoderDisc::speedOf(double shown_rad_per_s, double angle_rad, double halfSpan_s) const {
+  if (!(halfSpan_s > 0.0)) return shown_rad_per_s * gainAt(angle_rad);
+  const double shown_rad = shown_rad_per_s * halfSpan_s, swing = (off_rad * std::polar(1.0, angle_rad)).imag();
+  double half_rad = shown_rad;
+  for (int k = 0; k < 8; ++k) half_rad = shown_rad + swing * std::sin(half_rad);
+  return half_rad / halfSpan_s;
+}
+
 EncoderDisc fitDisc(const std::vector<VelocityRun>& runs, const VelocityFrictionOptions& given) {
   VelocityFrictionOptions options = given;
   options.disc = {};
@@ -36,6 +46,8 @@ EncoderDisc fitDisc(const std::vector<VelocityRun>& runs, const VelocityFriction
   for (int round = 0; round < rounds; ++round) {
     auto ways = wayRunsOf(runs, options);
     if (!ways) return {};
+    for (WayRuns& way : *ways) leaveOutStribeck(way);
+    widenBySwing(*ways, options.inertia_kg_m2, options.disc);
     freeOfInertia(*ways, options.inertia_kg_m2, options.inertiaError_kg_m2);
     const auto swing = swingOf(*ways);
     if (!swing || (round == 0 && !swing->clear())) return {};
@@ -44,6 +56,7 @@ EncoderDisc fitDisc(const std::vector<VelocityRun>& runs, const VelocityFriction
     options.disc.variance_rad2 = swing->variance / (options.inertia_kg_m2 * options.inertia_kg_m2);
     const bool settled = std::abs(further) < leastSettled * std::abs(options.disc.off_rad);
     if (std::abs(options.disc.off_rad) > mostOff_rad || (round + 1 == rounds && !settled)) return {};
+    if (std::abs(further) < settledEnough * std::abs(options.disc.off_rad)) break;
   }
   return options.disc;
 }

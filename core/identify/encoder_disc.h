@@ -1,6 +1,7 @@
 // An encoder's disc that sits off its shaft's centre.
 #pragma once
 
+#include <cmath>
 #include <complex>
 #include <span>
 #include <vector>
@@ -17,9 +18,14 @@ struct EncoderDisc {
   double variance_rad2 = 0.0;    ///< of D's real and imaginary part each
 
   bool known() const { return off_rad != 0.0; }
+  /// Standard error of angles from the index, on average around the turn.
+  double angleError_rad() const { return std::sqrt(2.0 * variance_rad2); }
   double angleOf(double shown_rad) const;
   /// dθ/dshown at the rotor's angle.
   double gainAt(double angle_rad) const;
+  /// The rotor's speed around this angle, both as central differences over ± this time: over a span the disc's swing is
+  /// flatter than at an instant.
+  double speedOf(double shown_rad_per_s, double angle_rad, double halfSpan_s) const;
 };
 
 /// A speed that is shown as constant swings once per turn, and the rotor's inertia with it, by J·D·ω² whichever way it

@@ -13,28 +13,19 @@ constexpr double fallDoubt = 0.3;       // of friction's fall with speed: its sh
 constexpr double surelyFalling = 12.0;  // gain in χ² by which the fall must show
 constexpr double leftOutErrors = 3.0;   // standard errors off the line through the faster runs
 
-/// C + B·|ω| for one order. Where friction still falls, S·g is taken off and the row is (1 − g, ω); the fall's doubt
-/// then counts as noise, measured by the Coulomb value `guess`.
+/// C + B·|ω| for one order.
 FrictionLine fitLine(const WayRuns& runs, size_t order, bool withSlope, Complex guess) {
   Eigen::Matrix2d normal = Eigen::Matrix2d::Zero(), squared = normal;
   Eigen::Matrix<Complex, 2, 1> right = Eigen::Matrix<Complex, 2, 1>::Zero();
-  const Complex still = order < runs.static_Nm.size() ? runs.static_Nm[order] : Complex(0.0);
-  const auto eachRun = [&](auto use) {
-    for (size_t j = 0; j < runs.spectra.size(); ++j) {
-      const RunSpectrum& one = runs.spectra[j];
-      if (order >= one.torque_Nm.size() || std::isinf(one.variance_Nm2[order])) continue;
-      const double g = runs.fall[j], doubt = fallDoubt * g * std::abs(still - guess);
-      const double variance = one.variance_Nm2[order] + (order == 0 ? runs.widened_Nm2[j] : 0.0) + doubt * doubt;
-      use(Eigen::Vector2d(1.0 - g, one.speed_rad_per_s), one.torque_Nm[order] - g * still, 1.0 / variance);
-    }
-  };
+  const auto rows = lineRows(runs, order, guess);
   FrictionLine line;
-  eachRun([&](const Eigen::Vector2d& row, Complex torque, double weight) {
-    normal += weight * row * row.transpose();
-    squared += weight * weight * row * row.transpose();
-    line.squaresPerExtra += 2.0 * weight;
-    right += (weight * torque) * row.cast<Complex>();
-  });
+  for (const LineRow& row : rows) {
+    const Eigen::Matrix2d square = row.regressors * row.regressors.transpose();
+    normal += row.weight * square;
+    squared += row.weight * row.weight * square;
+    line.squaresPerExtra += 2.0 * row.weight;
+    right += (row.weight * row.torque_Nm) * row.regressors.cast<Complex>();
+  }
   if (normal(0, 0) == 0.0) return line;
   const bool slope = withSlope && normal.determinant() > 1e-12 * normal(0, 0) * normal(1, 1);
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
@@ -47,13 +38,27 @@ FrictionLine fitLine(const WayRuns& runs, size_t order, bool withSlope, Complex 
   line.viscousVariance = slope ? covariance(1, 1) : std::numeric_limits<double>::infinity();
   line.covariance = covariance(0, 1);
   line.squaresPerExtra -= 2.0 * (covariance * squared).trace();
-  eachRun([&](const Eigen::Vector2d& row, Complex torque, double weight) {
-    line.squares += weight * std::norm(torque - line.coulomb * row[0] - line.viscous * row[1]);
-  });
+  for (const LineRow& row : rows)
+    line.squares +=
+        row.weight * std::norm(row.torque_Nm - line.coulomb * row.regressors[0] - line.viscous * row.regressors[1]);
   return line;
 }
 
 }  // namespace
+
+std::vector<LineRow> lineRows(const WayRuns& runs, size_t order, Complex guess) {
+  const Complex still = order < runs.static_Nm.size() ? runs.static_Nm[order] : Complex(0.0);
+  std::vector<LineRow> rows;
+  for (size_t j = 0; j < runs.spectra.size(); ++j) {
+    const RunSpectrum& one = runs.spectra[j];
+    if (order >= one.torque_Nm.size() || std::isinf(one.variance_Nm2[order])) continue;
+    const double g = runs.fall[j], doubt = fallDoubt * g * std::abs(still - guess);
+    const double variance = one.variance_Nm2[order] + (order == 0 ? runs.widened_Nm2[j] : 0.0) + doubt * doubt;
+    rows.push_back({Eigen::Vector2d(1.0 - g, one.speed_rad_per_s), one.torque_Nm[order] - g * still,
+                    one.speed_rad_per_s, 1.0 / variance});
+  }
+  return rows;
+}
 
 HarmonicEvidence FrictionLine::coulombGiven(const WeighedHarmonic& known) const {
   if (std::isinf(viscousVariance))

@@ -1,6 +1,7 @@
 // The line over the speeds that each harmonic of a way's torque follows: Coulomb friction and its slope.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <complex>
 #include <limits>
@@ -37,6 +38,17 @@ struct FrictionLine {
   /// What the runs say of the Coulomb value once the viscous one is known otherwise.
   HarmonicEvidence coulombGiven(const WeighedHarmonic& known) const;
 };
+
+/// A run as the line through an order meets it.
+struct LineRow {
+  Eigen::Vector2d regressors = Eigen::Vector2d::Zero();  ///< of C and of B
+  std::complex<double> torque_Nm;
+  double speed_rad_per_s = 0.0, weight = 0.0;
+};
+
+/// The runs that show this order. Where friction still falls, S·g is taken off and the row is (1 − g, ω); the fall's
+/// doubt then counts as noise, measured by the Coulomb value `guess`.
+std::vector<LineRow> lineRows(const WayRuns& runs, size_t order, std::complex<double> guess);
 
 /// C + B·|ω| through the runs' harmonics of this order, weighted by their variances; without slope C alone. Where
 /// friction still falls with speed, S·g is taken off and the row is (1 − g, ω), a third of that fall counting as noise.

@@ -85,6 +85,13 @@ class Trend {
     x_ = normal.selfadjointView<Eigen::Lower>().ldlt().solve(right);
   }
   double at(double angle_rad) const { return rowAt(angle_rad, x_.size()).dot(x_); }
+  double slopeAt(double angle_rad) const {
+    const Eigen::VectorXd row = rowAt(angle_rad, x_.size());
+    double slope = 0.0;
+    for (Eigen::Index k = 1; 2 * k < x_.size(); ++k)
+      slope += static_cast<double>(k) * (row[2 * k - 1] * x_[2 * k] - row[2 * k] * x_[2 * k - 1]);
+    return slope;
+  }
 
  private:
   static Eigen::VectorXd rowAt(double angle_rad, Eigen::Index n) {
@@ -169,6 +176,11 @@ Result<FrictionMap> estimateMap(const std::vector<BreakawayEvent>& measured,
       return static_cast<size_t>(event.angle_rad / turn_rad * static_cast<double>(map.bins.size()));
     };
     fillStatic(map, way, events, binOf, commonError(measured, way, options));
+    const Trend trend(events, way);
+    for (MapBin& bin : map.bins) {
+      double& error = bin.way[w].static_Nm.standardError;
+      error = std::hypot(error, options.angleError_rad * trend.slopeAt(bin.angle_rad));
+    }
   }
   if (moving != nullptr) fillMoving(map, *moving);
   return map;

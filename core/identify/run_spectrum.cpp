@@ -36,20 +36,24 @@ std::vector<double> filled(const std::vector<AngleBinSums>& bins, double AngleBi
   return means;
 }
 
-/// The rotor's angle at each bin's middle.
-std::vector<double> anglesOf(size_t bins, const EncoderDisc& disc) {
+/// The rotor's angle where each bin's samples lie.
+std::vector<double> anglesOf(size_t bins, const VelocityFrictionOptions& options) {
   std::vector<double> angles(bins);
   for (size_t k = 0; k < bins; ++k) {
-    angles[k] = turn_rad * (static_cast<double>(k) + 0.5) / static_cast<double>(bins);
-    if (disc.known()) angles[k] = disc.angleOf(angles[k]);
+    angles[k] = turn_rad * (static_cast<double>(k) + 0.5) / static_cast<double>(bins) + options.beyondBins_rad;
+    if (options.disc.known()) angles[k] = options.disc.angleOf(angles[k]);
   }
   return angles;
 }
 
 /// With the rotor's speeds for those that the encoder shows.
 std::vector<AngleBinSums> freedOf(const EncoderDisc& disc, std::vector<AngleBinSums> bins,
-                                  const std::vector<double>& angles) {
-  for (size_t k = 0; disc.known() && k < bins.size(); ++k) bins[k].velocity_rad_per_s *= disc.gainAt(angles[k]);
+                                  const std::vector<double>& angles, double halfSpan_s) {
+  for (size_t k = 0; disc.known() && k < bins.size(); ++k) {
+    if (bins[k].samples == 0) continue;
+    const auto n = static_cast<double>(bins[k].samples);
+    bins[k].velocity_rad_per_s = n * disc.speedOf(bins[k].velocity_rad_per_s / n, angles[k], halfSpan_s);
+  }
   return bins;
 }
 
@@ -102,16 +106,52 @@ double shownPart(double phase) {
   return phase < 1e-6 ? 1.0 : std::sin(phase) / phase;
 }
 
+/// A current's wave over its samples', `phase` of the wave passing from one to the next: between samples it follows the
+/// tick's voltage by 1 − e^{−t/τ}, so that a sample tells of the tick behind it more than of the one before it.
+Complex betweenSamples(double phase, double tick_s, double windingTime_s) {
+  if (!(tick_s > 0.0) || std::abs(phase) < 1e-9) return 1.0;
+  const double decay = std::clamp(tick_s / std::max(1e-12, windingTime_s), 1e-6, 1e6);
+  const auto over = [phase](double rate) {  // ∫e^{−(rate + jφ)u} du from 0 to 1
+    const Complex exponent(rate, phase);
+    return (1.0 - std::exp(-exponent)) / exponent;
+  };
+  return over(0.0) + (std::polar(1.0, phase) - 1.0) * (over(0.0) - over(decay)) / -std::expm1(-decay);
+}
+
+/// Harmonic of half the square of what has these harmonics; it takes only those that are given.
+Complex halfSquareOf(const std::vector<Complex>& harmonics, size_t order) {
+  Complex sum = harmonics[0].real() * harmonics[order];
+  for (size_t m = 1; m < order; ++m) sum += 0.25 * harmonics[m] * harmonics[order - m];
+  for (size_t m = order + 1; m < harmonics.size(); ++m) sum += 0.5 * harmonics[m] * std::conj(harmonics[m - order]);
+  return sum;
+}
+
+/// Mean of (1 + w)² over stretches of these turns, each with a wobble w that grows evenly.
+double wobbleSquare(std::span<const RunBlock> blocks, double target_rad_per_s) {
+  double sum = 0.0, turns = 0.0;
+  for (const RunBlock& block : blocks) {
+    const double from = 1.0 + block.startWobble_rad_per_s / target_rad_per_s,
+                 to = 1.0 + block.endWobble_rad_per_s / target_rad_per_s, count = static_cast<double>(block.turns);
+    sum += count * (from * from + from * to + to * to) / 3.0;
+    turns += count;
+  }
+  return turns > 0.0 ? sum / turns : 1.0;
+}
+
 /// What the speed gained over a stretch of whole turns.
 struct Stretch {
-  Stretch(double count, const RunBlock& first, const RunBlock& last) : turns(count) {
+  Stretch(double count, std::span<const RunBlock> blocks, double target_rad_per_s)
+      : turns(count), square(wobbleSquare(blocks, target_rad_per_s)) {
+    if (blocks.empty()) return;
+    const RunBlock &first = blocks.front(), &last = blocks.back();
     const double from = first.startSpeed_rad_per_s, to = last.endSpeed_rad_per_s;
     gained = 0.5 * (to * to - from * from);
     beyondWobble = 0.5 * (from + to) * (to - last.endWobble_rad_per_s - from + first.startWobble_rad_per_s);
   }
   double turns;
-  double gained;        ///< ½ω² at the end less that at the start
-  double beyondWobble;  ///< the same without the wobble, which the bins' speeds are freed of
+  double square;              ///< of the speed, over that of the bins, which are freed of the wobble
+  double gained = 0.0;        ///< ½ω² at the end less that at the start
+  double beyondWobble = 0.0;  ///< the same without the wobble
 };
 
 /// In the way's direction.
@@ -127,23 +167,24 @@ Harmonics harmonicsOf(const std::vector<AngleBinSums>& bins, const Speeds& speed
   const auto current = covered(bins, &AngleBinSums::current_A, speeds);
   const auto velocity = covered(bins, &AngleBinSums::velocity_rad_per_s, speeds);
   const double sign = signOf(run.way()), speed = std::abs(harmonicOf(velocity, 0).real());
-  std::vector<double> halfSquare(velocity.size());
-  for (size_t k = 0; k < velocity.size(); ++k) halfSquare[k] = 0.5 * velocity[k] * velocity[k];
   const double start_rad = options.disc.known() ? options.disc.angleOf(run.start_rad) : run.start_rad;
   const double perTurn = stretch.turns > 0.0 ? sign / (std::numbers::pi * stretch.turns) : 0.0;
   const std::vector<Complex> none(highest + 1, 0.0);
   Harmonics harmonics{none, none, none};
+  std::vector<Complex> speedOf{sign * speed};  // as it is, where the central differences show it flatter
+  for (size_t k = 1; k <= highest && static_cast<double>(k) * speed * run.halfSpan_s < mostPhase; ++k)
+    speedOf.push_back(waves.harmonicOf(velocity, k) / shownPart(static_cast<double>(k) * speed * run.halfSpan_s));
   harmonics.torque_Nm[0] = sign * (options.torqueConstant_Nm_per_A * harmonicOf(current, 0) -
                                    options.inertia_kg_m2 * 0.5 * perTurn * stretch.gained);
-  for (size_t k = 1; k <= highest; ++k) {
-    const double phase = static_cast<double>(k) * speed * run.halfSpan_s;
-    if (phase >= mostPhase) break;
+  for (size_t k = 1; k < speedOf.size(); ++k) {
     const Complex ends = perTurn * stretch.beyondWobble * std::polar(1.0, -static_cast<double>(k) * start_rad);
     const Complex acceleration =
-        Complex(0.0, static_cast<double>(k)) * waves.harmonicOf(halfSquare, k) / shownPart(phase) + ends;
-    harmonics.ripple_rad_per_s[k] = sign * waves.harmonicOf(velocity, k) / shownPart(phase);
+        stretch.square * Complex(0.0, static_cast<double>(k)) * halfSquareOf(speedOf, k) + ends;
+    harmonics.ripple_rad_per_s[k] = sign * speedOf[k];
     harmonics.acceleration_rad_per_s2[k] = sign * acceleration;
-    harmonics.torque_Nm[k] = sign * options.torqueConstant_Nm_per_A * waves.harmonicOf(current, k) -
+    const Complex between =
+        betweenSamples(sign * static_cast<double>(k) * speed * options.tick_s, options.tick_s, options.windingTime_s);
+    harmonics.torque_Nm[k] = sign * options.torqueConstant_Nm_per_A * between * waves.harmonicOf(current, k) -
                              options.inertia_kg_m2 * harmonics.acceleration_rad_per_s2[k];
   }
   return harmonics;
@@ -235,7 +276,7 @@ double meanAround(const std::vector<AngleBinSums>& bins, double AngleBinSums::*s
 RunSpectrum spectrumOf(std::span<const VelocityRun> parts, const VelocityFrictionOptions& options) {
   const VelocityRun& first = parts.front();
   const size_t highest = std::min(options.highestOrder, first.bins.size() / 3);
-  const auto angles = anglesOf(first.bins.size(), options.disc);
+  const auto angles = anglesOf(first.bins.size(), options);
   const Waves waves(angles, highest);
   double turns = 0.0;
   size_t samples = 0;
@@ -244,20 +285,18 @@ RunSpectrum spectrumOf(std::span<const VelocityRun> parts, const VelocityFrictio
   RunSpectrum spectrum{0.0, none, none, none, {}};
   std::vector<std::vector<Complex>> blocks;
   for (const VelocityRun& part : parts) {
-    const auto bins = freedOf(options.disc, part.bins, angles);
+    const auto bins = freedOf(options.disc, part.bins, angles, part.halfSpan_s);
     const Speeds speeds = filled(bins, &AngleBinSums::velocity_rad_per_s);
-    const RunBlock nothing;
-    const Stretch whole(static_cast<double>(part.turns), part.blocks.empty() ? nothing : part.blocks.front(),
-                        part.blocks.empty() ? nothing : part.blocks.back());
+    const Stretch whole(static_cast<double>(part.turns), part.blocks, part.target_rad_per_s);
     const double share = parts.size() > 1 ? static_cast<double>(part.turns) / turns : 1.0;
     spectrum.speed_rad_per_s +=
         share * std::abs(harmonicOf(covered(bins, &AngleBinSums::velocity_rad_per_s, speeds), 0).real());
     addShare(harmonicsOf(bins, speeds, waves, whole, part, highest, options), share, spectrum);
     for (const RunBlock& block : part.blocks) {
-      const Stretch stretch(static_cast<double>(block.turns), block, block);
-      blocks.push_back(
-          harmonicsOf(freedOf(options.disc, block.bins, angles), speeds, waves, stretch, part, highest, options)
-              .torque_Nm);
+      const Stretch stretch(static_cast<double>(block.turns), {&block, 1}, part.target_rad_per_s);
+      blocks.push_back(harmonicsOf(freedOf(options.disc, block.bins, angles, part.halfSpan_s), speeds, waves, stretch,
+                                   part, highest, options)
+                           .torque_Nm);
     }
   }
   const auto between = scatterBetween(blocks, highest + 1);

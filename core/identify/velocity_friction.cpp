@@ -30,21 +30,25 @@ void addHarmonic(std::vector<Estimate>& bins, size_t order, Complex value) {
   }
 }
 
-/// A curve put together from its harmonics, with the doubt that is the same in all bins.
+/// A curve put together from its harmonics, with the doubt that is the same in all bins, and that of the angle, which
+/// counts where the curve is steep.
 class Curve {
  public:
-  explicit Curve(std::vector<Estimate>& bins) : bins_(bins) {}
+  explicit Curve(std::vector<Estimate>& bins) : bins_(bins), slopes_(bins.size()) {}
 
   void add(size_t order, Complex value, double variance) {
     addHarmonic(bins_, order, value);
+    addHarmonic(slopes_, order, Complex(0.0, static_cast<double>(order)) * value);
     variance_ += variance;
   }
-  void finish() {
-    for (Estimate& bin : bins_) bin.standardError = std::sqrt(variance_);
+  void finish(double angleError_rad) {
+    for (size_t k = 0; k < bins_.size(); ++k)
+      bins_[k].standardError = std::hypot(std::sqrt(variance_), angleError_rad * slopes_[k].value);
   }
 
  private:
   std::vector<Estimate>& bins_;
+  std::vector<Estimate> slopes_;
   double variance_ = 0.0;
 };
 
@@ -82,20 +86,22 @@ std::vector<WeighedHarmonic> weighCoulomb(const std::vector<FrictionLine>& lines
   return harmonics;
 }
 
-/// Variance of each part of a harmonic, from where its angle is counted from.
-double turned(size_t order, Complex value, const VelocityFrictionOptions& options) {
-  return 0.5 * std::norm(static_cast<double>(order) * options.angleError_rad * value);
+/// Without the runs that still show how friction falls, or freed of that; with variances that the residuals bear out.
+/// Returns how many slow ones there are.
+size_t prepare(WayRuns& runs, const VelocityFrictionOptions& options) {
+  const auto slow = std::count_if(runs.fall.begin(), runs.fall.end(), [](double g) { return g > leastFall; });
+  const size_t leftOut = runs.static_Nm.empty() ? leaveOutStribeck(runs) : static_cast<size_t>(slow);
+  widen(runs);
+  widenHarmonics(runs, options.highestViscousOrder);
+  return leftOut;
 }
 
-MovingFriction fitWay(WayRuns runs, const VelocityFrictionOptions& options) {
+/// `all`: the way's runs before they were prepared; `first`: its line of order 1 beside an encoder's swing, or none.
+MovingFriction fitWay(const WayRuns& runs, const WayRuns& all, const FrictionLine* first,
+                      const VelocityFrictionOptions& options) {
   MovingFriction friction;
   friction.coulomb_Nm.resize(options.bins);
   friction.viscous_Nm_s_per_rad.resize(options.bins);
-  const WayRuns all = runs;
-  const auto slow = std::count_if(runs.fall.begin(), runs.fall.end(), [](double g) { return g > leastFall; });
-  friction.leftOut = runs.static_Nm.empty() ? leaveOutStribeck(runs) : static_cast<size_t>(slow);
-  widen(runs);
-  widenHarmonics(runs, options.highestViscousOrder);
   const FrictionLine mean = fitOrder(runs, 0, true);
   const double zero_Nm = options.torqueConstant_Nm_per_A * options.zeroError_A;
   friction.coulombMean_Nm = {mean.coulomb.real(), std::hypot(std::sqrt(mean.coulombVariance), zero_Nm,
@@ -107,7 +113,8 @@ MovingFriction fitWay(WayRuns runs, const VelocityFrictionOptions& options) {
   size_t highest = 0;  // finer ones than any run's bins show are no part of the map
   for (const RunSpectrum& one : all.spectra) highest = std::max(highest, one.torque_Nm.size() - 1);
   for (size_t k = 1; k <= highest; ++k) {
-    lines.push_back(fitOrder(runs, k, k <= options.highestViscousOrder));
+    lines.push_back(k == 1 && first ? *first : fitOrder(runs, k, k <= options.highestViscousOrder));
+    if (k == 1 && first) continue;
     // What fast runs blur the slowest may still show: position torque is the same at any speed.
     if (runs.spectra.size() < all.spectra.size() && lines[k].coulombVariance > mostVariance)
       lines[k] = fitOrder(all, k, false);
@@ -118,11 +125,12 @@ MovingFriction fitWay(WayRuns runs, const VelocityFrictionOptions& options) {
   coulombCurve.add(0, mean.coulomb, std::pow(friction.coulombMean_Nm.standardError, 2));
   viscousCurve.add(0, mean.viscous, std::pow(friction.viscousMean_Nm_s_per_rad.standardError, 2));
   for (size_t k = 1; k < lines.size(); ++k) {
-    coulombCurve.add(k, coulomb[k].value, coulomb[k].variance + turned(k, coulomb[k].value, options));
-    viscousCurve.add(k, viscous[k].value, viscous[k].variance + turned(k, viscous[k].value, options));
+    coulombCurve.add(k, coulomb[k].value, coulomb[k].variance);
+    viscousCurve.add(k, viscous[k].value, viscous[k].variance);
   }
-  coulombCurve.finish();
-  viscousCurve.finish();
+  const double angleError_rad = std::hypot(options.angleError_rad, options.disc.angleError_rad());
+  coulombCurve.finish(angleError_rad);
+  viscousCurve.finish(angleError_rad);
   return friction;
 }
 
@@ -144,9 +152,19 @@ Result<std::array<MovingFriction, 2>> fitMovingFriction(const std::vector<Veloci
   auto found = wayRunsOf(runs, options);
   if (!found) return found.error();
   auto& ways = *found;
+  if (options.disc.known()) widenBySwing(ways, options.inertia_kg_m2, options.disc);
   freeOfInertia(ways, options.inertia_kg_m2, options.inertiaError_kg_m2);
-  takeOffEncoderSwing(ways, options.disc.known());
-  return std::array<MovingFriction, 2>{fitWay(std::move(ways[0]), options), fitWay(std::move(ways[1]), options)};
+  const bool swung = takeOffEncoderSwing(ways, options.disc.known());
+  const auto all = ways;
+  size_t leftOut[2];
+  for (size_t w = 0; w < 2; ++w) leftOut[w] = prepare(ways[w], options);
+  const auto swing = swung ? swingOf(ways) : std::nullopt;
+  std::array<MovingFriction, 2> friction;
+  for (size_t w = 0; w < 2; ++w) {
+    friction[w] = fitWay(ways[w], all[w], swing ? &swing->lines[w] : nullptr, options);
+    friction[w].leftOut = leftOut[w];
+  }
+  return friction;
 }
 
 std::vector<double> movingCurrent_A(const std::vector<VelocityRun>& runs, Way way,

@@ -16,15 +16,18 @@ struct VelocityFrictionOptions {
   double scaleError = 0.0;  ///< relative standard error of the torque constant, common to all torques
   double inertia_kg_m2 = 0.0, inertiaError_kg_m2 = 0.0;  ///< with its standard error
   double noiseRms_A = 0.0;                               ///< of one sample of the current
-  double zeroError_A = 0.0;  ///< standard error of the current sensor's zero over the sweep, common to its runs
-  size_t bins = 180;         ///< of the result
-  size_t highestOrder = 45;  ///< harmonics of Coulomb friction that are looked at
+  double tick_s = 0.0;         ///< of the board, at whose beginning a current is sampled; 0: any time
+  double windingTime_s = 0.0;  ///< L/R, by which the current follows a tick's voltage
+  double zeroError_A = 0.0;    ///< standard error of the current sensor's zero over the sweep, common to its runs
+  size_t bins = 180;           ///< of the result
+  size_t highestOrder = 45;    ///< harmonics of Coulomb friction that are looked at
   size_t highestViscousOrder = 12;
   /// Standard error of a harmonic, part of the mean torque, above which it says nothing of its own: of the current that
   /// keeps the rotor moving, and of the slowest runs that were left out of the line.
   double mostError = 0.02;
   double significance = 2.5;    ///< standard errors by which a harmonic of that current must stand out
   double angleError_rad = 0.0;  ///< standard error of where the index is, common to all runs
+  double beyondBins_rad = 0.0;  ///< by which the runs' samples lie beyond their bins' middles
   EncoderDisc disc;             ///< that the runs' angles and speeds are freed of (fitDisc)
   /// The breakaway map where it is known: whole torque that starts motion per equal bin from the index, by Way. It
   /// tells how far friction can fall with speed, so that slow runs can be freed of it; empty: runs that show it are

@@ -4,6 +4,7 @@
 #include "base/random.h"
 #include "identify/motor_identification.h"
 #include "identify/reversal_inertia.h"
+#include "identify/spin_disc.h"
 
 using namespace breakaway;
 
@@ -11,6 +12,8 @@ class TestInertia : public QObject {
   Q_OBJECT
  private slots:
   void reversals_giveTheInertiaWhateverTheFriction();
+  void discOffItsCentre_doesNotDrawTheInertiaLow();
+  void discInItsCentre_isNotFound();
   void rotorThatNeverMoved_isReported();
   void currentThatStaysLow_isCalledSaturated();
   void methodsThatDisagree_widenTheInterval();
@@ -26,8 +29,9 @@ namespace {
 
 constexpr double Kt = 0.07, J = 6e-5;
 
-/// A rotor with Coulomb and viscous friction to and fro under ±`amps`, turned round at 60 rad/s; blocks of 2 ms.
-std::vector<SpinBlock> toAndFro(double amps, double coulomb_Nm, double viscous, unsigned seed) {
+/// A rotor with Coulomb and viscous friction to and fro under ±`amps`, turned round at 60 rad/s or another speed;
+/// blocks of 2 ms.
+std::vector<SpinBlock> toAndFro(double amps, double coulomb_Nm, double viscous, unsigned seed, double highest = 60.0) {
   Noise noise(seed);
   std::vector<SpinBlock> blocks;
   double speed = 0.0, angle = 0.0, way = 1.0;
@@ -38,9 +42,28 @@ std::vector<SpinBlock> toAndFro(double amps, double coulomb_Nm, double viscous, 
       angle += 1e-4 * speed;
     }
     blocks.push_back({2e-3 * k, 2e-3, angle + 1e-4 * noise.uniform(), way * amps + 0.005 * noise.normal(), 0.0});
-    if (way * speed > 60.0) way = -way;
+    if (way * speed > highest) way = -way;
   }
   return blocks;
+}
+
+/// As a disc shows it that is off its centre by `off_rad`.
+std::vector<SpinBlock> shownBy(double off_rad, std::vector<SpinBlock> blocks) {
+  for (SpinBlock& block : blocks) block.angle_rad += off_rad * std::cos(block.angle_rad - 1.0);
+  return blocks;
+}
+
+/// Inertia by the change of speed over 0.1 s, as the momentum's balance regards it.
+double inertiaOf(const std::vector<SpinBlock>& blocks) {
+  std::vector<SpinBlock> ramped = blocks;
+  for (SpinBlock& block : ramped) block.voltage_V = 1.2 * block.current_A;
+  WindingLine winding;
+  winding.resistance_ohm = {1.2, 0.001};
+  MotorIdentificationOptions options;
+  options.trustedTorqueConstant_Nm_per_A = Kt;
+  options.window_s = 0.02;
+  const auto found = identifyMotor(ramped, winding, {1e-3, 1e-6}, options);
+  return found ? found->inertia_kg_m2.value : 0.0;
 }
 
 IdentifiedMotor motor() {
@@ -62,6 +85,18 @@ void TestInertia::reversals_giveTheInertiaWhateverTheFriction() {
     QVERIFY2(std::abs(inertia->value / J - 1.0) < 0.01, qPrintable(QString::number(inertia->value / J)));
     QVERIFY(inertia->standardError > 1e-5 * J && inertia->standardError < 0.01 * J);
   }
+}
+
+void TestInertia::discOffItsCentre_doesNotDrawTheInertiaLow() {
+  const auto shown = shownBy(0.05, toAndFro(0.7, 0.01, 2e-5, 1, 200.0));
+  const EncoderDisc disc = spinDisc(shown);
+  QVERIFY2(std::abs(std::abs(disc.off_rad) - 0.05) < 0.01 * 0.05, qPrintable(QString::number(std::abs(disc.off_rad))));
+  const double off = inertiaOf(shown) / J, freed = inertiaOf(freedOf(disc, shown)) / J;
+  QVERIFY2(off < 0.98 && std::abs(freed - 1.0) < 0.005, qPrintable(QString("%1 %2").arg(off).arg(freed)));
+}
+
+void TestInertia::discInItsCentre_isNotFound() {
+  QVERIFY(!spinDisc(toAndFro(0.7, 0.01, 2e-5, 1, 200.0)).known());
 }
 
 void TestInertia::rotorThatNeverMoved_isReported() {

@@ -18,6 +18,7 @@ class TestMapEstimation : public QObject {
   void intervalsHoldTheTruth_data();
   void intervalsHoldTheTruth();
   void noiseOfACurve_isToldBesideItsHarmonics();
+  void angleInDoubt_widensWhereTheMapIsSteep();
   void outlier_isMarkedAndKept();
   void weakCurrents_areCalibratedTogether();
   void unrelatedTurns_dontCorrelate();
@@ -98,6 +99,26 @@ void TestMapEstimation::standardError_matchesTheScatter() {
   QVERIFY(map.ok());
   const double relative = map->bins[0].way[1].static_Nm.standardError / 0.021;
   QVERIFY2(relative > 0.007 && relative < 0.018, qPrintable(QString::number(relative)));
+}
+
+/// Breakaways that all stood 0.02 rad beyond where they are taken to have stood.
+void TestMapEstimation::angleInDoubt_widensWhereTheMapIsSteep() {
+  auto all = events(0.0, 0.0, 1.0, 3);
+  for (BreakawayEvent& event : all) event.angle_rad -= std::min(0.02, event.angle_rad);
+  MapOptions doubtful = options();
+  doubtful.angleError_rad = 0.02;
+  const auto sure = estimateMap(all, nullptr, options()), wide = estimateMap(all, nullptr, doubtful);
+  QVERIFY(sure.ok() && wide.ok());
+  const auto off = [](const FrictionMap& map, size_t bin) {
+    const Estimate& one = map.bins[bin].way[1].static_Nm;
+    return std::abs(one.value - truth(map.bins[bin].angle_rad)) / one.standardError;
+  };
+  constexpr size_t steep = 22, top = 45;
+  QVERIFY2(off(*sure, steep) > 2.0, qPrintable(QString::number(off(*sure, steep))));
+  QVERIFY2(off(*wide, steep) < 1.2 && off(*wide, steep) > 0.5, qPrintable(QString::number(off(*wide, steep))));
+  const auto error = [](const FrictionMap& map, size_t bin) { return map.bins[bin].way[1].static_Nm.standardError; };
+  QVERIFY(error(*wide, steep) > 2.0 * error(*sure, steep));
+  QVERIFY(error(*wide, top) < 0.2 * error(*wide, steep) + error(*sure, top));
 }
 
 void TestMapEstimation::intervalsHoldTheTruth_data() {

@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "base/random.h"
+#include "experiment/velocity_sweep.h"
+#include "identify/encoder_swing.h"
 #include "identify/velocity_friction.h"
 
 using namespace breakaway;
@@ -16,9 +18,13 @@ class TestSharedErrors : public QObject {
  private slots:
   void discOffItsCentre_isFoundAndTakenOff();
   void discInItsCentre_isNotFound();
+  void evenSpeed_isTakenAsEvenOverAnySpan();
+  void currentBetweenSamples_isWhereTheWindingTookIt();
+  void whatIsOffAboutALargeWave_isInTheInterval();
   void inertiaThatIsOff_isNoViscousFriction();
   void whatDiffersFromSpeedToSpeed_isInTheInterval();
   void breakaways_standWhereTheRotorStood();
+  void samplesOfWholeCounts_lieBesideTheirBinsMiddles();
 };
 
 namespace {
@@ -38,6 +44,13 @@ struct Place {
 };
 using PlaceAt = std::function<Place(double shown_rad, double speed)>;
 
+/// What a central difference of the disc's angles makes of an even speed.
+double shownOver(double velocity, double angle_rad, double halfSpan_s, const EncoderDisc& disc) {
+  const double half = velocity * halfSpan_s;
+  const auto shown = [&disc](double angle) { return angle + (disc.off_rad * std::polar(1.0, angle)).real(); };
+  return (shown(angle_rad + half) - shown(angle_rad - half)) / (2.0 * halfSpan_s);
+}
+
 VelocityRun runAt(double target, const PlaceAt& placeAt, const EncoderDisc& disc, unsigned seed) {
   VelocityRun run;
   run.target_rad_per_s = target;
@@ -53,7 +66,7 @@ VelocityRun runAt(double target, const PlaceAt& placeAt, const EncoderDisc& disc
     const double current = (friction + J * acceleration - at.torque_Nm) / Kt;
     for (size_t n = 0; n < 160; ++n) {
       const double shown_A = current + 0.017 * noise.normal();
-      const double shown = velocity / disc.gainAt(at.angle_rad) + 0.05 * noise.normal();
+      const double shown = shownOver(velocity, at.angle_rad, run.halfSpan_s, disc) + 0.05 * noise.normal();
       run.bins[k].add(shown_A, shown);
       run.blocks[n / 20].bins[k].add(shown_A, shown);
     }
@@ -129,6 +142,92 @@ void TestSharedErrors::discInItsCentre_isNotFound() {
   QVERIFY(!fitDisc(runs(steady), options()).known());
 }
 
+void TestSharedErrors::evenSpeed_isTakenAsEvenOverAnySpan() {
+  const EncoderDisc disc{std::polar(0.05, 0.3), 0.0};
+  for (const double halfSpan_s : {1e-5, 1e-3, 5e-3}) {
+    for (const double speed : {100.0, -100.0}) {
+      for (double angle = 0.0; angle < turn; angle += 0.5) {
+        const double shown = shownOver(speed, angle, halfSpan_s, disc);
+        QVERIFY(std::abs(disc.speedOf(shown, angle, halfSpan_s) / speed - 1.0) < 1e-6);
+      }
+    }
+  }
+}
+
+/// Of a wave of 40 samples per turn, against its integral along the winding's exponentials from one to the next.
+void TestSharedErrors::currentBetweenSamples_isWhereTheWindingTookIt() {
+  constexpr size_t samples = 40;
+  constexpr double speed = 100.0, step = turn / samples, tick_s = step / speed;
+  const auto sampled = [](double angle) { return 0.3 * std::cos(angle - 0.2); };
+  for (const double windingTime_s : {1e-6, 0.5 * tick_s, 100.0 * tick_s}) {
+    for (const double sign : {1.0, -1.0}) {
+      VelocityRun run;
+      run.target_rad_per_s = sign * speed;
+      run.turns = 1;
+      run.halfSpan_s = tick_s;
+      run.bins.resize(samples);
+      Complex truth = 0.0;
+      constexpr int parts = 2000;
+      for (size_t n = 0; n < samples; ++n) {
+        const double angle = (static_cast<double>(n) + 0.5) * step, next = sampled(angle + sign * step);
+        run.bins[n].add(sampled(angle), sign * speed);
+        const double rise = -std::expm1(-tick_s / windingTime_s);
+        for (int k = 0; k < parts; ++k) {
+          const double part = (k + 0.5) / parts;
+          const double gone = -std::expm1(-part * tick_s / windingTime_s) / rise;
+          const double current = sampled(angle) + (next - sampled(angle)) * gone;
+          truth += sign * Kt * current * std::polar(2.0 / (samples * parts), -(angle + sign * part * step));
+        }
+      }
+      VelocityFrictionOptions given = options();
+      given.tick_s = tick_s;
+      given.windingTime_s = windingTime_s;
+      const Complex found = spectrumOf({&run, 1}, given).torque_Nm[1];
+      // Each bin's mean stands for its middle: the harmonic is taken as that of means over the bins.
+      const double half = 0.5 * step;
+      QVERIFY2(std::abs(found * std::sin(half) / half - truth) < 1e-3 * std::abs(truth),
+               qPrintable(QString("%1 %2").arg(std::abs(found / truth)).arg(std::arg(found / truth))));
+    }
+  }
+}
+
+/// Of waves that are off by a part of 1e-3 in each run, at orders where they are a hundred times friction.
+void TestSharedErrors::whatIsOffAboutALargeWave_isInTheInterval() {
+  const EncoderDisc disc{std::polar(0.04, 1.0), 0.0};
+  const Complex C(2e-4, -1e-4), slope(1e-6, 2e-6);
+  size_t narrow = 0, wide = 0;
+  constexpr size_t trials = 200;
+  for (unsigned seed = 1; seed <= trials; ++seed) {
+    Noise noise(seed);
+    std::array<WayRuns, 2> ways;
+    for (const Way way : {Way::cw, Way::ccw}) {
+      for (const double speed : speeds) {
+        RunSpectrum run;
+        run.speed_rad_per_s = speed;
+        const Complex wave = J * disc.off_rad * speed * speed;
+        const Complex off(1e-3 * noise.normal(), 1e-3 * noise.normal());
+        const Complex chance(1e-5 * noise.normal(), 1e-5 * noise.normal());
+        run.torque_Nm = {0.017, C + slope * speed + off * wave + chance};
+        run.acceleration_rad_per_s2 = {0.0, wave / J * std::min(1.0, 100.0 / speed)};
+        run.ripple_rad_per_s = {0.0, 0.0};
+        run.variance_Nm2 = {1e-12, 1e-10};
+        ways[static_cast<size_t>(way)].spectra.push_back(run);
+      }
+      ways[static_cast<size_t>(way)].fall.assign(std::size(speeds), 0.0);
+      ways[static_cast<size_t>(way)].widened_Nm2 = ways[static_cast<size_t>(way)].fall;
+    }
+    const auto holds = [&slope](const std::array<WayRuns, 2>& of) {
+      const FrictionLine line = swingOf(of)->lines[1];
+      return std::abs(line.viscous.real() - slope.real()) < normal95 * std::sqrt(line.viscousVariance);
+    };
+    narrow += holds(ways) ? 1 : 0;
+    widenBySwing(ways, J, disc);
+    wide += holds(ways) ? 1 : 0;
+  }
+  QVERIFY2(narrow < trials / 2, qPrintable(QString::number(narrow)));
+  QVERIFY2(wide > 0.88 * trials && wide < trials, qPrintable(QString::number(wide)));
+}
+
 /// An arm, whose torque a controller of 100 rad/s holds the better, the slower it turns: an inertia of 5 % too little
 /// takes the rest for viscous friction of order 1.
 void TestSharedErrors::inertiaThatIsOff_isNoViscousFriction() {
@@ -173,6 +272,27 @@ void TestSharedErrors::breakaways_standWhereTheRotorStood() {
     events[k].angle_rad = angles[k] + (disc.off_rad * std::polar(1.0, angles[k])).real() - disc.off_rad.real();
   placeBy(disc, events);
   for (size_t k = 0; k < 3; ++k) QVERIFY(std::abs(events[k].angle_rad - angles[k]) < 1e-9);
+}
+
+/// Against the mean place of the counts that fall into each bin.
+void TestSharedErrors::samplesOfWholeCounts_lieBesideTheirBinsMiddles() {
+  for (const size_t bins : {100u, 50u}) {
+    constexpr size_t counts = 100;
+    const double count = turn / counts;
+    for (const double index : {7.0 * count, 7.25 * count, -3.5 * count}) {
+      std::vector<double> sums(bins), numbers(bins);
+      for (int n = 0; n < static_cast<int>(counts); ++n) {
+        double place = (n * count - index) / turn;
+        place -= std::floor(place + 1e-9);
+        const auto bin = static_cast<size_t>(place * static_cast<double>(bins) + 1e-6) % bins;
+        sums[bin] += place * turn - (static_cast<double>(bin) + 0.5) * turn / static_cast<double>(bins);
+        numbers[bin] += 1.0;
+      }
+      for (size_t k = 0; k < bins; ++k)
+        QVERIFY(std::abs(sums[k] / numbers[k] - beyondBins_rad(counts, bins, index)) < 1e-3 * count);
+    }
+  }
+  QCOMPARE(beyondBins_rad(100.0, 60, 0.1), 0.0);
 }
 
 QTEST_APPLESS_MAIN(TestSharedErrors)

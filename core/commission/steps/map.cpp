@@ -49,8 +49,9 @@ class Map : public Step {
 
   Result<StepEnd> end(OnBench& on, const Result<void>&) override {
     Commission& known = on.known;
-    const MapOptions options = mapOptions(known, on.options.rig);
+    MapOptions options = mapOptions(known, on.options.rig);
     const EncoderDisc disc = fitDisc(known.runs, frictionOptions(known));
+    options.angleError_rad = std::hypot(options.angleError_rad, disc.angleError_rad());
     remarkDisc(known, disc);
     std::vector<BreakawayEvent> breakaways = known.breakaways;
     placeBy(disc, breakaways);

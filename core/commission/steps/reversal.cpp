@@ -7,6 +7,7 @@
 #include "commission/steps.h"
 #include "experiment/reversal_test.h"
 #include "identify/reversal_inertia.h"
+#include "identify/spin_disc.h"
 
 namespace breakaway {
 
@@ -39,13 +40,14 @@ class Reversal : public Step {
   /// Where it can't be gone, the first stands alone, and a remark says so.
   Result<StepEnd> end(OnBench& on, const Result<void>& ran) override {
     Commission& known = on.known;
-    const auto inertia = ran ? reversalInertia(test_->blocks(), {known.motor.torqueConstant_Nm_per_A.value, current_A_})
+    const auto blocks = freedOf(spinDisc(test_->blocks()), test_->blocks());
+    const auto inertia = ran ? reversalInertia(blocks, {known.motor.torqueConstant_Nm_per_A.value, current_A_})
                              : Result<Estimate>(ran.error());
     if (!inertia) {
       known.remark(message("{}; the inertia rests on the spin test alone.", inertia.error().said()));
       return StepEnd::over;
     }
-    known.tests->bridge.moving.push_back(test_->blocks());
+    known.tests->bridge.moving.push_back(blocks);
     if (joinInertia(known.motor, *inertia) > 3.0)
       known.remark(message(
           "The inertia by speeding up and slowing down and the one by turning round differ by more than three standard "

@@ -6,6 +6,7 @@
 #include "commission/motor_tests.h"
 #include "commission/steps.h"
 #include "experiment/spin_test.h"
+#include "identify/spin_disc.h"
 
 namespace breakaway {
 
@@ -46,14 +47,15 @@ class Spin : public Step {
     MotorTests& tests = *known.tests;
     MotorIdentificationOptions options;
     options.trustedTorqueConstant_Nm_per_A = trustedConstant(on.options);
-    const auto motor = identifyMotor(spin_->blocks(), tests.winding.line, tests.winding.timeConstant_s, options);
-    const bool slow = !motor || highestSpeed(spin_->blocks()) * motor->backEmfConstant_V_s_per_rad.value <
-                                    0.3 * known.identity.supply_V;
+    const auto blocks = freedOf(spinDisc(spin_->blocks()), spin_->blocks());
+    const auto motor = identifyMotor(blocks, tests.winding.line, tests.winding.timeConstant_s, options);
+    const bool slow =
+        !motor || highestSpeed(blocks) * motor->backEmfConstant_V_s_per_rad.value < 0.3 * known.identity.supply_V;
     if (slow && !slowly_) return StepEnd::again;
     if (!motor) return Error{"03-spin", motor.error().message()};
     if (auto held = holdMotor(*motor, on.options, known); !held) return held.error();
     known.motor = tests.rough = *motor;
-    tests.bridge.moving = {spin_->blocks()};
+    tests.bridge.moving = {blocks};
     const double Kt = motor->torqueConstant_Nm_per_A.value, Ke = motor->backEmfConstant_V_s_per_rad.value;
     if (std::abs(Kt - Ke) > 0.05 * Ke)
       known.remark(message(

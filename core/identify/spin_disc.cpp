@@ -1,0 +1,119 @@
+#include "identify/spin_disc.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+namespace breakaway {
+
+namespace {
+
+using Complex = std::complex<double>;
+using Row = Eigen::Matrix<double, 9, 1>;  // J, J·D's two parts, C, B, torque at order 1, friction at order 1
+constexpr size_t width = 4;               // blocks of a balance
+constexpr size_t leastRows = 100;
+constexpr double slowest = 0.25;      // of the highest speed
+constexpr double surelyThere = 20.0;  // gain in χ²
+constexpr double mostOff_rad = 0.3;
+constexpr int rounds = 3;
+
+/// Mean of values at a block's end over the two blocks around it, as a rate.
+template <typename Value>
+Value rateAt(const std::vector<Value>& values, const std::vector<SpinBlock>& blocks, size_t k) {
+  return (values[k + 1] - values[k - 1]) / (blocks[k].duration_s + blocks[k + 1].duration_s);
+}
+
+/// ∫e^{jθ} dt over a block, at even speed.
+Complex waveOver(double from_rad, double to_rad, double duration_s) {
+  const Complex start = std::polar(1.0, from_rad), end = std::polar(1.0, to_rad);
+  if (std::abs(to_rad - from_rad) < 1e-6) return duration_s * start;
+  return duration_s * (end - start) / Complex(0.0, to_rad - from_rad);
+}
+
+struct Balance {
+  Eigen::Matrix<double, 9, 9> normal = Eigen::Matrix<double, 9, 9>::Zero();
+  Row right = Row::Zero();
+  double squares = 0.0;
+  size_t rows = 0;
+
+  void add(const Row& row, double impulse) {
+    normal += row * row.transpose();
+    right += impulse * row;
+    squares += impulse * impulse;
+    ++rows;
+  }
+};
+
+Balance balanceOf(const std::vector<SpinBlock>& blocks, const EncoderDisc& disc) {
+  const size_t n = blocks.size();
+  std::vector<double> shown(n), angles(n), speeds(n, 0.0);
+  std::vector<Complex> waves(n);
+  double highest = 0.0;
+  for (size_t k = 0; k < n; ++k) {
+    shown[k] = blocks[k].angle_rad;
+    angles[k] = disc.known() ? disc.angleOf(shown[k]) : shown[k];
+    waves[k] = std::polar(1.0, angles[k]);
+    if (k > 0) speeds[k] = (angles[k] - angles[k - 1]) / blocks[k].duration_s;
+    highest = std::max(highest, std::abs(speeds[k]));
+  }
+  Balance balance;
+  for (size_t k = 1; k + width + 1 < n; ++k) {
+    const bool oneWay = std::all_of(
+        speeds.begin() + static_cast<std::ptrdiff_t>(k), speeds.begin() + static_cast<std::ptrdiff_t>(k + width + 2),
+        [&](double speed) { return speed * speeds[k] > 0.0 && std::abs(speed) > slowest * highest; });
+    if (!oneWay) continue;
+    double impulse = 0.0, duration = 0.0;
+    Complex around = 0.0;
+    for (size_t j = k + 1; j <= k + width; ++j) {
+      impulse += blocks[j].current_A * blocks[j].duration_s;
+      duration += blocks[j].duration_s;
+      around += waveOver(angles[j - 1], angles[j], blocks[j].duration_s);
+    }
+    const double sign = speeds[k] > 0.0 ? 1.0 : -1.0;
+    const Complex swing = rateAt(waves, blocks, k + width) - rateAt(waves, blocks, k);
+    Row row;
+    row << rateAt(shown, blocks, k + width) - rateAt(shown, blocks, k), -swing.real(), swing.imag(), sign * duration,
+        angles[k + width] - angles[k], around.real(), around.imag(), sign * around.real(), sign * around.imag();
+    balance.add(row, impulse);
+  }
+  return balance;
+}
+
+/// One round: D with the angles that the last one gives.
+EncoderDisc fitOnce(const Balance& balance) {
+  if (balance.rows < leastRows) return {};
+  const Row scale = balance.normal.diagonal().unaryExpr([](double x) { return x > 0.0 ? 1.0 / std::sqrt(x) : 0.0; });
+  const Eigen::Matrix<double, 9, 9> inverse =
+      scale.asDiagonal() *
+      (scale.asDiagonal() * balance.normal * scale.asDiagonal()).completeOrthogonalDecomposition().pseudoInverse() *
+      scale.asDiagonal();
+  const Row x = inverse * balance.right;
+  if (!(x[0] > 0.0)) return {};
+  const double variance = std::max(0.0, balance.squares - x.dot(balance.right)) / static_cast<double>(balance.rows - 9);
+  // Balances overlap: so many fewer stand apart from each other.
+  const double parts = static_cast<double>(width + 1) * variance * 0.5 * (inverse(1, 1) + inverse(2, 2));
+  return {Complex(x[1], x[2]) / x[0], parts / (x[0] * x[0])};
+}
+
+}  // namespace
+
+EncoderDisc spinDisc(const std::vector<SpinBlock>& blocks) {
+  EncoderDisc disc;
+  for (int round = 0; round < rounds; ++round) {
+    const EncoderDisc found = fitOnce(balanceOf(blocks, disc));
+    const double size = std::abs(found.off_rad);
+    if (!(std::norm(found.off_rad) > surelyThere * found.variance_rad2) || size > mostOff_rad) return {};
+    disc = found;
+  }
+  return disc;
+}
+
+std::vector<SpinBlock> freedOf(const EncoderDisc& disc, std::vector<SpinBlock> blocks) {
+  for (SpinBlock& block : blocks) {
+    if (disc.known()) block.angle_rad = disc.angleOf(block.angle_rad);
+  }
+  return blocks;
+}
+
+}  // namespace breakaway
