@@ -14,7 +14,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr int levelWidth = 136;  // of "-1234.56 mm/s"
+constexpr int levelWidth = 136;         // of "-1234.56 mm/s"
 constexpr double beforePart = 0.25;     // of the view lies before the edge
 constexpr double hysteresisPart = 0.5;  // of the least span of a channel
 constexpr double patience = 2.0;        // views without an edge, then the picture runs on
