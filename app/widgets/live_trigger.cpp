@@ -15,6 +15,7 @@ namespace breakaway {
 namespace {
 
 constexpr int levelWidth = 136;         // of "-1234.56 mm/s"
+constexpr int stateWidth = 140;         // of "edge at 12345.6789 s", and in German
 constexpr double beforePart = 0.25;     // of the view lies before the edge
 constexpr double hysteresisPart = 0.5;  // of the least span of a channel
 constexpr double patience = 2.0;        // views without an edge, then the picture runs on
@@ -43,6 +44,7 @@ LiveTrigger::LiveTrigger(QWidget* parent) : QWidget(parent) {
   level_->setFixedWidth(levelWidth);
   state_ = caption(this, {});
   state_->setObjectName("triggerState");
+  state_->setFixedWidth(stateWidth);
   auto* row = static_cast<QHBoxLayout*>(layout());
   row->addWidget(new QLabel(tr("through"), this));
   row->addWidget(level_);

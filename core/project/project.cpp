@@ -12,6 +12,7 @@
 #include "base/uuid.h"
 #include "project/project_lock.h"
 #include "project/run_contents.h"
+#include "project/stage.h"
 
 namespace breakaway {
 
@@ -20,7 +21,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* schema = "breakaway.project/1";
-constexpr const char* stagePrefix = ".adding-";
 
 Result<void> readMark(const std::string& folder) {
   const OwnInputs ours;  // no input of the run
@@ -91,32 +91,6 @@ Result<void> copySource(const std::string& source, const std::vector<std::string
   return {};
 }
 
-/// Removes the stage unless it was put in place.
-class Stage {
- public:
-  explicit Stage(const std::string& project) : path_(project + "/" + stagePrefix + freshUuid()) {}
-  ~Stage() {
-    std::error_code code;
-    if (!placed_) fs::remove_all(path_, code);
-  }
-  Stage(const Stage&) = delete;
-  Stage& operator=(const Stage&) = delete;
-  const std::string& path() const { return path_; }
-  Result<void> place(const std::string& at) {
-    syncTree(path_);
-    std::error_code code;
-    fs::rename(path_, at, code);
-    if (code) return Error{at, "cannot be put in place: " + code.message()};
-    placed_ = true;
-    syncTree(fs::path(at).parent_path().string() + "/.");
-    return {};
-  }
-
- private:
-  std::string path_;
-  bool placed_ = false;
-};
-
 /// What add() was told goes before what the files say.
 void takeWords(const NewRun& told, ProjectRun& run) {
   if (!told.kind.empty()) run.kind = told.kind;
@@ -155,20 +129,12 @@ Result<Project> Project::open(const std::string& folder, Missing missing) {
 /// Clears away and mends what nobody works on any more.
 Result<void> Project::repair() {
   const ProjectLock lock(folder_, ProjectLock::Way::alone);
-  if (lock.held()) clearStages();
-  return lock.held() ? mendRecordings() : Result<void>();
-}
-
-void Project::clearStages() {
-  std::error_code code;
-  std::vector<fs::path> left;
-  for (const auto& one : fs::directory_iterator(folder_, code)) {
-    if (one.path().filename().string().starts_with(stagePrefix)) left.push_back(one.path());
+  if (lock.held()) {
+    if (const size_t left = clearStages(folder_); left > 0)
+      said_.push_back(fmt::format("{}: what a kill left of {} being put in was incomplete and is removed", folder_,
+                                  left == 1 ? "a run" : std::to_string(left) + " runs"));
   }
-  for (const fs::path& one : left) fs::remove_all(one, code);
-  if (!left.empty())
-    said_.push_back(fmt::format("{}: what a kill left of {} being put in was incomplete and is removed", folder_,
-                                left.size() == 1 ? "a run" : std::to_string(left.size()) + " runs"));
+  return lock.held() ? mendRecordings() : Result<void>();
 }
 
 std::string Project::pathOf(const ProjectRun& run, const std::string& file) const {
@@ -178,7 +144,7 @@ std::string Project::pathOf(const ProjectRun& run, const std::string& file) cons
 Result<ProjectRun> Project::add(const NewRun& told) {
   const ProjectLock lock(folder_, ProjectLock::Way::shared);
   Stage stage(folder_);
-  if (auto made = makeFolder(stage.path()); !made) return made.error();
+  if (auto made = stage.make(); !made) return made.error();
   for (const std::string& source : told.sources) {
     if (auto copied = copySource(source, told.only, stage.path()); !copied) return copied.error();
   }

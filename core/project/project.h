@@ -71,7 +71,6 @@ class Project {
 
  private:
   Project(std::string folder, std::unique_ptr<RunIndex> index);
-  void clearStages();
   Result<void> mendRecordings();
   Result<void> repair();
 

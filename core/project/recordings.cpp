@@ -4,11 +4,11 @@
 #include <filesystem>
 #include <system_error>
 
-#include "base/atomic_file.h"
 #include "base/uuid.h"
 #include "project/project.h"
 #include "project/project_lock.h"
 #include "project/run_contents.h"
+#include "project/stage.h"
 
 namespace breakaway {
 
@@ -34,10 +34,11 @@ Result<ProjectRun> Project::beginRecording(ProjectRun run, const BlockHead& head
   run.folder = folderFor(run);
   run.files = {{recordingFile, "recording", 0, ""}};
   const std::string folder = folder_ + "/" + run.folder;
-  if (auto made = makeFolder(folder); !made) return made.error();
-  auto written = writeRunFile(run, folder);
-  auto opened =
-      written ? BlockWriter::create(folder + "/" + recordingFile, head) : Result<BlockWriter>(written.error());
+  Stage stage(folder_);
+  if (auto made = stage.make(); !made) return made.error();
+  if (auto written = writeRunFile(run, stage.path()); !written) return written.error();
+  if (auto placed = stage.place(folder); !placed) return placed.error();
+  auto opened = BlockWriter::create(folder + "/" + recordingFile, head);
   if (!opened) {
     std::error_code code;
     fs::remove_all(folder, code);
