@@ -26,6 +26,8 @@ class TestImportBeside : public QObject {
   void axesInBlocks_areAskedToBeParted();
   void sentencesThatReadAlike_areRows_othersAreLeftOutAndSaid();
   void textWithNumbers_isNoTable();
+  void listsOfRows_areNoSignals();
+  void pwmOf16Bits_isADuty();
 
  private:
   Result<Imported> imported(const QString& text) {
@@ -199,6 +201,30 @@ void TestImportBeside::sentencesThatReadAlike_areRows_othersAreLeftOutAndSaid() 
 void TestImportBeside::textWithNumbers_isNoTable() {
   QVERIFY(!imported("The bench was built in 2019 by 3 people.\nIt has 2 motors.\nIts speed is 300 rpm at 24 V.\n"));
   QVERIFY(!imported("chapter 1 of 12\nchapter 2 of 12\nchapter 3 of 12\nchapter 4 of 12\n"));
+}
+
+void TestImportBeside::listsOfRows_areNoSignals() {
+  QString column = "t = [0", rows = "t = [0";
+  for (int k = 1; k < 30; ++k) {
+    column += QString("; %1").arg(0.01 * k);
+    rows += QString("%1 %2").arg(k % 2 == 0 ? ";" : "").arg(0.01 * k);
+  }
+  QString rpm = "];\nrpm = [0";
+  for (int k = 1; k < 30; ++k) rpm += QString(" %1").arg(10 * k);
+  const auto log = imported(column + rpm + "];\n");
+  VERIFY_OK(log);
+  QCOMPARE(log->recording.time().size(), size_t{30});
+  QVERIFY(!imported(rows + rpm + "];\n"));
+}
+
+void TestImportBeside::pwmOf16Bits_isADuty() {
+  QString text = "t,pwm,rpm\n";
+  for (int k = 0; k < 40; ++k)
+    text += QString("%1,%2,%3\n").arg(0.01 * k).arg(k < 20 ? 65535 : -16384).arg(k < 20 ? 300 : -75);
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  QCOMPARE(fateOf(*log, "pwm").to, std::string("duty"));
+  QVERIFY(std::abs(log->recording.channel("duty")[0] - 1.0) < 1e-9);
 }
 
 QTEST_APPLESS_MAIN(TestImportBeside)

@@ -7,6 +7,7 @@
 #include "recording/import/codesys_trace.h"
 #include "recording/import/controldesk.h"
 #include "recording/import/list_cells.h"
+#include "recording/import/named_lists.h"
 #include "recording/import/octave_text.h"
 #include "recording/import/sentence_rows.h"
 #include "recording/import/stamped_lines.h"
@@ -417,6 +418,7 @@ Result<RawTable> readTextTable(std::string_view text, const std::string& name) {
   if (auto signals = readControlDeskText(utf8, lineEndOf(utf8), name)) return std::move(*signals);
   if (auto signals = readCodesysTrace(utf8, lineEndOf(utf8), name)) return std::move(*signals);
   if (auto variables = readOctaveText(utf8, lineEndOf(utf8), name)) return std::move(*variables);
+  if (auto lists = readNamedLists(utf8, name)) return std::move(*lists);
   auto flat = withListsInCells(utf8);
   if (!flat) flat = withStampsAsCells(utf8);
   if (flat) {
