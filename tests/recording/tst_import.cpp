@@ -70,6 +70,10 @@ void TestImport::names_areUnderstood_data() {
   row("Zeit [ms]", "time_s", 1e-3);
   row("Zeit 1 - Standardmessrate [s]", "time_s");
   row("Solldrehzahl [1/min]", "velocity_reference_rad_per_s", std::numbers::pi / 30.0);
+  row("rpm_sp", "velocity_reference_rad_per_s", std::numbers::pi / 30.0);
+  row("Vsupply", "supply_V");
+  row("motor_psu [V]", "supply_V");
+  row("vesc", "");
   row("speed_fdb", "velocity_rad_per_s");
   row("omega_pll", "velocity_rad_per_s");
   row("wm_ref", "velocity_reference_rad_per_s");

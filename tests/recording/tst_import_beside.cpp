@@ -24,6 +24,10 @@ class TestImportBeside : public QObject {
   void tableWithOtherNames_endsTheFirst();
   void rowsThatLoseACell_areAnError();
   void axesInBlocks_areAskedToBeParted();
+  void sentencesThatReadAlike_areRows_othersAreLeftOutAndSaid();
+  void textWithNumbers_isNoTable();
+  void listsOfRows_areNoSignals();
+  void pwmOf16Bits_isADuty();
 
  private:
   Result<Imported> imported(const QString& text) {
@@ -90,6 +94,7 @@ void TestImportBeside::clockThatCannotBe_isTakenForSeconds_data() {
   QTest::addColumn<QString>("name");
   QTest::addColumn<double>("trueStep_s");
   QTest::newRow("called µs, and in s") << 0.005 << "time_us" << 0.005;
+  QTest::newRow("called µs, and in s, but short") << 0.0005 << "time_us" << 0.0005;
   QTest::newRow("in µs") << 250.5 << "time_us" << 250.5e-6;
   QTest::newRow("whole µs, however short") << 1.0 << "time_us" << 1e-6;
   QTest::newRow("a fast capture in ms") << 0.02 << "time_ms" << 0.02e-3;
@@ -172,6 +177,54 @@ void TestImportBeside::axesInBlocks_areAskedToBeParted() {
   };
   QVERIFY(log("joint", 0, 1).find("{\"split\": \"joint\"}") != std::string::npos);
   QVERIFY(log("motor", 0, 200).find("sample_time_s") != std::string::npos);  // what a motor was told, not which one
+}
+
+void TestImportBeside::sentencesThatReadAlike_areRows_othersAreLeftOutAndSaid() {
+  QString text = "Tilt bench, firmware 2.1\n";
+  for (int k = 0; k < 60; ++k) {
+    if (k == 30) text += "Warning: belt is 3 mm loose\n";
+    text += QString("Lever angle is %1 rad; motor speed now %2 rad/s.\n").arg(angleAt(k)).arg(speedAt(k));
+  }
+  const auto asked = imported(text);
+  QVERIFY(!asked);
+  QVERIFY2(asked.error().message().find("sample_time_s") != std::string::npos, asked.error().message().c_str());
+  ImportMap map;
+  map.sample_time_s = step_s;
+  const auto log = importRecording(folder_.write("log.txt", text.toStdString()), map);
+  VERIFY_OK(log);
+  QCOMPARE(log->recording.time().size(), size_t{60});
+  QCOMPARE(fateOf(*log, "Lever angle [rad]").to, std::string("angle_rad"));
+  QCOMPARE(fateOf(*log, "motor speed [rad/s]").to, std::string("velocity_rad_per_s"));
+  QVERIFY(says(*log, "2 lines read otherwise"));
+}
+
+void TestImportBeside::textWithNumbers_isNoTable() {
+  QVERIFY(!imported("The bench was built in 2019 by 3 people.\nIt has 2 motors.\nIts speed is 300 rpm at 24 V.\n"));
+  QVERIFY(!imported("chapter 1 of 12\nchapter 2 of 12\nchapter 3 of 12\nchapter 4 of 12\n"));
+}
+
+void TestImportBeside::listsOfRows_areNoSignals() {
+  QString column = "t = [0", rows = "t = [0";
+  for (int k = 1; k < 30; ++k) {
+    column += QString("; %1").arg(0.01 * k);
+    rows += QString("%1 %2").arg(k % 2 == 0 ? ";" : "").arg(0.01 * k);
+  }
+  QString rpm = "];\nrpm = [0";
+  for (int k = 1; k < 30; ++k) rpm += QString(" %1").arg(10 * k);
+  const auto log = imported(column + rpm + "];\n");
+  VERIFY_OK(log);
+  QCOMPARE(log->recording.time().size(), size_t{30});
+  QVERIFY(!imported(rows + rpm + "];\n"));
+}
+
+void TestImportBeside::pwmOf16Bits_isADuty() {
+  QString text = "t,pwm,rpm\n";
+  for (int k = 0; k < 40; ++k)
+    text += QString("%1,%2,%3\n").arg(0.01 * k).arg(k < 20 ? 65535 : -16384).arg(k < 20 ? 300 : -75);
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  QCOMPARE(fateOf(*log, "pwm").to, std::string("duty"));
+  QVERIFY(std::abs(log->recording.channel("duty")[0] - 1.0) < 1e-9);
 }
 
 QTEST_APPLESS_MAIN(TestImportBeside)

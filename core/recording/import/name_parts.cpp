@@ -102,6 +102,16 @@ void partCompounds(Words& words) {
   }
 }
 
+/// "vsupply" is a voltage and of what; "vesc" is a controller's name.
+void partSupplies(Words& words) {
+  for (size_t k = 0; k < words.size(); ++k) {
+    const std::string of = words[k].substr(1);
+    if (words[k][0] != 'v' || of.size() < 4 || !isIn(supplyWords, of)) continue;
+    words[k] = "v";
+    words.insert(words.begin() + static_cast<std::ptrdiff_t>(k) + 1, of);
+  }
+}
+
 /// "motorspeed" and "targetposition" are two words, "timems" a time and its unit.
 void partEnglish(Words& words) {
   static constexpr auto ends = std::to_array<std::string_view>(
@@ -234,8 +244,8 @@ bool takeUnitBeforeWords(const std::string& text, NameParts& parts) {
   const Words plain = wordsOf(text, false);
   size_t end = plain.size();
   const auto changesNothing = [](const std::string& word) {
-    const bool told = word.size() > 2 && (isIn(decorations, word) || isIn(referenceWords, word));
-    return told || isSide(word) || (word.size() > 1 && isNumber(word.substr(1)));  // "m1"
+    const bool told = (word.size() > 2 && isIn(decorations, word)) || isIn(referenceWords, word);  // "rpm_sp"
+    return told || isSide(word) || (word.size() > 1 && isNumber(word.substr(1)));                  // "m1"
   };
   while (end > 0 && changesNothing(plain[end - 1])) --end;
   if (end == 0 || end == plain.size()) return false;
@@ -367,6 +377,7 @@ NameParts partsOfName(std::string_view name, std::string_view unit) {
   partGapless(parts.words);
   partCompounds(parts.words);
   partEnglish(parts.words);
+  partSupplies(parts.words);
   takeGroup(parts.words, parts.group);
   std::erase_if(parts.words, [](const std::string& word) { return word == "per"; });
   joinWords(parts.words);

@@ -29,7 +29,7 @@ inline constexpr auto referenceWords = std::to_array<std::string_view>(
      "consigne", "consigna",  "referencia", "riferimento", "objetivo", "alvo", "cible",    "zadana",  "vorgabe"});
 inline constexpr auto supplyWords =
     std::to_array<std::string_view>({"supply", "bus", "vbus", "vdc", "dc", "battery", "batt", "bat", "vbat", "vbatt",
-                                     "vin", "dclink", "input", "bms", "pack", "esc"});
+                                     "vin", "dclink", "input", "bms", "pack", "esc", "psu"});
 /// May stand behind the quantity and change nothing.
 inline constexpr auto decorations = std::to_array<std::string_view>(
     {"actual",     "act",        "measured",  "meas",     "measurement", "present",   "motor",     "mot",

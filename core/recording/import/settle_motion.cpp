@@ -192,7 +192,7 @@ std::optional<double> fullDutyOf(const std::vector<double>& values, bool namedPw
   if (!whole) return most <= 100.0 + 1e-6 ? std::optional(100.0) : std::nullopt;
   if (most <= 100.0 && !namedPwm) return 100.0;
   if (most <= 255.0) return 255.0;
-  for (const double full : {1000.0, 1023.0, 4095.0}) {
+  for (const double full : {1000.0, 1023.0, 4095.0, 65535.0}) {
     if (most <= full && most > 0.95 * full) return full;
   }
   return std::nullopt;

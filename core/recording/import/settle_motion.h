@@ -55,8 +55,8 @@ bool areWhole(const std::vector<double>& values);
 double largest(const std::vector<double>& values);
 double rangeOf(const std::vector<double>& values);
 
-/// What a duty of these values is counted in: 1 for a duty, 100, 255, 1000, 1023 or 4095; nothing when it can't be
-/// told.
+/// What a duty of these values is counted in: 1 for a duty, 100, 255, 1000, 1023, 4095 or 65535; nothing when it can't
+/// be told.
 std::optional<double> fullDutyOf(const std::vector<double>& values, bool namedPwm);
 
 /// The first row at which the angle leaps by more than ten times its usual largest steps, in one of a thousand rows or

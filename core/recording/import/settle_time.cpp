@@ -68,9 +68,10 @@ UnitGuess guessUnit(const RawTime& raw, double step) {
   return step >= 250.0 ? UnitGuess{1e-6, "µs", false} : UnitGuess{1e-3, "ms", false};
 }
 
-/// A log of a motor that would last less than 0.1 ms, with decimals: its clock is called µs and tells seconds.
+/// A log of a motor that would last less than 0.1 ms, with decimals: its clock is called µs and tells seconds; one
+/// that lasts no microsecond does so however short it is in seconds.
 void doubtUnit(const RawTime& raw, SettledTime& settled) {
-  constexpr double shortest_s = 1e-4, asSeconds_s = 0.05;
+  constexpr double shortest_s = 1e-4, none_s = 1e-6, asSeconds_s = 0.05;
   double low = INFINITY, high = -INFINITY;
   for (const double value : raw.values) {
     if (!std::isfinite(value)) continue;
@@ -78,9 +79,11 @@ void doubtUnit(const RawTime& raw, SettledTime& settled) {
     high = std::max(high, value);
   }
   const double range = high - low;
-  if (raw.clock || !(range > asSeconds_s) || !(range * settled.unit_s < shortest_s) || isWhole(raw.values)) return;
-  settled.remarks.push_back("implausible: with the unit of its name the log would last " +
-                            shortText(range * settled.unit_s) + " s; its time was taken for s");
+  const double lasts_s = range * settled.unit_s;
+  const bool tooShort = lasts_s < shortest_s && (range > asSeconds_s || lasts_s < none_s);
+  if (raw.clock || !(range > 0.0) || !tooShort || isWhole(raw.values)) return;
+  settled.remarks.push_back("implausible: with the unit of its name the log would last " + shortText(lasts_s) +
+                            " s; its time was taken for s");
   settled.unit_s = 1.0;
   settled.unitGuessed = true;
 }

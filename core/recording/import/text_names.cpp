@@ -166,6 +166,28 @@ bool areUnitsWithOnes(const Cells& cells, const TextLayout& layout) {
   return units > 1;
 }
 
+/// "X,Y,X,Y": each signal has a column of times and one of values.
+bool arePairs(const Cells& cells) {
+  if (cells.size() < 2 || cells.size() % 2 != 0) return false;
+  for (size_t c = 0; c < cells.size(); c += 2) {
+    if (!isSameWord(cells[c], "x") || !isSameWord(cells[c + 1], "y")) return false;
+  }
+  return true;
+}
+
+/// Each signal's name stands over its times.
+bool fillPairs(const Cells& above, TextNames& found) {
+  for (size_t c = 0; c < above.size(); c += 2) {
+    if (above[c].empty() || !above[c + 1].empty()) return false;
+  }
+  for (size_t c = 0; c < above.size(); c += 2) {
+    found.names[c] = "time";
+    found.names[c + 1] = std::string(above[c]);
+  }
+  found.found = true;
+  return true;
+}
+
 /// Names and units from the last lines that are no comments.
 void readLines(std::vector<std::string_view> lines, const TextLayout& layout, const EmptyEnds& rows, TextNames& found) {
   if (lines.size() > 1 && tellsValues(lines.back()) && !fitting(lines[lines.size() - 2], layout, rows).empty())
@@ -182,6 +204,7 @@ void readLines(std::vector<std::string_view> lines, const TextLayout& layout, co
     return;
   }
   const Cells above = lines.size() < 2 ? Cells{} : fitting(lines[lines.size() - 2], layout, rows);
+  if (!above.empty() && arePairs(last) && fillPairs(above, found)) return;
   const size_t numbers = numbersIn(last, layout);
   const bool aboveIsText = !above.empty() && numbersIn(above, layout) == 0;
   const size_t units = countOf(last, isUnitCell), names = countOf(last, knownName);

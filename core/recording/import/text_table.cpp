@@ -7,7 +7,9 @@
 #include "recording/import/codesys_trace.h"
 #include "recording/import/controldesk.h"
 #include "recording/import/list_cells.h"
+#include "recording/import/named_lists.h"
 #include "recording/import/octave_text.h"
+#include "recording/import/sentence_rows.h"
 #include "recording/import/stamped_lines.h"
 #include "recording/import/text_encoding.h"
 #include "recording/import/text_layout.h"
@@ -396,6 +398,17 @@ Result<void> readRows(std::string_view rest, char lineEnd, const TextLayout& lay
   return {};
 }
 
+/// Rows printed as sentences, told as a table.
+Result<RawTable> readSentences(const SentenceRows& rows, const std::string& name) {
+  auto table = readTextTable(rows.table, name);
+  if (!table) return table;
+  table->remarks.emplace_back("rows that read as sentences: the words before each number name it");
+  if (rows.leftOut > 0)
+    table->remarks.push_back(std::to_string(rows.leftOut) + (rows.leftOut == 1 ? " line reads" : " lines read") +
+                             " otherwise than the others and " + (rows.leftOut == 1 ? "was" : "were") + " left out");
+  return table;
+}
+
 }  // namespace
 
 Result<RawTable> readTextTable(std::string_view text, const std::string& name) {
@@ -405,9 +418,14 @@ Result<RawTable> readTextTable(std::string_view text, const std::string& name) {
   if (auto signals = readControlDeskText(utf8, lineEndOf(utf8), name)) return std::move(*signals);
   if (auto signals = readCodesysTrace(utf8, lineEndOf(utf8), name)) return std::move(*signals);
   if (auto variables = readOctaveText(utf8, lineEndOf(utf8), name)) return std::move(*variables);
+  if (auto lists = readNamedLists(utf8, name)) return std::move(*lists);
   auto flat = withListsInCells(utf8);
   if (!flat) flat = withStampsAsCells(utf8);
-  if (flat) utf8 = *flat;
+  if (flat) {
+    utf8 = *flat;
+  } else if (const auto sentences = withSentencesAsCells(utf8, SentenceTime::clock)) {
+    return readSentences(*sentences, name);
+  }
   const char lineEnd = lineEndOf(utf8);
   if (auto signals = readLineProtocol(utf8, lineEnd, name)) return std::move(*signals);
   const auto sample = sampleOf(utf8, lineEnd);
@@ -416,7 +434,11 @@ Result<RawTable> readTextTable(std::string_view text, const std::string& name) {
   const TextLayout layout = layoutOf(sample);
   const Error none{
       name, "holds no table: expected rows of at least two numbers, separated by commas, semicolons, tabs or blanks"};
-  if (layout.cells == 0 || layout.cells > mostCells) return none;
+  if (layout.cells == 0) {
+    const auto sentences = withSentencesAsCells(utf8, SentenceTime::any);
+    return sentences ? readSentences(*sentences, name) : none;
+  }
+  if (layout.cells > mostCells) return none;
   size_t sampled = 0;
   for (const std::string_view line : sample) sampled += line.size() + 1;
   const size_t lineSize = std::max<size_t>(4, sampled / std::max<size_t>(1, sample.size()));
