@@ -3,6 +3,7 @@
 #include <QMainWindow>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QScreen>
 #include <QSettings>
 
 #include "session/connection.h"
@@ -37,7 +38,9 @@ bool mayClose(QWidget& window, Connection& connection) {
 }
 
 bool restoreLayout(QMainWindow& window) {
-  return window.restoreGeometry(QSettings("breakaway", "breakaway").value(geometryKey).toByteArray());
+  if (window.restoreGeometry(QSettings("breakaway", "breakaway").value(geometryKey).toByteArray())) return true;
+  window.resize(window.size().boundedTo(window.screen()->availableSize()));
+  return false;
 }
 
 bool parametersKeptOpen() {

@@ -12,7 +12,8 @@ class Connection;
 /// and the answer stops the motor and closes.
 bool mayClose(QWidget& window, Connection& connection);
 
-/// Size and place as they were when keepLayout() was called last; false: they were never kept.
+/// Size and place as they were when keepLayout() was called last; false: they were never kept, and the window is made
+/// no larger than its screen.
 bool restoreLayout(QMainWindow& window);
 void keepLayout(const QMainWindow& window);
 
