@@ -81,11 +81,11 @@ void TestOnADisplay::newcomer_exportsAMap() {
   hand.click("homeButton");
   QVERIFY(until([&] { return desk.session.bench.index_rad().has_value() && !connection.run().running(); }));
   hand.goTo("Friction");
-  named<QSpinBox>(desk.window, "bins")->setValue(24);
-  named<QSpinBox>(desk.window, "turns")->setValue(1);
-  desk.session.connection.setPace(unhurried);
+  named<QSpinBox>(desk.window, "bins")->setValue(36);
+  named<QSpinBox>(desk.window, "turns")->setValue(2);
   hand.click("breakawaySweepButton");
   QVERIFY(until([&] { return desk.session.bench.known().breakaways.size() >= 3; }));
+  desk.session.connection.setPace(unhurried);
   // A key stops the motor, and what was measured stays.
   hand.key("Escape");
   QVERIFY(until([&] { return !connection.run().running() && connection.stateWords() == "stopped"; }));
