@@ -30,6 +30,7 @@ class TestLanguageSwitch : public QObject {
   void cleanup();
   void german_isSpokenAtOnceAndNothingIsLost();
   void edits_stay();
+  void findings_haveTheirRoom();
   void results_areShownInTheOtherLanguage();
   void everyField_staysAsItWas();
   void turningMotor_isLeftAlone();
@@ -111,6 +112,26 @@ void TestLanguageSwitch::german_isSpokenAtOnceAndNothingIsLost() {
   compareTexts(textsByPage(desk.window), english);
   press(desk.window, "stopButton");
   QVERIFY(QTest::qWaitFor([&] { return desk.session.messages.lines().back().text.startsWith("STOP"); }, patience_ms));
+}
+
+/// What was found is said in more words than anything else, and in German in more still.
+void TestLanguageSwitch::findings_haveTheirRoom() {
+  if (sanitized) QSKIP("a diagnosis takes minutes under sanitizers; it is tested by the journey of Compare");
+  Desk desk;
+  desk.window.resize(1280, 720);
+  desk.window.showPage("comparePage");
+  press(desk.window, "openExampleButton");
+  const auto* diagnose = named<QPushButton>(desk.window, "diagnoseButton");
+  QVERIFY(QTest::qWaitFor([&] { return diagnose->isEnabled(); }, patience_ms));
+  press(desk.window, "diagnoseButton");
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.comparison.diagnosis().has_value(); }, patience_ms));
+  for (const char* language : {"Deutsch", "English"}) {
+    choose(desk.window, language);
+    QVERIFY(spoken(QString(language) == "Deutsch" ? Language::german : Language::english));
+    QTest::qWait(100);
+    const QStringList cut = clipped(desk.window);
+    QVERIFY2(cut.isEmpty(), qPrintable(cut.join("; ")));
+  }
 }
 
 /// And what was typed, ticked and chosen for it.
