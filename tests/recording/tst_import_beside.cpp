@@ -18,6 +18,7 @@ class TestImportBeside : public QObject {
   void countsBesideAnotherMotion_areAskedAbout();
   void clockThatCannotBe_isTakenForSeconds_data();
   void clockThatCannotBe_isTakenForSeconds();
+  void wheelAlone_isAsGoodAsTheMotor();
   void angleBesideGyro_isNoMotors_data();
   void angleBesideGyro_isNoMotors();
   void voltageThatStandsStillBesideTheSupplys_isNoMotors();
@@ -113,6 +114,20 @@ void TestImportBeside::clockThatCannotBe_isTakenForSeconds() {
   const bool doubted = name == "time_us" && step < 1.0;
   QCOMPARE(says(*log, "its time was taken for s"), doubted);
   QCOMPARE(fateOf(*log, name.toStdString()).guessed, doubted);
+}
+
+void TestImportBeside::wheelAlone_isAsGoodAsTheMotor() {
+  QString alone = "time_s,wheel [rpm],current_A\n", beside = "time_s,wheel_speed [rpm],motor_rpm\n";
+  for (int k = 0; k < 80; ++k) {
+    alone += QString("%1,%2,0.5\n").arg(step_s * k).arg(speedAt(k));
+    beside += QString("%1,%2,%3\n").arg(step_s * k).arg(speedAt(k)).arg(3.0 * speedAt(k));
+  }
+  const auto wheels = imported(alone), motors = imported(beside);
+  VERIFY_OK(wheels);
+  QCOMPARE(fateOf(*wheels, "wheel [rpm]").to, std::string("velocity_rad_per_s"));
+  VERIFY_OK(motors);
+  QCOMPARE(fateOf(*motors, "motor_rpm").to, std::string("velocity_rad_per_s"));
+  QVERIFY(fateOf(*motors, "wheel_speed [rpm]").kind == ColumnFate::Kind::kept);
 }
 
 void TestImportBeside::angleBesideGyro_isNoMotors_data() {
