@@ -285,8 +285,8 @@ void FrictionPage::showAverages(const Commission& known) {
           .arg(units.torque);
     };
     const QString ccw = shortWayName(Way::ccw, known.identity.axis), cw = shortWayName(Way::cw, known.identity.axis);
-    facts.push_back({tr("Static, %1 mean").arg(ccw), mean(Way::ccw), {}});
-    facts.push_back({tr("Static, %1 mean").arg(cw), mean(Way::cw), {}});
+    facts.push_back({tr("Static, %1").arg(ccw), mean(Way::ccw), {}});
+    facts.push_back({tr("Static, %1").arg(cw), mean(Way::cw), {}});
     const auto& repeat = known.map.repeatability;
     if (known.map.turns > 1) {
       const auto number = [](double value) { return QString::number(value, 'f', 3); };

@@ -2059,8 +2059,8 @@
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>Static, %1 mean</source>
-        <translation>Haft, Mittel %1</translation>
+        <source>Static, %1</source>
+        <translation>Haft, %1</translation>
     </message>
     <message>
         <source>Passes correlate</source>

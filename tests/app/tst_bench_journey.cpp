@@ -11,6 +11,7 @@
 #include <QTableWidget>
 
 #include "app/desk.h"
+#include "app/rendered_tree.h"
 #include "app/technician.h"
 #include "base/atomic_file.h"
 #include "friction/map_export.h"
@@ -69,6 +70,10 @@ void TestBenchJourney::connectHomeSweepExport() {
   QVERIFY2(desk.mapGrows(), "the map did not grow while the sweep ran");
   QCOMPARE(plot->curves().size(), size_t{4});
   QVERIFY(plot->readingAt(plot->pixelOf(plot->curves()[0].points[3])).contains("mNm"));
+  desk.window.resize(1280, 720);
+  QTest::qWait(50);
+  const QStringList cut = clipped(desk.window);
+  QVERIFY2(cut.isEmpty(), qPrintable(cut.join("; ")));
 
   QTemporaryDir folder;
   QVERIFY(desk.exported("csv", folder.filePath("map.csv")));
