@@ -1,8 +1,7 @@
 #include "widgets/figure_chip.h"
 
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QLabel>
-#include <QVBoxLayout>
 
 #include "widgets/controls.h"
 #include "widgets/elided_label.h"
@@ -18,23 +17,24 @@ FigureChip::FigureChip(const char* objectName, const QString& title, QWidget* pa
   setObjectName(objectName);
   setProperty("role", "chip");
   setFixedHeight(height_px);
-  auto* row = rowIn(this, 4, {8, 4, 8, 4});
-  auto* words = new QVBoxLayout;
-  words->setSpacing(0);
+  // The name has the chip's whole width; what is asked and what it is share the line beneath.
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(8, 3, 8, 3);
+  grid->setHorizontalSpacing(4);
+  grid->setVerticalSpacing(0);
+  grid->setColumnStretch(0, 1);
   title_ = new ElidedLabel("", this);
   title_->setText(title);
   rule_ = new ElidedLabel("", this);
-  for (QLabel* label : {title_, rule_}) {
-    label->setFont(typed(Type::caption));
-    words->addWidget(label);
-  }
-  row->addLayout(words, 1);
+  for (QLabel* label : {title_, rule_}) label->setFont(typed(Type::caption));
+  grid->addWidget(title_, 0, 0, 1, 2);
+  grid->addWidget(rule_, 1, 0);
   value_ = new QLabel(this);
   value_->setAccessibleName(title);
   value_->setFont(typed(Type::section));
   value_->setFixedWidth(valueWidth);
   value_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  row->addWidget(value_);
+  grid->addWidget(value_, 1, 1);
 }
 
 void FigureChip::show(const QString& value, const QString& rule, const QString& tone) {
