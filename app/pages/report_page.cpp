@@ -58,6 +58,7 @@ ReportPage::ReportPage(const BenchRuns& bench, const Comparison& comparison, Mes
   text_->setAccessibleName(tr("Preview of the report"));
   text_->setToolTip(tr("The report as it will be written"));
   text_->setOpenLinks(false);
+  text_->document()->setDocumentMargin(16);
   picture()->addWidget(text_, 1);
   setAvailable(open_, false, {}, tr("No report was written yet"));
   soon_.setSingleShot(true);

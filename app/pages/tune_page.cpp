@@ -300,12 +300,12 @@ void TunePage::showChips() {
   const auto bounded = [](double value, const QString& text) { return std::isfinite(value) ? text : tr("any"); };
   const double phase_deg = now.margins.phaseMargin_rad * 180.0 / std::numbers::pi;
   phase_->show(stable ? bounded(phase_deg, tr("%1°").arg(phase_deg, 0, 'f', 1)) : tr("none"),
-               stable ? tr("45° and more") : tr("unstable"), toneOf(gradeOfPhase(now.margins)));
+               stable ? QString("≥ 45°") : tr("unstable"), toneOf(gradeOfPhase(now.margins)));
   gain_->show(stable ? bounded(now.margins.gainMargin, numberText(now.margins.gainMargin)) : tr("none"),
-              stable ? tr("2.5 and more") : tr("unstable"), toneOf(gradeOfGain(now.margins)));
-  rule_->show(numberText(now.alphaGT, 2), tr("up to 0.3"), toneOf(gradeOfAlphaGT(now.alphaGT)));
+              stable ? QString("≥ 2.5") : tr("unstable"), toneOf(gradeOfGain(now.margins)));
+  rule_->show(numberText(now.alphaGT, 2), QString("≤ 0.3"), toneOf(gradeOfAlphaGT(now.alphaGT)));
   noise_->show(stable ? tr("%1 mA").arg(numberText(1e3 * now.currentNoise_A)) : tr("–"),
-               tr("up to %1 mA").arg(numberText(20.0 * edits_.edited().current_limit_A, 2)),
+               QString("≤ %1 mA").arg(numberText(20.0 * edits_.edited().current_limit_A, 2)),
                stable ? toneOf(gradeOfNoise(now.currentNoise_A, edits_.edited().current_limit_A)) : "trouble");
   if (!stable) {
     read(tr("Unstable: the loop would swing up by itself. Lower the gain or the cutoff."));

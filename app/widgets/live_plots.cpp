@@ -22,6 +22,18 @@ using namespace std::chrono_literals;
 
 namespace breakaway {
 
+namespace {
+
+/// Times with their unit, so that they need no line of their own for it.
+class SecondsTicker : public QCPAxisTicker {
+ protected:
+  QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override {
+    return LivePlots::tr("%1 s").arg(QCPAxisTicker::getTickLabel(tick, locale, format, precision));
+  }
+};
+
+}  // namespace
+
 LivePlots::LivePlots(Connection& connection, LiveSamples& live, Messages& messages, FileChooser& files, QWidget* parent)
     : QWidget(parent), connection_(connection), live_(live), messages_(messages), files_(files) {
   setObjectName("livePlots");
@@ -79,7 +91,8 @@ void LivePlots::buildPlot() {
   cursors_ = new LiveCursors(*plot_, live_.history(), bar_->difference());
   for (int channel = 0; channel < channelCount; ++channel) addTrace(channel);
   linkTimeAxes();
-  plot_->plotLayout()->setRowStretchFactors({1.0, 1.45});  // the lower row also carries the labels of time
+  // Lines of titles are as high as their text; the lower plots also carry the labels of time.
+  plot_->plotLayout()->setRowStretchFactors({1e-3, 1.0, 1e-3, 1.3});
   for (const auto& [key, button] : {std::pair{Qt::Key_P, bar_->pauseButton()},
                                     {Qt::Key_C, bar_->cursorsButton()},
                                     {Qt::Key_S, bar_->spectrumButton()},
@@ -94,27 +107,27 @@ void LivePlots::buildPlot() {
 void LivePlots::addTrace(int channel) {
   Trace& trace = traces_[static_cast<size_t>(channel)];
   trace.rect = new QCPAxisRect(plot_);
-  plot_->plotLayout()->addElement(channel / 2, channel % 2, trace.rect);
-  trace.rect->setMinimumMargins(QMargins(44, 3, 8, 3));
+  auto* head = new QCPLayoutGrid;
+  plot_->plotLayout()->addElement(channel / 2 * 2, channel % 2, head);
+  plot_->plotLayout()->addElement(channel / 2 * 2 + 1, channel % 2, trace.rect);
+  trace.rect->setMinimumMargins(QMargins(44, 1, 8, 3));
   QCPAxis* time = trace.rect->axis(QCPAxis::atBottom);
-  if (channel < 2) {
-    time->setTickLabels(false);
-  } else {
-    time->setLabel(tr("time (s)"));
-  }
+  time->setTicker(QSharedPointer<SecondsTicker>::create());
+  time->setTickLabels(channel >= 2);
   trace.rect->axis(QCPAxis::atLeft)->ticker()->setTickCount(3);
   time->ticker()->setTickCount(8);
   trace.graph = plot_->addGraph(time, trace.rect->axis(QCPAxis::atLeft));
   trace.graph->setAdaptiveSampling(true);
-  const auto inset = [&](Qt::Alignment where) {
+  const auto words = [&](int column, Qt::Alignment side) {
     auto* text = new QCPTextElement(plot_);
-    trace.rect->insetLayout()->addElement(text, where);
-    text->setMargins(QMargins(2, 0, 2, 0));
+    text->setTextFlags(static_cast<int>(side | Qt::AlignVCenter));
+    text->setMargins(QMargins(column == 0 ? 8 : 0, 0, 8, 0));
+    head->addElement(0, column, text);
     return text;
   };
-  trace.title = inset(Qt::AlignTop | Qt::AlignLeft);
+  trace.title = words(0, Qt::AlignLeft);
   trace.title->setText(channels_[static_cast<size_t>(channel)].title());
-  cursors_->addTo(*trace.rect, *inset(Qt::AlignTop | Qt::AlignRight));
+  cursors_->addTo(*trace.rect, *words(1, Qt::AlignRight));
   trigger_->addTo(*trace.rect);
   loss_.addTo(*trace.rect);
   if (channel != 0) return;

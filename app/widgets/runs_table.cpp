@@ -24,7 +24,7 @@ struct Heading {
 constexpr Heading headings[] = {{QT_TRANSLATE_NOOP("breakaway::RunsTable", "When"), 128},
                                 {QT_TRANSLATE_NOOP("breakaway::RunsTable", "What"), 92},
                                 {QT_TRANSLATE_NOOP("breakaway::RunsTable", "Motor"), 72},
-                                {QT_TRANSLATE_NOOP("breakaway::RunsTable", "Board"), 84},
+                                {QT_TRANSLATE_NOOP("breakaway::RunsTable", "Board"), 132},
                                 {QT_TRANSLATE_NOOP("breakaway::RunsTable", "Name"), 116},
                                 {QT_TRANSLATE_NOOP("breakaway::RunsTable", "Result"), 200},
                                 {QT_TRANSLATE_NOOP("breakaway::RunsTable", "Remark"), 110}};
@@ -45,6 +45,10 @@ class RunsTable::Model : public QAbstractTableModel {
     endResetModel();
   }
   const std::vector<ProjectRun>& runs() const { return runs_; }
+  bool hasText(int column) const {
+    return std::any_of(runs_.begin(), runs_.end(),
+                       [&](const ProjectRun& run) { return !textOf(run, column).isEmpty(); });
+  }
 
   int rowCount(const QModelIndex& parent) const override {
     return parent.isValid() ? 0 : static_cast<int>(runs_.size());
@@ -80,6 +84,7 @@ class RunsTable::Model : public QAbstractTableModel {
     if (written.toStdString() == text) return false;
     text = written.toStdString();
     emit dataChanged(index, index);
+    table_.shareOutWidth();
     index.column() == nameColumn ? emit table_.renamed(run.id, written) : emit table_.remarked(run.id, written);
     return true;
   }
@@ -125,8 +130,7 @@ RunsTable::RunsTable(QWidget* parent) : QTableView(parent), model_(new Model(*th
   verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   verticalHeader()->setDefaultSectionSize(row_px);
   horizontalHeader()->setHighlightSections(false);
-  for (int column = 0; column < static_cast<int>(std::size(headings)); ++column)
-    setColumnWidth(column, headings[column].width_px);
+  shareOutWidth();
   horizontalHeader()->setSectionResizeMode(resultColumn, QHeaderView::Stretch);
   connect(selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
     if (!filling_) emit chosenChanged();
@@ -145,7 +149,19 @@ void RunsTable::show(const std::vector<ProjectRun>& runs, const QString& instead
   filling_ = true;
   model_->show(runs);
   filling_ = false;
+  shareOutWidth();
   select(before);
+}
+
+/// A column in which nothing stands takes its heading's room alone; results take what is left.
+void RunsTable::shareOutWidth() {
+  for (int column = 0; column < static_cast<int>(std::size(headings)); ++column) {
+    if (column == resultColumn) continue;
+    const bool has = model_->hasText(column);
+    if (columnHasText_[static_cast<size_t>(column)] == has) continue;
+    columnHasText_[static_cast<size_t>(column)] = has;
+    setColumnWidth(column, has ? headings[column].width_px : horizontalHeader()->sectionSizeHint(column));
+  }
 }
 
 void RunsTable::select(const QStringList& ids) {

@@ -3,6 +3,8 @@
 
 #include <QTableView>
 #include <QVariant>
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,10 +48,12 @@ class RunsTable : public QTableView {
  private:
   class Model;
   void select(const QStringList& ids);
+  void shareOutWidth();
 
   Model* model_ = nullptr;
   QString instead_;
   bool filling_ = false;
+  std::array<std::optional<bool>, remarkColumn + 1> columnHasText_;
 };
 
 }  // namespace breakaway

@@ -2607,8 +2607,8 @@
         <translation>Live-Kurven von Winkel, Geschwindigkeit, Strom und geschätzter Störgröße über der Zeit</translation>
     </message>
     <message>
-        <source>time (s)</source>
-        <translation>Zeit (s)</translation>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
     </message>
     <message>
         <source>link lost</source>
@@ -4546,28 +4546,12 @@ A</translation>
         <translation>keine</translation>
     </message>
     <message>
-        <source>45° and more</source>
-        <translation>ab 45°</translation>
-    </message>
-    <message>
         <source>unstable</source>
         <translation>instabil</translation>
     </message>
     <message>
-        <source>2.5 and more</source>
-        <translation>ab 2.5</translation>
-    </message>
-    <message>
-        <source>up to 0.3</source>
-        <translation>bis 0.3</translation>
-    </message>
-    <message>
         <source>%1 mA</source>
         <translation>%1 mA</translation>
-    </message>
-    <message>
-        <source>up to %1 mA</source>
-        <translation>bis %1 mA</translation>
     </message>
     <message>
         <source>Unstable: the loop would swing up by itself. Lower the gain or the cutoff.</source>

@@ -51,21 +51,23 @@ Stepper::Stepper(const Physics& physics, std::vector<CompiledTerm> terms)
 
 Situation Stepper::situationAt(const MotionState& state, double position, double velocity, double direction,
                                double drive, double time_s) const {
-  Situation at;
-  at.axis = physics_.axis;
-  at.time_s = time_s;
-  at.position = position;
-  at.velocity = velocity;
-  at.acceleration = state.acceleration;
-  at.driveTorque = drive;
-  at.knownLoad = physics_.knownLoad(position);
-  at.direction = direction;
-  at.current = physics_.torqueConstant > 0.0 ? drive / physics_.torqueConstant : 0.0;
-  at.supply_V = supply_;
-  at.resistance_ohm = physics_.electrical ? physics_.resistance : 0.0;
-  at.rest_s = state.rest_s;
-  at.travel = std::abs(position - state.turned);
-  return at;
+  // At once, for this is asked several times in every step: what is filled with zeros first costs as much as a term.
+  return {.axis = physics_.axis,
+          .time_s = time_s,
+          .position = position,
+          .velocity = velocity,
+          .acceleration = state.acceleration,
+          .driveTorque = drive,
+          .knownLoad = physics_.knownLoad(position),
+          .direction = direction,
+          .current = physics_.torqueConstant > 0.0 ? drive / physics_.torqueConstant : 0.0,
+          .input = 0.0,
+          .supply_V = supply_,
+          .resistance_ohm = physics_.electrical ? physics_.resistance : 0.0,
+          .rest_s = state.rest_s,
+          .travel = std::abs(position - state.turned),
+          .span = 0.0,
+          .memory = {}};
 }
 
 /// `act` gets each term, with its own memory in `at`, and its number.
