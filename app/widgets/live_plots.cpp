@@ -16,23 +16,12 @@
 #include "widgets/live_toolbar.h"
 #include "widgets/live_trigger.h"
 #include "widgets/look.h"
+#include "widgets/seconds_ticker.h"
 #include "widgets/while_shown.h"
 
 using namespace std::chrono_literals;
 
 namespace breakaway {
-
-namespace {
-
-/// Times with their unit, so that they need no line of their own for it.
-class SecondsTicker : public QCPAxisTicker {
- protected:
-  QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override {
-    return LivePlots::tr("%1 s").arg(QCPAxisTicker::getTickLabel(tick, locale, format, precision));
-  }
-};
-
-}  // namespace
 
 LivePlots::LivePlots(Connection& connection, LiveSamples& live, Messages& messages, FileChooser& files, QWidget* parent)
     : QWidget(parent), connection_(connection), live_(live), messages_(messages), files_(files) {

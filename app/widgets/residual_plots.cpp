@@ -11,6 +11,7 @@
 #include "widgets/controls.h"
 #include "widgets/look.h"
 #include "widgets/residual_axis.h"
+#include "widgets/seconds_ticker.h"
 
 namespace breakaway {
 
@@ -42,19 +43,22 @@ void ResidualPlots::buildPlot() {
   plot_->plotLayout()->setRowSpacing(2);
   above_ = new QCPAxisRect(plot_);
   below_ = new QCPAxisRect(plot_);
-  plot_->plotLayout()->addElement(0, 0, above_);
-  plot_->plotLayout()->addElement(1, 0, below_);
-  plot_->plotLayout()->setRowStretchFactors({1.0, 1.25});
+  addHead(0);
+  plot_->plotLayout()->addElement(1, 0, above_);
+  addHead(1);
+  plot_->plotLayout()->addElement(3, 0, below_);
+  plot_->plotLayout()->setRowStretchFactors({1e-3, 1.0, 1e-3, 1.25});  // heads are as high as their text
   auto* left = new QCPMarginGroup(plot_);
   for (QCPAxisRect* rect : {above_, below_}) {
     rect->setLayer("background");
     for (QCPAxis* axis : rect->axes()) axis->grid()->setLayer("grid");
     rect->setMarginGroup(QCP::msLeft, left);
-    rect->setMinimumMargins(QMargins(44, 4, 10, 3));
+    rect->setMinimumMargins(QMargins(44, 1, 10, 3));
     rect->setRangeDrag(Qt::Horizontal);
     rect->setRangeZoom(Qt::Horizontal);
     rect->axis(QCPAxis::atLeft)->ticker()->setTickCount(4);
   }
+  above_->axis(QCPAxis::atBottom)->setTicker(QSharedPointer<SecondsTicker>::create());
   measured_ = plot_->addGraph(above_->axis(QCPAxis::atBottom), above_->axis(QCPAxis::atLeft));
   simulated_ = plot_->addGraph(above_->axis(QCPAxis::atBottom), above_->axis(QCPAxis::atLeft));
   for (QCPGraph*& graph : residual_)
@@ -80,18 +84,31 @@ void ResidualPlots::buildPlot() {
     drawMeasured();
     emit visibleChanged();
   });
-  const auto name = [this](QCPAxisRect* rect, Qt::Alignment where) {
+  const auto inset = [this](QCPAxisRect* rect, Qt::Alignment where) {
     auto* text = new QCPTextElement(plot_);
     text->setMargins(QMargins(3, 0, 3, 0));
     rect->insetLayout()->addElement(text, where);
     return text;
   };
-  names_ = {name(above_, Qt::AlignTop | Qt::AlignLeft),
-            name(above_, Qt::AlignTop | Qt::AlignRight),
-            name(below_, Qt::AlignTop | Qt::AlignLeft),
-            name(below_, Qt::AlignTop | Qt::AlignRight),
-            name(above_, Qt::AlignCenter),
-            name(below_, Qt::AlignBottom | Qt::AlignRight)};
+  hint_ = inset(above_, Qt::AlignCenter);
+  wanderName_ = inset(below_, Qt::AlignBottom | Qt::AlignRight);
+}
+
+/// Above a plot its title, and at the right what its two curves are.
+void ResidualPlots::addHead(size_t plot) {
+  auto* head = new QCPLayoutGrid;
+  plot_->plotLayout()->addElement(static_cast<int>(2 * plot), 0, head);
+  const auto words = [&](int column, Qt::Alignment side) {
+    auto* text = new QCPTextElement(plot_);
+    text->setTextFlags(static_cast<int>(side | Qt::AlignVCenter));
+    text->setMargins(QMargins(8, 0, 8, 0));
+    head->addElement(0, column, text);
+    return text;
+  };
+  titles_[plot] = words(0, Qt::AlignLeft);
+  for (size_t curve = 0; curve < 2; ++curve)
+    names_[2 * plot + curve] = words(static_cast<int>(curve) + 1, Qt::AlignRight);
+  head->setColumnStretchFactors({1.0, 1e-3, 1e-3});
 }
 
 std::pair<double, double> ResidualPlots::visible_s() const {
@@ -107,11 +124,19 @@ void ResidualPlots::applyLook() {
   residual_[0]->setPen(QPen(look.curve(1), 1));
   residual_[1]->setPen(QPen(look.curve(0), 1));
   wander_->setBrush(look.band(2));
-  const std::array<QColor, 6> inks{look.muted, look.curve(0), look.curve(1), look.curve(0), look.muted, look.curve(2)};
+  const std::array<QColor, 4> inks{look.muted, look.curve(0), look.curve(1), look.curve(0)};
   for (size_t k = 0; k < names_.size(); ++k) {
     names_[k]->setTextColor(inks[k]);
-    names_[k]->setFont(typed(Type::caption, k != 4));
+    names_[k]->setFont(typed(Type::caption, true));
   }
+  for (QCPTextElement* title : titles_) {
+    title->setTextColor(look.ink);
+    title->setFont(typed(Type::caption));
+  }
+  hint_->setTextColor(look.muted);
+  hint_->setFont(typed(Type::caption));
+  wanderName_->setTextColor(look.curve(2));
+  wanderName_->setFont(typed(Type::caption, true));
   draw();
 }
 
@@ -195,22 +220,21 @@ void ResidualPlots::nameParts() {
       axis->grid()->setVisible(drawn);
     }
   }
-  above_->axis(QCPAxis::atLeft)->setLabel(linear() ? tr("position (mm)") : tr("angle (°)"));
-  above_->axis(QCPAxis::atBottom)->setLabel(axis_ == "time" ? QString() : tr("time (s)"));
   above_->axis(QCPAxis::atBottom)->setTickLabels(axis_ != "time");
-  below_->axis(QCPAxis::atLeft)
-      ->setLabel(inTorque() ? (linear() ? tr("force left (N)") : tr("torque left (mNm)"))
-                 : linear() ? tr("residual (mm)")
-                            : tr("residual (°)"));
+  titles_[0]->setText(!comparison_.recording() ? QString() : linear() ? tr("Position (mm)") : tr("Angle (°)"));
+  titles_[1]->setText(!diagnosed     ? QString()
+                      : inTorque()   ? (linear() ? tr("Force left (N)") : tr("Torque left (mNm)"))
+                      : linear()     ? tr("Residual (mm)")
+                                     : tr("Residual (°)"));
   below_->axis(QCPAxis::atBottom)->setLabel(shownAxis(axis_, linear()).label());
   names_[0]->setText(comparison_.recording() ? tr("measured") : QString());
   names_[1]->setText(inTorque()  ? tr("this motion can't be foreseen: the torque counts")
                      : diagnosed ? tr("simulated with findings")
                                  : QString());
-  names_[5]->setText(inTorque() ? tr("95 % of what a perfect model leaves") : QString());
+  wanderName_->setText(inTorque() ? tr("95 % of what a perfect model leaves") : QString());
   names_[2]->setText(diagnosed ? tr("base model") : QString());
   names_[3]->setText(diagnosed ? tr("with findings") : QString());
-  names_[4]->setText(comparison_.recording() ? QString() : tr("Open or drop a recording and its bench file"));
+  hint_->setText(comparison_.recording() ? QString() : tr("Open or drop a recording and its bench file"));
 }
 
 /// As many points as the picture is wide, however long the recording is.
@@ -242,7 +266,7 @@ void ResidualPlots::drawMeasurement(const Recording& recording) {
   const QCPRange alsoSimulated = simulated_->getValueRange(found);
   if (found) range.expand(alsoSimulated);
   const double span = std::max(range.size(), 1e-9);
-  above_->axis(QCPAxis::atLeft)->setRange(range.lower - 0.08 * span, range.upper + 0.3 * span);
+  above_->axis(QCPAxis::atLeft)->setRange(range.lower - 0.08 * span, range.upper + 0.08 * span);
 }
 
 void ResidualPlots::drawResiduals(const Recording& recording) {
@@ -297,7 +321,7 @@ void ResidualPlots::drawPoints(QCPGraph& graph, const QVector<QCPGraphData>& poi
 
 void ResidualPlots::scaleResiduals() {
   below_->axis(QCPAxis::atLeft)->rescale();
-  below_->axis(QCPAxis::atLeft)->scaleRange(1.3);
+  below_->axis(QCPAxis::atLeft)->scaleRange(1.1);
 }
 
 void ResidualPlots::drawBands() {

@@ -47,6 +47,7 @@ class ResidualPlots : public QWidget {
 
  private:
   void buildPlot();
+  void addHead(size_t plot);
   void applyLook();
   void draw();
   void showAll();
@@ -70,7 +71,10 @@ class ResidualPlots : public QWidget {
   QCPGraph* measured_ = nullptr;
   QCPGraph* simulated_ = nullptr;
   std::array<QCPGraph*, 2> residual_{};     ///< base, with findings
-  std::array<QCPTextElement*, 6> names_{};  ///< measured, simulated, base, with findings, hint, wander
+  std::array<QCPTextElement*, 2> titles_{};
+  std::array<QCPTextElement*, 4> names_{};  ///< measured, simulated, base, with findings
+  QCPTextElement* hint_ = nullptr;
+  QCPTextElement* wanderName_ = nullptr;
   QCPItemRect* wander_ = nullptr;           ///< within which a perfect model's torque would stay
   std::vector<QCPItemRect*> bands_;
 };

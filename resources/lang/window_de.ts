@@ -2601,14 +2601,17 @@
     </message>
 </context>
 <context>
+    <name>breakaway::SecondsTicker</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+</context>
+<context>
     <name>breakaway::LivePlots</name>
     <message>
         <source>Live plots of angle, velocity, current and estimated disturbance over time</source>
         <translation>Live-Kurven von Winkel, Geschwindigkeit, Strom und geschätzter Störgröße über der Zeit</translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
     </message>
     <message>
         <source>link lost</source>
@@ -3748,23 +3751,19 @@
         <translation>Messung über Simulation, und darunter das Residuum</translation>
     </message>
     <message>
-        <source>position (mm)</source>
+        <source>Position (mm)</source>
         <translation>Lage (mm)</translation>
     </message>
     <message>
-        <source>angle (°)</source>
+        <source>Angle (°)</source>
         <translation>Winkel (°)</translation>
     </message>
     <message>
-        <source>time (s)</source>
-        <translation>Zeit (s)</translation>
-    </message>
-    <message>
-        <source>residual (mm)</source>
+        <source>Residual (mm)</source>
         <translation>Residuum (mm)</translation>
     </message>
     <message>
-        <source>residual (°)</source>
+        <source>Residual (°)</source>
         <translation>Residuum (°)</translation>
     </message>
     <message>
@@ -3788,12 +3787,12 @@
         <translation>Eine Aufzeichnung und ihre Prüfstandsdatei öffnen oder hier ablegen</translation>
     </message>
     <message>
-        <source>force left (N)</source>
-        <translation>übrige Kraft (N)</translation>
+        <source>Force left (N)</source>
+        <translation>Übrige Kraft (N)</translation>
     </message>
     <message>
-        <source>torque left (mNm)</source>
-        <translation>übriges Moment (mNm)</translation>
+        <source>Torque left (mNm)</source>
+        <translation>Übriges Moment (mNm)</translation>
     </message>
     <message>
         <source>this motion can&apos;t be foreseen: the torque counts</source>
