@@ -70,8 +70,6 @@ Unfinished unfinishedOf(const Project& project, const std::string& device = {}) 
     }
     const Commission& known = *one.known;
     if (!device.empty() && known.identity.device != device) continue;
-    const auto broken =
-        std::count_if(known.runs.begin(), known.runs.end(), [](const VelocityRun& run) { return run.brokenOff; });
     all.words += fmt::format("{}  {:<20}  {:<15} {}: {}{}\n", "unfinished", one.at, "commission", known.identity.device,
                              howFar(known).english(), one.held ? "; under way" : "");
     all.json.push_back({{"folder", one.folder},
@@ -80,7 +78,7 @@ Unfinished unfinishedOf(const Project& project, const std::string& device = {}) 
                         {"device", known.identity.device},
                         {"part", known.part},
                         {"speeds", known.runs.size() + known.strokes.size()},
-                        {"speeds_broken_off", broken},
+                        {"speeds_broken_off", speedsBrokenOff(known)},
                         {"breakaways", known.breakaways.size()},
                         {"breakaways_asked", 2 * known.sweeps.bins * known.sweeps.turns},
                         {"under_way", one.held}});

@@ -222,10 +222,10 @@ void ResidualPlots::nameParts() {
   }
   above_->axis(QCPAxis::atBottom)->setTickLabels(axis_ != "time");
   titles_[0]->setText(!comparison_.recording() ? QString() : linear() ? tr("Position (mm)") : tr("Angle (°)"));
-  titles_[1]->setText(!diagnosed     ? QString()
-                      : inTorque()   ? (linear() ? tr("Force left (N)") : tr("Torque left (mNm)"))
-                      : linear()     ? tr("Residual (mm)")
-                                     : tr("Residual (°)"));
+  titles_[1]->setText(!diagnosed   ? QString()
+                      : inTorque() ? (linear() ? tr("Force left (N)") : tr("Torque left (mNm)"))
+                      : linear()   ? tr("Residual (mm)")
+                                   : tr("Residual (°)"));
   below_->axis(QCPAxis::atBottom)->setLabel(shownAxis(axis_, linear()).label());
   names_[0]->setText(comparison_.recording() ? tr("measured") : QString());
   names_[1]->setText(inTorque()  ? tr("this motion can't be foreseen: the torque counts")

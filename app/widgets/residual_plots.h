@@ -70,12 +70,12 @@ class ResidualPlots : public QWidget {
   QCPAxisRect* below_ = nullptr;
   QCPGraph* measured_ = nullptr;
   QCPGraph* simulated_ = nullptr;
-  std::array<QCPGraph*, 2> residual_{};     ///< base, with findings
+  std::array<QCPGraph*, 2> residual_{};  ///< base, with findings
   std::array<QCPTextElement*, 2> titles_{};
   std::array<QCPTextElement*, 4> names_{};  ///< measured, simulated, base, with findings
   QCPTextElement* hint_ = nullptr;
   QCPTextElement* wanderName_ = nullptr;
-  QCPItemRect* wander_ = nullptr;           ///< within which a perfect model's torque would stay
+  QCPItemRect* wander_ = nullptr;  ///< within which a perfect model's torque would stay
   std::vector<QCPItemRect*> bands_;
 };
 

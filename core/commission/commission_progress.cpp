@@ -29,13 +29,9 @@ std::string eventsFile(const std::string& folder) {
   return folder + "/progress/breakaways.json";
 }
 
-std::string runFile(const std::string& folder, size_t number) {
-  return fmt::format("{}/progress/run-{:02}.json", folder, number + 1);
-}
-
-/// Of a run that was broken off, which still grows if it is the last.
-std::string brokenRunFile(const std::string& folder, size_t number) {
-  return fmt::format("{}/progress/run-{:02}-broken-off.json", folder, number + 1);
+/// One that was broken off still grows if it is the last.
+std::string runFile(const std::string& folder, size_t number, bool brokenOff) {
+  return fmt::format("{}/progress/run-{:02}{}.json", folder, number + 1, brokenOff ? "-broken-off" : "");
 }
 
 Json rowOf(const AngleBinSums& sums) {
@@ -210,21 +206,47 @@ void takeMotor(JsonObject object, Commission& progress) {
   progress.facts.add({Known::windingTest, Known::roughMotor, Known::reversal, Known::bridge, Known::motor});
 }
 
-/// What is written of a run stays, but for the one under way.
-Result<void> writeRun(const std::vector<VelocityRun>& runs, size_t number, const std::string& folder) {
-  const VelocityRun& run = runs[number];
-  const std::string file = run.brokenOff ? brokenRunFile(folder, number) : runFile(folder, number);
-  const bool grows = run.brokenOff && number + 1 == runs.size();
-  std::error_code code;
-  if (!grows && fs::exists(file, code)) return {};
-  return writeFile(file, withMade(runText(run)));
+Result<void> writeRun(const VelocityRun& run, const std::string& path) {
+  return writeFile(path, withMade(runText(run)));
 }
 
-/// A run that is complete by now, or whose turns were thrown away.
-void removeGoneRuns(const std::vector<VelocityRun>& runs, const std::string& folder) {
+/// What is written of a run stays, but for the one under way.
+template <typename Run>
+Result<void> writeRuns(const std::vector<Run>& runs, const std::string& folder,
+                       std::string (*fileOf)(const std::string&, size_t, bool),
+                       Result<void> (*write)(const Run&, const std::string&)) {
+  std::error_code code;
+  for (size_t k = 0; k < runs.size(); ++k) {
+    const std::string file = fileOf(folder, k, runs[k].brokenOff);
+    const bool grows = runs[k].brokenOff && k + 1 == runs.size();
+    if (!grows && fs::exists(file, code)) continue;
+    if (auto written = write(runs[k], file); !written) return written;
+  }
+  return {};
+}
+
+template <typename Run>
+Result<std::vector<Run>> readRuns(size_t count, const std::string& folder,
+                                  std::string (*fileOf)(const std::string&, size_t, bool),
+                                  Result<Run> (*read)(const std::string&)) {
+  std::error_code code;
+  std::vector<Run> runs;
+  for (size_t k = 0; k < count; ++k) {
+    const std::string whole = fileOf(folder, k, false);
+    auto run = read(fs::exists(whole, code) ? whole : fileOf(folder, k, true));
+    if (!run) return run.error();
+    runs.push_back(std::move(*run));
+  }
+  return runs;
+}
+
+/// A run that is complete by now, or whose beginning was thrown away.
+template <typename Run>
+void removeGoneRuns(const std::vector<Run>& runs, const std::string& folder,
+                    std::string (*fileOf)(const std::string&, size_t, bool)) {
   std::error_code code;
   for (size_t k = 0; k <= runs.size(); ++k) {
-    if (k == runs.size() || !runs[k].brokenOff) fs::remove(brokenRunFile(folder, k), code);
+    if (k == runs.size() || !runs[k].brokenOff) fs::remove(fileOf(folder, k, true), code);
   }
 }
 
@@ -232,20 +254,14 @@ void removeGoneRuns(const std::vector<VelocityRun>& runs, const std::string& fol
 
 Result<void> writeProgress(const Commission& progress, const std::string& folder) {
   if (auto made = makeFolder(folder + "/progress"); !made) return made;
-  std::error_code code;
-  for (size_t k = 0; k < progress.runs.size(); ++k) {
-    if (auto written = writeRun(progress.runs, k, folder); !written) return written;
-  }
-  for (size_t k = 0; k < progress.strokes.size(); ++k) {
-    const std::string file = strokesFile(folder, k);
-    if (fs::exists(file, code)) continue;
-    if (auto written = writeStrokes(progress.strokes[k], file); !written) return written;
-  }
+  if (auto written = writeRuns(progress.runs, folder, runFile, writeRun); !written) return written;
+  if (auto written = writeRuns(progress.strokes, folder, strokesFile, writeStrokes); !written) return written;
   if (!progress.breakaways.empty()) {
     if (auto written = writeFile(eventsFile(folder), eventsText(progress.breakaways)); !written) return written;
   }
   if (auto written = writeFile(stateFile(folder), withMade(stateText(progress))); !written) return written;
-  removeGoneRuns(progress.runs, folder);
+  removeGoneRuns(progress.runs, folder, runFile);
+  removeGoneRuns(progress.strokes, folder, strokesFile);
   return {};
 }
 
@@ -277,17 +293,12 @@ Result<Commission> readProgress(const std::string& folder) {
   }
   if (root->has("motor")) takeMotor(root->object("motor"), progress);
   if (const auto done = root->finish(); !done) return done.error();
-  for (size_t k = 0; k < runs; ++k) {
-    const bool whole = fs::exists(runFile(folder, k), code);
-    auto run = readRun(whole ? runFile(folder, k) : brokenRunFile(folder, k));
-    if (!run) return run.error();
-    progress.runs.push_back(std::move(*run));
-  }
-  for (size_t k = 0; k < strokes; ++k) {
-    auto run = readStrokes(strokesFile(folder, k));
-    if (!run) return run.error();
-    progress.strokes.push_back(std::move(*run));
-  }
+  auto turned = readRuns<VelocityRun>(runs, folder, runFile, readRun);
+  if (!turned) return turned.error();
+  progress.runs = std::move(*turned);
+  auto went = readRuns<TravelRun>(strokes, folder, strokesFile, readStrokes);
+  if (!went) return went.error();
+  progress.strokes = std::move(*went);
   auto events = readEvents(eventsFile(folder), progress);
   if (!events) return events.error();
   progress.breakaways = std::move(*events);

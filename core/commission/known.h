@@ -82,7 +82,7 @@ struct Commission {
 
   // Friction. Angles and positions count from the index.
   std::vector<VelocityRun> runs;   ///< in the order they were run; the last one may still be under way
-  std::vector<TravelRun> strokes;  ///< of a linear axis, instead of runs
+  std::vector<TravelRun> strokes;  ///< of a linear axis, instead of runs; the last too
   double runsZeroError_A = 0.0;    ///< standard error of the current sensor's zero over them
   std::array<MovingFriction, 2> moving;
   std::vector<BreakawayEvent> breakaways;  ///< as they were measured

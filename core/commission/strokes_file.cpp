@@ -19,8 +19,8 @@ constexpr double mostSamples = 1e9;
 
 }  // namespace
 
-std::string strokesFile(const std::string& folder, size_t number) {
-  return fmt::format("{}/progress/strokes-{:02}.json", folder, number + 1);
+std::string strokesFile(const std::string& folder, size_t number, bool brokenOff) {
+  return fmt::format("{}/progress/strokes-{:02}{}.json", folder, number + 1, brokenOff ? "-broken-off" : "");
 }
 
 Result<void> writeStrokes(const TravelRun& run, const std::string& path) {
@@ -29,7 +29,8 @@ Result<void> writeStrokes(const TravelRun& run, const std::string& path) {
             {"duration_s", run.duration_s},
             {"middle_s", run.middle_s},
             {"zero_A", run.zero_A},
-            {"half_span_s", run.halfSpan_s}};
+            {"half_span_s", run.halfSpan_s},
+            {"broken_off", run.brokenOff}};
   for (size_t way = 0; way < 2; ++way) {
     json[wayNames[way]] = Json::array();
     for (const TravelBinSums& sum : run.bins[way])
@@ -48,7 +49,8 @@ Result<TravelRun> readStrokes(const std::string& path) {
                 root->number("middle_s"),
                 root->number("zero_A"),
                 root->number("half_span_s", Allowed::positive),
-                {}};
+                {},
+                root->flag("broken_off", false)};
   for (size_t way = 0; way < 2; ++way) {
     for (const auto& row : root->rows(wayNames[way], 4)) {
       const bool count = row[0] >= 0.0 && row[0] <= mostSamples;

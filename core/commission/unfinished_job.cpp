@@ -27,8 +27,8 @@ std::string lockOf(const std::string& folder) {
 bool grown(const VelocityRun& was, const VelocityRun& is) {
   return was.brokenOff && was.isAt(is.target_rad_per_s) && was.duration_s <= is.duration_s;
 }
-bool grown(const TravelRun& /*was*/, const TravelRun& /*is*/) {
-  return false;
+bool grown(const TravelRun& was, const TravelRun& is) {
+  return was.brokenOff && was.isAt(is.target_m_per_s) && was.duration_s <= is.duration_s;
 }
 
 /// Runs don't change, but for the one under way, so what is written of them stays; anything else is another job's.
@@ -82,10 +82,15 @@ std::vector<UnfinishedEntry> unfinishedIn(const std::string& place) {
   return all;
 }
 
+size_t speedsBrokenOff(const Commission& known) {
+  const auto broken = [](const auto& run) { return run.brokenOff; };
+  return static_cast<size_t>(std::count_if(known.runs.begin(), known.runs.end(), broken) +
+                             std::count_if(known.strokes.begin(), known.strokes.end(), broken));
+}
+
 Message howFar(const Commission& known) {
   const size_t speeds = known.runs.size() + known.strokes.size();
-  const auto broken =
-      std::count_if(known.runs.begin(), known.runs.end(), [](const VelocityRun& run) { return run.brokenOff; });
+  const size_t broken = speedsBrokenOff(known);
   const Message of = broken > 0 ? message(", {} of them broken off,", broken) : Message();
   return message("{}{} and {} of {} breakaways", speeds == 1 ? message("1 speed") : message("{} speeds", speeds), of,
                  known.breakaways.size(), 2 * known.sweeps.bins * known.sweeps.turns);

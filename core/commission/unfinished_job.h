@@ -46,6 +46,9 @@ struct UnfinishedEntry {
   Result<Commission> known = Error{};
 };
 
+/// Of speeds that are counted in a job, those that were broken off or are under way.
+size_t speedsBrokenOff(const Commission& known);
+
 /// All below `place`, the newest first. Nothing is held meanwhile, nor changed.
 std::vector<UnfinishedEntry> unfinishedIn(const std::string& place);
 /// "3 speeds, 1 of them broken off, and 12 of 720 breakaways".

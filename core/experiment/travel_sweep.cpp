@@ -8,21 +8,44 @@ namespace breakaway {
 
 namespace {
 constexpr double leastHalfSpan_s = 0.001, mostHalfSpan_s = 0.005;
-}
+constexpr double keepEvery_s = 0.25;  // what the run under way has crossed
+}  // namespace
 
 TravelSweep::TravelSweep(TravelSweepOptions options, const std::vector<TravelRun>& earlier)
     : options_(std::move(options)),
       zeroing_(options_.zeroing_s),
-      watch_(options_.travel, options_.index_m, options_.indexTolerance_m),
-      runs_(earlier) {
+      watch_(options_.travel, options_.index_m, options_.indexTolerance_m) {
   const auto good = [](double speed) { return speed > 0.0; };
   if (options_.speeds_m_per_s.size() < 2 ||
       !std::all_of(options_.speeds_m_per_s.begin(), options_.speeds_m_per_s.end(), good))
     fail(message("at least two speeds are needed"));
   if (!(options_.acceleration_m_per_s2 > 0.0) || options_.bins.count < 8)
     fail(message("an acceleration and at least 8 bins are needed"));
-  number_ = runs_.size();
+  for (const double speed : options_.speeds_m_per_s) {
+    for (const TravelRun& run : earlier) {
+      if (run.isAt(speed) && run.bins[0].size() == options_.bins.count && !isDone(speed)) runs_.push_back(run);
+    }
+  }
+  skipDone();
   if (number_ >= options_.speeds_m_per_s.size()) finish();
+}
+
+bool TravelSweep::isDone(double speed_m_per_s) const {
+  return std::any_of(runs_.begin(), runs_.end(),
+                     [&](const TravelRun& run) { return !run.brokenOff && run.isAt(speed_m_per_s); });
+}
+
+void TravelSweep::skipDone() {
+  while (number_ < options_.speeds_m_per_s.size() && isDone(speed())) ++number_;
+}
+
+/// Of the next run, without what was measured before it was broken off.
+double TravelSweep::left_s() const {
+  double left_s = options_.run_s;
+  for (const TravelRun& run : runs_) {
+    if (run.isAt(speed())) left_s -= run.duration_s;
+  }
+  return left_s;
 }
 
 /// Wide enough against the encoder's rounding, short against the time in a bin.
@@ -59,6 +82,7 @@ Command TravelSweep::zero(const Sample& sample) {
   now_.zero_A = zeroing_.zero_A();
   now_.halfSpan_s = halfSpan_s();
   for (auto& way : now_.bins) way.resize(options_.bins.count);
+  thisRun_s_ = left_s();
   glide_ = Glide(speed(), options_.acceleration_m_per_s2);
   enter(Stage::approach, sample);
   return command;
@@ -83,6 +107,7 @@ Command TravelSweep::stroke(const Sample& sample) {
   if (stage_ != Stage::approach) {
     trace_.position_m.push_back(sample.angle_rad);
     trace_.current_A.push_back(sample.current_A);
+    keepCrossed(sample);
   }
   if (stalled(sample)) {
     fail(message("the axis does not move at {:.3g} m/s; is it held, or the current limit too low?", speed()));
@@ -92,9 +117,25 @@ Command TravelSweep::stroke(const Sample& sample) {
   return {Command::Mode::velocity, glide_.next(sample.angle_rad, farEnd_m(), tick_s()), 0.0, false};
 }
 
+/// Now and then: a slow stroke takes half a minute.
+void TravelSweep::keepCrossed(const Sample& sample) {
+  if (sample.time_s - kept_s_ < keepEvery_s) return;
+  kept_s_ = sample.time_s;
+  TravelRun crossed = now_;
+  addStroke(trace_, options_.bins, crossed.halfSpan_s, crossed.bins);
+  const auto any = [](const std::vector<TravelBinSums>& way) {
+    return std::any_of(way.begin(), way.end(), [](const TravelBinSums& sum) { return sum.samples > 0; });
+  };
+  if (!any(crossed.bins[0]) && !any(crossed.bins[1])) return;
+  crossed.duration_s = sample.time_s - runStart_s_;
+  crossed.middle_s = runStart_s_ + 0.5 * crossed.duration_s;
+  crossed.brokenOff = true;
+  underWay_ = std::move(crossed);
+}
+
 void TravelSweep::endStroke(const Sample& sample) {
   if (stage_ == Stage::approach) {
-    runStart_s_ = sample.time_s;
+    runStart_s_ = kept_s_ = sample.time_s;
     enter(Stage::forth, sample);
     return;
   }
@@ -104,14 +145,15 @@ void TravelSweep::endStroke(const Sample& sample) {
     return;
   }
   const double ran_s = sample.time_s - runStart_s_, pair_s = sample.time_s - stageStart_s_;
-  if (ran_s + pair_s < options_.run_s) {
+  if (ran_s + pair_s < thisRun_s_) {
     enter(Stage::forth, sample);
     return;
   }
   now_.duration_s = ran_s;
   now_.middle_s = runStart_s_ + 0.5 * ran_s;
   runs_.push_back(std::move(now_));
-  ++number_;
+  underWay_.reset();
+  skipDone();
   glide_.rest();
   enter(Stage::zero, sample);
 }

@@ -1,6 +1,7 @@
 // Strokes to and fro at several speeds over a linear axis' travel: Coulomb and viscous friction per place and way.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,10 +29,15 @@ struct TravelSweepOptions {
 /// count as it did, and when the current sensor drifts.
 class TravelSweep : public TimedProcedure {
  public:
-  /// `earlier`: complete runs of an interrupted sweep; their speeds aren't run again.
+  /// `earlier`: runs of an interrupted sweep; those with the options' speeds and bins are kept. Of a speed that was
+  /// broken off only what is left is run, a stroke each way at least.
   explicit TravelSweep(TravelSweepOptions options, const std::vector<TravelRun>& earlier = {});
 
+  /// Those that are complete, and those that were broken off before.
   const std::vector<TravelRun>& runs() const { return runs_; }
+  /// What the one under way has crossed by now, as if it were broken off. Nothing before its first bins, and of a run
+  /// that failed.
+  const TravelRun* underWay() const { return underWay_ && state() != State::failed ? &*underWay_ : nullptr; }
   const std::vector<ZeroReading>& zeros() const { return zeroing_.readings(); }
 
  protected:
@@ -48,6 +54,10 @@ class TravelSweep : public TimedProcedure {
   double farEnd_m() const;
   double speed() const { return options_.speeds_m_per_s[std::min(number_, options_.speeds_m_per_s.size() - 1)]; }
   double halfSpan_s() const;
+  bool isDone(double speed_m_per_s) const;
+  void skipDone();
+  double left_s() const;
+  void keepCrossed(const Sample& sample);
 
   TravelSweepOptions options_;
   Zeroing zeroing_;
@@ -56,9 +66,12 @@ class TravelSweep : public TimedProcedure {
   Stage stage_ = Stage::zero;
   std::vector<TravelRun> runs_;
   TravelRun now_;
+  std::optional<TravelRun> underWay_;
   StrokeTrace trace_;
   size_t number_ = 0;
   double stageStart_s_ = 0.0, runStart_s_ = 0.0, moved_m_ = 0.0, moved_s_ = 0.0;
+  double thisRun_s_ = 0.0;  ///< for so long this run goes on
+  double kept_s_ = 0.0;     ///< when what is under way was taken
 };
 
 }  // namespace breakaway

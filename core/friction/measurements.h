@@ -74,6 +74,11 @@ struct RunBlock {
   std::vector<AngleBinSums> bins;
 };
 
+/// Commanded speeds that differ by rounding alone.
+inline bool isSameSpeed(double one, double other) {
+  return std::abs(one - other) <= 1e-6 * std::abs(other);
+}
+
 /// Whole turns at one commanded speed; signs as the board gives them.
 struct VelocityRun {
   double target_rad_per_s = 0.0;
@@ -88,9 +93,7 @@ struct VelocityRun {
   bool brokenOff = false;        ///< another run at this speed measures what is left
 
   Way way() const { return target_rad_per_s < 0.0 ? Way::cw : Way::ccw; }
-  bool isAt(double speed_rad_per_s) const {
-    return std::abs(target_rad_per_s - speed_rad_per_s) <= 1e-6 * std::abs(speed_rad_per_s);
-  }
+  bool isAt(double speed_rad_per_s) const { return isSameSpeed(target_rad_per_s, speed_rad_per_s); }
 };
 
 /// Sums over all samples of one way of a linear axis that fell into one bin of its travel; signs as the board gives
@@ -108,6 +111,9 @@ struct TravelRun {
   double zero_A = 0.0;      ///< of the sensor, that the currents are counted from
   double halfSpan_s = 0.0;  ///< speeds at the bins' ends are central differences over ± this time
   std::array<std::vector<TravelBinSums>, 2> bins;  ///< by Way
+  bool brokenOff = false;                          ///< another run at this speed measures what is left
+
+  bool isAt(double speed_m_per_s) const { return isSameSpeed(target_m_per_s, speed_m_per_s); }
 };
 
 }  // namespace breakaway

@@ -242,9 +242,20 @@ Result<std::array<std::vector<double>, 2>> movingCurrent_A(const std::vector<Tra
   const auto slowest = std::min_element(runs.begin(), runs.end(), [](const TravelRun& a, const TravelRun& b) {
     return a.target_m_per_s < b.target_m_per_s;
   });
+  // One that was broken off and what went on are one.
+  std::array<std::vector<TravelBinSums>, 2> sums = slowest->bins;
+  for (auto run = slowest + 1; run != runs.end(); ++run) {
+    if (!run->isAt(slowest->target_m_per_s)) continue;
+    for (size_t way = 0; way < 2; ++way) {
+      for (size_t k = 0; k < std::min(sums[way].size(), run->bins[way].size()); ++k) {
+        sums[way][k].samples += run->bins[way][k].samples;
+        sums[way][k].current_A += run->bins[way][k].current_A;
+      }
+    }
+  }
   std::array<std::vector<double>, 2> currents;
   for (size_t way = 0; way < 2; ++way) {
-    const auto& bins = slowest->bins[way];
+    const auto& bins = sums[way];
     const double sign = signOf(Way(way));
     const auto crossed = [](const TravelBinSums& sum) { return sum.samples > 0; };
     const auto first = std::find_if(bins.begin(), bins.end(), crossed);

@@ -124,7 +124,8 @@ void TestCommissionResume::progress_readsBackAsItWas() {
   progress.runs.front().brokenOff = true;
   TravelRun strokes{0.1, 25.0, 40.0, -0.02, 0.003, {}};
   for (auto& way : strokes.bins) way = {{1200, -3.5, 1.0 / 7.0, 2.0}, {0, 0.0, 0.0, 0.0}};
-  progress.strokes = {strokes};
+  progress.strokes = {strokes, strokes};
+  progress.strokes.back().brokenOff = true;
   progress.travel = Travel{-0.1, 0.3, 1.0 / 90.0};
   BreakawayEvent event;
   event.way = Way::cw;
@@ -157,7 +158,8 @@ void TestCommissionResume::progress_readsBackAsItWas() {
   QVERIFY(read.angle_rad == 0.1 && read.current_A == 0.2 && read.torque_Nm == 0.3 && read.commanded_A == 0.4);
   QVERIFY(read.commandedMean_A == 0.5 && read.measuredMean_A == 0.6);
   QVERIFY(read.commandedVariance_A2 == 0.7 && read.covariance_A2 == 0.8);
-  QCOMPARE(back->strokes.size(), size_t{1});
+  QCOMPARE(back->strokes.size(), size_t{2});
+  QVERIFY(!back->strokes[0].brokenOff && back->strokes[1].brokenOff);
   QCOMPARE(back->strokes[0].target_m_per_s, strokes.target_m_per_s);
   QCOMPARE(back->strokes[0].zero_A, strokes.zero_A);
   QCOMPARE(back->strokes[0].bins[1].size(), size_t{2});

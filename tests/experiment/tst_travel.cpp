@@ -1,8 +1,11 @@
 // The whole job on a linear axis: sound, interrupted, and with every trouble that a rig can play, at every step.
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 
 #include "commission/commission.h"
+#include "commission/commission_progress.h"
+#include "commission/unfinished_job.h"
 #include "experiment/travel_search.h"
 #include "firmware_link/simulated_board.h"
 #include "firmware_link/simulated_truth.h"
@@ -20,6 +23,7 @@ class TestTravel : public QObject {
   void aClampedAxis_isToldInWords();
   void troubles_endStoppedAndInWords_data();
   void troubles_endStoppedAndInWords();
+  void anInterruptedJob_goesOnWhereItWas_data();
   void anInterruptedJob_goesOnWhereItWas();
   void anIndexlessAxis_countsFromItsLowerEnd();
 };
@@ -166,20 +170,34 @@ void TestTravel::troubles_endStoppedAndInWords() {
   QVERIFY(board.rests());
 }
 
+void TestTravel::anInterruptedJob_goesOnWhereItWas_data() {
+  QTest::addColumn<size_t>("breakaways");
+  QTest::newRow("amidst a stroke, within one speed") << size_t{0};
+  if (!test::sanitized) QTest::newRow("amidst the breakaways") << size_t{10};
+}
+
 void TestTravel::anInterruptedJob_goesOnWhereItWas() {
+  QFETCH(size_t, breakaways);
   const Board board(shortAxis());
   CommissionOptions options = quick();
   std::optional<Commission> kept;
   options.keepProgress = [&](const Commission& progress) {
     kept = progress;
-    return Result<void>();
+    return writeProgress(progress, board.folder.path("job"));
   };
   options.keepEvery_s = 0.0;
-  options.interrupted = [&] { return kept && kept->breakaways.size() >= 10; };
+  options.interrupted = [&] {
+    if (!kept || kept->breakaways.size() < breakaways) return false;
+    return breakaways > 0 || (kept->strokes.size() == 3 && kept->strokes.back().duration_s > 1.0);
+  };
   const auto first = commission(*board.drive, options);
   QVERIFY(!first);
-  QVERIFY(kept && kept->knows(Known::motor) && kept->strokes.size() >= 3 && kept->breakaways.size() >= 10);
+  QVERIFY(kept && kept->knows(Known::motor) && kept->strokes.size() >= 3 && kept->breakaways.size() >= breakaways);
   QVERIFY(board.rests());
+  const auto read = readProgress(board.folder.path("job"));
+  QVERIFY2(read.ok(), read ? "" : read.error().message().c_str());
+  kept = *read;
+  QCOMPARE(speedsBrokenOff(*kept), size_t{breakaways > 0 ? 0u : 1u});
   const size_t before = kept->breakaways.size();
   // The board was without power meanwhile: it counts from elsewhere.
   test::LinearAxis moved = shortAxis();
@@ -191,6 +209,15 @@ void TestTravel::anInterruptedJob_goesOnWhereItWas() {
   const auto done = commission(*again.drive, rest);
   QVERIFY2(done.ok(), done ? "" : done.error().message().c_str());
   QVERIFY(done->events.size() > before);
+  if (breakaways == 0) {  // what was left of the speed alone was run
+    const TravelRun &begun = done->strokes[2], &rested = done->strokes[3];
+    QVERIFY(begun.brokenOff && !rested.brokenOff && rested.isAt(begun.target_m_per_s));
+    const auto crossed = [](const TravelBinSums& sum) { return sum.samples > 0; };
+    QVERIFY(std::any_of(begun.bins[1].begin(), begun.bins[1].end(), crossed));
+    const double pair_s = 2.2 * 0.12 / begun.target_m_per_s;
+    QVERIFY2(rested.duration_s < options.sweeps.speedRun_s - begun.duration_s + pair_s,
+             qPrintable(QString::number(rested.duration_s)));
+  }
   const auto truth = trueMap(again.uri, done->map);
   QVERIFY(truth.ok());
   QVERIFY(worstError(done->map, *truth, &WayBin::static_Nm) < 0.03);

@@ -33,8 +33,11 @@ class Strokes : public Step {
   }
 
   bool gather(Commission& known) override {
-    const bool more = known.strokes.size() != sweep_->runs().size();
-    known.strokes = sweep_->runs();
+    std::vector<TravelRun> strokes = sweep_->runs();
+    if (const TravelRun* now = sweep_->underWay()) strokes.push_back(*now);
+    const bool more = known.strokes.size() != strokes.size() ||
+                      (!strokes.empty() && known.strokes.back().duration_s != strokes.back().duration_s);
+    known.strokes = std::move(strokes);
     countFresh(sweep_->zeros(), known.noiseRms_A, before_, known.strokes);
     return more;
   }
