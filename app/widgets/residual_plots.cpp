@@ -56,7 +56,7 @@ void ResidualPlots::buildPlot() {
     rect->setMinimumMargins(QMargins(44, 1, 10, 3));
     rect->setRangeDrag(Qt::Horizontal);
     rect->setRangeZoom(Qt::Horizontal);
-    rect->axis(QCPAxis::atLeft)->ticker()->setTickCount(4);
+    rect->axis(QCPAxis::atLeft)->ticker()->setTickCount(3);
   }
   above_->axis(QCPAxis::atBottom)->setTicker(QSharedPointer<SecondsTicker>::create());
   measured_ = plot_->addGraph(above_->axis(QCPAxis::atBottom), above_->axis(QCPAxis::atLeft));
