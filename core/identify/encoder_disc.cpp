@@ -55,7 +55,8 @@ EncoderDisc fitDisc(const std::vector<VelocityRun>& runs, const VelocityFriction
     options.disc.off_rad += further;
     options.disc.variance_rad2 = swing->variance / (options.inertia_kg_m2 * options.inertia_kg_m2);
     const bool settled = std::abs(further) < leastSettled * std::abs(options.disc.off_rad);
-    if (std::abs(options.disc.off_rad) > mostOff_rad || (round + 1 == rounds && !settled)) return {};
+    if (std::abs(options.disc.off_rad) > mostOff_rad || (round + 1 == rounds && !settled))
+      return {{}, 0.0, std::abs(options.disc.off_rad)};
     if (std::abs(further) < settledEnough * std::abs(options.disc.off_rad)) break;
   }
   return options.disc;

@@ -16,6 +16,7 @@ struct VelocityFrictionOptions;
 struct EncoderDisc {
   std::complex<double> off_rad;  ///< D
   double variance_rad2 = 0.0;    ///< of D's real and imaginary part each
+  double unsettled_rad = 0.0;    ///< |D| as last seen, where such a wave shows clearly and yet no D explains it
 
   bool known() const { return off_rad != 0.0; }
   /// Standard error of angles from the index, on average around the turn.
@@ -30,7 +31,8 @@ struct EncoderDisc {
 
 /// A speed that is shown as constant swings once per turn, and the rotor's inertia with it, by J·D·ω² whichever way it
 /// turns (encoder_swing.h): D from that wave in runs at constant speed, by going on from what the last D leaves of it.
-/// None where the wave doesn't clearly show, or a way has fewer than three speeds.
+/// None where the wave doesn't clearly show, where it doesn't settle or is larger than any disc (unsettled_rad), and
+/// where a way has fewer than three speeds.
 EncoderDisc fitDisc(const std::vector<VelocityRun>& runs, const VelocityFrictionOptions& options);
 
 /// The breakaways at the angles where the rotor really stood.

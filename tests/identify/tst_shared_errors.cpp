@@ -18,6 +18,7 @@ class TestSharedErrors : public QObject {
  private slots:
   void discOffItsCentre_isFoundAndTakenOff();
   void discInItsCentre_isNotFound();
+  void discFurtherOffThanAny_isSaidAndNotTakenOff();
   void evenSpeed_isTakenAsEvenOverAnySpan();
   void currentBetweenSamples_isWhereTheWindingTookIt();
   void whatIsOffAboutALargeWave_isInTheInterval();
@@ -139,7 +140,15 @@ void TestSharedErrors::discOffItsCentre_isFoundAndTakenOff() {
 }
 
 void TestSharedErrors::discInItsCentre_isNotFound() {
-  QVERIFY(!fitDisc(runs(steady), options()).known());
+  const EncoderDisc found = fitDisc(runs(steady), options());
+  QVERIFY(!found.known() && found.unsettled_rad == 0.0);
+}
+
+void TestSharedErrors::discFurtherOffThanAny_isSaidAndNotTakenOff() {
+  const EncoderDisc truth{std::polar(0.45, 1.0), 0.0};
+  const EncoderDisc found = fitDisc(runs(heldBy(truth), truth), options());
+  QVERIFY(!found.known());
+  QVERIFY2(found.unsettled_rad > 0.3, qPrintable(QString::number(found.unsettled_rad)));
 }
 
 void TestSharedErrors::evenSpeed_isTakenAsEvenOverAnySpan() {

@@ -35,6 +35,11 @@ Result<void> refitMoving(Commission& known, const std::vector<BreakawayEvent>& b
 }
 
 void remarkDisc(Commission& known, const EncoderDisc& disc) {
+  if (disc.unsettled_rad > worthSaying_rad)
+    known.remark(message(
+        "The speed swings once per turn as if the encoder's disc sat {:.2g} rad off its centre, and yet no such disc "
+        "explains it: what the map says of once per turn, and its angles, may be wrong by as much.",
+        disc.unsettled_rad));
   const double off_rad = std::abs(disc.off_rad);
   if (off_rad < worthSaying_rad) return;
   known.remark(message(
