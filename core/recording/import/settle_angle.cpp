@@ -16,7 +16,7 @@ Result<void> Settling::takeAngle() {
   const auto speed = columnOf("velocity_rad_per_s");
   const bool counts = choices_[*c].name.needs == UnitNeeds::countsPerRev && !choices_[*c].byMap;
   if (counts && rangeOf(angle) == 0.0 && speed && rangeOf(values(*speed)) > 0.0) {
-    keep(*c, "never changes although the speed does");
+    keep(*c, message("never changes although the speed does"));
     return {};
   }
   if (counts && !map_.counts_per_rev) countsBySpeed(*c);
@@ -73,34 +73,36 @@ void Settling::unwindBy(std::vector<double>& angle, double period, bool whole) {
 Result<void> Settling::nameUnit(size_t c, const std::optional<double>& period) {
   ColumnFate& fate = fates_[c];
   const auto& angle = values(c);
-  const auto set = [&fate](double scale, const char* unit, const std::string& why) {
+  const auto set = [&fate](double scale, const char* unit, Message why) {
     fate.scale = scale;
     fate.unit = unit;
-    fate.why = why;
+    fate.why = std::move(why);
     fate.guessed = true;
   };
   if (map_.counts_per_rev && areWhole(angle)) {
-    set(turn_rad / *map_.counts_per_rev, "counts", "whole numbers, with the map's counts per turn");
+    set(turn_rad / *map_.counts_per_rev, "counts", message("whole numbers, with the map's counts per turn"));
     return {};
   }
-  if (period && *period == 360.0) return set(turn_rad / 360.0, "deg", "it starts anew after 360"), Result<void>{};
-  if (period && *period == 1.0) return set(turn_rad, "turns", "it starts anew after 1"), Result<void>{};
+  if (period && *period == 360.0)
+    return set(turn_rad / 360.0, "deg", message("it starts anew after 360")), Result<void>{};
+  if (period && *period == 1.0) return set(turn_rad, "turns", message("it starts anew after 1")), Result<void>{};
   if (isCountedAsSpeed(c)) {
     choices_[c].name.needs = UnitNeeds::countsPerRev;
-    set(turn_rad, "counts", "so it agrees with the speed, which is in counts");
+    set(turn_rad, "counts", message("so it agrees with the speed, which is in counts"));
     const auto filled = fillNeed(c, true);
     return filled ? Result<void>{} : filled.error();
   }
   if (unitsByEachOther(c)) return {};
   if (const auto scale = scaleBySpeed(c)) {
-    set(*scale, *scale == 1.0 ? "rad" : *scale == turn_rad ? "turns" : "deg", "so it agrees with the speed");
+    set(*scale, *scale == 1.0 ? "rad" : *scale == turn_rad ? "turns" : "deg", message("so it agrees with the speed"));
     return {};
   }
   constexpr double manyTurns = 30.0;
   if (areWhole(angle) && rangeOf(angle) >= manyTurns) {
     if (countsBySpeed(c)) {
       choices_[c].name.needs = UnitNeeds::countsPerRev;
-      set(turn_rad / *counts_per_rev_, "counts", "whole numbers, of which the speed tells how many are one turn");
+      set(turn_rad / *counts_per_rev_, "counts",
+          message("whole numbers, of which the speed tells how many are one turn"));
       return {};
     }
     const std::string hint = period ? ", perhaps " + shortText(*period) + ", after which it starts anew" : "";
@@ -108,7 +110,7 @@ Result<void> Settling::nameUnit(size_t c, const std::optional<double>& period) {
                                                       ", with --map {\"counts_per_rev\": " +
                                                       (period ? shortText(*period) : "4096") + "}, or name its unit"};
   }
-  fate.why = "by its name, which tells no unit";
+  fate.why = message("by its name, which tells no unit");
   return {};
 }
 
@@ -159,15 +161,17 @@ bool Settling::unitsByEachOther(size_t c) {
   if (!motion || motion->correlation < 0.95) return false;
   const auto pair = unitsByFactor(motion->factor);
   if (!pair) return false;
-  const auto set = [this](size_t column, const char* unit, double scale, const std::string& why) {
+  const auto set = [this](size_t column, const char* unit, double scale, Message why) {
     fates_[column].unit = unit;
     fates_[column].scale = scale;
-    fates_[column].why = why;
+    fates_[column].why = std::move(why);
     fates_[column].guessed = true;
   };
-  const std::string only = "only so it agrees with ";
-  set(c, pair->angle, pair->angle_rad, only + fates_[*v].from + " in " + pair->speed);
-  set(*v, pair->speed, pair->speed_rad_per_s, only + fates_[c].from + " in " + pair->angle);
+  const auto only = [this](size_t column, const char* unit) {
+    return message("only so it agrees with {} in {}", fates_[column].from, unit);
+  };
+  set(c, pair->angle, pair->angle_rad, only(*v, pair->speed));
+  set(*v, pair->speed, pair->speed_rad_per_s, only(c, pair->angle));
   return true;
 }
 
@@ -192,7 +196,7 @@ Result<void> Settling::nameSpeedUnit(size_t c, bool alone) {
   if (const Unit* usual = unitNamed(choices_[c].name.usual); usual != nullptr) {
     fate.scale = usual->scale;
     fate.unit = choices_[c].name.usual;
-    fate.why = "such a speed is counted so";
+    fate.why = message("such a speed is counted so");
     fate.guessed = true;
     return {};
   }
@@ -219,12 +223,12 @@ void Settling::speedByAngle(size_t c, size_t angle) {
     if (std::abs(std::log(std::abs(motion->factor) / one.scale)) > std::log(1.15)) continue;
     fates_[c].scale = one.scale;
     fates_[c].unit = one.unit;
-    fates_[c].why = "so it agrees with the angle";
+    fates_[c].why = message("so it agrees with the angle");
     fates_[c].guessed = true;
     return;
   }
-  keep(c, "its name tells no unit, and in none that is usual it agrees with the angle (factor " +
-              shortText(motion->factor) + ")");
+  keep(c, message("its name tells no unit, and in none that is usual it agrees with the angle (factor {})",
+                  shortText(motion->factor)));
 }
 
 Result<void> Settling::takeIntegral() {
@@ -263,7 +267,7 @@ void Settling::differentiate() {
       const size_t a = k == 0 ? 0 : k - 1, b = std::min(k + 1, last);
       made.values.push_back(a == b ? 0.0 : (angle[b] - angle[a]) / (time_.time_s[b] - time_.time_s[a]));
     }
-    if (const auto measured = columnOf(made.name)) keep(*measured, "the map's derivative takes its place");
+    if (const auto measured = columnOf(made.name)) keep(*measured, message("the map's derivative takes its place"));
     made_.push_back(std::move(made));
     remarks_.push_back(made_.back().name + " is " + map_.differentiate + ", differentiated over two rows");
   }

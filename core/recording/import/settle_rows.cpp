@@ -66,11 +66,11 @@ Result<void> Settling::takeTime() {
     fates_[*c].guessed = time_.unitGuessed;
     if (time_.unitGuessed) {
       fates_[*c].unit.clear();
-      fates_[*c].why = "judged by its steps";
+      fates_[*c].why = message("judged by its steps");
     }
     if (steps) {
       fates_[*c].guessed = true;
-      fates_[*c].why = "each row's time since the row before, summed";
+      fates_[*c].why = message("each row's time since the row before, summed");
     }
     if (fates_[*c].unit.empty()) fates_[*c].unit = table_.columns[*c].clock ? "clock" : unitNameOf(time_.unit_s);
   }
@@ -137,7 +137,7 @@ void Settling::settleTimeByMotion() {
     time_.unit_s = unit_s;
     fates_[*time].scale = unit_s;
     fates_[*time].unit = unitNameOf(unit_s);
-    fates_[*time].why = "so the speed agrees with the angle";
+    fates_[*time].why = message("so the speed agrees with the angle");
     std::erase_if(remarks_, [](const std::string& one) { return one.starts_with("the time has no unit"); });
     remarks_.push_back("the time has no unit; it was taken for " + fates_[*time].unit +
                        ", with which the speed agrees with the angle");

@@ -32,7 +32,7 @@ class Settling {
   std::optional<size_t> columnOf(const std::string& to) const;
   std::vector<double>& values(size_t c) { return table_.columns[c].channel.values; }
   bool isOpen(size_t c) const { return fates_[c].kind == ColumnFate::Kind::used && !settled_.contains(c); }
-  void keep(size_t c, const std::string& why);
+  void keep(size_t c, Message why);
   std::string names() const;
   /// Rows of several motors in turn are no motion of one.
   Result<void> needOneAxis();
