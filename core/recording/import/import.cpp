@@ -55,7 +55,7 @@ Result<ReadTable> readAll(const std::string& path, const ImportMap& map) {
     if (!more) return more.error();
     first->newPart.push_back(first->table.rows());
     if (const auto done = append(first->table, std::move(more->table), beside.string()); !done) return done.error();
-    first->table.remarks.push_back(other + " follows from row " + std::to_string(first->newPart.back() + 1));
+    first->table.remarks.push_back(message("{} follows from row {}", other, first->newPart.back() + 1));
   }
   return first;
 }

@@ -29,8 +29,8 @@ struct ColumnFate {
 
 struct Imported {
   Recording recording;
-  std::vector<ColumnFate> columns;   ///< one per column of the file
-  std::vector<std::string> remarks;  ///< what was found, assumed and left out, in words
+  std::vector<ColumnFate> columns;  ///< one per column of the file
+  std::vector<Message> remarks;     ///< what was found, assumed and left out, in words
 };
 
 /// Reads a log of whatever form (its content tells which), and makes a recording of it by `map`, by what is known of

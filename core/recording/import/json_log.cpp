@@ -215,7 +215,7 @@ Result<RawTable> samplesOf(const std::vector<const Json*>& samples, const std::s
     if (isPlain(*value) || (value->is_string() && !tellsUnit(key))) {
       table.columns.push_back({{key, {}}, {}});
     } else {
-      table.remarks.push_back("the field " + key + " holds no numbers and was left out");
+      table.remarks.push_back(message("the field {} holds no numbers and was left out", key));
     }
   }
   const bool anyNumber =
@@ -257,8 +257,7 @@ Result<RawTable> samplesOf(const std::vector<const Json*>& samples, const std::s
       next = static_cast<size_t>(field - fields.begin()) + 1;
     }
   }
-  if (without > 0)
-    table.remarks.push_back(std::to_string(without) + " fields lack in some entries; they are missing values");
+  if (without > 0) table.remarks.push_back(message("{} fields lack in some entries; they are missing values", without));
   return table;
 }
 
@@ -279,8 +278,7 @@ Result<RawTable> arraysOf(const Json& json, const std::string& name) {
         for (size_t k = 0; k < rows; ++k) put(value[k], column, name + ", entry " + std::to_string(k + 1), k == 0);
         table.columns.push_back(std::move(column));
       } else {
-        table.remarks.push_back(path + " has " + std::to_string(value.size()) + " values, not " + std::to_string(rows) +
-                                ", and was left out");
+        table.remarks.push_back(message("{} has {} values, not {}, and was left out", path, value.size(), rows));
       }
     }
   };
@@ -434,7 +432,7 @@ Result<ReadTable> linesOf(const std::string& text, const std::string& name) {
   for (const Json& one : kept) samples.push_back(&one);
   auto table = samplesOf(samples, name);
   if (!table) return table.error();
-  if (others > 0) table->remarks.push_back(std::to_string(others) + " lines are no JSON objects and were left out");
+  if (others > 0) table->remarks.push_back(message("{} lines are no JSON objects and were left out", others));
   return ReadTable{std::move(*table), {}};
 }
 

@@ -62,7 +62,7 @@ bool translateEmps(RawTable& table) {
           {"force", Quantity::torque},
           {"vir", Quantity::voltage},
           {"qg", Quantity::positionReference}});
-  table.remarks.push_back("recognised the EMPS benchmark: force_N is gtau × vir, gtau = " + gain + " N/V");
+  table.remarks.push_back(message("recognised the EMPS benchmark: force_N is gtau × vir, gtau = {} N/V", gain));
   return true;
 }
 
@@ -107,8 +107,8 @@ Result<bool> translateBam(RawTable& table, const std::string& name) {
           {"goal_position", Quantity::positionReference},
           {"temp", Quantity::temperature},
           {"torque_enable", Quantity::enabled}});
-  table.remarks.push_back(
-      "recognised a BAM log of an XL330: duty is load as a signed 16 bit number / 885, voltage_V is duty × supply_V");
+  table.remarks.push_back(message(
+      "recognised a BAM log of an XL330: duty is load as a signed 16 bit number / 885, voltage_V is duty × supply_V"));
   return true;
 }
 

@@ -52,8 +52,8 @@ bool isVesc(const RawTable& table) {
 }
 
 ToolColumns vesc(RawTable& table) {
-  table.remarks.emplace_back(
-      "recognised VESC Tool's log: the tachometer counts 6 steps per electrical turn, erpm electrical turns");
+  table.remarks.push_back(
+      message("recognised VESC Tool's log: the tachometer counts 6 steps per electrical turn, erpm electrical turns"));
   return {{"ms_today", in("time_s", 1e-3, "ms")},
           {"ms_today_setup", setAside(message("is the clock of another block of values"))},
           {"tachometer", in("angle_rad", turn_rad / 6.0, "steps of 1/6 electrical turn", 0, UnitNeeds::polePairs)},
@@ -126,7 +126,7 @@ bool isVescValues(const RawTable& table) {
 }
 
 ToolColumns vescValues(RawTable& table) {
-  table.remarks.emplace_back("recognised a VESC's values by their names: rpm and speed count electrical turns");
+  table.remarks.push_back(message("recognised a VESC's values by their names: rpm and speed count electrical turns"));
   const ToolColumns known = vescNames();
   ToolColumns columns;
   for (const RawColumn& column : table.columns) {
@@ -183,8 +183,9 @@ ToolColumns odrive(RawTable& table) {
     if (name.find("_cpr") != std::string::npos || name.find("pos_circular") != std::string::npos)
       columns[name] = setAside(message("starts anew with each turn"));
   }
-  table.remarks.push_back(std::string("recognised an ODrive's log: positions in ") +
-                          (counts ? "counts, as firmware before 0.5 has them" : "turns, speeds in turns per second"));
+  table.remarks.push_back(
+      counts ? message("recognised an ODrive's log: positions in counts, as firmware before 0.5 has them")
+             : message("recognised an ODrive's log: positions in turns, speeds in turns per second"));
   return columns;
 }
 
@@ -194,7 +195,7 @@ bool isPhoenix(const std::string& name) {
 }
 
 ToolColumns phoenix(RawTable& table) {
-  table.remarks.emplace_back("recognised a Phoenix 6 log: positions in turns, speeds in turns per second");
+  table.remarks.push_back(message("recognised a Phoenix 6 log: positions in turns, speeds in turns per second"));
   return inTurns(table, isPhoenix);
 }
 
@@ -211,7 +212,7 @@ bool isMoteus(const RawTable& table) {
 }
 
 ToolColumns moteus(RawTable& table) {
-  table.remarks.emplace_back("recognised a moteus log: positions in turns, speeds in turns per second");
+  table.remarks.push_back(message("recognised a moteus log: positions in turns, speeds in turns per second"));
   ToolColumns columns = inTurns(table, [](const std::string& name) { return name.find("raw") == std::string::npos; });
   for (const RawColumn& column : table.columns) {
     const std::string& name = column.channel.name;
@@ -255,8 +256,9 @@ ToolColumns simpleFoc(RawTable& table) {
           : std::vector<const char*>{"target", "voltage_q", "voltage_d", "current_q", "current_d", "velocity", "angle"};
   if (stamped) table.columns.front().channel.name = "terminal time";
   for (size_t c = 0; c < names.size(); ++c) table.columns[first + c].channel.name = names[c];
-  table.remarks.emplace_back(
-      "recognised SimpleFOC's monitor: target, voltage (V), currents (mA), velocity (rad/s), angle (rad) in its order");
+  table.remarks.push_back(
+      message("recognised SimpleFOC's monitor: target, voltage (V), currents (mA), velocity (rad/s), angle (rad) in "
+              "its order"));
   return {{"target", setAside(message("may be an angle, a speed or a voltage: the control mode isn't in the log"))},
           {"voltage_q", in("voltage_V", 1.0, "V")},
           {"current_q", in("current_A", 1e-3, "mA")},
@@ -271,8 +273,8 @@ bool isNamedSimpleFoc(const RawTable& table) {
 }
 
 ToolColumns namedSimpleFoc(RawTable& table) {
-  table.remarks.emplace_back(
-      "recognised SimpleFOC's monitor by its names: voltage (V), currents (mA), velocity (rad/s), angle (rad)");
+  table.remarks.push_back(message(
+      "recognised SimpleFOC's monitor by its names: voltage (V), currents (mA), velocity (rad/s), angle (rad)"));
   return {{"target", setAside(message("may be an angle, a speed or a voltage: the control mode isn't in the log"))},
           {"voltage_q", in("voltage_V", 1.0, "V")},
           {"current_q", in("current_A", 1e-3, "mA")},
@@ -300,7 +302,8 @@ ToolColumns betaflight(RawTable& table) {
     if (name.starts_with("amperage")) columns[name] = setAside(message("is the supply's current, not the motor's"));
     if (name.starts_with("time")) columns[name] = in("time_s", 1e-6, "µs");
   }
-  table.remarks.emplace_back("recognised Betaflight's decoded log: eRPM in hundreds of electrical turns per minute");
+  table.remarks.push_back(
+      message("recognised Betaflight's decoded log: eRPM in hundreds of electrical turns per minute"));
   return columns;
 }
 
@@ -312,7 +315,7 @@ bool isThrustStand(const RawTable& table) {
 }
 
 ToolColumns thrustStand(RawTable& table) {
-  table.remarks.emplace_back("recognised a thrust stand: current and voltage are those of the supply");
+  table.remarks.push_back(message("recognised a thrust stand: current and voltage are those of the supply"));
   ToolColumns columns;
   for (const RawColumn& column : table.columns) {
     const ColumnName name = understandName(column.channel.name, column.unit);
@@ -359,10 +362,9 @@ ToolColumns dynamixel(RawTable& table, double countsPerRev) {
     }
   }
   if (!columns.empty())
-    table.remarks.emplace_back(
+    table.remarks.push_back(message(
         "recognised Dynamixel registers, whole numbers in an X series' units: 4096 per turn, 0.229 rpm, 2.69 mA (an "
-        "XL330 "
-        "has 1 mA), PWM of 885, 0.1 V; another model needs a map");
+        "XL330 has 1 mA), PWM of 885, 0.1 V; another model needs a map"));
   return columns;
 }
 
@@ -404,8 +406,8 @@ ToolColumns akd(RawTable& table) {
         columns[name] = understandName(std::string(words) + " " + std::string(rest), column.unit);
     }
   }
-  table.remarks.emplace_back(
-      "recognised an AKD drive's log: PL, VL and IL are its position, velocity and current loop");
+  table.remarks.push_back(
+      message("recognised an AKD drive's log: PL, VL and IL are its position, velocity and current loop"));
   return columns;
 }
 
@@ -428,9 +430,9 @@ ToolColumns cia402(RawTable& table) {
           setAside(message("counts thousandths of the drive's rated value, which no file says: map it with \"scale\""));
   }
   if (!columns.empty())
-    table.remarks.emplace_back(
-        "recognised a drive's CiA 402 objects by its status word: torque and current in "
-        "thousandths of the rated ones");
+    table.remarks.push_back(
+        message("recognised a drive's CiA 402 objects by its status word: torque and current in "
+                "thousandths of the rated ones"));
   return columns;
 }
 
@@ -452,7 +454,7 @@ ToolColumns stMotorControl(RawTable& table) {
       columns[column.channel.name] =
           setAside(message("counts steps of the converter, which no file says: map it with \"scale\""));
   }
-  table.remarks.emplace_back("recognised ST's motor control by its registers: speeds in rpm");
+  table.remarks.push_back(message("recognised ST's motor control by its registers: speeds in rpm"));
   return columns;
 }
 
@@ -489,7 +491,7 @@ void joinColumns(RawTable& table, ColumnPlace seconds, ColumnPlace nanos) {
   }
   for (size_t k = 0; k < values.size(); ++k) values[k] += 1e-9 * (nanos->channel.values[k] + nanos->origin);
   seconds->unit = "s";
-  table.remarks.push_back(seconds->channel.name + " and " + nanos->channel.name + " are one stamp");
+  table.remarks.push_back(message("{} and {} are one stamp", seconds->channel.name, nanos->channel.name));
   seconds->channel.name = "stamp (" + seconds->channel.name + ")";
   table.columns.erase(nanos);
 }

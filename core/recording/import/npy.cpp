@@ -250,8 +250,8 @@ Result<RawTable> tableOfColumns(std::vector<RawColumn> columns, const std::strin
     } else if (values.size() == 1) {
       table.notes.emplace_back(column.channel.name, exactText(values.front() + column.origin));
     } else {
-      table.remarks.push_back(column.channel.name + " has " + std::to_string(values.size()) + " values, not " +
-                              std::to_string(rows) + ", and was left out");
+      table.remarks.push_back(
+          message("{} has {} values, not {}, and was left out", column.channel.name, values.size(), rows));
     }
   }
   return table;
@@ -259,7 +259,7 @@ Result<RawTable> tableOfColumns(std::vector<RawColumn> columns, const std::strin
 
 Result<RawTable> readNpz(const ZipArchive& archive, const std::string& place) {
   std::vector<RawColumn> columns;
-  std::vector<std::string> remarks;
+  std::vector<Message> remarks;
   for (const std::string& member : archive.members()) {
     if (!member.ends_with(".npy")) continue;
     const auto bytes = archive.read(member);
@@ -267,7 +267,7 @@ Result<RawTable> readNpz(const ZipArchive& archive, const std::string& place) {
     auto read = isNpy(*bytes) ? readNpy(*bytes, lastPart(member), place + ", " + member)
                               : Result<std::vector<RawColumn>>(Error{place + ", " + member, "is no NumPy array"});
     if (!read) {
-      remarks.push_back(member + " " + read.error().fact + " and was left out");
+      remarks.push_back(message("{} {} and was left out", member, read.error().fact));
       continue;
     }
     for (RawColumn& column : *read) columns.push_back(std::move(column));

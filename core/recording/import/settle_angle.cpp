@@ -53,21 +53,23 @@ void Settling::sayIfAmbiguous(const std::vector<double>& angle, double turn) {
     most = std::max(most, std::abs(change) / turn);
   }
   if (places < 2) return;
-  remarks_.push_back("implausible: the angle stays within one turn and moves up to " + shortText(most) +
-                     " turns from row to row, in " + std::to_string(places) +
-                     " places; if it starts anew with each turn, nobody can tell which way it went");
+  remarks_.push_back(
+      message("implausible: the angle stays within one turn and moves up to {} turns from row to row, in {} places; if "
+              "it starts anew with each turn, nobody can tell which way it went",
+              shortText(most), places));
 }
 
 void Settling::unwindBy(std::vector<double>& angle, double period, bool whole) {
   const Unwound unwound = unwind(angle, period, time_.pauses);
-  remarks_.push_back(std::string("the angle ") + (whole ? "starts anew with each turn" : "overflows its register") +
-                     ", in " + std::to_string(unwound.places) + (unwound.places == 1 ? " place" : " places") +
-                     "; it goes on counting now");
+  remarks_.push_back(
+      whole ? message("the angle starts anew with each turn, in {}; it goes on counting now", placesIn(unwound.places))
+            : message("the angle overflows its register, in {}; it goes on counting now", placesIn(unwound.places)));
   if (!time_.pauses.empty())
-    remarks_.emplace_back("turns made during a pause are unknown: over it the angle may be wrong by whole turns");
+    remarks_.push_back(message("turns made during a pause are unknown: over it the angle may be wrong by whole turns"));
   if (unwound.largestStep > 0.4)
-    remarks_.push_back("it moves up to " + shortText(unwound.largestStep) +
-                       " turns from row to row; from half a turn on nobody can tell which way, so check the result");
+    remarks_.push_back(message(
+        "it moves up to {} turns from row to row; from half a turn on nobody can tell which way, so check the result",
+        shortText(unwound.largestStep)));
 }
 
 Result<void> Settling::nameUnit(size_t c, const std::optional<double>& period) {
@@ -136,10 +138,11 @@ bool Settling::countsBySpeed(size_t c) {
   const double measured = motion->factor / fates_[*v].scale * turn_rad;
   if (measured < fewest || rangeOf(values(c)) < measured) return false;
   counts_per_rev_ = usualCounts(measured);
-  remarks_.push_back(fates_[c].from + " is in counts, of which " + shortText(*counts_per_rev_) +
-                     " were taken for one turn, a guess: beside " + fates_[*v].from + " it makes " +
-                     shortText(std::round(measured * 10.0) / 10.0) +
-                     " a turn; say it with --map {\"counts_per_rev\": " + shortText(*counts_per_rev_) + "}");
+  remarks_.push_back(message(
+      "{} is in counts, of which {} were taken for one turn, a guess: beside {} it makes {} a turn; say it with --map "
+      "{}",
+      fates_[c].from, shortText(*counts_per_rev_), fates_[*v].from, shortText(std::round(measured * 10.0) / 10.0),
+      "{\"counts_per_rev\": " + shortText(*counts_per_rev_) + "}"));
   return true;
 }
 
@@ -251,7 +254,7 @@ Result<void> Settling::takeIntegral() {
       made.values.push_back(made.values.back() + (std::isfinite(way) ? way : 0.0));
     }
     made_.push_back(std::move(made));
-    remarks_.push_back(made_.back().name + " is " + map_.integrate + ", integrated by trapezoids from 0");
+    remarks_.push_back(message("{} is {}, integrated by trapezoids from 0", made_.back().name, map_.integrate));
   }
   return {};
 }
@@ -269,7 +272,7 @@ void Settling::differentiate() {
     }
     if (const auto measured = columnOf(made.name)) keep(*measured, message("the map's derivative takes its place"));
     made_.push_back(std::move(made));
-    remarks_.push_back(made_.back().name + " is " + map_.differentiate + ", differentiated over two rows");
+    remarks_.push_back(message("{} is {}, differentiated over two rows", made_.back().name, map_.differentiate));
   }
 }
 
@@ -290,9 +293,8 @@ void Settling::checkMotion() {
   if (angle) {
     const Leaps leaps = leapsIn(time_.time_s, values(*angle), time_.pauses);
     if (leaps.count > 0)
-      remarks_.push_back("implausible: the angle leaps in " + std::to_string(leaps.count) +
-                         (leaps.count == 1 ? " place" : " places") + ", first by " + shortText(leaps.size) +
-                         " rad at row " + std::to_string(time_.rows[leaps.first] + 1));
+      remarks_.push_back(message("implausible: the angle leaps in {}, first by {} rad at row {}", placesIn(leaps.count),
+                                 shortText(leaps.size), time_.rows[leaps.first] + 1));
   }
   if (!angle || !speed) return;
   const auto motion = compareMotion(time_.time_s, values(*angle), values(*speed), time_.pauses);
@@ -301,15 +303,16 @@ void Settling::checkMotion() {
   const bool unsignedSpeed =
       std::all_of(values(*speed).begin(), values(*speed).end(), [](double v) { return !(v < 0.0); });
   if (unsignedSpeed && std::abs(motion->correlation) < 0.9) {
-    remarks_.emplace_back(
-        "implausible: the speed is never negative although the angle falls, too; it seems to have lost its sign");
+    remarks_.push_back(message(
+        "implausible: the speed is never negative although the angle falls, too; it seems to have lost its sign"));
   } else if (std::abs(motion->correlation) < 0.6) {
-    remarks_.emplace_back("implausible: the speed and the angle's changes have little in common");
+    remarks_.push_back(message("implausible: the speed and the angle's changes have little in common"));
   } else if (factor < 0.0) {
-    remarks_.emplace_back("implausible: the speed has the other sign than the angle's changes");
+    remarks_.push_back(message("implausible: the speed has the other sign than the angle's changes"));
   } else if (std::abs(std::log(factor)) > std::log(1.2)) {
-    remarks_.push_back("implausible: the angle changes " + shortText(factor) +
-                       " times as much as the speed says; a unit of theirs or the time's is wrong");
+    remarks_.push_back(message(
+        "implausible: the angle changes {} times as much as the speed says; a unit of theirs or the time's is wrong",
+        shortText(factor)));
   }
 }
 

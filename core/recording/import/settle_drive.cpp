@@ -35,7 +35,7 @@ Result<void> Settling::takeDuty() {
   apply(*c);
   if (largest(duty) > 1.0 + 1e-6 && largest(duty) < 1.02) {
     for (double& value : duty) value = std::clamp(value, -1.0, 1.0);
-    remarks_.emplace_back("the duty exceeds 1 by less than 2 % and was limited");
+    remarks_.push_back(message("the duty exceeds 1 by less than 2 % and was limited"));
   }
   if (largest(duty) > 1.0 + 1e-6) return dutyBeyond(*c, "is a duty, which ends at 1");
   return {};

@@ -119,8 +119,8 @@ Result<void> Settling::sparseRows() {
   time_.rows.clear();
   for (const size_t row : rows) time_.rows.push_back(before[row]);
   time_.pauses = pausesIn(time_.time_s);
-  remarks_.push_back(std::to_string(rows.size()) + " of " + std::to_string(all) + " rows have " + fates_[*motion].from +
-                     " and stay; the other columns hold their last value there");
+  remarks_.push_back(message("{} of {} rows have {} and stay; the other columns hold their last value there",
+                             rows.size(), all, fates_[*motion].from));
   return {};
 }
 
@@ -139,8 +139,8 @@ void Settling::settleTimeByMotion() {
     fates_[*time].unit = unitNameOf(unit_s);
     fates_[*time].why = message("so the speed agrees with the angle");
     std::erase_if(remarks_, [](const std::string& one) { return one.starts_with("the time has no unit"); });
-    remarks_.push_back("the time has no unit; it was taken for " + fates_[*time].unit +
-                       ", with which the speed agrees with the angle");
+    remarks_.push_back(message("the time has no unit; it was taken for {}, with which the speed agrees with the angle",
+                               fates_[*time].unit));
     return;
   }
 }

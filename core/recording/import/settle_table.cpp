@@ -201,7 +201,7 @@ Result<Imported> Settling::seal() {
   table_.notes.emplace_back("imported from", std::filesystem::path(path_).filename().string());
   auto recording = Recording::seal(path_, std::move(channels), std::move(table_.notes));
   if (!recording) return recording.error();
-  for (std::string& one : contradictionsIn(*recording)) remarks_.push_back(std::move(one));
+  for (Message& one : contradictionsIn(*recording)) remarks_.push_back(std::move(one));
   return Imported{std::move(*recording), std::move(fates_), std::move(remarks_)};
 }
 

@@ -92,7 +92,7 @@ class Settling {
   std::vector<size_t> newFile_;
   std::vector<Choice> choices_;
   std::vector<ColumnFate> fates_;
-  std::vector<std::string> remarks_;
+  std::vector<Message> remarks_;
   std::set<size_t> settled_;
   std::vector<Channel> made_;
   SettledTime time_;

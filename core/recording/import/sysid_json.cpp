@@ -87,12 +87,11 @@ Result<ReadTable> readTests(const Json& json, const std::string& name) {
         table.columns[c].channel.values.push_back(row[c].get<double>());
       }
     }
-    table.remarks.push_back(std::string(test) + ": " + std::to_string(rows.size()) + " rows, from row " +
-                            std::to_string(before + 1));
+    table.remarks.push_back(message("{}: {} rows, from row {}", test, rows.size(), before + 1));
   }
-  table.remarks.push_back("recognised SysId's tests" +
-                          (unit.empty() ? std::string(", without a unit") : ", in " + unit) +
-                          "; each begins anew, after a pause");
+  table.remarks.push_back(unit.empty()
+                              ? message("recognised SysId's tests, without a unit; each begins anew, after a pause")
+                              : message("recognised SysId's tests, in {}; each begins anew, after a pause", unit));
   return read;
 }
 

@@ -115,7 +115,8 @@ class Rows {
       if (kinds_[c] == TextCell::text) noteText(c, row);
       if (!number.unit.empty()) noteUnit(c, row);
       if (number.hexadecimal && !std::exchange(counts_[c].hexadecimal, true))
-        table.remarks.push_back(column.channel.name + ": hexadecimal; eight digits are taken as 32 bits with a sign");
+        table.remarks.push_back(
+            message("{}: hexadecimal; eight digits are taken as 32 bits with a sign", column.channel.name));
       double value = number.value;
       if (origins_ && column.origin != 0.0) {
         const auto origin = static_cast<int64_t>(column.origin);
@@ -178,11 +179,11 @@ class Rows {
       if (!column.texts.empty()) column.textOf.resize(lastGoodRow + 1);
     }
     if (100 * flawed_.size() <= table.rows() && !flawed_.empty()) {
-      table.remarks.push_back(std::to_string(flawed_.size()) +
-                              (flawed_.size() == 1 ? " row with text among its numbers was"
-                                                   : " rows with text among "
-                                                     "their numbers were") +
-                              " left out, the first is row " + std::to_string(flawed_.front() + 1));
+      table.remarks.push_back(
+          flawed_.size() == 1
+              ? message("1 row with text among its numbers was left out, the first is row {}", flawed_.front() + 1)
+              : message("{} rows with text among their numbers were left out, the first is row {}", flawed_.size(),
+                        flawed_.front() + 1));
       for (RawColumn& column : table.columns) {
         dropRows(column.channel.values);
         if (!column.texts.empty()) dropRows(column.textOf);
@@ -326,12 +327,13 @@ Start findStart(std::string_view text, char lineEnd, const TextLayout& layout, R
   return start;
 }
 
-std::string inFewWords(size_t count, std::string_view first) {
+Message inFewWords(size_t count, std::string_view first) {
   std::string shown(first.substr(0, 40));
   if (first.size() > 40) shown = shown.substr(0, shown.find_last_of(' ')) + " …";
   while (!isUtf8(shown)) shown.pop_back();
-  return std::to_string(count) + (count == 1 ? " line" : " lines") + " between or after the rows " +
-         (count == 1 ? "is no row and was" : "are no rows and were") + " left out, the first: \"" + shown + "\"";
+  return count == 1 ? message("1 line between or after the rows is no row and was left out, the first: \"{}\"", shown)
+                    : message("{} lines between or after the rows are no rows and were left out, the first: \"{}\"",
+                              count, shown);
 }
 
 /// A line of names other than the table's, and that didn't stand above it: a further table begins.
@@ -372,8 +374,8 @@ Result<void> readRows(std::string_view rest, char lineEnd, const TextLayout& lay
       rows.append(kind == LineKind::flawedRow);
       if (kind == LineKind::row) lastGood = rows.table.rows() - 1;
     } else if (kind == LineKind::text && rows.table.rows() > 1 && beginsFurtherTable(line, layout, names, before)) {
-      rows.table.remarks.push_back("a table with other names begins below row " + std::to_string(rows.table.rows()) +
-                                   " and was left out");
+      rows.table.remarks.push_back(
+          message("a table with other names begins below row {} and was left out", rows.table.rows()));
       break;
     } else if (lastWithoutEnd && rows.cellsOfLast() < layout.cells &&
                (kind == LineKind::otherRow || layout.cells <= 3)) {
@@ -392,7 +394,7 @@ Result<void> readRows(std::string_view rest, char lineEnd, const TextLayout& lay
     return Error{name + ", row " + std::to_string(otherAt),
                  "has " + std::to_string(otherCells) + " cells, expected " + std::to_string(layout.cells)};
   }
-  if (cut) rows.table.remarks.emplace_back("the last line is cut short and was left out");
+  if (cut) rows.table.remarks.push_back(message("the last line is cut short and was left out"));
   if (texts > 0) rows.table.remarks.push_back(inFewWords(texts, firstText));
   rows.settle(lastGood);
   return {};
@@ -402,10 +404,11 @@ Result<void> readRows(std::string_view rest, char lineEnd, const TextLayout& lay
 Result<RawTable> readSentences(const SentenceRows& rows, const std::string& name) {
   auto table = readTextTable(rows.table, name);
   if (!table) return table;
-  table->remarks.emplace_back("rows that read as sentences: the words before each number name it");
+  table->remarks.push_back(message("rows that read as sentences: the words before each number name it"));
   if (rows.leftOut > 0)
-    table->remarks.push_back(std::to_string(rows.leftOut) + (rows.leftOut == 1 ? " line reads" : " lines read") +
-                             " otherwise than the others and " + (rows.leftOut == 1 ? "was" : "were") + " left out");
+    table->remarks.push_back(rows.leftOut == 1
+                                 ? message("1 line reads otherwise than the others and was left out")
+                                 : message("{} lines read otherwise than the others and were left out", rows.leftOut));
   return table;
 }
 

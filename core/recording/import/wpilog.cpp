@@ -136,12 +136,12 @@ Result<RawTable> readWpilog(std::string_view bytes, const std::string& name) {
   std::vector<Signal> signals;
   signals.reserve(entries.size());
   for (auto& [id, entry] : entries) signals.push_back(std::move(entry.signal));
-  auto table = tableOfSignals(signals, {"time", "us"}, "a WPILOG", name);
+  auto table = tableOfSignals(signals, {"time", "us"}, message("a WPILOG"), name);
   if (!table) return table.error();
-  if (!rest.empty()) table->remarks.emplace_back("the log's last record is cut short and was left out");
+  if (!rest.empty()) table->remarks.push_back(message("the log's last record is cut short and was left out"));
   for (const auto& [id, entry] : entries) {
     for (const auto& [text, number] : entry.texts)
-      table->remarks.push_back(entry.name + ": " + std::to_string(static_cast<int>(number)) + " is \"" + text + "\"");
+      table->remarks.push_back(message("{}: {} is \"{}\"", entry.name, static_cast<int>(number), text));
   }
   return table;
 }

@@ -229,8 +229,8 @@ Result<RawTable> readWorkbook(const ZipArchive& archive, const std::string& name
   auto table = readTextTable(filled, name);
   if (!table) return table.error();
   if (sheets > 1)
-    table->remarks.push_back("of " + std::to_string(sheets) + " sheets the one with the most numbers was read (" +
-                             bestMember.substr(std::strlen("xl/worksheets/")) + ")");
+    table->remarks.push_back(message("of {} sheets the one with the most numbers was read ({})", sheets,
+                                     bestMember.substr(std::strlen("xl/worksheets/"))));
   return table;
 }
 
