@@ -48,7 +48,7 @@ Result<Imported> settled(const ReadTable& read, const ImportMap& map, const std:
   auto tables = partsByColumn(read.table, map.split, path);
   if (!tables) return tables.error();
   for (const RawTable& one : *tables) parts << QString::fromStdString(one.notes.back().second);
-  if (tables->empty()) return Error{path, "has no value in the column \"" + map.split + "\" to split by"};
+  if (tables->empty()) return Error{path, message("has no value in the column \"{}\" to split by", map.split)};
   const size_t taken = std::min(static_cast<size_t>(std::max(part, 0)), tables->size() - 1);
   return settleTable(std::move((*tables)[taken]), map,
                      path + " (" + map.split + " " + parts[static_cast<int>(taken)].toStdString() + ")");

@@ -180,7 +180,7 @@ Result<void> takeOneEach(const RawTable& table, const ImportMap& map, std::vecto
       if (choice.name.to != to) continue;
       if (best < choices.size() && choice.byMap && choices[best].byMap)
         return Error{place,
-                     "two columns become " + to + "; name another one for \"" + table.columns[c].channel.name + "\""};
+                     message("two columns become {}; name another one for \"{}\"", to, table.columns[c].channel.name)};
       const bool better = best == choices.size() || (choice.byMap && !choices[best].byMap) ||
                           (choice.byMap == choices[best].byMap &&
                            rankOf(table.columns[c], choice, map) < rankOf(table.columns[best], choices[best], map));
@@ -207,8 +207,9 @@ Result<void> checkMap(const RawTable& table, const ImportMap& map, const std::st
   for (const std::string& name : wanted) {
     if (std::find(names.begin(), names.end(), name) != names.end()) continue;
     const auto suggestion = nearestName(name, names);
-    return Error{place, "has no column \"" + name + "\", which the map names" +
-                            (suggestion ? ", did you mean " + *suggestion + "?" : "")};
+    return Error{place, suggestion
+                            ? message("has no column \"{}\", which the map names, did you mean {}?", name, *suggestion)
+                            : message("has no column \"{}\", which the map names", name)};
   }
   return {};
 }

@@ -84,11 +84,10 @@ Result<bool> translateBam(RawTable& table, const std::string& name) {
   const auto first = std::find_if(raw.begin(), raw.end(), impossible);
   if (first != raw.end()) {
     return Error{name + ", entry " + std::to_string(first - raw.begin() + 1) + ", field load",
-                 std::to_string(*first) +
-                     " is no PWM value: the log was interpolated across the register's 16 bit wrap and its drive "
-                     "input is lost; import the raw log (" +
-                     std::to_string(std::count_if(raw.begin(), raw.end(), impossible)) + " of " +
-                     std::to_string(raw.size()) + " entries are like this)"};
+                 message("{} is no PWM value: the log was interpolated across the register's 16 bit wrap and its drive "
+                         "input is lost; "
+                         "import the raw log ({} of {} entries are like this)",
+                         std::to_string(*first), std::count_if(raw.begin(), raw.end(), impossible), raw.size())};
   }
   Channel duty{"duty", raw}, voltage{"voltage", raw};
   for (size_t k = 0; k < raw.size(); ++k) {

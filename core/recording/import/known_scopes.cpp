@@ -148,7 +148,7 @@ std::optional<ToolColumns> twincat(RawTable& table) {
     table.columns[c - 1].channel.name = c == 1 ? "time" : "time of " + names[c];
     table.columns[c - 1].unit = "ms";
     if (c > 1 && table.columns[c - 1].channel.values != table.columns[0].channel.values)
-      table.columns[c].fault = Error{names[c], "has times of its own, other than " + names[1]};
+      table.columns[c].fault = Error{names[c], message("has times of its own, other than {}", names[1])};
   }
   table.remarks.push_back(message("recognised TwinCAT's scope: the first variable's times, in ms"));
   return ToolColumns{};

@@ -107,10 +107,14 @@ Result<void> Settling::nameUnit(size_t c, const std::optional<double>& period) {
           message("whole numbers, of which the speed tells how many are one turn"));
       return {};
     }
-    const std::string hint = period ? ", perhaps " + shortText(*period) + ", after which it starts anew" : "";
-    return Error{path_ + ", column " + fate.from, "holds whole numbers and no unit; say how many are one turn" + hint +
-                                                      ", with --map {\"counts_per_rev\": " +
-                                                      (period ? shortText(*period) : "4096") + "}, or name its unit"};
+    const std::string told = "{\"counts_per_rev\": " + (period ? shortText(*period) : "4096") + "}";
+    return Error{
+        path_ + ", column " + fate.from,
+        period ? message("holds whole numbers and no unit; say how many are one turn, perhaps {}, after which it "
+                         "starts anew, with --map {}, or name its unit",
+                         shortText(*period), told)
+               : message("holds whole numbers and no unit; say how many are one turn, with --map {}, or name its unit",
+                         told)};
   }
   fate.why = message("by its name, which tells no unit");
   return {};
@@ -205,9 +209,9 @@ Result<void> Settling::nameSpeedUnit(size_t c, bool alone) {
   }
   constexpr double manyRadians_per_s = 30.0;
   if (!alone || choices_[c].byMap || !areWhole(values(c)) || largest(values(c)) < manyRadians_per_s) return {};
-  return Error{path_ + ", column " + fate.from, "holds whole numbers and no unit; say it with --map {\"columns\": {\"" +
-                                                    fate.from +
-                                                    "\": {\"to\": \"velocity_rad_per_s\", \"unit\": \"rpm\"}}}"};
+  return Error{path_ + ", column " + fate.from,
+               message("holds whole numbers and no unit; say it with --map {}",
+                       "{\"columns\": {\"" + fate.from + "\": {\"to\": \"velocity_rad_per_s\", \"unit\": \"rpm\"}}}")};
 }
 
 void Settling::speedByAngle(size_t c, size_t angle) {
@@ -237,7 +241,7 @@ void Settling::speedByAngle(size_t c, size_t angle) {
 Result<void> Settling::takeIntegral() {
   if (map_.integrate.empty()) return {};
   if (columnOf("angle_rad") || columnOf("position_m"))
-    return Error{path_, "has an angle already, so nothing is to be integrated"};
+    return Error{path_, message("has an angle already, so nothing is to be integrated")};
   for (size_t c = 0; c < fates_.size(); ++c) {
     if (fates_[c].from != map_.integrate || fates_[c].kind == ColumnFate::Kind::leftOut) continue;
     const bool linear = fates_[c].to == "velocity_m_per_s";
@@ -283,9 +287,10 @@ Result<void> Settling::needMotion() {
   for (const char* name : {"angle_rad", "position_m", "velocity_rad_per_s", "velocity_m_per_s"}) {
     if (columnOf(name) || made(name)) return {};
   }
-  return Error{path_,
-               "no column could be taken for the angle, position or speed; there are: " + names() +
-                   "; say which with --map {\"columns\": {\"NAME\": {\"to\": \"angle_rad\", \"unit\": \"deg\"}}}"};
+  return Error{
+      path_,
+      message("no column could be taken for the angle, position or speed; there are: {}; say which with --map {}",
+              names(), "{\"columns\": {\"NAME\": {\"to\": \"angle_rad\", \"unit\": \"deg\"}}}")};
 }
 
 void Settling::checkMotion() {

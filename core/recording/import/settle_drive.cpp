@@ -22,8 +22,8 @@ Result<void> Settling::takeDuty() {
     const bool pwm = std::find(words.begin(), words.end(), "pwm") != words.end();
     const auto full = fullDutyOf(duty, pwm);
     if (!full)
-      return dutyBeyond(*c, "can be the whole of it; say it with --map, e.g. {\"columns\": {\"" + fate.from +
-                                "\": {\"to\": \"duty\", \"scale\": 0.001}}}");
+      return dutyBeyond(*c, message("can be the whole of it; say it with --map, e.g. {}",
+                                    "{\"columns\": {\"" + fate.from + "\": {\"to\": \"duty\", \"scale\": 0.001}}}"));
     if (*full != 1.0) {
       fate.scale = 1.0 / *full;
       fate.unit = *full == 100.0 ? "%" : "1/" + shortText(*full);
@@ -37,18 +37,18 @@ Result<void> Settling::takeDuty() {
     for (double& value : duty) value = std::clamp(value, -1.0, 1.0);
     remarks_.push_back(message("the duty exceeds 1 by less than 2 % and was limited"));
   }
-  if (largest(duty) > 1.0 + 1e-6) return dutyBeyond(*c, "is a duty, which ends at 1");
+  if (largest(duty) > 1.0 + 1e-6) return dutyBeyond(*c, message("is a duty, which ends at 1"));
   return {};
 }
 
-Result<void> Settling::dutyBeyond(size_t c, const std::string& what) {
+Result<void> Settling::dutyBeyond(size_t c, const Message& what) {
   const auto& duty = values(c);
   const auto at = std::max_element(duty.begin(), duty.end(), [](double a, double b) {
     return (std::isfinite(a) ? std::abs(a) : -1.0) < (std::isfinite(b) ? std::abs(b) : -1.0);
   });
   return Error{path_ + ", row " + std::to_string(time_.rows[static_cast<size_t>(at - duty.begin())] + 1) + ", column " +
                    fates_[c].from,
-               shortText(*at) + ", the largest value: nothing tells which one " + what};
+               message("{}, the largest value: nothing tells which one {}", shortText(*at), what)};
 }
 
 Result<void> Settling::takeOther(size_t c) {
@@ -144,7 +144,8 @@ Result<void> Settling::turnSigns() {
       found = true;
       if (sign < 0.0) convert(channel.values, -1.0, 0.0);
     }
-    if (!found) return Error{path_, "has no column \"" + name + "\", whose sign the map turns; there are: " + names()};
+    if (!found)
+      return Error{path_, message("has no column \"{}\", whose sign the map turns; there are: {}", name, names())};
   }
   return {};
 }

@@ -46,8 +46,9 @@ Result<void> Settling::takeTime() {
     for (size_t k = 0; k < table_.rows(); ++k) raw.values.push_back(static_cast<double>(k) * *map_.sample_time_s);
     raw.unit_s = 1.0;
   } else if (!c) {
-    return Error{path_, "no column could be taken for the time; there are: " + names() +
-                            "; say which with --map, or how far the rows are apart: {\"sample_time_s\": 0.01}"};
+    return Error{path_, message("no column could be taken for the time; there are: {}; say which with --map, or how "
+                                "far the rows are apart: {}",
+                                names(), "{\"sample_time_s\": 0.01}")};
   } else {
     raw.values = std::move(values(*c));
     raw.origin = table_.columns[*c].origin;
@@ -103,7 +104,7 @@ Result<void> Settling::sparseRows() {
     if (std::isfinite(values(*motion)[k])) rows.push_back(k);
   }
   const size_t all = time_.time_s.size();
-  if (rows.empty()) return Error{path_ + ", column " + fates_[*motion].from, "holds no number"};
+  if (rows.empty()) return Error{path_ + ", column " + fates_[*motion].from, message("holds no number")};
   if (5 * rows.size() > 4 * all) return {};
   const auto time = columnOf("time_s");
   for (size_t c = 0; c < choices_.size(); ++c) {

@@ -144,8 +144,8 @@ Result<void> Settling::needOneAxis() {
   for (size_t k = 0; k < turn->names.size() && k < 4; ++k) list += (k == 0 ? "" : ", ") + turn->names[k];
   const std::string& column = table_.columns[turn->column].channel.name;
   return Error{path_ + ", column " + column,
-               "rows of " + std::to_string(turn->names.size()) + " axes stand in one table (" + list +
-                   (turn->names.size() > 4 ? ", …" : "") + "); part them with --map {\"split\": \"" + column + "\"}"};
+               message("rows of {} axes stand in one table ({}); part them with --map {}", turn->names.size(),
+                       list + (turn->names.size() > 4 ? ", …" : ""), "{\"split\": \"" + column + "\"}")};
 }
 
 Result<bool> Settling::fillNeed(size_t c, bool needed) {

@@ -198,12 +198,14 @@ Result<std::vector<size_t>> increasingRows(const std::vector<double>& values, do
       rows.push_back(k);
     }
   }
-  if (rows.empty() || (rows.size() < 2 && values.size() > 1 && falling == 0)) return Error{place, "holds no times"};
+  if (rows.empty() || (rows.size() < 2 && values.size() > 1 && falling == 0))
+    return Error{place, message("holds no times")};
   if (100 * falling > values.size()) {
     const double base = origin * unit_s;
-    return Error{place + ", row " + std::to_string(firstFalling + 1) + ", column time_s",
-                 exactText(base + values[firstFalling] * unit_s) + " does not increase after " +
-                     exactText(base + values[firstFalling - 1] * unit_s) + ", expected strictly increasing times"};
+    return Error{
+        place + ", row " + std::to_string(firstFalling + 1) + ", column time_s",
+        message("{} does not increase after {}, expected strictly increasing times",
+                exactText(base + values[firstFalling] * unit_s), exactText(base + values[firstFalling - 1] * unit_s))};
   }
   if (without > 0)
     remarks.push_back(without == 1 ? message("1 row has no time and was left out")
@@ -274,7 +276,7 @@ Result<SettledTime> settleTime(RawTime raw, const std::string& place) {
   for (size_t k = 1; k < settled.time_s.size(); ++k) {
     if (!(settled.time_s[k] > settled.time_s[k - 1]))
       return Error{place + ", row " + std::to_string(settled.rows[k] + 1) + ", column time_s",
-                   "differs from the row before by less than can be told"};
+                   message("differs from the row before by less than can be told")};
   }
   settled.pauses = pausesIn(settled.time_s);
   sayPauses(settled, settled.remarks);

@@ -71,7 +71,7 @@ class Settling {
   /// Angle and speed tell the unit of the time where nothing else does.
   void settleTimeByMotion();
   Result<void> takeDuty();
-  Result<void> dutyBeyond(size_t c, const std::string& what);
+  Result<void> dutyBeyond(size_t c, const Message& what);
   Result<void> takeOther(size_t c);
   /// Electrical values without a unit that look like a converter's counts or like mA.
   bool setCountsAside(size_t c);

@@ -42,8 +42,7 @@ Result<RawTable> tableOfSignals(const std::vector<Signal>& signals, const StampC
   if (base == nullptr || base->values.size() < 2) return Error{name, message("is {} without numbers over time", what)};
   constexpr size_t mostValues = size_t{1} << 28;
   if (signals.size() > mostValues / base->values.size())
-    return Error{name, "has too many signals: " + std::to_string(signals.size()) + " over " +
-                           std::to_string(base->values.size()) + " stamps"};
+    return Error{name, message("has too many signals: {} over {} stamps", signals.size(), base->values.size())};
   RawTable table;
   RawColumn stamps{{time.name, {}}, {}};
   stamps.unit = time.unit;

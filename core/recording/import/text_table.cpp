@@ -229,7 +229,7 @@ class Rows {
     rememberText(column, row, cells_[c]);
     if (column.fault) return;
     column.fault = Error{name_ + ", row " + std::to_string(row + 1) + ", column " + column.channel.name,
-                         "expected a number, found \"" + std::string(cells_[c].substr(0, 40)) + "\""};
+                         message("expected a number, found \"{}\"", cells_[c].substr(0, 40))};
   }
 
   /// All cells of a column have one unit.
@@ -239,7 +239,7 @@ class Rows {
     if (column.unit.empty()) column.unit = unit;
     if (column.unit == unit || column.fault || unitNamed(column.unit) == unitNamed(unit)) return;
     column.fault = Error{name_ + ", row " + std::to_string(row + 1) + ", column " + column.channel.name,
-                         "is in " + std::string(unit) + ", others in " + column.unit};
+                         message("is in {}, others in {}", unit, column.unit)};
   }
 
   template <typename Value>
@@ -260,7 +260,7 @@ class Rows {
     if (counts_[c].clocks == 0) return;
     column.clock = counts_[c].numbers == 0;
     if (!column.clock && !column.fault) {
-      column.fault = Error{name_ + ", column " + column.channel.name, "holds times of day beside numbers"};
+      column.fault = Error{name_ + ", column " + column.channel.name, message("holds times of day beside numbers")};
     }
   }
 
@@ -392,7 +392,7 @@ Result<void> readRows(std::string_view rest, char lineEnd, const TextLayout& lay
   }
   if (50 * others > rows.table.rows() + others && further < others) {
     return Error{name + ", row " + std::to_string(otherAt),
-                 "has " + std::to_string(otherCells) + " cells, expected " + std::to_string(layout.cells)};
+                 message("has {} cells, expected {}", otherCells, layout.cells)};
   }
   if (cut) rows.table.remarks.push_back(message("the last line is cut short and was left out"));
   if (texts > 0) rows.table.remarks.push_back(inFewWords(texts, firstText));
@@ -433,10 +433,12 @@ Result<RawTable> readTextTable(std::string_view text, const std::string& name) {
   if (auto signals = readLineProtocol(utf8, lineEnd, name)) return std::move(*signals);
   const auto sample = sampleOf(utf8, lineEnd);
   if (withoutBlanks(utf8.substr(0, 1000)).find_first_not_of("\r\n \t") == std::string_view::npos && sample.empty())
-    return Error{name, "is empty, expected a table"};
+    return Error{name, message("is empty, expected a table")};
   const TextLayout layout = layoutOf(sample);
   const Error none{
-      name, "holds no table: expected rows of at least two numbers, separated by commas, semicolons, tabs or blanks"};
+      name,
+      message(
+          "holds no table: expected rows of at least two numbers, separated by commas, semicolons, tabs or blanks")};
   if (layout.cells == 0) {
     const auto sentences = withSentencesAsCells(utf8, SentenceTime::any);
     return sentences ? readSentences(*sentences, name) : none;

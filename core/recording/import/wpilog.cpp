@@ -120,9 +120,9 @@ bool isWpilog(std::string_view bytes) {
 }
 
 Result<RawTable> readWpilog(std::string_view bytes, const std::string& name) {
-  if (bytes.size() < 12) return Error{name, "is a WPILOG that is cut short"};
+  if (bytes.size() < 12) return Error{name, message("is a WPILOG that is cut short")};
   const uint64_t extra = numberOf(bytes.substr(8, 4));
-  if (extra > bytes.size() - 12) return Error{name, "is a WPILOG that is cut short"};
+  if (extra > bytes.size() - 12) return Error{name, message("is a WPILOG that is cut short")};
   std::string_view rest = bytes.substr(12 + extra);
   std::map<uint64_t, Entry> entries;
   Record record;

@@ -318,11 +318,11 @@ std::optional<Result<RawTable>> readYamlMessages(std::string_view text, const st
   if (others > 0) table.remarks.push_back(inWords(others));
   if (rows.cutLists())
     table.remarks.push_back(message("lists end in \"...\": `ros2 topic echo --full-length` prints them whole"));
-  if (rows.rows() < 2) return Error{name, "holds one message only, expected several over time"};
+  if (rows.rows() < 2) return Error{name, message("holds one message only, expected several over time")};
   // Each number takes a byte at least: a table that is larger is mostly empty.
   if (rows.columns() > std::max(fewValues, size) / rows.rows())
-    return Error{name, "holds messages of too many kinds: " + std::to_string(rows.columns()) + " numbers over " +
-                           std::to_string(rows.rows()) + " messages"};
+    return Error{name,
+                 message("holds messages of too many kinds: {} numbers over {} messages", rows.columns(), rows.rows())};
   table.columns = rows.take();
   table.remarks.push_back(message("messages as YAML, {} of them", table.rows()));
   return table;
