@@ -189,13 +189,13 @@ void LogOpening::show(const Result<Imported>& imported, const QStringList& parts
     }
   } else {
     recording_ = imported->recording;
-    for (const std::string& remark : imported->remarks) remarks_ << QString::fromStdString(remark);
+    remarks_ = imported->remarks;
     for (size_t c = 0; c < std::min(columns_.size(), imported->columns.size()); ++c) {
       const ColumnFate& fate = imported->columns[c];
       LogColumn& column = columns_[c];
       if (fate.kind == ColumnFate::Kind::used) column.to = QString::fromStdString(fate.to);
       column.unit = QString::fromStdString(fate.unit == "SI" ? "" : fate.unit);
-      column.why = QString::fromStdString(fate.why);
+      column.why = fate.why;
       column.guessed = fate.guessed && fate.kind == ColumnFate::Kind::used;
     }
   }
