@@ -48,7 +48,7 @@ Result<Imported> settled(const ReadTable& read, const ImportMap& map, const std:
   auto tables = partsByColumn(read.table, map.split, path);
   if (!tables) return tables.error();
   for (const RawTable& one : *tables) parts << QString::fromStdString(one.notes.back().second);
-  if (tables->empty()) return Error{path, "has no value in the column \"" + map.split + "\" to split by"};
+  if (tables->empty()) return Error{path, message("has no value in the column \"{}\" to split by", map.split)};
   const size_t taken = std::min(static_cast<size_t>(std::max(part, 0)), tables->size() - 1);
   return settleTable(std::move((*tables)[taken]), map,
                      path + " (" + map.split + " " + parts[static_cast<int>(taken)].toStdString() + ")");
@@ -189,13 +189,13 @@ void LogOpening::show(const Result<Imported>& imported, const QStringList& parts
     }
   } else {
     recording_ = imported->recording;
-    for (const std::string& remark : imported->remarks) remarks_ << QString::fromStdString(remark);
+    remarks_ = imported->remarks;
     for (size_t c = 0; c < std::min(columns_.size(), imported->columns.size()); ++c) {
       const ColumnFate& fate = imported->columns[c];
       LogColumn& column = columns_[c];
       if (fate.kind == ColumnFate::Kind::used) column.to = QString::fromStdString(fate.to);
       column.unit = QString::fromStdString(fate.unit == "SI" ? "" : fate.unit);
-      column.why = QString::fromStdString(fate.why);
+      column.why = fate.why;
       column.guessed = fate.guessed && fate.kind == ColumnFate::Kind::used;
     }
   }

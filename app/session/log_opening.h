@@ -21,7 +21,7 @@ struct LogColumn {
   QString name;
   QString to;    ///< the recording's column; empty when it is none of those that mean something
   QString unit;  ///< as import names it
-  QString why;
+  Message why;
   bool guessed = false;
   std::vector<double> first;  ///< values as the file has them
 };
@@ -62,7 +62,7 @@ class LogOpening : public QObject {
   /// The values by which the rows are parted; empty when they aren't.
   const QStringList& parts() const { return parts_; }
   int part() const { return part_; }
-  const QStringList& remarks() const { return remarks_; }
+  const std::vector<Message>& remarks() const { return remarks_; }
   /// Why it is no recording yet, in one line.
   const Message& fault() const { return fault_; }
 
@@ -82,7 +82,7 @@ class LogOpening : public QObject {
   ImportMap map_;
   std::optional<Recording> recording_;
   std::vector<LogColumn> columns_;
-  QStringList remarks_;
+  std::vector<Message> remarks_;
   QStringList parts_;
   int part_ = 0;
   Message fault_;

@@ -26,6 +26,13 @@ enum Cell { name, takenAs, unit, why, first };
 constexpr size_t mostRows = 500;
 constexpr int choiceHeight = 32, numberWidth = 92, shortestChoice = 8;
 
+/// What was found, in one line.
+QString remarksOf(const LogOpening& log) {
+  QStringList remarks;
+  for (const Message& one : log.remarks()) remarks << inLanguage(one);
+  return remarks.join("; ");
+}
+
 /// What a technician chooses from, by the unit of the recording's column.
 QStringList unitsOf(const QString& column) {
   const Column* known = columnNamed(column.toStdString());
@@ -156,7 +163,7 @@ void LogPanel::fill() {
   title_->setText(tr("%1, as it is understood").arg(QFileInfo(log_.path()).fileName()));
   state_->setText(log_.settling()         ? tr("Reading…")
                   : !log_.fault().empty() ? inLanguage(log_.fault())
-                                          : log_.remarks().join("; "));
+                                          : remarksOf(log_));
   const auto rows = static_cast<int>(std::min(log_.columns().size(), mostRows));
   if (table_->rowCount() != rows) table_->setRowCount(rows);
   for (int row = 0; row < rows; ++row) showRow(row, log_.columns()[static_cast<size_t>(row)]);
@@ -189,7 +196,7 @@ void LogPanel::showRow(int row, const LogColumn& column) {
           {column.name,
            {},
            {},
-           column.guessed ? tr("a guess: %1").arg(column.why) : column.why,
+           column.guessed ? tr("a guess: %1").arg(inLanguage(column.why)) : inLanguage(column.why),
            numbersText(column.first)});
   for (const int cell : {name, why}) table_->item(row, cell)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   QStringList names{tr("–")};

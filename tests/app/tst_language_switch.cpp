@@ -32,6 +32,7 @@ class TestLanguageSwitch : public QObject {
   void edits_stay();
   void findings_haveTheirRoom();
   void results_areShownInTheOtherLanguage();
+  void openLog_isUnderstoodInTheOtherLanguage();
   void everyField_staysAsItWas();
   void turningMotor_isLeftAlone();
   void openQuestion_isWaitedFor();
@@ -188,6 +189,40 @@ void TestLanguageSwitch::results_areShownInTheOtherLanguage() {
   const TemporaryFolder folder;
   desk.window.showPage("frictionPage");
   QVERIFY(desk.exported("csv", QString::fromStdString(folder.path("map.csv"))));
+}
+
+/// What is understood of another tool's log, what was found in it, and what is wrong with it.
+void TestLanguageSwitch::openLog_isUnderstoodInTheOtherLanguage() {
+  const TemporaryFolder folder;
+  std::string text = "t;Winkel [deg];omega;Winkel 2 [deg];foo\n";
+  for (int k = 0; k < 50; ++k)
+    text += std::to_string(10 * k) + ";" + std::to_string(k * k) + ";" + std::to_string(200 * k) + ";1;2\n";
+  Desk desk;
+  desk.window.showPage("comparePage");
+  LogOpening& log = desk.session.comparison.log();
+  desk.session.comparison.open(QString::fromStdString(folder.write("log.csv", text)));
+  const auto settled = [&log] { return log.isOpen() && !log.settling(); };
+  QVERIFY(QTest::qWaitFor(settled, patience_ms));
+  const auto why = [&desk](int row) { return named<QTableWidget>(desk.window, "logColumns")->item(row, 3)->text(); };
+  const auto state = [&desk] { return named<QLabel>(desk.window, "logState")->text(); };
+  QCOMPARE(why(1), QString("by its name"));
+  QCOMPARE(why(2), QString("a guess: so it agrees with the angle"));
+  QCOMPARE(why(4), QString("its name says nothing that is known"));
+  QCOMPARE(state(), QString("the time has no unit; steps of 10 were taken for ms"));
+
+  choose(desk.window, "Deutsch");
+  QVERIFY(spoken(Language::german));
+  QVERIFY(settled());
+  QCOMPARE(why(1), QString("nach ihrem Namen"));
+  QCOMPARE(why(2), QString("geraten: so stimmt sie mit dem Winkel überein"));
+  QCOMPARE(why(4), QString("ihr Name sagt nichts Bekanntes"));
+  QCOMPARE(state(), QString("die Zeit hat keine Einheit; Schritte von 10 wurden als ms genommen"));
+  log.take("t", {}, {});
+  QVERIFY(QTest::qWaitFor([&] { return settled() && !log.fault().empty(); }, patience_ms));
+  QVERIFY2(state().contains("keine Spalte war als Zeit zu verstehen"), qPrintable(state()));
+  desk.session.comparison.open(QString::fromStdString(folder.write("log.xls", "\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1")));
+  QVERIFY(QTest::qWaitFor([&] { return desk.session.messages.lines().back().text.contains("ist eine Office-Datei"); },
+                          patience_ms));
 }
 
 /// Each one that can be changed is changed, also where pages hold more than their fields.

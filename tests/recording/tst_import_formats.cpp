@@ -3,12 +3,26 @@
 #include <QRegularExpression>
 #include <QTest>
 
+#include "base/catalogue.h"
 #include "recording/csv.h"
 #include "recording/import/import.h"
 #include "support/temporary.h"
 
 using namespace breakaway;
 using breakaway::test::TemporaryFolder;
+
+namespace {
+
+/// Whether the window says it otherwise in German.
+bool hasGerman(const Message& message) {
+  static const auto german = [] {
+    QFile file(qEnvironmentVariable("BREAKAWAY_SOURCE_DIR") + "/resources/lang/core_de.json");
+    return file.open(QIODevice::ReadOnly) ? *Catalogue::read(file.readAll().toStdString()) : Catalogue();
+  }();
+  return message.in(german) != message.english();
+}
+
+}  // namespace
 
 /// The manual's table of forms, import.md, each row with a file in tests/data/import.
 class TestImportFormats : public QObject {
@@ -108,7 +122,9 @@ void TestImportFormats::everyColumn_isTold() {
     QVERIFY2(!column.why.empty(), column.from.c_str());
     const bool there = column.kind != ColumnFate::Kind::leftOut;
     QVERIFY2(imported->recording.has(column.to) == there || !there, column.to.c_str());
+    QVERIFY2(hasGerman(column.why), column.why.c_str());
   }
+  for (const Message& remark : imported->remarks) QVERIFY2(hasGerman(remark), remark.c_str());
 }
 
 void TestImportFormats::whatNoFileSays_isAskedFor_data() {
@@ -137,6 +153,7 @@ void TestImportFormats::whatNoFileSays_isAskedFor() {
   QVERIFY(!imported.ok());
   const QString message = QString::fromStdString(imported.error().message());
   QVERIFY2(message.contains(asked) && message.contains("--map"), qPrintable(message));
+  QVERIFY2(hasGerman(imported.error().fact), qPrintable(message));
 }
 
 void TestImportFormats::currentsAndVoltages_areNeverAnAngle() {
@@ -214,7 +231,8 @@ void TestImportFormats::whatCannotBe_isCalledImplausible() {
   const auto imported = importRecording(temporary_.write("log.csv", text.toStdString()));
   VERIFY_OK(imported);
   QString implausible;
-  for (const std::string& remark : imported->remarks) {
+  for (const Message& remark : imported->remarks) {
+    QVERIFY2(hasGerman(remark), remark.c_str());
     if (remark.starts_with("implausible")) implausible += QString::fromStdString(remark) + "\n";
   }
   if (said.isEmpty()) QCOMPARE(implausible, QString());
@@ -245,6 +263,7 @@ void TestImportFormats::filesThatAreNotRead_areNamed() {
   const auto imported = importRecording(temporary_.write("log.dat", bytes.toStdString()));
   QVERIFY(!imported.ok());
   QVERIFY2(QString::fromStdString(imported.error().message()).contains(said), imported.error().message().c_str());
+  QVERIFY2(hasGerman(imported.error().fact), imported.error().message().c_str());
 }
 
 QTEST_APPLESS_MAIN(TestImportFormats)

@@ -93,7 +93,7 @@ void checkTimes(const RawTable& table, std::vector<Choice>& choices) {
     const bool only =
         std::count_if(choices.begin(), choices.end(), [](const Choice& one) { return one.name.to == "time_s"; }) == 1;
     const bool needed = choice.name.rank <= 1 && only;  // then a time that falls is an error with its row
-    if (!needed && !goesUp(table.columns[c])) setAside(choice, "doesn't go on increasing, as a time does");
+    if (!needed && !goesUp(table.columns[c])) setAside(choice, message("doesn't go on increasing, as a time does"));
   }
 }
 
@@ -180,7 +180,7 @@ Result<void> takeOneEach(const RawTable& table, const ImportMap& map, std::vecto
       if (choice.name.to != to) continue;
       if (best < choices.size() && choice.byMap && choices[best].byMap)
         return Error{place,
-                     "two columns become " + to + "; name another one for \"" + table.columns[c].channel.name + "\""};
+                     message("two columns become {}; name another one for \"{}\"", to, table.columns[c].channel.name)};
       const bool better = best == choices.size() || (choice.byMap && !choices[best].byMap) ||
                           (choice.byMap == choices[best].byMap &&
                            rankOf(table.columns[c], choice, map) < rankOf(table.columns[best], choices[best], map));
@@ -188,7 +188,7 @@ Result<void> takeOneEach(const RawTable& table, const ImportMap& map, std::vecto
     }
     for (size_t c = 0; c < choices.size(); ++c) {
       if (c != best && choices[c].name.to == to)
-        setAside(choices[c], "would be a second " + to + ", beside " + table.columns[best].channel.name);
+        setAside(choices[c], message("would be a second {}, beside {}", to, table.columns[best].channel.name));
     }
   }
   return {};
@@ -207,8 +207,9 @@ Result<void> checkMap(const RawTable& table, const ImportMap& map, const std::st
   for (const std::string& name : wanted) {
     if (std::find(names.begin(), names.end(), name) != names.end()) continue;
     const auto suggestion = nearestName(name, names);
-    return Error{place, "has no column \"" + name + "\", which the map names" +
-                            (suggestion ? ", did you mean " + *suggestion + "?" : "")};
+    return Error{place, suggestion
+                            ? message("has no column \"{}\", which the map names, did you mean {}?", name, *suggestion)
+                            : message("has no column \"{}\", which the map names", name)};
   }
   return {};
 }
@@ -247,8 +248,9 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
       choice = guess(column);
     }
     if (map.sample_time_s && choice.name.to == "time_s" && !choice.byMap)
-      setAside(choice, "the map's sample time takes its place");
-    if (column.clock && choice.name.understood() && choice.name.to != "time_s") setAside(choice, "holds times of day");
+      setAside(choice, message("the map's sample time takes its place"));
+    if (column.clock && choice.name.understood() && choice.name.to != "time_s")
+      setAside(choice, message("holds times of day"));
     if (column.clock && !choice.byMap && !choice.name.understood()) {
       choice.name = ColumnName{};
       choice.name.to = "time_s";
@@ -266,7 +268,7 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
   for (Choice& choice : choices) {
     if (!choice.name.understood() || choice.byMap || choice.name.to == "time_s") continue;
     if (!axis.empty() && !choice.name.group.empty() && choice.name.group != axis)
-      setAside(choice, "belongs to another axis (" + choice.name.group + ") than the one taken (" + axis + ")");
+      setAside(choice, message("belongs to another axis ({}) than the one taken ({})", choice.name.group, axis));
   }
   if (const auto one = takeOneEach(table, map, choices, place); !one) return one.error();
   for (size_t c = 0; c < choices.size(); ++c) {
@@ -274,7 +276,7 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
     if (!fault) continue;
     if (choices[c].name.understood()) return *fault;
     choices[c].dropped = true;
-    choices[c].name.aside = "holds text";
+    choices[c].name.aside = message("holds text");
   }
   return choices;
 }

@@ -43,7 +43,7 @@ std::optional<Result<RawTable>> readCodesysTrace(std::string_view text, char lin
     signals.back().stamps.push_back(stamp.large ? Stamp{stamp.whole, stamp.rest} : Stamp{0, stamp.value});
     signals.back().values.push_back(value.value);
   }
-  return tableOfSignals(signals, {"time", {}}, "a CODESYS trace", name);
+  return tableOfSignals(signals, {"time", {}}, message("a CODESYS trace"), name);
 }
 
 }  // namespace breakaway

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/marked_text.h"
 #include "recording/columns.h"
 #include "recording/import/name_parts.h"
 #include "recording/import/quantity_words.h"
@@ -80,14 +81,15 @@ std::string contractName(UnitKind kind, bool reference) {
   return quantity ? columnName(*quantity, linear ? Axis::linear : Axis::rotary) : std::string();
 }
 
-const char* nounOf(UnitKind kind) {
+Message nounOf(UnitKind kind) {
   constexpr auto nouns =
-      std::to_array<const char*>({"a time", "an angle", "a length", "a speed", "a speed", "a current", "a voltage",
-                                  "a torque", "a force", "a temperature", "a ratio"});
-  return nouns[static_cast<size_t>(kind)];
+      std::to_array<MessageText<0>>({marked("a time"), marked("an angle"), marked("a length"), marked("a speed"),
+                                     marked("a speed"), marked("a current"), marked("a voltage"), marked("a torque"),
+                                     marked("a force"), marked("a temperature"), marked("a ratio")});
+  return message(nouns[static_cast<size_t>(kind)]);
 }
 
-ColumnName aside(std::string why, const NameParts& parts) {
+ColumnName aside(Message why, const NameParts& parts) {
   ColumnName name;
   name.aside = std::move(why);
   name.group = parts.group;
@@ -113,15 +115,16 @@ bool isSingleLetter(const std::string& word, std::string_view letters) {
 }
 
 /// A column of the electrical side that isn't the motor's own; empty when it may be.
-std::string notTheMotors(UnitKind kind, const Words& words, bool supply) {
+Message notTheMotors(UnitKind kind, const Words& words, bool supply) {
   const auto has = [&words](std::string_view word) { return isIn(words, word); };
-  if (kind == UnitKind::current && supply) return "is the supply's current, not the motor's";
-  if (has("d") || has("id") || has("ud") || has("vd") || has("daxis")) return "is the d axis, which makes no torque";
+  if (kind == UnitKind::current && supply) return message("is the supply's current, not the motor's");
+  if (has("d") || has("id") || has("ud") || has("vd") || has("daxis"))
+    return message("is the d axis, which makes no torque");
   const bool q = has("q") || has("iq") || has("uq") || has("vq");
   const bool letter =
       std::any_of(words.begin(), words.end(), [](const std::string& word) { return isSingleLetter(word, "abcuvw"); });
   const bool phase = letter || has("pha") || has("phb") || has("phc") || has("ia") || has("ib") || has("ic");
-  if (!q && phase && words.size() > 1) return "is one phase's";
+  if (!q && phase && words.size() > 1) return message("is one phase's");
   return {};
 }
 
@@ -133,10 +136,10 @@ Words withoutWord(Words words, size_t at) {
 
 /// Where no word names a quantity the unit may.
 ColumnName byUnitAlone(const NameParts& parts) {
-  if (parts.unit == nullptr) return aside("its name says nothing that is known", parts);
+  if (parts.unit == nullptr) return aside(message("its name says nothing that is known"), parts);
   const UnitKind kind = parts.unit->kind;
   bool reference = false, plain = true, motors = false;
-  if (std::string_view(parts.unit->name) == "hz") return aside("is a frequency", parts);
+  if (std::string_view(parts.unit->name) == "hz") return aside(message("is a frequency"), parts);
   const bool counts = parts.unit->needs == UnitNeeds::countsPerRev;
   for (const std::string& word : parts.words) {
     reference = reference || isIn(referenceWords, word);
@@ -151,13 +154,13 @@ ColumnName byUnitAlone(const NameParts& parts) {
     const bool letter =
         parts.words.size() == 1 && (parts.words[0] == "i" || parts.words[0] == "m" || parts.words[0] == "im");
     if (motors || letter) return taken(parts, contractName(kind, reference), 2);
-    return aside("its name says nothing that is known", parts);
+    return aside(message("its name says nothing that is known"), parts);
   }
   const bool letter = parts.words.size() == 1 && isSingleLetter(parts.words[0], "mt");  // "M [Nm]"
   const bool enough = kind == UnitKind::time || kind == UnitKind::angularVelocity ||
                       (kind == UnitKind::angle && plain) || (kind == UnitKind::torque && letter);
   const std::string to = contractName(kind, reference);
-  if (!enough || to.empty()) return aside("its name says nothing that is known", parts);
+  if (!enough || to.empty()) return aside(message("its name says nothing that is known"), parts);
   ColumnName name = taken(parts, to, plain && kind == UnitKind::angularVelocity ? 0 : 3);
   name.byUnit = !plain && kind != UnitKind::time;
   return name;
@@ -206,7 +209,7 @@ bool knowsQuantity(std::string_view name) {
 
 ColumnName understandName(std::string_view name, std::string_view unit) {
   constexpr size_t longestName = 200;
-  if (name.size() > longestName) return aside("its name is too long to be one", NameParts{});
+  if (name.size() > longestName) return aside(message("its name is too long to be one"), NameParts{});
   if (unit.empty()) {
     if (const auto only = unitAsName(name)) return *only;
   }
@@ -216,16 +219,16 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
   const bool sideAndUnit = parts.unit != nullptr && unit.empty() && parts.unitText.size() > 2;  // "left_ticks"
   if (parts.words.empty() && (parts.unitFirst || (sideAndUnit && !parts.group.empty())))        // "left_rpm" as "rpm"
     return taken(parts, contractName(parts.unit->kind, false), parts.unit->kind == UnitKind::angularVelocity ? 0 : 2);
-  if (parts.words.empty()) return aside("it has no name", parts);
-  if (isMultiplied(name)) return aside("a factor stands in its name", parts);
+  if (parts.words.empty()) return aside(message("it has no name"), parts);
+  if (isMultiplied(name)) return aside(message("a factor stands in its name"), parts);
   if (const std::string* other = firstIn(parts.words, otherThings)) {
     const bool clock = *other == "sim" && isIn(parts.words, "time");
     if (!clock && (*other != "sum" || parts.words.size() > 1))
-      return aside("the word \"" + *other + "\" makes it something else", parts);
+      return aside(message("the word \"{}\" makes it something else", *other), parts);
   }
   if (const std::string* heading = firstIn(parts.words, headings)) {
     if (firstIn(parts.words, jointWords) == nullptr)
-      return aside("the word \"" + *heading + "\" makes it something else", parts);
+      return aside(message("the word \"{}\" makes it something else", *heading), parts);
     parts.group += (parts.group.empty() ? "" : ".") + *heading;
     std::erase(parts.words, std::string(*heading));
   }
@@ -248,13 +251,13 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
                       !isIn(parts.words, "input") && !isIn(parts.words, "bus") && !isIn(parts.words, "esc");
     const bool volts = isIn(parts.words, "v") && supplyWord;  // "v_bus"
     if (bare || volts) return taken(parts, columnName(Quantity::supply, Axis::rotary), 1);
-    if (parts.unknownUnit) return aside("its unit \"" + parts.unitText + "\" is unknown", parts);
+    if (parts.unknownUnit) return aside(message("its unit \"{}\" is unknown", parts.unitText), parts);
     return byUnitAlone(parts);
   }
   UnitKind kind = found.word->kind;
   const bool present = kind == UnitKind::current && parts.unit == nullptr && found.at + 1 < parts.words.size();
   if (present && (parts.words[found.at + 1] == "state" || parts.words[found.at + 1] == "status"))
-    return aside("is a state", parts);
+    return aside(message("is a state"), parts);
   const std::string& named = parts.words[found.at];
   const bool perSecond = parts.unknownUnit && (parts.unitText == "1/s" || parts.unitText == "s^-1") &&
                          (named == "omega" || named == "w" || named == "ω" || named == "winkelgeschwindigkeit");
@@ -262,7 +265,7 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
     parts.unit = unitNamed("rad/s");
     parts.unknownUnit = false;
   }
-  if (parts.unknownUnit) return aside("its unit \"" + parts.unitText + "\" is unknown", parts);
+  if (parts.unknownUnit) return aside(message("its unit \"{}\" is unknown", parts.unitText), parts);
   if (kind == UnitKind::angularVelocity && parts.unitText == "rads") parts.unit = unitNamed("rad/s");  // "vel_rads"
   if (kind == UnitKind::angularVelocity && parts.unitText == "degs") parts.unit = unitNamed("deg/s");
   // Drives tell the current that makes torque by the torque's name: "Actual torque [mA]".
@@ -274,8 +277,8 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
     const bool strongElectrical = kind == UnitKind::current || kind == UnitKind::voltage;
     const bool adjective = parts.words[found.at] == "current" || parts.words[found.at] == "curr";  // "current_rpm"
     if (found.word->weak || adjective || (inWinding && !strongElectrical && supplyWord)) return byUnitAlone(parts);
-    if (isSingleLetter(parts.unitText, "abcuvw") && strongElectrical) return aside("is one phase's", parts);
-    return aside("its unit \"" + parts.unitText + "\" is none of " + nounOf(kind), parts);
+    if (isSingleLetter(parts.unitText, "abcuvw") && strongElectrical) return aside(message("is one phase's"), parts);
+    return aside(message("its unit \"{}\" is none of {}", parts.unitText, nounOf(kind)), parts);
   }
   if (parts.unit != nullptr) kind = parts.unit->kind;
   bool reference = false;
@@ -295,7 +298,7 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
         ++unknownBefore;
         continue;
       }
-      ColumnName unknown = aside("what \"" + word + "\" makes of it is unknown", parts);
+      ColumnName unknown = aside(message("what \"{}\" makes of it is unknown", word), parts);
       unknown.unknownWord = word;
       return unknown;
     } else if (k < found.at && !isIn(decorations, word)) {
@@ -307,7 +310,7 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
     }
     if (found.word->weak && k != found.at && !desired && !isIn(decorations, word) && !isIn(referenceWords, word) &&
         quantityNamed(word) == nullptr && kind != UnitKind::time)
-      return aside("its name says nothing that is known", parts);
+      return aside(message("its name says nothing that is known"), parts);
   }
   const bool inWinding = kind == UnitKind::current || kind == UnitKind::voltage;
   const bool supply = supplyWord && inWinding;
@@ -323,24 +326,24 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
       {"pwm", "duty", "pulse", "rise", "settling", "response", "reaction", "execution", "charge", "charging"});
   if (kind == UnitKind::time) {
     if (const std::string* word = firstIn(parts.words, durations))
-      return aside("\"" + *word + "\" is how long something takes", parts);
+      return aside(message("\"{}\" is how long something takes", *word), parts);
   }
   if (kind == UnitKind::torque || kind == UnitKind::force) {
     if (const std::string* word = firstIn(parts.words, loadWords))
-      return aside("\"" + *word + "\" is not what the motor gives", parts);
+      return aside(message("\"{}\" is not what the motor gives", *word), parts);
     const bool part = found.at + 1 < parts.words.size() && isSingleLetter(parts.words[found.at + 1], "fg");
     if (part && kind == UnitKind::torque)
-      return aside("is friction's or gravity's part of a torque", parts);  // "tau_f"
+      return aside(message("is friction's or gravity's part of a torque"), parts);  // "tau_f"
   }
   if (kind == UnitKind::temperature) {
     if (const std::string* word = firstIn(parts.words, driverWords))
-      return aside("is the temperature of the " + *word + ", not of the winding", parts);
+      return aside(message("is the temperature of the {}, not of the winding", *word), parts);
   }
   const bool moves = kind == UnitKind::angle || kind == UnitKind::angularVelocity || kind == UnitKind::torque ||
                      kind == UnitKind::length || kind == UnitKind::linearVelocity;
   if (moves && isIn(parts.words, "input")) reference = true;  // what a controller is given
   const std::string to = contractName(kind, reference);
-  if (to.empty()) return aside("is a reference, not what was measured", parts);
+  if (to.empty()) return aside(message("is a reference, not what was measured"), parts);
   const bool q = isIn(parts.words, "q") || isIn(parts.words, "iq");
   const bool command = reference && to.find("reference") == std::string::npos;
   int rank = (parts.unit == nullptr ? 1 : 0) + (found.word->weak ? 2 : 0) + (command ? 4 : 0);
@@ -351,12 +354,13 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
   understood.qualified = unknownBefore > 0 && kind != UnitKind::time;
   if (parts.unit == nullptr) understood.usual = found.word->usual;
   if (parts.unit != nullptr && std::string_view(parts.unit->name) == "hz")
-    understood.guess = "a motor's turns per second, not those of its field";
+    understood.guess = message("a motor's turns per second, not those of its field");
   const bool controls = isIn(parts.words, "control") || isIn(parts.words, "controller");
-  if ((command || controls) && kind == UnitKind::torque) understood.guess = "it is what was commanded, not measured";
+  if ((command || controls) && kind == UnitKind::torque)
+    understood.guess = message("it is what was commanded, not measured");
   if (electrical && turns) {
     if (understood.needs != UnitNeeds::nothing && understood.needs != UnitNeeds::polePairs)
-      return aside("is in counts of electrical turns", parts);
+      return aside(message("is in counts of electrical turns"), parts);
     understood.needs = UnitNeeds::polePairs;
   }
   return understood;

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/message.h"
 #include "recording/import/units.h"
 
 namespace breakaway {
@@ -11,7 +12,7 @@ namespace breakaway {
 /// What a name and its unit tell: value in the contract's unit = scale × value + offset, divided by what is needed.
 struct ColumnName {
   std::string to;                ///< the contract's name, with its unit; empty when the column isn't understood
-  std::string aside;             ///< then: why
+  Message aside;                 ///< then: why
   std::string unknownWord = {};  ///< then: the word behind the quantity that may change everything
   double scale = 1.0;
   double offset = 0.0;
@@ -20,7 +21,7 @@ struct ColumnName {
   UnitNeeds needs = UnitNeeds::nothing;
   std::string group;       ///< which of several axes: the numbers in the name; empty for all or none
   bool byUnit = false;     ///< no word tells what it is, its unit alone does
-  std::string guess = {};  ///< why it may be otherwise; empty when nothing says so
+  Message guess = {};      ///< why it may be otherwise; empty when nothing says so
   int rank = 0;            ///< of several columns for the same thing the lowest is taken
   bool qualified = false;  ///< an unknown word stands before: "hand_torque" comes after "torque"
 

@@ -43,7 +43,7 @@ void setPhasesAside(const RawTable& table, std::vector<Choice>& choices) {
     for (size_t at = 1; at < name.size(); ++at) {
       const bool endsWord = at + 1 == name.size() || std::isalnum(static_cast<unsigned char>(name[at + 1])) == 0;
       if (endsWord && hasPhasesBeside(names, name, at)) {
-        setAside(choices[c], "is one phase's");
+        setAside(choices[c], message("is one phase's"));
         break;
       }
     }
@@ -58,7 +58,7 @@ void setVehiclesAside(std::vector<Choice>& choices) {
   if (has("position_m") || (!has("angle_rad") && !has("velocity_rad_per_s"))) return;
   for (Choice& choice : choices) {
     const bool linear = choice.name.to == "velocity_m_per_s" || choice.name.to == "velocity_reference_m_per_s";
-    if (linear && !choice.byMap) setAside(choice, "is a linear speed, beside a motor that turns");
+    if (linear && !choice.byMap) setAside(choice, message("is a linear speed, beside a motor that turns"));
   }
 }
 
@@ -69,7 +69,7 @@ void setPidTermsAside(const RawTable& table, std::vector<Choice>& choices) {
     terms += isSameWord(column.channel.name, "p") || isSameWord(column.channel.name, "d") ? 1 : 0;
   for (size_t c = 0; c < choices.size(); ++c) {
     const bool term = terms >= 2 && isSameWord(table.columns[c].channel.name, "i") && table.columns[c].unit.empty();
-    if (term && !choices[c].byMap) setAside(choices[c], "is a controller's integral term");
+    if (term && !choices[c].byMap) setAside(choices[c], message("is a controller's integral term"));
   }
 }
 
@@ -85,7 +85,8 @@ void setPresentAside(const RawTable& table, std::vector<Choice>& choices) {
     const auto words = wordsOf(table.columns[c].channel.name, true);
     const bool place = words.size() == 2 && words[0].starts_with("cur") && words[1].size() == 1 &&
                        std::string_view("xyz").find(words[1]) != std::string_view::npos;
-    if (place && wanted.contains(words[1])) setAside(choices[c], "is where it is now, beside where it shall be");
+    if (place && wanted.contains(words[1]))
+      setAside(choices[c], message("is where it is now, beside where it shall be"));
   }
 }
 
@@ -98,7 +99,7 @@ void setRowNumbersAside(const RawTable& table, std::vector<Choice>& choices) {
     const bool counts = values.size() > 2 && std::adjacent_find(values.begin(), values.end(), [](double a, double b) {
                                                return b != a + 1.0;
                                              }) == values.end();
-    if (counts && choices[c].name.to != "time_s") setAside(choices[c], "counts the rows");
+    if (counts && choices[c].name.to != "time_s") setAside(choices[c], message("counts the rows"));
   }
 }
 
@@ -119,8 +120,8 @@ void setPlacesAside(const RawTable& table, std::vector<Choice>& choices) {
     const bool moves = choices[c].name.to == "angle_rad" || choices[c].name.to == "velocity_rad_per_s";
     const bool told = letterOf(c) != 's' && !choices[c].name.unit.empty();
     if (moves && !told && !choices[c].byMap && letterOf(c) != ' ')
-      setAside(choices[c], letterOf(c) == 's' ? "is a vehicle's steering, beside a motor that turns"
-                                              : "is a place in space, beside a motor that turns");
+      setAside(choices[c], letterOf(c) == 's' ? message("is a vehicle's steering, beside a motor that turns")
+                                              : message("is a place in space, beside a motor that turns"));
   }
 }
 
@@ -159,7 +160,7 @@ void setLinesAside(const RawTable& table, std::vector<Choice>& choices) {
     const auto& values = table.columns[c].channel.values;
     const bool line = std::all_of(values.begin(), values.end(), [](double v) { return v == 0.0 || v == 1.0; });
     if (encoder && line && choices[c].name.to == "angle_rad" && !choices[c].byMap && values.size() > 1)
-      setAside(choices[c], "is only ever 0 or 1: one of an encoder's lines");
+      setAside(choices[c], message("is only ever 0 or 1: one of an encoder's lines"));
   }
 }
 
@@ -174,7 +175,7 @@ void setTextsAside(const RawTable& table, std::vector<Choice>& choices) {
     bool other = false;
     for (size_t k = 0; k < choices.size(); ++k)
       other = other || (k != c && choices[k].name.to == choices[c].name.to && holdsNumbers(k));
-    if (other) setAside(choices[c], "holds text");
+    if (other) setAside(choices[c], message("holds text"));
   }
 }
 
@@ -201,7 +202,7 @@ void setTiltAside(const RawTable& table, std::vector<Choice>& choices) {
   for (size_t c = 0; c < choices.size(); ++c) {
     const bool motorsOwn = firstIn(wordsOf(table.columns[c].channel.name, true), jointWords) != nullptr;
     if (choices[c].name.to == "angle_rad" && !choices[c].byMap && !countsAsMotors(c) && !motorsOwn)
-      setAside(choices[c], "is how far something leans, as gyro and acceleration beside it say");
+      setAside(choices[c], message("is how far something leans, as gyro and acceleration beside it say"));
   }
 }
 
@@ -212,15 +213,15 @@ void setEmptyAside(const RawTable& table, std::vector<Choice>& choices) {
     const auto& values = column.channel.values;
     const bool empty = std::none_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
     if (empty && !values.empty() && choices[c].name.understood() && !choices[c].byMap && !column.fault)
-      setAside(choices[c], "holds no number");
+      setAside(choices[c], message("holds no number"));
   }
 }
 
 }  // namespace
 
-void setAside(Choice& choice, const std::string& why) {
+void setAside(Choice& choice, Message why) {
   choice.name = ColumnName{};
-  choice.name.aside = why;
+  choice.name.aside = std::move(why);
 }
 
 void judgeByNeighbours(const RawTable& table, std::vector<Choice>& choices) {

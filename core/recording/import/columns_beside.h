@@ -10,7 +10,7 @@
 namespace breakaway {
 
 /// The column stays unused, and why.
-void setAside(Choice& choice, const std::string& why);
+void setAside(Choice& choice, Message why);
 
 /// Sets aside what others beside it show to be something else: phases, empty columns and texts, a controller's terms,
 /// row numbers, places in space, how far something leans, a vehicle's speed. A position beside a force is linear.

@@ -100,7 +100,7 @@ std::optional<Result<RawTable>> readControlDeskText(std::string_view text, char 
   if (!separator) return std::nullopt;
   Sections sections(*separator);
   while (!text.empty()) sections.take(takeLine(text, lineEnd));
-  return tableOfSignals(sections.signals, {"time", sections.timeUnit}, "a ControlDesk recording", name);
+  return tableOfSignals(sections.signals, {"time", sections.timeUnit}, message("a ControlDesk recording"), name);
 }
 
 std::string nameInModel(std::string_view name, std::string_view path) {

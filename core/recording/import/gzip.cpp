@@ -29,7 +29,7 @@ Result<std::string> unpackGzip(std::string_view bytes, const std::string& name) 
   std::string content;
   while (isGzip(bytes)) {
     Stream stream;
-    if (inflateInit2(&stream, 15 + 16) != Z_OK) return Error{name, "can't be unpacked: zlib has no memory"};
+    if (inflateInit2(&stream, 15 + 16) != Z_OK) return Error{name, message("can't be unpacked: zlib has no memory")};
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
     stream.avail_in = static_cast<uInt>(std::min<size_t>(bytes.size(), UINT_MAX));
     int state = Z_OK;
@@ -37,7 +37,7 @@ Result<std::string> unpackGzip(std::string_view bytes, const std::string& name) 
     while (state == Z_OK) {
       if (used == content.size()) content.resize(std::min(mostBytes, used + std::max<size_t>(65536, used)));
       const size_t room = content.size() - used;
-      if (room == 0) return Error{name, "unpacks to more than 1 GB; unpack it first"};
+      if (room == 0) return Error{name, message("unpacks to more than 1 GB; unpack it first")};
       stream.next_out = reinterpret_cast<Bytef*>(content.data() + used);
       stream.avail_out = static_cast<uInt>(std::min<size_t>(room, UINT_MAX));
       state = inflate(&stream, Z_NO_FLUSH);
@@ -46,8 +46,8 @@ Result<std::string> unpackGzip(std::string_view bytes, const std::string& name) 
     }
     content.resize(used);
     if (state == Z_BUF_ERROR || (state == Z_OK && stream.avail_in == 0))
-      return Error{name, "is cut short: gzip's end is missing"};
-    if (state != Z_STREAM_END) return Error{name, "is damaged: gzip's content can't be unpacked"};
+      return Error{name, message("is cut short: gzip's end is missing")};
+    if (state != Z_STREAM_END) return Error{name, message("is damaged: gzip's content can't be unpacked")};
     bytes.remove_prefix(bytes.size() - stream.avail_in);
   }
   return content;

@@ -238,7 +238,7 @@ Result<std::vector<RawColumn>> readHdf5Columns(std::string_view content, const s
 Result<RawTable> readHdf5(std::string_view content, const std::string& name) {
   auto columns = readHdf5Columns(content, name, false);
   if (!columns) return columns.error();
-  if (columns->empty()) return Error{name, "is an HDF5 file that is damaged or holds no vector of numbers"};
+  if (columns->empty()) return Error{name, message("is an HDF5 file that is damaged or holds no vector of numbers")};
   return tableOfColumns(std::move(*columns), name);
 }
 

@@ -37,7 +37,7 @@ Result<void> append(RawTable& table, RawTable more, const std::string& name) {
     const auto it = std::find_if(more.columns.begin(), more.columns.end(),
                                  [&](const RawColumn& one) { return one.channel.name == column.channel.name; });
     if (it == more.columns.end())
-      return Error{name, "has no column " + column.channel.name + ", as the first file has"};
+      return Error{name, message("has no column {}, as the first file has", column.channel.name)};
     const double shift = it->origin - column.origin;
     appendTexts(column, *it);
     for (const double value : it->channel.values) column.channel.values.push_back(value + shift);
@@ -55,7 +55,7 @@ Result<ReadTable> readAll(const std::string& path, const ImportMap& map) {
     if (!more) return more.error();
     first->newPart.push_back(first->table.rows());
     if (const auto done = append(first->table, std::move(more->table), beside.string()); !done) return done.error();
-    first->table.remarks.push_back(other + " follows from row " + std::to_string(first->newPart.back() + 1));
+    first->table.remarks.push_back(message("{} follows from row {}", other, first->newPart.back() + 1));
   }
   return first;
 }
@@ -73,7 +73,7 @@ Result<RowKinds> kindsOf(const RawColumn& column, const std::string& path) {
     seen.push_back(value);
     kinds.names.push_back(exactText(value));
     if (seen.size() > mostParts)
-      return Error{path + ", column " + column.channel.name, "holds more than 1000 values to split by"};
+      return Error{path + ", column " + column.channel.name, message("holds more than 1000 values to split by")};
   }
   return kinds;
 }
@@ -83,7 +83,7 @@ Result<RowKinds> kindsOf(const RawColumn& column, const std::string& path) {
 Result<std::vector<RawTable>> partsByColumn(const RawTable& table, const std::string& column, const std::string& path) {
   const auto by = std::find_if(table.columns.begin(), table.columns.end(),
                                [&](const RawColumn& one) { return one.channel.name == column; });
-  if (by == table.columns.end()) return Error{path, "has no column \"" + column + "\", by which the map splits"};
+  if (by == table.columns.end()) return Error{path, message("has no column \"{}\", by which the map splits", column)};
   const auto kinds = kindsOf(*by, path);
   if (!kinds) return kinds.error();
   std::vector<RawTable> parts;
@@ -130,8 +130,7 @@ Result<std::vector<Imported>> importRecordings(const std::string& path, const Im
 Result<Imported> importRecording(const std::string& path, const ImportMap& map) {
   auto all = importRecordings(path, map);
   if (!all) return all.error();
-  if (all->size() != 1)
-    return Error{path, "is split into " + std::to_string(all->size()) + " recordings, expected one"};
+  if (all->size() != 1) return Error{path, message("is split into {} recordings, expected one", all->size())};
   return std::move(all->front());
 }
 

@@ -20,17 +20,17 @@ struct ColumnFate {
   std::string unit;    ///< the one it was taken to be in, as written; "SI" when none is told
   double scale = 1.0;  ///< SI = scale × value + offset
   double offset = 0.0;
-  std::string why;       ///< in words
+  Message why;           ///< in words
   bool guessed = false;  ///< nothing in the file tells it for sure
 
   /// "Winkel [°] → angle_rad, from ° (× 0.0174532925)".
-  std::string inWords() const;
+  Message inWords() const;
 };
 
 struct Imported {
   Recording recording;
-  std::vector<ColumnFate> columns;   ///< one per column of the file
-  std::vector<std::string> remarks;  ///< what was found, assumed and left out, in words
+  std::vector<ColumnFate> columns;  ///< one per column of the file
+  std::vector<Message> remarks;     ///< what was found, assumed and left out, in words
 };
 
 /// Reads a log of whatever form (its content tells which), and makes a recording of it by `map`, by what is known of

@@ -144,8 +144,8 @@ void put(const Json& value, RawColumn& column, const std::string& place, bool fi
   if (value.is_string()) rememberText(column, values.size(), value.get_ref<const std::string&>());
   values.push_back(std::isfinite(number) ? number : NAN);
   if (!isPlain(value) && !column.fault)
-    column.fault =
-        Error{place + ", field " + column.channel.name, "expected a number, found " + plainText(value).substr(0, 40)};
+    column.fault = Error{place + ", field " + column.channel.name,
+                         message("expected a number, found {}", plainText(value).substr(0, 40))};
 }
 
 /// The fields of a sample, objects and short arrays of numbers flattened.
@@ -215,7 +215,7 @@ Result<RawTable> samplesOf(const std::vector<const Json*>& samples, const std::s
     if (isPlain(*value) || (value->is_string() && !tellsUnit(key))) {
       table.columns.push_back({{key, {}}, {}});
     } else {
-      table.remarks.push_back("the field " + key + " holds no numbers and was left out");
+      table.remarks.push_back(message("the field {} holds no numbers and was left out", key));
     }
   }
   const bool anyNumber =
@@ -223,7 +223,7 @@ Result<RawTable> samplesOf(const std::vector<const Json*>& samples, const std::s
         const Json& value = *field.second;
         return isPlain(value) || (value.is_string() && readClock(value.get_ref<const std::string&>()));
       });
-  if (!anyNumber) return Error{name, "holds a log without any number"};
+  if (!anyNumber) return Error{name, message("holds a log without any number")};
   UnitTexts units;
   collectUnits(*samples.front(), "", units);
   giveUnits(units, table);
@@ -233,7 +233,7 @@ Result<RawTable> samplesOf(const std::vector<const Json*>& samples, const std::s
     if (!units.empty()) {
       UnitTexts these;
       collectUnits(*samples[k], "", these);
-      if (these != units && !these.empty()) return Error{place, "has other units than the first entry"};
+      if (these != units && !these.empty()) return Error{place, message("has other units than the first entry")};
     }
     fields.clear();
     if (samples[k]->is_object()) flatten(*samples[k], "", fields);
@@ -249,7 +249,7 @@ Result<RawTable> samplesOf(const std::vector<const Json*>& samples, const std::s
       }
       if (field == fields.end()) {
         if (++without > samples.size() / 50 * table.columns.size())
-          return Error{place, "lacks the field " + column.channel.name};
+          return Error{place, message("lacks the field {}", column.channel.name)};
         column.channel.values.push_back(NAN);
         continue;
       }
@@ -257,8 +257,7 @@ Result<RawTable> samplesOf(const std::vector<const Json*>& samples, const std::s
       next = static_cast<size_t>(field - fields.begin()) + 1;
     }
   }
-  if (without > 0)
-    table.remarks.push_back(std::to_string(without) + " fields lack in some entries; they are missing values");
+  if (without > 0) table.remarks.push_back(message("{} fields lack in some entries; they are missing values", without));
   return table;
 }
 
@@ -279,13 +278,12 @@ Result<RawTable> arraysOf(const Json& json, const std::string& name) {
         for (size_t k = 0; k < rows; ++k) put(value[k], column, name + ", entry " + std::to_string(k + 1), k == 0);
         table.columns.push_back(std::move(column));
       } else {
-        table.remarks.push_back(path + " has " + std::to_string(value.size()) + " values, not " + std::to_string(rows) +
-                                ", and was left out");
+        table.remarks.push_back(message("{} has {} values, not {}, and was left out", path, value.size(), rows));
       }
     }
   };
   look(json, "", true);
-  if (rows < 2) return Error{name, "holds no log"};
+  if (rows < 2) return Error{name, message("holds no log")};
   look(json, "", false);
   return table;
 }
@@ -354,7 +352,7 @@ Result<RawTable> rowsOf(const Json& json, const Json& rows, const std::string& n
                      {}};
     for (size_t k = 0; k < rows.size(); ++k) {
       if (!rows[k].is_array() || rows[k].size() != width)
-        return Error{name + ", entry " + std::to_string(k + 1), "has other than " + std::to_string(width) + " numbers"};
+        return Error{name + ", entry " + std::to_string(k + 1), message("has other than {} numbers", width)};
       put(rows[k][c], column, name + ", entry " + std::to_string(k + 1), k == 0);
     }
     table.columns.push_back(std::move(column));
@@ -376,7 +374,7 @@ Result<RawTable> plainLog(const Json& json, const std::string& name) {
       samples = &json[key];
   }
   if (samples == nullptr) samples = longest(json, isArrayOfObjects);
-  Result<RawTable> table = Error{name, "holds no log"};
+  Result<RawTable> table = Error{name, message("holds no log")};
   if (samples != nullptr && samples->size() > 1) {
     std::vector<const Json*> each;
     for (const Json& one : *samples) each.push_back(&one);
@@ -395,7 +393,8 @@ Result<RawTable> plainLog(const Json& json, const std::string& name) {
   }
   if (!table) {
     if (table.error().fact != "holds no log") return table.error();
-    return Error{name, "holds no log: expected \"entries\": an array of objects, one per sample, or arrays by name"};
+    return Error{name,
+                 message("holds no log: expected \"entries\": an array of objects, one per sample, or arrays by name")};
   }
   addNotes(json, *table);
   UnitTexts units;
@@ -428,13 +427,13 @@ Result<ReadTable> linesOf(const std::string& text, const std::string& name) {
     }
     at = end + 1;
   }
-  if (kept.size() < 2 || others > kept.size() / 10 + 1) return Error{name, "holds no log"};
+  if (kept.size() < 2 || others > kept.size() / 10 + 1) return Error{name, message("holds no log")};
   std::vector<const Json*> samples;
   samples.reserve(kept.size());
   for (const Json& one : kept) samples.push_back(&one);
   auto table = samplesOf(samples, name);
   if (!table) return table.error();
-  if (others > 0) table->remarks.push_back(std::to_string(others) + " lines are no JSON objects and were left out");
+  if (others > 0) table->remarks.push_back(message("{} lines are no JSON objects and were left out", others));
   return ReadTable{std::move(*table), {}};
 }
 
@@ -483,8 +482,7 @@ bool isPython(std::string_view text) {
 }  // namespace
 
 Result<ReadTable> readJsonLog(const std::string& text, const std::string& name) {
-  if (nestsTooDeep(text))
-    return Error{name, "nests deeper than " + std::to_string(deepestJson) + " levels, as no log does"};
+  if (nestsTooDeep(text)) return Error{name, message("nests deeper than {} levels, as no log does", deepestJson)};
   if (isPython(text)) return readJsonLog(pythonAsJson(text), name);
   const auto fault = jsonFault(text, name);
   if (fault && fault->fact.ends_with("twice in one object")) return *fault;
@@ -496,11 +494,11 @@ Result<ReadTable> readJsonLog(const std::string& text, const std::string& name) 
       if (auto lines = linesOf(text, name)) return lines;
     } catch (const Json::exception&) {  // not one object per line either
     }
-    return Error{name + ", line " + lineOf(text, error.byte > 0 ? error.byte - 1 : 0), "is not valid JSON"};
+    return Error{name + ", line " + lineOf(text, error.byte > 0 ? error.byte - 1 : 0), message("is not valid JSON")};
   } catch (const Json::out_of_range&) {
-    return Error{name, "holds a number that is beyond all that can be computed with"};
+    return Error{name, message("holds a number that is beyond all that can be computed with")};
   } catch (const Json::exception&) {
-    return Error{name, "holds no log that is understood"};
+    return Error{name, message("holds no log that is understood")};
   }
 }
 

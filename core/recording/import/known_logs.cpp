@@ -62,7 +62,7 @@ bool translateEmps(RawTable& table) {
           {"force", Quantity::torque},
           {"vir", Quantity::voltage},
           {"qg", Quantity::positionReference}});
-  table.remarks.push_back("recognised the EMPS benchmark: force_N is gtau × vir, gtau = " + gain + " N/V");
+  table.remarks.push_back(message("recognised the EMPS benchmark: force_N is gtau × vir, gtau = {} N/V", gain));
   return true;
 }
 
@@ -84,11 +84,10 @@ Result<bool> translateBam(RawTable& table, const std::string& name) {
   const auto first = std::find_if(raw.begin(), raw.end(), impossible);
   if (first != raw.end()) {
     return Error{name + ", entry " + std::to_string(first - raw.begin() + 1) + ", field load",
-                 std::to_string(*first) +
-                     " is no PWM value: the log was interpolated across the register's 16 bit wrap and its drive "
-                     "input is lost; import the raw log (" +
-                     std::to_string(std::count_if(raw.begin(), raw.end(), impossible)) + " of " +
-                     std::to_string(raw.size()) + " entries are like this)"};
+                 message("{} is no PWM value: the log was interpolated across the register's 16 bit wrap and its drive "
+                         "input is lost; "
+                         "import the raw log ({} of {} entries are like this)",
+                         std::to_string(*first), std::count_if(raw.begin(), raw.end(), impossible), raw.size())};
   }
   Channel duty{"duty", raw}, voltage{"voltage", raw};
   for (size_t k = 0; k < raw.size(); ++k) {
@@ -107,8 +106,8 @@ Result<bool> translateBam(RawTable& table, const std::string& name) {
           {"goal_position", Quantity::positionReference},
           {"temp", Quantity::temperature},
           {"torque_enable", Quantity::enabled}});
-  table.remarks.push_back(
-      "recognised a BAM log of an XL330: duty is load as a signed 16 bit number / 885, voltage_V is duty × supply_V");
+  table.remarks.push_back(message(
+      "recognised a BAM log of an XL330: duty is load as a signed 16 bit number / 885, voltage_V is duty × supply_V"));
   return true;
 }
 

@@ -74,7 +74,7 @@ std::optional<ToolColumns> labview(RawTable& table) {
     for (size_t c = 1; c < cells.size() && c + first <= table.columns.size(); ++c)
       table.columns[c + first - 1].unit = cells[c];
   }
-  table.remarks.emplace_back("recognised LabVIEW's measurement file");
+  table.remarks.push_back(message("recognised LabVIEW's measurement file"));
   std::erase_if(table.columns, [](const RawColumn& one) { return one.channel.name == "X_Value" && isEmpty(one); });
   const bool hasX = !table.columns.empty() && table.columns.front().channel.name == "X_Value";
   if (hasX) {
@@ -104,7 +104,7 @@ std::optional<ToolColumns> rigol(RawTable& table) {
     time.channel.name = "time";
     time.unit = "s";
     for (double& value : time.channel.values) value = *start + *step * value;
-    table.remarks.push_back("recognised a Rigol oscilloscope: rows are " + shortText(*step) + " s apart");
+    table.remarks.push_back(message("recognised a Rigol oscilloscope: rows are {} s apart", shortText(*step)));
     return ToolColumns{};
   }
   return std::nullopt;
@@ -127,7 +127,7 @@ std::optional<ToolColumns> tektronix(RawTable& table) {
     table.columns[c].channel.name = "CH" + std::to_string(c);
     table.columns[c].unit = "V";
   }
-  table.remarks.emplace_back("recognised a Tektronix oscilloscope");
+  table.remarks.push_back(message("recognised a Tektronix oscilloscope"));
   return ToolColumns{};
 }
 
@@ -148,9 +148,9 @@ std::optional<ToolColumns> twincat(RawTable& table) {
     table.columns[c - 1].channel.name = c == 1 ? "time" : "time of " + names[c];
     table.columns[c - 1].unit = "ms";
     if (c > 1 && table.columns[c - 1].channel.values != table.columns[0].channel.values)
-      table.columns[c].fault = Error{names[c], "has times of its own, other than " + names[1]};
+      table.columns[c].fault = Error{names[c], message("has times of its own, other than {}", names[1])};
   }
-  table.remarks.emplace_back("recognised TwinCAT's scope: the first variable's times, in ms");
+  table.remarks.push_back(message("recognised TwinCAT's scope: the first variable's times, in ms"));
   return ToolColumns{};
 }
 
@@ -186,7 +186,7 @@ void takeInterval(RawTable& table) {
     const auto step = intervalIn(line);
     if (!step) continue;
     addTime(table, 0.0, *step);
-    table.remarks.push_back("the time is made of the head's sample interval, " + shortText(*step) + " s");
+    table.remarks.push_back(message("the time is made of the head's sample interval, {} s", shortText(*step)));
     return;
   }
 }

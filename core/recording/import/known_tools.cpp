@@ -41,9 +41,9 @@ ColumnName in(std::string to, double scale, const char* unit, int rank = 0, Unit
   return name;
 }
 
-ColumnName setAside(const char* why) {
+ColumnName setAside(Message why) {
   ColumnName name;
-  name.aside = why;
+  name.aside = std::move(why);
   return name;
 }
 
@@ -52,23 +52,23 @@ bool isVesc(const RawTable& table) {
 }
 
 ToolColumns vesc(RawTable& table) {
-  table.remarks.emplace_back(
-      "recognised VESC Tool's log: the tachometer counts 6 steps per electrical turn, erpm electrical turns");
+  table.remarks.push_back(
+      message("recognised VESC Tool's log: the tachometer counts 6 steps per electrical turn, erpm electrical turns"));
   return {{"ms_today", in("time_s", 1e-3, "ms")},
-          {"ms_today_setup", setAside("is the clock of another block of values")},
+          {"ms_today_setup", setAside(message("is the clock of another block of values"))},
           {"tachometer", in("angle_rad", turn_rad / 6.0, "steps of 1/6 electrical turn", 0, UnitNeeds::polePairs)},
-          {"tachometer_abs", setAside("counts both ways up")},
+          {"tachometer_abs", setAside(message("counts both ways up"))},
           {"tacho", in("angle_rad", turn_rad / 6.0, "steps of 1/6 electrical turn", 0, UnitNeeds::polePairs)},
           {"encoder_position", in("angle_rad", turn_rad / 360.0, "deg", 8)},
           {"erpm", in("velocity_rad_per_s", turn_rad / 60.0, "erpm", 0, UnitNeeds::polePairs)},
           {"q_axis_current", in("current_A", 1.0, "A")},
           {"current_motor", in("current_A", 1.0, "A", 1)},
-          {"current_in", setAside("is the supply's current, not the motor's")},
+          {"current_in", setAside(message("is the supply's current, not the motor's"))},
           {"duty_cycle", in("duty", 1.0, "1")},
           {"input_voltage", in("supply_V", 1.0, "V")},
           {"q_axis_voltage", in("voltage_V", 1.0, "V", 1)},
           {"temp_motor", in("temperature_degC", 1.0, "°C")},
-          {"speed_meters_per_sec", setAside("is the vehicle's speed, by VESC Tool's settings")}};
+          {"speed_meters_per_sec", setAside(message("is the vehicle's speed, by VESC Tool's settings"))}};
 }
 
 /// "dutycyclenow" of "vesc.dutyCycleNow" and "duty_cycle_now".
@@ -87,7 +87,7 @@ ToolColumns vescNames() {
   const ColumnName erpm = in("velocity_rad_per_s", turn_rad / 60.0, "erpm", 0, UnitNeeds::polePairs);
   const ColumnName tachometer =
       in("angle_rad", turn_rad / 6.0, "steps of 1/6 electrical turn", 0, UnitNeeds::polePairs);
-  const ColumnName ofSupply = setAside("is the supply's current, not the motor's");
+  const ColumnName ofSupply = setAside(message("is the supply's current, not the motor's"));
   const ColumnName current = in("current_A", 1.0, "A", 1), duty = in("duty", 1.0, "1"),
                    supply = in("supply_V", 1.0, "V");
   return {{"rpm", erpm},
@@ -95,13 +95,13 @@ ToolColumns vescNames() {
           {"speed", erpm},
           {"tachometer", tachometer},
           {"displacement", tachometer},
-          {"tachometerabs", setAside("counts both ways up")},
-          {"distancetraveled", setAside("counts both ways up")},
+          {"tachometerabs", setAside(message("counts both ways up"))},
+          {"distancetraveled", setAside(message("counts both ways up"))},
           {"avgmotorcurrent", current},
           {"currentmotor", current},
           {"motorcurrent", current},
           {"avgiq", in("current_A", 1.0, "A")},
-          {"avgid", setAside("is the d axis, which makes no torque")},
+          {"avgid", setAside(message("is the d axis, which makes no torque"))},
           {"avginputcurrent", ofSupply},
           {"currentinput", ofSupply},
           {"inputcurrent", ofSupply},
@@ -126,7 +126,7 @@ bool isVescValues(const RawTable& table) {
 }
 
 ToolColumns vescValues(RawTable& table) {
-  table.remarks.emplace_back("recognised a VESC's values by their names: rpm and speed count electrical turns");
+  table.remarks.push_back(message("recognised a VESC's values by their names: rpm and speed count electrical turns"));
   const ToolColumns known = vescNames();
   ToolColumns columns;
   for (const RawColumn& column : table.columns) {
@@ -181,10 +181,11 @@ ToolColumns odrive(RawTable& table) {
     if (name.find("pos_estimate_counts") != std::string::npos || name.find("shadow_count") != std::string::npos)
       columns[name] = in("angle_rad", turn_rad, "counts", 3, UnitNeeds::countsPerRev);
     if (name.find("_cpr") != std::string::npos || name.find("pos_circular") != std::string::npos)
-      columns[name] = setAside("starts anew with each turn");
+      columns[name] = setAside(message("starts anew with each turn"));
   }
-  table.remarks.push_back(std::string("recognised an ODrive's log: positions in ") +
-                          (counts ? "counts, as firmware before 0.5 has them" : "turns, speeds in turns per second"));
+  table.remarks.push_back(
+      counts ? message("recognised an ODrive's log: positions in counts, as firmware before 0.5 has them")
+             : message("recognised an ODrive's log: positions in turns, speeds in turns per second"));
   return columns;
 }
 
@@ -194,7 +195,7 @@ bool isPhoenix(const std::string& name) {
 }
 
 ToolColumns phoenix(RawTable& table) {
-  table.remarks.emplace_back("recognised a Phoenix 6 log: positions in turns, speeds in turns per second");
+  table.remarks.push_back(message("recognised a Phoenix 6 log: positions in turns, speeds in turns per second"));
   return inTurns(table, isPhoenix);
 }
 
@@ -211,7 +212,7 @@ bool isMoteus(const RawTable& table) {
 }
 
 ToolColumns moteus(RawTable& table) {
-  table.remarks.emplace_back("recognised a moteus log: positions in turns, speeds in turns per second");
+  table.remarks.push_back(message("recognised a moteus log: positions in turns, speeds in turns per second"));
   ToolColumns columns = inTurns(table, [](const std::string& name) { return name.find("raw") == std::string::npos; });
   for (const RawColumn& column : table.columns) {
     const std::string& name = column.channel.name;
@@ -219,9 +220,10 @@ ToolColumns moteus(RawTable& table) {
     const std::string last = dot == std::string::npos ? name : name.substr(dot + 1);
     if (isSameWord(last, "voltage") || isSameWord(last, "filt_bus_v") || isSameWord(last, "bus_v"))
       columns[name] = in("supply_V", 1.0, "V", isSameWord(last, "filt_bus_v") ? 2 : 1);
-    if (isSameWord(last, "temperature")) columns[name] = setAside("is the board's temperature, not the winding's");
+    if (isSameWord(last, "temperature"))
+      columns[name] = setAside(message("is the board's temperature, not the winding's"));
     if (isSameWord(last, "abs_position") || isSameWord(last, "unwrapped_position"))
-      columns[name] = setAside("is another of moteus' positions");
+      columns[name] = setAside(message("is another of moteus' positions"));
   }
   return columns;
 }
@@ -254,9 +256,10 @@ ToolColumns simpleFoc(RawTable& table) {
           : std::vector<const char*>{"target", "voltage_q", "voltage_d", "current_q", "current_d", "velocity", "angle"};
   if (stamped) table.columns.front().channel.name = "terminal time";
   for (size_t c = 0; c < names.size(); ++c) table.columns[first + c].channel.name = names[c];
-  table.remarks.emplace_back(
-      "recognised SimpleFOC's monitor: target, voltage (V), currents (mA), velocity (rad/s), angle (rad) in its order");
-  return {{"target", setAside("may be an angle, a speed or a voltage: the control mode isn't in the log")},
+  table.remarks.push_back(
+      message("recognised SimpleFOC's monitor: target, voltage (V), currents (mA), velocity (rad/s), angle (rad) in "
+              "its order"));
+  return {{"target", setAside(message("may be an angle, a speed or a voltage: the control mode isn't in the log"))},
           {"voltage_q", in("voltage_V", 1.0, "V")},
           {"current_q", in("current_A", 1e-3, "mA")},
           {"velocity", in("velocity_rad_per_s", 1.0, "rad/s")},
@@ -270,9 +273,9 @@ bool isNamedSimpleFoc(const RawTable& table) {
 }
 
 ToolColumns namedSimpleFoc(RawTable& table) {
-  table.remarks.emplace_back(
-      "recognised SimpleFOC's monitor by its names: voltage (V), currents (mA), velocity (rad/s), angle (rad)");
-  return {{"target", setAside("may be an angle, a speed or a voltage: the control mode isn't in the log")},
+  table.remarks.push_back(message(
+      "recognised SimpleFOC's monitor by its names: voltage (V), currents (mA), velocity (rad/s), angle (rad)"));
+  return {{"target", setAside(message("may be an angle, a speed or a voltage: the control mode isn't in the log"))},
           {"voltage_q", in("voltage_V", 1.0, "V")},
           {"current_q", in("current_A", 1e-3, "mA")},
           {"velocity", in("velocity_rad_per_s", 1.0, "rad/s")},
@@ -292,14 +295,15 @@ ToolColumns betaflight(RawTable& table) {
       columns[name] = speed;
     }
     if (name.starts_with("motor["))
-      columns[name] = setAside("is the mixer's output, in steps that the log's head tells");
+      columns[name] = setAside(message("is the mixer's output, in steps that the log's head tells"));
     for (const char* part : {"axis", "rcCommand", "setpoint", "gyro", "debug"}) {
-      if (name.starts_with(part)) columns[name] = setAside("belongs to the flight controller, not to a motor");
+      if (name.starts_with(part)) columns[name] = setAside(message("belongs to the flight controller, not to a motor"));
     }
-    if (name.starts_with("amperage")) columns[name] = setAside("is the supply's current, not the motor's");
+    if (name.starts_with("amperage")) columns[name] = setAside(message("is the supply's current, not the motor's"));
     if (name.starts_with("time")) columns[name] = in("time_s", 1e-6, "µs");
   }
-  table.remarks.emplace_back("recognised Betaflight's decoded log: eRPM in hundreds of electrical turns per minute");
+  table.remarks.push_back(
+      message("recognised Betaflight's decoded log: eRPM in hundreds of electrical turns per minute"));
   return columns;
 }
 
@@ -311,11 +315,12 @@ bool isThrustStand(const RawTable& table) {
 }
 
 ToolColumns thrustStand(RawTable& table) {
-  table.remarks.emplace_back("recognised a thrust stand: current and voltage are those of the supply");
+  table.remarks.push_back(message("recognised a thrust stand: current and voltage are those of the supply"));
   ToolColumns columns;
   for (const RawColumn& column : table.columns) {
     const ColumnName name = understandName(column.channel.name, column.unit);
-    if (name.to == "current_A") columns[column.channel.name] = setAside("is the supply's current, not the motor's");
+    if (name.to == "current_A")
+      columns[column.channel.name] = setAside(message("is the supply's current, not the motor's"));
     if (name.to == "voltage_V") columns[column.channel.name] = in("supply_V", name.scale, "V");
     if (column.channel.name.starts_with("Throttle")) columns[column.channel.name] = in("duty", 0.01, "%");
   }
@@ -357,10 +362,9 @@ ToolColumns dynamixel(RawTable& table, double countsPerRev) {
     }
   }
   if (!columns.empty())
-    table.remarks.emplace_back(
+    table.remarks.push_back(message(
         "recognised Dynamixel registers, whole numbers in an X series' units: 4096 per turn, 0.229 rpm, 2.69 mA (an "
-        "XL330 "
-        "has 1 mA), PWM of 885, 0.1 V; another model needs a map");
+        "XL330 has 1 mA), PWM of 885, 0.1 V; another model needs a map"));
   return columns;
 }
 
@@ -402,8 +406,8 @@ ToolColumns akd(RawTable& table) {
         columns[name] = understandName(std::string(words) + " " + std::string(rest), column.unit);
     }
   }
-  table.remarks.emplace_back(
-      "recognised an AKD drive's log: PL, VL and IL are its position, velocity and current loop");
+  table.remarks.push_back(
+      message("recognised an AKD drive's log: PL, VL and IL are its position, velocity and current loop"));
   return columns;
 }
 
@@ -423,12 +427,12 @@ ToolColumns cia402(RawTable& table) {
     const bool rated = name.to == "torque_Nm" || name.to == "current_A" || name.to == "current_reference_A";
     if (rated && name.unit.empty() && !column.fault && areWhole(column.channel.values))
       columns[column.channel.name] =
-          setAside("counts thousandths of the drive's rated value, which no file says: map it with \"scale\"");
+          setAside(message("counts thousandths of the drive's rated value, which no file says: map it with \"scale\""));
   }
   if (!columns.empty())
-    table.remarks.emplace_back(
-        "recognised a drive's CiA 402 objects by its status word: torque and current in "
-        "thousandths of the rated ones");
+    table.remarks.push_back(
+        message("recognised a drive's CiA 402 objects by its status word: torque and current in "
+                "thousandths of the rated ones"));
   return columns;
 }
 
@@ -448,9 +452,9 @@ ToolColumns stMotorControl(RawTable& table) {
     if (speed) columns[column.channel.name] = in(name.to, turn_rad / 60.0, "rpm", name.rank);
     if (electrical && areWhole(column.channel.values) && largest(column.channel.values) > 1.0)
       columns[column.channel.name] =
-          setAside("counts steps of the converter, which no file says: map it with \"scale\"");
+          setAside(message("counts steps of the converter, which no file says: map it with \"scale\""));
   }
-  table.remarks.emplace_back("recognised ST's motor control by its registers: speeds in rpm");
+  table.remarks.push_back(message("recognised ST's motor control by its registers: speeds in rpm"));
   return columns;
 }
 
@@ -471,7 +475,7 @@ ToolColumns lerobot(const RawTable& table) {
   for (const RawColumn& column : table.columns) {
     if (column.channel.name.ends_with(".pos"))
       columns[column.channel.name] =
-          setAside("is in degrees or in hundredths of the joint's range: name its unit in a map");
+          setAside(message("is in degrees or in hundredths of the joint's range: name its unit in a map"));
   }
   return columns;
 }
@@ -487,7 +491,7 @@ void joinColumns(RawTable& table, ColumnPlace seconds, ColumnPlace nanos) {
   }
   for (size_t k = 0; k < values.size(); ++k) values[k] += 1e-9 * (nanos->channel.values[k] + nanos->origin);
   seconds->unit = "s";
-  table.remarks.push_back(seconds->channel.name + " and " + nanos->channel.name + " are one stamp");
+  table.remarks.push_back(message("{} and {} are one stamp", seconds->channel.name, nanos->channel.name));
   seconds->channel.name = "stamp (" + seconds->channel.name + ")";
   table.columns.erase(nanos);
 }

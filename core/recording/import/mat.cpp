@@ -36,7 +36,7 @@ Result<void> checkElements(std::string_view bytes, const std::string& name) {
   while (at < bytes.size()) {
     const size_t size = at + 8 <= bytes.size() ? word(bytes, at + 4, swapped) : 0;
     if (at + 8 > bytes.size() || size > bytes.size() - at - 8) {
-      return Error{name, "is cut short: its last variable ends beyond byte " + std::to_string(bytes.size())};
+      return Error{name, message("is cut short: its last variable ends beyond byte {}", bytes.size())};
     }
     at += 8 + size;
   }
@@ -51,12 +51,12 @@ bool isVersion73(std::string_view bytes) {
 
 /// Whether this is a whole MATLAB file of version 5, as far as that shows without reading the variables.
 Result<void> checkVersion5(std::string_view bytes, const std::string& name) {
-  if (bytes.empty()) return Error{name, "is empty, expected a MATLAB file"};
+  if (bytes.empty()) return Error{name, message("is empty, expected a MATLAB file")};
   const bool named = bytes.starts_with("MATLAB ");
-  if (named && bytes.size() < headerSize) return Error{name, "is cut short within its header"};
+  if (named && bytes.size() < headerSize) return Error{name, message("is cut short within its header")};
   const bool five = named && (bytes.compare(126, 2, "IM") == 0 || bytes.compare(126, 2, "MI") == 0);
-  if (bytes.starts_with("MATLAB 7.3")) return Error{name, "is cut short within its header"};
-  if (!five) return Error{name, "is no MATLAB file of version 5 or 7.3"};
+  if (bytes.starts_with("MATLAB 7.3")) return Error{name, message("is cut short within its header")};
+  if (!five) return Error{name, message("is no MATLAB file of version 5 or 7.3")};
   return checkElements(bytes, name);
 }
 
@@ -276,7 +276,7 @@ std::string readVariables(const std::string& path) {
 Result<std::vector<Channel>> readVersion73(std::string_view content, const std::string& name) {
   auto columns = readHdf5Columns(content, name, true);
   if (!columns) return columns.error();
-  if (columns->empty()) return Error{name, "is damaged or holds no numeric array"};
+  if (columns->empty()) return Error{name, message("is damaged or holds no numeric array")};
   std::vector<Channel> channels;
   for (RawColumn& column : *columns) channels.push_back(std::move(column.channel));
   return channels;
@@ -295,13 +295,13 @@ Result<std::vector<Channel>> readMat(std::string_view content, const std::string
   if (isVersion73(content)) return readVersion73(content, name);
   if (const auto whole = checkVersion5(content, name); !whole) return whole.error();
   const MemoryFile file(content);
-  if (!file.good()) return Error{name, "cannot be held in memory"};
+  if (!file.good()) return Error{name, message("cannot be held in memory")};
   // Room for what the file can honestly unpack to, so that a damaged size fails at once.
   const ContainedLimits limits{20 + static_cast<unsigned>(content.size() >> 20),
                                (size_t{512} << 20) + 64 * content.size()};
   const auto bytes = runContained([&file] { return readVariables(file.path()); }, name, limits);
   if (!bytes) return bytes.error();
-  if (bytes->empty()) return Error{name, "is damaged or holds no numeric array"};
+  if (bytes->empty()) return Error{name, message("is damaged or holds no numeric array")};
   std::vector<Channel> channels;
   for (size_t at = 0; at < bytes->size();) {
     const uint64_t nameSize = takeCount(*bytes, at);

@@ -182,7 +182,7 @@ bool isNpy(std::string_view bytes) {
 }
 
 Result<std::vector<RawColumn>> readNpy(std::string_view bytes, const std::string& name, const std::string& place) {
-  const Error cut{place, "is a NumPy array that is cut short"};
+  const Error cut{place, message("is a NumPy array that is cut short")};
   if (bytes.size() < 12) return cut;
   const bool wide = bytes[6] >= 2;
   size_t length = 0;
@@ -192,7 +192,7 @@ Result<std::vector<RawColumn>> readNpy(std::string_view bytes, const std::string
   const std::string_view header = bytes.substr(start, length);
   const std::string_view data = bytes.substr(start + length);
   const auto shape = shapeOf(header);
-  if (shape.size() > 2) return Error{place, "is a NumPy array of more than two dimensions"};
+  if (shape.size() > 2) return Error{place, message("is a NumPy array of more than two dimensions")};
   size_t count = 1;
   for (const size_t one : shape) {
     if (one != 0 && count > (size_t{1} << 32) / one) return cut;
@@ -202,7 +202,8 @@ Result<std::vector<RawColumn>> readNpy(std::string_view bytes, const std::string
   const auto descr = quotedAfter(header, "'descr'");
   if (!descr) {
     const auto fields = fieldsOf(header);
-    if (!fields || fields->empty() || shape.size() > 1) return Error{place, "is a NumPy array of other than numbers"};
+    if (!fields || fields->empty() || shape.size() > 1)
+      return Error{place, message("is a NumPy array of other than numbers")};
     const size_t stride = fields->back().offset + fields->back().type.size;
     if (count > data.size() / stride) return cut;
     for (const Field& field : *fields) {
@@ -212,7 +213,7 @@ Result<std::vector<RawColumn>> readNpy(std::string_view bytes, const std::string
     return columns;
   }
   const auto type = typeOf(*descr);
-  if (!type || !isNumber(*type)) return Error{place, "is a NumPy array of " + *descr + ", not of real numbers"};
+  if (!type || !isNumber(*type)) return Error{place, message("is a NumPy array of {}, not of real numbers", *descr)};
   if (count > data.size() / type->size) return cut;
   if (shape.size() < 2) {
     columns.push_back(valuesAt(data.data(), count, type->size, *type, name));
@@ -222,8 +223,7 @@ Result<std::vector<RawColumn>> readNpy(std::string_view bytes, const std::string
   // Samples lie along the longer side.
   const bool across = shape[0] < shape[1] && shape[0] <= 64;
   const size_t rows = across ? shape[1] : shape[0], width = across ? shape[0] : shape[1];
-  if (width > 1000)
-    return Error{place, "is a NumPy array of " + std::to_string(width) + " columns, too many for a log"};
+  if (width > 1000) return Error{place, message("is a NumPy array of {} columns, too many for a log", width)};
   const bool adjacent = fortran != across;  // a column's values lie side by side
   for (size_t c = 0; c < width; ++c) {
     const size_t offset = c * (adjacent ? rows : 1) * type->size;
@@ -242,7 +242,7 @@ Result<RawTable> tableOfColumns(std::vector<RawColumn> columns, const std::strin
   RawTable table;
   size_t rows = 0;
   for (const RawColumn& column : columns) rows = std::max(rows, column.channel.values.size());
-  if (rows < 2) return Error{place, "holds single numbers only, expected vectors over time"};
+  if (rows < 2) return Error{place, message("holds single numbers only, expected vectors over time")};
   for (RawColumn& column : columns) {
     const auto& values = column.channel.values;
     if (values.size() == rows) {
@@ -250,8 +250,8 @@ Result<RawTable> tableOfColumns(std::vector<RawColumn> columns, const std::strin
     } else if (values.size() == 1) {
       table.notes.emplace_back(column.channel.name, exactText(values.front() + column.origin));
     } else {
-      table.remarks.push_back(column.channel.name + " has " + std::to_string(values.size()) + " values, not " +
-                              std::to_string(rows) + ", and was left out");
+      table.remarks.push_back(
+          message("{} has {} values, not {}, and was left out", column.channel.name, values.size(), rows));
     }
   }
   return table;
@@ -259,15 +259,16 @@ Result<RawTable> tableOfColumns(std::vector<RawColumn> columns, const std::strin
 
 Result<RawTable> readNpz(const ZipArchive& archive, const std::string& place) {
   std::vector<RawColumn> columns;
-  std::vector<std::string> remarks;
+  std::vector<Message> remarks;
   for (const std::string& member : archive.members()) {
     if (!member.ends_with(".npy")) continue;
     const auto bytes = archive.read(member);
     if (!bytes) return bytes.error();
-    auto read = isNpy(*bytes) ? readNpy(*bytes, lastPart(member), place + ", " + member)
-                              : Result<std::vector<RawColumn>>(Error{place + ", " + member, "is no NumPy array"});
+    auto read = isNpy(*bytes)
+                    ? readNpy(*bytes, lastPart(member), place + ", " + member)
+                    : Result<std::vector<RawColumn>>(Error{place + ", " + member, message("is no NumPy array")});
     if (!read) {
-      remarks.push_back(member + " " + read.error().fact + " and was left out");
+      remarks.push_back(message("{} {} and was left out", member, read.error().fact));
       continue;
     }
     for (RawColumn& column : *read) columns.push_back(std::move(column));

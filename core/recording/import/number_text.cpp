@@ -8,4 +8,8 @@ std::string shortText(double value) {
   return fmt::format("{:.9g}", value);
 }
 
+Message placesIn(size_t count) {
+  return count == 1 ? message("1 place") : message("{} places", count);
+}
+
 }  // namespace breakaway

@@ -49,7 +49,7 @@ Result<void> addRange(const std::vector<double>& range, Variable& variable, cons
   if (range.size() < 3) return {};
   const double steps = (range[1] - range[0]) / range[2];
   if (!(steps >= 0.0) || steps >= static_cast<double>(variable.room))
-    return Error{place, "the range " + variable.name + " has more values than a log"};
+    return Error{place, message("the range {} has more values than a log", variable.name)};
   const auto count = static_cast<size_t>(std::floor(steps * (1.0 + 1e-12) + 1e-9)) + 1;
   variable.room -= std::min(variable.room, count);
   RawColumn column{{variable.name, {}}, {}};
@@ -64,14 +64,15 @@ Result<void> addRow(std::string_view line, Variable& variable, const std::string
   const std::vector<double> row = numbersOf(line);
   if (row.empty()) return {};
   if (range) return variable.columns.empty() ? addRange(row, variable, place) : Result<void>{};
-  if (row.size() > mostColumns) return Error{place, variable.name + " has too many columns"};
+  if (row.size() > mostColumns) return Error{place, message("{} has too many columns", variable.name)};
   if (variable.columns.empty()) {
     for (size_t c = 0; c < row.size(); ++c) {
       const std::string index = row.size() == 1 ? "" : "(:," + std::to_string(c + 1) + ")";
       variable.columns.push_back({{variable.name + index, {}}, {}});
     }
   }
-  if (row.size() != variable.columns.size()) return Error{place, "the rows of " + variable.name + " differ in length"};
+  if (row.size() != variable.columns.size())
+    return Error{place, message("the rows of {} differ in length", variable.name)};
   for (size_t c = 0; c < row.size(); ++c) variable.columns[c].channel.values.push_back(row[c]);
   return {};
 }
@@ -116,7 +117,7 @@ std::optional<Result<RawTable>> readOctaveText(std::string_view text, char lineE
     }
   }
   finish(variable, columns);
-  if (columns.empty()) return Error{name, "holds Octave's variables, none of them a matrix of numbers"};
+  if (columns.empty()) return Error{name, message("holds Octave's variables, none of them a matrix of numbers")};
   return tableOfColumns(std::move(columns), name);
 }
 

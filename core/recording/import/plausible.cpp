@@ -54,12 +54,12 @@ Agreement agreementOf(const Recording& recording, std::span<const double> drive,
 
 }  // namespace
 
-std::vector<std::string> contradictionsIn(const Recording& recording) {
+std::vector<Message> contradictionsIn(const Recording& recording) {
   constexpr double against = -0.3;  // the axis gives energy back
   constexpr double oneWay = 0.2;    // of the way
   constexpr double fastest_rad_per_s = 20000.0;
   constexpr size_t fewestRows = 50;
-  std::vector<std::string> out;
+  std::vector<Message> out;
   if (recording.rows() < fewestRows) return out;
   const std::vector<double> speed = speedOf(recording);
   for (const char* name : {"voltage_V", "duty", "current_A", "torque_Nm", "force_N"}) {
@@ -67,11 +67,15 @@ std::vector<std::string> contradictionsIn(const Recording& recording) {
     const Agreement agreement = agreementOf(recording, recording.channel(name), speed);
     const std::string turned = std::string("{\"sign\": {\"") + name + "\": -1}}";
     if (agreement.correlation < against) {
-      out.push_back(std::string("implausible: the axis moves against ") + name +
-                    " most of the time; unless a load drives it, one of the two has the wrong sign: " + turned);
+      out.push_back(
+          message("implausible: the axis moves against {} most of the time; unless a load drives it, one of the two "
+                  "has the wrong sign: {}",
+                  name, turned));
     } else if (agreement.oneSign && agreement.forward > oneWay && agreement.forward < 1.0 - oneWay) {
-      out.push_back(std::string("implausible: ") + name +
-                    " never changes its sign although the axis moves both ways; a column of its direction is missing");
+      out.push_back(
+          message("implausible: {} never changes its sign although the axis moves both ways; a column of its direction "
+                  "is missing",
+                  name));
     }
   }
   double most = 0.0;
@@ -79,8 +83,9 @@ std::vector<std::string> contradictionsIn(const Recording& recording) {
     for (const double value : speed) most = std::isfinite(value) ? std::max(most, std::abs(value)) : most;
   }
   if (most > fastest_rad_per_s)
-    out.push_back("implausible: it would turn with up to " + shortText(most) +
-                  " rad/s; the unit of the time, the angle or the speed is wrong");
+    out.push_back(
+        message("implausible: it would turn with up to {} rad/s; the unit of the time, the angle or the speed is wrong",
+                shortText(most)));
   return out;
 }
 

@@ -30,16 +30,16 @@ Result<ReadTable> readZip(const std::string& bytes, const std::string& name) {
   if (isWorkbook(*archive)) return whole(readWorkbook(*archive, name));
   if (isNpz(*archive)) return whole(readNpz(*archive, name));
   if (archive->has("content.xml"))
-    return Error{name, "is an OpenDocument spreadsheet (.ods); save the sheet as .xlsx or CSV"};
+    return Error{name, message("is an OpenDocument spreadsheet (.ods); save the sheet as .xlsx or CSV")};
   if (archive->has("xl/workbook.bin"))
-    return Error{name, "is a binary Excel workbook (.xlsb); save it as .xlsx or CSV"};
+    return Error{name, message("is a binary Excel workbook (.xlsb); save it as .xlsx or CSV")};
   const auto members = archive->members();
   if (members.size() != 1)
-    return Error{name,
-                 "is a zip archive of " + std::to_string(members.size()) + " files; unpack it and import one of them"};
+    return Error{name, message("is a zip archive of {} files; unpack it and import one of them", members.size())};
   auto content = archive->read(members.front());
   if (!content) return content.error();
-  if (isZip(*content) || isGzip(*content)) return Error{name, "is a packed file within a zip archive; unpack it first"};
+  if (isZip(*content) || isGzip(*content))
+    return Error{name, message("is a packed file within a zip archive; unpack it first")};
   return readTableBytes(std::move(*content), name);
 }
 

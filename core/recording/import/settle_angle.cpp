@@ -16,7 +16,7 @@ Result<void> Settling::takeAngle() {
   const auto speed = columnOf("velocity_rad_per_s");
   const bool counts = choices_[*c].name.needs == UnitNeeds::countsPerRev && !choices_[*c].byMap;
   if (counts && rangeOf(angle) == 0.0 && speed && rangeOf(values(*speed)) > 0.0) {
-    keep(*c, "never changes although the speed does");
+    keep(*c, message("never changes although the speed does"));
     return {};
   }
   if (counts && !map_.counts_per_rev) countsBySpeed(*c);
@@ -53,62 +53,70 @@ void Settling::sayIfAmbiguous(const std::vector<double>& angle, double turn) {
     most = std::max(most, std::abs(change) / turn);
   }
   if (places < 2) return;
-  remarks_.push_back("implausible: the angle stays within one turn and moves up to " + shortText(most) +
-                     " turns from row to row, in " + std::to_string(places) +
-                     " places; if it starts anew with each turn, nobody can tell which way it went");
+  remarks_.push_back(
+      message("implausible: the angle stays within one turn and moves up to {} turns from row to row, in {} places; if "
+              "it starts anew with each turn, nobody can tell which way it went",
+              shortText(most), places));
 }
 
 void Settling::unwindBy(std::vector<double>& angle, double period, bool whole) {
   const Unwound unwound = unwind(angle, period, time_.pauses);
-  remarks_.push_back(std::string("the angle ") + (whole ? "starts anew with each turn" : "overflows its register") +
-                     ", in " + std::to_string(unwound.places) + (unwound.places == 1 ? " place" : " places") +
-                     "; it goes on counting now");
+  remarks_.push_back(
+      whole ? message("the angle starts anew with each turn, in {}; it goes on counting now", placesIn(unwound.places))
+            : message("the angle overflows its register, in {}; it goes on counting now", placesIn(unwound.places)));
   if (!time_.pauses.empty())
-    remarks_.emplace_back("turns made during a pause are unknown: over it the angle may be wrong by whole turns");
+    remarks_.push_back(message("turns made during a pause are unknown: over it the angle may be wrong by whole turns"));
   if (unwound.largestStep > 0.4)
-    remarks_.push_back("it moves up to " + shortText(unwound.largestStep) +
-                       " turns from row to row; from half a turn on nobody can tell which way, so check the result");
+    remarks_.push_back(message(
+        "it moves up to {} turns from row to row; from half a turn on nobody can tell which way, so check the result",
+        shortText(unwound.largestStep)));
 }
 
 Result<void> Settling::nameUnit(size_t c, const std::optional<double>& period) {
   ColumnFate& fate = fates_[c];
   const auto& angle = values(c);
-  const auto set = [&fate](double scale, const char* unit, const std::string& why) {
+  const auto set = [&fate](double scale, const char* unit, Message why) {
     fate.scale = scale;
     fate.unit = unit;
-    fate.why = why;
+    fate.why = std::move(why);
     fate.guessed = true;
   };
   if (map_.counts_per_rev && areWhole(angle)) {
-    set(turn_rad / *map_.counts_per_rev, "counts", "whole numbers, with the map's counts per turn");
+    set(turn_rad / *map_.counts_per_rev, "counts", message("whole numbers, with the map's counts per turn"));
     return {};
   }
-  if (period && *period == 360.0) return set(turn_rad / 360.0, "deg", "it starts anew after 360"), Result<void>{};
-  if (period && *period == 1.0) return set(turn_rad, "turns", "it starts anew after 1"), Result<void>{};
+  if (period && *period == 360.0)
+    return set(turn_rad / 360.0, "deg", message("it starts anew after 360")), Result<void>{};
+  if (period && *period == 1.0) return set(turn_rad, "turns", message("it starts anew after 1")), Result<void>{};
   if (isCountedAsSpeed(c)) {
     choices_[c].name.needs = UnitNeeds::countsPerRev;
-    set(turn_rad, "counts", "so it agrees with the speed, which is in counts");
+    set(turn_rad, "counts", message("so it agrees with the speed, which is in counts"));
     const auto filled = fillNeed(c, true);
     return filled ? Result<void>{} : filled.error();
   }
   if (unitsByEachOther(c)) return {};
   if (const auto scale = scaleBySpeed(c)) {
-    set(*scale, *scale == 1.0 ? "rad" : *scale == turn_rad ? "turns" : "deg", "so it agrees with the speed");
+    set(*scale, *scale == 1.0 ? "rad" : *scale == turn_rad ? "turns" : "deg", message("so it agrees with the speed"));
     return {};
   }
   constexpr double manyTurns = 30.0;
   if (areWhole(angle) && rangeOf(angle) >= manyTurns) {
     if (countsBySpeed(c)) {
       choices_[c].name.needs = UnitNeeds::countsPerRev;
-      set(turn_rad / *counts_per_rev_, "counts", "whole numbers, of which the speed tells how many are one turn");
+      set(turn_rad / *counts_per_rev_, "counts",
+          message("whole numbers, of which the speed tells how many are one turn"));
       return {};
     }
-    const std::string hint = period ? ", perhaps " + shortText(*period) + ", after which it starts anew" : "";
-    return Error{path_ + ", column " + fate.from, "holds whole numbers and no unit; say how many are one turn" + hint +
-                                                      ", with --map {\"counts_per_rev\": " +
-                                                      (period ? shortText(*period) : "4096") + "}, or name its unit"};
+    const std::string told = "{\"counts_per_rev\": " + (period ? shortText(*period) : "4096") + "}";
+    return Error{
+        path_ + ", column " + fate.from,
+        period ? message("holds whole numbers and no unit; say how many are one turn, perhaps {}, after which it "
+                         "starts anew, with --map {}, or name its unit",
+                         shortText(*period), told)
+               : message("holds whole numbers and no unit; say how many are one turn, with --map {}, or name its unit",
+                         told)};
   }
-  fate.why = "by its name, which tells no unit";
+  fate.why = message("by its name, which tells no unit");
   return {};
 }
 
@@ -134,10 +142,11 @@ bool Settling::countsBySpeed(size_t c) {
   const double measured = motion->factor / fates_[*v].scale * turn_rad;
   if (measured < fewest || rangeOf(values(c)) < measured) return false;
   counts_per_rev_ = usualCounts(measured);
-  remarks_.push_back(fates_[c].from + " is in counts, of which " + shortText(*counts_per_rev_) +
-                     " were taken for one turn, a guess: beside " + fates_[*v].from + " it makes " +
-                     shortText(std::round(measured * 10.0) / 10.0) +
-                     " a turn; say it with --map {\"counts_per_rev\": " + shortText(*counts_per_rev_) + "}");
+  remarks_.push_back(message(
+      "{} is in counts, of which {} were taken for one turn, a guess: beside {} it makes {} a turn; say it with --map "
+      "{}",
+      fates_[c].from, shortText(*counts_per_rev_), fates_[*v].from, shortText(std::round(measured * 10.0) / 10.0),
+      "{\"counts_per_rev\": " + shortText(*counts_per_rev_) + "}"));
   return true;
 }
 
@@ -159,15 +168,17 @@ bool Settling::unitsByEachOther(size_t c) {
   if (!motion || motion->correlation < 0.95) return false;
   const auto pair = unitsByFactor(motion->factor);
   if (!pair) return false;
-  const auto set = [this](size_t column, const char* unit, double scale, const std::string& why) {
+  const auto set = [this](size_t column, const char* unit, double scale, Message why) {
     fates_[column].unit = unit;
     fates_[column].scale = scale;
-    fates_[column].why = why;
+    fates_[column].why = std::move(why);
     fates_[column].guessed = true;
   };
-  const std::string only = "only so it agrees with ";
-  set(c, pair->angle, pair->angle_rad, only + fates_[*v].from + " in " + pair->speed);
-  set(*v, pair->speed, pair->speed_rad_per_s, only + fates_[c].from + " in " + pair->angle);
+  const auto only = [this](size_t column, const char* unit) {
+    return message("only so it agrees with {} in {}", fates_[column].from, unit);
+  };
+  set(c, pair->angle, pair->angle_rad, only(*v, pair->speed));
+  set(*v, pair->speed, pair->speed_rad_per_s, only(c, pair->angle));
   return true;
 }
 
@@ -192,15 +203,15 @@ Result<void> Settling::nameSpeedUnit(size_t c, bool alone) {
   if (const Unit* usual = unitNamed(choices_[c].name.usual); usual != nullptr) {
     fate.scale = usual->scale;
     fate.unit = choices_[c].name.usual;
-    fate.why = "such a speed is counted so";
+    fate.why = message("such a speed is counted so");
     fate.guessed = true;
     return {};
   }
   constexpr double manyRadians_per_s = 30.0;
   if (!alone || choices_[c].byMap || !areWhole(values(c)) || largest(values(c)) < manyRadians_per_s) return {};
-  return Error{path_ + ", column " + fate.from, "holds whole numbers and no unit; say it with --map {\"columns\": {\"" +
-                                                    fate.from +
-                                                    "\": {\"to\": \"velocity_rad_per_s\", \"unit\": \"rpm\"}}}"};
+  return Error{path_ + ", column " + fate.from,
+               message("holds whole numbers and no unit; say it with --map {}",
+                       "{\"columns\": {\"" + fate.from + "\": {\"to\": \"velocity_rad_per_s\", \"unit\": \"rpm\"}}}")};
 }
 
 void Settling::speedByAngle(size_t c, size_t angle) {
@@ -219,18 +230,18 @@ void Settling::speedByAngle(size_t c, size_t angle) {
     if (std::abs(std::log(std::abs(motion->factor) / one.scale)) > std::log(1.15)) continue;
     fates_[c].scale = one.scale;
     fates_[c].unit = one.unit;
-    fates_[c].why = "so it agrees with the angle";
+    fates_[c].why = message("so it agrees with the angle");
     fates_[c].guessed = true;
     return;
   }
-  keep(c, "its name tells no unit, and in none that is usual it agrees with the angle (factor " +
-              shortText(motion->factor) + ")");
+  keep(c, message("its name tells no unit, and in none that is usual it agrees with the angle (factor {})",
+                  shortText(motion->factor)));
 }
 
 Result<void> Settling::takeIntegral() {
   if (map_.integrate.empty()) return {};
   if (columnOf("angle_rad") || columnOf("position_m"))
-    return Error{path_, "has an angle already, so nothing is to be integrated"};
+    return Error{path_, message("has an angle already, so nothing is to be integrated")};
   for (size_t c = 0; c < fates_.size(); ++c) {
     if (fates_[c].from != map_.integrate || fates_[c].kind == ColumnFate::Kind::leftOut) continue;
     const bool linear = fates_[c].to == "velocity_m_per_s";
@@ -247,7 +258,7 @@ Result<void> Settling::takeIntegral() {
       made.values.push_back(made.values.back() + (std::isfinite(way) ? way : 0.0));
     }
     made_.push_back(std::move(made));
-    remarks_.push_back(made_.back().name + " is " + map_.integrate + ", integrated by trapezoids from 0");
+    remarks_.push_back(message("{} is {}, integrated by trapezoids from 0", made_.back().name, map_.integrate));
   }
   return {};
 }
@@ -263,9 +274,9 @@ void Settling::differentiate() {
       const size_t a = k == 0 ? 0 : k - 1, b = std::min(k + 1, last);
       made.values.push_back(a == b ? 0.0 : (angle[b] - angle[a]) / (time_.time_s[b] - time_.time_s[a]));
     }
-    if (const auto measured = columnOf(made.name)) keep(*measured, "the map's derivative takes its place");
+    if (const auto measured = columnOf(made.name)) keep(*measured, message("the map's derivative takes its place"));
     made_.push_back(std::move(made));
-    remarks_.push_back(made_.back().name + " is " + map_.differentiate + ", differentiated over two rows");
+    remarks_.push_back(message("{} is {}, differentiated over two rows", made_.back().name, map_.differentiate));
   }
 }
 
@@ -276,9 +287,10 @@ Result<void> Settling::needMotion() {
   for (const char* name : {"angle_rad", "position_m", "velocity_rad_per_s", "velocity_m_per_s"}) {
     if (columnOf(name) || made(name)) return {};
   }
-  return Error{path_,
-               "no column could be taken for the angle, position or speed; there are: " + names() +
-                   "; say which with --map {\"columns\": {\"NAME\": {\"to\": \"angle_rad\", \"unit\": \"deg\"}}}"};
+  return Error{
+      path_,
+      message("no column could be taken for the angle, position or speed; there are: {}; say which with --map {}",
+              names(), "{\"columns\": {\"NAME\": {\"to\": \"angle_rad\", \"unit\": \"deg\"}}}")};
 }
 
 void Settling::checkMotion() {
@@ -286,9 +298,8 @@ void Settling::checkMotion() {
   if (angle) {
     const Leaps leaps = leapsIn(time_.time_s, values(*angle), time_.pauses);
     if (leaps.count > 0)
-      remarks_.push_back("implausible: the angle leaps in " + std::to_string(leaps.count) +
-                         (leaps.count == 1 ? " place" : " places") + ", first by " + shortText(leaps.size) +
-                         " rad at row " + std::to_string(time_.rows[leaps.first] + 1));
+      remarks_.push_back(message("implausible: the angle leaps in {}, first by {} rad at row {}", placesIn(leaps.count),
+                                 shortText(leaps.size), time_.rows[leaps.first] + 1));
   }
   if (!angle || !speed) return;
   const auto motion = compareMotion(time_.time_s, values(*angle), values(*speed), time_.pauses);
@@ -297,15 +308,16 @@ void Settling::checkMotion() {
   const bool unsignedSpeed =
       std::all_of(values(*speed).begin(), values(*speed).end(), [](double v) { return !(v < 0.0); });
   if (unsignedSpeed && std::abs(motion->correlation) < 0.9) {
-    remarks_.emplace_back(
-        "implausible: the speed is never negative although the angle falls, too; it seems to have lost its sign");
+    remarks_.push_back(message(
+        "implausible: the speed is never negative although the angle falls, too; it seems to have lost its sign"));
   } else if (std::abs(motion->correlation) < 0.6) {
-    remarks_.emplace_back("implausible: the speed and the angle's changes have little in common");
+    remarks_.push_back(message("implausible: the speed and the angle's changes have little in common"));
   } else if (factor < 0.0) {
-    remarks_.emplace_back("implausible: the speed has the other sign than the angle's changes");
+    remarks_.push_back(message("implausible: the speed has the other sign than the angle's changes"));
   } else if (std::abs(std::log(factor)) > std::log(1.2)) {
-    remarks_.push_back("implausible: the angle changes " + shortText(factor) +
-                       " times as much as the speed says; a unit of theirs or the time's is wrong");
+    remarks_.push_back(message(
+        "implausible: the angle changes {} times as much as the speed says; a unit of theirs or the time's is wrong",
+        shortText(factor)));
   }
 }
 

@@ -14,7 +14,7 @@ Result<void> Settling::takeDuty() {
   auto& duty = values(*c);
   if (fate.unit.empty() && arePulseWidths(duty)) {
     pulseWidths_ = *c;
-    keep(*c, "holds the pulse widths of a servo or a speed controller in µs, whose stop no file says");
+    keep(*c, message("holds the pulse widths of a servo or a speed controller in µs, whose stop no file says"));
     return {};
   }
   if (fate.unit.empty() || fate.unit == "1") {
@@ -22,32 +22,33 @@ Result<void> Settling::takeDuty() {
     const bool pwm = std::find(words.begin(), words.end(), "pwm") != words.end();
     const auto full = fullDutyOf(duty, pwm);
     if (!full)
-      return dutyBeyond(*c, "can be the whole of it; say it with --map, e.g. {\"columns\": {\"" + fate.from +
-                                "\": {\"to\": \"duty\", \"scale\": 0.001}}}");
+      return dutyBeyond(*c, message("can be the whole of it; say it with --map, e.g. {}",
+                                    "{\"columns\": {\"" + fate.from + "\": {\"to\": \"duty\", \"scale\": 0.001}}}"));
     if (*full != 1.0) {
       fate.scale = 1.0 / *full;
       fate.unit = *full == 100.0 ? "%" : "1/" + shortText(*full);
-      fate.why = "its values go up to " + shortText(largest(duty)) + ", so " + shortText(*full) + " was taken for full";
+      fate.why =
+          message("its values go up to {}, so {} was taken for full", shortText(largest(duty)), shortText(*full));
       fate.guessed = true;
     }
   }
   apply(*c);
   if (largest(duty) > 1.0 + 1e-6 && largest(duty) < 1.02) {
     for (double& value : duty) value = std::clamp(value, -1.0, 1.0);
-    remarks_.emplace_back("the duty exceeds 1 by less than 2 % and was limited");
+    remarks_.push_back(message("the duty exceeds 1 by less than 2 % and was limited"));
   }
-  if (largest(duty) > 1.0 + 1e-6) return dutyBeyond(*c, "is a duty, which ends at 1");
+  if (largest(duty) > 1.0 + 1e-6) return dutyBeyond(*c, message("is a duty, which ends at 1"));
   return {};
 }
 
-Result<void> Settling::dutyBeyond(size_t c, const std::string& what) {
+Result<void> Settling::dutyBeyond(size_t c, const Message& what) {
   const auto& duty = values(c);
   const auto at = std::max_element(duty.begin(), duty.end(), [](double a, double b) {
     return (std::isfinite(a) ? std::abs(a) : -1.0) < (std::isfinite(b) ? std::abs(b) : -1.0);
   });
   return Error{path_ + ", row " + std::to_string(time_.rows[static_cast<size_t>(at - duty.begin())] + 1) + ", column " +
                    fates_[c].from,
-               shortText(*at) + ", the largest value: nothing tells which one " + what};
+               message("{}, the largest value: nothing tells which one {}", shortText(*at), what)};
 }
 
 Result<void> Settling::takeOther(size_t c) {
@@ -60,14 +61,14 @@ Result<void> Settling::takeOther(size_t c) {
   if (torque) {
     to = "torque_Nm";
     fates_[c].unit = "Nm";
-    fates_[c].why = "what turns is driven by a torque";
+    fates_[c].why = message("what turns is driven by a torque");
   }
   // References are counted as what was measured is.
   const auto measured = columnOf(to == "angle_reference_rad" ? "angle_rad" : "velocity_rad_per_s");
   if ((to == "angle_reference_rad" || to == "velocity_reference_rad_per_s") && fates_[c].unit.empty() && measured) {
     fates_[c].scale = fates_[*measured].scale / gear(to);
     fates_[c].unit = fates_[*measured].unit;
-    fates_[c].why = "in the unit of " + fates_[*measured].from;
+    fates_[c].why = message("in the unit of {}", fates_[*measured].from);
   }
   apply(c);
   return {};
@@ -79,10 +80,14 @@ bool Settling::setCountsAside(size_t c) {
   const double most = drive ? 60.0 : to == "voltage_V" || to == "supply_V" ? 120.0 : 0.0;
   const bool guessed = fates_[c].guessed && fates_[c].unit.empty() && !choices_[c].byMap;
   if (most == 0.0 || !guessed || !areWhole(values(c)) || largest(values(c)) <= most) return false;
-  const std::string what = "whole numbers up to " + shortText(largest(values(c))) +
-                           " and no unit; they may be thousandths or a converter's counts";
-  remarks_.push_back("implausible: " + fates_[c].from + " holds " + what);
-  keep(c, "holds " + what + ": say which with --map");
+  const std::string up = shortText(largest(values(c)));
+  remarks_.push_back(message(
+      "implausible: {} holds whole numbers up to {} and no unit; they may be thousandths or a converter's counts",
+      fates_[c].from, up));
+  keep(c,
+       message("holds whole numbers up to {} and no unit; they may be thousandths or a converter's counts: say which "
+               "with --map",
+               up));
   return true;
 }
 
@@ -95,7 +100,8 @@ void Settling::settleVoltage() {
   if (!hardlyChanges(values(*c))) return;
   const auto speed = columnOf("velocity_rad_per_s");
   if (columnOf("supply_V") && speed && rangeOf(values(*speed)) > 0.5 * largest(values(*speed)))
-    return keep(*c, "it hardly changes while the speed does, beside the supply's, so it is no motor's voltage");
+    return keep(*c,
+                message("it hardly changes while the speed does, beside the supply's, so it is no motor's voltage"));
   const auto duty = columnOf("duty");
   const auto varies = [this](size_t column) { return rangeOf(values(column)) > 0.2 * largest(values(column)); };
   bool battery = false;  // a state of charge, or a throttle that varies, is told beside it
@@ -107,11 +113,10 @@ void Settling::settleVoltage() {
   }
   const bool driven = battery || (duty && varies(*duty)) || pulseWidths_.has_value();
   if (!driven && !turnsBothWays()) return;
-  const std::string why = battery  ? "it hardly changes, and a battery's charge or a throttle stands beside it"
-                          : driven ? "it hardly changes while the duty does"
-                                   : "it hardly changes while the axis turns "
-                                     "both ways";
-  if (columnOf("supply_V")) return keep(*c, why + ", so it is no motor's voltage");
+  const Message why = battery  ? message("it hardly changes, and a battery's charge or a throttle stands beside it")
+                      : driven ? message("it hardly changes while the duty does")
+                               : message("it hardly changes while the axis turns both ways");
+  if (columnOf("supply_V")) return keep(*c, why + message(", so it is no motor's voltage"));
   fates_[*c].to = "supply_V";
   fates_[*c].why = why;
   fates_[*c].guessed = true;
@@ -139,7 +144,8 @@ Result<void> Settling::turnSigns() {
       found = true;
       if (sign < 0.0) convert(channel.values, -1.0, 0.0);
     }
-    if (!found) return Error{path_, "has no column \"" + name + "\", whose sign the map turns; there are: " + names()};
+    if (!found)
+      return Error{path_, message("has no column \"{}\", whose sign the map turns; there are: {}", name, names())};
   }
   return {};
 }

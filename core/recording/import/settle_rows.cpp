@@ -46,8 +46,9 @@ Result<void> Settling::takeTime() {
     for (size_t k = 0; k < table_.rows(); ++k) raw.values.push_back(static_cast<double>(k) * *map_.sample_time_s);
     raw.unit_s = 1.0;
   } else if (!c) {
-    return Error{path_, "no column could be taken for the time; there are: " + names() +
-                            "; say which with --map, or how far the rows are apart: {\"sample_time_s\": 0.01}"};
+    return Error{path_, message("no column could be taken for the time; there are: {}; say which with --map, or how "
+                                "far the rows are apart: {}",
+                                names(), "{\"sample_time_s\": 0.01}")};
   } else {
     raw.values = std::move(values(*c));
     raw.origin = table_.columns[*c].origin;
@@ -66,11 +67,11 @@ Result<void> Settling::takeTime() {
     fates_[*c].guessed = time_.unitGuessed;
     if (time_.unitGuessed) {
       fates_[*c].unit.clear();
-      fates_[*c].why = "judged by its steps";
+      fates_[*c].why = message("judged by its steps");
     }
     if (steps) {
       fates_[*c].guessed = true;
-      fates_[*c].why = "each row's time since the row before, summed";
+      fates_[*c].why = message("each row's time since the row before, summed");
     }
     if (fates_[*c].unit.empty()) fates_[*c].unit = table_.columns[*c].clock ? "clock" : unitNameOf(time_.unit_s);
   }
@@ -103,7 +104,7 @@ Result<void> Settling::sparseRows() {
     if (std::isfinite(values(*motion)[k])) rows.push_back(k);
   }
   const size_t all = time_.time_s.size();
-  if (rows.empty()) return Error{path_ + ", column " + fates_[*motion].from, "holds no number"};
+  if (rows.empty()) return Error{path_ + ", column " + fates_[*motion].from, message("holds no number")};
   if (5 * rows.size() > 4 * all) return {};
   const auto time = columnOf("time_s");
   for (size_t c = 0; c < choices_.size(); ++c) {
@@ -119,8 +120,8 @@ Result<void> Settling::sparseRows() {
   time_.rows.clear();
   for (const size_t row : rows) time_.rows.push_back(before[row]);
   time_.pauses = pausesIn(time_.time_s);
-  remarks_.push_back(std::to_string(rows.size()) + " of " + std::to_string(all) + " rows have " + fates_[*motion].from +
-                     " and stay; the other columns hold their last value there");
+  remarks_.push_back(message("{} of {} rows have {} and stay; the other columns hold their last value there",
+                             rows.size(), all, fates_[*motion].from));
   return {};
 }
 
@@ -137,10 +138,10 @@ void Settling::settleTimeByMotion() {
     time_.unit_s = unit_s;
     fates_[*time].scale = unit_s;
     fates_[*time].unit = unitNameOf(unit_s);
-    fates_[*time].why = "so the speed agrees with the angle";
+    fates_[*time].why = message("so the speed agrees with the angle");
     std::erase_if(remarks_, [](const std::string& one) { return one.starts_with("the time has no unit"); });
-    remarks_.push_back("the time has no unit; it was taken for " + fates_[*time].unit +
-                       ", with which the speed agrees with the angle");
+    remarks_.push_back(message("the time has no unit; it was taken for {}, with which the speed agrees with the angle",
+                               fates_[*time].unit));
     return;
   }
 }

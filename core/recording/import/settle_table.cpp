@@ -89,11 +89,11 @@ ColumnFate Settling::fateOf(size_t c) const {
   fate.scale = choice.name.scale;
   fate.offset = choice.name.offset;
   fate.unit = choice.name.unit;
-  fate.why = choice.name.understood() ? (choice.byMap                 ? "the map says so"
-                                         : choice.byTool              ? "as that tool has it"
-                                         : choice.name.byUnit         ? "by its unit alone"
+  fate.why = choice.name.understood() ? (choice.byMap                 ? message("the map says so")
+                                         : choice.byTool              ? message("as that tool has it")
+                                         : choice.name.byUnit         ? message("by its unit alone")
                                          : !choice.name.guess.empty() ? choice.name.guess
-                                                                      : "by its name")
+                                                                      : message("by its name"))
                                       : choice.name.aside;
   fate.guessed =
       choice.name.understood() && (choice.name.unit.empty() || choice.name.byUnit || !choice.name.guess.empty());
@@ -111,10 +111,10 @@ std::optional<size_t> Settling::columnOf(const std::string& to) const {
   return std::nullopt;
 }
 
-void Settling::keep(size_t c, const std::string& why) {
+void Settling::keep(size_t c, Message why) {
   fates_[c].kind = ColumnFate::Kind::kept;
   fates_[c].to = plainName(fates_[c].from, c);
-  fates_[c].why = why;
+  fates_[c].why = std::move(why);
   fates_[c].guessed = false;
 }
 
@@ -144,8 +144,8 @@ Result<void> Settling::needOneAxis() {
   for (size_t k = 0; k < turn->names.size() && k < 4; ++k) list += (k == 0 ? "" : ", ") + turn->names[k];
   const std::string& column = table_.columns[turn->column].channel.name;
   return Error{path_ + ", column " + column,
-               "rows of " + std::to_string(turn->names.size()) + " axes stand in one table (" + list +
-                   (turn->names.size() > 4 ? ", …" : "") + "); part them with --map {\"split\": \"" + column + "\"}"};
+               message("rows of {} axes stand in one table ({}); part them with --map {}", turn->names.size(),
+                       list + (turn->names.size() > 4 ? ", …" : ""), "{\"split\": \"" + column + "\"}")};
 }
 
 Result<bool> Settling::fillNeed(size_t c, bool needed) {
@@ -158,10 +158,11 @@ Result<bool> Settling::fillNeed(size_t c, bool needed) {
     fate.scale /= *given;
     return true;
   }
-  const std::string ask =
-      counts ? "counts, and no file says how many are one turn; say it with --map {\"counts_per_rev\": 4096}"
-             : "speaks of electrical turns, and no file says the motor's pole pairs; say them with "
-               "--map {\"pole_pairs\": 7}";
+  const Message ask =
+      counts ? message("counts, and no file says how many are one turn; say it with --map {}",
+                       "{\"counts_per_rev\": 4096}")
+             : message("speaks of electrical turns, and no file says the motor's pole pairs; say them with --map {}",
+                       "{\"pole_pairs\": 7}");
   if (needed) return Error{path_ + ", column " + fate.from, ask};
   keep(c, ask);
   return false;
@@ -189,7 +190,7 @@ Result<Imported> Settling::seal() {
     ColumnFate& fate = fates_[c];
     if (!taken.insert(fate.to).second) {
       fate.kind = ColumnFate::Kind::leftOut;
-      fate.why = "stands there twice";
+      fate.why = message("stands there twice");
       continue;
     }
     channels.push_back({fate.to, std::move(values(c))});
@@ -200,19 +201,20 @@ Result<Imported> Settling::seal() {
   table_.notes.emplace_back("imported from", std::filesystem::path(path_).filename().string());
   auto recording = Recording::seal(path_, std::move(channels), std::move(table_.notes));
   if (!recording) return recording.error();
-  for (std::string& one : contradictionsIn(*recording)) remarks_.push_back(std::move(one));
+  for (Message& one : contradictionsIn(*recording)) remarks_.push_back(std::move(one));
   return Imported{std::move(*recording), std::move(fates_), std::move(remarks_)};
 }
 
-std::string ColumnFate::inWords() const {
-  if (kind == Kind::leftOut) return from + ": left out, " + why;
-  if (kind == Kind::kept) return from + ": kept unused, " + why;
-  std::string text = from == to ? from : from + " → " + to;
+Message ColumnFate::inWords() const {
+  if (kind == Kind::leftOut) return message("{}: left out, {}", from, why);
+  if (kind == Kind::kept) return message("{}: kept unused, {}", from, why);
+  Message text(from == to ? from : from + " → " + to);
   if (from != to || scale != 1.0) {
-    text += unit.empty() ? ", taken as SI, a guess: the name tells no unit" : ", from " + unit;
-    if (scale != 1.0) text += " (× " + shortText(scale) + ")";
-    if (offset != 0.0) text += (offset > 0.0 ? ", + " : ", − ") + shortText(std::abs(offset));
-    if (guessed && !unit.empty()) text += ", a guess: " + why;
+    text =
+        text + (unit.empty() ? message(", taken as SI, a guess: the name tells no unit") : message(", from {}", unit));
+    if (scale != 1.0) text = text + (" (× " + shortText(scale) + ")");
+    if (offset != 0.0) text = text + ((offset > 0.0 ? ", + " : ", − ") + shortText(std::abs(offset)));
+    if (guessed && !unit.empty()) text = text + message(", a guess: {}", why);
   }
   return text;
 }

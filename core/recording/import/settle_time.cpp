@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/exact_text.h"
+#include "base/marked_text.h"
 #include "recording/import/number_text.h"
 
 namespace breakaway {
@@ -35,9 +36,9 @@ double usualStep(const std::vector<double>& values) {
 
 struct UnitGuess {
   double unit_s = 1.0;
-  const char* name = "s";
+  MessageText<0> name = "s";
   bool sure = false;  ///< by the size of the stamps
-  const char* since = "1970";
+  MessageText<0> since = "1970";
 };
 
 /// Clocks that count otherwise than from 1970, by the stamps that they have between 2000 and 2050: Windows' and .NET's
@@ -45,9 +46,9 @@ struct UnitGuess {
 std::optional<UnitGuess> otherClock(double start, double step) {
   constexpr double slowest_d = 2e-5;
   if (start > 1.25e17 && start < 1.42e17) return UnitGuess{1e-7, "100 ns", true, "1601"};
-  if (start > 6.3e17 && start < 6.47e17) return UnitGuess{1e-7, "100 ns", true, "the year 1"};
+  if (start > 6.3e17 && start < 6.47e17) return UnitGuess{1e-7, "100 ns", true, marked("the year 1")};
   if (start > 36526.0 && start < 54789.0 && step > 0.0 && step < slowest_d)
-    return UnitGuess{86400.0, "days", true, "1900"};
+    return UnitGuess{86400.0, marked("days"), true, "1900"};
   return std::nullopt;
 }
 
@@ -82,8 +83,8 @@ void doubtUnit(const RawTime& raw, SettledTime& settled) {
   const double lasts_s = range * settled.unit_s;
   const bool tooShort = lasts_s < shortest_s && (range > asSeconds_s || lasts_s < none_s);
   if (raw.clock || !(range > 0.0) || !tooShort || isWhole(raw.values)) return;
-  settled.remarks.push_back("implausible: with the unit of its name the log would last " + shortText(lasts_s) +
-                            " s; its time was taken for s");
+  settled.remarks.push_back(message(
+      "implausible: with the unit of its name the log would last {} s; its time was taken for s", shortText(lasts_s)));
   settled.unit_s = 1.0;
   settled.unitGuessed = true;
 }
@@ -98,7 +99,7 @@ double wrapBetween(double last, double now, double step, const std::vector<doubl
 }
 
 /// Counters that start anew go on counting.
-void unwrapCounter(RawTime& raw, double step, std::vector<std::string>& remarks) {
+void unwrapCounter(RawTime& raw, double step, std::vector<Message>& remarks) {
   std::vector<double> periods;
   if (raw.clock) {
     periods = {86400.0, 43200.0};
@@ -120,12 +121,12 @@ void unwrapCounter(RawTime& raw, double step, std::vector<std::string>& remarks)
     last = value;
   }
   if (wraps > 0)
-    remarks.push_back("the clock starts anew in " + std::to_string(wraps) + (wraps == 1 ? " place" : " places") +
-                      ", as a counter that is full or at midnight; it goes on counting");
+    remarks.push_back(message(
+        "the clock starts anew in {}, as a counter that is full or at midnight; it goes on counting", placesIn(wraps)));
 }
 
 /// Rows that share a stamp are spread up to the next one.
-void spreadRepeats(std::vector<double>& values, double step, std::vector<std::string>& remarks) {
+void spreadRepeats(std::vector<double>& values, double step, std::vector<Message>& remarks) {
   size_t repeats = 0;
   double lastStep = step;
   for (size_t k = 0; k < values.size();) {
@@ -140,11 +141,10 @@ void spreadRepeats(std::vector<double>& values, double step, std::vector<std::st
     k = end;
   }
   if (repeats > 0)
-    remarks.push_back(std::to_string(repeats) +
-                      (repeats == 1 ? " row repeats the stamp before it and was"
-                                    : " rows repeat the stamp before "
-                                      "them and were") +
-                      " spread evenly up to the next one");
+    remarks.push_back(
+        repeats == 1
+            ? message("1 row repeats the stamp before it and was spread evenly up to the next one")
+            : message("{} rows repeat the stamp before them and were spread evenly up to the next one", repeats));
 }
 
 /// Whether the clock, having fallen at `k`, goes on from there instead of coming back.
@@ -159,7 +159,7 @@ bool beginsAnew(const std::vector<double>& values, size_t k, double highest, dou
 }
 
 /// Parts whose clocks begin anew follow one another.
-void followOn(RawTime& raw, double step, double pause, std::vector<std::string>& remarks) {
+void followOn(RawTime& raw, double step, double pause, std::vector<Message>& remarks) {
   double shift = 0.0, highest = NAN;
   size_t resets = 0, firstReset = 0;
   for (size_t k = 0; k < raw.values.size(); ++k) {
@@ -178,14 +178,14 @@ void followOn(RawTime& raw, double step, double pause, std::vector<std::string>&
     if (!(raw.values[k] <= highest)) highest = raw.values[k];
   }
   if (resets > 0)
-    remarks.push_back("the clock begins anew in " + std::to_string(resets) + (resets == 1 ? " place" : " places") +
-                      ", the first is row " + std::to_string(firstReset) +
-                      "; what passed there is unknown, 1 s was taken");
+    remarks.push_back(
+        message("the clock begins anew in {}, the first is row {}; what passed there is unknown, 1 s was taken",
+                placesIn(resets), firstReset));
 }
 
 /// The rows whose time is there and increases.
 Result<std::vector<size_t>> increasingRows(const std::vector<double>& values, double unit_s, double origin,
-                                           const std::string& place, std::vector<std::string>& remarks) {
+                                           const std::string& place, std::vector<Message>& remarks) {
   std::vector<size_t> rows;
   rows.reserve(values.size());
   size_t without = 0, falling = 0, firstFalling = 0;
@@ -198,30 +198,34 @@ Result<std::vector<size_t>> increasingRows(const std::vector<double>& values, do
       rows.push_back(k);
     }
   }
-  if (rows.empty() || (rows.size() < 2 && values.size() > 1 && falling == 0)) return Error{place, "holds no times"};
+  if (rows.empty() || (rows.size() < 2 && values.size() > 1 && falling == 0))
+    return Error{place, message("holds no times")};
   if (100 * falling > values.size()) {
     const double base = origin * unit_s;
-    return Error{place + ", row " + std::to_string(firstFalling + 1) + ", column time_s",
-                 exactText(base + values[firstFalling] * unit_s) + " does not increase after " +
-                     exactText(base + values[firstFalling - 1] * unit_s) + ", expected strictly increasing times"};
+    return Error{
+        place + ", row " + std::to_string(firstFalling + 1) + ", column time_s",
+        message("{} does not increase after {}, expected strictly increasing times",
+                exactText(base + values[firstFalling] * unit_s), exactText(base + values[firstFalling - 1] * unit_s))};
   }
   if (without > 0)
-    remarks.push_back(std::to_string(without) +
-                      (without == 1 ? " row has no time and was left out" : " rows have no time and were left out"));
+    remarks.push_back(without == 1 ? message("1 row has no time and was left out")
+                                   : message("{} rows have no time and were left out", without));
   if (falling > 0)
-    remarks.push_back(std::to_string(falling) + (falling == 1 ? " row's time falls" : " rows' times fall") +
-                      " back and " + (falling == 1 ? "was" : "were") + " left out, the first is row " +
-                      std::to_string(firstFalling + 1));
+    remarks.push_back(
+        falling == 1
+            ? message("1 row's time falls back and was left out, the first is row {}", firstFalling + 1)
+            : message("{} rows' times fall back and were left out, the first is row {}", falling, firstFalling + 1));
   return rows;
 }
 
-void sayPauses(const SettledTime& settled, std::vector<std::string>& remarks) {
+void sayPauses(const SettledTime& settled, std::vector<Message>& remarks) {
   if (settled.pauses.empty()) return;
   const size_t at = settled.pauses.front();
-  remarks.push_back((settled.pauses.size() == 1 ? std::string("a pause")
-                                                : std::to_string(settled.pauses.size()) + " pauses, the first") +
-                    " of " + shortText(settled.time_s[at] - settled.time_s[at - 1]) + " s after row " +
-                    std::to_string(settled.rows[at - 1] + 1));
+  const std::string length_s = shortText(settled.time_s[at] - settled.time_s[at - 1]);
+  const size_t row = settled.rows[at - 1] + 1;
+  remarks.push_back(settled.pauses.size() == 1
+                        ? message("a pause of {} s after row {}", length_s, row)
+                        : message("{} pauses, the first of {} s after row {}", settled.pauses.size(), length_s, row));
 }
 
 }  // namespace
@@ -244,9 +248,10 @@ Result<SettledTime> settleTime(RawTime raw, const std::string& place) {
     settled.unit_s = guess.unit_s;
     settled.unitGuessed = !guess.sure;
     if (guess.unit_s != 1.0 || guess.sure)
-      settled.remarks.push_back("the time has no unit; " +
-                                (guess.sure ? std::string("its stamps are ") + guess.name + " since " + guess.since
-                                            : "steps of " + shortText(step) + " were taken for " + guess.name));
+      settled.remarks.push_back(
+          guess.sure
+              ? message("the time has no unit; its stamps are {} since {}", message(guess.name), message(guess.since))
+              : message("the time has no unit; steps of {} were taken for {}", shortText(step), message(guess.name)));
   } else {
     settled.unit_s = raw.unit_s.value_or(1.0);
     doubtUnit(raw, settled);
@@ -266,12 +271,12 @@ Result<SettledTime> settleTime(RawTime raw, const std::string& place) {
     for (double& value : settled.time_s) value += shift;
   }
   if (fromFirst && !raw.clock)
-    settled.remarks.push_back("the time is counted from the first row, which was at " + shortText(start_s) + " s");
-  if (raw.clock) settled.remarks.emplace_back("times of day are counted from the first row");
+    settled.remarks.push_back(message("the time is counted from the first row, which was at {} s", shortText(start_s)));
+  if (raw.clock) settled.remarks.push_back(message("times of day are counted from the first row"));
   for (size_t k = 1; k < settled.time_s.size(); ++k) {
     if (!(settled.time_s[k] > settled.time_s[k - 1]))
       return Error{place + ", row " + std::to_string(settled.rows[k] + 1) + ", column time_s",
-                   "differs from the row before by less than can be told"};
+                   message("differs from the row before by less than can be told")};
   }
   settled.pauses = pausesIn(settled.time_s);
   sayPauses(settled, settled.remarks);

@@ -23,7 +23,7 @@ struct SettledTime {
   std::vector<size_t> pauses;  ///< index into `rows` of the first row after each pause
   double unit_s = 1.0;         ///< s per unit of the values
   bool unitGuessed = false;
-  std::vector<std::string> remarks;
+  std::vector<Message> remarks;
 };
 
 /// - Unit: ns, µs, ms or s since 1970, 100 ns since 1601 or the year 1, days since 1900 by the size of the stamps; else

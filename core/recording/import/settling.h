@@ -32,7 +32,7 @@ class Settling {
   std::optional<size_t> columnOf(const std::string& to) const;
   std::vector<double>& values(size_t c) { return table_.columns[c].channel.values; }
   bool isOpen(size_t c) const { return fates_[c].kind == ColumnFate::Kind::used && !settled_.contains(c); }
-  void keep(size_t c, const std::string& why);
+  void keep(size_t c, Message why);
   std::string names() const;
   /// Rows of several motors in turn are no motion of one.
   Result<void> needOneAxis();
@@ -71,7 +71,7 @@ class Settling {
   /// Angle and speed tell the unit of the time where nothing else does.
   void settleTimeByMotion();
   Result<void> takeDuty();
-  Result<void> dutyBeyond(size_t c, const std::string& what);
+  Result<void> dutyBeyond(size_t c, const Message& what);
   Result<void> takeOther(size_t c);
   /// Electrical values without a unit that look like a converter's counts or like mA.
   bool setCountsAside(size_t c);
@@ -92,7 +92,7 @@ class Settling {
   std::vector<size_t> newFile_;
   std::vector<Choice> choices_;
   std::vector<ColumnFate> fates_;
-  std::vector<std::string> remarks_;
+  std::vector<Message> remarks_;
   std::set<size_t> settled_;
   std::vector<Channel> made_;
   SettledTime time_;

@@ -36,14 +36,13 @@ RawColumn columnOf(const Signal& signal, const std::vector<Stamp>& stamps) {
 
 }  // namespace
 
-Result<RawTable> tableOfSignals(const std::vector<Signal>& signals, const StampColumn& time, const std::string& what,
+Result<RawTable> tableOfSignals(const std::vector<Signal>& signals, const StampColumn& time, const Message& what,
                                 const std::string& name) {
   const Signal* base = baseOf(signals);
-  if (base == nullptr || base->values.size() < 2) return Error{name, "is " + what + " without numbers over time"};
+  if (base == nullptr || base->values.size() < 2) return Error{name, message("is {} without numbers over time", what)};
   constexpr size_t mostValues = size_t{1} << 28;
   if (signals.size() > mostValues / base->values.size())
-    return Error{name, "has too many signals: " + std::to_string(signals.size()) + " over " +
-                           std::to_string(base->values.size()) + " stamps"};
+    return Error{name, message("has too many signals: {} over {} stamps", signals.size(), base->values.size())};
   RawTable table;
   RawColumn stamps{{time.name, {}}, {}};
   stamps.unit = time.unit;
@@ -57,8 +56,8 @@ Result<RawTable> tableOfSignals(const std::vector<Signal>& signals, const StampC
   for (const Signal& signal : signals) {
     if (!signal.values.empty()) table.columns.push_back(columnOf(signal, base->stamps));
   }
-  table.remarks.push_back(what + " of " + std::to_string(table.columns.size() - 1) + " signals, over the stamps of " +
-                          base->name + "; the others hold their last value");
+  table.remarks.push_back(message("{} of {} signals, over the stamps of {}; the others hold their last value", what,
+                                  table.columns.size() - 1, base->name));
   return table;
 }
 

@@ -34,7 +34,7 @@ struct StampColumn {
 
 /// Rows at the stamps of the angle with the most values, else of the longest signal; the others hold their last value.
 /// `what`: how the log is called in remarks. Error: no signal has two values.
-Result<RawTable> tableOfSignals(const std::vector<Signal>& signals, const StampColumn& time, const std::string& what,
+Result<RawTable> tableOfSignals(const std::vector<Signal>& signals, const StampColumn& time, const Message& what,
                                 const std::string& name);
 
 }  // namespace breakaway

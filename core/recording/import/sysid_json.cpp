@@ -64,8 +64,8 @@ Result<ReadTable> readTests(const Json& json, const std::string& name) {
     if (columns.empty()) {
       columns = columnsOf(rows.front().size());
       if (columns.empty())
-        return Error{name + ", " + test, "has rows of " + std::to_string(rows.front().size()) +
-                                             " numbers, expected time, voltage, position, velocity"};
+        return Error{name + ", " + test, message("has rows of {} numbers, expected time, voltage, position, velocity",
+                                                 rows.front().size())};
       columns.resize(std::min(columns.size(), rows.front().size()));
       for (const Named& one : columns) {
         RawColumn column{{one.name, {}}, {}};
@@ -81,18 +81,17 @@ Result<ReadTable> readTests(const Json& json, const std::string& name) {
     const size_t before = table.rows();
     for (const Json& row : rows) {
       if (!row.is_array() || row.size() < columns.size())
-        return Error{name + ", " + test, "has a row of another length, expected " + std::to_string(columns.size())};
+        return Error{name + ", " + test, message("has a row of another length, expected {}", columns.size())};
       for (size_t c = 0; c < columns.size(); ++c) {
-        if (!row[c].is_number()) return Error{name + ", " + test, "has a row with other than numbers"};
+        if (!row[c].is_number()) return Error{name + ", " + test, message("has a row with other than numbers")};
         table.columns[c].channel.values.push_back(row[c].get<double>());
       }
     }
-    table.remarks.push_back(std::string(test) + ": " + std::to_string(rows.size()) + " rows, from row " +
-                            std::to_string(before + 1));
+    table.remarks.push_back(message("{}: {} rows, from row {}", test, rows.size(), before + 1));
   }
-  table.remarks.push_back("recognised SysId's tests" +
-                          (unit.empty() ? std::string(", without a unit") : ", in " + unit) +
-                          "; each begins anew, after a pause");
+  table.remarks.push_back(unit.empty()
+                              ? message("recognised SysId's tests, without a unit; each begins anew, after a pause")
+                              : message("recognised SysId's tests, in {}; each begins anew, after a pause", unit));
   return read;
 }
 

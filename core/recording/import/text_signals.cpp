@@ -6,6 +6,7 @@
 #include <map>
 #include <vector>
 
+#include "base/marked_text.h"
 #include "recording/import/column_name.h"
 #include "recording/import/signal_log.h"
 #include "recording/import/units.h"
@@ -109,11 +110,12 @@ bool takeTeleplotLine(std::string_view line, Signals& signals) {
 
 struct Protocol {
   bool (*take)(std::string_view, Signals&);
-  const char *unit, *what;
+  const char* unit;
+  MessageText<0> what;
 };
 
 constexpr auto protocols = std::to_array<Protocol>(
-    {{takeInfluxLine, "ns", "InfluxDB's line protocol"}, {takeTeleplotLine, "ms", "a Teleplot log"}});
+    {{takeInfluxLine, "ns", marked("InfluxDB's line protocol")}, {takeTeleplotLine, "ms", marked("a Teleplot log")}});
 
 /// Which columns tell what.
 struct LongColumns {
@@ -161,10 +163,10 @@ std::optional<Result<RawTable>> readLineProtocol(std::string_view text, char lin
       const std::string_view line = withoutBlanks(takeLine(rest, lineEnd));
       if (!line.empty() && !isComment(line) && !protocol.take(line, all)) ++others;
     }
-    auto table = tableOfSignals(all.all(), {"time", protocol.unit}, protocol.what, name);
+    auto table = tableOfSignals(all.all(), {"time", protocol.unit}, message(protocol.what), name);
     if (table && others > 0)
-      table->remarks.push_back(std::to_string(others) + (others == 1 ? " line is" : " lines are") +
-                               " of another form and left out");
+      table->remarks.push_back(others == 1 ? message("1 line is of another form and left out")
+                                           : message("{} lines are of another form and left out", others));
     return table;
   }
   return std::nullopt;
@@ -200,10 +202,10 @@ std::optional<Result<RawTable>> readLongTable(std::string_view rows, char lineEn
   }
   StampColumn time{names.names[columns->time], names.units[columns->time], clock};
   if (isSameWord(time.name, "_time")) time.name = "time";
-  auto table = tableOfSignals(signals.all(), time, "a long table", name);
+  auto table = tableOfSignals(signals.all(), time, message("a long table"), name);
   if (table && others > 0)
-    table->remarks.push_back(std::to_string(others) + (others == 1 ? " row holds" : " rows hold") +
-                             " no signal's number and are left out");
+    table->remarks.push_back(others == 1 ? message("1 row holds no signal's number and are left out")
+                                         : message("{} rows hold no signal's number and are left out", others));
   return table;
 }
 

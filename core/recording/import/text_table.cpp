@@ -115,7 +115,8 @@ class Rows {
       if (kinds_[c] == TextCell::text) noteText(c, row);
       if (!number.unit.empty()) noteUnit(c, row);
       if (number.hexadecimal && !std::exchange(counts_[c].hexadecimal, true))
-        table.remarks.push_back(column.channel.name + ": hexadecimal; eight digits are taken as 32 bits with a sign");
+        table.remarks.push_back(
+            message("{}: hexadecimal; eight digits are taken as 32 bits with a sign", column.channel.name));
       double value = number.value;
       if (origins_ && column.origin != 0.0) {
         const auto origin = static_cast<int64_t>(column.origin);
@@ -178,11 +179,11 @@ class Rows {
       if (!column.texts.empty()) column.textOf.resize(lastGoodRow + 1);
     }
     if (100 * flawed_.size() <= table.rows() && !flawed_.empty()) {
-      table.remarks.push_back(std::to_string(flawed_.size()) +
-                              (flawed_.size() == 1 ? " row with text among its numbers was"
-                                                   : " rows with text among "
-                                                     "their numbers were") +
-                              " left out, the first is row " + std::to_string(flawed_.front() + 1));
+      table.remarks.push_back(
+          flawed_.size() == 1
+              ? message("1 row with text among its numbers was left out, the first is row {}", flawed_.front() + 1)
+              : message("{} rows with text among their numbers were left out, the first is row {}", flawed_.size(),
+                        flawed_.front() + 1));
       for (RawColumn& column : table.columns) {
         dropRows(column.channel.values);
         if (!column.texts.empty()) dropRows(column.textOf);
@@ -228,7 +229,7 @@ class Rows {
     rememberText(column, row, cells_[c]);
     if (column.fault) return;
     column.fault = Error{name_ + ", row " + std::to_string(row + 1) + ", column " + column.channel.name,
-                         "expected a number, found \"" + std::string(cells_[c].substr(0, 40)) + "\""};
+                         message("expected a number, found \"{}\"", cells_[c].substr(0, 40))};
   }
 
   /// All cells of a column have one unit.
@@ -238,7 +239,7 @@ class Rows {
     if (column.unit.empty()) column.unit = unit;
     if (column.unit == unit || column.fault || unitNamed(column.unit) == unitNamed(unit)) return;
     column.fault = Error{name_ + ", row " + std::to_string(row + 1) + ", column " + column.channel.name,
-                         "is in " + std::string(unit) + ", others in " + column.unit};
+                         message("is in {}, others in {}", unit, column.unit)};
   }
 
   template <typename Value>
@@ -259,7 +260,7 @@ class Rows {
     if (counts_[c].clocks == 0) return;
     column.clock = counts_[c].numbers == 0;
     if (!column.clock && !column.fault) {
-      column.fault = Error{name_ + ", column " + column.channel.name, "holds times of day beside numbers"};
+      column.fault = Error{name_ + ", column " + column.channel.name, message("holds times of day beside numbers")};
     }
   }
 
@@ -326,12 +327,13 @@ Start findStart(std::string_view text, char lineEnd, const TextLayout& layout, R
   return start;
 }
 
-std::string inFewWords(size_t count, std::string_view first) {
+Message inFewWords(size_t count, std::string_view first) {
   std::string shown(first.substr(0, 40));
   if (first.size() > 40) shown = shown.substr(0, shown.find_last_of(' ')) + " …";
   while (!isUtf8(shown)) shown.pop_back();
-  return std::to_string(count) + (count == 1 ? " line" : " lines") + " between or after the rows " +
-         (count == 1 ? "is no row and was" : "are no rows and were") + " left out, the first: \"" + shown + "\"";
+  return count == 1 ? message("1 line between or after the rows is no row and was left out, the first: \"{}\"", shown)
+                    : message("{} lines between or after the rows are no rows and were left out, the first: \"{}\"",
+                              count, shown);
 }
 
 /// A line of names other than the table's, and that didn't stand above it: a further table begins.
@@ -372,8 +374,8 @@ Result<void> readRows(std::string_view rest, char lineEnd, const TextLayout& lay
       rows.append(kind == LineKind::flawedRow);
       if (kind == LineKind::row) lastGood = rows.table.rows() - 1;
     } else if (kind == LineKind::text && rows.table.rows() > 1 && beginsFurtherTable(line, layout, names, before)) {
-      rows.table.remarks.push_back("a table with other names begins below row " + std::to_string(rows.table.rows()) +
-                                   " and was left out");
+      rows.table.remarks.push_back(
+          message("a table with other names begins below row {} and was left out", rows.table.rows()));
       break;
     } else if (lastWithoutEnd && rows.cellsOfLast() < layout.cells &&
                (kind == LineKind::otherRow || layout.cells <= 3)) {
@@ -390,9 +392,9 @@ Result<void> readRows(std::string_view rest, char lineEnd, const TextLayout& lay
   }
   if (50 * others > rows.table.rows() + others && further < others) {
     return Error{name + ", row " + std::to_string(otherAt),
-                 "has " + std::to_string(otherCells) + " cells, expected " + std::to_string(layout.cells)};
+                 message("has {} cells, expected {}", otherCells, layout.cells)};
   }
-  if (cut) rows.table.remarks.emplace_back("the last line is cut short and was left out");
+  if (cut) rows.table.remarks.push_back(message("the last line is cut short and was left out"));
   if (texts > 0) rows.table.remarks.push_back(inFewWords(texts, firstText));
   rows.settle(lastGood);
   return {};
@@ -402,10 +404,11 @@ Result<void> readRows(std::string_view rest, char lineEnd, const TextLayout& lay
 Result<RawTable> readSentences(const SentenceRows& rows, const std::string& name) {
   auto table = readTextTable(rows.table, name);
   if (!table) return table;
-  table->remarks.emplace_back("rows that read as sentences: the words before each number name it");
+  table->remarks.push_back(message("rows that read as sentences: the words before each number name it"));
   if (rows.leftOut > 0)
-    table->remarks.push_back(std::to_string(rows.leftOut) + (rows.leftOut == 1 ? " line reads" : " lines read") +
-                             " otherwise than the others and " + (rows.leftOut == 1 ? "was" : "were") + " left out");
+    table->remarks.push_back(rows.leftOut == 1
+                                 ? message("1 line reads otherwise than the others and was left out")
+                                 : message("{} lines read otherwise than the others and were left out", rows.leftOut));
   return table;
 }
 
@@ -430,10 +433,12 @@ Result<RawTable> readTextTable(std::string_view text, const std::string& name) {
   if (auto signals = readLineProtocol(utf8, lineEnd, name)) return std::move(*signals);
   const auto sample = sampleOf(utf8, lineEnd);
   if (withoutBlanks(utf8.substr(0, 1000)).find_first_not_of("\r\n \t") == std::string_view::npos && sample.empty())
-    return Error{name, "is empty, expected a table"};
+    return Error{name, message("is empty, expected a table")};
   const TextLayout layout = layoutOf(sample);
   const Error none{
-      name, "holds no table: expected rows of at least two numbers, separated by commas, semicolons, tabs or blanks"};
+      name,
+      message(
+          "holds no table: expected rows of at least two numbers, separated by commas, semicolons, tabs or blanks")};
   if (layout.cells == 0) {
     const auto sentences = withSentencesAsCells(utf8, SentenceTime::any);
     return sentences ? readSentences(*sentences, name) : none;

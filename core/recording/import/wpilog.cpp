@@ -120,9 +120,9 @@ bool isWpilog(std::string_view bytes) {
 }
 
 Result<RawTable> readWpilog(std::string_view bytes, const std::string& name) {
-  if (bytes.size() < 12) return Error{name, "is a WPILOG that is cut short"};
+  if (bytes.size() < 12) return Error{name, message("is a WPILOG that is cut short")};
   const uint64_t extra = numberOf(bytes.substr(8, 4));
-  if (extra > bytes.size() - 12) return Error{name, "is a WPILOG that is cut short"};
+  if (extra > bytes.size() - 12) return Error{name, message("is a WPILOG that is cut short")};
   std::string_view rest = bytes.substr(12 + extra);
   std::map<uint64_t, Entry> entries;
   Record record;
@@ -136,12 +136,12 @@ Result<RawTable> readWpilog(std::string_view bytes, const std::string& name) {
   std::vector<Signal> signals;
   signals.reserve(entries.size());
   for (auto& [id, entry] : entries) signals.push_back(std::move(entry.signal));
-  auto table = tableOfSignals(signals, {"time", "us"}, "a WPILOG", name);
+  auto table = tableOfSignals(signals, {"time", "us"}, message("a WPILOG"), name);
   if (!table) return table.error();
-  if (!rest.empty()) table->remarks.emplace_back("the log's last record is cut short and was left out");
+  if (!rest.empty()) table->remarks.push_back(message("the log's last record is cut short and was left out"));
   for (const auto& [id, entry] : entries) {
     for (const auto& [text, number] : entry.texts)
-      table->remarks.push_back(entry.name + ": " + std::to_string(static_cast<int>(number)) + " is \"" + text + "\"");
+      table->remarks.push_back(message("{}: {} is \"{}\"", entry.name, static_cast<int>(number), text));
   }
   return table;
 }

@@ -37,10 +37,11 @@ Result<void> load(const ZipArchive& archive, const std::string& member, const st
                   pugi::xml_document& document) {
   auto text = archive.read(member);
   if (!text) return text.error();
-  if (text->size() > mostXml) return Error{name + ", " + member, "is more than 256 MB of XML; save the sheet as CSV"};
+  if (text->size() > mostXml)
+    return Error{name + ", " + member, message("is more than 256 MB of XML; save the sheet as CSV")};
   const auto parsed =
       document.load_buffer(text->data(), text->size(), pugi::parse_default | pugi::parse_ws_pcdata_single);
-  if (!parsed) return Error{name + ", " + member, "is no well-formed XML"};
+  if (!parsed) return Error{name + ", " + member, message("is no well-formed XML")};
   return {};
 }
 
@@ -211,8 +212,8 @@ Result<RawTable> readWorkbook(const ZipArchive& archive, const std::string& name
       bestMember = member;
     }
   }
-  if (best.numbers < 2) return Error{name, "is an Excel workbook without a table of numbers"};
-  if (best.tooWide()) return Error{name, "has a sheet of more than 100 million cells"};
+  if (best.numbers < 2) return Error{name, message("is an Excel workbook without a table of numbers")};
+  if (best.tooWide()) return Error{name, message("has a sheet of more than 100 million cells")};
   // Rows that end earlier than others are filled up, so that all have the same number of cells.
   std::string filled;
   filled.reserve(best.text.size() + 64);
@@ -229,8 +230,8 @@ Result<RawTable> readWorkbook(const ZipArchive& archive, const std::string& name
   auto table = readTextTable(filled, name);
   if (!table) return table.error();
   if (sheets > 1)
-    table->remarks.push_back("of " + std::to_string(sheets) + " sheets the one with the most numbers was read (" +
-                             bestMember.substr(std::strlen("xl/worksheets/")) + ")");
+    table->remarks.push_back(message("of {} sheets the one with the most numbers was read ({})", sheets,
+                                     bestMember.substr(std::strlen("xl/worksheets/"))));
   return table;
 }
 

@@ -284,9 +284,9 @@ bool beginsWithMessages(std::string_view text) {
   return messages == 2;
 }
 
-std::string inWords(size_t count) {
-  return std::to_string(count) +
-         (count == 1 ? " document is no message and was" : " documents are no messages and were") + " left out";
+Message inWords(size_t count) {
+  return count == 1 ? message("1 document is no message and was left out")
+                    : message("{} documents are no messages and were left out", count);
 }
 
 }  // namespace
@@ -312,19 +312,19 @@ std::optional<Result<RawTable>> readYamlMessages(std::string_view text, const st
     if (ended) {
       ++others;
     } else {
-      table.remarks.emplace_back("the last message is cut short and was left out");
+      table.remarks.push_back(message("the last message is cut short and was left out"));
     }
   }
   if (others > 0) table.remarks.push_back(inWords(others));
   if (rows.cutLists())
-    table.remarks.emplace_back("lists end in \"...\": `ros2 topic echo --full-length` prints them whole");
-  if (rows.rows() < 2) return Error{name, "holds one message only, expected several over time"};
+    table.remarks.push_back(message("lists end in \"...\": `ros2 topic echo --full-length` prints them whole"));
+  if (rows.rows() < 2) return Error{name, message("holds one message only, expected several over time")};
   // Each number takes a byte at least: a table that is larger is mostly empty.
   if (rows.columns() > std::max(fewValues, size) / rows.rows())
-    return Error{name, "holds messages of too many kinds: " + std::to_string(rows.columns()) + " numbers over " +
-                           std::to_string(rows.rows()) + " messages"};
+    return Error{name,
+                 message("holds messages of too many kinds: {} numbers over {} messages", rows.columns(), rows.rows())};
   table.columns = rows.take();
-  table.remarks.push_back("messages as YAML, " + std::to_string(table.rows()) + " of them");
+  table.remarks.push_back(message("messages as YAML, {} of them", table.rows()));
   return table;
 }
 

@@ -29,7 +29,7 @@ Result<ZipArchive> ZipArchive::open(std::string_view bytes, const std::string& n
   zip_t* archive = source == nullptr ? nullptr : zip_open_from_source(source, ZIP_RDONLY, &error);
   if (archive == nullptr && source != nullptr) zip_source_free(source);
   zip_error_fini(&error);
-  if (archive == nullptr) return Error{name, "is a damaged zip archive, or one that is cut short"};
+  if (archive == nullptr) return Error{name, message("is a damaged zip archive, or one that is cut short")};
   return ZipArchive(archive, name);
 }
 
@@ -58,15 +58,15 @@ Result<std::string> ZipArchive::read(const std::string& member) const {
   const std::string place = name_ + ", " + member;
   const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> file(zip_fopen(zipOf(archive_), member.c_str(), 0),
                                                                &zip_fclose);
-  if (!file) return Error{place, "can't be unpacked: it is missing, damaged or encrypted"};
+  if (!file) return Error{place, message("can't be unpacked: it is missing, damaged or encrypted")};
   std::string content;
   size_t used = 0;
   while (true) {
     const size_t most = mostBytes - unpacked_;
     if (used == content.size()) content.resize(std::min(most, used + std::max<size_t>(65536, used)));
-    if (used == content.size()) return Error{place, "unpacks to more than 1 GB; unpack the archive first"};
+    if (used == content.size()) return Error{place, message("unpacks to more than 1 GB; unpack the archive first")};
     const zip_int64_t got = zip_fread(file.get(), content.data() + used, content.size() - used);
-    if (got < 0) return Error{place, "is damaged and can't be unpacked"};
+    if (got < 0) return Error{place, message("is damaged and can't be unpacked")};
     if (got == 0) break;
     used += static_cast<size_t>(got);
   }
