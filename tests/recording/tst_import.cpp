@@ -158,6 +158,12 @@ void TestImport::names_areUnderstood_data() {
   row("wrist_joint/roll/position", "angle_rad");
   row("encoderA", "angle_rad");
   row("q_A", "current_A");
+  row("q2_ref", "angle_reference_rad");
+  row("tau_J[0]", "torque_Nm");
+  row("pwm_used", "duty");
+  row("mot_volt", "voltage_V");
+  row("Motor Speed (krad/s)", "velocity_rad_per_s", 1e3);
+  row("MCU Target (deg)", "angle_reference_rad", degree);
   row("Torque(in-lbs)", "torque_Nm", 0.45359237 * 9.80665 * 0.0254);
   for (const char* unknown : {"",
                               "velocity error",
@@ -185,7 +191,11 @@ void TestImport::names_areUnderstood_data() {
                               "COOLANT_TEMP",
                               "ctrlTemp",
                               "wattHours",
-                              "tau_f"})
+                              "tau_f",
+                              "PID (deg)",
+                              "Reactive Current [A]",
+                              "speed_scaling",
+                              "motor_eff"})
     row(unknown, "");
 }
 
@@ -420,6 +430,9 @@ void TestImport::severalAxesInOneTable_areAskedToBeParted_data() {
   QTest::newRow("JSON") << "joint"
                         << "a"
                         << "b" << true;
+  QTest::newRow("instances") << "Instance"
+                             << "0"
+                             << "1" << true;
   QTest::newRow("one after the other") << "motor"
                                        << "1"
                                        << "2" << false;
@@ -614,6 +627,7 @@ void TestImport::voltageThatStandsStill_isTheSupplys_data() {
   QTest::addColumn<QString>("taken");
   QTest::newRow("turning both ways") << "voltage" << true << false << "supply_V";
   QTest::newRow("under a duty that changes") << "Voltage (V)" << false << true << "supply_V";
+  QTest::newRow("while the speed goes up and down") << "Volt" << true << false << "supply_V";
   QTest::newRow("a step of the motor's") << "voltage" << false << false << "voltage_V";
   QTest::newRow("the motor's by its name") << "motor_voltage" << true << false << "voltage_V";
 }

@@ -10,6 +10,7 @@
 #include "recording/columns.h"
 #include "recording/import/columns_beside.h"
 #include "recording/import/name_parts.h"
+#include "recording/import/names_beside.h"
 #include "recording/import/quantity_words.h"
 #include "recording/import/settling.h"
 
@@ -33,15 +34,6 @@ Choice guess(const RawColumn& column) {
   }
   choice.name = understandName(name, column.unit);
   return choice;
-}
-
-/// The name without its last word that reads so.
-std::string nameWithout(std::string name, const std::string& word) {
-  std::string lower = name;
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const size_t at = lower.rfind(word);
-  return at == std::string::npos ? name : name.replace(at, word.size(), " ");
 }
 
 /// An unknown word behind two different quantities is an axis' name: "pos_slew" beside "vel_slew".
@@ -97,13 +89,15 @@ void checkTimes(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
-/// Where nothing else is the time, a "tick" that goes on in even steps is the clock's, not an encoder's.
+/// Where nothing else is the time, a "tick" that goes on in even steps is the clock's, not an encoder's, and a
+/// "duration" is that of the run.
 void takeTicks(const RawTable& table, std::vector<Choice>& choices) {
   if (std::any_of(choices.begin(), choices.end(), [](const Choice& one) { return one.name.to == "time_s"; })) return;
   for (size_t c = 0; c < choices.size(); ++c) {
     const std::string& name = table.columns[c].channel.name;
     const auto& values = table.columns[c].channel.values;
-    const bool tick = isSameWord(name, "tick") || isSameWord(name, "ticks") || isSameWord(name, "systick");
+    const bool tick = isSameWord(name, "tick") || isSameWord(name, "ticks") || isSameWord(name, "systick") ||
+                      isSameWord(name, "duration");
     if (!tick || choices[c].byMap || values.size() < 3 || !(values[1] > values[0])) continue;
     const bool even = std::adjacent_find(values.begin(), values.end(), [&](double a, double b) {
                         return !(b > a) || b - a > 3.0 * (values[1] - values[0]);
@@ -261,7 +255,9 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
   checkTimes(table, choices);
   if (!map.sample_time_s) takeTicks(table, choices);
   if (!map.sample_time_s) takeNamelessStamps(table, choices);
+  takeByNeighbours(table, map, choices);
   judgeByNeighbours(table, choices);
+  takeDoubtful(table, choices);
   const std::string axis = axisOf(choices);
   for (Choice& choice : choices) {
     if (!choice.name.understood() || choice.byMap || choice.name.to == "time_s") continue;

@@ -116,7 +116,8 @@ bool isSingleLetter(const std::string& word, std::string_view letters) {
 std::string notTheMotors(UnitKind kind, const Words& words, bool supply) {
   const auto has = [&words](std::string_view word) { return isIn(words, word); };
   if (kind == UnitKind::current && supply) return "is the supply's current, not the motor's";
-  if (has("d") || has("id") || has("ud") || has("vd") || has("daxis")) return "is the d axis, which makes no torque";
+  if (has("d") || has("id") || has("ud") || has("vd") || has("daxis") || has("reactive") || has("magnetizing"))
+    return "is the d axis, which makes no torque";
   const bool q = has("q") || has("iq") || has("uq") || has("vq");
   const bool letter =
       std::any_of(words.begin(), words.end(), [](const std::string& word) { return isSingleLetter(word, "abcuvw"); });
@@ -135,15 +136,17 @@ Words withoutWord(Words words, size_t at) {
 ColumnName byUnitAlone(const NameParts& parts) {
   if (parts.unit == nullptr) return aside("its name says nothing that is known", parts);
   const UnitKind kind = parts.unit->kind;
-  bool reference = false, plain = true, motors = false;
+  bool reference = false, plain = true, motors = false, loops = false;
   if (std::string_view(parts.unit->name) == "hz") return aside("is a frequency", parts);
   const bool counts = parts.unit->needs == UnitNeeds::countsPerRev;
   for (const std::string& word : parts.words) {
     reference = reference || isIn(referenceWords, word);
     const bool counted = counts && (word == "pulse" || word == "pulses" || word == "hall" || word == "edge");
-    plain = plain && (counted || isIn(decorations, word) || isIn(referenceWords, word));
-    motors = motors || word == "q" || word == "iq" || word == "motor" || word == "applied";
+    plain = plain && (counted || isIn(decorations, word) || isIn(referenceWords, word) || isIn(loopWords, word));
+    loops = loops || isIn(loopWords, word);
+    motors = motors || word == "q" || word == "iq" || word == "motor" || word == "mot" || word == "applied";
   }
+  plain = plain && (!loops || reference);  // "MCU target (deg)", but not "PID (deg)"
   const bool supply = firstIn(parts.words, supplyWords) != nullptr;
   if (kind == UnitKind::voltage && supply) return taken(parts, columnName(Quantity::supply, Axis::rotary), 1);
   if (kind == UnitKind::current || kind == UnitKind::voltage) {

@@ -194,6 +194,8 @@ void takeGroup(Words& words, std::string& group) {
   const bool model = std::any_of(words.begin(), words.end(), [](const std::string& word) {
     return isNumber(word) && word.size() > 2;  // "trs605-5": a sensor's name, not an axis
   });
+  const auto own =
+      std::count_if(words.begin(), words.end(), [](const std::string& word) { return !isIn(referenceWords, word); });
   for (size_t k = 0; k < words.size(); ++k) {
     std::string& word = words[k];
     const size_t digit = word.find_first_of("0123456789");
@@ -205,8 +207,8 @@ void takeGroup(Words& words, std::string& group) {
     const bool parameter = letterAndNumber && word.size() > 2 && drives;
     const bool axis = letterAndNumber && !parameter;                                          // "m0"
     const bool side = isSide(word) && (word.size() > 1 || (k > 0 && k + 1 == words.size()));  // "rpm_l"
-    const bool joint = axis && word[0] == 'j';                       // "tau_J1" is of the axis of "dq1"
-    const bool angle = axis && word[0] == 'q' && words.size() == 1;  // "q1"
+    const bool joint = axis && word[0] == 'j';              // "tau_J1" is of the axis of "dq1"
+    const bool angle = axis && word[0] == 'q' && own == 1;  // "q1", "q1_ref"
     if (!model && (isNumber(word) || axis || side))
       group += (group.empty() ? "" : ".") + (joint || angle ? word.substr(1) : word);
     if (angle) kept.emplace_back("q");

@@ -45,7 +45,10 @@ inline constexpr auto decorations = std::to_array<std::string_view>(
      "medida",     "misurata",   "misurato",  "atual",    "actuelle",    "gemessen",  "gemessene", "aktuell",
      "实际",       "測定",       "实测",      "反馈",     "revolute",    "prismatic", "telemetry", "pll",
      "observer",   "observed",   "obs",       "hat",      "kf",          "ekf",       "kalman",    "smo",
-     "sensorless", "fdb",        "fbk",       "fdk"});
+     "sensorless", "fdb",        "fbk",       "fdk",      "used",        "applied",   "j"});
+/// Before a reference they tell who follows it.
+inline constexpr auto loopWords =
+    std::to_array<std::string_view>({"mcu", "controller", "control", "pid", "loop", "plc"});
 /// Wherever they stand, the column is something else.
 inline constexpr auto otherThings = std::to_array<std::string_view>({"error",        "err",
                                                                      "limit",        "lim",

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "recording/import/number_text.h"
+#include "recording/import/quantity_words.h"
 #include "recording/import/settling.h"
 
 namespace breakaway {
@@ -77,7 +78,9 @@ bool Settling::setCountsAside(size_t c) {
   const std::string& to = fates_[c].to;
   const bool drive = to == "current_A" || to == "torque_Nm" || to == "force_N" || to == "current_reference_A";
   const double most = drive ? 60.0 : to == "voltage_V" || to == "supply_V" ? 120.0 : 0.0;
-  const bool guessed = fates_[c].guessed && fates_[c].unit.empty() && !choices_[c].byMap;
+  // "batt_volt" says what it is rather than in which unit.
+  const bool word = quantityNamed(fates_[c].unit) != nullptr && fates_[c].from.find_first_of("([") == std::string::npos;
+  const bool guessed = ((fates_[c].guessed && fates_[c].unit.empty()) || word) && !choices_[c].byMap;
   if (most == 0.0 || !guessed || !areWhole(values(c)) || largest(values(c)) <= most) return false;
   const std::string what = "whole numbers up to " + shortText(largest(values(c))) +
                            " and no unit; they may be thousandths or a converter's counts";
@@ -106,11 +109,13 @@ void Settling::settleVoltage() {
     battery = battery || has("soc") || (has("throttle") && varies(k));
   }
   const bool driven = battery || (duty && varies(*duty)) || pulseWidths_.has_value();
-  if (!driven && !turnsBothWays()) return;
+  constexpr size_t often = 4;  // once up and down is a motor that is switched on and loaded
+  const bool both = turnsBothWays(), again = speed && turnsBack(values(*speed)) >= often;
+  if (!driven && !both && !again) return;
   const std::string why = battery  ? "it hardly changes, and a battery's charge or a throttle stands beside it"
                           : driven ? "it hardly changes while the duty does"
-                                   : "it hardly changes while the axis turns "
-                                     "both ways";
+                          : both   ? "it hardly changes while the axis turns both ways"
+                                   : "it hardly changes while the speed rises and falls again and again";
   if (columnOf("supply_V")) return keep(*c, why + ", so it is no motor's voltage");
   fates_[*c].to = "supply_V";
   fates_[*c].why = why;

@@ -51,6 +51,18 @@ bool fillUp(Cells& cells, const TextLayout& layout, bool endsEmpty) {
   return true;
 }
 
+/// Names for the first of many cells, the rest without: rows that go on where the names end.
+bool fillRest(Cells& cells, const TextLayout& layout) {
+  constexpr size_t fewest = 4;
+  while (!cells.empty() && cells.back().empty()) cells.pop_back();
+  const bool many = cells.size() >= fewest && cells.size() + 1 < layout.cells && 3 * cells.size() >= 2 * layout.cells;
+  if (!many || numbersIn(cells, layout) > 0) return false;
+  const auto known = std::count_if(cells.begin(), cells.end(), [](std::string_view one) { return knowsQuantity(one); });
+  if (known < 2) return false;
+  cells.resize(layout.cells);
+  return true;
+}
+
 /// Where the rows hold nothing: before their first separator, after their last.
 struct EmptyEnds {
   bool begin = false, end = false;
@@ -88,7 +100,10 @@ Cells fitting(std::string_view line, const TextLayout& layout, const EmptyEnds& 
     if (fits()) return cells;
   }
   cells = splitAtWideBlanks(line);
-  return fits() ? cells : Cells{};
+  if (fits()) return cells;
+  if (layout.separator == runsOfBlanks) return {};
+  splitCells(line, layout, cells);
+  return fillRest(cells, layout) ? cells : Cells{};
 }
 
 /// "rad" of "Unit: rad".

@@ -135,6 +135,7 @@ constexpr auto units = std::to_array<Unit>({
 
     {"rad_per_s", angularVelocity, 1},
     {"mrad_per_s", angularVelocity, 1e-3},
+    {"krad_per_s", angularVelocity, 1e3},
     {"deg_per_s", angularVelocity, degree},
     {"mdeg_per_s", angularVelocity, 1e-3 * degree},
     {"dps", angularVelocity, degree},
