@@ -26,6 +26,7 @@ class TestImportBeside : public QObject {
   void rowsThatLoseACell_areAnError();
   void axesInBlocks_areAskedToBeParted();
   void sentencesThatReadAlike_areRows_othersAreLeftOutAndSaid();
+  void entriesOfSeveralLines_areRows();
   void textWithNumbers_isNoTable();
   void listsOfRows_areNoSignals();
   void pwmOf16Bits_isADuty();
@@ -211,6 +212,30 @@ void TestImportBeside::sentencesThatReadAlike_areRows_othersAreLeftOutAndSaid() 
   QCOMPARE(fateOf(*log, "Lever angle [rad]").to, std::string("angle_rad"));
   QCOMPARE(fateOf(*log, "motor speed [rad/s]").to, std::string("velocity_rad_per_s"));
   QVERIFY(says(*log, "2 lines read otherwise"));
+}
+
+void TestImportBeside::entriesOfSeveralLines_areRows() {
+  const auto text = [](const char* stamp) {
+    QString lines = "Bench ready\n";
+    for (int k = 0; k < 60; ++k) {
+      const QString at = QString(stamp).arg(step_s * k);
+      if (k == 30) lines += at + "fed the watchdog 3 times\n";
+      lines += at + QString("shaft angle: %1 rad\n").arg(angleAt(k)) + at + QString("speed = %1\n\n").arg(speedAt(k));
+      if (k != 20) lines += at + "current 0.5 A\n";
+    }
+    return lines;
+  };
+  const auto log = imported(text("[%1] "));
+  VERIFY_OK(log);
+  QCOMPARE(log->recording.rows(), size_t{60});
+  QVERIFY(std::abs(log->recording.time().back() - 59.0 * step_s) < 1e-9);
+  QVERIFY(std::abs(log->recording.channel("angle_rad")[40] - angleAt(40)) < 1e-4 * std::abs(angleAt(40)));
+  QVERIFY(std::abs(log->recording.channel("velocity_rad_per_s")[40] - speedAt(40)) < 1e-4 * std::abs(speedAt(40)));
+  QVERIFY(std::isnan(log->recording.channel("current_A")[20]));
+  QVERIFY(says(*log, "entries of 3 lines"));
+  QVERIFY(says(*log, "1 line is of no entry"));
+  const auto asked = imported(text("").replace("%1", ""));
+  QVERIFY(!asked && asked.error().message().find("sample_time_s") != std::string::npos);
 }
 
 void TestImportBeside::textWithNumbers_isNoTable() {
