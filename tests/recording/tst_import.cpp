@@ -159,6 +159,7 @@ void TestImport::names_areUnderstood_data() {
   row("encoderA", "angle_rad");
   row("q_A", "current_A");
   row("q2_ref", "angle_reference_rad");
+  row("ticksL", "angle_rad", 2.0 * std::numbers::pi);
   row("tau_J[0]", "torque_Nm");
   row("pwm_used", "duty");
   row("mot_volt", "voltage_V");

@@ -21,6 +21,10 @@ class TestImportNames : public QObject {
   void odriveByItsCurrentAlone_needsMotionWithoutUnits();
   void unknownWordWithAUnit_isAGuessWhereNothingElseMoves();
   void countsWithoutAName_areAskedAboutWhereNothingElseMoves();
+  void numberedNamesAboveTheRows_areTheColumns_data();
+  void numberedNamesAboveTheRows_areTheColumns();
+  void servosOfAnotherMaker_haveTheSpeedThatTheirAngleTells();
+  void loggersTagBeforeLabels_isNoName();
 
  private:
   Result<Imported> imported(const QString& text) {
@@ -57,6 +61,20 @@ void TestImportNames::whatNamesBesideTell_isTaken_data() {
                                     << "angle_reference_rad";
   QTest::newRow("a target's speed") << QStringList{"q_0", "qd_0", "tq_0", "tqd_0"} << "tqd_0"
                                     << "velocity_reference_rad_per_s";
+  QTest::newRow("the target of another shaft")
+      << QStringList{"motor_angle", "cam_angle", "cam_angle_cmd"} << "cam_angle_cmd"
+      << "";
+  QTest::newRow("the target of the one taken") << QStringList{"motor_angle", "motor_angle_cmd"} << "motor_angle_cmd"
+                                               << "angle_reference_rad";
+  QTest::newRow("a cable's force") << QStringList{"motor_angle", "cable_force"} << "cable_force"
+                                   << "";
+  QTest::newRow("an actuator's force") << QStringList{"joint_angle", "actuator_force"} << "actuator_force"
+                                       << "torque_Nm";
+  QTest::newRow("a torque by a current") << QStringList{"motor_angle", "motor_torque_from_current"}
+                                         << "motor_torque_from_current"
+                                         << "torque_Nm";
+  QTest::newRow("a force beside a torque") << QStringList{"motor_angle", "torque", "force"} << "force"
+                                           << "";
   QTest::newRow("a torque") << QStringList{"q_0", "qd_0", "tq_0"} << "tq_0"
                             << "torque_Nm";
   QTest::newRow("an armature's voltage") << QStringList{"theta_m", "omega_m", "u_a"} << "u_a"
@@ -168,6 +186,53 @@ void TestImportNames::countsWithoutAName_areAskedAboutWhereNothingElseMoves() {
   };
   QVERIFY(log("enconder(steps)").find("counts_per_rev") != std::string::npos);
   QVERIFY(log("load cell (counts)").find("counts_per_rev") == std::string::npos);
+}
+
+void TestImportNames::numberedNamesAboveTheRows_areTheColumns_data() {
+  QTest::addColumn<QString>("form");
+  QTest::addColumn<bool>("taken");
+  QTest::newRow("from 1, behind %") << "% 1 time (s)\n% 2 angle (rad)\n% 3 motor current\n" << true;
+  QTest::newRow("from 0, as text") << "0: time (s)\n1: angle (rad)\n2: motor current\n" << true;
+  QTest::newRow("one too few") << "% 1 time (s)\n% 2 angle (rad)\n" << false;
+  QTest::newRow("one is missing") << "% 1 time (s)\n% 3 angle (rad)\n% 4 motor current\n" << false;
+}
+
+void TestImportNames::numberedNamesAboveTheRows_areTheColumns() {
+  QFETCH(QString, form);
+  QFETCH(bool, taken);
+  QString text = "% Motor test, 3 columns\n" + form;
+  for (int k = 0; k < 60; ++k)
+    text += QString("%1 %2 %3\n").arg(0.01 * k).arg(std::sin(0.1 * k)).arg(std::cos(0.1 * k));
+  const auto log = imported(text);
+  QCOMPARE(log.ok(), taken);
+  if (taken) QCOMPARE(meaning(*log, "motor current"), std::string("current_A"));
+}
+
+void TestImportNames::servosOfAnotherMaker_haveTheSpeedThatTheirAngleTells() {
+  QString text = "time_s,Present_Position,Present_Speed,Present_Load\n";
+  for (int k = 0; k < 100; ++k)
+    text += QString("%1,%2,%3,20\n")
+                .arg(0.01 * k)
+                .arg(2048 + int(900 * std::sin(0.1 * k)))
+                .arg(int(9000 * std::cos(0.1 * k)));
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  const double speed = 9000.0 / 4096.0 * 2.0 * M_PI;
+  QVERIFY(std::abs(log->recording.channel("velocity_rad_per_s").front() - speed) < 1e-3 * speed);
+}
+
+void TestImportNames::loggersTagBeforeLabels_isNoName() {
+  QString text = "I (300) main: started\n";
+  for (int k = 0; k < 60; ++k)
+    text += QString("I (%1) DRIVE: Axis 1 | Pos: %2 rad | Vel: %3 rad/s\n")
+                .arg(500 + 10 * k)
+                .arg(std::sin(0.1 * k))
+                .arg(10.0 * std::cos(0.1 * k));
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  QCOMPARE(log->recording.rows(), size_t{60});
+  QVERIFY(std::abs(log->recording.time()[59] - log->recording.time()[0] - 0.59) < 1e-9);
+  QVERIFY(log->recording.has("angle_rad") && log->recording.has("velocity_rad_per_s"));
 }
 
 QTEST_APPLESS_MAIN(TestImportNames)

@@ -188,6 +188,30 @@ Result<void> takeOneEach(const RawTable& table, const ImportMap& map, std::vecto
   return {};
 }
 
+/// "handle_angle_cmd" is what "handle_angle" shall be: no reference where another angle was taken.
+void setOthersReferencesAside(const RawTable& table, std::vector<Choice>& choices) {
+  const auto wordsBut = [&table](size_t c) {
+    Words words = wordsOf(table.columns[c].channel.name, true);
+    std::erase_if(words, [](const std::string& word) { return isIn(referenceWords, word); });
+    return words;
+  };
+  for (size_t r = 0; r < choices.size(); ++r) {
+    const std::string to = choices[r].name.to;
+    const size_t end = to.find("_reference");
+    if (end == std::string::npos || choices[r].byMap || choices[r].byTool) continue;
+    const Words words = wordsBut(r);
+    for (size_t c = 0; c < choices.size(); ++c) {
+      const bool measured = c != r && !choices[c].name.understood() && !table.columns[c].fault &&
+                            wordsOf(table.columns[c].channel.name, true) == words;
+      const bool other = std::any_of(choices.begin(), choices.end(), [&](const Choice& one) {
+        return one.name.to.starts_with(to.substr(0, end)) && one.name.to.find("_reference") == std::string::npos;
+      });
+      if (measured && other)
+        setAside(choices[r], "is what " + table.columns[c].channel.name + " shall be, which isn't taken");
+    }
+  }
+}
+
 Result<void> checkMap(const RawTable& table, const ImportMap& map, const std::string& place) {
   std::vector<std::string> names;
   names.reserve(table.columns.size());
@@ -265,6 +289,7 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
       setAside(choice, "belongs to another axis (" + choice.name.group + ") than the one taken (" + axis + ")");
   }
   if (const auto one = takeOneEach(table, map, choices, place); !one) return one.error();
+  setOthersReferencesAside(table, choices);
   for (size_t c = 0; c < choices.size(); ++c) {
     const auto& fault = table.columns[c].fault;
     if (!fault) continue;

@@ -346,7 +346,7 @@ ToolColumns dynamixel(RawTable& table, double countsPerRev) {
     if (hasWord(words, "position")) {
       makeSigned(values, 4294967296.0);
       to = in(present ? "angle_rad" : "angle_reference_rad", turn_rad / counts, "1/4096 turn");
-    } else if (hasWord(words, "velocity") || hasWord(words, "speed")) {
+    } else if (hasWord(words, "velocity")) {  // a "speed" is an older model's or another maker's: the angle tells
       makeSigned(values, 4294967296.0);
       to = in(present ? "velocity_rad_per_s" : "velocity_reference_rad_per_s", 0.229 * turn_rad / 60.0, "0.229 rpm");
     } else if (hasWord(words, "current")) {

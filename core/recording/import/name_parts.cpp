@@ -134,6 +134,14 @@ void partEnglish(Words& words) {
   }
 }
 
+/// "torque_from_current" is a torque, however it was come by.
+void dropSource(Words& words) {
+  const auto from = std::find(words.begin(), words.end(), "from");
+  const bool named =
+      std::any_of(words.begin(), from, [](const std::string& word) { return quantityNamed(word) != nullptr; });
+  if (named) words.erase(from, words.end());
+}
+
 /// Where the bracket at `open` is closed; brackets of the other kind may stand between.
 size_t closeOf(std::string_view name, size_t open) {
   const char mark = name[open], end = mark == '(' ? ')' : ']';
@@ -243,7 +251,8 @@ std::string_view firstWords(std::string_view text, size_t count) {
 /// A unit before words that say how it was come by: "rpm_filtered", "pos_deg_target". In short ones letters mean too
 /// much.
 bool takeUnitBeforeWords(const std::string& text, NameParts& parts) {
-  const Words plain = wordsOf(text, false);
+  Words plain = wordsOf(text, false);
+  if (plain.size() == 1) plain = wordsOf(text, true);  // "ticksL"
   size_t end = plain.size();
   const auto changesNothing = [](const std::string& word) {
     const bool told = (word.size() > 2 && isIn(decorations, word)) || isIn(referenceWords, word);  // "rpm_sp"
@@ -261,6 +270,8 @@ bool takeUnitBeforeWords(const std::string& text, NameParts& parts) {
     for (size_t k = from; k < end; ++k) parts.unitText += (k == from ? "" : "_") + head[k];
     parts.words = wordsOf(firstWords(text, from), true);
     parts.words.insert(parts.words.end(), plain.begin() + static_cast<std::ptrdiff_t>(end), plain.end());
+    if (parts.unitFirst && parts.words.size() == 1 && isSide(parts.words[0]))
+      parts.words[0] = parts.words[0].front() == 'l' ? "left" : "right";
     return true;
   }
   return false;
@@ -380,6 +391,7 @@ NameParts partsOfName(std::string_view name, std::string_view unit) {
   partCompounds(parts.words);
   partEnglish(parts.words);
   partSupplies(parts.words);
+  dropSource(parts.words);
   takeGroup(parts.words, parts.group);
   std::erase_if(parts.words, [](const std::string& word) { return word == "per"; });
   joinWords(parts.words);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "recording/import/name_parts.h"
 #include "recording/import/number_text.h"
 #include "recording/import/quantity_words.h"
 #include "recording/import/settling.h"
@@ -57,8 +58,17 @@ Result<void> Settling::takeOther(size_t c) {
   if (!*filled) return {};
   std::string& to = fates_[c].to;
   if (setCountsAside(c)) return {};
-  const bool torque = to == "force_N" && fates_[c].unit.empty() && columnOf("angle_rad") && !columnOf("torque_Nm");
-  if (torque) {
+  if (to == "force_N" && columnOf("torque_Nm") && !columnOf("position_m") && !choices_[c].byMap) {
+    keep(c, "is a force, beside the torque of a motor that turns");
+    return {};
+  }
+  const bool unitless = to == "force_N" && fates_[c].unit.empty() && columnOf("angle_rad") && !columnOf("torque_Nm");
+  const bool motors = !choices_[c].name.qualified || firstIn(wordsOf(fates_[c].from, true), jointWords) != nullptr;
+  if (unitless && !motors) {
+    keep(c, "is a force beside an angle, and nothing tells of which arm");
+    return {};
+  }
+  if (unitless) {
     to = "torque_Nm";
     fates_[c].unit = "Nm";
     fates_[c].why = "what turns is driven by a torque";
