@@ -158,6 +158,13 @@ void TestImport::names_areUnderstood_data() {
   row("wrist_joint/roll/position", "angle_rad");
   row("encoderA", "angle_rad");
   row("q_A", "current_A");
+  row("母线电压(V)", "supply_V");
+  row("q轴电流", "current_A");
+  row("电角度", "angle_rad");
+  row("01.07 Motor current [A]", "current_A");
+  row("Torque/AVE (Nm)", "torque_Nm");
+  row("I_Wirk [A]", "current_A");
+  row("Lage_Ist [Inkr]", "angle_rad", 2.0 * std::numbers::pi);
   row("q2_ref", "angle_reference_rad");
   row("ticksL", "angle_rad", 2.0 * std::numbers::pi);
   row("tau_J[0]", "torque_Nm");
@@ -193,6 +200,8 @@ void TestImport::names_areUnderstood_data() {
                               "ctrlTemp",
                               "wattHours",
                               "tau_f",
+                              "母线电流",
+                              "d轴电流",
                               "PID (deg)",
                               "Reactive Current [A]",
                               "speed_scaling",

@@ -27,6 +27,7 @@ class TestImportBeside : public QObject {
   void axesInBlocks_areAskedToBeParted();
   void sentencesThatReadAlike_areRows_othersAreLeftOutAndSaid();
   void entriesOfSeveralLines_areRows();
+  void nameOfTheNextValue_isNoUnit();
   void textWithNumbers_isNoTable();
   void listsOfRows_areNoSignals();
   void pwmOf16Bits_isADuty();
@@ -234,8 +235,27 @@ void TestImportBeside::entriesOfSeveralLines_areRows() {
   QVERIFY(std::isnan(log->recording.channel("current_A")[20]));
   QVERIFY(says(*log, "entries of 3 lines"));
   QVERIFY(says(*log, "1 line is of no entry"));
+  QString clocks;
+  for (int k = 0; k < 40; ++k)
+    clocks += QString("10:20:%1\nshaft angle: %2 rad\n").arg(10.0 + step_s * k, 0, 'f', 2).arg(angleAt(k));
+  const auto stamped = imported(clocks);
+  VERIFY_OK(stamped);
+  QVERIFY(std::abs(stamped->recording.time().back() - 39.0 * step_s) < 1e-6);
   const auto asked = imported(text("").replace("%1", ""));
   QVERIFY(!asked && asked.error().message().find("sample_time_s") != std::string::npos);
+}
+
+void TestImportBeside::nameOfTheNextValue_isNoUnit() {
+  QString text;
+  for (int k = 0; k < 60; ++k)
+    text += QString("2024-05-01 10:20:%1: ESC {TimeUS : %2, Instance : 0, RPM : %3, Curr : 0.5}\n")
+                .arg(10.0 + step_s * k, 5, 'f', 2)
+                .arg(int(1e6 * step_s * k))
+                .arg(speedAt(k));
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  const double rpm = log->recording.channel("velocity_rad_per_s")[30] * 30.0 / M_PI;
+  QVERIFY(std::abs(rpm - speedAt(30)) < 1e-4 * std::abs(speedAt(30)));
 }
 
 void TestImportBeside::textWithNumbers_isNoTable() {

@@ -37,14 +37,14 @@ std::string_view stampName(const Sentence& line, size_t k) {
                                                                                            : std::string_view{};
 }
 
-/// Separators before a value make cells of a row, braces an object.
+/// Separators before a value make cells of a row, quotes an object's names.
 bool areCells(const Sentence& line) {
   for (size_t k = 0; k < line.values.size(); ++k) {
     const std::string_view text = line.texts[k];
     const size_t last = text.find_last_not_of(' ');
     if (last != std::string_view::npos && std::string_view(",;|\t").find(text[last]) != std::string_view::npos)
       return true;
-    if (text.find('{') != std::string_view::npos) return true;
+    if (text.find_first_of("\"'") != std::string_view::npos) return true;
   }
   return false;
 }
@@ -76,7 +76,8 @@ std::vector<std::string> namesIn(const Sentence& line) {
         name.begin(), name.end(), [](char c) { return c == ';' || c == '"'; }, ' ');
     names[k] = std::move(name);
   }
-  return named ? names : std::vector<std::string>(line.values.size());
+  const bool stampAlone = stamped && names.size() == 1;
+  return named || stampAlone ? names : std::vector<std::string>(line.values.size());
 }
 
 /// Kinds that return, of the first lines; empty where those aren't of a few kinds.
@@ -94,7 +95,7 @@ Kinds kindsIn(std::string_view text, char lineEnd) {
   for (const auto& [read, kind] : all) most = std::max(most, kind.count);
   std::erase_if(all, [&](const auto& one) { return one.second.count < std::max(fewest, most / 4); });
   for (const auto& [read, kind] : all) covered += kind.count;
-  const bool few = all.size() > 1 && all.size() <= mostKinds && 2 * most <= lines + 1 && 10 * covered >= 9 * lines;
+  const bool few = all.size() > 1 && all.size() <= mostKinds && 2 * most <= lines + 1 && 3 * covered >= 2 * lines;
   return few ? all : Kinds{};
 }
 
@@ -120,8 +121,11 @@ std::vector<std::string> columnsOf(std::string_view text, char lineEnd, Kinds& k
       it->second.columns.emplace_back(k, columns.size());
       columns.push_back(names[k]);
     }
-    if (std::all_of(names.begin(), names.end(), [](const std::string& one) { return one.empty(); })) return {};
   }
+  size_t named = 0, nameless = 0;
+  for (const auto& [read, kind] : kinds) (kind.columns.empty() ? nameless : named) += kind.count;
+  std::erase_if(kinds, [](const auto& one) { return one.second.columns.empty(); });
+  if (named <= nameless || kinds.size() < 2) return {};
   return std::any_of(columns.begin(), columns.end(), namesMotion) ? columns : std::vector<std::string>{};
 }
 

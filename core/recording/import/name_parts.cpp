@@ -342,12 +342,20 @@ void partGapless(Words& words) {
     if (begin == 0) continue;
     std::string quantity = words[k].substr(begin);
     words[k].resize(begin);
+    for (const std::string_view of : {"轴", "軸", "相"}) {  // "q轴电流", "A相电流"
+      if (words[k].size() == 1 + of.size() && words[k].ends_with(of)) words[k].resize(1);
+    }
     words.insert(words.begin() + static_cast<std::ptrdiff_t>(k) + 1, std::move(quantity));
   }
 }
 
 /// "3 Velocity (RPM)" of "SPARK MAX 3: Velocity (RPM)": what stands before is a device's name, whatever its words mean.
 std::string withoutDevice(std::string_view name) {
+  // "01.07 Motor current": a drive's number of it.
+  const size_t dot = name.find('.'), blank = name.find(' ');
+  const bool parameter = blank != std::string_view::npos && dot < blank && isNumber(name.substr(0, dot)) &&
+                         isNumber(name.substr(dot + 1, blank - dot - 1));
+  if (parameter) name.remove_prefix(blank + 1);
   const size_t colon = name.find(": ");
   if (colon == std::string_view::npos || colon == 0) return std::string(name);
   const Words device = wordsOf(name.substr(0, colon), false);

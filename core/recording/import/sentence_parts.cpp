@@ -68,7 +68,7 @@ size_t endOfValue(std::string_view line, size_t at) {
 
 /// The words of a text, without the marks around them.
 std::vector<std::string_view> wordsIn(std::string_view text) {
-  constexpr std::string_view between = " \t,;:=|()[]<>\"'!?";
+  constexpr std::string_view between = " \t,;:=|()[]{}<>\"'!?";
   std::vector<std::string_view> words;
   while (!text.empty()) {
     const size_t begin = text.find_first_not_of(between);
@@ -118,8 +118,14 @@ bool isClock(std::string_view value) {
 
 std::string_view unitIn(std::string_view behind) {
   const auto words = wordsIn(behind);
-  const bool own = !words.empty() && unitNamed(words.front()) != nullptr;
-  return own ? words.front() : std::string_view{};
+  if (words.empty() || unitNamed(words.front()) == nullptr) return {};
+  // ", RPM: 5" names the next value.
+  const std::string_view unit = words.front();
+  const auto at = static_cast<size_t>(unit.data() - behind.data());
+  const std::string_view after = withoutBlanks(behind.substr(at + unit.size()));
+  const bool next = behind.substr(0, at).find_first_of(",;|") != std::string_view::npos ||
+                    (!after.empty() && (after.front() == ':' || after.front() == '='));
+  return next ? std::string_view{} : unit;
 }
 
 std::string labelIn(std::string_view text, std::string_view unitBefore) {

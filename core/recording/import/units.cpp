@@ -107,6 +107,8 @@ constexpr auto units = std::to_array<Unit>({
     {"tick", angle, turn_rad, 0, UnitNeeds::countsPerRev},
     {"ticks", angle, turn_rad, 0, UnitNeeds::countsPerRev},
     {"steps", angle, turn_rad, 0, UnitNeeds::countsPerRev},
+    {"inkr", angle, turn_rad, 0, UnitNeeds::countsPerRev},
+    {"inkremente", angle, turn_rad, 0, UnitNeeds::countsPerRev},
     {"microsteps", angle, turn_rad, 0, UnitNeeds::countsPerRev},
     {"pulses", angle, turn_rad, 0, UnitNeeds::countsPerRev},
     {"quadcounts", angle, turn_rad, 0, UnitNeeds::countsPerRev},
