@@ -166,6 +166,10 @@ void TestImport::names_areUnderstood_data() {
   row("I_Wirk [A]", "current_A");
   row("Lage_Ist [Inkr]", "angle_rad", 2.0 * std::numbers::pi);
   row("q2_ref", "angle_reference_rad");
+  row("motrpm", "velocity_rad_per_s", std::numbers::pi / 30.0);
+  row("motamps", "current_A");
+  row("tensao_V", "voltage_V");
+  row("指令値[deg]", "angle_reference_rad", degree);
   row("ticksL", "angle_rad", 2.0 * std::numbers::pi);
   row("tau_J[0]", "torque_Nm");
   row("pwm_used", "duty");

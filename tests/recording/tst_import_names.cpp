@@ -75,6 +75,10 @@ void TestImportNames::whatNamesBesideTell_isTaken_data() {
                                          << "torque_Nm";
   QTest::newRow("a force beside a torque") << QStringList{"motor_angle", "torque", "force"} << "force"
                                            << "";
+  QTest::newRow("the logic's supply") << QStringList{"rpm", "logic_supply_v", "dc_bus_v"} << "logic_supply_v"
+                                      << "";
+  QTest::newRow("the motor's supply") << QStringList{"rpm", "logic_supply_v", "dc_bus_v"} << "dc_bus_v"
+                                      << "supply_V";
   QTest::newRow("a torque") << QStringList{"q_0", "qd_0", "tq_0"} << "tq_0"
                             << "torque_Nm";
   QTest::newRow("an armature's voltage") << QStringList{"theta_m", "omega_m", "u_a"} << "u_a"

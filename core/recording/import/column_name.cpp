@@ -132,6 +132,15 @@ Words withoutWord(Words words, size_t at) {
   return words;
 }
 
+/// "logic_supply_v" comes after "dc_bus_v".
+ColumnName supplyOf(const NameParts& parts) {
+  ColumnName name = taken(parts, columnName(Quantity::supply, Axis::rotary), 1);
+  name.qualified = std::any_of(parts.words.begin(), parts.words.end(), [](const std::string& word) {
+    return !isIn(supplyWords, word) && !isIn(decorations, word) && quantityNamed(word) == nullptr && word != "v";
+  });
+  return name;
+}
+
 /// Where no word names a quantity the unit may.
 ColumnName byUnitAlone(const NameParts& parts) {
   if (parts.unit == nullptr) return aside("its name says nothing that is known", parts);
@@ -148,7 +157,7 @@ ColumnName byUnitAlone(const NameParts& parts) {
   }
   plain = plain && (!loops || reference);  // "MCU target (deg)", but not "PID (deg)"
   const bool supply = firstIn(parts.words, supplyWords) != nullptr;
-  if (kind == UnitKind::voltage && supply) return taken(parts, columnName(Quantity::supply, Axis::rotary), 1);
+  if (kind == UnitKind::voltage && supply) return supplyOf(parts);
   if (kind == UnitKind::current || kind == UnitKind::voltage) {
     if (const auto why = notTheMotors(kind, parts.words, supply); !why.empty()) return aside(why, parts);
     const bool letter =
@@ -250,7 +259,7 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
     const bool bare = parts.unit == nullptr && !parts.unknownUnit && supplyWord && told &&
                       !isIn(parts.words, "input") && !isIn(parts.words, "bus") && !isIn(parts.words, "esc");
     const bool volts = isIn(parts.words, "v") && supplyWord;  // "v_bus"
-    if (bare || volts) return taken(parts, columnName(Quantity::supply, Axis::rotary), 1);
+    if (bare || volts) return supplyOf(parts);
     if (parts.unknownUnit) return aside("its unit \"" + parts.unitText + "\" is unknown", parts);
     return byUnitAlone(parts);
   }
@@ -314,8 +323,7 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
   }
   const bool inWinding = kind == UnitKind::current || kind == UnitKind::voltage;
   const bool supply = supplyWord && inWinding;
-  if (kind == UnitKind::voltage && supply && !reference)
-    return taken(parts, columnName(Quantity::supply, Axis::rotary), 1);
+  if (kind == UnitKind::voltage && supply && !reference) return supplyOf(parts);
   if (inWinding) {
     if (const auto why = notTheMotors(kind, withoutWord(parts.words, found.at),
                                       supply || (kind == UnitKind::current && isIn(parts.words, "in")));

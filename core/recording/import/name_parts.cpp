@@ -142,6 +142,21 @@ void dropSource(Words& words) {
   if (named) words.erase(from, words.end());
 }
 
+/// "mot_rpm" of "motrpm".
+std::string withUnitsApart(const std::string& text) {
+  static constexpr auto ends = std::to_array<std::string_view>({"rpm", "amps", "volts"});
+  static constexpr auto begins = std::to_array<std::string_view>(
+      {"mot", "motor", "wheel", "shaft", "rotor", "eng", "engine", "target", "actual", "set", "cmd", "ref"});
+  const Words words = wordsOf(text, false);
+  if (words.size() != 1 || words[0].size() != text.size()) return text;
+  for (const std::string_view end : ends) {
+    const bool joined = words[0].size() > end.size() && words[0].ends_with(end);
+    const std::string begin = words[0].substr(0, words[0].size() - std::min(words[0].size(), end.size()));
+    if (joined && isIn(begins, begin)) return begin + "_" + std::string(end);
+  }
+  return text;
+}
+
 /// Where the bracket at `open` is closed; brackets of the other kind may stand between.
 size_t closeOf(std::string_view name, size_t open) {
   const char mark = name[open], end = mark == '(' ? ')' : ']';
@@ -370,7 +385,7 @@ std::string withoutDevice(std::string_view name) {
 
 NameParts partsOfName(std::string_view name, std::string_view unit) {
   NameParts parts;
-  std::string text = takeBrackets(withoutDevice(name), parts);
+  std::string text = withUnitsApart(takeBrackets(withoutDevice(name), parts));
   if (!unit.empty()) {
     parts.unknownUnit = false;
     parts.factor = 1.0;

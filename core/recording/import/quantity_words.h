@@ -23,10 +23,11 @@ const Word* quantityNamed(std::string_view word);
 size_t quantityAtEnd(std::string_view word);
 
 inline constexpr auto referenceWords = std::to_array<std::string_view>(
-    {"ref",      "reference", "target",     "goal",        "setpoint", "sp",   "cmd",      "command", "commanded",
-     "desired",  "des",       "demand",     "demanded",    "soll",     "set",  "sollwert", "request", "requested",
-     "tgt",      "trg",       "目标",       "目標",        "设定",     "設定", "给定",     "指令",    "期望",
-     "consigne", "consigna",  "referencia", "riferimento", "objetivo", "alvo", "cible",    "zadana",  "vorgabe"});
+    {"ref",      "reference", "target",     "goal",        "setpoint", "sp",    "cmd",      "command", "commanded",
+     "desired",  "des",       "demand",     "demanded",    "soll",     "set",   "sollwert", "request", "requested",
+     "tgt",      "trg",       "目标",       "目標",        "设定",     "設定",  "给定",     "指令",    "期望",
+     "consigne", "consigna",  "referencia", "riferimento", "objetivo", "alvo",  "cible",    "zadana",  "vorgabe",
+     "指令値",   "目標値",    "目标值",     "设定值",      "設定値",   "给定值"});
 inline constexpr auto supplyWords = std::to_array<std::string_view>(
     {"supply", "bus",   "vbus", "vdc",  "dc",  "battery", "batt", "bat",  "vbat", "vbatt", "vin",
      "dclink", "input", "bms",  "pack", "esc", "psu",     "母线", "母線", "电源", "电池"});
