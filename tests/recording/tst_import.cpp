@@ -166,6 +166,9 @@ void TestImport::names_areUnderstood_data() {
   row("I_Wirk [A]", "current_A");
   row("Lage_Ist [Inkr]", "angle_rad", 2.0 * std::numbers::pi);
   row("q2_ref", "angle_reference_rad");
+  row("Stepper output (degs)", "angle_rad", degree);
+  row("knee [deg]", "angle_rad", degree);
+  row("Udc_V", "supply_V");
   row("motrpm", "velocity_rad_per_s", std::numbers::pi / 30.0);
   row("motamps", "current_A");
   row("tensao_V", "voltage_V");

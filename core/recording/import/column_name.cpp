@@ -145,14 +145,16 @@ ColumnName supplyOf(const NameParts& parts) {
 ColumnName byUnitAlone(const NameParts& parts) {
   if (parts.unit == nullptr) return aside("its name says nothing that is known", parts);
   const UnitKind kind = parts.unit->kind;
-  bool reference = false, plain = true, motors = false, loops = false;
+  bool reference = false, plain = true, motors = false, loops = false, joint = false;
   if (std::string_view(parts.unit->name) == "hz") return aside("is a frequency", parts);
   const bool counts = parts.unit->needs == UnitNeeds::countsPerRev;
   for (const std::string& word : parts.words) {
     reference = reference || isIn(referenceWords, word);
     const bool counted = counts && (word == "pulse" || word == "pulses" || word == "hall" || word == "edge");
-    plain = plain && (counted || isIn(decorations, word) || isIn(referenceWords, word) || isIn(loopWords, word));
+    plain = plain && (counted || isIn(decorations, word) || isIn(referenceWords, word) || isIn(loopWords, word) ||
+                      isIn(jointWords, word));
     loops = loops || isIn(loopWords, word);
+    joint = joint || isIn(jointWords, word);
     motors = motors || word == "q" || word == "iq" || word == "motor" || word == "mot" || word == "applied";
   }
   plain = plain && (!loops || reference);  // "MCU target (deg)", but not "PID (deg)"
@@ -171,7 +173,7 @@ ColumnName byUnitAlone(const NameParts& parts) {
   const std::string to = contractName(kind, reference);
   if (!enough || to.empty()) return aside("its name says nothing that is known", parts);
   ColumnName name = taken(parts, to, plain && kind == UnitKind::angularVelocity ? 0 : 3);
-  name.byUnit = !plain && kind != UnitKind::time;
+  name.byUnit = (!plain || joint) && kind != UnitKind::time;  // "knee [deg]"
   return name;
 }
 

@@ -30,7 +30,7 @@ inline constexpr auto referenceWords = std::to_array<std::string_view>(
      "指令値",   "目標値",    "目标值",     "设定值",      "設定値",   "给定值"});
 inline constexpr auto supplyWords = std::to_array<std::string_view>(
     {"supply", "bus",   "vbus", "vdc",  "dc",  "battery", "batt", "bat",  "vbat", "vbatt", "vin",
-     "dclink", "input", "bms",  "pack", "esc", "psu",     "母线", "母線", "电源", "电池"});
+     "dclink", "input", "bms",  "pack", "esc", "psu",     "udc",  "母线", "母線", "电源",  "电池"});
 /// May stand behind the quantity and change nothing.
 inline constexpr auto decorations = std::to_array<std::string_view>(
     {"actual",     "act",        "measured",  "meas",     "measurement", "present",   "motor",     "mot",
@@ -98,7 +98,7 @@ inline constexpr auto otherThings = std::to_array<std::string_view>({"error",   
 inline constexpr auto headings = std::to_array<std::string_view>({"roll", "pitch", "yaw"});
 inline constexpr auto jointWords = std::to_array<std::string_view>(
     {"joint", "joints", "motor", "mot", "servo", "actuator", "wrist", "forearm", "elbow", "shoulder", "gripper", "hip",
-     "knee", "ankle", "waist", "gimbal", "encoder"});
+     "knee", "ankle", "waist", "gimbal", "encoder", "stepper"});
 inline constexpr auto loadWords = std::to_array<std::string_view>(
     {"load", "external", "friction", "disturbance", "gravity", "cogging", "brake", "feedforward", "ff"});
 inline constexpr auto driverWords = std::to_array<std::string_view>(
