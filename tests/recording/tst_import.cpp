@@ -166,6 +166,10 @@ void TestImport::names_areUnderstood_data() {
   row("I_Wirk [A]", "current_A");
   row("Lage_Ist [Inkr]", "angle_rad", 2.0 * std::numbers::pi);
   row("q2_ref", "angle_reference_rad");
+  row("pos_current", "angle_rad");
+  row("speed_current_rpm", "velocity_rad_per_s", std::numbers::pi / 30.0);
+  row("torque_current", "current_A");
+  row("motor_hv_voltage", "supply_V");
   row("Stepper output (degs)", "angle_rad", degree);
   row("knee [deg]", "angle_rad", degree);
   row("Udc_V", "supply_V");
@@ -209,6 +213,8 @@ void TestImport::names_areUnderstood_data() {
                               "tau_f",
                               "母线电流",
                               "d轴电流",
+                              "motor_temp_c10",
+                              "motor_hv_current",
                               "PID (deg)",
                               "Reactive Current [A]",
                               "speed_scaling",

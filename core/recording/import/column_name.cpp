@@ -48,6 +48,19 @@ bool fits(UnitKind unit, UnitKind quantity) {
   return quantity == UnitKind::angularVelocity && unit == UnitKind::linearVelocity;
 }
 
+bool isMotion(UnitKind kind) {
+  return kind == UnitKind::angle || kind == UnitKind::angularVelocity || kind == UnitKind::length ||
+         kind == UnitKind::linearVelocity;
+}
+
+/// "pos_current" is where something is now, where no unit says otherwise.
+Found withoutPresent(const NameParts& parts, Found found) {
+  const bool current = found.word != nullptr && found.at > 0 && parts.words[found.at] == "current";
+  if (!current || (parts.unit != nullptr && !isMotion(parts.unit->kind)) || parts.unknownUnit) return found;
+  const Word* before = quantityNamed(parts.words[found.at - 1]);
+  return before != nullptr && !before->weak && isMotion(before->kind) ? Found{before, found.at - 1} : found;
+}
+
 std::optional<Quantity> quantityOf(UnitKind kind, bool reference) {
   switch (kind) {
     case UnitKind::time:
@@ -246,6 +259,7 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
   Found found = quantityIn(parts.words);
   if (found.word != nullptr && parts.unit != nullptr && !fits(parts.unit->kind, found.word->kind))
     found = quantityOfUnit(parts.words, parts.unit->kind, found);
+  found = withoutPresent(parts, found);
   const bool supplyWord = firstIn(parts.words, supplyWords) != nullptr;
   if (parts.unit == nullptr && found.word != nullptr && found.word->kind == UnitKind::temperature &&
       parts.words.back() == "f") {  // "temp_F"

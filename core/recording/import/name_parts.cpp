@@ -422,6 +422,15 @@ NameParts partsOfName(std::string_view name, std::string_view unit) {
 }
 
 bool isMultiplied(std::string_view name) {
+  // "temp_c10": tenths of a degree.
+  const Words words = wordsOf(name, false);
+  if (words.size() > 1) {
+    const std::string_view last = words.back();
+    const size_t digits = last.find_first_of("0123456789");
+    const bool tens = digits != std::string_view::npos && digits > 0 && last.size() > digits + 1 &&
+                      last[digits] == '1' && last.find_first_not_of('0', digits + 1) == std::string_view::npos;
+    if (tens && unitNamed(last.substr(0, digits)) != nullptr) return true;
+  }
   const size_t mark = name.find_last_of("*xX");
   if (mark == std::string_view::npos || mark == 0 || mark + 2 >= name.size() || name.substr(mark + 1, 2) != "10")
     return false;

@@ -29,8 +29,8 @@ inline constexpr auto referenceWords = std::to_array<std::string_view>(
      "consigne", "consigna",  "referencia", "riferimento", "objetivo", "alvo",  "cible",    "zadana",  "vorgabe",
      "指令値",   "目標値",    "目标值",     "设定值",      "設定値",   "给定值"});
 inline constexpr auto supplyWords = std::to_array<std::string_view>(
-    {"supply", "bus",   "vbus", "vdc",  "dc",  "battery", "batt", "bat",  "vbat", "vbatt", "vin",
-     "dclink", "input", "bms",  "pack", "esc", "psu",     "udc",  "母线", "母線", "电源",  "电池"});
+    {"supply", "bus", "vbus", "vdc", "dc",  "battery", "batt", "bat",      "vbat", "vbatt", "vin",  "dclink",
+     "input",  "bms", "pack", "esc", "psu", "udc",     "hv",   "traction", "母线", "母線",  "电源", "电池"});
 /// May stand behind the quantity and change nothing.
 inline constexpr auto decorations = std::to_array<std::string_view>(
     {"actual",     "act",        "measured",  "meas",     "measurement", "present",   "motor",     "mot",
