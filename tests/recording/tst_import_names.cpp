@@ -79,6 +79,10 @@ void TestImportNames::whatNamesBesideTell_isTaken_data() {
                                       << "";
   QTest::newRow("the motor's supply") << QStringList{"rpm", "logic_supply_v", "dc_bus_v"} << "dc_bus_v"
                                       << "supply_V";
+  QTest::newRow("how a vehicle turns") << QStringList{"x", "y", "omega", "motor_rpm"} << "omega"
+                                       << "";
+  QTest::newRow("a motor's speed beside one coordinate") << QStringList{"x", "theta", "omega"} << "omega"
+                                                         << "velocity_rad_per_s";
   QTest::newRow("a torque") << QStringList{"q_0", "qd_0", "tq_0"} << "tq_0"
                             << "torque_Nm";
   QTest::newRow("an armature's voltage") << QStringList{"theta_m", "omega_m", "u_a"} << "u_a"
