@@ -158,6 +158,31 @@ void TestImport::names_areUnderstood_data() {
   row("wrist_joint/roll/position", "angle_rad");
   row("encoderA", "angle_rad");
   row("q_A", "current_A");
+  row("母线电压(V)", "supply_V");
+  row("q轴电流", "current_A");
+  row("电角度", "angle_rad");
+  row("01.07 Motor current [A]", "current_A");
+  row("Torque/AVE (Nm)", "torque_Nm");
+  row("I_Wirk [A]", "current_A");
+  row("Lage_Ist [Inkr]", "angle_rad", 2.0 * std::numbers::pi);
+  row("q2_ref", "angle_reference_rad");
+  row("pos_current", "angle_rad");
+  row("speed_current_rpm", "velocity_rad_per_s", std::numbers::pi / 30.0);
+  row("torque_current", "current_A");
+  row("motor_hv_voltage", "supply_V");
+  row("Stepper output (degs)", "angle_rad", degree);
+  row("knee [deg]", "angle_rad", degree);
+  row("Udc_V", "supply_V");
+  row("motrpm", "velocity_rad_per_s", std::numbers::pi / 30.0);
+  row("motamps", "current_A");
+  row("tensao_V", "voltage_V");
+  row("指令値[deg]", "angle_reference_rad", degree);
+  row("ticksL", "angle_rad", 2.0 * std::numbers::pi);
+  row("tau_J[0]", "torque_Nm");
+  row("pwm_used", "duty");
+  row("mot_volt", "voltage_V");
+  row("Motor Speed (krad/s)", "velocity_rad_per_s", 1e3);
+  row("MCU Target (deg)", "angle_reference_rad", degree);
   row("Torque(in-lbs)", "torque_Nm", 0.45359237 * 9.80665 * 0.0254);
   for (const char* unknown : {"",
                               "velocity error",
@@ -185,7 +210,15 @@ void TestImport::names_areUnderstood_data() {
                               "COOLANT_TEMP",
                               "ctrlTemp",
                               "wattHours",
-                              "tau_f"})
+                              "tau_f",
+                              "母线电流",
+                              "d轴电流",
+                              "motor_temp_c10",
+                              "motor_hv_current",
+                              "PID (deg)",
+                              "Reactive Current [A]",
+                              "speed_scaling",
+                              "motor_eff"})
     row(unknown, "");
 }
 
@@ -420,6 +453,9 @@ void TestImport::severalAxesInOneTable_areAskedToBeParted_data() {
   QTest::newRow("JSON") << "joint"
                         << "a"
                         << "b" << true;
+  QTest::newRow("instances") << "Instance"
+                             << "0"
+                             << "1" << true;
   QTest::newRow("one after the other") << "motor"
                                        << "1"
                                        << "2" << false;
@@ -614,6 +650,7 @@ void TestImport::voltageThatStandsStill_isTheSupplys_data() {
   QTest::addColumn<QString>("taken");
   QTest::newRow("turning both ways") << "voltage" << true << false << "supply_V";
   QTest::newRow("under a duty that changes") << "Voltage (V)" << false << true << "supply_V";
+  QTest::newRow("while the speed goes up and down") << "Volt" << true << false << "supply_V";
   QTest::newRow("a step of the motor's") << "voltage" << false << false << "voltage_V";
   QTest::newRow("the motor's by its name") << "motor_voltage" << true << false << "voltage_V";
 }

@@ -26,6 +26,8 @@ class TestImportBeside : public QObject {
   void rowsThatLoseACell_areAnError();
   void axesInBlocks_areAskedToBeParted();
   void sentencesThatReadAlike_areRows_othersAreLeftOutAndSaid();
+  void entriesOfSeveralLines_areRows();
+  void nameOfTheNextValue_isNoUnit();
   void textWithNumbers_isNoTable();
   void listsOfRows_areNoSignals();
   void pwmOf16Bits_isADuty();
@@ -211,6 +213,49 @@ void TestImportBeside::sentencesThatReadAlike_areRows_othersAreLeftOutAndSaid() 
   QCOMPARE(fateOf(*log, "Lever angle [rad]").to, std::string("angle_rad"));
   QCOMPARE(fateOf(*log, "motor speed [rad/s]").to, std::string("velocity_rad_per_s"));
   QVERIFY(says(*log, "2 lines read otherwise"));
+}
+
+void TestImportBeside::entriesOfSeveralLines_areRows() {
+  const auto text = [](const char* stamp) {
+    QString lines = "Bench ready\n";
+    for (int k = 0; k < 60; ++k) {
+      const QString at = QString(stamp).arg(step_s * k);
+      if (k == 30) lines += at + "fed the watchdog 3 times\n";
+      lines += at + QString("shaft angle: %1 rad\n").arg(angleAt(k)) + at + QString("speed = %1\n\n").arg(speedAt(k));
+      if (k != 20) lines += at + "current 0.5 A\n";
+    }
+    return lines;
+  };
+  const auto log = imported(text("[%1] "));
+  VERIFY_OK(log);
+  QCOMPARE(log->recording.rows(), size_t{60});
+  QVERIFY(std::abs(log->recording.time().back() - 59.0 * step_s) < 1e-9);
+  QVERIFY(std::abs(log->recording.channel("angle_rad")[40] - angleAt(40)) < 1e-4 * std::abs(angleAt(40)));
+  QVERIFY(std::abs(log->recording.channel("velocity_rad_per_s")[40] - speedAt(40)) < 1e-4 * std::abs(speedAt(40)));
+  QVERIFY(std::isnan(log->recording.channel("current_A")[20]));
+  QVERIFY(says(*log, "entries of 3 lines"));
+  QVERIFY(says(*log, "1 line is of no entry"));
+  QString clocks;
+  for (int k = 0; k < 40; ++k)
+    clocks += QString("10:20:%1\nshaft angle: %2 rad\n").arg(10.0 + step_s * k, 0, 'f', 2).arg(angleAt(k));
+  const auto stamped = imported(clocks);
+  VERIFY_OK(stamped);
+  QVERIFY(std::abs(stamped->recording.time().back() - 39.0 * step_s) < 1e-6);
+  const auto asked = imported(text("").replace("%1", ""));
+  QVERIFY(!asked && asked.error().message().find("sample_time_s") != std::string::npos);
+}
+
+void TestImportBeside::nameOfTheNextValue_isNoUnit() {
+  QString text;
+  for (int k = 0; k < 60; ++k)
+    text += QString("2024-05-01 10:20:%1: ESC {TimeUS : %2, Instance : 0, RPM : %3, Curr : 0.5}\n")
+                .arg(10.0 + step_s * k, 5, 'f', 2)
+                .arg(int(1e6 * step_s * k))
+                .arg(speedAt(k));
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  const double rpm = log->recording.channel("velocity_rad_per_s")[30] * 30.0 / M_PI;
+  QVERIFY(std::abs(rpm - speedAt(30)) < 1e-4 * std::abs(speedAt(30)));
 }
 
 void TestImportBeside::textWithNumbers_isNoTable() {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr size_t mostAxes = 64;
 constexpr auto axisWords = std::to_array<std::string_view>(
-    {"motor", "joint", "axis", "servo", "actuator", "dof", "leg", "side", "motors", "achse", "moteur"});
+    {"motor", "joint", "axis", "servo", "actuator", "dof", "leg", "side", "motors", "achse", "moteur", "instance"});
 constexpr auto numberWords =
     std::to_array<std::string_view>({"id", "ids", "name", "node", "device", "can", "address", "addr", "channel", "nr",
                                      "no", "index", "idx", "num", "number", "label"});

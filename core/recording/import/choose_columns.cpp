@@ -10,6 +10,7 @@
 #include "recording/columns.h"
 #include "recording/import/columns_beside.h"
 #include "recording/import/name_parts.h"
+#include "recording/import/names_beside.h"
 #include "recording/import/quantity_words.h"
 #include "recording/import/settling.h"
 
@@ -33,15 +34,6 @@ Choice guess(const RawColumn& column) {
   }
   choice.name = understandName(name, column.unit);
   return choice;
-}
-
-/// The name without its last word that reads so.
-std::string nameWithout(std::string name, const std::string& word) {
-  std::string lower = name;
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const size_t at = lower.rfind(word);
-  return at == std::string::npos ? name : name.replace(at, word.size(), " ");
 }
 
 /// An unknown word behind two different quantities is an axis' name: "pos_slew" beside "vel_slew".
@@ -97,13 +89,15 @@ void checkTimes(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
-/// Where nothing else is the time, a "tick" that goes on in even steps is the clock's, not an encoder's.
+/// Where nothing else is the time, a "tick" that goes on in even steps is the clock's, not an encoder's, and a
+/// "duration" is that of the run.
 void takeTicks(const RawTable& table, std::vector<Choice>& choices) {
   if (std::any_of(choices.begin(), choices.end(), [](const Choice& one) { return one.name.to == "time_s"; })) return;
   for (size_t c = 0; c < choices.size(); ++c) {
     const std::string& name = table.columns[c].channel.name;
     const auto& values = table.columns[c].channel.values;
-    const bool tick = isSameWord(name, "tick") || isSameWord(name, "ticks") || isSameWord(name, "systick");
+    const bool tick = isSameWord(name, "tick") || isSameWord(name, "ticks") || isSameWord(name, "systick") ||
+                      isSameWord(name, "duration");
     if (!tick || choices[c].byMap || values.size() < 3 || !(values[1] > values[0])) continue;
     const bool even = std::adjacent_find(values.begin(), values.end(), [&](double a, double b) {
                         return !(b > a) || b - a > 3.0 * (values[1] - values[0]);
@@ -194,6 +188,30 @@ Result<void> takeOneEach(const RawTable& table, const ImportMap& map, std::vecto
   return {};
 }
 
+/// "handle_angle_cmd" is what "handle_angle" shall be: no reference where another angle was taken.
+void setOthersReferencesAside(const RawTable& table, std::vector<Choice>& choices) {
+  const auto wordsBut = [&table](size_t c) {
+    Words words = wordsOf(table.columns[c].channel.name, true);
+    std::erase_if(words, [](const std::string& word) { return isIn(referenceWords, word); });
+    return words;
+  };
+  for (size_t r = 0; r < choices.size(); ++r) {
+    const std::string to = choices[r].name.to;
+    const size_t end = to.find("_reference");
+    if (end == std::string::npos || choices[r].byMap || choices[r].byTool) continue;
+    const Words words = wordsBut(r);
+    for (size_t c = 0; c < choices.size(); ++c) {
+      const bool measured = c != r && !choices[c].name.understood() && !table.columns[c].fault &&
+                            wordsOf(table.columns[c].channel.name, true) == words;
+      const bool other = std::any_of(choices.begin(), choices.end(), [&](const Choice& one) {
+        return one.name.to.starts_with(to.substr(0, end)) && one.name.to.find("_reference") == std::string::npos;
+      });
+      if (measured && other)
+        setAside(choices[r], message("is what {} shall be, which isn't taken", table.columns[c].channel.name));
+    }
+  }
+}
+
 Result<void> checkMap(const RawTable& table, const ImportMap& map, const std::string& place) {
   std::vector<std::string> names;
   names.reserve(table.columns.size());
@@ -263,7 +281,9 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
   checkTimes(table, choices);
   if (!map.sample_time_s) takeTicks(table, choices);
   if (!map.sample_time_s) takeNamelessStamps(table, choices);
+  takeByNeighbours(table, map, choices);
   judgeByNeighbours(table, choices);
+  takeDoubtful(table, choices);
   const std::string axis = axisOf(choices);
   for (Choice& choice : choices) {
     if (!choice.name.understood() || choice.byMap || choice.name.to == "time_s") continue;
@@ -271,6 +291,7 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
       setAside(choice, message("belongs to another axis ({}) than the one taken ({})", choice.name.group, axis));
   }
   if (const auto one = takeOneEach(table, map, choices, place); !one) return one.error();
+  setOthersReferencesAside(table, choices);
   for (size_t c = 0; c < choices.size(); ++c) {
     const auto& fault = table.columns[c].fault;
     if (!fault) continue;

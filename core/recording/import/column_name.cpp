@@ -49,6 +49,19 @@ bool fits(UnitKind unit, UnitKind quantity) {
   return quantity == UnitKind::angularVelocity && unit == UnitKind::linearVelocity;
 }
 
+bool isMotion(UnitKind kind) {
+  return kind == UnitKind::angle || kind == UnitKind::angularVelocity || kind == UnitKind::length ||
+         kind == UnitKind::linearVelocity;
+}
+
+/// "pos_current" is where something is now, where no unit says otherwise.
+Found withoutPresent(const NameParts& parts, Found found) {
+  const bool current = found.word != nullptr && found.at > 0 && parts.words[found.at] == "current";
+  if (!current || (parts.unit != nullptr && !isMotion(parts.unit->kind)) || parts.unknownUnit) return found;
+  const Word* before = quantityNamed(parts.words[found.at - 1]);
+  return before != nullptr && !before->weak && isMotion(before->kind) ? Found{before, found.at - 1} : found;
+}
+
 std::optional<Quantity> quantityOf(UnitKind kind, bool reference) {
   switch (kind) {
     case UnitKind::time:
@@ -118,7 +131,7 @@ bool isSingleLetter(const std::string& word, std::string_view letters) {
 Message notTheMotors(UnitKind kind, const Words& words, bool supply) {
   const auto has = [&words](std::string_view word) { return isIn(words, word); };
   if (kind == UnitKind::current && supply) return message("is the supply's current, not the motor's");
-  if (has("d") || has("id") || has("ud") || has("vd") || has("daxis"))
+  if (has("d") || has("id") || has("ud") || has("vd") || has("daxis") || has("reactive") || has("magnetizing"))
     return message("is the d axis, which makes no torque");
   const bool q = has("q") || has("iq") || has("uq") || has("vq");
   const bool letter =
@@ -134,21 +147,34 @@ Words withoutWord(Words words, size_t at) {
   return words;
 }
 
+/// "logic_supply_v" comes after "dc_bus_v".
+ColumnName supplyOf(const NameParts& parts) {
+  ColumnName name = taken(parts, columnName(Quantity::supply, Axis::rotary), 1);
+  name.qualified = std::any_of(parts.words.begin(), parts.words.end(), [](const std::string& word) {
+    return !isIn(supplyWords, word) && !isIn(decorations, word) && quantityNamed(word) == nullptr && word != "v";
+  });
+  return name;
+}
+
 /// Where no word names a quantity the unit may.
 ColumnName byUnitAlone(const NameParts& parts) {
   if (parts.unit == nullptr) return aside(message("its name says nothing that is known"), parts);
   const UnitKind kind = parts.unit->kind;
-  bool reference = false, plain = true, motors = false;
+  bool reference = false, plain = true, motors = false, loops = false, joint = false;
   if (std::string_view(parts.unit->name) == "hz") return aside(message("is a frequency"), parts);
   const bool counts = parts.unit->needs == UnitNeeds::countsPerRev;
   for (const std::string& word : parts.words) {
     reference = reference || isIn(referenceWords, word);
     const bool counted = counts && (word == "pulse" || word == "pulses" || word == "hall" || word == "edge");
-    plain = plain && (counted || isIn(decorations, word) || isIn(referenceWords, word));
-    motors = motors || word == "q" || word == "iq" || word == "motor" || word == "applied";
+    plain = plain && (counted || isIn(decorations, word) || isIn(referenceWords, word) || isIn(loopWords, word) ||
+                      isIn(jointWords, word));
+    loops = loops || isIn(loopWords, word);
+    joint = joint || isIn(jointWords, word);
+    motors = motors || word == "q" || word == "iq" || word == "motor" || word == "mot" || word == "applied";
   }
+  plain = plain && (!loops || reference);  // "MCU target (deg)", but not "PID (deg)"
   const bool supply = firstIn(parts.words, supplyWords) != nullptr;
-  if (kind == UnitKind::voltage && supply) return taken(parts, columnName(Quantity::supply, Axis::rotary), 1);
+  if (kind == UnitKind::voltage && supply) return supplyOf(parts);
   if (kind == UnitKind::current || kind == UnitKind::voltage) {
     if (const auto why = notTheMotors(kind, parts.words, supply); !why.empty()) return aside(why, parts);
     const bool letter =
@@ -162,7 +188,7 @@ ColumnName byUnitAlone(const NameParts& parts) {
   const std::string to = contractName(kind, reference);
   if (!enough || to.empty()) return aside(message("its name says nothing that is known"), parts);
   ColumnName name = taken(parts, to, plain && kind == UnitKind::angularVelocity ? 0 : 3);
-  name.byUnit = !plain && kind != UnitKind::time;
+  name.byUnit = (!plain || joint) && kind != UnitKind::time;  // "knee [deg]"
   return name;
 }
 
@@ -235,6 +261,7 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
   Found found = quantityIn(parts.words);
   if (found.word != nullptr && parts.unit != nullptr && !fits(parts.unit->kind, found.word->kind))
     found = quantityOfUnit(parts.words, parts.unit->kind, found);
+  found = withoutPresent(parts, found);
   const bool supplyWord = firstIn(parts.words, supplyWords) != nullptr;
   if (parts.unit == nullptr && found.word != nullptr && found.word->kind == UnitKind::temperature &&
       parts.words.back() == "f") {  // "temp_F"
@@ -250,7 +277,7 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
     const bool bare = parts.unit == nullptr && !parts.unknownUnit && supplyWord && told &&
                       !isIn(parts.words, "input") && !isIn(parts.words, "bus") && !isIn(parts.words, "esc");
     const bool volts = isIn(parts.words, "v") && supplyWord;  // "v_bus"
-    if (bare || volts) return taken(parts, columnName(Quantity::supply, Axis::rotary), 1);
+    if (bare || volts) return supplyOf(parts);
     if (parts.unknownUnit) return aside(message("its unit \"{}\" is unknown", parts.unitText), parts);
     return byUnitAlone(parts);
   }
@@ -314,8 +341,7 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
   }
   const bool inWinding = kind == UnitKind::current || kind == UnitKind::voltage;
   const bool supply = supplyWord && inWinding;
-  if (kind == UnitKind::voltage && supply && !reference)
-    return taken(parts, columnName(Quantity::supply, Axis::rotary), 1);
+  if (kind == UnitKind::voltage && supply && !reference) return supplyOf(parts);
   if (inWinding) {
     if (const auto why = notTheMotors(kind, withoutWord(parts.words, found.at),
                                       supply || (kind == UnitKind::current && isIn(parts.words, "in")));

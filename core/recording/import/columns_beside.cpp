@@ -125,6 +125,26 @@ void setPlacesAside(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
+/// Beside x and y an "omega" is how a vehicle turns, and a "theta" where it heads, where a unit tells the motor's
+/// speed.
+void setTurningAside(const RawTable& table, std::vector<Choice>& choices) {
+  bool x = false, y = false, motors = false;
+  for (size_t c = 0; c < choices.size(); ++c) {
+    x = x || isSameWord(table.columns[c].channel.name, "x");
+    y = y || isSameWord(table.columns[c].channel.name, "y");
+    motors = motors || (choices[c].name.to == "velocity_rad_per_s" && !choices[c].name.unit.empty());
+  }
+  if (!x || !y || !motors) return;
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const ColumnName& name = choices[c].name;
+    const bool turns = name.to == "velocity_rad_per_s" || name.to == "angle_rad";
+    const auto words = wordsOf(table.columns[c].channel.name, true);
+    const bool ofMotor = firstIn(words, jointWords) != nullptr || firstIn(words, drivenWords) != nullptr;
+    if (turns && name.unit.empty() && !ofMotor && !choices[c].byMap && !choices[c].byTool)
+      setAside(choices[c], message("is how a vehicle turns, beside its place and a motor's speed"));
+  }
+}
+
 /// A position beside a force is a linear axis' where no unit says otherwise.
 void takeLinear(const RawTable& table, std::vector<Choice>& choices) {
   const auto namesForce = [&table](size_t c) {
@@ -234,6 +254,7 @@ void judgeByNeighbours(const RawTable& table, std::vector<Choice>& choices) {
   setLinesAside(table, choices);
   setRowNumbersAside(table, choices);
   setPlacesAside(table, choices);
+  setTurningAside(table, choices);
   takeLinear(table, choices);
   setVehiclesAside(choices);
 }

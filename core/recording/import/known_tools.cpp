@@ -152,13 +152,18 @@ ToolColumns inTurns(const RawTable& table, const std::function<bool(const std::s
   return columns;
 }
 
+/// By its current's name alone only where no motion beside it tells a unit of its own: "turns" beside an "angle".
 bool isOdrive(const RawTable& table) {
-  return std::any_of(table.columns.begin(), table.columns.end(), [](const RawColumn& column) {
+  bool motion = false, current = false, told = false;
+  for (const RawColumn& column : table.columns) {
     const std::string& name = column.channel.name;
-    return name.find("pos_estimate") != std::string::npos || name.find("vel_estimate") != std::string::npos ||
-           name.find("pos_vel_mapper") != std::string::npos || name.find("Iq_measured") != std::string::npos ||
-           name.find("iq_measured") != std::string::npos;
-  });
+    const auto has = [&name](const char* part) { return name.find(part) != std::string::npos; };
+    motion = motion || has("pos_estimate") || has("vel_estimate") || has("pos_vel_mapper");
+    current = current || has("Iq_measured") || has("iq_measured");
+    const ColumnName known = understandName(name, column.unit);
+    told = told || ((known.to == "angle_rad" || known.to == "velocity_rad_per_s") && !known.unit.empty());
+  }
+  return motion || (current && !told);
 }
 
 ToolColumns odrive(RawTable& table) {
@@ -346,7 +351,7 @@ ToolColumns dynamixel(RawTable& table, double countsPerRev) {
     if (hasWord(words, "position")) {
       makeSigned(values, 4294967296.0);
       to = in(present ? "angle_rad" : "angle_reference_rad", turn_rad / counts, "1/4096 turn");
-    } else if (hasWord(words, "velocity") || hasWord(words, "speed")) {
+    } else if (hasWord(words, "velocity")) {  // a "speed" is an older model's or another maker's: the angle tells
       makeSigned(values, 4294967296.0);
       to = in(present ? "velocity_rad_per_s" : "velocity_reference_rad_per_s", 0.229 * turn_rad / 60.0, "0.229 rpm");
     } else if (hasWord(words, "current")) {

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "recording/import/name_words.h"
 #include "recording/import/quantity_words.h"
 
 namespace breakaway {
@@ -56,82 +57,6 @@ std::string takeMultipliedUnit(const std::string& text, NameParts& parts) {
     parts.factor = multiplied.factor;
   }
   return text.substr(0, from);
-}
-
-/// "Drehzahlistwert" and "Istdrehzahl" are two words; "Lastmoment" is a load's.
-void partCompounds(Words& words) {
-  static constexpr auto ends = std::to_array<std::string_view>({"istwert", "sollwert"});
-  static constexpr auto begins =
-      std::to_array<std::pair<std::string_view, std::string_view>>({{"ist", "ist"},
-                                                                    {"soll", "soll"},
-                                                                    {"motor", "motor"},
-                                                                    {"antriebs", "motor"},
-                                                                    {"last", "load"},
-                                                                    {"reib", "friction"},
-                                                                    {"nenn", "nominal"},
-                                                                    {"grenz", "limit"},
-                                                                    {"zwischenkreis", "dclink"},
-                                                                    {"batterie", "battery"},
-                                                                    {"versorgungs", "supply"}});
-  static constexpr auto same =
-      std::to_array<std::pair<std::string_view, std::string_view>>({{"momentenbildend", "producing"},
-                                                                    {"drehmomentbildend", "producing"},
-                                                                    {"motorgeber", "sensor"},
-                                                                    {"geber", "sensor"},
-                                                                    {"filter", "filtered"}});
-  for (std::string& word : words) {
-    for (const auto& [own, meaning] : same) {
-      if (word == own) word = meaning;
-    }
-  }
-  for (size_t k = 0; k < words.size(); ++k) {
-    const auto part = [&](std::string first, std::string second) {
-      words[k] = std::move(first);
-      words.insert(words.begin() + static_cast<std::ptrdiff_t>(k) + 1, std::move(second));
-    };
-    for (const std::string_view end : ends) {
-      if (words[k].size() <= end.size() + 2 || !words[k].ends_with(end)) continue;
-      const std::string quantity = words[k].substr(0, words[k].size() - end.size());
-      if (quantityNamed(quantity) != nullptr) part(quantity, std::string(end));
-    }
-    for (const auto& [begin, meaning] : begins) {
-      if (words[k].size() <= begin.size() + 2 || !words[k].starts_with(begin)) continue;
-      const std::string quantity = words[k].substr(begin.size());
-      if (quantityNamed(quantity) != nullptr) part(std::string(meaning), quantity);
-    }
-  }
-}
-
-/// "vsupply" is a voltage and of what; "vesc" is a controller's name.
-void partSupplies(Words& words) {
-  for (size_t k = 0; k < words.size(); ++k) {
-    const std::string of = words[k].substr(1);
-    if (words[k][0] != 'v' || of.size() < 4 || !isIn(supplyWords, of)) continue;
-    words[k] = "v";
-    words.insert(words.begin() + static_cast<std::ptrdiff_t>(k) + 1, of);
-  }
-}
-
-/// "motorspeed" and "targetposition" are two words, "timems" a time and its unit.
-void partEnglish(Words& words) {
-  static constexpr auto ends = std::to_array<std::string_view>(
-      {"speed", "velocity", "position", "angle", "torque", "current", "voltage", "temperature"});
-  static constexpr auto begins = std::to_array<std::string_view>(
-      {"motor", "rotor",  "shaft",   "joint",      "encoder", "axis",     "servo",   "actual", "measured",
-       "mean",  "target", "desired", "reference",  "command", "setpoint", "set",     "ref",    "cmd",
-       "act",   "left",   "right",   "battery",    "supply",  "bus",      "load",    "output", "input",
-       "phase", "wheel",  "angular", "rotational", "rot",     "winding",  "ambient", "driver", "board"});
-  for (size_t k = 0; k < words.size(); ++k) {
-    if (quantityNamed(words[k]) != nullptr) continue;
-    for (const std::string_view end : ends) {
-      if (words[k].size() <= end.size() || !words[k].ends_with(end)) continue;
-      const std::string begin = words[k].substr(0, words[k].size() - end.size());
-      if (!isIn(begins, begin)) continue;
-      words[k] = begin;
-      words.insert(words.begin() + static_cast<std::ptrdiff_t>(k) + 1, std::string(end));
-      break;
-    }
-  }
 }
 
 /// Where the bracket at `open` is closed; brackets of the other kind may stand between.
@@ -194,6 +119,8 @@ void takeGroup(Words& words, std::string& group) {
   const bool model = std::any_of(words.begin(), words.end(), [](const std::string& word) {
     return isNumber(word) && word.size() > 2;  // "trs605-5": a sensor's name, not an axis
   });
+  const auto own =
+      std::count_if(words.begin(), words.end(), [](const std::string& word) { return !isIn(referenceWords, word); });
   for (size_t k = 0; k < words.size(); ++k) {
     std::string& word = words[k];
     const size_t digit = word.find_first_of("0123456789");
@@ -205,8 +132,8 @@ void takeGroup(Words& words, std::string& group) {
     const bool parameter = letterAndNumber && word.size() > 2 && drives;
     const bool axis = letterAndNumber && !parameter;                                          // "m0"
     const bool side = isSide(word) && (word.size() > 1 || (k > 0 && k + 1 == words.size()));  // "rpm_l"
-    const bool joint = axis && word[0] == 'j';                       // "tau_J1" is of the axis of "dq1"
-    const bool angle = axis && word[0] == 'q' && words.size() == 1;  // "q1"
+    const bool joint = axis && word[0] == 'j';              // "tau_J1" is of the axis of "dq1"
+    const bool angle = axis && word[0] == 'q' && own == 1;  // "q1", "q1_ref"
     if (!model && (isNumber(word) || axis || side))
       group += (group.empty() ? "" : ".") + (joint || angle ? word.substr(1) : word);
     if (angle) kept.emplace_back("q");
@@ -241,7 +168,8 @@ std::string_view firstWords(std::string_view text, size_t count) {
 /// A unit before words that say how it was come by: "rpm_filtered", "pos_deg_target". In short ones letters mean too
 /// much.
 bool takeUnitBeforeWords(const std::string& text, NameParts& parts) {
-  const Words plain = wordsOf(text, false);
+  Words plain = wordsOf(text, false);
+  if (plain.size() == 1) plain = wordsOf(text, true);  // "ticksL"
   size_t end = plain.size();
   const auto changesNothing = [](const std::string& word) {
     const bool told = (word.size() > 2 && isIn(decorations, word)) || isIn(referenceWords, word);  // "rpm_sp"
@@ -259,6 +187,8 @@ bool takeUnitBeforeWords(const std::string& text, NameParts& parts) {
     for (size_t k = from; k < end; ++k) parts.unitText += (k == from ? "" : "_") + head[k];
     parts.words = wordsOf(firstWords(text, from), true);
     parts.words.insert(parts.words.end(), plain.begin() + static_cast<std::ptrdiff_t>(end), plain.end());
+    if (parts.unitFirst && parts.words.size() == 1 && isSide(parts.words[0]))
+      parts.words[0] = parts.words[0].front() == 'l' ? "left" : "right";
     return true;
   }
   return false;
@@ -300,41 +230,13 @@ void dropUnitTwice(NameParts& parts) {
   }
 }
 
-/// "theta dot" and "dot theta" are a speed, "i q" the current of the q axis, "v in" the supply.
-void joinWords(Words& words) {
-  for (size_t k = 0; k + 1 < words.size(); ++k) {
-    const bool axis = words[k + 1] == "q" || words[k + 1] == "d";
-    if (axis && (words[k] == "i" || words[k] == "u" || words[k] == "v")) {
-      words[k] += words[k + 1];
-      words.erase(words.begin() + static_cast<std::ptrdiff_t>(k) + 1);
-      continue;
-    }
-    if (words[k] == "v" && words[k + 1] == "in") {
-      words[k] = "vin";
-      words.erase(words.begin() + static_cast<std::ptrdiff_t>(k) + 1);
-      continue;
-    }
-    const bool behind = words[k + 1] == "dot";
-    const Word* word = quantityNamed(behind ? words[k] : words[k + 1]);
-    if ((!behind && words[k] != "dot") || word == nullptr || word->kind != UnitKind::angle) continue;
-    words[k] = "omega";
-    words.erase(words.begin() + static_cast<std::ptrdiff_t>(k) + 1);
-  }
-}
-
-/// "目标转速" is two words, of which the last names the quantity.
-void partGapless(Words& words) {
-  for (size_t k = 0; k < words.size(); ++k) {
-    const size_t begin = quantityAtEnd(words[k]);
-    if (begin == 0) continue;
-    std::string quantity = words[k].substr(begin);
-    words[k].resize(begin);
-    words.insert(words.begin() + static_cast<std::ptrdiff_t>(k) + 1, std::move(quantity));
-  }
-}
-
 /// "3 Velocity (RPM)" of "SPARK MAX 3: Velocity (RPM)": what stands before is a device's name, whatever its words mean.
 std::string withoutDevice(std::string_view name) {
+  // "01.07 Motor current": a drive's number of it.
+  const size_t dot = name.find('.'), blank = name.find(' ');
+  const bool parameter = blank != std::string_view::npos && dot < blank && isNumber(name.substr(0, dot)) &&
+                         isNumber(name.substr(dot + 1, blank - dot - 1));
+  if (parameter) name.remove_prefix(blank + 1);
   const size_t colon = name.find(": ");
   if (colon == std::string_view::npos || colon == 0) return std::string(name);
   const Words device = wordsOf(name.substr(0, colon), false);
@@ -349,7 +251,7 @@ std::string withoutDevice(std::string_view name) {
 
 NameParts partsOfName(std::string_view name, std::string_view unit) {
   NameParts parts;
-  std::string text = takeBrackets(withoutDevice(name), parts);
+  std::string text = withUnitsApart(takeBrackets(withoutDevice(name), parts));
   if (!unit.empty()) {
     parts.unknownUnit = false;
     parts.factor = 1.0;
@@ -374,10 +276,7 @@ NameParts partsOfName(std::string_view name, std::string_view unit) {
     dropUnitTwice(parts);
   }
   parts.plain = wordsOf(text, false);
-  partGapless(parts.words);
-  partCompounds(parts.words);
-  partEnglish(parts.words);
-  partSupplies(parts.words);
+  partWords(parts.words);
   takeGroup(parts.words, parts.group);
   std::erase_if(parts.words, [](const std::string& word) { return word == "per"; });
   joinWords(parts.words);
@@ -385,6 +284,15 @@ NameParts partsOfName(std::string_view name, std::string_view unit) {
 }
 
 bool isMultiplied(std::string_view name) {
+  // "temp_c10": tenths of a degree.
+  const Words words = wordsOf(name, false);
+  if (words.size() > 1) {
+    const std::string_view last = words.back();
+    const size_t digits = last.find_first_of("0123456789");
+    const bool tens = digits != std::string_view::npos && digits > 0 && last.size() > digits + 1 &&
+                      last[digits] == '1' && last.find_first_not_of('0', digits + 1) == std::string_view::npos;
+    if (tens && unitNamed(last.substr(0, digits)) != nullptr) return true;
+  }
   const size_t mark = name.find_last_of("*xX");
   if (mark == std::string_view::npos || mark == 0 || mark + 2 >= name.size() || name.substr(mark + 1, 2) != "10")
     return false;

@@ -140,6 +140,8 @@ constexpr auto quantities = std::to_array<Word>({
     {"tensione", UnitKind::voltage},
     {"tensión", UnitKind::voltage},
     {"tensão", UnitKind::voltage},
+    {"tensao", UnitKind::voltage},
+    {"posicao", UnitKind::angle},
     {"tension", UnitKind::voltage},
     {"temps", UnitKind::time},
     {"tiempo", UnitKind::time},

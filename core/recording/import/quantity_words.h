@@ -23,13 +23,14 @@ const Word* quantityNamed(std::string_view word);
 size_t quantityAtEnd(std::string_view word);
 
 inline constexpr auto referenceWords = std::to_array<std::string_view>(
-    {"ref",      "reference", "target",     "goal",        "setpoint", "sp",   "cmd",      "command", "commanded",
-     "desired",  "des",       "demand",     "demanded",    "soll",     "set",  "sollwert", "request", "requested",
-     "tgt",      "trg",       "目标",       "目標",        "设定",     "設定", "给定",     "指令",    "期望",
-     "consigne", "consigna",  "referencia", "riferimento", "objetivo", "alvo", "cible",    "zadana",  "vorgabe"});
-inline constexpr auto supplyWords =
-    std::to_array<std::string_view>({"supply", "bus", "vbus", "vdc", "dc", "battery", "batt", "bat", "vbat", "vbatt",
-                                     "vin", "dclink", "input", "bms", "pack", "esc", "psu"});
+    {"ref",      "reference", "target",     "goal",        "setpoint", "sp",    "cmd",      "command", "commanded",
+     "desired",  "des",       "demand",     "demanded",    "soll",     "set",   "sollwert", "request", "requested",
+     "tgt",      "trg",       "目标",       "目標",        "设定",     "設定",  "给定",     "指令",    "期望",
+     "consigne", "consigna",  "referencia", "riferimento", "objetivo", "alvo",  "cible",    "zadana",  "vorgabe",
+     "指令値",   "目標値",    "目标值",     "设定值",      "設定値",   "给定值"});
+inline constexpr auto supplyWords = std::to_array<std::string_view>(
+    {"supply", "bus", "vbus", "vdc", "dc",  "battery", "batt", "bat",      "vbat", "vbatt", "vin",  "dclink",
+     "input",  "bms", "pack", "esc", "psu", "udc",     "hv",   "traction", "母线", "母線",  "电源", "电池"});
 /// May stand behind the quantity and change nothing.
 inline constexpr auto decorations = std::to_array<std::string_view>(
     {"actual",     "act",        "measured",  "meas",     "measurement", "present",   "motor",     "mot",
@@ -45,7 +46,11 @@ inline constexpr auto decorations = std::to_array<std::string_view>(
      "medida",     "misurata",   "misurato",  "atual",    "actuelle",    "gemessen",  "gemessene", "aktuell",
      "实际",       "測定",       "实测",      "反馈",     "revolute",    "prismatic", "telemetry", "pll",
      "observer",   "observed",   "obs",       "hat",      "kf",          "ekf",       "kalman",    "smo",
-     "sensorless", "fdb",        "fbk",       "fdk"});
+     "sensorless", "fdb",        "fbk",       "fdk",      "used",        "applied",   "j",         "ave",
+     "mean",       "wirk"});
+/// Before a reference they tell who follows it.
+inline constexpr auto loopWords =
+    std::to_array<std::string_view>({"mcu", "controller", "control", "pid", "loop", "plc"});
 /// Wherever they stand, the column is something else.
 inline constexpr auto otherThings = std::to_array<std::string_view>({"error",        "err",
                                                                      "limit",        "lim",
@@ -93,7 +98,7 @@ inline constexpr auto otherThings = std::to_array<std::string_view>({"error",   
 inline constexpr auto headings = std::to_array<std::string_view>({"roll", "pitch", "yaw"});
 inline constexpr auto jointWords = std::to_array<std::string_view>(
     {"joint", "joints", "motor", "mot", "servo", "actuator", "wrist", "forearm", "elbow", "shoulder", "gripper", "hip",
-     "knee", "ankle", "waist", "gimbal", "encoder"});
+     "knee", "ankle", "waist", "gimbal", "encoder", "stepper"});
 inline constexpr auto loadWords = std::to_array<std::string_view>(
     {"load", "external", "friction", "disturbance", "gravity", "cogging", "brake", "feedforward", "ff"});
 inline constexpr auto driverWords = std::to_array<std::string_view>(
@@ -103,7 +108,7 @@ inline constexpr auto driverWords = std::to_array<std::string_view>(
      "charger", "inverter", "cpu",    "bridge", "encoder",    "pcb",     "baro",   "imu"});
 /// Motion counted in electrical turns.
 inline constexpr auto electricalWords =
-    std::to_array<std::string_view>({"electrical", "electric", "elec", "elektrisch"});
+    std::to_array<std::string_view>({"electrical", "electric", "elec", "elektrisch", "电", "電", "电气", "電気"});
 /// Behind a gear or a coupling: taken only where the motor's own isn't there.
 inline constexpr auto drivenWords =
     std::to_array<std::string_view>({"load", "link", "output", "slave", "secondary", "arm", "gear", "driven", "wheel"});

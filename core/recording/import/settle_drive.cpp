@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "recording/import/name_parts.h"
 #include "recording/import/number_text.h"
+#include "recording/import/quantity_words.h"
 #include "recording/import/settling.h"
 
 namespace breakaway {
@@ -57,8 +59,17 @@ Result<void> Settling::takeOther(size_t c) {
   if (!*filled) return {};
   std::string& to = fates_[c].to;
   if (setCountsAside(c)) return {};
-  const bool torque = to == "force_N" && fates_[c].unit.empty() && columnOf("angle_rad") && !columnOf("torque_Nm");
-  if (torque) {
+  if (to == "force_N" && columnOf("torque_Nm") && !columnOf("position_m") && !choices_[c].byMap) {
+    keep(c, message("is a force, beside the torque of a motor that turns"));
+    return {};
+  }
+  const bool unitless = to == "force_N" && fates_[c].unit.empty() && columnOf("angle_rad") && !columnOf("torque_Nm");
+  const bool motors = !choices_[c].name.qualified || firstIn(wordsOf(fates_[c].from, true), jointWords) != nullptr;
+  if (unitless && !motors) {
+    keep(c, message("is a force beside an angle, and nothing tells of which arm"));
+    return {};
+  }
+  if (unitless) {
     to = "torque_Nm";
     fates_[c].unit = "Nm";
     fates_[c].why = message("what turns is driven by a torque");
@@ -78,7 +89,9 @@ bool Settling::setCountsAside(size_t c) {
   const std::string& to = fates_[c].to;
   const bool drive = to == "current_A" || to == "torque_Nm" || to == "force_N" || to == "current_reference_A";
   const double most = drive ? 60.0 : to == "voltage_V" || to == "supply_V" ? 120.0 : 0.0;
-  const bool guessed = fates_[c].guessed && fates_[c].unit.empty() && !choices_[c].byMap;
+  // "batt_volt" says what it is rather than in which unit.
+  const bool word = quantityNamed(fates_[c].unit) != nullptr && fates_[c].from.find_first_of("([") == std::string::npos;
+  const bool guessed = ((fates_[c].guessed && fates_[c].unit.empty()) || word) && !choices_[c].byMap;
   if (most == 0.0 || !guessed || !areWhole(values(c)) || largest(values(c)) <= most) return false;
   const std::string up = shortText(largest(values(c)));
   remarks_.push_back(message(
@@ -112,10 +125,13 @@ void Settling::settleVoltage() {
     battery = battery || has("soc") || (has("throttle") && varies(k));
   }
   const bool driven = battery || (duty && varies(*duty)) || pulseWidths_.has_value();
-  if (!driven && !turnsBothWays()) return;
+  constexpr size_t often = 4;  // once up and down is a motor that is switched on and loaded
+  const bool both = turnsBothWays(), again = speed && turnsBack(values(*speed)) >= often;
+  if (!driven && !both && !again) return;
   const Message why = battery  ? message("it hardly changes, and a battery's charge or a throttle stands beside it")
                       : driven ? message("it hardly changes while the duty does")
-                               : message("it hardly changes while the axis turns both ways");
+                      : both   ? message("it hardly changes while the axis turns both ways")
+                               : message("it hardly changes while the speed rises and falls again and again");
   if (columnOf("supply_V")) return keep(*c, why + message(", so it is no motor's voltage"));
   fates_[*c].to = "supply_V";
   fates_[*c].why = why;

@@ -173,6 +173,24 @@ bool goesBothWays(const std::vector<double>& speeds) {
   return std::min(forward, backward) > leastShare * (forward + backward);
 }
 
+size_t turnsBack(const std::vector<double>& values) {
+  const double far = rangeOf(values) / 3.0;
+  size_t count = 0;
+  int way = 0;  // up, down, not yet known
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const double value : values) {
+    if (!std::isfinite(value) || !(far > 0.0)) continue;
+    low = std::min(low, value);
+    high = std::max(high, value);
+    const bool up = value - low > far && way <= 0, down = high - value > far && way >= 0;
+    if (!up && !down) continue;
+    count += way == 0 ? 0 : 1;
+    way = up ? 1 : -1;
+    low = high = value;
+  }
+  return count;
+}
+
 std::vector<double> changesOf(const std::vector<double>& values) {
   std::vector<double> changes(values.size(), std::numeric_limits<double>::quiet_NaN());
   for (size_t k = 1; k < values.size(); ++k) changes[k] = values[k] - values[k - 1];

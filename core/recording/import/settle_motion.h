@@ -44,6 +44,8 @@ double usualCounts(double measured);
 bool hardlyChanges(const std::vector<double>& values);
 /// At least a fifth of the way has each sign.
 bool goesBothWays(const std::vector<double>& speeds);
+/// How often the values turn back after they went by at least a third of their range: 1 for a rise and a fall.
+size_t turnsBack(const std::vector<double>& values);
 /// From row to row; as many as values, the first is missing.
 std::vector<double> changesOf(const std::vector<double>& values);
 /// Whole numbers from 1000 to 2000 or little beyond, as radio control's pulses in µs.

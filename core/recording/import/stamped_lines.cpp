@@ -65,6 +65,16 @@ bool takeStamp(std::string_view& line, StampedLine& out) {
   return !out.stamp.empty();
 }
 
+/// "MOTOR: Axis 1 | Pos: 0.3": a word before others with names, and no name itself.
+bool isTag(std::string_view text) {
+  const size_t colon = text.find(": ");
+  if (colon == std::string_view::npos || text.find_first_of(" =,|") < colon || colon + 2 >= text.size()) return false;
+  const std::string_view behind = withoutBlanks(text.substr(colon + 2));
+  const bool number =
+      behind.empty() || std::string_view("+-.0123456789").find(behind.front()) != std::string_view::npos;
+  return !number && behind.find_first_of(":=") != std::string_view::npos;
+}
+
 std::optional<StampedLine> parted(std::string_view line) {
   line = withoutBlanks(line);
   if (auto dated = partedAtDate(line)) return dated;
@@ -80,6 +90,7 @@ std::optional<StampedLine> parted(std::string_view line) {
   const size_t colon = out.rest.find(": "), label = out.rest.find('=');
   if (colon != std::string_view::npos && label != std::string_view::npos && colon < label)
     out.rest = withoutBlanks(out.rest.substr(colon + 2));
+  if (isTag(out.rest)) out.rest = withoutBlanks(out.rest.substr(out.rest.find(": ") + 2));
   if (out.rest.find_first_of("=:") == std::string_view::npos) return std::nullopt;
   return out;
 }
@@ -90,7 +101,7 @@ std::optional<std::string> withStampsAsCells(std::string_view text) {
   constexpr size_t looksAt = 20;
   const char lineEnd = lineEndOf(text);
   std::string_view ahead = text;
-  size_t lines = 0, good = 0, commas = 0;
+  size_t lines = 0, good = 0, commas = 0, bars = 0;
   while (!ahead.empty() && lines < looksAt) {
     const std::string_view line = takeLine(ahead, lineEnd);
     if (withoutBlanks(line).empty()) continue;
@@ -98,9 +109,10 @@ std::optional<std::string> withStampsAsCells(std::string_view text) {
     const auto one = parted(line);
     good += one ? 1 : 0;
     commas += one && one->rest.find(',') != std::string_view::npos ? 1 : 0;
+    bars += one && one->rest.find(" | ") != std::string_view::npos ? 1 : 0;
   }
   if (2 * good <= lines) return std::nullopt;
-  const char* between = 2 * commas > good ? ", " : " ";
+  const char* between = 2 * bars > good ? " | " : 2 * commas > good ? ", " : " ";
   std::string out;
   out.reserve(text.size() + text.size() / 4);
   while (!text.empty()) {

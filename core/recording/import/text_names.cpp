@@ -4,6 +4,8 @@
 #include <cctype>
 #include <cstring>
 #include <map>
+#include <optional>
+#include <utility>
 
 #include "recording/import/column_name.h"
 #include "recording/import/units.h"
@@ -51,6 +53,18 @@ bool fillUp(Cells& cells, const TextLayout& layout, bool endsEmpty) {
   return true;
 }
 
+/// Names for the first of many cells, the rest without: rows that go on where the names end.
+bool fillRest(Cells& cells, const TextLayout& layout) {
+  constexpr size_t fewest = 4;
+  while (!cells.empty() && cells.back().empty()) cells.pop_back();
+  const bool many = cells.size() >= fewest && cells.size() + 1 < layout.cells && 3 * cells.size() >= 2 * layout.cells;
+  if (!many || numbersIn(cells, layout) > 0) return false;
+  const auto known = std::count_if(cells.begin(), cells.end(), [](std::string_view one) { return knowsQuantity(one); });
+  if (known < 2) return false;
+  cells.resize(layout.cells);
+  return true;
+}
+
 /// Where the rows hold nothing: before their first separator, after their last.
 struct EmptyEnds {
   bool begin = false, end = false;
@@ -88,7 +102,10 @@ Cells fitting(std::string_view line, const TextLayout& layout, const EmptyEnds& 
     if (fits()) return cells;
   }
   cells = splitAtWideBlanks(line);
-  return fits() ? cells : Cells{};
+  if (fits()) return cells;
+  if (layout.separator == runsOfBlanks) return {};
+  splitCells(line, layout, cells);
+  return fillRest(cells, layout) ? cells : Cells{};
 }
 
 /// "rad" of "Unit: rad".
@@ -233,6 +250,39 @@ void readLines(std::vector<std::string_view> lines, const TextLayout& layout, co
   if (aboveIsText && countOf(above, knownName) < names) putGroupsBefore(above, found.names);
 }
 
+/// "12" and "left motor's current" of "% 12 left motor's current"; nothing where no number begins the line.
+std::optional<std::pair<size_t, std::string_view>> numberedName(std::string_view line) {
+  constexpr size_t mostDigits = 3;
+  const std::string_view text = withoutCommentMark(line);
+  const size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
+  const size_t begin = std::min(text.find_first_not_of(" \t:.)=-", digits), text.size());
+  if (digits == 0 || digits > mostDigits || begin == digits || begin == text.size()) return std::nullopt;
+  if (std::isalpha(static_cast<unsigned char>(text[begin])) == 0) return std::nullopt;
+  return std::pair{static_cast<size_t>(std::stoul(std::string(text.substr(0, digits)))),
+                   withoutBlanks(text.substr(begin))};
+}
+
+/// "1 time stamp (sec)", below it "2 motor voltage": the columns' names by their numbers, from 0 or 1 on; as many as
+/// there are columns.
+void readNumberedNames(const std::vector<std::string_view>& lines, TextNames& found) {
+  std::vector<std::string_view> names;
+  size_t from = 0;
+  for (const std::string_view line : lines) {
+    const auto one = numberedName(line);
+    if (one && names.empty() && one->first <= 1) from = one->first;
+    if (!one || one->first != from + names.size()) {
+      if (names.size() == found.names.size()) break;
+      names.clear();
+      from = 0;
+      continue;
+    }
+    names.push_back(one->second);
+  }
+  if (names.size() != found.names.size() || names.size() < 2) return;
+  for (size_t c = 0; c < names.size(); ++c) found.names[c] = std::string(names[c]);
+  found.found = true;
+}
+
 }  // namespace
 
 bool isNamesLine(std::string_view line, const TextLayout& layout) {
@@ -266,7 +316,8 @@ TextNames namesBefore(const std::vector<std::string_view>& before, std::string_v
   splitCells(firstRow, layout, row);
   const EmptyEnds rows{!firstRow.empty() && (firstRow.front() == '\t' || firstRow.front() == layout.separator),
                        !row.empty() && row.back().empty()};
-  readLines(plain, layout, rows, found);
+  readNumberedNames(before, found);
+  if (!found.found) readLines(plain, layout, rows, found);
   if (!found.found && !before.empty() && isComment(withoutBlanks(before.back())))
     readLines(comments, layout, rows, found);
   makeUnique(found.names);

@@ -6,6 +6,7 @@
 
 #include "recording/import/codesys_trace.h"
 #include "recording/import/controldesk.h"
+#include "recording/import/line_entries.h"
 #include "recording/import/list_cells.h"
 #include "recording/import/named_lists.h"
 #include "recording/import/octave_text.h"
@@ -412,6 +413,19 @@ Result<RawTable> readSentences(const SentenceRows& rows, const std::string& name
   return table;
 }
 
+/// Entries of several lines, told as a table.
+Result<RawTable> readEntries(const LineEntries& entries, const std::string& name) {
+  auto table = readTextTable(entries.table, name);
+  if (!table) return table;
+  table->remarks.push_back(
+      message("entries of {} lines each are rows: the words before each number name it", entries.lines));
+  if (entries.leftOut > 0)
+    table->remarks.push_back(entries.leftOut == 1
+                                 ? message("1 line is of no entry and was left out")
+                                 : message("{} lines are of no entry and were left out", entries.leftOut));
+  return table;
+}
+
 }  // namespace
 
 Result<RawTable> readTextTable(std::string_view text, const std::string& name) {
@@ -422,6 +436,7 @@ Result<RawTable> readTextTable(std::string_view text, const std::string& name) {
   if (auto signals = readCodesysTrace(utf8, lineEndOf(utf8), name)) return std::move(*signals);
   if (auto variables = readOctaveText(utf8, lineEndOf(utf8), name)) return std::move(*variables);
   if (auto lists = readNamedLists(utf8, name)) return std::move(*lists);
+  if (const auto entries = withEntriesAsRows(utf8)) return readEntries(*entries, name);
   auto flat = withListsInCells(utf8);
   if (!flat) flat = withStampsAsCells(utf8);
   if (flat) {

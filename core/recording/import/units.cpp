@@ -107,6 +107,8 @@ constexpr auto units = std::to_array<Unit>({
     {"tick", angle, turn_rad, 0, UnitNeeds::countsPerRev},
     {"ticks", angle, turn_rad, 0, UnitNeeds::countsPerRev},
     {"steps", angle, turn_rad, 0, UnitNeeds::countsPerRev},
+    {"inkr", angle, turn_rad, 0, UnitNeeds::countsPerRev},
+    {"inkremente", angle, turn_rad, 0, UnitNeeds::countsPerRev},
     {"microsteps", angle, turn_rad, 0, UnitNeeds::countsPerRev},
     {"pulses", angle, turn_rad, 0, UnitNeeds::countsPerRev},
     {"quadcounts", angle, turn_rad, 0, UnitNeeds::countsPerRev},
@@ -135,6 +137,7 @@ constexpr auto units = std::to_array<Unit>({
 
     {"rad_per_s", angularVelocity, 1},
     {"mrad_per_s", angularVelocity, 1e-3},
+    {"krad_per_s", angularVelocity, 1e3},
     {"deg_per_s", angularVelocity, degree},
     {"mdeg_per_s", angularVelocity, 1e-3 * degree},
     {"dps", angularVelocity, degree},

@@ -1,0 +1,153 @@
+#include "recording/import/name_words.h"
+
+#include <algorithm>
+#include <array>
+
+#include "recording/import/quantity_words.h"
+
+namespace breakaway {
+
+namespace {
+
+/// "vsupply" is a voltage and of what; "vesc" is a controller's name.
+void partSupplies(Words& words) {
+  for (size_t k = 0; k < words.size(); ++k) {
+    const std::string of = words[k].substr(1);
+    if (words[k][0] != 'v' || of.size() < 4 || !isIn(supplyWords, of)) continue;
+    words[k] = "v";
+    words.insert(words.begin() + static_cast<std::ptrdiff_t>(k) + 1, of);
+  }
+}
+
+/// "motorspeed" and "targetposition" are two words, "timems" a time and its unit.
+void partEnglish(Words& words) {
+  static constexpr auto ends = std::to_array<std::string_view>(
+      {"speed", "velocity", "position", "angle", "torque", "current", "voltage", "temperature"});
+  static constexpr auto begins = std::to_array<std::string_view>(
+      {"motor", "rotor",  "shaft",   "joint",      "encoder", "axis",     "servo",   "actual", "measured",
+       "mean",  "target", "desired", "reference",  "command", "setpoint", "set",     "ref",    "cmd",
+       "act",   "left",   "right",   "battery",    "supply",  "bus",      "load",    "output", "input",
+       "phase", "wheel",  "angular", "rotational", "rot",     "winding",  "ambient", "driver", "board"});
+  for (size_t k = 0; k < words.size(); ++k) {
+    if (quantityNamed(words[k]) != nullptr) continue;
+    for (const std::string_view end : ends) {
+      if (words[k].size() <= end.size() || !words[k].ends_with(end)) continue;
+      const std::string begin = words[k].substr(0, words[k].size() - end.size());
+      if (!isIn(begins, begin)) continue;
+      words[k] = begin;
+      words.insert(words.begin() + static_cast<std::ptrdiff_t>(k) + 1, std::string(end));
+      break;
+    }
+  }
+}
+
+/// "torque_from_current" is a torque, however it was come by.
+void dropSource(Words& words) {
+  const auto from = std::find(words.begin(), words.end(), "from");
+  const bool named =
+      std::any_of(words.begin(), from, [](const std::string& word) { return quantityNamed(word) != nullptr; });
+  if (named) words.erase(from, words.end());
+}
+
+}  // namespace
+
+void partCompounds(Words& words) {
+  static constexpr auto ends = std::to_array<std::string_view>({"istwert", "sollwert"});
+  static constexpr auto begins =
+      std::to_array<std::pair<std::string_view, std::string_view>>({{"ist", "ist"},
+                                                                    {"soll", "soll"},
+                                                                    {"motor", "motor"},
+                                                                    {"antriebs", "motor"},
+                                                                    {"last", "load"},
+                                                                    {"reib", "friction"},
+                                                                    {"nenn", "nominal"},
+                                                                    {"grenz", "limit"},
+                                                                    {"zwischenkreis", "dclink"},
+                                                                    {"batterie", "battery"},
+                                                                    {"versorgungs", "supply"}});
+  static constexpr auto same =
+      std::to_array<std::pair<std::string_view, std::string_view>>({{"momentenbildend", "producing"},
+                                                                    {"drehmomentbildend", "producing"},
+                                                                    {"motorgeber", "sensor"},
+                                                                    {"geber", "sensor"},
+                                                                    {"filter", "filtered"}});
+  for (std::string& word : words) {
+    for (const auto& [own, meaning] : same) {
+      if (word == own) word = meaning;
+    }
+  }
+  for (size_t k = 0; k < words.size(); ++k) {
+    const auto part = [&](std::string first, std::string second) {
+      words[k] = std::move(first);
+      words.insert(words.begin() + static_cast<std::ptrdiff_t>(k) + 1, std::move(second));
+    };
+    for (const std::string_view end : ends) {
+      if (words[k].size() <= end.size() + 2 || !words[k].ends_with(end)) continue;
+      const std::string quantity = words[k].substr(0, words[k].size() - end.size());
+      if (quantityNamed(quantity) != nullptr) part(quantity, std::string(end));
+    }
+    for (const auto& [begin, meaning] : begins) {
+      if (words[k].size() <= begin.size() + 2 || !words[k].starts_with(begin)) continue;
+      const std::string quantity = words[k].substr(begin.size());
+      if (quantityNamed(quantity) != nullptr) part(std::string(meaning), quantity);
+    }
+  }
+}
+
+std::string withUnitsApart(const std::string& text) {
+  static constexpr auto ends = std::to_array<std::string_view>({"rpm", "amps", "volts"});
+  static constexpr auto begins = std::to_array<std::string_view>(
+      {"mot", "motor", "wheel", "shaft", "rotor", "eng", "engine", "target", "actual", "set", "cmd", "ref"});
+  const Words words = wordsOf(text, false);
+  if (words.size() != 1 || words[0].size() != text.size()) return text;
+  for (const std::string_view end : ends) {
+    const bool joined = words[0].size() > end.size() && words[0].ends_with(end);
+    const std::string begin = words[0].substr(0, words[0].size() - std::min(words[0].size(), end.size()));
+    if (joined && isIn(begins, begin)) return begin + "_" + std::string(end);
+  }
+  return text;
+}
+
+void joinWords(Words& words) {
+  for (size_t k = 0; k + 1 < words.size(); ++k) {
+    const bool axis = words[k + 1] == "q" || words[k + 1] == "d";
+    if (axis && (words[k] == "i" || words[k] == "u" || words[k] == "v")) {
+      words[k] += words[k + 1];
+      words.erase(words.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+      continue;
+    }
+    if (words[k] == "v" && words[k + 1] == "in") {
+      words[k] = "vin";
+      words.erase(words.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+      continue;
+    }
+    const bool behind = words[k + 1] == "dot";
+    const Word* word = quantityNamed(behind ? words[k] : words[k + 1]);
+    if ((!behind && words[k] != "dot") || word == nullptr || word->kind != UnitKind::angle) continue;
+    words[k] = "omega";
+    words.erase(words.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+  }
+}
+
+void partGapless(Words& words) {
+  for (size_t k = 0; k < words.size(); ++k) {
+    const size_t begin = quantityAtEnd(words[k]);
+    if (begin == 0) continue;
+    std::string quantity = words[k].substr(begin);
+    words[k].resize(begin);
+    for (const std::string_view of : {"轴", "軸", "相"}) {  // "q轴电流", "A相电流"
+      if (words[k].size() == 1 + of.size() && words[k].ends_with(of)) words[k].resize(1);
+    }
+    words.insert(words.begin() + static_cast<std::ptrdiff_t>(k) + 1, std::move(quantity));
+  }
+}
+
+void partWords(Words& words) {
+  partGapless(words);
+  partCompounds(words);
+  partEnglish(words);
+  partSupplies(words);
+  dropSource(words);
+}
+
+}  // namespace breakaway

@@ -1,0 +1,140 @@
+#include "recording/import/names_beside.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <set>
+
+#include "recording/import/columns_beside.h"
+#include "recording/import/name_parts.h"
+
+namespace breakaway {
+
+namespace {
+
+/// "joint_eff" beside "joint_pos" and "joint_vel" is an effort; alone it may be an efficiency.
+void takeEfforts(const RawTable& table, std::vector<Choice>& choices) {
+  std::set<Words> names;
+  for (const RawColumn& column : table.columns) names.insert(wordsOf(column.channel.name, true));
+  for (size_t c = 0; c < choices.size(); ++c) {
+    Words words = wordsOf(table.columns[c].channel.name, true);
+    const auto at = std::find(words.begin(), words.end(), "eff");
+    if (at == words.end() || choices[c].name.understood() || choices[c].byMap) continue;
+    const auto with = [&](const char* word) {
+      *at = word;
+      return names.contains(words);
+    };
+    if (!with("pos") || !with("vel")) continue;
+    with("effort");
+    std::string name;
+    for (const std::string& word : words) name += (name.empty() ? "" : "_") + word;
+    choices[c].name = understandName(name, table.columns[c].unit);
+  }
+}
+
+/// "tq" and "tqd" beside "q" and "qd" are where a joint shall be and how fast, no torque.
+void takeTargetsOfJoints(const RawTable& table, std::vector<Choice>& choices) {
+  std::set<std::string> names;
+  for (const RawColumn& column : table.columns) names.insert(column.channel.name);
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const std::string& name = table.columns[c].channel.name;
+    const bool speed = name.starts_with("tqd");
+    if (choices[c].byMap || !name.starts_with("tq")) continue;
+    const std::string axis = name.substr(speed ? 3 : 2);
+    const bool all = names.contains("q" + axis) && names.contains("qd" + axis) && names.contains("tq" + axis) &&
+                     names.contains("tqd" + axis);
+    if (all) choices[c].name = understandName((speed ? "qd" : "q") + axis + "_target");
+  }
+}
+
+/// A DC motor has one winding: "u_a" with no "u_b" beside it is its armature's voltage, "ia" its current.
+void takeArmatures(const RawTable& table, std::vector<Choice>& choices) {
+  std::set<std::string> names;
+  const auto plain = [](const std::string& name) {
+    std::string letters;
+    for (const std::string& word : wordsOf(name, false)) letters += word;
+    return letters;
+  };
+  for (const RawColumn& column : table.columns) names.insert(plain(column.channel.name));
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const std::string name = plain(table.columns[c].channel.name);
+    const bool armature = name == "ua" || name == "va" || name == "ia";
+    if (!armature || choices[c].byMap || choices[c].name.understood()) continue;
+    if (names.contains(name.substr(0, 1) + "b")) continue;
+    choices[c].name = understandName(name == "ia" ? "motor_current" : "motor_voltage", table.columns[c].unit);
+  }
+}
+
+/// Beside a position in metres, counts that no file says how many are a turn tell nothing new.
+void setCountsBesideMetresAside(const ImportMap& map, std::vector<Choice>& choices) {
+  const bool metres = std::any_of(choices.begin(), choices.end(), [](const Choice& one) {
+    return one.name.to == "position_m" && !one.name.unit.empty();
+  });
+  if (!metres || map.counts_per_rev) return;
+  for (Choice& choice : choices) {
+    if (choice.name.to == "angle_rad" && choice.name.needs == UnitNeeds::countsPerRev && !choice.byMap)
+      setAside(choice, message("is in counts, beside a position whose unit is told"));
+  }
+}
+
+bool isMotion(const std::string& to) {
+  return to == "angle_rad" || to == "position_m" || to == "velocity_rad_per_s" || to == "velocity_m_per_s";
+}
+
+bool hasMotion(const std::vector<Choice>& choices) {
+  return std::any_of(choices.begin(), choices.end(), [](const Choice& one) { return isMotion(one.name.to); });
+}
+
+/// What the name says without the words that aren't known.
+ColumnName withoutUnknown(const RawColumn& column, ColumnName name) {
+  constexpr int mostWords = 3;
+  std::string text = column.channel.name, unknown;
+  for (int k = 0; k < mostWords && !name.unknownWord.empty(); ++k) {
+    if (unknown.empty()) unknown = name.unknownWord;
+    text = nameWithout(text, name.unknownWord);
+    name = understandName(text, column.unit);
+  }
+  if (name.understood()) name.guess = message("what \"{}\" makes of it is unknown", unknown);
+  return name;
+}
+
+}  // namespace
+
+/// The name without its last word that reads so.
+std::string nameWithout(std::string name, const std::string& word) {
+  std::string lower = name;
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const size_t at = lower.rfind(word);
+  return at == std::string::npos ? name : name.replace(at, word.size(), " ");
+}
+
+void takeByNeighbours(const RawTable& table, const ImportMap& map, std::vector<Choice>& choices) {
+  takeEfforts(table, choices);
+  takeTargetsOfJoints(table, choices);
+  takeArmatures(table, choices);
+  setCountsBesideMetresAside(map, choices);
+}
+
+void takeDoubtful(const RawTable& table, std::vector<Choice>& choices) {
+  if (hasMotion(choices)) return;
+  const auto open = [&](size_t c) { return !choices[c].name.understood() && !choices[c].byMap && !choices[c].byTool; };
+  for (size_t c = 0; c < choices.size(); ++c) {
+    if (!open(c) || table.columns[c].fault || choices[c].name.unknownWord.empty()) continue;
+    const ColumnName name = withoutUnknown(table.columns[c], choices[c].name);
+    if (isMotion(name.to) && !name.unit.empty()) choices[c].name = name;
+  }
+  static constexpr auto converters =
+      std::to_array<std::string_view>({"adc", "load", "cell", "force", "raw", "dac", "pwm", "sent", "lux"});
+  for (size_t c = 0; c < choices.size() && !hasMotion(choices); ++c) {
+    if (!open(c) || table.columns[c].fault || !choices[c].name.unknownWord.empty()) continue;
+    const NameParts parts = partsOfName(table.columns[c].channel.name, table.columns[c].unit);
+    const bool counts =
+        parts.unit != nullptr && parts.unit->kind == UnitKind::angle && parts.unit->needs == UnitNeeds::countsPerRev;
+    if (!counts || parts.words.empty() || firstIn(parts.words, converters) != nullptr) continue;
+    choices[c].name = understandName("angle", parts.unitText);
+    choices[c].name.byUnit = true;
+  }
+}
+
+}  // namespace breakaway

@@ -1,0 +1,247 @@
+#include <QTest>
+#include <cmath>
+
+#include "recording/import/import.h"
+#include "support/temporary.h"
+
+using namespace breakaway;
+using breakaway::test::TemporaryFolder;
+
+/// Names that say too little alone, by the names beside them.
+class TestImportNames : public QObject {
+  Q_OBJECT
+ private slots:
+  void whatNamesBesideTell_isTaken_data();
+  void whatNamesBesideTell_isTaken();
+  void voltageOfASpeedThatFallsAgainAndAgain_isTheSupplys_data();
+  void voltageOfASpeedThatFallsAgainAndAgain_isTheSupplys();
+  void wholeThousands_areNoVolts();
+  void positionInMetres_isTakenBeforeCounts();
+  void namesForFewerColumns_nameTheFirst();
+  void odriveByItsCurrentAlone_needsMotionWithoutUnits();
+  void unknownWordWithAUnit_isAGuessWhereNothingElseMoves();
+  void countsWithoutAName_areAskedAboutWhereNothingElseMoves();
+  void numberedNamesAboveTheRows_areTheColumns_data();
+  void numberedNamesAboveTheRows_areTheColumns();
+  void servosOfAnotherMaker_haveTheSpeedThatTheirAngleTells();
+  void loggersTagBeforeLabels_isNoName();
+
+ private:
+  Result<Imported> imported(const QString& text) {
+    return importRecording(folder_.write("log.csv", text.toStdString()));
+  }
+  /// A table of these columns, each a wave of its own.
+  Result<Imported> waves(const QStringList& names) {
+    QString text = "time_s," + names.join(',') + "\n";
+    for (int k = 0; k < 80; ++k) {
+      text += QString::number(0.01 * k);
+      for (int c = 0; c < names.size(); ++c) text += QString(",%1").arg((1.0 + 0.1 * c) * std::sin(0.1 * k + c));
+      text += "\n";
+    }
+    return imported(text);
+  }
+  static std::string meaning(const Imported& log, const QString& name) {
+    for (const ColumnFate& fate : log.columns) {
+      if (fate.from == name.toStdString()) return fate.kind == ColumnFate::Kind::used ? fate.to : std::string();
+    }
+    return "not there";
+  }
+  TemporaryFolder folder_;
+};
+
+void TestImportNames::whatNamesBesideTell_isTaken_data() {
+  QTest::addColumn<QStringList>("names");
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<QString>("to");
+  QTest::newRow("an effort") << QStringList{"elbow_pos", "elbow_vel", "elbow_eff"} << "elbow_eff"
+                             << "torque_Nm";
+  QTest::newRow("an efficiency") << QStringList{"motor_pos", "motor_vel", "gear_eff"} << "gear_eff"
+                                 << "";
+  QTest::newRow("a joint's target") << QStringList{"q_0", "qd_0", "tq_0", "tqd_0"} << "tq_0"
+                                    << "angle_reference_rad";
+  QTest::newRow("a target's speed") << QStringList{"q_0", "qd_0", "tq_0", "tqd_0"} << "tqd_0"
+                                    << "velocity_reference_rad_per_s";
+  QTest::newRow("the target of another shaft")
+      << QStringList{"motor_angle", "cam_angle", "cam_angle_cmd"} << "cam_angle_cmd"
+      << "";
+  QTest::newRow("the target of the one taken") << QStringList{"motor_angle", "motor_angle_cmd"} << "motor_angle_cmd"
+                                               << "angle_reference_rad";
+  QTest::newRow("a cable's force") << QStringList{"motor_angle", "cable_force"} << "cable_force"
+                                   << "";
+  QTest::newRow("an actuator's force") << QStringList{"joint_angle", "actuator_force"} << "actuator_force"
+                                       << "torque_Nm";
+  QTest::newRow("a torque by a current") << QStringList{"motor_angle", "motor_torque_from_current"}
+                                         << "motor_torque_from_current"
+                                         << "torque_Nm";
+  QTest::newRow("a force beside a torque") << QStringList{"motor_angle", "torque", "force"} << "force"
+                                           << "";
+  QTest::newRow("the logic's supply") << QStringList{"rpm", "logic_supply_v", "dc_bus_v"} << "logic_supply_v"
+                                      << "";
+  QTest::newRow("the motor's supply") << QStringList{"rpm", "logic_supply_v", "dc_bus_v"} << "dc_bus_v"
+                                      << "supply_V";
+  QTest::newRow("how a vehicle turns") << QStringList{"x", "y", "omega", "motor_rpm"} << "omega"
+                                       << "";
+  QTest::newRow("a motor's speed beside one coordinate") << QStringList{"x", "theta", "omega"} << "omega"
+                                                         << "velocity_rad_per_s";
+  QTest::newRow("a torque") << QStringList{"q_0", "qd_0", "tq_0"} << "tq_0"
+                            << "torque_Nm";
+  QTest::newRow("an armature's voltage") << QStringList{"theta_m", "omega_m", "u_a"} << "u_a"
+                                         << "voltage_V";
+  QTest::newRow("an armature's current") << QStringList{"theta", "ia"} << "ia"
+                                         << "current_A";
+  QTest::newRow("a phase's voltage") << QStringList{"theta_m", "u_a", "u_b", "u_c"} << "u_a"
+                                     << "";
+}
+
+void TestImportNames::whatNamesBesideTell_isTaken() {
+  QFETCH(QStringList, names);
+  QFETCH(QString, name);
+  QFETCH(QString, to);
+  const auto log = waves(names);
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, name), to.toStdString());
+}
+
+void TestImportNames::voltageOfASpeedThatFallsAgainAndAgain_isTheSupplys_data() {
+  QTest::addColumn<int>("rowsAWave");
+  QTest::addColumn<QString>("to");
+  QTest::newRow("again and again") << 40 << "supply_V";
+  QTest::newRow("switched on and loaded") << 320 << "voltage_V";
+}
+
+void TestImportNames::voltageOfASpeedThatFallsAgainAndAgain_isTheSupplys() {
+  QFETCH(int, rowsAWave);
+  QFETCH(QString, to);
+  QString text = "time_s,rpm,voltage\n";
+  for (int k = 0; k < 320; ++k)
+    text += QString("%1,%2,%3\n").arg(0.01 * k).arg(500.5 - 500.0 * std::cos(2.0 * M_PI * k / rowsAWave)).arg(23.1);
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "voltage"), to.toStdString());
+}
+
+void TestImportNames::wholeThousands_areNoVolts() {
+  QString text = "time_s,angle_rad,batt_volt,Supply (volts)\n";
+  for (int k = 0; k < 40; ++k) text += QString("%1,%2,36500,325\n").arg(0.01 * k).arg(std::sin(0.1 * k));
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "batt_volt"), std::string());
+}
+
+void TestImportNames::positionInMetres_isTakenBeforeCounts() {
+  QString text = "time_s,position_counts,pos_um,vel_um_s\n";
+  for (int k = 0; k < 60; ++k) {
+    const double x = 2e4 * std::sin(0.1 * k);
+    text += QString("%1,%2,%3,%4\n").arg(0.01 * k).arg(int(2.0 * x)).arg(int(x)).arg(int(2e5 * std::cos(0.1 * k)));
+  }
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "pos_um"), std::string("position_m"));
+  QVERIFY(!log->recording.has("angle_rad"));
+}
+
+void TestImportNames::namesForFewerColumns_nameTheFirst() {
+  QString text = "duration, success rate, q[0], dq[0], tau_J[0],sent commands,\n";
+  for (int k = 0; k < 60; ++k)
+    text +=
+        QString("%1,1,%2,%3,0.5,,%4,0,\n").arg(5000 + k).arg(std::sin(0.01 * k)).arg(10.0 * std::cos(0.01 * k)).arg(k);
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  QVERIFY(std::abs(log->recording.time().back() - log->recording.time().front() - 0.059) < 1e-9);
+  QCOMPARE(meaning(*log, "q[0]"), std::string("angle_rad"));
+  QCOMPARE(meaning(*log, "dq[0]"), std::string("velocity_rad_per_s"));
+  QCOMPARE(meaning(*log, "tau_J[0]"), std::string("torque_Nm"));
+}
+
+void TestImportNames::odriveByItsCurrentAlone_needsMotionWithoutUnits() {
+  QString own = "time_s,position,velocity,iq_measured\n", told = "time_s,angle,turns,velocity,iq_measured\n";
+  for (int k = 0; k < 80; ++k) {
+    const double turns = 3.0 * std::sin(0.1 * k), perSecond = 30.0 * std::cos(0.1 * k);
+    own += QString("%1,%2,%3,0.5\n").arg(0.01 * k).arg(turns, 0, 'f', 6).arg(perSecond, 0, 'f', 6);
+    told += QString("%1,%2,%3,%4,0.5\n")
+                .arg(0.01 * k)
+                .arg(360.0 * turns, 0, 'f', 4)
+                .arg(turns, 0, 'f', 6)
+                .arg(60.0 * perSecond, 0, 'f', 4);
+  }
+  const auto odrive = imported(own), other = imported(told);
+  VERIFY_OK(odrive);
+  VERIFY_OK(other);
+  for (const Imported* log : {&*odrive, &*other}) {
+    const double speed = 30.0 * 2.0 * M_PI;
+    QVERIFY(std::abs(log->recording.channel("velocity_rad_per_s").front() - speed) < 1e-3 * speed);
+  }
+}
+
+void TestImportNames::unknownWordWithAUnit_isAGuessWhereNothingElseMoves() {
+  const auto alone = waves({"speed_pi_raw_rpm", "current_A"});
+  VERIFY_OK(alone);
+  QCOMPARE(meaning(*alone, "speed_pi_raw_rpm"), std::string("velocity_rad_per_s"));
+  QVERIFY(alone->columns[1].guessed);
+  const auto beside = waves({"speed_pi_raw_rpm", "motor_angle"});
+  VERIFY_OK(beside);
+  QCOMPARE(meaning(*beside, "speed_pi_raw_rpm"), std::string());
+  QVERIFY(!waves({"speed_scaling", "current_A"}));
+  QVERIFY(!waves({"speed_error_rpm", "current_A"}));
+}
+
+void TestImportNames::countsWithoutAName_areAskedAboutWhereNothingElseMoves() {
+  const auto log = [this](const QString& name) {
+    QString text = "time_s," + name + ",current_A\n";
+    for (int k = 0; k < 60; ++k) text += QString("%1,%2,0.5\n").arg(0.01 * k).arg(7 * k);
+    const auto read = imported(text);
+    return read ? std::string() : read.error().message();
+  };
+  QVERIFY(log("enconder(steps)").find("counts_per_rev") != std::string::npos);
+  QVERIFY(log("load cell (counts)").find("counts_per_rev") == std::string::npos);
+}
+
+void TestImportNames::numberedNamesAboveTheRows_areTheColumns_data() {
+  QTest::addColumn<QString>("form");
+  QTest::addColumn<bool>("taken");
+  QTest::newRow("from 1, behind %") << "% 1 time (s)\n% 2 angle (rad)\n% 3 motor current\n" << true;
+  QTest::newRow("from 0, as text") << "0: time (s)\n1: angle (rad)\n2: motor current\n" << true;
+  QTest::newRow("one too few") << "% 1 time (s)\n% 2 angle (rad)\n" << false;
+  QTest::newRow("one is missing") << "% 1 time (s)\n% 3 angle (rad)\n% 4 motor current\n" << false;
+}
+
+void TestImportNames::numberedNamesAboveTheRows_areTheColumns() {
+  QFETCH(QString, form);
+  QFETCH(bool, taken);
+  QString text = "% Motor test, 3 columns\n" + form;
+  for (int k = 0; k < 60; ++k)
+    text += QString("%1 %2 %3\n").arg(0.01 * k).arg(std::sin(0.1 * k)).arg(std::cos(0.1 * k));
+  const auto log = imported(text);
+  QCOMPARE(log.ok(), taken);
+  if (taken) QCOMPARE(meaning(*log, "motor current"), std::string("current_A"));
+}
+
+void TestImportNames::servosOfAnotherMaker_haveTheSpeedThatTheirAngleTells() {
+  QString text = "time_s,Present_Position,Present_Speed,Present_Load\n";
+  for (int k = 0; k < 100; ++k)
+    text += QString("%1,%2,%3,20\n")
+                .arg(0.01 * k)
+                .arg(2048 + int(900 * std::sin(0.1 * k)))
+                .arg(int(9000 * std::cos(0.1 * k)));
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  const double speed = 9000.0 / 4096.0 * 2.0 * M_PI;
+  QVERIFY(std::abs(log->recording.channel("velocity_rad_per_s").front() - speed) < 1e-3 * speed);
+}
+
+void TestImportNames::loggersTagBeforeLabels_isNoName() {
+  QString text = "I (300) main: started\n";
+  for (int k = 0; k < 60; ++k)
+    text += QString("I (%1) DRIVE: Axis 1 | Pos: %2 rad | Vel: %3 rad/s\n")
+                .arg(500 + 10 * k)
+                .arg(std::sin(0.1 * k))
+                .arg(10.0 * std::cos(0.1 * k));
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  QCOMPARE(log->recording.rows(), size_t{60});
+  QVERIFY(std::abs(log->recording.time()[59] - log->recording.time()[0] - 0.59) < 1e-9);
+  QVERIFY(log->recording.has("angle_rad") && log->recording.has("velocity_rad_per_s"));
+}
+
+QTEST_APPLESS_MAIN(TestImportNames)
+#include "tst_import_names.moc"
