@@ -83,6 +83,9 @@ void TestImportNames::whatNamesBesideTell_isTaken_data() {
                                        << "";
   QTest::newRow("a motor's speed beside one coordinate") << QStringList{"x", "theta", "omega"} << "omega"
                                                          << "velocity_rad_per_s";
+  QTest::newRow("another channel") << QStringList{"Ch1 Drehzahl [U/min]", "Ch2 Drehmoment [Nm]"}
+                                   << "Ch2 Drehmoment [Nm]"
+                                   << "torque_Nm";
   QTest::newRow("a torque") << QStringList{"q_0", "qd_0", "tq_0"} << "tq_0"
                             << "torque_Nm";
   QTest::newRow("an armature's voltage") << QStringList{"theta_m", "omega_m", "u_a"} << "u_a"

@@ -114,6 +114,21 @@ bool isSide(std::string_view word) {
   return word == "left" || word == "right" || word == "l" || word == "r";
 }
 
+/// A number behind such a word is a measuring amplifier's channel, and no axis.
+bool isChannel(std::string_view word) {
+  static constexpr auto words =
+      std::to_array<std::string_view>({"ch", "chan", "channel", "kanal", "canal", "voie", "ai", "chn"});
+  return isIn(words, word);
+}
+
+/// "Kanal 2 Drehzahl", "ch3_torque": without the channel; where nothing else stands, as it is.
+void dropChannel(Words& words) {
+  for (size_t k = 0; k + 1 < words.size(); ++k) {
+    if (!isChannel(words[k]) || !isNumber(words[k + 1]) || words.size() < 3) continue;
+    words.erase(words.begin() + static_cast<std::ptrdiff_t>(k), words.begin() + static_cast<std::ptrdiff_t>(k) + 2);
+  }
+}
+
 void takeGroup(Words& words, std::string& group) {
   Words kept;
   const bool model = std::any_of(words.begin(), words.end(), [](const std::string& word) {
@@ -277,6 +292,7 @@ NameParts partsOfName(std::string_view name, std::string_view unit) {
   }
   parts.plain = wordsOf(text, false);
   partWords(parts.words);
+  dropChannel(parts.words);
   takeGroup(parts.words, parts.group);
   std::erase_if(parts.words, [](const std::string& word) { return word == "per"; });
   joinWords(parts.words);

@@ -12,6 +12,7 @@
 #include "recording/import/octave_text.h"
 #include "recording/import/sentence_rows.h"
 #include "recording/import/stamped_lines.h"
+#include "recording/import/tagged_rows.h"
 #include "recording/import/text_encoding.h"
 #include "recording/import/text_layout.h"
 #include "recording/import/text_names.h"
@@ -422,6 +423,16 @@ Result<RawTable> readEntries(const LineEntries& entries, const std::string& name
   return table;
 }
 
+/// The rows of one of several tables.
+Result<RawTable> readTagged(const TaggedRows& rows, const std::string& name) {
+  auto table = readTextTable(rows.table, name);
+  if (!table) return table;
+  table->remarks.push_back(
+      "the rows that begin with " + rows.word + " were taken; " + std::to_string(rows.leftOut) +
+      (rows.leftOut == 1 ? " line that begins otherwise was" : " lines that begin otherwise were") + " left out");
+  return table;
+}
+
 }  // namespace
 
 Result<RawTable> readTextTable(std::string_view text, const std::string& name) {
@@ -433,6 +444,7 @@ Result<RawTable> readTextTable(std::string_view text, const std::string& name) {
   if (auto variables = readOctaveText(utf8, lineEndOf(utf8), name)) return std::move(*variables);
   if (auto lists = readNamedLists(utf8, name)) return std::move(*lists);
   if (const auto entries = withEntriesAsRows(utf8)) return readEntries(*entries, name);
+  if (const auto tagged = withTaggedRowsApart(utf8)) return readTagged(*tagged, name);
   auto flat = withListsInCells(utf8);
   if (!flat) flat = withStampsAsCells(utf8);
   if (flat) {
