@@ -170,11 +170,7 @@ class Rows {
 
   /// Leaves out the flawed rows after the last good one, and all of them when they are few.
   void settle(size_t lastGoodRow) {
-    size_t after = 0;
-    while (!flawed_.empty() && flawed_.back() > lastGoodRow) {
-      flawed_.pop_back();
-      ++after;
-    }
+    while (!flawed_.empty() && flawed_.back() > lastGoodRow) flawed_.pop_back();
     for (RawColumn& column : table.columns) {
       column.channel.values.resize(lastGoodRow + 1);
       if (!column.texts.empty()) column.textOf.resize(lastGoodRow + 1);
