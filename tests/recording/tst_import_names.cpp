@@ -92,6 +92,24 @@ void TestImportNames::whatNamesBesideTell_isTaken_data() {
                                          << "voltage_V";
   QTest::newRow("an armature's current") << QStringList{"theta", "ia"} << "ia"
                                          << "current_A";
+  QTest::newRow("an armature's, with units") << QStringList{"phi [deg]", "u_a [V]", "i_a [A]"} << "i_a [A]"
+                                             << "current_A";
+  QTest::newRow("a phase's, with units") << QStringList{"phi [deg]", "i_a [A]", "i_b [A]", "i_c [A]"} << "i_a [A]"
+                                         << "";
+  QTest::newRow("a derivative") << QStringList{"phi [deg]", "dphi/dt [deg/s]"} << "dphi/dt [deg/s]"
+                                << "velocity_rad_per_s";
+  QTest::newRow("a load's torque") << QStringList{"phi [deg]", "M_L [Nm]"} << "M_L [Nm]"
+                                   << "";
+  QTest::newRow("a controller's output") << QStringList{"ang_rad", "u_cmd_Amps"} << "u_cmd_Amps"
+                                         << "current_reference_A";
+  QTest::newRow("a side as a letter or a word") << QStringList{"rpm_l", "rpm_r", "amps_l", "amps_r"} << "amps_l"
+                                                << "current_A";
+  QTest::newRow("the other side") << QStringList{"rpm_l", "rpm_r", "amps_l", "amps_r"} << "amps_r"
+                                  << "";
+  QTest::newRow("tenths of an ampere") << QStringList{"rpm", "current_da"} << "current_da"
+                                       << "current_A";
+  QTest::newRow("tenths of a degree") << QStringList{"rpm", "motor_temp_dc"} << "motor_temp_dc"
+                                      << "";
   QTest::newRow("a phase's voltage") << QStringList{"theta_m", "u_a", "u_b", "u_c"} << "u_a"
                                      << "";
 }

@@ -114,6 +114,11 @@ bool isSide(std::string_view word) {
   return word == "left" || word == "right" || word == "l" || word == "r";
 }
 
+/// "rpm_l" is of the axis of "left_amps".
+std::string sideNamed(std::string_view word) {
+  return word.front() == 'l' ? "left" : "right";
+}
+
 /// A number behind such a word is a measuring amplifier's channel, and no axis.
 bool isChannel(std::string_view word) {
   static constexpr auto words =
@@ -150,7 +155,7 @@ void takeGroup(Words& words, std::string& group) {
     const bool joint = axis && word[0] == 'j';              // "tau_J1" is of the axis of "dq1"
     const bool angle = axis && word[0] == 'q' && own == 1;  // "q1", "q1_ref"
     if (!model && (isNumber(word) || axis || side))
-      group += (group.empty() ? "" : ".") + (joint || angle ? word.substr(1) : word);
+      group += (group.empty() ? "" : ".") + (joint || angle ? word.substr(1) : side ? sideNamed(word) : word);
     if (angle) kept.emplace_back("q");
     if (!isNumber(word) && !axis && !side && !parameter) kept.push_back(std::move(word));
   }
@@ -203,7 +208,7 @@ bool takeUnitBeforeWords(const std::string& text, NameParts& parts) {
     parts.words = wordsOf(firstWords(text, from), true);
     parts.words.insert(parts.words.end(), plain.begin() + static_cast<std::ptrdiff_t>(end), plain.end());
     if (parts.unitFirst && parts.words.size() == 1 && isSide(parts.words[0]))
-      parts.words[0] = parts.words[0].front() == 'l' ? "left" : "right";
+      parts.words[0] = sideNamed(parts.words[0]);
     return true;
   }
   return false;

@@ -52,7 +52,7 @@ void takeArmatures(const RawTable& table, std::vector<Choice>& choices) {
   std::set<std::string> names;
   const auto plain = [](const std::string& name) {
     std::string letters;
-    for (const std::string& word : wordsOf(name, false)) letters += word;
+    for (const std::string& word : wordsOf(name.substr(0, name.find_first_of("[(")), false)) letters += word;
     return letters;
   };
   for (const RawColumn& column : table.columns) names.insert(plain(column.channel.name));
@@ -61,7 +61,10 @@ void takeArmatures(const RawTable& table, std::vector<Choice>& choices) {
     const bool armature = name == "ua" || name == "va" || name == "ia";
     if (!armature || choices[c].byMap || choices[c].name.understood()) continue;
     if (names.contains(name.substr(0, 1) + "b")) continue;
-    choices[c].name = understandName(name == "ia" ? "motor_current" : "motor_voltage", table.columns[c].unit);
+    const NameParts parts = partsOfName(table.columns[c].channel.name, table.columns[c].unit);
+    const bool bracket = table.columns[c].channel.name.find_first_of("[(") != std::string::npos;
+    choices[c].name = understandName(name == "ia" ? "motor_current" : "motor_voltage",
+                                     bracket ? parts.unitText : table.columns[c].unit);
   }
 }
 
