@@ -96,6 +96,15 @@ void TestImportNames::whatNamesBesideTell_isTaken_data() {
                                              << "current_A";
   QTest::newRow("a phase's, with units") << QStringList{"phi [deg]", "i_a [A]", "i_b [A]", "i_c [A]"} << "i_a [A]"
                                          << "";
+  const QStringList device{"Power Max [3] Velocity", "Power Max [3] Position", "Power Max [3] Bus Voltage"};
+  QTest::newRow("behind a device's name") << device << device[1] << "angle_rad";
+  QTest::newRow("a device's supply") << device << device[2] << "supply_V";
+  QTest::newRow("a joint's limits") << QStringList{"Joint Max [1] Velocity", "Joint Max [1] Position",
+                                                   "Joint Max [1] Torque", "angle"}
+                                    << "Joint Max [1] Position"
+                                    << "";
+  QTest::newRow("the most of a speed") << QStringList{"angle", "Max [3] Velocity"} << "Max [3] Velocity"
+                                       << "";
   QTest::newRow("a derivative") << QStringList{"phi [deg]", "dphi/dt [deg/s]"} << "dphi/dt [deg/s]"
                                 << "velocity_rad_per_s";
   QTest::newRow("a load's torque") << QStringList{"phi [deg]", "M_L [Nm]"} << "M_L [Nm]"

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <map>
 #include <set>
 
 #include "recording/import/columns_beside.h"
 #include "recording/import/name_parts.h"
+#include "recording/import/quantity_words.h"
 
 namespace breakaway {
 
@@ -68,6 +70,33 @@ void takeArmatures(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
+/// "Power Max [3]" of "Power Max [3] Velocity", "Power Max [3] Position"…: a device's name, whatever its words mean.
+void takeBehindDevices(const RawTable& table, std::vector<Choice>& choices) {
+  constexpr size_t fewest = 3;
+  const auto deviceOf = [&table](size_t c) {
+    const std::string& name = table.columns[c].channel.name;
+    const size_t open = name.find('['), close = name.find("] ");
+    const bool numbered = open != std::string::npos && open > 1 && close != std::string::npos && open < close &&
+                          isNumber(name.substr(open + 1, close - open - 1));
+    if (!numbered) return std::string();
+    const Words words = wordsOf(name.substr(0, open), true);
+    const bool meant = std::any_of(words.begin(), words.end(), [](const std::string& word) {
+      return isIn(jointWords, word) || isIn(drivenWords, word) || isIn(referenceWords, word) ||
+             quantityNamed(word) != nullptr;
+    });
+    return meant ? std::string() : name.substr(0, close + 1);  // "Joint Max [1] Velocity" is a limit
+  };
+  std::map<std::string, size_t> devices;
+  for (size_t c = 0; c < choices.size(); ++c) ++devices[deviceOf(c)];
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const std::string device = deviceOf(c);
+    if (device.empty() || devices[device] < fewest || choices[c].name.understood() || choices[c].byMap) continue;
+    const std::string number = device.substr(device.find('[') + 1, device.size() - device.find('[') - 2);
+    choices[c].name =
+        understandName(number + table.columns[c].channel.name.substr(device.size()), table.columns[c].unit);
+  }
+}
+
 /// Beside a position in metres, counts that no file says how many are a turn tell nothing new.
 void setCountsBesideMetresAside(const ImportMap& map, std::vector<Choice>& choices) {
   const bool metres = std::any_of(choices.begin(), choices.end(), [](const Choice& one) {
@@ -113,6 +142,7 @@ std::string nameWithout(std::string name, const std::string& word) {
 }
 
 void takeByNeighbours(const RawTable& table, const ImportMap& map, std::vector<Choice>& choices) {
+  takeBehindDevices(table, choices);
   takeEfforts(table, choices);
   takeTargetsOfJoints(table, choices);
   takeArmatures(table, choices);
