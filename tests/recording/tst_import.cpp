@@ -27,6 +27,8 @@ class TestImport : public QObject {
   void mapThatDoesNotFit_isTold();
   void timeWithoutUnit_isJudgedByItsSteps();
   void timesOfDay_startAtZero();
+  void clocksWithoutMarks_areRead_data();
+  void clocksWithoutMarks_areRead();
   void angleThatWraps_goesOnCounting();
   void angleThatLeapsElsewhere_staysAsItIs_data();
   void angleThatLeapsElsewhere_staysAsItIs();
@@ -166,6 +168,7 @@ void TestImport::names_areUnderstood_data() {
   row("I_Wirk [A]", "current_A");
   row("Lage_Ist [Inkr]", "angle_rad", 2.0 * std::numbers::pi);
   row("q2_ref", "angle_reference_rad");
+  row("Kanal2_Drehzahl[U/min]", "velocity_rad_per_s", std::numbers::pi / 30.0);
   row("pos_current", "angle_rad");
   row("speed_current_rpm", "velocity_rad_per_s", std::numbers::pi / 30.0);
   row("torque_current", "current_A");
@@ -379,6 +382,25 @@ void TestImport::timesOfDay_startAtZero() {
   VERIFY_OK(imported);
   QCOMPARE(imported->recording.time()[0], 0.0);
   QVERIFY(std::abs(imported->recording.time()[2] - 0.002) < 1e-6);
+}
+
+void TestImport::clocksWithoutMarks_areRead_data() {
+  QTest::addColumn<QString>("form");
+  QTest::newRow("ISO 8601 without marks") << "20240501T1020%1.%2Z";
+  QTest::newRow("as files are named") << "20240501_1020%1_%2";
+  QTest::newRow("milliseconds behind a semicolon") << "10:20:%1;%2";
+  QTest::newRow("milliseconds behind a colon") << "2024-05-01 10:20:%1:%2";
+}
+
+void TestImport::clocksWithoutMarks_areRead() {
+  QFETCH(QString, form);
+  QString text = "Time,angle_rad,current_A\n";
+  for (int k = 0; k < 200; ++k)
+    text += form.arg(10 + k / 100, 2, 10, QChar('0')).arg(10 * (k % 100), 3, 10, QChar('0')) +
+            QString(",%1,0.5\n").arg(std::sin(0.04 * k));
+  const auto imported = importRecording(folder_.write("log.csv", text.toStdString()));
+  VERIFY_OK(imported);
+  QVERIFY(std::abs(imported->recording.time().back() - imported->recording.time().front() - 1.99) < 1e-6);
 }
 
 void TestImport::angleThatWraps_goesOnCounting() {

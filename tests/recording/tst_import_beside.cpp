@@ -28,6 +28,8 @@ class TestImportBeside : public QObject {
   void sentencesThatReadAlike_areRows_othersAreLeftOutAndSaid();
   void entriesOfSeveralLines_areRows();
   void nameOfTheNextValue_isNoUnit();
+  void rowsOfSeveralTablesInTurn_areReadOfTheMotors_data();
+  void rowsOfSeveralTablesInTurn_areReadOfTheMotors();
   void textWithNumbers_isNoTable();
   void listsOfRows_areNoSignals();
   void pwmOf16Bits_isADuty();
@@ -256,6 +258,34 @@ void TestImportBeside::nameOfTheNextValue_isNoUnit() {
   VERIFY_OK(log);
   const double rpm = log->recording.channel("velocity_rad_per_s")[30] * 30.0 / M_PI;
   QVERIFY(std::abs(rpm - speedAt(30)) < 1e-4 * std::abs(speedAt(30)));
+}
+
+void TestImportBeside::rowsOfSeveralTablesInTurn_areReadOfTheMotors_data() {
+  QTest::addColumn<QString>("head");
+  QTest::newRow("by formats") << "FMT, 164, 45, ESC, QBf, TimeUS,RPM,Curr\nFMT, 30, 31, ATT, Qff, TimeUS,Roll\n";
+  QTest::newRow("by a line of names each") << "ESC,TimeUS,RPM,Curr\nATT,TimeUS,Roll\n";
+}
+
+void TestImportBeside::rowsOfSeveralTablesInTurn_areReadOfTheMotors() {
+  QFETCH(QString, head);
+  QString text = head;
+  for (int k = 0; k < 60; ++k) {
+    text += QString("ATT,%1,0.3\n").arg(int(1e6 * step_s * k) + 300);
+    text += QString("ESC,%1,%2,0.5\n").arg(int(1e6 * step_s * k)).arg(speedAt(k));
+  }
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  QCOMPARE(log->recording.rows(), size_t{60});
+  QVERIFY(std::abs(log->recording.time().back() - 59.0 * step_s) < 1e-9);
+  QVERIFY(log->recording.has("velocity_rad_per_s") && log->recording.has("current_A"));
+  QVERIFY(says(*log, "the rows that begin with ESC were taken; 6"));
+  // One table with a word before its rows is one.
+  QString states = "STATE,t,rpm\n";
+  for (int k = 0; k < 60; ++k)
+    states += QString("%1,%2,%3\n").arg(k < 30 ? "RUN" : "STOP").arg(step_s * k).arg(speedAt(k));
+  const auto whole = imported(states);
+  VERIFY_OK(whole);
+  QCOMPARE(whole->recording.rows(), size_t{60});
 }
 
 void TestImportBeside::textWithNumbers_isNoTable() {

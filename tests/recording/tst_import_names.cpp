@@ -83,12 +83,42 @@ void TestImportNames::whatNamesBesideTell_isTaken_data() {
                                        << "";
   QTest::newRow("a motor's speed beside one coordinate") << QStringList{"x", "theta", "omega"} << "omega"
                                                          << "velocity_rad_per_s";
+  QTest::newRow("another channel") << QStringList{"Ch1 Drehzahl [U/min]", "Ch2 Drehmoment [Nm]"}
+                                   << "Ch2 Drehmoment [Nm]"
+                                   << "torque_Nm";
   QTest::newRow("a torque") << QStringList{"q_0", "qd_0", "tq_0"} << "tq_0"
                             << "torque_Nm";
   QTest::newRow("an armature's voltage") << QStringList{"theta_m", "omega_m", "u_a"} << "u_a"
                                          << "voltage_V";
   QTest::newRow("an armature's current") << QStringList{"theta", "ia"} << "ia"
                                          << "current_A";
+  QTest::newRow("an armature's, with units") << QStringList{"phi [deg]", "u_a [V]", "i_a [A]"} << "i_a [A]"
+                                             << "current_A";
+  QTest::newRow("a phase's, with units") << QStringList{"phi [deg]", "i_a [A]", "i_b [A]", "i_c [A]"} << "i_a [A]"
+                                         << "";
+  const QStringList device{"Power Max [3] Velocity", "Power Max [3] Position", "Power Max [3] Bus Voltage"};
+  QTest::newRow("behind a device's name") << device << device[1] << "angle_rad";
+  QTest::newRow("a device's supply") << device << device[2] << "supply_V";
+  QTest::newRow("a joint's limits") << QStringList{"Joint Max [1] Velocity", "Joint Max [1] Position",
+                                                   "Joint Max [1] Torque", "angle"}
+                                    << "Joint Max [1] Position"
+                                    << "";
+  QTest::newRow("the most of a speed") << QStringList{"angle", "Max [3] Velocity"} << "Max [3] Velocity"
+                                       << "";
+  QTest::newRow("a derivative") << QStringList{"phi [deg]", "dphi/dt [deg/s]"} << "dphi/dt [deg/s]"
+                                << "velocity_rad_per_s";
+  QTest::newRow("a load's torque") << QStringList{"phi [deg]", "M_L [Nm]"} << "M_L [Nm]"
+                                   << "";
+  QTest::newRow("a controller's output") << QStringList{"ang_rad", "u_cmd_Amps"} << "u_cmd_Amps"
+                                         << "current_reference_A";
+  QTest::newRow("a side as a letter or a word") << QStringList{"rpm_l", "rpm_r", "amps_l", "amps_r"} << "amps_l"
+                                                << "current_A";
+  QTest::newRow("the other side") << QStringList{"rpm_l", "rpm_r", "amps_l", "amps_r"} << "amps_r"
+                                  << "";
+  QTest::newRow("tenths of an ampere") << QStringList{"rpm", "current_da"} << "current_da"
+                                       << "current_A";
+  QTest::newRow("tenths of a degree") << QStringList{"rpm", "motor_temp_dc"} << "motor_temp_dc"
+                                      << "";
   QTest::newRow("a phase's voltage") << QStringList{"theta_m", "u_a", "u_b", "u_c"} << "u_a"
                                      << "";
 }

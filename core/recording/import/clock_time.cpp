@@ -94,6 +94,33 @@ std::optional<int64_t> takeDate(Reading& reading) {
   return std::nullopt;
 }
 
+/// "20240501T102010.5" and "20240501_102010_500", as files are named and ISO 8601 has it without marks.
+std::optional<ClockTime> takeCompact(Reading& reading) {
+  Reading trial = reading;
+  const int64_t date = trial.digits(8, 8);
+  if (date < 0 || !trial.takeOneOf("Tt_-")) return std::nullopt;
+  const int64_t clock = trial.digits(6, 6);
+  const int64_t month = date / 100 % 100, day = date % 100, minute = clock / 100 % 100, second = clock % 100;
+  if (clock < 0 || month < 1 || month > 12 || day < 1 || day > 31 || clock >= 240000 || minute > 59 || second > 60)
+    return std::nullopt;
+  ClockTime time;
+  time.dated = true;
+  time.whole_s = daysSince1970(date / 10000, month, day) * 86400 + clock / 10000 * 3600 + minute * 60 + second;
+  if (trial.takeOneOf("._,")) time.fraction_s = trial.fraction();
+  reading = trial;
+  return time;
+}
+
+/// A zone's name or offset, of which there is nothing to be told, and no more.
+bool endsInZone(Reading& reading) {
+  reading.takeOneOf("Zz");
+  if (reading.takeOneOf("+-")) {
+    if (reading.digits(1, 4) < 0) return false;
+    if (reading.take(':') && reading.digits(2, 2) < 0) return false;
+  }
+  return reading.atEnd();
+}
+
 }  // namespace
 
 std::optional<ClockTime> readClock(std::string_view text) {
@@ -102,6 +129,7 @@ std::optional<ClockTime> readClock(std::string_view text) {
   if (text.empty() || text.front() < '0' || text.front() > '9') return std::nullopt;
   Reading reading(text);
   ClockTime time;
+  if (const auto compact = takeCompact(reading)) return endsInZone(reading) ? compact : std::nullopt;
   Reading days = reading;  // a span of time: "0 days 00:00:01.5"
   const int64_t count = days.digits(1, 6);
   days.skipBlanks();
@@ -130,7 +158,7 @@ std::optional<ClockTime> readClock(std::string_view text) {
   if (seconds) parts[2] = reading.digits(2, 2);
   if (seconds && (parts[2] < 0 || parts[2] > 60)) return std::nullopt;
   bool fraction = false;
-  if (reading.takeOneOf(".,") || (seconds && reading.take(':'))) {
+  if (reading.takeOneOf(".,") || (seconds && reading.takeOneOf(":;"))) {
     reading.take(':');
     time.fraction_s = reading.fraction();
     fraction = true;
@@ -146,12 +174,7 @@ std::optional<ClockTime> readClock(std::string_view text) {
   } else if (reading.takeWord("am")) {
     if (parts[0] == 12) time.whole_s -= 43200;
   }
-  reading.takeOneOf("Zz");
-  if (reading.takeOneOf("+-")) {
-    if (reading.digits(1, 4) < 0) return std::nullopt;
-    if (reading.take(':') && reading.digits(2, 2) < 0) return std::nullopt;
-  }
-  if (!reading.atEnd()) return std::nullopt;
+  if (!endsInZone(reading)) return std::nullopt;
   return time;
 }
 

@@ -172,7 +172,9 @@ ColumnName byUnitAlone(const NameParts& parts) {
     joint = joint || isIn(jointWords, word);
     motors = motors || word == "q" || word == "iq" || word == "motor" || word == "mot" || word == "applied";
   }
-  plain = plain && (!loops || reference);  // "MCU target (deg)", but not "PID (deg)"
+  const bool output = reference && kind == UnitKind::current && parts.words.size() == 2 && parts.words.front() == "u";
+  if (output) return taken(parts, contractName(kind, true), 3);  // a controller's output: "u_cmd [A]"
+  plain = plain && (!loops || reference);                        // "MCU target (deg)", but not "PID (deg)"
   const bool supply = firstIn(parts.words, supplyWords) != nullptr;
   if (kind == UnitKind::voltage && supply) return supplyOf(parts);
   if (kind == UnitKind::current || kind == UnitKind::voltage) {
@@ -185,6 +187,8 @@ ColumnName byUnitAlone(const NameParts& parts) {
   const bool letter = parts.words.size() == 1 && isSingleLetter(parts.words[0], "mt");  // "M [Nm]"
   const bool enough = kind == UnitKind::time || kind == UnitKind::angularVelocity ||
                       (kind == UnitKind::angle && plain) || (kind == UnitKind::torque && letter);
+  if (letter && kind == UnitKind::torque && parts.group == "left")
+    return aside(message("may be the load's"), parts);  // "M_L [Nm]"
   const std::string to = contractName(kind, reference);
   if (!enough || to.empty()) return aside(message("its name says nothing that is known"), parts);
   ColumnName name = taken(parts, to, plain && kind == UnitKind::angularVelocity ? 0 : 3);
@@ -215,7 +219,7 @@ std::optional<ColumnName> unitAsName(std::string_view name) {
   }
   if (parts.words.size() != 1 || parts.words[0].size() < 2) return std::nullopt;
   static constexpr auto tooShort =
-      std::to_array<std::string_view>({"min", "pu", "mn", "kn", "gf", "um", "ua", "cm", "hz", "kv", "ka"});
+      std::to_array<std::string_view>({"min", "pu", "mn", "kn", "gf", "um", "ua", "cm", "hz", "kv", "ka", "da", "dv"});
   if (isIn(tooShort, parts.words[0]) || quantityNamed(parts.words[0]) != nullptr) return std::nullopt;
   parts.unit = unitOfWords(parts.words, 0);
   if (parts.unit == nullptr) return std::nullopt;
@@ -262,6 +266,9 @@ ColumnName understandName(std::string_view name, std::string_view unit) {
   if (found.word != nullptr && parts.unit != nullptr && !fits(parts.unit->kind, found.word->kind))
     found = quantityOfUnit(parts.words, parts.unit->kind, found);
   found = withoutPresent(parts, found);
+  if (found.word != nullptr && found.word->kind == UnitKind::temperature && parts.unit == nullptr &&
+      parts.words.back() == "dc")
+    return aside(message("what \"{}\" makes of it is unknown", "dc"), parts);  // tenths of a degree, or a DC motor's
   const bool supplyWord = firstIn(parts.words, supplyWords) != nullptr;
   if (parts.unit == nullptr && found.word != nullptr && found.word->kind == UnitKind::temperature &&
       parts.words.back() == "f") {  // "temp_F"

@@ -114,6 +114,26 @@ bool isSide(std::string_view word) {
   return word == "left" || word == "right" || word == "l" || word == "r";
 }
 
+/// "rpm_l" is of the axis of "left_amps".
+std::string sideNamed(std::string_view word) {
+  return word.front() == 'l' ? "left" : "right";
+}
+
+/// A number behind such a word is a measuring amplifier's channel, and no axis.
+bool isChannel(std::string_view word) {
+  static constexpr auto words =
+      std::to_array<std::string_view>({"ch", "chan", "channel", "kanal", "canal", "voie", "ai", "chn"});
+  return isIn(words, word);
+}
+
+/// "Kanal 2 Drehzahl", "ch3_torque": without the channel; where nothing else stands, as it is.
+void dropChannel(Words& words) {
+  for (size_t k = 0; k + 1 < words.size(); ++k) {
+    if (!isChannel(words[k]) || !isNumber(words[k + 1]) || words.size() < 3) continue;
+    words.erase(words.begin() + static_cast<std::ptrdiff_t>(k), words.begin() + static_cast<std::ptrdiff_t>(k) + 2);
+  }
+}
+
 void takeGroup(Words& words, std::string& group) {
   Words kept;
   const bool model = std::any_of(words.begin(), words.end(), [](const std::string& word) {
@@ -135,7 +155,7 @@ void takeGroup(Words& words, std::string& group) {
     const bool joint = axis && word[0] == 'j';              // "tau_J1" is of the axis of "dq1"
     const bool angle = axis && word[0] == 'q' && own == 1;  // "q1", "q1_ref"
     if (!model && (isNumber(word) || axis || side))
-      group += (group.empty() ? "" : ".") + (joint || angle ? word.substr(1) : word);
+      group += (group.empty() ? "" : ".") + (joint || angle ? word.substr(1) : side ? sideNamed(word) : word);
     if (angle) kept.emplace_back("q");
     if (!isNumber(word) && !axis && !side && !parameter) kept.push_back(std::move(word));
   }
@@ -188,7 +208,7 @@ bool takeUnitBeforeWords(const std::string& text, NameParts& parts) {
     parts.words = wordsOf(firstWords(text, from), true);
     parts.words.insert(parts.words.end(), plain.begin() + static_cast<std::ptrdiff_t>(end), plain.end());
     if (parts.unitFirst && parts.words.size() == 1 && isSide(parts.words[0]))
-      parts.words[0] = parts.words[0].front() == 'l' ? "left" : "right";
+      parts.words[0] = sideNamed(parts.words[0]);
     return true;
   }
   return false;
@@ -277,6 +297,7 @@ NameParts partsOfName(std::string_view name, std::string_view unit) {
   }
   parts.plain = wordsOf(text, false);
   partWords(parts.words);
+  dropChannel(parts.words);
   takeGroup(parts.words, parts.group);
   std::erase_if(parts.words, [](const std::string& word) { return word == "per"; });
   joinWords(parts.words);

@@ -49,6 +49,19 @@ void dropSource(Words& words) {
   if (named) words.erase(from, words.end());
 }
 
+/// "dphi/dt" is a speed.
+void joinDerivatives(Words& words) {
+  for (size_t k = 0; k + 1 < words.size(); ++k) {
+    const Word* word = quantityNamed(words[k]);
+    const Word* behind = words[k][0] == 'd' ? quantityNamed(words[k].substr(1)) : nullptr;
+    const bool moves = (word != nullptr && word->kind == UnitKind::angularVelocity) ||
+                       (behind != nullptr && behind->kind == UnitKind::angle);
+    if (!moves || words[k][0] != 'd' || words[k + 1] != "dt") continue;
+    words[k] = "omega";
+    words.erase(words.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+  }
+}
+
 }  // namespace
 
 void partCompounds(Words& words) {
@@ -109,6 +122,7 @@ std::string withUnitsApart(const std::string& text) {
 }
 
 void joinWords(Words& words) {
+  joinDerivatives(words);
   for (size_t k = 0; k + 1 < words.size(); ++k) {
     const bool axis = words[k + 1] == "q" || words[k + 1] == "d";
     if (axis && (words[k] == "i" || words[k] == "u" || words[k] == "v")) {

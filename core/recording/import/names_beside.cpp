@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <map>
 #include <set>
 
 #include "recording/import/columns_beside.h"
 #include "recording/import/name_parts.h"
+#include "recording/import/quantity_words.h"
 
 namespace breakaway {
 
@@ -52,7 +54,7 @@ void takeArmatures(const RawTable& table, std::vector<Choice>& choices) {
   std::set<std::string> names;
   const auto plain = [](const std::string& name) {
     std::string letters;
-    for (const std::string& word : wordsOf(name, false)) letters += word;
+    for (const std::string& word : wordsOf(name.substr(0, name.find_first_of("[(")), false)) letters += word;
     return letters;
   };
   for (const RawColumn& column : table.columns) names.insert(plain(column.channel.name));
@@ -61,7 +63,37 @@ void takeArmatures(const RawTable& table, std::vector<Choice>& choices) {
     const bool armature = name == "ua" || name == "va" || name == "ia";
     if (!armature || choices[c].byMap || choices[c].name.understood()) continue;
     if (names.contains(name.substr(0, 1) + "b")) continue;
-    choices[c].name = understandName(name == "ia" ? "motor_current" : "motor_voltage", table.columns[c].unit);
+    const NameParts parts = partsOfName(table.columns[c].channel.name, table.columns[c].unit);
+    const bool bracket = table.columns[c].channel.name.find_first_of("[(") != std::string::npos;
+    choices[c].name = understandName(name == "ia" ? "motor_current" : "motor_voltage",
+                                     bracket ? parts.unitText : table.columns[c].unit);
+  }
+}
+
+/// "Power Max [3]" of "Power Max [3] Velocity", "Power Max [3] Position"…: a device's name, whatever its words mean.
+void takeBehindDevices(const RawTable& table, std::vector<Choice>& choices) {
+  constexpr size_t fewest = 3;
+  const auto deviceOf = [&table](size_t c) {
+    const std::string& name = table.columns[c].channel.name;
+    const size_t open = name.find('['), close = name.find("] ");
+    const bool numbered = open != std::string::npos && open > 1 && close != std::string::npos && open < close &&
+                          isNumber(name.substr(open + 1, close - open - 1));
+    if (!numbered) return std::string();
+    const Words words = wordsOf(name.substr(0, open), true);
+    const bool meant = std::any_of(words.begin(), words.end(), [](const std::string& word) {
+      return isIn(jointWords, word) || isIn(drivenWords, word) || isIn(referenceWords, word) ||
+             quantityNamed(word) != nullptr;
+    });
+    return meant ? std::string() : name.substr(0, close + 1);  // "Joint Max [1] Velocity" is a limit
+  };
+  std::map<std::string, size_t> devices;
+  for (size_t c = 0; c < choices.size(); ++c) ++devices[deviceOf(c)];
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const std::string device = deviceOf(c);
+    if (device.empty() || devices[device] < fewest || choices[c].name.understood() || choices[c].byMap) continue;
+    const std::string number = device.substr(device.find('[') + 1, device.size() - device.find('[') - 2);
+    choices[c].name =
+        understandName(number + table.columns[c].channel.name.substr(device.size()), table.columns[c].unit);
   }
 }
 
@@ -110,6 +142,7 @@ std::string nameWithout(std::string name, const std::string& word) {
 }
 
 void takeByNeighbours(const RawTable& table, const ImportMap& map, std::vector<Choice>& choices) {
+  takeBehindDevices(table, choices);
   takeEfforts(table, choices);
   takeTargetsOfJoints(table, choices);
   takeArmatures(table, choices);

@@ -12,6 +12,7 @@
 #include "recording/import/octave_text.h"
 #include "recording/import/sentence_rows.h"
 #include "recording/import/stamped_lines.h"
+#include "recording/import/tagged_rows.h"
 #include "recording/import/text_encoding.h"
 #include "recording/import/text_layout.h"
 #include "recording/import/text_names.h"
@@ -170,11 +171,7 @@ class Rows {
 
   /// Leaves out the flawed rows after the last good one, and all of them when they are few.
   void settle(size_t lastGoodRow) {
-    size_t after = 0;
-    while (!flawed_.empty() && flawed_.back() > lastGoodRow) {
-      flawed_.pop_back();
-      ++after;
-    }
+    while (!flawed_.empty() && flawed_.back() > lastGoodRow) flawed_.pop_back();
     for (RawColumn& column : table.columns) {
       column.channel.values.resize(lastGoodRow + 1);
       if (!column.texts.empty()) column.textOf.resize(lastGoodRow + 1);
@@ -426,6 +423,18 @@ Result<RawTable> readEntries(const LineEntries& entries, const std::string& name
   return table;
 }
 
+/// The rows of one of several tables.
+Result<RawTable> readTagged(const TaggedRows& rows, const std::string& name) {
+  auto table = readTextTable(rows.table, name);
+  if (!table) return table;
+  table->remarks.push_back(
+      rows.leftOut == 1
+          ? message("the rows that begin with {} were taken; 1 line that begins otherwise was left out", rows.word)
+          : message("the rows that begin with {} were taken; {} lines that begin otherwise were left out", rows.word,
+                    rows.leftOut));
+  return table;
+}
+
 }  // namespace
 
 Result<RawTable> readTextTable(std::string_view text, const std::string& name) {
@@ -437,6 +446,7 @@ Result<RawTable> readTextTable(std::string_view text, const std::string& name) {
   if (auto variables = readOctaveText(utf8, lineEndOf(utf8), name)) return std::move(*variables);
   if (auto lists = readNamedLists(utf8, name)) return std::move(*lists);
   if (const auto entries = withEntriesAsRows(utf8)) return readEntries(*entries, name);
+  if (const auto tagged = withTaggedRowsApart(utf8)) return readTagged(*tagged, name);
   auto flat = withListsInCells(utf8);
   if (!flat) flat = withStampsAsCells(utf8);
   if (flat) {

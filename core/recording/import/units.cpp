@@ -189,6 +189,7 @@ constexpr auto units = std::to_array<Unit>({
     {"milliamps", current, 1e-3},
     {"ua", current, 1e-6},
     {"ka", current, 1e3},
+    {"da", current, 1e-1},
     {"v", voltage, 1},
     {"volt", voltage, 1},
     {"volts", voltage, 1},
@@ -196,6 +197,7 @@ constexpr auto units = std::to_array<Unit>({
     {"millivolt", voltage, 1e-3},
     {"millivolts", voltage, 1e-3},
     {"kv", voltage, 1e3},
+    {"dv", voltage, 1e-1},
 
     {"nm", torque, 1},
     {"n_m", torque, 1},
