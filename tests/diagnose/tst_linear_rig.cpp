@@ -24,7 +24,6 @@ class TestLinearRig : public QObject {
   void base_isRecovered_data();
   void base_isRecovered();
   void electricalSide_isRecovered();
-  void lateVoltage_isNoInductance();
   void backEmfOfAnAxisThatHardlyMoves_isNotKnown();
   void effect_isRecoveredWithItsAmplitude_data();
   void effect_isRecoveredWithItsAmplitude();
@@ -183,20 +182,6 @@ void TestLinearRig::electricalSide_isRecovered() {
   const Physics p = voltageDriven();
   VERIFY_WITHIN(x[3], 1.0 / p.resistance, 0.02);
   VERIFY_WITHIN(x[4], -p.backEmf / p.resistance, 0.02);
-}
-
-/// What voltage and current show before any fit: a delay isn't taken for a winding that is twenty times slower.
-void TestLinearRig::lateVoltage_isNoInductance() {
-  for (const double delay_s : {0.0, 5e-3}) {
-    const Model truth =
-        delay_s > 0.0 ? servoWith(DriveInput::voltage, "transport_delay", {delay_s}) : servoModel(DriveInput::voltage);
-    const auto shown = shownWinding(prepared(truth, {.seconds = 12.0}).tracks);
-    QVERIFY(shown);
-    const Physics p = voltageDriven();
-    QVERIFY2(shown->inductance_H < 2.0 * p.inductance && shown->inductance_H > 0.3 * p.inductance,
-             qPrintable(QString::number(shown->inductance_H)));
-    VERIFY_WITHIN(shown->resistance_ohm.value, p.resistance, 0.1);
-  }
 }
 
 /// Friction that gives like a spring, and a coarse encoder, whose steps are most of the speed that it shows.

@@ -8,10 +8,8 @@ namespace breakaway {
 
 namespace {
 
-constexpr double shortest_s = 2e-5, lag = 1.3;          ///< of the time constants that are tried, and their ratio
-constexpr int lags = 32;                                ///< up to 70 ms
-constexpr size_t delays_rows[]{1, 2, 3, 5, 8, 12, 18};  ///< by which a voltage may act late
-constexpr int lagsWithDelay = 3;                        ///< each so many of them is tried with these
+constexpr double shortest_s = 2e-5, lag = 1.3;  ///< of the time constants that are tried, and their ratio
+constexpr int lags = 32;                        ///< up to 70 ms
 constexpr size_t mostRows = 40'000;
 constexpr double cluster_s = 1.0;
 constexpr double clearlyLess = 0.8;     ///< of what another lag, or what fewer columns leave
@@ -31,15 +29,9 @@ enum Column { volts, speed, lost, zero, response, columns };
 using Row = Eigen::Matrix<double, columns, 1>;
 constexpr Eigen::Index plain = 2, withBridge = 4;  ///< columns
 
-/// How voltage and speed become current.
-struct Answer {
-  double lag_s = shortest_s;
-  size_t delay_rows = 0;  ///< of the voltage
-};
-
 /// Calls `act` with the columns of each row that has them, voltage and speed lagged, and the row.
 template <typename Act>
-void eachRow(const Track& track, const Answer& answer, Act act) {
+void eachRow(const Track& track, double time_s, Act act) {
   const Channels channels(track);
   const double noise = track.drive == DriveInput::current ? track.inputNoise : track.currentNoise;
   double u = channels.voltage.front(), velocity = track.motion.velocity.front();
@@ -49,8 +41,8 @@ void eachRow(const Track& track, const Answer& answer, Act act) {
       const double sign = i / std::max(std::abs(i) + clearOfNoise * noise, 1e-300);
       act((Row() << u, velocity, sign, 1.0, i).finished(), k);
     }
-    const double keep = std::exp(-(track.time[k + 1] - track.time[k]) / answer.lag_s);
-    if (const double acts = channels.voltage[k - std::min(k, answer.delay_rows)]; std::isfinite(acts))
+    const double keep = std::exp(-(track.time[k + 1] - track.time[k]) / time_s);
+    if (const double acts = channels.voltage[k]; std::isfinite(acts))
       u = std::isfinite(u) ? acts + (u - acts) * keep : acts;
     velocity = track.motion.velocity[k] + (velocity - track.motion.velocity[k]) * keep;
   }
@@ -59,11 +51,11 @@ void eachRow(const Track& track, const Answer& answer, Act act) {
 /// Least squares of the current on the first `width` columns.
 struct Balance {
   Eigen::Matrix<double, columns, columns> products = Eigen::Matrix<double, columns, columns>::Zero();
-  Answer answer;
+  double time_s = shortest_s;
 
-  Balance(const std::vector<Track>& tracks, const Answer& by) : answer(by) {
+  Balance(const std::vector<Track>& tracks, double lag_s) : time_s(lag_s) {
     for (const Track& track : tracks)
-      eachRow(track, answer, [this](const Row& row, size_t) { products += row * row.transpose(); });
+      eachRow(track, time_s, [this](const Row& row, size_t) { products += row * row.transpose(); });
   }
   Eigen::VectorXd solution(Eigen::Index width) const {
     return products.topLeftCorner(width, width).ldlt().solve(products.col(response).head(width));
@@ -80,12 +72,6 @@ struct Balance {
   }
 };
 
-double shortestRow(const std::vector<Track>& tracks) {
-  double row_s = tracks.front().usualStep_s;
-  for (const Track& track : tracks) row_s = std::min(row_s, track.usualStep_s);
-  return row_s;
-}
-
 /// Of the solution, errors of one second taken as one.
 Eigen::MatrixXd covarianceOf(const Balance& balance, Eigen::Index width, const std::vector<Track>& tracks) {
   const Eigen::VectorXd solution = balance.solution(width);
@@ -93,7 +79,7 @@ Eigen::MatrixXd covarianceOf(const Balance& balance, Eigen::Index width, const s
   for (const Track& track : tracks) {
     Eigen::VectorXd score = Eigen::VectorXd::Zero(width);
     double begin_s = track.time.front();
-    eachRow(track, balance.answer, [&](const Row& row, size_t k) {
+    eachRow(track, balance.time_s, [&](const Row& row, size_t k) {
       if (track.time[k] - begin_s >= cluster_s) {
         spread += score * score.transpose();
         score.setZero();
@@ -115,24 +101,15 @@ std::optional<ShownWinding> shownWinding(const std::vector<Track>& tracks) {
       }))
     return {};
   std::optional<Balance> best, usual;  // of all, and of those whose signs are right
-  const auto consider = [&](const Answer& answer) {
-    const Balance balance(tracks, answer);
+  double time_s = shortest_s;
+  for (int k = 0; k < lags; ++k, time_s *= lag) {
+    const Balance balance(tracks, time_s);
     const Eigen::VectorXd perVolt = balance.solution(plain);
     if (!best || balance.left(plain) < best->left(plain)) best = balance;
     const bool right = perVolt[volts] > 0.0 && perVolt[speed] < 0.0;
     if (right && (!usual || balance.left(plain) < usual->left(plain))) usual = balance;
-  };
-  const auto lagOf = [](int k) { return shortest_s * std::pow(lag, k); };
-  for (int k = 0; k < lags; ++k) consider({lagOf(k), 0});
-  if (usual && best->left(plain) > clearlyLess * usual->left(plain)) best = usual;
-  // A voltage that acts late looks like a large inductance; with its delay, the inductance's own lag is left.
-  if (const Balance prompt = *best; prompt.answer.lag_s > shortestRow(tracks)) {
-    for (const size_t rows : delays_rows) {
-      for (int k = 0; k < lags && lagOf(k) < prompt.answer.lag_s; k += lagsWithDelay) consider({lagOf(k), rows});
-    }
-    if (usual && best->left(plain) > clearlyLess * usual->left(plain)) best = usual;
-    if (best->left(plain) > clearlyLess * prompt.left(plain)) best = prompt;
   }
+  if (usual && best->left(plain) > clearlyLess * usual->left(plain)) best = usual;
   const Eigen::Index width = best->left(withBridge) < clearlyLess * best->left(plain) ? withBridge : plain;
   const Eigen::VectorXd perVolt = best->solution(width);  // 1/R, −Ke/R
   const Eigen::MatrixXd covariance = covarianceOf(*best, width, tracks);
@@ -153,7 +130,7 @@ std::optional<ShownWinding> shownWinding(const std::vector<Track>& tracks) {
   const double variance = slopes.dot(covariance.topLeftCorner<plain, plain>() * slopes);
   shown.backEmf = {-perVolt[speed] * ohm, std::sqrt(std::max(0.0, variance))};
   widen(shown.backEmf, speed);
-  shown.inductance_H = best->answer.lag_s * ohm;
+  shown.inductance_H = best->time_s * ohm;
   shown.left = best->left(width) / std::max(best->products(response, response), 1e-300);
   return shown;
 }

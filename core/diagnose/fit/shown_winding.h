@@ -17,8 +17,7 @@ struct ShownWinding {
   double left = 0.0;  ///< part of the squared current that they leave
 };
 
-/// By least squares on i = lag(u)/R − lag(ω) Ke/R, at the lag L/R of 20 µs to 70 ms that leaves least, and with a delay
-/// of the voltage by up to 18 rows where that leaves clearly less; beside a zero of
+/// By least squares on i = lag(u)/R − lag(ω) Ke/R, at the lag L/R of 20 µs to 70 ms that leaves least; beside a zero of
 /// the current's sensor and a voltage that the bridge loses by the current's sign, where these explain more. Standard
 /// errors are clustered by second. Of the voltage that drives with the current beside it, or the other way round.
 /// Nothing where a track has only one of the two, or where they don't change. Precondition: tracks carry their motion.

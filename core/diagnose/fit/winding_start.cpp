@@ -46,11 +46,7 @@ StartingWindings startingWindings(const Bench& bench, const std::vector<Track>& 
         isFarOff(motor.resistance_ohm, seen->resistance_ohm.value, farOff) ||
         isFarOff(motor.inductance_H, seen->inductance_H, inductanceFarOff) ||
         isFarOff(motor.backEmfConstant ? motor.backEmfConstant : motor.torqueConstant, seen->backEmf.value, farOff);
-    if (!off) return {{bench}, seen->inductance_H};
-    std::vector<Bench> benches{withWinding(bench, *seen)};
-    // What is lost by the current's sign looks like a resistance, too: the bench's own is tried as well.
-    if (motor.resistance_ohm) benches.push_back(bench);
-    return {std::move(benches), seen->inductance_H};
+    return {{off ? withWinding(bench, *seen) : bench}, seen->inductance_H};
   }
   std::vector<Bench> benches{bench};
   if (motor.inductance_H) return {benches, {}};
