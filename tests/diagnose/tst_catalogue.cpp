@@ -8,6 +8,8 @@
 #include <string>
 
 #include "diagnose/effects/catalogue.h"
+#include "diagnose/verdict/worth_saying.h"
+#include "support/known_servo.h"
 #include "support/rich_excitation.h"
 #include "support/within.h"
 
@@ -48,6 +50,7 @@ class TestCatalogue : public QObject {
   void whatTheTravelDoesNotShow_isNotPlausible();
   void aReadingWithinItsRow_isNoSkew();
   void heatOfTheUsualCurrent_isWhatCounts();
+  void pushThatMayBeginAfterItsEnd_saysNothing();
 
  private:
   static void effects();
@@ -381,6 +384,21 @@ void TestCatalogue::heatOfTheUsualCurrent_isWhatCounts() {
   QVERIFY(findEffect("winding_heating")->plausible(warm, seen));
   const std::vector<double> burnt{20.0 * cold / std::pow(seen.usualCurrent, 2), 10.0};
   QVERIFY(!findEffect("winding_heating")->plausible(burnt, seen));
+}
+
+void TestCatalogue::pushThatMayBeginAfterItsEnd_saysNothing() {
+  const Excitation seen = richExcitation(DriveInput::torque);
+  const Model model = servoModel(DriveInput::torque);
+  const auto says = [&](double doubt_s) {
+    EffectTerm push;
+    push.effect = "external_disturbance";
+    push.parameters = {{"torque_Nm", 0.006, 0.005, 0.007},
+                       {"start_s", 17.0, 17.0 - doubt_s, 17.0 + doubt_s},
+                       {"duration_s", 2.0, 1.5, 2.6}};
+    return worthSaying(push, model, seen, {}, {});
+  };
+  QVERIFY(says(0.3));
+  QVERIFY(!says(50.0));
 }
 
 QTEST_APPLESS_MAIN(TestCatalogue)

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/numbers.h"
 #include "base/statistics.h"
 #include "diagnose/fit/excitation_seen.h"
 #include "diagnose/fit/motion.h"
+#include "diagnose/fit/shown_winding.h"
 #include "diagnose/screen/linear_rig.h"
 #include "support/driven_recording.h"
 #include "support/known_servo.h"
@@ -22,6 +24,7 @@ class TestLinearRig : public QObject {
   void base_isRecovered_data();
   void base_isRecovered();
   void electricalSide_isRecovered();
+  void backEmfOfAnAxisThatHardlyMoves_isNotKnown();
   void effect_isRecoveredWithItsAmplitude_data();
   void effect_isRecoveredWithItsAmplitude();
   void effectThatIsNotThere_hasNoAmplitude_data();
@@ -97,6 +100,8 @@ void addPlanted() {
                                  {current, "load_dependent_friction", {0.15, 0.0}, 0.5, 1.5, 0.01},
                                  {voltage, "dead_time", {0.1, 0.05}, 3.0, 3.0, 0.4},
                                  {voltage, "winding_heating", {0.5, 3.0}, 0.3, 1.5, 0.25},
+                                 {torque, "encoder_eccentricity", {0.01, 0.8}, 3.0, 1.5, 0.05},
+                                 {voltage, "encoder_eccentricity", {0.01, 0.8}, 3.0, 3.0, 0.05},
                                  {torque, "transport_delay", {3e-3}, 1.0, 1.5, 0.01},
                                  {voltage, "transport_delay", {3e-3}, 1.0, 1.5, 0.08}};
   for (const Planted& one : all) {
@@ -107,7 +112,7 @@ void addPlanted() {
 }
 
 double amplitudeFound(const Effect& effect, const LinearRig& rig, const std::vector<double>& planted, double factor) {
-  const bool wave = effect.name() == "cogging";
+  const bool wave = effect.name() == "cogging" || effect.name() == "encoder_eccentricity";
   std::vector<double> looked = planted;
   looked.front() *= factor;
   const Shape shape = shapeAt(looked, wave);
@@ -177,6 +182,17 @@ void TestLinearRig::electricalSide_isRecovered() {
   const Physics p = voltageDriven();
   VERIFY_WITHIN(x[3], 1.0 / p.resistance, 0.02);
   VERIFY_WITHIN(x[4], -p.backEmf / p.resistance, 0.02);
+}
+
+/// Friction that gives like a spring, and a coarse encoder, whose steps are most of the speed that it shows.
+void TestLinearRig::backEmfOfAnAxisThatHardlyMoves_isNotKnown() {
+  Model truth = servoWith(DriveInput::voltage, "presliding", {0.3, 0.3});
+  truth.count = turn_rad / 500.0;
+  const auto shown = shownWinding(prepared(truth, {.seconds = 12.0, .size = 0.25}).tracks);
+  QVERIFY(shown);
+  const double off = std::abs(shown->backEmf.value - voltageDriven().backEmf);
+  QVERIFY2(off < 3.0 * shown->backEmf.standardError,
+           qPrintable(QString("%1 by %2 V s/rad off").arg(shown->backEmf.value).arg(shown->backEmf.standardError)));
 }
 
 void TestLinearRig::effect_isRecoveredWithItsAmplitude_data() {

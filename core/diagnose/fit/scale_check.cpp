@@ -75,6 +75,9 @@ class Scales {
       const bool r = isNegative(winding_->resistance_ohm), k = isNegative(winding_->backEmf);
       const bool surelyR = isKnown(winding_->resistance_ohm), surelyK = isKnown(winding_->backEmf);
       if (!surelyR || !surelyK) return {};
+      // A channel that is turned turns its sign against both others: of three pairs, none or two disagree. One alone
+      // was misread from rows that don't hold what acted between them.
+      if (mechanics_ && isKnown(mechanics_->inertia) && (r != k) != isNegative(mechanics_->inertia)) return {};
       if (r) return k ? voltage : current;
       if (k) return angle;
       return {};

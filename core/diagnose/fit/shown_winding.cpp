@@ -60,12 +60,12 @@ struct Balance {
   Eigen::VectorXd solution(Eigen::Index width) const {
     return products.topLeftCorner(width, width).ldlt().solve(products.col(response).head(width));
   }
-  /// The resistance by voltages that currents foretell, by the same columns but for the one that is exchanged.
-  double direct_ohm(Eigen::Index width) const {
+  /// One over a column's coefficient, by the regression of that column on the current and the others.
+  double inverse(Column of, Eigen::Index width) const {
     Eigen::Matrix<double, columns, columns> exchanged = products;
-    exchanged.row(volts).swap(exchanged.row(response));
-    exchanged.col(volts).swap(exchanged.col(response));
-    return exchanged.topLeftCorner(width, width).ldlt().solve(exchanged.col(response).head(width))[volts];
+    exchanged.row(of).swap(exchanged.row(response));
+    exchanged.col(of).swap(exchanged.col(response));
+    return exchanged.topLeftCorner(width, width).ldlt().solve(exchanged.col(response).head(width))[of];
   }
   double left(Eigen::Index width) const {
     return products(response, response) - solution(width).dot(products.col(response).head(width));
@@ -117,14 +117,19 @@ std::optional<ShownWinding> shownWinding(const std::vector<Track>& tracks) {
   ShownWinding shown;
   const double ohm = 1.0 / perVolt[volts];
   shown.resistance_ohm = {ohm, std::sqrt(std::max(0.0, covariance(volts, volts))) * ohm * ohm};
-  // Both channels are noisy, and a current that is as good as its own sign needs no voltage: the truth lies between the
-  // regressions of the one on the other (R. Frisch, 'Statistical confluence analysis', 1934).
-  if (const double ratio = best->direct_ohm(width) / ohm; ratio > 0.0)
-    shown.resistance_ohm.standardError =
-        std::max(shown.resistance_ohm.standardError, std::abs(std::log(ratio) * ohm) / standardErrors);
+  // All channels are noisy: a current that is as good as its own sign needs no voltage, and a speed that hardly rises
+  // above its noise shows hardly any back-EMF. The truth lies between the regressions of the one on the other (R.
+  // Frisch, 'Statistical confluence analysis', 1934).
+  const auto widen = [&](Estimate& one, Column of) {
+    const double ratio = best->inverse(of, width) * perVolt[of];
+    if (ratio > 0.0)
+      one.standardError = std::max(one.standardError, std::abs(std::log(ratio) * one.value) / standardErrors);
+  };
+  widen(shown.resistance_ohm, volts);
   const Eigen::Vector2d slopes(perVolt[speed] * ohm * ohm, -ohm);
   const double variance = slopes.dot(covariance.topLeftCorner<plain, plain>() * slopes);
   shown.backEmf = {-perVolt[speed] * ohm, std::sqrt(std::max(0.0, variance))};
+  widen(shown.backEmf, speed);
   shown.inductance_H = best->time_s * ohm;
   shown.left = best->left(width) / std::max(best->products(response, response), 1e-300);
   return shown;

@@ -21,6 +21,13 @@ constexpr double startDoubt_s = 0.01, longestStart_s = 0.1;
 constexpr double shownReadings = 12.0;  ///< of noise: motion that shows
 constexpr size_t turnMargin = 2;        ///< samples left out on each side of a reversal
 
+std::vector<double> ratesOf(const std::vector<double>& values, const Track& track) {
+  std::vector<double> rates(values.size(), 0.0);
+  for (size_t k = 1; k + 1 < values.size(); ++k)
+    rates[k] = (values[k + 1] - values[k - 1]) / (track.time[k + 1] - track.time[k - 1]);
+  return rates;
+}
+
 }  // namespace
 
 RecordedMotions recordedMotions(const Model& base, const std::vector<Track>& tracks) {
@@ -494,6 +501,8 @@ Eigen::MatrixXd LinearRig::columnsOf(const Effect& effect, const Shape& shape, s
 
 Eigen::MatrixXd LinearRig::rawColumnsOf(const Effect& effect, const Shape& shape, size_t only) const {
   Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(rows_, static_cast<Eigen::Index>(shape.size()));
+  const double backEmf = physics_.electrical ? physics_.backEmf / physics_.resistance : 0.0;  // A s/rad
+  const double damping = physics_.viscous + physics_.torqueConstant * backEmf;
   for (size_t a = 0; a < shape.size(); ++a) {
     auto column = columns.col(static_cast<Eigen::Index>(a));
     for (size_t t = 0; t < tracks_.size(); ++t) {
@@ -502,12 +511,14 @@ Eigen::MatrixXd LinearRig::rawColumnsOf(const Effect& effect, const Shape& shape
       addMechanical(traces.torque, t, 2, 1.0, column);
       addStarts(traces.starting, t, 1.0, column);
       addMechanical(traces.shown, t, 0, -physics_.inertia, column);
+      addMechanical(traces.shown, t, 1, -damping, column);  // a wrong angle is a wrong speed, too
       addMechanical(lagged(t, traces.voltage, true), t, 2, gain_, column);
       addMechanical(lagged(t, traces.input, true), t, 2, -gain_, column);
       if (!currentSeen_) continue;
       addElectrical(lagged(t, traces.voltage, false), t, -1.0 / physics_.resistance, column);
       addElectrical(lagged(t, traces.input, false), t, 1.0 / physics_.resistance, column);
       addElectrical(traces.sensed, t, 1.0, column);
+      addElectrical(lagged(t, ratesOf(traces.shown, tracks_[t]), false), t, backEmf, column);
     }
   }
   return columns;

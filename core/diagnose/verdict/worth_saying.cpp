@@ -29,6 +29,14 @@ double largestOfWander(const EffectTerm& term, const TorqueNoise& left, double r
          std::sqrt(std::min(alike_s / acts_s, 1.0));
 }
 
+/// Whether what happens once surely begins before it ends: else nothing tells when it was.
+bool isAtATime(const EffectTerm& term) {
+  const OncePart* once = findEffect(term.effect)->once();
+  if (once == nullptr) return true;
+  const Parameter& start = term.parameters[once->start];
+  return start.high95 < start.value + term.parameters[once->duration].value;
+}
+
 /// Whether a fitted figure beside the amplitude is known.
 bool anotherIsKnown(const EffectTerm& term, Axis axis, const Criteria& criteria) {
   for (size_t k = 1; k < term.parameters.size(); ++k) {
@@ -43,6 +51,7 @@ bool worthSaying(const EffectTerm& term, const Model& model, const Excitation& s
                  const Criteria& criteria) {
   const Parameter& amplitude = term.parameters.front();
   if (amplitude.low95 < 0.0 && amplitude.high95 > 0.0) return false;
+  if (!isAtATime(term)) return false;
   if (!isKnown(term, 0, model.axis, criteria) && !anotherIsKnown(term, model.axis, criteria)) return false;
   const auto torque = torqueOf(amplitude.name, amplitude.value, seen);
   if (!torque) return true;
