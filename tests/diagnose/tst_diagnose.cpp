@@ -21,7 +21,6 @@ class TestDiagnose : public QObject {
   void severalWaves_areOneFinding();
   void sensorsOffset_isNamed_data();
   void sensorsOffset_isNamed();
-  void pushOfTheFrictionsScatter_isNone();
   void pushInThePartKeptForTheProof_isNamed();
   void sameSeed_givesTheSameDiagnosis_onOneCoreAsOnAll();
   void missingChannel_isOneClearLine();
@@ -102,12 +101,6 @@ void TestDiagnose::sensorsOffset_isNamed() {
   QCOMPARE(finding.effect, std::string("current_sensor_offset"));
   QVERIFY2(within(parameter(finding, "offset_A"), 0.03, 0.05),
            qPrintable(QString::number(parameter(finding, "offset_A"))));
-}
-
-/// It is there, but no rig's friction keeps to its mean more closely: nobody could tell it from that.
-void TestDiagnose::pushOfTheFrictionsScatter_isNone() {
-  const Diagnosis diagnosis = diagnosed({.seconds = 20.0, .push_Nm = -0.0003, .pushFrom_s = 7.0, .pushTo_s = 9.0});
-  QVERIFY2(diagnosis.findings.empty(), inWords(diagnosis).c_str());
 }
 
 /// The parts that train show nothing of it.

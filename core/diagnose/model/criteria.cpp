@@ -35,9 +35,10 @@ constexpr std::array table{
               "the 95 % interval of a further effect's gain has to begin beyond it", "tuning trials of combinations"},
     Criterion{"atFloor", &Criteria::atFloor, ofFloor, "a model that errs by less lacks nothing that its sensors show",
               "scatter of the floor on clean trials"},
-    Criterion{"nearFloor", &Criteria::nearFloor, ofFloor,
-              "below it what may be zero is no finding; beyond it loads and exchanges are tried",
-              "scatter of the floor on clean trials"},
+    Criterion{
+        "nearFloor", &Criteria::nearFloor, ofFloor,
+        "below it what may be zero or the friction's scatter is no finding; beyond it loads and exchanges are tried",
+        "scatter of the floor on clean trials"},
     Criterion{"material", &Criteria::material, ofFloor,
               "in floors with wander: a model that errs by less lacks nothing that a sound rig hasn't",
               "imperfect trials"},

@@ -148,15 +148,22 @@ bool isVague(const std::vector<Finding>& findings, const Criteria& limits) {
   return findings.size() == 1 && findings.front().share <= limits.half && mayBeNothing(findings.front());
 }
 
-/// Whether it happens once and is no larger than the scatter of the friction, as on any rig.
+/// Whether it happens once and is no larger than the scatter of the friction.
 bool isScatter(const Finding& finding, double coulomb, const Criteria& limits) {
   const bool small = std::abs(finding.parameters.front().value) < limits.farApart * limits.immaterial * coulomb;
   return small && findEffect(finding.effect)->happensOnce();
 }
 
-/// Whether a finding beside others takes hardly anything away and may be zero.
-bool isIdle(const Finding& finding, const Criteria& limits) {
-  return finding.share < limits.hardlyAny && mayBeNothing(finding);
+/// Whether a finding beside others takes hardly anything away and may be zero, or takes little away and may be the
+/// friction's scatter.
+bool isIdle(const Finding& finding, double coulomb, const Criteria& limits) {
+  return (finding.share < limits.hardlyAny && mayBeNothing(finding)) ||
+         (finding.share < limits.little && isScatter(finding, coulomb, limits));
+}
+
+/// Whether a rig that lacks nothing might seem to have it, if the base model errs by little more than its sensors.
+bool isFaint(const Finding& finding, double coulomb, const Criteria& limits) {
+  return mayBeNothing(finding) || isScatter(finding, coulomb, limits);
 }
 
 class Judge {
@@ -202,16 +209,15 @@ class Judge {
 
   double before() const { return typicalSquare(errorsBefore_); }
 
-  /// A finding that is the friction's scatter, idle beside others, or may be zero where the base model is near the
-  /// floor; nothing if there is none.
+  /// A finding that is idle beside others, or faint where the base model is near the floor; nothing if there is none.
   std::optional<std::ptrdiff_t> superfluous(const SearchResult& candidate, const Judgement& judged) const {
     const bool near = mean(errorsBefore_) < std::pow(limits_.nearFloor * judged.rest.floors.perfect, 2) &&
                       !showsInCurrent(candidate, limits_);
     const double coulomb = physicsOf(judged.model).coulomb;
     const auto& all = judged.findings;
     const auto one = std::find_if(all.begin(), all.end(), [&](const Finding& finding) {
-      return !finding.saysSomething || isScatter(finding, coulomb, limits_) ||
-             (all.size() > 1 && isIdle(finding, limits_)) || (near && mayBeNothing(finding));
+      return !finding.saysSomething || (all.size() > 1 && isIdle(finding, coulomb, limits_)) ||
+             (near && isFaint(finding, coulomb, limits_));
     });
     if (one == all.end()) return std::nullopt;
     return one - all.begin();
