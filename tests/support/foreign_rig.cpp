@@ -377,6 +377,7 @@ std::vector<Family> catalogued() {
   const auto waves = [](const M& m, D& d, int most, auto orderOf) {
     std::vector<Wave> some;
     const int count = d.whole(1, most);
+    some.reserve(static_cast<size_t>(count));
     for (int k = 0; k < count; ++k)
       some.push_back({d.between(0.12, 0.4) * m.coulomb / (k + 1), orderOf(), d.between(0.0, turn)});
     return some;
@@ -546,6 +547,7 @@ Moves openMoves(Kind kind, const Motor& m, double inertia, bool volts, double le
     moves.words = "sines";
     std::vector<std::pair<double, double>> lines;
     const int count = draw.whole(8, 25);
+    lines.reserve(static_cast<size_t>(count));
     for (int k = 0; k < count; ++k)
       lines.emplace_back(draw.evenly(0.3, std::min(60.0, rate_Hz / 8.0)), draw.between(0.0, turn));
     moves.drive = [=](double t) {
