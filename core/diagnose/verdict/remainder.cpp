@@ -158,9 +158,7 @@ Remainder remainderOf(const Model& model, const Preparation& prepared, const Win
   rest.part = std::clamp((after - unit) / std::max(before - unit, 1e-300), 0.0, 1.0);
   if (exceeds(criteria.material, rest.floors.withWander)) rest.share = rest.part;
   const bool typically = exceeds(criteria.atFloor, rest.floors.perfect);
-  // What wander makes by itself tells of nothing else.
-  const bool material = typically && exceeds(1.0, rest.floors.withWander);
-  rest.aboveFloor = material || restarts.oftenFarOff(errors.after, criteria.farOff * rest.floors.withWander);
+  rest.aboveFloor = typically || restarts.oftenFarOff(errors.after, criteria.farOff * rest.floors.withWander);
   rest.wanders =
       typically && rest.wander.rms > mostWander(physicsOf(model).coulomb, prepared.seen.peakTorque, criteria);
   rest.muchIsLeft = rest.part > criteria.soundPart;
