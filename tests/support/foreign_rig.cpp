@@ -97,7 +97,7 @@ struct Push {
 /// What the bench doesn't tell; zero where it isn't there.
 struct Concealed {
   double loadInertia = 0.0, play = 0.0, stiffness = 0.0, damping = 0.0, loadFriction = 0.0;  ///< behind the motor
-  double stopStiffness = 0.0, stopDamping = 0.0, low = -never, high = never;
+  double stopStiffness = 0.0, stopDamping = 0.0, high = never;
   double late_s = 0.0;
   double stribeck = 0.0, stribeckSpeed = 1.0;
   double bristle = 0.0;  ///< stiffness of elastic friction
@@ -110,7 +110,7 @@ struct Concealed {
   double discOff = 0.0, discAt = 0.0;
   std::vector<Push> pushes;
   // What the catalogue lacks.
-  double deadTorque = 0.0, clutch = never, oneWay = 0.0;
+  double deadTorque = 0.0, clutch = never;
   double breathing = 0.0, breathing_s = 1.0;
   double catching = 0.0, catchWidth = 1.0, catchAt = 0.0;
   double above = 0.0, aboveSpeed = 1.0;
@@ -231,7 +231,6 @@ class Plant {
     for (const Push& one : c_.pushes)
       if (now_s >= one.from_s && now_s < one.until_s) torque -= one.torque;
     if (angle_ > c_.high) torque -= std::max(0.0, c_.stopStiffness * (angle_ - c_.high) + c_.stopDamping * velocity_);
-    if (angle_ < c_.low) torque += std::max(0.0, c_.stopStiffness * (c_.low - angle_) - c_.stopDamping * velocity_);
     if (c_.catching > 0.0) {
       const double off = std::remainder(angle_ - c_.catchAt, turn) / c_.catchWidth;
       torque -= c_.catching * off * std::exp(0.5 - 0.5 * off * off);
@@ -243,7 +242,6 @@ class Plant {
     const double speed = std::abs(velocity_);
     double sum = m_.coulomb * (1.0 + wanders_) + sumOf(c_.uneven, ofTurn(angle_)) + c_.ofTorque * std::abs(torque);
     sum += c_.stribeck * std::exp(-std::pow(speed / c_.stribeckSpeed, 2)) + c_.drag * speed * speed;
-    if (velocity_ > 0.0) sum += c_.oneWay;
     if (c_.breathing > 0.0) sum *= 1.0 + c_.breathing * std::sin(turn * now_s / c_.breathing_s);
     if (c_.above > 0.0) {
       fast_ = speed > c_.aboveSpeed || (fast_ && speed > 0.6 * c_.aboveSpeed);
