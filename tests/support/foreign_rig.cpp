@@ -14,7 +14,7 @@ namespace breakaway::test {
 
 namespace {
 
-constexpr double turn = 6.283185307179586, mostStep_s = 4e-5;
+constexpr double turn = 6.283185307179586, mostStep_s = 1e-5;
 constexpr double never = std::numeric_limits<double>::infinity();
 constexpr double pitch_m = 0.02;  // of a linear axis' screw: its waves are counted by it
 
@@ -670,7 +670,7 @@ ForeignRig foreignRig(const std::string& name, std::uint64_t seed) {
   const auto& all = families();
   const auto found = std::find_if(all.begin(), all.end(), [&](const Family& one) { return one.known.name == name; });
   const Family& family = *found;
-  Draw draw(name, seed);
+  Draw draw(name, seed), byChance(name + " by chance", seed);
   const Motor motor = motorFrom(draw, family.rotary);
   Driven driven = draw.oneOf(drives);
   // A delay ahead of a current that is read doesn't show.
@@ -688,7 +688,7 @@ ForeignRig foreignRig(const std::string& name, std::uint64_t seed) {
   for (size_t k = 0; k < logs; ++k) {
     Moves moves = movesFrom(family, motor, hidden, driven.volts(), length_s, rate_Hz, draw);
     const auto ran = [&](const Concealed& conceals) {
-      return Plant(motor, driven, conceals, sensors, rate_Hz, draw).run(moves, length_s);
+      return Plant(motor, driven, conceals, sensors, rate_Hz, byChance).run(moves, length_s);
     };
     // Nobody logs an axis that hardly moves.
     constexpr double least = 300.0;  // counts

@@ -22,7 +22,7 @@ class EndStop final : public Effect {
            "Applied Mechanics 42(2), 1975: contact with a spring and a loss, here both linear";
   }
   std::vector<ParameterSpec> parameters(Axis axis) const override {
-    return {{stiffnessName("stiffness", axis), -1e12, 1e12},
+    return {{stiffnessName("stiffness", axis), 1e-9, 1e12},
             {positionName("start", axis), -1e9, 1e9},
             {"side", -1, 1, true},
             {viscousName("damping", axis), 0.0, 1e12}};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/statistics.h"
 #include "diagnose/effects/all.h"
@@ -84,6 +85,45 @@ double noisyTorque(const Model& model, const Track& recorded, const Window& wind
   return change.squaredNorm() / static_cast<double>(change.size());
 }
 
+/// What a recording from row `first` to `last` would have been if the model, as it scatters, were the rig.
+struct Replay {
+  Replay(const Model& model, const Track& recorded, size_t first, size_t last, const MotionState& hidden,
+         const FrictionScatter& scatter, Random& random)
+      : track(recorded.rowsFrom(first, last)) {
+    Track driven = recorded.rowsFrom(first, last);  // what acted, if what was recorded is a noisy measurement
+    if (model.servo) driven.push.assign(driven.rows(), 0.0);
+    for (size_t k = 0; k < driven.rows(); ++k) {
+      driven.input[k] += recorded.inputNoise * random.normal();
+      if (const double missing = driven.missingInput(k); missing > 0.0)
+        driven.input[k] += std::sqrt(missing) / (driven.time[k + 1] - driven.time[k]) * random.normal();
+    }
+    if (scatter.wander > 0.0) addWander(driven, scatter, physicsOf(model).torquePerInput(), random);
+    Simulator rig(scattered(model, scatter, random), driven, 0, driven.rows() - 1);
+    MotionState state = Simulator(model, recorded, first, last).restart(first, hidden);
+    std::vector<MotionState> states{state};
+    for (size_t k = 0; k + 1 < track.rows(); ++k) {
+      rig.run(state, k, k + 1);
+      states.push_back(state);
+    }
+    readAnew(states, rig, recorded, model.count, random, track);
+  }
+  Track track;
+};
+
+/// The torque that is left along a replay of the window, which also shows what filtering makes of friction that
+/// reverses; nothing where the replay hardly moves.
+std::optional<double> replayedTorque(const Model& model, const Track& recorded, const Window& window,
+                                     const MotionState& hidden, const FrictionScatter& scatter, Random& random) {
+  size_t first = window.first, last = window.last;
+  const double margin_s = TorqueResidual::margin_s(recorded);
+  while (first > 0 && recorded.time[window.first] - recorded.time[first - 1] <= margin_s) --first;
+  while (last + 1 < recorded.rows() && recorded.time[last + 1] - recorded.time[window.last] <= margin_s) ++last;
+  const Replay replay(model, recorded, first, last, hidden, scatter, random);
+  const TorqueResidual residual(replay.track, {0, window.first - first, window.last - first, ErrorIn::torque});
+  if (2 * residual.rows() < TorqueResidual(recorded, window).rows()) return std::nullopt;
+  return residual.of(model).squaredNorm() / static_cast<double>(residual.rows());
+}
+
 std::vector<double> replayedSquares(const Model& model, const std::vector<Track>& tracks,
                                     const std::vector<Window>& windows, std::uint64_t seed,
                                     const FrictionScatter& scatter) {
@@ -94,7 +134,8 @@ std::vector<double> replayedSquares(const Model& model, const std::vector<Track>
     const Window& window = windows[w];
     const Track& recorded = tracks[window.track];
     if (window.errorIn == ErrorIn::torque) {
-      floors.push_back(noisyTorque(model, recorded, window, scatter, random));
+      const double noisy = noisyTorque(model, recorded, window, scatter, random);
+      floors.push_back(std::max(noisy, replayedTorque(model, recorded, window, hidden[w], scatter, random).value_or(0.0)));
       continue;
     }
     // From one horizon before the window to its end, as if the model were the rig.
@@ -103,32 +144,16 @@ std::vector<double> replayedSquares(const Model& model, const std::vector<Track>
     while (first > 0 &&
            (recorded.time[window.first] - recorded.time[first - 1] <= horizon_s || window.first - first < 4))
       --first;
-    Track replay = recorded.rowsFrom(first, window.last);
-    Track driven = recorded.rowsFrom(first, window.last);  // what acted, if what was recorded is a noisy measurement
-    if (model.servo) driven.push.assign(driven.rows(), 0.0);
-    for (size_t k = 0; k < driven.rows(); ++k) {
-      driven.input[k] += recorded.inputNoise * random.normal();
-      if (const double missing = driven.missingInput(k); missing > 0.0)
-        driven.input[k] += std::sqrt(missing) / (driven.time[k + 1] - driven.time[k]) * random.normal();
-    }
-    if (scatter.wander > 0.0) addWander(driven, scatter, physicsOf(model).torquePerInput(), random);
-    Simulator rig(scattered(model, scatter, random), driven, 0, driven.rows() - 1);
-    MotionState state = Simulator(model, recorded, first, window.last).restart(first, hidden[w]);
-    std::vector<MotionState> states{state};
-    for (size_t k = 0; k + 1 < replay.rows(); ++k) {
-      rig.run(state, k, k + 1);
-      states.push_back(state);
-    }
-    readAnew(states, rig, recorded, model.count, random, replay);
+    const Replay replay(model, recorded, first, window.last, hidden[w], scatter, random);
     const size_t start = window.first - first;
-    Simulator simulator(model, replay, 0, replay.rows() - 1);
+    Simulator simulator(model, replay.track, 0, replay.track.rows() - 1);
     MotionState predicted = simulator.restart(start, hidden[w]);
     double squares = 0.0, count = 0.0;
-    for (size_t k = start; k < replay.rows(); ++k) {
-      const double error = simulator.reading(predicted) - replay.reading(k);
+    for (size_t k = start; k < replay.track.rows(); ++k) {
+      const double error = simulator.reading(predicted) - replay.track.reading(k);
       squares += error * error;
       count += 1.0;
-      if (k + 1 < replay.rows()) simulator.run(predicted, k, k + 1);
+      if (k + 1 < replay.track.rows()) simulator.run(predicted, k, k + 1);
     }
     floors.push_back(squares / count);
   }

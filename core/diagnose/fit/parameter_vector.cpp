@@ -51,13 +51,13 @@ ParameterVector::ParameterVector(const Model& model, const Freedom& freedom, dou
     Slot slot{one.name, 0, k};
     if (one.name == driveLateName) {
       if (const auto rows = lateBesides(model)) {
-        const double late_s = *rows * freedom.row_s;
+        const double late_s = *rows * freedom.mostLate_s;
         model_.base[k] = {driveLateName, late_s, late_s, late_s};
         continue;
       }
-      slot.scale = freedom.row_s;
-      slot.lower = 0.0;
-      slot.upper = 1.0;
+      slot.scale = freedom.mostLate_s - freedom.leastLate_s;
+      slot.lower = freedom.leastLate_s / slot.scale;
+      slot.upper = freedom.mostLate_s / slot.scale;
       slot.bounded = true;
     } else if (one.name == servoDelayName) {
       slot.scale = delaySize_s;

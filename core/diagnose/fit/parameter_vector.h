@@ -16,8 +16,11 @@ struct Freedom {
   std::vector<std::string> held;   ///< trusted, and those that set the scale
   double leastInductance_H = 0.0;  ///< beyond these, something else is late
   double mostInductance_H = std::numeric_limits<double>::infinity();
-  double row_s = 0.0;  ///< of measured drives, which may be so late
+  /// How much later than it acted a drive may be recorded; negative: earlier.
+  double leastLate_s = 0.0;
+  double mostLate_s = 0.0;
 
+  bool mayBeLate() const { return leastLate_s < mostLate_s; }
   bool holds(const std::string& name) const;
 };
 

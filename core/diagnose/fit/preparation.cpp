@@ -19,6 +19,7 @@ namespace breakaway {
 namespace {
 
 constexpr double inductanceReach = 1.5;  ///< a factor up and down
+constexpr double slowestLoop_s = 5e-4;   ///< time constant of a current loop
 
 /// The shortest look back that knows the velocity to a thousandth of the higher speeds; a longer one lets the model's
 /// own faults in.
@@ -94,15 +95,18 @@ void limitInductance(Preparation& prepared, std::optional<double> believed, std:
   prepared.freedom.mostInductance_H = *most * inductanceReach;
 }
 
-/// The length of a row of measured currents; 0 where another drive was recorded. (How late a voltage acts is the
-/// inductance's.)
-double rowOfReadings(const std::vector<Track>& tracks) {
+/// When a drive of current or torque acted isn't known within what a current loop takes to follow; nor, if it was
+/// measured, within a row. (How late a voltage acts is the inductance's.)
+void limitLateness(Freedom& freedom, const std::vector<Track>& tracks) {
   double row_s = 0.0;
+  bool measured = true;
   for (const Track& track : tracks) {
-    if (track.drive != DriveInput::current || !(track.inputNoise > 0.0)) return 0.0;
+    if (track.drive != DriveInput::current && track.drive != DriveInput::torque) return;
+    measured = measured && track.inputNoise > 0.0;
     row_s = std::max(row_s, track.usualStep_s);
   }
-  return row_s;
+  freedom.leastLate_s = -slowestLoop_s;
+  freedom.mostLate_s = measured ? row_s : 0.0;
 }
 
 /// A copy whose rows outside all of the windows count as disconnected, so that no inverse model sees them.
@@ -225,7 +229,7 @@ Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& re
     if (!starts) return starts.error();
     out.starts.insert(out.starts.end(), starts->begin(), starts->end());
   }
-  if (!bench.servo && errorIn == ErrorIn::motion) out.freedom.row_s = rowOfReadings(out.tracks);
+  if (!bench.servo) limitLateness(out.freedom, out.tracks);
   out.seen = excitationOf(training, out.starts.front());
   out.seen.immaterial = criteria.immaterial;
   out.seen.immaterialDrive = criteria.immaterialDrive;

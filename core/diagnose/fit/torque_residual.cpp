@@ -19,7 +19,7 @@ double cutoffOf(const Track& track) {
 }
 
 Track around(const Track& track, const Window& window) {
-  const double margin_s = marginPeriods / cutoffOf(track);
+  const double margin_s = TorqueResidual::margin_s(track);
   size_t first = window.first, last = window.last;
   while (first > 0 && track.time[window.first] - track.time[first - 1] <= margin_s) --first;
   while (last + 1 < track.rows() && track.time[last + 1] - track.time[window.last] <= margin_s) ++last;
@@ -49,6 +49,10 @@ InverseRows thinned(const Track& part, double cutoff_Hz) {
 }
 
 }  // namespace
+
+double TorqueResidual::margin_s(const Track& track) {
+  return marginPeriods / cutoffOf(track);
+}
 
 TorqueResidual::TorqueResidual(const Track& track, const Window& window)
     : part_(around(track, window)), cutoff_Hz_(cutoffOf(track)), along_(thinned(part_, cutoff_Hz_)) {

@@ -18,6 +18,8 @@ namespace breakaway {
 class TorqueResidual {
  public:
   TorqueResidual(const Track& track, const Window& window);
+  /// How far before and behind a window the filters reach.
+  static double margin_s(const Track& track);
   /// Instants in clear motion, five per period of the filter's cutoff.
   Eigen::Index rows() const { return static_cast<Eigen::Index>(kept_.size()); }
   /// One per instant, Nm (N). For models whose effects are torques at every instant.

@@ -119,6 +119,19 @@ Unexplained along(const Model& model, const Track& track, Simulator& simulator, 
   return out;
 }
 
+/// The rows with what was recorded of the drive `late_s` afterwards.
+InverseRows driveMoved(InverseRows rows, double late_s) {
+  const std::vector<double> recorded = rows.input;
+  const auto last = static_cast<double>(recorded.size()) - 1.0;
+  for (size_t k = 0; k < recorded.size(); ++k) {
+    const double at = std::clamp(static_cast<double>(k) + late_s / rows.step_s, 0.0, last);
+    const auto before = static_cast<size_t>(at);
+    const double part = at - static_cast<double>(before);
+    rows.input[k] = (1.0 - part) * recorded[before] + part * recorded[std::min(before + 1, recorded.size() - 1)];
+  }
+  return rows;
+}
+
 }  // namespace
 
 Unexplained unexplainedAlong(const Model& model, const Track& track) {
@@ -132,7 +145,8 @@ Unexplained unexplainedAlong(const Model& model, const Track& track) {
 
 std::vector<double> torqueAlong(const Model& model, const Track& track, const InverseRows& rows) {
   Simulator simulator(model, track, 0, track.rows() - 1);
-  return along(model, track, simulator, rows).torque;
+  const double late_s = simulator.physics().driveLate_s.value_or(0.0);
+  return along(model, track, simulator, late_s != 0.0 ? driveMoved(rows, late_s) : rows).torque;
 }
 
 }  // namespace breakaway

@@ -74,6 +74,45 @@ void Adoption::adoptAlone(SearchResult& result, const Screen& screen) const {
   }
 }
 
+void Adoption::adoptBest(SearchResult& result, const Screen& screen) const {
+  if (!result.chosen.empty() || fits_.worth().floors(result.base) <= limits_.farOff) return;
+  struct Tried {
+    const Effect* effect;
+    FitResult fit;
+  };
+  std::vector<Tried> tried;
+  const double left = mean(result.base.windowSquares);
+  for (const Effect* effect : screen.effects()) {
+    if (input_.stop.stop_requested()) return;
+    const auto shapes = effect->shapes(input_.seen);
+    Pick pick = screen.best(*effect, {});
+    if (shapes.empty() || effect->load() != nullptr) continue;
+    if (pick.parameters.empty()) {
+      pick.effect = effect;
+      pick.shape = shapes.front();
+      pick.parameters = shapes.front().front();
+    }
+    FitResult fit = fits_.beside(result.base.model, screen, {pick}, left);
+    if (!fit.usable || mean(fit.windowSquares) > limits_.farLess * left) {
+      FitResult other = fits_.together(screen, {pick});
+      if (other.usable && !(mean(fit.windowSquares) < mean(other.windowSquares))) fit = std::move(other);
+    }
+    if (fit.usable && mean(fit.windowSquares) < limits_.farLess * left && fits_.helps(result.base, fit))
+      tried.push_back({effect, std::move(fit)});
+  }
+  if (tried.empty()) return;
+  std::stable_sort(tried.begin(), tried.end(), [](const Tried& a, const Tried& b) {
+    return mean(a.fit.windowSquares) < mean(b.fit.windowSquares);
+  });
+  const double least = mean(tried.front().fit.windowSquares);
+  Chosen chosen{tried.front().effect, limits_.largestPValue, 0.0, {}};
+  for (size_t k = 1; k < tried.size(); ++k) {
+    if (limits_.clearlyLess * mean(tried[k].fit.windowSquares) < least) chosen.rivals.push_back(tried[k].effect);
+  }
+  result.best = std::move(tried.front().fit);
+  result.chosen = {std::move(chosen)};
+}
+
 const Screening* Adoption::extend(SearchResult& result) {
   if (result.chosen.empty() || swings(result.best.model) || fits_.worth().floors(result.best) <= limits_.settled)
     return nullptr;

@@ -22,6 +22,9 @@ class Adoption {
   const Screening* adopt(SearchResult& result, const Screening& steady);
   /// The first that helps of those that explain most alone, if any does.
   void adoptAlone(SearchResult& result, const Screen& screen) const;
+  /// Where the base is far off and nothing was adopted: of all effects the one by which a simulation errs least, if
+  /// that leaves far less. Along a motion that the base doesn't foresee a regression is misled.
+  void adoptBest(SearchResult& result, const Screen& screen) const;
   /// Where a set leaves much beside what it explains, the larger set that the screen finds if the torque wanders, which
   /// tells waves of several orders better, and that screening; null if that is no better.
   const Screening* extend(SearchResult& result);

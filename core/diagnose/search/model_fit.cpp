@@ -10,6 +10,7 @@
 #include "diagnose/effects/catalogue.h"
 #include "diagnose/effects/wording.h"
 #include "diagnose/fit/cross_validation.h"
+#include "diagnose/search/swinging_load.h"
 #include "diagnose/simulate/physics.h"
 
 namespace breakaway {
@@ -26,6 +27,7 @@ EffectTerm termOf(const Effect& effect, Axis axis, const std::vector<double>& va
   return term;
 }
 
+constexpr double startOfLoop = 0.4;  ///< of the slowest that a current loop may be
 constexpr double leastLoadSteps = 1e8, loadStepsPerRow = 600.0;
 
 bool endsWith(const std::string& text, std::string_view end) {
@@ -187,20 +189,29 @@ Model fitShort(const SearchInput& input, const Model& model, double tolerance) {
       .model;
 }
 
-/// The base model with the time at which a measured drive was read, where windows that a fit didn't see show that it
-/// matters.
-static FitResult withReadingTime(const SearchInput& input, FitResult base) {
-  const double middle_s = 0.5 * input.freedom.row_s;
-  Model model = base.model;
-  model.base.push_back({driveLateName, middle_s, middle_s, middle_s});
-  FitResult timed = fitModel(input, model, 8);
-  if (!timed.usable) return base;
+/// The base model with the time at which the drive acts, where windows that a fit didn't see show that it matters.
+static FitResult withDriveTime(const SearchInput& input, FitResult base) {
+  const Freedom& freedom = input.freedom;
+  FitResult timed;
+  for (const double late_s : {startOfLoop * freedom.leastLate_s, 0.5 * freedom.mostLate_s, freedom.mostLate_s}) {
+    if (late_s == 0.0) continue;
+    Model model = base.model;
+    model.base.push_back({driveLateName, late_s, late_s, late_s});
+    FitResult fit = fitModel(input, model, 8);
+    if (fit.usable && (timed.windows.empty() || fit.rmse < timed.rmse)) timed = std::move(fit);
+  }
+  if (timed.windows.empty()) return base;
   const auto unseen = [&](const FitResult& fit) {
     return crossValidated(fit, vectorOf(input, fit.model), input.tracks, input.split.train, input.windowWeights,
                           input.split.fold, folds, base.weights);
   };
-  const Comparison gain = compare(unseen(base), unseen(timed), input.seed);
-  return gain.relative > input.criteria.hardlyAny && gain.interval.low > 0.0 ? timed : base;
+  const auto before = unseen(base), after = unseen(timed);
+  const Comparison gain = compare(before, after, input.seed);
+  const bool inAll = gain.relative > input.criteria.hardlyAny && gain.interval.low > 0.0;
+  // Where single windows run away, whatever the model, the others tell.
+  const bool typically = typicalPart(after, before, input.criteria.hardlyAny) < input.criteria.clearlyLess &&
+                         signFlipPValue(before, after, input.seed) <= input.criteria.largestPValue;
+  return inAll || typically ? timed : base;
 }
 
 FitResult fitBase(const SearchInput& input, const std::vector<Model>& starts) {
@@ -209,7 +220,7 @@ FitResult fitBase(const SearchInput& input, const std::vector<Model>& starts) {
     FitResult fit = fitModel(input, start, 8);
     if (best.windows.empty() || (fit.usable && fit.rmse < best.rmse)) best = std::move(fit);
   }
-  return input.freedom.row_s > 0.0 && best.usable ? withReadingTime(input, std::move(best)) : best;
+  return input.freedom.mayBeLate() && best.usable ? withDriveTime(input, std::move(best)) : best;
 }
 
 bool happensOnce(const Model& model) {

@@ -13,7 +13,7 @@ std::vector<double> DriveReading::means(size_t first, size_t count) const {
   const std::vector<double>&time = track_.time, &u = track_.input;
   const auto begin = u.begin() + static_cast<std::ptrdiff_t>(first);
   std::vector<double> out(begin, begin + static_cast<std::ptrdiff_t>(count));
-  if (late_s_ <= 0.0) return out;
+  if (late_s_ == 0.0) return out;
   const auto bend = [&u](size_t k) { return k > 0 && k + 1 < u.size() ? u[k - 1] - 2.0 * u[k] + u[k + 1] : 0.0; };
   for (size_t k = first; k < first + count && k + 1 < u.size(); ++k)
     out[k - first] =
@@ -23,6 +23,12 @@ std::vector<double> DriveReading::means(size_t first, size_t count) const {
 
 double DriveReading::lag(size_t k) const {
   const double dt = track_.time[k + 1] - track_.time[k];
+  if (late_s_ < 0.0) {  // steps that fall within the row
+    const auto rows = static_cast<size_t>(-late_s_ / dt);
+    const double after_s = -late_s_ - static_cast<double>(rows) * dt;
+    if (k < rows + 1) return 0.0;
+    return 0.5 * after_s * (dt - after_s) * (track_.input[k - rows] - track_.input[k - rows - 1]);
+  }
   return course_ * dt * dt / 12.0 * (track_.input[k + 1] - track_.input[k]);
 }
 

@@ -8,8 +8,9 @@
 
 namespace breakaway {
 
-/// A drive that was read `late_s` after the begin of what it stands for, 0 to one row. At 0 it acts in steps, each from
-/// its row to the next; read at the row's instant, half a row late, it is a course through the readings.
+/// A drive that was read `late_s` after the begin of what it stands for, at most one row. At 0 it acts in steps, each
+/// from its row to the next; read at the row's instant, half a row late, it is a course through the readings. Negative:
+/// it acts in steps, so much after its row.
 class DriveReading {
  public:
   DriveReading(const Track& track, double late_s);

@@ -94,7 +94,7 @@ void Simulator::shapeInput(size_t from, size_t to) {
     if (const auto rows = part->otherwiseLate_rows(); rows && physics().driveLate_s)
       late_s = *rows * track_.usualStep_s;
   }
-  if (parts.empty() && late_s <= 0.0) return;
+  if (parts.empty() && late_s == 0.0) return;
   const std::vector<double>& time = track_.time;
   const auto rowAt = [&time](double t) {
     return static_cast<size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin());
@@ -103,12 +103,12 @@ void Simulator::shapeInput(size_t from, size_t to) {
   const size_t end = rowAt(time[to] + margin_s);
   const DriveReading reading(track_, late_s);
   shaped_ = reading.means(shapedFrom_, end - shapedFrom_);
-  if (late_s > 0.0) reading_.emplace(reading);
+  if (late_s != 0.0) reading_.emplace(reading);
   for (const auto& [part, parameters] : parts) {
     part->shape(parameters, std::span(time).subspan(shapedFrom_, shaped_.size()), shaped_);
     delay_s_ = part->delay_s(parameters);
   }
-  const bool rowsWillDo = parts.size() > 1 || late_s > 0.0 || !physics().electrical || physics().inductance <= 0.0;
+  const bool rowsWillDo = parts.size() > 1 || late_s != 0.0 || !physics().electrical || physics().inductance <= 0.0;
   if (rowsWillDo) delay_s_ = 0.0;
 }
 

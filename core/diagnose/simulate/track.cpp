@@ -86,6 +86,7 @@ void straighten(Track& track) {
   track.time = grid;
 }
 
+constexpr double mostBridged = 3.0;         ///< missing rows
 constexpr double speedsTogether_s = 0.1;  ///< over which readings of speed add up to a position
 
 /// The step in which readings are counted, the least one between neighbours of which all others are multiples; 0 where
@@ -133,11 +134,30 @@ Result<void> takeReadings(Track& track, const Recording& recording, const std::s
   return {};
 }
 
-/// Robust standard deviation of the input's changes from row to row: single steps don't count.
-double usualChange(const std::vector<double>& input) {
-  std::vector<double> changes(input.size() - 1);
-  for (size_t k = 0; k < changes.size(); ++k) changes[k] = std::abs(input[k + 1] - input[k]);
-  return quantile(std::move(changes), 0.5) / 0.6745;
+/// Robust standard deviation: single steps of a drive don't count.
+double usualSize(std::vector<double> values) {
+  for (double& value : values) value = std::abs(value);
+  return quantile(std::move(values), 0.5) / 0.6745;
+}
+
+/// Where rows are missing, a drive that runs smoothly is put to its mean between the rows around. Sets how far it may
+/// have been from that.
+void bridgeMissing(Track& track) {
+  std::vector<double>& input = track.input;
+  const std::vector<double> recorded = input;
+  std::vector<double> changes, bends;
+  for (size_t k = 1; k < recorded.size(); ++k) {
+    changes.push_back(recorded[k] - recorded[k - 1]);
+    if (k + 1 < recorded.size()) bends.push_back(recorded[k] - 0.5 * (recorded[k - 1] + recorded[k + 1]));
+  }
+  track.inputChange = usualSize(std::move(changes));
+  const double bend = bends.empty() ? track.inputChange : usualSize(std::move(bends));
+  if (bend >= track.inputChange) return;
+  track.inputChange = bend;
+  for (size_t k = 0; k + 1 < recorded.size(); ++k) {
+    const auto missing = static_cast<double>(track.missingAfter(k));
+    if (missing <= mostBridged) input[k] += 0.5 * missing / (missing + 1.0) * (recorded[k + 1] - recorded[k]);
+  }
 }
 
 Result<std::vector<double>> inputOf(const Recording& recording, const Bench& names) {
@@ -237,7 +257,6 @@ Result<Track> makeTrack(const Recording& recording, Axis axis, DriveInput driveI
     track.input = std::move(*input);
   }
 
-  track.inputChange = usualChange(track.input);
   const size_t rows = recording.rows();
   const auto time = recording.time();
   track.origin_s = time[0];
@@ -245,6 +264,7 @@ Result<Track> makeTrack(const Recording& recording, Axis axis, DriveInput driveI
   track.time.resize(rows);
   track.connected.assign(rows, 1);
   for (size_t k = 0; k < rows; ++k) track.time[k] = time[k] - time[0];
+  if (rows > 1) bridgeMissing(track);
   if (speedAlone) track.speed.resize(rows);
   if (auto taken =
           takeReadings(track, recording, speedAlone ? names.velocityChannel() : names.positionChannel(), count);

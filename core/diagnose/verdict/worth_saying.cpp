@@ -58,6 +58,7 @@ bool worthSaying(const EffectTerm& term, const Model& model, const Excitation& s
   const Physics physics = physicsOf(model);
   const double wander = std::min(left.rms, mostWander(physics.coulomb, seen.peakTorque, criteria));
   const double most = std::abs(physics.torquePerInput()) * seen.peakInput;
+  if (*torque < criteria.immaterial * physics.coulomb) return false;
   return *torque > largestOfWander(term, left, wander, seen, criteria) && *torque <= std::max(most, seen.peakTorque);
 }
 
