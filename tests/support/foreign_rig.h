@@ -1,6 +1,6 @@
-// Rigs as other people have them: six makes of motors and axes, five ways to drive them, six to move them, logged with
-// what sensors and loggers do, and one piece of physics that the bench file doesn't tell. A plant of its own, in
-// semi-implicit steps of 10 µs or less, that shares no code with the simulated boards, the trials or the search.
+// Rigs as other people have them: six makes of motors and axes, six ways to drive them and six to move them, logged
+// with what sensors and loggers do, and one piece of physics that the bench file doesn't tell. Their plant
+// (foreign_plant.h) shares no code with the simulated boards, the trials or the search.
 #pragma once
 
 #include <cstdint>
