@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "base/numbers.h"
 #include "diagnose/effects/all.h"
 #include "diagnose/effects/wave.h"
 #include "diagnose/effects/wording.h"
@@ -7,6 +8,8 @@
 namespace breakaway {
 
 namespace {
+
+constexpr double leastTravel_rad = 1.0;  ///< over less a weight looks like a constant load
 
 /// Gravity on a mass off the axis: once per turn, the same whichever way it turns. Positive towards growing angle.
 class Imbalance final : public WaveEffect {
@@ -22,12 +25,19 @@ class Imbalance final : public WaveEffect {
     return {.load = "-" + waveWritten(axis), .functions = waveFunctions};
   }
   std::vector<Shape> shapes(const Excitation& seen) const override {
-    return seen.axis == Axis::rotary ? waveShapes(seen, 1, 1, 0.1 * seen.peakTorque) : std::vector<Shape>{};
+    const bool turns = seen.axis == Axis::rotary && seen.travel > leastTravel_rad;
+    return turns ? std::vector<Shape>{waveBasis(0.1 * seen.peakTorque, 1)} : std::vector<Shape>{};
   }
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
     return wavePlausible(p, seen, seen.peakTorque);
   }
   Message sentence(std::span<const double> p, const Excitation& seen) const override {
+    if (seen.travel < 0.5 * turn_rad) {
+      return message(
+          "A torque of up to {} goes with the angle, the same whichever way the axis moves: a weight off the axis, a "
+          "spring or a taut cable. Move further, or turn the axis upright, to tell.",
+          torqueText(std::abs(p[0]), seen.axis));
+    }
     return message(
         "Once per turn a torque of ±{} helps and then hinders, the same whichever way it turns (strongest forward push "
         "at {}): a mass off the axis, or a magnet or core that is out of centre. Balance the load or turn the shaft "

@@ -24,10 +24,6 @@ double meanCosine(double x) {
   return 1.0 - square / 6.0 * (1.0 - square / 20.0 * (1.0 - square / 42.0));
 }
 
-Shape waveBasis(double amplitude, double orderOrPeriod) {
-  return {{amplitude, 0.0, orderOrPeriod}, {amplitude, 0.5 * std::numbers::pi, orderOrPeriod}};
-}
-
 }  // namespace
 
 std::vector<ParameterSpec> waveParameters(const std::string& amplitude, Axis axis) {
@@ -79,6 +75,10 @@ function wave(amplitude, number, phase, position, span) -> value {
   value = amplitude * mean_cosine(0.5 * number * span) * cos(number * position - phase);
 }
 )";
+
+Shape waveBasis(double amplitude, double orderOrPeriod) {
+  return {{amplitude, 0.0, orderOrPeriod}, {amplitude, 0.5 * std::numbers::pi, orderOrPeriod}};
+}
 
 std::vector<Shape> waveShapes(const Excitation& seen, int lowest, int highest, double amplitude) {
   std::vector<Shape> shapes;

@@ -11,6 +11,8 @@ namespace breakaway {
 
 namespace {
 
+constexpr size_t mostContinued = 4;
+
 void dropLeast(std::vector<Pick>& picks) {
   const auto nonsense = std::find_if(picks.begin(), picks.end(), [](const Pick& one) { return one.gain <= 0.0; });
   picks.erase(nonsense != picks.end() ? nonsense : picks.end() - 1);
@@ -74,40 +76,58 @@ void Adoption::adoptAlone(SearchResult& result, const Screen& screen) const {
   }
 }
 
-void Adoption::adoptBest(SearchResult& result, const Screen& screen) const {
-  if (!result.chosen.empty() || fits_.worth().floors(result.base) <= limits_.farOff) return;
-  struct Tried {
-    const Effect* effect;
-    FitResult fit;
-  };
+/// Every effect alone in a simulation, the one that leaves least first.
+std::vector<Adoption::Tried> Adoption::eachAlone(const FitResult& base, const Screen& screen) const {
   std::vector<Tried> tried;
-  const double left = mean(result.base.windowSquares);
+  const double left = mean(base.windowSquares);
   for (const Effect* effect : screen.effects()) {
-    if (input_.stop.stop_requested()) return;
+    if (input_.stop.stop_requested()) break;
     const auto shapes = effect->shapes(input_.seen);
-    Pick pick = screen.best(*effect, {});
     if (shapes.empty() || effect->load() != nullptr) continue;
+    Pick pick = screen.best(*effect, {});
     if (pick.parameters.empty()) {
       pick.effect = effect;
       pick.shape = shapes.front();
       pick.parameters = shapes.front().front();
     }
-    FitResult fit = fits_.beside(result.base.model, screen, {pick}, left);
+    FitResult fit = fits_.beside(base.model, screen, {pick}, left);
     if (!fit.usable || mean(fit.windowSquares) > limits_.farLess * left) {
       FitResult other = fits_.together(screen, {pick});
       if (other.usable && !(mean(fit.windowSquares) < mean(other.windowSquares))) fit = std::move(other);
     }
-    if (fit.usable && mean(fit.windowSquares) < limits_.farLess * left && fits_.helps(result.base, fit))
-      tried.push_back({effect, std::move(fit)});
+    if (fit.usable) tried.push_back({effect, std::move(fit)});
   }
-  if (tried.empty()) return;
+  sortByLeft(tried);
+  return tried;
+}
+
+void Adoption::sortByLeft(std::vector<Tried>& tried) {
   std::stable_sort(tried.begin(), tried.end(), [](const Tried& a, const Tried& b) {
     return mean(a.fit.windowSquares) < mean(b.fit.windowSquares);
   });
-  const double least = mean(tried.front().fit.windowSquares);
+}
+
+void Adoption::adoptBest(SearchResult& result, const Screen& screen) const {
+  if (!result.chosen.empty() || fits_.worth().floors(result.base) <= limits_.farOff) return;
+  std::vector<Tried> tried = eachAlone(result.base, screen);
+  if (tried.size() > mostContinued) tried.resize(mostContinued);
+  for (Tried& one : tried) {  // from so far a fit comes to its end late
+    for (double before = mean(result.base.windowSquares); mean(one.fit.windowSquares) < limits_.clearlyLess * before;) {
+      before = mean(one.fit.windowSquares);
+      FitResult further = fitModel(input_, one.fit.model, 10);
+      if (further.usable && mean(further.windowSquares) < before) one.fit = std::move(further);
+    }
+  }
+  std::erase_if(tried, [&](const Tried& one) {
+    return mean(one.fit.windowSquares) > limits_.farLess * mean(result.base.windowSquares) ||
+           !fits_.helps(result.base, one.fit);
+  });
+  if (tried.empty()) return;
+  sortByLeft(tried);
   Chosen chosen{tried.front().effect, limits_.largestPValue, 0.0, {}};
   for (size_t k = 1; k < tried.size(); ++k) {
-    if (limits_.clearlyLess * mean(tried[k].fit.windowSquares) < least) chosen.rivals.push_back(tried[k].effect);
+    if (limits_.clearlyLess * mean(tried[k].fit.windowSquares) < mean(tried.front().fit.windowSquares))
+      chosen.rivals.push_back(tried[k].effect);
   }
   result.best = std::move(tried.front().fit);
   result.chosen = {std::move(chosen)};

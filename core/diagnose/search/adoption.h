@@ -41,6 +41,13 @@ class Adoption {
     SearchResult set;
   };
 
+  struct Tried {
+    const Effect* effect;
+    FitResult fit;
+  };
+
+  std::vector<Tried> eachAlone(const FitResult& base, const Screen& screen) const;
+  static void sortByLeft(std::vector<Tried>& tried);
   void adoptSet(SearchResult& result, const Screen& screen, std::vector<Pick> picks) const;
   void adoptLoad(SearchResult& result, const Screen& screen);
   const Screening* lookAgain(SearchResult& set);

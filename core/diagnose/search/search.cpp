@@ -8,7 +8,6 @@
 #include "base/statistics.h"
 #include "diagnose/effects/catalogue.h"
 #include "diagnose/fit/cross_validation.h"
-#include "diagnose/fit/noise_floor.h"
 #include "diagnose/search/adoption.h"
 #include "diagnose/search/foresight.h"
 #include "diagnose/search/further.h"
@@ -25,7 +24,7 @@ bool contains(const std::vector<Chosen>& chosen, const Effect* effect) {
 
 namespace {
 
-constexpr int mostFurther = 3, mostRounds = 3;
+constexpr int mostFurther = 3;
 
 class Search {
  public:
@@ -36,7 +35,7 @@ class Search {
     input_.say(0.05, message("fitting the base model"));
     result.base = fitBase(input_, starts);
     input_.windowWeights = robustWeights(result.base.windowSquares);
-    result.base = settledBase(fitModel(input_, result.base.model, 10));
+    result.base = fitModel(input_, result.base.model, 10);
     result.best = result.base;
     if (input_.mayTurnToTorque && runAway(result.base.model, starts.front(), limits())) {
       result.counting = {ErrorIn::torque, input_.split.window_s};
@@ -102,23 +101,6 @@ class Search {
 
  private:
   const Worth& worth() const { return fits_->worth(); }
-  /// Far from the floor a fit may have come to no end, or to one that isn't the best: it goes on, and from what the
-  /// regression makes of the motion, for as long as that does better.
-  FitResult settledBase(FitResult base) const {
-    const double floor = noiseFloor(base.model, input_.tracks, input_.split.trainScore, input_.seed);
-    for (int round = 0; round < mostRounds && !input_.stop.stop_requested(); ++round) {
-      const double left = mean(base.windowSquares);
-      if (!base.usable || left < std::pow(limits().nearFloor * floor, 2)) break;
-      const LinearRig rig(base.model, input_.tracks, input_.split.train);
-      const Screen screen(rig, {}, input_.seen, input_.split.fold, folds, input_.seed, limits());
-      for (const Model& start : {withScreenedBase(input_, base.model, screen.baseCoefficients({})), base.model}) {
-        FitResult other = fitModel(input_, start, 10);
-        if (other.usable && mean(other.windowSquares) < mean(base.windowSquares)) base = std::move(other);
-      }
-      if (mean(base.windowSquares) > limits().hardlyLess * left) break;
-    }
-    return base;
-  }
   const Criteria& limits() const { return input_.criteria; }
   double physicsInertia(const Model& model) const {
     return model.baseValue(motorNames(model.axis).inertia).value_or(input_.seen.inertia);
