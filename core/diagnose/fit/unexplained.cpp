@@ -82,7 +82,8 @@ Unexplained along(const Model& model, const Track& track, Simulator& simulator, 
     if (p.electrical && connected) {
       const double lost = stepper.losesVoltage() ? stepper.lostVoltage(state, u, state.position, v, t) : 0.0;
       const Winding before = winding;
-      winding.advance(p, u - lost - p.backEmf * v, rows.step_s);
+      const double until = k + 1 < n ? 0.5 * (v + rows.velocity[k + 1]) : v;  // the mean speed up to the next row
+      winding.advance(p, u - lost - p.backEmf * until, rows.step_s);
       // At the instant itself: what the inductance keeps, or the mean of what acts before and after.
       current = p.inductance > 0.0 ? before.current : 0.5 * (before.current + winding.current);
       slope = winding.slope;
