@@ -17,15 +17,23 @@ using namespace breakaway;
 
 namespace {
 
-enum Answer { right, besides, rival, nothing, outside, wrong, undecided, answers };
-constexpr std::array<const char*, answers> words{"right",   "right, more beside", "a rival",  "nothing missing",
-                                                 "outside", "wrong name",         "undecided"};
+enum Answer { right, besides, rival, hidden, nothing, outside, wrong, undecided, answers };
+constexpr std::array<const char*, answers> words{
+    "right", "right, more beside", "a rival", "nothing, at the floor", "nothing missing", "outside", "wrong name",
+    "undecided"};
+constexpr double nearFloor = 2.0;
+
+/// Whether the base model errs on held-out data about as a perfect one would, wandering as this rig does: then what is
+/// concealed hardly moves anything.
+bool nothingToSee(const FitScore& fit) {
+  return fit.heldoutBefore < nearFloor * fit.floorWithWander;
+}
 
 Answer answerTo(const test::ForeignFamily& family, const Diagnosis& diagnosis) {
   const auto& found = diagnosis.findings;
   if (found.empty()) {
     if (diagnosis.verdict == Verdict::nothingMissing)
-      return family.conceals == test::Conceals::nothing ? right : nothing;
+      return family.conceals == test::Conceals::nothing ? right : nothingToSee(diagnosis.fit) ? hidden : nothing;
     if (diagnosis.verdict == Verdict::outsideCatalogue)
       return family.conceals == test::Conceals::physicsOutside ? right : outside;
     return undecided;
@@ -81,7 +89,7 @@ int main(int argc, char** argv) {
   }
   fmt::print("| family |");
   for (const char* one : words) fmt::print(" {} |", one);
-  fmt::print("\n|---|---|---|---|---|---|---|---|\n");
+  fmt::print("\n|---|---|---|---|---|---|---|---|---|\n");
   for (const test::Conceals kind :
        {test::Conceals::nothing, test::Conceals::anEffect, test::Conceals::physicsOutside}) {
     std::array<int, answers> sum{};
