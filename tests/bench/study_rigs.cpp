@@ -19,8 +19,8 @@ namespace {
 
 enum Answer { right, besides, rival, hidden, nothing, outside, wrong, undecided, answers };
 constexpr std::array<const char*, answers> words{
-    "right", "right, more beside", "a rival", "nothing, at the floor", "nothing missing", "outside", "wrong name",
-    "undecided"};
+    "right",   "right, more beside", "a rival",  "nothing, at the floor", "nothing missing",
+    "outside", "wrong name",         "undecided"};
 constexpr double nearFloor = 2.0;
 
 /// Whether the base model errs on held-out data about as a perfect one would, wandering as this rig does: then what is

@@ -135,7 +135,8 @@ std::vector<double> replayedSquares(const Model& model, const std::vector<Track>
     const Track& recorded = tracks[window.track];
     if (window.errorIn == ErrorIn::torque) {
       const double noisy = noisyTorque(model, recorded, window, scatter, random);
-      floors.push_back(std::max(noisy, replayedTorque(model, recorded, window, hidden[w], scatter, random).value_or(0.0)));
+      floors.push_back(
+          std::max(noisy, replayedTorque(model, recorded, window, hidden[w], scatter, random).value_or(0.0)));
       continue;
     }
     // From one horizon before the window to its end, as if the model were the rig.

@@ -86,7 +86,7 @@ void straighten(Track& track) {
   track.time = grid;
 }
 
-constexpr double mostBridged = 3.0;         ///< missing rows
+constexpr double mostBridged = 3.0;       ///< missing rows
 constexpr double speedsTogether_s = 0.1;  ///< over which readings of speed add up to a position
 
 /// The step in which readings are counted, the least one between neighbours of which all others are multiples; 0 where

@@ -1,0 +1,42 @@
+#include <QTest>
+
+#include "diagnose/diagnosis.h"
+#include "support/foreign_rig.h"
+
+using namespace breakaway;
+
+/// Rigs of a plant that shares nothing with ours, each of a kind that was misjudged once.
+class TestForeignRigs : public QObject {
+  Q_OBJECT
+ private slots:
+  void rig_getsItsAnswer_data();
+  void rig_getsItsAnswer();
+};
+
+void TestForeignRigs::rig_getsItsAnswer_data() {
+  QTest::addColumn<QString>("family");
+  QTest::addColumn<int>("seed");
+  QTest::newRow("a current loop that lags") << "sound" << 7;
+  QTest::newRow("sines too quick for filters of torque") << "sound" << 9;
+  QTest::newRow("a winding while the rotor speeds up") << "sound" << 28;
+  QTest::newRow("a stop, far from what the base foresees") << "end_stop" << 1;
+  QTest::newRow("an arm over less than a turn") << "imbalance" << 2;
+}
+
+void TestForeignRigs::rig_getsItsAnswer() {
+  QFETCH(QString, family);
+  QFETCH(int, seed);
+  const test::ForeignRig rig = test::foreignRig(family.toStdString(), static_cast<std::uint64_t>(seed));
+  const auto diagnosis = diagnose(rig.bench, rig.recordings, {}, {});
+  QVERIFY2(diagnosis, rig.words.c_str());
+  std::string said = rig.words + ": " + nameOf(diagnosis->verdict);
+  for (const Finding& finding : diagnosis->findings) said += " " + finding.effect;
+  if (family == "sound") {
+    QVERIFY2(diagnosis->verdict == Verdict::nothingMissing, said.c_str());
+  } else {
+    QVERIFY2(diagnosis->findings.size() == 1 && diagnosis->findings[0].effect == family.toStdString(), said.c_str());
+  }
+}
+
+QTEST_APPLESS_MAIN(TestForeignRigs)
+#include "tst_foreign_rigs.moc"
