@@ -25,6 +25,7 @@ class TestSplit : public QObject {
   void pauseOfDays_costsNothingAndIsNoMotion();
   void pauseOfAges_isSteppedOver();
   void tooCoarseRows_areOneClearLine();
+  void manyShortRecordings_getShortWindows();
 };
 
 namespace {
@@ -158,8 +159,18 @@ void TestSplit::tooCoarseRows_areOneClearLine() {
   const auto split = splitTracks(tracks, 1, 0.5);
   QVERIFY(!split);
   QCOMPARE(split.error().message(),
-           std::string("holes.csv: holds 0 windows of 1 s in which no row is missing, expected at least 6; the usual "
+           std::string("holes.csv: holds 0 windows of 0.5 s in which no row is missing, expected at least 6; the usual "
                        "step from row to row is 1e+03 s"));
+}
+
+/// Three recordings of 6 s with a row missing every second: windows of 1 s would hardly find room.
+void TestSplit::manyShortRecordings_getShortWindows() {
+  const auto mostly = [](double t) { return std::fmod(t, 1.0) > 2.0 * row_s; };
+  const std::vector<Track> tracks(3, swinging(mostly, always, row_s, 6000));
+  const auto split = splitTracks(tracks, 3, 0.5);
+  QVERIFY2(split, split ? "" : split.error().message().c_str());
+  const Track& track = tracks.front();
+  for (const Window& one : split->train) QVERIFY(track.time[one.last] - track.time[one.first] < 0.6);
 }
 
 QTEST_APPLESS_MAIN(TestSplit)

@@ -181,16 +181,13 @@ Result<Split> wholeTracks(const std::vector<Track>& tracks, double longest_s, Er
   return split;
 }
 
-}  // namespace
-
-Result<Split> splitTracks(const std::vector<Track>& tracks, size_t recordings, double window_s, HeldOut part,
-                          ErrorIn errorIn) {
-  if (part == HeldOut::none) return wholeTracks(tracks, window_s, errorIn);
+/// Training and held-out windows, the fit's of `fitWindow` s.
+Split partedTracks(const std::vector<Track>& tracks, size_t recordings, double window_s, double fitWindow, HeldOut part,
+                   ErrorIn errorIn) {
   Split split;
   split.window_s = window_s;
   split.separateRecording = recordings < tracks.size();
   const double total = totalTime(tracks, recordings);
-  const double fitWindow = fitLength(total, window_s);
   const bool wholeOnes = !split.separateRecording && recordings >= 4 && total / static_cast<double>(recordings) < 8.0;
   for (size_t k = 0; k < tracks.size(); ++k) {
     const Track& track = tracks[k];
@@ -220,6 +217,21 @@ Result<Split> splitTracks(const std::vector<Track>& tracks, size_t recordings, d
   }
   dropUnknown(split, tracks);
   countErrorsIn(errorIn, split, tracks);
+  return split;
+}
+
+}  // namespace
+
+Result<Split> splitTracks(const std::vector<Track>& tracks, size_t recordings, double window_s, HeldOut part,
+                          ErrorIn errorIn) {
+  if (part == HeldOut::none) return wholeTracks(tracks, window_s, errorIn);
+  const double total = totalTime(tracks, recordings);
+  double fitWindow = fitLength(total, window_s);
+  Split split = partedTracks(tracks, recordings, window_s, fitWindow, part, errorIn);
+  if (split.train.size() < fewestWindows && fitWindow > window_s) {  // many short recordings, or rows missing often
+    fitWindow = window_s;
+    split = partedTracks(tracks, recordings, window_s, fitWindow, part, errorIn);
+  }
   const double needed = (static_cast<double>(fewestWindows) * fitWindow + gap_s) / 0.8;
   if (split.train.size() < fewestWindows || split.heldoutScore.size() < 2)
     return tooShort(tracks.front(), total, needed, split.train.size(), fitWindow);
