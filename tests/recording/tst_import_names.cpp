@@ -25,6 +25,10 @@ class TestImportNames : public QObject {
   void numberedNamesAboveTheRows_areTheColumns();
   void servosOfAnotherMaker_haveTheSpeedThatTheirAngleTells();
   void loggersTagBeforeLabels_isNoName();
+  void angleOfARobotBesideItsWheelsSpeed_isSetAside();
+  void speedThatContradictsTheAngle_yieldsToOneThatAgrees();
+  void ticksOfRowsOfSeveralAxes_areTheTime();
+  void valuesBeyondAnyMotor_areKept();
 
  private:
   Result<Imported> imported(const QString& text) {
@@ -119,6 +123,21 @@ void TestImportNames::whatNamesBesideTell_isTaken_data() {
                                        << "current_A";
   QTest::newRow("tenths of a degree") << QStringList{"rpm", "motor_temp_dc"} << "motor_temp_dc"
                                       << "";
+  QTest::newRow("how a speed was come by") << QStringList{"angle_deg", "rpm_from_counts"} << "rpm_from_counts"
+                                           << "velocity_rad_per_s";
+  const QStringList joints{"joint1_angle", "joint1_ref", "joint2_angle", "joint2_ref"};
+  QTest::newRow("what a joint's angle shall be") << joints << "joint1_ref"
+                                                 << "angle_reference_rad";
+  QTest::newRow("angle or speed") << QStringList{"joint1_angle", "joint1_speed", "joint1_ref"} << "joint1_ref"
+                                  << "";
+  QTest::newRow("a controller's output") << QStringList{"rpm", "Output_%"} << "Output_%"
+                                         << "duty";
+  QTest::newRow("an output beside a current") << QStringList{"rpm", "current_A", "Output_%"} << "Output_%"
+                                              << "";
+  QTest::newRow("a power's share") << QStringList{"rpm", "output_power_%"} << "output_power_%"
+                                   << "";
+  QTest::newRow("a controller's effort") << QStringList{"rpm", "control_effort"} << "control_effort"
+                                         << "";
   QTest::newRow("a phase's voltage") << QStringList{"theta_m", "u_a", "u_b", "u_c"} << "u_a"
                                      << "";
 }
@@ -271,6 +290,61 @@ void TestImportNames::loggersTagBeforeLabels_isNoName() {
   QCOMPARE(log->recording.rows(), size_t{60});
   QVERIFY(std::abs(log->recording.time()[59] - log->recording.time()[0] - 0.59) < 1e-9);
   QVERIFY(log->recording.has("angle_rad") && log->recording.has("velocity_rad_per_s"));
+}
+
+/// A column that turns, the speed of its own, and another one's.
+QString turningBeside(const char* head) {
+  QString text = head;
+  for (int k = 0; k < 200; ++k)
+    text += QString("%1,%2,%3,%4\n")
+                .arg(0.01 * k)
+                .arg(20.0 * std::sin(0.1 * k))
+                .arg(200.0 * std::cos(0.1 * k))
+                .arg(300.0 * std::sin(0.023 * k) * std::sin(0.31 * k));
+  return text;
+}
+
+void TestImportNames::angleOfARobotBesideItsWheelsSpeed_isSetAside() {
+  const auto log = imported(turningBeside("time_s,angle_deg,rate_dps,wheel_speed_rpm\n"));
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "wheel_speed_rpm"), std::string("velocity_rad_per_s"));
+  QCOMPARE(meaning(*log, "angle_deg"), std::string());
+  const auto wheels = imported(turningBeside("time_s,wheel_angle_deg,rate_dps,wheel_speed_rpm\n"));
+  VERIFY_OK(wheels);
+  QCOMPARE(meaning(*wheels, "wheel_angle_deg"), std::string("angle_rad"));
+}
+
+void TestImportNames::speedThatContradictsTheAngle_yieldsToOneThatAgrees() {
+  const auto log = imported(turningBeside("time_s,angle_deg,hand_speed_dps,speed_dps\n"));
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "hand_speed_dps"), std::string("velocity_rad_per_s"));
+  QCOMPARE(meaning(*log, "angle_deg"), std::string("angle_rad"));
+}
+
+void TestImportNames::ticksOfRowsOfSeveralAxes_areTheTime() {
+  QString text = "id,ticks,speed,bus_voltage\n";
+  for (int k = 0; k < 60; ++k) {
+    for (int m = 1; m <= 3; ++m)
+      text += QString("%1,%2,%3,24\n").arg(m).arg(5000 + 10 * k + m).arg(m * std::sin(0.1 * k));
+  }
+  const auto log = imported(text);
+  QVERIFY(!log);
+  QVERIFY(log.error().message().find("{\"split\": \"id\"}") != std::string::npos);
+}
+
+void TestImportNames::valuesBeyondAnyMotor_areKept() {
+  QString text = "time_s,angle_rad,current,motor_temp\n", usual = text;
+  for (int k = 0; k < 60; ++k) {
+    text += QString("%1,%2,%3,9393\n").arg(0.01 * k).arg(std::sin(0.1 * k)).arg(1800.5 * std::cos(0.1 * k));
+    usual += QString("%1,%2,%3,93\n").arg(0.01 * k).arg(std::sin(0.1 * k)).arg(18.5 * std::cos(0.1 * k));
+  }
+  const auto far = imported(text), log = imported(usual);
+  VERIFY_OK(far);
+  VERIFY_OK(log);
+  for (const char* name : {"current", "motor_temp"}) {
+    QCOMPARE(meaning(*far, name), std::string());
+    QVERIFY(!meaning(*log, name).empty());
+  }
 }
 
 QTEST_APPLESS_MAIN(TestImportNames)

@@ -7,6 +7,7 @@
 #include "base/marked_text.h"
 #include "recording/import/name_by_unit.h"
 #include "recording/import/name_parts.h"
+#include "recording/import/name_words.h"
 #include "recording/import/quantity_words.h"
 
 namespace breakaway {
@@ -223,6 +224,9 @@ Message notMeant(const Reading& name) {
   if (name.kind == UnitKind::torque || name.kind == UnitKind::force) {
     if (const std::string* word = firstIn(parts.words, loadWords))
       return message("\"{}\" is not what the motor gives", *word);
+    const bool output =
+        name.word() == "effort" && parts.unit == nullptr && (name.has("control") || name.has("controller"));
+    if (output) return message("is a controller's output");
     const bool part = name.found.at + 1 < parts.words.size() && isSingleLetter(parts.words[name.found.at + 1], "fg");
     if (part && name.kind == UnitKind::torque)
       return message("is friction's or gravity's part of a torque");  // "tau_f"
@@ -275,6 +279,7 @@ ColumnName understandName(std::string_view text, std::string_view unit) {
   constexpr size_t longestName = 200;
   if (text.size() > longestName) return nameAside(message("its name is too long to be one"), NameParts{});
   if (unit.empty()) {
+    text = withoutSource(text);
     if (const auto only = unitAsName(text)) return *only;
   }
   Reading name{partsOfName(text, unit)};

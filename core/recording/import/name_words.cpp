@@ -121,6 +121,18 @@ std::string withUnitsApart(const std::string& text) {
   return text;
 }
 
+std::string_view withoutSource(std::string_view text) {
+  for (const std::string_view from : {"_from_", " from "}) {
+    const size_t at = text.find(from);
+    if (at == std::string_view::npos || at == 0) continue;
+    const Words words = wordsOf(text.substr(0, at), false);
+    for (size_t k = 0; k < words.size(); ++k) {
+      if (words[k].size() > 1 && unitOfWords(words, k) != nullptr) return text.substr(0, at);
+    }
+  }
+  return text;
+}
+
 void joinWords(Words& words) {
   joinDerivatives(words);
   for (size_t k = 0; k + 1 < words.size(); ++k) {

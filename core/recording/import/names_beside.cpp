@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -97,6 +98,69 @@ void takeBehindDevices(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
+bool isMotion(const std::string& to) {
+  return to == "angle_rad" || to == "position_m" || to == "velocity_rad_per_s" || to == "velocity_m_per_s";
+}
+
+/// The name's words without those of quantities and references: what or whose it is.
+Words ownerOf(const std::string& name) {
+  Words words = wordsOf(name, true);
+  std::erase_if(words, [](const std::string& word) {
+    return isIn(referenceWords, word) || isIn(decorations, word) || quantityNamed(word) != nullptr;
+  });
+  return words;
+}
+
+/// "joint1_ref" beside "joint1_angle", with no other motion of that joint, is what the angle shall be.
+void takeOwnersReferences(const RawTable& table, std::vector<Choice>& choices) {
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const std::string& name = table.columns[c].channel.name;
+    const Words words = wordsOf(name, true), owner = ownerOf(name);
+    const bool quantity =
+        std::any_of(words.begin(), words.end(), [](const std::string& one) { return quantityNamed(one) != nullptr; });
+    const bool open = !choices[c].name.understood() && !choices[c].byMap && !table.columns[c].fault;
+    if (!open || quantity || owner.empty() || firstIn(words, referenceWords) == nullptr) continue;
+    if (firstIn(words, otherThings) != nullptr || partsOfName(name, table.columns[c].unit).unit != nullptr) continue;
+    std::set<std::string> motions;
+    size_t of = choices.size();
+    for (size_t k = 0; k < choices.size(); ++k) {
+      const std::string& to = choices[k].name.to;
+      if (!isMotion(to) || ownerOf(table.columns[k].channel.name) != owner) continue;
+      motions.insert(to);
+      of = k;
+    }
+    if (motions.size() != 1) continue;
+    ColumnName reference = choices[of].name;
+    reference.to.insert(reference.to.find('_'), "_reference");
+    reference.guess = message("what {} shall be", table.columns[of].channel.name);
+    choices[c].name = reference;
+  }
+}
+
+/// "Output_%" where nothing else drives is a controller's output, and so the motor's duty.
+void takeOutputs(const RawTable& table, std::vector<Choice>& choices) {
+  static constexpr auto drives =
+      std::to_array<std::string_view>({"duty", "voltage_V", "current_A", "torque_Nm", "force_N"});
+  const bool driven =
+      std::any_of(choices.begin(), choices.end(), [](const Choice& one) { return isIn(drives, one.name.to); });
+  if (driven) return;
+  static constexpr auto meant = std::to_array<std::string_view>(
+      {"output", "out", "control", "controller", "pid", "motor", "mot", "drive", "command", "cmd"});
+  for (size_t c = 0; c < choices.size(); ++c) {
+    if (choices[c].name.understood() || choices[c].byMap || table.columns[c].fault) continue;
+    const NameParts parts = partsOfName(table.columns[c].channel.name, table.columns[c].unit);
+    const bool percent = parts.unit != nullptr && parts.unit->kind == UnitKind::ratio && parts.unit->scale == 1e-2;
+    const bool output = isIn(parts.words, "output") || isIn(parts.words, "out");
+    const bool plain =
+        std::all_of(parts.words.begin(), parts.words.end(), [](const std::string& word) { return isIn(meant, word); });
+    const auto& values = table.columns[c].channel.values;
+    const bool within = std::none_of(values.begin(), values.end(), [](double v) { return std::abs(v) > 100.0; });
+    if (!percent || !output || !plain || !within) continue;
+    choices[c].name = understandName("duty", parts.unitText);
+    choices[c].name.guess = message("a controller's output was taken for the motor's duty");
+  }
+}
+
 /// Beside a position in metres, counts that no file says how many are a turn tell nothing new.
 void setCountsBesideMetresAside(const ImportMap& map, std::vector<Choice>& choices) {
   const bool metres = std::any_of(choices.begin(), choices.end(), [](const Choice& one) {
@@ -107,10 +171,6 @@ void setCountsBesideMetresAside(const ImportMap& map, std::vector<Choice>& choic
     if (choice.name.to == "angle_rad" && choice.name.needs == UnitNeeds::countsPerRev && !choice.byMap)
       setAside(choice, message("is in counts, beside a position whose unit is told"));
   }
-}
-
-bool isMotion(const std::string& to) {
-  return to == "angle_rad" || to == "position_m" || to == "velocity_rad_per_s" || to == "velocity_m_per_s";
 }
 
 bool hasMotion(const std::vector<Choice>& choices) {
@@ -147,6 +207,8 @@ void takeByNeighbours(const RawTable& table, const ImportMap& map, std::vector<C
   takeTargetsOfJoints(table, choices);
   takeArmatures(table, choices);
   setCountsBesideMetresAside(map, choices);
+  takeOwnersReferences(table, choices);
+  takeOutputs(table, choices);
 }
 
 void takeDoubtful(const RawTable& table, std::vector<Choice>& choices) {

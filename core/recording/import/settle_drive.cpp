@@ -88,11 +88,24 @@ Result<void> Settling::takeOther(size_t c) {
 bool Settling::setCountsAside(size_t c) {
   const std::string& to = fates_[c].to;
   const bool drive = to == "current_A" || to == "torque_Nm" || to == "force_N" || to == "current_reference_A";
-  const double most = drive ? 60.0 : to == "voltage_V" || to == "supply_V" ? 120.0 : 0.0;
+  const double most = drive                                   ? 60.0
+                      : to == "voltage_V" || to == "supply_V" ? 120.0
+                      : to == "temperature_degC"              ? 250.0
+                                                              : 0.0;
   // "batt_volt" says what it is rather than in which unit.
   const bool word = quantityNamed(fates_[c].unit) != nullptr && fates_[c].from.find_first_of("([") == std::string::npos;
   const bool guessed = ((fates_[c].guessed && fates_[c].unit.empty()) || word) && !choices_[c].byMap;
-  if (most == 0.0 || !guessed || !areWhole(values(c)) || largest(values(c)) <= most) return false;
+  if (most == 0.0 || !guessed) return false;
+  constexpr double withDecimals = 20.0;  // times as much is beyond any motor
+  const bool whole = areWhole(values(c));
+  if (largest(values(c)) <= (whole ? most : withDecimals * most)) return false;
+  if (!whole) {
+    const std::string far = shortText(largest(values(c)));
+    remarks_.push_back(
+        message("implausible: {} goes up to {} and has no unit; it may be thousandths", fates_[c].from, far));
+    keep(c, message("goes up to {} and has no unit; it may be thousandths: say which with --map", far));
+    return true;
+  }
   const std::string up = shortText(largest(values(c)));
   remarks_.push_back(message(
       "implausible: {} holds whole numbers up to {} and no unit; they may be thousandths or a converter's counts",
