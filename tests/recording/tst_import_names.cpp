@@ -29,6 +29,8 @@ class TestImportNames : public QObject {
   void speedThatContradictsTheAngle_yieldsToOneThatAgrees();
   void ticksOfRowsOfSeveralAxes_areTheTime();
   void valuesBeyondAnyMotor_areKept();
+  void outputWithinOneBesideADuty_isNoVoltage();
+  void countsBesideATravelInMillimetres_arentAskedAbout();
 
  private:
   Result<Imported> imported(const QString& text) {
@@ -138,6 +140,15 @@ void TestImportNames::whatNamesBesideTell_isTaken_data() {
                                    << "";
   QTest::newRow("a controller's effort") << QStringList{"rpm", "control_effort"} << "control_effort"
                                          << "";
+  const QStringList sides{"enc_r", "l_pwm", "r_pwm"};
+  QTest::newRow("the other side's duty") << sides << "l_pwm"
+                                         << "";
+  QTest::newRow("this side's duty") << sides << "r_pwm"
+                                    << "duty";
+  QTest::newRow("what a heading shall be") << QStringList{"heading_deg", "target_deg", "rpm"} << "target_deg"
+                                           << "";
+  QTest::newRow("what an angle shall be") << QStringList{"angle_deg", "target_deg", "rpm"} << "target_deg"
+                                          << "angle_reference_rad";
   QTest::newRow("a phase's voltage") << QStringList{"theta_m", "u_a", "u_b", "u_c"} << "u_a"
                                      << "";
 }
@@ -345,6 +356,32 @@ void TestImportNames::valuesBeyondAnyMotor_areKept() {
     QCOMPARE(meaning(*far, name), std::string());
     QVERIFY(!meaning(*log, name).empty());
   }
+}
+
+void TestImportNames::outputWithinOneBesideADuty_isNoVoltage() {
+  const auto of = [this](double full) {
+    QString text = "time_s,theta_rad,u,pwm\n";
+    for (int k = 0; k < 60; ++k)
+      text += QString("%1,%2,%3,%4\n")
+                  .arg(0.01 * k)
+                  .arg(std::sin(0.1 * k))
+                  .arg(full * std::cos(0.1 * k))
+                  .arg(int(255.0 * std::cos(0.1 * k)));
+    const auto log = imported(text);
+    return log ? meaning(*log, "u") : log.error().message();
+  };
+  QCOMPARE(of(1.0), std::string());
+  QCOMPARE(of(12.0), std::string("voltage_V"));
+}
+
+void TestImportNames::countsBesideATravelInMillimetres_arentAskedAbout() {
+  QString text = "time_s,enc,travel_mm\n";
+  for (int k = 0; k < 60; ++k)
+    text += QString("%1,%2,%3\n").arg(0.01 * k).arg(int(1000.0 * std::sin(0.1 * k))).arg(50.0 * std::sin(0.1 * k));
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "travel_mm"), std::string("position_m"));
+  QVERIFY(!log->recording.has("angle_rad"));
 }
 
 QTEST_APPLESS_MAIN(TestImportNames)

@@ -212,6 +212,10 @@ Result<void> takeOneEach(const RawTable& table, const ImportMap& map, std::vecto
   return {};
 }
 
+bool namesQuantity(const Words& words) {
+  return std::any_of(words.begin(), words.end(), [](const std::string& one) { return quantityNamed(one) != nullptr; });
+}
+
 /// "handle_angle_cmd" is what "handle_angle" shall be: no reference where another angle was taken.
 void setOthersReferencesAside(const RawTable& table, std::vector<Choice>& choices) {
   const auto wordsBut = [&table](size_t c) {
@@ -223,14 +227,19 @@ void setOthersReferencesAside(const RawTable& table, std::vector<Choice>& choice
     const std::string to = choices[r].name.to;
     const size_t end = to.find("_reference");
     if (end == std::string::npos || choices[r].byMap || choices[r].byTool) continue;
+    const bool named = namesQuantity(wordsOf(table.columns[r].channel.name, true));
+    const bool followed = std::any_of(choices.begin(), choices.end(), [&](const Choice& one) {
+      return one.name.to.starts_with(to.substr(0, end)) && one.name.to.find("_reference") == std::string::npos;
+    });
+    if (!named && !followed) {  // "target_deg" beside a heading
+      setAside(choices[r], message("is what something shall be that isn't taken"));
+      continue;
+    }
     const Words words = wordsBut(r);
     for (size_t c = 0; c < choices.size(); ++c) {
       const bool measured = c != r && !choices[c].name.understood() && !table.columns[c].fault &&
                             wordsOf(table.columns[c].channel.name, true) == words;
-      const bool other = std::any_of(choices.begin(), choices.end(), [&](const Choice& one) {
-        return one.name.to.starts_with(to.substr(0, end)) && one.name.to.find("_reference") == std::string::npos;
-      });
-      if (measured && other)
+      if (measured && followed)
         setAside(choices[r], message("is what {} shall be, which isn't taken", table.columns[c].channel.name));
     }
   }

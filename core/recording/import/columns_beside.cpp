@@ -103,6 +103,30 @@ void setRowNumbersAside(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
+/// "u" within ±1 that goes with the duty is a controller's output, and no voltage.
+void setOutputsAside(const RawTable& table, std::vector<Choice>& choices) {
+  const auto duty =
+      std::find_if(choices.begin(), choices.end(), [](const Choice& one) { return one.name.to == "duty"; });
+  if (duty == choices.end()) return;
+  const auto& duties = table.columns[static_cast<size_t>(duty - choices.begin())].channel.values;
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const auto& values = table.columns[c].channel.values;
+    const bool letter = isSameWord(table.columns[c].channel.name, "u") && choices[c].name.unit.empty();
+    if (!letter || choices[c].name.to != "voltage_V" || choices[c].byMap || choices[c].byTool) continue;
+    double both = 0.0, own = 0.0, others = 0.0, most = 0.0;
+    for (size_t k = 0; k < values.size(); ++k) {
+      if (!std::isfinite(values[k]) || !std::isfinite(duties[k])) continue;
+      both += values[k] * duties[k];
+      own += values[k] * values[k];
+      others += duties[k] * duties[k];
+      most = std::max(most, std::abs(values[k]));
+    }
+    if (most <= 1.0 && both > 0.99 * std::sqrt(own * others) && own > 0.0)
+      setAside(choices[c], message("goes with {}, so it is no voltage",
+                                   table.columns[static_cast<size_t>(duty - choices.begin())].channel.name));
+  }
+}
+
 /// "PosZ" beside a motor's rpm is a place in space.
 void setPlacesAside(const RawTable& table, std::vector<Choice>& choices) {
   const auto letterOf = [&table](size_t c) {
@@ -253,6 +277,7 @@ void judgeByNeighbours(const RawTable& table, std::vector<Choice>& choices) {
   setPresentAside(table, choices);
   setLinesAside(table, choices);
   setRowNumbersAside(table, choices);
+  setOutputsAside(table, choices);
   setPlacesAside(table, choices);
   setTurningAside(table, choices);
   takeLinear(table, choices);

@@ -4,15 +4,13 @@
 #include <charconv>
 #include <cmath>
 #include <functional>
-#include <limits>
-#include <map>
-#include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
 #include "base/json_text.h"
 #include "recording/import/clock_time.h"
+#include "recording/import/json_arrays.h"
+#include "recording/import/json_cells.h"
 #include "recording/import/sysid_json.h"
 #include "recording/import/text_signals.h"
 #include "recording/import/text_table.h"
@@ -22,32 +20,13 @@ namespace breakaway {
 
 namespace {
 
-/// Fields in their order. A new one is appended without a look at all the others: texts are checked before for fields
-/// that stand twice.
-template <typename Key, typename T, typename Ignored = std::less<Key>,
-          typename Allocator = std::allocator<std::pair<const Key, T>>>
-struct FieldsInOrder : nlohmann::ordered_map<Key, T, Ignored, Allocator> {
-  using Base = nlohmann::ordered_map<Key, T, Ignored, Allocator>;
-  using Base::Base;
-
-  T& operator[](const Key& key) { return this->Base::Container::emplace_back(key, T{}).second; }
-};
-
-using Json = nlohmann::basic_json<FieldsInOrder>;
+using Json = JsonInOrder;
 
 constexpr size_t mostFields = 5000;
 
 std::string lineOf(const std::string& text, size_t byte) {
   const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size()));
   return std::to_string(1 + std::count(text.begin(), end, '\n'));
-}
-
-std::string plainText(const Json& value) {
-  return value.is_string() ? value.get<std::string>() : value.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
-bool isPlain(const Json& value) {
-  return value.is_number() || value.is_boolean() || value.is_null();
 }
 
 /// The longest array that `fits`, wherever it stands; its path of keys in `key`.
@@ -63,89 +42,8 @@ const Json* longest(const Json& json, bool (*fits)(const Json&)) {
   return best;
 }
 
-/// Units by the field that has them.
-using UnitTexts = std::map<std::string, std::string>;
-
-/// What "pos_unit" or "posUnits" tells the unit of, "" of "unit"; nothing for other keys.
-std::optional<std::string> toldUnitOf(const std::string& key) {
-  for (const std::string_view end : {"units", "unit", "Units", "Unit"}) {
-    if (!key.ends_with(end)) continue;
-    std::string base = key.substr(0, key.size() - end.size());
-    const bool parted = base.empty() || base.back() == '_' || base.back() == '.' || end.front() == 'U';
-    while (!base.empty() && (base.back() == '_' || base.back() == '.')) base.pop_back();
-    if (parted) return base;
-  }
-  return std::nullopt;
-}
-
-std::string within(const std::string& prefix, const std::string& key) {
-  return prefix.empty() || key.empty() ? prefix + key : prefix + "." + key;
-}
-
-/// Units that stand in fields of their own: {"value": 1, "unit": "deg"}, {"pos": 1, "pos_unit": "deg"}, and
-/// {"units": {"pos": "deg"}}.
-void collectUnits(const Json& json, const std::string& prefix, UnitTexts& units) {
-  if (!json.is_object()) return;
-  for (const auto& [key, value] : json.items()) {
-    const auto told = toldUnitOf(key);
-    if (told && value.is_string()) units[within(prefix, *told)] = value.get<std::string>();
-    if (told && value.is_object()) {
-      for (const auto& [name, unit] : value.items()) {
-        if (unit.is_string()) units[name] = unit.get<std::string>();
-      }
-    } else {
-      collectUnits(value, within(prefix, key), units);
-    }
-  }
-}
-
-void giveUnits(const UnitTexts& units, RawTable& table) {
-  for (RawColumn& column : table.columns) {
-    const std::string& name = column.channel.name;
-    const size_t dot = name.rfind('.');
-    const std::string last = dot == std::string::npos ? name : name.substr(dot + 1);
-    const bool unsaid = last == "value" || last == "val" || last == "values" || last == "data";
-    const std::string outer = !unsaid ? name : dot == std::string::npos ? std::string() : name.substr(0, dot);
-    for (const std::string& key : {name, outer}) {
-      const auto told = units.find(key);
-      if (told != units.end() && column.unit.empty()) column.unit = told->second;
-    }
-  }
-}
-
 bool isArrayOfObjects(const Json& array) {
   return !array.empty() && array.front().is_object();
-}
-
-bool isArrayOfRows(const Json& array) {
-  return array.size() > 1 && array.front().is_array() && array.front().size() > 1 && isPlain(array.front().front());
-}
-
-/// One cell; whole numbers beyond a double's digits are counted from the column's first.
-void put(const Json& value, RawColumn& column, const std::string& place, bool first) {
-  auto& values = column.channel.values;
-  if (value.is_number_integer() && std::abs(value.get<double>()) >= 1e15) {
-    const auto whole = value.get<int64_t>();
-    if (first) column.origin = static_cast<double>(whole);
-    values.push_back(static_cast<double>(whole - static_cast<int64_t>(column.origin)));
-    return;
-  }
-  double number = std::numeric_limits<double>::quiet_NaN();
-  if (value.is_boolean()) number = value.get<bool>() ? 1.0 : 0.0;
-  if (value.is_number()) number = value.get<double>() - column.origin;
-  if (value.is_string()) {
-    if (const auto clock = readClock(value.get_ref<const std::string&>())) {
-      if (first) column.origin = static_cast<double>(clock->whole_s), column.clock = true;
-      number = static_cast<double>(clock->whole_s) - column.origin + clock->fraction_s;
-      values.push_back(column.clock ? number : NAN);
-      return;
-    }
-  }
-  if (value.is_string()) rememberText(column, values.size(), value.get_ref<const std::string&>());
-  values.push_back(std::isfinite(number) ? number : NAN);
-  if (!isPlain(value) && !column.fault)
-    column.fault = Error{place + ", field " + column.channel.name,
-                         message("expected a number, found {}", plainText(value).substr(0, 40))};
 }
 
 /// The fields of a sample, objects and short arrays of numbers flattened.
@@ -253,46 +151,12 @@ Result<RawTable> samplesOf(const std::vector<const Json*>& samples, const std::s
         column.channel.values.push_back(NAN);
         continue;
       }
-      put(*field->second, column, place, k == 0);
+      putCell(*field->second, column, place, k == 0);
       next = static_cast<size_t>(field - fields.begin()) + 1;
     }
   }
   if (without > 0) table.remarks.push_back(message("{} fields lack in some entries; they are missing values", without));
   return table;
-}
-
-/// {"time": […], "angle": […]}, also an object deeper.
-Result<RawTable> arraysOf(const Json& json, const std::string& name) {
-  RawTable table;
-  size_t rows = 0;
-  const std::function<void(const Json&, const std::string&, bool)> look = [&](const Json& one,
-                                                                              const std::string& prefix, bool measure) {
-    for (const auto& [key, value] : one.items()) {
-      const std::string path = prefix.empty() ? key : prefix + "." + key;
-      if (value.is_object()) look(value, path, measure);
-      if (!value.is_array() || value.empty() || !(isPlain(value.front()) || value.front().is_string())) continue;
-      if (measure) {
-        rows = std::max(rows, value.size());
-      } else if (value.size() == rows) {
-        RawColumn column{{path, {}}, {}};
-        for (size_t k = 0; k < rows; ++k) put(value[k], column, name + ", entry " + std::to_string(k + 1), k == 0);
-        table.columns.push_back(std::move(column));
-      } else {
-        table.remarks.push_back(message("{} has {} values, not {}, and was left out", path, value.size(), rows));
-      }
-    }
-  };
-  look(json, "", true);
-  if (rows < 2) return Error{name, message("holds no log")};
-  look(json, "", false);
-  return table;
-}
-
-/// {"time": {"0": 0.1, "1": 0.2}, …}, as pandas writes it.
-bool isByIndex(const Json& json) {
-  return json.is_object() && !json.empty() && std::all_of(json.begin(), json.end(), [](const Json& column) {
-           return column.is_object() && column.contains("0") && isPlain(column["0"]);
-         });
 }
 
 /// {"0": {"time": 0.1, …}, "1": {…}, …}: samples by their number, stamp or key.
@@ -326,40 +190,6 @@ Json withKeys(const Json& json) {
   return samples;
 }
 
-Result<RawTable> byIndex(const Json& json, const std::string& name) {
-  Json arrays = Json::object();
-  for (const auto& [key, column] : json.items()) {
-    Json values = Json::array();
-    for (const auto& [index, value] : column.items()) values.push_back(value);
-    arrays[key] = std::move(values);
-  }
-  return arraysOf(arrays, name);
-}
-
-Result<RawTable> rowsOf(const Json& json, const Json& rows, const std::string& name) {
-  std::vector<std::string> names;
-  if (json.is_object()) {
-    for (const char* key : {"columns", "header", "names", "fields", "labels"}) {
-      const auto it = json.find(key);
-      if (it == json.end() || !it->is_array()) continue;
-      for (const Json& one : *it) names.push_back(plainText(one));
-    }
-  }
-  const size_t width = rows.front().size();
-  RawTable table;
-  for (size_t c = 0; c < width; ++c) {
-    RawColumn column{{c < names.size() && names.size() == width ? names[c] : "column_" + std::to_string(c + 1), {}},
-                     {}};
-    for (size_t k = 0; k < rows.size(); ++k) {
-      if (!rows[k].is_array() || rows[k].size() != width)
-        return Error{name + ", entry " + std::to_string(k + 1), message("has other than {} numbers", width)};
-      put(rows[k][c], column, name + ", entry " + std::to_string(k + 1), k == 0);
-    }
-    table.columns.push_back(std::move(column));
-  }
-  return table;
-}
-
 void addNotes(const Json& json, RawTable& table) {
   if (!json.is_object()) return;
   for (const auto& [key, value] : json.items()) {
@@ -387,7 +217,7 @@ Result<RawTable> plainLog(const Json& json, const std::string& name) {
     for (const Json& one : keyed) each.push_back(&one);
     table = samplesOf(each, name);
   } else if (const Json* rows = longest(json, isArrayOfRows)) {
-    table = rowsOf(json, *rows, name);
+    table = isTableOfArrays(json, *rows) ? arraysOf(json, name) : rowsOf(json, *rows, name);
   } else if (json.is_object()) {
     table = arraysOf(json, name);
   }

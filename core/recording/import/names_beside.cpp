@@ -10,6 +10,7 @@
 #include "recording/import/columns_beside.h"
 #include "recording/import/name_parts.h"
 #include "recording/import/quantity_words.h"
+#include "recording/import/settle_motion.h"
 
 namespace breakaway {
 
@@ -102,6 +103,23 @@ bool isMotion(const std::string& to) {
   return to == "angle_rad" || to == "position_m" || to == "velocity_rad_per_s" || to == "velocity_m_per_s";
 }
 
+/// "l_pwm" beside "r_pwm" is of the axis of "left_counts".
+void takeSides(const RawTable& table, std::vector<Choice>& choices) {
+  std::set<std::string> names;
+  for (const RawColumn& column : table.columns) names.insert(column.channel.name);
+  for (size_t c = 0; c < choices.size(); ++c) {
+    std::string other = table.columns[c].channel.name;
+    if (other.size() < 3 || other[1] != '_' || choices[c].byMap) continue;
+    const size_t side = std::string_view("lrLR").find(other[0]);
+    if (side == std::string_view::npos) continue;
+    other[0] = "rlRL"[side];
+    if (!names.contains(other)) continue;
+    if (!choices[c].byTool) choices[c].name = understandName(other.substr(2), table.columns[c].unit);
+    std::string& group = choices[c].name.group;
+    group = std::string(side % 2 == 0 ? "left" : "right") + (group.empty() ? "" : "." + group);
+  }
+}
+
 /// The name's words without those of quantities and references: what or whose it is.
 Words ownerOf(const std::string& name) {
   Words words = wordsOf(name, true);
@@ -162,14 +180,19 @@ void takeOutputs(const RawTable& table, std::vector<Choice>& choices) {
 }
 
 /// Beside a position in metres, counts that no file says how many are a turn tell nothing new.
-void setCountsBesideMetresAside(const ImportMap& map, std::vector<Choice>& choices) {
+void setCountsBesideMetresAside(const RawTable& table, const ImportMap& map, std::vector<Choice>& choices) {
   const bool metres = std::any_of(choices.begin(), choices.end(), [](const Choice& one) {
     return one.name.to == "position_m" && !one.name.unit.empty();
   });
   if (!metres || map.counts_per_rev) return;
-  for (Choice& choice : choices) {
-    if (choice.name.to == "angle_rad" && choice.name.needs == UnitNeeds::countsPerRev && !choice.byMap)
-      setAside(choice, message("is in counts, beside a position whose unit is told"));
+  constexpr double manyTurns = 30.0;
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const auto& values = table.columns[c].channel.values;
+    const ColumnName& name = choices[c].name;
+    const bool whole = name.unit.empty() && areWhole(values) && rangeOf(values) >= manyTurns;
+    const bool counts = name.needs == UnitNeeds::countsPerRev || whole;
+    if (name.to == "angle_rad" && counts && !choices[c].byMap)
+      setAside(choices[c], message("is in counts, beside a position whose unit is told"));
   }
 }
 
@@ -203,10 +226,11 @@ std::string nameWithout(std::string name, const std::string& word) {
 
 void takeByNeighbours(const RawTable& table, const ImportMap& map, std::vector<Choice>& choices) {
   takeBehindDevices(table, choices);
+  takeSides(table, choices);
   takeEfforts(table, choices);
   takeTargetsOfJoints(table, choices);
   takeArmatures(table, choices);
-  setCountsBesideMetresAside(map, choices);
+  setCountsBesideMetresAside(table, map, choices);
   takeOwnersReferences(table, choices);
   takeOutputs(table, choices);
 }

@@ -71,19 +71,30 @@ void TextRows::append(bool flawed) {
   }
 }
 
+std::string_view TextRows::sameTextOf(size_t c) const {
+  const SeenText& seen = texts_[c];
+  const bool same = seen.same && seen.count > 0 && seen.count + 1 >= table.rows();
+  return same ? std::string_view(seen.first) : std::string_view{};
+}
+
+bool TextRows::labelsAlternate() const {
+  if (layout_.cells < 4 || layout_.cells % 2 != 0) return false;
+  for (size_t c = 0; c < layout_.cells; c += 2) {
+    if (sameTextOf(c).empty() || !layout_.numeric[c + 1]) return false;
+  }
+  return true;
+}
+
 void TextRows::takeLabelColumns() {
-  const auto label = [this](size_t c) {
-    const SeenText& seen = texts_[c];
-    const bool same = seen.same && seen.count > 0 && seen.count + 1 >= table.rows();
-    return same ? std::string_view(seen.first) : std::string_view{};
-  };
+  const bool alternate = labelsAlternate();
   for (size_t c = 0; c + 1 < layout_.cells; ++c) {
-    std::string_view text = label(c);
-    if (text.size() < 2 || !endsLabel(text) || !layout_.numeric[c + 1]) continue;
-    text.remove_suffix(1);
+    std::string_view text = sameTextOf(c);
+    const bool colon = text.size() > 1 && endsLabel(text), bare = alternate && c % 2 == 0 && !colon;
+    if ((!colon && !bare) || !layout_.numeric[c + 1]) continue;
+    if (colon) text.remove_suffix(1);
     std::string name(text);
     for (size_t k = c; k-- > 0;) {
-      const std::string_view before = label(k);
+      const std::string_view before = sameTextOf(k);
       if (before.empty() || endsLabel(before) || isUnit(before)) break;
       name = std::string(before) + " " + name;
     }
@@ -93,6 +104,7 @@ void TextRows::takeLabelColumns() {
 }
 
 void TextRows::takeUnitColumns() {
+  if (labelsAlternate()) return;
   for (size_t c = 1; c < layout_.cells; ++c) {
     const SeenText& seen = texts_[c];
     const bool unit =

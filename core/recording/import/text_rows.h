@@ -52,6 +52,10 @@ class TextRows {
   };
 
   LineKind judgeOther();
+  /// What each row holds there, if it is text and in each the same.
+  std::string_view sameTextOf(size_t c) const;
+  /// "t 0.1, angle 0.3, rpm 12": a word before each number.
+  bool labelsAlternate() const;
   void noteText(size_t c, size_t row);
   /// All cells of a column have one unit.
   void noteUnit(size_t c, size_t row);

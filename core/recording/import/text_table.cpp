@@ -8,6 +8,7 @@
 #include "recording/import/controldesk.h"
 #include "recording/import/line_entries.h"
 #include "recording/import/list_cells.h"
+#include "recording/import/marked_lines.h"
 #include "recording/import/named_lists.h"
 #include "recording/import/octave_text.h"
 #include "recording/import/sentence_rows.h"
@@ -205,6 +206,14 @@ Result<RawTable> readEntries(const LineEntries& entries, const std::string& name
   return table;
 }
 
+/// Lines that begin alike, without what they begin with.
+Result<RawTable> readMarked(const MarkedLines& lines, const std::string& name) {
+  auto table = readTextTable(lines.text, name);
+  if (table)
+    table->remarks.push_back(message("each line begins with \"{}\", which is no part of the table", lines.mark));
+  return table;
+}
+
 /// The rows of one of several tables.
 Result<RawTable> readTagged(const TaggedRows& rows, const std::string& name) {
   auto table = readTextTable(rows.table, name);
@@ -227,6 +236,7 @@ Result<RawTable> readTextTable(std::string_view text, const std::string& name) {
   if (auto signals = readCodesysTrace(utf8, lineEndOf(utf8), name)) return std::move(*signals);
   if (auto variables = readOctaveText(utf8, lineEndOf(utf8), name)) return std::move(*variables);
   if (auto lists = readNamedLists(utf8, name)) return std::move(*lists);
+  if (const auto marked = withoutMarkOfLines(utf8)) return readMarked(*marked, name);
   if (const auto entries = withEntriesAsRows(utf8)) return readEntries(*entries, name);
   if (const auto tagged = withTaggedRowsApart(utf8)) return readTagged(*tagged, name);
   auto flat = withListsInCells(utf8);

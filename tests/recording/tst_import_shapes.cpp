@@ -1,0 +1,122 @@
+#include <QTest>
+#include <cmath>
+
+#include "recording/import/import.h"
+#include "support/temporary.h"
+
+using namespace breakaway;
+using breakaway::test::TemporaryFolder;
+
+/// The shapes in which programs write their rows.
+class TestImportShapes : public QObject {
+  Q_OBJECT
+ private slots:
+  void markThatAllLinesBeginWith_isNoPartOfTheTable_data();
+  void markThatAllLinesBeginWith_isNoPartOfTheTable();
+  void labelBeforeEachNumber_isItsName_data();
+  void labelBeforeEachNumber_isItsName();
+  void listsOfEachRowBesideATime_areColumns_data();
+  void listsOfEachRowBesideATime_areColumns();
+  void rowsWithTheirNamesBeside_stayRows();
+
+ private:
+  Result<Imported> imported(const QString& text) {
+    return importRecording(folder_.write("log.txt", text.toStdString()));
+  }
+  TemporaryFolder folder_;
+};
+
+constexpr int rows = 60;
+
+void TestImportShapes::markThatAllLinesBeginWith_isNoPartOfTheTable_data() {
+  QTest::addColumn<QString>("mark");
+  QTest::addColumn<QString>("head");
+  QTest::addColumn<QString>("separator");
+  QTest::newRow("a dump with a word before the names")
+      << "@D"
+      << "@D BEGIN straight 1 150\n@D INFO period_ms=10 samples=60 result=OK\n@D COLS t_ms,angle_rad,rpm\n"
+      << ",";
+  QTest::newRow("a word with a colon") << "DATA:"
+                                       << "DATA: t_ms,angle_rad,rpm\n"
+                                       << ",";
+  QTest::newRow("names without it") << "row"
+                                    << "t_ms;angle_rad;rpm\n"
+                                    << ";";
+}
+
+void TestImportShapes::markThatAllLinesBeginWith_isNoPartOfTheTable() {
+  QFETCH(QString, mark);
+  QFETCH(QString, head);
+  QFETCH(QString, separator);
+  QString text = head;
+  for (int k = 0; k < rows; ++k)
+    text += mark + " " +
+            QStringList{QString::number(10 * k), QString::number(std::sin(0.1 * k)),
+                        QString::number(95.493 * std::cos(0.1 * k))}
+                .join(separator) +
+            "\n";
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  QCOMPARE(log->recording.rows(), size_t{rows});
+  QVERIFY(std::abs(log->recording.time()[rows - 1] - 0.01 * (rows - 1)) < 1e-9);
+  QVERIFY(std::abs(log->recording.channel("angle_rad")[10] - std::sin(1.0)) < 1e-4);
+  QVERIFY(std::abs(log->recording.channel("velocity_rad_per_s")[10] - 10.0 * std::cos(1.0)) < 1e-3);
+}
+
+void TestImportShapes::labelBeforeEachNumber_isItsName_data() {
+  QTest::addColumn<QString>("row");
+  QTest::newRow("parted by commas") << "t %1, angle %2, rpm %3\n";
+  QTest::newRow("cells of their own") << "t,%1,angle,%2,rpm,%3\n";
+  QTest::newRow("parted by blanks") << "t %1 angle %2 rpm %3\n";
+}
+
+void TestImportShapes::labelBeforeEachNumber_isItsName() {
+  QFETCH(QString, row);
+  QString text;
+  for (int k = 0; k < rows; ++k) text += row.arg(0.01 * k).arg(std::sin(0.1 * k)).arg(95.493 * std::cos(0.1 * k));
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  QVERIFY(std::abs(log->recording.time()[10] - 0.1) < 1e-9);
+  QVERIFY(std::abs(log->recording.channel("angle_rad")[10] - std::sin(1.0)) < 1e-4);
+  QVERIFY(std::abs(log->recording.channel("velocity_rad_per_s")[10] - 10.0 * std::cos(1.0)) < 1e-3);
+}
+
+void TestImportShapes::listsOfEachRowBesideATime_areColumns_data() {
+  QTest::addColumn<bool>("bySignal");
+  QTest::newRow("a list per row") << false;
+  QTest::newRow("a list per signal") << true;
+}
+
+void TestImportShapes::listsOfEachRowBesideATime_areColumns() {
+  QFETCH(bool, bySignal);
+  QStringList times, positions, first, second;
+  for (int k = 0; k < rows; ++k) {
+    const QString a = QString::number(std::sin(0.1 * k)), b = QString::number(std::cos(0.1 * k));
+    times += QString::number(0.01 * k);
+    positions += "[" + a + "," + b + "]";
+    first += a;
+    second += b;
+  }
+  const QString lists = bySignal ? "[" + first.join(',') + "],[" + second.join(',') + "]" : positions.join(',');
+  const auto log =
+      imported(R"({"rate": 100, "time_s": [)" + times.join(',') + R"(], "joint_position": [)" + lists + "]}");
+  VERIFY_OK(log);
+  QCOMPARE(log->recording.rows(), size_t{rows});
+  QVERIFY(std::abs(log->recording.channel("angle_rad")[10] - std::sin(1.0)) < 1e-4);
+  QCOMPARE(log->columns.size(), size_t{3});
+}
+
+void TestImportShapes::rowsWithTheirNamesBeside_stayRows() {
+  QStringList data, index;
+  for (int k = 0; k < rows; ++k) {
+    data += QString("[%1,%2]").arg(0.01 * k).arg(std::sin(0.1 * k));
+    index += QString::number(k);
+  }
+  const auto log = imported(R"({"columns": ["time_s", "angle_rad"], "index": [)" + index.join(',') + R"(], "data": [)" +
+                            data.join(',') + "]}");
+  VERIFY_OK(log);
+  QVERIFY(std::abs(log->recording.channel("angle_rad")[10] - std::sin(1.0)) < 1e-4);
+}
+
+QTEST_APPLESS_MAIN(TestImportShapes)
+#include "tst_import_shapes.moc"
