@@ -31,6 +31,9 @@ class TestImportNames : public QObject {
   void valuesBeyondAnyMotor_areKept();
   void outputWithinOneBesideADuty_isNoVoltage();
   void countsBesideATravelInMillimetres_arentAskedAbout();
+  void oneOfTwoPositionsBesideAnOdrivesCurrent_isNotInTurns();
+  void commandedTorqueWithoutAUnit_isCalledSo();
+  void wholeVoltsBeyondAMotors_areNoSupply();
 
  private:
   Result<Imported> imported(const QString& text) {
@@ -38,7 +41,7 @@ class TestImportNames : public QObject {
   }
   /// A table of these columns, each a wave of its own.
   Result<Imported> waves(const QStringList& names) {
-    QString text = "time_s," + names.join(',') + "\n";
+    QString text = "time_s,\"" + names.join("\",\"") + "\"\n";
     for (int k = 0; k < 80; ++k) {
       text += QString::number(0.01 * k);
       for (int c = 0; c < names.size(); ++c) text += QString(",%1").arg((1.0 + 0.1 * c) * std::sin(0.1 * k + c));
@@ -149,6 +152,20 @@ void TestImportNames::whatNamesBesideTell_isTaken_data() {
                                            << "";
   QTest::newRow("what an angle shall be") << QStringList{"angle_deg", "target_deg", "rpm"} << "target_deg"
                                           << "angle_reference_rad";
+  QTest::newRow("several of them") << QStringList{"joint_position", "joint_temperatures"} << "joint_temperatures"
+                                   << "temperature_degC";
+  QTest::newRow("a degree as one sign") << QStringList{"angle(°)", "motor temp(℃)"} << "motor temp(℃)"
+                                        << "temperature_degC";
+  QTest::newRow("another channel of one run")
+      << QStringList{"Angle, Ch P1 (rad) Run #1", "Output Voltage, Ch 01 (V) Run #1"}
+      << "Output Voltage, Ch 01 (V) Run #1"
+      << "voltage_V";
+  QTest::newRow("a feedback by a letter") << QStringList{"FPOS(0)", "RPOS(0)"} << "FPOS(0)"
+                                          << "angle_rad";
+  QTest::newRow("a reference by a letter") << QStringList{"FPOS(0)", "RPOS(0)"} << "RPOS(0)"
+                                           << "angle_reference_rad";
+  QTest::newRow("a filtered current") << QStringList{"mechPos", "iqf"} << "iqf"
+                                      << "current_A";
   QTest::newRow("a phase's voltage") << QStringList{"theta_m", "u_a", "u_b", "u_c"} << "u_a"
                                      << "";
 }
@@ -382,6 +399,29 @@ void TestImportNames::countsBesideATravelInMillimetres_arentAskedAbout() {
   VERIFY_OK(log);
   QCOMPARE(meaning(*log, "travel_mm"), std::string("position_m"));
   QVERIFY(!log->recording.has("angle_rad"));
+}
+
+void TestImportNames::oneOfTwoPositionsBesideAnOdrivesCurrent_isNotInTurns() {
+  const auto unitOf = [this](const QStringList& names) {
+    const auto log = waves(names);
+    return log ? log->columns[1].unit : log.error().message();
+  };
+  QCOMPARE(unitOf({"position", "iq_measured"}), std::string("turns"));
+  QCOMPARE(unitOf({"position", "encoder_pos", "iq_measured"}), std::string());
+}
+
+void TestImportNames::commandedTorqueWithoutAUnit_isCalledSo() {
+  const auto log = waves({"actual_q_0", "target_moment_0"});
+  VERIFY_OK(log);
+  QVERIFY(log->columns[2].inWords().english().find("what was commanded") != std::string::npos);
+}
+
+void TestImportNames::wholeVoltsBeyondAMotors_areNoSupply() {
+  QString text = "time_s,angle_rad,voltage\n";
+  for (int k = 0; k < 60; ++k) text += QString("%1,%2,121\n").arg(0.01 * k).arg(std::sin(0.1 * k));
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "voltage"), std::string());
 }
 
 QTEST_APPLESS_MAIN(TestImportNames)

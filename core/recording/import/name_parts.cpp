@@ -126,10 +126,15 @@ bool isChannel(std::string_view word) {
   return isIn(words, word);
 }
 
+/// "2", "P1": a channel's.
+bool isChannelNumber(std::string_view word) {
+  return isNumber(word) || (word.size() > 1 && word.size() < 4 && isNumber(word.substr(1)));
+}
+
 /// "Kanal 2 Drehzahl", "ch3_torque": without the channel; where nothing else stands, as it is.
 void dropChannel(Words& words) {
   for (size_t k = 0; k + 1 < words.size(); ++k) {
-    if (!isChannel(words[k]) || !isNumber(words[k + 1]) || words.size() < 3) continue;
+    if (!isChannel(words[k]) || !isChannelNumber(words[k + 1]) || words.size() < 3) continue;
     words.erase(words.begin() + static_cast<std::ptrdiff_t>(k), words.begin() + static_cast<std::ptrdiff_t>(k) + 2);
   }
 }

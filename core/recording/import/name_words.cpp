@@ -41,6 +41,22 @@ void partEnglish(Words& words) {
   }
 }
 
+/// "FPOS" is a feedback, "RVEL" a reference, as some drives call them; "iqf" is filtered.
+void partLetters(Words& words) {
+  static constexpr auto whole = std::to_array<std::array<std::string_view, 3>>({{"fpos", "feedback", "pos"},
+                                                                                {"rpos", "reference", "pos"},
+                                                                                {"fvel", "feedback", "vel"},
+                                                                                {"rvel", "reference", "vel"},
+                                                                                {"iqf", "iq", "filtered"}});
+  for (size_t k = 0; k < words.size(); ++k) {
+    for (const auto& [joined, first, second] : whole) {
+      if (words[k] != joined) continue;
+      words[k] = first;
+      words.insert(words.begin() + static_cast<std::ptrdiff_t>(k) + 1, std::string(second));
+    }
+  }
+}
+
 /// "torque_from_current" is a torque, however it was come by.
 void dropSource(Words& words) {
   const auto from = std::find(words.begin(), words.end(), "from");
@@ -172,6 +188,7 @@ void partWords(Words& words) {
   partGapless(words);
   partCompounds(words);
   partEnglish(words);
+  partLetters(words);
   partSupplies(words);
   dropSource(words);
 }

@@ -254,6 +254,11 @@ const Word* quantityNamed(std::string_view word) {
   const auto it =
       std::find_if(quantities.begin(), quantities.end(), [word](const Word& one) { return one.text == word; });
   if (it != quantities.end()) return &*it;
+  if (word.size() > 4 && word.back() == 's') {  // "joint_temperatures", "torques"
+    const auto one = std::find_if(quantities.begin(), quantities.end(),
+                                  [&](const Word& each) { return each.text == word.substr(0, word.size() - 1); });
+    if (one != quantities.end() && !one->weak) return &*one;
+  }
   // German compounds: "Motorstrom", "Solldrehzahl".
   static constexpr auto germanEnds = std::to_array<std::string_view>(
       {"strom", "spannung", "drehzahl", "drehmoment", "winkel", "temperatur", "kraft", "geschwindigkeit", "zeit"});

@@ -123,7 +123,7 @@ void Settling::settleVoltage() {
   for (const std::string& word : wordsOf(fates_[*c].from, true)) {
     if (word == "motor" || word == "mot" || word == "q" || word == "uq" || word == "vq" || word == "vm") return;
   }
-  if (!hardlyChanges(values(*c))) return;
+  if (!hardlyChanges(values(*c)) || setCountsAside(*c)) return;
   const auto speed = columnOf("velocity_rad_per_s");
   if (columnOf("supply_V") && speed && rangeOf(values(*speed)) > 0.5 * largest(values(*speed)))
     return keep(*c,

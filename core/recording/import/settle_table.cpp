@@ -95,6 +95,7 @@ ColumnFate Settling::fateOf(size_t c) const {
                                          : !choice.name.guess.empty() ? choice.name.guess
                                                                       : message("by its name"))
                                       : choice.name.aside;
+  if (choice.name.understood()) fate.doubt = choice.name.guess;
   fate.guessed =
       choice.name.understood() && (choice.name.unit.empty() || choice.name.byUnit || !choice.name.guess.empty());
   return fate;
@@ -215,6 +216,7 @@ Message ColumnFate::inWords() const {
     if (scale != 1.0) text = text + (" (× " + shortText(scale) + ")");
     if (offset != 0.0) text = text + ((offset > 0.0 ? ", + " : ", − ") + shortText(std::abs(offset)));
     if (guessed && !unit.empty()) text = text + message(", a guess: {}", why);
+    if (unit.empty() && !doubt.empty()) text = text + std::string("; ") + doubt;
   }
   return text;
 }

@@ -333,6 +333,9 @@ std::vector<std::string> wordsOf(std::string_view text, bool splitCamel) {
     if (rest.starts_with("°") || rest.starts_with("º")) {
       word += "deg";
       ++k;
+    } else if (rest.starts_with("℃") || rest.starts_with("℉")) {
+      word += rest.starts_with("℃") ? "degc" : "degf";
+      k += 2;
     } else if (rest.starts_with("µ") || rest.starts_with("μ")) {
       word += 'u';
       ++k;
