@@ -166,6 +166,11 @@ void TestImportNames::whatNamesBesideTell_isTaken_data() {
                                            << "angle_reference_rad";
   QTest::newRow("a filtered current") << QStringList{"mechPos", "iqf"} << "iqf"
                                       << "current_A";
+  const QStringList paths{"/state/motor_state[0]/q", "/state/motor_state[1]/q", "/cmd/motor_cmd[0]/q", "/imu/0/q"};
+  QTest::newRow("a letter behind a path") << paths << paths[0] << "angle_rad";
+  QTest::newRow("another motor's") << paths << paths[1] << "";
+  QTest::newRow("behind a path of commands") << paths << paths[2] << "angle_reference_rad";
+  QTest::newRow("behind a path of another thing") << paths << paths[3] << "";
   QTest::newRow("a phase's voltage") << QStringList{"theta_m", "u_a", "u_b", "u_c"} << "u_a"
                                      << "";
 }
@@ -337,6 +342,10 @@ void TestImportNames::angleOfARobotBesideItsWheelsSpeed_isSetAside() {
   VERIFY_OK(log);
   QCOMPARE(meaning(*log, "wheel_speed_rpm"), std::string("velocity_rad_per_s"));
   QCOMPARE(meaning(*log, "angle_deg"), std::string());
+  const auto pedal = imported(turningBeside("time_s,pedal_pos,rate_dps,motor_rpm\n"));
+  VERIFY_OK(pedal);
+  QCOMPARE(meaning(*pedal, "motor_rpm"), std::string("velocity_rad_per_s"));
+  QCOMPARE(meaning(*pedal, "pedal_pos"), std::string());
   const auto wheels = imported(turningBeside("time_s,wheel_angle_deg,rate_dps,wheel_speed_rpm\n"));
   VERIFY_OK(wheels);
   QCOMPARE(meaning(*wheels, "wheel_angle_deg"), std::string("angle_rad"));

@@ -188,6 +188,17 @@ size_t bestFor(const RawTable& table, const ImportMap& map, const std::vector<Ch
   return best;
 }
 
+/// Angles and speeds that don't go with those that would be taken.
+void dropStrangers(const RawTable& table, const ImportMap& map, std::vector<Choice>& choices) {
+  constexpr int most = 8;
+  bool again = true;
+  for (int k = 0; k < most && again; ++k) {
+    const size_t angle = bestFor(table, map, choices, "angle_rad"),
+                 speed = bestFor(table, map, choices, "velocity_rad_per_s");
+    again = std::max(angle, speed) < choices.size() && setStrangersAside(table, angle, speed, choices);
+  }
+}
+
 Result<void> takeOneEach(const RawTable& table, const ImportMap& map, std::vector<Choice>& choices,
                          const std::string& place) {
   std::set<std::string> targets;
@@ -323,9 +334,7 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
     if (!axis.empty() && !choice.name.group.empty() && choice.name.group != axis)
       setAside(choice, message("belongs to another axis ({}) than the one taken ({})", choice.name.group, axis));
   }
-  const size_t angle = bestFor(table, map, choices, "angle_rad"),
-               speed = bestFor(table, map, choices, "velocity_rad_per_s");
-  if (std::max(angle, speed) < choices.size()) setStrangersAside(table, angle, speed, choices);
+  dropStrangers(table, map, choices);
   if (const auto one = takeOneEach(table, map, choices, place); !one) return one.error();
   setOthersReferencesAside(table, choices);
   for (size_t c = 0; c < choices.size(); ++c) {

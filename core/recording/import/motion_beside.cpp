@@ -32,10 +32,10 @@ bool namesMotor(const RawTable& table, const Choice& choice, size_t c) {
 
 }  // namespace
 
-void setStrangersAside(const RawTable& table, size_t angle, size_t speed, std::vector<Choice>& choices) {
+bool setStrangersAside(const RawTable& table, size_t angle, size_t speed, std::vector<Choice>& choices) {
   constexpr double little = 0.6, most = 0.9;
   const auto isFixed = [&choices](size_t c) { return choices[c].byMap || choices[c].byTool; };
-  if (isFixed(angle) || isFixed(speed)) return;
+  if (isFixed(angle) || isFixed(speed)) return false;
   std::optional<double> taken;
   const auto differ = [&] {
     if (!taken) taken = commonOf(table, angle, speed);
@@ -49,18 +49,25 @@ void setStrangersAside(const RawTable& table, size_t angle, size_t speed, std::v
     if ((!otherAngle && !otherSpeed) || isFixed(c) || !differ()) continue;
     if (otherAngle && commonOf(table, c, speed) > most) {
       setAside(choices[angle], message("moves otherwise than {}, with which {} agrees", nameOf(speed), nameOf(c)));
-      return;
+      return true;
     }
     if (!otherSpeed || commonOf(table, angle, c) <= most) continue;
     if (!namesMotor(table, choices[speed], speed) || namesMotor(table, choices[angle], angle)) {
       setAside(choices[speed], message("moves otherwise than {}, with which {} agrees", nameOf(angle), nameOf(c)));
-      return;
+      return true;
     }
     const Message why = message("moves otherwise than {}, which is the motor's", nameOf(speed));
     setAside(choices[angle], why);
     setAside(choices[c], why);
-    return;
+    return true;
   }
+  constexpr double nextToNone = 0.3;
+  const ColumnName& named = choices[angle].name;
+  const bool another = named.qualified && named.unit.empty() && !choices[speed].name.unit.empty() &&
+                       namesMotor(table, choices[speed], speed) && !namesMotor(table, choices[angle], angle);
+  if (!another || !differ() || *taken > nextToNone) return false;
+  setAside(choices[angle], message("moves otherwise than {}, which is the motor's", nameOf(speed)));
+  return true;
 }
 
 }  // namespace breakaway

@@ -103,6 +103,23 @@ bool isMotion(const std::string& to) {
   return to == "angle_rad" || to == "position_m" || to == "velocity_rad_per_s" || to == "velocity_m_per_s";
 }
 
+/// "/lowstate/motor_state[0]/q": what stands behind the last stroke is the name, what before it whose.
+void takeBehindPaths(const RawTable& table, std::vector<Choice>& choices) {
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const std::string& name = table.columns[c].channel.name;
+    const size_t stroke = name.rfind('/');
+    if (stroke == std::string::npos || stroke == 0 || choices[c].name.understood() || choices[c].byMap) continue;
+    const NameParts path = partsOfName(name.substr(0, stroke), {});
+    const bool joints = firstIn(path.words, jointWords) != nullptr;
+    if (!joints || firstIn(path.words, otherThings) != nullptr || path.unit != nullptr) continue;
+    const bool wanted = firstIn(path.words, referenceWords) != nullptr;
+    ColumnName own = understandName(name.substr(stroke + 1) + (wanted ? "_cmd" : ""), table.columns[c].unit);
+    if (!own.understood()) continue;
+    own.group = path.group + (path.group.empty() || own.group.empty() ? "" : ".") + own.group;
+    choices[c].name = own;
+  }
+}
+
 /// "l_pwm" beside "r_pwm" is of the axis of "left_counts".
 void takeSides(const RawTable& table, std::vector<Choice>& choices) {
   std::set<std::string> names;
@@ -226,6 +243,7 @@ std::string nameWithout(std::string name, const std::string& word) {
 
 void takeByNeighbours(const RawTable& table, const ImportMap& map, std::vector<Choice>& choices) {
   takeBehindDevices(table, choices);
+  takeBehindPaths(table, choices);
   takeSides(table, choices);
   takeEfforts(table, choices);
   takeTargetsOfJoints(table, choices);
