@@ -171,6 +171,11 @@ void TestImportNames::whatNamesBesideTell_isTaken_data() {
   QTest::newRow("another motor's") << paths << paths[1] << "";
   QTest::newRow("behind a path of commands") << paths << paths[2] << "angle_reference_rad";
   QTest::newRow("behind a path of another thing") << paths << paths[3] << "";
+  const QStringList present{"angle", "torque_ref", "torque_cur"};
+  QTest::newRow("a torque as it is now") << present << "torque_cur"
+                                         << "torque_Nm";
+  QTest::newRow("the current of a torque") << QStringList{"angle", "torque_cur"} << "torque_cur"
+                                           << "current_A";
   QTest::newRow("a phase's voltage") << QStringList{"theta_m", "u_a", "u_b", "u_c"} << "u_a"
                                      << "";
 }

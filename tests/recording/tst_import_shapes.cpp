@@ -18,6 +18,9 @@ class TestImportShapes : public QObject {
   void listsOfEachRowBesideATime_areColumns_data();
   void listsOfEachRowBesideATime_areColumns();
   void rowsWithTheirNamesBeside_stayRows();
+  void stampInBrackets_isTheTime_data();
+  void stampInBrackets_isTheTime();
+  void coloursOfATerminal_areNoText();
 
  private:
   Result<Imported> imported(const QString& text) {
@@ -116,6 +119,47 @@ void TestImportShapes::rowsWithTheirNamesBeside_stayRows() {
                             data.join(',') + "]}");
   VERIFY_OK(log);
   QVERIFY(std::abs(log->recording.channel("angle_rad")[10] - std::sin(1.0)) < 1e-4);
+}
+
+void TestImportShapes::stampInBrackets_isTheTime_data() {
+  QTest::addColumn<QString>("head");
+  QTest::addColumn<QString>("row");
+  const QString date = "[2024-05-01 10:20:1%1.%2]";
+  QTest::newRow("a date before cells") << "[2024-05-01 10:20:09.000] angle_rad,rpm\n" << date + " %4,%5";
+  QTest::newRow("a date before cells without names' own") << "angle_rad,rpm\n" << date + " %4,%5";
+  QTest::newRow("a date before labels") << QString() << date + " angle_rad=%4 rpm=%5";
+  QTest::newRow("seconds since 1970 in round brackets")
+      << QString() << "(171455881%1.%2000)  can0  ANGLE: %4 rad, SPEED: %5 rpm";
+  QTest::newRow("a number before cells") << "angle_rad;rpm\n"
+                                         << "[1%1.%2] %4;%5";
+}
+
+void TestImportShapes::stampInBrackets_isTheTime() {
+  QFETCH(QString, head);
+  QFETCH(QString, row);
+  QString text = head;
+  for (int k = 0; k < rows; ++k) {
+    QString line = row;
+    line.replace("%1", QString::number(k / 10)).replace("%2", QString("%1").arg(100 * (k % 10), 3, 10, QChar('0')));
+    line.replace("%4", QString::number(std::sin(0.1 * k))).replace("%5", QString::number(95.493 * std::cos(0.1 * k)));
+    text += line + "\n";
+  }
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  QCOMPARE(log->recording.rows(), size_t{rows});
+  QVERIFY(std::abs(log->recording.time()[rows - 1] - log->recording.time()[0] - 0.1 * (rows - 1)) < 1e-6);
+  QVERIFY(std::abs(log->recording.channel("angle_rad")[10] - std::sin(1.0)) < 1e-4);
+  QVERIFY(std::abs(log->recording.channel("velocity_rad_per_s")[10] - 10.0 * std::cos(1.0)) < 1e-3);
+}
+
+void TestImportShapes::coloursOfATerminal_areNoText() {
+  QString text = "\x1b[0;32mI (312) app: start\x1b[0m\n";
+  for (int k = 0; k < rows; ++k)
+    text += QString("\x1b[0;32mI (%1) motor: pos=%2 iq=%3\x1b[0m\n").arg(500 + 10 * k).arg(std::sin(0.1 * k)).arg(0.5);
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  QCOMPARE(log->recording.rows(), size_t{rows});
+  QVERIFY(log->recording.has("angle_rad") && log->recording.has("current_A"));
 }
 
 QTEST_APPLESS_MAIN(TestImportShapes)

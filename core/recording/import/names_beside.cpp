@@ -137,6 +137,27 @@ void takeSides(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
+/// "torque_cur" beside "torque_ref" is the torque now, and no current.
+void takePresent(const RawTable& table, std::vector<Choice>& choices) {
+  std::set<Words> wanted;  // without the word of reference
+  for (const RawColumn& column : table.columns) {
+    Words words = wordsOf(column.channel.name, true);
+    if (std::erase_if(words, [](const std::string& word) { return isIn(referenceWords, word); }) > 0)
+      wanted.insert(std::move(words));
+  }
+  for (size_t c = 0; c < choices.size(); ++c) {
+    Words words = wordsOf(table.columns[c].channel.name, true);
+    const auto now = std::erase_if(
+        words, [](const std::string& word) { return word == "cur" || word == "curr" || word == "current"; });
+    const bool current = choices[c].name.to == "current_A" && choices[c].name.unit.empty();
+    if (now != 1 || !current || choices[c].byMap || choices[c].byTool || !wanted.contains(words)) continue;
+    std::string name;
+    for (const std::string& word : words) name += (name.empty() ? "" : "_") + word;
+    const ColumnName own = understandName(name, table.columns[c].unit);
+    if (own.understood()) choices[c].name = own;
+  }
+}
+
 /// The name's words without those of quantities and references: what or whose it is.
 Words ownerOf(const std::string& name) {
   Words words = wordsOf(name, true);
@@ -245,6 +266,7 @@ void takeByNeighbours(const RawTable& table, const ImportMap& map, std::vector<C
   takeBehindDevices(table, choices);
   takeBehindPaths(table, choices);
   takeSides(table, choices);
+  takePresent(table, choices);
   takeEfforts(table, choices);
   takeTargetsOfJoints(table, choices);
   takeArmatures(table, choices);

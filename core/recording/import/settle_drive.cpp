@@ -97,8 +97,8 @@ bool Settling::setCountsAside(size_t c) {
   const bool guessed = ((fates_[c].guessed && fates_[c].unit.empty()) || word) && !choices_[c].byMap;
   if (most == 0.0 || !guessed) return false;
   constexpr double withDecimals = 20.0;  // times as much is beyond any motor
-  const bool whole = areWhole(values(c));
-  if (largest(values(c)) <= (whole ? most : withDecimals * most)) return false;
+  const bool whole = areWhole(values(c)), mechanical = to == "torque_Nm" || to == "force_N";
+  if ((!whole && mechanical) || largest(values(c)) <= (whole ? most : withDecimals * most)) return false;
   if (!whole) {
     const std::string far = shortText(largest(values(c)));
     remarks_.push_back(

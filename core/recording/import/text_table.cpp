@@ -241,6 +241,7 @@ Result<RawTable> readTextTable(std::string_view text, const std::string& name) {
   if (const auto tagged = withTaggedRowsApart(utf8)) return readTagged(*tagged, name);
   auto flat = withListsInCells(utf8);
   if (!flat) flat = withStampsAsCells(utf8);
+  if (!flat) flat = withStampsBeforeRows(utf8);
   if (flat) {
     utf8 = *flat;
   } else if (const auto sentences = withSentencesAsCells(utf8, SentenceTime::clock)) {
