@@ -176,6 +176,14 @@ void TestImportNames::whatNamesBesideTell_isTaken_data() {
                                          << "torque_Nm";
   QTest::newRow("the current of a torque") << QStringList{"angle", "torque_cur"} << "torque_cur"
                                            << "current_A";
+  QTest::newRow("a command in percent") << QStringList{"rpm", "command_pct"} << "command_pct"
+                                        << "duty";
+  QTest::newRow("percent before a PWM") << QStringList{"rpm", "%PWM"} << "%PWM"
+                                        << "duty";
+  QTest::newRow("what was read") << QStringList{"speed_target_rpm", "speed_read"} << "speed_read"
+                                 << "velocity_rad_per_s";
+  QTest::newRow("thousandths per second") << QStringList{"theta_mrad", "theta_dot_mradps"} << "theta_dot_mradps"
+                                          << "velocity_rad_per_s";
   QTest::newRow("a phase's voltage") << QStringList{"theta_m", "u_a", "u_b", "u_c"} << "u_a"
                                      << "";
 }

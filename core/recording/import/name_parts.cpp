@@ -282,6 +282,7 @@ NameParts partsOfName(std::string_view name, std::string_view unit) {
     parts.factor = 1.0;
     setUnit(unit, parts);
   }
+  if (text.size() > 1 && text.front() == '%') text = text.substr(1) + " %";  // "%PWM"
   if (parts.unit == nullptr && !parts.unknownUnit) text = takeMultipliedUnit(text, parts);
   const size_t in = text.find(" in ");
   if (parts.unit == nullptr && !parts.unknownUnit && in != std::string::npos) {

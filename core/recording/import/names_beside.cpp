@@ -193,7 +193,7 @@ void takeOwnersReferences(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
-/// "Output_%" where nothing else drives is a controller's output, and so the motor's duty.
+/// "Output_%", "command_pct" where nothing else drives is a controller's output, and so the motor's duty.
 void takeOutputs(const RawTable& table, std::vector<Choice>& choices) {
   static constexpr auto drives =
       std::to_array<std::string_view>({"duty", "voltage_V", "current_A", "torque_Nm", "force_N"});
@@ -206,7 +206,8 @@ void takeOutputs(const RawTable& table, std::vector<Choice>& choices) {
     if (choices[c].name.understood() || choices[c].byMap || table.columns[c].fault) continue;
     const NameParts parts = partsOfName(table.columns[c].channel.name, table.columns[c].unit);
     const bool percent = parts.unit != nullptr && parts.unit->kind == UnitKind::ratio && parts.unit->scale == 1e-2;
-    const bool output = isIn(parts.words, "output") || isIn(parts.words, "out");
+    const bool command = parts.words.size() == 1 && (parts.words[0] == "command" || parts.words[0] == "cmd");
+    const bool output = command || isIn(parts.words, "output") || isIn(parts.words, "out");
     const bool plain =
         std::all_of(parts.words.begin(), parts.words.end(), [](const std::string& word) { return isIn(meant, word); });
     const auto& values = table.columns[c].channel.values;

@@ -33,21 +33,21 @@ inline constexpr auto supplyWords = std::to_array<std::string_view>(
      "input",  "bms", "pack", "esc", "psu", "udc",     "hv",   "traction", "母线", "母線",  "电源", "电池"});
 /// May stand behind the quantity and change nothing.
 inline constexpr auto decorations = std::to_array<std::string_view>(
-    {"actual",     "act",        "measured",  "meas",     "measurement", "present",   "motor",     "mot",
-     "shaft",      "rotor",      "encoder",   "enc",      "joint",       "axis",      "value",     "val",
-     "values",     "ist",        "istwert",   "feedback", "fb",          "stamp",     "cycle",     "estimate",
-     "est",        "estimated",  "estimator", "filtered", "filt",        "lpf",       "now",       "data",
-     "output",     "out",        "raw",       "state",    "states",      "q",         "mech",      "m",
-     "r",          "mechanical", "today",     "shadow",   "total",       "latest",    "per",       "of",
-     "the",        "link",       "angular",   "in",       "since",       "start",     "averaged",  "average",
-     "avg",        "smoothed",   "smooth",    "rel",      "generating",  "producing", "voltage",   "current",
-     "sensor",     "reading",    "channel",   "ch",       "sec",         "msr",       "measure",   "real",
-     "true",       "mesuré",     "mesurée",   "mesure",   "réel",        "réelle",    "moteur",    "medido",
-     "medida",     "misurata",   "misurato",  "atual",    "actuelle",    "gemessen",  "gemessene", "aktuell",
-     "实际",       "測定",       "实测",      "反馈",     "revolute",    "prismatic", "telemetry", "pll",
-     "observer",   "observed",   "obs",       "hat",      "kf",          "ekf",       "kalman",    "smo",
-     "sensorless", "fdb",        "fbk",       "fdk",      "used",        "applied",   "j",         "ave",
-     "mean",       "wirk"});
+    {"actual",  "act",        "measured",  "meas",     "measurement", "present",   "motor",     "mot",
+     "shaft",   "rotor",      "encoder",   "enc",      "joint",       "axis",      "value",     "val",
+     "values",  "ist",        "istwert",   "feedback", "fb",          "stamp",     "cycle",     "estimate",
+     "est",     "estimated",  "estimator", "filtered", "filt",        "lpf",       "now",       "data",
+     "output",  "out",        "raw",       "state",    "states",      "q",         "mech",      "m",
+     "r",       "mechanical", "today",     "shadow",   "total",       "latest",    "per",       "of",
+     "the",     "link",       "angular",   "in",       "since",       "start",     "averaged",  "average",
+     "avg",     "smoothed",   "smooth",    "rel",      "generating",  "producing", "voltage",   "current",
+     "sensor",  "reading",    "read",      "channel",  "ch",          "sec",       "msr",       "measure",
+     "real",    "true",       "mesuré",    "mesurée",  "mesure",      "réel",      "réelle",    "moteur",
+     "medido",  "medida",     "misurata",  "misurato", "atual",       "actuelle",  "gemessen",  "gemessene",
+     "aktuell", "实际",       "測定",      "实测",     "反馈",        "revolute",  "prismatic", "telemetry",
+     "pll",     "observer",   "observed",  "obs",      "hat",         "kf",        "ekf",       "kalman",
+     "smo",     "sensorless", "fdb",       "fbk",      "fdk",         "used",      "applied",   "j",
+     "ave",     "mean",       "wirk"});
 /// Before a reference they tell who follows it.
 inline constexpr auto loopWords =
     std::to_array<std::string_view>({"mcu", "controller", "control", "pid", "loop", "plc"});

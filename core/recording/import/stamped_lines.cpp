@@ -180,7 +180,8 @@ std::optional<std::string> withStampsBeforeRows(std::string_view text) {
     const StampedLine one = stamped(line);
     if (!isTaken(one)) {
       const char separator = separatorIn(line);  // names stand without a stamp, too
-      if (separator != ' ' && !beginsWithNumber(line)) out += std::string("time") + separator;
+      if (separator != ' ' && !beginsWithNumber(line) && !isComment(withoutBlanks(line)))
+        out += std::string("time") + separator;
       out += line;
     } else {
       const bool row = beginsWithNumber(one.rest);
