@@ -184,6 +184,15 @@ void TestImportNames::whatNamesBesideTell_isTaken_data() {
                                  << "velocity_rad_per_s";
   QTest::newRow("thousandths per second") << QStringList{"theta_mrad", "theta_dot_mradps"} << "theta_dot_mradps"
                                           << "velocity_rad_per_s";
+  const QStringList wheels{"l_rpm", "r_rpm", "rpm_l_ref", "rpm_r_ref"};
+  QTest::newRow("what this side shall be") << wheels << "rpm_l_ref"
+                                           << "velocity_reference_rad_per_s";
+  QTest::newRow("what the other side shall be") << wheels << "rpm_r_ref"
+                                                << "";
+  QTest::newRow("a rope's tension") << QStringList{"theta", "tension"} << "tension"
+                                    << "";
+  QTest::newRow("a voltage in Spanish") << QStringList{"velocidad", "tension"} << "tension"
+                                        << "voltage_V";
   QTest::newRow("a phase's voltage") << QStringList{"theta_m", "u_a", "u_b", "u_c"} << "u_a"
                                      << "";
 }

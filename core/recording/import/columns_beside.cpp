@@ -103,6 +103,26 @@ void setRowNumbersAside(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
+/// A "tension" among English names is a rope's or a belt's, and no voltage as in French and Spanish.
+void setTensionsAside(const RawTable& table, std::vector<Choice>& choices) {
+  static constexpr auto others = std::to_array<std::string_view>(
+      {"temps",    "tiempo", "vitesse",    "velocidad", "courant",  "corriente",  "intensidad",
+       "couple",   "par",    "angulo",     "ángulo",    "posicion", "posición",   "consigne",
+       "consigna", "moteur", "referencia", "mesure",    "mesurée",  "temperatura"});
+  const bool romance = std::any_of(table.columns.begin(), table.columns.end(), [](const RawColumn& column) {
+    return firstIn(wordsOf(column.channel.name, true), others) != nullptr;
+  });
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const std::string& to = choices[c].name.to;
+    const auto words = wordsOf(table.columns[c].channel.name, true);
+    const bool tension =
+        std::any_of(words.begin(), words.end(), [](const std::string& word) { return word.starts_with("tension"); });
+    if (tension && !romance && (to == "voltage_V" || to == "supply_V") && choices[c].name.unit.empty() &&
+        !choices[c].byMap)
+      setAside(choices[c], message("may be a rope's or a belt's tension"));
+  }
+}
+
 /// "u" within ±1 that goes with the duty is a controller's output, and no voltage.
 void setOutputsAside(const RawTable& table, std::vector<Choice>& choices) {
   const auto duty =
@@ -277,6 +297,7 @@ void judgeByNeighbours(const RawTable& table, std::vector<Choice>& choices) {
   setPresentAside(table, choices);
   setLinesAside(table, choices);
   setRowNumbersAside(table, choices);
+  setTensionsAside(table, choices);
   setOutputsAside(table, choices);
   setPlacesAside(table, choices);
   setTurningAside(table, choices);

@@ -114,6 +114,12 @@ bool isSide(std::string_view word) {
   return word == "left" || word == "right" || word == "l" || word == "r";
 }
 
+/// Nothing follows, or only what says that it is a reference.
+bool onlyReferenceFollows(const Words& words, size_t k) {
+  return std::all_of(words.begin() + static_cast<std::ptrdiff_t>(k) + 1, words.end(),
+                     [](const std::string& word) { return isIn(referenceWords, word); });
+}
+
 /// "rpm_l" is of the axis of "left_amps".
 std::string sideNamed(std::string_view word) {
   return word.front() == 'l' ? "left" : "right";
@@ -155,8 +161,8 @@ void takeGroup(Words& words, std::string& group) {
         word[0] == 'r' || word[0] == 'p' ||
         (k == 0 && words.size() > 1 && std::string_view("majsxyz").find(word[0]) == std::string_view::npos);
     const bool parameter = letterAndNumber && word.size() > 2 && drives;
-    const bool axis = letterAndNumber && !parameter;                                          // "m0"
-    const bool side = isSide(word) && (word.size() > 1 || (k > 0 && k + 1 == words.size()));  // "rpm_l"
+    const bool axis = letterAndNumber && !parameter;                                                   // "m0"
+    const bool side = isSide(word) && (word.size() > 1 || (k > 0 && onlyReferenceFollows(words, k)));  // "rpm_l_ref"
     const bool joint = axis && word[0] == 'j';              // "tau_J1" is of the axis of "dq1"
     const bool angle = axis && word[0] == 'q' && own == 1;  // "q1", "q1_ref"
     if (!model && (isNumber(word) || axis || side))
@@ -212,7 +218,7 @@ bool takeUnitBeforeWords(const std::string& text, NameParts& parts) {
     for (size_t k = from; k < end; ++k) parts.unitText += (k == from ? "" : "_") + head[k];
     parts.words = wordsOf(firstWords(text, from), true);
     parts.words.insert(parts.words.end(), plain.begin() + static_cast<std::ptrdiff_t>(end), plain.end());
-    if (parts.unitFirst && parts.words.size() == 1 && isSide(parts.words[0]))
+    if (parts.unitFirst && !parts.words.empty() && isSide(parts.words[0]) && onlyReferenceFollows(parts.words, 0))
       parts.words[0] = sideNamed(parts.words[0]);
     return true;
   }
