@@ -193,6 +193,16 @@ void TestImportNames::whatNamesBesideTell_isTaken_data() {
                                     << "";
   QTest::newRow("a voltage in Spanish") << QStringList{"velocidad", "tension"} << "tension"
                                         << "voltage_V";
+  const QStringList bracketed{"ACTUAL_JOINT_POSITIONS (J1)", "ACTUAL_JOINT_POSITIONS (J2)", "JOINT_TORQUES (J1)"};
+  QTest::newRow("an axis in brackets") << bracketed << bracketed[0] << "angle_rad";
+  QTest::newRow("another one") << bracketed << bracketed[1] << "";
+  QTest::newRow("of the axis in brackets") << bracketed << bracketed[2] << "torque_Nm";
+  QTest::newRow("a set point") << QStringList{"CL_POS_FBK_VALUE", "CL_POS_SET_POINT_VALUE"} << "CL_POS_SET_POINT_VALUE"
+                               << "angle_reference_rad";
+  QTest::newRow("a bus of direct current") << QStringList{"X1_ActualPosition", "X1_DCBusVoltage"} << "X1_DCBusVoltage"
+                                           << "supply_V";
+  QTest::newRow("a phone's gyroscope") << QStringList{"rpm", "Gyroscope x (rad/s)"} << "Gyroscope x (rad/s)"
+                                       << "";
   QTest::newRow("a phase's voltage") << QStringList{"theta_m", "u_a", "u_b", "u_c"} << "u_a"
                                      << "";
 }

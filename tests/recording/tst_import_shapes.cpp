@@ -21,6 +21,7 @@ class TestImportShapes : public QObject {
   void stampInBrackets_isTheTime_data();
   void stampInBrackets_isTheTime();
   void coloursOfATerminal_areNoText();
+  void rowsOfATagAndAValue_areSignals();
 
  private:
   Result<Imported> imported(const QString& text) {
@@ -160,6 +161,18 @@ void TestImportShapes::coloursOfATerminal_areNoText() {
   VERIFY_OK(log);
   QCOMPARE(log->recording.rows(), size_t{rows});
   QVERIFY(log->recording.has("angle_rad") && log->recording.has("current_A"));
+}
+
+void TestImportShapes::rowsOfATagAndAValue_areSignals() {
+  QString text = "Tag,Timestamp,Value,Quality\n";
+  for (int k = 0; k < rows; ++k) {
+    const QString stamp = QString("2024-05-01 10:20:%1.%2").arg(10 + k / 10).arg(100 * (k % 10), 3, 10, QChar('0'));
+    text += QString("Motor1.Speed_rpm,%1,%2,Good\nMotor1.Current_A,%1,0.5,Good\n").arg(stamp).arg(10 * k);
+  }
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  QCOMPARE(log->recording.rows(), size_t{rows});
+  QVERIFY(log->recording.has("velocity_rad_per_s") && log->recording.has("current_A"));
 }
 
 QTEST_APPLESS_MAIN(TestImportShapes)

@@ -82,6 +82,15 @@ std::string withoutInnerBrackets(std::string_view inner) {
   return text + std::string(inner);
 }
 
+/// "J1", "axis 2", "left".
+bool namesAxis(const Words& words) {
+  if (words.size() == 2) return (words[0] == "axis" || isIn(jointWords, words[0])) && isNumber(words[1]);
+  if (words.size() != 1) return false;
+  const bool numbered = words[0].size() > 1 && words[0].size() < 4 && isNumber(words[0].substr(1)) &&
+                        std::string_view("ajmx").find(words[0][0]) != std::string_view::npos;
+  return numbered || words[0] == "left" || words[0] == "right";
+}
+
 /// Takes bracketed units and indices off the name.
 std::string takeBrackets(std::string_view name, NameParts& parts) {
   std::string rest;
@@ -101,7 +110,7 @@ std::string takeBrackets(std::string_view name, NameParts& parts) {
       parts.unit = unit;
       parts.unitText = inner;
       parts.unknownUnit = false;
-    } else if (isNumber(inner) || (plainWords && !words.empty())) {
+    } else if (isNumber(inner) || namesAxis(words) || (plainWords && !words.empty())) {
       rest += " " + inner + " ";
     } else if (!words.empty()) {
       setUnit(inner, parts);

@@ -158,6 +158,11 @@ void joinWords(Words& words) {
       words.erase(words.begin() + static_cast<std::ptrdiff_t>(k) + 1);
       continue;
     }
+    if (words[k] == "set" && words[k + 1] == "point") {
+      words[k] = "setpoint";
+      words.erase(words.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+      continue;
+    }
     if (words[k] == "v" && words[k + 1] == "in") {
       words[k] = "vin";
       words.erase(words.begin() + static_cast<std::ptrdiff_t>(k) + 1);
