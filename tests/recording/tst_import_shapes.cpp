@@ -22,6 +22,11 @@ class TestImportShapes : public QObject {
   void stampInBrackets_isTheTime();
   void coloursOfATerminal_areNoText();
   void rowsOfATagAndAValue_areSignals();
+  void namesInAnEastAsianEncoding_areUnderstood_data();
+  void namesInAnEastAsianEncoding_areUnderstood();
+  void umlautsOfWindows_stayThose();
+  void rowsOfAxesWithOneStamp_askForTheColumnThatPartsThem();
+  void referenceWithoutAUnit_goesAboutAsFar();
 
  private:
   Result<Imported> imported(const QString& text) {
@@ -173,6 +178,56 @@ void TestImportShapes::rowsOfATagAndAValue_areSignals() {
   VERIFY_OK(log);
   QCOMPARE(log->recording.rows(), size_t{rows});
   QVERIFY(log->recording.has("velocity_rad_per_s") && log->recording.has("current_A"));
+}
+
+void TestImportShapes::namesInAnEastAsianEncoding_areUnderstood_data() {
+  QTest::addColumn<QByteArray>("head");
+  // 时间,角度,电流 and 時間,角度,電流 and 시간,각도,전류
+  QTest::newRow("GB 18030") << QByteArray("\xCA\xB1\xBC\xE4(s),\xBD\xC7\xB6\xC8(deg),\xB5\xE7\xC1\xF7(A)\n");
+  QTest::newRow("Shift JIS") << QByteArray("\x8E\x9E\x8A\xD4(s),\x8Ap\x93x(deg),\x93\x64\x97\xAC(A)\n");
+  QTest::newRow("EUC-KR") << QByteArray("\xBD\xC3\xB0\xA3(s),\xB0\xA2\xB5\xB5(deg),\xC0\xFC\xB7\xF9(A)\n");
+}
+
+void TestImportShapes::namesInAnEastAsianEncoding_areUnderstood() {
+  QFETCH(QByteArray, head);
+  QByteArray text = head;
+  for (int k = 0; k < rows; ++k) text += QString("%1,%2,0.5\n").arg(0.01 * k).arg(90.0 * std::sin(0.1 * k)).toUtf8();
+  const auto log = importRecording(folder_.write("log.csv", text.toStdString()));
+  VERIFY_OK(log);
+  QVERIFY(log->recording.has("angle_rad") && log->recording.has("current_A"));
+}
+
+void TestImportShapes::umlautsOfWindows_stayThose() {
+  QByteArray text =
+      "Zeit [s];Dr\xFC"
+      "cker Winkel [\xB0];Pr\xFC"
+      "fstrom [A]\n";
+  for (int k = 0; k < rows; ++k) text += QString("%1;%2;0.5\n").arg(0.01 * k).arg(90.0 * std::sin(0.1 * k)).toUtf8();
+  const auto log = importRecording(folder_.write("log.csv", text.toStdString()));
+  VERIFY_OK(log);
+  QCOMPARE(log->columns[2].from, std::string("Prüfstrom [A]"));
+  QVERIFY(log->recording.has("angle_rad"));
+}
+
+void TestImportShapes::rowsOfAxesWithOneStamp_askForTheColumnThatPartsThem() {
+  QString text = "time_s,rotor,angle_deg\n";
+  for (int k = 0; k < rows; ++k)
+    text += QString("%1,1,%2\n%1,2,%3\n").arg(0.01 * k).arg(90.0 * std::sin(0.1 * k)).arg(40.0 * std::cos(0.3 * k));
+  const auto log = imported(text);
+  QVERIFY(!log);
+  QVERIFY(log.error().message().find("{\"split\": \"rotor\"}") != std::string::npos);
+}
+
+void TestImportShapes::referenceWithoutAUnit_goesAboutAsFar() {
+  const auto first = [this](double scale) {
+    QString text = "time_s,rpm,target_w\n";
+    for (int k = 0; k < rows; ++k)
+      text += QString("%1,%2,%3\n").arg(0.01 * k).arg(955.0 * std::cos(0.1 * k)).arg(scale * 955.0 * std::cos(0.1 * k));
+    const auto log = imported(text);
+    return log ? log->recording.channel("velocity_reference_rad_per_s").front() : 0.0;
+  };
+  QVERIFY(std::abs(first(1.0) - 100.0) < 0.1);
+  QVERIFY(std::abs(first(0.1047) - 100.0) < 0.1);
 }
 
 QTEST_APPLESS_MAIN(TestImportShapes)

@@ -186,6 +186,7 @@ constexpr auto quantities = std::to_array<Word>({
     {"hoek", UnitKind::angle},
     {"úhel", UnitKind::angle},
     {"uhel", UnitKind::angle},
+    {"konum", UnitKind::angle},
     {"aci", UnitKind::angle},
     {"açı", UnitKind::angle},
     {"vinkel", UnitKind::angle},
@@ -246,6 +247,16 @@ constexpr auto gapless = std::to_array<Word>({
     {"力矩", UnitKind::torque},
     {"トルク", UnitKind::torque},
     {"温度", UnitKind::temperature},
+    {"시간", UnitKind::time},
+    {"회전수", UnitKind::angularVelocity, false, "rpm"},
+    {"각속도", UnitKind::angularVelocity},
+    {"속도", UnitKind::angularVelocity},
+    {"위치", UnitKind::angle},
+    {"각도", UnitKind::angle},
+    {"전류", UnitKind::current},
+    {"전압", UnitKind::voltage},
+    {"토크", UnitKind::torque},
+    {"온도", UnitKind::temperature},
 });
 
 }  // namespace
@@ -276,6 +287,12 @@ size_t quantityAtEnd(std::string_view word) {
     if (ends && (begin == 0 || word.size() - one.text.size() < begin)) begin = word.size() - one.text.size();
   }
   return begin;
+}
+
+size_t gaplessWordsIn(std::string_view text) {
+  return static_cast<size_t>(std::count_if(gapless.begin(), gapless.end(), [text](const Word& one) {
+    return text.find(one.text) != std::string_view::npos;
+  }));
 }
 
 }  // namespace breakaway

@@ -73,6 +73,8 @@ class Settling {
   Result<void> takeDuty();
   Result<void> dutyBeyond(size_t c, const Message& what);
   Result<void> takeOther(size_t c);
+  /// References without a unit are counted as what was measured is, or so that they go about as far.
+  void takeReferenceUnit(size_t c);
   /// Electrical values without a unit that look like a converter's counts or like mA.
   bool setCountsAside(size_t c);
   /// A voltage that hardly changes while the axis turns both ways, or while a duty drives it, is the supply's.

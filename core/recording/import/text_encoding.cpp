@@ -5,6 +5,8 @@
 #include <cstring>
 #include <utility>
 
+#include "recording/import/legacy_encoding.h"
+
 namespace breakaway {
 
 namespace {
@@ -121,6 +123,7 @@ std::string_view decoded(std::string_view text, std::string& buffer) {
   if (zeros(text, 1) > 0.6 && zeros(text, 0) < 0.1) return buffer = fromUtf16(text, 0, true);
   if (zeros(text, 0) > 0.6 && zeros(text, 1) < 0.1) return buffer = fromUtf16(text, 0, false);
   if (isUtf8(text)) return withPlainMinus(text, buffer);
+  if (auto eastAsian = fromEastAsian(text)) return buffer = std::move(*eastAsian);
   buffer.clear();
   buffer.reserve(text.size() + text.size() / 16);
   for (const char c : text) {
