@@ -203,6 +203,15 @@ void TestImportNames::whatNamesBesideTell_isTaken_data() {
                                            << "supply_V";
   QTest::newRow("a phone's gyroscope") << QStringList{"rpm", "Gyroscope x (rad/s)"} << "Gyroscope x (rad/s)"
                                        << "";
+  QTest::newRow("a letter behind a model's path") << QStringList{"inertia1.phi", "inertia1.w"} << "inertia1.w"
+                                                  << "velocity_rad_per_s";
+  QTest::newRow("a letter behind an unknown path") << QStringList{"angle", "wind.w"} << "wind.w"
+                                                   << "";
+  const QStringList stator{"rpm", "Stator current:1", "Stator current:2", "Stator current:3"};
+  QTest::newRow("a numbered phase's") << stator << stator[1] << "";
+  const QStringList motors{"rpm_1", "rpm_2", "rpm_3", "current_1", "current_2", "current_3"};
+  QTest::newRow("a numbered motor's") << motors << "current_1"
+                                      << "current_A";
   QTest::newRow("a phase's voltage") << QStringList{"theta_m", "u_a", "u_b", "u_c"} << "u_a"
                                      << "";
 }

@@ -17,7 +17,7 @@ namespace {
 
 /// Whether the name, with its letter at `at` exchanged for the two others of a phase, is there, too.
 bool hasPhasesBeside(const std::set<std::string>& names, const std::string& name, size_t at) {
-  static constexpr auto phases = std::to_array<std::string_view>({"abc", "ABC", "uvw", "UVW"});
+  static constexpr auto phases = std::to_array<std::string_view>({"abc", "ABC", "uvw", "UVW", "123"});
   return std::any_of(phases.begin(), phases.end(), [&](std::string_view letters) {
     if (letters.find(name[at]) == std::string_view::npos) return false;
     size_t beside = 0;
@@ -30,10 +30,14 @@ bool hasPhasesBeside(const std::set<std::string>& names, const std::string& name
   });
 }
 
-/// "current_a" beside "current_b" is one phase's, and no current in A; so is "dutyA" beside "dutyB".
+/// "current_a" beside "current_b" is one phase's, and no current in A; so is "dutyA" beside "dutyB", and "current:1"
+/// beside two others where no motion is numbered.
 void setPhasesAside(const RawTable& table, std::vector<Choice>& choices) {
   std::set<std::string> names;
   for (const RawColumn& column : table.columns) names.insert(column.channel.name);
+  const bool numbered = std::any_of(choices.begin(), choices.end(), [](const Choice& one) {
+    return (isAngle(one.name.to) || isSpeed(one.name.to)) && !one.name.group.empty();
+  });
   for (size_t c = 0; c < choices.size(); ++c) {
     const std::string& name = table.columns[c].channel.name;
     const std::string& to = choices[c].name.to;
@@ -41,8 +45,9 @@ void setPhasesAside(const RawTable& table, std::vector<Choice>& choices) {
         to == "duty" || to == "voltage_V" || to == "current_A" || to == "current_reference_A" || to == "supply_V";
     if (choices[c].byMap || choices[c].byTool || !electrical) continue;
     for (size_t at = 1; at < name.size(); ++at) {
+      const bool digit = std::isdigit(static_cast<unsigned char>(name[at])) != 0;
       const bool endsWord = at + 1 == name.size() || std::isalnum(static_cast<unsigned char>(name[at + 1])) == 0;
-      if (endsWord && hasPhasesBeside(names, name, at)) {
+      if (endsWord && !(digit && numbered) && hasPhasesBeside(names, name, at)) {
         setAside(choices[c], message("is one phase's"));
         break;
       }

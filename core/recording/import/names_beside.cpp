@@ -103,17 +103,28 @@ bool isMotion(const std::string& to) {
   return to == "angle_rad" || to == "position_m" || to == "velocity_rad_per_s" || to == "velocity_m_per_s";
 }
 
-/// "/lowstate/motor_state[0]/q": what stands behind the last stroke is the name, what before it whose.
+/// "/lowstate/motor_state[0]/q", "inertia1.w": what stands behind the last stroke or dot is the name, what before it
+/// whose; it must be a motor's or a joint's, or the path of another name that is understood.
 void takeBehindPaths(const RawTable& table, std::vector<Choice>& choices) {
-  for (size_t c = 0; c < choices.size(); ++c) {
+  const auto pathOf = [&table](size_t c) {
     const std::string& name = table.columns[c].channel.name;
-    const size_t stroke = name.rfind('/');
-    if (stroke == std::string::npos || stroke == 0 || choices[c].name.understood() || choices[c].byMap) continue;
-    const NameParts path = partsOfName(name.substr(0, stroke), {});
-    const bool joints = firstIn(path.words, jointWords) != nullptr;
-    if (!joints || firstIn(path.words, otherThings) != nullptr || path.unit != nullptr) continue;
+    const size_t end = name.find_last_of("/.");
+    return end == std::string::npos || end == 0 || end + 1 == name.size() ? std::string() : name.substr(0, end + 1);
+  };
+  std::set<std::string> known;
+  for (size_t c = 0; c < choices.size(); ++c) {
+    if (choices[c].name.understood() && choices[c].name.to != "time_s") known.insert(pathOf(c));
+  }
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const std::string whose = pathOf(c);
+    if (whose.empty() || choices[c].name.understood() || choices[c].byMap) continue;
+    const NameParts path = partsOfName(whose.substr(0, whose.size() - 1), {});
+    const bool joints = whose.back() == '/' && firstIn(path.words, jointWords) != nullptr;
+    if (!joints && !known.contains(whose)) continue;
+    if (firstIn(path.words, otherThings) != nullptr || path.unit != nullptr) continue;
     const bool wanted = firstIn(path.words, referenceWords) != nullptr;
-    ColumnName own = understandName(name.substr(stroke + 1) + (wanted ? "_cmd" : ""), table.columns[c].unit);
+    ColumnName own = understandName(table.columns[c].channel.name.substr(whose.size()) + (wanted ? "_cmd" : ""),
+                                    table.columns[c].unit);
     if (!own.understood()) continue;
     own.group = path.group + (path.group.empty() || own.group.empty() ? "" : ".") + own.group;
     choices[c].name = own;
