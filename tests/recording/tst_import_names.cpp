@@ -34,6 +34,7 @@ class TestImportNames : public QObject {
   void oneOfTwoPositionsBesideAnOdrivesCurrent_isNotInTurns();
   void commandedTorqueWithoutAUnit_isCalledSo();
   void wholeVoltsBeyondAMotors_areNoSupply();
+  void currentBesideAThrottleAndASupply_isDoubted();
 
  private:
   Result<Imported> imported(const QString& text) {
@@ -472,6 +473,19 @@ void TestImportNames::wholeVoltsBeyondAMotors_areNoSupply() {
   const auto log = imported(text);
   VERIFY_OK(log);
   QCOMPARE(meaning(*log, "voltage"), std::string());
+}
+
+void TestImportNames::currentBesideAThrottleAndASupply_isDoubted() {
+  const auto words = [this](const QString& name) {
+    QString text = "time_s,rpm,throttle_pct,voltage," + name + "\n";
+    for (int k = 0; k < 60; ++k)
+      text += QString("%1,%2,%3,22.2,%4\n").arg(0.1 * k).arg(3000.0 + 20 * k).arg(10 + k).arg(1.5 + 0.1 * k);
+    const auto log = imported(text);
+    return log ? log->columns[4].inWords().english() : log.error().message();
+  };
+  QVERIFY(words("current_mA").find("supply's") != std::string::npos);
+  QVERIFY(words("current").find("supply's") != std::string::npos);
+  QVERIFY(words("motor_current_mA").find("supply's") == std::string::npos);
 }
 
 QTEST_APPLESS_MAIN(TestImportNames)

@@ -255,6 +255,9 @@ ColumnName taken(Reading& name) {
   ColumnName understood = nameTaken(parts, to, rank);
   understood.qualified = name.unknownBefore > 0 && name.kind != UnitKind::time;
   if (parts.unit == nullptr) understood.usual = name.found.word->usual;
+  const bool letter = name.found.word->weak && name.word().size() == 1 && parts.unit == nullptr;
+  if (letter && (name.inWinding() || name.kind == UnitKind::force))
+    understood.guess = message("a letter alone says little");
   if (parts.unit != nullptr && std::string_view(parts.unit->name) == "hz")
     understood.guess = message("a motor's turns per second, not those of its field");
   const bool controls = name.has("control") || name.has("controller");

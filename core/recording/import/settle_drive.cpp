@@ -161,10 +161,21 @@ void Settling::settleVoltage() {
                       : both   ? message("it hardly changes while the axis turns both ways")
                                : message("it hardly changes while the speed rises and falls again and again");
   if (columnOf("supply_V")) return keep(*c, why + message(", so it is no motor's voltage"));
+  if (battery || pulseWidths_) doubtCurrent();
   fates_[*c].to = "supply_V";
   fates_[*c].why = why;
   fates_[*c].guessed = true;
   if (fates_[*c].unit.empty()) fates_[*c].unit = "V";
+}
+
+void Settling::doubtCurrent() {
+  const auto c = columnOf("current_A");
+  if (!c || choices_[*c].byMap || choices_[*c].byTool) return;
+  static constexpr auto motors = std::to_array<std::string_view>({"motor", "mot", "q", "iq", "phase", "winding"});
+  if (firstIn(wordsOf(fates_[*c].from, true), motors) != nullptr) return;
+  fates_[*c].why = message("it may be the supply's, as the voltage is");
+  fates_[*c].doubt = fates_[*c].why;
+  fates_[*c].guessed = true;
 }
 
 bool Settling::turnsBothWays() {

@@ -79,6 +79,8 @@ class Settling {
   bool setCountsAside(size_t c);
   /// A voltage that hardly changes while the axis turns both ways, or while a duty drives it, is the supply's.
   void settleVoltage();
+  /// Beside a supply's voltage and a throttle a current that isn't called the motor's may be the supply's, too.
+  void doubtCurrent();
   bool turnsBothWays();
   Result<void> takeIntegral();
   void differentiate();
