@@ -22,9 +22,11 @@ class TestImportShapes : public QObject {
   void stampInBrackets_isTheTime();
   void coloursOfATerminal_areNoText();
   void rowsOfATagAndAValue_areSignals();
-  void namesInAnEastAsianEncoding_areUnderstood_data();
-  void namesInAnEastAsianEncoding_areUnderstood();
+  void namesInAnOlderEncoding_areUnderstood_data();
+  void namesInAnOlderEncoding_areUnderstood();
   void umlautsOfWindows_stayThose();
+  void unitBehindAComma_isTheNames();
+  void nameOfEachLine_isNoNameOfAList();
   void rowsOfAxesWithOneStamp_askForTheColumnThatPartsThem();
   void referenceWithoutAUnit_goesAboutAsFar();
 
@@ -180,15 +182,22 @@ void TestImportShapes::rowsOfATagAndAValue_areSignals() {
   QVERIFY(log->recording.has("velocity_rad_per_s") && log->recording.has("current_A"));
 }
 
-void TestImportShapes::namesInAnEastAsianEncoding_areUnderstood_data() {
+void TestImportShapes::namesInAnOlderEncoding_areUnderstood_data() {
   QTest::addColumn<QByteArray>("head");
   // 时间,角度,电流 and 時間,角度,電流 and 시간,각도,전류
   QTest::newRow("GB 18030") << QByteArray("\xCA\xB1\xBC\xE4(s),\xBD\xC7\xB6\xC8(deg),\xB5\xE7\xC1\xF7(A)\n");
   QTest::newRow("Shift JIS") << QByteArray("\x8E\x9E\x8A\xD4(s),\x8Ap\x93x(deg),\x93\x64\x97\xAC(A)\n");
+  // Время, Угол, Ток and čas, úhel, proud
+  QTest::newRow("Windows-1251")
+      << QByteArray("\xC2\xF0\xE5\xEC\xFF, s,\xD3\xE3\xEE\xEB (deg),\xD2\xEE\xEA (A)\n").replace(", s,", " (s),");
+  QTest::newRow("Windows-1250") << QByteArray(
+      "\xE8"
+      "as (s),\xFAhel (deg),pr\xB9"
+      "d (A)\n");
   QTest::newRow("EUC-KR") << QByteArray("\xBD\xC3\xB0\xA3(s),\xB0\xA2\xB5\xB5(deg),\xC0\xFC\xB7\xF9(A)\n");
 }
 
-void TestImportShapes::namesInAnEastAsianEncoding_areUnderstood() {
+void TestImportShapes::namesInAnOlderEncoding_areUnderstood() {
   QFETCH(QByteArray, head);
   QByteArray text = head;
   for (int k = 0; k < rows; ++k) text += QString("%1,%2,0.5\n").arg(0.01 * k).arg(90.0 * std::sin(0.1 * k)).toUtf8();
@@ -228,6 +237,25 @@ void TestImportShapes::referenceWithoutAUnit_goesAboutAsFar() {
   };
   QVERIFY(std::abs(first(1.0) - 100.0) < 0.1);
   QVERIFY(std::abs(first(0.1047) - 100.0) < 0.1);
+}
+
+void TestImportShapes::unitBehindAComma_isTheNames() {
+  QString text = "Время, с;Угол, град;Скорость, об/мин;Ток, мА\n";
+  for (int k = 0; k < rows; ++k)
+    text += QString("%1;%2;%3;500\n").arg(0.01 * k).arg(90.0 * std::sin(0.1 * k)).arg(150.0 * std::cos(0.1 * k));
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  QVERIFY(std::abs(log->recording.channel("velocity_rad_per_s").front() - 15.708) < 1e-3);
+  QVERIFY(std::abs(log->recording.channel("current_A").front() - 0.5) < 1e-9);
+  QVERIFY(std::abs(log->recording.channel("angle_rad")[10] - 0.5 * M_PI * std::sin(1.0)) < 1e-4);
+}
+
+void TestImportShapes::nameOfEachLine_isNoNameOfAList() {
+  QString text;
+  for (int k = 0; k < rows; ++k) text += QString("RPM:%1,%2,%3,7\n").arg(100.5 + k).arg(200.5 + k).arg(k);
+  const auto log = imported(text);
+  QVERIFY(!log);
+  QVERIFY(log.error().message().find("column_2, column_3") != std::string::npos);
 }
 
 QTEST_APPLESS_MAIN(TestImportShapes)

@@ -299,6 +299,15 @@ NameParts partsOfName(std::string_view name, std::string_view unit) {
   }
   if (text.size() > 1 && text.front() == '%') text = text.substr(1) + " %";  // "%PWM"
   if (parts.unit == nullptr && !parts.unknownUnit) text = takeMultipliedUnit(text, parts);
+  const size_t comma = text.rfind(", ");  // "Скорость, об/мин"
+  if (parts.unit == nullptr && !parts.unknownUnit && comma != std::string::npos) {
+    const std::string behind = text.substr(comma + 2);
+    if (const Unit* named = unitNamed(behind); named != nullptr && !isNumber(behind)) {
+      parts.unit = named;
+      parts.unitText = behind;
+      text.resize(comma);
+    }
+  }
   const size_t in = text.find(" in ");
   if (parts.unit == nullptr && !parts.unknownUnit && in != std::string::npos) {
     if (const Unit* named = unitNamed(std::string_view(text).substr(in + 4))) {

@@ -1,6 +1,8 @@
 #include "recording/import/quantity_words.h"
 
 #include <algorithm>
+#include <set>
+#include <string>
 
 namespace breakaway {
 
@@ -289,10 +291,19 @@ size_t quantityAtEnd(std::string_view word) {
   return begin;
 }
 
-size_t gaplessWordsIn(std::string_view text) {
-  return static_cast<size_t>(std::count_if(gapless.begin(), gapless.end(), [text](const Word& one) {
-    return text.find(one.text) != std::string_view::npos;
-  }));
+size_t foreignWordsIn(std::string_view text) {
+  std::set<std::string_view> found;
+  for (const Word& one : gapless) {
+    if (text.find(one.text) != std::string_view::npos) found.insert(one.text);
+  }
+  const auto isForeign = [](const std::string& word) {
+    return std::any_of(word.begin(), word.end(), [](char c) { return static_cast<unsigned char>(c) >= 0x80U; });
+  };
+  for (const std::string& word : wordsOf(text, false)) {
+    const Word* quantity = isForeign(word) ? quantityNamed(word) : nullptr;
+    if (quantity != nullptr) found.insert(quantity->text);
+  }
+  return found.size();
 }
 
 }  // namespace breakaway

@@ -22,8 +22,8 @@ const Word* quantityNamed(std::string_view word);
 /// Where the quantity begins at the end of a word that is written without gaps (Chinese, Japanese); 0 when it doesn't.
 size_t quantityAtEnd(std::string_view word);
 
-/// How many different ones of the quantities that are written without gaps the text holds.
-size_t gaplessWordsIn(std::string_view text);
+/// How many different words of quantities that have other letters than English the text holds.
+size_t foreignWordsIn(std::string_view text);
 
 inline constexpr auto referenceWords = std::to_array<std::string_view>(
     {"ref",      "reference", "target",     "goal",        "setpoint", "sp",    "cmd",      "command", "commanded",

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <utility>
 
-#include "recording/import/legacy_encoding.h"
+#include "recording/import/older_encoding.h"
 
 namespace breakaway {
 
@@ -123,7 +123,7 @@ std::string_view decoded(std::string_view text, std::string& buffer) {
   if (zeros(text, 1) > 0.6 && zeros(text, 0) < 0.1) return buffer = fromUtf16(text, 0, true);
   if (zeros(text, 0) > 0.6 && zeros(text, 1) < 0.1) return buffer = fromUtf16(text, 0, false);
   if (isUtf8(text)) return withPlainMinus(text, buffer);
-  if (auto eastAsian = fromEastAsian(text)) return buffer = std::move(*eastAsian);
+  if (auto older = fromOlderEncoding(text)) return buffer = std::move(*older);
   buffer.clear();
   buffer.reserve(text.size() + text.size() / 16);
   for (const char c : text) {

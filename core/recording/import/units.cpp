@@ -21,17 +21,17 @@ const Unit* exactly(std::string_view name) {
 /// What moves, in the one word that stands in front of "per".
 std::string_view oneWord(std::string_view word) {
   static constexpr auto same = std::to_array<std::pair<std::string_view, std::string_view>>(
-      {{"rads", "rad"},    {"radian", "rad"},  {"radians", "rad"},  {"degs", "deg"},       {"degree", "deg"},
-       {"degrees", "deg"}, {"grad", "deg"},    {"revs", "rev"},     {"revolution", "rev"}, {"revolutions", "rev"},
-       {"turn", "rev"},    {"turns", "rev"},   {"rot", "rev"},      {"rotation", "rev"},   {"rotations", "rev"},
-       {"u", "rev"},       {"r", "rev"},       {"umdr", "rev"},     {"tr", "rev"},         {"giri", "rev"},
-       {"obr", "rev"},     {"ot", "rev"},      {"omw", "rev"},      {"toer", "rev"},       {"varv", "rev"},
-       {"об", "rev"},      {"dev", "rev"},     {"gradi", "deg"},    {"grados", "deg"},     {"graden", "deg"},
-       {"degrés", "deg"},  {"derece", "deg"},  {"counts", "count"}, {"cnt", "count"},      {"cts", "count"},
-       {"tick", "count"},  {"steps", "count"}, {"step", "count"},   {"pulse", "count"},    {"ticks", "count"},
-       {"inc", "count"},   {"ink", "count"},   {"pulses", "count"}, {"lsb", "count"},      {"meter", "m"},
-       {"meters", "m"},    {"metre", "m"},     {"metres", "m"},     {"millimeters", "mm"}, {"in", "inch"},
-       {"inches", "inch"}, {"ft", "feet"},     {"foot", "feet"}});
+      {{"rads", "rad"},       {"radian", "rad"},  {"radians", "rad"}, {"degs", "deg"},       {"degree", "deg"},
+       {"degrees", "deg"},    {"grad", "deg"},    {"revs", "rev"},    {"revolution", "rev"}, {"revolutions", "rev"},
+       {"turn", "rev"},       {"turns", "rev"},   {"rot", "rev"},     {"rotation", "rev"},   {"rotations", "rev"},
+       {"u", "rev"},          {"r", "rev"},       {"umdr", "rev"},    {"tr", "rev"},         {"giri", "rev"},
+       {"obr", "rev"},        {"ot", "rev"},      {"omw", "rev"},     {"toer", "rev"},       {"varv", "rev"},
+       {"об", "rev"},         {"dev", "rev"},     {"gradi", "deg"},   {"grados", "deg"},     {"graden", "deg"},
+       {"degrés", "deg"},     {"derece", "deg"},  {"град", "deg"},    {"рад", "rad"},        {"counts", "count"},
+       {"cnt", "count"},      {"cts", "count"},   {"tick", "count"},  {"steps", "count"},    {"step", "count"},
+       {"pulse", "count"},    {"ticks", "count"}, {"inc", "count"},   {"ink", "count"},      {"pulses", "count"},
+       {"lsb", "count"},      {"meter", "m"},     {"meters", "m"},    {"metre", "m"},        {"metres", "m"},
+       {"millimeters", "mm"}, {"in", "inch"},     {"inches", "inch"}, {"ft", "feet"},        {"foot", "feet"}});
   const auto it = std::find_if(same.begin(), same.end(), [word](const auto& one) { return one.first == word; });
   return it == same.end() ? word : it->second;
 }

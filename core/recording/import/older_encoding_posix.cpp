@@ -1,4 +1,4 @@
-#include "recording/import/legacy_encoding.h"
+#include "recording/import/older_encoding.h"
 
 #include <iconv.h>
 
@@ -42,17 +42,21 @@ std::optional<std::string> converted(std::string_view text, const char* encoding
 
 }  // namespace
 
-std::optional<std::string> fromEastAsian(std::string_view text) {
+std::optional<std::string> fromOlderEncoding(std::string_view text) {
   constexpr size_t looksAt = 20000, fewestWords = 2;
   std::string_view head = text.substr(0, looksAt);
   if (head.size() < text.size()) head = head.substr(0, head.find_last_of('\n') + 1);
-  const char* best = nullptr;
-  size_t most = fewestWords - 1;
-  for (const char* encoding : {"GB18030", "BIG5", "SHIFT_JIS", "EUC-KR"}) {
+  const auto wordsIn = [head](const char* encoding) -> size_t {
     size_t faults = 0;
     const auto tried = converted(head, encoding, faults);
-    const size_t words = tried ? gaplessWordsIn(*tried) : 0;
-    if (words <= most + faults) continue;
+    const size_t words = tried ? foreignWordsIn(*tried) : 0;
+    return words > faults ? words - faults : 0;
+  };
+  const char* best = nullptr;
+  size_t most = std::max(wordsIn("CP1252"), fewestWords - 1);
+  for (const char* encoding : {"GB18030", "BIG5", "SHIFT_JIS", "EUC-KR", "CP1251", "CP1250"}) {
+    const size_t words = wordsIn(encoding);
+    if (words <= most) continue;
     most = words;
     best = encoding;
   }
