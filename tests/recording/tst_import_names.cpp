@@ -91,6 +91,14 @@ void TestImportNames::whatNamesBesideTell_isTaken_data() {
                                       << "supply_V";
   QTest::newRow("how a vehicle turns") << QStringList{"x", "y", "omega", "motor_rpm"} << "omega"
                                        << "";
+  const QStringList vehicle{"t_ms", "x(in)", "y(in)", "theta(deg)", "v_l(ips)", "v_r(ips)", "motor (rpm)"};
+  QTest::newRow("where a vehicle heads") << vehicle << "theta(deg)"
+                                         << "";
+  QTest::newRow("an arm's angle beside its end")
+      << QStringList{"x (mm)", "y (mm)", "theta1 (deg)", "omega1 (rpm)"} << "theta1 (deg)"
+      << "angle_rad";
+  QTest::newRow("a mark that is no unit") << QStringList{"angle (deg)", "rotation (*/s)"} << "rotation (*/s)"
+                                          << "";
   QTest::newRow("a motor's speed beside one coordinate") << QStringList{"x", "theta", "omega"} << "omega"
                                                          << "velocity_rad_per_s";
   QTest::newRow("another channel") << QStringList{"Ch1 Drehzahl [U/min]", "Ch2 Drehmoment [Nm]"}

@@ -174,22 +174,38 @@ void setPlacesAside(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
-/// Beside x and y an "omega" is how a vehicle turns, and a "theta" where it heads, where a unit tells the motor's
-/// speed.
+/// Whether this coordinate is there: "x", "x(in)", "x_mm"; `placed`: in a unit of length.
+bool hasCoordinate(const RawTable& table, std::string_view letter, bool& placed) {
+  return std::any_of(table.columns.begin(), table.columns.end(), [&](const RawColumn& column) {
+    const NameParts parts = partsOfName(column.channel.name, column.unit);
+    const bool length = parts.unit != nullptr && parts.unit->kind == UnitKind::length;
+    const bool found = parts.group.empty() && parts.words.size() == 1 && parts.words[0] == letter &&
+                       (length || isSameWord(column.channel.name, letter));
+    placed = placed || (found && length);
+    return found;
+  });
+}
+
+/// Beside x and y an "omega" is how a vehicle turns, and a "theta" where it heads, where a unit tells the motor's or a
+/// wheel's speed.
 void setTurningAside(const RawTable& table, std::vector<Choice>& choices) {
-  bool x = false, y = false, motors = false;
-  for (size_t c = 0; c < choices.size(); ++c) {
-    x = x || isSameWord(table.columns[c].channel.name, "x");
-    y = y || isSameWord(table.columns[c].channel.name, "y");
-    motors = motors || (choices[c].name.to == "velocity_rad_per_s" && !choices[c].name.unit.empty());
-  }
-  if (!x || !y || !motors) return;
+  bool placed = false;
+  const bool motors = std::any_of(choices.begin(), choices.end(), [](const Choice& one) {
+    return one.name.to == "velocity_rad_per_s" && !one.name.unit.empty();
+  });
+  const bool wheels = std::any_of(table.columns.begin(), table.columns.end(), [](const RawColumn& column) {
+    const NameParts parts = partsOfName(column.channel.name, column.unit);
+    const bool side = parts.group == "left" || parts.group == "right";
+    return side && parts.unit != nullptr && parts.unit->kind == UnitKind::linearVelocity;  // "v_l (ips)"
+  });
+  if ((!motors && !wheels) || !hasCoordinate(table, "x", placed) || !hasCoordinate(table, "y", placed)) return;
   for (size_t c = 0; c < choices.size(); ++c) {
     const ColumnName& name = choices[c].name;
     const bool turns = name.to == "velocity_rad_per_s" || name.to == "angle_rad";
     const auto words = wordsOf(table.columns[c].channel.name, true);
     const bool ofMotor = firstIn(words, jointWords) != nullptr || firstIn(words, drivenWords) != nullptr;
-    if (turns && name.unit.empty() && !ofMotor && !choices[c].byMap && !choices[c].byTool)
+    const bool heads = placed && name.group.empty() && name.to == "angle_rad" && words[0] == "theta";
+    if (turns && (name.unit.empty() || heads) && !ofMotor && !choices[c].byMap && !choices[c].byTool)
       setAside(choices[c], message("is how a vehicle turns, beside its place and a motor's speed"));
   }
 }

@@ -132,7 +132,8 @@ ColumnName nameByUnit(const NameParts& parts) {
 std::optional<ColumnName> unitAsName(std::string_view name) {
   NameParts parts;
   parts.words = wordsOf(name, false);
-  if (parts.words.size() > 1 && unitNamed(name) != nullptr) {  // "deg/s"
+  const bool marked = name.find_first_of("([*") != std::string_view::npos;  // "rotation (*/s)"
+  if (!marked && parts.words.size() > 1 && unitNamed(name) != nullptr) {    // "deg/s"
     parts.unit = unitNamed(name);
     parts.unitText = std::string(name);
     return nameTaken(parts, contractName(parts.unit->kind, false), 2);

@@ -99,7 +99,8 @@ std::string takeBrackets(std::string_view name, NameParts& parts) {
     const size_t close = open == std::string_view::npos ? open : closeOf(name, open);
     if (close == std::string_view::npos || (open == 0 && close + 1 == name.size() && rest.empty())) break;
     rest += name.substr(0, open);
-    const std::string inner = withoutInnerBrackets(name.substr(open + 1, close - open - 1));
+    std::string inner = withoutInnerBrackets(name.substr(open + 1, close - open - 1));
+    if (inner == "in") inner = "inch";
     name.remove_prefix(close + 1);
     Words words = wordsOf(inner, true);
     partCompounds(words);

@@ -172,6 +172,7 @@ inline constexpr auto units = std::to_array<Unit>({
     {"m_per_min", linearVelocity, 1.0 / 60},
     {"mm_per_min", linearVelocity, 1e-3 / 60},
     {"inch_per_s", linearVelocity, inch_m},
+    {"ips", linearVelocity, inch_m},
     {"feet_per_s", linearVelocity, 12 * inch_m},
 
     {"a", current, 1},
