@@ -97,6 +97,19 @@ void TestImportNames::whatNamesBesideTell_isTaken_data() {
   QTest::newRow("an arm's angle beside its end")
       << QStringList{"x (mm)", "y (mm)", "theta1 (deg)", "omega1 (rpm)"} << "theta1 (deg)"
       << "angle_rad";
+  QTest::newRow("a circuit's node") << QStringList{"angle (deg)", "V(speed)"} << "V(speed)"
+                                    << "";
+  QTest::newRow("a winding's current") << QStringList{"angle (deg)", "Current(Winding_A) [A]"}
+                                       << "Current(Winding_A) [A]"
+                                       << "";
+  QTest::newRow("a stepper's target beside an encoder") << QStringList{"target_steps", "encoder_deg"} << "target_steps"
+                                                        << "";
+  QTest::newRow("a goal in another folder")
+      << QStringList{"/Arm/PositionRad", "/RealOutputs/Arm/GoalRad"} << "/RealOutputs/Arm/GoalRad"
+      << "angle_reference_rad";
+  QTest::newRow("a goal of another mechanism")
+      << QStringList{"/Arm/PositionRad", "/RealOutputs/Climber/GoalRad"} << "/RealOutputs/Climber/GoalRad"
+      << "";
   QTest::newRow("a mark that is no unit") << QStringList{"angle (deg)", "rotation (*/s)"} << "rotation (*/s)"
                                           << "";
   QTest::newRow("a motor's speed beside one coordinate") << QStringList{"x", "theta", "omega"} << "omega"

@@ -27,6 +27,7 @@ class TestImportShapes : public QObject {
   void umlautsOfWindows_stayThose();
   void unitBehindAComma_isTheNames();
   void nameOfEachLine_isNoNameOfAList();
+  void rowsOfSignalsInTurn_makeNoPauses();
   void rowsOfAxesWithOneStamp_askForTheColumnThatPartsThem();
   void referenceWithoutAUnit_goesAboutAsFar();
 
@@ -256,6 +257,16 @@ void TestImportShapes::nameOfEachLine_isNoNameOfAList() {
   const auto log = imported(text);
   QVERIFY(!log);
   QVERIFY(log.error().message().find("column_2, column_3") != std::string::npos);
+}
+
+void TestImportShapes::rowsOfSignalsInTurn_makeNoPauses() {
+  QString text = "Timestamp,Arm/Position (deg),Arm/Velocity (deg/s)\n";
+  for (int k = 0; k < rows; ++k)
+    text += QString("%1,%2,\n%3,,5\n").arg(0.02 * k, 0, 'f', 4).arg(0.1 * k).arg(0.02 * k + 1e-4, 0, 'f', 4);
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  QCOMPARE(log->recording.rows(), size_t{rows});
+  for (const auto& remark : log->remarks) QVERIFY(remark.english().find("pause") == std::string::npos);
 }
 
 QTEST_APPLESS_MAIN(TestImportShapes)

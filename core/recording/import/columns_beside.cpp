@@ -236,6 +236,24 @@ void takeLinear(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
+/// Beside an encoder's counts, steps are a stepper's, of which there are others in a turn.
+void setStepsAside(const RawTable& table, std::vector<Choice>& choices) {
+  const auto inSteps = [&choices](size_t c) { return choices[c].name.unit.find("step") != std::string::npos; };
+  bool encoder = false;
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const auto words = wordsOf(table.columns[c].channel.name, true);
+    const bool named = std::any_of(words.begin(), words.end(), [](const auto& one) { return one.starts_with("enc"); });
+    encoder = encoder || (named && isAngle(choices[c].name.to) && !inSteps(c));
+  }
+  if (!encoder) return;
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const ColumnName& name = choices[c].name;
+    const bool moves = isAngle(name.to) || name.to == "angle_reference_rad";
+    if (moves && name.needs == UnitNeeds::countsPerRev && inSteps(c) && !choices[c].byMap)
+      setAside(choices[c], message("counts a stepper's steps, beside an encoder"));
+  }
+}
+
 /// "encA" that is only ever 0 or 1 is one of an encoder's lines, and no count.
 void setLinesAside(const RawTable& table, std::vector<Choice>& choices) {
   for (size_t c = 0; c < choices.size(); ++c) {
@@ -317,6 +335,7 @@ void judgeByNeighbours(const RawTable& table, std::vector<Choice>& choices) {
   setPidTermsAside(table, choices);
   setPresentAside(table, choices);
   setLinesAside(table, choices);
+  setStepsAside(table, choices);
   setRowNumbersAside(table, choices);
   setTensionsAside(table, choices);
   setOutputsAside(table, choices);

@@ -82,6 +82,11 @@ std::string withoutInnerBrackets(std::string_view inner) {
   return text + std::string(inner);
 }
 
+/// "Winding_A", "phase b".
+bool namesPhase(const Words& words) {
+  return words.size() == 2 && (words[0] == "winding" || words[0] == "phase") && words[1].size() == 1;
+}
+
 /// "J1", "axis 2", "left".
 bool namesAxis(const Words& words) {
   if (words.size() == 2) return (words[0] == "axis" || isIn(jointWords, words[0])) && isNumber(words[1]);
@@ -89,6 +94,16 @@ bool namesAxis(const Words& words) {
   const bool numbered = words[0].size() > 1 && words[0].size() < 4 && isNumber(words[0].substr(1)) &&
                         std::string_view("ajmx").find(words[0][0]) != std::string_view::npos;
   return numbered || words[0] == "left" || words[0] == "right";
+}
+
+/// "V" of "V(speed)": a circuit's node, which is in volts whatever it is called; nothing for "V (measured)".
+std::string_view circuitUnit(std::string_view before, const Words& inner) {
+  const bool other = std::any_of(inner.begin(), inner.end(), [](const std::string& word) {
+    const Word* quantity = quantityNamed(word);
+    return quantity != nullptr && quantity->kind != UnitKind::voltage && quantity->kind != UnitKind::current;
+  });
+  if (!other || before.size() != 1) return {};
+  return before == "V" ? "V" : before == "I" ? "A" : "";
 }
 
 /// Takes bracketed units and indices off the name.
@@ -111,7 +126,10 @@ std::string takeBrackets(std::string_view name, NameParts& parts) {
       parts.unit = unit;
       parts.unitText = inner;
       parts.unknownUnit = false;
-    } else if (isNumber(inner) || namesAxis(words) || (plainWords && !words.empty())) {
+    } else if (const std::string_view circuits = circuitUnit(rest, words); !circuits.empty()) {
+      setUnit(circuits, parts);
+      rest = inner;
+    } else if (isNumber(inner) || namesAxis(words) || namesPhase(words) || (plainWords && !words.empty())) {
       rest += " " + inner + " ";
     } else if (!words.empty()) {
       setUnit(inner, parts);

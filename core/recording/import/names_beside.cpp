@@ -111,16 +111,24 @@ void takeBehindPaths(const RawTable& table, std::vector<Choice>& choices) {
     const size_t end = name.find_last_of("/.");
     return end == std::string::npos || end == 0 || end + 1 == name.size() ? std::string() : name.substr(0, end + 1);
   };
-  std::set<std::string> known;
+  const auto folderOf = [](const std::string& path) {
+    const size_t mark = path.size() < 2 ? std::string::npos : path.find_last_of("/.", path.size() - 2);
+    return path.substr(mark == std::string::npos ? 0 : mark + 1);
+  };
+  std::set<std::string> known, folders;
   for (size_t c = 0; c < choices.size(); ++c) {
-    if (choices[c].name.understood() && choices[c].name.to != "time_s") known.insert(pathOf(c));
+    if (!choices[c].name.understood() || choices[c].name.to == "time_s") continue;
+    known.insert(pathOf(c));
+    folders.insert(folderOf(pathOf(c)));
   }
   for (size_t c = 0; c < choices.size(); ++c) {
     const std::string whose = pathOf(c);
     if (whose.empty() || choices[c].name.understood() || choices[c].byMap) continue;
     const NameParts path = partsOfName(whose.substr(0, whose.size() - 1), {});
     const bool joints = whose.back() == '/' && firstIn(path.words, jointWords) != nullptr;
-    if (!joints && !known.contains(whose)) continue;
+    const auto words = wordsOf(table.columns[c].channel.name.substr(whose.size()), true);
+    const bool goal = firstIn(words, referenceWords) != nullptr && folders.contains(folderOf(whose));
+    if (!joints && !known.contains(whose) && !goal) continue;
     if (firstIn(path.words, otherThings) != nullptr || path.unit != nullptr) continue;
     const bool wanted = firstIn(path.words, referenceWords) != nullptr;
     ColumnName own = understandName(table.columns[c].channel.name.substr(whose.size()) + (wanted ? "_cmd" : ""),

@@ -60,6 +60,7 @@ Result<Imported> Settling::run() {
   if (const auto one = needOneAxis(); !one) return one.error();
   if (const auto done = takeTime(); !done) return done.error();
   if (const auto done = sparseRows(); !done) return done.error();
+  sayPauses(time_, remarks_);
   if (const auto done = takeIntegral(); !done) return done.error();
   if (const auto done = takeAngle(); !done) return done.error();
   if (const auto done = takeSpeed(); !done) return done.error();
