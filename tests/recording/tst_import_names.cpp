@@ -110,6 +110,14 @@ void TestImportNames::whatNamesBesideTell_isTaken_data() {
   QTest::newRow("a goal of another mechanism")
       << QStringList{"/Arm/PositionRad", "/RealOutputs/Climber/GoalRad"} << "/RealOutputs/Climber/GoalRad"
       << "";
+  const QStringList leg{"FL_hip_q", "FL_hip_dq", "FL_hip_tau", "FL_thigh_q", "FL_thigh_dq", "FL_thigh_tau"};
+  QTest::newRow("a leg's first joint") << leg << leg[0] << "angle_rad";
+  QTest::newRow("its torque") << leg << leg[2] << "torque_Nm";
+  QTest::newRow("a leg's second joint") << leg << leg[3] << "";
+  QTest::newRow("a wheel's voltage") << QStringList{"wheel1_vel", "wheel1_cur", "wheel1_vol"} << "wheel1_vol"
+                                     << "voltage_V";
+  QTest::newRow("a volume") << QStringList{"motor_vel", "tank_vol"} << "tank_vol"
+                            << "";
   QTest::newRow("a mark that is no unit") << QStringList{"angle (deg)", "rotation (*/s)"} << "rotation (*/s)"
                                           << "";
   QTest::newRow("a motor's speed beside one coordinate") << QStringList{"x", "theta", "omega"} << "omega"

@@ -51,6 +51,40 @@ void takeTargetsOfJoints(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
+/// "FL_hip_q" beside "FL_hip_dq" is its angle; what else is called after it is of that axis.
+void takeCoordinates(const RawTable& table, std::vector<Choice>& choices) {
+  std::map<std::string, size_t> names;
+  for (size_t c = 0; c < choices.size(); ++c) names[table.columns[c].channel.name] = c;
+  for (const auto& [name, angle] : names) {
+    const size_t mark = name.find_last_of("_.");
+    if (mark == std::string::npos || mark == 0 || name.substr(mark + 1) != "q" || choices[angle].byMap) continue;
+    const std::string whose = name.substr(0, mark + 1);
+    const auto speed = names.contains(whose + "dq") ? names.find(whose + "dq") : names.find(whose + "qd");
+    const NameParts parts = partsOfName(name.substr(0, mark), {});
+    const bool open = !choices[angle].name.understood() && speed != names.end() && !choices[speed->second].byMap;
+    if (!open || firstIn(parts.words, otherThings) != nullptr) continue;
+    choices[angle].name = understandName("q", table.columns[angle].unit);
+    choices[speed->second].name = understandName("dq", table.columns[speed->second].unit);
+    for (size_t c = 0; c < choices.size(); ++c) {
+      if (choices[c].name.understood() && table.columns[c].channel.name.starts_with(whose))
+        choices[c].name.group = name.substr(0, mark);
+    }
+  }
+}
+
+/// "motor_vol" beside "motor_vel" and "motor_cur" is no volume.
+void takeVoltages(const RawTable& table, std::vector<Choice>& choices) {
+  std::set<std::string> names;
+  for (const RawColumn& column : table.columns) names.insert(column.channel.name);
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const std::string& name = table.columns[c].channel.name;
+    if (!name.ends_with("_vol") || choices[c].name.understood() || choices[c].byMap) continue;
+    const std::string whose = name.substr(0, name.size() - 3);
+    if (names.contains(whose + "vel") && names.contains(whose + "cur"))
+      choices[c].name = understandName(whose + "voltage", table.columns[c].unit);
+  }
+}
+
 /// A DC motor has one winding: "u_a" with no "u_b" beside it is its armature's voltage, "ia" its current.
 void takeArmatures(const RawTable& table, std::vector<Choice>& choices) {
   std::set<std::string> names;
@@ -288,6 +322,8 @@ void takeByNeighbours(const RawTable& table, const ImportMap& map, std::vector<C
   takeSides(table, choices);
   takePresent(table, choices);
   takeEfforts(table, choices);
+  takeVoltages(table, choices);
+  takeCoordinates(table, choices);
   takeTargetsOfJoints(table, choices);
   takeArmatures(table, choices);
   setCountsBesideMetresAside(table, map, choices);

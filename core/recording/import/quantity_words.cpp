@@ -11,6 +11,7 @@ namespace {
 constexpr auto quantities = std::to_array<Word>({
     {"time", UnitKind::time},
     {"timestamp", UnitKind::time},
+    {"utime", UnitKind::time},
     {"timestamps", UnitKind::time},
     {"times", UnitKind::time},
     {"tstamp", UnitKind::time},

@@ -161,7 +161,7 @@ void Settling::settleVoltage() {
                       : both   ? message("it hardly changes while the axis turns both ways")
                                : message("it hardly changes while the speed rises and falls again and again");
   if (columnOf("supply_V")) return keep(*c, why + message(", so it is no motor's voltage"));
-  if (battery || pulseWidths_) doubtCurrent();
+  if (battery || pulseWidths_ || !goesBelowZero("current_A")) doubtCurrent();
   fates_[*c].to = "supply_V";
   fates_[*c].why = why;
   fates_[*c].guessed = true;
@@ -176,6 +176,11 @@ void Settling::doubtCurrent() {
   fates_[*c].why = message("it may be the supply's, as the voltage is");
   fates_[*c].doubt = fates_[*c].why;
   fates_[*c].guessed = true;
+}
+
+bool Settling::goesBelowZero(const std::string& name) {
+  const auto c = columnOf(name);
+  return c && std::any_of(values(*c).begin(), values(*c).end(), [](double v) { return v < 0.0; });
 }
 
 bool Settling::turnsBothWays() {

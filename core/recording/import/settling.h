@@ -81,6 +81,7 @@ class Settling {
   void settleVoltage();
   /// Beside a supply's voltage and a throttle a current that isn't called the motor's may be the supply's, too.
   void doubtCurrent();
+  bool goesBelowZero(const std::string& name);
   bool turnsBothWays();
   Result<void> takeIntegral();
   void differentiate();
