@@ -4,23 +4,230 @@
 #include <charconv>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "base/json_text.h"
 #include "recording/import/clock_time.h"
-#include "recording/import/json_arrays.h"
-#include "recording/import/json_cells.h"
+#include "recording/import/python_dicts.h"
 #include "recording/import/sysid_json.h"
 #include "recording/import/text_signals.h"
 #include "recording/import/text_table.h"
+#include "recording/import/unit_texts.h"
 #include "recording/import/units.h"
 
 namespace breakaway {
 
 namespace {
 
-using Json = JsonInOrder;
+/// Fields in their order. A new one is appended without a look at all the others: texts are checked before for fields
+/// that stand twice.
+template <typename Key, typename T, typename Ignored = std::less<Key>,
+          typename Allocator = std::allocator<std::pair<const Key, T>>>
+struct FieldsInOrder : nlohmann::ordered_map<Key, T, Ignored, Allocator> {
+  using Base = nlohmann::ordered_map<Key, T, Ignored, Allocator>;
+  using Base::Base;
+
+  T& operator[](const Key& key) { return this->Base::Container::emplace_back(key, T{}).second; }
+};
+
+using Json = nlohmann::basic_json<FieldsInOrder>;
+
+std::string within(const std::string& prefix, const std::string& key) {
+  return prefix.empty() || key.empty() ? prefix + key : prefix + "." + key;
+}
+
+std::string plainText(const Json& value) {
+  return value.is_string() ? value.get<std::string>() : value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// A number, true, false or nothing.
+bool isPlain(const Json& value) {
+  return value.is_number() || value.is_boolean() || value.is_null();
+}
+
+/// One cell; whole numbers beyond a double's digits are counted from the column's first.
+void putCell(const Json& value, RawColumn& column, const std::string& place, bool first) {
+  auto& values = column.channel.values;
+  if (value.is_number_integer() && std::abs(value.get<double>()) >= 1e15) {
+    const auto whole = value.get<int64_t>();
+    if (first) column.origin = static_cast<double>(whole);
+    values.push_back(static_cast<double>(whole - static_cast<int64_t>(column.origin)));
+    return;
+  }
+  double number = std::numeric_limits<double>::quiet_NaN();
+  if (value.is_boolean()) number = value.get<bool>() ? 1.0 : 0.0;
+  if (value.is_number()) number = value.get<double>() - column.origin;
+  if (value.is_string()) {
+    if (const auto clock = readClock(value.get_ref<const std::string&>())) {
+      if (first) column.origin = static_cast<double>(clock->whole_s), column.clock = true;
+      number = static_cast<double>(clock->whole_s) - column.origin + clock->fraction_s;
+      values.push_back(column.clock ? number : NAN);
+      return;
+    }
+  }
+  if (value.is_string()) rememberText(column, values.size(), value.get_ref<const std::string&>());
+  values.push_back(std::isfinite(number) ? number : NAN);
+  if (!isPlain(value) && !column.fault)
+    column.fault = Error{place + ", field " + column.channel.name,
+                         message("expected a number, found {}", plainText(value).substr(0, 40))};
+}
+
+/// Units that stand in fields of their own: {"value": 1, "unit": "deg"}, {"pos": 1, "pos_unit": "deg"}, and
+/// {"units": {"pos": "deg"}}.
+void collectUnits(const Json& json, const std::string& prefix, UnitTexts& units) {
+  if (!json.is_object()) return;
+  for (const auto& [key, value] : json.items()) {
+    const auto told = toldUnitOf(key);
+    if (told && value.is_string()) units[within(prefix, *told)] = value.get<std::string>();
+    if (told && value.is_object()) {
+      for (const auto& [name, unit] : value.items()) {
+        if (unit.is_string()) units[name] = unit.get<std::string>();
+      }
+    } else {
+      collectUnits(value, within(prefix, key), units);
+    }
+  }
+}
+
+constexpr size_t mostOfAList = 64;
+
+/// An array by its path of keys.
+struct NamedArray {
+  std::string path;
+  const Json* values = nullptr;
+
+  const Json& first() const { return values->front(); }
+  bool plain() const { return isPlain(first()) || first().is_string(); }
+  /// Lists of values, one per row, or one per signal.
+  bool ofLists() const { return first().is_array() && !first().empty() && isPlain(first().front()); }
+};
+
+void collectArrays(const Json& json, const std::string& prefix, std::vector<NamedArray>& arrays) {
+  for (const auto& [key, value] : json.items()) {
+    const std::string path = prefix.empty() ? key : prefix + "." + key;
+    if (value.is_object()) collectArrays(value, path, arrays);
+    const NamedArray array{path, &value};
+    if (value.is_array() && !value.empty() && (array.plain() || array.ofLists())) arrays.push_back(array);
+  }
+}
+
+/// The names of so many columns, as a field beside the rows tells them; empty where none does.
+std::vector<std::string> namesOf(const Json& json, size_t width) {
+  if (!json.is_object()) return {};
+  for (const char* key : {"columns", "header", "names", "fields", "labels"}) {
+    const auto it = json.find(key);
+    if (it == json.end() || !it->is_array() || it->size() != width) continue;
+    std::vector<std::string> names;
+    for (const Json& one : *it) names.push_back(plainText(one));
+    return names;
+  }
+  return {};
+}
+
+std::string placeOf(const std::string& name, size_t row) {
+  return name + ", entry " + std::to_string(row + 1);
+}
+
+/// NAME[0], NAME[1] … of lists, one per row; where `bySignal`, of lists that are a signal each.
+void addLists(const NamedArray& array, size_t rows, bool bySignal, const std::string& name, RawTable& table) {
+  static const Json nothing;
+  const Json& values = *array.values;
+  const size_t width = bySignal ? values.size() : array.first().size();
+  for (size_t c = 0; c < std::min(width, mostOfAList); ++c) {
+    RawColumn column{{array.path + "[" + std::to_string(c) + "]", {}}, {}};
+    for (size_t k = 0; k < rows; ++k) {
+      const Json& list = values[bySignal ? c : k];
+      const size_t at = bySignal ? k : c;
+      putCell(list.is_array() && at < list.size() ? list[at] : nothing, column, placeOf(name, k), k == 0);
+    }
+    table.columns.push_back(std::move(column));
+  }
+}
+
+/// {"time": […], "angle": […]}, also an object deeper; lists of lists, one per row or one per signal, become NAME[0],
+/// NAME[1] ….
+Result<RawTable> arraysOf(const Json& json, const std::string& name) {
+  std::vector<NamedArray> arrays;
+  collectArrays(json, "", arrays);
+  size_t rows = 0;
+  for (const bool plain : {true, false}) {
+    for (const NamedArray& array : arrays) {
+      if (array.plain() == plain && (plain || rows < 2)) rows = std::max(rows, array.values->size());
+    }
+  }
+  if (rows < 2) return Error{name, message("holds no log")};
+  RawTable table;
+  for (const NamedArray& array : arrays) {
+    const bool asLong = array.values->size() == rows;
+    if (asLong && array.plain()) {
+      RawColumn column{{array.path, {}}, {}};
+      for (size_t k = 0; k < rows; ++k) putCell((*array.values)[k], column, placeOf(name, k), k == 0);
+      table.columns.push_back(std::move(column));
+    } else if (!array.plain() && (asLong || array.first().size() == rows)) {
+      addLists(array, rows, !asLong, name, table);
+    } else {
+      table.remarks.push_back(
+          message("{} has {} values, not {}, and was left out", array.path, array.values->size(), rows));
+    }
+  }
+  return table;
+}
+
+/// Whether the rows are but one of several arrays by name that are as long: {"time": […], "joints": [[…], […]]}.
+bool isTableOfArrays(const Json& json, const Json& rows) {
+  if (!json.is_object() || !namesOf(json, rows.front().size()).empty()) return false;
+  std::vector<NamedArray> arrays;
+  collectArrays(json, "", arrays);
+  const auto beside = std::count_if(arrays.begin(), arrays.end(), [&rows](const NamedArray& one) {
+    const size_t length = one.values->size();
+    return one.values != &rows && length > 1 &&
+           (length == rows.size() || (one.plain() && length == rows.front().size()));
+  });
+  return beside > 0;
+}
+
+/// {"time": {"0": 0.1, "1": 0.2}, …}, as pandas writes it.
+bool isByIndex(const Json& json) {
+  return json.is_object() && !json.empty() && std::all_of(json.begin(), json.end(), [](const Json& column) {
+           return column.is_object() && column.contains("0") && isPlain(column["0"]);
+         });
+}
+
+Result<RawTable> byIndex(const Json& json, const std::string& name) {
+  Json arrays = Json::object();
+  for (const auto& [key, column] : json.items()) {
+    Json values = Json::array();
+    for (const auto& [index, value] : column.items()) values.push_back(value);
+    arrays[key] = std::move(values);
+  }
+  return arraysOf(arrays, name);
+}
+
+/// Rows, with the names of their columns beside them.
+Result<RawTable> rowsOf(const Json& json, const Json& rows, const std::string& name) {
+  const size_t width = rows.front().size();
+  const std::vector<std::string> names = namesOf(json, width);
+  RawTable table;
+  for (size_t c = 0; c < width; ++c) {
+    RawColumn column{{c < names.size() ? names[c] : "column_" + std::to_string(c + 1), {}}, {}};
+    for (size_t k = 0; k < rows.size(); ++k) {
+      if (!rows[k].is_array() || rows[k].size() != width)
+        return Error{name + ", entry " + std::to_string(k + 1), message("has other than {} numbers", width)};
+      putCell(rows[k][c], column, name + ", entry " + std::to_string(k + 1), k == 0);
+    }
+    table.columns.push_back(std::move(column));
+  }
+  return table;
+}
+
+bool isArrayOfRows(const Json& array) {
+  return array.size() > 1 && array.front().is_array() && array.front().size() > 1 && isPlain(array.front().front());
+}
 
 constexpr size_t mostFields = 5000;
 
@@ -267,53 +474,11 @@ Result<ReadTable> linesOf(const std::string& text, const std::string& name) {
   return ReadTable{std::move(*table), {}};
 }
 
-/// Python's print of dicts and lists, {'t': 0.1, 'on': True, 'x': None}, as JSON.
-std::string pythonAsJson(std::string_view text) {
-  static constexpr auto words = std::to_array<std::pair<std::string_view, std::string_view>>(
-      {{"True", "true"}, {"False", "false"}, {"None", "null"}, {"nan", "null"}, {"inf", "null"}, {"-inf", "null"}});
-  std::string json;
-  json.reserve(text.size());
-  char quote = 0;
-  for (size_t k = 0; k < text.size(); ++k) {
-    const char c = text[k];
-    if (quote != 0) {
-      if (c == '\\' && k + 1 < text.size()) {
-        if (text[k + 1] != '\'') json += c;
-        json += text[++k];
-      } else if (c == quote) {
-        json += '"';
-        quote = 0;
-      } else {
-        json += c == '"' ? "\\\"" : std::string(1, c);
-      }
-      continue;
-    }
-    if (c == '\'' || c == '"') {
-      quote = c;
-      json += '"';
-      continue;
-    }
-    const auto word = std::find_if(words.begin(), words.end(),
-                                   [&](const auto& one) { return text.substr(k).starts_with(one.first); });
-    json += word == words.end() ? std::string(1, c) : std::string(word->second);
-    if (word != words.end()) k += word->first.size() - 1;
-  }
-  return json;
-}
-
-/// Begins with a dict's first key in single quotes, so that none of it stands within a text of JSON.
-bool isPython(std::string_view text) {
-  const size_t brace = text.find_first_not_of("[ \t\r\n");
-  if (brace == std::string_view::npos || text[brace] != '{') return false;
-  const size_t first = text.find_first_not_of(" \t\r\n", brace + 1);
-  return first != std::string_view::npos && text[first] == '\'';
-}
-
 }  // namespace
 
 Result<ReadTable> readJsonLog(const std::string& text, const std::string& name) {
   if (nestsTooDeep(text)) return Error{name, message("nests deeper than {} levels, as no log does", deepestJson)};
-  if (isPython(text)) return readJsonLog(pythonAsJson(text), name);
+  if (isPythonDicts(text)) return readJsonLog(pythonAsJson(text), name);
   const auto fault = jsonFault(text, name);
   if (fault && fault->fact.ends_with("twice in one object")) return *fault;
   try {
