@@ -25,6 +25,16 @@ class TestImportNames : public QObject {
   void numberedNamesAboveTheRows_areTheColumns();
   void servosOfAnotherMaker_haveTheSpeedThatTheirAngleTells();
   void loggersTagBeforeLabels_isNoName();
+  void angleOfARobotBesideItsWheelsSpeed_isSetAside();
+  void speedThatContradictsTheAngle_yieldsToOneThatAgrees();
+  void ticksOfRowsOfSeveralAxes_areTheTime();
+  void valuesBeyondAnyMotor_areKept();
+  void outputWithinOneBesideADuty_isNoVoltage();
+  void countsBesideATravelInMillimetres_arentAskedAbout();
+  void oneOfTwoPositionsBesideAnOdrivesCurrent_isNotInTurns();
+  void commandedTorqueWithoutAUnit_isCalledSo();
+  void wholeVoltsBeyondAMotors_areNoSupply();
+  void currentBesideAThrottleAndASupply_isDoubted();
 
  private:
   Result<Imported> imported(const QString& text) {
@@ -32,7 +42,7 @@ class TestImportNames : public QObject {
   }
   /// A table of these columns, each a wave of its own.
   Result<Imported> waves(const QStringList& names) {
-    QString text = "time_s," + names.join(',') + "\n";
+    QString text = "time_s,\"" + names.join("\",\"") + "\"\n";
     for (int k = 0; k < 80; ++k) {
       text += QString::number(0.01 * k);
       for (int c = 0; c < names.size(); ++c) text += QString(",%1").arg((1.0 + 0.1 * c) * std::sin(0.1 * k + c));
@@ -81,6 +91,35 @@ void TestImportNames::whatNamesBesideTell_isTaken_data() {
                                       << "supply_V";
   QTest::newRow("how a vehicle turns") << QStringList{"x", "y", "omega", "motor_rpm"} << "omega"
                                        << "";
+  const QStringList vehicle{"t_ms", "x(in)", "y(in)", "theta(deg)", "v_l(ips)", "v_r(ips)", "motor (rpm)"};
+  QTest::newRow("where a vehicle heads") << vehicle << "theta(deg)"
+                                         << "";
+  QTest::newRow("an arm's angle beside its end")
+      << QStringList{"x (mm)", "y (mm)", "theta1 (deg)", "omega1 (rpm)"} << "theta1 (deg)"
+      << "angle_rad";
+  QTest::newRow("a circuit's node") << QStringList{"angle (deg)", "V(speed)"} << "V(speed)"
+                                    << "";
+  QTest::newRow("a winding's current") << QStringList{"angle (deg)", "Current(Winding_A) [A]"}
+                                       << "Current(Winding_A) [A]"
+                                       << "";
+  QTest::newRow("a stepper's target beside an encoder") << QStringList{"target_steps", "encoder_deg"} << "target_steps"
+                                                        << "";
+  QTest::newRow("a goal in another folder")
+      << QStringList{"/Arm/PositionRad", "/RealOutputs/Arm/GoalRad"} << "/RealOutputs/Arm/GoalRad"
+      << "angle_reference_rad";
+  QTest::newRow("a goal of another mechanism")
+      << QStringList{"/Arm/PositionRad", "/RealOutputs/Climber/GoalRad"} << "/RealOutputs/Climber/GoalRad"
+      << "";
+  const QStringList leg{"FL_hip_q", "FL_hip_dq", "FL_hip_tau", "FL_thigh_q", "FL_thigh_dq", "FL_thigh_tau"};
+  QTest::newRow("a leg's first joint") << leg << leg[0] << "angle_rad";
+  QTest::newRow("its torque") << leg << leg[2] << "torque_Nm";
+  QTest::newRow("a leg's second joint") << leg << leg[3] << "";
+  QTest::newRow("a wheel's voltage") << QStringList{"wheel1_vel", "wheel1_cur", "wheel1_vol"} << "wheel1_vol"
+                                     << "voltage_V";
+  QTest::newRow("a volume") << QStringList{"motor_vel", "tank_vol"} << "tank_vol"
+                            << "";
+  QTest::newRow("a mark that is no unit") << QStringList{"angle (deg)", "rotation (*/s)"} << "rotation (*/s)"
+                                          << "";
   QTest::newRow("a motor's speed beside one coordinate") << QStringList{"x", "theta", "omega"} << "omega"
                                                          << "velocity_rad_per_s";
   QTest::newRow("another channel") << QStringList{"Ch1 Drehzahl [U/min]", "Ch2 Drehmoment [Nm]"}
@@ -119,6 +158,90 @@ void TestImportNames::whatNamesBesideTell_isTaken_data() {
                                        << "current_A";
   QTest::newRow("tenths of a degree") << QStringList{"rpm", "motor_temp_dc"} << "motor_temp_dc"
                                       << "";
+  QTest::newRow("how a speed was come by") << QStringList{"angle_deg", "rpm_from_counts"} << "rpm_from_counts"
+                                           << "velocity_rad_per_s";
+  const QStringList joints{"joint1_angle", "joint1_ref", "joint2_angle", "joint2_ref"};
+  QTest::newRow("what a joint's angle shall be") << joints << "joint1_ref"
+                                                 << "angle_reference_rad";
+  QTest::newRow("angle or speed") << QStringList{"joint1_angle", "joint1_speed", "joint1_ref"} << "joint1_ref"
+                                  << "";
+  QTest::newRow("a controller's output") << QStringList{"rpm", "Output_%"} << "Output_%"
+                                         << "duty";
+  QTest::newRow("an output beside a current") << QStringList{"rpm", "current_A", "Output_%"} << "Output_%"
+                                              << "";
+  QTest::newRow("a power's share") << QStringList{"rpm", "output_power_%"} << "output_power_%"
+                                   << "";
+  QTest::newRow("a controller's effort") << QStringList{"rpm", "control_effort"} << "control_effort"
+                                         << "";
+  const QStringList sides{"enc_r", "l_pwm", "r_pwm"};
+  QTest::newRow("the other side's duty") << sides << "l_pwm"
+                                         << "";
+  QTest::newRow("this side's duty") << sides << "r_pwm"
+                                    << "duty";
+  QTest::newRow("what a heading shall be") << QStringList{"heading_deg", "target_deg", "rpm"} << "target_deg"
+                                           << "";
+  QTest::newRow("what an angle shall be") << QStringList{"angle_deg", "target_deg", "rpm"} << "target_deg"
+                                          << "angle_reference_rad";
+  QTest::newRow("several of them") << QStringList{"joint_position", "joint_temperatures"} << "joint_temperatures"
+                                   << "temperature_degC";
+  QTest::newRow("a degree as one sign") << QStringList{"angle(°)", "motor temp(℃)"} << "motor temp(℃)"
+                                        << "temperature_degC";
+  QTest::newRow("another channel of one run")
+      << QStringList{"Angle, Ch P1 (rad) Run #1", "Output Voltage, Ch 01 (V) Run #1"}
+      << "Output Voltage, Ch 01 (V) Run #1"
+      << "voltage_V";
+  QTest::newRow("a feedback by a letter") << QStringList{"FPOS(0)", "RPOS(0)"} << "FPOS(0)"
+                                          << "angle_rad";
+  QTest::newRow("a reference by a letter") << QStringList{"FPOS(0)", "RPOS(0)"} << "RPOS(0)"
+                                           << "angle_reference_rad";
+  QTest::newRow("a filtered current") << QStringList{"mechPos", "iqf"} << "iqf"
+                                      << "current_A";
+  const QStringList paths{"/state/motor_state[0]/q", "/state/motor_state[1]/q", "/cmd/motor_cmd[0]/q", "/imu/0/q"};
+  QTest::newRow("a letter behind a path") << paths << paths[0] << "angle_rad";
+  QTest::newRow("another motor's") << paths << paths[1] << "";
+  QTest::newRow("behind a path of commands") << paths << paths[2] << "angle_reference_rad";
+  QTest::newRow("behind a path of another thing") << paths << paths[3] << "";
+  const QStringList present{"angle", "torque_ref", "torque_cur"};
+  QTest::newRow("a torque as it is now") << present << "torque_cur"
+                                         << "torque_Nm";
+  QTest::newRow("the current of a torque") << QStringList{"angle", "torque_cur"} << "torque_cur"
+                                           << "current_A";
+  QTest::newRow("a command in percent") << QStringList{"rpm", "command_pct"} << "command_pct"
+                                        << "duty";
+  QTest::newRow("percent before a PWM") << QStringList{"rpm", "%PWM"} << "%PWM"
+                                        << "duty";
+  QTest::newRow("what was read") << QStringList{"speed_target_rpm", "speed_read"} << "speed_read"
+                                 << "velocity_rad_per_s";
+  QTest::newRow("thousandths per second") << QStringList{"theta_mrad", "theta_dot_mradps"} << "theta_dot_mradps"
+                                          << "velocity_rad_per_s";
+  const QStringList wheels{"l_rpm", "r_rpm", "rpm_l_ref", "rpm_r_ref"};
+  QTest::newRow("what this side shall be") << wheels << "rpm_l_ref"
+                                           << "velocity_reference_rad_per_s";
+  QTest::newRow("what the other side shall be") << wheels << "rpm_r_ref"
+                                                << "";
+  QTest::newRow("a rope's tension") << QStringList{"theta", "tension"} << "tension"
+                                    << "";
+  QTest::newRow("a voltage in Spanish") << QStringList{"velocidad", "tension"} << "tension"
+                                        << "voltage_V";
+  const QStringList bracketed{"ACTUAL_JOINT_POSITIONS (J1)", "ACTUAL_JOINT_POSITIONS (J2)", "JOINT_TORQUES (J1)"};
+  QTest::newRow("an axis in brackets") << bracketed << bracketed[0] << "angle_rad";
+  QTest::newRow("another one") << bracketed << bracketed[1] << "";
+  QTest::newRow("of the axis in brackets") << bracketed << bracketed[2] << "torque_Nm";
+  QTest::newRow("a set point") << QStringList{"CL_POS_FBK_VALUE", "CL_POS_SET_POINT_VALUE"} << "CL_POS_SET_POINT_VALUE"
+                               << "angle_reference_rad";
+  QTest::newRow("a bus of direct current") << QStringList{"X1_ActualPosition", "X1_DCBusVoltage"} << "X1_DCBusVoltage"
+                                           << "supply_V";
+  QTest::newRow("a phone's gyroscope") << QStringList{"rpm", "Gyroscope x (rad/s)"} << "Gyroscope x (rad/s)"
+                                       << "";
+  QTest::newRow("a letter behind a model's path") << QStringList{"inertia1.phi", "inertia1.w"} << "inertia1.w"
+                                                  << "velocity_rad_per_s";
+  QTest::newRow("a letter behind an unknown path") << QStringList{"angle", "wind.w"} << "wind.w"
+                                                   << "";
+  const QStringList stator{"rpm", "Stator current:1", "Stator current:2", "Stator current:3"};
+  QTest::newRow("a numbered phase's") << stator << stator[1] << "";
+  const QStringList motors{"rpm_1", "rpm_2", "rpm_3", "current_1", "current_2", "current_3"};
+  QTest::newRow("a numbered motor's") << motors << "current_1"
+                                      << "current_A";
   QTest::newRow("a phase's voltage") << QStringList{"theta_m", "u_a", "u_b", "u_c"} << "u_a"
                                      << "";
 }
@@ -271,6 +394,127 @@ void TestImportNames::loggersTagBeforeLabels_isNoName() {
   QCOMPARE(log->recording.rows(), size_t{60});
   QVERIFY(std::abs(log->recording.time()[59] - log->recording.time()[0] - 0.59) < 1e-9);
   QVERIFY(log->recording.has("angle_rad") && log->recording.has("velocity_rad_per_s"));
+}
+
+/// A column that turns, the speed of its own, and another one's.
+QString turningBeside(const char* head) {
+  QString text = head;
+  for (int k = 0; k < 200; ++k)
+    text += QString("%1,%2,%3,%4\n")
+                .arg(0.01 * k)
+                .arg(20.0 * std::sin(0.1 * k))
+                .arg(200.0 * std::cos(0.1 * k))
+                .arg(300.0 * std::sin(0.023 * k) * std::sin(0.31 * k));
+  return text;
+}
+
+void TestImportNames::angleOfARobotBesideItsWheelsSpeed_isSetAside() {
+  const auto log = imported(turningBeside("time_s,angle_deg,rate_dps,wheel_speed_rpm\n"));
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "wheel_speed_rpm"), std::string("velocity_rad_per_s"));
+  QCOMPARE(meaning(*log, "angle_deg"), std::string());
+  const auto pedal = imported(turningBeside("time_s,pedal_pos,rate_dps,motor_rpm\n"));
+  VERIFY_OK(pedal);
+  QCOMPARE(meaning(*pedal, "motor_rpm"), std::string("velocity_rad_per_s"));
+  QCOMPARE(meaning(*pedal, "pedal_pos"), std::string());
+  const auto wheels = imported(turningBeside("time_s,wheel_angle_deg,rate_dps,wheel_speed_rpm\n"));
+  VERIFY_OK(wheels);
+  QCOMPARE(meaning(*wheels, "wheel_angle_deg"), std::string("angle_rad"));
+}
+
+void TestImportNames::speedThatContradictsTheAngle_yieldsToOneThatAgrees() {
+  const auto log = imported(turningBeside("time_s,angle_deg,hand_speed_dps,speed_dps\n"));
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "hand_speed_dps"), std::string("velocity_rad_per_s"));
+  QCOMPARE(meaning(*log, "angle_deg"), std::string("angle_rad"));
+}
+
+void TestImportNames::ticksOfRowsOfSeveralAxes_areTheTime() {
+  QString text = "id,ticks,speed,bus_voltage\n";
+  for (int k = 0; k < 60; ++k) {
+    for (int m = 1; m <= 3; ++m)
+      text += QString("%1,%2,%3,24\n").arg(m).arg(5000 + 10 * k + m).arg(m * std::sin(0.1 * k));
+  }
+  const auto log = imported(text);
+  QVERIFY(!log);
+  QVERIFY(log.error().message().find("{\"split\": \"id\"}") != std::string::npos);
+}
+
+void TestImportNames::valuesBeyondAnyMotor_areKept() {
+  QString text = "time_s,angle_rad,current,motor_temp\n", usual = text;
+  for (int k = 0; k < 60; ++k) {
+    text += QString("%1,%2,%3,9393\n").arg(0.01 * k).arg(std::sin(0.1 * k)).arg(1800.5 * std::cos(0.1 * k));
+    usual += QString("%1,%2,%3,93\n").arg(0.01 * k).arg(std::sin(0.1 * k)).arg(18.5 * std::cos(0.1 * k));
+  }
+  const auto far = imported(text), log = imported(usual);
+  VERIFY_OK(far);
+  VERIFY_OK(log);
+  for (const char* name : {"current", "motor_temp"}) {
+    QCOMPARE(meaning(*far, name), std::string());
+    QVERIFY(!meaning(*log, name).empty());
+  }
+}
+
+void TestImportNames::outputWithinOneBesideADuty_isNoVoltage() {
+  const auto of = [this](double full) {
+    QString text = "time_s,theta_rad,u,pwm\n";
+    for (int k = 0; k < 60; ++k)
+      text += QString("%1,%2,%3,%4\n")
+                  .arg(0.01 * k)
+                  .arg(std::sin(0.1 * k))
+                  .arg(full * std::cos(0.1 * k))
+                  .arg(int(255.0 * std::cos(0.1 * k)));
+    const auto log = imported(text);
+    return log ? meaning(*log, "u") : log.error().message();
+  };
+  QCOMPARE(of(1.0), std::string());
+  QCOMPARE(of(12.0), std::string("voltage_V"));
+}
+
+void TestImportNames::countsBesideATravelInMillimetres_arentAskedAbout() {
+  QString text = "time_s,enc,travel_mm\n";
+  for (int k = 0; k < 60; ++k)
+    text += QString("%1,%2,%3\n").arg(0.01 * k).arg(int(1000.0 * std::sin(0.1 * k))).arg(50.0 * std::sin(0.1 * k));
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "travel_mm"), std::string("position_m"));
+  QVERIFY(!log->recording.has("angle_rad"));
+}
+
+void TestImportNames::oneOfTwoPositionsBesideAnOdrivesCurrent_isNotInTurns() {
+  const auto unitOf = [this](const QStringList& names) {
+    const auto log = waves(names);
+    return log ? log->columns[1].unit : log.error().message();
+  };
+  QCOMPARE(unitOf({"position", "iq_measured"}), std::string("turns"));
+  QCOMPARE(unitOf({"position", "encoder_pos", "iq_measured"}), std::string());
+}
+
+void TestImportNames::commandedTorqueWithoutAUnit_isCalledSo() {
+  const auto log = waves({"actual_q_0", "target_moment_0"});
+  VERIFY_OK(log);
+  QVERIFY(log->columns[2].inWords().english().find("what was commanded") != std::string::npos);
+}
+
+void TestImportNames::wholeVoltsBeyondAMotors_areNoSupply() {
+  QString text = "time_s,angle_rad,voltage\n";
+  for (int k = 0; k < 60; ++k) text += QString("%1,%2,121\n").arg(0.01 * k).arg(std::sin(0.1 * k));
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "voltage"), std::string());
+}
+
+void TestImportNames::currentBesideAThrottleAndASupply_isDoubted() {
+  const auto words = [this](const QString& name) {
+    QString text = "time_s,rpm,throttle_pct,voltage," + name + "\n";
+    for (int k = 0; k < 60; ++k)
+      text += QString("%1,%2,%3,22.2,%4\n").arg(0.1 * k).arg(3000.0 + 20 * k).arg(10 + k).arg(1.5 + 0.1 * k);
+    const auto log = imported(text);
+    return log ? log->columns[4].inWords().english() : log.error().message();
+  };
+  QVERIFY(words("current_mA").find("supply's") != std::string::npos);
+  QVERIFY(words("current").find("supply's") != std::string::npos);
+  QVERIFY(words("motor_current_mA").find("supply's") == std::string::npos);
 }
 
 QTEST_APPLESS_MAIN(TestImportNames)

@@ -61,6 +61,7 @@ class TestMat : public QObject {
   void fileCutAnywhere_isOneErrorAndNoCrash();
   void changedBytes_neverCrash_data() { versions(); }
   void changedBytes_neverCrash();
+  void packedVariableThatOneBitChanges_isRefused();
   void otherFiles_areRefused();
 
  private:
@@ -132,6 +133,20 @@ void TestMat::changedBytes_neverCrash() {
     }
     const auto read = readMat(bytes, "changed.mat");
     if (!read) QVERIFY(read.error().message().find('\n') == std::string::npos);
+  }
+}
+
+/// Where the library's own reading goes on, with other values.
+void TestMat::packedVariableThatOneBitChanges_isRefused() {
+  const std::string path = folder_.path("packed.mat");
+  writeSample(path, MAT_FT_MAT5, MAT_COMPRESSION_ZLIB);
+  const std::string whole = *readFile(path);
+  const size_t size = static_cast<unsigned char>(whole[132]) + 256U * static_cast<unsigned char>(whole[133]);
+  QCOMPARE(whole[128], char(15));
+  for (const size_t at : {size_t{136} + size / 3, size_t{136} + size / 2, size_t{135} + size}) {
+    std::string bytes = whole;
+    bytes[at] = static_cast<char>(bytes[at] ^ 1);
+    VERIFY_ERROR(readMat(bytes, "a.mat"), "a.mat: is damaged: the variable at byte 128 can't be unpacked");
   }
 }
 

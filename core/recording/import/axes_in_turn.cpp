@@ -71,6 +71,14 @@ bool eachHasRows(const RowKinds& kinds, size_t fewest) {
   return std::all_of(counts.begin() + 1, counts.end(), [fewest](size_t count) { return count >= fewest; });
 }
 
+/// Several rows have the same stamp: each is of another axis, whatever the column that numbers them is called.
+bool repeatOften(const std::vector<double>& stamps) {
+  constexpr double share = 0.3;
+  size_t repeats = 0;
+  for (size_t k = 1; k < stamps.size(); ++k) repeats += stamps[k] == stamps[k - 1] ? 1 : 0;
+  return static_cast<double>(repeats) > share * static_cast<double>(stamps.size());
+}
+
 }  // namespace
 
 std::optional<RowKinds> rowKinds(const RawColumn& column) {
@@ -100,12 +108,15 @@ std::optional<AxesInTurn> axesInTurn(const RawTable& table, const std::vector<bo
   constexpr double oftenChanges = 0.2, smoother = 0.35;
   constexpr size_t fewestRows = 4;
   const auto& values = table.columns[motion].channel.values;
+  const bool shared = time && repeatOften(table.columns[*time].channel.values);
   std::optional<double> whole;
   for (size_t c = 0; c < table.columns.size(); ++c) {
     const RawColumn& column = table.columns[c];
-    if (!free[c] || (column.texts.empty() && !hasWordOf(column.channel.name, false))) continue;
+    const bool named = !column.texts.empty() || hasWordOf(column.channel.name, false);
+    if (!free[c] || (!named && !shared)) continue;
     const auto kinds = rowKinds(column);
     if (!kinds || kinds->names.size() < 2 || !eachHasRows(*kinds, fewestRows)) continue;
+    if (!named && !numberedOn(column, *kinds)) continue;
     const auto changes = bordersOf(*kinds);
     if (static_cast<double>(changes.size()) > oftenChanges * static_cast<double>(values.size())) {
       if (namesAxes(column.channel.name)) return AxesInTurn{c, kinds->names};

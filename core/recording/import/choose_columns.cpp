@@ -9,6 +9,7 @@
 #include "base/json_object.h"
 #include "recording/columns.h"
 #include "recording/import/columns_beside.h"
+#include "recording/import/motion_beside.h"
 #include "recording/import/name_parts.h"
 #include "recording/import/names_beside.h"
 #include "recording/import/quantity_words.h"
@@ -89,6 +90,23 @@ void checkTimes(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
+/// Goes up in steps that are alike, those of one row or, where several axes' rows stand in turn, of several.
+bool hasEvenSteps(const std::vector<double>& values) {
+  constexpr size_t mostAxes = 16;
+  constexpr double alike = 3.0;
+  if (values.size() < 3 || !std::is_sorted(values.begin(), values.end())) return false;
+  for (size_t stride = 1; stride <= mostAxes && values.size() > 2 * stride; ++stride) {
+    const double first = values[stride] - values[0];
+    bool even = first > 0.0;
+    for (size_t k = 0; k + stride < values.size() && even; ++k) {
+      const double step = values[k + stride] - values[k];
+      even = step > 0.0 && step <= alike * first;
+    }
+    if (even) return true;
+  }
+  return false;
+}
+
 /// Where nothing else is the time, a "tick" that goes on in even steps is the clock's, not an encoder's, and a
 /// "duration" is that of the run.
 void takeTicks(const RawTable& table, std::vector<Choice>& choices) {
@@ -98,11 +116,7 @@ void takeTicks(const RawTable& table, std::vector<Choice>& choices) {
     const auto& values = table.columns[c].channel.values;
     const bool tick = isSameWord(name, "tick") || isSameWord(name, "ticks") || isSameWord(name, "systick") ||
                       isSameWord(name, "duration");
-    if (!tick || choices[c].byMap || values.size() < 3 || !(values[1] > values[0])) continue;
-    const bool even = std::adjacent_find(values.begin(), values.end(), [&](double a, double b) {
-                        return !(b > a) || b - a > 3.0 * (values[1] - values[0]);
-                      }) == values.end();
-    if (!even) continue;
+    if (!tick || choices[c].byMap || !hasEvenSteps(values)) continue;
     choices[c].name = ColumnName{};
     choices[c].name.to = "time_s";
     choices[c].name.rank = 3;
@@ -161,6 +175,30 @@ int rankOf(const RawColumn& column, const Choice& choice, const ImportMap& map) 
   return standing(choice) + (changes ? 0 : 20) + (lacks ? 2 : 0);
 }
 
+/// The column that would be taken as `to`; the number of columns where there is none.
+size_t bestFor(const RawTable& table, const ImportMap& map, const std::vector<Choice>& choices, const std::string& to) {
+  size_t best = choices.size();
+  for (size_t c = 0; c < choices.size(); ++c) {
+    if (choices[c].name.to != to) continue;
+    const bool better = best == choices.size() || (choices[c].byMap && !choices[best].byMap) ||
+                        (choices[c].byMap == choices[best].byMap &&
+                         rankOf(table.columns[c], choices[c], map) < rankOf(table.columns[best], choices[best], map));
+    if (better) best = c;
+  }
+  return best;
+}
+
+/// Angles and speeds that don't go with those that would be taken.
+void dropStrangers(const RawTable& table, const ImportMap& map, std::vector<Choice>& choices) {
+  constexpr int most = 8;
+  bool again = true;
+  for (int k = 0; k < most && again; ++k) {
+    const size_t angle = bestFor(table, map, choices, "angle_rad"),
+                 speed = bestFor(table, map, choices, "velocity_rad_per_s");
+    again = std::max(angle, speed) < choices.size() && setStrangersAside(table, angle, speed, choices);
+  }
+}
+
 Result<void> takeOneEach(const RawTable& table, const ImportMap& map, std::vector<Choice>& choices,
                          const std::string& place) {
   std::set<std::string> targets;
@@ -168,24 +206,25 @@ Result<void> takeOneEach(const RawTable& table, const ImportMap& map, std::vecto
     if (choice.name.understood()) targets.insert(choice.name.to);
   }
   for (const std::string& to : targets) {
-    size_t best = choices.size();
+    size_t byMap = choices.size();
     for (size_t c = 0; c < choices.size(); ++c) {
-      const Choice& choice = choices[c];
-      if (choice.name.to != to) continue;
-      if (best < choices.size() && choice.byMap && choices[best].byMap)
+      if (choices[c].name.to != to || !choices[c].byMap) continue;
+      if (byMap < choices.size())
         return Error{place,
                      message("two columns become {}; name another one for \"{}\"", to, table.columns[c].channel.name)};
-      const bool better = best == choices.size() || (choice.byMap && !choices[best].byMap) ||
-                          (choice.byMap == choices[best].byMap &&
-                           rankOf(table.columns[c], choice, map) < rankOf(table.columns[best], choices[best], map));
-      if (better) best = c;
+      byMap = c;
     }
+    const size_t best = bestFor(table, map, choices, to);
     for (size_t c = 0; c < choices.size(); ++c) {
       if (c != best && choices[c].name.to == to)
         setAside(choices[c], message("would be a second {}, beside {}", to, table.columns[best].channel.name));
     }
   }
   return {};
+}
+
+bool namesQuantity(const Words& words) {
+  return std::any_of(words.begin(), words.end(), [](const std::string& one) { return quantityNamed(one) != nullptr; });
 }
 
 /// "handle_angle_cmd" is what "handle_angle" shall be: no reference where another angle was taken.
@@ -199,14 +238,19 @@ void setOthersReferencesAside(const RawTable& table, std::vector<Choice>& choice
     const std::string to = choices[r].name.to;
     const size_t end = to.find("_reference");
     if (end == std::string::npos || choices[r].byMap || choices[r].byTool) continue;
+    const bool named = namesQuantity(wordsOf(table.columns[r].channel.name, true));
+    const bool followed = std::any_of(choices.begin(), choices.end(), [&](const Choice& one) {
+      return one.name.to.starts_with(to.substr(0, end)) && one.name.to.find("_reference") == std::string::npos;
+    });
+    if (!named && !followed) {  // "target_deg" beside a heading
+      setAside(choices[r], message("is what something shall be that isn't taken"));
+      continue;
+    }
     const Words words = wordsBut(r);
     for (size_t c = 0; c < choices.size(); ++c) {
       const bool measured = c != r && !choices[c].name.understood() && !table.columns[c].fault &&
                             wordsOf(table.columns[c].channel.name, true) == words;
-      const bool other = std::any_of(choices.begin(), choices.end(), [&](const Choice& one) {
-        return one.name.to.starts_with(to.substr(0, end)) && one.name.to.find("_reference") == std::string::npos;
-      });
-      if (measured && other)
+      if (measured && followed)
         setAside(choices[r], message("is what {} shall be, which isn't taken", table.columns[c].channel.name));
     }
   }
@@ -290,6 +334,7 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
     if (!axis.empty() && !choice.name.group.empty() && choice.name.group != axis)
       setAside(choice, message("belongs to another axis ({}) than the one taken ({})", choice.name.group, axis));
   }
+  dropStrangers(table, map, choices);
   if (const auto one = takeOneEach(table, map, choices, place); !one) return one.error();
   setOthersReferencesAside(table, choices);
   for (size_t c = 0; c < choices.size(); ++c) {

@@ -17,7 +17,7 @@ namespace {
 
 /// Whether the name, with its letter at `at` exchanged for the two others of a phase, is there, too.
 bool hasPhasesBeside(const std::set<std::string>& names, const std::string& name, size_t at) {
-  static constexpr auto phases = std::to_array<std::string_view>({"abc", "ABC", "uvw", "UVW"});
+  static constexpr auto phases = std::to_array<std::string_view>({"abc", "ABC", "uvw", "UVW", "123"});
   return std::any_of(phases.begin(), phases.end(), [&](std::string_view letters) {
     if (letters.find(name[at]) == std::string_view::npos) return false;
     size_t beside = 0;
@@ -30,10 +30,14 @@ bool hasPhasesBeside(const std::set<std::string>& names, const std::string& name
   });
 }
 
-/// "current_a" beside "current_b" is one phase's, and no current in A; so is "dutyA" beside "dutyB".
+/// "current_a" beside "current_b" is one phase's, and no current in A; so is "dutyA" beside "dutyB", and "current:1"
+/// beside two others where no motion is numbered.
 void setPhasesAside(const RawTable& table, std::vector<Choice>& choices) {
   std::set<std::string> names;
   for (const RawColumn& column : table.columns) names.insert(column.channel.name);
+  const bool numbered = std::any_of(choices.begin(), choices.end(), [](const Choice& one) {
+    return (isAngle(one.name.to) || isSpeed(one.name.to)) && !one.name.group.empty();
+  });
   for (size_t c = 0; c < choices.size(); ++c) {
     const std::string& name = table.columns[c].channel.name;
     const std::string& to = choices[c].name.to;
@@ -41,8 +45,9 @@ void setPhasesAside(const RawTable& table, std::vector<Choice>& choices) {
         to == "duty" || to == "voltage_V" || to == "current_A" || to == "current_reference_A" || to == "supply_V";
     if (choices[c].byMap || choices[c].byTool || !electrical) continue;
     for (size_t at = 1; at < name.size(); ++at) {
+      const bool digit = std::isdigit(static_cast<unsigned char>(name[at])) != 0;
       const bool endsWord = at + 1 == name.size() || std::isalnum(static_cast<unsigned char>(name[at + 1])) == 0;
-      if (endsWord && hasPhasesBeside(names, name, at)) {
+      if (endsWord && !(digit && numbered) && hasPhasesBeside(names, name, at)) {
         setAside(choices[c], message("is one phase's"));
         break;
       }
@@ -103,6 +108,50 @@ void setRowNumbersAside(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
+/// A "tension" among English names is a rope's or a belt's, and no voltage as in French and Spanish.
+void setTensionsAside(const RawTable& table, std::vector<Choice>& choices) {
+  static constexpr auto others = std::to_array<std::string_view>(
+      {"temps",    "tiempo", "vitesse",    "velocidad", "courant",  "corriente",  "intensidad",
+       "couple",   "par",    "angulo",     "ángulo",    "posicion", "posición",   "consigne",
+       "consigna", "moteur", "referencia", "mesure",    "mesurée",  "temperatura"});
+  const bool romance = std::any_of(table.columns.begin(), table.columns.end(), [](const RawColumn& column) {
+    return firstIn(wordsOf(column.channel.name, true), others) != nullptr;
+  });
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const std::string& to = choices[c].name.to;
+    const auto words = wordsOf(table.columns[c].channel.name, true);
+    const bool tension =
+        std::any_of(words.begin(), words.end(), [](const std::string& word) { return word.starts_with("tension"); });
+    if (tension && !romance && (to == "voltage_V" || to == "supply_V") && choices[c].name.unit.empty() &&
+        !choices[c].byMap)
+      setAside(choices[c], message("may be a rope's or a belt's tension"));
+  }
+}
+
+/// "u" within ±1 that goes with the duty is a controller's output, and no voltage.
+void setOutputsAside(const RawTable& table, std::vector<Choice>& choices) {
+  const auto duty =
+      std::find_if(choices.begin(), choices.end(), [](const Choice& one) { return one.name.to == "duty"; });
+  if (duty == choices.end()) return;
+  const auto& duties = table.columns[static_cast<size_t>(duty - choices.begin())].channel.values;
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const auto& values = table.columns[c].channel.values;
+    const bool letter = isSameWord(table.columns[c].channel.name, "u") && choices[c].name.unit.empty();
+    if (!letter || choices[c].name.to != "voltage_V" || choices[c].byMap || choices[c].byTool) continue;
+    double both = 0.0, own = 0.0, others = 0.0, most = 0.0;
+    for (size_t k = 0; k < values.size(); ++k) {
+      if (!std::isfinite(values[k]) || !std::isfinite(duties[k])) continue;
+      both += values[k] * duties[k];
+      own += values[k] * values[k];
+      others += duties[k] * duties[k];
+      most = std::max(most, std::abs(values[k]));
+    }
+    if (most <= 1.0 && both > 0.99 * std::sqrt(own * others) && own > 0.0)
+      setAside(choices[c], message("goes with {}, so it is no voltage",
+                                   table.columns[static_cast<size_t>(duty - choices.begin())].channel.name));
+  }
+}
+
 /// "PosZ" beside a motor's rpm is a place in space.
 void setPlacesAside(const RawTable& table, std::vector<Choice>& choices) {
   const auto letterOf = [&table](size_t c) {
@@ -125,22 +174,38 @@ void setPlacesAside(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
-/// Beside x and y an "omega" is how a vehicle turns, and a "theta" where it heads, where a unit tells the motor's
-/// speed.
+/// Whether this coordinate is there: "x", "x(in)", "x_mm"; `placed`: in a unit of length.
+bool hasCoordinate(const RawTable& table, std::string_view letter, bool& placed) {
+  return std::any_of(table.columns.begin(), table.columns.end(), [&](const RawColumn& column) {
+    const NameParts parts = partsOfName(column.channel.name, column.unit);
+    const bool length = parts.unit != nullptr && parts.unit->kind == UnitKind::length;
+    const bool found = parts.group.empty() && parts.words.size() == 1 && parts.words[0] == letter &&
+                       (length || isSameWord(column.channel.name, letter));
+    placed = placed || (found && length);
+    return found;
+  });
+}
+
+/// Beside x and y an "omega" is how a vehicle turns, and a "theta" where it heads, where a unit tells the motor's or a
+/// wheel's speed.
 void setTurningAside(const RawTable& table, std::vector<Choice>& choices) {
-  bool x = false, y = false, motors = false;
-  for (size_t c = 0; c < choices.size(); ++c) {
-    x = x || isSameWord(table.columns[c].channel.name, "x");
-    y = y || isSameWord(table.columns[c].channel.name, "y");
-    motors = motors || (choices[c].name.to == "velocity_rad_per_s" && !choices[c].name.unit.empty());
-  }
-  if (!x || !y || !motors) return;
+  bool placed = false;
+  const bool motors = std::any_of(choices.begin(), choices.end(), [](const Choice& one) {
+    return one.name.to == "velocity_rad_per_s" && !one.name.unit.empty();
+  });
+  const bool wheels = std::any_of(table.columns.begin(), table.columns.end(), [](const RawColumn& column) {
+    const NameParts parts = partsOfName(column.channel.name, column.unit);
+    const bool side = parts.group == "left" || parts.group == "right";
+    return side && parts.unit != nullptr && parts.unit->kind == UnitKind::linearVelocity;  // "v_l (ips)"
+  });
+  if ((!motors && !wheels) || !hasCoordinate(table, "x", placed) || !hasCoordinate(table, "y", placed)) return;
   for (size_t c = 0; c < choices.size(); ++c) {
     const ColumnName& name = choices[c].name;
     const bool turns = name.to == "velocity_rad_per_s" || name.to == "angle_rad";
     const auto words = wordsOf(table.columns[c].channel.name, true);
     const bool ofMotor = firstIn(words, jointWords) != nullptr || firstIn(words, drivenWords) != nullptr;
-    if (turns && name.unit.empty() && !ofMotor && !choices[c].byMap && !choices[c].byTool)
+    const bool heads = placed && name.group.empty() && name.to == "angle_rad" && words[0] == "theta";
+    if (turns && (name.unit.empty() || heads) && !ofMotor && !choices[c].byMap && !choices[c].byTool)
       setAside(choices[c], message("is how a vehicle turns, beside its place and a motor's speed"));
   }
 }
@@ -168,6 +233,24 @@ void takeLinear(const RawTable& table, std::vector<Choice>& choices) {
     if (to == "angle_reference_rad") to = "position_reference_m";
     if (to == "velocity_rad_per_s") to = "velocity_m_per_s";
     if (to == "velocity_reference_rad_per_s") to = "velocity_reference_m_per_s";
+  }
+}
+
+/// Beside an encoder's counts, steps are a stepper's, of which there are others in a turn.
+void setStepsAside(const RawTable& table, std::vector<Choice>& choices) {
+  const auto inSteps = [&choices](size_t c) { return choices[c].name.unit.find("step") != std::string::npos; };
+  bool encoder = false;
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const auto words = wordsOf(table.columns[c].channel.name, true);
+    const bool named = std::any_of(words.begin(), words.end(), [](const auto& one) { return one.starts_with("enc"); });
+    encoder = encoder || (named && isAngle(choices[c].name.to) && !inSteps(c));
+  }
+  if (!encoder) return;
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const ColumnName& name = choices[c].name;
+    const bool moves = isAngle(name.to) || name.to == "angle_reference_rad";
+    if (moves && name.needs == UnitNeeds::countsPerRev && inSteps(c) && !choices[c].byMap)
+      setAside(choices[c], message("counts a stepper's steps, beside an encoder"));
   }
 }
 
@@ -252,7 +335,10 @@ void judgeByNeighbours(const RawTable& table, std::vector<Choice>& choices) {
   setPidTermsAside(table, choices);
   setPresentAside(table, choices);
   setLinesAside(table, choices);
+  setStepsAside(table, choices);
   setRowNumbersAside(table, choices);
+  setTensionsAside(table, choices);
+  setOutputsAside(table, choices);
   setPlacesAside(table, choices);
   setTurningAside(table, choices);
   takeLinear(table, choices);

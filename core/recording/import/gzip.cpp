@@ -53,4 +53,19 @@ Result<std::string> unpackGzip(std::string_view bytes, const std::string& name) 
   return content;
 }
 
+bool isDamagedZlib(std::string_view bytes) {
+  Stream stream;
+  if (bytes.size() > UINT_MAX || inflateInit(&stream) != Z_OK) return false;
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  std::string content(65536, '\0');
+  int state = Z_OK;
+  while (state == Z_OK && stream.total_out < mostBytes) {
+    stream.next_out = reinterpret_cast<Bytef*>(content.data());
+    stream.avail_out = static_cast<uInt>(content.size());
+    state = inflate(&stream, Z_NO_FLUSH);
+  }
+  return state == Z_DATA_ERROR || state == Z_NEED_DICT;  // some writers leave the end out
+}
+
 }  // namespace breakaway

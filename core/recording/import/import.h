@@ -21,6 +21,7 @@ struct ColumnFate {
   double scale = 1.0;  ///< SI = scale × value + offset
   double offset = 0.0;
   Message why;           ///< in words
+  Message doubt = {};    ///< what may be otherwise beside the unit; empty when nothing says so
   bool guessed = false;  ///< nothing in the file tells it for sure
 
   /// "Winkel [°] → angle_rad, from ° (× 0.0174532925)".

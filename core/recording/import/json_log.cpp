@@ -5,17 +5,19 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "base/json_text.h"
 #include "recording/import/clock_time.h"
+#include "recording/import/python_dicts.h"
 #include "recording/import/sysid_json.h"
 #include "recording/import/text_signals.h"
 #include "recording/import/text_table.h"
+#include "recording/import/unit_texts.h"
 #include "recording/import/units.h"
 
 namespace breakaway {
@@ -35,94 +37,21 @@ struct FieldsInOrder : nlohmann::ordered_map<Key, T, Ignored, Allocator> {
 
 using Json = nlohmann::basic_json<FieldsInOrder>;
 
-constexpr size_t mostFields = 5000;
-
-std::string lineOf(const std::string& text, size_t byte) {
-  const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size()));
-  return std::to_string(1 + std::count(text.begin(), end, '\n'));
+std::string within(const std::string& prefix, const std::string& key) {
+  return prefix.empty() || key.empty() ? prefix + key : prefix + "." + key;
 }
 
 std::string plainText(const Json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
+/// A number, true, false or nothing.
 bool isPlain(const Json& value) {
   return value.is_number() || value.is_boolean() || value.is_null();
 }
 
-/// The longest array that `fits`, wherever it stands; its path of keys in `key`.
-const Json* longest(const Json& json, bool (*fits)(const Json&)) {
-  const Json* best = nullptr;
-  const std::function<void(const Json&)> look = [&](const Json& one) {
-    if (one.is_array() && fits(one) && (best == nullptr || one.size() > best->size())) best = &one;
-    if (one.is_object()) {
-      for (const auto& [key, value] : one.items()) look(value);
-    }
-  };
-  look(json);
-  return best;
-}
-
-/// Units by the field that has them.
-using UnitTexts = std::map<std::string, std::string>;
-
-/// What "pos_unit" or "posUnits" tells the unit of, "" of "unit"; nothing for other keys.
-std::optional<std::string> toldUnitOf(const std::string& key) {
-  for (const std::string_view end : {"units", "unit", "Units", "Unit"}) {
-    if (!key.ends_with(end)) continue;
-    std::string base = key.substr(0, key.size() - end.size());
-    const bool parted = base.empty() || base.back() == '_' || base.back() == '.' || end.front() == 'U';
-    while (!base.empty() && (base.back() == '_' || base.back() == '.')) base.pop_back();
-    if (parted) return base;
-  }
-  return std::nullopt;
-}
-
-std::string within(const std::string& prefix, const std::string& key) {
-  return prefix.empty() || key.empty() ? prefix + key : prefix + "." + key;
-}
-
-/// Units that stand in fields of their own: {"value": 1, "unit": "deg"}, {"pos": 1, "pos_unit": "deg"}, and
-/// {"units": {"pos": "deg"}}.
-void collectUnits(const Json& json, const std::string& prefix, UnitTexts& units) {
-  if (!json.is_object()) return;
-  for (const auto& [key, value] : json.items()) {
-    const auto told = toldUnitOf(key);
-    if (told && value.is_string()) units[within(prefix, *told)] = value.get<std::string>();
-    if (told && value.is_object()) {
-      for (const auto& [name, unit] : value.items()) {
-        if (unit.is_string()) units[name] = unit.get<std::string>();
-      }
-    } else {
-      collectUnits(value, within(prefix, key), units);
-    }
-  }
-}
-
-void giveUnits(const UnitTexts& units, RawTable& table) {
-  for (RawColumn& column : table.columns) {
-    const std::string& name = column.channel.name;
-    const size_t dot = name.rfind('.');
-    const std::string last = dot == std::string::npos ? name : name.substr(dot + 1);
-    const bool unsaid = last == "value" || last == "val" || last == "values" || last == "data";
-    const std::string outer = !unsaid ? name : dot == std::string::npos ? std::string() : name.substr(0, dot);
-    for (const std::string& key : {name, outer}) {
-      const auto told = units.find(key);
-      if (told != units.end() && column.unit.empty()) column.unit = told->second;
-    }
-  }
-}
-
-bool isArrayOfObjects(const Json& array) {
-  return !array.empty() && array.front().is_object();
-}
-
-bool isArrayOfRows(const Json& array) {
-  return array.size() > 1 && array.front().is_array() && array.front().size() > 1 && isPlain(array.front().front());
-}
-
 /// One cell; whole numbers beyond a double's digits are counted from the column's first.
-void put(const Json& value, RawColumn& column, const std::string& place, bool first) {
+void putCell(const Json& value, RawColumn& column, const std::string& place, bool first) {
   auto& values = column.channel.values;
   if (value.is_number_integer() && std::abs(value.get<double>()) >= 1e15) {
     const auto whole = value.get<int64_t>();
@@ -146,6 +75,182 @@ void put(const Json& value, RawColumn& column, const std::string& place, bool fi
   if (!isPlain(value) && !column.fault)
     column.fault = Error{place + ", field " + column.channel.name,
                          message("expected a number, found {}", plainText(value).substr(0, 40))};
+}
+
+/// Units that stand in fields of their own: {"value": 1, "unit": "deg"}, {"pos": 1, "pos_unit": "deg"}, and
+/// {"units": {"pos": "deg"}}.
+void collectUnits(const Json& json, const std::string& prefix, UnitTexts& units) {
+  if (!json.is_object()) return;
+  for (const auto& [key, value] : json.items()) {
+    const auto told = toldUnitOf(key);
+    if (told && value.is_string()) units[within(prefix, *told)] = value.get<std::string>();
+    if (told && value.is_object()) {
+      for (const auto& [name, unit] : value.items()) {
+        if (unit.is_string()) units[name] = unit.get<std::string>();
+      }
+    } else {
+      collectUnits(value, within(prefix, key), units);
+    }
+  }
+}
+
+constexpr size_t mostOfAList = 64;
+
+/// An array by its path of keys.
+struct NamedArray {
+  std::string path;
+  const Json* values = nullptr;
+
+  const Json& first() const { return values->front(); }
+  bool plain() const { return isPlain(first()) || first().is_string(); }
+  /// Lists of values, one per row, or one per signal.
+  bool ofLists() const { return first().is_array() && !first().empty() && isPlain(first().front()); }
+};
+
+void collectArrays(const Json& json, const std::string& prefix, std::vector<NamedArray>& arrays) {
+  for (const auto& [key, value] : json.items()) {
+    const std::string path = prefix.empty() ? key : prefix + "." + key;
+    if (value.is_object()) collectArrays(value, path, arrays);
+    const NamedArray array{path, &value};
+    if (value.is_array() && !value.empty() && (array.plain() || array.ofLists())) arrays.push_back(array);
+  }
+}
+
+/// The names of so many columns, as a field beside the rows tells them; empty where none does.
+std::vector<std::string> namesOf(const Json& json, size_t width) {
+  if (!json.is_object()) return {};
+  for (const char* key : {"columns", "header", "names", "fields", "labels"}) {
+    const auto it = json.find(key);
+    if (it == json.end() || !it->is_array() || it->size() != width) continue;
+    std::vector<std::string> names;
+    for (const Json& one : *it) names.push_back(plainText(one));
+    return names;
+  }
+  return {};
+}
+
+std::string placeOf(const std::string& name, size_t row) {
+  return name + ", entry " + std::to_string(row + 1);
+}
+
+/// NAME[0], NAME[1] … of lists, one per row; where `bySignal`, of lists that are a signal each.
+void addLists(const NamedArray& array, size_t rows, bool bySignal, const std::string& name, RawTable& table) {
+  static const Json nothing;
+  const Json& values = *array.values;
+  const size_t width = bySignal ? values.size() : array.first().size();
+  for (size_t c = 0; c < std::min(width, mostOfAList); ++c) {
+    RawColumn column{{array.path + "[" + std::to_string(c) + "]", {}}, {}};
+    for (size_t k = 0; k < rows; ++k) {
+      const Json& list = values[bySignal ? c : k];
+      const size_t at = bySignal ? k : c;
+      putCell(list.is_array() && at < list.size() ? list[at] : nothing, column, placeOf(name, k), k == 0);
+    }
+    table.columns.push_back(std::move(column));
+  }
+}
+
+/// {"time": […], "angle": […]}, also an object deeper; lists of lists, one per row or one per signal, become NAME[0],
+/// NAME[1] ….
+Result<RawTable> arraysOf(const Json& json, const std::string& name) {
+  std::vector<NamedArray> arrays;
+  collectArrays(json, "", arrays);
+  size_t rows = 0;
+  for (const bool plain : {true, false}) {
+    for (const NamedArray& array : arrays) {
+      if (array.plain() == plain && (plain || rows < 2)) rows = std::max(rows, array.values->size());
+    }
+  }
+  if (rows < 2) return Error{name, message("holds no log")};
+  RawTable table;
+  for (const NamedArray& array : arrays) {
+    const bool asLong = array.values->size() == rows;
+    if (asLong && array.plain()) {
+      RawColumn column{{array.path, {}}, {}};
+      for (size_t k = 0; k < rows; ++k) putCell((*array.values)[k], column, placeOf(name, k), k == 0);
+      table.columns.push_back(std::move(column));
+    } else if (!array.plain() && (asLong || array.first().size() == rows)) {
+      addLists(array, rows, !asLong, name, table);
+    } else {
+      table.remarks.push_back(
+          message("{} has {} values, not {}, and was left out", array.path, array.values->size(), rows));
+    }
+  }
+  return table;
+}
+
+/// Whether the rows are but one of several arrays by name that are as long: {"time": […], "joints": [[…], […]]}.
+bool isTableOfArrays(const Json& json, const Json& rows) {
+  if (!json.is_object() || !namesOf(json, rows.front().size()).empty()) return false;
+  std::vector<NamedArray> arrays;
+  collectArrays(json, "", arrays);
+  const auto beside = std::count_if(arrays.begin(), arrays.end(), [&rows](const NamedArray& one) {
+    const size_t length = one.values->size();
+    return one.values != &rows && length > 1 &&
+           (length == rows.size() || (one.plain() && length == rows.front().size()));
+  });
+  return beside > 0;
+}
+
+/// {"time": {"0": 0.1, "1": 0.2}, …}, as pandas writes it.
+bool isByIndex(const Json& json) {
+  return json.is_object() && !json.empty() && std::all_of(json.begin(), json.end(), [](const Json& column) {
+           return column.is_object() && column.contains("0") && isPlain(column["0"]);
+         });
+}
+
+Result<RawTable> byIndex(const Json& json, const std::string& name) {
+  Json arrays = Json::object();
+  for (const auto& [key, column] : json.items()) {
+    Json values = Json::array();
+    for (const auto& [index, value] : column.items()) values.push_back(value);
+    arrays[key] = std::move(values);
+  }
+  return arraysOf(arrays, name);
+}
+
+/// Rows, with the names of their columns beside them.
+Result<RawTable> rowsOf(const Json& json, const Json& rows, const std::string& name) {
+  const size_t width = rows.front().size();
+  const std::vector<std::string> names = namesOf(json, width);
+  RawTable table;
+  for (size_t c = 0; c < width; ++c) {
+    RawColumn column{{c < names.size() ? names[c] : "column_" + std::to_string(c + 1), {}}, {}};
+    for (size_t k = 0; k < rows.size(); ++k) {
+      if (!rows[k].is_array() || rows[k].size() != width)
+        return Error{name + ", entry " + std::to_string(k + 1), message("has other than {} numbers", width)};
+      putCell(rows[k][c], column, name + ", entry " + std::to_string(k + 1), k == 0);
+    }
+    table.columns.push_back(std::move(column));
+  }
+  return table;
+}
+
+bool isArrayOfRows(const Json& array) {
+  return array.size() > 1 && array.front().is_array() && array.front().size() > 1 && isPlain(array.front().front());
+}
+
+constexpr size_t mostFields = 5000;
+
+std::string lineOf(const std::string& text, size_t byte) {
+  const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size()));
+  return std::to_string(1 + std::count(text.begin(), end, '\n'));
+}
+
+/// The longest array that `fits`, wherever it stands; its path of keys in `key`.
+const Json* longest(const Json& json, bool (*fits)(const Json&)) {
+  const Json* best = nullptr;
+  const std::function<void(const Json&)> look = [&](const Json& one) {
+    if (one.is_array() && fits(one) && (best == nullptr || one.size() > best->size())) best = &one;
+    if (one.is_object()) {
+      for (const auto& [key, value] : one.items()) look(value);
+    }
+  };
+  look(json);
+  return best;
+}
+
+bool isArrayOfObjects(const Json& array) {
+  return !array.empty() && array.front().is_object();
 }
 
 /// The fields of a sample, objects and short arrays of numbers flattened.
@@ -253,46 +358,12 @@ Result<RawTable> samplesOf(const std::vector<const Json*>& samples, const std::s
         column.channel.values.push_back(NAN);
         continue;
       }
-      put(*field->second, column, place, k == 0);
+      putCell(*field->second, column, place, k == 0);
       next = static_cast<size_t>(field - fields.begin()) + 1;
     }
   }
   if (without > 0) table.remarks.push_back(message("{} fields lack in some entries; they are missing values", without));
   return table;
-}
-
-/// {"time": […], "angle": […]}, also an object deeper.
-Result<RawTable> arraysOf(const Json& json, const std::string& name) {
-  RawTable table;
-  size_t rows = 0;
-  const std::function<void(const Json&, const std::string&, bool)> look = [&](const Json& one,
-                                                                              const std::string& prefix, bool measure) {
-    for (const auto& [key, value] : one.items()) {
-      const std::string path = prefix.empty() ? key : prefix + "." + key;
-      if (value.is_object()) look(value, path, measure);
-      if (!value.is_array() || value.empty() || !(isPlain(value.front()) || value.front().is_string())) continue;
-      if (measure) {
-        rows = std::max(rows, value.size());
-      } else if (value.size() == rows) {
-        RawColumn column{{path, {}}, {}};
-        for (size_t k = 0; k < rows; ++k) put(value[k], column, name + ", entry " + std::to_string(k + 1), k == 0);
-        table.columns.push_back(std::move(column));
-      } else {
-        table.remarks.push_back(message("{} has {} values, not {}, and was left out", path, value.size(), rows));
-      }
-    }
-  };
-  look(json, "", true);
-  if (rows < 2) return Error{name, message("holds no log")};
-  look(json, "", false);
-  return table;
-}
-
-/// {"time": {"0": 0.1, "1": 0.2}, …}, as pandas writes it.
-bool isByIndex(const Json& json) {
-  return json.is_object() && !json.empty() && std::all_of(json.begin(), json.end(), [](const Json& column) {
-           return column.is_object() && column.contains("0") && isPlain(column["0"]);
-         });
 }
 
 /// {"0": {"time": 0.1, …}, "1": {…}, …}: samples by their number, stamp or key.
@@ -326,40 +397,6 @@ Json withKeys(const Json& json) {
   return samples;
 }
 
-Result<RawTable> byIndex(const Json& json, const std::string& name) {
-  Json arrays = Json::object();
-  for (const auto& [key, column] : json.items()) {
-    Json values = Json::array();
-    for (const auto& [index, value] : column.items()) values.push_back(value);
-    arrays[key] = std::move(values);
-  }
-  return arraysOf(arrays, name);
-}
-
-Result<RawTable> rowsOf(const Json& json, const Json& rows, const std::string& name) {
-  std::vector<std::string> names;
-  if (json.is_object()) {
-    for (const char* key : {"columns", "header", "names", "fields", "labels"}) {
-      const auto it = json.find(key);
-      if (it == json.end() || !it->is_array()) continue;
-      for (const Json& one : *it) names.push_back(plainText(one));
-    }
-  }
-  const size_t width = rows.front().size();
-  RawTable table;
-  for (size_t c = 0; c < width; ++c) {
-    RawColumn column{{c < names.size() && names.size() == width ? names[c] : "column_" + std::to_string(c + 1), {}},
-                     {}};
-    for (size_t k = 0; k < rows.size(); ++k) {
-      if (!rows[k].is_array() || rows[k].size() != width)
-        return Error{name + ", entry " + std::to_string(k + 1), message("has other than {} numbers", width)};
-      put(rows[k][c], column, name + ", entry " + std::to_string(k + 1), k == 0);
-    }
-    table.columns.push_back(std::move(column));
-  }
-  return table;
-}
-
 void addNotes(const Json& json, RawTable& table) {
   if (!json.is_object()) return;
   for (const auto& [key, value] : json.items()) {
@@ -387,7 +424,7 @@ Result<RawTable> plainLog(const Json& json, const std::string& name) {
     for (const Json& one : keyed) each.push_back(&one);
     table = samplesOf(each, name);
   } else if (const Json* rows = longest(json, isArrayOfRows)) {
-    table = rowsOf(json, *rows, name);
+    table = isTableOfArrays(json, *rows) ? arraysOf(json, name) : rowsOf(json, *rows, name);
   } else if (json.is_object()) {
     table = arraysOf(json, name);
   }
@@ -437,53 +474,11 @@ Result<ReadTable> linesOf(const std::string& text, const std::string& name) {
   return ReadTable{std::move(*table), {}};
 }
 
-/// Python's print of dicts and lists, {'t': 0.1, 'on': True, 'x': None}, as JSON.
-std::string pythonAsJson(std::string_view text) {
-  static constexpr auto words = std::to_array<std::pair<std::string_view, std::string_view>>(
-      {{"True", "true"}, {"False", "false"}, {"None", "null"}, {"nan", "null"}, {"inf", "null"}, {"-inf", "null"}});
-  std::string json;
-  json.reserve(text.size());
-  char quote = 0;
-  for (size_t k = 0; k < text.size(); ++k) {
-    const char c = text[k];
-    if (quote != 0) {
-      if (c == '\\' && k + 1 < text.size()) {
-        if (text[k + 1] != '\'') json += c;
-        json += text[++k];
-      } else if (c == quote) {
-        json += '"';
-        quote = 0;
-      } else {
-        json += c == '"' ? "\\\"" : std::string(1, c);
-      }
-      continue;
-    }
-    if (c == '\'' || c == '"') {
-      quote = c;
-      json += '"';
-      continue;
-    }
-    const auto word = std::find_if(words.begin(), words.end(),
-                                   [&](const auto& one) { return text.substr(k).starts_with(one.first); });
-    json += word == words.end() ? std::string(1, c) : std::string(word->second);
-    if (word != words.end()) k += word->first.size() - 1;
-  }
-  return json;
-}
-
-/// Begins with a dict's first key in single quotes, so that none of it stands within a text of JSON.
-bool isPython(std::string_view text) {
-  const size_t brace = text.find_first_not_of("[ \t\r\n");
-  if (brace == std::string_view::npos || text[brace] != '{') return false;
-  const size_t first = text.find_first_not_of(" \t\r\n", brace + 1);
-  return first != std::string_view::npos && text[first] == '\'';
-}
-
 }  // namespace
 
 Result<ReadTable> readJsonLog(const std::string& text, const std::string& name) {
   if (nestsTooDeep(text)) return Error{name, message("nests deeper than {} levels, as no log does", deepestJson)};
-  if (isPython(text)) return readJsonLog(pythonAsJson(text), name);
+  if (isPythonDicts(text)) return readJsonLog(pythonAsJson(text), name);
   const auto fault = jsonFault(text, name);
   if (fault && fault->fact.ends_with("twice in one object")) return *fault;
   try {

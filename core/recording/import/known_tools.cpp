@@ -152,18 +152,21 @@ ToolColumns inTurns(const RawTable& table, const std::function<bool(const std::s
   return columns;
 }
 
-/// By its current's name alone only where no motion beside it tells a unit of its own: "turns" beside an "angle".
+/// By its current's name alone only where no motion beside it tells a unit of its own, "turns" beside an "angle", and
+/// only one angle is there.
 bool isOdrive(const RawTable& table) {
   bool motion = false, current = false, told = false;
+  size_t angles = 0;
   for (const RawColumn& column : table.columns) {
     const std::string& name = column.channel.name;
     const auto has = [&name](const char* part) { return name.find(part) != std::string::npos; };
     motion = motion || has("pos_estimate") || has("vel_estimate") || has("pos_vel_mapper");
     current = current || has("Iq_measured") || has("iq_measured");
     const ColumnName known = understandName(name, column.unit);
+    angles += known.to == "angle_rad" ? 1 : 0;
     told = told || ((known.to == "angle_rad" || known.to == "velocity_rad_per_s") && !known.unit.empty());
   }
-  return motion || (current && !told);
+  return motion || (current && !told && angles < 2);
 }
 
 ToolColumns odrive(RawTable& table) {

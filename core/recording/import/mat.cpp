@@ -13,6 +13,7 @@
 #include "base/contained.h"
 #include "base/memory_file.h"
 #include "recording/import/controldesk.h"
+#include "recording/import/gzip.h"
 #include "recording/import/hdf5_table.h"
 #include "recording/import/text_encoding.h"
 
@@ -21,6 +22,7 @@ namespace breakaway {
 namespace {
 
 constexpr size_t headerSize = 128;
+constexpr uint32_t packed = 15;  // an element of any kind, by zlib
 constexpr size_t mostValues = size_t{1} << 30;
 
 uint32_t word(std::string_view bytes, size_t at, bool swapped) {
@@ -29,7 +31,8 @@ uint32_t word(std::string_view bytes, size_t at, bool swapped) {
   return swapped ? __builtin_bswap32(value) : value;
 }
 
-/// A version 5 file is a header and elements that tell their sizes; the last one must end where the file ends.
+/// A version 5 file is a header and elements that tell their sizes; the last one must end where the file ends. The
+/// library reads on over a wrong checksum, as values that nobody wrote.
 Result<void> checkElements(std::string_view bytes, const std::string& name) {
   const bool swapped = bytes[126] == 'M';  // "MI" written by a machine of the other byte order
   size_t at = headerSize;
@@ -37,6 +40,9 @@ Result<void> checkElements(std::string_view bytes, const std::string& name) {
     const size_t size = at + 8 <= bytes.size() ? word(bytes, at + 4, swapped) : 0;
     if (at + 8 > bytes.size() || size > bytes.size() - at - 8) {
       return Error{name, message("is cut short: its last variable ends beyond byte {}", bytes.size())};
+    }
+    if (word(bytes, at, swapped) == packed && isDamagedZlib(bytes.substr(at + 8, size))) {
+      return Error{name, message("is damaged: the variable at byte {} can't be unpacked", at)};
     }
     at += 8 + size;
   }

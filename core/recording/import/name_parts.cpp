@@ -82,6 +82,30 @@ std::string withoutInnerBrackets(std::string_view inner) {
   return text + std::string(inner);
 }
 
+/// "Winding_A", "phase b".
+bool namesPhase(const Words& words) {
+  return words.size() == 2 && (words[0] == "winding" || words[0] == "phase") && words[1].size() == 1;
+}
+
+/// "J1", "axis 2", "left".
+bool namesAxis(const Words& words) {
+  if (words.size() == 2) return (words[0] == "axis" || isIn(jointWords, words[0])) && isNumber(words[1]);
+  if (words.size() != 1) return false;
+  const bool numbered = words[0].size() > 1 && words[0].size() < 4 && isNumber(words[0].substr(1)) &&
+                        std::string_view("ajmx").find(words[0][0]) != std::string_view::npos;
+  return numbered || words[0] == "left" || words[0] == "right";
+}
+
+/// "V" of "V(speed)": a circuit's node, which is in volts whatever it is called; nothing for "V (measured)".
+std::string_view circuitUnit(std::string_view before, const Words& inner) {
+  const bool other = std::any_of(inner.begin(), inner.end(), [](const std::string& word) {
+    const Word* quantity = quantityNamed(word);
+    return quantity != nullptr && quantity->kind != UnitKind::voltage && quantity->kind != UnitKind::current;
+  });
+  if (!other || before.size() != 1) return {};
+  return before == "V" ? "V" : before == "I" ? "A" : "";
+}
+
 /// Takes bracketed units and indices off the name.
 std::string takeBrackets(std::string_view name, NameParts& parts) {
   std::string rest;
@@ -90,7 +114,8 @@ std::string takeBrackets(std::string_view name, NameParts& parts) {
     const size_t close = open == std::string_view::npos ? open : closeOf(name, open);
     if (close == std::string_view::npos || (open == 0 && close + 1 == name.size() && rest.empty())) break;
     rest += name.substr(0, open);
-    const std::string inner = withoutInnerBrackets(name.substr(open + 1, close - open - 1));
+    std::string inner = withoutInnerBrackets(name.substr(open + 1, close - open - 1));
+    if (inner == "in") inner = "inch";
     name.remove_prefix(close + 1);
     Words words = wordsOf(inner, true);
     partCompounds(words);
@@ -101,7 +126,10 @@ std::string takeBrackets(std::string_view name, NameParts& parts) {
       parts.unit = unit;
       parts.unitText = inner;
       parts.unknownUnit = false;
-    } else if (isNumber(inner) || (plainWords && !words.empty())) {
+    } else if (const std::string_view circuits = circuitUnit(rest, words); !circuits.empty()) {
+      setUnit(circuits, parts);
+      rest = inner;
+    } else if (isNumber(inner) || namesAxis(words) || namesPhase(words) || (plainWords && !words.empty())) {
       rest += " " + inner + " ";
     } else if (!words.empty()) {
       setUnit(inner, parts);
@@ -112,6 +140,12 @@ std::string takeBrackets(std::string_view name, NameParts& parts) {
 
 bool isSide(std::string_view word) {
   return word == "left" || word == "right" || word == "l" || word == "r";
+}
+
+/// Nothing follows, or only what says that it is a reference.
+bool onlyReferenceFollows(const Words& words, size_t k) {
+  return std::all_of(words.begin() + static_cast<std::ptrdiff_t>(k) + 1, words.end(),
+                     [](const std::string& word) { return isIn(referenceWords, word); });
 }
 
 /// "rpm_l" is of the axis of "left_amps".
@@ -126,10 +160,15 @@ bool isChannel(std::string_view word) {
   return isIn(words, word);
 }
 
+/// "2", "P1": a channel's.
+bool isChannelNumber(std::string_view word) {
+  return isNumber(word) || (word.size() > 1 && word.size() < 4 && isNumber(word.substr(1)));
+}
+
 /// "Kanal 2 Drehzahl", "ch3_torque": without the channel; where nothing else stands, as it is.
 void dropChannel(Words& words) {
   for (size_t k = 0; k + 1 < words.size(); ++k) {
-    if (!isChannel(words[k]) || !isNumber(words[k + 1]) || words.size() < 3) continue;
+    if (!isChannel(words[k]) || !isChannelNumber(words[k + 1]) || words.size() < 3) continue;
     words.erase(words.begin() + static_cast<std::ptrdiff_t>(k), words.begin() + static_cast<std::ptrdiff_t>(k) + 2);
   }
 }
@@ -150,8 +189,8 @@ void takeGroup(Words& words, std::string& group) {
         word[0] == 'r' || word[0] == 'p' ||
         (k == 0 && words.size() > 1 && std::string_view("majsxyz").find(word[0]) == std::string_view::npos);
     const bool parameter = letterAndNumber && word.size() > 2 && drives;
-    const bool axis = letterAndNumber && !parameter;                                          // "m0"
-    const bool side = isSide(word) && (word.size() > 1 || (k > 0 && k + 1 == words.size()));  // "rpm_l"
+    const bool axis = letterAndNumber && !parameter;                                                   // "m0"
+    const bool side = isSide(word) && (word.size() > 1 || (k > 0 && onlyReferenceFollows(words, k)));  // "rpm_l_ref"
     const bool joint = axis && word[0] == 'j';              // "tau_J1" is of the axis of "dq1"
     const bool angle = axis && word[0] == 'q' && own == 1;  // "q1", "q1_ref"
     if (!model && (isNumber(word) || axis || side))
@@ -207,7 +246,7 @@ bool takeUnitBeforeWords(const std::string& text, NameParts& parts) {
     for (size_t k = from; k < end; ++k) parts.unitText += (k == from ? "" : "_") + head[k];
     parts.words = wordsOf(firstWords(text, from), true);
     parts.words.insert(parts.words.end(), plain.begin() + static_cast<std::ptrdiff_t>(end), plain.end());
-    if (parts.unitFirst && parts.words.size() == 1 && isSide(parts.words[0]))
+    if (parts.unitFirst && !parts.words.empty() && isSide(parts.words[0]) && onlyReferenceFollows(parts.words, 0))
       parts.words[0] = sideNamed(parts.words[0]);
     return true;
   }
@@ -277,7 +316,17 @@ NameParts partsOfName(std::string_view name, std::string_view unit) {
     parts.factor = 1.0;
     setUnit(unit, parts);
   }
+  if (text.size() > 1 && text.front() == '%') text = text.substr(1) + " %";  // "%PWM"
   if (parts.unit == nullptr && !parts.unknownUnit) text = takeMultipliedUnit(text, parts);
+  const size_t comma = text.rfind(", ");  // "Скорость, об/мин"
+  if (parts.unit == nullptr && !parts.unknownUnit && comma != std::string::npos) {
+    const std::string behind = text.substr(comma + 2);
+    if (const Unit* named = unitNamed(behind); named != nullptr && !isNumber(behind)) {
+      parts.unit = named;
+      parts.unitText = behind;
+      text.resize(comma);
+    }
+  }
   const size_t in = text.find(" in ");
   if (parts.unit == nullptr && !parts.unknownUnit && in != std::string::npos) {
     if (const Unit* named = unitNamed(std::string_view(text).substr(in + 4))) {

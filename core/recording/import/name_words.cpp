@@ -41,6 +41,22 @@ void partEnglish(Words& words) {
   }
 }
 
+/// "FPOS" is a feedback, "RVEL" a reference, as some drives call them; "iqf" is filtered.
+void partLetters(Words& words) {
+  static constexpr auto whole = std::to_array<std::array<std::string_view, 3>>({{"fpos", "feedback", "pos"},
+                                                                                {"rpos", "reference", "pos"},
+                                                                                {"fvel", "feedback", "vel"},
+                                                                                {"rvel", "reference", "vel"},
+                                                                                {"iqf", "iq", "filtered"}});
+  for (size_t k = 0; k < words.size(); ++k) {
+    for (const auto& [joined, first, second] : whole) {
+      if (words[k] != joined) continue;
+      words[k] = first;
+      words.insert(words.begin() + static_cast<std::ptrdiff_t>(k) + 1, std::string(second));
+    }
+  }
+}
+
 /// "torque_from_current" is a torque, however it was come by.
 void dropSource(Words& words) {
   const auto from = std::find(words.begin(), words.end(), "from");
@@ -121,12 +137,29 @@ std::string withUnitsApart(const std::string& text) {
   return text;
 }
 
+std::string_view withoutSource(std::string_view text) {
+  for (const std::string_view from : {"_from_", " from "}) {
+    const size_t at = text.find(from);
+    if (at == std::string_view::npos || at == 0) continue;
+    const Words words = wordsOf(text.substr(0, at), false);
+    for (size_t k = 0; k < words.size(); ++k) {
+      if (words[k].size() > 1 && unitOfWords(words, k) != nullptr) return text.substr(0, at);
+    }
+  }
+  return text;
+}
+
 void joinWords(Words& words) {
   joinDerivatives(words);
   for (size_t k = 0; k + 1 < words.size(); ++k) {
     const bool axis = words[k + 1] == "q" || words[k + 1] == "d";
     if (axis && (words[k] == "i" || words[k] == "u" || words[k] == "v")) {
       words[k] += words[k + 1];
+      words.erase(words.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+      continue;
+    }
+    if (words[k] == "set" && words[k + 1] == "point") {
+      words[k] = "setpoint";
       words.erase(words.begin() + static_cast<std::ptrdiff_t>(k) + 1);
       continue;
     }
@@ -160,6 +193,7 @@ void partWords(Words& words) {
   partGapless(words);
   partCompounds(words);
   partEnglish(words);
+  partLetters(words);
   partSupplies(words);
   dropSource(words);
 }

@@ -21,6 +21,9 @@ void partWords(Words& words);
 /// "theta dot" and "dot theta" are a speed, "i q" the current of the q axis, "v in" the supply.
 void joinWords(Words& words);
 
+/// "rpm" of "rpm_from_counts": how a value was come by stands behind its unit.
+std::string_view withoutSource(std::string_view text);
+
 /// "mot_rpm" of "motrpm".
 std::string withUnitsApart(const std::string& text);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -81,10 +82,12 @@ std::optional<std::vector<double>> takeValues(std::string_view& text) {
 std::optional<Result<RawTable>> readNamedLists(std::string_view text, const std::string& name) {
   constexpr size_t mostColumns = 5000, shortest = 4;
   std::vector<RawColumn> columns;
+  std::set<std::string_view> names;
   size_t longest = 0;
   for (skipBetween(text); !text.empty(); skipBetween(text)) {
     const std::string_view named = takeName(text);
-    if (named.empty() || columns.size() >= mostColumns) return std::nullopt;
+    // A name that comes again labels rows: "RPM: 120, 118".
+    if (named.empty() || columns.size() >= mostColumns || !names.insert(named).second) return std::nullopt;
     auto values = takeValues(text);
     if (!values) return std::nullopt;
     longest = std::max(longest, values->size());

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <map>
 #include <set>
 
 #include "recording/import/columns_beside.h"
 #include "recording/import/name_parts.h"
 #include "recording/import/quantity_words.h"
+#include "recording/import/settle_motion.h"
 
 namespace breakaway {
 
@@ -46,6 +48,40 @@ void takeTargetsOfJoints(const RawTable& table, std::vector<Choice>& choices) {
     const bool all = names.contains("q" + axis) && names.contains("qd" + axis) && names.contains("tq" + axis) &&
                      names.contains("tqd" + axis);
     if (all) choices[c].name = understandName((speed ? "qd" : "q") + axis + "_target");
+  }
+}
+
+/// "FL_hip_q" beside "FL_hip_dq" is its angle; what else is called after it is of that axis.
+void takeCoordinates(const RawTable& table, std::vector<Choice>& choices) {
+  std::map<std::string, size_t> names;
+  for (size_t c = 0; c < choices.size(); ++c) names[table.columns[c].channel.name] = c;
+  for (const auto& [name, angle] : names) {
+    const size_t mark = name.find_last_of("_.");
+    if (mark == std::string::npos || mark == 0 || name.substr(mark + 1) != "q" || choices[angle].byMap) continue;
+    const std::string whose = name.substr(0, mark + 1);
+    const auto speed = names.contains(whose + "dq") ? names.find(whose + "dq") : names.find(whose + "qd");
+    const NameParts parts = partsOfName(name.substr(0, mark), {});
+    const bool open = !choices[angle].name.understood() && speed != names.end() && !choices[speed->second].byMap;
+    if (!open || firstIn(parts.words, otherThings) != nullptr) continue;
+    choices[angle].name = understandName("q", table.columns[angle].unit);
+    choices[speed->second].name = understandName("dq", table.columns[speed->second].unit);
+    for (size_t c = 0; c < choices.size(); ++c) {
+      if (choices[c].name.understood() && table.columns[c].channel.name.starts_with(whose))
+        choices[c].name.group = name.substr(0, mark);
+    }
+  }
+}
+
+/// "motor_vol" beside "motor_vel" and "motor_cur" is no volume.
+void takeVoltages(const RawTable& table, std::vector<Choice>& choices) {
+  std::set<std::string> names;
+  for (const RawColumn& column : table.columns) names.insert(column.channel.name);
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const std::string& name = table.columns[c].channel.name;
+    if (!name.ends_with("_vol") || choices[c].name.understood() || choices[c].byMap) continue;
+    const std::string whose = name.substr(0, name.size() - 3);
+    if (names.contains(whose + "vel") && names.contains(whose + "cur"))
+      choices[c].name = understandName(whose + "voltage", table.columns[c].unit);
   }
 }
 
@@ -97,20 +133,159 @@ void takeBehindDevices(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
+bool isMotion(const std::string& to) {
+  return to == "angle_rad" || to == "position_m" || to == "velocity_rad_per_s" || to == "velocity_m_per_s";
+}
+
+/// "/lowstate/motor_state[0]/q", "inertia1.w": what stands behind the last stroke or dot is the name, what before it
+/// whose; it must be a motor's or a joint's, or the path of another name that is understood.
+void takeBehindPaths(const RawTable& table, std::vector<Choice>& choices) {
+  const auto pathOf = [&table](size_t c) {
+    const std::string& name = table.columns[c].channel.name;
+    const size_t end = name.find_last_of("/.");
+    return end == std::string::npos || end == 0 || end + 1 == name.size() ? std::string() : name.substr(0, end + 1);
+  };
+  const auto folderOf = [](const std::string& path) {
+    const size_t mark = path.size() < 2 ? std::string::npos : path.find_last_of("/.", path.size() - 2);
+    return path.substr(mark == std::string::npos ? 0 : mark + 1);
+  };
+  std::set<std::string> known, folders;
+  for (size_t c = 0; c < choices.size(); ++c) {
+    if (!choices[c].name.understood() || choices[c].name.to == "time_s") continue;
+    known.insert(pathOf(c));
+    folders.insert(folderOf(pathOf(c)));
+  }
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const std::string whose = pathOf(c);
+    if (whose.empty() || choices[c].name.understood() || choices[c].byMap) continue;
+    const NameParts path = partsOfName(whose.substr(0, whose.size() - 1), {});
+    const bool joints = whose.back() == '/' && firstIn(path.words, jointWords) != nullptr;
+    const auto words = wordsOf(table.columns[c].channel.name.substr(whose.size()), true);
+    const bool goal = firstIn(words, referenceWords) != nullptr && folders.contains(folderOf(whose));
+    if (!joints && !known.contains(whose) && !goal) continue;
+    if (firstIn(path.words, otherThings) != nullptr || path.unit != nullptr) continue;
+    const bool wanted = firstIn(path.words, referenceWords) != nullptr;
+    ColumnName own = understandName(table.columns[c].channel.name.substr(whose.size()) + (wanted ? "_cmd" : ""),
+                                    table.columns[c].unit);
+    if (!own.understood()) continue;
+    own.group = path.group + (path.group.empty() || own.group.empty() ? "" : ".") + own.group;
+    choices[c].name = own;
+  }
+}
+
+/// "l_pwm" beside "r_pwm" is of the axis of "left_counts".
+void takeSides(const RawTable& table, std::vector<Choice>& choices) {
+  std::set<std::string> names;
+  for (const RawColumn& column : table.columns) names.insert(column.channel.name);
+  for (size_t c = 0; c < choices.size(); ++c) {
+    std::string other = table.columns[c].channel.name;
+    if (other.size() < 3 || other[1] != '_' || choices[c].byMap) continue;
+    const size_t side = std::string_view("lrLR").find(other[0]);
+    if (side == std::string_view::npos) continue;
+    other[0] = "rlRL"[side];
+    if (!names.contains(other)) continue;
+    if (!choices[c].byTool) choices[c].name = understandName(other.substr(2), table.columns[c].unit);
+    std::string& group = choices[c].name.group;
+    group = std::string(side % 2 == 0 ? "left" : "right") + (group.empty() ? "" : "." + group);
+  }
+}
+
+/// "torque_cur" beside "torque_ref" is the torque now, and no current.
+void takePresent(const RawTable& table, std::vector<Choice>& choices) {
+  std::set<Words> wanted;  // without the word of reference
+  for (const RawColumn& column : table.columns) {
+    Words words = wordsOf(column.channel.name, true);
+    if (std::erase_if(words, [](const std::string& word) { return isIn(referenceWords, word); }) > 0)
+      wanted.insert(std::move(words));
+  }
+  for (size_t c = 0; c < choices.size(); ++c) {
+    Words words = wordsOf(table.columns[c].channel.name, true);
+    const auto now = std::erase_if(
+        words, [](const std::string& word) { return word == "cur" || word == "curr" || word == "current"; });
+    const bool current = choices[c].name.to == "current_A" && choices[c].name.unit.empty();
+    if (now != 1 || !current || choices[c].byMap || choices[c].byTool || !wanted.contains(words)) continue;
+    std::string name;
+    for (const std::string& word : words) name += (name.empty() ? "" : "_") + word;
+    const ColumnName own = understandName(name, table.columns[c].unit);
+    if (own.understood()) choices[c].name = own;
+  }
+}
+
+/// The name's words without those of quantities and references: what or whose it is.
+Words ownerOf(const std::string& name) {
+  Words words = wordsOf(name, true);
+  std::erase_if(words, [](const std::string& word) {
+    return isIn(referenceWords, word) || isIn(decorations, word) || quantityNamed(word) != nullptr;
+  });
+  return words;
+}
+
+/// "joint1_ref" beside "joint1_angle", with no other motion of that joint, is what the angle shall be.
+void takeOwnersReferences(const RawTable& table, std::vector<Choice>& choices) {
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const std::string& name = table.columns[c].channel.name;
+    const Words words = wordsOf(name, true), owner = ownerOf(name);
+    const bool quantity =
+        std::any_of(words.begin(), words.end(), [](const std::string& one) { return quantityNamed(one) != nullptr; });
+    const bool open = !choices[c].name.understood() && !choices[c].byMap && !table.columns[c].fault;
+    if (!open || quantity || owner.empty() || firstIn(words, referenceWords) == nullptr) continue;
+    if (firstIn(words, otherThings) != nullptr || partsOfName(name, table.columns[c].unit).unit != nullptr) continue;
+    std::set<std::string> motions;
+    size_t of = choices.size();
+    for (size_t k = 0; k < choices.size(); ++k) {
+      const std::string& to = choices[k].name.to;
+      if (!isMotion(to) || ownerOf(table.columns[k].channel.name) != owner) continue;
+      motions.insert(to);
+      of = k;
+    }
+    if (motions.size() != 1) continue;
+    ColumnName reference = choices[of].name;
+    reference.to.insert(reference.to.find('_'), "_reference");
+    reference.guess = message("what {} shall be", table.columns[of].channel.name);
+    choices[c].name = reference;
+  }
+}
+
+/// "Output_%", "command_pct" where nothing else drives is a controller's output, and so the motor's duty.
+void takeOutputs(const RawTable& table, std::vector<Choice>& choices) {
+  static constexpr auto drives =
+      std::to_array<std::string_view>({"duty", "voltage_V", "current_A", "torque_Nm", "force_N"});
+  const bool driven =
+      std::any_of(choices.begin(), choices.end(), [](const Choice& one) { return isIn(drives, one.name.to); });
+  if (driven) return;
+  static constexpr auto meant = std::to_array<std::string_view>(
+      {"output", "out", "control", "controller", "pid", "motor", "mot", "drive", "command", "cmd"});
+  for (size_t c = 0; c < choices.size(); ++c) {
+    if (choices[c].name.understood() || choices[c].byMap || table.columns[c].fault) continue;
+    const NameParts parts = partsOfName(table.columns[c].channel.name, table.columns[c].unit);
+    const bool percent = parts.unit != nullptr && parts.unit->kind == UnitKind::ratio && parts.unit->scale == 1e-2;
+    const bool command = parts.words.size() == 1 && (parts.words[0] == "command" || parts.words[0] == "cmd");
+    const bool output = command || isIn(parts.words, "output") || isIn(parts.words, "out");
+    const bool plain =
+        std::all_of(parts.words.begin(), parts.words.end(), [](const std::string& word) { return isIn(meant, word); });
+    const auto& values = table.columns[c].channel.values;
+    const bool within = std::none_of(values.begin(), values.end(), [](double v) { return std::abs(v) > 100.0; });
+    if (!percent || !output || !plain || !within) continue;
+    choices[c].name = understandName("duty", parts.unitText);
+    choices[c].name.guess = message("a controller's output was taken for the motor's duty");
+  }
+}
+
 /// Beside a position in metres, counts that no file says how many are a turn tell nothing new.
-void setCountsBesideMetresAside(const ImportMap& map, std::vector<Choice>& choices) {
+void setCountsBesideMetresAside(const RawTable& table, const ImportMap& map, std::vector<Choice>& choices) {
   const bool metres = std::any_of(choices.begin(), choices.end(), [](const Choice& one) {
     return one.name.to == "position_m" && !one.name.unit.empty();
   });
   if (!metres || map.counts_per_rev) return;
-  for (Choice& choice : choices) {
-    if (choice.name.to == "angle_rad" && choice.name.needs == UnitNeeds::countsPerRev && !choice.byMap)
-      setAside(choice, message("is in counts, beside a position whose unit is told"));
+  constexpr double manyTurns = 30.0;
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const auto& values = table.columns[c].channel.values;
+    const ColumnName& name = choices[c].name;
+    const bool whole = name.unit.empty() && areWhole(values) && rangeOf(values) >= manyTurns;
+    const bool counts = name.needs == UnitNeeds::countsPerRev || whole;
+    if (name.to == "angle_rad" && counts && !choices[c].byMap)
+      setAside(choices[c], message("is in counts, beside a position whose unit is told"));
   }
-}
-
-bool isMotion(const std::string& to) {
-  return to == "angle_rad" || to == "position_m" || to == "velocity_rad_per_s" || to == "velocity_m_per_s";
 }
 
 bool hasMotion(const std::vector<Choice>& choices) {
@@ -143,10 +318,17 @@ std::string nameWithout(std::string name, const std::string& word) {
 
 void takeByNeighbours(const RawTable& table, const ImportMap& map, std::vector<Choice>& choices) {
   takeBehindDevices(table, choices);
+  takeBehindPaths(table, choices);
+  takeSides(table, choices);
+  takePresent(table, choices);
   takeEfforts(table, choices);
+  takeVoltages(table, choices);
+  takeCoordinates(table, choices);
   takeTargetsOfJoints(table, choices);
   takeArmatures(table, choices);
-  setCountsBesideMetresAside(map, choices);
+  setCountsBesideMetresAside(table, map, choices);
+  takeOwnersReferences(table, choices);
+  takeOutputs(table, choices);
 }
 
 void takeDoubtful(const RawTable& table, std::vector<Choice>& choices) {

@@ -1,6 +1,8 @@
 #include "recording/import/quantity_words.h"
 
 #include <algorithm>
+#include <set>
+#include <string>
 
 namespace breakaway {
 
@@ -9,6 +11,7 @@ namespace {
 constexpr auto quantities = std::to_array<Word>({
     {"time", UnitKind::time},
     {"timestamp", UnitKind::time},
+    {"utime", UnitKind::time},
     {"timestamps", UnitKind::time},
     {"times", UnitKind::time},
     {"tstamp", UnitKind::time},
@@ -186,6 +189,7 @@ constexpr auto quantities = std::to_array<Word>({
     {"hoek", UnitKind::angle},
     {"úhel", UnitKind::angle},
     {"uhel", UnitKind::angle},
+    {"konum", UnitKind::angle},
     {"aci", UnitKind::angle},
     {"açı", UnitKind::angle},
     {"vinkel", UnitKind::angle},
@@ -246,6 +250,16 @@ constexpr auto gapless = std::to_array<Word>({
     {"力矩", UnitKind::torque},
     {"トルク", UnitKind::torque},
     {"温度", UnitKind::temperature},
+    {"시간", UnitKind::time},
+    {"회전수", UnitKind::angularVelocity, false, "rpm"},
+    {"각속도", UnitKind::angularVelocity},
+    {"속도", UnitKind::angularVelocity},
+    {"위치", UnitKind::angle},
+    {"각도", UnitKind::angle},
+    {"전류", UnitKind::current},
+    {"전압", UnitKind::voltage},
+    {"토크", UnitKind::torque},
+    {"온도", UnitKind::temperature},
 });
 
 }  // namespace
@@ -254,6 +268,11 @@ const Word* quantityNamed(std::string_view word) {
   const auto it =
       std::find_if(quantities.begin(), quantities.end(), [word](const Word& one) { return one.text == word; });
   if (it != quantities.end()) return &*it;
+  if (word.size() > 4 && word.back() == 's') {  // "joint_temperatures", "torques"
+    const auto one = std::find_if(quantities.begin(), quantities.end(),
+                                  [&](const Word& each) { return each.text == word.substr(0, word.size() - 1); });
+    if (one != quantities.end() && !one->weak) return &*one;
+  }
   // German compounds: "Motorstrom", "Solldrehzahl".
   static constexpr auto germanEnds = std::to_array<std::string_view>(
       {"strom", "spannung", "drehzahl", "drehmoment", "winkel", "temperatur", "kraft", "geschwindigkeit", "zeit"});
@@ -271,6 +290,21 @@ size_t quantityAtEnd(std::string_view word) {
     if (ends && (begin == 0 || word.size() - one.text.size() < begin)) begin = word.size() - one.text.size();
   }
   return begin;
+}
+
+size_t foreignWordsIn(std::string_view text) {
+  std::set<std::string_view> found;
+  for (const Word& one : gapless) {
+    if (text.find(one.text) != std::string_view::npos) found.insert(one.text);
+  }
+  const auto isForeign = [](const std::string& word) {
+    return std::any_of(word.begin(), word.end(), [](char c) { return static_cast<unsigned char>(c) >= 0x80U; });
+  };
+  for (const std::string& word : wordsOf(text, false)) {
+    const Word* quantity = isForeign(word) ? quantityNamed(word) : nullptr;
+    if (quantity != nullptr) found.insert(quantity->text);
+  }
+  return found.size();
 }
 
 }  // namespace breakaway

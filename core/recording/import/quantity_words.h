@@ -22,78 +22,54 @@ const Word* quantityNamed(std::string_view word);
 /// Where the quantity begins at the end of a word that is written without gaps (Chinese, Japanese); 0 when it doesn't.
 size_t quantityAtEnd(std::string_view word);
 
+/// How many different words of quantities that have other letters than English the text holds.
+size_t foreignWordsIn(std::string_view text);
+
 inline constexpr auto referenceWords = std::to_array<std::string_view>(
     {"ref",      "reference", "target",     "goal",        "setpoint", "sp",    "cmd",      "command", "commanded",
      "desired",  "des",       "demand",     "demanded",    "soll",     "set",   "sollwert", "request", "requested",
      "tgt",      "trg",       "目标",       "目標",        "设定",     "設定",  "给定",     "指令",    "期望",
      "consigne", "consigna",  "referencia", "riferimento", "objetivo", "alvo",  "cible",    "zadana",  "vorgabe",
      "指令値",   "目標値",    "目标值",     "设定值",      "設定値",   "给定值"});
-inline constexpr auto supplyWords = std::to_array<std::string_view>(
-    {"supply", "bus", "vbus", "vdc", "dc",  "battery", "batt", "bat",      "vbat", "vbatt", "vin",  "dclink",
-     "input",  "bms", "pack", "esc", "psu", "udc",     "hv",   "traction", "母线", "母線",  "电源", "电池"});
+inline constexpr auto supplyWords =
+    std::to_array<std::string_view>({"supply", "bus", "vbus",     "vdc",   "dc",   "battery", "batt", "bat", "vbat",
+                                     "vbatt",  "vin", "dclink",   "input", "bms",  "pack",    "esc",  "psu", "dcbus",
+                                     "udc",    "hv",  "traction", "母线",  "母線", "电源",    "电池"});
 /// May stand behind the quantity and change nothing.
 inline constexpr auto decorations = std::to_array<std::string_view>(
-    {"actual",     "act",        "measured",  "meas",     "measurement", "present",   "motor",     "mot",
-     "shaft",      "rotor",      "encoder",   "enc",      "joint",       "axis",      "value",     "val",
-     "values",     "ist",        "istwert",   "feedback", "fb",          "stamp",     "cycle",     "estimate",
-     "est",        "estimated",  "estimator", "filtered", "filt",        "lpf",       "now",       "data",
-     "output",     "out",        "raw",       "state",    "states",      "q",         "mech",      "m",
-     "r",          "mechanical", "today",     "shadow",   "total",       "latest",    "per",       "of",
-     "the",        "link",       "angular",   "in",       "since",       "start",     "averaged",  "average",
-     "avg",        "smoothed",   "smooth",    "rel",      "generating",  "producing", "voltage",   "current",
-     "sensor",     "reading",    "channel",   "ch",       "sec",         "msr",       "measure",   "real",
-     "true",       "mesuré",     "mesurée",   "mesure",   "réel",        "réelle",    "moteur",    "medido",
-     "medida",     "misurata",   "misurato",  "atual",    "actuelle",    "gemessen",  "gemessene", "aktuell",
-     "实际",       "測定",       "实测",      "反馈",     "revolute",    "prismatic", "telemetry", "pll",
-     "observer",   "observed",   "obs",       "hat",      "kf",          "ekf",       "kalman",    "smo",
-     "sensorless", "fdb",        "fbk",       "fdk",      "used",        "applied",   "j",         "ave",
-     "mean",       "wirk"});
+    {"actual",  "act",        "measured",  "meas",     "measurement", "present",   "motor",     "mot",
+     "shaft",   "rotor",      "encoder",   "enc",      "joint",       "axis",      "value",     "val",
+     "values",  "ist",        "istwert",   "feedback", "fb",          "stamp",     "cycle",     "estimate",
+     "est",     "estimated",  "estimator", "filtered", "filt",        "lpf",       "now",       "data",
+     "output",  "out",        "raw",       "state",    "states",      "q",         "mech",      "m",
+     "r",       "mechanical", "today",     "shadow",   "total",       "latest",    "per",       "of",
+     "the",     "link",       "angular",   "in",       "since",       "start",     "averaged",  "average",
+     "avg",     "smoothed",   "smooth",    "rel",      "generating",  "producing", "voltage",   "current",
+     "sensor",  "reading",    "read",      "channel",  "ch",          "sec",       "msr",       "measure",
+     "real",    "true",       "mesuré",    "mesurée",  "mesure",      "réel",      "réelle",    "moteur",
+     "medido",  "medida",     "misurata",  "misurato", "atual",       "actuelle",  "gemessen",  "gemessene",
+     "aktuell", "实际",       "測定",      "实测",     "反馈",        "revolute",  "prismatic", "telemetry",
+     "pll",     "observer",   "observed",  "obs",      "hat",         "kf",        "ekf",       "kalman",
+     "smo",     "sensorless", "fdb",       "fbk",      "fdk",         "used",      "applied",   "j",
+     "ave",     "mean",       "wirk"});
 /// Before a reference they tell who follows it.
 inline constexpr auto loopWords =
     std::to_array<std::string_view>({"mcu", "controller", "control", "pid", "loop", "plc"});
 /// Wherever they stand, the column is something else.
-inline constexpr auto otherThings = std::to_array<std::string_view>({"error",        "err",
-                                                                     "limit",        "lim",
-                                                                     "max",          "min",
-                                                                     "peak",         "integral",
-                                                                     "integrator",   "std",
-                                                                     "rms",          "gain",
-                                                                     "offset",       "threshold",
-                                                                     "mode",         "fault",
-                                                                     "derivative",   "ripple",
-                                                                     "tolerance",    "delta",
-                                                                     "diff",         "difference",
-                                                                     "deviation",    "fehler",
-                                                                     "gyro",         "gyroadc",
-                                                                     "imu",          "accel",
-                                                                     "acceleration", "acc",
-                                                                     "mag",          "gps",
-                                                                     "vehicle",      "variance",
-                                                                     "covariance",   "correction",
-                                                                     "compensation", "power",
-                                                                     "energy",       "ratio",
-                                                                     "sum",          "abs",
-                                                                     "dt",           "delay",
-                                                                     "duration",     "regelabweichung",
-                                                                     "bandwidth",    "sin",
-                                                                     "cos",          "tan",
-                                                                     "predicted",    "prediction",
-                                                                     "predict",      "simulated",
-                                                                     "sim",          "modeled",
-                                                                     "modelled",     "ideal",
-                                                                     "expected",     "theoretical",
-                                                                     "wind",         "pred",
-                                                                     "nominal",      "prev",
-                                                                     "previous",     "old",
-                                                                     "initial",      "init",
-                                                                     "final",        "home",
-                                                                     "bias",         "noise",
-                                                                     "fan",          "pump",
-                                                                     "injector",     "heater",
-                                                                     "led",          "kmh",
-                                                                     "kph",          "kmph",
-                                                                     "mph",          "watt",
-                                                                     "wh",           "ah"});
+inline constexpr auto otherThings = std::to_array<std::string_view>(
+    {"error",        "err",        "limit",      "lim",          "max",          "min",        "peak",
+     "integral",     "integrator", "std",        "rms",          "gain",         "offset",     "threshold",
+     "mode",         "fault",      "derivative", "ripple",       "tolerance",    "delta",      "diff",
+     "difference",   "deviation",  "fehler",     "gyro",         "gyroadc",      "gyroscope",  "accelerometer",
+     "magnetometer", "imu",        "accel",      "acceleration", "acc",          "mag",        "gps",
+     "vehicle",      "variance",   "covariance", "correction",   "compensation", "power",      "energy",
+     "ratio",        "sum",        "abs",        "dt",           "delay",        "duration",   "regelabweichung",
+     "bandwidth",    "sin",        "cos",        "tan",          "predicted",    "prediction", "predict",
+     "simulated",    "sim",        "modeled",    "modelled",     "ideal",        "expected",   "theoretical",
+     "wind",         "pred",       "nominal",    "prev",         "previous",     "old",        "initial",
+     "init",         "final",      "home",       "bias",         "noise",        "fan",        "pump",
+     "injector",     "heater",     "led",        "kmh",          "kph",          "kmph",       "mph",
+     "watt",         "wh",         "ah"});
 /// Of these a vehicle or a hand turns about one; of a joint they are the name.
 inline constexpr auto headings = std::to_array<std::string_view>({"roll", "pitch", "yaw"});
 inline constexpr auto jointWords = std::to_array<std::string_view>(

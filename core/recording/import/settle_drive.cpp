@@ -1,5 +1,6 @@
 // What drives a log: duty, voltage, and all else that has a unit; signs.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "recording/import/name_parts.h"
@@ -74,25 +75,52 @@ Result<void> Settling::takeOther(size_t c) {
     fates_[c].unit = "Nm";
     fates_[c].why = message("what turns is driven by a torque");
   }
-  // References are counted as what was measured is.
-  const auto measured = columnOf(to == "angle_reference_rad" ? "angle_rad" : "velocity_rad_per_s");
-  if ((to == "angle_reference_rad" || to == "velocity_reference_rad_per_s") && fates_[c].unit.empty() && measured) {
-    fates_[c].scale = fates_[*measured].scale / gear(to);
-    fates_[c].unit = fates_[*measured].unit;
-    fates_[c].why = message("in the unit of {}", fates_[*measured].from);
-  }
+  takeReferenceUnit(c);
   apply(c);
   return {};
+}
+
+void Settling::takeReferenceUnit(size_t c) {
+  const std::string& to = fates_[c].to;
+  const bool angle = to == "angle_reference_rad";
+  const auto measured = columnOf(angle ? "angle_rad" : "velocity_rad_per_s");
+  if ((!angle && to != "velocity_reference_rad_per_s") || !fates_[c].unit.empty() || !measured) return;
+  fates_[c].scale = fates_[*measured].scale / gear(to);
+  fates_[c].unit = fates_[*measured].unit;
+  fates_[c].why = message("in the unit of {}", fates_[*measured].from);
+  constexpr double far = 4.0, near = 1.5;  // times as much
+  const double goes = rangeOf(values(*measured)), shall = rangeOf(values(c));
+  const auto times = [&](double scale) { return std::exp(std::abs(std::log(scale * gear(to) * shall / goes))); };
+  if (!(goes > 0.0) || !(shall > 0.0) || times(fates_[c].scale) < far) return;
+  for (const char* unit : angle ? std::array{"rad", "deg", "turns"} : std::array{"rad/s", "deg/s", "rpm"}) {
+    if (times(unitNamed(unit)->scale) > near) continue;
+    fates_[c].scale = unitNamed(unit)->scale;
+    fates_[c].unit = unit;
+    fates_[c].why = message("so it goes about as far as {}", fates_[*measured].from);
+  }
 }
 
 bool Settling::setCountsAside(size_t c) {
   const std::string& to = fates_[c].to;
   const bool drive = to == "current_A" || to == "torque_Nm" || to == "force_N" || to == "current_reference_A";
-  const double most = drive ? 60.0 : to == "voltage_V" || to == "supply_V" ? 120.0 : 0.0;
+  const double most = drive                                   ? 60.0
+                      : to == "voltage_V" || to == "supply_V" ? 120.0
+                      : to == "temperature_degC"              ? 250.0
+                                                              : 0.0;
   // "batt_volt" says what it is rather than in which unit.
   const bool word = quantityNamed(fates_[c].unit) != nullptr && fates_[c].from.find_first_of("([") == std::string::npos;
   const bool guessed = ((fates_[c].guessed && fates_[c].unit.empty()) || word) && !choices_[c].byMap;
-  if (most == 0.0 || !guessed || !areWhole(values(c)) || largest(values(c)) <= most) return false;
+  if (most == 0.0 || !guessed) return false;
+  constexpr double withDecimals = 20.0;  // times as much is beyond any motor
+  const bool whole = areWhole(values(c)), mechanical = to == "torque_Nm" || to == "force_N";
+  if ((!whole && mechanical) || largest(values(c)) <= (whole ? most : withDecimals * most)) return false;
+  if (!whole) {
+    const std::string far = shortText(largest(values(c)));
+    remarks_.push_back(
+        message("implausible: {} goes up to {} and has no unit; it may be thousandths", fates_[c].from, far));
+    keep(c, message("goes up to {} and has no unit; it may be thousandths: say which with --map", far));
+    return true;
+  }
   const std::string up = shortText(largest(values(c)));
   remarks_.push_back(message(
       "implausible: {} holds whole numbers up to {} and no unit; they may be thousandths or a converter's counts",
@@ -110,7 +138,7 @@ void Settling::settleVoltage() {
   for (const std::string& word : wordsOf(fates_[*c].from, true)) {
     if (word == "motor" || word == "mot" || word == "q" || word == "uq" || word == "vq" || word == "vm") return;
   }
-  if (!hardlyChanges(values(*c))) return;
+  if (!hardlyChanges(values(*c)) || setCountsAside(*c)) return;
   const auto speed = columnOf("velocity_rad_per_s");
   if (columnOf("supply_V") && speed && rangeOf(values(*speed)) > 0.5 * largest(values(*speed)))
     return keep(*c,
@@ -133,10 +161,26 @@ void Settling::settleVoltage() {
                       : both   ? message("it hardly changes while the axis turns both ways")
                                : message("it hardly changes while the speed rises and falls again and again");
   if (columnOf("supply_V")) return keep(*c, why + message(", so it is no motor's voltage"));
+  if (battery || pulseWidths_ || !goesBelowZero("current_A")) doubtCurrent();
   fates_[*c].to = "supply_V";
   fates_[*c].why = why;
   fates_[*c].guessed = true;
   if (fates_[*c].unit.empty()) fates_[*c].unit = "V";
+}
+
+void Settling::doubtCurrent() {
+  const auto c = columnOf("current_A");
+  if (!c || choices_[*c].byMap || choices_[*c].byTool) return;
+  static constexpr auto motors = std::to_array<std::string_view>({"motor", "mot", "q", "iq", "phase", "winding"});
+  if (firstIn(wordsOf(fates_[*c].from, true), motors) != nullptr) return;
+  fates_[*c].why = message("it may be the supply's, as the voltage is");
+  fates_[*c].doubt = fates_[*c].why;
+  fates_[*c].guessed = true;
+}
+
+bool Settling::goesBelowZero(const std::string& name) {
+  const auto c = columnOf(name);
+  return c && std::any_of(values(*c).begin(), values(*c).end(), [](double v) { return v < 0.0; });
 }
 
 bool Settling::turnsBothWays() {

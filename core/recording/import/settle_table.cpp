@@ -60,6 +60,7 @@ Result<Imported> Settling::run() {
   if (const auto one = needOneAxis(); !one) return one.error();
   if (const auto done = takeTime(); !done) return done.error();
   if (const auto done = sparseRows(); !done) return done.error();
+  sayPauses(time_, remarks_);
   if (const auto done = takeIntegral(); !done) return done.error();
   if (const auto done = takeAngle(); !done) return done.error();
   if (const auto done = takeSpeed(); !done) return done.error();
@@ -95,6 +96,7 @@ ColumnFate Settling::fateOf(size_t c) const {
                                          : !choice.name.guess.empty() ? choice.name.guess
                                                                       : message("by its name"))
                                       : choice.name.aside;
+  if (choice.name.understood()) fate.doubt = choice.name.guess;
   fate.guessed =
       choice.name.understood() && (choice.name.unit.empty() || choice.name.byUnit || !choice.name.guess.empty());
   return fate;
@@ -215,6 +217,7 @@ Message ColumnFate::inWords() const {
     if (scale != 1.0) text = text + (" (× " + shortText(scale) + ")");
     if (offset != 0.0) text = text + ((offset > 0.0 ? ", + " : ", − ") + shortText(std::abs(offset)));
     if (guessed && !unit.empty()) text = text + message(", a guess: {}", why);
+    if (unit.empty() && !doubt.empty()) text = text + std::string("; ") + doubt;
   }
   return text;
 }

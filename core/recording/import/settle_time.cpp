@@ -218,16 +218,6 @@ Result<std::vector<size_t>> increasingRows(const std::vector<double>& values, do
   return rows;
 }
 
-void sayPauses(const SettledTime& settled, std::vector<Message>& remarks) {
-  if (settled.pauses.empty()) return;
-  const size_t at = settled.pauses.front();
-  const std::string length_s = shortText(settled.time_s[at] - settled.time_s[at - 1]);
-  const size_t row = settled.rows[at - 1] + 1;
-  remarks.push_back(settled.pauses.size() == 1
-                        ? message("a pause of {} s after row {}", length_s, row)
-                        : message("{} pauses, the first of {} s after row {}", settled.pauses.size(), length_s, row));
-}
-
 }  // namespace
 
 std::vector<size_t> pausesIn(const std::vector<double>& time_s) {
@@ -237,6 +227,16 @@ std::vector<size_t> pausesIn(const std::vector<double>& time_s) {
     if (time_s[k] - time_s[k - 1] > 5.0 * step) pauses.push_back(k);
   }
   return pauses;
+}
+
+void sayPauses(const SettledTime& settled, std::vector<Message>& remarks) {
+  if (settled.pauses.empty()) return;
+  const size_t at = settled.pauses.front();
+  const std::string length_s = shortText(settled.time_s[at] - settled.time_s[at - 1]);
+  const size_t row = settled.rows[at - 1] + 1;
+  remarks.push_back(settled.pauses.size() == 1
+                        ? message("a pause of {} s after row {}", length_s, row)
+                        : message("{} pauses, the first of {} s after row {}", settled.pauses.size(), length_s, row));
 }
 
 Result<SettledTime> settleTime(RawTime raw, const std::string& place) {
@@ -279,7 +279,6 @@ Result<SettledTime> settleTime(RawTime raw, const std::string& place) {
                    message("differs from the row before by less than can be told")};
   }
   settled.pauses = pausesIn(settled.time_s);
-  sayPauses(settled, settled.remarks);
   return settled;
 }
 

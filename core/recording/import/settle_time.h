@@ -37,6 +37,9 @@ struct SettledTime {
 /// Each but the last is said. Errors, at `place`: no time at all; more times that don't increase.
 Result<SettledTime> settleTime(RawTime raw, const std::string& place);
 
+/// Adds how many pauses there are, and where the first one is, if there are any.
+void sayPauses(const SettledTime& settled, std::vector<Message>& remarks);
+
 /// Where a step is more than five of the usual ones, index of the row after it.
 std::vector<size_t> pausesIn(const std::vector<double>& time_s);
 

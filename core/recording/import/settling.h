@@ -73,10 +73,15 @@ class Settling {
   Result<void> takeDuty();
   Result<void> dutyBeyond(size_t c, const Message& what);
   Result<void> takeOther(size_t c);
+  /// References without a unit are counted as what was measured is, or so that they go about as far.
+  void takeReferenceUnit(size_t c);
   /// Electrical values without a unit that look like a converter's counts or like mA.
   bool setCountsAside(size_t c);
   /// A voltage that hardly changes while the axis turns both ways, or while a duty drives it, is the supply's.
   void settleVoltage();
+  /// Beside a supply's voltage and a throttle a current that isn't called the motor's may be the supply's, too.
+  void doubtCurrent();
+  bool goesBelowZero(const std::string& name);
   bool turnsBothWays();
   Result<void> takeIntegral();
   void differentiate();

@@ -21,6 +21,13 @@ struct StampedLine {
   bool millis = false;         ///< as ESP-IDF's logger has it: the level's letter, milliseconds in round brackets
 };
 
+std::string secondsText(const ClockTime& clock) {
+  std::array<char, 48> seconds{};
+  const int size = std::snprintf(seconds.data(), seconds.size(), "%lld.%06.0f", static_cast<long long>(clock.whole_s),
+                                 std::min(999999.0, std::floor(clock.fraction_s * 1e6 + 0.5)));
+  return {seconds.data(), static_cast<size_t>(size)};
+}
+
 /// "2024-05-01 10:00:00,123 - INFO - motor: angle=1.5 …": a date, a time, and what the logger says before the first
 /// value.
 std::optional<StampedLine> partedAtDate(std::string_view line) {
@@ -42,27 +49,39 @@ std::optional<StampedLine> partedAtDate(std::string_view line) {
   const auto clock = readClock(stamp);
   if (before == std::string_view::npos || before < end || !clock) return std::nullopt;
   StampedLine out;
-  std::array<char, 48> seconds{};
-  const int size = std::snprintf(seconds.data(), seconds.size(), "%lld.%06.0f", static_cast<long long>(clock->whole_s),
-                                 std::min(999999.0, std::floor(clock->fraction_s * 1e6 + 0.5)));
-  out.since1970 = std::string(seconds.data(), static_cast<size_t>(size));
+  out.since1970 = secondsText(*clock);
   out.rest = line.substr(before + 1);
   return out;
 }
 
-/// "[12.5] …" and "[INFO] [1712345678.125] [node]: …": the first brackets that hold a number, others around them aside.
+bool isTaken(const StampedLine& line) {
+  return !line.stamp.empty() || !line.since1970.empty();
+}
+
+/// A number as "(1712345678.125)" has it, since 1970: what else stands in round brackets is no stamp.
+bool isSince1970(double value) {
+  return value > 1e8;
+}
+
+/// "[12.5] …", "[2024-05-01 10:00:00.123] …" and "[INFO] [1712345678.125] [node]: …": the first brackets that hold a
+/// number or a date, others around them aside.
 bool takeStamp(std::string_view& line, StampedLine& out) {
-  while (!line.empty() && (line.front() == '[' || (line.front() == '(' && out.millis))) {
-    const size_t close = line.find(line.front() == '[' ? ']' : ')');
+  while (!line.empty() && (line.front() == '[' || (line.front() == '(' && !isTaken(out)))) {
+    const bool round = line.front() == '(';
+    const size_t close = line.find(round ? ')' : ']');
     if (close == std::string_view::npos) return false;
     const std::string_view inner = withoutBlanks(line.substr(1, close - 1));
     double value = 0.0;
     const auto [end, code] = std::from_chars(inner.data(), inner.data() + inner.size(), value);
-    if (out.stamp.empty() && code == std::errc() && end == inner.data() + inner.size()) out.stamp = inner;
+    const bool number = code == std::errc() && end == inner.data() + inner.size();
+    if (round && !out.millis && !(number && isSince1970(value))) break;
+    if (!isTaken(out) && number) out.stamp = inner;
+    const auto clock = isTaken(out) || number ? std::nullopt : readClock(inner);
+    if (clock && clock->dated) out.since1970 = secondsText(*clock);
     line.remove_prefix(close + 1);
     while (!line.empty() && (line.front() == ':' || line.front() == ' ' || line.front() == '\t')) line.remove_prefix(1);
   }
-  return !out.stamp.empty();
+  return isTaken(out);
 }
 
 /// "MOTOR: Axis 1 | Pos: 0.3": a word before others with names, and no name itself.
@@ -122,6 +141,54 @@ std::optional<std::string> withStampsAsCells(std::string_view text) {
     out += one->since1970.empty() ? one->stamp : one->since1970;
     out += between;
     out += one->rest;
+    out += '\n';
+  }
+  return out;
+}
+
+std::optional<std::string> withStampsBeforeRows(std::string_view text) {
+  constexpr size_t looksAt = 20;
+  const char lineEnd = lineEndOf(text);
+  const auto separatorIn = [](std::string_view rest) {
+    const size_t at = rest.find_first_of(",;\t");
+    return at == std::string_view::npos ? ' ' : rest[at];
+  };
+  const auto stamped = [](std::string_view line) {
+    StampedLine out;
+    line = withoutBlanks(line);
+    if (takeStamp(line, out)) out.rest = line;
+    return out;
+  };
+  const auto beginsWithNumber = [](std::string_view rest) {
+    TextNumber number;
+    const std::string_view first = rest.substr(0, rest.find_first_of(",;\t "));
+    return readCell(withoutBlanks(first), TextLayout{}, number) == TextCell::number;
+  };
+  size_t lines = 0, rows = 0;
+  for (std::string_view ahead = text; !ahead.empty() && lines < looksAt;) {
+    const std::string_view line = takeLine(ahead, lineEnd);
+    if (withoutBlanks(line).empty()) continue;
+    ++lines;
+    const StampedLine one = stamped(line);
+    rows += isTaken(one) && beginsWithNumber(one.rest) ? 1 : 0;
+  }
+  if (2 * rows <= lines) return std::nullopt;
+  std::string out;
+  out.reserve(text.size());
+  while (!text.empty()) {
+    const std::string_view line = takeLine(text, lineEnd);
+    const StampedLine one = stamped(line);
+    if (!isTaken(one)) {
+      const char separator = separatorIn(line);  // names stand without a stamp, too
+      if (separator != ' ' && !beginsWithNumber(line) && !isComment(withoutBlanks(line)))
+        out += std::string("time") + separator;
+      out += line;
+    } else {
+      const bool row = beginsWithNumber(one.rest);
+      out += !row ? "time" : one.since1970.empty() ? one.stamp : one.since1970;
+      out += separatorIn(one.rest);
+      out += one.rest;
+    }
     out += '\n';
   }
   return out;

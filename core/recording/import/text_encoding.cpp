@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <utility>
+
+#include "recording/import/older_encoding.h"
 
 namespace breakaway {
 
@@ -61,6 +64,24 @@ std::string_view withPlainMinus(std::string_view text, std::string& buffer) {
   return buffer += text;
 }
 
+/// Without a terminal's colours: ESC, "[", numbers, a letter.
+std::string_view withoutColours(std::string_view text, std::string& buffer) {
+  constexpr std::string_view begin = "\x1B[";
+  size_t at = text.find(begin);
+  if (at == std::string_view::npos) return text;
+  std::string out;
+  out.reserve(text.size());
+  for (; at != std::string_view::npos; at = text.find(begin)) {
+    out += text.substr(0, at);
+    const size_t end = text.find_first_not_of("0123456789;?", at + begin.size());
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  }
+  out += text;
+  return buffer = std::move(out);
+}
+
+std::string_view decoded(std::string_view text, std::string& buffer);
+
 }  // namespace
 
 bool isUtf8(std::string_view text) {
@@ -90,12 +111,19 @@ bool isUtf8(std::string_view text) {
 }
 
 std::string_view inUtf8(std::string_view text, std::string& buffer) {
+  return withoutColours(decoded(text, buffer), buffer);
+}
+
+namespace {
+
+std::string_view decoded(std::string_view text, std::string& buffer) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   const bool little = text.starts_with("\xFF\xFE"), big = text.starts_with("\xFE\xFF");
   if (little || big) return buffer = fromUtf16(text, 2, little);
   if (zeros(text, 1) > 0.6 && zeros(text, 0) < 0.1) return buffer = fromUtf16(text, 0, true);
   if (zeros(text, 0) > 0.6 && zeros(text, 1) < 0.1) return buffer = fromUtf16(text, 0, false);
   if (isUtf8(text)) return withPlainMinus(text, buffer);
+  if (auto older = fromOlderEncoding(text)) return buffer = std::move(*older);
   buffer.clear();
   buffer.reserve(text.size() + text.size() / 16);
   for (const char c : text) {
@@ -104,5 +132,7 @@ std::string_view inUtf8(std::string_view text, std::string& buffer) {
   }
   return buffer;
 }
+
+}  // namespace
 
 }  // namespace breakaway

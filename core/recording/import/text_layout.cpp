@@ -285,7 +285,9 @@ std::string_view labelOf(std::string_view cell) {
 
 std::string_view unitBehind(std::string_view cell) {
   const size_t last = cell.find_last_of("0123456789");
-  return last == std::string_view::npos ? std::string_view{} : withoutBlanks(cell.substr(last + 1));
+  if (last == std::string_view::npos) return {};
+  while (!cell.empty() && std::string_view(",;|").find(cell.back()) != std::string_view::npos) cell.remove_suffix(1);
+  return last < cell.size() ? withoutBlanks(cell.substr(last + 1)) : std::string_view{};
 }
 
 TextCell readCell(std::string_view cell, const TextLayout& layout, TextNumber& number) {

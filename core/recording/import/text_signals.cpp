@@ -16,9 +16,9 @@ namespace breakaway {
 namespace {
 
 constexpr size_t mostSignals = 1000;
-constexpr auto nameWords = std::to_array<std::string_view>({"signal", "name", "channel", "variable", "topic", "series",
-                                                            "symbol", "key", "field", "_field", "metric", "parameter",
-                                                            "sensor", "signal_name", "signalname", "variable_name"});
+constexpr auto nameWords = std::to_array<std::string_view>(
+    {"signal", "name", "channel", "variable", "topic", "series", "symbol", "key", "field", "_field", "metric",
+     "parameter", "sensor", "signal_name", "signalname", "variable_name", "tag", "tagname", "tag_name"});
 constexpr auto valueWords = std::to_array<std::string_view>({"value", "val", "_value", "signal_value", "reading"});
 constexpr auto timeWords = std::to_array<std::string_view>({"_time", "stamp", "datetime"});
 
