@@ -14,6 +14,7 @@ class TestInertia : public QObject {
   void reversals_giveTheInertiaWhateverTheFriction();
   void discOffItsCentre_doesNotDrawTheInertiaLow();
   void discInItsCentre_isNotFound();
+  void frictionOfFewTurns_isNoDisc();
   void rotorThatNeverMoved_isReported();
   void currentThatStaysLow_isCalledSaturated();
   void methodsThatDisagree_widenTheInterval();
@@ -31,13 +32,15 @@ constexpr double Kt = 0.07, J = 6e-5;
 
 /// A rotor with Coulomb and viscous friction to and fro under ±`amps`, turned round at 60 rad/s or another speed;
 /// blocks of 2 ms.
-std::vector<SpinBlock> toAndFro(double amps, double coulomb_Nm, double viscous, unsigned seed, double highest = 60.0) {
+std::vector<SpinBlock> toAndFro(double amps, double coulomb_Nm, double viscous, unsigned seed, double highest = 60.0,
+                                double waves = 0.0) {
   Noise noise(seed);
   std::vector<SpinBlock> blocks;
   double speed = 0.0, angle = 0.0, way = 1.0;
   for (int k = 1; k < 4000; ++k) {
     for (int step = 0; step < 20; ++step) {
-      const double friction = (speed > 0.0 ? coulomb_Nm : -coulomb_Nm) + viscous * speed;
+      const double around = 1.0 + waves * (std::cos(3.0 * angle) + std::cos(4.0 * angle - 1.0) + std::cos(5.0 * angle));
+      const double friction = around * (speed > 0.0 ? coulomb_Nm : -coulomb_Nm) + viscous * speed;
       speed += 1e-4 * (Kt * way * amps - friction) / J;
       angle += 1e-4 * speed;
     }
@@ -97,6 +100,11 @@ void TestInertia::discOffItsCentre_doesNotDrawTheInertiaLow() {
 
 void TestInertia::discInItsCentre_isNotFound() {
   QVERIFY(!spinDisc(toAndFro(0.7, 0.01, 2e-5, 1, 200.0)).known());
+}
+
+/// Somewhat more than a turn each way: waves of friction of the orders 3 to 5 would pass for the disc's.
+void TestInertia::frictionOfFewTurns_isNoDisc() {
+  QVERIFY(!spinDisc(toAndFro(0.7, 0.02, 2e-5, 1, 80.0, 0.1)).known());
 }
 
 void TestInertia::rotorThatNeverMoved_isReported() {
