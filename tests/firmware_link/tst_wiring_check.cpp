@@ -231,7 +231,8 @@ void TestWiringCheck::coarseEncoder_passes_data() {
   for (const int counts : {64, 100, 400, 1000}) QTest::addRow("%d", counts) << counts;
 }
 
-/// Two counts of 64 are a fifth of a turn's tenth already: it moves further, but is not refused.
+/// Two counts of 64 are a fifth of a turn's tenth already: it moves further, but is not refused. Nor does it take the
+/// encoder's rounding for another back-EMF constant.
 void TestWiringCheck::coarseEncoder_passes() {
   QFETCH(int, counts);
   for (const char* preset : {"servo", "geared", "published-0134"}) {
@@ -242,6 +243,10 @@ void TestWiringCheck::coarseEncoder_passes() {
     const Checked all = checked(rig);
     QVERIFY2(all.done.ok(), qPrintable(QString(preset) + ": " + all.said()));
     QVERIFY2(all.furthest < 2.0 * tenthOfATurn_rad, qPrintable(QString("%1: %2").arg(preset).arg(all.furthest)));
+    const Estimate& Ke = all.done->wiring->backEmf_V_s_per_rad;
+    if (!(Ke.standardError > 0.0)) continue;  // so small a motion doesn't tell it
+    const double off = Ke.value / rigOf(rig).backEmfConstant_V_s_per_rad;
+    QVERIFY2(off > 0.7 && off < 1.4, qPrintable(QString("%1: Ke %2 of the true one").arg(preset).arg(off)));
   }
 }
 
