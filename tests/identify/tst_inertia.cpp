@@ -15,6 +15,7 @@ class TestInertia : public QObject {
   void discOffItsCentre_doesNotDrawTheInertiaLow();
   void discInItsCentre_isNotFound();
   void frictionOfFewTurns_isNoDisc();
+  void coarseEncoder_doesNotDrawTheInertiaLow();
   void rotorThatNeverMoved_isReported();
   void currentThatStaysLow_isCalledSaturated();
   void methodsThatDisagree_widenTheInterval();
@@ -57,7 +58,7 @@ std::vector<SpinBlock> shownBy(double off_rad, std::vector<SpinBlock> blocks) {
 }
 
 /// Inertia by the change of speed over 0.1 s, as the momentum's balance regards it.
-double inertiaOf(const std::vector<SpinBlock>& blocks) {
+Estimate inertiaBy(const std::vector<SpinBlock>& blocks, double count_rad) {
   std::vector<SpinBlock> ramped = blocks;
   for (SpinBlock& block : ramped) block.voltage_V = 1.2 * block.current_A;
   WindingLine winding;
@@ -65,8 +66,13 @@ double inertiaOf(const std::vector<SpinBlock>& blocks) {
   MotorIdentificationOptions options;
   options.trustedTorqueConstant_Nm_per_A = Kt;
   options.window_s = 0.02;
+  options.count_rad = count_rad;
   const auto found = identifyMotor(ramped, winding, {1e-3, 1e-6}, options);
-  return found ? found->inertia_kg_m2.value : 0.0;
+  return found ? found->inertia_kg_m2 : Estimate{};
+}
+
+double inertiaOf(const std::vector<SpinBlock>& blocks) {
+  return inertiaBy(blocks, 0.0).value;
 }
 
 IdentifiedMotor motor() {
@@ -105,6 +111,17 @@ void TestInertia::discInItsCentre_isNotFound() {
 /// Somewhat more than a turn each way: waves of friction of the orders 3 to 5 would pass for the disc's.
 void TestInertia::frictionOfFewTurns_isNoDisc() {
   QVERIFY(!spinDisc(toAndFro(0.7, 0.02, 2e-5, 1, 80.0, 0.1)).known());
+}
+
+void TestInertia::coarseEncoder_doesNotDrawTheInertiaLow() {
+  constexpr double count_rad = 0.04;
+  auto blocks = toAndFro(0.7, 0.01, 2e-5, 1, 200.0);
+  for (SpinBlock& block : blocks) block.angle_rad = count_rad * std::floor(block.angle_rad / count_rad);
+  const double plain = inertiaOf(blocks) / J;
+  const Estimate freed = inertiaBy(blocks, count_rad);
+  QVERIFY2(plain < 0.93, qPrintable(QString::number(plain)));
+  QVERIFY2(std::abs(freed.value / J - 1.0) < 0.03, qPrintable(QString::number(freed.value / J)));
+  QVERIFY(freed.low95() < J && J < freed.high95() && freed.standardError < 0.1 * J);
 }
 
 void TestInertia::rotorThatNeverMoved_isReported() {
