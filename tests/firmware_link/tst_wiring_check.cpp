@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "base/numbers.h"
 #include "commission/job.h"
@@ -28,6 +29,8 @@ class TestWiringCheck : public QObject {
   void load_isSaidWithItsWay();
   void supplyMisread_isGoneOnWithOnlyAnyway();
   void anotherMotorOnResume_isTold();
+  void heavyRotor_isGivenTime();
+  void coarseEncoderOnAnyMotor_passes();
   void coarseEncoder_passes_data();
   void coarseEncoder_passes();
 };
@@ -223,6 +226,23 @@ void TestWiringCheck::anotherMotorOnResume_isTold() {
   for (const char* other : {"\"resistance_ohm\": 3.6", "\"resistance_ohm\": 0.5"}) {
     const Checked all = checked(replaced(rig, "\"resistance_ohm\": 1.2", other), options);
     QVERIFY2(!all.done.ok() && all.said().contains("is another motor mounted?"), qPrintable(all.said()));
+  }
+}
+
+/// Pulses of the usual length don't move it by what is motion, whatever the current.
+void TestWiringCheck::heavyRotor_isGivenTime() {
+  const Checked all = checked(RandomRig(302).text(true), {}, 302);
+  QVERIFY2(all.done.ok() && all.said().contains("breaks loose"), qPrintable(all.said()));
+  QVERIFY2(all.furthest < tenthOfATurn_rad, qPrintable(QString::number(all.furthest)));
+}
+
+/// Within a pulse a rotor may turn, and its current fall, by less than the encoder shows.
+void TestWiringCheck::coarseEncoderOnAnyMotor_passes() {
+  for (unsigned seed = 1; seed <= 16; ++seed) {
+    auto rig = nlohmann::json::parse(RandomRig(seed).text());
+    rig["encoder"]["counts_per_rev"] = seed % 2 == 0 ? 64 : 128;
+    const Checked all = checked(rig.dump(), {}, seed);
+    QVERIFY2(all.done.ok(), qPrintable(QString("seed %1: ").arg(seed) + all.said()));
   }
 }
 
