@@ -10,6 +10,7 @@ namespace {
 
 constexpr double quiet = 0.005;   ///< of the trip's current: the sensor's own noise and zero
 constexpr double nothing = 0.02;  ///< of the current that voltage and motion foretell
+constexpr double reversed = 0.3;  ///< likewise, that a sensor shows at least which is only the other way round
 constexpr double still = 0.1;     ///< of the voltage: the back-EMF of a shaft that stands
 constexpr double decaying = 0.2;  ///< likewise of the speed that voltage and current tell: the estimate lags behind
 constexpr double usualFactors[] = {0.25, 0.5, 2.0, 4.0};  ///< lines for edges, one channel for two
@@ -22,6 +23,14 @@ double electricalSpeed(const MotorFigures& m) {
 /// By voltage and speed.
 double foretoldCurrent(const MotorFigures& m) {
   return (m.voltage_V - m.backEmf_V_s_per_rad * m.velocity_rad_per_s) / m.resistance_ohm;
+}
+
+/// One tick's reading may be the sensor's noise.
+bool currentFlows(const MotorFigures& m) {
+  const double foretold_A = std::abs(foretoldCurrent(m)), now_A = std::abs(m.current_A);
+  const double least_A = std::max(quiet * m.trip_A, nothing * foretold_A);
+  const bool meanFlows = !m.mean_A || std::abs(*m.mean_A) >= least_A;
+  return now_A >= least_A && (meanFlows || now_A >= reversed * foretold_A);
 }
 
 /// The nearest factor that a wrong number of counts usually has.
@@ -43,14 +52,17 @@ WiringCause causeOf(const MotorFigures& m) {
   const double V = m.voltage_V, resistive_V = m.resistance_ohm * m.current_A,
                induced_V = m.backEmf_V_s_per_rad * m.velocity_rad_per_s;
   const bool stands = std::abs(induced_V) < std::max(still * std::abs(V), decaying * std::abs(V - resistive_V));
-  if (std::abs(m.current_A) < std::max(quiet * m.trip_A, nothing * std::abs(foretoldCurrent(m)))) {
+  if (!currentFlows(m)) {
     if (stands) return WiringCause::leadOff;
     // What drives without a word accelerates; what has lost its lead runs down.
     return std::abs(m.velocity_rad_per_s) >= std::abs(m.before_rad_per_s) ? WiringCause::sensorDead
                                                                           : WiringCause::leadOff;
   }
   const bool currentAlong = resistive_V * V > 0.0, motionAlong = induced_V * V > 0.0;
-  if (stands) return currentAlong ? WiringCause::encoderStands : WiringCause::sensorOrBridgeReversed;
+  if (stands && currentAlong) return WiringCause::encoderStands;
+  if (stands)
+    return std::abs(m.current_A) < reversed * std::abs(foretoldCurrent(m)) ? WiringCause::leadOff
+                                                                           : WiringCause::sensorOrBridgeReversed;
   if (currentAlong) return motionAlong ? WiringCause::countsFactor : WiringCause::encoderReversed;
   // A true current drives the shaft its way, so one that slows down has the other current.
   const bool speedsUp = std::abs(m.velocity_rad_per_s) >= std::abs(m.before_rad_per_s);

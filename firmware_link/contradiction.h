@@ -1,6 +1,7 @@
 // Which wire is wrong when voltage, current and motion don't belong to one motor.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "base/axis.h"
@@ -15,6 +16,7 @@ struct MotorFigures {
   double resistance_ohm = 0.0, backEmf_V_s_per_rad = 0.0;
   double trip_A = 0.0;
   Axis axis = Axis::rotary;
+  std::optional<double> mean_A = {};  ///< of the current over the watch's last 20 ms, where that is known
 };
 
 enum class WiringCause {

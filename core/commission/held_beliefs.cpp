@@ -11,6 +11,13 @@ namespace breakaway {
 
 namespace {
 
+/// By how many bins a position loop may leave a rotor beside the one it was to stand in.
+size_t heldReach(const FrictionMap& map, const Identity& board) {
+  constexpr double heldWithin = 2.0;  // counts
+  if (board.axis == Axis::linear || !(board.countsPerRev > 0.0)) return 0;
+  return static_cast<size_t>(std::lround(heldWithin / board.countsPerRev * static_cast<double>(map.bins.size())));
+}
+
 /// Every voltage, and with it resistance and back-EMF constant, rides on the supply's reading.
 std::optional<Message> wrongSupply(double declared_V, double reads_V) {
   constexpr double tolerance = 0.06;  // of a supply's setting
@@ -150,7 +157,8 @@ Result<void> holdMotor(const IdentifiedMotor& motor, const CommissionOptions& op
 
 Result<void> holdMap(const FrictionMap& map, const CommissionOptions& options, Commission& known) {
   Held held(options, known);
-  for (const Message& why : unsoundness(map)) held.take(message("this is no friction map: {}", why));
+  for (const Message& why : unsoundness(map, heldReach(map, known.identity)))
+    held.take(message("this is no friction map: {}", why));
   return held.conclude();
 }
 

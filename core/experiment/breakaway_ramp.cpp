@@ -47,7 +47,9 @@ std::vector<double> BreakawayRamp::edgesAfter(size_t standing) const {
 BreakawayEvent BreakawayRamp::event(const BreakawayLag& motor, double tick_s) const {
   size_t standing = lastStanding(motor);
   const double rate = rateAt(rows_[standing].commanded_A);
-  const double lag_s = likelyMotionLag_s(motor, rate, count_rad_, edgesAfter(standing), tick_s);
+  BreakawayLag moving = motor;
+  moving.friction_A = rows_[standing].commanded_A;
+  const double lag_s = likelyMotionLag_s(moving, rate, count_rad_, edgesAfter(standing), tick_s);
   // The winding's current gives way to the back-EMF as soon as it moves.
   const size_t moved = standing;
   while (standing > leastRampRows && rows_[standing - 1].time_s > rows_[moved].time_s - lag_s) --standing;

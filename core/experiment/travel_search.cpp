@@ -24,6 +24,7 @@ void TravelSearch::enter(Stage stage, const Sample& sample) {
   stage_ = stage;
   stageStart_m_ = anchor_m_ = sample.angle_rad;
   anchor_s_ = sample.time_s;
+  furthest_m_ = sample.angle_rad;
   left_ = false;
 }
 
@@ -35,9 +36,25 @@ bool TravelSearch::stalled(const Sample& sample) {
   if (std::abs(sample.angle_rad - anchor_m_) > motion_m_) {
     anchor_m_ = sample.angle_rad;
     anchor_s_ = sample.time_s;
+  }
+  return sample.time_s - anchor_s_ > options_.stall_s;
+}
+
+/// Against a stop it may swing to and fro, as fast as the current loop lets it.
+bool TravelSearch::getsNoFurther(const Sample& sample) {
+  if (way_ * (sample.angle_rad - furthest_m_) > 0.0) furthest_m_ = sample.angle_rad;
+  if (way_ * (furthest_m_ - anchor_m_) > motion_m_) {
+    anchor_m_ = furthest_m_;
+    anchor_s_ = sample.time_s;
     left_ = true;
   }
   return sample.time_s - anchor_s_ > options_.stall_s;
+}
+
+/// Where it stands, if it does.
+double TravelSearch::end_m(const Sample& sample) const {
+  constexpr double springs = 0.3;  // of what is motion: the stop gives way to what hits it
+  return std::abs(sample.angle_rad - furthest_m_) < springs * motion_m_ ? sample.angle_rad : furthest_m_;
 }
 
 Command TravelSearch::run(const Sample& sample) {
@@ -69,7 +86,7 @@ Command TravelSearch::feel(const Sample& sample) {
 }
 
 Command TravelSearch::towardsEnd(const Sample& sample) {
-  if (!stalled(sample)) return move(way_);
+  if (!getsNoFurther(sample)) return move(way_);
   if (!left_) {
     // Friction may be higher here than where it began to move.
     if (limit_A_ >= options_.mostLimit_A) fail(message("the axis doesn't leave its end again; is it clamped?"));
@@ -78,13 +95,13 @@ Command TravelSearch::towardsEnd(const Sample& sample) {
     return {};
   }
   if (stage_ == Stage::onwards) {
-    firstEnd_m_ = sample.angle_rad;
+    firstEnd_m_ = end_m(sample);
     way_ = -way_;
     enter(Stage::back, sample);
     pause(sample);
     return {};
   }
-  const double low_m = std::min(firstEnd_m_, sample.angle_rad), high_m = std::max(firstEnd_m_, sample.angle_rad);
+  const double low_m = std::min(firstEnd_m_, end_m(sample)), high_m = std::max(firstEnd_m_, end_m(sample));
   travel_ = {low_m, high_m, std::max(options_.margin * (high_m - low_m), 4.0 * motion_m_)};
   if (high_m - low_m < std::max(options_.leastTravel_m, 16.0 * motion_m_))
     fail(message("the axis moves by {} only; is something in its way?", millimetresText(high_m - low_m)));

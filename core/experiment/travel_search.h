@@ -20,10 +20,10 @@ struct TravelSearchOptions {
   double timeout_s = 900.0;     ///< of the whole search
 };
 
-/// Tries both ways with a growing current limit until the axis moves, goes on that way until it stands, and back to the
-/// other end; then to the middle. An axis that stands at a stop thus leaves it before anything pushes hard. Fails in
-/// words when it moves neither way up to mostLimit_A, when it doesn't leave an end again, when the ends lie closer than
-/// leastTravel_m, and at the time-out.
+/// Tries both ways with a growing current limit until the axis moves, goes on that way until it gets no further, and
+/// back to the other end; then to the middle. One that bounces at its stop is there. An axis that stands at a stop thus
+/// leaves it before anything pushes hard. Fails in words when it moves neither way up to mostLimit_A, when it doesn't
+/// leave an end again, when the ends lie closer than leastTravel_m, and at the time-out.
 class TravelSearch : public TimedProcedure {
  public:
   explicit TravelSearch(const TravelSearchOptions& options);
@@ -44,6 +44,8 @@ class TravelSearch : public TimedProcedure {
   Command toMiddle(const Sample& sample);
   void enter(Stage stage, const Sample& sample);
   bool stalled(const Sample& sample);
+  bool getsNoFurther(const Sample& sample);
+  double end_m(const Sample& sample) const;
   void pause(const Sample& sample);
   Command move(double way) const { return {Command::Mode::velocity, way * options_.speed_m_per_s, limit_A_, false}; }
 
@@ -54,6 +56,7 @@ class TravelSearch : public TimedProcedure {
   double motion_m_ = 0.0, limit_A_ = 0.0, moving_A_ = 0.0, way_ = 1.0;
   double pauseEnd_s_ = 0.0;
   double anchor_m_ = 0.0, anchor_s_ = 0.0, stageStart_m_ = 0.0, firstEnd_m_ = 0.0;
+  double furthest_m_ = 0.0;  ///< in this stage's way
   bool left_ = false;
 };
 

@@ -8,23 +8,19 @@ namespace breakaway {
 
 namespace {
 
-constexpr double sure = 8.0;          // standard errors, beyond which a sign is no noise
 constexpr double fallen = 0.1;        // of a pulse's current, that only a turning motor takes off
-constexpr size_t enoughFalls = 3;     // that play between motor and encoder doesn't make
+constexpr double longer = 3.0;        // pulses, where none moved it
 constexpr double still_s = 0.02;      // without a count is at rest
+constexpr double stillPulses = 5.0;   // of a pulse, part of what is motion, that a slower rotor stays below in it
 constexpr double stands_s = 0.5;      // likewise, of what coasts
 constexpr double mostCoast_s = 20.0;  // a load drives what still turns
 constexpr double given = 0.9;         // of the voltage asked for: less is the current limit's doing
-constexpr size_t kicksEachWay = 2;    // the second one of twice the voltage where no current was seen
 constexpr double roomPart = 0.7;      // of the current limit: the bridge's dead zone makes it more than in proportion
-constexpr double reachPart = 0.8;     // of the present voltage, over which a sensor that lives changes
 constexpr double steady = 0.98;       // of the voltage asked for, on average
 constexpr size_t enoughUnslowed = 2;  // that cogging doesn't make
+constexpr double surelyBraked_s = 5.0;
 constexpr double windowCounts = 3.0;  // that a turning shaft passes at least, while it is watched
-constexpr size_t fewestSamples = 10;  // of a mean
 constexpr double usual_s = 6.0;       // that it takes
-constexpr double indexCounts = 20.0;  // wider is no index
-constexpr double mostIndex = 0.5;     // of all ticks
 
 double perMean(double noise_A, size_t samples) {
   return noise_A / std::sqrt(static_cast<double>(std::max<size_t>(1, samples)));
@@ -121,10 +117,11 @@ bool WiringCheck::chooseNext(double supply_V) {
     // Alternately, while neither is loose.
     if (!loose_V_[other] && next == side()) continue;
     const bool last = limited_ || level_V_ >= supply_V;
-    if (loose_V_[other] && (last || level_V_ > options_.oneSided * *loose_V_[other])) return false;
+    if (loose_V_[other] && level_V_ > options_.oneSided * *loose_V_[other]) return false;
+    if (loose_V_[other] && last && !beginLonger()) return false;
     if (next == 1 || loose_V_[other]) level_V_ = std::min(supply_V, level_V_ * options_.growth);
     const bool unseen = currentSign() == 0 && level_V_ > options_.seenPart * supply_V;
-    if (next == 1 && !loose_V_[other] && (last || unseen)) {
+    if (next == 1 && !loose_V_[other] && (last || unseen) && !beginLonger()) {
       fail(standstill(supply_V));
       return false;
     }
@@ -132,6 +129,19 @@ bool WiringCheck::chooseNext(double supply_V) {
     return true;
   }
   return false;
+}
+
+/// Not where something else than the rotor's weight may be why nothing moves.
+bool WiringCheck::beginLonger() {
+  if (currentSign() <= 0 || longer * options_.pulse_s > options_.longestPulse_s) return false;
+  options_.pulse_s *= longer;
+  level_V_ = options_.start_V;
+  limited_ = false;
+  standing_ = {};
+  loose_V_ = {};
+  breakaway_A_ = {};
+  falls_ = 0;
+  return true;
 }
 
 bool WiringCheck::chooseKick(double supply_V) {
@@ -191,7 +201,8 @@ Command WiringCheck::pulse(const Sample& sample) {
   if (inPulse_s < options_.pulse_s) return drive();
   const bool stood = std::abs(by_rad) <= 1.5 * options_.count_rad;
   if (stood) takeStanding();
-  begin(stood ? Stage::rest : Stage::brake, sample);
+  // It may turn within a coarse count.
+  begin(stood && options_.count_rad < fine_rad ? Stage::rest : Stage::brake, sample);
   return {};
 }
 
@@ -225,7 +236,9 @@ void WiringCheck::takeStanding() {
   limited_ = way_ * all.voltage_V < given * level_V_ - 1e-3;
   const double first_A = thirds_[0].meanCurrent_A(), fall_A = first_A - thirds_[2].meanCurrent_A();
   const double error_A = perMean(options_.noise_A, std::min(thirds_[0].count, thirds_[2].count)) * std::sqrt(2.0);
-  if (fall_A * first_A > 0.0 && std::abs(fall_A) > std::max(sure * error_A, fallen * std::abs(first_A))) ++falls_;
+  if (fall_A * first_A > 0.0 && std::abs(fall_A) > std::max(sure * error_A, fallen * std::abs(first_A))) {
+    if (falls_++ == 0) firstFall_V_ = level_V_;
+  }
 }
 
 void WiringCheck::moved(double by_rad) {
@@ -269,12 +282,17 @@ Command WiringCheck::brake(const Sample& sample) {
     anchor_rad_ = sample.angle_rad;
     anchor_s_ = sample.time_s;
   }
-  if (sample.time_s - anchor_s_ > still_s) {
+  if (sample.time_s - anchor_s_ > stillFor_s()) {
     begin(Stage::rest, sample);
     return {};
   }
   if (!slows(sample)) fail(loadWords(sample.velocity_rad_per_s));
   return {Command::Mode::voltage, brakeVoltage(sample), 0.0, false};
+}
+
+/// Without a count. What still creeps would pass for motion in the next pulse.
+double WiringCheck::stillFor_s() const {
+  return std::max(still_s, stillPulses * options_.pulse_s * options_.count_rad / options_.motion_rad);
 }
 
 /// Once it is known what breaks the shaft loose the other way, somewhat less brakes a kick, until it turns round.
@@ -290,116 +308,15 @@ double WiringCheck::brakeVoltage(const Sample& sample) {
 bool WiringCheck::slows(const Sample& sample) {
   if (sample.time_s - windowStart_s_ < options_.brake_s) return true;
   const double travel_rad = std::abs(sample.angle_rad - windowStart_rad_);
-  const bool turns = travel_rad >= lastTravel_rad_ && travel_rad > windowCounts * options_.count_rad;
-  unslowed_ = turns ? unslowed_ + 1 : 0;
+  // As far as before by a count: a heavy rotor's slowing down hides in one of a coarse encoder.
+  const double more_rad = travel_rad - lastTravel_rad_, hidden_rad = 1.5 * options_.count_rad;
+  const bool turns = travel_rad > windowCounts * options_.count_rad;
+  const bool forLong = sample.time_s - stageStart_s_ > surelyBraked_s;
+  unslowed_ = turns && (more_rad > hidden_rad || forLong) ? unslowed_ + 1 : more_rad < 0.0 || !turns ? 0 : unslowed_;
   lastTravel_rad_ = travel_rad;
   windowStart_rad_ = sample.angle_rad;
   windowStart_s_ = sample.time_s;
   return unslowed_ < enoughUnslowed;
-}
-
-/// Of the slope of current over voltage; a zero that has moved, as a sensor's that died, has none.
-int WiringCheck::currentSign() const {
-  const double n = std::max(1.0, sums_.count);
-  const double power_W = sums_.power_W - sums_.voltage_V * sums_.current_A / n;
-  const double square_V2 = sums_.square_V2 - sums_.voltage_V * sums_.voltage_V / n;
-  if (!changes_ || std::abs(power_W) <= sure * options_.noise_A * std::sqrt(std::max(0.0, square_V2))) return 0;
-  return power_W > 0.0 ? 1 : -1;
-}
-
-/// A sensor that went with the voltage, or seemed to, and now reads the same from as much one way as the other; or all
-/// through the latest kick, where a smaller voltage of that way had been seen to drive another current.
-bool WiringCheck::hasDied() const {
-  if (currentSign() == 0) return false;
-  const double reach_V = reachPart * level_V_;
-  if (unchanged_.low_V < -reach_V && unchanged_.high_V > reach_V) return true;
-  if (kicks_.empty() || kicks_.back().moments.size() < fewestSamples) return false;
-  const auto& moments = kicks_.back().moments;
-  const auto& before = standing_[side()];
-  return before && std::abs(before->current_A - moments.front().current_A) > sure * before->error_A &&
-         std::abs(before->current_A) > sure * before->error_A &&
-         std::all_of(moments.begin(), moments.end(),
-                     [&](const Moment& one) { return one.current_A == moments.front().current_A; });
-}
-
-/// Why nothing moves, as far as the pulses go.
-Message WiringCheck::standstill(double supply_V) {
-  const Message body = bodyText(options_.axis);
-  const double most_V = std::min(level_V_, supply_V);
-  if (!changes_ && constant_A_)
-    return message(
-        "the current sensor is dead: it reads exactly {:.3g} A up to {:.1f} V, and {} doesn't move; check the sensor's "
-        "supply and its wire, then the motor's leads",
-        *constant_A_, most_V, body);
-  const int sign = currentSign();
-  if (sign == 0)
-    return message(
-        "no current is seen up to {:.1f} V: a lead of the motor is off, or the current sensor's wire; check the "
-        "motor's terminals",
-        most_V);
-  const auto& level = standing_[side()];
-  const double most_A = level ? std::abs(level->current_A) : 0.0;
-  if (sign < 0)
-    return message(
-        "the current goes against the voltage ({:.2f} A at {:.1f} V), and {} doesn't move: the current sensor or the "
-        "bridge is reversed; swap the sensor's leads or the bridge's inputs",
-        most_A, most_V, body);
-  held_ = true;
-  return message(
-      "{} doesn't move at {:.2f} A: it is held (a brake, a clamp), or the encoder stands; free it, and check the "
-      "encoder's cable, supply and coupling",
-      body, most_A);
-}
-
-/// What is wrong beyond doubt; a load may spoil one motion, not two.
-Message WiringCheck::contradiction() const {
-  const Message body = bodyText(options_.axis);
-  if (indexLow_rad_ && *indexHigh_rad_ - *indexLow_rad_ > indexCounts * options_.count_rad &&
-      static_cast<double>(indexSeen_) > mostIndex * static_cast<double>(ticks_))
-    return message(
-        "the encoder's index is seen everywhere: it is inverted; swap its two wires, or the polarity in the board");
-  if (falls_ >= enoughFalls && along_ + against_ == 0)
-    return message(
-        "the encoder stands, but the current falls in each pulse as it does when the motor turns ({:.1f} V); check the "
-        "encoder's cable and supply, and the coupling",
-        level_V_);
-  if (hasDied())
-    return message(
-        "the current sensor has died in between: it reads exactly {:.3g} A whatever the voltage; it is dead, check its "
-        "supply and its wire",
-        unchanged_.shown_A);
-  const int sign = currentSign();
-  if (along_ + against_ < 2) return {};
-  if (sign == 0 && !changes_ && kicked_[0] + kicked_[1] >= 2 * kicksEachWay)
-    return message(
-        "the current sensor is dead, or too coarse for this motor: it reads exactly {:.3g} A while {:.1f} V move {}; "
-        "check its supply and its wire",
-        *constant_A_, level_V_, body);
-  if (sign == 0 || (along_ > 0 && against_ > 0)) return {};
-  const Message way = wayText(false, options_.axis);
-  if (against_ > 0 && sign > 0)
-    return message(
-        "{} moves {} at positive voltage, with the current: the encoder counts against the motor; swap the encoder's A "
-        "and B, or the motor's leads",
-        body, way);
-  if (against_ > 0)
-    return message(
-        "{} moves {} at positive voltage, and the current flows that way, too: the bridge is reversed; swap its two "
-        "inputs, or the sign in the board",
-        body, way);
-  if (sign < 0)
-    return message(
-        "{} moves with the voltage, but the current falls as the voltage rises: the current sensor is reversed; swap "
-        "its leads, or the sign in the board",
-        body);
-  return {};
-}
-
-Message WiringCheck::loadWords(double moved_rad) const {
-  return message(
-      "{} keeps moving {} once it is loose, driven by nothing: a load heavier than its friction pulls it; hold or "
-      "balance the load, or take it off",
-      bodyText(options_.axis), wayText(moved_rad > 0.0, options_.axis));
 }
 
 double WiringCheck::supply_V() const {

@@ -17,26 +17,28 @@ struct WiringCheckOptions {
   double start_V = 0.02;
   double growth = 1.19;  ///< of the voltage, from one pair of pulses to the next
   double pulse_s = 0.06, settle_s = 0.02, rest_s = 0.04;
-  double motion_rad = 0.01;  ///< travel that counts as motion
-  double kick_rad = 0.12;    ///< of a kick; friction and the shorted winding end it within a tenth of a turn
-  double kick_s = 0.5;       ///< at most
-  double kickRatio = 2.0;    ///< of its voltage to the one that broke the shaft loose
-  double most_A = 0.0;       ///< that the current is limited to; a kick takes less. 0: unknown
-  double brakePart = 0.7;    ///< of the voltage that breaks it loose the other way, which brakes a kick
-  double brake_s = 0.25;     ///< what slows down, moves less in it than in the one before
-  double own_rad = 0.05;     ///< likewise, travel with the windings open
-  double oneSided = 6.0;     ///< what moves one way and not the other at so many times the voltage stands at a stop
-  double seenPart = 0.25;    ///< of the supply; a current that isn't seen there doesn't flow
-  double count_rad = 0.0;    ///< of the encoder
-  double noise_A = 0.0;      ///< rms, of the current sensor
+  double longestPulse_s = 0.6;  ///< where none of the usual length moves a heavy rotor by what is motion
+  double motion_rad = 0.01;     ///< travel that counts as motion
+  double kick_rad = 0.12;       ///< of a kick; friction and the shorted winding end it within a tenth of a turn
+  double kick_s = 0.5;          ///< at most
+  double kickRatio = 2.0;       ///< of its voltage to the one that broke the shaft loose
+  double most_A = 0.0;          ///< that the current is limited to; a kick takes less. 0: unknown
+  double brakePart = 0.7;       ///< of the voltage that breaks it loose the other way, which brakes a kick
+  double brake_s = 0.25;        ///< what slows down, moves less in it than in the one before
+  double own_rad = 0.05;        ///< likewise, travel with the windings open
+  double oneSided = 6.0;        ///< what moves one way and not the other at so many times the voltage stands at a stop
+  double seenPart = 0.25;       ///< of the supply; a current that isn't seen there doesn't flow
+  double count_rad = 0.0;       ///< of the encoder
+  double noise_A = 0.0;         ///< rms, of the current sensor
   Axis axis = Axis::rotary;
 };
 
 /// Pulses of growing voltage, alternately both ways with the windings open between them, until the shaft has broken
 /// loose each way; then kicks, which end as soon as the shaft has moved far enough. Whatever moved is braked by the
-/// shorted winding. Fails in words where the evidence is beyond doubt: motion or current against the voltage, a current
-/// that falls as if the shaft turned while the encoder stands, no current, no motion, a load heavier than friction, an
-/// index that is seen everywhere. What the pulses can't tell they leave open.
+/// shorted winding. Where nothing moves, it begins again with longer pulses: a heavy rotor needs time. Fails in words
+/// where the evidence is beyond doubt: motion or current against the voltage, a current that falls as if the shaft
+/// turned while the encoder stands, no current, no motion, a load heavier than friction, an index that is seen
+/// everywhere. What the pulses can't tell they leave open.
 class WiringCheck : public TimedProcedure {
  public:
   /// Of a kick, from its first tick on.
@@ -75,6 +77,11 @@ class WiringCheck : public TimedProcedure {
   Progress progress() const override;
 
  private:
+  static constexpr double sure = 8.0;          ///< standard errors, beyond which a sign is no noise
+  static constexpr double fine_rad = 0.01;     ///< a count that any such pulse shows
+  static constexpr size_t kicksEachWay = 2;    ///< the second one of twice the voltage where no current was seen
+  static constexpr size_t fewestSamples = 10;  ///< of a mean
+
   enum class Stage { coast, rest, pulse, kick, brake };
   size_t side() const { return way_ > 0.0 ? 1 : 0; }
   Command coast(const Sample& sample);
@@ -95,6 +102,9 @@ class WiringCheck : public TimedProcedure {
   void endKick(double by_rad);
   bool chooseNext(double supply_V);
   bool chooseKick(double supply_V);
+  bool beginLonger();
+  double stillFor_s() const;
+  bool encoderStands() const;
   int currentSign() const;
   bool hasDied() const;
   Message standstill(double supply_V);
@@ -126,6 +136,7 @@ class WiringCheck : public TimedProcedure {
   bool turnedRound_ = false;
   size_t unslowed_ = 0;  ///< brake_s in a row in which what was braked moved no less than before
   size_t falls_ = 0;     ///< pulses whose current fell while the encoder stood
+  double firstFall_V_ = 0.0;
   size_t along_ = 0, against_ = 0;
   struct Moments {
     double power_W = 0.0, square_V2 = 0.0, voltage_V = 0.0, current_A = 0.0, count = 0.0;

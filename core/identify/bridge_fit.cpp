@@ -22,27 +22,50 @@ constexpr double flat = 0.1;              // of the far slope: no current yet
 constexpr double keep = 3.0;              // standard errors below which a knot goes
 constexpr double bentDoubt = 9e-4;        // relative, of a bent bridge: what bends on beyond the last knot
 constexpr double modelDoubt = 2e-4;       // relative: blocks, ticks and the winding's lag
+constexpr size_t mostTogether = 16;       // blocks of a row
+constexpr double littleRounding = 0.002;  // of the slopes, that isn't worth longer rows
+constexpr double roundingDoubt = 0.15;    // of what the encoder's rounding changes: it is no noise at a steady speed
 
-/// One block: current with its lag, voltage, speed.
+/// Some blocks in a row, mostly one: current with its lag, the voltages, speed.
 struct Row {
-  double current_A = 0.0, voltage_V = 0.0, speed_rad_per_s = 0.0, weight = 1.0;
+  double current_A = 0.0, speed_rad_per_s = 0.0, weight = 1.0;
+  std::vector<double> voltages_V;
   Eigen::Index test = 0;
+  double rounding = 0.0;  ///< variance of the speed by the encoder's counts
 };
 
-std::vector<Row> rowsOf(const BridgeTests& tests) {
+/// Blocks from `k` on of a test, as many as `together`; fewer where the voltage changes steeply.
+Row rowOf(const BridgeTests& tests, size_t test, size_t k, size_t together) {
+  const auto& blocks = tests.moving[test];
+  Row row{.weight = 0.0, .voltages_V = {}, .test = static_cast<Eigen::Index>(test) + 1};
+  const double from_rad = blocks[k - 1].angle_rad;
+  double charge_As = 0.0;
+  for (const size_t end = std::min(k + together, blocks.size() - 1); k < end; ++k) {
+    const SpinBlock &before = blocks[k - 1], &here = blocks[k], &after = blocks[k + 1];
+    if (std::abs(after.voltage_V - before.voltage_V) > steepest_duty * tests.supply_V) break;
+    const double across_s = here.duration_s + 0.5 * (before.duration_s + after.duration_s);
+    const double lag_A = tests.timeConstant_s * (after.current_A - before.current_A) / across_s;
+    charge_As += here.duration_s * (here.current_A + lag_A);
+    row.weight += here.duration_s;
+    row.voltages_V.push_back(here.voltage_V);
+  }
+  if (row.voltages_V.empty()) return row;
+  row.current_A = charge_As / row.weight;
+  row.speed_rad_per_s = (blocks[k - 1].angle_rad - from_rad) / row.weight;
+  row.rounding = tests.count_rad * tests.count_rad / 6.0 / (row.weight * row.weight);
+  return row;
+}
+
+std::vector<Row> rowsOf(const BridgeTests& tests, size_t together) {
   std::vector<Row> rows;
   rows.reserve(tests.standing.size());
   for (const WindingPoint& point : tests.standing)
-    rows.push_back({point.current_A, point.voltage_V, 0.0, tests.standingBlock_s, 0});
+    rows.push_back({point.current_A, 0.0, tests.standingBlock_s, {point.voltage_V}});
   for (size_t t = 0; t < tests.moving.size(); ++t) {
-    const auto& blocks = tests.moving[t];
-    for (size_t k = 1; k + 1 < blocks.size(); ++k) {
-      const SpinBlock &before = blocks[k - 1], &here = blocks[k], &after = blocks[k + 1];
-      const double across_s = here.duration_s + 0.5 * (before.duration_s + after.duration_s);
-      if (std::abs(after.voltage_V - before.voltage_V) > steepest_duty * tests.supply_V) continue;
-      const double lag_A = tests.timeConstant_s * (after.current_A - before.current_A) / across_s;
-      rows.push_back({here.current_A + lag_A, here.voltage_V, (here.angle_rad - before.angle_rad) / here.duration_s,
-                      here.duration_s, static_cast<Eigen::Index>(t) + 1});
+    for (size_t k = 1; k + 1 < tests.moving[t].size();) {
+      Row row = rowOf(tests, t, k, together);
+      k += std::max<size_t>(1, row.voltages_V.size());
+      if (!row.voltages_V.empty()) rows.push_back(std::move(row));
     }
   }
   return rows;
@@ -53,6 +76,7 @@ struct Fit {
   Eigen::VectorXd x;
   Eigen::MatrixXd covariance;
   double squares = 0.0;
+  double rounding = 0.0;  ///< relative, by which the encoder's would have made R larger
 };
 
 class BridgeLine {
@@ -64,20 +88,26 @@ class BridgeLine {
     const auto slopes = static_cast<Eigen::Index>(knots_V.size()), n = slopes + 1 + tests_;
     Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(n, n);
     Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
-    double squares = 0.0;
+    double squares = 0.0, rounding = 0.0;
     for (const Row& row : rows_) {
+      rounding += row.weight * row.rounding;
       const Eigen::VectorXd a = regressor(row, knots_V);
       normal.selfadjointView<Eigen::Lower>().rankUpdate(a, row.weight);
       right += row.weight * row.current_A * a;
       squares += row.weight * row.current_A * row.current_A;
     }
     normal = normal.selfadjointView<Eigen::Lower>();
+    const Eigen::MatrixXd seen = normal;
+    normal(slopes, slopes) -= rounding;
     const auto solver = normal.completeOrthogonalDecomposition();
     Fit fit;
     fit.x = solver.solve(right);
     fit.squares = squares - fit.x.dot(right);
-    fit.covariance = std::max(0.0, fit.squares) / static_cast<double>(rows_.size() - static_cast<size_t>(n)) *
-                     solver.pseudoInverse();
+    const double residual = squares - 2.0 * fit.x.dot(right) + fit.x.dot(seen * fit.x);
+    if (rounding > 0.0) fit.rounding = roundingShare(fit.x, seen, right, slopes);
+    const Eigen::MatrixXd inverse = solver.pseudoInverse();
+    fit.covariance = std::max(0.0, residual) / static_cast<double>(rows_.size() - static_cast<size_t>(n)) *
+                     (rounding > 0.0 ? Eigen::MatrixXd(inverse * seen * inverse) : inverse);
     return fit;
   }
 
@@ -117,12 +147,20 @@ class BridgeLine {
   }
 
  private:
+  /// By the far slope without what is taken off the speed's square.
+  static double roundingShare(const Eigen::VectorXd& x, const Eigen::MatrixXd& seen, const Eigen::VectorXd& right,
+                              Eigen::Index slopes) {
+    const Eigen::VectorXd plain = seen.completeOrthogonalDecomposition().solve(right);
+    return std::abs(x.head(slopes).sum() / plain.head(slopes).sum() - 1.0);
+  }
   Eigen::VectorXd regressor(const Row& row, const std::vector<double>& knots_V) const {
     const auto slopes = static_cast<Eigen::Index>(knots_V.size());
     Eigen::VectorXd a = Eigen::VectorXd::Zero(slopes + 1 + tests_);
-    const double size_V = std::abs(row.voltage_V);
-    for (Eigen::Index k = 0; k < slopes; ++k)
-      a[k] = std::copysign(std::max(0.0, size_V - knots_V[static_cast<size_t>(k)]), row.voltage_V);
+    const double share = 1.0 / static_cast<double>(row.voltages_V.size());
+    for (const double voltage_V : row.voltages_V) {
+      for (Eigen::Index k = 0; k < slopes; ++k)
+        a[k] += share * std::copysign(std::max(0.0, std::abs(voltage_V) - knots_V[static_cast<size_t>(k)]), voltage_V);
+    }
     a[slopes] = -row.speed_rad_per_s;
     a[slopes + 1 + row.test] = 1.0;
     return a;
@@ -221,16 +259,25 @@ bool bends(const Fit& fit, const std::vector<double>& knots_V) {
   return false;
 }
 
+/// As many blocks together as bring the encoder's rounding down, but no more than tell speeding up from slowing down.
+BridgeLine lineOf(const BridgeTests& tests) {
+  const auto parts = static_cast<Eigen::Index>(tests.moving.size()) + 1;
+  for (size_t together = 1;; together *= 2) {
+    BridgeLine line(rowsOf(tests, together), parts);
+    if (2 * together > mostTogether || line.fit({0.0}).rounding < littleRounding) return line;
+  }
+}
+
 }  // namespace
 
 Result<BridgeFit> fitBridge(const BridgeTests& tests) {
   const char* place = "bridge's curve";
-  const std::vector<Row> rows = rowsOf(tests);
+  const std::vector<Row> rows = rowsOf(tests, 1);
   if (rows.size() < leastRows) return Error{place, message("has {} blocks only, expected at least 200", rows.size())};
   double highest_V = 0.0, standing_V = 0.0;
-  for (const Row& row : rows) highest_V = std::max(highest_V, std::abs(row.voltage_V));
+  for (const Row& row : rows) highest_V = std::max(highest_V, std::abs(row.voltages_V.front()));
   for (const WindingPoint& point : tests.standing) standing_V = std::max(standing_V, std::abs(point.voltage_V));
-  const BridgeLine line(rows, static_cast<Eigen::Index>(tests.moving.size()) + 1);
+  const BridgeLine line = lineOf(tests);
   std::vector<double> knots_V{0.0};
   for (const double duty : knots_duty) knots_V.push_back(duty * tests.supply_V);
   const Fit fit = fitted(line, knots_V, 0.98 * standing_V);
@@ -246,7 +293,8 @@ Result<BridgeFit> fitBridge(const BridgeTests& tests) {
   const double far = farSlope(fit, knots_V.size());
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(fit.x.size());
   gradient.head(slopes).setOnes();
-  const Estimate conductance = estimateOf(far, gradient, fit);
+  Estimate conductance = estimateOf(far, gradient, fit);
+  conductance.standardError = std::hypot(conductance.standardError, roundingDoubt * fit.rounding * far);
   if (!(far > 0.0) || conductance.standardError > mostError * far)
     return Error{
         place, message("can't be told from the winding's resistance: the currents hardly differ at the same voltage")};

@@ -19,6 +19,7 @@ struct BridgeTests {
   std::vector<std::vector<SpinBlock>> moving;  ///< of the spin test, of the reversal test
   double timeConstant_s = 0.0;                 ///< L/R
   double supply_V = 0.0;
+  double count_rad = 0.0;  ///< of the encoder, whose rounding is in every block's speed; 0: it doesn't round
 };
 
 struct BridgeFit {
@@ -31,10 +32,12 @@ struct BridgeFit {
 
 /// Weighted least squares of i + (L/R)·di/dt = f(u)/R − (Ke/R)·ω + i₀ over all blocks, i₀ of each test its own, f odd
 /// and straight between knots that lie closer towards the dead zone's end, which is searched. Friction, inertia and
-/// load do not enter. The scale of f can't be seen: beyond the last knot f is taken to grow as the duty does, and a
-/// bridge that gives a common part less shows it in R, L and Ke. Errors: too few blocks; voltages that don't reach far
-/// enough beyond the last knot; resistance and back-EMF constant that the blocks don't tell apart; a curve that doesn't
-/// rise.
+/// load do not enter. Voltage and speed go together, so that a coarse encoder's rounding would make both slopes small,
+/// R large and leave Ke right (W. A. Fuller, Measurement Error Models, section 2.2): what it adds to the square of ω is
+/// taken off, and a part of what that changes is in R's error. The scale of f can't be seen: beyond the last knot f is
+/// taken to grow as the duty does, and a bridge that gives a common part less shows it in R, L and Ke. Errors: too few
+/// blocks; voltages that don't reach far enough beyond the last knot; resistance and back-EMF constant that the blocks
+/// don't tell apart; a curve that doesn't rise.
 Result<BridgeFit> fitBridge(const BridgeTests& tests);
 
 }  // namespace breakaway

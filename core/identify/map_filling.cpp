@@ -10,7 +10,7 @@ namespace breakaway {
 namespace {
 
 constexpr double outlierScatters = 5.0;
-constexpr double lagDoubt = 0.1;    // of the current's growth while the rotor moves unseen
+constexpr double lagDoubt = 0.25;   // of the current's growth while the rotor moves unseen: how its friction falls then
 constexpr size_t leastPooled = 12;  // bins on either side whose scatter is averaged
 
 double mean(const std::vector<double>& values) {

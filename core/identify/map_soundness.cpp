@@ -56,9 +56,18 @@ void unlike(const FrictionMap& map, size_t way, std::vector<Message>& why) {
                         words.pass, map.repeatability[way].correlation, words.torque, 100.0 * variation));
 }
 
-void empty(const FrictionMap& map, size_t way, std::vector<Message>& why) {
+/// Whether a breakaway was measured in the bin, or as near as the encoder lets a rotor be held.
+bool isServed(const FrictionMap& map, size_t bin, size_t way, size_t reach) {
+  const size_t n = map.bins.size();
+  for (size_t k = 0; k <= std::min(reach, n - 1); ++k) {
+    if (map.bins[(bin + k) % n].way[way].samples > 0 || map.bins[(bin + n - k) % n].way[way].samples > 0) return true;
+  }
+  return false;
+}
+
+void empty(const FrictionMap& map, size_t way, size_t reach, std::vector<Message>& why) {
   size_t none = 0;
-  for (const MapBin& bin : map.bins) none += bin.way[way].samples == 0 ? 1 : 0;
+  for (size_t k = 0; k < map.bins.size(); ++k) none += isServed(map, k, way, reach) ? 0 : 1;
   const auto all = static_cast<double>(map.bins.size());
   if (static_cast<double>(none) <= mostEmpty * all) return;
   why.push_back(message("{} of {} bins {} have no breakaway of their own: fewer bins (--bins) would have", none,
@@ -67,13 +76,13 @@ void empty(const FrictionMap& map, size_t way, std::vector<Message>& why) {
 
 }  // namespace
 
-std::vector<Message> unsoundness(const FrictionMap& map) {
+std::vector<Message> unsoundness(const FrictionMap& map, size_t reach) {
   std::vector<Message> why;
   if (map.bins.empty()) return why;
   belowCoulomb(map, why);
   for (size_t way = 0; way < 2; ++way) {
     unlike(map, way, why);
-    empty(map, way, why);
+    empty(map, way, reach, why);
   }
   return why;
 }

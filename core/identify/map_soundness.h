@@ -11,7 +11,8 @@ namespace breakaway {
 
 /// Why it isn't, each a part of a sentence with its figures; empty for a sound map. Breakaway below Coulomb friction on
 /// average, by more than a tenth and its doubt; turns that correlate by less than a half where the torque varies by
-/// more than a tenth; more than a fifth of a way's bins without a breakaway.
-std::vector<Message> unsoundness(const FrictionMap& map);
+/// more than a tenth; more than a fifth of a way's bins without a breakaway as near as `reach` bins: a coarse encoder
+/// doesn't let a rotor be held nearer.
+std::vector<Message> unsoundness(const FrictionMap& map, size_t reach = 0);
 
 }  // namespace breakaway

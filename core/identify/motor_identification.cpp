@@ -33,6 +33,28 @@ LeastSquares solve(const std::vector<Eigen::VectorXd>& rows, const std::vector<d
   return result;
 }
 
+/// The same, where the first column has errors of a known variance that don't hang on the others (W. A. Fuller,
+/// Measurement Error Models, section 2.2). Where they are most of what is its own, the answer's error says so.
+LeastSquares solveRounded(const std::vector<Eigen::VectorXd>& rows, const std::vector<double>& right, double variance) {
+  constexpr double leastTold = 0.25;  // of the square, that a correction is made down to
+  constexpr double doubt = 0.3;       // of the correction
+  const LeastSquares plain = solve(rows, right);
+  if (!(variance > 0.0)) return plain;
+  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(plain.x.size(), plain.x.size());
+  Eigen::VectorXd moments = Eigen::VectorXd::Zero(plain.x.size());
+  for (size_t k = 0; k < rows.size(); ++k) {
+    normal += rows[k] * rows[k].transpose();
+    moments += right[k] * rows[k];
+  }
+  const double own = 1.0 / normal.inverse()(0, 0), off = static_cast<double>(rows.size()) * variance;
+  normal(0, 0) -= std::min(off, (1.0 - leastTold) * own);
+  LeastSquares freed = plain;
+  freed.x = normal.ldlt().solve(moments);
+  freed.error *= freed.x[0] / plain.x[0];
+  freed.error[0] = std::hypot(freed.error[0], std::max(doubt, off / own - leastTold) * (freed.x[0] - plain.x[0]));
+  return freed;
+}
+
 /// Speed over each block, from its two ends; the first block has none.
 std::vector<double> speeds(const std::vector<SpinBlock>& blocks) {
   std::vector<double> speed(blocks.size(), 0.0);
@@ -76,10 +98,10 @@ Estimate combined(const Estimate& a, const Estimate& b) {
 }
 
 Result<LeastSquares> fitMomentum(const std::vector<SpinBlock>& blocks, const std::vector<double>& speed, double least,
-                                 double Kt, double window_s) {
+                                 double Kt, const MotorIdentificationOptions& options) {
   std::vector<Eigen::VectorXd> rows;
   std::vector<double> right;
-  const auto width = static_cast<size_t>(std::max(3.0, std::round(window_s / blocks.front().duration_s)));
+  const auto width = static_cast<size_t>(std::max(3.0, std::round(options.window_s / blocks.front().duration_s)));
   for (size_t k = 1; k + width + 1 < blocks.size(); k += width) {
     bool oneWay = true;
     for (size_t j = k; j <= k + width + 1; ++j)
@@ -98,7 +120,9 @@ Result<LeastSquares> fitMomentum(const std::vector<SpinBlock>& blocks, const std
   }
   if (rows.size() < leastRows)
     return Error{"motor", message("turns one way in {} windows only, expected at least 20", rows.size())};
-  return solve(rows, right);
+  // Of each window's two speeds, from two roundings over two blocks each.
+  const double rounding = options.count_rad / blocks.front().duration_s;
+  return solveRounded(rows, right, rounding * rounding / 12.0);
 }
 
 }  // namespace
@@ -131,8 +155,7 @@ Result<IdentifiedMotor> identifyMotor(const std::vector<SpinBlock>& blocks, cons
   motor.torqueConstantTrusted = options.trustedTorqueConstant_Nm_per_A.has_value();
   motor.torqueConstant_Nm_per_A = motor.torqueConstantTrusted ? Estimate{*options.trustedTorqueConstant_Nm_per_A, 0.0}
                                                               : motor.backEmfConstant_V_s_per_rad;
-  const auto momentum =
-      fitMomentum(blocks, speed, 0.25 * highest, motor.torqueConstant_Nm_per_A.value, options.window_s);
+  const auto momentum = fitMomentum(blocks, speed, 0.25 * highest, motor.torqueConstant_Nm_per_A.value, options);
   if (!momentum) return momentum.error();
   motor.inertia_kg_m2 = {momentum->x[0], std::hypot(momentum->error[0], windowDoubt * momentum->x[0])};
   motor.rampInertia_kg_m2 = motor.inertia_kg_m2;

@@ -38,7 +38,8 @@ struct IdentifiedMotor {
 
 struct MotorIdentificationOptions {
   std::optional<double> trustedTorqueConstant_Nm_per_A;
-  double window_s = 0.1;  ///< of the momentum balance
+  double window_s = 0.1;   ///< of the momentum balance
+  double count_rad = 0.0;  ///< of the encoder, whose rounding is in every speed; 0: it doesn't round
 };
 
 /// The same motor identified twice, the second time with a disc of known inertia more (or less) on its shaft.
@@ -71,8 +72,9 @@ void setCurrentScale(IdentifiedMotor& motor, const CurrentScaleOptions& options)
 
 /// Back-EMF constant and dead zone by least squares of v − R·i = Ke·ω + V0·sgn ω over the blocks that turn; inertia and
 /// friction by the balance of momentum over windows, Kt·∫i dt = J·Δω + C·s·Δt + B·Δθ, which needs no second derivative.
-/// A gain error of the current sensor can't be told from Kt: all torques then carry it. Errors: too few blocks that
-/// turn.
+/// What a coarse encoder's rounding adds to the square of Δω, which would make J small, is taken off; a part of what
+/// that changes is in J's error. A gain error of the current sensor can't be told from Kt: all torques then carry it.
+/// Errors: too few blocks that turn.
 Result<IdentifiedMotor> identifyMotor(const std::vector<SpinBlock>& blocks, const WindingLine& winding,
                                       const Estimate& timeConstant_s, const MotorIdentificationOptions& options);
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 
@@ -10,8 +11,12 @@ namespace breakaway {
 namespace {
 
 using Complex = std::complex<double>;
-using Row = Eigen::Matrix<double, 9, 1>;  // J, J·D's two parts, C, B, torque at order 1, friction at order 1
-constexpr size_t width = 4;               // blocks of a balance
+// A run of few turns tells the lower orders of torque and friction badly from the disc's swing.
+constexpr int orders = 6;
+constexpr int terms = 5 + 4 * orders;  // J, J·D's two parts, C, B; torque and friction at each order
+using Row = Eigen::Matrix<double, terms, 1>;
+using Square = Eigen::Matrix<double, terms, terms>;
+constexpr size_t width = 4;  // blocks of a balance
 constexpr size_t leastRows = 100;
 constexpr double slowest = 0.25;      // of the highest speed
 constexpr double surelyThere = 20.0;  // gain in χ²
@@ -24,15 +29,16 @@ Value rateAt(const std::vector<Value>& values, const std::vector<SpinBlock>& blo
   return (values[k + 1] - values[k - 1]) / (blocks[k].duration_s + blocks[k + 1].duration_s);
 }
 
-/// ∫e^{jθ} dt over a block, at even speed.
-Complex waveOver(double from_rad, double to_rad, double duration_s) {
-  const Complex start = std::polar(1.0, from_rad), end = std::polar(1.0, to_rad);
-  if (std::abs(to_rad - from_rad) < 1e-6) return duration_s * start;
-  return duration_s * (end - start) / Complex(0.0, to_rad - from_rad);
+/// ∫e^{jnθ} dt over a block, at even speed.
+Complex waveOver(int order, double from_rad, double to_rad, double duration_s) {
+  const double travel_rad = order * (to_rad - from_rad);
+  const Complex start = std::polar(1.0, order * from_rad), end = std::polar(1.0, order * to_rad);
+  if (std::abs(travel_rad) < 1e-6) return duration_s * start;
+  return duration_s * (end - start) / Complex(0.0, travel_rad);
 }
 
 struct Balance {
-  Eigen::Matrix<double, 9, 9> normal = Eigen::Matrix<double, 9, 9>::Zero();
+  Square normal = Square::Zero();
   Row right = Row::Zero();
   double squares = 0.0;
   size_t rows = 0;
@@ -46,11 +52,11 @@ struct Balance {
 };
 
 Balance balanceOf(const std::vector<SpinBlock>& blocks, const EncoderDisc& disc) {
-  const size_t n = blocks.size();
-  std::vector<double> shown(n), angles(n), speeds(n, 0.0);
-  std::vector<Complex> waves(n);
+  const size_t count = blocks.size();
+  std::vector<double> shown(count), angles(count), speeds(count, 0.0);
+  std::vector<Complex> waves(count);
   double highest = 0.0;
-  for (size_t k = 0; k < n; ++k) {
+  for (size_t k = 0; k < count; ++k) {
     shown[k] = blocks[k].angle_rad;
     angles[k] = disc.known() ? disc.angleOf(shown[k]) : shown[k];
     waves[k] = std::polar(1.0, angles[k]);
@@ -58,23 +64,27 @@ Balance balanceOf(const std::vector<SpinBlock>& blocks, const EncoderDisc& disc)
     highest = std::max(highest, std::abs(speeds[k]));
   }
   Balance balance;
-  for (size_t k = 1; k + width + 1 < n; ++k) {
+  for (size_t k = 1; k + width + 1 < count; ++k) {
     const bool oneWay = std::all_of(
         speeds.begin() + static_cast<std::ptrdiff_t>(k), speeds.begin() + static_cast<std::ptrdiff_t>(k + width + 2),
         [&](double speed) { return speed * speeds[k] > 0.0 && std::abs(speed) > slowest * highest; });
     if (!oneWay) continue;
     double impulse = 0.0, duration = 0.0;
-    Complex around = 0.0;
+    std::array<Complex, orders> around{};
     for (size_t j = k + 1; j <= k + width; ++j) {
       impulse += blocks[j].current_A * blocks[j].duration_s;
       duration += blocks[j].duration_s;
-      around += waveOver(angles[j - 1], angles[j], blocks[j].duration_s);
+      for (int n = 1; n <= orders; ++n)
+        around[static_cast<size_t>(n - 1)] += waveOver(n, angles[j - 1], angles[j], blocks[j].duration_s);
     }
     const double sign = speeds[k] > 0.0 ? 1.0 : -1.0;
     const Complex swing = rateAt(waves, blocks, k + width) - rateAt(waves, blocks, k);
     Row row;
-    row << rateAt(shown, blocks, k + width) - rateAt(shown, blocks, k), -swing.real(), swing.imag(), sign * duration,
-        angles[k + width] - angles[k], around.real(), around.imag(), sign * around.real(), sign * around.imag();
+    row.head<5>() << rateAt(shown, blocks, k + width) - rateAt(shown, blocks, k), -swing.real(), swing.imag(),
+        sign * duration, angles[k + width] - angles[k];
+    for (size_t n = 0; n < around.size(); ++n)
+      row.segment<4>(static_cast<Eigen::Index>(5 + 4 * n)) << around[n].real(), around[n].imag(),
+          sign * around[n].real(), sign * around[n].imag();
     balance.add(row, impulse);
   }
   return balance;
@@ -84,13 +94,14 @@ Balance balanceOf(const std::vector<SpinBlock>& blocks, const EncoderDisc& disc)
 EncoderDisc fitOnce(const Balance& balance) {
   if (balance.rows < leastRows) return {};
   const Row scale = balance.normal.diagonal().unaryExpr([](double x) { return x > 0.0 ? 1.0 / std::sqrt(x) : 0.0; });
-  const Eigen::Matrix<double, 9, 9> inverse =
+  const Square inverse =
       scale.asDiagonal() *
       (scale.asDiagonal() * balance.normal * scale.asDiagonal()).completeOrthogonalDecomposition().pseudoInverse() *
       scale.asDiagonal();
   const Row x = inverse * balance.right;
   if (!(x[0] > 0.0)) return {};
-  const double variance = std::max(0.0, balance.squares - x.dot(balance.right)) / static_cast<double>(balance.rows - 9);
+  const double variance =
+      std::max(0.0, balance.squares - x.dot(balance.right)) / static_cast<double>(balance.rows - terms);
   // Balances overlap: so many fewer stand apart from each other.
   const double parts = static_cast<double>(width + 1) * variance * 0.5 * (inverse(1, 1) + inverse(2, 2));
   return {Complex(x[1], x[2]) / x[0], parts / (x[0] * x[0])};

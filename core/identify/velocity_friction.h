@@ -20,7 +20,7 @@ struct VelocityFrictionOptions {
   double windingTime_s = 0.0;  ///< L/R, by which the current follows a tick's voltage
   double zeroError_A = 0.0;    ///< standard error of the current sensor's zero over the sweep, common to its runs
   size_t bins = 180;           ///< of the result
-  size_t highestOrder = 45;    ///< harmonics of Coulomb friction that are looked at
+  size_t highestOrder = 110;   ///< harmonics of Coulomb friction that are looked at: a stepper's steps, a gear's teeth
   size_t highestViscousOrder = 12;
   /// Standard error of a harmonic, part of the mean torque, above which it says nothing of its own: of the current that
   /// keeps the rotor moving, and of the slowest runs that were left out of the line.

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
+#include "base/statistics.h"
 #include "identify/run_spectrum.h"
 
 namespace breakaway {
@@ -25,19 +27,27 @@ std::vector<WeighedHarmonic> weighAll(const std::vector<Complex>& harmonics, dou
   return known;
 }
 
+/// Of a curve whose values stand for their bins' middles, as a breakaway map's do.
+Complex harmonicOfPoints(const std::vector<double>& values, size_t order) {
+  const double x = static_cast<double>(order) * std::numbers::pi / static_cast<double>(values.size());
+  return harmonicOf(values, order) * (order == 0 ? 1.0 : std::sin(x) / x);
+}
+
 /// Breakaway torque that is equal and opposite both ways is position torque, and holds the moving rotor alike. Friction
 /// at an order, which has one sign both ways, is the doubt about it. The noise is told by the map's finest orders.
 void expectPosition(std::array<WayRuns, 2>& ways, const std::array<std::vector<double>, 2>& static_Nm, size_t highest) {
   const size_t bins = static_Nm[0].size();
   if (bins == 0 || static_Nm[1].size() != bins) return;
-  double noise = 0.0, count = 0.0;
-  for (size_t k = bins / 4; k <= bins / 3; ++k) {
-    for (const auto& way : static_Nm) noise += 0.5 * std::norm(harmonicOf(way, k)), count += 1.0;
+  std::vector<double> finest;
+  const size_t last = (bins - 1) / 2;
+  for (size_t k = bins / 4; k <= last; ++k) {
+    for (const auto& way : static_Nm) finest.push_back(0.5 * std::norm(harmonicOfPoints(way, k)));
   }
-  noise *= 0.5 / std::max(1.0, count);  // of half a sum or difference of both ways
+  // Of half a sum or difference of both ways. A gear's teeth or a stepper's steps may be among these orders.
+  const double noise = 0.5 * quantile(finest, 0.5) / std::numbers::ln2;
   std::vector<Complex> position, friction;
-  for (size_t k = 1; k <= std::min(highest, bins / 4 - 1); ++k) {
-    const Complex cw = harmonicOf(static_Nm[0], k), ccw = harmonicOf(static_Nm[1], k);
+  for (size_t k = 1; k <= std::min(highest, last); ++k) {
+    const Complex cw = harmonicOfPoints(static_Nm[0], k), ccw = harmonicOfPoints(static_Nm[1], k);
     position.push_back(0.5 * (ccw - cw));
     friction.push_back(0.5 * (ccw + cw));
   }
@@ -84,7 +94,7 @@ Result<std::array<WayRuns, 2>> wayRunsOf(const std::vector<VelocityRun>& runs, c
     way.widened_Nm2 = way.fall;
     const auto& still = options.static_Nm[w];
     for (size_t k = 0; !still.empty() && k <= std::min(options.highestOrder, still.size() / 3); ++k)
-      way.static_Nm.push_back(harmonicOf(still, k));
+      way.static_Nm.push_back(harmonicOfPoints(still, k));
   }
   if (!ways[0].static_Nm.empty() && !ways[1].static_Nm.empty()) {
     expectPosition(ways, options.static_Nm, options.highestOrder);

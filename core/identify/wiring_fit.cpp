@@ -18,6 +18,7 @@ constexpr double supplyPart = 0.06;   // of the supply, that readings differ by
 constexpr double seen = 5.0;          // standard errors
 constexpr size_t fewest = 8;          // moments of a kick
 constexpr double stillRising = 0.02;  // of the current: what noise leaves unseen of its rise
+constexpr double leastTold = 0.5;     // of the square of the angle's course that must not be the encoder's rounding
 
 struct Course {
   Estimate standing_A;    ///< that would flow without motion
@@ -32,7 +33,9 @@ double smoothed(const std::vector<WiringCheck::Moment>& at, size_t k) {
   return sum / static_cast<double>(2 * reach + 1);
 }
 
-/// Ordinary least squares of the integral; the errors are those that white noise of the current makes in it.
+/// Least squares of the integral, free of what an encoder's rounding adds to the square of the angle (it would take
+/// the back-EMF for a smaller one; W. A. Fuller, Measurement Error Models, section 2.2). The errors are those that
+/// white noise of the current makes, and as much of the slope as was the rounding's. None where that is most of it.
 std::optional<Course> courseOf(const WiringCheck::Kick& kick, double noise_A, double count_rad) {
   const auto& at = kick.moments;
   if (at.size() < fewest || !kick.steady) return {};
@@ -47,7 +50,11 @@ std::optional<Course> courseOf(const WiringCheck::Kick& kick, double noise_A, do
     }
     rows.row(k) << now.time_s, -now.angle_rad, -1e-3 * smoothed(at, static_cast<size_t>(k));
   }
-  const Eigen::Matrix3d normal = rows.transpose() * rows;
+  Eigen::Matrix3d normal = rows.transpose() * rows;
+  const double rounding_rad2 = static_cast<double>(n) * count_rad * count_rad / 6.0;  // with where in a count it began
+  const double told = 1.0 - rounding_rad2 * normal.completeOrthogonalDecomposition().pseudoInverse()(1, 1);
+  if (told < leastTold) return {};
+  normal(1, 1) -= rounding_rad2;
   const Eigen::Matrix3Xd inverse = normal.completeOrthogonalDecomposition().pseudoInverse() * rows.transpose();
   const Eigen::Vector3d x = inverse * charge_As;
   const double tick_s = at.back().time_s / static_cast<double>(n - 1);
@@ -60,7 +67,8 @@ std::optional<Course> courseOf(const WiringCheck::Kick& kick, double noise_A, do
   const double fastest_rad_per_s = 2.0 * angle_rad / at.back().time_s;
   const Eigen::Vector3d error = noise_A * tick_s * squares.cwiseSqrt();
   const double rest = stillRising * std::abs(x[0]) / fastest_rad_per_s;
-  return Course{{x[0], error[0]}, {x[1], std::hypot(error[1], x[1] * count_rad / angle_rad, rest)}};
+  const double rounded = x[1] * std::max(count_rad / angle_rad, 1.0 - told);
+  return Course{{x[0], error[0]}, {x[1], std::hypot(error[1], rounded, rest)}};
 }
 
 /// The mean by weights, with the error of one that shares what the others have.

@@ -10,6 +10,7 @@ class TestBreakawayLag : public QObject {
  private slots:
   void countsThatFollow_tellWhereTheRotorStood();
   void oneCountAlone_leavesEveryPlaceOpen();
+  void frictionThatFallsWithinACount_isReadFromTheNext();
   void withoutBackEmf_itIsACubeRoot();
   void withBackEmf_itAgreesWithIntegration();
   void unknownInertia_givesNone();
@@ -54,6 +55,33 @@ void TestBreakawayLag::oneCountAlone_leavesEveryPlaceOpen() {
   // Without back-EMF the time grows with the cube root of the travel, whose mean over a count is three quarters.
   const double lag_s = likelyMotionLag_s(motor, 0.2, 4.4e-4, {0.1}, 1e-4), whole_s = motionLag_s(motor, 0.2, 4.4e-4);
   QVERIFY2(std::abs(lag_s / whole_s - 0.75) < 0.005, qPrintable(QString::number(lag_s / whole_s)));
+}
+
+/// A coarse encoder: friction has lost a fifth before the first count comes, and the rotor was so much faster.
+void TestBreakawayLag::frictionThatFallsWithinACount_isReadFromTheNext() {
+  const BreakawayLag motor{4e-6, 0.025, 0.025, 5.0, 0.1};
+  const double rate = 0.2, count = 0.0157, drop_A = 0.02, fallsOver = 0.6, dt = 1e-6;
+  double worst_s = 0.0, worstWithout_s = 0.0;
+  for (const double toEdge : {0.2, 0.6, 0.95}) {
+    std::vector<double> edges_s;
+    double speed = 0.0, angle = 0.0, time = 0.0;
+    while (edges_s.size() < 4) {
+      const double x = speed / fallsOver;
+      const double driven_A = rate * time - drop_A * std::expm1(-x * x);
+      speed += dt * 0.025 / 4e-6 * (driven_A - 0.025 * speed / 5.0);
+      angle += dt * speed;
+      time += dt;
+      if (angle > (toEdge + static_cast<double>(edges_s.size())) * count) edges_s.push_back(time);
+    }
+    const double lag_s = likelyMotionLag_s(motor, rate, count, edges_s, 5e-5);
+    BreakawayLag stays = motor;
+    stays.friction_A = 0.0;
+    const double off_s = std::abs(lag_s - edges_s[0]);
+    const double without_s = std::abs(likelyMotionLag_s(stays, rate, count, edges_s, 5e-5) - edges_s[0]);
+    worst_s = std::max(worst_s, off_s);
+    worstWithout_s = std::max(worstWithout_s, without_s);
+  }
+  QVERIFY2(worst_s < 0.6 * worstWithout_s, qPrintable(QString("%1 %2").arg(worst_s).arg(worstWithout_s)));
 }
 
 QTEST_APPLESS_MAIN(TestBreakawayLag)

@@ -33,6 +33,7 @@ class TestWiring : public QObject {
   void soundBench_isLeftAlone();
   void cause_isReadOffTheFigures_data();
   void cause_isReadOffTheFigures();
+  void noiseOfOneTick_isNoCurrent();
   void motionThatIsBraked_tellsSensorFromBridge();
   void wrongFile_isRefused_data();
   void wrongFile_isRefused();
@@ -266,6 +267,16 @@ void TestWiring::cause_isReadOffTheFigures() {
     QCOMPARE(static_cast<int>(causeOf(motor)), cause);
     QVERIFY(!contradictionWords(motor).empty());
   }
+}
+
+/// A lead is off, and the sensor's range is large: its noise of a tick is a tenth of what should flow.
+void TestWiring::noiseOfOneTick_isNoCurrent() {
+  for (const double noise_A : {-0.04, 0.04}) {
+    QVERIFY(causeOf({1.1, noise_A, 0.0, 0.0, 3.3, 0.1, 4.0, {}, 0.003}) == WiringCause::leadOff);
+    QVERIFY(causeOf({-1.1, noise_A, 0.0, 0.0, 3.3, 0.1, 4.0, {}, 0.003}) == WiringCause::leadOff);
+  }
+  QVERIFY(causeOf({1.1, -0.04, 0.0, 0.0, 3.3, 0.1, 4.0, {}}) == WiringCause::leadOff);
+  QVERIFY(causeOf({1.1, -0.3, 0.0, 0.0, 3.3, 0.1, 4.0, {}, -0.2}) == WiringCause::sensorOrBridgeReversed);
 }
 
 /// What turns the other way yet, when the current turns round, slows down.

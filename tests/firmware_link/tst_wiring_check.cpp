@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "base/numbers.h"
 #include "commission/job.h"
@@ -28,6 +29,8 @@ class TestWiringCheck : public QObject {
   void load_isSaidWithItsWay();
   void supplyMisread_isGoneOnWithOnlyAnyway();
   void anotherMotorOnResume_isTold();
+  void heavyRotor_isGivenTime();
+  void coarseEncoderOnAnyMotor_passes();
   void coarseEncoder_passes_data();
   void coarseEncoder_passes();
 };
@@ -226,12 +229,30 @@ void TestWiringCheck::anotherMotorOnResume_isTold() {
   }
 }
 
+/// Pulses of the usual length don't move it by what is motion, whatever the current.
+void TestWiringCheck::heavyRotor_isGivenTime() {
+  const Checked all = checked(RandomRig(302).text(true), {}, 302);
+  QVERIFY2(all.done.ok() && all.said().contains("breaks loose"), qPrintable(all.said()));
+  QVERIFY2(all.furthest < tenthOfATurn_rad, qPrintable(QString::number(all.furthest)));
+}
+
+/// Within a pulse a rotor may turn, and its current fall, by less than the encoder shows.
+void TestWiringCheck::coarseEncoderOnAnyMotor_passes() {
+  for (unsigned seed = 1; seed <= 16; ++seed) {
+    auto rig = nlohmann::json::parse(RandomRig(seed).text());
+    rig["encoder"]["counts_per_rev"] = seed % 2 == 0 ? 64 : 128;
+    const Checked all = checked(rig.dump(), {}, seed);
+    QVERIFY2(all.done.ok(), qPrintable(QString("seed %1: ").arg(seed) + all.said()));
+  }
+}
+
 void TestWiringCheck::coarseEncoder_passes_data() {
   QTest::addColumn<int>("counts");
   for (const int counts : {64, 100, 400, 1000}) QTest::addRow("%d", counts) << counts;
 }
 
-/// Two counts of 64 are a fifth of a turn's tenth already: it moves further, but is not refused.
+/// Two counts of 64 are a fifth of a turn's tenth already: it moves further, but is not refused. Nor does it take the
+/// encoder's rounding for another back-EMF constant.
 void TestWiringCheck::coarseEncoder_passes() {
   QFETCH(int, counts);
   for (const char* preset : {"servo", "geared", "published-0134"}) {
@@ -242,6 +263,10 @@ void TestWiringCheck::coarseEncoder_passes() {
     const Checked all = checked(rig);
     QVERIFY2(all.done.ok(), qPrintable(QString(preset) + ": " + all.said()));
     QVERIFY2(all.furthest < 2.0 * tenthOfATurn_rad, qPrintable(QString("%1: %2").arg(preset).arg(all.furthest)));
+    const Estimate& Ke = all.done->wiring->backEmf_V_s_per_rad;
+    if (!(Ke.standardError > 0.0)) continue;  // so small a motion doesn't tell it
+    const double off = Ke.value / rigOf(rig).backEmfConstant_V_s_per_rad;
+    QVERIFY2(off > 0.7 && off < 1.4, qPrintable(QString("%1: Ke %2 of the true one").arg(preset).arg(off)));
   }
 }
 

@@ -13,6 +13,7 @@ class TestBridgeFit : public QObject {
   void bentBridge_isFoundWithResistanceAndBackEmf();
   void curvesIntervals_holdTheTruth();
   void straightBridge_hasNoCurve();
+  void coarseEncoder_leavesTheResistanceAlone();
   void lowVoltages_areRefusedInWords();
   void alwaysTheSameCurrent_isRefusedInWords();
 };
@@ -88,6 +89,30 @@ void TestBridgeFit::straightBridge_hasNoCurve() {
     QVERIFY(!fit->curve.known());
     QVERIFY(std::abs(fit->resistance_ohm.value / R - 1.0) < 0.005);
   }
+}
+
+/// Its rounding is half of what the winding takes here: it would make R too large by a tenth, or bend a straight
+/// bridge.
+void TestBridgeFit::coarseEncoder_leavesTheResistanceAlone() {
+  constexpr double count_rad = 0.03;
+  int held = 0;
+  double mistaken = 0.0;
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    BridgeTests coarse = tests(straight, 0.5, 0.15, seed);
+    for (SpinBlock& block : coarse.moving[0]) block.angle_rad = count_rad * std::floor(block.angle_rad / count_rad);
+    const auto plain = fitBridge(coarse);
+    mistaken = std::max(mistaken, plain ? plain->resistance_ohm.value / R - 1.0 : 1.0);
+    coarse.count_rad = count_rad;
+    const auto fit = fitBridge(coarse);
+    QVERIFY2(fit.ok(), fit.ok() ? "" : fit.error().message().c_str());
+    QVERIFY(!fit->curve.known());
+    const Estimate &found = fit->resistance_ohm, &Ke_found = fit->backEmfConstant_V_s_per_rad;
+    QVERIFY2(std::abs(found.value / R - 1.0) < 0.02, qPrintable(QString::number(found.value)));
+    QVERIFY(std::abs(Ke_found.value / Ke - 1.0) < 0.002);
+    held += found.low95() <= R && R <= found.high95() ? 1 : 0;
+  }
+  QVERIFY2(held >= 8, qPrintable(QString::number(held)));
+  QVERIFY2(mistaken > 0.05, qPrintable(QString::number(mistaken)));
 }
 
 void TestBridgeFit::lowVoltages_areRefusedInWords() {

@@ -14,6 +14,8 @@ class TestInertia : public QObject {
   void reversals_giveTheInertiaWhateverTheFriction();
   void discOffItsCentre_doesNotDrawTheInertiaLow();
   void discInItsCentre_isNotFound();
+  void frictionOfFewTurns_isNoDisc();
+  void coarseEncoder_doesNotDrawTheInertiaLow();
   void rotorThatNeverMoved_isReported();
   void currentThatStaysLow_isCalledSaturated();
   void methodsThatDisagree_widenTheInterval();
@@ -31,13 +33,15 @@ constexpr double Kt = 0.07, J = 6e-5;
 
 /// A rotor with Coulomb and viscous friction to and fro under ±`amps`, turned round at 60 rad/s or another speed;
 /// blocks of 2 ms.
-std::vector<SpinBlock> toAndFro(double amps, double coulomb_Nm, double viscous, unsigned seed, double highest = 60.0) {
+std::vector<SpinBlock> toAndFro(double amps, double coulomb_Nm, double viscous, unsigned seed, double highest = 60.0,
+                                double waves = 0.0) {
   Noise noise(seed);
   std::vector<SpinBlock> blocks;
   double speed = 0.0, angle = 0.0, way = 1.0;
   for (int k = 1; k < 4000; ++k) {
     for (int step = 0; step < 20; ++step) {
-      const double friction = (speed > 0.0 ? coulomb_Nm : -coulomb_Nm) + viscous * speed;
+      const double around = 1.0 + waves * (std::cos(3.0 * angle) + std::cos(4.0 * angle - 1.0) + std::cos(5.0 * angle));
+      const double friction = around * (speed > 0.0 ? coulomb_Nm : -coulomb_Nm) + viscous * speed;
       speed += 1e-4 * (Kt * way * amps - friction) / J;
       angle += 1e-4 * speed;
     }
@@ -54,7 +58,7 @@ std::vector<SpinBlock> shownBy(double off_rad, std::vector<SpinBlock> blocks) {
 }
 
 /// Inertia by the change of speed over 0.1 s, as the momentum's balance regards it.
-double inertiaOf(const std::vector<SpinBlock>& blocks) {
+Estimate inertiaBy(const std::vector<SpinBlock>& blocks, double count_rad) {
   std::vector<SpinBlock> ramped = blocks;
   for (SpinBlock& block : ramped) block.voltage_V = 1.2 * block.current_A;
   WindingLine winding;
@@ -62,8 +66,13 @@ double inertiaOf(const std::vector<SpinBlock>& blocks) {
   MotorIdentificationOptions options;
   options.trustedTorqueConstant_Nm_per_A = Kt;
   options.window_s = 0.02;
+  options.count_rad = count_rad;
   const auto found = identifyMotor(ramped, winding, {1e-3, 1e-6}, options);
-  return found ? found->inertia_kg_m2.value : 0.0;
+  return found ? found->inertia_kg_m2 : Estimate{};
+}
+
+double inertiaOf(const std::vector<SpinBlock>& blocks) {
+  return inertiaBy(blocks, 0.0).value;
 }
 
 IdentifiedMotor motor() {
@@ -97,6 +106,22 @@ void TestInertia::discOffItsCentre_doesNotDrawTheInertiaLow() {
 
 void TestInertia::discInItsCentre_isNotFound() {
   QVERIFY(!spinDisc(toAndFro(0.7, 0.01, 2e-5, 1, 200.0)).known());
+}
+
+/// Somewhat more than a turn each way: waves of friction of the orders 3 to 5 would pass for the disc's.
+void TestInertia::frictionOfFewTurns_isNoDisc() {
+  QVERIFY(!spinDisc(toAndFro(0.7, 0.02, 2e-5, 1, 80.0, 0.1)).known());
+}
+
+void TestInertia::coarseEncoder_doesNotDrawTheInertiaLow() {
+  constexpr double count_rad = 0.04;
+  auto blocks = toAndFro(0.7, 0.01, 2e-5, 1, 200.0);
+  for (SpinBlock& block : blocks) block.angle_rad = count_rad * std::floor(block.angle_rad / count_rad);
+  const double plain = inertiaOf(blocks) / J;
+  const Estimate freed = inertiaBy(blocks, count_rad);
+  QVERIFY2(plain < 0.93, qPrintable(QString::number(plain)));
+  QVERIFY2(std::abs(freed.value / J - 1.0) < 0.03, qPrintable(QString::number(freed.value / J)));
+  QVERIFY(freed.low95() < J && J < freed.high95() && freed.standardError < 0.1 * J);
 }
 
 void TestInertia::rotorThatNeverMoved_isReported() {

@@ -14,6 +14,7 @@ class TestMapSoundness : public QObject {
   void turnsThatDontRepeat_areNone();
   void noiseAroundAnEvenCurve_isOne();
   void binsWithoutBreakaways_areSaid();
+  void binsBesideBreakaways_areACoarseEncodersOwn();
 };
 
 namespace {
@@ -71,6 +72,15 @@ void TestMapSoundness::binsWithoutBreakaways_areSaid() {
   const auto why = unsoundness(map);
   QCOMPARE(why.size(), size_t{1});
   QVERIFY2(why[0].starts_with("25 of 90 bins counter-clockwise have no breakaway"), why[0].c_str());
+}
+
+void TestMapSoundness::binsBesideBreakaways_areACoarseEncodersOwn() {
+  FrictionMap map = mapOf(0.2, 0.01);
+  for (size_t k = 0; k < 30; ++k) map.bins[3 * k].way[1].samples = map.bins[3 * k + 1].way[1].samples = 0;
+  QCOMPARE(unsoundness(map).size(), size_t{1});
+  QVERIFY(unsoundness(map, 1).empty());
+  for (size_t k = 30; k < 60; ++k) map.bins[k].way[1].samples = 0;
+  QCOMPARE(unsoundness(map, 1).size(), size_t{1});
 }
 
 QTEST_APPLESS_MAIN(TestMapSoundness)

@@ -28,8 +28,8 @@ Result<void> refitMoving(Commission& known, const std::vector<BreakawayEvent>& b
   const size_t slow = std::max(known.moving[0].leftOut, known.moving[1].leftOut);
   if (slow > 0)
     known.remark(message(
-        "At the slowest {} speeds friction still falls with speed; what it has to fall from the breakaway torque was "
-        "taken off before Coulomb and viscous friction were fitted.",
+        "At {} of the speeds, from the slowest on, friction still falls with speed; what it has to fall from the "
+        "breakaway torque was taken off before Coulomb and viscous friction were fitted.",
         slow));
   return {};
 }

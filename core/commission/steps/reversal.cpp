@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/numbers.h"
 #include "commission/motor_tests.h"
 #include "commission/steps.h"
 #include "experiment/reversal_test.h"
@@ -14,6 +15,8 @@ namespace breakaway {
 namespace {
 
 constexpr double turnsToSpeed = 2.0;  // of a reversal, so that position torque averages out
+constexpr double mostRounding =
+    0.015;  // of a block's speed by the encoder, of the highest: it chooses the slopes' rows
 
 class Reversal : public Step {
  public:
@@ -32,7 +35,9 @@ class Reversal : public Step {
     options.current_A = current_A_;
     options.highest_rad_per_s =
         std::min(0.5 * free, std::max(0.2 * slope, std::sqrt(turnsToSpeed * 4.0 * std::numbers::pi * slope)));
-    options.block_s = std::max(2.0 / board.loopRate_Hz, options.highest_rad_per_s / slope / 40.0);
+    const double rounding_rad = turn_rad / board.countsPerRev / std::sqrt(6.0);
+    options.block_s = std::max({2.0 / board.loopRate_Hz, options.highest_rad_per_s / slope / 40.0,
+                                rounding_rad / (mostRounding * options.highest_rad_per_s)});
     test_ = std::make_shared<ReversalTest>(options);
     return StepRun{"03c-reversal", test_};
   }

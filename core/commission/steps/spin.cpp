@@ -47,6 +47,7 @@ class Spin : public Step {
     MotorTests& tests = *known.tests;
     MotorIdentificationOptions options;
     options.trustedTorqueConstant_Nm_per_A = trustedConstant(on.options);
+    options.count_rad = tests.bridge.count_rad;
     const auto blocks = freedOf(spinDisc(spin_->blocks()), spin_->blocks());
     const auto motor = identifyMotor(blocks, tests.winding.line, tests.winding.timeConstant_s, options);
     const bool slow =

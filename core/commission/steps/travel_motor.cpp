@@ -40,6 +40,7 @@ Result<IdentifiedMotor> identify(const MotorTests& tests, double block_s, std::o
                                  Commission& known) {
   const std::vector<SpinBlock>& strokes = tests.bridge.moving.front();
   MotorIdentificationOptions options;
+  options.count_rad = tests.bridge.count_rad;
   options.trustedTorqueConstant_Nm_per_A = trusted_N_per_A;
   options.window_s = 10.0 * block_s;
   auto motor = identifyMotor(strokes, tests.winding.line, tests.winding.timeConstant_s, options);

@@ -1,6 +1,7 @@
 // Resistance, dead zone and time constant of the standing motor, and a first look at its breakaway current.
 #include <algorithm>
 
+#include "base/numbers.h"
 #include "commission/motor_tests.h"
 #include "commission/steps.h"
 #include "experiment/winding_test.h"
@@ -42,6 +43,7 @@ class Winding : public Step {
     tests->bridge.standing = test_->points();
     tests->bridge.timeConstant_s = fit->timeConstant_s.value;
     tests->bridge.supply_V = on.known.identity.supply_V;
+    tests->bridge.count_rad = (on.known.linear() ? 1.0 : turn_rad) / on.known.identity.countsPerRev;
     on.known.tests = tests;
     return StepEnd::over;
   }
