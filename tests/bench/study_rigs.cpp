@@ -1,13 +1,16 @@
 // What diagnose says of other people's rigs: a plant that it shares nothing with, one piece of physics concealed.
-// ./dev bench rigs [RIGS [FAMILY…]]
+// ./dev bench rigs [RIGS [FAMILY…]], RIGS: how many of each family, or which (41-42)
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstdint>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "diagnose/diagnosis.h"
@@ -50,9 +53,10 @@ std::string toldBy(const Diagnosis& diagnosis) {
   return text;
 }
 
-void study(const test::ForeignFamily& family, std::uint64_t rigs, std::array<int, answers>& sum) {
+void study(const test::ForeignFamily& family, std::pair<std::uint64_t, std::uint64_t> rigs,
+           std::array<int, answers>& sum) {
   std::array<int, answers> count{};
-  for (std::uint64_t seed = 1; seed <= rigs; ++seed) {
+  for (std::uint64_t seed = rigs.first; seed <= rigs.second; ++seed) {
     const test::ForeignRig rig = test::foreignRig(family.name, seed);
     const auto diagnosis = diagnose(rig.bench, rig.recordings, {}, {});
     const Answer answer = diagnosis ? answerTo(family, *diagnosis) : undecided;
@@ -68,16 +72,25 @@ void study(const test::ForeignFamily& family, std::uint64_t rigs, std::array<int
   std::fflush(stdout);
 }
 
+/// "5": rigs 1 to 5 of each family; "41-42": these.
+std::optional<std::pair<std::uint64_t, std::uint64_t>> rigsFrom(std::string_view text) {
+  std::uint64_t first = 1, last = 0;
+  auto read = std::from_chars(text.begin(), text.end(), last);
+  if (read.ec == std::errc() && read.ptr != text.end() && *read.ptr == '-') {
+    first = last;
+    read = std::from_chars(read.ptr + 1, text.end(), last);
+  }
+  if (read.ec != std::errc() || read.ptr != text.end() || first == 0 || last < first) return std::nullopt;
+  return std::pair{first, last};
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::uint64_t rigs = 5;
-  if (argc > 1) {
-    const std::string_view text = argv[1];
-    if (const auto read = std::from_chars(text.begin(), text.end(), rigs); read.ptr != text.end() || rigs == 0) {
-      fmt::print(stderr, "rigs: expected how many rigs of a family, found \"{}\"\n", text);
-      return 2;
-    }
+  const auto rigs = rigsFrom(argc > 1 ? argv[1] : "5");
+  if (!rigs) {
+    fmt::print(stderr, "rigs: expected how many rigs of a family, or which, such as 41-42, found \"{}\"\n", argv[1]);
+    return 2;
   }
   const std::vector<std::string_view> asked(argv + std::min(argc, 2), argv + argc);
   const auto& all = test::foreignFamilies();
@@ -95,7 +108,7 @@ int main(int argc, char** argv) {
     std::array<int, answers> sum{};
     for (const test::ForeignFamily& family : all) {
       const bool wanted = asked.empty() || std::find(asked.begin(), asked.end(), family.name) != asked.end();
-      if (family.conceals == kind && wanted) study(family, rigs, sum);
+      if (family.conceals == kind && wanted) study(family, *rigs, sum);
     }
     if (kind == test::Conceals::nothing || !asked.empty()) continue;
     fmt::print("| **{}** |", kind == test::Conceals::anEffect ? "effects" : "physics outside");

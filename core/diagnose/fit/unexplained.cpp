@@ -56,7 +56,7 @@ Unexplained along(const Model& model, const Track& track, Simulator& simulator, 
   out.driven.assign(n, 0);
   out.row.assign(n, 0);
   MotionState state;
-  Winding winding;
+  Winding winding, read;  // what acts, and what a sensor reads at each row
   size_t row = 0;
   double usualSpeed = n > 0 ? std::abs(rows.velocity[0]) : 0.0;
   double way = 0.0, turned = n > 0 ? rows.position[0] : 0.0;
@@ -82,18 +82,20 @@ Unexplained along(const Model& model, const Track& track, Simulator& simulator, 
     if (p.electrical && connected) {
       const double lost = stepper.losesVoltage() ? stepper.lostVoltage(state, u, state.position, v, t) : 0.0;
       const Winding before = winding;
-      const double until = k + 1 < n ? 0.5 * (v + rows.velocity[k + 1]) : v;  // the mean speed up to the next row
-      winding.advance(p, u - lost - p.backEmf * until, rows.step_s);
+      winding.advance(p, u - lost - p.backEmf * v, rows.step_s);
       // At the instant itself: what the inductance keeps, or the mean of what acts before and after.
       current = p.inductance > 0.0 ? before.current : 0.5 * (before.current + winding.current);
       slope = winding.slope;
       out.driven[k] = 1;
-      if (!out.voltage.empty() && std::isfinite(track.current[row])) {
-        const double atRow = p.inductance > 0.0 ? before.current : winding.current;
-        out.voltage[k] = p.resistance * (simulator.sensed(atRow, slope) - track.current[row]);
+      if (!out.voltage.empty()) {
+        const double readNow = p.inductance > 0.0 ? read.current : winding.current;
+        const double until = k + 1 < n ? 0.5 * (v + rows.velocity[k + 1]) : v;  // the mean speed up to the next row
+        read.advance(p, u - lost - p.backEmf * until, rows.step_s);
+        if (std::isfinite(track.current[row]))
+          out.voltage[k] = p.resistance * (simulator.sensed(readNow, slope) - track.current[row]);
       }
     } else if (p.electrical) {
-      winding = {};
+      winding = read = {};
     } else if (connected) {
       current = model.input == DriveInput::current ? uNow : 0.0;
       out.driven[k] = 1;
