@@ -35,8 +35,8 @@ std::string waveWritten(Axis axis);
 extern const char* const waveFunctions;
 /// Cosine {A₀, 0, k} and sine {A₀, π/2, k} at the size A₀ = `amplitude`.
 Shape waveBasis(double amplitude, double orderOrPeriod);
-/// The same for what the travel and the encoder can show: orders from `lowest` to `highest` (rotary; a whole turn, or two waves of it), or `lowest` to 50 waves over the
-/// travel (linear, where a screw's lead repeats often).
+/// The same for what the travel and the encoder can show: orders from `lowest` to `highest` (rotary; a whole turn, or
+/// two waves of it), or `lowest` to 50 waves over the travel (linear, where a screw's lead repeats often).
 std::vector<Shape> waveShapes(const Excitation& seen, int lowest, int highest, double amplitude);
 /// At most `largest` in amplitude, and not longer than the data shows: a longer wave is a spring or an offset.
 bool wavePlausible(std::span<const double> p, const Excitation& seen, double largest, double longest = 1.5);
