@@ -38,8 +38,8 @@ LeastSquares solve(const std::vector<Eigen::VectorXd>& rows, const std::vector<d
 LeastSquares solveRounded(const std::vector<Eigen::VectorXd>& rows, const std::vector<double>& right, double variance) {
   constexpr double leastTold = 0.25;  // of the square, that a correction is made down to
   constexpr double doubt = 0.3;       // of the correction
+  if (!(variance > 0.0)) return solve(rows, right);
   const LeastSquares plain = solve(rows, right);
-  if (!(variance > 0.0)) return plain;
   Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(plain.x.size(), plain.x.size());
   Eigen::VectorXd moments = Eigen::VectorXd::Zero(plain.x.size());
   for (size_t k = 0; k < rows.size(); ++k) {
