@@ -2,6 +2,7 @@
 
 #include "diagnose/diagnosis.h"
 #include "support/foreign_rig.h"
+#include "support/sanitized.h"
 
 using namespace breakaway;
 
@@ -26,6 +27,7 @@ void TestForeignRigs::rig_getsItsAnswer_data() {
 void TestForeignRigs::rig_getsItsAnswer() {
   QFETCH(QString, family);
   QFETCH(int, seed);
+  if (test::sanitized && seed != 7) QSKIP("takes too long under sanitizers: diagnoses like others");
   const test::ForeignRig rig = test::foreignRig(family.toStdString(), static_cast<std::uint64_t>(seed));
   const auto diagnosis = diagnose(rig.bench, rig.recordings, {}, {});
   QVERIFY2(diagnosis, rig.words.c_str());
