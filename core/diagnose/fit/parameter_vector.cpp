@@ -51,7 +51,7 @@ ParameterVector::ParameterVector(const Model& model, const Freedom& freedom, dou
     Slot slot{one.name, 0, k};
     if (one.name == driveLateName) {
       if (const auto rows = lateBesides(model)) {
-        const double late_s = *rows * freedom.mostLate_s;
+        const double late_s = *rows * freedom.row_s;
         model_.base[k] = {driveLateName, late_s, late_s, late_s};
         continue;
       }

@@ -19,6 +19,7 @@ struct Freedom {
   /// How much later than it acted a drive may be recorded; negative: earlier.
   double leastLate_s = 0.0;
   double mostLate_s = 0.0;
+  double row_s = 0.0;  ///< the usual row, by which effects that move the drive in time hold it
 
   bool mayBeLate() const { return leastLate_s < mostLate_s; }
   bool holds(const std::string& name) const;

@@ -98,15 +98,14 @@ void limitInductance(Preparation& prepared, std::optional<double> believed, std:
 /// When a drive of current or torque acted isn't known within what a current loop takes to follow; nor, if it was
 /// measured, within a row. (How late a voltage acts is the inductance's.)
 void limitLateness(Freedom& freedom, const std::vector<Track>& tracks) {
-  double row_s = 0.0;
   bool measured = true;
   for (const Track& track : tracks) {
     if (track.drive != DriveInput::current && track.drive != DriveInput::torque) return;
     measured = measured && track.inputNoise > 0.0;
-    row_s = std::max(row_s, track.usualStep_s);
+    freedom.row_s = std::max(freedom.row_s, track.usualStep_s);
   }
   freedom.leastLate_s = -slowestLoop_s;
-  freedom.mostLate_s = measured ? row_s : 0.0;
+  freedom.mostLate_s = measured ? freedom.row_s : 0.0;
 }
 
 /// A copy whose rows outside all of the windows count as disconnected, so that no inverse model sees them.
