@@ -32,7 +32,7 @@ class Imbalance final : public WaveEffect {
     return wavePlausible(p, seen, seen.peakTorque);
   }
   Message sentence(std::span<const double> p, const Excitation& seen) const override {
-    if (seen.travel < 0.5 * turn_rad) {
+    if (isShort(seen)) {
       return message(
           "A torque of up to {} goes with the angle, the same whichever way the axis moves: a weight off the axis, a "
           "spring or a taut cable. Move further, or turn the axis upright, to tell.",
@@ -50,11 +50,20 @@ class Imbalance final : public WaveEffect {
             {"position_dependent_friction", message("pushes the same way in both directions")}};
   }
   Message neededExcitation(const Excitation& seen) const override {
+    if (isShort(seen)) {
+      return message("Move slowly to and fro, as far as the axis goes, at {}, and once more with the axis upright.",
+                     speedText(0.3 * seen.highSpeed, seen.axis));
+    }
     return message("Turn slowly over two whole turns, both ways, at {}.", speedText(0.3 * seen.highSpeed, seen.axis));
   }
   Maneuver neededManeuver(const Excitation& seen) const override {
+    if (isShort(seen)) return {};  // nobody knows how far it may go
     return speedsBothWays({0.3 * seen.highSpeed}, twoTurns(seen));
   }
+
+ private:
+  /// Whether what was seen is a part of a turn, as of a joint between its stops.
+  static bool isShort(const Excitation& seen) { return seen.travel > 0.0 && seen.travel < 0.5 * turn_rad; }
 };
 
 }  // namespace
