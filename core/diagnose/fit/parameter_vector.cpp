@@ -25,6 +25,14 @@ std::optional<double> lateBesides(const Model& model) {
   return std::nullopt;
 }
 
+/// Beside an effect that is a constant load the bias would be the same once more.
+bool hasConstantLoad(const Model& model) {
+  return std::any_of(model.effects.begin(), model.effects.end(), [](const EffectTerm& term) {
+    const auto joint = findEffect(term.effect)->joint(valuesOf(term));
+    return joint && joint->constantLoad != 0.0;
+  });
+}
+
 }  // namespace
 
 double typicalSize(const std::string& name, double torqueSize, double speedSize) {
@@ -59,6 +67,14 @@ ParameterVector::ParameterVector(const Model& model, const Freedom& freedom, dou
       slot.lower = freedom.leastLate_s / slot.scale;
       slot.upper = freedom.mostLate_s / slot.scale;
       slot.bounded = true;
+    } else if (one.name == biasName(model.axis)) {
+      if (hasConstantLoad(model)) {
+        model_.base[k] = {one.name, 0.0, 0.0, 0.0};
+        continue;
+      }
+      slot.scale = std::max(freedom.mostBias, 1e-300);
+      slot.lower = -1.0;
+      slot.upper = 1.0;
     } else if (one.name == servoDelayName) {
       slot.scale = delaySize_s;
       slot.lower = -mostEarly_s / delaySize_s;

@@ -21,6 +21,8 @@ struct Freedom {
   double mostLate_s = 0.0;
   double row_s = 0.0;  ///< the usual row, by which effects that move the drive in time hold it
 
+  double mostBias = 0.0;  ///< a larger constant load is an effect, Nm
+
   bool mayBeLate() const { return leastLate_s < mostLate_s; }
   bool holds(const std::string& name) const;
 };

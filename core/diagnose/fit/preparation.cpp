@@ -81,11 +81,9 @@ Message scaleText(const std::vector<std::string>& held, const std::string& assum
 }
 
 /// The fits' inductance stays near what the bench says, what the current shows and what the starts have, or between.
-void limitInductance(Preparation& prepared, std::optional<double> believed, std::optional<double> shown) {
-  std::vector<double> known;
-  for (const auto& one : {believed, shown}) {
-    if (one && *one > 0.0) known.push_back(*one);
-  }
+void limitInductance(Preparation& prepared, std::optional<double> believed, std::vector<double> shown) {
+  std::vector<double> known = std::move(shown);
+  if (believed && *believed > 0.0) known.push_back(*believed);
   for (const Model& start : prepared.starts) {
     if (const auto one = start.baseValue(motorNames(start.axis).inductance)) known.push_back(*one);
   }
@@ -232,6 +230,7 @@ Result<Preparation> prepare(const Bench& bench, const std::vector<Recording>& re
   out.seen = excitationOf(training, out.starts.front());
   out.seen.immaterial = criteria.immaterial;
   out.seen.immaterialDrive = criteria.immaterialDrive;
+  if (out.seen.bothWays) out.freedom.mostBias = out.seen.immaterialTorque();
   out.freedom.held.assign(known.trusted.begin(), known.trusted.end());
   limitInductance(out, bench.motor.inductance_H, windings.shownInductance_H);
   std::vector<std::string> held = gauge(known, training);

@@ -101,9 +101,11 @@ std::optional<ShownWinding> shownWinding(const std::vector<Track>& tracks) {
       }))
     return {};
   std::optional<Balance> best, usual;  // of all, and of those whose signs are right
+  std::vector<Balance> all;
+  all.reserve(lags);
   double time_s = shortest_s;
   for (int k = 0; k < lags; ++k, time_s *= lag) {
-    const Balance balance(tracks, time_s);
+    const Balance& balance = all.emplace_back(tracks, time_s);
     const Eigen::VectorXd perVolt = balance.solution(plain);
     if (!best || balance.left(plain) < best->left(plain)) best = balance;
     const bool right = perVolt[volts] > 0.0 && perVolt[speed] < 0.0;
@@ -131,6 +133,10 @@ std::optional<ShownWinding> shownWinding(const std::vector<Track>& tracks) {
   shown.backEmf = {-perVolt[speed] * ohm, std::sqrt(std::max(0.0, variance))};
   widen(shown.backEmf, speed);
   shown.inductance_H = best->time_s * ohm;
+  // Rows much longer than the lag hardly show it.
+  const auto alike = [&](const Balance& one) { return clearlyLess * one.left(width) < best->left(width); };
+  shown.leastInductance_H = std::find_if(all.begin(), all.end(), alike)->time_s * ohm;
+  shown.mostInductance_H = std::find_if(all.rbegin(), all.rend(), alike)->time_s * ohm;
   shown.left = best->left(width) / std::max(best->products(response, response), 1e-300);
   return shown;
 }

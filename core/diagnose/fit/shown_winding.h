@@ -14,6 +14,8 @@ struct ShownWinding {
   Estimate resistance_ohm;
   Estimate backEmf;  ///< V s/rad or V s/m
   double inductance_H = 0.0;
+  double leastInductance_H = 0.0;  ///< from here to the next, the lag leaves hardly more than at its best
+  double mostInductance_H = 0.0;
   double left = 0.0;  ///< part of the squared current that they leave
 };
 

@@ -46,7 +46,7 @@ StartingWindings startingWindings(const Bench& bench, const std::vector<Track>& 
         isFarOff(motor.resistance_ohm, seen->resistance_ohm.value, farOff) ||
         isFarOff(motor.inductance_H, seen->inductance_H, inductanceFarOff) ||
         isFarOff(motor.backEmfConstant ? motor.backEmfConstant : motor.torqueConstant, seen->backEmf.value, farOff);
-    return {{off ? withWinding(bench, *seen) : bench}, seen->inductance_H};
+    return {{off ? withWinding(bench, *seen) : bench}, {seen->leastInductance_H, seen->mostInductance_H}};
   }
   std::vector<Bench> benches{bench};
   if (motor.inductance_H) return {benches, {}};

@@ -11,7 +11,7 @@ namespace breakaway {
 
 struct StartingWindings {
   std::vector<Bench> benches;
-  std::optional<double> shownInductance_H;  ///< by the current, where it is recorded
+  std::vector<double> shownInductance_H;  ///< least and most by the current, where it is recorded
 };
 
 /// Benches whose winding a fit should start from: the bench as it is; where voltage drives and the recorded current

@@ -61,7 +61,7 @@ LinearRig::LinearRig(const Model& base, const std::vector<Track>& tracks, const 
     std::vector<double> drive(n), way(n), sine(n), cosine(n), speed(n), lag(n, 0.0);
     for (size_t k = 0; k < n; ++k) {
       const Situation& at = recorded_[t].at(k);
-      drive[k] = track.connected[k] ? gain_ * means[k] : 0.0;
+      drive[k] = (track.connected[k] ? gain_ * means[k] : 0.0) - physics_.load;
       if (k + 1 < n) lag[k + 1] = lag[k] + (track.connected[k] ? gain_ * reading.lag(k) : 0.0);
       way[k] = at.direction;
       sine[k] = std::sin(at.position);
@@ -80,7 +80,7 @@ LinearRig::LinearRig(const Model& base, const std::vector<Track>& tracks, const 
     std::vector<double> starting, direction, startSine, startCosine;
     for (const Start& one : starts_) {
       if (one.track != t) continue;
-      starting.push_back(one.drive);
+      starting.push_back(one.drive - physics_.load);
       direction.push_back(one.direction);
       startSine.push_back(sine[one.row]);
       startCosine.push_back(cosine[one.row]);

@@ -189,29 +189,26 @@ Model fitShort(const SearchInput& input, const Model& model, double tolerance) {
       .model;
 }
 
-/// The base model with the time at which the drive acts, where windows that a fit didn't see show that it matters.
-static FitResult withDriveTime(const SearchInput& input, FitResult base) {
-  const Freedom& freedom = input.freedom;
-  FitResult timed;
-  for (const double late_s : {startOfLoop * freedom.leastLate_s, 0.5 * freedom.mostLate_s, freedom.mostLate_s}) {
-    if (late_s == 0.0) continue;
+/// The base model with a further parameter, from the best of `starts`, where windows that a fit didn't see err less
+/// with it, typically and in the mean: it is likely beforehand, so that they needn't prove it.
+static FitResult withFurther(const SearchInput& input, FitResult base, const std::string& name,
+                             std::initializer_list<double> starts) {
+  FitResult further;
+  for (const double start : starts) {
     Model model = base.model;
-    model.base.push_back({driveLateName, late_s, late_s, late_s});
+    model.base.push_back({name, start, start, start});
     FitResult fit = fitModel(input, model, 8);
-    if (fit.usable && (timed.windows.empty() || fit.rmse < timed.rmse)) timed = std::move(fit);
+    if (fit.usable && (further.windows.empty() || fit.rmse < further.rmse)) further = std::move(fit);
   }
-  if (timed.windows.empty()) return base;
+  if (further.windows.empty()) return base;
   const auto unseen = [&](const FitResult& fit) {
     return crossValidated(fit, vectorOf(input, fit.model), input.tracks, input.split.train, input.windowWeights,
                           input.split.fold, folds, base.weights);
   };
-  const auto before = unseen(base), after = unseen(timed);
-  const Comparison gain = compare(before, after, input.seed);
-  const bool inAll = gain.relative > input.criteria.hardlyAny && gain.interval.low > 0.0;
-  // Where single windows run away, whatever the model, the others tell.
-  const bool typically = typicalPart(after, before, input.criteria.hardlyAny) < input.criteria.clearlyLess &&
-                         signFlipPValue(before, after, input.seed) <= input.criteria.largestPValue;
-  return inAll || typically ? timed : base;
+  const auto before = unseen(base), after = unseen(further);
+  const double gain = 1.0 - mean(after) / mean(before);
+  const bool typically = typicalPart(after, before, input.criteria.hardlyAny) < input.criteria.hardlyLess;
+  return gain > input.criteria.hardlyAny && typically ? further : base;
 }
 
 FitResult fitBase(const SearchInput& input, const std::vector<Model>& starts) {
@@ -220,7 +217,15 @@ FitResult fitBase(const SearchInput& input, const std::vector<Model>& starts) {
     FitResult fit = fitModel(input, start, 8);
     if (best.windows.empty() || (fit.usable && fit.rmse < best.rmse)) best = std::move(fit);
   }
-  return input.freedom.mayBeLate() && best.usable ? withDriveTime(input, std::move(best)) : best;
+  if (!best.usable) return best;
+  const Freedom& freedom = input.freedom;
+  if (freedom.mayBeLate()) {
+    const double follows_s = startOfLoop * freedom.leastLate_s;
+    best = freedom.mostLate_s > 0.0 ? withFurther(input, std::move(best), driveLateName,
+                                                  {follows_s, 0.5 * freedom.mostLate_s, freedom.mostLate_s})
+                                    : withFurther(input, std::move(best), driveLateName, {follows_s});
+  }
+  return freedom.mostBias > 0.0 ? withFurther(input, std::move(best), biasName(input.seen.axis), {0.0}) : best;
 }
 
 bool happensOnce(const Model& model) {

@@ -30,6 +30,7 @@ Physics physicsOf(const Model& model) {
     physics.inductance = value(names.inductance, 0.0);
   }
   physics.driveLate_s = model.baseValue(driveLateName);
+  physics.load = value(biasName(model.axis), 0.0);
   if (model.pendulum) {
     physics.inertia += pendulumInertia(*model.pendulum);
     physics.gravity = pendulumTorque(*model.pendulum);

@@ -26,7 +26,7 @@ struct Physics {
   double resistance = 1.0;            ///< R, Ω
   double inductance = 0.0;            ///< L, H; 0: the current follows at once
   std::optional<double> driveLate_s;  ///< what is recorded of a measured drive acted earlier by this
-  double load = 0.0;  ///< a further constant load, Nm; the restart's observer uses it for what the model lacks
+  double load = 0.0;  ///< a further constant load, Nm: the bias; the restart's observer adds what the model lacks
 
   /// Of a standing axis, once the current has followed: Nm per unit of u.
   double torquePerInput() const { return electrical ? torqueConstant / resistance : torqueConstant; }

@@ -181,6 +181,7 @@ void findPlaces(Remainder& rest, const Model& model, const Preparation& prepared
   for (Place& place : places(maps, model, criteria)) {
     if (place.pValue > criteria.likeliestByChance) continue;
     if (place.shows == Unknown::voltage && !showsInVoltage(place, prepared.seen, criteria)) continue;
+    if (place.shows != Unknown::voltage && place.size < prepared.seen.immaterialTorque()) continue;
     if (rest.where.empty()) rest.pValue = place.pValue;
     place.sentence = message("Not explained by any known effect. {}", place.sentence);
     rest.where.push_back(std::move(place));
