@@ -20,6 +20,10 @@ void TestForeignRigs::rig_getsItsAnswer_data() {
   QTest::newRow("a current loop that lags") << "sound" << 7;
   QTest::newRow("sines too quick for filters of torque") << "sound" << 9;
   QTest::newRow("a winding while the rotor speeds up") << "sound" << 28;
+  QTest::newRow("a small pull beside a stiff drive") << "sound" << 24;
+  QTest::newRow("a measured current, late by most of a row") << "sound" << 53;
+  QTest::newRow("a winding that rows are too long to show") << "sound" << 40;
+  QTest::newRow("places too small to matter") << "sound" << 37;
   QTest::newRow("a stop, far from what the base foresees") << "end_stop" << 1;
   QTest::newRow("an arm over less than a turn") << "imbalance" << 2;
 }

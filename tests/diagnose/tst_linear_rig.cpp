@@ -25,6 +25,7 @@ class TestLinearRig : public QObject {
   void base_isRecovered();
   void electricalSide_isRecovered();
   void backEmfOfAnAxisThatHardlyMoves_isNotKnown();
+  void inductance_isOnlyAsSureAsRowsShowIt();
   void effect_isRecoveredWithItsAmplitude_data();
   void effect_isRecoveredWithItsAmplitude();
   void effectThatIsNotThere_hasNoAmplitude_data();
@@ -193,6 +194,20 @@ void TestLinearRig::backEmfOfAnAxisThatHardlyMoves_isNotKnown() {
   const double off = std::abs(shown->backEmf.value - voltageDriven().backEmf);
   QVERIFY2(off < 3.0 * shown->backEmf.standardError,
            qPrintable(QString("%1 by %2 V s/rad off").arg(shown->backEmf.value).arg(shown->backEmf.standardError)));
+}
+
+/// Of rows much longer than the winding's lag (1 ms) hardly any tells how long that is.
+void TestLinearRig::inductance_isOnlyAsSureAsRowsShowIt() {
+  const double truth_H = voltageDriven().inductance;
+  Model truth = servoModel(DriveInput::voltage);
+  truth.count = turn_rad / 4000.0;
+  for (const double row_s : {1e-3, 8e-3}) {
+    const auto shown = shownWinding(prepared(truth, {.seconds = 12.0, .row_s = row_s, .hold_s = row_s}).tracks);
+    QVERIFY(shown);
+    const QString said = QString("%1 to %2 H").arg(shown->leastInductance_H).arg(shown->mostInductance_H);
+    QVERIFY2(shown->leastInductance_H < 1.3 * truth_H && shown->mostInductance_H > truth_H / 1.3, qPrintable(said));
+    QVERIFY2((shown->mostInductance_H > 3.0 * shown->leastInductance_H) == (row_s > 2e-3), qPrintable(said));
+  }
 }
 
 void TestLinearRig::effect_isRecoveredWithItsAmplitude_data() {

@@ -15,6 +15,7 @@ class TestParameterVector : public QObject {
  private slots:
   void inductance_staysWithinItsLimits();
   void heldValues_areNotFree();
+  void bias_staysATrifle_andLeavesAConstantLoadToItsEffect();
   void limits_reachFromTheBenchToWhatTheCurrentShows();
 };
 
@@ -55,6 +56,23 @@ void TestParameterVector::heldValues_areNotFree() {
   QCOMPARE(indexOf(parameters, "inductance_H"), Eigen::Index(-1));
   QCOMPARE(indexOf(parameters, "inertia_kg_m2"), Eigen::Index(-1));
   QVERIFY(indexOf(parameters, "coulomb_Nm") >= 0);
+}
+
+void TestParameterVector::bias_staysATrifle_andLeavesAConstantLoadToItsEffect() {
+  Freedom freedom;
+  freedom.mostBias = 2e-4;
+  Model model = servoModel(DriveInput::current);
+  model.base.push_back({biasName(model.axis), 1e-4, 1e-4, 1e-4});
+  const ParameterVector alone(model, freedom, 0.05, 50.0);
+  const Eigen::Index bias = indexOf(alone, "bias_Nm");
+  QVERIFY(bias >= 0);
+  QCOMPARE(alone.start()[bias], 0.5);
+  QCOMPARE(alone.lower(bias), -1.0);
+  QCOMPARE(alone.upper(bias), 1.0);
+  model.effects.push_back(effectTerm(*findEffect("constant_load"), {3e-3}));
+  const ParameterVector beside(model, freedom, 0.05, 50.0);
+  QCOMPARE(indexOf(beside, "bias_Nm"), Eigen::Index(-1));
+  QCOMPARE(beside.at(beside.start()).baseValue("bias_Nm").value_or(1.0), 0.0);
 }
 
 void TestParameterVector::limits_reachFromTheBenchToWhatTheCurrentShows() {

@@ -225,7 +225,11 @@ FitResult fitBase(const SearchInput& input, const std::vector<Model>& starts) {
                                                   {follows_s, 0.5 * freedom.mostLate_s, freedom.mostLate_s})
                                     : withFurther(input, std::move(best), driveLateName, {follows_s});
   }
-  return freedom.mostBias > 0.0 ? withFurther(input, std::move(best), biasName(input.seen.axis), {0.0}) : best;
+  if (!(freedom.mostBias > 0.0)) return best;
+  FitResult biased = withFurther(input, best, biasName(input.seen.axis), {0.0});
+  // One that would be larger, if it could, is no trifle.
+  const double bias = biased.model.baseValue(biasName(input.seen.axis)).value_or(0.0);
+  return std::abs(bias) < input.criteria.hardlyLess * freedom.mostBias ? biased : best;
 }
 
 bool happensOnce(const Model& model) {
