@@ -8,11 +8,12 @@ namespace breakaway {
 
 namespace {
 
-constexpr double shortest_s = 2e-5, lag = 1.3;  ///< of the time constants that are tried, and their ratio
-constexpr int lags = 32;                        ///< up to 70 ms
+constexpr double shortest_s = 2e-5;  ///< time constant of a winding
+constexpr size_t fewestRows = 5;     ///< of a span
+constexpr double span_s = 0.01;      ///< at least
 constexpr size_t mostRows = 40'000;
 constexpr double cluster_s = 1.0;
-constexpr double clearlyLess = 0.8;     ///< of what another lag, or what fewer columns leave
+constexpr double clearlyLess = 0.8;     ///< of what fewer columns leave
 constexpr double standardErrors = 3.0;  ///< an interval, on each side
 constexpr double clearOfNoise = 3.0;    ///< currents whose sign is known, in standard deviations of their noise
 
@@ -25,72 +26,96 @@ struct Channels {
   bool both() const { return !voltage.empty() && !current.empty(); }
 };
 
-enum Column { volts, speed, lost, zero, response, columns };
+enum Column { volts, way, change, step, lost, zero, response, columns };
 using Row = Eigen::Matrix<double, columns, 1>;
-constexpr Eigen::Index plain = 2, withBridge = 4;  ///< columns
+constexpr Eigen::Index plain = 4, withBridge = 6;  ///< columns
 
-/// Calls `act` with the columns of each row that has them, voltage and speed lagged, and the row.
+/// Calls `act` with the columns of each span of rows: the voltage's integral, the way, by how much the current changes,
+/// the integrals of its sign and of one, and its own; and with the time at which the span begins.
 template <typename Act>
-void eachRow(const Track& track, double time_s, Act act) {
+void eachSpan(const Track& track, Act act) {
   const Channels channels(track);
   const double noise = track.drive == DriveInput::current ? track.inputNoise : track.currentNoise;
-  double u = channels.voltage.front(), velocity = track.motion.velocity.front();
-  for (size_t k = 0; k + 1 < std::min(track.rows(), mostRows); ++k) {
-    const double i = channels.current[k];
-    if (track.connected[k] != 0 && std::isfinite(i) && std::isfinite(u)) {
+  const auto known = [&](size_t k) {
+    return track.connected[k] != 0 && std::isfinite(channels.current[k]) && std::isfinite(channels.voltage[k]);
+  };
+  const size_t rows = std::min(track.rows(), mostRows);
+  for (size_t first = 0; first + 1 < rows;) {
+    Row sums = Row::Zero();
+    size_t k = first;
+    for (; k + 1 < rows && known(k) && known(k + 1); ++k) {
+      const double i = channels.current[k], dt = track.time[k + 1] - track.time[k];
       const double sign = i / std::max(std::abs(i) + clearOfNoise * noise, 1e-300);
-      act((Row() << u, velocity, sign, 1.0, i).finished(), k);
+      const double moved = track.speedAlone() ? dt * 0.5 * (track.motion.velocity[k] + track.motion.velocity[k + 1])
+                                              : track.position[k + 1] - track.position[k];
+      sums += (Row() << dt * channels.voltage[k], moved, channels.current[k + 1] - i,
+               channels.voltage[k + 1] - channels.voltage[k], dt * sign, dt, dt * i)
+                  .finished();
+      if (k + 1 - first >= fewestRows && track.time[k + 1] - track.time[first] >= span_s) {
+        act(sums, track.time[first]);
+        sums.setZero();
+        first = k + 1;
+      }
     }
-    const double keep = std::exp(-(track.time[k + 1] - track.time[k]) / time_s);
-    if (const double acts = channels.voltage[k]; std::isfinite(acts))
-      u = std::isfinite(u) ? acts + (u - acts) * keep : acts;
-    velocity = track.motion.velocity[k] + (velocity - track.motion.velocity[k]) * keep;
+    first = k + 1;
   }
 }
 
-/// Least squares of the current on the first `width` columns.
+/// Least squares of the current's integral on the first `width` columns.
 struct Balance {
   Eigen::Matrix<double, columns, columns> products = Eigen::Matrix<double, columns, columns>::Zero();
-  double time_s = shortest_s;
+  size_t spans = 0;
 
-  Balance(const std::vector<Track>& tracks, double lag_s) : time_s(lag_s) {
-    for (const Track& track : tracks)
-      eachRow(track, time_s, [this](const Row& row, size_t) { products += row * row.transpose(); });
+  explicit Balance(const std::vector<Track>& tracks) {
+    for (const Track& track : tracks) {
+      eachSpan(track, [this](const Row& row, double) {
+        products += row * row.transpose();
+        ++spans;
+      });
+    }
   }
-  Eigen::VectorXd solution(Eigen::Index width) const {
-    return products.topLeftCorner(width, width).ldlt().solve(products.col(response).head(width));
-  }
+  Eigen::VectorXd solution(Eigen::Index width) const { return solved(products, width); }
   /// One over a column's coefficient, by the regression of that column on the current and the others.
   double inverse(Column of, Eigen::Index width) const {
     Eigen::Matrix<double, columns, columns> exchanged = products;
     exchanged.row(of).swap(exchanged.row(response));
     exchanged.col(of).swap(exchanged.col(response));
-    return exchanged.topLeftCorner(width, width).ldlt().solve(exchanged.col(response).head(width))[of];
+    return solved(exchanged, width)[of];
   }
   double left(Eigen::Index width) const {
     return products(response, response) - solution(width).dot(products.col(response).head(width));
+  }
+
+ private:
+  /// In units in which the columns are alike.
+  static Eigen::VectorXd solved(const Eigen::Matrix<double, columns, columns>& products, Eigen::Index width) {
+    const Eigen::VectorXd unit = products.diagonal().head(width).cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+    const Eigen::MatrixXd scaled = unit.asDiagonal() * products.topLeftCorner(width, width) * unit.asDiagonal();
+    return unit.cwiseProduct(scaled.ldlt().solve(unit.cwiseProduct(products.col(response).head(width))));
   }
 };
 
 /// Of the solution, errors of one second taken as one.
 Eigen::MatrixXd covarianceOf(const Balance& balance, Eigen::Index width, const std::vector<Track>& tracks) {
   const Eigen::VectorXd solution = balance.solution(width);
+  const Eigen::VectorXd unit = balance.products.diagonal().head(width).cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
   Eigen::MatrixXd spread = Eigen::MatrixXd::Zero(width, width);
   for (const Track& track : tracks) {
     Eigen::VectorXd score = Eigen::VectorXd::Zero(width);
     double begin_s = track.time.front();
-    eachRow(track, balance.time_s, [&](const Row& row, size_t k) {
-      if (track.time[k] - begin_s >= cluster_s) {
+    eachSpan(track, [&](const Row& row, double at_s) {
+      if (at_s - begin_s >= cluster_s) {
         spread += score * score.transpose();
         score.setZero();
-        begin_s = track.time[k];
+        begin_s = at_s;
       }
-      score += (row[response] - row.head(width).dot(solution)) * row.head(width);
+      score += (row[response] - row.head(width).dot(solution)) * unit.cwiseProduct(row.head(width));
     });
     spread += score * score.transpose();
   }
-  const Eigen::MatrixXd inverse = balance.products.topLeftCorner(width, width).inverse();
-  return inverse * spread * inverse;
+  const Eigen::MatrixXd inverse =
+      (unit.asDiagonal() * balance.products.topLeftCorner(width, width) * unit.asDiagonal()).inverse();
+  return unit.asDiagonal() * inverse * spread * inverse * unit.asDiagonal();
 }
 
 }  // namespace
@@ -100,21 +125,11 @@ std::optional<ShownWinding> shownWinding(const std::vector<Track>& tracks) {
         return one.drive != DriveInput::torque && Channels(one).both();
       }))
     return {};
-  std::optional<Balance> best, usual;  // of all, and of those whose signs are right
-  std::vector<Balance> all;
-  all.reserve(lags);
-  double time_s = shortest_s;
-  for (int k = 0; k < lags; ++k, time_s *= lag) {
-    const Balance& balance = all.emplace_back(tracks, time_s);
-    const Eigen::VectorXd perVolt = balance.solution(plain);
-    if (!best || balance.left(plain) < best->left(plain)) best = balance;
-    const bool right = perVolt[volts] > 0.0 && perVolt[speed] < 0.0;
-    if (right && (!usual || balance.left(plain) < usual->left(plain))) usual = balance;
-  }
-  if (usual && best->left(plain) > clearlyLess * usual->left(plain)) best = usual;
-  const Eigen::Index width = best->left(withBridge) < clearlyLess * best->left(plain) ? withBridge : plain;
-  const Eigen::VectorXd perVolt = best->solution(width);  // 1/R, −Ke/R
-  const Eigen::MatrixXd covariance = covarianceOf(*best, width, tracks);
+  const Balance balance(tracks);
+  if (balance.spans < 2 * columns) return {};
+  const Eigen::Index width = balance.left(withBridge) < clearlyLess * balance.left(plain) ? withBridge : plain;
+  const Eigen::VectorXd perVolt = balance.solution(width);  // 1/R, −Ke/R, −L/R and a part of a row
+  const Eigen::MatrixXd covariance = covarianceOf(balance, width, tracks);
   if (!perVolt.allFinite() || perVolt[volts] == 0.0 || !covariance.allFinite()) return {};
   ShownWinding shown;
   const double ohm = 1.0 / perVolt[volts];
@@ -123,21 +138,30 @@ std::optional<ShownWinding> shownWinding(const std::vector<Track>& tracks) {
   // above its noise shows hardly any back-EMF. The truth lies between the regressions of the one on the other (R.
   // Frisch, 'Statistical confluence analysis', 1934).
   const auto widen = [&](Estimate& one, Column of) {
-    const double ratio = best->inverse(of, width) * perVolt[of];
+    const double ratio = balance.inverse(of, width) * perVolt[of];
     if (ratio > 0.0)
       one.standardError = std::max(one.standardError, std::abs(std::log(ratio) * one.value) / standardErrors);
   };
   widen(shown.resistance_ohm, volts);
-  const Eigen::Vector2d slopes(perVolt[speed] * ohm * ohm, -ohm);
-  const double variance = slopes.dot(covariance.topLeftCorner<plain, plain>() * slopes);
-  shown.backEmf = {-perVolt[speed] * ohm, std::sqrt(std::max(0.0, variance))};
-  widen(shown.backEmf, speed);
-  shown.inductance_H = best->time_s * ohm;
-  // Rows much longer than the lag hardly show it.
-  const auto alike = [&](const Balance& one) { return clearlyLess * one.left(width) < best->left(width); };
-  shown.leastInductance_H = std::find_if(all.begin(), all.end(), alike)->time_s * ohm;
-  shown.mostInductance_H = std::find_if(all.rbegin(), all.rend(), alike)->time_s * ohm;
-  shown.left = best->left(width) / std::max(best->products(response, response), 1e-300);
+  const auto overFirst = [&](Column of) {  // the ratio of a coefficient to that of the voltage, turned
+    const double value = -perVolt[of] * ohm;
+    const Eigen::Vector2d slopes(value * ohm, ohm);
+    Eigen::Matrix2d both;
+    both << covariance(volts, volts), covariance(volts, of), covariance(of, volts), covariance(of, of);
+    return Estimate{value, std::sqrt(std::max(0.0, slopes.dot(both * slopes)))};
+  };
+  shown.backEmf = overFirst(way);
+  widen(shown.backEmf, way);
+  // Within a row the current may change at its begin or at its end: L and up to a row's R come together.
+  const Estimate together = overFirst(change);
+  double row_s = 0.0;
+  for (const Track& track : tracks) row_s = std::max(row_s, track.usualStep_s);
+  const double least = shortest_s * std::abs(ohm), row = std::abs(ohm) * row_s;
+  const double doubt = standardErrors * together.standardError;
+  shown.inductance_H = std::max(least, together.value - 0.5 * row);
+  shown.leastInductance_H = std::max(least, together.value - row - doubt);
+  shown.mostInductance_H = std::max(least, together.value + doubt);
+  shown.left = balance.left(width) / std::max(balance.products(response, response), 1e-300);
   return shown;
 }
 
