@@ -71,11 +71,6 @@ class Search {
       adoption.adoptBest(result, first);
       backward(result);
     }
-    if (const auto base = begunAgain_ ? std::nullopt : betterBase(result)) {
-      begunAgain_ = true;
-      input_.windowWeights.clear();
-      return run({*base});
-    }
     if (wandering == nullptr) {
       wandering = adoption.extend(result);
       if (wandering != nullptr) backward(result);
@@ -109,16 +104,6 @@ class Search {
   const Criteria& limits() const { return input_.criteria; }
   double physicsInertia(const Model& model) const {
     return model.baseValue(motorNames(model.axis).inertia).value_or(input_.seen.inertia);
-  }
-  /// The base model that a fit with effects leaves, where it alone fits far better than the one found first: that fit
-  /// had come to rest before it was at its end.
-  std::optional<Model> betterBase(const SearchResult& result) const {
-    if (result.chosen.empty()) return std::nullopt;
-    Model bare = result.best.model;
-    bare.effects.clear();
-    FitResult fit = fitModel(input_, bare, 8);
-    if (!fit.usable || mean(fit.windowSquares) > limits().half * mean(result.base.windowSquares)) return std::nullopt;
-    return std::move(fit.model);
   }
   /// How errors are counted better, if the effect is there that explains most alone.
   std::optional<Counting> betterFor(const Screening& steady, const Model& base) const {
@@ -248,7 +233,6 @@ class Search {
   std::optional<SetFits> fits_;  ///< once the base model is fitted
   std::vector<FitResult> left_;  ///< without each chosen effect
   bool announced_ = false;
-  bool begunAgain_ = false;
 };
 
 }  // namespace
