@@ -15,6 +15,7 @@ constexpr size_t mostRows = 40'000;
 constexpr double cluster_s = 1.0;
 constexpr double clearlyLess = 0.8;     ///< of what fewer columns leave
 constexpr double standardErrors = 3.0;  ///< an interval, on each side
+constexpr double surest = 1e-3;         ///< of a constant: what is known of rows and gains
 constexpr double clearOfNoise = 3.0;    ///< currents whose sign is known, in standard deviations of their noise
 
 /// The two electrical channels of a track, whichever of them drives; empty where one was not recorded.
@@ -152,6 +153,8 @@ std::optional<ShownWinding> shownWinding(const std::vector<Track>& tracks) {
   };
   shown.backEmf = overFirst(way);
   widen(shown.backEmf, way);
+  for (Estimate* one : {&shown.resistance_ohm, &shown.backEmf})
+    one->standardError = std::hypot(one->standardError, surest * one->value);
   // Within a row the current may change at its begin or at its end: L and up to a row's R come together.
   const Estimate together = overFirst(change);
   double row_s = 0.0;
