@@ -186,7 +186,7 @@ void ConnectPage::showState() {
       state_->setText(tr("Connecting to %1 …").arg(shortAddress(connection_.uri())));
       break;
     case ConnectionState::connected:
-      state_->setText(tr("Connected."));
+      state_->setText(tr("Connected. Next: Identify; or Friction, which makes by itself what it needs."));
       break;
     case ConnectionState::failed:
       state_->setText(tr("Not connected: %1").arg(inLanguage(connection_.trouble())));

@@ -73,8 +73,9 @@ void TestSkeleton::stop_isWholeFromTheFirstFrame() {
 
 void TestSkeleton::window_fitsASmallScreen() {
   Desk desk;
-  for (const bool live : {false, true}) {
+  for (const auto& [live, trigger] : {std::pair{false, 0}, std::pair{true, 0}, std::pair{true, 1}}) {
     desk.window.showLive(live);
+    named<QComboBox>(desk.window, "triggerMode")->setCurrentIndex(trigger);
     for (const QString& page : pages) {
       desk.window.showPage(page);
       QTest::qWait(1);
@@ -329,8 +330,12 @@ void TestSkeleton::rail_saysHowFarAStepIs() {
   QCOMPARE(words(3), QString("needs a board"));
   QVERIFY(desk.connected());
   QVERIFY2(words(0).contains("kHz"), qPrintable(words(0)));
+  QCOMPARE(words(1), QString("next"));
+  QCOMPARE(words(2), QString());
   QVERIFY(desk.homed());
   QVERIFY2(words(3).startsWith("index ± ") && words(3).endsWith("°"), qPrintable(words(3)));
+  QVERIFY2(words(1).contains("passed"), qPrintable(words(1)));
+  QCOMPARE(words(2), QString("next"));
 }
 
 void TestSkeleton::log_keepsEveryLineWithItsTime() {
