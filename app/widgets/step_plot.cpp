@@ -157,8 +157,9 @@ void StepPlot::nameCurves() {
     stretch << 1e-3;
   };
   if (!foretold_.time_s.empty()) name(tr("foretold"), look.curve(0));
-  for (size_t k = steps_.size(); k-- > firstDrawn(steps_.size());)
-    name(tr("step %1").arg(k + 1), look.curve(colourOf(k)));
+  for (size_t k = steps_.size();
+       k-- > firstDrawn(steps_.size());)  // "step 4 3 2 1": there isn't room for the word each time
+    name(k + 1 == steps_.size() ? tr("step %1").arg(k + 1) : QString::number(k + 1), look.curve(colourOf(k)));
   head_->setColumnStretchFactors(stretch);
 }
 

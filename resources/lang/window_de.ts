@@ -1696,6 +1696,14 @@
         <source>Connected. Next: Identify; or Friction, which makes by itself what it needs.</source>
         <translation>Verbunden. Weiter mit Identifizieren; oder gleich mit Reibung, die selbst macht, was sie braucht.</translation>
     </message>
+    <message>
+        <source>Connect anew</source>
+        <translation>Neu verbinden</translation>
+    </message>
+    <message>
+        <source>A simulated board: every page works as with a real one, and nothing can break.</source>
+        <translation>Ein simuliertes Board: jede Seite arbeitet wie mit einem echten, und nichts kann kaputtgehen.</translation>
+    </message>
 </context>
 <context>
     <name>breakaway::Connection</name>
@@ -4206,7 +4214,7 @@ Doppelklick oder F2 zum Schreiben</translation>
     </message>
     <message>
         <source>foretold</source>
-        <translation>vorhergesagt</translation>
+        <translation>Modell</translation>
     </message>
     <message>
         <source>step %1</source>

@@ -13,6 +13,7 @@
 #include "session/language.h"
 #include "support/temporary.h"
 #include "widgets/rail.h"
+#include "widgets/step_plot.h"
 
 using namespace breakaway;
 using namespace breakaway::test;
@@ -37,6 +38,8 @@ class TestSkeleton : public QObject {
   void german_leavesNothingInEnglish();
   void live_hasRoomForTriggerAndSpectrum_data();
   void live_hasRoomForTriggerAndSpectrum();
+  void stepsOfTuning_areNamedWhole_data();
+  void stepsOfTuning_areNamedWhole();
 };
 
 namespace {
@@ -221,6 +224,29 @@ void TestSkeleton::live_hasRoomForTriggerAndSpectrum() {
       QVERIFY2(on.isEmpty(), qPrintable(on.join("; ")));
     }
   }
+}
+
+void TestSkeleton::stepsOfTuning_areNamedWhole_data() {
+  QTest::addColumn<bool>("german");
+  QTest::newRow("in English") << false;
+  QTest::newRow("in German") << true;
+}
+
+/// As many as are ever drawn, in the room that they have at 1280 × 720.
+void TestSkeleton::stepsOfTuning_areNamedWhole() {
+  QFETCH(bool, german);
+  const Spoken language(german ? Language::german : Language::english);
+  StepPlot plot;
+  plot.resize(380, 300);
+  const StepCurve curve{{-0.01, 0.0, 0.1}, {0.0, 0.0, 20.0}, {0.0, 20.0, 20.0}, {0.0, 0.0, 1.0}};
+  StepResult step;
+  step.curve = curve;
+  plot.foretell(curve);
+  plot.show(std::vector<StepResult>(12, step));
+  plot.QWidget::show();
+  QTest::qWait(20);
+  const QStringList cut = crampedIn(*plot.findChild<QCustomPlot*>());
+  QVERIFY2(cut.isEmpty(), qPrintable(cut.join("; ")));
 }
 
 void TestSkeleton::tableOfALog_leavesStopInPlace_data() {
