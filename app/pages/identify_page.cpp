@@ -3,7 +3,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include "pages/run_state.h"
@@ -14,6 +13,7 @@
 #include "widgets/controls.h"
 #include "widgets/elided_label.h"
 #include "widgets/facts_table.h"
+#include "widgets/fitted_scroll.h"
 #include "widgets/look.h"
 #include "widgets/motor_tests_plot.h"
 #include "widgets/number_text.h"
@@ -85,11 +85,7 @@ IdentifyPage::Card IdentifyPage::addCard(QVBoxLayout& column) {
 }
 
 QWidget* IdentifyPage::buildFacts() {
-  auto* area = new QScrollArea(this);
-  area->setObjectName("identifyFacts");
-  area->setFocusPolicy(Qt::NoFocus);
-  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  area->setWidgetResizable(true);
+  auto* area = new FittedScroll("identifyFacts", this);
   auto* group = new QWidget(area);
   group->setProperty("role", "column");
   auto* row = rowIn(group, 8);

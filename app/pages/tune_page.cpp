@@ -257,7 +257,7 @@ void TunePage::showEdits() {
   setAvailable(undo_, edits_.canUndo(), tr("Take the last edit back"), tr("There is no edit to take back"));
   setAvailable(redo_, edits_.canRedo(), tr("Make the edit again that was taken back"), tr("No edit was taken back"));
   setAvailable(revert_, count > 0, tr("Back to what the board has"), tr("Nothing is edited"));
-  source_->setText(connection_.connected() ? tr("Automatically, from the motor as by its %1").arg(bench_.motor().source)
+  source_->setText(connection_.connected() ? tr("Automatically, by the motor's %1").arg(bench_.motor().source)
                                            : tr("Automatically"));
   for (QPushButton* button : stiffness_)
     setAvailable(button, tr("Sets gains whose margins hold for what is known of the motor; Apply sends them"),

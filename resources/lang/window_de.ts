@@ -111,16 +111,16 @@
 <context>
     <name>BoardTuning</name>
     <message>
-        <source>identified</source>
-        <translation>Identifikation</translation>
-    </message>
-    <message>
         <source>bench file</source>
         <translation>Prüfstandsdatei</translation>
     </message>
     <message>
         <source>name plate</source>
         <translation>Typenschild</translation>
+    </message>
+    <message>
+        <source>identification</source>
+        <translation>Identifikation</translation>
     </message>
 </context>
 <context>
@@ -4579,10 +4579,6 @@ A</translation>
         <translation>Nichts ist geändert</translation>
     </message>
     <message>
-        <source>Automatically, from the motor as by its %1</source>
-        <translation>Automatisch, Motor laut %1</translation>
-    </message>
-    <message>
         <source>Automatically</source>
         <translation>Automatisch</translation>
     </message>
@@ -4661,6 +4657,10 @@ A</translation>
     <message>
         <source>No step was measured</source>
         <translation>Kein Sprung wurde gemessen</translation>
+    </message>
+    <message>
+        <source>Automatically, by the motor&apos;s %1</source>
+        <translation>Automatisch, Motor laut %1</translation>
     </message>
 </context>
 <context>

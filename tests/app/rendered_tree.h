@@ -14,6 +14,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMap>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTest>
@@ -131,7 +132,8 @@ inline QStringList clipped(const QWidget& window) {
     if (button == nullptr || button->text().isEmpty()) continue;
     QString text = button->text();
     const int wanted = button->fontMetrics().horizontalAdvance(text.remove('&'));
-    if (wanted + 8 > control->width()) found << name + ": \"" + text + "\" doesn't fit";
+    const bool push = qobject_cast<const QPushButton*>(control) != nullptr;
+    if (wanted + (push ? 18 : 8) > control->width()) found << name + ": \"" + text + "\" doesn't fit";
   }
   for (const QScrollArea* area : window.findChildren<QScrollArea*>()) {
     if (!area->isVisible() || area->widget() == nullptr) continue;
