@@ -132,7 +132,7 @@ int show(const QString& board, const QString& project) {
   window.show();
   QObject::connect(&session.connection, &Connection::came, &window,
                    [&session] { QSettings("breakaway", "breakaway").setValue(boardKey, session.connection.uri()); });
-  const QString last = QSettings("breakaway", "breakaway").value(boardKey, "simulated").toString();
+  const QString last = QSettings("breakaway", "breakaway").value(boardKey, "simulated:servo").toString();
   QTimer::singleShot(0, &window, [&] { session.connection.open(board.isEmpty() ? last : board); });
   return QApplication::exec();
 }

@@ -33,10 +33,6 @@
 
 namespace breakaway {
 
-namespace {
-constexpr int openLive_px = 208;  // with the strip below it, 240
-}  // namespace
-
 WindowContents::WindowContents(Session& session, FileChooser& files, QWidget* parent) : QWidget(parent) {
   setObjectName("windowContents");
   resize(parent->size());
@@ -101,9 +97,9 @@ void WindowContents::buildBelow(Session& session, FileChooser& files) {
   log_ = new LogDrawer(session.messages, this);
   log_->hide();
   live_ = new LivePlots(session.connection, session.live, session.messages, files, this);
-  live_->setFixedHeight(openLive_px);
   live_->hide();
   connect(live_, &LivePlots::largeAsked, this, &WindowContents::showLiveLarge);
+  connect(live_, &LivePlots::heightChanged, this, &WindowContents::fitLive);
   strip_ = new LiveStrip(session.connection, session.live, session.messages, this);
   connect(strip_, &LiveStrip::plotsAsked, this, &WindowContents::showLive);
   connect(strip_, &LiveStrip::logAsked, this, [this] { showLog(!log_->isVisible()); });
@@ -194,7 +190,15 @@ void WindowContents::goTo(int row) {
 }
 
 void WindowContents::showStates() {
-  for (size_t k = 0; k < pages_.size(); ++k) rail_->setState(static_cast<int>(k), pages_[k]->state());
+  bool named = false;  // of the steps that nothing is in the way of, the first one is the next
+  for (size_t k = 0; k < pages_.size(); ++k) {
+    StepState state = pages_[k]->state();
+    if (!named && !pages_[k]->isTool() && state.mark == StepMark::open && state.words.isEmpty()) {
+      state.words = tr("next");
+      named = true;
+    }
+    rail_->setState(static_cast<int>(k), state);
+  }
 }
 
 void WindowContents::showPage(const QString& objectName) {
@@ -227,15 +231,17 @@ void WindowContents::showLog(bool open) {
 void WindowContents::fitLive() {
   const bool open = liveOpen_ && log_->isHidden() && pages_[static_cast<size_t>(stack_->currentIndex())]->wantsLive();
   const bool large = open && liveLarge_;
+  const int height_px = live_->openHeight_px();
+  live_->setMinimumHeight(height_px);
+  live_->setMaximumHeight(large ? QWIDGETSIZE_MAX : height_px);
   if (large == room_->isVisibleTo(this)) {
     room_->setVisible(!large);
-    live_->setMaximumHeight(large ? QWIDGETSIZE_MAX : openLive_px);
     below_->setStretch(0, large ? 0 : 1);  // an empty row takes its share, too
     below_->setStretchFactor(live_, large ? 1 : 0);
   }
   live_->setVisible(open);
   if (toast_ == nullptr) return;
-  const int drawer_px = live_->isHidden() || large ? 0 : openLive_px;
+  const int drawer_px = live_->isHidden() || large ? 0 : height_px;
   toast_->keepAbove(LiveStrip::height_px + (log_->isHidden() ? drawer_px : log_->height()));
 }
 

@@ -6,11 +6,9 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMimeData>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QUrl>
 #include <QVBoxLayout>
-#include <cmath>
 
 #include "base/uuid.h"
 #include "recording/csv.h"
@@ -41,8 +39,6 @@ namespace breakaway {
 
 namespace {
 
-constexpr int leastFindings = 200;
-
 QString fileName(const std::string& path) {
   return QFileInfo(QString::fromStdString(path)).fileName();
 }
@@ -61,18 +57,20 @@ ComparePage::ComparePage(const BenchRuns& bench, const LiveSamples& live, Compar
       trial_(trial),
       files_(files) {
   setAcceptDrops(true);
-  setHead(tr("Compare"),
-          tr("A recording against the physics that its bench file declares: what is missing, and the proof."));
+  setHead(tr("Compare"), tr("What a recording shows that its bench file doesn't declare, and the proof."));
   diagnose_ = addPrimary("diagnoseButton", tr("Diagnose"));
-  cancel_ = addSecondary("cancelButton", tr("Cancel"));
+  cancel_ = addSecondary("cancelButton", tr("Cancel"), 104);
+  sealedTrial_ = addSecondary("sealedTrialButton", tr("Sealed trial"), 168);
   buildInputs();
-  buildBase();
   buildFindings();
+  buildBase();
+  settings()->addStretch(1);
   compared_ = new QWidget(this);
   auto* column = columnIn(compared_, 8);
   column->addWidget(new VerdictCard(comparison_, compared_));
   column->addWidget(new TrialStrip(trial_, compared_));
-  column->addWidget(buildEvidence(), 2);
+  evidence_ = buildEvidence();
+  column->addWidget(evidence_, 2);
   column->addWidget(buildPlots(), 3);
   log_ = new LogPanel(comparison_.log(), this);
   picture()->addWidget(log_, 1);
@@ -111,14 +109,6 @@ void ComparePage::buildInputs() {
   row->addWidget(takeLive_, 1);
   row->addWidget(openExample_, 1);
   column->addLayout(row);
-  sealedTrial_ = pushButton(group, "sealedTrialButton", tr("Sealed trial"));
-  column->addWidget(sealedTrial_);
-  progress_ = new QProgressBar(group);
-  progress_->setObjectName("diagnoseProgress");
-  progress_->setAccessibleName(tr("Progress of the diagnosis"));
-  progress_->setRange(0, 1000);
-  progress_->setTextVisible(false);
-  column->addWidget(progress_);
   settings()->addWidget(group);
   connect(openBench_, &QPushButton::clicked, this, [this] {
     ask(tr("Open a bench"), tr("Bench (*.bench.json *.json)"),
@@ -156,14 +146,13 @@ void ComparePage::buildFindings() {
   ticked_->setProperty("tone", "muted");
   columnOf(group)->addWidget(ticked_);
   findings_ = new FindingsList(comparison_, group);
-  findings_->setMinimumHeight(leastFindings);
   runExperiment_ = pushButton(group, "runExperimentButton", tr("Run the next experiment"));
   columnOf(group)->addWidget(runExperiment_);  // above the list, which is long
-  columnOf(group)->addWidget(findings_, 1);
+  columnOf(group)->addWidget(findings_);
   connect(runExperiment_, &QPushButton::clicked, &experiment_, &ExperimentRun::start);
   connect(&experiment_, &ExperimentRun::changed, this, &ComparePage::showExperiment);
   showExperiment();
-  settings()->addWidget(group, 1);
+  settings()->addWidget(group);
   connect(findings_, &FindingsList::axisChosen, this,
           [this](const QString& axis) { axis_->setCurrentIndex(axis_->findData(axis)); });
 }
@@ -311,11 +300,10 @@ void ComparePage::showExperiment() {
 
 void ComparePage::showProgress() {
   const bool running = comparison_.diagnosing();
-  setAvailable(diagnose_,
-               tr("Fits the declared physics, searches for what is missing, and decides on data that was held out"),
-               comparison_.obstacle());
+  setAvailable(
+      diagnose_, tr("Fits the declared physics, searches for what is missing, and decides on data that was held out"),
+      comparison_.log().isOpen() ? tr("Open the log as a recording first, or leave it") : comparison_.obstacle());
   setAvailable(cancel_, running, tr("End the diagnosis"), tr("No diagnosis is running"));
-  progress_->setValue(running ? static_cast<int>(std::lround(1000.0 * comparison_.progress())) : 0);
   showState();
 }
 
@@ -324,6 +312,7 @@ void ComparePage::showLog() {
   // One goes before the other comes: together they ask for more room than there is.
   (open ? compared_ : static_cast<QWidget*>(log_))->hide();
   (open ? static_cast<QWidget*>(log_) : compared_)->show();
+  showProgress();
 }
 
 void ComparePage::showState() {
@@ -362,6 +351,7 @@ std::vector<Fact> ComparePage::baseFacts(const Diagnosis& diagnosis) {
 
 void ComparePage::showProof() {
   const auto& diagnosis = comparison_.diagnosis();
+  evidence_->setVisible(diagnosis.has_value());  // the recording has its room before
   if (diagnosis) {
     base_->show(baseFacts(*diagnosis));
   } else {

@@ -10,7 +10,6 @@
 
 class QComboBox;
 class QLabel;
-class QProgressBar;
 class QPushButton;
 
 namespace breakaway {
@@ -79,12 +78,12 @@ class ComparePage : public Page {
   QPushButton* takeLive_ = nullptr;
   QPushButton* diagnose_ = nullptr;
   QPushButton* cancel_ = nullptr;
-  QProgressBar* progress_ = nullptr;
   QLabel* ticked_ = nullptr;
   QComboBox* axis_ = nullptr;
   ResidualPlots* plots_ = nullptr;
   QPushButton* keep_ = nullptr;
   LogPanel* log_ = nullptr;
+  QWidget* evidence_ = nullptr;
   QWidget* compared_ = nullptr;  ///< plots and verdict, which give way to a log
   FactsTable* base_ = nullptr;
   FindingsList* findings_ = nullptr;

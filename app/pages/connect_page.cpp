@@ -161,6 +161,10 @@ void ConnectPage::showConnection() {
   const bool connected = connection_.connected(), simulated = connection_.identity().simulated;
   const ConnectionState state = connection_.state();
   const bool trying = state == ConnectionState::connecting || state == ConnectionState::reconnecting;
+  const bool anew = connected && address_->text().trimmed() == connection_.uri();
+  connect_->setText(anew ? tr("Connect anew") : tr("Connect"));
+  connect_->setAccessibleName(connect_->text());
+  dressAs(connect_, "role", anew ? QString() : "primary");  // what is connected asks for nothing here
   setAvailable(connect_, !address_->text().trimmed().isEmpty(), tr("Connect to this address; the motor stays off"),
                tr("No board is chosen in the list, and no address is given"));
   setAvailable(pace_, simulated,
@@ -180,13 +184,15 @@ void ConnectPage::showState() {
   setState(railState());
   switch (connection_.state()) {
     case ConnectionState::none:
-      state_->clear();
+      state_->setText(address_->text().startsWith("simulated")
+                          ? tr("A simulated board: every page works as with a real one, and nothing can break.")
+                          : QString());
       break;
     case ConnectionState::connecting:
       state_->setText(tr("Connecting to %1 …").arg(shortAddress(connection_.uri())));
       break;
     case ConnectionState::connected:
-      state_->setText(tr("Connected."));
+      state_->setText(tr("Connected. Next: Identify; or Friction, which makes by itself what it needs."));
       break;
     case ConnectionState::failed:
       state_->setText(tr("Not connected: %1").arg(inLanguage(connection_.trouble())));

@@ -2,6 +2,7 @@
 
 #include <QDoubleSpinBox>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -138,9 +139,12 @@ QWidget* FrictionPage::buildSweep() {
   row(duration_);
   columnOf(group)->addLayout(grid);
   run_ = new RunPanel("frictionRun", {RunKind::velocitySweep, RunKind::breakaway, RunKind::trial}, group);
-  columnOf(group)->addWidget(run_);
   anew_ = pushButton(group, "startAnewButton", tr("Start anew"));
-  columnOf(group)->addWidget(anew_);
+  auto* under = new QHBoxLayout;
+  under->setSpacing(8);
+  under->addWidget(run_, 1);
+  under->addWidget(anew_, 0, Qt::AlignTop);
+  columnOf(group)->addLayout(under);
   connect(anew_, &QPushButton::clicked, this, [this] { bench_.forgetSweeps(); });
   for (const QSpinBox* box : {bins_, turns_, speeds_})
     connect(box, &QSpinBox::valueChanged, this, &FrictionPage::showMotion);

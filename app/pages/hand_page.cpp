@@ -18,6 +18,7 @@
 #include "widgets/live_channels.h"
 #include "widgets/look.h"
 #include "widgets/number_text.h"
+#include "widgets/position_view.h"
 #include "widgets/while_shown.h"
 
 using namespace std::chrono_literals;
@@ -50,7 +51,7 @@ HandPage::HandPage(Connection& connection, BenchRuns& bench, const LiveSamples& 
   settings()->addStretch(1);
   picture()->addWidget(buildNumbers());
   picture()->addWidget(buildButtons());
-  picture()->addStretch(1);
+  picture()->addWidget(new PositionView(connection, bench, live, this), 1);
   addReading("handReading");
   connect(&connection_, &Connection::changed, this, &HandPage::showState);
   connect(&connection_, &Connection::runChanged, this, &HandPage::showState);

@@ -3,7 +3,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QStackedWidget>
 #include <QVBoxLayout>
 #include <cmath>
 #include <numbers>
@@ -13,20 +12,22 @@
 #include "pages/run_state.h"
 #include "session/bench_runs.h"
 #include "session/connection.h"
-#include "session/live_samples.h"
 #include "widgets/controls.h"
 #include "widgets/facts_table.h"
 #include "widgets/number_text.h"
-#include "widgets/rotor_dial.h"
+#include "widgets/position_view.h"
 #include "widgets/run_panel.h"
-#include "widgets/travel_strip.h"
-#include "widgets/while_shown.h"
-
-using namespace std::chrono_literals;
 
 namespace breakaway {
 
 namespace {
+
+/// One below the other.
+QString numbered(const QStringList& steps) {
+  QStringList lines;
+  for (const QString& step : steps) lines << QString("%1. %2").arg(lines.size() + 1).arg(step);
+  return lines.join('\n');
+}
 
 double degrees(double angle_rad) {
   return angle_rad * 180.0 / std::numbers::pi;
@@ -35,23 +36,17 @@ double degrees(double angle_rad) {
 }  // namespace
 
 HomePage::HomePage(Connection& connection, BenchRuns& bench, const LiveSamples& live, QWidget* parent)
-    : Page("homePage", tr("Home"), parent), connection_(connection), bench_(bench), live_(live) {
+    : Page("homePage", tr("Home"), parent), connection_(connection), bench_(bench) {
   home_ = addPrimary("homeButton", tr("Home"));
   settings()->addWidget(buildPlan());
   settings()->addWidget(buildResult());
   settings()->addStretch(1);
-  pictures_ = new QStackedWidget(this);
-  dial_ = new RotorDial(pictures_);
-  strip_ = new TravelStrip(pictures_);
-  pictures_->addWidget(dial_);
-  pictures_->addWidget(strip_);
-  picture()->addWidget(pictures_, 1);
+  picture()->addWidget(new PositionView(connection, bench, live, this), 1);
   connect(home_, &QPushButton::clicked, this, [this] { bench_.make(RunKind::homing); });
   connect(&connection_, &Connection::changed, this, &HomePage::showConnection);
   connect(&bench_, &BenchRuns::knownChanged, this, &HomePage::showConnection);
   connect(&bench_, &BenchRuns::measured, this, &HomePage::showResult);
   connect(&connection_, &Connection::runChanged, this, &HomePage::showMotion);
-  new WhileShown(this, 33ms, [this] { showAngle(); });
   showConnection();
 }
 
@@ -77,18 +72,17 @@ QWidget* HomePage::buildResult() {
 QString HomePage::plan() const {
   const HomingOptions options;
   const bool first = !bench_.known().knows(Known::motor) && bench_.obstacleToMake(RunKind::identification).isEmpty();
-  const QString before =
-      first ? tr("First the motor is identified: about a minute, standing and then turning both ways. ") : QString();
-  return before +
-         tr("The shaft turns counter-clockwise at %1 rad/s until the index is seen, at most %2 turns. Then it backs "
-            "off by %3° and passes "
-            "the index's edge %4 times at %5 rad/s, always from the same side. It gives up after %6 s.")
-             .arg(options.searchSpeed_rad_per_s)
-             .arg(options.mostTurns)
-             .arg(degrees(options.backOff_rad), 0, 'f', 0)
-             .arg(options.approaches)
-             .arg(options.approachSpeed_rad_per_s)
-             .arg(options.timeout_s);
+  QStringList steps;
+  if (first) steps << tr("The motor is identified: about a minute, standing and then turning both ways.");
+  steps << tr("The shaft turns counter-clockwise at %1 rad/s until the index is seen, at most %2 turns.")
+               .arg(options.searchSpeed_rad_per_s)
+               .arg(options.mostTurns)
+        << tr("It backs off by %1° and passes the index's edge %2 times at %3 rad/s, always from the same side.")
+               .arg(degrees(options.backOff_rad), 0, 'f', 0)
+               .arg(options.approaches)
+               .arg(options.approachSpeed_rad_per_s)
+        << tr("It gives up after %1 s.").arg(options.timeout_s);
+  return numbered(steps);
 }
 
 QString HomePage::travelPlan() const {
@@ -96,20 +90,19 @@ QString HomePage::travelPlan() const {
       tr("The axis feels for both ends at 50 mm/s, with a current limit that grows only until it moves.")};
   if (!bench_.known().knows(Known::motor))
     steps << tr("The motor is identified: half a minute standing in the middle, then strokes to and fro by voltage.");
-  steps
-      << (connection_.identity().hasIndex
-              ? tr("Then it runs over the whole travel to see the index once and only once, and passes it slowly from "
-                   "below three times.")
-              : tr("It has no index: positions are counted from the lower end."));
+  steps << (connection_.identity().hasIndex
+                ? tr("It runs over the whole travel to see the index once and only once, and passes it slowly from "
+                     "below three times.")
+                : tr("It has no index: positions are counted from the lower end."));
   steps << tr("From there on everything keeps 3 % of the travel, at least 2.4 mm, away from the ends.");
-  return steps.join(' ');
+  return numbered(steps);
 }
 
 void HomePage::showConnection() {
   const bool linear = connection_.linear();
-  pictures_->setCurrentWidget(linear ? static_cast<QWidget*>(strip_) : dial_);
   setHead(linear ? tr("Feel for the ends, home to the index") : tr("Home to the index"),
-          tr("Every angle of the map is counted from the encoder's index."));
+          linear ? tr("Every place of the map is counted from the encoder's index.")
+                 : tr("Every angle of the map is counted from the encoder's index."));
   plan_->setText(linear ? travelPlan() : plan());
   showResult();
 }
@@ -158,20 +151,6 @@ void HomePage::showMotion() {
                                  ? tr("index at %1 mm").arg(1e3 * index->value, 0, 'f', 2)
                                  : tr("index ± %1°").arg(numberText(degrees(normal95 * index->standardError), 2))};
   setState(state);
-}
-
-void HomePage::showAngle() {
-  if (!isVisible()) return;
-  const auto newest = live_.current();
-  if (connection_.linear()) {
-    const bool homed = bench_.axisIsHomed();
-    strip_->show(newest ? std::optional(newest->angle_rad) : std::nullopt,
-                 homed ? std::optional(bench_.known().counted) : std::nullopt,
-                 homed ? std::optional(bench_.index_rad()->value) : std::nullopt);
-    return;
-  }
-  dial_->show(newest ? std::optional(newest->angle_rad) : std::nullopt,
-              bench_.index_rad() ? std::optional(bench_.index_rad()->value) : std::nullopt);
 }
 
 }  // namespace breakaway

@@ -8,16 +8,13 @@
 
 class QLabel;
 class QPushButton;
-class QStackedWidget;
 
 namespace breakaway {
 
 class BenchRuns;
 class Connection;
 class LiveSamples;
-class RotorDial;
 class RunPanel;
-class TravelStrip;
 
 class HomePage : public Page {
   Q_OBJECT
@@ -35,18 +32,13 @@ class HomePage : public Page {
   std::vector<Fact> travelFacts() const;
   void showResult();
   void showMotion();
-  void showAngle();
 
   Connection& connection_;
   BenchRuns& bench_;
-  const LiveSamples& live_;
   QPushButton* home_ = nullptr;
   RunPanel* run_ = nullptr;
   FactsTable* result_ = nullptr;
   QLabel* plan_ = nullptr;
-  QStackedWidget* pictures_ = nullptr;
-  RotorDial* dial_ = nullptr;
-  TravelStrip* strip_ = nullptr;
 };
 
 }  // namespace breakaway

@@ -3,7 +3,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include "pages/run_state.h"
@@ -14,7 +13,9 @@
 #include "widgets/controls.h"
 #include "widgets/elided_label.h"
 #include "widgets/facts_table.h"
+#include "widgets/fitted_scroll.h"
 #include "widgets/look.h"
+#include "widgets/motor_tests_plot.h"
 #include "widgets/number_text.h"
 #include "widgets/run_panel.h"
 
@@ -23,7 +24,7 @@ namespace breakaway {
 namespace {
 
 constexpr size_t mostSteps = 7;
-constexpr int cardHeight = 76;
+constexpr int cardHeight = 68, motorWidth = 352;
 
 QString resultText(const IdentifyStep& step) {
   if (step.state == IdentifyStep::State::failed) return step.trouble;
@@ -36,27 +37,34 @@ QString resultText(const IdentifyStep& step) {
 
 IdentifyPage::IdentifyPage(Connection& connection, BenchRuns& bench, QWidget* parent)
     : Page("identifyPage", tr("Identify"), parent), connection_(connection), bench_(bench) {
-  setHead(tr("Identify the motor"),
-          tr("Each step says what it moves. Together they measure what tuning and maps need; nothing is written to the "
-             "board."));
+  setHead(tr("Identify the motor"), tr("Each step says what it moves; nothing is written to the board."));
   identify_ = addPrimary("identifyButton", tr("Identify the motor"));
   wiring_ = addSecondary("wiringButton", tr("Check the wiring"));
   for (size_t k = 0; k < mostSteps; ++k) cards_.push_back(addCard(*settings()));
   settings()->setSpacing(8);
   settings()->addStretch(1);
-  picture()->addWidget(buildMotor(), 1);
+  run_ = new RunPanel("identifyRun", {RunKind::wiring, RunKind::identification}, this);
+  auto* frame = card(this);
+  columnOf(frame)->setContentsMargins(8, 8, 8, 8);
+  tests_ = new MotorTestsPlot(frame);
+  columnOf(frame)->addWidget(tests_);
+  picture()->addWidget(frame, 3);
+  picture()->addWidget(buildFacts(), 4);
+  picture()->addWidget(run_);
   connect(identify_, &QPushButton::clicked, this, [this] { bench_.make(RunKind::identification); });
   connect(wiring_, &QPushButton::clicked, this, [this] { bench_.make(RunKind::wiring); });
   connect(&connection_, &Connection::changed, this, &IdentifyPage::showSteps);
   connect(&connection_, &Connection::runChanged, this, &IdentifyPage::showSteps);
   connect(&bench_, &BenchRuns::knownChanged, this, &IdentifyPage::showSteps);
+  connect(&bench_, &BenchRuns::knownChanged, this, [this] { tests_->show(bench_.known()); });
+  tests_->show(bench_.known());
   showSteps();
 }
 
 IdentifyPage::Card IdentifyPage::addCard(QVBoxLayout& column) {
   auto* frame = card(this);
   frame->setFixedHeight(cardHeight);
-  columnOf(frame)->setContentsMargins(16, 6, 12, 6);
+  columnOf(frame)->setContentsMargins(16, 4, 12, 6);
   columnOf(frame)->setSpacing(2);
   auto* head = new QHBoxLayout;
   auto* title = section(frame, {});
@@ -76,15 +84,11 @@ IdentifyPage::Card IdentifyPage::addCard(QVBoxLayout& column) {
   return {frame, title, badge, moves, result};
 }
 
-QWidget* IdentifyPage::buildMotor() {
-  auto* area = new QScrollArea(this);
-  area->setObjectName("identifyFacts");
-  area->setFocusPolicy(Qt::NoFocus);
-  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  area->setWidgetResizable(true);
+QWidget* IdentifyPage::buildFacts() {
+  auto* area = new FittedScroll("identifyFacts", this);
   auto* group = new QWidget(area);
   group->setProperty("role", "column");
-  auto* column = columnIn(group, 16);
+  auto* row = rowIn(group, 8);
   auto* motor = card(group);
   columnOf(motor)->addWidget(section(motor, tr("Motor")));
   motor_ = new FactsTable("motorFacts", motor);
@@ -93,11 +97,9 @@ QWidget* IdentifyPage::buildMotor() {
   columnOf(wires)->addWidget(section(wires, tr("Wiring")));
   wires_ = new FactsTable("wiringFacts", wires);
   columnOf(wires)->addWidget(wires_);
-  run_ = new RunPanel("identifyRun", {RunKind::wiring, RunKind::identification}, group);
-  column->addWidget(run_);
-  column->addWidget(motor);
-  column->addWidget(wires);
-  column->addStretch(1);
+  motor->setFixedWidth(motorWidth);  // the sentences have the rest
+  row->addWidget(motor, 0, Qt::AlignTop);
+  row->addWidget(wires, 1, Qt::AlignTop);
   area->setWidget(group);
   area->viewport()->setAutoFillBackground(false);
   group->setAutoFillBackground(false);

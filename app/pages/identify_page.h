@@ -16,6 +16,7 @@ namespace breakaway {
 class BenchRuns;
 class Connection;
 class FactsTable;
+class MotorTestsPlot;
 class RunPanel;
 
 class IdentifyPage : public Page {
@@ -31,7 +32,7 @@ class IdentifyPage : public Page {
   };
 
   Card addCard(QVBoxLayout& column);
-  QWidget* buildMotor();
+  QWidget* buildFacts();
   void showSteps();
   void showCard(const Card& card, int number, const IdentifyStep& step);
   void showFacts();
@@ -43,6 +44,7 @@ class IdentifyPage : public Page {
   QPushButton* identify_ = nullptr;
   QPushButton* wiring_ = nullptr;
   RunPanel* run_ = nullptr;
+  MotorTestsPlot* tests_ = nullptr;
   FactsTable* motor_ = nullptr;
   FactsTable* wires_ = nullptr;
 };

@@ -53,7 +53,11 @@ QWidget* titled(QWidget* parent, const QString& title, QWidget* plot) {
   auto* frame = card(parent);
   columnOf(frame)->setContentsMargins(12, 8, 8, 8);
   columnOf(frame)->setSpacing(4);
-  if (!title.isEmpty()) columnOf(frame)->addWidget(new QLabel(title, frame));
+  if (!title.isEmpty()) {
+    auto* words = new QLabel(title, frame);
+    words->setFont(typed(Type::caption));
+    columnOf(frame)->addWidget(words);
+  }
   columnOf(frame)->addWidget(plot, 1);
   return frame;
 }
@@ -189,7 +193,7 @@ QWidget* TunePage::buildPlots() {
   right->setSpacing(8);
   bode_ = new BodePlot(group);
   locus_ = new LocusPlot(group);
-  right->addWidget(titled(group, tr("Open loop: gain (dB), phase (°)"), bode_), 1);
+  right->addWidget(titled(group, {}, bode_), 1);
   right->addWidget(titled(group, tr("Poles as g grows (1/s)"), locus_), 1);
   auto* side = new QWidget(group);
   side->setFixedWidth(plotsWidth);
@@ -253,7 +257,7 @@ void TunePage::showEdits() {
   setAvailable(undo_, edits_.canUndo(), tr("Take the last edit back"), tr("There is no edit to take back"));
   setAvailable(redo_, edits_.canRedo(), tr("Make the edit again that was taken back"), tr("No edit was taken back"));
   setAvailable(revert_, count > 0, tr("Back to what the board has"), tr("Nothing is edited"));
-  source_->setText(connection_.connected() ? tr("Automatically, from the motor as by its %1").arg(bench_.motor().source)
+  source_->setText(connection_.connected() ? tr("Automatically, by the motor's %1").arg(bench_.motor().source)
                                            : tr("Automatically"));
   for (QPushButton* button : stiffness_)
     setAvailable(button, tr("Sets gains whose margins hold for what is known of the motor; Apply sends them"),

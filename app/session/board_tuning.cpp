@@ -33,7 +33,7 @@ KnownMotor knownMotor(const ControllerSettings& settings, const std::optional<Be
         motor.inertia_kg_m2,
         {shown, shown * constant.standardError / constant.value},
         found.noiseRms_A,
-        words(QT_TRANSLATE_NOOP("BoardTuning", "identified"))};
+        words(QT_TRANSLATE_NOOP("BoardTuning", "identification"))};
   }
   KnownMotor known;
   if (bench && bench->motor.inertia && bench->motor.torqueConstant) {

@@ -216,7 +216,7 @@ void BoardBar::showRun() {
                                                 : tr("windings open"));
     progress_->hide();
     left_->setText({});
-    end_->setText({});
+    end_->hide();
     return;
   }
   progress_->setVisible(endsByItself(run.kind));
@@ -226,11 +226,12 @@ void BoardBar::showRun() {
   const double factor = connection_.identity().simulated ? connection_.link().realTimeFactor : 1.0;
   if (!endsByItself(run.kind) || factor <= 0.0) {
     left_->setText(endsByItself(run.kind) ? tr("Working it out") : tr("Until STOP"));
-    end_->setText({});
+    end_->hide();
     return;
   }
   const double left_s = run.status.remaining_s / factor;
   left_->setText(tr("%1 left").arg(durationText(left_s)));
+  end_->show();
   end_->setText(tr("done at %1").arg(QTime::currentTime().addSecs(std::lround(left_s)).toString("HH:mm")));
 }
 

@@ -12,7 +12,7 @@ namespace breakaway {
 using namespace std::chrono_literals;
 
 namespace {
-constexpr int titleHeight = 32;
+constexpr int titleHeight = 32, firstTitleHeight = 24;
 constexpr int uriRole = Qt::UserRole, kindRole = Qt::UserRole + 1;
 constexpr const char *rigKind = "rig", *portKind = "port";
 }  // namespace
@@ -51,7 +51,7 @@ void BoardList::addTitle(const QString& text) {
   item->setFlags(Qt::NoItemFlags);
   item->setFont(typed(Type::caption, true));
   item->setTextAlignment(Qt::AlignLeft | Qt::AlignBottom);
-  item->setSizeHint({0, titleHeight});
+  item->setSizeHint({0, count() == 1 ? firstTitleHeight : titleHeight});
 }
 
 int BoardList::rowBelowRigs() const {

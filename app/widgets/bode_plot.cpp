@@ -8,6 +8,7 @@
 
 #include "widgets/controls.h"
 #include "widgets/look.h"
+#include "widgets/number_text.h"
 
 namespace breakaway {
 
@@ -43,12 +44,20 @@ BodePlot::BodePlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(thi
   plot_->plotLayout()->setRowSpacing(0);
   gain_ = new QCPAxisRect(plot_);
   phase_ = new QCPAxisRect(plot_);
-  plot_->plotLayout()->addElement(0, 0, gain_);
-  plot_->plotLayout()->addElement(1, 0, phase_);
+  for (const int row : {0, 1}) {
+    titles_[row] = new QCPTextElement(plot_);
+    titles_[row]->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);
+    titles_[row]->setMargins(QMargins(4, 0, 4, 0));
+    plot_->plotLayout()->addElement(2 * row, 0, titles_[row]);
+    plot_->plotLayout()->addElement(2 * row + 1, 0, row == 0 ? gain_ : phase_);
+  }
+  titles_[0]->setText(tr("Gain of the open loop (dB)"));
+  titles_[1]->setText(tr("Its phase (°) over rad/s"));
+  plot_->plotLayout()->setRowStretchFactors({1e-3, 1.0, 1e-3, 1.3});  // the lower one has the labels
   auto* left = new QCPMarginGroup(plot_);
   for (QCPAxisRect* rect : {gain_, phase_}) {
     rect->setMarginGroup(QCP::msLeft, left);
-    rect->setMinimumMargins(QMargins(40, 4, 12, 4));
+    rect->setMinimumMargins(QMargins(40, 7, 12, 4));
     QCPAxis* frequency = rect->axis(QCPAxis::atBottom);
     frequency->setScaleType(QCPAxis::stLogarithmic);
     frequency->setTicker(QSharedPointer<QCPAxisTickerLog>(new QCPAxisTickerLog));
@@ -57,7 +66,6 @@ BodePlot::BodePlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(thi
     rect->axis(QCPAxis::atLeft)->ticker()->setTickCount(3);
   }
   gain_->axis(QCPAxis::atBottom)->setTickLabels(false);
-  phase_->axis(QCPAxis::atBottom)->setLabel(tr("rad/s"));
   onNewLook(this, [this] { draw(); });
   draw();
 }
@@ -76,6 +84,10 @@ void BodePlot::draw() {
   plot_->clearItems();
   const bool some = !edited_.frequency_rad_per_s.empty();
   for (QCPAxisRect* rect : {gain_, phase_}) rect->setVisible(some);
+  for (QCPTextElement* title : titles_) {
+    title->setTextColor(look.ink);
+    title->setFont(typed(Type::caption));
+  }
   if (some) {
     drawResponse(onBoard_, QPen(look.curve(3), 1.2, Qt::DashLine));
     drawResponse(edited_, QPen(look.curve(0), 1.8));
@@ -103,19 +115,34 @@ void BodePlot::drawResponse(const LoopResponse& response, const QPen& pen) {
 void BodePlot::drawMargins() {
   if (!margins_.stable) return;
   const Look& look = Look::of(palette());
-  const auto mark = [&](QCPAxisRect* rect, double frequency, double from, double to) {
-    auto* line = new QCPItemLine(plot_);
-    for (QCPItemPosition* position : line->positions())
+  const auto on = [](QCPAbstractItem* item, QCPAxisRect* rect) {
+    for (QCPItemPosition* position : item->positions())
       position->setAxes(rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atLeft));
-    line->setClipAxisRect(rect);
+    item->setClipAxisRect(rect);
+  };
+  // The curves fall: beside the one mark they pass at the left, beside the other at the right.
+  const auto mark = [&](QCPAxisRect* rect, double frequency, double from, double to, const QString& figure,
+                        Qt::AlignmentFlag side) {
+    auto* line = new QCPItemLine(plot_);
+    on(line, rect);
     line->start->setCoords(frequency, from);
     line->end->setCoords(frequency, to);
     line->setPen(QPen(look.good, 2.4));
+    auto* text = new QCPItemText(plot_);
+    on(text, rect);
+    text->position->setCoords(frequency, 0.5 * (from + to));
+    text->setPositionAlignment(side | Qt::AlignVCenter);
+    text->setPadding(QMargins(5, 0, 5, 0));
+    text->setText(figure);
+    text->setColor(look.good);
+    text->setFont(typed(Type::caption, true));
   };
   if (margins_.phaseCrossover_rad_per_s > 0.0 && std::isfinite(margins_.gainMargin))
-    mark(gain_, margins_.phaseCrossover_rad_per_s, -20.0 * std::log10(margins_.gainMargin), 0.0);
+    mark(gain_, margins_.phaseCrossover_rad_per_s, -20.0 * std::log10(margins_.gainMargin), 0.0,
+         numberText(margins_.gainMargin), Qt::AlignLeft);
   if (margins_.gainCrossover_rad_per_s > 0.0 && std::isfinite(margins_.phaseMargin_rad))
-    mark(phase_, margins_.gainCrossover_rad_per_s, -180.0, -180.0 + degree * margins_.phaseMargin_rad);
+    mark(phase_, margins_.gainCrossover_rad_per_s, -180.0, -180.0 + degree * margins_.phaseMargin_rad,
+         tr("%1°").arg(degree * margins_.phaseMargin_rad, 0, 'f', 1), Qt::AlignRight);
 }
 
 }  // namespace breakaway

@@ -6,6 +6,7 @@
 #include "stability/margins.h"
 
 class QCPAxisRect;
+class QCPTextElement;
 class QCustomPlot;
 
 namespace breakaway {
@@ -26,6 +27,7 @@ class BodePlot : public QWidget {
   QCustomPlot* plot_ = nullptr;
   QCPAxisRect* gain_ = nullptr;
   QCPAxisRect* phase_ = nullptr;
+  QCPTextElement* titles_[2]{};
   LoopResponse edited_, onBoard_;
   LoopMargins margins_;
 };

@@ -1,5 +1,7 @@
 #include "widgets/controls.h"
 
+#include <QCoreApplication>
+#include <QEvent>
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -55,6 +57,9 @@ void dressAs(QWidget* widget, const char* property, const QString& value) {
   widget->setProperty(property, value);
   widget->style()->unpolish(widget);
   widget->style()->polish(widget);
+  QEvent change(QEvent::StyleChange);  // its margins may be others now, and with them its size
+  QCoreApplication::sendEvent(widget, &change);
+  widget->updateGeometry();
 }
 
 void setAvailable(QWidget* control, bool available, const QString& tip, const QString& reason) {

@@ -24,11 +24,20 @@ EvidencePlot::EvidencePlot(Comparison& comparison, QWidget* parent)
   plot_->setMouseTracking(true);
   plot_->plotLayout()->insertRow(0);
   plot_->plotLayout()->setRowSpacing(0);
-  title_ = new QCPTextElement(plot_);
-  title_->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);
-  title_->setMargins(QMargins(4, 2, 4, 2));
-  plot_->plotLayout()->addElement(0, 0, title_);
-  plot_->axisRect()->setMinimumMargins(QMargins(44, 4, 12, 4));
+  auto* head = new QCPLayoutGrid;
+  plot_->plotLayout()->addElement(0, 0, head);
+  const auto words = [this, head](int column, Qt::Alignment side) {
+    auto* text = new QCPTextElement(plot_);
+    text->setTextFlags(static_cast<int>(side | Qt::AlignVCenter));
+    text->setMargins(QMargins(8, 0, 8, 0));
+    head->addElement(0, column, text);
+    return text;
+  };
+  title_ = words(0, Qt::AlignLeft);
+  names_ = {words(1, Qt::AlignRight), words(2, Qt::AlignRight)};
+  head->setColumnStretchFactors({1.0, 1e-3, 1e-3});
+  plot_->plotLayout()->setRowStretchFactors({1e-3, 1.0});
+  plot_->axisRect()->setMinimumMargins(QMargins(44, 7, 10, 3));
   plot_->yAxis->ticker()->setTickCount(4);
   hint_ = new QCPTextElement(plot_);
   plot_->axisRect()->insetLayout()->addElement(hint_, Qt::AlignCenter);
@@ -56,14 +65,19 @@ void EvidencePlot::draw() {
   hint_->setText(nothing ? tr("No place stands out on unseen data")
                          : tr("The residual torque over the finding's own axis comes with the diagnosis"));
   title_->setTextColor(look.ink);
-  title_->setFont(typed(Type::body));
+  title_->setFont(typed(Type::caption));
   title_->setVisible(evidence.has_value());
+  for (size_t k = 0; k < names_.size(); ++k) {
+    names_[k]->setText(k == 0 ? tr("base model") : tr("with findings"));
+    names_[k]->setTextColor(look.curve(k == 0 ? 1 : 0));
+    names_[k]->setFont(typed(Type::caption, true));
+    names_[k]->setVisible(evidence.has_value());
+  }
   if (evidence) {
     const ShownAxis axis = shownAxis(evidence->axis, evidence->linear);
     title_->setText((evidence->linear ? tr("Residual force (N) over %1, unseen data, bands 95 %")
                                       : tr("Residual torque (mNm) over %1, unseen data, bands 95 %"))
-                        .arg(axis.name));
-    plot_->xAxis->setLabel(axis.label());
+                        .arg(axis.label()));
     drawMap(evidence->before, 1);
     drawMap(evidence->after, 0);
     plot_->xAxis->rescale();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <array>
 
 class QCPTextElement;
 class QCustomPlot;
@@ -31,6 +32,7 @@ class EvidencePlot : public QWidget {
   Comparison& comparison_;
   QCustomPlot* plot_ = nullptr;
   QCPTextElement* title_ = nullptr;
+  std::array<QCPTextElement*, 2> names_{};  ///< before, after
   QCPTextElement* hint_ = nullptr;
 };
 

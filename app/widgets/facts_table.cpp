@@ -7,7 +7,7 @@
 namespace breakaway {
 
 namespace {
-constexpr int oneLine = 40;  // characters of a value
+constexpr int oneLine = 30;  // characters of a value
 }  // namespace
 
 FactsTable::FactsTable(const char* objectName, QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)) {
@@ -27,7 +27,11 @@ void FactsTable::show(const std::vector<Fact>& facts) {
   while (rows_.size() < facts.size()) {
     auto* name = new QLabel(this);
     auto* value = new QLabel(this);
-    value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    name->setProperty("tone", "muted");
+    for (QLabel* label : {name, value}) {
+      label->setTextInteractionFlags(Qt::TextSelectableByMouse);  // either, or their lines of writing differ by a pixel
+      label->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    }
     value->setMinimumWidth(1);  // a long value is cut, and doesn't push the page apart
     const int row = static_cast<int>(rows_.size());
     grid_->addWidget(name, row, 0);

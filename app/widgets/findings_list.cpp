@@ -39,28 +39,31 @@ QString effectTitle(const std::string& effect) {
   return nameInLanguage(effect);
 }
 
-FindingsList::FindingsList(Comparison& comparison, QWidget* parent) : QScrollArea(parent), comparison_(comparison) {
+FindingsList::FindingsList(Comparison& comparison, QWidget* parent) : QWidget(parent), comparison_(comparison) {
   setObjectName("findingsList");
   setAccessibleName(tr("Findings"));
   setToolTip(tr("What is missing, the most important first; untick one to see the fit without it"));
-  setWidgetResizable(true);
-  setFrameShape(QFrame::NoFrame);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  columnIn(this);
   connect(&comparison_, &Comparison::diagnosisChanged, this, &FindingsList::rebuild);
   rebuild();
 }
 
 void FindingsList::rebuild() {
-  auto* content = new QWidget;
-  content->setProperty("role", "column");
-  auto* column = columnIn(content, 8, {0, 0, 4, 0});
+  if (content_ != nullptr) {
+    layout()->removeWidget(content_);
+    content_->hide();
+    content_->deleteLater();  // one of its boxes may have asked
+  }
+  content_ = new QWidget(this);
+  layout()->addWidget(content_);
+  auto* column = columnIn(content_, 8);
   if (const auto& diagnosis = comparison_.diagnosis()) {
     for (const Finding& finding : diagnosis->findings) addFinding(*column, finding);
     if (diagnosis->findings.empty() && !diagnosis->misread)
       addText(*column, tr("No effect of the catalogue is missing."));
     addPlaces(*column);
     if (!diagnosis->nextSentence.empty()) {
-      column->addWidget(heading(content, tr("Next experiment")));
+      column->addWidget(heading(content_, tr("Next experiment")));
       addText(*column, inLanguage(diagnosis->nextSentence), "nextExperiment");
     }
     for (const Message& remark : diagnosis->remarks) addText(*column, inLanguage(remark));
@@ -69,8 +72,7 @@ void FindingsList::rebuild() {
                         "was left out, how big it "
                         "is, and how much better the simulation gets on data that was held out."));
   }
-  column->addStretch(1);
-  setWidget(content);
+  content_->show();
 }
 
 void FindingsList::addFinding(QVBoxLayout& column, const Finding& finding) {

@@ -1,7 +1,7 @@
 // What is missing, as a ranked list of sentences; each finding can be left out of the simulation.
 #pragma once
 
-#include <QScrollArea>
+#include <QWidget>
 
 class QVBoxLayout;
 
@@ -10,7 +10,7 @@ namespace breakaway {
 class Comparison;
 struct Finding;
 
-class FindingsList : public QScrollArea {
+class FindingsList : public QWidget {
   Q_OBJECT
 
  public:
@@ -27,6 +27,7 @@ class FindingsList : public QScrollArea {
   void addText(QVBoxLayout& column, const QString& text, const char* objectName = "");
 
   Comparison& comparison_;
+  QWidget* content_ = nullptr;
 };
 
 /// "Cogging" from `cogging`, "Load dependent friction" from `load_dependent_friction`.

@@ -21,7 +21,7 @@ HarmonicsPlot::HarmonicsPlot(QWidget* parent) : QWidget(parent), plot_(new QCust
   setObjectName("harmonicsPlot");
   columnIn(this)->addWidget(plot_);
   plot_->setAccessibleName(tr("Orders of the turn"));
-  plot_->setMinimumSize(120, 90);
+  plot_->setMinimumSize(120, 80);
   plot_->axisRect()->setMinimumMargins(QMargins(36, 4, 8, 4));
   plot_->yAxis->ticker()->setTickCount(3);
   QSharedPointer<QCPAxisTickerFixed> ticker(new QCPAxisTickerFixed);

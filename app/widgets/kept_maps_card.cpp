@@ -14,7 +14,7 @@
 namespace breakaway {
 
 namespace {
-constexpr int buttonWidth = 92;
+constexpr int buttonWidth = 116;
 }
 
 KeptMapsCard::KeptMapsCard(ShownMaps& maps, QWidget* parent) : QFrame(parent), maps_(maps) {

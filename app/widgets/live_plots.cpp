@@ -23,6 +23,10 @@ using namespace std::chrono_literals;
 
 namespace breakaway {
 
+namespace {
+constexpr int plain_px = 208, settings_px = 32;  // with the strip below it, 240; and a row of settings
+}  // namespace
+
 LivePlots::LivePlots(Connection& connection, LiveSamples& live, Messages& messages, FileChooser& files, QWidget* parent)
     : QWidget(parent), connection_(connection), live_(live), messages_(messages), files_(files) {
   setObjectName("livePlots");
@@ -62,7 +66,13 @@ LivePlots::LivePlots(Connection& connection, LiveSamples& live, Messages& messag
 
 void LivePlots::armTrigger() {
   stale_ = true;
+  const bool hidden = trigger_->isHidden();
   if (trigger_->arm(bar_->span_s()) && paused_) setPaused(false);
+  if (hidden != trigger_->isHidden()) emit heightChanged();
+}
+
+int LivePlots::openHeight_px() const {
+  return plain_px + (trigger_->isHidden() && spectrum_->isHidden() ? 0 : settings_px);
 }
 
 void LivePlots::buildPlot() {
@@ -99,7 +109,7 @@ void LivePlots::addTrace(int channel) {
   auto* head = new QCPLayoutGrid;
   plot_->plotLayout()->addElement(channel / 2 * 2, channel % 2, head);
   plot_->plotLayout()->addElement(channel / 2 * 2 + 1, channel % 2, trace.rect);
-  trace.rect->setMinimumMargins(QMargins(44, 1, 8, 3));
+  trace.rect->setMinimumMargins(QMargins(44, 6, 8, 3));
   QCPAxis* time = trace.rect->axis(QCPAxis::atBottom);
   time->setTicker(QSharedPointer<SecondsTicker>::create());
   time->setTickLabels(channel >= 2);
@@ -194,6 +204,7 @@ void LivePlots::showSpectrum(bool shown) {
   for (const Trace& trace : traces_) trace.rect->axis(QCPAxis::atBottom)->ticker()->setTickCount(shown ? 4 : 8);
   if (shown) spectrum_->show(from_s(), to_s());
   plot_->replot(QCustomPlot::rpQueuedReplot);
+  emit heightChanged();
 }
 
 /// A picture in which nothing would move isn't drawn again.
@@ -297,7 +308,7 @@ void LivePlots::scaleValues(Trace& trace) const {
   if (!found) return;
   const double least = channels_[static_cast<size_t>(&trace - traces_.data())].leastSpan;
   const double span = std::max(least, values.size()) * 1.15;
-  trace.rect->axis(QCPAxis::atLeft)->setRange(values.center() - 0.5 * span, values.center() + 0.62 * span);
+  trace.rect->axis(QCPAxis::atLeft)->setRange(values.center() - 0.5 * span, values.center() + 0.5 * span);
 }
 
 void LivePlots::exportVisible() {

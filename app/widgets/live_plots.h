@@ -38,6 +38,8 @@ class LivePlots : public QWidget {
             QWidget* parent = nullptr);
 
   bool paused() const { return paused_; }
+  /// What it takes below a page: more where settings of trigger or spectrum stand above the plots.
+  int openHeight_px() const;
   double from_s() const;
   double to_s() const;
 
@@ -48,6 +50,8 @@ class LivePlots : public QWidget {
  signals:
   /// Whether it takes the page's place.
   void largeAsked(bool large);
+  /// It asks for another height.
+  void heightChanged();
 
  public slots:
   void setPaused(bool paused);

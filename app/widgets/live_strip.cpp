@@ -81,7 +81,7 @@ LiveStrip::LiveStrip(const Connection& connection, const LiveSamples& live, cons
     return text;
   };
   for (size_t k = 0; k < numbers_.size(); ++k) {
-    numbers_[k] = {label(nameWidth, Qt::AlignLeft, true), label(valueWidth, Qt::AlignRight, false),
+    numbers_[k] = {label(nameWidth, Qt::AlignRight, true), label(valueWidth, Qt::AlignRight, false),
                    label(unitWidth, Qt::AlignLeft, true), new Sparkline(std::array{2, 3, 4, 0}[k], this)};
     for (QWidget* part :
          std::initializer_list<QWidget*>{numbers_[k].name, numbers_[k].value, numbers_[k].unit, numbers_[k].line})

@@ -49,6 +49,12 @@ void LocusPlot::draw() {
     unstable->setPen(Qt::NoPen);
     unstable->setBrush(look.troubleBack);
     unstable->setLayer("background");
+    auto* name = new QCPItemText(plot_);
+    name->setText(tr("unstable"));
+    name->setRotation(-90.0);
+    name->setColor(look.trouble);
+    name->setFont(typed(Type::caption, true));
+    name->position->setCoords(0.125 * reach, 0.4 * reach);
     const auto nearest = std::min_element(
         locus_.cutoff_rad_per_s.begin(), locus_.cutoff_rad_per_s.end(),
         [this](double a, double b) { return std::abs(a - cutoff_rad_per_s_) < std::abs(b - cutoff_rad_per_s_); });

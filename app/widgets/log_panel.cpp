@@ -64,7 +64,8 @@ LogPanel::LogPanel(LogOpening& log, QWidget* parent) : QWidget(parent), log_(log
   title_ = section(this, {});
   state_ = explanation(this, {}, "logState");
   table_ = readTable(this, "logColumns", tr("Columns of the log as they are understood"),
-                     {tr("Column"), tr("Taken as"), tr("Unit"), tr("Why"), tr("First values")});
+                     {tr("Column"), tr("Taken as"), tr("Unit"), tr("Why"), tr("First values")},
+                     {name, takenAs, unit, why, first});
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setStretchLastSection(true);
   table_->verticalHeader()->setDefaultSectionSize(choiceHeight);
@@ -97,7 +98,7 @@ QWidget* LogPanel::buildNumbers() {
       if (edit->text().isEmpty()) log_.say(number, std::nullopt);
     });
   };
-  add("logSampleTime", tr("Rows apart, s"), &ImportMap::sample_time_s);
+  add("logSampleTime", tr("Rows apart (s)"), &ImportMap::sample_time_s);
   add("logCounts", tr("Counts a turn"), &ImportMap::counts_per_rev);
   add("logPolePairs", tr("Pole pairs"), &ImportMap::pole_pairs);
   add("logGear", tr("Gear ratio"), &ImportMap::gear_ratio);
@@ -148,6 +149,7 @@ QWidget* LogPanel::buildButtons() {
   auto* strip = new QWidget(this);
   auto* row = rowIn(strip, 6);
   open_ = pushButton(strip, "logOpenButton", tr("Open as a recording"));
+  open_->setProperty("role", "primary");
   auto* guess = pushButton(strip, "logGuessButton", tr("As guessed"),
                            tr("Forget all that was corrected for logs with these column names"));
   auto* close = pushButton(strip, "logCloseButton", tr("Leave it"), tr("Open nothing"));
@@ -198,7 +200,6 @@ void LogPanel::showRow(int row, const LogColumn& column) {
            {},
            column.guessed ? tr("a guess: %1").arg(inLanguage(column.why)) : inLanguage(column.why),
            numbersText(column.first)});
-  for (const int cell : {name, why}) table_->item(row, cell)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   QStringList names{tr("–")};
   for (const Column& one : breakaway::columns()) names << one.name;
   QComboBox* taken = choice(row, takenAs, "logTakenAs", names);

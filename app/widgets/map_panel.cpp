@@ -33,7 +33,7 @@ constexpr ViewChip views[] = {{MapView::turns, "viewTurns"},     {MapView::stati
                               {MapView::coulomb, "viewCoulomb"}, {MapView::viscous, "viewViscous"},
                               {MapView::total, "viewTotal"},     {MapView::positionTorque, "viewPosition"}};
 
-constexpr int twinWidth = 264, leastPolar = 240;
+constexpr int twinWidth = 264, leastPolar = 232;
 
 QFrame* plotCard(QWidget* parent) {
   auto* frame = card(parent);
@@ -136,7 +136,8 @@ QWidget* MapPanel::buildRotor() {
   columnOf(twin)->addWidget(twinQuantity_);
   columnOf(twin)->addWidget(twin_, 1);
   auto* orders = plotCard(side);
-  columnOf(orders)->addWidget(new QLabel(tr("Harmonics"), orders));
+  harmonicsTitle_ = new ElidedLabel("harmonicsQuantity", orders);
+  columnOf(orders)->addWidget(harmonicsTitle_);
   harmonics_ = new HarmonicsPlot(orders);
   columnOf(orders)->addWidget(harmonics_, 1);
   column->addWidget(twin, 1);
@@ -193,10 +194,11 @@ void MapPanel::showMap() {
   const bool linear = known_.identity.axis == Axis::linear;
   plot().show(picture.curves, picture.quantity, picture.unit);
   const QString quantity = picture.quantity.left(1).toUpper() + picture.quantity.mid(1);
-  quantity_->setText(picture.curves.empty() ? tr("Nothing measured yet") : quantity);
+  quantity_->setText(quantity);
   travelQuantity_->setText(picture.curves.empty() ? tr("Nothing measured yet")
                                                   : tr("%1 over the travel").arg(quantity));
   twinQuantity_->setText(tr("Over rotor angle (%1)").arg(picture.unit));
+  harmonicsTitle_->setText(tr("Harmonics (%1)").arg(picture.unit));
   if (!linear) showBeside(picture);
   showFigure(picture);
   showLegend(picture.curves);
@@ -232,7 +234,9 @@ void MapPanel::showFigure(const MapPicture& picture) {
     }
   }
   if (count == 0 || view_ == MapView::positionTorque) {
-    polar_->setFigure({}, {}, {});
+    const bool nothing = known_.breakaways.empty() && !known_.knows(Known::map);
+    nothing ? polar_->setFigure(tr("nothing measured yet"), tr("–"), tr("Run breakaway sweep"))
+            : polar_->setFigure({}, {}, {});
     return;
   }
   const double mean = sum / static_cast<double>(count), error = std::sqrt(squares) / static_cast<double>(count);

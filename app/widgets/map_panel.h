@@ -62,6 +62,7 @@ class MapPanel : public QWidget {
   HarmonicsPlot* harmonics_ = nullptr;
   QLabel* quantity_ = nullptr;
   QLabel* twinQuantity_ = nullptr;
+  QLabel* harmonicsTitle_ = nullptr;
   QLabel* travelQuantity_ = nullptr;
   QLabel* legend_ = nullptr;
   QLabel* travelLegend_ = nullptr;

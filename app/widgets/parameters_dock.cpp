@@ -36,7 +36,7 @@ QTableWidgetItem* plainCell(QTableWidget& table, int row, int column) {
   QTableWidgetItem* item = table.item(row, column);
   if (item == nullptr) {
     item = new QTableWidgetItem;
-    item->setTextAlignment((column == nameColumn ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    item->setData(Qt::TextAlignmentRole, table.horizontalHeaderItem(column)->data(Qt::TextAlignmentRole));
     table.setItem(row, column, item);
   }
   for (const int role : {Qt::ForegroundRole, Qt::BackgroundRole, Qt::FontRole, Qt::CheckStateRole})
@@ -102,7 +102,8 @@ QWidget* ParametersDock::buildTools() {
 
 void ParametersDock::buildTable() {
   table_ = readTable(this, "parametersTable", tr("The board's settings"),
-                     {QString(), tr("Setting"), tr("Board"), tr("Edited"), tr("At first"), tr("Profile"), tr("Range")});
+                     {QString(), tr("Setting"), tr("Board"), tr("Edited"), tr("At first"), tr("Profile"), tr("Range")},
+                     {nameColumn});
   table_->setToolTip(tr("F2 or a double click edits; nothing is sent before Apply"));
   table_->setRowCount(static_cast<int>(profileParameters().size()));
   table_->setSelectionMode(QAbstractItemView::SingleSelection);

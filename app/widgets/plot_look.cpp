@@ -1,7 +1,10 @@
 // Plots in the look.
 #include <qcustomplot.h>
 
+#include <typeinfo>
+
 #include "widgets/look.h"
+#include "widgets/roomy_ticker.h"
 
 namespace breakaway {
 
@@ -30,7 +33,11 @@ void dressAxis(QCPAxis& axis, const Look& look, const QFont& font) {
 
 void dress(QCPAxisRect& rect, const Look& look) {
   for (QCPAxis* axis : rect.axes()) dressAxis(*axis, look, typed(Type::caption));
+  QCPAxis* values = rect.axis(QCPAxis::atLeft);
+  if (values != nullptr && typeid(*values->ticker()) == typeid(QCPAxisTicker))
+    values->setTicker(QSharedPointer<RoomyTicker>::create(*values, values->ticker()->tickCount()));
   rect.setBackground(QBrush(look.surface));
+  rect.setMinimumSize(40, 16);  // where there is little room all are low, and no title is pushed out
 }
 
 void dress(QCPPolarAxisAngular& axis, const Look& look) {

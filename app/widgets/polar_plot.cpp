@@ -6,19 +6,28 @@
 #include <numbers>
 
 #include "base/numbers.h"
+#include "widgets/degree_ticker.h"
 #include "widgets/look.h"
 
 namespace breakaway {
 
 namespace {
 
-constexpr double radiusAxisAngle_deg = -75.0;
+constexpr double radiusAxisAngle_deg = -75.0, figureRadius_px = 52.0;
 
-class DegreeTicker : public QCPAxisTickerFixed {
+/// Of the radius: what would lie under the figure in the middle isn't told.
+class RadiusTicker : public QCPAxisTicker {
+ public:
+  explicit RadiusTicker(const QCPPolarAxisAngular& axis) : axis_(axis) {}
+
  protected:
   QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override {
-    return QCPAxisTickerFixed::getTickLabel(tick, locale, format, precision) + QChar(0xb0);
+    if (axis_.radialAxis()->coordToRadius(tick) < figureRadius_px) return {};
+    return QCPAxisTicker::getTickLabel(tick, locale, format, precision);
   }
+
+ private:
+  const QCPPolarAxisAngular& axis_;
 };
 
 constexpr int figureGap_px = 26;
@@ -75,15 +84,14 @@ PolarPlot::PolarPlot(const char* objectName, QWidget* parent)
   axis_->setMinimumMargins(QMargins(34, 22, 34, 22));
   axis_->setAngle(0.0);  // zero to the right and growing counter-clockwise, as on the dial
   axis_->setRangeReversed(true);
-  QSharedPointer<DegreeTicker> ticker(new DegreeTicker);
-  ticker->setTickStep(30.0);
-  axis_->setTicker(ticker);
+  axis_->setTicker(QSharedPointer<DegreeTicker>::create(30.0));
   axis_->setNumberFormat("gb");
   QCPPolarAxisRadial* radius = axis_->radialAxis();
   radius->setRangeDrag(false);
   radius->setRangeZoom(false);
   radius->setAngle(radiusAxisAngle_deg);
   radius->setTickLabelMode(QCPPolarAxisRadial::lmUpright);
+  radius->setTicker(QSharedPointer<RadiusTicker>::create(*axis_));
   radius->ticker()->setTickCount(4);
   radius->setNumberFormat("gb");
   plot->plotLayout()->addElement(0, 0, axis_);

@@ -97,14 +97,17 @@ void ProfilePanel::fill() {
     auto* name = table_->item(row, 0);
     name->setData(nameRole, QString::fromStdString(one.values.name));
     name->setToolTip(tr("%1 in the file").arg(QString::fromStdString(one.values.name)));
-    name->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     name->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsSelectable);
     name->setCheckState(one.values.same ? Qt::Unchecked : Qt::Checked);
     ++row;
   }
   const QString source = profile_.source();
-  source_->setText(source.isEmpty() ? QString() : row == 0 ? tr("%1: nothing differs").arg(source) : source);
-  source_->setVisible(!source.isEmpty());
+  source_->setText(source.isEmpty()
+                       ? tr("A profile is a file with the gains, limits and friction table of a board: save this "
+                            "board's, or see where a saved one differs. Nothing is written unasked.")
+                   : row == 0 ? tr("%1: nothing differs").arg(source)
+                              : source);
+  dressAs(source_, "tone", source.isEmpty() ? "muted" : QString());
   table_->setVisible(row > 0);
   showAvailable();
 }

@@ -17,6 +17,7 @@ namespace breakaway {
 
 namespace {
 constexpr size_t mostDots = 4000;
+constexpr int topMargin_px = 7;      // half of a tick's label
 constexpr int measuredWidth_px = 3;  // of its line; more points than such widths can't be told apart
 }  // namespace
 
@@ -47,13 +48,12 @@ void ResidualPlots::buildPlot() {
   plot_->plotLayout()->addElement(1, 0, above_);
   addHead(1);
   plot_->plotLayout()->addElement(3, 0, below_);
-  plot_->plotLayout()->setRowStretchFactors({1e-3, 1.0, 1e-3, 1.25});  // heads are as high as their text
   auto* left = new QCPMarginGroup(plot_);
   for (QCPAxisRect* rect : {above_, below_}) {
     rect->setLayer("background");
     for (QCPAxis* axis : rect->axes()) axis->grid()->setLayer("grid");
     rect->setMarginGroup(QCP::msLeft, left);
-    rect->setMinimumMargins(QMargins(44, 1, 10, 3));
+    rect->setMinimumMargins(QMargins(44, topMargin_px, 10, 3));
     rect->setRangeDrag(Qt::Horizontal);
     rect->setRangeZoom(Qt::Horizontal);
     rect->axis(QCPAxis::atLeft)->ticker()->setTickCount(3);
@@ -213,6 +213,7 @@ double ResidualPlots::scale() const {
 /// No axis stands there before there is something to draw on it.
 void ResidualPlots::nameParts() {
   const bool diagnosed = !comparison_.shownTrace().position.empty();
+  const QString over = shownAxis(axis_, linear()).label();
   for (QCPAxisRect* rect : {above_, below_}) {
     const bool drawn = rect == above_ ? comparison_.recording().has_value() : diagnosed;
     for (QCPAxis* axis : {rect->axis(QCPAxis::atLeft), rect->axis(QCPAxis::atBottom)}) {
@@ -220,13 +221,14 @@ void ResidualPlots::nameParts() {
       axis->grid()->setVisible(drawn);
     }
   }
-  above_->axis(QCPAxis::atBottom)->setTickLabels(axis_ != "time");
+  // Heads are as high as their text; before a diagnosis the measurement has all the room.
+  plot_->plotLayout()->setRowStretchFactors({1e-3, 1.0, 1e-3, diagnosed ? 1.25 : 1e-3});
+  above_->axis(QCPAxis::atBottom)->setTickLabels(axis_ != "time" || !diagnosed);
   titles_[0]->setText(!comparison_.recording() ? QString() : linear() ? tr("Position (mm)") : tr("Angle (°)"));
-  titles_[1]->setText(!diagnosed   ? QString()
-                      : inTorque() ? (linear() ? tr("Force left (N)") : tr("Torque left (mNm)"))
-                      : linear()   ? tr("Residual (mm)")
-                                   : tr("Residual (°)"));
-  below_->axis(QCPAxis::atBottom)->setLabel(shownAxis(axis_, linear()).label());
+  titles_[1]->setText(!diagnosed ? QString()
+                      : inTorque()
+                          ? (linear() ? tr("Force left (N) over %1") : tr("Torque left (mNm) over %1")).arg(over)
+                          : (linear() ? tr("Residual (mm) over %1") : tr("Residual (°) over %1")).arg(over));
   names_[0]->setText(comparison_.recording() ? tr("measured") : QString());
   names_[1]->setText(inTorque()  ? tr("this motion can't be foreseen: the torque counts")
                      : diagnosed ? tr("simulated with findings")

@@ -10,7 +10,8 @@ namespace breakaway {
 
 namespace {
 
-constexpr double figureRadius = 72.0;  // within it stands the angle
+constexpr double figureRadius = 64.0;  // within it stands the angle
+constexpr double leastRadius = 96.0;   // that a hand has room in
 
 /// Zero to the right, growing counter-clockwise, as angles are drawn in textbooks and on the polar plot.
 QPointF onCircle(double angle_rad, double radius) {
@@ -22,7 +23,6 @@ QPointF onCircle(double angle_rad, double radius) {
 RotorDial::RotorDial(QWidget* parent) : QWidget(parent) {
   setObjectName("rotorDial");
   setAccessibleName(tr("Rotor angle"));
-  setMinimumSize(200, 200);
 }
 
 void RotorDial::show(std::optional<double> angle_rad, std::optional<double> index_rad) {
@@ -36,6 +36,7 @@ void RotorDial::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.translate(rect().center());
   const double radius = 0.5 * std::min(width(), height()) - 34.0;
+  if (radius < leastRadius) return;
   paintScale(painter, radius);
   if (angle_rad_) paintHand(painter, radius);
 }

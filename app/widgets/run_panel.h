@@ -1,4 +1,4 @@
-// How far a procedure is: progress, remaining time, what it does now, and how it ended, in words.
+// How far a procedure is, what it does now, and how it ended, in words: its progress bar is the board bar's.
 #pragma once
 
 #include <QVariant>
@@ -8,7 +8,6 @@
 #include "session/run.h"
 
 class QLabel;
-class QProgressBar;
 
 namespace breakaway {
 
@@ -30,7 +29,6 @@ class RunPanel : public QWidget {
  private:
   std::vector<RunKind> kinds_;
   RunSnapshot shown_;  ///< without its result
-  QProgressBar* bar_ = nullptr;
   QLabel* activity_ = nullptr;
 };
 

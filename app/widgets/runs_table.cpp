@@ -24,7 +24,7 @@ struct Heading {
 constexpr Heading headings[] = {{QT_TRANSLATE_NOOP("breakaway::RunsTable", "When"), 128},
                                 {QT_TRANSLATE_NOOP("breakaway::RunsTable", "What"), 92},
                                 {QT_TRANSLATE_NOOP("breakaway::RunsTable", "Motor"), 72},
-                                {QT_TRANSLATE_NOOP("breakaway::RunsTable", "Board"), 132},
+                                {QT_TRANSLATE_NOOP("breakaway::RunsTable", "Board"), 96},
                                 {QT_TRANSLATE_NOOP("breakaway::RunsTable", "Name"), 116},
                                 {QT_TRANSLATE_NOOP("breakaway::RunsTable", "Result"), 200},
                                 {QT_TRANSLATE_NOOP("breakaway::RunsTable", "Remark"), 110}};
@@ -61,6 +61,7 @@ class RunsTable::Model : public QAbstractTableModel {
     const ProjectRun& run = runs_[static_cast<size_t>(index.row())];
     if (role == Qt::DisplayRole || role == Qt::EditRole) return textOf(run, index.column());
     if (role != Qt::ToolTipRole) return {};
+    if (index.column() == deviceColumn) return QString::fromStdString(run.device);
     return isWritten(index.column()) ? tr("%1\nDouble click or F2 to write").arg(textOf(run, index.column())).trimmed()
                                      : textOf(run, index.column());
   }
@@ -99,7 +100,7 @@ class RunsTable::Model : public QAbstractTableModel {
       case motorColumn:
         return QString::fromStdString(run.motor);
       case deviceColumn:
-        return QString::fromStdString(run.device);
+        return QString::fromStdString(run.device).section(", ", -1);  // "rig servo" of "simulated board, rig servo"
       case nameColumn:
         return QString::fromStdString(run.name);
       case resultColumn:

@@ -53,37 +53,36 @@ StepPlot::StepPlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(thi
   plot_->plotLayout()->setRowSpacing(2);
   velocity_ = new QCPAxisRect(plot_);
   current_ = new QCPAxisRect(plot_);
-  const auto title = [this](int row) {
-    auto* text = new QCPTextElement(plot_);
-    text->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);
-    text->setMargins(QMargins(4, 4, 4, 0));
-    plot_->plotLayout()->addElement(row, 0, text);
-    return text;
-  };
-  titles_[0] = title(0);
+  for (QCPTextElement*& title : titles_) {
+    title = new QCPTextElement(plot_);
+    title->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);
+    title->setMargins(QMargins(4, 0, 4, 0));
+  }
+  head_ = new QCPLayoutGrid;
+  head_->addElement(0, 0, titles_[0]);
+  plot_->plotLayout()->addElement(0, 0, head_);
   plot_->plotLayout()->addElement(1, 0, velocity_);
-  titles_[1] = title(2);
-  titles_[1]->setText(tr("Current (A)"));
+  plot_->plotLayout()->addElement(2, 0, titles_[1]);
+  titles_[1]->setText(tr("Current (A) over the time from the step (ms)"));
   plot_->plotLayout()->addElement(3, 0, current_);
   plot_->plotLayout()->setRowStretchFactors({0.001, 1.5, 0.001, 1.0});
   auto* left = new QCPMarginGroup(plot_);
   for (QCPAxisRect* rect : {velocity_, current_}) {
     rect->setMarginGroup(QCP::msLeft, left);
-    rect->setMinimumMargins(QMargins(44, 4, 12, 4));
+    rect->setMinimumMargins(QMargins(44, 7, 12, 4));
     rect->setRangeZoom(Qt::Horizontal);
     rect->setRangeDrag(Qt::Horizontal);
   }
   plot_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
   velocity_->axis(QCPAxis::atBottom)->setTickLabels(false);
   current_->axis(QCPAxis::atLeft)->ticker()->setTickCount(3);
-  current_->axis(QCPAxis::atBottom)->setLabel(tr("time from the step (ms)"));
   const auto follow = [](QCPAxis* from, QCPAxis* to) {
     connect(from, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), to,
             [to](const QCPRange& range) { to->setRange(range); });
   };
   follow(velocity_->axis(QCPAxis::atBottom), current_->axis(QCPAxis::atBottom));
   follow(current_->axis(QCPAxis::atBottom), velocity_->axis(QCPAxis::atBottom));
-  hint_ = new QCPTextElement(plot_, tr("Connect a board: the step that its settings make is foretold here"));
+  hint_ = new QCPTextElement(plot_, tr("Connect a board:\nthe step that its settings make is foretold here"));
   velocity_->insetLayout()->addElement(hint_, Qt::AlignCenter);
   setSpeedUnit(tr("rad/s"));
   draw();
@@ -113,9 +112,10 @@ void StepPlot::draw() {
   hint_->setVisible(!some);
   for (QCPTextElement* title : titles_) {
     title->setTextColor(look.ink);
-    title->setFont(typed(Type::body));
+    title->setFont(typed(Type::caption));
     title->setVisible(some);
   }
+  nameCurves();
   for (QCPAxisRect* rect : {velocity_, current_}) {
     for (QCPAxis* axis : rect->axes()) {
       axis->setVisible(some && (axis->axisType() == QCPAxis::atLeft || axis->axisType() == QCPAxis::atBottom));
@@ -139,6 +139,28 @@ void StepPlot::draw() {
     velocity_->axis(QCPAxis::atBottom)->setRange(-beforeShare * end_ms, end_ms);
   }
   plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+/// At the right of the title, each in its colour: the newest next to what is foretold.
+void StepPlot::nameCurves() {
+  const Look& look = Look::of(palette());
+  while (head_->columnCount() > 1) {
+    head_->removeAt(head_->rowColToIndex(0, head_->columnCount() - 1));
+    head_->simplify();
+  }
+  QList<double> stretch{1.0};
+  const auto name = [&](const QString& text, const QColor& ink) {
+    auto* element = new QCPTextElement(plot_, text, typed(Type::caption, true));
+    element->setTextColor(ink);
+    element->setMargins(QMargins(4, 0, 4, 0));
+    head_->addElement(0, head_->columnCount(), element);
+    stretch << 1e-3;
+  };
+  if (!foretold_.time_s.empty()) name(tr("foretold"), look.curve(0));
+  for (size_t k = steps_.size();
+       k-- > firstDrawn(steps_.size());)  // "step 4 3 2 1": there isn't room for the word each time
+    name(k + 1 == steps_.size() ? tr("step %1").arg(k + 1) : QString::number(k + 1), look.curve(colourOf(k)));
+  head_->setColumnStretchFactors(stretch);
 }
 
 void StepPlot::drawCurve(const StepCurve& curve, const QPen& pen) {

@@ -9,6 +9,7 @@
 #include "session/run.h"
 
 class QCPAxisRect;
+class QCPLayoutGrid;
 class QCPTextElement;
 class QCustomPlot;
 
@@ -33,6 +34,7 @@ class StepPlot : public QWidget {
 
  private:
   void draw();
+  void nameCurves();
   void drawCurve(const StepCurve& curve, const QPen& pen);
 
   QCustomPlot* plot_ = nullptr;
@@ -40,6 +42,7 @@ class StepPlot : public QWidget {
   QCPAxisRect* current_ = nullptr;
   QCPTextElement* hint_ = nullptr;
   QCPTextElement* titles_[2]{};
+  QCPLayoutGrid* head_ = nullptr;  ///< title, and what each curve is
   QString speedUnit_;
   std::vector<StepResult> steps_;
   StepCurve foretold_;

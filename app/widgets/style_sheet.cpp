@@ -13,7 +13,7 @@ constexpr const char* sheet = R"(
 QToolTip { background: @surface; color: @ink; border: 1px solid @border; padding: 4px; }
 QPushButton, QToolButton { background: @surface; color: @ink; border: 1px solid @border; border-radius: 4px;
   padding: 0 12px; min-height: 26px; }
-QToolButton { padding: 0 8px; }
+QToolButton { padding: 0 8px; max-height: 26px; }
 QPushButton::menu-indicator, QToolButton::menu-indicator { image: url(:/icons/arrow-down.svg); width: 10px; height: 10px;
   subcontrol-origin: padding; subcontrol-position: center right; right: 8px; }
 QPushButton:hover, QToolButton:hover { background: @selected; }
@@ -21,7 +21,7 @@ QPushButton:pressed, QToolButton:pressed, QPushButton:checked, QToolButton:check
   border-color: @accentLine; }
 QPushButton:disabled, QToolButton:disabled { background: @page; color: @disabled; border-color: @hairline; }
 QPushButton:focus, QToolButton:focus { border: 2px solid @accentLine; padding: 0 11px; min-height: 24px; }
-QToolButton:focus { padding: 0 7px; }
+QToolButton:focus { padding: 0 7px; max-height: 24px; }
 QPushButton[role="primary"] { background: @accent; color: #ffffff; border-color: @accent; font-weight: 600; }
 QPushButton[role="primary"]:hover { background: @accentHover; }
 QPushButton[role="primary"]:disabled { background: @page; color: @disabled; border-color: @border; }

@@ -10,11 +10,15 @@ constexpr int rowHeight = 24;
 }  // namespace
 
 QTableWidget* readTable(QWidget* parent, const char* objectName, const QString& accessibleName,
-                        const QStringList& columns) {
+                        const QStringList& columns, const QList<int>& words) {
   auto* table = new QTableWidget(0, static_cast<int>(columns.size()), parent);
   table->setObjectName(objectName);
   table->setAccessibleName(accessibleName);
   table->setHorizontalHeaderLabels(columns);
+  for (int column = 0; column < table->columnCount(); ++column)
+    table->horizontalHeaderItem(column)->setTextAlignment((words.contains(column) ? Qt::AlignLeft : Qt::AlignRight) |
+                                                          Qt::AlignVCenter);
+  table->setShowGrid(false);
   table->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table->setSelectionBehavior(QAbstractItemView::SelectRows);
   table->setAlternatingRowColors(true);
@@ -30,7 +34,7 @@ QTableWidget* readTable(QWidget* parent, const char* objectName, const QString& 
 void fillRow(QTableWidget& table, int row, const QStringList& cells) {
   for (int column = 0; column < cells.size(); ++column) {
     auto* item = new QTableWidgetItem(cells[column]);
-    item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    item->setData(Qt::TextAlignmentRole, table.horizontalHeaderItem(column)->data(Qt::TextAlignmentRole));
     table.setItem(row, column, item);
   }
 }

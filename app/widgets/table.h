@@ -1,6 +1,7 @@
-// Tables that are read, not edited: right-aligned numbers under named columns.
+// Tables that are read, not edited: numbers at the right, words at the left, each under the name of its column.
 #pragma once
 
+#include <QList>
 #include <QString>
 #include <QStringList>
 
@@ -9,8 +10,10 @@ class QWidget;
 
 namespace breakaway {
 
+/// `words`: columns that hold words; the others hold numbers.
 QTableWidget* readTable(QWidget* parent, const char* objectName, const QString& accessibleName,
-                        const QStringList& columns);
+                        const QStringList& columns, const QList<int>& words = {0});
+/// Cells stand as the names of their columns do.
 void fillRow(QTableWidget& table, int row, const QStringList& cells);
 
 }  // namespace breakaway

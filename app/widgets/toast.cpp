@@ -1,31 +1,31 @@
 #include "widgets/toast.h"
 
-#include <QHBoxLayout>
+#include <QLabel>
 #include <QMouseEvent>
 #include <QPainter>
-#include <algorithm>
+#include <QVBoxLayout>
 
 #include "session/messages.h"
 #include "widgets/controls.h"
-#include "widgets/elided_label.h"
 #include "widgets/look.h"
 
 namespace breakaway {
 
 namespace {
-constexpr int railWidth = 168, margin = 16, room_px = 28, height_px = 32, shown_ms = 5000;
+constexpr int left_px = 184, width_px = 324;  // of the settings, beside the rail
+constexpr int shown_ms = 5000;
 }  // namespace
 
 Toast::Toast(Messages& messages, QWidget* parent) : QWidget(parent) {
   setObjectName("toast");
   setToolTip(tr("Opens the log"));
-  setFixedHeight(height_px);
-  auto* row = rowIn(this, 0, {12, 0, 12, 0});
-  text_ = new ElidedLabel("messageLine", this);
+  setFixedWidth(width_px);
+  text_ = new QLabel(this);
+  text_->setObjectName("messageLine");
+  text_->setWordWrap(true);
   text_->setAccessibleName(tr("Last message"));
   text_->setAttribute(Qt::WA_TransparentForMouseEvents);
-  text_->setAlignment(Qt::AlignVCenter);
-  row->addWidget(text_);
+  columnIn(this, 0, {12, 8, 12, 8})->addWidget(text_);
   hide();
   timer_.setSingleShot(true);
   connect(&timer_, &QTimer::timeout, this, &QWidget::hide);
@@ -46,10 +46,9 @@ void Toast::take(const QString& text, bool trouble) {
 }
 
 void Toast::place() {
-  const QSize room = parentWidget()->size();
-  const int whole = text_->fontMetrics().horizontalAdvance(text_->text()) + room_px;
-  setFixedWidth(std::min(room.width() - railWidth - 2 * margin, whole));
-  move(room.width() - width() - margin, room.height() - below_px_ - height() - 8);
+  if (text_->text().isEmpty()) return;
+  setFixedHeight(layout()->heightForWidth(width_px));
+  move(left_px, parentWidget()->height() - below_px_ - height() - 12);
 }
 
 void Toast::keepAbove(int below_px) {

@@ -1,13 +1,14 @@
-// The last thing that was said, for a few seconds; what failed stays until it is clicked. It lies over the page's
-// reading line, so that nothing moves and no curve is hidden, and is as wide as its words.
+// The last thing that was said, for a few seconds; what failed stays until it is clicked. It lies over the foot of the
+// page's settings, as wide as these, so that nothing moves and neither a curve nor what is read off it is hidden.
 #pragma once
 
 #include <QTimer>
 #include <QWidget>
 
+class QLabel;
+
 namespace breakaway {
 
-class ElidedLabel;
 class Messages;
 
 class Toast : public QWidget {
@@ -30,7 +31,7 @@ class Toast : public QWidget {
  private:
   void take(const QString& text, bool trouble);
 
-  ElidedLabel* text_ = nullptr;
+  QLabel* text_ = nullptr;
   bool trouble_ = false;
   int below_px_ = 0;
   QTimer timer_;

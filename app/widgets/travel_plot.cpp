@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/numbers.h"
+#include "widgets/degree_ticker.h"
 #include "widgets/look.h"
 
 namespace breakaway {
@@ -28,10 +29,8 @@ TravelPlot::TravelPlot(const char* objectName, Places places, QWidget* parent)
     canvas().xAxis->setLabel(TravelPlot::tr("position from the index (mm)"));
     return;
   }
-  canvas().setMinimumSize(120, 90);
-  QSharedPointer<QCPAxisTickerFixed> ticker(new QCPAxisTickerFixed);
-  ticker->setTickStep(90.0);
-  canvas().xAxis->setTicker(ticker);
+  canvas().setMinimumSize(120, 80);
+  canvas().xAxis->setTicker(QSharedPointer<DegreeTicker>::create(90.0));
   canvas().yAxis->ticker()->setTickCount(4);
 }
 

@@ -13,7 +13,7 @@ namespace {
 constexpr double mm = 1e3;
 constexpr double rail_px = 26.0, carriage_px = 12.0, side_px = 40.0, stop_px = 12.0;
 constexpr double leastSpan_m = 0.1;  // before anything is known
-constexpr int mostTicks = 10;
+constexpr int mostTicks = 10, leastHeight = 130;
 
 /// A round step of 1, 2 or 5 that gives no more than `mostTicks`.
 double roundStep(double span) {
@@ -29,7 +29,6 @@ double roundStep(double span) {
 TravelStrip::TravelStrip(QWidget* parent) : QWidget(parent) {
   setObjectName("travelStrip");
   setAccessibleName(tr("Position of the axis"));
-  setMinimumSize(320, 160);
 }
 
 void TravelStrip::show(std::optional<double> position_m, const std::optional<Travel>& travel,
@@ -54,6 +53,7 @@ TravelStrip::Scale TravelStrip::scale() const {
 }
 
 void TravelStrip::paintEvent(QPaintEvent*) {
+  if (height() < leastHeight) return;
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const Scale at = scale();

@@ -6,7 +6,7 @@
 #include "widgets/controls.h"
 #include "widgets/findings_list.h"
 #include "widgets/look.h"
-#include "widgets/number_text.h"
+#include "widgets/parameter_words.h"
 
 namespace breakaway {
 
@@ -22,7 +22,7 @@ QString truthInWords(const TrialTruth& truth) {
   QStringList concealed;
   for (const TrialTruth::Effect& effect : truth.concealed) {
     QStringList values;
-    for (const auto& [name, value] : effect.values) values << QString("%1 %2").arg(name, numberText(value));
+    for (const auto& [name, value] : effect.values) values << wordsOf({name.toStdString(), value, value, value}).line();
     const QString title = truth.outside.empty() ? effectTitle(effect.name) : QString::fromStdString(effect.name);
     concealed << (values.isEmpty() ? title : QString("%1 (%2)").arg(title, values.join(", ")));
   }

@@ -20,7 +20,8 @@ namespace breakaway {
 
 namespace {
 
-constexpr int height_px = 112, barsWidth = 340, nameWidth = 108, textWidth = 84, barHeight = 14, proofHeight = 28;
+constexpr int height_px = 104, barsWidth = 340, nameWidth = 108, textWidth = 84, barHeight = 12, barStep = 21,
+              proofHeight = 28;
 
 QString verdictSentence(const Diagnosis& diagnosis) {
   if (diagnosis.misread) return VerdictCard::tr("A scale or sign is wrong, so that nothing else was looked for");
@@ -64,7 +65,7 @@ class VerdictCard::Bars : public QWidget {
  public:
   explicit Bars(QWidget* parent) : QWidget(parent) {
     setFixedWidth(barsWidth);
-    setMinimumHeight(84);
+    setFixedHeight(3 * barStep);
     setToolTip(
         VerdictCard::tr("RMS error on data that the fit never saw. The line is what noise of the sensors, the "
                         "unknown start of each window and the friction's own wander leave to a perfect model."));
@@ -84,7 +85,7 @@ class VerdictCard::Bars : public QWidget {
     const double most = std::max({fit_.heldoutBefore, fit_.heldoutAfter, floor(), 1e-300});
     const double room = width() - nameWidth - textWidth;
     const auto row = [&](int at, const QString& name, double value, const QColor& colour) {
-      const int y = 6 + 26 * at;
+      const int y = 2 + barStep * at;
       painter.setPen(look.ink);
       painter.drawText(QRect(0, y, nameWidth - 8, barHeight), Qt::AlignRight | Qt::AlignVCenter, name);
       const QRectF bar(nameWidth, y, std::max(1.0, room * value / most), barHeight);
@@ -96,11 +97,11 @@ class VerdictCard::Bars : public QWidget {
     row(1, VerdictCard::tr("with findings"), fit_.heldoutAfter, look.curve(0));
     const double x = nameWidth + room * floor() / most;
     painter.setPen(QPen(look.good, 2));
-    painter.drawLine(QPointF(x, 0), QPointF(x, 60));
+    painter.drawLine(QPointF(x, 0), QPointF(x, 2 * barStep + barHeight + 2));
     painter.setPen(look.good);
-    painter.drawText(QRect(0, 58, nameWidth - 8, 20), Qt::AlignRight | Qt::AlignVCenter,
+    painter.drawText(QRect(0, 2 * barStep, nameWidth - 8, 16), Qt::AlignRight | Qt::AlignVCenter,
                      VerdictCard::tr("perfect model"));
-    painter.drawText(QRectF(std::min(x + 6.0, width() - 1.0 * textWidth), 58, textWidth, 20),
+    painter.drawText(QRectF(std::min(x + 6.0, width() - 1.0 * textWidth), 2 * barStep, textWidth, 16),
                      Qt::AlignLeft | Qt::AlignVCenter, channelText(floor(), fit_.channel));
   }
 
@@ -115,11 +116,15 @@ VerdictCard::VerdictCard(Comparison& comparison, QWidget* parent) : QFrame(paren
   setObjectName("verdictCard");
   setProperty("role", "card");
   setFixedHeight(height_px);
-  auto* row = rowIn(this, 16, {20, 8, 16, 8});
-  auto* words = new QVBoxLayout;
-  words->setSpacing(2);
+  auto* column = columnIn(this, 2, {20, 8, 16, 8});
   title_ = new ElidedLabel("verdict", this);
   title_->setFont(typed(Type::section));
+  column->addWidget(title_);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(16);
+  column->addLayout(row, 1);
+  auto* words = new QVBoxLayout;
+  words->setSpacing(2);
   auto* figures = new QHBoxLayout;
   figure_ = new QLabel(this);
   figure_->setObjectName("verdictFigure");
@@ -139,12 +144,11 @@ VerdictCard::VerdictCard(Comparison& comparison, QWidget* parent) : QFrame(paren
   proof_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   proof_->setFont(typed(Type::caption));
   proof_->setProperty("tone", "muted");
-  words->addWidget(title_);
   words->addLayout(figures, 1);
   words->addWidget(proof_);
   row->addLayout(words, 1);
   bars_ = new Bars(this);
-  row->addWidget(bars_);
+  row->addWidget(bars_, 0, Qt::AlignTop);
   connect(&comparison_, &Comparison::diagnosisChanged, this, &VerdictCard::show);
   connect(&comparison_, &Comparison::progressChanged, this, &VerdictCard::show);
   show();

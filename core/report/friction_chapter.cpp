@@ -21,7 +21,7 @@ Figure polarFigure(const FrictionMap& map, const std::string& title, Get get) {
   for (size_t w = 0; w < 2; ++w) {
     Curve curve;
     curve.label = mapUnitsOf(Axis::rotary).ways[w];
-    curve.colour = static_cast<int>(w);
+    curve.colour = wayColour(w);
     for (size_t k = 0; k <= map.bins.size(); ++k) {
       const MapBin& bin = map.bins[k % map.bins.size()];
       curve.x.push_back(bin.angle_rad + (k == map.bins.size() ? turn_rad : 0.0));

@@ -61,7 +61,7 @@ Curve staticCurve(const FrictionMap& map, size_t way) {
   const MapUnits& units = mapUnitsOf(map.axis);
   const double placeScale = map.axis == Axis::rotary ? 1.0 : units.placeScale;
   Curve curve;
-  curve.colour = static_cast<int>(way);
+  curve.colour = wayColour(way);
   for (const MapBin& bin : map.bins) {
     curve.x.push_back(placeScale * bin.angle_rad);
     curve.y.push_back(units.torqueScale * bin.way[way].static_Nm.value);
@@ -156,7 +156,7 @@ Figure differenceFigure(const FrictionMap& before, const FrictionMap& after) {
   for (size_t way = 0; way < 2; ++way) {
     Curve curve;
     curve.label = units.ways[way];
-    curve.colour = static_cast<int>(way);
+    curve.colour = wayColour(way);
     for (const MapBin& bin : after.bins) {
       const Estimate d = difference(binAt(before, bin.angle_rad).way[way].static_Nm, bin.way[way].static_Nm);
       curve.x.push_back(units.placeScale * bin.angle_rad);

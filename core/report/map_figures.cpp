@@ -77,7 +77,7 @@ Figure mapFigure(const FrictionMap& map, const std::string& title, const std::st
   for (size_t w = 0; w < 2; ++w) {
     Curve curve;
     curve.label = units.ways[w];
-    curve.colour = static_cast<int>(w);
+    curve.colour = wayColour(w);
     for (const MapBin& bin : map.bins) {
       const Estimate estimate = get(bin.way[w]);
       curve.x.push_back(units.placeScale * bin.angle_rad);
@@ -114,7 +114,7 @@ Figure speedFigure(const Commission& done, std::array<Curve, 2> points, const st
     points[w].style = Curve::Style::points;
     points[w].width_px = 3.5;
     Curve line;
-    points[w].colour = line.colour = static_cast<int>(w);
+    points[w].colour = line.colour = wayColour(w);
     line.label = std::string("Coulomb and viscous, ") + units.ways[w];
     double highest = 0.0;
     for (const double speed : points[w].x) highest = std::max(highest, speed);

@@ -29,6 +29,10 @@ struct MapUnits {
   std::string torqueTitle() const { return std::string(torque) + " / " + torqueUnit; }
 };
 const MapUnits& mapUnitsOf(Axis axis);
+/// Of a way's curves, as the window has them: blue counter-clockwise, vermilion clockwise; see colourOf().
+inline int wayColour(size_t way) {
+  return way == 0 ? 1 : 0;
+}
 
 /// Nm or N.
 double staticMean(const FrictionMap& map, size_t way);

@@ -111,16 +111,16 @@
 <context>
     <name>BoardTuning</name>
     <message>
-        <source>identified</source>
-        <translation>Identifikation</translation>
-    </message>
-    <message>
         <source>bench file</source>
         <translation>Prüfstandsdatei</translation>
     </message>
     <message>
         <source>name plate</source>
         <translation>Typenschild</translation>
+    </message>
+    <message>
+        <source>identification</source>
+        <translation>Identifikation</translation>
     </message>
 </context>
 <context>
@@ -1156,8 +1156,16 @@
         <translation>Betrag und Phase des offenen Kreises über der Frequenz</translation>
     </message>
     <message>
-        <source>rad/s</source>
-        <translation>rad/s</translation>
+        <source>Gain of the open loop (dB)</source>
+        <translation>Betrag des offenen Kreises (dB)</translation>
+    </message>
+    <message>
+        <source>Its phase (°) over rad/s</source>
+        <translation>Seine Phase (°) über rad/s</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
     </message>
 </context>
 <context>
@@ -1165,10 +1173,6 @@
     <message>
         <source>Compare</source>
         <translation>Vergleichen</translation>
-    </message>
-    <message>
-        <source>A recording against the physics that its bench file declares: what is missing, and the proof.</source>
-        <translation>Eine Aufzeichnung gegen die Physik, die ihre Prüfstandsdatei angibt: was fehlt, und der Beweis.</translation>
     </message>
     <message>
         <source>Diagnose</source>
@@ -1213,10 +1217,6 @@
     <message>
         <source>Sealed trial</source>
         <translation>Versiegelter Versuch</translation>
-    </message>
-    <message>
-        <source>Progress of the diagnosis</source>
-        <translation>Fortschritt der Diagnose</translation>
     </message>
     <message>
         <source>Open a bench</source>
@@ -1434,6 +1434,14 @@
         <source>acceleration</source>
         <translation>Beschleunigung</translation>
     </message>
+    <message>
+        <source>What a recording shows that its bench file doesn&apos;t declare, and the proof.</source>
+        <translation>Was eine Aufzeichnung zeigt und ihre Prüfstandsdatei nicht angibt, mit Beweis.</translation>
+    </message>
+    <message>
+        <source>Open the log as a recording first, or leave it</source>
+        <translation>Erst das Log als Aufzeichnung öffnen, oder lassen</translation>
+    </message>
 </context>
 <context>
     <name>breakaway::Comparison</name>
@@ -1581,10 +1589,6 @@
         <translation>Verbindet mit %1 …</translation>
     </message>
     <message>
-        <source>Connected.</source>
-        <translation>Verbunden.</translation>
-    </message>
-    <message>
         <source>Not connected: %1</source>
         <translation>Nicht verbunden: %1</translation>
     </message>
@@ -1688,6 +1692,18 @@
         <source>Turn to and fro slowly, ±6 rad/s, until STOP</source>
         <translation>Langsam hin und her drehen, ±6 rad/s, bis STOPP</translation>
     </message>
+    <message>
+        <source>Connected. Next: Identify; or Friction, which makes by itself what it needs.</source>
+        <translation>Verbunden. Weiter mit Identifizieren; oder gleich mit Reibung, die selbst macht, was sie braucht.</translation>
+    </message>
+    <message>
+        <source>Connect anew</source>
+        <translation>Neu verbinden</translation>
+    </message>
+    <message>
+        <source>A simulated board: every page works as with a real one, and nothing can break.</source>
+        <translation>Ein simuliertes Board: jede Seite arbeitet wie mit einem echten, und nichts kann kaputtgehen.</translation>
+    </message>
 </context>
 <context>
     <name>breakaway::Connection</name>
@@ -1773,6 +1789,14 @@
     <message>
         <source>%1 %2    before %3    after %4</source>
         <translation>%1 %2    vorher %3    nachher %4</translation>
+    </message>
+    <message>
+        <source>base model</source>
+        <translation>Grundmodell</translation>
+    </message>
+    <message>
+        <source>with findings</source>
+        <translation>mit Befunden</translation>
     </message>
 </context>
 <context>
@@ -2264,24 +2288,12 @@
         <translation>Ergebnis</translation>
     </message>
     <message>
-        <source>First the motor is identified: about a minute, standing and then turning both ways. </source>
-        <translation>Zuerst wird der Motor identifiziert: etwa eine Minute, stehend und dann in beiden Richtungen drehend. </translation>
-    </message>
-    <message>
-        <source>The shaft turns counter-clockwise at %1 rad/s until the index is seen, at most %2 turns. Then it backs off by %3° and passes the index&apos;s edge %4 times at %5 rad/s, always from the same side. It gives up after %6 s.</source>
-        <translation>Die Welle dreht mit %1 rad/s gegen den Uhrzeigersinn, bis der Index gesehen wird, höchstens %2 Umdrehungen. Dann geht sie um %3° zurück und überfährt die Kante des Index %4-mal mit %5 rad/s, immer von derselben Seite. Nach %6 s gibt sie auf.</translation>
-    </message>
-    <message>
         <source>The axis feels for both ends at 50 mm/s, with a current limit that grows only until it moves.</source>
         <translation>Die Achse tastet mit 50 mm/s nach beiden Enden, mit einer Stromgrenze, die nur wächst, bis sie sich bewegt.</translation>
     </message>
     <message>
         <source>The motor is identified: half a minute standing in the middle, then strokes to and fro by voltage.</source>
         <translation>Der Motor wird identifiziert: eine halbe Minute stehend in der Mitte, dann Hübe hin und her mit Spannung.</translation>
-    </message>
-    <message>
-        <source>Then it runs over the whole travel to see the index once and only once, and passes it slowly from below three times.</source>
-        <translation>Dann fährt sie über den ganzen Weg, um den Index genau einmal zu sehen, und überfährt ihn dreimal langsam von unten.</translation>
     </message>
     <message>
         <source>It has no index: positions are counted from the lower end.</source>
@@ -2407,6 +2419,30 @@
         <source>index ± %1°</source>
         <translation>Index ± %1°</translation>
     </message>
+    <message>
+        <source>Every place of the map is counted from the encoder&apos;s index.</source>
+        <translation>Jede Stelle der Karte zählt vom Index des Encoders.</translation>
+    </message>
+    <message>
+        <source>The motor is identified: about a minute, standing and then turning both ways.</source>
+        <translation>Der Motor wird identifiziert: etwa eine Minute, im Stand und dann drehend in beiden Richtungen.</translation>
+    </message>
+    <message>
+        <source>The shaft turns counter-clockwise at %1&#xa0;rad/s until the index is seen, at most %2&#xa0;turns.</source>
+        <translation>Die Welle dreht linksherum mit %1&#xa0;rad/s, bis der Index kommt, höchstens %2&#xa0;Umdrehungen.</translation>
+    </message>
+    <message>
+        <source>It backs off by %1° and passes the index&apos;s edge %2&#xa0;times at %3&#xa0;rad/s, always from the same side.</source>
+        <translation>Sie geht um %1° zurück und überfährt die Kante des Index %2-mal mit %3&#xa0;rad/s, immer von derselben Seite.</translation>
+    </message>
+    <message>
+        <source>It gives up after %1&#xa0;s.</source>
+        <translation>Nach %1&#xa0;s gibt sie auf.</translation>
+    </message>
+    <message>
+        <source>It runs over the whole travel to see the index once and only once, and passes it slowly from below three times.</source>
+        <translation>Sie fährt über den ganzen Weg, um den Index genau einmal zu sehen, und überfährt ihn dreimal langsam von unten.</translation>
+    </message>
 </context>
 <context>
     <name>breakaway::IdentifyPage</name>
@@ -2417,10 +2453,6 @@
     <message>
         <source>Identify the motor</source>
         <translation>Motor identifizieren</translation>
-    </message>
-    <message>
-        <source>Each step says what it moves. Together they measure what tuning and maps need; nothing is written to the board.</source>
-        <translation>Jeder Schritt sagt, was er bewegt; nichts wird auf das Board geschrieben.</translation>
     </message>
     <message>
         <source>Check the wiring</source>
@@ -2518,6 +2550,10 @@
         <source>A few small pulses tell whether motor, encoder and current sensor belong together; the shaft moves by a tenth of a turn at most</source>
         <translation>Einige kleine Impulse sagen, ob Motor, Encoder und Stromsensor zusammengehören; die Welle bewegt sich höchstens um eine Zehntelumdrehung</translation>
     </message>
+    <message>
+        <source>Each step says what it moves; nothing is written to the board.</source>
+        <translation>Jeder Schritt sagt, was er bewegt; auf das Board wird nichts geschrieben.</translation>
+    </message>
 </context>
 <context>
     <name>breakaway::KeptMapsCard</name>
@@ -2598,13 +2634,6 @@
     <message>
         <source>A %1   B %2   Δy %3</source>
         <translation>A %1   B %2   Δy %3</translation>
-    </message>
-</context>
-<context>
-    <name>breakaway::SecondsTicker</name>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
     </message>
 </context>
 <context>
@@ -2919,6 +2948,10 @@
         <source>Poles of the closed loop as the observer&apos;s cutoff grows</source>
         <translation>Pole des geschlossenen Kreises mit wachsender Grenzfrequenz des Beobachters</translation>
     </message>
+    <message>
+        <source>unstable</source>
+        <translation>instabil</translation>
+    </message>
 </context>
 <context>
     <name>breakaway::LogDrawer</name>
@@ -2998,10 +3031,6 @@
         <translation>Teil</translation>
     </message>
     <message>
-        <source>Rows apart, s</source>
-        <translation>Zeilen alle, s</translation>
-    </message>
-    <message>
         <source>Counts a turn</source>
         <translation>Inkr. je U</translation>
     </message>
@@ -3064,6 +3093,10 @@
     <message>
         <source>Unit of %1</source>
         <translation>Einheit von %1</translation>
+    </message>
+    <message>
+        <source>Rows apart (s)</source>
+        <translation>Zeilen alle (s)</translation>
     </message>
 </context>
 <context>
@@ -3182,10 +3215,6 @@
         <translation>Ab null</translation>
     </message>
     <message>
-        <source>Harmonics</source>
-        <translation>Ordnungen</translation>
-    </message>
-    <message>
         <source>Whether the scale begins at zero, or below the least value, so that variation is easier to see</source>
         <translation>Ob der Maßstab bei null beginnt, oder unter dem kleinsten Wert, sodass Schwankungen besser zu sehen sind</translation>
     </message>
@@ -3233,6 +3262,22 @@
         <source>outlier</source>
         <translation>Ausreißer</translation>
     </message>
+    <message>
+        <source>nothing measured yet</source>
+        <translation>noch nichts gemessen</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>Run breakaway sweep</source>
+        <translation>Losbrechfahrt starten</translation>
+    </message>
+    <message>
+        <source>Harmonics (%1)</source>
+        <translation>Ordnungen (%1)</translation>
+    </message>
 </context>
 <context>
     <name>breakaway::MapPlot</name>
@@ -3243,6 +3288,25 @@
     <message>
         <source>%1 at %2: %3</source>
         <translation>%1 bei %2: %3</translation>
+    </message>
+</context>
+<context>
+    <name>breakaway::MotorTestsPlot</name>
+    <message>
+        <source>What the motor was identified from: points as measured, lines as identified</source>
+        <translation>Woraus der Motor bestimmt wurde: Punkte wie gemessen, Linien wie bestimmt</translation>
+    </message>
+    <message>
+        <source>Standing: current (A) over voltage (V)</source>
+        <translation>Im Stand: Strom (A) über Spannung (V)</translation>
+    </message>
+    <message>
+        <source>Turning: back-EMF (V) over %1</source>
+        <translation>In Bewegung: Gegenspannung (V) über %1</translation>
+    </message>
+    <message>
+        <source>Identify the motor: what it shows standing and turning is drawn here</source>
+        <translation>Motor identifizieren: was er im Stand und in Bewegung zeigt, steht dann hier</translation>
     </message>
 </context>
 <context>
@@ -3555,6 +3619,10 @@
         <source>Ask the board for the profile&apos;s values of the ticked parameters</source>
         <translation>Vom Board die Werte des Profils für die angekreuzten Parameter verlangen</translation>
     </message>
+    <message>
+        <source>A profile is a file with the gains, limits and friction table of a board: save this board&apos;s, or see where a saved one differs. Nothing is written unasked.</source>
+        <translation>Ein Profil ist eine Datei mit Verstärkungen, Grenzen und Reibungstabelle eines Boards: die dieses Boards speichern, oder sehen, worin sich ein gespeichertes unterscheidet. Nichts wird ungefragt geschrieben.</translation>
+    </message>
 </context>
 <context>
     <name>breakaway::ProjectRuns</name>
@@ -3759,14 +3827,6 @@
         <translation>Winkel (°)</translation>
     </message>
     <message>
-        <source>Residual (mm)</source>
-        <translation>Residuum (mm)</translation>
-    </message>
-    <message>
-        <source>Residual (°)</source>
-        <translation>Residuum (°)</translation>
-    </message>
-    <message>
         <source>measured</source>
         <translation>gemessen</translation>
     </message>
@@ -3787,20 +3847,28 @@
         <translation>Eine Aufzeichnung und ihre Prüfstandsdatei öffnen oder hier ablegen</translation>
     </message>
     <message>
-        <source>Force left (N)</source>
-        <translation>Übrige Kraft (N)</translation>
-    </message>
-    <message>
-        <source>Torque left (mNm)</source>
-        <translation>Übriges Moment (mNm)</translation>
-    </message>
-    <message>
         <source>this motion can&apos;t be foreseen: the torque counts</source>
         <translation>diese Bewegung ist nicht vorhersagbar: das Moment zählt</translation>
     </message>
     <message>
         <source>95 % of what a perfect model leaves</source>
         <translation>95 % dessen, was ein vollkommenes Modell übrig lässt</translation>
+    </message>
+    <message>
+        <source>Force left (N) over %1</source>
+        <translation>Restkraft (N) über %1</translation>
+    </message>
+    <message>
+        <source>Torque left (mNm) over %1</source>
+        <translation>Restmoment (mNm) über %1</translation>
+    </message>
+    <message>
+        <source>Residual (mm) over %1</source>
+        <translation>Residuum (mm) über %1</translation>
+    </message>
+    <message>
+        <source>Residual (°) over %1</source>
+        <translation>Residuum (°) über %1</translation>
     </message>
 </context>
 <context>
@@ -3855,10 +3923,6 @@
 </context>
 <context>
     <name>breakaway::RunPanel</name>
-    <message>
-        <source>Progress</source>
-        <translation>Fortschritt</translation>
-    </message>
     <message>
         <source>Activity</source>
         <translation>Tätigkeit</translation>
@@ -4113,6 +4177,13 @@ Doppelklick oder F2 zum Schreiben</translation>
     </message>
 </context>
 <context>
+    <name>breakaway::SecondsTicker</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+</context>
+<context>
     <name>breakaway::SettingsEdits</name>
     <message>
         <source>The board took %1 of %2 settings otherwise than asked for; what it accepted is shown</source>
@@ -4130,24 +4201,31 @@ Doppelklick oder F2 zum Schreiben</translation>
         <translation>Geschwindigkeitssprünge und ihr Strom über der Zeit, gemessen und vorhergesagt</translation>
     </message>
     <message>
-        <source>Current (A)</source>
-        <translation>Strom (A)</translation>
-    </message>
-    <message>
-        <source>time from the step (ms)</source>
-        <translation>Zeit ab dem Sprung (ms)</translation>
-    </message>
-    <message>
-        <source>Connect a board: the step that its settings make is foretold here</source>
-        <translation>Ein Board verbinden: hier wird der Sprung vorhergesagt, den seine Einstellungen ergeben</translation>
-    </message>
-    <message>
         <source>rad/s</source>
         <translation>rad/s</translation>
     </message>
     <message>
         <source>Speed (%1)</source>
         <translation>Geschwindigkeit (%1)</translation>
+    </message>
+    <message>
+        <source>Current (A) over the time from the step (ms)</source>
+        <translation>Strom (A) über der Zeit ab dem Sprung (ms)</translation>
+    </message>
+    <message>
+        <source>foretold</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>step %1</source>
+        <translation>Sprung %1</translation>
+    </message>
+    <message>
+        <source>Connect a board:
+the step that its settings make is foretold here</source>
+        <translation>Ein Board verbinden: hier
+wird der Sprung vorhergesagt,
+den seine Einstellungen ergeben</translation>
     </message>
 </context>
 <context>
@@ -4417,10 +4495,6 @@ Opens the log</source>
         <translation>Was vorhergesagt ist, und die gemessenen Sprünge, der neueste oben; Einschwingen auf 5 %</translation>
     </message>
     <message>
-        <source>Open loop: gain (dB), phase (°)</source>
-        <translation>Offener Kreis: Betrag (dB), Phase (°)</translation>
-    </message>
-    <message>
         <source>Poles as g grows (1/s)</source>
         <translation>Pole mit wachsendem g (1/s)</translation>
     </message>
@@ -4505,10 +4579,6 @@ A</translation>
         <translation>Nichts ist geändert</translation>
     </message>
     <message>
-        <source>Automatically, from the motor as by its %1</source>
-        <translation>Automatisch, Motor laut %1</translation>
-    </message>
-    <message>
         <source>Automatically</source>
         <translation>Automatisch</translation>
     </message>
@@ -4587,6 +4657,10 @@ A</translation>
     <message>
         <source>No step was measured</source>
         <translation>Kein Sprung wurde gemessen</translation>
+    </message>
+    <message>
+        <source>Automatically, by the motor&apos;s %1</source>
+        <translation>Automatisch, Motor laut %1</translation>
     </message>
 </context>
 <context>
@@ -4676,15 +4750,15 @@ A</translation>
     </message>
     <message>
         <source>RMS error on %1 in windows of %2 s; it falls by %3 to %4 % (95 % interval)</source>
-        <translation>Effektivfehler auf: %1, in Fenstern von %2 s; er fällt um %3 bis %4 % (95-%-Intervall)</translation>
+        <translation>Effektivfehler auf %1 in Fenstern von %2 s; er fällt um %3 bis %4 % (95-%-Intervall)</translation>
     </message>
     <message>
         <source>the held-out recording</source>
-        <translation>zurückgehaltene Aufzeichnung</translation>
+        <translation>der zurückgehaltenen Aufzeichnung</translation>
     </message>
     <message>
         <source>unseen parts</source>
-        <translation>ungesehene Teile</translation>
+        <translation>ungesehenen Teilen</translation>
     </message>
 </context>
 <context>
@@ -4712,6 +4786,10 @@ A</translation>
     <message>
         <source>The manual on this page; F1 on what is under the cursor</source>
         <translation>Das Handbuch zu dieser Seite; F1 zu dem, was unter dem Mauszeiger ist</translation>
+    </message>
+    <message>
+        <source>next</source>
+        <translation>als Nächstes</translation>
     </message>
 </context>
 </TS>

@@ -2,6 +2,8 @@
 // else.
 #pragma once
 
+#include <qcustomplot.h>
+
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QAbstractScrollArea>
@@ -12,8 +14,10 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMap>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QTest>
 
 namespace breakaway::test {
 
@@ -61,6 +65,58 @@ inline QMap<QString, QRect> places(const QWidget& window) {
   return found;
 }
 
+/// Where an axis writes its labels, and what they are.
+inline QList<std::pair<QRectF, QString>> tickLabels(const QCPAxis& axis) {
+  QList<std::pair<QRectF, QString>> found;
+  if (!axis.realVisibility() || !axis.tickLabels()) return found;
+  QVector<double> ticks;
+  QVector<QString> labels;
+  axis.ticker()->generate(axis.range(), QLocale::c(), 'g', 6, ticks, nullptr, &labels);
+  const QFontMetrics metrics(axis.tickLabelFont());
+  const double height = metrics.capHeight();
+  for (qsizetype k = 0; k < std::min(ticks.size(), labels.size()); ++k) {
+    if (!axis.range().contains(ticks[k])) continue;
+    const double at = axis.coordToPixel(ticks[k]), width = metrics.horizontalAdvance(labels[k]);
+    const QRect rect = axis.axisRect()->rect();
+    found << std::pair(axis.orientation() == Qt::Vertical
+                           ? QRectF(rect.left() - 8.0 - width, at - 0.5 * height, width, height)
+                           : QRectF(at - 0.5 * width, rect.bottom() + 8.0, width, height),
+                       labels[k]);
+  }
+  return found;
+}
+
+/// One line for each title, name or label in a plot that is cut off, or that lies on another one.
+inline QStringList crampedIn(QCustomPlot& plot) {
+  plot.replot();
+  QStringList found;
+  const auto say = [&](const QString& what) { found << plot.parentWidget()->objectName() + ": " + what; };
+  QList<std::pair<QRectF, QString>> words;
+  for (QCPLayoutElement* element : plot.plotLayout()->elements(true)) {
+    const auto* text = qobject_cast<QCPTextElement*>(element);
+    if (text == nullptr || text->text().isEmpty() || !text->realVisibility()) continue;
+    const QRect wanted = QFontMetrics(text->font()).boundingRect(0, 0, 0, 0, Qt::AlignCenter, text->text());
+    const QRect has = text->rect();
+    if (!plot.rect().contains(has) || has.width() + 1 < wanted.width() || has.height() + 1 < wanted.height())
+      say(QString("\"%1\" is cut off").arg(text->text()));
+    const bool right = text->textFlags() & Qt::AlignRight;
+    words << std::pair(QRectF(right ? has.right() - wanted.width() : has.left(),
+                              has.center().y() - 0.5 * QFontMetrics(text->font()).capHeight(), wanted.width(),
+                              QFontMetrics(text->font()).capHeight()),
+                       text->text());
+  }
+  for (const QCPAxisRect* rect : plot.axisRects()) {
+    for (const QCPAxis* axis : rect->axes()) words << tickLabels(*axis);
+  }
+  for (qsizetype k = 0; k < words.size(); ++k) {
+    for (qsizetype other = k + 1; other < words.size(); ++other) {
+      if (words[k].first.intersects(words[other].first))
+        say(QString("\"%1\" and \"%2\" lie on each other").arg(words[k].second, words[other].second));
+    }
+  }
+  return found;
+}
+
 /// One line for each control that is cut off by the window or by its parent, or too narrow for its words.
 inline QStringList clipped(const QWidget& window) {
   QStringList found;
@@ -76,7 +132,8 @@ inline QStringList clipped(const QWidget& window) {
     if (button == nullptr || button->text().isEmpty()) continue;
     QString text = button->text();
     const int wanted = button->fontMetrics().horizontalAdvance(text.remove('&'));
-    if (wanted + 8 > control->width()) found << name + ": \"" + text + "\" doesn't fit";
+    const bool push = qobject_cast<const QPushButton*>(control) != nullptr;
+    if (wanted + (push ? 18 : 8) > control->width()) found << name + ": \"" + text + "\" doesn't fit";
   }
   for (const QScrollArea* area : window.findChildren<QScrollArea*>()) {
     if (!area->isVisible() || area->widget() == nullptr) continue;
@@ -95,6 +152,30 @@ inline QStringList clipped(const QWidget& window) {
       continue;
     }
     if (label->width() + 1 < label->sizeHint().width()) found << "label \"" + label->text() + "\" is cut off";
+    constexpr int badgeMargin_px = 6;
+    if (!label->property("badge").toString().isEmpty() &&
+        label->fontMetrics().horizontalAdvance(label->text()) + 2 * badgeMargin_px > label->width())
+      found << "badge \"" + label->text() + "\" has no margins";
+  }
+  for (const QScrollArea* area : window.findChildren<QScrollArea*>()) {
+    const auto* outer = qobject_cast<const QScrollArea*>(scrolledBy(area));
+    if (area->isVisible() && outer != nullptr && outer->objectName().endsWith("Settings") &&
+        area->verticalScrollBar()->maximum() > 0)
+      found << area->objectName() + " scrolls within what scrolls";
+  }
+  for (QCustomPlot* plot : window.findChildren<QCustomPlot*>()) {
+    if (plot->isVisible() && plot->window() == &window) found << crampedIn(*plot);
+  }
+  return found;
+}
+
+/// On the page that is shown, at the sizes that have the least room.
+inline QStringList clippedWhereSmall(QWidget& window) {
+  QStringList found;
+  for (const QSize size : {QSize(1280, 720), QSize(1366, 768)}) {
+    window.resize(size);
+    QTest::qWait(50);
+    for (const QString& one : clipped(window)) found << QString("%1: %2").arg(size.width()).arg(one);
   }
   return found;
 }

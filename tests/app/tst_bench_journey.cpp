@@ -70,10 +70,18 @@ void TestBenchJourney::connectHomeSweepExport() {
   QVERIFY2(desk.mapGrows(), "the map did not grow while the sweep ran");
   QCOMPARE(plot->curves().size(), size_t{4});
   QVERIFY(plot->readingAt(plot->pixelOf(plot->curves()[0].points[3])).contains("mNm"));
+  for (const char* page : {"frictionPage", "identifyPage"}) {
+    desk.window.showPage(page);
+    const QStringList cut = clippedWhereSmall(desk.window);
+    QVERIFY2(cut.isEmpty(), qPrintable(QString(page) + ": " + cut.join("; ")));
+  }
+  desk.window.showPage("frictionPage");
   desk.window.resize(1280, 720);
   QTest::qWait(50);
-  const QStringList cut = clipped(desk.window);
-  QVERIFY2(cut.isEmpty(), qPrintable(cut.join("; ")));
+  // What the page is for needs no scrolling.
+  const auto* scrolls = named<QScrollArea>(desk.window, "frictionPageSettings");
+  const QRect seen = placeIn(scrolls->viewport(), desk.window);
+  QVERIFY(seen.contains(placeIn(named<QWidget>(desk.window, "exportMapButton"), desk.window)));
 
   QTemporaryDir folder;
   QVERIFY(desk.exported("csv", folder.filePath("map.csv")));
@@ -198,6 +206,8 @@ void TestBenchJourney::slider_changesTheBoardAndTheStep() {
   const auto& steps = desk.session.bench.steps();
   QVERIFY2(steps[1].figures.rise_s > 1.5 * steps[0].figures.rise_s, "a quarter of the gain must rise more slowly");
   QCOMPARE(named<QTableWidget>(desk.window, "stepTable")->rowCount(), 3);  // what is foretold, and both
+  const QStringList cut = clippedWhereSmall(desk.window);
+  QVERIFY2(cut.isEmpty(), qPrintable(cut.join("; ")));
 }
 
 void TestBenchJourney::measuredImprovement_wasForetold() {

@@ -64,7 +64,7 @@ void TestBoardTuning::motor_isTheBestKnown() {
                    found = knownMotor(namePlate(), bench(), identification());
   QCOMPARE(plate.source, QString("name plate"));
   QCOMPARE(file.source, QString("bench file"));
-  QCOMPARE(found.source, QString("identified"));
+  QCOMPARE(found.source, QString("identification"));
   QCOMPARE(file.values.inertia_kg_m2, 6.3e-5);
   QCOMPARE(found.inertia_kg_m2, identification().motor.inertia_kg_m2);
   QVERIFY(std::abs(plate.inertia_kg_m2.high95() / 6e-5 - 1.3) < 1e-6);

@@ -13,6 +13,7 @@
 #include <QThread>
 #include <cmath>
 
+#include "app/rendered_tree.h"
 #include "app/technician.h"
 #include "app/window_support.h"
 #include "house/program.h"
@@ -115,6 +116,9 @@ void checkDiagnosis(Desk& desk) {
     axis->setCurrentIndex(index);
     QVERIFY(plots->bands() > 0);
   }
+  desk.window.showPage("comparePage");
+  const QStringList cut = clippedWhereSmall(desk.window);
+  QVERIFY2(cut.isEmpty(), qPrintable(cut.join("; ")));
 }
 
 }  // namespace

@@ -106,7 +106,7 @@ void TestLanguageSwitch::german_isSpokenAtOnceAndNothingIsLost() {
     compareTexts(german, textsByPage(other.window));
   }
   QVERIFY(german != english);
-  QVERIFY(named<QPushButton>(desk.window, "connectButton")->text() == "Verbinden");
+  QVERIFY(named<QPushButton>(desk.window, "connectButton")->text() == "Neu verbinden");
   QVERIFY(desk.session.connection.connected());
 
   choose(desk.window, "English");
@@ -290,7 +290,7 @@ void TestLanguageSwitch::turningMotor_isLeftAlone() {
   press(desk.window, "stopButton");
   QVERIFY(spoken(Language::german));
   QVERIFY(!desk.session.connection.powered());
-  QCOMPARE(named<QPushButton>(desk.window, "connectButton")->text(), QString("Verbinden"));
+  QCOMPARE(named<QPushButton>(desk.window, "connectButton")->text(), QString("Neu verbinden"));
 }
 
 void TestLanguageSwitch::openQuestion_isWaitedFor() {

@@ -105,7 +105,7 @@ void TestLinearJourney::connectHomeSweepExport_mapHoldsTheTruth() {
   QVERIFY(desk.beginsWith("breakawaySweepButton", "homing, velocity sweep"));
 
   QVERIFY(desk.homed());
-  QVERIFY(named<QWidget>(desk.window, "travelStrip")->isVisible());
+  QVERIFY(named<QWidget>(*named<QWidget>(desk.window, "homePage"), "travelStrip")->isVisible());
   const Commission& known = desk.session.bench.known();
   QVERIFY(desk.session.bench.axisIsHomed());
   QVERIFY(std::abs(known.counted.high_m - known.counted.low_m - 0.4) < 5e-4);
@@ -276,7 +276,7 @@ void TestLinearJourney::anotherBoard_forgetsWhatWasMeasured() {
   QVERIFY(desk.session.connection.connected());
   QVERIFY(!desk.session.bench.known().knows(Known::motor) && !desk.session.bench.known().travel);
   desk.window.showPage("homePage");
-  QVERIFY(named<QWidget>(desk.window, "rotorDial")->isVisible());
+  QVERIFY(named<QWidget>(*named<QWidget>(desk.window, "homePage"), "rotorDial")->isVisible());
 }
 
 void TestLinearJourney::axisWithoutIndex_countsFromItsLowerEnd() {

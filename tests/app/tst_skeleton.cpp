@@ -13,6 +13,7 @@
 #include "session/language.h"
 #include "support/temporary.h"
 #include "widgets/rail.h"
+#include "widgets/step_plot.h"
 
 using namespace breakaway;
 using namespace breakaway::test;
@@ -37,6 +38,8 @@ class TestSkeleton : public QObject {
   void german_leavesNothingInEnglish();
   void live_hasRoomForTriggerAndSpectrum_data();
   void live_hasRoomForTriggerAndSpectrum();
+  void stepsOfTuning_areNamedWhole_data();
+  void stepsOfTuning_areNamedWhole();
 };
 
 namespace {
@@ -73,8 +76,9 @@ void TestSkeleton::stop_isWholeFromTheFirstFrame() {
 
 void TestSkeleton::window_fitsASmallScreen() {
   Desk desk;
-  for (const bool live : {false, true}) {
+  for (const auto& [live, trigger] : {std::pair{false, 0}, std::pair{true, 0}, std::pair{true, 1}}) {
     desk.window.showLive(live);
+    named<QComboBox>(desk.window, "triggerMode")->setCurrentIndex(trigger);
     for (const QString& page : pages) {
       desk.window.showPage(page);
       QTest::qWait(1);
@@ -222,6 +226,29 @@ void TestSkeleton::live_hasRoomForTriggerAndSpectrum() {
   }
 }
 
+void TestSkeleton::stepsOfTuning_areNamedWhole_data() {
+  QTest::addColumn<bool>("german");
+  QTest::newRow("in English") << false;
+  QTest::newRow("in German") << true;
+}
+
+/// As many as are ever drawn, in the room that they have at 1280 × 720.
+void TestSkeleton::stepsOfTuning_areNamedWhole() {
+  QFETCH(bool, german);
+  const Spoken language(german ? Language::german : Language::english);
+  StepPlot plot;
+  plot.resize(380, 300);
+  const StepCurve curve{{-0.01, 0.0, 0.1}, {0.0, 0.0, 20.0}, {0.0, 20.0, 20.0}, {0.0, 0.0, 1.0}};
+  StepResult step;
+  step.curve = curve;
+  plot.foretell(curve);
+  plot.show(std::vector<StepResult>(12, step));
+  plot.QWidget::show();
+  QTest::qWait(20);
+  const QStringList cut = crampedIn(*plot.findChild<QCustomPlot*>());
+  QVERIFY2(cut.isEmpty(), qPrintable(cut.join("; ")));
+}
+
 void TestSkeleton::tableOfALog_leavesStopInPlace_data() {
   QTest::addColumn<bool>("german");
   QTest::newRow("in English") << false;
@@ -329,8 +356,12 @@ void TestSkeleton::rail_saysHowFarAStepIs() {
   QCOMPARE(words(3), QString("needs a board"));
   QVERIFY(desk.connected());
   QVERIFY2(words(0).contains("kHz"), qPrintable(words(0)));
+  QCOMPARE(words(1), QString("next"));
+  QCOMPARE(words(2), QString());
   QVERIFY(desk.homed());
   QVERIFY2(words(3).startsWith("index ± ") && words(3).endsWith("°"), qPrintable(words(3)));
+  QVERIFY2(words(1).contains("passed"), qPrintable(words(1)));
+  QCOMPARE(words(2), QString("next"));
 }
 
 void TestSkeleton::log_keepsEveryLineWithItsTime() {

@@ -1,0 +1,28 @@
+// Where the rotor or the axis is now: a dial, or a strip of the travel.
+#pragma once
+
+#include <QStackedWidget>
+
+namespace breakaway {
+
+class BenchRuns;
+class Connection;
+class LiveSamples;
+class RotorDial;
+class TravelStrip;
+
+class PositionView : public QStackedWidget {
+ public:
+  PositionView(const Connection& connection, const BenchRuns& bench, const LiveSamples& live, QWidget* parent);
+
+ private:
+  void refresh();
+
+  const Connection& connection_;
+  const BenchRuns& bench_;
+  const LiveSamples& live_;
+  RotorDial* dial_ = nullptr;
+  TravelStrip* strip_ = nullptr;
+};
+
+}  // namespace breakaway
