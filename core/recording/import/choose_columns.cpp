@@ -195,7 +195,8 @@ void dropStrangers(const RawTable& table, const ImportMap& map, std::vector<Choi
   for (int k = 0; k < most && again; ++k) {
     const size_t angle = bestFor(table, map, choices, "angle_rad"),
                  speed = bestFor(table, map, choices, "velocity_rad_per_s");
-    again = std::max(angle, speed) < choices.size() && setStrangersAside(table, angle, speed, choices);
+    again = std::max(angle, speed) < choices.size() &&
+            (setStrangersAside(table, angle, speed, choices) || preferNamesake(table, angle, speed, choices));
   }
 }
 
@@ -247,7 +248,19 @@ void setOthersReferencesAside(const RawTable& table, std::vector<Choice>& choice
       continue;
     }
     const Words words = wordsBut(r);
+    const NameParts own = partsOfName(table.columns[r].channel.name, table.columns[r].unit);
+    const bool alone =
+        !named && own.unit != nullptr && std::none_of(choices.begin(), choices.end(), [&](const Choice& one) {
+          return one.name.to == to.substr(0, end) + to.substr(end + std::string_view("_reference").size()) &&
+                 unitNamed(one.name.unit) == own.unit;
+        });
     for (size_t c = 0; c < choices.size(); ++c) {
+      const bool sameUnit = alone && c != r && !choices[c].name.understood() && !table.columns[c].fault &&
+                            partsOfName(table.columns[c].channel.name, table.columns[c].unit).unit == own.unit;
+      if (sameUnit && choices[r].name.understood()) {  // "target_deg" beside "heading_deg" and an encoder
+        setAside(choices[r], message("is what {} shall be, which isn't taken", table.columns[c].channel.name));
+        break;
+      }
       const bool measured = c != r && !choices[c].name.understood() && !table.columns[c].fault &&
                             wordsOf(table.columns[c].channel.name, true) == words;
       if (measured && followed)
@@ -328,6 +341,7 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
   takeByNeighbours(table, map, choices);
   judgeByNeighbours(table, choices);
   takeDoubtful(table, choices);
+  takeAnglesByValues(table, choices);
   const std::string axis = axisOf(choices);
   for (Choice& choice : choices) {
     if (!choice.name.understood() || choice.byMap || choice.name.to == "time_s") continue;

@@ -250,6 +250,7 @@ ColumnName taken(Reading& name) {
   const bool command = name.reference && to.find("reference") == std::string::npos;
   int rank = (parts.unit == nullptr ? 1 : 0) + (name.found.word->weak ? 2 : 0) + (command ? 4 : 0);
   if (name.kind == UnitKind::current && !q) ++rank;
+  if (name.kind == UnitKind::temperature && !name.has("motor") && !name.has("mot") && !name.has("winding")) ++rank;
   if (name.kind == UnitKind::time && name.unknownBefore > 0) rank += 2;  // "loop_time" after "time"
   if (moves && (name.electrical || firstIn(parts.words, drivenWords) != nullptr)) ++rank;
   ColumnName understood = nameTaken(parts, to, rank);

@@ -344,6 +344,10 @@ void makeSigned(std::vector<double>& values, double bits16or32) {
 
 ToolColumns dynamixel(RawTable& table, double countsPerRev) {
   ToolColumns columns;
+  const bool others = std::any_of(table.columns.begin(), table.columns.end(), [](const RawColumn& column) {
+    const auto words = wordsOf(column.channel.name, true);  // an older model's or another maker's
+    return hasWord(words, "present") && hasWord(words, "speed") && column.unit.empty();
+  });
   const double counts = countsPerRev > 0.0 ? countsPerRev : 4096.0;
   for (RawColumn& column : table.columns) {
     const auto words = wordsOf(column.channel.name, true);
@@ -357,6 +361,8 @@ ToolColumns dynamixel(RawTable& table, double countsPerRev) {
     } else if (hasWord(words, "velocity")) {  // a "speed" is an older model's or another maker's: the angle tells
       makeSigned(values, 4294967296.0);
       to = in(present ? "velocity_rad_per_s" : "velocity_reference_rad_per_s", 0.229 * turn_rad / 60.0, "0.229 rpm");
+    } else if (hasWord(words, "current") && others) {
+      to = setAside(message("counts steps of a servo that is no X series'; say how many amperes one is with a map"));
     } else if (hasWord(words, "current")) {
       makeSigned(values, 65536.0);
       to = in(present ? "current_A" : "current_reference_A", 2.69e-3, "2.69 mA");

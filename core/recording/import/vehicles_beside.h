@@ -1,0 +1,22 @@
+// Which columns are a vehicle's or a robot's as a whole, beside those of the motors that move it.
+#pragma once
+
+#include <vector>
+
+#include "recording/import/choose_columns.h"
+#include "recording/import/raw_table.h"
+
+namespace breakaway {
+
+/// Linear speeds beside a rotary motion.
+void setVehiclesAside(std::vector<Choice>& choices);
+/// How far it went, beside wheels of either side.
+void setVehiclesWayAside(const RawTable& table, std::vector<Choice>& choices);
+/// Places in space and a steering, beside a motor's speed.
+void setPlacesAside(const RawTable& table, std::vector<Choice>& choices);
+/// How it turns and where it heads, beside its place.
+void setTurningAside(const RawTable& table, std::vector<Choice>& choices);
+/// How far it leans, beside a gyro and an acceleration.
+void setTiltAside(const RawTable& table, std::vector<Choice>& choices);
+
+}  // namespace breakaway
