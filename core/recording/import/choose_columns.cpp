@@ -9,6 +9,7 @@
 #include "base/json_object.h"
 #include "recording/columns.h"
 #include "recording/import/columns_beside.h"
+#include "recording/import/foreign_names.h"
 #include "recording/import/motion_beside.h"
 #include "recording/import/name_parts.h"
 #include "recording/import/names_beside.h"
@@ -341,6 +342,7 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
   takeByNeighbours(table, map, choices);
   judgeByNeighbours(table, choices);
   takeDoubtful(table, choices);
+  takeForeignNames(table, choices);
   takeAnglesByValues(table, choices);
   const std::string axis = axisOf(choices);
   for (Choice& choice : choices) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "recording/import/foreign_words.h"
 #include "recording/import/quantity_words.h"
 
 namespace breakaway {
@@ -55,6 +56,21 @@ void partLetters(Words& words) {
       words.insert(words.begin() + static_cast<std::ptrdiff_t>(k) + 1, std::string(second));
     }
   }
+}
+
+/// "Tensión de alimentación" is a supply's voltage.
+void translate(Words& words) {
+  Words english;
+  for (const std::string& word : words) {
+    const auto known = std::find_if(foreignBeside.begin(), foreignBeside.end(),
+                                    [&word](const auto& one) { return one.first == word; });
+    if (known == foreignBeside.end()) {
+      english.push_back(word);
+    } else if (!known->second.empty()) {
+      english.emplace_back(known->second);
+    }
+  }
+  if (!english.empty()) words = std::move(english);  // else what it joins is all there is
 }
 
 /// "torque_from_current" is a torque, however it was come by.
@@ -191,6 +207,7 @@ void partGapless(Words& words) {
 
 void partWords(Words& words) {
   partGapless(words);
+  translate(words);
   partCompounds(words);
   partEnglish(words);
   partLetters(words);
