@@ -487,7 +487,8 @@ bool isLerobot(const RawTable& table) {
 ToolColumns lerobot(const RawTable& table) {
   ToolColumns columns;
   for (const RawColumn& column : table.columns) {
-    if (column.channel.name.ends_with(".pos"))
+    const bool speed = column.channel.name.ends_with(".vel") && column.unit.empty();
+    if (column.channel.name.ends_with(".pos") || speed)
       columns[column.channel.name] =
           setAside(message("is in degrees or in hundredths of the joint's range: name its unit in a map"));
   }

@@ -19,7 +19,7 @@ void takeEfforts(const RawTable& table, std::vector<Choice>& choices) {
   for (size_t c = 0; c < choices.size(); ++c) {
     Words words = wordsOf(table.columns[c].channel.name, true);
     const auto at = std::find(words.begin(), words.end(), "eff");
-    if (at == words.end() || choices[c].name.understood() || choices[c].byMap) continue;
+    if (at == words.end() || choices[c].name.understood() || choices[c].byMap || choices[c].byTool) continue;
     const auto with = [&](const char* word) {
       *at = word;
       return names.contains(words);
@@ -74,7 +74,7 @@ void takeVoltages(const RawTable& table, std::vector<Choice>& choices) {
   for (const RawColumn& column : table.columns) names.insert(column.channel.name);
   for (size_t c = 0; c < choices.size(); ++c) {
     const std::string& name = table.columns[c].channel.name;
-    if (!name.ends_with("_vol") || choices[c].name.understood() || choices[c].byMap) continue;
+    if (!name.ends_with("_vol") || choices[c].name.understood() || choices[c].byMap || choices[c].byTool) continue;
     const std::string whose = name.substr(0, name.size() - 3);
     if (names.contains(whose + "vel") && names.contains(whose + "cur"))
       choices[c].name = understandName(whose + "voltage", table.columns[c].unit);

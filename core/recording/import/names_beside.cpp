@@ -38,7 +38,9 @@ void takeBehindDevices(const RawTable& table, std::vector<Choice>& choices) {
   for (size_t c = 0; c < choices.size(); ++c) ++devices[deviceOf(c)];
   for (size_t c = 0; c < choices.size(); ++c) {
     const std::string device = deviceOf(c);
-    if (device.empty() || devices[device] < fewest || choices[c].name.understood() || choices[c].byMap) continue;
+    if (device.empty() || devices[device] < fewest || choices[c].name.understood() || choices[c].byMap ||
+        choices[c].byTool)
+      continue;
     const std::string number = device.substr(device.find('[') + 1, device.size() - device.find('[') - 2);
     choices[c].name =
         understandName(number + table.columns[c].channel.name.substr(device.size()), table.columns[c].unit);
@@ -69,7 +71,7 @@ void takeBehindPaths(const RawTable& table, std::vector<Choice>& choices) {
   }
   for (size_t c = 0; c < choices.size(); ++c) {
     const std::string whose = pathOf(c);
-    if (whose.empty() || choices[c].name.understood() || choices[c].byMap) continue;
+    if (whose.empty() || choices[c].name.understood() || choices[c].byMap || choices[c].byTool) continue;
     const NameParts path = partsOfName(whose.substr(0, whose.size() - 1), {});
     const bool joints = whose.back() == '/' && firstIn(path.words, jointWords) != nullptr;
     const auto words = wordsOf(table.columns[c].channel.name.substr(whose.size()), true);
@@ -139,7 +141,8 @@ void takeOwnersReferences(const RawTable& table, std::vector<Choice>& choices) {
     const Words words = wordsOf(name, true), owner = ownerOf(name);
     const bool quantity =
         std::any_of(words.begin(), words.end(), [](const std::string& one) { return quantityNamed(one) != nullptr; });
-    const bool open = !choices[c].name.understood() && !choices[c].byMap && !table.columns[c].fault;
+    const bool open =
+        !choices[c].name.understood() && !choices[c].byMap && !choices[c].byTool && !table.columns[c].fault;
     if (!open || quantity || owner.empty() || firstIn(words, referenceWords) == nullptr) continue;
     if (firstIn(words, otherThings) != nullptr || partsOfName(name, table.columns[c].unit).unit != nullptr) continue;
     std::set<std::string> motions;
