@@ -26,6 +26,13 @@ class TestImportMotion : public QObject {
   void outputOfAController_isADutyIfNothingElseDrives();
   void lineOfPropertiesBelowTheNames_isNoLineOfUnits();
   void currentOfAnotherMakersServo_isKept();
+  void inputAndOutputOfAGear_areItsSides();
+  void inputBesideAnOutputAlone_isAReference();
+  void torqueOfSomethingElseThanTheMotor_isKept_data();
+  void torqueOfSomethingElseThanTheMotor_isKept();
+  void motorsMotionUnderOtherNames_isFound_data();
+  void motorsMotionUnderOtherNames_isFound();
+  void tachometerOfAVesc_isElectrical();
 
  private:
   struct Wave {
@@ -200,6 +207,99 @@ void TestImportMotion::currentOfAnotherMakersServo_isKept() {
   QVERIFY(log.ok());
   QCOMPARE(meaning(*log, "Present Position"), "angle_rad");
   QCOMPARE(meaning(*log, "Present Current"), "");
+}
+
+void TestImportMotion::inputAndOutputOfAGear_areItsSides() {
+  const auto log = moving({{"input_speed_rpm", 0, 9.5, 0},
+                           {"output_speed_rpm", 0, 0.95, 0},
+                           {"input_torque_Nm", 0, 0.01, 0},
+                           {"output_torque_Nm", 0, 0.09, 0}});
+  QVERIFY(log.ok());
+  QCOMPARE(meaning(*log, "input_speed_rpm"), "velocity_rad_per_s");
+  QCOMPARE(meaning(*log, "input_torque_Nm"), "torque_Nm");
+  QCOMPARE(meaning(*log, "output_speed_rpm"), "");
+  QCOMPARE(meaning(*log, "output_torque_Nm"), "");
+}
+
+void TestImportMotion::inputBesideAnOutputAlone_isAReference() {
+  const auto log = moving({{"input_speed_rpm", 0, 9.5, 1}, {"output_speed_rpm", 0, 9.5, 0}});
+  QVERIFY(log.ok());
+  QCOMPARE(meaning(*log, "input_speed_rpm"), "velocity_reference_rad_per_s");
+  QCOMPARE(meaning(*log, "output_speed_rpm"), "velocity_rad_per_s");
+}
+
+void TestImportMotion::torqueOfSomethingElseThanTheMotor_isKept_data() {
+  QTest::addColumn<QString>("motion");
+  QTest::addColumn<QString>("torque");
+  QTest::addColumn<bool>("taken");
+  QTest::newRow("a pedal's") << "motor_rad_per_s"
+                             << "pedal_torque_Nm" << false;
+  QTest::newRow("a steering's") << "motor_speed [rad/s]"
+                                << "steering_torque_Nm" << false;
+  QTest::newRow("the motor's") << "motor_speed [rad/s]"
+                               << "motor_torque_Nm" << true;
+  QTest::newRow("nobody's") << "motor_speed [rad/s]"
+                            << "torque_Nm" << true;
+  QTest::newRow("a bench's") << "motor_speed [rad/s]"
+                             << "dyno_torque_Nm" << true;
+  QTest::newRow("both the knee's") << "knee_speed [rad/s]"
+                                   << "knee_torque_Nm" << true;
+}
+
+void TestImportMotion::torqueOfSomethingElseThanTheMotor_isKept() {
+  QFETCH(QString, motion);
+  QFETCH(QString, torque);
+  QFETCH(bool, taken);
+  const QByteArray one = motion.toUtf8(), two = torque.toUtf8();
+  const auto log = moving({{one.constData(), 0, 1, 0}, {two.constData(), 0, 0.01, 0}});
+  QVERIFY(log.ok());
+  QCOMPARE(meaning(*log, motion.toStdString()), "velocity_rad_per_s");
+  QCOMPARE(meaning(*log, torque.toStdString()), taken ? "torque_Nm" : "");
+}
+
+void TestImportMotion::motorsMotionUnderOtherNames_isFound_data() {
+  QTest::addColumn<QString>("first");
+  QTest::addColumn<QString>("second");
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<QString>("to");
+  const auto row = [](const char* first, const char* second, const char* name, const char* to) {
+    QTest::newRow(name) << first << second << name << to;
+  };
+  row("abs_encoder_deg", "inc_encoder_counts", "abs_encoder_deg", "angle_rad");
+  row("speed_abs", "angle_deg", "speed_abs", "");
+  row("tilt_angle", "omega_motor", "tilt_angle", "");
+  row("tilt_servo_angle", "note", "tilt_servo_angle", "angle_rad");
+  row("extruder_pos_mm", "extruder_cmd_mm", "extruder_cmd_mm", "position_reference_m");
+  row("pump_rpm", "motor_current_A", "pump_rpm", "velocity_rad_per_s");
+  row("pump_rpm", "motor_rpm", "pump_rpm", "");
+  row("velocity_mms", "position_mm", "velocity_mms", "velocity_m_per_s");
+}
+
+void TestImportMotion::motorsMotionUnderOtherNames_isFound() {
+  QFETCH(QString, first);
+  QFETCH(QString, second);
+  QFETCH(QString, name);
+  QFETCH(QString, to);
+  const QByteArray one = first.toUtf8(), two = second.toUtf8();
+  const bool secondTurns = second.contains("rpm") || second.contains("omega");
+  const auto log = moving({{one.constData(), first.contains("vel") || first.contains("rpm") ? 0.0 : 1.0,
+                            first.contains("vel") || first.contains("rpm") ? 1.0 : 0.0, 0},
+                           {two.constData(), secondTurns ? 0.0 : 1.0, secondTurns ? 1.0 : 0.0, 0.1}});
+  QVERIFY(log.ok());
+  QCOMPARE(meaning(*log, name.toStdString()), to.toStdString());
+}
+
+void TestImportMotion::tachometerOfAVesc_isElectrical() {
+  const std::vector<Wave> columns{{"rpm", 0, 66.85, 0},   {"tach", 6.684, 0, 0}, {"tachAbs", 6.684, 0, 0},
+                                  {"imotor", 0, 0.01, 0}, {"iin", 0, 0.003, 0},  {"vbat", 0, 0, 24}};
+  QVERIFY(!moving(columns));
+  ImportMap map;
+  map.pole_pairs = 7.0;
+  const auto log = moving(columns, map);
+  QVERIFY(log.ok());
+  QVERIFY(std::abs(log->recording.channel("velocity_rad_per_s")[50] - 40.0 * std::sin(1.5)) < 0.1);
+  QCOMPARE(meaning(*log, "imotor"), "current_A");
+  QCOMPARE(meaning(*log, "iin"), "");
 }
 
 QTEST_APPLESS_MAIN(TestImportMotion)

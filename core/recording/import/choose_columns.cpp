@@ -13,6 +13,7 @@
 #include "recording/import/motion_beside.h"
 #include "recording/import/name_parts.h"
 #include "recording/import/names_beside.h"
+#include "recording/import/others_beside.h"
 #include "recording/import/quantity_words.h"
 #include "recording/import/settling.h"
 
@@ -225,51 +226,6 @@ Result<void> takeOneEach(const RawTable& table, const ImportMap& map, std::vecto
   return {};
 }
 
-bool namesQuantity(const Words& words) {
-  return std::any_of(words.begin(), words.end(), [](const std::string& one) { return quantityNamed(one) != nullptr; });
-}
-
-/// "handle_angle_cmd" is what "handle_angle" shall be: no reference where another angle was taken.
-void setOthersReferencesAside(const RawTable& table, std::vector<Choice>& choices) {
-  const auto wordsBut = [&table](size_t c) {
-    Words words = wordsOf(table.columns[c].channel.name, true);
-    std::erase_if(words, [](const std::string& word) { return isIn(referenceWords, word); });
-    return words;
-  };
-  for (size_t r = 0; r < choices.size(); ++r) {
-    const std::string to = choices[r].name.to;
-    const size_t end = to.find("_reference");
-    if (end == std::string::npos || choices[r].byMap || choices[r].byTool) continue;
-    const bool named = namesQuantity(wordsOf(table.columns[r].channel.name, true));
-    const bool followed = std::any_of(choices.begin(), choices.end(), [&](const Choice& one) {
-      return one.name.to.starts_with(to.substr(0, end)) && one.name.to.find("_reference") == std::string::npos;
-    });
-    if (!named && !followed) {  // "target_deg" beside a heading
-      setAside(choices[r], message("is what something shall be that isn't taken"));
-      continue;
-    }
-    const Words words = wordsBut(r);
-    const NameParts own = partsOfName(table.columns[r].channel.name, table.columns[r].unit);
-    const bool alone =
-        !named && own.unit != nullptr && std::none_of(choices.begin(), choices.end(), [&](const Choice& one) {
-          return one.name.to == to.substr(0, end) + to.substr(end + std::string_view("_reference").size()) &&
-                 unitNamed(one.name.unit) == own.unit;
-        });
-    for (size_t c = 0; c < choices.size(); ++c) {
-      const bool sameUnit = alone && c != r && !choices[c].name.understood() && !table.columns[c].fault &&
-                            partsOfName(table.columns[c].channel.name, table.columns[c].unit).unit == own.unit;
-      if (sameUnit && choices[r].name.understood()) {  // "target_deg" beside "heading_deg" and an encoder
-        setAside(choices[r], message("is what {} shall be, which isn't taken", table.columns[c].channel.name));
-        break;
-      }
-      const bool measured = c != r && !choices[c].name.understood() && !table.columns[c].fault &&
-                            wordsOf(table.columns[c].channel.name, true) == words;
-      if (measured && followed)
-        setAside(choices[r], message("is what {} shall be, which isn't taken", table.columns[c].channel.name));
-    }
-  }
-}
-
 Result<void> checkMap(const RawTable& table, const ImportMap& map, const std::string& place) {
   std::vector<std::string> names;
   names.reserve(table.columns.size());
@@ -352,7 +308,7 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
   }
   dropStrangers(table, map, choices);
   if (const auto one = takeOneEach(table, map, choices, place); !one) return one.error();
-  setOthersReferencesAside(table, choices);
+  setOthersAside(table, choices);
   for (size_t c = 0; c < choices.size(); ++c) {
     const auto& fault = table.columns[c].fault;
     if (!fault) continue;

@@ -295,7 +295,13 @@ ColumnName understandName(std::string_view text, std::string_view unit) {
                      parts.unit->kind == UnitKind::angularVelocity ? 0 : 2);
   if (parts.words.empty()) return nameAside(message("it has no name"), parts);
   if (isMultiplied(text)) return nameAside(message("a factor stands in its name"), parts);
-  if (auto why = otherThing(parts); !why.empty()) return nameAside(std::move(why), parts);
+  if (auto why = otherThing(parts); !why.empty()) {
+    ColumnName other = nameAside(std::move(why), parts);
+    for (const char* driven : {"pump", "fan"}) {  // what a motor turns
+      if (name.has(driven)) other.unknownWord = driven;
+    }
+    return other;
+  }
   findQuantity(name);
   if (name.found.word == nullptr) return withoutQuantity(name);
   if (name.kind == UnitKind::temperature && parts.unit == nullptr && parts.words.back() == "dc")

@@ -96,6 +96,12 @@ ToolColumns vescNames() {
           {"tachometer", tachometer},
           {"displacement", tachometer},
           {"tachometerabs", setAside(message("counts both ways up"))},
+          {"tach", tachometer},
+          {"tachabs", setAside(message("counts both ways up"))},
+          {"imotor", current},
+          {"iin", ofSupply},
+          {"vbat", supply},
+          {"tmotor", in("temperature_degC", 1.0, "°C")},
           {"distancetraveled", setAside(message("counts both ways up"))},
           {"avgmotorcurrent", current},
           {"currentmotor", current},
@@ -121,8 +127,9 @@ bool isVescValues(const RawTable& table) {
   const auto has = [&names](const char* name) { return names.contains(name); };
   const bool library = (has("avgmotorcurrent") || has("dutycyclenow") || has("dutynow") || has("avginputcurrent")) &&
                        (has("rpm") || has("tachometer"));
+  const bool shortened = has("tachabs") && has("tach") && has("rpm");
   const bool ros = has("currentmotor") && has("currentinput") && has("dutycycle") && has("speed");
-  return library || ros;
+  return library || ros || shortened;
 }
 
 ToolColumns vescValues(RawTable& table) {

@@ -81,6 +81,15 @@ void dropSource(Words& words) {
   if (named) words.erase(from, words.end());
 }
 
+/// "abs_encoder" is an absolute one; the amount of a value is called so behind it.
+void dropAbsolute(Words& words) {
+  static constexpr auto measured =
+      std::to_array<std::string_view>({"encoder", "enc", "position", "pos", "angle", "absolute"});
+  for (size_t k = 0; k + 1 < words.size(); ++k) {
+    if (words[k] == "abs" && isIn(measured, words[k + 1])) words.erase(words.begin() + static_cast<std::ptrdiff_t>(k));
+  }
+}
+
 /// "dphi/dt" is a speed.
 void joinDerivatives(Words& words) {
   for (size_t k = 0; k + 1 < words.size(); ++k) {
@@ -166,6 +175,7 @@ std::string_view withoutSource(std::string_view text) {
 }
 
 void joinWords(Words& words) {
+  dropAbsolute(words);
   joinDerivatives(words);
   for (size_t k = 0; k + 1 < words.size(); ++k) {
     const bool axis = words[k + 1] == "q" || words[k + 1] == "d";

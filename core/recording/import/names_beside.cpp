@@ -144,7 +144,8 @@ void takeOwnersReferences(const RawTable& table, std::vector<Choice>& choices) {
     const bool open =
         !choices[c].name.understood() && !choices[c].byMap && !choices[c].byTool && !table.columns[c].fault;
     if (!open || quantity || owner.empty() || firstIn(words, referenceWords) == nullptr) continue;
-    if (firstIn(words, otherThings) != nullptr || partsOfName(name, table.columns[c].unit).unit != nullptr) continue;
+    const NameParts parts = partsOfName(name, table.columns[c].unit);
+    if (firstIn(words, otherThings) != nullptr || parts.unknownUnit) continue;
     std::set<std::string> motions;
     size_t of = choices.size();
     for (size_t k = 0; k < choices.size(); ++k) {
@@ -155,6 +156,13 @@ void takeOwnersReferences(const RawTable& table, std::vector<Choice>& choices) {
     }
     if (motions.size() != 1) continue;
     ColumnName reference = choices[of].name;
+    if (parts.unit != nullptr) {  // "extruder_cmd_mm" beside "extruder_pos_mm"
+      const Unit* measured = unitNamed(reference.unit);
+      if (measured == nullptr || measured->kind != parts.unit->kind) continue;
+      reference.unit = parts.unitText;
+      reference.scale = parts.unit->scale * parts.factor;
+      reference.needs = parts.unit->needs;
+    }
     reference.to.insert(reference.to.find('_'), "_reference");
     reference.guess = message("what {} shall be", table.columns[of].channel.name);
     choices[c].name = reference;
@@ -167,6 +175,32 @@ bool ofVehicle(const RawTable& table) {
   return std::any_of(table.columns.begin(), table.columns.end(), [](const RawColumn& column) {
     return firstIn(wordsOf(column.channel.name, true), words) != nullptr;
   });
+}
+
+/// "input_speed" and "output_speed" beside "input_torque" and "output_torque" are a gear's two sides: the motor's is
+/// the first, and no reference.
+void takeGearSides(const RawTable& table, std::vector<Choice>& choices) {
+  const auto sideOf = [&table](size_t c, std::string_view side) {
+    Words words = wordsOf(table.columns[c].channel.name, true);
+    return std::erase_if(words, [&](const std::string& word) { return word == side; }) == 1 ? words : Words{};
+  };
+  std::vector<std::pair<size_t, size_t>> pairs;  // input, output
+  bool torque = false;
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const Words input = sideOf(c, "input");
+    if (input.empty() || choices[c].byMap || choices[c].byTool || !choices[c].name.understood()) continue;
+    for (size_t k = 0; k < choices.size(); ++k) {
+      if (sideOf(k, "output") != input || choices[k].byMap || choices[k].byTool) continue;
+      pairs.emplace_back(c, k);
+      torque = torque || choices[k].name.to == "torque_Nm";
+    }
+  }
+  if (pairs.size() < 2 || !torque) return;
+  for (const auto& [input, output] : pairs) {
+    choices[input].name =
+        understandName(nameWithout(table.columns[input].channel.name, "input"), table.columns[input].unit);
+    setAside(choices[output], message("is behind a gear, beside {}", table.columns[input].channel.name));
+  }
 }
 
 /// "Output_%", "command_pct" where nothing else drives is a controller's output, and so the motor's duty.
@@ -233,7 +267,6 @@ ColumnName withoutUnknown(const RawColumn& column, ColumnName name) {
 
 }  // namespace
 
-/// The name without its last word that reads so.
 std::string nameWithout(std::string name, const std::string& word) {
   std::string lower = name;
   std::transform(lower.begin(), lower.end(), lower.begin(),
@@ -250,6 +283,7 @@ void takeByNeighbours(const RawTable& table, const ImportMap& map, std::vector<C
   takeLettersBeside(table, choices);
   setVehiclesWayAside(table, choices);
   setCountsBesideMetresAside(table, map, choices);
+  takeGearSides(table, choices);
   takeOwnersReferences(table, choices);
   takeOutputs(table, choices);
 }

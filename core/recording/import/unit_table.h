@@ -181,6 +181,7 @@ inline constexpr auto units = std::to_array<Unit>({
     {"mm_per_s", linearVelocity, 1e-3},
     {"um_per_s", linearVelocity, 1e-6},
     {"mps", linearVelocity, 1},
+    {"mms", linearVelocity, 1e-3},
     {"m_per_min", linearVelocity, 1.0 / 60},
     {"mm_per_min", linearVelocity, 1e-3 / 60},
     {"inch_per_s", linearVelocity, inch_m},
