@@ -17,6 +17,7 @@ class TestImportMotion : public QObject {
   void countsThatMoveAsTheSpeedSays_areTheAngle();
   void lettersOfAMotorsFrames_areItsState_data();
   void lettersOfAMotorsFrames_areItsState();
+  void lettersThatSayActual_areTheState();
   void cartWithAPole_isTheCarts();
   void poseOfAVehicle_isNoCart();
   void wayOfAVehicle_isNoMotorsPosition();
@@ -115,6 +116,13 @@ void TestImportMotion::lettersOfAMotorsFrames_areItsState() {
   QCOMPARE(meaning(*log, "p"), "angle_rad");
   QCOMPARE(meaning(*log, "v"), "velocity_rad_per_s");
   QCOMPARE(meaning(*log, first.toStdString()), to.toStdString());
+}
+
+void TestImportMotion::lettersThatSayActual_areTheState() {
+  const auto log = moving({{"p_des", 1, 0, 0.1}, {"p_act", 1, 0, 0}, {"v_des", 0, 1, 1}, {"v_act", 0, 1, 0}});
+  QVERIFY(log.ok());
+  QCOMPARE(meaning(*log, "p_act"), "angle_rad");
+  QCOMPARE(meaning(*log, "v_act"), "velocity_rad_per_s");
 }
 
 void TestImportMotion::cartWithAPole_isTheCarts() {

@@ -212,7 +212,8 @@ std::optional<ColumnName> readAround(Reading& name) {
 Message notMeant(const Reading& name) {
   const NameParts& parts = name.parts;
   if (name.inWinding()) {
-    const bool supply = name.supplyWord || (name.kind == UnitKind::current && name.has("in"));
+    const bool incoming = name.kind == UnitKind::current && name.has("in") && !name.has("motor");
+    const bool supply = name.supplyWord || incoming;
     if (auto why = notTheMotors(name.kind, withoutWord(parts.words, name.found.at), supply); !why.empty()) return why;
   }
   static constexpr auto durations = std::to_array<std::string_view>(
@@ -289,12 +290,12 @@ ColumnName understandName(std::string_view text, std::string_view unit) {
   Reading name{partsOfName(text, unit)};
   NameParts& parts = name.parts;
   name.electrical = std::erase_if(parts.words, [](const std::string& word) { return isIn(electricalWords, word); }) > 0;
+  if (isMultiplied(text)) return nameAside(message("a factor stands in its name"), parts);
   const bool sideAndUnit = parts.unit != nullptr && unit.empty() && parts.unitText.size() > 2;  // "left_ticks"
   if (parts.words.empty() && (parts.unitFirst || (sideAndUnit && !parts.group.empty())))        // "left_rpm" as "rpm"
     return nameTaken(parts, contractName(parts.unit->kind, false),
                      parts.unit->kind == UnitKind::angularVelocity ? 0 : 2);
   if (parts.words.empty()) return nameAside(message("it has no name"), parts);
-  if (isMultiplied(text)) return nameAside(message("a factor stands in its name"), parts);
   if (auto why = otherThing(parts); !why.empty()) {
     ColumnName other = nameAside(std::move(why), parts);
     for (const char* driven : {"pump", "fan"}) {  // what a motor turns

@@ -109,6 +109,8 @@ void takeStateLetters(const RawTable& table, std::vector<Choice>& choices) {
   const auto isLetter = [&](size_t c, std::string_view letter, bool reference) {
     Words words = wordsAt(c);
     const bool wanted = std::erase_if(words, [](const std::string& word) { return isIn(referenceWords, word); }) > 0;
+    std::erase_if(words,
+                  [](const std::string& word) { return word.size() > 1 && isIn(decorations, word); });  // "p_act"
     return wanted == reference && words.size() == 1 && words[0] == letter && table.columns[c].unit.empty();
   };
   const auto has = [&](std::string_view letter, bool reference) {

@@ -75,6 +75,7 @@ void takeAnglesByValues(const RawTable& table, std::vector<Choice>& choices) {
   };
   for (size_t c = 0; c < choices.size(); ++c) {  // "cumulative feedback [pulse]"
     if (choices[c].name.understood() || choices[c].byMap || choices[c].byTool || table.columns[c].fault) continue;
+    if (isMultiplied(table.columns[c].channel.name)) continue;
     const NameParts parts = partsOfName(table.columns[c].channel.name, table.columns[c].unit);
     const bool turns = parts.unit != nullptr && parts.unit->kind == UnitKind::angle && !parts.words.empty();
     const bool other = firstIn(parts.words, otherThings) != nullptr || firstIn(parts.words, referenceWords) != nullptr;

@@ -56,6 +56,22 @@ std::optional<std::string> lowerLetter(std::string_view text) {
   return std::string{static_cast<char>(0xC0U | (small >> 6U)), static_cast<char>(0x80U | (small & 0x3FU))};
 }
 
+/// "centideg" as "cdeg", "milliamps" as "ma".
+std::string shortened(std::string_view word) {
+  static constexpr auto prefixes = std::to_array<std::pair<std::string_view, char>>(
+      {{"milli", 'm'}, {"centi", 'c'}, {"deci", 'd'}, {"micro", 'u'}, {"kilo", 'k'}});
+  static constexpr auto electrical = std::to_array<std::pair<std::string_view, std::string_view>>(
+      {{"amp", "a"}, {"amps", "a"}, {"ampere", "a"}, {"amperes", "a"}, {"volt", "v"}, {"volts", "v"}});
+  for (const auto& [prefix, letter] : prefixes) {
+    if (word.size() < prefix.size() + 2 || !word.starts_with(prefix)) continue;
+    const std::string_view rest = word.substr(prefix.size());
+    const auto it =
+        std::find_if(electrical.begin(), electrical.end(), [rest](const auto& one) { return one.first == rest; });
+    return letter + std::string(it != electrical.end() ? it->second : oneWord(rest));
+  }
+  return std::string(oneWord(word));
+}
+
 std::string_view oneTime(std::string_view word) {
   if (word == "sec" || word == "second" || word == "seconds" || word == "sekunde") return "s";
   if (word == "minute" || word == "minutes" || word == "мин" || word == "хв" || word == "phút" || word == "dak" ||
@@ -126,17 +142,22 @@ const Unit* unitOfWords(const std::vector<std::string>& words, size_t from) {
   std::string text;
   for (size_t k = from; k < words.size(); ++k) text += (k == from ? "" : "_") + words[k];
   if (const Unit* unit = exactly(text)) return unit;
+  if (count > 1 && (words[from] == "quad" || words[from] == "quadrature")) return unitOfWords(words, from + 1);
   const std::string& last = words.back();
+  if (count == 1 && last.size() > 5) {
+    if (const Unit* unit = exactly(shortened(last)); unit != nullptr && shortened(last) != oneWord(last)) return unit;
+  }
   if (count == 1 && last.size() > 3 && last.ends_with("ps"))  // "mradps"
-    return exactly(std::string(oneWord(std::string_view(last).substr(0, last.size() - 2))) + "_per_s");
+    return exactly(shortened(std::string_view(last).substr(0, last.size() - 2)) + "_per_s");
   if (count == 3 && words[from + 1] == "per")
-    return exactly(std::string(oneWord(words[from])) + "_per_" + std::string(oneTime(last)));
+    return exactly(shortened(words[from]) + "_per_" + std::string(oneTime(last)));
   // "rad_s", "rad.s", "deg_sec": what turns, and a time; "rad·s⁻¹", "rad s-1"
   const bool inverse = count == 3 && last == "1";
   if (count != 2 && !inverse) return nullptr;
-  const std::string_view moved = oneWord(words[from]), time = oneTime(words[from + 1]);
+  const std::string moved = shortened(words[from]);
+  const std::string_view time = oneTime(words[from + 1]);
   if (time != "s" && time != "min") return nullptr;
-  return exactly(std::string(moved) + "_per_" + std::string(time));
+  return exactly(moved + "_per_" + std::string(time));
 }
 
 const Unit* unitNamed(std::string_view text) {
