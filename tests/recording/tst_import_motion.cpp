@@ -19,6 +19,9 @@ class TestImportMotion : public QObject {
   void lettersOfAMotorsFrames_areItsState();
   void lettersThatSayActual_areTheState();
   void cartWithAPole_isTheCarts();
+  void wheelsOwnMotion_goesBeforeALean();
+  void cartsOwnMotion_goesBeforeAPoles();
+  void motorsOwnMotion_goesBeforeAWheels();
   void poseOfAVehicle_isNoCart();
   void wayOfAVehicle_isNoMotorsPosition();
   void goalOfAHeading_isNoEncoders();
@@ -131,6 +134,33 @@ void TestImportMotion::cartWithAPole_isTheCarts() {
   QCOMPARE(meaning(*log, "x"), "position_m");
   QCOMPARE(meaning(*log, "x_dot"), "velocity_m_per_s");
   QCOMPARE(meaning(*log, "theta"), "");
+}
+
+void TestImportMotion::wheelsOwnMotion_goesBeforeALean() {
+  const auto log =
+      moving({{"theta_deg", 0.3, 0, 0}, {"theta_dot_dps", 0, 0.3, 0}, {"wheel_pos", 1, 0, 0}, {"wheel_vel", 0, 1, 0}});
+  QVERIFY(log.ok());
+  QCOMPARE(meaning(*log, "wheel_pos"), "angle_rad");
+  QCOMPARE(meaning(*log, "wheel_vel"), "velocity_rad_per_s");
+  QCOMPARE(meaning(*log, "theta_deg"), "");
+}
+
+void TestImportMotion::cartsOwnMotion_goesBeforeAPoles() {
+  const auto log = moving({{"Angle", 0.3, 0, 3},
+                           {"Angular Velocity", 0, 0.3, 0},
+                           {"Cart Position", 0.01, 0, 0},
+                           {"Cart Speed", 0, 0.01, 0}});
+  QVERIFY(log.ok());
+  QCOMPARE(meaning(*log, "Cart Position"), "position_m");
+  QCOMPARE(meaning(*log, "Cart Speed"), "velocity_m_per_s");
+}
+
+void TestImportMotion::motorsOwnMotion_goesBeforeAWheels() {
+  const auto log =
+      moving({{"motor_pos", 10, 0, 0}, {"motor_vel", 0, 10, 0}, {"wheel_pos", 1, 0, 0}, {"wheel_vel", 0, 1, 0}});
+  QVERIFY(log.ok());
+  QCOMPARE(meaning(*log, "motor_pos"), "angle_rad");
+  QCOMPARE(meaning(*log, "motor_vel"), "velocity_rad_per_s");
 }
 
 void TestImportMotion::poseOfAVehicle_isNoCart() {

@@ -129,4 +129,39 @@ void setTiltAside(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
+/// Beside the position and the speed of a wheel or a cart, an angle that says nothing of whose it is leans, heads or
+/// hangs: "theta" beside "wheel_pos" and "wheel_vel".
+void preferWheelsAndCarts(const RawTable& table, std::vector<Choice>& choices) {
+  static constexpr auto carts = std::to_array<std::string_view>({"cart", "carriage", "trolley"});
+  static constexpr auto wheels = std::to_array<std::string_view>({"wheel", "flywheel", "cart", "carriage", "trolley"});
+  const auto wordsAt = [&table](size_t c) { return wordsOf(table.columns[c].channel.name, true); };
+  const auto is = [&choices](size_t c, const char* to) {
+    return choices[c].name.to == to && !choices[c].byMap && !choices[c].byTool;
+  };
+  size_t position = choices.size(), speed = choices.size();
+  for (size_t c = choices.size(); c-- > 0;) {
+    if (firstIn(wordsAt(c), wheels) == nullptr) continue;
+    if (is(c, "angle_rad")) position = c;
+    if (is(c, "velocity_rad_per_s")) speed = c;
+  }
+  if (std::max(position, speed) == choices.size()) return;
+  const std::string whose = *firstIn(wordsAt(position), wheels);
+  if (!isIn(wordsAt(speed), whose)) return;
+  bool others = false;
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const Words words = wordsAt(c);
+    const bool owned = firstIn(words, wheels) != nullptr || firstIn(words, jointWords) != nullptr ||
+                       choices[c].name.qualified || choices[c].name.unit == "rpm" || !choices[c].name.group.empty() ||
+                       std::any_of(words.begin(), words.end(), [](const auto& one) { return one.starts_with("enc"); });
+    if ((!is(c, "angle_rad") && !is(c, "velocity_rad_per_s")) || owned) continue;
+    setAside(choices[c], message("is how something leans, heads or hangs, beside {}, which a motor drives",
+                                 table.columns[position].channel.name));
+    others = true;
+  }
+  if (!others || !isIn(carts, whose)) return;
+  for (const size_t c : {position, speed}) {
+    if (choices[c].name.unit.empty()) choices[c].name.to = c == position ? "position_m" : "velocity_m_per_s";
+  }
+}
+
 }  // namespace breakaway
