@@ -22,6 +22,8 @@ class TestImportMotion : public QObject {
   void wheelsOwnMotion_goesBeforeALean();
   void cartsOwnMotion_goesBeforeAPoles();
   void motorsOwnMotion_goesBeforeAWheels();
+  void quaternionsAndVectors_areNoMotors();
+  void speedOfSomethingElse_isKept();
   void poseOfAVehicle_isNoCart();
   void wayOfAVehicle_isNoMotorsPosition();
   void goalOfAHeading_isNoEncoders();
@@ -161,6 +163,28 @@ void TestImportMotion::motorsOwnMotion_goesBeforeAWheels() {
   QVERIFY(log.ok());
   QCOMPARE(meaning(*log, "motor_pos"), "angle_rad");
   QCOMPARE(meaning(*log, "motor_vel"), "velocity_rad_per_s");
+}
+
+void TestImportMotion::quaternionsAndVectors_areNoMotors() {
+  std::vector<Wave> columns;
+  for (const char* name : {"q_w", "q_x", "q_y", "q_z", "w_x", "w_y", "w_z"}) columns.push_back({name, 0.01, 0, 0});
+  QVERIFY(!moving(columns));
+  columns.push_back({"wheel_vel1", 0, 1, 0});
+  const auto log = moving(columns);
+  QVERIFY(log.ok());
+  QCOMPARE(meaning(*log, "wheel_vel1"), "velocity_rad_per_s");
+  QCOMPARE(meaning(*log, "q_x"), "");
+}
+
+void TestImportMotion::speedOfSomethingElse_isKept() {
+  const auto log = moving({{"hood_angle", 1, 0, 0},
+                           {"target_hood_angle", 1, 0, 0.1},
+                           {"robot_velocity", 0.01, 0, 2},
+                           {"target_rpm", 0, 0, 3000}});
+  QVERIFY(log.ok());
+  QCOMPARE(meaning(*log, "hood_angle"), "angle_rad");
+  QCOMPARE(meaning(*log, "robot_velocity"), "");
+  QCOMPARE(meaning(*log, "target_rpm"), "");
 }
 
 void TestImportMotion::poseOfAVehicle_isNoCart() {

@@ -235,6 +235,7 @@ void judgeByNeighbours(const RawTable& table, std::vector<Choice>& choices) {
   setPhasesAside(table, choices);
   setEmptyAside(table, choices);
   setTextsAside(table, choices);
+  setVectorsAside(table, choices);
   setTiltAside(table, choices);
   preferWheelsAndCarts(table, choices);
   setPidTermsAside(table, choices);

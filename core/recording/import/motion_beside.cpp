@@ -32,7 +32,7 @@ bool namesMotor(const RawTable& table, const Choice& choice, size_t c) {
 
 /// The name's words without those that surely name a quantity: what "omega_enc" and "theta_enc" share.
 Words wordsBesideQuantity(const RawTable& table, size_t c) {
-  Words words = wordsOf(table.columns[c].channel.name, true);
+  Words words = partsOfName(table.columns[c].channel.name, table.columns[c].unit).words;
   std::erase_if(words, [](const std::string& word) {
     const Word* quantity = quantityNamed(word);
     return quantity != nullptr && !quantity->weak;
@@ -85,6 +85,7 @@ void takeAnglesByValues(const RawTable& table, std::vector<Choice>& choices) {
     return;
   }
   const Words called = wordsBesideQuantity(table, speed);
+  if (called.empty()) return;  // any word would do
   std::string unknown;
   for (size_t c = 0; c < choices.size() && unknown.empty(); ++c) {
     const Words words = wordsOf(table.columns[c].channel.name, true);
@@ -140,6 +141,13 @@ bool setStrangersAside(const RawTable& table, size_t angle, size_t speed, std::v
     return true;
   }
   constexpr double nextToNone = 0.3;
+  // "robot_velocity" beside "hood_angle"
+  const bool strangers = choices[angle].name.qualified && choices[speed].name.qualified &&
+                         wordsBesideQuantity(table, angle) != wordsBesideQuantity(table, speed);
+  if (strangers && differ() && *taken < nextToNone) {
+    setAside(choices[speed], message("moves otherwise than {}, and is called by something else", nameOf(angle)));
+    return true;
+  }
   const ColumnName& named = choices[angle].name;
   const bool another = named.qualified && named.unit.empty() && !choices[speed].name.unit.empty() &&
                        namesMotor(table, choices[speed], speed) && !namesMotor(table, choices[angle], angle);

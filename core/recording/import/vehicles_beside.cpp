@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <set>
+#include <string>
+#include <string_view>
 
 #include "recording/import/columns_beside.h"
 #include "recording/import/name_parts.h"
@@ -126,6 +129,27 @@ void setTiltAside(const RawTable& table, std::vector<Choice>& choices) {
     const bool motorsOwn = firstIn(wordsOf(table.columns[c].channel.name, true), jointWords) != nullptr;
     if (choices[c].name.to == "angle_rad" && !choices[c].byMap && !countsAsMotors(c) && !motorsOwn)
       setAside(choices[c], message("is how far something leans, as gyro and acceleration beside it say"));
+  }
+}
+
+/// "q_x" beside "q_w", "q_y" and "q_z" is a quaternion's, "w_x" beside "w_y" and "w_z" a body's in space.
+void setVectorsAside(const RawTable& table, std::vector<Choice>& choices) {
+  std::set<std::string> names;
+  for (const RawColumn& column : table.columns) names.insert(column.channel.name);
+  static constexpr auto stems =
+      std::to_array<std::string_view>({"q", "quat", "quaternion", "orientation", "w", "omega", "angvel", "v", "vel"});
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const std::string& name = table.columns[c].channel.name;
+    const bool moves = choices[c].name.to == "angle_rad" || choices[c].name.to == "velocity_rad_per_s";
+    if (!moves || choices[c].byMap || choices[c].byTool || name.size() < 2) continue;
+    const std::string stem = name.substr(0, name.size() - 1);
+    const Words words = wordsOf(stem, false);
+    const auto has = [&](char letter) { return names.contains(stem + letter); };
+    const bool quaternion = has('w') && has('x') && has('y') && has('z');
+    const bool vector = has('x') && has('y') && has('z');
+    const bool letter = std::string_view("wxyz").find(name.back()) != std::string_view::npos;
+    if (letter && words.size() == 1 && isIn(stems, words[0]) && (quaternion || (vector && name.back() != 'w')))
+      setAside(choices[c], quaternion ? message("is a quaternion's") : message("is one direction's in space"));
   }
 }
 

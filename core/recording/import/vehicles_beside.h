@@ -18,6 +18,8 @@ void setPlacesAside(const RawTable& table, std::vector<Choice>& choices);
 void setTurningAside(const RawTable& table, std::vector<Choice>& choices);
 /// How far it leans, beside a gyro and an acceleration.
 void setTiltAside(const RawTable& table, std::vector<Choice>& choices);
+/// Quaternions, and directions in space.
+void setVectorsAside(const RawTable& table, std::vector<Choice>& choices);
 /// What says nothing of whose it is, beside a wheel's or a cart's own position and speed.
 void preferWheelsAndCarts(const RawTable& table, std::vector<Choice>& choices);
 
