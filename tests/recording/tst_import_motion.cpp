@@ -24,6 +24,8 @@ class TestImportMotion : public QObject {
   void motorsOwnMotion_goesBeforeAWheels();
   void quaternionsAndVectors_areNoMotors();
   void speedOfSomethingElse_isKept();
+  void vehiclesSpeed_yieldsToItsMotors();
+  void forceBesideASpeedOfRotation_isKept();
   void poseOfAVehicle_isNoCart();
   void wayOfAVehicle_isNoMotorsPosition();
   void goalOfAHeading_isNoEncoders();
@@ -185,6 +187,21 @@ void TestImportMotion::speedOfSomethingElse_isKept() {
   QCOMPARE(meaning(*log, "hood_angle"), "angle_rad");
   QCOMPARE(meaning(*log, "robot_velocity"), "");
   QCOMPARE(meaning(*log, "target_rpm"), "");
+}
+
+void TestImportMotion::vehiclesSpeed_yieldsToItsMotors() {
+  const auto log = moving({{"speed", 0, 0.1, 0}, {"motor_speed", 0, 1, 0}, {"odometer", 0.1, 0, 0}});
+  QVERIFY(log.ok());
+  QCOMPARE(meaning(*log, "motor_speed"), "velocity_rad_per_s");
+  const auto bench = moving({{"speed", 0, 0.1, 0}, {"motor_speed", 0, 1, 0}});
+  QVERIFY(bench.ok());
+  QCOMPARE(meaning(*bench, "speed"), "velocity_rad_per_s");
+}
+
+void TestImportMotion::forceBesideASpeedOfRotation_isKept() {
+  const auto log = moving({{"rpm", 0, 9.5, 0}, {"force", 0, 0, 0.5}});
+  QVERIFY(log.ok());
+  QCOMPARE(meaning(*log, "force"), "");
 }
 
 void TestImportMotion::poseOfAVehicle_isNoCart() {

@@ -236,6 +236,7 @@ void judgeByNeighbours(const RawTable& table, std::vector<Choice>& choices) {
   setEmptyAside(table, choices);
   setTextsAside(table, choices);
   setVectorsAside(table, choices);
+  setVehiclesSpeedAside(table, choices);
   setTiltAside(table, choices);
   preferWheelsAndCarts(table, choices);
   setPidTermsAside(table, choices);

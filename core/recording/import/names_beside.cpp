@@ -169,14 +169,6 @@ void takeOwnersReferences(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
-/// A throttle is a pedal then.
-bool ofVehicle(const RawTable& table) {
-  static constexpr auto words = std::to_array<std::string_view>({"brake", "kmh", "kph", "mph", "gear", "soc"});
-  return std::any_of(table.columns.begin(), table.columns.end(), [](const RawColumn& column) {
-    return firstIn(wordsOf(column.channel.name, true), words) != nullptr;
-  });
-}
-
 /// "input_speed" and "output_speed" beside "input_torque" and "output_torque" are a gear's two sides: the motor's is
 /// the first, and no reference.
 void takeGearSides(const RawTable& table, std::vector<Choice>& choices) {
@@ -209,7 +201,7 @@ void takeOutputs(const RawTable& table, std::vector<Choice>& choices) {
       std::to_array<std::string_view>({"duty", "voltage_V", "current_A", "torque_Nm", "force_N"});
   const bool driven =
       std::any_of(choices.begin(), choices.end(), [](const Choice& one) { return isIn(drives, one.name.to); });
-  if (driven || ofVehicle(table)) return;
+  if (driven || isOfVehicle(table)) return;
   static constexpr auto meant =
       std::to_array<std::string_view>({"output", "out", "control", "controller", "pid", "motor", "mot", "drive",
                                        "command", "cmd", "actuation", "level", "throttle", "effort", "signal"});

@@ -30,6 +30,32 @@ bool hasCoordinate(const RawTable& table, std::string_view letter, bool& placed)
 
 }  // namespace
 
+bool isOfVehicle(const RawTable& table) {
+  static constexpr auto words =
+      std::to_array<std::string_view>({"brake", "kmh", "kph", "mph", "gear", "soc", "odometer"});
+  return std::any_of(table.columns.begin(), table.columns.end(), [](const RawColumn& column) {
+    return firstIn(wordsOf(column.channel.name, true), words) != nullptr;
+  });
+}
+
+/// "speed" beside "motor_speed" is a vehicle's.
+void setVehiclesSpeedAside(const RawTable& table, std::vector<Choice>& choices) {
+  static constexpr auto motors = std::to_array<std::string_view>({"motor", "mot", "rotor"});
+  const auto isMotors = [&table](size_t c) {
+    return firstIn(wordsOf(table.columns[c].channel.name, true), motors) != nullptr;
+  };
+  bool motor = false;
+  for (size_t c = 0; c < choices.size(); ++c)
+    motor = motor || (choices[c].name.to == "velocity_rad_per_s" && isMotors(c));
+  if (!motor || !isOfVehicle(table)) return;
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const ColumnName& name = choices[c].name;
+    const bool plain = name.to == "velocity_rad_per_s" && name.unit.empty() && !isMotors(c);
+    if (plain && !choices[c].byMap && !choices[c].byTool)
+      setAside(choices[c], message("is a vehicle's speed, beside a motor's"));
+  }
+}
+
 /// Beside a rotary motion a linear speed is that of a vehicle or of what the motor drives.
 void setVehiclesAside(std::vector<Choice>& choices) {
   const auto has = [&choices](const char* to) {

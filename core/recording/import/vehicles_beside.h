@@ -8,6 +8,10 @@
 
 namespace breakaway {
 
+/// Whether a brake, a gear, a state of charge or an odometer stands in the table.
+bool isOfVehicle(const RawTable& table);
+/// A speed beside a motor's in such a table.
+void setVehiclesSpeedAside(const RawTable& table, std::vector<Choice>& choices);
 /// Linear speeds beside a rotary motion.
 void setVehiclesAside(std::vector<Choice>& choices);
 /// How far it went, beside wheels of either side.
