@@ -265,7 +265,8 @@ std::string readVariables(const std::string& path) {
   if (!file) return bytes;
   std::vector<Channel> channels;
   while (matvar_t* variable = Mat_VarReadNext(file.get())) {
-    if (variable->name != nullptr) addVariable(*variable, variable->name, 0, channels);
+    // Without a name stands what MATLAB keeps for itself, or what is left of a damaged file.
+    if (variable->name != nullptr && *variable->name != '\0') addVariable(*variable, variable->name, 0, channels);
     Mat_VarFree(variable);
   }
   for (const Channel& channel : channels) {
