@@ -53,6 +53,7 @@ void TestLayering::plantedBreach_isFound_data() {
   row("core/motor/planted.cpp", "<unistd.h>", "the system's own stands in *_posix.cpp");
   row("core/base/planted.h", "<sys/stat.h>", "the system's own stands in *_posix.cpp");
   row("app/cli/planted.cpp", "<termios.h>", "the system's own stands in *_posix.cpp");
+  row("core/recording/import/planted.h", "\"recording/import/json_cells.h\"", "JSON stays inside");
   row("core/motor/planted.h", "<nlohmann/json.hpp>", "JSON stays inside");
   row("core/motor/planted.h", "\"bench.h\"", "written from the layer's folder");
   row("core/motor/planted.cpp", "\"cli/command.h\"", "core stands on itself only");

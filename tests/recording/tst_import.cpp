@@ -70,6 +70,13 @@ void TestImport::names_areUnderstood_data() {
   row("t", "time_s");
   row("Timestamp", "time_s");
   row("Zeit [ms]", "time_s", 1e-3);
+  row("angle_centideg", "angle_rad", 0.01 * degree);
+  row("speed_centidegps", "velocity_rad_per_s", 0.01 * degree);
+  row("current_milliampere", "current_A", 1e-3);
+  row("velocity (mrev/s)", "velocity_rad_per_s", 2e-3 * std::numbers::pi);
+  row("motor_current_in_amps", "current_A");
+  row("current_in_A", "");
+  row("rpm_x10", "");
   row("Zeit 1 - Standardmessrate [s]", "time_s");
   row("Solldrehzahl [1/min]", "velocity_reference_rad_per_s", std::numbers::pi / 30.0);
   row("rpm_sp", "velocity_reference_rad_per_s", std::numbers::pi / 30.0);

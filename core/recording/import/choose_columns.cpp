@@ -9,9 +9,11 @@
 #include "base/json_object.h"
 #include "recording/columns.h"
 #include "recording/import/columns_beside.h"
+#include "recording/import/foreign_names.h"
 #include "recording/import/motion_beside.h"
 #include "recording/import/name_parts.h"
 #include "recording/import/names_beside.h"
+#include "recording/import/others_beside.h"
 #include "recording/import/quantity_words.h"
 #include "recording/import/settling.h"
 
@@ -195,7 +197,8 @@ void dropStrangers(const RawTable& table, const ImportMap& map, std::vector<Choi
   for (int k = 0; k < most && again; ++k) {
     const size_t angle = bestFor(table, map, choices, "angle_rad"),
                  speed = bestFor(table, map, choices, "velocity_rad_per_s");
-    again = std::max(angle, speed) < choices.size() && setStrangersAside(table, angle, speed, choices);
+    again = std::max(angle, speed) < choices.size() &&
+            (setStrangersAside(table, angle, speed, choices) || preferNamesake(table, angle, speed, choices));
   }
 }
 
@@ -221,39 +224,6 @@ Result<void> takeOneEach(const RawTable& table, const ImportMap& map, std::vecto
     }
   }
   return {};
-}
-
-bool namesQuantity(const Words& words) {
-  return std::any_of(words.begin(), words.end(), [](const std::string& one) { return quantityNamed(one) != nullptr; });
-}
-
-/// "handle_angle_cmd" is what "handle_angle" shall be: no reference where another angle was taken.
-void setOthersReferencesAside(const RawTable& table, std::vector<Choice>& choices) {
-  const auto wordsBut = [&table](size_t c) {
-    Words words = wordsOf(table.columns[c].channel.name, true);
-    std::erase_if(words, [](const std::string& word) { return isIn(referenceWords, word); });
-    return words;
-  };
-  for (size_t r = 0; r < choices.size(); ++r) {
-    const std::string to = choices[r].name.to;
-    const size_t end = to.find("_reference");
-    if (end == std::string::npos || choices[r].byMap || choices[r].byTool) continue;
-    const bool named = namesQuantity(wordsOf(table.columns[r].channel.name, true));
-    const bool followed = std::any_of(choices.begin(), choices.end(), [&](const Choice& one) {
-      return one.name.to.starts_with(to.substr(0, end)) && one.name.to.find("_reference") == std::string::npos;
-    });
-    if (!named && !followed) {  // "target_deg" beside a heading
-      setAside(choices[r], message("is what something shall be that isn't taken"));
-      continue;
-    }
-    const Words words = wordsBut(r);
-    for (size_t c = 0; c < choices.size(); ++c) {
-      const bool measured = c != r && !choices[c].name.understood() && !table.columns[c].fault &&
-                            wordsOf(table.columns[c].channel.name, true) == words;
-      if (measured && followed)
-        setAside(choices[r], message("is what {} shall be, which isn't taken", table.columns[c].channel.name));
-    }
-  }
 }
 
 Result<void> checkMap(const RawTable& table, const ImportMap& map, const std::string& place) {
@@ -328,6 +298,8 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
   takeByNeighbours(table, map, choices);
   judgeByNeighbours(table, choices);
   takeDoubtful(table, choices);
+  takeForeignNames(table, choices);
+  takeAnglesByValues(table, choices);
   const std::string axis = axisOf(choices);
   for (Choice& choice : choices) {
     if (!choice.name.understood() || choice.byMap || choice.name.to == "time_s") continue;
@@ -336,7 +308,7 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
   }
   dropStrangers(table, map, choices);
   if (const auto one = takeOneEach(table, map, choices, place); !one) return one.error();
-  setOthersReferencesAside(table, choices);
+  setOthersAside(table, choices);
   for (size_t c = 0; c < choices.size(); ++c) {
     const auto& fault = table.columns[c].fault;
     if (!fault) continue;

@@ -212,7 +212,8 @@ std::optional<ColumnName> readAround(Reading& name) {
 Message notMeant(const Reading& name) {
   const NameParts& parts = name.parts;
   if (name.inWinding()) {
-    const bool supply = name.supplyWord || (name.kind == UnitKind::current && name.has("in"));
+    const bool incoming = name.kind == UnitKind::current && name.has("in") && !name.has("motor");
+    const bool supply = name.supplyWord || incoming;
     if (auto why = notTheMotors(name.kind, withoutWord(parts.words, name.found.at), supply); !why.empty()) return why;
   }
   static constexpr auto durations = std::to_array<std::string_view>(
@@ -250,6 +251,7 @@ ColumnName taken(Reading& name) {
   const bool command = name.reference && to.find("reference") == std::string::npos;
   int rank = (parts.unit == nullptr ? 1 : 0) + (name.found.word->weak ? 2 : 0) + (command ? 4 : 0);
   if (name.kind == UnitKind::current && !q) ++rank;
+  if (name.kind == UnitKind::temperature && !name.has("motor") && !name.has("mot") && !name.has("winding")) ++rank;
   if (name.kind == UnitKind::time && name.unknownBefore > 0) rank += 2;  // "loop_time" after "time"
   if (moves && (name.electrical || firstIn(parts.words, drivenWords) != nullptr)) ++rank;
   ColumnName understood = nameTaken(parts, to, rank);
@@ -288,13 +290,19 @@ ColumnName understandName(std::string_view text, std::string_view unit) {
   Reading name{partsOfName(text, unit)};
   NameParts& parts = name.parts;
   name.electrical = std::erase_if(parts.words, [](const std::string& word) { return isIn(electricalWords, word); }) > 0;
+  if (isMultiplied(text)) return nameAside(message("a factor stands in its name"), parts);
   const bool sideAndUnit = parts.unit != nullptr && unit.empty() && parts.unitText.size() > 2;  // "left_ticks"
   if (parts.words.empty() && (parts.unitFirst || (sideAndUnit && !parts.group.empty())))        // "left_rpm" as "rpm"
     return nameTaken(parts, contractName(parts.unit->kind, false),
                      parts.unit->kind == UnitKind::angularVelocity ? 0 : 2);
   if (parts.words.empty()) return nameAside(message("it has no name"), parts);
-  if (isMultiplied(text)) return nameAside(message("a factor stands in its name"), parts);
-  if (auto why = otherThing(parts); !why.empty()) return nameAside(std::move(why), parts);
+  if (auto why = otherThing(parts); !why.empty()) {
+    ColumnName other = nameAside(std::move(why), parts);
+    for (const char* driven : {"pump", "fan"}) {  // what a motor turns
+      if (name.has(driven)) other.unknownWord = driven;
+    }
+    return other;
+  }
   findQuantity(name);
   if (name.found.word == nullptr) return withoutQuantity(name);
   if (name.kind == UnitKind::temperature && parts.unit == nullptr && parts.words.back() == "dc")

@@ -10,6 +10,7 @@
 #include "recording/import/name_parts.h"
 #include "recording/import/quantity_words.h"
 #include "recording/import/settling.h"
+#include "recording/import/vehicles_beside.h"
 
 namespace breakaway {
 
@@ -52,18 +53,6 @@ void setPhasesAside(const RawTable& table, std::vector<Choice>& choices) {
         break;
       }
     }
-  }
-}
-
-/// Beside a rotary motion a linear speed is that of a vehicle or of what the motor drives.
-void setVehiclesAside(std::vector<Choice>& choices) {
-  const auto has = [&choices](const char* to) {
-    return std::any_of(choices.begin(), choices.end(), [to](const Choice& one) { return one.name.to == to; });
-  };
-  if (has("position_m") || (!has("angle_rad") && !has("velocity_rad_per_s"))) return;
-  for (Choice& choice : choices) {
-    const bool linear = choice.name.to == "velocity_m_per_s" || choice.name.to == "velocity_reference_m_per_s";
-    if (linear && !choice.byMap) setAside(choice, message("is a linear speed, beside a motor that turns"));
   }
 }
 
@@ -152,64 +141,6 @@ void setOutputsAside(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
-/// "PosZ" beside a motor's rpm is a place in space.
-void setPlacesAside(const RawTable& table, std::vector<Choice>& choices) {
-  const auto letterOf = [&table](size_t c) {
-    const auto words = wordsOf(table.columns[c].channel.name, true);
-    if (isIn(words, "steering") || isIn(words, "steer")) return 's';
-    const bool letter = words.size() > 1 && words.back().size() == 1 && std::strchr("xyz", words.back()[0]) != nullptr;
-    return letter ? words.back()[0] : ' ';
-  };
-  bool turns = false;
-  for (size_t c = 0; c < choices.size(); ++c)
-    turns =
-        turns || (choices[c].name.to == "velocity_rad_per_s" && !choices[c].name.unit.empty() && letterOf(c) == ' ');
-  if (!turns) return;
-  for (size_t c = 0; c < choices.size(); ++c) {
-    const bool moves = choices[c].name.to == "angle_rad" || choices[c].name.to == "velocity_rad_per_s";
-    const bool told = letterOf(c) != 's' && !choices[c].name.unit.empty();
-    if (moves && !told && !choices[c].byMap && letterOf(c) != ' ')
-      setAside(choices[c], letterOf(c) == 's' ? message("is a vehicle's steering, beside a motor that turns")
-                                              : message("is a place in space, beside a motor that turns"));
-  }
-}
-
-/// Whether this coordinate is there: "x", "x(in)", "x_mm"; `placed`: in a unit of length.
-bool hasCoordinate(const RawTable& table, std::string_view letter, bool& placed) {
-  return std::any_of(table.columns.begin(), table.columns.end(), [&](const RawColumn& column) {
-    const NameParts parts = partsOfName(column.channel.name, column.unit);
-    const bool length = parts.unit != nullptr && parts.unit->kind == UnitKind::length;
-    const bool found = parts.group.empty() && parts.words.size() == 1 && parts.words[0] == letter &&
-                       (length || isSameWord(column.channel.name, letter));
-    placed = placed || (found && length);
-    return found;
-  });
-}
-
-/// Beside x and y an "omega" is how a vehicle turns, and a "theta" where it heads, where a unit tells the motor's or a
-/// wheel's speed.
-void setTurningAside(const RawTable& table, std::vector<Choice>& choices) {
-  bool placed = false;
-  const bool motors = std::any_of(choices.begin(), choices.end(), [](const Choice& one) {
-    return one.name.to == "velocity_rad_per_s" && !one.name.unit.empty();
-  });
-  const bool wheels = std::any_of(table.columns.begin(), table.columns.end(), [](const RawColumn& column) {
-    const NameParts parts = partsOfName(column.channel.name, column.unit);
-    const bool side = parts.group == "left" || parts.group == "right";
-    return side && parts.unit != nullptr && parts.unit->kind == UnitKind::linearVelocity;  // "v_l (ips)"
-  });
-  if ((!motors && !wheels) || !hasCoordinate(table, "x", placed) || !hasCoordinate(table, "y", placed)) return;
-  for (size_t c = 0; c < choices.size(); ++c) {
-    const ColumnName& name = choices[c].name;
-    const bool turns = name.to == "velocity_rad_per_s" || name.to == "angle_rad";
-    const auto words = wordsOf(table.columns[c].channel.name, true);
-    const bool ofMotor = firstIn(words, jointWords) != nullptr || firstIn(words, drivenWords) != nullptr;
-    const bool heads = placed && name.group.empty() && name.to == "angle_rad" && words[0] == "theta";
-    if (turns && (name.unit.empty() || heads) && !ofMotor && !choices[c].byMap && !choices[c].byTool)
-      setAside(choices[c], message("is how a vehicle turns, beside its place and a motor's speed"));
-  }
-}
-
 /// A position beside a force is a linear axis' where no unit says otherwise.
 void takeLinear(const RawTable& table, std::vector<Choice>& choices) {
   const auto namesForce = [&table](size_t c) {
@@ -282,33 +213,6 @@ void setTextsAside(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
-/// An "angle" beside a gyro and an acceleration is how far a robot or a vehicle leans, where an encoder or a speed of
-/// rotation tells the motor's motion.
-void setTiltAside(const RawTable& table, std::vector<Choice>& choices) {
-  bool gyro = false, acceleration = false, motors = false;
-  const auto countsAsMotors = [&](size_t c) {
-    const std::string& name = table.columns[c].channel.name;
-    const auto words = wordsOf(name, true);
-    const bool encoder =
-        std::any_of(words.begin(), words.end(), [](const auto& one) { return one.starts_with("enc"); });
-    const bool turns = choices[c].name.to == "velocity_rad_per_s" && !choices[c].name.unit.empty();
-    return (encoder && choices[c].name.to == "angle_rad") || turns || choices[c].name.needs == UnitNeeds::countsPerRev;
-  };
-  for (size_t c = 0; c < choices.size(); ++c) {
-    for (const std::string& word : wordsOf(table.columns[c].channel.name, true)) {
-      gyro = gyro || word.starts_with("gyr");
-      acceleration = acceleration || word.starts_with("acc");
-    }
-    motors = motors || countsAsMotors(c);
-  }
-  if (!gyro || !acceleration || !motors) return;
-  for (size_t c = 0; c < choices.size(); ++c) {
-    const bool motorsOwn = firstIn(wordsOf(table.columns[c].channel.name, true), jointWords) != nullptr;
-    if (choices[c].name.to == "angle_rad" && !choices[c].byMap && !countsAsMotors(c) && !motorsOwn)
-      setAside(choices[c], message("is how far something leans, as gyro and acceleration beside it say"));
-  }
-}
-
 /// A column without a single number tells nothing, whatever it is called.
 void setEmptyAside(const RawTable& table, std::vector<Choice>& choices) {
   for (size_t c = 0; c < choices.size(); ++c) {
@@ -331,7 +235,10 @@ void judgeByNeighbours(const RawTable& table, std::vector<Choice>& choices) {
   setPhasesAside(table, choices);
   setEmptyAside(table, choices);
   setTextsAside(table, choices);
+  setVectorsAside(table, choices);
+  setVehiclesSpeedAside(table, choices);
   setTiltAside(table, choices);
+  preferWheelsAndCarts(table, choices);
   setPidTermsAside(table, choices);
   setPresentAside(table, choices);
   setLinesAside(table, choices);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "recording/import/number_text.h"
+#include "recording/import/told_rate.h"
 
 namespace breakaway {
 
@@ -154,41 +155,15 @@ std::optional<ToolColumns> twincat(RawTable& table) {
   return ToolColumns{};
 }
 
-/// A sample interval that the head tells, in s: "Sample Interval,1e-3", "SampleTime[ms] 1", "Sample Rate: 1000 Hz".
-std::optional<double> intervalIn(const std::string& line) {
-  const std::string lower = lowered(line);
-  const bool sample = lower.find("sampl") != std::string::npos || lower.find("abtast") != std::string::npos;
-  const auto has = [&lower](const char* word) { return lower.find(word) != std::string::npos; };
-  const bool interval = sample && (has("interval") || has("period") || has("sampletime") || has("sample time") ||
-                                   has("sample_time") || has("abtastzeit"));
-  const bool rate = sample && (has("rate") || has("frequency") || has("frequenz") || has("freq"));
-  if (!interval && !rate) return std::nullopt;
-  const size_t digit = lower.find_first_of("0123456789");
-  if (digit == std::string::npos) return std::nullopt;
-  const auto value = numberIn(lower.substr(digit));
-  if (!value || !(*value > 0.0)) return std::nullopt;
-  if (rate) return 1.0 / (has("khz") ? *value * 1e3 : has("mhz") ? *value * 1e6 : *value);
-  for (const std::string& word : wordsOf(lower, true)) {
-    const Unit* unit = unitNamed(word);
-    if (unit != nullptr && unit->kind == UnitKind::time && word != "s") return *value * unit->scale;
-  }
-  return *value;
-}
-
 void takeInterval(RawTable& table) {
   const bool timed = std::any_of(table.columns.begin(), table.columns.end(), [](const RawColumn& one) {
     return one.clock || understandName(one.channel.name, one.unit).to == "time_s";
   });
   if (timed || table.columns.empty()) return;
-  std::vector<std::string> lines = table.preamble;
-  for (const auto& [key, value] : table.notes) lines.push_back(key + ": " + value);
-  for (const std::string& line : lines) {
-    const auto step = intervalIn(line);
-    if (!step) continue;
-    addTime(table, 0.0, *step);
-    table.remarks.push_back(message("the time is made of the head's sample interval, {} s", shortText(*step)));
-    return;
-  }
+  const auto told = toldStep_s(table);
+  if (!told) return;
+  addTime(table, 0.0, *told);
+  table.remarks.push_back(message("the time is made of the head's sample interval, {} s", shortText(*told)));
 }
 
 }  // namespace

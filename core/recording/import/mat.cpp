@@ -265,7 +265,8 @@ std::string readVariables(const std::string& path) {
   if (!file) return bytes;
   std::vector<Channel> channels;
   while (matvar_t* variable = Mat_VarReadNext(file.get())) {
-    if (variable->name != nullptr) addVariable(*variable, variable->name, 0, channels);
+    // Without a name stands what MATLAB keeps for itself, or what is left of a damaged file.
+    if (variable->name != nullptr && *variable->name != '\0') addVariable(*variable, variable->name, 0, channels);
     Mat_VarFree(variable);
   }
   for (const Channel& channel : channels) {
@@ -302,8 +303,8 @@ Result<std::vector<Channel>> readMat(std::string_view content, const std::string
   if (const auto whole = checkVersion5(content, name); !whole) return whole.error();
   const MemoryFile file(content);
   if (!file.good()) return Error{name, message("cannot be held in memory")};
-  // Room for what the file can honestly unpack to, so that a damaged size fails at once.
-  const ContainedLimits limits{20 + static_cast<unsigned>(content.size() >> 20),
+  // Room and time for what the file can honestly unpack to, so that a damaged size fails soon.
+  const ContainedLimits limits{3 + static_cast<unsigned>(content.size() >> 20),
                                (size_t{512} << 20) + 64 * content.size()};
   const auto bytes = runContained([&file] { return readVariables(file.path()); }, name, limits);
   if (!bytes) return bytes.error();

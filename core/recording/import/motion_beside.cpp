@@ -30,7 +30,86 @@ bool namesMotor(const RawTable& table, const Choice& choice, size_t c) {
          isIn(words, "shaft") || isIn(words, "rpm") || choice.name.unit == "rpm";
 }
 
+/// The name's words without those that surely name a quantity: what "omega_enc" and "theta_enc" share.
+Words wordsBesideQuantity(const RawTable& table, size_t c) {
+  Words words = partsOfName(table.columns[c].channel.name, table.columns[c].unit).words;
+  std::erase_if(words, [](const std::string& word) {
+    const Word* quantity = quantityNamed(word);
+    return quantity != nullptr && !quantity->weak;
+  });
+  return words;
+}
+
 }  // namespace
+
+bool preferNamesake(const RawTable& table, size_t angle, size_t speed, std::vector<Choice>& choices) {
+  const Words called = wordsBesideQuantity(table, angle);
+  if (choices[speed].byMap || choices[speed].byTool || called.empty()) return false;
+  if (wordsBesideQuantity(table, speed) == called) return false;
+  const ColumnName taken = choices[speed].name;
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const ColumnName& name = choices[c].name;
+    const bool alike = c != speed && name.to == taken.to && name.unit == taken.unit && name.rank == taken.rank &&
+                       name.qualified == taken.qualified;
+    if (!alike || wordsBesideQuantity(table, c) != called || commonOf(table, angle, c) < 0.9) continue;
+    setAside(choices[speed], message("is called otherwise than {}, as {} is", table.columns[angle].channel.name,
+                                     table.columns[c].channel.name));
+    return true;
+  }
+  return false;
+}
+
+void takeAnglesByValues(const RawTable& table, std::vector<Choice>& choices) {
+  constexpr double agrees = 0.95;
+  const auto isOf = [&choices](size_t c, const char* to) { return choices[c].name.to == to; };
+  size_t speed = choices.size();
+  for (size_t c = choices.size(); c-- > 0;) {
+    if (isOf(c, "angle_rad") || isOf(c, "position_m")) return;
+    if (isOf(c, "velocity_rad_per_s")) speed = c;
+  }
+  if (speed == choices.size()) return;
+  const auto open = [&](size_t c) {
+    return !choices[c].name.understood() && !choices[c].byMap && !choices[c].byTool && !table.columns[c].fault &&
+           choices[c].name.unit.empty() &&
+           partsOfName(table.columns[c].channel.name, table.columns[c].unit).unit == nullptr;
+  };
+  for (size_t c = 0; c < choices.size(); ++c) {  // "cumulative feedback [pulse]"
+    if (choices[c].name.understood() || choices[c].byMap || choices[c].byTool || table.columns[c].fault) continue;
+    if (isMultiplied(table.columns[c].channel.name)) continue;
+    const NameParts parts = partsOfName(table.columns[c].channel.name, table.columns[c].unit);
+    const bool turns = parts.unit != nullptr && parts.unit->kind == UnitKind::angle && !parts.words.empty();
+    const bool other = firstIn(parts.words, otherThings) != nullptr || firstIn(parts.words, referenceWords) != nullptr;
+    if (!turns || other || commonOf(table, c, speed) < agrees) continue;
+    choices[c].name = understandName("angle", parts.unitText);
+    choices[c].name.guess = message("moves as {} says", table.columns[speed].channel.name);
+    return;
+  }
+  const Words called = wordsBesideQuantity(table, speed);
+  if (called.empty()) return;  // any word would do
+  std::string unknown;
+  for (size_t c = 0; c < choices.size() && unknown.empty(); ++c) {
+    const Words words = wordsOf(table.columns[c].channel.name, true);
+    if (!open(c) || words.size() != called.size() + 1 || firstIn(words, otherThings) != nullptr) continue;
+    for (const std::string& word : words) {
+      Words rest = words;
+      std::erase(rest, word);
+      const bool place = rest == called && word.size() > 1 && quantityNamed(word) == nullptr &&
+                         !isIn(decorations, word) && !isIn(referenceWords, word);
+      if (place && commonOf(table, c, speed) > agrees) unknown = word;
+    }
+  }
+  if (unknown.empty()) return;
+  for (size_t c = 0; c < choices.size(); ++c) {
+    std::string name;
+    Words words = wordsOf(table.columns[c].channel.name, true);
+    if (!open(c) || !isIn(words, unknown)) continue;
+    for (const std::string& word : words) name += (name.empty() ? "" : "_") + (word == unknown ? "position" : word);
+    const ColumnName own = understandName(name, table.columns[c].unit);
+    if (!own.understood()) continue;
+    choices[c].name = own;
+    choices[c].name.guess = message("moves as {} says", table.columns[speed].channel.name);
+  }
+}
 
 bool setStrangersAside(const RawTable& table, size_t angle, size_t speed, std::vector<Choice>& choices) {
   constexpr double little = 0.6, most = 0.9;
@@ -62,6 +141,13 @@ bool setStrangersAside(const RawTable& table, size_t angle, size_t speed, std::v
     return true;
   }
   constexpr double nextToNone = 0.3;
+  // "robot_velocity" beside "hood_angle"
+  const bool strangers = choices[angle].name.qualified && choices[speed].name.qualified &&
+                         wordsBesideQuantity(table, angle) != wordsBesideQuantity(table, speed);
+  if (strangers && differ() && *taken < nextToNone) {
+    setAside(choices[speed], message("moves otherwise than {}, and is called by something else", nameOf(angle)));
+    return true;
+  }
   const ColumnName& named = choices[angle].name;
   const bool another = named.qualified && named.unit.empty() && !choices[speed].name.unit.empty() &&
                        namesMotor(table, choices[speed], speed) && !namesMotor(table, choices[angle], angle);

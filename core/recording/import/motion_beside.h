@@ -14,4 +14,12 @@ namespace breakaway {
 /// the columns that would be taken. Whether anything was set aside.
 bool setStrangersAside(const RawTable& table, size_t angle, size_t speed, std::vector<Choice>& choices);
 
+/// Where the speed that would be taken is called otherwise than the angle, and another one as well told is called as it
+/// is ("omega_enc" beside "theta_enc"), sets the former aside. Whether it did.
+bool preferNamesake(const RawTable& table, size_t angle, size_t speed, std::vector<Choice>& choices);
+
+/// Where no angle is known: a column that is called as the speed is but for one word ("loc_state" beside "speed_state")
+/// and moves as it says; what has that word, too, goes with it.
+void takeAnglesByValues(const RawTable& table, std::vector<Choice>& choices);
+
 }  // namespace breakaway

@@ -83,7 +83,11 @@ Message notTheMotors(UnitKind kind, const Words& words, bool supply) {
 }
 
 ColumnName supplyOf(const NameParts& parts) {
-  ColumnName name = nameTaken(parts, columnName(Quantity::supply, Axis::rotary), 1);
+  // A battery's may be another one than the motor's.
+  static constexpr auto batteries =
+      std::to_array<std::string_view>({"battery", "batt", "bat", "vbat", "vbatt", "电池"});
+  const bool battery = firstIn(parts.words, batteries) != nullptr;
+  ColumnName name = nameTaken(parts, columnName(Quantity::supply, Axis::rotary), battery ? 2 : 1);
   name.qualified = std::any_of(parts.words.begin(), parts.words.end(), [](const std::string& word) {
     return !isIn(supplyWords, word) && !isIn(decorations, word) && quantityNamed(word) == nullptr && word != "v";
   });

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "recording/import/foreign_words.h"
 #include "recording/import/quantity_words.h"
 
 namespace breakaway {
@@ -57,12 +58,36 @@ void partLetters(Words& words) {
   }
 }
 
+/// "Tensión de alimentación" is a supply's voltage.
+void translate(Words& words) {
+  Words english;
+  for (const std::string& word : words) {
+    const auto known = std::find_if(foreignBeside.begin(), foreignBeside.end(),
+                                    [&word](const auto& one) { return one.first == word; });
+    if (known == foreignBeside.end()) {
+      english.push_back(word);
+    } else if (!known->second.empty()) {
+      english.emplace_back(known->second);
+    }
+  }
+  if (!english.empty()) words = std::move(english);  // else what it joins is all there is
+}
+
 /// "torque_from_current" is a torque, however it was come by.
 void dropSource(Words& words) {
   const auto from = std::find(words.begin(), words.end(), "from");
   const bool named =
       std::any_of(words.begin(), from, [](const std::string& word) { return quantityNamed(word) != nullptr; });
   if (named) words.erase(from, words.end());
+}
+
+/// "abs_encoder" is an absolute one; the amount of a value is called so behind it.
+void dropAbsolute(Words& words) {
+  static constexpr auto measured =
+      std::to_array<std::string_view>({"encoder", "enc", "position", "pos", "angle", "absolute"});
+  for (size_t k = 0; k + 1 < words.size(); ++k) {
+    if (words[k] == "abs" && isIn(measured, words[k + 1])) words.erase(words.begin() + static_cast<std::ptrdiff_t>(k));
+  }
 }
 
 /// "dphi/dt" is a speed.
@@ -150,6 +175,7 @@ std::string_view withoutSource(std::string_view text) {
 }
 
 void joinWords(Words& words) {
+  dropAbsolute(words);
   joinDerivatives(words);
   for (size_t k = 0; k + 1 < words.size(); ++k) {
     const bool axis = words[k + 1] == "q" || words[k + 1] == "d";
@@ -191,6 +217,7 @@ void partGapless(Words& words) {
 
 void partWords(Words& words) {
   partGapless(words);
+  translate(words);
   partCompounds(words);
   partEnglish(words);
   partLetters(words);

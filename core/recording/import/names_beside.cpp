@@ -8,103 +8,15 @@
 #include <set>
 
 #include "recording/import/columns_beside.h"
+#include "recording/import/letters_beside.h"
 #include "recording/import/name_parts.h"
 #include "recording/import/quantity_words.h"
 #include "recording/import/settle_motion.h"
+#include "recording/import/vehicles_beside.h"
 
 namespace breakaway {
 
 namespace {
-
-/// "joint_eff" beside "joint_pos" and "joint_vel" is an effort; alone it may be an efficiency.
-void takeEfforts(const RawTable& table, std::vector<Choice>& choices) {
-  std::set<Words> names;
-  for (const RawColumn& column : table.columns) names.insert(wordsOf(column.channel.name, true));
-  for (size_t c = 0; c < choices.size(); ++c) {
-    Words words = wordsOf(table.columns[c].channel.name, true);
-    const auto at = std::find(words.begin(), words.end(), "eff");
-    if (at == words.end() || choices[c].name.understood() || choices[c].byMap) continue;
-    const auto with = [&](const char* word) {
-      *at = word;
-      return names.contains(words);
-    };
-    if (!with("pos") || !with("vel")) continue;
-    with("effort");
-    std::string name;
-    for (const std::string& word : words) name += (name.empty() ? "" : "_") + word;
-    choices[c].name = understandName(name, table.columns[c].unit);
-  }
-}
-
-/// "tq" and "tqd" beside "q" and "qd" are where a joint shall be and how fast, no torque.
-void takeTargetsOfJoints(const RawTable& table, std::vector<Choice>& choices) {
-  std::set<std::string> names;
-  for (const RawColumn& column : table.columns) names.insert(column.channel.name);
-  for (size_t c = 0; c < choices.size(); ++c) {
-    const std::string& name = table.columns[c].channel.name;
-    const bool speed = name.starts_with("tqd");
-    if (choices[c].byMap || !name.starts_with("tq")) continue;
-    const std::string axis = name.substr(speed ? 3 : 2);
-    const bool all = names.contains("q" + axis) && names.contains("qd" + axis) && names.contains("tq" + axis) &&
-                     names.contains("tqd" + axis);
-    if (all) choices[c].name = understandName((speed ? "qd" : "q") + axis + "_target");
-  }
-}
-
-/// "FL_hip_q" beside "FL_hip_dq" is its angle; what else is called after it is of that axis.
-void takeCoordinates(const RawTable& table, std::vector<Choice>& choices) {
-  std::map<std::string, size_t> names;
-  for (size_t c = 0; c < choices.size(); ++c) names[table.columns[c].channel.name] = c;
-  for (const auto& [name, angle] : names) {
-    const size_t mark = name.find_last_of("_.");
-    if (mark == std::string::npos || mark == 0 || name.substr(mark + 1) != "q" || choices[angle].byMap) continue;
-    const std::string whose = name.substr(0, mark + 1);
-    const auto speed = names.contains(whose + "dq") ? names.find(whose + "dq") : names.find(whose + "qd");
-    const NameParts parts = partsOfName(name.substr(0, mark), {});
-    const bool open = !choices[angle].name.understood() && speed != names.end() && !choices[speed->second].byMap;
-    if (!open || firstIn(parts.words, otherThings) != nullptr) continue;
-    choices[angle].name = understandName("q", table.columns[angle].unit);
-    choices[speed->second].name = understandName("dq", table.columns[speed->second].unit);
-    for (size_t c = 0; c < choices.size(); ++c) {
-      if (choices[c].name.understood() && table.columns[c].channel.name.starts_with(whose))
-        choices[c].name.group = name.substr(0, mark);
-    }
-  }
-}
-
-/// "motor_vol" beside "motor_vel" and "motor_cur" is no volume.
-void takeVoltages(const RawTable& table, std::vector<Choice>& choices) {
-  std::set<std::string> names;
-  for (const RawColumn& column : table.columns) names.insert(column.channel.name);
-  for (size_t c = 0; c < choices.size(); ++c) {
-    const std::string& name = table.columns[c].channel.name;
-    if (!name.ends_with("_vol") || choices[c].name.understood() || choices[c].byMap) continue;
-    const std::string whose = name.substr(0, name.size() - 3);
-    if (names.contains(whose + "vel") && names.contains(whose + "cur"))
-      choices[c].name = understandName(whose + "voltage", table.columns[c].unit);
-  }
-}
-
-/// A DC motor has one winding: "u_a" with no "u_b" beside it is its armature's voltage, "ia" its current.
-void takeArmatures(const RawTable& table, std::vector<Choice>& choices) {
-  std::set<std::string> names;
-  const auto plain = [](const std::string& name) {
-    std::string letters;
-    for (const std::string& word : wordsOf(name.substr(0, name.find_first_of("[(")), false)) letters += word;
-    return letters;
-  };
-  for (const RawColumn& column : table.columns) names.insert(plain(column.channel.name));
-  for (size_t c = 0; c < choices.size(); ++c) {
-    const std::string name = plain(table.columns[c].channel.name);
-    const bool armature = name == "ua" || name == "va" || name == "ia";
-    if (!armature || choices[c].byMap || choices[c].name.understood()) continue;
-    if (names.contains(name.substr(0, 1) + "b")) continue;
-    const NameParts parts = partsOfName(table.columns[c].channel.name, table.columns[c].unit);
-    const bool bracket = table.columns[c].channel.name.find_first_of("[(") != std::string::npos;
-    choices[c].name = understandName(name == "ia" ? "motor_current" : "motor_voltage",
-                                     bracket ? parts.unitText : table.columns[c].unit);
-  }
-}
 
 /// "Power Max [3]" of "Power Max [3] Velocity", "Power Max [3] Position"…: a device's name, whatever its words mean.
 void takeBehindDevices(const RawTable& table, std::vector<Choice>& choices) {
@@ -126,7 +38,9 @@ void takeBehindDevices(const RawTable& table, std::vector<Choice>& choices) {
   for (size_t c = 0; c < choices.size(); ++c) ++devices[deviceOf(c)];
   for (size_t c = 0; c < choices.size(); ++c) {
     const std::string device = deviceOf(c);
-    if (device.empty() || devices[device] < fewest || choices[c].name.understood() || choices[c].byMap) continue;
+    if (device.empty() || devices[device] < fewest || choices[c].name.understood() || choices[c].byMap ||
+        choices[c].byTool)
+      continue;
     const std::string number = device.substr(device.find('[') + 1, device.size() - device.find('[') - 2);
     choices[c].name =
         understandName(number + table.columns[c].channel.name.substr(device.size()), table.columns[c].unit);
@@ -157,7 +71,7 @@ void takeBehindPaths(const RawTable& table, std::vector<Choice>& choices) {
   }
   for (size_t c = 0; c < choices.size(); ++c) {
     const std::string whose = pathOf(c);
-    if (whose.empty() || choices[c].name.understood() || choices[c].byMap) continue;
+    if (whose.empty() || choices[c].name.understood() || choices[c].byMap || choices[c].byTool) continue;
     const NameParts path = partsOfName(whose.substr(0, whose.size() - 1), {});
     const bool joints = whose.back() == '/' && firstIn(path.words, jointWords) != nullptr;
     const auto words = wordsOf(table.columns[c].channel.name.substr(whose.size()), true);
@@ -227,9 +141,11 @@ void takeOwnersReferences(const RawTable& table, std::vector<Choice>& choices) {
     const Words words = wordsOf(name, true), owner = ownerOf(name);
     const bool quantity =
         std::any_of(words.begin(), words.end(), [](const std::string& one) { return quantityNamed(one) != nullptr; });
-    const bool open = !choices[c].name.understood() && !choices[c].byMap && !table.columns[c].fault;
+    const bool open =
+        !choices[c].name.understood() && !choices[c].byMap && !choices[c].byTool && !table.columns[c].fault;
     if (!open || quantity || owner.empty() || firstIn(words, referenceWords) == nullptr) continue;
-    if (firstIn(words, otherThings) != nullptr || partsOfName(name, table.columns[c].unit).unit != nullptr) continue;
+    const NameParts parts = partsOfName(name, table.columns[c].unit);
+    if (firstIn(words, otherThings) != nullptr || parts.unknownUnit) continue;
     std::set<std::string> motions;
     size_t of = choices.size();
     for (size_t k = 0; k < choices.size(); ++k) {
@@ -240,9 +156,42 @@ void takeOwnersReferences(const RawTable& table, std::vector<Choice>& choices) {
     }
     if (motions.size() != 1) continue;
     ColumnName reference = choices[of].name;
+    if (parts.unit != nullptr) {  // "extruder_cmd_mm" beside "extruder_pos_mm"
+      const Unit* measured = unitNamed(reference.unit);
+      if (measured == nullptr || measured->kind != parts.unit->kind) continue;
+      reference.unit = parts.unitText;
+      reference.scale = parts.unit->scale * parts.factor;
+      reference.needs = parts.unit->needs;
+    }
     reference.to.insert(reference.to.find('_'), "_reference");
     reference.guess = message("what {} shall be", table.columns[of].channel.name);
     choices[c].name = reference;
+  }
+}
+
+/// "input_speed" and "output_speed" beside "input_torque" and "output_torque" are a gear's two sides: the motor's is
+/// the first, and no reference.
+void takeGearSides(const RawTable& table, std::vector<Choice>& choices) {
+  const auto sideOf = [&table](size_t c, std::string_view side) {
+    Words words = wordsOf(table.columns[c].channel.name, true);
+    return std::erase_if(words, [&](const std::string& word) { return word == side; }) == 1 ? words : Words{};
+  };
+  std::vector<std::pair<size_t, size_t>> pairs;  // input, output
+  bool torque = false;
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const Words input = sideOf(c, "input");
+    if (input.empty() || choices[c].byMap || choices[c].byTool || !choices[c].name.understood()) continue;
+    for (size_t k = 0; k < choices.size(); ++k) {
+      if (sideOf(k, "output") != input || choices[k].byMap || choices[k].byTool) continue;
+      pairs.emplace_back(c, k);
+      torque = torque || choices[k].name.to == "torque_Nm";
+    }
+  }
+  if (pairs.size() < 2 || !torque) return;
+  for (const auto& [input, output] : pairs) {
+    choices[input].name =
+        understandName(nameWithout(table.columns[input].channel.name, "input"), table.columns[input].unit);
+    setAside(choices[output], message("is behind a gear, beside {}", table.columns[input].channel.name));
   }
 }
 
@@ -252,15 +201,18 @@ void takeOutputs(const RawTable& table, std::vector<Choice>& choices) {
       std::to_array<std::string_view>({"duty", "voltage_V", "current_A", "torque_Nm", "force_N"});
   const bool driven =
       std::any_of(choices.begin(), choices.end(), [](const Choice& one) { return isIn(drives, one.name.to); });
-  if (driven) return;
-  static constexpr auto meant = std::to_array<std::string_view>(
-      {"output", "out", "control", "controller", "pid", "motor", "mot", "drive", "command", "cmd"});
+  if (driven || isOfVehicle(table)) return;
+  static constexpr auto meant =
+      std::to_array<std::string_view>({"output", "out", "control", "controller", "pid", "motor", "mot", "drive",
+                                       "command", "cmd", "actuation", "level", "throttle", "effort", "signal"});
   for (size_t c = 0; c < choices.size(); ++c) {
     if (choices[c].name.understood() || choices[c].byMap || table.columns[c].fault) continue;
     const NameParts parts = partsOfName(table.columns[c].channel.name, table.columns[c].unit);
     const bool percent = parts.unit != nullptr && parts.unit->kind == UnitKind::ratio && parts.unit->scale == 1e-2;
     const bool command = parts.words.size() == 1 && (parts.words[0] == "command" || parts.words[0] == "cmd");
-    const bool output = command || isIn(parts.words, "output") || isIn(parts.words, "out");
+    static constexpr auto outputs =
+        std::to_array<std::string_view>({"output", "out", "actuation", "throttle", "effort"});
+    const bool output = command || firstIn(parts.words, outputs) != nullptr;
     const bool plain =
         std::all_of(parts.words.begin(), parts.words.end(), [](const std::string& word) { return isIn(meant, word); });
     const auto& values = table.columns[c].channel.values;
@@ -307,7 +259,6 @@ ColumnName withoutUnknown(const RawColumn& column, ColumnName name) {
 
 }  // namespace
 
-/// The name without its last word that reads so.
 std::string nameWithout(std::string name, const std::string& word) {
   std::string lower = name;
   std::transform(lower.begin(), lower.end(), lower.begin(),
@@ -321,12 +272,10 @@ void takeByNeighbours(const RawTable& table, const ImportMap& map, std::vector<C
   takeBehindPaths(table, choices);
   takeSides(table, choices);
   takePresent(table, choices);
-  takeEfforts(table, choices);
-  takeVoltages(table, choices);
-  takeCoordinates(table, choices);
-  takeTargetsOfJoints(table, choices);
-  takeArmatures(table, choices);
+  takeLettersBeside(table, choices);
+  setVehiclesWayAside(table, choices);
   setCountsBesideMetresAside(table, map, choices);
+  takeGearSides(table, choices);
   takeOwnersReferences(table, choices);
   takeOutputs(table, choices);
 }

@@ -71,7 +71,7 @@ inline constexpr auto otherThings = std::to_array<std::string_view>(
      "injector",     "heater",     "led",        "kmh",          "kph",          "kmph",       "mph",
      "watt",         "wh",         "ah"});
 /// Of these a vehicle or a hand turns about one; of a joint they are the name.
-inline constexpr auto headings = std::to_array<std::string_view>({"roll", "pitch", "yaw"});
+inline constexpr auto headings = std::to_array<std::string_view>({"roll", "pitch", "yaw", "tilt", "lean"});
 inline constexpr auto jointWords = std::to_array<std::string_view>(
     {"joint", "joints", "motor", "mot", "servo", "actuator", "wrist", "forearm", "elbow", "shoulder", "gripper", "hip",
      "knee", "ankle", "waist", "gimbal", "encoder", "stepper"});

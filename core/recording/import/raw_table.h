@@ -30,7 +30,8 @@ void rememberText(RawColumn& column, size_t row, std::string_view text);
 struct RawTable {
   std::vector<RawColumn> columns;  ///< all of the same length
   std::vector<std::pair<std::string, std::string>> notes;
-  std::vector<Message> remarks;       ///< what was left out or assumed, in words
+  std::vector<std::pair<std::string, std::string>> beside;  ///< fields beside the rows, deeper than notes
+  std::vector<Message> remarks;                             ///< what was left out or assumed, in words
   std::vector<std::string> preamble;  ///< lines before the table, for tools that are known by them
   std::string tool = {};              ///< the program whose form this is, if its container tells
 

@@ -128,7 +128,26 @@ std::string_view unitIn(std::string_view behind) {
   return next ? std::string_view{} : unit;
 }
 
+std::string_view stampUnit(const Sentence& sentence) {
+  if (!withoutBlanks(sentence.texts[0]).empty()) return {};
+  const std::string_view behind = withoutBlanks(sentence.texts[1]);
+  const std::string_view word = behind.substr(0, behind.find_first_of(" :,;|"));
+  const Unit* unit = unitNamed(word);
+  return unit != nullptr && unit->kind == UnitKind::time ? word : std::string_view{};
+}
+
+bool isStamp(const Sentence& sentence, size_t k) {
+  const std::string_view before = withoutBlanks(sentence.texts[k]), behind = withoutBlanks(sentence.texts[k + 1]);
+  if (before.ends_with('[') && behind.starts_with(']')) return before == "[" || before.ends_with(" [");
+  return k == 0 && !stampUnit(sentence).empty();
+}
+
 std::string labelIn(std::string_view text, std::string_view unitBefore) {
+  for (size_t open = text.find('['); open != std::string_view::npos; open = text.find('[')) {
+    const size_t close = text.find(']', open);  // "[motor_driver]: pos": whose it is
+    if (close == std::string_view::npos || withoutBlanks(text.substr(close + 1)).size() < 2) break;
+    text.remove_prefix(close + 1);
+  }
   static constexpr auto fillers = std::to_array<std::string_view>(
       {"is", "at", "the", "and", "was", "are", "with", "of", "now", "a", "an", "has", "reads", "equals", "to"});
   std::string label;

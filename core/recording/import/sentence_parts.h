@@ -23,6 +23,12 @@ bool isClock(std::string_view value);
 /// The unit that stands behind a value; empty where none does.
 std::string_view unitIn(std::string_view behind);
 
+/// The unit behind a value with which the line begins, if it is one of time; else empty.
+std::string_view stampUnit(const Sentence& sentence);
+
+/// "[12.5] …" and, where the line begins with it, "12.5 s: …": the value is the row's time.
+bool isStamp(const Sentence& sentence, size_t k);
+
 /// The words before a value without the unit of the one before and what only makes it a sentence.
 std::string labelIn(std::string_view text, std::string_view unitBefore);
 

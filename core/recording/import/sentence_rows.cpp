@@ -19,9 +19,9 @@ std::vector<std::string> namesOf(const Sentence& sentence) {
   size_t known = 0, labelled = 0, clocks = 0;
   for (size_t k = 0; k < sentence.values.size(); ++k) {
     std::string name = labelIn(sentence.texts[k], unit);
-    if (isClock(sentence.values[k])) {
-      name = "time";
-      unit = {};
+    if (isClock(sentence.values[k]) || (clocks == 0 && isStamp(sentence, k))) {
+      unit = k == 0 && !isClock(sentence.values[k]) ? stampUnit(sentence) : std::string_view{};
+      name = unit.empty() ? "time" : "time [" + std::string(unit) + "]";
       ++clocks;
     } else {
       labelled += name.empty() ? 0 : 1;
@@ -61,7 +61,9 @@ std::optional<SentenceRows> withSentencesAsCells(std::string_view text, Sentence
       continue;
     }
     if (out.table.empty()) {
-      const bool clock = std::any_of(sentence.values.begin(), sentence.values.end(), isClock);
+      bool clock = false;
+      for (size_t k = 0; k < sentence.values.size(); ++k)
+        clock = clock || isClock(sentence.values[k]) || isStamp(sentence, k);
       const auto names = namesOf(sentence);
       if (names.empty() || names.size() > mostValues || (time == SentenceTime::clock && !clock)) return std::nullopt;
       for (const std::string& name : names) out.table += name + ";";

@@ -70,6 +70,11 @@ Result<void> Settling::takeOther(size_t c) {
     keep(c, message("is a force beside an angle, and nothing tells of which arm"));
     return {};
   }
+  const bool turnsAlone = !columnOf("angle_rad") && !columnOf("position_m") && columnOf("velocity_rad_per_s");
+  if (to == "force_N" && fates_[c].unit.empty() && turnsAlone && !choices_[c].byMap) {
+    keep(c, message("is a force beside what turns, and nothing tells of which arm"));
+    return {};
+  }
   if (unitless) {
     to = "torque_Nm";
     fates_[c].unit = "Nm";

@@ -236,6 +236,15 @@ void readLines(std::vector<std::string_view> lines, const TextLayout& layout, co
     return;
   }
   const auto filled = last.size() - static_cast<size_t>(std::count(last.begin(), last.end(), std::string_view{}));
+  // ",Interp: linear,Interp: linear": how signals are drawn.
+  const auto first = std::find_if(last.begin(), last.end(), [](std::string_view cell) { return !cell.empty(); });
+  const bool property = units == 0 && filled > 1 && !above.empty() && aboveIsText &&
+                        first->find(':') != std::string_view::npos &&
+                        filled == static_cast<size_t>(std::count(last.begin(), last.end(), *first));
+  if (property) {
+    fill(above, found);
+    return;
+  }
   const bool areUnits = !above.empty() && (withOnes || units > names || units == filled || (aboveIsText && names == 0));
   if (areUnits) {
     fill(above, found);

@@ -257,10 +257,11 @@ Result<RawTable> readTextTable(std::string_view text, const std::string& name) {
       name,
       message(
           "holds no table: expected rows of at least two numbers, separated by commas, semicolons, tabs or blanks")};
-  if (layout.cells == 0) {
+  const auto asSentences = [&]() -> Result<RawTable> {
     const auto sentences = withSentencesAsCells(utf8, SentenceTime::any);
     return sentences ? readSentences(*sentences, name) : none;
-  }
+  };
+  if (layout.cells == 0) return asSentences();
   if (layout.cells > mostCellsOfARow) return none;
   size_t sampled = 0;
   for (const std::string_view line : sample) sampled += line.size() + 1;
@@ -268,7 +269,7 @@ Result<RawTable> readTextTable(std::string_view text, const std::string& name) {
   TextRows rows(layout, name, utf8.size() / lineSize + 16);
   RawTable notes;
   const Start start = findStart(utf8, lineEnd, layout, rows, notes);
-  if (!start.found) return none;
+  if (!start.found) return asSentences();
   std::string_view first = start.rest;
   const TextNames names = namesBefore(start.before, takeLine(first, lineEnd), layout);
   if (auto signals = readLongTable(start.rest, lineEnd, layout, names, name)) return std::move(*signals);

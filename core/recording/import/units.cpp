@@ -21,37 +21,62 @@ const Unit* exactly(std::string_view name) {
 /// What moves, in the one word that stands in front of "per".
 std::string_view oneWord(std::string_view word) {
   static constexpr auto same = std::to_array<std::pair<std::string_view, std::string_view>>(
-      {{"rads", "rad"},       {"radian", "rad"},  {"radians", "rad"}, {"degs", "deg"},       {"degree", "deg"},
-       {"degrees", "deg"},    {"grad", "deg"},    {"revs", "rev"},    {"revolution", "rev"}, {"revolutions", "rev"},
-       {"turn", "rev"},       {"turns", "rev"},   {"rot", "rev"},     {"rotation", "rev"},   {"rotations", "rev"},
-       {"u", "rev"},          {"r", "rev"},       {"umdr", "rev"},    {"tr", "rev"},         {"giri", "rev"},
-       {"obr", "rev"},        {"ot", "rev"},      {"omw", "rev"},     {"toer", "rev"},       {"varv", "rev"},
-       {"об", "rev"},         {"dev", "rev"},     {"gradi", "deg"},   {"grados", "deg"},     {"graden", "deg"},
-       {"degrés", "deg"},     {"derece", "deg"},  {"град", "deg"},    {"рад", "rad"},        {"counts", "count"},
-       {"cnt", "count"},      {"cts", "count"},   {"tick", "count"},  {"steps", "count"},    {"step", "count"},
-       {"pulse", "count"},    {"ticks", "count"}, {"inc", "count"},   {"ink", "count"},      {"pulses", "count"},
-       {"lsb", "count"},      {"meter", "m"},     {"meters", "m"},    {"metre", "m"},        {"metres", "m"},
-       {"millimeters", "mm"}, {"in", "inch"},     {"inches", "inch"}, {"ft", "feet"},        {"foot", "feet"}});
+      {{"rads", "rad"},    {"radian", "rad"},  {"radians", "rad"}, {"degs", "deg"},       {"degree", "deg"},
+       {"degrees", "deg"}, {"grad", "deg"},    {"revs", "rev"},    {"revolution", "rev"}, {"revolutions", "rev"},
+       {"turn", "rev"},    {"turns", "rev"},   {"rot", "rev"},     {"rotation", "rev"},   {"rotations", "rev"},
+       {"u", "rev"},       {"r", "rev"},       {"umdr", "rev"},    {"tr", "rev"},         {"giri", "rev"},
+       {"obr", "rev"},     {"ot", "rev"},      {"omw", "rev"},     {"toer", "rev"},       {"varv", "rev"},
+       {"об", "rev"},      {"dev", "rev"},     {"gradi", "deg"},   {"grados", "deg"},     {"graden", "deg"},
+       {"degrés", "deg"},  {"derece", "deg"},  {"град", "deg"},    {"рад", "rad"},        {"counts", "count"},
+       {"cnt", "count"},   {"cts", "count"},   {"tick", "count"},  {"steps", "count"},    {"step", "count"},
+       {"pulse", "count"}, {"ticks", "count"}, {"inc", "count"},   {"ink", "count"},      {"pulses", "count"},
+       {"lsb", "count"},   {"graus", "deg"},   {"độ", "deg"},      {"vòng", "rev"},       {"meter", "m"},
+       {"meters", "m"},    {"metre", "m"},     {"metres", "m"},    {"millimeters", "mm"}, {"in", "inch"},
+       {"inches", "inch"}, {"ft", "feet"},     {"foot", "feet"}});
   const auto it = std::find_if(same.begin(), same.end(), [word](const auto& one) { return one.first == word; });
   return it == same.end() ? word : it->second;
 }
 
-/// The small letter of a capital one with two bytes of UTF-8, Latin with an accent or Cyrillic.
+/// The small letter of a capital one with two bytes of UTF-8: Latin, Greek or Cyrillic.
 std::optional<std::string> lowerLetter(std::string_view text) {
   if (text.size() < 2) return std::nullopt;
   const auto lead = static_cast<unsigned char>(text[0]), tail = static_cast<unsigned char>(text[1]);
-  const auto letter = [](unsigned first, unsigned second) {
-    return std::string{static_cast<char>(first), static_cast<char>(second)};
-  };
-  if (lead == 0xC3U && tail >= 0x80U && tail <= 0x9EU && tail != 0x97U) return letter(lead, tail + 0x20U);
-  if (lead == 0xD0U && tail >= 0x90U && tail <= 0x9FU) return letter(lead, tail + 0x20U);
-  if (lead == 0xD0U && tail >= 0xA0U && tail <= 0xAFU) return letter(0xD1U, tail - 0x20U);
-  return std::nullopt;
+  if (lead < 0xC3U || lead > 0xD2U || (tail & 0xC0U) != 0x80U) return std::nullopt;
+  const unsigned capital = ((lead & 0x1FU) << 6U) | (tail & 0x3FU);
+  const auto within = [capital](unsigned first, unsigned last) { return capital >= first && capital <= last; };
+  unsigned small = capital;
+  if ((within(0xC0U, 0xDEU) && capital != 0xD7U) || within(0x391U, 0x3A9U) || within(0x410U, 0x42FU)) small += 0x20U;
+  if (within(0x400U, 0x40FU)) small += 0x50U;
+  if (within(0x388U, 0x38AU)) small += 0x25U;
+  if (capital == 0x386U) small = 0x3ACU;
+  const bool oddIsSmall = within(0x100U, 0x137U) || within(0x14AU, 0x177U) || within(0x490U, 0x491U);
+  const bool evenIsSmall = within(0x139U, 0x148U) || within(0x179U, 0x17EU);
+  if ((oddIsSmall && capital % 2 == 0) || (evenIsSmall && capital % 2 == 1)) ++small;
+  if (small == capital || capital == 0x130U || capital == 0x3A2U) return std::nullopt;
+  return std::string{static_cast<char>(0xC0U | (small >> 6U)), static_cast<char>(0x80U | (small & 0x3FU))};
+}
+
+/// "centideg" as "cdeg", "milliamps" as "ma".
+std::string shortened(std::string_view word) {
+  static constexpr auto prefixes = std::to_array<std::pair<std::string_view, char>>(
+      {{"milli", 'm'}, {"centi", 'c'}, {"deci", 'd'}, {"micro", 'u'}, {"kilo", 'k'}});
+  static constexpr auto electrical = std::to_array<std::pair<std::string_view, std::string_view>>(
+      {{"amp", "a"}, {"amps", "a"}, {"ampere", "a"}, {"amperes", "a"}, {"volt", "v"}, {"volts", "v"}});
+  for (const auto& [prefix, letter] : prefixes) {
+    if (word.size() < prefix.size() + 2 || !word.starts_with(prefix)) continue;
+    const std::string_view rest = word.substr(prefix.size());
+    const auto it =
+        std::find_if(electrical.begin(), electrical.end(), [rest](const auto& one) { return one.first == rest; });
+    return letter + std::string(it != electrical.end() ? it->second : oneWord(rest));
+  }
+  return std::string(oneWord(word));
 }
 
 std::string_view oneTime(std::string_view word) {
   if (word == "sec" || word == "second" || word == "seconds" || word == "sekunde") return "s";
-  if (word == "minute" || word == "minutes" || word == "мин" || word == "dak" || word == "dk") return "min";
+  if (word == "minute" || word == "minutes" || word == "мин" || word == "хв" || word == "phút" || word == "dak" ||
+      word == "dk")
+    return "min";
   if (word == "сек" || word == "с" || word == "sn") return "s";
   return word;
 }
@@ -117,17 +142,22 @@ const Unit* unitOfWords(const std::vector<std::string>& words, size_t from) {
   std::string text;
   for (size_t k = from; k < words.size(); ++k) text += (k == from ? "" : "_") + words[k];
   if (const Unit* unit = exactly(text)) return unit;
+  if (count > 1 && (words[from] == "quad" || words[from] == "quadrature")) return unitOfWords(words, from + 1);
   const std::string& last = words.back();
+  if (count == 1 && last.size() > 5) {
+    if (const Unit* unit = exactly(shortened(last)); unit != nullptr && shortened(last) != oneWord(last)) return unit;
+  }
   if (count == 1 && last.size() > 3 && last.ends_with("ps"))  // "mradps"
-    return exactly(std::string(oneWord(std::string_view(last).substr(0, last.size() - 2))) + "_per_s");
+    return exactly(shortened(std::string_view(last).substr(0, last.size() - 2)) + "_per_s");
   if (count == 3 && words[from + 1] == "per")
-    return exactly(std::string(oneWord(words[from])) + "_per_" + std::string(oneTime(last)));
+    return exactly(shortened(words[from]) + "_per_" + std::string(oneTime(last)));
   // "rad_s", "rad.s", "deg_sec": what turns, and a time; "rad·s⁻¹", "rad s-1"
   const bool inverse = count == 3 && last == "1";
   if (count != 2 && !inverse) return nullptr;
-  const std::string_view moved = oneWord(words[from]), time = oneTime(words[from + 1]);
+  const std::string moved = shortened(words[from]);
+  const std::string_view time = oneTime(words[from + 1]);
   if (time != "s" && time != "min") return nullptr;
-  return exactly(std::string(moved) + "_per_" + std::string(time));
+  return exactly(moved + "_per_" + std::string(time));
 }
 
 const Unit* unitNamed(std::string_view text) {

@@ -1,0 +1,90 @@
+#include "recording/import/others_beside.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "recording/import/columns_beside.h"
+#include "recording/import/name_parts.h"
+#include "recording/import/quantity_words.h"
+
+namespace breakaway {
+
+namespace {
+
+bool namesQuantity(const Words& words) {
+  return std::any_of(words.begin(), words.end(), [](const std::string& one) { return quantityNamed(one) != nullptr; });
+}
+
+/// "handle_angle_cmd" is what "handle_angle" shall be: no reference where another angle was taken.
+void setOthersReferencesAside(const RawTable& table, std::vector<Choice>& choices) {
+  const auto wordsBut = [&table](size_t c) {
+    Words words = wordsOf(table.columns[c].channel.name, true);
+    std::erase_if(words, [](const std::string& word) { return isIn(referenceWords, word); });
+    return words;
+  };
+  for (size_t r = 0; r < choices.size(); ++r) {
+    const std::string to = choices[r].name.to;
+    const size_t end = to.find("_reference");
+    if (end == std::string::npos || choices[r].byMap || choices[r].byTool) continue;
+    const bool named = namesQuantity(wordsOf(table.columns[r].channel.name, true));
+    const bool followed = std::any_of(choices.begin(), choices.end(), [&](const Choice& one) {
+      return one.name.to.starts_with(to.substr(0, end)) && one.name.to.find("_reference") == std::string::npos;
+    });
+    if (!named && !followed) {  // "target_deg" beside a heading
+      setAside(choices[r], message("is what something shall be that isn't taken"));
+      continue;
+    }
+    const Words words = wordsBut(r);
+    const NameParts own = partsOfName(table.columns[r].channel.name, table.columns[r].unit);
+    const bool alone =
+        !named && own.unit != nullptr && std::none_of(choices.begin(), choices.end(), [&](const Choice& one) {
+          return one.name.to == to.substr(0, end) + to.substr(end + std::string_view("_reference").size()) &&
+                 unitNamed(one.name.unit) == own.unit;
+        });
+    for (size_t c = 0; c < choices.size(); ++c) {
+      const bool sameUnit = alone && c != r && !choices[c].name.understood() && !table.columns[c].fault &&
+                            partsOfName(table.columns[c].channel.name, table.columns[c].unit).unit == own.unit;
+      if (sameUnit && choices[r].name.understood()) {  // "target_deg" beside "heading_deg" and an encoder
+        setAside(choices[r], message("is what {} shall be, which isn't taken", table.columns[c].channel.name));
+        break;
+      }
+      const bool measured = c != r && !choices[c].name.understood() && !table.columns[c].fault &&
+                            wordsOf(table.columns[c].channel.name, true) == words;
+      if (measured && followed)
+        setAside(choices[r], message("is what {} shall be, which isn't taken", table.columns[c].channel.name));
+    }
+  }
+}
+
+/// "pedal_torque", "steering_torque" beside a motor's motion; a bench's is the motor's.
+void setOthersTorquesAside(const RawTable& table, std::vector<Choice>& choices) {
+  static constexpr auto motors = std::to_array<std::string_view>({"motor", "mot", "rotor"});
+  static constexpr auto benches =
+      std::to_array<std::string_view>({"dyno", "dynamometer", "bench", "rig", "test", "cell", "transducer", "meter"});
+  const auto wordsAt = [&table](size_t c) { return wordsOf(table.columns[c].channel.name, true); };
+  size_t motion = choices.size();
+  for (size_t c = choices.size(); c-- > 0;) {
+    const std::string& to = choices[c].name.to;
+    const bool moves = to == "angle_rad" || to == "velocity_rad_per_s";
+    if (moves && firstIn(wordsAt(c), motors) != nullptr) motion = c;
+  }
+  if (motion == choices.size()) return;
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const Words words = wordsAt(c);
+    const bool own = firstIn(words, motors) != nullptr || firstIn(words, benches) != nullptr;
+    if (choices[c].name.to != "torque_Nm" || !choices[c].name.qualified || choices[c].byMap || choices[c].byTool || own)
+      continue;
+    setAside(choices[c],
+             message("is called by something else than the motor, as {} is", table.columns[motion].channel.name));
+  }
+}
+
+}  // namespace
+
+void setOthersAside(const RawTable& table, std::vector<Choice>& choices) {
+  setOthersReferencesAside(table, choices);
+  setOthersTorquesAside(table, choices);
+}
+
+}  // namespace breakaway

@@ -1,0 +1,15 @@
+// What belongs to something else than the motion that was taken.
+#pragma once
+
+#include <vector>
+
+#include "recording/import/choose_columns.h"
+#include "recording/import/raw_table.h"
+
+namespace breakaway {
+
+/// Once one column is chosen for each thing: sets aside what another angle shall be ("handle_angle_cmd"), and a torque
+/// that is called by something else ("pedal_torque") where the motion is called the motor's.
+void setOthersAside(const RawTable& table, std::vector<Choice>& choices);
+
+}  // namespace breakaway
