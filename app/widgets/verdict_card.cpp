@@ -20,8 +20,8 @@ namespace breakaway {
 
 namespace {
 
-constexpr int height_px = 104, barsWidth = 340, nameWidth = 108, textWidth = 84, barHeight = 12, barStep = 21,
-              proofHeight = 28;
+constexpr int height_px = 104, barsWidth = 340, leastBarsWidth = 244, nameWidth = 108, textWidth = 84, barHeight = 12,
+              barStep = 21, proofHeight = 28;
 
 QString verdictSentence(const Diagnosis& diagnosis) {
   if (diagnosis.misread) return VerdictCard::tr("A scale or sign is wrong, so that nothing else was looked for");
@@ -64,12 +64,14 @@ QString toneOf(const Diagnosis& diagnosis) {
 class VerdictCard::Bars : public QWidget {
  public:
   explicit Bars(QWidget* parent) : QWidget(parent) {
-    setFixedWidth(barsWidth);
+    setMinimumWidth(leastBarsWidth);
+    setMaximumWidth(barsWidth);
     setFixedHeight(3 * barStep);
     setToolTip(
         VerdictCard::tr("RMS error on data that the fit never saw. The line is what noise of the sensors, the "
                         "unknown start of each window and the friction's own wander leave to a perfect model."));
   }
+  QSize sizeHint() const override { return {barsWidth, 3 * barStep}; }
   void show(const FitScore* fit) {
     shown_ = fit != nullptr;
     if (fit != nullptr) fit_ = *fit;
@@ -131,7 +133,6 @@ VerdictCard::VerdictCard(Comparison& comparison, QWidget* parent) : QFrame(paren
   figure_->setFont(typed(Type::figure));
   change_ = new QLabel(this);
   change_->setObjectName("verdictChange");
-  figure_->setMinimumWidth(1);
   change_->setFixedHeight(24);
   figures->addWidget(figure_);
   figures->addSpacing(12);
