@@ -33,7 +33,9 @@ struct EffectTerm {
 constexpr const char* driveLateName = "drive_late_s";
 /// A base parameter: a load too small to be a finding, as an amplifier's offset or a cable makes it; Nm or N, against
 /// positive motion if positive. A stiff drive at constant speed shows far less than what matters.
-constexpr const char* biasName(Axis axis) { return axis == Axis::linear ? "bias_N" : "bias_Nm"; }
+constexpr const char* biasName(Axis axis) {
+  return axis == Axis::linear ? "bias_N" : "bias_Nm";
+}
 
 /// The parameters' values, in the effect's order.
 std::vector<double> valuesOf(const EffectTerm& term);
