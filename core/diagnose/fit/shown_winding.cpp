@@ -10,7 +10,8 @@ namespace {
 
 constexpr double shortest_s = 2e-5;  ///< time constant of a winding
 constexpr size_t fewestRows = 5;     ///< of a span
-constexpr double span_s = 0.01;      ///< at least
+constexpr size_t fewestSpans = 14;
+constexpr double span_s = 0.01;  ///< at least
 constexpr size_t mostRows = 40'000;
 constexpr double cluster_s = 1.0;
 constexpr double clearlyLess = 0.8;     ///< of what fewer columns leave
@@ -127,7 +128,7 @@ std::optional<ShownWinding> shownWinding(const std::vector<Track>& tracks) {
       }))
     return {};
   const Balance balance(tracks);
-  if (balance.spans < 2 * columns) return {};
+  if (balance.spans < fewestSpans) return {};
   const Eigen::Index width = balance.left(withBridge) < clearlyLess * balance.left(plain) ? withBridge : plain;
   const Eigen::VectorXd perVolt = balance.solution(width);  // 1/R, −Ke/R, −L/R and a part of a row
   const Eigen::MatrixXd covariance = covarianceOf(balance, width, tracks);
