@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/made.h"
+#include "diagnose/effects/all.h"
 #include "export/comment.h"
 #include "export/joint_forms.h"
 #include "export/portable/print.h"
@@ -38,6 +39,19 @@ Result<void> finite(const Model& model) {
   return {};
 }
 
+/// With the bias as the constant load that it is: one form in place of two.
+Model withBiasAsLoad(Model model) {
+  const auto bias = std::find_if(model.base.begin(), model.base.end(),
+                                 [&](const Parameter& one) { return one.name == biasName(model.axis); });
+  if (bias == model.base.end()) return model;
+  Parameter load = *bias;
+  model.base.erase(bias);
+  if (load.value == 0.0) return model;
+  load.name = constantLoad().parameters(model.axis).front().name;
+  model.effects.push_back({std::string(constantLoad().name()), {std::move(load)}});
+  return model;
+}
+
 ModelExport programText(const Model& model, const std::string& form, const ModelExportOptions& options) {
   std::vector<LeftOut> leftOut;
   Program program = programOf(model, leftOut);
@@ -63,8 +77,9 @@ const std::vector<std::string>& modelForms() {
   return forms;
 }
 
-Result<ModelExport> exportModel(const Model& model, const std::string& form, const ModelExportOptions& options) {
-  if (const auto good = finite(model); !good) return good.error();
+Result<ModelExport> exportModel(const Model& fitted, const std::string& form, const ModelExportOptions& options) {
+  if (const auto good = finite(fitted); !good) return good.error();
+  const Model model = withBiasAsLoad(fitted);
   if (form == "c" || form == "python" || form == "modelica" || form == "matlab")
     return programText(model, form, options);
   return jointText(model, form, headOf(model, options), options);

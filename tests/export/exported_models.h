@@ -51,6 +51,12 @@ inline Rig rig(const QString& kind) {
     if (kind == "voltage") m.base.push_back(known("inductance_H", 0.0011));
     one.peak = kind == "duty" ? 0.25 : 6.0;
   }
+  if (kind == "biased") {
+    m.input = DriveInput::current;
+    m.base.push_back(known("torque_constant_Nm_per_A", 0.07));
+    m.base.push_back(known(biasName(m.axis), 1e-4));
+    one.peak = 0.6;
+  }
   if (kind == "current") {
     m.input = DriveInput::current;
     m.base.push_back(known("torque_constant_Nm_per_A", 0.07));

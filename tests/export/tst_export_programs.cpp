@@ -103,7 +103,7 @@ void TestExportPrograms::models() const {
   const auto row = [](const char* kind, const char* effects) {
     QTest::newRow(qPrintable(QString("%1: %2").arg(kind, effects))) << kind << effects;
   };
-  for (const char* kind : {"voltage", "duty", "current", "arm", "linear", "servo"}) row(kind, "");
+  for (const char* kind : {"voltage", "duty", "current", "arm", "linear", "servo", "biased"}) row(kind, "");
   row("current", "constant_load 0.002");
   row("current", "coulomb_asymmetry 0.002");
   row("current", "viscous_asymmetry 1e-5");
