@@ -213,7 +213,7 @@ void TestLanguages::everyName_hasItsGerman() {
   for (const Axis axis : {Axis::rotary, Axis::linear}) {
     const MotorNames& motor = motorNames(axis);
     for (const char* name : {motor.torqueConstant, motor.backEmfConstant, motor.resistance, motor.inductance,
-                             motor.inertia, motor.viscous, motor.coulomb})
+                             motor.inertia, motor.viscous, motor.coulomb, driveLateName, biasName(axis)})
       names.insert(withoutUnit(name));
     for (const Effect* effect : catalogue()) {
       names.insert(QString::fromStdString(effectName(*effect).english()));

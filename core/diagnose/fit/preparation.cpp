@@ -100,8 +100,8 @@ void limitLateness(Freedom& freedom, const std::vector<Track>& tracks) {
   for (const Track& track : tracks) {
     if (track.drive != DriveInput::current && track.drive != DriveInput::torque) return;
     measured = measured && track.inputNoise > 0.0;
-    freedom.row_s = std::max(freedom.row_s, track.usualStep_s);
   }
+  freedom.row_s = longestRow_s(tracks);
   freedom.leastLate_s = -slowestLoop_s;
   freedom.mostLate_s = measured ? freedom.row_s : 0.0;
 }

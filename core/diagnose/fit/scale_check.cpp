@@ -187,10 +187,8 @@ class Scales {
       return Estimate{got->value[k], std::sqrt(std::max(0.0, got->covariance(k, k)))};
     };
     // When in its row a drive acts isn't known: against a speed, that looks like an inertia.
-    double row_s = 0.0;
-    for (const Track& track : tracks) row_s = std::max(row_s, track.usualStep_s);
     Mechanics out{at(0), at(1), at(2)};
-    out.inertia.standardError = std::hypot(out.inertia.standardError, out.viscous.value * row_s);
+    out.inertia.standardError = std::hypot(out.inertia.standardError, out.viscous.value * longestRow_s(tracks));
     return out;
   }
 

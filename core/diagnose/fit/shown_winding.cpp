@@ -88,10 +88,14 @@ struct Balance {
     return products(response, response) - solution(width).dot(products.col(response).head(width));
   }
 
+  /// Of the columns: those in which they are alike.
+  static Eigen::VectorXd unitsOf(const Eigen::Matrix<double, columns, columns>& products, Eigen::Index width) {
+    return products.diagonal().head(width).cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  }
+
  private:
-  /// In units in which the columns are alike.
   static Eigen::VectorXd solved(const Eigen::Matrix<double, columns, columns>& products, Eigen::Index width) {
-    const Eigen::VectorXd unit = products.diagonal().head(width).cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+    const Eigen::VectorXd unit = unitsOf(products, width);
     const Eigen::MatrixXd scaled = unit.asDiagonal() * products.topLeftCorner(width, width) * unit.asDiagonal();
     return unit.cwiseProduct(scaled.ldlt().solve(unit.cwiseProduct(products.col(response).head(width))));
   }
@@ -100,7 +104,7 @@ struct Balance {
 /// Of the solution, errors of one second taken as one.
 Eigen::MatrixXd covarianceOf(const Balance& balance, Eigen::Index width, const std::vector<Track>& tracks) {
   const Eigen::VectorXd solution = balance.solution(width);
-  const Eigen::VectorXd unit = balance.products.diagonal().head(width).cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  const Eigen::VectorXd unit = Balance::unitsOf(balance.products, width);
   Eigen::MatrixXd spread = Eigen::MatrixXd::Zero(width, width);
   for (const Track& track : tracks) {
     Eigen::VectorXd score = Eigen::VectorXd::Zero(width);
@@ -158,9 +162,7 @@ std::optional<ShownWinding> shownWinding(const std::vector<Track>& tracks) {
     one->standardError = std::hypot(one->standardError, surest * one->value);
   // Within a row the current may change at its begin or at its end: L and up to a row's R come together.
   const Estimate together = overFirst(change);
-  double row_s = 0.0;
-  for (const Track& track : tracks) row_s = std::max(row_s, track.usualStep_s);
-  const double least = shortest_s * std::abs(ohm), row = std::abs(ohm) * row_s;
+  const double least = shortest_s * std::abs(ohm), row = longestRow_s(tracks) * std::abs(ohm);
   const double doubt = standardErrors * together.standardError;
   shown.inductance_H = std::max(least, together.value - 0.5 * row);
   shown.leastInductance_H = std::max(least, together.value - row - doubt);

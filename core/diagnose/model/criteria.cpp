@@ -60,9 +60,11 @@ constexpr std::array table{
               "standard errors beyond which a sign, a scale or an offset is known", "the 99.7 % interval"},
     Criterion{"soundPart", &Criteria::soundPart, ofRig,
               "of the friction, of an error or of windows: any rig may wander or lack so much", "brushes and bearings"},
-    Criterion{"immaterial", &Criteria::immaterial, ofRig,
-              "of the friction: a smaller torque is no finding, and friction scatters by so much from time to time",
-              "brushes and bearings"},
+    Criterion{
+        "immaterial", &Criteria::immaterial, ofRig,
+        "of the friction: a smaller torque is no finding and no place, a smaller constant load the base's bias, and "
+        "friction scatters by so much from time to time",
+        "brushes and bearings"},
     Criterion{"immaterialDrive", &Criteria::immaterialDrive, ofRig,
               "of the drive's peak torque: a smaller one is no finding", "converters of 11 bits"},
     Criterion{"runAway", &Criteria::runAway, ofRig,

@@ -347,4 +347,10 @@ void bridgePositions(Track& track, double near_s) {
   }
 }
 
+double longestRow_s(const std::vector<Track>& tracks) {
+  double longest_s = 0.0;
+  for (const Track& track : tracks) longest_s = std::max(longest_s, track.usualStep_s);
+  return longest_s;
+}
+
 }  // namespace breakaway

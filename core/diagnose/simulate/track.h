@@ -82,6 +82,9 @@ struct Track {
   double supplyAt(size_t row) const { return supply.empty() ? supply_V : supply[row]; }
 };
 
+/// The longest of the tracks' usual rows, s.
+double longestRow_s(const std::vector<Track>& tracks);
+
 /// Reads what `input` and `axis` need from the recording. `count` is one encoder count in rad or m (0: unknown).
 /// Without a position column
 /// the velocity's is what was measured. Errors: a needed column is missing or has no value at all; fewer than two rows.
