@@ -3,6 +3,10 @@
 add_library(breakaway_options INTERFACE)
 target_compile_options(breakaway_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wcast-align -Werror)
+if(BREAKAWAY_TOGETHER)
+  # What one source calls its own hides what another one beside it does.
+  target_compile_options(breakaway_options INTERFACE -Wno-shadow -Wno-subobject-linkage)
+endif()
 if(BREAKAWAY_SANITIZE)
   target_compile_options(breakaway_options INTERFACE
     -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer -Wno-maybe-uninitialized
@@ -18,6 +22,8 @@ endif()
 # each room has an include folder of its own in the build folder, with a link to the room and nothing else. Includes are
 # spelt from the folder FROM (default: the caller's). ALONE: without the folders in FOLDER, which are rooms themselves.
 # MOC: its classes are Qt's, and its headers needn't stand alone.
+# With BREAKAWAY_TOGETHER, up to twelve sources of a room without MOC are compiled as one: what a source calls its own, no other
+# source of its room may call so.
 function(breakaway_room name)
   cmake_parse_arguments(PARSE_ARGV 1 room "ALONE;MOC" "FOLDER;SPELT;KIND" "USES;PUBLIC;PRIVATE")
   if(NOT room_FOLDER)
@@ -64,6 +70,9 @@ function(breakaway_room name)
     set_target_properties(breakaway_${name} PROPERTIES AUTOMOC ON)
     target_include_directories(breakaway_${name} ${seen} ${includes})
   else()
+    if(sources)
+      set_target_properties(breakaway_${name} PROPERTIES UNITY_BUILD ${BREAKAWAY_TOGETHER} UNITY_BUILD_BATCH_SIZE 12)
+    endif()
     set(alone ${headers})
     foreach(header ${headers})
       string(REGEX REPLACE "[.]h$" "" source ${header})

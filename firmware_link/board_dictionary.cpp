@@ -10,11 +10,6 @@ namespace breakaway {
 
 namespace {
 
-template <std::size_t size>
-std::string textOf(const char (&room)[size]) {
-  return {room, std::find(std::begin(room), std::end(room), '\0')};
-}
-
 std::uint32_t wordOf(const BoardParameter& parameter, double value) {
   if (parameter.format == wire::Format::uint32) return static_cast<std::uint32_t>(std::llround(std::max(0.0, value)));
   return std::bit_cast<std::uint32_t>(static_cast<float>(value));

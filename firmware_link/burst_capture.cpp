@@ -10,7 +10,7 @@ namespace breakaway {
 namespace {
 
 using Clock = BoardLink::Clock;
-constexpr double beatEvery_s = 0.05, grant_s = 0.2, slack_s = 5.0;
+constexpr double captureBeatEvery_s = 0.05, grant_s = 0.2, slack_s = 5.0;
 
 class BurstJob {
  public:
@@ -64,7 +64,7 @@ class BurstJob {
       const auto page = link_.ask<wire::CapturePage>(wire::Type::readCapture, wire::CaptureAsked{0});
       if (!page) return page.error();
       if (page->taken >= accepted_.samples) return {};
-      if (auto taken = link_.take(std::min(beatEvery_s, length_s)); !taken) return taken.error();
+      if (auto taken = link_.take(std::min(captureBeatEvery_s, length_s)); !taken) return taken.error();
     }
     return Error{link_.place(), message("did not come to the end of the burst")};
   }

@@ -56,11 +56,6 @@ Result<void> within(const std::string& place, const std::string& field, double v
   return says(place, field, value, fmt::format("{:g} to {:g}", least, most));
 }
 
-template <std::size_t size>
-std::string textOf(const char (&room)[size]) {
-  return {room, std::find(std::begin(room), std::end(room), '\0')};
-}
-
 }  // namespace
 
 Result<void> checkValue(const std::string& place, const std::string& name, double value) {

@@ -26,7 +26,7 @@ std::string plain(const std::string& text) {
   return out;
 }
 
-std::string joined(const std::vector<std::string>& words, const char* between) {
+std::string joinedBy(const std::vector<std::string>& words, const char* between) {
   return fmt::format("{}", fmt::join(words, between));
 }
 
@@ -36,7 +36,7 @@ std::string bold(const std::string& text) {
 
 std::string valueOf(const OptionRow& row) {
   if (row.value.empty()) return {};
-  return "\\fI" + plain(row.choices.empty() || row.placed() ? row.value : joined(row.choices, "|")) + "\\fR" +
+  return "\\fI" + plain(row.choices.empty() || row.placed() ? row.value : joinedBy(row.choices, "|")) + "\\fR" +
          (row.repeats ? " ..." : "");
 }
 
@@ -45,11 +45,11 @@ std::string entry(const OptionRow& row) {
   for (const std::string& name : row.names) head += (head.empty() ? "" : ", ") + bold(name);
   if (const std::string value = valueOf(row); !value.empty()) head += (head.empty() ? "" : " ") + value;
   std::vector<std::string> remarks;
-  if (row.placed() && !row.choices.empty()) remarks.push_back("one of " + joined(row.choices, ", "));
+  if (row.placed() && !row.choices.empty()) remarks.push_back("one of " + joinedBy(row.choices, ", "));
   if (!row.limits.empty()) remarks.push_back(row.limits);
   if (!row.preset.empty()) remarks.push_back("default: " + row.preset);
   if (row.required) remarks.emplace_back("required");
-  const std::string remark = remarks.empty() ? "" : " (" + joined(remarks, "; ") + ")";
+  const std::string remark = remarks.empty() ? "" : " (" + joinedBy(remarks, "; ") + ")";
   return ".TP\n" + head + "\n" + plain(row.meaning + remark) + "\n";
 }
 
@@ -92,7 +92,7 @@ std::string title(std::string name) {
 }
 
 /// The text up to its first full stop or line's end, as a name's line has it.
-std::string brief(const std::string& text) {
+std::string firstSentence(const std::string& text) {
   const size_t colon = text.find(": ");
   const std::string rest = colon == std::string::npos ? text : text.substr(colon + 2);
   return rest.substr(0, rest.find_first_of(".\n"));
@@ -103,7 +103,7 @@ std::string brief(const std::string& text) {
 std::string manPage(const Table& table, const std::string& version) {
   std::string page = fmt::format(".TH {} 1 \"\" \"{}\" \"User Commands\"\n.ad l\n.SH NAME\n{} \\- {}\n.SH SYNOPSIS\n{}",
                                  title(table.program.name), plain(version), plain(table.program.name),
-                                 plain(brief(table.program.meaning)), synopsis(table));
+                                 plain(firstSentence(table.program.meaning)), synopsis(table));
   page += ".SH DESCRIPTION\n" + plain(table.program.meaning) + "\n" + footer(table.program.footer);
   page += ".SH OPTIONS\n" + entries(table.program);
   if (!table.commands.empty()) page += ".SH COMMANDS\n";

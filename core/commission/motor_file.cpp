@@ -11,7 +11,7 @@ namespace breakaway {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr const char* schema = "breakaway.motor/1";
+constexpr const char* motorSchema = "breakaway.motor/1";
 
 struct MotorField {
   const char* name;
@@ -67,7 +67,7 @@ IdentifiedMotor motorIn(JsonObject& object, Axis axis) {
 }
 
 Result<void> writeMotor(const MotorRecord& record, const std::string& path) {
-  Json json{{"schema", schema}, {"device", record.device}};
+  Json json{{"schema", motorSchema}, {"device", record.device}};
   if (record.axis == Axis::linear) json["axis"] = "linear";
   json[nameOn(record.axis, "added_inertia_kg_m2")] = pair(record.addedInertia_kg_m2);
   json["motor"] = motorJson(record.motor, record.axis);
@@ -78,7 +78,7 @@ Result<MotorRecord> readMotor(const std::string& path) {
   auto root = JsonObject::fromFile(path);
   if (!root) return root.error();
   const std::string found = root->text("schema");
-  if (found != schema) root->fault("schema", "is \"" + found + "\", expected \"" + schema + "\"");
+  if (found != motorSchema) root->fault("schema", "is \"" + found + "\", expected \"" + motorSchema + "\"");
   MotorRecord record;
   record.device = root->text("device");
   const std::string axis = root->text("axis", "rotary");

@@ -13,7 +13,7 @@ namespace breakaway {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr const char* schema = "breakaway.progress/1";
+constexpr const char* strokesSchema = "breakaway.progress/1";
 constexpr const char* wayNames[] = {"bins_cw", "bins_ccw"};
 constexpr double mostSamples = 1e9;
 
@@ -24,12 +24,9 @@ std::string strokesFile(const std::string& folder, size_t number, bool brokenOff
 }
 
 Result<void> writeStrokes(const TravelRun& run, const std::string& path) {
-  Json json{{"schema", schema},
-            {"target_m_per_s", run.target_m_per_s},
-            {"duration_s", run.duration_s},
-            {"middle_s", run.middle_s},
-            {"zero_A", run.zero_A},
-            {"half_span_s", run.halfSpan_s},
+  Json json{{"schema", strokesSchema},      {"target_m_per_s", run.target_m_per_s},
+            {"duration_s", run.duration_s}, {"middle_s", run.middle_s},
+            {"zero_A", run.zero_A},         {"half_span_s", run.halfSpan_s},
             {"broken_off", run.brokenOff}};
   for (size_t way = 0; way < 2; ++way) {
     json[wayNames[way]] = Json::array();
@@ -42,8 +39,8 @@ Result<void> writeStrokes(const TravelRun& run, const std::string& path) {
 Result<TravelRun> readStrokes(const std::string& path) {
   auto root = JsonObject::fromFile(path);
   if (!root) return root.error();
-  if (const std::string found = root->text("schema"); found != schema)
-    root->fault("schema", "is \"" + found + "\", expected \"" + schema + "\"");
+  if (const std::string found = root->text("schema"); found != strokesSchema)
+    root->fault("schema", "is \"" + found + "\", expected \"" + strokesSchema + "\"");
   TravelRun run{root->number("target_m_per_s", Allowed::positive),
                 root->number("duration_s", Allowed::positive),
                 root->number("middle_s"),

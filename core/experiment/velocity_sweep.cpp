@@ -12,9 +12,9 @@ namespace {
 constexpr double spanAngle_rad = 1.0 / 40.0;      // half the span of a speed; order 45 is then shown by sin(1.1)/1.1
 constexpr double fastSpanAngle_rad = 1.0 / 12.0;  // where the inertia hides the finest harmonics anyway
 constexpr double smoothing_s = 0.15;
-constexpr double keepEvery_s = 0.25;  // whole turns of the run under way
-constexpr double leastPart = 0.1;     // of a run, that is made of what was broken off near its end
-constexpr double ofBin = 1e-6;        // a count that begins with its bin belongs to it, whatever rounding makes of both
+constexpr double sampleEvery_s = 0.25;  // whole turns of the run under way
+constexpr double leastPart = 0.1;       // of a run, that is made of what was broken off near its end
+constexpr double ofBin = 1e-6;  // a count that begins with its bin belongs to it, whatever rounding makes of both
 
 }  // namespace
 
@@ -239,7 +239,7 @@ VelocityRun VelocitySweep::closed(double time_s) const {
 
 /// Now and then: a fast run has many turns a second.
 void VelocitySweep::keepTurns(double time_s) {
-  if (open_.blocks.empty() || time_s - kept_s_ < keepEvery_s) return;
+  if (open_.blocks.empty() || time_s - kept_s_ < sampleEvery_s) return;
   kept_s_ = time_s;
   underWay_ = closed(time_s);
   underWay_->brokenOff = true;

@@ -13,7 +13,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr auto& parts = fromNoneToMap;
+constexpr auto& torqueParts = fromNoneToMap;
 constexpr double zeroing_s = 0.5, before_s = 1.5;
 
 /// The pulse in a course's time.
@@ -132,7 +132,7 @@ Result<BenchFigure> freeFigure(const CommissionedBench& bench, const OpenPushed&
                          "friction alone. The dashed line is the rotor without friction, ω₀ + ∫τ dt/J.",
                      {"Response to a torque from outside", "time / ms", "speed / rad/s"},
                      {}};
-  for (const Compensated& one : parts) {
+  for (const Compensated& one : torqueParts) {
     const auto ran = underPush(bench, pushed, push, {Command::Mode::current, 0.0, 0.0, false}, speed_rad_per_s,
                                bench.measured.settings.observer_cutoff_rad_per_s, one.part);
     if (!ran) return ran.error();
@@ -151,9 +151,9 @@ Result<BenchFigure> freeFigure(const CommissionedBench& bench, const OpenPushed&
   figure.figure.curves.push_back(drawn(figure, "without friction", "time_s", "without_friction_rad_per_s", 1.0, 1e3));
   figure.figure.curves.back().style = Curve::Style::dashed;
   figure.figure.curves.back().colour = 6;
-  for (size_t k = 0; k < parts.size(); ++k) {
+  for (size_t k = 0; k < torqueParts.size(); ++k) {
     figure.figure.curves.push_back(
-        drawn(figure, parts[k].label, "time_s", std::string(parts[k].column) + "_rad_per_s", 1.0, 1e3));
+        drawn(figure, torqueParts[k].label, "time_s", std::string(torqueParts[k].column) + "_rad_per_s", 1.0, 1e3));
     figure.figure.curves.back().colour = static_cast<int>(k);
   }
   figure.figure.highlights = {{1e3 * push.start_s, 1e3 * (push.start_s + push.duration_s), "pulse"}};

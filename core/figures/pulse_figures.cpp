@@ -12,7 +12,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr auto& parts = fromNoneToMap;
+constexpr auto& pulseParts = fromNoneToMap;
 
 struct Pulses {
   double current_A = 0.0, width_s = 0.0;
@@ -64,7 +64,7 @@ std::vector<double> withoutFriction(const RanCourse& ran, const Pulses& pulses, 
 
 struct PulseRun {
   BenchFigure figure;
-  std::array<double, parts.size()> error_rad_per_s{};
+  std::array<double, pulseParts.size()> error_rad_per_s{};
 };
 
 /// What comes before the series: a speed, or one of the places around the rotor, `starts` of them.
@@ -85,13 +85,13 @@ Result<PulseRun> pulseRun(CommissionedBench& bench, const Pulses& pulses, const 
   PulseRun run;
   BenchFigure& figure = run.figure;
   const double perInertia = bench.torqueConstant_Nm_per_A() / bench.inertia_kg_m2();
-  for (size_t k = 0; k < parts.size(); ++k) {
+  for (size_t k = 0; k < pulseParts.size(); ++k) {
     std::vector<double> time_s, pulse_A, velocity, ideal, error;
     for (size_t start = 0; start < beginning.series(); ++start) {
       const auto here_rad = beginning.starts > 0 ? angleNow(bench) : Result<double>(0.0);
       if (!here_rad) return here_rad.error();
       const Command before = beginning.command(start, *here_rad, bench.measured.indexAngle_rad.value);
-      const auto ran = runCourse(bench, courseOf(pulses, before), parts[k].part);
+      const auto ran = runCourse(bench, courseOf(pulses, before), pulseParts[k].part);
       if (!ran) return ran.error();
       const auto free = withoutFriction(*ran, pulses, perInertia);
       for (size_t n = 0; n < ran->samples.size(); ++n) error.push_back(ran->samples[n].velocity_rad_per_s - free[n]);
@@ -110,19 +110,19 @@ Result<PulseRun> pulseRun(CommissionedBench& bench, const Pulses& pulses, const 
       figure.columns.push_back({"without_friction_rad_per_s", ideal});
     }
     if (velocity.size() != figure.columns.front().values.size()) return Error{"pulses", "runs differ in length"};
-    figure.columns.push_back({std::string(parts[k].column) + "_rad_per_s", velocity});
-    figure.keyNumbers.emplace_back(std::string("velocity_error_") + parts[k].column + "_rad_per_s",
+    figure.columns.push_back({std::string(pulseParts[k].column) + "_rad_per_s", velocity});
+    figure.keyNumbers.emplace_back(std::string("velocity_error_") + pulseParts[k].column + "_rad_per_s",
                                    run.error_rad_per_s[k]);
-    figure.keyNumbers.emplace_back(std::string("mean_error_") + parts[k].column + "_rad_per_s", mean(error));
+    figure.keyNumbers.emplace_back(std::string("mean_error_") + pulseParts[k].column + "_rad_per_s", mean(error));
   }
   figure.figure.xLabel = "time / ms";
   figure.figure.yLabel = "speed / rad/s";
   figure.figure.curves.push_back(drawn(figure, "without friction", "time_s", "without_friction_rad_per_s", 1.0, 1e3));
   figure.figure.curves.back().style = Curve::Style::dashed;
   figure.figure.curves.back().colour = 6;
-  for (size_t k = 0; k < parts.size(); ++k) {
+  for (size_t k = 0; k < pulseParts.size(); ++k) {
     figure.figure.curves.push_back(
-        drawn(figure, parts[k].label, "time_s", std::string(parts[k].column) + "_rad_per_s", 1.0, 1e3));
+        drawn(figure, pulseParts[k].label, "time_s", std::string(pulseParts[k].column) + "_rad_per_s", 1.0, 1e3));
     figure.figure.curves.back().colour = static_cast<int>(k);
   }
   figure.keyNumbers.emplace_back("speed_rad_per_s", beginning.speed_rad_per_s);
@@ -152,7 +152,7 @@ Result<std::vector<BenchFigure>> twoWayPulseFigures(CommissionedBench& bench, co
   const Pulses pulses = pulsesFor(bench, options, std::max<size_t>(1, options.pairs));
   std::vector<BenchFigure> figures;
   BenchFigure summary{"two-way-pulses-error", "", {}, {{"speed_rad_per_s", {}}}};
-  for (const Compensated& one : parts) summary.columns.push_back({std::string(one.column) + "_rad_per_s", {}});
+  for (const Compensated& one : pulseParts) summary.columns.push_back({std::string(one.column) + "_rad_per_s", {}});
   double leastGain = 0.0;
   for (const double part : options.speeds) {
     const double speed = part * bench.highestSpeed_rad_per_s();
@@ -165,14 +165,14 @@ Result<std::vector<BenchFigure>> twoWayPulseFigures(CommissionedBench& bench, co
     run->figure.keyNumbers.emplace_back("none_over_f_and_b", gain);
     leastGain = figures.empty() ? gain : std::min(leastGain, gain);
     summary.columns[0].values.push_back(speed);
-    for (size_t k = 0; k < parts.size(); ++k) summary.columns[k + 1].values.push_back(run->error_rad_per_s[k]);
+    for (size_t k = 0; k < pulseParts.size(); ++k) summary.columns[k + 1].values.push_back(run->error_rad_per_s[k]);
     figures.push_back(std::move(run->figure));
   }
   summary.figure.title = "Velocity error of two-way pulses";
   summary.figure.xLabel = "speed before the pulses / rad/s";
   summary.figure.yLabel = "velocity error, rms / rad/s";
   summary.figure.logY = true;
-  for (const Compensated& one : parts)
+  for (const Compensated& one : pulseParts)
     summary.figure.curves.push_back(
         drawn(summary, one.label, "speed_rad_per_s", std::string(one.column) + "_rad_per_s"));
   summary.says =

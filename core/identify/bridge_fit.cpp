@@ -9,7 +9,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr size_t leastRows = 200;
+constexpr size_t leastBridgeRows = 200;
 constexpr double lastKnot_duty = 0.22;
 constexpr double knots_duty[] = {0.004, 0.009, 0.018, 0.035, 0.07, 0.14, lastKnot_duty};  // beyond the dead zone
 constexpr double reach_duty = 0.08;       // of voltages beyond the last knot
@@ -21,13 +21,13 @@ constexpr double significance = 5.0;      // standard errors of that bend
 constexpr double flat = 0.1;              // of the far slope: no current yet
 constexpr double keep = 3.0;              // standard errors below which a knot goes
 constexpr double bentDoubt = 9e-4;        // relative, of a bent bridge: what bends on beyond the last knot
-constexpr double modelDoubt = 2e-4;       // relative: blocks, ticks and the winding's lag
+constexpr double curveDoubt = 2e-4;       // relative: blocks, ticks and the winding's lag
 constexpr size_t mostTogether = 16;       // blocks of a row
 constexpr double littleRounding = 0.002;  // of the slopes, that isn't worth longer rows
 constexpr double roundingDoubt = 0.15;    // of what the encoder's rounding changes: it is no noise at a steady speed
 
 /// Some blocks in a row, mostly one: current with its lag, the voltages, speed.
-struct Row {
+struct BridgeRow {
   double current_A = 0.0, speed_rad_per_s = 0.0, weight = 1.0;
   std::vector<double> voltages_V;
   Eigen::Index test = 0;
@@ -35,9 +35,9 @@ struct Row {
 };
 
 /// Blocks from `k` on of a test, as many as `together`; fewer where the voltage changes steeply.
-Row rowOf(const BridgeTests& tests, size_t test, size_t k, size_t together) {
+BridgeRow rowOf(const BridgeTests& tests, size_t test, size_t k, size_t together) {
   const auto& blocks = tests.moving[test];
-  Row row{.weight = 0.0, .voltages_V = {}, .test = static_cast<Eigen::Index>(test) + 1};
+  BridgeRow row{.weight = 0.0, .voltages_V = {}, .test = static_cast<Eigen::Index>(test) + 1};
   const double from_rad = blocks[k - 1].angle_rad;
   double charge_As = 0.0;
   for (const size_t end = std::min(k + together, blocks.size() - 1); k < end; ++k) {
@@ -56,14 +56,14 @@ Row rowOf(const BridgeTests& tests, size_t test, size_t k, size_t together) {
   return row;
 }
 
-std::vector<Row> rowsOf(const BridgeTests& tests, size_t together) {
-  std::vector<Row> rows;
+std::vector<BridgeRow> rowsOf(const BridgeTests& tests, size_t together) {
+  std::vector<BridgeRow> rows;
   rows.reserve(tests.standing.size());
   for (const WindingPoint& point : tests.standing)
     rows.push_back({point.current_A, 0.0, tests.standingBlock_s, {point.voltage_V}});
   for (size_t t = 0; t < tests.moving.size(); ++t) {
     for (size_t k = 1; k + 1 < tests.moving[t].size();) {
-      Row row = rowOf(tests, t, k, together);
+      BridgeRow row = rowOf(tests, t, k, together);
       k += std::max<size_t>(1, row.voltages_V.size());
       if (!row.voltages_V.empty()) rows.push_back(std::move(row));
     }
@@ -81,7 +81,7 @@ struct Fit {
 
 class BridgeLine {
  public:
-  BridgeLine(std::vector<Row> rows, Eigen::Index tests) : rows_(std::move(rows)), tests_(tests) {}
+  BridgeLine(std::vector<BridgeRow> rows, Eigen::Index tests) : rows_(std::move(rows)), tests_(tests) {}
 
   /// `knots_V`: where the slope changes, the dead zone's end first.
   Fit fit(const std::vector<double>& knots_V) const {
@@ -89,7 +89,7 @@ class BridgeLine {
     Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(n, n);
     Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
     double squares = 0.0, rounding = 0.0;
-    for (const Row& row : rows_) {
+    for (const BridgeRow& row : rows_) {
       rounding += row.weight * row.rounding;
       const Eigen::VectorXd a = regressor(row, knots_V);
       normal.selfadjointView<Eigen::Lower>().rankUpdate(a, row.weight);
@@ -153,7 +153,7 @@ class BridgeLine {
     const Eigen::VectorXd plain = seen.completeOrthogonalDecomposition().solve(right);
     return std::abs(x.head(slopes).sum() / plain.head(slopes).sum() - 1.0);
   }
-  Eigen::VectorXd regressor(const Row& row, const std::vector<double>& knots_V) const {
+  Eigen::VectorXd regressor(const BridgeRow& row, const std::vector<double>& knots_V) const {
     const auto slopes = static_cast<Eigen::Index>(knots_V.size());
     Eigen::VectorXd a = Eigen::VectorXd::Zero(slopes + 1 + tests_);
     const double share = 1.0 / static_cast<double>(row.voltages_V.size());
@@ -166,7 +166,7 @@ class BridgeLine {
     return a;
   }
 
-  std::vector<Row> rows_;
+  std::vector<BridgeRow> rows_;
   Eigen::Index tests_;
 };
 
@@ -272,10 +272,11 @@ BridgeLine lineOf(const BridgeTests& tests) {
 
 Result<BridgeFit> fitBridge(const BridgeTests& tests) {
   const char* place = "bridge's curve";
-  const std::vector<Row> rows = rowsOf(tests, 1);
-  if (rows.size() < leastRows) return Error{place, message("has {} blocks only, expected at least 200", rows.size())};
+  const std::vector<BridgeRow> rows = rowsOf(tests, 1);
+  if (rows.size() < leastBridgeRows)
+    return Error{place, message("has {} blocks only, expected at least 200", rows.size())};
   double highest_V = 0.0, standing_V = 0.0;
-  for (const Row& row : rows) highest_V = std::max(highest_V, std::abs(row.voltages_V.front()));
+  for (const BridgeRow& row : rows) highest_V = std::max(highest_V, std::abs(row.voltages_V.front()));
   for (const WindingPoint& point : tests.standing) standing_V = std::max(standing_V, std::abs(point.voltage_V));
   const BridgeLine line = lineOf(tests);
   std::vector<double> knots_V{0.0};
@@ -301,7 +302,7 @@ Result<BridgeFit> fitBridge(const BridgeTests& tests) {
   BridgeFit found;
   DutyCurve curve = curveOf(fit, knots_V, tests.supply_V);
   const bool bent = bends(fit, knots_V) && mostLost(curve) >= leastLost_duty;
-  const double doubt = bent ? bentDoubt : modelDoubt;
+  const double doubt = bent ? bentDoubt : curveDoubt;
   found.resistance_ohm = {1.0 / far, std::hypot(conductance.standardError / far, doubt) / far};
   const double Ke = fit.x[slopes] / far;
   gradient *= -Ke / far;

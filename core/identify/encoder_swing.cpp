@@ -17,10 +17,6 @@ constexpr double surelyThere = 20.0;                // gain in χ²
 constexpr size_t leastSpeeds = 3, swingOrders = 3;  // e's own, and those of its square and cube
 constexpr Eigen::Index unknowns = 5;                // C and B of each way, E
 
-bool shows(const RunSpectrum& run, size_t order) {
-  return order < run.torque_Nm.size() && !std::isinf(run.variance_Nm2[order]);
-}
-
 /// The larger of the waves that this order's torque is left of.
 double largerWave(const RunSpectrum& run, size_t order, double inertia_kg_m2, const EncoderDisc& disc) {
   const double square = run.speed_rad_per_s * run.speed_rad_per_s;

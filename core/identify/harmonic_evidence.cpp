@@ -8,7 +8,7 @@ namespace breakaway {
 namespace {
 
 constexpr double mostShare = 0.9;
-constexpr int rounds = 40;  // of expectation and maximisation; it settles within ten
+constexpr int evidenceRounds = 40;  // of expectation and maximisation; it settles within ten
 
 /// Posterior of a deviation d known with variance v, drawn from variance p.
 struct Drawn {
@@ -53,7 +53,7 @@ WeighedHarmonic weighed(const HarmonicEvidence& evidence, const HarmonicPrior& p
 HarmonicPrior learnt(const std::vector<HarmonicEvidence>& orders, const HarmonicPrior& start, double startOrders) {
   HarmonicPrior prior = start;
   const double startShare = startOrders * start.share;
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; round < evidenceRounds; ++round) {
     double there = startShare, squares = startShare * start.variance, count = startOrders;
     for (const HarmonicEvidence& one : orders) {
       if (std::isinf(one.variance)) continue;

@@ -10,28 +10,24 @@ namespace {
 
 using Complex = std::complex<double>;
 // The noise of the acceleration is in the torque as well, with the opposite sign: what is in the noise would tell −J.
-constexpr double standsOut = 25.0;    // standard errors of the torque
-constexpr Eigen::Index unknowns = 5;  // C and B of each way, the encoder's wave
+constexpr double standsOut = 25.0;         // standard errors of the torque
+constexpr Eigen::Index shareUnknowns = 5;  // C and B of each way, the encoder's wave
 
-struct Row {
-  Eigen::Matrix<double, unknowns, 1> regressors = Eigen::Matrix<double, unknowns, 1>::Zero();
+struct ShareRow {
+  Eigen::Matrix<double, shareUnknowns, 1> regressors = Eigen::Matrix<double, shareUnknowns, 1>::Zero();
   Complex torque, acceleration;
   double weight;
 };
 
-bool shows(const RunSpectrum& run, size_t order) {
-  return order < run.torque_Nm.size() && !std::isinf(run.variance_Nm2[order]);
-}
-
 /// Of one order, both ways; empty where no run accelerates clearly.
-std::vector<Row> rowsOf(const std::array<WayRuns, 2>& ways, size_t order, double inertia_kg_m2) {
-  std::vector<Row> rows;
+std::vector<ShareRow> rowsOf(const std::array<WayRuns, 2>& ways, size_t order, double inertia_kg_m2) {
+  std::vector<ShareRow> rows;
   bool clear = false;
   for (size_t w = 0; w < 2; ++w) {
     for (size_t j = 0; j < ways[w].spectra.size(); ++j) {
       const RunSpectrum& run = ways[w].spectra[j];
       if (!shows(run, order) || ways[w].fall[j] > 0.02) continue;
-      Row row{{}, run.torque_Nm[order], run.acceleration_rad_per_s2[order], 1.0 / run.variance_Nm2[order]};
+      ShareRow row{{}, run.torque_Nm[order], run.acceleration_rad_per_s2[order], 1.0 / run.variance_Nm2[order]};
       row.regressors.setZero();
       const auto own = static_cast<Eigen::Index>(2 * w);
       row.regressors[own] = 1.0;
@@ -46,25 +42,26 @@ std::vector<Row> rowsOf(const std::array<WayRuns, 2>& ways, size_t order, double
 }
 
 /// The rows' share in the information about −ΔJ and in its right side, freed of the other unknowns.
-void addOrder(const std::vector<Row>& rows, double& information, double& right) {
-  using Normal = Eigen::Matrix<double, unknowns, unknowns>;
+void addOrder(const std::vector<ShareRow>& rows, double& information, double& right) {
+  using Normal = Eigen::Matrix<double, shareUnknowns, shareUnknowns>;
   Normal normal = Normal::Zero();
-  Eigen::Matrix<Complex, unknowns, 1> torques = Eigen::Matrix<Complex, unknowns, 1>::Zero(), accelerations = torques;
-  for (const Row& row : rows) {
+  Eigen::Matrix<Complex, shareUnknowns, 1> torques = Eigen::Matrix<Complex, shareUnknowns, 1>::Zero(),
+                                           accelerations = torques;
+  for (const ShareRow& row : rows) {
     normal += row.weight * row.regressors * row.regressors.transpose();
     torques += (row.weight * row.torque) * row.regressors.cast<Complex>();
     accelerations += (row.weight * row.acceleration) * row.regressors.cast<Complex>();
   }
-  const Eigen::Matrix<double, unknowns, 1> scale =
+  const Eigen::Matrix<double, shareUnknowns, 1> scale =
       normal.diagonal().unaryExpr([](double x) { return x > 0.0 ? 1.0 / std::sqrt(x) : 0.0; });
   const Normal inverse =
       scale.asDiagonal() *
       Normal(
           Normal(scale.asDiagonal() * normal * scale.asDiagonal()).completeOrthogonalDecomposition().pseudoInverse()) *
       scale.asDiagonal();
-  const Eigen::Matrix<Complex, unknowns, 1> t = inverse.cast<Complex>() * torques,
-                                            a = inverse.cast<Complex>() * accelerations;
-  for (const Row& row : rows) {
+  const Eigen::Matrix<Complex, shareUnknowns, 1> t = inverse.cast<Complex>() * torques,
+                                                 a = inverse.cast<Complex>() * accelerations;
+  for (const ShareRow& row : rows) {
     const Complex torque = row.torque - (row.regressors.cast<Complex>().transpose() * t)(0);
     const Complex acceleration = row.acceleration - (row.regressors.cast<Complex>().transpose() * a)(0);
     information += row.weight * std::norm(acceleration);

@@ -256,6 +256,10 @@ size_t samplesOf(const VelocityRun& run) {
 
 }  // namespace
 
+bool shows(const RunSpectrum& run, size_t order) {
+  return order < run.torque_Nm.size() && !std::isinf(run.variance_Nm2[order]);
+}
+
 std::complex<double> harmonicOf(const std::vector<double>& values, size_t order) {
   const auto n = static_cast<double>(values.size());
   const Complex step = std::polar(1.0, -static_cast<double>(order) * turn_rad / n);

@@ -19,6 +19,9 @@ struct RunSpectrum {
   std::vector<double> variance_Nm2;  ///< of real and imaginary part each; of the mean for order 0; infinite: not seen
 };
 
+/// Whether the torque of this order was seen.
+bool shows(const RunSpectrum& run, size_t order);
+
 /// Kt·i_k − J·(½ω²)'_k from the bin means of current and speed. The variances are the scatter between the run's blocks
 /// of whole turns, averaged over neighbouring orders, and at least what the sensor's noise leaves. `parts`: at one
 /// speed, each counts by its turns; the blocks of all of them scatter around their common mean.

@@ -14,14 +14,14 @@ using Complex = std::complex<double>;
 // A run of few turns tells the lower orders of torque and friction badly from the disc's swing.
 constexpr int orders = 6;
 constexpr int terms = 5 + 4 * orders;  // J, J·D's two parts, C, B; torque and friction at each order
-using Row = Eigen::Matrix<double, terms, 1>;
+using SpinRow = Eigen::Matrix<double, terms, 1>;
 using Square = Eigen::Matrix<double, terms, terms>;
 constexpr size_t width = 4;  // blocks of a balance
-constexpr size_t leastRows = 100;
-constexpr double slowest = 0.25;      // of the highest speed
-constexpr double surelyThere = 20.0;  // gain in χ²
-constexpr double mostOff_rad = 0.3;
-constexpr int rounds = 3;
+constexpr size_t leastSpinRows = 100;
+constexpr double slowestSpin = 0.25;  // of the highest speed
+constexpr double surelySpun = 20.0;   // gain in χ²
+constexpr double mostSpinOff_rad = 0.3;
+constexpr int spinRounds = 3;
 
 /// Mean of values at a block's end over the two blocks around it, as a rate.
 template <typename Value>
@@ -39,11 +39,11 @@ Complex waveOver(int order, double from_rad, double to_rad, double duration_s) {
 
 struct Balance {
   Square normal = Square::Zero();
-  Row right = Row::Zero();
+  SpinRow right = SpinRow::Zero();
   double squares = 0.0;
   size_t rows = 0;
 
-  void add(const Row& row, double impulse) {
+  void add(const SpinRow& row, double impulse) {
     normal += row * row.transpose();
     right += impulse * row;
     squares += impulse * impulse;
@@ -67,7 +67,7 @@ Balance balanceOf(const std::vector<SpinBlock>& blocks, const EncoderDisc& disc)
   for (size_t k = 1; k + width + 1 < count; ++k) {
     const bool oneWay = std::all_of(
         speeds.begin() + static_cast<std::ptrdiff_t>(k), speeds.begin() + static_cast<std::ptrdiff_t>(k + width + 2),
-        [&](double speed) { return speed * speeds[k] > 0.0 && std::abs(speed) > slowest * highest; });
+        [&](double speed) { return speed * speeds[k] > 0.0 && std::abs(speed) > slowestSpin * highest; });
     if (!oneWay) continue;
     double impulse = 0.0, duration = 0.0;
     std::array<Complex, orders> around{};
@@ -79,7 +79,7 @@ Balance balanceOf(const std::vector<SpinBlock>& blocks, const EncoderDisc& disc)
     }
     const double sign = speeds[k] > 0.0 ? 1.0 : -1.0;
     const Complex swing = rateAt(waves, blocks, k + width) - rateAt(waves, blocks, k);
-    Row row;
+    SpinRow row;
     row.head<5>() << rateAt(shown, blocks, k + width) - rateAt(shown, blocks, k), -swing.real(), swing.imag(),
         sign * duration, angles[k + width] - angles[k];
     for (size_t n = 0; n < around.size(); ++n)
@@ -92,13 +92,14 @@ Balance balanceOf(const std::vector<SpinBlock>& blocks, const EncoderDisc& disc)
 
 /// One round: D with the angles that the last one gives.
 EncoderDisc fitOnce(const Balance& balance) {
-  if (balance.rows < leastRows) return {};
-  const Row scale = balance.normal.diagonal().unaryExpr([](double x) { return x > 0.0 ? 1.0 / std::sqrt(x) : 0.0; });
+  if (balance.rows < leastSpinRows) return {};
+  const SpinRow scale =
+      balance.normal.diagonal().unaryExpr([](double x) { return x > 0.0 ? 1.0 / std::sqrt(x) : 0.0; });
   const Square inverse =
       scale.asDiagonal() *
       (scale.asDiagonal() * balance.normal * scale.asDiagonal()).completeOrthogonalDecomposition().pseudoInverse() *
       scale.asDiagonal();
-  const Row x = inverse * balance.right;
+  const SpinRow x = inverse * balance.right;
   if (!(x[0] > 0.0)) return {};
   const double variance =
       std::max(0.0, balance.squares - x.dot(balance.right)) / static_cast<double>(balance.rows - terms);
@@ -111,10 +112,10 @@ EncoderDisc fitOnce(const Balance& balance) {
 
 EncoderDisc spinDisc(const std::vector<SpinBlock>& blocks) {
   EncoderDisc disc;
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; round < spinRounds; ++round) {
     const EncoderDisc found = fitOnce(balanceOf(blocks, disc));
     const double size = std::abs(found.off_rad);
-    if (!(std::norm(found.off_rad) > surelyThere * found.variance_rad2) || size > mostOff_rad) return {};
+    if (!(std::norm(found.off_rad) > surelySpun * found.variance_rad2) || size > mostSpinOff_rad) return {};
     disc = found;
   }
   return disc;

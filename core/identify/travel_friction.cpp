@@ -12,17 +12,17 @@ namespace breakaway {
 namespace {
 
 constexpr double clearAcceleration = 10.0;  // standard errors of an acceleration that tells of the mass
-constexpr double fallDoubt = 0.05;          // of the breakaway force, where friction falls with speed
-constexpr double modelDoubt = 7e-4;         // relative, of a mass: ticks, and speeds as central differences
+constexpr double travelFallDoubt = 0.05;    // of the breakaway force, where friction falls with speed
+constexpr double travelDoubt = 7e-4;        // relative, of a mass: ticks, and speeds as central differences
 
 /// One bin at one speed, one way; positive in the way's direction.
-struct Point {
+struct TravelPoint {
   double force_N, velocity, acceleration;
   double currentVariance_N2, accelerationVariance;
   double static_N;
 };
 
-using Bin = std::vector<Point>;  // over the speeds
+using Bin = std::vector<TravelPoint>;  // over the speeds
 
 std::vector<Bin> pointsOf(const std::vector<TravelRun>& runs, size_t way, const TravelFrictionOptions& options) {
   std::vector<Bin> bins(options.bins.count);
@@ -50,7 +50,7 @@ double fallen(double velocity, double stribeck) {
 }
 
 /// Of a force less what accelerates; how far friction has fallen is known to `doubt` of the breakaway force.
-double variance(const Point& point, double mass_kg, double stribeck, double doubt = 0.0) {
+double variance(const TravelPoint& point, double mass_kg, double stribeck, double doubt = 0.0) {
   const double fall_N = doubt * point.static_N * fallen(point.velocity, stribeck);
   return point.currentVariance_N2 + mass_kg * mass_kg * point.accelerationVariance + fall_N * fall_N;
 }
@@ -64,13 +64,13 @@ struct Line {
   double chi2() const { return squares - right.dot(solution()); }
 };
 
-Eigen::Vector2d rowOf(const Point& point, double stribeck) {
+Eigen::Vector2d rowOf(const TravelPoint& point, double stribeck) {
   return {1.0 - fallen(point.velocity, stribeck), point.velocity};
 }
 
 Line lineOf(const Bin& bin, double mass_kg, double stribeck, double doubt = 0.0) {
   Line line;
-  for (const Point& point : bin) {
+  for (const TravelPoint& point : bin) {
     const Eigen::Vector2d row = rowOf(point, stribeck);
     const double y = point.force_N - mass_kg * point.acceleration - point.static_N * fallen(point.velocity, stribeck);
     const double weight = 1.0 / variance(point, mass_kg, stribeck, doubt);
@@ -104,23 +104,23 @@ Estimate massOf(const std::array<std::vector<Bin>, 2>& ways, double mass_kg, dou
     for (const Bin& bin : bins) {
       Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
       Eigen::Matrix2d right = Eigen::Matrix2d::Zero();  // of acceleration, of force
-      const auto clear = [](const Point& p) {
+      const auto clear = [](const TravelPoint& p) {
         return p.acceleration * p.acceleration > clearAcceleration * clearAcceleration * p.accelerationVariance;
       };
       const bool tells = bin.size() >= 3 && std::any_of(bin.begin(), bin.end(), clear);
       if (!tells) continue;
-      const auto force = [&](const Point& p) { return p.force_N - p.static_N * fallen(p.velocity, stribeck); };
-      for (const Point& point : bin) {
+      const auto force = [&](const TravelPoint& p) { return p.force_N - p.static_N * fallen(p.velocity, stribeck); };
+      for (const TravelPoint& point : bin) {
         const Eigen::Vector2d row = rowOf(point, stribeck);
-        const double weight = 1.0 / variance(point, mass_kg, stribeck, fallDoubt);
+        const double weight = 1.0 / variance(point, mass_kg, stribeck, travelFallDoubt);
         normal += weight * row * row.transpose();
         right.col(0) += weight * point.acceleration * row;
         right.col(1) += weight * force(point) * row;
       }
       const Eigen::Matrix2d fit = normal.ldlt().solve(right);
-      for (const Point& point : bin) {
+      for (const TravelPoint& point : bin) {
         const Eigen::Vector2d row = rowOf(point, stribeck);
-        const double weight = 1.0 / variance(point, mass_kg, stribeck, fallDoubt);
+        const double weight = 1.0 / variance(point, mass_kg, stribeck, travelFallDoubt);
         const double a = point.acceleration - fit.col(0).dot(row), f = force(point) - fit.col(1).dot(row);
         aa += weight * a * a;
         af += weight * a * f;
@@ -128,7 +128,7 @@ Estimate massOf(const std::array<std::vector<Bin>, 2>& ways, double mass_kg, dou
     }
   }
   if (!(aa > 0.0)) return {mass_kg, 0.0};
-  return {af / aa, std::hypot(std::sqrt(scale / aa), modelDoubt * af / aa)};
+  return {af / aa, std::hypot(std::sqrt(scale / aa), travelDoubt * af / aa)};
 }
 
 struct Shape {
@@ -140,7 +140,7 @@ Shape stribeckOf(const std::array<std::vector<Bin>, 2>& ways, double mass_kg) {
   double slowest = std::numeric_limits<double>::infinity(), none = 0.0;
   for (const auto& bins : ways) {
     for (const Bin& bin : bins) {
-      for (const Point& point : bin) slowest = std::min(slowest, point.velocity);
+      for (const TravelPoint& point : bin) slowest = std::min(slowest, point.velocity);
     }
   }
   if (!std::isfinite(slowest)) return {};
@@ -177,7 +177,7 @@ MovingFriction smoothed(const std::vector<Bin>& bins, double mass_kg, double str
   Eigen::Matrix2d byZero = Eigen::Matrix2d::Zero();
   for (size_t k = 0; k < bins.size(); ++k) {
     place.push_back(static_cast<double>(k) / static_cast<double>(bins.size() - 1));
-    const Line line = lineOf(bins[k], mass_kg, stribeck, fallDoubt);
+    const Line line = lineOf(bins[k], mass_kg, stribeck, travelFallDoubt);
     const Eigen::Matrix2d inverse = line.normal.inverse();
     const bool good = bins[k].size() >= 2 && inverse.allFinite() && inverse(0, 0) > 0.0 && inverse(1, 1) > 0.0;
     pairs.push_back(good ? line.solution() : Eigen::Vector2d::Zero());
@@ -185,8 +185,8 @@ MovingFriction smoothed(const std::vector<Bin>& bins, double mass_kg, double str
                                : Eigen::Matrix2d(1e12 * Eigen::Matrix2d::Identity()));
     if (!good) continue;
     sum.normal += line.normal;
-    for (const Point& point : bins[k]) {
-      const Eigen::Vector2d row = rowOf(point, stribeck) / variance(point, mass_kg, stribeck, fallDoubt);
+    for (const TravelPoint& point : bins[k]) {
+      const Eigen::Vector2d row = rowOf(point, stribeck) / variance(point, mass_kg, stribeck, travelFallDoubt);
       byZero += row * row.transpose() * static_cast<double>(bins.size());
     }
   }

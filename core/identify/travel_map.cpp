@@ -10,7 +10,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr size_t leastEvents = 8;
+constexpr size_t leastTravelEvents = 8;
 
 /// Straight between points that are sorted by place, level beyond their ends.
 double between(const std::vector<std::pair<double, double>>& points, double place) {
@@ -46,7 +46,7 @@ Result<FrictionMap> estimateTravelMap(const std::vector<BreakawayEvent>& measure
         if (event.way == way && event.turn == turn)
           over.emplace_back(event.angle_rad, event.torque_Nm - between(trend, event.angle_rad));
       }
-      if (over.size() < leastEvents)
+      if (over.size() < leastTravelEvents)
         return Error{std::string("breakaway sweep, ") + (way == Way::cw ? "backwards" : "forwards"),
                      message("has fewer than 8 breakaways in each pass")};
       std::sort(over.begin(), over.end());

@@ -16,7 +16,7 @@ namespace breakaway {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double leastFall = 0.02;  // part of the fall above which a run counts as slow
+constexpr double leastVelocityFall = 0.02;  // part of the fall above which a run counts as slow
 // How viscous friction varies before the map itself has said it: share of the orders that are there, their rms
 // amplitude as part of the mean, and how many orders that guess counts for.
 constexpr double coarseOrder = 6.0;
@@ -89,7 +89,7 @@ std::vector<WeighedHarmonic> weighCoulomb(const std::vector<FrictionLine>& lines
 /// Without the runs that still show how friction falls, or freed of that; with variances that the residuals bear out.
 /// Returns how many slow ones there are.
 size_t prepare(WayRuns& runs, const VelocityFrictionOptions& options) {
-  const auto slow = std::count_if(runs.fall.begin(), runs.fall.end(), [](double g) { return g > leastFall; });
+  const auto slow = std::count_if(runs.fall.begin(), runs.fall.end(), [](double g) { return g > leastVelocityFall; });
   const size_t leftOut = runs.static_Nm.empty() ? leaveOutStribeck(runs) : static_cast<size_t>(slow);
   widen(runs);
   widenHarmonics(runs, options.highestViscousOrder);

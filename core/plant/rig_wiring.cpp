@@ -18,7 +18,7 @@ struct KindName {
   Value value;
 };
 
-constexpr KindName kinds[] = {
+constexpr KindName wiringKinds[] = {
     {"encoder_reversed", "encoder_reversed", WiringKind::encoderReversed, Value::none},
     {"encoder_dead", "encoder_dead", WiringKind::encoderDead, Value::none},
     {"counts_factor", "counts_factor", WiringKind::countsFactor, Value::factor},
@@ -40,10 +40,10 @@ const char* nameOn(const KindName& kind, Axis axis) {
 RigWiring readOne(JsonObject& object, Axis axis, double unitPerRad) {
   RigWiring wiring;
   const std::string name = object.text("fault");
-  const auto* kind = std::find_if(std::begin(kinds), std::end(kinds), [&](const KindName& one) {
+  const auto* kind = std::find_if(std::begin(wiringKinds), std::end(wiringKinds), [&](const KindName& one) {
     return nameOn(one, axis) != nullptr && nameOn(one, axis) == name;
   });
-  if (kind == std::end(kinds)) {
+  if (kind == std::end(wiringKinds)) {
     object.fault("fault", fmt::format("is \"{}\", expected one of: {}", name, fmt::join(wiringNames(axis), ", ")));
     return wiring;
   }
@@ -66,7 +66,7 @@ std::vector<RigWiring> readWiring(JsonObject& root, Axis axis, double unitPerRad
 
 std::vector<std::string> wiringNames(Axis axis) {
   std::vector<std::string> names;
-  for (const KindName& kind : kinds) {
+  for (const KindName& kind : wiringKinds) {
     if (const char* name = nameOn(kind, axis)) names.emplace_back(name);
   }
   return names;

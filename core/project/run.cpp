@@ -12,7 +12,7 @@ namespace breakaway {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr const char* schema = "breakaway.run/1";
+constexpr const char* runSchema = "breakaway.run/1";
 constexpr double mostBytes = 9e15;  // whole numbers that a double holds
 
 struct TextField {
@@ -52,7 +52,7 @@ const char* wordOf(RunState state) {
 }
 
 std::string runText(const ProjectRun& run) {
-  Json json{{"schema", schema}};
+  Json json{{"schema", runSchema}};
   for (const TextField& field : textFields) json[field.name] = run.*field.text;
   json["state"] = wordOf(run.state);
   json["findings"] = run.findings;
@@ -80,8 +80,8 @@ Result<void> writeRunFile(const ProjectRun& run, const std::string& folder) {
 Result<ProjectRun> readRunText(const std::string& text, const std::string& place) {
   auto root = JsonObject::fromText(text, place);
   if (!root) return root.error();
-  if (const std::string found = root->text("schema"); found != schema)
-    root->fault("schema", "is \"" + found + "\", expected \"" + schema + "\"");
+  if (const std::string found = root->text("schema"); found != runSchema)
+    root->fault("schema", "is \"" + found + "\", expected \"" + runSchema + "\"");
   ProjectRun run;
   for (const TextField& field : textFields) run.*field.text = root->text(field.name);
   const std::string state = root->text("state");

@@ -18,29 +18,29 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Json = nlohmann::json;
+using AnyJson = nlohmann::json;
 
-std::string textIn(const Json& json, const char* name) {
+std::string textIn(const AnyJson& json, const char* name) {
   const auto it = json.is_object() ? json.find(name) : json.end();
   return json.is_object() && it != json.end() && it->is_string() ? it->get<std::string>() : std::string();
 }
 
-const Json& objectIn(const Json& json, const char* name) {
-  static const Json none = Json::object();
+const AnyJson& objectIn(const AnyJson& json, const char* name) {
+  static const AnyJson none = AnyJson::object();
   const auto it = json.is_object() ? json.find(name) : json.end();
   return json.is_object() && it != json.end() && it->is_object() ? *it : none;
 }
 
 /// The JSON object at `path`, or null: then it is a file like any other.
-Json parsed(const std::string& path) {
+AnyJson parsed(const std::string& path) {
   const OwnInputs ours;  // it is no input of the run
   const auto text = readFile(path);
   if (!text || jsonFault(*text, path)) return {};
-  return Json::parse(*text, nullptr, false);
+  return AnyJson::parse(*text, nullptr, false);
 }
 
 /// "map" of "breakaway.map/1"; empty for what isn't ours.
-std::string schemaOf(const Json& json) {
+std::string schemaOf(const AnyJson& json) {
   const std::string schema = textIn(json, "schema");
   const std::string prefix = "breakaway.";
   if (!schema.starts_with(prefix)) return {};
@@ -48,7 +48,7 @@ std::string schemaOf(const Json& json) {
 }
 
 /// Every field that is {"value", "ci95" or "std"}.
-void takeValues(const Json& json, std::vector<RunValue>& values) {
+void takeValues(const AnyJson& json, std::vector<RunValue>& values) {
   for (const auto& [name, one] : json.items()) {
     if (!one.is_object() || !one.contains("value") || !one["value"].is_number()) continue;
     const double value = one["value"];
@@ -84,7 +84,7 @@ struct Provenance {
   bool taken = false;
 };
 
-void takeMade(const Json& made, Provenance& provenance, ProjectRun& run) {
+void takeMade(const AnyJson& made, Provenance& provenance, ProjectRun& run) {
   const std::string id = textIn(made, "run");
   if (!id.empty()) provenance.runs.insert(id);
   if (provenance.taken || made.empty()) return;
@@ -92,24 +92,24 @@ void takeMade(const Json& made, Provenance& provenance, ProjectRun& run) {
   run.at = textIn(made, "at");
   run.by = textIn(made, "by");
   run.command = textIn(made, "command");
-  const Json& device = objectIn(made, "device");
+  const AnyJson& device = objectIn(made, "device");
   run.device = textIn(device, "model");
   run.deviceSerial = textIn(device, "serial_number");
   run.firmware = textIn(device, "firmware");
 }
 
-void takeDiagnosis(const Json& json, ProjectRun& run) {
+void takeDiagnosis(const AnyJson& json, ProjectRun& run) {
   run.verdict = textIn(json, "verdict");
   takeValues(objectIn(json, "base"), run.values);
   const auto findings = json.find("findings");
   if (findings == json.end() || !findings->is_array()) return;
-  for (const Json& one : *findings) {
+  for (const AnyJson& one : *findings) {
     const std::string sentence = textIn(one, "sentence");
     run.findings.push_back(textIn(one, "effect") + (sentence.empty() ? "" : ": " + sentence));
   }
 }
 
-void takeJson(const Json& json, const std::string& kind, const std::string& path, Provenance& provenance,
+void takeJson(const AnyJson& json, const std::string& kind, const std::string& path, Provenance& provenance,
               ProjectRun& run) {
   takeMade(objectIn(json, "made"), provenance, run);
   if (kind == "map") {
@@ -186,7 +186,7 @@ Result<ProjectRun> contentsOf(const std::string& folder) {
     if (!hash) return hash.error();
     std::string kind;
     if (fs::path(name).extension() == ".json") {
-      const Json json = parsed(path);
+      const AnyJson json = parsed(path);
       kind = schemaOf(json);
       if (!kind.empty()) takeJson(json, kind, path, provenance, run);
       if (kind.empty()) kind = "file";

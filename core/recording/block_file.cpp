@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::uint32_t mark = 0x424b5242;  // "BRKB"
 constexpr std::uint32_t mostPayload = 1U << 28U;
-enum class Kind : std::uint32_t { head = 1, rows = 2, gap = 3, end = 4 };
+enum class BlockKind : std::uint32_t { head = 1, rows = 2, gap = 3, end = 4 };
 
 /// What stands before each block's content.
 struct Frame {
@@ -32,7 +32,7 @@ std::uint32_t checksumOf(const Frame& frame, const char* content) {
   return static_cast<std::uint32_t>(::crc32(sum, reinterpret_cast<const Bytef*>(content), frame.bytes));
 }
 
-std::string framed(Kind kind, const char* content, size_t bytes) {
+std::string framed(BlockKind kind, const char* content, size_t bytes) {
   Frame frame;
   frame.kind = static_cast<std::uint32_t>(kind);
   frame.bytes = static_cast<std::uint32_t>(bytes);
@@ -74,7 +74,7 @@ BlockHead headOf(const std::string& text) {
 }
 
 struct Block {
-  Kind kind = Kind::head;
+  BlockKind kind = BlockKind::head;
   std::vector<char> content;
 };
 
@@ -85,7 +85,7 @@ bool nextBlock(const OpenFile& file, std::uint64_t left, Block& block) {
   if (frame.mark != mark || frame.bytes > mostPayload || frame.bytes > left - sizeof frame) return false;
   block.content.resize(frame.bytes);
   if (!file.read(block.content.data(), frame.bytes)) return false;
-  block.kind = static_cast<Kind>(frame.kind);
+  block.kind = static_cast<BlockKind>(frame.kind);
   return frame.checksum == checksumOf(frame, block.content.data());
 }
 
@@ -121,11 +121,11 @@ struct BlockWriter::State {
   size_t width = 0;
   std::uint64_t bytes = 0;
 
-  Result<void> put(Kind kind, const char* content, size_t size);
+  Result<void> put(BlockKind kind, const char* content, size_t size);
 };
 
 /// All of it or, as far as the system lets it, nothing.
-Result<void> BlockWriter::State::put(Kind kind, const char* content, size_t size) {
+Result<void> BlockWriter::State::put(BlockKind kind, const char* content, size_t size) {
   const std::string block = framed(kind, content, size);
   if (const int failed = file.write(block); failed != 0) {
     file.cut(bytes);
@@ -151,7 +151,7 @@ Result<BlockWriter> BlockWriter::create(const std::string& path, const BlockHead
   BlockWriter writer(std::move(state));
   if (const int failed = writer.state_->file.lock(); failed != 0) return systemError(path, "cannot be locked", failed);
   const std::string text = headText(head);
-  if (auto put = writer.state_->put(Kind::head, text.data(), text.size()); !put) return put.error();
+  if (auto put = writer.state_->put(BlockKind::head, text.data(), text.size()); !put) return put.error();
   if (auto synced = writer.sync(); !synced) return synced.error();
   return writer;
 }
@@ -160,7 +160,7 @@ Result<void> BlockWriter::append(std::span<const double> rows) {
   const size_t most = mostPayload / sizeof(double) / state_->width * state_->width / 16;
   while (!rows.empty()) {
     const auto part = rows.first(std::min(rows.size(), most));
-    if (auto put = state_->put(Kind::rows, reinterpret_cast<const char*>(part.data()), part.size_bytes()); !put)
+    if (auto put = state_->put(BlockKind::rows, reinterpret_cast<const char*>(part.data()), part.size_bytes()); !put)
       return put;
     rows = rows.subspan(part.size());
   }
@@ -169,7 +169,7 @@ Result<void> BlockWriter::append(std::span<const double> rows) {
 
 Result<void> BlockWriter::appendGap(const BlockGap& gap) {
   const std::array<double, 2> content{gap.after_s, static_cast<double>(gap.lost)};
-  return state_->put(Kind::gap, reinterpret_cast<const char*>(content.data()), sizeof content);
+  return state_->put(BlockKind::gap, reinterpret_cast<const char*>(content.data()), sizeof content);
 }
 
 Result<void> BlockWriter::sync() {
@@ -179,7 +179,7 @@ Result<void> BlockWriter::sync() {
 }
 
 Result<void> BlockWriter::end(const std::string& why) {
-  if (auto put = state_->put(Kind::end, why.data(), why.size()); !put) return put;
+  if (auto put = state_->put(BlockKind::end, why.data(), why.size()); !put) return put;
   return sync();
 }
 
@@ -232,7 +232,8 @@ Result<BlockReader> BlockReader::open(const std::string& path) {
   const auto size = state->file.size();
   if (!size) return Error{path, "is no file"};
   state->size = *size;
-  if (!state->step() || state->block.kind != Kind::head) return Error{path, "doesn't begin as a recording of blocks"};
+  if (!state->step() || state->block.kind != BlockKind::head)
+    return Error{path, "doesn't begin as a recording of blocks"};
   state->survey.head = headOf({state->block.content.begin(), state->block.content.end()});
   const auto& columns = state->survey.head.columns;
   if (columns.empty() || columns.front() != "time_s") return Error{path, "has no column time_s in front"};
@@ -242,12 +243,12 @@ Result<BlockReader> BlockReader::open(const std::string& path) {
 bool BlockReader::next(std::vector<double>& rows) {
   State& state = *state_;
   while (state.step()) {
-    if (state.block.kind == Kind::rows) {
+    if (state.block.kind == BlockKind::rows) {
       takeRows(state.block, state.survey, rows);
       if (!rows.empty()) return true;
-    } else if (state.block.kind == Kind::gap) {
+    } else if (state.block.kind == BlockKind::gap) {
       state.takeGap();
-    } else if (state.block.kind == Kind::end) {
+    } else if (state.block.kind == BlockKind::end) {
       state.survey.ended = true;
       state.survey.why.assign(state.block.content.begin(), state.block.content.end());
     }
@@ -288,7 +289,7 @@ Result<BlockSurvey> mendBlocks(const std::string& path, const std::string& why) 
   auto survey = surveyBlocks(path);
   if (!survey || survey->ended) return survey;
   int failed = file.cut(survey->sound);
-  if (failed == 0) failed = file.write(framed(Kind::end, why.data(), why.size()));
+  if (failed == 0) failed = file.write(framed(BlockKind::end, why.data(), why.size()));
   if (failed == 0) failed = file.sync();
   if (failed != 0) return systemError(path, "cannot be mended", failed);
   survey->why = why;

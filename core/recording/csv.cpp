@@ -22,7 +22,7 @@ std::string_view trimmed(std::string_view text) {
 }
 
 /// Takes the next line off `rest`, without its line break.
-std::string_view takeLine(std::string_view& rest) {
+std::string_view takeCsvLine(std::string_view& rest) {
   const size_t end = rest.find('\n');
   std::string_view line = rest.substr(0, end);
   rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
@@ -90,7 +90,7 @@ Result<Head> readHead(std::string_view text, const std::string& name) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   Head head;
   while (!text.empty()) {
-    const std::string_view line = trimmed(takeLine(text));
+    const std::string_view line = trimmed(takeCsvLine(text));
     if (line.empty()) continue;
     if (line.front() == '#') {
       const size_t colon = line.find(':');
@@ -189,7 +189,7 @@ Result<Recording> readCsvText(std::string_view text, const std::string& name) {
   size_t row = 0;
   std::string_view rest = head->rows;
   while (!rest.empty()) {
-    const std::string_view line = takeLine(rest);
+    const std::string_view line = takeCsvLine(rest);
     if (line.empty()) continue;
     ++row;
     if (auto done = readRow(line, row, name, known, channels); !done) return done.error();
@@ -252,7 +252,7 @@ Result<std::vector<std::string>> timeTextIn(std::string_view text, const std::st
   std::vector<std::string> texts;
   std::string_view rest = head->rows;
   while (!rest.empty()) {
-    std::string_view line = takeLine(rest);
+    std::string_view line = takeCsvLine(rest);
     if (line.empty()) continue;
     for (std::ptrdiff_t c = 0; c < skip; ++c) {
       const char* comma = cellEnd(line.data(), line.data() + line.size());

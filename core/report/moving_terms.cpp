@@ -12,14 +12,14 @@ namespace breakaway {
 
 namespace {
 
-constexpr size_t points = 400;
+constexpr size_t curvePoints = 400;
 
 /// Hidden states along the recording, one sample per point.
 std::vector<double> courseOf(const Drawn& drawn, const std::vector<double>& set, std::vector<double>& time) {
   std::vector<double> out;
   std::array<double, 8> memory{};
   const Track& track = drawn.track;
-  const size_t every = std::max<size_t>(1, track.rows() / points);
+  const size_t every = std::max<size_t>(1, track.rows() / curvePoints);
   const HiddenState* hidden = drawn.effect.hidden();
   const size_t own = hidden != nullptr ? hidden->size() : 0;
   const Physics& p = drawn.physics;

@@ -16,7 +16,7 @@ namespace breakaway {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr double degrees = 180.0 / std::numbers::pi;
+constexpr double perRadian = 180.0 / std::numbers::pi;
 constexpr int square_px = 620;
 
 /// A margin without a bound is written as null.
@@ -161,7 +161,7 @@ std::string percent(const Estimate& estimate) {
 
 std::string marginWords(const LoopMargins& found) {
   return "gain margin " + numberText(found.gainMargin, 3) + " (" + numberText(20.0 * std::log10(found.gainMargin), 3) +
-         " dB), phase margin " + numberText(degrees * found.phaseMargin_rad, 3) + "°, peak of the sensitivity " +
+         " dB), phase margin " + numberText(perRadian * found.phaseMargin_rad, 3) + "°, peak of the sensitivity " +
          numberText(found.peakSensitivity, 3) + ", delay margin " + numberText(1e3 * found.delayMargin_s, 3) + " ms";
 }
 

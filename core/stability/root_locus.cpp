@@ -9,7 +9,7 @@ namespace breakaway {
 namespace {
 
 constexpr double wantedDamping = 0.707;
-constexpr size_t searchSteps = 160;
+constexpr size_t locusSteps = 160;
 
 /// The present poles in the order of the branches' ends.
 std::vector<std::complex<double>> joined(const std::vector<std::complex<double>>& ends,
@@ -78,7 +78,7 @@ CutoffBounds cutoffBounds(const ServoLoop& loop) {
   const double T = loop.board.tick_s;
   CutoffBounds bounds;
   bounds.searched_rad_per_s = 10.0 / T;
-  const auto cutoffs = decades(1e-4 / T, bounds.searched_rad_per_s, searchSteps);
+  const auto cutoffs = decades(1e-4 / T, bounds.searched_rad_per_s, locusSteps);
   const auto stable = [&loop](double g) { return spectralRadius(closedLoop(withCutoff(loop, g))) < 1.0; };
   const auto damped = [&loop](double g) { return damping(poles(closedLoop(withCutoff(loop, g)))) >= wantedDamping; };
   bounds.stableBelow = stable(cutoffs.front());

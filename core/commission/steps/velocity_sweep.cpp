@@ -11,7 +11,7 @@ namespace breakaway {
 namespace {
 
 // In an order in which speed and time have nothing to do with each other: a zero that drifts is no viscous friction.
-constexpr double ownParts[] = {0.2, 0.6, 0.1, 1.0, 0.05, 0.35};
+constexpr double sweepParts[] = {0.2, 0.6, 0.1, 1.0, 0.05, 0.35};
 constexpr double leastCounts_per_s = 300.0;
 
 /// From V = V0 + R·i + Ke·ω with friction's current and a third more, and 0.6 of it to leave room for control.
@@ -31,9 +31,9 @@ double highestSpeed(const Commission& known) {
 std::vector<double> partsFor(const Commission& known, double highest) {
   const double counts = known.identity.countsPerRev;
   const double slowest = counts > 0.0 ? std::min(0.4, leastCounts_per_s * turn_rad / counts / highest) : 0.0;
-  if (slowest <= *std::min_element(std::begin(ownParts), std::end(ownParts)))
-    return speedParts(ownParts, known.sweeps.speeds, 0.06);
-  return speedParts({}, known.sweeps.speeds > 0 ? known.sweeps.speeds : std::size(ownParts), slowest);
+  if (slowest <= *std::min_element(std::begin(sweepParts), std::end(sweepParts)))
+    return speedParts(sweepParts, known.sweeps.speeds, 0.06);
+  return speedParts({}, known.sweeps.speeds > 0 ? known.sweeps.speeds : std::size(sweepParts), slowest);
 }
 
 class Velocities : public Step {
@@ -42,7 +42,7 @@ class Velocities : public Step {
       : Step("velocity sweep", {Known::sensorZero, Known::motor, Known::straight, Known::carefulGains, Known::index},
              {Known::runs}) {}
   double expected_s(const SweepSettings& sweeps) const override {
-    const size_t speeds = sweeps.speeds > 0 ? sweeps.speeds : std::size(ownParts);
+    const size_t speeds = sweeps.speeds > 0 ? sweeps.speeds : std::size(sweepParts);
     return 2.0 * static_cast<double>(speeds) * (sweeps.speedRun_s + 2.0);
   }
 

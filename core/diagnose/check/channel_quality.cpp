@@ -36,7 +36,7 @@ double stepOf(const std::vector<double>& values, const std::vector<char>& seen) 
   return static_cast<double>(whole) > 0.9 * static_cast<double>(steps.size()) && least > 0.0 ? least : 0.0;
 }
 
-double part(size_t some, size_t all) {
+double partOf(size_t some, size_t all) {
   return all > 0 ? static_cast<double>(some) / static_cast<double>(all) : 0.0;
 }
 
@@ -79,9 +79,9 @@ void measureMotion(ChannelQuality& out, const Bench& bench, const Recording& rec
     forwards += v > 0.0 ? 1 : 0;
     repeated += k > 0 && repeats(recording, bench, k) ? 1 : 0;
   }
-  out.unreadPart = part(unread, track.rows());
-  out.repeatedPart = part(repeated, moving);
-  out.forwardsPart = part(forwards, moving);
+  out.unreadPart = partOf(unread, track.rows());
+  out.repeatedPart = partOf(repeated, moving);
+  out.forwardsPart = partOf(forwards, moving);
   out.restPart = rest_s / std::max(out.duration_s, 1e-300);
   out.fastest = quantile(std::move(speeds), 0.99);
   const auto [low, high] = std::minmax_element(track.position.begin(), track.position.end());
@@ -94,7 +94,7 @@ void measureDrive(ChannelQuality& out, const Bench& bench, const Recording& reco
   const auto [low, high] = std::minmax_element(drive.begin(), drive.end());
   out.drivePeak = std::max(std::abs(*low), std::abs(*high));
   const auto count = [&drive, &track](auto holds) {
-    return part(static_cast<size_t>(std::count_if(drive.begin(), drive.end(), holds)), track.rows());
+    return partOf(static_cast<size_t>(std::count_if(drive.begin(), drive.end(), holds)), track.rows());
   };
   const double atHigh = *high != 0.0 ? count([h = *high](double one) { return one == h; }) : 0.0;
   const double atLow = *low != 0.0 ? count([l = *low](double one) { return one == l; }) : 0.0;

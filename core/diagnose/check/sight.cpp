@@ -14,7 +14,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr size_t mostRows = 24'000, mostLoadRows = 6'000;  ///< simulated for one shape
+constexpr size_t mostSightRows = 24'000, mostLoadRows = 6'000;  ///< simulated for one shape
 constexpr size_t mostShapes = 8;
 constexpr double hardlyOwn = 1e-4;                      ///< of a squared change: the base's own parameters do the same
 constexpr double few = 0.1, nearlyAll = 0.9;            ///< of the windows, of a squared change
@@ -31,7 +31,7 @@ std::vector<size_t> spread(size_t all, size_t wanted) {
 }
 
 /// What a shape changes in the windows, beyond what base and starts could take up.
-struct Change {
+struct SightChange {
   double position = 0.0;  ///< mean squared, rad² or m²
   double current = 0.0;   ///< A²
   bool inFew = false;     ///< nearly all of it in a tenth of the windows
@@ -44,7 +44,7 @@ class Sensitivity {
     size_t rows = 0;
     for (const Window& window : input.split.train) rows += window.last - window.first + 1;
     const size_t each = std::max<size_t>(1, rows / std::max<size_t>(1, input.split.train.size()));
-    windows_ = spread(input.split.train.size(), mostRows / each);
+    windows_ = spread(input.split.train.size(), mostSightRows / each);
     ofLoads_ = spread(windows_.size(), mostLoadRows / each);
     const auto hidden = hiddenStates(base.model, input.tracks, input.split.train);
     for (const size_t w : windows_) {
@@ -56,7 +56,7 @@ class Sensitivity {
     }
   }
 
-  Change of(const Effect& effect, const std::vector<double>& parameters, size_t track) const {
+  SightChange of(const Effect& effect, const std::vector<double>& parameters, size_t track) const {
     const Model variant = variantOf(effect, parameters, track);
     const auto hidden = hiddenStates(variant, input_.tracks, input_.split.train);
     const std::vector<size_t> all = spread(windows_.size(), windows_.size());
@@ -78,7 +78,7 @@ class Sensitivity {
     }
     normal.diagonal().array() += 1e-12 * std::max(normal.diagonal().maxCoeff(), 1e-300);
     const Eigen::VectorXd taken = size > 0 ? normal.ldlt().solve(shared).eval() : Eigen::VectorXd();
-    Change change;
+    SightChange change;
     double before = 0.0, after = 0.0;
     std::vector<double> squares;
     for (size_t k = 0; k < used.size(); ++k) {
@@ -179,7 +179,7 @@ class Looker {
     amplitude.front() = factor;
     return effect.scaled(shape, amplitude);
   }
-  bool enough(const Change& change) const {
+  bool enough(const SightChange& change) const {
     const auto current = worth_.leastCurrentBack();
     return change.position >= worth_.leastBack(change.inFew) || (current && change.current >= *current);
   }
@@ -199,7 +199,7 @@ class Looker {
     const std::vector<double> one = at(effect, shape, 1.0), two = at(effect, shape, 2.0);
     const bool scales = std::abs(two.front() - 2.0 * one.front()) < 1e-9 * std::abs(two.front());
     const size_t track = input_.split.train.front().track;
-    const Change change = sensitivity_.of(effect, one, track);
+    const SightChange change = sensitivity_.of(effect, one, track);
     own = own && change.own;
     if (change.own) return {};
     if (!scales) {

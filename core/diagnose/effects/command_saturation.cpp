@@ -7,7 +7,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr double leastPart = 0.3;  ///< of the drive's peak: a higher limit is never below friction
+constexpr double leastCommandPart = 0.3;  ///< of the drive's peak: a higher limit is never below friction
 
 /// A drive that clips what it is told, or follows it no faster than a given rate. Both parameters are in the unit of
 /// the drive input (V, A, Nm or N; per second); a rate beyond what a row can ask for limits nothing.
@@ -49,7 +49,7 @@ class CommandSaturation final : public Effect, private InputPart {
   bool plausible(std::span<const double> p, const Excitation& seen) const override {
     // A drive that is limited to less than friction would not have moved; a voltage's torque depends on the speed.
     const double torque = p[0] / seen.peakInput * seen.peakTorque;
-    if (!seen.electrical && torque < std::min(seen.coulomb, leastPart * seen.peakTorque)) return false;
+    if (!seen.electrical && torque < std::min(seen.coulomb, leastCommandPart * seen.peakTorque)) return false;
     return p[0] > 0.0 && p[1] > 0.0 && (p[0] < seen.peakInput || p[1] * seen.step_s < 2.0 * seen.peakInput);
   }
   Message sentence(std::span<const double> p, const Excitation& seen) const override {

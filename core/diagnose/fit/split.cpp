@@ -16,7 +16,7 @@ constexpr double gap_s = 1.0;
 constexpr size_t fewestWindows = 6;
 constexpr size_t mostTrainRows = 90'000, fewestThinned = 60;
 constexpr double comfortableWindows = 9.0;  ///< the first is lost, and those with missing rows
-constexpr size_t fewestRows = 12;           ///< of a window
+constexpr size_t fewestWindowRows = 12;     ///< of a window
 constexpr size_t fewestInTorque = 8;        ///< instants of a window
 constexpr double shortestWindow_s = 0.04;
 constexpr double lookBack_s = 0.2;  ///< before a window, which a restart reads
@@ -163,7 +163,8 @@ double fitLength(double total, double window_s) {
 Result<Split> wholeTracks(const std::vector<Track>& tracks, double longest_s, ErrorIn errorIn) {
   Split split;
   const double total = totalTime(tracks, tracks.size());
-  const double shortest_s = std::max(static_cast<double>(fewestRows) * tracks.front().usualStep_s, shortestWindow_s);
+  const double shortest_s =
+      std::max(static_cast<double>(fewestWindowRows) * tracks.front().usualStep_s, shortestWindow_s);
   const double window_s = std::clamp(total / comfortableWindows, std::min(shortest_s, longest_s), longest_s);
   split.window_s = window_s;
   const double fitWindow = fitLength(total, window_s);

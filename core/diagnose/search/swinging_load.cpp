@@ -20,7 +20,7 @@ constexpr std::array<Viewed, 2> ofGrid{{{0.1, 24, 2, 2}, {0.5, 12, 1, 1}}};
 constexpr std::array<Viewed, 2> ofSpread{{{0.2, 16, 5, 3}, {0.5, 12, 3, 2}}};
 constexpr int shapesSpread = 80;
 constexpr double lightest = 0.2, heaviest = 2.1;  ///< of a shape's load
-constexpr size_t fewestRows = 8;
+constexpr size_t fewestLoadRows = 8;
 constexpr int mostContinuations = 2;
 /// Runs of a window: the nominal one and one for each number of its start; and a fit's iterations.
 constexpr double runsPerStart = 5.0, runsPerFit = 5.0;
@@ -84,7 +84,7 @@ SwingingLoads::View SwingingLoads::viewOf(double window_s, size_t most) const {
     const size_t whole = window.last;
     window.last = window.first;
     while (window.last < whole &&
-           (time[window.last] < time[window.first] + window_s || window.last < window.first + fewestRows))
+           (time[window.last] < time[window.first] + window_s || window.last < window.first + fewestLoadRows))
       ++window.last;
     view.windows.push_back(window);
   }

@@ -8,7 +8,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr size_t partsOfWindow = 4, fewestWindows = 8, fewestRows = 8;
+constexpr size_t partsOfWindow = 4, fewestWindows = 8, fewestVoltageRows = 8;
 constexpr double clearOfNoise = 5.0;  ///< standard deviations
 
 enum Column { resistance, offset, backEmf, inductance, deadTime, columns };
@@ -49,7 +49,7 @@ std::optional<SensorOffset> sensorOffset(const std::vector<Track>& tracks, const
     const Track& track = tracks[windows[w].track];
     if (track.voltage.empty()) return {};
     const size_t rows = (windows[w].last - windows[w].first) / partsOfWindow;
-    if (rows < fewestRows) return {};
+    if (rows < fewestVoltageRows) return {};
     for (size_t part = 0; part < partsOfWindow; ++part)
       balance.add(track, windows[w].first + part * rows, windows[w].first + (part + 1) * rows, w);
   }

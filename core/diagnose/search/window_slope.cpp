@@ -23,7 +23,7 @@ bool slopesTell(const Effect& effect, const std::vector<Shape>& shapes, DriveInp
 }
 
 /// One shape, and sums over the windows in which it acts: J the fit's Jacobian, C the shape's columns, r the residual.
-struct Candidate {
+struct SlopeCandidate {
   Shape shape;
   size_t track = everyTrack;
   Eigen::MatrixXd shared, own;  ///< JᵀC, CᵀC
@@ -41,9 +41,9 @@ struct Own {
   double squares = 0.0;
 };
 
-std::vector<Candidate> candidatesOf(const SearchInput& input, const Effect& effect, const std::vector<Shape>& shapes,
-                                    Eigen::Index size) {
-  std::vector<Candidate> candidates;
+std::vector<SlopeCandidate> candidatesOf(const SearchInput& input, const Effect& effect,
+                                         const std::vector<Shape>& shapes, Eigen::Index size) {
+  std::vector<SlopeCandidate> candidates;
   const size_t apart = effect.happensOnce() ? input.tracks.size() : 1;
   for (size_t track = 0; track < apart; ++track) {
     for (const Shape& shape : shapes) {
@@ -56,7 +56,7 @@ std::vector<Candidate> candidatesOf(const SearchInput& input, const Effect& effe
 }
 
 /// Whether what happens once happens in this window.
-bool actsIn(const Effect& effect, const Candidate& candidate, const SearchInput& input, const Window& window) {
+bool actsIn(const Effect& effect, const SlopeCandidate& candidate, const SearchInput& input, const Window& window) {
   if (!effect.happensOnce()) return true;
   if (candidate.track != window.track) return false;
   const auto& time = input.tracks[window.track].time;
@@ -68,7 +68,7 @@ bool actsIn(const Effect& effect, const Candidate& candidate, const SearchInput&
   return false;
 }
 
-Pick pickAt(const Effect& effect, const Candidate& candidate, const Eigen::VectorXd& amplitude) {
+Pick pickAt(const Effect& effect, const SlopeCandidate& candidate, const Eigen::VectorXd& amplitude) {
   Pick pick;
   pick.effect = &effect;
   pick.shape = candidate.shape;
@@ -78,10 +78,10 @@ Pick pickAt(const Effect& effect, const Candidate& candidate, const Eigen::Vecto
 }
 
 Own addSlopes(const SearchInput& input, const FitResult& fit, const Effect& effect,
-              std::vector<Candidate>& candidates) {
+              std::vector<SlopeCandidate>& candidates) {
   const Eigen::Index size = fit.x.size(), width = candidates.front().score.size();
   Own own{Eigen::MatrixXd(fit.priorPrecision.asDiagonal()), Eigen::VectorXd::Zero(size)};
-  const auto modelAt = [&](const Candidate& candidate, const Eigen::VectorXd& amplitude) {
+  const auto modelAt = [&](const SlopeCandidate& candidate, const Eigen::VectorXd& amplitude) {
     return with(input, fit.model, pickAt(effect, candidate, amplitude));
   };
   const auto& windows = input.split.train;
@@ -99,7 +99,7 @@ Own addSlopes(const SearchInput& input, const FitResult& fit, const Effect& effe
                           {factor * fit.weights.position, factor * fit.weights.current});
     bool fitted = false;
     Eigen::MatrixXd columns(residual.size(), width);
-    for (Candidate& one : candidates) {
+    for (SlopeCandidate& one : candidates) {
       if (!actsIn(effect, one, input, windows[w])) continue;
       // Without any of it all shapes are one.
       if (!std::exchange(fitted, true)) window.fit(modelAt(one, Eigen::VectorXd::Zero(width)), hidden[w]);
@@ -124,11 +124,11 @@ SlopePick slopePick(const SearchInput& input, const FitResult& fit, const Effect
   if (remembers(fit.model) || fit.windows.size() != input.split.train.size() ||
       !slopesTell(effect, shapes, fit.model.input))
     return best;
-  std::vector<Candidate> candidates = candidatesOf(input, effect, shapes, fit.x.size());
+  std::vector<SlopeCandidate> candidates = candidatesOf(input, effect, shapes, fit.x.size());
   const Own fits = addSlopes(input, fit, effect, candidates);
   const auto normal = fits.normal.ldlt();
   const Eigen::VectorXd step = normal.solve(fits.left);
-  for (const Candidate& one : candidates) {
+  for (const SlopeCandidate& one : candidates) {
     const Eigen::MatrixXd own = one.own - one.shared.transpose() * normal.solve(one.shared);
     const Eigen::VectorXd score = one.score - one.shared.transpose() * step;
     if (!(own.trace() > hardlyOwn * one.own.trace())) continue;

@@ -7,7 +7,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr double shortestStep_s = 1e-3, longestStep_s = 2.5e-3;
+constexpr double shortestServoStep_s = 1e-3, longestStep_s = 2.5e-3;
 constexpr double mostDamped = 0.25;   ///< of a step's velocity that the law may take away
 constexpr double mostTimes = 1000.0;  ///< within a row
 
@@ -53,7 +53,7 @@ double ServoDrive::damping(const Track& track, size_t row, double drive) const {
 }
 
 size_t ServoDrive::times(double dt, double inertia, double torquePerInput) const {
-  const double longest_s = std::clamp(2.0 * late_s(), shortestStep_s, longestStep_s);
+  const double longest_s = std::clamp(2.0 * late_s(), shortestServoStep_s, longestStep_s);
   const double stable = kd_ * torquePerInput * dt / (mostDamped * std::max(inertia, 1e-300));
   return static_cast<size_t>(std::clamp(std::ceil(std::max(dt / longest_s, stable) - 1e-6), 1.0, mostTimes));
 }

@@ -6,11 +6,11 @@ namespace breakaway {
 
 namespace {
 
-using Kind = Expression::Kind;
+using TokenKind = Expression::Kind;
 
 int levelOf(const Expression& expression) {
-  if (expression.kind == Kind::unary) return 5;
-  if (expression.kind != Kind::binary) return 6;
+  if (expression.kind == TokenKind::unary) return 5;
+  if (expression.kind != TokenKind::binary) return 6;
   const std::string& sign = expression.text;
   if (sign == "||") return 0;
   if (sign == "&&") return 1;
@@ -42,7 +42,7 @@ std::string Printer::lines(const std::vector<std::string>& comment, int depth) c
 std::string Printer::argumentsOf(const Expression& call) const {
   std::string out;
   for (const Expression& part : call.parts) {
-    if (part.kind == Kind::name && part.text == "s") continue;
+    if (part.kind == TokenKind::name && part.text == "s") continue;
     out += (out.empty() ? "" : ", ") + text(part);
   }
   return out;
@@ -52,30 +52,30 @@ std::string Printer::operand(const Expression& expression, int level, bool right
   const int own = levelOf(expression);
   // Compilers warn of && within ||, and of comparisons in a row.
   const bool apart = own < level || (own == level && (right || own == 2)) || (level == 0 && own == 1) ||
-                     expression.kind == Kind::unary;
+                     expression.kind == TokenKind::unary;
   return apart ? "(" + text(expression) + ")" : text(expression);
 }
 
 std::string Printer::text(const Expression& expression) const {
   const auto& parts = expression.parts;
   switch (expression.kind) {
-    case Kind::number:
+    case TokenKind::number:
       return numberText(expression.text);
-    case Kind::name:
+    case TokenKind::name:
       if (expression.text.starts_with("s.")) return stateName(expression.text.substr(2));
       return isConstant(expression.text) ? constantName(expression.text) : expression.text;
-    case Kind::element:
+    case TokenKind::element:
       return elementText(stateName(expression.text.substr(2)), text(parts[0]));
-    case Kind::unary:
+    case TokenKind::unary:
       return operatorText(expression.text) + operand(parts[0], 5, true);
-    case Kind::binary: {
+    case TokenKind::binary: {
       const int level = levelOf(expression);
       return operand(parts[0], level, false) + " " + operatorText(expression.text) + " " +
              operand(parts[1], level, true);
     }
-    case Kind::conditional:
+    case TokenKind::conditional:
       return conditionalText(text(parts[0]), text(parts[1]), text(parts[2]));
-    case Kind::call:
+    case TokenKind::call:
       break;
   }
   if (const Function* own = ownFunction(expression.text)) return ownCallText(*own, expression);
@@ -95,7 +95,7 @@ std::string Printer::branchText(const Statement& one, int depth, bool chained) c
   return end.empty() ? out : out + indent(depth) + end + "\n";
 }
 
-std::string Printer::text(const Block& block, int depth) const {
+std::string Printer::text(const Statements& block, int depth) const {
   std::string out;
   for (const Statement& one : block) {
     switch (one.kind) {

@@ -21,7 +21,7 @@ class Printer {
 
   std::string text(const Expression& expression) const;
   /// Each line of the block, `depth` steps in.
-  std::string text(const Block& block, int depth) const;
+  std::string text(const Statements& block, int depth) const;
   static std::string indent(int depth) { return std::string(static_cast<size_t>(depth) * 2, ' '); }
   std::string lines(const std::vector<std::string>& comment, int depth) const;
   std::string argumentsOf(const Expression& call) const;

@@ -115,8 +115,8 @@ class Reader {
     return one;
   }
 
-  Block block() {
-    Block all;
+  Statements block() {
+    Statements all;
     take("{");
     while (!took("}")) all.push_back(statement());
     return all;
@@ -227,7 +227,7 @@ void eachCall(const Expression& expression, const std::function<void(const std::
   for (const Expression& part : expression.parts) eachCall(part, act);
 }
 
-void eachCall(const Block& block, const std::function<void(const std::string&)>& act) {
+void eachCall(const Statements& block, const std::function<void(const std::string&)>& act) {
   for (const Statement& one : block) {
     eachCall(one.value, act);
     for (const Expression& target : one.targets) eachCall(target, act);
@@ -236,7 +236,7 @@ void eachCall(const Block& block, const std::function<void(const std::string&)>&
   }
 }
 
-void addLocals(const Block& block, const Function& function, std::vector<std::string>& names) {
+void addLocals(const Statements& block, const Function& function, std::vector<std::string>& names) {
   for (const Statement& one : block) {
     for (const Expression& target : one.targets) {
       const std::string& name = target.text;

@@ -15,14 +15,14 @@ struct Expression {
 };
 
 struct Statement;
-using Block = std::vector<Statement>;
+using Statements = std::vector<Statement>;
 
 struct Statement {
   enum class Kind { assign, call, branch, loop, comment, stop };
   Kind kind = Kind::comment;
   std::vector<Expression> targets = {};  ///< of an assignment, several for a function of several outputs
   Expression value = {};                 ///< what is assigned, called, or asked by branch and loop
-  Block body = {}, otherwise = {};
+  Statements body = {}, otherwise = {};
   std::string text = {};  ///< of a comment
 };
 
@@ -34,7 +34,7 @@ struct Function {
   State state = State::none;
   std::vector<std::string> arguments = {};  ///< without the state
   std::vector<std::string> outputs = {};
-  Block body = {};
+  Statements body = {};
   bool shown = false;  ///< for whoever uses the program, not only for other functions
 
   /// Names that the body assigns beside its outputs, in the order of the first assignment.

@@ -9,7 +9,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr size_t mostSignals = 5000;
+constexpr size_t mostTraceSignals = 5000;
 
 /// "fActPosition" of "0.Variable; Application.Axis.fActPosition"; empty when the line is of another key.
 std::string_view valueOfKey(std::string_view line, std::string_view key) {
@@ -31,7 +31,7 @@ std::optional<Result<RawTable>> readCodesysTrace(std::string_view text, char lin
   while (!rest.empty()) {
     const std::string_view line = withoutBlanks(takeLine(rest, lineEnd));
     if (const auto variable = valueOfKey(line, "Variable"); !variable.empty()) {
-      if (signals.size() >= mostSignals) break;
+      if (signals.size() >= mostTraceSignals) break;
       signals.push_back({std::string(variable), {}, {}, {}});
     }
     if (!line.starts_with(';') || signals.empty()) continue;

@@ -15,17 +15,17 @@ namespace breakaway {
 namespace {
 
 /// The last strong quantity word, else a weak one.
-struct Found {
+struct FoundName {
   const Word* word = nullptr;
   size_t at = 0;
 };
 
 /// A name on its way to what it means.
-struct Reading {
+struct NameReading {
   NameParts parts;
   bool electrical = false;  ///< counted in electrical turns
   bool supplyWord = false;
-  Found found = {};
+  FoundName found = {};
   UnitKind kind = UnitKind::time;
   bool reference = false;
   int unknownBefore = 0;  ///< words that aren't known before the quantity's
@@ -36,8 +36,8 @@ struct Reading {
   bool inWinding() const { return kind == UnitKind::current || kind == UnitKind::voltage; }
 };
 
-Found quantityIn(const Words& words) {
-  Found found;
+FoundName quantityIn(const Words& words) {
+  FoundName found;
   for (size_t k = 0; k < words.size(); ++k) {
     const Word* word = quantityNamed(words[k]);
     if (word == nullptr) continue;
@@ -55,7 +55,7 @@ bool fits(UnitKind unit, UnitKind quantity) {
 }
 
 /// The word that names what the unit counts: "Current actual value torque-generating [Arms]".
-Found quantityOfUnit(const Words& words, UnitKind unit, Found found) {
+FoundName quantityOfUnit(const Words& words, UnitKind unit, FoundName found) {
   for (size_t k = 0; k < words.size(); ++k) {
     const Word* word = quantityNamed(words[k]);
     if (word != nullptr && !word->weak && fits(unit, word->kind)) found = {word, k};
@@ -69,11 +69,11 @@ bool isMotion(UnitKind kind) {
 }
 
 /// "pos_current" is where something is now, where no unit says otherwise.
-Found withoutPresent(const NameParts& parts, Found found) {
+FoundName withoutPresent(const NameParts& parts, FoundName found) {
   const bool current = found.word != nullptr && found.at > 0 && parts.words[found.at] == "current";
   if (!current || (parts.unit != nullptr && !isMotion(parts.unit->kind)) || parts.unknownUnit) return found;
   const Word* before = quantityNamed(parts.words[found.at - 1]);
-  return before != nullptr && !before->weak && isMotion(before->kind) ? Found{before, found.at - 1} : found;
+  return before != nullptr && !before->weak && isMotion(before->kind) ? FoundName{before, found.at - 1} : found;
 }
 
 Message nounOf(UnitKind kind) {
@@ -105,9 +105,9 @@ Message otherThing(NameParts& parts) {
   return {};
 }
 
-void findQuantity(Reading& name) {
+void findQuantity(NameReading& name) {
   NameParts& parts = name.parts;
-  Found found = quantityIn(parts.words);
+  FoundName found = quantityIn(parts.words);
   if (found.word != nullptr && parts.unit != nullptr && !fits(parts.unit->kind, found.word->kind))
     found = quantityOfUnit(parts.words, parts.unit->kind, found);
   name.found = withoutPresent(parts, found);
@@ -122,7 +122,7 @@ void findQuantity(Reading& name) {
 }
 
 /// No word names a quantity: a supply's voltage, or what the unit says.
-ColumnName withoutQuantity(const Reading& name) {
+ColumnName withoutQuantity(const NameReading& name) {
   const NameParts& parts = name.parts;
   // "battery", "vbat raw"; a level, a state, an identity of a battery is no voltage.
   const bool told = std::all_of(parts.words.begin(), parts.words.end(), [](const std::string& word) {
@@ -137,7 +137,7 @@ ColumnName withoutQuantity(const Reading& name) {
 }
 
 /// Units that mean more behind some words than alone: an "omega" in 1/s is in rad/s, an "n" would be in turns.
-void settleUnit(Reading& name) {
+void settleUnit(NameReading& name) {
   NameParts& parts = name.parts;
   const std::string& named = name.word();
   const bool perSecond = parts.unknownUnit && (parts.unitText == "1/s" || parts.unitText == "s^-1") &&
@@ -152,7 +152,7 @@ void settleUnit(Reading& name) {
 }
 
 /// What the name is if its unit is none of its quantity.
-std::optional<ColumnName> unfitUnit(Reading& name) {
+std::optional<ColumnName> unfitUnit(NameReading& name) {
   const NameParts& parts = name.parts;
   if (parts.unknownUnit) return nameAside(message("its unit \"{}\" is unknown", parts.unitText), parts);
   // Drives tell the current that makes torque by the torque's name: "Actual torque [mA]".
@@ -174,9 +174,9 @@ std::optional<ColumnName> unfitUnit(Reading& name) {
 }
 
 /// What the words around the quantity make of it.
-std::optional<ColumnName> readAround(Reading& name) {
+std::optional<ColumnName> readAround(NameReading& name) {
   NameParts& parts = name.parts;
-  const Found found = name.found;
+  const FoundName found = name.found;
   // "Zeit 1 - Standardmessrate" in s: which clock it is matters only beside another one.
   const bool clock = name.kind == UnitKind::time && parts.unit != nullptr && found.at == 0;
   for (size_t k = 0; k < parts.words.size(); ++k) {
@@ -209,7 +209,7 @@ std::optional<ColumnName> readAround(Reading& name) {
 }
 
 /// Why such a quantity isn't the motor's own; empty when it may be.
-Message notMeant(const Reading& name) {
+Message notMeant(const NameReading& name) {
   const NameParts& parts = name.parts;
   if (name.inWinding()) {
     const bool incoming = name.kind == UnitKind::current && name.has("in") && !name.has("motor");
@@ -240,7 +240,7 @@ Message notMeant(const Reading& name) {
 }
 
 /// Taken, with its place among others for the same thing.
-ColumnName taken(Reading& name) {
+ColumnName taken(NameReading& name) {
   const NameParts& parts = name.parts;
   const bool moves = name.turns() || name.kind == UnitKind::torque || name.kind == UnitKind::length ||
                      name.kind == UnitKind::linearVelocity;
@@ -287,7 +287,7 @@ ColumnName understandName(std::string_view text, std::string_view unit) {
     text = withoutSource(text);
     if (const auto only = unitAsName(text)) return *only;
   }
-  Reading name{partsOfName(text, unit)};
+  NameReading name{partsOfName(text, unit)};
   NameParts& parts = name.parts;
   name.electrical = std::erase_if(parts.words, [](const std::string& word) { return isIn(electricalWords, word); }) > 0;
   if (isMultiplied(text)) return nameAside(message("a factor stands in its name"), parts);

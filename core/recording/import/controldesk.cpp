@@ -12,7 +12,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr size_t mostSignals = 5000;
+constexpr size_t mostCaptureSignals = 5000;
 
 /// What parts the cells, if the text has ControlDesk's line of names near its beginning.
 std::optional<char> separatorOf(std::string_view text, char lineEnd) {
@@ -71,7 +71,7 @@ class Sections {
     inRows_ = true;
     first_ = signals.size();
     if (!at(units_, 1).empty()) timeUnit = at(units_, 1);
-    for (size_t c = 2; c < names_.size() && signals.size() < mostSignals; ++c)
+    for (size_t c = 2; c < names_.size() && signals.size() < mostCaptureSignals; ++c)
       signals.push_back({nameInModel(names_[c], at(paths_, c)), at(units_, c), {}, {}});
   }
 

@@ -16,7 +16,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr hsize_t mostValues = hsize_t{1} << 28;
+constexpr hsize_t mostTableValues = hsize_t{1} << 28;
 
 /// Closes what the library opened.
 class Handle {
@@ -34,7 +34,7 @@ class Handle {
   herr_t (*close_)(hid_t);
 };
 
-struct Found {
+struct FoundSets {
   std::vector<RawColumn> columns;
   bool matlab = false;  ///< names and matrices as MATLAB 7.3 puts them
 };
@@ -63,7 +63,7 @@ std::string textAt(hid_t set, std::initializer_list<const char*> names) {
   return {};
 }
 
-bool isNumber(hid_t type) {
+bool isNumberType(hid_t type) {
   const H5T_class_t kind = H5Tget_class(type);
   return kind == H5T_INTEGER || kind == H5T_FLOAT || kind == H5T_ENUM;
 }
@@ -93,7 +93,7 @@ std::vector<double> stampsOf(hid_t set, hsize_t count, double& origin) {
   return values;
 }
 
-void add(Found& found, std::string name, std::vector<double> values, const std::string& unit, double origin = 0.0) {
+void add(FoundSets& found, std::string name, std::vector<double> values, const std::string& unit, double origin = 0.0) {
   if (values.empty()) return;
   for (double& value : values) value = std::isfinite(value) ? value : NAN;
   RawColumn column{{std::move(name), std::move(values)}, {}};
@@ -103,7 +103,7 @@ void add(Found& found, std::string name, std::vector<double> values, const std::
 }
 
 /// A variable's values lie column by column, so that HDF5 tells its columns first; texts and references are none.
-void addVariable(Found& found, hid_t set, std::string path, const hsize_t* size) {
+void addVariable(FoundSets& found, hid_t set, std::string path, const hsize_t* size) {
   const std::string kind = textAt(set, {"MATLAB_class"});
   if (path.starts_with("#") || kind == "char" || kind == "cell" || H5Aexists(set, "MATLAB_empty") > 0) return;
   std::replace(path.begin(), path.end(), '/', '.');
@@ -116,7 +116,7 @@ void addVariable(Found& found, hid_t set, std::string path, const hsize_t* size)
 }
 
 herr_t visit(hid_t file, const char* path, const H5O_info_t* info, void* data) {
-  auto& found = *static_cast<Found*>(data);
+  auto& found = *static_cast<FoundSets*>(data);
   if (info->type != H5O_TYPE_DATASET || found.columns.size() > 5000) return 0;
   const Handle set(H5Dopen2(file, path, H5P_DEFAULT), H5Dclose);
   const Handle space(H5Dget_space(set), H5Sclose);
@@ -125,10 +125,10 @@ herr_t visit(hid_t file, const char* path, const H5O_info_t* info, void* data) {
   if (rank < 0 || rank > 2) return 0;
   hsize_t size[2] = {1, 1};
   H5Sget_simple_extent_dims(space, size, nullptr);
-  if (size[0] == 0 || size[1] == 0 || size[0] > mostValues / size[1]) return 0;
+  if (size[0] == 0 || size[1] == 0 || size[0] > mostTableValues / size[1]) return 0;
   const hsize_t count = size[0] * size[1];
   if (found.matlab) {
-    if (isNumber(type)) addVariable(found, set, path, size);
+    if (isNumberType(type)) addVariable(found, set, path, size);
     return 0;
   }
   const std::string unit = textAt(set, {"units", "unit", "Units", "Unit"});
@@ -136,13 +136,13 @@ herr_t visit(hid_t file, const char* path, const H5O_info_t* info, void* data) {
     for (int k = 0; k < H5Tget_nmembers(type) && k < 1000; ++k) {
       const Handle field(H5Tget_member_type(type, static_cast<unsigned>(k)), H5Tclose);
       char* name = H5Tget_member_name(type, static_cast<unsigned>(k));
-      if (name != nullptr && isNumber(field))
+      if (name != nullptr && isNumberType(field))
         add(found, std::string(path) + "." + name, valuesOf(set, count, name), "");
       H5free_memory(name);
     }
     return 0;
   }
-  if (!isNumber(type)) return 0;
+  if (!isNumberType(type)) return 0;
   if (rank < 2 || size[0] == 1 || size[1] == 1) {
     double origin = 0.0;
     const bool wide = H5Tget_class(type) == H5T_INTEGER && H5Tget_size(type) == 8;
@@ -180,7 +180,7 @@ std::string readSets(std::string_view content, bool matlab) {
   H5Pset_file_image(inMemory, const_cast<char*>(content.data()), content.size());  // which copies it
   const Handle file(H5Fopen("log", H5F_ACC_RDONLY, inMemory), H5Fclose);
   if (file < 0) return bytes;
-  Found found;
+  FoundSets found;
   found.matlab = matlab;
   H5Ovisit(file, H5_INDEX_NAME, H5_ITER_INC, visit, &found);
   for (const RawColumn& column : found.columns) {

@@ -18,7 +18,7 @@ RawColumn* find(RawTable& table, const std::string& name) {
   return it == table.columns.end() ? nullptr : &*it;
 }
 
-bool hasAll(RawTable& table, std::initializer_list<const char*> names) {
+bool hasSoundColumns(RawTable& table, std::initializer_list<const char*> names) {
   return std::all_of(names.begin(), names.end(), [&table](const char* name) {
     const RawColumn* column = find(table, name);
     return column != nullptr && !column->fault;
@@ -51,7 +51,7 @@ void rename(RawTable& table, Axis axis, std::initializer_list<Renaming> renaming
 
 bool translateEmps(RawTable& table) {
   const std::string gain = noteOf(table, "gtau");
-  if (gain.empty() || !hasAll(table, {"t", "qm", "qg", "vir"})) return false;
+  if (gain.empty() || !hasSoundColumns(table, {"t", "qm", "qg", "vir"})) return false;
   const double gain_N_per_V = std::strtod(gain.c_str(), nullptr);
   Channel force{"force", find(table, "vir")->channel.values};
   for (double& value : force.values) value *= gain_N_per_V;
@@ -72,7 +72,7 @@ double asSigned(double raw) {
 }
 
 Result<bool> translateBam(RawTable& table, const std::string& name) {
-  if (noteOf(table, "motor") != "xl330" || !hasAll(table, {"timestamp", "position", "load", "input_volts"}))
+  if (noteOf(table, "motor") != "xl330" || !hasSoundColumns(table, {"timestamp", "position", "load", "input_volts"}))
     return false;
   const auto& raw = find(table, "load")->channel.values;
   const auto& supply = find(table, "input_volts")->channel.values;

@@ -16,11 +16,11 @@ namespace breakaway {
 namespace {
 
 /// A kind of line: which of its values are columns of the table.
-struct Kind {
+struct EntryKind {
   size_t count = 0;
   std::vector<std::pair<size_t, size_t>> columns;  ///< value, column
 };
-using Kinds = std::map<std::string, Kind>;
+using Kinds = std::map<std::string, EntryKind>;
 
 bool hasLetter(std::string_view text) {
   return std::any_of(text.begin(), text.end(), [](unsigned char c) { return std::isalpha(c) != 0 || c >= 0x80U; });

@@ -9,10 +9,10 @@ namespace breakaway {
 
 namespace {
 
-using Cells = std::vector<std::string_view>;
+using ListCells = std::vector<std::string_view>;
 
 /// The line's cells, parted by commas outside quotes, quotes left on.
-void splitQuoted(std::string_view line, Cells& cells) {
+void splitQuoted(std::string_view line, ListCells& cells) {
   cells.clear();
   size_t start = 0;
   bool quoted = false;
@@ -41,7 +41,7 @@ std::optional<std::string_view> listIn(std::string_view cell) {
 }
 
 /// A list's items; commas or blanks part them.
-void itemsOf(std::string_view list, Cells& items) {
+void itemsOf(std::string_view list, ListCells& items) {
   items.clear();
   while (!list.empty()) {
     const size_t end = list.find_first_of(", \t");
@@ -52,9 +52,9 @@ void itemsOf(std::string_view list, Cells& items) {
 }
 
 /// How many items each cell of the line holds; 0 for one that is no list.
-std::vector<size_t> lengthsOf(const Cells& cells) {
+std::vector<size_t> lengthsOf(const ListCells& cells) {
   std::vector<size_t> lengths;
-  Cells items;
+  ListCells items;
   for (const std::string_view cell : cells) {
     const auto list = listIn(cell);
     if (list) itemsOf(*list, items);
@@ -67,7 +67,7 @@ bool hasList(const std::vector<size_t>& lengths) {
   return std::any_of(lengths.begin(), lengths.end(), [](size_t length) { return length > 0; });
 }
 
-void appendNames(const Cells& names, const std::vector<size_t>& lengths, std::string& out) {
+void appendNames(const ListCells& names, const std::vector<size_t>& lengths, std::string& out) {
   for (size_t c = 0; c < names.size(); ++c) {
     std::string_view name = names[c];
     if (lengths[c] > 1 && name.size() >= 2 && name.front() == '"') name = name.substr(1, name.size() - 2);
@@ -80,8 +80,8 @@ void appendNames(const Cells& names, const std::vector<size_t>& lengths, std::st
   out += '\n';
 }
 
-void appendRow(const Cells& cells, std::string& out) {
-  Cells items;
+void appendRow(const ListCells& cells, std::string& out) {
+  ListCells items;
   bool first = true;
   for (const std::string_view cell : cells) {
     const auto list = listIn(cell);
@@ -109,7 +109,7 @@ std::optional<std::string> withListsInCells(std::string_view text) {
   if (!maybe) return std::nullopt;
   const char lineEnd = lineEndOf(text);
   std::string out, before;
-  Cells cells, names;
+  ListCells cells, names;
   std::vector<size_t> lengths;
   while (!text.empty()) {
     const std::string_view line = takeLine(text, lineEnd);

@@ -14,7 +14,7 @@ TextCell kindOf(std::string_view cell) {
   return readCell(withoutBlanks(cell), TextLayout{}, number);
 }
 
-bool isNumber(std::string_view cell) {
+bool isMarkedNumber(std::string_view cell) {
   return kindOf(cell) == TextCell::number;
 }
 
@@ -31,8 +31,8 @@ std::string_view markOf(std::string_view line) {
 /// "0,12,11": at least two numbers, parted by such a separator.
 bool beginsWithNumbers(std::string_view rest, char separator) {
   const size_t first = rest.find(separator);
-  if (first == std::string_view::npos || !isNumber(rest.substr(0, first))) return false;
-  return isNumber(rest.substr(first + 1, rest.find(separator, first + 1) - first - 1));
+  if (first == std::string_view::npos || !isMarkedNumber(rest.substr(0, first))) return false;
+  return isMarkedNumber(rest.substr(first + 1, rest.find(separator, first + 1) - first - 1));
 }
 
 bool hasNumbersBehind(std::string_view line, std::string_view mark) {

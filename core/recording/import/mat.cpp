@@ -72,20 +72,20 @@ void copyValues(const matvar_t& variable, std::vector<double>& values) {
   for (size_t k = 0; k < values.size(); ++k) values[k] = static_cast<double>(data[k]);
 }
 
-struct Kind {
+struct NumberKind {
   matio_classes type;
   void (*copy)(const matvar_t& variable, std::vector<double>& values);
 };
-constexpr auto kinds = std::to_array<Kind>({{MAT_C_DOUBLE, copyValues<double>},
-                                            {MAT_C_SINGLE, copyValues<float>},
-                                            {MAT_C_INT8, copyValues<int8_t>},
-                                            {MAT_C_UINT8, copyValues<uint8_t>},
-                                            {MAT_C_INT16, copyValues<int16_t>},
-                                            {MAT_C_UINT16, copyValues<uint16_t>},
-                                            {MAT_C_INT32, copyValues<int32_t>},
-                                            {MAT_C_UINT32, copyValues<uint32_t>},
-                                            {MAT_C_INT64, copyValues<int64_t>},
-                                            {MAT_C_UINT64, copyValues<uint64_t>}});
+constexpr auto numberKinds = std::to_array<NumberKind>({{MAT_C_DOUBLE, copyValues<double>},
+                                                        {MAT_C_SINGLE, copyValues<float>},
+                                                        {MAT_C_INT8, copyValues<int8_t>},
+                                                        {MAT_C_UINT8, copyValues<uint8_t>},
+                                                        {MAT_C_INT16, copyValues<int16_t>},
+                                                        {MAT_C_UINT16, copyValues<uint16_t>},
+                                                        {MAT_C_INT32, copyValues<int32_t>},
+                                                        {MAT_C_UINT32, copyValues<uint32_t>},
+                                                        {MAT_C_INT64, copyValues<int64_t>},
+                                                        {MAT_C_UINT64, copyValues<uint64_t>}});
 
 /// The array's values column by column; empty when they are no real numbers.
 std::vector<double> valuesOf(const matvar_t& variable) {
@@ -97,9 +97,9 @@ std::vector<double> valuesOf(const matvar_t& variable) {
   }
   if (count * static_cast<size_t>(variable.data_size) > variable.nbytes) return {};
   std::vector<double> values(count);
-  const auto it = std::find_if(kinds.begin(), kinds.end(),
-                               [&variable](const Kind& one) { return one.type == variable.class_type; });
-  if (it == kinds.end()) return {};
+  const auto it = std::find_if(numberKinds.begin(), numberKinds.end(),
+                               [&variable](const NumberKind& one) { return one.type == variable.class_type; });
+  if (it == numberKinds.end()) return {};
   it->copy(variable, values);
   return values;
 }

@@ -46,7 +46,7 @@ std::optional<Type> typeOf(std::string_view text) {
   return type;
 }
 
-bool isNumber(const Type& type) {
+bool isNumberType(const Type& type) {
   const size_t s = type.size;
   if (type.kind == 'f') return s == 2 || s == 4 || s == 8;
   if (type.kind == 'b') return s == 1;
@@ -207,13 +207,14 @@ Result<std::vector<RawColumn>> readNpy(std::string_view bytes, const std::string
     const size_t stride = fields->back().offset + fields->back().type.size;
     if (count > data.size() / stride) return cut;
     for (const Field& field : *fields) {
-      if (isNumber(field.type))
+      if (isNumberType(field.type))
         columns.push_back(valuesAt(data.data() + field.offset, count, stride, field.type, field.name));
     }
     return columns;
   }
   const auto type = typeOf(*descr);
-  if (!type || !isNumber(*type)) return Error{place, message("is a NumPy array of {}, not of real numbers", *descr)};
+  if (!type || !isNumberType(*type))
+    return Error{place, message("is a NumPy array of {}, not of real numbers", *descr)};
   if (count > data.size() / type->size) return cut;
   if (shape.size() < 2) {
     columns.push_back(valuesAt(data.data(), count, type->size, *type, name));

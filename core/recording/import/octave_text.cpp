@@ -23,7 +23,7 @@ std::string_view valueOf(std::string_view line, std::string_view key) {
   return line.starts_with(':') ? withoutBlanks(line.substr(1)) : std::string_view{};
 }
 
-std::vector<double> numbersOf(std::string_view line) {
+std::vector<double> lineNumbers(std::string_view line) {
   TextLayout layout;
   layout.separator = runsOfBlanks;
   std::vector<std::string_view> cells;
@@ -61,7 +61,7 @@ Result<void> addRange(const std::vector<double>& range, Variable& variable, cons
 Result<void> addRow(std::string_view line, Variable& variable, const std::string& place) {
   const bool range = variable.type.ends_with("range"), scalar = variable.type == "scalar";
   if (!range && !scalar && variable.type != "matrix") return {};
-  const std::vector<double> row = numbersOf(line);
+  const std::vector<double> row = lineNumbers(line);
   if (row.empty()) return {};
   if (range) return variable.columns.empty() ? addRange(row, variable, place) : Result<void>{};
   if (row.size() > mostColumns) return Error{place, message("{} has too many columns", variable.name)};

@@ -94,7 +94,7 @@ bool isTag(std::string_view text) {
   return !number && behind.find_first_of(":=") != std::string_view::npos;
 }
 
-std::optional<StampedLine> parted(std::string_view line) {
+std::optional<StampedLine> stampTaken(std::string_view line) {
   line = withoutBlanks(line);
   if (auto dated = partedAtDate(line)) return dated;
   StampedLine out;
@@ -125,7 +125,7 @@ std::optional<std::string> withStampsAsCells(std::string_view text) {
     const std::string_view line = takeLine(ahead, lineEnd);
     if (withoutBlanks(line).empty()) continue;
     ++lines;
-    const auto one = parted(line);
+    const auto one = stampTaken(line);
     good += one ? 1 : 0;
     commas += one && one->rest.find(',') != std::string_view::npos ? 1 : 0;
     bars += one && one->rest.find(" | ") != std::string_view::npos ? 1 : 0;
@@ -135,7 +135,7 @@ std::optional<std::string> withStampsAsCells(std::string_view text) {
   std::string out;
   out.reserve(text.size() + text.size() / 4);
   while (!text.empty()) {
-    const auto one = parted(takeLine(text, lineEnd));
+    const auto one = stampTaken(takeLine(text, lineEnd));
     if (!one) continue;
     out += one->millis ? "time_ms:" : "time:";
     out += one->since1970.empty() ? one->stamp : one->since1970;

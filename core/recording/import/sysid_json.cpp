@@ -9,15 +9,15 @@ namespace breakaway {
 
 namespace {
 
-using Json = nlohmann::json;
+using SysidJson = nlohmann::json;
 
 constexpr auto tests = std::to_array<const char*>({"slow-forward", "slow-backward", "fast-forward", "fast-backward"});
 
-bool isTest(const Json& value) {
+bool isTest(const SysidJson& value) {
   return value.is_array() && !value.empty() && value.front().is_array() && value.front().size() >= 4;
 }
 
-std::string textOf(const Json& json, const char* key) {
+std::string textOf(const SysidJson& json, const char* key) {
   const auto it = json.find(key);
   return it != json.end() && it->is_string() ? it->get<std::string>() : std::string();
 }
@@ -47,20 +47,20 @@ std::vector<Named> columnsOf(size_t width) {
   return {};
 }
 
-bool holdsTests(const Json& json) {
+bool holdsTests(const SysidJson& json) {
   if (!json.is_object()) return false;
   return std::any_of(tests.begin(), tests.end(),
                      [&json](const char* test) { return json.contains(test) && isTest(json[test]); });
 }
 
-Result<ReadTable> readTests(const Json& json, const std::string& name) {
+Result<ReadTable> readTests(const SysidJson& json, const std::string& name) {
   ReadTable read;
   RawTable& table = read.table;
   const std::string unit = textOf(json, "units");
   std::vector<Named> columns;
   for (const char* test : tests) {
     if (!json.contains(test) || !isTest(json[test])) continue;
-    const Json& rows = json[test];
+    const SysidJson& rows = json[test];
     if (columns.empty()) {
       columns = columnsOf(rows.front().size());
       if (columns.empty())
@@ -79,7 +79,7 @@ Result<ReadTable> readTests(const Json& json, const std::string& name) {
     }
     if (table.rows() > 0) read.newPart.push_back(table.rows());
     const size_t before = table.rows();
-    for (const Json& row : rows) {
+    for (const SysidJson& row : rows) {
       if (!row.is_array() || row.size() < columns.size())
         return Error{name + ", " + test, message("has a row of another length, expected {}", columns.size())};
       for (size_t c = 0; c < columns.size(); ++c) {
@@ -101,7 +101,7 @@ std::optional<Result<ReadTable>> readSysId(const std::string& text, const std::s
   if (std::none_of(tests.begin(), tests.end(),
                    [&text](const char* test) { return text.find(test) != std::string::npos; }))
     return std::nullopt;
-  const Json json = Json::parse(text, nullptr, false);
+  const SysidJson json = SysidJson::parse(text, nullptr, false);
   if (!holdsTests(json)) return std::nullopt;
   return readTests(json, name);
 }

@@ -12,7 +12,7 @@ namespace breakaway {
 
 namespace {
 
-using Cells = std::vector<std::string_view>;
+using TaggedCells = std::vector<std::string_view>;
 
 struct Tagged {
   std::vector<std::string> names;
@@ -20,8 +20,8 @@ struct Tagged {
 };
 using Tables = std::map<std::string, Tagged, std::less<>>;
 
-Cells cellsOf(std::string_view line, char separator) {
-  Cells cells;
+TaggedCells cellsOf(std::string_view line, char separator) {
+  TaggedCells cells;
   while (true) {
     const size_t end = line.find(separator);
     cells.push_back(withoutBlanks(line.substr(0, end)));
@@ -41,7 +41,7 @@ bool isWord(std::string_view text) {
          });
 }
 
-bool isNumber(std::string_view cell) {
+bool isTaggedNumber(std::string_view cell) {
   TextNumber number;
   return readCell(cell, TextLayout{}, number) == TextCell::number;
 }
@@ -63,7 +63,7 @@ bool areTagged(std::string_view text, char lineEnd, char separator) {
   return lines >= fewest && 10 * tagged >= 9 * lines && words.size() > 1;
 }
 
-std::vector<std::string> namesFrom(const Cells& cells, size_t first) {
+std::vector<std::string> namesFrom(const TaggedCells& cells, size_t first) {
   std::vector<std::string> names;
   for (size_t k = first; k < cells.size(); ++k) names.emplace_back(cells[k]);
   return names;
@@ -74,7 +74,7 @@ Tables tablesIn(std::string_view text, char lineEnd, char separator) {
   constexpr size_t mostTables = 500, formatsNames = 5;
   Tables tables;
   while (!text.empty()) {
-    const Cells cells = cellsOf(takeLine(text, lineEnd), separator);
+    const TaggedCells cells = cellsOf(takeLine(text, lineEnd), separator);
     if (cells.size() < 3 || !isWord(cells[0])) continue;
     if (cells[0] == "FMT") {
       if (cells.size() > formatsNames && tables.size() < mostTables)
@@ -82,7 +82,7 @@ Tables tablesIn(std::string_view text, char lineEnd, char separator) {
       continue;
     }
     auto it = tables.find(cells[0]);
-    const bool words = std::none_of(cells.begin() + 1, cells.end(), isNumber);
+    const bool words = std::none_of(cells.begin() + 1, cells.end(), isTaggedNumber);
     if (words && it == tables.end() && tables.size() < mostTables)
       tables[std::string(cells[0])].names = namesFrom(cells, 1);
     else if (!words && it != tables.end() && it->second.names.size() + 1 == cells.size())
@@ -138,9 +138,9 @@ std::optional<TaggedRows> withTaggedRowsApart(std::string_view text) {
   while (!text.empty()) {
     const std::string_view line = takeLine(text, lineEnd);
     if (withoutBlanks(line).empty()) continue;
-    const Cells cells = cellsOf(line, separator);
+    const TaggedCells cells = cellsOf(line, separator);
     const bool own = cells[0] == out.word && cells.size() == best->second.names.size() + 1;
-    if (own && std::any_of(cells.begin() + 1, cells.end(), isNumber)) {
+    if (own && std::any_of(cells.begin() + 1, cells.end(), isTaggedNumber)) {
       append(cells, 1);
     } else {
       ++out.leftOut;

@@ -23,7 +23,7 @@ bool isBlank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\0';
 }
 
-bool isDigit(char c) {
+bool isAnyDigit(char c) {
   return c >= '0' && c <= '9';
 }
 
@@ -50,7 +50,7 @@ int truthOf(std::string_view text) {
 /// A decimal comma has digits behind it.
 bool isDecimalComma(std::string_view cell) {
   const size_t comma = cell.find(',');
-  return comma != std::string_view::npos && comma + 1 < cell.size() && isDigit(cell[comma + 1]) &&
+  return comma != std::string_view::npos && comma + 1 < cell.size() && isAnyDigit(cell[comma + 1]) &&
          cell.find(',', comma + 1) == std::string_view::npos;
 }
 
@@ -85,7 +85,7 @@ bool readNumber(std::string_view cell, bool comma, bool unitMayFollow, TextNumbe
   }
   if (*start == '+' && cell.size() > 1 && start[1] != '-') ++start;
   const auto [stop, code] = std::from_chars(start, end, number.value);
-  const bool whole = stop == end || (unitMayFollow && stop != start && !isDigit(*stop) && *stop != '.');
+  const bool whole = stop == end || (unitMayFollow && stop != start && !isAnyDigit(*stop) && *stop != '.');
   if (!whole || code == std::errc::invalid_argument) return false;
   if (code == std::errc::result_out_of_range) {
     number.value = std::strtod(std::string(start, stop).c_str(), nullptr);  // 0 or the smallest doubles below it
@@ -303,7 +303,7 @@ TextCell readCell(std::string_view cell, const TextLayout& layout, TextNumber& n
   if (readNumber(cell, layout.decimalComma, layout.labelled, number)) return TextCell::number;
   number = {missing, 0, 0.0, false};
   if (readHexadecimal(cell, number)) return TextCell::number;
-  if (isDigit(cell.front()) || cell.front() == '[') {
+  if (isAnyDigit(cell.front()) || cell.front() == '[') {
     const auto clock = readClock(cell);
     if (!clock && readNumberWithUnit(cell, layout.decimalComma, number)) return TextCell::number;
     if (!clock) {

@@ -22,14 +22,14 @@ std::string_view withoutCommentMark(std::string_view line) {
   return start == std::string_view::npos ? std::string_view{} : line.substr(start);
 }
 
-bool isNumber(std::string_view cell, const TextLayout& layout) {
+bool isNumberIn(std::string_view cell, const TextLayout& layout) {
   TextNumber number;
   return readCell(cell, layout, number) == TextCell::number;
 }
 
 size_t numbersIn(const Cells& cells, const TextLayout& layout) {
   return static_cast<size_t>(
-      std::count_if(cells.begin(), cells.end(), [&](std::string_view cell) { return isNumber(cell, layout); }));
+      std::count_if(cells.begin(), cells.end(), [&](std::string_view cell) { return isNumberIn(cell, layout); }));
 }
 
 /// Cells parted by two blanks or more: names with single blanks in them.
@@ -177,7 +177,7 @@ void readLabels(std::string_view row, const TextLayout& layout, TextNames& found
 bool areUnitsWithOnes(const Cells& cells, const TextLayout& layout) {
   size_t units = 0;
   for (const std::string_view cell : cells) {
-    if (isNumber(cell, layout) && cell != "1") return false;
+    if (isNumberIn(cell, layout) && cell != "1") return false;
     units += cell != "1" && isUnitCell(cell) ? 1 : 0;
   }
   return units > 1;

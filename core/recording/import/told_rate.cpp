@@ -13,10 +13,10 @@ namespace breakaway {
 
 namespace {
 
-enum class Kind { none, step, rate };
+enum class RateKind { none, step, rate };
 
 /// What the words before a number tell of; their unit is taken off.
-Kind kindOf(Words words) {
+RateKind kindOf(Words words) {
   static constexpr auto samples =
       std::to_array<std::string_view>({"sample", "samples", "sampling", "logging", "log", "logger", "recording",
                                        "record", "control", "loop", "abtast"});
@@ -28,17 +28,17 @@ Kind kindOf(Words words) {
       std::to_array<std::string_view>({"fs", "hz", "samplerate", "samplingrate", "rate", "abtastrate"});
   std::erase_if(words, [](const std::string& word) { return word == "s" || word == "ms" || word == "us"; });
   const bool ofSamples = firstIn(words, samples) != nullptr && words.size() <= 4;
-  if (ofSamples && firstIn(words, rates) != nullptr) return Kind::rate;
-  if (ofSamples && firstIn(words, steps) != nullptr) return Kind::step;
-  if (words.size() == 2 && words[0] == "rate" && words[1] == "hz") return Kind::rate;
-  if (words.size() != 1) return Kind::none;
-  return isIn(alone, words[0]) ? Kind::step : isIn(rateAlone, words[0]) ? Kind::rate : Kind::none;
+  if (ofSamples && firstIn(words, rates) != nullptr) return RateKind::rate;
+  if (ofSamples && firstIn(words, steps) != nullptr) return RateKind::step;
+  if (words.size() == 2 && words[0] == "rate" && words[1] == "hz") return RateKind::rate;
+  if (words.size() != 1) return RateKind::none;
+  return isIn(alone, words[0]) ? RateKind::step : isIn(rateAlone, words[0]) ? RateKind::rate : RateKind::none;
 }
 
 std::optional<double> stepOf(std::string_view key, std::string_view text) {
   const Words words = wordsOf(key, true);
-  const Kind kind = words.empty() ? Kind::none : kindOf(words);
-  if (kind == Kind::none) return std::nullopt;
+  const RateKind kind = words.empty() ? RateKind::none : kindOf(words);
+  if (kind == RateKind::none) return std::nullopt;
   double value = 0.0;
   const auto [stop, code] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (code != std::errc() || !(value > 0.0) || !std::isfinite(value)) return std::nullopt;
@@ -52,7 +52,7 @@ std::optional<double> stepOf(std::string_view key, std::string_view text) {
   if (!behind.empty() && unit == nullptr) return std::nullopt;
   const bool hertz = unit != nullptr && std::string_view(unit->name) == "hz";
   if (unit != nullptr && !hertz && unit->kind != UnitKind::time) return std::nullopt;
-  if (hertz || (kind == Kind::rate && unit == nullptr)) return 1.0 / value;
+  if (hertz || (kind == RateKind::rate && unit == nullptr)) return 1.0 / value;
   if (unit == nullptr && value >= 1.0) return std::nullopt;  // of what?
   return unit == nullptr ? value : value * unit->scale;
 }

@@ -12,7 +12,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr std::string_view magic("WPILOG", 6);
+constexpr std::string_view wpilogMagic("WPILOG", 6);
 
 /// Little-endian bytes as a number.
 uint64_t numberOf(std::string_view bytes) {
@@ -116,7 +116,7 @@ void add(const Record& record, Entry& entry) {
 }  // namespace
 
 bool isWpilog(std::string_view bytes) {
-  return bytes.starts_with(magic);
+  return bytes.starts_with(wpilogMagic);
 }
 
 Result<RawTable> readWpilog(std::string_view bytes, const std::string& name) {

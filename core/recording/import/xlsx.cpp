@@ -14,7 +14,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr size_t mostColumns = 16384;
+constexpr size_t mostSheetColumns = 16384;
 constexpr size_t mostCells = 100'000'000;
 constexpr size_t mostXml = size_t{256} << 20;  ///< bytes of one part; as a tree it takes ten times as much
 constexpr int deepestText = 20;
@@ -105,7 +105,7 @@ size_t columnOf(std::string_view reference, size_t otherwise) {
   for (const char c : reference) {
     if (c < 'A' || c > 'Z') break;
     column = 26 * column + static_cast<size_t>(c - 'A' + 1);
-    if (column > mostColumns) return otherwise;
+    if (column > mostSheetColumns) return otherwise;
   }
   return column == 0 ? otherwise : column - 1;
 }

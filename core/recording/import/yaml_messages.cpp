@@ -16,7 +16,7 @@ namespace breakaway {
 namespace {
 
 constexpr int deepest = 50;
-constexpr size_t mostColumns = 10000, longestDocument = 10'000'000;
+constexpr size_t mostMessageColumns = 10000, longestDocument = 10'000'000;
 constexpr size_t fewValues = 1'000'000;
 
 struct Node {
@@ -28,7 +28,7 @@ struct Node {
 };
 
 /// A plain scalar's number; true and false are 1 and 0, null is a missing one.
-bool isNumber(std::string_view text, double& value) {
+bool readsNumber(std::string_view text, double& value) {
   if (text == "true" || text == "True") return value = 1.0, true;
   if (text == "false" || text == "False") return value = 0.0, true;
   if (text.empty() || text == "null" || text == "~" || text == ".nan" || text == ".NaN" || text == "nan" ||
@@ -80,7 +80,7 @@ class Document {
   bool take(Node& node, int depth) {
     switch (event_.type) {
       case YAML_SCALAR_EVENT:
-        if (event_.data.scalar.style == YAML_PLAIN_SCALAR_STYLE && isNumber(scalar(), node.value)) {
+        if (event_.data.scalar.style == YAML_PLAIN_SCALAR_STYLE && readsNumber(scalar(), node.value)) {
           node.kind = Node::Kind::number;
         } else {
           node.text = scalar();
@@ -224,7 +224,7 @@ class Rows {
   void put(const std::string& name, double value) {
     // Messages are alike: the column is mostly the next one.
     size_t c = next_ < columns_.size() && columns_[next_].channel.name == name ? next_ : placeOf(name);
-    if (c == mostColumns) return;
+    if (c == mostMessageColumns) return;
     auto& values = columns_[c].channel.values;
     if (values.size() >= rows_) return;
     values.resize(rows_ - 1, NAN);
@@ -236,7 +236,7 @@ class Rows {
   size_t placeOf(const std::string& name) {
     const auto known = places_.find(name);
     if (known != places_.end()) return known->second;
-    if (columns_.size() >= mostColumns) return mostColumns;
+    if (columns_.size() >= mostMessageColumns) return mostMessageColumns;
     columns_.push_back({{name, {}}, {}});
     return places_[name] = columns_.size() - 1;
   }

@@ -10,7 +10,7 @@ namespace breakaway {
 
 namespace {
 
-constexpr size_t mostBytes = size_t{1} << 30;
+constexpr size_t mostEntryBytes = size_t{1} << 30;
 
 zip_t* zipOf(void* archive) {
   return static_cast<zip_t*>(archive);
@@ -62,7 +62,7 @@ Result<std::string> ZipArchive::read(const std::string& member) const {
   std::string content;
   size_t used = 0;
   while (true) {
-    const size_t most = mostBytes - unpacked_;
+    const size_t most = mostEntryBytes - unpacked_;
     if (used == content.size()) content.resize(std::min(most, used + std::max<size_t>(65536, used)));
     if (used == content.size()) return Error{place, message("unpacks to more than 1 GB; unpack the archive first")};
     const zip_int64_t got = zip_fread(file.get(), content.data() + used, content.size() - used);
