@@ -12,6 +12,7 @@ class TestForeignRigs : public QObject {
  private slots:
   void rig_getsItsAnswer_data();
   void rig_getsItsAnswer();
+  void whatIsThereAllTheTime_isNoPush();
 };
 
 void TestForeignRigs::rig_getsItsAnswer_data() {
@@ -42,6 +43,16 @@ void TestForeignRigs::rig_getsItsAnswer() {
   } else {
     QVERIFY2(diagnosis->findings.size() == 1 && diagnosis->findings[0].effect == family.toStdString(), said.c_str());
   }
+}
+
+void TestForeignRigs::whatIsThereAllTheTime_isNoPush() {
+  if (test::sanitized) QSKIP("takes too long under sanitizers: a diagnosis like others");
+  // A command that acts late, where an axis goes from place to place: a push in one stretch would take up what it does
+  // there, and nothing of what it does in all others.
+  const test::ForeignRig rig = test::foreignRig("transport_delay", 43);
+  const auto diagnosis = diagnose(rig.bench, rig.recordings, {}, {});
+  QVERIFY2(diagnosis, rig.words.c_str());
+  for (const Finding& finding : diagnosis->findings) QVERIFY(finding.effect != "external_disturbance");
 }
 
 QTEST_APPLESS_MAIN(TestForeignRigs)

@@ -264,6 +264,10 @@ class Judge {
     const double held = singly ? std::min(inAll, typicallyHeld(out.model)) : inAll;
     // If held-out data err by much and the findings take hardly any of it away, they explain something else.
     const bool once = allHappenOnce(out.findings);
+    // A push explains its own stretch alone. If the others, which it leaves as they are, still show that something is
+    // missing, it has taken up what that does there.
+    const double foreseen = std::max(out.fit.floor, out.fit.floorWithWander);
+    if (once && out.fit.heldoutAfter > limits_.settled * foreseen) return Opinion::falls;
     const bool muchHeld = out.fit.heldoutBefore > (once ? limits_.material : limits_.atFloor) * out.fit.floor;
     // It acts elsewhere: in few windows, or in a current's reading, which moves nothing. A load swings in all windows.
     const bool inFew = ofAll >= limits_.clearlyLess && !swings(out.model);
