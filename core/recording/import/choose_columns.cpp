@@ -1,6 +1,7 @@
 #include "recording/import/choose_columns.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <map>
@@ -10,6 +11,7 @@
 #include "recording/columns.h"
 #include "recording/import/columns_beside.h"
 #include "recording/import/foreign_names.h"
+#include "recording/import/joined_words.h"
 #include "recording/import/motion_beside.h"
 #include "recording/import/name_parts.h"
 #include "recording/import/names_beside.h"
@@ -39,13 +41,28 @@ Choice guess(const RawColumn& column) {
   return choice;
 }
 
-/// An unknown word behind two different quantities is an axis' name: "pos_slew" beside "vel_slew".
+/// The one word without which the name would be understood; empty when there is none, or several.
+std::string strangeWord(const RawColumn& column, const Choice& choice) {
+  if (!choice.name.unknownWord.empty() || choice.name.understood() || column.fault) return choice.name.unknownWord;
+  std::string strange;
+  for (const std::string& word : partsOfName(column.channel.name, column.unit).plain) {
+    if (word.size() < 2 || isKnownWord(word) || isNumber(word)) continue;
+    if (!strange.empty()) return {};
+    strange = word;
+  }
+  return strange;
+}
+
+/// An unknown word beside two different quantities is an axis' name: "pos_slew" beside "vel_slew", "RPM_vl" beside
+/// "PWM_vl".
 void takeNamedAxes(const RawTable& table, std::vector<Choice>& choices) {
   std::map<std::string, std::set<std::string>> behind;
   std::vector<ColumnName> names(choices.size());
+  std::vector<std::string> words(choices.size());
   for (size_t c = 0; c < choices.size(); ++c) {
-    const std::string word = choices[c].name.unknownWord;
-    if (word.size() < 2 || choices[c].byMap) continue;
+    words[c] = strangeWord(table.columns[c], choices[c]);
+    const std::string& word = words[c];
+    if (word.size() < 2 || choices[c].byMap || choices[c].byTool) continue;
     names[c] = understandName(nameWithout(table.columns[c].channel.name, word), table.columns[c].unit);
     const size_t reference = names[c].to.find("_reference");  // of the same quantity
     if (names[c].understood()) behind[word].insert(names[c].to.substr(0, std::min(reference, names[c].to.find('_'))));
@@ -57,7 +74,7 @@ void takeNamedAxes(const RawTable& table, std::vector<Choice>& choices) {
       plain.insert(to.substr(0, to.find('_')));
   }
   for (size_t c = 0; c < choices.size(); ++c) {
-    const std::string word = choices[c].name.unknownWord;
+    const std::string& word = words[c];
     if (!names[c].understood() || behind[word].size() < 2) continue;
     const bool other = std::any_of(behind[word].begin(), behind[word].end(), [&](const std::string& quantity) {
       return (quantity == "angle" || quantity == "velocity") && plain.contains(quantity);
@@ -144,6 +161,34 @@ void takeNamelessStamps(const RawTable& table, std::vector<Choice>& choices) {
     choices.front().name.rank = 6;
     return;
   }
+}
+
+/// Where nothing else is the time, the first column is, if it goes on in even steps other than those of rows by number
+/// and its name says nothing that is known.
+void takeFirstAsTime(const RawTable& table, std::vector<Choice>& choices) {
+  if (choices.empty() || choices.front().name.understood() || choices.front().byMap || choices.front().byTool) return;
+  if (std::any_of(choices.begin(), choices.end(), [](const Choice& one) { return one.name.to == "time_s"; })) return;
+  const RawColumn& first = table.columns.front();
+  const auto& values = first.channel.values;
+  constexpr size_t fewestRows = 50;
+  const NameParts parts = partsOfName(first.channel.name, first.unit);
+  static constexpr auto numbers = std::to_array<std::string_view>(
+      {"index", "idx", "sample", "samples", "frame", "step", "row", "id", "seq", "count", "counter", "no", "nr", "k"});
+  const bool strange = !first.channel.name.starts_with("column_") && !parts.words.empty() &&
+                       std::none_of(parts.words.begin(), parts.words.end(), [](const std::string& word) {
+                         const Word* quantity = quantityNamed(word);
+                         return (quantity != nullptr && !quantity->weak) || isIn(numbers, word) || isNumber(word) ||
+                                isIn(referenceWords, word) || isIn(otherThings, word);
+                       });
+  const bool timely = parts.unit == nullptr ? !parts.unknownUnit : parts.unit->kind == UnitKind::time;
+  if (first.fault || values.size() < fewestRows || !strange || !timely || !hasEvenSteps(values)) return;
+  if (values[1] - values[0] == 1.0 && values.back() - values.front() == static_cast<double>(values.size() - 1)) return;
+  choices.front().name = ColumnName{};
+  choices.front().name.to = "time_s";
+  choices.front().name.rank = 6;
+  choices.front().name.unit = parts.unitText;
+  choices.front().name.scale = parts.unit == nullptr ? 1.0 : parts.unit->scale * parts.factor;
+  choices.front().name.guess = message("goes on in even steps, and nothing else is a time");
 }
 
 /// The lower, the sooner a column is taken: of two alike the one whose name has no unknown word.
@@ -295,11 +340,13 @@ Result<std::vector<Choice>> chooseColumns(const RawTable& table, const ImportMap
   checkTimes(table, choices);
   if (!map.sample_time_s) takeTicks(table, choices);
   if (!map.sample_time_s) takeNamelessStamps(table, choices);
+  if (!map.sample_time_s) takeFirstAsTime(table, choices);
   takeByNeighbours(table, map, choices);
   judgeByNeighbours(table, choices);
   takeDoubtful(table, choices);
   takeForeignNames(table, choices);
   takeAnglesByValues(table, choices);
+  takeMotionByValues(table, choices);
   const std::string axis = axisOf(choices);
   for (Choice& choice : choices) {
     if (!choice.name.understood() || choice.byMap || choice.name.to == "time_s") continue;

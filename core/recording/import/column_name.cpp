@@ -111,9 +111,19 @@ void findQuantity(NameReading& name) {
   if (found.word != nullptr && parts.unit != nullptr && !fits(parts.unit->kind, found.word->kind))
     found = quantityOfUnit(parts.words, parts.unit->kind, found);
   name.found = withoutPresent(parts, found);
-  name.supplyWord = firstIn(parts.words, supplyWords) != nullptr;
+  // What is put into a motor, or a DC motor's, is its own: "motor input voltage".
+  static constexpr auto motors = std::to_array<std::string_view>({"motor", "mot", "armature"});
+  for (size_t k = 0; k < parts.words.size(); ++k) {
+    const bool before = k > 0 && isIn(motors, parts.words[k - 1]),
+               behind = k + 1 < parts.words.size() && isIn(motors, parts.words[k + 1]);
+    const bool motorsOwn = parts.words[k] == "input" ? before || behind : parts.words[k] == "dc" && behind;
+    name.supplyWord = name.supplyWord || (isIn(supplyWords, parts.words[k]) && !motorsOwn);
+  }
   if (found.word == nullptr) return;
   name.kind = name.found.word->kind;
+  const bool degrees = parts.unit != nullptr && parts.unit->kind == UnitKind::temperature;
+  if (degrees && name.kind == UnitKind::time && name.found.word->weak)
+    name.kind = UnitKind::temperature;                                                             // "t_motor_C"
   if (name.kind == UnitKind::temperature && parts.unit == nullptr && parts.words.back() == "f") {  // "temp_F"
     parts.unit = unitNamed("degF");
     parts.unitText = parts.words.back();
@@ -130,7 +140,7 @@ ColumnName withoutQuantity(const NameReading& name) {
   });
   const bool bare = parts.unit == nullptr && !parts.unknownUnit && name.supplyWord && told && !name.has("input") &&
                     !name.has("bus") && !name.has("esc");
-  const bool volts = name.has("v") && name.supplyWord;  // "v_bus"
+  const bool volts = (name.has("v") || name.has("u")) && name.supplyWord;  // "v_bus", "U_dc"
   if (bare || volts) return supplyOf(parts);
   if (parts.unknownUnit) return nameAside(message("its unit \"{}\" is unknown", parts.unitText), parts);
   return nameByUnit(parts);
@@ -171,6 +181,38 @@ std::optional<ColumnName> unfitUnit(NameReading& name) {
   }
   name.kind = parts.unit->kind;
   return std::nullopt;
+}
+
+/// "Te" of "Electromagnetic torque Te", "Ia" of "Armature current Ia": the symbol of what the words name; that of a
+/// load or of the d axis is none of the motor's.
+bool isSymbol(std::string_view word, UnitKind kind) {
+  constexpr size_t longest = 2;
+  if (word.size() < 2 || word.size() > longest || word[1] == 'l' || word[1] == 'd' || isNumber(word.substr(1)))
+    return false;
+  const std::string_view letters = kind == UnitKind::torque            ? "tm"
+                                   : kind == UnitKind::current         ? "i"
+                                   : kind == UnitKind::voltage         ? "uv"
+                                   : kind == UnitKind::angularVelocity ? "nw"
+                                                                       : "";
+  return letters.find(word[0]) != std::string_view::npos;
+}
+
+/// Behind the quantity's word its symbol says nothing new, nor do the letters of "V_m" and "i_q".
+void dropSymbols(NameReading& name) {
+  const std::string_view letters = name.kind == UnitKind::voltage ? "uv" : name.kind == UnitKind::current ? "i" : "";
+  for (size_t k = name.found.at + 1; k + 1 < name.parts.words.size(); ++k) {
+    const std::string &word = name.parts.words[k], &index = name.parts.words[k + 1];
+    if (!isSingleLetter(word, letters) || !isSingleLetter(index, "mq")) continue;
+    name.parts.words.erase(name.parts.words.begin() + static_cast<std::ptrdiff_t>(k));
+  }
+  static constexpr auto windings = std::to_array<std::string_view>({"motor", "armature", "rotor", "anker"});
+  const bool armature = firstIn(name.parts.words, windings) != nullptr;
+  for (size_t k = name.parts.words.size(); k-- > name.found.at + 1;) {
+    const std::string& word = name.parts.words[k];
+    const bool phase = (word[1] == 'a' || word[1] == 'b' || word[1] == 'c') && !armature;
+    if (isSymbol(word, name.kind) && quantityNamed(word) == nullptr && !isIn(decorations, word) && !phase)
+      name.parts.words.erase(name.parts.words.begin() + static_cast<std::ptrdiff_t>(k));
+  }
 }
 
 /// What the words around the quantity make of it.
@@ -314,6 +356,7 @@ ColumnName understandName(std::string_view text, std::string_view unit) {
     return nameAside(message("is a state"), parts);
   settleUnit(name);
   if (const auto other = unfitUnit(name)) return *other;
+  dropSymbols(name);
   if (const auto other = readAround(name)) return *other;
   if (name.kind == UnitKind::voltage && name.supplyWord && !name.reference) return supplyOf(parts);
   if (auto why = notMeant(name); !why.empty()) return nameAside(std::move(why), parts);

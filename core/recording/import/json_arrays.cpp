@@ -36,8 +36,24 @@ std::vector<std::string> namesOf(const Json& json, size_t width) {
     const auto it = json.find(key);
     if (it == json.end() || !it->is_array() || it->size() != width) continue;
     std::vector<std::string> names;
-    for (const Json& one : *it) names.push_back(plainText(one));
+    for (const Json& one : *it)
+      names.push_back(one.is_object() && one.contains("name") ? plainText(one["name"]) : plainText(one));
     return names;
+  }
+  return {};
+}
+
+/// The units of so many columns, where what tells their names does so by objects: {"name": "t", "unit": "ms"}.
+std::vector<std::string> unitsOf(const Json& json, size_t width) {
+  if (!json.is_object()) return {};
+  for (const auto& [key, value] : json.items()) {
+    if (!value.is_array() || value.size() != width || !value.front().is_object()) continue;
+    std::vector<std::string> units;
+    for (const Json& one : value) {
+      const auto unit = one.is_object() ? one.find("unit") : one.end();
+      units.push_back(unit != one.end() && unit->is_string() ? unit->get<std::string>() : std::string());
+    }
+    return units;
   }
   return {};
 }
@@ -121,7 +137,7 @@ Result<RawTable> byIndex(const Json& json, const std::string& name) {
 
 Result<RawTable> rowsOf(const Json& json, const Json& rows, const std::string& name) {
   const size_t width = rows.front().size();
-  const std::vector<std::string> names = namesOf(json, width);
+  const std::vector<std::string> names = namesOf(json, width), units = unitsOf(json, width);
   RawTable table;
   for (size_t c = 0; c < width; ++c) {
     RawColumn column{{c < names.size() ? names[c] : "column_" + std::to_string(c + 1), {}}, {}};
@@ -130,6 +146,7 @@ Result<RawTable> rowsOf(const Json& json, const Json& rows, const std::string& n
         return Error{name + ", entry " + std::to_string(k + 1), message("has other than {} numbers", width)};
       putCell(rows[k][c], column, name + ", entry " + std::to_string(k + 1), k == 0);
     }
+    if (c < units.size()) column.unit = units[c];
     table.columns.push_back(std::move(column));
   }
   return table;

@@ -66,7 +66,10 @@ Result<RawTable> plainLog(const Json& json, const std::string& name) {
   }
   if (samples == nullptr) samples = longest(json, isArrayOfObjects);
   Result<RawTable> table = Error{name, message("holds no log")};
-  if (samples != nullptr && samples->size() > 1) {
+  const Json* rowsBeside = longest(json, isArrayOfRows);  // objects that describe their columns are no samples
+  const bool described = samples != nullptr && rowsBeside != nullptr && samples->size() == rowsBeside->front().size() &&
+                         samples->front().contains("name");
+  if (samples != nullptr && samples->size() > 1 && !described) {
     std::vector<const Json*> each;
     for (const Json& one : *samples) each.push_back(&one);
     table = samplesOf(each, name);
@@ -77,7 +80,7 @@ Result<RawTable> plainLog(const Json& json, const std::string& name) {
     std::vector<const Json*> each;
     for (const Json& one : keyed) each.push_back(&one);
     table = samplesOf(each, name);
-  } else if (const Json* rows = longest(json, isArrayOfRows)) {
+  } else if (const Json* rows = rowsBeside) {
     table = isTableOfArrays(json, *rows) ? arraysOf(json, name) : rowsOf(json, *rows, name);
   } else if (json.is_object()) {
     table = arraysOf(json, name);

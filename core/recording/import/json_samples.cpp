@@ -15,7 +15,7 @@ namespace {
 
 constexpr size_t mostFields = 5000;
 
-/// The fields of a sample, objects and short arrays of numbers flattened.
+/// The fields of a sample, objects and short arrays of numbers and objects flattened.
 void flatten(const Json& sample, const std::string& prefix, std::vector<std::pair<std::string, const Json*>>& fields) {
   for (const auto& [key, value] : sample.items()) {
     const std::string name = prefix.empty() ? key : prefix + "." + key;
@@ -24,7 +24,9 @@ void flatten(const Json& sample, const std::string& prefix, std::vector<std::pai
       flatten(value, name, fields);
     } else if (value.is_array()) {
       for (size_t k = 0; k < value.size() && k < 64; ++k) {
-        if (isPlain(value[k])) fields.emplace_back(name + "[" + std::to_string(k) + "]", &value[k]);
+        const std::string each = name + "[" + std::to_string(k) + "]";
+        if (isPlain(value[k])) fields.emplace_back(each, &value[k]);
+        if (value[k].is_object()) flatten(value[k], each, fields);
       }
     } else {
       fields.emplace_back(name, &value);

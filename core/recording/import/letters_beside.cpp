@@ -24,7 +24,10 @@ void takeEfforts(const RawTable& table, std::vector<Choice>& choices) {
       *at = word;
       return names.contains(words);
     };
-    if (!with("pos") || !with("vel")) continue;
+    const bool alone = words.size() == 1 && std::any_of(choices.begin(), choices.end(), [](const Choice& one) {
+                         return one.name.to == "velocity_rad_per_s";
+                       });
+    if (!alone && (!with("pos") || !with("vel"))) continue;
     with("effort");
     std::string name;
     for (const std::string& word : words) name += (name.empty() ? "" : "_") + word;
@@ -86,7 +89,10 @@ void takeArmatures(const RawTable& table, std::vector<Choice>& choices) {
   std::set<std::string> names;
   const auto plain = [](const std::string& name) {
     std::string letters;
-    for (const std::string& word : wordsOf(name.substr(0, name.find_first_of("[(")), false)) letters += word;
+    const std::string own = name.substr(0, name.find_first_of("[("));
+    const size_t path = own.find_last_of("./");
+    for (const std::string& word : wordsOf(path == std::string::npos ? own : own.substr(path + 1), false))
+      letters += word;
     return letters;
   };
   for (const RawColumn& column : table.columns) names.insert(plain(column.channel.name));

@@ -1,5 +1,6 @@
 #include "recording/import/motion_beside.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -22,6 +23,13 @@ double commonOf(const RawTable& table, size_t angle, size_t speed) {
   if (const auto period = periodOf(turned, {}, std::nullopt)) unwind(turned, *period, {});
   const auto motion = compareMotion(rows, turned, table.columns[speed].channel.values, {});
   return motion ? std::abs(motion->correlation) : 0.0;
+}
+
+/// The same of how both vary about their means.
+double columnsVaryAlike(const RawTable& table, size_t angle, size_t speed) {
+  std::vector<double> turned = table.columns[angle].channel.values;
+  if (const auto period = periodOf(turned, {}, std::nullopt)) unwind(turned, *period, {});
+  return variesAlike(turned, table.columns[speed].channel.values);
 }
 
 bool namesMotor(const RawTable& table, const Choice& choice, size_t c) {
@@ -59,6 +67,27 @@ bool preferNamesake(const RawTable& table, size_t angle, size_t speed, std::vect
   return false;
 }
 
+namespace {
+
+/// Numbers that change, of which the name says nothing that is known and the unit nothing else than `kind`.
+bool isOpenFor(const RawTable& table, const Choice& choice, size_t c, UnitKind kind) {
+  const RawColumn& column = table.columns[c];
+  if (choice.name.understood() || choice.byMap || choice.byTool || column.fault || column.clock) return false;
+  const bool nameless = column.channel.name.starts_with("column_");
+  if (nameless || !(rangeOf(column.channel.values) > 0.0) || isMultiplied(column.channel.name)) return false;
+  const NameParts parts = partsOfName(column.channel.name, column.unit);
+  const bool other = firstIn(parts.words, otherThings) != nullptr || firstIn(parts.words, referenceWords) != nullptr ||
+                     firstIn(parts.words, headings) != nullptr;
+  const bool fits = parts.unit == nullptr ? !parts.unknownUnit : parts.unit->kind == kind;
+  const bool quantity = std::any_of(parts.words.begin(), parts.words.end(), [](const std::string& word) {
+    const Word* known = quantityNamed(word);
+    return known != nullptr && !known->weak;
+  });
+  return fits && !other && !quantity;
+}
+
+}  // namespace
+
 void takeAnglesByValues(const RawTable& table, std::vector<Choice>& choices) {
   constexpr double agrees = 0.95;
   const auto isOf = [&choices](size_t c, const char* to) { return choices[c].name.to == to; };
@@ -84,6 +113,18 @@ void takeAnglesByValues(const RawTable& table, std::vector<Choice>& choices) {
     choices[c].name.guess = message("moves as {} says", table.columns[speed].channel.name);
     return;
   }
+  const auto take = [&](size_t c, ColumnName name) {
+    choices[c].name = std::move(name);
+    choices[c].name.guess = message("moves as {} says", table.columns[speed].channel.name);
+  };
+  for (size_t c = 0; c < choices.size(); ++c) {  // a name in another language
+    const std::string& name = table.columns[c].channel.name;
+    const bool foreign =
+        std::any_of(name.begin(), name.end(), [](char one) { return static_cast<unsigned char>(one) >= 0x80U; });
+    if (!foreign || !isOpenFor(table, choices[c], c, UnitKind::angle) || columnsVaryAlike(table, c, speed) < agrees)
+      continue;
+    return take(c, understandName("angle", partsOfName(name, table.columns[c].unit).unitText));
+  }
   const Words called = wordsBesideQuantity(table, speed);
   if (called.empty()) return;  // any word would do
   std::string unknown;
@@ -106,8 +147,39 @@ void takeAnglesByValues(const RawTable& table, std::vector<Choice>& choices) {
     for (const std::string& word : words) name += (name.empty() ? "" : "_") + (word == unknown ? "position" : word);
     const ColumnName own = understandName(name, table.columns[c].unit);
     if (!own.understood()) continue;
-    choices[c].name = own;
-    choices[c].name.guess = message("moves as {} says", table.columns[speed].channel.name);
+    take(c, own);
+  }
+}
+
+void takeMotionByValues(const RawTable& table, std::vector<Choice>& choices) {
+  constexpr double agrees = 0.98;
+  constexpr size_t fewestRows = 50, mostColumns = 40;
+  if (table.rows() < fewestRows || choices.size() > mostColumns) return;
+  const bool known = std::any_of(choices.begin(), choices.end(), [](const Choice& one) {
+    return one.name.to.starts_with("angle") || one.name.to.starts_with("position") ||
+           one.name.to.starts_with("velocity");
+  });
+  if (known) return;
+  const auto isDerivative = [&](size_t of, size_t c) {
+    return of != c && isOpenFor(table, choices[of], of, UnitKind::angle) &&
+           isOpenFor(table, choices[c], c, UnitKind::angularVelocity) && columnsVaryAlike(table, of, c) > agrees;
+  };
+  for (size_t angle = 0; angle < choices.size(); ++angle) {
+    for (size_t speed = 0; speed < choices.size(); ++speed) {
+      if (!isDerivative(angle, speed)) continue;
+      bool first = true;
+      for (size_t before = 0; before < choices.size() && first; ++before) first = !isDerivative(before, angle);
+      if (!first) break;
+      const auto take = [&](size_t c, const char* as, size_t beside) {
+        const NameParts parts = partsOfName(table.columns[c].channel.name, table.columns[c].unit);
+        choices[c].name = understandName(as, parts.unitText);
+        choices[c].name.guess =
+            message("nothing but its values tells it, beside {}", table.columns[beside].channel.name);
+      };
+      take(angle, "angle", speed);
+      take(speed, "speed", angle);
+      return;
+    }
   }
 }
 

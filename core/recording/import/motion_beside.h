@@ -22,4 +22,8 @@ bool preferNamesake(const RawTable& table, size_t angle, size_t speed, std::vect
 /// and moves as it says; what has that word, too, goes with it.
 void takeAnglesByValues(const RawTable& table, std::vector<Choice>& choices);
 
+/// Where no name tells any motion: of columns that nothing is known of, one that changes as another says is the angle,
+/// and that other one its speed; of a chain (place, speed, acceleration) the first two. Both are guesses.
+void takeMotionByValues(const RawTable& table, std::vector<Choice>& choices);
+
 }  // namespace breakaway

@@ -102,9 +102,11 @@ ColumnName nameByUnit(const NameParts& parts) {
   const bool counts = parts.unit->needs == UnitNeeds::countsPerRev;
   for (const std::string& word : parts.words) {
     reference = reference || isIn(referenceWords, word);
+    const Unit* turns = word.size() > 2 ? unitNamed(word) : nullptr;  // "Rotation" in degrees
+    const bool turned = kind == UnitKind::angle && turns != nullptr && turns->kind == UnitKind::angle;
     const bool counted = counts && (word == "pulse" || word == "pulses" || word == "hall" || word == "edge");
-    plain = plain && (counted || isIn(decorations, word) || isIn(referenceWords, word) || isIn(loopWords, word) ||
-                      isIn(jointWords, word));
+    plain = plain && (counted || turned || isIn(decorations, word) || isIn(referenceWords, word) ||
+                      isIn(loopWords, word) || isIn(jointWords, word));
     loops = loops || isIn(loopWords, word);
     joint = joint || isIn(jointWords, word);
     motors = motors || word == "q" || word == "iq" || word == "motor" || word == "mot" || word == "applied";

@@ -1,8 +1,10 @@
 #include "recording/import/name_parts.h"
 
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "recording/import/name_words.h"
 #include "recording/import/quantity_words.h"
@@ -42,6 +44,14 @@ void setUnit(std::string_view text, NameParts& parts) {
   parts.unit = multiplied.unit;
   parts.factor = multiplied.unit == nullptr ? 1.0 : multiplied.factor;
   parts.unknownUnit = parts.unit == nullptr;
+}
+
+/// "(None)", "-": the file's way to say that it has none.
+bool saysNoUnit(std::string_view unit) {
+  const Words words = wordsOf(unit, false);
+  static constexpr auto nones = std::to_array<std::string_view>({"none", "na", "n_a", "null", "unitless", "nounit"});
+  return words.empty() ? unit.find_first_not_of("-–—?.[]() ") == std::string_view::npos
+                       : words.size() == 1 && isIn(nones, words[0]);
 }
 
 /// Takes a number with a unit off the end of the name: "current_10mA".
@@ -138,8 +148,17 @@ std::string takeBrackets(std::string_view name, NameParts& parts) {
   return rest + std::string(name);
 }
 
+/// The side that such a word names, in whichever language; empty for others.
+std::string_view sideOf(std::string_view word) {
+  static constexpr auto lefts = std::to_array<std::string_view>(
+      {"left", "l", "links", "gauche", "esq", "esquerda", "esquerdo", "izq", "izquierda", "izquierdo", "sinistra"});
+  static constexpr auto rights = std::to_array<std::string_view>(
+      {"right", "r", "rechts", "droite", "droit", "direita", "direito", "derecha", "derecho", "destra"});
+  return isIn(lefts, word) ? "left" : isIn(rights, word) ? "right" : "";
+}
+
 bool isSide(std::string_view word) {
-  return word == "left" || word == "right" || word == "l" || word == "r";
+  return !sideOf(word).empty();
 }
 
 /// Nothing follows, or only what says that it is a reference.
@@ -150,7 +169,7 @@ bool onlyReferenceFollows(const Words& words, size_t k) {
 
 /// "rpm_l" is of the axis of "left_amps".
 std::string sideNamed(std::string_view word) {
-  return word.front() == 'l' ? "left" : "right";
+  return std::string(sideOf(word));
 }
 
 /// A number behind such a word is a measuring amplifier's channel, and no axis.
@@ -180,6 +199,7 @@ void takeGroup(Words& words, std::string& group) {
   });
   const auto own =
       std::count_if(words.begin(), words.end(), [](const std::string& word) { return !isIn(referenceWords, word); });
+  bool indexed = false;  // a drive's parameter stands before
   for (size_t k = 0; k < words.size(); ++k) {
     std::string& word = words[k];
     const size_t digit = word.find_first_of("0123456789");
@@ -189,10 +209,11 @@ void takeGroup(Words& words, std::string& group) {
         word[0] == 'r' || word[0] == 'p' ||
         (k == 0 && words.size() > 1 && std::string_view("majsxyz").find(word[0]) == std::string_view::npos);
     const bool parameter = letterAndNumber && word.size() > 2 && drives;
+    if (std::exchange(indexed, parameter) && isNumber(word) && word.size() < 3) continue;              // "r63[0]"
     const bool axis = letterAndNumber && !parameter;                                                   // "m0"
     const bool side = isSide(word) && (word.size() > 1 || (k > 0 && onlyReferenceFollows(words, k)));  // "rpm_l_ref"
-    const bool joint = axis && word[0] == 'j';              // "tau_J1" is of the axis of "dq1"
-    const bool angle = axis && word[0] == 'q' && own == 1;  // "q1", "q1_ref"
+    const bool joint = axis && (word[0] == 'j' || word[0] == 'a');  // "tau_J1" is of the axis of "dq1"
+    const bool angle = axis && word[0] == 'q' && own == 1;          // "q1", "q1_ref"
     if (!model && (isNumber(word) || axis || side))
       group += (group.empty() ? "" : ".") + (joint || angle ? word.substr(1) : side ? sideNamed(word) : word);
     if (angle) kept.emplace_back("q");
@@ -311,7 +332,7 @@ std::string withoutDevice(std::string_view name) {
 NameParts partsOfName(std::string_view name, std::string_view unit) {
   NameParts parts;
   std::string text = withUnitsApart(takeBrackets(withoutDevice(name), parts));
-  if (!unit.empty()) {
+  if (!unit.empty() && !saysNoUnit(unit)) {
     parts.unknownUnit = false;
     parts.factor = 1.0;
     setUnit(unit, parts);

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "recording/import/foreign_words.h"
+#include "recording/import/joined_words.h"
 #include "recording/import/quantity_words.h"
 
 namespace breakaway {
@@ -194,6 +195,12 @@ void joinWords(Words& words) {
       words.erase(words.begin() + static_cast<std::ptrdiff_t>(k) + 1);
       continue;
     }
+    const bool index = k + 2 < words.size() && words[k + 2] == "dot" && words[k + 1].size() == 1;  // "theta_b_dot"
+    if (const Word* angle = quantityNamed(words[k]); index && angle != nullptr && angle->kind == UnitKind::angle) {
+      words[k] = "omega";
+      words.erase(words.begin() + static_cast<std::ptrdiff_t>(k) + 2);
+      continue;
+    }
     const bool behind = words[k + 1] == "dot";
     const Word* word = quantityNamed(behind ? words[k] : words[k + 1]);
     if ((!behind && words[k] != "dot") || word == nullptr || word->kind != UnitKind::angle) continue;
@@ -222,6 +229,7 @@ void partWords(Words& words) {
   partEnglish(words);
   partLetters(words);
   partSupplies(words);
+  partJoined(words);
   dropSource(words);
 }
 

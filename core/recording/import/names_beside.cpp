@@ -87,6 +87,54 @@ void takeBehindPaths(const RawTable& table, std::vector<Choice>& choices) {
   }
 }
 
+/// "joint_pos/FL_hip" beside "joint_pos/FL_thigh": what stands before the last stroke is the name, what behind it
+/// whose.
+void takeBeforePaths(const RawTable& table, std::vector<Choice>& choices) {
+  const auto strokeOf = [&table](size_t c) { return table.columns[c].channel.name.find_last_of("/."); };
+  std::map<std::string, std::set<std::string>> owners;
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const std::string& name = table.columns[c].channel.name;
+    const size_t at = strokeOf(c);
+    if (at == std::string::npos || at == 0 || at + 1 == name.size()) continue;
+    owners[name.substr(0, at)].insert(name.substr(at + 1));
+  }
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const std::string& name = table.columns[c].channel.name;
+    const size_t at = strokeOf(c);
+    if (at == std::string::npos || choices[c].name.understood() || choices[c].byMap || choices[c].byTool) continue;
+    const auto known = owners.find(name.substr(0, at));
+    if (known == owners.end() || known->second.size() < 2) continue;
+    ColumnName own = understandName(known->first, table.columns[c].unit);
+    const Words behind = wordsOf(name.substr(at + 1), true);
+    const bool quantity = std::any_of(behind.begin(), behind.end(), [](const std::string& word) {
+      const Word* named = quantityNamed(word);
+      return named != nullptr && !named->weak;
+    });
+    if (!own.understood() || quantity || firstIn(behind, otherThings) != nullptr) continue;
+    own.group += (own.group.empty() ? "" : ".") + name.substr(at + 1);
+    choices[c].name = std::move(own);
+  }
+}
+
+/// "DC_Motor.i (A)": a letter with its unit says enough behind a path that names nothing else.
+void takeLettersWithUnits(const RawTable& table, std::vector<Choice>& choices) {
+  for (size_t c = 0; c < choices.size(); ++c) {
+    const std::string& name = table.columns[c].channel.name;
+    const size_t bracket = std::min(name.find_first_of("[("), name.size());
+    const size_t at = name.substr(0, bracket).find_last_of("/.");
+    if (at == std::string::npos || at == 0 || choices[c].name.understood() || choices[c].byMap || choices[c].byTool)
+      continue;
+    const NameParts path = partsOfName(name.substr(0, at), {}), last = partsOfName(name.substr(at + 1), {});
+    const bool letter = last.unit != nullptr && last.words.size() == 1 && last.words[0].size() == 1;
+    const bool another = firstIn(path.words, otherThings) != nullptr || firstIn(path.words, supplyWords) != nullptr ||
+                         firstIn(path.words, loadWords) != nullptr || firstIn(path.words, driverWords) != nullptr;
+    const bool motors = firstIn(path.words, jointWords) != nullptr || isIn(path.words, "machine");
+    if (!letter || !motors || (another && path.words.front() != "dc")) continue;
+    ColumnName own = understandName(name.substr(at + 1), table.columns[c].unit);
+    if (own.understood()) choices[c].name = std::move(own);
+  }
+}
+
 /// "l_pwm" beside "r_pwm" is of the axis of "left_counts".
 void takeSides(const RawTable& table, std::vector<Choice>& choices) {
   std::set<std::string> names;
@@ -270,6 +318,8 @@ std::string nameWithout(std::string name, const std::string& word) {
 void takeByNeighbours(const RawTable& table, const ImportMap& map, std::vector<Choice>& choices) {
   takeBehindDevices(table, choices);
   takeBehindPaths(table, choices);
+  takeBeforePaths(table, choices);
+  takeLettersWithUnits(table, choices);
   takeSides(table, choices);
   takePresent(table, choices);
   takeLettersBeside(table, choices);

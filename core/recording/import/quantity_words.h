@@ -26,32 +26,32 @@ size_t quantityAtEnd(std::string_view word);
 size_t foreignWordsIn(std::string_view text);
 
 inline constexpr auto referenceWords = std::to_array<std::string_view>(
-    {"ref",      "reference", "target",     "goal",        "setpoint", "sp",    "cmd",      "command", "commanded",
-     "desired",  "des",       "demand",     "demanded",    "soll",     "set",   "sollwert", "request", "requested",
-     "tgt",      "trg",       "目标",       "目標",        "设定",     "設定",  "给定",     "指令",    "期望",
-     "consigne", "consigna",  "referencia", "riferimento", "objetivo", "alvo",  "cible",    "zadana",  "vorgabe",
-     "指令値",   "目標値",    "目标值",     "设定值",      "設定値",   "给定值"});
-inline constexpr auto supplyWords =
-    std::to_array<std::string_view>({"supply", "bus", "vbus",     "vdc",   "dc",   "battery", "batt", "bat", "vbat",
-                                     "vbatt",  "vin", "dclink",   "input", "bms",  "pack",    "esc",  "psu", "dcbus",
-                                     "udc",    "hv",  "traction", "母线",  "母線", "电源",    "电池"});
+    {"ref",       "reference", "target",   "goal",     "setpoint",   "sp",          "cmd",      "command",  "commanded",
+     "desired",   "des",       "demand",   "demanded", "dem",        "soll",        "set",      "sollwert", "request",
+     "requested", "req",       "tgt",      "trg",      "目标",       "目標",        "设定",     "設定",     "给定",
+     "指令",      "期望",      "consigne", "consigna", "referencia", "riferimento", "objetivo", "alvo",     "cible",
+     "zadana",    "vorgabe",   "指令値",   "目標値",   "目标值",     "设定值",      "設定値",   "给定值"});
+inline constexpr auto supplyWords = std::to_array<std::string_view>(
+    {"supply", "bus",    "vbus",  "vdc", "dc",       "battery", "batt", "bat",   "vbat", "vbatt",
+     "vin",    "dclink", "input", "bms", "pack",     "esc",     "psu",  "dcbus", "udc",  "udcb",
+     "udcbus", "vdcbus", "uzk",   "hv",  "traction", "母线",    "母線", "电源",  "电池"});
 /// May stand behind the quantity and change nothing.
 inline constexpr auto decorations = std::to_array<std::string_view>(
-    {"actual",  "act",        "measured",  "meas",     "measurement", "present",   "motor",     "mot",
-     "shaft",   "rotor",      "encoder",   "enc",      "joint",       "axis",      "value",     "val",
-     "values",  "ist",        "istwert",   "feedback", "fb",          "stamp",     "cycle",     "estimate",
-     "est",     "estimated",  "estimator", "filtered", "filt",        "lpf",       "now",       "data",
-     "output",  "out",        "raw",       "state",    "states",      "q",         "mech",      "m",
-     "r",       "mechanical", "today",     "shadow",   "total",       "latest",    "per",       "of",
-     "the",     "link",       "angular",   "in",       "since",       "start",     "averaged",  "average",
-     "avg",     "smoothed",   "smooth",    "rel",      "generating",  "producing", "voltage",   "current",
-     "sensor",  "reading",    "read",      "channel",  "ch",          "sec",       "msr",       "measure",
-     "real",    "true",       "mesuré",    "mesurée",  "mesure",      "réel",      "réelle",    "moteur",
-     "medido",  "medida",     "misurata",  "misurato", "atual",       "actuelle",  "gemessen",  "gemessene",
-     "aktuell", "实际",       "測定",      "实测",     "反馈",        "revolute",  "prismatic", "telemetry",
-     "pll",     "observer",   "observed",  "obs",      "hat",         "kf",        "ekf",       "kalman",
-     "smo",     "sensorless", "fdb",       "fbk",      "fdk",         "used",      "applied",   "j",
-     "ave",     "mean",       "wirk"});
+    {"actual",   "act",        "measured",  "meas",       "measurement", "present",   "motor",    "mot",
+     "shaft",    "rotor",      "encoder",   "enc",        "joint",       "axis",      "value",    "val",
+     "values",   "ist",        "istwert",   "feedback",   "fb",          "stamp",     "cycle",    "estimate",
+     "est",      "estimated",  "estimator", "filtered",   "filt",        "lpf",       "now",      "data",
+     "output",   "out",        "raw",       "state",      "states",      "q",         "mech",     "m",
+     "r",        "mechanical", "today",     "shadow",     "total",       "latest",    "per",      "of",
+     "the",      "link",       "angular",   "in",         "since",       "start",     "averaged", "average",
+     "avg",      "smoothed",   "smooth",    "rel",        "generating",  "producing", "voltage",  "current",
+     "sensor",   "transducer", "geglättet", "geglaettet", "reading",     "read",      "channel",  "ch",
+     "sec",      "msr",        "measure",   "real",       "true",        "mesuré",    "mesurée",  "mesure",
+     "réel",     "réelle",     "moteur",    "medido",     "medida",      "misurata",  "misurato", "atual",
+     "actuelle", "gemessen",   "gemessene", "aktuell",    "实际",        "測定",      "实测",     "反馈",
+     "revolute", "prismatic",  "telemetry", "pll",        "observer",    "observed",  "obs",      "hat",
+     "kf",       "ekf",        "kalman",    "smo",        "sensorless",  "fdb",       "fbk",      "fdk",
+     "used",     "applied",    "j",         "ave",        "mean",        "wirk"});
 /// Before a reference they tell who follows it.
 inline constexpr auto loopWords =
     std::to_array<std::string_view>({"mcu", "controller", "control", "pid", "loop", "plc"});
@@ -75,8 +75,9 @@ inline constexpr auto headings = std::to_array<std::string_view>({"roll", "pitch
 inline constexpr auto jointWords = std::to_array<std::string_view>(
     {"joint", "joints", "motor", "mot", "servo", "actuator", "wrist", "forearm", "elbow", "shoulder", "gripper", "hip",
      "knee", "ankle", "waist", "gimbal", "encoder", "stepper"});
-inline constexpr auto loadWords = std::to_array<std::string_view>(
-    {"load", "external", "friction", "disturbance", "gravity", "cogging", "brake", "feedforward", "ff"});
+inline constexpr auto loadWords =
+    std::to_array<std::string_view>({"load", "external", "friction", "disturbance", "gravity", "cogging", "brake",
+                                     "braking", "bremse", "frein", "freno", "carga", "feedforward", "ff"});
 inline constexpr auto driverWords = std::to_array<std::string_view>(
     {"fet",     "mos",      "mosfet", "driver", "controller", "mcu",     "board",  "ambient",
      "esc",     "ctrl",     "drv",    "inv",    "bms",        "pack",    "cell",   "battery",

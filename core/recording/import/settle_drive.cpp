@@ -81,7 +81,7 @@ Result<void> Settling::takeOther(size_t c) {
     fates_[c].why = message("what turns is driven by a torque");
   }
   takeReferenceUnit(c);
-  apply(c);
+  if (fates_[c].kind == ColumnFate::Kind::used) apply(c);
   return {};
 }
 
@@ -102,7 +102,9 @@ void Settling::takeReferenceUnit(size_t c) {
     fates_[c].scale = unitNamed(unit)->scale;
     fates_[c].unit = unit;
     fates_[c].why = message("so it goes about as far as {}", fates_[*measured].from);
+    return;
   }
+  keep(c, message("goes neither as far as {} nor as it would in another unit", fates_[*measured].from));
 }
 
 bool Settling::setCountsAside(size_t c) {
@@ -137,7 +139,26 @@ bool Settling::setCountsAside(size_t c) {
   return true;
 }
 
+void Settling::settleSupply() {
+  const auto c = columnOf("supply_V");
+  if (!c || choices_[*c].byMap || choices_[*c].byTool || !goesBelowZero("supply_V")) return;
+  constexpr double much = 0.1;  // of the way up: less is noise about 0
+  const auto [low, high] = std::minmax_element(values(*c).begin(), values(*c).end(), [](double a, double b) {
+    return (std::isfinite(a) ? a : 0.0) < (std::isfinite(b) ? b : 0.0);
+  });
+  if (-*low < much * std::max(0.0, *high)) return;
+  static constexpr auto unsure = std::to_array<std::string_view>({"input", "dc", "esc", "hv", "traction"});
+  const Words words = wordsOf(fates_[*c].from, true);
+  const bool sure = std::any_of(words.begin(), words.end(),
+                                [](const std::string& word) { return isIn(supplyWords, word) && !isIn(unsure, word); });
+  if (!sure && columnOf("voltage_V")) return keep(*c, message("goes below zero, as no supply does"));
+  if (!sure) fates_[*c].to = "voltage_V";
+  fates_[*c].why = message("goes below zero, as no supply does");
+  fates_[*c].guessed = true;
+}
+
 void Settling::settleVoltage() {
+  settleSupply();
   const auto c = columnOf("voltage_V");
   if (!c || choices_[*c].byMap || choices_[*c].byTool) return;
   for (const std::string& word : wordsOf(fates_[*c].from, true)) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "base/numbers.h"
 
@@ -133,6 +134,28 @@ std::optional<MotionFactor> compareMotion(const std::vector<double>& time_s, con
   }
   if (!(speeds > 0.0) || !(angles > 0.0)) return std::nullopt;
   return MotionFactor{both / speeds, both / std::sqrt(speeds * angles)};
+}
+
+double variesAlike(const std::vector<double>& angle, const std::vector<double>& speed) {
+  const size_t stride = std::max<size_t>(1, std::min<size_t>(10, angle.size() / 20));
+  std::vector<double> ways, speeds;
+  for (size_t from = 0; from + stride < angle.size(); from += stride) {
+    double sum = 0.0;
+    for (size_t k = from; k < from + stride; ++k) sum += 0.5 * (speed[k] + speed[k + 1]);
+    if (!std::isfinite(sum) || !std::isfinite(angle[from + stride] - angle[from])) continue;
+    ways.push_back(angle[from + stride] - angle[from]);
+    speeds.push_back(sum);
+  }
+  const auto count = static_cast<double>(std::max<size_t>(1, ways.size()));
+  const double way = std::accumulate(ways.begin(), ways.end(), 0.0) / count,
+               mean = std::accumulate(speeds.begin(), speeds.end(), 0.0) / count;
+  double both = 0.0, own = 0.0, other = 0.0;
+  for (size_t k = 0; k < ways.size(); ++k) {
+    both += (ways[k] - way) * (speeds[k] - mean);
+    own += (ways[k] - way) * (ways[k] - way);
+    other += (speeds[k] - mean) * (speeds[k] - mean);
+  }
+  return own > 0.0 && other > 0.0 ? both / std::sqrt(own * other) : 0.0;
 }
 
 std::optional<UnitPair> unitsByFactor(double factor) {

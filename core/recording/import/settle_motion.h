@@ -29,6 +29,10 @@ struct MotionFactor {
 std::optional<MotionFactor> compareMotion(const std::vector<double>& time_s, const std::vector<double>& angle,
                                           const std::vector<double>& speed, const std::vector<size_t>& pauses);
 
+/// How much the angle's changes and the speed, with rows evenly apart, vary alike about their means (−1 to 1): what
+/// only goes up, as a meter or a row's number does, has nothing in common with a speed that doesn't change its sign.
+double variesAlike(const std::vector<double>& angle, const std::vector<double>& speed);
+
 /// Units of an angle and a speed that neither tells, by the factor between them: 6 is that of degrees and rpm. Nothing
 /// when it is that of several pairs, as 1 is, or of none.
 struct UnitPair {

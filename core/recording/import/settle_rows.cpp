@@ -64,7 +64,7 @@ Result<void> Settling::takeTime() {
   remarks_.insert(remarks_.end(), time_.remarks.begin(), time_.remarks.end());
   if (c && !map_.sample_time_s) {
     fates_[*c].scale = time_.unit_s;
-    fates_[*c].guessed = time_.unitGuessed;
+    fates_[*c].guessed = time_.unitGuessed || !fates_[*c].doubt.empty();
     if (time_.unitGuessed) {
       fates_[*c].unit.clear();
       fates_[*c].why = message("judged by its steps");

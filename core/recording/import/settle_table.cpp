@@ -63,8 +63,11 @@ Result<Imported> Settling::run() {
   sayPauses(time_, remarks_);
   if (const auto done = takeIntegral(); !done) return done.error();
   if (const auto done = takeAngle(); !done) return done.error();
+  takeSpeedByValues();
   if (const auto done = takeSpeed(); !done) return done.error();
   settleTimeByMotion();
+  takeDrivesByValues();
+  takeReferencesByValues();
   if (const auto done = takeDuty(); !done) return done.error();
   settleVoltage();
   for (size_t c = 0; c < choices_.size(); ++c) {

@@ -73,14 +73,28 @@ class Settling {
   Result<void> takeDuty();
   Result<void> dutyBeyond(size_t c, const Message& what);
   Result<void> takeOther(size_t c);
-  /// References without a unit are counted as what was measured is, or so that they go about as far.
+  /// References without a unit are counted as what was measured is, or so that they go about as far; one that does so
+  /// in no unit stays unused.
   void takeReferenceUnit(size_t c);
   /// Electrical values without a unit that look like a converter's counts or like mA.
   bool setCountsAside(size_t c);
+  /// A supply's voltage is never negative; one that is drives the motor.
+  void settleSupply();
   /// A voltage that hardly changes while the axis turns both ways, or while a duty drives it, is the supply's.
   void settleVoltage();
   /// Beside a supply's voltage and a throttle a current that isn't called the motor's may be the supply's, too.
   void doubtCurrent();
+  /// Kept unused, holding numbers, and neither the map nor the tool says so.
+  bool isFree(size_t c) const;
+  /// The same, and because its name says nothing that is known.
+  bool isUnknown(size_t c) const;
+  /// Where no speed is known: a column that the angle moves by, in a usual unit.
+  void takeSpeedByValues();
+  /// What has a current's, torque's or voltage's unit and a name that isn't known is the motor's where no other is and
+  /// acceleration and friction explain it.
+  void takeDrivesByValues();
+  /// "Setpoint" is what the angle or the speed follows.
+  void takeReferencesByValues();
   bool goesBelowZero(const std::string& name);
   bool turnsBothWays();
   Result<void> takeIntegral();

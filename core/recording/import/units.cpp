@@ -30,7 +30,8 @@ std::string_view oneWord(std::string_view word) {
        {"degrés", "deg"},  {"derece", "deg"},  {"град", "deg"},    {"рад", "rad"},        {"counts", "count"},
        {"cnt", "count"},   {"cts", "count"},   {"tick", "count"},  {"steps", "count"},    {"step", "count"},
        {"pulse", "count"}, {"ticks", "count"}, {"inc", "count"},   {"ink", "count"},      {"pulses", "count"},
-       {"lsb", "count"},   {"graus", "deg"},   {"độ", "deg"},      {"vòng", "rev"},       {"meter", "m"},
+       {"lsb", "count"},   {"graus", "deg"},   {"độ", "deg"},      {"vòng", "rev"},       {"转", "rev"},
+       {"圈", "rev"},      {"回転", "rev"},    {"度", "deg"},      {"弧度", "rad"},       {"meter", "m"},
        {"meters", "m"},    {"metre", "m"},     {"metres", "m"},    {"millimeters", "mm"}, {"in", "inch"},
        {"inches", "inch"}, {"ft", "feet"},     {"foot", "feet"}});
   const auto it = std::find_if(same.begin(), same.end(), [word](const auto& one) { return one.first == word; });
@@ -75,9 +76,9 @@ std::string shortened(std::string_view word) {
 std::string_view oneTime(std::string_view word) {
   if (word == "sec" || word == "second" || word == "seconds" || word == "sekunde") return "s";
   if (word == "minute" || word == "minutes" || word == "мин" || word == "хв" || word == "phút" || word == "dak" ||
-      word == "dk")
+      word == "dk" || word == "分" || word == "分钟")
     return "min";
-  if (word == "сек" || word == "с" || word == "sn") return "s";
+  if (word == "сек" || word == "с" || word == "sn" || word == "秒") return "s";
   return word;
 }
 

@@ -1,0 +1,242 @@
+// What columns are that no name told: what drives the motion, and what it was to follow, by the values themselves.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "recording/import/name_by_unit.h"
+#include "recording/import/name_parts.h"
+#include "recording/import/quantity_words.h"
+#include "recording/import/settling.h"
+
+namespace breakaway {
+
+namespace {
+
+using Values = std::vector<double>;
+
+double dot(const Values& a, const Values& b) {
+  double sum = 0.0;
+  for (size_t k = 0; k < a.size(); ++k) sum += a[k] * b[k];
+  return sum;
+}
+
+/// Takes out of `values` what they have in common with `basis`; how often the basis stood in them.
+double takeOut(Values& values, const Values& basis) {
+  const double size = dot(basis, basis);
+  const double share = size > 0.0 ? dot(values, basis) / size : 0.0;
+  for (size_t k = 0; k < values.size(); ++k) values[k] -= share * basis[k];
+  return share;
+}
+
+/// Means over spans of rows: of a drive, and of what it has to overcome.
+struct Spans {
+  Values drive, constant, direction, speed, acceleration;
+};
+
+Spans spansOf(const Values& time_s, const Values& speed, const Values& drive, const std::vector<size_t>& pauses) {
+  constexpr size_t mostSpans = 200;
+  const size_t rows = speed.size(), length = std::max<size_t>(2, rows / mostSpans);
+  const double standing = 0.02 * largest(speed);
+  Spans spans;
+  for (size_t from = 0; from + length < rows; from += length) {
+    const size_t to = from + length;
+    const bool pause = std::any_of(pauses.begin(), pauses.end(), [&](size_t at) { return at > from && at <= to; });
+    double driven = 0.0, moved = 0.0, way = 0.0;
+    for (size_t k = from; k < to; ++k) {
+      driven += drive[k] / static_cast<double>(length);
+      moved += speed[k] / static_cast<double>(length);
+      way += std::tanh(speed[k] / standing) / static_cast<double>(length);
+    }
+    const double gained = (speed[to] - speed[from]) / (time_s[to] - time_s[from]);
+    if (pause || !std::isfinite(driven + moved + gained)) continue;
+    spans.drive.push_back(driven);
+    spans.constant.push_back(1.0);
+    spans.direction.push_back(way);
+    spans.speed.push_back(moved);
+    spans.acceleration.push_back(gained);
+  }
+  return spans;
+}
+
+/// Which part of the drive's variance acceleration and friction make; 0 where it takes energy out of the motion.
+double explainedBy(Spans spans) {
+  constexpr size_t fewest = 20;
+  if (spans.drive.size() < fewest || dot(spans.drive, spans.speed) <= 0.0) return 0.0;
+  const std::array<Values*, 4> bases{&spans.constant, &spans.direction, &spans.speed, &spans.acceleration};
+  double all = 0.0;
+  for (size_t k = 0; k < bases.size(); ++k) {
+    for (size_t before = 0; before < k; ++before) takeOut(*bases[k], *bases[before]);
+    takeOut(spans.drive, *bases[k]);
+    if (k == 0) all = dot(spans.drive, spans.drive);
+  }
+  return all > 0.0 ? 1.0 - dot(spans.drive, spans.drive) / all : 0.0;
+}
+
+/// How much more acceleration and friction make of the drive than of the same drive at other times: a motion that
+/// repeats itself says nothing, as any wave of its period would go with it.
+double saidBy(const Spans& spans) {
+  const double explained = explainedBy(spans);
+  double elsewhere = 0.0;
+  for (const double share : {0.23, 0.41, 0.5, 0.59, 0.77}) {
+    Spans moved = spans;
+    const auto by = static_cast<std::ptrdiff_t>(share * static_cast<double>(moved.drive.size()));
+    std::rotate(moved.drive.begin(), moved.drive.begin() + by, moved.drive.end());
+    elsewhere = std::max(elsewhere, explainedBy(std::move(moved)));
+  }
+  return explained - elsewhere;
+}
+
+/// How much two columns have in common about their means, and how often the first stands in the second.
+struct Following {
+  double correlation = 0.0, slope = 0.0;
+};
+
+Following followingOf(Values reference, Values measured) {
+  Values constant;
+  for (size_t k = 0; k < reference.size(); ++k) {
+    const bool there = std::isfinite(reference[k]) && std::isfinite(measured[k]);
+    constant.push_back(there ? 1.0 : 0.0);
+    if (!there) reference[k] = measured[k] = 0.0;
+  }
+  takeOut(reference, constant);
+  takeOut(measured, constant);
+  const double size = dot(reference, reference), other = dot(measured, measured);
+  if (!(size > 0.0) || !(other > 0.0)) return {};
+  return {dot(reference, measured) / std::sqrt(size * other), dot(reference, measured) / size};
+}
+
+bool namesOnlyReference(const Words& words) {
+  return firstIn(words, referenceWords) != nullptr && std::all_of(words.begin(), words.end(), [](const auto& word) {
+           return isIn(referenceWords, word) || isIn(decorations, word);
+         });
+}
+
+}  // namespace
+
+bool Settling::isUnknown(size_t c) const {
+  const ColumnName& name = choices_[c].name;
+  return isFree(c) && (!name.unknownWord.empty() || name.aside == message("its name says nothing that is known"));
+}
+
+bool Settling::isFree(size_t c) const {
+  return fates_[c].kind == ColumnFate::Kind::kept && !choices_[c].byMap && !choices_[c].byTool &&
+         !table_.columns[c].fault && !table_.columns[c].clock;
+}
+
+void Settling::takeSpeedByValues() {
+  const auto angle = columnOf("angle_rad");
+  if (!angle || columnOf("velocity_rad_per_s") || columnOf("position_m") || columnOf("velocity_m_per_s")) return;
+  constexpr double agrees = 0.98, within = 1.25;  // rows may be far apart for how fast it changes
+  size_t best = fates_.size();
+  double bestCorrelation = agrees, bestScale = 1.0;
+  std::string bestUnit;
+  for (size_t c = 0; c < fates_.size(); ++c) {
+    const bool nameless = choices_[c].name.aside == message("it has no name");
+    const NameParts parts = partsOfName(fates_[c].from, table_.columns[c].unit);
+    const bool told = parts.unit != nullptr && parts.unit->kind == UnitKind::angularVelocity;
+    if (!(isUnknown(c) || (isFree(c) && nameless)) || (parts.unit != nullptr && !told) || parts.unknownUnit) continue;
+    const auto motion = compareMotion(time_.time_s, values(*angle), values(c), time_.pauses);
+    if (!motion || !(motion->correlation > bestCorrelation) || variesAlike(values(*angle), values(c)) < agrees)
+      continue;
+    for (const char* unit : {"rad/s", "deg/s", "rpm", "rev/s"}) {
+      const double scale = told ? parts.unit->scale * parts.factor : unitNamed(unit)->scale;
+      if (std::abs(std::log(motion->factor / (scale * gear("velocity_rad_per_s")))) > std::log(within)) continue;
+      best = c;
+      bestCorrelation = motion->correlation;
+      bestScale = scale;
+      bestUnit = told ? parts.unitText : unit;
+    }
+  }
+  if (best == fates_.size()) return;
+  ColumnFate& fate = fates_[best];
+  fate.kind = ColumnFate::Kind::used;
+  fate.to = "velocity_rad_per_s";
+  fate.unit = bestUnit;
+  fate.scale = bestScale;
+  fate.offset = 0.0;
+  fate.guessed = true;
+  fate.why = message("{} moves as it says", fates_[*angle].from);
+  fate.doubt = fate.why;
+  choices_[best].name.needs = UnitNeeds::nothing;
+}
+
+void Settling::takeDrivesByValues() {
+  constexpr double enough = 0.4;  // noise reaches 0.1
+  const auto speed = columnOf("velocity_rad_per_s");
+  const auto angle = columnOf("angle_rad");
+  if ((!speed && !angle) || time_.time_s.size() < 3) return;
+  Values moved = speed ? values(*speed) : changesOf(values(*angle));
+  if (!speed) {
+    for (size_t k = 1; k < moved.size(); ++k) moved[k] /= time_.time_s[k] - time_.time_s[k - 1];
+    moved.front() = moved[1];
+  }
+  for (const UnitKind kind : {UnitKind::current, UnitKind::torque, UnitKind::voltage}) {
+    const std::string to = contractName(kind, false);
+    if (columnOf(to)) continue;
+    size_t found = fates_.size(), count = 0;
+    for (size_t c = 0; c < fates_.size(); ++c) {
+      if (!isUnknown(c)) continue;
+      const NameParts parts = partsOfName(fates_[c].from, table_.columns[c].unit);
+      if (parts.unit == nullptr || parts.unit->kind != kind || isMultiplied(fates_[c].from)) continue;
+      const auto isOf = [&parts](const auto& words) { return firstIn(parts.words, words) != nullptr; };
+      const bool another = isOf(otherThings) || isOf(loadWords) || isOf(supplyWords) || isOf(referenceWords) ||
+                           isOf(drivenWords) || !notTheMotors(kind, parts.words, false).empty();
+      if (another || saidBy(spansOf(time_.time_s, moved, values(c), time_.pauses)) < enough) continue;
+      found = c;
+      ++count;
+    }
+    if (count != 1) continue;
+    const NameParts parts = partsOfName(fates_[found].from, table_.columns[found].unit);
+    ColumnFate& fate = fates_[found];
+    fate.kind = ColumnFate::Kind::used;
+    fate.to = to;
+    fate.unit = parts.unitText;
+    fate.scale = parts.unit->scale * parts.factor;
+    fate.offset = parts.unit->offset;
+    fate.guessed = true;
+    fate.why = message("by its unit, and it goes with acceleration and friction as what drives a motor does");
+    fate.doubt = fate.why;
+  }
+}
+
+void Settling::takeReferencesByValues() {
+  constexpr double follows = 0.75, least = 0.6, most = 1.6;
+  for (size_t c = 0; c < fates_.size(); ++c) {
+    if (!isFree(c)) continue;
+    const NameParts parts = partsOfName(fates_[c].from, table_.columns[c].unit);
+    if (!namesOnlyReference(parts.words) || parts.unknownUnit) continue;
+    std::optional<size_t> best;
+    double bestScale = 1.0, bestCorrelation = follows;
+    for (const char* name : {"angle_rad", "velocity_rad_per_s"}) {
+      const auto measured = columnOf(name);
+      const std::string reference = std::string(name).insert(std::string(name).find('_'), "_reference");
+      if (!measured || columnOf(reference)) continue;
+      const bool fits =
+          parts.unit == nullptr || parts.unit->kind == (isAngle(name) ? UnitKind::angle : UnitKind::angularVelocity);
+      if (!fits || (parts.unit != nullptr && parts.unit->needs != UnitNeeds::nothing)) continue;
+      const double scale =
+          parts.unit == nullptr ? fates_[*measured].scale : parts.unit->scale * parts.factor * gear(name);
+      Values shall = values(c);
+      convert(shall, scale, 0.0);
+      const Following one = followingOf(std::move(shall), values(*measured));
+      if (one.correlation < bestCorrelation || one.slope < least || one.slope > most) continue;
+      best = measured;
+      bestScale = scale;
+      bestCorrelation = one.correlation;
+    }
+    if (!best) continue;
+    ColumnFate& fate = fates_[c];
+    fate.kind = ColumnFate::Kind::used;
+    fate.to = std::string(fates_[*best].to).insert(fates_[*best].to.find('_'), "_reference");
+    fate.unit = parts.unit == nullptr ? fates_[*best].unit : parts.unitText;
+    fate.scale = bestScale;
+    fate.offset = 0.0;
+    fate.guessed = true;
+    fate.why = message("{} follows it", fates_[*best].from);
+    fate.doubt = fate.why;
+    convert(values(c), bestScale, 0.0);
+    settled_.insert(c);
+  }
+}
+
+}  // namespace breakaway
