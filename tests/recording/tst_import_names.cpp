@@ -13,9 +13,6 @@ class TestImportNames : public QObject {
  private slots:
   void whatNamesBesideTell_isTaken_data();
   void whatNamesBesideTell_isTaken();
-  void voltageOfASpeedThatFallsAgainAndAgain_isTheSupplys_data();
-  void voltageOfASpeedThatFallsAgainAndAgain_isTheSupplys();
-  void wholeThousands_areNoVolts();
   void positionInMetres_isTakenBeforeCounts();
   void namesForFewerColumns_nameTheFirst();
   void odriveByItsCurrentAlone_needsMotionWithoutUnits();
@@ -23,18 +20,8 @@ class TestImportNames : public QObject {
   void countsWithoutAName_areAskedAboutWhereNothingElseMoves();
   void numberedNamesAboveTheRows_areTheColumns_data();
   void numberedNamesAboveTheRows_areTheColumns();
-  void servosOfAnotherMaker_haveTheSpeedThatTheirAngleTells();
   void loggersTagBeforeLabels_isNoName();
-  void angleOfARobotBesideItsWheelsSpeed_isSetAside();
-  void speedThatContradictsTheAngle_yieldsToOneThatAgrees();
-  void ticksOfRowsOfSeveralAxes_areTheTime();
-  void valuesBeyondAnyMotor_areKept();
-  void outputWithinOneBesideADuty_isNoVoltage();
-  void countsBesideATravelInMillimetres_arentAskedAbout();
-  void oneOfTwoPositionsBesideAnOdrivesCurrent_isNotInTurns();
   void commandedTorqueWithoutAUnit_isCalledSo();
-  void wholeVoltsBeyondAMotors_areNoSupply();
-  void currentBesideAThrottleAndASupply_isDoubted();
 
  private:
   Result<Imported> imported(const QString& text) {
@@ -242,6 +229,29 @@ void TestImportNames::whatNamesBesideTell_isTaken_data() {
   const QStringList motors{"rpm_1", "rpm_2", "rpm_3", "current_1", "current_2", "current_3"};
   QTest::newRow("a numbered motor's") << motors << "current_1"
                                       << "current_A";
+  const QStringList wheelsOfFour{"PWM_vl", "RPM_vl", "PWM_hr", "RPM_hr"};
+  QTest::newRow("a wheel by an unknown word") << wheelsOfFour << "RPM_vl"
+                                              << "velocity_rad_per_s";
+  QTest::newRow("its duty") << wheelsOfFour << "PWM_vl"
+                            << "duty";
+  QTest::newRow("another wheel's duty") << wheelsOfFour << "PWM_hr"
+                                        << "";
+  const QStringList legs{"joint_pos/FL_hip", "joint_pos/FL_thigh", "joint_vel/FL_hip", "joint_vel/FL_thigh"};
+  QTest::newRow("a joint behind its quantity") << legs << legs[0] << "angle_rad";
+  QTest::newRow("its speed") << legs << legs[2] << "velocity_rad_per_s";
+  QTest::newRow("another joint's speed") << legs << legs[3] << "";
+  const QStringList models{"angle_rad", "DC_Motor.i (A)", "DC_Bus.i (A)"};
+  QTest::newRow("a letter with its unit behind a motor") << models << models[1] << "current_A";
+  QTest::newRow("a letter with its unit behind a bus") << models << models[2] << "";
+  QTest::newRow("an armature behind a path") << QStringList{"inertia.phi", "dcpm.ia"} << "dcpm.ia"
+                                             << "current_A";
+  QTest::newRow("an effort by itself") << QStringList{"q", "vel", "eff"} << "eff"
+                                       << "torque_Nm";
+  const QStringList servo{"nckServoDataActVelMot64 [deg/s]", "nckServoDataTrqAct64 [Nm]"};
+  QTest::newRow("a torque that is called as the motor's speed is") << servo << servo[1] << "torque_Nm";
+  const QStringList axes{"$AXIS_ACT.A1 [deg]", "$TORQUE_AXIS_ACT[1] [Nm]", "$TORQUE_AXIS_ACT[2] [Nm]"};
+  QTest::newRow("the torque of axis A1") << axes << axes[1] << "torque_Nm";
+  QTest::newRow("the torque of another axis") << axes << axes[2] << "";
   QTest::newRow("a phase's voltage") << QStringList{"theta_m", "u_a", "u_b", "u_c"} << "u_a"
                                      << "";
 }
@@ -253,32 +263,6 @@ void TestImportNames::whatNamesBesideTell_isTaken() {
   const auto log = waves(names);
   VERIFY_OK(log);
   QCOMPARE(meaning(*log, name), to.toStdString());
-}
-
-void TestImportNames::voltageOfASpeedThatFallsAgainAndAgain_isTheSupplys_data() {
-  QTest::addColumn<int>("rowsAWave");
-  QTest::addColumn<QString>("to");
-  QTest::newRow("again and again") << 40 << "supply_V";
-  QTest::newRow("switched on and loaded") << 320 << "voltage_V";
-}
-
-void TestImportNames::voltageOfASpeedThatFallsAgainAndAgain_isTheSupplys() {
-  QFETCH(int, rowsAWave);
-  QFETCH(QString, to);
-  QString text = "time_s,rpm,voltage\n";
-  for (int k = 0; k < 320; ++k)
-    text += QString("%1,%2,%3\n").arg(0.01 * k).arg(500.5 - 500.0 * std::cos(2.0 * M_PI * k / rowsAWave)).arg(23.1);
-  const auto log = imported(text);
-  VERIFY_OK(log);
-  QCOMPARE(meaning(*log, "voltage"), to.toStdString());
-}
-
-void TestImportNames::wholeThousands_areNoVolts() {
-  QString text = "time_s,angle_rad,batt_volt,Supply (volts)\n";
-  for (int k = 0; k < 40; ++k) text += QString("%1,%2,36500,325\n").arg(0.01 * k).arg(std::sin(0.1 * k));
-  const auto log = imported(text);
-  VERIFY_OK(log);
-  QCOMPARE(meaning(*log, "batt_volt"), std::string());
 }
 
 void TestImportNames::positionInMetres_isTakenBeforeCounts() {
@@ -369,19 +353,6 @@ void TestImportNames::numberedNamesAboveTheRows_areTheColumns() {
   if (taken) QCOMPARE(meaning(*log, "motor current"), std::string("current_A"));
 }
 
-void TestImportNames::servosOfAnotherMaker_haveTheSpeedThatTheirAngleTells() {
-  QString text = "time_s,Present_Position,Present_Speed,Present_Load\n";
-  for (int k = 0; k < 100; ++k)
-    text += QString("%1,%2,%3,20\n")
-                .arg(0.01 * k)
-                .arg(2048 + int(900 * std::sin(0.1 * k)))
-                .arg(int(9000 * std::cos(0.1 * k)));
-  const auto log = imported(text);
-  VERIFY_OK(log);
-  const double speed = 9000.0 / 4096.0 * 2.0 * M_PI;
-  QVERIFY(std::abs(log->recording.channel("velocity_rad_per_s").front() - speed) < 1e-3 * speed);
-}
-
 void TestImportNames::loggersTagBeforeLabels_isNoName() {
   QString text = "I (300) main: started\n";
   for (int k = 0; k < 60; ++k)
@@ -396,125 +367,10 @@ void TestImportNames::loggersTagBeforeLabels_isNoName() {
   QVERIFY(log->recording.has("angle_rad") && log->recording.has("velocity_rad_per_s"));
 }
 
-/// A column that turns, the speed of its own, and another one's.
-QString turningBeside(const char* head) {
-  QString text = head;
-  for (int k = 0; k < 200; ++k)
-    text += QString("%1,%2,%3,%4\n")
-                .arg(0.01 * k)
-                .arg(20.0 * std::sin(0.1 * k))
-                .arg(200.0 * std::cos(0.1 * k))
-                .arg(300.0 * std::sin(0.023 * k) * std::sin(0.31 * k));
-  return text;
-}
-
-void TestImportNames::angleOfARobotBesideItsWheelsSpeed_isSetAside() {
-  const auto log = imported(turningBeside("time_s,angle_deg,rate_dps,wheel_speed_rpm\n"));
-  VERIFY_OK(log);
-  QCOMPARE(meaning(*log, "wheel_speed_rpm"), std::string("velocity_rad_per_s"));
-  QCOMPARE(meaning(*log, "angle_deg"), std::string());
-  const auto pedal = imported(turningBeside("time_s,pedal_pos,rate_dps,motor_rpm\n"));
-  VERIFY_OK(pedal);
-  QCOMPARE(meaning(*pedal, "motor_rpm"), std::string("velocity_rad_per_s"));
-  QCOMPARE(meaning(*pedal, "pedal_pos"), std::string());
-  const auto wheels = imported(turningBeside("time_s,wheel_angle_deg,rate_dps,wheel_speed_rpm\n"));
-  VERIFY_OK(wheels);
-  QCOMPARE(meaning(*wheels, "wheel_angle_deg"), std::string("angle_rad"));
-}
-
-void TestImportNames::speedThatContradictsTheAngle_yieldsToOneThatAgrees() {
-  const auto log = imported(turningBeside("time_s,angle_deg,hand_speed_dps,speed_dps\n"));
-  VERIFY_OK(log);
-  QCOMPARE(meaning(*log, "hand_speed_dps"), std::string("velocity_rad_per_s"));
-  QCOMPARE(meaning(*log, "angle_deg"), std::string("angle_rad"));
-}
-
-void TestImportNames::ticksOfRowsOfSeveralAxes_areTheTime() {
-  QString text = "id,ticks,speed,bus_voltage\n";
-  for (int k = 0; k < 60; ++k) {
-    for (int m = 1; m <= 3; ++m)
-      text += QString("%1,%2,%3,24\n").arg(m).arg(5000 + 10 * k + m).arg(m * std::sin(0.1 * k));
-  }
-  const auto log = imported(text);
-  QVERIFY(!log);
-  QVERIFY(log.error().message().find("{\"split\": \"id\"}") != std::string::npos);
-}
-
-void TestImportNames::valuesBeyondAnyMotor_areKept() {
-  QString text = "time_s,angle_rad,current,motor_temp\n", usual = text;
-  for (int k = 0; k < 60; ++k) {
-    text += QString("%1,%2,%3,9393\n").arg(0.01 * k).arg(std::sin(0.1 * k)).arg(1800.5 * std::cos(0.1 * k));
-    usual += QString("%1,%2,%3,93\n").arg(0.01 * k).arg(std::sin(0.1 * k)).arg(18.5 * std::cos(0.1 * k));
-  }
-  const auto far = imported(text), log = imported(usual);
-  VERIFY_OK(far);
-  VERIFY_OK(log);
-  for (const char* name : {"current", "motor_temp"}) {
-    QCOMPARE(meaning(*far, name), std::string());
-    QVERIFY(!meaning(*log, name).empty());
-  }
-}
-
-void TestImportNames::outputWithinOneBesideADuty_isNoVoltage() {
-  const auto of = [this](double full) {
-    QString text = "time_s,theta_rad,u,pwm\n";
-    for (int k = 0; k < 60; ++k)
-      text += QString("%1,%2,%3,%4\n")
-                  .arg(0.01 * k)
-                  .arg(std::sin(0.1 * k))
-                  .arg(full * std::cos(0.1 * k))
-                  .arg(int(255.0 * std::cos(0.1 * k)));
-    const auto log = imported(text);
-    return log ? meaning(*log, "u") : log.error().message();
-  };
-  QCOMPARE(of(1.0), std::string());
-  QCOMPARE(of(12.0), std::string("voltage_V"));
-}
-
-void TestImportNames::countsBesideATravelInMillimetres_arentAskedAbout() {
-  QString text = "time_s,enc,travel_mm\n";
-  for (int k = 0; k < 60; ++k)
-    text += QString("%1,%2,%3\n").arg(0.01 * k).arg(int(1000.0 * std::sin(0.1 * k))).arg(50.0 * std::sin(0.1 * k));
-  const auto log = imported(text);
-  VERIFY_OK(log);
-  QCOMPARE(meaning(*log, "travel_mm"), std::string("position_m"));
-  QVERIFY(!log->recording.has("angle_rad"));
-}
-
-void TestImportNames::oneOfTwoPositionsBesideAnOdrivesCurrent_isNotInTurns() {
-  const auto unitOf = [this](const QStringList& names) {
-    const auto log = waves(names);
-    return log ? log->columns[1].unit : log.error().message();
-  };
-  QCOMPARE(unitOf({"position", "iq_measured"}), std::string("turns"));
-  QCOMPARE(unitOf({"position", "encoder_pos", "iq_measured"}), std::string());
-}
-
 void TestImportNames::commandedTorqueWithoutAUnit_isCalledSo() {
   const auto log = waves({"actual_q_0", "target_moment_0"});
   VERIFY_OK(log);
   QVERIFY(log->columns[2].inWords().english().find("what was commanded") != std::string::npos);
-}
-
-void TestImportNames::wholeVoltsBeyondAMotors_areNoSupply() {
-  QString text = "time_s,angle_rad,voltage\n";
-  for (int k = 0; k < 60; ++k) text += QString("%1,%2,121\n").arg(0.01 * k).arg(std::sin(0.1 * k));
-  const auto log = imported(text);
-  VERIFY_OK(log);
-  QCOMPARE(meaning(*log, "voltage"), std::string());
-}
-
-void TestImportNames::currentBesideAThrottleAndASupply_isDoubted() {
-  const auto words = [this](const QString& name) {
-    QString text = "time_s,rpm,throttle_pct,voltage," + name + "\n";
-    for (int k = 0; k < 60; ++k)
-      text += QString("%1,%2,%3,22.2,%4\n").arg(0.1 * k).arg(3000.0 + 20 * k).arg(10 + k).arg(1.5 + 0.1 * k);
-    const auto log = imported(text);
-    return log ? log->columns[4].inWords().english() : log.error().message();
-  };
-  QVERIFY(words("current_mA").find("supply's") != std::string::npos);
-  QVERIFY(words("current").find("supply's") != std::string::npos);
-  QVERIFY(words("motor_current_mA").find("supply's") == std::string::npos);
 }
 
 QTEST_APPLESS_MAIN(TestImportNames)

@@ -243,8 +243,9 @@ std::optional<ColumnName> readAround(NameReading& name) {
       parts.group += (parts.group.empty() ? "" : ".") + word;
       continue;
     }
-    if (found.word->weak && k != found.at && !desired && !isIn(decorations, word) && !isIn(referenceWords, word) &&
-        quantityNamed(word) == nullptr && name.kind != UnitKind::time)
+    const bool supplies = name.kind == UnitKind::voltage && isIn(supplyWords, word);  // "U_dc"
+    if (found.word->weak && k != found.at && !desired && !supplies && !isIn(decorations, word) &&
+        !isIn(referenceWords, word) && quantityNamed(word) == nullptr && name.kind != UnitKind::time)
       return nameAside(message("its name says nothing that is known"), parts);
   }
   return std::nullopt;

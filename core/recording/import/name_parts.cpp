@@ -312,8 +312,8 @@ void dropUnitTwice(NameParts& parts) {
 
 /// "3 Velocity (RPM)" of "SPARK MAX 3: Velocity (RPM)": what stands before is a device's name, whatever its words mean.
 std::string withoutDevice(std::string_view name) {
-  // "01.07 Motor current": a drive's number of it.
-  const size_t dot = name.find('.'), blank = name.find(' ');
+  // "01.07 Motor current", "16-14 Motor current": a drive's number of it.
+  const size_t dot = name.find_first_of(".-"), blank = name.find(' ');
   const bool parameter = blank != std::string_view::npos && dot < blank && isNumber(name.substr(0, dot)) &&
                          isNumber(name.substr(dot + 1, blank - dot - 1));
   if (parameter) name.remove_prefix(blank + 1);

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "recording/import/columns_beside.h"
+#include "recording/import/joined_words.h"
 #include "recording/import/name_parts.h"
 #include "recording/import/quantity_words.h"
 
@@ -72,7 +73,11 @@ void setOthersTorquesAside(const RawTable& table, std::vector<Choice>& choices) 
   if (motion == choices.size()) return;
   for (size_t c = 0; c < choices.size(); ++c) {
     const Words words = wordsAt(c);
-    const bool own = firstIn(words, motors) != nullptr || firstIn(words, benches) != nullptr;
+    const Words moving = wordsAt(motion);
+    const bool alike = std::all_of(words.begin(), words.end(), [&moving](const std::string& word) {
+      return isIn(moving, word) || isKnownWord(word) || isNumber(word);  // "axis.Trq" beside "axis.VelMotor"
+    });
+    const bool own = alike || firstIn(words, motors) != nullptr || firstIn(words, benches) != nullptr;
     if (choices[c].name.to != "torque_Nm" || !choices[c].name.qualified || choices[c].byMap || choices[c].byTool || own)
       continue;
     setAside(choices[c],

@@ -58,10 +58,10 @@ Spans spansOf(const Values& time_s, const Values& speed, const Values& drive, co
   return spans;
 }
 
-/// Which part of the drive's variance acceleration and friction make; 0 where it takes energy out of the motion.
+/// Which part of the drive's variance acceleration and friction make.
 double explainedBy(Spans spans) {
   constexpr size_t fewest = 20;
-  if (spans.drive.size() < fewest || dot(spans.drive, spans.speed) <= 0.0) return 0.0;
+  if (spans.drive.size() < fewest) return 0.0;
   const std::array<Values*, 4> bases{&spans.constant, &spans.direction, &spans.speed, &spans.acceleration};
   double all = 0.0;
   for (size_t k = 0; k < bases.size(); ++k) {
@@ -73,15 +73,19 @@ double explainedBy(Spans spans) {
 }
 
 /// How much more acceleration and friction make of the drive than of the same drive at other times: a motion that
-/// repeats itself says nothing, as any wave of its period would go with it.
+/// repeats itself says nothing, as any wave of its period would go with it. 0 where it takes energy out of the motion.
 double saidBy(const Spans& spans) {
+  if (dot(spans.drive, spans.speed) <= 0.0) return 0.0;
   const double explained = explainedBy(spans);
+  constexpr auto shares = std::to_array({0.11, 0.19, 0.27, 0.38, 0.5});
   double elsewhere = 0.0;
-  for (const double share : {0.23, 0.41, 0.5, 0.59, 0.77}) {
+  for (const double share : shares) {
+    const auto by = static_cast<std::ptrdiff_t>(share * static_cast<double>(spans.drive.size()));
     Spans moved = spans;
-    const auto by = static_cast<std::ptrdiff_t>(share * static_cast<double>(moved.drive.size()));
-    std::rotate(moved.drive.begin(), moved.drive.begin() + by, moved.drive.end());
-    elsewhere = std::max(elsewhere, explainedBy(std::move(moved)));
+    moved.drive.erase(moved.drive.begin(), moved.drive.begin() + by);
+    for (Values* one : {&moved.constant, &moved.direction, &moved.speed, &moved.acceleration})
+      one->resize(moved.drive.size());
+    elsewhere += explainedBy(std::move(moved)) / static_cast<double>(shares.size());
   }
   return explained - elsewhere;
 }
@@ -161,7 +165,7 @@ void Settling::takeSpeedByValues() {
 }
 
 void Settling::takeDrivesByValues() {
-  constexpr double enough = 0.4;  // noise reaches 0.1
+  constexpr double enough = 0.3;  // noise reaches 0.1
   const auto speed = columnOf("velocity_rad_per_s");
   const auto angle = columnOf("angle_rad");
   if ((!speed && !angle) || time_.time_s.size() < 3) return;

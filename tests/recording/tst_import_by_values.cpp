@@ -1,0 +1,208 @@
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "recording/import/import.h"
+#include "support/temporary.h"
+
+using namespace breakaway;
+using breakaway::test::TemporaryFolder;
+
+/// A column's name, and what it holds in each row.
+struct NamedWave {
+  const char* name;
+  std::function<double(int)> at;
+};
+
+constexpr double stepOfMotion_s = 0.01;
+
+/// A motion that doesn't repeat itself, both ways, in rad and rad/s.
+static double turnedBy(int k) {
+  const double t = stepOfMotion_s * k;
+  return 4.0 * std::sin(2.0 * t) + 1.5 * std::sin(5.3 * t + 1.0) + 0.7 * std::sin(11.7 * t + 2.0);
+}
+
+static double speedOfMotion(int k) {
+  const double t = stepOfMotion_s * k;
+  return 8.0 * std::cos(2.0 * t) + 7.95 * std::cos(5.3 * t + 1.0) + 8.19 * std::cos(11.7 * t + 2.0);
+}
+
+/// What moves it: inertia and friction.
+static double torqueOfMotion(int k) {
+  const double speed = speedOfMotion(k), gained = (speedOfMotion(k + 1) - speed) / stepOfMotion_s;
+  return 2e-4 * gained + 1e-4 * speed + (speed > 0.0 ? 0.01 : -0.01);
+}
+
+/// No motion's: waves of other periods.
+static double elsewhere(int k) {
+  return 0.02 * std::sin(0.31 * k) + 0.01 * std::sin(0.017 * k * k / 100.0);
+}
+
+/// What no name tells, values may, as a guess; where they contradict, nothing is taken.
+class TestImportByValues : public QObject {
+  Q_OBJECT
+ private slots:
+  void driveWithoutAKnownName_isTakenWhereItMovesTheMotor_data();
+  void driveWithoutAKnownName_isTakenWhereItMovesTheMotor();
+  void motionThatRepeatsItself_saysNothingOfADrive();
+  void setPoint_isWhatIsFollowed_data();
+  void setPoint_isWhatIsFollowed();
+  void referenceThatGoesNowhereNear_isKept();
+  void speedWithoutAKnownName_isTakenWhereTheAngleMovesSo_data();
+  void speedWithoutAKnownName_isTakenWhereTheAngleMovesSo();
+  void motionInAnUnknownLanguage_isTakenAsAGuess();
+  void meterThatOnlyGoesUp_isNoAngle();
+  void rowsByNumber_areNoTime();
+  void voltageOfAnInputThatGoesBelowZero_isTheMotors();
+
+ private:
+  Result<Imported> logOf(const std::vector<NamedWave>& columns, int rows = 600) {
+    QString text;
+    for (const NamedWave& one : columns) text += (text.isEmpty() ? "" : ",") + QString::fromUtf8(one.name);
+    for (int k = 0; k < rows; ++k) {
+      for (size_t c = 0; c < columns.size(); ++c)
+        text += (c == 0 ? "\n" : ",") + QString::number(columns[c].at(k), 'g', 9);
+    }
+    return importRecording(folder_.write("log.csv", (text + "\n").toStdString()));
+  }
+  static const ColumnFate& fateOf(const Imported& log, const std::string& name) {
+    const auto it =
+        std::find_if(log.columns.begin(), log.columns.end(), [&](const ColumnFate& one) { return one.from == name; });
+    return it == log.columns.end() ? log.columns.front() : *it;
+  }
+  static std::string meaning(const Imported& log, const std::string& name) {
+    const ColumnFate& fate = fateOf(log, name);
+    return fate.kind == ColumnFate::Kind::used ? fate.to : std::string();
+  }
+  TemporaryFolder folder_;
+};
+
+static double clockOf(int k) {
+  return stepOfMotion_s * k;
+}
+
+void TestImportByValues::driveWithoutAKnownName_isTakenWhereItMovesTheMotor_data() {
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<bool>("moves");
+  QTest::addColumn<QString>("to");
+  QTest::newRow("a torque") << "Kanal7 [Nm]" << true << "torque_Nm";
+  QTest::newRow("a current") << "Welle7 [A]" << true << "current_A";
+  QTest::newRow("another torque") << "Kanal7 [Nm]" << false << "";
+  QTest::newRow("a load's") << "load_torque_x [Nm]" << true << "";
+  QTest::newRow("a brake's") << "Bremse [Nm]" << true << "";
+  QTest::newRow("a phase's") << "phase_a [A]" << true << "";
+}
+
+void TestImportByValues::driveWithoutAKnownName_isTakenWhereItMovesTheMotor() {
+  QFETCH(QString, name);
+  QFETCH(bool, moves);
+  QFETCH(QString, to);
+  const QByteArray called = name.toUtf8();
+  const auto log = logOf({{"time_s", clockOf},
+                          {"velocity_rad_per_s", speedOfMotion},
+                          {called.constData(), moves ? torqueOfMotion : elsewhere}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, name.toStdString()), to.toStdString());
+  if (to.isEmpty()) return;
+  QVERIFY(fateOf(*log, name.toStdString()).guessed);
+  QCOMPARE(log->recording.channel(to.toStdString())[100],
+           std::stod(QString::number(torqueOfMotion(100), 'g', 9).toStdString()));
+}
+
+void TestImportByValues::motionThatRepeatsItself_saysNothingOfADrive() {
+  const auto wave = [](int k) { return 5.0 * std::sin(0.1 * k); };
+  const auto later = [](int k) { return 0.02 * std::sin(0.1 * k + 0.4); };
+  const auto log = logOf({{"time_s", clockOf}, {"velocity_rad_per_s", wave}, {"Kanal7 [Nm]", later}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "Kanal7 [Nm]"), "");
+}
+
+void TestImportByValues::setPoint_isWhatIsFollowed_data() {
+  QTest::addColumn<double>("share");
+  QTest::addColumn<bool>("taken");
+  QTest::newRow("as far") << 1.05 << true;
+  QTest::newRow("not half as far") << 3.0 << false;
+  QTest::newRow("the other way") << -1.0 << false;
+}
+
+void TestImportByValues::setPoint_isWhatIsFollowed() {
+  QFETCH(double, share);
+  QFETCH(bool, taken);
+  const auto log = logOf({{"time_s", clockOf},
+                          {"rpm", [](int k) { return 9.5 * speedOfMotion(k); }},
+                          {"Setpoint", [share](int k) { return share * 9.5 * speedOfMotion(k + 2); }}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "Setpoint"), taken ? "velocity_reference_rad_per_s" : "");
+  QCOMPARE(fateOf(*log, "Setpoint").guessed, taken);
+}
+
+/// "left_cmd" within ±1 is no speed that a wheel of 80 rpm shall have.
+void TestImportByValues::referenceThatGoesNowhereNear_isKept() {
+  const auto log = logOf({{"time_s", clockOf},
+                          {"left_rpm", [](int k) { return 9.5 * speedOfMotion(k); }},
+                          {"left_cmd", [](int k) { return 0.04 * speedOfMotion(k); }}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "left_rpm"), "velocity_rad_per_s");
+  QCOMPARE(meaning(*log, "left_cmd"), "");
+}
+
+void TestImportByValues::speedWithoutAKnownName_isTakenWhereTheAngleMovesSo_data() {
+  QTest::addColumn<double>("share");
+  QTest::addColumn<double>("later");
+  QTest::addColumn<QString>("unit");
+  QTest::newRow("rad/s") << 1.0 << 0.0 << "rad/s";
+  QTest::newRow("deg/s") << 57.29578 << 0.0 << "deg/s";
+  QTest::newRow("rpm") << 9.549297 << 0.0 << "rpm";
+  QTest::newRow("in no usual unit") << 400.0 << 0.0 << "";
+  QTest::newRow("another motion") << 1.0 << 40.0 << "";
+}
+
+void TestImportByValues::speedWithoutAKnownName_isTakenWhereTheAngleMovesSo() {
+  QFETCH(double, share);
+  QFETCH(double, later);
+  QFETCH(QString, unit);
+  const auto log =
+      logOf({{"time_s", clockOf}, {"angle_rad", turnedBy}, {"v0", [share, later](int k) {
+                                                              return share * speedOfMotion(k + static_cast<int>(later));
+                                                            }}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "v0"), unit.isEmpty() ? "" : "velocity_rad_per_s");
+  if (unit.isEmpty()) return;
+  QCOMPARE(QString::fromStdString(fateOf(*log, "v0").unit), unit);
+  QVERIFY(std::abs(log->recording.channel("velocity_rad_per_s")[100] - speedOfMotion(100)) < 1e-4);
+  QVERIFY(fateOf(*log, "v0").guessed);
+}
+
+void TestImportByValues::motionInAnUnknownLanguage_isTakenAsAGuess() {
+  const auto log = logOf({{"ժամ", clockOf}, {"անկյուն", turnedBy}, {"արագություն", speedOfMotion}, {"այլ", elsewhere}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "ժամ"), "time_s");
+  QCOMPARE(meaning(*log, "անկյուն"), "angle_rad");
+  QCOMPARE(meaning(*log, "արագություն"), "velocity_rad_per_s");
+  QCOMPARE(meaning(*log, "այլ"), "");
+  for (const char* name : {"ժամ", "անկյուն", "արագություն"}) QVERIFY(fateOf(*log, name).guessed);
+}
+
+void TestImportByValues::meterThatOnlyGoesUp_isNoAngle() {
+  const auto oneWay = [](int k) { return 20.0 + 0.1 * speedOfMotion(k); };
+  const auto meter = [](int k) { return 0.2 * k + 0.01 * std::sin(0.4 * k); };
+  const auto log = logOf({{"ժամ", clockOf}, {"հաշվիչ", meter}, {"արագություն", oneWay}});
+  QVERIFY(!log.ok());
+}
+
+void TestImportByValues::rowsByNumber_areNoTime() {
+  const auto log = logOf({{"թիվ", [](int k) { return double(k); }}, {"angle_rad", turnedBy}});
+  QVERIFY(!log.ok());
+  QVERIFY2(log.error().message().find("sample_time_s") != std::string::npos, log.error().message().c_str());
+}
+
+void TestImportByValues::voltageOfAnInputThatGoesBelowZero_isTheMotors() {
+  const auto log = logOf({{"time_s", clockOf}, {"angle_rad", turnedBy}, {"input_voltage", speedOfMotion}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "input_voltage"), "voltage_V");
+  QVERIFY(fateOf(*log, "input_voltage").guessed);
+}
+
+QTEST_APPLESS_MAIN(TestImportByValues)
+#include "tst_import_by_values.moc"

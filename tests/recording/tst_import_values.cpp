@@ -1,0 +1,206 @@
+#include <QTest>
+#include <cmath>
+
+#include "recording/import/import.h"
+#include "support/temporary.h"
+
+using namespace breakaway;
+using breakaway::test::TemporaryFolder;
+
+/// What columns are by their values, where names say too little or something else.
+class TestImportValues : public QObject {
+  Q_OBJECT
+ private slots:
+  void voltageOfASpeedThatFallsAgainAndAgain_isTheSupplys_data();
+  void voltageOfASpeedThatFallsAgainAndAgain_isTheSupplys();
+  void wholeThousands_areNoVolts();
+  void servosOfAnotherMaker_haveTheSpeedThatTheirAngleTells();
+  void angleOfARobotBesideItsWheelsSpeed_isSetAside();
+  void speedThatContradictsTheAngle_yieldsToOneThatAgrees();
+  void ticksOfRowsOfSeveralAxes_areTheTime();
+  void valuesBeyondAnyMotor_areKept();
+  void outputWithinOneBesideADuty_isNoVoltage();
+  void countsBesideATravelInMillimetres_arentAskedAbout();
+  void oneOfTwoPositionsBesideAnOdrivesCurrent_isNotInTurns();
+  void wholeVoltsBeyondAMotors_areNoSupply();
+  void currentBesideAThrottleAndASupply_isDoubted();
+
+ private:
+  Result<Imported> imported(const QString& text) {
+    return importRecording(folder_.write("log.csv", text.toStdString()));
+  }
+  /// A table of these columns, each a wave of its own.
+  Result<Imported> waves(const QStringList& names) {
+    QString text = "time_s,\"" + names.join("\",\"") + "\"\n";
+    for (int k = 0; k < 80; ++k) {
+      text += QString::number(0.01 * k);
+      for (int c = 0; c < names.size(); ++c) text += QString(",%1").arg((1.0 + 0.1 * c) * std::sin(0.1 * k + c));
+      text += "\n";
+    }
+    return imported(text);
+  }
+  static std::string meaning(const Imported& log, const QString& name) {
+    for (const ColumnFate& fate : log.columns) {
+      if (fate.from == name.toStdString()) return fate.kind == ColumnFate::Kind::used ? fate.to : std::string();
+    }
+    return "not there";
+  }
+  TemporaryFolder folder_;
+};
+
+/// A column that turns, the speed of its own, and another one's.
+static QString turningBeside(const char* head) {
+  QString text = head;
+  for (int k = 0; k < 200; ++k)
+    text += QString("%1,%2,%3,%4\n")
+                .arg(0.01 * k)
+                .arg(20.0 * std::sin(0.1 * k))
+                .arg(200.0 * std::cos(0.1 * k))
+                .arg(300.0 * std::sin(0.023 * k) * std::sin(0.31 * k));
+  return text;
+}
+
+void TestImportValues::voltageOfASpeedThatFallsAgainAndAgain_isTheSupplys_data() {
+  QTest::addColumn<int>("rowsAWave");
+  QTest::addColumn<QString>("to");
+  QTest::newRow("again and again") << 40 << "supply_V";
+  QTest::newRow("switched on and loaded") << 320 << "voltage_V";
+}
+
+void TestImportValues::voltageOfASpeedThatFallsAgainAndAgain_isTheSupplys() {
+  QFETCH(int, rowsAWave);
+  QFETCH(QString, to);
+  QString text = "time_s,rpm,voltage\n";
+  for (int k = 0; k < 320; ++k)
+    text += QString("%1,%2,%3\n").arg(0.01 * k).arg(500.5 - 500.0 * std::cos(2.0 * M_PI * k / rowsAWave)).arg(23.1);
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "voltage"), to.toStdString());
+}
+
+void TestImportValues::wholeThousands_areNoVolts() {
+  QString text = "time_s,angle_rad,batt_volt,Supply (volts)\n";
+  for (int k = 0; k < 40; ++k) text += QString("%1,%2,36500,325\n").arg(0.01 * k).arg(std::sin(0.1 * k));
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "batt_volt"), std::string());
+}
+
+void TestImportValues::servosOfAnotherMaker_haveTheSpeedThatTheirAngleTells() {
+  QString text = "time_s,Present_Position,Present_Speed,Present_Load\n";
+  for (int k = 0; k < 100; ++k)
+    text += QString("%1,%2,%3,20\n")
+                .arg(0.01 * k)
+                .arg(2048 + int(900 * std::sin(0.1 * k)))
+                .arg(int(9000 * std::cos(0.1 * k)));
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  const double speed = 9000.0 / 4096.0 * 2.0 * M_PI;
+  QVERIFY(std::abs(log->recording.channel("velocity_rad_per_s").front() - speed) < 1e-3 * speed);
+}
+
+void TestImportValues::angleOfARobotBesideItsWheelsSpeed_isSetAside() {
+  const auto log = imported(turningBeside("time_s,angle_deg,rate_dps,wheel_speed_rpm\n"));
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "wheel_speed_rpm"), std::string("velocity_rad_per_s"));
+  QCOMPARE(meaning(*log, "angle_deg"), std::string());
+  const auto pedal = imported(turningBeside("time_s,pedal_pos,rate_dps,motor_rpm\n"));
+  VERIFY_OK(pedal);
+  QCOMPARE(meaning(*pedal, "motor_rpm"), std::string("velocity_rad_per_s"));
+  QCOMPARE(meaning(*pedal, "pedal_pos"), std::string());
+  const auto wheels = imported(turningBeside("time_s,wheel_angle_deg,rate_dps,wheel_speed_rpm\n"));
+  VERIFY_OK(wheels);
+  QCOMPARE(meaning(*wheels, "wheel_angle_deg"), std::string("angle_rad"));
+}
+
+void TestImportValues::speedThatContradictsTheAngle_yieldsToOneThatAgrees() {
+  const auto log = imported(turningBeside("time_s,angle_deg,hand_speed_dps,speed_dps\n"));
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "hand_speed_dps"), std::string("velocity_rad_per_s"));
+  QCOMPARE(meaning(*log, "angle_deg"), std::string("angle_rad"));
+}
+
+void TestImportValues::ticksOfRowsOfSeveralAxes_areTheTime() {
+  QString text = "id,ticks,speed,bus_voltage\n";
+  for (int k = 0; k < 60; ++k) {
+    for (int m = 1; m <= 3; ++m)
+      text += QString("%1,%2,%3,24\n").arg(m).arg(5000 + 10 * k + m).arg(m * std::sin(0.1 * k));
+  }
+  const auto log = imported(text);
+  QVERIFY(!log);
+  QVERIFY(log.error().message().find("{\"split\": \"id\"}") != std::string::npos);
+}
+
+void TestImportValues::valuesBeyondAnyMotor_areKept() {
+  QString text = "time_s,angle_rad,current,motor_temp\n", usual = text;
+  for (int k = 0; k < 60; ++k) {
+    text += QString("%1,%2,%3,9393\n").arg(0.01 * k).arg(std::sin(0.1 * k)).arg(1800.5 * std::cos(0.1 * k));
+    usual += QString("%1,%2,%3,93\n").arg(0.01 * k).arg(std::sin(0.1 * k)).arg(18.5 * std::cos(0.1 * k));
+  }
+  const auto far = imported(text), log = imported(usual);
+  VERIFY_OK(far);
+  VERIFY_OK(log);
+  for (const char* name : {"current", "motor_temp"}) {
+    QCOMPARE(meaning(*far, name), std::string());
+    QVERIFY(!meaning(*log, name).empty());
+  }
+}
+
+void TestImportValues::outputWithinOneBesideADuty_isNoVoltage() {
+  const auto of = [this](double full) {
+    QString text = "time_s,theta_rad,u,pwm\n";
+    for (int k = 0; k < 60; ++k)
+      text += QString("%1,%2,%3,%4\n")
+                  .arg(0.01 * k)
+                  .arg(std::sin(0.1 * k))
+                  .arg(full * std::cos(0.1 * k))
+                  .arg(int(255.0 * std::cos(0.1 * k)));
+    const auto log = imported(text);
+    return log ? meaning(*log, "u") : log.error().message();
+  };
+  QCOMPARE(of(1.0), std::string());
+  QCOMPARE(of(12.0), std::string("voltage_V"));
+}
+
+void TestImportValues::countsBesideATravelInMillimetres_arentAskedAbout() {
+  QString text = "time_s,enc,travel_mm\n";
+  for (int k = 0; k < 60; ++k)
+    text += QString("%1,%2,%3\n").arg(0.01 * k).arg(int(1000.0 * std::sin(0.1 * k))).arg(50.0 * std::sin(0.1 * k));
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "travel_mm"), std::string("position_m"));
+  QVERIFY(!log->recording.has("angle_rad"));
+}
+
+void TestImportValues::oneOfTwoPositionsBesideAnOdrivesCurrent_isNotInTurns() {
+  const auto unitOf = [this](const QStringList& names) {
+    const auto log = waves(names);
+    return log ? log->columns[1].unit : log.error().message();
+  };
+  QCOMPARE(unitOf({"position", "iq_measured"}), std::string("turns"));
+  QCOMPARE(unitOf({"position", "encoder_pos", "iq_measured"}), std::string());
+}
+
+void TestImportValues::wholeVoltsBeyondAMotors_areNoSupply() {
+  QString text = "time_s,angle_rad,voltage\n";
+  for (int k = 0; k < 60; ++k) text += QString("%1,%2,121\n").arg(0.01 * k).arg(std::sin(0.1 * k));
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "voltage"), std::string());
+}
+
+void TestImportValues::currentBesideAThrottleAndASupply_isDoubted() {
+  const auto words = [this](const QString& name) {
+    QString text = "time_s,rpm,throttle_pct,voltage," + name + "\n";
+    for (int k = 0; k < 60; ++k)
+      text += QString("%1,%2,%3,22.2,%4\n").arg(0.1 * k).arg(3000.0 + 20 * k).arg(10 + k).arg(1.5 + 0.1 * k);
+    const auto log = imported(text);
+    return log ? log->columns[4].inWords().english() : log.error().message();
+  };
+  QVERIFY(words("current_mA").find("supply's") != std::string::npos);
+  QVERIFY(words("current").find("supply's") != std::string::npos);
+  QVERIFY(words("motor_current_mA").find("supply's") == std::string::npos);
+}
+
+QTEST_APPLESS_MAIN(TestImportValues)
+#include "tst_import_values.moc"
