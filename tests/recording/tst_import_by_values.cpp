@@ -54,6 +54,9 @@ class TestImportByValues : public QObject {
   void motionInAnUnknownLanguage_isTakenAsAGuess();
   void meterThatOnlyGoesUp_isNoAngle();
   void rowsByNumber_areNoTime();
+  void placeThatDoesNotGoWithARotation_isKept_data();
+  void placeThatDoesNotGoWithARotation_isKept();
+  void headingThatTurnsWithItsDrive_isNoMotors();
   void voltageOfAnInputThatGoesBelowZero_isTheMotors();
 
  private:
@@ -195,6 +198,31 @@ void TestImportByValues::rowsByNumber_areNoTime() {
   const auto log = logOf({{"թիվ", [](int k) { return double(k); }}, {"angle_rad", turnedBy}});
   QVERIFY(!log.ok());
   QVERIFY2(log.error().message().find("sample_time_s") != std::string::npos, log.error().message().c_str());
+}
+
+void TestImportByValues::placeThatDoesNotGoWithARotation_isKept_data() {
+  QTest::addColumn<bool>("screw");
+  QTest::newRow("a screw's nut") << true;
+  QTest::newRow("a rotor off its centre") << false;
+}
+
+void TestImportByValues::placeThatDoesNotGoWithARotation_isKept() {
+  QFETCH(bool, screw);
+  const auto log =
+      logOf({{"time [s]", clockOf},
+             {"rotor speed [rpm]", [](int k) { return 9.5 * speedOfMotion(k); }},
+             {"axial displacement [m]", [screw](int k) { return screw ? 1e-3 * turnedBy(k) : 1e-6 * elsewhere(k); }}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "rotor speed [rpm]"), "velocity_rad_per_s");
+  QCOMPARE(meaning(*log, "axial displacement [m]"), screw ? "position_m" : "");
+}
+
+void TestImportByValues::headingThatTurnsWithItsDrive_isNoMotors() {
+  const auto log = logOf({{"time_s", clockOf},
+                          {"yaw_motor_rpm", [](int k) { return 9.5 * speedOfMotion(k); }},
+                          {"nacelle_yaw_deg", [](int k) { return 0.1 * turnedBy(k); }}});
+  VERIFY_OK(log);
+  QCOMPARE(meaning(*log, "nacelle_yaw_deg"), "");
 }
 
 void TestImportByValues::voltageOfAnInputThatGoesBelowZero_isTheMotors() {

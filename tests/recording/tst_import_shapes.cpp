@@ -17,6 +17,8 @@ class TestImportShapes : public QObject {
   void labelBeforeEachNumber_isItsName();
   void listsOfEachRowBesideATime_areColumns_data();
   void listsOfEachRowBesideATime_areColumns();
+  void objectsInAList_areColumnsOfTheirOwn();
+  void objectsThatDescribeColumns_areNoSamples();
   void rowsWithTheirNamesBeside_stayRows();
   void stampInBrackets_isTheTime_data();
   void stampInBrackets_isTheTime();
@@ -116,6 +118,30 @@ void TestImportShapes::listsOfEachRowBesideATime_areColumns() {
   QCOMPARE(log->recording.rows(), size_t{rows});
   QVERIFY(std::abs(log->recording.channel("angle_rad")[10] - std::sin(1.0)) < 1e-4);
   QCOMPARE(log->columns.size(), size_t{3});
+}
+
+void TestImportShapes::objectsInAList_areColumnsOfTheirOwn() {
+  QString text;
+  for (int k = 0; k < rows; ++k)
+    text += QString(R"({"t": %1, "m": [{"id": 1, "pos": %2}, {"id": 2, "pos": %3}]})")
+                .arg(0.01 * k)
+                .arg(std::sin(0.1 * k))
+                .arg(std::cos(0.1 * k)) +
+            "\n";
+  const auto log = imported(text);
+  VERIFY_OK(log);
+  QVERIFY(std::abs(log->recording.channel("angle_rad")[10] - std::sin(1.0)) < 1e-4);
+}
+
+void TestImportShapes::objectsThatDescribeColumns_areNoSamples() {
+  QStringList samples;
+  for (int k = 0; k < rows; ++k) samples += QString("[%1,%2]").arg(10 * k).arg(57.29578 * std::sin(0.1 * k));
+  const auto log =
+      imported(R"({"columns": [{"name": "t", "unit": "ms"}, {"name": "theta", "unit": "deg"}], "data": [)" +
+               samples.join(",") + "]}");
+  VERIFY_OK(log);
+  QVERIFY(std::abs(log->recording.time()[10] - 0.1) < 1e-9);
+  QVERIFY(std::abs(log->recording.channel("angle_rad")[10] - std::sin(1.0)) < 1e-4);
 }
 
 void TestImportShapes::rowsWithTheirNamesBeside_stayRows() {

@@ -237,6 +237,9 @@ size_t bestFor(const RawTable& table, const ImportMap& map, const std::vector<Ch
 
 /// Angles and speeds that don't go with those that would be taken.
 void dropStrangers(const RawTable& table, const ImportMap& map, std::vector<Choice>& choices) {
+  const size_t place = bestFor(table, map, choices, "position_m"),
+               rotation = bestFor(table, map, choices, "velocity_rad_per_s");
+  if (std::max(place, rotation) < choices.size()) setStrangePlaceAside(table, place, rotation, choices);
   constexpr int most = 8;
   bool again = true;
   for (int k = 0; k < most && again; ++k) {

@@ -107,7 +107,8 @@ void takeAnglesByValues(const RawTable& table, std::vector<Choice>& choices) {
     if (isMultiplied(table.columns[c].channel.name)) continue;
     const NameParts parts = partsOfName(table.columns[c].channel.name, table.columns[c].unit);
     const bool turns = parts.unit != nullptr && parts.unit->kind == UnitKind::angle && !parts.words.empty();
-    const bool other = firstIn(parts.words, otherThings) != nullptr || firstIn(parts.words, referenceWords) != nullptr;
+    const bool other = firstIn(parts.words, otherThings) != nullptr ||
+                       firstIn(parts.words, referenceWords) != nullptr || firstIn(parts.words, headings) != nullptr;
     if (!turns || other || commonOf(table, c, speed) < agrees) continue;
     choices[c].name = understandName("angle", parts.unitText);
     choices[c].name.guess = message("moves as {} says", table.columns[speed].channel.name);
@@ -181,6 +182,16 @@ void takeMotionByValues(const RawTable& table, std::vector<Choice>& choices) {
       return;
     }
   }
+}
+
+bool setStrangePlaceAside(const RawTable& table, size_t position, size_t speed, std::vector<Choice>& choices) {
+  constexpr double little = 0.6;
+  const ColumnName& turns = choices[speed].name;
+  if (choices[position].byMap || choices[position].byTool || choices[speed].byMap || turns.unit.empty()) return false;
+  if (commonOf(table, position, speed) > little) return false;  // a screw, a belt
+  setAside(choices[position],
+           message("moves otherwise than {}, which is the motor's", table.columns[speed].channel.name));
+  return true;
 }
 
 bool setStrangersAside(const RawTable& table, size_t angle, size_t speed, std::vector<Choice>& choices) {

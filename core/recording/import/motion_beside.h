@@ -14,6 +14,10 @@ namespace breakaway {
 /// the columns that would be taken. Whether anything was set aside.
 bool setStrangersAside(const RawTable& table, size_t angle, size_t speed, std::vector<Choice>& choices);
 
+/// A position in metres beside a speed of rotation whose unit is told, with which it has little in common, is no
+/// motor's: how far a rotor is off its centre. Whether it was set aside.
+bool setStrangePlaceAside(const RawTable& table, size_t position, size_t speed, std::vector<Choice>& choices);
+
 /// Where the speed that would be taken is called otherwise than the angle, and another one as well told is called as it
 /// is ("omega_enc" beside "theta_enc"), sets the former aside. Whether it did.
 bool preferNamesake(const RawTable& table, size_t angle, size_t speed, std::vector<Choice>& choices);
