@@ -1,10 +1,8 @@
 #include <QTest>
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "recording/csv.h"
-#include "recording/import/column_name.h"
 #include "recording/import/import.h"
 #include "support/temporary.h"
 

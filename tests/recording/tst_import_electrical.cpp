@@ -1,5 +1,4 @@
 #include <QTest>
-#include <algorithm>
 #include <cmath>
 
 #include "recording/import/import.h"

@@ -338,6 +338,7 @@ void TestImportNames::numberedNamesAboveTheRows_areTheColumns_data() {
   QTest::addColumn<bool>("taken");
   QTest::newRow("from 1, behind %") << "% 1 time (s)\n% 2 angle (rad)\n% 3 motor current\n" << true;
   QTest::newRow("from 0, as text") << "0: time (s)\n1: angle (rad)\n2: motor current\n" << true;
+  QTest::newRow("in a line that says so") << "% columns: time  angle  motor current\n" << true;
   QTest::newRow("one too few") << "% 1 time (s)\n% 2 angle (rad)\n" << false;
   QTest::newRow("one is missing") << "% 1 time (s)\n% 3 angle (rad)\n% 4 motor current\n" << false;
 }

@@ -96,6 +96,9 @@ void TestImportWords::names_areUnderstood_data() {
   row("RPM_Esq", "velocity_rad_per_s", std::numbers::pi / 30.0);
   row("t_motor [C]", "temperature_degC");
   row("Temperatura (C)", "temperature_degC");
+  row("Motortemperatur [°C]", "temperature_degC");
+  row("Wicklungstemperatur [°C]", "temperature_degC");
+  row("Oeltemperatur_C", "");
   row("speed_req [rpm]", "velocity_reference_rad_per_s", std::numbers::pi / 30.0);
   row("udcb [V]", "supply_V");
   row("U_dc", "supply_V");

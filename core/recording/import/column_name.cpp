@@ -276,8 +276,15 @@ Message notMeant(const NameReading& name) {
       return message("is friction's or gravity's part of a torque");  // "tau_f"
   }
   if (name.kind == UnitKind::temperature) {
-    if (const std::string* word = firstIn(parts.words, driverWords))
-      return message("is the temperature of the {}, not of the winding", *word);
+    static constexpr std::string_view german = "temperatur";
+    static constexpr auto windings =
+        std::to_array<std::string_view>({"wicklungs", "anker", "spulen", "stator", "rotor"});
+    const std::string_view word = name.word();
+    const std::string_view whose = word.ends_with(german) ? word.substr(0, word.size() - german.size()) : "";
+    if (!whose.empty() && !isIn(windings, whose))  // "Oeltemperatur"; "Motortemperatur" is two words by now
+      return message("is the temperature of the {}, not of the winding", whose);
+    if (const std::string* driver = firstIn(parts.words, driverWords))
+      return message("is the temperature of the {}, not of the winding", *driver);
   }
   return {};
 }

@@ -25,11 +25,17 @@ double commonOf(const RawTable& table, size_t angle, size_t speed) {
   return motion ? std::abs(motion->correlation) : 0.0;
 }
 
-/// The same of how both vary about their means.
+/// The same of how both vary about their means, in as many rows as tell it.
 double columnsVaryAlike(const RawTable& table, size_t angle, size_t speed) {
-  std::vector<double> turned = table.columns[angle].channel.values;
+  static constexpr size_t mostRows = 20000;
+  const auto begin = [&table](size_t c) {
+    const auto& values = table.columns[c].channel.values;
+    const auto count = static_cast<std::ptrdiff_t>(std::min(mostRows, values.size()));
+    return std::vector<double>(values.begin(), values.begin() + count);
+  };
+  std::vector<double> turned = begin(angle);
   if (const auto period = periodOf(turned, {}, std::nullopt)) unwind(turned, *period, {});
-  return variesAlike(turned, table.columns[speed].channel.values);
+  return variesAlike(turned, begin(speed));
 }
 
 bool namesMotor(const RawTable& table, const Choice& choice, size_t c) {

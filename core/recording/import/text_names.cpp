@@ -19,7 +19,13 @@ using Cells = std::vector<std::string_view>;
 std::string_view withoutCommentMark(std::string_view line) {
   line = withoutBlanks(line);
   const size_t start = line.find_first_not_of("#%/ \t");
-  return start == std::string_view::npos ? std::string_view{} : line.substr(start);
+  if (start == std::string_view::npos) return {};
+  line.remove_prefix(start);
+  for (const std::string_view label : {"columns:", "fields:", "names:", "header:"}) {  // "# columns: t q dq"
+    if (line.size() > label.size() && isSameWord(line.substr(0, label.size()), label))
+      return withoutBlanks(line.substr(label.size()));
+  }
+  return line;
 }
 
 bool isNumberIn(std::string_view cell, const TextLayout& layout) {
