@@ -19,7 +19,7 @@ bool standsBeside(std::string_view word) {
 }
 
 /// Of the weak words those that name nothing else within another word.
-bool namesQuantity(std::string_view word) {
+bool surelyNamesQuantity(std::string_view word) {
   static constexpr auto sure = std::to_array<std::string_view>({"enc", "ang", "dq"});
   const Word* quantity = quantityNamed(word);
   return quantity != nullptr && (!quantity->weak || isIn(sure, word));
@@ -31,9 +31,9 @@ size_t secondWordIn(std::string_view word) {
   if (word.size() < shortestWord || isKnownWord(word)) return 0;
   for (size_t at = word.size() - shortestPart; at >= shortestPart; --at) {
     const std::string_view first = word.substr(0, at), second = word.substr(at);
-    const bool parts = (namesQuantity(first) && standsBeside(second)) ||
-                       (standsBeside(first) && namesQuantity(second)) ||
-                       (namesQuantity(first) && namesQuantity(second) && first.size() > 2 && second.size() > 2);
+    const bool parts =
+        (surelyNamesQuantity(first) && standsBeside(second)) || (standsBeside(first) && surelyNamesQuantity(second)) ||
+        (surelyNamesQuantity(first) && surelyNamesQuantity(second) && first.size() > 2 && second.size() > 2);
     if (parts) return at;
   }
   return 0;

@@ -12,28 +12,29 @@ namespace breakaway {
 
 namespace {
 
-using Values = std::vector<double>;
+using SpanMeans = std::vector<double>;
 
-double dot(const Values& a, const Values& b) {
+double innerProduct(const SpanMeans& a, const SpanMeans& b) {
   double sum = 0.0;
   for (size_t k = 0; k < a.size(); ++k) sum += a[k] * b[k];
   return sum;
 }
 
 /// Takes out of `values` what they have in common with `basis`; how often the basis stood in them.
-double takeOut(Values& values, const Values& basis) {
-  const double size = dot(basis, basis);
-  const double share = size > 0.0 ? dot(values, basis) / size : 0.0;
+double takeOut(SpanMeans& values, const SpanMeans& basis) {
+  const double size = innerProduct(basis, basis);
+  const double share = size > 0.0 ? innerProduct(values, basis) / size : 0.0;
   for (size_t k = 0; k < values.size(); ++k) values[k] -= share * basis[k];
   return share;
 }
 
 /// Means over spans of rows: of a drive, and of what it has to overcome.
 struct Spans {
-  Values drive, constant, direction, speed, acceleration;
+  SpanMeans drive, constant, direction, speed, acceleration;
 };
 
-Spans spansOf(const Values& time_s, const Values& speed, const Values& drive, const std::vector<size_t>& pauses) {
+Spans spansOf(const SpanMeans& time_s, const SpanMeans& speed, const SpanMeans& drive,
+              const std::vector<size_t>& pauses) {
   constexpr size_t mostSpans = 200;
   const size_t rows = speed.size(), length = std::max<size_t>(2, rows / mostSpans);
   const double standing = 0.02 * largest(speed);
@@ -62,20 +63,20 @@ Spans spansOf(const Values& time_s, const Values& speed, const Values& drive, co
 double explainedBy(Spans spans) {
   constexpr size_t fewest = 20;
   if (spans.drive.size() < fewest) return 0.0;
-  const std::array<Values*, 4> bases{&spans.constant, &spans.direction, &spans.speed, &spans.acceleration};
+  const std::array<SpanMeans*, 4> bases{&spans.constant, &spans.direction, &spans.speed, &spans.acceleration};
   double all = 0.0;
   for (size_t k = 0; k < bases.size(); ++k) {
     for (size_t before = 0; before < k; ++before) takeOut(*bases[k], *bases[before]);
     takeOut(spans.drive, *bases[k]);
-    if (k == 0) all = dot(spans.drive, spans.drive);
+    if (k == 0) all = innerProduct(spans.drive, spans.drive);
   }
-  return all > 0.0 ? 1.0 - dot(spans.drive, spans.drive) / all : 0.0;
+  return all > 0.0 ? 1.0 - innerProduct(spans.drive, spans.drive) / all : 0.0;
 }
 
 /// How much more acceleration and friction make of the drive than of the same drive at other times: a motion that
 /// repeats itself says nothing, as any wave of its period would go with it. 0 where it takes energy out of the motion.
 double saidBy(const Spans& spans) {
-  if (dot(spans.drive, spans.speed) <= 0.0) return 0.0;
+  if (innerProduct(spans.drive, spans.speed) <= 0.0) return 0.0;
   const double explained = explainedBy(spans);
   constexpr auto shares = std::to_array({0.11, 0.19, 0.27, 0.38, 0.5});
   double elsewhere = 0.0;
@@ -83,7 +84,7 @@ double saidBy(const Spans& spans) {
     const auto by = static_cast<std::ptrdiff_t>(share * static_cast<double>(spans.drive.size()));
     Spans moved = spans;
     moved.drive.erase(moved.drive.begin(), moved.drive.begin() + by);
-    for (Values* one : {&moved.constant, &moved.direction, &moved.speed, &moved.acceleration})
+    for (SpanMeans* one : {&moved.constant, &moved.direction, &moved.speed, &moved.acceleration})
       one->resize(moved.drive.size());
     elsewhere += explainedBy(std::move(moved)) / static_cast<double>(shares.size());
   }
@@ -95,8 +96,8 @@ struct Following {
   double correlation = 0.0, slope = 0.0;
 };
 
-Following followingOf(Values reference, Values measured) {
-  Values constant;
+Following followingOf(SpanMeans reference, SpanMeans measured) {
+  SpanMeans constant;
   for (size_t k = 0; k < reference.size(); ++k) {
     const bool there = std::isfinite(reference[k]) && std::isfinite(measured[k]);
     constant.push_back(there ? 1.0 : 0.0);
@@ -104,9 +105,9 @@ Following followingOf(Values reference, Values measured) {
   }
   takeOut(reference, constant);
   takeOut(measured, constant);
-  const double size = dot(reference, reference), other = dot(measured, measured);
+  const double size = innerProduct(reference, reference), other = innerProduct(measured, measured);
   if (!(size > 0.0) || !(other > 0.0)) return {};
-  return {dot(reference, measured) / std::sqrt(size * other), dot(reference, measured) / size};
+  return {innerProduct(reference, measured) / std::sqrt(size * other), innerProduct(reference, measured) / size};
 }
 
 bool namesOnlyReference(const Words& words) {
@@ -169,7 +170,7 @@ void Settling::takeDrivesByValues() {
   const auto speed = columnOf("velocity_rad_per_s");
   const auto angle = columnOf("angle_rad");
   if ((!speed && !angle) || time_.time_s.size() < 3) return;
-  Values moved = speed ? values(*speed) : changesOf(values(*angle));
+  SpanMeans moved = speed ? values(*speed) : changesOf(values(*angle));
   if (!speed) {
     for (size_t k = 1; k < moved.size(); ++k) moved[k] /= time_.time_s[k] - time_.time_s[k - 1];
     moved.front() = moved[1];
@@ -220,7 +221,7 @@ void Settling::takeReferencesByValues() {
       if (!fits || (parts.unit != nullptr && parts.unit->needs != UnitNeeds::nothing)) continue;
       const double scale =
           parts.unit == nullptr ? fates_[*measured].scale : parts.unit->scale * parts.factor * gear(name);
-      Values shall = values(c);
+      SpanMeans shall = values(c);
       convert(shall, scale, 0.0);
       const Following one = followingOf(std::move(shall), values(*measured));
       if (one.correlation < bestCorrelation || one.slope < least || one.slope > most) continue;
