@@ -15,6 +15,18 @@ namespace {
 constexpr int titleHeight = 32, firstTitleHeight = 24;
 constexpr int uriRole = Qt::UserRole, kindRole = Qt::UserRole + 1;
 constexpr const char *rigKind = "rig", *portKind = "port";
+
+/// What the preset of this name is; its address where it isn't known here.
+QString presetWords(const QString& preset, const QString& uri) {
+  if (preset == "servo") return BoardList::tr("A servo motor of 0.07 Nm/A with an index; the one to begin with");
+  if (preset == "geared") return BoardList::tr("A small motor with a 14:1 gear behind it, seen from the motor's shaft");
+  if (preset == "linear") return BoardList::tr("A linear axis with a stop at each end");
+  if (preset == "uneven") return BoardList::tr("The servo, with 40 % of its friction in one swing around the rotor");
+  if (preset == "published-0134")
+    return BoardList::tr("A motor of 0.134 Nm/A with very little friction, as in a published simulation");
+  return uri;
+}
+
 }  // namespace
 
 BoardList::BoardList(QWidget* parent) : QListWidget(parent) {
@@ -25,7 +37,7 @@ BoardList::BoardList(QWidget* parent) : QListWidget(parent) {
   for (const std::string& name : presetNames()) {
     const QString preset = QString::fromStdString(name);
     const QString uri = "simulated:" + preset;
-    auto* item = add(count(), preset, uri, uri);
+    auto* item = add(count(), preset, uri, presetWords(preset, uri));
     item->setData(kindRole, rigKind);
     if (preset == "servo") setCurrentItem(item);
   }
