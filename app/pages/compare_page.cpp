@@ -241,6 +241,7 @@ void ComparePage::showInputs() {
   showProgress();
   showKeep();
   showTrial();
+  showHint();
 }
 
 void ComparePage::showTrial() {
@@ -260,6 +261,7 @@ void ComparePage::showProgress() {
       diagnose_, tr("Fits the declared physics, searches for what is missing, and decides on data that was held out"),
       comparison_.log().isOpen() ? tr("Open the log as a recording first, or leave it") : comparison_.obstacle());
   setAvailable(cancel_, running, tr("End the diagnosis"), tr("No diagnosis is running"));
+  if (!comparison_.diagnosis()) showHint();
   showState();
 }
 
@@ -269,6 +271,18 @@ void ComparePage::showLog() {
   (open ? compared_ : static_cast<QWidget*>(log_))->hide();
   (open ? static_cast<QWidget*>(log_) : compared_)->show();
   showProgress();
+  showHint();
+}
+
+/// What can be read off, or what is next.
+void ComparePage::showHint() {
+  const QString obstacle = comparison_.obstacle();
+  read(comparison_.log().isOpen() ? tr("Check what each column is taken as; then open the log as a recording")
+       : comparison_.diagnosis()  ? tr("Point at a plot to read it")
+       : !comparison_.recording() ? tr("Open a bench file and a recording on the left, or the example")
+       : comparison_.diagnosing() ? tr("The diagnosis runs; Cancel ends it")
+       : !obstacle.isEmpty()      ? obstacle
+                                  : tr("Diagnose finds what the bench file leaves out"));
 }
 
 void ComparePage::showState() {
@@ -318,7 +332,7 @@ void ComparePage::showProof() {
                    : diagnosis->fit.inTorque()
                        ? tr("This motion can't be foreseen (%1 off): the torque counts").arg(off)
                        : tr("As ticked, the error is %1").arg(off));
-  read(diagnosis ? tr("Point at a plot to read it") : QString());
+  showHint();
   showState();
 }
 

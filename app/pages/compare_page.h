@@ -57,6 +57,7 @@ class ComparePage : public Page {
   std::optional<Recording> visible() const;
   void showKeep();
   void keepVisible();
+  void showHint();
   void showState();
 
   const BenchRuns& bench_;

@@ -16,6 +16,7 @@ namespace breakaway {
 
 namespace {
 
+constexpr int shortestAxis = 14, widestAxis_px = 280;
 constexpr int leastForBoth_px = 560;  // three plots of 110 px, with their axes and what chooses them
 
 QFrame* comparedCard(QWidget* parent, QWidget* plot) {
@@ -58,6 +59,7 @@ QWidget* ComparedPlots::buildRow() {
     row->addWidget(chip);
     connect(chip, &QPushButton::clicked, this, [this, chip] { choose(chip == evidenceChip_); });
   }
+  row->addSpacing(8);
   row->addStretch(1);
   axis_ = new QComboBox(group);
   axis_->setObjectName("residualAxis");
@@ -70,7 +72,11 @@ QWidget* ComparedPlots::buildRow() {
                                                   {"current", tr("motor torque or force")},
                                                   {"reversal", tr("travel since reversal")}};
   for (const auto& [name, words] : axes) axis_->addItem(tr("Residual over %1").arg(words), name);
-  row->addWidget(axis_);
+  // Where words are long, it is what gives way.
+  axis_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  axis_->setMinimumContentsLength(shortestAxis);
+  axis_->setMaximumWidth(widestAxis_px);
+  row->addWidget(axis_, 8);
   keep_ = pushButton(group, "keepVisibleButton", tr("Keep visible part"));
   row->addWidget(keep_);
   return group;

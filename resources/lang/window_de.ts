@@ -109,29 +109,6 @@
     </message>
 </context>
 <context>
-    <name>BoardList</name>
-    <message>
-        <source>A servo motor of 0.07 Nm/A with an index; the one to begin with</source>
-        <translation>Ein Servomotor von 0,07 Nm/A mit Index; der für den Anfang</translation>
-    </message>
-    <message>
-        <source>A small motor with a 14:1 gear behind it, seen from the motor&apos;s shaft</source>
-        <translation>Ein kleiner Motor mit einem 14:1-Getriebe dahinter, von der Motorwelle aus gesehen</translation>
-    </message>
-    <message>
-        <source>A linear axis with a stop at each end</source>
-        <translation>Eine Linearachse mit einem Anschlag an jedem Ende</translation>
-    </message>
-    <message>
-        <source>The servo, with 40 % of its friction in one swing around the rotor</source>
-        <translation>Der Servo, mit 40 % seiner Reibung in einer Schwankung um den Rotor</translation>
-    </message>
-    <message>
-        <source>A motor of 0.134 Nm/A with very little friction, as in a published simulation</source>
-        <translation>Ein Motor von 0,134 Nm/A mit sehr wenig Reibung, wie in einer veröffentlichten Simulation</translation>
-    </message>
-</context>
-<context>
     <name>BoardTuning</name>
     <message>
         <source>bench file</source>
@@ -1223,6 +1200,26 @@
 <context>
     <name>breakaway::BoardList</name>
     <message>
+        <source>A servo motor of 0.07 Nm/A with an index; the one to begin with</source>
+        <translation>Ein Servomotor von 0,07 Nm/A mit Index; der für den Anfang</translation>
+    </message>
+    <message>
+        <source>A small motor with a 14:1 gear behind it, seen from the motor&apos;s shaft</source>
+        <translation>Ein kleiner Motor mit einem 14:1-Getriebe dahinter, von der Motorwelle aus gesehen</translation>
+    </message>
+    <message>
+        <source>A linear axis with a stop at each end</source>
+        <translation>Eine Linearachse mit einem Anschlag an jedem Ende</translation>
+    </message>
+    <message>
+        <source>The servo, with 40 % of its friction in one swing around the rotor</source>
+        <translation>Der Servo, mit 40 % seiner Reibung in einer Schwankung um den Rotor</translation>
+    </message>
+    <message>
+        <source>A motor of 0.134 Nm/A with very little friction, as in a published simulation</source>
+        <translation>Ein Motor von 0,134 Nm/A mit sehr wenig Reibung, wie in einer veröffentlichten Simulation</translation>
+    </message>
+    <message>
         <source>Boards that can be connected; a double click connects</source>
         <translation>Boards, die sich verbinden lassen; ein Doppelklick verbindet</translation>
     </message>
@@ -1507,6 +1504,22 @@
     <message>
         <source>Open the log as a recording first, or leave it</source>
         <translation>Erst das Log als Aufzeichnung öffnen, oder lassen</translation>
+    </message>
+    <message>
+        <source>Check what each column is taken as; then open the log as a recording</source>
+        <translation>Prüfen, als was jede Spalte gilt; dann das Log als Aufzeichnung öffnen</translation>
+    </message>
+    <message>
+        <source>Open a bench file and a recording on the left, or the example</source>
+        <translation>Links eine Prüfstandsdatei und eine Aufzeichnung öffnen, oder das Beispiel</translation>
+    </message>
+    <message>
+        <source>The diagnosis runs; Cancel ends it</source>
+        <translation>Die Diagnose läuft; „Abbrechen“ beendet sie</translation>
+    </message>
+    <message>
+        <source>Diagnose finds what the bench file leaves out</source>
+        <translation>Die Diagnose findet, was die Prüfstandsdatei auslässt</translation>
     </message>
 </context>
 <context>
@@ -3992,10 +4005,6 @@
         <translation>mit Befunden</translation>
     </message>
     <message>
-        <source>Open or drop a recording and its bench file</source>
-        <translation>Eine Aufzeichnung und ihre Prüfstandsdatei öffnen oder hier ablegen</translation>
-    </message>
-    <message>
         <source>this motion can&apos;t be foreseen: the torque counts</source>
         <translation>diese Bewegung ist nicht vorhersagbar: das Moment zählt</translation>
     </message>
@@ -4018,6 +4027,10 @@
     <message>
         <source>Residual (°) over %1</source>
         <translation>Residuum (°) über %1</translation>
+    </message>
+    <message>
+        <source>Open or drop a recording and its bench file, or press Example</source>
+        <translation>Eine Aufzeichnung und ihre Prüfstandsdatei öffnen oder hierher ziehen, oder „Beispiel“ drücken</translation>
     </message>
 </context>
 <context>
