@@ -245,8 +245,10 @@ void MapPanel::layBeneath(const std::optional<FrictionMap>& earlier) {
 void MapPanel::showFigure(const MapPicture& picture) {
   double sum = 0.0, squares = 0.0;
   size_t count = 0;
+  std::array<bool, 2> has{};  // ccw, cw
   for (const MapCurve& curve : picture.curves) {
     if (curve.part != MapPart::shown) continue;
+    if (curve.colour < 2 && !curve.points.empty()) has[curve.colour] = true;
     for (const MapPoint& point : curve.points) {
       if (point.outlier) continue;
       sum += point.value;
@@ -262,8 +264,7 @@ void MapPanel::showFigure(const MapPicture& picture) {
     return;
   }
   const double mean = sum / static_cast<double>(count), error = std::sqrt(squares) / static_cast<double>(count);
-  const bool both = ways_[0]->isChecked() && ways_[1]->isChecked();
-  polar_->setFigure(both ? tr("mean, both ways") : tr("mean"), numberText(mean),
+  polar_->setFigure(has[0] && has[1] ? tr("mean, both ways") : tr("mean"), numberText(mean),
                     error > 0.0 ? intervalText(error) + " " + picture.unit : picture.unit);
 }
 
