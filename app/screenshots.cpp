@@ -313,6 +313,9 @@ void Tour::tune() {
     if (!wait([&] { return session_.bench.steps().size() > before; })) trouble_ = "the velocity step did not end";
   }
   shoot("tune-step");
+  press("positionLoopTab");
+  shoot("tune-position");
+  press("velocityLoopTab");
 }
 
 void Tour::identify() {
@@ -408,6 +411,7 @@ void Tour::compare() {
   window_.findChild<QWidget*>("comparePage")->setFocus();
   axis->setCurrentIndex(
       std::max(0, axis->findData(QString::fromStdString(session_.comparison.diagnosis()->where.front().axis))));
+  if (auto* motion = window_.findChild<QAbstractButton*>("showMotion")) motion->click();
   shoot("compare-where");
 }
 

@@ -33,6 +33,10 @@
 
 namespace breakaway {
 
+namespace {
+constexpr int gap_px = 4;  // around what is said, below the rail
+}  // namespace
+
 WindowContents::WindowContents(Session& session, FileChooser& files, QWidget* parent) : QWidget(parent) {
   setObjectName("windowContents");
   resize(parent->size());
@@ -43,6 +47,7 @@ WindowContents::WindowContents(Session& session, FileChooser& files, QWidget* pa
   layOut(new BoardBar(session.connection, this));
   toast_ = new Toast(session.messages, this);
   connect(toast_, &Toast::clicked, this, [this] { showLog(true); });
+  rail_->installEventFilter(this);
   goTo(0);
 }
 
@@ -240,9 +245,45 @@ void WindowContents::fitLive() {
     below_->setStretchFactor(live_, large ? 1 : 0);
   }
   live_->setVisible(open);
+}
+
+/// Below the rail's rows, above what is at its foot.
+void WindowContents::placeToast() {
   if (toast_ == nullptr) return;
-  const int drawer_px = live_->isHidden() || large ? 0 : height_px;
-  toast_->keepAbove(LiveStrip::height_px + (log_->isHidden() ? drawer_px : log_->height()));
+  const QRect rail(rail_->mapTo(this, QPoint(0, 0)), rail_->size());
+  toast_->keepIn(rail.adjusted(gap_px, rail_->rowsHeight_px() + gap_px, -gap_px, -gap_px));
+}
+
+bool WindowContents::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == rail_ && event->type() == QEvent::Resize) placeToast();
+  if (watched == left_ && (event->type() == QEvent::EnabledChange || event->type() == QEvent::Show) && hasFocus() &&
+      left_->isEnabled() && left_->isVisible())
+    left_->setFocus(Qt::OtherFocusReason);
+  return QWidget::eventFilter(watched, event);
+}
+
+bool WindowContents::focusNextPrevChild(bool next) {
+  QWidget* now = window()->focusWidget();
+  if (now != nullptr && now != this && isAncestorOf(now) && (!now->isEnabled() || !now->isVisible())) {
+    if (left_ != nullptr) left_->removeEventFilter(this);
+    left_ = now;
+    left_->installEventFilter(this);
+    setFocus(Qt::OtherFocusReason);
+    return true;
+  }
+  if (hasFocus() && left_ != nullptr) {
+    const auto takes = [this](const QWidget* one) {
+      return one->isEnabled() && one->isVisible() && (one->focusPolicy() & Qt::TabFocus) != 0 && isAncestorOf(one) &&
+             one->focusProxy() == nullptr;
+    };
+    const auto follow = [next](QWidget* one) { return next ? one->nextInFocusChain() : one->previousInFocusChain(); };
+    for (QWidget* one = follow(left_); one != left_; one = follow(one)) {
+      if (!takes(one)) continue;
+      one->setFocus(next ? Qt::TabFocusReason : Qt::BacktabFocusReason);
+      return true;
+    }
+  }
+  return QWidget::focusNextPrevChild(next);
 }
 
 void WindowContents::resizeEvent(QResizeEvent* event) {

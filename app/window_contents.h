@@ -2,6 +2,7 @@
 // All of it is made of the session, so that it can be made anew at any time.
 #pragma once
 
+#include <QPointer>
 #include <QVariant>
 #include <QWidget>
 #include <vector>
@@ -55,6 +56,10 @@ class WindowContents : public QWidget {
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  /// Tab; and what Qt does when the control with the focus is disabled or goes: the focus stays here then, at that
+  /// control's place, instead of at whatever comes next.
+  bool focusNextPrevChild(bool next) override;
 
  private:
   void buildPages(Session& session, FileChooser& files);
@@ -67,6 +72,7 @@ class WindowContents : public QWidget {
   void showStates();
   void showLog(bool open);
   void fitLive();
+  void placeToast();
 
   Rail* rail_ = nullptr;
   QStackedWidget* stack_ = nullptr;
@@ -78,6 +84,7 @@ class WindowContents : public QWidget {
   LiveStrip* strip_ = nullptr;
   QVBoxLayout* below_ = nullptr;  ///< the page, and what stands below it
   Toast* toast_ = nullptr;
+  QPointer<QWidget> left_;  ///< what had the focus and can't have it now
   bool liveOpen_ = false, liveLarge_ = false;
   std::vector<Page*> pages_;
 };

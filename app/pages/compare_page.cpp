@@ -1,6 +1,5 @@
 #include "pages/compare_page.h"
 
-#include <QComboBox>
 #include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -20,9 +19,9 @@
 #include "session/live_samples.h"
 #include "session/resource_folder.h"
 #include "session/trial_run.h"
+#include "widgets/compared_plots.h"
 #include "widgets/controls.h"
 #include "widgets/elided_label.h"
-#include "widgets/evidence_plot.h"
 #include "widgets/facts_table.h"
 #include "widgets/file_slot.h"
 #include "widgets/findings_list.h"
@@ -30,8 +29,6 @@
 #include "widgets/look.h"
 #include "widgets/number_text.h"
 #include "widgets/parameter_words.h"
-#include "widgets/residual_axis.h"
-#include "widgets/residual_plots.h"
 #include "widgets/trial_strip.h"
 #include "widgets/verdict_card.h"
 
@@ -69,13 +66,15 @@ ComparePage::ComparePage(const BenchRuns& bench, const LiveSamples& live, Compar
   auto* column = columnIn(compared_, 8);
   column->addWidget(new VerdictCard(comparison_, compared_));
   column->addWidget(new TrialStrip(trial_, compared_));
-  evidence_ = buildEvidence();
-  column->addWidget(evidence_, 2);
-  column->addWidget(buildPlots(), 3);
+  plots_ = new ComparedPlots(comparison_, compared_);
+  column->addWidget(plots_, 1);
   log_ = new LogPanel(comparison_.log(), this);
   picture()->addWidget(log_, 1);
   picture()->addWidget(compared_, 1);
   addReading("compareReading");
+  connect(plots_, &ComparedPlots::reading, this, &ComparePage::read);
+  connect(plots_, &ComparedPlots::visibleChanged, this, &ComparePage::showKeep);
+  connect(plots_, &ComparedPlots::keepAsked, this, &ComparePage::keepVisible);
   connect(&comparison_.log(), &LogOpening::changed, this, &ComparePage::showLog);
   connect(&comparison_, &Comparison::inputsChanged, this, &ComparePage::showInputs);
   connect(&comparison_, &Comparison::progressChanged, this, &ComparePage::showProgress);
@@ -153,50 +152,7 @@ void ComparePage::buildFindings() {
   connect(&experiment_, &ExperimentRun::changed, this, &ComparePage::showExperiment);
   showExperiment();
   settings()->addWidget(group);
-  connect(findings_, &FindingsList::axisChosen, this,
-          [this](const QString& axis) { axis_->setCurrentIndex(axis_->findData(axis)); });
-}
-
-QWidget* ComparePage::buildEvidence() {
-  auto* group = card(this);
-  columnOf(group)->setContentsMargins(12, 8, 12, 8);
-  auto* evidence = new EvidencePlot(comparison_, group);
-  columnOf(group)->addWidget(evidence, 1);
-  connect(evidence, &EvidencePlot::reading, this, &ComparePage::read);
-  return group;
-}
-
-QWidget* ComparePage::buildPlots() {
-  auto* side = card(this);
-  auto* column = columnOf(side);
-  column->setContentsMargins(12, 8, 12, 8);
-  column->setSpacing(4);
-  plots_ = new ResidualPlots(comparison_, side);
-  axis_ = new QComboBox(side);
-  axis_->setObjectName("residualAxis");
-  axis_->setAccessibleName(tr("Axis of the residual"));
-  axis_->setToolTip(tr("Over what the residual is drawn. Drag and wheel zoom in time."));
-  for (const QString& axis : residualAxes())
-    axis_->addItem(tr("Residual over %1")
-                       .arg(axis == "current"        ? tr("motor torque or force")
-                            : axis == "reversal"     ? tr("travel since reversal")
-                            : axis == "time"         ? tr("time")
-                            : axis == "angle"        ? tr("angle")
-                            : axis == "velocity"     ? tr("velocity")
-                            : axis == "acceleration" ? tr("acceleration")
-                                                     : axis),
-                   axis);
-  column->addWidget(plots_, 1);
-  auto* row = new QHBoxLayout;
-  row->addWidget(axis_);
-  row->addStretch(1);
-  keep_ = pushButton(side, "keepVisibleButton", tr("Keep visible part"));
-  row->addWidget(keep_);
-  column->addLayout(row);
-  connect(keep_, &QPushButton::clicked, this, &ComparePage::keepVisible);
-  connect(plots_, &ResidualPlots::visibleChanged, this, &ComparePage::showKeep);
-  connect(axis_, &QComboBox::currentIndexChanged, this, [this] { plots_->setAxis(axis_->currentData().toString()); });
-  return side;
+  connect(findings_, &FindingsList::axisChosen, this, [this](const QString& axis) { plots_->showResidualOver(axis); });
 }
 
 void ComparePage::ask(const QString& title, const QString& filter, const FileChooser::Answer& open) {
@@ -238,7 +194,7 @@ void ComparePage::showKeep() {
     if (from_s <= recording->time().front() && to_s >= recording->time().back())
       reason = tr("All of it is visible: zoom in with the wheel, over the measurement");
   }
-  setAvailable(keep_, tr("Puts what the plot over time shows into the project, as a recording of its own"), reason);
+  plots_->setKeepObstacle(reason);
 }
 
 void ComparePage::keepVisible() {
@@ -285,6 +241,7 @@ void ComparePage::showInputs() {
   showProgress();
   showKeep();
   showTrial();
+  showHint();
 }
 
 void ComparePage::showTrial() {
@@ -304,6 +261,7 @@ void ComparePage::showProgress() {
       diagnose_, tr("Fits the declared physics, searches for what is missing, and decides on data that was held out"),
       comparison_.log().isOpen() ? tr("Open the log as a recording first, or leave it") : comparison_.obstacle());
   setAvailable(cancel_, running, tr("End the diagnosis"), tr("No diagnosis is running"));
+  if (!comparison_.diagnosis()) showHint();
   showState();
 }
 
@@ -313,6 +271,18 @@ void ComparePage::showLog() {
   (open ? compared_ : static_cast<QWidget*>(log_))->hide();
   (open ? static_cast<QWidget*>(log_) : compared_)->show();
   showProgress();
+  showHint();
+}
+
+/// What can be read off, or what is next.
+void ComparePage::showHint() {
+  const QString obstacle = comparison_.obstacle();
+  read(comparison_.log().isOpen() ? tr("Check what each column is taken as; then open the log as a recording")
+       : comparison_.diagnosis()  ? tr("Point at a plot to read it")
+       : !comparison_.recording() ? tr("Open a bench file and a recording on the left, or the example")
+       : comparison_.diagnosing() ? tr("The diagnosis runs; Cancel ends it")
+       : !obstacle.isEmpty()      ? obstacle
+                                  : tr("Diagnose finds what the bench file leaves out"));
 }
 
 void ComparePage::showState() {
@@ -351,7 +321,6 @@ std::vector<Fact> ComparePage::baseFacts(const Diagnosis& diagnosis) {
 
 void ComparePage::showProof() {
   const auto& diagnosis = comparison_.diagnosis();
-  evidence_->setVisible(diagnosis.has_value());  // the recording has its room before
   if (diagnosis) {
     base_->show(baseFacts(*diagnosis));
   } else {
@@ -363,7 +332,7 @@ void ComparePage::showProof() {
                    : diagnosis->fit.inTorque()
                        ? tr("This motion can't be foreseen (%1 off): the torque counts").arg(off)
                        : tr("As ticked, the error is %1").arg(off));
-  read(diagnosis ? tr("Point at a plot to read it") : QString());
+  showHint();
   showState();
 }
 

@@ -8,7 +8,6 @@
 #include "recording/recording.h"
 #include "widgets/file_chooser.h"
 
-class QComboBox;
 class QLabel;
 class QPushButton;
 
@@ -16,6 +15,7 @@ namespace breakaway {
 
 class BenchProject;
 class BenchRuns;
+class ComparedPlots;
 class Comparison;
 class ExperimentRun;
 class FactsTable;
@@ -25,7 +25,6 @@ struct Fact;
 class FindingsList;
 class LiveSamples;
 class LogPanel;
-class ResidualPlots;
 class TrialRun;
 
 class ComparePage : public Page {
@@ -45,8 +44,6 @@ class ComparePage : public Page {
   void buildInputs();
   void buildBase();
   void buildFindings();
-  QWidget* buildEvidence();
-  QWidget* buildPlots();
   static std::vector<Fact> baseFacts(const Diagnosis& diagnosis);
   void ask(const QString& title, const QString& filter, const FileChooser::Answer& open);
   void openExample();
@@ -60,6 +57,7 @@ class ComparePage : public Page {
   std::optional<Recording> visible() const;
   void showKeep();
   void keepVisible();
+  void showHint();
   void showState();
 
   const BenchRuns& bench_;
@@ -79,11 +77,8 @@ class ComparePage : public Page {
   QPushButton* diagnose_ = nullptr;
   QPushButton* cancel_ = nullptr;
   QLabel* ticked_ = nullptr;
-  QComboBox* axis_ = nullptr;
-  ResidualPlots* plots_ = nullptr;
-  QPushButton* keep_ = nullptr;
+  ComparedPlots* plots_ = nullptr;
   LogPanel* log_ = nullptr;
-  QWidget* evidence_ = nullptr;
   QWidget* compared_ = nullptr;  ///< plots and verdict, which give way to a log
   FactsTable* base_ = nullptr;
   FindingsList* findings_ = nullptr;

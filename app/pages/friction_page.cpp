@@ -214,6 +214,7 @@ void FrictionPage::setSweeps(const SweepSettings& sweeps) {
 void FrictionPage::showMotion() {
   run_->show(connection_.run());
   const bool sweeping = connection_.runs(RunKind::velocitySweep) || connection_.runs(RunKind::breakaway);
+  map_->setUnderWay(connection_.runs(RunKind::breakaway));
   if (sweeping && maps_.opened()) return maps_.open({});
   const bool linear = connection_.linear();
   const auto offer = [this](QPushButton* button, RunKind kind, const QString& what) {

@@ -1,5 +1,6 @@
 #include "pages/tune_page.h"
 
+#include <QButtonGroup>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -39,6 +40,11 @@ QuantityRange roomFor(double value, double otherwise) {
   const double magnitude = std::pow(10.0, std::floor(std::log10(most)));
   const int decimals = std::clamp(4 - static_cast<int>(std::floor(std::log10(magnitude))), 0, 8);
   return {0.0, std::ceil(most / magnitude) * magnitude, decimals, true};
+}
+
+bool isOfPosition(double ControllerSettings::*field) {
+  return field == &ControllerSettings::position_kp_A_per_rad || field == &ControllerSettings::position_ki_A_per_rad_s ||
+         field == &ControllerSettings::position_kd_A_s_per_rad;
 }
 
 QString milliseconds(double time_s) {
@@ -141,27 +147,84 @@ QWidget* TunePage::buildControls() {
   auto* side = card(this);
   auto* column = columnOf(side);
   column->setSpacing(10);
-  column->addWidget(section(side, tr("Velocity loop")));
+  column->addWidget(buildLoops());
   column->addWidget(buildTuning());
   column->addWidget(addSlider("kp", &ControllerSettings::velocity_kp_A_s_per_rad));
   column->addWidget(addSlider("ki", &ControllerSettings::velocity_ki_A_per_rad));
   column->addWidget(addSlider("kd", &ControllerSettings::velocity_kd_A_s2_per_rad));
+  column->addWidget(addSlider("positionKp", &ControllerSettings::position_kp_A_per_rad));
+  column->addWidget(addSlider("positionKi", &ControllerSettings::position_ki_A_per_rad_s));
+  column->addWidget(addSlider("positionKd", &ControllerSettings::position_kd_A_s_per_rad));
   column->addWidget(addSlider("cutoff", &ControllerSettings::observer_cutoff_rad_per_s));
-  auto* row = new QHBoxLayout;
-  auto* name = new QLabel(tr("Step from 0 to"), side);
-  height_ = new QDoubleSpinBox(side);
-  height_->setObjectName("stepHeight");
-  height_->setAccessibleName(tr("Velocity step"));
-  height_->setAlignment(Qt::AlignRight);
-  height_->setToolTip(tr("From standstill to this velocity"));
-  height_->setFixedSize(stepBoxWidth, 28);
-  name->setBuddy(height_);
-  connect(height_, &QDoubleSpinBox::valueChanged, &soon_, qOverload<>(&QTimer::start));
-  row->addWidget(name, 1);
-  row->addWidget(height_);
-  column->addLayout(row);
+  column->addWidget(buildStep());
   column->addWidget(buildUndo());
+  showLoop(false);
   return side;
+}
+
+/// The current loop and the speed's observer follow from the board's tick, and are none of its settings.
+QWidget* TunePage::buildLoops() {
+  auto* group = new QWidget(this);
+  auto* row = rowIn(group, 4);
+  auto* loops = new QButtonGroup(group);
+  velocityLoop_ = chipButton(group, "velocityLoopTab", tr("Velocity loop"),
+                             tr("Gains, margins and step of the loop that holds a speed"));
+  positionLoop_ = chipButton(group, "positionLoopTab", tr("Position loop"), {});
+  for (QPushButton* tab : {velocityLoop_, positionLoop_}) {
+    loops->addButton(tab);
+    row->addWidget(tab, 1);
+    connect(tab, &QPushButton::clicked, this, [this, tab] { showLoop(tab == positionLoop_); });
+  }
+  return group;
+}
+
+QWidget* TunePage::buildStep() {
+  auto* group = new QWidget(this);
+  auto* row = rowIn(group);
+  auto* name = new QLabel(tr("Step from 0 to"), group);
+  row->addWidget(name, 1);
+  const auto box = [&](const char* objectName, const QString& accessible, const QString& tip) {
+    auto* one = new QDoubleSpinBox(group);
+    one->setObjectName(objectName);
+    one->setAccessibleName(accessible);
+    one->setAlignment(Qt::AlignRight);
+    one->setToolTip(tip);
+    one->setFixedSize(stepBoxWidth, 28);
+    connect(one, &QDoubleSpinBox::valueChanged, &soon_, qOverload<>(&QTimer::start));
+    row->addWidget(one);
+    return one;
+  };
+  height_ = box("stepHeight", tr("Velocity step"), tr("From standstill to this velocity"));
+  travel_ = box("stepTravel", tr("Position step"), tr("The step in position that is foretold; nothing moves"));
+  name->setBuddy(height_);
+  return group;
+}
+
+void TunePage::showLoop(bool position) {
+  position_ = position;
+  (position ? positionLoop_ : velocityLoop_)->setChecked(true);
+  for (const Slider& slider : sliders_) {
+    const bool ofBoth = slider.field == &ControllerSettings::observer_cutoff_rad_per_s;
+    slider.widget->setVisible(ofBoth || isOfPosition(slider.field) == position);
+  }
+  height_->setVisible(!position);
+  travel_->setVisible(position);
+  if (plot_ == nullptr) return;  // the page is being built
+  wordForAxis();
+  showMotion();
+  foretell();
+}
+
+void TunePage::showCurve() {
+  StepCurve curve = preview_.step;
+  if (position_) {
+    const double scale = connection_.linear() ? 1e3 : 180.0 / std::numbers::pi;
+    for (std::vector<double>* values : {&curve.velocity_rad_per_s, &curve.reference_rad_per_s})
+      for (double& value : *values) value *= scale;
+  }
+  plot_->setQuantity(position_ ? (connection_.linear() ? tr("Position (mm)") : tr("Angle (°)"))
+                               : tr("Speed (%1)").arg(unitsOf(connection_.identity().axis).speed));
+  plot_->foretell(curve);
 }
 
 QWidget* TunePage::buildChips() {
@@ -216,7 +279,10 @@ void TunePage::wordForAxis() {
   height_->setSingleStep(linear ? 0.01 : 1.0);
   height_->setValue(linear ? 0.1 : 20.0);
   height_->setSuffix(" " + units.speed);
-  plot_->setSpeedUnit(units.speed);
+  travel_->setDecimals(linear ? 2 : 1);
+  travel_->setRange(linear ? 0.01 : 0.1, linear ? 100.0 : 360.0);
+  travel_->setValue(linear ? 1.0 : 5.0);
+  travel_->setSuffix(linear ? tr(" mm") : tr("°"));
   table_->setHorizontalHeaderLabels(
       {tr("Step"), tr("Kp"), tr("Ki"), tr("g"), tr("Rise\nms"), tr("Over\n%"), tr("Settle\nms"), tr("Peak\nA")});
 }
@@ -224,8 +290,12 @@ void TunePage::wordForAxis() {
 void TunePage::meetBoard() {
   wordForAxis();
   const ControllerSettings& now = edits_.before();
-  const double kp = now.velocity_kp_A_s_per_rad;
+  const bool positions = !connection_.connected() || connection_.identity().can.positions;
+  setAvailable(positionLoop_, positions, tr("Gains, margins and step of the loop that holds a position"),
+               tr("This board takes no position commands"));
+  if (position_ && !positions) showLoop(false);
   for (const Slider& slider : sliders_) {
+    const double kp = isOfPosition(slider.field) ? now.position_kp_A_per_rad : now.velocity_kp_A_s_per_rad;
     const bool cutoff = slider.field == &ControllerSettings::observer_cutoff_rad_per_s;
     const bool derivative = slider.field == &ControllerSettings::velocity_kd_A_s2_per_rad;
     const double otherwise = cutoff ? 2000.0 : derivative ? 0.01 * kp : 10.0 * kp;
@@ -281,11 +351,13 @@ void TunePage::foretell() {
   if (connection_.connected() && bench_.gainsObstacle().isEmpty()) {
     PreviewQuestion question{connection_.identity(), edits_.edited(), bench_.motor(),
                              knownCoulomb_Nm(bench_.bench(), bench_.known()), step()};
+    question.mode = position_ ? ServoMode::position : ServoMode::velocity;
+    question.to_rad = travel_->value() * (connection_.linear() ? 1e-3 : std::numbers::pi / 180.0);
     preview_ = previewOf(question);
     question.settings = edits_.accepted();
     if (edits_.count() > 0) onBoard_ = previewOf(question);
   }
-  plot_->foretell(preview_.step);
+  showCurve();
   bode_->show(preview_.response, preview_.margins, onBoard_.response);
   locus_->show(preview_.locus, edits_.edited().observer_cutoff_rad_per_s, preview_.tick_s);
   showChips();
@@ -331,7 +403,7 @@ void TunePage::showMotion() {
                         "again, with what the board has now")
                    : tr("Turns up to 2 s: standstill, then the step, measured and stopped again, with what the board "
                         "has now"),
-               bench_.stepObstacle());
+               position_ ? tr("Steps of speed are measured; Drive by hand goes by an angle") : bench_.stepObstacle());
   showEdits();
 }
 
@@ -339,16 +411,19 @@ void TunePage::measure() {
   bench_.measureStep(step());
 }
 
+/// Measured are steps of the velocity loop.
 void TunePage::showSteps() {
+  static const std::vector<StepResult> none;
   const Look& look = Look::of(palette());
-  const auto& steps = bench_.steps();
+  const std::vector<StepResult>& steps = position_ ? none : bench_.steps();
   plot_->show(steps);
   const bool foretold = !preview_.step.time_s.empty();
   table_->setRowCount(static_cast<int>(steps.size()) + (foretold ? 1 : 0));
   const auto row = [this](int at, const QString& name, const ControllerSettings& with, const StepFigures& figures,
                           const QColor& ink) {
     fillRow(*table_, at,
-            {name, numberText(with.velocity_kp_A_s_per_rad), numberText(with.velocity_ki_A_per_rad),
+            {name, numberText(position_ ? with.position_kp_A_per_rad : with.velocity_kp_A_s_per_rad),
+             numberText(position_ ? with.position_ki_A_per_rad_s : with.velocity_ki_A_per_rad),
              numberText(with.observer_cutoff_rad_per_s), milliseconds(figures.rise_s),
              numberText(100.0 * figures.overshoot, 2), milliseconds(figures.settling_s),
              numberText(figures.peakCurrent_A)});
@@ -361,6 +436,20 @@ void TunePage::showSteps() {
     row(at++, tr("Step %1").arg(k + 1), steps[k].settings, steps[k].figures,
         k >= StepPlot::firstDrawn(steps.size()) ? look.curve(StepPlot::colourOf(k)) : look.ink);
   setAvailable(forget_, !steps.empty(), tr("Forget all measured steps"), tr("No step was measured"));
+  const AxisUnits units = unitsOf(connection_.identity().axis);
+  const QString meanings[] = {
+      tr("Foretold, or which measured one"),
+      tr("Proportional gain (%1)").arg(position_ ? units.integral : units.gain),
+      tr("Integral gain (%1)")
+          .arg(position_ ? settingWords(&ControllerSettings::position_ki_A_per_rad_s, connection_.identity().axis).unit
+                         : units.integral),
+      tr("Cutoff of the disturbance observer (rad/s)"),
+      tr("Time from 10 to 90 % of the step"),
+      tr("Overshoot beyond the end, part of the step"),
+      tr("Time until it stays within 5 % of the step"),
+      tr("Highest current")};
+  for (int column = 0; column < table_->columnCount(); ++column)
+    if (QTableWidgetItem* head = table_->horizontalHeaderItem(column)) head->setToolTip(meanings[column]);
 }
 
 }  // namespace breakaway

@@ -45,7 +45,11 @@ class TunePage : public Page {
   QWidget* buildUndo();
   QWidget* buildChips();
   QWidget* buildPlots();
+  QWidget* buildLoops();
+  QWidget* buildStep();
   QuantitySlider* addSlider(const QString& objectName, double ControllerSettings::*field);
+  void showLoop(bool position);
+  void showCurve();
   void wordForAxis();
   void meetBoard();
   void showSliders();
@@ -64,6 +68,10 @@ class TunePage : public Page {
   std::vector<Slider> sliders_;
   std::vector<QPushButton*> stiffness_;
   QDoubleSpinBox* height_ = nullptr;
+  QDoubleSpinBox* travel_ = nullptr;  ///< the position loop's step, in ° or mm
+  QPushButton* velocityLoop_ = nullptr;
+  QPushButton* positionLoop_ = nullptr;
+  bool position_ = false;       ///< which loop is shown
   std::optional<Axis> worded_;  ///< the axis that the page speaks of
   QPushButton* apply_ = nullptr;
   QPushButton* measure_ = nullptr;

@@ -19,17 +19,32 @@ Grade grade(double badness, double good, double bearable) {
   return badness <= good ? Grade::good : badness <= bearable ? Grade::warning : Grade::trouble;
 }
 
+/// From where to where, in what the loop's mode counts in.
+VelocityStepOptions stepOf(const PreviewQuestion& question) {
+  VelocityStepOptions step = question.step;
+  if (question.mode != ServoMode::position) return step;
+  step.from_rad_per_s = 0.0;
+  step.to_rad_per_s = question.to_rad;
+  return step;
+}
+
 StepCurve foretold(const ServoLoop& loop, const PreviewQuestion& question) {
   StepWanted wanted;
   wanted.from_rad_per_s = question.step.from_rad_per_s;
   wanted.to_rad_per_s = question.step.to_rad_per_s;
+  wanted.to_rad = question.to_rad;
   wanted.after_s = question.step.after_s;
   wanted.supply_V = question.identity.supply_V;
   wanted.coulomb_Nm = question.coulomb_Nm;
   PredictedStep step = predictStep(loop, wanted);
-  StepCurve curve{std::move(step.time_s), std::move(step.velocity_rad_per_s), {}, std::move(step.current_A)};
+  const bool position = loop.mode == ServoMode::position;
+  StepCurve curve{std::move(step.time_s),
+                  position ? std::move(step.angle_rad) : std::move(step.velocity_rad_per_s),
+                  {},
+                  std::move(step.current_A)};
+  const VelocityStepOptions asked = stepOf(question);
   for (const double time_s : curve.time_s)
-    curve.reference_rad_per_s.push_back(time_s >= 0.0 ? wanted.to_rad_per_s : wanted.from_rad_per_s);
+    curve.reference_rad_per_s.push_back(time_s >= 0.0 ? asked.to_rad_per_s : asked.from_rad_per_s);
   return curve;
 }
 
@@ -37,7 +52,8 @@ StepCurve foretold(const ServoLoop& loop, const PreviewQuestion& question) {
 
 TuningPreview previewOf(const PreviewQuestion& question) {
   TuningPreview preview;
-  const ServoLoop loop = boardLoop(question.identity, question.settings, question.motor);
+  ServoLoop loop = boardLoop(question.identity, question.settings, question.motor);
+  loop.mode = question.mode;
   if (const auto fine = check(loop); !fine) {
     preview.trouble = inLanguage(fine.error().said());
     return preview;
@@ -50,7 +66,7 @@ TuningPreview previewOf(const PreviewQuestion& question) {
     if (const auto noise = loopNoise(loop, {roundingRms_rad(loop.board.count_rad), question.motor.currentNoise_A}))
       preview.currentNoise_A = noise->currentReference_A;
     preview.step = foretold(loop, question);
-    preview.figures = figuresOf(preview.step, question.step);
+    preview.figures = figuresOf(preview.step, stepOf(question));
   }
   const double nyquist = std::numbers::pi / loop.board.tick_s;
   preview.response = loopResponse(loop, decades(lowest_rad_per_s, 0.98 * nyquist, frequencies));

@@ -17,7 +17,8 @@ struct TuningPreview {
   LoopMargins margins;
   double alphaGT = 0.0;
   double currentNoise_A = 0.0;  ///< rms of the current reference; 0 where the loop is unstable
-  StepCurve step;               ///< empty where the loop is unstable
+  /// Empty where the loop is unstable. Of the position loop its "velocity" is the angle in rad, or the position in m.
+  StepCurve step;
   StepFigures figures;
   LoopResponse response;
   RootLocus locus;  ///< in the z plane, over the cutoff
@@ -31,6 +32,8 @@ struct PreviewQuestion {
   KnownMotor motor;
   double coulomb_Nm = 0.0;
   VelocityStepOptions step;
+  ServoMode mode = ServoMode::velocity;  ///< or position
+  double to_rad = 0.0;                   ///< the step in position mode
 };
 
 /// Some milliseconds of computing; a pure function.

@@ -25,7 +25,7 @@ BoardList::BoardList(QWidget* parent) : QListWidget(parent) {
   for (const std::string& name : presetNames()) {
     const QString preset = QString::fromStdString(name);
     const QString uri = "simulated:" + preset;
-    auto* item = add(count(), preset, uri, uri);
+    auto* item = add(count(), preset, uri, presetWords(preset, uri));
     item->setData(kindRole, rigKind);
     if (preset == "servo") setCurrentItem(item);
   }
@@ -36,6 +36,16 @@ BoardList::BoardList(QWidget* parent) : QListWidget(parent) {
   new WhileShown(this, 1s, [this] { showPorts(serialPorts()); });
   shown_ = {"nothing yet"};
   showPorts(serialPorts());
+}
+
+QString BoardList::presetWords(const QString& preset, const QString& uri) {
+  if (preset == "servo") return tr("A servo motor of 0.07 Nm/A with an index; the one to begin with");
+  if (preset == "geared") return tr("A small motor with a 14:1 gear behind it, seen from the motor's shaft");
+  if (preset == "linear") return tr("A linear axis with a stop at each end");
+  if (preset == "uneven") return tr("The servo, with 40 % of its friction in one swing around the rotor");
+  if (preset == "published-0134")
+    return tr("A motor of 0.134 Nm/A with very little friction, as in a published simulation");
+  return uri;
 }
 
 QListWidgetItem* BoardList::add(int row, const QString& text, const QString& uri, const QString& tip) {

@@ -27,6 +27,8 @@ class BoardList : public QListWidget {
   void take(const QVariant& kept);
 
  private:
+  /// What the preset of this name is; its address where it isn't known here.
+  static QString presetWords(const QString& preset, const QString& uri);
   QListWidgetItem* add(int row, const QString& text, const QString& uri, const QString& tip);
   void addTitle(const QString& text);
   int rowBelowRigs() const;

@@ -81,6 +81,7 @@ void EvidencePlot::draw() {
     drawMap(evidence->before, 1);
     drawMap(evidence->after, 0);
     plot_->xAxis->rescale();
+    plot_->xAxis->scaleRange(1.04);  // the outermost bins stand free of the edge
     plot_->yAxis->rescale();
     plot_->yAxis->scaleRange(1.15);
   }

@@ -37,7 +37,7 @@ HarmonicsPlot::HarmonicsPlot(QWidget* parent) : QWidget(parent), plot_(new QCust
 void HarmonicsPlot::show(const std::vector<MapCurve>& curves) {
   curves_.clear();
   for (const MapCurve& curve : meansByColour(curves))
-    if (curves_.size() < mostCurves && !harmonicsOf(curve, mostOrder).empty()) curves_.push_back(curve);
+    if (curves_.size() < mostCurves && !ordersShownBy(curve, mostOrder).empty()) curves_.push_back(curve);
   draw();
 }
 
@@ -48,7 +48,7 @@ void HarmonicsPlot::draw() {
   double most = 0.0;
   const double width = barsShare / static_cast<double>(std::max<size_t>(1, curves_.size()));
   for (size_t k = 0; k < curves_.size(); ++k) {
-    const std::vector<double> amplitudes = harmonicsOf(curves_[k], mostOrder);
+    const std::vector<double> amplitudes = ordersShownBy(curves_[k], mostOrder);
     auto* bars = new QCPBars(plot_->xAxis, plot_->yAxis);
     bars->setWidth(width);
     bars->setPen(Qt::NoPen);

@@ -15,6 +15,7 @@
 #include "recording/columns.h"
 #include "recording/import/units.h"
 #include "session/language.h"
+#include "widgets/column_words.h"
 #include "widgets/controls.h"
 #include "widgets/table.h"
 
@@ -200,11 +201,14 @@ void LogPanel::showRow(int row, const LogColumn& column) {
            {},
            column.guessed ? tr("a guess: %1").arg(inLanguage(column.why)) : inLanguage(column.why),
            numbersText(column.first)});
-  QStringList names{tr("–")};
-  for (const Column& one : breakaway::columns()) names << one.name;
-  QComboBox* taken = choice(row, takenAs, "logTakenAs", names);
+  QComboBox* taken = choice(row, takenAs, "logTakenAs", {tr("–")});
+  for (const Column& one : breakaway::columns()) {
+    taken->addItem(wordsOf(one), one.name);
+    taken->setItemData(taken->count() - 1, tr("In recordings: %1").arg(one.name), Qt::ToolTipRole);
+  }
   taken->setAccessibleName(tr("%1 is taken as").arg(column.name));
-  taken->setCurrentIndex(column.to.isEmpty() ? 0 : static_cast<int>(names.indexOf(column.to)));
+  taken->setToolTip(column.to.isEmpty() ? tr("Left out") : tr("In recordings: %1").arg(column.to));
+  taken->setCurrentIndex(column.to.isEmpty() ? 0 : taken->findData(column.to));
   QStringList units = column.to.isEmpty() ? QStringList() : unitsOf(column.to);
   const QString shown = column.unit.isEmpty() && !units.isEmpty() ? units.front() : column.unit;
   if (!units.isEmpty() && !units.contains(shown)) units << shown;
@@ -218,7 +222,7 @@ void LogPanel::showRow(int row, const LogColumn& column) {
 void LogPanel::correct(int row) {
   const auto* taken = qobject_cast<QComboBox*>(table_->cellWidget(row, takenAs));
   const auto* counted = qobject_cast<QComboBox*>(table_->cellWidget(row, unit));
-  const QString to = taken->currentIndex() <= 0 ? QString() : taken->currentText();
+  const QString to = taken->currentData().toString();
   const LogColumn& shown = log_.columns()[static_cast<size_t>(row)];
   const bool sameUnit = counted->currentText() == shown.unit || (shown.unit.isEmpty() && counted->currentIndex() <= 0);
   if (to == shown.to && sameUnit) return;

@@ -1,5 +1,6 @@
 #include "widgets/map_harmonics.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 
@@ -15,6 +16,11 @@ std::vector<double> harmonicsOf(const MapCurve& curve, int most) {
     amplitudes.push_back(2.0 * std::abs(sum) / static_cast<double>(count));
   }
   return amplitudes;
+}
+
+std::vector<double> ordersShownBy(const MapCurve& curve, int most) {
+  const int shown = std::min(most, (static_cast<int>(curve.points.size()) - 1) / 2);
+  return shown > 0 ? harmonicsOf(curve, shown) : std::vector<double>();
 }
 
 std::vector<MapCurve> meansByColour(const std::vector<MapCurve>& curves) {

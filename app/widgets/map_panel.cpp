@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QResizeEvent>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -33,7 +34,8 @@ constexpr ViewChip views[] = {{MapView::turns, "viewTurns"},     {MapView::stati
                               {MapView::coulomb, "viewCoulomb"}, {MapView::viscous, "viewViscous"},
                               {MapView::total, "viewTotal"},     {MapView::positionTorque, "viewPosition"}};
 
-constexpr int twinWidth = 264, leastPolar = 232;
+// Of what stands beside the circle.
+constexpr int sideGap_px = 12, leastSide_px = 200, mostSide_px = 420, leastPolar = 232;
 
 QFrame* plotCard(QWidget* parent) {
   auto* frame = card(parent);
@@ -108,9 +110,10 @@ QWidget* MapPanel::buildChips() {
 
 QWidget* MapPanel::buildRotor() {
   auto* group = new QWidget(this);
-  auto* row = rowIn(group, 12);
+  group->installEventFilter(this);
+  auto* row = rowIn(group, sideGap_px);
   auto* around = plotCard(group);
-  columnOf(around)->setContentsMargins(8, 4, 8, 4);
+  columnOf(around)->setContentsMargins(4, 4, 4, 4);
   columnOf(around)->setSpacing(0);
   // The words stand in the corners that a circle leaves free.
   auto* corners = new QGridLayout;
@@ -119,6 +122,8 @@ QWidget* MapPanel::buildRotor() {
   quantity_ = new ElidedLabel("polarQuantity", around);
   legend_ = legendIn(around, "polarLegend");
   legend_->setAlignment(Qt::AlignRight | Qt::AlignTop);
+  quantity_->setContentsMargins(4, 0, 0, 0);
+  legend_->setContentsMargins(0, 0, 4, 0);
   corners->addWidget(polar_, 0, 0, 1, 2);
   corners->addWidget(quantity_, 0, 0, Qt::AlignTop);
   corners->addWidget(legend_, 0, 1, Qt::AlignTop | Qt::AlignRight);
@@ -127,23 +132,33 @@ QWidget* MapPanel::buildRotor() {
     words->setAttribute(Qt::WA_TransparentForMouseEvents);
   columnOf(around)->addLayout(corners, 1);
   row->addWidget(around, 1);
-  auto* side = new QWidget(group);
-  side->setFixedWidth(twinWidth);
-  auto* column = columnIn(side, 12);
-  auto* twin = plotCard(side);
+  side_ = new QWidget(group);
+  side_->setFixedWidth(leastSide_px);
+  auto* column = columnIn(side_, sideGap_px);
+  auto* twin = plotCard(side_);
   twinQuantity_ = new ElidedLabel("twinQuantity", twin);
   twin_ = new TravelPlot("twinPlot", TravelPlot::Places::turn, twin);
   columnOf(twin)->addWidget(twinQuantity_);
   columnOf(twin)->addWidget(twin_, 1);
-  auto* orders = plotCard(side);
+  auto* orders = plotCard(side_);
   harmonicsTitle_ = new ElidedLabel("harmonicsQuantity", orders);
   columnOf(orders)->addWidget(harmonicsTitle_);
   harmonics_ = new HarmonicsPlot(orders);
   columnOf(orders)->addWidget(harmonics_, 1);
   column->addWidget(twin, 1);
   column->addWidget(orders, 1);
-  row->addWidget(side);
+  row->addWidget(side_);
   return group;
+}
+
+/// The circle is as large as its place is high, as far as that leaves its neighbours their least width; these have the
+/// rest.
+bool MapPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize && watched == plots_->widget(0)) {
+    const QSize room = static_cast<QResizeEvent*>(event)->size();
+    side_->setFixedWidth(std::clamp(room.width() - sideGap_px - room.height(), leastSide_px, mostSide_px));
+  }
+  return QWidget::eventFilter(watched, event);
 }
 
 MapPlot& MapPanel::plot() const {
@@ -206,6 +221,12 @@ void MapPanel::showMap() {
                                       : tr("Point at the plot, or use its arrow keys, to read a value"));
 }
 
+void MapPanel::setUnderWay(bool underWay) {
+  if (underWay_ == underWay) return;
+  underWay_ = underWay;
+  showMap();
+}
+
 /// The twin has no room for a ring, the harmonics are of what is shown.
 void MapPanel::showBeside(const MapPicture& picture) {
   std::vector<MapCurve> curves = picture.curves;
@@ -224,8 +245,10 @@ void MapPanel::layBeneath(const std::optional<FrictionMap>& earlier) {
 void MapPanel::showFigure(const MapPicture& picture) {
   double sum = 0.0, squares = 0.0;
   size_t count = 0;
+  std::array<bool, 2> has{};  // ccw, cw
   for (const MapCurve& curve : picture.curves) {
     if (curve.part != MapPart::shown) continue;
+    if (curve.colour < 2 && !curve.points.empty()) has[curve.colour] = true;
     for (const MapPoint& point : curve.points) {
       if (point.outlier) continue;
       sum += point.value;
@@ -235,13 +258,13 @@ void MapPanel::showFigure(const MapPicture& picture) {
   }
   if (count == 0 || view_ == MapView::positionTorque) {
     const bool nothing = known_.breakaways.empty() && !known_.knows(Known::map);
-    nothing ? polar_->setFigure(tr("nothing measured yet"), tr("–"), tr("Run breakaway sweep"))
-            : polar_->setFigure({}, {}, {});
+    nothing&& underWay_ ? polar_->setFigure(tr("under way"), tr("–"), tr("the map begins after homing"))
+    : nothing           ? polar_->setFigure(tr("nothing measured yet"), tr("–"), tr("Run breakaway sweep"))
+                        : polar_->setFigure({}, {}, {});
     return;
   }
   const double mean = sum / static_cast<double>(count), error = std::sqrt(squares) / static_cast<double>(count);
-  const bool both = ways_[0]->isChecked() && ways_[1]->isChecked();
-  polar_->setFigure(both ? tr("mean, both ways") : tr("mean"), numberText(mean),
+  polar_->setFigure(has[0] && has[1] ? tr("mean, both ways") : tr("mean"), numberText(mean),
                     error > 0.0 ? intervalText(error) + " " + picture.unit : picture.unit);
 }
 

@@ -30,6 +30,8 @@ class MapPanel : public QWidget {
   explicit MapPanel(QWidget* parent = nullptr);
   void show(const Commission& known);
   using QWidget::show;
+  /// Whether a sweep runs whose first places haven't come yet.
+  void setUnderWay(bool underWay);
   /// Lies beneath what is shown, dashed, as long as it is of the same kind of axis; nothing takes it away.
   void layBeneath(const std::optional<FrictionMap>& earlier);
   /// The picture of the chosen view; whether it could be written.
@@ -37,6 +39,9 @@ class MapPanel : public QWidget {
 
  signals:
   void reading(const QString& text);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   QWidget* buildChips();
@@ -52,10 +57,12 @@ class MapPanel : public QWidget {
   std::optional<FrictionMap> earlier_;
   MapView view_ = MapView::turns;
   bool chosen_ = false;  ///< the view, by somebody
+  bool underWay_ = false;
   std::vector<QPushButton*> views_;
   std::array<QPushButton*, 2> ways_{};  ///< ccw, cw
   QPushButton* fromZero_ = nullptr;
   QStackedWidget* plots_ = nullptr;
+  QWidget* side_ = nullptr;  ///< of the circle: its twin and its harmonics
   PolarPlot* polar_ = nullptr;
   TravelPlot* twin_ = nullptr;
   TravelPlot* travel_ = nullptr;

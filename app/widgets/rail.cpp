@@ -127,4 +127,8 @@ void Rail::setState(int row, const StepState& state) {
   one->setData(Qt::AccessibleDescriptionRole, state.words);
 }
 
+int Rail::rowsHeight_px() const {
+  return count() * rowHeight;
+}
+
 }  // namespace breakaway

@@ -17,6 +17,8 @@ class Rail : public QListWidget {
   /// A new last row; `tool`: it is no step of the job and has no mark.
   void add(const QString& title, const QString& tip, bool tool);
   void setState(int row, const StepState& state);
+  /// What its rows fill of its height.
+  int rowsHeight_px() const;
 };
 
 }  // namespace breakaway

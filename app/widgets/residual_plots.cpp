@@ -134,7 +134,7 @@ void ResidualPlots::applyLook() {
     title->setFont(typed(Type::caption));
   }
   hint_->setTextColor(look.muted);
-  hint_->setFont(typed(Type::caption));
+  hint_->setFont(typed(Type::body));
   wanderName_->setTextColor(look.curve(2));
   wanderName_->setFont(typed(Type::caption, true));
   draw();
@@ -236,7 +236,7 @@ void ResidualPlots::nameParts() {
   wanderName_->setText(inTorque() ? tr("95 % of what a perfect model leaves") : QString());
   names_[2]->setText(diagnosed ? tr("base model") : QString());
   names_[3]->setText(diagnosed ? tr("with findings") : QString());
-  hint_->setText(comparison_.recording() ? QString() : tr("Open or drop a recording and its bench file"));
+  hint_->setText(comparison_.recording() ? QString() : tr("Open or drop a recording and its bench file, or press Example"));
 }
 
 /// As many points as the picture is wide, however long the recording is.

@@ -84,13 +84,13 @@ StepPlot::StepPlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(thi
   follow(current_->axis(QCPAxis::atBottom), velocity_->axis(QCPAxis::atBottom));
   hint_ = new QCPTextElement(plot_, tr("Connect a board:\nthe step that its settings make is foretold here"));
   velocity_->insetLayout()->addElement(hint_, Qt::AlignCenter);
-  setSpeedUnit(tr("rad/s"));
+  setQuantity(tr("Speed (%1)").arg(tr("rad/s")));
   draw();
   onNewLook(this, [this] { draw(); });
 }
 
-void StepPlot::setSpeedUnit(const QString& unit) {
-  titles_[0]->setText(tr("Speed (%1)").arg(unit));
+void StepPlot::setQuantity(const QString& title) {
+  titles_[0]->setText(title);
 }
 
 void StepPlot::show(const std::vector<StepResult>& steps) {

@@ -24,7 +24,8 @@ class StepPlot : public QWidget {
   using QWidget::show;
   /// What the settings on the page would make; empty: nothing is foretold.
   void foretell(const StepCurve& curve);
-  void setSpeedUnit(const QString& unit);
+  /// What steps, with its unit.
+  void setQuantity(const QString& title);
   const StepCurve& foretold() const { return foretold_; }
 
   /// The colour in which a measured step is drawn, its number counted from 0.

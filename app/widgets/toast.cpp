@@ -3,7 +3,9 @@
 #include <QLabel>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QVBoxLayout>
+#include <QTextLayout>
+#include <algorithm>
+#include <cmath>
 
 #include "session/messages.h"
 #include "widgets/controls.h"
@@ -12,20 +14,71 @@
 namespace breakaway {
 
 namespace {
-constexpr int left_px = 184, width_px = 324;  // of the settings, beside the rail
+
 constexpr int shown_ms = 5000;
+constexpr int sides_px = 8, ends_px = 4, leastHeight_px = 40;
+
+/// Text over several lines, its end elided where there isn't room for it.
+class WrappedWords : public QLabel {
+ public:
+  using QLabel::QLabel;
+
+  int heightForWidth(int width_px) const override { return heightOf(text(), width_px); }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QTextLayout lines(whatFits(), font());
+    layOut(lines, width());
+    QPainter painter(this);
+    painter.setPen(palette().color(foregroundRole()));
+    lines.draw(&painter, QPointF(0.0, 0.0));
+  }
+
+ private:
+  /// Between words, within one only where it is longer than a line, as a path is. Returns the height.
+  static int layOut(QTextLayout& lines, int width_px) {
+    QTextOption option;
+    option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+    lines.setTextOption(option);
+    lines.beginLayout();
+    double height_px = 0.0;
+    for (QTextLine line = lines.createLine(); line.isValid(); line = lines.createLine()) {
+      line.setLineWidth(width_px);
+      line.setPosition(QPointF(0.0, height_px));
+      height_px += line.height();
+    }
+    lines.endLayout();
+    return static_cast<int>(std::ceil(height_px));
+  }
+
+  int heightOf(const QString& text, int width_px) const {
+    QTextLayout lines(text, font());
+    return layOut(lines, width_px);
+  }
+
+  QString whatFits() const {
+    const QString all = text();
+    if (heightOf(all, width()) <= height()) return all;
+    qsizetype fits = 0, tooLong = all.size();
+    while (fits + 1 < tooLong) {
+      const qsizetype middle = (fits + tooLong) / 2;
+      (heightOf(all.left(middle) + "…", width()) <= height() ? fits : tooLong) = middle;
+    }
+    return all.left(fits) + "…";
+  }
+};
+
 }  // namespace
 
 Toast::Toast(Messages& messages, QWidget* parent) : QWidget(parent) {
   setObjectName("toast");
   setToolTip(tr("Opens the log"));
-  setFixedWidth(width_px);
-  text_ = new QLabel(this);
+  text_ = new WrappedWords(this);
   text_->setObjectName("messageLine");
+  text_->setFont(typed(Type::caption));
   text_->setWordWrap(true);
   text_->setAccessibleName(tr("Last message"));
   text_->setAttribute(Qt::WA_TransparentForMouseEvents);
-  columnIn(this, 0, {12, 8, 12, 8})->addWidget(text_);
   hide();
   timer_.setSingleShot(true);
   connect(&timer_, &QTimer::timeout, this, &QWidget::hide);
@@ -47,12 +100,15 @@ void Toast::take(const QString& text, bool trouble) {
 
 void Toast::place() {
   if (text_->text().isEmpty()) return;
-  setFixedHeight(layout()->heightForWidth(width_px));
-  move(left_px, parentWidget()->height() - below_px_ - height() - 12);
+  const int inner_px = room_.width() - 2 * sides_px;
+  const int wanted_px = text_->heightForWidth(inner_px) + 2 * ends_px;
+  const int height_px = std::min(wanted_px, std::max(room_.height(), leastHeight_px));
+  setGeometry(room_.left(), room_.bottom() + 1 - height_px, room_.width(), height_px);
+  text_->setGeometry(sides_px, ends_px, inner_px, height_px - 2 * ends_px);
 }
 
-void Toast::keepAbove(int below_px) {
-  below_px_ = below_px;
+void Toast::keepIn(const QRect& room) {
+  room_ = room;
   place();
 }
 

@@ -1,7 +1,8 @@
-// The last thing that was said, for a few seconds; what failed stays until it is clicked. It lies over the foot of the
-// page's settings, as wide as these, so that nothing moves and neither a curve nor what is read off it is hidden.
+// The last thing that was said, for a few seconds; what failed stays until it is clicked. It stands below the steps of
+// the rail, where nothing else is, so that it hides nothing and nothing moves.
 #pragma once
 
+#include <QRect>
 #include <QTimer>
 #include <QWidget>
 
@@ -16,10 +17,8 @@ class Toast : public QWidget {
 
  public:
   Toast(Messages& messages, QWidget* parent);
-  /// To its place in the parent.
-  void place();
-  /// How much of the parent, at its lower edge, isn't the page's.
-  void keepAbove(int below_px);
+  /// Where in the parent it may stand; it keeps to the lower edge and elides what has no room.
+  void keepIn(const QRect& room);
 
  signals:
   void clicked();
@@ -30,10 +29,11 @@ class Toast : public QWidget {
 
  private:
   void take(const QString& text, bool trouble);
+  void place();
 
   QLabel* text_ = nullptr;
   bool trouble_ = false;
-  int below_px_ = 0;
+  QRect room_;
   QTimer timer_;
 };
 

@@ -70,18 +70,21 @@ PredictedStep predictStep(const ServoLoop& loop, const StepWanted& wanted) {
   ServoController<double> controller(loop.board);
   controller.configure(loop.settings);
   Shaft shaft(loop, wanted.coulomb_Nm);
-  shaft.speed = wanted.from_rad_per_s;
+  const bool position = loop.mode == ServoMode::position;
+  const double from = position ? 0.0 : wanted.from_rad_per_s, to = position ? wanted.to_rad : wanted.to_rad_per_s;
+  shaft.speed = position ? 0.0 : wanted.from_rad_per_s;
   const double supply_V = wanted.supply_V > 0.0 ? wanted.supply_V : unlimited_V;
   std::deque<ServoOutput<double>> underWay(static_cast<size_t>(std::max(0, loop.delay_ticks)));
   PredictedStep step;
   const auto before = static_cast<long>(std::lround(wanted.before_s / tick_s));
   const auto after = static_cast<long>(std::lround(wanted.after_s / tick_s));
   for (long tick = -before; tick <= after; ++tick) {
-    controller.command({ServoMode::velocity, tick >= 0 ? wanted.to_rad_per_s : wanted.from_rad_per_s, 0.0, false});
+    controller.command({loop.mode, tick >= 0 ? to : from, 0.0, false});
     underWay.push_back(controller.step(counted(shaft.angle, loop.board.count_rad), shaft.current_A, supply_V));
     step.time_s.push_back(static_cast<double>(tick) * tick_s);
     step.velocity_rad_per_s.push_back(shaft.speed);
     step.current_A.push_back(shaft.current_A);
+    step.angle_rad.push_back(shaft.angle);
     const ServoOutput<double> acting = underWay.front();
     underWay.pop_front();
     loop.current == CurrentPath::winding ? shaft.underVoltage(acting.voltage_V)

@@ -1,4 +1,4 @@
-// The step in velocity that a loop is going to make, before any motor makes it.
+// The step in velocity or in position that a loop is going to make, before any motor makes it.
 #pragma once
 
 #include <vector>
@@ -10,6 +10,7 @@ namespace breakaway {
 struct StepWanted {
   double from_rad_per_s = 0.0;
   double to_rad_per_s = 20.0;
+  double to_rad = 0.0;      ///< in position mode, from standstill at 0; the two above don't matter then
   double before_s = 0.1;    ///< at the first speed, so that the loop is settled
   double after_s = 0.6;     ///< from the step on
   double supply_V = 0.0;    ///< of the bridge; 0: no limit
@@ -18,13 +19,13 @@ struct StepWanted {
 
 /// One value per tick; times from the step on, the first ones lie before it.
 struct PredictedStep {
-  std::vector<double> time_s, velocity_rad_per_s, current_A;
+  std::vector<double> time_s, velocity_rad_per_s, current_A, angle_rad;
 };
 
 /// The board's own controller code, tick by tick, around the motor of `loop`: shaft with viscous and Coulomb friction,
-/// winding (or current held at its reference), encoder's counts, current limit, supply and delay. The mode is velocity.
-/// Between ticks the motor is stepped through in substeps short against L/R. On a linear axis read m for rad, kg for
-/// kg m², N for Nm. Precondition: check(loop).
+/// winding (or current held at its reference), encoder's counts, current limit, supply and delay. The mode is
+/// velocity or position. Between ticks the motor is stepped through in substeps short against L/R. On a linear axis
+/// read m for rad, kg for kg m², N for Nm. Precondition: check(loop).
 PredictedStep predictStep(const ServoLoop& loop, const StepWanted& wanted);
 
 }  // namespace breakaway

@@ -124,6 +124,93 @@
     </message>
 </context>
 <context>
+    <name>ColumnWords</name>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>linear speed</source>
+        <translation>Lineargeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>motor voltage</source>
+        <translation>Motorspannung</translation>
+    </message>
+    <message>
+        <source>duty cycle</source>
+        <translation>Tastgrad</translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation>Strom</translation>
+    </message>
+    <message>
+        <source>torque</source>
+        <translation>Drehmoment</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>supply voltage</source>
+        <translation>Versorgungsspannung</translation>
+    </message>
+    <message>
+        <source>winding temperature</source>
+        <translation>Wicklungstemperatur</translation>
+    </message>
+    <message>
+        <source>angle asked for</source>
+        <translation>Sollwinkel</translation>
+    </message>
+    <message>
+        <source>position asked for</source>
+        <translation>Solllage</translation>
+    </message>
+    <message>
+        <source>speed asked for</source>
+        <translation>Sollgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>linear speed asked for</source>
+        <translation>lineare Sollgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>current asked for</source>
+        <translation>Sollstrom</translation>
+    </message>
+    <message>
+        <source>disturbance torque</source>
+        <translation>Störmoment</translation>
+    </message>
+    <message>
+        <source>disturbance force</source>
+        <translation>Störkraft</translation>
+    </message>
+    <message>
+        <source>index pulse</source>
+        <translation>Indeximpuls</translation>
+    </message>
+    <message>
+        <source>windings on</source>
+        <translation>Wicklungen bestromt</translation>
+    </message>
+</context>
+<context>
     <name>ComparisonWords</name>
     <message>
         <source>%1 of %2, by chance %3</source>
@@ -1113,6 +1200,26 @@
 <context>
     <name>breakaway::BoardList</name>
     <message>
+        <source>A servo motor of 0.07 Nm/A with an index; the one to begin with</source>
+        <translation>Ein Servomotor von 0,07 Nm/A mit Index; der für den Anfang</translation>
+    </message>
+    <message>
+        <source>A small motor with a 14:1 gear behind it, seen from the motor&apos;s shaft</source>
+        <translation>Ein kleiner Motor mit einem 14:1-Getriebe dahinter, von der Motorwelle aus gesehen</translation>
+    </message>
+    <message>
+        <source>A linear axis with a stop at each end</source>
+        <translation>Eine Linearachse mit einem Anschlag an jedem Ende</translation>
+    </message>
+    <message>
+        <source>The servo, with 40 % of its friction in one swing around the rotor</source>
+        <translation>Der Servo, mit 40 % seiner Reibung in einer Schwankung um den Rotor</translation>
+    </message>
+    <message>
+        <source>A motor of 0.134 Nm/A with very little friction, as in a published simulation</source>
+        <translation>Ein Motor von 0,134 Nm/A mit sehr wenig Reibung, wie in einer veröffentlichten Simulation</translation>
+    </message>
+    <message>
         <source>Boards that can be connected; a double click connects</source>
         <translation>Boards, die sich verbinden lassen; ein Doppelklick verbindet</translation>
     </message>
@@ -1251,40 +1358,12 @@
         <translation>Nächsten Versuch fahren</translation>
     </message>
     <message>
-        <source>Axis of the residual</source>
-        <translation>Achse des Residuums</translation>
-    </message>
-    <message>
-        <source>Over what the residual is drawn. Drag and wheel zoom in time.</source>
-        <translation>Worüber das Residuum gezeichnet wird. Ziehen und Mausrad zoomen in der Zeit.</translation>
-    </message>
-    <message>
-        <source>Residual over %1</source>
-        <translation>Residuum über %1</translation>
-    </message>
-    <message>
-        <source>motor torque or force</source>
-        <translation>Motormoment oder Motorkraft</translation>
-    </message>
-    <message>
-        <source>travel since reversal</source>
-        <translation>Weg seit der Umkehr</translation>
-    </message>
-    <message>
-        <source>Keep visible part</source>
-        <translation>Ausschnitt behalten</translation>
-    </message>
-    <message>
         <source>Open a recording first</source>
         <translation>Erst eine Aufzeichnung öffnen</translation>
     </message>
     <message>
         <source>All of it is visible: zoom in with the wheel, over the measurement</source>
         <translation>Alles ist sichtbar: mit dem Mausrad über der Messung hineinzoomen</translation>
-    </message>
-    <message>
-        <source>Puts what the plot over time shows into the project, as a recording of its own</source>
-        <translation>Legt den sichtbaren Zeitabschnitt als eigene Aufzeichnung ins Projekt</translation>
     </message>
     <message>
         <source>%1, %2 s to %3 s</source>
@@ -1419,6 +1498,53 @@
         <translation>Zum Ablesen auf eine Kurve zeigen</translation>
     </message>
     <message>
+        <source>What a recording shows that its bench file doesn&apos;t declare, and the proof.</source>
+        <translation>Was eine Aufzeichnung zeigt und ihre Prüfstandsdatei nicht angibt, mit Beweis.</translation>
+    </message>
+    <message>
+        <source>Open the log as a recording first, or leave it</source>
+        <translation>Erst das Log als Aufzeichnung öffnen, oder lassen</translation>
+    </message>
+    <message>
+        <source>Check what each column is taken as; then open the log as a recording</source>
+        <translation>Prüfen, als was jede Spalte gilt; dann das Log als Aufzeichnung öffnen</translation>
+    </message>
+    <message>
+        <source>Open a bench file and a recording on the left, or the example</source>
+        <translation>Links eine Prüfstandsdatei und eine Aufzeichnung öffnen, oder das Beispiel</translation>
+    </message>
+    <message>
+        <source>The diagnosis runs; Cancel ends it</source>
+        <translation>Die Diagnose läuft; „Abbrechen“ beendet sie</translation>
+    </message>
+    <message>
+        <source>Diagnose finds what the bench file leaves out</source>
+        <translation>Die Diagnose findet, was die Prüfstandsdatei auslässt</translation>
+    </message>
+</context>
+<context>
+    <name>breakaway::ComparedPlots</name>
+    <message>
+        <source>Evidence</source>
+        <translation>Beleg</translation>
+    </message>
+    <message>
+        <source>Motion and residual</source>
+        <translation>Bewegung und Residuum</translation>
+    </message>
+    <message>
+        <source>Measured and simulated motion, and what is left between them</source>
+        <translation>Gemessene und simulierte Bewegung, und was zwischen ihnen bleibt</translation>
+    </message>
+    <message>
+        <source>Axis of the residual</source>
+        <translation>Achse des Residuums</translation>
+    </message>
+    <message>
+        <source>Over what the residual is drawn. Drag and wheel zoom in time.</source>
+        <translation>Worüber das Residuum gezeichnet wird. Ziehen und Mausrad zoomen in der Zeit.</translation>
+    </message>
+    <message>
         <source>time</source>
         <translation>Zeit</translation>
     </message>
@@ -1435,12 +1561,32 @@
         <translation>Beschleunigung</translation>
     </message>
     <message>
-        <source>What a recording shows that its bench file doesn&apos;t declare, and the proof.</source>
-        <translation>Was eine Aufzeichnung zeigt und ihre Prüfstandsdatei nicht angibt, mit Beweis.</translation>
+        <source>motor torque or force</source>
+        <translation>Motormoment oder Motorkraft</translation>
     </message>
     <message>
-        <source>Open the log as a recording first, or leave it</source>
-        <translation>Erst das Log als Aufzeichnung öffnen, oder lassen</translation>
+        <source>travel since reversal</source>
+        <translation>Weg seit der Umkehr</translation>
+    </message>
+    <message>
+        <source>Residual over %1</source>
+        <translation>Residuum über %1</translation>
+    </message>
+    <message>
+        <source>Keep visible part</source>
+        <translation>Ausschnitt behalten</translation>
+    </message>
+    <message>
+        <source>Puts what the plot over time shows into the project, as a recording of its own</source>
+        <translation>Legt den sichtbaren Zeitabschnitt als eigene Aufzeichnung ins Projekt</translation>
+    </message>
+    <message>
+        <source>What is left over the finding&apos;s own axis, before and after</source>
+        <translation>Was über der eigenen Achse des Befunds bleibt, vorher und nachher</translation>
+    </message>
+    <message>
+        <source>Comes with the diagnosis: press Diagnose</source>
+        <translation>Kommt mit „Diagnose starten“</translation>
     </message>
 </context>
 <context>
@@ -3098,6 +3244,14 @@
         <source>Rows apart (s)</source>
         <translation>Zeilen alle (s)</translation>
     </message>
+    <message>
+        <source>In recordings: %1</source>
+        <translation>In Aufzeichnungen: %1</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>Wird weggelassen</translation>
+    </message>
 </context>
 <context>
     <name>breakaway::MainWindow</name>
@@ -3277,6 +3431,14 @@
     <message>
         <source>Harmonics (%1)</source>
         <translation>Ordnungen (%1)</translation>
+    </message>
+    <message>
+        <source>under way</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>the map begins after homing</source>
+        <translation>die Karte beginnt nach der Referenzfahrt</translation>
     </message>
 </context>
 <context>
@@ -3843,10 +4005,6 @@
         <translation>mit Befunden</translation>
     </message>
     <message>
-        <source>Open or drop a recording and its bench file</source>
-        <translation>Eine Aufzeichnung und ihre Prüfstandsdatei öffnen oder hier ablegen</translation>
-    </message>
-    <message>
         <source>this motion can&apos;t be foreseen: the torque counts</source>
         <translation>diese Bewegung ist nicht vorhersagbar: das Moment zählt</translation>
     </message>
@@ -3869,6 +4027,10 @@
     <message>
         <source>Residual (°) over %1</source>
         <translation>Residuum (°) über %1</translation>
+    </message>
+    <message>
+        <source>Open or drop a recording and its bench file, or press Example</source>
+        <translation>Eine Aufzeichnung und ihre Prüfstandsdatei öffnen oder hierher ziehen, oder „Beispiel“ drücken</translation>
     </message>
 </context>
 <context>
@@ -4661,6 +4823,86 @@ A</translation>
     <message>
         <source>Automatically, by the motor&apos;s %1</source>
         <translation>Automatisch, Motor laut %1</translation>
+    </message>
+    <message>
+        <source>Gains, margins and step of the loop that holds a speed</source>
+        <translation>Verstärkungen, Reserven und Sprung des Kreises, der eine Geschwindigkeit hält</translation>
+    </message>
+    <message>
+        <source>Position loop</source>
+        <translation>Lagekreis</translation>
+    </message>
+    <message>
+        <source>Position step</source>
+        <translation>Lagesprung</translation>
+    </message>
+    <message>
+        <source>The step in position that is foretold; nothing moves</source>
+        <translation>Der Lagesprung, der vorausgesagt wird; nichts bewegt sich</translation>
+    </message>
+    <message>
+        <source>Position (mm)</source>
+        <translation>Lage (mm)</translation>
+    </message>
+    <message>
+        <source>Angle (°)</source>
+        <translation>Winkel (°)</translation>
+    </message>
+    <message>
+        <source>Speed (%1)</source>
+        <translation>Geschwindigkeit (%1)</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Gains, margins and step of the loop that holds a position</source>
+        <translation>Verstärkungen, Reserven und Sprung des Kreises, der eine Lage hält</translation>
+    </message>
+    <message>
+        <source>This board takes no position commands</source>
+        <translation>Dieses Board nimmt keine Lagebefehle an</translation>
+    </message>
+    <message>
+        <source>Steps of speed are measured; Drive by hand goes by an angle</source>
+        <translation>Gemessen werden Sprünge der Geschwindigkeit; „Von Hand fahren“ fährt um einen Winkel</translation>
+    </message>
+    <message>
+        <source>Foretold, or which measured one</source>
+        <translation>Vorausgesagt, oder welcher gemessene</translation>
+    </message>
+    <message>
+        <source>Proportional gain (%1)</source>
+        <translation>Proportionalverstärkung (%1)</translation>
+    </message>
+    <message>
+        <source>Integral gain (%1)</source>
+        <translation>Integralverstärkung (%1)</translation>
+    </message>
+    <message>
+        <source>Cutoff of the disturbance observer (rad/s)</source>
+        <translation>Grenzfrequenz des Störbeobachters (rad/s)</translation>
+    </message>
+    <message>
+        <source>Time from 10 to 90 % of the step</source>
+        <translation>Zeit von 10 bis 90 % des Sprungs</translation>
+    </message>
+    <message>
+        <source>Overshoot beyond the end, part of the step</source>
+        <translation>Überschwingen über das Ende, Anteil am Sprung</translation>
+    </message>
+    <message>
+        <source>Time until it stays within 5 % of the step</source>
+        <translation>Zeit, bis er innerhalb von 5 % des Sprungs bleibt</translation>
+    </message>
+    <message>
+        <source>Highest current</source>
+        <translation>Höchster Strom</translation>
     </message>
 </context>
 <context>

@@ -13,6 +13,7 @@ class TestBoardTuning : public QObject {
  private slots:
   void motor_isTheBestKnown();
   void preview_hasMarginsStepAndTheRule();
+  void preview_ofThePositionLoopHasItsOwn();
   void preview_ofAnUnstableLoopHasNoStep();
   void preview_saysWhatIsMissing();
   void grades_followTheRules();
@@ -80,6 +81,25 @@ void TestBoardTuning::preview_hasMarginsStepAndTheRule() {
   QVERIFY2(std::abs(preview.alphaGT - 0.04) < 0.005, qPrintable(QString::number(preview.alphaGT)));
   const double last_rad_per_s = preview.step.velocity_rad_per_s.back();
   QVERIFY2(std::abs(last_rad_per_s - 20.0) < 1.0, qPrintable(QString::number(last_rad_per_s)));
+}
+
+void TestBoardTuning::preview_ofThePositionLoopHasItsOwn() {
+  const KnownMotor motor = knownMotor(namePlate(), {}, identification());
+  const auto tuned = tunedSettings(board(), namePlate(), motor, Stiffness::medium);
+  QVERIFY(tuned.ok());
+  constexpr double to_rad = 0.1;
+  const TuningPreview preview = previewOf({board(), *tuned, motor, 0.0, {}, ServoMode::position, to_rad});
+  QVERIFY2(preview.trouble.isEmpty(), qPrintable(preview.trouble));
+  ServoLoop loop = boardLoop(board(), *tuned, motor);
+  loop.mode = ServoMode::position;
+  QCOMPARE(preview.margins.phaseMargin_rad, margins(loop).phaseMargin_rad);
+  const StepCurve& step = preview.step;
+  QCOMPARE(step.reference_rad_per_s.front(), 0.0);
+  QCOMPARE(step.reference_rad_per_s.back(), to_rad);
+  const double first_rad = step.velocity_rad_per_s.front(), last_rad = step.velocity_rad_per_s.back();
+  QVERIFY2(std::abs(first_rad) < 1e-3 && std::abs(last_rad - to_rad) < 0.02 * to_rad,
+           qPrintable(QString("%1 to %2").arg(first_rad).arg(last_rad)));
+  QVERIFY(preview.figures.rise_s > 0.0 && preview.figures.rise_s < 0.3 && preview.figures.overshoot < 0.3);
 }
 
 void TestBoardTuning::preview_ofAnUnstableLoopHasNoStep() {

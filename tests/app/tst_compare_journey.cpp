@@ -93,6 +93,36 @@ QString shortened(const QString& path, const QTemporaryDir& folder) {
   return out.fileName();
 }
 
+int lowestPlot(QWidget& window, const char* name) {
+  auto* plot = named<QWidget>(window, name)->findChild<QCustomPlot*>();
+  plot->replot();
+  int lowest = QWIDGETSIZE_MAX;
+  for (const QCPAxisRect* rect : plot->axisRects()) lowest = std::min(lowest, rect->height());
+  return lowest;
+}
+
+/// Each plot is high enough to be read, on the smallest screen one at a time.
+void checkRoom(MainWindow& window) {
+  const QSize before = window.size();
+  const auto seen = [&window](const char* name) { return named<QWidget>(window, name)->isVisible(); };
+  window.resize(1280, 720);
+  press(window, "showEvidence");
+  QTest::qWait(20);
+  QVERIFY(seen("evidencePlot") && !seen("residualPlots"));
+  QVERIFY2(lowestPlot(window, "evidencePlot") >= 240, qPrintable(QString::number(lowestPlot(window, "evidencePlot"))));
+  press(window, "showMotion");
+  QTest::qWait(20);
+  QVERIFY(!seen("evidencePlot") && seen("residualPlots"));
+  QVERIFY2(lowestPlot(window, "residualPlots") >= 110,
+           qPrintable(QString::number(lowestPlot(window, "residualPlots"))));
+  window.resize(1920, 1080);
+  QTest::qWait(20);
+  QVERIFY(seen("evidencePlot") && seen("residualPlots") && !seen("showEvidence"));
+  QVERIFY2(lowestPlot(window, "residualPlots") >= 110,
+           qPrintable(QString::number(lowestPlot(window, "residualPlots"))));
+  window.resize(before);
+}
+
 /// Before and after stand on the page, the simulation that is drawn has the error that is claimed, and every place can
 /// be shown.
 void checkDiagnosis(Desk& desk) {
@@ -117,6 +147,7 @@ void checkDiagnosis(Desk& desk) {
     QVERIFY(plots->bands() > 0);
   }
   desk.window.showPage("comparePage");
+  checkRoom(desk.window);
   const QStringList cut = clippedWhereSmall(desk.window);
   QVERIFY2(cut.isEmpty(), qPrintable(cut.join("; ")));
 }
@@ -328,12 +359,14 @@ void TestCompareJourney::log_isShownAsUnderstoodAndCorrectedByAClick() {
   const auto* table = named<QTableWidget>(desk.window, "logColumns");
   QCOMPARE(table->rowCount(), 4);
   QCOMPARE(table->item(1, 0)->text(), QString("Winkel [deg]"));
-  QCOMPARE(named<QComboBox>(desk.window, "logTakenAs1")->currentText(), QString("angle_rad"));
+  const auto* taken = named<QComboBox>(desk.window, "logTakenAs1");
+  QCOMPARE(taken->currentText(), QString("angle"));
+  QVERIFY2(taken->toolTip().contains("angle_rad"), qPrintable(taken->toolTip()));
   QCOMPARE(named<QComboBox>(desk.window, "logUnit1")->currentText(), QString("deg"));
   QVERIFY(table->item(1, 4)->text().startsWith("0   1   4"));
   choose(desk.window, "logUnit1", "rev");
   QVERIFY(QTest::qWaitFor([&] { return settled() && log.columns()[1].unit == "rev"; }, patience_ms));
-  choose(desk.window, "logTakenAs3", "current_A");
+  choose(desk.window, "logTakenAs3", "current");
   QVERIFY(QTest::qWaitFor([&] { return settled() && log.columns()[3].to == "current_A"; }, patience_ms));
   choose(desk.window, "logUnit3", "mA");
   QVERIFY(QTest::qWaitFor([&] { return settled() && log.columns()[3].unit == "mA"; }, patience_ms));

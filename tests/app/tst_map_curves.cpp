@@ -12,6 +12,7 @@ class TestMapCurves : public QObject {
  private slots:
   void order_hasItsAmplitude();
   void orders_ofAnUnfinishedTurnAreNotTold();
+  void fewAngles_showFewerOrders();
   void turns_areTakenTogether();
 };
 
@@ -43,6 +44,14 @@ void TestMapCurves::orders_ofAnUnfinishedTurnAreNotTold() {
   half.closed = false;
   QVERIFY(harmonicsOf(half, 12).empty());
   QVERIFY(harmonicsOf(turn(0, 0.0, 20), 12).empty());  // fewer than two points an order
+}
+
+void TestMapCurves::fewAngles_showFewerOrders() {
+  QCOMPARE(ordersShownBy(turn(0, 0.0), 12).size(), size_t{12});
+  const std::vector<double> few = ordersShownBy(turn(0, 0.0, 24), 12);
+  QCOMPARE(few.size(), size_t{11});
+  QVERIFY2(std::abs(few[2] - 2.0) < 1e-9, qPrintable(QString::number(few[2])));
+  QVERIFY(ordersShownBy(turn(0, 0.0, 1), 12).empty() && ordersShownBy(MapCurve{}, 12).empty());
 }
 
 void TestMapCurves::turns_areTakenTogether() {

@@ -11,6 +11,7 @@
 #include "app/rendered_tree.h"
 #include "app/visible_texts.h"
 #include "session/language.h"
+#include "session/settings_edits.h"
 #include "support/temporary.h"
 #include "widgets/rail.h"
 #include "widgets/step_plot.h"
@@ -32,6 +33,7 @@ class TestSkeleton : public QObject {
   void tableOfALog_leavesStopInPlace();
   void focusable_hasNameAndTooltip();
   void tab_goesDownThePage();
+  void disabledButton_keepsTheFocusInItsPlace();
   void wheel_changesNothingWithoutFocus();
   void rail_saysHowFarAStepIs();
   void log_keepsEveryLineWithItsTime();
@@ -271,6 +273,7 @@ void TestSkeleton::tableOfALog_leavesStopInPlace() {
   QTest::qWait(1);
   QCOMPARE(desk.window.size(), QSize(1280, 720));
   QVERIFY(named<QWidget>(desk.window, "logPanel")->isVisible());
+  QVERIFY2(!named<QLabel>(desk.window, "compareReading")->text().isEmpty(), "what is next isn't said");
   for (const char* whole : {"stopButton", "logOpenButton", "logSplit", "logPart", "logGear"})
     QVERIFY2(desk.window.rect().contains(placeIn(named<QWidget>(desk.window, whole), desk.window)), whole);
 }
@@ -321,6 +324,41 @@ void TestSkeleton::tab_goesDownThePage() {
         QVERIFY2(reached.contains(control), qPrintable(page + ": Tab doesn't reach " + control->objectName()));
     }
   }
+}
+
+/// Return, pressed once too often, must not start what comes next on the page.
+void TestSkeleton::disabledButton_keepsTheFocusInItsPlace() {
+  Desk desk;
+  QVERIFY(desk.connected());
+  desk.window.showPage("tunePage");
+  desk.window.activateWindow();
+  QVERIFY(QTest::qWaitForWindowActive(&desk.window));
+  auto* apply = named<QPushButton>(desk.window, "applyButton");
+  const auto edit = [&desk](double factor) {
+    ControllerSettings wanted = desk.session.edits.accepted();
+    wanted.velocity_kp_A_s_per_rad *= factor;
+    desk.session.edits.edit(wanted);
+  };
+  edit(0.9);
+  apply->setFocus();
+  QTest::keyClick(apply, Qt::Key_Return);
+  QTRY_VERIFY(!apply->isEnabled());
+  auto* contents = named<QWidget>(desk.window, "windowContents");
+  QCOMPARE(QApplication::focusWidget(), contents);
+  QTest::keyClick(contents, Qt::Key_Return);
+  QTest::qWait(20);
+  QVERIFY(!desk.session.connection.run().running());
+  edit(0.8);
+  QCOMPARE(QApplication::focusWidget(), apply);
+  edit(1.0);
+  QCOMPARE(QApplication::focusWidget(), contents);
+  QTest::keyClick(contents, Qt::Key_Tab);
+  QWidget* next = QApplication::focusWidget();
+  QVERIFY(next != contents && next->isEnabled());
+  QTest::keyClick(next, Qt::Key_Tab, Qt::ShiftModifier);
+  QVERIFY(QApplication::focusWidget() != next);
+  edit(0.7);
+  QVERIFY2(QApplication::focusWidget() != apply, "it was left by hand");
 }
 
 void TestSkeleton::wheel_changesNothingWithoutFocus() {

@@ -1,0 +1,102 @@
+// What single pages show: Friction's circle in its room, Tune's two loops, Connect's presets in words.
+#include <qcustomplot.h>
+
+#include <QDoubleSpinBox>
+#include <QListWidget>
+#include <QPushButton>
+#include <cmath>
+
+#include "app/desk.h"
+#include "app/rendered_tree.h"
+#include "firmware_link/presets.h"
+#include "pages/tune_page.h"
+#include "session/settings_edits.h"
+#include "widgets/step_plot.h"
+
+using namespace breakaway;
+using namespace breakaway::test;
+
+class TestPages : public QObject {
+  Q_OBJECT
+ private slots:
+  void initTestCase();
+  void circleOfFriction_isAsLargeAsItsPlaceIsHigh_data();
+  void circleOfFriction_isAsLargeAsItsPlaceIsHigh();
+  void positionLoop_hasItsOwnGainsAndStep();
+  void presets_sayWhatTheyAre();
+};
+
+void TestPages::initTestCase() {
+  if (qEnvironmentVariableIsEmpty("BREAKAWAY_RESOURCES"))
+    qputenv("BREAKAWAY_RESOURCES", qgetenv("BREAKAWAY_SOURCE_DIR") + "/resources");
+}
+
+void TestPages::circleOfFriction_isAsLargeAsItsPlaceIsHigh_data() {
+  QTest::addColumn<QSize>("size");
+  QTest::addColumn<int>("square");
+  QTest::addColumn<int>("circle");
+  QTest::newRow("1280×720") << QSize(1280, 720) << 490 << 415;
+  QTest::newRow("1280×800") << QSize(1280, 800) << 520 << 430;
+  QTest::newRow("1366×768") << QSize(1366, 768) << 520 << 460;
+  QTest::newRow("1920×1080") << QSize(1920, 1080) << 840 << 770;
+}
+
+void TestPages::circleOfFriction_isAsLargeAsItsPlaceIsHigh() {
+  QFETCH(QSize, size);
+  QFETCH(int, square);
+  QFETCH(int, circle);
+  Desk desk;
+  desk.window.resize(size);
+  desk.window.showPage("frictionPage");
+  QTest::qWait(20);
+  const auto* polar = named<QWidget>(desk.window, "polarPlot");
+  const QSize place = polar->parentWidget()->size();
+  QVERIFY2(std::min(place.width(), place.height()) >= square,
+           qPrintable(QString("%1×%2").arg(place.width()).arg(place.height())));
+  const auto* angular =
+      qobject_cast<QCPPolarAxisAngular*>(polar->findChild<QCustomPlot*>()->plotLayout()->element(0, 0));
+  QVERIFY2(2.0 * angular->radius() >= circle, qPrintable(QString::number(2.0 * angular->radius())));
+  QVERIFY(named<QWidget>(desk.window, "twinPlot")->width() >= 170);
+}
+
+void TestPages::positionLoop_hasItsOwnGainsAndStep() {
+  Desk desk;
+  desk.window.resize(1280, 720);
+  QVERIFY(desk.connected());
+  desk.window.showPage("tunePage");
+  const auto seen = [&desk](const char* name) { return named<QWidget>(desk.window, name)->isVisible(); };
+  QVERIFY(seen("kpSlider") && seen("cutoffSlider") && !seen("positionKpSlider"));
+  const auto* page = named<TunePage>(desk.window, "tunePage");
+  QTRY_VERIFY(!page->preview().step.time_s.empty());
+  const double velocityMargin_rad = page->preview().margins.phaseMargin_rad;
+  press(desk.window, "positionLoopTab");
+  QVERIFY(!seen("kpSlider") && seen("cutoffSlider") && seen("positionKpSlider"));
+  QVERIFY(std::abs(page->preview().margins.phaseMargin_rad - velocityMargin_rad) > 1e-3);
+  const StepPlot* plot = named<StepPlot>(desk.window, "stepPlot");
+  QCOMPARE(plot->foretold().reference_rad_per_s.back(), 5.0);
+  const double last_deg = plot->foretold().velocity_rad_per_s.back();
+  QVERIFY2(std::abs(last_deg - 5.0) < 0.5, qPrintable(QString::number(last_deg)));
+  const auto* measure = named<QPushButton>(desk.window, "measureStepButton");
+  QVERIFY(!measure->isEnabled() && measure->toolTip().contains("Drive by hand"));
+  auto* box = named<QDoubleSpinBox>(desk.window, "positionKpBox");
+  box->setValue(0.5 * box->value());
+  QCOMPARE(desk.session.edits.count(), size_t{1});
+  const QStringList cut = clipped(desk.window), on = overlapping(desk.window);
+  QVERIFY2(cut.isEmpty() && on.isEmpty(), qPrintable((cut + on).join("; ")));
+  press(desk.window, "velocityLoopTab");
+  QVERIFY(seen("kpSlider") && measure->isEnabled());
+}
+
+void TestPages::presets_sayWhatTheyAre() {
+  Desk desk;
+  const auto* boards = named<QListWidget>(desk.window, "boardList");
+  for (const std::string& name : presetNames()) {
+    const auto rows = boards->findItems(QString::fromStdString(name), Qt::MatchExactly);
+    QCOMPARE(rows.size(), 1);
+    const QString words = rows.front()->toolTip();
+    QVERIFY2(words.contains(' ') && !words.startsWith("simulated:"), qPrintable(words));
+  }
+}
+
+JOURNEY_MAIN(TestPages)
+#include "tst_pages.moc"
