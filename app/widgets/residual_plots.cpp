@@ -236,7 +236,8 @@ void ResidualPlots::nameParts() {
   wanderName_->setText(inTorque() ? tr("95 % of what a perfect model leaves") : QString());
   names_[2]->setText(diagnosed ? tr("base model") : QString());
   names_[3]->setText(diagnosed ? tr("with findings") : QString());
-  hint_->setText(comparison_.recording() ? QString() : tr("Open or drop a recording and its bench file, or press Example"));
+  hint_->setText(comparison_.recording() ? QString()
+                                         : tr("Open or drop a recording and its bench file, or press Example"));
 }
 
 /// As many points as the picture is wide, however long the recording is.
