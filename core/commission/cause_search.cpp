@@ -29,6 +29,15 @@ bool isOfWiring(Trip trip) {
   return false;
 }
 
+/// What has come in the shaft's way since the beginning.
+Message stopWords(const WiringFit& now, const Commission& known) {
+  const auto moves = [](const WiringFit& fit, size_t way) { return fit.breakaway_A[way] && !fit.stopped[way]; };
+  if (!moves(*known.wiring, 0) || !moves(*known.wiring, 1) || moves(now, 0) == moves(now, 1)) return {};
+  const Axis axis = known.identity.axis;
+  return message("{} moves {} only: a stop, or a load, holds it the other way, which was free at the beginning",
+                 bodyText(axis), wayText(moves(now, 1), axis));
+}
+
 }  // namespace
 
 bool leavesCauseOpen(const EarlyEnd& end, const Commission& known) {
@@ -46,11 +55,15 @@ StepRun CauseSearch::run() const {
 
 Error CauseSearch::conclude(Trip trip, Commission& known) const {
   const auto status = check_->status();
-  Message cause;
-  if (check_->names() || trip == Trip::contradiction)
-    cause = status.failure;
-  else if (status.state == Procedure::State::finished)
-    cause = wiringChange(fitWiring(*check_), known);
+  Message cause = trip == Trip::contradiction ? check_->neverChanged() : Message();
+  // The watch's words for the check's small pulses are no better than those for what it ended.
+  const bool tells = check_->names() || (trip == Trip::contradiction && end_.trip != Trip::contradiction);
+  if (cause.empty() && tells) cause = status.failure;
+  if (cause.empty() && status.state == Procedure::State::finished) {
+    const WiringFit now = fitWiring(*check_);
+    cause = wiringChange(now, known);
+    if (cause.empty()) cause = stopWords(now, known);
+  }
   if (cause.empty()) return end_.failure;
   return {end_.failure.place,
           message("{} (found by a wiring check after this: {})", cause, Message(end_.failure.fact))};

@@ -54,7 +54,13 @@ class Held {
     constexpr double shared = 0.5;  // of both's doubt that isn't
     const double error = shared * std::hypot(now.standardError, now.value * before.standardError / before.value);
     const Belief belief{of, message("at the beginning"), field, before.value, true, {now.value, error}, from};
-    if (before.value > 0.0 && now.value > 0.0) take(contradictionOf(belief, known_.identity.axis));
+    if (!(before.value > 0.0) || !(now.value > 0.0)) return;
+    const auto parted = contradictionOf(belief, known_.identity.axis);
+    if (parted && of == BeliefOf::backEmfConstant) {
+      take(message("{}; do the encoder's counts per turn still hold?", *parted));
+    } else {
+      take(parted);
+    }
   }
   void still(const WiringFit& now, const Message& from) {
     const MotorNames& names = motorNames(known_.identity.axis);

@@ -183,8 +183,11 @@ void Job::concludeRun(Drive& drive) {
     if (const auto kept = keepRun(drive); !kept) return end(drive, Procedure::State::failed, kept.error());
     const auto status = run_.procedure->status();
     if (status.state != Procedure::State::finished) ran = Error{run_.name, status.failure};
-    if (status.state == Procedure::State::stopped)
-      return endEarly(drive, {Procedure::State::stopped, drive.tripped(), ran.error()});
+    if (status.state == Procedure::State::stopped) {
+      const Message cause = step.causeOf(drive.tripped());
+      const Error failure = cause.empty() ? ran.error() : Error{run_.name, cause};
+      return endEarly(drive, {Procedure::State::stopped, drive.tripped(), failure});
+    }
   }
   OnBench on{drive, options_, known_};
   const auto ended = step.end(on, ran);

@@ -48,6 +48,8 @@ class Step {
   virtual bool gather(Commission&) { return false; }
   /// Takes back what it has put on the board for the procedure, however that ended.
   virtual Result<void> leave(Drive&) { return {}; }
+  /// What the procedure knows better of the cause of a trip than the board's watch; empty: nothing.
+  virtual Message causeOf(Trip) const { return {}; }
   /// Takes the procedure's result; `ran` is why it failed. A step that wants another procedure is begun again.
   virtual Result<StepEnd> end(OnBench& on, const Result<void>& ran) = 0;
 

@@ -69,6 +69,7 @@ class BoardWatch {
         cooling_(limits.tick_s / heatTime_s),
         mostHeat_(limits.continuous_A * limits.continuous_A),
         mostVelocity_rad_per_s_(limits.mostVelocity_rad_per_s),
+        mostSlip_rad_per_s_(slipPart * limits.mostVelocity_rad_per_s),
         aside_rad_per_s_(Scalar(0.05) * limits.mostVelocity_rad_per_s + Scalar(2) * limits.count_rad / motorTime_s),
         room_rad_(Scalar(4.5) * limits.count_rad + limits.mostAcceleration_rad_per_s2 * limits.tick_s * limits.tick_s),
         still_rad_(limits.blockedTravel_rad + limits.count_rad),
@@ -111,8 +112,9 @@ class BoardWatch {
   static constexpr Scalar lostPart = Scalar(0.06), hotPart = Scalar(0.4), magnetPart = Scalar(0.15);
   static constexpr Scalar motorTime_s = Scalar(0.02);  ///< over which voltage, current and speed are smoothed
   static constexpr Scalar heatTime_s = Scalar(20);     ///< of the winding
-  static constexpr Scalar overshoot = Scalar(1.5);     ///< of the speed that was asked for
+  static constexpr Scalar overshoot = Scalar(0.5);     ///< of the speed that was asked for
   static constexpr Scalar slowing = Scalar(0.25);      ///< of the smoothing's rate, at which a lower speed is held to
+  static constexpr Scalar slipPart = Scalar(0.12);     ///< of the speed's limit, for what has just broken loose
   static constexpr int steps = 8;                      ///< ticks of a round, a few operations in each
   static constexpr Scalar perSampled = Scalar(0.25);   ///< voltage and current are seen in four of them
   // Which ones: two even and two odd, each of the four remainders by four once, so that no ripple of two or four ticks
@@ -211,17 +213,28 @@ class BoardWatch {
   }
 
   /// Beyond the motor's limit; or faster than was asked for, but what slows down after a change of the reference is
-  /// given the time for it.
+  /// given the time for it, and so is what sticks and slips: a light rotor leaps where static friction lets go.
   bool tooFast(const Seen& seen) {
     const Scalar size = magnitude(motor_.velocity_rad_per_s + coasting_rad_per_s_);
     if (isPositive(mostVelocity_rad_per_s_) && exceeds(size, mostVelocity_rad_per_s_)) return true;
     const Scalar present = size + aside_rad_per_s_;
     if (!seen.follows) {
       allowed_rad_per_s_ = present;
+      slip_rad_per_s_ = 0;
       return false;
     }
     allowed_rad_per_s_ += slowing * share_ * (present - allowed_rad_per_s_);
-    const Scalar asked = overshoot * magnitude(seen.asked_rad_per_s) + aside_rad_per_s_;
+    const Scalar target = magnitude(seen.asked_rad_per_s);
+    const bool along = isNegative(motor_.velocity_rad_per_s) == isNegative(seen.asked_rad_per_s);
+    if (!along || !isPositive(target)) {
+      slip_rad_per_s_ = 0;
+    } else if (isAbove(size, target)) {
+      slip_rad_per_s_ -= slowing * share_ * slip_rad_per_s_;
+    } else {
+      slip_rad_per_s_ = mostSlip_rad_per_s_;
+    }
+    const Scalar more = isAbove(slip_rad_per_s_, overshoot * target) ? slip_rad_per_s_ : overshoot * target;
+    const Scalar asked = target + more + aside_rad_per_s_;
     if (exceeds(asked, allowed_rad_per_s_)) allowed_rad_per_s_ = asked;
     return isPositive(aside_rad_per_s_) && exceeds(size, allowed_rad_per_s_);
   }
@@ -245,7 +258,8 @@ class BoardWatch {
   Scalar perRound_;                                              ///< one over a round's time
   Scalar inductance_;                                            ///< per time of a round, V per A of change
   Scalar heatShare_, cooling_, mostHeat_;                        ///< of a round, of a tick; A²
-  Scalar mostVelocity_rad_per_s_, aside_rad_per_s_;              ///< whatever is asked; beyond what is asked
+  Scalar mostVelocity_rad_per_s_;                                ///< whatever is asked
+  Scalar mostSlip_rad_per_s_, aside_rad_per_s_;                  ///< beyond what is asked, when it breaks loose; always
   Scalar room_rad_, still_rad_;                                  ///< change and travel that are none
   long lowFor_, blockedFor_, low_ = 0, high_ = 0, atLimit_ = 0;  ///< ticks
   Motor motor_;                                                  ///< smoothed
@@ -255,7 +269,7 @@ class BoardWatch {
   };
   Round last_, sum_;
   Scalar resistive_V_ = 0, induced_V_ = 0, inductive_V_ = 0, usual_V_ = 0;
-  Scalar heat_ = 0, allowed_rad_per_s_ = 0;
+  Scalar heat_ = 0, allowed_rad_per_s_ = 0, slip_rad_per_s_ = 0;
   // What voltage, current and speed are smoothed from is nothing; so much of the speed at which the windings were
   // energised is not yet in the smoothed one.
   Scalar coasting_rad_per_s_ = 0;

@@ -5,6 +5,10 @@
 
 namespace breakaway {
 
+namespace {
+constexpr double standing = 0.01;  // of the speed that it is to reach
+}  // namespace
+
 ReversalTest::ReversalTest(const ReversalTestOptions& options) : options_(options), means_(options.block_s) {
   if (!(options.current_A > 0.0)) fail(message("no current is given to turn the rotor round with"));
   if (!(options.highest_rad_per_s > 0.0)) fail(message("no speed is given at which to turn round"));
@@ -20,6 +24,10 @@ Command ReversalTest::run(const Sample& sample) {
     turned_s_ = now_s_;
     if (++done_ > options_.reversals) finish();
   } else if (now_s_ - turned_s_ > options_.most_s) {
+    stood_ = std::abs(sample.velocity_rad_per_s) < standing * options_.highest_rad_per_s;
+    if (stood_)
+      fail(message("the rotor does not move {} at {:.3g} A; is something in its way?", wayText(way_ > 0.0),
+                   options_.current_A));
     fail(message("{:.3g} A bring the rotor to {:.3g} rad/s only, not to {:.3g}", options_.current_A,
                  std::abs(sample.velocity_rad_per_s), options_.highest_rad_per_s));
   }

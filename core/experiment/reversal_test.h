@@ -21,6 +21,8 @@ class ReversalTest : public TimedProcedure {
  public:
   explicit ReversalTest(const ReversalTestOptions& options);
   const std::vector<SpinBlock>& blocks() const { return blocks_; }
+  /// Whether it failed because the rotor stood.
+  bool stood() const { return stood_; }
 
  protected:
   Command run(const Sample& sample) override;
@@ -30,6 +32,7 @@ class ReversalTest : public TimedProcedure {
   ReversalTestOptions options_;
   std::vector<SpinBlock> blocks_;
   BlockMeans means_;
+  bool stood_ = false;
   size_t done_ = 0;
   double turned_s_ = 0.0, way_ = 1.0, now_s_ = 0.0;
 };

@@ -74,4 +74,11 @@ Message wayText(bool ccw, Axis axis) {
   return ccw ? message("counter-clockwise") : message("clockwise");
 }
 
+Message heavyLoadText(bool ccw, Axis axis) {
+  return message(
+      "{} keeps moving {} once it is loose, driven by nothing: a load heavier than its friction pulls it; hold or "
+      "balance the load, or take it off",
+      bodyText(axis), wayText(ccw, axis));
+}
+
 }  // namespace breakaway

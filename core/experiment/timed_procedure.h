@@ -68,5 +68,7 @@ std::string degreesText(double angle_rad);
 Message wayText(bool ccw, Axis axis = Axis::rotary);
 /// "the rotor", or "the axis" where it is a linear one.
 Message bodyText(Axis axis);
+/// That a load turns it that way by itself.
+Message heavyLoadText(bool ccw, Axis axis);
 
 }  // namespace breakaway

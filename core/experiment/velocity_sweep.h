@@ -32,8 +32,9 @@ struct VelocitySweepOptions {
 /// those of the index too where all approaches saw it on the same one.
 double beyondBins_rad(double countsPerRev, size_t bins, double indexAngle_rad);
 
-/// Runs each speed over whole turns, as one leg, and sums current and speed per bin of rotor angle. Fails in words when
-/// a speed isn't reached or not held, when the index comes elsewhere or not at all, and when the current sensor drifts.
+/// Runs each speed over whole turns, as one leg, and sums current and speed per bin of rotor angle. A slow speed at
+/// which the rotor only sticks and slips is left out. Fails in words when a speed isn't reached or not held, when the
+/// index comes elsewhere or not at all, and when the current sensor drifts.
 class VelocitySweep : public TimedProcedure {
  public:
   /// `earlier` are runs of an interrupted sweep; those with the options' speeds and bins are kept. Of a speed that was
@@ -44,6 +45,8 @@ class VelocitySweep : public TimedProcedure {
   /// What is complete of the one under way: its whole turns, as if it were broken off now. Nothing before the first,
   /// and of a run that failed.
   const VelocityRun* underWay() const { return underWay_ && state() != State::failed ? &*underWay_ : nullptr; }
+  /// Commanded speeds at which the rotor sticks and slips.
+  const std::vector<double>& leftOut_rad_per_s() const { return leftOut_rad_per_s_; }
   /// The sensor's zeros on the way.
   const std::vector<ZeroReading>& zeros() const { return zeroing_.readings(); }
 
@@ -58,6 +61,8 @@ class VelocitySweep : public TimedProcedure {
   double targetOf(size_t number) const;
   bool isDone(double target_rad_per_s) const;
   void skipDone();
+  bool slips(const Sample& sample) const;
+  void goOn(const Sample& sample);
   Command zero(const Sample& sample);
   double wobbleAt(double time_s) const;
   void enter(Stage stage, const Sample& sample);
@@ -76,6 +81,8 @@ class VelocitySweep : public TimedProcedure {
   Stage stage_ = Stage::zero;
   size_t next_ = 0, turnsPerBlock_ = 1;
   std::vector<VelocityRun> runs_;
+  std::vector<double> leftOut_rad_per_s_;
+  double legStart_s_ = 0.0, legStart_rad_ = 0.0;
   VelocityRun open_;
   std::optional<VelocityRun> underWay_;
   double kept_s_ = 0.0;     ///< when that was taken

@@ -11,10 +11,12 @@ constexpr double rest_s = 0.4;
 constexpr size_t bothWays = 2;  // ramps
 constexpr double sure = 8.0;    // standard errors of a block
 constexpr double raised = 1.2;  // of the voltage, at which the current of a standing motor is higher
+constexpr double given = 0.9;   // of it, that the winding gets at least: less is the current limit's doing
 }  // namespace
 
 Command WindingTest::run(const Sample& sample) {
   if (isFirst()) stageStart_s_ = sample.time_s;
+  if (isFirst()) restStart_rad_ = sample.angle_rad;
   now_s_ = elapsed_s(sample);
   switch (stage_) {
     case Stage::rest:
@@ -31,7 +33,13 @@ Command WindingTest::rest(const Sample& sample) {
   const double inStage_s = sample.time_s - stageStart_s_;
   if (inStage_s > 0.05) open_A_.take(sample);
   if (!sample.enabled) swing_.take(sample);
+  if (inStage_s < 0.5 * rest_s) halfway_rad_ = sample.angle_rad;
   if (inStage_s < rest_s) return {};
+  // What friction alone slows down goes less far in the second half.
+  const double second_rad = sample.angle_rad - halfway_rad_, first_rad = halfway_rad_ - restStart_rad_;
+  const double gained_rad = second_rad > 0.0 ? second_rad - first_rad : first_rad - second_rad;
+  if (std::abs(second_rad) > options_.motion_rad && gained_rad > options_.motion_rad)
+    fail(heavyLoadText(second_rad > 0.0, options_.axis));
   if (const Message moved = open_A_.moved(options_.mostDrift_A); !moved.empty()) fail(moved);
   if (const Message play = swing_.words(); !play.empty()) fail(play);
   if (ramp_ == options_.ramps) {
@@ -85,6 +93,7 @@ void WindingTest::endRamp(const Sample& sample) {
   swing_.begin();
   stage_ = Stage::rest;
   stageStart_s_ = sample.time_s;
+  restStart_rad_ = sample.angle_rad;
   if (const Message wrong = ramp_ == bothWays ? wrongSigns() : Message(); !wrong.empty()) fail(wrong);
 }
 
@@ -102,10 +111,21 @@ Message WindingTest::wrongSigns() const {
   return {};
 }
 
-/// A current that stands out against the voltage is no load's doing.
+/// Whether it went against the voltage while nothing moved.
+bool WindingTest::flowsAgainst() const {
+  double power_W = 0.0, square_V2 = 0.0;
+  for (size_t k = 0; k < blocks_.size() && blockTimes_s_[k] <= still_s_; ++k) {
+    power_W += blocks_[k].voltage_V * blocks_[k].current_A;
+    square_V2 += blocks_[k].voltage_V * blocks_[k].voltage_V;
+  }
+  return power_W < -sure * blockNoise_A_ * std::sqrt(square_V2);
+}
+
+/// A load that drives the motor faster than its voltage does turns the current round, but not before it moves.
 Message WindingTest::wrongCurrent(const Sample& sample) const {
   if (blocks_.empty() || !(blockNoise_A_ > 0.0) || way() * blocks_.back().current_A > -sure * blockNoise_A_) return {};
   const bool along = way() * (sample.angle_rad - standing_rad_) > 0.0;
+  if (along && !flowsAgainst()) return heavyLoadText(way() > 0.0, options_.axis);
   return along ? message(
                      "{} moves with the voltage, but the current falls as the voltage rises: the current sensor is "
                      "reversed; swap its leads, or the sign in the board",
@@ -127,7 +147,8 @@ bool WindingTest::runsUnseen() const {
 
 Command WindingTest::ramp(const Sample& sample) {
   takePoint(sample);
-  if (sample.angle_rad == standing_rad_ && runsUnseen()) {
+  const bool limited = way() * sample.voltage_V < given * target_V_;
+  if (sample.angle_rad == standing_rad_ && !limited && runsUnseen()) {
     fail(message(
         "the encoder stands while the current says that the motor turns; check the encoder's cable and supply, and the "
         "coupling"));

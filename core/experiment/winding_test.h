@@ -54,6 +54,7 @@ class WindingTest : public TimedProcedure {
   void takePoint(const Sample& sample);
   void endRamp(const Sample& sample);
   Message wrongSigns() const;
+  bool flowsAgainst() const;
   Message wrongCurrent(const Sample& sample) const;
   bool runsUnseen() const;
   double way() const { return ramp_ % 2 == 0 ? 1.0 : -1.0; }
@@ -69,6 +70,7 @@ class WindingTest : public TimedProcedure {
   double blockNoise_A_ = 0.0;  ///< of a block's mean
   WindingPoint peak_;          ///< of the ramp's current, both in its way
   std::array<std::vector<double>, 2> breakaway_A_;
+  double restStart_rad_ = 0.0, halfway_rad_ = 0.0;
   double stageStart_s_ = 0.0, standing_rad_ = 0.0, target_V_ = 0.0, now_s_ = 0.0;
   double blockVoltage_ = 0.0, blockCurrent_ = 0.0, blockStart_s_ = 0.0;
   size_t blockCount_ = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace breakaway {
 
@@ -14,7 +15,11 @@ constexpr double still_s = 0.02;      // without a count is at rest
 constexpr double stillPulses = 5.0;   // of a pulse, part of what is motion, that a slower rotor stays below in it
 constexpr double stands_s = 0.5;      // likewise, of what coasts
 constexpr double mostCoast_s = 20.0;  // a load drives what still turns
-constexpr double given = 0.9;         // of the voltage asked for: less is the current limit's doing
+constexpr double gained = 1.1;        // of what it went before
+constexpr size_t enoughFaster = 2;    // stretches in a row
+constexpr size_t manyStretches = 10;
+constexpr double kept = 0.98, wellCounted = 100.0;  // of a stretch's travel so long before; counts
+constexpr double given = 0.9;                       // of the voltage asked for: less is the current limit's doing
 constexpr double roomPart = 0.7;      // of the current limit: the bridge's dead zone makes it more than in proportion
 constexpr double steady = 0.98;       // of the voltage asked for, on average
 constexpr size_t enoughUnslowed = 2;  // that cogging doesn't make
@@ -78,6 +83,10 @@ void WiringCheck::watchIndex(const Sample& sample) {
 
 Command WiringCheck::coast(const Sample& sample) {
   const double gone_s = elapsed_s(sample);
+  if (gainsSpeed(sample)) {
+    fail(heavyLoadText(lastTravel_rad_ > 0.0, options_.axis));
+    return {};
+  }
   if (std::abs(sample.angle_rad - anchor_rad_) > 1.5 * options_.count_rad) {
     anchor_rad_ = sample.angle_rad;
     anchor_s_ = sample.time_s;
@@ -87,11 +96,32 @@ Command WiringCheck::coast(const Sample& sample) {
   return {};
 }
 
+/// With the windings open only a load makes it faster, from one stretch of brake_s to the next and once more.
+bool WiringCheck::gainsSpeed(const Sample& sample) {
+  if (sample.time_s - windowStart_s_ < options_.brake_s) return false;
+  const double travel_rad = sample.angle_rad - windowStart_rad_;
+  const bool sameWay = travel_rad * lastTravel_rad_ > 0.0;
+  const double least_rad = gained * std::abs(lastTravel_rad_) + 1.5 * options_.count_rad;
+  const bool gains =
+      sameWay && std::isfinite(lastTravel_rad_) && std::abs(travel_rad) > std::max(least_rad, options_.own_rad);
+  faster_ = gains ? faster_ + 1 : 0;
+  // Nor does what friction slows down keep its speed for seconds.
+  if (stretches_++ % manyStretches == 0) {
+    const double before_rad = std::exchange(steady_rad_, std::abs(travel_rad));
+    if (sameWay && before_rad > wellCounted * options_.count_rad && steady_rad_ > kept * before_rad)
+      faster_ = enoughFaster;
+  }
+  lastTravel_rad_ = travel_rad;
+  windowStart_rad_ = sample.angle_rad;
+  windowStart_s_ = sample.time_s;
+  return faster_ >= enoughFaster;
+}
+
 Command WiringCheck::rest(const Sample& sample) {
   supplySum_V_ += sample.supply_V;
   ++supplyCount_;
   if (const double by_rad = sample.angle_rad - anchor_rad_; std::abs(by_rad) > options_.own_rad) {
-    fail(loadWords(by_rad));
+    fail(heavyLoadText(by_rad > 0.0, options_.axis));
     return {};
   }
   if (sample.time_s - stageStart_s_ < options_.rest_s) return {};
@@ -286,7 +316,7 @@ Command WiringCheck::brake(const Sample& sample) {
     begin(Stage::rest, sample);
     return {};
   }
-  if (!slows(sample)) fail(loadWords(sample.velocity_rad_per_s));
+  if (!slows(sample)) fail(heavyLoadText(sample.velocity_rad_per_s > 0.0, options_.axis));
   return {Command::Mode::voltage, brakeVoltage(sample), 0.0, false};
 }
 

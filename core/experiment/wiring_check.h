@@ -68,6 +68,9 @@ class WiringCheck : public TimedProcedure {
   /// Whether what it failed with says which wire it is; not so where nothing moves and the current goes with the
   /// voltage.
   bool names() const { return state() == State::failed && !held_; }
+  /// That the sensor has read one number all the time, in words; else empty. What the board's watch can't tell from a
+  /// lead that is off, or an encoder that stands.
+  Message neverChanged() const;
   /// Mean of the supply's reading, windings open.
   double supply_V() const;
   const WiringCheckOptions& options() const { return options_; }
@@ -89,6 +92,7 @@ class WiringCheck : public TimedProcedure {
   Command pulse(const Sample& sample);
   Command kick(const Sample& sample);
   Command brake(const Sample& sample);
+  bool gainsSpeed(const Sample& sample);
   bool slows(const Sample& sample);
   double kickVoltage(double supply_V) const;
   double brakeVoltage(const Sample& sample);
@@ -109,7 +113,7 @@ class WiringCheck : public TimedProcedure {
   bool hasDied() const;
   Message standstill(double supply_V);
   Message contradiction() const;
-  Message loadWords(double moved_rad) const;
+  Message deadWhileMoving() const;
 
   WiringCheckOptions options_;
   Stage stage_ = Stage::rest;
@@ -134,8 +138,11 @@ class WiringCheck : public TimedProcedure {
   double lastTravel_rad_ = 0.0, windowStart_rad_ = 0.0, windowStart_s_ = 0.0, kickSum_V_ = 0.0;
   double brakeStart_rad_ = 0.0, furthest_rad_ = 0.0;  ///< of what is braked, in its way
   bool turnedRound_ = false;
-  size_t unslowed_ = 0;  ///< brake_s in a row in which what was braked moved no less than before
-  size_t falls_ = 0;     ///< pulses whose current fell while the encoder stood
+  size_t stretches_ = 0;
+  double steady_rad_ = 0.0;  ///< travel in the last that was compared
+  size_t faster_ = 0;        ///< brake_s in a row in which what coasted moved further than before
+  size_t unslowed_ = 0;      ///< brake_s in a row in which what was braked moved no less than before
+  size_t falls_ = 0;         ///< pulses whose current fell while the encoder stood
   double firstFall_V_ = 0.0;
   size_t along_ = 0, against_ = 0;
   struct Moments {

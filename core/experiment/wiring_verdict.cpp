@@ -11,9 +11,10 @@ namespace {
 constexpr size_t enoughFalls = 3;  // that play between motor and encoder doesn't make
 // Times the voltage of the first of them, that turns a rotor by a coarse count, too.
 constexpr double surelyTurns = 2.0;
-constexpr double reachPart = 0.8;     // of the present voltage, over which a sensor that lives changes
-constexpr double indexCounts = 20.0;  // wider is no index
-constexpr double mostIndex = 0.5;     // of all ticks
+constexpr double reachPart = 0.8;      // of the present voltage, over which a sensor that lives changes
+constexpr double indexCounts = 20.0;   // wider is no index
+constexpr double mostIndex = 0.5;      // of all ticks
+constexpr double fewestTicks = 100.0;  // driven ones, that noise doesn't leave on one number
 
 }  // namespace
 
@@ -41,15 +42,27 @@ bool WiringCheck::hasDied() const {
                      [&](const Moment& one) { return one.current_A == moments.front().current_A; });
 }
 
+Message WiringCheck::deadWhileMoving() const {
+  return message(
+      "the current sensor is dead, or too coarse for this motor: it reads exactly {:.3g} A while {:.1f} V move {}; "
+      "check its supply and its wire",
+      *constant_A_, level_V_, bodyText(options_.axis));
+}
+
+Message WiringCheck::neverChanged() const {
+  if (changes_ || !constant_A_ || sums_.count < fewestTicks) return {};
+  if (along_ + against_ > 0) return deadWhileMoving();
+  return message(
+      "the current sensor is dead: it reads exactly {:.3g} A up to {:.1f} V, and {} doesn't move; check the sensor's "
+      "supply and its wire, then the motor's leads",
+      *constant_A_, level_V_, bodyText(options_.axis));
+}
+
 /// Why nothing moves, as far as the pulses go.
 Message WiringCheck::standstill(double supply_V) {
   const Message body = bodyText(options_.axis);
   const double most_V = std::min(level_V_, supply_V);
-  if (!changes_ && constant_A_)
-    return message(
-        "the current sensor is dead: it reads exactly {:.3g} A up to {:.1f} V, and {} doesn't move; check the sensor's "
-        "supply and its wire, then the motor's leads",
-        *constant_A_, most_V, body);
+  if (const Message dead = neverChanged(); !dead.empty()) return dead;
   const int sign = currentSign();
   if (sign == 0)
     return message(
@@ -95,11 +108,7 @@ Message WiringCheck::contradiction() const {
         unchanged_.shown_A);
   const int sign = currentSign();
   if (along_ + against_ < 2) return {};
-  if (sign == 0 && !changes_ && kicked_[0] + kicked_[1] >= 2 * kicksEachWay)
-    return message(
-        "the current sensor is dead, or too coarse for this motor: it reads exactly {:.3g} A while {:.1f} V move {}; "
-        "check its supply and its wire",
-        *constant_A_, level_V_, body);
+  if (sign == 0 && !changes_ && kicked_[0] + kicked_[1] >= 2 * kicksEachWay) return deadWhileMoving();
   if (sign == 0 || (along_ > 0 && against_ > 0)) return {};
   const Message way = wayText(false, options_.axis);
   if (against_ > 0 && sign > 0)
@@ -118,13 +127,6 @@ Message WiringCheck::contradiction() const {
         "its leads, or the sign in the board",
         body);
   return {};
-}
-
-Message WiringCheck::loadWords(double moved_rad) const {
-  return message(
-      "{} keeps moving {} once it is loose, driven by nothing: a load heavier than its friction pulls it; hold or "
-      "balance the load, or take it off",
-      bodyText(options_.axis), wayText(moved_rad > 0.0, options_.axis));
 }
 
 }  // namespace breakaway

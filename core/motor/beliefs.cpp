@@ -216,11 +216,21 @@ double ratioOf(const Belief& belief) {
   return belief.believed / belief.measured.value;
 }
 
-Message suggestionOf(BeliefOf of, Axis axis, double ratio) {
+namespace {
+
+/// `error`: of the ratio, relative; two of them are chance.
+Message suggestionWithin(BeliefOf of, Axis axis, double ratio, double error) {
+  constexpr double chance = 2.0;
   if (!(ratio > 0.0)) return message("the sign is wrong");
   const auto mistakes = mistakesOf(of, axis);
-  const Mistake* nearest = nearestOf(mistakes, ratio, nearMistake);
+  const Mistake* nearest = nearestOf(mistakes, ratio, std::max(nearMistake, chance * error));
   return nearest != nullptr ? message(nearest->words) : Message();
+}
+
+}  // namespace
+
+Message suggestionOf(BeliefOf of, Axis axis, double ratio) {
+  return suggestionWithin(of, axis, ratio, 0.0);
 }
 
 std::optional<ScaleMistake> scaleMistakeOf(ScaledColumn column, Axis axis, double ratio, double doubt) {
@@ -237,7 +247,7 @@ std::optional<Message> contradictionOf(const Belief& belief, Axis axis) {
   if (positive && apart(ratio, 1.0) <= std::log(honestFactor(belief.of, belief.trusted)) +
                                            standardErrors * relativeError(belief.measured))
     return {};
-  const Message hint = suggestionOf(belief.of, axis, ratio);
+  const Message hint = suggestionWithin(belief.of, axis, ratio, relativeError(belief.measured));
   return message("{} {} is {:.5g}, {} {:.5g} {}: {:.4g} times as much{}", belief.source, belief.name, belief.believed,
                  belief.from, belief.measured.value, unitOf(belief.of, axis), ratio, hint.empty() ? hint : ", " + hint);
 }

@@ -14,6 +14,7 @@ class TestBeliefs : public QObject {
   void wrongUnit_isNamed_data();
   void wrongUnit_isNamed();
   void doubtfulMeasurement_contradictsNobody();
+  void doubtfulRatio_suggestsWhatItMayBe();
   void wrongSign_isNoFactor();
   void fileAgainstItself_isNamedByField();
 };
@@ -87,6 +88,14 @@ void TestBeliefs::wrongUnit_isNamed() {
 void TestBeliefs::doubtfulMeasurement_contradictsNobody() {
   QVERIFY(contradictionOf(belief(BeliefOf::torqueConstant, 2.0, false, 0.05), Axis::rotary));
   QVERIFY(!contradictionOf(belief(BeliefOf::torqueConstant, 2.0, false, 0.3), Axis::rotary));
+}
+
+/// Beyond its doubt, but not as near to a usual factor as a sure one would have to be.
+void TestBeliefs::doubtfulRatio_suggestsWhatItMayBe() {
+  const auto doubtful = contradictionOf(belief(BeliefOf::backEmfConstant, 2.9, false, 0.2), Axis::rotary);
+  QVERIFY(doubtful && doubtful->find("four edges") != std::string::npos);
+  const auto sure = contradictionOf(belief(BeliefOf::backEmfConstant, 2.9, false, 1e-3), Axis::rotary);
+  QVERIFY(sure && sure->find("four edges") == std::string::npos);
 }
 
 void TestBeliefs::wrongSign_isNoFactor() {

@@ -42,9 +42,11 @@ class Reversal : public Step {
     return StepRun{"03c-reversal", test_};
   }
 
-  /// Where it can't be gone, the first stands alone, and a remark says so.
+  /// Where it can't be gone, the first stands alone, and a remark says so. A rotor that turned in the spin test and
+  /// stands now has something in its way.
   Result<StepEnd> end(OnBench& on, const Result<void>& ran) override {
     Commission& known = on.known;
+    if (!ran && test_->stood()) return ran.error();
     const auto blocks = freedOf(spinDisc(test_->blocks()), test_->blocks());
     const auto inertia = ran ? reversalInertia(blocks, {known.motor.torqueConstant_Nm_per_A.value, current_A_})
                              : Result<Estimate>(ran.error());

@@ -1,5 +1,6 @@
 // A rotor at constant speeds both ways: Coulomb and viscous friction.
 #include <algorithm>
+#include <cmath>
 
 #include "base/numbers.h"
 #include "commission/steps.h"
@@ -75,6 +76,9 @@ class Velocities : public Step {
   Result<StepEnd> end(OnBench& on, const Result<void>& ran) override {
     if (!ran) return ran.error();
     Commission& known = on.known;
+    for (const double speed : sweep_->leftOut_rad_per_s())
+      known.remark(message("At {:.3g} rad/s {} the rotor sticks and slips; that speed was left out.", std::abs(speed),
+                           wayText(speed > 0.0)));
     const ZeroTrack zeros(sweep_->zeros(), known.noiseRms_A);
     if (!known.runs.empty()) known.runsZeroError_A = zeros.at(known.runs[known.runs.size() / 2].middle_s).standardError;
     VelocityFrictionOptions friction = frictionOptions(known);

@@ -11,11 +11,18 @@ namespace breakaway {
 namespace {
 
 constexpr double leastMotion_m = 1e-4;  // of a linear axis
+constexpr double motionCounts = 2.5;    // of a rotor's, at least: one may be play, or what still swung
 
 WindingTestOptions optionsOnAxis(const Identity& board) {
   WindingTestOptions options;
   options.motion_rad = std::max(leastMotion_m, 8.0 / board.countsPerRev);
   options.axis = Axis::linear;
+  return options;
+}
+
+WindingTestOptions optionsOnRotor(const Identity& board) {
+  WindingTestOptions options;
+  options.motion_rad = std::max(options.motion_rad, motionCounts * turn_rad / board.countsPerRev);
   return options;
 }
 
@@ -27,7 +34,7 @@ class Winding : public Step {
   Result<StepRun> begin(OnBench& on) override {
     const bool linear = on.known.linear();
     name_ = linear ? "03-winding" : "02-winding";
-    auto options = linear ? optionsOnAxis(on.known.identity) : WindingTestOptions{};
+    auto options = linear ? optionsOnAxis(on.known.identity) : optionsOnRotor(on.known.identity);
     options.noise_A = on.known.noiseRms_A;
     test_ = std::make_shared<WindingTest>(options);
     return StepRun{name_, test_};
