@@ -24,7 +24,6 @@ constexpr double bentDoubt = 9e-4;        // relative, of a bent bridge: what be
 constexpr double curveDoubt = 2e-4;       // relative: blocks, ticks and the winding's lag
 constexpr size_t mostTogether = 16;       // blocks of a row
 constexpr double littleRounding = 0.002;  // of the slopes, that isn't worth longer rows
-constexpr double leastSag = 0.01;         // of the resistance, that a supply's is worth it
 constexpr double roundingDoubt = 0.15;    // of what the encoder's rounding changes: it is no noise at a steady speed
 
 /// Some blocks in a row, mostly one: current with its lag, the voltages, speed.
@@ -33,7 +32,6 @@ struct BridgeRow {
   std::vector<double> voltages_V;
   Eigen::Index test = 0;
   double rounding = 0.0;  ///< variance of the speed by the encoder's counts
-  double sag_A = 0.0;     ///< the current by the duty's square
 };
 
 /// Blocks from `k` on of a test, as many as `together`; fewer where the voltage changes steeply.
@@ -41,21 +39,18 @@ BridgeRow rowOf(const BridgeTests& tests, size_t test, size_t k, size_t together
   const auto& blocks = tests.moving[test];
   BridgeRow row{.weight = 0.0, .voltages_V = {}, .test = static_cast<Eigen::Index>(test) + 1};
   const double from_rad = blocks[k - 1].angle_rad;
-  double charge_As = 0.0, sag_As = 0.0;
+  double charge_As = 0.0;
   for (const size_t end = std::min(k + together, blocks.size() - 1); k < end; ++k) {
     const SpinBlock &before = blocks[k - 1], &here = blocks[k], &after = blocks[k + 1];
     if (std::abs(after.voltage_V - before.voltage_V) > steepest_duty * tests.supply_V) break;
     const double across_s = here.duration_s + 0.5 * (before.duration_s + after.duration_s);
     const double lag_A = tests.timeConstant_s * (after.current_A - before.current_A) / across_s;
     charge_As += here.duration_s * (here.current_A + lag_A);
-    const double duty = here.voltage_V / tests.supply_V;
-    sag_As += here.duration_s * duty * duty * here.current_A;
     row.weight += here.duration_s;
     row.voltages_V.push_back(here.voltage_V);
   }
   if (row.voltages_V.empty()) return row;
   row.current_A = charge_As / row.weight;
-  row.sag_A = sag_As / row.weight;
   row.speed_rad_per_s = (blocks[k - 1].angle_rad - from_rad) / row.weight;
   row.rounding = tests.count_rad * tests.count_rad / 6.0 / (row.weight * row.weight);
   return row;
@@ -76,7 +71,7 @@ std::vector<BridgeRow> rowsOf(const BridgeTests& tests, size_t together) {
   return rows;
 }
 
-/// Slopes (the first, and by how much each knot changes it), Ke/R, the tests' zeros, and a sagging supply's Rs/R.
+/// Slopes (the first, and by how much each knot changes it), Ke/R, and the tests' zeros.
 struct Fit {
   Eigen::VectorXd x;
   Eigen::MatrixXd covariance;
@@ -88,16 +83,9 @@ class BridgeLine {
  public:
   BridgeLine(std::vector<BridgeRow> rows, Eigen::Index tests) : rows_(std::move(rows)), tests_(tests) {}
 
-  /// The same with a supply that may sag.
-  BridgeLine sagging() const {
-    BridgeLine line = *this;
-    line.sags_ = 1;
-    return line;
-  }
-
   /// `knots_V`: where the slope changes, the dead zone's end first.
   Fit fit(const std::vector<double>& knots_V) const {
-    const auto slopes = static_cast<Eigen::Index>(knots_V.size()), n = slopes + 1 + tests_ + sags_;
+    const auto slopes = static_cast<Eigen::Index>(knots_V.size()), n = slopes + 1 + tests_;
     Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(n, n);
     Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
     double squares = 0.0, rounding = 0.0;
@@ -167,7 +155,7 @@ class BridgeLine {
   }
   Eigen::VectorXd regressor(const BridgeRow& row, const std::vector<double>& knots_V) const {
     const auto slopes = static_cast<Eigen::Index>(knots_V.size());
-    Eigen::VectorXd a = Eigen::VectorXd::Zero(slopes + 1 + tests_ + sags_);
+    Eigen::VectorXd a = Eigen::VectorXd::Zero(slopes + 1 + tests_);
     const double share = 1.0 / static_cast<double>(row.voltages_V.size());
     for (const double voltage_V : row.voltages_V) {
       for (Eigen::Index k = 0; k < slopes; ++k)
@@ -175,13 +163,11 @@ class BridgeLine {
     }
     a[slopes] = -row.speed_rad_per_s;
     a[slopes + 1 + row.test] = 1.0;
-    if (sags_ > 0) a[slopes + 1 + tests_] = -row.sag_A;
     return a;
   }
 
   std::vector<BridgeRow> rows_;
   Eigen::Index tests_;
-  Eigen::Index sags_ = 0;  ///< columns for it
 };
 
 /// Takes away, one by one, the knots that change the slope by less than their doubt.
@@ -282,13 +268,6 @@ BridgeLine lineOf(const BridgeTests& tests) {
   }
 }
 
-/// Of a fit with a sagging supply, its Rs/R; error 0 where it doesn't stand out.
-Estimate sagOf(const Fit& fit) {
-  const Eigen::Index last = fit.x.size() - 1;
-  const Estimate sag{fit.x[last], std::sqrt(std::max(0.0, fit.covariance(last, last)))};
-  return sag.value > std::max(leastSag, significance * sag.standardError) ? sag : Estimate{};
-}
-
 }  // namespace
 
 Result<BridgeFit> fitBridge(const BridgeTests& tests) {
@@ -299,18 +278,10 @@ Result<BridgeFit> fitBridge(const BridgeTests& tests) {
   double highest_V = 0.0, standing_V = 0.0;
   for (const BridgeRow& row : rows) highest_V = std::max(highest_V, std::abs(row.voltages_V.front()));
   for (const WindingPoint& point : tests.standing) standing_V = std::max(standing_V, std::abs(point.voltage_V));
-  BridgeLine line = lineOf(tests);
+  const BridgeLine line = lineOf(tests);
   std::vector<double> knots_V{0.0};
   for (const double duty : knots_duty) knots_V.push_back(duty * tests.supply_V);
-  const std::vector<double> all_V = knots_V;
-  Fit fit = fitted(line, knots_V, 0.98 * standing_V);
-  Estimate sag = sagOf(line.sagging().fit(knots_V));
-  if (sag.standardError > 0.0) {
-    line = line.sagging();
-    knots_V = all_V;
-    fit = fitted(line, knots_V, 0.98 * standing_V);
-    sag = sagOf(fit);
-  }
+  const Fit fit = fitted(line, knots_V, 0.98 * standing_V);
   const double reach_V = knots_V.front() + (lastKnot_duty + reach_duty) * tests.supply_V;
   if (highest_V < reach_V) {
     return Error{
@@ -340,7 +311,6 @@ Result<BridgeFit> fitBridge(const BridgeTests& tests) {
   found.backEmfConstant_V_s_per_rad.standardError =
       std::hypot(found.backEmfConstant_V_s_per_rad.standardError, doubt * Ke);
   found.deadZone_V = {knots_V.front(), line.errorOfFirst(knots_V, 5e-4 * tests.supply_V)};
-  if (sag.standardError > 0.0) found.supplyResistance_ohm = {sag.value / far, sag.standardError / far};
   if (!bent) return found;
   found.curve = std::move(curve);
   if (!found.curve.rises()) return Error{place, message("doesn't rise with the duty everywhere, as the tests show it")};

@@ -26,8 +26,6 @@ struct BridgeFit {
   Estimate resistance_ohm;
   Estimate backEmfConstant_V_s_per_rad;
   Estimate deadZone_V;
-  /// By which the supply falls with the bridge's current, unseen by the board; error 0: it doesn't beyond doubt.
-  Estimate supplyResistance_ohm;
   /// Known where the bridge bends its duty: by a tenth of the slope somewhere, and beyond doubt.
   DutyCurve curve;
 };
@@ -37,9 +35,7 @@ struct BridgeFit {
 /// load do not enter. Voltage and speed go together, so that a coarse encoder's rounding would make both slopes small,
 /// R large and leave Ke right (W. A. Fuller, Measurement Error Models, section 2.2): what it adds to the square of ω is
 /// taken off, and a part of what that changes is in R's error. The scale of f can't be seen: beyond the last knot f is
-/// taken to grow as the duty does, and a bridge that gives a common part less shows it in R, L and Ke. A supply of some
-/// resistance Rs falls by Rs·d·i at a duty d; the winding lacks Rs·d²·i then, which is fitted beside the rest where it
-/// stands out. Errors: too few
+/// taken to grow as the duty does, and a bridge that gives a common part less shows it in R, L and Ke. Errors: too few
 /// blocks; voltages that don't reach far enough beyond the last knot; resistance and back-EMF constant that the blocks
 /// don't tell apart; a curve that doesn't rise.
 Result<BridgeFit> fitBridge(const BridgeTests& tests);

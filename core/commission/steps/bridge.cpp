@@ -45,13 +45,6 @@ void takeBridge(const MotorTests& tests, IdentifiedMotor& motor, Commission& kno
   const auto bridge = fitBridge(tests.bridge);
   if (bridge) {
     takeBridge(motor, *bridge, tests.winding.timeConstant_s);
-    const Estimate& sag = bridge->supplyResistance_ohm;
-    if (sag.standardError > 0.0)
-      known.remark(
-          message("The supply sags by {:.2g} ohm (give or take {:.1g}) times the bridge's current; it is taken out of "
-                  "resistance "
-                  "and back-EMF constant. Shorter or thicker leads to the supply, or a stiffer one, would help.",
-                  sag.value, 2.0 * sag.standardError));
   } else {
     known.remark(message("{}; resistance and back-EMF constant rest on a straight line beyond the dead zone.",
                          bridge.error().said()));
