@@ -263,6 +263,7 @@ bool WindowContents::eventFilter(QObject* watched, QEvent* event) {
 }
 
 bool WindowContents::focusNextPrevChild(bool next) {
+  if (isHidden()) return QWidget::focusNextPrevChild(next);  // all of it goes: the window must not remember it
   QWidget* now = window()->focusWidget();
   if (now != nullptr && now != this && isAncestorOf(now) && (!now->isEnabled() || !now->isVisible())) {
     if (left_ != nullptr) left_->removeEventFilter(this);
