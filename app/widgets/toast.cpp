@@ -57,7 +57,7 @@ class WrappedWords : public QLabel {
   }
 
   QString whatFits() const {
-    const QString all = text();
+    QString all = text();
     if (heightOf(all, width()) <= height()) return all;
     qsizetype fits = 0, tooLong = all.size();
     while (fits + 1 < tooLong) {
