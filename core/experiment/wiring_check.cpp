@@ -19,7 +19,7 @@ constexpr double gained = 1.1;        // of what it went before
 constexpr size_t enoughFaster = 2;    // stretches in a row
 constexpr size_t manyStretches = 10;
 constexpr double kept = 0.98, wellCounted = 100.0;  // of a stretch's travel so long before; counts
-constexpr double given = 0.9;                       // of the voltage asked for: less is the current limit's doing
+constexpr double givenPart = 0.9;                   // of the voltage asked for: less is the current limit's doing
 constexpr double roomPart = 0.7;      // of the current limit: the bridge's dead zone makes it more than in proportion
 constexpr double steady = 0.98;       // of the voltage asked for, on average
 constexpr size_t enoughUnslowed = 2;  // that cogging doesn't make
@@ -263,7 +263,7 @@ void WiringCheck::takeStanding() {
   const auto n = static_cast<double>(count);
   all = {all.voltage_V / n, all.current_A / n, perMean(options_.noise_A, count)};
   standing_[side()] = all;
-  limited_ = way_ * all.voltage_V < given * level_V_ - 1e-3;
+  limited_ = way_ * all.voltage_V < givenPart * level_V_ - 1e-3;
   const double first_A = thirds_[0].meanCurrent_A(), fall_A = first_A - thirds_[2].meanCurrent_A();
   const double error_A = perMean(options_.noise_A, std::min(thirds_[0].count, thirds_[2].count)) * std::sqrt(2.0);
   if (fall_A * first_A > 0.0 && std::abs(fall_A) > std::max(sure * error_A, fallen * std::abs(first_A))) {

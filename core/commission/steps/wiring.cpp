@@ -13,7 +13,7 @@ namespace breakaway {
 namespace {
 
 constexpr double motion_m = 1e-4, kick_m = 1e-3, own_m = 1e-3;  // of a linear axis
-constexpr double motionCounts = 2.0, kickCounts = 3.0;          // at least, however coarse the encoder is
+constexpr double wiringCounts = 2.0, kickCounts = 3.0;          // at least, however coarse the encoder is
 
 WiringCheckOptions optionsOn(const OnBench& on) {
   const Identity& board = on.known.identity;
@@ -27,7 +27,7 @@ WiringCheckOptions optionsOn(const OnBench& on) {
     options.kick_rad = kick_m;
     options.own_rad = own_m;
   }
-  options.motion_rad = std::max(options.motion_rad, motionCounts * options.count_rad);
+  options.motion_rad = std::max(options.motion_rad, wiringCounts * options.count_rad);
   options.kick_rad = std::max(options.kick_rad, kickCounts * options.count_rad);
   options.own_rad = std::max(options.own_rad, kickCounts * options.count_rad);
   return options;
