@@ -3,9 +3,10 @@
 
 #include "recording/import/import.h"
 #include "support/temporary.h"
+#include "support/two_axes.h"
 
 using namespace breakaway;
-using breakaway::test::TemporaryFolder;
+using namespace breakaway::test;
 
 /// Rows of several axes in one table, and what only looks so.
 class TestImportAxes : public QObject {
@@ -20,14 +21,6 @@ class TestImportAxes : public QObject {
  private:
   TemporaryFolder folder_;
 };
-
-/// A motion to and fro of one axis, another of the second; in SI.
-static double angleOf(int axis, int k) {
-  return axis == 1 ? 5.0 * std::sin(0.04 * k) : 40.0 + 0.3 * k;
-}
-static double speedOf(int axis, int k) {
-  return axis == 1 ? 20.0 * std::cos(0.04 * k) : 30.0;
-}
 
 void TestImportAxes::severalAxesInOneTable_areAskedToBeParted_data() {
   QTest::addColumn<QString>("column");

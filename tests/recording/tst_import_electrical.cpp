@@ -3,9 +3,10 @@
 
 #include "recording/import/import.h"
 #include "support/temporary.h"
+#include "support/two_axes.h"
 
 using namespace breakaway;
-using breakaway::test::TemporaryFolder;
+using namespace breakaway::test;
 
 /// What is on a motor's electrical side and what is not, and columns that are none of its own.
 class TestImportElectrical : public QObject {
@@ -22,14 +23,6 @@ class TestImportElectrical : public QObject {
  private:
   TemporaryFolder folder_;
 };
-
-/// A motion to and fro of one axis, another of the second; in SI.
-static double angleOf(int axis, int k) {
-  return axis == 1 ? 5.0 * std::sin(0.04 * k) : 40.0 + 0.3 * k;
-}
-static double speedOf(int axis, int k) {
-  return axis == 1 ? 20.0 * std::cos(0.04 * k) : 30.0;
-}
 
 void TestImportElectrical::columnsThatAreNotTheMotors_areKeptUnused_data() {
   QTest::addColumn<QString>("head");

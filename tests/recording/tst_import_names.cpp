@@ -2,10 +2,10 @@
 #include <cmath>
 
 #include "recording/import/import.h"
-#include "support/temporary.h"
+#include "support/imported_log.h"
 
 using namespace breakaway;
-using breakaway::test::TemporaryFolder;
+using namespace breakaway::test;
 
 /// Names that say too little alone, by the names beside them.
 class TestImportNames : public QObject {
@@ -24,26 +24,7 @@ class TestImportNames : public QObject {
   void commandedTorqueWithoutAUnit_isCalledSo();
 
  private:
-  Result<Imported> imported(const QString& text) {
-    return importRecording(folder_.write("log.csv", text.toStdString()));
-  }
-  /// A table of these columns, each a wave of its own.
-  Result<Imported> waves(const QStringList& names) {
-    QString text = "time_s,\"" + names.join("\",\"") + "\"\n";
-    for (int k = 0; k < 80; ++k) {
-      text += QString::number(0.01 * k);
-      for (int c = 0; c < names.size(); ++c) text += QString(",%1").arg((1.0 + 0.1 * c) * std::sin(0.1 * k + c));
-      text += "\n";
-    }
-    return imported(text);
-  }
-  static std::string meaning(const Imported& log, const QString& name) {
-    for (const ColumnFate& fate : log.columns) {
-      if (fate.from == name.toStdString()) return fate.kind == ColumnFate::Kind::used ? fate.to : std::string();
-    }
-    return "not there";
-  }
-  TemporaryFolder folder_;
+  ImportedLogs logs_;
 };
 
 void TestImportNames::whatNamesBesideTell_isTaken_data() {
@@ -260,7 +241,7 @@ void TestImportNames::whatNamesBesideTell_isTaken() {
   QFETCH(QStringList, names);
   QFETCH(QString, name);
   QFETCH(QString, to);
-  const auto log = waves(names);
+  const auto log = logs_.waves(names);
   VERIFY_OK(log);
   QCOMPARE(meaning(*log, name), to.toStdString());
 }
@@ -271,7 +252,7 @@ void TestImportNames::positionInMetres_isTakenBeforeCounts() {
     const double x = 2e4 * std::sin(0.1 * k);
     text += QString("%1,%2,%3,%4\n").arg(0.01 * k).arg(int(2.0 * x)).arg(int(x)).arg(int(2e5 * std::cos(0.1 * k)));
   }
-  const auto log = imported(text);
+  const auto log = logs_.imported(text);
   VERIFY_OK(log);
   QCOMPARE(meaning(*log, "pos_um"), std::string("position_m"));
   QVERIFY(!log->recording.has("angle_rad"));
@@ -282,7 +263,7 @@ void TestImportNames::namesForFewerColumns_nameTheFirst() {
   for (int k = 0; k < 60; ++k)
     text +=
         QString("%1,1,%2,%3,0.5,,%4,0,\n").arg(5000 + k).arg(std::sin(0.01 * k)).arg(10.0 * std::cos(0.01 * k)).arg(k);
-  const auto log = imported(text);
+  const auto log = logs_.imported(text);
   VERIFY_OK(log);
   QVERIFY(std::abs(log->recording.time().back() - log->recording.time().front() - 0.059) < 1e-9);
   QCOMPARE(meaning(*log, "q[0]"), std::string("angle_rad"));
@@ -301,7 +282,7 @@ void TestImportNames::odriveByItsCurrentAlone_needsMotionWithoutUnits() {
                 .arg(turns, 0, 'f', 6)
                 .arg(60.0 * perSecond, 0, 'f', 4);
   }
-  const auto odrive = imported(own), other = imported(told);
+  const auto odrive = logs_.imported(own), other = logs_.imported(told);
   VERIFY_OK(odrive);
   VERIFY_OK(other);
   for (const Imported* log : {&*odrive, &*other}) {
@@ -311,22 +292,22 @@ void TestImportNames::odriveByItsCurrentAlone_needsMotionWithoutUnits() {
 }
 
 void TestImportNames::unknownWordWithAUnit_isAGuessWhereNothingElseMoves() {
-  const auto alone = waves({"speed_pi_raw_rpm", "current_A"});
+  const auto alone = logs_.waves({"speed_pi_raw_rpm", "current_A"});
   VERIFY_OK(alone);
   QCOMPARE(meaning(*alone, "speed_pi_raw_rpm"), std::string("velocity_rad_per_s"));
   QVERIFY(alone->columns[1].guessed);
-  const auto beside = waves({"speed_pi_raw_rpm", "motor_angle"});
+  const auto beside = logs_.waves({"speed_pi_raw_rpm", "motor_angle"});
   VERIFY_OK(beside);
   QCOMPARE(meaning(*beside, "speed_pi_raw_rpm"), std::string());
-  QVERIFY(!waves({"speed_scaling", "current_A"}));
-  QVERIFY(!waves({"speed_error_rpm", "current_A"}));
+  QVERIFY(!logs_.waves({"speed_scaling", "current_A"}));
+  QVERIFY(!logs_.waves({"speed_error_rpm", "current_A"}));
 }
 
 void TestImportNames::countsWithoutAName_areAskedAboutWhereNothingElseMoves() {
   const auto log = [this](const QString& name) {
     QString text = "time_s," + name + ",current_A\n";
     for (int k = 0; k < 60; ++k) text += QString("%1,%2,0.5\n").arg(0.01 * k).arg(7 * k);
-    const auto read = imported(text);
+    const auto read = logs_.imported(text);
     return read ? std::string() : read.error().message();
   };
   QVERIFY(log("enconder(steps)").find("counts_per_rev") != std::string::npos);
@@ -349,7 +330,7 @@ void TestImportNames::numberedNamesAboveTheRows_areTheColumns() {
   QString text = "% Motor test, 3 columns\n" + form;
   for (int k = 0; k < 60; ++k)
     text += QString("%1 %2 %3\n").arg(0.01 * k).arg(std::sin(0.1 * k)).arg(std::cos(0.1 * k));
-  const auto log = imported(text);
+  const auto log = logs_.imported(text);
   QCOMPARE(log.ok(), taken);
   if (taken) QCOMPARE(meaning(*log, "motor current"), std::string("current_A"));
 }
@@ -361,7 +342,7 @@ void TestImportNames::loggersTagBeforeLabels_isNoName() {
                 .arg(500 + 10 * k)
                 .arg(std::sin(0.1 * k))
                 .arg(10.0 * std::cos(0.1 * k));
-  const auto log = imported(text);
+  const auto log = logs_.imported(text);
   VERIFY_OK(log);
   QCOMPARE(log->recording.rows(), size_t{60});
   QVERIFY(std::abs(log->recording.time()[59] - log->recording.time()[0] - 0.59) < 1e-9);
@@ -369,7 +350,7 @@ void TestImportNames::loggersTagBeforeLabels_isNoName() {
 }
 
 void TestImportNames::commandedTorqueWithoutAUnit_isCalledSo() {
-  const auto log = waves({"actual_q_0", "target_moment_0"});
+  const auto log = logs_.waves({"actual_q_0", "target_moment_0"});
   VERIFY_OK(log);
   QVERIFY(log->columns[2].inWords().english().find("what was commanded") != std::string::npos);
 }

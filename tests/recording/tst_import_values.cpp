@@ -2,10 +2,10 @@
 #include <cmath>
 
 #include "recording/import/import.h"
-#include "support/temporary.h"
+#include "support/imported_log.h"
 
 using namespace breakaway;
-using breakaway::test::TemporaryFolder;
+using namespace breakaway::test;
 
 /// What columns are by their values, where names say too little or something else.
 class TestImportValues : public QObject {
@@ -26,26 +26,7 @@ class TestImportValues : public QObject {
   void currentBesideAThrottleAndASupply_isDoubted();
 
  private:
-  Result<Imported> imported(const QString& text) {
-    return importRecording(folder_.write("log.csv", text.toStdString()));
-  }
-  /// A table of these columns, each a wave of its own.
-  Result<Imported> waves(const QStringList& names) {
-    QString text = "time_s,\"" + names.join("\",\"") + "\"\n";
-    for (int k = 0; k < 80; ++k) {
-      text += QString::number(0.01 * k);
-      for (int c = 0; c < names.size(); ++c) text += QString(",%1").arg((1.0 + 0.1 * c) * std::sin(0.1 * k + c));
-      text += "\n";
-    }
-    return imported(text);
-  }
-  static std::string meaning(const Imported& log, const QString& name) {
-    for (const ColumnFate& fate : log.columns) {
-      if (fate.from == name.toStdString()) return fate.kind == ColumnFate::Kind::used ? fate.to : std::string();
-    }
-    return "not there";
-  }
-  TemporaryFolder folder_;
+  ImportedLogs logs_;
 };
 
 /// A column that turns, the speed of its own, and another one's.
@@ -73,7 +54,7 @@ void TestImportValues::voltageOfASpeedThatFallsAgainAndAgain_isTheSupplys() {
   QString text = "time_s,rpm,voltage\n";
   for (int k = 0; k < 320; ++k)
     text += QString("%1,%2,%3\n").arg(0.01 * k).arg(500.5 - 500.0 * std::cos(2.0 * M_PI * k / rowsAWave)).arg(23.1);
-  const auto log = imported(text);
+  const auto log = logs_.imported(text);
   VERIFY_OK(log);
   QCOMPARE(meaning(*log, "voltage"), to.toStdString());
 }
@@ -81,7 +62,7 @@ void TestImportValues::voltageOfASpeedThatFallsAgainAndAgain_isTheSupplys() {
 void TestImportValues::wholeThousands_areNoVolts() {
   QString text = "time_s,angle_rad,batt_volt,Supply (volts)\n";
   for (int k = 0; k < 40; ++k) text += QString("%1,%2,36500,325\n").arg(0.01 * k).arg(std::sin(0.1 * k));
-  const auto log = imported(text);
+  const auto log = logs_.imported(text);
   VERIFY_OK(log);
   QCOMPARE(meaning(*log, "batt_volt"), std::string());
 }
@@ -93,28 +74,28 @@ void TestImportValues::servosOfAnotherMaker_haveTheSpeedThatTheirAngleTells() {
                 .arg(0.01 * k)
                 .arg(2048 + int(900 * std::sin(0.1 * k)))
                 .arg(int(9000 * std::cos(0.1 * k)));
-  const auto log = imported(text);
+  const auto log = logs_.imported(text);
   VERIFY_OK(log);
   const double speed = 9000.0 / 4096.0 * 2.0 * M_PI;
   QVERIFY(std::abs(log->recording.channel("velocity_rad_per_s").front() - speed) < 1e-3 * speed);
 }
 
 void TestImportValues::angleOfARobotBesideItsWheelsSpeed_isSetAside() {
-  const auto log = imported(turningBeside("time_s,angle_deg,rate_dps,wheel_speed_rpm\n"));
+  const auto log = logs_.imported(turningBeside("time_s,angle_deg,rate_dps,wheel_speed_rpm\n"));
   VERIFY_OK(log);
   QCOMPARE(meaning(*log, "wheel_speed_rpm"), std::string("velocity_rad_per_s"));
   QCOMPARE(meaning(*log, "angle_deg"), std::string());
-  const auto pedal = imported(turningBeside("time_s,pedal_pos,rate_dps,motor_rpm\n"));
+  const auto pedal = logs_.imported(turningBeside("time_s,pedal_pos,rate_dps,motor_rpm\n"));
   VERIFY_OK(pedal);
   QCOMPARE(meaning(*pedal, "motor_rpm"), std::string("velocity_rad_per_s"));
   QCOMPARE(meaning(*pedal, "pedal_pos"), std::string());
-  const auto wheels = imported(turningBeside("time_s,wheel_angle_deg,rate_dps,wheel_speed_rpm\n"));
+  const auto wheels = logs_.imported(turningBeside("time_s,wheel_angle_deg,rate_dps,wheel_speed_rpm\n"));
   VERIFY_OK(wheels);
   QCOMPARE(meaning(*wheels, "wheel_angle_deg"), std::string("angle_rad"));
 }
 
 void TestImportValues::speedThatContradictsTheAngle_yieldsToOneThatAgrees() {
-  const auto log = imported(turningBeside("time_s,angle_deg,hand_speed_dps,speed_dps\n"));
+  const auto log = logs_.imported(turningBeside("time_s,angle_deg,hand_speed_dps,speed_dps\n"));
   VERIFY_OK(log);
   QCOMPARE(meaning(*log, "hand_speed_dps"), std::string("velocity_rad_per_s"));
   QCOMPARE(meaning(*log, "angle_deg"), std::string("angle_rad"));
@@ -126,7 +107,7 @@ void TestImportValues::ticksOfRowsOfSeveralAxes_areTheTime() {
     for (int m = 1; m <= 3; ++m)
       text += QString("%1,%2,%3,24\n").arg(m).arg(5000 + 10 * k + m).arg(m * std::sin(0.1 * k));
   }
-  const auto log = imported(text);
+  const auto log = logs_.imported(text);
   QVERIFY(!log);
   QVERIFY(log.error().message().find("{\"split\": \"id\"}") != std::string::npos);
 }
@@ -137,7 +118,7 @@ void TestImportValues::valuesBeyondAnyMotor_areKept() {
     text += QString("%1,%2,%3,9393\n").arg(0.01 * k).arg(std::sin(0.1 * k)).arg(1800.5 * std::cos(0.1 * k));
     usual += QString("%1,%2,%3,93\n").arg(0.01 * k).arg(std::sin(0.1 * k)).arg(18.5 * std::cos(0.1 * k));
   }
-  const auto far = imported(text), log = imported(usual);
+  const auto far = logs_.imported(text), log = logs_.imported(usual);
   VERIFY_OK(far);
   VERIFY_OK(log);
   for (const char* name : {"current", "motor_temp"}) {
@@ -155,7 +136,7 @@ void TestImportValues::outputWithinOneBesideADuty_isNoVoltage() {
                   .arg(std::sin(0.1 * k))
                   .arg(full * std::cos(0.1 * k))
                   .arg(int(255.0 * std::cos(0.1 * k)));
-    const auto log = imported(text);
+    const auto log = logs_.imported(text);
     return log ? meaning(*log, "u") : log.error().message();
   };
   QCOMPARE(of(1.0), std::string());
@@ -166,7 +147,7 @@ void TestImportValues::countsBesideATravelInMillimetres_arentAskedAbout() {
   QString text = "time_s,enc,travel_mm\n";
   for (int k = 0; k < 60; ++k)
     text += QString("%1,%2,%3\n").arg(0.01 * k).arg(int(1000.0 * std::sin(0.1 * k))).arg(50.0 * std::sin(0.1 * k));
-  const auto log = imported(text);
+  const auto log = logs_.imported(text);
   VERIFY_OK(log);
   QCOMPARE(meaning(*log, "travel_mm"), std::string("position_m"));
   QVERIFY(!log->recording.has("angle_rad"));
@@ -174,7 +155,7 @@ void TestImportValues::countsBesideATravelInMillimetres_arentAskedAbout() {
 
 void TestImportValues::oneOfTwoPositionsBesideAnOdrivesCurrent_isNotInTurns() {
   const auto unitOf = [this](const QStringList& names) {
-    const auto log = waves(names);
+    const auto log = logs_.waves(names);
     return log ? log->columns[1].unit : log.error().message();
   };
   QCOMPARE(unitOf({"position", "iq_measured"}), std::string("turns"));
@@ -184,7 +165,7 @@ void TestImportValues::oneOfTwoPositionsBesideAnOdrivesCurrent_isNotInTurns() {
 void TestImportValues::wholeVoltsBeyondAMotors_areNoSupply() {
   QString text = "time_s,angle_rad,voltage\n";
   for (int k = 0; k < 60; ++k) text += QString("%1,%2,121\n").arg(0.01 * k).arg(std::sin(0.1 * k));
-  const auto log = imported(text);
+  const auto log = logs_.imported(text);
   VERIFY_OK(log);
   QCOMPARE(meaning(*log, "voltage"), std::string());
 }
@@ -194,7 +175,7 @@ void TestImportValues::currentBesideAThrottleAndASupply_isDoubted() {
     QString text = "time_s,rpm,throttle_pct,voltage," + name + "\n";
     for (int k = 0; k < 60; ++k)
       text += QString("%1,%2,%3,22.2,%4\n").arg(0.1 * k).arg(3000.0 + 20 * k).arg(10 + k).arg(1.5 + 0.1 * k);
-    const auto log = imported(text);
+    const auto log = logs_.imported(text);
     return log ? log->columns[4].inWords().english() : log.error().message();
   };
   QVERIFY(words("current_mA").find("supply's") != std::string::npos);
