@@ -246,7 +246,7 @@ std::optional<ColumnName> readAround(NameReading& name) {
     const bool supplies = name.kind == UnitKind::voltage && isIn(supplyWords, word);  // "U_dc"
     if (found.word->weak && k != found.at && !desired && !supplies && !isIn(decorations, word) &&
         !isIn(referenceWords, word) && quantityNamed(word) == nullptr && name.kind != UnitKind::time)
-      return nameAside(message("its name says nothing that is known"), parts);
+      return nameThatSaysNothing(parts);
   }
   return std::nullopt;
 }
@@ -345,7 +345,11 @@ ColumnName understandName(std::string_view text, std::string_view unit) {
   if (parts.words.empty() && (parts.unitFirst || (sideAndUnit && !parts.group.empty())))        // "left_rpm" as "rpm"
     return nameTaken(parts, contractName(parts.unit->kind, false),
                      parts.unit->kind == UnitKind::angularVelocity ? 0 : 2);
-  if (parts.words.empty()) return nameAside(message("it has no name"), parts);
+  if (parts.words.empty()) {
+    ColumnName nameless = nameAside(message("it has no name"), parts);
+    nameless.nameless = true;
+    return nameless;
+  }
   if (auto why = otherThing(parts); !why.empty()) {
     ColumnName other = nameAside(std::move(why), parts);
     for (const char* driven : {"pump", "fan"}) {  // what a motor turns

@@ -13,6 +13,8 @@ namespace breakaway {
 struct ColumnName {
   std::string to;                ///< the contract's name, with its unit; empty when the column isn't understood
   Message aside;                 ///< then: why
+  bool saysNothing = false;      ///< then: no word of the name is known
+  bool nameless = false;         ///< then: there is no word
   std::string unknownWord = {};  ///< then: the word behind the quantity that may change everything
   double scale = 1.0;
   double offset = 0.0;

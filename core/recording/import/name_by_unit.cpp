@@ -51,6 +51,12 @@ ColumnName nameAside(Message why, const NameParts& parts) {
   return name;
 }
 
+ColumnName nameThatSaysNothing(const NameParts& parts) {
+  ColumnName name = nameAside(message("its name says nothing that is known"), parts);
+  name.saysNothing = true;
+  return name;
+}
+
 ColumnName nameTaken(const NameParts& parts, std::string to, int rank) {
   ColumnName name;
   name.to = std::move(to);
@@ -95,7 +101,7 @@ ColumnName supplyOf(const NameParts& parts) {
 }
 
 ColumnName nameByUnit(const NameParts& parts) {
-  if (parts.unit == nullptr) return nameAside(message("its name says nothing that is known"), parts);
+  if (parts.unit == nullptr) return nameThatSaysNothing(parts);
   const UnitKind kind = parts.unit->kind;
   bool reference = false, plain = true, motors = false, loops = false, joint = false;
   if (std::string_view(parts.unit->name) == "hz") return nameAside(message("is a frequency"), parts);
@@ -121,7 +127,7 @@ ColumnName nameByUnit(const NameParts& parts) {
     const bool letter =
         parts.words.size() == 1 && (parts.words[0] == "i" || parts.words[0] == "m" || parts.words[0] == "im");
     if (motors || letter) return nameTaken(parts, contractName(kind, reference), 2);
-    return nameAside(message("its name says nothing that is known"), parts);
+    return nameThatSaysNothing(parts);
   }
   const bool letter = parts.words.size() == 1 && isSingleLetter(parts.words[0], "mt");  // "M [Nm]"
   const bool enough = kind == UnitKind::time || kind == UnitKind::angularVelocity ||
@@ -129,7 +135,7 @@ ColumnName nameByUnit(const NameParts& parts) {
   if (letter && kind == UnitKind::torque && parts.group == "left")
     return nameAside(message("may be the load's"), parts);  // "M_L [Nm]"
   const std::string to = contractName(kind, reference);
-  if (!enough || to.empty()) return nameAside(message("its name says nothing that is known"), parts);
+  if (!enough || to.empty()) return nameThatSaysNothing(parts);
   ColumnName name = nameTaken(parts, to, plain && kind == UnitKind::angularVelocity ? 0 : 3);
   name.byUnit = (!plain || joint) && kind != UnitKind::time;  // "knee [deg]"
   return name;

@@ -14,6 +14,8 @@ namespace breakaway {
 std::string contractName(UnitKind kind, bool reference);
 
 ColumnName nameAside(Message why, const NameParts& parts);
+/// Aside, for no word of the name is known.
+ColumnName nameThatSaysNothing(const NameParts& parts);
 
 /// Taken as `to` in the unit of its name.
 ColumnName nameTaken(const NameParts& parts, std::string to, int rank);

@@ -120,7 +120,7 @@ bool namesOnlyReference(const Words& words) {
 
 bool Settling::isUnknown(size_t c) const {
   const ColumnName& name = choices_[c].name;
-  return isFree(c) && (!name.unknownWord.empty() || name.aside == message("its name says nothing that is known"));
+  return isFree(c) && (!name.unknownWord.empty() || name.saysNothing);
 }
 
 bool Settling::isFree(size_t c) const {
@@ -136,10 +136,11 @@ void Settling::takeSpeedByValues() {
   double bestCorrelation = agrees, bestScale = 1.0;
   std::string bestUnit;
   for (size_t c = 0; c < fates_.size(); ++c) {
-    const bool nameless = choices_[c].name.aside == message("it has no name");
     const NameParts parts = partsOfName(fates_[c].from, table_.columns[c].unit);
     const bool told = parts.unit != nullptr && parts.unit->kind == UnitKind::angularVelocity;
-    if (!(isUnknown(c) || (isFree(c) && nameless)) || (parts.unit != nullptr && !told) || parts.unknownUnit) continue;
+    if (!(isUnknown(c) || (isFree(c) && choices_[c].name.nameless)) || (parts.unit != nullptr && !told) ||
+        parts.unknownUnit)
+      continue;
     const auto motion = compareMotion(time_.time_s, values(*angle), values(c), time_.pauses);
     if (!motion || !(motion->correlation > bestCorrelation) || variesAlike(values(*angle), values(c)) < agrees)
       continue;
